@@ -1,0 +1,32 @@
+# thigma_room(NAME SOURCES a.cpp ... [DEPENDS room ...]): one folder, one library, listed sources.
+# Objects of every room also go into the one library users link, thigma::thigma.
+define_property(GLOBAL PROPERTY THIGMA_ROOMS BRIEF_DOCS "rooms in build order")
+
+function(thigma_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_library(thigma_${name} STATIC ${ROOM_SOURCES})
+  target_include_directories(thigma_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
+  target_link_libraries(thigma_${name} PUBLIC Eigen3::Eigen Threads::Threads $<BUILD_INTERFACE:thigma_flags>
+                                       PRIVATE $<BUILD_INTERFACE:thigma_warnings>)
+  foreach(other IN LISTS ROOM_DEPENDS)
+    target_link_libraries(thigma_${name} PUBLIC thigma_${other})
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY THIGMA_ROOMS ${name})
+endfunction()
+
+# thigma_test(NAME room ...): tests/<room>/<file>_test.cpp of one room in one executable.
+function(thigma_test name)
+  cmake_parse_arguments(T "" "LABEL;TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${name} ${T_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${T_DEPENDS} GTest::gtest GTest::gtest_main thigma_warnings)
+  if(NOT T_LABEL)
+    set(T_LABEL unit)
+  endif()
+  if(NOT T_TIMEOUT)
+    set(T_TIMEOUT 600)
+  endif()
+  # One ctest entry an executable: gtest's own cases are counted by scripts/test from its XML.
+  add_test(NAME ${name} COMMAND ${name} --gtest_output=xml:${CMAKE_BINARY_DIR}/results/${name}.xml)
+  set_tests_properties(${name} PROPERTIES LABELS "${T_LABEL}" TIMEOUT ${T_TIMEOUT})
+endfunction()

@@ -1,0 +1,48 @@
+#pragma once
+// Contacts: the one place where their sign and frame are defined.
+
+#include <cstdint>
+#include <vector>
+
+#include "thigma/math/types.h"
+
+namespace thigma {
+
+inline constexpr std::int32_t kSceneBody = -1;
+
+enum class ContactStatus : std::uint8_t {
+  separated,    // depth <= 0 is minus the distance of the original triangles
+  penetrating,  // depth > 0 along normal, at most half the patch thickness
+  deep,         // depth > 0 beyond that: the direction is kept, or a thicker ancestor's
+};
+
+/// A contact between one surface patch of the grasped object and one of a scene object (Sec. 5.4.1).
+/// depth = normal . (point - scene_point): positive when penetrating, negative when separated.
+struct Contact {
+  Vec3 point = Vec3::Zero();        // p, on the grasped object [m; world]
+  Vec3 scene_point = Vec3::Zero();  // p_0, on the scene object [m; world]
+  Vec3 normal = Vec3::UnitZ();      // unit, out of the grasped object, into the scene [world]
+  double depth = 0.0;               // [m]
+  double bound = 0.0;               // the original triangles' depth along normal differs by no more [m]; 0 = exact
+  std::int32_t body = 0;            // static object of the scene, 0..
+  std::int32_t object_patch = -1, scene_patch = -1;  // finest patches or nodes they come from
+  std::int32_t object_level = 0, scene_level = 0;
+  ContactStatus status = ContactStatus::separated;
+};
+
+/// Counts of one query.
+struct QueryStats {
+  std::int64_t front = 0;        // node pairs held after the query
+  std::int64_t tests = 0;        // node pairs looked at
+  std::int64_t pair_queries = 0; // convex pairs solved
+  std::int64_t triangle_pairs = 0;
+};
+
+/// Contacts of one frame. The caller reserves capacity; a query never grows it, what does not fit is counted.
+struct ContactSet {
+  std::vector<Contact> contacts;
+  std::int64_t dropped = 0;
+  QueryStats stats;
+};
+
+}  // namespace thigma

@@ -1,0 +1,59 @@
+#pragma once
+// Two convex hulls under a relative pose: distance with witnesses, and local penetration.
+
+#include <cstdint>
+
+#include "thigma/convex/hull_view.h"
+#include "thigma/math/pose.h"
+
+namespace thigma {
+
+/// Relative placement of hull b in the frame of hull a's body, with the rotation as a matrix: computed once a
+/// query, used by every pair of the same two bodies.
+struct RelativePose {
+  Mat3 rotation = Mat3::Identity();  // a_from_b
+  Vec3 translation = Vec3::Zero();   // [m; frame of a]
+};
+
+RelativePose relative_pose(const Pose& world_from_a, const Pose& world_from_b) noexcept;
+
+/// What a pair remembers between calls. Makes calls fast; results of separation queries do not depend on it
+/// (beyond rounding). Zero-initialised means "nothing known". 16 bytes: fronts hold one a node pair.
+struct GjkCache {
+  std::uint8_t a[4] = {0, 0, 0, 0};  // support vertices of the last simplex
+  std::uint8_t b[4] = {0, 0, 0, 0};
+  std::uint8_t count = 0;            // of the simplex, 0..4
+  std::uint8_t pad[3] = {0, 0, 0};
+  float axis_scale = 0.0f;           // reserved for a cached separating axis of the front
+};
+
+enum class PairStatus : std::uint8_t {
+  separated,    // distance > 0, witnesses valid
+  overlapping,  // hulls intersect or touch
+  gave_up,      // iteration limit: distance is a lower bound, witnesses the best known
+};
+
+/// Closest points of two hulls, in the frame of a.
+struct Separation {
+  PairStatus status = PairStatus::separated;
+  double distance = 0.0;          // [m], 0 when overlapping
+  Vec3 witness_a = Vec3::Zero();  // [m; frame of a]
+  Vec3 witness_b = Vec3::Zero();
+  std::uint32_t feature_a = 0;    // mask of the vertices of a that span the closest feature (1..3 bits)
+  std::uint32_t feature_b = 0;
+  int iterations = 0;
+};
+
+/// Distance of two hulls (GJK with warm start).
+///
+/// a, b      1..32 vertices each
+/// a_from_b  relative pose
+/// stop      a caller that only needs to know "farther than stop" may end early: distance is then a lower bound
+///           >= stop [m]; infinity for the exact distance
+/// cache     read and written
+/// returns   relative accuracy 1e-12 of the larger of distance and hull size
+/// Thread    [contact]; no failure, no allocation.
+Separation closest_points(const HullView& a, const HullView& b, const RelativePose& a_from_b, double stop,
+                          GjkCache& cache) noexcept;
+
+}  // namespace thigma

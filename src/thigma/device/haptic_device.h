@@ -1,0 +1,59 @@
+#pragma once
+// The device a person holds. One of the two virtual interfaces of the project.
+
+#include <cstdint>
+#include <string>
+
+#include "thigma/core/rt.h"
+#include "thigma/math/pose.h"
+
+namespace thigma {
+
+enum class DeviceClock : std::uint8_t { engine, device };  // who ticks: our thread, or the device's own
+
+/// What a device can do. Constant after opening.
+struct DeviceLimits {
+  double max_force = 3.3;            // [N], norm
+  double max_torque = 0.1;           // [N m], norm
+  double max_stiffness = 1000.0;     // [N/m] at 1 kHz
+  double workspace_radius = 0.1;     // [m]
+  bool senses_translation = true, senses_rotation = true;
+  bool actuates_translation = true, actuates_rotation = true;
+  DeviceClock clock = DeviceClock::engine;
+};
+
+enum class DeviceStatus : std::uint8_t {
+  ok,
+  not_ready,   // no sample yet; the last one is repeated
+  lost,        // unplugged, closed or answering nonsense: a fault
+  finished,    // a script or a replay has come to its end
+};
+
+/// One sample of a device.
+struct DeviceState {
+  double time = 0.0;           // when it was taken [s; session clock]
+  Motion motion;               // handle pose and velocity [device frame: right-handed, z up]
+  std::uint32_t buttons = 0;   // bit 0: clutch (grasp) pressed
+  DeviceStatus status = DeviceStatus::ok;
+};
+
+/// Bit of DeviceState::buttons that means "the hand is on the object".
+inline constexpr std::uint32_t kClutchButton = 1u;
+
+/// A device or something that stands for one.
+/// Thread: open and close are [offline]; read and write are [haptic], called in turn from one thread.
+class HapticDevice {
+ public:
+  virtual ~HapticDevice() = default;
+
+  virtual const DeviceLimits& limits() const = 0;
+  virtual std::string name() const = 0;
+
+  /// State at `now` [s; session clock, or the device's own when it owns the clock].
+  virtual DeviceState read(double now) THIGMA_RT = 0;
+
+  /// Applies a wrench to the hand, about the handle [N, N m; device frame], until the next call.
+  virtual void write(const Wrench& wrench) THIGMA_RT = 0;
+};
+
+}  // namespace thigma

@@ -1,0 +1,36 @@
+#pragma once
+// The grasped body: what never changes of it, and its state y.
+
+#include "thigma/core/rt.h"
+#include "thigma/math/pose.h"
+
+namespace thigma {
+
+/// Mass properties. Constant.
+struct RigidBody {
+  double mass = 0.0;                       // [kg]
+  Mat3 inertia = Mat3::Identity();         // about the centre of mass [kg m^2; body frame]
+  Mat3 inverse_inertia = Mat3::Identity();  // of the above; set by make_body
+  Vec3 gravity = Vec3::Zero();             // acceleration [m/s^2; world]
+};
+
+/// y = (x, q, P, L), 13 numbers in this order, world frame (Sec. 5.1.3).
+/// Invariant: |orientation| = 1 to 1e-9. position is that of the centre of mass.
+struct BodyState {
+  Vec3 position = Vec3::Zero();              // x [m]
+  Quat orientation = Quat::Identity();       // q, world from body
+  Vec3 linear_momentum = Vec3::Zero();       // P [kg m/s]
+  Vec3 angular_momentum = Vec3::Zero();      // L about the centre of mass [kg m^2/s]
+};
+
+/// Body of this mass and inertia tensor. Asserts both are positive definite. Thread [offline].
+RigidBody make_body(double mass, const Mat3& inertia, const Vec3& gravity = Vec3::Zero());
+
+/// Velocity of the centre of mass and angular velocity (Eq. 5.2), world. Thread [haptic].
+Twist velocity(const RigidBody& body, const BodyState& state) THIGMA_RT;
+
+/// y as a vector and back. Thread [haptic].
+Vec13 to_vector(const BodyState& state) THIGMA_RT;
+BodyState from_vector(const Vec13& y) THIGMA_RT;
+
+}  // namespace thigma
