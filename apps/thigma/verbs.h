@@ -17,11 +17,15 @@ struct Common {
   bool json = false;        // one JSON object a line on standard output
   bool quiet = false;       // nothing on standard error but errors
   std::uint64_t seed = 1;
+  int exit_code = 0;        // of the verb that ran
 };
 
 /// Adds --json, --quiet, --seed to a verb; `body` runs when the verb is chosen and returns the exit code.
 /// InputError thrown by body prints its one line and exits 4, IoError 1.
 CLI::App* add_verb(CLI::App& app, Common& common, const char* name, const char* help, std::function<int()> body);
+
+/// Every verb of this build, in the order of --help (all_verbs.cpp).
+void add_all_verbs(CLI::App& app, Common& common);
 
 void add_inspect(CLI::App& app, Common& common);
 void add_repair(CLI::App& app, Common& common);
