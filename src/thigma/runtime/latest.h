@@ -1,0 +1,50 @@
+#pragma once
+// Newest-value exchange between two threads.
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+#include "thigma/core/rt.h"
+
+namespace thigma {
+
+/// Hands the newest value of one writer to one reader; older ones are overwritten unseen. Wait-free on both sides.
+/// Three slots: the writer owns one, the reader owns one, the third changes hands by one atomic exchange.
+/// Invariant: the three slot numbers are a permutation of 0..2.
+/// Thread: publish from one thread, fetch and value from one other; all [haptic].
+template <RtPayload T>
+class Latest {
+ public:
+  /// Slot to be filled in place before publish(); holds an old value.
+  T& draft() THIGMA_RT { return slots_[writer_]; }
+
+  /// Makes the draft the newest value.
+  void publish() THIGMA_RT {
+    writer_ = middle_.exchange(writer_ | kFresh, std::memory_order_acq_rel) & kSlot;
+  }
+  void publish(const T& value) THIGMA_RT {
+    slots_[writer_] = value;
+    publish();
+  }
+
+  /// Takes the newest value if there is one the reader has not seen; returns whether value() changed.
+  bool fetch() THIGMA_RT {
+    if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
+    reader_ = middle_.exchange(reader_, std::memory_order_acq_rel) & kSlot;
+    return true;
+  }
+
+  /// The value fetched last; T{} before the first.
+  const T& value() const THIGMA_RT { return slots_[reader_]; }
+
+ private:
+  static constexpr std::uint32_t kSlot = 3, kFresh = 4;
+  std::array<T, 3> slots_{};
+  // Own cache lines: neither side's bookkeeping slows the other.
+  alignas(64) std::uint32_t writer_ = 0;
+  alignas(64) std::atomic<std::uint32_t> middle_{1};
+  alignas(64) std::uint32_t reader_ = 2;
+};
+
+}  // namespace thigma
