@@ -20,7 +20,10 @@ struct RealFace {
 /// An edge of the hull that is an edge of the surface, convex or flat, interior or boundary.
 struct RealEdge {
   std::uint8_t tail = 0, head = 0;        // hull vertices
-  std::int16_t face_left = -1, face_right = -1;  // into the hull's real faces, -1 where the surface ends (patch boundary)
+  std::int16_t face_left = -1, face_right = -1;  // into the hull's real faces, -1 where the patch ends
+  // Only where the patch ends and the object's surface goes on over a convex or flat edge: the unit normal of the
+  // triangle beyond, so that the edge's normal cone is exact. Zero at reflex edges and where the surface ends.
+  Vec3 beyond = Vec3::Zero();
 };
 
 /// A triangle of the original mesh, by hull vertices. All triangles of a patch lie on its hull.
