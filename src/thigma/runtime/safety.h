@@ -46,7 +46,8 @@ struct SafetyState {
   double armed_time = 0.0;        // [s]
   bool was_in_contact = false;
   double onset_time = -1e300;     // of the last first touch [s]
-  Wrench sent;                    // what the device got last, about the handle [device frame]
+  Wrench slewed;                  // after ramp, clamp and slew, before fading; about the handle [device frame]
+  Wrench sent;                    // slewed times the weight of the contact model
   bool has_device = false;        // a good sample has been seen
   Vec3 last_position = Vec3::Zero();  // of the handle [m; device frame]
   double last_time = 0.0;         // of the last new sample [s]

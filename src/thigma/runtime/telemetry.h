@@ -19,6 +19,8 @@ struct HapticSample {
   DeviceState device;                // as read [device frame]
   std::uint64_t model_sequence = 0;  // contact model used, 0 = none yet
   Fault external_fault = Fault::none;  // told to the step from outside (watchdog)
+  std::uint64_t input_digest = 0;    // of the lines above: tells a damaged recording even where the change is lost in
+                                     // rounding
   // What came out.
   Motion handle;                     // of the device in the scene [world]
   BodyState body;                    // at the end of the step
@@ -26,7 +28,7 @@ struct HapticSample {
   Wrench contact;                    // on the object about its centre of mass [world]
   Wrench feedback;                   // on the hand about the handle, after the limits [device frame]
   Wrench command;                    // what was sent: feedback without the axes the device lacks [device frame]
-  double model_age = 0.0;            // [s]
+  double model_age = 0.0;            // infinity: no model yet [s]
   double model_weight = 0.0;         // 1 fresh .. 0 stale
   double penetration = 0.0;          // deepest contact of the model at the new state, <= 0: none [m]
   double stretch = 0.0;              // of the coupling: handle to grasp point [m; world]
@@ -52,9 +54,26 @@ struct ContactSample {
   std::int64_t front = 0;
   std::int64_t tests = 0;
   std::int32_t clusters = 0;
-  double depth_max = 0.0;        // of the contacts, minus the distance when separated; unknown without one [m]
+  double depth_max = 0.0;        // of the contacts, minus the distance when separated; means nothing without one [m]
+  std::uint64_t model_digest = 0;  // of the model's terms, as input_digest
   LinearContactModel model;
 };
 static_assert(RtPayload<ContactSample>);
+
+/// Bits of several numbers in one; order matters. Thread [haptic].
+struct StateHash {
+  std::uint64_t value = 0xcbf29ce484222325ull;
+};
+void add_bits(StateHash& hash, std::uint64_t bits) THIGMA_RT;
+void add_number(StateHash& hash, double number) THIGMA_RT;
+void add_vector(StateHash& hash, const Vec3& v) THIGMA_RT;
+void add_quaternion(StateHash& hash, const Quat& q) THIGMA_RT;
+
+/// The frame's part of `state_hash`: the 13 state numbers and the six of the wrench sent. Thread [haptic].
+void add_frame(StateHash& hash, const BodyState& body, const Wrench& command) THIGMA_RT;
+
+/// Digest of what a haptic frame read, and of what a contact frame published. Thread [haptic].
+std::uint64_t input_digest(const HapticSample& sample) THIGMA_RT;
+std::uint64_t model_digest(const LinearContactModel& model) THIGMA_RT;
 
 }  // namespace thigma

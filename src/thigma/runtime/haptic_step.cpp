@@ -1,0 +1,170 @@
+// One frame of the haptic thread, Sec. 5.1.2 steps 1-6, with the safety layer around it.
+
+#include "thigma/runtime/haptic_step.h"
+
+#include <limits>
+
+#include "thigma/dynamics/implicit_step.h"
+
+namespace thigma {
+namespace {
+
+bool is_finite(const BodyState& y) THIGMA_RT {
+  return y.position.allFinite() && y.orientation.coeffs().allFinite() && y.linear_momentum.allFinite() &&
+         y.angular_momentum.allFinite();
+}
+
+void hold_still(BodyState& y) THIGMA_RT {
+  y.linear_momentum.setZero();
+  y.angular_momentum.setZero();
+}
+
+/// The clutch has closed: the handle stands for the grasp point, or stays where it is, and both springs are at rest.
+void take_hold(const HapticParams& params, const Pose& handle, HapticState& state) THIGMA_RT {
+  if (params.grasp_place == GraspPlace::grasp_point) {
+    const Pose world_from_body{state.body.position, state.body.orientation};
+    const Pose place{transform_point(world_from_body, params.grasp_point),
+                     params.workspace.world_from_device.orientation * handle.orientation};
+    state.anchor = anchor_at(handle, place);
+  }
+  const Motion still{handle, Twist{}};
+  const Motion world = world_motion(params.workspace, state.anchor, still, params.device.senses_rotation);
+  grasp(state.coupling, state.body, world.pose);
+  state.is_grasped = true;
+}
+
+void let_go(HapticState& state) THIGMA_RT {
+  release(state.coupling);
+  hold_still(state.body);
+  state.is_grasped = false;
+}
+
+void follow_clutch(const HapticParams& params, bool is_usable, HapticState& state) THIGMA_RT {
+  if (state.safety.fault != Fault::none) {
+    if (state.is_grasped) let_go(state);
+    return;
+  }
+  if (!is_usable) return;
+  const bool is_pressed = (state.last_device.buttons & kClutchButton) != 0;
+  if (is_pressed && !state.was_pressed) take_hold(params, state.last_device.motion.pose, state);
+  if (!is_pressed && state.is_grasped) let_go(state);
+  state.was_pressed = is_pressed;
+}
+
+/// How the terms of a model stand at a state.
+struct Touch {
+  std::int32_t count = 0;     // terms within reach
+  double penetration = -std::numeric_limits<double>::infinity();  // deepest [m]
+};
+
+Touch touch(const LinearContactModel& model, const BodyState& y) THIGMA_RT {
+  Touch result;
+  for (const PlaneTerm& t : model.planes) {
+    const Vec3 point = y.position + y.orientation._transformVector(t.arm_body);
+    const double depth = t.normal.dot(point - t.scene_point);
+    if (depth + t.tolerance > 0.0) ++result.count;
+    if (depth > result.penetration) result.penetration = depth;
+  }
+  result.count += static_cast<std::int32_t>(model.taylors.size());
+  return result;
+}
+
+/// Steps 2-4: both wrenches linearised at t_{i-1} with the device sample of t_i, then the state at t_i.
+void advance_body(const HapticParams& params, const Motion& handle, const LinearContactModel& model, double weight,
+                  double elapsed, HapticState& state) THIGMA_RT {
+  WrenchJacobian by_coupling, by_contact;
+  const Wrench pull = coupling_wrench(state.coupling, handle, params.body, state.body, &by_coupling);
+  const Wrench push = contact_wrench(model, params.body, state.body, weight, &by_contact);
+  state.body = implicit_step(params.body, state.body, pull + push, by_coupling + by_contact, elapsed);
+}
+
+}  // namespace
+
+HapticState initial_state(const HapticParams& params, const Pose& world_from_body) THIGMA_RT {
+  HapticState state;
+  state.body.position = world_from_body.position;
+  state.body.orientation = world_from_body.orientation;
+  state.coupling = params.coupling;
+  release(state.coupling);
+  state.anchor = base_anchor(params.workspace);
+  return state;
+}
+
+HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports, const HapticTick& tick,
+                         HapticState& state) THIGMA_RT {
+  SafetyState& safety = state.safety;
+  HapticSample sample;
+  sample.frame = state.frame++;
+  sample.time = tick.now;
+  sample.elapsed = tick.elapsed;
+  sample.external_fault = tick.external_fault;
+  sample.step_cpu = state.step_cpu;
+  sample.wake_late = state.wake_late;
+
+  // 1. The device, and whether it may be believed.
+  sample.device = ports.device->read(tick.now);
+  if (tick.external_fault != Fault::none) latch_fault(safety, tick.external_fault, tick.now);
+  const bool is_usable = check_device(params.safety, sample.device, tick.now, tick.elapsed, safety);
+  if (is_usable && sample.device.status != DeviceStatus::not_ready) {
+    state.last_device = sample.device;
+    observe_motion(state.energy, sample.device.motion.pose);
+  }
+  ports.models->fetch();
+  const LinearContactModel& model = ports.models->value();
+  sample.model_sequence = model.sequence;
+  sample.input_digest = input_digest(sample);
+  sample.model_age = model.sequence == 0 ? std::numeric_limits<double>::infinity() : tick.now - model.time;
+  sample.model_weight = model_weight(params.safety, sample.model_age, tick.now, safety);
+
+  follow_clutch(params, is_usable, state);
+  if (!params.device.senses_rotation && state.is_grasped) {
+    turn_by_buttons(params.workspace, state.last_device.buttons, params.turn_rate, tick.elapsed, state.anchor);
+  }
+  const Motion handle =
+      world_motion(params.workspace, state.anchor, state.last_device.motion, params.device.senses_rotation);
+
+  // 2-4. The object.
+  if (state.is_grasped) {
+    const BodyState before = state.body;
+    advance_body(params, handle, model, sample.model_weight, tick.elapsed, state);
+    if (!is_finite(state.body)) {
+      latch_fault(safety, Fault::not_finite, tick.now);
+      state.body = before;
+      let_go(state);
+    }
+  }
+
+  // 5-6. The hand. Nothing arms on a model that does not count fully.
+  const Touch now_touching = touch(model, state.body);
+  const bool may_be_armed = state.is_grasped && (safety.is_armed || sample.model_weight >= 1.0);
+  update_arming(may_be_armed, now_touching.count > 0, tick.now, safety);
+  sample.coupling = coupling_wrench(state.coupling, handle, params.body, state.body);
+  sample.contact = contact_wrench(model, params.body, state.body, sample.model_weight);
+  const Wrench on_hand = device_wrench(state.coupling, handle, params.body, state.body);
+  sample.feedback = limit_wrench(params.safety, params.device, device_wrench(params.workspace, on_hand),
+                                 sample.model_weight, tick.now, tick.elapsed, safety);
+  sample.command = sample.feedback;
+  if (!params.device.actuates_rotation) sample.command.torque.setZero();
+  if (!params.device.actuates_translation) sample.command.force.setZero();
+  ports.device->write(sample.command);
+  observe_wrench(state.energy, sample.command);
+  if (safety.fault != Fault::none && state.is_grasped) let_go(state);
+
+  // 7. What others see.
+  sample.handle = handle;
+  sample.body = state.body;
+  sample.penetration = now_touching.penetration;
+  sample.touching = now_touching.count;
+  sample.stretch = coupling_stretch(state.coupling, handle.pose, state.body).linear.norm();
+  sample.energy = state.energy.energy;
+  sample.is_grasped = state.is_grasped;
+  sample.is_armed = safety.is_armed;
+  sample.fault = safety.fault;
+  if (ports.bodies != nullptr) {
+    ports.bodies->publish({state.body, tick.now, sample.frame});
+  }
+  if (ports.telemetry != nullptr) ports.telemetry->push(sample);
+  return sample;
+}
+
+}  // namespace thigma

@@ -1,0 +1,126 @@
+#include "thigma/runtime/safety.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thigma {
+namespace {
+
+bool is_finite(const Wrench& w) THIGMA_RT { return w.force.allFinite() && w.torque.allFinite(); }
+
+bool is_finite(const DeviceState& d) THIGMA_RT {
+  return d.motion.pose.position.allFinite() && d.motion.pose.orientation.coeffs().allFinite() &&
+         d.motion.twist.linear.allFinite() && d.motion.twist.angular.allFinite();
+}
+
+/// Shortened to `limit`, direction kept.
+Vec3 clamped(const Vec3& v, double limit) THIGMA_RT {
+  const double n = v.norm();
+  if (n <= limit) return v;
+  return (limit / n) * v;
+}
+
+}  // namespace
+
+const char* fault_name(Fault fault) noexcept {
+  switch (fault) {
+    case Fault::none: return "none";
+    case Fault::device_lost: return "device_lost";
+    case Fault::not_finite: return "not_finite";
+    case Fault::too_fast: return "too_fast";
+    case Fault::pose_jump: return "pose_jump";
+    case Fault::contact_stale: return "contact_stale";
+    case Fault::watchdog: return "watchdog";
+  }
+  return "unknown";
+}
+
+void latch_fault(SafetyState& safety, Fault fault, double now) THIGMA_RT {
+  safety.is_armed = false;
+  if (safety.fault != Fault::none || fault == Fault::none) return;
+  safety.fault = fault;
+  safety.fault_time = now;
+}
+
+void clear_fault(SafetyState& safety) THIGMA_RT {
+  safety.fault = Fault::none;
+  safety.fault_time = 0.0;
+  // The next sample starts a new history: the jump that caused the fault is not to be seen again.
+  safety.has_device = false;
+}
+
+bool check_device(const SafetyLimits& limits, const DeviceState& device, double now, double elapsed,
+                  SafetyState& safety) THIGMA_RT {
+  if (device.status == DeviceStatus::lost) {
+    latch_fault(safety, Fault::device_lost, now);
+    return false;
+  }
+  if (device.status == DeviceStatus::not_ready) {
+    if (safety.has_device && now - safety.last_time > limits.silent_device) {
+      latch_fault(safety, Fault::device_lost, now);
+    }
+    return safety.has_device && safety.fault == Fault::none;
+  }
+  if (!is_finite(device) || !(device.motion.pose.orientation.squaredNorm() > 0.25)) {
+    latch_fault(safety, Fault::not_finite, now);
+    return false;
+  }
+  if (device.motion.twist.linear.norm() > limits.max_speed) latch_fault(safety, Fault::too_fast, now);
+  if (safety.has_device) {
+    // A tick longer than the usual millisecond may go as far as the speed limit allows in it.
+    const double reach = std::max(limits.pose_jump, limits.max_speed * elapsed);
+    const double moved = (device.motion.pose.position - safety.last_position).norm();
+    if (moved > reach) latch_fault(safety, Fault::pose_jump, now);
+  }
+  safety.has_device = true;
+  safety.last_position = device.motion.pose.position;
+  safety.last_time = now;
+  return safety.fault == Fault::none;
+}
+
+double model_weight(const SafetyLimits& limits, double age, double now, SafetyState& safety) THIGMA_RT {
+  if (!(age < limits.model_stale_age)) {  // NaN counts as stale
+    if (safety.is_armed) latch_fault(safety, Fault::contact_stale, now);
+    return 0.0;
+  }
+  if (age <= limits.model_full_age) return 1.0;
+  return (limits.model_stale_age - age) / (limits.model_stale_age - limits.model_full_age);
+}
+
+void update_arming(bool is_grasped, bool is_in_contact, double now, SafetyState& safety) THIGMA_RT {
+  if (!is_grasped || safety.fault != Fault::none) {
+    safety.is_armed = false;
+  } else if (!safety.is_armed && !is_in_contact) {
+    safety.is_armed = true;
+    safety.armed_time = now;
+  }
+  if (is_in_contact && !safety.was_in_contact) safety.onset_time = now;
+  safety.was_in_contact = is_in_contact;
+}
+
+Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device, const Wrench& wanted, double weight,
+                    double now, double elapsed, SafetyState& safety) THIGMA_RT {
+  if (!is_finite(wanted)) latch_fault(safety, Fault::not_finite, now);
+  if (safety.fault != Fault::none || !safety.is_armed) {
+    safety.slewed = Wrench{};
+    safety.sent = Wrench{};
+    return safety.sent;
+  }
+  const double ramp =
+      limits.start_ramp > 0.0 ? std::clamp((now - safety.armed_time) / limits.start_ramp, 0.0, 1.0) : 1.0;
+  const double force_limit = std::min(limits.max_force, device.max_force);
+  const double torque_limit = std::min(limits.max_torque, device.max_torque);
+  // Clamp first, then ramp: a saturated wrench ramps as well.
+  Wrench w{ramp * clamped(wanted.force, force_limit), ramp * clamped(wanted.torque, torque_limit)};
+  if (now - safety.onset_time > limits.onset_window) {
+    const Wrench& last = safety.slewed;
+    w.force = last.force + clamped(w.force - last.force, limits.force_slew * elapsed);
+    w.torque = last.torque + clamped(w.torque - last.torque, limits.torque_slew * elapsed);
+  }
+  // The slew limit keeps within the ball of the clamp only up to rounding.
+  safety.slewed = {clamped(w.force, force_limit), clamped(w.torque, torque_limit)};
+  safety.sent = weight * safety.slewed;
+  return safety.sent;
+}
+
+}  // namespace thigma

@@ -1,0 +1,112 @@
+#pragma once
+// A session: the two steps run together, on threads or in lockstep on a virtual clock.
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "thigma/runtime/contact_step.h"
+#include "thigma/runtime/fault_injection.h"
+#include "thigma/runtime/haptic_step.h"
+#include "thigma/runtime/histogram.h"
+#include "thigma/runtime/rt_thread.h"
+
+namespace thigma {
+
+/// Everything a session needs but the device. Constant while it runs; hierarchies outlive it.
+struct SessionConfig {
+  HapticParams haptic;                // haptic.device is filled in from the device
+  ContactWorld contact;
+  Pose world_from_body;               // of the centre of mass at the start
+  double rate = 1000.0;               // of the haptic frames [Hz]
+  double duration = 0.0;              // 0: until told to stop or the device has finished [s]
+  std::vector<FaultEvent> faults;
+  double after_fault = 0.020;         // zero force is kept up this long, then the session ends [s]
+
+  // lockstep
+  int contact_every = 1;              // haptic frames from one contact step to the next
+  int contact_latency = 1;            // haptic frames from the state a model is taken at to its first use, >= 1
+
+  // threads
+  RtRequest haptic_thread{80, -1};
+  RtRequest contact_thread{0, -1};
+  std::size_t telemetry_frames = 8192;  // room of the rings; 8 s at 1 kHz
+  std::size_t telemetry_models = 2048;
+};
+
+/// Something worth a line: a fault, grasping, arming, samples lost.
+struct SessionEvent {
+  double time = 0.0;                  // session clock [s]
+  std::uint64_t frame = 0;
+  std::string kind;                   // "fault", "grasped", "released", "armed", "disarmed", "finished"
+  std::string detail;                 // for "fault": its name
+};
+
+/// Where samples go. Called from one thread that is not real time (lockstep: the caller's), in order of frames;
+/// every model comes before the first frame that used it. May throw only in lockstep. Empty ones are skipped.
+struct SessionSinks {
+  std::function<void(const HapticSample&)> haptic;
+  std::function<void(const ContactSample&)> contact;
+  std::function<void(const SessionEvent&)> event;
+};
+
+/// How a session ended.
+enum class SessionEnd : std::uint8_t { duration, device_finished, stopped, fault };
+
+/// What a session was like: the summary of `thigma run` is made of this.
+struct SessionSummary {
+  SessionEnd end = SessionEnd::duration;
+  double seconds = 0.0;               // session clock
+  double rate = 0.0;                  // asked for [Hz]
+  std::uint64_t frames = 0, missed = 0;
+  DurationSummary step_cpu, wake_late;            // [s]
+  std::uint64_t contact_updates = 0;
+  DurationSummary query_cpu, contact_step_cpu;    // [s]
+  double contacts_mean = 0.0, clusters_mean = 0.0, front_mean = 0.0;  // over updates
+  DurationSummary model_age;                      // [s]
+  double force_max = 0.0, force_rms = 0.0;        // sent; rms over frames [N]
+  double torque_max = 0.0, torque_rms = 0.0;      // felt about the handle, sent or not (device without it) [N m]
+  double penetration_max = 0.0;                   // 0: never inside [m]
+  double stretch_max = 0.0;                       // of the coupling [m]
+  double energy_min = 0.0;                        // [J]
+  std::uint64_t dropped_samples = 0;              // of either ring
+  std::uint64_t dropped_contacts = 0;
+  std::vector<SessionEvent> safety_events;
+  std::uint64_t state_hash = 0;
+  std::vector<std::string> notes;                 // what the system refused
+};
+
+/// Runs a session on a virtual clock in the calling thread: no sleeping, no other thread, bit-reproducible.
+///
+/// config   see there; device, limits taken from `device`
+/// stop     null, or looked at every frame
+/// errors   std::invalid_argument for a rate, latency or duration that makes no sense
+/// Thread   [offline]. Ends with zero force written, whatever happens.
+SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device, const SessionSinks& sinks = {},
+                            const std::atomic<bool>* stop = nullptr);
+
+/// A session on threads: haptic, contact, watchdog, and one that drains the telemetry.
+/// Invariant: between start() and the end of finish() the device belongs to the session.
+/// Thread: every member from one thread.
+class Session {
+ public:
+  /// device, and the hierarchies of config, outlive the session.
+  Session(SessionConfig config, HapticDevice& device, SessionSinks sinks = {});
+  ~Session();  // stops, with zero force
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  void start();             // throws std::invalid_argument as run_lockstep, std::system_error without threads
+  void request_stop() noexcept;  // asynchronous; also safe from a signal handler
+  bool is_running() const noexcept;
+  SessionSummary finish();  // waits for the end; call once after start()
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace thigma
