@@ -24,7 +24,7 @@ struct PatchSeparation {
   double distance = 0.0;         // least over the triangle pairs, 0 when intersecting [m]
   Vec3 point_a = Vec3::Zero();   // closest points; intersecting: the mean point of the intersections [frame of a]
   Vec3 point_b = Vec3::Zero();
-  int triangle_a = -1, triangle_b = -1;  // into the hulls' triangles
+  int triangle_a = -1, triangle_b = -1;  // into the hulls' triangles; -1 farther than stop, points invalid
   std::uint32_t feature_a = 0, feature_b = 0;  // masks of the hull vertices that span the closest feature; 0 unknown
   int triangle_pairs = 0;        // measured
 };

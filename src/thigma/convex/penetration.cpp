@@ -1,0 +1,204 @@
+// Local penetration of patches: directional overlap along the directions real faces and edges allow (contract at
+// pair_contact). Patches are thin, so "penetrating" cannot be read off the hulls: a patch is through another one
+// long before the bodies overlap noticeably. What decides is which sides of the surfaces face each other.
+#include "thigma/convex/penetration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "thigma/convex/triangle_distance.h"
+
+namespace thigma {
+namespace {
+
+// Sine of the angle by which both backs must face each other for the overlap direction to count fully.
+constexpr double kFullyThrough = 0.5;
+// Directions within this factor of the least overlap are equal to a caller who remembers one.
+constexpr double kNearEqual = 1.05;
+
+// The pair in the frame of a about a local origin.
+struct Placed {
+  const HullView* a;
+  const HullView* b;
+  Mat3 rotation;
+  Vec3 origin;
+  Vec3 pa[kMaxHullVertices], pb[kMaxHullVertices];
+};
+
+void place(const HullView& a, const HullView& b, const RelativePose& x, Placed& p) {
+  p.a = &a;
+  p.b = &b;
+  p.rotation = x.rotation;
+  p.origin = a.center;
+  for (int i = 0; i < a.vertex_count; ++i) p.pa[i] = a.vertices[i] - p.origin;
+  const Vec3 shift = x.translation - p.origin;
+  for (int i = 0; i < b.vertex_count; ++i) p.pb[i] = x.rotation * b.vertices[i] + shift;
+}
+
+struct Extent {
+  double top_a, bottom_b;  // max_a n.p, min_b n.p about the local origin [m]
+  double overlap() const { return top_a - bottom_b; }
+};
+
+Extent extent_along(const Placed& p, const Vec3& n) {
+  Extent e{n.dot(p.pa[0]), n.dot(p.pb[0])};
+  for (int i = 1; i < p.a->vertex_count; ++i) e.top_a = std::max(e.top_a, n.dot(p.pa[i]));
+  for (int i = 1; i < p.b->vertex_count; ++i) e.bottom_b = std::min(e.bottom_b, n.dot(p.pb[i]));
+  return e;
+}
+
+// The arc of normals of an edge between its two faces.
+struct Arc {
+  Vec3 from, to, pole;  // pole = from x to
+  Vec3 edge;
+  bool empty = true;
+};
+
+Arc arc_of(const HullView& h, const RealEdge& e, const Vec3* points) {
+  Arc arc;
+  const int one = e.face_left >= 0 ? e.face_left : e.face_right;
+  const int other = e.face_left >= 0 ? e.face_right : -1;
+  if (one < 0) return arc;
+  arc.from = h.faces[one].normal;
+  arc.to = other >= 0 ? h.faces[other].normal : e.beyond;
+  arc.pole = arc.from.cross(arc.to);
+  arc.edge = points[e.head] - points[e.tail];
+  arc.empty = other < 0 && e.beyond.squaredNorm() == 0.0;  // a border: the face's own normal is all there is
+  return arc;
+}
+
+Arc arc_of_b(const Placed& p, const RealEdge& e) {
+  Arc arc = arc_of(*p.b, e, p.b->vertices);
+  arc.from = -(p.rotation * arc.from);
+  arc.to = -(p.rotation * arc.to);
+  arc.pole = p.rotation * arc.pole;  // two signs cancel
+  arc.edge = p.rotation * arc.edge;
+  return arc;
+}
+
+// Whether two arcs on the sphere of directions cross (Gregorius 2013): their crossing is the allowed direction.
+bool arcs_cross(const Arc& a, const Arc& b) {
+  const double cba = b.from.dot(a.pole), dba = b.to.dot(a.pole);
+  const double adc = a.from.dot(b.pole), bdc = a.to.dot(b.pole);
+  return cba * dba < 0.0 && adc * bdc < 0.0 && cba * bdc < 0.0;
+}
+
+// Calls visit(direction) for every allowed direction of the pair, out of a.
+template <class Visit>
+void for_each_direction(const Placed& p, Visit visit) {
+  for (int i = 0; i < p.a->face_count; ++i) visit(p.a->faces[i].normal);
+  for (int i = 0; i < p.b->face_count; ++i) visit(Vec3(-(p.rotation * p.b->faces[i].normal)));
+  constexpr int kMaxEdges = 3 * kMaxHullVertices;
+  Arc arcs_b[kMaxEdges];
+  const int count_b = std::min(p.b->edge_count, kMaxEdges);
+  for (int j = 0; j < count_b; ++j) arcs_b[j] = arc_of_b(p, p.b->edges[j]);
+  for (int i = 0; i < p.a->edge_count; ++i) {
+    const Arc arc = arc_of(*p.a, p.a->edges[i], p.pa);
+    if (arc.empty) continue;
+    for (int j = 0; j < count_b; ++j) {
+      if (arcs_b[j].empty || !arcs_cross(arc, arcs_b[j])) continue;
+      const Vec3 n = arc.edge.cross(arcs_b[j].edge);
+      const double length = n.norm();
+      if (!(length > 1e-14 * arc.edge.norm() * arcs_b[j].edge.norm())) continue;  // parallel: the faces cover it
+      visit(Vec3(n * (n.dot(arc.from) + n.dot(arc.to) > 0.0 ? 1.0 / length : -1.0 / length)));
+    }
+  }
+}
+
+struct Choice {
+  Vec3 normal = Vec3::UnitZ();
+  double overlap = std::numeric_limits<double>::infinity();
+};
+
+Choice least_overlap(const Placed& p, const Vec3* last) {
+  Choice best;
+  for_each_direction(p, [&](const Vec3& n) {
+    const double overlap = extent_along(p, n).overlap();
+    if (overlap < best.overlap) best = {n, overlap};
+  });
+  if (last == nullptr) return best;
+  Choice kept = best;
+  double agreement = best.normal.dot(*last);
+  const double limit = kNearEqual * best.overlap;
+  const auto offer = [&](const Vec3& n) {
+    const double match = n.dot(*last);
+    if (!(match > agreement)) return;
+    const double overlap = extent_along(p, n).overlap();
+    if (overlap > limit) return;
+    agreement = match;
+    kept = {n, overlap};
+  };
+  for_each_direction(p, offer);
+  offer(*last);
+  return kept;
+}
+
+// How far the direction from witness to witness lies behind every real face that holds the witness: the least sine,
+// > 0 when the back of the surface is what faces the other patch.
+double back_facing(const HullView& h, std::uint32_t feature, const Vec3& toward_other) {
+  double least = 1.0;
+  bool found = false;
+  for (int i = 0; i < h.face_count; ++i) {
+    if ((feature & ~h.faces[i].vertices) != 0) continue;
+    least = std::min(least, -h.faces[i].normal.dot(toward_other));
+    found = true;
+  }
+  return found ? least : -1.0;
+}
+
+void report_overlap(const Placed& p, const Vec3& n, const Vec3& middle, PairContact& out) {
+  const Extent e = extent_along(p, n);
+  const double at = n.dot(middle - p.origin);
+  out.normal = n;
+  out.depth = e.overlap();
+  out.witness_a = middle + (e.top_a - at) * n;
+  out.witness_b = middle + (e.bottom_b - at) * n;
+  const double valid = 0.5 * std::min(p.a->thickness, p.b->thickness);
+  out.status = out.depth > valid ? PairContactStatus::deep : PairContactStatus::penetrating;
+}
+
+void report_penetration(const HullView& a, const HullView& b, const RelativePose& x, const PatchSeparation& gap,
+                        double through, const Vec3* last, PairContact& out) {
+  Placed p;
+  place(a, b, x, p);
+  Vec3 n = least_overlap(p, last).normal;
+  if (through < 1.0) {
+    // Sideways beyond each other: turn from the direction of the separation to the one of the overlap, or depth
+    // times normal would jump by the distance between the patches.
+    const Vec3 between = (gap.point_b - gap.point_a).normalized();
+    const Vec3 turned = (1.0 - through) * between + through * n;
+    const double length = turned.norm();
+    if (length > 1e-6) n = turned / length;
+  }
+  report_overlap(p, n, 0.5 * (gap.point_a + gap.point_b), out);
+}
+
+}  // namespace
+
+PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& x, double tolerance,
+                         GjkCache& cache, const Vec3* last_normal, const SegmentProbe& probe) noexcept {
+  PairContact out;
+  const PatchSeparation gap = patch_separation(a, b, x, tolerance, cache);
+  out.triangle_pairs = static_cast<std::int16_t>(gap.triangle_pairs);
+  out.separation = gap.distance;
+  out.depth = -gap.distance;
+  if (gap.distance > tolerance) return out;
+  if (gap.intersecting) {
+    report_penetration(a, b, x, gap, 1.0, last_normal, out);
+    return out;
+  }
+  out.status = PairContactStatus::separated;
+  out.witness_a = gap.point_a;
+  out.witness_b = gap.point_b;
+  out.normal = (gap.point_b - gap.point_a) / gap.distance;
+  const double back = std::min(back_facing(a, gap.feature_a, out.normal),
+                               back_facing(b, gap.feature_b, -(x.rotation.transpose() * out.normal)));
+  if (!(back > 0.0)) return out;
+  out.backs_facing = true;
+  if (probe.separates != nullptr && probe.separates(probe.context, gap.point_a, gap.point_b)) return out;
+  report_penetration(a, b, x, gap, std::min(1.0, back / kFullyThrough), last_normal, out);
+  return out;
+}
+
+}  // namespace thigma
