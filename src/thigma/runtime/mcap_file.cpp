@@ -5,9 +5,9 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "thigma/core/error.h"
+#include "thigma/core/file.h"
 
 // After the public MCAP specification: records are opcode, length, content; little-endian; strings carry their
 // length. Chunks are uncompressed: a recording is a few megabytes, and any reader opens it.
@@ -330,10 +330,8 @@ struct Reading {
 }  // namespace
 
 McapFile read_mcap(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(path + ": cannot be read: " + std::strerror(errno) + ", expected an MCAP file");
   McapFile file;
-  file.bytes.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  file.bytes = read_file(path);
   if (file.bytes.compare(0, kMagic.size(), kMagic) != 0) {
     throw InputError(path + ": not an MCAP file, byte 0, expected its magic bytes");
   }

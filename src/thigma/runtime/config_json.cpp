@@ -1,0 +1,224 @@
+#include "thigma/runtime/config_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "thigma/core/error.h"
+#include "thigma/runtime/detail/json_text.h"
+
+namespace thigma {
+namespace {
+
+using detail::JsonObject;
+using Json = nlohmann::json;
+
+/// Visits every number of the safety limits with its key; one list for writing and reading.
+template <class Limits, class Visit>
+void each_limit(Limits& s, Visit visit) {
+  visit("max_force", s.max_force);
+  visit("max_torque", s.max_torque);
+  visit("force_slew", s.force_slew);
+  visit("torque_slew", s.torque_slew);
+  visit("onset_window", s.onset_window);
+  visit("start_ramp", s.start_ramp);
+  visit("max_speed", s.max_speed);
+  visit("pose_jump", s.pose_jump);
+  visit("silent_device", s.silent_device);
+  visit("model_full_age", s.model_full_age);
+  visit("model_stale_age", s.model_stale_age);
+  visit("watchdog", s.watchdog);
+}
+
+template <class Device, class Number, class Flag>
+void each_device_limit(Device& d, Number number, Flag flag) {
+  number("max_force", d.max_force);
+  number("max_torque", d.max_torque);
+  number("max_stiffness", d.max_stiffness);
+  number("max_angular_stiffness", d.max_angular_stiffness);
+  number("workspace_radius", d.workspace_radius);
+  flag("senses_translation", d.senses_translation);
+  flag("senses_rotation", d.senses_rotation);
+  flag("actuates_translation", d.actuates_translation);
+  flag("actuates_rotation", d.actuates_rotation);
+}
+
+void put_pose(std::string& out, JsonObject& json, const char* key, const Pose& pose) {
+  json.key(key);
+  JsonObject inner(out);
+  inner.pose(pose);
+  inner.close();
+}
+
+void put_saturation(std::string& out, JsonObject& json, const char* key, const std::optional<Saturation>& s) {
+  json.key(key);
+  if (!s) {
+    out += "null";
+    return;
+  }
+  JsonObject inner(out);
+  inner.number("stiffness", s->stiffness);
+  inner.number("linear_range", s->linear_range);
+  inner.number("full_range", s->full_range);
+  inner.number("max_force", s->max_force);
+  inner.close();
+}
+
+void put_body(std::string& out, JsonObject& json, const RigidBody& body) {
+  json.key("body");
+  JsonObject inner(out);
+  inner.number("mass", body.mass);
+  inner.vector("inertia", Eigen::Matrix<double, 9, 1>(body.inertia.transpose().reshaped()));  // row by row
+  inner.vector("gravity", body.gravity);
+  inner.close();
+}
+
+void put_coupling(std::string& out, JsonObject& json, const Coupling& c) {
+  json.key("coupling");
+  JsonObject inner(out);
+  inner.number("linear_stiffness", c.linear_stiffness);
+  inner.number("linear_damping", c.linear_damping);
+  inner.number("angular_stiffness", c.angular_stiffness);
+  inner.number("angular_damping", c.angular_damping);
+  put_saturation(out, inner, "linear_saturation", c.linear_saturation);
+  put_saturation(out, inner, "angular_saturation", c.angular_saturation);
+  inner.close();
+}
+
+void put_device(std::string& out, JsonObject& json, const DeviceLimits& device) {
+  json.key("device_limits");
+  JsonObject inner(out);
+  each_device_limit(
+      device, [&](const char* key, double value) { inner.number(key, value); },
+      [&](const char* key, bool value) { inner.flag(key, value); });
+  inner.flag("device_clock", device.clock == DeviceClock::device);
+  inner.close();
+}
+
+template <class Vector>
+void read_vector(const Json& json, const char* key, Vector& out) {
+  const Json& list = json.at(key);
+  if (!list.is_array() || list.size() != static_cast<std::size_t>(out.size())) {
+    throw InputError(std::string("'") + key + "' has not " + std::to_string(out.size()) + " numbers");
+  }
+  for (std::size_t i = 0; i < list.size(); ++i) out[static_cast<int>(i)] = list[i].get<double>();
+}
+
+void read_pose(const Json& json, Pose& pose) {
+  read_vector(json, "position", pose.position);
+  Vec4 q;
+  read_vector(json, "quat_xyzw", q);
+  pose.orientation.coeffs() = q;
+}
+
+std::optional<Saturation> read_saturation(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  Saturation s;
+  s.stiffness = json.at("stiffness").get<double>();
+  s.linear_range = json.at("linear_range").get<double>();
+  s.full_range = json.at("full_range").get<double>();
+  s.max_force = json.at("max_force").get<double>();
+  return s;
+}
+
+RigidBody read_body(const Json& json) {
+  const double mass = json.at("mass").get<double>();
+  Eigen::Matrix<double, 9, 1> flat;
+  read_vector(json, "inertia", flat);
+  const Mat3 inertia = Mat3(flat.reshaped(3, 3)).transpose();
+  Vec3 gravity;
+  read_vector(json, "gravity", gravity);
+  if (!(mass > 0.0) || !(inertia.determinant() > 0.0)) throw InputError("mass or inertia is not positive");
+  return make_body(mass, inertia, gravity);
+}
+
+Coupling read_coupling(const Json& json) {
+  Coupling c;
+  c.linear_stiffness = json.at("linear_stiffness").get<double>();
+  c.linear_damping = json.at("linear_damping").get<double>();
+  c.angular_stiffness = json.at("angular_stiffness").get<double>();
+  c.angular_damping = json.at("angular_damping").get<double>();
+  c.linear_saturation = read_saturation(json.at("linear_saturation"));
+  c.angular_saturation = read_saturation(json.at("angular_saturation"));
+  return c;
+}
+
+DeviceLimits read_device(const Json& json) {
+  DeviceLimits device;
+  each_device_limit(
+      device, [&](const char* key, double& value) { value = json.at(key).get<double>(); },
+      [&](const char* key, bool& value) { value = json.at(key).get<bool>(); });
+  device.clock = json.at("device_clock").get<bool>() ? DeviceClock::device : DeviceClock::engine;
+  return device;
+}
+
+void read_params(const Json& json, HapticParams& params) {
+  params.body = read_body(json.at("body"));
+  params.coupling = read_coupling(json.at("coupling"));
+  read_pose(json.at("workspace").at("world_from_device"), params.workspace.world_from_device);
+  params.workspace.motion_scale = json.at("workspace").at("motion_scale").get<double>();
+  params.workspace.force_scale = json.at("workspace").at("force_scale").get<double>();
+  each_limit(params.safety, [&](const char* key, double& value) { value = json.at("safety").at(key).get<double>(); });
+  params.device = read_device(json.at("device_limits"));
+  const std::string place = json.at("grasp_place").get<std::string>();
+  params.grasp_place = place == "handle" ? GraspPlace::handle : GraspPlace::grasp_point;
+  read_vector(json, "grasp_point", params.grasp_point);
+  params.turn_rate = json.at("turn_rate").get<double>();
+}
+
+}  // namespace
+
+std::string write_config(const RecordedConfig& config) {
+  const HapticParams& p = config.params;
+  std::string out;
+  JsonObject json(out);
+  json.integer("version", 1);
+  json.key("scene");
+  out += Json(config.scene).dump();
+  json.key("device");
+  out += Json(config.device).dump();
+  json.number("rate_hz", config.rate_hz);
+  json.flag("lockstep", config.is_lockstep);
+  json.word("seed", std::to_string(config.seed));
+  put_pose(out, json, "world_from_body", config.world_from_body);
+  put_body(out, json, p.body);
+  put_coupling(out, json, p.coupling);
+  json.key("workspace");
+  JsonObject workspace(out);
+  put_pose(out, workspace, "world_from_device", p.workspace.world_from_device);
+  workspace.number("motion_scale", p.workspace.motion_scale);
+  workspace.number("force_scale", p.workspace.force_scale);
+  workspace.close();
+  json.key("safety");
+  JsonObject safety(out);
+  each_limit(p.safety, [&](const char* key, double value) { safety.number(key, value); });
+  safety.close();
+  put_device(out, json, p.device);
+  json.word("grasp_place", p.grasp_place == GraspPlace::handle ? "handle" : "grasp_point");
+  json.vector("grasp_point", p.grasp_point);
+  json.number("turn_rate", p.turn_rate);
+  json.word("response", "coupled");
+  json.close();
+  return out;
+}
+
+RecordedConfig read_config(const std::string& text) {
+  RecordedConfig config;
+  try {
+    const Json json = Json::parse(text);
+    const int version = json.at("version").get<int>();
+    if (version != 1) throw InputError("recorded by a newer version (" + std::to_string(version) + "), expected 1");
+    config.scene = json.at("scene").get<std::string>();
+    config.device = json.at("device").get<std::string>();
+    config.rate_hz = json.at("rate_hz").get<double>();
+    config.is_lockstep = json.at("lockstep").get<bool>();
+    config.seed = std::stoull(json.at("seed").get<std::string>());
+    read_pose(json.at("world_from_body"), config.world_from_body);
+    read_params(json, config.params);
+  } catch (const Json::exception& error) {
+    throw InputError(std::string("/config is not a configuration of thigma: ") + error.what());
+  } catch (const std::logic_error& error) {
+    throw InputError(std::string("/config is not a configuration of thigma: ") + error.what());
+  }
+  return config;
+}
+
+}  // namespace thigma

@@ -1,0 +1,230 @@
+#include <charconv>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "thigma/core/error.h"
+#include "thigma/runtime/recording.h"
+
+namespace thigma {
+namespace {
+
+using Json = nlohmann::json;
+
+double number(const Json& json, const char* key) {
+  const Json& value = json.at(key);
+  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+template <class Vector>
+void read_vector(const Json& json, const char* key, Vector& out) {
+  const Json& list = json.at(key);
+  if (!list.is_array() || list.size() != static_cast<std::size_t>(out.size())) {
+    throw InputError(std::string("'") + key + "' has not " + std::to_string(out.size()) + " numbers");
+  }
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    out[static_cast<int>(i)] =
+        list[i].is_null() ? std::numeric_limits<double>::quiet_NaN() : list[i].get<double>();
+  }
+}
+
+void read_pose(const Json& json, Pose& pose) {
+  read_vector(json, "position", pose.position);
+  Vec4 q = pose.orientation.coeffs();
+  read_vector(json, "quat_xyzw", q);
+  pose.orientation.coeffs() = q;
+}
+
+void read_twist(const Json& json, Twist& twist) {
+  read_vector(json, "linear_velocity", twist.linear);
+  read_vector(json, "angular_velocity", twist.angular);
+}
+
+void read_wrench(const Json& json, const char* force, const char* torque, Wrench& wrench) {
+  read_vector(json, force, wrench.force);
+  read_vector(json, torque, wrench.torque);
+}
+
+void read_body(const Json& json, BodyState& body) {
+  Pose pose;
+  read_pose(json, pose);
+  body.position = pose.position;
+  body.orientation = pose.orientation;
+  read_vector(json, "linear_momentum", body.linear_momentum);
+  read_vector(json, "angular_momentum", body.angular_momentum);
+}
+
+std::uint64_t read_hex(const Json& json, const char* key) {
+  const std::string text = json.at(key).get<std::string>();
+  std::uint64_t value = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  if (result.ptr != text.data() + text.size() || text.empty()) {
+    throw InputError(std::string("'") + key + "' is no hexadecimal number");
+  }
+  return value;
+}
+
+DeviceStatus read_status(const Json& json) {
+  const std::string name = json.at("status").get<std::string>();
+  if (name == "ok") return DeviceStatus::ok;
+  if (name == "not_ready") return DeviceStatus::not_ready;
+  if (name == "finished") return DeviceStatus::finished;
+  if (name == "lost") return DeviceStatus::lost;
+  throw InputError("'status' is '" + name + "'");
+}
+
+Fault read_fault(const Json& json, const char* key) {
+  const std::string name = json.at(key).get<std::string>();
+  for (int i = 0; i <= static_cast<int>(Fault::watchdog); ++i) {
+    if (name == fault_name(static_cast<Fault>(i))) return static_cast<Fault>(i);
+  }
+  throw InputError(std::string("'") + key + "' is '" + name + "'");
+}
+
+void read_device(const Json& json, HapticSample& s) {
+  s.frame = json.at("frame").get<std::uint64_t>();
+  s.time = number(json, "time");
+  s.elapsed = number(json, "elapsed");
+  s.device.time = number(json, "sample_time");
+  read_pose(json, s.device.motion.pose);
+  read_twist(json, s.device.motion.twist);
+  s.device.buttons = json.at("buttons").get<std::uint32_t>();
+  s.device.status = read_status(json);
+  s.model_sequence = json.at("model_sequence").get<std::uint64_t>();
+  s.external_fault = read_fault(json, "external_fault");
+}
+
+void read_state(const Json& json, HapticSample& s) {
+  read_body(json, s.body);
+  read_pose(json.at("handle"), s.handle.pose);
+  read_twist(json.at("handle"), s.handle.twist);
+  read_wrench(json, "coupling_force", "coupling_torque", s.coupling);
+  read_wrench(json, "contact_force", "contact_torque", s.contact);
+  s.model_age = number(json, "model_age");
+  s.model_weight = number(json, "model_weight");
+  s.penetration = number(json, "penetration");
+  s.stretch = number(json, "stretch");
+  s.energy = number(json, "energy");
+  s.touching = json.at("touching").get<std::int32_t>();
+  s.is_grasped = json.at("is_grasped").get<bool>();
+  s.is_armed = json.at("is_armed").get<bool>();
+  s.fault = read_fault(json, "fault");
+}
+
+PlaneTerm read_plane(const Json& json) {
+  PlaneTerm p;
+  read_vector(json, "arm_body", p.arm_body);
+  read_vector(json, "normal", p.normal);
+  read_vector(json, "scene_point", p.scene_point);
+  read_vector(json, "scene_velocity", p.scene_velocity);
+  read_vector(json, "tangential_anchor", p.tangential_anchor);
+  p.stiffness = number(json, "stiffness");
+  p.damping = number(json, "damping");
+  p.tolerance = number(json, "tolerance");
+  p.id = json.at("id").get<std::int32_t>();
+  return p;
+}
+
+TaylorTerm read_taylor(const Json& json) {
+  TaylorTerm t;
+  read_wrench(json, "force", "torque", t.wrench);
+  read_vector(json, "normal", t.normal);
+  Eigen::Matrix<double, 78, 1> flat;
+  read_vector(json, "jacobian", flat);
+  for (int i = 0; i < 78; ++i) t.jacobian(i / 13, i % 13) = flat[i];
+  return t;
+}
+
+void read_model(const Json& json, LinearContactModel& model) {
+  model.sequence = json.at("sequence").get<std::uint64_t>();
+  model.time = number(json, "time");
+  read_body(json, model.state);
+  for (const Json& plane : json.at("planes")) {
+    if (!model.planes.push_back(read_plane(plane))) throw InputError("too many 'planes'");
+  }
+  for (const Json& taylor : json.at("taylors")) {
+    if (!model.taylors.push_back(read_taylor(taylor))) throw InputError("too many 'taylors'");
+  }
+}
+
+void read_frame(const Json& json, ContactSample& c) {
+  c.time = number(json, "time");
+  c.published = number(json, "published");
+  c.query_cpu = number(json, "query_cpu");
+  c.step_cpu = number(json, "step_cpu");
+  c.contacts = json.at("contacts").get<std::int64_t>();
+  c.dropped = json.at("dropped").get<std::int64_t>();
+  c.front = json.at("front").get<std::int64_t>();
+  c.tests = json.at("tests").get<std::int64_t>();
+  c.clusters = json.at("clusters").get<std::int32_t>();
+  c.depth_max = number(json, "depth_max");
+}
+
+/// The sample a message of a later topic belongs to: the last one begun.
+template <class Sample>
+Sample& last(std::vector<Sample>& samples) {
+  if (samples.empty()) throw InputError("comes before the message it belongs to");
+  return samples.back();
+}
+
+void read_message(const std::string& topic, std::string_view data, Recording& recording) {
+  if (topic == "/config") {
+    recording.config = std::string(data);
+    return;
+  }
+  const Json json = Json::parse(data);
+  if (topic == "/device/state") {
+    HapticSample sample;
+    read_device(json, sample);
+    recording.frames.push_back(sample);
+    recording.input_hashes.push_back(read_hex(json, "input_hash"));
+  } else if (topic == "/device/command") {
+    HapticSample& sample = last(recording.frames);
+    read_wrench(json, "force", "torque", sample.command);
+    read_wrench(json, "feedback_force", "feedback_torque", sample.feedback);
+  } else if (topic == "/body/state") {
+    read_state(json, last(recording.frames));
+  } else if (topic == "/timing") {
+    HapticSample& sample = last(recording.frames);
+    sample.step_cpu = static_cast<float>(number(json, "step_cpu"));
+    sample.wake_late = static_cast<float>(number(json, "wake_late"));
+  } else if (topic == "/contact/model") {
+    ContactSample sample;
+    read_model(json, sample.model);
+    recording.contacts.push_back(sample);
+  } else if (topic == "/contact/frame") {
+    read_frame(json, last(recording.contacts));
+  } else if (topic == "/events" && json.at("event").get<std::string>() == "end") {
+    recording.has_end = true;
+    recording.end.frames = json.at("frames").get<std::uint64_t>();
+    recording.end.state_hash = read_hex(json, "state_hash");
+    recording.end.dropped = json.at("dropped").get<std::uint64_t>();
+  }
+}
+
+}  // namespace
+
+Recording read_recording(const std::string& path) {
+  McapFile file = read_mcap(path);
+  Recording recording;
+  recording.warnings = std::move(file.warnings);
+  for (const McapMessage& message : file.messages) {
+    const std::string& topic = file.topics[static_cast<std::size_t>(message.channel)];
+    const auto where = [&] {
+      return path + ": message " + std::to_string(message.sequence) + " of " + topic + ", byte " +
+             std::to_string(message.offset) + ", ";
+    };
+    try {
+      read_message(topic, message.data, recording);
+    } catch (const Json::exception& error) {
+      throw InputError(where() + "expected a recording of thigma: " + error.what());
+    } catch (const InputError& error) {
+      throw InputError(where() + "expected a recording of thigma: " + error.what());
+    }
+  }
+  if (recording.config.empty()) {
+    throw InputError(path + ": no /config message, expected a recording of thigma");
+  }
+  return recording;
+}
+
+}  // namespace thigma

@@ -1,0 +1,265 @@
+#include "thigma/runtime/recording.h"
+
+#include <bit>
+#include <cstdio>
+
+#include "thigma/runtime/detail/json_text.h"
+
+namespace thigma {
+namespace {
+
+using detail::JsonObject;
+
+std::uint64_t nanoseconds(double seconds) {
+  return seconds > 0.0 ? static_cast<std::uint64_t>(seconds * 1e9 + 0.5) : 0;
+}
+
+std::string hex(std::uint64_t value) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+  return text;
+}
+
+const char* status_name(DeviceStatus status) {
+  switch (status) {
+    case DeviceStatus::ok: return "ok";
+    case DeviceStatus::not_ready: return "not_ready";
+    case DeviceStatus::lost: return "lost";
+    case DeviceStatus::finished: return "finished";
+  }
+  return "lost";
+}
+
+void put_wrench(JsonObject& json, const char* force, const char* torque, const Wrench& wrench) {
+  json.vector(force, wrench.force);
+  json.vector(torque, wrench.torque);
+}
+
+void put_body(JsonObject& json, const BodyState& body) {
+  json.pose({body.position, body.orientation});
+  json.vector("linear_momentum", body.linear_momentum);
+  json.vector("angular_momentum", body.angular_momentum);
+}
+
+void put_device(std::string& out, const HapticSample& s) {
+  JsonObject json(out);
+  json.integer("frame", static_cast<long long>(s.frame));
+  json.number("time", s.time);
+  json.number("elapsed", s.elapsed);
+  json.number("sample_time", s.device.time);
+  json.pose(s.device.motion.pose);
+  json.twist(s.device.motion.twist);
+  json.integer("buttons", s.device.buttons);
+  json.word("status", status_name(s.device.status));
+  json.integer("model_sequence", static_cast<long long>(s.model_sequence));
+  json.word("external_fault", fault_name(s.external_fault));
+  json.word("input_hash", hex(input_hash(s)));
+  json.close();
+}
+
+void put_command(std::string& out, const HapticSample& s) {
+  JsonObject json(out);
+  json.integer("frame", static_cast<long long>(s.frame));
+  json.number("time", s.time);
+  put_wrench(json, "force", "torque", s.command);
+  put_wrench(json, "feedback_force", "feedback_torque", s.feedback);
+  json.close();
+}
+
+void put_state(std::string& out, const HapticSample& s) {
+  JsonObject json(out);
+  json.integer("frame", static_cast<long long>(s.frame));
+  json.number("time", s.time);
+  put_body(json, s.body);
+  json.key("handle");
+  JsonObject handle(out);
+  handle.pose(s.handle.pose);
+  handle.twist(s.handle.twist);
+  handle.close();
+  put_wrench(json, "coupling_force", "coupling_torque", s.coupling);
+  put_wrench(json, "contact_force", "contact_torque", s.contact);
+  json.number("model_age", s.model_age);
+  json.number("model_weight", s.model_weight);
+  json.number("penetration", s.penetration);
+  json.number("stretch", s.stretch);
+  json.number("energy", s.energy);
+  json.integer("touching", s.touching);
+  json.flag("is_grasped", s.is_grasped);
+  json.flag("is_armed", s.is_armed);
+  json.word("fault", fault_name(s.fault));
+  json.close();
+}
+
+void put_timing(std::string& out, const HapticSample& s) {
+  JsonObject json(out);
+  json.integer("frame", static_cast<long long>(s.frame));
+  json.number("time", s.time);
+  json.number("step_cpu", static_cast<double>(s.step_cpu));
+  json.number("wake_late", static_cast<double>(s.wake_late));
+  json.close();
+}
+
+void put_plane(std::string& out, const PlaneTerm& p) {
+  JsonObject json(out);
+  json.vector("arm_body", p.arm_body);
+  json.vector("normal", p.normal);
+  json.vector("scene_point", p.scene_point);
+  json.vector("scene_velocity", p.scene_velocity);
+  json.vector("tangential_anchor", p.tangential_anchor);
+  json.number("stiffness", p.stiffness);
+  json.number("damping", p.damping);
+  json.number("tolerance", p.tolerance);
+  json.integer("id", p.id);
+  json.close();
+}
+
+void put_taylor(std::string& out, const TaylorTerm& t) {
+  JsonObject json(out);
+  put_wrench(json, "force", "torque", t.wrench);
+  json.vector("normal", t.normal);
+  json.key("jacobian");  // 6 x 13, row by row
+  out += '[';
+  for (int row = 0; row < 6; ++row) {
+    for (int column = 0; column < 13; ++column) {
+      if (row + column > 0) out += ',';
+      detail::put_number(out, t.jacobian(row, column));
+    }
+  }
+  out += ']';
+  json.close();
+}
+
+void put_model(std::string& out, const LinearContactModel& model) {
+  JsonObject json(out);
+  json.integer("sequence", static_cast<long long>(model.sequence));
+  json.number("time", model.time);
+  put_body(json, model.state);
+  json.key("planes");
+  out += '[';
+  for (std::size_t i = 0; i < model.planes.size(); ++i) {
+    if (i > 0) out += ',';
+    put_plane(out, model.planes[i]);
+  }
+  out += ']';
+  json.key("taylors");
+  out += '[';
+  for (std::size_t i = 0; i < model.taylors.size(); ++i) {
+    if (i > 0) out += ',';
+    put_taylor(out, model.taylors[i]);
+  }
+  out += ']';
+  json.close();
+}
+
+void put_frame(std::string& out, const ContactSample& c) {
+  JsonObject json(out);
+  json.integer("sequence", static_cast<long long>(c.model.sequence));
+  json.number("time", c.time);
+  json.number("published", c.published);
+  json.number("query_cpu", c.query_cpu);
+  json.number("step_cpu", c.step_cpu);
+  json.integer("contacts", c.contacts);
+  json.integer("dropped", c.dropped);
+  json.integer("front", c.front);
+  json.integer("tests", c.tests);
+  json.integer("clusters", c.clusters);
+  json.number("depth_max", c.depth_max);
+  json.close();
+}
+
+void mix(std::uint64_t& hash, std::uint64_t bits) {
+  for (int i = 0; i < 8; ++i) {  // FNV-1a
+    hash ^= bits >> (8 * i) & 0xff;
+    hash *= 0x100000001b3ull;
+  }
+}
+
+template <class Vector>
+void mix_vector(std::uint64_t& hash, const Vector& v) {
+  for (int i = 0; i < static_cast<int>(v.size()); ++i) {
+    // All NaNs are one: the file cannot tell them apart.
+    const double value = v[i];
+    mix(hash, value == value && value - value == 0.0 ? std::bit_cast<std::uint64_t>(value) : ~0ull);
+  }
+}
+
+}  // namespace
+
+std::uint64_t input_hash(const HapticSample& s) noexcept {
+  std::uint64_t hash = 0xcbf29ce484222325ull;
+  mix(hash, s.frame);
+  mix_vector(hash, Vec3(s.time, s.elapsed, s.device.time));
+  mix_vector(hash, s.device.motion.pose.position);
+  mix_vector(hash, s.device.motion.pose.orientation.coeffs());
+  mix_vector(hash, s.device.motion.twist.linear);
+  mix_vector(hash, s.device.motion.twist.angular);
+  mix(hash, s.device.buttons);
+  mix(hash, static_cast<std::uint64_t>(s.device.status));
+  mix(hash, s.model_sequence);
+  mix(hash, static_cast<std::uint64_t>(s.external_fault));
+  return hash;
+}
+
+RecordingWriter::RecordingWriter(const std::string& path, const std::string& config)
+    : file_(path),
+      config_(file_.add_channel("/config", "thigma.Config", "")),
+      device_(file_.add_channel("/device/state", "thigma.DeviceState", "")),
+      command_(file_.add_channel("/device/command", "thigma.DeviceCommand", "")),
+      body_(file_.add_channel("/body/state", "thigma.BodyState", "")),
+      timing_(file_.add_channel("/timing", "thigma.Timing", "")),
+      model_(file_.add_channel("/contact/model", "thigma.ContactModel", "")),
+      frame_(file_.add_channel("/contact/frame", "thigma.ContactFrame", "")),
+      events_(file_.add_channel("/events", "thigma.Event", "")) {
+  file_.write(config_, 0, 0, config);
+}
+
+void RecordingWriter::write(const HapticSample& sample) {
+  const std::uint64_t time = nanoseconds(sample.time);
+  const std::uint32_t sequence = static_cast<std::uint32_t>(sample.frame);
+  const auto put = [&](std::uint16_t channel, void (*encode)(std::string&, const HapticSample&)) {
+    text_.clear();
+    encode(text_, sample);
+    file_.write(channel, sequence, time, text_);
+  };
+  put(device_, put_device);
+  put(command_, put_command);
+  put(body_, put_state);
+  put(timing_, put_timing);
+  if (sample.fault != last_fault_) {
+    text_.clear();
+    JsonObject json(text_);
+    json.number("time", sample.time);
+    json.word("event", "fault");
+    json.word("fault", fault_name(sample.fault));
+    json.close();
+    file_.write(events_, event_count_++, time, text_);
+    last_fault_ = sample.fault;
+  }
+  last_time_ = sample.time;
+}
+
+void RecordingWriter::write(const ContactSample& sample) {
+  const std::uint64_t time = nanoseconds(sample.published);
+  text_.clear();
+  put_model(text_, sample.model);
+  file_.write(model_, contact_count_, time, text_);
+  text_.clear();
+  put_frame(text_, sample);
+  file_.write(frame_, contact_count_, time, text_);
+  ++contact_count_;
+}
+
+void RecordingWriter::close(const RecordingEnd& end) {
+  text_.clear();
+  JsonObject json(text_);
+  json.number("time", last_time_);
+  json.word("event", "end");
+  json.integer("frames", static_cast<long long>(end.frames));
+  json.word("state_hash", hex(end.state_hash));
+  json.integer("dropped", static_cast<long long>(end.dropped));
+  json.close();
+  file_.write(events_, event_count_++, nanoseconds(last_time_), text_);
+  file_.close();
+}
+
+}  // namespace thigma
