@@ -27,7 +27,5 @@ CLI::App* add_verb(CLI::App& app, Common& common, const char* name, const char* 
 /// Every verb of this build, in the order of --help (all_verbs.cpp).
 void add_all_verbs(CLI::App& app, Common& common);
 
-void add_inspect(CLI::App& app, Common& common);
-void add_repair(CLI::App& app, Common& common);
 
 }  // namespace thigma::app

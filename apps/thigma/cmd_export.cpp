@@ -1,0 +1,36 @@
+// `thigma export F.mcap -o F.csv`: one row a haptic frame, units in the header.
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "thigma/runtime/recording.h"
+#include "verbs.h"
+
+namespace thigma::app {
+namespace {
+
+int export_recording(const std::string& path, const std::string& out, const Common& common) {
+  const Recording recording = read_recording(path);
+  export_csv(recording, out);
+  if (common.json) {
+    nlohmann::ordered_json json;
+    json["file"] = out;
+    json["frames"] = recording.frames.size();
+    std::printf("%s\n", json.dump().c_str());
+  } else if (!common.quiet) {
+    std::fprintf(stderr, "%zu frames written to %s\n", recording.frames.size(), out.c_str());
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Common& common) {
+  static std::string path, out;
+  CLI::App* verb = add_verb(app, common, "export", "write a recording as CSV, units in the header",
+                            [&common] { return export_recording(path, out, common); });
+  verb->add_option("FILE", path, "recording (.mcap)")->required();
+  verb->add_option("-o,--output", out, "CSV file to write")->required();
+}
+
+}  // namespace thigma::app
