@@ -61,11 +61,13 @@ BodyState step_body(Integrator integrator, const RigidBody& body, const BodyStat
                     const F& forces, double dt) THIGMA_RT {
   if (integrator == Integrator::forward_euler) return forward_euler_step(body, state, forces, dt);
   if (integrator == Integrator::runge_kutta) return runge_kutta_step(body, state, forces, dt);
-  WrenchWithJacobian now;
-  now.wrench = forces(state, &now.jacobian);
-  if (integrator == Integrator::implicit_13) return implicit_step_13(body, state, now, dt);
-  if (integrator == Integrator::implicit_6) return implicit_step_6(body, state, now, dt);
-  return implicit_step(body, state, now, dt);
+  WrenchJacobian jacobian;
+  const Wrench wrench = forces(state, &jacobian);
+  if (integrator == Integrator::implicit_13)
+    return implicit_step_13(body, state, wrench, jacobian, dt);
+  if (integrator == Integrator::implicit_6)
+    return implicit_step_6(body, state, wrench, jacobian, dt);
+  return implicit_step(body, state, wrench, jacobian, dt);
 }
 
 }  // namespace thigma

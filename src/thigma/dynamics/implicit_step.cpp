@@ -28,17 +28,17 @@ double inertia_length(const RigidBody& body, const BodyKinematics& at) THIGMA_RT
 // four.
 template <int R>
 Vec6 solve_momentum(const RigidBody& body, const BodyState& state, const BodyKinematics& at,
-                    const WrenchWithJacobian& forces, double h,
+                    const Wrench& wrench, const WrenchJacobian& jacobian, double h,
                     const Eigen::Matrix<double, 6, R>& by_rotation,
                     const Eigen::Matrix<double, R, 3>& G,
                     const Eigen::Matrix<double, R, 1>& g) THIGMA_RT {
-  const WrenchJacobian& J = forces.jacobian;
+  const WrenchJacobian& J = jacobian;
   const double h_per_mass = h / body.mass;
   Mat6Rows A = Mat6Rows::Identity();
   A.leftCols<3>() -= h * (J.middleCols<3>(7) + h_per_mass * J.leftCols<3>());
   A.rightCols<3>() -= h * (J.rightCols<3>() + by_rotation * G);
   Vec6 b;
-  b << forces.wrench.force + body.mass * body.gravity, forces.wrench.torque;
+  b << wrench.force + body.mass * body.gravity, wrench.torque;
   b = h * (b + J.leftCols<3>() * (h_per_mass * state.linear_momentum) + by_rotation * g);
 
   const double length = inertia_length(body, at);
@@ -63,7 +63,7 @@ BodyState moved(const RigidBody& body, const BodyState& state, const Quat& orien
 }  // namespace
 
 BodyState implicit_step(const RigidBody& body, const BodyState& state, const BodyKinematics& at,
-                        const WrenchWithJacobian& forces, double h) THIGMA_RT {
+                        const Wrench& wrench, const WrenchJacobian& jacobian, double h) THIGMA_RT {
   const Vec3& omega = at.velocity.angular;
   // d(dphi/dt)/dphi = d omega/dphi + omega^*/2. Without the second term the block can become
   // singular.
@@ -72,19 +72,19 @@ BodyState implicit_step(const RigidBody& body, const BodyState& state, const Bod
   const Mat3 G = hE * at.inverse_inertia;
   const Vec3 g = hE * omega;
   const Eigen::Matrix<double, 6, 3> by_phi =
-      forces.jacobian.middleCols<4>(3) * rate_matrix(state.orientation);
-  const Vec6 change = solve_momentum<3>(body, state, at, forces, h, by_phi, G, g);
+      jacobian.middleCols<4>(3) * rate_matrix(state.orientation);
+  const Vec6 change = solve_momentum<3>(body, state, at, wrench, jacobian, h, by_phi, G, g);
   const Vec3 phi = G * change.tail<3>() + g;
   return moved(body, state, rotation_from_vector(phi) * state.orientation, change, h);
 }
 
-BodyState implicit_step(const RigidBody& body, const BodyState& state,
-                        const WrenchWithJacobian& forces, double h) THIGMA_RT {
-  return implicit_step(body, state, kinematics(body, state), forces, h);
+BodyState implicit_step(const RigidBody& body, const BodyState& state, const Wrench& wrench,
+                        const WrenchJacobian& jacobian, double h) THIGMA_RT {
+  return implicit_step(body, state, kinematics(body, state), wrench, jacobian, h);
 }
 
-BodyState implicit_step_6(const RigidBody& body, const BodyState& state,
-                          const WrenchWithJacobian& forces, double h) THIGMA_RT {
+BodyState implicit_step_6(const RigidBody& body, const BodyState& state, const Wrench& wrench,
+                          const WrenchJacobian& jacobian, double h) THIGMA_RT {
   const BodyKinematics at = kinematics(body, state);
   const Mat43 Q = rate_matrix(state.orientation);
   Eigen::Matrix<double, 4, 4, Eigen::RowMajor> B =
@@ -95,17 +95,17 @@ BodyState implicit_step_6(const RigidBody& body, const BodyState& state,
   solve_in_place<4, 4>(B, Gg);
   const Mat43 G = Gg.leftCols<3>();
   const Vec4 g = Gg.col(3);
-  const Eigen::Matrix<double, 6, 4> by_q = forces.jacobian.middleCols<4>(3);
-  const Vec6 change = solve_momentum<4>(body, state, at, forces, h, by_q, G, g);
+  const Eigen::Matrix<double, 6, 4> by_q = jacobian.middleCols<4>(3);
+  const Vec6 change = solve_momentum<4>(body, state, at, wrench, jacobian, h, by_q, G, g);
   const Vec4 q = state.orientation.coeffs() + G * change.tail<3>() + g;
   return moved(body, state, Quat(q), change, h);
 }
 
-BodyState implicit_step_13(const RigidBody& body, const BodyState& state,
-                           const WrenchWithJacobian& forces, double h) THIGMA_RT {
+BodyState implicit_step_13(const RigidBody& body, const BodyState& state, const Wrench& wrench,
+                           const WrenchJacobian& jacobian, double h) THIGMA_RT {
   Eigen::Matrix<double, 13, 13, Eigen::RowMajor> A =
-      Mat13::Identity() - h * state_rate_jacobian(body, state, forces.jacobian);
-  Vec13 change = h * state_rate(body, state, forces.wrench);
+      Mat13::Identity() - h * state_rate_jacobian(body, state, jacobian);
+  Vec13 change = h * state_rate(body, state, wrench);
   solve_in_place<13, 1>(A, change);
   BodyState next = from_vector(to_vector(state) + change);
   next.orientation = unit(next.orientation);

@@ -1,0 +1,193 @@
+#include "thigma/dynamics/linear_contact_model.h"
+
+#include "support/jacobian.h"
+#include <gtest/gtest.h>
+
+namespace thigma {
+namespace {
+
+// A plane term that is `depth` metres inside at this state.
+PlaneTerm plane_at(Random& random, const BodyState& state, double depth) {
+  PlaneTerm t;
+  t.arm_body = random.in_cube(0.05);
+  t.normal = random.direction();
+  t.scene_point =
+      state.position + rotation_matrix(state.orientation) * t.arm_body - depth * t.normal;
+  t.stiffness = random.uniform(500.0, 5000.0);
+  t.damping = random.uniform(0.0, 5.0);
+  t.tolerance = 1e-3;
+  return t;
+}
+
+Wrench wrench_of(const PlaneTerm& term, const RigidBody& body, const BodyState& y,
+                 WrenchJacobian* J) {
+  LinearContactModel model;
+  model.planes.push_back(term);
+  return contact_wrench(model, body, y, 1.0, J);
+}
+
+TEST(LinearContactModel, plane_jacobian_agrees_with_differences) {
+  Random random(1);
+  for (int i = 0; i < 5; ++i) {
+    const RigidBody body = test::random_body(random);
+    for (const test::NamedState& at : test::states_to_try(random, body)) {
+      PlaneTerm term = plane_at(random, at.state, 2e-3);
+      term.scene_velocity = random.in_cube(0.1);
+      term.is_unilateral = false;  // smooth everywhere
+      test::expect_jacobian(
+          [&](const BodyState& y, WrenchJacobian* J) { return wrench_of(term, body, y, J); }, body,
+          at, 1e-7);
+    }
+  }
+}
+
+TEST(LinearContactModel, several_terms_add_and_fading_scales_wrench_and_jacobian) {
+  Random random(2);
+  const RigidBody body = test::random_body(random);
+  const test::NamedState at{"random", test::random_state(random, body, random.orientation())};
+  LinearContactModel model;
+  Wrench sum;
+  for (int i = 0; i < 5; ++i) {
+    PlaneTerm term = plane_at(random, at.state, 5e-3);
+    term.damping = 0.0;
+    model.planes.push_back(term);
+    sum = sum + wrench_of(term, body, at.state, nullptr);
+  }
+  const Wrench full = contact_wrench(model, body, at.state);
+  EXPECT_LE((full.force - sum.force).norm() + (full.torque - sum.torque).norm(), 1e-12);
+  for (const double scale : {0.0, 0.25, 1.0}) {
+    test::expect_jacobian(
+        [&](const BodyState& y, WrenchJacobian* J) {
+          return contact_wrench(model, body, y, scale, J);
+        },
+        body, at, 1e-7);
+    EXPECT_LE((contact_wrench(model, body, at.state, scale).force - scale * full.force).norm(),
+              1e-13);
+  }
+}
+
+TEST(LinearContactModel, force_starts_at_the_tolerance_and_is_stiffness_times_tolerance_at_touch) {
+  Random random(3);
+  const RigidBody body = test::random_body(random);
+  BodyState state = test::random_state(random, body, random.orientation());
+  state.linear_momentum.setZero();
+  state.angular_momentum.setZero();
+  for (const double depth : {-2e-3, -1e-3 - 1e-9, -0.5e-3, 0.0, 1e-3}) {
+    const PlaneTerm term = plane_at(random, state, depth);
+    const Wrench w = wrench_of(term, body, state, nullptr);
+    const double want = std::max(0.0, term.stiffness * (depth + term.tolerance));
+    EXPECT_LE((w.force + want * term.normal).norm(), 1e-9) << depth;
+    const Vec3 arm = rotation_matrix(state.orientation) * term.arm_body;
+    EXPECT_LE((w.torque - arm.cross(w.force)).norm(), 1e-12);
+  }
+}
+
+TEST(LinearContactModel, contact_never_pulls_whatever_the_motion) {
+  Random random(4);
+  int active = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const RigidBody body = test::random_body(random);
+    BodyState state = test::random_state(random, body, random.orientation());
+    state.linear_momentum *= 20.0;
+    state.angular_momentum *= 20.0;
+    PlaneTerm term = plane_at(random, state, random.uniform(-3e-3, 3e-3));
+    term.scene_velocity = random.in_cube(1.0);
+    const Wrench w = wrench_of(term, body, state, nullptr);
+    EXPECT_LE(w.force.dot(term.normal), 0.0);
+    active += w.force.squaredNorm() > 0.0;
+  }
+  EXPECT_GT(active, 1000);
+}
+
+// The test that `omega x r` with r in the body frame fails.
+TEST(LinearContactModel, no_damping_when_the_body_turns_about_a_resting_contact_point) {
+  Random random(5);
+  for (int i = 0; i < 100; ++i) {
+    const RigidBody body = test::random_body(random);
+    BodyState state = test::random_state(random, body, random.orientation());
+    PlaneTerm term = plane_at(random, state, 1e-3);
+    const Vec3 arm = rotation_matrix(state.orientation) * term.arm_body;
+    state.linear_momentum = -body.mass * velocity(body, state).angular.cross(arm);
+    term.damping = 100.0;
+    const PlaneForce f = plane_force(term, body, state, kinematics(body, state));
+    EXPECT_NEAR(f.magnitude, term.stiffness * 2e-3, 1e-11 * term.stiffness);
+    // a contact that moves with the body's point is at rest too
+    BodyState carried = state;
+    term.scene_velocity = Vec3(0.3, -0.2, 0.5);
+    carried.linear_momentum += body.mass * term.scene_velocity;
+    EXPECT_NEAR(plane_force(term, body, carried, kinematics(body, carried)).magnitude, f.magnitude,
+                1e-11);
+  }
+}
+
+TEST(LinearContactModel, power_of_a_contact_is_minus_stored_minus_lost) {
+  Random random(6);
+  for (int i = 0; i < 200; ++i) {
+    const RigidBody body = test::random_body(random);
+    const BodyState state = test::random_state(random, body, random.orientation());
+    PlaneTerm term = plane_at(random, state, 1e-3);
+    const BodyKinematics at = kinematics(body, state);
+    const PlaneForce f = plane_force(term, body, state, at);
+    if (!f.is_active) continue;
+    const double power =
+        f.wrench.force.dot(at.velocity.linear) + f.wrench.torque.dot(at.velocity.angular);
+    const Vec3 arm = at.rotation * term.arm_body;
+    const double rate = term.normal.dot(at.velocity.linear + at.velocity.angular.cross(arm));
+    const double stored = term.stiffness * (f.depth + term.tolerance) * rate;
+    EXPECT_NEAR(power, -stored - term.damping * rate * rate, 1e-12);
+  }
+}
+
+TaylorTerm any_taylor(Random& random) {
+  TaylorTerm t;
+  t.normal = random.direction();
+  t.wrench = {-2.0 * t.normal, random.in_cube(0.1)};
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 13; ++j) t.jacobian(i, j) = random.uniform(-1.0, 1.0);
+  }
+  return t;
+}
+
+TEST(LinearContactModel, taylor_term_takes_the_nearer_of_q_and_minus_q) {
+  Random random(7);
+  const RigidBody body = test::random_body(random);
+  LinearContactModel model;
+  model.state = test::random_state(random, body, random.orientation());
+  model.taylors.push_back(any_taylor(random));
+  BodyState other = model.state;
+  other.orientation.coeffs() *= -1.0;
+  WrenchJacobian J, J_other;
+  const Wrench w = contact_wrench(model, body, model.state, 1.0, &J);
+  const Wrench w_other = contact_wrench(model, body, other, 1.0, &J_other);
+  EXPECT_LE((w.force - w_other.force).norm() + (w.torque - w_other.torque).norm(), 1e-15);
+  EXPECT_LE((w.force - model.taylors[0].wrench.force).norm(), 1e-15);
+  for (const test::NamedState& at :
+       {test::NamedState{"same", model.state}, test::NamedState{"other", other}}) {
+    test::expect_jacobian(
+        [&](const BodyState& y, WrenchJacobian* jacobian) {
+          return contact_wrench(model, body, y, 0.5, jacobian);
+        },
+        body, at, 1e-7);
+  }
+}
+
+TEST(LinearContactModel, taylor_term_that_would_pull_is_dropped) {
+  Random random(8);
+  const RigidBody body = test::random_body(random);
+  LinearContactModel model;
+  model.state = test::random_state(random, body, random.orientation());
+  TaylorTerm term = any_taylor(random);
+  term.jacobian.setZero();
+  term.jacobian.block<3, 3>(0, 0) = 1000.0 * Mat3::Identity();
+  model.taylors.push_back(term);
+  BodyState away = model.state;
+  away.position += 0.0019 * term.normal;
+  EXPECT_LT(contact_wrench(model, body, away).force.dot(term.normal), 0.0);
+  away.position += 0.0002 * term.normal;
+  WrenchJacobian J;
+  EXPECT_EQ(contact_wrench(model, body, away, 1.0, &J).force, Vec3::Zero());
+  EXPECT_EQ(J, WrenchJacobian::Zero());
+}
+
+}  // namespace
+}  // namespace thigma
