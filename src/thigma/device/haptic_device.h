@@ -9,14 +9,16 @@
 
 namespace thigma {
 
-enum class DeviceClock : std::uint8_t { engine, device };  // who ticks: our thread, or the device's own
+/// Who ticks: our thread, or the device's own.
+enum class DeviceClock : std::uint8_t { engine, device };
 
 /// What a device can do. Constant after opening.
 struct DeviceLimits {
-  double max_force = 3.3;            // [N], norm
-  double max_torque = 0.1;           // [N m], norm
-  double max_stiffness = 1000.0;     // [N/m] at 1 kHz
-  double workspace_radius = 0.1;     // [m]
+  double max_force = 3.3;              // [N], norm
+  double max_torque = 0.1;             // [N m], norm; 0 without actuated rotation
+  double max_stiffness = 1000.0;       // [N/m] at 1 kHz
+  double max_angular_stiffness = 0.3;  // [N m/rad] at 1 kHz
+  double workspace_radius = 0.1;       // [m]
   bool senses_translation = true, senses_rotation = true;
   bool actuates_translation = true, actuates_rotation = true;
   DeviceClock clock = DeviceClock::engine;
@@ -24,24 +26,31 @@ struct DeviceLimits {
 
 enum class DeviceStatus : std::uint8_t {
   ok,
-  not_ready,   // no sample yet; the last one is repeated
-  lost,        // unplugged, closed or answering nonsense: a fault
-  finished,    // a script or a replay has come to its end
+  not_ready,  // no sample yet; the last one is repeated
+  lost,       // unplugged, closed or answering nonsense: a fault
+  finished,   // a script or a replay has come to its end
 };
 
 /// One sample of a device.
 struct DeviceState {
-  double time = 0.0;           // when it was taken [s; session clock]
-  Motion motion;               // handle pose and velocity [device frame: right-handed, z up]
-  std::uint32_t buttons = 0;   // bit 0: clutch (grasp) pressed
+  double time =
+      0.0;  // when the driver got it [s; session clock]; transport delay is not known to a driver
+  Motion motion;              // handle pose and velocity [device frame: right-handed, z up]
+  std::uint32_t buttons = 0;  // bits below
   DeviceStatus status = DeviceStatus::ok;
 };
 
 /// Bit of DeviceState::buttons that means "the hand is on the object".
 inline constexpr std::uint32_t kClutchButton = 1u;
 
+/// Bits that turn the object where the device senses no rotation: about +x, -x, +y, -y, +z, -z of
+/// the device frame.
+inline constexpr std::uint32_t kTurnButtons[6] = {1u << 1, 1u << 2, 1u << 3,
+                                                  1u << 4, 1u << 5, 1u << 6};
+
 /// A device or something that stands for one.
-/// Thread: open and close are [offline]; read and write are [haptic], called in turn from one thread.
+/// Thread: open and close are [offline]; read and write are [haptic], called in turn from one
+/// thread.
 class HapticDevice {
  public:
   virtual ~HapticDevice() = default;
@@ -53,6 +62,8 @@ class HapticDevice {
   virtual DeviceState read(double now) THIGMA_RT = 0;
 
   /// Applies a wrench to the hand, about the handle [N, N m; device frame], until the next call.
+  /// What the device cannot actuate (limits) is left out, what is too much is cut at the limits by
+  /// norm.
   virtual void write(const Wrench& wrench) THIGMA_RT = 0;
 };
 

@@ -1,0 +1,82 @@
+#include "thigma/device/detail/address.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "thigma/device/open_device.h"
+
+namespace thigma::detail {
+namespace {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replace = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replace});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> split_query(std::string_view query,
+                                                             const std::string& scheme) {
+  std::vector<std::pair<std::string, std::string>> parts;
+  for (std::size_t begin = 0; !query.empty() && begin <= query.size();) {
+    const std::size_t end = std::min(query.find('&', begin), query.size());
+    const std::string_view part = query.substr(begin, end - begin);
+    const std::size_t equals = part.find('=');
+    if (equals == std::string_view::npos || equals == 0) {
+      throw DeviceAddressError(scheme + " '" + std::string(part.substr(0, 60)) +
+                               "', expected name=value");
+    }
+    std::string name(part.substr(0, equals));
+    for (const auto& [other, value] : parts) {
+      if (other == name)
+        throw DeviceAddressError(scheme + " " + name + " is given twice, expected once");
+    }
+    parts.emplace_back(std::move(name), std::string(part.substr(equals + 1)));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+double parse_value(const std::string& scheme, const std::string& name, const std::string& text) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end || !std::isfinite(value)) {
+    throw DeviceAddressError(scheme + " " + name + " = '" + text.substr(0, 40) +
+                             "', expected a finite number");
+  }
+  return value;
+}
+
+std::string shortest(double value) {
+  char text[32];
+  const auto [end, error] = std::to_chars(text, text + sizeof text, value);
+  return error == std::errc() ? std::string(text, end) : std::string("?");
+}
+
+std::string_view nearest_name(std::string_view text, const std::vector<std::string_view>& names) {
+  std::string_view nearest = names.front();
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  for (const std::string_view name : names) {
+    const std::size_t edits = edit_distance(text.substr(0, 64), name);
+    if (edits < fewest) {
+      fewest = edits;
+      nearest = name;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace thigma::detail

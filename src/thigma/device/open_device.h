@@ -1,0 +1,70 @@
+#pragma once
+// A device from its address, as `thigma run --device` takes it.
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "thigma/device/hand.h"
+#include "thigma/device/haptic_device.h"
+
+namespace thigma {
+
+/// What a scene tells a simulated device. All in device space, that is after the motion scale.
+struct DeviceContext {
+  Pose start;  // handle pose at the start; objects are separated there [device frame]
+  Vec3 approach =
+      -Vec3::UnitZ();  // any length > 0: from the grasped object toward the scene [device frame]
+  double clearance = 0.02;      // travel along approach to first touch [m]
+  double object_radius = 0.05;  // of the grasped object [m]
+  std::uint64_t seed = 1;       // of tremor and jitter, unless the address has its own
+};
+
+/// A device address that cannot be understood: unknown scheme, parameter or value. A usage error,
+/// exit code 2.
+class DeviceAddressError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// A device that is not plugged in, not loadable or not part of this build. Exit code 3.
+class DeviceUnavailable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Opens "hand:", "script:FILE", "null:", each with parameters as "?name=value&name=value"
+/// (device_schemes lists them). "replay:FILE" is opened by runtime/, which knows recordings.
+///
+/// errors   DeviceAddressError, DeviceUnavailable, InputError (a script file); one line each
+/// Thread   [offline].
+std::unique_ptr<HapticDevice> open_device(const std::string& address,
+                                          const DeviceContext& context = {});
+
+/// Parameters of a hand as "hand:?..." and a context give them; errors as open_device. Thread
+/// [offline].
+HandParams parse_hand(std::string_view query, const DeviceContext& context = {});
+
+/// Part of an address before the colon, "" without one. Thread [offline].
+std::string device_scheme(std::string_view address);
+
+/// One parameter of an address, for `thigma devices`.
+struct DeviceParameter {
+  std::string name, unit, default_value, meaning;
+};
+
+/// One kind of address.
+struct DeviceScheme {
+  std::string scheme;  // with the colon
+  std::string meaning;
+  bool available = true;  // in this build
+  std::vector<DeviceParameter> parameters;
+};
+
+/// Every scheme known, available ones first. Thread [offline].
+std::vector<DeviceScheme> device_schemes();
+
+}  // namespace thigma
