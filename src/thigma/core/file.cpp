@@ -1,0 +1,109 @@
+#include "thigma/core/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+
+#include "thigma/core/error.h"
+
+namespace thigma {
+namespace {
+
+constexpr std::size_t kMaxFileBytes = std::size_t{1} << 32;  // indices are 32 bits; a larger text holds more
+
+// An open descriptor, closed on every way out.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return fd_; }
+  bool close() {
+    const int fd = fd_;
+    fd_ = -1;
+    return ::close(fd) == 0;
+  }
+
+ private:
+  int fd_;
+};
+
+[[noreturn]] void fail_read(const std::string& path, const std::string& why) {
+  throw InputError(path + ": cannot be read (" + why + "), on opening, a readable file was expected");
+}
+
+[[noreturn]] void fail_write(const std::string& path) {
+  throw IoError(path + ": cannot be written (" + std::strerror(errno) + ")");
+}
+
+bool write_all(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path) {
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) fail_read(path, std::strerror(errno));
+  struct stat info {};
+  if (::fstat(file.get(), &info) != 0) fail_read(path, std::strerror(errno));
+  // A character device such as /dev/zero never ends.
+  if (!S_ISREG(info.st_mode) && !S_ISFIFO(info.st_mode)) fail_read(path, "not a regular file");
+  const std::size_t expected = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
+  if (expected > kMaxFileBytes) fail_read(path, "larger than 4 GiB");
+  std::string bytes(expected + 1, '\0');  // the spare byte finds the end without growing
+  std::size_t size = 0;
+  for (;;) {
+    if (size == bytes.size()) bytes.resize(bytes.size() + bytes.size() / 2 + 65536);
+    const ssize_t n = ::read(file.get(), bytes.data() + size, bytes.size() - size);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail_read(path, std::strerror(errno));
+    if (n == 0) break;
+    size += static_cast<std::size_t>(n);
+    if (size > kMaxFileBytes) fail_read(path, "larger than 4 GiB");
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+void write_file(const std::string& path, std::string_view bytes) {
+  struct stat info {};
+  if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) {
+    Descriptor device(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (device.get() < 0 || !write_all(device.get(), bytes)) fail_write(path);
+    return;
+  }
+  const std::string temporary = path + ".part" + std::to_string(::getpid());
+  {
+    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (file.get() < 0) fail_write(path);
+    if (!write_all(file.get(), bytes) || !file.close()) {
+      const int why = errno;
+      ::unlink(temporary.c_str());
+      errno = why;
+      fail_write(path);
+    }
+  }
+  if (std::rename(temporary.c_str(), path.c_str()) != 0) {
+    const int why = errno;
+    ::unlink(temporary.c_str());
+    errno = why;
+    fail_write(path);
+  }
+}
+
+}  // namespace thigma

@@ -1,0 +1,282 @@
+#include "thigma/mesh/repair.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "thigma/core/error.h"
+#include "thigma/math/elementary.h"
+#include "thigma/mesh/inspect.h"
+#include "thigma/mesh/topology.h"
+#include "thigma/mesh/weld.h"
+
+namespace thigma {
+namespace {
+
+using Triangle = std::array<std::int32_t, 3>;
+
+// How far a vertex taken apart moves into its fan, times the radius: enough to stay apart in single precision too.
+constexpr double kSplitDistance = 1e-6;
+// And at most this fraction of its fan's shortest edge.
+constexpr double kSplitEdgeFraction = 0.05;
+
+constexpr int kMaxRounds = 4;  // one repair can uncover another; none was seen to need three
+
+struct Repair {
+  TriangleMesh mesh;
+  double radius = 0.0;
+  std::vector<std::string> done;
+
+  const Vec3& at(std::int32_t v) const { return mesh.positions[static_cast<std::size_t>(v)]; }
+  void note(std::int64_t count, const char* one, const char* many) {
+    if (count > 0) done.push_back(std::to_string(count) + ' ' + (count == 1 ? one : many));
+  }
+};
+
+void weld(Repair& r) {
+  const Welds welds = find_welds(r.mesh, build_edge_table(r.mesh), r.radius);
+  if (welds.count == 0) return;
+  std::vector<Triangle> kept;
+  for (const Triangle& t : r.mesh.triangles) {
+    Triangle w{};
+    for (std::size_t k = 0; k < 3; ++k) w[k] = welds.target[static_cast<std::size_t>(t[k])];
+    if (w[0] != w[1] && w[1] != w[2] && w[2] != w[0]) kept.push_back(w);
+  }
+  r.mesh.triangles = std::move(kept);
+  r.note(welds.count, "vertex welded to one that nearly equals it", "vertices welded to ones that nearly equal them");
+}
+
+// A fin is two equal triangles back to back on an edge of a surface that goes on without them: both go. Otherwise one
+// of each group of equal triangles stays, or the surface would have a hole.
+void drop_duplicates(Repair& r) {
+  const std::vector<std::int32_t> first = find_duplicates(r.mesh);
+  std::vector<std::int32_t> group_size(first.size(), 0);
+  for (std::size_t t = 0; t < first.size(); ++t) {
+    if (first[t] >= 0) ++group_size[static_cast<std::size_t>(first[t])];
+  }
+  const EdgeTable table = build_edge_table(r.mesh);
+  std::vector<bool> is_dropped(first.size(), false);
+  std::int64_t dropped = 0;
+  for (std::size_t t = 0; t < first.size(); ++t) {
+    if (first[t] >= 0) is_dropped[t] = true;
+    if (group_size[t] == 0) continue;
+    bool leaves_hole = false;
+    bool is_attached = false;
+    for (const std::int32_t e : table.of_triangle[t]) {
+      const std::int32_t others = table.edges[static_cast<std::size_t>(e)].use_count - group_size[t] - 1;
+      leaves_hole = leaves_hole || others % 2 == 1;
+      is_attached = is_attached || others > 0;
+    }
+    const bool is_fin = group_size[t] == 1 && is_attached && !leaves_hole;
+    if (!is_fin) continue;
+    is_dropped[t] = true;
+  }
+  std::vector<Triangle> kept;
+  for (std::size_t t = 0; t < first.size(); ++t) {
+    // The copy of a fin's first triangle is dropped by its own mark.
+    if (is_dropped[t]) ++dropped;
+    else kept.push_back(r.mesh.triangles[t]);
+  }
+  if (dropped == 0) return;
+  r.mesh.triangles = std::move(kept);
+  r.note(dropped, "duplicate triangle dropped", "duplicate triangles dropped");
+}
+
+void orient(Repair& r) {
+  const Orientation o = orient_sheets(r.mesh, build_edge_table(r.mesh));
+  std::int64_t turned = 0;
+  for (std::size_t t = 0; t < r.mesh.triangles.size(); ++t) {
+    if (!o.is_flipped[t]) continue;
+    std::swap(r.mesh.triangles[t][1], r.mesh.triangles[t][2]);
+    ++turned;
+  }
+  r.note(turned, "triangle turned over to agree with its neighbours", "triangles turned over to agree with their neighbours");
+}
+
+// Angle of a face around the edge a b, seen along it; only the order counts.
+double angle_around(const Repair& r, const MeshEdge& e, const EdgeUse& use) {
+  const Vec3 axis = (r.at(e.b) - r.at(e.a)).normalized();
+  int least = 0;
+  axis.cwiseAbs().minCoeff(&least);
+  const Vec3 x = axis.cross(Vec3::Unit(least)).normalized();
+  const Vec3 y = axis.cross(x);
+  const std::int32_t tip = r.mesh.triangles[static_cast<std::size_t>(use.triangle)][static_cast<std::size_t>((use.corner + 2) % 3)];
+  const Vec3 to_tip = (r.at(tip) - r.at(e.a)) / r.radius;
+  return arc_tangent2(to_tip.dot(y), to_tip.dot(x));
+}
+
+// The faces around an edge in pairs that enclose solid between them: seen along the edge, a face that runs backward
+// has the solid on its counter-clockwise side, one that runs forward on the other. What finds no partner stays alone.
+void pair_around_edge(const Repair& r, const EdgeTable& table, const MeshEdge& e, std::vector<UsePair>& links) {
+  std::vector<std::pair<double, EdgeUse>> around;
+  for (const EdgeUse& use : table.uses_of(e)) around.emplace_back(angle_around(r, e, use), use);
+  std::stable_sort(around.begin(), around.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (bool found = true; found && around.size() >= 2;) {
+    found = false;
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const std::size_t next = (i + 1) % around.size();
+      if (around[i].second.is_forward || !around[next].second.is_forward) continue;
+      links.push_back({around[i].second, around[next].second});
+      around.erase(around.begin() + static_cast<std::ptrdiff_t>(std::max(i, next)));
+      around.erase(around.begin() + static_cast<std::ptrdiff_t>(std::min(i, next)));
+      found = true;
+      break;
+    }
+  }
+}
+
+std::vector<UsePair> pair_faces(const Repair& r, const EdgeTable& table, std::int64_t& split_edges) {
+  std::vector<UsePair> links;
+  for (const MeshEdge& e : table.edges) {
+    const std::span<const EdgeUse> uses = table.uses_of(e);
+    if (uses.size() == 2) links.push_back({uses[0], uses[1]});
+    if (uses.size() <= 2) continue;
+    ++split_edges;
+    pair_around_edge(r, table, e, links);
+  }
+  return links;
+}
+
+// A pair of faces whose edge keeps both ends in common with another pair gets a vertex of its own in the middle.
+// (A surface that touches itself along one edge and is whole around both ends.)
+bool split_shared_edges(Repair& r, const EdgeTable& table, const std::vector<UsePair>& links, const Fans& fans) {
+  const auto fan_at = [&](const EdgeUse& u, bool at_larger) {
+    const int step = u.is_forward == at_larger ? 1 : 0;
+    return fans.of_corner[static_cast<std::size_t>(3 * u.triangle + (u.corner + step) % 3)];
+  };
+  const auto key = [&](const UsePair& p) { return std::array<std::int32_t, 2>{fan_at(p[0], false), fan_at(p[0], true)}; };
+  std::vector<std::pair<std::array<std::int32_t, 2>, std::size_t>> keys;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const std::size_t t = static_cast<std::size_t>(links[i][0].triangle);
+    const std::int32_t e = table.of_triangle[t][static_cast<std::size_t>(links[i][0].corner)];
+    if (table.edges[static_cast<std::size_t>(e)].use_count > 2) keys.emplace_back(key(links[i]), i);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<bool> is_cut(r.mesh.triangles.size(), false);  // one cut a triangle and round
+  bool any = false;
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    if (keys[i].first != keys[i - 1].first) continue;
+    const UsePair& pair = links[keys[i].second];
+    if (is_cut[static_cast<std::size_t>(pair[0].triangle)] || is_cut[static_cast<std::size_t>(pair[1].triangle)]) continue;
+    any = true;
+    const std::int32_t middle = static_cast<std::int32_t>(r.mesh.positions.size());
+    Vec3 ends = Vec3::Zero(), tips = Vec3::Zero();
+    for (const EdgeUse& u : pair) {
+      is_cut[static_cast<std::size_t>(u.triangle)] = true;
+      Triangle& t = r.mesh.triangles[static_cast<std::size_t>(u.triangle)];
+      const std::size_t k = static_cast<std::size_t>(u.corner);
+      ends = 0.5 * r.at(t[k]) + 0.5 * r.at(t[(k + 1) % 3]);
+      tips += 0.5 * r.at(t[(k + 2) % 3]);
+      Triangle other = t;
+      t[(k + 1) % 3] = middle;
+      other[k] = middle;
+      r.mesh.triangles.push_back(other);
+    }
+    const Vec3 inward = tips - ends;
+    const double length = inward.norm();
+    const double move = std::min(kSplitDistance * r.radius, kSplitEdgeFraction * length);
+    r.mesh.positions.push_back(length > 0.0 ? Vec3(ends + inward * (move / length)) : ends);
+  }
+  return any;
+}
+
+// Every fan gets a vertex of its own; all but the first at a vertex move a little towards their own faces.
+std::int64_t split_vertices(Repair& r, const Fans& fans) {
+  std::vector<std::int32_t> vertex_of_fan(static_cast<std::size_t>(fans.count), -1);
+  std::vector<Vec3> middle(static_cast<std::size_t>(fans.count), Vec3::Zero());
+  std::vector<double> weight(static_cast<std::size_t>(fans.count), 0.0);
+  std::vector<double> shortest(static_cast<std::size_t>(fans.count), std::numeric_limits<double>::infinity());
+  std::vector<bool> is_taken(r.mesh.positions.size(), false);
+  std::vector<std::int32_t> moved;
+  const std::vector<Triangle> before = r.mesh.triangles;
+  for (std::size_t c = 0; c < fans.of_corner.size(); ++c) {
+    const std::size_t fan = static_cast<std::size_t>(fans.of_corner[c]);
+    const Triangle& t = before[c / 3];
+    const std::int32_t v = t[c % 3];
+    const Vec3 others[2] = {r.at(t[(c % 3 + 1) % 3]) - r.at(v), r.at(t[(c % 3 + 2) % 3]) - r.at(v)};
+    for (const Vec3& o : others) {
+      middle[fan] += o;
+      weight[fan] += 1.0;
+      shortest[fan] = std::min(shortest[fan], o.norm());
+    }
+    if (vertex_of_fan[fan] < 0) {
+      vertex_of_fan[fan] = v;
+      if (is_taken[static_cast<std::size_t>(v)]) {
+        vertex_of_fan[fan] = static_cast<std::int32_t>(r.mesh.positions.size());
+        r.mesh.positions.push_back(Vec3(r.at(v)));
+        moved.push_back(static_cast<std::int32_t>(fan));
+      } else {
+        is_taken[static_cast<std::size_t>(v)] = true;
+      }
+    }
+    r.mesh.triangles[c / 3][c % 3] = vertex_of_fan[fan];
+  }
+  for (const std::int32_t f : moved) {
+    const std::size_t fan = static_cast<std::size_t>(f);
+    const Vec3 inward = middle[fan] / weight[fan];
+    const double length = inward.norm();
+    const double move = std::min(kSplitDistance * r.radius, kSplitEdgeFraction * shortest[fan]);
+    if (length > 0.0) r.mesh.positions[static_cast<std::size_t>(vertex_of_fan[fan])] += inward * (move / length);
+  }
+  return static_cast<std::int64_t>(moved.size());
+}
+
+void take_apart(Repair& r) {
+  std::int64_t split_edges = 0;
+  const EdgeTable table = build_edge_table(r.mesh);
+  const std::vector<UsePair> links = pair_faces(r, table, split_edges);
+  const Fans fans = build_fans(r.mesh, links);
+  if (split_edges > 0 && split_shared_edges(r, table, links, fans)) {
+    r.note(split_edges, "edge with three or more faces taken apart", "edges with three or more faces taken apart");
+    return;  // the next round splits the vertices of the new surface
+  }
+  const std::int64_t split = split_vertices(r, fans);
+  r.note(split_edges, "edge with three or more faces taken apart", "edges with three or more faces taken apart");
+  if (split > 0) {
+    r.note(split, "vertex added where fans of faces met in one point", "vertices added where fans of faces met in one point");
+  }
+}
+
+void turn_outwards(Repair& r) {
+  const std::vector<std::int32_t> inside_out = find_inside_out_components(r.mesh);
+  const Components c = connect_over_edges(r.mesh, build_edge_table(r.mesh));
+  for (std::size_t t = 0; t < r.mesh.triangles.size(); ++t) {
+    if (std::binary_search(inside_out.begin(), inside_out.end(), c.of_triangle[t])) {
+      std::swap(r.mesh.triangles[t][1], r.mesh.triangles[t][2]);
+    }
+  }
+  r.note(static_cast<std::int64_t>(inside_out.size()), "closed component turned outwards", "closed components turned outwards");
+}
+
+[[noreturn]] void fail(const std::string& name, const MeshReport& report, const char* what) {
+  throw InputError(name + ": " + report.reasons.front() + what);
+}
+
+}  // namespace
+
+RepairResult repair_mesh(const TriangleMesh& mesh, const std::string& name) {
+  const InspectOptions quick{.self_intersections = false};
+  MeshReport report = inspect_mesh(mesh, quick);
+  if (report.verdict == MeshVerdict::rejected) {
+    fail(name, report, ", in the mesh as a whole, expected a mesh that can be repaired");
+  }
+  Repair r{mesh, report.radius, {}};
+  for (int round = 0; round < kMaxRounds && report.verdict == MeshVerdict::repairable; ++round) {
+    r.mesh = merge_equal_positions(std::move(r.mesh)).mesh;
+    weld(r);
+    drop_duplicates(r);
+    orient(r);
+    take_apart(r);
+    turn_outwards(r);
+    r.mesh = merge_equal_positions(std::move(r.mesh)).mesh;
+    report = inspect_mesh(r.mesh, quick);
+  }
+  if (report.verdict != MeshVerdict::usable) fail(name, report, " after repair, in the mesh as a whole, expected to be able to repair it");
+  return {std::move(r.mesh), std::move(r.done)};
+}
+
+}  // namespace thigma
