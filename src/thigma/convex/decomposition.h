@@ -4,34 +4,51 @@
 #include <cstdint>
 #include <vector>
 
-#include "thigma/convex/hull.h"
+#include "thigma/convex/hull_view.h"
 #include "thigma/mesh/triangle_mesh.h"
 
 namespace thigma {
 
+/// Limits of a decomposition. A negative tolerance is chosen from the data: coordinates that were
+/// rounded to single precision, or written with few digits, make coplanar faces reflex by that
+/// rounding, and faces must not part for it.
 struct DecompositionParams {
-  int max_vertices = 32;              // of a patch's hull; kMaxHullVertices at most
-  double convexity_tolerance = 1e-9;  // height over a face plane that still counts as flat, times the mesh radius
-  double protrusion_tolerance = 1e-7; // hull planes are moved inwards by this times the mesh radius before the clip test
-  // Defaults for double-precision input; single-precision CAD files want 1e-6 and 1e-5 (their coplanar faces are
-  // off by rounding). decompose_surface picks by the data when these are negative.
+  int max_vertices = 32;  // of a patch's surface, so of its hull; 3..kMaxHullVertices
+  double convexity_tolerance =
+      -1.0;  // height over a face plane that still counts as flat, times the mesh radius;
+             // from the data: 1e-9 for doubles, about 1e-6 for single precision
+  double protrusion_tolerance =
+      -1.0;  // hull planes are moved inwards by this times the mesh radius before the clip
+             // test; from the data: 10 x the other, at least 1e-7
 };
+
+/// The tolerances that decompose_surface uses for a mesh: params with negative ones replaced.
+/// Thread [offline].
+DecompositionParams resolve_tolerances(const TriangleMesh& mesh, const DecompositionParams& params);
 
 /// A decomposition of the triangles of one mesh.
-/// Invariant: patches partition the triangles that have an area; interior edges are convex or flat; the triangles of
-/// a patch lie on its hull; the hull does not enter the object in front of the surface (within the tolerances).
+/// Invariant: patches partition the triangles that have an area; interior edges are convex or flat;
+/// the triangles of a patch lie on its hull; no triangle of the same shell reaches into the hull
+/// (all within the tolerances).
 struct ConvexDecomposition {
-  std::vector<std::int32_t> patch_of_triangle;         // -1 for zero-area triangles (m)
-  std::vector<std::vector<std::int32_t>> patches;      // triangle indices, ascending
-  std::vector<ConvexHull> hulls;                       // one a patch; source indexes the mesh's positions
-  std::int32_t cut_by_self_intersection = 0;           // patches kept small because the surface crosses itself there
-  std::int32_t cut_by_protrusion = 0;                  // patches in which the protrusion test refused a triangle
-  std::int32_t cut_by_size = 0;                        // patches stopped by max_vertices
+  std::vector<std::int32_t> patch_of_triangle;     // -1 for zero-area triangles (m)
+  std::vector<std::vector<std::int32_t>> patches;  // triangle indices, ascending
+  std::vector<std::vector<std::int32_t>>
+      vertices;                // of each patch: every position its triangles use, ascending
+  DecompositionParams params;  // with the tolerances that were used
+  std::int32_t cut_by_self_intersection =
+      0;  // patches kept small because the surface crosses itself there
+  std::int32_t cut_by_protrusion =
+      0;                         // of the others: patches in which the hull would have protruded
+  std::int32_t cut_by_size = 0;  // of the others: patches stopped by max_vertices
 };
 
-/// Decomposes a usable mesh (3.3.1). BFS in face order, deterministic.
-/// Thread [offline]; throws InputError when the mesh has no triangle with an area.
-/// Source Sec. 3.3.1; protrusion by exact clipping instead of sampling (docs/deviations.md).
-ConvexDecomposition decompose_surface(const TriangleMesh& mesh, const DecompositionParams& params = {});
+/// Decomposes a usable mesh (3.3.1): patches grow from the first free triangle over their edges,
+/// breadth first. Deterministic. Open surfaces work: the hull lies behind the sheet. An edge of
+/// three faces bounds patches. Thread [offline]; throws InputError when the mesh has no triangle
+/// with an area. Source Sec. 3.3.1; protrusion by exact clipping instead of sampling
+/// (docs/deviations.md).
+ConvexDecomposition decompose_surface(const TriangleMesh& mesh,
+                                      const DecompositionParams& params = {});
 
 }  // namespace thigma

@@ -11,9 +11,9 @@
 namespace thigma {
 
 /// Hull of a finite, non-empty point set.
-/// Invariant: vertices are extreme points in the order of the input; triangles are counter-clockwise seen
-/// from outside and closed for dimension 3; a flat hull (dimension 2) lists its triangles on both sides;
-/// dimensions 0 and 1 have no triangle.
+/// Invariant: vertices are extreme points in the order of the input; triangles are
+/// counter-clockwise seen from outside and closed for dimension 3; a flat hull (dimension 2) lists
+/// its triangles on both sides; dimensions 0 and 1 have no triangle.
 struct ConvexHull {
   std::vector<Vec3> vertices;                          // [m; frame of the input]
   std::vector<std::int32_t> source;                    // index in the input of each vertex
@@ -24,9 +24,17 @@ struct ConvexHull {
 /// Convex hull of points.
 ///
 /// points    at least one, finite [m]
-/// relative_tolerance  points closer than this times the extent of the set to the hull count as inside it
-/// returns   the hull; every input point lies within the tolerance of it
+/// relative_tolerance  points not higher than this times the extent of the set over every face
+/// count as inside;
+///           at least 1e-12
+/// returns   the hull; no input point is higher than the tolerance over a face
 /// Thread    [offline]; throws InputError on an empty or non-finite set.
 ConvexHull build_hull(std::span<const Vec3> points, double relative_tolerance = 1e-10);
+
+struct GrowingHull;
+
+/// The hull as it has grown so far over the points it was started with. Thread [offline]; no
+/// failure.
+ConvexHull to_hull(const GrowingHull& grown, std::span<const Vec3> points);
 
 }  // namespace thigma
