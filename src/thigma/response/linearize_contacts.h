@@ -1,0 +1,26 @@
+#pragma once
+// From contact clusters to the model that the haptic thread evaluates.
+
+#include <cstdint>
+
+#include "thigma/contact/clustering.h"
+#include "thigma/dynamics/linear_contact_model.h"
+#include "thigma/response/penalty.h"
+
+namespace thigma {
+
+/// Contact model of one contact frame: a plane term a cluster, in the clusters' order.
+///
+/// clusters  of contacts found at `state` [world]
+/// params    stiffness, damping, tolerance
+/// state     of the object when the contacts were found; the terms' arms are fixed to it
+/// time      of `state` on the session's clock [s]
+/// sequence  of this publication, from 1
+/// returns   plane terms only; the scene is at rest. Texture terms are added by the caller
+/// Thread    [contact]; no failure, no allocation. Clusters beyond kMaxClusters do not exist.
+/// Source    Sec. 5.4.3, Eqs. 5.36-5.37.
+LinearContactModel linearize_contacts(const ContactClusters& clusters, const PenaltyParams& params,
+                                      const BodyState& state, double time,
+                                      std::uint64_t sequence) noexcept;
+
+}  // namespace thigma
