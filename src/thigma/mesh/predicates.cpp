@@ -165,6 +165,18 @@ bool coplanar_segment_meets(const Vec3& p3, const Vec3& q3, const Vec3& a3, cons
   return inside || segments_meet(p, q, a, b) || segments_meet(p, q, b, c) || segments_meet(p, q, c, a);
 }
 
+// Whether the line of an edge of s has all of t strictly on its outer side. Two convex polygons without a common point
+// are parted by such a line of one of them.
+bool edge_separates(const std::array<Vec2, 3>& s, const std::array<Vec2, 3>& t) noexcept {
+  const int turn = orient2d(s[0], s[1], s[2]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec2& p = s[i];
+    const Vec2& q = s[(i + 1) % 3];
+    if (orient2d(p, q, t[0]) * turn < 0 && orient2d(p, q, t[1]) * turn < 0 && orient2d(p, q, t[2]) * turn < 0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcept {
@@ -183,6 +195,11 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcep
   const double bound = (7.0 + 56.0 * kHalfUlp) * kHalfUlp * size;
   if (det > bound) return -1;
   if (-det > bound) return 1;
+  // A plane along two axes, the rule for CAD parts: a column of exact zeros.
+  if ((ax == 0.0 && bx == 0.0 && cx == 0.0) || (ay == 0.0 && by == 0.0 && cy == 0.0) ||
+      (az == 0.0 && bz == 0.0 && cz == 0.0)) {
+    return 0;
+  }
   return -orient3d_exact(a, b, c, d);
 }
 
@@ -193,6 +210,7 @@ int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) noexcept {
   const double bound = (3.0 + 16.0 * kHalfUlp) * kHalfUlp * (std::fabs(left) + std::fabs(right));
   if (det > bound) return 1;
   if (-det > bound) return -1;
+  if ((a.x() == c.x() && b.x() == c.x()) || (a.y() == c.y() && b.y() == c.y())) return 0;
   return orient2d_exact(a, b, c);
 }
 
@@ -201,6 +219,15 @@ bool are_collinear(const Vec3& a, const Vec3& b, const Vec3& c) noexcept {
     if (orient2d(drop_axis(a, axis), drop_axis(b, axis), drop_axis(c, axis)) != 0) return false;
   }
   return true;
+}
+
+bool coplanar_triangles_meet(const Vec3& a3, const Vec3& b3, const Vec3& c3, const Vec3& d3, const Vec3& e3,
+                             const Vec3& f3) noexcept {
+  const int axis = projection_axis(a3, b3, c3);
+  if (axis < 0) return false;
+  const std::array<Vec2, 3> s = {drop_axis(a3, axis), drop_axis(b3, axis), drop_axis(c3, axis)};
+  const std::array<Vec2, 3> t = {drop_axis(d3, axis), drop_axis(e3, axis), drop_axis(f3, axis)};
+  return !edge_separates(s, t) && !edge_separates(t, s);
 }
 
 bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) noexcept {

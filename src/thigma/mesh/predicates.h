@@ -23,4 +23,8 @@ bool are_collinear(const Vec3& a, const Vec3& b, const Vec3& c) noexcept;
 /// The triangle must not be collinear; p = q is allowed.
 bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) noexcept;
 
+/// Whether two closed triangles of one plane, a b c and d e f, have a point in common, exactly. Neither is collinear.
+bool coplanar_triangles_meet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
+                             const Vec3& f) noexcept;
+
 }  // namespace thigma

@@ -40,8 +40,7 @@ int align_shared(Triangle& a, Triangle& b) {
   return shared;
 }
 
-// Two triangles on one edge overlap when they are coplanar with their third corners on the same side of it. Then, and
-// only then, the edge from one third corner to a shared one meets the other triangle beyond the shared edge.
+// Two triangles on one edge overlap when they are coplanar with their third corners on the same side of it.
 bool share_edge_and_overlap(const Search& s, const Triangle& a, const Triangle& b) {
   if (orient3d(s.at(a[0]), s.at(a[1]), s.at(a[2]), s.at(b[2])) != 0) return false;
   for (int axis = 0; axis < 3; ++axis) {
@@ -52,10 +51,26 @@ bool share_edge_and_overlap(const Search& s, const Triangle& a, const Triangle& 
   return false;
 }
 
-bool separated_by_plane(const Search& s, const Triangle& a, const Triangle& b) {
-  const int side = orient3d(s.at(a[0]), s.at(a[1]), s.at(a[2]), s.at(b[0]));
-  return side != 0 && side == orient3d(s.at(a[0]), s.at(a[1]), s.at(a[2]), s.at(b[1])) &&
-         side == orient3d(s.at(a[0]), s.at(a[1]), s.at(a[2]), s.at(b[2]));
+// Sides of the plane of a on which b's corners lie.
+std::array<int, 3> sides(const Search& s, const Triangle& a, const Triangle& b) {
+  std::array<int, 3> side{};
+  for (std::size_t k = 0; k < 3; ++k) side[k] = orient3d(s.at(a[0]), s.at(a[1]), s.at(a[2]), s.at(b[k]));
+  return side;
+}
+
+bool is_one_side(const std::array<int, 3>& side) { return side[0] != 0 && side[0] == side[1] && side[0] == side[2]; }
+
+bool disjoint_corners_meet(const Search& s, const Triangle& a, const Triangle& b) {
+  const std::array<int, 3> of_b = sides(s, a, b);
+  if (is_one_side(of_b)) return false;
+  if (of_b == std::array<int, 3>{0, 0, 0}) {
+    return coplanar_triangles_meet(s.at(a[0]), s.at(a[1]), s.at(a[2]), s.at(b[0]), s.at(b[1]), s.at(b[2]));
+  }
+  if (is_one_side(sides(s, b, a))) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (s.meets(a[k], a[(k + 1) % 3], b) || s.meets(b[k], b[(k + 1) % 3], a)) return true;
+  }
+  return false;
 }
 
 bool pair_intersects(const Search& s, std::int32_t i, std::int32_t j) {
@@ -70,11 +85,7 @@ bool pair_intersects(const Search& s, std::int32_t i, std::int32_t j) {
       return s.meets(a[1], a[2], b) || s.meets(b[1], b[2], a);
     default: break;
   }
-  if (separated_by_plane(s, a, b) || separated_by_plane(s, b, a)) return false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (s.meets(a[k], a[(k + 1) % 3], b) || s.meets(b[k], b[(k + 1) % 3], a)) return true;
-  }
-  return false;
+  return disjoint_corners_meet(s, a, b);
 }
 
 void test_leaves(Search& s, const TreeNode& a, const TreeNode& b, bool same) {
