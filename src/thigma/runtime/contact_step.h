@@ -3,23 +3,17 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <vector>
 
 #include "thigma/clod/hierarchy.h"
 #include "thigma/contact/clustering.h"
 #include "thigma/contact/contact.h"
+#include "thigma/contact/query_contacts.h"
 #include "thigma/dynamics/body.h"
 #include "thigma/runtime/haptic_step.h"
 #include "thigma/runtime/telemetry.h"
 
 namespace thigma {
-
-/// A static object. Does not own its hierarchy.
-struct SceneObject {
-  const ClodHierarchy* hierarchy = nullptr;
-  Pose world_from_mesh;
-};
 
 /// Contacts of the grasped object at a pose of its mesh, for scenes that are not meshes; appends to `contacts`, which
 /// it must not let grow, and counts what it finds there. Called by the contact thread; must not throw or allocate.
@@ -29,7 +23,7 @@ using ContactSource = std::function<void(const Pose& world_from_mesh, double tol
 struct ContactWorld {
   const ClodHierarchy* object = nullptr;
   Pose body_from_mesh;               // mesh frame of the grasped object in its body frame (origin: centre of mass)
-  std::vector<SceneObject> scene;
+  std::vector<SceneBody> scene;      // static
   ContactSource source;              // in addition to `scene`; empty: none
   double tolerance = 0.0;            // d [m]
   int max_clusters = 5;              // K
@@ -39,21 +33,33 @@ struct ContactWorld {
 };
 
 /// Working memory of contact_step. Grows while warming up, never after.
-struct ContactScratch;
+struct ContactScratch {
+  std::vector<ContactFront> fronts;  // one a static object
+  ContactSet contacts;               // of the last frame
+  ContactClusters clusters;          // of the last frame: warm start, persistent ids
+  ClusterScratch clustering;
+  std::uint64_t sequence = 0;        // models made
+};
 
-/// Scratch with a front a static object and room for world.capacity contacts. Thread [offline].
-std::unique_ptr<ContactScratch, void (*)(ContactScratch*)> make_contact_scratch(const ContactWorld& world);
+/// Room for world.capacity contacts and a front a static object. Thread [offline]; throws std::bad_alloc.
+void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch);
 
-/// One frame: query every static object, cluster all contacts together, linearise.
+/// First half of a contact frame: queries every static object into scratch.contacts. Thread [contact]; no failure.
+void find_contacts(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch) noexcept;
+
+/// Second half: clusters all contacts together and linearises them.
 ///
-/// world    constant
-/// body     mass properties, for the arms of the terms
-/// at       state and time the model is for
-/// scratch  read and written; coherence lives here
-/// sample   overwritten: the model to publish (its sequence counts from 1) and its statistics; times of CPU use and of
-///          publication are the shell's business
-/// Thread   [contact]; no failure.
-/// Source   Sec. 5.1.2, contact thread; texture refinement comes with textures.
+/// world, body   constant
+/// at            state and time the model is for, as given to find_contacts
+/// scratch       clusters are carried over
+/// sample        overwritten, but for the times of CPU use and of publication, which are the shell's business;
+///               sample.model is what to publish, its sequence counts from 1
+/// Thread        [contact]; no failure.
+void make_model(const ContactWorld& world, const RigidBody& body, const StampedBody& at, ContactScratch& scratch,
+                ContactSample& sample) noexcept;
+
+/// One frame: both halves.
+/// Source Sec. 5.1.2, contact thread; texture refinement comes with textures.
 void contact_step(const ContactWorld& world, const RigidBody& body, const StampedBody& at, ContactScratch& scratch,
                   ContactSample& sample) noexcept;
 

@@ -69,13 +69,75 @@ Touch touch(const LinearContactModel& model, const BodyState& y) THIGMA_RT {
   return result;
 }
 
+/// Step 1: the device sample, whether it may be believed, and the newest contact model.
+void read_inputs(const HapticParams& params, const HapticPorts& ports, const HapticTick& tick,
+                 HapticState& state, HapticSample& sample) THIGMA_RT {
+  SafetyState& safety = state.safety;
+  sample.frame = state.frame++;
+  sample.time = tick.now;
+  sample.elapsed = tick.elapsed;
+  sample.external_fault = tick.external_fault;
+  sample.step_cpu = state.step_cpu;
+  sample.wake_late = state.wake_late;
+  sample.device = ports.device->read(tick.now);
+  if (tick.external_fault != Fault::none) latch_fault(safety, tick.external_fault, tick.now);
+  const bool is_usable = check_device(params.safety, sample.device, tick.now, tick.elapsed, safety);
+  if (is_usable && sample.device.status != DeviceStatus::not_ready) {
+    state.last_device = sample.device;
+    observe_motion(state.energy, sample.device.motion.pose);
+  }
+  ports.models->fetch();
+  const LinearContactModel& model = ports.models->value();
+  sample.model_sequence = model.sequence;
+  sample.model_age =
+      model.sequence == 0 ? std::numeric_limits<double>::infinity() : tick.now - model.time;
+  sample.model_weight = model_weight(params.safety, sample.model_age, tick.now, safety);
+  sample.input_digest = input_digest(sample);
+  follow_clutch(params, is_usable, state);
+  if (!params.device.senses_rotation && state.is_grasped) {
+    turn_by_buttons(params.workspace, state.last_device.buttons, params.turn_rate, tick.elapsed,
+                    state.anchor);
+  }
+  sample.handle = world_motion(params.workspace, state.anchor, state.last_device.motion,
+                               params.device.senses_rotation);
+}
+
 /// Steps 2-4: both wrenches linearised at t_{i-1} with the device sample of t_i, then the state at t_i.
-void advance_body(const HapticParams& params, const Motion& handle, const LinearContactModel& model, double weight,
-                  double elapsed, HapticState& state) THIGMA_RT {
+void advance_body(const HapticParams& params, const LinearContactModel& model, const HapticSample& sample,
+                  HapticState& state) THIGMA_RT {
+  const BodyState before = state.body;
+  const BodyKinematics at = kinematics(params.body, state.body);
   WrenchJacobian by_coupling, by_contact;
-  const Wrench pull = coupling_wrench(state.coupling, handle, params.body, state.body, &by_coupling);
-  const Wrench push = contact_wrench(model, params.body, state.body, weight, &by_contact);
-  state.body = implicit_step(params.body, state.body, pull + push, by_coupling + by_contact, elapsed);
+  const Wrench pull =
+      coupling_wrench(state.coupling, sample.handle, params.body, state.body, at, &by_coupling);
+  const Wrench push =
+      contact_wrench(model, params.body, state.body, sample.model_weight, &by_contact);
+  const WrenchJacobian by_state = by_coupling + by_contact;
+  state.body = implicit_step(params.body, state.body, at, pull + push, by_state, sample.elapsed);
+  if (is_finite(state.body)) return;
+  latch_fault(state.safety, Fault::not_finite, sample.time);
+  state.body = before;
+  let_go(state);
+}
+
+/// Steps 5 and 6: what the hand gets, within the limits.
+void send_wrench(const HapticParams& params, const HapticPorts& ports, const LinearContactModel& model,
+                 const Touch& touching, HapticState& state, HapticSample& sample) THIGMA_RT {
+  SafetyState& safety = state.safety;
+  // Nothing arms on a model that does not count fully.
+  const bool may_be_armed = state.is_grasped && (safety.is_armed || sample.model_weight >= 1.0);
+  update_arming(may_be_armed, touching.count > 0, sample.time, safety);
+  sample.coupling = coupling_wrench(state.coupling, sample.handle, params.body, state.body);
+  sample.contact = contact_wrench(model, params.body, state.body, sample.model_weight);
+  const Wrench on_hand = device_wrench(state.coupling, sample.handle, params.body, state.body);
+  sample.feedback =
+      limit_wrench(params.safety, params.device, device_wrench(params.workspace, on_hand),
+                   sample.model_weight, sample.time, sample.elapsed, safety);
+  sample.command = sample.feedback;
+  if (!params.device.actuates_rotation) sample.command.torque.setZero();
+  if (!params.device.actuates_translation) sample.command.force.setZero();
+  ports.device->write(sample.command);
+  observe_wrench(state.energy, sample.command);
 }
 
 }  // namespace
@@ -92,77 +154,24 @@ HapticState initial_state(const HapticParams& params, const Pose& world_from_bod
 
 HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports, const HapticTick& tick,
                          HapticState& state) THIGMA_RT {
-  SafetyState& safety = state.safety;
   HapticSample sample;
-  sample.frame = state.frame++;
-  sample.time = tick.now;
-  sample.elapsed = tick.elapsed;
-  sample.external_fault = tick.external_fault;
-  sample.step_cpu = state.step_cpu;
-  sample.wake_late = state.wake_late;
-
-  // 1. The device, and whether it may be believed.
-  sample.device = ports.device->read(tick.now);
-  if (tick.external_fault != Fault::none) latch_fault(safety, tick.external_fault, tick.now);
-  const bool is_usable = check_device(params.safety, sample.device, tick.now, tick.elapsed, safety);
-  if (is_usable && sample.device.status != DeviceStatus::not_ready) {
-    state.last_device = sample.device;
-    observe_motion(state.energy, sample.device.motion.pose);
-  }
-  ports.models->fetch();
+  read_inputs(params, ports, tick, state, sample);
   const LinearContactModel& model = ports.models->value();
-  sample.model_sequence = model.sequence;
-  sample.input_digest = input_digest(sample);
-  sample.model_age = model.sequence == 0 ? std::numeric_limits<double>::infinity() : tick.now - model.time;
-  sample.model_weight = model_weight(params.safety, sample.model_age, tick.now, safety);
+  if (state.is_grasped) advance_body(params, model, sample, state);
+  const Touch touching = touch(model, state.body);
+  send_wrench(params, ports, model, touching, state, sample);
+  if (state.safety.fault != Fault::none && state.is_grasped) let_go(state);
 
-  follow_clutch(params, is_usable, state);
-  if (!params.device.senses_rotation && state.is_grasped) {
-    turn_by_buttons(params.workspace, state.last_device.buttons, params.turn_rate, tick.elapsed, state.anchor);
-  }
-  const Motion handle =
-      world_motion(params.workspace, state.anchor, state.last_device.motion, params.device.senses_rotation);
-
-  // 2-4. The object.
-  if (state.is_grasped) {
-    const BodyState before = state.body;
-    advance_body(params, handle, model, sample.model_weight, tick.elapsed, state);
-    if (!is_finite(state.body)) {
-      latch_fault(safety, Fault::not_finite, tick.now);
-      state.body = before;
-      let_go(state);
-    }
-  }
-
-  // 5-6. The hand. Nothing arms on a model that does not count fully.
-  const Touch now_touching = touch(model, state.body);
-  const bool may_be_armed = state.is_grasped && (safety.is_armed || sample.model_weight >= 1.0);
-  update_arming(may_be_armed, now_touching.count > 0, tick.now, safety);
-  sample.coupling = coupling_wrench(state.coupling, handle, params.body, state.body);
-  sample.contact = contact_wrench(model, params.body, state.body, sample.model_weight);
-  const Wrench on_hand = device_wrench(state.coupling, handle, params.body, state.body);
-  sample.feedback = limit_wrench(params.safety, params.device, device_wrench(params.workspace, on_hand),
-                                 sample.model_weight, tick.now, tick.elapsed, safety);
-  sample.command = sample.feedback;
-  if (!params.device.actuates_rotation) sample.command.torque.setZero();
-  if (!params.device.actuates_translation) sample.command.force.setZero();
-  ports.device->write(sample.command);
-  observe_wrench(state.energy, sample.command);
-  if (safety.fault != Fault::none && state.is_grasped) let_go(state);
-
-  // 7. What others see.
-  sample.handle = handle;
   sample.body = state.body;
-  sample.penetration = now_touching.penetration;
-  sample.touching = now_touching.count;
-  sample.stretch = coupling_stretch(state.coupling, handle.pose, state.body).linear.norm();
+  sample.penetration = touching.penetration;
+  sample.touching = touching.count;
+  sample.stretch = coupling_stretch(state.coupling, sample.handle.pose, state.body).linear.norm();
   sample.energy = state.energy.energy;
   sample.is_grasped = state.is_grasped;
-  sample.is_armed = safety.is_armed;
-  sample.fault = safety.fault;
-  if (ports.bodies != nullptr) {
-    ports.bodies->publish({state.body, tick.now, sample.frame});
-  }
+  sample.is_armed = state.safety.is_armed;
+  sample.fault = state.safety.fault;
+  // 7. What the others see.
+  if (ports.bodies != nullptr) ports.bodies->publish({state.body, tick.now, sample.frame});
   if (ports.telemetry != nullptr) ports.telemetry->push(sample);
   return sample;
 }

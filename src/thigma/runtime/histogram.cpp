@@ -11,7 +11,7 @@ constexpr int kSub = 1 << DurationHistogram::kSubBits;
 // Values below 32 have a bucket each; above, the five bits after the leading one choose within the octave.
 int bucket_of(std::uint64_t v) THIGMA_RT {
   if (v < kSub) return static_cast<int>(v);
-  const int shift = std::bit_width(v) - 1 - DurationHistogram::kSubBits;
+  const int shift = static_cast<int>(std::bit_width(v)) - 1 - DurationHistogram::kSubBits;
   return ((shift + 1) << DurationHistogram::kSubBits) + static_cast<int>((v >> shift) - kSub);
 }
 

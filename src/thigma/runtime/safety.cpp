@@ -109,7 +109,9 @@ Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device, cons
   const double ramp =
       limits.start_ramp > 0.0 ? std::clamp((now - safety.armed_time) / limits.start_ramp, 0.0, 1.0) : 1.0;
   const double force_limit = std::min(limits.max_force, device.max_force);
-  const double torque_limit = std::min(limits.max_torque, device.max_torque);
+  // A torque the device cannot give is still computed and shown: its limit of zero says nothing about it.
+  const double torque_limit =
+      device.actuates_rotation ? std::min(limits.max_torque, device.max_torque) : limits.max_torque;
   // Clamp first, then ramp: a saturated wrench ramps as well.
   Wrench w{ramp * clamped(wanted.force, force_limit), ramp * clamped(wanted.torque, torque_limit)};
   if (now - safety.onset_time > limits.onset_window) {

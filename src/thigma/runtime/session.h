@@ -32,7 +32,7 @@ struct SessionConfig {
 
   // threads
   RtRequest haptic_thread{80, -1};
-  RtRequest contact_thread{0, -1};
+  RtRequest contact_thread{40, -1};
   std::size_t telemetry_frames = 8192;  // room of the rings; 8 s at 1 kHz
   std::size_t telemetry_models = 2048;
 };
@@ -46,7 +46,8 @@ struct SessionEvent {
 };
 
 /// Where samples go. Called from one thread that is not real time (lockstep: the caller's), in order of frames;
-/// every model comes before the first frame that used it. May throw only in lockstep. Empty ones are skipped.
+/// every model comes before the first frame that used it. Empty ones are skipped. What a sink throws ends the session
+/// and comes out of run_lockstep or finish().
 struct SessionSinks {
   std::function<void(const HapticSample&)> haptic;
   std::function<void(const ContactSample&)> contact;
@@ -102,7 +103,7 @@ class Session {
   void start();             // throws std::invalid_argument as run_lockstep, std::system_error without threads
   void request_stop() noexcept;  // asynchronous; also safe from a signal handler
   bool is_running() const noexcept;
-  SessionSummary finish();  // waits for the end; call once after start()
+  SessionSummary finish();  // waits for the end; call once after start(); throws what a sink threw
 
  private:
   struct Impl;

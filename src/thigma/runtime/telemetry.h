@@ -30,7 +30,7 @@ struct HapticSample {
   Wrench command;                    // what was sent: feedback without the axes the device lacks [device frame]
   double model_age = 0.0;            // infinity: no model yet [s]
   double model_weight = 0.0;         // 1 fresh .. 0 stale
-  double penetration = 0.0;          // deepest contact of the model at the new state, <= 0: none [m]
+  double penetration = 0.0;          // deepest contact of the model at the new state; -infinity: none near [m]
   double stretch = 0.0;              // of the coupling: handle to grasp point [m; world]
   double energy = 0.0;               // the hand has put in so far, observed at the device [J]
   std::int32_t touching = 0;         // contact terms that push

@@ -1,0 +1,87 @@
+#include "thigma/runtime/detail/session_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace thigma::detail {
+
+void check_config(const SessionConfig& config) {
+  const auto refuse = [](const char* text) { throw std::invalid_argument(std::string("session: ") + text); };
+  if (!(config.rate >= 1.0 && config.rate <= 1e5)) refuse("rate must be 1 to 100000 Hz");
+  if (!(config.duration >= 0.0 && config.duration < 1e9)) refuse("duration must be 0 s or more");
+  if (!(config.after_fault >= 0.0)) refuse("after_fault must be 0 s or more");
+  if (config.contact_every < 1) refuse("contact_every must be 1 frame or more");
+  if (config.contact_latency < 1) refuse("contact_latency must be 1 frame or more");
+  if (!(config.haptic.body.mass > 0.0)) refuse("the body has no mass");
+  if (!(config.contact.tolerance >= 0.0)) refuse("the contact tolerance must be 0 m or more");
+  if (!config.contact.scene.empty() && config.contact.object == nullptr) refuse("there is no grasped object");
+}
+
+std::uint64_t frame_limit(const SessionConfig& config) noexcept {
+  if (config.duration <= 0.0) return std::numeric_limits<std::uint64_t>::max();
+  return static_cast<std::uint64_t>(std::llround(config.duration * config.rate));
+}
+
+double step_length(const SessionConfig& config, std::uint64_t frames) noexcept {
+  constexpr std::uint64_t kMostTicks = 10;
+  return static_cast<double>(std::clamp<std::uint64_t>(frames, 1, kMostTicks)) / config.rate;
+}
+
+void timed_contact_step(const SessionConfig& config, const StampedBody& at, ContactScratch& scratch,
+                        ContactSample& sample) noexcept {
+  const std::int64_t begin = thread_cpu_ns();
+  find_contacts(config.contact, at, scratch);
+  const std::int64_t found = thread_cpu_ns();
+  make_model(config.contact, config.haptic.body, at, scratch, sample);
+  const std::int64_t end = thread_cpu_ns();
+  sample.query_cpu = 1e-9 * static_cast<double>(found - begin);
+  sample.step_cpu = 1e-9 * static_cast<double>(end - begin);
+}
+
+void EventDetector::add(const SessionEvent& event) {
+  if (event.kind == "fault") safety_events_.push_back(event);
+  if (sink_) sink_(event);
+}
+
+void EventDetector::look_at(const HapticSample& sample) {
+  const auto tell = [&](const char* kind, const char* text) { add({sample.time, sample.frame, kind, text}); };
+  if (sample.fault != last_fault_ && sample.fault != Fault::none) tell("fault", fault_name(sample.fault));
+  if (sample.is_grasped != was_grasped_) tell(sample.is_grasped ? "grasped" : "released", "");
+  if (sample.is_armed != was_armed_) tell(sample.is_armed ? "armed" : "disarmed", "");
+  last_fault_ = sample.fault;
+  was_grasped_ = sample.is_grasped;
+  was_armed_ = sample.is_armed;
+}
+
+SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic, const ContactTally& contact,
+                         const HapticState& state) {
+  SessionSummary s;
+  s.rate = config.rate;
+  s.frames = haptic.frames;
+  s.seconds = static_cast<double>(haptic.frames) / config.rate;
+  s.step_cpu = summarize(haptic.step_cpu);
+  s.wake_late = summarize(haptic.wake_late);
+  s.model_age = summarize(haptic.model_age);
+  s.contact_updates = contact.updates;
+  s.query_cpu = summarize(contact.query_cpu);
+  s.contact_step_cpu = summarize(contact.step_cpu);
+  const double updates = std::max(1.0, static_cast<double>(contact.updates));
+  s.contacts_mean = static_cast<double>(contact.contacts) / updates;
+  s.clusters_mean = static_cast<double>(contact.clusters) / updates;
+  s.front_mean = static_cast<double>(contact.front) / updates;
+  const double frames = std::max(1.0, static_cast<double>(haptic.frames));
+  s.force_max = haptic.force_max;
+  s.force_rms = std::sqrt(haptic.force_square_sum / frames);
+  s.torque_max = haptic.torque_max;
+  s.torque_rms = std::sqrt(haptic.torque_square_sum / frames);
+  s.penetration_max = haptic.penetration_max;
+  s.stretch_max = haptic.stretch_max;
+  s.energy_min = state.energy.energy_min;
+  s.dropped_contacts = contact.dropped;
+  s.state_hash = haptic.hash.value;
+  return s;
+}
+
+}  // namespace thigma::detail

@@ -1,0 +1,127 @@
+// A session in the calling thread, on a virtual clock: frame k happens at k / rate, whatever the computer does.
+
+#include <cmath>
+#include <deque>
+
+#include "thigma/runtime/detail/session_parts.h"
+#include "thigma/runtime/session.h"
+
+namespace thigma {
+namespace {
+
+using detail::EventDetector;
+
+/// Zero force on every way out, exceptions of sinks included.
+class ZeroForceOnExit {
+ public:
+  explicit ZeroForceOnExit(HapticDevice& device) : device_(device) {}
+  ~ZeroForceOnExit() { device_.write(Wrench{}); }
+  ZeroForceOnExit(const ZeroForceOnExit&) = delete;
+  ZeroForceOnExit& operator=(const ZeroForceOnExit&) = delete;
+
+ private:
+  HapticDevice& device_;
+};
+
+/// The contact thread of a lockstep session: a step now and then, its model in use some frames later.
+struct LockstepContacts {
+  const SessionConfig& config;
+  const SessionSinks& sinks;
+  ContactScratch scratch;
+  ContactTally tally;
+  ContactSample sample;
+  struct Pending {
+    std::uint64_t from_frame = 0;
+    LinearContactModel model;
+  };
+  std::deque<Pending> pending;
+
+  void step(const StampedBody& at, double now, std::uint64_t use_from) {
+    detail::timed_contact_step(config, at, scratch, sample);
+    sample.published = now;
+    thigma::tally(tally, sample);
+    if (sinks.contact) sinks.contact(sample);
+    pending.push_back({use_from, sample.model});
+  }
+
+  void publish_due(std::uint64_t frame, Latest<LinearContactModel>& models) {
+    while (!pending.empty() && pending.front().from_frame <= frame) {
+      models.publish(pending.front().model);
+      pending.pop_front();
+    }
+  }
+};
+
+/// Ticks until something ends the session; returns what.
+SessionEnd run_frames(const SessionConfig& config, const HapticParams& params, const HapticPorts& ports,
+                      const SessionSinks& sinks, const std::atomic<bool>* stop, HapticState& state,
+                      HapticTally& haptic_tally, LockstepContacts& contacts, EventDetector& events) {
+  const std::uint64_t last = detail::frame_limit(config);
+  const auto fault_frames = static_cast<std::uint64_t>(std::ceil(config.after_fault * config.rate));
+  std::uint64_t previous = 0, fault_frame = 0;
+  Fault external = Fault::none;
+  for (std::uint64_t k = 0; k < last; ++k) {
+    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return SessionEnd::stopped;
+    const double now = static_cast<double>(k) / config.rate;
+    if (const FaultEvent* hang = active_fault(config.faults, InjectedFault::hang, now)) {
+      // What the watchdog of a threaded session does, at the frame where it would.
+      if (now - hang->time >= params.safety.watchdog) {
+        ports.device->write(Wrench{});
+        external = Fault::watchdog;
+      }
+      continue;
+    }
+    contacts.publish_due(k, *ports.models);
+    const double elapsed = detail::step_length(config, k - previous);
+    const std::int64_t begin = thread_cpu_ns();
+    const HapticSample sample = haptic_step(params, ports, {now, elapsed, external}, state);
+    const std::int64_t cpu = thread_cpu_ns() - begin;
+    tally(haptic_tally, sample, cpu, -1);
+    state.step_cpu = static_cast<float>(1e-9 * static_cast<double>(cpu));
+    previous = k;
+    if (sinks.haptic) sinks.haptic(sample);
+    events.look_at(sample);
+    if (sample.fault != Fault::none) {
+      if (fault_frame == 0) fault_frame = k + 1;
+      if (k + 1 - fault_frame >= fault_frames) return SessionEnd::fault;
+    }
+    if (sample.device.status == DeviceStatus::finished) return SessionEnd::device_finished;
+    const bool is_contact_frame = k % static_cast<std::uint64_t>(config.contact_every) == 0;
+    if (is_contact_frame && active_fault(config.faults, InjectedFault::stall, now) == nullptr) {
+      ports.bodies->fetch();
+      contacts.step(ports.bodies->value(), now, k + static_cast<std::uint64_t>(config.contact_latency));
+    }
+  }
+  return state.safety.fault != Fault::none ? SessionEnd::fault : SessionEnd::duration;
+}
+
+}  // namespace
+
+SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device, const SessionSinks& sinks,
+                            const std::atomic<bool>* stop) {
+  detail::check_config(config);
+  const std::unique_ptr<HapticDevice> faulty = make_faulty_device(device, config.faults);
+  const ZeroForceOnExit zero_force(*faulty);
+  HapticParams params = config.haptic;
+  params.device = device.limits();
+
+  const auto models = std::make_unique<Latest<LinearContactModel>>();
+  const auto bodies = std::make_unique<Latest<StampedBody>>();
+  const HapticPorts ports{faulty.get(), models.get(), bodies.get(), nullptr};
+  HapticState state = initial_state(params, config.world_from_body);
+  const auto haptic_tally = std::make_unique<HapticTally>();
+  const auto contacts = std::make_unique<LockstepContacts>(config, sinks);
+  reserve_contact_scratch(config.contact, contacts->scratch);
+  EventDetector events(sinks.event);
+
+  contacts->step({state.body, 0.0, 0}, 0.0, 0);  // the first frame has a model
+  const SessionEnd end =
+      run_frames(config, params, ports, sinks, stop, state, *haptic_tally, *contacts, events);
+
+  SessionSummary summary = detail::summarize(config, *haptic_tally, contacts->tally, state);
+  summary.end = end;
+  summary.safety_events = events.take_safety_events();
+  return summary;
+}
+
+}  // namespace thigma

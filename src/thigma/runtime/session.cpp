@@ -1,0 +1,313 @@
+// The threaded session: a haptic thread that keeps time, a contact thread that does what it can, a watchdog that looks
+// after the first, and a drain that hands samples to whoever wants them. Two Latest and two rings are all they share.
+
+#include "thigma/runtime/session.h"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "thigma/runtime/detail/session_parts.h"
+
+namespace thigma {
+namespace {
+
+/// Who may talk to the device. The haptic thread holds it during a step, the watchdog while it sends zero.
+class DeviceToken {
+ public:
+  bool try_take() noexcept { return !is_taken_.exchange(true, std::memory_order_acquire); }
+  void give_back() noexcept { is_taken_.store(false, std::memory_order_release); }
+
+ private:
+  std::atomic<bool> is_taken_{false};
+};
+
+std::int64_t to_ns(double seconds) { return static_cast<std::int64_t>(seconds * 1e9); }
+
+}  // namespace
+
+struct Session::Impl {
+  Impl(SessionConfig config_in, HapticDevice& device_in, SessionSinks sinks_in)
+      : config(std::move(config_in)),
+        sinks(std::move(sinks_in)),
+        device(make_faulty_device(device_in, config.faults)),
+        params(config.haptic),
+        haptic_ring(std::max<std::size_t>(config.telemetry_frames, 1)),
+        contact_ring(std::max<std::size_t>(config.telemetry_models, 1)),
+        events(sinks.event) {
+    params.device = device_in.limits();
+    state = initial_state(params, config.world_from_body);
+    ports = {device.get(), &models, &bodies, &haptic_ring};
+  }
+
+  void prepare();
+  void start_threads();
+  void join_threads();
+  void run_haptic();
+  void run_contact();
+  void run_watchdog();
+  void run_drain();
+  void contact_frame(const StampedBody& at, double now);
+  void drain();
+  HapticSample guarded_step(const HapticTick& tick);
+  void end_with_zero_force();
+  void note(const std::string& text);
+
+  const SessionConfig config;
+  const SessionSinks sinks;
+  const std::unique_ptr<HapticDevice> device;
+  HapticParams params;
+  HapticPorts ports;
+
+  // Haptic thread only, while it runs.
+  HapticState state;
+  HapticTally haptic_tally;
+  DeadlineClock clock;
+  SessionEnd end = SessionEnd::duration;
+  double seconds = 0.0;
+
+  // Contact thread only, while it runs.
+  ContactScratch scratch;
+  ContactSample contact_sample;
+  ContactTally contact_tally;
+
+  // Shared.
+  Latest<LinearContactModel> models;
+  Latest<StampedBody> bodies;
+  SpscRing<HapticSample> haptic_ring;
+  SpscRing<ContactSample> contact_ring;
+  DeviceToken token;
+  std::atomic<bool> should_stop{false};
+  std::atomic<bool> haptic_done{false};
+  std::atomic<bool> contact_done{false};
+  std::atomic<bool> watchdog_fired{false};
+  std::atomic<std::int64_t> last_step_ns{0};  // 0: not stepping
+  std::atomic<std::int64_t> epoch_ns{0};      // of session time 0
+
+  // Drain thread only, while it runs.
+  detail::EventDetector events;
+  std::exception_ptr sink_error;
+
+  std::mutex notes_mutex;  // start-up and shut-down only
+  std::vector<std::string> notes;
+  std::thread haptic_thread, contact_thread, watchdog_thread, drain_thread;
+  bool is_started = false;
+};
+
+void Session::Impl::note(const std::string& text) {
+  if (text.empty()) return;
+  const std::lock_guard lock(notes_mutex);
+  notes.push_back(text);
+}
+
+void Session::Impl::contact_frame(const StampedBody& at, double now) {
+  detail::timed_contact_step(config, at, scratch, contact_sample);
+  contact_sample.published = now;
+  tally(contact_tally, contact_sample);
+  contact_ring.push(contact_sample);  // before the model: whoever sees it used finds it here
+  models.publish(contact_sample.model);
+}
+
+/// Everything that is slow the first time, before a thread depends on it.
+void Session::Impl::prepare() {
+  reserve_contact_scratch(config.contact, scratch);
+  contact_frame({state.body, 0.0, 0}, 0.0);
+  clock.period_ns = std::max<std::int64_t>(1, to_ns(1.0 / config.rate));
+  clock.spin_ns = std::min<std::int64_t>(clock.spin_ns, clock.period_ns / 4);
+}
+
+HapticSample Session::Impl::guarded_step(const HapticTick& tick) {
+  while (!token.try_take()) sleep_ns(20'000);  // only while the watchdog is sending zero
+  HapticTick told = tick;
+  if (watchdog_fired.load(std::memory_order_acquire)) told.external_fault = Fault::watchdog;
+  const HapticSample sample = haptic_step(params, ports, told, state);
+  token.give_back();
+  return sample;
+}
+
+void Session::Impl::end_with_zero_force() {
+  while (!token.try_take()) sleep_ns(20'000);
+  device->write(Wrench{});
+  last_step_ns.store(0, std::memory_order_release);  // nothing to watch any more
+  token.give_back();
+}
+
+void Session::Impl::run_haptic() {
+  note(request_real_time(config.haptic_thread).refused);
+  start_clock(clock);
+  epoch_ns.store(clock.start_ns, std::memory_order_release);
+  const auto last = static_cast<std::int64_t>(
+      std::min<std::uint64_t>(detail::frame_limit(config), std::uint64_t{1} << 62));
+  std::int64_t previous = -1;
+  double fault_time = -1.0;
+  bool has_hung = false;
+  while (true) {
+    const std::int64_t late = wait_for_tick(clock);
+    const std::int64_t k = clock.tick - 1;
+    const double now = static_cast<double>(k) / config.rate;
+    seconds = now;
+    if (should_stop.load(std::memory_order_relaxed)) end = SessionEnd::stopped;
+    if (k >= last || end == SessionEnd::stopped) break;
+    if (const FaultEvent* hang = active_fault(config.faults, InjectedFault::hang, now); hang != nullptr && !has_hung) {
+      has_hung = true;
+      sleep_ns(to_ns(hang->duration));
+    }
+    const double elapsed = detail::step_length(config, static_cast<std::uint64_t>(k - previous));
+    const std::int64_t begin = thread_cpu_ns();
+    const HapticSample sample = guarded_step({now, elapsed, Fault::none});
+    const std::int64_t cpu = thread_cpu_ns() - begin;
+    last_step_ns.store(monotonic_ns(), std::memory_order_release);
+    tally(haptic_tally, sample, cpu, late);
+    state.step_cpu = static_cast<float>(1e-9 * static_cast<double>(cpu));
+    state.wake_late = static_cast<float>(1e-9 * static_cast<double>(late));
+    previous = k;
+    if (sample.fault != Fault::none) {
+      end = SessionEnd::fault;
+      if (fault_time < 0.0) fault_time = now;
+      if (now - fault_time >= config.after_fault) break;
+    }
+    if (sample.device.status == DeviceStatus::finished) {
+      end = SessionEnd::device_finished;
+      break;
+    }
+  }
+  end_with_zero_force();
+  haptic_done.store(true, std::memory_order_release);
+}
+
+void Session::Impl::run_contact() {
+  const RtGrant grant = request_real_time(config.contact_thread);
+  if (config.contact_thread.priority > 0) note(grant.refused.empty() ? "" : "contact thread: " + grant.refused);
+  bool has_stalled = false;
+  while (!haptic_done.load(std::memory_order_acquire)) {
+    if (!bodies.fetch()) {
+      sleep_ns(50'000);
+      continue;
+    }
+    const StampedBody& at = bodies.value();
+    if (const FaultEvent* stall = active_fault(config.faults, InjectedFault::stall, at.time);
+        stall != nullptr && !has_stalled) {
+      has_stalled = true;
+      sleep_ns(to_ns(stall->duration));
+    }
+    const std::int64_t begin = monotonic_ns();
+    contact_frame(at, 1e-9 * static_cast<double>(begin - epoch_ns.load(std::memory_order_acquire)));
+    // A real-time thread that never rests is put to sleep by the kernel for 50 ms each second; better a little often.
+    if (grant.is_fifo) sleep_ns((monotonic_ns() - begin) / 8);
+  }
+  contact_done.store(true, std::memory_order_release);
+}
+
+void Session::Impl::run_watchdog() {
+  // Above the haptic thread: it must run when that one never gives way.
+  request_real_time({config.haptic_thread.priority > 0 ? std::min(config.haptic_thread.priority + 1, 99) : 0, -1});
+  const std::int64_t limit = to_ns(params.safety.watchdog);
+  while (!haptic_done.load(std::memory_order_acquire)) {
+    sleep_ns(limit / 20);
+    const std::int64_t last = last_step_ns.load(std::memory_order_acquire);
+    if (last == 0 || monotonic_ns() - last <= limit) continue;
+    watchdog_fired.store(true, std::memory_order_release);
+    // Stuck inside a step the haptic thread keeps the token: two threads in one driver would be worse than one.
+    if (!token.try_take()) continue;
+    if (last_step_ns.load(std::memory_order_acquire) != 0) device->write(Wrench{});
+    token.give_back();
+  }
+}
+
+void Session::Impl::drain() {
+  const auto drain_contacts = [this] {
+    while (const ContactSample* sample = contact_ring.front()) {
+      if (sinks.contact) sinks.contact(*sample);
+      contact_ring.pop();
+    }
+  };
+  while (const HapticSample* sample = haptic_ring.front()) {
+    drain_contacts();
+    if (sinks.haptic) sinks.haptic(*sample);
+    events.look_at(*sample);
+    haptic_ring.pop();
+  }
+  drain_contacts();
+}
+
+void Session::Impl::run_drain() {
+  try {
+    while (!haptic_done.load(std::memory_order_acquire) || !contact_done.load(std::memory_order_acquire)) {
+      drain();
+      sleep_ns(2'000'000);
+    }
+    drain();
+  } catch (...) {
+    // A sink failed, as on a full disk: the session ends in order, finish() passes the reason on.
+    sink_error = std::current_exception();
+    should_stop.store(true, std::memory_order_relaxed);
+  }
+}
+
+void Session::Impl::start_threads() {
+  // From the last to be needed to the first, so that the haptic thread finds all others running.
+  try {
+    drain_thread = std::thread([this] { run_drain(); });
+    watchdog_thread = std::thread([this] { run_watchdog(); });
+    contact_thread = std::thread([this] { run_contact(); });
+    haptic_thread = std::thread([this] { run_haptic(); });
+  } catch (...) {
+    haptic_done.store(true, std::memory_order_release);
+    contact_done.store(true, std::memory_order_release);
+    join_threads();
+    throw;
+  }
+}
+
+void Session::Impl::join_threads() {
+  for (std::thread* thread : {&haptic_thread, &contact_thread, &watchdog_thread, &drain_thread}) {
+    if (thread->joinable()) thread->join();
+  }
+}
+
+Session::Session(SessionConfig config, HapticDevice& device, SessionSinks sinks)
+    : impl_(std::make_unique<Impl>(std::move(config), device, std::move(sinks))) {}
+
+Session::~Session() {
+  if (!impl_->is_started) return;
+  request_stop();
+  try {
+    finish();
+  } catch (...) {  // of a sink; who wanted to know called finish()
+  }
+}
+
+void Session::start() {
+  Impl& s = *impl_;
+  if (s.is_started) throw std::logic_error("session: started twice");
+  detail::check_config(s.config);
+  s.prepare();
+  s.start_threads();
+  s.is_started = true;
+}
+
+void Session::request_stop() noexcept { impl_->should_stop.store(true, std::memory_order_relaxed); }
+
+bool Session::is_running() const noexcept {
+  return impl_->is_started && !impl_->haptic_done.load(std::memory_order_acquire);
+}
+
+SessionSummary Session::finish() {
+  Impl& s = *impl_;
+  if (!s.is_started) throw std::logic_error("session: finish without start");
+  s.is_started = false;
+  s.join_threads();
+  if (s.sink_error) std::rethrow_exception(s.sink_error);
+  SessionSummary summary = detail::summarize(s.config, s.haptic_tally, s.contact_tally, s.state);
+  summary.end = s.state.safety.fault != Fault::none ? SessionEnd::fault : s.end;
+  summary.seconds = s.seconds;
+  summary.missed = s.clock.missed;
+  summary.dropped_samples = s.haptic_ring.dropped() + s.contact_ring.dropped();
+  summary.safety_events = s.events.take_safety_events();
+  summary.notes = s.notes;
+  return summary;
+}
+
+}  // namespace thigma

@@ -1,0 +1,40 @@
+#include "thigma/runtime/tally.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thigma {
+namespace {
+
+std::int64_t to_ns(double seconds) THIGMA_RT { return static_cast<std::int64_t>(seconds * 1e9); }
+
+}  // namespace
+
+void tally(HapticTally& tally, const HapticSample& sample, std::int64_t step_cpu_ns,
+           std::int64_t wake_late_ns) THIGMA_RT {
+  ++tally.frames;
+  add_frame(tally.hash, sample.body, sample.command);
+  if (step_cpu_ns >= 0) record(tally.step_cpu, step_cpu_ns);
+  if (wake_late_ns >= 0) record(tally.wake_late, wake_late_ns);
+  if (sample.model_sequence > 0) record(tally.model_age, to_ns(sample.model_age));
+  const double force2 = sample.command.force.squaredNorm();
+  const double torque2 = sample.feedback.torque.squaredNorm();
+  tally.force_max = std::max(tally.force_max, std::sqrt(force2));
+  tally.torque_max = std::max(tally.torque_max, std::sqrt(torque2));
+  tally.force_square_sum += force2;
+  tally.torque_square_sum += torque2;
+  tally.penetration_max = std::max(tally.penetration_max, sample.penetration);
+  if (sample.is_grasped) tally.stretch_max = std::max(tally.stretch_max, sample.stretch);
+}
+
+void tally(ContactTally& tally, const ContactSample& sample) THIGMA_RT {
+  ++tally.updates;
+  tally.dropped += static_cast<std::uint64_t>(sample.dropped);
+  tally.contacts += static_cast<std::uint64_t>(sample.contacts);
+  tally.clusters += static_cast<std::uint64_t>(sample.clusters);
+  tally.front += static_cast<std::uint64_t>(sample.front);
+  record(tally.query_cpu, to_ns(sample.query_cpu));
+  record(tally.step_cpu, to_ns(sample.step_cpu));
+}
+
+}  // namespace thigma

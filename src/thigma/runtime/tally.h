@@ -1,0 +1,35 @@
+#pragma once
+// Running statistics of a session, kept by the threads themselves so that a full telemetry ring loses none.
+
+#include <cstdint>
+
+#include "thigma/core/rt.h"
+#include "thigma/runtime/histogram.h"
+#include "thigma/runtime/telemetry.h"
+
+namespace thigma {
+
+/// Of the haptic frames. Thread: one writer; read after it has stopped.
+struct HapticTally {
+  std::uint64_t frames = 0;
+  StateHash hash;
+  DurationHistogram step_cpu, wake_late, model_age;
+  double force_max = 0.0, force_square_sum = 0.0;    // sent [N, N^2]
+  double torque_max = 0.0, torque_square_sum = 0.0;  // felt, sent or not [N m, N^2 m^2]
+  double penetration_max = 0.0;                      // [m]
+  double stretch_max = 0.0;                          // while grasped [m]
+};
+
+/// Of the contact frames. Thread: as above.
+struct ContactTally {
+  std::uint64_t updates = 0, dropped = 0;
+  std::uint64_t contacts = 0, clusters = 0, front = 0;  // sums over updates
+  DurationHistogram query_cpu, step_cpu;
+};
+
+/// Adds a frame. Durations [ns]; negative ones (not measured) are left out. Thread [haptic].
+void tally(HapticTally& tally, const HapticSample& sample, std::int64_t step_cpu_ns,
+           std::int64_t wake_late_ns) THIGMA_RT;
+void tally(ContactTally& tally, const ContactSample& sample) THIGMA_RT;
+
+}  // namespace thigma

@@ -1,0 +1,210 @@
+#include "thigma/runtime/safety.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace thigma {
+namespace {
+
+constexpr double kTick = 1e-3;
+
+/// Armed long ago, out of contact, with a device of 3 N and 0.1 N m.
+struct Armed {
+  SafetyLimits limits;
+  DeviceLimits device;
+  SafetyState state;
+  Armed() {
+    device.max_force = 3.0;
+    device.max_torque = 0.1;
+    state.is_armed = true;
+    state.armed_time = -10.0;
+  }
+  Wrench limit(const Wrench& wanted, double weight = 1.0, double now = 0.0) {
+    return limit_wrench(limits, device, wanted, weight, now, kTick, state);
+  }
+  /// The limit of a wrench held long enough for the slew to have caught up.
+  Wrench settle(const Wrench& wanted) {
+    Wrench w;
+    for (int i = 0; i < 200; ++i) w = limit(wanted);
+    return w;
+  }
+};
+
+DeviceState at(const Vec3& position) {
+  DeviceState d;
+  d.motion.pose.position = position;
+  return d;
+}
+
+TEST(Safety, ClampsByNormAndKeepsTheDirection) {
+  Armed a;
+  const Vec3 force(3.0, -4.0, 12.0), torque(0.3, 0.4, 0.0);
+  const Wrench w = a.settle({force, torque});
+  EXPECT_NEAR(w.force.norm(), 3.0, 1e-12);
+  EXPECT_LE(w.force.norm(), 3.0 * (1.0 + 1e-15));
+  EXPECT_NEAR(w.force.cross(force).norm(), 0.0, 1e-12);
+  EXPECT_GT(w.force.dot(force), 0.0);
+  EXPECT_NEAR(w.torque.norm(), 0.1, 1e-12);
+  EXPECT_NEAR(w.torque.cross(torque).norm(), 0.0, 1e-12);
+}
+
+TEST(Safety, ConfiguredLimitBelowTheDevicesHolds) {
+  Armed a;
+  a.limits.max_force = 1.25;
+  EXPECT_NEAR(a.settle({Vec3(0, 0, 5), Vec3::Zero()}).force.z(), 1.25, 1e-12);
+}
+
+TEST(Safety, SlewIsLimitedOutsideContactOnset) {
+  Armed a;
+  Wrench last;
+  for (int i = 0; i < 20; ++i) {
+    const Wrench w = a.limit({Vec3(0, 0, 3), Vec3(0.1, 0, 0)});
+    EXPECT_LE((w.force - last.force).norm(), 200.0 * kTick * (1.0 + 1e-9));
+    EXPECT_LE((w.torque - last.torque).norm(), a.limits.torque_slew * kTick * (1.0 + 1e-9));
+    last = w;
+  }
+  EXPECT_NEAR(last.force.z(), 3.0, 1e-12);
+}
+
+TEST(Safety, ContactOnsetIsNotSlowedDown) {
+  Armed a;
+  update_arming(true, true, 1.0, a.state);
+  EXPECT_NEAR(a.limit({Vec3(0, 0, 2), Vec3::Zero()}, 1.0, 1.001).force.z(), 2.0, 1e-12);
+  // Contact that lasts is no onset.
+  update_arming(true, true, 1.1, a.state);
+  EXPECT_NEAR(a.limit({Vec3(0, 0, 3), Vec3::Zero()}, 1.0, 1.1).force.z(), 2.2, 1e-12);
+}
+
+TEST(Safety, RampsFromArmingOn) {
+  Armed a;
+  a.state.is_armed = false;
+  EXPECT_EQ(a.limit({Vec3(0, 0, 1), Vec3::Zero()}).force.norm(), 0.0);
+  update_arming(true, false, 2.0, a.state);
+  ASSERT_TRUE(a.state.is_armed);
+  for (int k = 0; k <= 500; ++k) {
+    const double now = 2.0 + k * kTick;
+    const double force = a.limit({Vec3(0, 0, 1), Vec3::Zero()}, 1.0, now).force.z();
+    EXPECT_NEAR(force, k / 500.0, 1e-9);
+  }
+}
+
+TEST(Safety, ArmingNeedsTheHandAndNoContact) {
+  SafetyState s;
+  update_arming(false, false, 0.0, s);
+  EXPECT_FALSE(s.is_armed);
+  update_arming(true, true, 0.1, s);
+  EXPECT_FALSE(s.is_armed);
+  update_arming(true, false, 0.2, s);
+  EXPECT_TRUE(s.is_armed);
+  update_arming(true, true, 0.3, s);
+  EXPECT_TRUE(s.is_armed);
+  update_arming(false, true, 0.4, s);
+  EXPECT_FALSE(s.is_armed);
+  latch_fault(s, Fault::pose_jump, 0.5);
+  update_arming(true, false, 0.6, s);
+  EXPECT_FALSE(s.is_armed);
+}
+
+TEST(Safety, NotANumberStopsAndLatches) {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    Armed a;
+    a.settle({Vec3(0, 0, 1), Vec3::Zero()});
+    EXPECT_EQ(a.limit({Vec3(0, bad, 0), Vec3::Zero()}, 1.0, 3.0).force, Vec3::Zero());
+    EXPECT_EQ(a.state.fault, Fault::not_finite);
+    EXPECT_EQ(a.state.fault_time, 3.0);
+    EXPECT_EQ(a.limit({Vec3(0, 0, 1), Vec3::Zero()}, 1.0, 4.0).force, Vec3::Zero());
+    SafetyState s;
+    DeviceState d = at(Vec3::Zero());
+    d.motion.twist.angular.x() = bad;
+    EXPECT_FALSE(check_device(a.limits, d, 0.0, kTick, s));
+    EXPECT_EQ(s.fault, Fault::not_finite);
+  }
+}
+
+TEST(Safety, SpeedAndJumpsAreFaults) {
+  const SafetyLimits limits;
+  SafetyState s;
+  DeviceState d = at(Vec3::Zero());
+  d.motion.twist.linear = {0.0, 1.49, 0.0};
+  EXPECT_TRUE(check_device(limits, d, 0.0, kTick, s));
+  d.motion.pose.position.x() = 0.0049;
+  EXPECT_TRUE(check_device(limits, d, kTick, kTick, s));
+  d.motion.twist.linear = {0.0, 1.51, 0.0};
+  EXPECT_FALSE(check_device(limits, d, 2 * kTick, kTick, s));
+  EXPECT_EQ(s.fault, Fault::too_fast);
+
+  SafetyState jumping;
+  EXPECT_TRUE(check_device(limits, at(Vec3::Zero()), 0.0, kTick, jumping));
+  EXPECT_FALSE(check_device(limits, at({0.0, 0.0, 0.0051}), kTick, kTick, jumping));
+  EXPECT_EQ(jumping.fault, Fault::pose_jump);
+  EXPECT_EQ(jumping.fault_time, kTick);
+}
+
+TEST(Safety, AfterAClearedFaultTheOldPoseIsForgotten) {
+  const SafetyLimits limits;
+  SafetyState s;
+  check_device(limits, at(Vec3::Zero()), 0.0, kTick, s);
+  check_device(limits, at({0.1, 0.0, 0.0}), kTick, kTick, s);
+  ASSERT_EQ(s.fault, Fault::pose_jump);
+  latch_fault(s, Fault::watchdog, 5.0);  // the first one stays
+  EXPECT_EQ(s.fault, Fault::pose_jump);
+  clear_fault(s);
+  EXPECT_TRUE(check_device(limits, at({0.1, 0.0, 0.0}), 2 * kTick, kTick, s));
+  EXPECT_FALSE(s.is_armed);
+}
+
+TEST(Safety, LostAndSilentDevicesAreFaults) {
+  const SafetyLimits limits;
+  SafetyState lost;
+  DeviceState d = at(Vec3::Zero());
+  d.status = DeviceStatus::lost;
+  EXPECT_FALSE(check_device(limits, d, 0.0, kTick, lost));
+  EXPECT_EQ(lost.fault, Fault::device_lost);
+
+  SafetyState silent;
+  d.status = DeviceStatus::not_ready;
+  EXPECT_FALSE(check_device(limits, d, 0.0, kTick, silent));  // nothing yet, and no fault
+  EXPECT_EQ(silent.fault, Fault::none);
+  d.status = DeviceStatus::ok;
+  EXPECT_TRUE(check_device(limits, d, 1.0, kTick, silent));
+  d.status = DeviceStatus::not_ready;
+  EXPECT_TRUE(check_device(limits, d, 1.0 + 0.9 * limits.silent_device, kTick, silent));
+  EXPECT_FALSE(check_device(limits, d, 1.0 + 1.1 * limits.silent_device, kTick, silent));
+  EXPECT_EQ(silent.fault, Fault::device_lost);
+}
+
+TEST(Safety, OldModelsFadeTogetherWithTheWrenchAndLatchAtTheEnd) {
+  Armed a;
+  EXPECT_EQ(model_weight(a.limits, 0.025, 0.0, a.state), 1.0);
+  EXPECT_NEAR(model_weight(a.limits, 0.0375, 0.0, a.state), 0.5, 1e-12);
+  EXPECT_NEAR(model_weight(a.limits, 0.04999, 0.0, a.state), 0.0, 1e-3);
+  EXPECT_EQ(a.state.fault, Fault::none);
+  const double full = a.settle({Vec3(0, 0, 2), Vec3(0.05, 0, 0)}).force.z();
+  const Wrench faded = a.limit({Vec3(0, 0, 2), Vec3(0.05, 0, 0)}, 0.25);
+  EXPECT_NEAR(faded.force.z(), 0.25 * full, 1e-12);
+  EXPECT_NEAR(faded.torque.x(), 0.25 * 0.05, 1e-12);
+  EXPECT_EQ(model_weight(a.limits, 0.050, 7.0, a.state), 0.0);
+  EXPECT_EQ(a.state.fault, Fault::contact_stale);
+  EXPECT_EQ(a.state.fault_time, 7.0);
+  EXPECT_EQ(a.limit({Vec3(0, 0, 2), Vec3::Zero()}).force, Vec3::Zero());
+  SafetyState idle;  // an unarmed session waits for its first model without a fault
+  EXPECT_EQ(model_weight(a.limits, std::numeric_limits<double>::infinity(), 0.0, idle), 0.0);
+  EXPECT_EQ(idle.fault, Fault::none);
+}
+
+TEST(Safety, TorqueOfADeviceWithoutItIsStillComputed) {
+  Armed a;
+  a.device.actuates_rotation = false;
+  a.device.max_torque = 0.0;
+  EXPECT_NEAR(a.settle({Vec3::Zero(), Vec3(0, 0.02, 0)}).torque.y(), 0.02, 1e-12);
+}
+
+TEST(Safety, EveryFaultHasItsOwnName) {
+  for (int i = 0; i <= static_cast<int>(Fault::watchdog); ++i) {
+    for (int j = 0; j < i; ++j) EXPECT_STRNE(fault_name(static_cast<Fault>(i)), fault_name(static_cast<Fault>(j)));
+  }
+}
+
+}  // namespace
+}  // namespace thigma
