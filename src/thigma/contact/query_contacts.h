@@ -2,11 +2,11 @@
 // The exact contact query Q(A, B, d): every pair of finest patches whose triangles come within d.
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "thigma/clod/hierarchy.h"
 #include "thigma/contact/contact.h"
-#include "thigma/convex/pair.h"
+#include "thigma/contact/front.h"
 #include "thigma/math/pose.h"
 
 namespace thigma {
@@ -18,8 +18,41 @@ struct ContactQuery {
   std::int32_t body = 0;          // written to the contacts
 };
 
-/// Scratch of one pair of bodies: the front of the tandem traversal with a cache a node pair. Any content is
-/// valid input; clear() forgets coherence. Grows while warming up, never after.
-struct ContactFront;
+/// Exact contacts between the grasped object and one object of the scene, appended to a set.
+///
+/// object, scene       hierarchies; alive and unchanged while the front is used with them
+/// world_from_object, world_from_scene  poses, |orientation| = 1 to 1e-9
+/// query               tolerance >= 0 [m]
+/// front               scratch of this pair of bodies
+/// contacts            contacts are appended, ordered by (object_patch, scene_patch). Capacity is never grown: of more
+///                     contacts than fit the deepest stay and `dropped` counts the others. Counts are added to stats
+/// Thread              [contact]; no failure: a pose that is not finite gives no contact. Allocates when the front has
+///                     no memory for these hierarchies yet, never after.
+/// Without keep_directions the contacts, their order and every bit are a function of the two poses.
+/// Source              Sec. 3.4.1-3.4.2, Eq. 3.5. Deviates: front tracking by remaining travel (docs/deviations.md).
+void query_contacts(const ClodHierarchy& object, const Pose& world_from_object, const ClodHierarchy& scene,
+                    const Pose& world_from_scene, const ContactQuery& query, ContactFront& front,
+                    ContactSet& contacts) noexcept;
+
+/// A static object of the scene.
+struct SceneBody {
+  const ClodHierarchy* hierarchy = nullptr;
+  Pose world_from_body;
+};
+
+/// Contacts with every body of a scene, in one set, with body indices; the set is emptied first.
+/// fronts  one a body, as many as bodies. query.body is ignored. Otherwise as query_contacts.
+void query_scene(const ClodHierarchy& object, const Pose& world_from_object, std::span<const SceneBody> bodies,
+                 const ContactQuery& query, std::span<ContactFront> fronts, ContactSet& contacts) noexcept;
+
+/// Empties a set, keeping its capacity. Thread [contact].
+inline void clear(ContactSet& contacts) noexcept {
+  contacts.contacts.clear();
+  contacts.dropped = 0;
+  contacts.stats = {};
+}
+
+/// -max(depth), or infinity for an empty set [m].
+double least_distance(const ContactSet& contacts) noexcept;
 
 }  // namespace thigma

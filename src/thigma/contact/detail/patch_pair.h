@@ -1,0 +1,29 @@
+#pragma once
+// Contact of one pair of finest patches, bit-identical whatever is remembered of the pair.
+
+#include "thigma/contact/contact.h"
+#include "thigma/contact/front.h"
+#include "thigma/convex/penetration.h"
+
+namespace thigma::detail {
+
+/// What a leaf pair of the traversal is.
+struct PatchPair {
+  PairContactStatus status = PairContactStatus::apart;
+  double depth = 0.0;             // apart: minus a lower bound of the separation [m]
+  Vec3 normal = Vec3::UnitZ();    // unit, out of a [frame of a]
+  Vec3 witness_a = Vec3::Zero();  // [m; frame of a]
+  Vec3 witness_b = Vec3::Zero();
+};
+
+/// Measures two patches.
+///
+/// memory  of the pair: support vertices, simplex and, with keep_direction, the normal reported last
+/// stats   pair_queries and triangle_pairs are counted
+/// returns a function of the pose alone unless keep_direction
+/// Thread  [contact]; no failure, no allocation.
+PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose, double tolerance,
+                          bool keep_direction, const SegmentProbe& probe, FrontNode& memory,
+                          QueryStats& stats) noexcept;
+
+}  // namespace thigma::detail

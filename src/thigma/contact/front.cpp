@@ -1,0 +1,72 @@
+#include "thigma/contact/front.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace thigma {
+namespace {
+
+// Longest way from the root, and the most children of a node.
+void measure(const ClodHierarchy& h, std::int32_t& depth, std::int32_t& fan) {
+  std::vector<std::int32_t> depths(h.nodes.size(), 0);
+  depth = 0;
+  fan = 1;
+  for (std::size_t i = 0; i < h.nodes.size(); ++i) {
+    const ClodNode& n = h.nodes[i];
+    fan = std::max(fan, n.child_count);
+    depth = std::max(depth, depths[i]);
+    for (std::int32_t c = 0; c < n.child_count; ++c) {
+      depths[static_cast<std::size_t>(n.first_child + c)] = depths[i] + 1;  // children follow their parent
+    }
+  }
+}
+
+}  // namespace
+
+std::int32_t default_front_capacity(const ClodHierarchy& object, const ClodHierarchy& scene) noexcept {
+  // Fronts of conforming surfaces (jaws) need about one node a hierarchy node; four leave room for worse.
+  const std::size_t wanted = 4 * (object.nodes.size() + scene.nodes.size());
+  return static_cast<std::int32_t>(std::clamp<std::size_t>(wanted, 4096, 2'000'000));
+}
+
+void reserve_front(ContactFront& front, const ClodHierarchy& object, const ClodHierarchy& scene,
+                   std::int32_t capacity) {
+  if (capacity <= 0) capacity = default_front_capacity(object, scene);
+  std::int32_t fan_a = 1, fan_b = 1;
+  measure(object, front.object_depth, fan_a);
+  measure(scene, front.scene_depth, fan_b);
+  front.stack_capacity = std::int64_t{front.object_depth + front.scene_depth + 2} * std::max(fan_a, fan_b);
+  front.stack.reserve(static_cast<std::size_t>(front.stack_capacity));
+  if (capacity != front.capacity) {
+    const auto n = static_cast<std::size_t>(capacity);
+    front.nodes = std::make_unique_for_overwrite<FrontNode[]>(n);
+    front.expires = std::make_unique_for_overwrite<float[]>(n);
+    front.capacity = capacity;
+    for (std::vector<std::int32_t>* list : {&front.active, &front.next_active, &front.incoming, &front.work,
+                                            &front.saturated}) {
+      *list = {};
+      list->reserve(n);
+    }
+    front.work.reserve(2 * n);  // expired nodes and the stack of a descent
+  }
+  front.object = &object;
+  front.scene = &scene;
+  clear_front(front);
+}
+
+void clear_front(ContactFront& front) noexcept {
+  front.used = 0;
+  front.free_head = -1;
+  front.alive = 0;
+  front.split = 0;
+  front.travel = 0.0;
+  front.last_step = 0.0;
+  front.tolerance = -1.0;
+  front.active.clear();
+  front.next_active.clear();
+  front.incoming.clear();
+  front.work.clear();
+  front.saturated.clear();
+}
+
+}  // namespace thigma

@@ -1,0 +1,69 @@
+#pragma once
+// The front of the tandem traversal: which pairs of nodes were decided last time, and for how long that holds.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "thigma/clod/hierarchy.h"
+#include "thigma/convex/pair.h"
+
+namespace thigma {
+
+/// A node of the bounding volume test tree: a pair of hierarchy nodes. 64 bytes.
+struct FrontNode {
+  std::int32_t a = 0, b = 0;             // nodes of object and scene
+  std::int32_t parent = -1;              // into ContactFront::nodes
+  std::int32_t first_child = -1;         // -1: the pair is in the front
+  std::int32_t next_sibling = -1;
+  std::uint32_t support_a = 0, support_b = 0;  // leaf pairs: hull vertices of the closest features, 0 unknown
+  GjkCache gjk;
+  float axis[3] = {0.0f, 0.0f, 0.0f};    // from a to b, unit or zero: separating, or the normal reported last [frame of a]
+  bool has_normal = false;               // axis holds a contact normal (hysteresis)
+  bool is_active = false;                // leaf pair evaluated every frame
+  bool is_saturated = false;             // could not be split for want of room: traversed below without memory
+};
+
+static_assert(sizeof(FrontNode) <= 64);
+
+/// Scratch of one pair of bodies. Owned by the caller, one a pair; any content is valid input.
+///
+/// Every node holds the travel up to which its decision stays true: a culled pair cannot come within the
+/// tolerance, nor a split one leave it, before the bodies moved by its slack against each other. So a frame looks
+/// only at pairs whose time has come, and at the contacts.
+/// Memory is taken once, by reserve_front or the first query; when it is full, pairs are traversed without memory.
+/// Thread: of the caller; not shared.
+struct ContactFront {
+  std::unique_ptr<FrontNode[]> nodes;
+  std::unique_ptr<float[]> expires;      // by node, on the scale of `travel`; infinity: never looked at [m]
+  std::int32_t capacity = 0;             // nodes there is room for
+  std::int32_t used = 0;                 // nodes ever used
+  std::int32_t free_head = -1;           // list of free nodes through next_sibling
+  std::int32_t alive = 0, split = 0;     // nodes in use; of those, not in the front
+  double travel = 0.0;                   // relative motion since the origin of the scale, an upper bound [m]
+  double last_step = 0.0;                // of it, in the last query [m]
+  double tolerance = -1.0;               // of the last query [m]; negative: nothing known
+  RelativePose last;                     // of the last query
+  const void* object = nullptr;          // hierarchies of the last query, for comparison only
+  const void* scene = nullptr;
+  std::vector<std::int32_t> active, next_active, incoming;  // active leaf pairs by (object patch, scene patch)
+  std::vector<std::int32_t> work;        // nodes to look at
+  std::vector<std::int32_t> saturated;   // nodes traversed without memory
+  std::vector<std::int64_t> stack;       // of that traversal
+  std::int64_t stack_capacity = 0;
+  std::int32_t object_depth = 0, scene_depth = 0;  // of the two trees
+};
+
+/// Nodes a front is given room for when the caller does not say.
+std::int32_t default_front_capacity(const ClodHierarchy& object, const ClodHierarchy& scene) noexcept;
+
+/// Takes the memory for a pair of hierarchies and forgets what was known.
+/// capacity  nodes; 0 for default_front_capacity. 80 bytes each
+/// Thread    [offline] or warm-up; throws std::bad_alloc.
+void reserve_front(ContactFront& front, const ClodHierarchy& object, const ClodHierarchy& scene,
+                   std::int32_t capacity = 0);
+
+/// Forgets coherence, keeps the memory. Thread [contact].
+void clear_front(ContactFront& front) noexcept;
+
+}  // namespace thigma
