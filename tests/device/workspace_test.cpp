@@ -54,8 +54,8 @@ TEST(Workspace, StiffnessKeepingScaleHasTheTorqueScaleOfErrata) {
 }
 
 TEST(Workspace, ReflectedStiffnessIsSymmetric) {
-  // A virtual spring at a point off the handle couples force and rotation; seen at the handle its 6 x 6 stiffness must
-  // have equal off-diagonal blocks, or a closed path would yield energy.
+  // A virtual spring at a point off the handle couples force and rotation; seen at the handle its 6
+  // x 6 stiffness must have equal off-diagonal blocks, or a closed path would yield energy.
   Random random(3);
   const Workspace workspace = stiffness_keeping_workspace(random_pose(random), 0.25);
   const WorkspaceAnchor anchor = base_anchor(workspace);

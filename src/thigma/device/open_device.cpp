@@ -14,6 +14,7 @@ namespace thigma {
 namespace {
 
 using detail::parse_value;
+using detail::quoted;
 using detail::shortest;
 
 struct PathName {
@@ -46,22 +47,21 @@ std::vector<std::string_view> hand_names() {
 
 [[noreturn]] void unknown_name(const std::string& scheme, const std::string& name,
                                const std::vector<std::string_view>& names) {
-  throw DeviceAddressError(scheme + " no parameter '" + name.substr(0, 40) + "', nearest is '" +
-                           std::string(detail::nearest_name(name, names)) + "'");
+  throw DeviceAddressError(scheme + " no parameter " + quoted(name) + ", nearest is " +
+                           quoted(detail::nearest_name(name, names)));
 }
 
 bool parse_flag(const std::string& scheme, const std::string& name, const std::string& value) {
   if (value == "1") return true;
   if (value == "0") return false;
-  throw DeviceAddressError(scheme + " " + name + " = '" + value.substr(0, 40) +
-                           "', expected 0 or 1");
+  throw DeviceAddressError(scheme + " " + name + " = " + quoted(value) + ", expected 0 or 1");
 }
 
 std::uint64_t parse_seed(const std::string& scheme, const std::string& value) {
   const double seed = parse_value(scheme, "seed", value);
   if (seed < 0.0 || seed > 9007199254740992.0 || seed != std::floor(seed)) {
-    throw DeviceAddressError(scheme + " seed = '" + value.substr(0, 40) +
-                             "', expected an integer from 0 to 2^53");
+    throw DeviceAddressError(scheme + " seed = " + quoted(value) +
+                             ", expected an integer from 0 to 2^53");
   }
   return static_cast<std::uint64_t>(seed);
 }
@@ -71,8 +71,8 @@ void apply_model(const std::string& name, HandParams& params) {
   if (model == nullptr) {
     std::vector<std::string_view> names;
     for (const DeviceModel& known : device_models()) names.push_back(known.name);
-    throw DeviceAddressError("hand: no device '" + name.substr(0, 40) + "', nearest is '" +
-                             std::string(detail::nearest_name(name, names)) + "'");
+    throw DeviceAddressError("hand: no device " + quoted(name) + ", nearest is " +
+                             quoted(detail::nearest_name(name, names)));
   }
   params.device = model->name;
   if (model->max_force > 0.0) params.max_force = model->max_force;
@@ -101,7 +101,7 @@ void apply_path(const std::string& value, HandParams& params) {
 
 void apply_dof(const std::string& value, HandParams& params) {
   if (value != "6" && value != "3") {
-    throw DeviceAddressError("hand: dof = '" + value.substr(0, 40) + "', expected 6 or 3");
+    throw DeviceAddressError("hand: dof = " + quoted(value) + ", expected 6 or 3");
   }
   params.senses_rotation = params.actuates_rotation = value == "6";
 }
@@ -156,11 +156,11 @@ std::unique_ptr<HapticDevice> open_script(const std::string& rest) {
   }
   std::vector<std::string_view> names = {"hand", "script", "replay", "null"};
   if (scheme.empty()) {
-    throw DeviceAddressError("device '" + address.substr(0, 60) +
-                             "' has no scheme, expected hand:, script:FILE, replay:FILE or null:");
+    throw DeviceAddressError("device " + quoted(address) +
+                             " has no scheme, expected hand:, script:FILE, replay:FILE or null:");
   }
-  throw DeviceAddressError("no device '" + scheme.substr(0, 40) + ":', nearest is '" +
-                           std::string(detail::nearest_name(scheme, names)) + ":'");
+  throw DeviceAddressError("no device " + quoted(scheme + ":") + ", nearest is " +
+                           quoted(std::string(detail::nearest_name(scheme, names)) + ":"));
 }
 
 }  // namespace
@@ -213,8 +213,7 @@ std::unique_ptr<HapticDevice> open_device(const std::string& address,
   }
   if (scheme != "hand" && scheme != "null") refuse(address, scheme);
   if (!rest.empty() && rest.front() != '?') {
-    throw DeviceAddressError(scheme + ": '" + rest.substr(0, 40) +
-                             "', expected ?name=value&name=value");
+    throw DeviceAddressError(scheme + ": " + quoted(rest) + ", expected ?name=value&name=value");
   }
   const std::string_view query =
       rest.empty() ? std::string_view() : std::string_view(rest).substr(1);

@@ -13,6 +13,7 @@
 
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
+#include "thigma/device/detail/address.h"
 #include "thigma/math/rotation.h"
 
 namespace thigma {
@@ -43,7 +44,7 @@ std::size_t columns_of_header(std::string_view line, const std::string& name, st
   }
   if (header == kHeader) return kPoseColumns;
   if (header == std::string(kHeader) + ",buttons") return kPoseColumns + 1;
-  fail(name, number, "wrong header", "'" + std::string(kHeader) + "' or the same and ',buttons'");
+  fail(name, number, "wrong header", detail::quoted(kHeader) + " or the same and ',buttons'");
 }
 
 double parse_number(std::string_view text, const std::string& name, std::size_t line,
@@ -52,8 +53,7 @@ double parse_number(std::string_view text, const std::string& name, std::size_t 
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || rest != end || !std::isfinite(value)) {
-    fail(name, line,
-         "'" + std::string(text.substr(0, 40)) + "' in column " + std::to_string(column + 1),
+    fail(name, line, detail::quoted(text) + " in column " + std::to_string(column + 1),
          "a finite number");
   }
   return value;

@@ -35,8 +35,7 @@ std::vector<std::pair<std::string, std::string>> split_query(std::string_view qu
     const std::string_view part = query.substr(begin, end - begin);
     const std::size_t equals = part.find('=');
     if (equals == std::string_view::npos || equals == 0) {
-      throw DeviceAddressError(scheme + " '" + std::string(part.substr(0, 60)) +
-                               "', expected name=value");
+      throw DeviceAddressError(scheme + " " + quoted(part) + ", expected name=value");
     }
     std::string name(part.substr(0, equals));
     for (const auto& [other, value] : parts) {
@@ -54,10 +53,17 @@ double parse_value(const std::string& scheme, const std::string& name, const std
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || rest != end || !std::isfinite(value)) {
-    throw DeviceAddressError(scheme + " " + name + " = '" + text.substr(0, 40) +
-                             "', expected a finite number");
+    throw DeviceAddressError(scheme + " " + name + " = " + quoted(text) +
+                             ", expected a finite number");
   }
   return value;
+}
+
+std::string quoted(std::string_view text) {
+  std::string result(1, '\'');
+  result.append(text.substr(0, 60));
+  result.push_back('\'');
+  return result;
 }
 
 std::string shortest(double value) {

@@ -16,6 +16,9 @@ std::vector<std::pair<std::string, std::string>> split_query(std::string_view qu
 /// The finite number `text` is, wholly; throws DeviceAddressError naming `name` otherwise.
 double parse_value(const std::string& scheme, const std::string& name, const std::string& text);
 
+/// 'text', at most the first 60 characters of it.
+std::string quoted(std::string_view text);
+
 /// Shortest decimal text that reads back as `value`.
 std::string shortest(double value);
 

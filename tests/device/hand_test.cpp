@@ -1,0 +1,438 @@
+#include "thigma/device/hand.h"
+
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "thigma/math/rotation.h"
+
+namespace thigma {
+namespace {
+
+constexpr double kTick = 1e-3;
+
+HandParams resting() {
+  HandParams p;
+  p.program.path = HandPath::rest;
+  return p;
+}
+
+// A point mass without friction, encoder or arm: PROTOCOLS E3, device A with b = 0.
+HandParams bare_mass(double mass) {
+  HandParams p = resting();
+  p.mass = mass;
+  p.damping = p.friction = p.encoder = 0.0;
+  p.angular_damping = p.angular_friction = p.angular_encoder = 0.0;
+  p.arm_mass = p.arm_stiffness = p.arm_damping = 0.0;
+  p.arm_inertia = p.arm_angular_stiffness = p.arm_angular_damping = 0.0;
+  p.max_force = 1000.0;
+  p.max_torque = 100.0;
+  return p;
+}
+
+// Response of m x'' + b x' + k x to a load step, underdamped.
+double step_response(double m, double b, double k, double load, double t) {
+  const double decay = b / (2.0 * m);
+  const double w = std::sqrt(k / m - decay * decay);
+  return load / k * (1.0 - std::exp(-decay * t) * (std::cos(w * t) + decay / w * std::sin(w * t)));
+}
+
+TEST(Hand, StepResponseIsThatOfMassSpringDamper) {
+  HandParams p = resting();
+  p.friction = p.angular_friction = 0.0;
+  const auto hand = make_hand(p);
+  hand->read(0.0);
+  const Wrench load{{0.5, 0.0, 0.0}, {0.0, 0.0, 0.02}};
+  hand->write(load);
+  for (int i = 1; i <= 500; ++i) {
+    const double t = i * kTick;
+    hand->read(t);
+    const Pose& pose = hand->true_motion().pose;
+    const double x = step_response(p.mass + p.arm_mass, p.damping + p.arm_damping, p.arm_stiffness,
+                                   load.force.x(), t);
+    const double angle =
+        step_response(p.inertia + p.arm_inertia, p.angular_damping + p.arm_angular_damping,
+                      p.arm_angular_stiffness, load.torque.z(), t);
+    EXPECT_NEAR(pose.position.x(), x, 2e-6 * load.force.x() / p.arm_stiffness) << t;
+    EXPECT_NEAR(vector_from_rotation(pose.orientation).z(), angle,
+                2e-6 * load.torque.z() / p.arm_angular_stiffness)
+        << t;
+  }
+}
+
+TEST(Hand, FreeMassUnderHeldForceIsExact) {
+  const auto hand = make_hand(bare_mass(0.1));
+  hand->read(0.0);
+  hand->write({{0.0, 2.0, 0.0}, Vec3::Zero()});
+  for (int i = 1; i <= 100; ++i) hand->read(i * kTick);
+  // x = F t^2 / 2m, whatever the sub-steps: the port must not create or lose energy of its own.
+  EXPECT_NEAR(hand->true_motion().pose.position.y(), 2.0 * 0.01 / (2.0 * 0.1), 1e-13);
+  EXPECT_NEAR(hand->true_motion().twist.linear.y(), 2.0 * 0.1 / 0.1, 1e-12);
+}
+
+TEST(Hand, FrictionHoldsBelowItsLimitAndBrakesAbove) {
+  HandParams p = bare_mass(0.1);
+  p.friction = 0.04;
+  p.angular_friction = 1e-3;
+  const auto hand = make_hand(p);
+  hand->read(0.0);
+  hand->write({{0.0399, 0.0, 0.0}, {0.0, 0.9e-3, 0.0}});
+  for (int i = 1; i <= 1000; ++i) hand->read(i * kTick);
+  EXPECT_EQ(hand->true_motion().pose.position, Vec3::Zero());
+  EXPECT_EQ(vector_from_rotation(hand->true_motion().pose.orientation), Vec3::Zero());
+  hand->write({{0.14, 0.0, 0.0}, Vec3::Zero()});
+  for (int i = 1001; i <= 1100; ++i) hand->read(i * kTick);
+  EXPECT_NEAR(hand->true_motion().twist.linear.x(), (0.14 - 0.04) / 0.1 * 0.1, 1e-9);
+  // Let go: v^2 / 2a = 0.01 / 0.8 m more, then exact rest.
+  const double at = hand->true_motion().pose.position.x();
+  hand->write({});
+  for (int i = 1101; i <= 1600; ++i) hand->read(i * kTick);
+  EXPECT_EQ(hand->true_motion().twist.linear, Vec3::Zero());
+  EXPECT_NEAR(hand->true_motion().pose.position.x() - at, 0.01 / 0.8, 1e-5);
+}
+
+TEST(Hand, LosesEnergyWithoutInput) {
+  for (const double friction : {0.0, 0.04}) {
+    HandParams p = resting();
+    p.friction = friction;
+    p.angular_friction = friction * 0.01;
+    p.arm_damping = 0.5;
+    p.arm_angular_damping = 1e-3;
+    const auto hand = make_hand(p);
+    hand->read(0.0);
+    hand->write({{2.0, -1.0, 0.5}, {0.02, 0.05, -0.03}});
+    for (int i = 1; i <= 300; ++i) hand->read(i * kTick);
+    hand->write({});
+    double energy = hand->stored_energy();
+    const double first = energy;
+    ASSERT_GT(first, 1e-4);
+    for (int i = 301; i <= 3000; ++i) {
+      hand->read(i * kTick);
+      const double next = hand->stored_energy();
+      EXPECT_LE(next, energy + 1e-9 * first) << i;
+      energy = next;
+    }
+    EXPECT_LT(energy, 0.05 * first);
+  }
+}
+
+TEST(Hand, EnergyOfTheUndampedArmStays) {
+  HandParams p = bare_mass(0.2);
+  p.arm_stiffness = 400.0;
+  const auto hand = make_hand(p);
+  hand->read(0.0);
+  hand->write({{1.0, 0.0, 0.0}, Vec3::Zero()});
+  for (int i = 1; i <= 50; ++i) hand->read(i * kTick);
+  hand->write({});
+  const double energy = hand->stored_energy();
+  for (int i = 51; i <= 5000; ++i) hand->read(i * kTick);
+  EXPECT_NEAR(hand->stored_energy(), energy, 1e-9 * energy);
+}
+
+TEST(Hand, EncodersRoundToTheirStep) {
+  HandParams p;
+  p.program.path = HandPath::circle;
+  p.program.approach = Vec3(1.0, -2.0, 0.5);
+  p.angular_tremor = 0.05;
+  const auto hand = make_hand(p);
+  bool has_moved = false;
+  for (int i = 0; i <= 3000; ++i) {
+    const DeviceState state = hand->read(i * kTick);
+    const Pose& truth = hand->true_motion().pose;
+    for (int k = 0; k < 3; ++k) {
+      const double steps = state.motion.pose.position[k] / p.encoder;
+      EXPECT_NEAR(steps, std::round(steps), 1e-9);
+      EXPECT_LE(std::fabs(state.motion.pose.position[k] - truth.position[k]),
+                0.5 * p.encoder * (1 + 1e-9));
+    }
+    const Vec3 off =
+        vector_from_rotation(state.motion.pose.orientation * truth.orientation.conjugate());
+    EXPECT_LE(off.norm(), p.angular_encoder);
+    has_moved = has_moved || truth.position.norm() > 5e-3;
+  }
+  EXPECT_TRUE(has_moved);
+}
+
+std::vector<DeviceState> run_in_air(const HandParams& p, int ticks) {
+  const auto hand = make_hand(p);
+  std::vector<DeviceState> states;
+  for (int i = 0; i < ticks; ++i) states.push_back(hand->read(i * kTick));
+  return states;
+}
+
+bool same_bits(const DeviceState& a, const DeviceState& b) {
+  return std::memcmp(&a.motion.pose.position, &b.motion.pose.position, sizeof(Vec3)) == 0 &&
+         std::memcmp(&a.motion.pose.orientation, &b.motion.pose.orientation, sizeof(Quat)) == 0 &&
+         std::memcmp(&a.motion.twist.linear, &b.motion.twist.linear, sizeof(Vec3)) == 0 &&
+         std::memcmp(&a.motion.twist.angular, &b.motion.twist.angular, sizeof(Vec3)) == 0;
+}
+
+TEST(Hand, DelayIsExactInSamples) {
+  HandParams p;
+  p.program.path = HandPath::circle;
+  const auto prompt = run_in_air(p, 1500);
+  for (const int ticks : {1, 5, 40}) {
+    p.delay = ticks * kTick;
+    const auto late = run_in_air(p, 1500);
+    for (int i = 700; i < 1500; ++i) {
+      EXPECT_EQ(late[i].motion.pose.position, prompt[i - ticks].motion.pose.position) << i;
+      EXPECT_EQ(late[i].time, i * kTick);
+    }
+    EXPECT_NE(late[1400].motion.pose.position, prompt[1400].motion.pose.position);
+  }
+}
+
+TEST(Hand, JitterAgesSamplesWithinItsBoundAndNeverTurnsTimeBack) {
+  HandParams p;
+  p.program.path = HandPath::demo;  // approaches along -z
+  p.encoder = 0.0;
+  const auto prompt = run_in_air(p, 1000);
+  p.delay = 2.0 * kTick;
+  p.jitter = 3.0 * kTick;
+  const auto late = run_in_air(p, 1000);
+  int off_grid = 0;
+  for (int i = 800; i < 1000; ++i) {
+    const double z = late[i].motion.pose.position.z();
+    EXPECT_LE(z,
+              prompt[i - 5].motion.pose.position.z() + 4e-6);  // one sub-step of 62.5 us at 50 mm/s
+    EXPECT_GE(z, prompt[i - 2].motion.pose.position.z());
+    EXPECT_LE(z, late[i - 1].motion.pose.position.z());
+    off_grid += z != prompt[i - 2].motion.pose.position.z() ? 1 : 0;
+  }
+  EXPECT_GT(off_grid, 100);
+}
+
+TEST(Hand, SlowSamplingRepeatsSamples) {
+  HandParams p;
+  p.encoder = 0.0;
+  p.sampling = 250.0;
+  const auto states = run_in_air(p, 1000);
+  int changes = 0;
+  for (int i = 800; i < 1000; ++i) {
+    changes += states[i].motion.pose.position != states[i - 1].motion.pose.position ? 1 : 0;
+  }
+  EXPECT_EQ(changes, 50);
+  // 50 mm/s toward the scene, seen at the true rate although most reads bring nothing new.
+  EXPECT_NEAR(states[999].motion.twist.linear.z(), -0.05, 2e-3);
+}
+
+TEST(Hand, VelocityEstimateFollowsAndIsZeroAtRest) {
+  HandParams p;
+  const auto states = run_in_air(p, 1000);
+  EXPECT_EQ(states[500].motion.twist.linear, Vec3::Zero());
+  EXPECT_NEAR(states[999].motion.twist.linear.z(), -0.05, 4e-3);
+}
+
+TEST(Hand, SameSeedSameBitsOtherSeedOtherBits) {
+  HandParams p;
+  p.tremor = 2e-4;
+  p.angular_tremor = 2e-3;
+  p.jitter = 1e-3;
+  const auto once = run_in_air(p, 1200);
+  const auto again = run_in_air(p, 1200);
+  p.seed = 2;
+  const auto other = run_in_air(p, 1200);
+  int different = 0;
+  for (int i = 0; i < 1200; ++i) {
+    EXPECT_TRUE(same_bits(once[i], again[i])) << i;
+    different += same_bits(once[i], other[i]) ? 0 : 1;
+  }
+  EXPECT_GT(different, 1000);
+}
+
+TEST(Hand, TremorHasItsSizeAndBand) {
+  HandParams p = resting();
+  p.tremor = 1e-3;
+  const auto hand = make_hand(p);
+  double square = 0.0;
+  int crossings = 0;
+  double before = 0.0;
+  const int ticks = 40000;
+  for (int i = 0; i < ticks; ++i) {
+    hand->read(i * kTick);
+    const double x = hand->target_motion().pose.position.x();
+    square += x * x;
+    crossings += i > 0 && (x > 0.0) != (before > 0.0) ? 1 : 0;
+    before = x;
+  }
+  EXPECT_NEAR(std::sqrt(square / ticks), p.tremor, 0.1 * p.tremor);
+  const double frequency = 0.5 * crossings / (ticks * kTick);
+  EXPECT_GT(frequency, 8.0);
+  EXPECT_LT(frequency, 12.0);
+}
+
+TEST(Hand, ThreeDegreesOfFreedomNeitherSenseNorFeelRotation) {
+  HandParams p = resting();
+  p.senses_rotation = p.actuates_rotation = false;
+  p.angular_tremor = 0.01;
+  const auto hand = make_hand(p);
+  EXPECT_FALSE(hand->limits().senses_rotation);
+  EXPECT_FALSE(hand->limits().actuates_rotation);
+  EXPECT_EQ(hand->limits().max_torque, 0.0);
+  for (int i = 0; i < 1000; ++i) {
+    const DeviceState state = hand->read(i * kTick);
+    EXPECT_EQ(state.motion.pose.orientation.coeffs(), Quat::Identity().coeffs());
+    EXPECT_EQ(state.motion.twist.angular, Vec3::Zero());
+    hand->write({{0.3, 0.0, 0.0}, {0.1, 0.1, 0.1}});
+  }
+  EXPECT_EQ(hand->applied_wrench().torque, Vec3::Zero());
+  EXPECT_NEAR(hand->true_motion().pose.position.x(), 0.3 / p.arm_stiffness, 0.15 * 0.3 / 400.0);
+}
+
+TEST(Hand, ActuatorsSaturateByNormAndRefuseNonsense) {
+  HandParams p = resting();
+  p.max_force = 2.0;
+  p.max_torque = 0.1;
+  const auto hand = make_hand(p);
+  hand->write({{30.0, 40.0, 0.0}, {0.0, 0.0, -5.0}});
+  EXPECT_LT((hand->applied_wrench().force - Vec3(1.2, 1.6, 0.0)).norm(), 1e-14);
+  EXPECT_LT((hand->applied_wrench().torque - Vec3(0.0, 0.0, -0.1)).norm(), 1e-15);
+  hand->write({{std::nan(""), 0.0, 0.0}, {0.0, INFINITY, 0.0}});
+  EXPECT_EQ(hand->applied_wrench().force, Vec3::Zero());
+  EXPECT_EQ(hand->applied_wrench().torque, Vec3::Zero());
+}
+
+TEST(Hand, StallsAndClocksThatStandStillAreSurvived) {
+  HandParams p = resting();
+  p.friction = 0.0;
+  const auto hand = make_hand(p);
+  hand->read(5.0);  // time starts at the first read
+  hand->write({{0.4, 0.0, 0.0}, Vec3::Zero()});
+  hand->read(25.0);
+  EXPECT_NEAR(hand->true_motion().pose.position.x(), 0.4 / p.arm_stiffness, 1e-9);
+  const Vec3 at = hand->true_motion().pose.position;
+  hand->read(25.0);
+  hand->read(24.0);
+  hand->read(std::nan(""));
+  EXPECT_EQ(hand->true_motion().pose.position, at);
+}
+
+// A one-sided wall of stiffness k and damping b along -z at depth `wall`, sampled once a tick.
+struct Wall {
+  double stiffness, damping, depth;
+  double last = 0.0;
+  double force(double z) {
+    const double into = -z - depth;
+    const double rate = (into - last) / kTick;
+    last = into;
+    return into > 0.0 ? std::max(0.0, stiffness * into + damping * rate) : 0.0;
+  }
+};
+
+TEST(Hand, PressesWithTheForceAskedFor) {
+  for (const double stiffness : {200.0, 500.0, 2000.0}) {
+    for (const double force : {0.5, 1.0, 2.0}) {
+      HandParams p;
+      p.program.path = HandPath::press;
+      p.program.force = force;
+      const auto hand = make_hand(p);
+      Wall wall{stiffness, 0.0, 0.02};
+      double worst = 0.0;
+      for (int i = 0; i < 4000; ++i) {
+        const DeviceState state = hand->read(i * kTick);
+        const double f = wall.force(state.motion.pose.position.z());
+        hand->write({{0.0, 0.0, f}, Vec3::Zero()});
+        if (i > 3500) worst = std::max(worst, std::fabs(f - force));
+      }
+      // One encoder step of the wall is the finest force there is.
+      EXPECT_LE(worst, 0.05 * force + stiffness * p.encoder) << stiffness << " " << force;
+    }
+  }
+}
+
+struct Swing {
+  double early, late;  // largest |x| in the first and last tenth
+};
+
+// Device A of PROTOCOLS E3 with b = 0 against a wall on both sides, `late` ticks of delay.
+Swing swing_against_wall(double mass, double stiffness, double damping, int late, int ticks) {
+  HandParams p = bare_mass(mass);
+  p.delay = late * kTick;
+  const auto hand = make_hand(p);
+  Swing swing{0.0, 0.0};
+  double before = 0.0;
+  for (int i = 0; i < ticks; ++i) {
+    const double x = hand->read(i * kTick).motion.pose.position.x();
+    const double force = i == 0 ? 0.01 : -(stiffness * x + damping * (x - before) / kTick);
+    before = x;
+    hand->write({{force, 0.0, 0.0}, Vec3::Zero()});
+    if (10 * i < ticks && i > 0) swing.early = std::max(swing.early, std::fabs(x));
+    if (10 * i >= 9 * ticks) swing.late = std::max(swing.late, std::fabs(x));
+  }
+  return swing;
+}
+
+TEST(Hand, SampledWallIsStableExactlyWithinTheClosedFormBound) {
+  // PROTOCOLS E3, check 1: stable iff 0 < alpha < 2 beta (2 - beta) / (2 + beta), from the
+  // characteristic polynomial.
+  const double mass = 0.1;
+  for (const double beta : {0.2, 0.5, 0.828, 1.2, 1.7}) {
+    const double bound = 2.0 * beta * (2.0 - beta) / (2.0 + beta);
+    const auto run = [&](double alpha) {
+      return swing_against_wall(mass, alpha * mass / (kTick * kTick), beta * mass / kTick, 0, 3000);
+    };
+    const Swing inside = run(0.97 * bound);
+    const Swing outside = run(1.03 * bound);
+    EXPECT_LT(inside.late, 0.5 * inside.early) << beta;
+    EXPECT_GT(outside.late, 2.0 * outside.early) << beta;
+  }
+}
+
+TEST(Hand, OneSampleOfDelayShrinksTheStableRange) {
+  // PROTOCOLS E3: largest stable alpha 0.145 near beta 0.42 with one sample of delay.
+  const double mass = 0.1;
+  const auto run = [&](double alpha) {
+    return swing_against_wall(mass, alpha * mass / (kTick * kTick), 0.42 * mass / kTick, 1, 3000);
+  };
+  const Swing inside = run(0.145 * 0.96);
+  const Swing outside = run(0.145 * 1.04);
+  EXPECT_LT(inside.late, 0.5 * inside.early);
+  EXPECT_GT(outside.late, 2.0 * outside.early);
+}
+
+double rest_amplitude_in_wall(double stiffness, double device_damping) {
+  HandParams p = bare_mass(0.1);
+  p.damping = device_damping;
+  const auto hand = make_hand(p);
+  double low = 1e9;
+  double high = -1e9;
+  for (int i = 0; i < 10000; ++i) {
+    const double x = hand->read(i * kTick).motion.pose.position.x();
+    // Pushed into the wall by a constant 2 N.
+    hand->write({{2.0 - (x > 0.0 ? stiffness * x : 0.0), 0.0, 0.0}, Vec3::Zero()});
+    if (i >= 9000) {
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+  }
+  return high - low;
+}
+
+TEST(Hand, InstabilityIsVisibleBeyondTheZWidth) {
+  // b > K T / 2: with b = 1 N s/m and 1 ms the bound is 2 kN/m.
+  EXPECT_LT(rest_amplitude_in_wall(1500.0, 1.0), 1e-6);
+  EXPECT_GT(rest_amplitude_in_wall(20000.0, 1.0), 1e-4);
+}
+
+TEST(Hand, BadParametersAreNamed) {
+  HandParams p;
+  p.delay = 1.0;
+  EXPECT_EQ(what_is_wrong(p), "delay = 1, expected from 0 to 0.1 s");
+  EXPECT_THROW(make_hand(p), std::invalid_argument);
+  p = {};
+  p.arm_stiffness = std::nan("");
+  EXPECT_NE(what_is_wrong(p).find("arm_stiffness"), std::string::npos);
+  p = {};
+  p.mass = p.arm_mass = 0.0;
+  EXPECT_NE(what_is_wrong(p).find("mass + arm_mass"), std::string::npos);
+  p = {};
+  p.program.slide = 3.0 * p.program.approach;
+  EXPECT_NE(what_is_wrong(p).find("not parallel"), std::string::npos);
+  EXPECT_EQ(what_is_wrong({}), "");
+}
+
+}  // namespace
+}  // namespace thigma
