@@ -36,10 +36,10 @@ constexpr CrownSize kLowerCrowns[] = {
     {ToothKind::molar, 10.5, 10.4, 8.0, 0.9, -0.8},
 };
 constexpr CrownSize kUpperCrowns[] = {
-    {ToothKind::incisor, 8.2, 7.0, 10.2, 2.6, 1.9}, {ToothKind::incisor, 6.4, 6.6, 9.8, 2.2, 1.8},
-    {ToothKind::canine, 7.4, 8.2, 10.4, 2.4, 1.8},  {ToothKind::premolar, 6.8, 9.2, 8.8, 1.1, 1.3},
-    {ToothKind::premolar, 6.6, 9.4, 8.6, 0.9, 1.3}, {ToothKind::molar, 9.9, 11.2, 8.2, 0.8, 1.3},
-    {ToothKind::molar, 9.3, 11.0, 8.0, 0.8, 1.2},
+    {ToothKind::incisor, 8.2, 7.0, 10.4, 2.6, 1.4}, {ToothKind::incisor, 6.4, 6.6, 10.0, 2.3, 1.4},
+    {ToothKind::canine, 7.4, 8.2, 10.6, 2.5, 1.5},  {ToothKind::premolar, 6.8, 9.2, 9.3, 1.7, 1.3},
+    {ToothKind::premolar, 6.6, 9.4, 9.1, 1.6, 1.3}, {ToothKind::molar, 9.9, 11.2, 8.7, 1.4, 1.3},
+    {ToothKind::molar, 9.3, 11.0, 8.5, 1.4, 1.2},
 };
 
 double square(double x) { return x * x; }

@@ -56,11 +56,14 @@ TriangleMesh turned_near(const std::vector<Vec2>& corners, int triangles, double
 /// four sides.
 TriangleMesh ring_solid(int triangles, double height, double width, double mean_radius,
                         const std::function<double(double)>& outer,
-                        const std::function<double(double)>& inner) {
+                        const std::function<double(double)>& inner, int around_step) {
   const double ratio = 2.0 * (height + width) / (2.0 * kPi * mean_radius);
-  const GridCounts counts = nearest_counts(triangles, ratio, 4, 12, [](int around, int along) {
-    return 2ll * around * std::max(along, 4);
-  });
+  const auto total = [](int around, int along) { return 2ll * around * std::max(along, 4); };
+  GridCounts counts = nearest_counts(triangles, ratio, around_step, 3 * around_step, total);
+  // The step suits the outline's symmetry; small counts are met only without it.
+  if (std::llabs(total(counts.around, counts.along) - triangles) * 100 > triangles) {
+    counts = nearest_counts(triangles, ratio, 1, 2 * around_step, total);
+  }
   const int rows = std::max(counts.along, 4);
   // Shares of the rows: outside and inside by height, top and bottom by width, at least one each.
   const int upright =
@@ -149,7 +152,8 @@ TriangleMesh make_gear(int triangles) {
     const double steep = 3.0 * wave / std::sqrt(1.0 + 8.0 * wave * wave);
     return 0.0225 + 0.0025 * steep;
   };
-  return ring_solid(triangles, 0.008, 0.0175, 0.014, outline, [](double) { return 0.005; });
+  return ring_solid(
+      triangles, 0.008, 0.0175, 0.014, outline, [](double) { return 0.005; }, kTeeth);
 }
 
 TriangleMesh make_peg(int triangles) {
@@ -163,7 +167,8 @@ TriangleMesh make_hole(int triangles) {
     const SinCos a = sin_cos(turn);
     return 0.025 / std::max(std::fabs(a.sin), std::fabs(a.cos));
   };
-  return ring_solid(triangles, 0.020, 0.0168, 0.0166, square, [](double) { return 0.0082; });
+  return ring_solid(
+      triangles, 0.020, 0.0168, 0.0166, square, [](double) { return 0.0082; }, 4);
 }
 
 }  // namespace thigma::scenes

@@ -87,7 +87,7 @@ GridCounts nearest_counts(int triangles, double wished_ratio, int around_step, i
   const double wished = std::sqrt(0.5 * triangles / wished_ratio);
   GridCounts best;
   double best_cost = 0.0;
-  const int last = std::max(around_least, static_cast<int>(1.3 * wished));
+  const int last = static_cast<int>(1.3 * std::max<double>(around_least, wished));
   const int first =
       std::max(around_least, static_cast<int>(0.75 * wished) / around_step * around_step);
   for (int around = first; around <= last; around += around_step) {

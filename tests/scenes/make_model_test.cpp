@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
+#include "thigma/mesh/self_intersections.h"
 
 namespace thigma::scenes {
 namespace {
@@ -69,6 +70,29 @@ TEST(MakeModel, AnyCountWithinOnePercentFromTwoThousand) {
       const TriangleMesh mesh = make_model({.name = e.name, .triangles = wished});
       EXPECT_LE(off_count(mesh, wished), 0.01) << mesh.triangles.size();
       expect_closed(mesh, e.euler);
+    }
+  }
+}
+
+TEST(MakeModel, NothingCrossesItself) {
+  for (const ModelInfo& m : models()) {
+    for (const int wished : {m.least_triangles, 3001, m.triangles}) {
+      SCOPED_TRACE(std::string(m.name) + " " + std::to_string(wished));
+      if (wished < m.least_triangles) continue;
+      const SelfIntersections found =
+          find_self_intersections(make_model({.name = m.name, .triangles = wished}));
+      EXPECT_EQ(found.pairs, 0);
+      EXPECT_TRUE(found.complete);
+    }
+  }
+}
+
+TEST(MakeModel, JawsOfOtherSeedsDoNotCrossThemselvesEither) {
+  for (const std::uint64_t seed : {2u, 3u, 77u}) {
+    for (const char* name : {"jaw_lower", "jaw_upper"}) {
+      EXPECT_EQ(find_self_intersections(make_model({.name = name, .triangles = 9000, .seed = seed}))
+                    .pairs,
+                0);
     }
   }
 }
