@@ -13,7 +13,12 @@ namespace thigma {
 namespace {
 
 // Sine of the angle by which both backs must face each other for the overlap direction to count fully.
-constexpr double kFullyThrough = 0.5;
+// Smaller makes the turn from "beside" to "through" faster than the motion: measured on pressed balls, 0.5 breaks
+// |change of depth * normal| <= 4 x step in 1-4 % of the pair-steps, 0.9 in 0.02-0.1 %.
+constexpr double kFullyThrough = 0.9;
+// At the border of a patch the object goes on where the patch does not know: directions up to this tangent beyond
+// the face (17 degrees) count as allowed. Without it an edge-edge touch at a border jumps to the overlap along a face.
+constexpr double kBorderTilt = 0.3;
 // Directions within this factor of the least overlap are equal to a caller who remembers one.
 constexpr double kNearEqual = 1.05;
 
@@ -55,21 +60,29 @@ struct Arc {
   bool empty = true;
 };
 
-Arc arc_of(const HullView& h, const RealEdge& e, const Vec3* points) {
+Arc arc_of(const HullView& h, const RealEdge& e) {
   Arc arc;
-  const int one = e.face_left >= 0 ? e.face_left : e.face_right;
-  const int other = e.face_left >= 0 ? e.face_right : -1;
+  const bool left = e.face_left >= 0;
+  const int one = left ? e.face_left : e.face_right;
+  const int other = left ? e.face_right : -1;
   if (one < 0) return arc;
+  arc.edge = h.vertices[e.head] - h.vertices[e.tail];
   arc.from = h.faces[one].normal;
-  arc.to = other >= 0 ? h.faces[other].normal : e.beyond;
+  if (other >= 0) {
+    arc.to = h.faces[other].normal;
+  } else {
+    const Vec3 outward = (left ? 1.0 : -1.0) * arc.edge.cross(arc.from).normalized();
+    arc.to = (arc.from + kBorderTilt * outward).normalized();
+    const bool known = e.beyond.squaredNorm() > 0.0;
+    if (known && e.beyond.dot(arc.from) < arc.to.dot(arc.from)) arc.to = e.beyond;
+  }
   arc.pole = arc.from.cross(arc.to);
-  arc.edge = points[e.head] - points[e.tail];
-  arc.empty = other < 0 && e.beyond.squaredNorm() == 0.0;  // a border: the face's own normal is all there is
+  arc.empty = false;
   return arc;
 }
 
 Arc arc_of_b(const Placed& p, const RealEdge& e) {
-  Arc arc = arc_of(*p.b, e, p.b->vertices);
+  Arc arc = arc_of(*p.b, e);
   arc.from = -(p.rotation * arc.from);
   arc.to = -(p.rotation * arc.to);
   arc.pole = p.rotation * arc.pole;  // two signs cancel
@@ -81,7 +94,7 @@ Arc arc_of_b(const Placed& p, const RealEdge& e) {
 bool arcs_cross(const Arc& a, const Arc& b) {
   const double cba = b.from.dot(a.pole), dba = b.to.dot(a.pole);
   const double adc = a.from.dot(b.pole), bdc = a.to.dot(b.pole);
-  return cba * dba < 0.0 && adc * bdc < 0.0 && cba * bdc < 0.0;
+  return cba * dba < 0.0 && adc * bdc < 0.0 && cba * bdc > 0.0;
 }
 
 // Calls visit(direction) for every allowed direction of the pair, out of a.
@@ -94,7 +107,7 @@ void for_each_direction(const Placed& p, Visit visit) {
   const int count_b = std::min(p.b->edge_count, kMaxEdges);
   for (int j = 0; j < count_b; ++j) arcs_b[j] = arc_of_b(p, p.b->edges[j]);
   for (int i = 0; i < p.a->edge_count; ++i) {
-    const Arc arc = arc_of(*p.a, p.a->edges[i], p.pa);
+    const Arc arc = arc_of(*p.a, p.a->edges[i]);
     if (arc.empty) continue;
     for (int j = 0; j < count_b; ++j) {
       if (arcs_b[j].empty || !arcs_cross(arc, arcs_b[j])) continue;
@@ -158,19 +171,25 @@ void report_overlap(const Placed& p, const Vec3& n, const Vec3& middle, PairCont
   out.status = out.depth > valid ? PairContactStatus::deep : PairContactStatus::penetrating;
 }
 
+// The direction of a pair whose backs face each other: `through` of the way from the direction between the closest
+// points to the one of the least overlap, n. Beside each other the first is right, one above the other the second,
+// and depth times normal would jump by the distance of the patches where one takes over.
+Vec3 turned_direction(const Placed& p, const PatchSeparation& gap, double through, const Vec3& n) {
+  const Vec3 between = (gap.point_b - gap.point_a) / gap.distance;
+  // Where the hulls overlap along it, the direction between original triangles bounds nothing: a step is honest.
+  if (extent_along(p, between).overlap() > -0.5 * gap.distance) return n;
+  const Vec3 turned = (1.0 - through) * between + through * n;
+  const double length = turned.norm();
+  return length > 1e-6 ? Vec3(turned / length) : n;
+}
+
 void report_penetration(const HullView& a, const HullView& b, const RelativePose& x, const PatchSeparation& gap,
                         double through, const Vec3* last, PairContact& out) {
   Placed p;
   place(a, b, x, p);
-  Vec3 n = least_overlap(p, last).normal;
-  if (through < 1.0) {
-    // Sideways beyond each other: turn from the direction of the separation to the one of the overlap, or depth
-    // times normal would jump by the distance between the patches.
-    const Vec3 between = (gap.point_b - gap.point_a).normalized();
-    const Vec3 turned = (1.0 - through) * between + through * n;
-    const double length = turned.norm();
-    if (length > 1e-6) n = turned / length;
-  }
+  // A remembered direction is one of overlap; while turning it would drift with the closest points.
+  Vec3 n = least_overlap(p, through < 1.0 ? nullptr : last).normal;
+  if (through < 1.0) n = turned_direction(p, gap, through, n);
   report_overlap(p, n, 0.5 * (gap.point_a + gap.point_b), out);
 }
 
