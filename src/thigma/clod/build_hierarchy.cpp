@@ -21,7 +21,7 @@ namespace {
 constexpr int kInnerVertices = 16;
 // Points that stand out of an inner hull by less than this times its extent count as inside it; h
 // pays for them.
-constexpr double kInnerTolerance = 1e-8;
+constexpr double kInnerTolerance = 1e-7;
 constexpr double kInnerSlack = 1e-6;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -103,7 +103,8 @@ void append_hull(const TriangleMesh& mesh, const Draft& draft, ClodHierarchy& h,
   const Vec3* points = h.vertices.data() + node.first_vertex;
   const Ball ball = enclosing_ball({points, draft.hull.size()});
   node.center = ball.center;
-  node.radius = ball.radius;
+  for (const Vec3& p : std::span(points, draft.hull.size()))
+    node.radius = std::max(node.radius, (p - node.center).norm());
   node.first_lane = static_cast<std::int32_t>(h.lanes.size());
   node.lane_count = (node.vertex_count + 7) / 8 * 8;
   for (int axis = 0; axis < 3; ++axis)

@@ -39,31 +39,59 @@ void keep_outside(GrowingHull& hull, GrowingFace& face, std::int32_t point, doub
   }
 }
 
-/// Gives the point to the face it is highest over; drops it when it is over none.
-void assign(GrowingHull& hull, std::int32_t point, const std::int32_t* faces, std::size_t count) {
+/// Gives the point to that of some faces which it is highest over; false when it is over none of
+/// them.
+bool assign(GrowingHull& hull, std::int32_t point, std::span<const std::int32_t> faces) {
   double best_height = hull.tolerance;
   std::int32_t best = -1;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double height = height_over(hull.faces[at(faces[i])], hull.points[at(point)]);
+  for (const std::int32_t i : faces) {
+    const double height = height_over(hull.faces[at(i)], hull.points[at(point)]);
     if (height > best_height) {
       best_height = height;
-      best = faces[i];
+      best = i;
     }
   }
-  if (best >= 0) keep_outside(hull, hull.faces[at(best)], point, best_height);
+  if (best < 0) return false;
+  keep_outside(hull, hull.faces[at(best)], point, best_height);
+  return true;
 }
 
-void drop_farthest(GrowingHull& hull, GrowingFace& face) {
-  const std::int32_t dropped = face.farthest;
+/// Gives the point to any face, or drops it as inside. In real arithmetic a point outside that
+/// loses its face is over a new one; slivers whose height is rounding can hide that.
+void assign_anywhere(GrowingHull& hull, std::int32_t point) {
+  for (std::size_t i = 0; i < hull.faces.size(); ++i) {
+    if (!hull.faces[i].is_alive) continue;
+    const double height = height_over(hull.faces[i], hull.points[at(point)]);
+    if (height <= hull.tolerance) continue;
+    keep_outside(hull, hull.faces[i], point, height);
+    return;
+  }
+}
+
+/// For a point that is over its face by rounding alone.
+void release_farthest(GrowingHull& hull, std::int32_t index) {
+  GrowingFace& face = hull.faces[at(index)];
+  const std::int32_t released = face.farthest;
   std::int32_t point = face.first_outside;
   face.first_outside = -1;
   face.farthest = -1;
   face.farthest_height = 0.0;
   while (point >= 0) {
     const std::int32_t following = hull.next[at(point)];
-    if (point != dropped)
+    if (point != released)
       keep_outside(hull, face, point, height_over(face, hull.points[at(point)]));
     point = following;
+  }
+  // Only to faces that see it exactly, lest it wander between slivers for ever.
+  for (std::size_t i = 0; i < hull.faces.size(); ++i) {
+    const auto& v = hull.faces[i].corner;
+    if (!hull.faces[i].is_alive || static_cast<std::int32_t>(i) == index) continue;
+    const double height = height_over(hull.faces[i], hull.points[at(released)]);
+    if (height <= hull.tolerance || orient3d(hull.points[at(v[0])], hull.points[at(v[1])],
+                                             hull.points[at(v[2])], hull.points[at(released)]) <= 0)
+      continue;
+    keep_outside(hull, hull.faces[i], released, height);
+    return;
   }
 }
 
@@ -121,7 +149,7 @@ void add_farthest(GrowingHull& hull, std::int32_t index) {
   const auto v = hull.faces[at(index)].corner;
   if (orient3d(hull.points[at(v[0])], hull.points[at(v[1])], hull.points[at(v[2])],
                hull.points[at(point)]) <= 0) {
-    drop_farthest(hull, hull.faces[at(index)]);  // outside by rounding alone
+    release_farthest(hull, index);
     return;
   }
   collect_visible(hull, index, hull.points[at(point)]);
@@ -131,7 +159,7 @@ void add_farthest(GrowingHull& hull, std::int32_t index) {
     std::int32_t orphan = hull.faces[at(seen)].first_outside;
     while (orphan >= 0) {
       const std::int32_t following = hull.next[at(orphan)];
-      if (orphan != point) assign(hull, orphan, hull.fresh.data(), hull.fresh.size());
+      if (orphan != point && !assign(hull, orphan, hull.fresh)) assign_anywhere(hull, orphan);
       orphan = following;
     }
     hull.faces[at(seen)].first_outside = -1;
@@ -244,7 +272,7 @@ void set_simplex(GrowingHull& hull, std::array<std::int32_t, 4> v) {
   constexpr std::int32_t all[4] = {0, 1, 2, 3};
   for (std::size_t i = 0; i < hull.points.size(); ++i) {
     const auto point = static_cast<std::int32_t>(i);
-    if (std::find(v.begin(), v.end(), point) == v.end()) assign(hull, point, all, 4);
+    if (std::find(v.begin(), v.end(), point) == v.end()) assign(hull, point, all);
   }
 }
 
@@ -286,11 +314,15 @@ void start_hull(GrowingHull& hull, std::span<const Vec3> points, double relative
   if (!(across.norm() > hull.tolerance * length)) return;
   const Vec3 normal = across.normalized();
   const std::int32_t d = argmax(hull, [&](const Vec3& p) { return std::fabs(normal.dot(p - pa)); });
+  const double thickness = std::fabs(normal.dot(hull.points[at(d)] - pa));
   hull.dimension = 2;
-  if (!(std::fabs(normal.dot(hull.points[at(d)] - pa)) > hull.tolerance)) {
+  if (!(thickness > hull.tolerance)) {
     order_rim(hull, normal);
     return;
   }
+  // The faces of a thin set meet at small angles: a point far out beside it is hardly over any of
+  // them.
+  hull.tolerance = std::max(hull.tolerance * std::min(1.0, thickness / length), 1e-15);
   hull.dimension = 3;
   set_simplex(hull, {a, b, c, d});
 }

@@ -40,7 +40,7 @@ struct GrowingHull {
   std::vector<std::int32_t> visible, fresh;  // scratch
   Vec3 origin = Vec3::Zero();                // point = origin + points[i] / scale
   double scale = 1.0;
-  double tolerance = 0.0;  // height above which a point is outside [scaled]
+  double tolerance = 0.0;  // height above which a point is outside [scaled]; lower for thin sets
   int dimension = 0;
 };
 

@@ -1,0 +1,232 @@
+#include "thigma/clod/check_hierarchy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "thigma/convex/clip.h"
+#include "thigma/convex/detail/surface.h"
+#include "thigma/convex/detail/visit_triangles.h"
+#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/pair.h"
+
+namespace thigma {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+struct Checker {
+  const ClodHierarchy& h;
+  const TriangleMesh& mesh;
+  detail::Surface surface;
+  double flat, inset;                  // [m]
+  std::vector<std::int32_t> patch_of;  // of each triangle
+  HierarchyCheck result;
+};
+
+const Vec3& corner(const Checker& c, std::int32_t t, std::size_t k) {
+  return c.mesh.positions[at(c.mesh.triangles[at(t)][k])];
+}
+
+double height_over(const Checker& c, std::int32_t t, const Vec3& p) {
+  return c.surface.normal[at(t)].dot(p - corner(c, t, 0));
+}
+
+void check_tree(Checker& c) {
+  const auto count = static_cast<std::int32_t>(c.h.nodes.size());
+  std::vector<int> parents(c.h.nodes.size(), 0);
+  std::vector<int> leaves(c.h.patches.size(), 0);
+  for (std::int32_t i = 0; i < count; ++i) {
+    const ClodNode& node = c.h.nodes[at(i)];
+    if (node.child_count == 0) {
+      const bool is_patch = node.patch >= 0 && at(node.patch) < c.h.patches.size() &&
+                            c.h.patches[at(node.patch)].node == i && node.hausdorff == 0.0;
+      if (!is_patch)
+        ++c.result.misplaced_nodes;
+      else
+        ++leaves[at(node.patch)];
+      continue;
+    }
+    if (node.first_child <= i || node.first_child + node.child_count > count || node.patch >= 0) {
+      ++c.result.misplaced_nodes;
+      continue;
+    }
+    for (std::int32_t k = 0; k < node.child_count; ++k) ++parents[at(node.first_child + k)];
+  }
+  for (std::size_t i = 0; i < parents.size(); ++i)
+    c.result.misplaced_nodes += parents[i] != (i > 0 ? 1 : 0);
+  for (const int n : leaves) c.result.misplaced_nodes += n != 1;
+}
+
+void check_triangles(Checker& c) {
+  c.patch_of.assign(c.mesh.triangles.size(), -1);
+  for (std::size_t p = 0; p < c.h.patches.size(); ++p) {
+    const ClodPatch& patch = c.h.patches[p];
+    const HullView hull = hull_view(c.h, patch.node);
+    for (std::int32_t i = 0; i < patch.triangle_count; ++i) {
+      const std::int32_t t = c.h.triangle_ids[at(patch.first_triangle + i)];
+      if (c.patch_of[at(t)] >= 0) ++c.result.misplaced_triangles;
+      c.patch_of[at(t)] = static_cast<std::int32_t>(p);
+      const HullTriangle& local = hull.triangles[i];
+      for (std::size_t k = 0; k < 3; ++k)
+        if (local.corner[k] >= hull.vertex_count ||
+            hull.vertices[local.corner[k]] != corner(c, t, k) ||
+            !(local.mask >> local.corner[k] & 1u))
+          ++c.result.wrong_corners;
+    }
+  }
+  for (std::size_t t = 0; t < c.patch_of.size(); ++t)
+    c.result.misplaced_triangles += (c.patch_of[t] >= 0) != (c.surface.height[t] > 0.0);
+}
+
+void check_convexity(Checker& c) {
+  for (std::size_t t = 0; t < c.patch_of.size(); ++t) {
+    if (c.patch_of[t] < 0 || !(c.surface.height[t] > c.flat)) continue;  // slivers have no plane
+    const auto triangle = static_cast<std::int32_t>(t);
+    for (const std::int32_t other : c.surface.neighbor[t]) {
+      if (other < 0 || c.patch_of[at(other)] != c.patch_of[t]) continue;
+      bool is_reflex = false;
+      for (std::size_t k = 0; k < 3; ++k)
+        is_reflex = is_reflex || height_over(c, triangle, corner(c, other, k)) > c.flat;
+      c.result.reflex_edges += is_reflex;
+    }
+    const HullView hull = hull_view(c.h, c.h.patches[at(c.patch_of[t])].node);
+    bool is_off = false;
+    for (int i = 0; i < hull.vertex_count; ++i)
+      is_off = is_off || height_over(c, triangle, hull.vertices[i]) > c.flat;
+    c.result.off_hull += is_off;
+  }
+}
+
+void check_protrusion(Checker& c) {
+  std::vector<std::int32_t> all(c.mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  const detail::TriangleTree tree = detail::build_triangle_tree(c.mesh, std::move(all));
+  GrowingHull grown;
+  std::vector<HalfSpace> half_spaces;
+  for (std::size_t p = 0; p < c.h.patches.size(); ++p) {
+    const ClodPatch& patch = c.h.patches[p];
+    const HullView hull = hull_view(c.h, patch.node);
+    detail::TreeBox box{hull.vertices[0], hull.vertices[0]};
+    for (int i = 1; i < hull.vertex_count; ++i) {
+      box.min = box.min.cwiseMin(hull.vertices[i]);
+      box.max = box.max.cwiseMax(hull.vertices[i]);
+    }
+    start_hull(grown, {hull.vertices, static_cast<std::size_t>(hull.vertex_count)},
+               std::max(1e-10, c.flat / (box.max - box.min).norm()));
+    if (grown.dimension < 3) continue;
+    complete_hull(grown);
+    list_half_spaces(grown, c.inset, half_spaces);
+    const std::int32_t shell = c.surface.shell[at(c.h.triangle_ids[at(patch.first_triangle)])];
+    bool is_entered = false;
+    detail::visit_triangles(tree, box, [&](std::int32_t t) {
+      if (is_entered || c.patch_of[at(t)] == static_cast<std::int32_t>(p) ||
+          c.surface.shell[at(t)] != shell || c.surface.height[at(t)] <= 0.0)
+        return;
+      std::array<Vec3, 3> triangle;
+      for (std::size_t k = 0; k < 3; ++k)
+        triangle[k] = (corner(c, t, k) - grown.origin) * grown.scale;
+      is_entered = reaches_into(triangle, half_spaces);
+    });
+    c.result.protruding_patches += is_entered;
+  }
+}
+
+void check_features(Checker& c) {
+  for (const ClodPatch& patch : c.h.patches) {
+    const HullView hull = hull_view(c.h, patch.node);
+    // Faces merge what is flat to one tolerance and turn to its mean normal: twice the tolerance
+    // bounds both.
+    const double slack = 4.0 * c.flat;
+    for (int f = 0; f < hull.face_count; ++f) {
+      bool bounds_hull = std::fabs(hull.faces[f].normal.norm() - 1.0) < 1e-12;
+      for (int v = 0; v < hull.vertex_count; ++v) {
+        const double depth = hull.faces[f].offset - hull.faces[f].normal.dot(hull.vertices[v]);
+        const bool is_on = hull.faces[f].vertices >> v & 1u;
+        bounds_hull = bounds_hull && (is_on ? std::fabs(depth) <= slack : true);
+      }
+      c.result.wrong_features += !bounds_hull;
+    }
+    for (int e = 0; e < hull.edge_count; ++e) {
+      const RealEdge& edge = hull.edges[e];
+      const std::uint32_t ends = 1u << edge.tail | 1u << edge.head;
+      const auto holds = [&](int f) { return (hull.faces[f].vertices & ends) == ends; };
+      const bool is_right = edge.tail != edge.head && edge.face_left >= 0 &&
+                            holds(edge.face_left) &&
+                            (edge.face_right < 0 || holds(edge.face_right));
+      c.result.wrong_features += !is_right;
+    }
+  }
+}
+
+double distance_to(const HullView& hull, const Vec3& p) {
+  HullView point;
+  point.vertices = &p;
+  point.vertex_count = 1;
+  point.center = p;
+  float lanes alignas(32)[24] = {};  // eight copies of the point about itself
+  point.lanes = lanes;
+  point.lane_count = 8;
+  GjkCache cache;
+  return closest_points(hull, point, RelativePose{}, std::numeric_limits<double>::infinity(), cache)
+      .distance;
+}
+
+/// Every vertex of a patch against every node above it, for all patches together from the leaves
+/// up.
+void check_cover(Checker& c) {
+  std::vector<std::vector<std::int32_t>> below(
+      c.h.nodes.size());  // first vertices of patches' ranges
+  for (std::size_t i = c.h.nodes.size(); i-- > 0;) {
+    const ClodNode& node = c.h.nodes[i];
+    const HullView hull = hull_view(c.h, static_cast<std::int32_t>(i));
+    bool is_covered = true;
+    for (int v = 0; v < hull.vertex_count; ++v)
+      is_covered = is_covered && (hull.vertices[v] - node.center).norm() <= node.radius;
+    if (node.child_count == 0) {
+      below[i].push_back(static_cast<std::int32_t>(i));
+    } else {
+      for (std::int32_t k = 0; k < node.child_count; ++k) {
+        auto& child = below[at(node.first_child + k)];
+        below[i].insert(below[i].end(), child.begin(), child.end());
+        std::vector<std::int32_t>().swap(child);
+      }
+      for (const std::int32_t leaf : below[i]) {
+        const HullView patch = hull_view(c.h, leaf);
+        for (int v = 0; v < patch.vertex_count; ++v) {
+          const double excess = distance_to(hull, patch.vertices[v]) - node.hausdorff;
+          if (!(excess > 1e-12 * c.h.radius)) continue;
+          is_covered = false;
+          c.result.worst_uncovered = std::max(c.result.worst_uncovered, excess);
+        }
+      }
+    }
+    c.result.uncovered_nodes += !is_covered;
+  }
+}
+
+}  // namespace
+
+HierarchyCheck check_hierarchy(const ClodHierarchy& hierarchy, const TriangleMesh& mesh,
+                               const DecompositionParams& params) {
+  const DecompositionParams used = resolve_tolerances(mesh, params);
+  // A rounding more than the builder allows itself.
+  const double flat = used.convexity_tolerance * hierarchy.radius * (1.0 + 1e-9);
+  Checker checker{hierarchy,
+                  mesh,
+                  detail::describe_surface(mesh),
+                  flat,
+                  used.protrusion_tolerance * hierarchy.radius,
+                  {},
+                  {}};
+  check_tree(checker);
+  check_triangles(checker);
+  check_convexity(checker);
+  check_protrusion(checker);
+  check_features(checker);
+  check_cover(checker);
+  return checker.result;
+}
+
+}  // namespace thigma
