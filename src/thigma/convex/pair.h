@@ -2,6 +2,7 @@
 // Two convex hulls under a relative pose: distance with witnesses, and local penetration.
 
 #include <cstdint>
+#include <span>
 
 #include "thigma/convex/hull_view.h"
 #include "thigma/math/pose.h"
@@ -56,10 +57,27 @@ struct Separation {
 Separation closest_points(const HullView& a, const HullView& b, const RelativePose& a_from_b, double stop,
                           GjkCache& cache) noexcept;
 
+/// One pair of a batch. All pairs of a batch belong to the same two bodies.
+struct PairQuery {
+  const HullView* a = nullptr;
+  const HullView* b = nullptr;
+  GjkCache* cache = nullptr;
+};
+
+/// closest_points of many pairs under one pose, several in flight in SIMD lanes: out[i] is, bit for bit, what
+/// closest_points gives for queries[i]. Worth it for pairs whose caches still hold (the common case from frame to
+/// frame); the others are solved one by one. Wider registers are used where the processor has them.
+///
+/// out     as many as queries
+/// Thread  [contact]; no failure, no allocation.
+void closest_points_batch(std::span<const PairQuery> queries, const RelativePose& a_from_b, double stop,
+                          Separation* out) noexcept;
+
 /// Whether the cached axis proves that a and b are farther apart than gap. Conservative: true is certain, false means
 /// "not proven". Single precision over the lanes with a slack for every rounding; ~10 ns.
 ///
-/// axis    any length but zero, frame of a, roughly from a to b (witness_b - witness_a of an earlier query)
+/// a, b    with lanes
+/// axis    about unit length (0.1..10), frame of a, roughly from a to b: the direction of an earlier query
 /// gap     >= 0 [m]
 /// Thread  [contact]; same bits on every processor.
 bool axis_separates(const HullView& a, const HullView& b, const RelativePose& a_from_b, const float axis[3],
