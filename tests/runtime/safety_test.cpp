@@ -69,10 +69,10 @@ TEST(Safety, SlewIsLimitedOutsideContactOnset) {
 
 TEST(Safety, ContactOnsetIsNotSlowedDown) {
   Armed a;
-  update_arming(true, true, 1.0, a.state);
+  update_arming(a.limits, true, true, 1.0, a.state);
   EXPECT_NEAR(a.limit({Vec3(0, 0, 2), Vec3::Zero()}, 1.0, 1.001).force.z(), 2.0, 1e-12);
   // Contact that lasts is no onset.
-  update_arming(true, true, 1.1, a.state);
+  update_arming(a.limits, true, true, 1.1, a.state);
   EXPECT_NEAR(a.limit({Vec3(0, 0, 3), Vec3::Zero()}, 1.0, 1.1).force.z(), 2.2, 1e-12);
 }
 
@@ -80,7 +80,7 @@ TEST(Safety, RampsFromArmingOn) {
   Armed a;
   a.state.is_armed = false;
   EXPECT_EQ(a.limit({Vec3(0, 0, 1), Vec3::Zero()}).force.norm(), 0.0);
-  update_arming(true, false, 2.0, a.state);
+  update_arming(a.limits, true, false, 2.0, a.state);
   ASSERT_TRUE(a.state.is_armed);
   for (int k = 0; k <= 500; ++k) {
     const double now = 2.0 + k * kTick;
@@ -89,20 +89,26 @@ TEST(Safety, RampsFromArmingOn) {
   }
 }
 
-TEST(Safety, ArmingNeedsTheHandAndNoContact) {
+TEST(Safety, ArmingNeedsTheHandAndNoContactForAWhile) {
+  const SafetyLimits limits;
   SafetyState s;
-  update_arming(false, false, 0.0, s);
+  update_arming(limits, false, false, 0.0, s);
   EXPECT_FALSE(s.is_armed);
-  update_arming(true, true, 0.1, s);
+  update_arming(limits, true, true, 0.1, s);
   EXPECT_FALSE(s.is_armed);
-  update_arming(true, false, 0.2, s);
+  update_arming(limits, true, false, 0.11, s);  // bounced
+  EXPECT_FALSE(s.is_armed);
+  update_arming(limits, true, true, 0.12, s);
+  update_arming(limits, true, false, 0.12 + 0.99 * limits.clear_before_arming, s);
+  EXPECT_FALSE(s.is_armed);
+  update_arming(limits, true, false, 0.12 + 1.01 * limits.clear_before_arming, s);
   EXPECT_TRUE(s.is_armed);
-  update_arming(true, true, 0.3, s);
+  update_arming(limits, true, true, 0.3, s);
   EXPECT_TRUE(s.is_armed);
-  update_arming(false, true, 0.4, s);
+  update_arming(limits, false, true, 0.4, s);
   EXPECT_FALSE(s.is_armed);
   latch_fault(s, Fault::pose_jump, 0.5);
-  update_arming(true, false, 0.6, s);
+  update_arming(limits, true, false, 0.6, s);
   EXPECT_FALSE(s.is_armed);
 }
 

@@ -27,7 +27,7 @@ TEST(SpscRing, KeepsOrderDropsAndCounts) {
 TEST(SpscRing, LosesNothingItDidNotCount) {
   SpscRing<std::uint64_t> ring(64);
   constexpr std::uint64_t kCount = 100000;
-  std::thread writer([&ring] {
+  std::thread writer([&ring, kCount] {
     for (std::uint64_t k = 0; k < kCount; ++k) {
       ring.push(k);
       if (k % 64 == 0) std::this_thread::yield();

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "thigma/response/linearize_contacts.h"
+
 namespace thigma {
 namespace {
 
@@ -35,32 +37,16 @@ void find_contacts(const ContactWorld& world, const StampedBody& at, ContactScra
   if (world.source) world.source(pose, world.tolerance, scratch.contacts);
 }
 
-void make_model(const ContactWorld& world, const RigidBody& body, const StampedBody& at, ContactScratch& scratch,
+void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch,
                 ContactSample& sample) noexcept {
   ClusterParams clustering;
   clustering.max_clusters = world.max_clusters;
   clustering.tolerance = world.tolerance;
   cluster_contacts(scratch.contacts.contacts, scratch.clusters, clustering, scratch.clustering, scratch.clusters);
 
-  LinearContactModel& model = sample.model;
-  model.state = at.state;
-  model.time = at.time;
-  model.sequence = ++scratch.sequence;
-  model.planes.clear();
-  model.taylors.clear();
-  (void)body;
-  const Quat body_from_world = at.state.orientation.conjugate();
-  for (const ContactCluster& cluster : scratch.clusters.clusters) {
-    PlaneTerm term;
-    term.arm_body = body_from_world._transformVector(cluster.point - at.state.position);
-    term.normal = cluster.normal;
-    term.scene_point = cluster.scene_point;
-    term.stiffness = world.stiffness;
-    term.damping = world.damping;
-    term.tolerance = world.tolerance;
-    term.id = cluster.id;
-    model.planes.push_back(term);
-  }
+  PenaltyParams response = world.response;
+  response.tolerance = world.tolerance;  // one d: what the query starts at is what the force starts at
+  sample.model = linearize_contacts(scratch.clusters, response, at.state, at.time, ++scratch.sequence);
 
   sample.time = at.time;
   sample.contacts = static_cast<std::int64_t>(scratch.contacts.contacts.size());
@@ -72,13 +58,13 @@ void make_model(const ContactWorld& world, const RigidBody& body, const StampedB
   for (const Contact& contact : scratch.contacts.contacts) {
     sample.depth_max = std::max(sample.depth_max, contact.depth);
   }
-  sample.model_digest = model_digest(model);
+  sample.model_digest = model_digest(sample.model);
 }
 
-void contact_step(const ContactWorld& world, const RigidBody& body, const StampedBody& at, ContactScratch& scratch,
+void contact_step(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch,
                   ContactSample& sample) noexcept {
   find_contacts(world, at, scratch);
-  make_model(world, body, at, scratch, sample);
+  make_model(world, at, scratch, sample);
 }
 
 }  // namespace thigma

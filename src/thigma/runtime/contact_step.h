@@ -10,6 +10,7 @@
 #include "thigma/contact/contact.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/dynamics/body.h"
+#include "thigma/response/penalty.h"
 #include "thigma/runtime/haptic_step.h"
 #include "thigma/runtime/telemetry.h"
 
@@ -27,8 +28,7 @@ struct ContactWorld {
   ContactSource source;              // in addition to `scene`; empty: none
   double tolerance = 0.0;            // d [m]
   int max_clusters = 5;              // K
-  double stiffness = 2000.0;         // k of the contact, shared by its clusters [N/m]
-  double damping = 0.0;              // b [N s/m]
+  PenaltyParams response;            // how clusters push; its tolerance is set to the one above
   std::size_t capacity = 16384;      // contacts a frame; what does not fit is counted
 };
 
@@ -49,18 +49,18 @@ void find_contacts(const ContactWorld& world, const StampedBody& at, ContactScra
 
 /// Second half: clusters all contacts together and linearises them.
 ///
-/// world, body   constant
+/// world         constant
 /// at            state and time the model is for, as given to find_contacts
 /// scratch       clusters are carried over
 /// sample        overwritten, but for the times of CPU use and of publication, which are the shell's business;
 ///               sample.model is what to publish, its sequence counts from 1
 /// Thread        [contact]; no failure.
-void make_model(const ContactWorld& world, const RigidBody& body, const StampedBody& at, ContactScratch& scratch,
+void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch,
                 ContactSample& sample) noexcept;
 
 /// One frame: both halves.
 /// Source Sec. 5.1.2, contact thread; texture refinement comes with textures.
-void contact_step(const ContactWorld& world, const RigidBody& body, const StampedBody& at, ContactScratch& scratch,
+void contact_step(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch,
                   ContactSample& sample) noexcept;
 
 }  // namespace thigma

@@ -126,7 +126,7 @@ void send_wrench(const HapticParams& params, const HapticPorts& ports, const Lin
   SafetyState& safety = state.safety;
   // Nothing arms on a model that does not count fully.
   const bool may_be_armed = state.is_grasped && (safety.is_armed || sample.model_weight >= 1.0);
-  update_arming(may_be_armed, touching.count > 0, sample.time, safety);
+  update_arming(params.safety, may_be_armed, touching.count > 0, sample.time, safety);
   sample.coupling = coupling_wrench(state.coupling, sample.handle, params.body, state.body);
   sample.contact = contact_wrench(model, params.body, state.body, sample.model_weight);
   const Wrench on_hand = device_wrench(state.coupling, sample.handle, params.body, state.body);

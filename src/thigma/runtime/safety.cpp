@@ -87,10 +87,12 @@ double model_weight(const SafetyLimits& limits, double age, double now, SafetySt
   return (limits.model_stale_age - age) / (limits.model_stale_age - limits.model_full_age);
 }
 
-void update_arming(bool is_grasped, bool is_in_contact, double now, SafetyState& safety) THIGMA_RT {
+void update_arming(const SafetyLimits& limits, bool is_grasped, bool is_in_contact, double now, SafetyState& safety) THIGMA_RT {
+  if (is_in_contact) safety.contact_time = now;
+  const bool is_clear = !is_in_contact && now - safety.contact_time >= limits.clear_before_arming;
   if (!is_grasped || safety.fault != Fault::none) {
     safety.is_armed = false;
-  } else if (!safety.is_armed && !is_in_contact) {
+  } else if (!safety.is_armed && is_clear) {
     safety.is_armed = true;
     safety.armed_time = now;
   }

@@ -17,6 +17,7 @@ struct SafetyLimits {
   double torque_slew = 6.0;           // the same for the torque: full scale in the same time [N m/s]
   double onset_window = 0.010;        // after the first touch changes are not slowed down, so that taps stay crisp [s]
   double start_ramp = 0.5;            // from armed to full wrench [s]
+  double clear_before_arming = 0.05;  // free of contact this long, so that bouncing is not taken for leaving [s]
   double max_speed = 1.5;             // of the handle; faster is a fault [m/s]
   double pose_jump = 0.005;           // of the handle in a tick; farther is a fault [m]
   double silent_device = 0.050;       // without a new device sample: a fault [s]
@@ -45,6 +46,7 @@ struct SafetyState {
   bool is_armed = false;          // only then anything but zero is sent
   double armed_time = 0.0;        // [s]
   bool was_in_contact = false;
+  double contact_time = -1e300;   // last in contact [s]
   double onset_time = -1e300;     // of the last first touch [s]
   Wrench slewed;                  // after ramp, clamp and slew, before fading; about the handle [device frame]
   Wrench sent;                    // slewed times the weight of the contact model
@@ -71,8 +73,8 @@ bool check_device(const SafetyLimits& limits, const DeviceState& device, double 
 /// The same factor multiplies the device wrench, so that a fading contact never turns into a pull. Thread [haptic].
 double model_weight(const SafetyLimits& limits, double age, double now, SafetyState& safety) THIGMA_RT;
 
-/// Arms when the hand holds the object and nothing touches it; disarms when it lets go. Thread [haptic].
-void update_arming(bool is_grasped, bool is_in_contact, double now, SafetyState& safety) THIGMA_RT;
+/// Arms when the hand holds the object and nothing has touched it for a while; disarms when it lets go. Thread [haptic].
+void update_arming(const SafetyLimits& limits, bool is_grasped, bool is_in_contact, double now, SafetyState& safety) THIGMA_RT;
 
 /// The wrench that may be sent: zero unless armed, ramped, weighted, clamped by norm, slowed by the slew limits.
 ///

@@ -34,7 +34,7 @@ void timed_contact_step(const SessionConfig& config, const StampedBody& at, Cont
   const std::int64_t begin = thread_cpu_ns();
   find_contacts(config.contact, at, scratch);
   const std::int64_t found = thread_cpu_ns();
-  make_model(config.contact, config.haptic.body, at, scratch, sample);
+  make_model(config.contact, at, scratch, sample);
   const std::int64_t end = thread_cpu_ns();
   sample.query_cpu = 1e-9 * static_cast<double>(found - begin);
   sample.step_cpu = 1e-9 * static_cast<double>(end - begin);

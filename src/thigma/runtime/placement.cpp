@@ -1,0 +1,112 @@
+#include "thigma/runtime/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "thigma/core/error.h"
+
+namespace thigma {
+namespace {
+
+/// Distance queries for a body that is moved about.
+struct Prober {
+  ContactWorld world;  // own tolerance
+  ContactScratch scratch;
+  double radius = 0.0;  // of the object [m]
+  double reach = 0.0;   // farther apart than this nothing is looked for [m]
+
+  /// The deepest contact at a pose, looking farther and farther; nothing within `reach`: no value.
+  std::optional<Contact> closest(const Pose& pose, double look_first) {
+    StampedBody at;
+    at.state.position = pose.position;
+    at.state.orientation = pose.orientation;
+    for (double tolerance = look_first;; tolerance *= 1.5) {
+      world.tolerance = std::min(tolerance, reach);
+      find_contacts(world, at, scratch);
+      const std::vector<Contact>& contacts = scratch.contacts.contacts;
+      if (!contacts.empty()) {
+        return *std::max_element(contacts.begin(), contacts.end(),
+                                 [](const Contact& a, const Contact& b) { return a.depth < b.depth; });
+      }
+      if (tolerance >= reach) return std::nullopt;
+    }
+  }
+
+  /// Which way is out: the contacts' normals weighted by depth, as a hand would be pushed.
+  Vec3 way_out() const {
+    Vec3 sum = Vec3::Zero();
+    for (const Contact& contact : scratch.contacts.contacts) {
+      sum -= std::max(contact.depth + world.tolerance, 0.0) * contact.normal;
+    }
+    return sum;
+  }
+};
+
+double extent(const ContactWorld& world, double object_radius) {
+  double size = object_radius;
+  for (const SceneBody& body : world.scene) size = std::max(size, body.hierarchy->radius);
+  return size;
+}
+
+Prober make_prober(const ContactWorld& world) {
+  Prober prober{world, {}, 0.0, 0.0};
+  // Analytic scenes have no hierarchy to take a size from; their tolerance is about a hundredth of it.
+  prober.radius = world.object != nullptr ? world.object->radius : 100.0 * world.tolerance;
+  prober.reach = 4.0 * extent(world, prober.radius);
+  reserve_contact_scratch(world, prober.scratch);
+  return prober;
+}
+
+}  // namespace
+
+StartPlacement find_start(const ContactWorld& world, const Pose& world_from_body, double gap,
+                          const Vec3* way_out) {
+  Prober prober = make_prober(world);
+  StartPlacement start{world_from_body, -Vec3::UnitZ(), 0.2 * prober.radius, false, false};
+  const double tolerance = world.tolerance;
+  const double wanted = std::max(gap > 0.0 ? gap : 0.1 * prober.radius, 2.0 * tolerance);
+
+  std::optional<Contact> nearest = prober.closest(start.world_from_body, wanted);
+  if (!nearest) return start;
+  start.has_scene = true;
+  Vec3 out = -nearest->normal;
+  if (nearest->depth > 0.0) out = prober.way_out();
+  if (way_out != nullptr) out = *way_out;
+  if (!(out.norm() > 0.0)) out = -nearest->normal;
+  out.normalize();
+  start.approach = -out;
+
+  // Out, by what is missing, until the gap is there.
+  const Vec3 given = start.world_from_body.position;
+  double travel = 0.0;
+  while (nearest && -nearest->depth < wanted) {
+    travel += std::max(wanted + nearest->depth, 0.05 * wanted);
+    if (travel > prober.reach + wanted) {
+      throw InputError("the objects overlap as given and cannot be moved apart along (" +
+                       std::to_string(out.x()) + ", " + std::to_string(out.y()) + ", " + std::to_string(out.z()) +
+                       "); expected a pose from which they can");
+    }
+    start.world_from_body.position = given + travel * out;
+    start.is_moved = true;
+    nearest = prober.closest(start.world_from_body, wanted);
+  }
+
+  // And back, by the distance there is: a surface at that distance or more is not passed.
+  double back = 0.0;
+  Pose pose = start.world_from_body;
+  const double most = travel + prober.reach;
+  while (back < most) {
+    pose.position = start.world_from_body.position + back * start.approach;
+    nearest = prober.closest(pose, wanted);
+    if (!nearest) break;  // moving past: there is nothing that way
+    const double distance = -nearest->depth;
+    if (distance <= tolerance) break;
+    back += std::max(distance - 0.5 * tolerance, 0.5 * tolerance);
+  }
+  start.clearance = back;
+  return start;
+}
+
+}  // namespace thigma

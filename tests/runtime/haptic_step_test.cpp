@@ -1,0 +1,320 @@
+#include "thigma/runtime/haptic_step.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+
+#include "support/plane_session.h"
+#include "thigma/math/elementary.h"
+
+namespace thigma {
+namespace {
+
+using test::HeldDevice;
+using test::plane_session;
+
+/// A step with everything it touches, ticked by hand.
+struct Bench {
+  SessionConfig config = plane_session(0.05);
+  HeldDevice device;
+  std::unique_ptr<Latest<LinearContactModel>> models = std::make_unique<Latest<LinearContactModel>>();
+  std::unique_ptr<Latest<StampedBody>> bodies = std::make_unique<Latest<StampedBody>>();
+  SpscRing<HapticSample> ring{1024};
+  HapticState state;
+  ContactScratch scratch;
+  ContactSample contact;
+  double now = 0.0;
+
+  Bench() {
+    config.haptic.safety.start_ramp = 0.0;
+    config.haptic.safety.force_slew = 1e9;
+    config.haptic.safety.torque_slew = 1e9;
+    begin();
+  }
+  void begin() {
+    config.haptic.device = device.device_limits;
+    state = initial_state(config.haptic, config.world_from_body);
+    reserve_contact_scratch(config.contact, scratch);
+  }
+  void press(bool is_pressed) { device.state.buttons = is_pressed ? kClutchButton : 0u; }
+  HapticSample tick(double elapsed = 1e-3, bool has_fresh_model = true) {
+    if (has_fresh_model) {
+      contact_step(config.contact, {state.body, now, 0}, scratch, contact);
+      models->publish(contact.model);
+    }
+    now += elapsed;
+    return haptic_step(config.haptic, {&device, models.get(), bodies.get(), &ring}, {now, elapsed, Fault::none}, state);
+  }
+  HapticSample ticks(int count) {
+    HapticSample s;
+    for (int i = 0; i < count; ++i) s = tick();
+    return s;
+  }
+};
+
+TEST(HapticStep, AnObjectNobodyHoldsStaysWhereItIs) {
+  Bench b;
+  b.config.haptic.body.gravity = {0.0, 0.0, -9.81};
+  b.begin();
+  const HapticSample s = b.ticks(500);
+  EXPECT_EQ(s.body.position, b.config.world_from_body.position);
+  EXPECT_EQ(b.device.written.force, Vec3::Zero());
+  EXPECT_FALSE(s.is_grasped);
+  EXPECT_FALSE(s.is_armed);
+}
+
+TEST(HapticStep, ClutchTakesHoldWithoutAJerkFromAnywhere) {
+  Bench b;
+  b.device.state.motion.pose.position = {0.3, -0.2, 0.1};
+  b.press(true);
+  const HapticSample s = b.tick();
+  EXPECT_TRUE(s.is_grasped);
+  EXPECT_TRUE(s.is_armed);
+  EXPECT_NEAR((s.handle.pose.position - b.config.world_from_body.position).norm(), 0.0, 1e-15);
+  EXPECT_NEAR(s.command.force.norm(), 0.0, 1e-12);
+  EXPECT_NEAR(s.stretch, 0.0, 1e-15);
+}
+
+TEST(HapticStep, GraspPointOfTheSceneIsWhereTheHandleGoes) {
+  Bench b;
+  b.config.haptic.grasp_point = {0.01, 0.0, 0.02};
+  b.press(true);
+  const HapticSample s = b.tick();
+  EXPECT_NEAR((s.handle.pose.position - b.config.world_from_body.position - Vec3(0.01, 0.0, 0.02)).norm(), 0.0, 1e-15);
+}
+
+TEST(HapticStep, HoldingAtTheHandleKeepsTheDistance) {
+  Bench b;
+  b.config.haptic.grasp_place = GraspPlace::handle;
+  b.device.state.motion.pose.position = {0.1, 0.0, 0.2};
+  b.press(true);
+  HapticSample s = b.tick();
+  EXPECT_NEAR((s.handle.pose.position - Vec3(0.1, 0.0, 0.2)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR(s.stretch, 0.0, 1e-15);
+  EXPECT_EQ(s.body.position, b.config.world_from_body.position);
+}
+
+TEST(HapticStep, HeldObjectFollowsAndTheHandFeelsTheSpring) {
+  Bench b;
+  b.press(true);
+  b.ticks(5);
+  b.device.state.motion.pose.position.x() = 0.004;
+  const HapticSample pulled = b.tick();
+  EXPECT_LT(pulled.command.force.x(), -0.1);  // back towards the object
+  const HapticSample s = b.ticks(2000);
+  EXPECT_NEAR(s.body.position.x(), 0.004, 1e-6);
+  EXPECT_NEAR(s.command.force.norm(), 0.0, 1e-3);
+}
+
+TEST(HapticStep, WeightIsFeltInTheHand) {
+  Bench b;
+  b.config.haptic.body.gravity = {0.0, 0.0, -9.81};
+  b.begin();
+  b.press(true);
+  const HapticSample s = b.ticks(3000);
+  EXPECT_NEAR(s.command.force.z(), -0.0981, 1e-5);
+  EXPECT_NEAR(s.command.force.head<2>().norm(), 0.0, 1e-9);
+}
+
+TEST(HapticStep, ReleaseStopsAndRegraspStartsAtRestElsewhere) {
+  Bench b;
+  b.press(true);
+  b.ticks(10);
+  b.device.state.motion.pose.position.x() = 0.004;
+  b.ticks(3);
+  b.press(false);
+  const HapticSample released = b.tick();
+  EXPECT_FALSE(released.is_grasped);
+  EXPECT_EQ(released.command.force, Vec3::Zero());
+  EXPECT_EQ(released.body.linear_momentum, Vec3::Zero());
+  const Vec3 left_at = released.body.position;
+  b.device.state.motion.pose.position = {0.008, 0.002, 0.0};
+  EXPECT_EQ(b.ticks(50).body.position, left_at);
+  b.press(true);
+  const HapticSample again = b.tick();
+  EXPECT_TRUE(again.is_grasped);
+  EXPECT_NEAR(again.stretch, 0.0, 1e-15);
+  EXPECT_NEAR((again.handle.pose.position - left_at).norm(), 0.0, 1e-15);
+}
+
+TEST(HapticStep, ArmingNeverHappensInsideAContact) {
+  Bench b;
+  b.config.world_from_body.position.z() = test::kCubeHalf - 1e-4;  // in the plane
+  b.begin();
+  b.press(true);
+  HapticSample s = b.ticks(200);
+  EXPECT_TRUE(s.is_grasped);
+  EXPECT_GT(s.touching, 0);
+  EXPECT_FALSE(s.is_armed);
+  EXPECT_EQ(b.device.written.force, Vec3::Zero());
+  for (int i = 0; i < 100; ++i) {  // lifted out, with the hand
+    b.device.state.motion.pose.position.z() += 1e-4;
+    s = b.tick();
+  }
+  s = b.ticks(60);
+  EXPECT_EQ(s.touching, 0);
+  EXPECT_TRUE(s.is_armed);
+}
+
+TEST(HapticStep, PressingIsFeltAlongTheNormal) {
+  Bench b;
+  b.config.world_from_body.position.z() = test::kCubeHalf + 1e-3;
+  b.begin();
+  b.press(true);
+  b.ticks(5);
+  for (int i = 0; i < 50; ++i) {
+    b.device.state.motion.pose.position.z() -= 1e-4;
+    b.tick();
+  }
+  const HapticSample s = b.ticks(2000);
+  // Handle 4 mm below touch: springs of 300 and 2000 N/m in series, the contact's starting at its tolerance.
+  const double expected = (0.004 + b.config.contact.tolerance) * 300.0 * 2000.0 / 2300.0;
+  EXPECT_NEAR(s.command.force.z(), expected, 0.02 * expected);
+  EXPECT_NEAR(s.command.force.head<2>().norm(), 0.0, 1e-3);
+  EXPECT_NEAR(s.contact.force.z(), expected, 0.02 * expected);
+  EXPECT_GT(s.touching, 0);
+}
+
+TEST(HapticStep, StepLengthIsAnArgument) {
+  for (const double elapsed : {1e-4, 3e-3, 1e-2}) {
+    Bench b;
+    b.press(true);
+    b.tick(elapsed);
+    b.device.state.motion.pose.position.y() = 0.003;
+    HapticSample s;
+    for (double t = 0.0; t < 2.0; t += elapsed) s = b.tick(elapsed);
+    EXPECT_NEAR(s.body.position.y(), 0.003, 1e-6) << elapsed;
+  }
+}
+
+TEST(HapticStep, StaleModelFadesBothSidesAndLatches) {
+  Bench b;
+  b.config.world_from_body.position.z() = test::kCubeHalf + 1e-3;
+  b.begin();
+  b.press(true);
+  b.ticks(5);
+  for (int i = 0; i < 30; ++i) {
+    b.device.state.motion.pose.position.z() -= 1e-4;
+    b.tick();
+  }
+  const HapticSample full = b.ticks(1000);
+  ASSERT_GT(full.command.force.z(), 0.3);
+  double last = full.command.force.z();
+  int frames_to_zero = 0;
+  bool is_fading = true, ever_pulled = false;
+  for (int i = 1; i <= 80; ++i) {
+    const HapticSample s = b.tick(1e-3, false);
+    const double force = s.command.force.z();
+    if (s.model_age <= 0.025) {
+      EXPECT_NEAR(force, full.command.force.z(), 1e-3);
+    }
+    is_fading = is_fading && force <= last + 1e-9;
+    ever_pulled = ever_pulled || s.contact.force.z() < 0.0 || force < 0.0;
+    if (force > 0.0) frames_to_zero = i;
+    last = force;
+  }
+  EXPECT_TRUE(is_fading);
+  EXPECT_FALSE(ever_pulled);
+  EXPECT_LE(frames_to_zero, 50);
+  EXPECT_GE(frames_to_zero, 45);
+  EXPECT_EQ(b.state.safety.fault, Fault::contact_stale);
+  EXPECT_EQ(b.device.written.force, Vec3::Zero());
+  // A fresh model does not bring the force back.
+  EXPECT_EQ(b.ticks(100).command.force, Vec3::Zero());
+}
+
+TEST(HapticStep, FaultsSendZeroInTheSameTickAndStay) {
+  const auto faulty = [](void (*break_it)(HeldDevice&), Fault expected) {
+    Bench b;
+    b.config.haptic.body.gravity = {0.0, 0.0, -9.81};
+    b.begin();
+    b.press(true);
+    ASSERT_GT(b.ticks(500).command.force.norm(), 0.09);
+    const DeviceState good = b.device.state;
+    break_it(b.device);
+    HapticSample s = b.tick();
+    EXPECT_EQ(s.fault, expected);
+    EXPECT_EQ(b.device.written.force, Vec3::Zero());
+    EXPECT_EQ(b.device.written.torque, Vec3::Zero());
+    b.device.state = good;
+    s = b.ticks(100);
+    EXPECT_EQ(s.fault, expected);
+    EXPECT_EQ(b.device.written.force, Vec3::Zero());
+    EXPECT_TRUE(s.body.position.allFinite());
+    clear_fault(b.state.safety);
+    EXPECT_FALSE(b.ticks(100).is_armed);  // the clutch has to be let go first
+    b.press(false);
+    b.tick();
+    b.press(true);
+    EXPECT_TRUE(b.ticks(2).is_armed);
+  };
+  faulty([](HeldDevice& d) { d.state.status = DeviceStatus::lost; }, Fault::device_lost);
+  faulty([](HeldDevice& d) { d.state.motion.pose.position.y() = std::numeric_limits<double>::quiet_NaN(); },
+         Fault::not_finite);
+  faulty([](HeldDevice& d) { d.state.motion.pose.orientation.coeffs().setZero(); }, Fault::not_finite);
+  faulty([](HeldDevice& d) { d.state.motion.pose.position.z() += 0.006; }, Fault::pose_jump);
+  faulty([](HeldDevice& d) { d.state.motion.twist.linear.x() = 1.6; }, Fault::too_fast);
+}
+
+TEST(HapticStep, ThreeAxisDevicesFeelTheSameForceAndNoTorque) {
+  Bench six, three;
+  three.device.device_limits.actuates_rotation = false;
+  three.device.device_limits.max_torque = 0.0;
+  three.begin();
+  for (Bench* b : {&six, &three}) {
+    b->config.haptic.grasp_point = {0.01, 0.0, 0.0};
+    b->config.haptic.body.gravity = {0.0, 0.0, -9.81};
+    b->begin();
+    b->press(true);
+  }
+  const HapticSample a = six.ticks(300), c = three.ticks(300);
+  EXPECT_EQ(a.command.force, c.command.force);
+  EXPECT_GT(a.command.torque.norm(), 1e-4);
+  EXPECT_EQ(c.command.torque, Vec3::Zero());
+  EXPECT_EQ(c.feedback.torque, a.feedback.torque);  // computed and recorded all the same
+}
+
+TEST(HapticStep, WithoutSensedRotationButtonsTurnTheObject) {
+  Bench b;
+  b.device.device_limits.senses_rotation = false;
+  b.begin();
+  b.press(true);
+  b.device.state.motion.pose.orientation = Quat(0.6, 0.8, 0.0, 0.0);  // nonsense that such a device may answer
+  HapticSample s = b.ticks(200);
+  EXPECT_NEAR(std::abs(s.body.orientation.w()), 1.0, 1e-9);
+  b.device.state.buttons |= kTurnButtons[4];
+  s = b.ticks(1000);
+  const double angle = 2.0 * arc_tangent2(s.body.orientation.z(), s.body.orientation.w());
+  EXPECT_NEAR(angle, kButtonTurnRate * 1.0, 0.02);
+}
+
+TEST(HapticStep, PublishesTheStateAndTheSample) {
+  Bench b;
+  b.press(true);
+  const HapticSample s = b.tick();
+  ASSERT_TRUE(b.bodies->fetch());
+  EXPECT_EQ(b.bodies->value().state.position, s.body.position);
+  EXPECT_EQ(b.bodies->value().time, b.now);
+  ASSERT_NE(b.ring.front(), nullptr);
+  EXPECT_EQ(b.ring.front()->frame, 0u);
+  EXPECT_EQ(b.ring.front()->input_digest, input_digest(s));
+}
+
+TEST(HapticStep, TheDevicesOwnClockMayTickItAtAnyPace) {
+  // Uneven ticks with a clock of the device's: nothing but `now` and `elapsed` tells the time.
+  Bench b;
+  b.now = 1e6;
+  b.press(true);
+  b.tick();
+  HapticSample s;
+  for (int i = 0; i < 3000; ++i) {
+    if (b.device.state.motion.pose.position.x() < 0.02) b.device.state.motion.pose.position.x() += 1e-5;
+    s = b.tick(i % 3 == 0 ? 4e-4 : 1.1e-3);
+    ASSERT_EQ(s.fault, Fault::none);
+  }
+  EXPECT_NEAR(s.body.position.x(), 0.02, 1e-5);
+}
+
+}  // namespace
+}  // namespace thigma

@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "support/plane_session.h"
+
+namespace thigma {
+namespace {
+
+using test::HeldDevice;
+using test::plane_hand;
+using test::plane_session;
+
+SessionSummary run(const SessionConfig& config, HandParams hand, const SessionSinks& sinks = {}) {
+  HandDevice device(hand);
+  return run_lockstep(config, device, sinks);
+}
+
+TEST(Lockstep, SameInputsSameHashOtherSeedOtherHash) {
+  SessionConfig config = plane_session();
+  HandParams hand = plane_hand(HandPath::press);
+  hand.tremor = 2e-5;
+  const std::uint64_t first = run(config, hand).state_hash;
+  EXPECT_EQ(run(config, hand).state_hash, first);
+  hand.seed = 2;
+  EXPECT_NE(run(config, hand).state_hash, first);
+}
+
+TEST(Lockstep, CountsWhatItDid) {
+  SessionConfig config = plane_session();
+  config.duration = 0.25;
+  config.rate = 500.0;
+  config.contact_every = 5;
+  int frames = 0, models = 0;
+  double last_time = -1.0;
+  const SessionSummary s = run(config, plane_hand(HandPath::rest),
+                               {[&](const HapticSample& sample) {
+                                  EXPECT_GT(sample.time, last_time);
+                                  EXPECT_DOUBLE_EQ(sample.elapsed, 1.0 / 500.0);
+                                  last_time = sample.time;
+                                  ++frames;
+                                },
+                                [&](const ContactSample&) { ++models; },
+                                {}});
+  EXPECT_EQ(s.end, SessionEnd::duration);
+  EXPECT_EQ(s.frames, 125u);
+  EXPECT_EQ(frames, 125);
+  EXPECT_EQ(s.contact_updates, 26u);  // one before the first frame, then every fifth
+  EXPECT_EQ(models, 26);
+  EXPECT_EQ(s.missed, 0u);
+  EXPECT_EQ(s.step_cpu.count, 125u);
+  EXPECT_DOUBLE_EQ(s.seconds, 0.25);
+}
+
+TEST(Lockstep, ModelsAreUsedAfterTheirLatencyAndNotBefore) {
+  SessionConfig config = plane_session();
+  config.duration = 0.1;
+  config.contact_every = 4;
+  config.contact_latency = 7;
+  std::vector<double> times;  // of the states the models were made for
+  bool is_right = true;
+  run(config, plane_hand(HandPath::rest),
+      {[&](const HapticSample& sample) {
+         // The newest model made at least seven frames ago.
+         std::uint64_t expected = 1;
+         for (std::size_t i = 1; i < times.size(); ++i) {
+           if (times[i] * 1000.0 + 7.0 <= static_cast<double>(sample.frame) + 0.5) expected = i + 1;
+         }
+         is_right = is_right && sample.model_sequence == expected;
+       },
+       [&](const ContactSample& sample) { times.push_back(sample.model.time); },
+       {}});
+  EXPECT_TRUE(is_right);
+  EXPECT_GT(times.size(), 20u);
+}
+
+TEST(Lockstep, StopsOnRequestAndWhenTheDeviceHasFinished) {
+  HeldDevice device;
+  std::atomic<bool> stop{false};
+  SessionConfig config = plane_session();
+  config.duration = 0.0;
+  const SessionSummary stopped = run_lockstep(
+      config, device, {[&](const HapticSample& s) { stop = s.frame == 41; }, {}, {}}, &stop);
+  EXPECT_EQ(stopped.end, SessionEnd::stopped);
+  EXPECT_EQ(stopped.frames, 42u);
+  EXPECT_EQ(device.written.force, Vec3::Zero());
+  device.state.status = DeviceStatus::finished;
+  EXPECT_EQ(run_lockstep(config, device).end, SessionEnd::device_finished);
+}
+
+TEST(Lockstep, ASinkThatThrowsLeavesTheDeviceAtZeroForce) {
+  HeldDevice device;
+  device.state.buttons = kClutchButton;
+  SessionConfig config = plane_session(0.0);
+  config.haptic.safety.start_ramp = 0.0;
+  config.world_from_body.position.z() = 1.0;
+  config.haptic.body.gravity = {0.0, 0.0, -9.81};  // felt in the hand
+  double felt = 0.0;
+  EXPECT_THROW(run_lockstep(config, device,
+                            {[&](const HapticSample& s) {
+                               felt = s.command.force.norm();
+                               if (s.frame == 300) throw std::runtime_error("disk full");
+                             },
+                             {},
+                             {}}),
+               std::runtime_error);
+  EXPECT_NEAR(felt, 0.0981, 0.01);  // there was something to let go of
+  EXPECT_EQ(device.written.force, Vec3::Zero());
+  EXPECT_EQ(device.written.torque, Vec3::Zero());
+}
+
+TEST(Lockstep, RefusesNumbersThatMakeNoSense) {
+  HeldDevice device;
+  const auto refuses = [&](void (*change)(SessionConfig&)) {
+    SessionConfig config = plane_session();
+    change(config);
+    EXPECT_THROW(run_lockstep(config, device), std::invalid_argument);
+  };
+  refuses([](SessionConfig& c) { c.rate = 0.0; });
+  refuses([](SessionConfig& c) { c.rate = std::numeric_limits<double>::quiet_NaN(); });
+  refuses([](SessionConfig& c) { c.duration = -1.0; });
+  refuses([](SessionConfig& c) { c.contact_every = 0; });
+  refuses([](SessionConfig& c) { c.contact_latency = 0; });
+  refuses([](SessionConfig& c) { c.haptic.body.mass = 0.0; });
+}
+
+TEST(Lockstep, TellsWhatHappened) {
+  SessionConfig config = plane_session();
+  config.faults = parse_faults("nan@0.5");
+  std::vector<SessionEvent> events;
+  const SessionSummary s = run(config, plane_hand(HandPath::rest),
+                               {{}, {}, [&](const SessionEvent& e) { events.push_back(e); }});
+  ASSERT_EQ(events.size(), 5u);
+  EXPECT_EQ(events[0].kind, "grasped");
+  EXPECT_EQ(events[1].kind, "armed");
+  EXPECT_EQ(events[2].kind, "fault");
+  EXPECT_EQ(events[2].detail, "not_finite");
+  EXPECT_DOUBLE_EQ(events[2].time, 0.5);
+  ASSERT_EQ(s.safety_events.size(), 1u);
+  EXPECT_EQ(s.safety_events[0].detail, "not_finite");
+  EXPECT_EQ(s.end, SessionEnd::fault);
+}
+
+}  // namespace
+}  // namespace thigma

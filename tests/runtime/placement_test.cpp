@@ -1,0 +1,56 @@
+#include "thigma/runtime/placement.h"
+
+#include <gtest/gtest.h>
+
+#include "support/plane_session.h"
+
+namespace thigma {
+namespace {
+
+using test::kCubeHalf;
+using test::plane_session;
+
+double height(const StartPlacement& start) { return start.world_from_body.position.z() - kCubeHalf; }
+
+TEST(FindStart, LeavesSeparatedObjectsWhereTheyAre) {
+  const SessionConfig config = plane_session(0.015);
+  const StartPlacement start = find_start(config.contact, config.world_from_body, 0.01);
+  EXPECT_TRUE(start.has_scene);
+  EXPECT_FALSE(start.is_moved);
+  EXPECT_EQ(start.world_from_body.position, config.world_from_body.position);
+  EXPECT_NEAR((start.approach + Vec3::UnitZ()).norm(), 0.0, 1e-12);
+  // To where contacts begin, within the tolerance.
+  EXPECT_NEAR(start.clearance, 0.015, config.contact.tolerance);
+  EXPECT_LT(start.clearance, 0.015);
+}
+
+TEST(FindStart, MovesOverlappingObjectsApart) {
+  for (const double gap : {-0.01, -1e-4, 0.0, 1e-3}) {
+    const SessionConfig config = plane_session(gap);
+    const StartPlacement start = find_start(config.contact, config.world_from_body, 0.005);
+    EXPECT_TRUE(start.is_moved);
+    EXPECT_GE(height(start), 0.005 * (1.0 - 1e-9));
+    EXPECT_LT(height(start), 0.02);
+    EXPECT_NEAR(start.world_from_body.position.head<2>().norm(), 0.0, 1e-12);
+    EXPECT_NEAR(start.clearance, height(start), config.contact.tolerance);
+  }
+}
+
+TEST(FindStart, FollowsTheWayOutItIsGiven) {
+  const SessionConfig config = plane_session(-0.005);
+  const Vec3 way(3.0, 0.0, 4.0);
+  const StartPlacement start = find_start(config.contact, config.world_from_body, 0.005, &way);
+  EXPECT_NEAR((start.approach + way / 5.0).norm(), 0.0, 1e-12);
+  EXPECT_GE(height(start), 0.005 * (1.0 - 1e-9));
+  EXPECT_NEAR(start.clearance * 0.8, height(start), 2.0 * config.contact.tolerance);
+  const Vec3 into(0.0, 0.0, -1.0);
+  EXPECT_THROW(find_start(config.contact, config.world_from_body, 0.005, &into), std::runtime_error);
+}
+
+TEST(FindStart, SaysWhenThereIsNothingNear) {
+  SessionConfig config = plane_session(10.0);
+  EXPECT_FALSE(find_start(config.contact, config.world_from_body).has_scene);
+}
+
+}  // namespace
+}  // namespace thigma

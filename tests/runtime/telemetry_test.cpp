@@ -1,0 +1,84 @@
+#include "thigma/runtime/telemetry.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <set>
+
+namespace thigma {
+namespace {
+
+void flip_last_bit(double& x) { x = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ 1u); }
+
+TEST(StateHash, EveryBitOfEveryNumberCounts) {
+  BodyState body;
+  body.position = {1.0, 2.0, 3.0};
+  Wrench command{Vec3(0.1, 0.2, 0.3), Vec3(4.0, 5.0, 6.0)};
+  std::set<std::uint64_t> seen;
+  const auto add = [&] {
+    StateHash hash;
+    add_frame(hash, body, command);
+    EXPECT_TRUE(seen.insert(hash.value).second);
+  };
+  add();
+  double* const numbers[] = {&body.position.x(),         &body.position.y(),         &body.position.z(),
+                             &body.orientation.x(),      &body.orientation.y(),      &body.orientation.z(),
+                             &body.orientation.w(),      &body.linear_momentum.x(),  &body.linear_momentum.y(),
+                             &body.linear_momentum.z(),  &body.angular_momentum.x(), &body.angular_momentum.y(),
+                             &body.angular_momentum.z(), &command.force.x(),         &command.force.y(),
+                             &command.force.z(),         &command.torque.x(),        &command.torque.y(),
+                             &command.torque.z()};
+  for (double* number : numbers) {
+    flip_last_bit(*number);
+    add();
+    flip_last_bit(*number);
+  }
+  EXPECT_EQ(seen.size(), 20u);
+}
+
+TEST(StateHash, OrderOfFramesCounts) {
+  BodyState a, b;
+  b.position.x() = 1.0;
+  StateHash ab, ba;
+  add_frame(ab, a, {});
+  add_frame(ab, b, {});
+  add_frame(ba, b, {});
+  add_frame(ba, a, {});
+  EXPECT_NE(ab.value, ba.value);
+}
+
+TEST(InputDigest, SeesWhatAStepRead) {
+  HapticSample sample;
+  const std::uint64_t before = input_digest(sample);
+  sample.body.position.x() = 1.0;  // came out, not in
+  EXPECT_EQ(input_digest(sample), before);
+  HapticSample other = sample;
+  other.device.buttons = 1;
+  EXPECT_NE(input_digest(other), before);
+  other = sample;
+  flip_last_bit(other.device.motion.twist.linear.z());
+  EXPECT_NE(input_digest(other), before);
+  other = sample;
+  other.model_sequence = 1;
+  EXPECT_NE(input_digest(other), before);
+  other = sample;
+  other.external_fault = Fault::watchdog;
+  EXPECT_NE(input_digest(other), before);
+}
+
+TEST(ModelDigest, SeesEveryTerm) {
+  LinearContactModel model;
+  const std::uint64_t empty = model_digest(model);
+  model.planes.push_back(PlaneTerm{});
+  const std::uint64_t one = model_digest(model);
+  EXPECT_NE(one, empty);
+  flip_last_bit(model.planes[0].tolerance);
+  EXPECT_NE(model_digest(model), one);
+  model.taylors.push_back(TaylorTerm{});
+  const std::uint64_t textured = model_digest(model);
+  model.taylors[0].jacobian(5, 12) = 1.0;
+  EXPECT_NE(model_digest(model), textured);
+}
+
+}  // namespace
+}  // namespace thigma
