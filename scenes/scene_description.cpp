@@ -1,0 +1,162 @@
+#include "scenes/scene_description.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "thigma/core/error.h"
+#include "thigma/mesh/load_mesh.h"
+
+namespace thigma::scenes {
+namespace {
+
+constexpr double kSmallestHeld = 0.01;  // radius below which motion is scaled down [m]
+constexpr double kLargestHeld = 0.10;   // and above which it is scaled up [m]
+
+/// Unit-density mass properties of a solid to hold, or of its enclosing ball's share where there is
+/// no volume.
+struct Solid {
+  double volume = 0.0;
+  Vec3 center_of_mass = Vec3::Zero();
+  Mat3 inertia = Mat3::Identity();
+  bool is_closed = true;
+};
+
+/// An open surface has no volume: it is held as a ball of its radius would be.
+Solid solid_of(const LoadedObject& object) {
+  const double r = object.ball.radius;
+  const double ball_volume = 4.0 / 3.0 * 3.14159265358979323846 * r * r * r;
+  if (object.measure.volume > 1e-9 * ball_volume) {
+    return {object.measure.volume, object.measure.center_of_mass, object.measure.inertia, true};
+  }
+  return {ball_volume, object.ball.center, Mat3::Identity() * (0.4 * ball_volume * r * r), false};
+}
+
+double object_mass(const SceneDescription& scene, const Solid& solid) {
+  if (!scene.density) return scene.mass.value_or(kDefaultMass);
+  if (!solid.is_closed) {
+    throw InputError(scene.file + ": density for " + scene.object.name +
+                     ", whose surface encloses no volume, expected mass");
+  }
+  return *scene.density * solid.volume;
+}
+
+Coupling make_coupling(const SceneDescription& scene, const DefaultGains& gains,
+                       const RigidBody& body) {
+  const CouplingGains& given = scene.coupling;
+  Coupling coupling;
+  coupling.is_grasped = false;
+  coupling.linear_stiffness = given.linear_stiffness.value_or(gains.linear_stiffness);
+  coupling.angular_stiffness = given.angular_stiffness.value_or(gains.angular_stiffness);
+  const double ratio = given.damping_ratio.value_or(gains.damping_ratio);
+  const double inertia = body.inertia.trace() / 3.0;
+  coupling.linear_damping =
+      given.linear_damping.value_or(2.0 * ratio * std::sqrt(coupling.linear_stiffness * body.mass));
+  coupling.angular_damping =
+      given.angular_damping.value_or(2.0 * ratio * std::sqrt(coupling.angular_stiffness * inertia));
+  if (given.is_saturated) {
+    // Linear up to half of the greatest force, then levelling off (Fig. 5.4).
+    const auto level_off = [](double stiffness, double greatest) {
+      return make_saturation(stiffness, 0.5 * greatest / stiffness, greatest);
+    };
+    coupling.linear_saturation =
+        level_off(coupling.linear_stiffness, given.max_force.value_or(gains.max_force));
+    coupling.angular_saturation =
+        level_off(coupling.angular_stiffness, given.max_torque.value_or(gains.max_torque));
+  }
+  return coupling;
+}
+
+SceneObject object_from(const std::string& mesh, double scale, const char* option) {
+  SceneObject object;
+  object.mesh = mesh;
+  object.unit_scale = scale;
+  if (is_model_uri(mesh)) {
+    object.model = parse_model_uri(mesh, option);
+    object.name = object.model->name;
+    return object;
+  }
+  std::error_code error;
+  if (!std::filesystem::exists(mesh, error)) {
+    throw InputError(mesh + ": no such file, " + option + " expected a mesh or procedural:NAME");
+  }
+  object.name = std::filesystem::path(mesh).stem().string();
+  return object;
+}
+
+}  // namespace
+
+LoadedObject load_object(const SceneObject& object, bool repair) {
+  LoadedObject loaded;
+  if (object.model) {
+    loaded.mesh = make_model(*object.model);
+    scale_mesh(loaded.mesh, object.unit_scale, object.mesh);
+  } else {
+    loaded.mesh = load_usable_mesh(object.mesh, object.unit_scale, repair);
+  }
+  loaded.measure = mass_properties(loaded.mesh);
+  loaded.ball = enclosing_ball(loaded.mesh.positions);
+  return loaded;
+}
+
+DefaultGains default_gains(double radius) {
+  DefaultGains gains;
+  gains.motion_scale = radius > kLargestHeld    ? radius / kLargestHeld
+                       : radius < kSmallestHeld ? radius / kSmallestHeld
+                                                : 1.0;
+  const double s = gains.motion_scale;
+  gains.tolerance = 0.01 * radius;
+  gains.angular_stiffness = std::min(0.3 * gains.linear_stiffness * radius * radius, 0.6 * s * s);
+  gains.max_force *= s;
+  gains.max_torque *= s * s;
+  return gains;
+}
+
+SessionConfig make_session_config(const SceneDescription& scene, const LoadedObject& object) {
+  const Solid solid = solid_of(object);
+  const DefaultGains gains = default_gains(object.ball.radius);
+  const double mass = object_mass(scene, solid);
+  SessionConfig config;
+  config.haptic.body = make_body(mass, solid.inertia * (mass / solid.volume), scene.gravity);
+  config.haptic.coupling = make_coupling(scene, gains, config.haptic.body);
+  const double motion_scale = scene.device.motion_scale.value_or(gains.motion_scale);
+  config.haptic.workspace = {scene.device.world_from_device, motion_scale,
+                             scene.device.force_scale.value_or(1.0 / motion_scale)};
+  config.haptic.safety = scene.safety;
+  config.haptic.grasp_place = scene.device.grasp_place;
+  config.haptic.grasp_point =
+      scene.grasp_point.value_or(solid.center_of_mass) - solid.center_of_mass;
+  config.haptic.turn_rate = scene.device.turn_rate;
+
+  config.contact.body_from_mesh.position = -solid.center_of_mass;
+  config.contact.tolerance = scene.contact.tolerance.value_or(gains.tolerance);
+  config.contact.max_clusters = scene.contact.max_clusters;
+  config.contact.response.stiffness = scene.contact.stiffness.value_or(gains.contact_stiffness);
+  config.contact.response.tolerance = config.contact.tolerance;
+  config.contact.response.is_shared = scene.contact.is_shared;
+  const double ratio = scene.contact.damping_ratio.value_or(gains.contact_damping_ratio);
+  config.contact.response.damping = scene.contact.damping.value_or(
+      2.0 * ratio * std::sqrt(config.contact.response.stiffness * mass));
+
+  config.world_from_body = scene.object.world_from_mesh * inverse(config.contact.body_from_mesh);
+  config.rate = scene.rate;
+  config.contact_every = scene.contact_every;
+  config.contact_latency = scene.contact_latency;
+  return config;
+}
+
+SceneDescription scene_from_pair(const std::string& object, const std::string& against,
+                                 double scale, const Pose& pose) {
+  if (!(scale > 0.0) || !std::isfinite(scale)) {
+    throw InputError("--scale: " + std::to_string(scale) + ", expected a number above 0");
+  }
+  SceneDescription scene;
+  scene.object = object_from(object, scale, "--object");
+  scene.object.world_from_mesh = pose;
+  scene.statics.push_back(object_from(against, scale, "--against"));
+  scene.title = scene.object.name + " against " + scene.statics[0].name;
+  scene.file = scene.title;
+  return scene;
+}
+
+}  // namespace thigma::scenes

@@ -1,0 +1,131 @@
+#pragma once
+// A scene: what is grasped, what stands around it, and every number of the interaction.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/make_model.h"
+
+#include "thigma/math/pose.h"
+#include "thigma/mesh/measure.h"
+#include "thigma/mesh/triangle_mesh.h"
+#include "thigma/runtime/haptic_step.h"
+#include "thigma/runtime/session.h"
+
+namespace thigma::scenes {
+
+/// One object of a scene: where its surface comes from and where it stands.
+struct SceneObject {
+  std::string name;                   // for reports; the mesh's own when the scene gives none
+  std::string mesh;                   // path that can be opened, or the procedural address as given
+  std::optional<ModelRequest> model;  // set: procedural, `mesh` is no file
+  double unit_scale = 1.0;            // metres per unit of the mesh, > 0
+  Pose world_from_mesh;               // of the scaled mesh
+};
+
+/// Contact response. What is not set follows from the object's size, default_gains.
+struct ContactGains {
+  std::optional<double> stiffness;      // k [N/m]
+  std::optional<double> damping;        // b [N s/m]; otherwise from damping_ratio
+  std::optional<double> damping_ratio;  // b = 2 ratio sqrt(k m)
+  std::optional<double> tolerance;      // d [m]
+  int max_clusters = 5;                 // K
+  bool is_shared =
+      true;  // k and b belong to the contact as a whole; false: to each cluster, as in Eq. 5.37
+};
+
+/// Virtual coupling. What is not set follows from the object's size, default_gains.
+struct CouplingGains {
+  std::optional<double> linear_stiffness;   // k_c [N/m]
+  std::optional<double> linear_damping;     // b_c [N s/m]; otherwise from damping_ratio
+  std::optional<double> angular_stiffness;  // k_theta [N m/rad]
+  std::optional<double> angular_damping;    // b_theta [N m s/rad]; otherwise from damping_ratio
+  std::optional<double>
+      damping_ratio;                 // b_c = 2 ratio sqrt(k_c m), b_theta = 2 ratio sqrt(k_theta I)
+  std::optional<double> max_force;   // where the linear spring levels off [N; virtual]
+  std::optional<double> max_torque;  // and the angular one [N m; virtual]
+  bool is_saturated = true;          // false: springs stay linear
+};
+
+/// The device and how its workspace lies in the world.
+struct DeviceChoice {
+  std::string uri = "hand:";
+  std::optional<double> motion_scale;  // s [virtual m / device m]
+  std::optional<double> force_scale;   // f [device N / virtual N]; otherwise 1 / s
+  Pose world_from_device;
+  std::optional<Vec3>
+      approach;  // from the object towards the scene [world]; otherwise along the closest points
+  GraspPlace grasp_place = GraspPlace::grasp_point;
+  double turn_rate = kButtonTurnRate;  // [rad/s]
+};
+
+/// A whole scene, as a file or the command line gives it.
+struct SceneDescription {
+  std::string file;                  // where it was read, for reports
+  std::string title;                 // one line
+  SceneObject object;                // the grasped one
+  std::vector<SceneObject> statics;  // in contact order: body 0, 1, ...
+  std::optional<double> mass;        // of the object [kg]
+  std::optional<double>
+      density;  // instead of mass, for closed meshes [kg/m^3]; neither: kDefaultMass
+  std::optional<Vec3> grasp_point;  // [m; scaled mesh frame]; otherwise the centre of mass
+  Vec3 gravity = Vec3::Zero();      // [m/s^2; world]
+  ContactGains contact;
+  CouplingGains coupling;
+  DeviceChoice device;
+  SafetyLimits safety;
+  double rate = 1000.0;                        // of haptic frames [Hz]
+  int contact_every = 1, contact_latency = 1;  // lockstep, see SessionConfig
+};
+
+inline constexpr double kDefaultMass = 0.010;  // of a grasped object [kg] (Sec. 5.5)
+
+/// An object's surface and size.
+struct LoadedObject {
+  TriangleMesh mesh;       // scaled [m; mesh frame]
+  MassProperties measure;  // for unit density
+  Ball ball;               // smallest enclosing
+};
+
+/// Reads or makes the surface of an object.
+/// Thread [offline]; InputError as load_usable_mesh and make_model.
+LoadedObject load_object(const SceneObject& object, bool repair = false);
+
+/// Gains for a grasped object of this radius, in the virtual world.
+///
+/// The text's numbers (Sec. 5.5) hold for hand-sized objects: 10 g, contact 2 kN/m, coupling 300
+/// N/m (it uses 200 to 500), saturation 4 N. Objects of 1 to 10 cm radius keep motion scale s = 1;
+/// others are brought into that range. Lengths and forces then go with s, so that stiffness, mass
+/// and every frequency stay, and torques and k_theta go with s^2. k_theta = 0.3 k_c radius^2, at
+/// most 0.6 s^2 N m/rad: the text's value for its spoon. d = 1 % of the radius.
+struct DefaultGains {
+  double motion_scale = 1.0;  // s
+  double contact_stiffness = 2000.0, contact_damping_ratio = 0.7;
+  double tolerance = 0.0;           // [m]
+  double linear_stiffness = 300.0;  // [N/m]
+  double angular_stiffness = 0.0;   // [N m/rad]
+  double damping_ratio = 0.7;       // of both coupling springs
+  double max_force = 4.0;           // [N; virtual]
+  double max_torque = 0.15;         // [N m; virtual]
+};
+DefaultGains default_gains(double radius);
+
+/// Everything of a session that a scene and its object decide; hierarchies and static bodies are
+/// the caller's to add.
+///
+/// Body axes are the mesh's, the origin is the centre of mass: haptic.body, contact.body_from_mesh,
+/// world_from_body. errors  InputError: density of an open mesh, a mesh without volume, gains that
+/// contradict each other Thread  [offline]
+SessionConfig make_session_config(const SceneDescription& scene, const LoadedObject& object);
+
+/// The scene of `run --object A --against B`: B at the identity, A at `pose`, both scaled, all
+/// gains by default.
+///
+/// object, against  mesh files or procedural addresses
+/// Thread  [offline]; InputError for a missing file, an unknown model or a scale that is not
+/// positive.
+SceneDescription scene_from_pair(const std::string& object, const std::string& against,
+                                 double scale = 1.0, const Pose& pose = {});
+
+}  // namespace thigma::scenes

@@ -1,0 +1,219 @@
+#include "scenes/scene_file.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "scenes/toml_table.h"
+
+#include "thigma/contact/clustering.h"
+#include "thigma/core/error.h"
+#include "thigma/core/file.h"
+
+namespace thigma::scenes {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostBytes = 1 << 20;  // a scene file is a page of text
+
+/// The keys every object has; mesh and unit_scale are looked into by resolve_mesh.
+struct ObjectKeys {
+  std::optional<std::string> mesh, name;
+  std::optional<double> unit_scale;
+  Pose pose;
+};
+
+ObjectKeys read_object_keys(TomlTable& table) {
+  return {table.text("mesh"), table.text("name"), table.number("unit_scale", Range::positive),
+          table.pose()};
+}
+
+SceneObject resolve_object(const TomlTable& table, const ObjectKeys& keys,
+                           const std::string& folder) {
+  SceneObject object;
+  if (!keys.mesh) table.fail_here("no mesh", "expected mesh = \"FILE\" or \"procedural:NAME\"");
+  if (is_model_uri(*keys.mesh)) {
+    try {
+      object.model = parse_model_uri(*keys.mesh, "mesh");
+    } catch (const InputError& error) {
+      // "mesh: what, expected": the line goes in between.
+      const std::string text = error.what();
+      const std::size_t split = text.rfind(", expected");
+      table.fail("mesh", text.substr(4, split - 4), text.substr(split + 2));
+    }
+    object.mesh = *keys.mesh;
+    object.name = object.model->name;
+  } else {
+    if (!keys.unit_scale) {
+      table.fail("mesh", "has no unit_scale", "expected unit_scale = metres per unit of the mesh");
+    }
+    const fs::path named(*keys.mesh);
+    const fs::path path = named.is_absolute() || folder.empty() ? named : fs::path(folder) / named;
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) {
+      table.fail("mesh", "= '" + *keys.mesh + "' is not there",
+                 "expected a mesh file (relative to the scene)");
+    }
+    object.mesh = path.string();
+    object.name = path.stem().string();
+  }
+  object.unit_scale = keys.unit_scale.value_or(1.0);
+  object.name = keys.name.value_or(object.name);
+  object.world_from_mesh = keys.pose;
+  return object;
+}
+
+void read_grasped(TomlTable& table, const std::string& folder, SceneDescription& scene) {
+  const ObjectKeys keys = read_object_keys(table);
+  scene.mass = table.number("mass", Range::positive);
+  scene.density = table.number("density", Range::positive);
+  if (scene.mass && scene.density)
+    table.fail("density", "stands beside mass", "expected one of the two");
+  scene.grasp_point = table.vector("grasp_point");
+  table.finish();
+  scene.object = resolve_object(table, keys, folder);
+}
+
+void read_contact(TomlTable table, ContactGains& contact) {
+  contact.stiffness = table.number("stiffness", Range::positive);
+  contact.damping = table.number("damping", Range::not_negative);
+  contact.damping_ratio = table.number("damping_ratio", Range::not_negative);
+  contact.tolerance = table.number("tolerance", Range::not_negative);
+  contact.max_clusters =
+      table.whole("clusters", 1, kMaxContactClusters).value_or(contact.max_clusters);
+  contact.is_shared = table.truth("shared").value_or(contact.is_shared);
+  if (contact.damping && contact.damping_ratio) {
+    table.fail("damping_ratio", "stands beside damping", "expected one of the two");
+  }
+  table.finish();
+}
+
+void read_coupling(TomlTable table, CouplingGains& coupling) {
+  coupling.linear_stiffness = table.number("linear_stiffness", Range::positive);
+  coupling.linear_damping = table.number("linear_damping", Range::not_negative);
+  coupling.angular_stiffness = table.number("angular_stiffness", Range::positive);
+  coupling.angular_damping = table.number("angular_damping", Range::not_negative);
+  coupling.damping_ratio = table.number("damping_ratio", Range::not_negative);
+  coupling.max_force = table.number("max_force", Range::positive);
+  coupling.max_torque = table.number("max_torque", Range::positive);
+  coupling.is_saturated = table.truth("saturated").value_or(coupling.is_saturated);
+  if (coupling.damping_ratio && coupling.linear_damping && coupling.angular_damping) {
+    table.fail("damping_ratio", "stands beside both dampings", "expected no more than it needs");
+  }
+  table.finish();
+}
+
+void read_device(TomlTable table, DeviceChoice& device) {
+  device.uri = table.text("uri").value_or(device.uri);
+  device.motion_scale = table.number("motion_scale", Range::positive);
+  device.force_scale = table.number("force_scale", Range::positive);
+  device.world_from_device = table.pose();
+  device.approach = table.vector("approach");
+  if (device.approach && !(device.approach->squaredNorm() > 0.0)) {
+    table.fail("approach", "has no direction", "expected [x, y, z] of any length above 0");
+  }
+  if (const auto place = table.choice("grasp_at", {"grasp_point", "handle"})) {
+    device.grasp_place = *place == 0 ? GraspPlace::grasp_point : GraspPlace::handle;
+  }
+  device.turn_rate = table.number("turn_rate", Range::positive).value_or(device.turn_rate);
+  table.finish();
+}
+
+void read_safety(TomlTable table, SafetyLimits& safety) {
+  const auto read = [&](const char* key, double& value) {
+    value = table.number(key, Range::positive).value_or(value);
+  };
+  read("max_force", safety.max_force);
+  read("max_torque", safety.max_torque);
+  read("force_slew", safety.force_slew);
+  read("torque_slew", safety.torque_slew);
+  read("onset_window", safety.onset_window);
+  read("start_ramp", safety.start_ramp);
+  read("max_speed", safety.max_speed);
+  read("pose_jump", safety.pose_jump);
+  read("silent_device", safety.silent_device);
+  read("model_full_age", safety.model_full_age);
+  read("model_stale_age", safety.model_stale_age);
+  read("watchdog", safety.watchdog);
+  if (!(safety.model_full_age < safety.model_stale_age)) {
+    const char* key = table.has("model_full_age") ? "model_full_age" : "model_stale_age";
+    table.fail(key, "leaves no time to fade", "expected model_full_age below model_stale_age");
+  }
+  table.finish();
+}
+
+void read_solver(TomlTable table, SceneDescription& scene) {
+  table.choice("integrator", {"implicit"});
+  const std::optional<double> rate = table.number("rate", Range::positive);
+  if (rate && !(*rate >= 50.0 && *rate <= 20000.0))
+    table.fail("rate", "is out of range", "expected 50 to 20000 Hz");
+  scene.rate = rate.value_or(scene.rate);
+  scene.contact_every = table.whole("contact_every", 1, 1000).value_or(scene.contact_every);
+  scene.contact_latency = table.whole("contact_latency", 1, 1000).value_or(scene.contact_latency);
+  table.finish();
+}
+
+toml::table parse_toml(std::string_view text, const std::string& file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    std::string what(error.description());
+    for (char& c : what) {
+      if (c >= 0 && (c < ' ' || c == 127)) c = ' ';
+    }
+    throw InputError(scene_message(file, what, error.source().begin.line, "expected a TOML scene"));
+  }
+}
+
+}  // namespace
+
+SceneDescription parse_scene(std::string_view text, const std::string& file,
+                             const std::string& folder) {
+  if (text.size() > kMostBytes) {
+    throw InputError(file + ": " + std::to_string(text.size()) +
+                     " bytes, expected a scene of at most 1 MiB");
+  }
+  const toml::table root = parse_toml(text, file);
+  TomlTable top(root, file, "");
+  SceneDescription scene;
+  scene.file = file;
+  scene.title = top.text("title").value_or(fs::path(file).stem().string());
+  scene.gravity = top.vector("gravity").value_or(scene.gravity);
+  std::optional<TomlTable> object = top.table("object");
+  std::vector<TomlTable> statics = top.tables("static");
+  if (auto table = top.table("contact")) read_contact(*table, scene.contact);
+  if (auto table = top.table("coupling")) read_coupling(*table, scene.coupling);
+  if (auto table = top.table("device")) read_device(*table, scene.device);
+  if (auto table = top.table("safety")) read_safety(*table, scene.safety);
+  if (auto table = top.table("solver")) read_solver(*table, scene);
+  top.finish();  // before what is missing: a misspelt [object] is named as such
+  if (!object) top.fail_here("no [object]", "expected the grasped object as a table [object]");
+  read_grasped(*object, folder, scene);
+  for (TomlTable& table : statics) {
+    const ObjectKeys keys = read_object_keys(table);
+    table.finish();
+    scene.statics.push_back(resolve_object(table, keys, folder));
+  }
+  return scene;
+}
+
+SceneDescription read_scene(const std::string& path) {
+  std::error_code error;
+  const std::vector<std::string> names = builtin_scene_names();
+  if (!fs::exists(path, error) || fs::is_directory(path, error)) {
+    if (std::find(names.begin(), names.end(), path) != names.end()) {
+      return parse_scene(builtin_scene(path), path, "");
+    }
+    std::string all;
+    for (const std::string& name : names) all += " " + name;
+    throw InputError(path + (fs::is_directory(path, error) ? ": a folder" : ": no such file") +
+                     ", expected a scene file or one of" + all);
+  }
+  if (fs::is_regular_file(path, error) && fs::file_size(path, error) > kMostBytes) {
+    throw InputError(path + ": " + std::to_string(fs::file_size(path, error)) +
+                     " bytes, expected a scene of at most 1 MiB");
+  }
+  return parse_scene(read_file(path), path, fs::path(path).parent_path().string());
+}
+
+}  // namespace thigma::scenes
