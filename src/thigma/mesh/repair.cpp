@@ -109,77 +109,108 @@ double angle_around(const Repair& r, const MeshEdge& e, const EdgeUse& use) {
   return arc_tangent2(to_tip.dot(y), to_tip.dot(x));
 }
 
-// The faces around an edge in pairs that enclose solid between them: seen along the edge, a face that runs backward
-// has the solid on its counter-clockwise side, one that runs forward on the other. What finds no partner stays alone.
-void pair_around_edge(const Repair& r, const EdgeTable& table, const MeshEdge& e, std::vector<UsePair>& links) {
-  std::vector<std::pair<double, EdgeUse>> around;
-  for (const EdgeUse& use : table.uses_of(e)) around.emplace_back(angle_around(r, e, use), use);
-  std::stable_sort(around.begin(), around.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+using AngledUse = std::pair<double, EdgeUse>;
+
+// Takes pairs of neighbours that enclose solid between them out of the faces around an edge. Seen along the edge, a
+// face that runs backward has the solid on its counter-clockwise side, one that runs forward on the other.
+void take_pairs(std::vector<AngledUse>& around, std::vector<UsePair>& links) {
   for (bool found = true; found && around.size() >= 2;) {
     found = false;
-    for (std::size_t i = 0; i < around.size(); ++i) {
+    for (std::size_t i = 0; i < around.size() && !found; ++i) {
       const std::size_t next = (i + 1) % around.size();
       if (around[i].second.is_forward || !around[next].second.is_forward) continue;
       links.push_back({around[i].second, around[next].second});
       around.erase(around.begin() + static_cast<std::ptrdiff_t>(std::max(i, next)));
       around.erase(around.begin() + static_cast<std::ptrdiff_t>(std::min(i, next)));
       found = true;
-      break;
     }
   }
 }
 
-std::vector<UsePair> pair_faces(const Repair& r, const EdgeTable& table, std::int64_t& split_edges) {
-  std::vector<UsePair> links;
+// What belongs together around the edges: faces in pairs, and at edges of three or more faces some alone.
+struct FaceLinks {
+  std::vector<UsePair> pairs;
+  std::vector<EdgeUse> alone;
+  std::int64_t split_edges = 0;
+};
+
+FaceLinks link_faces(const Repair& r, const EdgeTable& table) {
+  FaceLinks links;
+  const auto is_flap = [&](const EdgeUse& use) {
+    const std::array<std::int32_t, 3>& edges = table.of_triangle[static_cast<std::size_t>(use.triangle)];
+    return std::any_of(edges.begin(), edges.end(),
+                       [&](std::int32_t e) { return table.edges[static_cast<std::size_t>(e)].use_count == 1; });
+  };
   for (const MeshEdge& e : table.edges) {
     const std::span<const EdgeUse> uses = table.uses_of(e);
-    if (uses.size() == 2) links.push_back({uses[0], uses[1]});
+    if (uses.size() == 2) links.pairs.push_back({uses[0], uses[1]});
     if (uses.size() <= 2) continue;
-    ++split_edges;
-    pair_around_edge(r, table, e, links);
+    ++links.split_edges;
+    // Surfaces that go on come first: a flap inside a solid must not tear its shell open.
+    std::vector<AngledUse> whole, flaps;
+    for (const EdgeUse& use : uses) (is_flap(use) ? flaps : whole).emplace_back(angle_around(r, e, use), use);
+    const auto by_angle = [](const AngledUse& a, const AngledUse& b) { return a.first < b.first; };
+    std::stable_sort(whole.begin(), whole.end(), by_angle);
+    take_pairs(whole, links.pairs);
+    whole.insert(whole.end(), flaps.begin(), flaps.end());
+    std::stable_sort(whole.begin(), whole.end(), by_angle);
+    take_pairs(whole, links.pairs);
+    for (const AngledUse& left : whole) links.alone.push_back(left.second);
   }
   return links;
 }
 
-// A pair of faces whose edge keeps both ends in common with another pair gets a vertex of its own in the middle.
-// (A surface that touches itself along one edge and is whole around both ends.)
-bool split_shared_edges(Repair& r, const EdgeTable& table, const std::vector<UsePair>& links, const Fans& fans) {
-  const auto fan_at = [&](const EdgeUse& u, bool at_larger) {
-    const int step = u.is_forward == at_larger ? 1 : 0;
-    return fans.of_corner[static_cast<std::size_t>(3 * u.triangle + (u.corner + step) % 3)];
-  };
-  const auto key = [&](const UsePair& p) { return std::array<std::int32_t, 2>{fan_at(p[0], false), fan_at(p[0], true)}; };
-  std::vector<std::pair<std::array<std::int32_t, 2>, std::size_t>> keys;
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const std::size_t t = static_cast<std::size_t>(links[i][0].triangle);
-    const std::int32_t e = table.of_triangle[t][static_cast<std::size_t>(links[i][0].corner)];
-    if (table.edges[static_cast<std::size_t>(e)].use_count > 2) keys.emplace_back(key(links[i]), i);
+// Gives the faces along one edge a vertex of their own in its middle, a little towards their other corners.
+void cut_at_middle(Repair& r, std::span<const EdgeUse> uses) {
+  const std::int32_t middle = static_cast<std::int32_t>(r.mesh.positions.size());
+  Vec3 on_edge = Vec3::Zero(), tips = Vec3::Zero();
+  for (const EdgeUse& u : uses) {
+    Triangle& t = r.mesh.triangles[static_cast<std::size_t>(u.triangle)];
+    const std::size_t k = static_cast<std::size_t>(u.corner);
+    on_edge = 0.5 * r.at(t[k]) + 0.5 * r.at(t[(k + 1) % 3]);
+    tips += r.at(t[(k + 2) % 3]) / static_cast<double>(uses.size());
+    Triangle other = t;
+    t[(k + 1) % 3] = middle;
+    other[k] = middle;
+    r.mesh.triangles.push_back(other);
   }
-  std::sort(keys.begin(), keys.end());
-  std::vector<bool> is_cut(r.mesh.triangles.size(), false);  // one cut a triangle and round
+  const Vec3 inward = tips - on_edge;
+  const double length = inward.norm();
+  const double move = std::min(kSplitDistance * r.radius, kSplitEdgeFraction * length);
+  r.mesh.positions.push_back(length > 0.0 ? Vec3(on_edge + inward * (move / length)) : on_edge);
+}
+
+// Faces that would keep both ends of their edge in common with others along it are cut. (A surface that touches itself
+// along one edge and is whole around both ends of it.) False when there are none.
+bool cut_shared_edges(Repair& r, const EdgeTable& table, const FaceLinks& links, const Fans& fans) {
+  struct Group {
+    std::int32_t fan_a, fan_b;  // at the ends of the edge
+    std::array<EdgeUse, 2> uses;
+    std::size_t count;
+  };
+  std::vector<Group> groups;
+  const auto add = [&](const std::array<EdgeUse, 2>& uses, std::size_t count) {
+    const EdgeUse& u = uses[0];
+    const std::int32_t e = table.of_triangle[static_cast<std::size_t>(u.triangle)][static_cast<std::size_t>(u.corner)];
+    if (table.edges[static_cast<std::size_t>(e)].use_count <= 2) return;
+    const auto fan = [&](int step) { return fans.of_corner[static_cast<std::size_t>(3 * u.triangle + (u.corner + step) % 3)]; };
+    groups.push_back({fan(u.is_forward ? 0 : 1), fan(u.is_forward ? 1 : 0), uses, count});
+  };
+  for (const UsePair& pair : links.pairs) add(pair, 2);
+  for (const EdgeUse& use : links.alone) add({use, use}, 1);
+  std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
+    return a.fan_a < b.fan_a || (a.fan_a == b.fan_a && a.fan_b < b.fan_b);
+  });
+  std::vector<bool> is_cut(r.mesh.triangles.size(), false);  // once a round: its corners have moved
   bool any = false;
-  for (std::size_t i = 1; i < keys.size(); ++i) {
-    if (keys[i].first != keys[i - 1].first) continue;
-    const UsePair& pair = links[keys[i].second];
-    if (is_cut[static_cast<std::size_t>(pair[0].triangle)] || is_cut[static_cast<std::size_t>(pair[1].triangle)]) continue;
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    if (groups[i].fan_a != groups[i - 1].fan_a || groups[i].fan_b != groups[i - 1].fan_b) continue;
+    const std::span<const EdgeUse> uses(groups[i].uses.data(), groups[i].count);
     any = true;
-    const std::int32_t middle = static_cast<std::int32_t>(r.mesh.positions.size());
-    Vec3 ends = Vec3::Zero(), tips = Vec3::Zero();
-    for (const EdgeUse& u : pair) {
-      is_cut[static_cast<std::size_t>(u.triangle)] = true;
-      Triangle& t = r.mesh.triangles[static_cast<std::size_t>(u.triangle)];
-      const std::size_t k = static_cast<std::size_t>(u.corner);
-      ends = 0.5 * r.at(t[k]) + 0.5 * r.at(t[(k + 1) % 3]);
-      tips += 0.5 * r.at(t[(k + 2) % 3]);
-      Triangle other = t;
-      t[(k + 1) % 3] = middle;
-      other[k] = middle;
-      r.mesh.triangles.push_back(other);
-    }
-    const Vec3 inward = tips - ends;
-    const double length = inward.norm();
-    const double move = std::min(kSplitDistance * r.radius, kSplitEdgeFraction * length);
-    r.mesh.positions.push_back(length > 0.0 ? Vec3(ends + inward * (move / length)) : ends);
+    const bool may_cut = std::none_of(uses.begin(), uses.end(), [&](const EdgeUse& u) { return is_cut[static_cast<std::size_t>(u.triangle)]; });
+    if (!may_cut) continue;
+    for (const EdgeUse& u : uses) is_cut[static_cast<std::size_t>(u.triangle)] = true;
+    cut_at_middle(r, uses);
   }
   return any;
 }
@@ -226,19 +257,14 @@ std::int64_t split_vertices(Repair& r, const Fans& fans) {
 }
 
 void take_apart(Repair& r) {
-  std::int64_t split_edges = 0;
   const EdgeTable table = build_edge_table(r.mesh);
-  const std::vector<UsePair> links = pair_faces(r, table, split_edges);
-  const Fans fans = build_fans(r.mesh, links);
-  if (split_edges > 0 && split_shared_edges(r, table, links, fans)) {
-    r.note(split_edges, "edge with three or more faces taken apart", "edges with three or more faces taken apart");
-    return;  // the next round splits the vertices of the new surface
-  }
-  const std::int64_t split = split_vertices(r, fans);
-  r.note(split_edges, "edge with three or more faces taken apart", "edges with three or more faces taken apart");
-  if (split > 0) {
-    r.note(split, "vertex added where fans of faces met in one point", "vertices added where fans of faces met in one point");
-  }
+  const FaceLinks links = link_faces(r, table);
+  const Fans fans = build_fans(r.mesh, links.pairs);
+  r.note(links.split_edges, "edge with three or more faces taken apart", "edges with three or more faces taken apart");
+  // After a cut the next round splits the vertices of the new surface.
+  if (cut_shared_edges(r, table, links, fans)) return;
+  r.note(split_vertices(r, fans), "vertex added where fans of faces met in one point",
+         "vertices added where fans of faces met in one point");
 }
 
 void turn_outwards(Repair& r) {

@@ -121,6 +121,9 @@ RawMesh read_obj(std::string_view bytes, const std::string& name) {
     fail_input(name, "vertex " + std::to_string(std::int64_t{obj.largest} + 1) + " does not exist",
                at_line(obj.largest_line), "1 to " + std::to_string(obj.mesh.positions.size()));
   }
+  if (obj.mesh.positions.empty()) {
+    fail_input(name, "has no vertices", at_line(lines.number()), "a mesh: OBJ, PLY, STL or OFF");
+  }
   return std::move(obj.mesh);
 }
 

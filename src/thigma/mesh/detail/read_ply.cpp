@@ -177,14 +177,16 @@ struct TextSource {
   const std::string& name;
   Lines lines;
   Words words{std::string_view()};
+  std::size_t line_size = 0;
 
   std::string where() const { return at_line(lines.number()); }
-  std::size_t left() const { return lines.rest_size(); }
+  std::size_t left() const { return line_size + lines.rest_size(); }
   void begin_element() {
     std::string_view line;
     do {
       if (!lines.next(line)) fail_input(name, "ends too early", where(), "more elements, as the header claims");
       words = Words(line);
+      line_size = line.size();
     } while (Words(line).next().empty());
   }
   void end_element() {

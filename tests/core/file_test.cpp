@@ -1,0 +1,56 @@
+#include "thigma/core/file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "thigma/core/error.h"
+
+namespace thigma {
+namespace {
+
+std::filesystem::path fresh_folder(const char* name) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("thigma_" + std::string(name) + std::to_string(::getpid()));
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+TEST(File, what_is_written_is_read_back_and_nothing_else_is_left) {
+  const std::filesystem::path folder = fresh_folder("file");
+  const std::string path = folder / "a.bin";
+  std::string bytes;
+  for (int i = 0; i < 300000; ++i) bytes += static_cast<char>(i * 7);
+  write_file(path, "older and to be replaced");
+  write_file(path, bytes);
+  EXPECT_EQ(read_file(path), bytes);
+  write_file(path, "");
+  EXPECT_EQ(read_file(path), "");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()), 1);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(File, what_cannot_be_read_is_bad_input_in_one_line) {
+  for (const char* path : {"/no/such/folder/mesh.obj", "/", "/dev/zero"}) {
+    try {
+      read_file(path);
+      FAIL() << path << " was read";
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).find(path), 0u);
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    }
+  }
+}
+
+TEST(File, a_failed_write_leaves_the_old_file) {
+  const std::filesystem::path folder = fresh_folder("failed");
+  EXPECT_THROW(write_file(folder / "missing" / "a.bin", "x"), IoError);
+  EXPECT_THROW(write_file(folder, "x"), IoError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace thigma
