@@ -143,10 +143,10 @@ inline int first_difference(const ContactSet& x, const ContactSet& y) {
 /// Pose at which the object, moved along `direction` from `start`, stands `gap` away from the scene. Found by sphere
 /// steps of the search, so `start` must be outside. Touch is where gap is 0; negative gaps press in.
 inline Pose pose_at_gap(const CheckedPair& pair, Pose start, const Vec3& direction, double gap) {
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 40; ++i) {
     const double distance = least_triangle_distance(placed(pair.object_tree, start), pair.scene_tree);
-    const double step = distance - std::max(gap, 1e-6 * pair.radius);
-    if (step < 1e-7 * pair.radius) break;
+    const double step = distance - std::max(gap, 1e-5 * pair.radius);
+    if (step < 1e-5 * pair.radius) break;
     start.position += step * direction;
   }
   if (gap < 0.0) start.position -= gap * direction;

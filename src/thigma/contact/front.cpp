@@ -1,7 +1,8 @@
 #include "thigma/contact/front.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "thigma/contact/surface_crossing.h"
 
 namespace thigma {
 namespace {
@@ -49,6 +50,8 @@ void reserve_front(ContactFront& front, const ClodHierarchy& object, const ClodH
     }
     front.work.reserve(2 * n);  // expired nodes and the stack of a descent
   }
+  front.object_closed = is_closed(object);
+  front.scene_closed = is_closed(scene);
   front.object = &object;
   front.scene = &scene;
   clear_front(front);

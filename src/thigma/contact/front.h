@@ -51,6 +51,7 @@ struct ContactFront {
   std::vector<std::int32_t> saturated;   // nodes traversed without memory
   std::vector<std::int64_t> stack;       // of that traversal
   std::int64_t stack_capacity = 0;
+  bool object_closed = true, scene_closed = true;  // see surface_crossing.h
   std::int32_t object_depth = 0, scene_depth = 0;  // of the two trees
 };
 

@@ -442,10 +442,12 @@ void query_contacts(const ClodHierarchy& object, const Pose& world_from_object, 
   if (object.nodes.empty() || scene.nodes.empty() || !(query.tolerance >= 0.0)) return;
   const RelativePose pose = relative_pose(world_from_object, world_from_scene);
   if (!pose.rotation.allFinite() || !pose.translation.allFinite()) return;
-  const CrossingContext crossing{&object, &scene, pose};
+  CrossingContext crossing{&object, &scene, pose};
   Traversal t{object, scene, query, pose, world_from_object.orientation.toRotationMatrix(),
               world_from_object.position, front, contacts, contacts.contacts.size(), crossing_probe(crossing)};
   if (!start_frame(t)) return;
+  crossing.object_closed = front.object_closed;
+  crossing.scene_closed = front.scene_closed;
   measure_active(t);
   traverse_saturated(t);
   const auto begin = contacts.contacts.begin() + static_cast<std::ptrdiff_t>(t.first);

@@ -10,7 +10,7 @@
 namespace thigma {
 namespace {
 
-constexpr double kEnds = 1e-6;  // of the length: the ends lie on surfaces themselves
+constexpr double kEnds = 1e-6;  // of the segment: its ends lie on surfaces themselves
 
 struct Segment {
   Vec3 origin, direction;  // not normalized
@@ -47,42 +47,42 @@ double side(const Projected& p, const Projected& q) noexcept {
   return ordered ? 1e-300 : -1e-300;
 }
 
-bool crosses(const Segment& s, const Vec3& a, const Vec3& b, const Vec3& c) noexcept {
+// Adds the crossing of one triangle, if there is one.
+void cross(const Segment& s, const Vec3& a, const Vec3& b, const Vec3& c, Crossings& count) noexcept {
   const Projected p = project(s, a), q = project(s, b), r = project(s, c);
   const double pq = side(p, q), qr = side(q, r), rp = side(r, p);
-  if ((pq > 0.0) != (qr > 0.0) || (qr > 0.0) != (rp > 0.0)) return false;
-  const double sum = pq + qr + rp;
-  const double along = (qr * p.along + rp * q.along + pq * r.along) / sum;
-  const double length2 = s.length * s.length;
-  return along > kEnds * length2 && along < (1.0 - kEnds) * length2;
+  if ((pq > 0.0) != (qr > 0.0) || (qr > 0.0) != (rp > 0.0)) return;
+  const double t = (qr * p.along + rp * q.along + pq * r.along) / ((pq + qr + rp) * s.length * s.length);
+  if (t <= kEnds || (t >= 1.0 - kEnds && t <= 1.0 + kEnds)) return;
+  const int exits = pq > 0.0 ? 1 : -1;  // counter-clockwise seen along the ray: its normal points along it
+  if (t < 1.0) ++count.between;
+  else count.exits_after_to += exits;
+  count.exits_after_from += exits;
 }
 
-bool near_segment(const Segment& s, const ClodNode& node) noexcept {
+bool near_ray(const Segment& s, const ClodNode& node) noexcept {
   const Vec3 r = node.center - s.origin;
-  const double t = std::fmin(std::fmax(r.dot(s.direction) / (s.length * s.length), 0.0), 1.0);
+  const double t = std::fmax(r.dot(s.direction) / (s.length * s.length), 0.0);
   const double reach = (node.radius + node.hausdorff) * (1.0 + 1e-9) + 1e-12 * (node.center.lpNorm<1>() + s.length);
   return (r - t * s.direction).squaredNorm() <= reach * reach;
 }
 
-int crossings_of_patch(const Segment& s, const HullView& hull) noexcept {
-  int count = 0;
+void cross_patch(const Segment& s, const HullView& hull, Crossings& count) noexcept {
   for (int t = 0; t < hull.triangle_count; ++t) {
     const std::uint8_t* corner = hull.triangles[t].corner;
-    count += crosses(s, hull.vertices[corner[0]], hull.vertices[corner[1]], hull.vertices[corner[2]]) ? 1 : 0;
+    cross(s, hull.vertices[corner[0]], hull.vertices[corner[1]], hull.vertices[corner[2]], count);
   }
-  return count;
 }
 
 // Depth first. The stack holds a node's waiting siblings as one range, so its size is the depth of the tree; what
 // would not fit is searched by recursion.
-int descend(const ClodHierarchy& h, const Segment& s, std::int32_t start) noexcept {
+void descend(const ClodHierarchy& h, const Segment& s, std::int32_t start, Crossings& count) noexcept {
   struct Range {
     std::int32_t next, end;
   };
   std::array<Range, 128> stack;
   std::size_t top = 0;
   stack[top++] = {start, start + 1};
-  int count = 0;
   while (top > 0) {
     Range& range = stack[top - 1];
     if (range.next == range.end) {
@@ -91,33 +91,63 @@ int descend(const ClodHierarchy& h, const Segment& s, std::int32_t start) noexce
     }
     const std::int32_t index = range.next++;
     const ClodNode& node = h.nodes[static_cast<std::size_t>(index)];
-    if (!near_segment(s, node)) continue;
+    if (!near_ray(s, node)) continue;
     if (node.child_count == 0) {
-      count += crossings_of_patch(s, hull_view(h, index));
+      cross_patch(s, hull_view(h, index), count);
     } else if (top < stack.size()) {
       stack[top++] = {node.first_child, node.first_child + node.child_count};
     } else {
-      for (std::int32_t c = 0; c < node.child_count; ++c) count += descend(h, s, node.first_child + c);
+      for (std::int32_t c = 0; c < node.child_count; ++c) descend(h, s, node.first_child + c, count);
     }
   }
-  return count;
+}
+
+// Whether the material of an object reaches along the ray from `from`, on its surface, to `to`.
+bool reaches(const ClodHierarchy& h, bool closed, const Vec3& from, const Vec3& to) noexcept {
+  const Crossings c = count_crossings(h, from, to);
+  return closed ? c.exits_after_from > 0 && c.exits_after_to > 0 : c.between % 2 == 0;
 }
 
 bool separates(const void* context, const Vec3& from, const Vec3& to) noexcept {
   const auto& objects = *static_cast<const CrossingContext*>(context);
-  if (count_crossings(*objects.object, from, to) % 2 != 0) return true;
+  if (!reaches(*objects.object, objects.object_closed, from, to)) return true;
   const RelativePose& pose = objects.object_from_scene;
   const Vec3 from_b = pose.rotation.transpose() * (from - pose.translation);
   const Vec3 to_b = pose.rotation.transpose() * (to - pose.translation);
-  return count_crossings(*objects.scene, from_b, to_b) % 2 != 0;
+  return !reaches(*objects.scene, objects.scene_closed, to_b, from_b);
 }
 
 }  // namespace
 
-int count_crossings(const ClodHierarchy& hierarchy, const Vec3& from, const Vec3& to) noexcept {
+Crossings count_crossings(const ClodHierarchy& hierarchy, const Vec3& from, const Vec3& to) noexcept {
+  Crossings count;
   const Segment s = make_segment(from, to);
-  if (!(s.length > 0.0) || hierarchy.nodes.empty()) return 0;
-  return descend(hierarchy, s, 0);
+  if (s.length > 0.0 && !hierarchy.nodes.empty()) descend(hierarchy, s, 0, count);
+  return count;
+}
+
+// Over a closed surface the area vectors sum to zero and the integral of x n^T dA is the volume times the identity;
+// a rim leaves something in one of the two.
+bool is_closed(const ClodHierarchy& hierarchy) noexcept {
+  Vec3 area = Vec3::Zero();
+  Mat3 moment = Mat3::Zero();
+  double total = 0.0;
+  for (const ClodPatch& patch : hierarchy.patches) {
+    const HullView hull = hull_view(hierarchy, patch.node);
+    for (int t = 0; t < hull.triangle_count; ++t) {
+      const std::uint8_t* corner = hull.triangles[t].corner;
+      const Vec3 a = hull.vertices[corner[0]] - hierarchy.center;
+      const Vec3 b = hull.vertices[corner[1]] - hierarchy.center;
+      const Vec3 c = hull.vertices[corner[2]] - hierarchy.center;
+      const Vec3 n = 0.5 * (b - a).cross(c - a);
+      area += n;
+      moment += (1.0 / 3.0) * (a + b + c) * n.transpose();
+      total += std::sqrt(n.squaredNorm());
+    }
+  }
+  const double volume = moment.trace() / 3.0;
+  const double rest = (moment - volume * Mat3::Identity()).cwiseAbs().maxCoeff();
+  return area.cwiseAbs().maxCoeff() <= 1e-6 * total && rest <= 1e-6 * total * hierarchy.radius;
 }
 
 SegmentProbe crossing_probe(const CrossingContext& context) noexcept {
