@@ -17,15 +17,16 @@ RigidBody make_body(double mass, const Mat3& inertia, const Vec3& gravity) {
                      ", expected a positive number of kilograms");
   }
   const double size = inertia.cwiseAbs().maxCoeff();
-  const double asymmetry = (inertia - inertia.transpose()).cwiseAbs().maxCoeff();
-  const bool is_symmetric = inertia.allFinite() && asymmetry <= 1e-9 * size;
-  if (!is_symmetric || !(inertia.llt().info() == Eigen::Success) ||
-      !(inertia.determinant() > 0.0)) {
+  const Mat3 scaled = inertia / size;  // of order one: no part is too small for what follows
+  const bool is_symmetric = (scaled - scaled.transpose()).cwiseAbs().maxCoeff() <= 1e-9;
+  if (!scaled.allFinite() || !is_symmetric || scaled.llt().info() != Eigen::Success) {
     throw InputError("body: inertia tensor, expected a symmetric positive definite 3 x 3 matrix");
   }
   if (!gravity.allFinite()) throw InputError("body: gravity, expected three finite numbers");
-  return {
-      .mass = mass, .inertia = inertia, .inverse_inertia = inertia.inverse(), .gravity = gravity};
+  return {.mass = mass,
+          .inertia = inertia,
+          .inverse_inertia = scaled.inverse() / size,
+          .gravity = gravity};
 }
 
 Twist velocity(const RigidBody& body, const BodyState& state) THIGMA_RT {

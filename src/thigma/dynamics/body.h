@@ -32,8 +32,8 @@ struct BodyKinematics {
 };
 
 /// Body of this mass [kg], inertia tensor [kg m^2; body frame] and gravity [m/s^2; world].
-/// Throws InputError unless the mass is positive and the tensor symmetric positive definite. Thread
-/// [offline].
+/// Throws InputError unless the mass is positive and the tensor symmetric positive definite.
+/// Thread [offline].
 RigidBody make_body(double mass, const Mat3& inertia, const Vec3& gravity = Vec3::Zero());
 
 /// Velocity of the centre of mass and angular velocity (Eq. 5.2), world. Thread [haptic].

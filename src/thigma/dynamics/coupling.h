@@ -18,9 +18,9 @@ struct Saturation {
   double max_force = 0.0;     // F_max >= stiffness * linear_range
 };
 
-/// A saturation whose cubic has no inflection: full_range = linear_range + 2 (max_force - k_0 x_1)
-/// / k_0. Throws InputError unless stiffness > 0, linear_range >= 0 and max_force > stiffness *
-/// linear_range. [offline]
+/// A saturation whose cubic has no inflection: x_2 = x_1 + 2 (F_max - k_0 x_1) / k_0.
+/// Throws InputError unless stiffness > 0, linear_range >= 0, max_force > stiffness * linear_range.
+/// Thread [offline].
 Saturation make_saturation(double stiffness, double linear_range, double max_force);
 
 /// Whether the force never decreases with the stretch. Thread [haptic].
@@ -33,8 +33,8 @@ struct SpringForce {
 };
 SpringForce spring_force(const Saturation& spring, double stretch) THIGMA_RT;
 
-/// Force along a stretch vector and its symmetric derivative by the vector (Eqs. 5.30-5.31). Thread
-/// [haptic].
+/// Force along a stretch vector and its symmetric derivative by the vector (Eqs. 5.30-5.31).
+/// Thread [haptic].
 struct SpringVector {
   Vec3 force = Vec3::Zero();
   Mat3 stiffness = Mat3::Zero();
@@ -80,9 +80,8 @@ CouplingStretch coupling_stretch(const Coupling& coupling, const Pose& world_fro
 /// state     y = (x, q, P, L), |q| = 1 to 1e-9
 /// jacobian  null, or d(force, torque)/dy (6 x 13)
 /// returns   force [N], torque [N m]; world. Zero when released.
-/// Thread    [haptic]; no failure. The torque is discontinuous where hand and body are half a turn
-/// apart. Source    Sec. 5.3.1-5.3.2, Eqs. 5.15-5.31, corrected: omega x (R c), rotation vector,
-/// saturation.
+/// Thread    [haptic]; no failure. The torque jumps where hand and body are half a turn apart.
+/// Source    Sec. 5.3.1-5.3.2, Eqs. 5.15-5.31, corrected: omega x (R c), rotation vector.
 Wrench coupling_wrench(const Coupling& coupling, const Motion& device, const RigidBody& body,
                        const BodyState& state, WrenchJacobian* jacobian = nullptr) THIGMA_RT;
 

@@ -12,8 +12,8 @@ namespace thigma {
 /// Solves a x = b by Gaussian elimination with partial pivoting.
 ///
 /// a  (N x N), destroyed; rows should be of like size, the caller scales
-/// b  (N x M) right-hand sides; on return the solutions, not finite where `a` is singular or not
-/// finite Thread [haptic]; no failure: the caller's finiteness check is the one that counts.
+/// b  (N x M) right-hand sides; on return the solutions, not finite where `a` is singular
+/// Thread [haptic]; no failure: the caller's finiteness check is the one that counts.
 template <int N, int M>
 void solve_in_place(
     Eigen::Matrix<double, N, N, Eigen::RowMajor>& a,

@@ -5,8 +5,8 @@
 
 namespace thigma {
 
-/// Jacobian of a function of a fixed-size vector by fourth-order central differences (error ~
-/// step^4).
+/// Jacobian of a function of a fixed-size vector by fourth-order central differences,
+/// error ~ step^4.
 ///
 /// f      callable: Eigen::Matrix<double, Columns, 1> -> Eigen::Matrix<double, Rows, 1>
 /// y      where

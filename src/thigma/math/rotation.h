@@ -30,8 +30,8 @@ std::array<Mat3, 4> rotation_matrix_derivatives(const Quat& q) THIGMA_RT;
 Mat34 rotated_derivative(const Quat& q, const Vec3& v) THIGMA_RT;
 Mat34 inverse_rotated_derivative(const Quat& q, const Vec3& v) THIGMA_RT;
 
-/// Q(q) with dq/dt = Q(q) omega, omega in the world frame (A.25); Q^T Q = |q|^2 / 4. Thread
-/// [haptic].
+/// Q(q) with dq/dt = Q(q) omega, omega in the world frame (A.25); Q^T Q = |q|^2 / 4.
+/// Thread [haptic].
 Mat43 rate_matrix(const Quat& q) THIGMA_RT;
 
 /// d(Q(q) omega)/dq for a fixed omega (4 x 4); Q is linear in q, so this does not depend on q.
@@ -41,8 +41,8 @@ Mat4 rate_derivative(const Vec3& omega) THIGMA_RT;
 /// A(a) with a b = A(a) b as four numbers (A.15). Thread [haptic].
 Mat4 left_product_matrix(const Quat& a) THIGMA_RT;
 
-/// Unit quaternion of a rotation vector [rad] (A.18); exact to rounding at and near zero. Thread
-/// [haptic].
+/// Unit quaternion of a rotation vector [rad] (A.18); exact to rounding at and near zero.
+/// Thread [haptic].
 Quat rotation_from_vector(const Vec3& rotation_vector) THIGMA_RT;
 
 /// Rotation vector of q, the shorter way round: |u| <= pi, q and -q give the same u.
@@ -51,8 +51,7 @@ Quat rotation_from_vector(const Vec3& rotation_vector) THIGMA_RT;
 /// derivative  null, or du/dq (3 x 4), of the cover that q lies on
 /// returns     u = 2 atan2(|v|, s) v / |v| for (v, s) = +-q with s >= 0 [rad]
 /// Thread      [haptic]; discontinuous at half turns only.
-/// Source      Eqs. 5.18, 5.25; the printed ones lack 1/sin(|u|/2) and are singular at the
-/// identity.
+/// Source      Eqs. 5.18, 5.25; the printed ones lack 1/sin(|u|/2) and are singular at rest.
 Vec3 vector_from_rotation(const Quat& q, Mat34* derivative = nullptr) THIGMA_RT;
 
 /// q / |q|, by one square root. Thread [haptic].
