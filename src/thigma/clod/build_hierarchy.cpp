@@ -17,8 +17,9 @@
 namespace thigma {
 namespace {
 
-// Points of an inner hull: more fit better and cost more a test.
-constexpr int kInnerVertices = 16;
+// Points of an inner hull. Measured on jaws at 1 % of the radius: 8, 16, 24, 32 points make fronts
+// of 4722, 2945, 2584, 2451 pairs; above 24 a test costs more than it saves.
+constexpr int kInnerVertices = 24;
 // Points that stand out of an inner hull by less than this times its extent count as inside it; h
 // pays for them.
 constexpr double kInnerTolerance = 1e-7;

@@ -10,8 +10,8 @@
 namespace thigma::detail {
 namespace {
 
-constexpr std::int32_t kReach =
-    24;  // places on the curve; 16 gives 1 % larger fronts, 48 gains nothing
+// Places on the curve. Measured on jaws: 8 makes fronts 3 % larger, 500 makes them 1 % smaller.
+constexpr std::int32_t kReach = 24;
 
 struct Cluster {
   ClusterBox box;
@@ -57,10 +57,12 @@ ClusterBox united(const ClusterBox& a, const ClusterBox& b) {
   return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
 }
 
-/// Squared diagonal: what two surface patches far apart or turned away from each other have large.
+/// Half the surface of the common box: 2 % smaller fronts than by its diagonal, 3 % than by its
+/// volume.
 double cost(const ClusterBox& a, const ClusterBox& b) {
   const ClusterBox box = united(a, b);
-  return (box.high - box.low).squaredNorm();
+  const Vec3 edge = box.high - box.low;
+  return edge.x() * edge.y() + edge.y() * edge.z() + edge.z() * edge.x();
 }
 
 std::vector<std::int32_t> best_partners(const std::vector<Cluster>& clusters) {
