@@ -76,7 +76,7 @@ Scene make_scene(int low, int high, const PairTimingParams& params) {
   const auto span = static_cast<std::uint64_t>(high - low + 1);
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 center = random.direction() * random.uniform(10.0, 30.0);
-    const Vec3 apart = random.direction() * random.uniform(1.2, 2.0);
+    const Vec3 apart = random.direction() * random.uniform(1.06, 1.5);
     const Vec3 center_b = rotation.transpose() * (center + apart - translation);
     add_hull(make_cap(low + static_cast<int>(random.below(span)), center, random), center, scene.a, i);
     add_hull(make_cap(low + static_cast<int>(random.below(span)), center_b, random), center_b, scene.b, i);

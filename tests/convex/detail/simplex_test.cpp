@@ -42,6 +42,7 @@ TEST(ReduceToNearest, SatisfiesTheVariationalInequality) {
       s.n = n;
       const Vec3 v = reduce_to_nearest(s);
       inside += s.n == 4;
+      SCOPED_TRACE(kind);
       expect_nearest(corners, n, s, v, 4.0 * scale);
     }
   }

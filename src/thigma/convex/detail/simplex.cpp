@@ -7,27 +7,8 @@
 namespace thigma::detail {
 namespace {
 
-// A triangle with no area left: the nearest of its edges.
-Vec3 nearest_on_edges(const Vec3& a, const Vec3& b, const Vec3& c, int& mask, double weight[3]) noexcept {
-  const Vec3* p[3] = {&a, &b, &c};
-  Vec3 best = a;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
-    const int j = i == 2 ? 0 : i + 1;
-    int m = 0;
-    double w[2];
-    const Vec3 q = nearest_on_segment(*p[i], *p[j], m, w);
-    if (q.squaredNorm() < least) {
-      least = q.squaredNorm();
-      best = q;
-      weight[0] = weight[1] = weight[2] = 0.0;
-      weight[i] = w[0];
-      weight[j] = w[1];
-      mask = ((m & 1) << i) | ((m >> 1) << j);
-    }
-  }
-  return best;
-}
+// Sine of the slope below which a tetrahedron counts as flat: far above rounding, far below any real patch.
+constexpr double kFlat = 1e-11;
 
 void keep(Simplex& s, int mask) noexcept {
   int k = 0;
@@ -54,8 +35,11 @@ Vec3 reduce_tetrahedron(Simplex& s) noexcept {
     const Vec3 &a = s.w[f[0]], &b = s.w[f[1]], &c = s.w[f[2]], &d = s.w[f[3]];
     const Vec3 n = (b - a).cross(c - a);
     // The origin is beyond this face when it lies on the other side than the fourth point. A flat tetrahedron has
-    // no other side: every face may hold the nearest point.
-    if (a.dot(n) * (d - a).dot(n) < 0.0) continue;
+    // no other side (its sign is rounding): every face may hold the nearest point.
+    const Vec3 ad = d - a;
+    const double height = ad.dot(n);
+    const bool is_flat = height * height <= kFlat * kFlat * n.squaredNorm() * ad.squaredNorm();
+    if (!is_flat && a.dot(n) * height < 0.0) continue;
     int mask = 0;
     double w[3];
     const Vec3 q = nearest_on_triangle(a, b, c, mask, w);
@@ -77,57 +61,25 @@ Vec3 reduce_tetrahedron(Simplex& s) noexcept {
 
 }  // namespace
 
-Vec3 nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c, int& mask, double weight[3]) noexcept {
-  const Vec3 ab = b - a, ac = c - a;
-  weight[0] = weight[1] = weight[2] = 0.0;
-  const double d1 = -ab.dot(a), d2 = -ac.dot(a);
-  if (d1 <= 0.0 && d2 <= 0.0) {
-    weight[0] = 1.0;
-    mask = 1;
-    return a;
+Vec3 nearest_on_edges(const Vec3& a, const Vec3& b, const Vec3& c, int& mask, double weight[3]) noexcept {
+  const Vec3* p[3] = {&a, &b, &c};
+  Vec3 best = a;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const int j = i == 2 ? 0 : i + 1;
+    int m = 0;
+    double w[2];
+    const Vec3 q = nearest_on_segment(*p[i], *p[j], m, w);
+    if (q.squaredNorm() < least) {
+      least = q.squaredNorm();
+      best = q;
+      weight[0] = weight[1] = weight[2] = 0.0;
+      weight[i] = w[0];
+      weight[j] = w[1];
+      mask = ((m & 1) << i) | ((m >> 1) << j);
+    }
   }
-  const double d3 = -ab.dot(b), d4 = -ac.dot(b);
-  if (d3 >= 0.0 && d4 <= d3) {
-    weight[1] = 1.0;
-    mask = 2;
-    return b;
-  }
-  const double d5 = -ab.dot(c), d6 = -ac.dot(c);
-  if (d6 >= 0.0 && d5 <= d6) {
-    weight[2] = 1.0;
-    mask = 4;
-    return c;
-  }
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 && d1 > d3) {
-    weight[1] = d1 / (d1 - d3);
-    weight[0] = 1.0 - weight[1];
-    mask = 3;
-    return a + weight[1] * ab;
-  }
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 && d2 > d6) {
-    weight[2] = d2 / (d2 - d6);
-    weight[0] = 1.0 - weight[2];
-    mask = 5;
-    return a + weight[2] * ac;
-  }
-  const double va = d3 * d6 - d5 * d4, e = d4 - d3, f = d5 - d6;
-  if (va <= 0.0 && e >= 0.0 && f >= 0.0 && e + f > 0.0) {
-    weight[2] = e / (e + f);
-    weight[1] = 1.0 - weight[2];
-    mask = 6;
-    return b + weight[2] * (c - b);
-  }
-  const Vec3 n = ab.cross(ac);
-  const double nn = n.squaredNorm(), sum = va + vb + vc;
-  // 1e-28: an area below 1e-14 of the edges' is rounding.
-  if (!(nn > 1e-28 * ab.squaredNorm() * ac.squaredNorm()) || !(sum > 0.0)) return nearest_on_edges(a, b, c, mask, weight);
-  weight[1] = vb / sum;
-  weight[2] = vc / sum;
-  weight[0] = 1.0 - weight[1] - weight[2];
-  mask = 7;
-  return n * (a.dot(n) / nn);
+  return best;
 }
 
 Vec3 reduce_to_nearest(Simplex& s) noexcept {
