@@ -22,6 +22,9 @@ constexpr double kPressTime =
     0.08;  // [s] of the force control; slower than arm and coupling, so stable
 constexpr double kAcceleration = 3.0;  // [m/s^2] of the target along the approach
 constexpr double kContactShare = 0.3;  // of the pressing force: this much felt is contact
+// Nobody corrects a force more finely; without it the hand would hunt to and fro across the
+// device's friction.
+constexpr double kDeadShare = 0.03;
 constexpr double kSteadyShare = 0.05;  // of the pressing force: this close is reached ...
 constexpr double kSteadyTime = 0.2;    // ... when it lasts so long [s]
 constexpr double kPressLimit = 2.0;    // [s] then the program goes on with what it has
@@ -61,7 +64,9 @@ double give(const HandProgramParams& p, double force) THIGMA_RT {
 
 void keep_pressing(double dt, const HandProgramParams& p, HandProgram& s) THIGMA_RT {
   const double missing = p.force - s.felt;
-  const double speed = give(p, missing) / kPressTime;
+  const double slack = kDeadShare * p.force;
+  const double beyond = missing - std::clamp(missing, -slack, slack);
+  const double speed = give(p, beyond) / kPressTime;
   advance_depth(std::clamp(speed, -p.speed, p.speed), dt, p, s);
   s.steady_time = std::fabs(missing) <= kSteadyShare * p.force ? s.steady_time + dt : 0.0;
 }

@@ -20,14 +20,11 @@ constexpr const char* kDhdNames[] = {"libdrd.so.3",
                                      "/usr/local/lib/libdrd.so",
                                      "/usr/local/lib/libdhd.so.3",
                                      "/usr/local/lib/libdhd.so"};
-constexpr const char* kDhdSymbols[] = {"dhdGetDeviceCount",
-                                       "dhdGetPositionAndOrientationFrame",
-                                       "dhdGetLinearVelocity",
-                                       "dhdGetAngularVelocityRad",
-                                       "dhdGetButtonMask",
-                                       "dhdSetForceAndTorqueAndGripperForce",
-                                       "dhdEnableForce",
-                                       "dhdStop"};
+constexpr const char* kDhdSymbols[] = {
+    "dhdGetDeviceCount",    "dhdGetPositionAndOrientationFrame",
+    "dhdGetLinearVelocity", "dhdGetAngularVelocityRad",
+    "dhdGetButtonMask",     "dhdSetForceAndTorqueAndGripperForce",
+    "dhdEnableForce",       "dhdStop"};
 
 constexpr const char* kSpacenavNames[] = {"libspnav.so.0", "libspnav.so"};
 constexpr const char* kSpacenavSymbols[] = {"spnav_open", "spnav_close", "spnav_poll_event"};
