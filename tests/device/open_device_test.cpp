@@ -89,6 +89,15 @@ TEST(OpenDevice, ContextPlacesTheProgram) {
   EXPECT_EQ(parse_hand("seed=7", context).seed, 7u);
 }
 
+TEST(OpenDevice, ContextOfAnySizeOpens) {
+  for (const double radius : {1e-9, 1.0, 1e9}) {
+    DeviceContext context;
+    context.object_radius = radius;
+    context.clearance = 2.0 * radius;
+    EXPECT_NO_THROW(open_device("hand:", context)) << radius;
+  }
+}
+
 TEST(OpenDevice, MistakesAreNamedWithTheNearestRightOne) {
   EXPECT_EQ(refusal("hand:?fricton=1"), "hand: no parameter 'fricton', nearest is 'friction'");
   EXPECT_EQ(refusal("hand:?mass=heavy"), "hand: mass = 'heavy', expected a finite number");

@@ -1,5 +1,6 @@
 #include "thigma/device/open_device.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,6 +17,10 @@ namespace {
 using detail::parse_value;
 using detail::quoted;
 using detail::shortest;
+
+// Of clearance and reach, as the table has it [m]: scenes of any size open, though a hand takes its
+// time there.
+constexpr double kFarthest = 1e3;
 
 struct PathName {
   std::string_view name;
@@ -128,8 +133,9 @@ HandParams hand_in_context(const DeviceContext& context) {
   const Vec3 across = Vec3::Unit(axis);
   const Vec3& n = params.program.approach;
   params.program.slide = (across - n.dot(across) * n).normalized();
-  params.program.clearance = context.clearance;
+  params.program.clearance = std::min(context.clearance, kFarthest);
   params.program = scale_to_object(params.program, context.object_radius);
+  params.program.reach = std::min(params.program.reach, kFarthest);
   return params;
 }
 
@@ -195,8 +201,9 @@ HandParams parse_hand(std::string_view query, const DeviceContext& context) {
     if (name == "senses_rotation") params.senses_rotation = parse_flag("hand:", name, value);
     if (name == "actuates_rotation") params.actuates_rotation = parse_flag("hand:", name, value);
   }
-  if (!has_reach && params.program.clearance != context.clearance) {
-    params.program.reach = 1.5 * params.program.clearance + context.object_radius;
+  if (!has_reach) {
+    params.program.reach =
+        std::min(1.5 * params.program.clearance + context.object_radius, kFarthest);
   }
   const std::string problem = what_is_wrong(params);
   if (!problem.empty()) throw DeviceAddressError("hand: " + problem);

@@ -57,8 +57,8 @@ constexpr HandNumber kNumbers[] = {
     {"twist_time", "s", "there, and the same back", 0.0, 60.0,
      THIGMA_HAND_FIELD(program.twist_time)},
     {"lift_height", "m", "between taps", 0.0, 1.0, THIGMA_HAND_FIELD(program.lift_height)},
-    {"clearance", "m", "travel to first touch", 0.0, 1.0, THIGMA_HAND_FIELD(program.clearance)},
-    {"reach", "m", "the target never goes deeper", 0.0, 2.0, THIGMA_HAND_FIELD(program.reach)},
+    {"clearance", "m", "travel to first touch", 0.0, 1e3, THIGMA_HAND_FIELD(program.clearance)},
+    {"reach", "m", "the target never goes deeper", 0.0, 1e3, THIGMA_HAND_FIELD(program.reach)},
 };
 #undef THIGMA_HAND_FIELD
 
