@@ -4,17 +4,20 @@
 #include <memory>
 
 #include "mesh_report.h"
+#include "verbs.h"
+
 #include "thigma/mesh/inspect.h"
 #include "thigma/mesh/read_mesh.h"
-#include "verbs.h"
 
 namespace thigma::app {
 namespace {
 
 int inspect(const Common& common, const std::string& path) {
   const MeshReport report = inspect_mesh(read_mesh(path), path);
-  if (common.json) std::cout << mesh_report_json(report).dump() << std::endl;
-  else std::cout << mesh_report_text(report) << std::flush;
+  if (common.json)
+    std::cout << mesh_report_json(report).dump() << std::endl;
+  else
+    std::cout << mesh_report_text(report) << std::flush;
   if (report.verdict != MeshVerdict::rejected) return kDone;
   std::cerr << "thigma: " << path << ": " << report.reasons.front()
             << ", in the mesh as a whole, expected a usable or repairable mesh\n";

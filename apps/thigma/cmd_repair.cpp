@@ -4,13 +4,14 @@
 #include <memory>
 
 #include "mesh_report.h"
+#include "verbs.h"
+
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
 #include "thigma/mesh/inspect.h"
 #include "thigma/mesh/read_mesh.h"
 #include "thigma/mesh/repair.h"
 #include "thigma/mesh/write_mesh.h"
-#include "verbs.h"
 
 namespace thigma::app {
 namespace {
@@ -27,8 +28,9 @@ int repair(const Common& common, const RepairPaths& paths) {
   // What a reader will find: single precision, as of STL, may merge what was just taken apart.
   MeshReport report = inspect_mesh(parse_mesh(bytes, paths.out), paths.out);
   if (report.verdict != MeshVerdict::usable) {
-    throw InputError(paths.in + ": " + report.reasons.front() + " once written as " + format_name(format) +
-                     ", in the mesh as a whole, expected a format that keeps it usable, such as PLY or OBJ");
+    throw InputError(
+        paths.in + ": " + report.reasons.front() + " once written as " + format_name(format) +
+        ", in the mesh as a whole, expected a format that keeps it usable, such as PLY or OBJ");
   }
   write_file(paths.out, bytes);
   if (common.json) {
@@ -50,7 +52,8 @@ void add_repair(CLI::App& app, Common& common) {
   CLI::App* verb = add_verb(app, common, "repair", "Make a repairable mesh usable",
                             [&common, paths] { return repair(common, *paths); });
   verb->add_option("MESH", paths->in, "OBJ, PLY, STL or OFF, recognised by content")->required();
-  verb->add_option("-o,--output", paths->out, "file to write: .ply, .stl, .off, else OBJ")->required();
+  verb->add_option("-o,--output", paths->out, "file to write: .ply, .stl, .off, else OBJ")
+      ->required();
 }
 
 }  // namespace thigma::app

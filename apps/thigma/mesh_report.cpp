@@ -64,11 +64,13 @@ std::string mesh_report_text(const MeshReport& r) {
   out << r.file << ": " << verdict_name(r.verdict) << " (" << r.format << ")\n"
       << "  triangles " << r.triangles << ", vertices " << r.vertices << " (" << r.vertices_in_file
       << " in the file), components " << r.components << '\n'
-      << "  " << (r.closed ? "closed" : "open") << ", " << (r.manifold ? "manifold" : "not manifold") << ", "
+      << "  " << (r.closed ? "closed" : "open") << ", "
+      << (r.manifold ? "manifold" : "not manifold") << ", "
       << (r.oriented ? "oriented" : "not oriented") << "; boundary edges " << r.boundary_edges
-      << ", self-intersections " << r.self_intersections << ", zero-area triangles " << r.degenerate_triangles << '\n'
-      << "  extent " << extent.x() << " x " << extent.y() << " x " << extent.z() << " m, radius " << r.radius
-      << " m, area " << r.area << " m^2";
+      << ", self-intersections " << r.self_intersections << ", zero-area triangles "
+      << r.degenerate_triangles << '\n'
+      << "  extent " << extent.x() << " x " << extent.y() << " x " << extent.z() << " m, radius "
+      << r.radius << " m, area " << r.area << " m^2";
   if (r.volume) out << ", volume " << *r.volume << " m^3";
   out << '\n';
   for (const std::string& reason : r.reasons) out << "  reason: " << reason << '\n';

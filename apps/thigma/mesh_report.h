@@ -1,8 +1,9 @@
 #pragma once
 // A mesh report as programs and as people read it.
 
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include <nlohmann/json.hpp>
 
 #include "thigma/mesh/inspect.h"
 

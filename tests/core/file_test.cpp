@@ -1,9 +1,9 @@
 #include "thigma/core/file.h"
 
+#include <filesystem>
+
 #include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <filesystem>
 
 #include "thigma/core/error.h"
 
@@ -11,8 +11,8 @@ namespace thigma {
 namespace {
 
 std::filesystem::path fresh_folder(const char* name) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("thigma_" + std::string(name) + std::to_string(::getpid()));
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() /
+                                       ("thigma_" + std::string(name) + std::to_string(::getpid()));
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder;
@@ -28,7 +28,9 @@ TEST(File, what_is_written_is_read_back_and_nothing_else_is_left) {
   EXPECT_EQ(read_file(path), bytes);
   write_file(path, "");
   EXPECT_EQ(read_file(path), "");
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()), 1);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder),
+                          std::filesystem::directory_iterator()),
+            1);
   std::filesystem::remove_all(folder);
 }
 

@@ -1,10 +1,11 @@
-// Damaged files of every format: each is read as some mesh or refused in one line, in bounded memory.
-
-#include <gtest/gtest.h>
+// Damaged files of every format: each is read as some mesh or refused in one line, in bounded
+// memory.
 
 #include <atomic>
 #include <cstdlib>
 #include <new>
+
+#include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
 #include "thigma/math/random.h"
@@ -33,8 +34,9 @@ void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 namespace thigma {
 namespace {
 
-constexpr MeshFormat kFormats[] = {MeshFormat::obj,       MeshFormat::ply_ascii,  MeshFormat::ply_little, MeshFormat::ply_big,
-                                   MeshFormat::stl_ascii, MeshFormat::stl_binary, MeshFormat::off};
+constexpr MeshFormat kFormats[] = {
+    MeshFormat::obj,       MeshFormat::ply_ascii,  MeshFormat::ply_little, MeshFormat::ply_big,
+    MeshFormat::stl_ascii, MeshFormat::stl_binary, MeshFormat::off};
 
 // Reads and inspects; what was read must be sound, what was refused must say so in one line.
 bool survives(const std::string& bytes, std::string* message = nullptr) {
@@ -70,9 +72,12 @@ TEST(CorruptFiles, truncated_anywhere) {
     const std::string good = format_mesh(make_ball(1.0, 2), format, "x");
     ASSERT_TRUE(survives(good)) << format_name(format);
     int read = 0;
-    for (std::size_t size = 0; size < good.size(); size += 1 + size / 97) read += survives(good.substr(0, size));
-    // Text may end a line early without harm to a reader; binary formats and counted text must notice.
-    if (format == MeshFormat::ply_little || format == MeshFormat::ply_big || format == MeshFormat::stl_binary) {
+    for (std::size_t size = 0; size < good.size(); size += 1 + size / 97)
+      read += survives(good.substr(0, size));
+    // Text may end a line early without harm to a reader; binary formats and counted text must
+    // notice.
+    if (format == MeshFormat::ply_little || format == MeshFormat::ply_big ||
+        format == MeshFormat::stl_binary) {
       EXPECT_EQ(read, 0) << format_name(format);
     }
   }
@@ -88,12 +93,14 @@ TEST(CorruptFiles, bits_flipped_anywhere) {
       const std::uint64_t flips = 1 + random.below(4);
       for (std::uint64_t i = 0; i < flips; ++i) {
         // Headers are short: aim at them half of the time.
-        const std::size_t range = round % 2 == 0 ? bad.size() : std::min<std::size_t>(bad.size(), 200);
+        const std::size_t range =
+            round % 2 == 0 ? bad.size() : std::min<std::size_t>(bad.size(), 200);
         bad[random.below(range)] ^= static_cast<char>(1u << random.below(8));
       }
       refused += !survives(bad);
     }
-    EXPECT_GT(refused, 20) << format_name(format);  // most bits of a binary file are digits of coordinates
+    EXPECT_GT(refused, 20) << format_name(
+        format);  // most bits of a binary file are digits of coordinates
   }
 }
 
@@ -106,9 +113,15 @@ TEST(CorruptFiles, bytes_replaced_inserted_and_removed) {
       const std::size_t at = random.below(bad.size());
       const std::size_t length = random.below(40);
       switch (round % 3) {
-        case 0: bad.erase(at, length); break;
-        case 1: bad.insert(at, bad.substr(random.below(bad.size()), length)); break;
-        default: for (std::size_t i = at; i < std::min(bad.size(), at + length); ++i) bad[i] = static_cast<char>(random.below(256));
+        case 0:
+          bad.erase(at, length);
+          break;
+        case 1:
+          bad.insert(at, bad.substr(random.below(bad.size()), length));
+          break;
+        default:
+          for (std::size_t i = at; i < std::min(bad.size(), at + length); ++i)
+            bad[i] = static_cast<char>(random.below(256));
       }
       survives(bad);
     }
@@ -122,17 +135,24 @@ TEST(CorruptFiles, headers_that_lie_do_not_take_memory) {
   for (const char* count : {"1000000000", "2147483647", "4294967296", "9223372036854775807"}) {
     for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
       const std::string head = std::string("ply\nformat ") + format + " 1.0\n";
-      EXPECT_FALSE(survives(head + "element vertex " + count + "\n" + vertex + "element face 1\n" + face, &message));
-      EXPECT_FALSE(survives(head + "element vertex 0\n" + vertex + "element face " + count + "\n" + face, &message));
-      EXPECT_FALSE(survives(head + "element other " + count + "\nproperty char a\nelement vertex 0\n" + vertex +
-                            "element face 1\n" + face, &message));
+      EXPECT_FALSE(survives(
+          head + "element vertex " + count + "\n" + vertex + "element face 1\n" + face, &message));
+      EXPECT_FALSE(survives(
+          head + "element vertex 0\n" + vertex + "element face " + count + "\n" + face, &message));
+      EXPECT_FALSE(survives(head + "element other " + count +
+                                "\nproperty char a\nelement vertex 0\n" + vertex +
+                                "element face 1\n" + face,
+                            &message));
     }
     EXPECT_FALSE(survives(std::string("OFF\n") + count + " 1 0\n0 0 0\n", &message));
-    EXPECT_FALSE(survives(std::string("OFF\n3 ") + count + " 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", &message));
-    EXPECT_FALSE(survives(std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n") + count + " 0 1 2\n", &message));
+    EXPECT_FALSE(
+        survives(std::string("OFF\n3 ") + count + " 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", &message));
+    EXPECT_FALSE(
+        survives(std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n") + count + " 0 1 2\n", &message));
   }
   // A list that claims four thousand million corners.
-  std::string list = "ply\nformat binary_little_endian 1.0\nelement vertex 0\n" + vertex + "element face 1\n" + face;
+  std::string list = "ply\nformat binary_little_endian 1.0\nelement vertex 0\n" + vertex +
+                     "element face 1\n" + face;
   list += "\xff\xff\xff\xff";
   EXPECT_FALSE(survives(list, &message));
   std::string stl(84, ' ');
@@ -145,7 +165,8 @@ TEST(CorruptFiles, noise_is_no_mesh) {
   for (int round = 0; round < 500; ++round) {
     std::string noise;
     const std::size_t size = 1 + random.below(600);
-    for (std::size_t i = 0; i < size; ++i) noise += static_cast<char>(round % 2 == 0 ? random.below(256) : 32 + random.below(95));
+    for (std::size_t i = 0; i < size; ++i)
+      noise += static_cast<char>(round % 2 == 0 ? random.below(256) : 32 + random.below(95));
     EXPECT_FALSE(survives(noise));
   }
 }

@@ -1,11 +1,11 @@
 #include "thigma/mesh/inspect.h"
 
-#include <gtest/gtest.h>
-
 #include <limits>
 
 #include "mesh/samples.h"
 #include "support/shared.h"
+#include <gtest/gtest.h>
+
 #include "thigma/mesh/shapes.h"
 
 namespace thigma {
@@ -21,37 +21,49 @@ bool says(const std::vector<std::string>& lines, const char* part) {
 void expect_verdict(const TriangleMesh& mesh, MeshVerdict verdict, const char* reason) {
   const MeshReport r = inspect_mesh(mesh);
   EXPECT_EQ(r.verdict, verdict) << (r.reasons.empty() ? reason : r.reasons.front());
-  EXPECT_TRUE(verdict == MeshVerdict::usable || says(r.reasons, reason)) << (r.reasons.empty() ? "-" : r.reasons.front());
+  EXPECT_TRUE(verdict == MeshVerdict::usable || says(r.reasons, reason))
+      << (r.reasons.empty() ? "-" : r.reasons.front());
 }
 
 TEST(Inspect, usable_are_closed_and_open_shapes_of_any_size_and_place) {
   for (const double scale : {1e-9, 1e-3, 1.0, 1e9}) {
     for (const Vec3& at : {Vec3(0, 0, 0), Vec3(1e7, -1e7, 3e6)}) {
-      for (const TriangleMesh& shape : {make_ball(1.0, 8), make_box({1, 2, 3}, {2, 3, 4}), make_torus(1.0, 0.3, 30, 12),
-                                        make_sheet(1.0, 1.0, 20, 20), make_hollow_ball(1.0, 0.5, 4)}) {
+      for (const TriangleMesh& shape :
+           {make_ball(1.0, 8), make_box({1, 2, 3}, {2, 3, 4}), make_torus(1.0, 0.3, 30, 12),
+            make_sheet(1.0, 1.0, 20, 20), make_hollow_ball(1.0, 0.5, 4)}) {
         expect_verdict(test::moved(shape, at * scale, scale), MeshVerdict::usable, "usable");
       }
     }
   }
-  expect_verdict(test::stretched(make_ball(1.0, 6), {1.0, 1.0, 1e-6}), MeshVerdict::usable, "usable");
-  expect_verdict(test::stretched(make_ball(1.0, 6), {1.0, 1e-6, 1e-6}), MeshVerdict::usable, "usable");
-  expect_verdict(test::stretched(make_box({1, 1, 1}, {8, 8, 8}), {1.0, 1.0, 1e-6}), MeshVerdict::usable, "usable");
-  expect_verdict(test::stretched(make_sheet(1, 1, 50, 3), {1.0, 1e-6, 1.0}), MeshVerdict::usable, "usable");
-  expect_verdict(joined(make_ball(1.0, 5), test::moved(make_ball(1.0, 5), {0.7, 0, 0})), MeshVerdict::usable, "usable");
+  expect_verdict(test::stretched(make_ball(1.0, 6), {1.0, 1.0, 1e-6}), MeshVerdict::usable,
+                 "usable");
+  expect_verdict(test::stretched(make_ball(1.0, 6), {1.0, 1e-6, 1e-6}), MeshVerdict::usable,
+                 "usable");
+  expect_verdict(test::stretched(make_box({1, 1, 1}, {8, 8, 8}), {1.0, 1.0, 1e-6}),
+                 MeshVerdict::usable, "usable");
+  expect_verdict(test::stretched(make_sheet(1, 1, 50, 3), {1.0, 1e-6, 1.0}), MeshVerdict::usable,
+                 "usable");
+  expect_verdict(joined(make_ball(1.0, 5), test::moved(make_ball(1.0, 5), {0.7, 0, 0})),
+                 MeshVerdict::usable, "usable");
 }
 
 TEST(Inspect, rejected_are_meshes_without_sense) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   expect_verdict({}, MeshVerdict::rejected, "no triangle");
   expect_verdict({{Vec3(0, 0, 0)}, {{0, 0, 0}}}, MeshVerdict::rejected, "no triangle");
-  expect_verdict({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)}, {{0, 1, 2}}}, MeshVerdict::rejected, "area");
-  expect_verdict({{Vec3(0, 0, 0), Vec3(1, nan, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}}, MeshVerdict::rejected, "not finite");
-  expect_verdict({{Vec3(0, 0, 0), Vec3(1e200, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}}, MeshVerdict::rejected, "range");
-  expect_verdict({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 3}}}, MeshVerdict::rejected, "does not exist");
-  expect_verdict({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, -1}}}, MeshVerdict::rejected, "does not exist");
+  expect_verdict({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)}, {{0, 1, 2}}},
+                 MeshVerdict::rejected, "area");
+  expect_verdict({{Vec3(0, 0, 0), Vec3(1, nan, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}},
+                 MeshVerdict::rejected, "not finite");
+  expect_verdict({{Vec3(0, 0, 0), Vec3(1e200, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}},
+                 MeshVerdict::rejected, "range");
+  expect_verdict({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 3}}},
+                 MeshVerdict::rejected, "does not exist");
+  expect_verdict({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, -1}}},
+                 MeshVerdict::rejected, "does not exist");
   expect_verdict(make_moebius(1.0, 0.3, 20, 2), MeshVerdict::rejected, "cannot be oriented");
-  expect_verdict(joined(make_ball(1.0, 3), test::moved(make_moebius(1.0, 0.3, 20), {5, 0, 0})), MeshVerdict::rejected,
-                 "cannot be oriented");
+  expect_verdict(joined(make_ball(1.0, 3), test::moved(make_moebius(1.0, 0.3, 20), {5, 0, 0})),
+                 MeshVerdict::rejected, "cannot be oriented");
 }
 
 TEST(Inspect, a_closed_surface_without_volume_is_rejected_wherever_it_is) {
@@ -63,7 +75,8 @@ TEST(Inspect, a_closed_surface_without_volume_is_rejected_wherever_it_is) {
     pose.orientation = Quat(0.6, 0.3, -0.5, 0.55).normalized();
     pose.position = Vec3(1e7, 2e7, -1e7) * scale;
     expect_verdict(transformed(flat, pose), MeshVerdict::rejected, "no volume");
-    expect_verdict(test::stretched(make_box({scale, scale, scale}), {1, 1, 0}), MeshVerdict::rejected, "no volume");
+    expect_verdict(test::stretched(make_box({scale, scale, scale}), {1, 1, 0}),
+                   MeshVerdict::rejected, "no volume");
   }
 }
 
@@ -74,17 +87,21 @@ TEST(Inspect, repairable_are_the_defects_repair_knows) {
   expect_verdict(twice, MeshVerdict::repairable, "1 triangle repeats another");
   TriangleMesh fin = box;
   fin.positions.emplace_back(0, 0, 3);
-  fin.triangles.push_back({fin.triangles[0][0], fin.triangles[0][1], static_cast<std::int32_t>(fin.positions.size()) - 1});
+  fin.triangles.push_back({fin.triangles[0][0], fin.triangles[0][1],
+                           static_cast<std::int32_t>(fin.positions.size()) - 1});
   expect_verdict(fin, MeshVerdict::repairable, "1 edge has three or more faces");
-  expect_verdict(joined(make_box({1, 1, 1}), test::moved(make_box({1, 1, 1}), {1, 1, 1})), MeshVerdict::repairable,
-                 "1 vertex joins more than one fan");
+  expect_verdict(joined(make_box({1, 1, 1}), test::moved(make_box({1, 1, 1}), {1, 1, 1})),
+                 MeshVerdict::repairable, "1 vertex joins more than one fan");
   TriangleMesh mixed = make_ball(1.0, 4);
-  for (std::size_t t = 0; t < mixed.triangles.size() / 2; ++t) std::swap(mixed.triangles[t][0], mixed.triangles[t][1]);
+  for (std::size_t t = 0; t < mixed.triangles.size() / 2; ++t)
+    std::swap(mixed.triangles[t][0], mixed.triangles[t][1]);
   expect_verdict(mixed, MeshVerdict::repairable, "opposite orientation");
   for (const double scale : {1e-9, 1.0, 1e9}) {
-    expect_verdict(flipped(make_ball(scale, 4)), MeshVerdict::repairable, "1 closed component is inside out");
+    expect_verdict(flipped(make_ball(scale, 4)), MeshVerdict::repairable,
+                   "1 closed component is inside out");
     TriangleMesh soup = unwelded(make_ball(scale, 4));
-    for (std::size_t i = 0; i < soup.positions.size(); ++i) soup.positions[i].x() += 1e-7 * scale * static_cast<double>(i % 3);
+    for (std::size_t i = 0; i < soup.positions.size(); ++i)
+      soup.positions[i].x() += 1e-7 * scale * static_cast<double>(i % 3);
     expect_verdict(soup, MeshVerdict::repairable, "nearly equal others");
   }
 }
@@ -93,13 +110,18 @@ TEST(Inspect, an_inside_out_component_is_a_cavity_only_inside_another) {
   const TriangleMesh ball = make_ball(1.0, 5);
   const TriangleMesh small = flipped(test::moved(ball, {0.1, 0.2, 0.1}, 0.3));
   expect_verdict(joined(ball, small), MeshVerdict::usable, "usable");
-  expect_verdict(joined(ball, test::moved(small, {3, 0, 0})), MeshVerdict::repairable, "inside out");
-  // Beside it in a box whose faces are level with its own: the search must not be fooled by grazing.
+  expect_verdict(joined(ball, test::moved(small, {3, 0, 0})), MeshVerdict::repairable,
+                 "inside out");
+  // Beside it in a box whose faces are level with its own: the search must not be fooled by
+  // grazing.
   const TriangleMesh box = make_box({1, 1, 1}, {2, 2, 2});
-  expect_verdict(joined(box, flipped(test::moved(box, {1.5, 0, 0}))), MeshVerdict::repairable, "inside out");
-  expect_verdict(joined(box, flipped(test::moved(box, {0.25, 0, 0}, 0.25))), MeshVerdict::usable, "usable");
+  expect_verdict(joined(box, flipped(test::moved(box, {1.5, 0, 0}))), MeshVerdict::repairable,
+                 "inside out");
+  expect_verdict(joined(box, flipped(test::moved(box, {0.25, 0, 0}, 0.25))), MeshVerdict::usable,
+                 "usable");
   // An open bowl around it encloses nothing.
-  expect_verdict(joined(make_dome(3.0, 24, 8), test::moved(small, {0, 0, 1})), MeshVerdict::repairable, "inside out");
+  expect_verdict(joined(make_dome(3.0, 24, 8), test::moved(small, {0, 0, 1})),
+                 MeshVerdict::repairable, "inside out");
 }
 
 TEST(Inspect, an_exact_soup_is_whole_after_reading) {
@@ -125,9 +147,13 @@ TEST(Inspect, warnings_name_what_to_look_at) {
   EXPECT_TRUE(inspect_mesh(make_ball(1.0, 4)).warnings.empty());
   EXPECT_TRUE(says(inspect_mesh(make_ball(100.0, 4)).warnings, "--scale 0.001"));
   EXPECT_TRUE(says(inspect_mesh(make_ball(1e-9, 4)).warnings, "unit"));
-  EXPECT_TRUE(says(inspect_mesh(test::moved(make_ball(1.0, 4), {1e7, 0, 0})).warnings, "radii away"));
-  EXPECT_TRUE(says(inspect_mesh(test::stretched(make_ball(1.0, 4), {1, 1e-8, 1e-8})).warnings, "volume") == false);
-  EXPECT_TRUE(says(inspect_mesh(joined(make_ball(1, 5), test::moved(make_ball(1, 5), {0.7, 0, 0}))).warnings, "pairs of triangles"));
+  EXPECT_TRUE(
+      says(inspect_mesh(test::moved(make_ball(1.0, 4), {1e7, 0, 0})).warnings, "radii away"));
+  EXPECT_TRUE(says(inspect_mesh(test::stretched(make_ball(1.0, 4), {1, 1e-8, 1e-8})).warnings,
+                   "volume") == false);
+  EXPECT_TRUE(says(
+      inspect_mesh(joined(make_ball(1, 5), test::moved(make_ball(1, 5), {0.7, 0, 0}))).warnings,
+      "pairs of triangles"));
 }
 
 TEST(Inspect, options_skip_the_slow_count_and_nothing_else) {
@@ -141,7 +167,8 @@ TEST(Inspect, options_skip_the_slow_count_and_nothing_else) {
 // MANIFEST.md of the shared meshes, counted by another program.
 struct Known {
   const char* file;
-  std::int64_t triangles, vertices, vertices_in_file, boundary, edges, fans, pairs, zero_area, duplicates, components;
+  std::int64_t triangles, vertices, vertices_in_file, boundary, edges, fans, pairs, zero_area,
+      duplicates, components;
   MeshVerdict verdict;
 };
 

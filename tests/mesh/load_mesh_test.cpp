@@ -1,10 +1,10 @@
 #include "thigma/mesh/load_mesh.h"
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <filesystem>
 #include <limits>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
@@ -59,7 +59,8 @@ TEST_F(LoadMesh, refuses_what_repair_cannot_help) {
 
 TEST_F(LoadMesh, refuses_scales_that_make_no_sense) {
   const std::string path = write(make_ball(1.0, 2));
-  for (const double scale : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e60, 1e-60}) {
+  for (const double scale : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
+                             std::numeric_limits<double>::infinity(), 1e60, 1e-60}) {
     EXPECT_THROW(load_usable_mesh(path, scale), InputError) << scale;
   }
 }

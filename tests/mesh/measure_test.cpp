@@ -1,8 +1,8 @@
 #include "thigma/mesh/measure.h"
 
+#include "mesh/samples.h"
 #include <gtest/gtest.h>
 
-#include "mesh/samples.h"
 #include "thigma/math/elementary.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/shapes.h"
@@ -12,8 +12,10 @@ namespace {
 
 Mat3 box_inertia(const Vec3& s) {
   const double m = s.prod();
-  return Vec3(s.y() * s.y() + s.z() * s.z(), s.z() * s.z() + s.x() * s.x(), s.x() * s.x() + s.y() * s.y())
-             .asDiagonal() * Mat3(Mat3::Identity()) * (m / 12.0);
+  return Vec3(s.y() * s.y() + s.z() * s.z(), s.z() * s.z() + s.x() * s.x(),
+              s.x() * s.x() + s.y() * s.y())
+             .asDiagonal() *
+         Mat3(Mat3::Identity()) * (m / 12.0);
 }
 
 TEST(Measure, a_box_has_its_closed_form_wherever_and_however_large_it_is) {
@@ -28,7 +30,8 @@ TEST(Measure, a_box_has_its_closed_form_wherever_and_however_large_it_is) {
       EXPECT_NEAR(m.volume / (scale * scale * scale), 6.0, 6.0 * tolerance);
       EXPECT_LE((m.center_of_mass - at).norm() / scale, tolerance + 1e-15 * offset);
       const Mat3 want = box_inertia(size);
-      EXPECT_LE((m.inertia / std::pow(scale, 5.0) - want).norm(), 10.0 * tolerance * want.norm()) << scale << ' ' << offset;
+      EXPECT_LE((m.inertia / std::pow(scale, 5.0) - want).norm(), 10.0 * tolerance * want.norm())
+          << scale << ' ' << offset;
     }
   }
 }
@@ -67,15 +70,17 @@ TEST(Measure, turning_the_surface_over_changes_the_sign_of_the_volume_alone) {
 }
 
 TEST(Measure, a_flat_mesh_has_no_volume_and_finite_numbers) {
-  const MassProperties m = mass_properties(TriangleMesh{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}});
+  const MassProperties m =
+      mass_properties(TriangleMesh{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}});
   EXPECT_EQ(m.area, 0.5);
   EXPECT_TRUE(m.center_of_mass.allFinite());
   EXPECT_TRUE(m.inertia.allFinite());
   EXPECT_EQ(mass_properties(TriangleMesh{}).area, 0.0);
 }
 
-// A ball around the points is smallest when no direction lets its centre move closer to all points on its sphere:
-// the centre is in their hull. Checked by the independent condition that every half space through the centre holds one.
+// A ball around the points is smallest when no direction lets its centre move closer to all points
+// on its sphere: the centre is in their hull. Checked by the independent condition that every half
+// space through the centre holds one.
 TEST(Measure, the_enclosing_ball_is_around_all_points_and_smallest) {
   Random random(7);
   for (int round = 0; round < 300; ++round) {

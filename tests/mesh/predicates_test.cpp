@@ -1,10 +1,10 @@
 #include "thigma/mesh/predicates.h"
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cmath>
 #include <cstdint>
+
+#include <gtest/gtest.h>
 
 #include "thigma/math/random.h"
 
@@ -15,13 +15,17 @@ using Wide = __int128;
 
 int sign(Wide x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-// Coordinates that are integers below 2^40 times a power of two: the determinant is exact in 128 bits.
+// Coordinates that are integers below 2^40 times a power of two: the determinant is exact in 128
+// bits.
 struct IntegerPoint {
   std::int64_t x, y, z;
-  Vec3 scaled(double s) const { return {s * static_cast<double>(x), s * static_cast<double>(y), s * static_cast<double>(z)}; }
+  Vec3 scaled(double s) const {
+    return {s * static_cast<double>(x), s * static_cast<double>(y), s * static_cast<double>(z)};
+  }
 };
 
-int exact_side(const IntegerPoint& a, const IntegerPoint& b, const IntegerPoint& c, const IntegerPoint& d) {
+int exact_side(const IntegerPoint& a, const IntegerPoint& b, const IntegerPoint& c,
+               const IntegerPoint& d) {
   const Wide ax = b.x - a.x, ay = b.y - a.y, az = b.z - a.z;
   const Wide bx = c.x - a.x, by = c.y - a.y, bz = c.z - a.z;
   const Wide cx = d.x - a.x, cy = d.y - a.y, cz = d.z - a.z;
@@ -29,7 +33,10 @@ int exact_side(const IntegerPoint& a, const IntegerPoint& b, const IntegerPoint&
 }
 
 IntegerPoint random_point(Random& random, std::int64_t range) {
-  const auto one = [&] { return static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(2 * range + 1))) - range; };
+  const auto one = [&] {
+    return static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(2 * range + 1))) -
+           range;
+  };
   const std::int64_t x = one(), y = one();
   return {x, y, one()};
 }
@@ -46,18 +53,20 @@ TEST(Predicates, orient3d_agrees_with_integers_near_and_on_the_plane) {
       const std::int64_t k = static_cast<std::int64_t>(random.below(3)) - 1;
       const std::int64_t half = i % 2 == 0 ? 1 : 0;
       c = {a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2, a.z + (b.z - a.z) / 2 + half};
-      d = {a.x + k * (c.x - a.x), a.y + k * (c.y - a.y), a.z + k * (c.z - a.z) + static_cast<std::int64_t>(random.below(2))};
+      d = {a.x + k * (c.x - a.x), a.y + k * (c.y - a.y),
+           a.z + k * (c.z - a.z) + static_cast<std::int64_t>(random.below(2))};
     }
     const int want = exact_side(a, b, c, d);
     zeros += want == 0;
     const double scale = std::ldexp(1.0, static_cast<int>(random.below(200)) - 100);
-    ASSERT_EQ(orient3d(a.scaled(scale), b.scaled(scale), c.scaled(scale), d.scaled(scale)), want) << i;
+    ASSERT_EQ(orient3d(a.scaled(scale), b.scaled(scale), c.scaled(scale), d.scaled(scale)), want)
+        << i;
   }
   EXPECT_GT(zeros, 1000);
 }
 
-// A polynomial in B = 2^60 with small coefficients: its sign is that of the highest one, so determinants of numbers
-// whose differences do not fit a double have a reference in plain integers.
+// A polynomial in B = 2^60 with small coefficients: its sign is that of the highest one, so
+// determinants of numbers whose differences do not fit a double have a reference in plain integers.
 struct Polynomial {
   std::array<std::int64_t, 4> c{};
 };
@@ -115,7 +124,8 @@ TEST(Predicates, orient3d_sees_the_last_bit) {
   EXPECT_EQ(orient3d(a, b, c, Vec3(123.456, 7.0, std::nextafter(0.1, 1.0))),
             -orient3d(a, b, c, Vec3(123.456, 7.0, std::nextafter(0.1, 0.0))));
   EXPECT_NE(orient3d(a, b, c, Vec3(123.456, 7.0, std::nextafter(0.1, 1.0))), 0);
-  // x = y = z: exactly on one plane for every rounding of the numbers, tilted, with differences that round.
+  // x = y = z: exactly on one plane for every rounding of the numbers, tilted, with differences
+  // that round.
   const Vec3 p(0.1, 0.1, 5.0), q(1e9 / 3.0, 1e9 / 3.0, 1e-3), r(1e-7 / 7.0, 1e-7 / 7.0, 1.0 / 3.0);
   EXPECT_EQ(orient3d(p, q, r, Vec3(0.7, 0.7, -1e5)), 0);
   EXPECT_EQ(orient3d(p, q, r, Vec3(std::nextafter(0.7, 1.0), 0.7, -1e5)),
@@ -149,10 +159,13 @@ TEST(Predicates, orient2d_agrees_with_integers) {
   for (int i = 0; i < 100000; ++i) {
     const IntegerPoint a = random_point(random, 1 << 20), b = random_point(random, 1 << 20);
     const std::int64_t k = static_cast<std::int64_t>(random.below(5)) - 2;
-    const IntegerPoint c{a.x + k * (b.x - a.x), a.y + k * (b.y - a.y) + static_cast<std::int64_t>(random.below(2)), 0};
+    const IntegerPoint c{a.x + k * (b.x - a.x),
+                         a.y + k * (b.y - a.y) + static_cast<std::int64_t>(random.below(2)), 0};
     const int want = sign(Wide{b.x - a.x} * (c.y - a.y) - Wide{b.y - a.y} * (c.x - a.x));
     const double s = 0x1.0p-30;
-    const auto at = [&](const IntegerPoint& p) { return Vec2(s * static_cast<double>(p.x), s * static_cast<double>(p.y)); };
+    const auto at = [&](const IntegerPoint& p) {
+      return Vec2(s * static_cast<double>(p.x), s * static_cast<double>(p.y));
+    };
     ASSERT_EQ(orient2d(at(a), at(b), at(c)), want);
   }
 }
@@ -165,12 +178,14 @@ TEST(Predicates, collinear_means_exactly_on_one_line) {
 
 TEST(Predicates, a_segment_meets_a_triangle_at_its_border_too) {
   const Vec3 a(0, 0, 0), b(4, 0, 0), c(0, 4, 0);
-  const auto meets = [&](const Vec3& p, const Vec3& q) { return segment_meets_triangle(p, q, a, b, c); };
+  const auto meets = [&](const Vec3& p, const Vec3& q) {
+    return segment_meets_triangle(p, q, a, b, c);
+  };
   EXPECT_TRUE(meets({1, 1, -1}, {1, 1, 1}));
-  EXPECT_TRUE(meets({1, 1, 0}, {1, 1, 1}));    // ends on it
-  EXPECT_TRUE(meets({2, 2, -1}, {2, 2, 1}));   // through an edge
-  EXPECT_TRUE(meets({0, 0, -1}, {0, 0, 1}));   // through a corner
-  EXPECT_FALSE(meets({1, 1, 1}, {1, 1, 2}));   // its line would
+  EXPECT_TRUE(meets({1, 1, 0}, {1, 1, 1}));   // ends on it
+  EXPECT_TRUE(meets({2, 2, -1}, {2, 2, 1}));  // through an edge
+  EXPECT_TRUE(meets({0, 0, -1}, {0, 0, 1}));  // through a corner
+  EXPECT_FALSE(meets({1, 1, 1}, {1, 1, 2}));  // its line would
   EXPECT_FALSE(meets({3, 3, -1}, {3, 3, 1}));
   EXPECT_TRUE(meets({-1, 1, 0}, {5, 1, 0}));   // in its plane, across
   EXPECT_TRUE(meets({1, 1, 0}, {1.5, 1, 0}));  // in its plane, inside
@@ -181,11 +196,13 @@ TEST(Predicates, a_segment_meets_a_triangle_at_its_border_too) {
 
 TEST(Predicates, coplanar_triangles_meet_when_they_touch) {
   const Vec3 a(0, 0, 1), b(4, 0, 1), c(0, 4, 1);
-  const auto meets = [&](const Vec3& d, const Vec3& e, const Vec3& f) { return coplanar_triangles_meet(a, b, c, d, e, f); };
-  EXPECT_TRUE(meets({1, 1, 1}, {1.5, 1, 1}, {1, 1.5, 1}));     // inside
-  EXPECT_TRUE(meets({-9, -9, 1}, {30, -9, 1}, {-9, 30, 1}));   // around
-  EXPECT_TRUE(meets({2, 2, 1}, {5, 2, 1}, {5, 5, 1}));         // touching in a point
-  EXPECT_TRUE(meets({2, -1, 1}, {3, 9, 1}, {9, 9, 1}));        // crossing without a corner in the other
+  const auto meets = [&](const Vec3& d, const Vec3& e, const Vec3& f) {
+    return coplanar_triangles_meet(a, b, c, d, e, f);
+  };
+  EXPECT_TRUE(meets({1, 1, 1}, {1.5, 1, 1}, {1, 1.5, 1}));    // inside
+  EXPECT_TRUE(meets({-9, -9, 1}, {30, -9, 1}, {-9, 30, 1}));  // around
+  EXPECT_TRUE(meets({2, 2, 1}, {5, 2, 1}, {5, 5, 1}));        // touching in a point
+  EXPECT_TRUE(meets({2, -1, 1}, {3, 9, 1}, {9, 9, 1}));  // crossing without a corner in the other
   EXPECT_FALSE(meets({2.1, 2, 1}, {5, 2, 1}, {5, 5, 1}));
   EXPECT_FALSE(meets({5, 0, 1}, {6, 0, 1}, {5, 1, 1}));
 }

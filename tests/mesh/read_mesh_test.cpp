@@ -1,10 +1,10 @@
 #include "thigma/mesh/read_mesh.h"
 
-#include <gtest/gtest.h>
-
 #include <clocale>
 #include <cstring>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
 
@@ -43,6 +43,10 @@ void put(std::string& out, T value, bool big = false) {
 
 const Vec3 kA(0.1, 0.25, -3.0), kB(1e-9, 2.0, 1e9), kC(0.0, -7.5, 1.0 / 3.0), kD(5.0, 5.0, 5.0);
 
+Vec3 in_single(const Vec3& p) {
+  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+}
+
 void expect_quad(const MeshFile& file) {
   ASSERT_EQ(file.mesh.positions.size(), 4u);
   EXPECT_EQ(file.mesh.positions[0], kA);
@@ -71,9 +75,13 @@ std::string prefixed(const char* prefix) {
 }
 
 TEST(ReadObj, reads_every_way_to_name_a_corner) {
-  for (const char* face : {"f 1 2 3 4", "f 1/9 2/9 3/9 4/9", "f 1//7 2//7 3//7 4//7", "f 1/9/7 2/9/7 3/9/7 4/9/7",
-                           "f -4 -3 -2 -1", "f -4/-1/-1 -3/-1/-1 -2/-1/-1 -1/-1/-1", "f 1 2 \\\n 3 4", "f 1 2 3 4 # quad"}) {
-    const MeshFile file = parse_mesh("# a comment\nmtllib x.mtl\no part\n" + prefixed("v ") + "vn nan 0 1\ns off\n" + face + "\n", "x");
+  for (const char* face :
+       {"f 1 2 3 4", "f 1/9 2/9 3/9 4/9", "f 1//7 2//7 3//7 4//7", "f 1/9/7 2/9/7 3/9/7 4/9/7",
+        "f -4 -3 -2 -1", "f -4/-1/-1 -3/-1/-1 -2/-1/-1 -1/-1/-1", "f 1 2 \\\n 3 4",
+        "f 1 2 3 4 # quad"}) {
+    const MeshFile file = parse_mesh("# a comment\nmtllib x.mtl\no part\n" + prefixed("v ") +
+                                         "vn nan 0 1\ns off\n" + face + "\n",
+                                     "x");
     expect_quad(file);
     EXPECT_EQ(file.format, MeshFormat::obj);
   }
@@ -81,7 +89,10 @@ TEST(ReadObj, reads_every_way_to_name_a_corner) {
 
 TEST(ReadObj, takes_weights_colours_line_ends_and_faces_before_vertices) {
   expect_quad(parse_mesh("f 1 2 3 4\r\n" + prefixed("v "), "x"));
-  expect_quad(parse_mesh("v 0.1 .25 -3 1\nv 1e-9 2 1e9 0.5 0.5 0.5\nv 0 -7.5 0.33333333333333331 1 1 1 1\rv 5 5 5\rf 1 2 3 4", "x"));
+  expect_quad(
+      parse_mesh("v 0.1 .25 -3 1\nv 1e-9 2 1e9 0.5 0.5 0.5\nv 0 -7.5 0.33333333333333331 1 1 1 "
+                 "1\rv 5 5 5\rf 1 2 3 4",
+                 "x"));
 }
 
 TEST(ReadObj, names_the_line_of_what_is_wrong) {
@@ -109,7 +120,9 @@ TEST(ReadOff, reads_plain_and_prefixed_files) {
   expect_quad(parse_mesh("OFF\n" + body, "x"));
   expect_quad(parse_mesh("OFF 4 1 0 # on one line\n" + prefixed("") + "4  0 1 2 3\n\n", "x"));
   expect_quad(parse_mesh("OFF\n4 1\n" + prefixed("") + "4 0 1 2 3", "x"));
-  EXPECT_EQ(parse_mesh("COFF\n3 1 3\n0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 1 1 1\n3 0 1 2\n", "x").format, MeshFormat::off);
+  EXPECT_EQ(
+      parse_mesh("COFF\n3 1 3\n0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 1 1 1\n3 0 1 2\n", "x").format,
+      MeshFormat::off);
 }
 
 TEST(ReadOff, refuses_counts_that_lie_and_names_the_line) {
@@ -127,9 +140,11 @@ TEST(ReadOff, refuses_counts_that_lie_and_names_the_line) {
 
 const char* const kAsciiStl =
     "solid part\n"
-    " facet normal 0 0 0\n  outer loop\n   vertex 0.1 0.25 -3\n   vertex 1e-9 2 1e9\n   vertex 0 -7.5 0.33333333333333331\n"
+    " facet normal 0 0 0\n  outer loop\n   vertex 0.1 0.25 -3\n   vertex 1e-9 2 1e9\n   vertex 0 "
+    "-7.5 0.33333333333333331\n"
     "  endloop\n endfacet\n"
-    " facet normal 0 0 0\n  outer loop\n   vertex 0.1 0.25 -3\n   vertex 0 -7.5 0.33333333333333331\n   vertex 5 5 5\n"
+    " facet normal 0 0 0\n  outer loop\n   vertex 0.1 0.25 -3\n   vertex 0 -7.5 "
+    "0.33333333333333331\n   vertex 5 5 5\n"
     "  endloop\n endfacet\n"
     "endsolid part\n";
 
@@ -172,7 +187,7 @@ TEST(ReadStl, reads_binary_even_when_it_says_solid) {
     const MeshFile file = parse_mesh(binary_stl(header), "x");
     EXPECT_EQ(file.format, MeshFormat::stl_binary);
     ASSERT_EQ(file.mesh.positions.size(), 4u);
-    EXPECT_EQ(file.mesh.positions[1], kB.cast<float>().cast<double>());
+    EXPECT_EQ(file.mesh.positions[1], in_single(kB));
     EXPECT_EQ(file.mesh.triangles[1], (std::array<std::int32_t, 3>{0, 2, 3}));
   }
 }
@@ -193,11 +208,14 @@ TEST(ReadStl, refuses_binary_whose_count_does_not_fit) {
 template <class Coordinate, class Count, class Index>
 std::string binary_ply(bool big, const char* coordinate, const char* count, const char* index) {
   const std::string c = coordinate;
-  std::string out = std::string("ply\nformat ") + (big ? "binary_big_endian" : "binary_little_endian") +
-                    " 1.0\ncomment hand made\nelement camera 2\nproperty list uchar double weights\nproperty short id\n"
-                    "element vertex 4\nproperty " + c + " x\nproperty uchar red\nproperty " + c + " y\nproperty " + c +
-                    " z\nproperty list int float extra\nelement face 1\nproperty int8 flag\nproperty list " + count + " " +
-                    index + " vertex_indices\nelement nothing 1000000000\nend_header\n";
+  std::string out =
+      std::string("ply\nformat ") + (big ? "binary_big_endian" : "binary_little_endian") +
+      " 1.0\ncomment hand made\nelement camera 2\nproperty list uchar double weights\nproperty "
+      "short id\n"
+      "element vertex 4\nproperty " +
+      c + " x\nproperty uchar red\nproperty " + c + " y\nproperty " + c +
+      " z\nproperty list int float extra\nelement face 1\nproperty int8 flag\nproperty list " +
+      count + " " + index + " vertex_indices\nelement nothing 1000000000\nend_header\n";
   for (int i = 0; i < 2; ++i) {
     put(out, std::uint8_t{2});
     put(out, 1.5, big);
@@ -220,21 +238,30 @@ std::string binary_ply(bool big, const char* coordinate, const char* count, cons
 
 TEST(ReadPly, reads_both_byte_orders_and_every_type) {
   for (const bool big : {false, true}) {
-    expect_quad(parse_mesh(binary_ply<double, std::uint8_t, std::int32_t>(big, "double", "uchar", "int"), "x"));
-    expect_quad(parse_mesh(binary_ply<double, std::int8_t, std::uint32_t>(big, "float64", "int8", "uint32"), "x"));
-    expect_quad(parse_mesh(binary_ply<double, std::uint16_t, std::int16_t>(big, "double", "ushort", "int16"), "x"));
-    expect_quad(parse_mesh(binary_ply<double, std::int16_t, std::uint16_t>(big, "double", "short", "uint16"), "x"));
-    expect_quad(parse_mesh(binary_ply<double, std::int32_t, std::uint8_t>(big, "double", "int32", "uint8"), "x"));
-    expect_quad(parse_mesh(binary_ply<double, std::uint32_t, std::int8_t>(big, "double", "uint", "char"), "x"));
-    const MeshFile file = parse_mesh(binary_ply<float, std::uint8_t, std::int32_t>(big, "float", "uchar", "int"), "x");
-    EXPECT_EQ(file.mesh.positions[2], kC.cast<float>().cast<double>());
+    expect_quad(parse_mesh(
+        binary_ply<double, std::uint8_t, std::int32_t>(big, "double", "uchar", "int"), "x"));
+    expect_quad(parse_mesh(
+        binary_ply<double, std::int8_t, std::uint32_t>(big, "float64", "int8", "uint32"), "x"));
+    expect_quad(parse_mesh(
+        binary_ply<double, std::uint16_t, std::int16_t>(big, "double", "ushort", "int16"), "x"));
+    expect_quad(parse_mesh(
+        binary_ply<double, std::int16_t, std::uint16_t>(big, "double", "short", "uint16"), "x"));
+    expect_quad(parse_mesh(
+        binary_ply<double, std::int32_t, std::uint8_t>(big, "double", "int32", "uint8"), "x"));
+    expect_quad(parse_mesh(
+        binary_ply<double, std::uint32_t, std::int8_t>(big, "double", "uint", "char"), "x"));
+    const MeshFile file = parse_mesh(
+        binary_ply<float, std::uint8_t, std::int32_t>(big, "float", "uchar", "int"), "x");
+    EXPECT_EQ(file.mesh.positions[2], in_single(kC));
     EXPECT_EQ(file.format, big ? MeshFormat::ply_big : MeshFormat::ply_little);
   }
 }
 
 const std::string kAsciiPly =
-    "ply\nformat ascii 1.0\nobj_info none\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-    "element face 1\nproperty list uchar int vertex_index\nelement edge 1\nproperty int a\nproperty int b\nend_header\n" +
+    "ply\nformat ascii 1.0\nobj_info none\nelement vertex 4\nproperty float x\nproperty float "
+    "y\nproperty float z\n"
+    "element face 1\nproperty list uchar int vertex_index\nelement edge 1\nproperty int "
+    "a\nproperty int b\nend_header\n" +
     prefixed("") + "4 0 1 2 3\n0 1\n";
 
 TEST(ReadPly, reads_text) {
@@ -254,8 +281,10 @@ TEST(ReadPly, names_the_place_of_what_is_wrong) {
   expect_error(replaced(kAsciiPly, "ascii 1.0", "ascii 2.0"), "version", "line 2");
   expect_error(replaced(kAsciiPly, "ascii", "asci"), "'asci'", "line 2");
   expect_error(replaced(kAsciiPly, "format ascii 1.0\n", ""), "format is missing", "line 2");
-  expect_error(replaced(kAsciiPly, "property float z\n", ""), "vertices are not described", "header");
-  expect_error(replaced(kAsciiPly, "vertex_index\n", "corners\n"), "faces are not described", "header");
+  expect_error(replaced(kAsciiPly, "property float z\n", ""), "vertices are not described",
+               "header");
+  expect_error(replaced(kAsciiPly, "vertex_index\n", "corners\n"), "faces are not described",
+               "header");
   expect_error(replaced(kAsciiPly, "property float y", "property flaot y"), "'flaot'", "line 6");
   expect_error(replaced(kAsciiPly, "list uchar int", "list float int"), "floating point", "line 9");
   expect_error(replaced(kAsciiPly, "vertex 4", "vertex 2000000000"), "2000000000", "line 13");
@@ -271,7 +300,8 @@ TEST(ReadPly, names_the_place_of_what_is_wrong) {
 }
 
 TEST(ReadPly, refuses_binary_data_that_ends_early_or_late) {
-  const std::string good = binary_ply<double, std::uint8_t, std::int32_t>(false, "double", "uchar", "int");
+  const std::string good =
+      binary_ply<double, std::uint8_t, std::int32_t>(false, "double", "uchar", "int");
   expect_error(good.substr(0, good.size() - 1), "ends too early", "byte");
   expect_error(good + "x", "goes on", "byte");
   std::string lying = good;
@@ -282,12 +312,13 @@ TEST(ReadPly, refuses_binary_data_that_ends_early_or_late) {
 TEST(ReadMesh, merges_equal_positions_and_counts_what_it_leaves_out) {
   const MeshFile file = parse_mesh(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv -0 0 -0\nv 9 9 9\nv 2 0 0\n"
-      "f 1 2 3\nf 4 3 2\nf 1 4 2\nf 1 2 6\n", "x");
+      "f 1 2 3\nf 4 3 2\nf 1 4 2\nf 1 2 6\n",
+      "x");
   EXPECT_EQ(file.vertices_in_file, 6);
   EXPECT_EQ(file.triangles_in_file, 4);
-  EXPECT_EQ(file.vertices_merged, 1);      // -0 equals 0
+  EXPECT_EQ(file.vertices_merged, 1);  // -0 equals 0
   EXPECT_EQ(file.vertices_unused, 1);
-  EXPECT_EQ(file.triangles_left_out, 1);   // 1 4 2 repeats a vertex; the collinear 1 2 6 stays
+  EXPECT_EQ(file.triangles_left_out, 1);  // 1 4 2 repeats a vertex; the collinear 1 2 6 stays
   EXPECT_EQ(file.mesh.positions.size(), 4u);
   EXPECT_EQ(file.mesh.triangles.size(), 3u);
 }
@@ -301,7 +332,9 @@ TEST(ReadMesh, a_decimal_comma_locale_changes_nothing) {
   std::setlocale(LC_ALL, before.c_str());
 }
 
-TEST(ReadMesh, a_missing_file_is_bad_input) { EXPECT_THROW(read_mesh("/no/such/mesh.obj"), InputError); }
+TEST(ReadMesh, a_missing_file_is_bad_input) {
+  EXPECT_THROW(read_mesh("/no/such/mesh.obj"), InputError);
+}
 
 }  // namespace
 }  // namespace thigma

@@ -1,9 +1,9 @@
 #include "thigma/mesh/repair.h"
 
-#include <gtest/gtest.h>
-
 #include "mesh/samples.h"
 #include "support/shared.h"
+#include <gtest/gtest.h>
+
 #include "thigma/core/error.h"
 #include "thigma/mesh/inspect.h"
 #include "thigma/mesh/shapes.h"
@@ -16,8 +16,10 @@ namespace {
 MeshReport repaired(const TriangleMesh& mesh, std::size_t least_repairs = 1) {
   const RepairResult result = repair_mesh(mesh, "part");
   EXPECT_GE(result.repairs.size(), least_repairs);
-  const MeshReport report = inspect_mesh(parse_mesh(format_mesh(result.mesh, MeshFormat::obj, "x"), "x"), "x");
-  EXPECT_EQ(report.verdict, MeshVerdict::usable) << (report.reasons.empty() ? "" : report.reasons.front());
+  const MeshReport report =
+      inspect_mesh(parse_mesh(format_mesh(result.mesh, MeshFormat::obj, "x"), "x"), "x");
+  EXPECT_EQ(report.verdict, MeshVerdict::usable)
+      << (report.reasons.empty() ? "" : report.reasons.front());
   return report;
 }
 
@@ -33,7 +35,8 @@ TEST(Repair, turned_triangles_and_inside_out_components_come_back) {
   const TriangleMesh ball = make_ball(1.0, 4);
   const double volume = *inspect_mesh(ball).volume;
   TriangleMesh mixed = ball;
-  for (std::size_t t = 0; t < mixed.triangles.size(); t += 3) std::swap(mixed.triangles[t][0], mixed.triangles[t][1]);
+  for (std::size_t t = 0; t < mixed.triangles.size(); t += 3)
+    std::swap(mixed.triangles[t][0], mixed.triangles[t][1]);
   EXPECT_NEAR(*repaired(mixed).volume, volume, 1e-14);
   TriangleMesh mostly = ball;
   for (std::size_t t = 0; t < mostly.triangles.size(); ++t) {
@@ -44,14 +47,16 @@ TEST(Repair, turned_triangles_and_inside_out_components_come_back) {
   // The cavity stays one.
   const TriangleMesh hollow = make_hollow_ball(1.0, 0.5, 4);
   const double shell = *inspect_mesh(hollow).volume;
-  EXPECT_NEAR(*repaired(joined(hollow, flipped(test::moved(ball, {5, 0, 0})))).volume, shell + volume, 1e-12);
+  EXPECT_NEAR(*repaired(joined(hollow, flipped(test::moved(ball, {5, 0, 0})))).volume,
+              shell + volume, 1e-12);
 }
 
 TEST(Repair, a_noisy_soup_becomes_closed) {
   for (const double scale : {1e-9, 1.0, 1e9}) {
     const TriangleMesh ball = make_ball(scale, 4);
     TriangleMesh soup = unwelded(ball);
-    for (std::size_t i = 0; i < soup.positions.size(); ++i) soup.positions[i].y() += 1e-7 * scale * static_cast<double>(i % 4);
+    for (std::size_t i = 0; i < soup.positions.size(); ++i)
+      soup.positions[i].y() += 1e-7 * scale * static_cast<double>(i % 4);
     const MeshReport r = repaired(soup);
     EXPECT_TRUE(r.closed);
     EXPECT_EQ(r.vertices, static_cast<std::int64_t>(ball.positions.size()));
@@ -89,7 +94,8 @@ TEST(Repair, solids_that_touch_are_parted) {
   const TriangleMesh box = make_box({1, 1, 1}, {2, 2, 2});
   for (const Vec3& at : {Vec3(1, 1, 1), Vec3(1, 1, 0)}) {  // at a corner, along an edge
     for (const double scale : {1e-9, 1.0, 1e9}) {
-      const MeshReport r = repaired(test::moved(joined(box, test::moved(box, at)), Vec3::Zero(), scale));
+      const MeshReport r =
+          repaired(test::moved(joined(box, test::moved(box, at)), Vec3::Zero(), scale));
       EXPECT_TRUE(r.closed);
       EXPECT_EQ(r.components, 2);
       EXPECT_NEAR(*r.volume / (scale * scale * scale), 2.0, 1e-4);
@@ -99,7 +105,8 @@ TEST(Repair, solids_that_touch_are_parted) {
 }
 
 TEST(Repair, a_ring_that_touches_itself_along_an_edge_is_parted) {
-  // Blocks around a hole; the first and the last touch along one edge only, so both sides of it are one surface.
+  // Blocks around a hole; the first and the last touch along one edge only, so both sides of it are
+  // one surface.
   const std::array<double, 4> xs{0, 1, 2, 3};
   const std::array<double, 2> zs{0, 1};
   const TriangleMesh ring = make_blocks(xs, xs, zs, [](int i, int j, int) {
@@ -111,7 +118,8 @@ TEST(Repair, a_ring_that_touches_itself_along_an_edge_is_parted) {
 }
 
 TEST(Repair, what_is_rejected_is_refused_with_its_reason) {
-  for (const TriangleMesh& mesh : {make_moebius(1.0, 0.3, 20), TriangleMesh{}, test::stretched(make_ball(1.0, 4), {1, 1, 0})}) {
+  for (const TriangleMesh& mesh : {make_moebius(1.0, 0.3, 20), TriangleMesh{},
+                                   test::stretched(make_ball(1.0, 4), {1, 1, 0})}) {
     try {
       repair_mesh(mesh, "part.obj");
       FAIL() << "repaired";

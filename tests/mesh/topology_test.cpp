@@ -1,10 +1,10 @@
 #include "thigma/mesh/topology.h"
 
-#include <gtest/gtest.h>
-
 #include <set>
 
 #include "mesh/samples.h"
+#include <gtest/gtest.h>
+
 #include "thigma/math/random.h"
 #include "thigma/mesh/read_mesh.h"
 #include "thigma/mesh/shapes.h"

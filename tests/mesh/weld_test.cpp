@@ -1,8 +1,8 @@
 #include "thigma/mesh/weld.h"
 
+#include "mesh/samples.h"
 #include <gtest/gtest.h>
 
-#include "mesh/samples.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/shapes.h"
 
@@ -15,13 +15,16 @@ TriangleMesh jittered(TriangleMesh mesh, double by) {
   return mesh;
 }
 
-std::int64_t welds_of(const TriangleMesh& mesh, double radius) { return find_welds(mesh, build_edge_table(mesh), radius).count; }
+std::int64_t welds_of(const TriangleMesh& mesh, double radius) {
+  return find_welds(mesh, build_edge_table(mesh), radius).count;
+}
 
 TEST(Weld, a_soup_with_noise_becomes_one_surface) {
   for (const double scale : {1e-9, 1.0, 1e9}) {
     const TriangleMesh ball = make_ball(scale, 5);
     const TriangleMesh soup = jittered(unwelded(ball), 1e-6 * scale);
-    EXPECT_EQ(welds_of(soup, scale), static_cast<std::int64_t>(soup.positions.size() - ball.positions.size()));
+    EXPECT_EQ(welds_of(soup, scale),
+              static_cast<std::int64_t>(soup.positions.size() - ball.positions.size()));
   }
 }
 
@@ -41,7 +44,8 @@ TEST(Weld, time_stays_bounded_when_everything_is_in_one_place) {
   Random random(4);
   for (int i = 0; i < 20000; ++i) {
     const std::int32_t base = static_cast<std::int32_t>(mesh.positions.size());
-    for (int k = 0; k < 3; ++k) mesh.positions.push_back(Vec3(k == 1, k == 2, 0.0) + random.in_cube(1e-7));
+    for (int k = 0; k < 3; ++k)
+      mesh.positions.push_back(Vec3(k == 1, k == 2, 0.0) + random.in_cube(1e-7));
     mesh.triangles.push_back({base, base + 1, base + 2});
   }
   EXPECT_GT(welds_of(mesh, 1.0), 0);

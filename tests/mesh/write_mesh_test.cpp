@@ -1,11 +1,11 @@
 #include "thigma/mesh/write_mesh.h"
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <filesystem>
 
 #include "mesh/samples.h"
+#include <gtest/gtest.h>
+#include <unistd.h>
+
 #include "thigma/core/error.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/shapes.h"
@@ -27,8 +27,9 @@ bool keeps_order(MeshFormat f) { return f != MeshFormat::stl_ascii && f != MeshF
 TEST(WriteMesh, what_is_written_reads_back_to_the_same_bits) {
   for (const double scale : {1e-9, 1.0, 1e9}) {
     const TriangleMesh mesh = rough_ball(scale);
-    for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply_ascii, MeshFormat::ply_little, MeshFormat::ply_big,
-                                    MeshFormat::stl_ascii, MeshFormat::stl_binary, MeshFormat::off}) {
+    for (const MeshFormat format :
+         {MeshFormat::obj, MeshFormat::ply_ascii, MeshFormat::ply_little, MeshFormat::ply_big,
+          MeshFormat::stl_ascii, MeshFormat::stl_binary, MeshFormat::off}) {
       const MeshFile file = parse_mesh(format_mesh(mesh, format, "x"), "x");
       EXPECT_EQ(file.format, format);
       ASSERT_EQ(file.mesh.positions.size(), mesh.positions.size()) << format_name(format);
@@ -37,8 +38,13 @@ TEST(WriteMesh, what_is_written_reads_back_to_the_same_bits) {
       for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
           Vec3 want = mesh.positions[static_cast<std::size_t>(mesh.triangles[t][k])];
-          if (!is_lossless(format)) want = want.cast<float>().cast<double>();
-          ASSERT_EQ(file.mesh.positions[static_cast<std::size_t>(file.mesh.triangles[t][k])], want) << format_name(format);
+          for (int i = 0; i < 3 && !is_lossless(format); ++i) {
+            // Through memory: g++ 12 drops the rounding of a vectorised double to float and back.
+            const volatile float single = static_cast<float>(want[i]);
+            want[i] = single;
+          }
+          ASSERT_EQ(file.mesh.positions[static_cast<std::size_t>(file.mesh.triangles[t][k])], want)
+              << format_name(format);
         }
       }
     }

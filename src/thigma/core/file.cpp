@@ -1,20 +1,21 @@
 #include "thigma/core/file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "thigma/core/error.h"
 
 namespace thigma {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::size_t{1} << 32;  // indices are 32 bits; a larger text holds more
+constexpr std::size_t kMaxFileBytes = std::size_t{1}
+                                      << 32;  // indices are 32 bits; a larger text holds more
 
 // An open descriptor, closed on every way out.
 class Descriptor {
@@ -37,7 +38,8 @@ class Descriptor {
 };
 
 [[noreturn]] void fail_read(const std::string& path, const std::string& why) {
-  throw InputError(path + ": cannot be read (" + why + "), on opening, a readable file was expected");
+  throw InputError(path + ": cannot be read (" + why +
+                   "), on opening, a readable file was expected");
 }
 
 [[noreturn]] void fail_write(const std::string& path) {

@@ -8,11 +8,13 @@ namespace thigma {
 
 /// All bytes of a file, a regular one or a pipe, of at most 4 GiB.
 ///
-/// Thread    [offline]; throws InputError when it cannot be opened or read: what a user names as input is input.
+/// Thread    [offline]; throws InputError when it cannot be opened or read: what a user names as
+/// input is input.
 std::string read_file(const std::string& path);
 
-/// Replaces or creates `path` with `bytes`: written beside it under a temporary name, then renamed, so that a
-/// reader, a full disk or a crash never sees half of it. A device such as /dev/stdout is written directly.
+/// Replaces or creates `path` with `bytes`: written beside it under a temporary name, then renamed,
+/// so that a reader, a full disk or a crash never sees half of it. A device such as /dev/stdout is
+/// written directly.
 ///
 /// Thread    [offline]; throws IoError, and nothing has changed.
 void write_file(const std::string& path, std::string_view bytes);

@@ -16,7 +16,8 @@ namespace {
 
 using Triangle = std::array<std::int32_t, 3>;
 
-// Coordinates at which squares of areas still have all their digits; a smaller part has no measurable surface.
+// Coordinates at which squares of areas still have all their digits; a smaller part has no
+// measurable surface.
 constexpr double kMinRadius = 1e-50;  // [m]
 
 constexpr double kRounding = 0x1.0p-50;  // of a position: four units in its last place
@@ -28,7 +29,8 @@ std::string shown(double value) {
 }
 
 // "1 edge has", "3 edges have": counted sentences in good grammar.
-std::string counted(std::int64_t n, const char* one, const char* many, const char* tail_one, const char* tail_many) {
+std::string counted(std::int64_t n, const char* one, const char* many, const char* tail_one,
+                    const char* tail_many) {
   return std::to_string(n) + ' ' + (n == 1 ? one : many) + ' ' + (n == 1 ? tail_one : tail_many);
 }
 
@@ -63,7 +65,9 @@ std::vector<ComponentState> measure_components(const Inspection& in) {
   for (std::size_t t = 0; t < in.mesh.triangles.size(); ++t) {
     ComponentState& s = states[static_cast<std::size_t>(in.components.of_triangle[t])];
     const Triangle& v = in.mesh.triangles[t];
-    const auto at = [&](std::size_t k) -> const Vec3& { return in.mesh.positions[static_cast<std::size_t>(v[k])]; };
+    const auto at = [&](std::size_t k) -> const Vec3& {
+      return in.mesh.positions[static_cast<std::size_t>(v[k])];
+    };
     if (s.first_triangle < 0) {
       s.first_triangle = static_cast<std::int32_t>(t);
       s.min = s.max = at(0);
@@ -97,17 +101,20 @@ bool has_zero_volume(const ComponentState& s) {
   return std::fabs(s.volume) <= s.area * (1e-12 * extent + kRounding * place);
 }
 
-// Whether the component lies in another closed one: decided at the middle of a triangle that lies on no other surface.
-bool lies_in_another(const Inspection& in, const InsideTest& test, const std::vector<ComponentState>& states,
-                     std::int32_t component) {
+// Whether the component lies in another closed one: decided at the middle of a triangle that lies
+// on no other surface.
+bool lies_in_another(const Inspection& in, const InsideTest& test,
+                     const std::vector<ComponentState>& states, std::int32_t component) {
   constexpr int kTries = 64;
   int tries = 0;
   for (std::size_t t = 0; t < in.mesh.triangles.size() && tries < kTries; ++t) {
     if (in.components.of_triangle[t] != component) continue;
     ++tries;
     Vec3 middle = Vec3::Zero();
-    for (const std::int32_t v : in.mesh.triangles[t]) middle += in.mesh.positions[static_cast<std::size_t>(v)] / 3.0;
-    const std::optional<std::vector<std::int32_t>> around = test.components_around(middle, component);
+    for (const std::int32_t v : in.mesh.triangles[t])
+      middle += in.mesh.positions[static_cast<std::size_t>(v)] / 3.0;
+    const std::optional<std::vector<std::int32_t>> around =
+        test.components_around(middle, component);
     if (!around) continue;
     return std::any_of(around->begin(), around->end(), [&](std::int32_t c) {
       return states[static_cast<std::size_t>(c)].is_closed;
@@ -116,11 +123,13 @@ bool lies_in_another(const Inspection& in, const InsideTest& test, const std::ve
   return false;
 }
 
-std::vector<std::int32_t> inside_out_components(const Inspection& in, const std::vector<ComponentState>& states) {
+std::vector<std::int32_t> inside_out_components(const Inspection& in,
+                                                const std::vector<ComponentState>& states) {
   std::vector<std::int32_t> negative;
   for (std::int32_t c = 0; c < in.components.count; ++c) {
     const ComponentState& s = states[static_cast<std::size_t>(c)];
-    if (s.is_closed && s.is_orientable && s.is_consistent && s.volume < 0.0 && !has_zero_volume(s)) {
+    if (s.is_closed && s.is_orientable && s.is_consistent && s.volume < 0.0 &&
+        !has_zero_volume(s)) {
       negative.push_back(c);
     }
   }
@@ -136,7 +145,8 @@ void count_components(Inspection& in) {
     in.report.nonorientable_components += !s.is_orientable;
     in.report.zero_volume_components += s.is_closed && s.is_orientable && has_zero_volume(s);
   }
-  in.report.inside_out_components = static_cast<std::int64_t>(inside_out_components(in, states).size());
+  in.report.inside_out_components =
+      static_cast<std::int64_t>(inside_out_components(in, states).size());
 }
 
 void count_topology(Inspection& in) {
@@ -158,7 +168,9 @@ void count_topology(Inspection& in) {
   r.nonmanifold_vertices = std::count(is_pinched.begin(), is_pinched.end(), true);
   for (const std::int32_t first : find_duplicates(in.mesh)) r.duplicate_triangles += first >= 0;
   for (const Triangle& t : in.mesh.triangles) {
-    const auto at = [&](std::size_t k) -> const Vec3& { return in.mesh.positions[static_cast<std::size_t>(t[k])]; };
+    const auto at = [&](std::size_t k) -> const Vec3& {
+      return in.mesh.positions[static_cast<std::size_t>(t[k])];
+    };
     r.degenerate_triangles += are_collinear(at(0), at(1), at(2));
   }
   r.closed = r.boundary_edges == 0;
@@ -184,18 +196,21 @@ void add_reasons(MeshReport& r) {
   reject(r.nonorientable_components, "cannot be oriented", "cannot be oriented");
   reject(r.zero_volume_components, "is closed but has no volume", "are closed but have no volume");
   const bool is_rejected = !r.reasons.empty();
-  const auto add = [&](std::int64_t n, const char* one, const char* many, const char* tail_one, const char* tail_many) {
+  const auto add = [&](std::int64_t n, const char* one, const char* many, const char* tail_one,
+                       const char* tail_many) {
     if (n > 0) r.reasons.push_back(counted(n, one, many, tail_one, tail_many));
   };
   add(r.duplicate_triangles, "triangle", "triangles", "repeats another", "repeat others");
   add(r.nonmanifold_edges, "edge", "edges", "has three or more faces", "have three or more faces");
-  add(r.nonmanifold_vertices, "vertex", "vertices", "joins more than one fan of faces", "join more than one fan of faces");
+  add(r.nonmanifold_vertices, "vertex", "vertices", "joins more than one fan of faces",
+      "join more than one fan of faces");
   add(r.misoriented_edges, "edge", "edges", "lies between faces of opposite orientation",
       "lie between faces of opposite orientation");
-  add(r.inside_out_components, "closed component", "closed components", "is inside out", "are inside out");
+  add(r.inside_out_components, "closed component", "closed components", "is inside out",
+      "are inside out");
   add(r.unwelded_vertices, "vertex", "vertices", "nearly equals another along a crack",
       "nearly equal others along cracks");
-  r.verdict = is_rejected             ? MeshVerdict::rejected
+  r.verdict = is_rejected         ? MeshVerdict::rejected
               : r.reasons.empty() ? MeshVerdict::usable
                                   : MeshVerdict::repairable;
 }
@@ -203,7 +218,8 @@ void add_reasons(MeshReport& r) {
 double shortest_edge(const Inspection& in) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const MeshEdge& e : in.table.edges) {
-    const Vec3 d = in.mesh.positions[static_cast<std::size_t>(e.a)] - in.mesh.positions[static_cast<std::size_t>(e.b)];
+    const Vec3 d = in.mesh.positions[static_cast<std::size_t>(e.a)] -
+                   in.mesh.positions[static_cast<std::size_t>(e.b)];
     shortest = std::min(shortest, d.norm());
   }
   return shortest;
@@ -212,20 +228,23 @@ double shortest_edge(const Inspection& in) {
 void add_warnings(const Inspection& in) {
   MeshReport& r = in.report;
   if (!r.closed) {
-    r.warnings.push_back("the surface is open: it has no volume, and its sides are those of its normals");
+    r.warnings.push_back(
+        "the surface is open: it has no volume, and its sides are those of its normals");
   }
   if (r.self_intersections > 0) {
     const char* at_least = r.self_intersections_counted ? "" : "at least ";
-    r.warnings.push_back(at_least + counted(r.self_intersections, "pair", "pairs",
-                                            "of triangles meets other than at shared vertices or edges",
-                                            "of triangles meet other than at shared vertices or edges"));
+    r.warnings.push_back(at_least +
+                         counted(r.self_intersections, "pair", "pairs",
+                                 "of triangles meets other than at shared vertices or edges",
+                                 "of triangles meet other than at shared vertices or edges"));
     if (r.components > 1 && r.volume) {
       r.warnings.push_back("where components overlap, volume and inertia count twice");
     }
   }
   if (r.degenerate_triangles > 0) {
-    r.warnings.push_back(counted(r.degenerate_triangles, "triangle", "triangles", "has no area", "have no area") +
-                         ", " + std::to_string(r.triangles_left_out) + " left out");
+    r.warnings.push_back(
+        counted(r.degenerate_triangles, "triangle", "triangles", "has no area", "have no area") +
+        ", " + std::to_string(r.triangles_left_out) + " left out");
   }
   const double shortest = shortest_edge(in);
   if (shortest < 1e-6 * r.radius) {
@@ -246,7 +265,8 @@ void add_warnings(const Inspection& in) {
 // What must hold before anything can be computed; false with its reason otherwise.
 bool check_values(const TriangleMesh& mesh, MeshReport& r) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    if (mesh.positions[i].cwiseAbs().maxCoeff() <= kMaxCoordinate && mesh.positions[i].allFinite()) continue;
+    if (mesh.positions[i].cwiseAbs().maxCoeff() <= kMaxCoordinate && mesh.positions[i].allFinite())
+      continue;
     r.reasons.push_back("vertex " + std::to_string(i) + " is not finite or out of range");
     return false;
   }
@@ -269,7 +289,8 @@ void inspect_merged(const TriangleMesh& mesh, const InspectOptions& options, Mes
   r.bounds = bounds_of(mesh.positions);
   if (mesh.triangles.empty() || !(r.radius > kMinRadius)) {
     if (mesh.triangles.empty()) r.bounds = {Vec3::Zero(), Vec3::Zero()};
-    r.reasons.push_back(mesh.triangles.empty() ? "it has no triangle" : "it is smaller than 1e-50 m");
+    r.reasons.push_back(mesh.triangles.empty() ? "it has no triangle"
+                                               : "it is smaller than 1e-50 m");
     return;
   }
   Inspection in = begin_inspection(mesh, r);
@@ -301,14 +322,18 @@ std::vector<std::int32_t> find_inside_out_components(const TriangleMesh& mesh) {
 
 const char* verdict_name(MeshVerdict verdict) {
   switch (verdict) {
-    case MeshVerdict::usable: return "usable";
-    case MeshVerdict::repairable: return "repairable";
-    case MeshVerdict::rejected: return "rejected";
+    case MeshVerdict::usable:
+      return "usable";
+    case MeshVerdict::repairable:
+      return "repairable";
+    case MeshVerdict::rejected:
+      return "rejected";
   }
   return "";
 }
 
-MeshReport inspect_mesh(const MeshFile& file, const std::string& name, const InspectOptions& options) {
+MeshReport inspect_mesh(const MeshFile& file, const std::string& name,
+                        const InspectOptions& options) {
   MeshReport r;
   r.file = name;
   r.format = format_name(file.format);
@@ -319,8 +344,8 @@ MeshReport inspect_mesh(const MeshFile& file, const std::string& name, const Ins
   r.degenerate_triangles = file.triangles_left_out;
   inspect_merged(file.mesh, options, r);
   if (file.vertices_unused > 0) {
-    r.warnings.push_back(counted(file.vertices_unused, "vertex", "vertices", "belongs to no triangle",
-                                 "belong to no triangle"));
+    r.warnings.push_back(counted(file.vertices_unused, "vertex", "vertices",
+                                 "belongs to no triangle", "belong to no triangle"));
   }
   return r;
 }

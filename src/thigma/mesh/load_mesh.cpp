@@ -16,23 +16,26 @@ void scale_mesh(TriangleMesh& mesh, double scale, const std::string& name) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     mesh.positions[i] *= scale;
     if (mesh.positions[i].cwiseAbs().maxCoeff() <= kMaxCoordinate) continue;
-    throw InputError(name + ": scaled out of range, vertex " + std::to_string(i) + ", expected at most 1e50 m");
+    throw InputError(name + ": scaled out of range, vertex " + std::to_string(i) +
+                     ", expected at most 1e50 m");
   }
 }
 
-TriangleMesh load_usable_mesh(const std::string& path, double scale, bool repair, MeshReport* report,
-                              std::vector<std::string>* repairs) {
+TriangleMesh load_usable_mesh(const std::string& path, double scale, bool repair,
+                              MeshReport* report, std::vector<std::string>* repairs) {
   MeshFile file = read_mesh(path);
   scale_mesh(file.mesh, scale, path);
   const InspectOptions options{.self_intersections = report != nullptr};
   MeshReport found = inspect_mesh(file, path, options);
   if (found.verdict == MeshVerdict::rejected) {
-    throw InputError(path + ": " + found.reasons.front() + ", in the mesh as a whole, expected a usable mesh");
+    throw InputError(path + ": " + found.reasons.front() +
+                     ", in the mesh as a whole, expected a usable mesh");
   }
   if (found.verdict == MeshVerdict::repairable) {
     if (!repair) {
-      throw InputError(path + ": " + found.reasons.front() +
-                       ", in the mesh as a whole, expected a usable mesh; --repair takes it repaired");
+      throw InputError(
+          path + ": " + found.reasons.front() +
+          ", in the mesh as a whole, expected a usable mesh; --repair takes it repaired");
     }
     RepairResult repaired = repair_mesh(file.mesh, path);
     file.mesh = std::move(repaired.mesh);

@@ -24,7 +24,8 @@ double scale_of(double x) { return x > 1e-300 ? std::ldexp(1.0, std::ilogb(x)) :
 
 double square_distance(const Vec3& a, const Vec3& b) { return (a - b).squaredNorm(); }
 
-// Smallest ball with all of the given points on its sphere; false when they have no such ball (degenerate).
+// Smallest ball with all of the given points on its sphere; false when they have no such ball
+// (degenerate).
 bool circumscribe(const Vec3* p, int count, Ball& ball) {
   ball.center = p[0];
   ball.radius = 0.0;
@@ -39,14 +40,16 @@ bool circumscribe(const Vec3* p, int count, Ball& ball) {
   const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> gram = q.transpose() * q;
   const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> x = gram.fullPivLu().solve(0.5 * squares);
   const double largest = squares.maxCoeff();
-  if (!x.allFinite() || !((gram * x - 0.5 * squares).cwiseAbs().maxCoeff() <= 1e-9 * largest)) return false;
+  if (!x.allFinite() || !((gram * x - 0.5 * squares).cwiseAbs().maxCoeff() <= 1e-9 * largest))
+    return false;
   const Vec3 to_center = q * x;
   ball.center = p[0] + to_center;
   ball.radius = to_center.norm();
   return std::isfinite(ball.radius);
 }
 
-// Smallest ball around at most five points: of all their subsets, the smallest ball that holds every point.
+// Smallest ball around at most five points: of all their subsets, the smallest ball that holds
+// every point.
 Ball ball_of_few(const std::vector<Vec3>& points, std::vector<Vec3>& support) {
   Ball best{points[0], std::numeric_limits<double>::infinity()};
   const unsigned subsets = 1u << points.size();
@@ -59,7 +62,8 @@ Ball ball_of_few(const std::vector<Vec3>& points, std::vector<Vec3>& support) {
       ++count;
     }
     Ball ball;
-    if (count > 4 || !circumscribe(chosen.data(), count, ball) || !(ball.radius < best.radius)) continue;
+    if (count > 4 || !circumscribe(chosen.data(), count, ball) || !(ball.radius < best.radius))
+      continue;
     const double reach = ball.radius * (1.0 + 1e-10);
     const bool holds_all = std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
       return square_distance(p, ball.center) <= reach * reach;
@@ -110,7 +114,8 @@ Ball enclosing_ball(std::span<const Vec3> points) {
   Ball best{Vec3::Zero(), std::numeric_limits<double>::infinity()};
   std::vector<Vec3> support{local[farthest(local, Vec3::Zero(), distance)]};
   Ball ball{support[0], 0.0};
-  // Each turn's ball is larger than the one before, so no support set returns; on rounding the best found stays.
+  // Each turn's ball is larger than the one before, so no support set returns; on rounding the best
+  // found stays.
   for (int turn = 0; turn < 1000; ++turn) {
     const std::size_t out = farthest(local, ball.center, distance);
     if (distance < best.radius) best = {ball.center, distance};
@@ -145,7 +150,9 @@ MassProperties mass_properties(const TriangleMesh& mesh) {
     const double det = a.dot(normal);
     volume.add(det / 6.0);
     const Vec3 s = a + b + c;
-    const auto moment = [&](int i, int j) { return det / 120.0 * (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + s[i] * s[j]); };
+    const auto moment = [&](int i, int j) {
+      return det / 120.0 * (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + s[i] * s[j]);
+    };
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
       first[static_cast<std::size_t>(i)].add(det / 24.0 * s[i]);
@@ -166,7 +173,8 @@ MassProperties mass_properties(const TriangleMesh& mesh) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
     covariance(i, i) = second[static_cast<std::size_t>(i)].value() - v * c[i] * c[i];
-    covariance(i, j) = covariance(j, i) = second[static_cast<std::size_t>(i + 3)].value() - v * c[i] * c[j];
+    covariance(i, j) = covariance(j, i) =
+        second[static_cast<std::size_t>(i + 3)].value() - v * c[i] * c[j];
   }
   result.inertia = (covariance.trace() * Mat3::Identity() - covariance) * (l2 * l2 * scale);
   return result;

@@ -1,6 +1,7 @@
-// Determinants of differences in three stages: rounded with an error bound; expansions of the rounded differences
-// when these were exact (the rule for CAD and single-precision input); expansions of the two-term differences.
-// An expansion is a sum of doubles that do not overlap, smallest first, so the last nonzero one has the sign.
+// Determinants of differences in three stages: rounded with an error bound; expansions of the
+// rounded differences when these were exact (the rule for CAD and single-precision input);
+// expansions of the two-term differences. An expansion is a sum of doubles that do not overlap,
+// smallest first, so the last nonzero one has the sign.
 
 #include "thigma/mesh/predicates.h"
 
@@ -74,7 +75,8 @@ void grow(Expansion<N>& e, double b) noexcept {
 }
 
 template <int N, int M>
-Expansion<N + M> add(const Expansion<N>& a, const Expansion<M>& b, double sign_of_b = 1.0) noexcept {
+Expansion<N + M> add(const Expansion<N>& a, const Expansion<M>& b,
+                     double sign_of_b = 1.0) noexcept {
   Expansion<N + M> sum;
   for (int i = 0; i < a.count; ++i) sum.push(a[i]);
   for (int i = 0; i < b.count; ++i) grow(sum, sign_of_b * b[i]);
@@ -96,7 +98,8 @@ Expansion<2 * N * M> multiply(const Expansion<N>& a, const Expansion<M>& b) noex
 
 template <int N>
 int determinant_sign(const std::array<std::array<Expansion<N>, 3>, 3>& m) noexcept {
-  const auto minor = [](const std::array<Expansion<N>, 3>& u, const std::array<Expansion<N>, 3>& v) {
+  const auto minor = [](const std::array<Expansion<N>, 3>& u,
+                        const std::array<Expansion<N>, 3>& v) {
     return add(multiply(u[0], v[1]), multiply(u[1], v[0]), -1.0);
   };
   return add(add(multiply(minor(m[1], m[2]), m[0][2]), multiply(minor(m[2], m[0]), m[1][2])),
@@ -123,8 +126,10 @@ int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) n
 }
 
 int orient2d_exact(const Vec2& a, const Vec2& b, const Vec2& c) noexcept {
-  const auto left = multiply(expand(two_difference(a.x(), c.x())), expand(two_difference(b.y(), c.y())));
-  const auto right = multiply(expand(two_difference(a.y(), c.y())), expand(two_difference(b.x(), c.x())));
+  const auto left =
+      multiply(expand(two_difference(a.x(), c.x())), expand(two_difference(b.y(), c.y())));
+  const auto right =
+      multiply(expand(two_difference(a.y(), c.y())), expand(two_difference(b.x(), c.x())));
   return add(left, right, -1.0).sign();
 }
 
@@ -155,24 +160,29 @@ bool segments_meet(const Vec2& p, const Vec2& q, const Vec2& a, const Vec2& b) n
          (ap == 0 && is_between(p, a, b)) || (aq == 0 && is_between(q, a, b));
 }
 
-bool coplanar_segment_meets(const Vec3& p3, const Vec3& q3, const Vec3& a3, const Vec3& b3, const Vec3& c3) noexcept {
+bool coplanar_segment_meets(const Vec3& p3, const Vec3& q3, const Vec3& a3, const Vec3& b3,
+                            const Vec3& c3) noexcept {
   const int axis = projection_axis(a3, b3, c3);
   if (axis < 0) return false;
   const Vec2 p = drop_axis(p3, axis), q = drop_axis(q3, axis);
   const Vec2 a = drop_axis(a3, axis), b = drop_axis(b3, axis), c = drop_axis(c3, axis);
   const int turn = orient2d(a, b, c);
-  const bool inside = orient2d(a, b, p) * turn >= 0 && orient2d(b, c, p) * turn >= 0 && orient2d(c, a, p) * turn >= 0;
-  return inside || segments_meet(p, q, a, b) || segments_meet(p, q, b, c) || segments_meet(p, q, c, a);
+  const bool inside = orient2d(a, b, p) * turn >= 0 && orient2d(b, c, p) * turn >= 0 &&
+                      orient2d(c, a, p) * turn >= 0;
+  return inside || segments_meet(p, q, a, b) || segments_meet(p, q, b, c) ||
+         segments_meet(p, q, c, a);
 }
 
-// Whether the line of an edge of s has all of t strictly on its outer side. Two convex polygons without a common point
-// are parted by such a line of one of them.
+// Whether the line of an edge of s has all of t strictly on its outer side. Two convex polygons
+// without a common point are parted by such a line of one of them.
 bool edge_separates(const std::array<Vec2, 3>& s, const std::array<Vec2, 3>& t) noexcept {
   const int turn = orient2d(s[0], s[1], s[2]);
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec2& p = s[i];
     const Vec2& q = s[(i + 1) % 3];
-    if (orient2d(p, q, t[0]) * turn < 0 && orient2d(p, q, t[1]) * turn < 0 && orient2d(p, q, t[2]) * turn < 0) return true;
+    if (orient2d(p, q, t[0]) * turn < 0 && orient2d(p, q, t[1]) * turn < 0 &&
+        orient2d(p, q, t[2]) * turn < 0)
+      return true;
   }
   return false;
 }
@@ -221,8 +231,8 @@ bool are_collinear(const Vec3& a, const Vec3& b, const Vec3& c) noexcept {
   return true;
 }
 
-bool coplanar_triangles_meet(const Vec3& a3, const Vec3& b3, const Vec3& c3, const Vec3& d3, const Vec3& e3,
-                             const Vec3& f3) noexcept {
+bool coplanar_triangles_meet(const Vec3& a3, const Vec3& b3, const Vec3& c3, const Vec3& d3,
+                             const Vec3& e3, const Vec3& f3) noexcept {
   const int axis = projection_axis(a3, b3, c3);
   if (axis < 0) return false;
   const std::array<Vec2, 3> s = {drop_axis(a3, axis), drop_axis(b3, axis), drop_axis(c3, axis)};
@@ -230,12 +240,14 @@ bool coplanar_triangles_meet(const Vec3& a3, const Vec3& b3, const Vec3& c3, con
   return !edge_separates(s, t) && !edge_separates(t, s);
 }
 
-bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) noexcept {
+bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,
+                            const Vec3& c) noexcept {
   const int side_p = orient3d(a, b, c, p);
   const int side_q = orient3d(a, b, c, q);
   if (side_p * side_q > 0) return false;
   if (side_p == 0 && side_q == 0) return coplanar_segment_meets(p, q, a, b, c);
-  // The line of the segment crosses the plane in one point, which lies on the segment: is it in the triangle?
+  // The line of the segment crosses the plane in one point, which lies on the segment: is it in the
+  // triangle?
   const int ab = orient3d(p, q, a, b);
   const int bc = orient3d(p, q, b, c);
   if (ab * bc < 0) return false;

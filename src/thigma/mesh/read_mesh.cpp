@@ -39,7 +39,8 @@ bool has_binary_stl_size(std::string_view bytes) {
 
 RawMesh parse_raw(std::string_view bytes, const std::string& name) {
   if (bytes.empty()) detail::fail_input(name, "is empty", "byte 0", "a mesh: OBJ, PLY, STL or OFF");
-  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r\n")) return detail::read_ply(bytes, name);
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r\n"))
+    return detail::read_ply(bytes, name);
   // Before "solid": many binary files begin with that word too.
   if (has_binary_stl_size(bytes)) return detail::read_stl_binary(bytes, name);
   if (!is_text(bytes)) {
@@ -52,14 +53,17 @@ RawMesh parse_raw(std::string_view bytes, const std::string& name) {
   return detail::read_obj(bytes, name);
 }
 
-// Positions by their bits. Open addressing over indices: bounded, and the order is that of first appearance.
+// Positions by their bits. Open addressing over indices: bounded, and the order is that of first
+// appearance.
 class PositionTable {
  public:
   explicit PositionTable(std::size_t count)
       : mask_(std::bit_ceil(std::max<std::size_t>(16, 2 * count)) - 1), slots_(mask_ + 1, -1) {}
 
-  /// Index of an equal position in `positions`, or `candidate`, which is then the one for its value.
-  std::int32_t find_or_insert(const Vec3& p, std::int32_t candidate, const std::vector<Vec3>& positions) {
+  /// Index of an equal position in `positions`, or `candidate`, which is then the one for its
+  /// value.
+  std::int32_t find_or_insert(const Vec3& p, std::int32_t candidate,
+                              const std::vector<Vec3>& positions) {
     for (std::size_t slot = hash(p) & mask_;; slot = (slot + 1) & mask_) {
       if (slots_[slot] < 0) {
         slots_[slot] = candidate;
@@ -123,13 +127,20 @@ MeshFile merge_equal_positions(TriangleMesh raw) {
 
 const char* format_name(MeshFormat format) {
   switch (format) {
-    case MeshFormat::obj: return "obj";
-    case MeshFormat::ply_ascii: return "ply (ascii)";
-    case MeshFormat::ply_little: return "ply (little-endian)";
-    case MeshFormat::ply_big: return "ply (big-endian)";
-    case MeshFormat::stl_ascii: return "stl (ascii)";
-    case MeshFormat::stl_binary: return "stl (binary)";
-    case MeshFormat::off: return "off";
+    case MeshFormat::obj:
+      return "obj";
+    case MeshFormat::ply_ascii:
+      return "ply (ascii)";
+    case MeshFormat::ply_little:
+      return "ply (little-endian)";
+    case MeshFormat::ply_big:
+      return "ply (big-endian)";
+    case MeshFormat::stl_ascii:
+      return "stl (ascii)";
+    case MeshFormat::stl_binary:
+      return "stl (binary)";
+    case MeshFormat::off:
+      return "off";
   }
   return "";
 }

@@ -19,7 +19,8 @@ namespace {
 
 using Triangle = std::array<std::int32_t, 3>;
 
-// How far a vertex taken apart moves into its fan, times the radius: enough to stay apart in single precision too.
+// How far a vertex taken apart moves into its fan, times the radius: enough to stay apart in single
+// precision too.
 constexpr double kSplitDistance = 1e-6;
 // And at most this fraction of its fan's shortest edge.
 constexpr double kSplitEdgeFraction = 0.05;
@@ -47,11 +48,12 @@ void weld(Repair& r) {
     if (w[0] != w[1] && w[1] != w[2] && w[2] != w[0]) kept.push_back(w);
   }
   r.mesh.triangles = std::move(kept);
-  r.note(welds.count, "vertex welded to one that nearly equals it", "vertices welded to ones that nearly equal them");
+  r.note(welds.count, "vertex welded to one that nearly equals it",
+         "vertices welded to ones that nearly equal them");
 }
 
-// A fin is two equal triangles back to back on an edge of a surface that goes on without them: both go. Otherwise one
-// of each group of equal triangles stays, or the surface would have a hole.
+// A fin is two equal triangles back to back on an edge of a surface that goes on without them: both
+// go. Otherwise one of each group of equal triangles stays, or the surface would have a hole.
 void drop_duplicates(Repair& r) {
   const std::vector<std::int32_t> first = find_duplicates(r.mesh);
   std::vector<std::int32_t> group_size(first.size(), 0);
@@ -67,7 +69,8 @@ void drop_duplicates(Repair& r) {
     bool leaves_hole = false;
     bool is_attached = false;
     for (const std::int32_t e : table.of_triangle[t]) {
-      const std::int32_t others = table.edges[static_cast<std::size_t>(e)].use_count - group_size[t] - 1;
+      const std::int32_t others =
+          table.edges[static_cast<std::size_t>(e)].use_count - group_size[t] - 1;
       leaves_hole = leaves_hole || others % 2 == 1;
       is_attached = is_attached || others > 0;
     }
@@ -78,8 +81,10 @@ void drop_duplicates(Repair& r) {
   std::vector<Triangle> kept;
   for (std::size_t t = 0; t < first.size(); ++t) {
     // The copy of a fin's first triangle is dropped by its own mark.
-    if (is_dropped[t]) ++dropped;
-    else kept.push_back(r.mesh.triangles[t]);
+    if (is_dropped[t])
+      ++dropped;
+    else
+      kept.push_back(r.mesh.triangles[t]);
   }
   if (dropped == 0) return;
   r.mesh.triangles = std::move(kept);
@@ -94,7 +99,8 @@ void orient(Repair& r) {
     std::swap(r.mesh.triangles[t][1], r.mesh.triangles[t][2]);
     ++turned;
   }
-  r.note(turned, "triangle turned over to agree with its neighbours", "triangles turned over to agree with their neighbours");
+  r.note(turned, "triangle turned over to agree with its neighbours",
+         "triangles turned over to agree with their neighbours");
 }
 
 // Angle of a face around the edge a b, seen along it; only the order counts.
@@ -104,15 +110,17 @@ double angle_around(const Repair& r, const MeshEdge& e, const EdgeUse& use) {
   axis.cwiseAbs().minCoeff(&least);
   const Vec3 x = axis.cross(Vec3::Unit(least)).normalized();
   const Vec3 y = axis.cross(x);
-  const std::int32_t tip = r.mesh.triangles[static_cast<std::size_t>(use.triangle)][static_cast<std::size_t>((use.corner + 2) % 3)];
+  const std::int32_t tip = r.mesh.triangles[static_cast<std::size_t>(use.triangle)]
+                                           [static_cast<std::size_t>((use.corner + 2) % 3)];
   const Vec3 to_tip = (r.at(tip) - r.at(e.a)) / r.radius;
   return arc_tangent2(to_tip.dot(y), to_tip.dot(x));
 }
 
 using AngledUse = std::pair<double, EdgeUse>;
 
-// Takes pairs of neighbours that enclose solid between them out of the faces around an edge. Seen along the edge, a
-// face that runs backward has the solid on its counter-clockwise side, one that runs forward on the other.
+// Takes pairs of neighbours that enclose solid between them out of the faces around an edge. Seen
+// along the edge, a face that runs backward has the solid on its counter-clockwise side, one that
+// runs forward on the other.
 void take_pairs(std::vector<AngledUse>& around, std::vector<UsePair>& links) {
   for (bool found = true; found && around.size() >= 2;) {
     found = false;
@@ -127,7 +135,8 @@ void take_pairs(std::vector<AngledUse>& around, std::vector<UsePair>& links) {
   }
 }
 
-// What belongs together around the edges: faces in pairs, and at edges of three or more faces some alone.
+// What belongs together around the edges: faces in pairs, and at edges of three or more faces some
+// alone.
 struct FaceLinks {
   std::vector<UsePair> pairs;
   std::vector<EdgeUse> alone;
@@ -137,9 +146,11 @@ struct FaceLinks {
 FaceLinks link_faces(const Repair& r, const EdgeTable& table) {
   FaceLinks links;
   const auto is_flap = [&](const EdgeUse& use) {
-    const std::array<std::int32_t, 3>& edges = table.of_triangle[static_cast<std::size_t>(use.triangle)];
-    return std::any_of(edges.begin(), edges.end(),
-                       [&](std::int32_t e) { return table.edges[static_cast<std::size_t>(e)].use_count == 1; });
+    const std::array<std::int32_t, 3>& edges =
+        table.of_triangle[static_cast<std::size_t>(use.triangle)];
+    return std::any_of(edges.begin(), edges.end(), [&](std::int32_t e) {
+      return table.edges[static_cast<std::size_t>(e)].use_count == 1;
+    });
   };
   for (const MeshEdge& e : table.edges) {
     const std::span<const EdgeUse> uses = table.uses_of(e);
@@ -148,7 +159,8 @@ FaceLinks link_faces(const Repair& r, const EdgeTable& table) {
     ++links.split_edges;
     // Surfaces that go on come first: a flap inside a solid must not tear its shell open.
     std::vector<AngledUse> whole, flaps;
-    for (const EdgeUse& use : uses) (is_flap(use) ? flaps : whole).emplace_back(angle_around(r, e, use), use);
+    for (const EdgeUse& use : uses)
+      (is_flap(use) ? flaps : whole).emplace_back(angle_around(r, e, use), use);
     const auto by_angle = [](const AngledUse& a, const AngledUse& b) { return a.first < b.first; };
     std::stable_sort(whole.begin(), whole.end(), by_angle);
     take_pairs(whole, links.pairs);
@@ -160,7 +172,8 @@ FaceLinks link_faces(const Repair& r, const EdgeTable& table) {
   return links;
 }
 
-// Gives the faces along one edge a vertex of their own in its middle, a little towards their other corners.
+// Gives the faces along one edge a vertex of their own in its middle, a little towards their other
+// corners.
 void cut_at_middle(Repair& r, std::span<const EdgeUse> uses) {
   const std::int32_t middle = static_cast<std::int32_t>(r.mesh.positions.size());
   Vec3 on_edge = Vec3::Zero(), tips = Vec3::Zero();
@@ -180,8 +193,9 @@ void cut_at_middle(Repair& r, std::span<const EdgeUse> uses) {
   r.mesh.positions.push_back(length > 0.0 ? Vec3(on_edge + inward * (move / length)) : on_edge);
 }
 
-// Faces that would keep both ends of their edge in common with others along it are cut. (A surface that touches itself
-// along one edge and is whole around both ends of it.) False when there are none.
+// Faces that would keep both ends of their edge in common with others along it are cut. (A surface
+// that touches itself along one edge and is whole around both ends of it.) False when there are
+// none.
 bool cut_shared_edges(Repair& r, const EdgeTable& table, const FaceLinks& links, const Fans& fans) {
   struct Group {
     std::int32_t fan_a, fan_b;  // at the ends of the edge
@@ -191,9 +205,12 @@ bool cut_shared_edges(Repair& r, const EdgeTable& table, const FaceLinks& links,
   std::vector<Group> groups;
   const auto add = [&](const std::array<EdgeUse, 2>& uses, std::size_t count) {
     const EdgeUse& u = uses[0];
-    const std::int32_t e = table.of_triangle[static_cast<std::size_t>(u.triangle)][static_cast<std::size_t>(u.corner)];
+    const std::int32_t e =
+        table.of_triangle[static_cast<std::size_t>(u.triangle)][static_cast<std::size_t>(u.corner)];
     if (table.edges[static_cast<std::size_t>(e)].use_count <= 2) return;
-    const auto fan = [&](int step) { return fans.of_corner[static_cast<std::size_t>(3 * u.triangle + (u.corner + step) % 3)]; };
+    const auto fan = [&](int step) {
+      return fans.of_corner[static_cast<std::size_t>(3 * u.triangle + (u.corner + step) % 3)];
+    };
     groups.push_back({fan(u.is_forward ? 0 : 1), fan(u.is_forward ? 1 : 0), uses, count});
   };
   for (const UsePair& pair : links.pairs) add(pair, 2);
@@ -207,7 +224,9 @@ bool cut_shared_edges(Repair& r, const EdgeTable& table, const FaceLinks& links,
     if (groups[i].fan_a != groups[i - 1].fan_a || groups[i].fan_b != groups[i - 1].fan_b) continue;
     const std::span<const EdgeUse> uses(groups[i].uses.data(), groups[i].count);
     any = true;
-    const bool may_cut = std::none_of(uses.begin(), uses.end(), [&](const EdgeUse& u) { return is_cut[static_cast<std::size_t>(u.triangle)]; });
+    const bool may_cut = std::none_of(uses.begin(), uses.end(), [&](const EdgeUse& u) {
+      return is_cut[static_cast<std::size_t>(u.triangle)];
+    });
     if (!may_cut) continue;
     for (const EdgeUse& u : uses) is_cut[static_cast<std::size_t>(u.triangle)] = true;
     cut_at_middle(r, uses);
@@ -215,12 +234,14 @@ bool cut_shared_edges(Repair& r, const EdgeTable& table, const FaceLinks& links,
   return any;
 }
 
-// Every fan gets a vertex of its own; all but the first at a vertex move a little towards their own faces.
+// Every fan gets a vertex of its own; all but the first at a vertex move a little towards their own
+// faces.
 std::int64_t split_vertices(Repair& r, const Fans& fans) {
   std::vector<std::int32_t> vertex_of_fan(static_cast<std::size_t>(fans.count), -1);
   std::vector<Vec3> middle(static_cast<std::size_t>(fans.count), Vec3::Zero());
   std::vector<double> weight(static_cast<std::size_t>(fans.count), 0.0);
-  std::vector<double> shortest(static_cast<std::size_t>(fans.count), std::numeric_limits<double>::infinity());
+  std::vector<double> shortest(static_cast<std::size_t>(fans.count),
+                               std::numeric_limits<double>::infinity());
   std::vector<bool> is_taken(r.mesh.positions.size(), false);
   std::vector<std::int32_t> moved;
   const std::vector<Triangle> before = r.mesh.triangles;
@@ -251,7 +272,8 @@ std::int64_t split_vertices(Repair& r, const Fans& fans) {
     const Vec3 inward = middle[fan] / weight[fan];
     const double length = inward.norm();
     const double move = std::min(kSplitDistance * r.radius, kSplitEdgeFraction * shortest[fan]);
-    if (length > 0.0) r.mesh.positions[static_cast<std::size_t>(vertex_of_fan[fan])] += inward * (move / length);
+    if (length > 0.0)
+      r.mesh.positions[static_cast<std::size_t>(vertex_of_fan[fan])] += inward * (move / length);
   }
   return static_cast<std::int64_t>(moved.size());
 }
@@ -260,7 +282,8 @@ void take_apart(Repair& r) {
   const EdgeTable table = build_edge_table(r.mesh);
   const FaceLinks links = link_faces(r, table);
   const Fans fans = build_fans(r.mesh, links.pairs);
-  r.note(links.split_edges, "edge with three or more faces taken apart", "edges with three or more faces taken apart");
+  r.note(links.split_edges, "edge with three or more faces taken apart",
+         "edges with three or more faces taken apart");
   // After a cut the next round splits the vertices of the new surface.
   if (cut_shared_edges(r, table, links, fans)) return;
   r.note(split_vertices(r, fans), "vertex added where fans of faces met in one point",
@@ -275,7 +298,8 @@ void turn_outwards(Repair& r) {
       std::swap(r.mesh.triangles[t][1], r.mesh.triangles[t][2]);
     }
   }
-  r.note(static_cast<std::int64_t>(inside_out.size()), "closed component turned outwards", "closed components turned outwards");
+  r.note(static_cast<std::int64_t>(inside_out.size()), "closed component turned outwards",
+         "closed components turned outwards");
 }
 
 [[noreturn]] void fail(const std::string& name, const MeshReport& report, const char* what) {
@@ -301,7 +325,8 @@ RepairResult repair_mesh(const TriangleMesh& mesh, const std::string& name) {
     r.mesh = merge_equal_positions(std::move(r.mesh)).mesh;
     report = inspect_mesh(r.mesh, quick);
   }
-  if (report.verdict != MeshVerdict::usable) fail(name, report, " after repair, in the mesh as a whole, expected to be able to repair it");
+  if (report.verdict != MeshVerdict::usable)
+    fail(name, report, " after repair, in the mesh as a whole, expected to be able to repair it");
   return {std::move(r.mesh), std::move(r.done)};
 }
 

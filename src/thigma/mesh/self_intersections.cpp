@@ -40,11 +40,14 @@ int align_shared(Triangle& a, Triangle& b) {
   return shared;
 }
 
-// Two triangles on one edge overlap when they are coplanar with their third corners on the same side of it.
+// Two triangles on one edge overlap when they are coplanar with their third corners on the same
+// side of it.
 bool share_edge_and_overlap(const Search& s, const Triangle& a, const Triangle& b) {
   if (orient3d(s.at(a[0]), s.at(a[1]), s.at(a[2]), s.at(b[2])) != 0) return false;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto flat = [&](std::int32_t v) { return Vec2(s.at(v)[(axis + 1) % 3], s.at(v)[(axis + 2) % 3]); };
+    const auto flat = [&](std::int32_t v) {
+      return Vec2(s.at(v)[(axis + 1) % 3], s.at(v)[(axis + 2) % 3]);
+    };
     const int side = orient2d(flat(a[0]), flat(a[1]), flat(a[2]));
     if (side != 0) return side == orient2d(flat(b[0]), flat(b[1]), flat(b[2]));
   }
@@ -54,17 +57,21 @@ bool share_edge_and_overlap(const Search& s, const Triangle& a, const Triangle& 
 // Sides of the plane of a on which b's corners lie.
 std::array<int, 3> sides(const Search& s, const Triangle& a, const Triangle& b) {
   std::array<int, 3> side{};
-  for (std::size_t k = 0; k < 3; ++k) side[k] = orient3d(s.at(a[0]), s.at(a[1]), s.at(a[2]), s.at(b[k]));
+  for (std::size_t k = 0; k < 3; ++k)
+    side[k] = orient3d(s.at(a[0]), s.at(a[1]), s.at(a[2]), s.at(b[k]));
   return side;
 }
 
-bool is_one_side(const std::array<int, 3>& side) { return side[0] != 0 && side[0] == side[1] && side[0] == side[2]; }
+bool is_one_side(const std::array<int, 3>& side) {
+  return side[0] != 0 && side[0] == side[1] && side[0] == side[2];
+}
 
 bool disjoint_corners_meet(const Search& s, const Triangle& a, const Triangle& b) {
   const std::array<int, 3> of_b = sides(s, a, b);
   if (is_one_side(of_b)) return false;
   if (of_b == std::array<int, 3>{0, 0, 0}) {
-    return coplanar_triangles_meet(s.at(a[0]), s.at(a[1]), s.at(a[2]), s.at(b[0]), s.at(b[1]), s.at(b[2]));
+    return coplanar_triangles_meet(s.at(a[0]), s.at(a[1]), s.at(a[2]), s.at(b[0]), s.at(b[1]),
+                                   s.at(b[2]));
   }
   if (is_one_side(sides(s, b, a))) return false;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -77,13 +84,16 @@ bool pair_intersects(const Search& s, std::int32_t i, std::int32_t j) {
   Triangle a = s.mesh.triangles[static_cast<std::size_t>(i)];
   Triangle b = s.mesh.triangles[static_cast<std::size_t>(j)];
   switch (align_shared(a, b)) {
-    case 3: return true;
-    case 2: return share_edge_and_overlap(s, a, b);
+    case 3:
+      return true;
+    case 2:
+      return share_edge_and_overlap(s, a, b);
     case 1:
-      // The common part is convex and holds the shared vertex; if it is more, it reaches the edge across from that
-      // vertex in one of the two.
+      // The common part is convex and holds the shared vertex; if it is more, it reaches the edge
+      // across from that vertex in one of the two.
       return s.meets(a[1], a[2], b) || s.meets(b[1], b[2], a);
-    default: break;
+    default:
+      break;
   }
   return disjoint_corners_meet(s, a, b);
 }
@@ -94,7 +104,9 @@ void test_leaves(Search& s, const TreeNode& a, const TreeNode& b, bool same) {
       const std::int32_t t = s.tree.order[static_cast<std::size_t>(i)];
       const std::int32_t u = s.tree.order[static_cast<std::size_t>(j)];
       --s.tests_left;
-      if (!s.tree.boxes[static_cast<std::size_t>(t)].overlaps(s.tree.boxes[static_cast<std::size_t>(u)])) continue;
+      if (!s.tree.boxes[static_cast<std::size_t>(t)].overlaps(
+              s.tree.boxes[static_cast<std::size_t>(u)]))
+        continue;
       if (!pair_intersects(s, t, u)) continue;
       ++s.result.pairs;
       if (s.collect) s.result.found.push_back({std::min(t, u), std::max(t, u)});

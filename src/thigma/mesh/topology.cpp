@@ -41,7 +41,9 @@ class UnionFind {
   std::vector<std::int32_t> parent_;
 };
 
-std::int32_t corner_id(const EdgeUse& use, int step) { return 3 * use.triangle + (use.corner + step) % 3; }
+std::int32_t corner_id(const EdgeUse& use, int step) {
+  return 3 * use.triangle + (use.corner + step) % 3;
+}
 
 // Joins the corners of two faces at both ends of the edge they share.
 void join_along_edge(const EdgeUse& u, const EdgeUse& v, UnionFind& corners) {
@@ -62,7 +64,9 @@ EdgeTable build_edge_table(const TriangleMesh& mesh) {
   struct Half {
     std::uint64_t key;
     std::uint32_t corner;
-    bool operator<(const Half& o) const { return key < o.key || (key == o.key && corner < o.corner); }
+    bool operator<(const Half& o) const {
+      return key < o.key || (key == o.key && corner < o.corner);
+    }
   };
   std::vector<Half> halves;
   halves.reserve(3 * mesh.triangles.size());
@@ -70,7 +74,8 @@ EdgeTable build_edge_table(const TriangleMesh& mesh) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint64_t v = static_cast<std::uint32_t>(mesh.triangles[t][k]);
       const std::uint64_t w = static_cast<std::uint32_t>(mesh.triangles[t][(k + 1) % 3]);
-      halves.push_back({std::min(v, w) << 32 | std::max(v, w), static_cast<std::uint32_t>(3 * t + k)});
+      halves.push_back(
+          {std::min(v, w) << 32 | std::max(v, w), static_cast<std::uint32_t>(3 * t + k)});
     }
   }
   std::sort(halves.begin(), halves.end());
@@ -87,7 +92,8 @@ EdgeTable build_edge_table(const TriangleMesh& mesh) {
     ++table.edges.back().use_count;
     const std::size_t t = halves[i].corner / 3;
     const std::size_t k = halves[i].corner % 3;
-    table.uses.push_back({static_cast<std::int32_t>(t), static_cast<std::int8_t>(k), mesh.triangles[t][k] == a});
+    table.uses.push_back(
+        {static_cast<std::int32_t>(t), static_cast<std::int8_t>(k), mesh.triangles[t][k] == a});
     table.of_triangle[t][k] = static_cast<std::int32_t>(table.edges.size()) - 1;
   }
   return table;
@@ -116,7 +122,8 @@ Orientation orient_sheets(const TriangleMesh& mesh, const EdgeTable& table) {
     for (std::size_t i = 0; i < members.size(); ++i) {
       const std::size_t t = static_cast<std::size_t>(members[i]);
       for (const std::int32_t edge : table.of_triangle[t]) {
-        const std::span<const EdgeUse> uses = table.uses_of(table.edges[static_cast<std::size_t>(edge)]);
+        const std::span<const EdgeUse> uses =
+            table.uses_of(table.edges[static_cast<std::size_t>(edge)]);
         if (uses.size() != 2) continue;
         const EdgeUse& other = uses[0].triangle == members[i] ? uses[1] : uses[0];
         const std::size_t u = static_cast<std::size_t>(other.triangle);
@@ -190,7 +197,8 @@ struct InsideTest::Data {
 InsideTest::InsideTest(const TriangleMesh& mesh, const Components& components) {
   std::vector<std::int32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0);
-  data_ = std::make_unique<Data>(Data{mesh, components, detail::build_triangle_tree(mesh, std::move(all))});
+  data_ = std::make_unique<Data>(
+      Data{mesh, components, detail::build_triangle_tree(mesh, std::move(all))});
 }
 
 InsideTest::~InsideTest() = default;
@@ -199,7 +207,8 @@ namespace {
 
 enum class Crossing : std::uint8_t { none, proper, degenerate };
 
-// Where the segment from p to q, q away from everything, stands to a triangle; degenerate when it grazes it.
+// Where the segment from p to q, q away from everything, stands to a triangle; degenerate when it
+// grazes it.
 Crossing cross(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
   const int sp = orient3d(a, b, c, p);
   const int sq = orient3d(a, b, c, q);
@@ -217,7 +226,7 @@ Crossing cross(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const
 
 // Components of the triangles that the segment crosses, unordered; none when it grazes one.
 std::optional<std::vector<std::int32_t>> InsideTest::crossed_between(const Vec3& p, const Vec3& q,
-                                                                      std::int32_t own) const {
+                                                                     std::int32_t own) const {
   const detail::TriangleTree& tree = data_->tree;
   const detail::TreeBox way{p.cwiseMin(q), p.cwiseMax(q)};
   std::vector<std::int32_t> crossed;
@@ -238,8 +247,9 @@ std::optional<std::vector<std::int32_t>> InsideTest::crossed_between(const Vec3&
       if (component == own) continue;
       const Triangle& v = data_->mesh.triangles[static_cast<std::size_t>(t)];
       const std::vector<Vec3>& at = data_->mesh.positions;
-      const Crossing c = cross(p, q, at[static_cast<std::size_t>(v[0])], at[static_cast<std::size_t>(v[1])],
-                               at[static_cast<std::size_t>(v[2])]);
+      const Crossing c =
+          cross(p, q, at[static_cast<std::size_t>(v[0])], at[static_cast<std::size_t>(v[1])],
+                at[static_cast<std::size_t>(v[2])]);
       if (c == Crossing::degenerate) return std::nullopt;
       if (c == Crossing::proper) crossed.push_back(component);
     }
@@ -248,21 +258,25 @@ std::optional<std::vector<std::int32_t>> InsideTest::crossed_between(const Vec3&
 }
 
 std::optional<std::vector<std::int32_t>> InsideTest::components_around(const Vec3& point,
-                                                                        std::int32_t own) const {
+                                                                       std::int32_t own) const {
   const detail::TreeBox& all = data_->tree.nodes[0].box;
   const double reach = (all.max - all.min).sum();
   Random random(1);
   for (int attempt = 0; attempt < 16; ++attempt) {
-    // Almost along x: the box of the way stays thin. Another way is tried when this one grazes an edge.
+    // Almost along x: the box of the way stays thin. Another way is tried when this one grazes an
+    // edge.
     const double y = point.y() + 1e-3 * reach * random.uniform(-1.0, 1.0);
     const double z = point.z() + 1e-3 * reach * random.uniform(-1.0, 1.0);
-    std::optional<std::vector<std::int32_t>> crossed = crossed_between(point, Vec3(all.max.x() + reach, y, z), own);
+    std::optional<std::vector<std::int32_t>> crossed =
+        crossed_between(point, Vec3(all.max.x() + reach, y, z), own);
     if (!crossed) continue;
     std::sort(crossed->begin(), crossed->end());
     std::vector<std::int32_t> odd;
     for (const std::int32_t c : *crossed) {
-      if (!odd.empty() && odd.back() == c) odd.pop_back();
-      else odd.push_back(c);
+      if (!odd.empty() && odd.back() == c)
+        odd.pop_back();
+      else
+        odd.push_back(c);
     }
     return odd;
   }

@@ -8,13 +8,16 @@
 namespace thigma {
 namespace {
 
-// Boundary vertices in cells of the tolerance's size, sorted by cell: neighbours are found by binary search.
+// Boundary vertices in cells of the tolerance's size, sorted by cell: neighbours are found by
+// binary search.
 struct Grid {
   using Cell = std::array<std::int64_t, 3>;
   struct Entry {
     Cell cell;
     std::int32_t vertex;
-    bool operator<(const Entry& o) const { return cell < o.cell || (cell == o.cell && vertex < o.vertex); }
+    bool operator<(const Entry& o) const {
+      return cell < o.cell || (cell == o.cell && vertex < o.vertex);
+    }
   };
   Vec3 origin;
   double size;
@@ -23,7 +26,8 @@ struct Grid {
   Cell cell_of(const Vec3& p) const {
     Cell c{};
     for (int k = 0; k < 3; ++k) {
-      c[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(std::floor((p[k] - origin[k]) / size));
+      c[static_cast<std::size_t>(k)] =
+          static_cast<std::int64_t>(std::floor((p[k] - origin[k]) / size));
     }
     return c;
   }
@@ -32,8 +36,8 @@ struct Grid {
 struct WeldSearch {
   const TriangleMesh& mesh;
   const EdgeTable& table;
-  std::vector<double> reach;                         // of each vertex [m]; 0 away from boundaries
-  std::vector<std::vector<std::int32_t>> near;       // boundary vertices within reach, ascending
+  std::vector<double> reach;                    // of each vertex [m]; 0 away from boundaries
+  std::vector<std::vector<std::int32_t>> near;  // boundary vertices within reach, ascending
   std::vector<std::int32_t> parent;
 
   std::int32_t find(std::int32_t v) const {
@@ -74,16 +78,19 @@ void find_near(WeldSearch& s, double tolerance) {
     is_first = false;
   }
   for (std::size_t v = 0; v < at.size(); ++v) {
-    if (s.reach[v] > 0.0) grid.entries.push_back({grid.cell_of(at[v]), static_cast<std::int32_t>(v)});
+    if (s.reach[v] > 0.0)
+      grid.entries.push_back({grid.cell_of(at[v]), static_cast<std::int32_t>(v)});
   }
   std::sort(grid.entries.begin(), grid.entries.end());
   s.near.resize(at.size());
-  constexpr std::size_t kMaxNear = 16;  // a vertex with more has lost its place anyway, and time stays bounded
+  constexpr std::size_t kMaxNear =
+      16;  // a vertex with more has lost its place anyway, and time stays bounded
   for (const Grid::Entry& entry : grid.entries) {
     std::vector<std::int32_t>& near = s.near[static_cast<std::size_t>(entry.vertex)];
     const Vec3& p = at[static_cast<std::size_t>(entry.vertex)];
     for (int i = 0; i < 9; ++i) {
-      const Grid::Cell first{entry.cell[0] + i / 3 - 1, entry.cell[1] + i % 3 - 1, entry.cell[2] - 1};
+      const Grid::Cell first{entry.cell[0] + i / 3 - 1, entry.cell[1] + i % 3 - 1,
+                             entry.cell[2] - 1};
       auto it = std::lower_bound(grid.entries.begin(), grid.entries.end(), Grid::Entry{first, -1});
       for (; it != grid.entries.end() && near.size() < kMaxNear && it->cell[0] == first[0] &&
              it->cell[1] == first[1] && it->cell[2] <= first[2] + 2;
@@ -91,7 +98,8 @@ void find_near(WeldSearch& s, double tolerance) {
         if (it->vertex == entry.vertex) continue;
         const double reach = std::min(s.reach[static_cast<std::size_t>(entry.vertex)],
                                       s.reach[static_cast<std::size_t>(it->vertex)]);
-        if ((at[static_cast<std::size_t>(it->vertex)] - p).norm() <= reach) near.push_back(it->vertex);
+        if ((at[static_cast<std::size_t>(it->vertex)] - p).norm() <= reach)
+          near.push_back(it->vertex);
       }
     }
     near.push_back(entry.vertex);  // an edge may share one end already
@@ -101,9 +109,9 @@ void find_near(WeldSearch& s, double tolerance) {
 
 std::int32_t boundary_edge_between(const EdgeTable& table, std::int32_t a, std::int32_t b) {
   const std::int32_t low = std::min(a, b), high = std::max(a, b);
-  const auto it = std::lower_bound(table.edges.begin(), table.edges.end(), 0, [&](const MeshEdge& e, int) {
-    return e.a < low || (e.a == low && e.b < high);
-  });
+  const auto it = std::lower_bound(
+      table.edges.begin(), table.edges.end(), 0,
+      [&](const MeshEdge& e, int) { return e.a < low || (e.a == low && e.b < high); });
   if (it == table.edges.end() || it->a != low || it->b != high || it->use_count != 1) return -1;
   return static_cast<std::int32_t>(it - table.edges.begin());
 }

@@ -73,9 +73,11 @@ std::string format_off(const TriangleMesh& mesh) {
 }
 
 std::string ply_header(const TriangleMesh& mesh, const char* encoding) {
-  return std::string("ply\nformat ") + encoding + " 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
+  return std::string("ply\nformat ") + encoding + " 1.0\nelement vertex " +
+         std::to_string(mesh.positions.size()) +
          "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-         std::to_string(mesh.triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+         std::to_string(mesh.triangles.size()) +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
 // The bytes of a value in the byte order of the format.
@@ -104,7 +106,8 @@ std::string format_ply_ascii(const TriangleMesh& mesh) {
   return ply_header(mesh, "ascii") + off.substr(off.find('\n', 4) + 1);
 }
 
-// Normal for the file's normal field, which readers ignore: zero without area, as the format asks for.
+// Normal for the file's normal field, which readers ignore: zero without area, as the format asks
+// for.
 Vec3 facet_normal(const TriangleMesh& mesh, const Triangle& t) {
   const Vec3& a = mesh.positions[static_cast<std::size_t>(t[0])];
   const Vec3 u = mesh.positions[static_cast<std::size_t>(t[1])] - a;
@@ -115,7 +118,8 @@ Vec3 facet_normal(const TriangleMesh& mesh, const Triangle& t) {
 void check_single_precision(const TriangleMesh& mesh, const std::string& name) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     if (mesh.positions[i].cwiseAbs().maxCoeff() <= 3e38) continue;
-    throw InputError(name + ": a coordinate does not fit STL, vertex " + std::to_string(i) + ", expected at most 3e38");
+    throw InputError(name + ": a coordinate does not fit STL, vertex " + std::to_string(i) +
+                     ", expected at most 3e38");
   }
 }
 
@@ -127,7 +131,8 @@ std::string format_stl_binary(const TriangleMesh& mesh) {
     const Vec3 n = facet_normal(mesh, t);
     for (int k = 0; k < 3; ++k) put_bytes(out, static_cast<float>(n[k]));
     for (const std::int32_t v : t) {
-      for (int k = 0; k < 3; ++k) put_bytes(out, static_cast<float>(mesh.positions[static_cast<std::size_t>(v)][k]));
+      for (int k = 0; k < 3; ++k)
+        put_bytes(out, static_cast<float>(mesh.positions[static_cast<std::size_t>(v)][k]));
     }
     out.append(2, '\0');
   }
@@ -163,13 +168,21 @@ MeshFormat format_for_name(const std::string& path) {
 
 std::string format_mesh(const TriangleMesh& mesh, MeshFormat format, const std::string& name) {
   switch (format) {
-    case MeshFormat::obj: return format_obj(mesh);
-    case MeshFormat::off: return format_off(mesh);
-    case MeshFormat::ply_ascii: return format_ply_ascii(mesh);
-    case MeshFormat::ply_little: return format_ply_binary(mesh, false);
-    case MeshFormat::ply_big: return format_ply_binary(mesh, true);
-    case MeshFormat::stl_ascii: return format_stl_ascii(mesh);
-    case MeshFormat::stl_binary: check_single_precision(mesh, name); return format_stl_binary(mesh);
+    case MeshFormat::obj:
+      return format_obj(mesh);
+    case MeshFormat::off:
+      return format_off(mesh);
+    case MeshFormat::ply_ascii:
+      return format_ply_ascii(mesh);
+    case MeshFormat::ply_little:
+      return format_ply_binary(mesh, false);
+    case MeshFormat::ply_big:
+      return format_ply_binary(mesh, true);
+    case MeshFormat::stl_ascii:
+      return format_stl_ascii(mesh);
+    case MeshFormat::stl_binary:
+      check_single_precision(mesh, name);
+      return format_stl_binary(mesh);
   }
   return {};
 }
