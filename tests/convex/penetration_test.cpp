@@ -57,6 +57,16 @@ TEST(PairContact, BackToBackPlatesArePenetratingUnlessTheProbeFindsSurfaceBetwee
   EXPECT_FALSE(mixed.backs_facing);
 }
 
+TEST(BacksFacing, TellsTheSidesOfSurfacesApart) {
+  const MeshPatch up = plate(1.0, 0.0, true), down = plate(1.0, 0.0, false);
+  const RelativePose x;
+  const Vec3 z = Vec3::UnitZ();
+  EXPECT_DOUBLE_EQ(backs_facing(down.view(), 1, up.view(), 1, x, z), 1.0);
+  EXPECT_DOUBLE_EQ(backs_facing(up.view(), 1, down.view(), 1, x, z), -1.0);
+  EXPECT_LE(backs_facing(up.view(), 1, up.view(), 1, x, z), 0.0);
+  EXPECT_LE(backs_facing(down.view(), 1, down.view(), 1, x, z), 0.0);
+}
+
 TEST(PairContact, FartherThanTheToleranceIsApart) {
   const MeshPatch lower = plate(1.0, 0.0, true), upper = plate(1.0, 0.0, false);
   RelativePose x;

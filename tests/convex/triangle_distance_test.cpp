@@ -24,7 +24,7 @@ double segment_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
 template <class F>
 double minimum(F f) {
   double low = 0.0, high = 1.0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 45; ++i) {
     const double u = low + 0.381966 * (high - low), v = high - 0.381966 * (high - low);
     if (f(u) <= f(v)) high = v;
     else low = u;
@@ -49,7 +49,7 @@ double searched_distance(const Vec3 a[3], const Vec3 b[3]) {
 TEST(TriangleDistance, EqualsAnIndependentSearch) {
   Random random(1);
   int intersecting = 0;
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < 40; ++trial) {
     Vec3 a[3], b[3];
     const Vec3 shift = random.in_cube(1.2);
     for (int i = 0; i < 3; ++i) a[i] = random.in_cube(1.0), b[i] = random.in_cube(1.0) + shift;

@@ -195,6 +195,12 @@ void report_penetration(const HullView& a, const HullView& b, const RelativePose
 
 }  // namespace
 
+double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& b, std::uint32_t feature_b,
+                    const RelativePose& x, const Vec3& direction) noexcept {
+  const double of_a = back_facing(a, feature_a, direction);
+  return of_a > 0.0 ? std::min(of_a, back_facing(b, feature_b, -(x.rotation.transpose() * direction))) : of_a;
+}
+
 PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& x, double tolerance,
                          GjkCache& cache, const Vec3* last_normal, const SegmentProbe& probe) noexcept {
   PairContact out;
@@ -211,8 +217,7 @@ PairContact pair_contact(const HullView& a, const HullView& b, const RelativePos
   out.witness_a = gap.point_a;
   out.witness_b = gap.point_b;
   out.normal = (gap.point_b - gap.point_a) / gap.distance;
-  const double back = std::min(back_facing(a, gap.feature_a, out.normal),
-                               back_facing(b, gap.feature_b, -(x.rotation.transpose() * out.normal)));
+  const double back = backs_facing(a, gap.feature_a, b, gap.feature_b, x, out.normal);
   if (!(back > 0.0)) return out;
   out.backs_facing = true;
   if (probe.separates != nullptr && probe.separates(probe.context, gap.point_a, gap.point_b)) return out;

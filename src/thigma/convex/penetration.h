@@ -38,6 +38,16 @@ struct PairContact {
   Vec3 witness_b = Vec3::Zero();
 };
 
+/// How far the backs of two patches face each other: the least sine by which the direction from the closest point of a
+/// to that of b lies behind the real faces that hold the points. > 0: only pair_contact, with its probe, can tell
+/// through from beside. A caller with a faster way to closest points asks this before it calls a pair separated.
+///
+/// feature_a, feature_b  masks of the hull vertices that span the closest features
+/// direction             unit, from the closest point of a to that of b [frame of a]
+/// Thread                [contact]; no failure, no allocation.
+double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& b, std::uint32_t feature_b,
+                    const RelativePose& a_from_b, const Vec3& direction) noexcept;
+
 /// Contact of two finest patches: original triangles, not hulls, decide.
 ///
 /// Separated. The original triangles share no point and do not face each other back to back: depth is minus their
