@@ -55,6 +55,7 @@ Ball ball_of_few(const std::vector<Vec3>& points, std::vector<Vec3>& support) {
   const unsigned subsets = 1u << points.size();
   for (unsigned subset = 1; subset < subsets; ++subset) {
     std::array<Vec3, 4> chosen;
+    chosen.fill(Vec3::Zero());
     int count = 0;
     for (std::size_t i = 0; i < points.size() && count <= 4; ++i) {
       if ((subset >> i & 1u) == 0) continue;

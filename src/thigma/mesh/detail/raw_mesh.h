@@ -1,5 +1,6 @@
 #pragma once
-// What the readers of the formats share: the mesh as the file says it, errors with their place, text lines.
+// What the readers of the formats share: the mesh as the file says it, errors with their place,
+// text lines.
 
 #include <array>
 #include <charconv>
@@ -32,8 +33,8 @@ RawMesh read_off(std::string_view bytes, const std::string& name);
 /// "OFF" with its optional prefixes; false for anything else.
 bool is_off_keyword(std::string_view word);
 
-[[noreturn]] inline void fail_input(const std::string& name, const std::string& what, const std::string& where,
-                                    const std::string& expected) {
+[[noreturn]] inline void fail_input(const std::string& name, const std::string& what,
+                                    const std::string& where, const std::string& expected) {
   throw InputError(name + ": " + what + ", " + where + ", expected " + expected);
 }
 
@@ -49,14 +50,17 @@ inline std::string quoted(std::string_view word) {
 
 /// Throws unless value is finite and within kMaxCoordinate.
 inline void check_coordinate(double value, const std::string& name, const std::string& where) {
-  if (std::fabs(value) <= kMaxCoordinate) [[likely]] return;
-  fail_input(name, std::isfinite(value) ? "a coordinate is out of range" : "a coordinate is not finite", where,
-             "numbers of at most 1e50");
+  if (std::fabs(value) <= kMaxCoordinate) [[likely]]
+    return;
+  fail_input(name,
+             std::isfinite(value) ? "a coordinate is out of range" : "a coordinate is not finite",
+             where, "numbers of at most 1e50");
 }
 
 /// Throws unless one more position or triangle still has a 32-bit index.
 inline void check_room(std::size_t used, const std::string& name, const std::string& where) {
-  if (used < 0x7fffffffu) [[likely]] return;
+  if (used < 0x7fffffffu) [[likely]]
+    return;
   fail_input(name, "too many elements", where, "at most 2147483647 vertices and triangles");
 }
 
@@ -67,7 +71,9 @@ inline void add_fan(const std::vector<std::int32_t>& corners, RawMesh& mesh) {
   }
 }
 
-inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
 
 /// The words of one line.
 class Words {
@@ -90,7 +96,8 @@ class Words {
 class Lines {
  public:
   /// lines_before: of a header already read, so that numbers are those of the file.
-  explicit Lines(std::string_view text, std::int64_t lines_before = 0) : rest_(text), number_(lines_before) {}
+  explicit Lines(std::string_view text, std::int64_t lines_before = 0)
+      : rest_(text), number_(lines_before) {}
   /// False at the end of the text.
   bool next(std::string_view& line) {
     if (rest_.empty()) return false;
@@ -113,7 +120,8 @@ class Lines {
   std::int64_t number_;
 };
 
-/// A whole word as a number, independent of the locale. Returns false for anything else; "nan" and "inf" are numbers.
+/// A whole word as a number, independent of the locale. Returns false for anything else; "nan" and
+/// "inf" are numbers.
 template <class T>
 bool parse_number(std::string_view word, T& value) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+') word.remove_prefix(1);
@@ -134,8 +142,8 @@ inline double read_coordinate(Words& words, const std::string& name, std::int64_
   const std::string_view word = words.next();
   double value = 0.0;
   if (!parse_number(word, value)) {
-    fail_input(name, word.empty() ? "a coordinate is missing" : quoted(word) + " is not a number", at_line(line),
-               "three coordinates");
+    fail_input(name, word.empty() ? "a coordinate is missing" : quoted(word) + " is not a number",
+               at_line(line), "three coordinates");
   }
   if (!(std::fabs(value) <= kMaxCoordinate)) check_coordinate(value, name, at_line(line));
   return value;

@@ -1,4 +1,5 @@
-// Wavefront OBJ: v and f; everything else the format knows is skipped, everything it does not know refused.
+// Wavefront OBJ: v and f; everything else the format knows is skipped, everything it does not know
+// refused.
 
 #include <algorithm>
 #include <array>
@@ -9,16 +10,17 @@ namespace thigma::detail {
 namespace {
 
 constexpr std::array<std::string_view, 38> kIgnored = {
-    "vt",   "vn",   "vp",    "o",    "g",    "s",      "mg",      "usemtl", "mtllib",   "l",
-    "p",    "deg",  "bmat",  "step", "cstype", "curv", "curv2",   "surf",   "parm",     "trim",
-    "hole", "scrv", "sp",    "end",  "con",  "bevel",  "c_interp", "d_interp", "lod",   "maplib",
-    "usemap", "shadow_obj", "trace_obj", "ctech", "stech", "call", "csh", "maxlod"};
+    "vt",        "vn",    "vp",       "o",        "g",    "s",      "mg",     "usemtl",
+    "mtllib",    "l",     "p",        "deg",      "bmat", "step",   "cstype", "curv",
+    "curv2",     "surf",  "parm",     "trim",     "hole", "scrv",   "sp",     "end",
+    "con",       "bevel", "c_interp", "d_interp", "lod",  "maplib", "usemap", "shadow_obj",
+    "trace_obj", "ctech", "stech",    "call",     "csh",  "maxlod"};
 
 struct ObjReader {
   const std::string& name;
   RawMesh mesh;
   std::vector<std::int32_t> corners;
-  std::int32_t largest = -1;         // index used so far: faces may come before their vertices
+  std::int32_t largest = -1;  // index used so far: faces may come before their vertices
   std::int64_t largest_line = 0;
 };
 
@@ -31,7 +33,8 @@ void read_vertex(ObjReader& obj, Words& words, std::int64_t line) {
   for (std::string_view word = words.next(); !word.empty(); word = words.next(), ++extra) {
     double ignored = 0.0;  // a weight, or a colour
     if (extra == 4 || !parse_number(word, ignored)) {
-      fail_input(obj.name, quoted(word) + " after the coordinates", at_line(line), "at most four more numbers");
+      fail_input(obj.name, quoted(word) + " after the coordinates", at_line(line),
+                 "at most four more numbers");
     }
   }
   obj.mesh.positions.emplace_back(x, y, z);
@@ -76,8 +79,8 @@ void read_face(ObjReader& obj, Words& words, std::int64_t line) {
     obj.corners.push_back(index);
   }
   if (obj.corners.size() < 3) {
-    fail_input(obj.name, "a face has " + std::to_string(obj.corners.size()) + " corners", at_line(line),
-               "three or more");
+    fail_input(obj.name, "a face has " + std::to_string(obj.corners.size()) + " corners",
+               at_line(line), "three or more");
   }
   check_room(obj.mesh.triangles.size() + obj.corners.size(), obj.name, at_line(line));
   add_fan(obj.corners, obj.mesh);
@@ -112,7 +115,8 @@ RawMesh read_obj(std::string_view bytes, const std::string& name) {
       read_vertex(obj, words, lines.number());
     } else if (keyword == "f" || keyword == "fo") {
       read_face(obj, words, lines.number());
-    } else if (!keyword.empty() && std::find(kIgnored.begin(), kIgnored.end(), keyword) == kIgnored.end()) {
+    } else if (!keyword.empty() &&
+               std::find(kIgnored.begin(), kIgnored.end(), keyword) == kIgnored.end()) {
       fail_input(name, quoted(keyword) + " is no keyword of OBJ", at_line(lines.number()),
                  "v, f, or another keyword of the format");
     }

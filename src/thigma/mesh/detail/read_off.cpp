@@ -19,7 +19,8 @@ bool next_content(Lines& lines, std::string_view& line) {
 void check_rest_numeric(Words& words, const std::string& name, std::int64_t line) {
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
     double ignored = 0.0;  // colour, normal or texture coordinate
-    if (!parse_number(word, ignored)) fail_input(name, quoted(word) + " is not a number", at_line(line), "numbers");
+    if (!parse_number(word, ignored))
+      fail_input(name, quoted(word) + " is not a number", at_line(line), "numbers");
   }
 }
 
@@ -33,7 +34,8 @@ OffCounts read_counts(Lines& lines, std::string_view header, const std::string& 
   std::string_view word = words.next();
   if (word.empty()) {
     std::string_view line;
-    if (!next_content(lines, line)) fail_input(name, "ends after its first word", "line 1", "the counts");
+    if (!next_content(lines, line))
+      fail_input(name, "ends after its first word", "line 1", "the counts");
     words = Words(line);
     word = words.next();
   }
@@ -44,14 +46,16 @@ OffCounts read_counts(Lines& lines, std::string_view header, const std::string& 
   if (!parse_number(word, counts.vertices) || !parse_number(second, counts.faces) ||
       !(third.empty() || parse_number(third, edges)) || counts.vertices < 0 || counts.faces < 0 ||
       !words.next().empty()) {
-    fail_input(name, "the counts are not right", at_line(lines.number()), "vertices, faces and edges, 0 or more");
+    fail_input(name, "the counts are not right", at_line(lines.number()),
+               "vertices, faces and edges, 0 or more");
   }
   // Every vertex takes six bytes of text at least, every face two.
   const std::int64_t bytes = static_cast<std::int64_t>(lines.rest_size());
   if (counts.vertices > bytes / 5 + 1 || counts.faces > bytes / 2 + 1) {
     fail_input(name,
-               "claims " + std::to_string(counts.vertices) + " vertices and " + std::to_string(counts.faces) +
-                   " faces but has only " + std::to_string(bytes) + " bytes left",
+               "claims " + std::to_string(counts.vertices) + " vertices and " +
+                   std::to_string(counts.faces) + " faces but has only " + std::to_string(bytes) +
+                   " bytes left",
                at_line(lines.number()), "counts that fit the file");
   }
   return counts;
@@ -63,16 +67,19 @@ void read_face(std::string_view line, std::int64_t number, const std::string& na
   std::int64_t n = 0;
   const std::string_view word = words.next();
   if (!parse_number(word, n) || n < 3) {
-    fail_input(name, "a face begins with " + quoted(word), at_line(number), "its number of corners, 3 or more");
+    fail_input(name, "a face begins with " + quoted(word), at_line(number),
+               "its number of corners, 3 or more");
   }
   corners.clear();
   for (std::int64_t i = 0; i < n; ++i) {
     const std::string_view corner = words.next();
     std::int64_t index = 0;
     if (corner.empty()) {
-      fail_input(name, "a face ends after " + std::to_string(i) + " corners", at_line(number), std::to_string(n));
+      fail_input(name, "a face ends after " + std::to_string(i) + " corners", at_line(number),
+                 std::to_string(n));
     }
-    if (!parse_number(corner, index) || index < 0 || index >= static_cast<std::int64_t>(mesh.positions.size())) {
+    if (!parse_number(corner, index) || index < 0 ||
+        index >= static_cast<std::int64_t>(mesh.positions.size())) {
       fail_input(name, "vertex " + quoted(corner) + " does not exist", at_line(number),
                  "0 to " + std::to_string(static_cast<std::int64_t>(mesh.positions.size()) - 1));
     }

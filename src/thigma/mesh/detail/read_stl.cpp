@@ -8,19 +8,22 @@
 namespace thigma::detail {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "files are little-endian and read in place");
+static_assert(std::endian::native == std::endian::little,
+              "files are little-endian and read in place");
 
 constexpr std::size_t kHeaderBytes = 84;    // 80 of free text, the count
 constexpr std::size_t kTriangleBytes = 50;  // normal, three corners, attribute
 
 // One line of the text form must begin with these words.
-Words expect_words(Lines& lines, std::string_view line, std::string_view first, std::string_view second,
-                   const std::string& name) {
+Words expect_words(Lines& lines, std::string_view line, std::string_view first,
+                   std::string_view second, const std::string& name) {
   Words words(line);
   if (words.next() == first && (second.empty() || words.next() == second)) return words;
-  std::string expected(first);
-  if (!second.empty()) expected += " " + std::string(second);
-  fail_input(name, quoted(line) + " is out of place", at_line(lines.number()), "'" + expected + "'");
+  std::string expected = "'";
+  expected.append(first);
+  if (!second.empty()) expected.append(1, ' ').append(second);
+  expected.append(1, '\'');
+  fail_input(name, quoted(line) + " is out of place", at_line(lines.number()), expected);
 }
 
 bool next_content(Lines& lines, std::string_view& line) {
@@ -50,7 +53,8 @@ void read_facet(Lines& lines, std::string_view line, const std::string& name, Ra
     const double y = read_coordinate(words, name, lines.number());
     const double z = read_coordinate(words, name, lines.number());
     if (!words.next().empty()) {
-      fail_input(name, "a vertex has more than three numbers", at_line(lines.number()), "three coordinates");
+      fail_input(name, "a vertex has more than three numbers", at_line(lines.number()),
+                 "three coordinates");
     }
     mesh.positions.emplace_back(x, y, z);
   }
@@ -92,8 +96,8 @@ RawMesh read_stl_binary(std::string_view bytes, const std::string& name) {
   const std::size_t needed = kHeaderBytes + kTriangleBytes * std::size_t{count};
   if (needed != bytes.size()) {
     fail_input(name,
-               "claims " + std::to_string(count) + " triangles in " + std::to_string(needed) + " bytes but has " +
-                   std::to_string(bytes.size()),
+               "claims " + std::to_string(count) + " triangles in " + std::to_string(needed) +
+                   " bytes but has " + std::to_string(bytes.size()),
                "byte 80", "a count that fits the file");
   }
   check_room(std::size_t{count} * 3, name, "byte 80");
@@ -109,7 +113,8 @@ RawMesh read_stl_binary(std::string_view bytes, const std::string& name) {
       }
     }
     const std::int32_t first = static_cast<std::int32_t>(mesh.positions.size());
-    for (int k = 0; k < 9; k += 3) mesh.positions.emplace_back(corner[k], corner[k + 1], corner[k + 2]);
+    for (int k = 0; k < 9; k += 3)
+      mesh.positions.emplace_back(corner[k], corner[k + 1], corner[k + 2]);
     mesh.triangles.push_back({first, first + 1, first + 2});
   }
   return mesh;

@@ -10,7 +10,8 @@ constexpr std::int32_t kLeafSize = 4;
 TreeBox box_of(const TriangleTree& tree, std::int32_t first, std::int32_t last) {
   TreeBox box = tree.boxes[static_cast<std::size_t>(tree.order[static_cast<std::size_t>(first)])];
   for (std::int32_t i = first + 1; i < last; ++i) {
-    const TreeBox& b = tree.boxes[static_cast<std::size_t>(tree.order[static_cast<std::size_t>(i)])];
+    const TreeBox& b =
+        tree.boxes[static_cast<std::size_t>(tree.order[static_cast<std::size_t>(i)])];
     box.min = box.min.cwiseMin(b.min);
     box.max = box.max.cwiseMax(b.max);
   }
@@ -37,7 +38,8 @@ void build(TriangleTree& tree, std::int32_t first, std::int32_t last) {
     const double y = b.min[axis] + b.max[axis];
     return x < y || (x == y && i < j);
   };
-  std::nth_element(tree.order.begin() + first, tree.order.begin() + middle, tree.order.begin() + last, before);
+  std::nth_element(tree.order.begin() + first, tree.order.begin() + middle,
+                   tree.order.begin() + last, before);
   build(tree, first, middle);
   tree.nodes[self].right = static_cast<std::int32_t>(tree.nodes.size());
   build(tree, middle, last);

@@ -11,15 +11,15 @@ namespace thigma::detail {
 struct TreeBox {
   Vec3 min, max;
   bool overlaps(const TreeBox& o) const noexcept {
-    return min.x() <= o.max.x() && o.min.x() <= max.x() && min.y() <= o.max.y() && o.min.y() <= max.y() &&
-           min.z() <= o.max.z() && o.min.z() <= max.z();
+    return min.x() <= o.max.x() && o.min.x() <= max.x() && min.y() <= o.max.y() &&
+           o.min.y() <= max.y() && min.z() <= o.max.z() && o.min.z() <= max.z();
   }
 };
 
 struct TreeNode {
   TreeBox box;
-  std::int32_t right = -1;              // inner: the left child follows the node
-  std::int32_t first = 0, count = 0;    // leaf: into order; count 0 for an inner node
+  std::int32_t right = -1;            // inner: the left child follows the node
+  std::int32_t first = 0, count = 0;  // leaf: into order; count 0 for an inner node
 };
 
 /// Invariant: node 0 is the root; boxes are exact, closed, and hold everything below.
