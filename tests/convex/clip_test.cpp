@@ -38,11 +38,15 @@ TEST(ReachesInto, AgreesWithPointsOfTheTriangle) {
         const Vec3 p = (i * t[0] + j * t[1] + (60 - i - j) * t[2]) / 60.0;
         has_point = has_point || ((p.array() >= 0).all() && (p.array() <= 1).all());
       }
-    if (has_point) EXPECT_TRUE(reaches_into(t, cube));
+    if (has_point) {
+      EXPECT_TRUE(reaches_into(t, cube));
+    }
     // A cube grown by the largest gap between the samples must not be missed by them.
     std::vector<HalfSpace> small = cube;
     for (HalfSpace& h : small) h.offset -= 0.1;
-    if (reaches_into(t, small)) EXPECT_TRUE(has_point);
+    if (reaches_into(t, small)) {
+      EXPECT_TRUE(has_point);
+    }
     reaching += has_point;
   }
   EXPECT_GT(reaching, 200);
