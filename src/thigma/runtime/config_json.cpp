@@ -20,6 +20,7 @@ void each_limit(Limits& s, Visit visit) {
   visit("torque_slew", s.torque_slew);
   visit("onset_window", s.onset_window);
   visit("start_ramp", s.start_ramp);
+  visit("clear_before_arming", s.clear_before_arming);
   visit("max_speed", s.max_speed);
   visit("pose_jump", s.pose_jump);
   visit("silent_device", s.silent_device);

@@ -5,8 +5,10 @@
 #include <sys/mman.h>
 #include <time.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <thread>
 
 namespace thigma {
 namespace {
@@ -83,6 +85,22 @@ std::int64_t wait_for_tick(DeadlineClock& clock) noexcept {
   } while (now < deadline);
   ++clock.tick;
   return now - deadline;
+}
+
+EmptyLoop measure_empty_loop(const RtRequest& request, double rate, double seconds) {
+  EmptyLoop loop;
+  std::thread([&] {
+    request_real_time(request);
+    DeadlineClock clock;
+    clock.period_ns = static_cast<std::int64_t>(1e9 / rate);
+    clock.spin_ns = std::min(clock.spin_ns, clock.period_ns / 4);
+    const auto last = static_cast<std::int64_t>(seconds * rate);
+    start_clock(clock);
+    while (clock.tick < last) record(loop.wake_late, wait_for_tick(clock));
+    loop.ticks = static_cast<std::uint64_t>(clock.tick);
+    loop.missed = clock.missed;
+  }).join();
+  return loop;
 }
 
 void sleep_ns(std::int64_t nanoseconds) noexcept {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "thigma/core/rt.h"
+#include "thigma/runtime/histogram.h"
 
 namespace thigma {
 
@@ -48,6 +49,15 @@ void start_clock(DeadlineClock& clock) noexcept;
 /// Waits for the next tick, leaving out those that are over by more than a period; returns how late it woke [ns].
 /// clock.tick is then the tick after it, at start_ns + tick * period_ns. Thread: the shell of the haptic thread.
 std::int64_t wait_for_tick(DeadlineClock& clock) noexcept;
+
+/// What a thread that does nothing achieves on this machine: the floor for missed frames and lateness.
+struct EmptyLoop {
+  std::uint64_t ticks = 0, missed = 0;
+  DurationHistogram wake_late;
+};
+
+/// Ticks at `rate` [Hz] for `seconds` in a thread of its own with the schedule asked for. Thread [offline].
+EmptyLoop measure_empty_loop(const RtRequest& request, double rate, double seconds);
 
 /// Sleeps about this long. Thread [any but haptic].
 void sleep_ns(std::int64_t nanoseconds) noexcept;

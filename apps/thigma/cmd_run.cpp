@@ -1,0 +1,200 @@
+// thigma run: the main job. A hand moves an object against others and feels what it touches.
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "run_options.h"
+#include "run_session.h"
+#include "run_summary.h"
+#include "thigma/core/error.h"
+#include "thigma/device/open_device.h"
+#include "thigma/runtime/config_json.h"
+#include "thigma/runtime/recording.h"
+#include "verbs.h"
+
+namespace thigma::app {
+namespace {
+
+std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
+
+void on_signal(int) { stop_requested.store(true, std::memory_order_relaxed); }
+
+/// Ctrl-C and its kin end the session in order while this lives; twice Ctrl-C does not hurry it: it takes milliseconds.
+class SignalGuard {
+ public:
+  SignalGuard() {
+    stop_requested = false;
+    for (int i = 0; i < kCount; ++i) previous_[i] = std::signal(kSignals[i], on_signal);
+  }
+  ~SignalGuard() {
+    for (int i = 0; i < kCount; ++i) std::signal(kSignals[i], previous_[i]);
+  }
+  SignalGuard(const SignalGuard&) = delete;
+  SignalGuard& operator=(const SignalGuard&) = delete;
+
+ private:
+  static constexpr int kCount = 3;
+  static constexpr int kSignals[kCount] = {SIGINT, SIGTERM, SIGHUP};
+  void (*previous_[kCount])(int) = {};
+};
+
+/// The newest frame for the live table, handed over by the session's drain thread.
+class LiveTable {
+ public:
+  void look_at(const HapticSample& sample) {
+    const std::lock_guard lock(mutex_);
+    haptic_ = sample;
+  }
+  void look_at(const ContactSample& sample) {
+    const std::lock_guard lock(mutex_);
+    contacts_ = sample.contacts;
+    clusters_ = sample.clusters;
+    query_ = sample.query_cpu;
+  }
+  void draw(bool is_first) {
+    const std::lock_guard lock(mutex_);
+    if (!is_first) std::fprintf(stderr, "\033[6A");
+    const HapticSample& h = haptic_;
+    const Vec3 mm = 1e3 * h.body.position;
+    std::fprintf(stderr, "\033[K time      %9.2f s      %s%s\n", h.time, h.is_grasped ? "held" : "not held",
+                 h.fault != Fault::none ? fault_name(h.fault) : h.is_armed ? ", forces on" : ", forces off");
+    std::fprintf(stderr, "\033[K object    %9.2f %9.2f %9.2f mm\n", mm.x(), mm.y(), mm.z());
+    std::fprintf(stderr, "\033[K force     %9.3f %9.3f %9.3f N      |F| %.3f N\n", h.command.force.x(),
+                 h.command.force.y(), h.command.force.z(), h.command.force.norm());
+    std::fprintf(stderr, "\033[K torque    %9.2f %9.2f %9.2f mN m\n", 1e3 * h.feedback.torque.x(),
+                 1e3 * h.feedback.torque.y(), 1e3 * h.feedback.torque.z());
+    std::fprintf(stderr, "\033[K contacts  %9lld in %d clusters, query %.0f us, model %.1f ms old\n",
+                 static_cast<long long>(contacts_), static_cast<int>(clusters_), 1e6 * query_, 1e3 * h.model_age);
+    std::fprintf(stderr, "\033[K depth     %9.4f mm     stretch %.3f mm\n",
+                 h.penetration > 0.0 ? 1e3 * h.penetration : 0.0, 1e3 * h.stretch);
+  }
+
+ private:
+  std::mutex mutex_;
+  HapticSample haptic_;
+  std::int64_t contacts_ = 0;
+  std::int32_t clusters_ = 0;
+  double query_ = 0.0;
+};
+
+std::unique_ptr<RecordingWriter> open_recording(const RunOptions& options, const Run& run, std::uint64_t seed) {
+  if (options.record.empty()) return nullptr;
+  RecordedConfig recorded;
+  recorded.params = run.config.haptic;
+  recorded.world_from_body = run.config.world_from_body;
+  recorded.rate_hz = run.config.rate;
+  recorded.is_lockstep = options.is_lockstep;
+  recorded.seed = seed;
+  recorded.scene = run.scene.file;
+  recorded.device = run.device_uri;
+  return std::make_unique<RecordingWriter>(options.record, write_config(recorded));
+}
+
+/// How late this machine wakes a thread that does nothing, so that missed frames can be judged.
+void tell_floor(const SessionConfig& config) {
+  const EmptyLoop floor = measure_empty_loop(config.haptic_thread, config.rate, 0.5);
+  const DurationSummary late = summarize(floor.wake_late);
+  std::fprintf(stderr, "thigma: empty loop at %g Hz: %llu of %llu frames missed, late by p50 %.2f us, p99 %.1f us, max %.0f us\n",
+               config.rate, static_cast<unsigned long long>(floor.missed), static_cast<unsigned long long>(floor.ticks),
+               1e6 * late.p50, 1e6 * late.p99, 1e6 * late.max);
+}
+
+SessionSummary run_threads(Run& run, const SessionSinks& sinks, LiveTable* table, bool is_quiet) {
+  const std::string refused = lock_process_memory();
+  if (!refused.empty() && !is_quiet) std::fprintf(stderr, "thigma: %s\n", refused.c_str());
+  if (!is_quiet) tell_floor(run.config);
+  Session session(run.config, *run.device, sinks);
+  session.start();
+  bool is_first = true;
+  int polls = 0;
+  while (session.is_running()) {
+    if (stop_requested.load(std::memory_order_relaxed)) session.request_stop();
+    sleep_ns(10'000'000);
+    if (table != nullptr && ++polls % 10 == 0) {
+      table->draw(is_first);
+      is_first = false;
+    }
+  }
+  SessionSummary summary = session.finish();
+  for (const std::string& note : summary.notes) {
+    if (!is_quiet) std::fprintf(stderr, "thigma: %s\n", note.c_str());
+  }
+  return summary;
+}
+
+int run_verb(const RunOptions& options, const Common& common) {
+  const auto tell = [&common](const std::string& line) {
+    if (!common.quiet) std::fprintf(stderr, "thigma: %s\n", line.c_str());
+  };
+  const std::unique_ptr<Run> run = prepare_run(options, common.seed, tell);
+  const std::unique_ptr<RecordingWriter> recording = open_recording(options, *run, common.seed);
+  const bool wants_table = !options.is_headless && !options.is_lockstep && !common.quiet && isatty(2) != 0;
+  LiveTable table;
+  SessionSinks sinks;
+  if (recording || wants_table) {
+    sinks.haptic = [&](const HapticSample& sample) {
+      if (recording) recording->write(sample);
+      if (wants_table) table.look_at(sample);
+    };
+    sinks.contact = [&](const ContactSample& sample) {
+      if (recording) recording->write(sample);
+      if (wants_table) table.look_at(sample);
+    };
+  }
+  if (!options.is_headless && !options.is_lockstep) {
+    tell("the browser view is not in this build: a simulated hand runs, with a live table here; Ctrl-C ends it");
+  }
+  const SignalGuard signals;
+  const SessionSummary summary = options.is_lockstep ? run_lockstep(run->config, *run->device, sinks, &stop_requested)
+                                                     : run_threads(*run, sinks, wants_table ? &table : nullptr, common.quiet);
+  if (recording) recording->close({summary.frames, summary.state_hash, summary.dropped_samples});
+  if (common.json || options.is_headless) {
+    std::printf("%s\n", run_summary_json(summary, run->scene.file, run->device_uri).dump().c_str());
+  } else {
+    std::printf("%s", run_summary_text(summary).c_str());
+  }
+  std::fflush(stdout);
+  for (const SessionEvent& event : summary.safety_events) {
+    std::fprintf(stderr, "thigma: safety fault %s at %.3f s: zero force since\n", event.detail.c_str(), event.time);
+  }
+  if (summary.end == SessionEnd::fault) return kSafetyFault;
+  return summary.end == SessionEnd::stopped ? kInterrupted : kDone;
+}
+
+int refuse(int code, const std::string& why) {
+  std::fprintf(stderr, "thigma: %s\n", why.c_str());
+  return code;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Common& common) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App* verb = add_verb(app, common, "run", "move an object against others and feel them",
+                            [options, &common]() -> int {
+                              const std::string wrong = check_run_options(*options);
+                              if (!wrong.empty()) return refuse(kUsage, wrong);
+                              try {
+                                parse_faults(options->fault_text);
+                              } catch (const InputError& error) {
+                                return refuse(kUsage, error.what());
+                              }
+                              try {
+                                return run_verb(*options, common);
+                              } catch (const DeviceAddressError& error) {
+                                return refuse(kUsage, error.what());
+                              } catch (const DeviceUnavailable& error) {
+                                return refuse(kUnavailable, error.what());
+                              }
+                            });
+  add_run_options(*verb, *options);
+}
+
+}  // namespace thigma::app
