@@ -1,9 +1,10 @@
 #include "benchmarks/pair_bench.h"
 
-#include <time.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include <time.h>
 
 #include "thigma/convex/pair.h"
 #include "thigma/math/random.h"
@@ -51,7 +52,8 @@ void add_hull(std::vector<Vec3> points, const Vec3& center, Hulls& hulls, std::s
   for (const Vec3& q : p) v.radius = std::max(v.radius, (q - center).norm());
   for (int k = 0; k < v.lane_count; ++k) {
     const Vec3 q = p[static_cast<std::size_t>(std::min(k, v.vertex_count - 1))] - center;
-    for (int c = 0; c < 3; ++c) hulls.lanes[i].values[c * v.lane_count + k] = static_cast<float>(q[c]);
+    for (int c = 0; c < 3; ++c)
+      hulls.lanes[i].values[c * v.lane_count + k] = static_cast<float>(q[c]);
   }
   v.lanes = hulls.lanes[i].values;
   hulls.views[i] = v;
@@ -78,15 +80,20 @@ Scene make_scene(int low, int high, const PairTimingParams& params) {
     const Vec3 center = random.direction() * random.uniform(10.0, 30.0);
     const Vec3 apart = random.direction() * random.uniform(1.06, 1.5);
     const Vec3 center_b = rotation.transpose() * (center + apart - translation);
-    add_hull(make_cap(low + static_cast<int>(random.below(span)), center, random), center, scene.a, i);
-    add_hull(make_cap(low + static_cast<int>(random.below(span)), center_b, random), center_b, scene.b, i);
+    add_hull(make_cap(low + static_cast<int>(random.below(span)), center, random), center, scene.a,
+             i);
+    add_hull(make_cap(low + static_cast<int>(random.below(span)), center_b, random), center_b,
+             scene.b, i);
   }
   const Vec3 step = random.direction() * params.motion;
   const Vec3 turn = random.direction();
   for (int f = 0; f < params.frames; ++f) {
-    const double s = std::sin(0.2 * f) / 0.2;  // to and fro: never far, always about `motion` a frame
+    const double s =
+        std::sin(0.2 * f) / 0.2;  // to and fro: never far, always about `motion` a frame
     const double angle = 0.5 * params.motion / 30.0 * s;
-    const Mat3 small = Quat(1.0, angle * turn.x(), angle * turn.y(), angle * turn.z()).normalized().toRotationMatrix();
+    const Mat3 small = Quat(1.0, angle * turn.x(), angle * turn.y(), angle * turn.z())
+                           .normalized()
+                           .toRotationMatrix();
     scene.poses.push_back({small * rotation, small * translation + s * step});
   }
   return scene;
@@ -94,8 +101,8 @@ Scene make_scene(int low, int high, const PairTimingParams& params) {
 
 // Times `frame(pose)` over all frames, several times; the first round warms up.
 template <class Frame>
-PairTiming time_frames(const char* name, int low, int high, const Scene& scene, const PairTimingParams& params,
-                       Frame frame) {
+PairTiming time_frames(const char* name, int low, int high, const Scene& scene,
+                       const PairTimingParams& params, Frame frame) {
   PairTiming t;
   t.name = name;
   t.vertices_low = low;
@@ -136,7 +143,8 @@ void time_class(int low, int high, const PairTimingParams& params, std::vector<P
   std::vector<GjkCache> batch_caches(n);
   std::vector<PairQuery> queries(n);
   std::vector<Separation> separations(n);
-  for (std::size_t i = 0; i < n; ++i) queries[i] = {&scene.a.views[i], &scene.b.views[i], &batch_caches[i]};
+  for (std::size_t i = 0; i < n; ++i)
+    queries[i] = {&scene.a.views[i], &scene.b.views[i], &batch_caches[i]};
   out.push_back(time_frames("batched", low, high, scene, params, [&](const RelativePose& x) {
     closest_points_batch(queries, x, kFar, separations.data());
     sum += separations[0].distance;
@@ -147,10 +155,12 @@ void time_class(int low, int high, const PairTimingParams& params, std::vector<P
     axes[i] = {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())};
   }
   out.push_back(time_frames("axis", low, high, scene, params, [&](const RelativePose& x) {
-    for (std::size_t i = 0; i < n; ++i) sum += axis_separates(scene.a.views[i], scene.b.views[i], x, axes[i].data(), 0.05);
+    for (std::size_t i = 0; i < n; ++i)
+      sum += axis_separates(scene.a.views[i], scene.b.views[i], x, axes[i].data(), 0.05);
   }));
   out.push_back(time_frames("sphere", low, high, scene, params, [&](const RelativePose& x) {
-    for (std::size_t i = 0; i < n; ++i) sum += spheres_separate(scene.a.views[i], scene.b.views[i], x, 0.05);
+    for (std::size_t i = 0; i < n; ++i)
+      sum += spheres_separate(scene.a.views[i], scene.b.views[i], x, 0.05);
   }));
   g_sink = sum;
 }
@@ -159,7 +169,8 @@ void time_class(int low, int high, const PairTimingParams& params, std::vector<P
 
 std::vector<PairTiming> time_pairs(const PairTimingParams& params) {
   std::vector<PairTiming> out;
-  for (const auto& [low, high] : {std::pair{4, 6}, std::pair{8, 8}, std::pair{16, 16}, std::pair{30, 30}, std::pair{4, 30}}) {
+  for (const auto& [low, high] :
+       {std::pair{4, 6}, std::pair{8, 8}, std::pair{16, 16}, std::pair{30, 30}, std::pair{4, 30}}) {
     time_class(low, high, params, out);
   }
   return out;

@@ -9,9 +9,10 @@ namespace thigma {
 
 /// CPU time of one function on one class of hulls, nanoseconds a pair.
 struct PairTiming {
-  std::string name;       // "single", "batched", "axis", "sphere"
+  std::string name;  // "single", "batched", "axis", "sphere"
   int vertices_low = 0, vertices_high = 0;
-  double median = 0.0;    // over frames of (time of the frame / pairs), best of the repetitions of each frame
+  double median =
+      0.0;  // over frames of (time of the frame / pairs), best of the repetitions of each frame
   double p99 = 0.0;
   double least = 0.0;
   double iterations = 0.0;  // mean turns of the distance loop, where it applies
@@ -25,9 +26,9 @@ struct PairTimingParams {
   std::uint64_t seed = 1;
 };
 
-/// Times separated, coherent pairs of thin patch-like hulls of diameter 1, placed 10 to 30 diameters from the
-/// origins, all under one relative pose (the set-up of the figures to compare with).
-/// Thread: measures the calling thread's CPU clock; everything is warm.
+/// Times separated, coherent pairs of thin patch-like hulls of diameter 1, placed 10 to 30
+/// diameters from the origins, all under one relative pose (the set-up of the figures to compare
+/// with). Thread: measures the calling thread's CPU clock; everything is warm.
 std::vector<PairTiming> time_pairs(const PairTimingParams& params = {});
 
 }  // namespace thigma

@@ -29,7 +29,8 @@ struct PointHull {
     const int n = lane_count(), last = static_cast<int>(points.size()) - 1;
     for (int k = 0; k < n; ++k) {
       for (int c = 0; c < 3; ++c) {
-        lanes.values[c * n + k] = static_cast<float>(points[static_cast<std::size_t>(std::min(k, last))][c] - center[c]);
+        lanes.values[c * n + k] =
+            static_cast<float>(points[static_cast<std::size_t>(std::min(k, last))][c] - center[c]);
       }
     }
   }
@@ -46,7 +47,8 @@ struct PointHull {
   }
 };
 
-/// n points of a kind: 0 a ball, 1 flat, 2 on a line, 3 a thousand-to-one sliver, 4 all on a shallow cap.
+/// n points of a kind: 0 a ball, 1 flat, 2 on a line, 3 a thousand-to-one sliver, 4 all on a
+/// shallow cap.
 inline PointHull random_hull(int kind, int n, const Vec3& center, double scale, Random& random) {
   const Mat3 attitude = random.orientation().toRotationMatrix();
   std::vector<Vec3> points;
@@ -93,8 +95,10 @@ struct MeshPatch {
 
 using Triangles = std::vector<std::array<std::int32_t, 3>>;
 
-/// Patch of the listed triangles; the caller knows that they are one convex patch. Every triangle is a face.
-inline MeshPatch make_patch(const std::vector<Vec3>& positions, const Triangles& mesh, const std::vector<int>& members) {
+/// Patch of the listed triangles; the caller knows that they are one convex patch. Every triangle
+/// is a face.
+inline MeshPatch make_patch(const std::vector<Vec3>& positions, const Triangles& mesh,
+                            const std::vector<int>& members) {
   MeshPatch patch;
   std::map<std::int32_t, int> index;
   std::map<std::pair<int, int>, int> half_edges;
@@ -110,7 +114,9 @@ inline MeshPatch make_patch(const std::vector<Vec3>& positions, const Triangles&
       triangle.corner[k] = static_cast<std::uint8_t>(it->second);
       triangle.mask |= 1u << it->second;
     }
-    for (int k = 0; k < 3; ++k) half_edges[{triangle.corner[k], triangle.corner[(k + 1) % 3]}] = static_cast<int>(patch.faces.size());
+    for (int k = 0; k < 3; ++k)
+      half_edges[{triangle.corner[k], triangle.corner[(k + 1) % 3]}] =
+          static_cast<int>(patch.faces.size());
     face.normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
     face.offset = face.normal.dot(p[0]);
     face.vertices = triangle.mask;
@@ -128,10 +134,12 @@ inline MeshPatch make_patch(const std::vector<Vec3>& positions, const Triangles&
     patch.edges.push_back(edge);
   }
   for (const Vec3& q : patch.points) patch.center += q / static_cast<double>(patch.points.size());
-  for (const Vec3& q : patch.points) patch.radius = std::max(patch.radius, (q - patch.center).norm());
+  for (const Vec3& q : patch.points)
+    patch.radius = std::max(patch.radius, (q - patch.center).norm());
   patch.thickness = std::numeric_limits<double>::infinity();
   for (const RealFace& f : patch.faces) {
-    for (const Vec3& q : patch.points) patch.radius = std::max(patch.radius, (q - patch.center).norm());
+    for (const Vec3& q : patch.points)
+      patch.radius = std::max(patch.radius, (q - patch.center).norm());
     double low = f.offset;
     for (const Vec3& q : patch.points) low = std::min(low, f.normal.dot(q));
     patch.thickness = std::min(patch.thickness, f.offset - low);

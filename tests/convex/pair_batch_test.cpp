@@ -1,9 +1,8 @@
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <limits>
 
 #include "convex/hull_support.h"
+#include <gtest/gtest.h>
 
 namespace thigma {
 namespace {
@@ -13,7 +12,8 @@ using test::random_hull;
 
 void expect_same(const Separation& a, const Separation& b, const char* what, std::size_t i) {
   EXPECT_EQ(a.status, b.status) << what << i;
-  EXPECT_EQ(std::memcmp(&a.distance, &b.distance, sizeof(double)), 0) << what << i << ' ' << a.distance - b.distance;
+  EXPECT_EQ(std::memcmp(&a.distance, &b.distance, sizeof(double)), 0)
+      << what << i << ' ' << a.distance - b.distance;
   EXPECT_EQ(std::memcmp(a.witness_a.data(), b.witness_a.data(), sizeof(Vec3)), 0) << what << i;
   EXPECT_EQ(std::memcmp(a.witness_b.data(), b.witness_b.data(), sizeof(Vec3)), 0) << what << i;
   EXPECT_EQ(a.feature_a, b.feature_a) << what << i;
@@ -21,8 +21,8 @@ void expect_same(const Separation& a, const Separation& b, const char* what, std
   EXPECT_EQ(a.iterations, b.iterations) << what << i;
 }
 
-// Coherent motion of pairs of every kind, any batch length: the batch gives the bits of the single function, the
-// caches stay equal too.
+// Coherent motion of pairs of every kind, any batch length: the batch gives the bits of the single
+// function, the caches stay equal too.
 TEST(ClosestPointsBatch, GivesTheBitsOfTheSingleFunction) {
   Random random(1);
   for (const double stop : {std::numeric_limits<double>::infinity(), 0.3, 0.0}) {
@@ -32,8 +32,9 @@ TEST(ClosestPointsBatch, GivesTheBitsOfTheSingleFunction) {
         const Vec3 place = random.direction() * 10.0;
         const int kind = static_cast<int>(random.below(5));
         a.push_back(random_hull(kind, 1 + static_cast<int>(random.below(32)), place, 1.0, random));
-        b.push_back(random_hull(static_cast<int>(random.below(5)), 1 + static_cast<int>(random.below(32)),
-                                place + random.direction() * random.uniform(0.5, 3.0), 1.0, random));
+        b.push_back(
+            random_hull(static_cast<int>(random.below(5)), 1 + static_cast<int>(random.below(32)),
+                        place + random.direction() * random.uniform(0.5, 3.0), 1.0, random));
       }
       std::vector<HullView> va, vb;
       for (std::size_t i = 0; i < count; ++i) va.push_back(a[i].view()), vb.push_back(b[i].view());

@@ -1,11 +1,12 @@
 #include "thigma/convex/pair.h"
 
-#include <gtest/gtest.h>
-
+#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "convex/hull_support.h"
+#include <gtest/gtest.h>
+
 #include "thigma/convex/triangle_distance.h"
 
 namespace thigma {
@@ -17,8 +18,9 @@ using test::random_pose;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Distance of two hulls as the least over all triangles (with repeated corners: segments and points) that their
-// vertices span, or 0 when one contains the other: every face of the hull is among them.
+// Distance of two hulls as the least over all triangles (with repeated corners: segments and
+// points) that their vertices span, or 0 when one contains the other: every face of the hull is
+// among them.
 double brute_distance(const HullView& a, const HullView& b, const RelativePose& x) {
   std::vector<Vec3> pb;
   for (int i = 0; i < b.vertex_count; ++i) pb.push_back(x.rotation * b.vertices[i] + x.translation);
@@ -31,7 +33,8 @@ double brute_distance(const HullView& a, const HullView& b, const RelativePose& 
   each(a.vertex_count, [&](int i, int j, int k) {
     const Vec3 ta[3] = {a.vertices[i], a.vertices[j], a.vertices[k]};
     each(b.vertex_count, [&](int l, int m, int n) {
-      const Vec3 tb[3] = {pb[static_cast<std::size_t>(l)], pb[static_cast<std::size_t>(m)], pb[static_cast<std::size_t>(n)]};
+      const Vec3 tb[3] = {pb[static_cast<std::size_t>(l)], pb[static_cast<std::size_t>(m)],
+                          pb[static_cast<std::size_t>(n)]};
       least = std::min(least, triangle_distance(ta, tb).distance);
     });
   });
@@ -40,14 +43,17 @@ double brute_distance(const HullView& a, const HullView& b, const RelativePose& 
 
 double scale_of(const HullView& a, const HullView& b) { return a.radius + b.radius; }
 
-// What every answer must satisfy by itself: witnesses on the hulls' features, and a plane that proves the distance.
-void expect_consistent(const Separation& s, const HullView& a, const HullView& b, const RelativePose& x, double tolerance) {
+// What every answer must satisfy by itself: witnesses on the hulls' features, and a plane that
+// proves the distance.
+void expect_consistent(const Separation& s, const HullView& a, const HullView& b,
+                       const RelativePose& x, double tolerance) {
   const Vec3 d = s.witness_b - s.witness_a;
   EXPECT_NEAR(d.norm(), s.distance, tolerance);
   const Vec3 n = d.normalized();
   double top = -kInfinity, bottom = kInfinity;
   for (int i = 0; i < a.vertex_count; ++i) top = std::max(top, n.dot(a.vertices[i] - s.witness_a));
-  for (int i = 0; i < b.vertex_count; ++i) bottom = std::min(bottom, n.dot(x.rotation * b.vertices[i] + x.translation - s.witness_a));
+  for (int i = 0; i < b.vertex_count; ++i)
+    bottom = std::min(bottom, n.dot(x.rotation * b.vertices[i] + x.translation - s.witness_a));
   EXPECT_GE(bottom - top, s.distance - tolerance);
   EXPECT_LE(std::popcount(s.feature_a), 3);
   EXPECT_LE(std::popcount(s.feature_b), 3);
@@ -59,9 +65,11 @@ TEST(ClosestPoints, EqualsBruteForceOnHullsOfEveryKindAtEveryScale) {
   for (const double scale : {1e-9, 1.0, 1e9}) {
     for (int trial = 0; trial < 150; ++trial) {
       const int kind_a = trial % 5, kind_b = trial / 5 % 5;
-      const int na = 1 + static_cast<int>(random.below(5)), nb = 1 + static_cast<int>(random.below(5));
+      const int na = 1 + static_cast<int>(random.below(5)),
+                nb = 1 + static_cast<int>(random.below(5));
       const PointHull ha = random_hull(kind_a, na, Vec3::Zero(), scale, random);
-      const PointHull hb = random_hull(kind_b, nb, Vec3(random.uniform(0.0, 2.5), 0, 0), scale, random);
+      const PointHull hb =
+          random_hull(kind_b, nb, Vec3(random.uniform(0.0, 2.5), 0, 0), scale, random);
       const RelativePose x = random_pose(0.3 * scale, random);
       const HullView a = ha.view(), b = hb.view();
       GjkCache cache;
@@ -72,7 +80,9 @@ TEST(ClosestPoints, EqualsBruteForceOnHullsOfEveryKindAtEveryScale) {
       if (s.status == PairStatus::overlapping) {
         // Containment has no close features: then only the status speaks.
         EXPECT_EQ(s.distance, 0.0);
-        if (na < 4 && nb < 4) { EXPECT_NEAR(expected, 0.0, tolerance); }
+        if (na < 4 && nb < 4) {
+          EXPECT_NEAR(expected, 0.0, tolerance);
+        }
         continue;
       }
       ++separated;
@@ -87,14 +97,17 @@ TEST(ClosestPoints, LargeHullsProveTheirDistance) {
   Random random(2);
   for (int trial = 0; trial < 3000; ++trial) {
     const int kind_a = trial % 5, kind_b = trial / 5 % 5;
-    const PointHull ha = random_hull(kind_a, 4 + static_cast<int>(random.below(29)), Vec3::Zero(), 1.0, random);
-    const PointHull hb = random_hull(kind_b, 4 + static_cast<int>(random.below(29)), random.direction() * random.uniform(1.0, 4.0), 1.0, random);
+    const PointHull ha =
+        random_hull(kind_a, 4 + static_cast<int>(random.below(29)), Vec3::Zero(), 1.0, random);
+    const PointHull hb = random_hull(kind_b, 4 + static_cast<int>(random.below(29)),
+                                     random.direction() * random.uniform(1.0, 4.0), 1.0, random);
     const RelativePose x = random_pose(0.2, random);
     GjkCache cache;
     const Separation s = closest_points(ha.view(), hb.view(), x, kInfinity, cache);
     ASSERT_NE(s.status, PairStatus::gave_up) << trial;
     ASSERT_LT(s.iterations, 40);
-    if (s.status == PairStatus::separated && s.distance > 1e-6) expect_consistent(s, ha.view(), hb.view(), x, 2e-12);
+    if (s.status == PairStatus::separated && s.distance > 1e-6)
+      expect_consistent(s, ha.view(), hb.view(), x, 2e-12);
   }
 }
 
@@ -106,7 +119,9 @@ TEST(ClosestPoints, WarmEqualsColdAndForeignCachesDoNoHarm) {
     RelativePose x = random_pose(0.2, random);
     GjkCache warm;
     warm.count = 4;
-    for (int i = 0; i < 4; ++i) warm.a[i] = static_cast<std::uint8_t>(random.below(256)), warm.b[i] = static_cast<std::uint8_t>(random.below(12));
+    for (int i = 0; i < 4; ++i)
+      warm.a[i] = static_cast<std::uint8_t>(random.below(256)),
+      warm.b[i] = static_cast<std::uint8_t>(random.below(12));
     const Vec3 step = random.direction() * 0.02;
     for (int frame = 0; frame < 20; ++frame, x.translation += step) {
       GjkCache cold;
@@ -153,10 +168,12 @@ TEST(ClosestPoints, KeepsDigitsWhenTheGapIsMillionthsOfTheHulls) {
 
 TEST(RelativePose, PlacesBInTheFrameOfA) {
   Random random(6);
-  const Pose a{random.in_cube(2.0), random.orientation()}, b{random.in_cube(2.0), random.orientation()};
+  const Pose a{random.in_cube(2.0), random.orientation()},
+      b{random.in_cube(2.0), random.orientation()};
   const RelativePose x = relative_pose(a, b);
   const Vec3 p = random.in_cube(1.0);
-  EXPECT_NEAR((transform_point(a, x.rotation * p + x.translation) - transform_point(b, p)).norm(), 0.0, 1e-14);
+  EXPECT_NEAR((transform_point(a, x.rotation * p + x.translation) - transform_point(b, p)).norm(),
+              0.0, 1e-14);
 }
 
 }  // namespace

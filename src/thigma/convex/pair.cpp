@@ -1,8 +1,9 @@
-// Distance of two hulls: Gilbert, Johnson, Keerthi 1988, with the simplex of the last call as the start.
-// The simplex lives in the Minkowski difference a - b in the frame of a; its nearest point v to the origin bounds
-// the distance from above, the support plane orthogonal to v bounds it from below. The loop ends when the bounds
-// meet, when the support vertex is already in the simplex (optimal up to rounding), or when rounding stops progress;
-// only the last leaves a gap, and then the lower bound is what is returned.
+// Distance of two hulls: Gilbert, Johnson, Keerthi 1988, with the simplex of the last call as the
+// start. The simplex lives in the Minkowski difference a - b in the frame of a; its nearest point v
+// to the origin bounds the distance from above, the support plane orthogonal to v bounds it from
+// below. The loop ends when the bounds meet, when the support vertex is already in the simplex
+// (optimal up to rounding), or when rounding stops progress; only the last leaves a gap, and then
+// the lower bound is what is returned.
 #include "thigma/convex/pair.h"
 
 #include <algorithm>
@@ -20,26 +21,33 @@ using detail::Simplex;
 
 // Upper minus lower bound over the larger of distance and hull size at which they count as equal.
 constexpr double kRelativeGap = 1e-12;
-// The gap at which a stalled search still counts as finished: rounding in slivers stops above kRelativeGap.
+// The gap at which a stalled search still counts as finished: rounding in slivers stops above
+// kRelativeGap.
 constexpr double kStalledGap = 1e-11;
-// A warm simplex is right or nearly so; a cold search of 32 vertices takes about 6 turns, slivers up to 20.
+// A warm simplex is right or nearly so; a cold search of 32 vertices takes about 6 turns, slivers
+// up to 20.
 constexpr int kMaxIterations = 64;
 
-void set_point(const HullView& a, const HullView& b, const RelativePose& x, int ia, int ib, int k, Simplex& s) {
+void set_point(const HullView& a, const HullView& b, const RelativePose& x, int ia, int ib, int k,
+               Simplex& s) {
   s.a[k] = static_cast<std::uint8_t>(ia);
   s.b[k] = static_cast<std::uint8_t>(ib);
   s.w[k] = a.vertices[ia] - (x.rotation * b.vertices[ib] + x.translation);
 }
 
-void start(const HullView& a, const HullView& b, const RelativePose& x, const GjkCache& cache, Simplex& s) {
+void start(const HullView& a, const HullView& b, const RelativePose& x, const GjkCache& cache,
+           Simplex& s) {
   s.n = 0;
-  // A cache may come from a front that was rebuilt: indices that do not exist here are not an error.
+  // A cache may come from a front that was rebuilt: indices that do not exist here are not an
+  // error.
   for (int i = 0; i < cache.count && i < 4; ++i) {
-    if (cache.a[i] < a.vertex_count && cache.b[i] < b.vertex_count) set_point(a, b, x, cache.a[i], cache.b[i], s.n++, s);
+    if (cache.a[i] < a.vertex_count && cache.b[i] < b.vertex_count)
+      set_point(a, b, x, cache.a[i], cache.b[i], s.n++, s);
   }
   if (s.n > 0) return;
   const Vec3 toward = x.rotation * b.center + x.translation - a.center;
-  set_point(a, b, x, detail::support_vertex(a, toward), detail::support_vertex(b, -(x.rotation.transpose() * toward)), 0, s);
+  set_point(a, b, x, detail::support_vertex(a, toward),
+            detail::support_vertex(b, -(x.rotation.transpose() * toward)), 0, s);
   s.n = 1;
 }
 
@@ -50,11 +58,12 @@ bool holds(const Simplex& s, int ia, int ib) {
   return false;
 }
 
-// Whether the simplex is known to hold its own support point: no other vertex of either hull can support along v, and
-// the vertices that do combine to points of the simplex (or, edge against edge, to the fourth corner of the
-// parallelogram of which it has three). The usual end of a warm call, at half the price of a search in double.
-inline bool is_certified(const HullView& a, const HullView& b, const std::uint8_t* ia, const std::uint8_t* ib, int n, const Vec3& v,
-                         const Vec3& v_b) {
+// Whether the simplex is known to hold its own support point: no other vertex of either hull can
+// support along v, and the vertices that do combine to points of the simplex (or, edge against
+// edge, to the fourth corner of the parallelogram of which it has three). The usual end of a warm
+// call, at half the price of a search in double.
+inline bool is_certified(const HullView& a, const HullView& b, const std::uint8_t* ia,
+                         const std::uint8_t* ib, int n, const Vec3& v, const Vec3& v_b) {
   std::uint32_t feature_a = 0, feature_b = 0;
   for (int i = 0; i < n; ++i) {
     feature_a |= 1u << ia[i];
@@ -63,7 +72,8 @@ inline bool is_certified(const HullView& a, const HullView& b, const std::uint8_
   const bool one_a = (feature_a & (feature_a - 1)) == 0, one_b = (feature_b & (feature_b - 1)) == 0;
   const bool edges = n == 3 && std::popcount(feature_a) == 2 && std::popcount(feature_b) == 2;
   if (!one_a && !one_b && !edges) return false;
-  return detail::feature_supports(a, feature_a, ia[0], -v) && detail::feature_supports(b, feature_b, ib[0], v_b);
+  return detail::feature_supports(a, feature_a, ia[0], -v) &&
+         detail::feature_supports(b, feature_b, ib[0], v_b);
 }
 
 void finish(const HullView& a, const Simplex& s, const Vec3& v, Separation& out, GjkCache& cache) {
@@ -82,14 +92,16 @@ void finish(const HullView& a, const Simplex& s, const Vec3& v, Separation& out,
 
 // Rounding of a point of the difference; below it the sign of the separation means nothing.
 double rounding_noise(const HullView& a, const HullView& b, const RelativePose& x) {
-  return 0x1.0p-51 * (a.center.lpNorm<1>() + b.center.lpNorm<1>() + x.translation.lpNorm<1>() + a.radius + b.radius);
+  return 0x1.0p-51 * (a.center.lpNorm<1>() + b.center.lpNorm<1>() + x.translation.lpNorm<1>() +
+                      a.radius + b.radius);
 }
 
-// The first turn of the search when the cached simplex of N points still is the answer: the same arithmetic as the
-// loop, unrolled. False, and nothing changed but `out`, when it is not, and the search has to begin.
+// The first turn of the search when the cached simplex of N points still is the answer: the same
+// arithmetic as the loop, unrolled. False, and nothing changed but `out`, when it is not, and the
+// search has to begin.
 template <int N>
-inline bool confirm_cached(const HullView& a, const HullView& b, const RelativePose& x, const GjkCache& cache,
-                           Separation& out) {
+inline bool confirm_cached(const HullView& a, const HullView& b, const RelativePose& x,
+                           const GjkCache& cache, Separation& out) {
   Vec3 w[N];
   for (int i = 0; i < N; ++i) {
     if (cache.a[i] >= a.vertex_count || cache.b[i] >= b.vertex_count) return false;
@@ -126,16 +138,22 @@ RelativePose relative_pose(const Pose& world_from_a, const Pose& world_from_b) n
 
 namespace {
 
-inline bool confirm(const HullView& a, const HullView& b, const RelativePose& x, const GjkCache& cache, Separation& out) {
+inline bool confirm(const HullView& a, const HullView& b, const RelativePose& x,
+                    const GjkCache& cache, Separation& out) {
   switch (cache.count) {
-    case 1: return confirm_cached<1>(a, b, x, cache, out);
-    case 2: return confirm_cached<2>(a, b, x, cache, out);
-    case 3: return confirm_cached<3>(a, b, x, cache, out);
-    default: return false;
+    case 1:
+      return confirm_cached<1>(a, b, x, cache, out);
+    case 2:
+      return confirm_cached<2>(a, b, x, cache, out);
+    case 3:
+      return confirm_cached<3>(a, b, x, cache, out);
+    default:
+      return false;
   }
 }
 
-Separation search(const HullView& a, const HullView& b, const RelativePose& x, double stop, GjkCache& cache) noexcept {
+Separation search(const HullView& a, const HullView& b, const RelativePose& x, double stop,
+                  GjkCache& cache) noexcept {
   Separation out;
   Simplex s;
   start(a, b, x, cache, s);
@@ -177,7 +195,8 @@ Separation search(const HullView& a, const HullView& b, const RelativePose& x, d
       if (gap <= kRelativeGap * vv) out.distance = std::sqrt(vv);
       return out;
     }
-    if (gap <= 0.0 || gap * gap <= kRelativeGap * kRelativeGap * vv * std::max(vv, size * size)) break;
+    if (gap <= 0.0 || gap * gap <= kRelativeGap * kRelativeGap * vv * std::max(vv, size * size))
+      break;
     if (holds(s, ia, ib)) break;
     if (out.iterations >= kMaxIterations) {
       stalled = true;
@@ -205,8 +224,8 @@ Separation closest_points(const HullView& a, const HullView& b, const RelativePo
   return confirm(a, b, x, cache, out) ? out : search(a, b, x, stop, cache);
 }
 
-void closest_points_batch(std::span<const PairQuery> queries, const RelativePose& a_from_b, double stop,
-                          Separation* out) noexcept {
+void closest_points_batch(std::span<const PairQuery> queries, const RelativePose& a_from_b,
+                          double stop, Separation* out) noexcept {
   const RelativePose x = a_from_b;  // a copy that nothing written below can alias
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const PairQuery& q = queries[i];

@@ -1,6 +1,7 @@
-// Local penetration of patches: directional overlap along the directions real faces and edges allow (contract at
-// pair_contact). Patches are thin, so "penetrating" cannot be read off the hulls: a patch is through another one
-// long before the bodies overlap noticeably. What decides is which sides of the surfaces face each other.
+// Local penetration of patches: directional overlap along the directions real faces and edges allow
+// (contract at pair_contact). Patches are thin, so "penetrating" cannot be read off the hulls: a
+// patch is through another one long before the bodies overlap noticeably. What decides is which
+// sides of the surfaces face each other.
 #include "thigma/convex/penetration.h"
 
 #include <algorithm>
@@ -12,12 +13,14 @@
 namespace thigma {
 namespace {
 
-// Sine of the angle by which both backs must face each other for the overlap direction to count fully.
-// Smaller makes the turn from "beside" to "through" faster than the motion: measured on pressed balls, 0.5 breaks
-// |change of depth * normal| <= 4 x step in 1-4 % of the pair-steps, 0.9 in 0.02-0.1 %.
+// Sine of the angle by which both backs must face each other for the overlap direction to count
+// fully. Smaller makes the turn from "beside" to "through" faster than the motion: measured on
+// pressed balls, 0.5 breaks |change of depth * normal| <= 4 x step in 1-4 % of the pair-steps, 0.9
+// in 0.02-0.1 %.
 constexpr double kFullyThrough = 0.9;
-// At the border of a patch the object goes on where the patch does not know: directions up to this tangent beyond
-// the face (17 degrees) count as allowed. Without it an edge-edge touch at a border jumps to the overlap along a face.
+// At the border of a patch the object goes on where the patch does not know: directions up to this
+// tangent beyond the face (17 degrees) count as allowed. Without it an edge-edge touch at a border
+// jumps to the overlap along a face.
 constexpr double kBorderTilt = 0.3;
 // Directions within this factor of the least overlap are equal to a caller who remembers one.
 constexpr double kNearEqual = 1.05;
@@ -90,7 +93,8 @@ Arc arc_of_b(const Placed& p, const RealEdge& e) {
   return arc;
 }
 
-// Whether two arcs on the sphere of directions cross (Gregorius 2013): their crossing is the allowed direction.
+// Whether two arcs on the sphere of directions cross (Gregorius 2013): their crossing is the
+// allowed direction.
 bool arcs_cross(const Arc& a, const Arc& b) {
   const double cba = b.from.dot(a.pole), dba = b.to.dot(a.pole);
   const double adc = a.from.dot(b.pole), bdc = a.to.dot(b.pole);
@@ -113,7 +117,8 @@ void for_each_direction(const Placed& p, Visit visit) {
       if (arcs_b[j].empty || !arcs_cross(arc, arcs_b[j])) continue;
       const Vec3 n = arc.edge.cross(arcs_b[j].edge);
       const double length = n.norm();
-      if (!(length > 1e-14 * arc.edge.norm() * arcs_b[j].edge.norm())) continue;  // parallel: the faces cover it
+      if (!(length > 1e-14 * arc.edge.norm() * arcs_b[j].edge.norm()))
+        continue;  // parallel: the faces cover it
       visit(Vec3(n * (n.dot(arc.from) + n.dot(arc.to) > 0.0 ? 1.0 / length : -1.0 / length)));
     }
   }
@@ -147,8 +152,8 @@ Choice least_overlap(const Placed& p, const Vec3* last) {
   return kept;
 }
 
-// How far the direction from witness to witness lies behind every real face that holds the witness: the least sine,
-// > 0 when the back of the surface is what faces the other patch.
+// How far the direction from witness to witness lies behind every real face that holds the witness:
+// the least sine, > 0 when the back of the surface is what faces the other patch.
 double back_facing(const HullView& h, std::uint32_t feature, const Vec3& toward_other) {
   double least = 1.0;
   bool found = false;
@@ -171,20 +176,23 @@ void report_overlap(const Placed& p, const Vec3& n, const Vec3& middle, PairCont
   out.status = out.depth > valid ? PairContactStatus::deep : PairContactStatus::penetrating;
 }
 
-// The direction of a pair whose backs face each other: `through` of the way from the direction between the closest
-// points to the one of the least overlap, n. Beside each other the first is right, one above the other the second,
-// and depth times normal would jump by the distance of the patches where one takes over.
+// The direction of a pair whose backs face each other: `through` of the way from the direction
+// between the closest points to the one of the least overlap, n. Beside each other the first is
+// right, one above the other the second, and depth times normal would jump by the distance of the
+// patches where one takes over.
 Vec3 turned_direction(const Placed& p, const PatchSeparation& gap, double through, const Vec3& n) {
   const Vec3 between = (gap.point_b - gap.point_a) / gap.distance;
-  // Where the hulls overlap along it, the direction between original triangles bounds nothing: a step is honest.
+  // Where the hulls overlap along it, the direction between original triangles bounds nothing: a
+  // step is honest.
   if (extent_along(p, between).overlap() > -0.5 * gap.distance) return n;
   const Vec3 turned = (1.0 - through) * between + through * n;
   const double length = turned.norm();
   return length > 1e-6 ? Vec3(turned / length) : n;
 }
 
-void report_penetration(const HullView& a, const HullView& b, const RelativePose& x, const PatchSeparation& gap,
-                        double through, const Vec3* last, PairContact& out) {
+void report_penetration(const HullView& a, const HullView& b, const RelativePose& x,
+                        const PatchSeparation& gap, double through, const Vec3* last,
+                        PairContact& out) {
   Placed p;
   place(a, b, x, p);
   // A remembered direction is one of overlap; while turning it would drift with the closest points.
@@ -195,14 +203,18 @@ void report_penetration(const HullView& a, const HullView& b, const RelativePose
 
 }  // namespace
 
-double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& b, std::uint32_t feature_b,
-                    const RelativePose& x, const Vec3& direction) noexcept {
+double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& b,
+                    std::uint32_t feature_b, const RelativePose& x,
+                    const Vec3& direction) noexcept {
   const double of_a = back_facing(a, feature_a, direction);
-  return of_a > 0.0 ? std::min(of_a, back_facing(b, feature_b, -(x.rotation.transpose() * direction))) : of_a;
+  return of_a > 0.0
+             ? std::min(of_a, back_facing(b, feature_b, -(x.rotation.transpose() * direction)))
+             : of_a;
 }
 
-PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& x, double tolerance,
-                         GjkCache& cache, const Vec3* last_normal, const SegmentProbe& probe) noexcept {
+PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& x,
+                         double tolerance, GjkCache& cache, const Vec3* last_normal,
+                         const SegmentProbe& probe) noexcept {
   PairContact out;
   const PatchSeparation gap = patch_separation(a, b, x, tolerance, cache);
   out.triangle_pairs = static_cast<std::int16_t>(gap.triangle_pairs);
@@ -220,7 +232,8 @@ PairContact pair_contact(const HullView& a, const HullView& b, const RelativePos
   const double back = backs_facing(a, gap.feature_a, b, gap.feature_b, x, out.normal);
   if (!(back > 0.0)) return out;
   out.backs_facing = true;
-  if (probe.separates != nullptr && probe.separates(probe.context, gap.point_a, gap.point_b)) return out;
+  if (probe.separates != nullptr && probe.separates(probe.context, gap.point_a, gap.point_b))
+    return out;
   report_penetration(a, b, x, gap, std::min(1.0, back / kFullyThrough), last_normal, out);
   return out;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Contact of one pair of surface patches: separated, penetrating or passed through, from the pose alone.
+// Contact of one pair of surface patches: separated, penetrating or passed through, from the pose
+// alone.
 
 #include <cstdint>
 
@@ -9,81 +10,95 @@
 namespace thigma {
 
 /// Answers, for two patches whose backs face each other, whether other surface lies between them.
-/// separates(context, from, to): `from` on a, `to` on b [m; frame of a]; the open segment leaves a into its
-/// material and reaches b through its material. True when it crosses the surface of a, or that of b, an odd number
-/// of times: then the material ends in between (two plates lying side by side) and nothing penetrates. The ends lie
-/// on the surfaces, often on edges shared with neighbours: only crossings inside the segment count.
-/// A null function means that no other surface exists. Called at most once a pair. Thread [contact].
+/// separates(context, from, to): `from` on a, `to` on b [m; frame of a]; the open segment leaves a
+/// into its material and reaches b through its material. True when it crosses the surface of a, or
+/// that of b, an odd number of times: then the material ends in between (two plates lying side by
+/// side) and nothing penetrates. The ends lie on the surfaces, often on edges shared with
+/// neighbours: only crossings inside the segment count. A null function means that no other surface
+/// exists. Called at most once a pair. Thread [contact].
 struct SegmentProbe {
   bool (*separates)(const void* context, const Vec3& from, const Vec3& to) noexcept = nullptr;
   const void* context = nullptr;
 };
 
 enum class PairContactStatus : std::uint8_t {
-  apart,        // farther than the tolerance: no contact; depth is minus a lower bound of the separation
+  apart,  // farther than the tolerance: no contact; depth is minus a lower bound of the separation
   separated,    // depth <= 0 is minus the separation of the original triangles
-  penetrating,  // depth is the overlap along normal, at most half the thickness of the thinner patch
+  penetrating,  // depth is the overlap along normal, at most half the thickness of the thinner
+                // patch
   deep,         // the same, beyond that: see pair_contact
 };
 
 /// depth = normal . (witness_a - witness_b), and witness_a - witness_b is parallel to normal.
 struct PairContact {
   PairContactStatus status = PairContactStatus::apart;
-  bool backs_facing = false;       // the probe was needed (whatever it said)
+  bool backs_facing = false;        // the probe was needed (whatever it said)
   std::int16_t triangle_pairs = 0;  // original triangle pairs measured, for statistics
-  double depth = 0.0;              // [m]
-  double separation = 0.0;         // of the original triangles, 0 where they intersect [m]
-  Vec3 normal = Vec3::UnitZ();     // unit, out of a [frame of a]
-  Vec3 witness_a = Vec3::Zero();   // [m; frame of a]
+  double depth = 0.0;               // [m]
+  double separation = 0.0;          // of the original triangles, 0 where they intersect [m]
+  Vec3 normal = Vec3::UnitZ();      // unit, out of a [frame of a]
+  Vec3 witness_a = Vec3::Zero();    // [m; frame of a]
   Vec3 witness_b = Vec3::Zero();
 };
 
-/// How far the backs of two patches face each other: the least sine by which the direction from the closest point of a
-/// to that of b lies behind the real faces that hold the points. > 0: only pair_contact, with its probe, can tell
-/// through from beside. A caller with a faster way to closest points asks this before it calls a pair separated.
+/// How far the backs of two patches face each other: the least sine by which the direction from the
+/// closest point of a to that of b lies behind the real faces that hold the points. > 0: only
+/// pair_contact, with its probe, can tell through from beside. A caller with a faster way to
+/// closest points asks this before it calls a pair separated.
 ///
 /// feature_a, feature_b  masks of the hull vertices that span the closest features
 /// direction             unit, from the closest point of a to that of b [frame of a]
 /// Thread                [contact]; no failure, no allocation.
-double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& b, std::uint32_t feature_b,
-                    const RelativePose& a_from_b, const Vec3& direction) noexcept;
+double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& b,
+                    std::uint32_t feature_b, const RelativePose& a_from_b,
+                    const Vec3& direction) noexcept;
 
 /// Contact of two finest patches: original triangles, not hulls, decide.
 ///
-/// Separated. The original triangles share no point and do not face each other back to back: depth is minus their
-/// separation, normal the direction from the closest point of a to that of b.
+/// Separated. The original triangles share no point and do not face each other back to back: depth
+/// is minus their separation, normal the direction from the closest point of a to that of b.
 ///
-/// Penetrating. Original triangles intersect; or a is through b: the closest points see each other from behind every
-/// real face that holds them, on both sides, and the probe finds nothing in between. A patch is thin, so pairs are
-/// through at once; a pair is judged by its pose alone and needs no history. Then
-///   depth = max over a of normal . p  -  min over b of normal . p        (hulls and triangles share the vertices)
-/// along the allowed direction of least depth: normals of real faces of a, minus normals of real faces of b, crosses
-/// of a real edge of each that lie within both edges' cones of real normals. Never along a virtual face, so never
-/// out through the back. At the border of a patch the cone reaches to the normal of the face beyond (RealEdge), at
-/// least 17 degrees outwards. Depth is 0 at touch from the front, and depth * normal is continuous there.
-/// A pair that is through but beside (the closest points far apart sideways) turns gradually from the direction
-/// between the points to the overlap direction as the backs turn to each other; depth is the overlap along that
+/// Penetrating. Original triangles intersect; or a is through b: the closest points see each other
+/// from behind every real face that holds them, on both sides, and the probe finds nothing in
+/// between. A patch is thin, so pairs are through at once; a pair is judged by its pose alone and
+/// needs no history. Then
+///   depth = max over a of normal . p  -  min over b of normal . p        (hulls and triangles
+///   share the vertices)
+/// along the allowed direction of least depth: normals of real faces of a, minus normals of real
+/// faces of b, crosses of a real edge of each that lie within both edges' cones of real normals.
+/// Never along a virtual face, so never out through the back. At the border of a patch the cone
+/// reaches to the normal of the face beyond (RealEdge), at least 17 degrees outwards. Depth is 0 at
+/// touch from the front, and depth * normal is continuous there. A pair that is through but beside
+/// (the closest points far apart sideways) turns gradually from the direction between the points to
+/// the overlap direction as the backs turn to each other; depth is the overlap along that
 /// direction, negative while they are mostly beside each other.
 ///
-/// Deep. depth exceeds half the thickness of the thinner patch: overlap and direction are reported as above, but
-/// the patch alone no longer bounds the way out; a caller with memory keeps last_normal, one without may ask a
-/// thicker ancestor. Triangles and coplanar patches have thickness 0, so every penetration of theirs is deep.
+/// Deep. depth exceeds half the thickness of the thinner patch: overlap and direction are reported
+/// as above, but the patch alone no longer bounds the way out; a caller with memory keeps
+/// last_normal, one without may ask a thicker ancestor. Triangles and coplanar patches have
+/// thickness 0, so every penetration of theirs is deep.
 ///
-/// Deep inside. A body far inside another has no surfaces within the tolerance: no contact. Where its front comes
-/// within the tolerance of the other's back (about to leave), the pair is separated and pushes it back in.
+/// Deep inside. A body far inside another has no surfaces within the tolerance: no contact. Where
+/// its front comes within the tolerance of the other's back (about to leave), the pair is separated
+/// and pushes it back in.
 ///
 /// a, b        views with faces, edges and triangles
 /// a_from_b    relative pose
 /// tolerance   d: pairs with a larger separation are `apart` [m]
 /// cache       of the pair, read and written; results do not depend on it beyond rounding
-/// last_normal null, or the normal this pair reported last, frame of a: among directions within 5 % of the least
+/// last_normal null, or the normal this pair reported last, frame of a: among directions within 5 %
+/// of the least
 ///             overlap (itself included) the one nearest to it is kept
 /// probe       asked only for pairs whose backs face each other within the tolerance
-/// returns     witnesses: separated, the closest points; else the two ends of the overlap along normal through the
-///             middle of the closest points (or of the intersections), on the supporting planes of a and b
-/// Thread      [contact]; no failure, no allocation. Without last_normal the result is a function of the pose.
-/// Source      Sec. 3.4.2 asks for the local penetration; the contract is this project's.
-PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& a_from_b, double tolerance,
-                         GjkCache& cache, const Vec3* last_normal, const SegmentProbe& probe) noexcept;
+/// returns     witnesses: separated, the closest points; else the two ends of the overlap along
+/// normal through the
+///             middle of the closest points (or of the intersections), on the supporting planes of
+///             a and b
+/// Thread      [contact]; no failure, no allocation. Without last_normal the result is a function
+/// of the pose. Source      Sec. 3.4.2 asks for the local penetration; the contract is this
+/// project's.
+PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& a_from_b,
+                         double tolerance, GjkCache& cache, const Vec3* last_normal,
+                         const SegmentProbe& probe) noexcept;
 
 }  // namespace thigma

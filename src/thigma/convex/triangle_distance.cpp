@@ -1,6 +1,7 @@
-// Triangle distance by features: the closest points of disjoint triangles lie on two edges, or on a corner and a
-// face (Ericson 2005, 5.1.10); triangles intersect when an edge of one pierces the other. Everything happens about
-// a corner of the first triangle, so that the distance from the origin of the frame costs no digits.
+// Triangle distance by features: the closest points of disjoint triangles lie on two edges, or on a
+// corner and a face (Ericson 2005, 5.1.10); triangles intersect when an edge of one pierces the
+// other. Everything happens about a corner of the first triangle, so that the distance from the
+// origin of the frame costs no digits.
 #include "thigma/convex/triangle_distance.h"
 
 #include <algorithm>
@@ -31,12 +32,14 @@ struct Best {
   }
 };
 
-// Closest points of segments (p, p + u) and (q, q + v), of any length. Offers the interior pair; pairs with an end
-// of a segment come from `offer_ends`, so nothing is clamped here.
-void offer_interior(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3& v, int ca, int cb, Best& best) {
+// Closest points of segments (p, p + u) and (q, q + v), of any length. Offers the interior pair;
+// pairs with an end of a segment come from `offer_ends`, so nothing is clamped here.
+void offer_interior(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3& v, int ca, int cb,
+                    Best& best) {
   const Vec3 n = u.cross(v), r = q - p;
   const double nn = n.squaredNorm();
-  if (!(nn > 1e-28 * u.squaredNorm() * v.squaredNorm())) return;  // parallel to rounding: ends are as close
+  if (!(nn > 1e-28 * u.squaredNorm() * v.squaredNorm()))
+    return;  // parallel to rounding: ends are as close
   const double s = r.cross(v).dot(n) / nn, t = r.cross(u).dot(n) / nn;
   if (s < 0.0 || s > 1.0 || t < 0.0 || t > 1.0) return;
   // Along the common normal: exact in direction and length where the points are nearly equal.
@@ -97,13 +100,15 @@ TriangleDistance local_distance(const Vec3 a[3], const Vec3 b[3], Best& best) {
     const int i2 = i == 2 ? 0 : i + 1;
     for (int j = 0; j < 3; ++j) {
       const int j2 = j == 2 ? 0 : j + 1;
-      offer_interior(a[i], a[i2] - a[i], b[j], b[j2] - b[j], 1 << i | 1 << i2, 1 << j | 1 << j2, best);
+      offer_interior(a[i], a[i2] - a[i], b[j], b[j2] - b[j], 1 << i | 1 << i2, 1 << j | 1 << j2,
+                     best);
     }
   }
   Vec3 sum = Vec3::Zero();
   const int count = pierce(a, b, sum) + pierce(b, a, sum);
   double reach = 0.0;
-  for (int i = 0; i < 3; ++i) reach = std::max({reach, a[i].lpNorm<Eigen::Infinity>(), b[i].lpNorm<Eigen::Infinity>()});
+  for (int i = 0; i < 3; ++i)
+    reach = std::max({reach, a[i].lpNorm<Eigen::Infinity>(), b[i].lpNorm<Eigen::Infinity>()});
   const double noise = 0x1.0p-51 * reach;
   out.intersecting = count > 0 || best.squared <= noise * noise;
   out.point_a = best.a;
@@ -144,11 +149,14 @@ int triangle_holding(const HullView& h, std::uint32_t feature) {
   return -1;
 }
 
-void measure_triangles(const HullView& a, const HullView& b, const RelativePose& x, double stop, PatchSeparation& out) {
+void measure_triangles(const HullView& a, const HullView& b, const RelativePose& x, double stop,
+                       PatchSeparation& out) {
   const Vec3 origin = a.center;
   Vec3 pb[kMaxHullVertices];
-  for (int i = 0; i < b.vertex_count; ++i) pb[i] = x.rotation * b.vertices[i] + (x.translation - origin);
-  // The limit with a margin for the rounding of the boxes: a pair at exactly `stop` must be measured.
+  for (int i = 0; i < b.vertex_count; ++i)
+    pb[i] = x.rotation * b.vertices[i] + (x.translation - origin);
+  // The limit with a margin for the rounding of the boxes: a pair at exactly `stop` must be
+  // measured.
   double limit = stop < kInfinity ? stop * stop * (1.0 + 1e-12) : kInfinity;
   Vec3 sum = Vec3::Zero();
   int hits = 0;
@@ -198,8 +206,8 @@ TriangleDistance triangle_distance(const Vec3 a[3], const Vec3 b[3]) noexcept {
   return out;
 }
 
-PatchSeparation patch_separation(const HullView& a, const HullView& b, const RelativePose& x, double stop,
-                                 GjkCache& cache) noexcept {
+PatchSeparation patch_separation(const HullView& a, const HullView& b, const RelativePose& x,
+                                 double stop, GjkCache& cache) noexcept {
   PatchSeparation out;
   const Separation hulls = closest_points(a, b, x, stop, cache);
   out.distance = hulls.distance;

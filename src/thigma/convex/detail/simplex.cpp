@@ -1,5 +1,6 @@
-// Nearest point of a simplex to the origin by Voronoi regions (Ericson 2005, 5.1). In the interior of a triangle the
-// point is taken along the normal, so its direction is exact even where its length is all cancellation.
+// Nearest point of a simplex to the origin by Voronoi regions (Ericson 2005, 5.1). In the interior
+// of a triangle the point is taken along the normal, so its direction is exact even where its
+// length is all cancellation.
 #include "thigma/convex/detail/simplex.h"
 
 #include <limits>
@@ -7,7 +8,8 @@
 namespace thigma::detail {
 namespace {
 
-// Sine of the slope below which a tetrahedron counts as flat: far above rounding, far below any real patch.
+// Sine of the slope below which a tetrahedron counts as flat: far above rounding, far below any
+// real patch.
 constexpr double kFlat = 1e-11;
 
 void keep(Simplex& s, int mask) noexcept {
@@ -34,8 +36,8 @@ Vec3 reduce_tetrahedron(Simplex& s) noexcept {
   for (const auto& f : kFace) {
     const Vec3 &a = s.w[f[0]], &b = s.w[f[1]], &c = s.w[f[2]], &d = s.w[f[3]];
     const Vec3 n = (b - a).cross(c - a);
-    // The origin is beyond this face when it lies on the other side than the fourth point. A flat tetrahedron has
-    // no other side (its sign is rounding): every face may hold the nearest point.
+    // The origin is beyond this face when it lies on the other side than the fourth point. A flat
+    // tetrahedron has no other side (its sign is rounding): every face may hold the nearest point.
     const Vec3 ad = d - a;
     const double height = ad.dot(n);
     const bool is_flat = height * height <= kFlat * kFlat * n.squaredNorm() * ad.squaredNorm();
@@ -61,7 +63,8 @@ Vec3 reduce_tetrahedron(Simplex& s) noexcept {
 
 }  // namespace
 
-Vec3 nearest_on_edges(const Vec3& a, const Vec3& b, const Vec3& c, int& mask, double weight[3]) noexcept {
+Vec3 nearest_on_edges(const Vec3& a, const Vec3& b, const Vec3& c, int& mask,
+                      double weight[3]) noexcept {
   const Vec3* p[3] = {&a, &b, &c};
   Vec3 best = a;
   double least = std::numeric_limits<double>::infinity();

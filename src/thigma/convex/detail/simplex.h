@@ -1,5 +1,6 @@
 #pragma once
-// The nearest point to the origin of a simplex of up to four points, and the part of the simplex that holds it.
+// The nearest point to the origin of a simplex of up to four points, and the part of the simplex
+// that holds it.
 
 #include <cstdint>
 
@@ -7,7 +8,8 @@
 
 namespace thigma::detail {
 
-/// Points of a Minkowski difference with the vertices they come from, and the weights of the nearest point.
+/// Points of a Minkowski difference with the vertices they come from, and the weights of the
+/// nearest point.
 struct Simplex {
   Vec3 w[5];  // one more than is ever kept: the candidate
   double weight[4] = {1.0, 0.0, 0.0, 0.0};
@@ -15,12 +17,14 @@ struct Simplex {
   int n = 0;
 };
 
-/// Nearest point of the simplex to the origin. Drops the points that do not carry it and sets the weights.
-/// n stays 4 only when the origin is inside; then the result is zero. Degenerate simplices are fine.
+/// Nearest point of the simplex to the origin. Drops the points that do not carry it and sets the
+/// weights. n stays 4 only when the origin is inside; then the result is zero. Degenerate simplices
+/// are fine.
 Vec3 reduce_to_nearest(Simplex& s) noexcept;
 
 /// Nearest point to the origin of a triangle with no area left: of its edges.
-Vec3 nearest_on_edges(const Vec3& a, const Vec3& b, const Vec3& c, int& mask, double weight[3]) noexcept;
+Vec3 nearest_on_edges(const Vec3& a, const Vec3& b, const Vec3& c, int& mask,
+                      double weight[3]) noexcept;
 
 /// Nearest point of the segment a b to the origin.
 inline Vec3 nearest_on_segment(const Vec3& a, const Vec3& b, int& mask, double weight[2]) noexcept {
@@ -40,8 +44,10 @@ inline Vec3 nearest_on_segment(const Vec3& a, const Vec3& b, int& mask, double w
   return a + weight[1] * ab;
 }
 
-/// Nearest point of a triangle to the origin; mask says which corners carry it, weight their shares.
-inline Vec3 nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c, int& mask, double weight[3]) noexcept {
+/// Nearest point of a triangle to the origin; mask says which corners carry it, weight their
+/// shares.
+inline Vec3 nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c, int& mask,
+                                double weight[3]) noexcept {
   const Vec3 ab = b - a, ac = c - a;
   weight[0] = weight[1] = weight[2] = 0.0;
   const double d1 = -ab.dot(a), d2 = -ac.dot(a);
@@ -86,7 +92,8 @@ inline Vec3 nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c, int
   const Vec3 n = ab.cross(ac);
   const double nn = n.squaredNorm(), sum = va + vb + vc;
   // 1e-28: an area below 1e-14 of the edges' is rounding.
-  if (!(nn > 1e-28 * ab.squaredNorm() * ac.squaredNorm()) || !(sum > 0.0)) return nearest_on_edges(a, b, c, mask, weight);
+  if (!(nn > 1e-28 * ab.squaredNorm() * ac.squaredNorm()) || !(sum > 0.0))
+    return nearest_on_edges(a, b, c, mask, weight);
   weight[1] = vb / sum;
   weight[2] = vc / sum;
   weight[0] = 1.0 - weight[1] - weight[2];

@@ -7,16 +7,19 @@
 
 namespace thigma::detail {
 
-/// Index of a vertex with the largest direction . p; among equal ones the result depends on their order alone.
-/// Two vertices a step in SSE2, which every x86-64 has: the compare-and-branch of scalar code mispredicts.
+/// Index of a vertex with the largest direction . p; among equal ones the result depends on their
+/// order alone. Two vertices a step in SSE2, which every x86-64 has: the compare-and-branch of
+/// scalar code mispredicts.
 inline int support_vertex(const HullView& hull, const Vec3& direction) noexcept {
   const int n = hull.vertex_count;
   const double* p = hull.vertices->data();
   if (n < 2) return 0;
-  const __m128d dx = _mm_set1_pd(direction.x()), dy = _mm_set1_pd(direction.y()), dz = _mm_set1_pd(direction.z());
+  const __m128d dx = _mm_set1_pd(direction.x()), dy = _mm_set1_pd(direction.y()),
+                dz = _mm_set1_pd(direction.z());
   const auto heights = [&](const double* q) {  // of the two vertices from q on
     const __m128d xy = _mm_loadu_pd(q), zx = _mm_loadu_pd(q + 2), yz = _mm_loadu_pd(q + 4);
-    const __m128d px = _mm_shuffle_pd(xy, zx, 2), py = _mm_shuffle_pd(xy, yz, 1), pz = _mm_shuffle_pd(zx, yz, 2);
+    const __m128d px = _mm_shuffle_pd(xy, zx, 2), py = _mm_shuffle_pd(xy, yz, 1),
+                  pz = _mm_shuffle_pd(zx, yz, 2);
     return _mm_add_pd(_mm_add_pd(_mm_mul_pd(px, dx), _mm_mul_pd(py, dy)), _mm_mul_pd(pz, dz));
   };
   __m128d best = heights(p);
