@@ -94,7 +94,7 @@ ConformanceReport check_document(const std::string& file, const std::string& tex
     throw InputError(file + ": not JSON at byte " + std::to_string(error.byte) +
                      ", expected reference vectors");
   }
-  const JsonField root{&document, file};
+  const JsonField root{&document, file, true};
   if (!root.value->is_object()) fail_field(root, "an object with \"cases\"");
   const JsonField schema = member(root, "schema");
   if (whole_number(schema) != 1) fail_field(schema, "schema 1");

@@ -27,7 +27,7 @@ JsonField member(const JsonField& field, const char* key) {
   if (!field.value->is_object()) fail_field(field, std::string("an object with \"") + key + "\"");
   const auto found = field.value->find(key);
   if (found == field.value->end()) fail_field(field, std::string("a field \"") + key + "\"");
-  return {&*found, field.place + "." + key};
+  return {&*found, field.place + (field.is_root ? ": " : ".") + key};
 }
 
 JsonField element(const JsonField& field, std::size_t index) {

@@ -15,7 +15,8 @@ namespace thigma::app {
 /// A value of a document and its place in it. Lives as long as the document.
 struct JsonField {
   const nlohmann::json* value = nullptr;
-  std::string place;  // "FILE: cases[3].in.y"
+  std::string place;     // "FILE: cases[3].in.y"; of a document itself "FILE"
+  bool is_root = false;  // the document itself
 
   /// Whether this is an object with the key.
   bool has(const char* key) const { return value->is_object() && value->contains(key); }
