@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "scenes/make_model.h"
+#include "support/pressing.h"
 #include "support/query_path.h"
 #include "thigma/mesh/shapes.h"
 
@@ -51,6 +52,17 @@ TEST(ExactQuery, LShapeInBlocks) {
   // Large coplanar faces and parallel edges: the degenerate cases of every closest-point routine.
   const CheckedPair pair = test::checked("L-shape on box", make_l_shape(1.0, 0.3), make_box(Vec3(2, 1.5, 0.5), {4, 3, 1}));
   test::check_pair(pair, test::from_above(pair), 0.02 * pair.radius);
+}
+
+TEST(Pressing, BallOnBall) {
+  const CheckedPair pair = test::checked("ball on ball", make_ball(1.0, 20), make_ball(1.2, 24));
+  test::expect_smooth(test::press(pair, test::from_above(pair), 0.005));
+}
+
+TEST(Pressing, JawOnJaw) {
+  const CheckedPair pair = test::checked("jaw on jaw", scenes::make_model({.name = "jaw_upper"}),
+                                         scenes::make_model({.name = "jaw_lower"}));
+  test::expect_smooth(test::press(pair, test::from_above(pair), 0.005));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/pressing.h"
 #include "support/query_path.h"
 #include "support/shared.h"
 #include "thigma/mesh/load_mesh.h"
@@ -31,15 +32,25 @@ TEST(RealMeshes, DentalCasts) {
   test::check_pair(pair, approach, 0.01 * pair.radius);
 }
 
-TEST(RealMeshes, FemurInHip) {
-  THIGMA_NEEDS_SHARED(shared);
-  const CheckedPair pair = shared_pair(shared, "femur in hip", "a03_femur_right.obj", 0.8, "a04_hip_bone_right_mirrored.obj");
+Approach into_the_socket() {
   Approach approach;
   approach.start.orientation = turn(Vec3::UnitZ(), 120.0) * turn(Vec3::UnitY(), 90.0);
   approach.start.position =
       approach.start.orientation * (-0.8 * Vec3(273.95, 356.91, -545.30)) + Vec3(-7.12, -133.11, 518.78);
   approach.direction = Vec3(-0.989, -0.098, 0.111).normalized();
-  test::check_pair(pair, approach, 0.005 * pair.radius);
+  return approach;
+}
+
+TEST(RealMeshes, FemurInHip) {
+  THIGMA_NEEDS_SHARED(shared);
+  const CheckedPair pair = shared_pair(shared, "femur in hip", "a03_femur_right.obj", 0.8, "a04_hip_bone_right_mirrored.obj");
+  test::check_pair(pair, into_the_socket(), 0.005 * pair.radius);
+}
+
+TEST(RealMeshes, FemurPressedIntoHip) {
+  THIGMA_NEEDS_SHARED(shared);
+  const CheckedPair pair = shared_pair(shared, "femur in hip", "a03_femur_right.obj", 0.8, "a04_hip_bone_right_mirrored.obj");
+  test::expect_smooth(test::press(pair, into_the_socket(), 0.005));
 }
 
 TEST(RealMeshes, Gears) {

@@ -38,6 +38,7 @@ struct Traversal {
   std::size_t first;     // contact of this query in the set
   SegmentProbe probe;
   bool full = false;     // contacts are a heap by now
+  bool unordered = false;  // some came from a traversal without memory
 };
 
 const ClodNode& node_a(const Traversal& t, std::int32_t i) noexcept { return t.object.nodes[static_cast<std::size_t>(i)]; }
@@ -395,6 +396,7 @@ void traverse_saturated(Traversal& t) noexcept {
       continue;
     }
     traverse_below(t, n.a, n.b);
+    t.unordered = true;
     if (f.alive < f.capacity / 2) {  // room again: split it next frame
       n.is_saturated = false;
       set_timer(f, i, 0.0);
@@ -434,14 +436,19 @@ bool start_frame(Traversal& t) noexcept {
   return true;
 }
 
+bool is_answerable(const ClodHierarchy& object, const ClodHierarchy& scene, const ContactQuery& query,
+                   const RelativePose& pose) noexcept {
+  return !object.nodes.empty() && !scene.nodes.empty() && query.tolerance >= 0.0 && pose.rotation.allFinite() &&
+         pose.translation.allFinite();
+}
+
 }  // namespace
 
 void query_contacts(const ClodHierarchy& object, const Pose& world_from_object, const ClodHierarchy& scene,
                     const Pose& world_from_scene, const ContactQuery& query, ContactFront& front,
                     ContactSet& contacts) noexcept {
-  if (object.nodes.empty() || scene.nodes.empty() || !(query.tolerance >= 0.0)) return;
   const RelativePose pose = relative_pose(world_from_object, world_from_scene);
-  if (!pose.rotation.allFinite() || !pose.translation.allFinite()) return;
+  if (!is_answerable(object, scene, query, pose)) return;
   CrossingContext crossing{&object, &scene, pose};
   Traversal t{object, scene, query, pose, world_from_object.orientation.toRotationMatrix(),
               world_from_object.position, front, contacts, contacts.contacts.size(), crossing_probe(crossing)};
@@ -451,8 +458,19 @@ void query_contacts(const ClodHierarchy& object, const Pose& world_from_object, 
   measure_active(t);
   traverse_saturated(t);
   const auto begin = contacts.contacts.begin() + static_cast<std::ptrdiff_t>(t.first);
-  if (t.full || !front.saturated.empty()) std::sort(begin, contacts.contacts.end(), is_before);
+  if (t.full || t.unordered) std::sort(begin, contacts.contacts.end(), is_before);
   contacts.stats.front += front.alive - front.split;
+}
+
+QueryStats track_front(const ClodHierarchy& object, const Pose& world_from_object, const ClodHierarchy& scene,
+                       const Pose& world_from_scene, const ContactQuery& query, ContactFront& front) noexcept {
+  ContactSet none;
+  const RelativePose pose = relative_pose(world_from_object, world_from_scene);
+  if (!is_answerable(object, scene, query, pose)) return none.stats;
+  Traversal t{object, scene, query, pose, Mat3::Identity(), Vec3::Zero(), front, none, 0, {}};
+  if (!start_frame(t)) return none.stats;
+  none.stats.front = front.alive - front.split;
+  return none.stats;
 }
 
 void query_scene(const ClodHierarchy& object, const Pose& world_from_object, std::span<const SceneBody> bodies,

@@ -34,6 +34,11 @@ void query_contacts(const ClodHierarchy& object, const Pose& world_from_object, 
                     const Pose& world_from_scene, const ContactQuery& query, ContactFront& front,
                     ContactSet& contacts) noexcept;
 
+/// The traversal alone: brings the front to these poses and measures no contact. query_contacts does so itself; this is
+/// for those who want to know or time the two parts apart. returns counts of this call.
+QueryStats track_front(const ClodHierarchy& object, const Pose& world_from_object, const ClodHierarchy& scene,
+                       const Pose& world_from_scene, const ContactQuery& query, ContactFront& front) noexcept;
+
 /// A static object of the scene.
 struct SceneBody {
   const ClodHierarchy* hierarchy = nullptr;
