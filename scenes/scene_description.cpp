@@ -10,8 +10,9 @@
 namespace thigma::scenes {
 namespace {
 
-constexpr double kSmallestHeld = 0.01;  // radius below which motion is scaled down [m]
-constexpr double kLargestHeld = 0.10;   // and above which it is scaled up [m]
+constexpr double kSmallestHeld = 0.025;  // radius below which motion is scaled down [m]
+constexpr double kLargestHeld = 0.10;    // and above which it is scaled up [m]
+constexpr double kHeldPress = 1.25;      // presses below leave the surfaces apart [N; device]
 
 /// Unit-density mass properties of a solid to hold, or of its enclosing ball's share where there is
 /// no volume.
@@ -106,6 +107,7 @@ DefaultGains default_gains(double radius) {
                                                 : 1.0;
   const double s = gains.motion_scale;
   gains.tolerance = 0.01 * radius;
+  gains.contact_stiffness = std::clamp(kHeldPress * s / gains.tolerance, 2000.0, 5000.0);
   gains.angular_stiffness = std::min(0.3 * gains.linear_stiffness * radius * radius, 0.6 * s * s);
   gains.max_force *= s;
   gains.max_torque *= s * s;

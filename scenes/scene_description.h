@@ -94,11 +94,13 @@ LoadedObject load_object(const SceneObject& object, bool repair = false);
 
 /// Gains for a grasped object of this radius, in the virtual world.
 ///
-/// The text's numbers (Sec. 5.5) hold for hand-sized objects: 10 g, contact 2 kN/m, coupling 300
-/// N/m (it uses 200 to 500), saturation 4 N. Objects of 1 to 10 cm radius keep motion scale s = 1;
-/// others are brought into that range. Lengths and forces then go with s, so that stiffness, mass
-/// and every frequency stay, and torques and k_theta go with s^2. k_theta = 0.3 k_c radius^2, at
-/// most 0.6 s^2 N m/rad: the text's value for its spoon. d = 1 % of the radius.
+/// The text's numbers (Sec. 5.5) hold for hand-sized objects: 10 g, contact 2 to 5 kN/m, coupling
+/// 300 N/m (it uses 200 to 500), saturation 4 N. Objects of 2.5 to 10 cm radius keep motion scale s
+/// = 1; others are brought into that range. Lengths and forces then go with s, so that stiffness,
+/// mass and every frequency stay, and torques and k_theta go with s^2. d = 1 % of the radius; k
+/// = 1.25 s / d within 2 to 5 kN/m: a press of 1 N then leaves the surfaces apart, which is also
+/// where the query is cheap. k_theta = 0.3 k_c radius^2, at most 0.6 s^2 N m/rad: the text's for
+/// its spoon.
 struct DefaultGains {
   double motion_scale = 1.0;  // s
   double contact_stiffness = 2000.0, contact_damping_ratio = 0.7;

@@ -33,12 +33,12 @@ TEST(BuiltinScenes, LoadAndStandApart) {
 }
 
 TEST(BuiltinScenes, JawsBiteInManyPlacesAndNotAsGiven) {
-  // Closed they are apart; a tenth of a millimetre further they touch all along the arch.
+  // Closed they are apart; three tenths of a millimetre further they touch all along the arch.
   const TriangleMesh lower = make_model({.name = "jaw_lower"});
   const TriangleMesh upper = make_model({.name = "jaw_upper"});
   EXPECT_EQ(find_self_intersections(joined(lower, upper)).pairs, 0);
   Pose pressed;
-  pressed.position = {0.0, 0.0, -0.2e-3};
+  pressed.position = {0.0, 0.0, -0.3e-3};
   const TriangleMesh both = joined(lower, transformed(upper, pressed));
   const SelfIntersections bite = find_self_intersections(both, true);
   bool left = false, right = false, front = false;
@@ -135,10 +135,14 @@ TEST(DefaultGains, StiffnessAndMassStayWhereLengthsScale) {
     SCOPED_TRACE(radius);
     const DefaultGains gains = default_gains(radius);
     const double s = gains.motion_scale;
-    EXPECT_GE(radius / s, 0.01 * (1 - 1e-12));  // of the object as the device sees it
+    EXPECT_GE(radius / s, 0.025 * (1 - 1e-12));  // of the object as the device sees it
     EXPECT_LE(radius / s, 0.10 * (1 + 1e-12));
     EXPECT_DOUBLE_EQ(gains.tolerance / radius, 0.01);
     EXPECT_DOUBLE_EQ(gains.max_force / s, 4.0);
+    EXPECT_GE(gains.contact_stiffness, 2000.0);
+    EXPECT_LE(gains.contact_stiffness, 5000.0);
+    // Pressed with 1 N at the device the surfaces stay apart.
+    EXPECT_GE(gains.contact_stiffness * gains.tolerance, 1.0 * s);
     EXPECT_GE(gains.linear_stiffness, 200.0);  // the text's range
     EXPECT_LE(gains.linear_stiffness, 500.0);
     EXPECT_GT(gains.max_torque / s / s, 0.0);
@@ -149,7 +153,7 @@ TEST(DefaultGains, StiffnessAndMassStayWhereLengthsScale) {
     EXPECT_DOUBLE_EQ(config.haptic.workspace.motion_scale * config.haptic.workspace.force_scale,
                      1.0);
   }
-  EXPECT_EQ(default_gains(0.02).motion_scale, 1.0);
+  EXPECT_EQ(default_gains(0.05).motion_scale, 1.0);
 }
 
 TEST(SceneFromPair, TakesModelsAndRefusesNonsense) {
