@@ -1,0 +1,58 @@
+// The same under RealtimeSanitizer (preset rtsan): every THIGMA_RT function is watched by the compiler itself.
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <mutex>
+
+#include "support/plane_session.h"
+
+#if defined(__has_feature)
+#if __has_feature(realtime_sanitizer)
+#define THIGMA_HAS_RTSAN 1
+#endif
+#endif
+
+namespace thigma {
+namespace {
+
+#ifdef THIGMA_HAS_RTSAN
+constexpr const char* kWhyNot = nullptr;
+#else
+constexpr const char* kWhyNot = "not built with RealtimeSanitizer: the rtsan preset runs this";
+#endif
+
+// Through pointers the optimiser cannot see through, so that the calls stay.
+void* (*volatile allocate)(std::size_t) = std::malloc;
+void (*volatile release)(void*) = std::free;
+
+[[maybe_unused]] void allocates() THIGMA_RT { release(allocate(64)); }
+[[maybe_unused]] void locks() THIGMA_RT {
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+}
+
+TEST(Rtsan, TenThousandHapticStepsPass) {
+  if (kWhyNot != nullptr) GTEST_SKIP() << kWhyNot;
+  SessionConfig config = test::plane_session();
+  config.duration = 10.0;
+  HandParams hand = test::plane_hand(HandPath::demo);
+  HandDevice device(hand);
+  const SessionSummary s = run_lockstep(config, device);
+  EXPECT_EQ(s.frames, 10000u);
+  EXPECT_EQ(s.end, SessionEnd::duration);
+  EXPECT_GT(s.force_max, 0.5);
+}
+
+TEST(RtsanDeathTest, CatchesAPlantedAllocation) {
+  if (kWhyNot != nullptr) GTEST_SKIP() << kWhyNot;
+  EXPECT_EXIT(allocates(), testing::ExitedWithCode(43), "malloc");
+}
+
+TEST(RtsanDeathTest, CatchesAPlantedLock) {
+  if (kWhyNot != nullptr) GTEST_SKIP() << kWhyNot;
+  EXPECT_EXIT(locks(), testing::ExitedWithCode(43), "pthread_mutex_lock");
+}
+
+}  // namespace
+}  // namespace thigma

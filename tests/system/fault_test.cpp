@@ -1,0 +1,84 @@
+// Every fault ends in zero force, in time, and stays there.
+
+#include <gtest/gtest.h>
+
+#include "support/mesh_session.h"
+
+namespace thigma {
+namespace {
+
+using test::Kept;
+using test::MeshSession;
+
+struct Expected {
+  const char* text;
+  const char* fault;
+  double within;  // from the event to zero force [s]
+};
+
+class Faults : public testing::TestWithParam<Expected> {};
+
+TEST_P(Faults, ZeroForceWithinItsTimeWhilePressing) {
+  MeshSession scene;
+  scene.config.duration = 4.0;
+  scene.config.faults = parse_faults(GetParam().text);
+  const double begin = scene.config.faults[0].time;
+  HandDevice device(scene.hand(HandPath::press));
+  const Kept kept(scene.config, device);
+  ASSERT_EQ(kept.summary.end, SessionEnd::fault);
+  ASSERT_EQ(kept.summary.safety_events.size(), 1u);
+  EXPECT_EQ(kept.summary.safety_events[0].detail, GetParam().fault);
+  EXPECT_GE(kept.summary.safety_events[0].time, begin);
+  double before = 0.0, last_force_time = 0.0;
+  for (const HapticSample& s : kept.samples) {
+    if (s.time < begin - 1e-9) before = s.command.force.norm();
+    if (s.command.force.norm() > 0.0 || s.command.torque.norm() > 0.0) last_force_time = s.time;
+  }
+  EXPECT_GT(before, 0.5);  // it was pressing
+  EXPECT_LT(last_force_time, begin + GetParam().within);
+  EXPECT_EQ(device.applied_wrench().force, Vec3::Zero());
+  EXPECT_EQ(device.applied_wrench().torque, Vec3::Zero());
+  EXPECT_LT(kept.summary.seconds, begin + 0.2);  // and the session ended
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Faults,
+                         testing::Values(Expected{"unplug@2", "device_lost", 1e-3}, Expected{"nan@2", "not_finite", 1e-3},
+                                         Expected{"stall=0.06@2", "contact_stale", 0.051},
+                                         Expected{"hang=0.05@2", "watchdog", 0.021}),
+                         [](const auto& each) { return std::string(each.param.fault); });
+
+TEST(StaleModel, NeverPullsAndFadesWithTheDeviceWrench) {
+  MeshSession scene;
+  scene.config.duration = 4.0;
+  scene.config.faults = parse_faults("stall=0.1@2");
+  HandDevice device(scene.hand(HandPath::press));
+  const Kept kept(scene.config, device);
+  double last = 1e300;
+  int faded = 0;
+  for (const HapticSample& s : kept.samples) {
+    EXPECT_GE(s.contact.force.dot(-scene.start.approach), 0.0);
+    if (s.model_age <= scene.config.haptic.safety.model_full_age) continue;
+    EXPECT_LE(s.command.force.norm(), last + 1e-12);
+    last = s.command.force.norm();
+    ++faded;
+  }
+  EXPECT_GE(faded, 20);
+  EXPECT_EQ(last, 0.0);
+}
+
+TEST(StaleModel, AShortStallIsNoFault) {
+  MeshSession scene;
+  scene.config.duration = 3.0;
+  scene.config.faults = parse_faults("stall=0.035@2");
+  HandDevice device(scene.hand(HandPath::press));
+  const Kept kept(scene.config, device);
+  EXPECT_EQ(kept.summary.end, SessionEnd::duration);
+  double weakest = 1.0;
+  for (const HapticSample& s : kept.samples) weakest = std::min(weakest, s.model_weight);
+  EXPECT_LT(weakest, 0.7);
+  EXPECT_GT(weakest, 0.3);
+  EXPECT_GT(kept.samples.back().command.force.norm(), 0.5);  // it came back
+}
+
+}  // namespace
+}  // namespace thigma
