@@ -3,20 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
-#include <time.h>
-
+#include "benchmarks/baselines/fcl_baseline.h"
+#include "benchmarks/probe.h"
+#include "thigma/convex/hull.h"
 #include "thigma/convex/pair.h"
 #include "thigma/math/random.h"
 
-namespace thigma {
+namespace thigma::bench {
 namespace {
-
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 struct alignas(32) Lanes {
   float values[3 * kMaxHullVertices] = {};
@@ -110,9 +106,9 @@ PairTiming time_frames(const char* name, int low, int high, const Scene& scene,
   std::vector<double> best(scene.poses.size(), 1e300);
   for (int r = 0; r <= params.repetitions; ++r) {
     for (std::size_t f = 0; f < scene.poses.size(); ++f) {
-      const double start = thread_seconds();
+      const double start = thread_cpu();
       frame(scene.poses[f]);
-      const double ns = (thread_seconds() - start) * 1e9 / params.pairs;
+      const double ns = (thread_cpu() - start) * 1e9 / params.pairs;
       if (r > 0) best[f] = std::min(best[f], ns);
     }
   }
@@ -124,6 +120,14 @@ PairTiming time_frames(const char* name, int low, int high, const Scene& scene,
 }
 
 volatile double g_sink = 0.0;  // keeps results alive
+
+// Vertices a hull may have, from and to.
+constexpr std::array<std::pair<int, int>, 5> kClasses = {{{4, 6}, {8, 8}, {16, 16}, {30, 30}, {4, 30}}};
+
+TriangleMesh hull_mesh(const std::vector<Vec3>& points) {
+  const ConvexHull hull = build_hull(points);
+  return {hull.vertices, hull.triangles};
+}
 
 void time_class(int low, int high, const PairTimingParams& params, std::vector<PairTiming>& out) {
   const Scene scene = make_scene(low, high, params);
@@ -169,11 +173,41 @@ void time_class(int low, int high, const PairTimingParams& params, std::vector<P
 
 std::vector<PairTiming> time_pairs(const PairTimingParams& params) {
   std::vector<PairTiming> out;
-  for (const auto& [low, high] :
-       {std::pair{4, 6}, std::pair{8, 8}, std::pair{16, 16}, std::pair{30, 30}, std::pair{4, 30}}) {
-    time_class(low, high, params, out);
+  for (const auto& [low, high] : kClasses) time_class(low, high, params, out);
+  return out;
+}
+
+std::vector<ConvexBaseline> time_convex_baseline(const PairTimingParams& params) {
+  std::vector<ConvexBaseline> out;
+  if (!has_fcl()) return out;
+  for (const auto& [low, high] : kClasses) {
+    const Scene scene = make_scene(low, high, params);
+    const std::size_t n = scene.a.views.size();
+    std::vector<FclConvexPairPtr> pairs(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      pairs[i] = make_fcl_convex_pair(hull_mesh(scene.a.points[i]), hull_mesh(scene.b.points[i]));
+    }
+    ConvexBaseline row{low, high, 0.0, 0.0, 0.0};
+    std::vector<GjkCache> caches(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const RelativePose& x = scene.poses.front();
+      const double ours =
+          closest_points(scene.a.views[i], scene.b.views[i], x, 1e300, caches[i]).distance;
+      const double theirs = fcl_convex_distance(*pairs[i], Pose{x.translation, Quat(x.rotation)});
+      row.disagreement = std::max(row.disagreement, std::fabs(ours - theirs));
+    }
+    const PairTiming t =
+        time_frames("fcl", low, high, scene, params, [&](const RelativePose& x) {
+          const Pose pose{x.translation, Quat(x.rotation)};
+          double sum = 0.0;
+          for (std::size_t i = 0; i < n; ++i) sum += fcl_convex_distance(*pairs[i], pose);
+          g_sink = sum;
+        });
+    row.median = t.median;
+    row.p99 = t.p99;
+    out.push_back(row);
   }
   return out;
 }
 
-}  // namespace thigma
+}  // namespace thigma::bench

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace thigma {
+namespace thigma::bench {
 
 /// CPU time of one function on one class of hulls, nanoseconds a pair.
 struct PairTiming {
@@ -31,4 +31,12 @@ struct PairTimingParams {
 /// with). Thread: measures the calling thread's CPU clock; everything is warm.
 std::vector<PairTiming> time_pairs(const PairTimingParams& params = {});
 
-}  // namespace thigma
+/// The same pairs and poses through FCL's convex solver, where it was built with; empty otherwise.
+struct ConvexBaseline {
+  int vertices_low = 0, vertices_high = 0;
+  double median = 0.0, p99 = 0.0;  // as PairTiming [ns]
+  double disagreement = 0.0;       // largest difference from our distances, by the hull size
+};
+std::vector<ConvexBaseline> time_convex_baseline(const PairTimingParams& params = {});
+
+}  // namespace thigma::bench

@@ -1,11 +1,16 @@
 #include "benchmarks/query_bench.h"
 
-#include <time.h>
-
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
 #include <vector>
 
+#include "benchmarks/baselines/fcl_baseline.h"
+#include "benchmarks/probe.h"
 #include "scenes/make_model.h"
+#include "tests/support/triangle_search.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/math/elementary.h"
@@ -13,13 +18,8 @@
 namespace thigma::bench {
 namespace {
 
-double cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 struct Jaws {
+  TriangleMesh upper_mesh, lower_mesh;
   ClodHierarchy upper, lower;
   double radius = 0.0;
   Pose touch;  // of the upper jaw
@@ -50,8 +50,10 @@ Pose find_touch(const Jaws& jaws) {
 
 Jaws make_jaws() {
   Jaws jaws;
-  jaws.upper = build_exact_hierarchy(scenes::make_model({.name = "jaw_upper"}));
-  jaws.lower = build_exact_hierarchy(scenes::make_model({.name = "jaw_lower"}));
+  jaws.upper_mesh = scenes::make_model({.name = "jaw_upper"});
+  jaws.lower_mesh = scenes::make_model({.name = "jaw_lower"});
+  jaws.upper = build_exact_hierarchy(jaws.upper_mesh);
+  jaws.lower = build_exact_hierarchy(jaws.lower_mesh);
   jaws.radius = std::min(jaws.upper.radius, jaws.lower.radius);
   jaws.touch = find_touch(jaws);
   return jaws;
@@ -82,11 +84,11 @@ QueryTiming run_path(const Jaws& jaws, int frames, double tolerance, double step
     const Pose pose = pose_at(jaws, i, frames, step);
     const ContactQuery query{.tolerance = tolerance};
     // The query after it finds the front in place, so the two parts add up to a query.
-    const double start = cpu_seconds();
+    const double start = thread_cpu();
     const QueryStats tracked = track_front(jaws.upper, pose, jaws.lower, Pose{}, query, front);
-    const double middle = cpu_seconds();
+    const double middle = thread_cpu();
     query_contacts(jaws.upper, pose, jaws.lower, Pose{}, query, front, set);
-    const double spent = cpu_seconds() - start;
+    const double spent = thread_cpu() - start;
     if (i == 0) {
       timing.cold_us = 1e6 * spent;
       continue;
@@ -122,10 +124,70 @@ double largest_front(const Jaws& jaws, double tolerance, double step) {
   return largest;
 }
 
+const Jaws& the_jaws() {
+  static const Jaws jaws = make_jaws();
+  return jaws;
+}
+
+std::vector<std::int32_t> patch_of_triangle(const ClodHierarchy& h) {
+  std::vector<std::int32_t> of(static_cast<std::size_t>(h.triangle_count), -1);
+  for (std::size_t p = 0; p < h.patches.size(); ++p) {
+    const ClodPatch& patch = h.patches[p];
+    for (std::int32_t t = 0; t < patch.triangle_count; ++t) {
+      of[static_cast<std::size_t>(h.triangle_ids[static_cast<std::size_t>(patch.first_triangle + t)])] =
+          static_cast<std::int32_t>(p);
+    }
+  }
+  return of;
+}
+
+using PatchPairs = std::set<std::pair<std::int32_t, std::int32_t>>;
+
+struct Truth {
+  PatchPairs within;
+  double least = 0.0;
+};
+
+Truth find_truth(const Jaws& jaws, const Pose& pose, double d) {
+  static const std::vector<std::int32_t> of_upper = patch_of_triangle(jaws.upper), of_lower = patch_of_triangle(jaws.lower);
+  static const test::TriangleTree lower = test::build_triangle_tree(jaws.lower_mesh);
+  const test::TriangleTree upper = test::build_triangle_tree(jaws.upper_mesh, pose);
+  Truth truth;
+  for (const test::TrianglePair& pair : test::triangle_pairs_within(upper, lower, d)) {
+    truth.within.insert({of_upper[static_cast<std::size_t>(pair.a)], of_lower[static_cast<std::size_t>(pair.b)]});
+  }
+  truth.least = test::least_triangle_distance(upper, lower);
+  return truth;
+}
+
+/// What one frame says about ours and the baseline; recall and errors are gathered in `out`.
+void check_frame(const Jaws& jaws, const Pose& pose, double d, FclPair* fcl, std::vector<double>& baseline_seconds,
+                 std::array<double, 3>& found, JawsComparison& out) {
+  const Truth truth = find_truth(jaws, pose, d);
+  ContactFront front;
+  ContactSet set;
+  set.contacts.reserve(200'000);
+  query_contacts(jaws.upper, pose, jaws.lower, Pose{}, {.tolerance = d}, front, set);
+  double deepest = -1e300;
+  for (const Contact& contact : set.contacts) {
+    found[1] += truth.within.count({contact.object_patch, contact.scene_patch}) != 0 ? 1.0 : 0.0;
+    deepest = std::max(deepest, contact.depth);
+  }
+  found[0] += static_cast<double>(truth.within.size());
+  const double ours = std::max(0.0, -deepest);
+  if (!set.contacts.empty()) out.error_ours = std::max(out.error_ours, std::fabs(ours - truth.least) / jaws.radius);
+  if (fcl == nullptr) return;
+  const double start = thread_cpu();
+  const FclDistance theirs = fcl_distance(*fcl, pose);
+  baseline_seconds.push_back(thread_cpu() - start);
+  found[2] += truth.within.empty() ? 0.0 : 1.0;  // its one pair
+  out.error_baseline = std::max(out.error_baseline, std::fabs(std::max(0.0, theirs.distance) - truth.least) / jaws.radius);
+}
+
 }  // namespace
 
 QueryTiming measure_jaws_query(int frames, double tolerance, double step, double front) {
-  static const Jaws jaws = make_jaws();
+  const Jaws& jaws = the_jaws();
   double d = tolerance * jaws.radius;
   if (front > 0.0) {
     double low = 1e-6 * jaws.radius, high = 0.1 * jaws.radius;
@@ -137,6 +199,27 @@ QueryTiming measure_jaws_query(int frames, double tolerance, double step, double
     }
   }
   return run_path(jaws, frames, d, step);
+}
+
+JawsComparison compare_jaws_query(int frames, int checked, double tolerance, double step) {
+  const Jaws& jaws = the_jaws();
+  const double d = tolerance * jaws.radius;
+  JawsComparison out;
+  out.ours = run_path(jaws, frames, d, step);
+  FclPairPtr fcl = has_fcl() ? make_fcl_pair(jaws.upper_mesh, jaws.lower_mesh) : FclPairPtr{};
+  out.has_baseline = fcl != nullptr;
+  std::vector<double> seconds;
+  std::array<double, 3> found{};  // true pairs, ours, baseline's
+  for (int i = 0; i < checked; ++i) {
+    check_frame(jaws, pose_at(jaws, (2 * i + 1) * frames / (2 * checked), frames, step), d, fcl.get(), seconds, found, out);
+  }
+  if (found[0] > 0.0) {
+    out.recall_ours = found[1] / found[0];
+    out.recall_baseline = found[2] / found[0];
+  }
+  out.baseline_p50_us = 1e6 * percentile(seconds, 0.5);
+  out.baseline_p99_us = 1e6 * percentile(seconds, 0.99);
+  return out;
 }
 
 }  // namespace thigma::bench

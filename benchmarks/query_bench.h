@@ -19,4 +19,17 @@ struct QueryTiming {
 /// front  0, or the front size to reach by choosing the tolerance instead (largest over the path, to 10 %)
 QueryTiming measure_jaws_query(int frames, double tolerance, double step, double front = 0.0);
 
+/// The same query beside FCL's distance on the same meshes and poses, and beside the truth: every pair of patches with
+/// original triangles within d, by an independent search.
+struct JawsComparison {
+  QueryTiming ours;                          // over all frames
+  bool has_baseline = false;                 // built with FCL
+  double baseline_p50_us = 0.0, baseline_p99_us = 0.0;  // over `checked` frames
+  double recall_ours = 0.0, recall_baseline = 0.0;      // share of the true patch pairs found, over `checked` frames
+  double error_ours = 0.0, error_baseline = 0.0;        // of the smallest separation, largest, by the radius
+};
+
+/// checked  frames, evenly along the path, on which baseline and truth are computed; at least 1
+JawsComparison compare_jaws_query(int frames, int checked, double tolerance, double step);
+
 }  // namespace thigma::bench

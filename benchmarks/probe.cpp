@@ -1,0 +1,66 @@
+#include "benchmarks/probe.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <ctime>
+
+namespace thigma::bench {
+namespace {
+
+double seconds(clockid_t clock) {
+  timespec t{};
+  clock_gettime(clock, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+}  // namespace
+
+double thread_cpu() { return seconds(CLOCK_THREAD_CPUTIME_ID); }
+
+double dependent_adds() {
+  constexpr std::uint64_t kAdds = 20'000'000;
+  double best = 0.0;
+  for (int run = 0; run < 9; ++run) {
+    std::uint64_t sum = 0;
+    const double start = thread_cpu();
+    for (std::uint64_t i = 0; i < kAdds; i += 10) {
+      // Ten in a row that wait for each other; the compiler must not fold them.
+      asm volatile(
+          "add $1, %0\n add $1, %0\n add $1, %0\n add $1, %0\n add $1, %0\n"
+          "add $1, %0\n add $1, %0\n add $1, %0\n add $1, %0\n add $1, %0"
+          : "+r"(sum));
+    }
+    const double rate = static_cast<double>(kAdds) / (thread_cpu() - start) * 1e-9;
+    best = std::max(best, rate);
+  }
+  return best;
+}
+
+std::vector<double> empty_loop_lateness(double duration) {
+  std::vector<double> late;
+  const std::size_t ticks = static_cast<std::size_t>(duration * 1000.0);
+  late.reserve(ticks);
+  timespec next{};
+  clock_gettime(CLOCK_MONOTONIC, &next);
+  for (std::size_t i = 0; i < ticks; ++i) {
+    next.tv_nsec += 1'000'000;
+    if (next.tv_nsec >= 1'000'000'000) {
+      next.tv_nsec -= 1'000'000'000;
+      ++next.tv_sec;
+    }
+    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &next, nullptr);
+    const double due = static_cast<double>(next.tv_sec) + 1e-9 * static_cast<double>(next.tv_nsec);
+    late.push_back(std::max(0.0, seconds(CLOCK_MONOTONIC) - due));
+  }
+  return late;
+}
+
+double percentile(std::vector<double> samples, double p) {
+  if (samples.empty()) return 0.0;
+  const std::size_t rank =
+      std::min(samples.size() - 1, static_cast<std::size_t>(p * static_cast<double>(samples.size())));
+  std::nth_element(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(rank), samples.end());
+  return samples[rank];
+}
+
+}  // namespace thigma::bench

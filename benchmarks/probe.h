@@ -1,0 +1,21 @@
+#pragma once
+// What the machine itself can do, beside which every figure is read.
+
+#include <cstdint>
+#include <vector>
+
+namespace thigma::bench {
+
+/// CPU time of the calling thread [s].
+double thread_cpu();
+
+/// Billions of dependent integer additions a second of CPU time, best of several runs: the clock the code really got.
+double dependent_adds();
+
+/// How late an empty 1 kHz loop wakes up over `seconds` [s each], with the scheduling the process has.
+std::vector<double> empty_loop_lateness(double seconds);
+
+/// Value below which the fraction p of the samples lies; 0 when there is none.
+double percentile(std::vector<double> samples, double p);
+
+}  // namespace thigma::bench
