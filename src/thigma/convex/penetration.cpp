@@ -5,6 +5,7 @@
 #include "thigma/convex/penetration.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -22,6 +23,7 @@ constexpr double kFullyThrough = 0.9;
 // tangent beyond the face (17 degrees) count as allowed. Without it an edge-edge touch at a border
 // jumps to the overlap along a face.
 constexpr double kBorderTilt = 0.3;
+constexpr double kBorderScale = 0.95782628522115137;  // 1 / sqrt(1 + kBorderTilt^2)
 // Directions within this factor of the least overlap are equal to a caller who remembers one.
 constexpr double kNearEqual = 1.05;
 
@@ -56,72 +58,44 @@ Extent extent_along(const Placed& p, const Vec3& n) {
   return e;
 }
 
-// The arc of normals of an edge between its two faces.
+// The arc of normals of an edge between its two faces; lengths of `to` and `pole` do not matter.
 struct Arc {
   Vec3 from, to, pole;  // pole = from x to
   Vec3 edge;
-  bool empty = true;
+  int tail = 0;  // hull vertex
 };
 
-Arc arc_of(const HullView& h, const RealEdge& e) {
-  Arc arc;
+// False for an edge without a real face.
+bool arc_of(const HullView& h, const RealEdge& e, Arc& arc) {
   const bool left = e.face_left >= 0;
   const int one = left ? e.face_left : e.face_right;
   const int other = left ? e.face_right : -1;
-  if (one < 0) return arc;
+  if (one < 0) return false;
+  arc.tail = e.tail;
   arc.edge = h.vertices[e.head] - h.vertices[e.tail];
   arc.from = h.faces[one].normal;
   if (other >= 0) {
     arc.to = h.faces[other].normal;
   } else {
-    const Vec3 outward = (left ? 1.0 : -1.0) * arc.edge.cross(arc.from).normalized();
-    arc.to = (arc.from + kBorderTilt * outward).normalized();
+    // The edge lies in the face, so their cross product is as long as the edge.
+    const double length = std::sqrt(arc.edge.squaredNorm());
+    if (!(length > 0.0)) return false;
+    const Vec3 outward = arc.edge.cross(arc.from) * ((left ? kBorderTilt : -kBorderTilt) / length);
+    arc.to = (arc.from + outward) * kBorderScale;
     const bool known = e.beyond.squaredNorm() > 0.0;
     if (known && e.beyond.dot(arc.from) < arc.to.dot(arc.from)) arc.to = e.beyond;
   }
   arc.pole = arc.from.cross(arc.to);
-  arc.empty = false;
-  return arc;
-}
-
-Arc arc_of_b(const Placed& p, const RealEdge& e) {
-  Arc arc = arc_of(*p.b, e);
-  arc.from = -(p.rotation * arc.from);
-  arc.to = -(p.rotation * arc.to);
-  arc.pole = p.rotation * arc.pole;  // two signs cancel
-  arc.edge = p.rotation * arc.edge;
-  return arc;
+  return true;
 }
 
 // Whether two arcs on the sphere of directions cross (Gregorius 2013): their crossing is the
 // allowed direction.
 bool arcs_cross(const Arc& a, const Arc& b) {
   const double cba = b.from.dot(a.pole), dba = b.to.dot(a.pole);
+  if (!(cba * dba < 0.0)) return false;
   const double adc = a.from.dot(b.pole), bdc = a.to.dot(b.pole);
-  return cba * dba < 0.0 && adc * bdc < 0.0 && cba * bdc > 0.0;
-}
-
-// Calls visit(direction) for every allowed direction of the pair, out of a.
-template <class Visit>
-void for_each_direction(const Placed& p, Visit visit) {
-  for (int i = 0; i < p.a->face_count; ++i) visit(p.a->faces[i].normal);
-  for (int i = 0; i < p.b->face_count; ++i) visit(Vec3(-(p.rotation * p.b->faces[i].normal)));
-  constexpr int kMaxEdges = 3 * kMaxHullVertices;
-  Arc arcs_b[kMaxEdges];
-  const int count_b = std::min(p.b->edge_count, kMaxEdges);
-  for (int j = 0; j < count_b; ++j) arcs_b[j] = arc_of_b(p, p.b->edges[j]);
-  for (int i = 0; i < p.a->edge_count; ++i) {
-    const Arc arc = arc_of(*p.a, p.a->edges[i]);
-    if (arc.empty) continue;
-    for (int j = 0; j < count_b; ++j) {
-      if (arcs_b[j].empty || !arcs_cross(arc, arcs_b[j])) continue;
-      const Vec3 n = arc.edge.cross(arcs_b[j].edge);
-      const double length = n.norm();
-      if (!(length > 1e-14 * arc.edge.norm() * arcs_b[j].edge.norm()))
-        continue;  // parallel: the faces cover it
-      visit(Vec3(n * (n.dot(arc.from) + n.dot(arc.to) > 0.0 ? 1.0 / length : -1.0 / length)));
-    }
-  }
+  return adc * bdc < 0.0 && cba * bdc > 0.0;
 }
 
 struct Choice {
@@ -129,27 +103,109 @@ struct Choice {
   double overlap = std::numeric_limits<double>::infinity();
 };
 
+// The search over allowed directions. Every direction comes with a bound that needs no extent: the
+// overlap is at least the height of a vertex of a over one of b. What cannot come near the least is
+// dropped by it; what stays is kept for a caller who remembers a direction.
+class DirectionSearch {
+ public:
+  explicit DirectionSearch(const Placed& p) : p_(p) {}
+
+  void run() {
+    for (int i = 0; i < p_.a->face_count; ++i) {
+      const RealFace& face = p_.a->faces[i];
+      offer(face.normal, p_.pa[first_of(face.vertices)], p_.pb[0]);
+    }
+    for (int i = 0; i < p_.b->face_count; ++i) {
+      const RealFace& face = p_.b->faces[i];
+      offer(-(p_.rotation * face.normal), p_.pa[0], p_.pb[first_of(face.vertices)]);
+    }
+    search_edges();
+  }
+
+  Choice least() const { return best_; }
+
+  // Among the directions within kNearEqual of the least overlap, `last` among them, the one nearest to it.
+  Choice nearest_to(const Vec3& last) const {
+    Choice kept = best_;
+    double agreement = best_.normal.dot(last);
+    const double limit = kNearEqual * best_.overlap;
+    const auto consider = [&](const Choice& choice) {
+      const double match = choice.normal.dot(last);
+      if (!(match > agreement) || choice.overlap > limit) return;
+      agreement = match;
+      kept = choice;
+    };
+    for (int i = 0; i < near_count_; ++i) consider(near_[i]);
+    consider({last, extent_along(p_, last).overlap()});
+    return kept;
+  }
+
+ private:
+  static constexpr int kMaxEdges = 3 * kMaxHullVertices;
+  static constexpr int kMaxNear = 64;
+
+  static int first_of(std::uint32_t vertices) { return vertices == 0 ? 0 : std::countr_zero(vertices); }
+
+  double near_limit() const { return kNearEqual * std::max(best_.overlap, 0.0); }
+
+  // on_a, on_b: any vertices of the two; the bound is good where they support n.
+  void offer(const Vec3& n, const Vec3& on_a, const Vec3& on_b) {
+    if (n.dot(on_a - on_b) > near_limit()) return;
+    const double overlap = extent_along(p_, n).overlap();
+    if (overlap < best_.overlap) best_ = {n, overlap};
+    if (overlap > near_limit()) return;
+    if (near_count_ == kMaxNear) forget_far();
+    if (near_count_ < kMaxNear) near_[near_count_++] = {n, overlap};
+  }
+
+  void forget_far() {
+    int kept = 0;
+    for (int i = 0; i < near_count_; ++i) {
+      if (near_[i].overlap <= near_limit()) near_[kept++] = near_[i];
+    }
+    near_count_ = kept;
+  }
+
+  void search_edges() {
+    Arc arcs_b[kMaxEdges];
+    int count_b = 0;
+    for (int j = 0; j < std::min(p_.b->edge_count, kMaxEdges); ++j) {
+      Arc& arc = arcs_b[count_b];
+      if (!arc_of(*p_.b, p_.b->edges[j], arc)) continue;
+      arc.from = -(p_.rotation * arc.from);
+      arc.to = -(p_.rotation * arc.to);
+      arc.pole = p_.rotation * arc.pole;  // two signs cancel
+      arc.edge = p_.rotation * arc.edge;
+      ++count_b;
+    }
+    for (int i = 0; i < p_.a->edge_count; ++i) {
+      Arc arc;
+      if (!arc_of(*p_.a, p_.a->edges[i], arc)) continue;
+      for (int j = 0; j < count_b; ++j) {
+        if (arcs_cross(arc, arcs_b[j])) offer_cross(arc, arcs_b[j]);
+      }
+    }
+  }
+
+  void offer_cross(const Arc& a, const Arc& b) {
+    const Vec3 n = a.edge.cross(b.edge);
+    const double squared = n.squaredNorm();
+    // Parallel edges: the faces cover their direction.
+    if (!(squared > 1e-28 * a.edge.squaredNorm() * b.edge.squaredNorm())) return;
+    const double length = std::sqrt(squared);
+    offer(n * (n.dot(a.from) + n.dot(a.to) > 0.0 ? 1.0 / length : -1.0 / length), p_.pa[a.tail], p_.pb[b.tail]);
+  }
+
+  const Placed& p_;
+  Choice best_;
+  Choice near_[kMaxNear];
+  int near_count_ = 0;
+};
+
 Choice least_overlap(const Placed& p, const Vec3* last) {
-  Choice best;
-  for_each_direction(p, [&](const Vec3& n) {
-    const double overlap = extent_along(p, n).overlap();
-    if (overlap < best.overlap) best = {n, overlap};
-  });
-  if (last == nullptr) return best;
-  Choice kept = best;
-  double agreement = best.normal.dot(*last);
-  const double limit = kNearEqual * best.overlap;
-  const auto offer = [&](const Vec3& n) {
-    const double match = n.dot(*last);
-    if (!(match > agreement)) return;
-    const double overlap = extent_along(p, n).overlap();
-    if (overlap > limit) return;
-    agreement = match;
-    kept = {n, overlap};
-  };
-  for_each_direction(p, offer);
-  offer(*last);
-  return kept;
+  DirectionSearch search(p);
+  search.run();
+  return last == nullptr ? search.least() : search.nearest_to(*last);
 }
 
 // How far the direction from witness to witness lies behind every real face that holds the witness:

@@ -40,10 +40,13 @@ void offer_interior(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3& v, 
   const double nn = n.squaredNorm();
   if (!(nn > 1e-28 * u.squaredNorm() * v.squaredNorm()))
     return;  // parallel to rounding: ends are as close
+  // The lines' distance bounds that of the segments; most pairs end here.
+  const double along = r.dot(n);
+  if (along * along > best.squared * nn * (1.0 + 1e-12)) return;
   const double s = r.cross(v).dot(n) / nn, t = r.cross(u).dot(n) / nn;
   if (s < 0.0 || s > 1.0 || t < 0.0 || t > 1.0) return;
   // Along the common normal: exact in direction and length where the points are nearly equal.
-  const Vec3 offset = n * (r.dot(n) / nn);
+  const Vec3 offset = n * (along / nn);
   const double d = offset.squaredNorm();
   if (d < best.squared) {
     best.squared = d;
@@ -89,9 +92,8 @@ int pierce(const Vec3 edges[3], const Vec3 face[3], Vec3& sum) {
   return count;
 }
 
-// a and b about a local origin.
-TriangleDistance local_distance(const Vec3 a[3], const Vec3 b[3], Best& best) {
-  TriangleDistance out;
+// The least distance by features; blind to edges that pierce faces. best: nothing farther is offered.
+void offer_features(const Vec3 a[3], const Vec3 b[3], Best& best) {
   for (int i = 0; i < 3; ++i) {
     offer_corner(a[i], b, i, false, best);
     offer_corner(b[i], a, i, true, best);
@@ -104,20 +106,31 @@ TriangleDistance local_distance(const Vec3 a[3], const Vec3 b[3], Best& best) {
                      best);
     }
   }
-  Vec3 sum = Vec3::Zero();
-  const int count = pierce(a, b, sum) + pierce(b, a, sum);
+}
+
+double reach_of(const Vec3 a[3], const Vec3 b[3]) {
   double reach = 0.0;
   for (int i = 0; i < 3; ++i)
     reach = std::max({reach, a[i].lpNorm<Eigen::Infinity>(), b[i].lpNorm<Eigen::Infinity>()});
-  const double noise = 0x1.0p-51 * reach;
-  out.intersecting = count > 0 || best.squared <= noise * noise;
+  return reach;
+}
+
+// a and b about a local origin.
+TriangleDistance local_distance(const Vec3 a[3], const Vec3 b[3], Best& best) {
+  TriangleDistance out;
+  Vec3 sum = Vec3::Zero();
+  const int count = pierce(a, b, sum) + pierce(b, a, sum);
+  if (count > 0) {
+    out.intersecting = true;
+    out.point_a = out.point_b = sum / count;
+    return out;
+  }
+  offer_features(a, b, best);
+  const double noise = 0x1.0p-51 * reach_of(a, b);
+  out.intersecting = best.squared <= noise * noise;
   out.point_a = best.a;
   out.point_b = best.b;
-  out.distance = std::sqrt(best.squared);
-  if (out.intersecting) {
-    out.distance = 0.0;
-    if (count > 0) out.point_a = out.point_b = sum / count;
-  }
+  out.distance = out.intersecting ? 0.0 : std::sqrt(best.squared);
   return out;
 }
 
@@ -149,49 +162,128 @@ int triangle_holding(const HullView& h, std::uint32_t feature) {
   return -1;
 }
 
-void measure_triangles(const HullView& a, const HullView& b, const RelativePose& x, double stop,
-                       PatchSeparation& out) {
-  const Vec3 origin = a.center;
-  Vec3 pb[kMaxHullVertices];
-  for (int i = 0; i < b.vertex_count; ++i)
-    pb[i] = x.rotation * b.vertices[i] + (x.translation - origin);
-  // The limit with a margin for the rounding of the boxes: a pair at exactly `stop` must be
-  // measured.
-  double limit = stop < kInfinity ? stop * stop * (1.0 + 1e-12) : kInfinity;
-  Vec3 sum = Vec3::Zero();
-  int hits = 0;
-  for (int i = 0; i < a.triangle_count; ++i) {
-    Vec3 ta[3], tb[3];
-    for (int k = 0; k < 3; ++k) ta[k] = a.vertices[a.triangles[i].corner[k]] - origin;
-    const Box box_a = box_of(ta);
-    for (int j = 0; j < b.triangle_count; ++j) {
-      for (int k = 0; k < 3; ++k) tb[k] = pb[b.triangles[j].corner[k]];
-      if (squared_distance(box_a, box_of(tb)) > limit) continue;
-      ++out.triangle_pairs;
-      Best best;
-      const TriangleDistance d = local_distance(ta, tb, best);
-      if (d.intersecting) {
-        sum += d.point_a;
-        ++hits;
-        limit = 0.0;
-      }
-      const double squared = d.distance * d.distance;
-      if (hits > (d.intersecting ? 1 : 0) || squared > limit) continue;
-      limit = squared;
-      out.triangle_a = i;
-      out.triangle_b = j;
-      out.distance = d.distance;
-      out.point_a = d.point_a + origin;
-      out.point_b = d.point_b + origin;
-      out.feature_a = hull_mask(a.triangles[i], best.corners_a);
-      out.feature_b = hull_mask(b.triangles[j], best.corners_b);
+// A triangle with what rejects most pairs before they are measured.
+struct Placed {
+  Vec3 p[3];
+  Vec3 normal;  // not normalized; may be zero
+  double inverse_squared = 0.0;  // 1 / |normal|^2, 0 without one
+  Box box;
+};
+
+Placed placed(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+  Placed t{{p0, p1, p2}, (p1 - p0).cross(p2 - p0), 0.0, {}};
+  const double squared = t.normal.squaredNorm();
+  if (squared > 0.0) t.inverse_squared = 1.0 / squared;
+  t.box = box_of(t.p);
+  return t;
+}
+
+// Squared distance that the plane of t keeps the triangle `other` away, at least; 0 when it crosses it.
+double plane_gap(const Placed& t, const Placed& other) {
+  double h[3];
+  for (int i = 0; i < 3; ++i) h[i] = t.normal.dot(other.p[i] - t.p[0]);
+  const double low = std::min({h[0], h[1], h[2]}), high = std::max({h[0], h[1], h[2]});
+  const double gap = low > 0.0 ? low : high < 0.0 ? high : 0.0;
+  return gap * gap * t.inverse_squared;
+}
+
+// All triangle pairs of two patches, about a local origin.
+class TrianglePairs {
+ public:
+  TrianglePairs(const HullView& a, const HullView& b, const RelativePose& x) : a_(a), b_(b), origin_(a.center) {
+    Vec3 pb[kMaxHullVertices];
+    const Vec3 shift = x.translation - origin_;
+    for (int i = 0; i < b.vertex_count; ++i) pb[i] = x.rotation * b.vertices[i] + shift;
+    count_b_ = std::min(b.triangle_count, kMost);
+    for (int j = 0; j < count_b_; ++j) {
+      const std::uint8_t* c = b.triangles[j].corner;
+      placed_b_[j] = placed(pb[c[0]], pb[c[1]], pb[c[2]]);
+    }
+    count_a_ = std::min(a.triangle_count, kMost);
+    for (int i = 0; i < count_a_; ++i) {
+      const std::uint8_t* c = a.triangles[i].corner;
+      placed_a_[i] = placed(a.vertices[c[0]] - origin_, a.vertices[c[1]] - origin_, a.vertices[c[2]] - origin_);
     }
   }
-  out.intersecting = hits > 0;
-  if (hits == 0) return;
-  out.distance = 0.0;
-  out.point_a = out.point_b = sum / hits + origin;
-}
+
+  // Where triangles pierce each other: one pass that needs no distances.
+  bool intersect(PatchSeparation& out) {
+    Vec3 sum = Vec3::Zero();
+    int hits = 0;
+    for (int i = 0; i < count_a_; ++i) {
+      const Placed& ta = placed_a_[i];
+      for (int j = 0; j < count_b_; ++j) {
+        const Placed& tb = placed_b_[j];
+        if (squared_distance(ta.box, tb.box) > 0.0 || plane_gap(ta, tb) > 0.0 || plane_gap(tb, ta) > 0.0) continue;
+        ++out.triangle_pairs;
+        Vec3 points = Vec3::Zero();
+        const int count = pierce(ta.p, tb.p, points) + pierce(tb.p, ta.p, points);
+        if (count == 0) continue;
+        if (hits++ == 0) keep(i, j, 0, 0, out);
+        sum += points / count;
+      }
+    }
+    if (hits == 0) return false;
+    meet(sum / hits, out);
+    return true;
+  }
+
+  // The least distance; triangles that only touch intersect as well.
+  void measure(double stop, PatchSeparation& out) {
+    // With a margin for the rounding of the bounds: a pair at exactly `stop` must be measured.
+    constexpr double kMargin = 1.0 + 1e-12;
+    double limit = stop < kInfinity ? stop * stop * kMargin : kInfinity;
+    Vec3 sum = Vec3::Zero();
+    int touches = 0;
+    for (int i = 0; i < count_a_; ++i) {
+      const Placed& ta = placed_a_[i];
+      for (int j = 0; j < count_b_; ++j) {
+        const Placed& tb = placed_b_[j];
+        const double bound = limit * kMargin;
+        if (squared_distance(ta.box, tb.box) > bound || plane_gap(ta, tb) > bound || plane_gap(tb, ta) > bound) continue;
+        ++out.triangle_pairs;
+        Best best;
+        offer_features(ta.p, tb.p, best);
+        const double noise = 0x1.0p-51 * reach_of(ta.p, tb.p);
+        if (best.squared <= noise * noise) {
+          if (touches++ == 0) keep(i, j, best.corners_a, best.corners_b, out);
+          sum += best.a;
+          limit = 0.0;
+        } else if (touches == 0 && best.squared <= limit) {
+          limit = best.squared;
+          keep(i, j, best.corners_a, best.corners_b, out);
+          out.distance = std::sqrt(best.squared);
+          out.point_a = best.a + origin_;
+          out.point_b = best.b + origin_;
+        }
+      }
+    }
+    if (touches > 0) meet(sum / touches, out);
+  }
+
+ private:
+  // A surface patch on at most 32 hull vertices has at most 60 triangles.
+  static constexpr int kMost = 2 * kMaxHullVertices;
+
+  void keep(int i, int j, int corners_a, int corners_b, PatchSeparation& out) const {
+    out.triangle_a = i;
+    out.triangle_b = j;
+    out.feature_a = hull_mask(a_.triangles[i], corners_a);
+    out.feature_b = hull_mask(b_.triangles[j], corners_b);
+  }
+
+  void meet(const Vec3& point, PatchSeparation& out) const {
+    out.intersecting = true;
+    out.distance = 0.0;
+    out.point_a = out.point_b = point + origin_;
+  }
+
+  const HullView& a_;
+  const HullView& b_;
+  Vec3 origin_;
+  Placed placed_a_[kMost], placed_b_[kMost];
+  int count_a_ = 0, count_b_ = 0;
+};
 
 }  // namespace
 
@@ -225,7 +317,9 @@ PatchSeparation patch_separation(const HullView& a, const HullView& b, const Rel
   }
   out.triangle_a = out.triangle_b = -1;
   out.distance = std::max(hulls.distance, std::nextafter(stop, kInfinity));
-  measure_triangles(a, b, x, stop, out);
+  TrianglePairs pairs(a, b, x);
+  // Triangles of disjoint hulls do not intersect.
+  if (hulls.status == PairStatus::separated || !pairs.intersect(out)) pairs.measure(stop, out);
   return out;
 }
 
