@@ -1,0 +1,268 @@
+#include "thigma/mesh/halfedge_mesh.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "thigma/mesh/topology.h"
+
+namespace thigma {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Turns back to where the fan begins, if it has a beginning.
+std::int32_t first_of_fan(const HalfedgeMesh& m, std::int32_t h) {
+  for (std::int32_t i = h;;) {
+    const std::int32_t beside = m.twin[at(i)];
+    if (beside < 0) return i;
+    i = next_halfedge(beside);
+    if (i == h) return h;
+  }
+}
+
+void lock_and_link(HalfedgeMesh& m, const EdgeTable& table) {
+  for (const MeshEdge& edge : table.edges) {
+    const auto uses = table.uses_of(edge);
+    if (uses.size() == 2 && uses[0].is_forward != uses[1].is_forward) {
+      const std::int32_t a = 3 * uses[0].triangle + uses[0].corner;
+      const std::int32_t b = 3 * uses[1].triangle + uses[1].corner;
+      m.twin[at(a)] = b;
+      m.twin[at(b)] = a;
+    } else if (uses.size() != 1) {
+      m.is_locked[at(edge.a)] = m.is_locked[at(edge.b)] = 1;
+    }
+  }
+}
+
+struct Sides {  // of an edge that collapses: the triangle on either side, or -1
+  std::int32_t left, right;
+};
+
+Sides sides_of(const HalfedgeMesh& m, std::int32_t h) { return {h, m.twin[at(h)]}; }
+
+/// Joins what was beside the two edges of a triangle that goes.
+void close_gap(HalfedgeMesh& m, std::int32_t h) {
+  const std::int32_t one = m.twin[at(next_halfedge(h))];
+  const std::int32_t other = m.twin[at(previous_halfedge(h))];
+  if (one >= 0) m.twin[at(one)] = other;
+  if (other >= 0) m.twin[at(other)] = one;
+}
+
+/// A half-edge from the corner across the edge that survives the collapse.
+std::int32_t surviving_from_apex(const HalfedgeMesh& m, std::int32_t h) {
+  const std::int32_t one = m.twin[at(next_halfedge(h))];  // runs apex -> head
+  if (one >= 0) return one;
+  return next_halfedge(m.twin[at(previous_halfedge(h))]);  // from the twin tail -> apex
+}
+
+/// A half-edge from the vertex that stays.
+std::int32_t surviving_from_tail(const HalfedgeMesh& m, std::int32_t h) {
+  const std::int32_t one = m.twin[at(previous_halfedge(h))];  // runs tail -> apex
+  if (one >= 0) return one;
+  return next_halfedge(m.twin[at(next_halfedge(h))]);  // from the twin apex -> head
+}
+
+/// The values at the two ends of the edge on one of its sides become one.
+void merge_values(HalfedgeMesh& m, std::int32_t at_tail, std::int32_t at_head, double share) {
+  const auto width = static_cast<std::size_t>(m.attributes.width);
+  double* kept = m.attributes.values.data() + at(at_tail) * width;
+  const double* other = m.attributes.values.data() + at(at_head) * width;
+  for (std::size_t i = 0; i < width; ++i) kept[i] += share * (other[i] - kept[i]);
+}
+
+struct ValuePair {
+  std::int32_t at_tail = -1, at_head = -1;
+};
+
+void carry_attributes(HalfedgeMesh& m, std::int32_t h, double share,
+                      const std::vector<std::int32_t>& corners) {
+  auto& of_corner = m.attributes.of_corner;
+  const std::int32_t opposite = m.twin[at(h)];
+  const ValuePair left{of_corner[at(h)], of_corner[at(next_halfedge(h))]};
+  ValuePair right;
+  if (opposite >= 0) right = {of_corner[at(next_halfedge(opposite))], of_corner[at(opposite)]};
+  // A seam that begins at the tail has one value there for both sides: the right side then keeps
+  // the index of its head.
+  const bool begins_at_tail = right.at_tail == left.at_tail && right.at_head != left.at_head;
+  if (begins_at_tail)
+    merge_values(m, right.at_head, right.at_tail, 1.0 - share);
+  else if (right.at_tail >= 0 && right.at_tail != left.at_tail)
+    merge_values(m, right.at_tail, right.at_head, share);
+  merge_values(m, left.at_tail, left.at_head, share);
+  for (const std::int32_t c : corners) {
+    if (of_corner[at(c)] == left.at_head)
+      of_corner[at(c)] = left.at_tail;
+    else if (!begins_at_tail && right.at_head >= 0 && of_corner[at(c)] == right.at_head)
+      of_corner[at(c)] = right.at_tail;
+  }
+}
+
+}  // namespace
+
+HalfedgeMesh build_halfedge_mesh(const TriangleMesh& mesh, CornerAttributes attributes) {
+  HalfedgeMesh m;
+  m.positions = mesh.positions;
+  m.triangles = mesh.triangles;
+  m.attributes = std::move(attributes);
+  m.triangle_count = static_cast<std::int32_t>(mesh.triangles.size());
+  m.twin.assign(3 * mesh.triangles.size(), -1);
+  m.outgoing.assign(mesh.positions.size(), -1);
+  m.is_locked.assign(mesh.positions.size(), 0);
+  lock_and_link(m, build_edge_table(mesh));
+  std::vector<std::int32_t> corners(mesh.positions.size(), 0), reached(mesh.positions.size(), 0);
+  for (std::int32_t h = 0; h < 3 * m.triangle_count; ++h) {
+    ++corners[at(tail_of(m, h))];
+    m.outgoing[at(tail_of(m, h))] = h;
+  }
+  for (std::size_t v = 0; v < m.outgoing.size(); ++v) {
+    if (m.outgoing[v] < 0) continue;
+    m.outgoing[v] = first_of_fan(m, m.outgoing[v]);
+    visit_fan(m, static_cast<std::int32_t>(v), [&](std::int32_t) { ++reached[v]; });
+    if (reached[v] != corners[v]) m.is_locked[v] = 1;
+  }
+  return m;
+}
+
+std::int32_t find_halfedge(const HalfedgeMesh& m, std::int32_t a, std::int32_t b) {
+  std::int32_t found = -1;
+  visit_fan(m, a, [&](std::int32_t h) {
+    if (head_of(m, h) == b) found = h;
+  });
+  if (found >= 0 || m.outgoing[at(a)] < 0) return found;
+  // On a boundary the last edge of the fan runs towards a alone.
+  visit_fan(m, b, [&](std::int32_t h) {
+    if (head_of(m, h) == a) found = h;
+  });
+  return found;
+}
+
+bool can_collapse(const HalfedgeMesh& m, std::int32_t halfedge) {
+  const std::int32_t a = tail_of(m, halfedge), b = head_of(m, halfedge);
+  if (m.is_locked[at(a)] || m.is_locked[at(b)]) return false;
+  const auto [left, right] = sides_of(m, halfedge);
+  if (right >= 0 && is_boundary(m, a) && is_boundary(m, b)) return false;
+  const std::int32_t apex_left = tail_of(m, previous_halfedge(left));
+  const std::int32_t apex_right = right >= 0 ? tail_of(m, previous_halfedge(right)) : -1;
+  if (apex_left == apex_right) return false;
+  int triangles = 0;
+  bool is_clean = true;
+  const auto is_apex = [&](std::int32_t v) { return v == apex_left || v == apex_right; };
+  const auto meets_b = [&](std::int32_t v) {
+    bool meets = false;
+    visit_fan(m, b, [&](std::int32_t h) {
+      meets = meets || head_of(m, h) == v || tail_of(m, previous_halfedge(h)) == v;
+    });
+    return meets;
+  };
+  visit_fan(m, a, [&](std::int32_t h) {
+    ++triangles;
+    for (const std::int32_t v : {head_of(m, h), tail_of(m, previous_halfedge(h))})
+      is_clean = is_clean && (v == b || is_apex(v) || !meets_b(v));
+  });
+  if (!is_clean) return false;
+  visit_fan(m, b, [&](std::int32_t) { ++triangles; });
+  // What is left around the vertex: three triangles close it, one is enough on a boundary.
+  const bool is_open = right < 0 || is_boundary(m, a) || is_boundary(m, b);
+  const int left_over = triangles - (right >= 0 ? 4 : 2);
+  return left_over >= (is_open ? 1 : 3);
+}
+
+std::array<std::int32_t, 2> collapse_edge(HalfedgeMesh& m, std::int32_t halfedge,
+                                          const Vec3& position, double share) {
+  const std::int32_t a = tail_of(m, halfedge), b = head_of(m, halfedge);
+  const auto [left, right] = sides_of(m, halfedge);
+  std::vector<std::int32_t> at_head, corners;
+  visit_fan(m, b, [&](std::int32_t h) { at_head.push_back(h); });
+  if (m.attributes.width > 0) {
+    corners = at_head;
+    visit_fan(m, a, [&](std::int32_t h) { corners.push_back(h); });
+    carry_attributes(m, halfedge, share, corners);
+  }
+  std::int32_t start = -1;
+  for (const std::int32_t h : at_head)
+    if (h / 3 != left / 3 && (right < 0 || h / 3 != right / 3)) start = h;
+  if (start < 0) start = surviving_from_tail(m, left);
+  std::array<std::int32_t, 2> apexes = {-1, -1}, apex_edges = {-1, -1};
+  const std::array<std::int32_t, 2> edges = {left, right};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (edges[i] < 0) continue;
+    apexes[i] = tail_of(m, previous_halfedge(edges[i]));
+    apex_edges[i] = surviving_from_apex(m, edges[i]);
+  }
+  for (const std::int32_t h : at_head) m.triangles[at(h / 3)][at(h % 3)] = a;
+  for (const std::int32_t h : edges)
+    if (h >= 0) close_gap(m, h);
+  std::array<std::int32_t, 2> removed = {-1, -1};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (edges[i] < 0) continue;
+    removed[i] = edges[i] / 3;
+    m.triangles[at(removed[i])] = {-1, -1, -1};
+    for (std::int32_t k = 0; k < 3; ++k) m.twin[at(3 * removed[i] + k)] = -1;
+    --m.triangle_count;
+    m.outgoing[at(apexes[i])] = first_of_fan(m, apex_edges[i]);
+  }
+  m.outgoing[at(b)] = -1;
+  m.outgoing[at(a)] = first_of_fan(m, start);
+  m.positions[at(a)] = position;
+  return removed;
+}
+
+std::int64_t count_halfedge_faults(const HalfedgeMesh& m) {
+  std::int64_t faults = 0;
+  std::int32_t alive = 0;
+  std::vector<std::int32_t> corners(m.positions.size(), 0);
+  for (std::size_t t = 0; t < m.triangles.size(); ++t) {
+    const auto& v = m.triangles[t];
+    if (v[0] < 0) continue;
+    ++alive;
+    faults += v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+    for (std::int32_t k = 0; k < 3; ++k) {
+      const std::int32_t h = static_cast<std::int32_t>(3 * t) + k, other = m.twin[at(h)];
+      ++corners[at(tail_of(m, h))];
+      if (other < 0) continue;
+      faults += m.twin[at(other)] != h || m.triangles[at(other / 3)][0] < 0 ||
+                tail_of(m, other) != head_of(m, h) || head_of(m, other) != tail_of(m, h);
+    }
+  }
+  faults += alive != m.triangle_count;
+  if (faults > 0) return faults;
+  for (std::size_t v = 0; v < m.positions.size(); ++v) {
+    if (m.is_locked[v]) continue;
+    std::int32_t reached = 0;
+    bool starts_here = true;
+    visit_fan(m, static_cast<std::int32_t>(v), [&](std::int32_t h) {
+      starts_here = starts_here && tail_of(m, h) == static_cast<std::int32_t>(v);
+      ++reached;
+    });
+    faults += reached != corners[v] || !starts_here;
+  }
+  return faults;
+}
+
+CompactMesh compact(const HalfedgeMesh& m) {
+  CompactMesh result;
+  std::vector<std::int32_t> place(m.positions.size(), -1);
+  const bool has_values = m.attributes.width > 0;
+  for (std::size_t t = 0; t < m.triangles.size(); ++t) {
+    if (m.triangles[t][0] < 0) continue;
+    result.triangles.push_back(static_cast<std::int32_t>(t));
+    for (const std::int32_t v : m.triangles[t]) place[at(v)] = 0;
+  }
+  for (std::size_t v = 0; v < place.size(); ++v) {
+    if (place[v] < 0) continue;
+    place[v] = static_cast<std::int32_t>(result.vertices.size());
+    result.vertices.push_back(static_cast<std::int32_t>(v));
+    result.mesh.positions.push_back(m.positions[v]);
+  }
+  result.attributes.width = m.attributes.width;
+  result.attributes.values = m.attributes.values;
+  for (const std::int32_t t : result.triangles) {
+    const auto& v = m.triangles[at(t)];
+    result.mesh.triangles.push_back({place[at(v[0])], place[at(v[1])], place[at(v[2])]});
+    for (std::int32_t k = 0; has_values && k < 3; ++k)
+      result.attributes.of_corner.push_back(m.attributes.of_corner[at(3 * t + k)]);
+  }
+  return result;
+}
+
+}  // namespace thigma
