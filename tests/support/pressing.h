@@ -13,8 +13,8 @@ struct PressingReport {
   std::int64_t pair_steps = 0, penetrating_steps = 0;  // steps of pairs reported before and after; of those, penetrating
   std::int64_t jumps = 0;     // of these, |change of depth * normal| > 4 x step
   std::int64_t jumps_penetrating = 0;
-  std::int64_t off_reference = 0;  // penetrating normals more than 90 degrees off that of the closest pair before contact
-  std::int64_t off_own = 0;        // ... off the pair's own last normal before it penetrated
+  std::int64_t off_before = 0;     // penetrating normals more than 90 degrees off the pair's before the objects touched
+  std::int64_t off_own = 0;        // ... off the pair's last separated normal, objects touching elsewhere or not
   double deepest = 0.0;            // [radius]
   static double share(std::int64_t bad, std::int64_t all) {
     return all > 0 ? 1.0 - static_cast<double>(bad) / static_cast<double>(all) : 1.0;
@@ -30,10 +30,9 @@ inline PressingReport press(const CheckedPair& pair, const Approach& approach, d
   ContactFront front;
   ContactSet set;
   set.contacts.reserve(200'000);
-  std::map<std::pair<int, int>, Vec3> before, last, now;  // normal before contact; depth times normal
+  std::map<std::pair<int, int>, Vec3> before, separated, last, now;
   std::map<std::pair<int, int>, bool> was_penetrating, is_penetrating;
   PressingReport report;
-  Vec3 reference = Vec3::Zero();
   bool touched = false;
   const int steps = 20 + static_cast<int>(depth / 1e-4);
   for (int i = 0; i <= steps; ++i, pose.position += step * approach.direction) {
@@ -44,13 +43,6 @@ inline PressingReport press(const CheckedPair& pair, const Approach& approach, d
     is_penetrating.clear();
     bool any_inside = false;
     for (const Contact& c : set.contacts) any_inside |= c.status != ContactStatus::separated;
-    if (!touched && !any_inside) {  // the normal before contact
-      double least = 1e300;
-      for (const Contact& c : set.contacts) {
-        if (-c.depth < least) reference = c.normal;
-        least = std::min(least, -c.depth);
-      }
-    }
     touched |= any_inside;
     for (const Contact& c : set.contacts) {
       const std::pair key(c.object_patch, c.scene_patch);
@@ -58,9 +50,12 @@ inline PressingReport press(const CheckedPair& pair, const Approach& approach, d
       now[key] = c.depth * c.normal;
       is_penetrating[key] = inside;
       report.deepest = std::max(report.deepest, c.depth / pair.radius);
-      if (inside && reference.dot(c.normal) < 0.0) ++report.off_reference;
-      if (!inside) before[key] = c.normal;
-      else if (const auto own = before.find(key); own != before.end() && own->second.dot(c.normal) < 0.0) ++report.off_own;
+      if (!touched) before[key] = c.normal;
+      if (inside) {
+        if (const auto it = before.find(key); it != before.end() && it->second.dot(c.normal) < 0.0) ++report.off_before;
+      }
+      if (!inside) separated[key] = c.normal;
+      else if (const auto own = separated.find(key); own != separated.end() && own->second.dot(c.normal) < 0.0) ++report.off_own;
       const auto previous = last.find(key);
       if (previous == last.end()) continue;
       const bool counts_inside = inside || was_penetrating[key];
@@ -75,18 +70,18 @@ inline PressingReport press(const CheckedPair& pair, const Approach& approach, d
   }
   std::printf("  %-14s pressed to %.4f of the radius: depth * normal moved by at most 4 steps in %.3f %% of %lld pair-steps "
               "(%.2f %% of the %lld penetrating); normals over 90 degrees off the one before contact: %lld (off the "
-              "pair's own last: %lld)\n",
+              "pair's last separated one: %lld)\n",
               pair.name.c_str(), report.deepest, 100.0 * PressingReport::share(report.jumps, report.pair_steps),
               static_cast<long long>(report.pair_steps),
               100.0 * PressingReport::share(report.jumps_penetrating, report.penetrating_steps),
-              static_cast<long long>(report.penetrating_steps), static_cast<long long>(report.off_reference),
+              static_cast<long long>(report.penetrating_steps), static_cast<long long>(report.off_before),
               static_cast<long long>(report.off_own));
   return report;
 }
 
 inline void expect_smooth(const PressingReport& report) {
   EXPECT_GT(report.penetrating_steps, 50);
-  EXPECT_EQ(report.off_reference, 0);
+  EXPECT_EQ(report.off_before, 0);
   EXPECT_GE(PressingReport::share(report.jumps, report.pair_steps), 0.995);
 }
 

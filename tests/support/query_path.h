@@ -48,8 +48,8 @@ inline void query_pose(const CheckedPair& pair, const Pose& pose, double d, Cont
 }
 
 inline void check_pair(const CheckedPair& pair, const Approach& approach, double d) {
-  const int coherent = is_full() ? 1000 : 40;
-  const int random_poses = is_full() ? 200 : 10;
+  const int coherent = is_full() ? 1000 : 46;
+  const int random_poses = is_full() ? 200 : 4;
   ContactFront front, fresh;
   ContactSet set, fresh_set;
   set.contacts.reserve(400'000);

@@ -15,7 +15,7 @@ constexpr double kEnds = 1e-6;  // of the segment: its ends lie on surfaces them
 struct Segment {
   Vec3 origin, direction;  // not normalized
   Vec3 u, v;               // span the plane across it
-  double length = 0.0;
+  double length = 0.0, inverse_length2 = 0.0;
 };
 
 struct Projected {
@@ -23,8 +23,9 @@ struct Projected {
 };
 
 Segment make_segment(const Vec3& from, const Vec3& to) noexcept {
-  Segment s{from, to - from, {}, {}, 0.0};
+  Segment s{from, to - from, {}, {}, 0.0, 0.0};
   s.length = std::sqrt(s.direction.squaredNorm());
+  s.inverse_length2 = 1.0 / s.direction.squaredNorm();
   int least = 0;
   for (int i = 1; i < 3; ++i) {
     if (std::fabs(s.direction[i]) < std::fabs(s.direction[least])) least = i;
@@ -62,7 +63,7 @@ void cross(const Segment& s, const Vec3& a, const Vec3& b, const Vec3& c, Crossi
 
 bool near_ray(const Segment& s, const ClodNode& node) noexcept {
   const Vec3 r = node.center - s.origin;
-  const double t = std::fmax(r.dot(s.direction) / (s.length * s.length), 0.0);
+  const double t = std::fmax(r.dot(s.direction) * s.inverse_length2, 0.0);
   const double reach = (node.radius + node.hausdorff) * (1.0 + 1e-9) + 1e-12 * (node.center.lpNorm<1>() + s.length);
   return (r - t * s.direction).squaredNorm() <= reach * reach;
 }
@@ -102,8 +103,34 @@ void descend(const ClodHierarchy& h, const Segment& s, std::int32_t start, Cross
   }
 }
 
-// Whether the material of an object reaches along the ray from `from`, on its surface, to `to`.
+bool near_segment(const Segment& s, const ClodNode& node) noexcept {
+  const Vec3 r = node.center - s.origin;
+  const double t = std::fmin(std::fmax(r.dot(s.direction) * s.inverse_length2, 0.0), 1.0);
+  const double reach = (node.radius + node.hausdorff) * (1.0 + 1e-9) + 1e-12 * (node.center.lpNorm<1>() + s.length);
+  return (r - t * s.direction).squaredNorm() <= reach * reach;
+}
+
+// Whether any surface lies between the ends. Far cheaper than counting along the ray: what is near a short segment is
+// a handful of patches.
+bool is_crossed(const ClodHierarchy& h, const Segment& s, std::int32_t index) noexcept {
+  const ClodNode& node = h.nodes[static_cast<std::size_t>(index)];
+  if (!near_segment(s, node)) return false;
+  if (node.child_count == 0) {
+    Crossings count;
+    cross_patch(s, hull_view(h, index), count);
+    return count.between > 0;
+  }
+  for (std::int32_t c = 0; c < node.child_count; ++c) {
+    if (is_crossed(h, s, node.first_child + c)) return true;
+  }
+  return false;
+}
+
+// Whether the material of an object reaches along the ray from `from`, on its surface, to `to`. The ray enters
+// material at `from` (the caller has seen the back of the surface there), so without a surface in between it does.
 bool reaches(const ClodHierarchy& h, bool closed, const Vec3& from, const Vec3& to) noexcept {
+  const Segment s = make_segment(from, to);
+  if (!(s.length > 0.0) || !is_crossed(h, s, 0)) return true;
   const Crossings c = count_crossings(h, from, to);
   return closed ? c.exits_after_from > 0 && c.exits_after_to > 0 : c.between % 2 == 0;
 }
