@@ -39,7 +39,7 @@ SceneObject resolve_object(const TomlTable& table, const ObjectKeys& keys,
       // "mesh: what, expected": the line goes in between.
       const std::string text = error.what();
       const std::size_t split = text.rfind(", expected");
-      table.fail("mesh", text.substr(4, split - 4), text.substr(split + 2));
+      table.fail("mesh", "is wrong" + text.substr(4, split - 4), text.substr(split + 2));
     }
     object.mesh = *keys.mesh;
     object.name = object.model->name;

@@ -6,6 +6,7 @@
 
 #include "benchmarks/bench_rows.h"
 #include "benchmarks/probe.h"
+#include "json_out.h"
 #include "verbs.h"
 
 namespace thigma::app {
@@ -38,7 +39,7 @@ Json row_json(const bench::Row& row) {
 
 void print_row(const bench::Row& row, bool as_json) {
   if (as_json) {
-    std::printf("%s\n", row_json(row).dump().c_str());
+    print_json(row_json(row));
   } else {
     std::printf("%-46s %10.3f %10.3f %-9s", row.name.c_str(), row.ours.p50, row.ours.p99, row.unit.c_str());
     if (row.theirs) std::printf("  %10.3f %10.3f  %s", row.theirs->p50, row.theirs->p99, row.baseline.c_str());
@@ -57,7 +58,7 @@ void print_machine(bool as_json, double seconds) {
     json["name"] = "machine";
     json["dependent_adds_ghz"] = adds;
     json["empty_loop_late_us"] = {{"p50", p50}, {"p99", p99}, {"p999", p999}, {"max", max}};
-    std::printf("%s\n", json.dump().c_str());
+    print_json(json);
   } else {
     std::printf("machine: %.2f GHz of dependent additions; empty 1 kHz loop late by p50 %.1f, p99 %.1f, p99.9 %.1f, max %.1f us\n",
                 adds, p50, p99, p999, max);

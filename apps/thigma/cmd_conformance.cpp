@@ -38,7 +38,7 @@ int run_conformance(const std::vector<std::string>& files) {
       std::printf("%s\n", report_line(report).c_str());
       is_failed = is_failed || report.failed > 0;
     } catch (const InputError& error) {
-      std::fprintf(stderr, "thigma: %s\n", error.what());
+      tell_error(error.what());
       is_unreadable = true;
     }
   }

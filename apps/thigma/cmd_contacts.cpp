@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "json_out.h"
 #include "pose_file.h"
 #include "scenes/make_model.h"
 #include "thigma/clod/build_hierarchy.h"
@@ -90,6 +91,10 @@ int contacts(const Common& common, const ContactsOptions& options) {
     std::fprintf(stderr, "thigma: contacts: --tolerance must be a finite length >= 0 [m]\n");
     return kUsage;
   }
+  if (!(options.scale > 0.0) || !std::isfinite(options.scale)) {
+    std::fprintf(stderr, "thigma: contacts: --scale must be a finite number above 0\n");
+    return kUsage;
+  }
   const std::vector<Pose> poses = read_poses(options.poses);
   const ClodHierarchy object = load(options.object, "OBJECT", options, common);
   const ClodHierarchy scene = load(options.scene, "SCENE", options, common);
@@ -114,10 +119,8 @@ int contacts(const Common& common, const ContactsOptions& options) {
       }
       if (!complete) set.contacts.reserve(wanted + wanted / 4);
     }
-    std::cout << to_json(i, set, spent).dump() << '\n';
+    print_json(to_json(i, set, spent));
   }
-  std::cout.flush();
-  if (!std::cout) throw IoError("standard output: writing failed");
   return kDone;
 }
 
@@ -131,7 +134,7 @@ void add_contacts(CLI::App& app, Common& common) {
   verb->add_option("SCENE", options->scene, "mesh that stays at the identity")->required();
   verb->add_option("--poses", options->poses, "CSV: x,y,z,qx,qy,qz,qw; one world pose of OBJECT a line [m]")->required();
   verb->add_option("--tolerance", options->tolerance, "contacts are pairs at most this far apart [m]")->required();
-  verb->add_option("--scale", options->scale, "metres per unit of both meshes")->check(CLI::PositiveNumber);
+  verb->add_option("--scale", options->scale, "metres per unit of both meshes");
   verb->add_flag("--exact", options->exact, "full resolution (the default)");
   verb->add_flag("--fresh", options->fresh, "forget the pose before at every line");
   verb->add_flag("--repair", options->repair, "take repairable meshes and repair them");

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <string>
 
+#include "json_out.h"
 #include "verbs.h"
 #include <nlohmann/json.hpp>
 
@@ -40,7 +41,7 @@ void print_schemes_json() {
                                     {"default", p.default_value},
                                     {"meaning", p.meaning}});
     }
-    std::cout << line.dump() << "\n";
+    print_json(line);
   }
 }
 
@@ -55,7 +56,7 @@ void print_libraries_json() {
                                          {"found", text_or_null(probe.name)},
                                          {"reason", text_or_null(probe.reason)},
                                          {"fix", text_or_null(is_there ? "" : library.fix)}};
-    std::cout << line.dump() << "\n";
+    print_json(line);
   }
 }
 

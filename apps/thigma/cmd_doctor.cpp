@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "json_out.h"
 #include "verbs.h"
 #include <nlohmann/json.hpp>
 #include <sys/mman.h>
@@ -200,7 +201,7 @@ int examine(const Common& common) {
                                            {"state", state_name(check.state)},
                                            {"found", check.found},
                                            {"fix", text_or_null(check.fix)}};
-      std::cout << line.dump() << "\n";
+      print_json(line);
     } else {
       std::printf("%-8s %-17s %s\n", state_name(check.state), check.name, check.found.c_str());
       if (!check.fix.empty()) std::printf("%-26s -> %s\n", "", check.fix.c_str());

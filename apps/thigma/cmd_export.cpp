@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "thigma/runtime/recording.h"
+#include "json_out.h"
 #include "verbs.h"
 
 namespace thigma::app {
@@ -16,7 +17,7 @@ int export_recording(const std::string& path, const std::string& out, const Comm
     nlohmann::ordered_json json;
     json["file"] = out;
     json["frames"] = recording.frames.size();
-    std::printf("%s\n", json.dump().c_str());
+    print_json(json);
   } else if (!common.quiet) {
     std::fprintf(stderr, "%zu frames written to %s\n", recording.frames.size(), out.c_str());
   }

@@ -3,7 +3,9 @@
 #include <iostream>
 #include <memory>
 
+#include "json_out.h"
 #include "mesh_report.h"
+#include "scenes/make_model.h"
 #include "verbs.h"
 
 #include "thigma/mesh/inspect.h"
@@ -12,15 +14,23 @@
 namespace thigma::app {
 namespace {
 
+MeshReport report_on(const std::string& path) {
+  if (!scenes::is_model_uri(path)) return inspect_mesh(read_mesh(path), path);
+  MeshReport report = inspect_mesh(scenes::make_model(scenes::parse_model_uri(path, "MESH")));
+  report.file = path;
+  report.format = "procedural";
+  return report;
+}
+
 int inspect(const Common& common, const std::string& path) {
-  const MeshReport report = inspect_mesh(read_mesh(path), path);
+  const MeshReport report = report_on(path);
   if (common.json)
-    std::cout << mesh_report_json(report).dump() << std::endl;
+    print_json(mesh_report_json(report));
   else
     std::cout << mesh_report_text(report) << std::flush;
   if (report.verdict != MeshVerdict::rejected) return kDone;
-  std::cerr << "thigma: " << path << ": " << report.reasons.front()
-            << ", in the mesh as a whole, expected a usable or repairable mesh\n";
+  tell_error(path + ": " + report.reasons.front() +
+             ", in the mesh as a whole, expected a usable or repairable mesh");
   return kBadInput;
 }
 
@@ -30,7 +40,8 @@ void add_inspect(CLI::App& app, Common& common) {
   const auto path = std::make_shared<std::string>();
   CLI::App* verb = add_verb(app, common, "inspect", "Report on a mesh: counts, measures, verdict",
                             [&common, path] { return inspect(common, *path); });
-  verb->add_option("MESH", *path, "OBJ, PLY, STL or OFF, recognised by content")->required();
+  verb->add_option("MESH", *path, "OBJ, PLY, STL or OFF, recognised by content, or procedural:NAME")
+      ->required();
 }
 
 }  // namespace thigma::app

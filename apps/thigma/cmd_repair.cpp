@@ -3,7 +3,9 @@
 #include <iostream>
 #include <memory>
 
+#include "json_out.h"
 #include "mesh_report.h"
+#include "scenes/make_model.h"
 #include "verbs.h"
 
 #include "thigma/core/error.h"
@@ -21,7 +23,10 @@ struct RepairPaths {
 };
 
 int repair(const Common& common, const RepairPaths& paths) {
-  const MeshFile file = read_mesh(paths.in);
+  const MeshFile file =
+      scenes::is_model_uri(paths.in)
+          ? merge_equal_positions(scenes::make_model(scenes::parse_model_uri(paths.in, "MESH")))
+          : read_mesh(paths.in);
   const RepairResult result = repair_mesh(file.mesh, paths.in);
   const MeshFormat format = format_for_name(paths.out);
   const std::string bytes = format_mesh(result.mesh, format, paths.out);
@@ -36,7 +41,7 @@ int repair(const Common& common, const RepairPaths& paths) {
   if (common.json) {
     nlohmann::ordered_json json = mesh_report_json(report);
     json["repairs"] = result.repairs;
-    std::cout << json.dump() << std::endl;
+    print_json(json);
     return kDone;
   }
   for (const std::string& done : result.repairs) std::cout << "repaired: " << done << '\n';
@@ -51,7 +56,9 @@ void add_repair(CLI::App& app, Common& common) {
   const auto paths = std::make_shared<RepairPaths>();
   CLI::App* verb = add_verb(app, common, "repair", "Make a repairable mesh usable",
                             [&common, paths] { return repair(common, *paths); });
-  verb->add_option("MESH", paths->in, "OBJ, PLY, STL or OFF, recognised by content")->required();
+  verb->add_option("MESH", paths->in,
+                   "OBJ, PLY, STL or OFF, recognised by content, or procedural:NAME")
+      ->required();
   verb->add_option("-o,--output", paths->out, "file to write: .ply, .stl, .off, else OBJ")
       ->required();
 }

@@ -7,6 +7,7 @@
 #include "thigma/runtime/config_json.h"
 #include "thigma/runtime/recording.h"
 #include "thigma/runtime/replay_session.h"
+#include "json_out.h"
 #include "verbs.h"
 
 namespace thigma::app {
@@ -85,7 +86,7 @@ int replay(const std::string& path, const Common& common) {
     if (report.first_difference >= 0) json["first_difference"] = report.first_difference;
     json["reason"] = nullptr;
     if (!report.reason.empty()) json["reason"] = report.reason;
-    std::printf("%s\n", json.dump().c_str());
+    print_json(json);
   } else {
     std::printf("%llu frames, state hash %s, recorded %s: %s\n", static_cast<unsigned long long>(report.frames),
                 hex(report.state_hash).c_str(), hex(verdict.recorded_hash).c_str(),

@@ -1,52 +1,98 @@
-// The program `thigma`: parses, runs one verb, turns what went wrong into one line and an exit code.
+// The program `thigma`: parses, runs one verb, turns what went wrong into one line and an exit
+// code.
 
+#include <algorithm>
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <new>
+#include <string_view>
 
-#include "thigma/core/error.h"
+#include "json_out.h"
+#include "scenes/make_model.h"
 #include "verbs.h"
 #include "version.h"
+
+#include "thigma/core/error.h"
 
 namespace thigma::app {
 namespace {
 
+// Verbs of INTERFACE that need parts which are not built yet.
+constexpr std::string_view kLaterVerbs[] = {"build", "bake", "plot", "experiment", "tune"};
+
+/// What is wrong with the first word when it is no verb, "" otherwise. The parser would only say
+/// that one is missing.
+std::string what_is_wrong(const CLI::App& app, std::string_view word) {
+  if (word.empty() || word.front() == '-') return "";
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
+  if (std::find(names.begin(), names.end(), word) != names.end()) return "";
+  const std::string named = "'" + std::string(word) + "'";
+  if (std::find(std::begin(kLaterVerbs), std::end(kLaterVerbs), word) != std::end(kLaterVerbs)) {
+    return "the verb " + named + " is not in this version";
+  }
+  const std::string near = scenes::nearest_word(word, names);
+  return "no verb " + named + (near.empty() ? "" : ", nearest is '" + near + "'");
+}
+
+int refuse(const std::string& why, const std::string& verb) {
+  tell_error(why + "; try `thigma " + (verb.empty() ? "" : verb + " ") + "--help`");
+  return kUsage;
+}
+
 int run(int argc, char** argv) {
-  CLI::App app("Six-degree-of-freedom haptic rendering: move a virtual object against others, feel force and torque.",
-               "thigma");
+  CLI::App app(
+      "Six-degree-of-freedom haptic rendering: move a virtual object against others, feel force "
+      "and torque.",
+      "thigma");
   app.set_version_flag("--version", std::string("thigma ") + kVersion);
   app.require_subcommand(1);
-  app.footer("thigma VERB --help tells the options of a verb. Exit codes: 0 done, 1 failed, 2 usage, 3 device or\n"
-             "permission unavailable, 4 bad input, 5 a claim does not hold, 6 safety fault, 130 interrupted.");
+  app.footer(
+      "thigma VERB --help tells the options of a verb. Exit codes: 0 done, 1 failed, 2 usage, 3 "
+      "device or\n"
+      "permission unavailable, 4 bad input, 5 a claim does not hold, 6 safety fault, 130 "
+      "interrupted.");
   Common common;
   add_all_verbs(app, common);
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  if (const std::string wrong = what_is_wrong(app, first); !wrong.empty()) return refuse(wrong, "");
+  if (first.empty()) return refuse("no verb", "");
   try {
     app.parse(argc, argv);
+    flush_output();
     return common.exit_code;
   } catch (const CLI::Success& success) {
-    return app.exit(success);
+    const int code = app.exit(success);
+    flush_output();
+    return code;
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "thigma: %s\nthigma: try `thigma --help`\n", error.what());
-    return kUsage;
+    return refuse(error.what(), first.front() == '-' ? "" : std::string(first));
   }
+}
+
+int fail(const std::string& why, int code) {
+  tell_error(why);
+  return code;
 }
 
 }  // namespace
 }  // namespace thigma::app
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a failed write, not a death
+  using namespace thigma;
+  using namespace thigma::app;
+  // A closed pipe and a file at its limit are failed writes, not a death with forces on.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
-    return thigma::app::run(argc, argv);
-  } catch (const thigma::InputError& error) {
-    std::fprintf(stderr, "thigma: %s\n", error.what());
-    return thigma::app::kBadInput;
+    return run(argc, argv);
+  } catch (const ReaderGone&) {
+    return kFailed;
+  } catch (const InputError& error) {
+    return fail(error.what(), kBadInput);
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "thigma: out of memory\n");
-    return thigma::app::kFailed;
+    return fail("out of memory", kFailed);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "thigma: %s\n", error.what());
-    return thigma::app::kFailed;
+    return fail(error.what(), kFailed);
   }
 }

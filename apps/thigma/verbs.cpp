@@ -1,17 +1,38 @@
 #include "verbs.h"
 
+#include <cstdio>
 #include <utility>
 
 namespace thigma::app {
+namespace {
+
+// The parser itself takes -3 for 2^64 - 3.
+std::string check_seed(const std::string& text) {
+  const bool is_whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return is_whole ? "" : "'" + text + "', expected a whole number of 0 or more";
+}
+
+}  // namespace
 
 CLI::App* add_verb(CLI::App& app, Common& common, const char* name, const char* help,
                    std::function<int()> body) {
   CLI::App* verb = app.add_subcommand(name, help);
   verb->add_flag("--json", common.json, "one JSON object a line on standard output");
   verb->add_flag("--quiet", common.quiet, "no progress or notes on standard error");
-  verb->add_option("--seed", common.seed, "seed of everything random")->capture_default_str();
+  verb->add_option("--seed", common.seed, "seed of everything random")
+      ->capture_default_str()
+      ->check(check_seed, "", "seed");
   verb->final_callback([&common, body = std::move(body)] { common.exit_code = body(); });
   return verb;
+}
+
+void tell_error(const std::string& text) {
+  std::string line = "thigma: " + text;
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+  }
+  line += '\n';
+  std::fputs(line.c_str(), stderr);
 }
 
 }  // namespace thigma::app
