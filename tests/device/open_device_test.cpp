@@ -51,6 +51,14 @@ TEST(OpenDevice, EveryNumberOfTheTableReachesItsOwnField) {
   }
 }
 
+TEST(OpenDevice, OnlyTheDemoShakesByItself) {
+  EXPECT_GT(parse_hand("").tremor, 0.0);
+  EXPECT_GT(parse_hand("path=demo").tremor, 0.0);
+  EXPECT_EQ(parse_hand("path=press").tremor, 0.0);
+  EXPECT_EQ(parse_hand("tremor=0.001&path=press").tremor, 0.001);
+  EXPECT_EQ(parse_hand("tremor=0").tremor, 0.0);
+}
+
 TEST(OpenDevice, InterfaceNamesAreAllThere) {
   for (const char* name :
        {"mass", "damping", "friction", "encoder", "delay", "jitter", "arm_mass", "arm_stiffness",

@@ -22,6 +22,10 @@ using detail::shortest;
 // time there.
 constexpr double kFarthest = 1e3;
 
+// Of the demo, unless the address has its own [m]: a third of an encoder step, as a calm hand
+// shakes, so that runs of different seeds differ. Paths for measurements are still.
+constexpr double kDemoTremor = 1e-5;
+
 struct PathName {
   std::string_view name;
   HandPath path;
@@ -136,6 +140,7 @@ HandParams hand_in_context(const DeviceContext& context) {
   params.program.clearance = std::min(context.clearance, kFarthest);
   params.program = scale_to_object(params.program, context.object_radius);
   params.program.reach = std::min(params.program.reach, kFarthest);
+  params.tremor = kDemoTremor;
   return params;
 }
 
@@ -183,7 +188,7 @@ HandParams parse_hand(std::string_view query, const DeviceContext& context) {
   for (const auto& [name, value] : parts) {
     if (name == "device") apply_model(value, params);
   }
-  bool has_reach = false;
+  bool has_reach = false, has_tremor = false;
   for (const auto& [name, value] : parts) {
     if (name == "path") {
       apply_path(value, params);
@@ -196,11 +201,14 @@ HandParams parse_hand(std::string_view query, const DeviceContext& context) {
       unknown_name("hand:", name, hand_names());
     }
     has_reach = has_reach || name == "reach";
+    has_tremor = has_tremor || name == "tremor";
   }
   for (const auto& [name, value] : parts) {
     if (name == "senses_rotation") params.senses_rotation = parse_flag("hand:", name, value);
     if (name == "actuates_rotation") params.actuates_rotation = parse_flag("hand:", name, value);
   }
+  const bool is_demo = params.script.empty() && params.program.path == HandPath::demo;
+  if (!has_tremor && !is_demo) params.tremor = 0.0;
   if (!has_reach) {
     params.program.reach =
         std::min(1.5 * params.program.clearance + context.object_radius, kFarthest);
