@@ -191,19 +191,11 @@ double plane_gap(const Placed& t, const Placed& other) {
 class TrianglePairs {
  public:
   TrianglePairs(const HullView& a, const HullView& b, const RelativePose& x) : a_(a), b_(b), origin_(a.center) {
-    Vec3 pb[kMaxHullVertices];
     const Vec3 shift = x.translation - origin_;
-    for (int i = 0; i < b.vertex_count; ++i) pb[i] = x.rotation * b.vertices[i] + shift;
-    count_b_ = std::min(b.triangle_count, kMost);
-    for (int j = 0; j < count_b_; ++j) {
-      const std::uint8_t* c = b.triangles[j].corner;
-      placed_b_[j] = placed(pb[c[0]], pb[c[1]], pb[c[2]]);
-    }
-    count_a_ = std::min(a.triangle_count, kMost);
-    for (int i = 0; i < count_a_; ++i) {
-      const std::uint8_t* c = a.triangles[i].corner;
-      placed_a_[i] = placed(a.vertices[c[0]] - origin_, a.vertices[c[1]] - origin_, a.vertices[c[2]] - origin_);
-    }
+    for (int i = 0; i < a.vertex_count; ++i) pa_[i] = a.vertices[i] - origin_;
+    for (int i = 0; i < b.vertex_count; ++i) pb_[i] = x.rotation * b.vertices[i] + shift;
+    count_a_ = place(a, pa_, placed_a_, used_a_);
+    count_b_ = place(b, pb_, placed_b_, used_b_);
   }
 
   // Where triangles pierce each other: one pass that needs no distances.
@@ -233,6 +225,7 @@ class TrianglePairs {
     // With a margin for the rounding of the bounds: a pair at exactly `stop` must be measured.
     constexpr double kMargin = 1.0 + 1e-12;
     double limit = stop < kInfinity ? stop * stop * kMargin : kInfinity;
+    limit = std::min(limit, least_corner_distance() * kMargin);
     Vec3 sum = Vec3::Zero();
     int touches = 0;
     for (int i = 0; i < count_a_; ++i) {
@@ -265,6 +258,28 @@ class TrianglePairs {
   // A surface patch on at most 32 hull vertices has at most 60 triangles.
   static constexpr int kMost = 2 * kMaxHullVertices;
 
+  static int place(const HullView& h, const Vec3* p, Placed* out, std::uint32_t& used) {
+    const int count = std::min(h.triangle_count, kMost);
+    for (int i = 0; i < count; ++i) {
+      const std::uint8_t* c = h.triangles[i].corner;
+      out[i] = placed(p[c[0]], p[c[1]], p[c[2]]);
+      used |= h.triangles[i].mask;
+    }
+    return count;
+  }
+
+  // Squared; bounds the distance of the triangles from above, which spares most pairs.
+  double least_corner_distance() const {
+    double least = kInfinity;
+    for (int i = 0; i < a_.vertex_count; ++i) {
+      if ((used_a_ >> i & 1u) == 0) continue;
+      for (int j = 0; j < b_.vertex_count; ++j) {
+        if ((used_b_ >> j & 1u) != 0) least = std::min(least, (pa_[i] - pb_[j]).squaredNorm());
+      }
+    }
+    return least;
+  }
+
   void keep(int i, int j, int corners_a, int corners_b, PatchSeparation& out) const {
     out.triangle_a = i;
     out.triangle_b = j;
@@ -281,6 +296,8 @@ class TrianglePairs {
   const HullView& a_;
   const HullView& b_;
   Vec3 origin_;
+  Vec3 pa_[kMaxHullVertices], pb_[kMaxHullVertices];
+  std::uint32_t used_a_ = 0, used_b_ = 0;  // hull vertices that are corners
   Placed placed_a_[kMost], placed_b_[kMost];
   int count_a_ = 0, count_b_ = 0;
 };
