@@ -1,7 +1,5 @@
 // thigma run: the main job. A hand moves an object against others and feels what it touches.
 
-#include <unistd.h>
-
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -9,14 +7,17 @@
 #include <mutex>
 #include <optional>
 
+#include "json_out.h"
 #include "run_options.h"
 #include "run_session.h"
 #include "run_summary.h"
+#include "verbs.h"
+#include <unistd.h>
+
 #include "thigma/core/error.h"
 #include "thigma/device/open_device.h"
 #include "thigma/runtime/config_json.h"
 #include "thigma/runtime/recording.h"
-#include "verbs.h"
 
 namespace thigma::app {
 namespace {
@@ -26,7 +27,8 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set 
 
 void on_signal(int) { stop_requested.store(true, std::memory_order_relaxed); }
 
-/// Ctrl-C and its kin end the session in order while this lives; twice Ctrl-C does not hurry it: it takes milliseconds.
+/// Ctrl-C and its kin end the session in order while this lives; twice Ctrl-C does not hurry it: it
+/// takes milliseconds.
 class SignalGuard {
  public:
   SignalGuard() {
@@ -63,15 +65,21 @@ class LiveTable {
     if (!is_first) std::fprintf(stderr, "\033[6A");
     const HapticSample& h = haptic_;
     const Vec3 mm = 1e3 * h.body.position;
-    std::fprintf(stderr, "\033[K time      %9.2f s      %s%s\n", h.time, h.is_grasped ? "held" : "not held",
-                 h.fault != Fault::none ? fault_name(h.fault) : h.is_armed ? ", forces on" : ", forces off");
+    std::fprintf(stderr, "\033[K time      %9.2f s      %s%s\n", h.time,
+                 h.is_grasped ? "held" : "not held",
+                 h.fault != Fault::none ? fault_name(h.fault)
+                 : h.is_armed           ? ", forces on"
+                                        : ", forces off");
     std::fprintf(stderr, "\033[K object    %9.2f %9.2f %9.2f mm\n", mm.x(), mm.y(), mm.z());
-    std::fprintf(stderr, "\033[K force     %9.3f %9.3f %9.3f N      |F| %.3f N\n", h.command.force.x(),
-                 h.command.force.y(), h.command.force.z(), h.command.force.norm());
+    std::fprintf(stderr, "\033[K force     %9.3f %9.3f %9.3f N      |F| %.3f N\n",
+                 h.command.force.x(), h.command.force.y(), h.command.force.z(),
+                 h.command.force.norm());
     std::fprintf(stderr, "\033[K torque    %9.2f %9.2f %9.2f mN m\n", 1e3 * h.feedback.torque.x(),
                  1e3 * h.feedback.torque.y(), 1e3 * h.feedback.torque.z());
-    std::fprintf(stderr, "\033[K contacts  %9lld in %d clusters, query %.0f us, model %.1f ms old\n",
-                 static_cast<long long>(contacts_), static_cast<int>(clusters_), 1e6 * query_, 1e3 * h.model_age);
+    std::fprintf(stderr,
+                 "\033[K contacts  %9lld in %d clusters, query %.0f us, model %.1f ms old\n",
+                 static_cast<long long>(contacts_), static_cast<int>(clusters_), 1e6 * query_,
+                 1e3 * h.model_age);
     std::fprintf(stderr, "\033[K depth     %9.4f mm     stretch %.3f mm\n",
                  h.penetration > 0.0 ? 1e3 * h.penetration : 0.0, 1e3 * h.stretch);
   }
@@ -84,7 +92,8 @@ class LiveTable {
   double query_ = 0.0;
 };
 
-std::unique_ptr<RecordingWriter> open_recording(const RunOptions& options, const Run& run, std::uint64_t seed) {
+std::unique_ptr<RecordingWriter> open_recording(const RunOptions& options, const Run& run,
+                                                std::uint64_t seed) {
   if (options.record.empty()) return nullptr;
   RecordedConfig recorded;
   recorded.params = run.config.haptic;
@@ -101,9 +110,12 @@ std::unique_ptr<RecordingWriter> open_recording(const RunOptions& options, const
 void tell_floor(const SessionConfig& config) {
   const EmptyLoop floor = measure_empty_loop(config.haptic_thread, config.rate, 0.5);
   const DurationSummary late = summarize(floor.wake_late);
-  std::fprintf(stderr, "thigma: empty loop at %g Hz: %llu of %llu frames missed, late by p50 %.2f us, p99 %.1f us, max %.0f us\n",
-               config.rate, static_cast<unsigned long long>(floor.missed), static_cast<unsigned long long>(floor.ticks),
-               1e6 * late.p50, 1e6 * late.p99, 1e6 * late.max);
+  std::fprintf(stderr,
+               "thigma: empty loop at %g Hz: %llu of %llu frames missed, late by p50 %.2f us, p99 "
+               "%.1f us, max %.0f us\n",
+               config.rate, static_cast<unsigned long long>(floor.missed),
+               static_cast<unsigned long long>(floor.ticks), 1e6 * late.p50, 1e6 * late.p99,
+               1e6 * late.max);
 }
 
 SessionSummary run_threads(Run& run, const SessionSinks& sinks, LiveTable* table, bool is_quiet) {
@@ -135,7 +147,8 @@ int run_verb(const RunOptions& options, const Common& common) {
   };
   const std::unique_ptr<Run> run = prepare_run(options, common.seed, tell);
   const std::unique_ptr<RecordingWriter> recording = open_recording(options, *run, common.seed);
-  const bool wants_table = !options.is_headless && !options.is_lockstep && !common.quiet && isatty(2) != 0;
+  const bool wants_table =
+      !options.is_headless && !options.is_lockstep && !common.quiet && isatty(2) != 0;
   LiveTable table;
   SessionSinks sinks;
   if (recording || wants_table) {
@@ -149,27 +162,31 @@ int run_verb(const RunOptions& options, const Common& common) {
     };
   }
   if (!options.is_headless && !options.is_lockstep) {
-    tell("the browser view is not in this build: a simulated hand runs, with a live table here; Ctrl-C ends it");
+    tell(
+        "the browser view is not in this build: a simulated hand runs, with a live table here; "
+        "Ctrl-C ends it");
   }
   const SignalGuard signals;
-  const SessionSummary summary = options.is_lockstep ? run_lockstep(run->config, *run->device, sinks, &stop_requested)
-                                                     : run_threads(*run, sinks, wants_table ? &table : nullptr, common.quiet);
+  const SessionSummary summary =
+      options.is_lockstep ? run_lockstep(run->config, *run->device, sinks, &stop_requested)
+                          : run_threads(*run, sinks, wants_table ? &table : nullptr, common.quiet);
   if (recording) recording->close({summary.frames, summary.state_hash, summary.dropped_samples});
   if (common.json || options.is_headless) {
-    std::printf("%s\n", run_summary_json(summary, run->scene.file, run->device_uri).dump().c_str());
+    print_json(run_summary_json(summary, run->scene.file, run->device_uri));
   } else {
     std::printf("%s", run_summary_text(summary).c_str());
   }
-  std::fflush(stdout);
+  flush_output();
   for (const SessionEvent& event : summary.safety_events) {
-    std::fprintf(stderr, "thigma: safety fault %s at %.3f s: zero force since\n", event.detail.c_str(), event.time);
+    std::fprintf(stderr, "thigma: safety fault %s at %.3f s: zero force since\n",
+                 event.detail.c_str(), event.time);
   }
   if (summary.end == SessionEnd::fault) return kSafetyFault;
   return summary.end == SessionEnd::stopped ? kInterrupted : kDone;
 }
 
 int refuse(int code, const std::string& why) {
-  std::fprintf(stderr, "thigma: %s\n", why.c_str());
+  tell_error(why);
   return code;
 }
 

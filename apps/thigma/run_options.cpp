@@ -13,10 +13,12 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
   verb.add_option("--against", o.against, "mesh that stands still, with --object");
   verb.add_option("--scale", o.scale, "metres per unit of both meshes, with --object");
   verb.add_option("--pose", o.pose_text, "x,y,z,qx,qy,qz,qw of the object [m], with --object");
-  verb.add_option("--device", o.device, "hand:, script:FILE, replay:FILE, null: (thigma devices lists them)");
+  verb.add_option("--device", o.device,
+                  "hand:, script:FILE, replay:FILE, null: (thigma devices lists them)");
   verb.add_option("--duration", o.duration, "seconds; without it until Ctrl-C");
   verb.add_flag("--headless", o.is_headless, "no live table; ends with the JSON summary");
-  verb.add_flag("--lockstep", o.is_lockstep, "virtual clock: as fast as it goes, same inputs same bits");
+  verb.add_flag("--lockstep", o.is_lockstep,
+                "virtual clock: as fast as it goes, same inputs same bits");
   verb.add_option("--rate", o.rate, "haptic frames a second");
   verb.add_option("--record", o.record, "write a recording (.mcap)");
   verb.add_flag("--exact", o.is_exact, "contacts at full resolution (the only mode of this build)");
@@ -37,22 +39,32 @@ std::string check_run_options(const RunOptions& o) {
     return has_pair ? "run takes a scene or --object with --against, not both"
                     : "run needs a scene, or --object MESH --against MESH";
   }
-  if (has_pair && (o.object.empty() || o.against.empty())) return "--object and --against belong together";
+  if (has_pair && (o.object.empty() || o.against.empty()))
+    return "--object and --against belong together";
   if (!has_pair && (!o.pose_text.empty() || o.scale != 1.0)) {
     return "--pose and --scale belong to --object and --against; a scene file has its own";
   }
   if (!(o.scale > 0.0) || !std::isfinite(o.scale)) return "--scale must be a number above 0";
-  if (!(o.duration >= 0.0) || !std::isfinite(o.duration)) return "--duration must be seconds, 0 or more";
+  if (!(o.duration >= 0.0) || !std::isfinite(o.duration))
+    return "--duration must be seconds, 0 or more";
   if (o.rate != 0.0 && !(o.rate >= 1.0 && o.rate <= 1e5)) return "--rate must be 1 to 100000 Hz";
-  if (o.response == "direct") return "--response direct is not in this build; contact forces reach the hand through the coupling";
+  if (o.response == "direct")
+    return "--response direct is not in this build; contact forces reach the hand through the "
+           "coupling";
   if (o.response != "coupled") return "--response is coupled or direct";
-  if (!o.threshold.empty() || !o.budget_us.empty() || !o.budget_tests.empty() || !o.deviation_cap.empty()) {
-    return "--threshold, --budget-us, --budget-tests and --deviation-cap need contact levels of detail, which this build "
+  if (!o.threshold.empty() || !o.budget_us.empty() || !o.budget_tests.empty() ||
+      !o.deviation_cap.empty()) {
+    return "--threshold, --budget-us, --budget-tests and --deviation-cap need contact levels of "
+           "detail, which this build "
            "does not have; contacts are exact";
   }
-  if (!o.texture.empty() && o.texture != "off") return "--texture needs haptic textures, which this build does not have";
-  if (!o.port.empty()) return "--port needs the page, which this build does not have; there is a live table in the terminal";
-  if (!o.pose_text.empty() && !parse_pose(o.pose_text)) return "--pose must be seven numbers: x,y,z,qx,qy,qz,qw";
+  if (!o.texture.empty() && o.texture != "off")
+    return "--texture needs haptic textures, which this build does not have";
+  if (!o.port.empty())
+    return "--port needs the page, which this build does not have; there is a live table in the "
+           "terminal";
+  if (!o.pose_text.empty() && !parse_pose(o.pose_text))
+    return "--pose must be seven numbers: x,y,z,qx,qy,qz,qw";
   return {};
 }
 
@@ -73,7 +85,8 @@ std::optional<Pose> parse_pose(const std::string& text) {
   if (at != end) return std::nullopt;
   const Quat q(v[6], v[3], v[4], v[5]);
   if (!(std::abs(q.norm() - 1.0) <= 1e-6)) {
-    throw InputError("--pose: quaternion of length " + std::to_string(q.norm()) + ", expected 1 to 1e-6");
+    throw InputError("--pose: quaternion of length " + std::to_string(q.norm()) +
+                     ", expected 1 to 1e-6");
   }
   return Pose{Vec3(v[0], v[1], v[2]), q.normalized()};
 }

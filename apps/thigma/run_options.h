@@ -1,10 +1,11 @@
 #pragma once
 // The options of `thigma run`.
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <CLI/CLI.hpp>
 
 #include "thigma/math/pose.h"
 #include "thigma/runtime/fault_injection.h"
@@ -13,15 +14,15 @@ namespace thigma::app {
 
 /// As given on the command line; what is empty is the scene's business.
 struct RunOptions {
-  std::string scene;             // file or built-in name
-  std::string object, against;   // instead of a scene
+  std::string scene;            // file or built-in name
+  std::string object, against;  // instead of a scene
   double scale = 1.0;
   std::string pose_text;
   std::string device;
-  double duration = 0.0;         // 0: until stopped [s]
+  double duration = 0.0;  // 0: until stopped [s]
   bool is_headless = false;
   bool is_lockstep = false;
-  double rate = 0.0;             // 0: the scene's [Hz]
+  double rate = 0.0;  // 0: the scene's [Hz]
   std::string record;
   bool is_exact = false;
   std::string response = "coupled";
@@ -36,8 +37,8 @@ void add_run_options(CLI::App& verb, RunOptions& options);
 /// What is wrong with the options as such, one sentence, "" when nothing; exit code 2.
 std::string check_run_options(const RunOptions& options);
 
-/// Pose "x,y,z,qx,qy,qz,qw" of --pose; no value when the text is no such thing (usage), InputError when |q| is off 1 by
-/// more than 1e-6.
+/// Pose "x,y,z,qx,qy,qz,qw" of --pose; no value when the text is no such thing (usage), InputError
+/// when |q| is off 1 by more than 1e-6.
 std::optional<Pose> parse_pose(const std::string& text);
 
 }  // namespace thigma::app

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "scenes/scene_file.h"
+
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/device/open_device.h"
 #include "thigma/device/replay.h"
@@ -17,7 +18,8 @@ ClodHierarchy build(const scenes::SceneObject& object, const scenes::LoadedObjec
   ClodHierarchy hierarchy = build_exact_hierarchy(loaded.mesh, {}, &report);
   if (tell) {
     char line[256];
-    std::snprintf(line, sizeof line, "%s: %d triangles, %d convex patches, radius %.4g m, built in %.1f s",
+    std::snprintf(line, sizeof line,
+                  "%s: %d triangles, %d convex patches, radius %.4g m, built in %.1f s",
                   object.name.c_str(), report.triangles, report.patches, loaded.ball.radius,
                   report.decompose_seconds + report.hierarchy_seconds);
     tell(line);
@@ -35,13 +37,15 @@ void apply_options(const RunOptions& options, SessionConfig& config) {
 void place(Run& run, const std::function<void(const std::string&)>& tell) {
   const Vec3* approach = run.scene.device.approach ? &*run.scene.device.approach : nullptr;
   const Vec3 out = approach != nullptr ? Vec3(-*approach) : Vec3::Zero();
-  run.start = find_start(run.config.contact, run.config.world_from_body, 0.0, approach != nullptr ? &out : nullptr);
+  run.start = find_start(run.config.contact, run.config.world_from_body, 0.0,
+                         approach != nullptr ? &out : nullptr);
   run.config.world_from_body = run.start.world_from_body;
   if (!tell) return;
   char line[200];
   std::snprintf(line, sizeof line, "%s; %.3g mm to the first touch",
-                run.start.is_moved ? "the objects touch or overlap as given: moved apart along the closest points"
-                                   : "the objects start where the scene puts them",
+                run.start.is_moved
+                    ? "the objects touch or overlap as given: moved apart along the closest points"
+                    : "the objects start where the scene puts them",
                 1e3 * run.start.clearance);
   tell(run.start.has_scene ? line : "nothing to touch is near");
 }
@@ -49,7 +53,8 @@ void place(Run& run, const std::function<void(const std::string&)>& tell) {
 DeviceContext context_of(const Run& run, std::uint64_t seed) {
   const Workspace& workspace = run.config.haptic.workspace;
   DeviceContext context;
-  context.approach = workspace.world_from_device.orientation.conjugate()._transformVector(run.start.approach);
+  context.approach =
+      workspace.world_from_device.orientation.conjugate()._transformVector(run.start.approach);
   context.clearance = run.start.clearance / workspace.motion_scale;
   context.object_radius = run.object_radius / workspace.motion_scale;
   context.seed = seed;
@@ -70,8 +75,9 @@ std::unique_ptr<Run> prepare_run(const RunOptions& options, std::uint64_t seed,
                                  const std::function<void(const std::string&)>& tell) {
   auto run = std::make_unique<Run>();
   run->scene = options.scene.empty()
-                   ? scenes::scene_from_pair(options.object, options.against, options.scale,
-                                             options.pose_text.empty() ? Pose{} : *parse_pose(options.pose_text))
+                   ? scenes::scene_from_pair(
+                         options.object, options.against, options.scale,
+                         options.pose_text.empty() ? Pose{} : *parse_pose(options.pose_text))
                    : scenes::read_scene(options.scene);
   run->device_uri = options.device.empty() ? run->scene.device.uri : options.device;
 

@@ -8,6 +8,7 @@
 
 #include "run_options.h"
 #include "scenes/scene_description.h"
+
 #include "thigma/clod/hierarchy.h"
 #include "thigma/device/haptic_device.h"
 #include "thigma/runtime/placement.h"
@@ -30,7 +31,8 @@ struct Run {
 /// Reads the scene, loads meshes, builds hierarchies, places the object, opens the device.
 ///
 /// tell     called with a line of progress, may be empty
-/// Thread   [offline]. InputError, IoError, DeviceAddressError, DeviceUnavailable, std::invalid_argument.
+/// Thread   [offline]. InputError, IoError, DeviceAddressError, DeviceUnavailable,
+/// std::invalid_argument.
 std::unique_ptr<Run> prepare_run(const RunOptions& options, std::uint64_t seed,
                                  const std::function<void(const std::string&)>& tell);
 

@@ -13,7 +13,9 @@ Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 Json quantiles(const DurationSummary& d, double unit, bool with_p999 = true) {
   const bool is_known = d.count > 0;
-  const auto number = [&](double seconds) { return is_known ? finite(seconds / unit) : Json(nullptr); };
+  const auto number = [&](double seconds) {
+    return is_known ? finite(seconds / unit) : Json(nullptr);
+  };
   Json json;
   json["p50"] = number(d.p50);
   json["p99"] = number(d.p99);
@@ -40,7 +42,8 @@ void append(std::string& text, const char* format, ...) {
 
 }  // namespace
 
-Json run_summary_json(const SessionSummary& s, const std::string& scene, const std::string& device) {
+Json run_summary_json(const SessionSummary& s, const std::string& scene,
+                      const std::string& device) {
   constexpr double kMicro = 1e-6, kMilli = 1e-3;
   Json json;
   json["scene"] = scene;
@@ -55,7 +58,8 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene, const s
   const auto mean = [&](double value) { return has_updates ? finite(value) : Json(nullptr); };
   json["contact"] = {
       {"updates", s.contact_updates},
-      {"rate_hz", s.seconds > 0.0 ? finite(static_cast<double>(s.contact_updates) / s.seconds) : Json(nullptr)},
+      {"rate_hz", s.seconds > 0.0 ? finite(static_cast<double>(s.contact_updates) / s.seconds)
+                                  : Json(nullptr)},
       {"query_cpu_us", quantiles(s.query_cpu, kMicro)},
       {"contacts_mean", mean(s.contacts_mean)},
       {"clusters_mean", mean(s.clusters_mean)},
@@ -69,7 +73,8 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene, const s
   json["dropped_samples"] = s.dropped_samples;
   json["safety_events"] = Json::array();
   for (const SessionEvent& event : s.safety_events) {
-    json["safety_events"].push_back({{"time", event.time}, {"frame", event.frame}, {"fault", event.detail}});
+    json["safety_events"].push_back(
+        {{"time", event.time}, {"frame", event.frame}, {"fault", event.detail}});
   }
   json["state_hash"] = hex(s.state_hash);
   return json;
@@ -78,26 +83,30 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene, const s
 std::string run_summary_text(const SessionSummary& s) {
   std::string text;
   append(text, "%.3f s, %llu haptic frames at %g Hz, %llu missed\n", s.seconds,
-         static_cast<unsigned long long>(s.frames), s.rate, static_cast<unsigned long long>(s.missed));
-  append(text, "haptic step      p50 %.2f us, p99 %.2f us, max %.1f us of CPU\n", 1e6 * s.step_cpu.p50,
-         1e6 * s.step_cpu.p99, 1e6 * s.step_cpu.max);
+         static_cast<unsigned long long>(s.frames), s.rate,
+         static_cast<unsigned long long>(s.missed));
+  append(text, "haptic step      p50 %.2f us, p99 %.2f us, max %.1f us of CPU\n",
+         1e6 * s.step_cpu.p50, 1e6 * s.step_cpu.p99, 1e6 * s.step_cpu.max);
   if (s.wake_late.count > 0) {
     append(text, "woke late        p50 %.2f us, p99 %.1f us, max %.0f us\n", 1e6 * s.wake_late.p50,
            1e6 * s.wake_late.p99, 1e6 * s.wake_late.max);
   }
-  append(text, "contact query    p50 %.0f us, p99 %.0f us of CPU, %llu updates, %.1f contacts, %.1f clusters\n",
-         1e6 * s.query_cpu.p50, 1e6 * s.query_cpu.p99, static_cast<unsigned long long>(s.contact_updates),
-         s.contacts_mean, s.clusters_mean);
-  append(text, "contact model    p50 %.2f ms old, p99 %.2f ms, max %.2f ms\n", 1e3 * s.model_age.p50,
-         1e3 * s.model_age.p99, 1e3 * s.model_age.max);
-  append(text, "force            max %.3f N, rms %.3f N; torque max %.4f N m\n", s.force_max, s.force_rms,
-         s.torque_max);
-  append(text, "penetration      max %.3g mm; coupling stretch max %.3g mm\n", 1e3 * s.penetration_max,
-         1e3 * s.stretch_max);
+  append(text,
+         "contact query    p50 %.0f us, p99 %.0f us of CPU, %llu updates, %.1f contacts, %.1f "
+         "clusters\n",
+         1e6 * s.query_cpu.p50, 1e6 * s.query_cpu.p99,
+         static_cast<unsigned long long>(s.contact_updates), s.contacts_mean, s.clusters_mean);
+  append(text, "contact model    p50 %.2f ms old, p99 %.2f ms, max %.2f ms\n",
+         1e3 * s.model_age.p50, 1e3 * s.model_age.p99, 1e3 * s.model_age.max);
+  append(text, "force            max %.3f N, rms %.3f N; torque max %.4f N m\n", s.force_max,
+         s.force_rms, s.torque_max);
+  append(text, "penetration      max %.3g mm; coupling stretch max %.3g mm\n",
+         1e3 * s.penetration_max, 1e3 * s.stretch_max);
   append(text, "energy           min %.3g J; samples dropped %llu\n", s.energy_min,
          static_cast<unsigned long long>(s.dropped_samples));
   for (const SessionEvent& event : s.safety_events) {
-    append(text, "FAULT            %s at %.3f s; zero force since\n", event.detail.c_str(), event.time);
+    append(text, "FAULT            %s at %.3f s; zero force since\n", event.detail.c_str(),
+           event.time);
   }
   append(text, "state hash       %s\n", hex(s.state_hash).c_str());
   return text;

@@ -1,8 +1,9 @@
 #pragma once
 // The summary of `thigma run`.
 
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include <nlohmann/json.hpp>
 
 #include "thigma/runtime/session.h"
 

@@ -1,8 +1,7 @@
-// The fast threads neither allocate, lock nor call the system: counted, in contact, with recording on.
+// The fast threads neither allocate, lock nor call the system: counted, in contact, with recording
+// on.
 
-#include <gtest/gtest.h>
-#include <sys/syscall.h>
-#include <unistd.h>
+#include "support/audit.h"
 
 #include <filesystem>
 #include <memory>
@@ -10,7 +9,10 @@
 #include <set>
 #include <thread>
 
-#include "support/audit.h"
+#include <gtest/gtest.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/device/hand.h"
 #include "thigma/math/elementary.h"
@@ -84,8 +86,8 @@ struct Scene {
   }
 };
 
-/// Warms up, then watches `haptic_frames` haptic steps and a contact step every tenth, all in one thread, while this
-/// thread writes the recording.
+/// Warms up, then watches `haptic_frames` haptic steps and a contact step every tenth, all in one
+/// thread, while this thread writes the recording.
 AuditResult audit(PlantingDevice::Plant plant, int haptic_frames) {
   Scene scene;
   HandParams hand;
@@ -119,7 +121,8 @@ AuditResult audit(PlantingDevice::Plant plant, int haptic_frames) {
         const AuditScope scope;
         if (i % 10 == 0) contact_frame(now);
         const AuditCounts c = scope.counts();
-        sample = haptic_step(params, {&device, models.get(), bodies.get(), ring.get()}, {now, 1e-3, Fault::none}, state);
+        sample = haptic_step(params, {&device, models.get(), bodies.get(), ring.get()},
+                             {now, 1e-3, Fault::none}, state);
         const AuditCounts both = scope.counts();
         result.contact.allocations += c.allocations;
         result.contact.frees += c.frees;
@@ -131,7 +134,8 @@ AuditResult audit(PlantingDevice::Plant plant, int haptic_frames) {
         result.haptic.system_calls += both.system_calls - c.system_calls;
       } else {
         if (i % 10 == 0) contact_frame(now);
-        sample = haptic_step(params, {&device, models.get(), bodies.get(), ring.get()}, {now, 1e-3, Fault::none}, state);
+        sample = haptic_step(params, {&device, models.get(), bodies.get(), ring.get()},
+                             {now, 1e-3, Fault::none}, state);
       }
       if (sample.touching > 0) ++result.touching_frames;
       for (const PlaneTerm& term : contact.model.planes) {
@@ -149,7 +153,8 @@ AuditResult audit(PlantingDevice::Plant plant, int haptic_frames) {
     done = true;
   });
   const std::string path = (std::filesystem::temp_directory_path() /
-                            ("thigma-audit-" + std::to_string(getpid()) + ".mcap")).string();
+                            ("thigma-audit-" + std::to_string(getpid()) + ".mcap"))
+                               .string();
   {
     RecordingWriter recording(path, "{}");
     while (!done || ring->front() != nullptr) {
@@ -171,10 +176,12 @@ TEST(Audit, TenThousandHapticAndAThousandContactStepsTouchNeitherMemoryNorLocksN
   if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
   const AuditResult r = audit(PlantingDevice::Plant::nothing, 10000);
   EXPECT_TRUE(r.sees_system_calls) << "seccomp is not available: system calls were not watched";
-  EXPECT_EQ(r.haptic.total(), 0) << "allocations " << r.haptic.allocations << ", frees " << r.haptic.frees << ", locks "
-                                 << r.haptic.locks << ", system calls " << r.haptic.system_calls;
-  EXPECT_EQ(r.contact.total(), 0) << "allocations " << r.contact.allocations << ", frees " << r.contact.frees
-                                  << ", locks " << r.contact.locks << ", system calls " << r.contact.system_calls;
+  EXPECT_EQ(r.haptic.total(), 0) << "allocations " << r.haptic.allocations << ", frees "
+                                 << r.haptic.frees << ", locks " << r.haptic.locks
+                                 << ", system calls " << r.haptic.system_calls;
+  EXPECT_EQ(r.contact.total(), 0) << "allocations " << r.contact.allocations << ", frees "
+                                  << r.contact.frees << ", locks " << r.contact.locks
+                                  << ", system calls " << r.contact.system_calls;
   // And it was the real thing: in contact, clusters coming and going, every sample recorded.
   EXPECT_GT(r.touching_frames, 8000);
   EXPECT_GT(r.cluster_ids.size(), 5u);

@@ -1,8 +1,8 @@
 #include "thigma/runtime/contact_step.h"
 
+#include "support/plane_session.h"
 #include <gtest/gtest.h>
 
-#include "support/plane_session.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/mesh/shapes.h"
 

@@ -1,8 +1,8 @@
 #include "thigma/runtime/fault_injection.h"
 
+#include "support/plane_session.h"
 #include <gtest/gtest.h>
 
-#include "support/plane_session.h"
 #include "thigma/core/error.h"
 
 namespace thigma {
@@ -22,8 +22,9 @@ TEST(FaultInjection, ReadsWhatTheProgramTakes) {
 }
 
 TEST(FaultInjection, RefusesTheRestWithItsText) {
-  for (const char* text : {"unplug", "unplug@", "unplug@x", "unplug@-1", "unplug@nan", "stall@3", "stall=@3", "stall=1@",
-                           "unplug=1@2", "boom@1", "nan@1,", ",nan@1", "nan@1s", "nan@inf"}) {
+  for (const char* text :
+       {"unplug", "unplug@", "unplug@x", "unplug@-1", "unplug@nan", "stall@3", "stall=@3",
+        "stall=1@", "unplug=1@2", "boom@1", "nan@1,", ",nan@1", "nan@1s", "nan@inf"}) {
     try {
       parse_faults(text);
       ADD_FAILURE() << text;

@@ -1,11 +1,11 @@
 #include "thigma/runtime/haptic_step.h"
 
-#include <gtest/gtest.h>
-
 #include <limits>
 #include <memory>
 
 #include "support/plane_session.h"
+#include <gtest/gtest.h>
+
 #include "thigma/math/elementary.h"
 
 namespace thigma {
@@ -18,7 +18,8 @@ using test::plane_session;
 struct Bench {
   SessionConfig config = plane_session(0.05);
   HeldDevice device;
-  std::unique_ptr<Latest<LinearContactModel>> models = std::make_unique<Latest<LinearContactModel>>();
+  std::unique_ptr<Latest<LinearContactModel>> models =
+      std::make_unique<Latest<LinearContactModel>>();
   std::unique_ptr<Latest<StampedBody>> bodies = std::make_unique<Latest<StampedBody>>();
   SpscRing<HapticSample> ring{1024};
   HapticState state;
@@ -44,7 +45,8 @@ struct Bench {
       models->publish(contact.model);
     }
     now += elapsed;
-    return haptic_step(config.haptic, {&device, models.get(), bodies.get(), &ring}, {now, elapsed, Fault::none}, state);
+    return haptic_step(config.haptic, {&device, models.get(), bodies.get(), &ring},
+                       {now, elapsed, Fault::none}, state);
   }
   HapticSample ticks(int count) {
     HapticSample s;
@@ -81,7 +83,9 @@ TEST(HapticStep, GraspPointOfTheSceneIsWhereTheHandleGoes) {
   b.config.haptic.grasp_point = {0.01, 0.0, 0.02};
   b.press(true);
   const HapticSample s = b.tick();
-  EXPECT_NEAR((s.handle.pose.position - b.config.world_from_body.position - Vec3(0.01, 0.0, 0.02)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR(
+      (s.handle.pose.position - b.config.world_from_body.position - Vec3(0.01, 0.0, 0.02)).norm(),
+      0.0, 1e-15);
 }
 
 TEST(HapticStep, HoldingAtTheHandleKeepsTheDistance) {
@@ -168,7 +172,8 @@ TEST(HapticStep, PressingIsFeltAlongTheNormal) {
     b.tick();
   }
   const HapticSample s = b.ticks(2000);
-  // Handle 4 mm below touch: springs of 300 and 2000 N/m in series, the contact's starting at its tolerance.
+  // Handle 4 mm below touch: springs of 300 and 2000 N/m in series, the contact's starting at its
+  // tolerance.
   const double expected = (0.004 + b.config.contact.tolerance) * 300.0 * 2000.0 / 2300.0;
   EXPECT_NEAR(s.command.force.z(), expected, 0.02 * expected);
   EXPECT_NEAR(s.command.force.head<2>().norm(), 0.0, 1e-3);
@@ -250,9 +255,13 @@ TEST(HapticStep, FaultsSendZeroInTheSameTickAndStay) {
     EXPECT_TRUE(b.ticks(2).is_armed);
   };
   faulty([](HeldDevice& d) { d.state.status = DeviceStatus::lost; }, Fault::device_lost);
-  faulty([](HeldDevice& d) { d.state.motion.pose.position.y() = std::numeric_limits<double>::quiet_NaN(); },
+  faulty(
+      [](HeldDevice& d) {
+        d.state.motion.pose.position.y() = std::numeric_limits<double>::quiet_NaN();
+      },
+      Fault::not_finite);
+  faulty([](HeldDevice& d) { d.state.motion.pose.orientation.coeffs().setZero(); },
          Fault::not_finite);
-  faulty([](HeldDevice& d) { d.state.motion.pose.orientation.coeffs().setZero(); }, Fault::not_finite);
   faulty([](HeldDevice& d) { d.state.motion.pose.position.z() += 0.006; }, Fault::pose_jump);
   faulty([](HeldDevice& d) { d.state.motion.twist.linear.x() = 1.6; }, Fault::too_fast);
 }
@@ -280,7 +289,8 @@ TEST(HapticStep, WithoutSensedRotationButtonsTurnTheObject) {
   b.device.device_limits.senses_rotation = false;
   b.begin();
   b.press(true);
-  b.device.state.motion.pose.orientation = Quat(0.6, 0.8, 0.0, 0.0);  // nonsense that such a device may answer
+  b.device.state.motion.pose.orientation =
+      Quat(0.6, 0.8, 0.0, 0.0);  // nonsense that such a device may answer
   HapticSample s = b.ticks(200);
   EXPECT_NEAR(std::abs(s.body.orientation.w()), 1.0, 1e-9);
   b.device.state.buttons |= kTurnButtons[4];
@@ -309,7 +319,8 @@ TEST(HapticStep, TheDevicesOwnClockMayTickItAtAnyPace) {
   b.tick();
   HapticSample s;
   for (int i = 0; i < 3000; ++i) {
-    if (b.device.state.motion.pose.position.x() < 0.02) b.device.state.motion.pose.position.x() += 1e-5;
+    if (b.device.state.motion.pose.position.x() < 0.02)
+      b.device.state.motion.pose.position.x() += 1e-5;
     s = b.tick(i % 3 == 0 ? 4e-4 : 1.1e-3);
     ASSERT_EQ(s.fault, Fault::none);
   }

@@ -1,10 +1,10 @@
 #include "thigma/runtime/histogram.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <limits>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "thigma/math/random.h"
 

@@ -1,9 +1,9 @@
 #include "thigma/runtime/latest.h"
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <thread>
+
+#include <gtest/gtest.h>
 
 namespace thigma {
 namespace {

@@ -1,8 +1,7 @@
-#include <gtest/gtest.h>
-
 #include <stdexcept>
 
 #include "support/plane_session.h"
+#include <gtest/gtest.h>
 
 namespace thigma {
 namespace {

@@ -1,15 +1,16 @@
 #include "thigma/runtime/passivity.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "thigma/math/elementary.h"
 
 namespace thigma {
 namespace {
 
-/// Moves the handle along x(t) with the wrench of a law, held over each tick, and returns the observer.
+/// Moves the handle along x(t) with the wrench of a law, held over each tick, and returns the
+/// observer.
 template <class Position, class Force>
 EnergyObserver observe(int ticks, Position position, Force force) {
   EnergyObserver observer;
@@ -23,8 +24,8 @@ EnergyObserver observe(int ticks, Position position, Force force) {
 }
 
 TEST(EnergyObserver, SampledSpringGivesBackMoreThanItGotByExactlyTheHeldForce) {
-  // A spring F = -k x, pressed to X and let back, sampled in steps of X/n: the force lags by a tick each way, so the
-  // port gains k X^2 / n. This leak is what damping has to make up for.
+  // A spring F = -k x, pressed to X and let back, sampled in steps of X/n: the force lags by a tick
+  // each way, so the port gains k X^2 / n. This leak is what damping has to make up for.
   constexpr double k = 500.0, X = 0.01;
   constexpr int n = 20;
   const auto triangle = [](int i) { return X * (i <= n ? i : 2 * n - i) / n; };

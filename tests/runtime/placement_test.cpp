@@ -1,8 +1,7 @@
 #include "thigma/runtime/placement.h"
 
-#include <gtest/gtest.h>
-
 #include "support/plane_session.h"
+#include <gtest/gtest.h>
 
 namespace thigma {
 namespace {
@@ -10,7 +9,9 @@ namespace {
 using test::kCubeHalf;
 using test::plane_session;
 
-double height(const StartPlacement& start) { return start.world_from_body.position.z() - kCubeHalf; }
+double height(const StartPlacement& start) {
+  return start.world_from_body.position.z() - kCubeHalf;
+}
 
 TEST(FindStart, LeavesSeparatedObjectsWhereTheyAre) {
   const SessionConfig config = plane_session(0.015);
@@ -44,7 +45,8 @@ TEST(FindStart, FollowsTheWayOutItIsGiven) {
   EXPECT_GE(height(start), 0.005 * (1.0 - 1e-9));
   EXPECT_NEAR(start.clearance * 0.8, height(start), 2.0 * config.contact.tolerance);
   const Vec3 into(0.0, 0.0, -1.0);
-  EXPECT_THROW(find_start(config.contact, config.world_from_body, 0.005, &into), std::runtime_error);
+  EXPECT_THROW(find_start(config.contact, config.world_from_body, 0.005, &into),
+               std::runtime_error);
 }
 
 TEST(FindStart, SaysWhenThereIsNothingNear) {

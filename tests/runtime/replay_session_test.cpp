@@ -1,10 +1,9 @@
 #include "thigma/runtime/replay_session.h"
 
-#include <gtest/gtest.h>
-
 #include <bit>
 
 #include "support/plane_session.h"
+#include <gtest/gtest.h>
 
 namespace thigma {
 namespace {
@@ -33,7 +32,9 @@ struct Recorded {
     params = config.haptic;
     params.device = device.limits();
   }
-  ReplayReport replay() const { return replay_session(params, config.world_from_body, samples, models); }
+  ReplayReport replay() const {
+    return replay_session(params, config.world_from_body, samples, models);
+  }
 };
 
 TEST(ReplaySession, IsIdentical) {

@@ -1,9 +1,9 @@
 #include "thigma/runtime/rt_thread.h"
 
+#include <thread>
+
 #include <gtest/gtest.h>
 #include <sched.h>
-
-#include <thread>
 
 namespace thigma {
 namespace {

@@ -1,11 +1,11 @@
-// The same under RealtimeSanitizer (preset rtsan): every THIGMA_RT function is watched by the compiler itself.
-
-#include <gtest/gtest.h>
+// The same under RealtimeSanitizer (preset rtsan): every THIGMA_RT function is watched by the
+// compiler itself.
 
 #include <memory>
 #include <mutex>
 
 #include "support/plane_session.h"
+#include <gtest/gtest.h>
 
 #if defined(__has_feature)
 #if __has_feature(realtime_sanitizer)

@@ -1,8 +1,8 @@
 #include "thigma/runtime/safety.h"
 
-#include <gtest/gtest.h>
-
 #include <limits>
+
+#include <gtest/gtest.h>
 
 namespace thigma {
 namespace {
@@ -113,7 +113,8 @@ TEST(Safety, ArmingNeedsTheHandAndNoContactForAWhile) {
 }
 
 TEST(Safety, NotANumberStopsAndLatches) {
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     Armed a;
     a.settle({Vec3(0, 0, 1), Vec3::Zero()});
     EXPECT_EQ(a.limit({Vec3(0, bad, 0), Vec3::Zero()}, 1.0, 3.0).force, Vec3::Zero());
@@ -208,7 +209,8 @@ TEST(Safety, TorqueOfADeviceWithoutItIsStillComputed) {
 
 TEST(Safety, EveryFaultHasItsOwnName) {
   for (int i = 0; i <= static_cast<int>(Fault::watchdog); ++i) {
-    for (int j = 0; j < i; ++j) EXPECT_STRNE(fault_name(static_cast<Fault>(i)), fault_name(static_cast<Fault>(j)));
+    for (int j = 0; j < i; ++j)
+      EXPECT_STRNE(fault_name(static_cast<Fault>(i)), fault_name(static_cast<Fault>(j)));
   }
 }
 

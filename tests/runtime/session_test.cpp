@@ -1,10 +1,10 @@
 #include "thigma/runtime/session.h"
 
-#include <gtest/gtest.h>
-
 #include <stdexcept>
 
 #include "support/plane_session.h"
+#include <gtest/gtest.h>
+
 #include "thigma/runtime/replay_session.h"
 
 namespace thigma {
@@ -133,7 +133,8 @@ TEST(Session, ASinkThatThrowsEndsTheSessionInOrder) {
   HeldDevice device;
   SessionConfig config = patient_session();
   config.duration = 0.0;
-  Session session(config, device, {[](const HapticSample&) { throw std::runtime_error("disk full"); }, {}, {}});
+  Session session(config, device,
+                  {[](const HapticSample&) { throw std::runtime_error("disk full"); }, {}, {}});
   session.start();
   EXPECT_THROW(session.finish(), std::runtime_error);
   EXPECT_EQ(device.written.force, Vec3::Zero());
@@ -145,12 +146,13 @@ TEST(Session, FullRingsAreCounted) {
   config.duration = 0.2;
   config.telemetry_frames = 2;
   std::uint64_t received = 0;
-  Session session(config, device, {[&](const HapticSample&) {
-                                     ++received;
-                                     sleep_ns(5'000'000);
-                                   },
-                                   {},
-                                   {}});
+  Session session(config, device,
+                  {[&](const HapticSample&) {
+                     ++received;
+                     sleep_ns(5'000'000);
+                   },
+                   {},
+                   {}});
   session.start();
   const SessionSummary s = session.finish();
   EXPECT_GT(s.dropped_samples, 0u);

@@ -1,8 +1,8 @@
 #include "thigma/runtime/spsc_ring.h"
 
-#include <gtest/gtest.h>
-
 #include <thread>
+
+#include <gtest/gtest.h>
 
 namespace thigma {
 namespace {

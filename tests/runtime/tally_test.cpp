@@ -1,8 +1,8 @@
 #include "thigma/runtime/tally.h"
 
-#include <gtest/gtest.h>
-
 #include <memory>
+
+#include <gtest/gtest.h>
 
 namespace thigma {
 namespace {

@@ -1,9 +1,9 @@
 #include "thigma/runtime/telemetry.h"
 
-#include <gtest/gtest.h>
-
 #include <bit>
 #include <set>
+
+#include <gtest/gtest.h>
 
 namespace thigma {
 namespace {
@@ -21,13 +21,14 @@ TEST(StateHash, EveryBitOfEveryNumberCounts) {
     EXPECT_TRUE(seen.insert(hash.value).second);
   };
   add();
-  double* const numbers[] = {&body.position.x(),         &body.position.y(),         &body.position.z(),
-                             &body.orientation.x(),      &body.orientation.y(),      &body.orientation.z(),
-                             &body.orientation.w(),      &body.linear_momentum.x(),  &body.linear_momentum.y(),
-                             &body.linear_momentum.z(),  &body.angular_momentum.x(), &body.angular_momentum.y(),
-                             &body.angular_momentum.z(), &command.force.x(),         &command.force.y(),
-                             &command.force.z(),         &command.torque.x(),        &command.torque.y(),
-                             &command.torque.z()};
+  double* const numbers[] = {
+      &body.position.x(),         &body.position.y(),         &body.position.z(),
+      &body.orientation.x(),      &body.orientation.y(),      &body.orientation.z(),
+      &body.orientation.w(),      &body.linear_momentum.x(),  &body.linear_momentum.y(),
+      &body.linear_momentum.z(),  &body.angular_momentum.x(), &body.angular_momentum.y(),
+      &body.angular_momentum.z(), &command.force.x(),         &command.force.y(),
+      &command.force.z(),         &command.torque.x(),        &command.torque.y(),
+      &command.torque.z()};
   for (double* number : numbers) {
     flip_last_bit(*number);
     add();

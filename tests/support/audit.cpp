@@ -1,5 +1,9 @@
 #include "support/audit.h"
 
+#include <cstddef>
+#include <cstdlib>
+#include <vector>
+
 #include <dlfcn.h>
 #include <errno.h>
 #include <linux/audit.h>
@@ -12,12 +16,9 @@
 #include <ucontext.h>
 #include <unistd.h>
 
-#include <cstddef>
-#include <cstdlib>
-#include <vector>
-
 #if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(realtime_sanitizer)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || \
+    __has_feature(realtime_sanitizer)
 #define THIGMA_NO_AUDIT 1
 #endif
 #endif
@@ -122,18 +123,21 @@ int pthread_cond_wait(pthread_cond_t* c, pthread_mutex_t* m) {
   return real(c, m);
 }
 int pthread_cond_timedwait(pthread_cond_t* c, pthread_mutex_t* m, const timespec* t) {
-  static const auto real = next_function<int (*)(pthread_cond_t*, pthread_mutex_t*, const timespec*)>(
-      "pthread_cond_timedwait", "GLIBC_2.3.2");
+  static const auto real =
+      next_function<int (*)(pthread_cond_t*, pthread_mutex_t*, const timespec*)>(
+          "pthread_cond_timedwait", "GLIBC_2.3.2");
   note_lock();
   return real(c, m, t);
 }
 int pthread_cond_signal(pthread_cond_t* c) {
-  static const auto real = next_function<int (*)(pthread_cond_t*)>("pthread_cond_signal", "GLIBC_2.3.2");
+  static const auto real =
+      next_function<int (*)(pthread_cond_t*)>("pthread_cond_signal", "GLIBC_2.3.2");
   note_lock();
   return real(c);
 }
 int pthread_cond_broadcast(pthread_cond_t* c) {
-  static const auto real = next_function<int (*)(pthread_cond_t*)>("pthread_cond_broadcast", "GLIBC_2.3.2");
+  static const auto real =
+      next_function<int (*)(pthread_cond_t*)>("pthread_cond_broadcast", "GLIBC_2.3.2");
   note_lock();
   return real(c);
 }
@@ -160,11 +164,11 @@ bool forbid_system_calls() {
   action.sa_sigaction = on_system_call;
   action.sa_flags = SA_SIGINFO;
   if (sigaction(SIGSYS, &action, nullptr) != 0) return false;
-  // Allowed: reading the clock, returning from the handler, and what a thread needs to end. Not futex: a lock that
-  // somebody else holds is seen even where the interposers are not asked.
+  // Allowed: reading the clock, returning from the handler, and what a thread needs to end. Not
+  // futex: a lock that somebody else holds is seen even where the interposers are not asked.
   std::vector<sock_filter> program{BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr))};
-  for (const unsigned number : {SYS_clock_gettime, SYS_rt_sigreturn, SYS_exit, SYS_exit_group, SYS_madvise, SYS_munmap,
-                                SYS_rt_sigprocmask}) {
+  for (const unsigned number : {SYS_clock_gettime, SYS_rt_sigreturn, SYS_exit, SYS_exit_group,
+                                SYS_madvise, SYS_munmap, SYS_rt_sigprocmask}) {
     program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, number, 0, 1));
     program.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
   }
@@ -180,7 +184,8 @@ bool forbid_system_calls() {
 
 namespace thigma::test {
 const char* why_no_audit() {
-  return "this build's sanitizer interposes the allocator and the locks itself: the audit runs in the release and dev "
+  return "this build's sanitizer interposes the allocator and the locks itself: the audit runs in "
+         "the release and dev "
          "presets";
 }
 bool forbid_system_calls() { return false; }

@@ -1,6 +1,7 @@
 #pragma once
-// Counts what a real-time thread must not do: allocate, free, lock, call the system. For test programs that are
-// linked with support/audit.cpp, which interposes the C library's functions, and with nothing that needs its own.
+// Counts what a real-time thread must not do: allocate, free, lock, call the system. For test
+// programs that are linked with support/audit.cpp, which interposes the C library's functions, and
+// with nothing that needs its own.
 
 #include <cstdint>
 
@@ -19,8 +20,9 @@ struct AuditCounts {
 /// Null, or why this build cannot audit (a sanitizer interposes the same functions).
 const char* why_no_audit();
 
-/// From now on the calling thread's system calls are seen: they fail with ENOSYS and are counted. For the rest of the
-/// thread's life; call in a thread of the test's own. Returns false where the kernel refuses (no seccomp).
+/// From now on the calling thread's system calls are seen: they fail with ENOSYS and are counted.
+/// For the rest of the thread's life; call in a thread of the test's own. Returns false where the
+/// kernel refuses (no seccomp).
 bool forbid_system_calls();
 
 /// While it lives, the calling thread is watched. Not nested.

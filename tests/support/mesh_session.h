@@ -14,7 +14,8 @@
 
 namespace thigma::test {
 
-/// A 10 g object of a few hundred triangles over a gently rippled sheet; contact 2 kN/m, as the closed loop.
+/// A 10 g object of a few hundred triangles over a gently rippled sheet; contact 2 kN/m, as the
+/// issue's closed loop.
 struct MeshSession {
   ClodHierarchy object;
   ClodHierarchy ground;
@@ -27,7 +28,8 @@ struct MeshSession {
     return mesh;
   }
 
-  explicit MeshSession(double coupling_stiffness = 300.0, const TriangleMesh& mesh = make_ball(0.015, 4))
+  explicit MeshSession(double coupling_stiffness = 300.0,
+                       const TriangleMesh& mesh = make_ball(0.015, 4))
       : object(build_exact_hierarchy(mesh)), ground(build_exact_hierarchy(rippled_sheet())) {
     const double mass = 0.010, radius = object.radius;
     const double moment = 0.4 * mass * radius * radius;

@@ -1,5 +1,6 @@
 #pragma once
-// A session without meshes: a small cube over the half space z <= 0, for tests of everything but the contact query.
+// A session without meshes: a small cube over the half space z <= 0, for tests of everything but
+// the contact query.
 
 #include <memory>
 

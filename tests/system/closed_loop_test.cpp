@@ -1,11 +1,10 @@
 // The loop closed through the simulated hand: stable while resting, pressing, sliding and tapping.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "support/mesh_session.h"
+#include <gtest/gtest.h>
 
 namespace thigma {
 namespace {
@@ -104,9 +103,11 @@ TEST_P(ClosedLoop, TapsComeAndGo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Gains, ClosedLoop,
-                         testing::Values(Case{200.0, 6}, Case{500.0, 6}, Case{200.0, 3}, Case{500.0, 3}),
+                         testing::Values(Case{200.0, 6}, Case{500.0, 6}, Case{200.0, 3},
+                                         Case{500.0, 3}),
                          [](const testing::TestParamInfo<Case>& each) {
-                           return "coupling" + std::to_string(static_cast<int>(each.param.coupling)) + "dof" +
+                           return "coupling" +
+                                  std::to_string(static_cast<int>(each.param.coupling)) + "dof" +
                                   std::to_string(each.param.dof);
                          });
 

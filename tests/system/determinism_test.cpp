@@ -1,10 +1,10 @@
 // Same inputs, same bits: lockstep runs, replays of both kinds of session.
 
-#include <gtest/gtest.h>
-
 #include <bit>
 
 #include "support/mesh_session.h"
+#include <gtest/gtest.h>
+
 #include "thigma/runtime/replay_session.h"
 
 namespace thigma {
@@ -42,13 +42,15 @@ TEST(Determinism, AReplayIsIdenticalAndAChangedBitIsFoundAtItsFrame) {
   HandDevice device(scene.hand(HandPath::press));
   Kept kept(scene.config, device);
   const HapticParams params = params_of(scene.config, device);
-  const ReplayReport replay = replay_session(params, scene.config.world_from_body, kept.samples, kept.models);
+  const ReplayReport replay =
+      replay_session(params, scene.config.world_from_body, kept.samples, kept.models);
   EXPECT_TRUE(replay.identical) << replay.reason;
   EXPECT_EQ(replay.state_hash, kept.summary.state_hash);
 
   double& x = kept.samples[1234].device.motion.pose.position.z();
   x = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ 1u);
-  const ReplayReport changed = replay_session(params, scene.config.world_from_body, kept.samples, kept.models);
+  const ReplayReport changed =
+      replay_session(params, scene.config.world_from_body, kept.samples, kept.models);
   EXPECT_FALSE(changed.identical);
   EXPECT_EQ(changed.first_difference, 1234);
 }
@@ -73,8 +75,8 @@ TEST(Determinism, AThreadedSessionReplaysFromItsModels) {
   ASSERT_EQ(summary.end, SessionEnd::duration);
   ASSERT_EQ(summary.dropped_samples, 0u);
   EXPECT_EQ(summary.frames, samples.size());
-  const ReplayReport replay =
-      replay_session(params_of(scene.config, device), scene.config.world_from_body, samples, models);
+  const ReplayReport replay = replay_session(params_of(scene.config, device),
+                                             scene.config.world_from_body, samples, models);
   EXPECT_TRUE(replay.identical) << replay.first_difference << ' ' << replay.reason;
   EXPECT_EQ(replay.state_hash, summary.state_hash);
 }

@@ -1,9 +1,8 @@
 // Energy: a held object in free space never gives back what nobody put in.
 
-#include <gtest/gtest.h>
-
 #include "support/mesh_session.h"
 #include "support/plane_session.h"
+#include <gtest/gtest.h>
 
 namespace thigma {
 namespace {
@@ -11,7 +10,8 @@ namespace {
 /// Kinetic energy of the object plus what the coupling's springs hold [J].
 double stored(const SessionConfig& config, const HapticSample& s, const Coupling& coupling) {
   const CouplingStretch stretch = coupling_stretch(coupling, s.handle.pose, s.body);
-  return kinetic_energy(config.haptic.body, s.body) + 0.5 * coupling.linear_stiffness * stretch.linear.squaredNorm() +
+  return kinetic_energy(config.haptic.body, s.body) +
+         0.5 * coupling.linear_stiffness * stretch.linear.squaredNorm() +
          0.5 * coupling.angular_stiffness * stretch.angular.squaredNorm();
 }
 
@@ -29,7 +29,8 @@ TEST(Energy, NeverGrowsInFreeSpaceWhileTheHandIsStill) {
                     // One jerk, within the pose-jump limit, then still.
                     if (s.frame == 20) {
                       device.state.motion.pose.position = {0.003, -0.002, 0.001};
-                      device.state.motion.pose.orientation = Quat(0.995, 0.0, 0.0998749, 0.0).normalized();
+                      device.state.motion.pose.orientation =
+                          Quat(0.995, 0.0, 0.0998749, 0.0).normalized();
                     }
                   },
                   {},
@@ -51,8 +52,8 @@ TEST(Energy, TheObserverSeesAPassiveWorldWhereTheHandMovesInTheAir) {
   test::MeshSession scene;
   scene.config.duration = 3.0;
   HandParams hand = scene.hand(HandPath::circle);
-  // Each step of an encoder leaks about k q^2 / 2, which friction in the device has to make up for: not what is asked
-  // here.
+  // Each step of an encoder leaks about k q^2 / 2, which friction in the device has to make up for:
+  // not what is asked here.
   hand.encoder = hand.angular_encoder = 0.0;
   HandDevice device(hand);
   const test::Kept kept(scene.config, device);

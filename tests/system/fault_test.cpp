@@ -1,8 +1,7 @@
 // Every fault ends in zero force, in time, and stays there.
 
-#include <gtest/gtest.h>
-
 #include "support/mesh_session.h"
+#include <gtest/gtest.h>
 
 namespace thigma {
 namespace {
@@ -42,7 +41,8 @@ TEST_P(Faults, ZeroForceWithinItsTimeWhilePressing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Faults,
-                         testing::Values(Expected{"unplug@2", "device_lost", 1e-3}, Expected{"nan@2", "not_finite", 1e-3},
+                         testing::Values(Expected{"unplug@2", "device_lost", 1e-3},
+                                         Expected{"nan@2", "not_finite", 1e-3},
                                          Expected{"stall=0.06@2", "contact_stale", 0.051},
                                          Expected{"hang=0.05@2", "watchdog", 0.021}),
                          [](const auto& each) { return std::string(each.param.fault); });

@@ -25,7 +25,8 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
   reserve_clusters(scratch.clustering, world.capacity);
 }
 
-void find_contacts(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch) noexcept {
+void find_contacts(const ContactWorld& world, const StampedBody& at,
+                   ContactScratch& scratch) noexcept {
   clear(scratch.contacts);
   const Pose pose = world_from_mesh(world, at.state);
   if (!world.scene.empty()) {
@@ -42,11 +43,14 @@ void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch
   ClusterParams clustering;
   clustering.max_clusters = world.max_clusters;
   clustering.tolerance = world.tolerance;
-  cluster_contacts(scratch.contacts.contacts, scratch.clusters, clustering, scratch.clustering, scratch.clusters);
+  cluster_contacts(scratch.contacts.contacts, scratch.clusters, clustering, scratch.clustering,
+                   scratch.clusters);
 
   PenaltyParams response = world.response;
-  response.tolerance = world.tolerance;  // one d: what the query starts at is what the force starts at
-  sample.model = linearize_contacts(scratch.clusters, response, at.state, at.time, ++scratch.sequence);
+  response.tolerance =
+      world.tolerance;  // one d: what the query starts at is what the force starts at
+  sample.model =
+      linearize_contacts(scratch.clusters, response, at.state, at.time, ++scratch.sequence);
 
   sample.time = at.time;
   sample.contacts = static_cast<std::int64_t>(scratch.contacts.contacts.size());

@@ -16,20 +16,23 @@
 
 namespace thigma {
 
-/// Contacts of the grasped object at a pose of its mesh, for scenes that are not meshes; appends to `contacts`, which
-/// it must not let grow, and counts what it finds there. Called by the contact thread; must not throw or allocate.
-using ContactSource = std::function<void(const Pose& world_from_mesh, double tolerance, ContactSet& contacts)>;
+/// Contacts of the grasped object at a pose of its mesh, for scenes that are not meshes; appends to
+/// `contacts`, which it must not let grow, and counts what it finds there. Called by the contact
+/// thread; must not throw or allocate.
+using ContactSource =
+    std::function<void(const Pose& world_from_mesh, double tolerance, ContactSet& contacts)>;
 
 /// What the contact thread knows. Constant while a session runs; hierarchies outlive it.
 struct ContactWorld {
   const ClodHierarchy* object = nullptr;
-  Pose body_from_mesh;               // mesh frame of the grasped object in its body frame (origin: centre of mass)
-  std::vector<SceneBody> scene;      // static
-  ContactSource source;              // in addition to `scene`; empty: none
-  double tolerance = 0.0;            // d [m]
-  int max_clusters = 5;              // K
-  PenaltyParams response;            // how clusters push; its tolerance is set to the one above
-  std::size_t capacity = 16384;      // contacts a frame; what does not fit is counted
+  Pose body_from_mesh;  // mesh frame of the grasped object in its body frame (origin: centre of
+                        // mass)
+  std::vector<SceneBody> scene;  // static
+  ContactSource source;          // in addition to `scene`; empty: none
+  double tolerance = 0.0;        // d [m]
+  int max_clusters = 5;          // K
+  PenaltyParams response;        // how clusters push; its tolerance is set to the one above
+  std::size_t capacity = 16384;  // contacts a frame; what does not fit is counted
 };
 
 /// Working memory of contact_step. Grows while warming up, never after.
@@ -38,21 +41,25 @@ struct ContactScratch {
   ContactSet contacts;               // of the last frame
   ContactClusters clusters;          // of the last frame: warm start, persistent ids
   ClusterScratch clustering;
-  std::uint64_t sequence = 0;        // models made
+  std::uint64_t sequence = 0;  // models made
 };
 
-/// Room for world.capacity contacts and a front a static object. Thread [offline]; throws std::bad_alloc.
+/// Room for world.capacity contacts and a front a static object. Thread [offline]; throws
+/// std::bad_alloc.
 void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch);
 
-/// First half of a contact frame: queries every static object into scratch.contacts. Thread [contact]; no failure.
-void find_contacts(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch) noexcept;
+/// First half of a contact frame: queries every static object into scratch.contacts. Thread
+/// [contact]; no failure.
+void find_contacts(const ContactWorld& world, const StampedBody& at,
+                   ContactScratch& scratch) noexcept;
 
 /// Second half: clusters all contacts together and linearises them.
 ///
 /// world         constant
 /// at            state and time the model is for, as given to find_contacts
 /// scratch       clusters are carried over
-/// sample        overwritten, but for the times of CPU use and of publication, which are the shell's business;
+/// sample        overwritten, but for the times of CPU use and of publication, which are the
+/// shell's business;
 ///               sample.model is what to publish, its sequence counts from 1
 /// Thread        [contact]; no failure.
 void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch,

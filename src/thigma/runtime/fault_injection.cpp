@@ -12,13 +12,16 @@ namespace {
 
 [[noreturn]] void refuse(std::string_view item) {
   throw InputError("--fault: '" + std::string(item) +
-                   "', expected unplug@T, nan@T, stall=S@T or hang=S@T with S and T in seconds >= 0, comma-separated");
+                   "', expected unplug@T, nan@T, stall=S@T or hang=S@T with S and T in seconds >= "
+                   "0, comma-separated");
 }
 
 double parse_seconds(std::string_view text, std::string_view item) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0.0) || !std::isfinite(value)) refuse(item);
+  if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0.0) ||
+      !std::isfinite(value))
+    refuse(item);
   return value;
 }
 
@@ -50,14 +53,16 @@ FaultEvent parse_event(std::string_view item) {
 
 class FaultyDevice final : public HapticDevice {
  public:
-  FaultyDevice(HapticDevice& inner, const std::vector<FaultEvent>& events) : inner_(inner), events_(events) {}
+  FaultyDevice(HapticDevice& inner, const std::vector<FaultEvent>& events)
+      : inner_(inner), events_(events) {}
 
   const DeviceLimits& limits() const override { return inner_.limits(); }
   std::string name() const override { return inner_.name(); }
 
   DeviceState read(double now) THIGMA_RT override {
     DeviceState state = inner_.read(now);
-    if (active_fault(events_, InjectedFault::unplug, now) != nullptr) state.status = DeviceStatus::lost;
+    if (active_fault(events_, InjectedFault::unplug, now) != nullptr)
+      state.status = DeviceStatus::lost;
     const FaultEvent* nan = active_fault(events_, InjectedFault::nan, now);
     if (nan != nullptr && !gave_nan_) {
       state.motion.pose.position.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -89,7 +94,8 @@ std::vector<FaultEvent> parse_faults(std::string_view text) {
   return events;
 }
 
-const FaultEvent* active_fault(const std::vector<FaultEvent>& events, InjectedFault kind, double now) THIGMA_RT {
+const FaultEvent* active_fault(const std::vector<FaultEvent>& events, InjectedFault kind,
+                               double now) THIGMA_RT {
   for (const FaultEvent& event : events) {
     if (event.kind != kind || now < event.time) continue;
     const bool is_span = kind == InjectedFault::stall || kind == InjectedFault::hang;
@@ -98,7 +104,8 @@ const FaultEvent* active_fault(const std::vector<FaultEvent>& events, InjectedFa
   return nullptr;
 }
 
-std::unique_ptr<HapticDevice> make_faulty_device(HapticDevice& inner, const std::vector<FaultEvent>& events) {
+std::unique_ptr<HapticDevice> make_faulty_device(HapticDevice& inner,
+                                                 const std::vector<FaultEvent>& events) {
   return std::make_unique<FaultyDevice>(inner, events);
 }
 

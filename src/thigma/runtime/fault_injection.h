@@ -22,13 +22,17 @@ struct FaultEvent {
   double duration = 0.0;  // of stall and hang [s]
 };
 
-/// Parses "unplug@2,stall=0.05@3,nan@4,hang=0.03@5". Throws InputError naming what is wrong. Thread [offline].
+/// Parses "unplug@2,stall=0.05@3,nan@4,hang=0.03@5". Throws InputError naming what is wrong. Thread
+/// [offline].
 std::vector<FaultEvent> parse_faults(std::string_view text);
 
 /// Event of this kind that is on at `now`, or null. Thread [haptic].
-const FaultEvent* active_fault(const std::vector<FaultEvent>& events, InjectedFault kind, double now) THIGMA_RT;
+const FaultEvent* active_fault(const std::vector<FaultEvent>& events, InjectedFault kind,
+                               double now) THIGMA_RT;
 
-/// A device with faults: passes through to `inner` until an event says otherwise. inner outlives it. Thread [offline].
-std::unique_ptr<HapticDevice> make_faulty_device(HapticDevice& inner, const std::vector<FaultEvent>& events);
+/// A device with faults: passes through to `inner` until an event says otherwise. inner outlives
+/// it. Thread [offline].
+std::unique_ptr<HapticDevice> make_faulty_device(HapticDevice& inner,
+                                                 const std::vector<FaultEvent>& events);
 
 }  // namespace thigma

@@ -10,8 +10,8 @@ namespace thigma {
 namespace {
 
 bool is_finite(const BodyState& y) THIGMA_RT {
-  return y.position.allFinite() && y.orientation.coeffs().allFinite() && y.linear_momentum.allFinite() &&
-         y.angular_momentum.allFinite();
+  return y.position.allFinite() && y.orientation.coeffs().allFinite() &&
+         y.linear_momentum.allFinite() && y.angular_momentum.allFinite();
 }
 
 void hold_still(BodyState& y) THIGMA_RT {
@@ -19,7 +19,8 @@ void hold_still(BodyState& y) THIGMA_RT {
   y.angular_momentum.setZero();
 }
 
-/// The clutch has closed: the handle stands for the grasp point, or stays where it is, and both springs are at rest.
+/// The clutch has closed: the handle stands for the grasp point, or stays where it is, and both
+/// springs are at rest.
 void take_hold(const HapticParams& params, const Pose& handle, HapticState& state) THIGMA_RT {
   if (params.grasp_place == GraspPlace::grasp_point) {
     const Pose world_from_body{state.body.position, state.body.orientation};
@@ -28,7 +29,8 @@ void take_hold(const HapticParams& params, const Pose& handle, HapticState& stat
     state.anchor = anchor_at(handle, place);
   }
   const Motion still{handle, Twist{}};
-  const Motion world = world_motion(params.workspace, state.anchor, still, params.device.senses_rotation);
+  const Motion world =
+      world_motion(params.workspace, state.anchor, still, params.device.senses_rotation);
   grasp(state.coupling, state.body, world.pose);
   state.is_grasped = true;
 }
@@ -53,7 +55,7 @@ void follow_clutch(const HapticParams& params, bool is_usable, HapticState& stat
 
 /// How the terms of a model stand at a state.
 struct Touch {
-  std::int32_t count = 0;     // terms within reach
+  std::int32_t count = 0;                                         // terms within reach
   double penetration = -std::numeric_limits<double>::infinity();  // deepest [m]
 };
 
@@ -102,9 +104,10 @@ void read_inputs(const HapticParams& params, const HapticPorts& ports, const Hap
                                params.device.senses_rotation);
 }
 
-/// Steps 2-4: both wrenches linearised at t_{i-1} with the device sample of t_i, then the state at t_i.
-void advance_body(const HapticParams& params, const LinearContactModel& model, const HapticSample& sample,
-                  HapticState& state) THIGMA_RT {
+/// Steps 2-4: both wrenches linearised at t_{i-1} with the device sample of t_i, then the state at
+/// t_i.
+void advance_body(const HapticParams& params, const LinearContactModel& model,
+                  const HapticSample& sample, HapticState& state) THIGMA_RT {
   const BodyState before = state.body;
   const BodyKinematics at = kinematics(params.body, state.body);
   WrenchJacobian by_coupling, by_contact;
@@ -121,8 +124,9 @@ void advance_body(const HapticParams& params, const LinearContactModel& model, c
 }
 
 /// Steps 5 and 6: what the hand gets, within the limits.
-void send_wrench(const HapticParams& params, const HapticPorts& ports, const LinearContactModel& model,
-                 const Touch& touching, HapticState& state, HapticSample& sample) THIGMA_RT {
+void send_wrench(const HapticParams& params, const HapticPorts& ports,
+                 const LinearContactModel& model, const Touch& touching, HapticState& state,
+                 HapticSample& sample) THIGMA_RT {
   SafetyState& safety = state.safety;
   // Nothing arms on a model that does not count fully.
   const bool may_be_armed = state.is_grasped && (safety.is_armed || sample.model_weight >= 1.0);
@@ -152,8 +156,8 @@ HapticState initial_state(const HapticParams& params, const Pose& world_from_bod
   return state;
 }
 
-HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports, const HapticTick& tick,
-                         HapticState& state) THIGMA_RT {
+HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports,
+                         const HapticTick& tick, HapticState& state) THIGMA_RT {
   HapticSample sample;
   read_inputs(params, ports, tick, state, sample);
   const LinearContactModel& model = ports.models->value();

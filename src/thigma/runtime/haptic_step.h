@@ -18,7 +18,8 @@ namespace thigma {
 
 /// Where the hand takes hold when the clutch closes.
 enum class GraspPlace : std::uint8_t {
-  grasp_point,  // at HapticParams::grasp_point: the handle is moved there (clutching), wherever the device is
+  grasp_point,  // at HapticParams::grasp_point: the handle is moved there (clutching), wherever the
+                // device is
   handle,       // where the virtual handle is at that moment, at whatever distance from the object
 };
 
@@ -30,13 +31,14 @@ enum class ResponseKind : std::uint8_t {
 /// Constant while a session runs.
 struct HapticParams {
   RigidBody body;
-  Coupling coupling;            // gains and saturations; grasp frame and is_grasped are set by the step
+  Coupling coupling;  // gains and saturations; grasp frame and is_grasped are set by the step
   Workspace workspace;
   SafetyLimits safety;
-  DeviceLimits device;          // of the device in use; sessions fill it in
+  DeviceLimits device;  // of the device in use; sessions fill it in
   GraspPlace grasp_place = GraspPlace::grasp_point;
   Vec3 grasp_point = Vec3::Zero();  // from the centre of mass [m; body frame]
-  double turn_rate = kButtonTurnRate;  // of the turn buttons, for devices without sensed rotation [rad/s]
+  double turn_rate =
+      kButtonTurnRate;  // of the turn buttons, for devices without sensed rotation [rad/s]
   ResponseKind response = ResponseKind::coupled;
 };
 
@@ -45,19 +47,20 @@ struct HapticState {
   std::uint64_t frame = 0;
   BodyState body;
   bool is_grasped = false;
-  bool was_pressed = false;     // clutch, last frame
-  Coupling coupling;            // params.coupling with the present grasp
+  bool was_pressed = false;  // clutch, last frame
+  Coupling coupling;         // params.coupling with the present grasp
   WorkspaceAnchor anchor;
-  DeviceState last_device;      // last usable sample
+  DeviceState last_device;  // last usable sample
   SafetyState safety;
   EnergyObserver energy;
-  float step_cpu = 0.0f, wake_late = 0.0f;  // of the frame before, filled in by the shell for telemetry [s]
+  float step_cpu = 0.0f,
+        wake_late = 0.0f;  // of the frame before, filled in by the shell for telemetry [s]
 };
 
 /// What the haptic thread tells the contact thread.
 struct StampedBody {
   BodyState state;
-  double time = 0.0;            // session clock [s]
+  double time = 0.0;  // session clock [s]
   std::uint64_t frame = 0;
 };
 
@@ -71,28 +74,33 @@ struct HapticPorts {
 
 /// What a tick is told from outside.
 struct HapticTick {
-  double now = 0.0;             // [s; session clock, or that of a device that owns the clock]
-  double elapsed = 1e-3;        // since the last step, the length of this one [s], > 0
+  double now = 0.0;       // [s; session clock, or that of a device that owns the clock]
+  double elapsed = 1e-3;  // since the last step, the length of this one [s], > 0
   Fault external_fault = Fault::none;
 };
 
-/// State before the first frame: the body at rest at `world_from_body` (centre of mass), nothing grasped.
+/// State before the first frame: the body at rest at `world_from_body` (centre of mass), nothing
+/// grasped.
 HapticState initial_state(const HapticParams& params, const Pose& world_from_body) THIGMA_RT;
 
-/// One frame: device, coupling, newest contact model, implicit step, coupling again, limits, device, telemetry.
+/// One frame: device, coupling, newest contact model, implicit step, coupling again, limits,
+/// device, telemetry.
 ///
-/// The clutch button takes hold of the object and lets it go. An object nobody holds stays where it is, at rest.
-/// Grasped inside a contact it follows the hand, but nothing is sent until it has left the contact once: arming
-/// never happens inside a contact. After a fault nothing is held and zero is sent until clear_fault.
+/// The clutch button takes hold of the object and lets it go. An object nobody holds stays where it
+/// is, at rest. Grasped inside a contact it follows the hand, but nothing is sent until it has left
+/// the contact once: arming never happens inside a contact. After a fault nothing is held and zero
+/// is sent until clear_fault.
 ///
 /// params, ports   constant; ports.device is read once and written once
 /// tick            time and step length; nothing assumes 1 ms
 /// state           read and written
 /// returns         the frame's sample, as pushed to telemetry
-/// Thread          [haptic]: the session's thread, or a device's own. Bounded, no failure; what is wrong latches a
+/// Thread          [haptic]: the session's thread, or a device's own. Bounded, no failure; what is
+/// wrong latches a
 ///                 fault and sends zero force.
-/// Source          Sec. 5.1.2 steps 1-6; the hand gets the reaction about the handle (docs/deviations.md).
-HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports, const HapticTick& tick,
-                         HapticState& state) THIGMA_RT;
+/// Source          Sec. 5.1.2 steps 1-6; the hand gets the reaction about the handle
+/// (docs/deviations.md).
+HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports,
+                         const HapticTick& tick, HapticState& state) THIGMA_RT;
 
 }  // namespace thigma

@@ -8,7 +8,8 @@ namespace {
 
 constexpr int kSub = 1 << DurationHistogram::kSubBits;
 
-// Values below 32 have a bucket each; above, the five bits after the leading one choose within the octave.
+// Values below 32 have a bucket each; above, the five bits after the leading one choose within the
+// octave.
 int bucket_of(std::uint64_t v) THIGMA_RT {
   if (v < kSub) return static_cast<int>(v);
   const int shift = static_cast<int>(std::bit_width(v)) - 1 - DurationHistogram::kSubBits;

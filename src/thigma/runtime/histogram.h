@@ -8,8 +8,8 @@
 
 namespace thigma {
 
-/// Counts of durations in buckets of 1/32 octave from 1 ns to 584 years: percentiles good to 2 %, maximum exact.
-/// Thread: one writer; read after it has stopped.
+/// Counts of durations in buckets of 1/32 octave from 1 ns to 584 years: percentiles good to 2 %,
+/// maximum exact. Thread: one writer; read after it has stopped.
 struct DurationHistogram {
   static constexpr int kSubBits = 5;  // 32 buckets an octave
   static constexpr int kBuckets = (64 - kSubBits + 1) << kSubBits;
@@ -21,8 +21,8 @@ struct DurationHistogram {
 /// Adds a duration [ns]; negative ones count as 0. Thread [haptic].
 void record(DurationHistogram& histogram, std::int64_t nanoseconds) THIGMA_RT;
 
-/// The value that a share `quantile` (0..1) of the durations does not exceed [s]: middle of its bucket, never above
-/// the maximum; 0 without one. Thread [any].
+/// The value that a share `quantile` (0..1) of the durations does not exceed [s]: middle of its
+/// bucket, never above the maximum; 0 without one. Thread [any].
 double quantile(const DurationHistogram& histogram, double quantile) noexcept;
 
 /// What summaries report of a distribution [s].

@@ -9,10 +9,10 @@
 
 namespace thigma {
 
-/// Hands the newest value of one writer to one reader; older ones are overwritten unseen. Wait-free on both sides.
-/// Three slots: the writer owns one, the reader owns one, the third changes hands by one atomic exchange.
-/// Invariant: the three slot numbers are a permutation of 0..2.
-/// Thread: publish from one thread, fetch and value from one other; all [haptic].
+/// Hands the newest value of one writer to one reader; older ones are overwritten unseen. Wait-free
+/// on both sides. Three slots: the writer owns one, the reader owns one, the third changes hands by
+/// one atomic exchange. Invariant: the three slot numbers are a permutation of 0..2. Thread:
+/// publish from one thread, fetch and value from one other; all [haptic].
 template <RtPayload T>
 class Latest {
  public:
@@ -28,7 +28,8 @@ class Latest {
     publish();
   }
 
-  /// Takes the newest value if there is one the reader has not seen; returns whether value() changed.
+  /// Takes the newest value if there is one the reader has not seen; returns whether value()
+  /// changed.
   bool fetch() THIGMA_RT {
     if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
     reader_ = middle_.exchange(reader_, std::memory_order_acq_rel) & kSlot;

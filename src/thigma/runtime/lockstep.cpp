@@ -1,4 +1,5 @@
-// A session in the calling thread, on a virtual clock: frame k happens at k / rate, whatever the computer does.
+// A session in the calling thread, on a virtual clock: frame k happens at k / rate, whatever the
+// computer does.
 
 #include <cmath>
 #include <deque>
@@ -23,7 +24,8 @@ class ZeroForceOnExit {
   HapticDevice& device_;
 };
 
-/// The contact thread of a lockstep session: a step now and then, its model in use some frames later.
+/// The contact thread of a lockstep session: a step now and then, its model in use some frames
+/// later.
 struct LockstepContacts {
   const SessionConfig& config;
   const SessionSinks& sinks;
@@ -53,9 +55,10 @@ struct LockstepContacts {
 };
 
 /// Ticks until something ends the session; returns what.
-SessionEnd run_frames(const SessionConfig& config, const HapticParams& params, const HapticPorts& ports,
-                      const SessionSinks& sinks, const std::atomic<bool>* stop, HapticState& state,
-                      HapticTally& haptic_tally, LockstepContacts& contacts, EventDetector& events) {
+SessionEnd run_frames(const SessionConfig& config, const HapticParams& params,
+                      const HapticPorts& ports, const SessionSinks& sinks,
+                      const std::atomic<bool>* stop, HapticState& state, HapticTally& haptic_tally,
+                      LockstepContacts& contacts, EventDetector& events) {
   const std::uint64_t last = detail::frame_limit(config);
   const auto fault_frames = static_cast<std::uint64_t>(std::ceil(config.after_fault * config.rate));
   std::uint64_t previous = 0, fault_frame = 0;
@@ -89,7 +92,8 @@ SessionEnd run_frames(const SessionConfig& config, const HapticParams& params, c
     const bool is_contact_frame = k % static_cast<std::uint64_t>(config.contact_every) == 0;
     if (is_contact_frame && active_fault(config.faults, InjectedFault::stall, now) == nullptr) {
       ports.bodies->fetch();
-      contacts.step(ports.bodies->value(), now, k + static_cast<std::uint64_t>(config.contact_latency));
+      contacts.step(ports.bodies->value(), now,
+                    k + static_cast<std::uint64_t>(config.contact_latency));
     }
   }
   return state.safety.fault != Fault::none ? SessionEnd::fault : SessionEnd::duration;
@@ -97,8 +101,8 @@ SessionEnd run_frames(const SessionConfig& config, const HapticParams& params, c
 
 }  // namespace
 
-SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device, const SessionSinks& sinks,
-                            const std::atomic<bool>* stop) {
+SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device,
+                            const SessionSinks& sinks, const std::atomic<bool>* stop) {
   detail::check_config(config);
   const std::unique_ptr<HapticDevice> faulty = make_faulty_device(device, config.faults);
   const ZeroForceOnExit zero_force(*faulty);

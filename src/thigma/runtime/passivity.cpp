@@ -30,6 +30,8 @@ void observe_motion(EnergyObserver& observer, const Pose& handle) THIGMA_RT {
   observer.last = handle;
 }
 
-void observe_wrench(EnergyObserver& observer, const Wrench& sent) THIGMA_RT { observer.held = sent; }
+void observe_wrench(EnergyObserver& observer, const Wrench& sent) THIGMA_RT {
+  observer.held = sent;
+}
 
 }  // namespace thigma

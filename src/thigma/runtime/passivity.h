@@ -6,19 +6,20 @@
 
 namespace thigma {
 
-/// Energy the hand has put into the rendered world, exact for a wrench held constant over each tick:
-/// E_k = -sum f_j . (x_{j+1} - x_j) + t_j . rotvec(q_{j+1} q_j^-1), which is what a sampled port exchanges, with no
-/// numerical velocity in it. A passive world never gives back more than it got: E >= 0.
+/// Energy the hand has put into the rendered world, exact for a wrench held constant over each
+/// tick: E_k = -sum f_j . (x_{j+1} - x_j) + t_j . rotvec(q_{j+1} q_j^-1), which is what a sampled
+/// port exchanges, with no numerical velocity in it. A passive world never gives back more than it
+/// got: E >= 0.
 struct EnergyObserver {
   bool has_sample = false;
-  Pose last;           // of the handle [device frame]
-  Wrench held;         // sent at `last`, on the hand about the handle [device frame]
+  Pose last;                // of the handle [device frame]
+  Wrench held;              // sent at `last`, on the hand about the handle [device frame]
   double energy = 0.0;      // E [J]
   double energy_min = 0.0;  // smallest so far, <= 0 [J]
 };
 
-/// Accounts for the wrench held since the last sample. Call with every pose read, before the new wrench is known.
-/// Thread [haptic].
+/// Accounts for the wrench held since the last sample. Call with every pose read, before the new
+/// wrench is known. Thread [haptic].
 void observe_motion(EnergyObserver& observer, const Pose& handle) THIGMA_RT;
 
 /// The wrench held from now on. Thread [haptic].

@@ -27,8 +27,9 @@ struct Prober {
       find_contacts(world, at, scratch);
       const std::vector<Contact>& contacts = scratch.contacts.contacts;
       if (!contacts.empty()) {
-        return *std::max_element(contacts.begin(), contacts.end(),
-                                 [](const Contact& a, const Contact& b) { return a.depth < b.depth; });
+        return *std::max_element(
+            contacts.begin(), contacts.end(),
+            [](const Contact& a, const Contact& b) { return a.depth < b.depth; });
       }
       if (tolerance >= reach) return std::nullopt;
     }
@@ -52,7 +53,8 @@ double extent(const ContactWorld& world, double object_radius) {
 
 Prober make_prober(const ContactWorld& world) {
   Prober prober{world, {}, 0.0, 0.0};
-  // Analytic scenes have no hierarchy to take a size from; their tolerance is about a hundredth of it.
+  // Analytic scenes have no hierarchy to take a size from; their tolerance is about a hundredth of
+  // it.
   prober.radius = world.object != nullptr ? world.object->radius : 100.0 * world.tolerance;
   prober.reach = 4.0 * extent(world, prober.radius);
   reserve_contact_scratch(world, prober.scratch);
@@ -85,8 +87,8 @@ StartPlacement find_start(const ContactWorld& world, const Pose& world_from_body
     travel += std::max(wanted + nearest->depth, 0.05 * wanted);
     if (travel > prober.reach + wanted) {
       throw InputError("the objects overlap as given and cannot be moved apart along (" +
-                       std::to_string(out.x()) + ", " + std::to_string(out.y()) + ", " + std::to_string(out.z()) +
-                       "); expected a pose from which they can");
+                       std::to_string(out.x()) + ", " + std::to_string(out.y()) + ", " +
+                       std::to_string(out.z()) + "); expected a pose from which they can");
     }
     start.world_from_body.position = given + travel * out;
     start.is_moved = true;

@@ -1,29 +1,27 @@
 #pragma once
-// Where a session starts: apart from the scene, knowing which way and how far it is to the first touch.
+// Where a session starts: apart from the scene, knowing which way and how far it is to the first
+// touch.
 
 #include "thigma/runtime/contact_step.h"
 
 namespace thigma {
 
 struct StartPlacement {
-  Pose world_from_body;        // of the centre of mass; nothing touches there
+  Pose world_from_body;            // of the centre of mass; nothing touches there
   Vec3 approach = -Vec3::UnitZ();  // unit, from the object towards the scene [world]
-  double clearance = 0.0;      // travel along approach to the first contact within the tolerance [m]
-  bool is_moved = false;       // the objects overlapped or touched as given
-  bool has_scene = false;      // false: nothing was found near; approach and clearance are guesses
+  double clearance = 0.0;  // travel along approach to the first contact within the tolerance [m]
+  bool is_moved = false;   // the objects overlapped or touched as given
+  bool has_scene = false;  // false: nothing was found near; approach and clearance are guesses
 };
 
 /// Places the grasped object for a hand that comes to it, at `gap` or more from the scene.
 ///
-/// Objects that overlap as given, or are nearer than the gap, are moved apart along the direction of the closest (or
-/// deepest) points, which is kept. The clearance is found by advancing back along it by the distance at hand, so it
-/// cannot miss a surface.
-/// Orientation is kept.
-/// world            tolerance > 0
-/// world_from_body  as given
-/// gap              > 0 [m]; 0: a tenth of the object's radius
-/// way_out          null, or the direction to move out along, any length > 0 [world]
-/// Thread           [offline]; allocates its own scratch. Throws InputError when the objects cannot be told apart
+/// Objects that overlap as given, or are nearer than the gap, are moved apart along the direction
+/// of the closest (or deepest) points, which is kept. The clearance is found by advancing back
+/// along it by the distance at hand, so it cannot miss a surface. Orientation is kept. world
+/// tolerance > 0 world_from_body  as given gap              > 0 [m]; 0: a tenth of the object's
+/// radius way_out          null, or the direction to move out along, any length > 0 [world] Thread
+/// [offline]; allocates its own scratch. Throws InputError when the objects cannot be told apart
 ///                  within four times their size.
 StartPlacement find_start(const ContactWorld& world, const Pose& world_from_body, double gap = 0.0,
                           const Vec3* way_out = nullptr);

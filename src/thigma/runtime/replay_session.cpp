@@ -31,14 +31,16 @@ bool same_bits(const Vec3& a, const Vec3& b) {
 
 bool same_bits(const Quat& a, const Quat& b) {
   for (int i = 0; i < 4; ++i) {
-    if (std::bit_cast<std::uint64_t>(a.coeffs()[i]) != std::bit_cast<std::uint64_t>(b.coeffs()[i])) return false;
+    if (std::bit_cast<std::uint64_t>(a.coeffs()[i]) != std::bit_cast<std::uint64_t>(b.coeffs()[i]))
+      return false;
   }
   return true;
 }
 
 bool same_bits(const BodyState& a, const BodyState& b) {
   return same_bits(a.position, b.position) && same_bits(a.orientation, b.orientation) &&
-         same_bits(a.linear_momentum, b.linear_momentum) && same_bits(a.angular_momentum, b.angular_momentum);
+         same_bits(a.linear_momentum, b.linear_momentum) &&
+         same_bits(a.angular_momentum, b.angular_momentum);
 }
 
 bool same_bits(const Wrench& a, const Wrench& b) {
@@ -46,16 +48,18 @@ bool same_bits(const Wrench& a, const Wrench& b) {
 }
 
 const ContactSample* find_model(const std::vector<ContactSample>& models, std::uint64_t sequence) {
-  const auto found = std::lower_bound(
-      models.begin(), models.end(), sequence,
-      [](const ContactSample& sample, std::uint64_t wanted) { return sample.model.sequence < wanted; });
+  const auto found = std::lower_bound(models.begin(), models.end(), sequence,
+                                      [](const ContactSample& sample, std::uint64_t wanted) {
+                                        return sample.model.sequence < wanted;
+                                      });
   return found != models.end() && found->model.sequence == sequence ? &*found : nullptr;
 }
 
 /// Why a replayed frame is not the recorded one; "" when it is.
 std::string difference(const HapticSample& recorded, const HapticSample& replayed) {
   if (recorded.frame != replayed.frame) return "frames are missing";
-  if (recorded.input_digest != 0 && recorded.input_digest != replayed.input_digest) return "device sample is not the one that was recorded";
+  if (recorded.input_digest != 0 && recorded.input_digest != replayed.input_digest)
+    return "device sample is not the one that was recorded";
   if (!same_bits(recorded.body, replayed.body)) return "body state";
   if (!same_bits(recorded.command, replayed.command)) return "device wrench";
   if (recorded.fault != replayed.fault) return "fault";
@@ -65,7 +69,8 @@ std::string difference(const HapticSample& recorded, const HapticSample& replaye
 }  // namespace
 
 ReplayReport replay_session(const HapticParams& params, const Pose& world_from_body,
-                            const std::vector<HapticSample>& samples, const std::vector<ContactSample>& models) {
+                            const std::vector<HapticSample>& samples,
+                            const std::vector<ContactSample>& models) {
   RecordedDevice device(params.device);
   const auto exchange = std::make_unique<Latest<LinearContactModel>>();
   const HapticPorts ports{&device, exchange.get(), nullptr, nullptr};
@@ -86,14 +91,15 @@ ReplayReport replay_session(const HapticParams& params, const Pose& world_from_b
         note(recorded.frame, "contact model " + std::to_string(sequence) + " is missing");
       } else {
         if (found->model_digest != 0 && found->model_digest != model_digest(found->model)) {
-          note(recorded.frame, "contact model " + std::to_string(sequence) + " is not the one that was recorded");
+          note(recorded.frame,
+               "contact model " + std::to_string(sequence) + " is not the one that was recorded");
         }
         exchange->publish(found->model);
       }
     }
     device.next = recorded.device;
-    const HapticSample replayed =
-        haptic_step(params, ports, {recorded.time, recorded.elapsed, recorded.external_fault}, state);
+    const HapticSample replayed = haptic_step(
+        params, ports, {recorded.time, recorded.elapsed, recorded.external_fault}, state);
     note(recorded.frame, difference(recorded, replayed));
     add_frame(replayed_hash, replayed.body, replayed.command);
     add_frame(recorded_hash, recorded.body, recorded.command);

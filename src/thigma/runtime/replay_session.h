@@ -13,22 +13,23 @@ namespace thigma {
 /// What replaying a recording gave.
 struct ReplayReport {
   std::uint64_t frames = 0;
-  std::uint64_t state_hash = 0;        // of the replay
-  std::uint64_t recorded_hash = 0;     // of the recorded states and wrenches
+  std::uint64_t state_hash = 0;     // of the replay
+  std::uint64_t recorded_hash = 0;  // of the recorded states and wrenches
   bool identical = false;
   std::int64_t first_difference = -1;  // frame, -1: none
   std::string reason;                  // of the first difference, "" without one
 };
 
-/// Steps through recorded device samples with the recorded models; lockstep and threaded sessions alike, as both are
-/// functions of the samples and of which model each frame used.
+/// Steps through recorded device samples with the recorded models; lockstep and threaded sessions
+/// alike, as both are functions of the samples and of which model each frame used.
 ///
 /// params           of the recorded session, with its device's limits
 /// world_from_body  of the centre of mass before frame 0
-/// samples          every haptic frame, in order from frame 0; digests of 0 (here and in models) are not compared
-/// models           every model that a frame names, in order of their sequence
+/// samples          every haptic frame, in order from frame 0; digests of 0 (here and in models)
+/// are not compared models           every model that a frame names, in order of their sequence
 /// Thread           [offline]; no failure: what is missing or damaged is a difference.
 ReplayReport replay_session(const HapticParams& params, const Pose& world_from_body,
-                            const std::vector<HapticSample>& samples, const std::vector<ContactSample>& models);
+                            const std::vector<HapticSample>& samples,
+                            const std::vector<ContactSample>& models);
 
 }  // namespace thigma

@@ -1,14 +1,14 @@
 #include "thigma/runtime/rt_thread.h"
 
-#include <pthread.h>
-#include <sched.h>
-#include <sys/mman.h>
-#include <time.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <thread>
+
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <time.h>
 
 namespace thigma {
 namespace {
@@ -45,7 +45,8 @@ RtGrant request_real_time(const RtRequest& request) {
     grant.is_pinned = error == 0;
     if (error != 0) {
       if (!grant.refused.empty()) grant.refused += "; ";
-      grant.refused += "not pinned to processor " + std::to_string(request.cpu) + " (" + std::strerror(error) + ")";
+      grant.refused += "not pinned to processor " + std::to_string(request.cpu) + " (" +
+                       std::strerror(error) + ")";
     }
   }
   return grant;

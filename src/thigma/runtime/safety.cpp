@@ -24,13 +24,20 @@ Vec3 clamped(const Vec3& v, double limit) THIGMA_RT {
 
 const char* fault_name(Fault fault) noexcept {
   switch (fault) {
-    case Fault::none: return "none";
-    case Fault::device_lost: return "device_lost";
-    case Fault::not_finite: return "not_finite";
-    case Fault::too_fast: return "too_fast";
-    case Fault::pose_jump: return "pose_jump";
-    case Fault::contact_stale: return "contact_stale";
-    case Fault::watchdog: return "watchdog";
+    case Fault::none:
+      return "none";
+    case Fault::device_lost:
+      return "device_lost";
+    case Fault::not_finite:
+      return "not_finite";
+    case Fault::too_fast:
+      return "too_fast";
+    case Fault::pose_jump:
+      return "pose_jump";
+    case Fault::contact_stale:
+      return "contact_stale";
+    case Fault::watchdog:
+      return "watchdog";
   }
   return "unknown";
 }
@@ -65,7 +72,8 @@ bool check_device(const SafetyLimits& limits, const DeviceState& device, double 
     latch_fault(safety, Fault::not_finite, now);
     return false;
   }
-  if (device.motion.twist.linear.norm() > limits.max_speed) latch_fault(safety, Fault::too_fast, now);
+  if (device.motion.twist.linear.norm() > limits.max_speed)
+    latch_fault(safety, Fault::too_fast, now);
   if (safety.has_device) {
     // A tick longer than the usual millisecond may go as far as the speed limit allows in it.
     const double reach = std::max(limits.pose_jump, limits.max_speed * elapsed);
@@ -78,7 +86,8 @@ bool check_device(const SafetyLimits& limits, const DeviceState& device, double 
   return safety.fault == Fault::none;
 }
 
-double model_weight(const SafetyLimits& limits, double age, double now, SafetyState& safety) THIGMA_RT {
+double model_weight(const SafetyLimits& limits, double age, double now,
+                    SafetyState& safety) THIGMA_RT {
   if (!(age < limits.model_stale_age)) {  // NaN counts as stale
     if (safety.is_armed) latch_fault(safety, Fault::contact_stale, now);
     return 0.0;
@@ -87,7 +96,8 @@ double model_weight(const SafetyLimits& limits, double age, double now, SafetySt
   return (limits.model_stale_age - age) / (limits.model_stale_age - limits.model_full_age);
 }
 
-void update_arming(const SafetyLimits& limits, bool is_grasped, bool is_in_contact, double now, SafetyState& safety) THIGMA_RT {
+void update_arming(const SafetyLimits& limits, bool is_grasped, bool is_in_contact, double now,
+                   SafetyState& safety) THIGMA_RT {
   if (is_in_contact) safety.contact_time = now;
   const bool is_clear = !is_in_contact && now - safety.contact_time >= limits.clear_before_arming;
   if (!is_grasped || safety.fault != Fault::none) {
@@ -100,18 +110,20 @@ void update_arming(const SafetyLimits& limits, bool is_grasped, bool is_in_conta
   safety.was_in_contact = is_in_contact;
 }
 
-Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device, const Wrench& wanted, double weight,
-                    double now, double elapsed, SafetyState& safety) THIGMA_RT {
+Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device, const Wrench& wanted,
+                    double weight, double now, double elapsed, SafetyState& safety) THIGMA_RT {
   if (!is_finite(wanted)) latch_fault(safety, Fault::not_finite, now);
   if (safety.fault != Fault::none || !safety.is_armed) {
     safety.slewed = Wrench{};
     safety.sent = Wrench{};
     return safety.sent;
   }
-  const double ramp =
-      limits.start_ramp > 0.0 ? std::clamp((now - safety.armed_time) / limits.start_ramp, 0.0, 1.0) : 1.0;
+  const double ramp = limits.start_ramp > 0.0
+                          ? std::clamp((now - safety.armed_time) / limits.start_ramp, 0.0, 1.0)
+                          : 1.0;
   const double force_limit = std::min(limits.max_force, device.max_force);
-  // A torque the device cannot give is still computed and shown: its limit of zero says nothing about it.
+  // A torque the device cannot give is still computed and shown: its limit of zero says nothing
+  // about it.
   const double torque_limit =
       device.actuates_rotation ? std::min(limits.max_torque, device.max_torque) : limits.max_torque;
   // Clamp first, then ramp: a saturated wrench ramps as well.

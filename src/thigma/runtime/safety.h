@@ -9,21 +9,24 @@
 
 namespace thigma {
 
-/// Every number of the safety layer, in device space. Constant while a session runs. docs/realtime.md lists them.
+/// Every number of the safety layer, in device space. Constant while a session runs.
+/// docs/realtime.md lists them.
 struct SafetyLimits {
-  double max_force = 1e9;             // norm; the device's own limit holds as well [N]
-  double max_torque = 1e9;            // norm; the device's own limit holds as well [N m]
-  double force_slew = 200.0;          // fastest change of the force outside contact onset [N/s]
-  double torque_slew = 6.0;           // the same for the torque: full scale in the same time [N m/s]
-  double onset_window = 0.010;        // after the first touch changes are not slowed down, so that taps stay crisp [s]
-  double start_ramp = 0.5;            // from armed to full wrench [s]
-  double clear_before_arming = 0.05;  // free of contact this long, so that bouncing is not taken for leaving [s]
-  double max_speed = 1.5;             // of the handle; faster is a fault [m/s]
-  double pose_jump = 0.005;           // of the handle in a tick; farther is a fault [m]
-  double silent_device = 0.050;       // without a new device sample: a fault [s]
-  double model_full_age = 0.025;      // a contact model up to this age counts fully [s]
-  double model_stale_age = 0.050;     // and not at all from here on, where contact_stale latches [s]
-  double watchdog = 0.020;            // without a haptic step the second thread sends zero force [s]
+  double max_force = 1e9;     // norm; the device's own limit holds as well [N]
+  double max_torque = 1e9;    // norm; the device's own limit holds as well [N m]
+  double force_slew = 200.0;  // fastest change of the force outside contact onset [N/s]
+  double torque_slew = 6.0;   // the same for the torque: full scale in the same time [N m/s]
+  double onset_window =
+      0.010;  // after the first touch changes are not slowed down, so that taps stay crisp [s]
+  double start_ramp = 0.5;  // from armed to full wrench [s]
+  double clear_before_arming =
+      0.05;  // free of contact this long, so that bouncing is not taken for leaving [s]
+  double max_speed = 1.5;          // of the handle; faster is a fault [m/s]
+  double pose_jump = 0.005;        // of the handle in a tick; farther is a fault [m]
+  double silent_device = 0.050;    // without a new device sample: a fault [s]
+  double model_full_age = 0.025;   // a contact model up to this age counts fully [s]
+  double model_stale_age = 0.050;  // and not at all from here on, where contact_stale latches [s]
+  double watchdog = 0.020;         // without a haptic step the second thread sends zero force [s]
 };
 
 enum class Fault : std::uint8_t {
@@ -41,18 +44,18 @@ const char* fault_name(Fault fault) noexcept;
 
 /// What the safety layer remembers between steps.
 struct SafetyState {
-  Fault fault = Fault::none;      // latched: the first one, until clear_fault
-  double fault_time = 0.0;        // [s; session clock]
-  bool is_armed = false;          // only then anything but zero is sent
-  double armed_time = 0.0;        // [s]
+  Fault fault = Fault::none;  // latched: the first one, until clear_fault
+  double fault_time = 0.0;    // [s; session clock]
+  bool is_armed = false;      // only then anything but zero is sent
+  double armed_time = 0.0;    // [s]
   bool was_in_contact = false;
-  double contact_time = -1e300;   // last in contact [s]
-  double onset_time = -1e300;     // of the last first touch [s]
-  Wrench slewed;                  // after ramp, clamp and slew, before fading; about the handle [device frame]
-  Wrench sent;                    // slewed times the weight of the contact model
-  bool has_device = false;        // a good sample has been seen
+  double contact_time = -1e300;  // last in contact [s]
+  double onset_time = -1e300;    // of the last first touch [s]
+  Wrench slewed;  // after ramp, clamp and slew, before fading; about the handle [device frame]
+  Wrench sent;    // slewed times the weight of the contact model
+  bool has_device = false;            // a good sample has been seen
   Vec3 last_position = Vec3::Zero();  // of the handle [m; device frame]
-  double last_time = 0.0;         // of the last new sample [s]
+  double last_time = 0.0;             // of the last new sample [s]
 };
 
 /// Latches the first fault and disarms; later ones change nothing. Thread [haptic].
@@ -69,21 +72,26 @@ void clear_fault(SafetyState& safety) THIGMA_RT;
 bool check_device(const SafetyLimits& limits, const DeviceState& device, double now, double elapsed,
                   SafetyState& safety) THIGMA_RT;
 
-/// How much a contact model of this age counts, 1 to 0; latches contact_stale where it reaches 0 while armed.
-/// The same factor multiplies the device wrench, so that a fading contact never turns into a pull. Thread [haptic].
-double model_weight(const SafetyLimits& limits, double age, double now, SafetyState& safety) THIGMA_RT;
+/// How much a contact model of this age counts, 1 to 0; latches contact_stale where it reaches 0
+/// while armed. The same factor multiplies the device wrench, so that a fading contact never turns
+/// into a pull. Thread [haptic].
+double model_weight(const SafetyLimits& limits, double age, double now,
+                    SafetyState& safety) THIGMA_RT;
 
-/// Arms when the hand holds the object and nothing has touched it for a while; disarms when it lets go. Thread [haptic].
-void update_arming(const SafetyLimits& limits, bool is_grasped, bool is_in_contact, double now, SafetyState& safety) THIGMA_RT;
+/// Arms when the hand holds the object and nothing has touched it for a while; disarms when it lets
+/// go. Thread [haptic].
+void update_arming(const SafetyLimits& limits, bool is_grasped, bool is_in_contact, double now,
+                   SafetyState& safety) THIGMA_RT;
 
-/// The wrench that may be sent: zero unless armed, ramped, weighted, clamped by norm, slowed by the slew limits.
+/// The wrench that may be sent: zero unless armed, ramped, weighted, clamped by norm, slowed by the
+/// slew limits.
 ///
 /// wanted   on the hand about the handle [N, N m; device frame]
 /// weight   of model_weight
 /// elapsed  since the last step [s]
-/// returns  axes the device does not actuate are still in it; NaN or infinity latches a fault and gives zero
-/// Thread   [haptic]
-Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device, const Wrench& wanted, double weight,
-                    double now, double elapsed, SafetyState& safety) THIGMA_RT;
+/// returns  axes the device does not actuate are still in it; NaN or infinity latches a fault and
+/// gives zero Thread   [haptic]
+Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device, const Wrench& wanted,
+                    double weight, double now, double elapsed, SafetyState& safety) THIGMA_RT;
 
 }  // namespace thigma

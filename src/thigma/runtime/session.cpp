@@ -1,5 +1,6 @@
-// The threaded session: a haptic thread that keeps time, a contact thread that does what it can, a watchdog that looks
-// after the first, and a drain that hands samples to whoever wants them. Two Latest and two rings are all they share.
+// The threaded session: a haptic thread that keeps time, a contact thread that does what it can, a
+// watchdog that looks after the first, and a drain that hands samples to whoever wants them. Two
+// Latest and two rings are all they share.
 
 #include "thigma/runtime/session.h"
 
@@ -14,7 +15,8 @@
 namespace thigma {
 namespace {
 
-/// Who may talk to the device. The haptic thread holds it during a step, the watchdog while it sends zero.
+/// Who may talk to the device. The haptic thread holds it during a step, the watchdog while it
+/// sends zero.
 class DeviceToken {
  public:
   bool try_take() noexcept { return !is_taken_.exchange(true, std::memory_order_acquire); }
@@ -150,7 +152,8 @@ void Session::Impl::run_haptic() {
     seconds = now;
     if (should_stop.load(std::memory_order_relaxed)) end = SessionEnd::stopped;
     if (k >= last || end == SessionEnd::stopped) break;
-    if (const FaultEvent* hang = active_fault(config.faults, InjectedFault::hang, now); hang != nullptr && !has_hung) {
+    if (const FaultEvent* hang = active_fault(config.faults, InjectedFault::hang, now);
+        hang != nullptr && !has_hung) {
       has_hung = true;
       sleep_ns(to_ns(hang->duration));
     }
@@ -179,7 +182,8 @@ void Session::Impl::run_haptic() {
 
 void Session::Impl::run_contact() {
   const RtGrant grant = request_real_time(config.contact_thread);
-  if (config.contact_thread.priority > 0) note(grant.refused.empty() ? "" : "contact thread: " + grant.refused);
+  if (config.contact_thread.priority > 0)
+    note(grant.refused.empty() ? "" : "contact thread: " + grant.refused);
   bool has_stalled = false;
   while (!haptic_done.load(std::memory_order_acquire)) {
     if (!bodies.fetch()) {
@@ -194,7 +198,8 @@ void Session::Impl::run_contact() {
     }
     const std::int64_t begin = monotonic_ns();
     contact_frame(at, 1e-9 * static_cast<double>(begin - epoch_ns.load(std::memory_order_acquire)));
-    // A real-time thread that never rests is put to sleep by the kernel for 50 ms each second; better a little often.
+    // A real-time thread that never rests is put to sleep by the kernel for 50 ms each second;
+    // better a little often.
     if (grant.is_fifo) sleep_ns((monotonic_ns() - begin) / 8);
   }
   contact_done.store(true, std::memory_order_release);
@@ -202,14 +207,17 @@ void Session::Impl::run_contact() {
 
 void Session::Impl::run_watchdog() {
   // Above the haptic thread: it must run when that one never gives way.
-  request_real_time({config.haptic_thread.priority > 0 ? std::min(config.haptic_thread.priority + 1, 99) : 0, -1});
+  request_real_time(
+      {config.haptic_thread.priority > 0 ? std::min(config.haptic_thread.priority + 1, 99) : 0,
+       -1});
   const std::int64_t limit = to_ns(params.safety.watchdog);
   while (!haptic_done.load(std::memory_order_acquire)) {
     sleep_ns(limit / 20);
     const std::int64_t last = last_step_ns.load(std::memory_order_acquire);
     if (last == 0 || monotonic_ns() - last <= limit) continue;
     watchdog_fired.store(true, std::memory_order_release);
-    // Stuck inside a step the haptic thread keeps the token: two threads in one driver would be worse than one.
+    // Stuck inside a step the haptic thread keeps the token: two threads in one driver would be
+    // worse than one.
     if (!token.try_take()) continue;
     if (last_step_ns.load(std::memory_order_acquire) != 0) device->write(Wrench{});
     token.give_back();
@@ -234,7 +242,8 @@ void Session::Impl::drain() {
 
 void Session::Impl::run_drain() {
   try {
-    while (!haptic_done.load(std::memory_order_acquire) || !contact_done.load(std::memory_order_acquire)) {
+    while (!haptic_done.load(std::memory_order_acquire) ||
+           !contact_done.load(std::memory_order_acquire)) {
       drain();
       sleep_ns(2'000'000);
     }

@@ -18,17 +18,18 @@ namespace thigma {
 
 /// Everything a session needs but the device. Constant while it runs; hierarchies outlive it.
 struct SessionConfig {
-  HapticParams haptic;                // haptic.device is filled in from the device
+  HapticParams haptic;  // haptic.device is filled in from the device
   ContactWorld contact;
-  Pose world_from_body;               // of the centre of mass at the start
-  double rate = 1000.0;               // of the haptic frames [Hz]
-  double duration = 0.0;              // 0: until told to stop or the device has finished [s]
+  Pose world_from_body;   // of the centre of mass at the start
+  double rate = 1000.0;   // of the haptic frames [Hz]
+  double duration = 0.0;  // 0: until told to stop or the device has finished [s]
   std::vector<FaultEvent> faults;
-  double after_fault = 0.020;         // zero force is kept up this long, then the session ends [s]
+  double after_fault = 0.020;  // zero force is kept up this long, then the session ends [s]
 
   // lockstep
-  int contact_every = 1;              // haptic frames from one contact step to the next
-  int contact_latency = 1;            // haptic frames from the state a model is taken at to its first use, >= 1
+  int contact_every = 1;  // haptic frames from one contact step to the next
+  int contact_latency =
+      1;  // haptic frames from the state a model is taken at to its first use, >= 1
 
   // threads
   RtRequest haptic_thread{80, -1};
@@ -39,15 +40,15 @@ struct SessionConfig {
 
 /// Something worth a line: a fault, grasping, arming, samples lost.
 struct SessionEvent {
-  double time = 0.0;                  // session clock [s]
+  double time = 0.0;  // session clock [s]
   std::uint64_t frame = 0;
-  std::string kind;                   // "fault", "grasped", "released", "armed", "disarmed", "finished"
-  std::string detail;                 // for "fault": its name
+  std::string kind;    // "fault", "grasped", "released", "armed", "disarmed", "finished"
+  std::string detail;  // for "fault": its name
 };
 
-/// Where samples go. Called from one thread that is not real time (lockstep: the caller's), in order of frames;
-/// every model comes before the first frame that used it. Empty ones are skipped. What a sink throws ends the session
-/// and comes out of run_lockstep or finish().
+/// Where samples go. Called from one thread that is not real time (lockstep: the caller's), in
+/// order of frames; every model comes before the first frame that used it. Empty ones are skipped.
+/// What a sink throws ends the session and comes out of run_lockstep or finish().
 struct SessionSinks {
   std::function<void(const HapticSample&)> haptic;
   std::function<void(const ContactSample&)> contact;
@@ -60,33 +61,36 @@ enum class SessionEnd : std::uint8_t { duration, device_finished, stopped, fault
 /// What a session was like: the summary of `thigma run` is made of this.
 struct SessionSummary {
   SessionEnd end = SessionEnd::duration;
-  double seconds = 0.0;               // session clock
-  double rate = 0.0;                  // asked for [Hz]
+  double seconds = 0.0;  // session clock
+  double rate = 0.0;     // asked for [Hz]
   std::uint64_t frames = 0, missed = 0;
-  DurationSummary step_cpu, wake_late;            // [s]
+  DurationSummary step_cpu, wake_late;  // [s]
   std::uint64_t contact_updates = 0;
-  DurationSummary query_cpu, contact_step_cpu;    // [s]
+  DurationSummary query_cpu, contact_step_cpu;                        // [s]
   double contacts_mean = 0.0, clusters_mean = 0.0, front_mean = 0.0;  // over updates
-  DurationSummary model_age;                      // [s]
-  double force_max = 0.0, force_rms = 0.0;        // sent; rms over frames [N]
-  double torque_max = 0.0, torque_rms = 0.0;      // felt about the handle, sent or not (device without it) [N m]
-  double penetration_max = 0.0;                   // 0: never inside [m]
-  double stretch_max = 0.0;                       // of the coupling [m]
-  double energy_min = 0.0;                        // [J]
-  std::uint64_t dropped_samples = 0;              // of either ring
+  DurationSummary model_age;                                          // [s]
+  double force_max = 0.0, force_rms = 0.0;                            // sent; rms over frames [N]
+  double torque_max = 0.0,
+         torque_rms = 0.0;       // felt about the handle, sent or not (device without it) [N m]
+  double penetration_max = 0.0;  // 0: never inside [m]
+  double stretch_max = 0.0;      // of the coupling [m]
+  double energy_min = 0.0;       // [J]
+  std::uint64_t dropped_samples = 0;  // of either ring
   std::uint64_t dropped_contacts = 0;
   std::vector<SessionEvent> safety_events;
   std::uint64_t state_hash = 0;
-  std::vector<std::string> notes;                 // what the system refused
+  std::vector<std::string> notes;  // what the system refused
 };
 
-/// Runs a session on a virtual clock in the calling thread: no sleeping, no other thread, bit-reproducible.
+/// Runs a session on a virtual clock in the calling thread: no sleeping, no other thread,
+/// bit-reproducible.
 ///
 /// config   see there; device, limits taken from `device`
 /// stop     null, or looked at every frame
 /// errors   std::invalid_argument for a rate, latency or duration that makes no sense
 /// Thread   [offline]. Ends with zero force written, whatever happens.
-SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device, const SessionSinks& sinks = {},
+SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device,
+                            const SessionSinks& sinks = {},
                             const std::atomic<bool>* stop = nullptr);
 
 /// A session on threads: haptic, contact, watchdog, and one that drains the telemetry.
@@ -100,7 +104,7 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  void start();             // throws std::invalid_argument as run_lockstep, std::system_error without threads
+  void start();  // throws std::invalid_argument as run_lockstep, std::system_error without threads
   void request_stop() noexcept;  // asynchronous; also safe from a signal handler
   bool is_running() const noexcept;
   SessionSummary finish();  // waits for the end; call once after start(); throws what a sink threw

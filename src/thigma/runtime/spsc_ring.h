@@ -12,12 +12,15 @@ namespace thigma {
 
 /// Queue of one writer and one reader. Never blocks: what does not fit is dropped and counted.
 /// Invariant: tail <= head <= tail + capacity, both only grow.
-/// Thread: construction [offline]; push from one thread [haptic]; pop from one other [haptic]; dropped from any.
+/// Thread: construction [offline]; push from one thread [haptic]; pop from one other [haptic];
+/// dropped from any.
 template <RtPayload T>
 class SpscRing {
  public:
-  /// Room for at least `capacity` values, >= 1. Touches all its memory, so that no first use faults a page in.
-  explicit SpscRing(std::size_t capacity) : slots_(power_of_two(capacity)), mask_(slots_.size() - 1) {}
+  /// Room for at least `capacity` values, >= 1. Touches all its memory, so that no first use faults
+  /// a page in.
+  explicit SpscRing(std::size_t capacity)
+      : slots_(power_of_two(capacity)), mask_(slots_.size() - 1) {}
 
   /// False, and counted, when full.
   bool push(const T& value) THIGMA_RT {
@@ -38,7 +41,9 @@ class SpscRing {
     return &slots_[tail & mask_];
   }
   /// Removes the oldest value; only after front() gave one.
-  void pop() THIGMA_RT { tail_.store(tail_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
+  void pop() THIGMA_RT {
+    tail_.store(tail_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+  }
 
   std::size_t capacity() const THIGMA_RT { return slots_.size(); }
   std::uint64_t dropped() const THIGMA_RT { return dropped_.load(std::memory_order_relaxed); }

@@ -1,5 +1,6 @@
 #pragma once
-// Running statistics of a session, kept by the threads themselves so that a full telemetry ring loses none.
+// Running statistics of a session, kept by the threads themselves so that a full telemetry ring
+// loses none.
 
 #include <cstdint>
 

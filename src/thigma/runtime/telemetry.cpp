@@ -5,14 +5,17 @@
 namespace thigma {
 
 void add_bits(StateHash& hash, std::uint64_t bits) THIGMA_RT {
-  // Every step is a bijection of the hash for given bits, so a single changed word always changes the result.
+  // Every step is a bijection of the hash for given bits, so a single changed word always changes
+  // the result.
   std::uint64_t h = (hash.value ^ bits) * 0x9e3779b97f4a7c15ull;
   h ^= h >> 29;
   h *= 0xbf58476d1ce4e5b9ull;
   hash.value = h ^ (h >> 32);
 }
 
-void add_number(StateHash& hash, double number) THIGMA_RT { add_bits(hash, std::bit_cast<std::uint64_t>(number)); }
+void add_number(StateHash& hash, double number) THIGMA_RT {
+  add_bits(hash, std::bit_cast<std::uint64_t>(number));
+}
 
 void add_vector(StateHash& hash, const Vec3& v) THIGMA_RT {
   for (int i = 0; i < 3; ++i) add_number(hash, v[i]);

@@ -1,5 +1,6 @@
 #pragma once
-// What the real-time threads tell the others: one sample a frame, plain data, through bounded rings.
+// What the real-time threads tell the others: one sample a frame, plain data, through bounded
+// rings.
 
 #include <cstdint>
 
@@ -10,51 +11,54 @@
 
 namespace thigma {
 
-/// One haptic frame. With the models it names, the device samples reproduce every other number bit for bit.
+/// One haptic frame. With the models it names, the device samples reproduce every other number bit
+/// for bit.
 struct HapticSample {
   // What went in.
-  std::uint64_t frame = 0;           // counts from 0
-  double time = 0.0;                 // `now` of the step [s; session clock]
-  double elapsed = 0.0;              // step length [s]
-  DeviceState device;                // as read [device frame]
-  std::uint64_t model_sequence = 0;  // contact model used, 0 = none yet
+  std::uint64_t frame = 0;             // counts from 0
+  double time = 0.0;                   // `now` of the step [s; session clock]
+  double elapsed = 0.0;                // step length [s]
+  DeviceState device;                  // as read [device frame]
+  std::uint64_t model_sequence = 0;    // contact model used, 0 = none yet
   Fault external_fault = Fault::none;  // told to the step from outside (watchdog)
-  std::uint64_t input_digest = 0;    // of the lines above: tells a damaged recording even where the change is lost in
-                                     // rounding
+  std::uint64_t input_digest = 0;  // of the lines above: tells a damaged recording even where the
+                                   // change is lost in rounding
   // What came out.
-  Motion handle;                     // of the device in the scene [world]
-  BodyState body;                    // at the end of the step
-  Wrench coupling;                   // on the object about its centre of mass [world]
-  Wrench contact;                    // on the object about its centre of mass [world]
-  Wrench feedback;                   // on the hand about the handle, after the limits [device frame]
-  Wrench command;                    // what was sent: feedback without the axes the device lacks [device frame]
-  double model_age = 0.0;            // infinity: no model yet [s]
-  double model_weight = 0.0;         // 1 fresh .. 0 stale
-  double penetration = 0.0;          // deepest contact of the model at the new state; -infinity: none near [m]
-  double stretch = 0.0;              // of the coupling: handle to grasp point [m; world]
-  double energy = 0.0;               // the hand has put in so far, observed at the device [J]
-  std::int32_t touching = 0;         // contact terms that push
+  Motion handle;    // of the device in the scene [world]
+  BodyState body;   // at the end of the step
+  Wrench coupling;  // on the object about its centre of mass [world]
+  Wrench contact;   // on the object about its centre of mass [world]
+  Wrench feedback;  // on the hand about the handle, after the limits [device frame]
+  Wrench command;   // what was sent: feedback without the axes the device lacks [device frame]
+  double model_age = 0.0;     // infinity: no model yet [s]
+  double model_weight = 0.0;  // 1 fresh .. 0 stale
+  double penetration =
+      0.0;               // deepest contact of the model at the new state; -infinity: none near [m]
+  double stretch = 0.0;  // of the coupling: handle to grasp point [m; world]
+  double energy = 0.0;   // the hand has put in so far, observed at the device [J]
+  std::int32_t touching = 0;  // contact terms that push
   bool is_grasped = false;
   bool is_armed = false;
-  Fault fault = Fault::none;         // latched
+  Fault fault = Fault::none;  // latched
   // Timing, not reproduced. Of the frame before, as a step cannot time itself.
-  float step_cpu = 0.0f;             // [s]
-  float wake_late = 0.0f;            // [s]
+  float step_cpu = 0.0f;   // [s]
+  float wake_late = 0.0f;  // [s]
 };
 static_assert(RtPayload<HapticSample>);
 
 /// One contact frame: the model published and how it came about.
 struct ContactSample {
-  double time = 0.0;             // of the body state it was computed for [s]
-  double published = 0.0;        // [s]
-  double query_cpu = 0.0;        // of the query alone [s]
-  double step_cpu = 0.0;         // of the whole contact step [s]
+  double time = 0.0;       // of the body state it was computed for [s]
+  double published = 0.0;  // [s]
+  double query_cpu = 0.0;  // of the query alone [s]
+  double step_cpu = 0.0;   // of the whole contact step [s]
   std::int64_t contacts = 0;
   std::int64_t dropped = 0;
   std::int64_t front = 0;
   std::int64_t tests = 0;
   std::int32_t clusters = 0;
-  double depth_max = 0.0;        // of the contacts, minus the distance when separated; means nothing without one [m]
+  double depth_max =
+      0.0;  // of the contacts, minus the distance when separated; means nothing without one [m]
   std::uint64_t model_digest = 0;  // of the model's terms, as input_digest
   LinearContactModel model;
 };
@@ -69,7 +73,8 @@ void add_number(StateHash& hash, double number) THIGMA_RT;
 void add_vector(StateHash& hash, const Vec3& v) THIGMA_RT;
 void add_quaternion(StateHash& hash, const Quat& q) THIGMA_RT;
 
-/// The frame's part of `state_hash`: the 13 state numbers and the six of the wrench sent. Thread [haptic].
+/// The frame's part of `state_hash`: the 13 state numbers and the six of the wrench sent. Thread
+/// [haptic].
 void add_frame(StateHash& hash, const BodyState& body, const Wrench& command) THIGMA_RT;
 
 /// Digest of what a haptic frame read, and of what a contact frame published. Thread [haptic].

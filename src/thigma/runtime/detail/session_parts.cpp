@@ -8,7 +8,9 @@
 namespace thigma::detail {
 
 void check_config(const SessionConfig& config) {
-  const auto refuse = [](const char* text) { throw std::invalid_argument(std::string("session: ") + text); };
+  const auto refuse = [](const char* text) {
+    throw std::invalid_argument(std::string("session: ") + text);
+  };
   if (!(config.rate >= 1.0 && config.rate <= 1e5)) refuse("rate must be 1 to 100000 Hz");
   if (!(config.duration >= 0.0 && config.duration < 1e9)) refuse("duration must be 0 s or more");
   if (!(config.after_fault >= 0.0)) refuse("after_fault must be 0 s or more");
@@ -16,7 +18,8 @@ void check_config(const SessionConfig& config) {
   if (config.contact_latency < 1) refuse("contact_latency must be 1 frame or more");
   if (!(config.haptic.body.mass > 0.0)) refuse("the body has no mass");
   if (!(config.contact.tolerance >= 0.0)) refuse("the contact tolerance must be 0 m or more");
-  if (!config.contact.scene.empty() && config.contact.object == nullptr) refuse("there is no grasped object");
+  if (!config.contact.scene.empty() && config.contact.object == nullptr)
+    refuse("there is no grasped object");
 }
 
 std::uint64_t frame_limit(const SessionConfig& config) noexcept {
@@ -46,8 +49,11 @@ void EventDetector::add(const SessionEvent& event) {
 }
 
 void EventDetector::look_at(const HapticSample& sample) {
-  const auto tell = [&](const char* kind, const char* text) { add({sample.time, sample.frame, kind, text}); };
-  if (sample.fault != last_fault_ && sample.fault != Fault::none) tell("fault", fault_name(sample.fault));
+  const auto tell = [&](const char* kind, const char* text) {
+    add({sample.time, sample.frame, kind, text});
+  };
+  if (sample.fault != last_fault_ && sample.fault != Fault::none)
+    tell("fault", fault_name(sample.fault));
   if (sample.is_grasped != was_grasped_) tell(sample.is_grasped ? "grasped" : "released", "");
   if (sample.is_armed != was_armed_) tell(sample.is_armed ? "armed" : "disarmed", "");
   last_fault_ = sample.fault;
@@ -55,8 +61,8 @@ void EventDetector::look_at(const HapticSample& sample) {
   was_armed_ = sample.is_armed;
 }
 
-SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic, const ContactTally& contact,
-                         const HapticState& state) {
+SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic,
+                         const ContactTally& contact, const HapticState& state) {
   SessionSummary s;
   s.rate = config.rate;
   s.frames = haptic.frames;

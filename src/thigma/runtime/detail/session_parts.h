@@ -16,8 +16,9 @@ void check_config(const SessionConfig& config);
 /// Frames of the whole session; practically endless without a duration.
 std::uint64_t frame_limit(const SessionConfig& config) noexcept;
 
-/// Length of the step after `frames` ticks since the last one: late steps catch up, but for at most ten ticks, as a
-/// body that has been without control for longer is better advanced too little than too far. [s]
+/// Length of the step after `frames` ticks since the last one: late steps catch up, but for at most
+/// ten ticks, as a body that has been without control for longer is better advanced too little than
+/// too far. [s]
 double step_length(const SessionConfig& config, std::uint64_t frames) noexcept;
 
 /// contact_step with its CPU time in the sample.
@@ -40,7 +41,7 @@ class EventDetector {
 };
 
 /// The summary but for how the session ended, missed ticks, rings, events and notes.
-SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic, const ContactTally& contact,
-                         const HapticState& state);
+SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic,
+                         const ContactTally& contact, const HapticState& state);
 
 }  // namespace thigma::detail
