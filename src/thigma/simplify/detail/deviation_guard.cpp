@@ -1,0 +1,56 @@
+#include "thigma/simplify/detail/deviation_guard.h"
+
+#include <numeric>
+
+#include "thigma/convex/growing_hull.h"
+
+namespace thigma::detail {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+bool is_within(const DeviationGuard& guard, const Vec3& p, std::int32_t t) {
+  const auto& v = guard.original->triangles[at(t)];
+  const auto& x = guard.original->positions;
+  return point_triangle_distance(p, x[at(v[0])], x[at(v[1])], x[at(v[2])]) <= guard.limit;
+}
+
+}  // namespace
+
+DeviationGuard build_deviation_guard(const TriangleMesh& original, double limit) {
+  DeviationGuard guard;
+  guard.original = &original;
+  guard.limit = limit;
+  std::vector<std::int32_t> all(original.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  guard.tree = build_triangle_tree(original, std::move(all));
+  guard.near.assign(original.positions.size(), 0);
+  for (std::size_t t = 0; t < original.triangles.size(); ++t)
+    for (const std::int32_t v : original.triangles[t])
+      guard.near[at(v)] = static_cast<std::int32_t>(t);
+  return guard;
+}
+
+std::int32_t find_within_limit(DeviationGuard& guard, const Vec3& p,
+                               const std::array<std::int32_t, 3>& vertices) {
+  for (const std::int32_t v : vertices)
+    if (is_within(guard, p, guard.near[at(v)])) return guard.near[at(v)];
+  const TreeBox box{p - Vec3::Constant(guard.limit), p + Vec3::Constant(guard.limit)};
+  guard.stack.assign(1, 0);
+  while (!guard.stack.empty()) {
+    const std::int32_t index = guard.stack.back();
+    guard.stack.pop_back();
+    const TreeNode& node = guard.tree.nodes[at(index)];
+    if (!node.box.overlaps(box)) continue;
+    if (node.count == 0) {
+      guard.stack.push_back(node.right);
+      guard.stack.push_back(index + 1);
+      continue;
+    }
+    for (std::int32_t i = node.first; i < node.first + node.count; ++i)
+      if (is_within(guard, p, guard.tree.order[at(i)])) return guard.tree.order[at(i)];
+  }
+  return -1;
+}
+
+}  // namespace thigma::detail

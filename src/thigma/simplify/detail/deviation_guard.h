@@ -1,0 +1,30 @@
+#pragma once
+// Is a point still near the original surface?
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "thigma/mesh/detail/triangle_tree.h"
+#include "thigma/mesh/triangle_mesh.h"
+
+namespace thigma::detail {
+
+/// The original surface, and for each vertex of the simplified one a triangle near it.
+struct DeviationGuard {
+  const TriangleMesh* original = nullptr;
+  TriangleTree tree;
+  double limit = 0.0;               // [m]
+  std::vector<std::int32_t> near;   // triangle of the original, of each vertex
+  std::vector<std::int32_t> stack;  // scratch
+};
+
+/// Keeps a pointer to the mesh; every vertex starts near one of its own triangles.
+DeviationGuard build_deviation_guard(const TriangleMesh& original, double limit);
+
+/// A triangle of the original within the limit of p, -1 for none. Looks first at the triangles
+/// near the given vertices.
+std::int32_t find_within_limit(DeviationGuard& guard, const Vec3& p,
+                               const std::array<std::int32_t, 3>& vertices);
+
+}  // namespace thigma::detail

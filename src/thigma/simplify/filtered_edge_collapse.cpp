@@ -1,0 +1,205 @@
+#include "thigma/simplify/filtered_edge_collapse.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "thigma/simplify/detail/trial.h"
+
+namespace thigma {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+using detail::EdgeStar;
+using detail::StarTriangle;
+
+/// A position never starts or relaxes farther than this many edge lengths away from the edge.
+constexpr double kReach = 2.0;
+
+/// Narrows by one condition on four points. Its slack is the height that counts as flat over the
+/// larger of the two triangles it may be read as: the trials that follow measure heights over the
+/// right one, and coplanar triangles must not fail here by their rounding.
+void narrow(UnitInterval& interval, const PatchedSurface& s, const Vec3& va, const Vec3& vc,
+            const Vec3& vd, const Vec3& v_hat, const Vec3& v_tilde) {
+  const double fixed = (vd - va).cross(vc - va).norm();
+  const double moving = (vc - va).cross(v_hat - va).norm();
+  constrain(interval, {va, vc, vd, s.flat * std::max(fixed, moving)}, v_hat, v_tilde);
+}
+
+/// The edges inside patches that the collapse changes: spokes, and edges of the ring (Fig. 3.5).
+void narrow_by_edges(UnitInterval& interval, const PatchedSurface& s, const EdgeStar& star,
+                     const std::vector<RingTriangle>& ring, const Vec3& v_hat,
+                     const Vec3& v_tilde) {
+  for (std::size_t i = 0; i < star.triangles.size() && interval.is_feasible; ++i) {
+    const StarTriangle& t = star.triangles[i];
+    if (t.beyond >= 0 && s.patch_of[at(t.beyond)] == t.patch)
+      narrow(interval, s, ring[i].b, ring[i].a, ring[i].beyond, v_hat, v_tilde);
+    if (t.following >= 0 && star.triangles[at(t.following)].patch == t.patch)
+      narrow(interval, s, ring[i].b, ring[i].a, ring[i].following, v_hat, v_tilde);
+  }
+}
+
+/// The rest of what keeps patches convex is linear in the position too: every vertex of a patch
+/// below its new triangles, and the new vertex below its old ones.
+void narrow_by_patches(UnitInterval& interval, const PatchedSurface& s,
+                       const detail::EdgeStar& star, const CollapseScratch& k, const Vec3& v_hat,
+                       const Vec3& v_tilde) {
+  const auto& x = s.mesh.positions;
+  for (std::size_t i = 0; i < star.patches.size(); ++i) {
+    bool has_vertex = false;
+    for (const StarTriangle& t : star.triangles) {
+      if (t.patch != star.patches[i]) continue;
+      has_vertex = true;
+      for (const std::int32_t v : k.patch_vertices[i])
+        if (v != star.tail && v != t.a && v != t.b)
+          narrow(interval, s, x[at(t.b)], x[at(t.a)], x[at(v)], v_hat, v_tilde);
+      if (!interval.is_feasible) return;
+    }
+    if (!has_vertex) continue;
+    for (const std::int32_t t : s.patches[at(star.patches[i])].triangles) {
+      if (k.mark[at(t)] == k.epoch || k.mark[at(t)] == -k.epoch || !has_plane(s, t)) continue;
+      const auto c = corners_of(s, t);
+      constrain(interval, {c[0], c[1], c[2], s.flat * (c[1] - c[0]).cross(c[2] - c[0]).norm()},
+                v_hat, v_tilde);
+      if (!interval.is_feasible) return;
+    }
+  }
+}
+
+Vec3 clamped(const Vec3& p, const Vec3& from, double reach) {
+  const Vec3 step = p - from;
+  const double length = step.norm();
+  return length <= reach ? p : Vec3(from + (reach / length) * step);
+}
+
+struct Starts {
+  std::array<Vec3, 3> position;
+  int count = 0;
+  bool may_move = true;  // relax from there
+};
+
+/// Where the vertex may start, best first.
+Starts choose_starts(const PatchedSurface& s, const CollapseContext& context) {
+  const EdgeStar& star = context.scratch.star;
+  const Vec3 &tail = s.mesh.positions[at(star.tail)], &head = s.mesh.positions[at(star.head)];
+  Quadric sum = context.quadric[at(star.tail)];
+  sum += context.quadric[at(star.head)];
+  Starts starts;
+  starts.may_move = !star.is_tail_on_boundary && !star.is_head_on_boundary;
+  if (starts.may_move) {
+    const Vec3 middle = 0.5 * tail + 0.5 * head;
+    const double length = (head - tail).norm();
+    starts.position[0] = clamped(minimize(sum, middle), middle, kReach * length);
+    starts.count = 1;
+  }
+  const bool head_first = star.is_head_on_boundary &&
+                          (!star.is_tail_on_boundary || evaluate(sum, head) < evaluate(sum, tail));
+  const auto add = [&](const Vec3& p) {
+    starts.position[static_cast<std::size_t>(starts.count++)] = p;
+  };
+  if (starts.may_move || star.is_tail_on_boundary == star.is_head_on_boundary) {
+    add(head_first ? head : tail);
+    add(head_first ? tail : head);
+  } else {
+    add(head_first ? head : tail);
+  }
+  return starts;
+}
+
+void commit(PatchedSurface& s, CollapseContext& context, const Vec3& p,
+            std::vector<std::int32_t>& successor) {
+  CollapseScratch& k = context.scratch;
+  const EdgeStar& star = k.star;
+  const Vec3 tail = s.mesh.positions[at(star.tail)];
+  const Vec3 edge = s.mesh.positions[at(star.head)] - tail;
+  const double share =
+      std::clamp(edge.dot(p - tail) / std::max(edge.squaredNorm(), 1e-300), 0.0, 1.0);
+  collapse_edge(s.mesh, star.halfedge, p, share);
+  context.quadric[at(star.tail)] += context.quadric[at(star.head)];
+  const std::int32_t near =
+      detail::find_within_limit(context.guard, p, {star.tail, star.head, star.tail});
+  if (near >= 0) context.guard.near[at(star.tail)] = near;
+  for (const StarTriangle& t : star.triangles) refresh_triangle(s, t.triangle);
+  for (const std::int32_t t : star.removed) {
+    if (t < 0) continue;
+    std::erase(s.patches[at(s.patch_of[at(t)])].triangles, t);
+    s.patch_of[at(t)] = -1;
+  }
+  const bool are_current = k.has_all_hulls && k.hulls_at == p;
+  for (std::size_t i = 0; i < star.patches.size(); ++i) {
+    const std::int32_t patch = star.patches[i];
+    if (s.patches[at(patch)].triangles.empty()) {
+      s.patches[at(patch)] = {};
+      s.tree.remove(patch);
+      successor[at(patch)] = star.triangles[0].patch;
+      --s.patch_count;
+      continue;
+    }
+    if (!are_current)
+      list_patch_half_spaces(s, k.patch_vertices[i], k.hull, k.half_spaces[i], k.patch_box[i]);
+    set_patch(s, patch, k.patch_vertices[i], k.half_spaces[i], k.patch_box[i]);
+  }
+}
+
+}  // namespace
+
+std::vector<Quadric> vertex_quadrics(const PatchedSurface& s) {
+  std::vector<Quadric> quadrics(s.mesh.positions.size());
+  for (std::size_t t = 0; t < s.mesh.triangles.size(); ++t) {
+    const auto c = corners_of(s, static_cast<std::int32_t>(t));
+    const Vec3& normal = s.normal[t];
+    const double area = 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm();
+    const Quadric q = plane_quadric(normal, c[0], area);
+    for (const std::int32_t v : s.mesh.triangles[t]) quadrics[at(v)] += q;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (s.mesh.twin[3 * t + k] >= 0) continue;
+      const Vec3 edge = c[(k + 1) % 3] - c[k];
+      const Vec3 upright = edge.cross(normal);
+      if (!(upright.squaredNorm() > 0.0)) continue;
+      const Quadric rim = plane_quadric(upright.normalized(), c[k], edge.squaredNorm());
+      quadrics[at(s.mesh.triangles[t][k])] += rim;
+      quadrics[at(s.mesh.triangles[t][(k + 1) % 3])] += rim;
+    }
+  }
+  return quadrics;
+}
+
+CollapseOutcome filtered_edge_collapse(PatchedSurface& s, CollapseContext& context,
+                                       std::int32_t halfedge,
+                                       std::vector<std::int32_t>& successor) {
+  if (!can_collapse(s.mesh, halfedge)) return CollapseOutcome::topology;
+  CollapseScratch& k = context.scratch;
+  detail::gather_star(s, halfedge, k.star);
+  detail::list_ring(s, k.star, k.ring);
+  const Starts starts = choose_starts(s, context);
+  const double reach =
+      kReach * (s.mesh.positions[at(k.star.head)] - s.mesh.positions[at(k.star.tail)]).norm();
+  bool has_begun = false;
+  CollapseOutcome reason = CollapseOutcome::convexity;
+  for (int i = 0; i < starts.count; ++i) {
+    const Vec3& v_hat = starts.position[static_cast<std::size_t>(i)];
+    Vec3 v_tilde = v_hat;
+    if (starts.may_move && context.params.is_relaxed)
+      v_tilde = clamped(relax(v_hat, k.ring), v_hat, reach);
+    UnitInterval interval;
+    narrow_by_edges(interval, s, k.star, k.ring, v_hat, v_tilde);
+    if (!interval.is_feasible) continue;
+    if (!has_begun) detail::begin_trials(s, context);
+    has_begun = true;
+    narrow_by_patches(interval, s, k.star, k, v_hat, v_tilde);
+    if (!interval.is_feasible) continue;
+    if (v_tilde == v_hat) interval.low = interval.high;
+    const BisectionResult found =
+        bisect(interval.low, interval.high, context.params.bisections,
+               [&](double u) { return detail::try_position(s, context, mix(u, v_hat, v_tilde)); });
+    if (!found.is_accepted) {
+      reason = k.reason;
+      continue;
+    }
+    commit(s, context, mix(found.u, v_hat, v_tilde), successor);
+    return CollapseOutcome::collapsed;
+  }
+  return reason;
+}
+
+}  // namespace thigma

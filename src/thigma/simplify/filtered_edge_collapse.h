@@ -1,0 +1,83 @@
+#pragma once
+// The atomic operation of sensation preserving simplification (Sec. 3.3.4).
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "thigma/simplify/convexity.h"
+#include "thigma/simplify/detail/deviation_guard.h"
+#include "thigma/simplify/detail/edge_star.h"
+#include "thigma/simplify/patched_surface.h"
+#include "thigma/simplify/quadric.h"
+
+namespace thigma {
+
+/// Why an edge stayed, in the order in which it is asked.
+enum class CollapseOutcome : std::uint8_t {
+  collapsed,
+  topology,      // the surface would change its kind
+  convexity,     // no position keeps the patches convex
+  quality,       // a triangle would turn over or become a sliver
+  deviation,     // too far from the original surface
+  intersection,  // the surface would cross itself
+  protrusion,    // a hull would be entered
+};
+inline constexpr std::size_t kCollapseOutcomes = 7;
+
+struct CollapseParams {
+  int bisections = 3;           // K
+  double least_quality = 0.02;  // of a new triangle: 4 sqrt(3) area / sum of squared edges, 1 when
+                                // equilateral; where the worst of the old ones is below, that
+  double free_to_turn = 2e-3;   // a triangle of less quality may turn over
+  bool is_relaxed = true;       // step 3
+};
+
+/// Scratch of one attempt, reused so that attempts do not allocate.
+struct CollapseScratch {
+  detail::EdgeStar star;
+  std::vector<RingTriangle> ring;
+  std::vector<Vec3> new_normal;  // of the triangles of the star, at the position on trial
+  std::vector<double> new_height, old_quality;
+  std::vector<detail::TreeBox> new_box;
+  std::vector<std::vector<std::int32_t>> patch_vertices;  // of the patches of the star, afterwards
+  std::vector<std::vector<HalfSpace>> half_spaces;
+  std::vector<detail::TreeBox> patch_box;
+  std::vector<std::int32_t> mark;  // of each triangle: epoch when in the star, -epoch when removed
+  std::vector<std::int32_t> patch_mark;  // of each patch: epoch when it is of the star
+  std::int32_t epoch = 0;
+  GrowingHull hull;
+  Vec3 hulls_at = Vec3::Zero();  // position of the vertex for which half_spaces are
+  bool has_all_hulls = false;
+  int old_crossings = -1, old_folds = -1;  // of the star before, -1 not yet counted
+  double worst_old_quality = 0.0;
+  CollapseOutcome reason = CollapseOutcome::collapsed;  // of the last refusal
+};
+
+/// What the operation works on beside the surface.
+struct CollapseContext {
+  CollapseParams params;
+  std::vector<Quadric> quadric;  // of each vertex
+  detail::DeviationGuard guard;
+  CollapseScratch scratch;
+};
+
+/// Quadrics of the triangles around each vertex, weighted by area; along a boundary also of planes
+/// that stand upright on it. Thread [offline].
+std::vector<Quadric> vertex_quadrics(const PatchedSurface& s);
+
+/// Tries to collapse an edge; a refused attempt leaves everything as it was.
+///
+/// The start is the point of least quadric error; where no position near it keeps the patches
+/// convex, the ends of the edge. On a boundary the vertex stays at an end that is on it. The
+/// vertex then moves towards the relaxed position as far as the convexity of its patches allows,
+/// and back until no triangle becomes a sliver or turns over, the surface stays near the original,
+/// crosses itself no more than before, and no hull is entered.
+///
+/// successor  of each patch: entries of patches that vanish are set to a patch beside them
+/// returns    collapsed, or the last reason; after a collapse context.scratch.star is what it was
+/// Thread     [offline]; deterministic. Source Sec. 3.3.4, Eqs. 3.2-3.4.
+CollapseOutcome filtered_edge_collapse(PatchedSurface& s, CollapseContext& context,
+                                       std::int32_t halfedge, std::vector<std::int32_t>& successor);
+
+}  // namespace thigma

@@ -1,0 +1,204 @@
+// Deviates from Algorithm 3.3.1 where the text leaves the decision open: when to stop, and what
+// becomes of patches that vanish.
+
+#include "thigma/simplify/simplify_surface.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+#include "thigma/simplify/resolution.h"
+
+namespace thigma {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// An edge that may be tried. Stale once either end has changed since.
+struct Candidate {
+  double length;
+  std::int32_t a, b;
+  std::int32_t version;  // sum of the versions of its ends
+  bool operator>(const Candidate& other) const {
+    if (length != other.length) return length > other.length;
+    return a != other.a ? a > other.a : b > other.b;
+  }
+};
+
+struct Loop {
+  PatchedSurface surface;
+  CollapseContext context;
+  const SimplifyParams& params;
+  Simplification result;
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue = {};
+  std::vector<std::int32_t> version = {};     // of each vertex; only ever grows
+  std::vector<Vec3> vertex_normal = {};       // sum of the unit normals around it
+  std::vector<std::int32_t> successor = {};   // of each patch: itself while it lives
+  std::vector<std::int32_t> last_level = {};  // patches of the level kept last, by their number now
+  std::vector<std::array<double, 2>> support = {};
+  double longest = 0.0;  // projected edge collapsed so far [m]
+};
+
+std::int32_t find_live(std::vector<std::int32_t>& successor, std::int32_t patch) {
+  while (successor[at(patch)] != patch) {
+    std::int32_t& up = successor[at(patch)];
+    up = successor[at(up)];
+    patch = up;
+  }
+  return patch;
+}
+
+void update_normal(Loop& loop, std::int32_t v) {
+  Vec3 sum = Vec3::Zero();
+  visit_fan(loop.surface.mesh, v, [&](std::int32_t h) { sum += loop.surface.normal[at(h / 3)]; });
+  loop.vertex_normal[at(v)] = sum;
+}
+
+void push(Loop& loop, std::int32_t a, std::int32_t b) {
+  const auto& m = loop.surface.mesh;
+  if (m.is_locked[at(a)] || m.is_locked[at(b)]) return;
+  const double length = projected_length(m.positions[at(b)] - m.positions[at(a)],
+                                         loop.vertex_normal[at(a)] + loop.vertex_normal[at(b)]);
+  if (length > loop.params.longest_edge * loop.surface.radius) return;
+  loop.queue.push(
+      {length, std::min(a, b), std::max(a, b), loop.version[at(a)] + loop.version[at(b)]});
+}
+
+void push_all(Loop& loop) {
+  const auto& m = loop.surface.mesh;
+  for (std::int32_t h = 0; h < static_cast<std::int32_t>(m.twin.size()); ++h)
+    if (m.twin[at(h)] < h) push(loop, tail_of(m, h), head_of(m, h));
+}
+
+/// Resolutions around the new vertex have changed, and edges refused before may now be taken: all
+/// edges of its ring's vertices are new candidates.
+void renew_candidates(Loop& loop, std::int32_t v) {
+  const auto& m = loop.surface.mesh;
+  std::vector<std::int32_t> ring;
+  visit_fan(m, v, [&](std::int32_t h) {
+    ring.push_back(head_of(m, h));
+    const std::int32_t last = previous_halfedge(h);
+    if (m.twin[at(last)] < 0) ring.push_back(tail_of(m, last));
+  });
+  update_normal(loop, v);
+  ++loop.version[at(v)];
+  for (const std::int32_t w : ring) {
+    update_normal(loop, w);
+    ++loop.version[at(w)];
+  }
+  const auto push_around = [&](std::int32_t w) {
+    visit_fan(m, w, [&](std::int32_t h) {
+      push(loop, w, head_of(m, h));
+      const std::int32_t last = previous_halfedge(h);
+      if (m.twin[at(last)] < 0) push(loop, w, tail_of(m, last));
+    });
+  };
+  for (const std::int32_t w : ring) push_around(w);
+}
+
+void keep_level(Loop& loop) {
+  const PatchedSurface& s = loop.surface;
+  std::vector<std::int32_t> place(s.patches.size(), -1), live;
+  for (std::size_t i = 0; i < s.patches.size(); ++i) {
+    if (s.patches[i].triangles.empty()) continue;
+    place[i] = static_cast<std::int32_t>(live.size());
+    live.push_back(static_cast<std::int32_t>(i));
+  }
+  auto& before = loop.result.levels.back();
+  for (const std::int32_t patch : loop.last_level)
+    before.parent.push_back(place[at(find_live(loop.successor, patch))]);
+  CompactMesh small = compact(s.mesh);
+  SimplifiedLevel level;
+  level.mesh = std::move(small.mesh);
+  level.attributes = std::move(small.attributes);
+  for (const std::int32_t t : small.triangles)
+    level.patch_of_triangle.push_back(place[at(s.patch_of[at(t)])]);
+  if (!loop.support.empty())
+    for (const std::int32_t v : small.vertices) level.support.push_back(loop.support[at(v)]);
+  level.patch_count = static_cast<std::int32_t>(live.size());
+  level.resolution = edge_resolution(Vec3(loop.longest, 0, 0), Vec3::Zero(), Vec3::Zero());
+  loop.result.levels.push_back(std::move(level));
+  loop.last_level = std::move(live);
+}
+
+void attempt(Loop& loop, const Candidate& candidate) {
+  PatchedSurface& s = loop.surface;
+  const std::int32_t halfedge = find_halfedge(s.mesh, candidate.a, candidate.b);
+  if (halfedge < 0) return;
+  const std::int32_t patches = s.patch_count;
+  const CollapseOutcome outcome = filtered_edge_collapse(s, loop.context, halfedge, loop.successor);
+  ++loop.result.outcomes[static_cast<std::size_t>(outcome)];
+  if (outcome != CollapseOutcome::collapsed) return;
+  loop.longest = std::max(loop.longest, candidate.length);
+  loop.result.vanished += patches - s.patch_count;
+  const detail::EdgeStar& star = loop.context.scratch.star;
+  if (!loop.support.empty()) {
+    auto& kept = loop.support[at(star.tail)];
+    const auto& gone = loop.support[at(star.head)];
+    kept = {std::min(kept[0], gone[0]), std::min(kept[1], gone[1])};
+  }
+  ++loop.version[at(star.head)];
+  renew_candidates(loop, star.tail);
+  for (const std::int32_t patch : star.patches)
+    if (!s.patches[at(patch)].triangles.empty())
+      loop.result.merges += merge_patch(s, patch, loop.context.scratch.hull, loop.successor);
+}
+
+SimplifiedLevel first_level(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
+                            const std::vector<std::array<double, 2>>& support,
+                            const CornerAttributes& attributes) {
+  SimplifiedLevel level;
+  level.mesh = mesh;
+  level.patch_of_triangle = decomposition.patch_of_triangle;
+  level.patch_count = static_cast<std::int32_t>(decomposition.patches.size());
+  level.resolution = std::numeric_limits<double>::infinity();
+  level.support = support;
+  level.attributes = attributes;
+  return level;
+}
+
+}  // namespace
+
+Simplification simplify_surface(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
+                                const SimplifyParams& params,
+                                std::vector<std::array<double, 2>> support,
+                                CornerAttributes attributes) {
+  Loop loop{build_patched_surface(mesh, decomposition, params.convexity_tolerance,
+                                  params.protrusion_tolerance, attributes),
+            {},
+            params,
+            {}};
+  PatchedSurface& s = loop.surface;
+  loop.result.levels.push_back(first_level(mesh, decomposition, support, attributes));
+  loop.result.convexity_tolerance = s.flat;
+  loop.result.protrusion_tolerance = s.inset;
+  loop.context.params = params.collapse;
+  loop.context.quadric = vertex_quadrics(s);
+  loop.context.guard = detail::build_deviation_guard(mesh, params.deviation_limit * s.radius);
+  loop.support = std::move(support);
+  loop.version.assign(mesh.positions.size(), 0);
+  loop.vertex_normal.resize(mesh.positions.size());
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    if (s.mesh.outgoing[v] >= 0) update_normal(loop, static_cast<std::int32_t>(v));
+  for (std::size_t i = 0; i < s.patches.size(); ++i)
+    loop.successor.push_back(static_cast<std::int32_t>(i));
+  loop.last_level.assign(loop.successor.begin(),
+                         loop.successor.begin() + loop.result.levels[0].patch_count);
+  push_all(loop);
+  std::int32_t kept = s.patch_count, first = s.patch_count;
+  while (!loop.queue.empty()) {
+    const Candidate candidate = loop.queue.top();
+    loop.queue.pop();
+    if (candidate.version != loop.version[at(candidate.a)] + loop.version[at(candidate.b)])
+      continue;
+    attempt(loop, candidate);
+    if (2 * s.patch_count > kept) continue;
+    keep_level(loop);
+    kept = s.patch_count;
+    if (params.progress) params.progress(1.0 - static_cast<double>(kept) / first);
+  }
+  if (s.patch_count <= params.last_level * kept) keep_level(loop);
+  return std::move(loop.result);
+}
+
+}  // namespace thigma
