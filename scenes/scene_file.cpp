@@ -129,6 +129,7 @@ void read_safety(TomlTable table, SafetyLimits& safety) {
   read("torque_slew", safety.torque_slew);
   read("onset_window", safety.onset_window);
   read("start_ramp", safety.start_ramp);
+  read("clear_before_arming", safety.clear_before_arming);
   read("max_speed", safety.max_speed);
   read("pose_jump", safety.pose_jump);
   read("silent_device", safety.silent_device);
