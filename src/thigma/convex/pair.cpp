@@ -10,9 +10,12 @@
 #include <bit>
 #include <cmath>
 
-#include "thigma/convex/detail/feature_certificate.h"
+#include "thigma/convex/detail/confirm_pairs.h"
+#include "thigma/convex/detail/lanes_sse2.h"
+#include "thigma/convex/detail/pair_batch.h"
 #include "thigma/convex/detail/simplex.h"
 #include "thigma/convex/detail/support.h"
+#include "thigma/convex/detail/support_candidates.h"
 
 namespace thigma {
 namespace {
@@ -58,34 +61,39 @@ bool holds(const Simplex& s, int ia, int ib) {
   return false;
 }
 
-// Whether the simplex is known to hold its own support point: no other vertex of either hull can
-// support along v, and the vertices that do combine to points of the simplex (or, edge against
-// edge, to the fourth corner of the parallelogram of which it has three). The usual end of a warm
-// call, at half the price of a search in double.
-inline bool is_certified(const HullView& a, const HullView& b, const std::uint8_t* ia,
-                         const std::uint8_t* ib, int n, const Vec3& v, const Vec3& v_b) {
-  std::uint32_t feature_a = 0, feature_b = 0;
-  for (int i = 0; i < n; ++i) {
-    feature_a |= 1u << ia[i];
-    feature_b |= 1u << ib[i];
+// Vertices of the simplex, as masks.
+struct Feature {
+  std::uint32_t a = 0, b = 0;
+};
+
+Feature feature_of(const Simplex& s) {
+  Feature f;
+  for (int i = 0; i < s.n; ++i) {
+    f.a |= 1u << s.a[i];
+    f.b |= 1u << s.b[i];
   }
-  const bool one_a = (feature_a & (feature_a - 1)) == 0, one_b = (feature_b & (feature_b - 1)) == 0;
-  const bool edges = n == 3 && std::popcount(feature_a) == 2 && std::popcount(feature_b) == 2;
-  if (!one_a && !one_b && !edges) return false;
-  return detail::feature_supports(a, feature_a, ia[0], -v) &&
-         detail::feature_supports(b, feature_b, ib[0], v_b);
+  return f;
+}
+
+// Whether vertices of the feature combine to points of the simplex only (or, edge against edge, to
+// the fourth corner of the parallelogram of which it has three): then the simplex holds its own
+// support point if no vertex outside the feature supports.
+bool is_provable(const Simplex& s, const Feature& f) {
+  const int count_a = std::popcount(f.a), count_b = std::popcount(f.b);
+  return s.n <= 3 && (count_a == 1 || count_b == 1 || (s.n == 3 && count_a == 2 && count_b == 2));
 }
 
 void finish(const HullView& a, const Simplex& s, const Vec3& v, Separation& out, GjkCache& cache) {
+  const Feature f = feature_of(s);
   cache.count = static_cast<std::uint8_t>(s.n);
+  cache.provable = is_provable(s, f) ? cache.count : 0;
+  out.feature_a = f.a;
+  out.feature_b = f.b;
   out.witness_a = Vec3::Zero();
-  out.feature_a = out.feature_b = 0;
   for (int i = 0; i < s.n; ++i) {
     cache.a[i] = s.a[i];
     cache.b[i] = s.b[i];
     out.witness_a += s.weight[i] * a.vertices[s.a[i]];
-    out.feature_a |= 1u << s.a[i];
-    out.feature_b |= 1u << s.b[i];
   }
   out.witness_b = out.witness_a - v;
 }
@@ -94,39 +102,6 @@ void finish(const HullView& a, const Simplex& s, const Vec3& v, Separation& out,
 double rounding_noise(const HullView& a, const HullView& b, const RelativePose& x) {
   return 0x1.0p-51 * (a.center.lpNorm<1>() + b.center.lpNorm<1>() + x.translation.lpNorm<1>() +
                       a.radius + b.radius);
-}
-
-// The first turn of the search when the cached simplex of N points still is the answer: the same
-// arithmetic as the loop, unrolled. False, and nothing changed but `out`, when it is not, and the
-// search has to begin.
-template <int N>
-inline bool confirm_cached(const HullView& a, const HullView& b, const RelativePose& x,
-                           const GjkCache& cache, Separation& out) {
-  Vec3 w[N];
-  for (int i = 0; i < N; ++i) {
-    if (cache.a[i] >= a.vertex_count || cache.b[i] >= b.vertex_count) return false;
-    w[i] = a.vertices[cache.a[i]] - (x.rotation * b.vertices[cache.b[i]] + x.translation);
-  }
-  int mask = 1;
-  double weight[3] = {1.0, 0.0, 0.0};
-  Vec3 v = w[0];
-  if constexpr (N == 2) v = detail::nearest_on_segment(w[0], w[1], mask, weight);
-  if constexpr (N == 3) v = detail::nearest_on_triangle(w[0], w[1], w[2], mask, weight);
-  const double vv = v.squaredNorm(), noise = rounding_noise(a, b, x);
-  if (mask != (1 << N) - 1 || vv <= noise * noise) return false;
-  if (!is_certified(a, b, cache.a, cache.b, N, v, x.rotation.transpose() * v)) return false;
-  out.status = PairStatus::separated;
-  out.distance = std::sqrt(vv);
-  out.iterations = 1;
-  out.feature_a = out.feature_b = 0;
-  out.witness_a = Vec3::Zero();
-  for (int i = 0; i < N; ++i) {
-    out.witness_a += weight[i] * a.vertices[cache.a[i]];
-    out.feature_a |= 1u << cache.a[i];
-    out.feature_b |= 1u << cache.b[i];
-  }
-  out.witness_b = out.witness_a - v;
-  return true;
 }
 
 }  // namespace
@@ -138,82 +113,105 @@ RelativePose relative_pose(const Pose& world_from_a, const Pose& world_from_b) n
 
 namespace {
 
-inline bool confirm(const HullView& a, const HullView& b, const RelativePose& x,
-                    const GjkCache& cache, Separation& out) {
-  switch (cache.count) {
+// What the search carries from turn to turn.
+struct Turn {
+  Simplex simplex;
+  Vec3 v = Vec3::Zero();  // nearest point of the simplex to the origin
+  double vv = -1.0;       // its square, negative before the first turn
+};
+
+struct Limits {
+  double size = 0.0;    // of the pair [m]
+  double noise2 = 0.0;  // square of the distance below which the sign means nothing [m^2]
+  double stop2 = 0.0;   // square of the distance at which the caller knows enough [m^2]
+};
+
+enum class Verdict : std::uint8_t { goes_on, optimal, stalled, overlapping, far_enough };
+
+// One turn: nearest point, proofs that it is the answer, else the support point as a candidate
+// (already in turn.simplex.w[n], not counted). gap is upper minus lower bound, times v's length.
+Verdict take_turn(const HullView& a, const HullView& b, const RelativePose& x, const Limits& limits,
+                  const Turn& previous, Turn& turn, double& vw, double& gap) {
+  Simplex& s = turn.simplex;
+  turn.v = detail::reduce_to_nearest(s);
+  turn.vv = turn.v.squaredNorm();
+  if (s.n == 4 || turn.vv <= limits.noise2) return Verdict::overlapping;
+  if (previous.vv >= 0.0 && !(turn.vv < previous.vv)) {  // rounding: the new point brought nothing
+    turn = previous;
+    return Verdict::stalled;
+  }
+  const double vv = turn.vv;
+  const Vec3 v_b = x.rotation.transpose() * turn.v;
+  const Feature f = feature_of(s);
+  const std::uint32_t maybe_a = detail::support_candidates(a, s.a[0], -turn.v);
+  const std::uint32_t maybe_b = detail::support_candidates(b, s.b[0], v_b);
+  if (((maybe_a & ~f.a) | (maybe_b & ~f.b)) == 0 && is_provable(s, f)) return Verdict::optimal;
+  const int ia = detail::support_vertex_among(a, maybe_a, -turn.v);
+  const int ib = detail::support_vertex_among(b, maybe_b, v_b);
+  const int k = s.n;
+  set_point(a, b, x, ia, ib, k, s);
+  vw = turn.v.dot(s.w[k]);
+  gap = vv - vw;
+  if (vw > 0.0 && vw * vw > limits.stop2 * vv) return Verdict::far_enough;
+  if (gap <= 0.0 ||
+      gap * gap <= kRelativeGap * kRelativeGap * vv * std::max(vv, limits.size * limits.size))
+    return Verdict::optimal;
+  return holds(s, ia, ib) ? Verdict::optimal : Verdict::goes_on;
+}
+
+}  // namespace
+
+namespace detail {
+
+Separation search_closest_points(const HullView& a, const HullView& b, const RelativePose& x,
+                                 double stop, GjkCache& cache) noexcept {
+  Separation out;
+  const double noise = rounding_noise(a, b, x);
+  const Limits limits{a.radius + b.radius, noise * noise, stop > 0.0 ? stop * stop : 0.0};
+  Turn turn, previous;
+  start(a, b, x, cache, turn.simplex);
+  double vw = 0.0, gap = 0.0, lower = 0.0;
+  Verdict verdict = Verdict::goes_on;
+  for (out.iterations = 1;; ++out.iterations) {
+    verdict = take_turn(a, b, x, limits, previous, turn, vw, gap);
+    if (verdict == Verdict::goes_on && out.iterations >= kMaxIterations) verdict = Verdict::stalled;
+    if (verdict != Verdict::goes_on) break;
+    if (vw > 0.0) lower = std::max(lower, vw / std::sqrt(turn.vv));
+    previous = turn;
+    ++turn.simplex.n;
+  }
+  finish(a, turn.simplex, turn.v, out, cache);
+  const double distance = std::sqrt(turn.vv);
+  const bool open =
+      verdict == Verdict::stalled && gap > kStalledGap * distance * std::max(distance, limits.size);
+  out.status = open ? PairStatus::gave_up : PairStatus::separated;
+  out.distance = open ? lower : distance;
+  if (verdict == Verdict::overlapping) {
+    out.status = PairStatus::overlapping;
+    out.distance = 0.0;
+  }
+  if (verdict == Verdict::far_enough && gap > kRelativeGap * turn.vv) out.distance = vw / distance;
+  return out;
+}
+
+}  // namespace detail
+
+namespace {
+
+inline bool confirm(const PairQuery& q, const detail::PlainPose& x, Separation& out) {
+  using detail::ScalarLanes;
+  const PairQuery* const query[1] = {&q};
+  Separation* const to[1] = {&out};
+  switch (detail::confirmable<ScalarLanes>(q)) {
     case 1:
-      return confirm_cached<1>(a, b, x, cache, out);
+      return detail::confirm_pairs<ScalarLanes, 1>(query, x, to) != 0;
     case 2:
-      return confirm_cached<2>(a, b, x, cache, out);
+      return detail::confirm_pairs<ScalarLanes, 2>(query, x, to) != 0;
     case 3:
-      return confirm_cached<3>(a, b, x, cache, out);
+      return detail::confirm_pairs<ScalarLanes, 3>(query, x, to) != 0;
     default:
       return false;
   }
-}
-
-Separation search(const HullView& a, const HullView& b, const RelativePose& x, double stop,
-                  GjkCache& cache) noexcept {
-  Separation out;
-  Simplex s;
-  start(a, b, x, cache, s);
-  const double size = a.radius + b.radius;
-  const double noise = rounding_noise(a, b, x);
-  const double stop2 = stop > 0.0 ? stop * stop : 0.0;
-  Simplex previous;
-  Vec3 v, v_previous = Vec3::Zero();
-  double vv = 0.0, vv_previous = -1.0, gap = 0.0, lower = 0.0;
-  bool stalled = false;
-  for (out.iterations = 1;; ++out.iterations) {
-    v = detail::reduce_to_nearest(s);
-    vv = v.squaredNorm();
-    if (s.n == 4 || vv <= noise * noise) {
-      out.status = PairStatus::overlapping;
-      out.distance = 0.0;
-      finish(a, s, v, out, cache);
-      return out;
-    }
-    if (vv_previous >= 0.0 && !(vv < vv_previous)) {  // rounding: the new point brought nothing
-      s = previous;
-      v = v_previous;
-      vv = vv_previous;
-      stalled = true;
-      break;
-    }
-    const Vec3 v_b = x.rotation.transpose() * v;
-    if (is_certified(a, b, s.a, s.b, s.n, v, v_b)) break;
-    const int ia = detail::support_vertex(a, -v);
-    const int ib = detail::support_vertex(b, v_b);
-    const int k = s.n;
-    set_point(a, b, x, ia, ib, k, s);  // w[k] is read below; s.n counts it only if it is kept
-    const double vw = v.dot(s.w[k]);
-    gap = vv - vw;
-    if (vw > 0.0 && vw * vw > stop2 * vv) {
-      out.status = PairStatus::separated;
-      out.distance = vw / std::sqrt(vv);
-      finish(a, s, v, out, cache);
-      if (gap <= kRelativeGap * vv) out.distance = std::sqrt(vv);
-      return out;
-    }
-    if (gap <= 0.0 || gap * gap <= kRelativeGap * kRelativeGap * vv * std::max(vv, size * size))
-      break;
-    if (holds(s, ia, ib)) break;
-    if (out.iterations >= kMaxIterations) {
-      stalled = true;
-      break;
-    }
-    if (vw > 0.0) lower = std::max(lower, vw / std::sqrt(vv));
-    previous = s;
-    v_previous = v;
-    vv_previous = vv;
-    ++s.n;
-  }
-  finish(a, s, v, out, cache);
-  const double distance = std::sqrt(vv);
-  const bool open = stalled && gap > kStalledGap * distance * std::max(distance, size);
-  out.status = open ? PairStatus::gave_up : PairStatus::separated;
-  out.distance = open ? lower : distance;
-  return out;
 }
 
 }  // namespace
@@ -221,16 +219,9 @@ Separation search(const HullView& a, const HullView& b, const RelativePose& x, d
 Separation closest_points(const HullView& a, const HullView& b, const RelativePose& x, double stop,
                           GjkCache& cache) noexcept {
   Separation out;
-  return confirm(a, b, x, cache, out) ? out : search(a, b, x, stop, cache);
-}
-
-void closest_points_batch(std::span<const PairQuery> queries, const RelativePose& a_from_b,
-                          double stop, Separation* out) noexcept {
-  const RelativePose x = a_from_b;  // a copy that nothing written below can alias
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    const PairQuery& q = queries[i];
-    if (!confirm(*q.a, *q.b, x, *q.cache, out[i])) out[i] = search(*q.a, *q.b, x, stop, *q.cache);
-  }
+  const detail::PlainPose plain{x.rotation.data(), x.translation.data(), x.translation.lpNorm<1>()};
+  if (confirm({&a, &b, &cache}, plain, out)) return out;
+  return detail::search_closest_points(a, b, x, stop, cache);
 }
 
 }  // namespace thigma

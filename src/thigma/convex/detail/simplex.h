@@ -11,9 +11,10 @@ namespace thigma::detail {
 /// Points of a Minkowski difference with the vertices they come from, and the weights of the
 /// nearest point.
 struct Simplex {
-  Vec3 w[5];  // one more than is ever kept: the candidate
+  // One more than is ever kept: the candidate.
+  Vec3 w[5] = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   double weight[4] = {1.0, 0.0, 0.0, 0.0};
-  std::uint8_t a[5], b[5];
+  std::uint8_t a[5] = {0, 0, 0, 0, 0}, b[5] = {0, 0, 0, 0, 0};
   int n = 0;
 };
 
