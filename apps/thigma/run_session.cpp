@@ -5,8 +5,10 @@
 #include "scenes/scene_file.h"
 
 #include "thigma/clod/build_hierarchy.h"
+#include "thigma/core/error.h"
 #include "thigma/device/open_device.h"
 #include "thigma/device/replay.h"
+#include "thigma/runtime/config_json.h"
 #include "thigma/runtime/recording.h"
 
 namespace thigma::app {
@@ -66,7 +68,11 @@ std::unique_ptr<HapticDevice> open_recorded(const std::string& path) {
   std::vector<DeviceState> samples;
   samples.reserve(recording.frames.size());
   for (const HapticSample& frame : recording.frames) samples.push_back(frame.device);
-  return make_replay_device(std::move(samples));
+  try {
+    return make_replay_device(std::move(samples), read_config(recording.config).params.device);
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
 }
 
 }  // namespace
