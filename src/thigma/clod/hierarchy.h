@@ -1,6 +1,7 @@
 #pragma once
 // The dual hierarchy: levels of detail and bounding volumes in one tree of convex hulls.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct ClodNode {
   std::int32_t child_count = 0;   // 0: a finest patch
   std::int32_t level = 0;         // 0 finest; of the simplified or free level the node belongs to
   std::int32_t patch = -1;        // finest patch of this node, -1 for inner nodes
+  std::int32_t contact = -1;      // of a node of a simplified level: its contact patch
   std::int32_t first_vertex = 0;  // into ClodHierarchy::vertices
   std::int32_t vertex_count = 0;
   std::int32_t first_lane = 0;  // into ClodHierarchy::lanes, in floats
@@ -35,17 +37,42 @@ struct ClodPatch {
   double thickness = 0.0;                               // see HullView [m]
 };
 
-/// What a level is, for reports.
+/// A patch of a simplified level, on its own hull: what a contact at that level is measured on. The
+/// hull of its node bounds the finest patches below instead.
+struct ClodContactPatch {
+  ClodPatch patch;  // node, -1 where no finer patch is nearest to it; triangle_ids are of the level
+  std::int32_t level = 0;
+  std::int32_t first_vertex = 0, vertex_count = 0;  // as of ClodNode
+  std::int32_t first_lane = 0, lane_count = 0;
+  Vec3 center = Vec3::Zero();  // [m; body frame]
+  double radius = 0.0;         // [m]
+  double deviation = 0.0;  // s: no point of the patch is farther from the original surface, nor any
+                           // point of the finest patches below its node from the patch [m]
+  double hausdorff = 0.0;  // h: how far the hull of any patch below its node reaches outside this
+                           // one, at most [m]
+};
+
+/// What a level is.
 struct ClodLevel {
   bool is_free = false;  // built by pairwise merging alone, no simplified mesh behind it
   std::int32_t node_count = 0;
-  double hausdorff_max = 0.0;  // [m]
+  double hausdorff_max = 0.0;       // of the nodes' hulls [m]
+  std::int32_t triangle_count = 0;  // 0 of a free level
+  std::int32_t patch_count = 0;     // 0 of a free level
+  double resolution = 0.0;     // r: infinite of the original, 0 (never fine enough) of a free level
+                               // [1/m]
+  double deviation_max = 0.0;  // of its contact patches [m]
+  double contact_hausdorff_max = 0.0;  // of its contact patches [m]
 };
+
+/// The two readings of the support area D of a vertex (Sec. 3.3.5): of the faces around it alone,
+/// or of all faces connected to it that pass the same test.
+enum class SupportReading : std::uint8_t { one_ring = 0, flood = 1 };
 
 /// Levels of detail and bounding hierarchy of one object. Immutable while running.
 /// Invariant: nodes[0] is the root; first_child > own index; every finest patch is below the root
-/// exactly once. Today: level 0 (the original surface) under free levels (Sec. 3.3.3); simplified
-/// levels fit in between.
+/// exactly once. Level 0 is the original surface; simplified levels follow, if any, then free ones
+/// (Sec. 3.3.3).
 struct ClodHierarchy {
   double radius = 0.0;         // of the smallest enclosing ball, to 1 % [m]
   Vec3 center = Vec3::Zero();  // of that ball [m; body frame]
@@ -53,8 +80,12 @@ struct ClodHierarchy {
   std::vector<ClodNode> nodes;
   std::vector<ClodPatch> patches;
   std::vector<ClodLevel> levels;
-  std::vector<Vec3> vertices;  // hull vertices of all nodes [m; body frame]
-  AlignedFloats lanes;         // see HullView; 32-byte aligned start of every node
+  std::vector<ClodContactPatch> contact_patches;  // level by level, from level 1
+  std::vector<std::array<double, 2>> support;     // D by SupportReading, of the vertices of finest
+                                                  // and contact patches; 0 of others; empty without
+                                                  // simplified levels (vertices) [m^2]
+  std::vector<Vec3> vertices;                     // hull vertices of all nodes [m; body frame]
+  AlignedFloats lanes;  // see HullView; 32-byte aligned start of every node
   std::vector<RealFace> faces;
   std::vector<RealEdge> edges;
   std::vector<HullTriangle> hull_triangles;
@@ -82,6 +113,29 @@ inline HullView hull_view(const ClodHierarchy& h, std::int32_t node) noexcept {
     v.triangle_count = p.triangle_count;
     v.thickness = p.thickness;
   }
+  return v;
+}
+
+/// The surface of a node at its own level of detail: a finest or a contact patch; the bounding hull
+/// of a free node. Valid while the hierarchy lives. Thread [haptic] [contact].
+inline HullView contact_view(const ClodHierarchy& h, std::int32_t node) noexcept {
+  const std::int32_t contact = h.nodes[static_cast<std::size_t>(node)].contact;
+  if (contact < 0) return hull_view(h, node);
+  const ClodContactPatch& c = h.contact_patches[static_cast<std::size_t>(contact)];
+  HullView v;
+  v.vertices = h.vertices.data() + c.first_vertex;
+  v.vertex_count = c.vertex_count;
+  v.lanes = h.lanes.data() + c.first_lane;
+  v.lane_count = c.lane_count;
+  v.center = c.center;
+  v.radius = c.radius;
+  v.faces = h.faces.data() + c.patch.first_face;
+  v.face_count = c.patch.face_count;
+  v.edges = h.edges.data() + c.patch.first_edge;
+  v.edge_count = c.patch.edge_count;
+  v.triangles = h.hull_triangles.data() + c.patch.first_triangle;
+  v.triangle_count = c.patch.triangle_count;
+  v.thickness = c.patch.thickness;
   return v;
 }
 

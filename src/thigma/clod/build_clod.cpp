@@ -1,0 +1,116 @@
+// Sec. 3.3: levels by simplification, and a tree over all their patches. Deviates: D of both
+// readings, parents by geometry, nodes bounded by hulls of the finest surface (docs/deviations.md).
+
+#include "thigma/clod/build_clod.h"
+
+#include <algorithm>
+#include <ctime>
+#include <limits>
+
+#include "thigma/clod/detail/contact_patches.h"
+#include "thigma/clod/detail/draft_tree.h"
+#include "thigma/clod/detail/parents.h"
+#include "thigma/clod/support_area.h"
+#include "thigma/mesh/measure.h"
+
+namespace thigma {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// The simplified levels of the tree. returns the nodes without a parent.
+std::vector<std::int32_t> draft_levels(const TriangleMesh& mesh, const Simplification& s,
+                                       const std::vector<detail::LevelPatches>& patches,
+                                       bool is_reparented, detail::DraftTree& tree) {
+  std::vector<std::int32_t> draft_of_patch(tree.drafts.size());
+  for (std::size_t i = 0; i < draft_of_patch.size(); ++i)
+    draft_of_patch[i] = static_cast<std::int32_t>(i);
+  std::int32_t first_contact = 0;
+  for (std::size_t k = 1; k < s.levels.size(); ++k) {
+    const std::vector<std::int32_t> parent =
+        is_reparented ? detail::nearest_parents(tree, draft_of_patch, s.levels[k - 1].parent,
+                                                s.levels[k].mesh, patches[k])
+                      : s.levels[k - 1].parent;
+    std::vector<std::vector<std::int32_t>> children(at(s.levels[k].patch_count));
+    for (std::size_t i = 0; i < parent.size(); ++i)
+      if (draft_of_patch[i] >= 0) children[at(parent[i])].push_back(draft_of_patch[i]);
+    draft_of_patch.assign(children.size(), -1);
+    for (std::size_t p = 0; p < children.size(); ++p) {
+      if (children[p].empty()) continue;
+      draft_of_patch[p] =
+          detail::add_inner(mesh, std::move(children[p]), static_cast<std::int32_t>(k), tree);
+      tree.drafts.back().contact = first_contact + static_cast<std::int32_t>(p);
+    }
+    first_contact += s.levels[k].patch_count;
+  }
+  std::erase(draft_of_patch, -1);
+  return draft_of_patch;
+}
+
+void describe_levels(const Simplification& s, ClodHierarchy& h) {
+  h.levels.assign(std::max(s.levels.size(), at(h.nodes[0].level) + 1), {});
+  for (std::size_t k = 0; k < h.levels.size(); ++k) {
+    ClodLevel& level = h.levels[k];
+    level.is_free = k >= s.levels.size();
+    if (level.is_free) continue;
+    level.triangle_count = static_cast<std::int32_t>(s.levels[k].mesh.triangles.size());
+    level.patch_count = s.levels[k].patch_count;
+    level.resolution = s.levels[k].resolution;
+  }
+  for (const ClodNode& node : h.nodes) {
+    ClodLevel& level = h.levels[at(node.level)];
+    ++level.node_count;
+    level.hausdorff_max = std::max(level.hausdorff_max, node.hausdorff);
+  }
+  for (const ClodContactPatch& patch : h.contact_patches) {
+    ClodLevel& level = h.levels[at(patch.level)];
+    level.deviation_max = std::max(level.deviation_max, patch.deviation);
+    level.contact_hausdorff_max = std::max(level.contact_hausdorff_max, patch.hausdorff);
+  }
+}
+
+}  // namespace
+
+ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params, ClodReport* report) {
+  ClodHierarchy h;
+  const Ball ball = enclosing_ball(mesh.positions);
+  h.center = ball.center;
+  h.radius = ball.radius;
+  h.triangle_count = static_cast<std::int32_t>(mesh.triangles.size());
+  const double start = cpu_seconds();
+  const ConvexDecomposition decomposition = decompose_surface(mesh, params.decomposition);
+  const double decomposed = cpu_seconds();
+  auto support = support_areas(mesh, {.tolerance = params.contact_tolerance * h.radius});
+  const double supported = cpu_seconds();
+  Simplification s = simplify_surface(mesh, decomposition, params.simplify, std::move(support));
+  const double simplified = cpu_seconds();
+  const std::vector<detail::LevelPatches> patches = detail::list_level_patches(s);
+  detail::DraftTree tree = detail::draft_leaves(mesh, decomposition);
+  const std::vector<std::int32_t> tops = draft_levels(mesh, s, patches, params.is_reparented, tree);
+  const std::int32_t root = detail::add_free_levels(mesh, tops, tree);
+  detail::place_drafts(mesh, decomposition, tree, root, h);
+  detail::append_contact_patches(s, patches, h);
+  detail::measure_hausdorff(h);
+  if (!params.has_culling_hulls) detail::bound_by_contact_patches(h);
+  const double placed = cpu_seconds();
+  detail::measure_deviation(mesh, decomposition, s, h);
+  detail::fill_support(decomposition, patches, s, h);
+  describe_levels(s, h);
+  if (!report) return h;
+  report->decompose_seconds = decomposed - start;
+  report->simplify_seconds = simplified - supported;
+  report->tree_seconds = placed - simplified;
+  report->parameter_seconds = cpu_seconds() - placed + supported - decomposed;
+  report->childless = std::count_if(h.contact_patches.begin(), h.contact_patches.end(),
+                                    [](const ClodContactPatch& p) { return p.patch.node < 0; });
+  report->simplification = std::move(s);
+  return h;
+}
+
+}  // namespace thigma

@@ -1,0 +1,43 @@
+#pragma once
+// From a mesh to contact levels of detail: one tree that is both levels and bounding volumes.
+
+#include <functional>
+
+#include "thigma/clod/hierarchy.h"
+#include "thigma/convex/decomposition.h"
+#include "thigma/mesh/triangle_mesh.h"
+#include "thigma/simplify/simplify_surface.h"
+
+namespace thigma {
+
+struct ClodParams {
+  DecompositionParams decomposition;
+  SimplifyParams simplify;
+  double contact_tolerance = 0.01;  // of the queries to come, for support areas; times the radius
+  bool is_reparented = true;        // parents by geometry; false: by merging, as in the text
+  bool has_culling_hulls = true;  // nodes bounded by hulls of the finest surface below them; false:
+                                  // by their own patch and h, as in the text
+};
+
+/// What building did, for reports.
+struct ClodReport {
+  std::int64_t childless = 0;  // patches of simplified levels that no finer patch is nearest to
+  double decompose_seconds = 0.0, simplify_seconds = 0.0, parameter_seconds = 0.0,
+         tree_seconds = 0.0;  // CPU time
+  Simplification simplification;
+};
+
+/// Levels of detail of a usable mesh under free levels, with r, s, h and D.
+///
+/// Leaves are the finest patches of the original, as of build_exact_hierarchy: an exact query takes
+/// either. A patch of a simplified level that is nearest to no patch below it has no node.
+///
+/// mesh     usable in the sense of mesh/inspect.h [m]
+/// report   null, or filled
+/// Thread   [offline]; deterministic; throws InputError when no triangle has an area.
+/// Source   Sec. 3.2-3.3, Algorithm 3.3.1. Deviates: parents by geometry and culling hulls
+///          (docs/deviations.md); both can be switched off.
+ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params = {},
+                         ClodReport* report = nullptr);
+
+}  // namespace thigma

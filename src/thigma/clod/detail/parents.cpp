@@ -1,0 +1,74 @@
+#include "thigma/clod/detail/parents.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "thigma/convex/growing_hull.h"
+#include "thigma/simplify/detail/box_tree.h"
+
+namespace thigma::detail {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Largest distance of the points from the triangles of a patch; stops once it exceeds the limit.
+double distance_from(const std::vector<Vec3>& points, const TriangleMesh& level,
+                     const std::vector<std::int32_t>& triangles, double limit) {
+  double largest = 0.0;
+  for (const Vec3& p : points) {
+    double distance = std::numeric_limits<double>::infinity();
+    for (const std::int32_t t : triangles) {
+      const auto& v = level.triangles[at(t)];
+      distance = std::min(
+          distance, point_triangle_distance(p, level.positions[at(v[0])], level.positions[at(v[1])],
+                                            level.positions[at(v[2])]));
+    }
+    largest = std::max(largest, distance);
+    if (largest > limit) break;
+  }
+  return largest;
+}
+
+std::vector<TreeBox> boxes_of(const TriangleMesh& level, const LevelPatches& patches) {
+  std::vector<TreeBox> boxes;
+  for (const auto& vertices : patches.vertices) {
+    TreeBox box{level.positions[at(vertices[0])], level.positions[at(vertices[0])]};
+    for (const std::int32_t v : vertices) {
+      box.min = box.min.cwiseMin(level.positions[at(v)]);
+      box.max = box.max.cwiseMax(level.positions[at(v)]);
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+}  // namespace
+
+std::vector<std::int32_t> nearest_parents(const DraftTree& tree,
+                                          const std::vector<std::int32_t>& draft_of_patch,
+                                          const std::vector<std::int32_t>& successor,
+                                          const TriangleMesh& level, const LevelPatches& patches) {
+  BoxTree near;
+  const std::vector<TreeBox> boxes = boxes_of(level, patches);
+  near.build(boxes);
+  std::vector<std::int32_t> parent(draft_of_patch.size(), -1);
+  for (std::size_t i = 0; i < parent.size(); ++i) {
+    if (draft_of_patch[i] < 0) continue;
+    const std::vector<Vec3>& points = tree.drafts[at(draft_of_patch[i])].points;
+    std::int32_t best = successor[i];
+    double least = distance_from(points, level, patches.triangles[at(best)],
+                                 std::numeric_limits<double>::infinity());
+    // Nearer patches reach within `least` of every point, so of the first.
+    const Vec3 reach = Vec3::Constant(least);
+    near.visit({points[0] - reach, points[0] + reach}, [&](std::int32_t patch) {
+      const double distance = distance_from(points, level, patches.triangles[at(patch)], least);
+      if (distance > least || (distance == least && patch >= best)) return;
+      least = distance;
+      best = patch;
+    });
+    parent[i] = best;
+  }
+  return parent;
+}
+
+}  // namespace thigma::detail

@@ -1,0 +1,74 @@
+#include "thigma/clod/support_area.h"
+
+#include <cmath>
+
+#include "thigma/convex/detail/surface.h"
+
+namespace thigma {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+struct Flood {
+  const TriangleMesh& mesh;
+  const detail::Surface& surface;
+  const SupportParams& params;
+  std::vector<double> area;           // of each face [m^2]
+  std::vector<std::int32_t> seen_by;  // last vertex that looked at the face
+  std::vector<std::int32_t> faces;    // reached
+};
+
+bool counts(const Flood& f, std::int32_t face, const Vec3& at_vertex, const Vec3& normal) {
+  if (f.surface.normal[at(face)].dot(normal) < f.params.cone_cosine) return false;
+  for (const std::int32_t v : f.mesh.triangles[at(face)])
+    if (std::fabs(normal.dot(f.mesh.positions[at(v)] - at_vertex)) > f.params.tolerance)
+      return false;
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::array<double, 2>> support_areas(const TriangleMesh& mesh,
+                                                 const SupportParams& params) {
+  const detail::Surface surface = detail::describe_surface(mesh);
+  Flood f{mesh, surface, params, {}, std::vector<std::int32_t>(mesh.triangles.size(), -1), {}};
+  std::vector<std::vector<std::int32_t>> around(mesh.positions.size());
+  std::vector<Vec3> normal(mesh.positions.size(), Vec3::Zero());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& v = mesh.triangles[t];
+    const Vec3& a = mesh.positions[at(v[0])];
+    const Vec3 cross = (mesh.positions[at(v[1])] - a).cross(mesh.positions[at(v[2])] - a);
+    f.area.push_back(0.5 * cross.norm());
+    for (const std::int32_t corner : v) {
+      around[at(corner)].push_back(static_cast<std::int32_t>(t));
+      normal[at(corner)] += cross;
+    }
+  }
+  std::vector<std::array<double, 2>> areas(mesh.positions.size(), {0.0, 0.0});
+  for (std::size_t v = 0; v < areas.size(); ++v) {
+    if (!(normal[v].norm() > 0.0)) continue;
+    const Vec3 n = normal[v].normalized();
+    const auto id = static_cast<std::int32_t>(v);
+    const auto projected = [&](std::int32_t face) {
+      return f.area[at(face)] * surface.normal[at(face)].dot(n);
+    };
+    f.faces.clear();
+    const auto look_at = [&](std::int32_t face) {
+      if (f.seen_by[at(face)] == id) return;
+      f.seen_by[at(face)] = id;
+      if (counts(f, face, mesh.positions[v], n)) f.faces.push_back(face);
+    };
+    for (const std::int32_t face : around[v]) look_at(face);
+    for (const std::int32_t face : f.faces) areas[v][0] += projected(face);
+    for (std::size_t i = 0; i < f.faces.size(); ++i) {
+      areas[v][1] += projected(f.faces[i]);
+      if (static_cast<int>(f.faces.size()) >= params.most_faces) continue;
+      const auto& beside = surface.neighbor[at(f.faces[i])];
+      for (const std::int32_t face : beside)
+        if (face >= 0) look_at(face);
+    }
+  }
+  return areas;
+}
+
+}  // namespace thigma

@@ -1,0 +1,169 @@
+#include "thigma/clod/surface_deviation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "thigma/convex/detail/visit_triangles.h"
+#include "thigma/convex/growing_hull.h"
+
+namespace thigma {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+constexpr int kDivisions = 4;        // of a triangle into four, one after the other
+constexpr double kTightness = 1.25;  // of the bound over the largest distance met
+
+double distance_to(const DeviationTarget& target, const Vec3& p, std::int32_t t) {
+  const auto& v = target.mesh->triangles[at(t)];
+  const auto& x = target.mesh->positions;
+  return point_triangle_distance(p, x[at(v[0])], x[at(v[1])], x[at(v[2])]);
+}
+
+double box_distance(const detail::TreeBox& box, const Vec3& p) {
+  return (box.min - p).cwiseMax(p - box.max).cwiseMax(Vec3::Zero()).norm();
+}
+
+void search(const DeviationTarget& target, std::int32_t index, const Vec3& p, double& best,
+            std::int32_t& nearest) {
+  const detail::TreeNode& node = target.tree.nodes[at(index)];
+  if (node.count > 0) {
+    for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+      const std::int32_t t = target.tree.order[at(i)];
+      if (box_distance(target.tree.boxes[at(t)], p) >= best) continue;
+      const double distance = distance_to(target, p, t);
+      if (distance >= best) continue;
+      best = distance;
+      nearest = t;
+    }
+    return;
+  }
+  std::int32_t one = index + 1, other = node.right;
+  double to_one = box_distance(target.tree.nodes[at(one)].box, p);
+  double to_other = box_distance(target.tree.nodes[at(other)].box, p);
+  if (to_other < to_one) {
+    std::swap(one, other);
+    std::swap(to_one, to_other);
+  }
+  if (to_one < best) search(target, one, p, best, nearest);
+  if (to_other < best) search(target, other, p, best, nearest);
+}
+
+struct Polygon {
+  std::array<Vec3, 10> corner;
+  std::size_t count = 0;
+  void add(const Vec3& p) { corner[count++] = p; }
+};
+
+/// The part of a polygon on the inner side of the upright plane through a and b.
+void cut(Polygon& polygon, const Vec3& a, const Vec3& b) {
+  const auto side = [&](const Vec3& p) {
+    return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+  };
+  Polygon left;
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const Vec3 &p = polygon.corner[i], &q = polygon.corner[(i + 1) % polygon.count];
+    const double over_p = side(p), over_q = side(q);
+    if (over_p >= 0.0) left.add(p);
+    if ((over_p > 0.0 && over_q < 0.0) || (over_p < 0.0 && over_q > 0.0))
+      left.add(p + over_p / (over_p - over_q) * (q - p));
+  }
+  polygon = left;
+}
+
+double area_above(const Polygon& polygon) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const Vec3 &p = polygon.corner[i], &q = polygon.corner[(i + 1) % polygon.count];
+    twice += p.x() * q.y() - p.y() * q.x();
+  }
+  return 0.5 * twice;
+}
+
+/// Largest distance along the normal to the sheet over the triangle; infinite when not one sheet
+/// covers it once.
+double bound_by_sheet(const DeviationTarget& target, const std::array<Vec3, 3>& triangle) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const Vec3 cross = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  const double length = cross.norm();
+  const double edge = (triangle[1] - triangle[0]).norm();
+  if (!(length > 1e-6 * edge * (triangle[2] - triangle[0]).norm())) return kNone;
+  Mat3 frame;  // rows: two directions in the plane, and the normal
+  frame.row(0) = (triangle[1] - triangle[0]) / edge;
+  frame.row(2) = cross / length;
+  frame.row(1) = frame.row(2).cross(frame.row(0));
+  std::array<Vec3, 3> flat;
+  for (std::size_t k = 0; k < 3; ++k) flat[k] = frame * (triangle[k] - triangle[0]);
+  const Vec3 reach = Vec3::Constant(target.reach);
+  const detail::TreeBox box{triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]) - reach,
+                            triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]) + reach};
+  double covered = 0.0, largest = 0.0;
+  detail::visit_triangles(target.tree, box, [&](std::int32_t t) {
+    Polygon piece;
+    for (const std::int32_t v : target.mesh->triangles[at(t)])
+      piece.add(frame * (target.mesh->positions[at(v)] - triangle[0]));
+    if (!(area_above(piece) > 0.0)) return;  // seen from behind, or edge on
+    for (std::size_t k = 0; k < 3 && piece.count > 0; ++k) cut(piece, flat[k], flat[(k + 1) % 3]);
+    if (piece.count < 3) return;
+    double nearest = kNone, farthest = 0.0;
+    for (std::size_t i = 0; i < piece.count; ++i) {
+      nearest = std::min(nearest, std::fabs(piece.corner[i].z()));
+      farthest = std::max(farthest, std::fabs(piece.corner[i].z()));
+    }
+    if (nearest > target.reach) return;  // another sheet
+    covered += area_above(piece);
+    largest = std::max(largest, farthest);
+  });
+  return std::fabs(covered - 0.5 * length) <= 1e-6 * 0.5 * length ? largest : kNone;
+}
+
+/// Bound over a part of the triangle. met: largest distance of any point so far, a lower bound.
+double bound_by_division(const DeviationTarget& target, const std::array<Vec3, 3>& c, int divisions,
+                         std::int32_t nearest, double& met) {
+  const double center = nearest_distance(target, (c[0] + c[1] + c[2]) / 3.0, nearest);
+  met = std::max(met, center);
+  double bound = 0.0;
+  for (const Vec3& p : c) bound = std::max(bound, distance_to(target, p, nearest));
+  if (divisions == 0 || bound <= kTightness * met) return bound;
+  for (const Vec3& p : c) {
+    std::int32_t guess = nearest;
+    met = std::max(met, nearest_distance(target, p, guess));
+  }
+  if (bound <= kTightness * met) return bound;
+  const Vec3 ab = 0.5 * (c[0] + c[1]), bc = 0.5 * (c[1] + c[2]), ca = 0.5 * (c[2] + c[0]);
+  const std::array<std::array<Vec3, 3>, 4> parts = {
+      {{c[0], ab, ca}, {ab, c[1], bc}, {ca, bc, c[2]}, {ab, bc, ca}}};
+  double largest = 0.0;
+  for (const auto& part : parts)
+    largest = std::max(largest, bound_by_division(target, part, divisions - 1, nearest, met));
+  return largest;
+}
+
+}  // namespace
+
+DeviationTarget build_deviation_target(const TriangleMesh& mesh, double reach) {
+  DeviationTarget target;
+  target.mesh = &mesh;
+  target.reach = reach;
+  std::vector<std::int32_t> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  target.tree = detail::build_triangle_tree(mesh, std::move(all));
+  return target;
+}
+
+double nearest_distance(const DeviationTarget& target, const Vec3& p, std::int32_t& nearest) {
+  double best = distance_to(target, p, nearest);
+  search(target, 0, p, best, nearest);
+  return best;
+}
+
+double bound_deviation(const DeviationTarget& target, const std::array<Vec3, 3>& triangle) {
+  const double by_sheet = bound_by_sheet(target, triangle);
+  if (std::isfinite(by_sheet)) return by_sheet;
+  double met = 0.0;
+  return bound_by_division(target, triangle, kDivisions, 0, met);
+}
+
+}  // namespace thigma

@@ -1,0 +1,36 @@
+#pragma once
+// How far a triangle lies from a surface, at most (Sec. 3.3.5, parameter s).
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "thigma/mesh/detail/triangle_tree.h"
+#include "thigma/mesh/triangle_mesh.h"
+
+namespace thigma {
+
+/// A surface to measure distances to. Keeps a pointer to the mesh.
+struct DeviationTarget {
+  const TriangleMesh* mesh = nullptr;
+  detail::TriangleTree tree;
+  double reach = 0.0;  // sheets farther than this along a normal are not looked at [m]
+};
+
+/// reach  about the largest deviation to expect [m]; larger ones are found too, slower
+DeviationTarget build_deviation_target(const TriangleMesh& mesh, double reach);
+
+/// Distance from p to the surface, and the triangle it is nearest to; `nearest` is a first guess.
+double nearest_distance(const DeviationTarget& target, const Vec3& p, std::int32_t& nearest);
+
+/// An upper bound of the distance to the surface over all points of a triangle.
+///
+/// Where the surface lies over the triangle in one sheet, it is cut along the triangle's prism, and
+/// the distance along the normal, linear on every piece, has its largest value at a corner of a
+/// piece. Elsewhere the triangle is divided until the distance of its corners to one triangle of
+/// the surface, a convex function, bounds the rest to a quarter; at most 256 parts.
+///
+/// Thread [offline]; no failure.
+double bound_deviation(const DeviationTarget& target, const std::array<Vec3, 3>& triangle);
+
+}  // namespace thigma

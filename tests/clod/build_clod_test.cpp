@@ -1,0 +1,248 @@
+#include "thigma/clod/build_clod.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "support/shared.h"
+#include <gtest/gtest.h>
+
+#include "thigma/clod/build_hierarchy.h"
+#include "thigma/clod/check_hierarchy.h"
+#include "thigma/contact/query_contacts.h"
+#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/pair.h"
+#include "thigma/math/random.h"
+#include "thigma/mesh/load_mesh.h"
+#include "thigma/mesh/shapes.h"
+#include "thigma/simplify/check_levels.h"
+
+namespace thigma {
+namespace {
+
+TriangleMesh wavy_ball(int frequency) {
+  TriangleMesh mesh = make_ball(1.0, frequency);
+  for (Vec3& p : mesh.positions) {
+    const double x = p.x(), y = p.y(), z = p.z();
+    p *= 1.0 + 0.12 * (5.0 * x * y * z + 3.0 * (x * x - y * y) * (z + 0.3));
+  }
+  return mesh;
+}
+
+ClodParams generous() {
+  ClodParams params;
+  params.simplify.longest_edge = 0.5;
+  params.simplify.deviation_limit = 0.08;
+  return params;
+}
+
+void expect_sound(const TriangleMesh& mesh, const ClodParams& params, const char* name) {
+  ClodReport report;
+  const ClodHierarchy h = build_clod(mesh, params, &report);
+  EXPECT_EQ(check_hierarchy(h, mesh).total(), 0) << name;
+  EXPECT_EQ(check_levels(report.simplification, decompose_surface(mesh)).total(), 0) << name;
+  const auto& levels = report.simplification.levels;
+  std::size_t patches = 0, nodes = 0;
+  for (std::size_t k = 0; k < h.levels.size(); ++k) {
+    nodes += static_cast<std::size_t>(h.levels[k].node_count);
+    EXPECT_EQ(h.levels[k].is_free, k >= levels.size());
+    if (k > 0 && k < levels.size()) patches += static_cast<std::size_t>(levels[k].patch_count);
+  }
+  EXPECT_EQ(nodes, h.nodes.size()) << name;
+  EXPECT_EQ(h.contact_patches.size(), patches) << name;
+  for (const ClodNode& node : h.nodes) {
+    EXPECT_EQ(node.contact >= 0,
+              node.level > 0 && !h.levels[static_cast<std::size_t>(node.level)].is_free);
+    for (std::int32_t k = 0; k < node.child_count; ++k)
+      EXPECT_LT(h.nodes[static_cast<std::size_t>(node.first_child + k)].level, node.level) << name;
+  }
+}
+
+TEST(BuildClod, IsSoundOnShapes) {
+  expect_sound(wavy_ball(10), generous(), "wavy ball");
+  expect_sound(make_torus(1.0, 0.4, 32, 20), generous(), "torus");
+  expect_sound(make_dome(1.0, 24, 10), generous(), "dome");
+  expect_sound(make_box({1, 2, 3}), {}, "box");
+  ClodParams of_the_text = generous();
+  of_the_text.is_reparented = of_the_text.has_culling_hulls = false;
+  expect_sound(wavy_ball(10), of_the_text, "wavy ball, as in the text");
+}
+
+TEST(BuildClod, IsSoundOnRealMeshes) {
+  THIGMA_NEEDS_SHARED(folder);
+  for (const char* name : {"a02_dental_cast_lower", "a07_bolt_m16_loose", "a08_nut_m16_loose"})
+    expect_sound(
+        load_usable_mesh((folder / "meshes" / (std::string(name) + ".obj")).string(), 1.0, true),
+        {}, name);
+}
+
+/// Every contact patch and the hulls of all nodes below its node.
+TEST(BuildClod, HausdorffDistancesReachEveryDescendant) {
+  for (const bool reparented : {false, true}) {
+    ClodParams params = generous();
+    params.is_reparented = reparented;
+    const ClodHierarchy h = build_clod(wavy_ball(8), params);
+    std::vector<std::int32_t> parent(h.nodes.size(), -1);
+    for (std::size_t i = 0; i < h.nodes.size(); ++i)
+      for (std::int32_t k = 0; k < h.nodes[i].child_count; ++k)
+        parent[static_cast<std::size_t>(h.nodes[i].first_child + k)] = static_cast<std::int32_t>(i);
+    int tight = 0, checked = 0;
+    std::vector<double> largest(h.nodes.size(), 0.0);
+    for (std::size_t i = 0; i < h.nodes.size(); ++i) {
+      const HullView inner = contact_view(h, static_cast<std::int32_t>(i));
+      if (h.nodes[i].contact < 0 && h.nodes[i].patch < 0) continue;
+      for (std::int32_t up = parent[i]; up >= 0; up = parent[static_cast<std::size_t>(up)]) {
+        const std::int32_t contact = h.nodes[static_cast<std::size_t>(up)].contact;
+        if (contact < 0) continue;
+        std::vector<Vec3> points;
+        const HullView outer = contact_view(h, up);
+        for (int v = 0; v < inner.vertex_count; ++v) {
+          GjkCache cache;
+          HullView one = inner;  // the hull of one vertex
+          one.vertices = inner.vertices + v;
+          one.vertex_count = 1;
+          const double distance = closest_points(outer, one, RelativePose{},
+                                                 std::numeric_limits<double>::infinity(), cache)
+                                      .distance;
+          EXPECT_LE(distance, h.contact_patches[static_cast<std::size_t>(contact)].hausdorff);
+          largest[static_cast<std::size_t>(up)] =
+              std::max(largest[static_cast<std::size_t>(up)], distance);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < h.nodes.size(); ++i) {
+      if (h.nodes[i].contact < 0) continue;
+      ++checked;
+      tight +=
+          largest[i] >=
+          0.999 * h.contact_patches[static_cast<std::size_t>(h.nodes[i].contact)].hausdorff - 1e-11;
+    }
+    EXPECT_EQ(tight, checked) << "no larger than needed";
+  }
+}
+
+double distance_by_loop(const TriangleMesh& mesh, const Vec3& p) {
+  double nearest = 1e300;
+  for (const auto& t : mesh.triangles)
+    nearest =
+        std::min(nearest, point_triangle_distance(p, mesh.positions[static_cast<std::size_t>(t[0])],
+                                                  mesh.positions[static_cast<std::size_t>(t[1])],
+                                                  mesh.positions[static_cast<std::size_t>(t[2])]));
+  return nearest;
+}
+
+TEST(BuildClod, DeviationsBoundBothDirections) {
+  const TriangleMesh mesh = wavy_ball(8);
+  ClodReport report;
+  const ClodHierarchy h = build_clod(mesh, generous(), &report);
+  Random random(51);
+  double worst = 0.0;
+  for (const ClodContactPatch& c : h.contact_patches) {
+    const HullView hull = [&] {
+      HullView v;
+      v.vertices = h.vertices.data() + c.first_vertex;
+      return v;
+    }();
+    for (std::int32_t i = 0; i < c.patch.triangle_count; ++i) {
+      const HullTriangle& t =
+          h.hull_triangles[static_cast<std::size_t>(c.patch.first_triangle + i)];
+      double u = random.uniform(), v = random.uniform();
+      if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
+      const Vec3 p = (1.0 - u - v) * hull.vertices[t.corner[0]] + u * hull.vertices[t.corner[1]] +
+                     v * hull.vertices[t.corner[2]];
+      const double distance = distance_by_loop(mesh, p);
+      EXPECT_LE(distance, c.deviation * (1.0 + 1e-9));
+    }
+    worst = std::max(worst, c.deviation);
+  }
+  EXPECT_LT(worst, 0.3) << "and is no empty promise";
+  // From the original: every vertex of a finest patch to the surface of each level above it.
+  std::vector<std::int32_t> parent(h.nodes.size(), -1);
+  for (std::size_t i = 0; i < h.nodes.size(); ++i)
+    for (std::int32_t k = 0; k < h.nodes[i].child_count; ++k)
+      parent[static_cast<std::size_t>(h.nodes[i].first_child + k)] = static_cast<std::int32_t>(i);
+  for (const ClodPatch& patch : h.patches) {
+    const HullView hull = hull_view(h, patch.node);
+    for (std::int32_t up = parent[static_cast<std::size_t>(patch.node)]; up >= 0;
+         up = parent[static_cast<std::size_t>(up)]) {
+      const ClodNode& node = h.nodes[static_cast<std::size_t>(up)];
+      if (node.contact < 0) continue;
+      const TriangleMesh& level =
+          report.simplification.levels[static_cast<std::size_t>(node.level)].mesh;
+      const auto v = random.below(static_cast<std::uint64_t>(hull.vertex_count));
+      EXPECT_LE(distance_by_loop(level, hull.vertices[v]),
+                h.contact_patches[static_cast<std::size_t>(node.contact)].deviation * (1.0 + 1e-9));
+    }
+  }
+}
+
+TEST(BuildClod, SupportComesDownWithTheVertices) {
+  const TriangleMesh mesh = wavy_ball(8);
+  ClodReport report;
+  ClodParams params = generous();
+  params.contact_tolerance = 0.2;  // the faces of so coarse a mesh are high
+  const ClodHierarchy h = build_clod(mesh, params, &report);
+  ASSERT_EQ(h.support.size(), h.vertices.size());
+  for (const ClodPatch& patch : h.patches) {
+    const ClodNode& node = h.nodes[static_cast<std::size_t>(patch.node)];
+    for (std::int32_t v = node.first_vertex; v < node.first_vertex + node.vertex_count; ++v) {
+      EXPECT_GT(h.support[static_cast<std::size_t>(v)][0], 0.0);
+      EXPECT_GE(h.support[static_cast<std::size_t>(v)][1],
+                h.support[static_cast<std::size_t>(v)][0]);
+    }
+  }
+  double least = 1e300;
+  for (const auto& d : report.simplification.levels[0].support) least = std::min(least, d[1]);
+  for (const ClodContactPatch& c : h.contact_patches)
+    for (std::int32_t v = c.first_vertex; v < c.first_vertex + c.vertex_count; ++v)
+      EXPECT_GE(h.support[static_cast<std::size_t>(v)][1], least);
+}
+
+std::vector<std::array<std::int32_t, 2>> pairs_of(const ContactSet& set) {
+  std::vector<std::array<std::int32_t, 2>> pairs;
+  for (const Contact& c : set.contacts) pairs.push_back({c.object_patch, c.scene_patch});
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+TEST(BuildClod, ExactQueriesAreThoseOfTheExactHierarchy) {
+  const TriangleMesh one = wavy_ball(8), two = make_torus(1.0, 0.4, 32, 20);
+  const ClodHierarchy exact_one = build_exact_hierarchy(one),
+                      exact_two = build_exact_hierarchy(two);
+  ClodParams of_the_text = generous();
+  of_the_text.is_reparented = of_the_text.has_culling_hulls = false;
+  for (const ClodParams& params : {generous(), of_the_text}) {
+    const ClodHierarchy clod_one = build_clod(one, params), clod_two = build_clod(two, params);
+    Random random(61);
+    std::size_t found = 0;
+    for (int round = 0; round < 20; ++round) {
+      const Pose pose{random.uniform(1.2, 2.4) * random.direction(), random.orientation()};
+      const auto query = [&](const ClodHierarchy& a, const ClodHierarchy& b) {
+        ContactFront front;
+        ContactSet set;
+        set.contacts.reserve(20000);
+        query_contacts(a, pose, b, Pose{}, {.tolerance = 0.03}, front, set);
+        return pairs_of(set);
+      };
+      const auto expected = query(exact_one, exact_two);
+      EXPECT_EQ(query(clod_one, clod_two), expected);
+      found += expected.size();
+    }
+    EXPECT_GT(found, 100u);
+  }
+}
+
+TEST(BuildClod, IsDeterministic) {
+  const ClodHierarchy a = build_clod(wavy_ball(7), generous()),
+                      b = build_clod(wavy_ball(7), generous());
+  EXPECT_EQ(a.vertices, b.vertices);
+  EXPECT_EQ(a.support, b.support);
+  ASSERT_EQ(a.contact_patches.size(), b.contact_patches.size());
+  for (std::size_t i = 0; i < a.contact_patches.size(); ++i) {
+    EXPECT_EQ(a.contact_patches[i].deviation, b.contact_patches[i].deviation);
+    EXPECT_EQ(a.contact_patches[i].hausdorff, b.contact_patches[i].hausdorff);
+  }
+}
+
+}  // namespace
+}  // namespace thigma

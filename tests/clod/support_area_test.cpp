@@ -1,0 +1,59 @@
+#include "thigma/clod/support_area.h"
+
+#include <gtest/gtest.h>
+
+#include "thigma/math/elementary.h"
+#include "thigma/mesh/shapes.h"
+
+namespace thigma {
+namespace {
+
+constexpr auto kRing = static_cast<std::size_t>(SupportReading::one_ring);
+constexpr auto kFlood = static_cast<std::size_t>(SupportReading::flood);
+
+TEST(SupportAreas, FloodAFlatSheetAndNoFartherThanItsRing) {
+  const TriangleMesh sheet = make_sheet(2, 1, 8, 4);
+  for (const auto& d : support_areas(sheet, {.tolerance = 0.01})) {
+    EXPECT_NEAR(d[kFlood], 2.0, 1e-12);
+    EXPECT_GE(d[kRing], 0.5 * 0.0625);  // one triangle at a corner
+    EXPECT_LE(d[kRing], 4.0 * 0.0625);  // eight triangles at most
+  }
+  for (const auto& d : support_areas(sheet, {.tolerance = 0.01, .most_faces = 10}))
+    EXPECT_LT(d[kFlood], 1.0) << "stopped early: a lower bound";
+}
+
+TEST(SupportAreas, OfABallIsItsCap) {
+  // Within a height h of the pole of a ball of radius 1 the projected cap is pi (2 h - h^2).
+  const double h = 0.1, expected = kPi * (2.0 * h - h * h);
+  const TriangleMesh ball = make_ball(1.0, 24);
+  double sum = 0.0;
+  const auto areas = support_areas(ball, {.tolerance = h});
+  for (const auto& d : areas) {
+    EXPECT_LE(d[kFlood], expected * 1.001) << "whole faces only";
+    EXPECT_LT(d[kRing], 0.1 * d[kFlood]);
+    sum += d[kFlood];
+  }
+  EXPECT_NEAR(sum / static_cast<double>(areas.size()), expected, 0.2 * expected);
+}
+
+TEST(SupportAreas, EndAtEdgesAndScaleAsAnArea) {
+  const TriangleMesh box = make_box({1, 1, 1}, {4, 4, 4});
+  const auto areas = support_areas(box, {.tolerance = 0.01});
+  const auto large = support_areas(make_box({8, 8, 8}, {4, 4, 4}), {.tolerance = 0.08});
+  for (std::size_t v = 0; v < areas.size(); ++v) {
+    EXPECT_LE(areas[v][kFlood], 1.0 + 1e-12);
+    EXPECT_EQ(large[v][kRing], 64.0 * areas[v][kRing]);
+    EXPECT_EQ(large[v][kFlood], 64.0 * areas[v][kFlood]);
+    int on_planes = 0;
+    for (int k = 0; k < 3; ++k) on_planes += std::fabs(box.positions[v][k]) == 0.5;
+    if (on_planes == 1) {
+      EXPECT_NEAR(areas[v][kFlood], 1.0, 1e-12) << "all of its face";
+    }
+    if (on_planes > 1) {
+      EXPECT_EQ(areas[v][kFlood], 0.0) << "an edge stands on no face";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace thigma
