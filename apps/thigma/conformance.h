@@ -111,7 +111,8 @@ struct ConformanceReport {
 /// Runs every case of a document; `file` is its name for messages. Throws InputError on anything out of schema.
 ConformanceReport check_document(const std::string& file, const std::string& text);
 
-// Checks of conformance_rotation.cpp, conformance_force.cpp, conformance_step.cpp and conformance_contact.cpp.
+// Checks of conformance_rotation.cpp, conformance_force.cpp, conformance_step.cpp,
+// conformance_contact.cpp and conformance_simplify.cpp.
 void check_rotations(const JsonField& in, CaseCheck& check, const CaseContext& context);
 void check_spline(const JsonField& in, CaseCheck& check, const CaseContext& context);
 void check_coupling(const JsonField& in, CaseCheck& check, const CaseContext& context);
@@ -120,6 +121,9 @@ void check_texture_point(const JsonField& in, CaseCheck& check, const CaseContex
 void check_integrators(const JsonField& in, CaseCheck& check, const CaseContext& context);
 void check_linearized_contact(const JsonField& in, CaseCheck& check, const CaseContext& context);
 void check_clustering(const JsonField& in, CaseCheck& check, const CaseContext& context);
+void check_resolution(const JsonField& in, CaseCheck& check, const CaseContext& context);
+void check_collapse_lp(const JsonField& in, CaseCheck& check, const CaseContext& context);
+void check_bisection(const JsonField& in, CaseCheck& check, const CaseContext& context);
 void check_error_metric(const JsonField& in, CaseCheck& check, const CaseContext& context);
 
 }  // namespace thigma::app

@@ -78,8 +78,9 @@ const std::vector<ConformanceKind>& conformance_kinds() {
       {"texture_disk", {"radius", "amp", "lambda"}, nullptr},
       {"spline", {"spline", "r"}, check_spline},
       {"clustering", {"K", "d", "contacts"}, check_clustering},
-      {"resolution", {"v1", "v2", "n"}, nullptr},
-      {"collapse_lp", {"v_hat", "v_tilde", "constraints"}, nullptr},
+      {"resolution", {"v1", "v2", "n"}, check_resolution},
+      {"collapse_lp", {"v_hat", "v_tilde", "constraints"}, check_collapse_lp},
+      {"bisection", {"u_local", "global_ok_iff_u_ge", "K"}, check_bisection},
       {"error_metric", {"s_a", "s_b"}, check_error_metric},
       {"rotations", {"a"}, check_rotations},
   };
@@ -112,6 +113,11 @@ ConformanceReport check_document(const std::string& file, const std::string& tex
   if (list_size(cases) == 0) fail_field(cases, "at least one case");
   for (std::size_t i = 0; i < list_size(cases); ++i)
     check_case(element(cases, i), tolerance, context, report);
+  if (root.has("bisection")) {  // of collapse_lp: a second list, of the search that follows
+    const JsonField searches = member(root, "bisection");
+    for (std::size_t i = 0; i < list_size(searches); ++i)
+      check_case(element(searches, i), tolerance, context, report);
+  }
   return report;
 }
 
