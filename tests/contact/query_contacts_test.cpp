@@ -37,6 +37,26 @@ TEST(QueryContacts, FarApartFindsNothingFromOnePair) {
   EXPECT_EQ(least_distance(set), std::numeric_limits<double>::infinity());
 }
 
+TEST(QueryContacts, PlatesThatPassedThroughEachOtherPenetrate) {
+  // Their backs face each other while their hulls stand apart: closest points alone would call them separated.
+  TriangleMesh up, down;
+  up.positions = {{-2, -2, 0}, {2, -2, 0}, {0, 3, 0}};
+  up.triangles = {{0, 1, 2}};
+  down.positions = {{-0.5, -0.5, 0}, {0.1, 0.6, 0.1}, {0.5, -0.4, 0.05}};
+  down.triangles = {{0, 1, 2}};
+  const ClodHierarchy object = build_exact_hierarchy(down), scene = build_exact_hierarchy(up);
+  ContactFront front;
+  ContactSet set = room(10);
+  for (const double height : {0.02, -0.12, -0.14}) {  // of the lowest corner; the last two have passed
+    clear(set);
+    query_contacts(object, at(Vec3(0, 0, height)), scene, {}, {.tolerance = 0.2}, front, set);
+    ASSERT_EQ(set.contacts.size(), 1u);
+    EXPECT_LT(set.contacts[0].normal.z(), -0.9) << height;
+    EXPECT_EQ(set.contacts[0].status, height > 0.0 ? ContactStatus::separated : ContactStatus::deep);
+    EXPECT_EQ(set.contacts[0].depth > 0.0, height < 0.0);
+  }
+}
+
 TEST(QueryContacts, ContactIsWhatItsDefinitionSaysInTheWorldFrame) {
   const ClodHierarchy box = build_exact_hierarchy(make_box(Vec3(1, 1, 1)));
   const ClodHierarchy ball = build_exact_hierarchy(make_ball(1.0, 6));

@@ -60,6 +60,28 @@ TEST(PairContact, BackToBackPlatesArePenetratingUnlessTheProbeFindsSurfaceBetwee
   EXPECT_FALSE(mixed.backs_facing);
 }
 
+TEST(PairContact, TurnsContinuouslyFromBesideToThrough) {
+  // Back to back 0.1 apart, slid from far beside each other to one above the other.
+  const MeshPatch down = plate(1.0, 0.0, false), up = plate(1.0, 0.0, true);
+  constexpr double kStep = 1e-3;
+  Vec3 last = Vec3::Zero();
+  int besides = 0, deeps = 0;
+  for (int i = 0; i <= 3000; ++i) {
+    const PairContact c = contact(down, up, Vec3(3.0 - kStep * i, 0.1, 0.1));
+    const Vec3 vector = c.depth * c.normal;
+    EXPECT_NEAR((c.witness_a - c.witness_b - vector).norm(), 0.0, 1e-12);
+    EXPECT_GE(c.depth, -c.separation * (1.0 + 1e-12));
+    EXPECT_EQ(c.depth > 0.0, c.status == PairContactStatus::deep);
+    if (i > 0) EXPECT_LE((vector - last).norm(), 4.0 * kStep) << i;
+    last = vector;
+    besides += c.status == PairContactStatus::beside;
+    deeps += c.status == PairContactStatus::deep;
+  }
+  EXPECT_GT(besides, 10);
+  EXPECT_GT(deeps, 100);
+  EXPECT_NEAR(last.z(), -0.1, 1e-12);
+}
+
 TEST(BacksFacing, TellsTheSidesOfSurfacesApart) {
   const MeshPatch up = plate(1.0, 0.0, true), down = plate(1.0, 0.0, false);
   const RelativePose x;

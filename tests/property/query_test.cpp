@@ -56,13 +56,13 @@ TEST(ExactQuery, LShapeInBlocks) {
 
 TEST(Pressing, BallOnBall) {
   const CheckedPair pair = test::checked("ball on ball", make_ball(1.0, 20), make_ball(1.2, 24));
-  test::expect_smooth(test::press(pair, test::from_above(pair), 0.005));
+  test::expect_smooth_pressing(pair, test::from_above(pair));
 }
 
 TEST(Pressing, JawOnJaw) {
   const CheckedPair pair = test::checked("jaw on jaw", scenes::make_model({.name = "jaw_upper"}),
                                          scenes::make_model({.name = "jaw_lower"}));
-  test::expect_smooth(test::press(pair, test::from_above(pair), 0.005));
+  test::expect_smooth_pressing(pair, test::from_above(pair));
 }
 
 }  // namespace

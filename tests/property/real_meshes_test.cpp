@@ -50,7 +50,7 @@ TEST(RealMeshes, FemurInHip) {
 TEST(RealMeshes, FemurPressedIntoHip) {
   THIGMA_NEEDS_SHARED(shared);
   const CheckedPair pair = shared_pair(shared, "femur in hip", "a03_femur_right.obj", 0.8, "a04_hip_bone_right_mirrored.obj");
-  test::expect_smooth(test::press(pair, into_the_socket(), 0.005));
+  test::expect_smooth_pressing(pair, into_the_socket());
 }
 
 TEST(RealMeshes, Gears) {

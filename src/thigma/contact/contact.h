@@ -12,8 +12,10 @@ inline constexpr std::int32_t kSceneBody = -1;
 
 enum class ContactStatus : std::uint8_t {
   separated,    // depth <= 0 is minus the distance of the original triangles
-  penetrating,  // depth > 0 along normal, at most half the patch thickness
+  penetrating,  // depth >= 0 along normal, at most half the patch thickness
   deep,         // depth > 0 beyond that: the direction is kept, or a thicker ancestor's
+  beside,       // through each other, but still mostly beside: depth <= 0, above minus the distance of the original
+                // triangles and below their overlap, on the way from one to the other (see pair_contact)
 };
 
 /// A contact between one surface patch of the grasped object and one of a scene object (Sec. 5.4.1).

@@ -169,6 +169,7 @@ ContactStatus status_of(PairContactStatus status) noexcept {
     case PairContactStatus::separated: return ContactStatus::separated;
     case PairContactStatus::penetrating: return ContactStatus::penetrating;
     case PairContactStatus::deep: return ContactStatus::deep;
+    case PairContactStatus::beside: return ContactStatus::beside;
   }
   return ContactStatus::separated;
 }

@@ -14,10 +14,9 @@
 namespace thigma {
 namespace {
 
-// Sine of the angle by which both backs must face each other for the overlap direction to count
-// fully. Smaller makes the turn from "beside" to "through" faster than the motion: measured on
-// pressed balls, 0.5 breaks |change of depth * normal| <= 4 x step in 1-4 % of the pair-steps, 0.9
-// in 0.02-0.1 %.
+// Sine of the angle by which both backs must face each other, and cosine of that between the line of the closest points
+// and the way out, for the overlap to count fully. Smaller makes the turn from "beside" to "through" faster than the
+// motion: depth * normal then changes by more than 4 times the step.
 constexpr double kFullyThrough = 0.9;
 // At the border of a patch the object goes on where the patch does not know: directions up to this
 // tangent beyond the face (17 degrees) count as allowed. Without it an edge-edge touch at a border
@@ -221,6 +220,11 @@ double back_facing(const HullView& h, std::uint32_t feature, const Vec3& toward_
   return found ? least : -1.0;
 }
 
+PairContactStatus status_of(const Placed& p, double depth) {
+  const double valid = 0.5 * std::min(p.a->thickness, p.b->thickness);
+  return depth > valid ? PairContactStatus::deep : PairContactStatus::penetrating;
+}
+
 void report_overlap(const Placed& p, const Vec3& n, const Vec3& middle, PairContact& out) {
   const Extent e = extent_along(p, n);
   const double at = n.dot(middle - p.origin);
@@ -228,33 +232,36 @@ void report_overlap(const Placed& p, const Vec3& n, const Vec3& middle, PairCont
   out.depth = e.overlap();
   out.witness_a = middle + (e.top_a - at) * n;
   out.witness_b = middle + (e.bottom_b - at) * n;
-  const double valid = 0.5 * std::min(p.a->thickness, p.b->thickness);
-  out.status = out.depth > valid ? PairContactStatus::deep : PairContactStatus::penetrating;
+  out.status = status_of(p, out.depth);
 }
 
-// The direction of a pair whose backs face each other: `through` of the way from the direction
-// between the closest points to the one of the least overlap, n. Beside each other the first is
-// right, one above the other the second, and depth times normal would jump by the distance of the
-// patches where one takes over.
-Vec3 turned_direction(const Placed& p, const PatchSeparation& gap, double through, const Vec3& n) {
+// A pair whose backs face each other turns from beside to through: from minus the separation along the direction
+// between the closest points to the overlap, as far as that direction opposes the way out. Beside each other the first
+// is right, one above the other the second; where one took over, depth times normal would jump by the distance of the
+// patches.
+void report_turning(const Placed& p, const PatchSeparation& gap, double back, const Choice& way_out, PairContact& out) {
   const Vec3 between = (gap.point_b - gap.point_a) / gap.distance;
-  // Where the hulls overlap along it, the direction between original triangles bounds nothing: a
-  // step is honest.
-  if (extent_along(p, between).overlap() > -0.5 * gap.distance) return n;
-  const Vec3 turned = (1.0 - through) * between + through * n;
+  const double through = std::min(std::min(back, -between.dot(way_out.normal)) / kFullyThrough, 1.0);
+  if (!(through > 0.0)) return;  // as separated as before
+  const Vec3 turned = (1.0 - through) * between + through * way_out.normal;
   const double length = turned.norm();
-  return length > 1e-6 ? Vec3(turned / length) : n;
+  const Vec3 middle = 0.5 * (gap.point_a + gap.point_b);
+  if (through == 1.0 || !(length > 1e-6)) return report_overlap(p, way_out.normal, middle, out);
+  out.normal = turned / length;
+  out.depth = through * way_out.overlap - (1.0 - through) * gap.distance;
+  out.witness_a = middle + 0.5 * out.depth * out.normal;
+  out.witness_b = middle - 0.5 * out.depth * out.normal;
+  out.status = out.depth > 0.0 ? status_of(p, out.depth) : PairContactStatus::beside;
 }
 
 void report_penetration(const HullView& a, const HullView& b, const RelativePose& x,
-                        const PatchSeparation& gap, double through, const Vec3* last,
+                        const PatchSeparation& gap, double back, const Vec3* last,
                         PairContact& out) {
   Placed p;
   place(a, b, x, p);
+  if (gap.intersecting) return report_overlap(p, least_overlap(p, last).normal, gap.point_a, out);
   // A remembered direction is one of overlap; while turning it would drift with the closest points.
-  Vec3 n = least_overlap(p, through < 1.0 ? nullptr : last).normal;
-  if (through < 1.0) n = turned_direction(p, gap, through, n);
-  report_overlap(p, n, 0.5 * (gap.point_a + gap.point_b), out);
+  report_turning(p, gap, back, least_overlap(p, nullptr), out);
 }
 
 }  // namespace
@@ -290,7 +297,7 @@ PairContact pair_contact(const HullView& a, const HullView& b, const RelativePos
   out.backs_facing = true;
   if (probe.separates != nullptr && probe.separates(probe.context, gap.point_a, gap.point_b))
     return out;
-  report_penetration(a, b, x, gap, std::min(1.0, back / kFullyThrough), last_normal, out);
+  report_penetration(a, b, x, gap, back, last_normal, out);
   return out;
 }
 

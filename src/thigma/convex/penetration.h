@@ -27,6 +27,8 @@ enum class PairContactStatus : std::uint8_t {
   penetrating,  // depth is the overlap along normal, at most half the thickness of the thinner
                 // patch
   deep,         // the same, beyond that: see pair_contact
+  beside,       // through, but still mostly beside each other: depth <= 0, between minus the
+                // separation and the overlap
 };
 
 /// depth = normal . (witness_a - witness_b), and witness_a - witness_b is parallel to normal.
@@ -69,9 +71,10 @@ double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& 
 /// Never along a virtual face, so never out through the back. At the border of a patch the cone
 /// reaches to the normal of the face beyond (RealEdge), at least 17 degrees outwards. Depth is 0 at
 /// touch from the front, and depth * normal is continuous there. A pair that is through but beside
-/// (the closest points far apart sideways) turns gradually from the direction between the points to
-/// the overlap direction as the backs turn to each other; depth is the overlap along that
-/// direction, negative while they are mostly beside each other.
+/// (the closest points far apart sideways) turns gradually, in proportion to how far the line between
+/// the points opposes that direction: depth goes from minus the separation to the overlap, normal from
+/// the direction between the points to the allowed one, witnesses lie on both sides of the middle of
+/// the points. While depth <= 0 its status is `beside`.
 ///
 /// Deep. depth exceeds half the thickness of the thinner patch: overlap and direction are reported
 /// as above, but the patch alone no longer bounds the way out; a caller with memory keeps
@@ -90,7 +93,7 @@ double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& 
 /// of the least
 ///             overlap (itself included) the one nearest to it is kept
 /// probe       asked only for pairs whose backs face each other within the tolerance
-/// returns     witnesses: separated, the closest points; else the two ends of the overlap along
+/// returns     witnesses: separated, the closest points; through, the two ends of the overlap along
 /// normal through the
 ///             middle of the closest points (or of the intersections), on the supporting planes of
 ///             a and b

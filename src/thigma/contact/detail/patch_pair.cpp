@@ -157,6 +157,8 @@ bool verify(const Placement& place, std::uint32_t ma, std::uint32_t mb, PatchPai
   const Vec3 n = w / distance;
   const Supports s = supports(place, n, n.dot(c.p), n.dot(c.q));
   if (s.a != ma || s.b != mb || s.reach > kActive * place.size) return false;
+  // Back to back, the pair may be through.
+  if (backs_facing(place.a, ma, place.b, mb, place.pose, n) > 0.0) return false;
   result.status = PairContactStatus::separated;
   result.depth = -distance;
   result.normal = n;
