@@ -12,15 +12,6 @@
 namespace thigma::test {
 namespace {
 
-constexpr double kMostMib = 300.0;  // of a process, whatever a file claims
-
-// Sanitizers keep shadow memory and freed blocks.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kMemoryIsOwn = false;
-#else
-constexpr bool kMemoryIsOwn = true;
-#endif
-
 /// What is printed when all are done.
 class Table : public ::testing::Environment {
  public:
@@ -60,9 +51,7 @@ void expect_orderly(const Ended& e, const std::string& path) {
   EXPECT_EQ(e.signal, 0) << e.err;
   EXPECT_FALSE(e.timed_out);
   EXPECT_TRUE(e.code == 0 || e.code == 4) << e.code << ": " << e.err;
-  if (kMemoryIsOwn) {
-    EXPECT_LT(e.peak_mib, kMostMib);
-  }
+  EXPECT_LT(e.peak_mib, kMostMib);
   if (e.code == 4) {
     expect_one_line(e, path + ": ");
     EXPECT_LT(e.err.size(), 400 + path.size());

@@ -12,13 +12,20 @@
 
 namespace thigma::test {
 
+/// Of any process on a small or a lying file [MiB]. Sanitizers keep shadow memory and freed blocks.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr double kMostMib = 8000.0;
+#else
+inline constexpr double kMostMib = 300.0;
+#endif
+
 /// How a process ended and what it said.
 struct Ended {
   int code = -1;           // exit code, or -1
   int signal = 0;          // that killed it, 0 for none
   bool timed_out = false;  // killed by this runner
   std::string out, err;    // standard output and error
-  double peak_mib = 0.0;   // largest resident set [MiB]
+  double peak_mib = 0.0;   // largest resident set, or that of the test program if larger [MiB]
   double cpu_seconds = 0.0;
   double seconds = 0.0;  // wall time: for reports, never asserted
 };

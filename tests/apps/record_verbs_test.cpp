@@ -1,0 +1,261 @@
+// run, replay, export: the same inputs give the same bits, a change is found where it is, and
+// forces end at zero.
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <sstream>
+
+#include "apps/program.h"
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "thigma/runtime/recording.h"
+
+namespace thigma::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kBall = "procedural:ball?triangles=320";
+
+std::string in_work(const std::string& name) { return (work_folder() / name).string(); }
+
+std::vector<std::string> run_arguments(const std::vector<std::string>& more) {
+  std::vector<std::string> arguments = {"run", "--object",   kBall,    "--against",
+                                        kBall, "--headless", "--json", "--quiet"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+/// A machine that stops a real-time thread for 50 ms gives a fault of its own: a few tries, until
+/// the run ends as it should.
+template <class Run>
+Ended undisturbed(const Run& run, int code) {
+  Ended e = run();
+  for (int i = 0; i < 4 && e.code != code; ++i) e = run();
+  return e;
+}
+
+nlohmann::json run_ball(const std::vector<std::string>& more) {
+  const Ended e = undisturbed([&] { return run_program(run_arguments(more)); }, 0);
+  EXPECT_EQ(e.code, 0) << e.err;
+  return json_line(e);
+}
+
+TEST(RecordVerbs, same_inputs_same_bits) {
+  const std::string file = in_work("once.mcap");
+  const nlohmann::json once = run_ball({"--lockstep", "--duration", "1", "--record", file});
+  EXPECT_GT(once["force"]["max"].get<double>(), 0.5);
+  EXPECT_EQ(once["haptic"]["frames"], 1000);
+  const nlohmann::json again = run_ball({"--lockstep", "--duration", "1"});
+  EXPECT_EQ(once["state_hash"], again["state_hash"]) << "recording must not change a run";
+  const nlohmann::json other = run_ball({"--lockstep", "--duration", "1", "--seed", "2"});
+  EXPECT_NE(once["state_hash"], other["state_hash"]);
+  const Ended e = run_program({"replay", file, "--json"});
+  EXPECT_EQ(e.code, 0) << e.err;
+  const nlohmann::json replay = json_line(e);
+  EXPECT_EQ(replay["identical"], true);
+  EXPECT_EQ(replay["frames"], 1000);
+  EXPECT_EQ(replay["state_hash"], once["state_hash"]);
+  EXPECT_EQ(replay["recorded_hash"], once["state_hash"]);
+  EXPECT_TRUE(replay["first_difference"].is_null());
+}
+
+TEST(RecordVerbs, threaded_sessions_replay_identical) {
+  const std::string file = in_work("threaded.mcap");
+  const nlohmann::json run = run_ball({"--duration", "1", "--record", file});
+  EXPECT_GT(run["force"]["max"].get<double>(), 0.1);
+  EXPECT_EQ(run["dropped_samples"], 0);
+  const nlohmann::json replay = json_line(run_program({"replay", file, "--json"}));
+  EXPECT_EQ(replay["identical"], true) << replay;
+  EXPECT_EQ(replay["state_hash"], run["state_hash"]);
+}
+
+/// Where in the file the text of the device sample of a frame begins.
+std::size_t sample_of(const std::string& bytes, int frame) {
+  const std::string start = "{\"frame\":" + std::to_string(frame) + ",";
+  std::size_t at = bytes.find(start);
+  while (at != std::string::npos &&
+         bytes.substr(at, 700).find("\"input_hash\"") == std::string::npos)
+    at = bytes.find(start, at + 1);
+  return at;
+}
+
+/// Changes the number at `at` by as little as its length allows, a bit or a few of its mantissa.
+void change_number(std::string& bytes, std::size_t at) {
+  const std::size_t end = bytes.find_first_of(",]e", at);
+  const double before = std::strtod(bytes.c_str() + at, nullptr);
+  for (std::size_t i = end; i-- > at;) {
+    const char digit = bytes[i];
+    if (std::isdigit(static_cast<unsigned char>(digit)) == 0) continue;
+    for (const char other :
+         {digit == '9' ? '8' : static_cast<char>(digit + 1), digit < '5' ? '9' : '1'}) {
+      bytes[i] = other;
+      if (std::strtod(bytes.c_str() + at, nullptr) != before) return;
+    }
+    bytes[i] = digit;
+  }
+  FAIL() << "no digit";
+}
+
+TEST(RecordVerbs, one_changed_digit_is_found_at_its_frame) {
+  const std::string file = in_work("digit.mcap");
+  run_ball({"--lockstep", "--duration", "0.8", "--record", file});
+  const std::string whole = read_text(file);
+  for (const int frame : {300, 641, 799}) {
+    for (const std::string field : {"\"position\":[", "\"linear_velocity\":["}) {
+      std::string bytes = whole;
+      const std::size_t sample = sample_of(bytes, frame);
+      ASSERT_NE(sample, std::string::npos) << frame;
+      change_number(bytes, bytes.find(field, sample) + field.size());
+      const Ended e = run_program({"replay", write_text("changed.mcap", bytes), "--json"});
+      EXPECT_EQ(e.code, 5) << frame << field << e.err;
+      const nlohmann::json report = json_line(e);
+      EXPECT_EQ(report["identical"], false);
+      EXPECT_EQ(report["first_difference"], frame) << report;
+      EXPECT_NE(e.err.find("checksum"), std::string::npos) << e.err;
+    }
+  }
+}
+
+TEST(RecordVerbs, damaged_recordings_are_refused) {
+  const std::string file = in_work("damaged.mcap");
+  run_ball({"--lockstep", "--duration", "0.2", "--record", file});
+  const std::string whole = read_text(file);
+  const auto expect_refused = [&](const std::string& name, const std::string& bytes) {
+    const std::string path = write_text(name, bytes);
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"replay", path}, {"export", path, "-o", path + ".csv"}}) {
+      const Ended e = run_program(arguments);
+      EXPECT_EQ(e.code, 4) << name << e.out;
+      EXPECT_EQ(e.err.rfind("thigma: " + path + ": ", 0), 0u) << e.err;
+      EXPECT_LT(e.peak_mib, kMostMib);
+      EXPECT_FALSE(fs::exists(path + ".csv"));
+    }
+  };
+  expect_refused("empty.mcap", "");
+  expect_refused("text.mcap", "frame,time\n");
+  for (const double part : {0.01, 0.5, 0.9}) {
+    expect_refused(
+        "part.mcap",
+        whole.substr(0, static_cast<std::size_t>(part * static_cast<double>(whole.size()))));
+  }
+  for (const std::size_t missing : {1u, 9u, 40u})
+    expect_refused("end.mcap", whole.substr(0, whole.size() - missing));
+  // A record that claims to be as long as the address space.
+  std::string lying = whole;
+  lying.replace(9, 8, 8, '\xff');
+  expect_refused("lying.mcap", lying);
+}
+
+TEST(RecordVerbs, export_has_a_row_a_frame) {
+  const std::string file = in_work("rows.mcap"), csv = in_work("rows.csv");
+  run_ball({"--lockstep", "--duration", "0.3", "--record", file});
+  const Ended e = run_program({"export", file, "-o", csv, "--json"});
+  EXPECT_EQ(e.code, 0) << e.err;
+  EXPECT_EQ(json_line(e)["frames"], 300);
+  std::istringstream text(read_text(csv));
+  std::string line;
+  std::getline(text, line);
+  const auto columns = std::count(line.begin(), line.end(), ',');
+  EXPECT_NE(line.find("command fx [N]"), std::string::npos) << line;
+  int rows = 0;
+  for (; std::getline(text, line); ++rows)
+    ASSERT_EQ(std::count(line.begin(), line.end(), ','), columns) << line;
+  EXPECT_EQ(rows, 300);
+  const Ended folder = run_program({"export", file, "-o", work_folder().string()});
+  EXPECT_EQ(folder.code, 1);
+  expect_one_line(folder, work_folder().string() + ": ");
+}
+
+TEST(RecordVerbs, an_unwritable_place_is_told_before_the_run) {
+  for (const std::string& place : {std::string("/proc/x.mcap"), in_work("no_folder/x.mcap"),
+                                   work_folder().string(), std::string("/dev/null")}) {
+    const Ended e = run_program(
+        run_arguments({"--lockstep", "--duration", "1000000", "--record", place}), 60.0);
+    EXPECT_EQ(e.code, 1) << place << e.err;
+    expect_one_line(e, place + ": ");
+    EXPECT_TRUE(e.out.empty());
+  }
+}
+
+/// The command after `fault` of the recording is zero, to its end; returns when the last force was
+/// sent.
+void expect_zero_after(const Recording& recording, double fault, double within) {
+  ASSERT_FALSE(recording.frames.empty());
+  bool had_force = false;
+  for (const HapticSample& frame : recording.frames) {
+    const double size = frame.command.force.norm() + frame.command.torque.norm();
+    had_force = had_force || size > 0.0;
+    if (frame.time > fault + within + 1e-9) {
+      EXPECT_EQ(size, 0.0) << frame.time;
+    }
+  }
+  EXPECT_TRUE(had_force) << "a fault while nothing pushes shows nothing";
+  EXPECT_EQ(recording.frames.back().command.force.norm(), 0.0);
+}
+
+TEST(RecordVerbs, faults_end_in_zero_force) {
+  const struct {
+    const char *fault, *name;
+    double within;  // [s] after the fault
+  } faults[] = {{"unplug@0.8", "device_lost", 0.0},
+                {"nan@0.8", "not_finite", 0.0},
+                {"stall=0.2@0.8", "contact_stale", 0.050},
+                {"hang=0.1@0.8", "watchdog", 0.101}};
+  for (const bool is_lockstep : {true, false}) {
+    for (const auto& f : faults) {
+      const std::string file = in_work("fault.mcap");
+      std::vector<std::string> more = {"--duration", "3", "--record", file, "--fault", f.fault};
+      if (is_lockstep) more.push_back("--lockstep");
+      Ended e = run_program(run_arguments(more));
+      for (int i = 0; i < 4 && e.err.find(f.name) == std::string::npos; ++i) {
+        e = run_program(run_arguments(more));  // the machine's own fault came first
+      }
+      EXPECT_EQ(e.code, 6) << f.fault << e.err;
+      expect_one_line(e, std::string("safety fault ") + f.name);
+      const nlohmann::json summary = json_line(e);
+      ASSERT_FALSE(summary["safety_events"].empty()) << summary;
+      EXPECT_EQ(summary["safety_events"][0]["fault"], f.name);
+      // The threaded session may be late by what the machine is busy with; its frames tell.
+      expect_zero_after(read_recording(file), 0.8, f.within + (is_lockstep ? 0.001 : 0.002));
+      EXPECT_EQ(json_line(run_program({"replay", file, "--json"}))["identical"], true) << f.fault;
+    }
+  }
+}
+
+/// Sends the signal well into the session, when the recording has grown.
+Ended stopped_run(int signal, const std::vector<std::string>& more, const std::string& file) {
+  fs::remove(file);
+  Program program(run_arguments(more));
+  const auto has_grown = [&] {
+    std::error_code none;
+    const auto size = fs::file_size(file + ".part", none);
+    return !none && size > 3'000'000;
+  };
+  for (int i = 0; i < 6000 && !has_grown() && !fs::exists(file); ++i) usleep(10'000);
+  program.send(signal);
+  return program.finish(30.0);
+}
+
+TEST(RecordVerbs, a_stop_signal_ends_in_order) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    for (const bool is_lockstep : {true, false}) {
+      const std::string file = in_work("stopped.mcap");
+      std::vector<std::string> more = {"--record", file};
+      if (is_lockstep) more.push_back("--lockstep");
+      const Ended e = undisturbed([&] { return stopped_run(signal, more, file); }, 130);
+      EXPECT_EQ(e.code, 130) << e.err;
+      EXPECT_TRUE(json_line(e)["safety_events"].empty());
+      EXPECT_FALSE(fs::exists(file + ".part"));
+      const Recording recording = read_recording(file);
+      EXPECT_TRUE(recording.has_end);
+      EXPECT_GT(recording.frames.size(), 100u);
+      EXPECT_EQ(json_line(run_program({"replay", file, "--json"}))["identical"], true);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace thigma::test
