@@ -59,12 +59,16 @@ TEST(McapFile, unfinished_file_is_not_left_behind) {
   EXPECT_FALSE(std::filesystem::exists(path.string() + ".part"));
 }
 
+TEST(McapFile, only_a_regular_file_is_replaced) {
+  EXPECT_THROW(McapWriter("/dev/null"), IoError);
+  EXPECT_THROW(McapWriter(std::filesystem::temp_directory_path().string()), IoError);
+}
+
 TEST(McapFile, every_truncation_is_refused) {
   const McapFile whole = read_mcap(write_sample("whole.mcap", 50).string());
   const auto path = scratch("cut.mcap");
-  // Up to the data end record; beyond it only the index is missing, and the data is whole.
   const std::size_t data_end = static_cast<std::size_t>(whole.messages.back().offset) + 30;
-  for (std::size_t size = 0; size < data_end; size += 97) {
+  for (std::size_t size = 0; size < whole.bytes.size(); size += size < data_end ? 97 : 1) {
     put(path, whole.bytes.substr(0, size));
     EXPECT_THROW(read_mcap(path.string()), InputError) << size;
   }

@@ -9,8 +9,9 @@
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
 
-// After the public MCAP specification: records are opcode, length, content; little-endian; strings carry their
-// length. Chunks are uncompressed: a recording is a few megabytes, and any reader opens it.
+// After the public MCAP specification: records are opcode, length, content; little-endian; strings
+// carry their length. Chunks are uncompressed: a recording is a few megabytes, and any reader opens
+// it.
 
 namespace thigma {
 namespace {
@@ -19,8 +20,17 @@ constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
 constexpr std::size_t kChunkBytes = 1u << 20;
 
 enum Opcode : std::uint8_t {
-  kHeader = 0x01, kFooter = 0x02, kSchema = 0x03, kChannel = 0x04, kMessage = 0x05, kChunk = 0x06,
-  kMessageIndex = 0x07, kChunkIndex = 0x08, kStatistics = 0x0b, kSummaryOffset = 0x0e, kDataEnd = 0x0f
+  kHeader = 0x01,
+  kFooter = 0x02,
+  kSchema = 0x03,
+  kChannel = 0x04,
+  kMessage = 0x05,
+  kChunk = 0x06,
+  kMessageIndex = 0x07,
+  kChunkIndex = 0x08,
+  kStatistics = 0x0b,
+  kSummaryOffset = 0x0e,
+  kDataEnd = 0x0f
 };
 
 template <class T>
@@ -65,6 +75,12 @@ std::uint32_t crc32(std::string_view bytes, std::uint32_t previous) {
 
 McapWriter::McapWriter(const std::string& path, std::string_view library)
     : path_(path), part_(path + ".part") {
+  // Renaming would fail at a folder after the whole session, and put a file in the place of a
+  // device such as /dev/null.
+  std::error_code unknown;
+  if (std::filesystem::exists(path, unknown) && !std::filesystem::is_regular_file(path, unknown)) {
+    throw IoError(path + ": cannot be written: not a regular file");
+  }
   file_ = std::fopen(part_.c_str(), "wb");
   if (file_ == nullptr) throw IoError(path + ": cannot be written: " + std::strerror(errno));
   put(kMagic);
@@ -94,7 +110,8 @@ std::uint16_t McapWriter::add_channel(std::string_view topic, std::string_view s
   append(schema, id);
   append_string(schema, schema_name);
   append_string(schema, "jsonschema");
-  append_string(schema, json_schema.empty() ? std::string_view("{\"type\":\"object\"}") : json_schema);
+  append_string(schema,
+                json_schema.empty() ? std::string_view("{\"type\":\"object\"}") : json_schema);
   std::string channel;
   append(channel, id);
   append(channel, id);
@@ -237,7 +254,8 @@ struct Cursor {
   std::size_t at, end;
 
   [[noreturn]] void fail(const char* what, const char* expected) const {
-    throw InputError(path + ": " + what + ", byte " + std::to_string(at) + ", expected " + expected);
+    throw InputError(path + ": " + what + ", byte " + std::to_string(at) + ", expected " +
+                     expected);
   }
   void need(std::size_t count, const char* what) const {
     if (end - at < count) fail(what, "more bytes: the file is truncated or damaged");
@@ -300,7 +318,8 @@ struct Reading {
   void message(Cursor body, std::size_t start) {
     const auto id = body.get<std::uint16_t>("message");
     const auto found = channels.find(id);
-    if (found == channels.end()) body.fail("message of an unknown channel", "its channel record before it");
+    if (found == channels.end())
+      body.fail("message of an unknown channel", "its channel record before it");
     McapMessage m;
     m.channel = found->second;
     m.sequence = body.get<std::uint32_t>("message");
@@ -316,12 +335,14 @@ struct Reading {
     body.get<std::uint64_t>("chunk");
     body.get<std::uint64_t>("chunk");
     const auto crc = body.get<std::uint32_t>("chunk");
-    if (!body.text("chunk compression").empty()) body.fail("compressed chunk", "an uncompressed one");
+    if (!body.text("chunk compression").empty())
+      body.fail("compressed chunk", "an uncompressed one");
     const auto size = body.get<std::uint64_t>("chunk size");
     const std::size_t begin = body.at;
     const std::string_view content = body.take(size, "chunk");
     if (crc != 0 && crc32(content) != crc) {
-      file.warnings.push_back("the chunk at byte " + std::to_string(begin) + " is not what its checksum says");
+      file.warnings.push_back("the chunk at byte " + std::to_string(begin) +
+                              " is not what its checksum says");
     }
     records(begin, begin + content.size(), true);
   }
@@ -336,9 +357,16 @@ McapFile read_mcap(const std::string& path) {
     throw InputError(path + ": not an MCAP file, byte 0, expected its magic bytes");
   }
   Reading reading{file, path, {}};
-  if (!reading.records(kMagic.size(), file.bytes.size(), false)) {
-    throw InputError(path + ": the recording ends early, byte " + std::to_string(file.bytes.size()) +
-                     ", expected a footer: it is truncated");
+  const bool has_data_end = reading.records(kMagic.size(), file.bytes.size(), false);
+  // The summary after the data is not needed here, but a file without its end is not the one that
+  // was written.
+  const bool has_end =
+      file.bytes.size() >= 2 * kMagic.size() &&
+      file.bytes.compare(file.bytes.size() - kMagic.size(), kMagic.size(), kMagic) == 0;
+  if (!has_data_end || !has_end) {
+    throw InputError(path + ": the recording ends early, byte " +
+                     std::to_string(file.bytes.size()) +
+                     ", expected a footer and the magic bytes: it is truncated");
   }
   return file;
 }
