@@ -165,6 +165,11 @@ void read_params(const Json& json, HapticParams& params) {
   params.turn_rate = json.at("turn_rate").get<double>();
 }
 
+// File names need not be UTF-8, JSON has to be.
+std::string quoted(const std::string& text) {
+  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace
 
 std::string write_config(const RecordedConfig& config) {
@@ -173,9 +178,9 @@ std::string write_config(const RecordedConfig& config) {
   JsonObject json(out);
   json.integer("version", 1);
   json.key("scene");
-  out += Json(config.scene).dump();
+  out += quoted(config.scene);
   json.key("device");
-  out += Json(config.device).dump();
+  out += quoted(config.device);
   json.number("rate_hz", config.rate_hz);
   json.flag("lockstep", config.is_lockstep);
   json.word("seed", std::to_string(config.seed));
