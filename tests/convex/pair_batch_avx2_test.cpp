@@ -20,7 +20,7 @@ TEST(ClosestPointsBatch, GivesTheSameBitsInBothWidths) {
         const std::vector<PairQuery> narrow_queries = scene.queries(narrow);
         const std::vector<PairQuery> wide_queries = scene.queries(wide);
         std::vector<Separation> narrow_out(count), wide_out(count);
-        RelativePose x = test::random_pose(0.05 * scale, random);
+        RelativePose x = test::near_pose(scale, random);
         const Vec3 step = random.direction() * 0.01 * scale;
         for (int frame = 0; frame < 8; ++frame, x.translation += step) {
           const detail::PlainPose plain{x.rotation.data(), x.translation.data(),

@@ -20,6 +20,13 @@ inline void expect_same_bits(const Separation& a, const Separation& b, std::size
   EXPECT_EQ(a.iterations, b.iterations) << "pair " << i;
 }
 
+/// A pose that leaves the pairs of a scene near each other.
+inline RelativePose near_pose(double scale, Random& random) {
+  const Vec3 turn = random.in_cube(0.01);
+  return {Quat(1.0, turn.x(), turn.y(), turn.z()).normalized().toRotationMatrix(),
+          random.in_cube(0.05 * scale)};
+}
+
 /// Pairs of hulls of every kind and size, apart and overlapping. Views point into a and b.
 struct BatchScene {
   std::vector<PointHull> a, b;

@@ -20,15 +20,18 @@ bool scalar_twin(const HullView& a, const HullView& b, const RelativePose& x, co
       best = std::max(best, (px[i] * ax + py[i] * ay) + pz[i] * az);
     return best;
   };
-  const Vec3 n(axis[0], axis[1], axis[2]), n_b = x.rotation.transpose() * n;
+  const auto dot = [](const Vec3& p, const Vec3& q) {
+    return p.x() * q.x() + p.y() * q.y() + p.z() * q.z();
+  };
+  const Vec3 n(axis[0], axis[1], axis[2]);
+  const Vec3 n_b(dot(x.rotation.col(0), n), dot(x.rotation.col(1), n), dot(x.rotation.col(2), n));
   const double top_a = top(a, axis[0], axis[1], axis[2]);
   const double top_b = top(b, -static_cast<float>(n_b.x()), -static_cast<float>(n_b.y()),
                            -static_cast<float>(n_b.z()));
-  const Vec3 offset = x.rotation * b.center + x.translation - a.center;
-  const double between = n.dot(offset) - top_a - top_b;
+  const double between = dot(b.center, n_b) + dot(x.translation - a.center, n) - (top_a + top_b);
   const double far = a.center.lpNorm<1>() + b.center.lpNorm<1>() + x.translation.lpNorm<1>();
   const double need = gap + 0x1.0p-19 * (a.radius + b.radius) + 0x1.0p-48 * far;
-  return between > 0.0 && between * between > need * need * n.squaredNorm() * (1.0 + 0x1.0p-48);
+  return between > 0.0 && between * between > need * need * dot(n, n) * (1.0 + 0x1.0p-48);
 }
 
 TEST(AxisSeparates, NeverLiesAndIsTightAndEqualsItsScalarTwin) {

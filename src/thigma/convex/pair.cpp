@@ -7,7 +7,6 @@
 #include "thigma/convex/pair.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "thigma/convex/detail/confirm_pairs.h"
@@ -79,8 +78,9 @@ Feature feature_of(const Simplex& s) {
 // the fourth corner of the parallelogram of which it has three): then the simplex holds its own
 // support point if no vertex outside the feature supports.
 bool is_provable(const Simplex& s, const Feature& f) {
-  const int count_a = std::popcount(f.a), count_b = std::popcount(f.b);
-  return s.n <= 3 && (count_a == 1 || count_b == 1 || (s.n == 3 && count_a == 2 && count_b == 2));
+  const std::uint32_t rest_a = f.a & (f.a - 1), rest_b = f.b & (f.b - 1);  // all but one each
+  const bool edges = s.n == 3 && ((rest_a & (rest_a - 1)) | (rest_b & (rest_b - 1))) == 0;
+  return s.n <= 3 && (rest_a == 0 || rest_b == 0 || edges);
 }
 
 void finish(const HullView& a, const Simplex& s, const Vec3& v, Separation& out, GjkCache& cache) {
@@ -198,7 +198,8 @@ Separation search_closest_points(const HullView& a, const HullView& b, const Rel
 
 namespace {
 
-inline bool confirm(const PairQuery& q, const detail::PlainPose& x, Separation& out) {
+[[gnu::always_inline]] inline bool confirm(const PairQuery& q, const detail::PlainPose& x,
+                                           Separation& out) {
   using detail::ScalarLanes;
   const PairQuery* const query[1] = {&q};
   Separation* const to[1] = {&out};

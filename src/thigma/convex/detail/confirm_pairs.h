@@ -132,33 +132,36 @@ template <class T, int N>
 }
 
 /// Whether no vertex outside its feature may support the hull of a lane: support_candidates (see
-/// there for the slack) of every lane.
+/// there for the slack) of every lane. vertex is one of the feature's.
 template <class T>
 [[gnu::always_inline]] inline unsigned supports(const HullView* const (&hull)[T::kLanes],
                                                 const std::uint32_t (&feature)[T::kLanes],
-                                                const std::uint8_t (&vertex)[T::kLanes],
+                                                const LaneVec<T>& vertex,
                                                 const LaneVec<T>& direction) {
   using Small = typename T::Small;
   const Small dx = T::narrow(direction.x), dy = T::narrow(direction.y), dz = T::narrow(direction.z);
-  const double* radius[T::kLanes];
-  for (int l = 0; l < T::kLanes; ++l) radius[l] = &hull[l]->radius;
+  const double *radius[T::kLanes], *center[T::kLanes];
+  for (int l = 0; l < T::kLanes; ++l) {
+    radius[l] = &hull[l]->radius;
+    center[l] = reinterpret_cast<const double*>(&hull[l]->center);
+  }
   const Small slacks = T::small(0x1.0p-18f) * T::narrow(T::pick(radius)) *
                        (T::magnitude(dx) + T::magnitude(dy) + T::magnitude(dz));
-  float d[3][T::kLanes], slack[T::kLanes];
+  LaneVec<T> origin;
+  T::gather(center, origin.x, origin.y, origin.z);
+  const Small limits = T::narrow(dot<T>(minus<T>(vertex, origin), direction)) - slacks;
+  float d[3][T::kLanes], limit[T::kLanes];
   T::store(dx, d[0]);
   T::store(dy, d[1]);
   T::store(dz, d[2]);
-  T::store(slacks, slack);
+  T::store(limits, limit);
   unsigned proven = 0;
   for (int l = 0; l < T::kLanes; ++l) {
-    const int n = hull[l]->lane_count;
-    const float *px = hull[l]->lanes, *py = px + n, *pz = py + n;
-    const int i = vertex[l];
-    const float limit = px[i] * d[0][l] + py[i] * d[1][l] + pz[i] * d[2][l] - slack[l];
     // The padding repeats the last vertex.
     const std::uint32_t present = 0xffffffffu >> (kMaxHullVertices - hull[l]->vertex_count);
     const std::uint32_t rivals =
-        T::not_lower(px, n, d[0][l], d[1][l], d[2][l], limit) & present & ~feature[l];
+        T::not_lower(hull[l]->lanes, hull[l]->lane_count, d[0][l], d[1][l], d[2][l], limit[l]) &
+        present & ~feature[l];
     proven |= static_cast<unsigned>(rivals == 0) << l;
   }
   return proven & T::small_bits((slacks > T::small(1e-30f)) & (slacks < T::small(1e30f)));
@@ -178,7 +181,7 @@ template <class T, int N>
     a[l] = query[l]->a;
     b[l] = query[l]->b;
   }
-  LaneVec<T> pa[N], w[N];
+  LaneVec<T> pa[N], pb[N], w[N];
   Real far = T::splat(x.far);
   for (int k = 0; k < N; ++k) {
     const double *at[kLanes], *bt[kLanes];
@@ -187,10 +190,9 @@ template <class T, int N>
       bt[l] = reinterpret_cast<const double*>(b[l]->vertices + query[l]->cache->b[k]);
     }
     T::gather(at, pa[k].x, pa[k].y, pa[k].z);
-    LaneVec<T> pb;
-    T::gather(bt, pb.x, pb.y, pb.z);
-    if (k == 0) far = far + sum_of_magnitudes<T>(pa[0]) + sum_of_magnitudes<T>(pb);
-    w[k] = minus<T>(pa[k], placed<T>(x, pb));
+    T::gather(bt, pb[k].x, pb[k].y, pb[k].z);
+    if (k == 0) far = far + sum_of_magnitudes<T>(pa[0]) + sum_of_magnitudes<T>(pb[0]);
+    w[k] = minus<T>(pa[k], placed<T>(x, pb[k]));
   }
   const double *radius_a[kLanes], *radius_b[kLanes];
   for (int l = 0; l < kLanes; ++l) {
@@ -207,17 +209,14 @@ template <class T, int N>
   good &= T::bits(vv > noise * noise);
 
   std::uint32_t feature_a[kLanes], feature_b[kLanes];
-  std::uint8_t first_a[kLanes], first_b[kLanes];
   for (int l = 0; l < kLanes; ++l) {
     const LaneFeature f = feature_of<T, N>(*query[l]->cache);
     feature_a[l] = f.a;
     feature_b[l] = f.b;
-    first_a[l] = query[l]->cache->a[0];
-    first_b[l] = query[l]->cache->b[0];
   }
   const LaneVec<T> zero = {T::splat(0.0), T::splat(0.0), T::splat(0.0)};
-  good &= supports<T>(a, feature_a, first_a, minus<T>(zero, v));
-  good &= supports<T>(b, feature_b, first_b, turned_back<T>(x, v));
+  good &= supports<T>(a, feature_a, pa[0], minus<T>(zero, v));
+  good &= supports<T>(b, feature_b, pb[0], turned_back<T>(x, v));
 
   LaneVec<T> witness = scaled<T>(weight[0], pa[0]);
   for (int k = 1; k < N; ++k) witness = plus_scaled<T>(witness, weight[k], pa[k]);

@@ -36,7 +36,8 @@ struct ScalarLanes : Sse2Heights {
   static double pick(const double* const (&p)[1]) { return *p[0]; }
   static void store(double v, double* p) { *p = v; }
   static double magnitude(double v) { return std::fabs(v); }
-  static double root(double v) { return std::sqrt(v); }
+  // Without the library's branch on negative numbers.
+  static double root(double v) { return _mm_cvtsd_f64(_mm_sqrt_sd(_mm_set_sd(v), _mm_set_sd(v))); }
   static unsigned bits(bool mask) { return mask; }
   static float small(float s) { return s; }
   static float narrow(double v) { return static_cast<float>(v); }

@@ -19,7 +19,7 @@ template <class T>
   // By the bytes of one word: the first `provable` indices of each hull must be those of vertices.
   // A cache may come from a front that was rebuilt.
   constexpr std::uint64_t kOnes = 0x01010101, kHigh = 0x8080808080808080;
-  constexpr std::uint64_t kUsed[4] = {0, 0xff000000ff, 0xffff0000ffff, 0xffffff00ffffff};
+  static constexpr std::uint64_t kUsed[4] = {0, 0xff000000ff, 0xffff0000ffff, 0xffffff00ffffff};
   const int n = q.cache->provable & 3;
   std::uint64_t index;
   __builtin_memcpy(&index, q.cache, sizeof index);

@@ -35,8 +35,10 @@ inline std::uint32_t support_candidates(const HullView& hull, int vertex,
 /// Index of a vertex of `among` (not empty) with the largest direction . p.
 inline int support_vertex_among(const HullView& hull, std::uint32_t among,
                                 const Vec3& direction) noexcept {
-  constexpr int kFew = 6;  // from there on all vertices two at a time are as fast
-  if (std::popcount(among) > kFew) return support_vertex(hull, direction);
+  std::uint32_t many = among;
+  for (int few = 6; few > 0; --few) many &= many - 1;
+  // From there on all vertices two at a time are as fast.
+  if (many != 0) return support_vertex(hull, direction);
   int best = std::countr_zero(among);
   double most = direction.dot(hull.vertices[best]);
   for (among &= among - 1; among != 0; among &= among - 1) {
