@@ -22,7 +22,7 @@ struct RunOptions {
   double duration = 0.0;  // 0: until stopped [s]
   bool is_headless = false;
   bool is_lockstep = false;
-  double rate = 0.0;  // 0: the scene's [Hz]
+  std::optional<double> rate;  // otherwise the scene's [Hz]
   std::string record;
   bool is_exact = false;
   std::string response = "coupled";

@@ -31,7 +31,7 @@ ClodHierarchy build(const scenes::SceneObject& object, const scenes::LoadedObjec
 
 void apply_options(const RunOptions& options, SessionConfig& config) {
   config.duration = options.duration;
-  if (options.rate > 0.0) config.rate = options.rate;
+  config.rate = options.rate.value_or(config.rate);
   config.faults = parse_faults(options.fault_text);
 }
 

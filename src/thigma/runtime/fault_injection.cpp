@@ -10,18 +10,21 @@
 namespace thigma {
 namespace {
 
+constexpr double kMostSeconds = 1e6;  // counted in nanoseconds, of which 64 bits hold 292 years
+
 [[noreturn]] void refuse(std::string_view item) {
   throw InputError("--fault: '" + std::string(item) +
-                   "', expected unplug@T, nan@T, stall=S@T or hang=S@T with S and T in seconds >= "
-                   "0, comma-separated");
+                   "', expected unplug@T, nan@T, stall=S@T or hang=S@T with S and T from 0 to 1e6 "
+                   "seconds, comma-separated");
 }
 
 double parse_seconds(std::string_view text, std::string_view item) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0.0) ||
-      !std::isfinite(value))
+  if (error != std::errc{} || end != text.data() + text.size() ||
+      !(value >= 0.0 && value <= kMostSeconds)) {
     refuse(item);
+  }
   return value;
 }
 
