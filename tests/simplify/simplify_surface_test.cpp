@@ -87,6 +87,16 @@ TEST(SimplifySurface, StaysWithinTheLimits) {
                                                  mesh.positions[static_cast<std::size_t>(t[2])]));
     EXPECT_LE(nearest, 0.004 * radius * (1.0 + 1e-9));
   }
+  const TriangleMesh& last = tight.levels.back().mesh;
+  for (const Vec3& p : mesh.positions) {
+    double nearest = 1e300;
+    for (const auto& t : last.triangles)
+      nearest = std::min(nearest,
+                         point_triangle_distance(p, last.positions[static_cast<std::size_t>(t[0])],
+                                                 last.positions[static_cast<std::size_t>(t[1])],
+                                                 last.positions[static_cast<std::size_t>(t[2])]));
+    EXPECT_LE(nearest, 0.004 * radius * (1.0 + 1e-9)) << "from the original too";
+  }
   EXPECT_NEAR(mass_properties(wide.levels.back().mesh).volume / mass_properties(mesh).volume, 1.0,
               0.2);
 }

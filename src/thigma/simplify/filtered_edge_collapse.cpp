@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "thigma/simplify/detail/trial.h"
 
@@ -106,6 +107,40 @@ Starts choose_starts(const PatchedSurface& s, const CollapseContext& context) {
   return starts;
 }
 
+/// Hands the original's vertices that the star stood for to the nearest of its new triangles.
+void hand_over_samples(const PatchedSurface& s, const EdgeStar& star,
+                       detail::DeviationGuard& guard) {
+  std::int32_t list = -1;  // of all of them
+  const auto take = [&](std::int32_t triangle) {
+    std::int32_t& first = guard.first_sample[at(triangle)];
+    while (first >= 0) {
+      const std::int32_t v = first;
+      first = guard.next_sample[at(v)];
+      guard.next_sample[at(v)] = list;
+      list = v;
+    }
+  };
+  for (const StarTriangle& t : star.triangles) take(t.triangle);
+  for (const std::int32_t t : star.removed)
+    if (t >= 0) take(t);
+  while (list >= 0) {
+    const std::int32_t v = list;
+    list = guard.next_sample[at(v)];
+    double least = std::numeric_limits<double>::infinity();
+    std::int32_t nearest = star.triangles[0].triangle;
+    for (const StarTriangle& t : star.triangles) {
+      const auto c = corners_of(s, t.triangle);
+      const double distance =
+          point_triangle_distance(guard.original->positions[at(v)], c[0], c[1], c[2]);
+      if (distance >= least) continue;
+      least = distance;
+      nearest = t.triangle;
+    }
+    guard.next_sample[at(v)] = guard.first_sample[at(nearest)];
+    guard.first_sample[at(nearest)] = v;
+  }
+}
+
 void commit(PatchedSurface& s, CollapseContext& context, const Vec3& p,
             std::vector<std::int32_t>& successor) {
   CollapseScratch& k = context.scratch;
@@ -120,6 +155,7 @@ void commit(PatchedSurface& s, CollapseContext& context, const Vec3& p,
       detail::find_within_limit(context.guard, p, {star.tail, star.head, star.tail});
   if (near >= 0) context.guard.near[at(star.tail)] = near;
   for (const StarTriangle& t : star.triangles) refresh_triangle(s, t.triangle);
+  hand_over_samples(s, star, context.guard);
   for (const std::int32_t t : star.removed) {
     if (t < 0) continue;
     std::erase(s.patches[at(s.patch_of[at(t)])].triangles, t);

@@ -31,6 +31,7 @@ struct CollapseParams {
                                 // equilateral; where the worst of the old ones is below, that
   double free_to_turn = 2e-3;   // a triangle of less quality may turn over
   bool is_relaxed = true;       // step 3
+  bool guards_original = true;  // the limit on deviation holds from the original's vertices too
 };
 
 /// Scratch of one attempt, reused so that attempts do not allocate.

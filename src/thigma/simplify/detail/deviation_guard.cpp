@@ -28,6 +28,16 @@ DeviationGuard build_deviation_guard(const TriangleMesh& original, double limit)
   for (std::size_t t = 0; t < original.triangles.size(); ++t)
     for (const std::int32_t v : original.triangles[t])
       guard.near[at(v)] = static_cast<std::int32_t>(t);
+  guard.first_sample.assign(original.triangles.size(), -1);
+  guard.next_sample.assign(original.positions.size(), -1);
+  std::vector<char> is_placed(original.positions.size(), 0);
+  for (std::size_t t = 0; t < original.triangles.size(); ++t)
+    for (const std::int32_t v : original.triangles[t]) {
+      if (is_placed[at(v)]) continue;
+      is_placed[at(v)] = 1;
+      guard.next_sample[at(v)] = guard.first_sample[t];
+      guard.first_sample[t] = v;
+    }
   return guard;
 }
 

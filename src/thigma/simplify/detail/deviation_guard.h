@@ -1,5 +1,5 @@
 #pragma once
-// Is a point still near the original surface?
+// Is the surface still near the original, and the original near it?
 
 #include <array>
 #include <cstdint>
@@ -10,16 +10,20 @@
 
 namespace thigma::detail {
 
-/// The original surface, and for each vertex of the simplified one a triangle near it.
+/// The original surface, for each vertex of the simplified one a triangle near it, and for each
+/// triangle of the simplified one the vertices of the original that it stands for.
 struct DeviationGuard {
   const TriangleMesh* original = nullptr;
   TriangleTree tree;
-  double limit = 0.0;               // [m]
-  std::vector<std::int32_t> near;   // triangle of the original, of each vertex
-  std::vector<std::int32_t> stack;  // scratch
+  double limit = 0.0;                      // [m]
+  std::vector<std::int32_t> near;          // triangle of the original, of each vertex
+  std::vector<std::int32_t> first_sample;  // vertex of the original, of each triangle; -1 none
+  std::vector<std::int32_t> next_sample;   // of each vertex of the original, in its triangle's list
+  std::vector<std::int32_t> stack;         // scratch
 };
 
-/// Keeps a pointer to the mesh; every vertex starts near one of its own triangles.
+/// Keeps a pointer to the mesh; every vertex starts near one of its own triangles, which stands for
+/// it.
 DeviationGuard build_deviation_guard(const TriangleMesh& original, double limit);
 
 /// A triangle of the original within the limit of p, -1 for none. Looks first at the triangles

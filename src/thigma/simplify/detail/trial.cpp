@@ -91,6 +91,30 @@ bool is_near_original(const PatchedSurface& s, CollapseContext& context, const V
   return true;
 }
 
+/// Vertices of the original that the star stands for, to the new triangles.
+bool is_original_near(const PatchedSurface& s, const CollapseContext& context, const Vec3& p) {
+  const CollapseScratch& k = context.scratch;
+  const DeviationGuard& guard = context.guard;
+  const auto distance = [&](const Vec3& x, const StarTriangle& t) {
+    return point_triangle_distance(x, p, s.mesh.positions[at(t.a)], s.mesh.positions[at(t.b)]);
+  };
+  const auto are_near = [&](std::int32_t triangle, const StarTriangle* own) {
+    for (std::int32_t v = guard.first_sample[at(triangle)]; v >= 0; v = guard.next_sample[at(v)]) {
+      const Vec3& x = guard.original->positions[at(v)];
+      if (own && distance(x, *own) <= guard.limit) continue;
+      if (std::none_of(k.star.triangles.begin(), k.star.triangles.end(),
+                       [&](const StarTriangle& t) { return distance(x, t) <= guard.limit; }))
+        return false;
+    }
+    return true;
+  };
+  for (const StarTriangle& t : k.star.triangles)
+    if (!are_near(t.triangle, &t)) return false;
+  for (const std::int32_t t : k.star.removed)
+    if (t >= 0 && !are_near(t, nullptr)) return false;
+  return true;
+}
+
 bool are_patches_convex(const PatchedSurface& s, const CollapseScratch& k, const Vec3& p) {
   for (std::size_t i = 0; i < k.star.patches.size(); ++i) {
     const std::int32_t patch = k.star.patches[i];
@@ -289,6 +313,7 @@ bool try_position(PatchedSurface& s, CollapseContext& context, const Vec3& p) {
   if (!with_both_at_p([&] { return are_patches_convex(s, k, p); })) return false;
   k.reason = CollapseOutcome::deviation;
   if (!with_both_at_p([&] { return is_near_original(s, context, p); })) return false;
+  if (context.params.guards_original && !is_original_near(s, context, p)) return false;
   k.reason = CollapseOutcome::intersection;
   // Not more than before, rather than none: what crosses itself already must stay free to be
   // simplified.
