@@ -167,6 +167,31 @@ template <class T>
   return proven & T::small_bits((slacks > T::small(1e-30f)) & (slacks < T::small(1e30f)));
 }
 
+/// Writes what confirmed lanes have found.
+template <class T>
+[[gnu::always_inline]] inline void store_separations(typename T::Real distances,
+                                                     const LaneVec<T>& witness,
+                                                     const LaneVec<T>& witness_b,
+                                                     const std::uint32_t (&feature_a)[T::kLanes],
+                                                     const std::uint32_t (&feature_b)[T::kLanes],
+                                                     Separation* const (&out)[T::kLanes]) {
+  constexpr int kLanes = T::kLanes;
+  double distance[kLanes], *to_a[kLanes], *to_b[kLanes];
+  T::store(distances, distance);
+  for (int l = 0; l < kLanes; ++l) {
+    Separation& s = *out[l];
+    s.status = PairStatus::separated;
+    s.distance = distance[l];
+    s.feature_a = feature_a[l];
+    s.feature_b = feature_b[l];
+    s.iterations = 1;
+    to_a[l] = reinterpret_cast<double*>(&s.witness_a);
+    to_b[l] = reinterpret_cast<double*>(&s.witness_b);
+  }
+  T::scatter(witness.x, witness.y, witness.z, to_a);
+  T::scatter(witness_b.x, witness_b.y, witness_b.z, to_b);
+}
+
 /// Confirms the provable cached simplices of N points, with existing vertices and lanes, of
 /// T::kLanes pairs.
 /// Writes every out; only those of the lanes in the returned bits count.
@@ -221,20 +246,7 @@ template <class T, int N>
   LaneVec<T> witness = scaled<T>(weight[0], pa[0]);
   for (int k = 1; k < N; ++k) witness = plus_scaled<T>(witness, weight[k], pa[k]);
   const LaneVec<T> witness_b = minus<T>(witness, v);
-  double distance[kLanes], *to_a[kLanes], *to_b[kLanes];
-  T::store(T::root(vv), distance);
-  for (int l = 0; l < kLanes; ++l) {
-    Separation& s = *out[l];
-    s.status = PairStatus::separated;
-    s.distance = distance[l];
-    s.feature_a = feature_a[l];
-    s.feature_b = feature_b[l];
-    s.iterations = 1;
-    to_a[l] = reinterpret_cast<double*>(&s.witness_a);
-    to_b[l] = reinterpret_cast<double*>(&s.witness_b);
-  }
-  T::scatter(witness.x, witness.y, witness.z, to_a);
-  T::scatter(witness_b.x, witness_b.y, witness_b.z, to_b);
+  store_separations<T>(T::root(vv), witness, witness_b, feature_a, feature_b, out);
   return good;
 }
 
