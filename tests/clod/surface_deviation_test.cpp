@@ -11,6 +11,11 @@
 namespace thigma {
 namespace {
 
+double bound(const DeviationTarget& target, const std::array<Vec3, 3>& triangle) {
+  std::int32_t nearest = 0;
+  return bound_deviation(target, triangle, 0.0, nearest);
+}
+
 double distance_by_loop(const TriangleMesh& mesh, const Vec3& p) {
   double nearest = 1e300;
   for (const auto& t : mesh.triangles)
@@ -61,10 +66,13 @@ TEST(SurfaceDeviation, BoundsEveryPointAndStaysTight) {
       for (std::size_t k = 0; k < 3; ++k) c[k] = mesh.positions[static_cast<std::size_t>(t[k])];
       const Vec3 middle = (c[0] + c[1] + c[2]) / 3.0;
       for (Vec3& p : c) p = middle + size * (p - middle) + shift + 0.02 * random.in_cube(1.0);
-      const double bound = bound_deviation(target, c), met = sampled(mesh, c);
-      EXPECT_GE(bound, met * (1.0 - 1e-12));
-      worst = std::max(worst, bound / met);
-      sum += bound / met;
+      const double most = bound(target, c), met = sampled(mesh, c);
+      EXPECT_GE(most, met * (1.0 - 1e-12));
+      std::int32_t nearest = 0;
+      EXPECT_EQ(bound_deviation(target, c, 9.0, nearest), 9.0) << "known to be far less";
+      EXPECT_GE(bound_deviation(target, c, 0.9 * met, nearest), met * (1.0 - 1e-12));
+      worst = std::max(worst, most / met);
+      sum += most / met;
       ++count;
     }
   }
@@ -76,16 +84,15 @@ TEST(SurfaceDeviation, OfTheSurfaceItselfIsNone) {
   const TriangleMesh mesh = make_box({1, 2, 3}, {3, 3, 3});
   const DeviationTarget target = build_deviation_target(mesh, 0.1);
   for (const auto& t : mesh.triangles)
-    EXPECT_LT(bound_deviation(target, {mesh.positions[static_cast<std::size_t>(t[0])],
-                                       mesh.positions[static_cast<std::size_t>(t[1])],
-                                       mesh.positions[static_cast<std::size_t>(t[2])]}),
+    EXPECT_LT(bound(target, {mesh.positions[static_cast<std::size_t>(t[0])],
+                             mesh.positions[static_cast<std::size_t>(t[1])],
+                             mesh.positions[static_cast<std::size_t>(t[2])]}),
               1e-14);
   // A face moved out by a tenth.
   const Vec3 out(0.1, 0, 0), half(0.5, 0, 0);
-  EXPECT_NEAR(
-      bound_deviation(target, {half + out + Vec3(0, -0.9, -1.4), half + out + Vec3(0, 0.9, -1.4),
-                               half + out + Vec3(0, 0.9, 1.4)}),
-      0.1, 1e-12);
+  EXPECT_NEAR(bound(target, {half + out + Vec3(0, -0.9, -1.4), half + out + Vec3(0, 0.9, -1.4),
+                             half + out + Vec3(0, 0.9, 1.4)}),
+              0.1, 1e-12);
 }
 
 }  // namespace

@@ -82,41 +82,59 @@ double area_above(const Polygon& polygon) {
   return 0.5 * twice;
 }
 
+struct SheetBound {
+  double distance = std::numeric_limits<double>::infinity();  // along the normal, at most
+  bool is_steep = false;   // where it is largest: the surface may be much nearer sideways
+  std::int32_t over = -1;  // triangle of the surface with the largest part over this one
+};
+
 /// Largest distance along the normal to the sheet over the triangle; infinite when not one sheet
 /// covers it once.
-double bound_by_sheet(const DeviationTarget& target, const std::array<Vec3, 3>& triangle) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
+SheetBound bound_by_sheet(const DeviationTarget& target, const std::array<Vec3, 3>& triangle) {
   const Vec3 cross = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   const double length = cross.norm();
   const double edge = (triangle[1] - triangle[0]).norm();
-  if (!(length > 1e-6 * edge * (triangle[2] - triangle[0]).norm())) return kNone;
+  if (!(length > 1e-6 * edge * (triangle[2] - triangle[0]).norm())) return {};
   Mat3 frame;  // rows: two directions in the plane, and the normal
   frame.row(0) = (triangle[1] - triangle[0]) / edge;
   frame.row(2) = cross / length;
   frame.row(1) = frame.row(2).cross(frame.row(0));
   std::array<Vec3, 3> flat;
   for (std::size_t k = 0; k < 3; ++k) flat[k] = frame * (triangle[k] - triangle[0]);
-  const Vec3 reach = Vec3::Constant(target.reach);
+  const Vec3 reach = target.reach * frame.row(2).transpose().cwiseAbs();
   const detail::TreeBox box{triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]) - reach,
                             triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]) + reach};
-  double covered = 0.0, largest = 0.0;
+  double covered = 0.0;
+  SheetBound bound{0.0, false, -1};
+  double largest_part = 0.0;
   detail::visit_triangles(target.tree, box, [&](std::int32_t t) {
     Polygon piece;
     for (const std::int32_t v : target.mesh->triangles[at(t)])
       piece.add(frame * (target.mesh->positions[at(v)] - triangle[0]));
-    if (!(area_above(piece) > 0.0)) return;  // seen from behind, or edge on
+    const Vec3 turned =
+        (piece.corner[1] - piece.corner[0]).cross(piece.corner[2] - piece.corner[0]);
+    if (!(turned.z() > 0.0)) return;  // seen from behind, or edge on
     for (std::size_t k = 0; k < 3 && piece.count > 0; ++k) cut(piece, flat[k], flat[(k + 1) % 3]);
     if (piece.count < 3) return;
-    double nearest = kNone, farthest = 0.0;
+    double nearest = std::numeric_limits<double>::infinity(), farthest = 0.0;
     for (std::size_t i = 0; i < piece.count; ++i) {
       nearest = std::min(nearest, std::fabs(piece.corner[i].z()));
       farthest = std::max(farthest, std::fabs(piece.corner[i].z()));
     }
     if (nearest > target.reach) return;  // another sheet
-    covered += area_above(piece);
-    largest = std::max(largest, farthest);
+    const double part = area_above(piece);
+    covered += part;
+    if (part > largest_part) {
+      largest_part = part;
+      bound.over = t;
+    }
+    if (farthest <= bound.distance) return;
+    bound.distance = farthest;
+    bound.is_steep = turned.z() < 0.5 * turned.norm();
   });
-  return std::fabs(covered - 0.5 * length) <= 1e-6 * 0.5 * length ? largest : kNone;
+  if (std::fabs(covered - 0.5 * length) > 1e-6 * 0.5 * length)
+    bound.distance = std::numeric_limits<double>::infinity();
+  return bound;
 }
 
 /// Bound over a part of the triangle. met: largest distance of any point so far, a lower bound.
@@ -126,6 +144,8 @@ double bound_by_division(const DeviationTarget& target, const std::array<Vec3, 3
   met = std::max(met, center);
   double bound = 0.0;
   for (const Vec3& p : c) bound = std::max(bound, distance_to(target, p, nearest));
+  if (bound <= kTightness * met) return bound;
+  bound = std::min(bound, bound_by_sheet(target, c).distance);
   if (divisions == 0 || bound <= kTightness * met) return bound;
   for (const Vec3& p : c) {
     std::int32_t guess = nearest;
@@ -138,7 +158,7 @@ double bound_by_division(const DeviationTarget& target, const std::array<Vec3, 3
   double largest = 0.0;
   for (const auto& part : parts)
     largest = std::max(largest, bound_by_division(target, part, divisions - 1, nearest, met));
-  return largest;
+  return std::min(bound, largest);
 }
 
 }  // namespace
@@ -159,11 +179,16 @@ double nearest_distance(const DeviationTarget& target, const Vec3& p, std::int32
   return best;
 }
 
-double bound_deviation(const DeviationTarget& target, const std::array<Vec3, 3>& triangle) {
-  const double by_sheet = bound_by_sheet(target, triangle);
-  if (std::isfinite(by_sheet)) return by_sheet;
-  double met = 0.0;
-  return bound_by_division(target, triangle, kDivisions, 0, met);
+double bound_deviation(const DeviationTarget& target, const std::array<Vec3, 3>& triangle,
+                       double known, std::int32_t& nearest) {
+  double simple = 0.0;
+  for (const Vec3& p : triangle) simple = std::max(simple, distance_to(target, p, nearest));
+  if (simple <= known) return known;
+  const SheetBound sheet = bound_by_sheet(target, triangle);
+  if (sheet.over >= 0) nearest = sheet.over;
+  if (std::isfinite(sheet.distance) && !sheet.is_steep) return std::max(known, sheet.distance);
+  double met = known;
+  return std::max(known, bound_by_division(target, triangle, kDivisions, nearest, met));
 }
 
 }  // namespace thigma

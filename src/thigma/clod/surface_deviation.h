@@ -27,10 +27,15 @@ double nearest_distance(const DeviationTarget& target, const Vec3& p, std::int32
 ///
 /// Where the surface lies over the triangle in one sheet, it is cut along the triangle's prism, and
 /// the distance along the normal, linear on every piece, has its largest value at a corner of a
-/// piece. Elsewhere the triangle is divided until the distance of its corners to one triangle of
-/// the surface, a convex function, bounds the rest to a quarter; at most 256 parts.
+/// piece. Elsewhere, and where that distance is slanted, the triangle is divided until one of the
+/// two bounds its parts to a quarter: that, or the distance of the corners to one triangle of the
+/// surface, a convex function; at most 256 parts.
 ///
-/// Thread [offline]; no failure.
-double bound_deviation(const DeviationTarget& target, const std::array<Vec3, 3>& triangle);
+/// known    a bound that holds already: a triangle found to stay below it is not measured, and the
+///          answer is then `known`
+/// nearest  a triangle of the surface to try that with, replaced by one over this triangle
+/// Thread   [offline]; no failure.
+double bound_deviation(const DeviationTarget& target, const std::array<Vec3, 3>& triangle,
+                       double known, std::int32_t& nearest);
 
 }  // namespace thigma

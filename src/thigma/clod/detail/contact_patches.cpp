@@ -163,16 +163,18 @@ void measure_deviation(const TriangleMesh& mesh, const ConvexDecomposition& deco
     const SimplifiedLevel& level = s.levels[k];
     original.reach = reach_of(original, level.mesh);
     const DeviationTarget target = build_deviation_target(level.mesh, original.reach);
+    std::int32_t guess = 0;
     for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
       double& deviation = h.contact_patches[first + at(level.patch_of_triangle[t])].deviation;
-      deviation = std::max(
-          deviation, bound_deviation(original, corners(level.mesh, static_cast<std::int32_t>(t))));
+      deviation = bound_deviation(original, corners(level.mesh, static_cast<std::int32_t>(t)),
+                                  deviation, guess);
     }
+    guess = 0;
     for (std::size_t p = 0; p < decomposition.patches.size(); ++p) {
       above[p] = parent[at(above[p])];
       double& deviation = h.contact_patches[at(h.nodes[at(above[p])].contact)].deviation;
       for (const std::int32_t t : decomposition.patches[p])
-        deviation = std::max(deviation, bound_deviation(target, corners(mesh, t)));
+        deviation = bound_deviation(target, corners(mesh, t), deviation, guess);
     }
     first += at(level.patch_count);
   }
