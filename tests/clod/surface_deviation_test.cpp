@@ -11,9 +11,10 @@
 namespace thigma {
 namespace {
 
-double bound(const DeviationTarget& target, const std::array<Vec3, 3>& triangle) {
+double bound(const DeviationTarget& target, const std::array<Vec3, 3>& triangle,
+             double reach = 0.1) {
   std::int32_t nearest = 0;
-  return bound_deviation(target, triangle, 0.0, nearest);
+  return bound_deviation(target, triangle, reach, 0.0, nearest);
 }
 
 double distance_by_loop(const TriangleMesh& mesh, const Vec3& p) {
@@ -41,7 +42,7 @@ double sampled(const TriangleMesh& mesh, const std::array<Vec3, 3>& c) {
 
 TEST(SurfaceDeviation, NearestDistanceIsThatOfALoop) {
   const TriangleMesh mesh = make_torus(1.0, 0.4, 20, 12);
-  const DeviationTarget target = build_deviation_target(mesh, 0.1);
+  const DeviationTarget target = build_deviation_target(mesh);
   Random random(41);
   for (int i = 0; i < 300; ++i) {
     const Vec3 p = random.in_cube(1.6);
@@ -56,7 +57,7 @@ TEST(SurfaceDeviation, BoundsEveryPointAndStaysTight) {
   double worst = 0.0, sum = 0.0;
   int count = 0;
   for (const double reach : {0.0, 0.3}) {
-    const DeviationTarget target = build_deviation_target(mesh, reach);
+    const DeviationTarget target = build_deviation_target(mesh);
     for (int i = 0; i < 60; ++i) {
       // A triangle near the surface: moved, turned and blown up.
       const auto& t = mesh.triangles[random.below(mesh.triangles.size())];
@@ -66,11 +67,11 @@ TEST(SurfaceDeviation, BoundsEveryPointAndStaysTight) {
       for (std::size_t k = 0; k < 3; ++k) c[k] = mesh.positions[static_cast<std::size_t>(t[k])];
       const Vec3 middle = (c[0] + c[1] + c[2]) / 3.0;
       for (Vec3& p : c) p = middle + size * (p - middle) + shift + 0.02 * random.in_cube(1.0);
-      const double most = bound(target, c), met = sampled(mesh, c);
+      const double most = bound(target, c, reach), met = sampled(mesh, c);
       EXPECT_GE(most, met * (1.0 - 1e-12));
       std::int32_t nearest = 0;
-      EXPECT_EQ(bound_deviation(target, c, 9.0, nearest), 9.0) << "known to be far less";
-      EXPECT_GE(bound_deviation(target, c, 0.9 * met, nearest), met * (1.0 - 1e-12));
+      EXPECT_EQ(bound_deviation(target, c, reach, 9.0, nearest), 9.0) << "known to be far less";
+      EXPECT_GE(bound_deviation(target, c, reach, 0.9 * met, nearest), met * (1.0 - 1e-12));
       worst = std::max(worst, most / met);
       sum += most / met;
       ++count;
@@ -82,7 +83,7 @@ TEST(SurfaceDeviation, BoundsEveryPointAndStaysTight) {
 
 TEST(SurfaceDeviation, OfTheSurfaceItselfIsNone) {
   const TriangleMesh mesh = make_box({1, 2, 3}, {3, 3, 3});
-  const DeviationTarget target = build_deviation_target(mesh, 0.1);
+  const DeviationTarget target = build_deviation_target(mesh);
   for (const auto& t : mesh.triangles)
     EXPECT_LT(bound(target, {mesh.positions[static_cast<std::size_t>(t[0])],
                              mesh.positions[static_cast<std::size_t>(t[1])],

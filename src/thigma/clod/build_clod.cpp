@@ -99,7 +99,7 @@ ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params, Clo
   detail::measure_hausdorff(h);
   if (!params.has_culling_hulls) detail::bound_by_contact_patches(h);
   const double placed = cpu_seconds();
-  detail::measure_deviation(mesh, decomposition, s, h);
+  detail::measure_deviation(mesh, decomposition, s, params.threads, h);
   detail::fill_support(decomposition, patches, s, h);
   describe_levels(s, h);
   if (!report) return h;

@@ -14,6 +14,7 @@ struct ClodParams {
   DecompositionParams decomposition;
   SimplifyParams simplify;
   double contact_tolerance = 0.01;  // of the queries to come, for support areas; times the radius
+  int threads = 1;                  // for the parameters; the loop of simplification is serial
   bool is_reparented = true;        // parents by geometry; false: by merging, as in the text
   bool has_culling_hulls = true;  // nodes bounded by hulls of the finest surface below them; false:
                                   // by their own patch and h, as in the text

@@ -90,26 +90,36 @@ struct SheetBound {
 
 /// Largest distance along the normal to the sheet over the triangle; infinite when not one sheet
 /// covers it once.
-SheetBound bound_by_sheet(const DeviationTarget& target, const std::array<Vec3, 3>& triangle) {
+SheetBound bound_by_sheet(const DeviationTarget& target, const std::array<Vec3, 3>& triangle,
+                          double sheet_reach) {
   const Vec3 cross = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   const double length = cross.norm();
   const double edge = (triangle[1] - triangle[0]).norm();
   if (!(length > 1e-6 * edge * (triangle[2] - triangle[0]).norm())) return {};
   Mat3 frame;  // rows: two directions in the plane, and the normal
   frame.row(0) = (triangle[1] - triangle[0]) / edge;
-  frame.row(2) = cross / length;
+  const Vec3 normal = cross / length;
+  frame.row(2) = normal;
   frame.row(1) = frame.row(2).cross(frame.row(0));
   std::array<Vec3, 3> flat;
   for (std::size_t k = 0; k < 3; ++k) flat[k] = frame * (triangle[k] - triangle[0]);
-  const Vec3 reach = target.reach * frame.row(2).transpose().cwiseAbs();
+  const Vec3 reach = sheet_reach * normal.cwiseAbs();
   const detail::TreeBox box{triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]) - reach,
                             triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]) + reach};
   double covered = 0.0;
   SheetBound bound{0.0, false, -1};
   double largest_part = 0.0;
   detail::visit_triangles(target.tree, box, [&](std::int32_t t) {
+    const auto& corner = target.mesh->triangles[at(t)];
+    int above = 0, below = 0;
+    for (const std::int32_t v : corner) {
+      const double height = normal.dot(target.mesh->positions[at(v)] - triangle[0]);
+      above += height > sheet_reach;
+      below += height < -sheet_reach;
+    }
+    if (above == 3 || below == 3) return;  // another sheet, or the far end of this one
     Polygon piece;
-    for (const std::int32_t v : target.mesh->triangles[at(t)])
+    for (const std::int32_t v : corner)
       piece.add(frame * (target.mesh->positions[at(v)] - triangle[0]));
     const Vec3 turned =
         (piece.corner[1] - piece.corner[0]).cross(piece.corner[2] - piece.corner[0]);
@@ -121,7 +131,7 @@ SheetBound bound_by_sheet(const DeviationTarget& target, const std::array<Vec3, 
       nearest = std::min(nearest, std::fabs(piece.corner[i].z()));
       farthest = std::max(farthest, std::fabs(piece.corner[i].z()));
     }
-    if (nearest > target.reach) return;  // another sheet
+    if (nearest > sheet_reach) return;  // another sheet
     const double part = area_above(piece);
     covered += part;
     if (part > largest_part) {
@@ -138,14 +148,14 @@ SheetBound bound_by_sheet(const DeviationTarget& target, const std::array<Vec3, 
 }
 
 /// Bound over a part of the triangle. met: largest distance of any point so far, a lower bound.
-double bound_by_division(const DeviationTarget& target, const std::array<Vec3, 3>& c, int divisions,
-                         std::int32_t nearest, double& met) {
+double bound_by_division(const DeviationTarget& target, const std::array<Vec3, 3>& c, double reach,
+                         int divisions, std::int32_t nearest, double& met) {
   const double center = nearest_distance(target, (c[0] + c[1] + c[2]) / 3.0, nearest);
   met = std::max(met, center);
   double bound = 0.0;
   for (const Vec3& p : c) bound = std::max(bound, distance_to(target, p, nearest));
   if (bound <= kTightness * met) return bound;
-  bound = std::min(bound, bound_by_sheet(target, c).distance);
+  bound = std::min(bound, bound_by_sheet(target, c, reach).distance);
   if (divisions == 0 || bound <= kTightness * met) return bound;
   for (const Vec3& p : c) {
     std::int32_t guess = nearest;
@@ -157,16 +167,16 @@ double bound_by_division(const DeviationTarget& target, const std::array<Vec3, 3
       {{c[0], ab, ca}, {ab, c[1], bc}, {ca, bc, c[2]}, {ab, bc, ca}}};
   double largest = 0.0;
   for (const auto& part : parts)
-    largest = std::max(largest, bound_by_division(target, part, divisions - 1, nearest, met));
+    largest =
+        std::max(largest, bound_by_division(target, part, reach, divisions - 1, nearest, met));
   return std::min(bound, largest);
 }
 
 }  // namespace
 
-DeviationTarget build_deviation_target(const TriangleMesh& mesh, double reach) {
+DeviationTarget build_deviation_target(const TriangleMesh& mesh) {
   DeviationTarget target;
   target.mesh = &mesh;
-  target.reach = reach;
   std::vector<std::int32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0);
   target.tree = detail::build_triangle_tree(mesh, std::move(all));
@@ -180,15 +190,15 @@ double nearest_distance(const DeviationTarget& target, const Vec3& p, std::int32
 }
 
 double bound_deviation(const DeviationTarget& target, const std::array<Vec3, 3>& triangle,
-                       double known, std::int32_t& nearest) {
+                       double reach, double known, std::int32_t& nearest) {
   double simple = 0.0;
   for (const Vec3& p : triangle) simple = std::max(simple, distance_to(target, p, nearest));
   if (simple <= known) return known;
-  const SheetBound sheet = bound_by_sheet(target, triangle);
+  const SheetBound sheet = bound_by_sheet(target, triangle, reach);
   if (sheet.over >= 0) nearest = sheet.over;
   if (std::isfinite(sheet.distance) && !sheet.is_steep) return std::max(known, sheet.distance);
   double met = known;
-  return std::max(known, bound_by_division(target, triangle, kDivisions, nearest, met));
+  return std::max(known, bound_by_division(target, triangle, reach, kDivisions, nearest, met));
 }
 
 }  // namespace thigma

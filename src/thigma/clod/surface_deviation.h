@@ -14,11 +14,9 @@ namespace thigma {
 struct DeviationTarget {
   const TriangleMesh* mesh = nullptr;
   detail::TriangleTree tree;
-  double reach = 0.0;  // sheets farther than this along a normal are not looked at [m]
 };
 
-/// reach  about the largest deviation to expect [m]; larger ones are found too, slower
-DeviationTarget build_deviation_target(const TriangleMesh& mesh, double reach);
+DeviationTarget build_deviation_target(const TriangleMesh& mesh);
 
 /// Distance from p to the surface, and the triangle it is nearest to; `nearest` is a first guess.
 double nearest_distance(const DeviationTarget& target, const Vec3& p, std::int32_t& nearest);
@@ -31,11 +29,13 @@ double nearest_distance(const DeviationTarget& target, const Vec3& p, std::int32
 /// two bounds its parts to a quarter: that, or the distance of the corners to one triangle of the
 /// surface, a convex function; at most 256 parts.
 ///
+/// reach    about the largest deviation to expect [m]: sheets farther along the normal are not
+///          looked at; larger deviations are found too, slower
 /// known    a bound that holds already: a triangle found to stay below it is not measured, and the
 ///          answer is then `known`
 /// nearest  a triangle of the surface to try that with, replaced by one over this triangle
 /// Thread   [offline]; no failure.
 double bound_deviation(const DeviationTarget& target, const std::array<Vec3, 3>& triangle,
-                       double known, std::int32_t& nearest);
+                       double reach, double known, std::int32_t& nearest);
 
 }  // namespace thigma

@@ -86,11 +86,14 @@ void renew_candidates(Loop& loop, std::int32_t v) {
     update_normal(loop, w);
     ++loop.version[at(w)];
   }
+  const auto push_once = [&](std::int32_t w, std::int32_t other) {  // not from both ends
+    if (other > w || std::find(ring.begin(), ring.end(), other) == ring.end()) push(loop, w, other);
+  };
   const auto push_around = [&](std::int32_t w) {
     visit_fan(m, w, [&](std::int32_t h) {
-      push(loop, w, head_of(m, h));
+      push_once(w, head_of(m, h));
       const std::int32_t last = previous_halfedge(h);
-      if (m.twin[at(last)] < 0) push(loop, w, tail_of(m, last));
+      if (m.twin[at(last)] < 0) push_once(w, tail_of(m, last));
     });
   };
   for (const std::int32_t w : ring) push_around(w);

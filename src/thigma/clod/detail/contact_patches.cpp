@@ -1,7 +1,9 @@
 #include "thigma/clod/detail/contact_patches.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
+#include <thread>
 
 #include "thigma/clod/detail/draft_tree.h"
 #include "thigma/clod/surface_deviation.h"
@@ -50,6 +52,44 @@ double reach_of(const DeviationTarget& original, const TriangleMesh& level) {
   for (const Vec3& p : level.positions)
     largest = std::max(largest, nearest_distance(original, p, guess));
   return 3.0 * largest;
+}
+
+/// Of each level and finest patch: the contact patch above it.
+std::vector<std::vector<std::int32_t>> contact_patches_above(const ClodHierarchy& h,
+                                                             std::size_t levels) {
+  std::vector<std::int32_t> parent(h.nodes.size(), -1);
+  for (std::size_t i = 0; i < h.nodes.size(); ++i)
+    for (std::int32_t k = 0; k < h.nodes[i].child_count; ++k)
+      parent[at(h.nodes[i].first_child + k)] = static_cast<std::int32_t>(i);
+  std::vector<std::vector<std::int32_t>> above(levels);
+  std::vector<std::int32_t> node;
+  for (const ClodPatch& patch : h.patches) node.push_back(patch.node);
+  for (std::size_t k = 1; k < levels; ++k)
+    for (std::int32_t& i : node) {
+      i = parent[at(i)];
+      above[k].push_back(h.nodes[at(i)].contact);
+    }
+  return above;
+}
+
+/// Deviations of one level. first: its first contact patch.
+void measure_level(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
+                   const SimplifiedLevel& level, const DeviationTarget& original,
+                   const std::vector<std::int32_t>& above, std::size_t first, ClodHierarchy& h) {
+  const double reach = reach_of(original, level.mesh);
+  const DeviationTarget target = build_deviation_target(level.mesh);
+  std::int32_t guess = 0;
+  for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
+    double& deviation = h.contact_patches[first + at(level.patch_of_triangle[t])].deviation;
+    deviation = bound_deviation(original, corners(level.mesh, static_cast<std::int32_t>(t)), reach,
+                                deviation, guess);
+  }
+  guess = 0;
+  for (std::size_t p = 0; p < decomposition.patches.size(); ++p) {
+    double& deviation = h.contact_patches[at(above[p])].deviation;
+    for (const std::int32_t t : decomposition.patches[p])
+      deviation = bound_deviation(target, corners(mesh, t), reach, deviation, guess);
+  }
 }
 
 }  // namespace
@@ -147,37 +187,25 @@ void bound_by_contact_patches(ClodHierarchy& h) {
 }
 
 void measure_deviation(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
-                       const Simplification& s, ClodHierarchy& h) {
+                       const Simplification& s, int threads, ClodHierarchy& h) {
   if (s.levels.size() < 2) return;
   for (ClodContactPatch& patch : h.contact_patches)
     patch.deviation = 1e-12 * h.radius;  // rounding of what is measured
-  DeviationTarget original = build_deviation_target(mesh, 0.0);
-  std::vector<std::int32_t> parent(h.nodes.size(), -1);
-  for (std::size_t i = 0; i < h.nodes.size(); ++i)
-    for (std::int32_t k = 0; k < h.nodes[i].child_count; ++k)
-      parent[at(h.nodes[i].first_child + k)] = static_cast<std::int32_t>(i);
-  std::vector<std::int32_t> above;  // of each finest patch: its node at the level
-  for (const ClodPatch& patch : h.patches) above.push_back(patch.node);
-  std::size_t first = 0;
-  for (std::size_t k = 1; k < s.levels.size(); ++k) {
-    const SimplifiedLevel& level = s.levels[k];
-    original.reach = reach_of(original, level.mesh);
-    const DeviationTarget target = build_deviation_target(level.mesh, original.reach);
-    std::int32_t guess = 0;
-    for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
-      double& deviation = h.contact_patches[first + at(level.patch_of_triangle[t])].deviation;
-      deviation = bound_deviation(original, corners(level.mesh, static_cast<std::int32_t>(t)),
-                                  deviation, guess);
-    }
-    guess = 0;
-    for (std::size_t p = 0; p < decomposition.patches.size(); ++p) {
-      above[p] = parent[at(above[p])];
-      double& deviation = h.contact_patches[at(h.nodes[at(above[p])].contact)].deviation;
-      for (const std::int32_t t : decomposition.patches[p])
-        deviation = bound_deviation(target, corners(mesh, t), deviation, guess);
-    }
-    first += at(level.patch_count);
-  }
+  const DeviationTarget original = build_deviation_target(mesh);
+  const auto above = contact_patches_above(h, s.levels.size());
+  std::vector<std::size_t> first(1, 0);
+  for (const SimplifiedLevel& level : s.levels)
+    first.push_back(first.back() + (first.size() > 1 ? at(level.patch_count) : 0));
+  // Levels are independent: which thread takes one does not show in the result.
+  std::atomic<std::size_t> next{1};
+  const auto work = [&] {
+    for (std::size_t k = next++; k < s.levels.size(); k = next++)
+      measure_level(mesh, decomposition, s.levels[k], original, above[k], first[k], h);
+  };
+  std::vector<std::thread> others;
+  for (int i = 1; i < threads; ++i) others.emplace_back(work);
+  work();
+  for (std::thread& other : others) other.join();
 }
 
 void fill_support(const ConvexDecomposition& decomposition,

@@ -30,9 +30,9 @@ void measure_hausdorff(ClodHierarchy& h);
 /// match: the form of the text.
 void bound_by_contact_patches(ClodHierarchy& h);
 
-/// Fills s of the contact patches.
+/// Fills s of the contact patches. The result does not depend on the number of threads.
 void measure_deviation(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
-                       const Simplification& s, ClodHierarchy& h);
+                       const Simplification& s, int threads, ClodHierarchy& h);
 
 /// Fills D of the vertices of finest and contact patches.
 void fill_support(const ConvexDecomposition& decomposition,
