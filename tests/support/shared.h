@@ -10,7 +10,7 @@ namespace thigma::test {
 /// $THIGMA_SHARED, by default ../shared beside the source tree; empty when there is no such folder.
 inline std::filesystem::path shared_folder() {
   const char* named = std::getenv("THIGMA_SHARED");
-  const std::filesystem::path folder = named ? named : "../shared";
+  const std::filesystem::path folder = named ? named : THIGMA_SOURCE_DIR "/../shared";
   return std::filesystem::is_directory(folder / "meshes") ? folder : std::filesystem::path();
 }
 
