@@ -28,11 +28,21 @@ bool takes_flat_triangle(const PatchedSurface& s, const SurfacePatch& patch, std
   return count <= s.max_vertices;
 }
 
+/// Over its longest edge, on which its third corner lies, a triangle adds nothing to a hull.
+std::int32_t longest_edge(const PatchedSurface& s, std::int32_t t) {
+  const std::array<Vec3, 3> c = corners_of(s, t);
+  std::int32_t longest = 0;
+  for (std::int32_t k = 1; k < 3; ++k)
+    if ((c[at((k + 1) % 3)] - c[at(k)]).squaredNorm() >
+        (c[at((longest + 1) % 3)] - c[at(longest)]).squaredNorm())
+      longest = k;
+  return 3 * t + longest;
+}
+
 void place_flat_triangle(PatchedSurface& s, std::int32_t t, std::int32_t shell) {
   std::int32_t home = -1;
-  for (std::int32_t k = 0; k < 3 && home < 0; ++k) {
-    const std::int32_t beside = s.mesh.twin[at(3 * t + k)];
-    if (beside < 0) continue;
+  const std::int32_t beside = s.mesh.twin[at(longest_edge(s, t))];
+  if (beside >= 0) {
     const std::int32_t patch = s.patch_of[at(beside / 3)];
     if (patch >= 0 && takes_flat_triangle(s, s.patches[at(patch)], t)) home = patch;
   }

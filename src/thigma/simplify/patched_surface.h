@@ -40,7 +40,7 @@ struct PatchedSurface {
 };
 
 /// Starts from a decomposition of the mesh. Triangles without an area, which it leaves out, join
-/// the patch of a neighbour, or make one of their own where none takes them.
+/// the patch across their longest edge, or make one of their own where it does not take them.
 ///
 /// convexity, protrusion  least tolerances, times the radius; those of the decomposition where
 ///                        larger

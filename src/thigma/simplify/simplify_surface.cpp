@@ -188,7 +188,8 @@ Simplification simplify_surface(const TriangleMesh& mesh, const ConvexDecomposit
   loop.last_level.assign(loop.successor.begin(),
                          loop.successor.begin() + loop.result.levels[0].patch_count);
   push_all(loop);
-  std::int32_t kept = s.patch_count, first = s.patch_count;
+  const std::int32_t first = loop.result.levels[0].patch_count;
+  std::int32_t kept = first;
   while (!loop.queue.empty()) {
     const Candidate candidate = loop.queue.top();
     loop.queue.pop();
