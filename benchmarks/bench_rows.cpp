@@ -46,8 +46,11 @@ std::vector<Row> pair_rows(bool quick) {
   return rows;
 }
 
+// Of the radius a frame: 18 mm/s for jaws of 36 mm and a contact step every millisecond.
+constexpr double kFrontStep = 0.0005;
+
 Row front_row(const char* name, double nodes, int frames) {
-  const QueryTiming timing = measure_jaws_query(frames, 0.01, 0.002, nodes);
+  const QueryTiming timing = measure_jaws_query(frames, 0.01, kFrontStep, nodes);
   Row row;
   row.name = name;
   row.unit = "ns a node";
@@ -56,7 +59,7 @@ Row front_row(const char* name, double nodes, int frames) {
   row.theirs = Figure{1e3 * timing.cold_us / timing.front, 1e3 * timing.cold_us / timing.front};
   row.contacts_ours = timing.contacts;
   row.contacts_baseline = timing.contacts;
-  row.note = "traversal alone; mean front " + std::to_string(static_cast<long long>(timing.front)) + " nodes";
+  row.note = "traversal alone, moving 0.05 % of the radius a frame; mean front " + std::to_string(static_cast<long long>(timing.front)) + " nodes";
   return row;
 }
 

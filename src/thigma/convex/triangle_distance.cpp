@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "thigma/convex/detail/simplex.h"
 
@@ -142,6 +143,10 @@ Box box_of(const Vec3 t[3]) {
   return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
 }
 
+Box empty_box() { return {Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)}; }
+
+Box joined(const Box& a, const Box& b) { return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; }
+
 double squared_distance(const Box& a, const Box& b) {
   const Vec3 gap = (a.low - b.high).cwiseMax(b.low - a.high).cwiseMax(Vec3::Zero());
   return gap.squaredNorm();
@@ -196,15 +201,18 @@ class TrianglePairs {
     for (int i = 0; i < b.vertex_count; ++i) pb_[i] = x.rotation * b.vertices[i] + shift;
     count_a_ = place(a, pa_, placed_a_, used_a_);
     count_b_ = place(b, pb_, placed_b_, used_b_);
+    box_a_ = box_around(placed_a_, count_a_);
+    box_b_ = box_around(placed_b_, count_b_);
   }
 
   // Where triangles pierce each other: one pass that needs no distances.
   bool intersect(PatchSeparation& out) {
     Vec3 sum = Vec3::Zero();
     int hits = 0;
-    for (int i = 0; i < count_a_; ++i) {
+    const Near near(*this, 0.0);
+    for (const std::uint8_t i : near.of_a()) {
       const Placed& ta = placed_a_[i];
-      for (int j = 0; j < count_b_; ++j) {
+      for (const std::uint8_t j : near.of_b()) {
         const Placed& tb = placed_b_[j];
         if (squared_distance(ta.box, tb.box) > 0.0 || plane_gap(ta, tb) > 0.0 || plane_gap(tb, ta) > 0.0) continue;
         ++out.triangle_pairs;
@@ -228,9 +236,10 @@ class TrianglePairs {
     limit = std::min(limit, least_corner_distance() * kMargin);
     Vec3 sum = Vec3::Zero();
     int touches = 0;
-    for (int i = 0; i < count_a_; ++i) {
+    const Near near(*this, limit * kMargin);
+    for (const std::uint8_t i : near.of_a()) {
       const Placed& ta = placed_a_[i];
-      for (int j = 0; j < count_b_; ++j) {
+      for (const std::uint8_t j : near.of_b()) {
         const Placed& tb = placed_b_[j];
         const double bound = limit * kMargin;
         if (squared_distance(ta.box, tb.box) > bound || plane_gap(ta, tb) > bound || plane_gap(tb, ta) > bound) continue;
@@ -257,6 +266,36 @@ class TrianglePairs {
  private:
   // A surface patch on at most 32 hull vertices has at most 60 triangles.
   static constexpr int kMost = 2 * kMaxHullVertices;
+
+  // The triangles of each side, in order, whose boxes come within a squared distance of the box around the other side:
+  // of large patches that meet at a corner, a few.
+  class Near {
+   public:
+    Near(const TrianglePairs& pairs, double bound) {
+      // The second side against what is left of the first.
+      Box left = empty_box();
+      for (int i = 0; i < pairs.count_a_; ++i) {
+        if (squared_distance(pairs.placed_a_[i].box, pairs.box_b_) > bound) continue;
+        a_[count_a_++] = static_cast<std::uint8_t>(i);
+        left = joined(left, pairs.placed_a_[i].box);
+      }
+      for (int j = 0; count_a_ > 0 && j < pairs.count_b_; ++j) {
+        if (squared_distance(left, pairs.placed_b_[j].box) <= bound) b_[count_b_++] = static_cast<std::uint8_t>(j);
+      }
+    }
+    std::span<const std::uint8_t> of_a() const { return {a_, count_a_}; }
+    std::span<const std::uint8_t> of_b() const { return {b_, count_b_}; }
+
+   private:
+    std::uint8_t a_[kMost], b_[kMost];
+    std::size_t count_a_ = 0, count_b_ = 0;
+  };
+
+  static Box box_around(const Placed* triangles, int count) {
+    Box box = empty_box();
+    for (int i = 0; i < count; ++i) box = joined(box, triangles[i].box);
+    return box;
+  }
 
   static int place(const HullView& h, const Vec3* p, Placed* out, std::uint32_t& used) {
     const int count = std::min(h.triangle_count, kMost);
@@ -299,6 +338,7 @@ class TrianglePairs {
   Vec3 pa_[kMaxHullVertices], pb_[kMaxHullVertices];
   std::uint32_t used_a_ = 0, used_b_ = 0;  // hull vertices that are corners
   Placed placed_a_[kMost], placed_b_[kMost];
+  Box box_a_, box_b_;
   int count_a_ = 0, count_b_ = 0;
 };
 
