@@ -49,6 +49,8 @@ void expect_sound(const TriangleMesh& mesh, const ClodParams& params, const char
     if (k > 0 && k < levels.size()) patches += static_cast<std::size_t>(levels[k].patch_count);
   }
   EXPECT_EQ(nodes, h.nodes.size()) << name;
+  EXPECT_LE(1 << (h.levels.size() - levels.size()), 2 * levels.back().patch_count)
+      << name << ": free levels";
   EXPECT_EQ(h.contact_patches.size(), patches) << name;
   for (const ClodNode& node : h.nodes) {
     EXPECT_EQ(node.contact >= 0,

@@ -92,8 +92,8 @@ ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params, Clo
   const double simplified = cpu_seconds();
   const std::vector<detail::LevelPatches> patches = detail::list_level_patches(s);
   detail::DraftTree tree = detail::draft_leaves(mesh, decomposition);
-  const std::vector<std::int32_t> tops = draft_levels(mesh, s, patches, params.is_reparented, tree);
-  const std::int32_t root = detail::add_free_levels(mesh, tops, tree);
+  std::vector<std::int32_t> tops = draft_levels(mesh, s, patches, params.is_reparented, tree);
+  const std::int32_t root = detail::add_even_levels(mesh, tops, tree);
   detail::place_drafts(mesh, decomposition, tree, root, h);
   detail::append_contact_patches(s, patches, h);
   detail::measure_hausdorff(h);

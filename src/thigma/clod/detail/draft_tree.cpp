@@ -91,6 +91,30 @@ std::int32_t add_free_levels(const TriangleMesh& mesh, const std::vector<std::in
   return cluster.back();
 }
 
+std::int32_t add_even_levels(const TriangleMesh& mesh, std::span<std::int32_t> tops,
+                             DraftTree& tree) {
+  if (tops.size() == 1) return tops[0];
+  ClusterBox box = box_of(tree.drafts[at(tops[0])]);
+  for (const std::int32_t top : tops) {
+    const ClusterBox other = box_of(tree.drafts[at(top)]);
+    box = {box.low.cwiseMin(other.low), box.high.cwiseMax(other.high)};
+  }
+  Eigen::Index axis = 0;
+  (box.high - box.low).maxCoeff(&axis);
+  const auto place = [&](std::int32_t top) {
+    const ClusterBox own = box_of(tree.drafts[at(top)]);
+    return std::pair(own.low[axis] + own.high[axis], top);
+  };
+  std::sort(tops.begin(), tops.end(),
+            [&](std::int32_t a, std::int32_t b) { return place(a) < place(b); });
+  const std::size_t half = tops.size() / 2;
+  const std::int32_t left = add_even_levels(mesh, tops.first(half), tree);
+  const std::int32_t right = add_even_levels(mesh, tops.subspan(half), tree);
+  const std::int32_t level =
+      1 + std::max(tree.drafts[at(left)].level, tree.drafts[at(right)].level);
+  return add_inner(mesh, {left, right}, level, tree);
+}
+
 PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& h) {
   PlacedHull hull;
   hull.first_vertex = static_cast<std::int32_t>(h.vertices.size());

@@ -46,6 +46,13 @@ std::int32_t add_inner(const TriangleMesh& mesh, std::vector<std::int32_t> child
 std::int32_t add_free_levels(const TriangleMesh& mesh, const std::vector<std::int32_t>& tops,
                              DraftTree& tree);
 
+/// Adds free levels above few nodes: halves of equal number along the longest side, so that there
+/// are no more levels than the logarithm of their number. returns the root.
+///
+/// tops  drafts without a parent, at least one; reordered
+std::int32_t add_even_levels(const TriangleMesh& mesh, std::span<std::int32_t> tops,
+                             DraftTree& tree);
+
 /// Appends hull vertices and lanes, and describes them in the node or patch.
 struct PlacedHull {
   Vec3 center = Vec3::Zero();
