@@ -80,5 +80,28 @@ TEST(StaleModel, AShortStallIsNoFault) {
   EXPECT_GT(kept.samples.back().command.force.norm(), 0.5);  // it came back
 }
 
+TEST(StaleModel, TheForceComesBackNoFasterThanTheSlewLimit) {
+  MeshSession scene;
+  scene.config.duration = 3.0;
+  scene.config.faults = parse_faults("stall=0.048@2");  // the weight falls to almost nothing
+  HandDevice device(scene.hand(HandPath::press));
+  const Kept kept(scene.config, device);
+  EXPECT_EQ(kept.summary.end, SessionEnd::duration);
+  const SafetyLimits& limits = scene.config.haptic.safety;
+  double weakest = 1.0, last = 1e300, weight = 1.0;
+  for (const HapticSample& s : kept.samples) {
+    if (s.time < 2.0) continue;
+    const double fade = s.elapsed / (limits.model_stale_age - limits.model_full_age);
+    EXPECT_LE(s.model_weight, weight + fade + 1e-12) << s.time;
+    EXPECT_LE(s.command.force.norm(), last + limits.force_slew * s.elapsed + 1e-9) << s.time;
+    weakest = std::min(weakest, s.model_weight);
+    weight = s.model_weight;
+    last = s.command.force.norm();
+  }
+  EXPECT_LT(weakest, 0.1);
+  EXPECT_EQ(weight, 1.0);
+  EXPECT_GT(last, 0.5);  // it came back
+}
+
 }  // namespace
 }  // namespace thigma

@@ -20,6 +20,12 @@ Vec3 clamped(const Vec3& v, double limit) THIGMA_RT {
   return (limit / n) * v;
 }
 
+/// From `last` towards `v`: by at most `step` where the norm grows, all the way where it does not.
+Vec3 grown(const Vec3& last, const Vec3& v, double step) THIGMA_RT {
+  if (!(v.norm() > last.norm())) return v;
+  return last + clamped(v - last, step);
+}
+
 }  // namespace
 
 const char* fault_name(Fault fault) noexcept {
@@ -86,14 +92,21 @@ bool check_device(const SafetyLimits& limits, const DeviceState& device, double 
   return safety.fault == Fault::none;
 }
 
-double model_weight(const SafetyLimits& limits, double age, double now,
+double model_weight(const SafetyLimits& limits, double age, double now, double elapsed,
                     SafetyState& safety) THIGMA_RT {
+  const double fade = limits.model_stale_age - limits.model_full_age;
+  double weight = 0.0;
   if (!(age < limits.model_stale_age)) {  // NaN counts as stale
     if (safety.is_armed) latch_fault(safety, Fault::contact_stale, now);
-    return 0.0;
+  } else if (age <= limits.model_full_age) {
+    weight = 1.0;
+  } else {
+    weight = (limits.model_stale_age - age) / fade;
   }
-  if (age <= limits.model_full_age) return 1.0;
-  return (limits.model_stale_age - age) / (limits.model_stale_age - limits.model_full_age);
+  // Unarmed nothing is felt, and nothing arms below 1: no need to wait.
+  if (safety.is_armed && fade > 0.0) weight = std::min(weight, safety.weight + elapsed / fade);
+  safety.weight = weight;
+  return weight;
 }
 
 void update_arming(const SafetyLimits& limits, bool is_grasped, bool is_in_contact, double now,
@@ -128,15 +141,21 @@ Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device, cons
       device.actuates_rotation ? std::min(limits.max_torque, device.max_torque) : limits.max_torque;
   // Clamp first, then ramp: a saturated wrench ramps as well.
   Wrench w{ramp * clamped(wanted.force, force_limit), ramp * clamped(wanted.torque, torque_limit)};
-  if (now - safety.onset_time > limits.onset_window) {
+  const bool is_slow = now - safety.onset_time > limits.onset_window;
+  if (is_slow) {
     const Wrench& last = safety.slewed;
     w.force = last.force + clamped(w.force - last.force, limits.force_slew * elapsed);
     w.torque = last.torque + clamped(w.torque - last.torque, limits.torque_slew * elapsed);
   }
   // The slew limit keeps within the ball of the clamp only up to rounding.
   safety.slewed = {clamped(w.force, force_limit), clamped(w.torque, torque_limit)};
-  safety.sent = weight * safety.slewed;
-  return safety.sent;
+  Wrench sent = weight * safety.slewed;
+  if (is_slow) {  // the weight changes the wrench as well; the fade to zero is never slowed
+    sent.force = grown(safety.sent.force, sent.force, limits.force_slew * elapsed);
+    sent.torque = grown(safety.sent.torque, sent.torque, limits.torque_slew * elapsed);
+  }
+  safety.sent = sent;
+  return sent;
 }
 
 }  // namespace thigma

@@ -51,8 +51,9 @@ struct SafetyState {
   bool was_in_contact = false;
   double contact_time = -1e300;  // last in contact [s]
   double onset_time = -1e300;    // of the last first touch [s]
+  double weight = 1.0;           // last of model_weight
   Wrench slewed;  // after ramp, clamp and slew, before fading; about the handle [device frame]
-  Wrench sent;    // slewed times the weight of the contact model
+  Wrench sent;    // slewed times the weight of the contact model; growing no faster than the slew
   bool has_device = false;            // a good sample has been seen
   Vec3 last_position = Vec3::Zero();  // of the handle [m; device frame]
   double last_time = 0.0;             // of the last new sample [s]
@@ -74,8 +75,13 @@ bool check_device(const SafetyLimits& limits, const DeviceState& device, double 
 
 /// How much a contact model of this age counts, 1 to 0; latches contact_stale where it reaches 0
 /// while armed. The same factor multiplies the device wrench, so that a fading contact never turns
-/// into a pull. Thread [haptic].
-double model_weight(const SafetyLimits& limits, double age, double now,
+/// into a pull. It falls as the age says; while armed it rises no faster than it fades, so that a
+/// late model brings the force back as gently as it left.
+///
+/// age      of the model [s]; NaN counts as stale
+/// elapsed  since the last step [s]
+/// Thread   [haptic]
+double model_weight(const SafetyLimits& limits, double age, double now, double elapsed,
                     SafetyState& safety) THIGMA_RT;
 
 /// Arms when the hand holds the object and nothing has touched it for a while; disarms when it lets
