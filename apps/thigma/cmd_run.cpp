@@ -25,14 +25,20 @@ namespace {
 std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
 
-void on_signal(int) { stop_requested.store(true, std::memory_order_relaxed); }
+std::atomic<bool> was_suspended{false};
+
+void on_signal(int signal) {
+  if (signal == SIGTSTP) was_suspended.store(true, std::memory_order_relaxed);
+  stop_requested.store(true, std::memory_order_relaxed);
+}
 
 /// Ctrl-C and its kin end the session in order while this lives; twice Ctrl-C does not hurry it: it
-/// takes milliseconds.
+/// takes milliseconds. So does Ctrl-Z: a suspended process would leave its last force on the device.
 class SignalGuard {
  public:
   SignalGuard() {
     stop_requested = false;
+    was_suspended = false;
     for (int i = 0; i < kCount; ++i) previous_[i] = std::signal(kSignals[i], on_signal);
   }
   ~SignalGuard() {
@@ -42,8 +48,8 @@ class SignalGuard {
   SignalGuard& operator=(const SignalGuard&) = delete;
 
  private:
-  static constexpr int kCount = 3;
-  static constexpr int kSignals[kCount] = {SIGINT, SIGTERM, SIGHUP};
+  static constexpr int kCount = 5;
+  static constexpr int kSignals[kCount] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP};
   void (*previous_[kCount])(int) = {};
 };
 
@@ -180,6 +186,10 @@ int run_verb(const RunOptions& options, const Common& common) {
   for (const SessionEvent& event : summary.safety_events) {
     std::fprintf(stderr, "thigma: safety fault %s at %.3f s: zero force since\n",
                  event.detail.c_str(), event.time);
+  }
+  if (was_suspended) {
+    tell_error(
+        "a session cannot be suspended, as the device would keep its last force: ended instead");
   }
   if (summary.end == SessionEnd::fault) return kSafetyFault;
   return summary.end == SessionEnd::stopped ? kInterrupted : kDone;

@@ -45,7 +45,10 @@ std::string check_run_options(const RunOptions& o) {
     return "--pose and --scale belong to --object and --against; a scene file has its own";
   }
   if (!(o.scale > 0.0) || !std::isfinite(o.scale)) return "--scale must be a number above 0";
-  if (!(o.duration >= 0.0 && o.duration < 1e9)) return "--duration must be 0 to 1e9 seconds";
+  if (o.duration && !(*o.duration > 0.0 && *o.duration < 1e9)) {
+    return "--duration must be above 0 and below 1e9 seconds; without it the run lasts until "
+           "Ctrl-C";
+  }
   // As of solver.rate in a scene: more slowly, a contact model is too old before the next frame.
   if (o.rate && !(*o.rate >= 50.0 && *o.rate <= 20000.0)) return "--rate must be 50 to 20000 Hz";
   if (o.response == "direct")

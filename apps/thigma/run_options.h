@@ -19,7 +19,7 @@ struct RunOptions {
   double scale = 1.0;
   std::string pose_text;
   std::string device;
-  double duration = 0.0;  // 0: until stopped [s]
+  std::optional<double> duration;  // otherwise until stopped [s]
   bool is_headless = false;
   bool is_lockstep = false;
   std::optional<double> rate;  // otherwise the scene's [Hz]

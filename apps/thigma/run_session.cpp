@@ -1,5 +1,6 @@
 #include "run_session.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "scenes/scene_file.h"
@@ -30,9 +31,32 @@ ClodHierarchy build(const scenes::SceneObject& object, const scenes::LoadedObjec
 }
 
 void apply_options(const RunOptions& options, SessionConfig& config) {
-  config.duration = options.duration;
+  config.duration = options.duration.value_or(0.0);
   config.rate = options.rate.value_or(config.rate);
   config.faults = parse_faults(options.fault_text);
+}
+
+/// What find_start did, for people.
+std::string placement_line(const StartPlacement& start, bool has_approach) {
+  if (!start.has_scene) return "nothing to touch is near";
+  char line[240];
+  const char* way = has_approach ? "against its approach" : "along the closest points";
+  const double gap = 1e3 * start.given_gap, clearance = 1e3 * start.clearance;
+  if (!start.is_moved) {
+    std::snprintf(line, sizeof line,
+                  "the objects start as given, %.3g mm apart; %.3g mm to the first touch", gap,
+                  clearance);
+  } else if (gap < 0.0) {
+    std::snprintf(line, sizeof line,
+                  "the objects overlap as given: moved apart %s; %.3g mm to the first touch", way,
+                  clearance);
+  } else {
+    std::snprintf(line, sizeof line,
+                  "the objects touch as given (%.3g mm apart, within twice the tolerance): moved "
+                  "apart %s; %.3g mm to the first touch",
+                  std::abs(gap), way, clearance);
+  }
+  return line;
 }
 
 /// Only a hand comes to the object by itself; scripts and people start where the scene says.
@@ -42,14 +66,7 @@ void place(Run& run, const std::function<void(const std::string&)>& tell) {
   run.start = find_start(run.config.contact, run.config.world_from_body, 0.0,
                          approach != nullptr ? &out : nullptr);
   run.config.world_from_body = run.start.world_from_body;
-  if (!tell) return;
-  char line[200];
-  std::snprintf(line, sizeof line, "%s; %.3g mm to the first touch",
-                run.start.is_moved
-                    ? "the objects touch or overlap as given: moved apart along the closest points"
-                    : "the objects start where the scene puts them",
-                1e3 * run.start.clearance);
-  tell(run.start.has_scene ? line : "nothing to touch is near");
+  if (tell) tell(placement_line(run.start, approach != nullptr));
 }
 
 DeviceContext context_of(const Run& run, std::uint64_t seed) {
@@ -63,16 +80,30 @@ DeviceContext context_of(const Run& run, std::uint64_t seed) {
   return context;
 }
 
-std::unique_ptr<HapticDevice> open_recorded(const std::string& path) {
+/// The samples of a recording as a device. Forces come out as recorded only from where that session
+/// started and at its rate, so both are taken over.
+std::unique_ptr<HapticDevice> open_recorded(const std::string& path, const RunOptions& options,
+                                            SessionConfig& session) {
   const Recording recording = read_recording(path);
   std::vector<DeviceState> samples;
   samples.reserve(recording.frames.size());
   for (const HapticSample& frame : recording.frames) samples.push_back(frame.device);
   try {
-    return make_replay_device(std::move(samples), read_config(recording.config).params.device);
+    const RecordedConfig recorded = read_config(recording.config);
+    session.world_from_body = recorded.world_from_body;
+    if (!options.rate) session.rate = recorded.rate_hz;
+    return make_replay_device(std::move(samples), recorded.params.device);
   } catch (const InputError& error) {
     throw InputError(path + ": " + error.what());
   }
+}
+
+/// Sessions step on the engine's clock; a device that wants to set the pace would be read out of
+/// step with its own servo loop.
+void refuse_device_clock(const HapticDevice& device) {
+  if (device.limits().clock != DeviceClock::device) return;
+  throw DeviceUnavailable(
+      device.name() + ": wants to set the pace by its own clock, which this build cannot follow");
 }
 
 }  // namespace
@@ -101,8 +132,10 @@ std::unique_ptr<Run> prepare_run(const RunOptions& options, std::uint64_t seed,
 
   const std::string scheme = device_scheme(run->device_uri);
   if (scheme == "hand") place(*run, tell);
-  run->device = scheme == "replay" ? open_recorded(run->device_uri.substr(scheme.size() + 1))
-                                   : open_device(run->device_uri, context_of(*run, seed));
+  run->device = scheme == "replay"
+                    ? open_recorded(run->device_uri.substr(scheme.size() + 1), options, run->config)
+                    : open_device(run->device_uri, context_of(*run, seed));
+  refuse_device_clock(*run->device);
   run->config.haptic.device = run->device->limits();
   return run;
 }

@@ -72,6 +72,48 @@ TEST(RecordVerbs, threaded_sessions_replay_identical) {
   EXPECT_EQ(replay["state_hash"], run["state_hash"]);
 }
 
+TEST(RecordVerbs, only_objects_that_touch_are_moved_apart) {
+  // Two balls of 50 mm: 4 mm apart, and overlapping.
+  for (const bool is_apart : {true, false}) {
+    const std::string file = in_work("placed.mcap");
+    const Ended e = run_program({"run", "--object", kBall, "--against", kBall, "--pose",
+                                 is_apart ? "0,0,0.104,0,0,0,1" : "0,0,0.05,0,0,0,1", "--headless",
+                                 "--lockstep", "--duration", "2", "--record", file});
+    ASSERT_EQ(e.code, 0) << e.err;
+    EXPECT_GT(json_line(e)["force"]["max"].get<double>(), 0.5);
+    EXPECT_NE(e.err.find(is_apart ? "start as given" : "overlap as given: moved apart"),
+              std::string::npos)
+        << e.err;
+    const Vec3 first = read_recording(file).frames.at(0).body.position;
+    EXPECT_EQ((first - Vec3(0.0, 0.0, is_apart ? 0.104 : 0.05)).norm() < 1e-4, is_apart) << first;
+  }
+}
+
+TEST(RecordVerbs, recorded_samples_as_a_device_give_the_recorded_session) {
+  const std::string file = in_work("as_device.mcap");
+  const nlohmann::json recorded =
+      run_ball({"--lockstep", "--duration", "1", "--rate", "800", "--record", file});
+  ASSERT_GT(recorded["force"]["max"].get<double>(), 0.5);
+  const std::vector<std::string> again = {"--lockstep", "--device", "replay:" + file};
+  std::vector<std::string> as_long = again;
+  as_long.insert(as_long.end(), {"--duration", "1"});
+  EXPECT_EQ(run_ball(as_long)["state_hash"], recorded["state_hash"]);
+  // Without a duration the device ends the session, a frame later.
+  const nlohmann::json whole = run_ball(again);
+  EXPECT_EQ(whole["force"]["max"], recorded["force"]["max"]);
+  EXPECT_NEAR(whole["haptic"]["frames"].get<double>(), 800.0, 30.0);
+  // A device that sets its own pace does not exist yet.
+  std::string bytes = read_text(file);
+  const std::string clock = "\"device_clock\":false", other = "\"device_clock\": true";
+  const std::size_t at = bytes.find(clock);
+  ASSERT_NE(at, std::string::npos);
+  bytes.replace(at, clock.size(), other);
+  const Ended e = run_program(run_arguments(
+      {"--lockstep", "--device", std::string("replay:") + write_text("paced.mcap", bytes)}));
+  EXPECT_EQ(e.code, 3) << e.err;
+  EXPECT_NE(e.err.find("clock"), std::string::npos) << e.err;
+}
+
 /// Where in the file the text of the device sample of a frame begins.
 std::size_t sample_of(const std::string& bytes, int frame) {
   const std::string start = "{\"frame\":" + std::to_string(frame) + ",";
@@ -240,7 +282,7 @@ Ended stopped_run(int signal, const std::vector<std::string>& more, const std::s
 }
 
 TEST(RecordVerbs, a_stop_signal_ends_in_order) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGTSTP}) {
     for (const bool is_lockstep : {true, false}) {
       const std::string file = in_work("stopped.mcap");
       std::vector<std::string> more = {"--record", file};
@@ -248,6 +290,11 @@ TEST(RecordVerbs, a_stop_signal_ends_in_order) {
       const Ended e = undisturbed([&] { return stopped_run(signal, more, file); }, 130);
       EXPECT_EQ(e.code, 130) << e.err;
       EXPECT_TRUE(json_line(e)["safety_events"].empty());
+      if (signal == SIGTSTP) {
+        expect_one_line(e, "a session cannot be suspended");
+      } else {
+        EXPECT_TRUE(e.err.empty()) << e.err;
+      }
       EXPECT_FALSE(fs::exists(file + ".part"));
       const Recording recording = read_recording(file);
       EXPECT_TRUE(recording.has_end);

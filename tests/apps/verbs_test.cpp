@@ -73,6 +73,7 @@ TEST(Verbs, refuse_wrong_use_with_one_sentence) {
       {"run", "--object", kBall, "--against", kBall, "--scale", "0"},
       {"run", "--object", kBall, "--against", kBall, "--pose", "0,0,0"},
       {"run", "jaws", "--duration", "-1"},
+      {"run", "jaws", "--duration", "0"},
       {"run", "jaws", "--duration", "inf"},
       {"run", "jaws", "--duration", "1e300"},
       {"run", "jaws", "--rate", "0"},

@@ -25,11 +25,25 @@ TEST(FindStart, LeavesSeparatedObjectsWhereTheyAre) {
   EXPECT_LT(start.clearance, 0.015);
 }
 
+TEST(FindStart, MovesOnlyWhatTouches) {
+  const double tolerance = plane_session().contact.tolerance;
+  for (const double gap : {2.01, 3.0, 20.0}) {
+    const SessionConfig config = plane_session(gap * tolerance);
+    const StartPlacement start = find_start(config.contact, config.world_from_body, 0.05);
+    EXPECT_FALSE(start.is_moved) << gap;
+    EXPECT_EQ(start.world_from_body.position, config.world_from_body.position);
+    EXPECT_NEAR(start.given_gap, gap * tolerance, 1e-12);
+    EXPECT_NEAR(start.clearance, gap * tolerance, tolerance);
+    EXPECT_GT(start.clearance, 0.0);
+  }
+}
+
 TEST(FindStart, MovesOverlappingObjectsApart) {
-  for (const double gap : {-0.01, -1e-4, 0.0, 1e-3}) {
+  for (const double gap : {-0.01, -1e-4, 0.0, 3.9e-4}) {
     const SessionConfig config = plane_session(gap);
     const StartPlacement start = find_start(config.contact, config.world_from_body, 0.005);
     EXPECT_TRUE(start.is_moved);
+    EXPECT_NEAR(start.given_gap, gap, 1e-12);
     EXPECT_GE(height(start), 0.005 * (1.0 - 1e-9));
     EXPECT_LT(height(start), 0.02);
     EXPECT_NEAR(start.world_from_body.position.head<2>().norm(), 0.0, 1e-12);

@@ -61,28 +61,13 @@ Prober make_prober(const ContactWorld& world) {
   return prober;
 }
 
-}  // namespace
-
-StartPlacement find_start(const ContactWorld& world, const Pose& world_from_body, double gap,
-                          const Vec3* way_out) {
-  Prober prober = make_prober(world);
-  StartPlacement start{world_from_body, -Vec3::UnitZ(), 0.2 * prober.radius, false, false};
-  const double tolerance = world.tolerance;
-  const double wanted = std::max(gap > 0.0 ? gap : 0.1 * prober.radius, 2.0 * tolerance);
-
-  std::optional<Contact> nearest = prober.closest(start.world_from_body, wanted);
-  if (!nearest) return start;
-  start.has_scene = true;
-  Vec3 out = -nearest->normal;
-  if (nearest->depth > 0.0) out = prober.way_out();
-  if (way_out != nullptr) out = *way_out;
-  if (!(out.norm() > 0.0)) out = -nearest->normal;
-  out.normalize();
-  start.approach = -out;
-
-  // Out, by what is missing, until the gap is there.
-  const Vec3 given = start.world_from_body.position;
+/// Moves the object out, by what is missing, until `wanted` is between it and the scene; the way it
+/// went [m].
+double move_out(Prober& prober, const Contact& deepest, double wanted, const Vec3& out,
+                Pose& pose) {
+  const Vec3 given = pose.position;
   double travel = 0.0;
+  std::optional<Contact> nearest = deepest;
   while (nearest && -nearest->depth < wanted) {
     travel += std::max(wanted + nearest->depth, 0.05 * wanted);
     if (travel > prober.reach + wanted) {
@@ -90,9 +75,38 @@ StartPlacement find_start(const ContactWorld& world, const Pose& world_from_body
                        std::to_string(out.x()) + ", " + std::to_string(out.y()) + ", " +
                        std::to_string(out.z()) + "); expected a pose from which they can");
     }
-    start.world_from_body.position = given + travel * out;
+    pose.position = given + travel * out;
+    nearest = prober.closest(pose, wanted);
+  }
+  return travel;
+}
+
+}  // namespace
+
+StartPlacement find_start(const ContactWorld& world, const Pose& world_from_body, double gap,
+                          const Vec3* way_out) {
+  Prober prober = make_prober(world);
+  StartPlacement start;
+  start.world_from_body = world_from_body;
+  start.clearance = 0.2 * prober.radius;
+  const double tolerance = world.tolerance;
+  const double wanted = std::max(gap > 0.0 ? gap : 0.1 * prober.radius, 3.0 * tolerance);
+
+  std::optional<Contact> nearest = prober.closest(start.world_from_body, wanted);
+  if (!nearest) return start;
+  start.has_scene = true;
+  start.given_gap = -nearest->depth;
+  Vec3 out = -nearest->normal;
+  if (nearest->depth > 0.0) out = prober.way_out();
+  if (way_out != nullptr) out = *way_out;
+  if (!(out.norm() > 0.0)) out = -nearest->normal;
+  out.normalize();
+  start.approach = -out;
+
+  double travel = 0.0;
+  if (start.given_gap < 2.0 * tolerance) {
     start.is_moved = true;
-    nearest = prober.closest(start.world_from_body, wanted);
+    travel = move_out(prober, *nearest, wanted, out, start.world_from_body);
   }
 
   // And back, by the distance there is: a surface at that distance or more is not passed.
