@@ -48,10 +48,11 @@ Pose find_touch(const Jaws& jaws) {
   return pose;
 }
 
-Jaws make_jaws() {
+// triangles: of each jaw, 0 for the models' own counts.
+Jaws make_jaws(int triangles = 0) {
   Jaws jaws;
-  jaws.upper_mesh = scenes::make_model({.name = "jaw_upper"});
-  jaws.lower_mesh = scenes::make_model({.name = "jaw_lower"});
+  jaws.upper_mesh = scenes::make_model({.name = "jaw_upper", .triangles = triangles});
+  jaws.lower_mesh = scenes::make_model({.name = "jaw_lower", .triangles = triangles});
   jaws.upper = build_exact_hierarchy(jaws.upper_mesh);
   jaws.lower = build_exact_hierarchy(jaws.lower_mesh);
   jaws.radius = std::min(jaws.upper.radius, jaws.lower.radius);
@@ -187,18 +188,27 @@ void check_frame(const Jaws& jaws, const Pose& pose, double d, FclPair* fcl, std
 }  // namespace
 
 QueryTiming measure_jaws_query(int frames, double tolerance, double step, double front) {
-  const Jaws& jaws = the_jaws();
-  double d = tolerance * jaws.radius;
-  if (front > 0.0) {
-    double low = 1e-6 * jaws.radius, high = 0.1 * jaws.radius;
-    for (int i = 0; i < 16; ++i) {
-      d = 0.5 * (low + high);
-      const double reached = largest_front(jaws, d, step);
-      if (reached > 0.95 * front && reached < 1.05 * front) break;
-      (reached < front ? low : high) = d;
+  const Jaws& full = the_jaws();
+  const double d = tolerance * full.radius;
+  if (front <= 0.0) return run_path(full, frames, d, step);
+  if (front < largest_front(full, d, step)) {
+    // A smaller front at the same tolerance is one of coarser jaws.
+    Jaws best = make_jaws(4000);
+    double reached = largest_front(best, tolerance * best.radius, step);
+    for (int triangles = 6000; reached < 0.9 * front && triangles < 40000; triangles += triangles / 2) {
+      best = make_jaws(triangles);
+      reached = largest_front(best, tolerance * best.radius, step);
     }
+    return run_path(best, frames, tolerance * best.radius, step);
   }
-  return run_path(jaws, frames, d, step);
+  double low = d, high = 0.1 * full.radius, middle = d;
+  for (int i = 0; i < 16; ++i) {
+    middle = 0.5 * (low + high);
+    const double reached = largest_front(full, middle, step);
+    if (reached > 0.95 * front && reached < 1.05 * front) break;
+    (reached < front ? low : high) = middle;
+  }
+  return run_path(full, frames, middle, step);
 }
 
 JawsComparison compare_jaws_query(int frames, int checked, double tolerance, double step) {

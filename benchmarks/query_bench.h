@@ -16,7 +16,8 @@ struct QueryTiming {
 /// Procedural jaws (47,340 and 40,180 triangles), the upper one approaching from 2 % of the radius, then grinding by
 /// about `step` of the radius a frame around touch; queries at d = `tolerance` of the radius.
 ///
-/// front  0, or the front size to reach by choosing the tolerance instead (largest over the path, to 10 %)
+/// front  0, or the front size to reach (largest over the path): a smaller one by coarser jaws at the same tolerance, a
+///        larger one by a larger tolerance
 QueryTiming measure_jaws_query(int frames, double tolerance, double step, double front = 0.0);
 
 /// The same query beside FCL's distance on the same meshes and poses, and beside the truth: every pair of patches with
