@@ -119,7 +119,7 @@ TEST_P(JawsLoop, RestsAndPressesWithinAnEncoderStep) {
   int rests = 0;
   for (std::size_t from = 1500; from + 250 <= kept.samples.size(); from += 125) {
     const Window window = window_of(kept, along, from, from + 250);
-    if (window.drift > 2.0 * step) continue;
+    if (window.drift > step) continue;
     ++rests;
     EXPECT_LE(window.swing, step) << "from frame " << from;
   }
