@@ -141,7 +141,7 @@ std::string test_name(std::string name) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BadInput, BadMeshes, ::testing::ValuesIn(bad_meshes()),
-                         [](const auto& info) { return test_name(info.param.name); });
+                         [](const auto& each) { return test_name(each.param.name); });
 
 class BadScenes : public ::testing::TestWithParam<BadScene> {};
 
@@ -158,7 +158,7 @@ TEST_P(BadScenes, are_refused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BadInput, BadScenes, ::testing::ValuesIn(bad_scenes()),
-                         [](const auto& info) { return test_name(info.param.name); });
+                         [](const auto& each) { return test_name(each.param.name); });
 
 TEST(BadInput, no_file_is_no_file) {
   for (const char* path : {"/dev/zero", "/", "nowhere.obj"}) {

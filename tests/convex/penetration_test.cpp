@@ -72,7 +72,9 @@ TEST(PairContact, TurnsContinuouslyFromBesideToThrough) {
     EXPECT_NEAR((c.witness_a - c.witness_b - vector).norm(), 0.0, 1e-12);
     EXPECT_GE(c.depth, -c.separation * (1.0 + 1e-12));
     EXPECT_EQ(c.depth > 0.0, c.status == PairContactStatus::deep);
-    if (i > 0) EXPECT_LE((vector - last).norm(), 4.0 * kStep) << i;
+    if (i > 0) {
+      EXPECT_LE((vector - last).norm(), 4.0 * kStep) << i;
+    }
     last = vector;
     besides += c.status == PairContactStatus::beside;
     deeps += c.status == PairContactStatus::deep;
