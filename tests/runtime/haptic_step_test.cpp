@@ -1,5 +1,6 @@
 #include "thigma/runtime/haptic_step.h"
 
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -264,6 +265,39 @@ TEST(HapticStep, FaultsSendZeroInTheSameTickAndStay) {
          Fault::not_finite);
   faulty([](HeldDevice& d) { d.state.motion.pose.position.z() += 0.006; }, Fault::pose_jump);
   faulty([](HeldDevice& d) { d.state.motion.twist.linear.x() = 1.6; }, Fault::too_fast);
+}
+
+TEST(HapticStep, AStepWithoutATimeOrALengthIsAFault) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const HapticTick ticks[] = {{1.0, 0.0, Fault::none},
+                              {1.0, -1e-3, Fault::none},
+                              {1.0, kNan, Fault::none},
+                              {kNan, 1e-3, Fault::none},
+                              {1.0, kInfinity, Fault::none}};
+  for (const HapticTick& bad : ticks) {
+    Bench b;
+    b.config.haptic.body.gravity = {0.0, 0.0, -9.81};
+    b.begin();
+    b.press(true);
+    ASSERT_GT(b.ticks(500).command.force.norm(), 0.09);
+    const HapticState before = b.state;
+    const HapticPorts ports{&b.device, b.models.get(), b.bodies.get(), nullptr};
+    const HapticSample s = haptic_step(b.config.haptic, ports, bad, b.state);
+    EXPECT_EQ(s.fault, Fault::not_finite);
+    EXPECT_FALSE(s.is_armed);
+    EXPECT_EQ(b.device.written.force, Vec3::Zero());
+    EXPECT_EQ(b.device.written.torque, Vec3::Zero());
+    EXPECT_TRUE(s.body.position.allFinite());
+    EXPECT_TRUE(std::isfinite(s.time));
+    // What is recorded of it replays to the same.
+    HapticState again = before;
+    const HapticSample replayed =
+        haptic_step(b.config.haptic, ports, {s.time, s.elapsed, s.external_fault}, again);
+    EXPECT_EQ(replayed.input_digest, s.input_digest);
+    EXPECT_EQ(replayed.fault, s.fault);
+    EXPECT_EQ(b.ticks(100).command.force, Vec3::Zero());
+  }
 }
 
 TEST(HapticStep, ThreeAxisDevicesFeelTheSameForceAndNoTorque) {

@@ -1,5 +1,6 @@
 #include "thigma/runtime/safety.h"
 
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -76,6 +77,44 @@ TEST(Safety, ContactOnsetIsNotSlowedDown) {
   EXPECT_NEAR(a.limit({Vec3(0, 0, 3), Vec3::Zero()}, 1.0, 1.1).force.z(), 2.2, 1e-12);
 }
 
+TEST(Safety, ContactThatChattersStaysUnderTheSlewLimit) {
+  Armed a;
+  double last = 0.0;
+  for (int i = 0; i < 100; ++i) {  // two of three ticks without contact
+    const double now = 1.0 + i * kTick;
+    const bool is_touching = i % 3 == 0;
+    update_arming(a.limits, true, is_touching, now, a.state);
+    const double force =
+        a.limit({Vec3(0, 0, is_touching ? 2 : 0), Vec3::Zero()}, 1.0, now).force.z();
+    if (i > 10) {
+      EXPECT_LE(std::abs(force - last), a.limits.force_slew * kTick * (1.0 + 1e-9)) << i;
+    }
+    last = force;
+  }
+  update_arming(a.limits, true, false, 1.1, a.state);
+  // After a free time a touch is crisp again.
+  const double later = 1.1 + 2.1 * a.limits.onset_window;
+  update_arming(a.limits, true, true, later, a.state);
+  EXPECT_EQ(a.limit({Vec3(0, 0, 2), Vec3::Zero()}, 1.0, later).force.z(), 2.0);
+}
+
+TEST(Safety, NothingThatIsNotFiniteIsSent) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Wrench wanted{Vec3(0, 0, 1), Vec3(0.01, 0, 0)};
+  const auto expect_zero = [](const Armed& a, const Wrench& w) {
+    EXPECT_EQ(w.force, Vec3::Zero());
+    EXPECT_EQ(w.torque, Vec3::Zero());
+    EXPECT_EQ(a.state.fault, Fault::not_finite);
+    EXPECT_FALSE(a.state.is_armed);
+  };
+  Armed step, weight, device;
+  expect_zero(step, limit_wrench(step.limits, step.device, wanted, 1.0, 0.0, nan, step.state));
+  expect_zero(weight, weight.limit(wanted, nan));
+  device.device.max_force = nan;
+  device.limits.max_force = nan;
+  expect_zero(device, device.limit(wanted));
+}
+
 TEST(Safety, RampsFromArmingOn) {
   Armed a;
   a.state.is_armed = false;
@@ -148,6 +187,30 @@ TEST(Safety, SpeedAndJumpsAreFaults) {
   EXPECT_EQ(jumping.fault_time, kTick);
 }
 
+TEST(Safety, AHandleThatIsTooFastCannotHideBehindAReportOfZero) {
+  const SafetyLimits limits;
+  const auto seconds_to_fault = [&](double speed, int every, SafetyState& s) {
+    for (int i = 0; i < 1000; ++i) {
+      const double x = speed * kTick * (i - i % every);  // the device has a new pose now and then
+      DeviceState d = at({x, 0.0, 0.0});
+      d.time = i * kTick;
+      check_device(limits, d, d.time, kTick, s);
+      if (s.fault != Fault::none) return i * kTick;
+    }
+    return 1e300;
+  };
+  SafetyState fast, faster, shaking, honest, slow_device;
+  EXPECT_LE(seconds_to_fault(4.9, 1, fast), 0.002);
+  EXPECT_EQ(fast.fault, Fault::too_fast);
+  EXPECT_LE(seconds_to_fault(1.7, 1, faster), 0.030);
+  EXPECT_EQ(faster.fault, Fault::too_fast);
+  EXPECT_EQ(seconds_to_fault(1.49, 1, honest), 1e300);
+  EXPECT_EQ(seconds_to_fault(1.2, 4, slow_device), 1e300);  // 4.8 mm at a time
+  for (int i = 0; i < 5; ++i)
+    check_device(limits, at({i % 2 * 0.0049, 0, 0}), i * kTick, kTick, shaking);
+  EXPECT_EQ(shaking.fault, Fault::too_fast);
+}
+
 TEST(Safety, AfterAClearedFaultTheOldPoseIsForgotten) {
   const SafetyLimits limits;
   SafetyState s;
@@ -179,6 +242,28 @@ TEST(Safety, LostAndSilentDevicesAreFaults) {
   EXPECT_TRUE(check_device(limits, d, 1.0 + 0.9 * limits.silent_device, kTick, silent));
   EXPECT_FALSE(check_device(limits, d, 1.0 + 1.1 * limits.silent_device, kTick, silent));
   EXPECT_EQ(silent.fault, Fault::device_lost);
+}
+
+TEST(Safety, ADeviceThatRepeatsItselfIsSilent) {
+  const SafetyLimits limits;
+  SafetyState stuck, slow, finished, stampless;
+  DeviceState d = at(Vec3::Zero());
+  d.time = 1.0;
+  EXPECT_TRUE(check_device(limits, d, 1.0, kTick, stuck));
+  EXPECT_TRUE(check_device(limits, d, 1.0 + 0.9 * limits.silent_device, kTick, stuck));
+  EXPECT_FALSE(check_device(limits, d, 1.0 + 1.1 * limits.silent_device, kTick, stuck));
+  EXPECT_EQ(stuck.fault, Fault::device_lost);
+  for (int i = 0; i < 500; ++i) {  // a new sample each 20 ms, whatever its clock counts from
+    d.time = 1e4 + i / 20;
+    EXPECT_TRUE(check_device(limits, d, i * kTick, kTick, slow)) << i;
+  }
+  d.status = DeviceStatus::finished;  // has nothing more to say
+  for (int i = 0; i < 500; ++i)
+    EXPECT_TRUE(check_device(limits, d, i * kTick, kTick, finished)) << i;
+  d.status = DeviceStatus::ok;
+  d.time = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(check_device(limits, d, 0.0, kTick, stampless));
+  EXPECT_EQ(stampless.fault, Fault::not_finite);
 }
 
 TEST(Safety, OldModelsFadeTogetherWithTheWrenchAndLatchAtTheEnd) {

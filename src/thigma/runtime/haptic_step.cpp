@@ -2,6 +2,7 @@
 
 #include "thigma/runtime/haptic_step.h"
 
+#include <cmath>
 #include <limits>
 
 #include "thigma/dynamics/implicit_step.h"
@@ -68,6 +69,18 @@ Touch touch(const LinearContactModel& model, const BodyState& y) THIGMA_RT {
     if (depth > result.penetration) result.penetration = depth;
   }
   result.count += static_cast<std::int32_t>(model.taylors.size());
+  return result;
+}
+
+/// The tick as told, or a fault in its place where it has no time or no length. Recordings hold what
+/// this returns, so that they replay.
+HapticTick checked(const HapticTick& tick, HapticState& state) THIGMA_RT {
+  HapticTick result = tick;
+  if (!std::isfinite(tick.now) || !std::isfinite(tick.elapsed) || !(tick.elapsed > 0.0)) {
+    constexpr double kUsual = 1e-3;  // only there for a division to be done
+    result = {state.time, kUsual, Fault::not_finite};
+  }
+  state.time = result.now;
   return result;
 }
 
@@ -158,7 +171,8 @@ HapticState initial_state(const HapticParams& params, const Pose& world_from_bod
 }
 
 HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports,
-                         const HapticTick& tick, HapticState& state) THIGMA_RT {
+                         const HapticTick& told, HapticState& state) THIGMA_RT {
+  const HapticTick tick = checked(told, state);
   HapticSample sample;
   read_inputs(params, ports, tick, state, sample);
   const LinearContactModel& model = ports.models->value();

@@ -45,6 +45,7 @@ struct HapticParams {
 /// What changes from frame to frame. Copyable: a step is a function of it and of its inputs.
 struct HapticState {
   std::uint64_t frame = 0;
+  double time = 0.0;  // of the last step [s; session clock]
   BodyState body;
   bool is_grasped = false;
   bool was_pressed = false;  // clutch, last frame
@@ -75,7 +76,8 @@ struct HapticPorts {
 /// What a tick is told from outside.
 struct HapticTick {
   double now = 0.0;       // [s; session clock, or that of a device that owns the clock]
-  double elapsed = 1e-3;  // since the last step, the length of this one [s], > 0
+  double elapsed = 1e-3;  // since the last step, the length of this one [s], > 0; a step without a
+                          // finite time or a length above zero is fault not_finite
   Fault external_fault = Fault::none;
 };
 

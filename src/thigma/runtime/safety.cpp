@@ -9,8 +9,36 @@ namespace {
 bool is_finite(const Wrench& w) THIGMA_RT { return w.force.allFinite() && w.torque.allFinite(); }
 
 bool is_finite(const DeviceState& d) THIGMA_RT {
-  return d.motion.pose.position.allFinite() && d.motion.pose.orientation.coeffs().allFinite() &&
-         d.motion.twist.linear.allFinite() && d.motion.twist.angular.allFinite();
+  return std::isfinite(d.time) && d.motion.pose.position.allFinite() &&
+         d.motion.pose.orientation.coeffs().allFinite() && d.motion.twist.linear.allFinite() &&
+         d.motion.twist.angular.allFinite();
+}
+
+/// Latches where a sample stamped `stamp` leaves the device silent for too long.
+void check_silence(const SafetyLimits& limits, const DeviceState& device, double now,
+                   SafetyState& safety) THIGMA_RT {
+  const bool is_new = !safety.has_device || device.time != safety.last_stamp;
+  if (is_new && device.status != DeviceStatus::not_ready) {
+    safety.last_stamp = device.time;
+    safety.last_time = now;
+  } else if (safety.has_device && device.status != DeviceStatus::finished &&
+             now - safety.last_time > limits.silent_device) {
+    latch_fault(safety, Fault::device_lost, now);
+  }
+}
+
+/// Latches where the handle went too far or too fast since the last look.
+void check_way(const SafetyLimits& limits, const Vec3& position, double now, double elapsed,
+               SafetyState& safety) THIGMA_RT {
+  const double moved = (position - safety.last_position).norm();
+  // A tick longer than the usual millisecond may go as far as the speed limit allows in it.
+  const double reach = std::max(limits.pose_jump, limits.max_speed * elapsed);
+  if (moved > reach) latch_fault(safety, Fault::pose_jump, now);
+  // Fills with the way, empties at max_speed: samples that come late or seldom do no harm, a handle
+  // that is too fast for long cannot hide in steps below pose_jump.
+  const double allowed = limits.max_speed * std::max(0.0, now - safety.last_look);
+  safety.lead = std::max(0.0, safety.lead + moved - allowed);
+  if (safety.lead > limits.pose_jump) latch_fault(safety, Fault::too_fast, now);
 }
 
 /// Shortened to `limit`, direction kept.
@@ -60,6 +88,7 @@ void clear_fault(SafetyState& safety) THIGMA_RT {
   safety.fault_time = 0.0;
   // The next sample starts a new history: the jump that caused the fault is not to be seen again.
   safety.has_device = false;
+  safety.lead = 0.0;
 }
 
 bool check_device(const SafetyLimits& limits, const DeviceState& device, double now, double elapsed,
@@ -69,9 +98,7 @@ bool check_device(const SafetyLimits& limits, const DeviceState& device, double 
     return false;
   }
   if (device.status == DeviceStatus::not_ready) {
-    if (safety.has_device && now - safety.last_time > limits.silent_device) {
-      latch_fault(safety, Fault::device_lost, now);
-    }
+    check_silence(limits, device, now, safety);
     return safety.has_device && safety.fault == Fault::none;
   }
   if (!is_finite(device) || !(device.motion.pose.orientation.squaredNorm() > 0.25)) {
@@ -80,15 +107,11 @@ bool check_device(const SafetyLimits& limits, const DeviceState& device, double 
   }
   if (device.motion.twist.linear.norm() > limits.max_speed)
     latch_fault(safety, Fault::too_fast, now);
-  if (safety.has_device) {
-    // A tick longer than the usual millisecond may go as far as the speed limit allows in it.
-    const double reach = std::max(limits.pose_jump, limits.max_speed * elapsed);
-    const double moved = (device.motion.pose.position - safety.last_position).norm();
-    if (moved > reach) latch_fault(safety, Fault::pose_jump, now);
-  }
+  check_silence(limits, device, now, safety);
+  if (safety.has_device) check_way(limits, device.motion.pose.position, now, elapsed, safety);
   safety.has_device = true;
   safety.last_position = device.motion.pose.position;
-  safety.last_time = now;
+  safety.last_look = now;
   return safety.fault == Fault::none;
 }
 
@@ -111,15 +134,17 @@ double model_weight(const SafetyLimits& limits, double age, double now, double e
 
 void update_arming(const SafetyLimits& limits, bool is_grasped, bool is_in_contact, double now,
                    SafetyState& safety) THIGMA_RT {
-  if (is_in_contact) safety.contact_time = now;
-  const bool is_clear = !is_in_contact && now - safety.contact_time >= limits.clear_before_arming;
+  const double free_time = now - safety.contact_time;
+  const bool is_clear = !is_in_contact && free_time >= limits.clear_before_arming;
   if (!is_grasped || safety.fault != Fault::none) {
     safety.is_armed = false;
   } else if (!safety.is_armed && is_clear) {
     safety.is_armed = true;
     safety.armed_time = now;
   }
-  if (is_in_contact && !safety.was_in_contact) safety.onset_time = now;
+  const bool is_first = is_in_contact && !safety.was_in_contact;
+  if (is_first && free_time >= kOnsetFreeWindows * limits.onset_window) safety.onset_time = now;
+  if (is_in_contact) safety.contact_time = now;
   safety.was_in_contact = is_in_contact;
 }
 
@@ -153,6 +178,11 @@ Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device, cons
   if (is_slow) {  // the weight changes the wrench as well; the fade to zero is never slowed
     sent.force = grown(safety.sent.force, sent.force, limits.force_slew * elapsed);
     sent.torque = grown(safety.sent.torque, sent.torque, limits.torque_slew * elapsed);
+  }
+  if (!is_finite(sent)) {  // numbers of a caller's: elapsed, the limits of a device
+    latch_fault(safety, Fault::not_finite, now);
+    safety.slewed = Wrench{};
+    sent = Wrench{};
   }
   safety.sent = sent;
   return sent;

@@ -17,11 +17,12 @@ struct SafetyLimits {
   double force_slew = 200.0;  // fastest change of the force outside contact onset [N/s]
   double torque_slew = 6.0;   // the same for the torque: full scale in the same time [N m/s]
   double onset_window =
-      0.010;  // after the first touch changes are not slowed down, so that taps stay crisp [s]
+      0.010;  // after the first touch changes are not slowed down, so that taps stay crisp; a touch
+              // is a first one after kOnsetFreeWindows times as long without any [s]
   double start_ramp = 0.5;  // from armed to full wrench [s]
   double clear_before_arming =
       0.05;  // free of contact this long, so that bouncing is not taken for leaving [s]
-  double max_speed = 1.5;          // of the handle; faster is a fault [m/s]
+  double max_speed = 1.5;          // of the handle, reported or moved; faster is a fault [m/s]
   double pose_jump = 0.005;        // of the handle in a tick; farther is a fault [m]
   double silent_device = 0.050;    // without a new device sample: a fault [s]
   double model_full_age = 0.025;   // a contact model up to this age counts fully [s]
@@ -29,10 +30,15 @@ struct SafetyLimits {
   double watchdog = 0.020;         // without a haptic step the second thread sends zero force [s]
 };
 
+/// Free of contact for so many onset windows before a touch opens another: a contact that chatters
+/// stays under the slew limits.
+inline constexpr double kOnsetFreeWindows = 2.0;
+
 enum class Fault : std::uint8_t {
   none,
   device_lost,    // unplugged, closed, or silent
-  not_finite,     // NaN or infinity from the device, in the state or in the wrench
+  not_finite,     // NaN or infinity from the device, in the state or in the wrench; a step without
+                  // a time or a length
   too_fast,       // handle speed
   pose_jump,      // handle moved too far in a tick
   contact_stale,  // the contact thread did not answer in time
@@ -56,7 +62,10 @@ struct SafetyState {
   Wrench sent;    // slewed times the weight of the contact model; growing no faster than the slew
   bool has_device = false;            // a good sample has been seen
   Vec3 last_position = Vec3::Zero();  // of the handle [m; device frame]
-  double last_time = 0.0;             // of the last new sample [s]
+  double last_stamp = 0.0;            // DeviceState::time of the last new sample
+  double last_time = 0.0;             // when the last new sample came [s; session clock]
+  double last_look = 0.0;             // when a sample was last looked at [s; session clock]
+  double lead = 0.0;  // how far the handle is ahead of one that moves at max_speed [m]
 };
 
 /// Latches the first fault and disarms; later ones change nothing. Thread [haptic].
@@ -65,7 +74,10 @@ void latch_fault(SafetyState& safety, Fault fault, double now) THIGMA_RT;
 /// Forgets a fault; nothing is armed by that. Thread [haptic].
 void clear_fault(SafetyState& safety) THIGMA_RT;
 
-/// Looks at a device sample and latches what is wrong with it.
+/// Looks at a device sample and latches what is wrong with it. The speed is judged by what the
+/// device reports and by the way its handle went: a way that gets ahead of max_speed by pose_jump is
+/// too fast as well, however it was divided into ticks. A sample with the stamp of the one before is
+/// not a new one, whatever its status.
 ///
 /// now      [s; session clock]; elapsed: since the last step [s], > 0
 /// returns  whether the sample may be used
@@ -95,8 +107,9 @@ void update_arming(const SafetyLimits& limits, bool is_grasped, bool is_in_conta
 /// wanted   on the hand about the handle [N, N m; device frame]
 /// weight   of model_weight
 /// elapsed  since the last step [s]
-/// returns  axes the device does not actuate are still in it; NaN or infinity latches a fault and
-/// gives zero Thread   [haptic]
+/// returns  axes the device does not actuate are still in it; NaN or infinity, going in or coming
+///          out, latches a fault and gives zero
+/// Thread   [haptic]
 Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device, const Wrench& wanted,
                     double weight, double now, double elapsed, SafetyState& safety) THIGMA_RT;
 
