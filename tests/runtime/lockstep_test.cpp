@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <stdexcept>
 
 #include "support/plane_session.h"
@@ -121,6 +122,41 @@ TEST(Lockstep, RefusesNumbersThatMakeNoSense) {
   refuses([](SessionConfig& c) { c.contact_every = 0; });
   refuses([](SessionConfig& c) { c.contact_latency = 0; });
   refuses([](SessionConfig& c) { c.haptic.body.mass = 0.0; });
+}
+
+TEST(Lockstep, WatchdogLeavesSlackAtLowRates) {
+  HeldDevice device;
+  SessionConfig config = plane_session();
+  config.rate = 20.0;  // its period is longer than the watchdog's 20 ms
+  config.faults = parse_faults("hang=0.1@0.2");
+  EXPECT_EQ(run_lockstep(config, device).end, SessionEnd::duration);
+  config.faults = parse_faults("hang=0.39@0.2");
+  const SessionSummary s = run_lockstep(config, device);
+  EXPECT_EQ(s.end, SessionEnd::fault);
+  ASSERT_EQ(s.safety_events.size(), 1u);
+  EXPECT_EQ(s.safety_events[0].detail, "watchdog");
+  EXPECT_EQ(s.safety_events[0].text, "watchdog: 450.0 ms without a haptic step");
+}
+
+TEST(Lockstep, SaysOnceThatNothingArmsBecauseTheContactModelIsTooOld) {
+  HeldDevice device;
+  SessionConfig config = plane_session();
+  config.duration = 3.0;
+  config.contact_latency = 30;  // 30 ms, more than model_full_age
+  std::vector<SessionEvent> told;
+  const SessionSinks sinks{
+      // The very first model is fresh: the hand takes hold after it.
+      [&](const HapticSample& s) { device.state.buttons = s.frame > 100 ? kClutchButton : 0u; },
+      {},
+      [&](const SessionEvent& e) {
+        if (e.kind == "not_armed") told.push_back(e);
+      }};
+  const SessionSummary s = run_lockstep(config, device, sinks);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].text.find("too old, 30.0 ms at best"), std::string::npos) << told[0].text;
+  EXPECT_EQ(std::count(s.notes.begin(), s.notes.end(), told[0].text), 1);
+  config.contact_latency = 20;
+  EXPECT_TRUE(run_lockstep(config, device, sinks).notes.empty());
 }
 
 TEST(Lockstep, TellsWhatHappened) {

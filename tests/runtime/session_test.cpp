@@ -1,5 +1,7 @@
 #include "thigma/runtime/session.h"
 
+#include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 
 #include "support/plane_session.h"
@@ -112,6 +114,24 @@ TEST(Session, WatchdogSendsZeroForceWhileTheHapticThreadHangs) {
   EXPECT_GT(static_cast<std::uint64_t>(device.writes), s.frames + 1);
   EXPECT_EQ(device.written.force, Vec3::Zero());
   EXPECT_EQ(recorder.samples.back().command.force, Vec3::Zero());
+}
+
+TEST(Session, WatchdogWatchesFromTheStartAndSaysHowLongNothingStepped) {
+  SessionConfig config = patient_session();
+  config.haptic.safety.watchdog = 0.020;
+  config.faults = parse_faults("hang=0.3@0");
+  HeldDevice device;
+  Session session(config, device);
+  session.start();
+  const SessionSummary s = session.finish();
+  ASSERT_EQ(s.end, SessionEnd::fault);
+  ASSERT_EQ(s.safety_events.size(), 1u);
+  EXPECT_EQ(s.safety_events[0].detail, "watchdog");
+  EXPECT_EQ(s.safety_events[0].frame, 0u);  // the first step already knew
+  double gap = 0.0;                         // [ms]
+  ASSERT_EQ(std::sscanf(s.safety_events[0].text.c_str(), "watchdog: %lf ms", &gap), 1);
+  EXPECT_GE(gap, 299.9);
+  EXPECT_EQ(std::count(s.notes.begin(), s.notes.end(), s.safety_events[0].text), 1);
 }
 
 TEST(Session, StalledContactThreadFadesAndLatches) {

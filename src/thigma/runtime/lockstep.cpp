@@ -1,6 +1,7 @@
 // A session in the calling thread, on a virtual clock: frame k happens at k / rate, whatever the
 // computer does.
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 
@@ -61,14 +62,14 @@ SessionEnd run_frames(const SessionConfig& config, const HapticParams& params,
                       LockstepContacts& contacts, EventDetector& events) {
   const std::uint64_t last = detail::frame_limit(config);
   const auto fault_frames = static_cast<std::uint64_t>(std::ceil(config.after_fault * config.rate));
-  std::uint64_t previous = 0, fault_frame = 0;
+  std::uint64_t previous = 0, fault_frame = 0, longest_gap = 0;
   Fault external = Fault::none;
   for (std::uint64_t k = 0; k < last; ++k) {
     if (stop != nullptr && stop->load(std::memory_order_relaxed)) return SessionEnd::stopped;
     const double now = static_cast<double>(k) / config.rate;
     if (const FaultEvent* hang = active_fault(config.faults, InjectedFault::hang, now)) {
       // What the watchdog of a threaded session does, at the frame where it would.
-      if (now - hang->time >= params.safety.watchdog) {
+      if (now - hang->time >= detail::effective_watchdog(config)) {
         ports.device->write(Wrench{});
         external = Fault::watchdog;
       }
@@ -81,9 +82,10 @@ SessionEnd run_frames(const SessionConfig& config, const HapticParams& params,
     const std::int64_t cpu = thread_cpu_ns() - begin;
     tally(haptic_tally, sample, cpu, -1);
     state.step_cpu = static_cast<float>(1e-9 * static_cast<double>(cpu));
+    longest_gap = std::max(longest_gap, k - previous);
     previous = k;
     if (sinks.haptic) sinks.haptic(sample);
-    events.look_at(sample);
+    events.look_at(sample, static_cast<double>(longest_gap) / config.rate);
     if (sample.fault != Fault::none) {
       if (fault_frame == 0) fault_frame = k + 1;
       if (k + 1 - fault_frame >= fault_frames) return SessionEnd::fault;
@@ -125,6 +127,7 @@ SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device,
   SessionSummary summary = detail::summarize(config, *haptic_tally, contacts->tally, state);
   summary.end = end;
   summary.safety_events = events.take_safety_events();
+  summary.notes = events.texts();
   return summary;
 }
 

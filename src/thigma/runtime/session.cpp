@@ -54,6 +54,7 @@ struct Session::Impl {
   void contact_frame(const StampedBody& at, double now);
   void drain();
   HapticSample guarded_step(const HapticTick& tick);
+  void note_gap();
   void end_with_zero_force();
   void note(const std::string& text);
 
@@ -85,8 +86,9 @@ struct Session::Impl {
   std::atomic<bool> haptic_done{false};
   std::atomic<bool> contact_done{false};
   std::atomic<bool> watchdog_fired{false};
-  std::atomic<std::int64_t> last_step_ns{0};  // 0: not stepping
-  std::atomic<std::int64_t> epoch_ns{0};      // of session time 0
+  std::atomic<std::int64_t> last_step_ns{0};    // 0: not stepping
+  std::atomic<std::int64_t> longest_gap_ns{0};  // between two steps, or the start and the first
+  std::atomic<std::int64_t> epoch_ns{0};        // of session time 0
 
   // Drain thread only, while it runs.
   detail::EventDetector events;
@@ -123,10 +125,18 @@ void Session::Impl::prepare() {
 HapticSample Session::Impl::guarded_step(const HapticTick& tick) {
   while (!token.try_take()) sleep_ns(20'000);  // only while the watchdog is sending zero
   HapticTick told = tick;
+  note_gap();
   if (watchdog_fired.load(std::memory_order_acquire)) told.external_fault = Fault::watchdog;
   const HapticSample sample = haptic_step(params, ports, told, state);
   token.give_back();
   return sample;
+}
+
+/// How long the last step is ago, for whoever wants to know why the watchdog acted. Thread [haptic].
+void Session::Impl::note_gap() {
+  const std::int64_t gap = monotonic_ns() - last_step_ns.load(std::memory_order_relaxed);
+  if (gap > longest_gap_ns.load(std::memory_order_relaxed))
+    longest_gap_ns.store(gap, std::memory_order_release);
 }
 
 void Session::Impl::end_with_zero_force() {
@@ -140,6 +150,7 @@ void Session::Impl::run_haptic() {
   note(request_real_time(config.haptic_thread).refused);
   start_clock(clock);
   epoch_ns.store(clock.start_ns, std::memory_order_release);
+  last_step_ns.store(monotonic_ns(), std::memory_order_release);  // watched from here on
   const auto last = static_cast<std::int64_t>(
       std::min<std::uint64_t>(detail::frame_limit(config), std::uint64_t{1} << 62));
   std::int64_t previous = -1;
@@ -161,6 +172,7 @@ void Session::Impl::run_haptic() {
     const std::int64_t begin = thread_cpu_ns();
     const HapticSample sample = guarded_step({now, elapsed, Fault::none});
     const std::int64_t cpu = thread_cpu_ns() - begin;
+    note_gap();  // again: a step may have hung in the device
     last_step_ns.store(monotonic_ns(), std::memory_order_release);
     tally(haptic_tally, sample, cpu, late);
     state.step_cpu = static_cast<float>(1e-9 * static_cast<double>(cpu));
@@ -210,7 +222,7 @@ void Session::Impl::run_watchdog() {
   request_real_time(
       {config.haptic_thread.priority > 0 ? std::min(config.haptic_thread.priority + 1, 99) : 0,
        -1});
-  const std::int64_t limit = to_ns(params.safety.watchdog);
+  const std::int64_t limit = to_ns(detail::effective_watchdog(config));
   while (!haptic_done.load(std::memory_order_acquire)) {
     sleep_ns(limit / 20);
     const std::int64_t last = last_step_ns.load(std::memory_order_acquire);
@@ -234,7 +246,8 @@ void Session::Impl::drain() {
   while (const HapticSample* sample = haptic_ring.front()) {
     drain_contacts();
     if (sinks.haptic) sinks.haptic(*sample);
-    events.look_at(*sample);
+    events.look_at(*sample,
+                   1e-9 * static_cast<double>(longest_gap_ns.load(std::memory_order_acquire)));
     haptic_ring.pop();
   }
   drain_contacts();
@@ -316,6 +329,7 @@ SessionSummary Session::finish() {
   summary.dropped_samples = s.haptic_ring.dropped() + s.contact_ring.dropped();
   summary.safety_events = s.events.take_safety_events();
   summary.notes = s.notes;
+  summary.notes.insert(summary.notes.end(), s.events.texts().begin(), s.events.texts().end());
   return summary;
 }
 

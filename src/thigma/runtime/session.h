@@ -21,7 +21,7 @@ struct SessionConfig {
   HapticParams haptic;  // haptic.device is filled in from the device
   ContactWorld contact;
   Pose world_from_body;   // of the centre of mass at the start
-  double rate = 1000.0;   // of the haptic frames [Hz]
+  double rate = 1000.0;   // of the haptic frames; the watchdog waits for three at least [Hz]
   double duration = 0.0;  // 0: until told to stop or the device has finished [s]
   std::vector<FaultEvent> faults;
   double after_fault = 0.020;  // zero force is kept up this long, then the session ends [s]
@@ -42,8 +42,9 @@ struct SessionConfig {
 struct SessionEvent {
   double time = 0.0;  // session clock [s]
   std::uint64_t frame = 0;
-  std::string kind;    // "fault", "grasped", "released", "armed", "disarmed", "finished"
+  std::string kind;    // "fault", "grasped", "released", "armed", "disarmed", "not_armed"
   std::string detail;  // for "fault": its name
+  std::string text{};  // more, for a person: how long nothing stepped, why nothing arms; or empty
 };
 
 /// Where samples go. Called from one thread that is not real time (lockstep: the caller's), in
@@ -79,7 +80,7 @@ struct SessionSummary {
   std::uint64_t dropped_contacts = 0;
   std::vector<SessionEvent> safety_events;
   std::uint64_t state_hash = 0;
-  std::vector<std::string> notes;  // what the system refused
+  std::vector<std::string> notes;  // what the system refused; the texts of events
 };
 
 /// Runs a session on a virtual clock in the calling thread: no sleeping, no other thread,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
@@ -32,6 +33,11 @@ double step_length(const SessionConfig& config, std::uint64_t frames) noexcept {
   return static_cast<double>(std::clamp<std::uint64_t>(frames, 1, kMostTicks)) / config.rate;
 }
 
+double effective_watchdog(const SessionConfig& config) noexcept {
+  constexpr double kLeastPeriods = 3.0;
+  return std::max(config.haptic.safety.watchdog, kLeastPeriods / config.rate);
+}
+
 void timed_contact_step(const SessionConfig& config, const StampedBody& at, ContactScratch& scratch,
                         ContactSample& sample) noexcept {
   const std::int64_t begin = thread_cpu_ns();
@@ -45,15 +51,41 @@ void timed_contact_step(const SessionConfig& config, const StampedBody& at, Cont
 
 void EventDetector::add(const SessionEvent& event) {
   if (event.kind == "fault") safety_events_.push_back(event);
+  if (!event.text.empty()) texts_.push_back(event.text);
   if (sink_) sink_(event);
 }
 
-void EventDetector::look_at(const HapticSample& sample) {
-  const auto tell = [&](const char* kind, const char* text) {
-    add({sample.time, sample.frame, kind, text});
+void EventDetector::look_for_old_models(const HapticSample& sample) {
+  constexpr double kPatience = 1.0;  // [s]
+  if (!sample.is_grasped || !was_grasped_ || sample.is_armed || sample.model_weight >= 1.0) {
+    grasp_time_ = sample.time;
+    youngest_model_ = std::numeric_limits<double>::infinity();
+    return;
+  }
+  youngest_model_ = std::min(youngest_model_, sample.model_age);
+  if (has_told_of_old_models_ || sample.time - grasp_time_ < kPatience) return;
+  has_told_of_old_models_ = true;
+  char text[160] = "nothing arms: there is no contact model";
+  if (std::isfinite(youngest_model_)) {
+    std::snprintf(text, sizeof text,
+                  "nothing arms: the contact model is always too old, %.1f ms at best",
+                  1e3 * youngest_model_);
+  }
+  add({sample.time, sample.frame, "not_armed", "contact_model_too_old", text});
+}
+
+void EventDetector::look_at(const HapticSample& sample, double longest_gap) {
+  const auto tell = [&](const char* kind, const char* detail) {
+    add({sample.time, sample.frame, kind, detail, {}});
   };
-  if (sample.fault != last_fault_ && sample.fault != Fault::none)
+  if (sample.fault == Fault::watchdog && last_fault_ != Fault::watchdog) {
+    char text[80];
+    std::snprintf(text, sizeof text, "watchdog: %.1f ms without a haptic step", 1e3 * longest_gap);
+    add({sample.time, sample.frame, "fault", fault_name(sample.fault), text});
+  } else if (sample.fault != last_fault_ && sample.fault != Fault::none) {
     tell("fault", fault_name(sample.fault));
+  }
+  look_for_old_models(sample);
   if (sample.is_grasped != was_grasped_) tell(sample.is_grasped ? "grasped" : "released", "");
   if (sample.is_armed != was_armed_) tell(sample.is_armed ? "armed" : "disarmed", "");
   last_fault_ = sample.fault;

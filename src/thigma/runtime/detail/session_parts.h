@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "thigma/runtime/session.h"
@@ -21,22 +22,35 @@ std::uint64_t frame_limit(const SessionConfig& config) noexcept;
 /// too far. [s]
 double step_length(const SessionConfig& config, std::uint64_t frames) noexcept;
 
+/// Time without a step that counts as one too many: the limit of the configuration, but never less
+/// than three periods, below which an ordinary late tick would be a fault. [s]
+double effective_watchdog(const SessionConfig& config) noexcept;
+
 /// contact_step with its CPU time in the sample.
 void timed_contact_step(const SessionConfig& config, const StampedBody& at, ContactScratch& scratch,
                         ContactSample& sample) noexcept;
 
-/// Turns samples into events, as they change.
+/// Turns samples into events, as they change. A fault of the watchdog says how long nothing stepped;
+/// a hand that holds the object for a second and never gets a contact model young enough to arm is
+/// told so once.
 class EventDetector {
  public:
   explicit EventDetector(std::function<void(const SessionEvent&)> sink) : sink_(std::move(sink)) {}
-  void look_at(const HapticSample& sample);
+  /// longest_gap: longest time without a step so far [s]
+  void look_at(const HapticSample& sample, double longest_gap);
   void add(const SessionEvent& event);
   std::vector<SessionEvent> take_safety_events() { return std::move(safety_events_); }
+  const std::vector<std::string>& texts() const { return texts_; }
 
  private:
   std::function<void(const SessionEvent&)> sink_;
+  void look_for_old_models(const HapticSample& sample);
+
   std::vector<SessionEvent> safety_events_;
-  bool was_grasped_ = false, was_armed_ = false;
+  std::vector<std::string> texts_;
+  bool was_grasped_ = false, was_armed_ = false, has_told_of_old_models_ = false;
+  double grasp_time_ = 0.0;      // [s; session clock]
+  double youngest_model_ = 0.0;  // since then, while unarmed: age [s]
   Fault last_fault_ = Fault::none;
 };
 
