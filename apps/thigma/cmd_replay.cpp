@@ -1,39 +1,18 @@
 // `thigma replay F.mcap`: runs the recorded haptic frames again and compares every bit.
 
 #include <cstdio>
+
+#include "json_out.h"
+#include "verbs.h"
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
 #include "thigma/runtime/config_json.h"
 #include "thigma/runtime/recording.h"
 #include "thigma/runtime/replay_session.h"
-#include "json_out.h"
-#include "verbs.h"
 
 namespace thigma::app {
 namespace {
-
-std::string hex(std::uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-  return text;
-}
-
-/// What the file itself says is off, before anything is run: the first frame concerned, -1 for none.
-std::int64_t first_changed_input(const Recording& recording, std::string& reason) {
-  for (std::size_t i = 0; i < recording.frames.size(); ++i) {
-    const HapticSample& frame = recording.frames[i];
-    if (frame.frame != i) {
-      reason = "frame " + std::to_string(i) + " is missing from the recording";
-      return static_cast<std::int64_t>(i);
-    }
-    if (input_hash(frame) != recording.input_hashes[i]) {
-      reason = "the device sample is not the one that was recorded";
-      return static_cast<std::int64_t>(i);
-    }
-  }
-  return -1;
-}
 
 struct Verdict {
   ReplayReport report;
@@ -46,12 +25,6 @@ Verdict judge(const Recording& recording, const RecordedConfig& config) {
       replay_session(config.params, config.world_from_body, recording.frames, recording.contacts);
   ReplayReport& report = verdict.report;
   verdict.recorded_hash = recording.has_end ? recording.end.state_hash : report.recorded_hash;
-  std::string reason;
-  const std::int64_t changed = first_changed_input(recording, reason);
-  if (changed >= 0 && (report.first_difference < 0 || changed <= report.first_difference)) {
-    report.first_difference = changed;
-    report.reason = reason;
-  }
   if (report.first_difference < 0 && recording.has_end && report.frames != recording.end.frames) {
     report.first_difference = static_cast<std::int64_t>(report.frames);
     report.reason = "the session had " + std::to_string(recording.end.frames) + " frames";
@@ -72,15 +45,17 @@ int replay(const std::string& path, const Common& common) {
     for (const std::string& warning : recording.warnings) {
       std::fprintf(stderr, "thigma: %s: %s\n", path.c_str(), warning.c_str());
     }
-    if (!recording.has_end) std::fprintf(stderr, "thigma: %s: the session was cut off; replaying what is there\n", path.c_str());
+    if (!recording.has_end)
+      std::fprintf(stderr, "thigma: %s: the session was cut off; replaying what is there\n",
+                   path.c_str());
   }
   const Verdict verdict = judge(recording, config);
   const ReplayReport& report = verdict.report;
   if (common.json) {
     nlohmann::ordered_json json;
     json["frames"] = report.frames;
-    json["state_hash"] = hex(report.state_hash);
-    json["recorded_hash"] = hex(verdict.recorded_hash);
+    json["state_hash"] = hex_text(report.state_hash);
+    json["recorded_hash"] = hex_text(verdict.recorded_hash);
     json["identical"] = report.identical;
     json["first_difference"] = nullptr;
     if (report.first_difference >= 0) json["first_difference"] = report.first_difference;
@@ -88,12 +63,13 @@ int replay(const std::string& path, const Common& common) {
     if (!report.reason.empty()) json["reason"] = report.reason;
     print_json(json);
   } else {
-    std::printf("%llu frames, state hash %s, recorded %s: %s\n", static_cast<unsigned long long>(report.frames),
-                hex(report.state_hash).c_str(), hex(verdict.recorded_hash).c_str(),
+    std::printf("%llu frames, state hash %s, recorded %s: %s\n",
+                static_cast<unsigned long long>(report.frames), hex_text(report.state_hash).c_str(),
+                hex_text(verdict.recorded_hash).c_str(),
                 report.identical ? "identical" : "different");
     if (report.first_difference >= 0) {
-      std::printf("first difference at frame %lld: %s\n", static_cast<long long>(report.first_difference),
-                  report.reason.c_str());
+      std::printf("first difference at frame %lld: %s\n",
+                  static_cast<long long>(report.first_difference), report.reason.c_str());
     }
   }
   return report.identical ? kDone : kClaimFails;

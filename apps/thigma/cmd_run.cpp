@@ -167,6 +167,7 @@ int run_verb(const RunOptions& options, const Common& common) {
       if (wants_table) table.look_at(sample);
     };
   }
+  if (recording) sinks.event = [&](const SessionEvent& event) { recording->write(event); };
   if (!options.is_headless && !options.is_lockstep) {
     tell(
         "the browser view is not in this build: a simulated hand runs, with a live table here; "

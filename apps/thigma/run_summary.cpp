@@ -4,6 +4,8 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "thigma/runtime/recording.h"
+
 namespace thigma::app {
 namespace {
 
@@ -22,12 +24,6 @@ Json quantiles(const DurationSummary& d, double unit, bool with_p999 = true) {
   if (with_p999) json["p999"] = number(d.p999);
   json["max"] = number(d.max);
   return json;
-}
-
-std::string hex(std::uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-  return text;
 }
 
 void append(std::string& text, const char* format, ...) __attribute__((format(printf, 2, 3)));
@@ -76,7 +72,7 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene,
     json["safety_events"].push_back(
         {{"time", event.time}, {"frame", event.frame}, {"fault", event.detail}});
   }
-  json["state_hash"] = hex(s.state_hash);
+  json["state_hash"] = hex_text(s.state_hash);
   return json;
 }
 
@@ -108,7 +104,7 @@ std::string run_summary_text(const SessionSummary& s) {
     append(text, "FAULT            %s at %.3f s; zero force since\n", event.detail.c_str(),
            event.time);
   }
-  append(text, "state hash       %s\n", hex(s.state_hash).c_str());
+  append(text, "state hash       %s\n", hex_text(s.state_hash).c_str());
   return text;
 }
 

@@ -1,6 +1,7 @@
 // run, replay, export: the same inputs give the same bits, a change is found where it is, and
 // forces end at zero.
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
@@ -119,7 +120,7 @@ std::size_t sample_of(const std::string& bytes, int frame) {
   const std::string start = "{\"frame\":" + std::to_string(frame) + ",";
   std::size_t at = bytes.find(start);
   while (at != std::string::npos &&
-         bytes.substr(at, 700).find("\"input_hash\"") == std::string::npos)
+         bytes.substr(at, 700).find("\"input_digest\"") == std::string::npos)
     at = bytes.find(start, at + 1);
   return at;
 }
@@ -159,6 +160,43 @@ TEST(RecordVerbs, one_changed_digit_is_found_at_its_frame) {
       EXPECT_NE(e.err.find("checksum"), std::string::npos) << e.err;
     }
   }
+}
+
+TEST(RecordVerbs, a_changed_contact_model_is_found_at_its_frame) {
+  const std::string file = in_work("model.mcap");
+  run_ball({"--lockstep", "--duration", "0.8", "--record", file});
+  const std::string whole = read_text(file);
+  const Recording recording = read_recording(file);
+  for (const std::string field : {"\"stiffness\":", "\"scene_point\":["}) {
+    const HapticSample& user = recording.frames.at(750);
+    const HapticSample& before = recording.frames.at(749);
+    ASSERT_NE(user.model_sequence, before.model_sequence);
+    std::string bytes = whole;
+    const std::size_t model =
+        bytes.find("{\"sequence\":" + std::to_string(user.model_sequence) + ",");
+    ASSERT_NE(model, std::string::npos);
+    const std::size_t at = bytes.find(field, model);
+    ASSERT_LT(at, bytes.find("\"model_digest\"", model)) << "nothing touches there";
+    change_number(bytes, at + field.size());
+    const nlohmann::json report =
+        json_line(run_program({"replay", write_text("changed.mcap", bytes), "--json"}));
+    EXPECT_EQ(report["identical"], false);
+    EXPECT_EQ(report["first_difference"], 750) << report;
+    EXPECT_NE(report["reason"].get<std::string>().find("contact model"), std::string::npos);
+  }
+}
+
+TEST(RecordVerbs, events_are_recorded) {
+  const std::string file = in_work("events.mcap");
+  const Ended e = run_program(
+      run_arguments({"--lockstep", "--duration", "3", "--record", file, "--fault", "unplug@0.8"}));
+  EXPECT_EQ(e.code, 6) << e.err;
+  std::vector<std::string> kinds;
+  for (const SessionEvent& event : read_recording(file).events) kinds.push_back(event.kind);
+  for (const char* kind : {"grasped", "armed", "fault", "disarmed"}) {
+    EXPECT_NE(std::find(kinds.begin(), kinds.end(), kind), kinds.end()) << kind;
+  }
+  EXPECT_EQ(std::count(kinds.begin(), kinds.end(), "fault"), 1);
 }
 
 TEST(RecordVerbs, damaged_recordings_are_refused) {

@@ -45,12 +45,27 @@ TEST(ConfigJson, round_trip_loses_nothing) {
   EXPECT_EQ(back.seed, config.seed);
   EXPECT_EQ(back.params.body.inertia, config.params.body.inertia);
   EXPECT_EQ(back.params.body.inverse_inertia, config.params.body.inverse_inertia);
-  EXPECT_EQ(back.params.workspace.world_from_device.position, config.params.workspace.world_from_device.position);
+  EXPECT_EQ(back.params.workspace.world_from_device.position,
+            config.params.workspace.world_from_device.position);
   EXPECT_EQ(back.params.safety.force_slew, 123.0);
   EXPECT_FALSE(back.params.device.actuates_rotation);
   EXPECT_TRUE(back.params.coupling.linear_saturation.has_value());
   EXPECT_FALSE(back.params.coupling.angular_saturation.has_value());
   EXPECT_EQ(text.find('\n'), std::string::npos);
+}
+
+TEST(ConfigJson, recordings_from_before_clear_before_arming_are_read) {
+  std::string text = write_config(example());
+  const std::size_t at = text.find("\"clear_before_arming\"");
+  ASSERT_NE(at, std::string::npos);
+  text.erase(at, text.find(',', at) + 1 - at);
+  const RecordedConfig back = read_config(text);
+  EXPECT_EQ(back.params.safety.clear_before_arming, 0.0);
+  EXPECT_EQ(back.params.safety.force_slew, 123.0);
+  std::string broken = text;
+  const std::size_t other = broken.find("\"force_slew\"");
+  broken.erase(other, broken.find(',', other) + 1 - other);
+  EXPECT_THROW(read_config(broken), InputError);
 }
 
 TEST(ConfigJson, damage_is_refused_with_a_reason) {

@@ -1,11 +1,11 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <limits>
 
 #include "runtime/recording_samples.h"
+#include <gtest/gtest.h>
+
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
 
@@ -15,7 +15,8 @@ namespace {
 template <class Vector>
 void expect_bits(const Vector& a, const Vector& b) {
   for (int i = 0; i < static_cast<int>(a.size()); ++i) {
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(double(a[i])), std::bit_cast<std::uint64_t>(double(b[i])));
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(double(a[i])),
+              std::bit_cast<std::uint64_t>(double(b[i])));
   }
 }
 
@@ -35,7 +36,9 @@ void expect_bits(const Motion& a, const Motion& b) {
   expect_bits(a.twist.angular, b.twist.angular);
 }
 
-void expect_bits(const BodyState& a, const BodyState& b) { expect_bits(to_vector(a), to_vector(b)); }
+void expect_bits(const BodyState& a, const BodyState& b) {
+  expect_bits(to_vector(a), to_vector(b));
+}
 
 TEST(ReadRecording, haptic_frames_come_back_bit_for_bit) {
   const Recording r = read_recording(test::write_recording("bits.mcap", 450));
@@ -45,8 +48,8 @@ TEST(ReadRecording, haptic_frames_come_back_bit_for_bit) {
     const HapticSample want = test::sample(i);
     const HapticSample& got = r.frames[i];
     EXPECT_EQ(got.frame, want.frame);
-    EXPECT_EQ(input_hash(got), input_hash(want));
-    EXPECT_EQ(r.input_hashes[i], input_hash(want));
+    EXPECT_EQ(input_digest(got), want.input_digest);
+    EXPECT_EQ(got.input_digest, want.input_digest);
     expect_bits(got.device.motion, want.device.motion);
     expect_bits(got.handle, want.handle);
     expect_bits(got.body, want.body);
@@ -75,6 +78,8 @@ TEST(ReadRecording, contact_models_come_back_bit_for_bit) {
     const ContactSample want = test::contact_sample(i);
     const ContactSample& got = r.contacts[i];
     EXPECT_EQ(got.model.sequence, i);
+    EXPECT_EQ(got.model_digest, want.model_digest);
+    EXPECT_EQ(model_digest(got.model), want.model_digest);
     expect_bits(got.model.time, want.model.time);
     expect_bits(got.model.state, want.model.state);
     ASSERT_EQ(got.model.planes.size(), 3u);
@@ -91,7 +96,8 @@ TEST(ReadRecording, contact_models_come_back_bit_for_bit) {
       EXPECT_EQ(a.id, b.id);
     }
     ASSERT_EQ(got.model.taylors.size(), 1u);
-    expect_bits(got.model.taylors[0].jacobian.reshaped(), want.model.taylors[0].jacobian.reshaped());
+    expect_bits(got.model.taylors[0].jacobian.reshaped(),
+                want.model.taylors[0].jacobian.reshaped());
     EXPECT_EQ(got.contacts, want.contacts);
     expect_bits(got.depth_max, want.depth_max);
   }
@@ -103,6 +109,16 @@ TEST(ReadRecording, the_end_is_read_or_known_to_be_missing) {
   EXPECT_EQ(r.end.frames, 20u);
   EXPECT_EQ(r.end.state_hash, 0x0123456789abcdefull);
   EXPECT_EQ(r.end.dropped, 2u);
+}
+
+TEST(ReadRecording, events_come_back) {
+  const Recording r = read_recording(test::write_recording("events.mcap", 450));
+  ASSERT_EQ(r.events.size(), 2u);
+  EXPECT_EQ(r.events[0].kind, "armed");
+  EXPECT_EQ(r.events[0].frame, 7u);
+  EXPECT_EQ(r.events[1].kind, "fault");
+  EXPECT_EQ(r.events[1].detail, "pose_jump");
+  EXPECT_EQ(r.events[1].time, 0.401);
 }
 
 TEST(ReadRecording, signed_zero_and_unknowns_survive) {
@@ -120,7 +136,7 @@ TEST(ReadRecording, signed_zero_and_unknowns_survive) {
   EXPECT_TRUE(std::isnan(p.z()));
   EXPECT_EQ(r.frames[0].device.motion.twist.linear.x(), 1e300);
   EXPECT_EQ(r.frames[0].device.motion.twist.linear.y(), -1e22);
-  EXPECT_EQ(input_hash(r.frames[0]), r.input_hashes[0]);
+  EXPECT_EQ(input_digest(r.frames[0]), input_digest(s));
 }
 
 TEST(ReadRecording, files_that_are_no_recordings_are_refused) {
@@ -140,10 +156,10 @@ TEST(ReadRecording, files_that_are_no_recordings_are_refused) {
       return std::string(error.what()).find("expected") != std::string::npos;
     }
   };
-  EXPECT_TRUE(refuses("/other", "{}"));              // no /config
-  EXPECT_TRUE(refuses("/device/state", "{}"));       // fields missing
+  EXPECT_TRUE(refuses("/other", "{}"));                  // no /config
+  EXPECT_TRUE(refuses("/device/state", "{}"));           // fields missing
   EXPECT_TRUE(refuses("/device/state", "{\"frame\":"));  // JSON cut off
-  EXPECT_TRUE(refuses("/body/state", "{}"));         // before its frame
+  EXPECT_TRUE(refuses("/body/state", "{}"));             // before its frame
   EXPECT_TRUE(refuses("/contact/model", R"({"sequence":"x"})"));
 }
 

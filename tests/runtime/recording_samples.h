@@ -1,10 +1,10 @@
 #pragma once
 // Seeded telemetry for the recording tests: every field set, no two alike.
 
-#include <gtest/gtest.h>
-
 #include <bit>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "thigma/math/random.h"
 #include "thigma/runtime/recording.h"
@@ -50,6 +50,7 @@ inline HapticSample sample(std::uint64_t frame) {
   s.fault = frame > 400 ? Fault::pose_jump : Fault::none;
   s.step_cpu = static_cast<float>(random.uniform(1e-6, 2e-6));
   s.wake_late = static_cast<float>(random.uniform(0.0, 1e-4));
+  s.input_digest = input_digest(s);
   return s;
 }
 
@@ -84,6 +85,7 @@ inline ContactSample contact_sample(std::uint64_t sequence) {
   for (int i = 0; i < 78; ++i) taylor.jacobian(i / 13, i % 13) = random.uniform(-1e3, 1e3);
   taylor.normal = random.direction();
   c.model.taylors.push_back(taylor);
+  c.model_digest = model_digest(c.model);
   return c;
 }
 
@@ -94,6 +96,8 @@ inline std::string write_recording(const std::string& name, std::uint64_t frames
   for (std::uint64_t i = 0; i < frames; ++i) {
     if (i % 10 == 0) writer.write(contact_sample(i / 10));
     writer.write(sample(i));
+    if (i == 7) writer.write(SessionEvent{0.007, 7, "armed", ""});
+    if (i == 401) writer.write(SessionEvent{0.401, 401, "fault", "pose_jump"});
   }
   writer.close({.frames = frames, .state_hash = 0x0123456789abcdefull, .dropped = 2});
   return path;

@@ -1,6 +1,7 @@
 #include "thigma/runtime/telemetry.h"
 
 #include <bit>
+#include <limits>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -46,6 +47,40 @@ TEST(StateHash, OrderOfFramesCounts) {
   add_frame(ba, b, {});
   add_frame(ba, a, {});
   EXPECT_NE(ab.value, ba.value);
+}
+
+TEST(InputDigest, EveryNumberCounts) {
+  const HapticSample base;
+  const std::uint64_t digest = input_digest(base);
+  HapticSample s = base;
+  const auto differs = [&](auto change) {
+    s = base;
+    change();
+    return input_digest(s) != digest;
+  };
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(differs([&] { flip_last_bit(s.device.motion.pose.position[i]); }));
+    EXPECT_TRUE(differs([&] { flip_last_bit(s.device.motion.twist.linear[i]); }));
+    EXPECT_TRUE(differs([&] { flip_last_bit(s.device.motion.twist.angular[i]); }));
+  }
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_TRUE(differs([&] { flip_last_bit(s.device.motion.pose.orientation.coeffs()[i]); }));
+  }
+  EXPECT_TRUE(differs([&] { flip_last_bit(s.time); }));
+  EXPECT_TRUE(differs([&] { flip_last_bit(s.elapsed); }));
+  EXPECT_TRUE(differs([&] { flip_last_bit(s.device.time); }));
+  EXPECT_TRUE(differs([&] { s.device.buttons ^= 1u; }));
+  EXPECT_TRUE(differs([&] { s.model_sequence ^= 1u; }));
+  EXPECT_TRUE(differs([&] { s.external_fault = Fault::watchdog; }));
+  EXPECT_FALSE(differs([&] { s.step_cpu = 1.0f; }));
+}
+
+TEST(InputDigest, WhatIsNotFiniteIsOneValue) {
+  HapticSample a, b;
+  a.device.motion.pose.position.x() = std::numeric_limits<double>::quiet_NaN();
+  b.device.motion.pose.position.x() = -std::numeric_limits<double>::infinity();
+  EXPECT_EQ(input_digest(a), input_digest(b));
+  EXPECT_NE(input_digest(a), input_digest(HapticSample{}));
 }
 
 TEST(InputDigest, SeesWhatAStepRead) {

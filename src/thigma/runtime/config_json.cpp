@@ -1,5 +1,7 @@
 #include "thigma/runtime/config_json.h"
 
+#include <string_view>
+
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
@@ -49,7 +51,8 @@ void put_pose(std::string& out, JsonObject& json, const char* key, const Pose& p
   inner.close();
 }
 
-void put_saturation(std::string& out, JsonObject& json, const char* key, const std::optional<Saturation>& s) {
+void put_saturation(std::string& out, JsonObject& json, const char* key,
+                    const std::optional<Saturation>& s) {
   json.key(key);
   if (!s) {
     out += "null";
@@ -67,7 +70,8 @@ void put_body(std::string& out, JsonObject& json, const RigidBody& body) {
   json.key("body");
   JsonObject inner(out);
   inner.number("mass", body.mass);
-  inner.vector("inertia", Eigen::Matrix<double, 9, 1>(body.inertia.transpose().reshaped()));  // row by row
+  inner.vector("inertia",
+               Eigen::Matrix<double, 9, 1>(body.inertia.transpose().reshaped()));  // row by row
   inner.vector("gravity", body.gravity);
   inner.close();
 }
@@ -98,7 +102,8 @@ template <class Vector>
 void read_vector(const Json& json, const char* key, Vector& out) {
   const Json& list = json.at(key);
   if (!list.is_array() || list.size() != static_cast<std::size_t>(out.size())) {
-    throw InputError(std::string("'") + key + "' has not " + std::to_string(out.size()) + " numbers");
+    throw InputError(std::string("'") + key + "' has not " + std::to_string(out.size()) +
+                     " numbers");
   }
   for (std::size_t i = 0; i < list.size(); ++i) out[static_cast<int>(i)] = list[i].get<double>();
 }
@@ -127,7 +132,8 @@ RigidBody read_body(const Json& json) {
   const Mat3 inertia = Mat3(flat.reshaped(3, 3)).transpose();
   Vec3 gravity;
   read_vector(json, "gravity", gravity);
-  if (!(mass > 0.0) || !(inertia.determinant() > 0.0)) throw InputError("mass or inertia is not positive");
+  if (!(mass > 0.0) || !(inertia.determinant() > 0.0))
+    throw InputError("mass or inertia is not positive");
   return make_body(mass, inertia, gravity);
 }
 
@@ -157,7 +163,12 @@ void read_params(const Json& json, HapticParams& params) {
   read_pose(json.at("workspace").at("world_from_device"), params.workspace.world_from_device);
   params.workspace.motion_scale = json.at("workspace").at("motion_scale").get<double>();
   params.workspace.force_scale = json.at("workspace").at("force_scale").get<double>();
-  each_limit(params.safety, [&](const char* key, double& value) { value = json.at("safety").at(key).get<double>(); });
+  const Json& safety = json.at("safety");
+  each_limit(params.safety, [&](const char* key, double& value) {
+    // Early recordings of this version lack it; before it existed, nothing was waited for.
+    const bool is_missing = std::string_view(key) == "clear_before_arming" && !safety.contains(key);
+    value = is_missing ? 0.0 : safety.at(key).get<double>();
+  });
   params.device = read_device(json.at("device_limits"));
   const std::string place = json.at("grasp_place").get<std::string>();
   params.grasp_place = place == "handle" ? GraspPlace::handle : GraspPlace::grasp_point;
@@ -211,7 +222,8 @@ RecordedConfig read_config(const std::string& text) {
   try {
     const Json json = Json::parse(text);
     const int version = json.at("version").get<int>();
-    if (version != 1) throw InputError("recorded by a newer version (" + std::to_string(version) + "), expected 1");
+    if (version != 1)
+      throw InputError("recorded by a newer version (" + std::to_string(version) + "), expected 1");
     config.scene = json.at("scene").get<std::string>();
     config.device = json.at("device").get<std::string>();
     config.rate_hz = json.at("rate_hz").get<double>();

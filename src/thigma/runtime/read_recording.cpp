@@ -1,5 +1,6 @@
 #include <charconv>
 #include <limits>
+
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
@@ -19,7 +20,8 @@ template <class Vector>
 void read_vector(const Json& json, const char* key, Vector& out) {
   const Json& list = json.at(key);
   if (!list.is_array() || list.size() != static_cast<std::size_t>(out.size())) {
-    throw InputError(std::string("'") + key + "' has not " + std::to_string(out.size()) + " numbers");
+    throw InputError(std::string("'") + key + "' has not " + std::to_string(out.size()) +
+                     " numbers");
   }
   for (std::size_t i = 0; i < list.size(); ++i) {
     out[static_cast<int>(i)] =
@@ -63,6 +65,11 @@ std::uint64_t read_hex(const Json& json, const char* key) {
   return value;
 }
 
+/// Recordings of earlier builds have none: 0, not compared.
+std::uint64_t read_digest(const Json& json, const char* key) {
+  return json.contains(key) ? read_hex(json, key) : 0;
+}
+
 DeviceStatus read_status(const Json& json) {
   const std::string name = json.at("status").get<std::string>();
   if (name == "ok") return DeviceStatus::ok;
@@ -91,6 +98,7 @@ void read_device(const Json& json, HapticSample& s) {
   s.device.status = read_status(json);
   s.model_sequence = json.at("model_sequence").get<std::uint64_t>();
   s.external_fault = read_fault(json, "external_fault");
+  s.input_digest = read_digest(json, "input_digest");
 }
 
 void read_state(const Json& json, HapticSample& s) {
@@ -166,6 +174,22 @@ Sample& last(std::vector<Sample>& samples) {
   return samples.back();
 }
 
+void read_event(const Json& json, Recording& recording) {
+  SessionEvent event;
+  event.kind = json.at("event").get<std::string>();
+  if (event.kind == "end") {
+    recording.has_end = true;
+    recording.end.frames = json.at("frames").get<std::uint64_t>();
+    recording.end.state_hash = read_hex(json, "state_hash");
+    recording.end.dropped = json.at("dropped").get<std::uint64_t>();
+    return;
+  }
+  event.time = number(json, "time");
+  event.frame = json.value("frame", std::uint64_t{0});
+  event.detail = json.value(event.kind == "fault" ? "fault" : "detail", std::string());
+  recording.events.push_back(event);
+}
+
 void read_message(const std::string& topic, std::string_view data, Recording& recording) {
   if (topic == "/config") {
     recording.config = std::string(data);
@@ -176,7 +200,6 @@ void read_message(const std::string& topic, std::string_view data, Recording& re
     HapticSample sample;
     read_device(json, sample);
     recording.frames.push_back(sample);
-    recording.input_hashes.push_back(read_hex(json, "input_hash"));
   } else if (topic == "/device/command") {
     HapticSample& sample = last(recording.frames);
     read_wrench(json, "force", "torque", sample.command);
@@ -190,14 +213,12 @@ void read_message(const std::string& topic, std::string_view data, Recording& re
   } else if (topic == "/contact/model") {
     ContactSample sample;
     read_model(json, sample.model);
+    sample.model_digest = read_digest(json, "model_digest");
     recording.contacts.push_back(sample);
   } else if (topic == "/contact/frame") {
     read_frame(json, last(recording.contacts));
-  } else if (topic == "/events" && json.at("event").get<std::string>() == "end") {
-    recording.has_end = true;
-    recording.end.frames = json.at("frames").get<std::uint64_t>();
-    recording.end.state_hash = read_hex(json, "state_hash");
-    recording.end.dropped = json.at("dropped").get<std::uint64_t>();
+  } else if (topic == "/events") {
+    read_event(json, recording);
   }
 }
 

@@ -1,6 +1,5 @@
 #include "thigma/runtime/recording.h"
 
-#include <bit>
 #include <cstdio>
 
 #include "thigma/runtime/detail/json_text.h"
@@ -14,18 +13,16 @@ std::uint64_t nanoseconds(double seconds) {
   return seconds > 0.0 ? static_cast<std::uint64_t>(seconds * 1e9 + 0.5) : 0;
 }
 
-std::string hex(std::uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-  return text;
-}
-
 const char* status_name(DeviceStatus status) {
   switch (status) {
-    case DeviceStatus::ok: return "ok";
-    case DeviceStatus::not_ready: return "not_ready";
-    case DeviceStatus::lost: return "lost";
-    case DeviceStatus::finished: return "finished";
+    case DeviceStatus::ok:
+      return "ok";
+    case DeviceStatus::not_ready:
+      return "not_ready";
+    case DeviceStatus::lost:
+      return "lost";
+    case DeviceStatus::finished:
+      return "finished";
   }
   return "lost";
 }
@@ -53,7 +50,7 @@ void put_device(std::string& out, const HapticSample& s) {
   json.word("status", status_name(s.device.status));
   json.integer("model_sequence", static_cast<long long>(s.model_sequence));
   json.word("external_fault", fault_name(s.external_fault));
-  json.word("input_hash", hex(input_hash(s)));
+  json.word("input_digest", hex_text(s.input_digest));
   json.close();
 }
 
@@ -129,7 +126,8 @@ void put_taylor(std::string& out, const TaylorTerm& t) {
   json.close();
 }
 
-void put_model(std::string& out, const LinearContactModel& model) {
+void put_model(std::string& out, const ContactSample& sample) {
+  const LinearContactModel& model = sample.model;
   JsonObject json(out);
   json.integer("sequence", static_cast<long long>(model.sequence));
   json.number("time", model.time);
@@ -148,6 +146,7 @@ void put_model(std::string& out, const LinearContactModel& model) {
     put_taylor(out, model.taylors[i]);
   }
   out += ']';
+  json.word("model_digest", hex_text(sample.model_digest));
   json.close();
 }
 
@@ -167,37 +166,12 @@ void put_frame(std::string& out, const ContactSample& c) {
   json.close();
 }
 
-void mix(std::uint64_t& hash, std::uint64_t bits) {
-  for (int i = 0; i < 8; ++i) {  // FNV-1a
-    hash ^= bits >> (8 * i) & 0xff;
-    hash *= 0x100000001b3ull;
-  }
-}
-
-template <class Vector>
-void mix_vector(std::uint64_t& hash, const Vector& v) {
-  for (int i = 0; i < static_cast<int>(v.size()); ++i) {
-    // All NaNs are one: the file cannot tell them apart.
-    const double value = v[i];
-    mix(hash, value == value && value - value == 0.0 ? std::bit_cast<std::uint64_t>(value) : ~0ull);
-  }
-}
-
 }  // namespace
 
-std::uint64_t input_hash(const HapticSample& s) noexcept {
-  std::uint64_t hash = 0xcbf29ce484222325ull;
-  mix(hash, s.frame);
-  mix_vector(hash, Vec3(s.time, s.elapsed, s.device.time));
-  mix_vector(hash, s.device.motion.pose.position);
-  mix_vector(hash, s.device.motion.pose.orientation.coeffs());
-  mix_vector(hash, s.device.motion.twist.linear);
-  mix_vector(hash, s.device.motion.twist.angular);
-  mix(hash, s.device.buttons);
-  mix(hash, static_cast<std::uint64_t>(s.device.status));
-  mix(hash, s.model_sequence);
-  mix(hash, static_cast<std::uint64_t>(s.external_fault));
-  return hash;
+std::string hex_text(std::uint64_t bits) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(bits));
+  return text;
 }
 
 RecordingWriter::RecordingWriter(const std::string& path, const std::string& config)
@@ -225,28 +199,29 @@ void RecordingWriter::write(const HapticSample& sample) {
   put(command_, put_command);
   put(body_, put_state);
   put(timing_, put_timing);
-  if (sample.fault != last_fault_) {
-    text_.clear();
-    JsonObject json(text_);
-    json.number("time", sample.time);
-    json.word("event", "fault");
-    json.word("fault", fault_name(sample.fault));
-    json.close();
-    file_.write(events_, event_count_++, time, text_);
-    last_fault_ = sample.fault;
-  }
   last_time_ = sample.time;
 }
 
 void RecordingWriter::write(const ContactSample& sample) {
   const std::uint64_t time = nanoseconds(sample.published);
   text_.clear();
-  put_model(text_, sample.model);
+  put_model(text_, sample);
   file_.write(model_, contact_count_, time, text_);
   text_.clear();
   put_frame(text_, sample);
   file_.write(frame_, contact_count_, time, text_);
   ++contact_count_;
+}
+
+void RecordingWriter::write(const SessionEvent& event) {
+  text_.clear();
+  JsonObject json(text_);
+  json.number("time", event.time);
+  json.integer("frame", static_cast<long long>(event.frame));
+  json.word("event", event.kind);
+  if (!event.detail.empty()) json.word(event.kind == "fault" ? "fault" : "detail", event.detail);
+  json.close();
+  file_.write(events_, event_count_++, nanoseconds(event.time), text_);
 }
 
 void RecordingWriter::close(const RecordingEnd& end) {
@@ -255,7 +230,7 @@ void RecordingWriter::close(const RecordingEnd& end) {
   json.number("time", last_time_);
   json.word("event", "end");
   json.integer("frames", static_cast<long long>(end.frames));
-  json.word("state_hash", hex(end.state_hash));
+  json.word("state_hash", hex_text(end.state_hash));
   json.integer("dropped", static_cast<long long>(end.dropped));
   json.close();
   file_.write(events_, event_count_++, nanoseconds(last_time_), text_);

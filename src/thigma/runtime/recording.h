@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "thigma/runtime/mcap_file.h"
+#include "thigma/runtime/session.h"
 #include "thigma/runtime/telemetry.h"
 
 namespace thigma {
@@ -15,7 +16,8 @@ namespace thigma {
 struct RecordingEnd {
   std::uint64_t frames = 0;
   std::uint64_t state_hash = 0;
-  std::uint64_t dropped = 0;  // samples that did not fit in the telemetry ring: the recording has gaps
+  std::uint64_t dropped =
+      0;  // samples that did not fit in the telemetry ring: the recording has gaps
 };
 
 /// Writes a recording. Topics and fields: docs/formats.md.
@@ -28,25 +30,25 @@ class RecordingWriter {
 
   void write(const HapticSample& sample);
   void write(const ContactSample& sample);
+  void write(const SessionEvent& event);  // kind and detail are names, without quotes
   void close(const RecordingEnd& end);
 
  private:
   McapWriter file_;
   std::uint16_t config_, device_, command_, body_, timing_, model_, frame_, events_;
   std::uint32_t contact_count_ = 0, event_count_ = 0;
-  Fault last_fault_ = Fault::none;
   double last_time_ = 0.0;
   std::string text_;
 };
 
 /// A recording in memory.
 struct Recording {
-  std::string config;                  // the JSON of /config
-  std::vector<HapticSample> frames;
-  std::vector<std::uint64_t> input_hashes;  // of each frame's device sample, as it was when recorded
+  std::string config;                // the JSON of /config
+  std::vector<HapticSample> frames;  // with the digests as recorded
   std::vector<ContactSample> contacts;
+  std::vector<SessionEvent> events;  // without the end
   RecordingEnd end;
-  bool has_end = false;                // false: the session was cut off
+  bool has_end = false;  // false: the session was cut off
   std::vector<std::string> warnings;
 };
 
@@ -54,8 +56,8 @@ struct Recording {
 /// Thread [offline]; throws InputError "FILE: what, where, what was expected" for anything that is not one.
 Recording read_recording(const std::string& path);
 
-/// Hash over the bits of the part of a frame that the replay feeds back: device sample, step length, model used.
-std::uint64_t input_hash(const HapticSample& sample) noexcept;
+/// Hashes and digests as they stand in files and summaries: 16 hexadecimal digits.
+std::string hex_text(std::uint64_t bits);
 
 /// Writes a recording as CSV, one row a haptic frame, units in the header.
 /// Thread [offline]; throws IoError; the file is whole or absent.

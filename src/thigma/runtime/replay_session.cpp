@@ -59,7 +59,7 @@ const ContactSample* find_model(const std::vector<ContactSample>& models, std::u
 std::string difference(const HapticSample& recorded, const HapticSample& replayed) {
   if (recorded.frame != replayed.frame) return "frames are missing";
   if (recorded.input_digest != 0 && recorded.input_digest != replayed.input_digest)
-    return "device sample is not the one that was recorded";
+    return "the device sample is not the one that was recorded";
   if (!same_bits(recorded.body, replayed.body)) return "body state";
   if (!same_bits(recorded.command, replayed.command)) return "device wrench";
   if (recorded.fault != replayed.fault) return "fault";

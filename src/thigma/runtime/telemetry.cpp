@@ -1,6 +1,7 @@
 #include "thigma/runtime/telemetry.h"
 
 #include <bit>
+#include <cmath>
 
 namespace thigma {
 
@@ -34,17 +35,57 @@ void add_frame(StateHash& hash, const BodyState& body, const Wrench& command) TH
   add_vector(hash, command.torque);
 }
 
+namespace {
+
+// What is not finite is one value: files keep it as null, so a digest must not tell it apart.
+void add_datum(StateHash& hash, double number) THIGMA_RT {
+  if (std::isfinite(number)) {
+    add_number(hash, number);
+  } else {
+    add_bits(hash, ~std::uint64_t{0});
+  }
+}
+
+void add_data(StateHash& hash, const Vec3& v) THIGMA_RT {
+  for (int i = 0; i < 3; ++i) add_datum(hash, v[i]);
+}
+
+void add_data(StateHash& hash, const Quat& q) THIGMA_RT {
+  for (int i = 0; i < 4; ++i) add_datum(hash, q.coeffs()[i]);
+}
+
+void add_data(StateHash& hash, const PlaneTerm& t) THIGMA_RT {
+  add_data(hash, t.arm_body);
+  add_data(hash, t.normal);
+  add_data(hash, t.scene_point);
+  add_data(hash, t.scene_velocity);
+  add_data(hash, t.tangential_anchor);
+  add_datum(hash, t.stiffness);
+  add_datum(hash, t.damping);
+  add_datum(hash, t.tolerance);
+  add_bits(hash, static_cast<std::uint64_t>(t.id));
+}
+
+void add_data(StateHash& hash, const TaylorTerm& t) THIGMA_RT {
+  add_data(hash, t.wrench.force);
+  add_data(hash, t.wrench.torque);
+  add_data(hash, t.normal);
+  for (int i = 0; i < t.jacobian.size(); ++i) add_datum(hash, t.jacobian.data()[i]);
+}
+
+}  // namespace
+
 std::uint64_t input_digest(const HapticSample& sample) THIGMA_RT {
   StateHash hash;
   add_bits(hash, sample.frame);
-  add_number(hash, sample.time);
-  add_number(hash, sample.elapsed);
+  add_datum(hash, sample.time);
+  add_datum(hash, sample.elapsed);
   const DeviceState& d = sample.device;
-  add_number(hash, d.time);
-  add_vector(hash, d.motion.pose.position);
-  add_quaternion(hash, d.motion.pose.orientation);
-  add_vector(hash, d.motion.twist.linear);
-  add_vector(hash, d.motion.twist.angular);
+  add_datum(hash, d.time);
+  add_data(hash, d.motion.pose.position);
+  add_data(hash, d.motion.pose.orientation);
+  add_data(hash, d.motion.twist.linear);
+  add_data(hash, d.motion.twist.angular);
   add_bits(hash, d.buttons);
   add_bits(hash, static_cast<std::uint64_t>(d.status));
   add_bits(hash, sample.model_sequence);
@@ -54,26 +95,14 @@ std::uint64_t input_digest(const HapticSample& sample) THIGMA_RT {
 
 std::uint64_t model_digest(const LinearContactModel& model) THIGMA_RT {
   StateHash hash;
-  add_frame(hash, model.state, Wrench{});
-  add_number(hash, model.time);
+  add_data(hash, model.state.position);
+  add_data(hash, model.state.orientation);
+  add_data(hash, model.state.linear_momentum);
+  add_data(hash, model.state.angular_momentum);
+  add_datum(hash, model.time);
   add_bits(hash, model.sequence);
-  for (const PlaneTerm& t : model.planes) {
-    add_vector(hash, t.arm_body);
-    add_vector(hash, t.normal);
-    add_vector(hash, t.scene_point);
-    add_vector(hash, t.scene_velocity);
-    add_vector(hash, t.tangential_anchor);
-    add_number(hash, t.stiffness);
-    add_number(hash, t.damping);
-    add_number(hash, t.tolerance);
-    add_bits(hash, static_cast<std::uint64_t>(t.id));
-  }
-  for (const TaylorTerm& t : model.taylors) {
-    add_vector(hash, t.wrench.force);
-    add_vector(hash, t.wrench.torque);
-    add_vector(hash, t.normal);
-    for (int i = 0; i < t.jacobian.size(); ++i) add_number(hash, t.jacobian.data()[i]);
-  }
+  for (const PlaneTerm& term : model.planes) add_data(hash, term);
+  for (const TaylorTerm& term : model.taylors) add_data(hash, term);
   return hash.value;
 }
 

@@ -77,7 +77,8 @@ void add_quaternion(StateHash& hash, const Quat& q) THIGMA_RT;
 /// [haptic].
 void add_frame(StateHash& hash, const BodyState& body, const Wrench& command) THIGMA_RT;
 
-/// Digest of what a haptic frame read, and of what a contact frame published. Thread [haptic].
+/// Digest of what a haptic frame read, and of what a contact frame published: equal after writing
+/// and reading a recording, so all that is not finite counts as one value. Thread [haptic].
 std::uint64_t input_digest(const HapticSample& sample) THIGMA_RT;
 std::uint64_t model_digest(const LinearContactModel& model) THIGMA_RT;
 
