@@ -31,9 +31,9 @@ const std::vector<ModelInfo>& models();
 
 /// Makes a model: closed, oriented, without self-intersections, in metres.
 ///
-/// The count is met within 1 % from 2,000 triangles upwards (the nearest the construction allows
-/// below). Same request, same bytes, on every machine. Thread  [offline]; InputError for an unknown
-/// name or a count out of range.
+/// The count is met within 1 % from 2,000 triangles upwards (the nearest the construction allows below).
+/// Same request, same bytes, on every machine.
+/// Thread    [offline]; InputError for an unknown name or a count out of range.
 TriangleMesh make_model(const ModelRequest& request);
 
 /// True for text that starts like "procedural:".

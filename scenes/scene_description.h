@@ -117,8 +117,9 @@ DefaultGains default_gains(double radius);
 /// the caller's to add.
 ///
 /// Body axes are the mesh's, the origin is the centre of mass: haptic.body, contact.body_from_mesh,
-/// world_from_body. errors  InputError: density of an open mesh, a mesh without volume, gains that
-/// contradict each other Thread  [offline]
+/// world_from_body.
+/// errors    InputError: density of an open mesh, a mesh without volume, gains that contradict each other
+/// Thread    [offline]
 SessionConfig make_session_config(const SceneDescription& scene, const LoadedObject& object);
 
 /// The scene of `run --object A --against B`: B at the identity, A at `pose`, both scaled, all

@@ -92,8 +92,8 @@ struct ClodHierarchy {
   std::vector<std::int32_t> triangle_ids;  // original triangle of each hull triangle
 };
 
-/// The hull of a node as the pair queries read it. Valid while the hierarchy lives. Thread [haptic]
-/// [contact].
+/// The hull of a node as the pair queries read it. Valid while the hierarchy lives.
+/// Thread    [haptic] [contact].
 inline HullView hull_view(const ClodHierarchy& h, std::int32_t node) noexcept {
   const ClodNode& n = h.nodes[static_cast<std::size_t>(node)];
   HullView v;
@@ -116,8 +116,9 @@ inline HullView hull_view(const ClodHierarchy& h, std::int32_t node) noexcept {
   return v;
 }
 
-/// The surface of a node at its own level of detail: a finest or a contact patch; the bounding hull
-/// of a free node. Valid while the hierarchy lives. Thread [haptic] [contact].
+/// The surface of a node at its own level of detail: a finest or a contact patch; the bounding hull of a
+/// free node. Valid while the hierarchy lives.
+/// Thread    [haptic] [contact].
 inline HullView contact_view(const ClodHierarchy& h, std::int32_t node) noexcept {
   const std::int32_t contact = h.nodes[static_cast<std::size_t>(node)].contact;
   if (contact < 0) return hull_view(h, node);

@@ -52,7 +52,8 @@ struct ClusterScratch {
   StaticVector<std::int32_t, kMaxContactClusters> seed_ids;  // id it inherits, -1 for a new cluster
 };
 
-/// Room for sets of up to `contacts` contacts. Thread [offline]; throws std::bad_alloc.
+/// Room for sets of up to `contacts` contacts.
+/// Thread    [offline]; throws std::bad_alloc.
 void reserve_clusters(ClusterScratch& scratch, std::size_t contacts);
 
 /// Weighted K-means over contacts of any bodies, warm-started from the previous clusters.

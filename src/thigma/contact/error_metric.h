@@ -16,13 +16,15 @@ enum class SupportArea {
   smaller
 };  // which of the two D counts; the text takes the larger (Eq. 3.7)
 
-/// s*: feature size s / r^2, the larger of the two, over the support area.
-/// Infinite for a free level and for an area of 0, unless the feature size is 0 too. Thread [contact].
-/// Source Eqs. 3.6-3.7.
+/// s*: feature size s / r^2, the larger of the two, over the support area. Infinite for a free level and
+/// for an area of 0, unless the feature size is 0 too.
+/// Thread    [contact].
+/// Source    Eqs. 3.6-3.7.
 double weighted_deviation(const LevelError& object, const LevelError& scene,
                           SupportArea area = SupportArea::larger) noexcept;
 
-/// Refine a pair whose weighted deviation exceeds the threshold, strictly. Thread [contact].
+/// Refine a pair whose weighted deviation exceeds the threshold, strictly.
+/// Thread    [contact].
 bool needs_refinement(double weighted, double threshold) noexcept;
 
 /// Distance within which two nodes must be kept for contacts within `tolerance` of their surfaces (Eq. 3.5) [m].

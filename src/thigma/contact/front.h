@@ -64,7 +64,8 @@ std::int32_t default_front_capacity(const ClodHierarchy& object, const ClodHiera
 void reserve_front(ContactFront& front, const ClodHierarchy& object, const ClodHierarchy& scene,
                    std::int32_t capacity = 0);
 
-/// Forgets coherence, keeps the memory. Thread [contact].
+/// Forgets coherence, keeps the memory.
+/// Thread    [contact].
 void clear_front(ContactFront& front) noexcept;
 
 }  // namespace thigma

@@ -50,7 +50,8 @@ struct SceneBody {
 void query_scene(const ClodHierarchy& object, const Pose& world_from_object, std::span<const SceneBody> bodies,
                  const ContactQuery& query, std::span<ContactFront> fronts, ContactSet& contacts) noexcept;
 
-/// Empties a set, keeping its capacity. Thread [contact].
+/// Empties a set, keeping its capacity.
+/// Thread    [contact].
 inline void clear(ContactSet& contacts) noexcept {
   contacts.contacts.clear();
   contacts.dropped = 0;

@@ -21,7 +21,8 @@ struct Crossings {
 /// Thread    [contact]; no failure, no allocation.
 Crossings count_crossings(const ClodHierarchy& hierarchy, const Vec3& from, const Vec3& to) noexcept;
 
-/// Whether the surface of an object is closed, from its area integrals (relative 1e-6). Thread [contact].
+/// Whether the surface of an object is closed, from its area integrals (relative 1e-6).
+/// Thread    [contact].
 bool is_closed(const ClodHierarchy& hierarchy) noexcept;
 
 /// The two objects of a query, for a probe.

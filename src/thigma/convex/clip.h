@@ -25,7 +25,8 @@ struct HalfSpace {
 void list_half_spaces(const GrowingHull& hull, double inset, std::vector<HalfSpace>& half_spaces);
 
 /// True when some point of the triangle lies in all half-spaces: Sutherland-Hodgman clipping leaves
-/// something over. Thread [offline]; no failure.
+/// something over.
+/// Thread    [offline]; no failure.
 bool reaches_into(const std::array<Vec3, 3>& triangle, const std::vector<HalfSpace>& half_spaces);
 
 }  // namespace thigma

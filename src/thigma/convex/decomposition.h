@@ -43,11 +43,11 @@ struct ConvexDecomposition {
   std::int32_t cut_by_size = 0;  // of the others: patches stopped by max_vertices
 };
 
-/// Decomposes a usable mesh (3.3.1): patches grow from the first free triangle over their edges,
-/// breadth first. Deterministic. Open surfaces work: the hull lies behind the sheet. An edge of
-/// three faces bounds patches. Thread [offline]; throws InputError when the mesh has no triangle
-/// with an area. Source Sec. 3.3.1; protrusion by exact clipping instead of sampling
-/// (docs/deviations.md).
+/// Decomposes a usable mesh (3.3.1): patches grow from the first free triangle over their edges, breadth
+/// first. Deterministic. Open surfaces work: the hull lies behind the sheet. An edge of three faces bounds
+/// patches.
+/// Thread    [offline]; throws InputError when the mesh has no triangle with an area.
+/// Source    Sec. 3.3.1; protrusion by exact clipping instead of sampling (docs/deviations.md).
 ConvexDecomposition decompose_surface(const TriangleMesh& mesh,
                                       const DecompositionParams& params = {});
 

@@ -33,8 +33,8 @@ ConvexHull build_hull(std::span<const Vec3> points, double relative_tolerance = 
 
 struct GrowingHull;
 
-/// The hull as it has grown so far over the points it was started with. Thread [offline]; no
-/// failure.
+/// The hull as it has grown so far over the points it was started with.
+/// Thread    [offline]; no failure.
 ConvexHull to_hull(const GrowingHull& grown, std::span<const Vec3> points);
 
 }  // namespace thigma

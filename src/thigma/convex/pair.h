@@ -84,9 +84,12 @@ void closest_points_batch(std::span<const PairQuery> queries, const RelativePose
 /// certain, false means "not proven". Single precision over the lanes with a slack for every
 /// rounding; ~10 ns.
 ///
-/// a, b    with lanes
-/// axis    about unit length (0.1..10), frame of a, roughly from a to b: the direction of an
-/// earlier query gap     >= 0 [m] Thread  [contact]; same bits on every processor.
+/// a,
+/// b         with lanes
+/// axis      about unit length (0.1..10), frame of a, roughly from a to b: the direction of an earlier
+///           query
+/// gap       >= 0 [m]
+/// Thread    [contact]; same bits on every processor.
 bool axis_separates(const HullView& a, const HullView& b, const RelativePose& a_from_b,
                     const float axis[3], double gap) noexcept;
 

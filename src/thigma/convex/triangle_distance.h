@@ -16,8 +16,9 @@ struct TriangleDistance {
   Vec3 point_b = Vec3::Zero();
 };
 
-/// Distance of triangles a[0..2] and b[0..2], degenerate ones (segments, points) included.
-/// Accuracy: a few roundings of the coordinates about a local origin. Thread [contact]; no failure.
+/// Distance of triangles a[0..2] and b[0..2], degenerate ones (segments, points) included. Accuracy: a few
+/// roundings of the coordinates about a local origin.
+/// Thread    [contact]; no failure.
 TriangleDistance triangle_distance(const Vec3 a[3], const Vec3 b[3]) noexcept;
 
 /// Separation of the original triangles of two patches.
@@ -38,8 +39,9 @@ struct PatchSeparation {
 /// Least separation of the original triangles of two patches (not of their hulls, which have
 /// virtual faces).
 ///
-/// stop     pairs farther apart than this need not be exact: then distance is a lower bound > stop
-/// [m] cache    of the hull pair Thread   [contact]; no failure, no allocation.
+/// stop      pairs farther apart than this need not be exact: then distance is a lower bound > stop [m]
+/// cache     of the hull pair
+/// Thread    [contact]; no failure, no allocation.
 PatchSeparation patch_separation(const HullView& a, const HullView& b, const RelativePose& a_from_b,
                                  double stop, GjkCache& cache) noexcept;
 

@@ -20,11 +20,13 @@ struct DeviceModel {
   bool actuates_rotation = false;
 };
 
-/// The table, in alphabetical order of names.
-/// Source: the per-model values CHAI3D 3.3 publishes in its drivers. Thread [haptic].
+/// The table, in alphabetical order of names. Source: the per-model values CHAI3D 3.3 publishes in its
+/// drivers.
+/// Thread    [haptic].
 std::span<const DeviceModel> device_models() THIGMA_RT;
 
-/// The model of that name or null. Thread [haptic].
+/// The model of that name or null.
+/// Thread    [haptic].
 const DeviceModel* find_device_model(std::string_view name) THIGMA_RT;
 
 }  // namespace thigma

@@ -92,10 +92,12 @@ class HandDevice final : public HapticDevice {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Empty, or one line "PARAMETER = VALUE, what is allowed". Thread [offline].
+/// Empty, or one line "PARAMETER = VALUE, what is allowed".
+/// Thread    [offline].
 std::string what_is_wrong(const HandParams& params);
 
-/// As the constructor. Thread [offline].
+/// As the constructor.
+/// Thread    [offline].
 std::unique_ptr<HandDevice> make_hand(const HandParams& params = {});
 
 }  // namespace thigma

@@ -7,7 +7,8 @@
 
 namespace thigma {
 
-/// Handle at the identity for ever, clutch held or not; accepts every wrench. Thread [offline].
+/// Handle at the identity for ever, clutch held or not; accepts every wrench.
+/// Thread    [offline].
 std::unique_ptr<HapticDevice> make_null_device(bool clutch = true, const DeviceLimits& limits = {});
 
 }  // namespace thigma

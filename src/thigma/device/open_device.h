@@ -44,11 +44,12 @@ class DeviceUnavailable : public std::runtime_error {
 std::unique_ptr<HapticDevice> open_device(const std::string& address,
                                           const DeviceContext& context = {});
 
-/// Parameters of a hand as "hand:?..." and a context give them; errors as open_device. Thread
-/// [offline].
+/// Parameters of a hand as "hand:?..." and a context give them; errors as open_device.
+/// Thread    [offline].
 HandParams parse_hand(std::string_view query, const DeviceContext& context = {});
 
-/// Part of an address before the colon, "" without one. Thread [offline].
+/// Part of an address before the colon, "" without one.
+/// Thread    [offline].
 std::string device_scheme(std::string_view address);
 
 /// One parameter of an address, for `thigma devices`.
@@ -64,7 +65,8 @@ struct DeviceScheme {
   std::vector<DeviceParameter> parameters;
 };
 
-/// Every scheme known, available ones first. Thread [offline].
+/// Every scheme known, available ones first.
+/// Thread    [offline].
 std::vector<DeviceScheme> device_schemes();
 
 }  // namespace thigma

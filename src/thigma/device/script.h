@@ -29,7 +29,8 @@ struct TimedPose {
 /// Thread   [offline].
 std::vector<TimedPose> parse_script(std::istream& text, const std::string& name);
 
-/// As parse_script; InputError too when the file cannot be read. Thread [offline].
+/// As parse_script; InputError too when the file cannot be read.
+/// Thread    [offline].
 std::vector<TimedPose> read_script(const std::string& path);
 
 /// Position in a script, for fast look-up of times that increase.
@@ -41,15 +42,18 @@ struct ScriptCursor {
 /// before the first and after the last row, never beyond the values of neighbouring rows in any
 /// coordinate.
 ///
-/// cursor   caller-owned; cost is constant for times that advance by less than a row, logarithmic
-/// otherwise returns  pose and its exact time derivative [device frame] Thread   [haptic]; no
-/// failure. Source   Fritsch, Butland 1984 (monotone cubic), on coordinates and on the sign-aligned
-/// quaternion, normalised.
+/// cursor    caller-owned; cost is constant for times that advance by less than a row, logarithmic
+///           otherwise
+/// returns   pose and its exact time derivative [device frame]
+/// Thread    [haptic]; no failure.
+/// Source    Fritsch, Butland 1984 (monotone cubic), on coordinates and on the sign-aligned quaternion,
+///           normalised.
 Motion script_motion(const std::vector<TimedPose>& script, double time,
                      ScriptCursor& cursor) THIGMA_RT;
 
-/// Plays a script of at least one row from the first read on (row time 0 is then); status
-/// `finished` after its last row, where it stays. Wrenches are accepted. Thread [offline].
+/// Plays a script of at least one row from the first read on (row time 0 is then); status `finished` after
+/// its last row, where it stays. Wrenches are accepted.
+/// Thread    [offline].
 std::unique_ptr<HapticDevice> make_script_device(std::vector<TimedPose> script,
                                                  const DeviceLimits& limits = {});
 

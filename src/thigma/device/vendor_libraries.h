@@ -29,10 +29,12 @@ struct LibraryProbe {
   std::string reason;  // why not loadable, one line; "" otherwise
 };
 
-/// The table. Source: the vendors' public headers, names and symbols only. Thread [haptic].
+/// The table. Source: the vendors' public headers, names and symbols only.
+/// Thread    [haptic].
 std::span<const VendorLibrary> vendor_libraries() THIGMA_RT;
 
-/// Opens, looks for the symbols, closes. Thread [offline].
+/// Opens, looks for the symbols, closes.
+/// Thread    [offline].
 LibraryProbe probe_library(const VendorLibrary& library);
 
 }  // namespace thigma

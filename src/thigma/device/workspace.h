@@ -46,11 +46,13 @@ struct WorkspaceAnchor {
   Vec3 turn_rate = Vec3::Zero();  // by buttons, where rotation is not sensed [rad/s; world]
 };
 
-/// Anchor without a clutch offset: the device's origin at world_from_device. Thread [haptic].
+/// Anchor without a clutch offset: the device's origin at world_from_device.
+/// Thread    [haptic].
 WorkspaceAnchor base_anchor(const Workspace& workspace) THIGMA_RT;
 
-/// Anchor that lets `device` mean `world` from now on: grasp, and re-grasp after the clutch was
-/// open (world: the virtual handle pose at that moment, so that it does not jump). Thread [haptic].
+/// Anchor that lets `device` mean `world` from now on: grasp, and re-grasp after the clutch was open
+/// (world: the virtual handle pose at that moment, so that it does not jump).
+/// Thread    [haptic].
 WorkspaceAnchor anchor_at(const Pose& device, const Pose& world) THIGMA_RT;
 
 /// Motion of the virtual handle.
@@ -62,18 +64,20 @@ WorkspaceAnchor anchor_at(const Pose& device, const Pose& world) THIGMA_RT;
 Motion world_motion(const Workspace& workspace, const WorkspaceAnchor& anchor, const Motion& device,
                     bool senses_rotation) THIGMA_RT;
 
-/// The inverse of world_motion for a device that senses rotation. Thread [haptic].
+/// The inverse of world_motion for a device that senses rotation.
+/// Thread    [haptic].
 Motion device_motion(const Workspace& workspace, const WorkspaceAnchor& anchor,
                      const Motion& world) THIGMA_RT;
 
-/// Wrench for the device from the wrench on the hand, about the handle [N, N m; world -> device
-/// frame], scaled. The sign is kept: the caller passes the reaction. Thread [haptic]. Source ERRATA
-/// 5, workspace scaling.
+/// Wrench for the device from the wrench on the hand, about the handle [N, N m; world -> device frame],
+/// scaled. The sign is kept: the caller passes the reaction.
+/// Thread    [haptic].
+/// Source    ERRATA 5, workspace scaling.
 Wrench device_wrench(const Workspace& workspace, const Wrench& hand_wrench) THIGMA_RT;
 
-/// Advances the anchor by turn buttons held during dt at `rate` about device axes [rad/s], and
-/// keeps the rate in turn_rate so that the twist agrees with the motion. Call before world_motion,
-/// once a tick. Thread [haptic].
+/// Advances the anchor by turn buttons held during dt at `rate` about device axes [rad/s], and keeps the
+/// rate in turn_rate so that the twist agrees with the motion. Call before world_motion, once a tick.
+/// Thread    [haptic].
 void turn_by_buttons(const Workspace& workspace, std::uint32_t buttons, double rate, double dt,
                      WorkspaceAnchor& anchor) THIGMA_RT;
 

@@ -36,20 +36,24 @@ struct BodyKinematics {
 /// Thread [offline].
 RigidBody make_body(double mass, const Mat3& inertia, const Vec3& gravity = Vec3::Zero());
 
-/// Velocity of the centre of mass and angular velocity (Eq. 5.2), world. Thread [haptic].
+/// Velocity of the centre of mass and angular velocity (Eq. 5.2), world.
+/// Thread    [haptic].
 Twist velocity(const RigidBody& body, const BodyState& state) THIGMA_RT;
 
-/// The same and its derivatives; R(q) is the homogeneous form, so |q| = 1 matters. Thread [haptic].
+/// The same and its derivatives; R(q) is the homogeneous form, so |q| = 1 matters.
+/// Thread    [haptic].
 BodyKinematics kinematics(const RigidBody& body, const BodyState& state) THIGMA_RT;
 
-/// Kinetic energy of translation and rotation [J]. Thread [haptic].
+/// Kinetic energy of translation and rotation [J].
+/// Thread    [haptic].
 double kinetic_energy(const RigidBody& body, const BodyState& state) THIGMA_RT;
 
 /// dy/dt under a wrench about the centre of mass; gravity is added here, nowhere else (Eq. 5.1).
 /// Thread [haptic].
 Vec13 state_rate(const RigidBody& body, const BodyState& state, const Wrench& wrench) THIGMA_RT;
 
-/// y as a vector and back. Thread [haptic].
+/// y as a vector and back.
+/// Thread    [haptic].
 Vec13 to_vector(const BodyState& state) THIGMA_RT;
 BodyState from_vector(const Vec13& y) THIGMA_RT;
 

@@ -23,10 +23,12 @@ struct Saturation {
 /// Thread [offline].
 Saturation make_saturation(double stiffness, double linear_range, double max_force);
 
-/// Whether the force never decreases with the stretch. Thread [haptic].
+/// Whether the force never decreases with the stretch.
+/// Thread    [haptic].
 bool is_monotone(const Saturation& spring) THIGMA_RT;
 
-/// Force at a stretch >= 0 and its slope. Thread [haptic].
+/// Force at a stretch >= 0 and its slope.
+/// Thread    [haptic].
 struct SpringForce {
   double force = 0.0;
   double slope = 0.0;
@@ -53,11 +55,13 @@ struct Coupling {
   std::optional<Saturation> angular_saturation;  // when set, its stiffness stands for k_theta
 };
 
-/// Grasp frame for a hand that takes hold of the body as both are now: both springs start at rest,
-/// wherever the hand is (Eq. 5.17). Thread [haptic].
+/// Grasp frame for a hand that takes hold of the body as both are now: both springs start at rest, wherever
+/// the hand is (Eq. 5.17).
+/// Thread    [haptic].
 Pose grasp(const BodyState& state, const Pose& world_from_device) THIGMA_RT;
 
-/// Takes hold, or lets go, at run time. Thread [haptic].
+/// Takes hold, or lets go, at run time.
+/// Thread    [haptic].
 void grasp(Coupling& coupling, const BodyState& state, const Pose& world_from_device) THIGMA_RT;
 void release(Coupling& coupling) THIGMA_RT;
 
@@ -90,9 +94,10 @@ Wrench coupling_wrench(const Coupling& coupling, const Motion& device, const Rig
                        const BodyState& state, const BodyKinematics& at,
                        WrenchJacobian* jacobian) THIGMA_RT;
 
-/// What the hand feels: the reaction of both springs and dampers about the handle [N, N m; world].
-/// This is not the negative of coupling_wrench, whose torque is about the centre of mass and holds
-/// the lever arm of the force. Thread [haptic].
+/// What the hand feels: the reaction of both springs and dampers about the handle [N, N m; world]. This is
+/// not the negative of coupling_wrench, whose torque is about the centre of mass and holds the lever arm of
+/// the force.
+/// Thread    [haptic].
 Wrench device_wrench(const Coupling& coupling, const Motion& device, const RigidBody& body,
                      const BodyState& state) THIGMA_RT;
 

@@ -27,12 +27,14 @@ concept BodyForces = requires(const F& forces, const BodyState& state, WrenchJac
   { forces(state, jacobian) } -> std::convertible_to<Wrench>;
 };
 
-/// y + scale * rate, without normalising q. Thread [haptic].
+/// y + scale * rate, without normalising q.
+/// Thread    [haptic].
 inline BodyState displaced(const BodyState& state, const Vec13& rate, double scale) THIGMA_RT {
   return from_vector(to_vector(state) + scale * rate);
 }
 
-/// One step of forward Euler, q normalised after it. Thread [haptic].
+/// One step of forward Euler, q normalised after it.
+/// Thread    [haptic].
 template <BodyForces F>
 BodyState forward_euler_step(const RigidBody& body, const BodyState& state, const F& forces,
                              double dt) THIGMA_RT {
@@ -41,7 +43,8 @@ BodyState forward_euler_step(const RigidBody& body, const BodyState& state, cons
   return next;
 }
 
-/// One step of the classical Runge-Kutta scheme, q normalised after it only. Thread [haptic].
+/// One step of the classical Runge-Kutta scheme, q normalised after it only.
+/// Thread    [haptic].
 template <BodyForces F>
 BodyState runge_kutta_step(const RigidBody& body, const BodyState& state, const F& forces,
                            double dt) THIGMA_RT {
@@ -55,7 +58,8 @@ BodyState runge_kutta_step(const RigidBody& body, const BodyState& state, const 
   return next;
 }
 
-/// One step of length dt [s] by the chosen scheme. Thread [haptic].
+/// One step of length dt [s] by the chosen scheme.
+/// Thread    [haptic].
 template <BodyForces F>
 BodyState step_body(Integrator integrator, const RigidBody& body, const BodyState& state,
                     const F& forces, double dt) THIGMA_RT {

@@ -32,7 +32,8 @@ BodyState implicit_step_13(const RigidBody& body, const BodyState& state, const 
 BodyState implicit_step_6(const RigidBody& body, const BodyState& state, const Wrench& wrench,
                           const WrenchJacobian& jacobian, double dt) THIGMA_RT;
 
-/// d(dy/dt)/dy (13 x 13, Eqs. 5.8-5.13). Thread [haptic].
+/// d(dy/dt)/dy (13 x 13, Eqs. 5.8-5.13).
+/// Thread    [haptic].
 Mat13 state_rate_jacobian(const RigidBody& body, const BodyState& state,
                           const WrenchJacobian& wrench_jacobian) THIGMA_RT;
 

@@ -61,9 +61,9 @@ PlaneForce plane_force(const PlaneTerm& term, const RigidBody& body, const BodyS
                        const BodyKinematics& at, double scale = 1.0,
                        WrenchJacobian* jacobian = nullptr) THIGMA_RT;
 
-/// Wrench of a Taylor term, taken at state y_0, at a state y: W + J (y - y_0), where -q stands for
-/// q when it is the nearer of the two (Eq. 5.14). Not clamped. `jacobian`: null, or the Jacobian at
-/// y (6 x 13). Thread [haptic].
+/// Wrench of a Taylor term, taken at state y_0, at a state y: W + J (y - y_0), where -q stands for q when
+/// it is the nearer of the two (Eq. 5.14). Not clamped. `jacobian`: null, or the Jacobian at y (6 x 13).
+/// Thread    [haptic].
 Wrench extrapolate(const TaylorTerm& term, const BodyState& taken_at, const BodyState& state,
                    WrenchJacobian* jacobian = nullptr) THIGMA_RT;
 

@@ -16,15 +16,18 @@ struct SinCos {
   double cos = 1.0;
 };
 
-/// Sine and cosine of x [rad]; absolute error <= 2e-16 for |x| <= 1e5, NaN for NaN and infinities. Thread [haptic].
+/// Sine and cosine of x [rad]; absolute error <= 2e-16 for |x| <= 1e5, NaN for NaN and infinities.
+/// Thread    [haptic].
 SinCos sin_cos(double x) THIGMA_RT;
 inline double sine(double x) THIGMA_RT { return sin_cos(x).sin; }
 inline double cosine(double x) THIGMA_RT { return sin_cos(x).cos; }
 
-/// Angle of the point (x, y) in (-pi, pi] [rad]; relative error <= 1e-15; 0 for (0, 0). Thread [haptic].
+/// Angle of the point (x, y) in (-pi, pi] [rad]; relative error <= 1e-15; 0 for (0, 0).
+/// Thread    [haptic].
 double arc_tangent2(double y, double x) THIGMA_RT;
 
-/// e^x, relative error <= 1e-15; 0 below -745, infinity above 709. Thread [haptic].
+/// e^x, relative error <= 1e-15; 0 below -745, infinity above 709.
+/// Thread    [haptic].
 double exponential(double x) THIGMA_RT;
 
 }  // namespace thigma

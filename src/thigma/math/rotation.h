@@ -13,20 +13,24 @@
 
 namespace thigma {
 
-/// u^* with u^* v = u x v (A.5). Thread [haptic].
+/// u^* with u^* v = u x v (A.5).
+/// Thread    [haptic].
 inline Mat3 skew(const Vec3& u) THIGMA_RT {
   Mat3 m;
   m << 0.0, -u.z(), u.y(), u.z(), 0.0, -u.x(), -u.y(), u.x(), 0.0;
   return m;
 }
 
-/// R(q), Eq. A.21, homogeneous: R(2 q) = 4 R(q). Thread [haptic].
+/// R(q), Eq. A.21, homogeneous: R(2 q) = 4 R(q).
+/// Thread    [haptic].
 Mat3 rotation_matrix(const Quat& q) THIGMA_RT;
 
-/// dR/dq_i for i = x, y, z, s (A.23). Thread [haptic].
+/// dR/dq_i for i = x, y, z, s (A.23).
+/// Thread    [haptic].
 std::array<Mat3, 4> rotation_matrix_derivatives(const Quat& q) THIGMA_RT;
 
-/// d(R(q) v)/dq and d(R(q)^T v)/dq for a fixed v (3 x 4). Thread [haptic].
+/// d(R(q) v)/dq and d(R(q)^T v)/dq for a fixed v (3 x 4).
+/// Thread    [haptic].
 Mat34 rotated_derivative(const Quat& q, const Vec3& v) THIGMA_RT;
 Mat34 inverse_rotated_derivative(const Quat& q, const Vec3& v) THIGMA_RT;
 
@@ -38,7 +42,8 @@ Mat43 rate_matrix(const Quat& q) THIGMA_RT;
 /// Thread [haptic].
 Mat4 rate_derivative(const Vec3& omega) THIGMA_RT;
 
-/// A(a) with a b = A(a) b as four numbers (A.15). Thread [haptic].
+/// A(a) with a b = A(a) b as four numbers (A.15).
+/// Thread    [haptic].
 Mat4 left_product_matrix(const Quat& a) THIGMA_RT;
 
 /// Unit quaternion of a rotation vector [rad] (A.18); exact to rounding at and near zero.
@@ -54,7 +59,8 @@ Quat rotation_from_vector(const Vec3& rotation_vector) THIGMA_RT;
 /// Source      Eqs. 5.18, 5.25; the printed ones lack 1/sin(|u|/2) and are singular at rest.
 Vec3 vector_from_rotation(const Quat& q, Mat34* derivative = nullptr) THIGMA_RT;
 
-/// q / |q|, by one square root. Thread [haptic].
+/// q / |q|, by one square root.
+/// Thread    [haptic].
 inline Quat unit(const Quat& q) THIGMA_RT {
   const double scale =
       1.0 / std::sqrt(q.x() * q.x() + q.y() * q.y() + q.z() * q.z() + q.w() * q.w());

@@ -73,9 +73,9 @@ void visit_fan(const HalfedgeMesh& m, std::int32_t v, Visit visit) {
 /// Half-edge from a to b, -1 when there is none; a is not locked.
 std::int32_t find_halfedge(const HalfedgeMesh& m, std::int32_t a, std::int32_t b);
 
-/// Whether collapsing the edge leaves the same surface: neither end locked, no boundary pinched or
-/// closed, and the ends share no neighbour but the corners across the edge (link condition, Dey et
-/// al. 1999). Thread [offline].
+/// Whether collapsing the edge leaves the same surface: neither end locked, no boundary pinched or closed,
+/// and the ends share no neighbour but the corners across the edge (link condition, Dey et al. 1999).
+/// Thread    [offline].
 bool can_collapse(const HalfedgeMesh& m, std::int32_t halfedge);
 
 /// Collapses an edge for which can_collapse holds. Its tail stays, at `position`; its head and the
@@ -88,7 +88,8 @@ bool can_collapse(const HalfedgeMesh& m, std::int32_t halfedge);
 std::array<std::int32_t, 2> collapse_edge(HalfedgeMesh& m, std::int32_t halfedge,
                                           const Vec3& position, double share = 0.5);
 
-/// Breaches of the invariant; 0 for a right mesh. Thread [offline].
+/// Breaches of the invariant; 0 for a right mesh.
+/// Thread    [offline].
 std::int64_t count_halfedge_faults(const HalfedgeMesh& m);
 
 /// The triangles that are left, renumbered; kept lists their old numbers, vertices the old numbers

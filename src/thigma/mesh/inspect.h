@@ -63,8 +63,9 @@ struct InspectOptions {
   bool self_intersections = true;  // the one slow count; the verdict does not depend on it
 };
 
-/// Looks at a mesh and changes nothing. Any content is valid input, non-finite numbers and wild
-/// indices included. Thread [offline]; deterministic.
+/// Looks at a mesh and changes nothing. Any content is valid input, non-finite numbers and wild indices
+/// included.
+/// Thread    [offline]; deterministic.
 MeshReport inspect_mesh(const TriangleMesh& mesh, const InspectOptions& options = {});
 
 /// The same, with what reading already counted.

@@ -17,9 +17,11 @@ struct RepairResult {
 /// takes apart edges with three or more faces and pinched vertices, orients each component
 /// consistently and closed ones outwards.
 ///
-/// Vertices taken apart move by about 1e-6 of the radius into their own fan, since equal positions
-/// would be merged again on reading. name      of the file, for messages Thread    [offline];
-/// deterministic; throws InputError that says why when the mesh is rejected or stays unusable.
+/// Vertices taken apart move by about 1e-6 of the radius into their own fan, since equal positions would be
+/// merged again on reading.
+/// name      of the file, for messages
+/// Thread    [offline]; deterministic; throws InputError that says why when the mesh is rejected or stays
+///           unusable.
 RepairResult repair_mesh(const TriangleMesh& mesh, const std::string& name);
 
 }  // namespace thigma

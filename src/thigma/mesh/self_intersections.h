@@ -20,9 +20,11 @@ struct SelfIntersections {
 /// Touching counts, coplanar overlap counts, triangles of the same three vertices count; zero-area
 /// triangles are left out. Exact.
 ///
-/// mesh      finite positions, valid indices; positions that are equal must have one index (as
-/// read_mesh leaves them) collect   also list the pairs Thread    [offline]. Stops after 1000 box
-/// tests a triangle (and 1e8): a heap of n equal triangles has n^2 / 2 pairs.
+/// mesh      finite positions, valid indices; positions that are equal must have one index (as read_mesh
+///           leaves them)
+/// collect   also list the pairs
+/// Thread    [offline]. Stops after 1000 box tests a triangle (and 1e8): a heap of n equal triangles has
+///           n^2 / 2 pairs.
 SelfIntersections find_self_intersections(const TriangleMesh& mesh, bool collect = false);
 
 }  // namespace thigma

@@ -51,7 +51,8 @@ Wrench texture_wrench(const TexturedPoint& probe, const BodyState& state,
                       TextureJacobian kind = TextureJacobian::gauss_newton,
                       WrenchJacobian* jacobian = nullptr) THIGMA_RT;
 
-/// Taylor term of the haptic thread's model at this state, with the Gauss-Newton Jacobian. Thread [contact].
+/// Taylor term of the haptic thread's model at this state, with the Gauss-Newton Jacobian.
+/// Thread    [contact].
 TaylorTerm texture_term(const TexturedPoint& probe, const BodyState& state) THIGMA_RT;
 
 /// The same wrench from depths alone: 11 evaluations (Eqs. 4.6-4.8).

@@ -44,12 +44,12 @@ struct ContactScratch {
   std::uint64_t sequence = 0;  // models made
 };
 
-/// Room for world.capacity contacts and a front a static object. Thread [offline]; throws
-/// std::bad_alloc.
+/// Room for world.capacity contacts and a front a static object.
+/// Thread    [offline]; throws std::bad_alloc.
 void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch);
 
-/// First half of a contact frame: queries every static object into scratch.contacts. Thread
-/// [contact]; no failure.
+/// First half of a contact frame: queries every static object into scratch.contacts.
+/// Thread    [contact]; no failure.
 void find_contacts(const ContactWorld& world, const StampedBody& at,
                    ContactScratch& scratch) noexcept;
 

@@ -18,11 +18,13 @@ struct DurationHistogram {
   std::uint64_t max_ns = 0;
 };
 
-/// Adds a duration [ns]; negative ones count as 0. Thread [haptic].
+/// Adds a duration [ns]; negative ones count as 0.
+/// Thread    [haptic].
 void record(DurationHistogram& histogram, std::int64_t nanoseconds) THIGMA_RT;
 
-/// The value that a share `quantile` (0..1) of the durations does not exceed [s]: middle of its
-/// bucket, never above the maximum; 0 without one. Thread [any].
+/// The value that a share `quantile` (0..1) of the durations does not exceed [s]: middle of its bucket,
+/// never above the maximum; 0 without one.
+/// Thread    [any].
 double quantile(const DurationHistogram& histogram, double quantile) noexcept;
 
 /// What summaries report of a distribution [s].

@@ -23,11 +23,11 @@ struct ReplayReport {
 /// Steps through recorded device samples with the recorded models; lockstep and threaded sessions
 /// alike, as both are functions of the samples and of which model each frame used.
 ///
-/// params           of the recorded session, with its device's limits
-/// world_from_body  of the centre of mass before frame 0
-/// samples          every haptic frame, in order from frame 0; digests of 0 (here and in models)
-/// are not compared models           every model that a frame names, in order of their sequence
-/// Thread           [offline]; no failure: what is missing or damaged is a difference.
+/// params    of the recorded session, with its device's limits
+/// world_from_body of the centre of mass before frame 0
+/// samples   every haptic frame, in order from frame 0; digests of 0 (here and in models) are not compared
+/// models    every model that a frame names, in order of their sequence
+/// Thread    [offline]; no failure: what is missing or damaged is a difference.
 ReplayReport replay_session(const HapticParams& params, const Pose& world_from_body,
                             const std::vector<HapticSample>& samples,
                             const std::vector<ContactSample>& models);

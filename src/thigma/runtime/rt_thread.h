@@ -22,14 +22,16 @@ struct RtGrant {
   std::string refused;
 };
 
-/// Gives the calling thread a real-time schedule. Thread [offline].
+/// Gives the calling thread a real-time schedule.
+/// Thread    [offline].
 RtGrant request_real_time(const RtRequest& request);
 
 /// Locks the memory of the whole process, now and to come; "" or why not. For programs, never
 /// called by the library.
 std::string lock_process_memory();
 
-/// CLOCK_MONOTONIC [ns]. Thread [haptic]: no system call where the kernel offers the vDSO.
+/// CLOCK_MONOTONIC [ns].
+/// Thread    [haptic]: no system call where the kernel offers the vDSO.
 std::int64_t monotonic_ns() noexcept;
 
 /// CPU time of the calling thread [ns]. A system call: for the shells around the steps, not within.
@@ -60,11 +62,12 @@ struct EmptyLoop {
   DurationHistogram wake_late;
 };
 
-/// Ticks at `rate` [Hz] for `seconds` in a thread of its own with the schedule asked for. Thread
-/// [offline].
+/// Ticks at `rate` [Hz] for `seconds` in a thread of its own with the schedule asked for.
+/// Thread    [offline].
 EmptyLoop measure_empty_loop(const RtRequest& request, double rate, double seconds);
 
-/// Sleeps about this long. Thread [any but haptic].
+/// Sleeps about this long.
+/// Thread    [any but haptic].
 void sleep_ns(std::int64_t nanoseconds) noexcept;
 
 }  // namespace thigma

@@ -68,10 +68,12 @@ struct SafetyState {
   double lead = 0.0;  // how far the handle is ahead of one that moves at max_speed [m]
 };
 
-/// Latches the first fault and disarms; later ones change nothing. Thread [haptic].
+/// Latches the first fault and disarms; later ones change nothing.
+/// Thread    [haptic].
 void latch_fault(SafetyState& safety, Fault fault, double now) THIGMA_RT;
 
-/// Forgets a fault; nothing is armed by that. Thread [haptic].
+/// Forgets a fault; nothing is armed by that.
+/// Thread    [haptic].
 void clear_fault(SafetyState& safety) THIGMA_RT;
 
 /// Looks at a device sample and latches what is wrong with it. The speed is judged by what the
@@ -96,8 +98,8 @@ bool check_device(const SafetyLimits& limits, const DeviceState& device, double 
 double model_weight(const SafetyLimits& limits, double age, double now, double elapsed,
                     SafetyState& safety) THIGMA_RT;
 
-/// Arms when the hand holds the object and nothing has touched it for a while; disarms when it lets
-/// go. Thread [haptic].
+/// Arms when the hand holds the object and nothing has touched it for a while; disarms when it lets go.
+/// Thread    [haptic].
 void update_arming(const SafetyLimits& limits, bool is_grasped, bool is_in_contact, double now,
                    SafetyState& safety) THIGMA_RT;
 

@@ -64,7 +64,8 @@ struct ContactSample {
 };
 static_assert(RtPayload<ContactSample>);
 
-/// Bits of several numbers in one; order matters. Thread [haptic].
+/// Bits of several numbers in one; order matters.
+/// Thread    [haptic].
 struct StateHash {
   std::uint64_t value = 0xcbf29ce484222325ull;
 };
@@ -73,12 +74,13 @@ void add_number(StateHash& hash, double number) THIGMA_RT;
 void add_vector(StateHash& hash, const Vec3& v) THIGMA_RT;
 void add_quaternion(StateHash& hash, const Quat& q) THIGMA_RT;
 
-/// The frame's part of `state_hash`: the 13 state numbers and the six of the wrench sent. Thread
-/// [haptic].
+/// The frame's part of `state_hash`: the 13 state numbers and the six of the wrench sent.
+/// Thread    [haptic].
 void add_frame(StateHash& hash, const BodyState& body, const Wrench& command) THIGMA_RT;
 
-/// Digest of what a haptic frame read, and of what a contact frame published: equal after writing
-/// and reading a recording, so all that is not finite counts as one value. Thread [haptic].
+/// Digest of what a haptic frame read, and of what a contact frame published: equal after writing and
+/// reading a recording, so all that is not finite counts as one value.
+/// Thread    [haptic].
 std::uint64_t input_digest(const HapticSample& sample) THIGMA_RT;
 std::uint64_t model_digest(const LinearContactModel& model) THIGMA_RT;
 

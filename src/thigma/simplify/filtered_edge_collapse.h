@@ -63,8 +63,9 @@ struct CollapseContext {
   CollapseScratch scratch;
 };
 
-/// Quadrics of the triangles around each vertex, weighted by area; along a boundary also of planes
-/// that stand upright on it. Thread [offline].
+/// Quadrics of the triangles around each vertex, weighted by area; along a boundary also of planes that
+/// stand upright on it.
+/// Thread    [offline].
 std::vector<Quadric> vertex_quadrics(const PatchedSurface& s);
 
 /// Tries to collapse an edge; a refused attempt leaves everything as it was.
