@@ -1,3 +1,4 @@
+#include "support/plain_hands.h"
 #include "thigma/device/hand.h"
 
 #include <cmath>
@@ -14,24 +15,8 @@ namespace {
 
 constexpr double kTick = 1e-3;
 
-HandParams resting() {
-  HandParams p;
-  p.program.path = HandPath::rest;
-  return p;
-}
-
-// A point mass without friction, encoder or arm: PROTOCOLS E3, device A with b = 0.
-HandParams bare_mass(double mass) {
-  HandParams p = resting();
-  p.mass = mass;
-  p.damping = p.friction = p.encoder = 0.0;
-  p.angular_damping = p.angular_friction = p.angular_encoder = 0.0;
-  p.arm_mass = p.arm_stiffness = p.arm_damping = 0.0;
-  p.arm_inertia = p.arm_angular_stiffness = p.arm_angular_damping = 0.0;
-  p.max_force = 1000.0;
-  p.max_torque = 100.0;
-  return p;
-}
+using test::bare_mass;
+using test::resting;
 
 // Response of m x'' + b x' + k x to a load step, underdamped.
 double step_response(double m, double b, double k, double load, double t) {
