@@ -38,6 +38,8 @@ struct QueryStats {
   std::int64_t tests = 0;        // node pairs looked at
   std::int64_t pair_queries = 0; // convex pairs solved
   std::int64_t triangle_pairs = 0;
+  std::int64_t mandatory_tests = 0;  // of tests: those no budget can leave out (free levels, validity of the front)
+  std::int64_t unrefined = 0;        // contacts left coarser than asked for want of budget
 };
 
 /// Contacts of one frame. The caller reserves capacity; a query never grows it, what does not fit is counted.

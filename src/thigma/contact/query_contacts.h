@@ -7,6 +7,7 @@
 #include "thigma/clod/hierarchy.h"
 #include "thigma/contact/contact.h"
 #include "thigma/contact/front.h"
+#include "thigma/contact/resolution.h"
 #include "thigma/math/pose.h"
 
 namespace thigma {
@@ -16,6 +17,7 @@ struct ContactQuery {
   bool keep_directions = false;   // penetration: among near-equal directions keep last frame's, and follow a pair
                                   // through (hysteresis for a simulation; off, a result depends on the pose alone)
   std::int32_t body = 0;          // written to the contacts
+  Resolution resolution{};        // exact unless asked otherwise
 };
 
 /// Exact contacts between the grasped object and one object of the scene, appended to a set.

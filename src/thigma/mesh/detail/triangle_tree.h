@@ -9,7 +9,7 @@
 namespace thigma::detail {
 
 struct TreeBox {
-  Vec3 min, max;
+  Vec3 min = Vec3::Zero(), max = Vec3::Zero();
   bool overlaps(const TreeBox& o) const noexcept {
     return min.x() <= o.max.x() && o.min.x() <= max.x() && min.y() <= o.max.y() &&
            o.min.y() <= max.y() && min.z() <= o.max.z() && o.min.z() <= max.z();

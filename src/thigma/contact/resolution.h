@@ -1,0 +1,39 @@
+#pragma once
+// How fine a contact query is asked to be, contact by contact (Sec. 3.4.3).
+
+#include <cstdint>
+#include <limits>
+
+#include "thigma/clod/hierarchy.h"
+#include "thigma/contact/error_metric.h"
+#include "thigma/math/types.h"
+
+namespace thigma {
+
+/// What s0 is compared with. Several may be on: the least of their thresholds counts.
+struct RefinementMetric {
+  double haptic = 0.0;    // s0, times the smaller radius of the two; 0 with the others off: finest patches
+  double velocity = 0.0;  // alpha: s0 = alpha * relative speed of the bodies at the contact; 0: off [s]
+  ViewThreshold view{.pixels = 0.0};  // s0 of Eq. 3.8; pixels 0: off
+  bool has_eye = false;   // view.distance is measured from `eye` to each contact; off: as given
+  Vec3 eye = Vec3::Zero();  // [m; world]
+};
+
+/// Resolution of a query. The default is exact: finest patches everywhere.
+///
+/// A pair of patches is refined while s* > s0, or the surface deviations of the two exceed the cap together.
+struct Resolution {
+  bool is_exact = true;  // everything below is ignored
+  RefinementMetric metric{.haptic = 0.025};
+  double deviation_cap = 0.02;  // on s_a + s_b, times the smaller radius; infinite: off, as in the text
+  SupportReading reading = SupportReading::flood;
+  SupportArea area = SupportArea::larger;
+  bool interpolates = true;   // contacts of a pair near its threshold are blended with its children's (Sec. 3.4.4)
+  double step_time = 0.001;   // from the query before, for speeds [s]
+  std::int64_t budget_tests = 0;  // pairs looked at, at most; 0: no limit. Reproducible
+  double budget_cpu = 0.0;        // CPU time of the thread, at most; 0: no limit [s]
+};
+
+inline constexpr double kNoCap = std::numeric_limits<double>::infinity();
+
+}  // namespace thigma
