@@ -25,7 +25,7 @@ function(thigma_test name)
     set(T_LABEL unit)
   endif()
   if(NOT T_TIMEOUT)
-    set(T_TIMEOUT 600)
+    set(T_TIMEOUT 1800)  # seconds; generous, for sanitizers on a busy machine
   endif()
   # One ctest entry an executable: gtest's own cases are counted by scripts/test from its XML.
   add_test(NAME ${name} COMMAND ${name} --gtest_output=xml:${CMAKE_BINARY_DIR}/results/${name}.xml)
