@@ -1,5 +1,6 @@
 #include "thigma/core/file.h"
 
+#include <atomic>
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
@@ -89,7 +90,9 @@ void write_file(const std::string& path, std::string_view bytes) {
     if (device.get() < 0 || !write_all(device.get(), bytes)) fail_write(path);
     return;
   }
-  const std::string temporary = path + ".part" + std::to_string(::getpid());
+  static std::atomic<unsigned> written{0};  // threads of one process write beside each other
+  const std::string temporary =
+      path + ".part" + std::to_string(::getpid()) + "." + std::to_string(written++);
   {
     Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (file.get() < 0) fail_write(path);

@@ -1,11 +1,11 @@
 #include "thigma/runtime/mcap_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 
+#include "thigma/core/checksum.h"
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
 
@@ -54,24 +54,7 @@ std::string record(Opcode opcode, std::string_view content) {
   return out;
 }
 
-std::array<std::uint32_t, 256> crc_table() {
-  std::array<std::uint32_t, 256> table{};
-  for (std::uint32_t i = 0; i < 256; ++i) {
-    std::uint32_t c = i;
-    for (int bit = 0; bit < 8; ++bit) c = (c & 1u) != 0 ? 0xedb88320u ^ (c >> 1) : c >> 1;
-    table[i] = c;
-  }
-  return table;
-}
-
 }  // namespace
-
-std::uint32_t crc32(std::string_view bytes, std::uint32_t previous) {
-  static const std::array<std::uint32_t, 256> table = crc_table();
-  std::uint32_t c = ~previous;
-  for (const char byte : bytes) c = table[(c ^ static_cast<std::uint8_t>(byte)) & 0xffu] ^ (c >> 8);
-  return ~c;
-}
 
 McapWriter::McapWriter(const std::string& path, std::string_view library)
     : path_(path), part_(path + ".part") {

@@ -11,9 +11,6 @@
 
 namespace thigma {
 
-/// CRC-32 (IEEE 802.3, reflected) of bytes; pass a previous result to continue. Thread [offline].
-std::uint32_t crc32(std::string_view bytes, std::uint32_t previous = 0);
-
 /// Writes an MCAP file. Written beside its place as PATH.part and moved there by close(), so that PATH is
 /// whole or absent.
 /// Invariant: between construction and close() the .part file is a prefix of a valid file, chunks at a time.
