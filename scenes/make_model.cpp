@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "scenes/conforming.h"
+#include "scenes/golf.h"
 #include "scenes/jaw.h"
 #include "scenes/parts.h"
 #include "scenes/tableware.h"
@@ -82,6 +84,12 @@ const std::vector<ModelInfo>& models() {
       {"gear", 20'000, 1'000, "spur gear with 20 teeth, 50 mm across"},
       {"peg", 4'000, 40, "round peg, 16 mm thick and 50 mm long"},
       {"hole", 8'000, 100, "block with a hole of 16.4 mm for the peg"},
+      {"joint_ball", 137'060, 1'000, "ball joint: ball of 25 mm radius with a stem"},
+      {"joint_socket", 137'060, 1'000, "ball joint: the socket, 0.5 mm around the ball"},
+      {"golf_club", 104'888, 1'000, "head of a driver, 120 mm from heel to toe"},
+      {"golf_ball", 177'876, 1'000, "golf ball with 392 dimples"},
+      {"conforming_lower", 100'000, 1'000, "wavy disc of 100 mm radius"},
+      {"conforming_upper", 100'000, 1'000, "the disc that follows it 0.1 mm above"},
   };
   return list;
 }
@@ -104,6 +112,12 @@ TriangleMesh make_model(const ModelRequest& request) {
   if (name == "torus") return make_torus_near(0.040, 0.015, n);
   if (name == "gear") return make_gear(n);
   if (name == "peg") return make_peg(n);
+  if (name == "joint_ball") return make_joint_ball(n, request.seed);
+  if (name == "joint_socket") return make_joint_socket(n, request.seed);
+  if (name == "golf_club") return make_golf_club(n, request.seed);
+  if (name == "golf_ball") return make_golf_ball(n);
+  if (name == "conforming_lower") return make_conforming_lower(n, request.seed);
+  if (name == "conforming_upper") return make_conforming_upper(n, request.seed);
   return make_hole(n);
 }
 

@@ -15,7 +15,7 @@ struct ModelRequest {
   std::string name;   // one of model_names()
   int triangles = 0;  // wished count; 0 = the model's own default
   std::uint64_t seed =
-      1;  // of the models that vary: the jaws; the others are the same for every seed
+      1;  // of the models that vary: jaws, joint, golf club, conforming discs; others ignore it
 };
 
 /// A model that can be made.
