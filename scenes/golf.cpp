@@ -87,7 +87,7 @@ TriangleMesh make_golf_ball(int triangles) {
   // 2 (1 - cos) is the squared angle, near enough on a dimple.
   constexpr double kReach = kDimpleRadius * kDimpleRadius;
   return make_ring_surface(profile, triangles, [&](const ProfilePoint& at, const SinCos& turn) {
-    const Vec3 d = turned_place(at, turn) / kBallRadius;
+    const Vec3 d = turned_place(at, turn).normalized();
     double nearest = -1.0;
     for (const Vec3& c : centres) nearest = std::max(nearest, c.dot(d));
     const double inside = std::max(0.0, 1.0 - 2.0 * (1.0 - nearest) / kReach);
