@@ -9,6 +9,7 @@
 
 #include "thigma/clod/detail/contact_patches.h"
 #include "thigma/clod/detail/draft_tree.h"
+#include "thigma/clod/detail/level_bounds.h"
 #include "thigma/clod/detail/parents.h"
 #include "thigma/clod/support_area.h"
 #include "thigma/mesh/measure.h"
@@ -100,6 +101,7 @@ ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params, Clo
   if (!params.has_culling_hulls) detail::bound_by_contact_patches(h);
   const double placed = cpu_seconds();
   detail::measure_deviation(mesh, decomposition, s, params.threads, h);
+  detail::measure_level_bounds(params.threads, h);
   detail::fill_support(decomposition, patches, s, h);
   describe_levels(s, h);
   if (!report) return h;

@@ -49,7 +49,11 @@ struct ClodContactPatch {
   double deviation = 0.0;  // s: no point of the patch is farther from the original surface, nor any
                            // point of the finest patches below its node from the patch [m]
   double hausdorff = 0.0;  // h: how far the hull of any patch below its node reaches outside this
-                           // one, at most [m]
+                           // one, at most; raised where s + h would not cover the next two [m]
+  double from_below = 0.0;  // no point of the finest patches below its node is farther from the
+                            // triangles of the patch [m]
+  double to_below = 0.0;    // no point of its triangles is farther from the finest patches below its
+                            // node; 0 without a node [m]
 };
 
 /// What a level is.
@@ -81,6 +85,10 @@ struct ClodHierarchy {
   std::vector<ClodPatch> patches;
   std::vector<ClodLevel> levels;
   std::vector<ClodContactPatch> contact_patches;  // level by level, from level 1
+  // Empty without simplified levels: of each node, how far the hull of a contact patch at or below it
+  // or the finest surface reaches outside its hull, at most (nodes); of vertices and triangles of
+  // contact patches, to_below of each alone, 0 of others (vertices, hull_triangles) [m].
+  std::vector<float> contact_reach, vertex_to_below, triangle_to_below;
   std::vector<std::array<double, 2>> support;     // D by SupportReading, of the vertices of finest
                                                   // and contact patches; 0 of others; empty without
                                                   // simplified levels (vertices) [m^2]

@@ -1,0 +1,251 @@
+// Distances between patches of a level and the original triangles below their nodes. Searches run down
+// the hierarchy itself, whose nodes bound those triangles. Over a triangle, distance to a convex set is
+// convex, so its largest value to one triangle of the other side is at a corner: a bound that is exact
+// where the two are of a size, and is reached by division where they are not.
+
+#include "thigma/clod/detail/level_bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/pair.h"
+
+namespace thigma::detail {
+namespace {
+
+constexpr int kDivisions = 5;    // of a triangle into four, one after the other
+constexpr double kTight = 1.25;  // a bound within this of the largest distance met is good
+// Nor is one worth dividing that is below this times s, which counts in every sum it enters.
+constexpr double kOfDeviation = 0.5;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+using Corners = std::array<Vec3, 3>;
+
+Corners corners(const HullView& hull, int t) {
+  const std::uint8_t* c = hull.triangles[t].corner;
+  return {hull.vertices[c[0]], hull.vertices[c[1]], hull.vertices[c[2]]};
+}
+
+double distance(const Vec3& p, const Corners& t) {
+  return point_triangle_distance(p, t[0], t[1], t[2]);
+}
+
+double farthest_corner(const Corners& of, const Corners& from) {
+  return std::max({distance(of[0], from), distance(of[1], from), distance(of[2], from)});
+}
+
+/// A triangle of the finest patches.
+struct Nearest {
+  std::int32_t node = -1;
+  int triangle = 0;
+  double distance = kInfinity;
+};
+
+void search_leaf(const ClodHierarchy& h, std::int32_t node, const Vec3& p, Nearest& best) {
+  const HullView leaf = hull_view(h, node);
+  for (int t = 0; t < leaf.triangle_count; ++t) {
+    const double d = distance(p, corners(leaf, t));
+    if (d < best.distance) best = {node, t, d};
+  }
+}
+
+/// Least possible distance to the finest surface below a node.
+double least_distance(const ClodNode& n, const Vec3& p) {
+  return (p - n.center).norm() - n.radius - n.hausdorff;
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the tree.
+void search_below(const ClodHierarchy& h, std::int32_t index, const Vec3& p, Nearest& best) {
+  const ClodNode& n = h.nodes[at(index)];
+  if (n.child_count == 0) {
+    search_leaf(h, index, p, best);
+    return;
+  }
+  std::int32_t first = n.first_child;
+  double least = kInfinity;
+  for (std::int32_t c = n.first_child; c < n.first_child + n.child_count; ++c) {
+    const double d = least_distance(h.nodes[at(c)], p);
+    if (d < least) {
+      least = d;
+      first = c;
+    }
+  }
+  if (least < best.distance) search_below(h, first, p, best);
+  for (std::int32_t c = n.first_child; c < n.first_child + n.child_count; ++c)
+    if (c != first && least_distance(h.nodes[at(c)], p) < best.distance)
+      search_below(h, c, p, best);
+}
+
+/// Nearest original triangle below a node. guess: one that may be near.
+Nearest nearest_below(const ClodHierarchy& h, std::int32_t node, const Vec3& p,
+                      const Nearest& guess) {
+  Nearest best;
+  if (guess.node >= 0) {
+    best = guess;
+    best.distance = distance(p, corners(hull_view(h, guess.node), guess.triangle));
+  }
+  search_below(h, node, p, best);
+  return best;
+}
+
+/// What is measured of one contact patch.
+struct PatchBounds {
+  const ClodHierarchy& h;
+  std::int32_t node;
+  double deviation;  // s
+
+  /// Largest distance of a part of the patch to the surface below. met: the largest distance of a
+  /// point so far.
+  double to_below(const Corners& part, int divisions, const Nearest& guess, double& met) const {
+    const Vec3 center = (part[0] + part[1] + part[2]) / 3.0;
+    const Nearest near = nearest_below(h, node, center, guess);
+    met = std::max(met, near.distance);
+    double reach = 0.0;
+    for (const Vec3& p : part) reach = std::max(reach, (p - center).norm());
+    const double bound =
+        std::min(near.distance + reach,
+                 farthest_corner(part, corners(hull_view(h, near.node), near.triangle)));
+    if (divisions == 0 || bound <= std::max(kTight * met, kOfDeviation * deviation)) return bound;
+    const Vec3 ab = 0.5 * (part[0] + part[1]), bc = 0.5 * (part[1] + part[2]),
+               ca = 0.5 * (part[2] + part[0]);
+    const std::array<Corners, 4> parts = {{{part[0], ab, ca}, {ab, part[1], bc}, {ca, bc, part[2]},
+                                           {ab, bc, ca}}};
+    double largest = 0.0;
+    for (const Corners& q : parts)
+      largest = std::max(largest, to_below(q, divisions - 1, near, met));
+    return std::min(bound, largest);
+  }
+
+  /// Raises `largest` to the distance of everything below to the triangles of the patch.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the tree.
+  void from_below(std::int32_t index, const HullView& patch, int& guess, double& largest) const {
+    const ClodNode& n = h.nodes[at(index)];
+    for (std::int32_t c = n.first_child; c < n.first_child + n.child_count; ++c)
+      from_below(c, patch, guess, largest);
+    if (n.child_count > 0) return;
+    const HullView leaf = hull_view(h, index);
+    for (int t = 0; t < leaf.triangle_count; ++t) {
+      const Corners fine = corners(leaf, t);
+      double bound = farthest_corner(fine, corners(patch, guess));
+      for (int k = 0; k < patch.triangle_count && bound > largest; ++k) {
+        const double other = farthest_corner(fine, corners(patch, k));
+        if (other >= bound) continue;
+        bound = other;
+        guess = k;
+      }
+      largest = std::max(largest, bound);
+    }
+  }
+};
+
+float round_up(double x) {
+  const auto f = static_cast<float>(x);
+  return static_cast<double>(f) < x ? std::nextafterf(f, std::numeric_limits<float>::infinity())
+                                    : f;
+}
+
+void measure_patch(ClodHierarchy& h, ClodContactPatch& c) {
+  const double rounding = 1e-12 * h.radius;
+  const PatchBounds bounds{h, c.patch.node, c.deviation};
+  const HullView patch = contact_view(h, c.patch.node);
+  int guess = 0;
+  bounds.from_below(c.patch.node, patch, guess, c.from_below);
+  c.from_below += rounding;
+  Nearest near;
+  for (int v = 0; v < patch.vertex_count; ++v) {
+    near = nearest_below(h, c.patch.node, patch.vertices[v], near);
+    const double d = near.distance + rounding;
+    h.vertex_to_below[at(c.first_vertex + v)] = round_up(d);
+    c.to_below = std::max(c.to_below, d);
+  }
+  for (int t = 0; t < patch.triangle_count; ++t) {
+    double met = 0.0;
+    for (const std::uint8_t v : patch.triangles[t].corner)
+      met = std::max(met, static_cast<double>(h.vertex_to_below[at(c.first_vertex) + v]));
+    const double d =
+        std::max(met, bounds.to_below(corners(patch, t), kDivisions, near, met) + rounding);
+    h.triangle_to_below[at(c.patch.first_triangle + t)] = round_up(d);
+    c.to_below = std::max(c.to_below, static_cast<double>(round_up(d)));
+  }
+  c.hausdorff = std::max({c.hausdorff, c.from_below - c.deviation, c.to_below - c.deviation});
+}
+
+double distance_to(const HullView& hull, const Vec3& p) {
+  HullView point;
+  point.vertices = &p;
+  point.vertex_count = 1;
+  point.center = p;
+  alignas(32) const float lanes[24] = {};
+  point.lanes = lanes;
+  point.lane_count = 8;
+  GjkCache cache;
+  return closest_points(hull, point, RelativePose{}, kInfinity, cache).distance;
+}
+
+/// How far a hull reaches outside another, at most; not less than `known` where it does not reach
+/// farther than that.
+double reach_outside(const HullView& inner, const HullView& outer, double known) {
+  double largest = known;
+  for (int v = 0; v < inner.vertex_count; ++v) {
+    // A vertex of the outer hull is not nearer than the hull.
+    if ((inner.vertices[v] - outer.vertices[0]).norm() <= largest) continue;
+    largest = std::max(largest, distance_to(outer, inner.vertices[v]));
+  }
+  return largest;
+}
+
+/// Raises `largest` to how far the contact patches at or below `index` reach outside a hull.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the tree.
+void raise_reach(const ClodHierarchy& h, std::int32_t index, const HullView& outer,
+                 double& largest) {
+  const ClodNode& n = h.nodes[at(index)];
+  if (n.child_count == 0) return;  // the finest surface: within h
+  if (n.contact >= 0) largest = reach_outside(contact_view(h, index), outer, largest);
+  for (std::int32_t c = n.first_child; c < n.first_child + n.child_count; ++c) {
+    if (h.nodes[at(c)].child_count == 0) continue;
+    const double own = static_cast<double>(h.contact_reach[at(c)]);
+    if (reach_outside(hull_view(h, c), outer, 0.0) + own <= largest) continue;
+    raise_reach(h, c, outer, largest);
+  }
+}
+
+void measure_reach(ClodHierarchy& h) {
+  for (std::size_t i = h.nodes.size(); i-- > 0;) {
+    const auto index = static_cast<std::int32_t>(i);
+    double largest = h.nodes[i].hausdorff;
+    if (h.nodes[i].child_count > 0) {
+      raise_reach(h, index, hull_view(h, index), largest);
+      largest += 1e-12 * h.radius;
+    }
+    h.contact_reach[i] = round_up(largest);
+  }
+}
+
+}  // namespace
+
+void measure_level_bounds(int threads, ClodHierarchy& h) {
+  if (h.contact_patches.empty()) return;
+  h.contact_reach.assign(h.nodes.size(), 0.0f);
+  h.vertex_to_below.assign(h.vertices.size(), 0.0f);
+  h.triangle_to_below.assign(h.hull_triangles.size(), 0.0f);
+  // Patches are independent: which thread takes one does not show in the result.
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < h.contact_patches.size(); i = next++)
+      if (h.contact_patches[i].patch.node >= 0) measure_patch(h, h.contact_patches[i]);
+  };
+  std::vector<std::thread> others;
+  for (int i = 1; i < threads; ++i) others.emplace_back(work);
+  work();
+  for (std::thread& other : others) other.join();
+  measure_reach(h);
+}
+
+}  // namespace thigma::detail
