@@ -1,0 +1,35 @@
+#pragma once
+// A small asset with several levels, for tests of files.
+
+#include "thigma/clod/build_hierarchy.h"
+#include "thigma/clod/clod_asset.h"
+#include "thigma/clod/validate_hierarchy.h"
+#include "thigma/math/random.h"
+#include "thigma/mesh/shapes.h"
+
+namespace thigma::test {
+
+inline TriangleMesh wavy_ball(int frequency) {
+  TriangleMesh mesh = make_ball(1.0, frequency);
+  for (Vec3& p : mesh.positions) {
+    const double x = p.x(), y = p.y(), z = p.z();
+    p *= 1.0 + 0.12 * (5.0 * x * y * z + 3.0 * (x * x - y * y) * (z + 0.3));
+  }
+  return mesh;
+}
+
+inline ClodParams generous() {
+  ClodParams params;
+  params.simplify.longest_edge = 0.5;
+  params.simplify.deviation_limit = 0.08;
+  return params;
+}
+
+inline TriangleMesh sample_mesh() { return wavy_ball(7); }
+
+inline const ClodAsset& sample_asset() {
+  static const ClodAsset asset = build_clod_asset(sample_mesh(), generous());
+  return asset;
+}
+
+}  // namespace thigma::test
