@@ -26,6 +26,7 @@ RecordedConfig example() {
   c.params.device.actuates_rotation = false;
   c.params.grasp_place = GraspPlace::handle;
   c.params.grasp_point = random.in_cube(0.1);
+  c.params.resumes_lost_device = true;
   c.world_from_body = {random.in_cube(1.0), random.orientation()};
   c.rate_hz = 2000.0;
   c.is_lockstep = true;
@@ -49,6 +50,7 @@ TEST(ConfigJson, round_trip_loses_nothing) {
             config.params.workspace.world_from_device.position);
   EXPECT_EQ(back.params.safety.force_slew, 123.0);
   EXPECT_FALSE(back.params.device.actuates_rotation);
+  EXPECT_TRUE(back.params.resumes_lost_device);
   EXPECT_TRUE(back.params.coupling.linear_saturation.has_value());
   EXPECT_FALSE(back.params.coupling.angular_saturation.has_value());
   EXPECT_EQ(text.find('\n'), std::string::npos);

@@ -361,5 +361,57 @@ TEST(HapticStep, TheDevicesOwnClockMayTickItAtAnyPace) {
   EXPECT_NEAR(s.body.position.x(), 0.02, 1e-5);
 }
 
+/// Grasped, armed, then without a device for a while.
+void lose_the_device(Bench& b, bool resumes) {
+  b.config.haptic.resumes_lost_device = resumes;
+  b.press(true);
+  b.ticks(10);
+  b.device.state.motion.pose.position.x() = 0.004;
+  EXPECT_GT(b.ticks(3).command.force.norm(), 0.0);
+  b.device.state.status = DeviceStatus::lost;
+  const HapticSample lost = b.tick();
+  EXPECT_EQ(lost.fault, Fault::device_lost);
+  EXPECT_EQ(lost.command.force, Vec3::Zero());
+  b.ticks(20);
+  b.device.state.status = DeviceStatus::ok;
+}
+
+TEST(HapticStep, LostDeviceIsTakenUpAgainByANewPressOfTheClutch) {
+  Bench b;
+  lose_the_device(b, true);
+  b.device.state.motion.pose.position = {0.3, 0.1, -0.2};  // wherever it comes back
+  EXPECT_EQ(b.ticks(20).fault, Fault::device_lost);        // still pressed: no new press
+  b.press(false);
+  EXPECT_EQ(b.ticks(20).fault, Fault::device_lost);
+  b.press(true);
+  HapticSample s = b.ticks(2);
+  EXPECT_EQ(s.fault, Fault::none);
+  EXPECT_TRUE(s.is_grasped);
+  EXPECT_NEAR(s.command.force.norm(), 0.0, 1e-9);  // held anew, from rest
+  b.device.state.motion.pose.position.x() += 0.002;
+  EXPECT_GT(b.ticks(2).command.force.norm(), 0.0);
+}
+
+TEST(HapticStep, OtherFaultsAndOtherSessionsStayLatched) {
+  Bench plain;
+  lose_the_device(plain, false);
+  plain.press(false);
+  plain.ticks(3);
+  plain.press(true);
+  EXPECT_EQ(plain.ticks(3).fault, Fault::device_lost);
+
+  Bench b;
+  b.config.haptic.resumes_lost_device = true;
+  b.press(true);
+  b.ticks(5);
+  b.device.state.motion.twist.linear.x() = std::numeric_limits<double>::quiet_NaN();
+  b.tick();
+  b.device.state.motion.twist.linear.x() = 0.0;
+  b.press(false);
+  b.ticks(3);
+  b.press(true);
+  EXPECT_EQ(b.ticks(3).fault, Fault::not_finite);
+}
+
 }  // namespace
 }  // namespace thigma

@@ -174,6 +174,7 @@ void read_params(const Json& json, HapticParams& params) {
   params.grasp_place = place == "handle" ? GraspPlace::handle : GraspPlace::grasp_point;
   read_vector(json, "grasp_point", params.grasp_point);
   params.turn_rate = json.at("turn_rate").get<double>();
+  params.resumes_lost_device = json.value("resumes_lost_device", false);  // older recordings lack it
 }
 
 // File names need not be UTF-8, JSON has to be.
@@ -213,6 +214,7 @@ std::string write_config(const RecordedConfig& config) {
   json.vector("grasp_point", p.grasp_point);
   json.number("turn_rate", p.turn_rate);
   json.word("response", "coupled");
+  json.flag("resumes_lost_device", p.resumes_lost_device);
   json.close();
   return out;
 }

@@ -42,10 +42,24 @@ void let_go(HapticState& state) THIGMA_RT {
   state.is_grasped = false;
 }
 
-void follow_clutch(const HapticParams& params, bool is_usable, HapticState& state) THIGMA_RT {
+/// A device that was lost and answers again: a new press of the clutch clears the fault, the next
+/// frame takes hold.
+void resume_by_clutch(const DeviceState& device, HapticState& state) THIGMA_RT {
+  if (device.status != DeviceStatus::ok) return;
+  const bool is_pressed = (device.buttons & kClutchButton) != 0;
+  if (is_pressed && !state.was_pressed) {
+    clear_fault(state.safety);
+  } else {
+    state.was_pressed = is_pressed;
+  }
+}
+
+void follow_clutch(const HapticParams& params, const DeviceState& device, bool is_usable,
+                   HapticState& state) THIGMA_RT {
   if (state.safety.fault != Fault::none) {
     if (state.is_grasped) let_go(state);
     return;
+    if (is_resumable(params, state.safety.fault)) resume_by_clutch(device, state);
   }
   if (!is_usable) return;
   const bool is_pressed = (state.last_device.buttons & kClutchButton) != 0;
@@ -109,7 +123,7 @@ void read_inputs(const HapticParams& params, const HapticPorts& ports, const Hap
   sample.model_weight =
       model_weight(params.safety, sample.model_age, tick.now, tick.elapsed, safety);
   sample.input_digest = input_digest(sample);
-  follow_clutch(params, is_usable, state);
+  follow_clutch(params, sample.device, is_usable, state);
   if (!params.device.senses_rotation && state.is_grasped) {
     turn_by_buttons(params.workspace, state.last_device.buttons, params.turn_rate, tick.elapsed,
                     state.anchor);

@@ -41,8 +41,17 @@ struct HapticParams {
       kButtonTurnRate;  // of the turn buttons, for devices without sensed rotation [rad/s]
   ResponseKind response = ResponseKind::coupled;
 };
+  bool resumes_lost_device = false;  // a device that was lost and answers again may be taken up by a
+                                     // new press of the clutch; else the fault stays until cleared
 
 /// What changes from frame to frame. Copyable: a step is a function of it and of its inputs.
+/// Whether a session goes on, with zero force, while this fault is latched: a press of the clutch may
+/// clear it.
+/// Thread    [haptic].
+inline bool is_resumable(const HapticParams& params, Fault fault) THIGMA_RT {
+  return params.resumes_lost_device && fault == Fault::device_lost;
+}
+
 struct HapticState {
   std::uint64_t frame = 0;
   double time = 0.0;  // of the last step [s; session clock]
@@ -91,7 +100,8 @@ HapticState initial_state(const HapticParams& params, const Pose& world_from_bod
 /// The clutch button takes hold of the object and lets it go. An object nobody holds stays where it
 /// is, at rest. Grasped inside a contact it follows the hand, but nothing is sent until it has left
 /// the contact once: arming never happens inside a contact. After a fault nothing is held and zero
-/// is sent until clear_fault.
+/// is sent until clear_fault, or, where params.resumes_lost_device, until a lost device answers again
+/// and its clutch is pressed anew.
 ///
 /// params, ports   constant; ports.device is read once and written once
 /// tick            time and step length; nothing assumes 1 ms

@@ -43,6 +43,10 @@ struct LockstepContacts {
     detail::timed_contact_step(config, at, scratch, sample);
     sample.published = now;
     thigma::tally(tally, sample);
+    if (config.live != nullptr) {
+      view_contacts(config.contact, scratch, at.time, config.live->contacts.draft());
+      config.live->contacts.publish();
+    }
     if (sinks.contact) sinks.contact(sample);
     pending.push_back({use_from, sample.model});
   }
@@ -86,7 +90,7 @@ SessionEnd run_frames(const SessionConfig& config, const HapticParams& params,
     previous = k;
     if (sinks.haptic) sinks.haptic(sample);
     events.look_at(sample, static_cast<double>(longest_gap) / config.rate);
-    if (sample.fault != Fault::none) {
+    if (sample.fault != Fault::none && !is_resumable(params, sample.fault)) {
       if (fault_frame == 0) fault_frame = k + 1;
       if (k + 1 - fault_frame >= fault_frames) return SessionEnd::fault;
     }
@@ -98,7 +102,9 @@ SessionEnd run_frames(const SessionConfig& config, const HapticParams& params,
                     k + static_cast<std::uint64_t>(config.contact_latency));
     }
   }
-  return state.safety.fault != Fault::none ? SessionEnd::fault : SessionEnd::duration;
+  const bool is_fault =
+      state.safety.fault != Fault::none && !is_resumable(params, state.safety.fault);
+  return is_fault ? SessionEnd::fault : SessionEnd::duration;
 }
 
 }  // namespace

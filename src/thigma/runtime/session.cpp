@@ -55,10 +55,11 @@ struct Session::Impl {
   void drain();
   HapticSample guarded_step(const HapticTick& tick);
   void note_gap();
+  void hold_while_paused();
   void end_with_zero_force();
   void note(const std::string& text);
 
-  const SessionConfig config;
+  SessionConfig config;  // constant but for .contact, the contact thread's while it runs
   const SessionSinks sinks;
   const std::unique_ptr<HapticDevice> device;
   HapticParams params;
@@ -107,11 +108,16 @@ void Session::Impl::note(const std::string& text) {
 }
 
 void Session::Impl::contact_frame(const StampedBody& at, double now) {
+  if (config.live != nullptr && config.live->contact_tuning.fetch())
+    apply_tuning(config.live->contact_tuning.value(), config.contact);
   detail::timed_contact_step(config, at, scratch, contact_sample);
   contact_sample.published = now;
   tally(contact_tally, contact_sample);
   contact_ring.push(contact_sample);  // before the model: whoever sees it used finds it here
   models.publish(contact_sample.model);
+  if (config.live == nullptr) return;
+  view_contacts(config.contact, scratch, at.time, config.live->contacts.draft());
+  config.live->contacts.publish();
 }
 
 /// Everything that is slow the first time, before a thread depends on it.
@@ -139,6 +145,23 @@ void Session::Impl::note_gap() {
     longest_gap_ns.store(gap, std::memory_order_release);
 }
 
+/// Session time stands still until the pause ends, a single frame is asked for or the session ends.
+/// Only simulated devices are paused (docs/protocol.md): nothing pulls at a hand meanwhile.
+void Session::Impl::hold_while_paused() {
+  LivePorts* live = config.live;
+  if (live == nullptr || !live->is_paused.load(std::memory_order_relaxed)) return;
+  const std::int64_t begin = monotonic_ns();
+  last_step_ns.store(0, std::memory_order_release);  // nothing to watch
+  while (live->is_paused.load(std::memory_order_relaxed) && !take_step(*live) &&
+         !should_stop.load(std::memory_order_relaxed)) {
+    sleep_ns(1'000'000);
+  }
+  const std::int64_t resumed = monotonic_ns();
+  clock.start_ns += resumed - begin;
+  epoch_ns.store(clock.start_ns, std::memory_order_release);
+  last_step_ns.store(resumed, std::memory_order_release);
+}
+
 void Session::Impl::end_with_zero_force() {
   while (!token.try_take()) sleep_ns(20'000);
   device->write(Wrench{});
@@ -158,6 +181,7 @@ void Session::Impl::run_haptic() {
   bool has_hung = false;
   while (true) {
     const std::int64_t late = wait_for_tick(clock);
+    hold_while_paused();
     const std::int64_t k = clock.tick - 1;
     const double now = static_cast<double>(k) / config.rate;
     seconds = now;
@@ -168,6 +192,8 @@ void Session::Impl::run_haptic() {
       has_hung = true;
       sleep_ns(to_ns(hang->duration));
     }
+    if (config.live != nullptr && config.live->haptic_tuning.fetch())
+      apply_tuning(config.live->haptic_tuning.value(), params, state);
     const double elapsed = detail::step_length(config, static_cast<std::uint64_t>(k - previous));
     const std::int64_t begin = thread_cpu_ns();
     const HapticSample sample = guarded_step({now, elapsed, Fault::none});
@@ -178,7 +204,7 @@ void Session::Impl::run_haptic() {
     state.step_cpu = static_cast<float>(1e-9 * static_cast<double>(cpu));
     state.wake_late = static_cast<float>(1e-9 * static_cast<double>(late));
     previous = k;
-    if (sample.fault != Fault::none) {
+    if (sample.fault != Fault::none && !is_resumable(params, sample.fault)) {
       end = SessionEnd::fault;
       if (fault_time < 0.0) fault_time = now;
       if (now - fault_time >= config.after_fault) break;
@@ -323,7 +349,8 @@ SessionSummary Session::finish() {
   s.join_threads();
   if (s.sink_error) std::rethrow_exception(s.sink_error);
   SessionSummary summary = detail::summarize(s.config, s.haptic_tally, s.contact_tally, s.state);
-  summary.end = s.state.safety.fault != Fault::none ? SessionEnd::fault : s.end;
+  const Fault fault = s.state.safety.fault;
+  summary.end = fault != Fault::none && !is_resumable(s.params, fault) ? SessionEnd::fault : s.end;
   summary.seconds = s.seconds;
   summary.missed = s.clock.missed;
   summary.dropped_samples = s.haptic_ring.dropped() + s.contact_ring.dropped();

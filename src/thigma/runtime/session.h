@@ -12,6 +12,7 @@
 #include "thigma/runtime/fault_injection.h"
 #include "thigma/runtime/haptic_step.h"
 #include "thigma/runtime/histogram.h"
+#include "thigma/runtime/live.h"
 #include "thigma/runtime/rt_thread.h"
 
 namespace thigma {
@@ -36,14 +37,16 @@ struct SessionConfig {
   RtRequest contact_thread{40, -1};
   std::size_t telemetry_frames = 8192;  // room of the rings; 8 s at 1 kHz
   std::size_t telemetry_models = 2048;
+
+  LivePorts* live = nullptr;  // who watches and tunes (live.h); outlives the session; null: nobody
 };
 
 /// Something worth a line: a fault, grasping, arming, samples lost.
 struct SessionEvent {
   double time = 0.0;  // session clock [s]
   std::uint64_t frame = 0;
-  std::string kind;    // "fault", "grasped", "released", "armed", "disarmed", "not_armed"
-  std::string detail;  // for "fault": its name
+  std::string kind;    // "fault", "resumed", "grasped", "released", "armed", "disarmed", "not_armed"
+  std::string detail;  // for "fault" and "resumed": its name
   std::string text{};  // more, for a person: how long nothing stepped, why nothing arms; or empty
 };
 

@@ -85,6 +85,8 @@ void EventDetector::look_at(const HapticSample& sample, double longest_gap) {
   } else if (sample.fault != last_fault_ && sample.fault != Fault::none) {
     tell("fault", fault_name(sample.fault));
   }
+  if (sample.fault == Fault::none && last_fault_ != Fault::none)
+    tell("resumed", fault_name(last_fault_));
   look_for_old_models(sample);
   if (sample.is_grasped != was_grasped_) tell(sample.is_grasped ? "grasped" : "released", "");
   if (sample.is_armed != was_armed_) tell(sample.is_armed ? "armed" : "disarmed", "");

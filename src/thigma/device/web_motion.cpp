@@ -1,0 +1,163 @@
+#include "thigma/device/web_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "thigma/math/elementary.h"
+#include "thigma/math/rotation.h"
+
+namespace thigma {
+namespace {
+
+/// Critically damped motion of an offset from rest, exact over a step.
+struct Decay {
+  Vec3 offset, rate;
+};
+Decay decayed(const Vec3& offset, const Vec3& rate, double omega, double h) THIGMA_RT {
+  const double e = exponential(-omega * h);
+  const Vec3 c = rate + omega * offset;
+  return {e * (offset + h * c), e * (rate - omega * h * c)};
+}
+
+Vec3 at_most(const Vec3& v, double limit) THIGMA_RT {
+  const double n = v.norm();
+  if (n <= limit) return v;
+  return (limit / n) * v;
+}
+
+/// From a to b, beyond b where u > 1; the shorter way round.
+Pose between(const Pose& a, const Pose& b, double u) THIGMA_RT {
+  const Vec3 turn = vector_from_rotation(b.orientation * a.orientation.conjugate());
+  return {a.position + u * (b.position - a.position),
+          (rotation_from_vector(u * turn) * a.orientation).normalized()};
+}
+
+}  // namespace
+
+void WebMotion::begin() THIGMA_RT {
+  hold_ = Hold::held;
+  has_place_ = false;
+  count_ = 0;
+  buttons_ = 0;
+}
+
+void WebMotion::release() THIGMA_RT {
+  if (hold_ == Hold::never) return;
+  hold_ = Hold::released;
+  buttons_ = 0;
+}
+
+void WebMotion::lose() THIGMA_RT {
+  if (hold_ == Hold::never) return;
+  hold_ = Hold::lost;
+}
+
+void WebMotion::place_first(const WebSample& sample) THIGMA_RT {
+  page_origin_ = sample.pose;
+  place_ = has_pose_ ? motion_.pose : sample.pose;
+  motion_ = {place_, Twist{}};
+  has_pose_ = true;
+  has_place_ = true;
+  count_ = 0;
+}
+
+void WebMotion::learn_offset(double offset, double now) THIGMA_RT {
+  if (count_ == 0) {
+    offset_ = offset_before_ = offset;
+    offset_since_ = now;
+  } else if (now - offset_since_ > 0.5 * params_.offset_memory) {
+    offset_before_ = offset_;
+    offset_ = offset;
+    offset_since_ = now;
+  }
+  offset_ = std::min(offset_, offset);
+}
+
+void WebMotion::add(const WebSample& sample, double now) THIGMA_RT {
+  if (hold_ == Hold::never || hold_ == Hold::released) return;
+  if (hold_ == Hold::lost) {
+    begin();
+    last_read_ = now;
+  }
+  if (!has_place_) {
+    place_first(sample);
+    last_read_ = now;
+  }
+  last_arrival_ = now;
+  buttons_ = sample.buttons;
+  if (count_ > 0 && !(sample.time > back(0).time)) return;
+  learn_offset(now - sample.time, now);
+  WebSample placed = sample;
+  placed.pose.position = place_.position + (sample.pose.position - page_origin_.position);
+  placed.pose.orientation =
+      (sample.pose.orientation * page_origin_.orientation.conjugate() * place_.orientation)
+          .normalized();
+  newest_ = (newest_ + 1) % kHistory;
+  history_[newest_] = placed;
+  count_ = std::min(count_ + 1, kHistory);
+}
+
+Pose WebMotion::target(double now) const THIGMA_RT {
+  const double time = now - std::min(offset_, offset_before_) - params_.delay;
+  const WebSample& last = back(0);
+  if (count_ == 1) return last.pose;
+  if (time >= last.time) {
+    const WebSample& before = back(1);
+    const double ahead = std::min(time - last.time, params_.extrapolation);
+    // Samples a moment apart say little about a velocity.
+    const double span = std::max(last.time - before.time, params_.extrapolation / 4.0);
+    return between(before.pose, last.pose, 1.0 + ahead / span);
+  }
+  for (std::size_t age = 1; age < count_; ++age) {
+    const WebSample& a = back(age);
+    const WebSample& b = back(age - 1);
+    if (time < a.time) continue;
+    return between(a.pose, b.pose, (time - a.time) / (b.time - a.time));
+  }
+  return back(count_ - 1).pose;
+}
+
+void WebMotion::follow(const Pose& target, double elapsed) THIGMA_RT {
+  // A late tick does not make the handle leap.
+  const double h = std::clamp(elapsed, 0.0, 0.010);
+  if (h <= 0.0) return;
+  Pose& pose = motion_.pose;
+  const Vec3 away = pose.position - target.position;
+  const Decay way = decayed(away, motion_.twist.linear, params_.stiffness, h);
+  const Vec3 step = way.offset - away;
+  const Vec3 moved = at_most(step, params_.max_speed * h);
+  pose.position += moved;
+  motion_.twist.linear = at_most(moved == step ? way.rate : Vec3(moved / h), params_.max_speed);
+
+  const Vec3 turned_away = vector_from_rotation(pose.orientation * target.orientation.conjugate());
+  const Decay turn = decayed(turned_away, motion_.twist.angular, params_.stiffness, h);
+  const Vec3 turn_step = turn.offset - turned_away;
+  const Vec3 turned = at_most(turn_step, params_.max_angular_speed * h);
+  pose.orientation = (rotation_from_vector(turned) * pose.orientation).normalized();
+  motion_.twist.angular =
+      at_most(turned == turn_step ? turn.rate : Vec3(turned / h), params_.max_angular_speed);
+}
+
+DeviceState WebMotion::read(double now) THIGMA_RT {
+  DeviceState state;
+  state.time = now;
+  const double elapsed = now - last_read_;
+  last_read_ = now;
+  if (hold_ == Hold::held && has_place_ && now - last_arrival_ > params_.lost_after)
+    hold_ = Hold::lost;
+  if (!has_pose_) {
+    state.status = hold_ == Hold::lost ? DeviceStatus::lost : DeviceStatus::not_ready;
+    return state;
+  }
+  if (hold_ == Hold::held && count_ > 0) {
+    follow(target(now), elapsed);
+  } else {
+    motion_.twist = Twist{};
+  }
+  state.motion = motion_;
+  state.buttons = buttons_;
+  if (hold_ == Hold::lost) state.status = DeviceStatus::lost;
+  return state;
+}
+
+}  // namespace thigma

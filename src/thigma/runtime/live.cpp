@@ -1,0 +1,88 @@
+#include "thigma/runtime/live.h"
+
+#include <algorithm>
+#include <span>
+
+namespace thigma {
+namespace {
+
+/// Node that a contact's patch stands for: patches are numbered by themselves on the finest level and
+/// on the simplified ones; of free levels nothing is known but the level.
+std::int32_t node_of(const ClodHierarchy* h, std::int32_t patch, std::int32_t level) noexcept {
+  if (h == nullptr || patch < 0) return -1;
+  const auto at = static_cast<std::size_t>(patch);
+  if (level == 0) return at < h->patches.size() ? h->patches[at].node : -1;
+  return at < h->contact_patches.size() ? h->contact_patches[at].patch.node : -1;
+}
+
+ViewedContact viewed(const ContactWorld& world, const Contact& c) noexcept {
+  ViewedContact v;
+  v.point = c.point;
+  v.normal = c.normal;
+  v.depth = c.depth;
+  v.bound = c.bound;
+  v.body = c.body;
+  const auto body = static_cast<std::size_t>(c.body);
+  const ClodHierarchy* other =
+      c.body >= 0 && body < world.scene.size() ? world.scene[body].hierarchy : nullptr;
+  v.object_node = node_of(world.object, c.object_patch, c.object_level);
+  v.scene_node = node_of(other, c.scene_patch, c.scene_level);
+  v.object_level = static_cast<std::uint8_t>(std::clamp(c.object_level, 0, 255));
+  v.scene_level = static_cast<std::uint8_t>(std::clamp(c.scene_level, 0, 255));
+  v.status = c.status;
+  return v;
+}
+
+}  // namespace
+
+void view_contacts(const ContactWorld& world, const ContactScratch& scratch, double time,
+                   ContactView& view) noexcept {
+  const std::span<const Contact> contacts = scratch.contacts.contacts;
+  view.time = time;
+  view.sequence = scratch.sequence;
+  view.found = static_cast<std::int64_t>(contacts.size());
+  view.dropped = scratch.contacts.dropped;
+  view.front = scratch.contacts.stats.front;
+  view.contacts.clear();
+  std::size_t stride = 1;
+  if (contacts.size() > kViewedContacts) {
+    for (const ContactCluster& cluster : scratch.clusters.clusters) {
+      const auto deepest = static_cast<std::size_t>(cluster.deepest_member);
+      if (cluster.deepest_member >= 0 && deepest < contacts.size())
+        view.contacts.push_back(viewed(world, contacts[deepest]));
+    }
+    const std::size_t room = kViewedContacts - view.contacts.size();
+    stride = (contacts.size() + room - 1) / room;
+  }
+  for (std::size_t i = 0; i < contacts.size(); i += stride)
+    view.contacts.push_back(viewed(world, contacts[i]));
+}
+
+void apply_tuning(const HapticTuning& tuning, HapticParams& params, HapticState& state) THIGMA_RT {
+  const Twist twist = velocity(params.body, state.body);
+  params.body = tuning.body;
+  const Mat3 rotation = state.body.orientation.toRotationMatrix();
+  const Vec3 spin_body = rotation.transpose() * twist.angular;
+  state.body.linear_momentum = params.body.mass * twist.linear;
+  state.body.angular_momentum = rotation * (params.body.inertia * spin_body);
+  const Pose grasp = state.coupling.body_from_grasp;
+  const bool is_grasped = state.coupling.is_grasped;
+  params.coupling = tuning.coupling;
+  state.coupling = tuning.coupling;
+  state.coupling.body_from_grasp = grasp;
+  state.coupling.is_grasped = is_grasped;
+}
+
+void apply_tuning(const ContactTuning& tuning, ContactWorld& world) noexcept {
+  world.response = tuning.response;
+}
+
+bool take_step(LivePorts& live) THIGMA_RT {
+  int left = live.steps.load(std::memory_order_relaxed);
+  while (left > 0) {
+    if (live.steps.compare_exchange_weak(left, left - 1, std::memory_order_relaxed)) return true;
+  }
+  return false;
+}
+
+}  // namespace thigma
