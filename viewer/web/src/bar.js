@@ -1,0 +1,92 @@
+// The bar on top and the buttons on the picture.
+import { icon, iconButton, nameButton, setIcon } from "./icons.js";
+import { duration } from "./format.js";
+import { END_WORDS, deviceWords, faultWords } from "./words.js";
+
+/// act   {pause, step, reset, record, theme, help, device(uri), letGo, view(option), fit}
+export function makeBar(act) {
+  const controls = document.getElementById("controls"), tools = document.getElementById("view-tools");
+  const bar = {
+    title: document.getElementById("title"), chip: document.getElementById("state"),
+    pause: iconButton("pause", "Pause", "P", act.pause), step: iconButton("step", "One step", ".", act.step),
+    reset: iconButton("reset", "Begin again", "R", act.reset), record: iconButton("record", "Record", "", act.record),
+    theme: iconButton("theme", "Light or dark", "", act.theme), help: iconButton("help", "Help", "?", act.help),
+    device: document.createElement("select"), views: {}, act,
+  };
+  bar.device.title = "Who moves the object";
+  bar.device.setAttribute("aria-label", bar.device.title);
+  bar.device.addEventListener("change", () => act.device(bar.device.value));
+  const group = (...parts) => {
+    const span = Object.assign(document.createElement("span"), { className: "group" });
+    span.append(...parts);
+    return span;
+  };
+  controls.append(group(bar.device), group(bar.pause, bar.step, bar.reset, bar.record), group(bar.theme, bar.help));
+  const views = [["levels", "Levels of detail: finest as wireframe", "L", "wireframe"], ["ghost", "Ghost of the hand", "G", "ghost"],
+    ["contacts", "Contacts and clusters", "C", "contacts"], ["forces", "Force and torque", "A", "forces"]];
+  for (const [name, label, key, option] of views) {
+    bar.views[option] = iconButton(name, label, key, () => act.view(option));
+    tools.append(bar.views[option]);
+  }
+  tools.append(iconButton("fit", "Fit the view", "F", act.fit));
+  return bar;
+}
+
+export function showViews(bar, options) {
+  for (const [option, button] of Object.entries(bar.views)) {
+    button.setAttribute("aria-pressed", String(options[option]));
+  }
+}
+
+/// What runs, in a word with its time. `connected` false: nothing else is known any more.
+export function showState(bar, session) {
+  const { state, scene, snapshot, connected } = session;
+  bar.title.textContent = scene?.title ?? "";
+  document.title = scene ? `${scene.title} · Thigma` : "Thigma";
+  const run = !connected ? "lost" : state?.run ?? "connecting";
+  const time = snapshot ? ` · ${duration(snapshot.time)}` : "";
+  const words = { lost: "connection lost", connecting: "connecting", running: `running${time}`, paused: `paused${time}`,
+    ended: END_WORDS[state?.reason] ?? "ended" };
+  const faulty = run === "running" && (snapshot?.bits & 4) !== 0;
+  bar.chip.textContent = faulty ? `forces off: ${faultWords(session.faultName())}` : words[run];
+  bar.chip.dataset.run = faulty ? "fault" : run;
+  const alive = connected && Boolean(state);
+  const paused = state?.run === "paused";
+  setIcon(bar.pause, paused ? "play" : "pause");
+  nameButton(bar.pause, paused ? "Go on" : "Pause", "P");
+  bar.pause.disabled = !alive || state.run === "ended";
+  bar.step.disabled = !alive || !paused;
+  bar.reset.disabled = bar.record.disabled = !alive;
+  const recording = Boolean(state?.recording);
+  setIcon(bar.record, recording ? "stop" : "record");
+  bar.record.classList.toggle("on", recording);
+  nameButton(bar.record, recording ? `Stop recording ${state.recording}` : "Record from the start", "");
+  showDevices(bar, state, alive);
+}
+
+function showDevices(bar, state, alive) {
+  const uris = [...new Set([...(state?.devices ?? []), ...(state ? [state.device] : [])])];
+  if (bar.device.dataset.uris !== uris.join(" ")) {
+    bar.device.dataset.uris = uris.join(" ");
+    bar.device.replaceChildren(...uris.map((uri) => new Option(deviceWords(uri), uri)));
+  }
+  bar.device.hidden = uris.length === 0;
+  bar.device.disabled = !alive || uris.length < 2;
+  if (state && document.activeElement !== bar.device) bar.device.value = state.device;
+}
+
+/// One line over the picture, perhaps with a button; null hides it.
+export function showHint(hint, content) {
+  const key = content ? `${content.text}|${content.button ?? ""}` : "";
+  if (hint.dataset.key === key) return;
+  hint.dataset.key = key;
+  hint.hidden = !content;
+  if (!content) return;
+  const text = Object.assign(document.createElement("span"), { textContent: content.text });
+  hint.className = `hint ${content.mood ?? ""}`;
+  hint.replaceChildren(...(content.icon ? [icon(content.icon)] : []), text);
+  if (!content.button) return;
+  const button = Object.assign(document.createElement("button"), { type: "button", textContent: content.button });
+  button.addEventListener("click", content.act);
+  hint.append(button);
+}

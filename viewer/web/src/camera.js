@@ -1,0 +1,66 @@
+// Where one looks from: turned, moved and zoomed about a target, z always up. Display units: the scene has radius 1.
+import { PerspectiveCamera, Vector3 } from "three";
+
+export function makeView() {
+  const view = { camera: new PerspectiveCamera(30, 1, 0.01, 100), target: new Vector3(), home: null,
+    azimuth: -0.9, elevation: 0.42, distance: 4.2, changed: true };
+  view.home = { azimuth: view.azimuth, elevation: view.elevation, distance: view.distance };
+  placeCamera(view);
+  return view;
+}
+
+export function placeCamera(view) {
+  const level = view.distance * Math.cos(view.elevation);
+  view.camera.up.set(0, 0, 1);
+  view.camera.position.set(
+    view.target.x + level * Math.cos(view.azimuth),
+    view.target.y + level * Math.sin(view.azimuth),
+    view.target.z + view.distance * Math.sin(view.elevation));
+  view.camera.lookAt(view.target);
+  view.camera.updateMatrixWorld();
+  view.changed = true;
+}
+
+export function orbit(view, dx, dy) {
+  view.azimuth -= 0.006 * dx;
+  view.elevation = Math.max(-1.5, Math.min(1.5, view.elevation + 0.006 * dy));
+  placeCamera(view);
+}
+
+/// factor   above 1: farther away
+export function zoom(view, factor) {
+  view.distance = Math.max(0.3, Math.min(30, view.distance * factor));
+  placeCamera(view);
+}
+
+/// Moves the target with the pointer; dx, dy in pixels, height that of the picture.
+export function pan(view, dx, dy, height) {
+  const { right, up } = axes(view);
+  const size = unitsPerPixel(view, view.distance, height);
+  view.target.addScaledVector(right, -dx * size).addScaledVector(up, dy * size);
+  placeCamera(view);
+}
+
+export function goHome(view) {
+  Object.assign(view, view.home);
+  view.target.set(0, 0, 0);
+  placeCamera(view);
+}
+
+/// Unit vectors of the picture in the world: right, up, and forward into the screen.
+export function axes(view) {
+  const right = new Vector3(), up = new Vector3(), back = new Vector3();
+  view.camera.matrixWorld.extractBasis(right, up, back);
+  return { right, up, forward: back.negate() };
+}
+
+/// Length one pixel covers at a distance in front of the camera.
+export function unitsPerPixel(view, distance, height) {
+  return (2 * Math.tan((view.camera.fov * Math.PI) / 360) * distance) / Math.max(1, height);
+}
+
+/// Distance of a point in front of the camera, never behind it.
+export function depthOf(view, point) {
+  const { forward } = axes(view);
+  return Math.max(0.05, point.clone().sub(view.camera.position).dot(forward));
+}

@@ -1,0 +1,52 @@
+// What to say over the picture at this moment: the guided start, and whatever keeps the hand from feeling.
+import { END_WORDS, faultWords } from "./words.js";
+
+export function makeGuide() {
+  return { step: 0, turned: false, unarmedSince: null, touchedAt: null };
+}
+
+/// session   as in main; facts {mayMove, holding, clutch, now [s], newtons, turned}
+/// returns   {text, button, act, mood} or null
+export function guideLine(guide, session, facts, act) {
+  const { state, scene, snapshot } = session;
+  if (!session.connected || !state || !scene || !snapshot) return null;
+  const object = scene.object.name;
+  const grasped = (snapshot.bits & 1) !== 0, armed = (snapshot.bits & 2) !== 0, fault = (snapshot.bits & 4) !== 0;
+  if (state.run === "ended") {
+    return { text: `The session ${END_WORDS[state.reason] ?? "has ended"}.`, button: "Begin again", act: act.reset, mood: "stop" };
+  }
+  if (fault) {
+    const web = state.device.startsWith("web:");
+    return { text: `Forces are off: ${faultWords(session.faultName())}.${web ? ` Take hold of the ${object} again to go on.` : ""}`,
+      button: web ? undefined : "Begin again", act: act.reset, mood: "stop" };
+  }
+  if (session.refusal && facts.now < session.refusal.until) return { text: session.refusal.text, mood: "stop" };
+  if (!state.device.startsWith("web:")) {
+    if (!state.devices.includes("web:")) return null;
+    return { text: `A ${state.simulated === false ? "device" : "simulated hand"} moves the ${object}.`, button: "Take it yourself",
+      act: () => act.device("web:"), icon: "hand" };
+  }
+  if (state.holder === "other") return { text: "Another page holds the hand; this one watches." };
+  return ownHand(guide, { object, grasped, armed, snapshot, scene, ...facts });
+}
+
+function ownHand(guide, facts) {
+  const { object, grasped, armed, now, newtons } = facts;
+  if (!grasped || !facts.holding) {
+    guide.unarmedSince = null;
+    return { text: `Drag the blue ${object}.`, icon: "hand" };
+  }
+  if (armed) guide.unarmedSince = null;
+  else guide.unarmedSince ??= now;
+  if (!armed && now - guide.unarmedSince > 0.6) {
+    return { text: `Taken hold of inside a contact: lift the ${object} off once, then forces come on.` };
+  }
+  if (newtons > 0) guide.touchedAt ??= now;
+  if (guide.touchedAt === null) {
+    const target = facts.scene.statics[0]?.name ?? "scene";
+    return { text: `Press it against the ${target}: Shift-drag or the wheel moves it deeper. The arrow will be the force in your hand.` };
+  }
+  if (!guide.turned && facts.turned) guide.turned = true;
+  if (!guide.turned && now - guide.touchedAt < 12) return { text: "Ctrl-drag turns it. Space lets go. Right-drag turns the view." };
+  return null;
+}

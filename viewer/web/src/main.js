@@ -1,0 +1,238 @@
+// The live page: what the program says goes to the picture, the plots and the words; what the hand does goes back.
+import { goHome } from "./camera.js";
+import { makeBar, showHint, showState, showViews } from "./bar.js";
+import { guideLine, makeGuide } from "./guide.js";
+import { encodeDevice, STATE } from "./protocol.js";
+import { makeHand, noteSample, takeSamples } from "./hand.js";
+import { readGamepad, startInput } from "./input.js";
+import { ask, makeLink, sendBytes } from "./link.js";
+import { addEvent, fillHelp, makeParameters, showParameters } from "./panels.js";
+import { addMark, addRates, addRows, clearPlots, drawPlots, makePlots, plotPicture, plotTable, rebuildPlots } from "./plots.js";
+import { makeReadouts, showLegend, showReadouts } from "./readouts.js";
+import { draw, makeScene, repaint, resize, setObjects, setOptions, showSnapshot } from "./scene.js";
+import { startTheme } from "./theme.js";
+import { startTabs } from "./tabs.js";
+
+const at = (id) => document.getElementById(id);
+const RESEND = 50; // the device is lost after 200 ms of silence [ms]
+
+const session = { connected: false, hello: null, scene: null, meshes: new Map(), state: null, parameters: [], snapshot: null,
+  refusal: null, counts: { snapshot: 0, channels: 0, mesh: 0, event: 0 }, holding: false, turned: false, trouble: null,
+  faultName: () => session.hello?.faults?.[session.snapshot?.fault ?? 0] ?? "fault" };
+const hand = makeHand();
+const guide = makeGuide();
+let stage = null, link = null;
+
+const plots = makePlots(at("plots"));
+const readouts = makeReadouts(at("readouts"));
+const parameters = makeParameters(at("parameters"), (name, value) => ask(link, { type: "set", name, value }));
+
+/// Asks, and says in the picture why not when the answer is no.
+async function request(message) {
+  const ack = await ask(link, message);
+  if (!ack.ok) session.refusal = { text: ack.reason ?? "The program refused.", until: performance.now() / 1000 + 6 };
+  return ack;
+}
+
+const act = {
+  pause: () => request({ type: "pause", value: session.state?.run !== "paused" }),
+  step: () => request({ type: "step", value: 1 }),
+  reset: () => request({ type: "reset" }),
+  record: () => request({ type: "record", value: !session.state?.recording }),
+  device: (uri) => request({ type: "use_device", value: uri }).then((ack) => { session.holding = ack.ok && uri.startsWith("web:"); }),
+  help: () => (at("help").open ? at("help").close() : at("help").showModal()),
+  theme: () => toggleTheme(),
+  view: (option) => {
+    if (!stage) return;
+    setOptions(stage, { [option]: !stage.options[option] });
+    showViews(bar, stage.options);
+  },
+  fit: () => stage && goHome(stage.view),
+};
+const bar = makeBar(act);
+const toggleTheme = startTheme(() => { if (stage) repaint(stage); rebuildPlots(plots); });
+
+// ---- from the program
+
+const on = {
+  hello: (message) => { session.hello = message; },
+  scene: (message) => { session.scene = message; session.meshes.clear(); at("veil").hidden = false; say("Loading the objects …"); },
+  mesh: (message) => {
+    session.counts.mesh += 1;
+    session.meshes.set(message.number, message);
+    const wanted = [session.scene.object, ...session.scene.statics].map((one) => one.mesh);
+    if (!wanted.every((number) => session.meshes.has(number))) return;
+    if (stage) setObjects(stage, session.scene, session.meshes);
+    at("veil").hidden = !session.trouble;
+    if (session.trouble) say(session.trouble);
+  },
+  parameters: (message) => { session.parameters = message.list; showParameters(parameters, message.list); },
+  state: (message) => {
+    if (session.state && session.state.session !== message.session) begunAgain();
+    session.state = message;
+    session.holding = message.holder === "you";
+  },
+  event: (message) => {
+    session.counts.event += 1;
+    addEvent(at("events"), message);
+    addMark(plots, message.time, message.kind);
+  },
+  channels: (message) => {
+    session.counts.channels += 1;
+    addRows(plots, message, ["t", ...session.hello.channels.map((one) => one.name).filter((name) => name !== "t")]);
+  },
+  snapshot: (message) => {
+    session.counts.snapshot += 1;
+    session.snapshot = message;
+    if (message.bits & STATE.fault) hand.clutch = false; // to go on takes a new press
+    addRates(plots, message.time, message.hapticRate, message.contactRate);
+    if (stage) showSnapshot(stage, message);
+  },
+};
+
+function begunAgain() {
+  hand.clutch = false;
+  clearPlots(plots);
+  at("events").replaceChildren();
+}
+
+function say(sentence) {
+  at("veil").textContent = sentence;
+}
+
+function lost(sentence) {
+  session.connected = session.holding = false;
+  hand.clutch = false;
+  takeSamples(hand);
+  document.body.classList.add("lost");
+  at("veil").hidden = false;
+  say(`${sentence} Nothing is felt or shown any more. ${link?.stopped ? "" : "Trying again …"}`);
+}
+
+function opened() {
+  session.connected = true;
+  document.body.classList.remove("lost");
+  at("veil").hidden = true;
+}
+
+// ---- from the hand
+
+const player = {
+  get stage() { return stage; },
+  hand,
+  workspace: () => session.scene.workspace,
+  grasp: () => session.snapshot?.grasp ?? [0, 0, 0],
+  mayMove: () => session.connected && Boolean(session.state?.device.startsWith("web:")) && session.state.holder !== "other" &&
+    session.state.run !== "ended" && Boolean(session.snapshot),
+  async press() {
+    if (hand.clutch && session.holding) return;
+    if (!session.holding) session.holding = (await request({ type: "hold", value: true })).ok;
+    if (!session.holding) return;
+    noteSample(hand, performance.now() / 1000); // open first, so that the clutch is seen to close
+    hand.clutch = true;
+    noteSample(hand, performance.now() / 1000);
+  },
+  moved: (turned) => { session.turned ||= turned; },
+  letGo: () => { hand.clutch = false; },
+};
+
+function sendHand() {
+  if (!session.holding || !session.connected) return;
+  const now = performance.now() / 1000;
+  noteSample(hand, now);
+  const samples = takeSamples(hand);
+  sendBytes(link, encodeDevice(samples, performance.now() / 1000));
+  session.sent = (session.sent ?? 0) + samples.length;
+}
+
+/// A page that nobody sees must not hold anything: its timers slow down, and the hand would be lost.
+function leave() {
+  if (!session.holding) return;
+  hand.clutch = false;
+  sendHand();
+  session.holding = false;
+  ask(link, { type: "hold", value: false });
+}
+
+document.addEventListener("visibilitychange", () => { if (document.hidden) leave(); });
+addEventListener("pagehide", leave);
+addEventListener("keydown", (event) => {
+  if (event.target.closest?.("input, select, textarea") || event.ctrlKey || event.metaKey || event.altKey) return;
+  const toggle = () => (hand.clutch ? player.letGo() : player.mayMove() && player.press());
+  const keys = { " ": toggle, p: act.pause, ".": act.step, r: act.reset, f: act.fit, "?": act.help, h: act.help,
+    l: () => act.view("wireframe"), g: () => act.view("ghost"), c: () => act.view("contacts"), a: () => act.view("forces") };
+  const does = keys[event.key.length === 1 ? event.key.toLowerCase() : ""];
+  if (!does || (event.key === " " && event.target.closest?.("button"))) return;
+  event.preventDefault();
+  does();
+});
+
+// ---- the picture
+
+function startStage() {
+  try {
+    stage = makeScene(at("scene"));
+  } catch (error) {
+    session.trouble = "This browser shows no WebGL 2, so there is no picture; numbers and plots work. Hardware acceleration may be off in its settings.";
+    at("veil").hidden = false;
+    say(session.trouble);
+    console.warn(String(error.message ?? error));
+    return null;
+  }
+  repaint(stage);
+  showViews(bar, stage.options);
+  new ResizeObserver(() => resize(stage)).observe(at("stage"));
+  resize(stage);
+  return startInput(player);
+}
+
+function save(name, blob) {
+  const anchor = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
+  anchor.click();
+  setTimeout(() => URL.revokeObjectURL(anchor.href), 10000);
+}
+const fileName = (ending) => `thigma-${(session.snapshot?.time ?? 0).toFixed(1)}s.${ending}`;
+
+const input = startStage();
+fillHelp(at("help"));
+startTabs(at("tabs"), [["plots", "Plots"], ["parameters", "Parameters"], ["events", "Events"]], [
+  ["Picture", "Save the plots as a picture", () => plotPicture(plots, `${session.scene?.title ?? ""}, to ${(session.snapshot?.time ?? 0).toFixed(1)} s`).toBlob((blob) => save(fileName("png"), blob))],
+  ["Table", "Save the plots as comma-separated text", () => save(fileName("csv"), new Blob([plotTable(plots)], { type: "text/csv" }))],
+]);
+rebuildPlots(plots);
+say("Connecting …");
+link = makeLink(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live`, {
+  message: (message) => on[message.kind ?? message.type]?.(message), opened, lost, retrying: () => {},
+});
+setInterval(sendHand, RESEND);
+
+let last = performance.now(), tick = 0, drawn = 0;
+function frame(now) {
+  requestAnimationFrame(frame);
+  const newtons = session.snapshot ? Math.hypot(...session.snapshot.force) : 0;
+  if (input) readGamepad(input, (now - last) / 1000, newtons, fullForce());
+  last = now;
+  sendHand();
+  if (stage && draw(stage)) drawn += 1;
+  tick += 1;
+  if (tick % 3 === 0) drawPlots(plots);
+  if (tick % 6 === 0) showWords(now / 1000, newtons);
+}
+
+/// The force whose arrow is as long as the object: where rumble is strongest.
+function fullForce() {
+  const perNewton = session.snapshot?.metresPerNewton;
+  return perNewton > 0 && session.scene ? session.scene.object.radius / perNewton : 3;
+}
+
+function showWords(now, newtons) {
+  showState(bar, session);
+  showReadouts(readouts, session.snapshot, session.state, session.scene);
+  showLegend(at("legend"), session.snapshot, session.scene);
+  showHint(at("hint"), guideLine(guide, session, { now, newtons, holding: session.holding && hand.clutch, turned: session.turned }, act));
+}
+requestAnimationFrame(frame);
+
+/// For tests and the curious: everything the page knows.
+window.thigma = { session, hand, plots, player, act, get stage() { return stage; }, get link() { return link; },
+  get drawn() { return drawn; } };

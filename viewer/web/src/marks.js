@@ -1,0 +1,215 @@
+// What is drawn over the objects: force and torque arrows, contacts with their normals, clusters, the felt spring.
+import { BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh,
+  MeshBasicMaterial, MeshStandardMaterial, Quaternion, SphereGeometry, TorusGeometry, Vector3 } from "three";
+import { levelColour } from "./theme.js";
+
+export const MAX_CONTACTS = 512;
+export const MAX_CLUSTERS = 16;
+const Z = new Vector3(0, 0, 1);
+
+/// A material for marks. A second, faint pass without depth test shows them through the objects.
+function markMaterial(options = {}) {
+  return new MeshStandardMaterial({ roughness: 0.5, metalness: 0, ...options });
+}
+function seenThrough(options = {}) {
+  return new MeshBasicMaterial({ transparent: true, opacity: 0.3, depthTest: false, depthWrite: false, ...options });
+}
+
+/// An arrow along +z of unit length, in parts so that the head keeps its shape.
+export function makeArrow() {
+  const group = new Group();
+  const shaft = new CylinderGeometry(0.5, 0.5, 1, 20).rotateX(Math.PI / 2).translate(0, 0, 0.5);
+  const head = new ConeGeometry(1.35, 3.6, 28).rotateX(Math.PI / 2).translate(0, 0, 1.8);
+  const parts = [];
+  for (const material of [markMaterial(), seenThrough()]) {
+    const a = new Mesh(shaft, material), b = new Mesh(head, material);
+    a.renderOrder = b.renderOrder = material.depthTest ? 0 : 20;
+    parts.push({ shaft: a, head: b, material });
+    group.add(a, b);
+  }
+  group.visible = false;
+  return { group, parts };
+}
+
+/// from, along   start and vector in the parent's units; width the thickness of the shaft
+export function setArrow(arrow, from, along, width) {
+  const length = along.length();
+  arrow.group.visible = length > 0.2 * width;
+  if (!arrow.group.visible) return;
+  arrow.group.position.copy(from);
+  arrow.group.quaternion.setFromUnitVectors(Z, along.clone().divideScalar(length));
+  const size = Math.min(width, length / 3.6);
+  for (const { shaft, head } of arrow.parts) {
+    shaft.scale.set(size, size, Math.max(1e-6 * width, length - 3.4 * size));
+    head.scale.setScalar(size);
+    head.position.set(0, 0, length - 3.6 * size);
+  }
+}
+
+export function paintArrow(arrow, colour) {
+  for (const { material } of arrow.parts) material.color.set(colour);
+}
+
+const ARC_STEPS = 72, ARC_SIDES = 10, ARC_THICKNESS = 0.055;
+
+/// A torque: an arc about its axis, counter-clockwise seen from the tip of the vector; the longer, the larger.
+export function makeTwist() {
+  const group = new Group();
+  const ring = arcGeometry();
+  const head = new ConeGeometry(0.15, 0.38, 24);
+  const parts = [];
+  for (const material of [markMaterial(), seenThrough()]) {
+    const a = new Mesh(ring, material), b = new Mesh(head, material);
+    a.renderOrder = b.renderOrder = material.depthTest ? 0 : 20;
+    parts.push({ ring: a, head: b, material });
+    group.add(a, b);
+  }
+  group.visible = false;
+  return { group, parts, ring };
+}
+
+/// A tube around the unit circle, ordered along it so that a part can be drawn.
+function arcGeometry() {
+  const points = [], normals = [], index = [];
+  for (let i = 0; i <= ARC_STEPS; i++) {
+    const angle = (2 * Math.PI * i) / ARC_STEPS;
+    for (let j = 0; j < ARC_SIDES; j++) {
+      const turn = (2 * Math.PI * j) / ARC_SIDES;
+      const outward = Math.cos(turn), upward = Math.sin(turn);
+      normals.push(outward * Math.cos(angle), outward * Math.sin(angle), upward);
+      const reach = 1 + ARC_THICKNESS * outward;
+      points.push(reach * Math.cos(angle), reach * Math.sin(angle), ARC_THICKNESS * upward);
+      const next = (j + 1) % ARC_SIDES;
+      if (i < ARC_STEPS) {
+        const a = i * ARC_SIDES + j, b = i * ARC_SIDES + next;
+        index.push(a, a + ARC_SIDES, b, b, a + ARC_SIDES, b + ARC_SIDES);
+      }
+    }
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(points), 3));
+  geometry.setAttribute("normal", new BufferAttribute(Float32Array.from(normals), 3));
+  geometry.setIndex(index);
+  return geometry;
+}
+
+/// share   of a turn of 300 degrees, 0 to 1
+export function setTwist(twist, at, axis, share, radius) {
+  twist.group.visible = share > 0.02 && axis.lengthSq() > 0;
+  if (!twist.group.visible) return;
+  twist.group.position.copy(at);
+  twist.group.quaternion.setFromUnitVectors(Z, axis.clone().normalize());
+  twist.group.scale.setScalar(radius);
+  const steps = Math.max(1, Math.round((300 / 360) * ARC_STEPS * Math.min(1, share)));
+  twist.ring.setDrawRange(0, steps * ARC_SIDES * 6);
+  const angle = (2 * Math.PI * steps) / ARC_STEPS;
+  for (const { head } of twist.parts) {
+    head.position.set(Math.cos(angle), Math.sin(angle), 0);
+    head.rotation.set(0, 0, angle);
+  }
+}
+
+export function paintTwist(twist, colour) {
+  for (const { material } of twist.parts) material.color.set(colour);
+}
+
+/// Contacts as dots with normals, clusters as rings; both also faintly through the objects.
+export function makeContactMarks() {
+  const group = new Group();
+  const dot = new SphereGeometry(1, 12, 8);
+  const needle = new CylinderGeometry(0.22, 0.22, 1, 8).rotateX(Math.PI / 2).translate(0, 0, 0.5);
+  const ring = new TorusGeometry(1, 0.12, 8, 40);
+  const instanced = (geometry, material, most, order) => {
+    const mesh = new InstancedMesh(geometry, material, most);
+    mesh.frustumCulled = false;
+    mesh.renderOrder = order;
+    mesh.count = 0;
+    mesh.setColorAt(0, new Color());
+    group.add(mesh);
+    return mesh;
+  };
+  const marks = { group, dots: [], needles: [], rings: [] };
+  for (const [material, order] of [[markMaterial(), 1], [seenThrough({ opacity: 0.45 }), 21]]) {
+    marks.dots.push(instanced(dot, material, MAX_CONTACTS, order));
+    marks.needles.push(instanced(needle, material, MAX_CONTACTS, order));
+  }
+  for (const [material, order] of [[markMaterial(), 1], [seenThrough({ opacity: 0.55 }), 22]]) {
+    marks.rings.push(instanced(ring, material, MAX_CLUSTERS, order));
+  }
+  return marks;
+}
+
+const matrix = new Matrix4(), turn = new Quaternion(), place = new Vector3(), scale = new Vector3(), tint = new Color();
+
+/// contacts   [{point, normal, level}], clusters [{point, normal, share 0 to 1}] in the parent's frame; size of a dot
+export function setContactMarks(marks, contacts, clusters, size, ringColour) {
+  const shown = Math.min(MAX_CONTACTS, contacts.length);
+  for (let k = 0; k < shown; k++) {
+    const { point, normal, level } = contacts[k];
+    place.set(...point);
+    turn.setFromUnitVectors(Z, scale.set(...normal).normalize());
+    tint.set(levelColour(level));
+    write(marks.dots, k, size, size);
+    write(marks.needles, k, size, 5.5 * size);
+  }
+  finish(marks.dots, shown);
+  finish(marks.needles, shown);
+  const rings = Math.min(MAX_CLUSTERS, clusters.length);
+  for (let k = 0; k < rings; k++) {
+    place.set(...clusters[k].point);
+    turn.setFromUnitVectors(Z, scale.set(...clusters[k].normal).normalize());
+    tint.set(ringColour);
+    const wide = size * (2.6 + 2.4 * Math.sqrt(Math.max(0, Math.min(1, clusters[k].share))));
+    write(marks.rings, k, wide, wide);
+  }
+  finish(marks.rings, rings);
+}
+
+function write(meshes, k, wide, long) {
+  matrix.compose(place, turn, scale.set(wide, wide, long));
+  for (const mesh of meshes) {
+    mesh.setMatrixAt(k, matrix);
+    mesh.setColorAt(k, tint);
+  }
+}
+
+function finish(meshes, shown) {
+  for (const mesh of meshes) {
+    mesh.count = shown;
+    mesh.instanceMatrix.needsUpdate = true;
+    if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+  }
+}
+
+/// A thin rod between two points, for the spring between the hand and the object.
+export function makeRod() {
+  const material = markMaterial();
+  const through = seenThrough({ opacity: 0.5 });
+  const group = new Group();
+  const geometry = new CylinderGeometry(1, 1, 1, 10).rotateX(Math.PI / 2).translate(0, 0, 0.5);
+  const ends = new SphereGeometry(1, 16, 12);
+  const rods = [], knobs = [];
+  for (const m of [material, through]) {
+    const rod = new Mesh(geometry, m), knob = new Mesh(ends, m);
+    rod.renderOrder = knob.renderOrder = m.depthTest ? 0 : 23;
+    rods.push(rod);
+    knobs.push(knob);
+    group.add(rod, knob);
+  }
+  return { group, rods, knobs, materials: [material, through] };
+}
+
+export function setRod(rod, from, to, width) {
+  const along = to.clone().sub(from), length = along.length();
+  rod.group.position.copy(from);
+  if (length > 0) rod.group.quaternion.setFromUnitVectors(Z, along.divideScalar(length));
+  for (const mesh of rod.rods) mesh.scale.set(width, width, Math.max(length, 1e-9 * width));
+  for (const mesh of rod.knobs) {
+    mesh.position.set(0, 0, length);
+    mesh.scale.setScalar(2.6 * width);
+  }
+}
+
+export function paintRod(rod, colour) {
+  for (const material of rod.materials) material.color.set(colour);
+}

@@ -1,0 +1,64 @@
+// Which patches lie below a node of the hierarchy: what a contact of that node colours.
+import { NOTHING } from "./protocol.js";
+
+/// nodeOfPatch, parents   as in the `mesh` message
+/// returns                {order: patches so that those below any node stand together, begin, end: by node}
+/// errors                 RangeError when the parents run in a circle
+export function patchRanges(nodeOfPatch, parents) {
+  const N = parents.length;
+  const weight = new Uint32Array(N); // patches of the node itself
+  for (const node of nodeOfPatch) weight[node]++;
+  const sequence = parentsFirst(parents);
+  const total = weight.slice();
+  for (let k = N - 1; k >= 0; k--) {
+    const node = sequence[k];
+    if (parents[node] >= 0) total[parents[node]] += total[node];
+  }
+  const begin = new Uint32Array(N), end = new Uint32Array(N), free = new Uint32Array(N);
+  let roots = 0;
+  for (const node of sequence) {
+    const parent = parents[node];
+    begin[node] = parent < 0 ? roots : free[parent];
+    end[node] = begin[node] + total[node];
+    if (parent < 0) roots = end[node];
+    else free[parent] = end[node];
+    free[node] = begin[node] + weight[node]; // a node's own patches come first, then its children's
+  }
+  const order = new Uint32Array(nodeOfPatch.length);
+  const next = begin.slice();
+  for (let patch = 0; patch < nodeOfPatch.length; patch++) order[next[nodeOfPatch[patch]]++] = patch;
+  return { order, begin, end };
+}
+
+function parentsFirst(parents) {
+  const children = parents.map(() => 0);
+  for (const parent of parents) if (parent >= 0) children[parent]++;
+  const sequence = new Uint32Array(parents.length);
+  let at = parents.length;
+  const ready = [];
+  for (let node = 0; node < parents.length; node++) if (children[node] === 0) ready.push(node);
+  while (ready.length > 0) { // leaves last, so filled from the back
+    const node = ready.pop();
+    sequence[--at] = node;
+    if (parents[node] >= 0 && --children[parents[node]] === 0) ready.push(parents[node]);
+  }
+  if (at !== 0) throw new RangeError("the hierarchy runs in a circle");
+  return sequence;
+}
+
+/// Levels of the patches below the contacts' nodes: `into` gets level + 1 for each patch, 0 elsewhere. The finer level
+/// stays where two meet.
+/// active   [{node, level}]
+export function markPatches(ranges, active, into) {
+  into.fill(0);
+  for (const { node, level } of active) {
+    if (node < 0 || node >= ranges.begin.length) continue;
+    for (let k = ranges.begin[node]; k < ranges.end[node]; k++) {
+      const patch = ranges.order[k];
+      if (into[patch] === 0 || into[patch] > level + 1) into[patch] = Math.min(255, level + 1);
+    }
+  }
+}
+
+/// Patch of a triangle for drawing: -1 for none.
+export const patchOf = (mesh, triangle) => (mesh.patchOfTriangle[triangle] === NOTHING ? -1 : mesh.patchOfTriangle[triangle]);

@@ -1,0 +1,200 @@
+// The scrolling plots: one small uPlot each, all over the same seconds.
+import uPlot from "uplot";
+import { clearHistory, makeHistory, push, toCsv, view } from "./history.js";
+import { say, split } from "./format.js";
+import { colour, currentTheme } from "./theme.js";
+
+export const SECONDS = 10;
+const FAST = ["force", "force_x", "force_y", "force_z", "torque", "torque_x", "torque_y", "torque_z", "penetration",
+  "stretch", "energy", "model_age", "step_cpu", "wake_late"];
+const SLOW = ["haptic_rate", "contact_rate"];
+const AXES = ["x", "y", "z"];
+
+/// What is drawn: the first line is the strong one, its newest value stands in the head.
+const PLOTS = [
+  { id: "force", title: "Force on the hand", unit: "N", least: 1e-3, lines: ["force", "force_x", "force_y", "force_z"],
+    names: ["size", ...AXES], colours: ["force", "x", "y", "z"] },
+  { id: "torque", title: "Torque on the hand", unit: "N m", least: 1e-6, lines: ["torque", "torque_x", "torque_y", "torque_z"],
+    names: ["size", ...AXES], colours: ["torque", "x", "y", "z"] },
+  { id: "penetration", title: "Penetration", unit: "m", least: 1e-9, lines: ["penetration"], names: ["depth"], colours: ["contact"],
+    zero: true },
+  { id: "stretch", title: "Coupling stretch", unit: "m", least: 1e-9, lines: ["stretch"], names: ["stretch"], colours: ["hand"] },
+  { id: "rates", title: "Contact and haptic rate", unit: "Hz", least: 1, lines: ["contact_rate", "haptic_rate"],
+    names: ["contact", "haptic"], colours: ["contact", "held"], slow: true },
+  { id: "age", title: "Age of the contact model", unit: "s", least: 1e-6, lines: ["model_age"], names: ["age"], colours: ["muted"] },
+  { id: "energy", title: "Energy put in by the hand", unit: "J", least: 1e-9, lines: ["energy"], names: ["energy"], colours: ["torque"],
+    zero: true },
+];
+
+export function makePlots(parent) {
+  const board = { parent, fast: makeHistory(FAST, SECONDS), slow: makeHistory(SLOW, SECONDS, 600), plots: [], rows: 0,
+    now: 0, marks: [], theme: null };
+  for (const spec of PLOTS) {
+    const box = document.createElement("figure");
+    box.className = "plot";
+    const head = document.createElement("figcaption");
+    const value = document.createElement("output");
+    const keys = document.createElement("span");
+    keys.className = "keys";
+    head.append(Object.assign(document.createElement("span"), { textContent: spec.title, className: "plot-title" }), keys, value);
+    const area = document.createElement("div");
+    area.className = "plot-area";
+    box.append(head, area);
+    parent.append(box);
+    board.plots.push({ spec, box, area, keys, value, chart: null });
+  }
+  return board;
+}
+
+/// Again with the colours of the theme, and as wide as there is room.
+export function rebuildPlots(board) {
+  board.theme = currentTheme();
+  for (const plot of board.plots) {
+    plot.chart?.destroy();
+    plot.keys.replaceChildren(...(plot.spec.lines.length > 1 ? plot.spec.names.map((name, k) => {
+      const key = Object.assign(document.createElement("i"), { textContent: name });
+      key.style.color = colour(plot.spec.colours[k]);
+      return key;
+    }) : []));
+    const width = plot.area.clientWidth || 300;
+    plot.chart = new uPlot(options(board, plot, width), view(historyOf(board, plot), plot.spec.lines), plot.area);
+  }
+}
+
+const historyOf = (board, { spec }) => (spec.slow ? board.slow : board.fast);
+
+function options(board, { spec }, width) {
+  const grid = { stroke: colour("grid"), width: 1 };
+  const font = "10px system-ui, sans-serif";
+  return {
+    width, height: 74, legend: { show: false }, cursor: { sync: { key: "thigma" }, points: { size: 5 }, drag: { x: false, y: false } },
+    padding: [5, 6, 0, 0],
+    scales: { x: { time: false, range: () => [board.now - SECONDS, board.now] }, y: { range: (u, low, high) => spread(low, high, spec) } },
+    axes: [
+      { show: true, size: 4, grid, ticks: { show: false }, values: () => [], space: 40 },
+      { size: 46, grid, ticks: { show: false }, space: 26, gap: 4, font, stroke: colour("muted"),
+        values: (u, at) => labels(at, spec) },
+    ],
+    series: [{}, ...spec.lines.map((name, k) => ({ stroke: colour(spec.colours[k]), width: k === 0 || spec.slow ? 1.6 : 0.8,
+      alpha: k === 0 || spec.slow ? 1 : 0.75, points: { show: false }, spanGaps: false,
+      fill: k === 0 && !spec.slow ? `${colour(spec.colours[k])}1f` : undefined }))],
+    hooks: { draw: [(u) => drawMarks(u, board)] },
+  };
+}
+
+/// Room around what is there; never so tight that noise fills the height.
+function spread(low, high, spec) {
+  if (!Number.isFinite(low) || !Number.isFinite(high)) return [0, spec.least * 10];
+  const bottom = Math.min(0, low), top = Math.max(0, high);
+  const room = Math.max(top - bottom, spec.least);
+  return [bottom - (bottom < 0 ? 0.08 * room : 0), top + 0.12 * room];
+}
+
+/// One prefix for the whole axis; the unit stands at its top.
+function labels(at, spec) {
+  const largest = Math.max(...at.map(Math.abs));
+  const { unit } = split(largest, spec.unit, spec.least);
+  const scale = largest === 0 ? 1 : Number(split(largest, spec.unit, spec.least).number) / largest;
+  return at.map((value, k) => {
+    const number = Number((value * scale).toPrecision(2)).toString();
+    return k === at.length - 1 ? `${number} ${unit}` : number;
+  });
+}
+
+/// Upright lines where something happened.
+function drawMarks(u, board) {
+  const { ctx, bbox } = u;
+  ctx.save();
+  ctx.lineWidth = 1;
+  ctx.setLineDash([3, 3]);
+  for (const { time, kind } of board.marks) {
+    if (time < board.now - SECONDS) continue;
+    const x = u.valToPos(time, "x", true);
+    ctx.strokeStyle = colour(kind === "fault" ? "bad" : "mark");
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+  }
+  ctx.restore();
+}
+
+export function addMark(board, time, kind) {
+  board.marks.push({ time, kind });
+  board.marks = board.marks.filter((mark) => mark.time > time - SECONDS).slice(-40);
+}
+
+/// message   decoded `channels`; names as in hello
+export function addRows(board, message, names) {
+  const at = Object.fromEntries(names.map((name, k) => [name, k]));
+  const wanted = FAST.filter((name) => at[name] !== undefined);
+  for (let row = 0; row < message.rows; row++) {
+    const cell = (name) => message.values[row * message.columns + at[name]];
+    const sample = Object.fromEntries(wanted.map((name) => [name, cell(name)]));
+    sample.force = Math.hypot(sample.force_x, sample.force_y, sample.force_z);
+    sample.torque = Math.hypot(sample.torque_x, sample.torque_y, sample.torque_z);
+    const time = message.time + cell("t");
+    push(board.fast, time, sample);
+    board.now = time;
+  }
+  board.rows += message.rows;
+}
+
+export function addRates(board, time, haptic, contact) {
+  push(board.slow, time, { haptic_rate: haptic, contact_rate: contact });
+}
+
+export function clearPlots(board) {
+  clearHistory(board.fast);
+  clearHistory(board.slow);
+  board.marks = [];
+}
+
+export function drawPlots(board) {
+  if (board.parent.hidden || board.parent.offsetParent === null) return;
+  if (board.theme !== currentTheme()) rebuildPlots(board);
+  for (const plot of board.plots) {
+    const data = view(historyOf(board, plot), plot.spec.lines);
+    const width = plot.area.clientWidth;
+    if (width > 0 && width !== plot.chart.width) plot.chart.setSize({ width, height: 74 });
+    plot.chart.setData(data);
+    plot.value.textContent = say(shown(plot, data), plot.spec.unit, plot.spec.least);
+  }
+}
+
+/// The value under the cursor, or the newest.
+function shown({ chart }, data) {
+  const at = chart.cursor.idx ?? data[1].length - 1;
+  return at >= 0 ? data[1][at] : NaN;
+}
+
+/// All plots as one picture.
+export function plotPicture(board, title) {
+  const ratio = devicePixelRatio || 1;
+  const charts = board.plots.map(({ spec, chart }) => ({ spec, canvas: chart.root.querySelector("canvas") }));
+  const width = charts[0].canvas.width, head = Math.round(22 * ratio), top = Math.round(34 * ratio);
+  const canvas = document.createElement("canvas");
+  canvas.width = width;
+  canvas.height = top + charts.reduce((sum, { canvas: one }) => sum + head + one.height, 0) + head;
+  const ctx = canvas.getContext("2d");
+  ctx.fillStyle = colour("panel");
+  ctx.fillRect(0, 0, canvas.width, canvas.height);
+  ctx.fillStyle = colour("ink");
+  ctx.font = `600 ${14 * ratio}px system-ui, sans-serif`;
+  ctx.fillText(title, 10 * ratio, 22 * ratio);
+  let y = top;
+  ctx.font = `${12 * ratio}px system-ui, sans-serif`;
+  for (const { spec, canvas: one } of charts) {
+    ctx.fillText(spec.title, 10 * ratio, y + 15 * ratio);
+    ctx.drawImage(one, 0, y + head);
+    y += head + one.height;
+  }
+  return canvas;
+}
+
+export function plotTable(board) {
+  return toCsv(board.fast, { force_x: "force x on the hand [N]", force_y: "force y on the hand [N]", force_z: "force z on the hand [N]",
+    torque_x: "torque x on the hand [N m]", torque_y: "torque y on the hand [N m]", torque_z: "torque z on the hand [N m]",
+    penetration: "penetration [m]", stretch: "coupling stretch [m]", energy: "energy put in by the hand [J]",
+    model_age: "age of the contact model [s]" });
+}

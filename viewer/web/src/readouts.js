@@ -1,0 +1,120 @@
+// The numbers that matter, in words and with units.
+import { count, digits, say, split } from "./format.js";
+import { levelCounts, situation } from "./words.js";
+import { LEVEL_COLOURS, levelColour } from "./theme.js";
+
+const TILES = [
+  { id: "force", name: "Force", unit: "N", least: 1e-3, help: "on the hand, as sent to the device" },
+  { id: "torque", name: "Torque", unit: "N m", least: 1e-6, help: "on the hand, about the handle" },
+  { id: "penetration", name: "Depth", unit: "m", least: 1e-9, help: "deepest contact; how far the surfaces pass into each other" },
+  { id: "stretch", name: "Stretch", unit: "m", least: 1e-9, help: "from the hand to where it holds the object: the spring that is felt" },
+];
+
+export function makeReadouts(parent) {
+  const board = { tiles: {}, lines: {} };
+  const tiles = element("div", "tiles");
+  for (const { id, name, help } of TILES) {
+    const tile = element("div", `tile ${id}`);
+    tile.title = help;
+    const number = element("span", "number"), unit = element("span", "unit");
+    tile.append(element("span", "name", name), number, unit);
+    tiles.append(tile);
+    board.tiles[id] = { number, unit };
+  }
+  const said = element("p", "situation");
+  const lines = element("ul", "lines");
+  for (const id of ["level", "loop", "contact", "energy"]) {
+    const line = element("li", `line ${id}`), dot = element("i", "dot"), text = element("span");
+    line.append(dot, text);
+    lines.append(line);
+    board.lines[id] = { line, text, dot };
+  }
+  parent.append(tiles, said, lines);
+  board.said = said;
+  return board;
+}
+
+function element(kind, className = "", text = "") {
+  return Object.assign(document.createElement(kind), { className, textContent: text });
+}
+
+const norm = (v) => Math.hypot(...v);
+
+/// snapshot, state, scene   the newest messages; any may be null
+export function showReadouts(board, snapshot, state, scene) {
+  if (!snapshot || !scene) return;
+  const inside = snapshot.penetration > 0;
+  const values = { force: norm(snapshot.force), torque: norm(snapshot.torque), stretch: snapshot.stretch,
+    penetration: Number.isFinite(snapshot.penetration) ? Math.max(0, snapshot.penetration) : 0 };
+  for (const { id, unit, least } of TILES) {
+    const shown = split(values[id], unit, least);
+    board.tiles[id].number.textContent = shown.number;
+    board.tiles[id].unit.textContent = shown.unit;
+  }
+  const touching = inside || norm(snapshot.contactForce) > 0;
+  board.said.textContent = situation({ object: scene.object.name, statics: scene.statics.map((one) => one.name),
+    grasped: (snapshot.bits & 1) !== 0, contacts: snapshot.contactsFound, clusters: snapshot.clusters.length, touching });
+  showLevel(board.lines.level, snapshot, scene);
+  showLoop(board.lines.loop, snapshot, state, scene);
+  showContact(board.lines.contact, snapshot, state);
+  line(board.lines.energy, "", `The hand has put in ${say(snapshot.energy, "J", 1e-9)}.`);
+}
+
+function line(target, mood, text) {
+  target.line.dataset.mood = mood;
+  if (target.text.textContent !== text) target.text.textContent = text;
+}
+
+function showLevel(target, snapshot, scene) {
+  const counts = levelCounts(snapshot.contacts);
+  const whole = scene.object.levels > 1 ? ` of ${scene.object.levels} levels` : "";
+  let text = "Level of detail: none in use, as nothing is near.";
+  if (counts.length === 1) text = `Level of detail at the contacts: ${nameLevel(counts[0][0])}${whole}.`;
+  if (counts.length > 1) text = `Levels of detail at the contacts: ${counts.map(([level]) => level).join(", ")}${whole}; 0 is the finest.`;
+  line(target, "", text);
+  target.dot.style.background = counts.length > 0 ? levelColour(counts[0][0]) : "";
+}
+
+const nameLevel = (level) => (level === 0 ? "0, the original surface" : `${level}`);
+
+function showLoop(target, snapshot, state, scene) {
+  const rate = snapshot.hapticRate, asked = scene.rate;
+  if (!Number.isFinite(rate)) return line(target, "", "Haptic loop: not measured yet.");
+  if (state?.run !== "running") return line(target, "", `Haptic loop: ${state?.run ?? "unknown"}.`);
+  const holds = rate >= 0.99 * asked;
+  const missed = state?.timing?.missed ?? null;
+  const tail = missed === null ? "" : `, ${count(missed, "frame")} missed`;
+  return holds ? line(target, "good", `The loop holds ${Math.round(asked)} Hz${tail}.`)
+    : line(target, "warn", `The loop runs at ${Math.round(rate)} of ${Math.round(asked)} Hz${tail}.`);
+}
+
+function showContact(target, snapshot, state) {
+  if (!Number.isFinite(snapshot.contactRate)) return line(target, "", "Contacts: not measured yet.");
+  const age = Number.isFinite(snapshot.modelAge) ? `; the model is ${say(snapshot.modelAge, "s", 1e-6)} old` : "";
+  const running = state?.run === "running";
+  const mood = !running ? "" : snapshot.modelWeight > 0.99 ? "good" : "warn";
+  const dropped = snapshot.contactsDropped > 0 ? `; ${snapshot.contactsDropped} did not fit` : "";
+  return line(target, mood,
+    `Contacts found ${digits(snapshot.contactRate)} times a second, ${say(snapshot.queryCpu, "s", 1e-6)} each${age}${dropped}.`);
+}
+
+/// The colours of the levels, with how many contacts each has now.
+export function showLegend(parent, snapshot, scene) {
+  const levels = Math.min(LEVEL_COLOURS.length, Math.max(scene?.object.levels ?? 1, 1));
+  if (parent.childElementCount !== levels + 1) {
+    const swatches = Array.from({ length: levels }, (_, level) => {
+      const item = element("span", "swatch", "");
+      item.append(element("i"), element("b", "", String(level)), element("em"));
+      item.firstChild.style.background = levelColour(level);
+      return item;
+    });
+    parent.replaceChildren(element("span", "legend-title", "Level at contacts"), ...swatches);
+  }
+  const counts = new Map(levelCounts(snapshot?.contacts ?? []));
+  [...parent.children].slice(1).forEach((item, level) => {
+    const n = counts.get(level) ?? 0;
+    item.classList.toggle("active", n > 0);
+    const text = n > 0 ? `×${n}` : "";
+    if (item.lastChild.textContent !== text) item.lastChild.textContent = text;
+  });
+}

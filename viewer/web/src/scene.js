@@ -1,0 +1,226 @@
+// The picture: both objects, ground and shadow, the ghost of the hand, contacts, arrows. Everything lies in `root`, in
+// metres; root is scaled so that the scene has radius 1 whatever its size, nanometres or kilometres.
+import { ACESFilmicToneMapping, AmbientLight, Color, DirectionalLight, Group, HemisphereLight, Mesh, MeshBasicMaterial,
+  MeshStandardMaterial, PCFShadowMap, PlaneGeometry, Quaternion, Scene, ShadowMaterial, SRGBColorSpace, Vector3,
+  WebGLRenderer } from "three";
+import { depthOf, makeView, placeCamera } from "./camera.js";
+import { boundsOf } from "./geometry.js";
+import { makeArrow, makeContactMarks, makeRod, makeTwist, paintArrow, paintRod, paintTwist, setArrow, setContactMarks,
+  setRod, setTwist } from "./marks.js";
+import { disposeSurface, makeSurface, paintSurface, setActive, setSpots, showLevels, thinSpots } from "./surface.js";
+import { colour } from "./theme.js";
+
+/// canvas   where to draw; throws when there is no WebGL 2
+export function makeScene(canvas) {
+  const renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+  renderer.outputColorSpace = SRGBColorSpace;
+  renderer.toneMapping = ACESFilmicToneMapping;
+  renderer.shadowMap.enabled = true;
+  renderer.shadowMap.type = PCFShadowMap;
+  const scene = new Scene();
+  const root = new Group();
+  scene.add(root);
+  const stage = {
+    canvas, renderer, scene, root, view: makeView(), lights: addLights(scene), ground: addGround(scene), radius: 1,
+    size: 1, object: null, statics: [], ghost: null, force: makeArrow(), twist: makeTwist(), marks: makeContactMarks(),
+    spring: makeRod(), dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true },
+    last: null,
+  };
+  root.add(stage.force.group, stage.twist.group, stage.marks.group, stage.spring.group);
+  stage.spring.group.visible = false;
+  return stage;
+}
+
+function addLights(scene) {
+  const sky = new HemisphereLight(0xffffff, 0x8a8378, 1.5);
+  sky.position.set(0, 0, 1);
+  const key = new DirectionalLight(0xfff4e4, 2.6);
+  key.position.set(-1.6, -2.2, 3.6);
+  key.castShadow = true;
+  key.shadow.mapSize.set(2048, 2048);
+  Object.assign(key.shadow.camera, { left: -1.5, right: 1.5, top: 1.5, bottom: -1.5, near: 0.5, far: 9 });
+  key.shadow.radius = 5;
+  key.shadow.bias = -0.0006;
+  key.shadow.normalBias = 0.006;
+  const rim = new DirectionalLight(0xcfe3ff, 0.9);
+  rim.position.set(2.4, 2.0, 1.2);
+  const fill = new AmbientLight(0xffffff, 0.18);
+  scene.add(sky, key, rim, fill);
+  return { sky, key, rim, fill };
+}
+
+function addGround(scene) {
+  const shade = new Mesh(new PlaneGeometry(12, 12), new ShadowMaterial({ opacity: 0.2 }));
+  shade.receiveShadow = true;
+  shade.renderOrder = -1;
+  scene.add(shade);
+  return shade;
+}
+
+/// The objects of a `scene` message with their meshes by number.
+export function setObjects(stage, description, meshes) {
+  for (const surface of [stage.object, ...stage.statics]) {
+    if (!surface) continue;
+    stage.root.remove(surface.group);
+    disposeSurface(surface);
+  }
+  if (stage.ghost) stage.root.remove(stage.ghost.group);
+  stage.object = makeSurface(meshes.get(description.object.mesh));
+  stage.statics = description.statics.map((entry) => {
+    const surface = makeSurface(meshes.get(entry.mesh));
+    place(surface.group, { position: entry.position, quaternion: entry.quat_xyzw });
+    return surface;
+  });
+  stage.ghost = makeGhost(stage.object);
+  place(stage.object.group, { position: description.start.position, quaternion: description.start.quat_xyzw });
+  stage.root.add(stage.object.group, ...stage.statics.map((surface) => surface.group), stage.ghost.group);
+  stage.size = description.object.radius;
+  fit(stage);
+  repaint(stage);
+}
+
+/// A translucent twin: first its depth alone, then its nearest surface, so that nothing of its inside shows.
+function makeGhost(object) {
+  const group = new Group();
+  const hidden = new Mesh(object.geometry, new MeshBasicMaterial({ colorWrite: false }));
+  const glass = new Mesh(object.geometry, new MeshStandardMaterial({ transparent: true, opacity: 0.2, roughness: 0.9, depthWrite: false }));
+  hidden.renderOrder = 10;
+  glass.renderOrder = 11;
+  hidden.material.transparent = true; // drawn after what is solid
+  group.add(hidden, glass);
+  group.visible = false;
+  return { group, glass };
+}
+
+function place(group, pose) {
+  group.position.fromArray(pose.position);
+  group.quaternion.fromArray(pose.quaternion);
+}
+
+/// Centre and scale of the whole scene, from the boxes of its surfaces as they stand.
+function fit(stage) {
+  const points = [];
+  for (const { group, geometry } of [stage.object, ...stage.statics]) {
+    const box = boundsOf(geometry.attributes.position.array);
+    group.updateMatrix();
+    for (let corner = 0; corner < 8; corner++) {
+      const at = [0, 1, 2].map((k) => (corner & (1 << k) ? box.max[k] : box.min[k]));
+      points.push(...new Vector3(...at).applyMatrix4(group.matrix).toArray());
+    }
+  }
+  const box = boundsOf(points);
+  stage.radius = box.radius > 0 ? box.radius : 1;
+  stage.root.scale.setScalar(1 / stage.radius);
+  stage.root.position.fromArray(box.center).multiplyScalar(-1 / stage.radius);
+  stage.ground.position.z = (box.min[2] - box.center[2]) / stage.radius - 0.012;
+  stage.root.updateMatrixWorld();
+}
+
+export function repaint(stage) {
+  if (stage.object) {
+    paintSurface(stage.object, colour("held"), colour("held-line"));
+    for (const surface of stage.statics) paintSurface(surface, colour("fixed"), colour("fixed-line"));
+    stage.ghost.glass.material.color.set(colour("ghost"));
+  }
+  stage.scene.background = new Color(colour("stage"));
+  paintArrow(stage.force, colour("force"));
+  paintTwist(stage.twist, colour("torque"));
+  paintRod(stage.spring, colour("hand"));
+  stage.ground.material.opacity = Number(colour("shadow"));
+  stage.lights.sky.intensity = Number(colour("sky"));
+  stage.dirty = true;
+}
+
+/// Shows a snapshot.
+export function showSnapshot(stage, snapshot) {
+  if (!stage.object) return;
+  stage.last = snapshot;
+  place(stage.object.group, snapshot.object);
+  place(stage.ghost.group, snapshot.ghost);
+  const grasped = (snapshot.bits & 1) !== 0;
+  const at = new Vector3(...snapshot.grasp), hand = new Vector3(...snapshot.handle.position);
+  stage.ghost.group.visible = stage.options.ghost && grasped && apart(snapshot, stage.size) > 0.004;
+  stage.spring.group.visible = stage.options.ghost && grasped;
+  setRod(stage.spring, at, hand, 0.012 * stage.size);
+  showForces(stage, snapshot, at);
+  showContacts(stage, snapshot);
+  stage.dirty = true;
+}
+
+/// How far the ghost stands from the object: the way, in radii, and the turn.
+function apart({ object, ghost }, size) {
+  const way = Math.hypot(...object.position.map((value, k) => value - ghost.position[k]));
+  const a = new Quaternion(...object.quaternion), b = new Quaternion(...ghost.quaternion);
+  return way / size + a.angleTo(b);
+}
+
+function showForces(stage, snapshot, at) {
+  if (!stage.options.forces) {
+    stage.force.group.visible = stage.twist.group.visible = false;
+    return;
+  }
+  const perNewton = snapshot.metresPerNewton > 0 ? snapshot.metresPerNewton : 0.5 * stage.size;
+  const along = new Vector3(...snapshot.force).multiplyScalar(perNewton);
+  along.clampLength(0, 4 * stage.size);
+  setArrow(stage.force, at, along, 0.035 * stage.size);
+  const axis = new Vector3(...snapshot.torque);
+  const whole = (0.5 * stage.size * stage.size) / perNewton; // an arrow as long as the object at half its radius
+  setTwist(stage.twist, at, axis, axis.length() / whole, 0.42 * stage.size);
+}
+
+function showContacts(stage, snapshot) {
+  const shown = stage.options.contacts ? snapshot.contacts : [];
+  const largest = Math.max(1e-30, ...snapshot.clusters.map((cluster) => Math.hypot(...cluster.force)));
+  setContactMarks(stage.marks,
+    shown.map((contact) => ({ point: contact.point, normal: contact.normal, level: contact.objectLevel })),
+    stage.options.contacts ? snapshot.clusters.map((cluster) => ({ point: cluster.point, normal: cluster.normal,
+      share: Math.hypot(...cluster.force) / largest })) : [], 0.011 * stage.size, colour("ring"));
+  const spots = (surface, of, levelOf) => thinSpots(of.map((contact) => ({ point: toMesh(surface.group, contact.point),
+    level: levelOf(contact) })), 0.03 * stage.size);
+  const reach = 0.075 * stage.size;
+  setActive(stage.object, snapshot.contacts.map((c) => ({ node: c.objectNode, level: c.objectLevel })));
+  setSpots(stage.object, spots(stage.object, snapshot.contacts, (c) => c.objectLevel), reach);
+  stage.statics.forEach((surface, body) => {
+    const own = snapshot.contacts.filter((contact) => contact.body === body);
+    setActive(surface, own.map((c) => ({ node: c.sceneNode, level: c.sceneLevel })));
+    setSpots(surface, spots(surface, own, (c) => c.sceneLevel), reach);
+  });
+}
+
+function toMesh(group, point) {
+  return new Vector3(...point).sub(group.position).applyQuaternion(group.quaternion.clone().conjugate()).toArray();
+}
+
+/// options   any of {wireframe, ghost, contacts, forces}
+export function setOptions(stage, options) {
+  Object.assign(stage.options, options);
+  for (const surface of [stage.object, ...stage.statics]) if (surface) showLevels(surface, stage.options.wireframe);
+  if (stage.last) showSnapshot(stage, stage.last);
+  stage.dirty = true;
+}
+
+export function resize(stage) {
+  const { clientWidth: width, clientHeight: height } = stage.canvas;
+  if (width === 0 || height === 0) return;
+  stage.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+  stage.renderer.setSize(width, height, false);
+  stage.view.camera.aspect = width / height;
+  stage.view.camera.fov = width < height ? 38 : 30; // an upright picture would cut the sides off
+  stage.view.camera.updateProjectionMatrix();
+  placeCamera(stage.view);
+}
+
+/// Draws when something has changed; true when it did.
+export function draw(stage) {
+  if (!stage.dirty && !stage.view.changed) return false;
+  stage.dirty = stage.view.changed = false;
+  stage.renderer.render(stage.scene, stage.view.camera);
+  return true;
+}
+
+/// Metres one pixel of a drag stands for, at the depth of a point of the world.
+export function metresPerPixel(stage, point) {
+  const shown = stage.root.localToWorld(new Vector3(...point));
+  const tangent = Math.tan((stage.view.camera.fov * Math.PI) / 360);
+  return (2 * tangent * depthOf(stage.view, shown) * stage.radius) / Math.max(1, stage.canvas.clientHeight);
+}

@@ -1,0 +1,47 @@
+// What the program reports, in sentences for people.
+
+export const FAULT_WORDS = {
+  device_lost: "the hand was lost", watchdog: "the haptic loop stood still", not_finite: "a number was not finite",
+  too_fast: "the hand moved too fast", pose_jump: "the hand jumped", contact_stale: "the contact model was too old",
+};
+const EVENT_WORDS = {
+  grasped: "The hand took hold of the object", released: "The hand let the object go", armed: "Forces are on",
+  disarmed: "Forces are off", not_armed: "Forces stay off", resumed: "Goes on", parameter: "Parameter changed", fault: "Fault",
+};
+export const END_WORDS = { fault: "ended by a fault", duration: "reached its duration", device_finished: "the hand has finished",
+  stopped: "was stopped" };
+
+const DEVICE_WORDS = { hand: "simulated hand", web: "mouse or touch", script: "scripted hand", replay: "recorded hand", null: "no hand" };
+export function deviceWords(uri) {
+  return DEVICE_WORDS[String(uri).split(":")[0]] ?? uri;
+}
+
+export function faultWords(name) {
+  return FAULT_WORDS[name] ?? String(name).replaceAll("_", " ");
+}
+
+export function eventWords({ kind, detail, text }) {
+  const head = EVENT_WORDS[kind] ?? String(kind).replaceAll("_", " ");
+  const tail = [kind === "fault" ? faultWords(detail) : detail, text].filter(Boolean).join("; ");
+  return tail ? `${head}: ${tail}` : head;
+}
+
+/// What the object does, in one sentence with its number of contacts.
+/// facts   {object, statics: [name], grasped, armed, contacts, clusters, touching, force [text], depth [text]}
+export function situation(facts) {
+  const { object, statics, grasped, contacts, clusters } = facts;
+  const subject = `The ${object}`;
+  if (contacts === 0) return `${subject} ${grasped ? "is in the hand and" : "rests and"} touches nothing.`;
+  const where = statics.length === 1 ? `the ${statics[0]}` : "the scene";
+  const count = contacts === 1 ? "1 contact" : `${contacts} contacts`;
+  const groups = clusters === 1 ? "1 cluster" : `${clusters} clusters`;
+  if (facts.touching) return `${subject} presses on ${where} at ${count} in ${groups}.`;
+  return `${subject} is close to ${where}: ${count} in ${groups}.`;
+}
+
+/// Number of contacts by level of the object, finest first: [[level, n], ...].
+export function levelCounts(contacts) {
+  const counts = new Map();
+  for (const { objectLevel } of contacts) counts.set(objectLevel, (counts.get(objectLevel) ?? 0) + 1);
+  return [...counts].sort(([a], [b]) => a - b);
+}
