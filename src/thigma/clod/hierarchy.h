@@ -85,10 +85,9 @@ struct ClodHierarchy {
   std::vector<ClodPatch> patches;
   std::vector<ClodLevel> levels;
   std::vector<ClodContactPatch> contact_patches;  // level by level, from level 1
-  // Empty without simplified levels: of each node, how far the hull of a contact patch at or below it
-  // or the finest surface reaches outside its hull, at most (nodes); of vertices and triangles of
-  // contact patches, to_below of each alone, 0 of others (vertices, hull_triangles) [m].
-  std::vector<float> contact_reach, vertex_to_below, triangle_to_below;
+  // to_below of each vertex and triangle of contact patches alone, 0 of others; empty without
+  // simplified levels (vertices, hull_triangles) [m].
+  std::vector<float> vertex_to_below, triangle_to_below;
   std::vector<std::array<double, 2>> support;     // D by SupportReading, of the vertices of finest
                                                   // and contact patches; 0 of others; empty without
                                                   // simplified levels (vertices) [m^2]

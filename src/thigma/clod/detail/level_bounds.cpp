@@ -13,15 +13,13 @@
 #include <thread>
 
 #include "thigma/convex/growing_hull.h"
-#include "thigma/convex/pair.h"
 
 namespace thigma::detail {
 namespace {
 
 constexpr int kDivisions = 5;    // of a triangle into four, one after the other
-constexpr double kTight = 1.25;  // a bound within this of the largest distance met is good
-// Nor is one worth dividing that is below this times s, which counts in every sum it enters.
-constexpr double kOfDeviation = 0.5;
+constexpr double kTight = 2.0;  // a bound within this of the largest distance met is good
+// Nor is one worth dividing that is below s, which counts in every sum it enters.
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -112,7 +110,7 @@ struct PatchBounds {
     const double bound =
         std::min(near.distance + reach,
                  farthest_corner(part, corners(hull_view(h, near.node), near.triangle)));
-    if (divisions == 0 || bound <= std::max(kTight * met, kOfDeviation * deviation)) return bound;
+    if (divisions == 0 || bound <= std::max(kTight * met, deviation)) return bound;
     const Vec3 ab = 0.5 * (part[0] + part[1]), bc = 0.5 * (part[1] + part[2]),
                ca = 0.5 * (part[2] + part[0]);
     const std::array<Corners, 4> parts = {{{part[0], ab, ca}, {ab, part[1], bc}, {ca, bc, part[2]},
@@ -174,65 +172,14 @@ void measure_patch(ClodHierarchy& h, ClodContactPatch& c) {
     h.triangle_to_below[at(c.patch.first_triangle + t)] = round_up(d);
     c.to_below = std::max(c.to_below, static_cast<double>(round_up(d)));
   }
-  c.hausdorff = std::max({c.hausdorff, c.from_below - c.deviation, c.to_below - c.deviation});
-}
-
-double distance_to(const HullView& hull, const Vec3& p) {
-  HullView point;
-  point.vertices = &p;
-  point.vertex_count = 1;
-  point.center = p;
-  alignas(32) const float lanes[24] = {};
-  point.lanes = lanes;
-  point.lane_count = 8;
-  GjkCache cache;
-  return closest_points(hull, point, RelativePose{}, kInfinity, cache).distance;
-}
-
-/// How far a hull reaches outside another, at most; not less than `known` where it does not reach
-/// farther than that.
-double reach_outside(const HullView& inner, const HullView& outer, double known) {
-  double largest = known;
-  for (int v = 0; v < inner.vertex_count; ++v) {
-    // A vertex of the outer hull is not nearer than the hull.
-    if ((inner.vertices[v] - outer.vertices[0]).norm() <= largest) continue;
-    largest = std::max(largest, distance_to(outer, inner.vertices[v]));
-  }
-  return largest;
-}
-
-/// Raises `largest` to how far the contact patches at or below `index` reach outside a hull.
-// NOLINTNEXTLINE(misc-no-recursion): as deep as the tree.
-void raise_reach(const ClodHierarchy& h, std::int32_t index, const HullView& outer,
-                 double& largest) {
-  const ClodNode& n = h.nodes[at(index)];
-  if (n.child_count == 0) return;  // the finest surface: within h
-  if (n.contact >= 0) largest = reach_outside(contact_view(h, index), outer, largest);
-  for (std::int32_t c = n.first_child; c < n.first_child + n.child_count; ++c) {
-    if (h.nodes[at(c)].child_count == 0) continue;
-    const double own = static_cast<double>(h.contact_reach[at(c)]);
-    if (reach_outside(hull_view(h, c), outer, 0.0) + own <= largest) continue;
-    raise_reach(h, c, outer, largest);
-  }
-}
-
-void measure_reach(ClodHierarchy& h) {
-  for (std::size_t i = h.nodes.size(); i-- > 0;) {
-    const auto index = static_cast<std::int32_t>(i);
-    double largest = h.nodes[i].hausdorff;
-    if (h.nodes[i].child_count > 0) {
-      raise_reach(h, index, hull_view(h, index), largest);
-      largest += 1e-12 * h.radius;
-    }
-    h.contact_reach[i] = round_up(largest);
-  }
+  c.hausdorff = std::max({c.hausdorff, c.from_below - c.deviation, c.to_below - c.deviation,
+                          h.nodes[at(c.patch.node)].hausdorff - c.deviation});
 }
 
 }  // namespace
 
 void measure_level_bounds(int threads, ClodHierarchy& h) {
   if (h.contact_patches.empty()) return;
-  h.contact_reach.assign(h.nodes.size(), 0.0f);
   h.vertex_to_below.assign(h.vertices.size(), 0.0f);
   h.triangle_to_below.assign(h.hull_triangles.size(), 0.0f);
   // Patches are independent: which thread takes one does not show in the result.
@@ -245,7 +192,6 @@ void measure_level_bounds(int threads, ClodHierarchy& h) {
   for (int i = 1; i < threads; ++i) others.emplace_back(work);
   work();
   for (std::thread& other : others) other.join();
-  measure_reach(h);
 }
 
 }  // namespace thigma::detail

@@ -7,8 +7,8 @@
 
 namespace thigma::detail {
 
-/// Fills from_below and to_below of the contact patches, contact_reach, vertex_to_below and
-/// triangle_to_below, and raises h of contact patches until s + h covers from_below and to_below.
+/// Fills from_below and to_below of the contact patches, vertex_to_below and triangle_to_below, and
+/// raises h of contact patches until s + h covers from_below, to_below and h of the node.
 /// All are upper bounds, rounding included. After s, h and the nodes' hulls; does nothing without
 /// contact patches. The result does not depend on the number of threads.
 void measure_level_bounds(int threads, ClodHierarchy& h);
