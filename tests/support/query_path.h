@@ -5,17 +5,15 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 
+#include "support/full.h"
 #include "support/query_check.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/math/elementary.h"
 #include "thigma/math/random.h"
 
 namespace thigma::test {
-
-inline bool is_full() { return std::getenv("THIGMA_FULL") != nullptr; }
 
 inline Quat turn(const Vec3& axis, double degrees) {
   const SinCos half = sin_cos(0.5 * degrees * kPi / 180.0);

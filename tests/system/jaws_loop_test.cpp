@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 #include "scenes/scene_file.h"
+#include "support/full.h"
 #include "support/mesh_session.h"
 
 namespace thigma {
@@ -22,8 +22,7 @@ struct Jaws {
   StartPlacement start;
 
   Jaws() : scene(scenes::read_scene("jaws")) {
-    const char* full = std::getenv("THIGMA_FULL");
-    if (full == nullptr || *full == '\0') {
+    if (!test::is_full()) {
       scene.object.model->triangles = 14000;
       scene.statics[0].model->triangles = 12000;
     }
