@@ -1,7 +1,9 @@
 #include "benchmarks/bench_rows.h"
 
 #include "benchmarks/baselines/fcl_baseline.h"
+#include "benchmarks/clod_build_bench.h"
 #include "benchmarks/haptic_bench.h"
+#include "benchmarks/level_rows.h"
 #include "benchmarks/pair_bench.h"
 #include "benchmarks/probe.h"
 #include "benchmarks/query_bench.h"
@@ -16,9 +18,9 @@ std::vector<Row> haptic_rows(bool quick) {
   Row row;
   row.name = "haptic step, coupling and 5 clusters";
   row.unit = "us";
-  row.ours = {1e6 * percentile(timing.step, 0.5), 1e6 * percentile(timing.step, 0.99)};
+  row.ours = figure_of(timing.step, 1e6);
   row.baseline = "coupling, planes and the 13 x 13 solve alone";
-  row.theirs = Figure{1e6 * percentile(timing.dense, 0.5), 1e6 * percentile(timing.dense, 0.99)};
+  row.theirs = figure_of(timing.dense, 1e6);
   row.note = "block means of 16 ticks; ours is the whole tick with device, limits, observer, telemetry sample";
   return {row};
 }
@@ -68,16 +70,16 @@ std::vector<Row> query_rows(bool quick) {
   Row row;
   row.name = "exact query, jaws, d = 1 % of the radius";
   row.unit = "us";
-  row.ours = {both.ours.p50_us, both.ours.p99_us};
+  row.ours = both.ours.us;
   row.contacts_ours = both.ours.contacts;
-  row.recall_ours = both.recall_ours;
-  row.error_ours = both.error_ours;
+  row.found_ours.recall = both.recall_ours;
+  row.found_ours.error_max = both.error_ours;
   if (both.has_baseline) {
     row.baseline = "FCL 0.7 distance (one closest pair)";
-    row.theirs = Figure{both.baseline_p50_us, both.baseline_p99_us};
+    row.theirs = both.baseline_us;
     row.contacts_baseline = 1.0;
-    row.recall_baseline = both.recall_baseline;
-    row.error_baseline = both.error_baseline;
+    row.found_baseline.recall = both.recall_baseline;
+    row.found_baseline.error_max = both.error_baseline;
   }
   row.note = "the upper jaw comes down, then grinds pressed in by up to 0.5 % of the radius; ours finds every region, the "
              "baseline one point; recall and error against an independent search on some of the frames";
@@ -109,14 +111,18 @@ std::vector<Row> build_rows(bool quick) {
 }  // namespace
 
 std::vector<Measurement> measurements(bool quick) {
-  return {
+  std::vector<Measurement> all = {
       {"haptic-step", [=] { return haptic_rows(quick); }},
       {"convex-pair", [=] { return pair_rows(quick); }},
       {"build", [=] { return build_rows(quick); }},
       {"front-small", [=] { return std::vector<Row>{front_row("front tracking, small front", 1250, quick ? 20 : 400)}; }},
       {"front-large", [=] { return std::vector<Row>{front_row("front tracking, large front", 30000, quick ? 10 : 200)}; }},
       {"exact-query", [=] { return query_rows(quick); }},
+      {"build-levels", [=] { return clod_build_rows(quick); }},
   };
+  const std::vector<Measurement> with_levels = level_measurements(quick);
+  all.insert(all.end(), with_levels.begin(), with_levels.end());
+  return all;
 }
 
 }  // namespace thigma::bench

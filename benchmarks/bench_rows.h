@@ -7,11 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/probe.h"
+
 namespace thigma::bench {
 
-/// CPU time of a call, in the row's unit.
-struct Figure {
-  double p50 = 0.0, p99 = 0.0;
+/// What a method found of the exact contacts, over some poses. Absent: not asked, or not of that method.
+struct Quality {
+  std::optional<double> recall;       // share of the exact contacts with a reported one near
+  std::optional<double> regions;      // share of their local regions with one
+  std::optional<double> error_max;    // of the smallest separation, kept within 0..d, by the radius
+  std::optional<double> error_mean;   // the same
+  std::optional<double> depth_error;  // largest, of the depth where surfaces intersect, by the radius
 };
 
 /// One row. What was not measured is absent, never 0.
@@ -21,8 +27,9 @@ struct Row {
   std::string baseline;                                  // its name; empty without one
   std::optional<Figure> theirs;
   std::optional<double> contacts_ours, contacts_baseline;  // mean a query
-  std::optional<double> recall_ours, recall_baseline;      // share of the patch pairs within the tolerance that were found
-  std::optional<double> error_ours, error_baseline;        // of the smallest separation against the other's, by the radius
+  Quality found_ours, found_baseline;
+  std::optional<double> front, front_exact;  // node pairs held, mean; of the exact query on the same asset
+  std::optional<double> speedup;             // over that query, of the medians
   std::string note;
 };
 
@@ -30,6 +37,7 @@ struct Row {
 struct Measurement {
   std::string name;  // matched by --filter
   std::function<std::vector<Row>()> run;
+  bool is_heavy = false;  // takes many minutes: only when asked for by name or in full
 };
 
 /// Every measurement, cheapest first. quick: fewer frames, for tests.

@@ -63,4 +63,9 @@ double percentile(std::vector<double> samples, double p) {
   return samples[rank];
 }
 
+Figure figure_of(const std::vector<double>& samples, double factor) {
+  return {factor * percentile(samples, 0.5), factor * percentile(samples, 0.99), factor * percentile(samples, 0.999),
+          factor * percentile(samples, 1.0)};
+}
+
 }  // namespace thigma::bench

@@ -2,6 +2,7 @@
 // What the machine itself can do, beside which every figure is read.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace thigma::bench {
@@ -17,5 +18,14 @@ std::vector<double> empty_loop_lateness(double seconds);
 
 /// Value below which the fraction p of the samples lies; 0 when there is none.
 double percentile(std::vector<double> samples, double p);
+
+/// What is said about many calls, in their unit. What was not measured is absent, never 0.
+struct Figure {
+  double p50 = 0.0, p99 = 0.0;
+  std::optional<double> p999{}, max{};
+};
+
+/// Percentiles of samples times a factor: of seconds, 1e6 gives microseconds.
+Figure figure_of(const std::vector<double>& samples, double factor);
 
 }  // namespace thigma::bench

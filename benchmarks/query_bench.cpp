@@ -106,8 +106,7 @@ QueryTiming run_path(const Jaws& jaws, int frames, double tolerance, double step
     std::sort(v.begin(), v.end());
     return v[static_cast<std::size_t>(q * static_cast<double>(v.size() - 1))];
   };
-  timing.p50_us = 1e6 * quantile(seconds, 0.5);
-  timing.p99_us = 1e6 * quantile(seconds, 0.99);
+  timing.us = figure_of(seconds, 1e6);
   timing.ns_per_node = 1e9 * quantile(tracking, 0.5) / quantile(fronts, 0.5);
   return timing;
 }
@@ -227,8 +226,7 @@ JawsComparison compare_jaws_query(int frames, int checked, double tolerance, dou
     out.recall_ours = found[1] / found[0];
     out.recall_baseline = found[2] / found[0];
   }
-  out.baseline_p50_us = 1e6 * percentile(seconds, 0.5);
-  out.baseline_p99_us = 1e6 * percentile(seconds, 0.99);
+  out.baseline_us = figure_of(seconds, 1e6);
   return out;
 }
 

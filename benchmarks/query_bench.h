@@ -3,10 +3,12 @@
 
 #include <cstdint>
 
+#include "benchmarks/probe.h"
+
 namespace thigma::bench {
 
 struct QueryTiming {
-  double p50_us = 0.0, p99_us = 0.0;  // CPU time of a query [us]
+  Figure us;                          // CPU time of a query [us]
   double contacts = 0.0, front = 0.0, tests = 0.0, pair_queries = 0.0;  // means over the frames
   double tolerance = 0.0;             // d [m]
   double ns_per_node = 0.0;           // of the traversal alone, median CPU time over the median front [ns]
@@ -25,7 +27,7 @@ QueryTiming measure_jaws_query(int frames, double tolerance, double step, double
 struct JawsComparison {
   QueryTiming ours;                          // over all frames
   bool has_baseline = false;                 // built with FCL
-  double baseline_p50_us = 0.0, baseline_p99_us = 0.0;  // over `checked` frames
+  Figure baseline_us;                        // over `checked` frames [us]
   double recall_ours = 0.0, recall_baseline = 0.0;      // share of the true patch pairs found, over `checked` frames
   double error_ours = 0.0, error_baseline = 0.0;        // of the smallest separation, largest, by the radius
 };

@@ -1,0 +1,97 @@
+#include "benchmarks/clod_build_bench.h"
+
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+
+#include "scenes/make_model.h"
+
+#include "thigma/clod/clod_file.h"
+
+namespace thigma::bench {
+namespace {
+
+double clock_seconds(clockid_t clock) {
+  timespec t{};
+  clock_gettime(clock, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+// A line "NAME:  N kB" of Linux's account of this process; 0 where there is none.
+std::int64_t status_bytes(const std::string& name) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.rfind(name + ":", 0) == 0) return 1024 * std::stoll(line.substr(name.size() + 1));
+  }
+  return 0;
+}
+
+// Makes the peak of resident memory the present amount.
+void reset_peak() {
+  std::ofstream clear("/proc/self/clear_refs");
+  clear << "5";
+}
+
+std::string number(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+}  // namespace
+
+ClodHierarchy build_measured(const TriangleMesh& mesh, double contact_tolerance,
+                             ClodBuildCost& cost) {
+  ClodParams params;
+  params.contact_tolerance = contact_tolerance;
+  params.threads = cost.threads;
+  reset_peak();
+  const std::int64_t before = status_bytes("VmRSS");
+  const double cpu = clock_seconds(CLOCK_PROCESS_CPUTIME_ID), wall = clock_seconds(CLOCK_MONOTONIC);
+  ClodReport report;
+  ClodAsset asset = build_clod_asset(mesh, params, &report);
+  cost.cpu = clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+  cost.wall = clock_seconds(CLOCK_MONOTONIC) - wall;
+  cost.peak_bytes = before > 0 ? status_bytes("VmHWM") - before : 0;
+  cost.serial = report.decompose_seconds + report.simplify_seconds;
+  cost.triangles = static_cast<std::int64_t>(mesh.triangles.size());
+  cost.patches = static_cast<std::int64_t>(asset.hierarchy.patches.size());
+  cost.file_bytes = static_cast<std::int64_t>(format_clod(asset).size());
+  return std::move(asset.hierarchy);
+}
+
+Row build_row(const std::string& model, const ClodBuildCost& cost) {
+  Row row;
+  row.name = "levels of detail of " + model + ", " + std::to_string(cost.triangles) + " triangles";
+  row.unit = "s";
+  row.ours = {cost.cpu, cost.cpu, std::nullopt, std::nullopt};
+  const double per_triangle = 1.0 / static_cast<double>(cost.triangles);
+  row.note =
+      "CPU time of " + std::to_string(cost.threads) + " threads; " + number("%.2f", cost.wall) +
+      " s by the clock; decomposition and simplification, " + number("%.2f", cost.serial) +
+      " s, run on one; " + std::to_string(cost.patches) + " patches; peak memory " +
+      (cost.peak_bytes > 0 ? number("%.0f", static_cast<double>(cost.peak_bytes) * per_triangle) +
+                                 " bytes a triangle"
+                           : std::string("not known here")) +
+      "; file " + number("%.1f", static_cast<double>(cost.file_bytes) / 1048576.0) + " MiB";
+  return row;
+}
+
+std::vector<Row> clod_build_rows(bool quick) {
+  const std::vector<scenes::ModelRequest> models = {
+      {.name = "jaw_lower", .triangles = quick ? 2000 : 100'000},
+      {.name = "cup", .triangles = quick ? 2000 : 100'000},
+      {.name = "gear", .triangles = quick ? 2000 : 100'000},
+      {.name = "joint_socket", .triangles = quick ? 2000 : 0},
+      {.name = "golf_club", .triangles = quick ? 2000 : 0},
+      {.name = "golf_ball", .triangles = quick ? 2000 : 0}};
+  std::vector<Row> rows;
+  for (const scenes::ModelRequest& model : models) {
+    ClodBuildCost cost;
+    build_measured(scenes::make_model(model), 0.01, cost);
+    rows.push_back(build_row(model.name, cost));
+  }
+  return rows;
+}
+
+}  // namespace thigma::bench
