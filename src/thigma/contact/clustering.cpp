@@ -40,7 +40,7 @@ void load(std::span<const Contact> contacts, double tolerance, ClusterScratch& s
     s.x[i] = c.point.x();
     s.y[i] = c.point.y();
     s.z[i] = c.point.z();
-    s.weight[i] = std::max(c.depth + tolerance, 0.0);
+    s.weight[i] = c.weight * std::max(c.depth + tolerance, 0.0);
     s.taken[i] = 0;
     s.nearest[i] = kInfinity;
   }

@@ -14,7 +14,7 @@ inline constexpr int kMaxContactClusters = 16;
 
 struct ClusterParams {
   int max_clusters = 5;      // K, 1..kMaxContactClusters; values outside are clamped
-  double tolerance = 0.0;    // d of the query: a contact weighs max(depth + d, 0) [m]
+  double tolerance = 0.0;    // d of the query: a contact weighs max(depth + d, 0), times its own weight [m]
   int max_iterations = 100;  // of Lloyd's method; a warm start needs a few
 };
 

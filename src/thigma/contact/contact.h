@@ -25,10 +25,13 @@ struct Contact {
   Vec3 scene_point = Vec3::Zero();  // p_0, on the scene object [m; world]
   Vec3 normal = Vec3::UnitZ();      // unit, out of the grasped object, into the scene [world]
   double depth = 0.0;               // [m]
-  double bound = 0.0;               // the original triangles' depth along normal differs by no more [m]; 0 = exact
+  double bound = 0.0;               // the separation of the original triangles below the two patches differs by no
+                                    // more, where penetrating their depth along normal [m]; 0 = exact
+  double weight = 1.0;              // 0..1: of a pair blended with its children, else 1 (Sec. 3.4.4)
   std::int32_t body = 0;            // static object of the scene, 0..
-  std::int32_t object_patch = -1, scene_patch = -1;  // finest patches or nodes they come from
-  std::int32_t object_level = 0, scene_level = 0;
+  // Where it comes from: a finest patch p as p, a contact patch c of a simplified level as patches.size() + c.
+  std::int32_t object_patch = -1, scene_patch = -1;
+  std::int32_t object_level = 0, scene_level = 0;  // of detail: 0 finest
   ContactStatus status = ContactStatus::separated;
 };
 

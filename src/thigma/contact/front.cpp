@@ -2,10 +2,14 @@
 
 #include <algorithm>
 
+#include "thigma/contact/detail/level_measure.h"
 #include "thigma/contact/surface_crossing.h"
 
 namespace thigma {
 namespace {
+
+// Contacts a query with a budget can hold; refinement stops there.
+constexpr std::size_t kMostFound = 1 << 16;
 
 // Longest way from the root, and the most children of a node.
 void measure(const ClodHierarchy& h, std::int32_t& depth, std::int32_t& fan) {
@@ -38,8 +42,8 @@ void reserve_front(ContactFront& front, const ClodHierarchy& object, const ClodH
   measure(scene, front.scene_depth, fan_b);
   front.stack_capacity = std::int64_t{front.object_depth + front.scene_depth + 2} * std::max(fan_a, fan_b);
   front.stack.reserve(static_cast<std::size_t>(front.stack_capacity));
+  const auto n = static_cast<std::size_t>(capacity);
   if (capacity != front.capacity) {
-    const auto n = static_cast<std::size_t>(capacity);
     front.nodes = std::make_unique_for_overwrite<FrontNode[]>(n);
     front.expires = std::make_unique_for_overwrite<float[]>(n);
     front.capacity = capacity;
@@ -49,6 +53,14 @@ void reserve_front(ContactFront& front, const ClodHierarchy& object, const ClodH
       list->reserve(n);
     }
     front.work.reserve(2 * n);  // expired nodes and the stack of a descent
+  }
+  front.pending.reserve(n + static_cast<std::size_t>(front.stack_capacity));
+  if (!object.contact_patches.empty() || !scene.contact_patches.empty()) {
+    front.queue.reserve(n);
+    front.found.reserve(std::min(n, kMostFound));
+    front.order.reserve(n);
+    front.object_support = detail::largest_support(object);
+    front.scene_support = detail::largest_support(scene);
   }
   front.object_closed = is_closed(object);
   front.scene_closed = is_closed(scene);

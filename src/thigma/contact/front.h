@@ -1,11 +1,13 @@
 #pragma once
 // The front of the tandem traversal: which pairs of nodes were decided last time, and for how long that holds.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "thigma/clod/hierarchy.h"
+#include "thigma/contact/contact.h"
 #include "thigma/convex/pair.h"
 
 namespace thigma {
@@ -22,9 +24,20 @@ struct FrontNode {
   bool has_normal = false;               // axis holds a contact normal (hysteresis)
   bool is_active = false;                // leaf pair evaluated every frame
   bool is_saturated = false;             // could not be split for want of room: traversed below without memory
+  // Of a query with levels: what holds until the node's travel; apart covers culled and too far to matter.
+  enum class Decision : std::uint8_t { unknown, open, apart } decision = Decision::unknown;
 };
 
 static_assert(sizeof(FrontNode) <= 64);
+
+/// A pair of nodes a query with levels still has to look at, or may refine.
+struct PendingPair {
+  double priority = 0.0;       // s* / s0: larger first, where a budget decides
+  double weight = 1.0;         // of everything below it
+  std::int32_t node = -1;      // into ContactFront::nodes; -1: a and b tell the pair, without memory
+  std::int32_t a = 0, b = 0;
+  std::int32_t contact = -1;   // its own in ContactFront::found
+};
 
 /// Scratch of one pair of bodies. Owned by the caller, one a pair; any content is valid input.
 ///
@@ -53,6 +66,16 @@ struct ContactFront {
   std::int64_t stack_capacity = 0;
   bool object_closed = true, scene_closed = true;  // see surface_crossing.h
   std::int32_t object_depth = 0, scene_depth = 0;  // of the two trees
+
+  // Of queries with levels.
+  bool has_levels = false;               // the last query was one: its decisions are others than of an exact one
+  std::vector<PendingPair> pending;      // stack of the traversal
+  std::vector<PendingPair> queue;        // by priority, with a budget
+  std::vector<Contact> found;            // contacts that may still be refined, with a budget
+  std::vector<std::int32_t> order;       // of contacts
+  std::vector<std::array<double, 2>> object_support, scene_support;  // by node: largest D of the vertices of its patch,
+                                                                     // by SupportReading [m^2]
+  double finish_cost = 0.0;              // CPU time of handing over one contact, measured; with a budget of time [s]
 };
 
 /// Nodes a front is given room for when the caller does not say.

@@ -291,6 +291,8 @@ PairContact pair_contact(const HullView& a, const HullView& b, const RelativePos
   out.status = PairContactStatus::separated;
   out.witness_a = gap.point_a;
   out.witness_b = gap.point_b;
+  out.feature_a = gap.feature_a;
+  out.feature_b = gap.feature_b;
   out.normal = (gap.point_b - gap.point_a) / gap.distance;
   const double back = backs_facing(a, gap.feature_a, b, gap.feature_b, x, out.normal);
   if (!(back > 0.0)) return out;

@@ -38,6 +38,8 @@ struct PairContact {
   std::int16_t triangle_pairs = 0;  // original triangle pairs measured, for statistics
   double depth = 0.0;               // [m]
   double separation = 0.0;          // of the original triangles, 0 where they intersect [m]
+  std::uint32_t feature_a = 0, feature_b = 0;  // masks of the hull vertices that span the closest
+                                               // features; 0 where triangles intersect
   Vec3 normal = Vec3::UnitZ();      // unit, out of a [frame of a]
   Vec3 witness_a = Vec3::Zero();    // [m; frame of a]
   Vec3 witness_b = Vec3::Zero();

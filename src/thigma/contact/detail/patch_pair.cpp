@@ -161,6 +161,9 @@ bool verify(const Placement& place, std::uint32_t ma, std::uint32_t mb, PatchPai
   if (backs_facing(place.a, ma, place.b, mb, place.pose, n) > 0.0) return false;
   result.status = PairContactStatus::separated;
   result.depth = -distance;
+  result.separation = distance;
+  result.feature_a = ma;
+  result.feature_b = mb;
   result.normal = n;
   result.witness_a = c.p + place.a.center;
   result.witness_b = c.q + place.a.center;
@@ -186,7 +189,8 @@ PatchPair measure_cold(const HullView& a, const HullView& b, const RelativePose&
   const bool touches = pair.status != PairContactStatus::apart;
   if (touches) remember(memory, pair.normal, true);
   else memory.has_normal = false;
-  return {pair.status, pair.depth, pair.normal.normalized(), pair.witness_a, pair.witness_b};
+  return {pair.status,     pair.depth,      pair.normal.normalized(), pair.witness_a,
+          pair.witness_b,  pair.separation, pair.feature_a,           pair.feature_b};
 }
 
 }  // namespace

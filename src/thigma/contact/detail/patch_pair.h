@@ -14,6 +14,8 @@ struct PatchPair {
   Vec3 normal = Vec3::UnitZ();    // unit, out of a [frame of a]
   Vec3 witness_a = Vec3::Zero();  // [m; frame of a]
   Vec3 witness_b = Vec3::Zero();
+  double separation = 0.0;        // of the triangles, 0 where they intersect; not of `apart` [m]
+  std::uint32_t feature_a = 0, feature_b = 0;  // hull vertices of the closest features; 0 where triangles intersect
 };
 
 /// Measures two patches.
