@@ -50,9 +50,13 @@ function dropOldest(history) {
   history.used -= drop;
 }
 
-/// The used part, for drawing: [times, ...channels].
+/// The used part, for drawing: [times, ...channels]; null where there is a gap.
 export function view(history, channels) {
-  return [history.times.subarray(0, history.used), ...channels.map((name) => history.values[name].subarray(0, history.used))];
+  return [history.times.subarray(0, history.used), ...channels.map((name) => {
+    const row = new Array(history.used);
+    for (let k = 0; k < history.used; k++) row[k] = Number.isNaN(history.values[name][k]) ? null : history.values[name][k];
+    return row;
+  })];
 }
 
 /// Comma-separated text with a header; units stand in `labels`.

@@ -83,8 +83,9 @@ const on = {
   },
   snapshot: (message) => {
     session.counts.snapshot += 1;
+    const rose = message.bits & ~(session.snapshot?.bits ?? 0);
     session.snapshot = message;
-    if (message.bits & STATE.fault) hand.clutch = false; // to go on takes a new press
+    if (rose & STATE.fault) hand.clutch = false; // to go on takes a new press
     addRates(plots, message.time, message.hapticRate, message.contactRate);
     if (stage) showSnapshot(stage, message);
   },

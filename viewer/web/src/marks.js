@@ -82,7 +82,7 @@ function arcGeometry() {
       const next = (j + 1) % ARC_SIDES;
       if (i < ARC_STEPS) {
         const a = i * ARC_SIDES + j, b = i * ARC_SIDES + next;
-        index.push(a, a + ARC_SIDES, b, b, a + ARC_SIDES, b + ARC_SIDES);
+        index.push(a, b, a + ARC_SIDES, b, b + ARC_SIDES, a + ARC_SIDES);
       }
     }
   }
@@ -95,7 +95,7 @@ function arcGeometry() {
 
 /// share   of a turn of 300 degrees, 0 to 1
 export function setTwist(twist, at, axis, share, radius) {
-  twist.group.visible = share > 0.02 && axis.lengthSq() > 0;
+  twist.group.visible = share > 0.01 && axis.lengthSq() > 0;
   if (!twist.group.visible) return;
   twist.group.position.copy(at);
   twist.group.quaternion.setFromUnitVectors(Z, axis.clone().normalize());
@@ -106,6 +106,7 @@ export function setTwist(twist, at, axis, share, radius) {
   for (const { head } of twist.parts) {
     head.position.set(Math.cos(angle), Math.sin(angle), 0);
     head.rotation.set(0, 0, angle);
+    head.scale.setScalar(Math.min(1, 0.25 + 4 * share));
   }
 }
 

@@ -5,6 +5,7 @@ import { say, split } from "./format.js";
 import { colour, currentTheme } from "./theme.js";
 
 export const SECONDS = 10;
+const HEIGHT = 56; // of a plot, as in style.css [px]
 const FAST = ["force", "force_x", "force_y", "force_z", "torque", "torque_x", "torque_y", "torque_z", "penetration",
   "stretch", "energy", "model_age", "step_cpu", "wake_late"];
 const SLOW = ["haptic_rate", "contact_rate"];
@@ -67,12 +68,12 @@ function options(board, { spec }, width) {
   const grid = { stroke: colour("grid"), width: 1 };
   const font = "10px system-ui, sans-serif";
   return {
-    width, height: 74, legend: { show: false }, cursor: { sync: { key: "thigma" }, points: { size: 5 }, drag: { x: false, y: false } },
-    padding: [5, 6, 0, 0],
+    width, height: HEIGHT, legend: { show: false }, cursor: { sync: { key: "thigma" }, points: { size: 5 }, drag: { x: false, y: false } },
+    padding: [6, 6, 0, 0],
     scales: { x: { time: false, range: () => [board.now - SECONDS, board.now] }, y: { range: (u, low, high) => spread(low, high, spec) } },
     axes: [
       { show: true, size: 4, grid, ticks: { show: false }, values: () => [], space: 40 },
-      { size: 46, grid, ticks: { show: false }, space: 26, gap: 4, font, stroke: colour("muted"),
+      { size: 46, grid, ticks: { show: false }, space: 17, gap: 4, font, stroke: colour("muted"),
         values: (u, at) => labels(at, spec) },
     ],
     series: [{}, ...spec.lines.map((name, k) => ({ stroke: colour(spec.colours[k]), width: k === 0 || spec.slow ? 1.6 : 0.8,
@@ -90,14 +91,17 @@ function spread(low, high, spec) {
   return [bottom - (bottom < 0 ? 0.08 * room : 0), top + 0.12 * room];
 }
 
-/// One prefix for the whole axis; the unit stands at its top.
+/// One prefix for the whole axis; the unit stands at its top. Every other line is labelled where they are close.
 function labels(at, spec) {
   const largest = Math.max(...at.map(Math.abs));
-  const { unit } = split(largest, spec.unit, spec.least);
-  const scale = largest === 0 ? 1 : Number(split(largest, spec.unit, spec.least).number) / largest;
+  const { number: shown, unit } = split(largest, spec.unit, spec.least);
+  const scale = largest === 0 ? 1 : Number(shown) / largest;
+  const every = at.length > 3 ? 2 : 1;
+  const top = at.length - 1 - ((at.length - 1) % every);
   return at.map((value, k) => {
+    if (k % every !== 0) return null;
     const number = Number((value * scale).toPrecision(2)).toString();
-    return k === at.length - 1 ? `${number} ${unit}` : number;
+    return k === top ? `${number} ${unit}` : number;
   });
 }
 
@@ -156,7 +160,7 @@ export function drawPlots(board) {
   for (const plot of board.plots) {
     const data = view(historyOf(board, plot), plot.spec.lines);
     const width = plot.area.clientWidth;
-    if (width > 0 && width !== plot.chart.width) plot.chart.setSize({ width, height: 74 });
+    if (width > 0 && width !== plot.chart.width) plot.chart.setSize({ width, height: HEIGHT });
     plot.chart.setData(data);
     plot.value.textContent = say(shown(plot, data), plot.spec.unit, plot.spec.least);
   }

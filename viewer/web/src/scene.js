@@ -1,7 +1,7 @@
 // The picture: both objects, ground and shadow, the ghost of the hand, contacts, arrows. Everything lies in `root`, in
 // metres; root is scaled so that the scene has radius 1 whatever its size, nanometres or kilometres.
-import { ACESFilmicToneMapping, AmbientLight, Color, DirectionalLight, Group, HemisphereLight, Mesh, MeshBasicMaterial,
-  MeshStandardMaterial, PCFShadowMap, PlaneGeometry, Quaternion, Scene, ShadowMaterial, SRGBColorSpace, Vector3,
+import { AmbientLight, Color, DirectionalLight, Group, HemisphereLight, Mesh, MeshBasicMaterial,
+  NeutralToneMapping, PCFShadowMap, PlaneGeometry, Quaternion, Scene, ShaderMaterial, ShadowMaterial, SRGBColorSpace, Vector3,
   WebGLRenderer } from "three";
 import { depthOf, makeView, placeCamera } from "./camera.js";
 import { boundsOf } from "./geometry.js";
@@ -12,9 +12,9 @@ import { colour } from "./theme.js";
 
 /// canvas   where to draw; throws when there is no WebGL 2
 export function makeScene(canvas) {
-  const renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+  const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
   renderer.outputColorSpace = SRGBColorSpace;
-  renderer.toneMapping = ACESFilmicToneMapping;
+  renderer.toneMapping = NeutralToneMapping;
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
   const scene = new Scene();
@@ -24,7 +24,7 @@ export function makeScene(canvas) {
     canvas, renderer, scene, root, view: makeView(), lights: addLights(scene), ground: addGround(scene), radius: 1,
     size: 1, object: null, statics: [], ghost: null, force: makeArrow(), twist: makeTwist(), marks: makeContactMarks(),
     spring: makeRod(), dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true },
-    last: null,
+    last: null, fence: null,
   };
   root.add(stage.force.group, stage.twist.group, stage.marks.group, stage.spring.group);
   stage.spring.group.visible = false;
@@ -37,9 +37,9 @@ function addLights(scene) {
   const key = new DirectionalLight(0xfff4e4, 2.6);
   key.position.set(-1.6, -2.2, 3.6);
   key.castShadow = true;
-  key.shadow.mapSize.set(2048, 2048);
+  key.shadow.mapSize.set(1536, 1536);
   Object.assign(key.shadow.camera, { left: -1.5, right: 1.5, top: 1.5, bottom: -1.5, near: 0.5, far: 9 });
-  key.shadow.radius = 5;
+  key.shadow.radius = 4;
   key.shadow.bias = -0.0006;
   key.shadow.normalBias = 0.006;
   const rim = new DirectionalLight(0xcfe3ff, 0.9);
@@ -79,14 +79,29 @@ export function setObjects(stage, description, meshes) {
   repaint(stage);
 }
 
-/// A translucent twin: first its depth alone, then its nearest surface, so that nothing of its inside shows.
+/// A twin of glass, brighter at its rim: first its depth alone, then its nearest surface, so that nothing of its inside
+/// shows. It is drawn over all else, as it mostly hides in what it presses against.
 function makeGhost(object) {
   const group = new Group();
-  const hidden = new Mesh(object.geometry, new MeshBasicMaterial({ colorWrite: false }));
-  const glass = new Mesh(object.geometry, new MeshStandardMaterial({ transparent: true, opacity: 0.2, roughness: 0.9, depthWrite: false }));
+  const hidden = new Mesh(object.geometry, new MeshBasicMaterial({ colorWrite: false, transparent: true }));
+  hidden.onBeforeRender = (renderer) => renderer.clearDepth();
+  const glass = new Mesh(object.geometry, new ShaderMaterial({
+    transparent: true, depthWrite: false, uniforms: { tone: { value: new Color() } },
+    vertexShader: `varying vec3 facing; varying vec3 toEye;
+void main() {
+  vec4 seen = modelViewMatrix * vec4(position, 1.0);
+  facing = normalize(normalMatrix * normal);
+  toEye = -seen.xyz;
+  gl_Position = projectionMatrix * seen;
+}`,
+    fragmentShader: `varying vec3 facing; varying vec3 toEye; uniform vec3 tone;
+void main() {
+  float rim = 1.0 - abs(dot(normalize(facing), normalize(toEye)));
+  gl_FragColor = vec4(tone, 0.10 + 0.55 * rim * rim * rim);
+  #include <colorspace_fragment>
+}` }));
   hidden.renderOrder = 10;
   glass.renderOrder = 11;
-  hidden.material.transparent = true; // drawn after what is solid
   group.add(hidden, glass);
   group.visible = false;
   return { group, glass };
@@ -120,9 +135,8 @@ export function repaint(stage) {
   if (stage.object) {
     paintSurface(stage.object, colour("held"), colour("held-line"));
     for (const surface of stage.statics) paintSurface(surface, colour("fixed"), colour("fixed-line"));
-    stage.ghost.glass.material.color.set(colour("ghost"));
+    stage.ghost.glass.material.uniforms.tone.value.set(colour("ghost"));
   }
-  stage.scene.background = new Color(colour("stage"));
   paintArrow(stage.force, colour("force"));
   paintTwist(stage.twist, colour("torque"));
   paintRod(stage.spring, colour("hand"));
@@ -210,11 +224,17 @@ export function resize(stage) {
   placeCamera(stage.view);
 }
 
-/// Draws when something has changed; true when it did.
+/// Draws when something has changed and the last picture is done; true when it did. Handing over more pictures than the
+/// graphics can make would in the end hold up this thread, and with it the hand.
 export function draw(stage) {
   if (!stage.dirty && !stage.view.changed) return false;
+  const gl = stage.renderer.getContext();
+  if (stage.fence && !gl.isContextLost() && gl.getSyncParameter(stage.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
+  if (stage.fence) gl.deleteSync(stage.fence);
   stage.dirty = stage.view.changed = false;
   stage.renderer.render(stage.scene, stage.view.camera);
+  stage.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl.flush();
   return true;
 }
 

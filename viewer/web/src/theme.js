@@ -27,9 +27,9 @@ export function colour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }
 
-/// Colour of a level of detail: 0, the original surface, is the darkest blue, coarser ones turn green and yellow.
-/// Steps of equal contrast that also differ for people who do not tell red from green.
-export const LEVEL_COLOURS = ["#2b50c8", "#1f7fd0", "#12a0b8", "#22b58b", "#62c35a", "#a6cb3a", "#e3c934", "#f2a93b"];
+/// Colour of a level of detail: 0, the original surface, is the darkest green, coarser ones turn yellow and red, away from the
+/// blue of the object and the bone of the scene.
+export const LEVEL_COLOURS = ["#0a8f83", "#23ab6a", "#7cc542", "#bdd334", "#e6d32e", "#f5a32b", "#ea7430", "#d64a45"];
 export function levelColour(level) {
   return LEVEL_COLOURS[Math.max(0, Math.min(LEVEL_COLOURS.length - 1, level))];
 }

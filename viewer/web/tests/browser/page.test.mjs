@@ -1,0 +1,302 @@
+// The page in Chromium against the stand-in server: what it shows, what it sends. Never how fast.
+//   node --test tests/browser        THIGMA_SHOTS=DIR keeps the screenshots
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { startMock } from "../mock/server.mjs";
+import { openPage, startBrowser } from "./browser.mjs";
+
+const PATIENCE = { timeout: 90000 }; // software rendering on a busy machine
+let browser = null, reason = null;
+
+before(async () => { ({ browser, reason } = await startBrowser()); });
+after(async () => { await browser?.close(); });
+
+/// A test with a page of its own on a server of its own; fails on any error the page reports.
+function pageTest(name, options, body) {
+  test(name, PATIENCE, async (t) => {
+    if (reason) { t.skip(reason); return; }
+    const mock = await startMock({ device: options.device ?? "web:" });
+    const { page, errors, context } = await openPage(browser, "about:blank", options.context);
+    page.setDefaultTimeout(60000);
+    try {
+      if (options.prepare) await page.addInitScript(options.prepare);
+      await page.goto(`http://127.0.0.1:${mock.port}/`);
+      await page.waitForFunction(() => window.thigma?.session.counts.snapshot > 5 && window.thigma.session.counts.mesh === 2);
+      await body({ mock, page, errors });
+      assert.deepEqual(errors.filter((text) => !(options.mayReport ?? /^$/).test(text)), []);
+    } finally {
+      await context.close();
+      mock.close();
+    }
+  });
+}
+
+const drawnSince = async (page, n = 2) => {
+  const from = await page.evaluate(() => window.thigma.drawn);
+  await page.waitForFunction(([since, more]) => window.thigma.drawn >= since + more, [from, n]);
+};
+
+/// Waits until a statement about this process holds.
+async function until(holds, what) {
+  for (const end = Date.now() + 60000; Date.now() < end;) {
+    if (holds()) return;
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+  assert.fail(`never: ${what}`);
+}
+
+/// Colours of the picture: {colours, share of the background's}.
+const pixels = (page) => page.evaluate(() => {
+  const { renderer, scene, view } = window.thigma.stage;
+  renderer.render(scene, view.camera);
+  const gl = renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, data = new Uint8Array(4 * w * h);
+  gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, data);
+  const counts = new Map();
+  for (let k = 0; k < data.length; k += 4 * 7) {
+    const key = (data[k] >> 3) * 1024 + (data[k + 1] >> 3) * 32 + (data[k + 2] >> 3);
+    counts.set(key, (counts.get(key) ?? 0) + 1);
+  }
+  return { colours: counts.size, background: Math.max(...counts.values()) / (data.length / 28) };
+});
+
+async function drag(page, dx, dy, steps = 12) {
+  const box = await page.locator("#scene").boundingBox();
+  const x = box.x + box.width / 2, y = box.y + box.height / 2;
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.waitForFunction(() => window.thigma.session.holding && window.thigma.hand.clutch);
+  for (let k = 1; k <= steps; k++) await page.mouse.move(x + (dx * k) / steps, y + (dy * k) / steps);
+  await page.mouse.up();
+}
+
+pageTest("shows both objects, light and dark, wide and narrow", { device: "hand:" }, async ({ page }) => {
+  await drawnSince(page);
+  const graph = await page.evaluate(() => {
+    const { object, statics, root } = window.thigma.stage, { scene } = window.thigma.session;
+    return { whole: [object, ...statics].every((one, k) => one.geometry.index.count / 3 === [scene.object, ...scene.statics][k].triangles), inRoot: [object, ...statics].every((one) => one.group.parent === root),
+      title: document.getElementById("title").textContent };
+  });
+  assert.deepEqual(graph, { whole: true, inRoot: true, title: "Block on block (made up)" });
+  const light = await pixels(page);
+  assert.ok(light.colours > 60 && light.background < 0.97, JSON.stringify(light));
+  for (const [scheme, width, height] of [["light", 1280, 720], ["dark", 1280, 720], ["light", 390, 844], ["dark", 390, 844]]) {
+    await page.emulateMedia({ colorScheme: scheme });
+    await page.setViewportSize({ width, height });
+    await drawnSince(page);
+    const layout = await page.evaluate(() => ({ wide: document.documentElement.scrollWidth, seen: innerWidth,
+      stage: document.getElementById("scene").clientWidth, panel: document.getElementById("panel").getBoundingClientRect().right,
+      paper: getComputedStyle(document.body).backgroundColor }));
+    assert.ok(layout.wide <= layout.seen && layout.panel <= layout.seen + 0.5, `${scheme} ${width}: ${JSON.stringify(layout)}`);
+    assert.ok(layout.stage >= 0.6 * Math.min(width, 1000), "the picture has most of the room");
+    const bright = /rgb\((\d+)/.exec(layout.paper)[1] > 128;
+    assert.equal(bright, scheme === "light");
+    if (process.env.THIGMA_SHOTS) await page.screenshot({ path: join(process.env.THIGMA_SHOTS, `page-${scheme}-${width}.png`) });
+  }
+});
+
+pageTest("plots and words get what is sent", { device: "hand:" }, async ({ page, mock }) => {
+  await page.waitForFunction(() => window.thigma.plots.rows > 2500 && window.thigma.drawn > 3);
+  const seen = await page.evaluate(() => {
+    const { plots, session } = window.thigma;
+    return { rows: plots.rows, channels: session.counts.channels, force: Math.max(...plots.fast.values.force.filter(Number.isFinite)),
+      charts: plots.plots.map(({ chart }) => chart.data[0].length), words: document.getElementById("readouts").textContent };
+  });
+  assert.ok(seen.force > 0.3, `${seen.force} N`);
+  assert.ok(seen.charts.length === 7 && seen.charts.every((n) => n > 10), JSON.stringify(seen.charts));
+  assert.ok(seen.rows <= mock.world.frame + 16 && seen.channels > 10);
+  assert.match(seen.words, /The upper block (presses on|is close to) the lower block at|touches nothing/);
+  assert.match(seen.words, /The loop holds 1000 Hz, 0 frames missed\./);
+  assert.match(seen.words, /Contacts found 4\d\d times a second, 1\.18 ms each; the model is 2\.10 ms old\./);
+});
+
+pageTest("a drag moves the hand until the object touches, and not through", {}, async ({ page, mock }) => {
+  assert.equal(mock.received.device, 0, "a page that holds nothing sends nothing");
+  const start = [...mock.world.object];
+  await page.mouse.move(300, 500); // from the side, so that down in the picture is down
+  await page.mouse.down({ button: "right" });
+  await page.mouse.move(300, 430);
+  await page.mouse.up({ button: "right" });
+  await drag(page, 0, 160, 16);
+  await until(() => mock.world.lift > 0.001, "contact");
+  await page.waitForFunction(() => window.thigma.session.snapshot.stretch > 0.001);
+  await drawnSince(page, 3);
+  const seen = await page.evaluate(() => {
+    const { stage, session } = window.thigma, at = stage.object.group.position, ghost = stage.ghost.group.position;
+    return { object: at.toArray(), ghost: ghost.toArray(), arrow: stage.force.group.visible, length: stage.force.group.children[0].scale.z,
+      ghostSeen: stage.ghost.group.visible, dots: stage.marks.dots[0].count, force: Math.hypot(...session.snapshot.force),
+      sent: session.sent, active: stage.object.bytes.filter((level) => level > 0).length, spots: stage.object.uniforms.spotCount.value };
+  });
+  seen.object.forEach((value, k) => assert.ok(Math.abs(value - mock.world.object[k]) < 2e-4, "drawn where the engine has it"));
+  assert.ok(seen.ghost[2] < seen.object[2] - 0.001 && seen.ghostSeen, "the ghost goes on, the object does not");
+  assert.ok(mock.world.object[2] < start[2] && seen.object[2] > -0.0025, "down, but not through");
+  assert.ok(seen.arrow && seen.length > 0 && seen.force > 0.3);
+  assert.ok(seen.dots > 0 && seen.active > 0 && seen.spots > 0, "contacts are marked and coloured");
+  assert.deepEqual(mock.received.refused, []);
+  assert.ok(seen.sent > 3 && mock.received.device > 3);
+});
+
+pageTest("Ctrl turns, Shift pushes away, the wheel zooms or pushes, Space lets go", {}, async ({ page, mock }) => {
+  await drag(page, 1, 0, 1);
+  const hand = () => page.evaluate(() => ({ position: window.thigma.hand.position, quaternion: window.thigma.hand.quaternion }));
+  const one = await hand();
+  await page.keyboard.down("Control");
+  await drag(page, 60, 0, 3);
+  await page.keyboard.up("Control");
+  const two = await hand();
+  assert.deepEqual(two.position, one.position);
+  assert.ok(Math.abs(two.quaternion[2]) > 0.1, "about the upright axis");
+  await page.keyboard.down("Shift");
+  await drag(page, 0, -50, 3);
+  await page.keyboard.up("Shift");
+  const three = await hand();
+  assert.deepEqual(three.quaternion, two.quaternion);
+  const away = await page.evaluate(() => { const e = window.thigma.stage.view.camera.matrixWorld.elements; return [-e[8], -e[9], -e[10]]; });
+  const way = three.position.map((value, k) => value - two.position[k]);
+  assert.ok(Math.abs(Math.hypot(...way) - way.reduce((sum, value, k) => sum + value * away[k], 0)) < 1e-6, "straight away from the eye");
+  const distance = await page.evaluate(() => window.thigma.stage.view.distance);
+  await page.mouse.wheel(0, 200);
+  await page.waitForFunction((before) => window.thigma.stage.view.distance > before, distance);
+  assert.deepEqual((await hand()).position, three.position, "the wheel alone is the view's");
+  await page.keyboard.press("Space");
+  await until(() => !mock.world.grasped, "let go");
+  const azimuth = await page.evaluate(() => window.thigma.stage.view.azimuth);
+  await page.mouse.down({ button: "right" });
+  await page.mouse.move(300, 300, { steps: 3 });
+  await page.mouse.up({ button: "right" });
+  assert.notEqual(await page.evaluate(() => window.thigma.stage.view.azimuth), azimuth);
+  assert.ok(!mock.world.grasped);
+});
+
+pageTest("parameters change, and a refusal says why", {}, async ({ page, mock }) => {
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  const stiffness = page.getByLabel("coupling stiffness, N/m");
+  await stiffness.fill("250");
+  await stiffness.press("Enter");
+  await until(() => mock.world.spring === 250, "the new stiffness");
+  const mass = page.getByLabel("mass, kg");
+  await mass.fill("0.0006");
+  await mass.press("Enter");
+  await page.getByText("too light for this coupling").waitFor();
+  assert.equal(await mass.inputValue(), "0.01", "what holds is shown again");
+  await mass.fill("heavy");
+  await mass.press("Enter");
+  await page.getByText('"heavy" is not a number').waitFor();
+  assert.ok(await page.getByLabel("error threshold", { exact: true }).isDisabled());
+  await page.getByText("While recording this stays as it is.").waitFor();
+  await page.locator("#parameter-contact_stiffness").fill("1");
+  await until(() => mock.parameters[0].value === 20000, "the slider at its end");
+});
+
+pageTest("pause, step, reset, record, save", { device: "hand:" }, async ({ page, mock }) => {
+  await page.getByRole("button", { name: "Pause" }).click();
+  await until(() => mock.run === "paused", "pause");
+  const frame = mock.world.frame;
+  await page.getByRole("button", { name: "One step" }).click();
+  await until(() => mock.world.frame === frame + 1, "one step");
+  await page.getByRole("button", { name: "Go on" }).click();
+  await until(() => mock.run === "running", "going on");
+  await page.getByRole("button", { name: "Record" }).click();
+  await until(() => mock.recording, "recording");
+  await page.getByRole("button", { name: "Stop recording" }).click();
+  await until(() => !mock.recording, "no recording");
+  await page.getByRole("button", { name: "Begin again" }).click();
+  await until(() => mock.session === 2, "a new session");
+  await page.waitForFunction(() => window.thigma.session.state.session === 2);
+  for (const [name, ending] of [["Picture", "png"], ["Table", "csv"]]) {
+    const coming = page.waitForEvent("download");
+    await page.getByRole("button", { name }).click();
+    assert.match((await coming).suggestedFilename(), new RegExp(`^thigma-.*\\.${ending}$`));
+  }
+});
+
+pageTest("a lost connection is said, holds nothing, and comes back", { mayReport: /WebSocket/ }, async ({ page, mock }) => {
+  await drag(page, 20, 0, 3);
+  await until(() => mock.world.grasped, "held");
+  mock.drop();
+  await page.waitForFunction(() => document.body.classList.contains("lost") || window.thigma.link.attempt > 0 || !window.thigma.session.holding);
+  assert.equal(await page.evaluate(() => window.thigma.hand.clutch), false);
+  assert.equal(mock.world.fault, 1);
+  await page.waitForFunction(() => window.thigma.session.connected && window.thigma.session.counts.mesh >= 4);
+  await page.getByText("Forces are off: the hand was lost.").waitFor();
+  const device = mock.received.device;
+  await page.waitForFunction((n) => window.thigma.session.counts.snapshot > n, await page.evaluate(() => window.thigma.session.counts.snapshot + 20));
+  assert.equal(mock.received.device, device, "nothing is sent until somebody takes hold");
+  await drag(page, 10, 0, 2);
+  await until(() => mock.world.fault === 0 && mock.world.grasped, "resumed by a new press");
+});
+
+pageTest("a program that falls silent is noticed", { mayReport: /WebSocket/ }, async ({ page, mock }) => {
+  mock.silence(true);
+  await page.getByText("The program has stopped talking.").waitFor();
+  mock.silence(false);
+  await page.waitForFunction(() => window.thigma.session.connected);
+});
+
+pageTest("what the page does not understand is said, once", {}, async ({ page, mock }) => {
+  for (const one of mock.pages) one.sendBinary(Buffer.alloc(20, 7));
+  await page.getByText("The program says something this page does not understand: message type 7 is not known.").waitFor();
+  await new Promise((resolve) => setTimeout(resolve, 1500));
+  assert.equal(mock.pages.size, 0, "no second attempt with the same program");
+});
+
+pageTest("a gamepad moves the hand and rumbles", { prepare: () => {
+  window.rumbles = 0;
+  const pad = { connected: true, axes: [0.5, 0, 0, 0], buttons: Array.from({ length: 17 }, (_, k) => ({ pressed: k === 0, value: k === 7 ? 0.5 : 0 })),
+    vibrationActuator: { playEffect: async () => { window.rumbles += 1; } } };
+  navigator.getGamepads = () => (window.padOn ? [null, pad] : []);
+} }, async ({ page, mock }) => {
+  await page.evaluate(() => { window.padOn = true; });
+  await until(() => mock.world.lift > 0.0005, "contact");
+  await page.waitForFunction(() => window.rumbles > 0);
+  assert.deepEqual(mock.received.refused, []);
+});
+
+pageTest("a finger on the object moves it, one beside it turns the view", { context: { hasTouch: true, viewport: { width: 390, height: 844 } } },
+  async ({ page, mock }) => {
+    await drawnSince(page);
+    const session = await page.context().newCDPSession(page);
+    const touch = (type, points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points });
+    const at = await page.evaluate(() => {
+      const { stage } = window.thigma, box = stage.canvas.getBoundingClientRect();
+      const p = stage.object.group.getWorldPosition(stage.view.target.clone()).project(stage.view.camera);
+      return { x: box.left + ((p.x + 1) / 2) * box.width, y: box.top + ((1 - p.y) / 2) * box.height, left: box.left + 15, top: box.bottom - 90 };
+    });
+    await touch("touchStart", [{ x: at.x, y: at.y }]);
+    await page.waitForFunction(() => window.thigma.session.holding && window.thigma.hand.clutch);
+    await touch("touchMove", [{ x: at.x + 30, y: at.y }]);
+    await until(() => mock.world.hand && Math.hypot(...mock.world.hand.position) > 0.001, "moved by a finger");
+    const before = await page.evaluate(() => window.thigma.hand.quaternion);
+    await touch("touchStart", [{ x: at.x + 30, y: at.y }, { x: at.x + 90, y: at.y }]);
+    await touch("touchMove", [{ x: at.x + 30, y: at.y }, { x: at.x + 80, y: at.y + 40 }]);
+    await page.waitForFunction((q) => window.thigma.hand.quaternion.some((value, k) => Math.abs(value - q[k]) > 0.05), before);
+    await touch("touchEnd", []);
+    const azimuth = await page.evaluate(() => window.thigma.stage.view.azimuth);
+    await touch("touchStart", [{ x: at.left, y: at.top }]);
+    await touch("touchMove", [{ x: at.left + 60, y: at.top }]);
+    await page.waitForFunction((old) => window.thigma.stage.view.azimuth !== old, azimuth);
+    await touch("touchEnd", []);
+  });
+
+pageTest("without WebGL there is a sentence, and the numbers go on", { mayReport: /WebGL/, prepare: () => {
+  const original = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function getContext(kind, ...rest) {
+    return String(kind).startsWith("webgl") ? null : original.call(this, kind, ...rest);
+  };
+} }, async ({ page }) => {
+  await page.getByText("This browser shows no WebGL 2").waitFor();
+  await page.waitForFunction(() => window.thigma.plots.rows > 200 && /The upper block/.test(document.getElementById("readouts").textContent));
+});
+
+test("nothing comes from elsewhere, and a foreign page is not let in", PATIENCE, async (t) => {
+  if (reason) { t.skip(reason); return; }
+  const mock = await startMock();
+  const { page, context } = await openPage(browser, "about:blank");
+  const hosts = new Set();
+  page.on("request", (request) => hosts.add(new URL(request.url()).host));
+  await page.goto(`http://127.0.0.1:${mock.port}/`);
+  await page.waitForFunction(() => window.thigma?.session.counts.snapshot > 2);
+  assert.deepEqual([...hosts], [`127.0.0.1:${mock.port}`]);
+  await context.close();
+  mock.close();
+});

@@ -1,0 +1,24 @@
+// dist/ is what src/ bundles to, byte for byte; and the page stays one script that asks nobody else for anything.
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
+
+test("dist is what src bundles to", { timeout: 300000 }, async (t) => {
+  if (!existsSync(join(root, "node_modules/esbuild"))) { t.skip("esbuild is not installed (npm ci in viewer/web)"); return; }
+  const { code, stderr } = await new Promise((resolve) =>
+    execFile(process.execPath, ["build.mjs", "--check"], { cwd: root }, (error, _, text) => resolve({ code: error?.code ?? 0, stderr: text })));
+  assert.equal(code, 0, stderr);
+});
+
+test("dist is whole, with one script and nothing inline", () => {
+  assert.deepEqual(readdirSync(join(root, "dist")).sort(), ["LICENSES.txt", "app.js", "icon.svg", "index.html", "style.css"]);
+  const html = readFileSync(join(root, "dist/index.html"), "utf8");
+  assert.deepEqual([...html.matchAll(/<script[^>]*>/g)].map(([tag]) => tag), ['<script src="app.js">']);
+  assert.doesNotMatch(html, /\son\w+=|\sstyle=|https?:/);
+  assert.doesNotMatch(readFileSync(join(root, "dist/style.css"), "utf8"), /url\(|@import|https?:/);
+});

@@ -1,0 +1,39 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { digits, duration, say, split } from "../../src/format.js";
+import { eventWords, levelCounts, situation } from "../../src/words.js";
+
+test("three digits and the right prefix", () => {
+  const cases = [[1.3245, "N", "1.32 N"], [0.0123, "N m", "12.3 mN m"], [4.2e-5, "m", "42.0 µm"], [999.6, "Hz", "1.00 kHz"], [412, "Hz", "412 Hz"],
+    [-0.5, "N", "-500 mN"], [0.99951, "N", "1.00 N"], [0, "N", "0 N"], [1e-12, "N", "0 N"]];
+  for (const [value, unit, text] of cases) assert.equal(say(value, unit), text);
+});
+
+test("what is not known is not made up", () => {
+  for (const value of [NaN, Infinity, null, undefined]) assert.equal(split(value, "N").number, "–");
+});
+
+test("the smallest prefix holds", () => {
+  assert.equal(say(0.0005, "N", 1e-3), "0.50 mN");
+  assert.equal(say(3.4e-9, "m", 1e-9), "3.40 nm");
+  assert.equal(say(0.4, "Hz", 1), "0.40 Hz");
+});
+
+test("digits and times", () => {
+  assert.deepEqual([9.994, 9.996, 99.94, 99.96, 1234].map(digits), ["9.99", "10.0", "99.9", "100", "1234"]);
+  assert.deepEqual([3.14, 185, NaN].map(duration), ["3.1 s", "3:05 min", "–"]);
+});
+
+test("the situation in a sentence", () => {
+  const facts = { object: "upper jaw", statics: ["lower jaw"], grasped: true, contacts: 0, clusters: 0, touching: false };
+  assert.equal(situation(facts), "The upper jaw is in the hand and touches nothing.");
+  assert.equal(situation({ ...facts, grasped: false }), "The upper jaw rests and touches nothing.");
+  assert.equal(situation({ ...facts, contacts: 1, clusters: 1, touching: true }), "The upper jaw presses on the lower jaw at 1 contact in 1 cluster.");
+  assert.equal(situation({ ...facts, contacts: 7, clusters: 2, statics: ["a", "b"] }), "The upper jaw is close to the scene: 7 contacts in 2 clusters.");
+});
+
+test("events and levels", () => {
+  assert.equal(eventWords({ kind: "fault", detail: "device_lost", text: "" }), "Fault: the hand was lost");
+  assert.equal(eventWords({ kind: "armed", detail: "", text: "" }), "Forces are on");
+  assert.deepEqual(levelCounts([{ objectLevel: 3 }, { objectLevel: 0 }, { objectLevel: 3 }]), [[0, 1], [3, 2]]);
+});
