@@ -3,7 +3,7 @@ import { PerspectiveCamera, Vector3 } from "three";
 
 export function makeView() {
   const view = { camera: new PerspectiveCamera(30, 1, 0.01, 100), target: new Vector3(), home: null,
-    azimuth: -0.9, elevation: 0.42, distance: 4.2, changed: true };
+    azimuth: 0.75, elevation: 0.40, distance: 4.2, changed: true };
   view.home = { azimuth: view.azimuth, elevation: view.elevation, distance: view.distance };
   placeCamera(view);
   return view;

@@ -23,7 +23,7 @@ export function digits(value) {
 
 export function say(value, unit, least) {
   const { number, unit: named } = split(value, unit, least);
-  return `${number} ${named}`;
+  return number === "–" ? number : `${number} ${named}`;
 }
 
 /// 0.71 s; 12.4 s; 3:05 min.

@@ -7,7 +7,7 @@ import { makeHand, noteSample, takeSamples } from "./hand.js";
 import { readGamepad, startInput } from "./input.js";
 import { ask, makeLink, sendBytes } from "./link.js";
 import { addEvent, fillHelp, makeParameters, showParameters } from "./panels.js";
-import { addMark, addRates, addRows, clearPlots, drawPlots, makePlots, plotPicture, plotTable, rebuildPlots } from "./plots.js";
+import { addMark, addRates, addRows, clearPlots, drawPlots, makePlots, plotPicture, plotTable, rebuildPlots, setFloors } from "./plots.js";
 import { makeReadouts, showLegend, showReadouts } from "./readouts.js";
 import { draw, makeScene, repaint, resize, setObjects, setOptions, showSnapshot } from "./scene.js";
 import { startTheme } from "./theme.js";
@@ -17,7 +17,8 @@ const at = (id) => document.getElementById(id);
 const RESEND = 50; // the device is lost after 200 ms of silence [ms]
 
 const session = { connected: false, hello: null, scene: null, meshes: new Map(), state: null, parameters: [], snapshot: null,
-  refusal: null, counts: { snapshot: 0, channels: 0, mesh: 0, event: 0 }, holding: false, turned: false, trouble: null,
+  refusal: null, counts: { snapshot: 0, channels: 0, mesh: 0, event: 0 }, holding: false,
+  turned: false, trouble: null, fresh: false, asking: false, sent: 0,
   faultName: () => session.hello?.faults?.[session.snapshot?.fault ?? 0] ?? "fault" };
 const hand = makeHand();
 const guide = makeGuide();
@@ -86,8 +87,9 @@ const on = {
     const rose = message.bits & ~(session.snapshot?.bits ?? 0);
     session.snapshot = message;
     if (rose & STATE.fault) hand.clutch = false; // to go on takes a new press
+    session.fresh = true; // shown with the next picture; of several only the newest
+    if (message.metresPerNewton > 0) setFloors(plots, session.scene.object.radius, session.scene.tolerance, message.metresPerNewton);
     addRates(plots, message.time, message.hapticRate, message.contactRate);
-    if (stage) showSnapshot(stage, message);
   },
 };
 
@@ -126,8 +128,10 @@ const player = {
   mayMove: () => session.connected && Boolean(session.state?.device.startsWith("web:")) && session.state.holder !== "other" &&
     session.state.run !== "ended" && Boolean(session.snapshot),
   async press() {
-    if (hand.clutch && session.holding) return;
+    if ((hand.clutch && session.holding) || session.asking) return;
+    session.asking = true;
     if (!session.holding) session.holding = (await request({ type: "hold", value: true })).ok;
+    session.asking = false;
     if (!session.holding) return;
     noteSample(hand, performance.now() / 1000); // open first, so that the clutch is seen to close
     hand.clutch = true;
@@ -143,7 +147,7 @@ function sendHand() {
   noteSample(hand, now);
   const samples = takeSamples(hand);
   sendBytes(link, encodeDevice(samples, performance.now() / 1000));
-  session.sent = (session.sent ?? 0) + samples.length;
+  session.sent += samples.length;
 }
 
 /// A page that nobody sees must not hold anything: its timers slow down, and the hand would be lost.
@@ -174,7 +178,8 @@ function startStage() {
   try {
     stage = makeScene(at("scene"));
   } catch (error) {
-    session.trouble = "This browser shows no WebGL 2, so there is no picture; numbers and plots work. Hardware acceleration may be off in its settings.";
+    session.trouble = "This browser shows no WebGL 2, so there is no picture; numbers and plots work. " +
+      "Hardware acceleration may be off in its settings.";
     at("veil").hidden = false;
     say(session.trouble);
     console.warn(String(error.message ?? error));
@@ -196,8 +201,9 @@ const fileName = (ending) => `thigma-${(session.snapshot?.time ?? 0).toFixed(1)}
 
 const input = startStage();
 fillHelp(at("help"));
+const caption = () => `${session.scene?.title ?? ""}, to ${(session.snapshot?.time ?? 0).toFixed(1)} s`;
 startTabs(at("tabs"), [["plots", "Plots"], ["parameters", "Parameters"], ["events", "Events"]], [
-  ["Picture", "Save the plots as a picture", () => plotPicture(plots, `${session.scene?.title ?? ""}, to ${(session.snapshot?.time ?? 0).toFixed(1)} s`).toBlob((blob) => save(fileName("png"), blob))],
+  ["Picture", "Save the plots as a picture", () => plotPicture(plots, caption()).toBlob((blob) => save(fileName("png"), blob))],
   ["Table", "Save the plots as comma-separated text", () => save(fileName("csv"), new Blob([plotTable(plots)], { type: "text/csv" }))],
 ]);
 rebuildPlots(plots);
@@ -214,6 +220,8 @@ function frame(now) {
   if (input) readGamepad(input, (now - last) / 1000, newtons, fullForce());
   last = now;
   sendHand();
+  if (stage && session.fresh) showSnapshot(stage, session.snapshot);
+  session.fresh = false;
   if (stage && draw(stage)) drawn += 1;
   tick += 1;
   if (tick % 3 === 0) drawPlots(plots);

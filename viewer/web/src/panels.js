@@ -121,12 +121,14 @@ const HELP = [
 
 export function fillHelp(dialog) {
   const title = element("h2", "", "The mouse is the hand");
-  const sentence = element("p", "lead", "Drag the blue object: the ghost shows where your hand is, the object where it may be, and the line between them, as long as the force is strong, is what a haptic device would let you feel.");
+  const sentence = element("p", "lead", "Drag the blue object: the ghost shows where your hand is, the object where it " +
+    "may be, and the line between them, as long as the force is strong, is what a haptic device would let you feel.");
   const table = element("dl");
   for (const [keys, does] of HELP) table.append(element("dt", "", keys), element("dd", "", does));
   const marks = element("p", "note");
-  marks.append(swatch("force", "force on the hand"), swatch("torque", "torque, turning along the arc"), swatch("ring", "clusters of contacts"),
-    swatch("contact", "dots: contacts with their normals, in the colour of their level of detail"));
+  marks.append(swatch("force", "force on the hand"), swatch("torque", "torque, turning along the arc"),
+    swatch("ring", "clusters of contacts"),
+    swatch("levels", "dots: contacts with their normals, in the colour of their level of detail"));
   const close = Object.assign(element("button", "primary", "Close"), { type: "button" });
   close.addEventListener("click", () => dialog.close());
   dialog.addEventListener("click", (event) => { if (event.target === dialog) dialog.close(); });

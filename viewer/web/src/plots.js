@@ -29,7 +29,7 @@ const PLOTS = [
 
 export function makePlots(parent) {
   const board = { parent, fast: makeHistory(FAST, SECONDS), slow: makeHistory(SLOW, SECONDS, 600), plots: [], rows: 0,
-    now: 0, marks: [], theme: null };
+    now: 0, marks: [], theme: null, floors: { Hz: 1000, s: 1e-3 } };
   for (const spec of PLOTS) {
     const box = document.createElement("figure");
     box.className = "plot";
@@ -70,10 +70,11 @@ function options(board, { spec }, width) {
   return {
     width, height: HEIGHT, legend: { show: false }, cursor: { sync: { key: "thigma" }, points: { size: 5 }, drag: { x: false, y: false } },
     padding: [6, 6, 0, 0],
-    scales: { x: { time: false, range: () => [board.now - SECONDS, board.now] }, y: { range: (u, low, high) => spread(low, high, spec) } },
+    scales: { x: { time: false, range: () => [board.now - SECONDS, board.now] },
+      y: { range: (u, low, high) => spread(low, high, Math.max(spec.least, board.floors[spec.unit] ?? 0)) } },
     axes: [
       { show: true, size: 4, grid, ticks: { show: false }, values: () => [], space: 40 },
-      { size: 46, grid, ticks: { show: false }, space: 17, gap: 4, font, stroke: colour("muted"),
+      { size: 52, grid, ticks: { show: false }, space: 17, gap: 4, font, stroke: colour("muted"),
         values: (u, at) => labels(at, spec) },
     ],
     series: [{}, ...spec.lines.map((name, k) => ({ stroke: colour(spec.colours[k]), width: k === 0 || spec.slow ? 1.6 : 0.8,
@@ -84,11 +85,12 @@ function options(board, { spec }, width) {
 }
 
 /// Room around what is there; never so tight that noise fills the height.
-function spread(low, high, spec) {
-  if (!Number.isFinite(low) || !Number.isFinite(high)) return [0, spec.least * 10];
-  const bottom = Math.min(0, low), top = Math.max(0, high);
-  const room = Math.max(top - bottom, spec.least);
-  return [bottom - (bottom < 0 ? 0.08 * room : 0), top + 0.12 * room];
+/// floor   least span shown
+function spread(low, high, floor) {
+  if (!Number.isFinite(low) || !Number.isFinite(high)) return [0, floor];
+  const bottom = Math.min(0, low), top = Math.max(0, high, bottom + floor);
+  const room = 0.1 * (top - bottom);
+  return [bottom < 0 ? bottom - room : 0, top + room];
 }
 
 /// One prefix for the whole axis; the unit stands at its top. Every other line is labelled where they are close.
@@ -126,6 +128,13 @@ function drawMarks(u, board) {
 export function addMark(board, time, kind) {
   board.marks.push({ time, kind });
   board.marks = board.marks.filter((mark) => mark.time > time - SECONDS).slice(-40);
+}
+
+/// Least spans of the axes, from the size of the scene: how long a newton is drawn says how strong forces are.
+/// radius, tolerance, perNewton [m]
+export function setFloors(board, radius, tolerance, perNewton) {
+  const newtons = radius / perNewton / 10;
+  Object.assign(board.floors, { N: newtons, "N m": 0.3 * newtons * radius, m: 0.25 * tolerance, J: 0.01 * newtons * radius });
 }
 
 /// message   decoded `channels`; names as in hello

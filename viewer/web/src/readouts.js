@@ -69,13 +69,12 @@ function showLevel(target, snapshot, scene) {
   const counts = levelCounts(snapshot.contacts);
   const whole = scene.object.levels > 1 ? ` of ${scene.object.levels} levels` : "";
   let text = "Level of detail: none in use, as nothing is near.";
-  if (counts.length === 1) text = `Level of detail at the contacts: ${nameLevel(counts[0][0])}${whole}.`;
+  const original = counts[0]?.[0] === 0 ? ", the original surface" : "";
+  if (counts.length === 1) text = `Level of detail at the contacts: ${counts[0][0]}${whole}${original}.`;
   if (counts.length > 1) text = `Levels of detail at the contacts: ${counts.map(([level]) => level).join(", ")}${whole}; 0 is the finest.`;
   line(target, "", text);
   target.dot.style.background = counts.length > 0 ? levelColour(counts[0][0]) : "";
 }
-
-const nameLevel = (level) => (level === 0 ? "0, the original surface" : `${level}`);
 
 function showLoop(target, snapshot, state, scene) {
   const rate = snapshot.hapticRate, asked = scene.rate;

@@ -35,7 +35,7 @@ function addLights(scene) {
   const sky = new HemisphereLight(0xffffff, 0x8a8378, 1.5);
   sky.position.set(0, 0, 1);
   const key = new DirectionalLight(0xfff4e4, 2.6);
-  key.position.set(-1.6, -2.2, 3.6);
+  key.position.set(2.3, -1.5, 3.6); // over the left shoulder of who looks from the home of the view
   key.castShadow = true;
   key.shadow.mapSize.set(1536, 1536);
   Object.assign(key.shadow.camera, { left: -1.5, right: 1.5, top: 1.5, bottom: -1.5, near: 0.5, far: 9 });
@@ -43,7 +43,7 @@ function addLights(scene) {
   key.shadow.bias = -0.0006;
   key.shadow.normalBias = 0.006;
   const rim = new DirectionalLight(0xcfe3ff, 0.9);
-  rim.position.set(2.4, 2.0, 1.2);
+  rim.position.set(-2.2, 2.2, 1.2);
   const fill = new AmbientLight(0xffffff, 0.18);
   scene.add(sky, key, rim, fill);
   return { sky, key, rim, fill };

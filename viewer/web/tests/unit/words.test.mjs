@@ -10,7 +10,7 @@ test("three digits and the right prefix", () => {
 });
 
 test("what is not known is not made up", () => {
-  for (const value of [NaN, Infinity, null, undefined]) assert.equal(split(value, "N").number, "–");
+  for (const value of [NaN, Infinity, null, undefined]) assert.deepEqual([split(value, "N").number, say(value, "N")], ["–", "–"]);
 });
 
 test("the smallest prefix holds", () => {
