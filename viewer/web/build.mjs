@@ -53,9 +53,7 @@ if (process.argv.includes("--check")) {
   }
 } else {
   await mkdir(dist, { recursive: true });
-  for (const [name, bytes] of Object.entries(files)) {
-    await writeFile(join(dist, name), bytes);
-    console.log(`${name} ${bytes.length}`);
-  }
+  for (const [name, bytes] of Object.entries(files)) await writeFile(join(dist, name), bytes);
+  console.log(Object.entries(files).map(([name, bytes]) => `${name} ${bytes.length}`).join("\n"));
 }
 process.exit(different ? 1 : 0);
