@@ -136,6 +136,7 @@ SessionConfig make_session_config(const SceneDescription& scene, const LoadedObj
   config.contact.response.stiffness = scene.contact.stiffness.value_or(gains.contact_stiffness);
   config.contact.response.tolerance = config.contact.tolerance;
   config.contact.response.is_shared = scene.contact.is_shared;
+  config.contact.resolution = scene.contact.resolution;
   const double ratio = scene.contact.damping_ratio.value_or(gains.contact_damping_ratio);
   config.contact.response.damping = scene.contact.damping.value_or(
       2.0 * ratio * std::sqrt(config.contact.response.stiffness * mass));

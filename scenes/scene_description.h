@@ -7,6 +7,7 @@
 
 #include "scenes/make_model.h"
 
+#include "thigma/contact/resolution.h"
 #include "thigma/math/pose.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/mesh/triangle_mesh.h"
@@ -33,6 +34,8 @@ struct ContactGains {
   int max_clusters = 5;                 // K
   bool is_shared =
       true;  // k and b belong to the contact as a whole; false: to each cluster, as in Eq. 5.37
+  Resolution resolution{.is_exact = false};  // levels of detail at s0 = 2.5 %
+  ResponseKind response = ResponseKind::coupled;
 };
 
 /// Virtual coupling. What is not set follows from the object's size, default_gains.

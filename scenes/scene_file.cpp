@@ -74,6 +74,24 @@ void read_grasped(TomlTable& table, const std::string& folder, SceneDescription&
   scene.object = resolve_object(table, keys, folder);
 }
 
+/// Keys of levels of detail: what is left out stays as in `resolution`.
+void read_resolution(TomlTable& table, Resolution& resolution) {
+  resolution.is_exact = table.truth("exact").value_or(resolution.is_exact);
+  resolution.metric.haptic =
+      table.number("threshold", Range::not_negative).value_or(resolution.metric.haptic);
+  resolution.metric.velocity =
+      table.number("velocity_metric", Range::not_negative).value_or(resolution.metric.velocity);
+  const std::optional<double> cap = table.number("deviation_cap", Range::positive);
+  const std::optional<bool> is_capped = table.truth("capped");
+  resolution.deviation_cap = cap.value_or(resolution.deviation_cap);
+  if (is_capped && !*is_capped) resolution.deviation_cap = kNoCap;
+  resolution.interpolates = table.truth("interpolated").value_or(resolution.interpolates);
+  const std::optional<double> budget_us = table.number("budget_us", Range::not_negative);
+  resolution.budget_cpu = budget_us ? 1e-6 * *budget_us : resolution.budget_cpu;
+  resolution.budget_tests = table.whole("budget_tests", 0, 1'000'000'000)
+                                .value_or(static_cast<int>(resolution.budget_tests));
+}
+
 void read_contact(TomlTable table, ContactGains& contact) {
   contact.stiffness = table.number("stiffness", Range::positive);
   contact.damping = table.number("damping", Range::not_negative);
@@ -82,6 +100,10 @@ void read_contact(TomlTable table, ContactGains& contact) {
   contact.max_clusters =
       table.whole("clusters", 1, kMaxContactClusters).value_or(contact.max_clusters);
   contact.is_shared = table.truth("shared").value_or(contact.is_shared);
+  read_resolution(table, contact.resolution);
+  if (const auto response = table.choice("response", {"coupled", "direct"})) {
+    contact.response = *response == 0 ? ResponseKind::coupled : ResponseKind::direct;
+  }
   if (contact.damping && contact.damping_ratio) {
     table.fail("damping_ratio", "stands beside damping", "expected one of the two");
   }

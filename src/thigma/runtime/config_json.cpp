@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
+#include "thigma/runtime/detail/json_read.h"
 #include "thigma/runtime/detail/json_text.h"
 
 namespace thigma {
@@ -98,21 +99,52 @@ void put_device(std::string& out, JsonObject& json, const DeviceLimits& device) 
   inner.close();
 }
 
+/// What is infinite, as a cap that is off, is null in JSON.
+void put_resolution(std::string& out, JsonObject& json, const Resolution& r) {
+  json.key("resolution");
+  JsonObject inner(out);
+  inner.flag("exact", r.is_exact);
+  inner.number("haptic", r.metric.haptic);
+  inner.number("velocity", r.metric.velocity);
+  inner.vector("view", Eigen::Matrix<double, 5, 1>(
+                           r.metric.view.pixels, r.metric.view.distance, r.metric.view.frustum_size,
+                           r.metric.view.near_distance, r.metric.view.image_size));
+  inner.number("deviation_cap", r.deviation_cap);
+  inner.word("support", r.reading == SupportReading::flood ? "flood" : "one_ring");
+  inner.word("area", r.area == SupportArea::larger ? "larger" : "smaller");
+  inner.flag("interpolates", r.interpolates);
+  inner.integer("budget_tests", r.budget_tests);
+  inner.number("budget_cpu", r.budget_cpu);
+  inner.close();
+}
+
 template <class Vector>
 void read_vector(const Json& json, const char* key, Vector& out) {
-  const Json& list = json.at(key);
-  if (!list.is_array() || list.size() != static_cast<std::size_t>(out.size())) {
-    throw InputError(std::string("'") + key + "' has not " + std::to_string(out.size()) +
-                     " numbers");
-  }
-  for (std::size_t i = 0; i < list.size(); ++i) out[static_cast<int>(i)] = list[i].get<double>();
+  detail::read_vector(json, key, out, detail::NullNumber::refused);
 }
 
 void read_pose(const Json& json, Pose& pose) {
-  read_vector(json, "position", pose.position);
-  Vec4 q;
-  read_vector(json, "quat_xyzw", q);
-  pose.orientation.coeffs() = q;
+  detail::read_pose(json, pose, detail::NullNumber::refused);
+}
+
+Resolution read_resolution(const Json& json) {
+  Resolution r;
+  r.is_exact = json.at("exact").get<bool>();
+  r.metric.haptic = json.at("haptic").get<double>();
+  r.metric.velocity = json.at("velocity").get<double>();
+  Eigen::Matrix<double, 5, 1> view;
+  read_vector(json, "view", view);
+  r.metric.view = {view[0], view[1], view[2], view[3], view[4]};
+  const Json& cap = json.at("deviation_cap");
+  r.deviation_cap = cap.is_null() ? kNoCap : cap.get<double>();
+  r.reading = json.at("support").get<std::string>() == "one_ring" ? SupportReading::one_ring
+                                                                  : SupportReading::flood;
+  r.area =
+      json.at("area").get<std::string>() == "smaller" ? SupportArea::smaller : SupportArea::larger;
+  r.interpolates = json.at("interpolates").get<bool>();
+  r.budget_tests = json.at("budget_tests").get<std::int64_t>();
+  r.budget_cpu = json.at("budget_cpu").get<double>();
+  return r;
 }
 
 std::optional<Saturation> read_saturation(const Json& json) {
@@ -174,7 +206,10 @@ void read_params(const Json& json, HapticParams& params) {
   params.grasp_place = place == "handle" ? GraspPlace::handle : GraspPlace::grasp_point;
   read_vector(json, "grasp_point", params.grasp_point);
   params.turn_rate = json.at("turn_rate").get<double>();
-  params.resumes_lost_device = json.value("resumes_lost_device", false);  // older recordings lack it
+  const bool is_direct = json.value("response", std::string("coupled")) == "direct";
+  params.response = is_direct ? ResponseKind::direct : ResponseKind::coupled;
+  params.resumes_lost_device =
+      json.value("resumes_lost_device", false);  // older recordings lack it
 }
 
 // File names need not be UTF-8, JSON has to be.
@@ -213,8 +248,9 @@ std::string write_config(const RecordedConfig& config) {
   json.word("grasp_place", p.grasp_place == GraspPlace::handle ? "handle" : "grasp_point");
   json.vector("grasp_point", p.grasp_point);
   json.number("turn_rate", p.turn_rate);
-  json.word("response", "coupled");
+  json.word("response", p.response == ResponseKind::direct ? "direct" : "coupled");
   json.flag("resumes_lost_device", p.resumes_lost_device);
+  put_resolution(out, json, config.resolution);
   json.close();
   return out;
 }
@@ -233,6 +269,7 @@ RecordedConfig read_config(const std::string& text) {
     config.seed = std::stoull(json.at("seed").get<std::string>());
     read_pose(json.at("world_from_body"), config.world_from_body);
     read_params(json, config.params);
+    if (json.contains("resolution")) config.resolution = read_resolution(json.at("resolution"));
   } catch (const Json::exception& error) {
     throw InputError(std::string("/config is not a configuration of thigma: ") + error.what());
   } catch (const std::logic_error& error) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "thigma/contact/resolution.h"
 #include "thigma/runtime/haptic_step.h"
 
 namespace thigma {
@@ -13,6 +14,7 @@ struct RecordedConfig {
   Pose world_from_body;      // of the centre of mass, before the first frame
   double rate_hz = 1000.0;
   bool is_lockstep = false;
+  Resolution resolution;     // of the contact query; the haptic frames do not depend on it
   std::uint64_t seed = 1;
   std::string scene;         // as given on the command line; printable
   std::string device;        // its name

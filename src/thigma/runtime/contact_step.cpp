@@ -10,6 +10,10 @@
 namespace thigma {
 namespace {
 
+void count_level(std::int32_t level, LevelCounts& counts) noexcept {
+  ++counts[static_cast<std::size_t>(std::clamp<std::int32_t>(level, 0, kLevelBins - 1))];
+}
+
 Pose world_from_mesh(const ContactWorld& world, const BodyState& body) noexcept {
   return Pose{body.position, body.orientation} * world.body_from_mesh;
 }
@@ -23,6 +27,9 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
   }
   scratch.contacts.contacts.reserve(world.capacity);
   reserve_clusters(scratch.clustering, world.capacity);
+  if (world.object != nullptr && !world.resolution.is_exact) {
+    reserve_level_history(*world.object, world.scene, world.capacity, scratch.levels);
+  }
 }
 
 void find_contacts(const ContactWorld& world, const StampedBody& at,
@@ -33,6 +40,11 @@ void find_contacts(const ContactWorld& world, const StampedBody& at,
     ContactQuery query;
     query.tolerance = world.tolerance;
     query.keep_directions = true;
+    query.resolution = world.resolution;
+    if (scratch.sequence > 0 && at.time > scratch.last_time) {
+      query.resolution.step_time = at.time - scratch.last_time;
+    }
+    scratch.last_time = at.time;
     query_scene(*world.object, pose, world.scene, query, scratch.fronts, scratch.contacts);
   }
   if (world.source) world.source(pose, world.tolerance, scratch.contacts);
@@ -59,8 +71,21 @@ void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch
   sample.tests = scratch.contacts.stats.tests;
   sample.clusters = static_cast<std::int32_t>(scratch.clusters.clusters.size());
   sample.depth_max = -std::numeric_limits<double>::infinity();
+  sample.bound_max = 0.0;
+  sample.object_levels.fill(0);
+  sample.scene_levels.fill(0);
   for (const Contact& contact : scratch.contacts.contacts) {
     sample.depth_max = std::max(sample.depth_max, contact.depth);
+    sample.bound_max = std::max(sample.bound_max, contact.bound);
+    count_level(contact.object_level, sample.object_levels);
+    count_level(contact.scene_level, sample.scene_levels);
+  }
+  sample.mandatory_tests = scratch.contacts.stats.mandatory_tests;
+  sample.unrefined = scratch.contacts.stats.unrefined;
+  sample.level_changes = 0;
+  if (!world.resolution.is_exact) {
+    sample.level_changes =
+        count_level_changes(*world.object, world.scene, scratch.contacts.contacts, scratch.levels);
   }
   sample.model_digest = model_digest(sample.model);
 }

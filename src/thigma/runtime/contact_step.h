@@ -12,6 +12,7 @@
 #include "thigma/dynamics/body.h"
 #include "thigma/response/penalty.h"
 #include "thigma/runtime/haptic_step.h"
+#include "thigma/runtime/level_changes.h"
 #include "thigma/runtime/telemetry.h"
 
 namespace thigma {
@@ -30,6 +31,7 @@ struct ContactWorld {
   std::vector<SceneBody> scene;  // static
   ContactSource source;          // in addition to `scene`; empty: none
   double tolerance = 0.0;        // d [m]
+  Resolution resolution;         // of the query; exact unless asked otherwise
   int max_clusters = 5;          // K
   PenaltyParams response;        // how clusters push; its tolerance is set to the one above
   std::size_t capacity = 16384;  // contacts a frame; what does not fit is counted
@@ -42,6 +44,8 @@ struct ContactScratch {
   ContactClusters clusters;          // of the last frame: warm start, persistent ids
   ClusterScratch clustering;
   std::uint64_t sequence = 0;  // models made
+  double last_time = 0.0;      // of the last query, for speeds [s]
+  LevelHistory levels;         // which contacts changed their level since the last frame
 };
 
 /// Room for world.capacity contacts and a front a static object.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "thigma/dynamics/implicit_step.h"
+#include "thigma/math/rotation.h"
 
 namespace thigma {
 namespace {
@@ -58,8 +59,8 @@ void follow_clutch(const HapticParams& params, const DeviceState& device, bool i
                    HapticState& state) THIGMA_RT {
   if (state.safety.fault != Fault::none) {
     if (state.is_grasped) let_go(state);
-    return;
     if (is_resumable(params, state.safety.fault)) resume_by_clutch(device, state);
+    return;
   }
   if (!is_usable) return;
   const bool is_pressed = (state.last_device.buttons & kClutchButton) != 0;
@@ -151,6 +152,35 @@ void advance_body(const HapticParams& params, const LinearContactModel& model,
   let_go(state);
 }
 
+/// Instead of steps 2-4 of the direct response: the body is where the handle holds it, and moves as
+/// the handle does.
+void follow_handle(const HapticParams& params, const HapticSample& sample,
+                   HapticState& state) THIGMA_RT {
+  const BodyState before = state.body;
+  const Motion& hand = sample.handle;
+  const Pose world_from_body = hand.pose * inverse(state.coupling.body_from_grasp);
+  state.body.position = world_from_body.position;
+  state.body.orientation = world_from_body.orientation.normalized();
+  const Vec3 to_body = state.body.position - hand.pose.position;
+  const Mat3 rotation = rotation_matrix(state.body.orientation);
+  state.body.linear_momentum =
+      params.body.mass * (hand.twist.linear + hand.twist.angular.cross(to_body));
+  state.body.angular_momentum =
+      rotation * (params.body.inertia * (rotation.transpose() * hand.twist.angular));
+  if (is_finite(state.body)) return;
+  latch_fault(state.safety, Fault::not_finite, sample.time);
+  state.body = before;
+  let_go(state);
+}
+
+/// The wrench of the contacts on the body as the hand feels it, about the handle. What a stale model
+/// fades by comes with the limits.
+Wrench contact_on_hand(const LinearContactModel& model, const RigidBody& body, const Motion& hand,
+                       const BodyState& state) THIGMA_RT {
+  const Wrench push = contact_wrench(model, body, state);
+  return {push.force, push.torque + (state.position - hand.pose.position).cross(push.force)};
+}
+
 /// Steps 5 and 6: what the hand gets, within the limits.
 void send_wrench(const HapticParams& params, const HapticPorts& ports,
                  const LinearContactModel& model, const Touch& touching, HapticState& state,
@@ -159,9 +189,14 @@ void send_wrench(const HapticParams& params, const HapticPorts& ports,
   // Nothing arms on a model that does not count fully.
   const bool may_be_armed = state.is_grasped && (safety.is_armed || sample.model_weight >= 1.0);
   update_arming(params.safety, may_be_armed, touching.count > 0, sample.time, safety);
-  sample.coupling = coupling_wrench(state.coupling, sample.handle, params.body, state.body);
   sample.contact = contact_wrench(model, params.body, state.body, sample.model_weight);
-  const Wrench on_hand = device_wrench(state.coupling, sample.handle, params.body, state.body);
+  Wrench on_hand;
+  if (params.response == ResponseKind::direct) {
+    on_hand = contact_on_hand(model, params.body, sample.handle, state.body);
+  } else {
+    sample.coupling = coupling_wrench(state.coupling, sample.handle, params.body, state.body);
+    on_hand = device_wrench(state.coupling, sample.handle, params.body, state.body);
+  }
   sample.feedback =
       limit_wrench(params.safety, params.device, device_wrench(params.workspace, on_hand),
                    sample.model_weight, sample.time, sample.elapsed, safety);
@@ -190,7 +225,13 @@ HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports,
   HapticSample sample;
   read_inputs(params, ports, tick, state, sample);
   const LinearContactModel& model = ports.models->value();
-  if (state.is_grasped) advance_body(params, model, sample, state);
+  if (state.is_grasped) {
+    if (params.response == ResponseKind::direct) {
+      follow_handle(params, sample, state);
+    } else {
+      advance_body(params, model, sample, state);
+    }
+  }
   const Touch touching = touch(model, state.body);
   send_wrench(params, ports, model, touching, state, sample);
   if (state.safety.fault != Fault::none && state.is_grasped) let_go(state);

@@ -26,6 +26,7 @@ enum class GraspPlace : std::uint8_t {
 /// How the contact forces reach the hand.
 enum class ResponseKind : std::uint8_t {
   coupled,  // simulated body and virtual coupling (Chapter 5)
+  direct,  // the object is where the handle has it; contact forces go straight to the hand (Sec. 3.5.3)
 };
 
 /// Constant while a session runs.
@@ -40,11 +41,11 @@ struct HapticParams {
   double turn_rate =
       kButtonTurnRate;  // of the turn buttons, for devices without sensed rotation [rad/s]
   ResponseKind response = ResponseKind::coupled;
+  bool resumes_lost_device =
+      false;  // a device that was lost and answers again may be taken up by a
+              // new press of the clutch; else the fault stays until cleared
 };
-  bool resumes_lost_device = false;  // a device that was lost and answers again may be taken up by a
-                                     // new press of the clutch; else the fault stays until cleared
 
-/// What changes from frame to frame. Copyable: a step is a function of it and of its inputs.
 /// Whether a session goes on, with zero force, while this fault is latched: a press of the clutch may
 /// clear it.
 /// Thread    [haptic].
@@ -52,6 +53,7 @@ inline bool is_resumable(const HapticParams& params, Fault fault) THIGMA_RT {
   return params.resumes_lost_device && fault == Fault::device_lost;
 }
 
+/// What changes from frame to frame. Copyable: a step is a function of it and of its inputs.
 struct HapticState {
   std::uint64_t frame = 0;
   double time = 0.0;  // of the last step [s; session clock]
@@ -96,6 +98,9 @@ HapticState initial_state(const HapticParams& params, const Pose& world_from_bod
 
 /// One frame: device, coupling, newest contact model, implicit step, coupling again, limits,
 /// device, telemetry.
+///
+/// With the direct response the object follows the handle exactly, through anything, and the contact
+/// wrench alone is sent, under the same limits. Damping of the contact terms acts on the handle's velocity.
 ///
 /// The clutch button takes hold of the object and lets it go. An object nobody holds stays where it
 /// is, at rest. Grasped inside a contact it follows the hand, but nothing is sent until it has left

@@ -3,17 +3,10 @@
 #include <algorithm>
 #include <span>
 
+#include "thigma/runtime/level_changes.h"
+
 namespace thigma {
 namespace {
-
-/// Node that a contact's patch stands for: patches are numbered by themselves on the finest level and
-/// on the simplified ones; of free levels nothing is known but the level.
-std::int32_t node_of(const ClodHierarchy* h, std::int32_t patch, std::int32_t level) noexcept {
-  if (h == nullptr || patch < 0) return -1;
-  const auto at = static_cast<std::size_t>(patch);
-  if (level == 0) return at < h->patches.size() ? h->patches[at].node : -1;
-  return at < h->contact_patches.size() ? h->contact_patches[at].patch.node : -1;
-}
 
 ViewedContact viewed(const ContactWorld& world, const Contact& c) noexcept {
   ViewedContact v;
@@ -25,8 +18,8 @@ ViewedContact viewed(const ContactWorld& world, const Contact& c) noexcept {
   const auto body = static_cast<std::size_t>(c.body);
   const ClodHierarchy* other =
       c.body >= 0 && body < world.scene.size() ? world.scene[body].hierarchy : nullptr;
-  v.object_node = node_of(world.object, c.object_patch, c.object_level);
-  v.scene_node = node_of(other, c.scene_patch, c.scene_level);
+  v.object_node = world.object != nullptr ? contact_node(*world.object, c.object_patch) : -1;
+  v.scene_node = other != nullptr ? contact_node(*other, c.scene_patch) : -1;
   v.object_level = static_cast<std::uint8_t>(std::clamp(c.object_level, 0, 255));
   v.scene_level = static_cast<std::uint8_t>(std::clamp(c.scene_level, 0, 255));
   v.status = c.status;
@@ -75,6 +68,8 @@ void apply_tuning(const HapticTuning& tuning, HapticParams& params, HapticState&
 
 void apply_tuning(const ContactTuning& tuning, ContactWorld& world) noexcept {
   world.response = tuning.response;
+  if (tuning.threshold > 0.0 && !world.resolution.is_exact)
+    world.resolution.metric.haptic = tuning.threshold;
 }
 
 bool take_step(LivePorts& live) THIGMA_RT {

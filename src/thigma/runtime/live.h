@@ -57,6 +57,7 @@ void apply_tuning(const HapticTuning& tuning, HapticParams& params, HapticState&
 /// Gains of the contact thread that may change while it runs.
 struct ContactTuning {
   PenaltyParams response;
+  double threshold = 0.0;  // s0 of the haptic metric; 0: as it is. Of queries at levels of detail only
 };
 static_assert(RtPayload<ContactTuning>);
 

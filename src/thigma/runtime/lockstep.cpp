@@ -33,6 +33,7 @@ struct LockstepContacts {
   ContactScratch scratch;
   ContactTally tally;
   ContactSample sample;
+  ForceSteps force_steps;
   struct Pending {
     std::uint64_t from_frame = 0;
     LinearContactModel model;
@@ -47,6 +48,7 @@ struct LockstepContacts {
       view_contacts(config.contact, scratch, at.time, config.live->contacts.draft());
       config.live->contacts.publish();
     }
+    force_steps.look_at(sample);
     if (sinks.contact) sinks.contact(sample);
     pending.push_back({use_from, sample.model});
   }
@@ -88,6 +90,7 @@ SessionEnd run_frames(const SessionConfig& config, const HapticParams& params,
     state.step_cpu = static_cast<float>(1e-9 * static_cast<double>(cpu));
     longest_gap = std::max(longest_gap, k - previous);
     previous = k;
+    contacts.force_steps.look_at(sample);
     if (sinks.haptic) sinks.haptic(sample);
     events.look_at(sample, static_cast<double>(longest_gap) / config.rate);
     if (sample.fault != Fault::none && !is_resumable(params, sample.fault)) {
@@ -132,6 +135,7 @@ SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device,
 
   SessionSummary summary = detail::summarize(config, *haptic_tally, contacts->tally, state);
   summary.end = end;
+  summary.force_steps = contacts->force_steps;
   summary.safety_events = events.take_safety_events();
   summary.notes = events.texts();
   return summary;

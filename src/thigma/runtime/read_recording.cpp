@@ -1,9 +1,9 @@
 #include <charconv>
-#include <limits>
 
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
+#include "thigma/runtime/detail/json_read.h"
 #include "thigma/runtime/recording.h"
 
 namespace thigma {
@@ -11,30 +11,18 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr detail::NullNumber kNull = detail::NullNumber::not_a_number;
+
 double number(const Json& json, const char* key) {
-  const Json& value = json.at(key);
-  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+  return detail::read_number(json.at(key), kNull);
 }
 
 template <class Vector>
 void read_vector(const Json& json, const char* key, Vector& out) {
-  const Json& list = json.at(key);
-  if (!list.is_array() || list.size() != static_cast<std::size_t>(out.size())) {
-    throw InputError(std::string("'") + key + "' has not " + std::to_string(out.size()) +
-                     " numbers");
-  }
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    out[static_cast<int>(i)] =
-        list[i].is_null() ? std::numeric_limits<double>::quiet_NaN() : list[i].get<double>();
-  }
+  detail::read_vector(json, key, out, kNull);
 }
 
-void read_pose(const Json& json, Pose& pose) {
-  read_vector(json, "position", pose.position);
-  Vec4 q = pose.orientation.coeffs();
-  read_vector(json, "quat_xyzw", q);
-  pose.orientation.coeffs() = q;
-}
+void read_pose(const Json& json, Pose& pose) { detail::read_pose(json, pose, kNull); }
 
 void read_twist(const Json& json, Twist& twist) {
   read_vector(json, "linear_velocity", twist.linear);
@@ -154,6 +142,11 @@ void read_model(const Json& json, LinearContactModel& model) {
   }
 }
 
+void read_counts(const Json& json, LevelCounts& counts) {
+  if (!json.is_array() || json.size() > counts.size()) throw InputError("too many levels");
+  for (std::size_t i = 0; i < json.size(); ++i) counts[i] = json[i].get<std::int32_t>();
+}
+
 void read_frame(const Json& json, ContactSample& c) {
   c.time = number(json, "time");
   c.published = number(json, "published");
@@ -165,6 +158,13 @@ void read_frame(const Json& json, ContactSample& c) {
   c.tests = json.at("tests").get<std::int64_t>();
   c.clusters = json.at("clusters").get<std::int32_t>();
   c.depth_max = number(json, "depth_max");
+  if (!json.contains("object_levels")) return;  // recordings of builds without levels of detail
+  c.mandatory_tests = json.at("mandatory_tests").get<std::int64_t>();
+  c.unrefined = json.at("unrefined").get<std::int64_t>();
+  c.level_changes = json.at("level_changes").get<std::int32_t>();
+  c.bound_max = number(json, "bound_max");
+  read_counts(json.at("object_levels"), c.object_levels);
+  read_counts(json.at("scene_levels"), c.scene_levels);
 }
 
 /// The sample a message of a later topic belongs to: the last one begun.

@@ -150,6 +150,19 @@ void put_model(std::string& out, const ContactSample& sample) {
   json.close();
 }
 
+/// Up to the last level that has any.
+void put_counts(std::string& out, JsonObject& json, const char* key, const LevelCounts& counts) {
+  std::size_t used = counts.size();
+  while (used > 0 && counts[used - 1] == 0) --used;
+  json.key(key);
+  out += '[';
+  for (std::size_t i = 0; i < used; ++i) {
+    if (i > 0) out += ',';
+    out += std::to_string(counts[i]);
+  }
+  out += ']';
+}
+
 void put_frame(std::string& out, const ContactSample& c) {
   JsonObject json(out);
   json.integer("sequence", static_cast<long long>(c.model.sequence));
@@ -163,6 +176,12 @@ void put_frame(std::string& out, const ContactSample& c) {
   json.integer("tests", c.tests);
   json.integer("clusters", c.clusters);
   json.number("depth_max", c.depth_max);
+  json.integer("mandatory_tests", c.mandatory_tests);
+  json.integer("unrefined", c.unrefined);
+  json.integer("level_changes", c.level_changes);
+  json.number("bound_max", c.bound_max);
+  put_counts(out, json, "object_levels", c.object_levels);
+  put_counts(out, json, "scene_levels", c.scene_levels);
   json.close();
 }
 

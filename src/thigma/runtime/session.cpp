@@ -93,6 +93,7 @@ struct Session::Impl {
 
   // Drain thread only, while it runs.
   detail::EventDetector events;
+  ForceSteps force_steps;
   std::exception_ptr sink_error;
 
   std::mutex notes_mutex;  // start-up and shut-down only
@@ -265,12 +266,14 @@ void Session::Impl::run_watchdog() {
 void Session::Impl::drain() {
   const auto drain_contacts = [this] {
     while (const ContactSample* sample = contact_ring.front()) {
+      force_steps.look_at(*sample);
       if (sinks.contact) sinks.contact(*sample);
       contact_ring.pop();
     }
   };
   while (const HapticSample* sample = haptic_ring.front()) {
     drain_contacts();
+    force_steps.look_at(*sample);
     if (sinks.haptic) sinks.haptic(*sample);
     events.look_at(*sample,
                    1e-9 * static_cast<double>(longest_gap_ns.load(std::memory_order_acquire)));
@@ -352,6 +355,7 @@ SessionSummary Session::finish() {
   const Fault fault = s.state.safety.fault;
   summary.end = fault != Fault::none && !is_resumable(s.params, fault) ? SessionEnd::fault : s.end;
   summary.seconds = s.seconds;
+  summary.force_steps = s.force_steps;
   summary.missed = s.clock.missed;
   summary.dropped_samples = s.haptic_ring.dropped() + s.contact_ring.dropped();
   summary.safety_events = s.events.take_safety_events();

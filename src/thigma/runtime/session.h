@@ -1,6 +1,7 @@
 #pragma once
 // A session: the two steps run together, on threads or in lockstep on a virtual clock.
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -10,6 +11,7 @@
 
 #include "thigma/runtime/contact_step.h"
 #include "thigma/runtime/fault_injection.h"
+#include "thigma/runtime/force_steps.h"
 #include "thigma/runtime/haptic_step.h"
 #include "thigma/runtime/histogram.h"
 #include "thigma/runtime/live.h"
@@ -45,7 +47,7 @@ struct SessionConfig {
 struct SessionEvent {
   double time = 0.0;  // session clock [s]
   std::uint64_t frame = 0;
-  std::string kind;    // "fault", "resumed", "grasped", "released", "armed", "disarmed", "not_armed"
+  std::string kind;  // "fault", "resumed", "grasped", "released", "armed", "disarmed", "not_armed"
   std::string detail;  // for "fault" and "resumed": its name
   std::string text{};  // more, for a person: how long nothing stepped, why nothing arms; or empty
 };
@@ -73,7 +75,12 @@ struct SessionSummary {
   DurationSummary query_cpu, contact_step_cpu;                        // [s]
   double contacts_mean = 0.0, clusters_mean = 0.0, front_mean = 0.0;  // over updates
   DurationSummary model_age;                                          // [s]
-  double force_max = 0.0, force_rms = 0.0;                            // sent; rms over frames [N]
+  double tests_mean = 0.0, mandatory_tests_mean = 0.0;  // pairs looked at, over updates
+  std::uint64_t unrefined = 0, level_changes = 0;       // contacts, sums over updates
+  double bound_max = 0.0;                               // of all contacts [m]
+  std::array<std::uint64_t, kLevelBins> object_levels{}, scene_levels{};  // contacts, sums
+  ForceSteps force_steps;
+  double force_max = 0.0, force_rms = 0.0;  // sent; rms over frames [N]
   double torque_max = 0.0,
          torque_rms = 0.0;       // felt about the handle, sent or not (device without it) [N m]
   double penetration_max = 0.0;  // 0: never inside [m]

@@ -33,6 +33,15 @@ void tally(ContactTally& tally, const ContactSample& sample) THIGMA_RT {
   tally.contacts += static_cast<std::uint64_t>(sample.contacts);
   tally.clusters += static_cast<std::uint64_t>(sample.clusters);
   tally.front += static_cast<std::uint64_t>(sample.front);
+  tally.tests += static_cast<std::uint64_t>(sample.tests);
+  tally.mandatory_tests += static_cast<std::uint64_t>(sample.mandatory_tests);
+  tally.unrefined += static_cast<std::uint64_t>(sample.unrefined);
+  tally.level_changes += static_cast<std::uint64_t>(sample.level_changes);
+  tally.bound_max = std::max(tally.bound_max, sample.bound_max);
+  for (std::size_t i = 0; i < tally.object_levels.size(); ++i) {
+    tally.object_levels[i] += static_cast<std::uint64_t>(sample.object_levels[i]);
+    tally.scene_levels[i] += static_cast<std::uint64_t>(sample.scene_levels[i]);
+  }
   record(tally.query_cpu, to_ns(sample.query_cpu));
   record(tally.step_cpu, to_ns(sample.step_cpu));
 }

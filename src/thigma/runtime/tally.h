@@ -2,6 +2,7 @@
 // Running statistics of a session, kept by the threads themselves so that a full telemetry ring
 // loses none.
 
+#include <array>
 #include <cstdint>
 
 #include "thigma/core/rt.h"
@@ -26,6 +27,10 @@ struct ContactTally {
   std::uint64_t updates = 0, dropped = 0;
   std::uint64_t contacts = 0, clusters = 0, front = 0;  // sums over updates
   DurationHistogram query_cpu, step_cpu;
+  std::uint64_t tests = 0, mandatory_tests = 0, unrefined = 0,
+                level_changes = 0;                                        // sums over updates
+  double bound_max = 0.0;                                                 // [m]
+  std::array<std::uint64_t, kLevelBins> object_levels{}, scene_levels{};  // contacts, sums
 };
 
 /// Adds a frame. Durations [ns]; negative ones (not measured) are left out. Thread [haptic].

@@ -2,6 +2,7 @@
 // What the real-time threads tell the others: one sample a frame, plain data, through bounded
 // rings.
 
+#include <array>
 #include <cstdint>
 
 #include "thigma/core/rt.h"
@@ -46,6 +47,10 @@ struct HapticSample {
 };
 static_assert(RtPayload<HapticSample>);
 
+/// How many contacts lie at each level of detail, 0 the finest; the last bin holds all above.
+inline constexpr std::int32_t kLevelBins = 24;
+using LevelCounts = std::array<std::int32_t, kLevelBins>;
+
 /// One contact frame: the model published and how it came about.
 struct ContactSample {
   double time = 0.0;       // of the body state it was computed for [s]
@@ -60,6 +65,12 @@ struct ContactSample {
   double depth_max =
       0.0;  // of the contacts, minus the distance when separated; means nothing without one [m]
   std::uint64_t model_digest = 0;  // of the model's terms, as input_digest
+  // Of levels of detail; all 0 of an exact query but for the first entry of the counts.
+  std::int64_t mandatory_tests = 0;  // of tests, those no budget can leave out
+  std::int64_t unrefined = 0;        // contacts left coarser than asked for want of budget
+  std::int32_t level_changes = 0;    // contacts that were refined or coarsened since the last frame
+  double bound_max = 0.0;            // of the contacts [m]
+  LevelCounts object_levels{}, scene_levels{};
   LinearContactModel model;
 };
 static_assert(RtPayload<ContactSample>);

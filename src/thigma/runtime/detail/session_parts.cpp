@@ -111,6 +111,13 @@ SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic,
   s.contacts_mean = static_cast<double>(contact.contacts) / updates;
   s.clusters_mean = static_cast<double>(contact.clusters) / updates;
   s.front_mean = static_cast<double>(contact.front) / updates;
+  s.tests_mean = static_cast<double>(contact.tests) / updates;
+  s.mandatory_tests_mean = static_cast<double>(contact.mandatory_tests) / updates;
+  s.unrefined = contact.unrefined;
+  s.level_changes = contact.level_changes;
+  s.bound_max = contact.bound_max;
+  s.object_levels = contact.object_levels;
+  s.scene_levels = contact.scene_levels;
   const double frames = std::max(1.0, static_cast<double>(haptic.frames));
   s.force_max = haptic.force_max;
   s.force_rms = std::sqrt(haptic.force_square_sum / frames);

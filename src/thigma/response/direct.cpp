@@ -1,0 +1,24 @@
+#include "thigma/response/direct.h"
+
+#include "thigma/response/linearize_contacts.h"
+
+namespace thigma {
+
+PenaltyParams direct_penalty(const DirectDevice& device) noexcept {
+  PenaltyParams penalty;
+  penalty.stiffness = device.max_stiffness / (device.force_scale * device.motion_scale);
+  penalty.tolerance = device.max_force / device.force_scale / penalty.stiffness;
+  penalty.damping = 0.0;
+  penalty.is_shared = true;
+  return penalty;
+}
+
+Wrench direct_wrench(const ContactClusters& clusters, const PenaltyParams& params, const Vec3& about) noexcept {
+  // The terms of the haptic thread, for a body at rest whose axes are the world's and whose centre is `about`.
+  BodyState state;
+  state.position = about;
+  RigidBody body;
+  return contact_wrench(linearize_contacts(clusters, params, state, 0.0, 0), body, state);
+}
+
+}  // namespace thigma
