@@ -14,6 +14,7 @@ find_package(Threads REQUIRED)
 thigma_need(nlohmann-json3-dev THIGMA_JSON_INCLUDE nlohmann/json.hpp)  # recordings; in sources only, never in headers
 if(THIGMA_BUILD_APPS)
   thigma_need(libtomlplusplus-dev THIGMA_TOML_INCLUDE toml++/toml.h)
+  thigma_need(libboost-dev THIGMA_BOOST_INCLUDE boost/beast.hpp)  # the live page's server
   thigma_need(libcli11-dev THIGMA_CLI11_INCLUDE CLI/CLI.hpp)
 endif()
 if(THIGMA_BUILD_TESTS)

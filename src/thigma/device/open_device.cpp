@@ -44,8 +44,7 @@ constexpr VendorScheme kVendors[] = {
     {"openhaptics:", "3D Systems Touch and Phantom (libHD.so)"},
     {"dhd:", "Force Dimension omega, delta, sigma, lambda; Novint Falcon (libdrd.so)"},
     {"haply:", "Haply Inverse3 (Inverse Service on this machine)"},
-    {"vrpn:", "a VRPN server"},
-    {"web:", "mouse or gamepad in the browser page"}};
+    {"vrpn:", "a VRPN server"}};
 
 std::vector<std::string_view> hand_names() {
   std::vector<std::string_view> names = {
@@ -165,10 +164,10 @@ std::unique_ptr<HapticDevice> open_script(const std::string& rest) {
                               ": is not available in this build, use hand: for a simulated device");
     }
   }
-  std::vector<std::string_view> names = {"hand", "script", "replay", "null"};
+  std::vector<std::string_view> names = {"hand", "web", "script", "replay", "null"};
   if (scheme.empty()) {
     throw DeviceAddressError("device " + quoted(address) +
-                             " has no scheme, expected hand:, script:FILE, replay:FILE or null:");
+                             " has no scheme, expected hand:, web:, script:FILE, replay:FILE or null:");
   }
   throw DeviceAddressError("no device " + quoted(scheme + ":") + ", nearest is " +
                            quoted(std::string(detail::nearest_name(scheme, names)) + ":"));
@@ -226,6 +225,7 @@ std::unique_ptr<HapticDevice> open_device(const std::string& address,
   if (scheme == "replay") {
     throw DeviceUnavailable("replay: is opened with its recording, use `thigma replay FILE`");
   }
+  if (scheme == "web") throw DeviceUnavailable("web: is opened with its page, use `thigma run`");
   if (scheme != "hand" && scheme != "null") refuse(address, scheme);
   if (!rest.empty() && rest.front() != '?') {
     throw DeviceAddressError(scheme + ": " + quoted(rest) + ", expected ?name=value&name=value");
@@ -260,6 +260,7 @@ std::vector<DeviceScheme> device_schemes() {
        "timed poses from a file: script:FILE with columns t,x,y,z,qx,qy,qz,qw[,buttons]",
        true,
        {}},
+      {"web:", "mouse or gamepad in the browser page", true, {}},
       {"replay:", "the device samples of a recording: replay:FILE", true, {}},
       {"null:", "a handle that never moves", true, {{"clutch", "", "1", "0 or 1: held or not"}}}};
   for (const VendorScheme& vendor : kVendors) {

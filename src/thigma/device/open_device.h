@@ -37,7 +37,8 @@ class DeviceUnavailable : public std::runtime_error {
 };
 
 /// Opens "hand:", "script:FILE", "null:", each with parameters as "?name=value&name=value"
-/// (device_schemes lists them). "replay:FILE" is opened by runtime/, which knows recordings.
+/// (device_schemes lists them). "replay:FILE" and "web:" are opened by runtime/, which knows
+/// recordings and threads.
 ///
 /// errors   DeviceAddressError, DeviceUnavailable, InputError (a script file); one line each
 /// Thread   [offline].

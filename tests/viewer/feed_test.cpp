@@ -1,0 +1,140 @@
+#include "viewer/server/feed.h"
+
+#include <memory>
+
+#include "support/plane_session.h"
+#include <gtest/gtest.h>
+
+#include "thigma/math/rotation.h"
+
+namespace thigma::live {
+namespace {
+
+using test::plane_hand;
+using test::plane_session;
+
+std::unique_ptr<LiveFeed> fed(const SessionConfig& config, HapticDevice& device) {
+  auto feed = std::make_unique<LiveFeed>(config.haptic.workspace);
+  feed->begin_session();
+  run_lockstep(config, device,
+               {[&](const HapticSample& s) { feed->look_at(s); },
+                [&](const ContactSample& s) { feed->look_at(s); },
+                [&](const SessionEvent& e) { feed->look_at(e); }});
+  return feed;
+}
+
+TEST(Feed, EveryFrameIsARowUntilThereIsNoRoom) {
+  SessionConfig config = plane_session();
+  config.duration = 0.5;
+  HandDevice hand(plane_hand(HandPath::press));
+  const auto feed = fed(config, hand);
+  std::vector<ChannelRow> rows;
+  feed->take_rows(rows);
+  ASSERT_EQ(rows.size(), 500u);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    ASSERT_DOUBLE_EQ(rows[i].time, 1e-3 * static_cast<double>(i));
+  EXPECT_EQ(feed->dropped_rows(), 0u);
+  std::vector<SessionEvent> events;
+  feed->take_events(events);
+  ASSERT_FALSE(events.empty());
+  EXPECT_EQ(events[0].kind, "grasped");
+  events.clear();
+  feed->take_events(events);
+  EXPECT_TRUE(events.empty());
+
+  HapticSample sample;
+  for (int i = 0; i < 20000; ++i) feed->look_at(sample);  // nobody takes them: nothing waits
+  EXPECT_EQ(feed->dropped_rows(), 20000u - 8192u);
+}
+
+TEST(Feed, NothingIsShownBeforeTheFirstFrame) {
+  LiveFeed feed{Workspace{}};
+  EXPECT_EQ(feed.haptic(), nullptr);
+  EXPECT_EQ(feed.contact(), nullptr);
+}
+
+/// A held cube, pulled below the plane by 5 mm, in a rotated and scaled workspace.
+SessionConfig pulled() {
+  SessionConfig config = plane_session(0.005);
+  config.haptic.workspace.world_from_device.orientation =
+      rotation_from_vector({0.0, 0.0, 1.5707963267948966});
+  config.haptic.workspace.motion_scale = 0.5;
+  config.haptic.workspace.force_scale = 2.0;
+  config.haptic.grasp_point = {0.001, 0.002, 0.003};
+  config.haptic.safety.start_ramp = 0.0;
+  return config;
+}
+
+/// Moves along a straight way of the device, from 0.1 s on.
+class Puller final : public HapticDevice {
+ public:
+  const DeviceLimits& limits() const override { return limits_; }
+  std::string name() const override { return "puller"; }
+  DeviceState read(double now) THIGMA_RT override {
+    DeviceState s;
+    s.time = now;
+    s.buttons = kClutchButton;
+    const double way = now > 0.1 ? std::min(0.1 * (now - 0.1), 0.02) : 0.0;
+    s.motion.pose.position = {0.1 * way, 0.0, -way};
+    return s;
+  }
+  void write(const Wrench&) THIGMA_RT override {}
+
+ private:
+  DeviceLimits limits_;
+};
+
+TEST(Feed, GhostIsWhereTheHandWouldHaveTheObject) {
+  const SessionConfig config = pulled();
+  Puller device;
+  const auto feed = fed(config, device);
+  const HapticNow* now = feed->haptic();
+  ASSERT_NE(now, nullptr);
+  ASSERT_TRUE(now->sample.is_grasped);
+  // 20 mm down and 2 mm along the device's x, which is the world's y, at half the scale.
+  const Vec3 wanted = config.world_from_body.position + Vec3(0.0, 0.001, -0.010);
+  EXPECT_NEAR((now->ghost.position - wanted).norm(), 0.0, 1e-9);
+  EXPECT_GT(now->sample.body.position.z(), now->ghost.position.z() + 0.003);  // the plane holds it
+}
+
+TEST(Feed, SnapshotTellsForcesInTheWorldAtTheHand) {
+  const SessionConfig config = pulled();
+  Puller device;
+  const auto feed = fed(config, device);
+  const HapticNow* now = feed->haptic();
+  ASSERT_NE(now, nullptr);
+  std::vector<ViewedCluster> clusters;
+  const Pose body_from_mesh{{0.0, 0.0, -0.001}, Quat::Identity()};
+  const Snapshot s = make_snapshot(*now, feed->contact(), config.haptic.body,
+                                   config.haptic.workspace, body_from_mesh,
+                                   config.haptic.grasp_point, clusters);
+  EXPECT_EQ(s.frame, 999u);
+  EXPECT_EQ(s.bits, kGrasped | kArmed);
+  EXPECT_NEAR(s.object.position.z(), now->sample.body.position.z() - 0.001, 1e-12);
+  EXPECT_NEAR((s.grasp_point - s.center - Vec3(0.001, 0.002, 0.003)).norm(), 0.0, 1e-4);
+  // What the plane gives the object, the coupling takes to the hand: twice, by the force scale.
+  EXPECT_GT(s.contact.force.z(), 0.5);
+  EXPECT_NEAR(s.on_hand.force.z(), 2.0 * s.contact.force.z(), 0.05 * s.on_hand.force.z());
+  EXPECT_LT(s.on_hand.force.y(), 0.0);  // pulled along +y: back
+  ASSERT_FALSE(s.clusters.empty());
+  Vec3 sum = Vec3::Zero();
+  for (const ViewedCluster& c : s.clusters) sum += c.force;
+  EXPECT_NEAR((sum - s.contact.force).norm(), 0.0, 1e-9 * sum.norm());
+  EXPECT_NEAR(s.stretch, 0.0055, 0.001);
+}
+
+TEST(Feed, ReleasedObjectsHaveNoGhostOfTheirOwn) {
+  SessionConfig config = plane_session();
+  config.duration = 0.1;
+  test::HeldDevice device;  // nobody holds it
+  const auto feed = fed(config, device);
+  const HapticNow* now = feed->haptic();
+  ASSERT_NE(now, nullptr);
+  EXPECT_EQ(now->ghost.position, now->sample.body.position);
+  std::vector<ChannelRow> rows;
+  feed->take_rows(rows);
+  EXPECT_EQ(rows.back().values[7], 0.0f);  // no stretch
+}
+
+}  // namespace
+}  // namespace thigma::live

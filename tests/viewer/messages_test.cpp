@@ -1,0 +1,109 @@
+#include "viewer/server/messages.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "thigma/clod/build_hierarchy.h"
+#include "thigma/mesh/shapes.h"
+
+namespace thigma::live {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(Messages, CommandsAreRead) {
+  const ParsedCommand set =
+      parse_command(R"({"type":"set","id":7,"name":"mass","value":0.02,"more":[1]})");
+  EXPECT_EQ(set.refusal.code, 0);
+  EXPECT_EQ(set.command.kind, Command::Kind::set);
+  EXPECT_EQ(set.command.id, 7);
+  EXPECT_EQ(set.command.text, "mass");
+  EXPECT_EQ(set.command.number, 0.02);
+  const ParsedCommand hold = parse_command(R"({"type":"hold","id":0,"value":true})");
+  EXPECT_EQ(hold.command.kind, Command::Kind::hold);
+  EXPECT_TRUE(hold.command.flag);
+  const ParsedCommand device = parse_command(R"({"type":"use_device","id":1,"value":"web:"})");
+  EXPECT_EQ(device.command.text, "web:");
+  EXPECT_EQ(parse_command(R"({"type":"reset","id":2})").refusal.code, 0);
+  EXPECT_EQ(parse_command(R"({"type":"step","id":2,"value":5})").command.number, 5.0);
+}
+
+TEST(Messages, WhatIsNoCommandIsRefusedWithItsCode) {
+  for (const char* text : {"", "{", "[]", "1", "\"reset\"", "{\"type\":\"reset\",\"id\":1"})
+    EXPECT_EQ(parse_command(text).refusal.code, kBadPayload) << text;
+  for (const char* text :
+       {"{}", R"({"type":"reset"})", R"({"id":1})", R"({"type":1,"id":1})",
+        R"({"type":"reset","id":-1})", R"({"type":"reset","id":1.5})",
+        R"({"type":"reset","id":99999999999})", R"({"type":"format_disk","id":1})",
+        R"({"type":"hold","id":1})", R"({"type":"hold","id":1,"value":1})",
+        R"({"type":"set","id":1,"name":"mass"})", R"({"type":"set","id":1,"value":1})",
+        R"({"type":"set","id":1,"name":"mass","value":"1"})",
+        R"({"type":"set","id":1,"name":"mass","value":1e999})",
+        R"({"type":"use_device","id":1,"value":[]})"}) {
+    const Refusal refusal = parse_command(text).refusal;
+    EXPECT_NE(refusal.code, 0) << text;
+    EXPECT_NE(refusal.why, "") << text;
+  }
+  const std::string deep(5000, '[');
+  EXPECT_NE(parse_command(deep).refusal.code, 0);
+}
+
+TEST(Messages, SceneTellsWhatAPageNeeds) {
+  const TriangleMesh ball = make_ball(0.02, 3);
+  const ClodHierarchy h = build_exact_hierarchy(ball);
+  SceneView view{"Title \xff", "file.toml", "thigma 9", {"ball", &ball, &h, {}}, {}};
+  view.statics.push_back({"plate", &ball, &h, {{1.0, 2.0, 3.0}, Quat::Identity()}});
+  SessionConfig config;
+  config.contact.tolerance = 4e-4;
+  config.haptic.workspace.motion_scale = 0.5;
+  const Json json = Json::parse(scene_message(view, config, {{0.0, 0.0, 0.5}, Quat::Identity()}));
+  EXPECT_EQ(json["type"], "scene");
+  EXPECT_EQ(json["object"]["mesh"], 0);
+  EXPECT_EQ(json["object"]["triangles"], ball.triangles.size());
+  EXPECT_EQ(json["statics"][0]["mesh"], 1);
+  EXPECT_EQ(json["statics"][0]["position"][2], 3.0);
+  EXPECT_EQ(json["start"]["position"][2], 0.5);
+  EXPECT_EQ(json["workspace"]["motion_scale"], 0.5);
+  EXPECT_EQ(json["tolerance"], 4e-4);
+}
+
+TEST(Messages, UnknownNumbersAreNull) {
+  const double unknown = std::nan("");
+  const Timing timing{unknown, unknown, unknown, unknown, 1e-4, 2e-4, unknown, 480.0, 3};
+  RunState state;
+  state.run = "running";
+  const Json json = Json::parse(state_message(state, timing, "you", 1, 2, 3));
+  EXPECT_TRUE(json["timing"]["step_cpu_us"]["p50"].is_null());
+  EXPECT_NEAR(json["timing"]["query_cpu_us"]["p99"].get<double>(), 200.0, 1e-9);
+  EXPECT_TRUE(json["timing"]["haptic_hz"].is_null());
+  EXPECT_TRUE(json["recording"].is_null());
+  EXPECT_TRUE(json["reason"].is_null());
+  EXPECT_EQ(json["holder"], "you");
+  EXPECT_EQ(json["dropped"]["yours"], 1);
+}
+
+TEST(Messages, HelloNamesEveryFaultAndChannel) {
+  const SceneView view{"", "", "thigma 9", {}, {}};
+  const Json json = Json::parse(hello_message(view, 3, 0.2, 4096));
+  EXPECT_EQ(json["protocol"], 1);
+  EXPECT_EQ(json["page"], 3);
+  EXPECT_EQ(json["channels"].size(), 16u);
+  EXPECT_EQ(json["channels"][7]["name"], "penetration");
+  EXPECT_EQ(json["faults"][static_cast<int>(Fault::device_lost)], "device_lost");
+  EXPECT_EQ(json["faults"].back(), "watchdog");
+}
+
+TEST(Messages, AcksCarryReasonOrValue) {
+  const Json no = Json::parse(ack_message(5, "because"));
+  EXPECT_EQ(no["ok"], false);
+  EXPECT_EQ(no["reason"], "because");
+  const Json yes = Json::parse(ack_message(6, "", 0.5));
+  EXPECT_EQ(yes["ok"], true);
+  EXPECT_TRUE(yes["reason"].is_null());
+  EXPECT_EQ(yes["value"], 0.5);
+}
+
+}  // namespace
+}  // namespace thigma::live

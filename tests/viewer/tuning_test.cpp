@@ -1,0 +1,102 @@
+#include "viewer/server/tuning.h"
+
+#include <bit>
+#include <cmath>
+
+#include "support/plane_session.h"
+#include <gtest/gtest.h>
+
+namespace thigma::live {
+namespace {
+
+SessionConfig config() {
+  SessionConfig c = test::plane_session();
+  c.haptic.coupling.linear_saturation = make_saturation(300.0, 0.01, 4.0);
+  return c;
+}
+
+double damping_ratio(double b, double k, double m) { return b / (2.0 * std::sqrt(k * m)); }
+
+TEST(Tuning, UntouchedParametersChangeNothingToTheLastBit) {
+  const SessionConfig before = config();
+  SessionConfig after = before;
+  Tuner(before).apply_to(after);
+  const auto same = [](double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+  };
+  EXPECT_TRUE(same(after.haptic.body.mass, before.haptic.body.mass));
+  EXPECT_EQ(after.haptic.body.inverse_inertia, before.haptic.body.inverse_inertia);
+  const Coupling &a = after.haptic.coupling, &b = before.haptic.coupling;
+  EXPECT_TRUE(same(a.linear_stiffness, b.linear_stiffness));
+  EXPECT_TRUE(same(a.linear_damping, b.linear_damping));
+  EXPECT_TRUE(same(a.angular_damping, b.angular_damping));
+  EXPECT_TRUE(same(a.linear_saturation->linear_range, b.linear_saturation->linear_range));
+  EXPECT_TRUE(same(a.linear_saturation->full_range, b.linear_saturation->full_range));
+  EXPECT_TRUE(same(after.contact.response.damping, before.contact.response.damping));
+}
+
+TEST(Tuning, DampingRatiosStay) {
+  const SessionConfig c = config();
+  Tuner tuner(c);
+  EXPECT_EQ(tuner.set("coupling_stiffness", 600.0), "");
+  EXPECT_EQ(tuner.set("contact_stiffness", 900.0), "");
+  EXPECT_EQ(tuner.set("mass", 0.02), "");
+  const HapticTuning h = tuner.haptic();
+  EXPECT_EQ(h.coupling.linear_stiffness, 600.0);
+  EXPECT_NEAR(damping_ratio(h.coupling.linear_damping, 600.0, 0.02),
+              damping_ratio(c.haptic.coupling.linear_damping, 300.0, 0.01), 1e-12);
+  EXPECT_EQ(h.coupling.linear_saturation->stiffness, 600.0);
+  EXPECT_EQ(h.coupling.linear_saturation->max_force, 4.0);
+  EXPECT_TRUE(is_monotone(*h.coupling.linear_saturation));
+  EXPECT_EQ(h.body.mass, 0.02);
+  EXPECT_NEAR(h.body.inertia(0, 0), 2.0 * c.haptic.body.inertia(0, 0), 1e-20);
+  const ContactTuning contact = tuner.contact();
+  EXPECT_EQ(contact.response.stiffness, 900.0);
+  EXPECT_NEAR(damping_ratio(contact.response.damping, 900.0, 0.02),
+              damping_ratio(c.contact.response.damping, 2000.0, 0.01), 1e-12);
+}
+
+TEST(Tuning, UnsafeValuesAreRefusedWithWhatWouldBeAllowed) {
+  Tuner tuner(config());
+  // 2000 N/m on less than 2 g swings faster than 1 kHz frames follow.
+  const std::string light = tuner.set("mass", 0.001);
+  EXPECT_NE(light.find("at least 0.002 kg"), std::string::npos) << light;
+  EXPECT_EQ(tuner.find("mass")->value, 0.01);
+  // The device holds 1000 N/m.
+  const std::string stiff = tuner.set("coupling_stiffness", 1100.0);
+  EXPECT_NE(stiff.find("at most 1000 N/m"), std::string::npos) << stiff;
+  EXPECT_EQ(tuner.set("coupling_stiffness", 1000.0), "");
+  EXPECT_EQ(tuner.set("mass", 0.002), "");
+  const std::string both = tuner.set("contact_stiffness", 4000.0);
+  EXPECT_NE(both.find("at most 2000 N/m"), std::string::npos) << both;
+  EXPECT_NE(tuner.set("mass", -1.0), "");
+  EXPECT_NE(tuner.set("mass", std::nan("")), "");
+  EXPECT_NE(tuner.set("mass", 1e30), "");
+  EXPECT_NE(tuner.set("no_such", 1.0), "");
+}
+
+TEST(Tuning, RecordingsLockWhatTheirReplayDependsOn) {
+  Tuner tuner(config());
+  tuner.lock("recording", "");
+  EXPECT_EQ(tuner.set("mass", 0.02), "recording");
+  EXPECT_EQ(tuner.set("coupling_stiffness", 310.0), "recording");
+  EXPECT_EQ(tuner.set("contact_stiffness", 1000.0), "");  // recorded as contact models
+  tuner.lock("", "lockstep");
+  EXPECT_EQ(tuner.set("contact_stiffness", 2000.0), "lockstep");
+  tuner.lock("", "");
+  EXPECT_EQ(tuner.set("mass", 0.02), "");
+}
+
+TEST(Tuning, ThresholdIsThereOnlyWithLevelsOfDetail) {
+  SessionConfig c = config();
+  EXPECT_EQ(Tuner(c).find("threshold"), nullptr);
+  c.contact.resolution.is_exact = false;
+  Tuner tuner(c);
+  ASSERT_NE(tuner.find("threshold"), nullptr);
+  EXPECT_EQ(tuner.set("threshold", 0.05), "");
+  tuner.apply_to(c);
+  EXPECT_EQ(c.contact.resolution.metric.haptic, 0.05);
+}
+
+}  // namespace
+}  // namespace thigma::live

@@ -1,0 +1,84 @@
+#pragma once
+// The live page's server: a room where pages watch a session, one of them may hold its device, and
+// sessions follow each other.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/server/messages.h"
+#include "viewer/server/web_server.h"
+
+#include "thigma/runtime/live.h"
+#include "thigma/runtime/session.h"
+#include "thigma/runtime/web_device.h"
+
+namespace thigma::live {
+
+/// What a page asked for that takes a new session: the program's business.
+struct LiveRequest {
+  enum class Kind : std::uint8_t { reset, use_device, record };
+  Kind kind = Kind::reset;
+  PageId page = 0;
+  std::int64_t id = 0;
+  std::string device;  // of use_device
+  bool flag = false;   // of record
+};
+
+/// A session that begins.
+struct LiveStart {
+  std::string device;       // its address
+  bool is_web = false;      // `web:`
+  bool is_simulated = true; // may be paused: there is no motor
+  std::string recording;    // file being written; "" none
+  bool is_lockstep = false;
+  PageId holder = 0;        // page that holds `web:` from the start; 0 none
+};
+
+/// Serves one scene. Threads: one of its own for the server; look_at_* are called by the thread that
+/// drains a session's telemetry, all else by the program's.
+/// Invariant: nothing that a page does or fails to do makes a caller wait.
+class LiveRoom {
+ public:
+  /// config     of the first session, with the device's limits; start: the object's world_from_mesh
+  /// devices    addresses that pages may choose from
+  /// files      of the page
+  /// link       of the device web:; outlives the room
+  /// errors     PortUnavailable
+  LiveRoom(SceneView scene, const SessionConfig& config, const Pose& start,
+           std::vector<std::string> devices, std::vector<WebFile> files, std::uint16_t port,
+           WebLink& link, const WebLimits& limits = {});
+  ~LiveRoom();
+  LiveRoom(const LiveRoom&) = delete;
+  LiveRoom& operator=(const LiveRoom&) = delete;
+
+  std::string address() const;
+  std::uint16_t port() const;
+
+  LivePorts& ports();
+  void look_at(const HapticSample& sample);
+  void look_at(const ContactSample& sample);
+  void look_at(const SessionEvent& event);
+
+  /// The parameters as pages have set them, for the session that comes next. Pages cannot change
+  /// them from here to begin_session.
+  void prepare_session(SessionConfig& config);
+  void begin_session(const LiveStart& start);
+  /// reason: "fault", "duration", "device_finished", "stopped".
+  void end_session(const std::string& reason, std::uint64_t dropped_samples);
+
+  /// What a page asked for, in order; nothing when nobody did.
+  std::optional<LiveRequest> take_request();
+  /// Answers a request; reason "" when it was done.
+  void answer(const LiveRequest& request, const std::string& reason);
+  /// Pages connected now.
+  std::size_t page_count() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace thigma::live

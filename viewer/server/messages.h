@@ -1,0 +1,84 @@
+#pragma once
+// The text messages of docs/protocol.md: what pages ask for, and what they are told.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viewer/server/tuning.h"
+#include "viewer/server/web_server.h"
+
+#include "thigma/clod/hierarchy.h"
+#include "thigma/mesh/triangle_mesh.h"
+#include "thigma/runtime/session.h"
+
+namespace thigma::live {
+
+/// What a page asks for.
+struct Command {
+  enum class Kind : std::uint8_t { hold, use_device, pause, step, reset, record, set };
+  Kind kind = Kind::reset;
+  std::int64_t id = 0;
+  bool flag = false;    // of hold, pause, record
+  double number = 0.0;  // of step and set
+  std::string text;     // of use_device: the device; of set: the parameter
+};
+
+/// A message of a page, or why it is none.
+struct ParsedCommand {
+  Command command;
+  Refusal refusal;
+};
+ParsedCommand parse_command(std::string_view text);
+
+/// A body of the scene as it is shown. Mesh and hierarchy outlive the room.
+struct SceneBodyView {
+  std::string name;
+  const TriangleMesh* mesh = nullptr;
+  const ClodHierarchy* hierarchy = nullptr;
+  Pose world_from_mesh;  // of static ones
+};
+
+/// What is shown, and does not change.
+struct SceneView {
+  std::string title, name;
+  std::string program;  // and its version
+  SceneBodyView object;
+  std::vector<SceneBodyView> statics;
+};
+
+/// How the session stands, for `state`.
+struct RunState {
+  int session = 0;
+  std::string run = "running";  // running, paused, ended
+  std::string reason;           // "" for null
+  double time = 0.0;
+  std::string device;
+  std::vector<std::string> devices;
+  std::string recording;  // "" for null
+  bool is_simulated = true;
+  std::size_t pages = 0;
+};
+
+/// Over the last second; NaN: nothing was measured.
+struct Timing {
+  double step_p50, step_p99, late_p50, late_p99, query_p50, query_p99;  // [s]
+  double haptic_hz, contact_hz;
+  std::uint64_t missed = 0;
+};
+
+std::string hello_message(const SceneView& scene, PageId page, double lost_after,
+                          std::size_t max_message);
+/// start: the object's world_from_mesh where the session begins.
+std::string scene_message(const SceneView& scene, const SessionConfig& config, const Pose& start);
+std::string parameters_message(const std::vector<LiveParameter>& list);
+std::string state_message(const RunState& state, const Timing& timing, std::string_view holder,
+                          std::uint64_t dropped_yours, std::uint64_t dropped_rows,
+                          std::uint64_t dropped_samples);
+std::string event_message(const SessionEvent& event);
+/// reason: "" when it was done.
+std::string ack_message(std::int64_t id, const std::string& reason,
+                        std::optional<double> value = std::nullopt);
+
+}  // namespace thigma::live

@@ -1,0 +1,102 @@
+#pragma once
+// The binary messages of docs/protocol.md as bytes, and back.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "thigma/clod/hierarchy.h"
+#include "thigma/device/web_motion.h"
+#include "thigma/mesh/triangle_mesh.h"
+#include "thigma/runtime/live.h"
+
+namespace thigma::live {
+
+inline constexpr int kProtocol = 1;
+
+enum class MessageKind : std::uint8_t { mesh = 1, channels = 2, snapshot = 3, device = 32 };
+
+/// A column of `channels`.
+struct Channel {
+  std::string_view name, unit;
+};
+inline constexpr std::size_t kChannels = 16;
+inline constexpr std::array<Channel, kChannels> kChannelList = {{{"t", "s"},
+                                                                 {"force_x", "N"},
+                                                                 {"force_y", "N"},
+                                                                 {"force_z", "N"},
+                                                                 {"torque_x", "N m"},
+                                                                 {"torque_y", "N m"},
+                                                                 {"torque_z", "N m"},
+                                                                 {"penetration", "m"},
+                                                                 {"stretch", "m"},
+                                                                 {"energy", "J"},
+                                                                 {"model_age", "s"},
+                                                                 {"step_cpu", "s"},
+                                                                 {"wake_late", "s"},
+                                                                 {"speed", "m/s"},
+                                                                 {"touching", "1"},
+                                                                 {"state", "1"}}};
+
+/// One haptic frame as a row: its time, and every channel after the first.
+struct ChannelRow {
+  double time = 0.0;  // [s; session clock]
+  std::array<float, kChannels - 1> values{};
+};
+
+enum StateBit : std::uint16_t { kGrasped = 1, kArmed = 2, kFaulty = 4, kPaused = 8, kEnded = 16 };
+
+/// A cluster as it is shown.
+struct ViewedCluster {
+  Vec3 point = Vec3::Zero();    // of the object now [m; world]
+  Vec3 normal = Vec3::UnitZ();  // out of the object
+  double depth = 0.0;           // now [m]
+  Vec3 force = Vec3::Zero();    // on the object [N; world, virtual size]
+  std::int32_t id = -1;
+};
+
+/// Everything of a `snapshot`; what each field means stands in docs/protocol.md.
+struct Snapshot {
+  double time = 0.0;
+  std::uint64_t frame = 0;
+  std::uint16_t bits = 0;  // of StateBit
+  Fault fault = Fault::none;
+  Pose object, ghost, handle;  // world_from_mesh, world_from_mesh, in the world
+  Vec3 grasp_point = Vec3::Zero(), center = Vec3::Zero();
+  Wrench on_hand;          // about the handle; world axes, device size
+  Wrench contact;          // on the object about its centre of mass; world, virtual size
+  double penetration = 0.0, stretch = 0.0, energy = 0.0, model_age = 0.0, model_weight = 0.0;
+  double haptic_hz = 0.0, contact_hz = 0.0, query_cpu = 0.0, newton_length = 0.0;
+  std::int64_t found = 0, dropped = 0, front = 0;
+  std::span<const ViewedContact> contacts;
+  std::span<const ViewedCluster> clusters;
+};
+
+/// `mesh`, number `mesh_number`. The hierarchy is that of the mesh, or null: then one patch of all.
+/// Thread    [offline]; throws std::bad_alloc.
+std::string encode_mesh(std::uint32_t mesh_number, const TriangleMesh& mesh,
+                        const ClodHierarchy* hierarchy);
+
+/// `channels`, of at least one row.
+std::string encode_channels(std::span<const ChannelRow> rows);
+
+/// `snapshot`. What is not finite goes as NaN; contacts and clusters beyond the protocol's number are
+/// left out.
+std::string encode_snapshot(const Snapshot& snapshot);
+
+/// The samples of a `device` message, or why it is none: one line for the page.
+struct DeviceMessage {
+  double sent = 0.0;  // [s; browser's clock]
+  std::vector<WebSample> samples;
+  std::string problem;  // "" when it is one
+};
+DeviceMessage decode_device(std::string_view message);
+
+/// `device` as a page writes it, for tests and other clients.
+std::string encode_device(double sent, std::span<const WebSample> samples);
+
+}  // namespace thigma::live
