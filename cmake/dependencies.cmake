@@ -16,6 +16,8 @@ if(THIGMA_BUILD_APPS)
   thigma_need(libtomlplusplus-dev THIGMA_TOML_INCLUDE toml++/toml.h)
   thigma_need(libboost-dev THIGMA_BOOST_INCLUDE boost/beast.hpp)  # the live page's server
   thigma_need(libcli11-dev THIGMA_CLI11_INCLUDE CLI/CLI.hpp)
+  thigma_need(libcairo2-dev THIGMA_CAIRO_INCLUDE cairo/cairo.h)  # plots of experiments
+  find_library(THIGMA_CAIRO_LIBRARY cairo REQUIRED)
 endif()
 if(THIGMA_BUILD_TESTS)
   find_package(GTest QUIET)

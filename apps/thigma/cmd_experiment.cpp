@@ -1,0 +1,115 @@
+// `thigma experiment`: the figures and tables of the text, run again, with what they claim.
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "experiments/common/experiment.h"
+#include "json_out.h"
+#include "scenes/make_model.h"
+#include "verbs.h"
+#include <nlohmann/json.hpp>
+
+namespace thigma::app {
+namespace {
+
+using experiments::Claim;
+using experiments::Experiment;
+
+struct ExperimentOptions {
+  std::string name, folder;
+  bool quick = false;
+};
+
+int list_experiments(bool as_json) {
+  for (const Experiment& e : experiments::all_experiments()) {
+    if (as_json) {
+      print_json({{"name", e.name}, {"source", e.source}, {"text", e.text}});
+    } else {
+      std::printf("%-20s %-18s %s\n", e.name, e.source, e.text);
+    }
+  }
+  return kDone;
+}
+
+/// Those a name means; empty for an unknown one.
+std::vector<Experiment> choose(const std::string& name) {
+  if (name == "all") return experiments::all_experiments();
+  for (const Experiment& e : experiments::all_experiments()) {
+    if (name == e.name) return {e};
+  }
+  return {};
+}
+
+std::string known_names(const std::string& name) {
+  std::vector<std::string> names = {"list", "all"};
+  for (const Experiment& e : experiments::all_experiments()) names.push_back(e.name);
+  const std::string near = scenes::nearest_word(name, names);
+  return near.empty() ? "`thigma experiment list` names them" : "nearest is '" + near + "'";
+}
+
+const char* verdict(const Claim& claim) {
+  if (claim.holds) return "holds";
+  return claim.expected ? "DOES NOT HOLD" : "does not hold, as known";
+}
+
+void print_claims(const Experiment& experiment, const std::vector<Claim>& claims) {
+  std::printf("%s (%s)\n", experiment.name, experiment.source);
+  for (const Claim& claim : claims) {
+    std::printf("  %-16s %-24s", claim.id.c_str(), verdict(claim));
+    if (claim.value) std::printf(" %.4g %s", *claim.value, claim.unit.c_str());
+    if (claim.bound_low && claim.bound)
+      std::printf(" (%.4g to %.4g)", *claim.bound_low, *claim.bound);
+    if (!claim.bound_low && claim.bound) std::printf(" (%.4g)", *claim.bound);
+    std::printf("  %s\n", claim.text.c_str());
+    if (!claim.reason.empty()) std::printf("  %-16s %s\n", "", claim.reason.c_str());
+  }
+  std::fflush(stdout);
+}
+
+int run_experiments(const ExperimentOptions& options, const Common& common) {
+  if (options.name == "list") return list_experiments(common.json);
+  const std::vector<Experiment> chosen = choose(options.name);
+  if (chosen.empty()) {
+    tell_error("experiment: no experiment '" + options.name + "', " + known_names(options.name));
+    return kUsage;
+  }
+  if (options.folder.empty()) {
+    tell_error("experiment: -o DIR is missing: the folder to write to");
+    return kUsage;
+  }
+  experiments::Assets assets;
+  experiments::Context context{.quick = options.quick, .seed = common.seed, .assets = &assets};
+  if (!common.quiet) {
+    context.tell = [](const std::string& line) { std::fprintf(stderr, "  %s\n", line.c_str()); };
+  }
+  bool is_broken = false;
+  for (const Experiment& experiment : chosen) {
+    if (!common.quiet) std::fprintf(stderr, "%s: %s\n", experiment.name, experiment.text);
+    const experiments::Outcome outcome = run_experiment(experiment, context, options.folder);
+    if (common.json) {
+      print_json(nlohmann::ordered_json::parse(claims_json(experiment, outcome.claims)));
+    } else {
+      print_claims(experiment, outcome.claims);
+    }
+    for (const Claim& claim : outcome.claims)
+      is_broken = is_broken || experiments::is_broken(claim);
+  }
+  return is_broken ? kClaimFails : kDone;
+}
+
+}  // namespace
+
+void add_experiment(CLI::App& app, Common& common) {
+  const auto options = std::make_shared<ExperimentOptions>();
+  CLI::App* verb = add_verb(app, common, "experiment",
+                            "run figures and tables of the text again and check their claims",
+                            [&common, options] { return run_experiments(*options, common); });
+  verb->add_option("NAME", options->name, "`list`, `all`, or one of the list")->required();
+  verb->add_flag("--quick", options->quick, "fewer frames, smaller models");
+  verb->add_option("-o,--output", options->folder,
+                   "folder for DIR/NAME/{data.csv, NAME.png, claims.json}");
+}
+
+}  // namespace thigma::app

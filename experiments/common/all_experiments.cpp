@@ -1,0 +1,24 @@
+#include "experiments/common/all_experiments.h"
+
+namespace thigma::experiments {
+
+const std::vector<Experiment>& all_experiments() {
+  static const std::vector<Experiment> list = {
+      {"table-3-2", "Table 3.2", "levels of detail of the benchmark models", run_table_3_2},
+      {"table-3-3", "Table 3.3", "dimples of the golf ball left in the force, over the threshold",
+       run_table_3_3},
+      {"fig-3-15", "Fig. 3.15", "moving jaws: force, query time and front up to 2.5 %",
+       run_fig_3_15},
+      {"fig-3-16", "Fig. 3.16", "golf club on ball: the same up to 3 %", run_fig_3_16},
+      {"e1-static-queries", "PROTOCOLS E1", "fresh queries at predefined distances",
+       run_e1_static_queries},
+      {"e8-lod-error", "PROTOCOLS E8", "error of force and torque over the threshold",
+       run_e8_lod_error},
+      {"e14-degradation", "PROTOCOLS E14", "queries that stop early: budgets kept, error left",
+       run_e14_degradation},
+      {"e16-scaling", "PROTOCOLS E16", "growth with the number of triangles", run_e16_scaling},
+  };
+  return list;
+}
+
+}  // namespace thigma::experiments

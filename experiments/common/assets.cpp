@@ -1,0 +1,78 @@
+#include "experiments/common/assets.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "scenes/make_model.h"
+#include "scenes/scene_file.h"
+#include <time.h>
+
+#include "thigma/runtime/placement.h"
+
+namespace thigma::experiments {
+namespace {
+
+double process_cpu() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+std::string with_count(const scenes::SceneObject& object, int triangles) {
+  if (!object.model) throw std::invalid_argument("an experiment's scene has procedural models");
+  return model_uri(object.model->name, triangles > 0 ? triangles : object.model->triangles);
+}
+
+}  // namespace
+
+std::string model_uri(const std::string& name, int triangles) {
+  return "procedural:" + name + (triangles > 0 ? "?triangles=" + std::to_string(triangles) : "");
+}
+
+TriangleMesh make_mesh(const std::string& uri) {
+  return scenes::make_model(scenes::parse_model_uri(uri, "experiment"));
+}
+
+const ClodHierarchy& levels_of(Assets& assets, const std::string& uri) {
+  const auto known = assets.levels.find(uri);
+  if (known != assets.levels.end()) return known->second;
+  const TriangleMesh mesh = make_mesh(uri);
+  const double start = process_cpu();
+  ClodReport report;
+  ClodParams params;
+  params.threads = 2;
+  ClodHierarchy levels = build_clod(mesh, params, &report);
+  assets.seconds[uri] = process_cpu() - start;
+  report.simplification.levels.clear();  // the meshes are in the hierarchy already
+  assets.reports[uri] = std::move(report);
+  return assets.levels.emplace(uri, std::move(levels)).first->second;
+}
+
+void place_apart(Pair& pair, const Vec3& approach) {
+  ContactWorld world;
+  world.object = pair.object;
+  world.scene = {SceneBody{pair.scene, pair.world_from_scene}};
+  world.tolerance = 1e-4 * pair.radius;
+  const Vec3 out = -approach;
+  const StartPlacement placed = find_start(world, pair.start, 0.05 * pair.radius, &out);
+  pair.start = placed.world_from_body;
+  pair.approach = placed.approach;
+  pair.clearance = placed.clearance;
+}
+
+Pair scene_pair(Assets& assets, const std::string& scene, int triangles) {
+  const scenes::SceneDescription description =
+      scenes::parse_scene(scenes::builtin_scene(scene), scene, "");
+  const scenes::SceneObject& body = description.statics.at(0);
+  Pair pair;
+  pair.name = scene;
+  pair.object = &levels_of(assets, with_count(description.object, triangles));
+  pair.scene = &levels_of(assets, with_count(body, triangles));
+  pair.radius = std::min(pair.object->radius, pair.scene->radius);
+  pair.start = description.object.world_from_mesh;
+  pair.world_from_scene = body.world_from_mesh;
+  place_apart(pair, description.device.approach.value_or(-Vec3::UnitZ()));
+  return pair;
+}
+
+}  // namespace thigma::experiments

@@ -1,0 +1,162 @@
+#include "experiments/common/experiment.h"
+
+#include <cmath>
+#include <fstream>
+#include <system_error>
+
+#include "benchmarks/probe.h"
+#include <nlohmann/json.hpp>
+#include <time.h>
+
+#include "thigma/core/error.h"
+#include "thigma/core/file.h"
+
+namespace thigma::experiments {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Claim make_claim(std::string id, std::string text, double value, std::optional<double> bound,
+                 std::string unit) {
+  Claim claim;
+  claim.id = std::move(id);
+  claim.text = std::move(text);
+  if (std::isfinite(value)) claim.value = value;
+  claim.bound = bound;
+  claim.unit = std::move(unit);
+  return claim;
+}
+
+Json number(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+Json claim_json(const Claim& claim) {
+  Json json;
+  json["id"] = claim.id;
+  json["text"] = claim.text;
+  json["value"] = number(claim.value);
+  json["bound"] = number(claim.bound);
+  if (claim.bound_low) json["bound_low"] = number(claim.bound_low);
+  json["unit"] = claim.unit;
+  json["holds"] = claim.holds;
+  json["expected"] = claim.expected;
+  json["reason"] = claim.reason;
+  return json;
+}
+
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.rfind("model name", 0) != 0) continue;
+    const std::size_t colon = line.find(": ");
+    if (colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+double process_cpu() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+std::string run_json(const Experiment& experiment, const Context& context, double cpu) {
+  Json json;
+  json["name"] = experiment.name;
+  json["quick"] = context.quick;
+  json["seed"] = context.seed;
+  json["compiler"] = std::string("g++ ") + __VERSION__;
+  json["processor"] = processor_name();
+  json["dependent_adds_ghz"] = bench::dependent_adds();
+  json["cpu_seconds"] = cpu;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+Claim at_least(std::string id, std::string text, double value, double bound, std::string unit) {
+  Claim claim = make_claim(std::move(id), std::move(text), value, bound, std::move(unit));
+  claim.holds = claim.value && value >= bound;
+  return claim;
+}
+
+Claim at_most(std::string id, std::string text, double value, double bound, std::string unit) {
+  Claim claim = make_claim(std::move(id), std::move(text), value, bound, std::move(unit));
+  claim.holds = claim.value && value <= bound;
+  return claim;
+}
+
+Claim within(std::string id, std::string text, double value, double low, double high,
+             std::string unit) {
+  Claim claim = make_claim(std::move(id), std::move(text), value, high, std::move(unit));
+  claim.bound_low = low;
+  claim.holds = claim.value && value >= low && value <= high;
+  return claim;
+}
+
+Claim above(std::string id, std::string text, double value, double bound, std::string unit) {
+  Claim claim = make_claim(std::move(id), std::move(text), value, bound, std::move(unit));
+  claim.holds = claim.value && value > bound;
+  return claim;
+}
+
+Claim below(std::string id, std::string text, double value, double bound, std::string unit) {
+  Claim claim = make_claim(std::move(id), std::move(text), value, bound, std::move(unit));
+  claim.holds = claim.value && value < bound;
+  return claim;
+}
+
+Claim stated(std::string id, std::string text, double value, std::string unit) {
+  Claim claim = make_claim(std::move(id), std::move(text), value, std::nullopt, std::move(unit));
+  claim.holds = claim.value.has_value();
+  return claim;
+}
+
+Claim known_not_to(Claim claim, std::string reason) {
+  if (claim.holds) return claim;
+  claim.expected = false;
+  claim.reason = std::move(reason);
+  return claim;
+}
+
+bool is_broken(const Claim& claim) { return claim.expected && !claim.holds; }
+
+void tell(const Context& context, const std::string& line) {
+  if (context.tell) context.tell(line);
+}
+
+std::string claims_json(const Experiment& experiment, const std::vector<Claim>& claims) {
+  Json json;
+  json["name"] = experiment.name;
+  json["source"] = experiment.source;
+  json["claims"] = Json::array();
+  for (const Claim& claim : claims) json["claims"].push_back(claim_json(claim));
+  return json.dump(2) + "\n";
+}
+
+Outcome run_experiment(const Experiment& experiment, const Context& context,
+                       const std::filesystem::path& folder) {
+  const std::filesystem::path own = folder / experiment.name;
+  std::error_code failed;
+  std::filesystem::create_directories(own, failed);
+  if (failed)
+    throw IoError(own.string() + ": cannot be made: " + failed.message() +
+                  "; expected a folder to write to");
+  // A claims file of an earlier run must not stand for one that did not finish.
+  std::filesystem::remove(own / "claims.json", failed);
+  const double start = process_cpu();
+  Assets own_assets;
+  Context complete = context;
+  if (complete.assets == nullptr) complete.assets = &own_assets;
+  Outcome outcome = experiment.run(complete);
+  for (const Table& table : outcome.tables)
+    write_file((own / (table.name + ".csv")).string(), csv_text(table));
+  write_file((own / (std::string(experiment.name) + ".png")).string(),
+             plot::png_bytes(outcome.figure));
+  write_file((own / "run.json").string(), run_json(experiment, context, process_cpu() - start));
+  write_file((own / "claims.json").string(), claims_json(experiment, outcome.claims));
+  return outcome;
+}
+
+}  // namespace thigma::experiments

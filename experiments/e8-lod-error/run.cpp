@@ -1,0 +1,120 @@
+// PROTOCOLS E8: error of force and torque against the exact query over the threshold, on the replays of Sec. 3.5.
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/common/all_experiments.h"
+#include "experiments/common/contact_profile.h"
+#include "experiments/common/hands.h"
+#include "experiments/common/statistics.h"
+
+namespace thigma::experiments {
+namespace {
+
+const std::vector<double> kThresholds = {0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.2};
+constexpr double kNoise =
+    0.1;  // of the largest error: falls smaller than this are noise of single contacts
+
+struct Replay {
+  const char* scene;
+  HandScript (*hand)(double radius);
+};
+
+constexpr Replay kReplays[] = {{"jaws", jaws_hand},
+                               {"golf", golf_hand},
+                               {"ball_joint", joint_hand},
+                               {"cup_spoon", spoon_hand}};
+
+std::vector<Setting> settings() {
+  std::vector<Setting> all = {{"exact", 0.0, as_in_text(0.0)}};
+  for (const double s0 : kThresholds) all.push_back({"no cap", s0, as_in_text(s0)});
+  for (const double s0 : kThresholds) {
+    Resolution capped = as_in_text(s0);
+    capped.deviation_cap = 0.02;
+    all.push_back({"cap 2 %", s0, capped});
+  }
+  return all;
+}
+
+/// Largest fall of the errors from one threshold to a coarser one, over the largest error.
+double largest_fall(const std::vector<double>& errors) {
+  double highest = 0.0, fall = 0.0;
+  for (const double e : errors) {
+    fall = std::max(fall, highest - e);
+    highest = std::max(highest, e);
+  }
+  return highest > 0.0 ? fall / highest : std::nan("");
+}
+
+/// The errors of one scene into table and plot; the raw force errors without a cap.
+std::vector<double> add_scene(const char* scene, const ProfileStudy& study, Outcome& outcome) {
+  std::vector<double> errors;
+  plot::Series series[2];
+  for (std::size_t k = 1; k < study.settings.size(); ++k) {
+    const Setting& s = study.settings[k];
+    const Likeness& like = study.likeness[k];
+    add_row(outcome.tables[0],
+            {scene, s.name, s.threshold, like.force_error, like.shape_error, like.torque_error,
+             like.torque_shape_error, like.correlation, like.curvature,
+             mean(study.profiles[k].front), mean(study.profiles[k].cpu)});
+    if (s.name != "no cap") continue;
+    errors.push_back(like.force_error);
+    for (plot::Series& one : series) one.x.push_back(100.0 * s.threshold);
+    series[0].y.push_back(like.force_error);
+    series[1].y.push_back(like.torque_error);
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    series[i].label = scene;
+    series[i].mark = plot::Mark::line_and_points;
+    outcome.figure.panels[i].series.push_back(series[i]);
+  }
+  return errors;
+}
+
+plot::Panel error_panel(const char* title) {
+  return {.title = title,
+          .x = {.label = "s0 [% of the radius]", .is_log = true},
+          .y = {.label = "RMS error / RMS exact", .is_log = true}};
+}
+
+}  // namespace
+
+Outcome run_e8_lod_error(const Context& context) {
+  Outcome outcome;
+  outcome.tables = {{.columns = {"scene", "cap", "s0", "force error", "force error, fitted",
+                                 "torque error", "torque error, fitted", "force correlation",
+                                 "curvature correlation", "front mean", "query CPU mean [s]"}}};
+  outcome.figure = {
+      .title = "Error of contact levels of detail (E8)",
+      .note =
+          "paths recorded at 2.5 %, replayed; no cap on the deviation, tolerance 1 % of the radius",
+      .panels = {error_panel("Force"), error_panel("Torque")},
+      .columns = 2,
+      .width = 1100,
+      .panel_height = 360};
+  double fall = 0.0, least_rank = 1.0;
+  for (const Replay& entry : kReplays) {
+    const Pair pair = scene_pair(*context.assets, entry.scene);
+    const PenaltyParams gains = direct_gains(pair);
+    HandScript hand = entry.hand(pair.radius);
+    if (context.quick) hand.seconds = 0.5 * (hand.seconds + hand.approach_time);
+    const Path path = record_path(pair, as_in_text(0.025), gains, hand);
+    const ProfileStudy study = study_profile(context, pair, path, gains, settings(), 1);
+    const std::vector<double> errors = add_scene(entry.scene, study, outcome);
+    fall = std::max(fall, largest_fall(errors));
+    least_rank = std::min(least_rank, rank_correlation(kThresholds, errors));
+    outcome.claims.push_back(stated(std::string("force-") + entry.scene,
+                                    "force error at 2.5 %, RMS over RMS exact", errors[5]));
+  }
+  outcome.claims.insert(
+      outcome.claims.begin(),
+      {at_most("monotone",
+               "the force error rises with s0: largest fall from one threshold to a coarser "
+               "one, of the scene's largest error",
+               fall, kNoise),
+       stated("rank", "rank correlation of error and threshold, least over the scenes",
+              least_rank)});
+  return outcome;
+}
+
+}  // namespace thigma::experiments

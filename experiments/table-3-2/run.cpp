@@ -1,0 +1,167 @@
+// Table 3.2: the seven benchmark models, their levels of detail beside the source's.
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/common/all_experiments.h"
+#include "experiments/common/assets.h"
+
+namespace thigma::experiments {
+namespace {
+
+/// A row of the source's table.
+struct SourceRow {
+  const char* model;  // ours
+  const char* name;   // the source's
+  double triangles, patches, coarse_triangles, coarse_patches, finest_r, coarsest_r;
+  int free_levels, levels;
+};
+
+constexpr SourceRow kSource[] = {
+    {"jaw_lower", "Lower Jaw", 40180, 11323, 386, 64, 144.5, 12.23, 6, 15},
+    {"jaw_upper", "Upper Jaw", 47339, 14240, 1038, 222, 117.5, 19.21, 8, 15},
+    {"joint_ball", "Ball Joint", 137060, 41913, 122, 8, 169.9, 6.75, 3, 17},
+    {"golf_club", "Golf Club", 104888, 27586, 1468, 256, 157.6, 8.31, 8, 16},
+    {"golf_ball", "Golf Ball", 177876, 67704, 826, 64, 216.3, 7.16, 6, 18},
+    {"cup", "Cup", 64000, 15490, 1532, 241, 71.0, 7.70, 7, 14},
+    {"spoon", "Spoon", 86016, 16125, 1074, 61, 230.1, 13.57, 5, 14},
+};
+
+/// The same of a hierarchy of ours, and what the claims ask.
+struct Row {
+  double triangles = 0, patches = 0, coarse_triangles = 0, coarse_patches = 0, finest_r = 0,
+         coarsest_r = 0;
+  int free_levels = 0, levels = 0;
+  double worst_ratio =
+      0.0;  // of a level's patches to those of the one before, but for the last level
+  double last_ratio = 0.0;  // of the last simplified level
+  double worst_fall = 0.0;  // of a level's resolution to that of the one before; 1: not fallen
+};
+
+double patch_count(const ClodHierarchy& h, std::size_t level) {
+  return level == 0 ? static_cast<double>(h.patches.size()) : h.levels[level].patch_count;
+}
+
+double triangle_count(const ClodHierarchy& h, std::size_t level) {
+  return level == 0 ? h.triangle_count : h.levels[level].triangle_count;
+}
+
+Row measure(const ClodHierarchy& h) {
+  Row row;
+  row.levels = static_cast<int>(h.levels.size());
+  std::size_t simplified = 0;
+  for (const ClodLevel& level : h.levels)
+    (level.is_free ? row.free_levels : row.levels) += level.is_free ? 1 : 0;
+  while (simplified + 1 < h.levels.size() && !h.levels[simplified + 1].is_free) ++simplified;
+  row.triangles = triangle_count(h, 0);
+  row.patches = patch_count(h, 0);
+  row.coarse_triangles = triangle_count(h, simplified);
+  row.coarse_patches = patch_count(h, simplified);
+  if (simplified == 0) return row;
+  row.finest_r = h.levels[1].resolution * h.radius;
+  row.coarsest_r = h.levels[simplified].resolution * h.radius;
+  for (std::size_t i = 1; i <= simplified; ++i) {
+    const double ratio = patch_count(h, i) / patch_count(h, i - 1);
+    if (i < simplified)
+      row.worst_ratio = std::max(row.worst_ratio, ratio);
+    else
+      row.last_ratio = ratio;
+    if (i > 1)
+      row.worst_fall =
+          std::max(row.worst_fall, h.levels[i].resolution / h.levels[i - 1].resolution);
+  }
+  return row;
+}
+
+void add_model(const SourceRow& source, const ClodHierarchy& h, const Row& row, double seconds,
+               Outcome& outcome) {
+  add_row(outcome.tables[0],
+          {source.name, "here", row.triangles, row.patches, row.coarse_triangles,
+           row.coarse_patches, row.finest_r, row.coarsest_r, static_cast<double>(row.free_levels),
+           static_cast<double>(row.levels), seconds});
+  add_row(outcome.tables[0], {source.name, "source", source.triangles, source.patches,
+                              source.coarse_triangles, source.coarse_patches, source.finest_r,
+                              source.coarsest_r, static_cast<double>(source.free_levels),
+                              static_cast<double>(source.levels), std::nan("")});
+  plot::Series patches{.label = source.name, .mark = plot::Mark::line_and_points};
+  plot::Series resolution{.mark = plot::Mark::line_and_points};
+  for (std::size_t i = 0; i < h.levels.size(); ++i) {
+    const ClodLevel& level = h.levels[i];
+    add_row(outcome.tables[1],
+            {source.name, static_cast<double>(i), level.is_free ? "free" : "simplified",
+             triangle_count(h, i), level.is_free ? level.node_count : patch_count(h, i),
+             i == 0 ? std::nan("") : level.resolution * h.radius, level.deviation_max / h.radius,
+             level.contact_hausdorff_max / h.radius});
+    if (level.is_free) continue;
+    patches.x.push_back(static_cast<double>(i));
+    patches.y.push_back(patch_count(h, i));
+    if (i == 0) continue;
+    resolution.x.push_back(static_cast<double>(i));
+    resolution.y.push_back(level.resolution * h.radius);
+  }
+  const double coarsest = source.levels - source.free_levels - 1;
+  const int color = static_cast<int>(outcome.figure.panels[0].series.size() / 2);
+  patches.color = resolution.color = color;
+  outcome.figure.panels[0].series.push_back(patches);
+  outcome.figure.panels[0].series.push_back({.x = {0.0, coarsest},
+                                             .y = {source.patches, source.coarse_patches},
+                                             .color = color,
+                                             .is_dashed = true,
+                                             .width = 1.0});
+  outcome.figure.panels[1].series.push_back(resolution);
+  outcome.figure.panels[1].series.push_back({.x = {1.0, coarsest},
+                                             .y = {source.finest_r, source.coarsest_r},
+                                             .color = color,
+                                             .is_dashed = true,
+                                             .width = 1.0});
+}
+
+}  // namespace
+
+Outcome run_table_3_2(const Context& context) {
+  Outcome outcome;
+  outcome.tables = {
+      {.columns = {"model", "whose", "triangles", "patches", "coarsest triangles",
+                   "coarsest patches", "r finest (unit radius)", "r coarsest (unit radius)",
+                   "free levels", "levels", "build CPU [s]"}},
+      {.name = "levels",
+       .columns = {"model", "level", "kind", "triangles", "patches", "r (unit radius)",
+                   "largest deviation / radius", "largest hausdorff / radius"}}};
+  outcome.figure = {
+      .title = "Contact levels of detail of the benchmark models (Table 3.2)",
+      .note = "solid: built here; dashed: between the source's finest and coarsest level",
+      .panels = {{.title = "Convex patches",
+                  .x = {.label = "level"},
+                  .y = {.label = "patches", .is_log = true}},
+                 {.title = "Resolution at unit radius",
+                  .x = {.label = "level"},
+                  .y = {.label = "r x radius", .is_log = true}}},
+      .columns = 2,
+      .width = 1100,
+      .panel_height = 400};
+  double ratio = 0.0, last = 0.0, coarse = 0.0, fall = 0.0, free_levels = 0.0;
+  for (const SourceRow& source : kSource) {
+    const std::string uri = model_uri(source.model, static_cast<int>(source.triangles));
+    tell(context, std::string("building ") + source.name);
+    const ClodHierarchy& h = levels_of(*context.assets, uri);
+    const Row row = measure(h);
+    add_model(source, h, row, context.assets->seconds[uri], outcome);
+    ratio = std::max(ratio, row.worst_ratio);
+    last = std::max(last, row.last_ratio);
+    coarse = std::max(coarse, 100.0 * row.coarse_patches / row.patches);
+    fall = std::max(fall, row.worst_fall);
+    free_levels = std::max(free_levels, static_cast<double>(row.free_levels));
+  }
+  outcome.claims = {
+      at_most("levels", "patches halve from level to level, but into the coarsest: largest ratio",
+              ratio, 0.5),
+      stated("last", "ratio of patches into the coarsest simplified level, largest", last),
+      at_most("coarse", "patches of the coarsest simplified level, of the original's, largest",
+              coarse, 2.0, "%"),
+      at_most("free", "free levels above the simplified ones, most", free_levels, 8.0, "levels"),
+      below("falling", "resolutions fall strictly: largest ratio of a level's to the one before",
+            fall, 1.0)};
+  return outcome;
+}
+
+}  // namespace thigma::experiments
