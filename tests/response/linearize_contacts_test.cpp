@@ -13,6 +13,7 @@ ContactCluster cluster_at(Random& random, const BodyState& state, double depth) 
   c.point = state.position + random.in_cube(0.03);
   c.normal = random.direction();
   c.depth = depth;
+  c.weight = 1.0;  // of contacts with weight 1
   c.scene_point = c.point - depth * c.normal;
   c.id = static_cast<std::int32_t>(random.below(1000));
   return c;
@@ -47,6 +48,38 @@ TEST(LinearizeContacts, terms_reproduce_the_clusters_where_they_were_found) {
       const Vec3 arm = clusters.clusters[k].point - state.position;
       EXPECT_LE((f.wrench.torque - arm.cross(f.wrench.force)).norm(), 1e-13);
     }
+  }
+}
+
+Contact blended_contact(double x, double depth, double weight) {
+  Contact c;
+  c.point = {x, 0.0, 0.0};
+  c.normal = Vec3::UnitZ();
+  c.depth = depth;
+  c.scene_point = {x, 0.0, -depth};
+  c.weight = weight;
+  return c;
+}
+
+// A contact that fades in where nothing else is must not take its share of the stiffness at once.
+TEST(LinearizeContacts, ABlendedContactEntersWithItsWeight) {
+  const PenaltyParams params{.stiffness = 2000.0, .damping = 0.0, .tolerance = 1e-3};
+  const RigidBody body = make_body(0.1, 1e-4 * Mat3::Identity());
+  double before = 0.0;
+  ClusterScratch scratch;
+  for (const double weight : {0.0, 0.01, 0.1, 0.5, 0.9, 0.99, 1.0}) {
+    const std::vector<Contact> contacts = {blended_contact(0.0, 0.0, 1.0),
+                                           blended_contact(0.05, 5e-4, weight)};
+    ContactClusters clusters;
+    cluster_contacts(contacts, {}, {.max_clusters = 5, .tolerance = 1e-3}, scratch, clusters);
+    ASSERT_EQ(clusters.clusters.size(), 2u);
+    const LinearContactModel model = linearize_contacts(clusters, params, BodyState{}, 0.0, 1);
+    const double force = contact_wrench(model, body, BodyState{}).force.norm();
+    // k (sum p r^2) / (sum p r) with reaches of 1 and 1.5 mm.
+    const double expected = 2000.0 * 1e-3 * (1.0 + 2.25 * weight) / (1.0 + 1.5 * weight);
+    EXPECT_NEAR(force, expected, 1e-9);
+    EXPECT_GE(force, before);
+    before = force;
   }
 }
 

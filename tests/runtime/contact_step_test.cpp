@@ -3,6 +3,7 @@
 #include "support/plane_session.h"
 #include <gtest/gtest.h>
 
+#include "thigma/clod/build_clod.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/mesh/shapes.h"
 
@@ -96,6 +97,37 @@ TEST(ContactStep, QueriesEveryStaticBodyWhereverTheCentreOfMassIs) {
   contact_step(world, at, scratch, sample);
   for (const Contact& c : scratch.contacts.contacts) EXPECT_EQ(c.body, 0);
   EXPECT_GT(sample.contacts, 0);
+}
+
+TEST(ContactStep, QueriesAtTheResolutionAndCountsLevels) {
+  const ClodHierarchy ball = build_clod(make_ball(0.02, 16));
+  const ClodHierarchy box = build_clod(make_box(Vec3(0.1, 0.1, 0.01), {16, 16, 2}));
+  ContactWorld world;
+  world.object = &ball;
+  world.tolerance = 4e-4;
+  Pose below;
+  below.position.z() = -0.005;
+  world.scene = {{&box, below}};
+  world.resolution.is_exact = false;
+  world.resolution.metric.haptic = 0.5;  // coarse
+  world.resolution.deviation_cap = kNoCap;
+  ContactScratch scratch;
+  reserve_contact_scratch(world, scratch);
+  ContactSample coarse, exact;
+  contact_step(world, at_height(0.0202), scratch, coarse);
+  EXPECT_EQ(coarse.level_changes, 0);  // nothing came before
+  std::int64_t counted = 0, above = 0;
+  for (std::size_t i = 0; i < coarse.object_levels.size(); ++i) {
+    counted += coarse.object_levels[i];
+    if (i > 0) above += coarse.object_levels[i] + coarse.scene_levels[i];
+  }
+  EXPECT_EQ(counted, coarse.contacts);
+  EXPECT_GT(above, 0);
+  EXPECT_GT(coarse.bound_max, 0.0);
+  world.resolution.is_exact = true;
+  contact_step(world, at_height(0.0202), scratch, exact);
+  EXPECT_EQ(exact.object_levels[0], exact.contacts);
+  EXPECT_EQ(exact.bound_max, 0.0);
 }
 
 }  // namespace

@@ -100,6 +100,12 @@ TEST(ReadRecording, contact_models_come_back_bit_for_bit) {
                 want.model.taylors[0].jacobian.reshaped());
     EXPECT_EQ(got.contacts, want.contacts);
     expect_bits(got.depth_max, want.depth_max);
+    EXPECT_EQ(got.mandatory_tests, want.mandatory_tests);
+    EXPECT_EQ(got.unrefined, want.unrefined);
+    EXPECT_EQ(got.level_changes, want.level_changes);
+    expect_bits(got.bound_max, want.bound_max);
+    EXPECT_EQ(got.object_levels, want.object_levels);
+    EXPECT_EQ(got.scene_levels, want.scene_levels);
   }
 }
 

@@ -66,6 +66,14 @@ inline ContactSample contact_sample(std::uint64_t sequence) {
   c.tests = 4100;
   c.clusters = 3;
   c.depth_max = random.uniform(-1e-3, 1e-3);
+  c.mandatory_tests = static_cast<std::int64_t>(random.below(1000));
+  c.unrefined = static_cast<std::int64_t>(random.below(100));
+  c.level_changes = static_cast<std::int32_t>(random.below(10));
+  c.bound_max = random.uniform(0.0, 1e-3);
+  for (std::size_t i = 0; i < 5; ++i) {
+    c.object_levels[i] = static_cast<std::int32_t>(random.below(50));
+    c.scene_levels[i] = static_cast<std::int32_t>(random.below(50));
+  }
   c.model.sequence = sequence;
   c.model.time = c.time;
   c.model.state = random_body(random);

@@ -32,6 +32,17 @@ TEST(SceneFile, LeastSceneTakesDefaults) {
   EXPECT_EQ(scene.safety.force_slew, SafetyLimits{}.force_slew);
 }
 
+TEST(SceneFile, LevelsOfDetailAreTheDefaultAndTheCapCanBeOff) {
+  const Resolution least = parse_scene(kLeast, "S.toml", "").contact.resolution;
+  EXPECT_FALSE(least.is_exact);
+  EXPECT_EQ(least.metric.haptic, 0.025);
+  EXPECT_EQ(least.deviation_cap, 0.02);
+  EXPECT_TRUE(least.interpolates);
+  EXPECT_EQ(least.budget_cpu, 0.0);
+  const std::string text = std::string(kLeast) + "[contact]\ncapped = false\n";
+  EXPECT_EQ(parse_scene(text, "S.toml", "").contact.resolution.deviation_cap, kNoCap);
+}
+
 TEST(SceneFile, EveryKeyArrives) {
   const SceneDescription s = parse_scene(R"(title = "t"
 gravity = [1, 2.5, -9.81]
@@ -56,6 +67,14 @@ damping = 7
 tolerance = 0.001
 clusters = 4
 shared = false
+exact = true
+threshold = 0.05
+velocity_metric = 0.25
+deviation_cap = 0.01
+interpolated = false
+budget_us = 200.0
+budget_tests = 300
+response = "direct"
 [coupling]
 linear_stiffness = 250
 linear_damping = 3
@@ -115,6 +134,14 @@ contact_latency = 2
   EXPECT_EQ(s.contact.tolerance, 0.001);
   EXPECT_EQ(s.contact.max_clusters, 4);
   EXPECT_FALSE(s.contact.is_shared);
+  EXPECT_TRUE(s.contact.resolution.is_exact);
+  EXPECT_EQ(s.contact.resolution.metric.haptic, 0.05);
+  EXPECT_EQ(s.contact.resolution.metric.velocity, 0.25);
+  EXPECT_EQ(s.contact.resolution.deviation_cap, 0.01);
+  EXPECT_FALSE(s.contact.resolution.interpolates);
+  EXPECT_DOUBLE_EQ(s.contact.resolution.budget_cpu, 2e-4);
+  EXPECT_EQ(s.contact.resolution.budget_tests, 300);
+  EXPECT_EQ(s.contact.response, ResponseKind::direct);
   EXPECT_EQ(s.coupling.linear_stiffness, 250.0);
   EXPECT_EQ(s.coupling.linear_damping, 3.0);
   EXPECT_EQ(s.coupling.angular_stiffness, 0.5);
@@ -200,6 +227,12 @@ TEST(SceneFile, WrongScenesNamePlaceAndExpectation) {
       {"[object]\nmesh = \"procedural:ball\"\n[contact]\nclusters = 2.5\n",
        4,
        {"contact.clusters", "whole"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[contact]\nthreshold = -0.1\n",
+       4,
+       {"contact.threshold"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[contact]\nresponse = \"dirct\"\n",
+       4,
+       {"one of coupled direct"}},
       {"[object]\nmesh = \"procedural:ball\"\n[contact]\nstifness = 1\n",
        4,
        {"contact.stifness", "'stiffness'"}},

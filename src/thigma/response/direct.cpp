@@ -14,10 +14,10 @@ PenaltyParams direct_penalty(const DirectDevice& device) noexcept {
 }
 
 Wrench direct_wrench(const ContactClusters& clusters, const PenaltyParams& params, const Vec3& about) noexcept {
-  // The terms of the haptic thread, for a body at rest whose axes are the world's and whose centre is `about`.
+  // The terms of the haptic thread, for some body at rest whose axes are the world's and whose centre is `about`.
   BodyState state;
   state.position = about;
-  RigidBody body;
+  const RigidBody body = make_body(1.0, Mat3::Identity());
   return contact_wrench(linearize_contacts(clusters, params, state, 0.0, 0), body, state);
 }
 

@@ -9,10 +9,22 @@ namespace {
 
 static_assert(kMaxContactClusters <= kMaxClusters, "a cluster must find room in the model");
 
-// Sum of depth + tolerance over the clusters that press.
+// How much of a cluster is there: below 1 where all it has are a few contacts that are being blended in or out.
+// Its weight over its reach is a lone contact's own weight, and never below 1 for contacts of weight 1.
+double presence(const ContactCluster& cluster, double reach) noexcept {
+  constexpr double kRounding = 1e-9;
+  return cluster.weight < (1.0 - kRounding) * reach ? cluster.weight / reach : 1.0;
+}
+
+// depth + tolerance of a cluster that presses, as far as it is there.
+double present_reach(const ContactCluster& cluster, double tolerance) noexcept {
+  const double reach = std::max(cluster.depth + tolerance, 0.0);
+  return presence(cluster, reach) * reach;
+}
+
 double total_reach(const ContactClusters& clusters, double tolerance) noexcept {
   double sum = 0.0;
-  for (const ContactCluster& c : clusters.clusters) sum += std::max(c.depth + tolerance, 0.0);
+  for (const ContactCluster& c : clusters.clusters) sum += present_reach(c, tolerance);
   return sum;
 }
 
@@ -30,10 +42,11 @@ LinearContactModel linearize_contacts(const ContactClusters& clusters, const Pen
   const double equal_share =
       1.0 / static_cast<double>(std::max<std::size_t>(clusters.clusters.size(), 1));
   for (const ContactCluster& cluster : clusters.clusters) {
-    const double reach = std::max(cluster.depth + params.tolerance, 0.0);
+    const double reach = present_reach(cluster, params.tolerance);
     const double shared =
         total > 0.0 ? reach / total : equal_share;  // all at -d: none can be preferred
-    const double share = params.is_shared ? shared : 1.0;
+    const double alone = presence(cluster, std::max(cluster.depth + params.tolerance, 0.0));
+    const double share = params.is_shared ? shared : alone;
     PlaneTerm term;
     term.arm_body = body_from_world * (cluster.point - state.position);
     term.normal = cluster.normal;
