@@ -2,6 +2,7 @@
 // Levels of detail of any surface a user names: read where they are kept, built and kept where not.
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "thigma/clod/clod_asset.h"
@@ -10,11 +11,14 @@ namespace thigma::app {
 
 /// Where levels of detail come from.
 struct ClodSource {
-  std::string name;           // a mesh or .clod file, or procedural:NAME
-  std::string role = "MESH";  // of the name, for messages: "OBJECT", "--object"
-  double scale = 1.0;         // metres per unit of the file
-  bool is_repair = false;     // take repairable meshes repaired
-  ClodParams params;          // of building; not read of a .clod file
+  std::string name{};                         // a mesh or .clod file, or procedural:NAME
+  std::string role = "MESH";                  // of the name, for messages: "OBJECT", "--object"
+  double scale = 1.0;                         // metres per unit of the file
+  bool is_repair = false;                     // take repairable meshes repaired
+  ClodParams params{};                        // of building; not read of a .clod file
+  std::optional<double> contact_tolerance{};  // instead of that of params [m]
+  // Null, or called while building with the share that is done and the triangles of the whole.
+  std::function<void(double share, double triangles)> progress{};
 };
 
 /// Where they are kept.
@@ -26,6 +30,10 @@ struct ClodCache {
 
 /// What a user may be told about it: a line of progress or a notice.
 using Tell = std::function<void(const std::string&)>;
+
+/// The usable surface of a mesh file or model, scaled; repairs are told.
+/// Thread [offline]; throws InputError for anything that cannot be used, a .clod file among it.
+TriangleMesh load_surface(const ClodSource& source, const Tell& tell = {});
 
 /// Reads a .clod file, or builds levels of a mesh or model in memory. Nothing is kept.
 ///

@@ -2,21 +2,25 @@
 
 #include <time.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "clod_cache.h"
 #include "json_out.h"
 #include "pose_file.h"
+#include "progress.h"
+#include "resolution_options.h"
 #include "scenes/make_model.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/core/error.h"
-#include "thigma/mesh/load_mesh.h"
 #include "verbs.h"
 
 namespace thigma::app {
@@ -29,8 +33,9 @@ struct ContactsOptions {
   std::string object, scene, poses;
   double tolerance = -1.0;
   double scale = 1.0;
-  bool exact = false, fresh = false, repair = false;
-  std::vector<std::string> levels;  // options of contact levels of detail, refused for now
+  double step_time = 0.001;  // between poses [s]
+  bool fresh = false, repair = false;
+  ResolutionOptions resolution;
 };
 
 double cpu_microseconds() {
@@ -39,19 +44,16 @@ double cpu_microseconds() {
   return 1e6 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_nsec);
 }
 
-ClodHierarchy load(const std::string& name, const char* role, const ContactsOptions& options, const Common& common) {
-  TriangleMesh mesh;
-  if (scenes::is_model_uri(name)) {
-    mesh = scenes::make_model(scenes::parse_model_uri(name, role));
-    scale_mesh(mesh, options.scale, name);
-  } else {
-    std::vector<std::string> repairs;
-    mesh = load_usable_mesh(name, options.scale, options.repair, nullptr, &repairs);
-    if (!common.quiet) {
-      for (const std::string& repair : repairs) std::cerr << "thigma: " << name << ": repaired: " << repair << "\n";
-    }
-  }
-  return build_exact_hierarchy(mesh);
+ClodHierarchy load(const std::string& name, const char* role, const ContactsOptions& options, bool is_exact,
+                   const Common& common) {
+  const Tell tell = common.quiet ? Tell{} : [](const std::string& text) { std::cerr << "thigma: " << text << "\n"; };
+  ClodSource source{.name = name, .role = role, .scale = options.scale, .is_repair = options.repair};
+  const bool is_file = !scenes::is_model_uri(name) && is_clod_file(name);
+  if (is_exact && !is_file) return build_exact_hierarchy(load_surface(source, tell));
+  Progress progress("building " + name, "triangles", !common.quiet);
+  source.progress = [&](double share, double triangles) { progress.update(share, triangles); };
+  source.params.threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
+  return std::move(load_clod(source, tell).hierarchy);
 }
 
 nlohmann::ordered_json to_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -81,23 +83,26 @@ nlohmann::ordered_json to_json(std::size_t index, const ContactSet& set, double 
   return j;
 }
 
+/// What is wrong with the options, "" when nothing; otherwise the query they ask for.
+std::string make_query(const ContactsOptions& options, ContactQuery& query) {
+  if (!(options.tolerance >= 0.0) || !std::isfinite(options.tolerance))
+    return "--tolerance must be a finite length >= 0 [m]";
+  if (!(options.scale > 0.0) || !std::isfinite(options.scale)) return "--scale must be a finite number above 0";
+  if (!(options.step_time > 0.0) || !std::isfinite(options.step_time)) return "--dt must be a finite time above 0 [s]";
+  query.tolerance = options.tolerance;
+  query.resolution.step_time = options.step_time;
+  return apply(options.resolution, query.resolution);
+}
+
 int contacts(const Common& common, const ContactsOptions& options) {
-  if (!options.levels.empty()) {
-    std::fprintf(stderr, "thigma: contacts: levels of detail come with a later version; this one answers exactly: "
-                         "leave out --threshold, --deviation-cap, --budget-us, --budget-tests, --metric and --dt\n");
-    return kUsage;
-  }
-  if (!(options.tolerance >= 0.0) || !std::isfinite(options.tolerance)) {
-    std::fprintf(stderr, "thigma: contacts: --tolerance must be a finite length >= 0 [m]\n");
-    return kUsage;
-  }
-  if (!(options.scale > 0.0) || !std::isfinite(options.scale)) {
-    std::fprintf(stderr, "thigma: contacts: --scale must be a finite number above 0\n");
+  ContactQuery query;
+  if (const std::string wrong = make_query(options, query); !wrong.empty()) {
+    tell_error("contacts: " + wrong);
     return kUsage;
   }
   const std::vector<Pose> poses = read_poses(options.poses);
-  const ClodHierarchy object = load(options.object, "OBJECT", options, common);
-  const ClodHierarchy scene = load(options.scene, "SCENE", options, common);
+  const ClodHierarchy object = load(options.object, "OBJECT", options, query.resolution.is_exact, common);
+  const ClodHierarchy scene = load(options.scene, "SCENE", options, query.resolution.is_exact, common);
   ContactFront front;
   reserve_front(front, object, scene);
   ContactSet set;
@@ -108,7 +113,7 @@ int contacts(const Common& common, const ContactsOptions& options) {
       clear(set);
       if (options.fresh) clear_front(front);
       const double start = cpu_microseconds();
-      query_contacts(object, poses[i], scene, Pose{}, {.tolerance = options.tolerance}, front, set);
+      query_contacts(object, poses[i], scene, Pose{}, query, front, set);
       spent = cpu_microseconds() - start;
       complete = set.dropped == 0;
       const std::size_t wanted = set.contacts.size() + static_cast<std::size_t>(set.dropped);
@@ -128,19 +133,17 @@ int contacts(const Common& common, const ContactsOptions& options) {
 
 void add_contacts(CLI::App& app, Common& common) {
   const auto options = std::make_shared<ContactsOptions>();
-  CLI::App* verb = add_verb(app, common, "contacts", "List the contacts between two meshes along a path of poses",
+  CLI::App* verb = add_verb(app, common, "contacts", "List the contacts between two objects along a path of poses",
                             [&common, options] { return contacts(common, *options); });
-  verb->add_option("OBJECT", options->object, "mesh that moves: a file or procedural:NAME")->required();
-  verb->add_option("SCENE", options->scene, "mesh that stays at the identity")->required();
+  verb->add_option("OBJECT", options->object, "what moves: a mesh or .clod file, or procedural:NAME")->required();
+  verb->add_option("SCENE", options->scene, "what stays at the identity")->required();
   verb->add_option("--poses", options->poses, "CSV: x,y,z,qx,qy,qz,qw; one world pose of OBJECT a line [m]")->required();
   verb->add_option("--tolerance", options->tolerance, "contacts are pairs at most this far apart [m]")->required();
   verb->add_option("--scale", options->scale, "metres per unit of both meshes");
-  verb->add_flag("--exact", options->exact, "full resolution (the default)");
   verb->add_flag("--fresh", options->fresh, "forget the pose before at every line");
   verb->add_flag("--repair", options->repair, "take repairable meshes and repair them");
-  for (const char* name : {"--threshold", "--deviation-cap", "--budget-us", "--budget-tests", "--metric", "--dt"}) {
-    verb->add_option(name, options->levels, "contact levels of detail: not in this version")->group("");
-  }
+  verb->add_option("--dt", options->step_time, "time from pose to pose, for the velocity metric [s]; 0.001");
+  add_resolution_options(*verb, options->resolution);
 }
 
 }  // namespace thigma::app

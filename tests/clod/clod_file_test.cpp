@@ -4,9 +4,11 @@
 #include <cstring>
 
 #include "clod/asset_samples.h"
+#include "support/full.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/detail/chunk_file.h"
+#include "thigma/contact/query_contacts.h"
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
 
@@ -163,6 +165,21 @@ TEST(ClodFile, SkipsWhatItNeedNotKnow) {
   expect_refused(with_chunk("nodes", false), "twice");
 }
 
+TEST(ClodFile, IsWhatTheDocumentSays) {
+  const std::string text = read_file(THIGMA_SOURCE_DIR "/docs/formats.md");
+  std::size_t last = 0;
+  for (const detail::Chunk& chunk : detail::read_chunks(sample_bytes(), "sample")) {
+    const std::string row = "| `" + chunk.name + "` | " + std::to_string(chunk.record_bytes) + " |";
+    const std::size_t at = text.find(row);
+    ASSERT_NE(at, std::string::npos) << row;
+    EXPECT_GT(at, last) << "in the order of the file: " << row;
+    last = at;
+    const bool is_optional =
+        chunk.name == "mass" || chunk.name == "origin" || chunk.name.starts_with("mesh_");
+    EXPECT_EQ(chunk.is_required, !is_optional) << chunk.name;
+  }
+}
+
 TEST(ClodFile, RefusesMissingAndMisshapenChunks) {
   const auto chunks = detail::read_chunks(sample_bytes(), "sample");
   for (const detail::Chunk& odd : chunks) {
@@ -184,6 +201,82 @@ TEST(ClodFile, RefusesMissingAndMisshapenChunks) {
     EXPECT_NE(complaint(shorter.finish()), "") << odd.name;
     EXPECT_NE(complaint(wider.finish()), "") << odd.name;
   }
+}
+
+/// Writes a few bytes over a chunk and gives everything its right checksum again: a file that lies.
+std::string lying_file(Random& random) {
+  const auto chunks = detail::read_chunks(sample_bytes(), "sample");
+  std::vector<std::string> bytes;
+  for (const detail::Chunk& chunk : chunks) bytes.emplace_back(chunk.bytes);
+  const auto lies = 1 + random.below(4);
+  for (std::uint64_t i = 0; i < lies; ++i) {
+    std::string& target = bytes[random.below(bytes.size())];
+    if (target.size() < 8) continue;
+    const std::size_t at = random.below(target.size() - 7);
+    const std::uint64_t kinds[] = {random.next(),      0,
+                                   ~std::uint64_t{0},  0x7fffffff,
+                                   0x7ff0000000000000, 0x7ff8000000000000,
+                                   random.below(64),   std::uint64_t{1} << random.below(64)};
+    const std::uint64_t kind = random.below(9);
+    std::uint64_t value = 0;
+    std::memcpy(&value, target.data() + at, 8);
+    value = kind == 8 ? value ^ std::uint64_t{1} << random.below(64) : kinds[kind];
+    std::memcpy(target.data() + at, &value, 1 + random.below(8));
+  }
+  detail::ChunkWriter file(chunks.size(), sample_bytes().size());
+  for (std::size_t i = 0; i < chunks.size(); ++i) {
+    const std::size_t record = chunks[i].record_bytes;
+    if (random.below(40) == 0)  // records gone or too many
+      bytes[i].resize(record * random.below(2 * chunks[i].record_count + 2),
+                      static_cast<char>(random.next()));
+    file.begin(chunks[i].name, chunks[i].is_required, chunks[i].record_bytes);
+    file.out() += bytes[i];
+  }
+  return file.finish();
+}
+
+/// Everything a program does with an asset. A wrong answer is no wonder, a crash or a hang is a failure.
+void use(const ClodAsset& asset) {
+  const ClodHierarchy& other = sample_asset().hierarchy;
+  ContactSet set;
+  set.contacts.reserve(64);
+  for (const bool is_exact : {true, false}) {
+    ContactFront front, back;
+    reserve_front(front, asset.hierarchy, other, 2000);
+    reserve_front(back, other, asset.hierarchy, 2000);
+    ContactQuery query{.tolerance = 0.02};
+    query.resolution.is_exact = is_exact;
+    for (int i = 0; i < 3; ++i) {
+      Pose pose;
+      pose.position = Vec3(0.3, 1.98 - 0.02 * i, 0.2);
+      clear(set);
+      query_contacts(asset.hierarchy, pose, other, Pose{}, query, front, set);
+      query_contacts(other, pose, asset.hierarchy, Pose{}, query, back, set);
+      EXPECT_LE(set.contacts.size(), 64u);
+    }
+  }
+  for (std::size_t k = 0; k < asset.meshes.size(); ++k)
+    EXPECT_EQ(patches_of_triangles(asset, static_cast<std::int32_t>(k)).size(),
+              asset.meshes[k].triangles.size());
+}
+
+TEST(ClodFile, NoLieIsFollowed) {
+  Random random(2021);
+  int taken = 0;
+  for (int round = 0; round < (test::is_full() ? 1000 : 250); ++round) {
+    ClodAsset asset;
+    try {
+      asset = parse_clod(lying_file(random), "a.clod");
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("a.clod: ", 0), 0u) << error.what();
+      continue;
+    }
+    ++taken;
+    use(asset);
+  }
+  RecordProperty("taken", taken);
+  std::printf("%d lying files read, the others refused\n", taken);
+  EXPECT_GT(taken, 5) << "some lies cannot be seen";
 }
 
 TEST(ClodFile, BrokenAssetsAreNotWritten) {

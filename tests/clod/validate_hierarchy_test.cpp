@@ -78,7 +78,7 @@ std::vector<Lie> lies() {
       {"count", [](H& h) { ++h.levels[1].patch_count; }},
       {"order", [](H& h) { h.levels[0].is_free = true; }},
       {"order", [](H& h) { h.levels.back().is_free = false; }},
-      {"bounds", [](H& h) { h.contact_reach.clear(); }},
+      {"bounds", [](H& h) { h.vertex_to_below.clear(); }},
       {"bounds", [](H& h) { h.vertex_to_below[4] = -1.0f; }},
       {"bounds", [](H& h) { h.triangle_to_below[4] = static_cast<float>(kNan); }},
       {"negative", [](H& h) { h.contact_patches[4].to_below = -1.0; }},

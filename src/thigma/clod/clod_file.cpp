@@ -306,14 +306,19 @@ ClodAsset parse_clod(std::string_view bytes, const std::string& name, double uni
     visit_parts(meshes, reader);
     refuse_flaw(name, split(meshes, asset.hierarchy, asset.meshes));
   }
-  if (unit_scale == 1.0) return asset;
-  const bool is_scale = unit_scale > 0.0 && std::isfinite(unit_scale);
-  if (!is_scale || !(unit_scale * asset.hierarchy.radius <= kMaxCoordinate) ||
-      !(unit_scale * asset.hierarchy.center.cwiseAbs().maxCoeff() <= kMaxCoordinate))
+  scale_clod(asset, unit_scale, name);
+  return asset;
+}
+
+void scale_clod(ClodAsset& asset, double unit_scale, const std::string& name) {
+  const ClodHierarchy& h = asset.hierarchy;
+  const bool is_in_range = unit_scale > 0.0 && std::isfinite(unit_scale) &&
+                           unit_scale * h.radius <= kMaxCoordinate &&
+                           unit_scale * h.center.cwiseAbs().maxCoeff() <= kMaxCoordinate;
+  if (!is_in_range)
     throw InputError(name + ": the scale is " + std::to_string(unit_scale) +
                      ", as given, expected a positive number of metres per unit");
-  scale_asset(asset, unit_scale);
-  return asset;
+  if (unit_scale != 1.0) scale_asset(asset, unit_scale);
 }
 
 ClodAsset read_clod(const std::string& path, double unit_scale) {

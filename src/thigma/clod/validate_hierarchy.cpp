@@ -296,11 +296,10 @@ bool check_sizes(Flaws& f) {
          f.check(h.support.size() == (h.contact_patches.empty() ? 0 : h.vertices.size()),
                  "support areas of other vertices", "support", h.support.size(),
                  "one for each vertex") &&
-         f.check(is_as_long(h.contact_reach, h.nodes.size(), h) &&
-                     is_as_long(h.vertex_to_below, h.vertices.size(), h) &&
+         f.check(is_as_long(h.vertex_to_below, h.vertices.size(), h) &&
                      is_as_long(h.triangle_to_below, h.hull_triangles.size(), h),
                  "bounds of other parts", "contact patches", h.contact_patches.size(),
-                 "bounds for each node, vertex and triangle") &&
+                 "bounds for each vertex and triangle") &&
          f.check(h.radius > 0.0 && h.radius <= kMostLength && h.triangle_count >= 1, "no size",
                  "object", 0, "a radius and triangles");
 }

@@ -146,7 +146,6 @@ void visit_parts(Like<ClodHierarchy> auto& h, V&& visit) {
   visit.records("nodes", h.nodes);
   visit.records("patches", h.patches);
   visit.records("contact_patches", h.contact_patches);
-  visit.numbers("contact_reach", h.contact_reach, Dimension::length);
   visit.numbers("vertices", h.vertices, Dimension::length);
   visit.numbers("vertex_to_below", h.vertex_to_below, Dimension::length);
   visit.numbers("support", h.support, Dimension::area);
