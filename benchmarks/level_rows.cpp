@@ -49,8 +49,10 @@ Row level_row(const BenchPair& pair, const LevelTiming& ours,
     row.front_exact = exact->front;
     row.speedup = exact->method.us.p50 / ours.method.us.p50;
   }
-  row.note = "first query, from the root, " + number("%.0f", ours.cold_us) + " us; " +
-             number("%.0f", ours.tests) + " pairs looked at a query";
+  row.note = "medians apart " + number("%.0f", ours.apart_us) + " us, meeting " +
+             number("%.0f", ours.meeting_us) + " us; first query, from the root, " +
+             number("%.0f", ours.cold_us) + " us; " + number("%.0f", ours.tests) +
+             " pairs looked at a query";
   if (ours.dropped > 0)
     row.note += "; " + std::to_string(ours.dropped) + " contacts beyond the room";
   if (ours.unrefined > 0)
@@ -135,6 +137,9 @@ std::vector<Row> measure_case(LevelCase c, bool quick) {
 std::vector<LevelCase> level_cases() {
   std::vector<LevelCase> cases = {
       {.request = {.name = "jaws", .scene = "jaws", .path = {.turn = 0.004, .slide = 0.005}}},
+      {.request = {.name = "jaws-grinding",
+                   .scene = "jaws",
+                   .path = {.turn = 0.001, .slide = 0.004, .swing = 0.001}}},
       {.request = {.name = "ball-joint",
                    .scene = "ball_joint",
                    .path = {.turn = 0.2, .slide = 0.005}}},

@@ -51,6 +51,8 @@ struct LevelTiming {
   double front = 0.0, tests = 0.0;  // means; nodes of the front, pairs looked at
   double cold_us = 0.0;             // the first query, from the root [us]
   std::int64_t dropped = 0, unrefined = 0;
+  double apart_us = 0.0,
+         meeting_us = 0.0;  // medians where it reports surfaces apart, and meeting [us]
 };
 
 /// Ours along the whole path, each pose's best of `runs` runs; the first pose is in cold_us alone.

@@ -1,0 +1,67 @@
+// `thigma bench`: rows as scripts read them.
+
+#include <set>
+
+#include "apps/program.h"
+#include <gtest/gtest.h>
+
+namespace thigma::test {
+namespace {
+
+void expect_figure(const nlohmann::json& figure, const std::string& row) {
+  for (const char* key : {"p50", "p99", "p999", "max"}) ASSERT_TRUE(figure.contains(key)) << row;
+  EXPECT_GT(figure["p50"].get<double>(), 0.0) << row;
+  EXPECT_GE(figure["p99"].get<double>(), figure["p50"].get<double>()) << row;
+}
+
+TEST(BenchVerb, RowsCarryTimesBaselinesRecallAndError) {
+  const Ended e = run_program(
+      {"bench", "--quick", "--json", "--filter", "^(levels-cup-spoon|haptic-step)$"}, 300.0);
+  ASSERT_EQ(e.code, 0) << e.err;
+  const std::vector<nlohmann::json> lines = json_lines(e);
+  ASSERT_GT(lines.size(), 4u);
+  EXPECT_EQ(lines[0]["name"], "machine");
+  EXPECT_GT(lines[0]["dependent_adds_ghz"].get<double>(), 0.0);
+  EXPECT_TRUE(lines[0]["empty_loop_late_us"].contains("p999"));
+  std::set<std::string> baselines;
+  bool has_exact = false, says_absent = false;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const nlohmann::json& row = lines[i];
+    const std::string name = row["name"];
+    expect_figure(row["ours"], name);
+    const double scale = row["dependent_adds_ghz"].get<double>() / 3.56;
+    EXPECT_NEAR(row["ours_at_3_56_ghz"]["p50"].get<double>(),
+                scale * row["ours"]["p50"].get<double>(),
+                1e-6 * scale * row["ours"]["p50"].get<double>());
+    if (name.rfind("cup-spoon", 0) != 0) continue;
+    ASSERT_TRUE(row["baseline"].is_object()) << name;
+    expect_figure(row["baseline"], name);
+    baselines.insert(row["baseline"]["name"].get<std::string>());
+    for (const char* key : {"recall_ours", "recall_baseline", "error_ours", "error_baseline"}) {
+      ASSERT_TRUE(row[key].is_number()) << name << " " << key;
+      EXPECT_GE(row[key].get<double>(), 0.0);
+    }
+    EXPECT_LE(row["recall_baseline"].get<double>(), 1.0);
+    EXPECT_NEAR(row["ratio"].get<double>(),
+                row["baseline"]["p50"].get<double>() / row["ours"]["p50"].get<double>(),
+                1e-6 * row["ratio"].get<double>());
+    says_absent =
+        says_absent || row["note"].get<std::string>().find("built without") != std::string::npos;
+    if (name.find("exact") != std::string::npos) {
+      has_exact = true;
+      EXPECT_EQ(row["recall_ours"].get<double>(), 1.0);
+      EXPECT_LT(row["error_ours"].get<double>(), 1e-9);
+    }
+  }
+  EXPECT_TRUE(has_exact);
+  EXPECT_TRUE(baselines.size() == 3 || says_absent) << "a baseline is missing without a word";
+}
+
+TEST(BenchVerb, SaysWhatItLeavesOut) {
+  const Ended e = run_program({"bench", "--filter", "no such row"});
+  EXPECT_EQ(e.code, 2);
+  EXPECT_NE(e.err.find("levels-conforming-1m"), std::string::npos) << e.err;
+}
+
+}  // namespace
+}  // namespace thigma::test
