@@ -8,10 +8,12 @@
 #include <optional>
 
 #include "json_out.h"
+#include "run_live.h"
 #include "run_options.h"
 #include "run_session.h"
 #include "run_summary.h"
 #include "verbs.h"
+#include "viewer/server/web_server.h"
 #include <unistd.h>
 
 #include "thigma/core/error.h"
@@ -98,18 +100,19 @@ class LiveTable {
   double query_ = 0.0;
 };
 
-std::unique_ptr<RecordingWriter> open_recording(const RunOptions& options, const Run& run,
-                                                std::uint64_t seed) {
-  if (options.record.empty()) return nullptr;
+std::unique_ptr<RecordingWriter> open_recording(const std::string& path, const RunOptions& options,
+                                                const Run& run, std::uint64_t seed) {
+  if (path.empty()) return nullptr;
   RecordedConfig recorded;
   recorded.params = run.config.haptic;
   recorded.world_from_body = run.config.world_from_body;
   recorded.rate_hz = run.config.rate;
   recorded.is_lockstep = options.is_lockstep;
+  recorded.resolution = run.config.contact.resolution;
   recorded.seed = seed;
   recorded.scene = run.scene.file;
   recorded.device = run.device_uri;
-  return std::make_unique<RecordingWriter>(options.record, write_config(recorded));
+  return std::make_unique<RecordingWriter>(path, write_config(recorded));
 }
 
 /// How late this machine wakes a thread that does nothing, so that missed frames can be judged.
@@ -124,21 +127,19 @@ void tell_floor(const SessionConfig& config) {
                1e6 * late.max);
 }
 
-SessionSummary run_threads(Run& run, const SessionSinks& sinks, LiveTable* table, bool is_quiet) {
+void prepare_process(const SessionConfig& config, bool is_quiet) {
   const std::string refused = lock_process_memory();
   if (!refused.empty() && !is_quiet) std::fprintf(stderr, "thigma: %s\n", refused.c_str());
-  if (!is_quiet) tell_floor(run.config);
+  if (!is_quiet) tell_floor(config);
+}
+
+SessionSummary run_threads(Run& run, const SessionSinks& sinks, bool is_quiet) {
+  prepare_process(run.config, is_quiet);
   Session session(run.config, *run.device, sinks);
   session.start();
-  bool is_first = true;
-  int polls = 0;
   while (session.is_running()) {
     if (stop_requested.load(std::memory_order_relaxed)) session.request_stop();
     sleep_ns(10'000'000);
-    if (table != nullptr && ++polls % 10 == 0) {
-      table->draw(is_first);
-      is_first = false;
-    }
   }
   SessionSummary summary = session.finish();
   for (const std::string& note : summary.notes) {
@@ -147,37 +148,58 @@ SessionSummary run_threads(Run& run, const SessionSinks& sinks, LiveTable* table
   return summary;
 }
 
+/// Without a page: one session, no table.
+SessionSummary run_alone(const RunOptions& options, const Common& common, Run& run) {
+  const std::unique_ptr<RecordingWriter> recording =
+      open_recording(options.record, options, run, common.seed);
+  SessionSinks sinks;
+  if (recording) {
+    sinks = {[&](const HapticSample& sample) { recording->write(sample); },
+             [&](const ContactSample& sample) { recording->write(sample); },
+             [&](const SessionEvent& event) { recording->write(event); }};
+  }
+  const SessionSummary summary =
+      options.is_lockstep ? run_lockstep(run.config, *run.device, sinks, &stop_requested)
+                          : run_threads(run, sinks, common.quiet);
+  if (recording) recording->close({summary.frames, summary.state_hash, summary.dropped_samples});
+  return summary;
+}
+
+/// With the page, and a table in the terminal.
+SessionSummary run_with_page(const RunOptions& options, const Common& common, Run& run) {
+  LiveTable table;
+  const bool wants_table = !options.is_lockstep && !common.quiet && isatty(2) != 0;
+  int polls = 0;
+  LiveProgram program;
+  program.run = &run;
+  program.options = &options;
+  program.seed = common.seed;
+  program.stop = &stop_requested;
+  program.record = [&](const std::string& path) {
+    return open_recording(path, options, run, common.seed);
+  };
+  program.tell = [&common](const std::string& line) {
+    if (!common.quiet) std::fprintf(stderr, "thigma: %s\n", line.c_str());
+  };
+  if (wants_table) {
+    program.look_at_haptic = [&table](const HapticSample& sample) { table.look_at(sample); };
+    program.look_at_contact = [&table](const ContactSample& sample) { table.look_at(sample); };
+    program.poll = [&] {
+      if (++polls % 10 == 0) table.draw(polls == 10);
+    };
+  }
+  if (!options.is_lockstep) prepare_process(run.config, common.quiet);
+  return run_live(program);
+}
+
 int run_verb(const RunOptions& options, const Common& common) {
   const auto tell = [&common](const std::string& line) {
     if (!common.quiet) std::fprintf(stderr, "thigma: %s\n", line.c_str());
   };
   const std::unique_ptr<Run> run = prepare_run(options, common.seed, tell);
-  const std::unique_ptr<RecordingWriter> recording = open_recording(options, *run, common.seed);
-  const bool wants_table =
-      !options.is_headless && !options.is_lockstep && !common.quiet && isatty(2) != 0;
-  LiveTable table;
-  SessionSinks sinks;
-  if (recording || wants_table) {
-    sinks.haptic = [&](const HapticSample& sample) {
-      if (recording) recording->write(sample);
-      if (wants_table) table.look_at(sample);
-    };
-    sinks.contact = [&](const ContactSample& sample) {
-      if (recording) recording->write(sample);
-      if (wants_table) table.look_at(sample);
-    };
-  }
-  if (recording) sinks.event = [&](const SessionEvent& event) { recording->write(event); };
-  if (!options.is_headless && !options.is_lockstep) {
-    tell(
-        "the browser view is not in this build: a simulated hand runs, with a live table here; "
-        "Ctrl-C ends it");
-  }
   const SignalGuard signals;
-  const SessionSummary summary =
-      options.is_lockstep ? run_lockstep(run->config, *run->device, sinks, &stop_requested)
-                          : run_threads(*run, sinks, wants_table ? &table : nullptr, common.quiet);
-  if (recording) recording->close({summary.frames, summary.state_hash, summary.dropped_samples});
+  const SessionSummary summary = has_page(options) ? run_with_page(options, common, *run)
+                                                   : run_alone(options, common, *run);
   if (common.json || options.is_headless) {
     print_json(run_summary_json(summary, run->scene.file, run->device_uri));
   } else {
@@ -185,8 +207,8 @@ int run_verb(const RunOptions& options, const Common& common) {
   }
   flush_output();
   for (const SessionEvent& event : summary.safety_events) {
-    std::fprintf(stderr, "thigma: safety fault %s at %.3f s: zero force since\n",
-                 event.detail.c_str(), event.time);
+    std::fprintf(stderr, "thigma: safety fault %s at %.3f s: zero force%s\n", event.detail.c_str(),
+                 event.time, summary.end == SessionEnd::fault ? " since" : " until taken up again");
   }
   if (was_suspended) {
     tell_error(
@@ -219,6 +241,8 @@ void add_run(CLI::App& app, Common& common) {
                               } catch (const DeviceAddressError& error) {
                                 return refuse(kUsage, error.what());
                               } catch (const DeviceUnavailable& error) {
+                                return refuse(kUnavailable, error.what());
+                              } catch (const live::PortUnavailable& error) {
                                 return refuse(kUnavailable, error.what());
                               }
                             });

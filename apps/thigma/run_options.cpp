@@ -14,24 +14,27 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
   verb.add_option("--scale", o.scale, "metres per unit of both meshes, with --object");
   verb.add_option("--pose", o.pose_text, "x,y,z,qx,qy,qz,qw of the object [m], with --object");
   verb.add_option("--device", o.device,
-                  "hand:, script:FILE, replay:FILE, null: (thigma devices lists them)");
+                  "hand:, web:, script:FILE, replay:FILE, null: (thigma devices lists them)");
   verb.add_option("--duration", o.duration, "seconds; without it until Ctrl-C");
-  verb.add_flag("--headless", o.is_headless, "no live table; ends with the JSON summary");
+  verb.add_flag("--headless", o.is_headless, "no page, no live table; ends with the JSON summary");
   verb.add_flag("--lockstep", o.is_lockstep,
                 "virtual clock: as fast as it goes, same inputs same bits");
   verb.add_option("--rate", o.rate, "haptic frames a second");
   verb.add_option("--record", o.record, "write a recording (.mcap)");
-  verb.add_flag("--exact", o.is_exact, "contacts at full resolution (the only mode of this build)");
-  verb.add_option("--response", o.response, "coupled");
+  add_resolution_options(verb, o.resolution);
+  verb.add_flag("--no-blend", o.has_no_blend,
+                "contacts change their level of detail at once, not gradually");
+  verb.add_option(
+      "--response", o.response,
+      "coupled: through a simulated body (default); direct: contact forces as they are");
+  verb.add_flag("--no-cache", o.has_no_cache, "build levels of detail anew and keep nothing");
   verb.add_flag("--repair", o.is_repair, "repair meshes that need it");
   verb.add_option("--fault", o.fault_text, "unplug@T, stall=S@T, nan@T, hang=S@T, comma-separated");
-  verb.add_option("--threshold", o.threshold, "not in this build")->group("");
-  verb.add_option("--budget-us", o.budget_us, "not in this build")->group("");
-  verb.add_option("--budget-tests", o.budget_tests, "not in this build")->group("");
-  verb.add_option("--deviation-cap", o.deviation_cap, "not in this build")->group("");
   verb.add_option("--texture", o.texture, "not in this build")->group("");
-  verb.add_option("--port", o.port, "not in this build")->group("");
+  verb.add_option("--port", o.port, "of the page on this machine; 0 or none: any free one");
 }
+
+bool has_page(const RunOptions& o) { return !o.is_headless && (!o.is_lockstep || o.port); }
 
 std::string check_run_options(const RunOptions& o) {
   const bool has_pair = !o.object.empty() || !o.against.empty();
@@ -51,21 +54,15 @@ std::string check_run_options(const RunOptions& o) {
   }
   // As of solver.rate in a scene: more slowly, a contact model is too old before the next frame.
   if (o.rate && !(*o.rate >= 50.0 && *o.rate <= 20000.0)) return "--rate must be 50 to 20000 Hz";
-  if (o.response == "direct")
-    return "--response direct is not in this build; contact forces reach the hand through the "
-           "coupling";
-  if (o.response != "coupled") return "--response is coupled or direct";
-  if (!o.threshold.empty() || !o.budget_us.empty() || !o.budget_tests.empty() ||
-      !o.deviation_cap.empty()) {
-    return "--threshold, --budget-us, --budget-tests and --deviation-cap need contact levels of "
-           "detail, which this build "
-           "does not have; contacts are exact";
-  }
+  if (!o.response.empty() && o.response != "coupled" && o.response != "direct")
+    return "--response is coupled or direct";
+  Resolution resolution;
+  const std::string wrong = apply(o.resolution, resolution);
+  if (!wrong.empty()) return wrong;
   if (!o.texture.empty() && o.texture != "off")
     return "--texture needs haptic textures, which this build does not have";
-  if (!o.port.empty())
-    return "--port needs the page, which this build does not have; there is a live table in the "
-           "terminal";
+  if (o.port && o.is_headless)
+    return "--port belongs to the page, which --headless leaves out";
   if (!o.pose_text.empty() && !parse_pose(o.pose_text))
     return "--pose must be seven numbers: x,y,z,qx,qy,qz,qw";
   return {};

@@ -1,10 +1,12 @@
 #pragma once
 // The options of `thigma run`.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "resolution_options.h"
 #include <CLI/CLI.hpp>
 
 #include "thigma/math/pose.h"
@@ -24,13 +26,19 @@ struct RunOptions {
   bool is_lockstep = false;
   std::optional<double> rate;  // otherwise the scene's [Hz]
   std::string record;
-  bool is_exact = false;
-  std::string response = "coupled";
+  ResolutionOptions resolution;
+  bool has_no_blend = false;  // contacts change level at once
+  std::string response;       // otherwise the scene's
+  bool has_no_cache = false;  // levels of detail are built and forgotten
   bool is_repair = false;
   std::string fault_text;
   // Of parts that are not built yet: refused with a sentence.
-  std::string threshold, budget_us, budget_tests, deviation_cap, texture, port;
+  std::string texture;
+  std::optional<std::uint16_t> port;  // of the page; otherwise any free one
 };
+
+/// Whether the run has a page: not headless, and in lockstep only where a port is named.
+bool has_page(const RunOptions& options);
 
 void add_run_options(CLI::App& verb, RunOptions& options);
 

@@ -1,8 +1,12 @@
 #include "run_session.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
+#include "clod_cache.h"
+#include "progress.h"
 #include "scenes/scene_file.h"
 
 #include "thigma/clod/build_hierarchy.h"
@@ -10,30 +14,67 @@
 #include "thigma/device/open_device.h"
 #include "thigma/device/replay.h"
 #include "thigma/runtime/config_json.h"
+#include "thigma/runtime/direct_session.h"
 #include "thigma/runtime/recording.h"
 
 namespace thigma::app {
 namespace {
 
-ClodHierarchy build(const scenes::SceneObject& object, const scenes::LoadedObject& loaded,
-                    const std::function<void(const std::string&)>& tell) {
-  BuildReport report;
-  ClodHierarchy hierarchy = build_exact_hierarchy(loaded.mesh, {}, &report);
-  if (tell) {
-    char line[256];
-    std::snprintf(line, sizeof line,
-                  "%s: %d triangles, %d convex patches, radius %.4g m, built in %.1f s",
-                  object.name.c_str(), report.triangles, report.patches, loaded.ball.radius,
-                  report.decompose_seconds + report.hierarchy_seconds);
-    tell(line);
-  }
-  return hierarchy;
+/// The hierarchy of a mesh at full resolution, as an asset.
+ClodAsset build_exact(const ClodSource& source, const Tell& tell) {
+  ClodAsset asset;
+  asset.meshes.push_back(load_surface(source, tell));
+  asset.hierarchy = build_exact_hierarchy(asset.meshes[0]);
+  asset.mass.measure = mass_properties(asset.meshes[0]);
+  return asset;
 }
 
-void apply_options(const RunOptions& options, SessionConfig& config) {
+/// Surface, hierarchy and mass of an object: levels of detail where the session asks for them.
+ClodAsset load_asset(const scenes::SceneObject& object, const char* role, const RunOptions& options,
+                     bool is_exact, const Tell& tell) {
+  ClodSource source;
+  source.name = object.mesh;
+  source.role = role;
+  source.scale = object.unit_scale;
+  source.is_repair = options.is_repair;
+  const bool is_kept = !object.model && is_clod_file(object.mesh);
+  ClodAsset asset;
+  if (is_exact && !is_kept) {
+    asset = build_exact(source, tell);
+  } else {
+    Progress bar("building levels of " + object.name, "triangles", static_cast<bool>(tell));
+    source.progress = [&bar](double share, double amount) { bar.update(share, amount); };
+    asset = load_clod_cached(source, {.is_enabled = !options.has_no_cache, .folder = {}}, tell);
+  }
+  const ClodHierarchy& h = asset.hierarchy;
+  if (tell) {
+    char line[256];
+    std::snprintf(
+        line, sizeof line, "%s: %d triangles, %zu convex patches, %zu levels, radius %.4g m",
+        object.name.c_str(), h.triangle_count, h.patches.size(), h.levels.size(), h.radius);
+    tell(line);
+  }
+  return asset;
+}
+
+/// What a session has to know of the grasped object.
+scenes::LoadedObject measures_of(const ClodAsset& asset) {
+  scenes::LoadedObject loaded;
+  loaded.measure = asset.mass.measure;
+  loaded.ball = {asset.hierarchy.center, asset.hierarchy.radius};
+  return loaded;
+}
+
+void apply_options(const RunOptions& options, const scenes::SceneDescription& scene,
+                   SessionConfig& config) {
   config.duration = options.duration.value_or(0.0);
   config.rate = options.rate.value_or(config.rate);
   config.faults = parse_faults(options.fault_text);
+  apply(options.resolution, config.contact.resolution);
+  if (options.has_no_blend) config.contact.resolution.interpolates = false;
+  const bool is_direct = options.response.empty() ? scene.contact.response == ResponseKind::direct
+                                                  : options.response == "direct";
+  config.haptic.response = is_direct ? ResponseKind::direct : ResponseKind::coupled;
 }
 
 /// What find_start did, for people.
@@ -106,6 +147,36 @@ void refuse_device_clock(const HapticDevice& device) {
       device.name() + ": wants to set the pace by its own clock, which this build cannot follow");
 }
 
+/// The page's mouse, slower than what safety takes for a fault.
+std::unique_ptr<HapticDevice> open_web(Run& run) {
+  if (run.web_link == nullptr)
+    throw DeviceUnavailable("web: needs the page, which --headless and --lockstep leave out");
+  WebMotionParams params;
+  params.max_speed = std::min(params.max_speed, 0.8 * run.config.haptic.safety.max_speed);
+  return make_web_device(*run.web_link, params);
+}
+
+/// Opens the device, and places the object before a hand comes to it. With the direct response the
+/// device decides the contact tolerance, and that the place: a hand is opened once more for its limits.
+void open_run_device(const RunOptions& options, std::uint64_t seed, const Tell& tell, Run& run) {
+  const std::string scheme = device_scheme(run.device_uri);
+  const bool is_direct = run.config.haptic.response == ResponseKind::direct;
+  if (scheme == "web") {
+    place(run, tell);
+    run.device = open_web(run);
+    if (is_direct) use_direct_response(run.device->limits(), run.config);
+    return;
+  }
+  if (scheme == "hand") {
+    if (is_direct) use_direct_response(open_device(run.device_uri, {})->limits(), run.config);
+    place(run, tell);
+  }
+  run.device = scheme == "replay"
+                   ? open_recorded(run.device_uri.substr(scheme.size() + 1), options, run.config)
+                   : open_device(run.device_uri, context_of(run, seed));
+  if (is_direct) use_direct_response(run.device->limits(), run.config);
+}
+
 }  // namespace
 
 std::unique_ptr<Run> prepare_run(const RunOptions& options, std::uint64_t seed,
@@ -117,27 +188,38 @@ std::unique_ptr<Run> prepare_run(const RunOptions& options, std::uint64_t seed,
                          options.pose_text.empty() ? Pose{} : *parse_pose(options.pose_text))
                    : scenes::read_scene(options.scene);
   run->device_uri = options.device.empty() ? run->scene.device.uri : options.device;
+  if (has_page(options)) run->web_link = std::make_unique<WebLink>();
 
-  const scenes::LoadedObject object = scenes::load_object(run->scene.object, options.is_repair);
-  run->object_radius = object.ball.radius;
-  run->config = scenes::make_session_config(run->scene, object);
-  run->object = build(run->scene.object, object, tell);
-  run->config.contact.object = &run->object;
+  // Whether levels are wanted decides what is loaded, before there is a configuration.
+  Resolution resolution = run->scene.contact.resolution;
+  apply(options.resolution, resolution);
+  run->object = load_asset(run->scene.object, "--object", options, resolution.is_exact, tell);
+  run->object_radius = run->object.hierarchy.radius;
+  run->config = scenes::make_session_config(run->scene, measures_of(run->object));
+  run->config.contact.object = &run->object.hierarchy;
   for (const scenes::SceneObject& other : run->scene.statics) {
-    const scenes::LoadedObject loaded = scenes::load_object(other, options.is_repair);
-    run->statics.push_back(std::make_unique<ClodHierarchy>(build(other, loaded, tell)));
-    run->config.contact.scene.push_back({run->statics.back().get(), other.world_from_mesh});
+    run->statics.push_back(std::make_unique<ClodAsset>(
+        load_asset(other, "--against", options, resolution.is_exact, tell)));
+    run->config.contact.scene.push_back({&run->statics.back()->hierarchy, other.world_from_mesh});
   }
-  apply_options(options, run->config);
-
-  const std::string scheme = device_scheme(run->device_uri);
-  if (scheme == "hand") place(*run, tell);
-  run->device = scheme == "replay"
-                    ? open_recorded(run->device_uri.substr(scheme.size() + 1), options, run->config)
-                    : open_device(run->device_uri, context_of(*run, seed));
+  apply_options(options, run->scene, run->config);
+  open_run_device(options, seed, tell, *run);
   refuse_device_clock(*run->device);
   run->config.haptic.device = run->device->limits();
   return run;
+}
+
+void reopen_run_device(const RunOptions& options, std::uint64_t seed, const std::string& uri,
+                       Run& run) {
+  const std::string before = std::exchange(run.device_uri, uri);
+  try {
+    open_run_device(options, seed, {}, run);
+    refuse_device_clock(*run.device);
+  } catch (...) {
+    run.device_uri = before;
+    throw;
+  }
+  run.config.haptic.device = run.device->limits();
 }
 
 }  // namespace thigma::app

@@ -9,10 +9,11 @@
 #include "run_options.h"
 #include "scenes/scene_description.h"
 
-#include "thigma/clod/hierarchy.h"
+#include "thigma/clod/clod_asset.h"
 #include "thigma/device/haptic_device.h"
 #include "thigma/runtime/placement.h"
 #include "thigma/runtime/session.h"
+#include "thigma/runtime/web_device.h"
 
 namespace thigma::app {
 
@@ -20,20 +21,26 @@ namespace thigma::app {
 struct Run {
   scenes::SceneDescription scene;
   double object_radius = 0.0;  // [m]
-  ClodHierarchy object;
-  std::vector<std::unique_ptr<ClodHierarchy>> statics;
+  ClodAsset object;
+  std::vector<std::unique_ptr<ClodAsset>> statics;  // in the order of the scene
   SessionConfig config;
   StartPlacement start;
+  std::unique_ptr<WebLink> web_link;  // of the page, where there is one
   std::unique_ptr<HapticDevice> device;
   std::string device_uri;
 };
 
-/// Reads the scene, loads meshes, builds hierarchies, places the object, opens the device.
+/// Reads the scene, loads or builds levels of detail, places the object, opens the device.
 ///
 /// tell     called with a line of progress, may be empty
 /// Thread   [offline]. InputError, IoError, DeviceAddressError, DeviceUnavailable,
 /// std::invalid_argument.
 std::unique_ptr<Run> prepare_run(const RunOptions& options, std::uint64_t seed,
                                  const std::function<void(const std::string&)>& tell);
+
+/// Opens a device anew, or another one, and places the object for it as prepare_run does; the old one is
+/// given up only when that succeeds.
+/// Thread   [offline]; as prepare_run.
+void reopen_run_device(const RunOptions& options, std::uint64_t seed, const std::string& uri, Run& run);
 
 }  // namespace thigma::app

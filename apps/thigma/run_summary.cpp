@@ -26,6 +26,29 @@ Json quantiles(const DurationSummary& d, double unit, bool with_p999 = true) {
   return json;
 }
 
+/// Contacts at each level, 0 the finest, as shares of all, up to the coarsest in use.
+Json level_shares(const std::array<std::uint64_t, kLevelBins>& counts) {
+  Json shares = Json::array();
+  std::uint64_t sum = 0;
+  for (const std::uint64_t n : counts) sum += n;
+  std::uint64_t so_far = 0;
+  for (const std::uint64_t n : counts) {
+    if (so_far == sum) break;
+    so_far += n;
+    shares.push_back(static_cast<double>(n) / static_cast<double>(sum));
+  }
+  return shares;
+}
+
+/// Largest steps from frame to frame [N], where a contact changes its level of detail and elsewhere.
+Json force_step(const ForceStep& step, const SessionSummary& s) {
+  Json json;
+  json["level_change"] =
+      s.force_steps.level_change_frames > 0 ? finite(step.level_change) : Json(nullptr);
+  json["other"] = finite(step.other);
+  return json;
+}
+
 void append(std::string& text, const char* format, ...) __attribute__((format(printf, 2, 3)));
 void append(std::string& text, const char* format, ...) {
   char line[256];
@@ -60,8 +83,19 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene,
       {"contacts_mean", mean(s.contacts_mean)},
       {"clusters_mean", mean(s.clusters_mean)},
       {"front_mean", mean(s.front_mean)},
-      {"model_age_ms", quantiles(s.model_age, kMilli, false)}};
-  json["force"] = {{"max", s.force_max}, {"rms", s.force_rms}};
+      {"model_age_ms", quantiles(s.model_age, kMilli, false)},
+      {"tests_mean", mean(s.tests_mean)},
+      {"mandatory_tests_mean", mean(s.mandatory_tests_mean)},
+      {"dropped", s.dropped_contacts},
+      {"bound_max", s.bound_max},
+      {"unrefined", s.unrefined},
+      {"level_changes", s.level_changes},
+      {"levels",
+       {{"object", level_shares(s.object_levels)}, {"scene", level_shares(s.scene_levels)}}}};
+  json["force"] = {{"max", s.force_max},
+                   {"rms", s.force_rms},
+                   {"step_max", force_step(s.force_steps.device, s)},
+                   {"contact_step_max", force_step(s.force_steps.contact, s)}};
   json["torque"] = {{"max", s.torque_max}, {"rms", s.torque_rms}};
   json["penetration_max"] = s.penetration_max;
   json["coupling_stretch_max"] = s.stretch_max;
@@ -96,6 +130,12 @@ std::string run_summary_text(const SessionSummary& s) {
          1e3 * s.model_age.p50, 1e3 * s.model_age.p99, 1e3 * s.model_age.max);
   append(text, "force            max %.3f N, rms %.3f N; torque max %.4f N m\n", s.force_max,
          s.force_rms, s.torque_max);
+  if (s.force_steps.level_change_frames > 0) {
+    append(text,
+           "contact force    steps by at most %.4f N where a contact changes level, %.4f N "
+           "elsewhere\n",
+           s.force_steps.contact.level_change, s.force_steps.contact.other);
+  }
   append(text, "penetration      max %.3g mm; coupling stretch max %.3g mm\n",
          1e3 * s.penetration_max, 1e3 * s.stretch_max);
   append(text, "energy           min %.3g J; samples dropped %llu\n", s.energy_min,

@@ -1,8 +1,8 @@
 # cmake -DOUT=FILE.cpp -DFOLDER=DIR -P embed.cmake: the files of a folder as C++, in the order of their names.
 file(GLOB files ${FOLDER}/*)
 list(SORT files)
-set(types html "text/html; charset=utf-8" js "text/javascript; charset=utf-8" css "text/css; charset=utf-8" svg image/svg+xml
-    txt "text/plain; charset=utf-8" json application/json png image/png ico image/x-icon woff2 font/woff2)
+set(types html text/html js text/javascript css text/css svg image/svg+xml txt text/plain json application/json
+    png image/png ico image/x-icon woff2 font/woff2)
 set(arrays)
 set(rows)
 set(number 0)
@@ -16,6 +16,9 @@ foreach(file IN LISTS files)
   endif()
   math(EXPR at "${at} + 1")
   list(GET types ${at} type)
+  if(type MATCHES "^text/")
+    string(APPEND type "; charset=utf-8")
+  endif()
   file(READ ${file} bytes HEX)
   string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
   string(APPEND arrays "constexpr unsigned char kFile${number}[] = {${bytes}0};\n")
