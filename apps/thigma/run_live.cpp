@@ -66,7 +66,8 @@ std::string free_recording() {
     const std::string part = std::string(name) + ".part";
     if (!std::filesystem::exists(name) && !std::filesystem::exists(part)) return name;
   }
-  throw IoError("session-999.mcap: there is already a file, expected a free name from session-001 on");
+  throw IoError(
+      "session-999.mcap: there is already a file, expected a free name from session-001 on");
 }
 
 /// The sessions of one run and what carries over from one to the next.
@@ -82,7 +83,8 @@ class LiveRun {
               *run_.web_link) {}
 
   SessionSummary go() {
-    program_.tell("the page is at " + room_.address() + " - open it in a browser on this machine; Ctrl-C ends it");
+    program_.tell("the page is at " + room_.address() +
+                  " - open it in a browser on this machine; Ctrl-C ends it");
     SessionSummary summary;
     do {
       summary = program_.options->is_lockstep ? lockstep() : session();
@@ -226,8 +228,8 @@ class LiveRun {
 
   void use_device(const live::LiveRequest& request) {
     if (run_.config.haptic.response == ResponseKind::direct)
-      throw std::runtime_error("the direct response is set up for its device; start with --device " +
-                               request.device);
+      throw std::runtime_error(
+          "the direct response is set up for its device; start with --device " + request.device);
     const bool is_web = device_scheme(request.device) == "web";
     // A person goes on from where the object is, but for a contact, inside which no force is ever
     // switched on; a hand comes to it from the start.
@@ -244,10 +246,11 @@ class LiveRun {
   live::LiveRoom room_;
   std::unique_ptr<RecordingWriter> recording_;
   std::optional<live::LiveRequest> request_;
-  std::optional<Pose> last_body_;  // world_from_body of the last frame, unless it touched something;
-                                   // the draining thread's while a session runs
-  live::PageId holder_ = 0;        // of the next session's device
-  double seconds_ = 0.0;           // of all sessions so far
+  std::optional<Pose>
+      last_body_;            // world_from_body of the last frame, unless it touched something;
+                             // the draining thread's while a session runs
+  live::PageId holder_ = 0;  // of the next session's device
+  double seconds_ = 0.0;     // of all sessions so far
 };
 
 }  // namespace

@@ -22,10 +22,10 @@ struct LiveProgram {
   const std::atomic<bool>* stop = nullptr;  // set by Ctrl-C
   // A recording of the session that `run` holds, under this path; throws IoError.
   std::function<std::unique_ptr<RecordingWriter>(const std::string& path)> record;
-  std::function<void(const HapticSample&)> look_at_haptic;   // on the draining thread; may be empty
-  std::function<void(const ContactSample&)> look_at_contact; // likewise
-  std::function<void()> poll;                                // every 10 ms; may be empty
-  std::function<void(const std::string&)> tell;              // a line for people
+  std::function<void(const HapticSample&)> look_at_haptic;  // on the draining thread; may be empty
+  std::function<void(const ContactSample&)> look_at_contact;  // likewise
+  std::function<void()> poll;                                 // every 10 ms; may be empty
+  std::function<void(const std::string&)> tell;               // a line for people
 };
 
 /// Serves the page and runs sessions until the time is over, the device has finished, a fault has ended

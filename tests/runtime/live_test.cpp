@@ -66,6 +66,30 @@ TEST(Live, ViewOfManyContactsHoldsTheDeepestOfEachCluster) {
   EXPECT_EQ(deepest, 0.01);
 }
 
+TEST(Live, ViewNamesNodesOfEveryLevel) {
+  ClodHierarchy h;
+  h.patches.resize(2);
+  h.patches[0].node = 7;
+  h.patches[1].node = 8;
+  h.contact_patches.resize(1);
+  h.contact_patches[0].patch.node = 3;
+  ContactWorld world = bare_world();
+  world.object = &h;
+  world.scene = {{&h, Pose{}}};
+  ContactScratch scratch;
+  Contact c;
+  c.object_patch = 1;
+  c.scene_patch = 2;  // the first of the simplified levels
+  c.scene_level = 1;
+  scratch.contacts.contacts = {c};
+  ContactView view;
+  view_contacts(world, scratch, 0.0, view);
+  ASSERT_EQ(view.contacts.size(), 1u);
+  EXPECT_EQ(view.contacts[0].object_node, 8);
+  EXPECT_EQ(view.contacts[0].scene_node, 3);
+  EXPECT_EQ(view.contacts[0].scene_level, 1);
+}
+
 TEST(Live, TuningKeepsVelocityAndTheGrasp) {
   SessionConfig config = plane_session();
   HapticState state = initial_state(config.haptic, config.world_from_body);

@@ -51,11 +51,10 @@ Told run(double duration, const PagedDevice::Page& page) {
   WebLink link;
   PagedDevice device(link, page);
   Told told;
-  told.summary =
-      run_lockstep(config, device,
-                   {[&](const HapticSample& s) { told.samples.push_back(s); },
-                    {},
-                    [&](const SessionEvent& e) { told.events.push_back(e); }});
+  told.summary = run_lockstep(config, device,
+                              {[&](const HapticSample& s) { told.samples.push_back(s); },
+                               {},
+                               [&](const SessionEvent& e) { told.events.push_back(e); }});
   return told;
 }
 
@@ -75,8 +74,8 @@ TEST(WebDevice, DragMovesTheObjectUntilContactAndTheForceGrowsWithTheDistance) {
   const HapticSample& end = told.samples.back();
   EXPECT_EQ(told.summary.end, SessionEnd::duration);
   EXPECT_TRUE(end.is_armed);
-  EXPECT_LT(end.body.position.z(), test::kCubeHalf + 0.001);   // it came down ...
-  EXPECT_GT(end.body.position.z(), test::kCubeHalf - 0.002);   // ... and stopped at the surface
+  EXPECT_LT(end.body.position.z(), test::kCubeHalf + 0.001);  // it came down ...
+  EXPECT_GT(end.body.position.z(), test::kCubeHalf - 0.002);  // ... and stopped at the surface
   EXPECT_LT(end.handle.pose.position.z(), test::kCubeHalf - 0.008);  // the hand did not
   EXPECT_GT(end.command.force.z(), 1.0);
   EXPECT_TRUE(told.summary.safety_events.empty());

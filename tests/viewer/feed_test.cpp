@@ -53,11 +53,11 @@ TEST(Feed, NothingIsShownBeforeTheFirstFrame) {
   EXPECT_EQ(feed.contact(), nullptr);
 }
 
-/// A held cube, pulled below the plane by 5 mm, in a rotated and scaled workspace.
+/// A held cube, pulled below the plane by 5 mm, in a scaled workspace whose y points up.
 SessionConfig pulled() {
   SessionConfig config = plane_session(0.005);
   config.haptic.workspace.world_from_device.orientation =
-      rotation_from_vector({0.0, 0.0, 1.5707963267948966});
+      rotation_from_vector({1.5707963267948966, 0.0, 0.0});
   config.haptic.workspace.motion_scale = 0.5;
   config.haptic.workspace.force_scale = 2.0;
   config.haptic.grasp_point = {0.001, 0.002, 0.003};
@@ -75,7 +75,7 @@ class Puller final : public HapticDevice {
     s.time = now;
     s.buttons = kClutchButton;
     const double way = now > 0.1 ? std::min(0.1 * (now - 0.1), 0.02) : 0.0;
-    s.motion.pose.position = {0.1 * way, 0.0, -way};
+    s.motion.pose.position = {0.1 * way, -way, 0.0};
     return s;
   }
   void write(const Wrench&) THIGMA_RT override {}
@@ -91,8 +91,8 @@ TEST(Feed, GhostIsWhereTheHandWouldHaveTheObject) {
   const HapticNow* now = feed->haptic();
   ASSERT_NE(now, nullptr);
   ASSERT_TRUE(now->sample.is_grasped);
-  // 20 mm down and 2 mm along the device's x, which is the world's y, at half the scale.
-  const Vec3 wanted = config.world_from_body.position + Vec3(0.0, 0.001, -0.010);
+  // 20 mm down the device's y and 2 mm along its x, at half the scale.
+  const Vec3 wanted = config.world_from_body.position + Vec3(0.001, 0.0, -0.010);
   EXPECT_NEAR((now->ghost.position - wanted).norm(), 0.0, 1e-9);
   EXPECT_GT(now->sample.body.position.z(), now->ghost.position.z() + 0.003);  // the plane holds it
 }
@@ -105,17 +105,18 @@ TEST(Feed, SnapshotTellsForcesInTheWorldAtTheHand) {
   ASSERT_NE(now, nullptr);
   std::vector<ViewedCluster> clusters;
   const Pose body_from_mesh{{0.0, 0.0, -0.001}, Quat::Identity()};
-  const Snapshot s = make_snapshot(*now, feed->contact(), config.haptic.body,
-                                   config.haptic.workspace, body_from_mesh,
-                                   config.haptic.grasp_point, clusters);
+  const Snapshot s =
+      make_snapshot(*now, feed->contact(), config.haptic.body, config.haptic.workspace,
+                    body_from_mesh, config.haptic.grasp_point, clusters);
   EXPECT_EQ(s.frame, 999u);
   EXPECT_EQ(s.bits, kGrasped | kArmed);
-  EXPECT_NEAR(s.object.position.z(), now->sample.body.position.z() - 0.001, 1e-12);
+  EXPECT_NEAR(s.object.position.z(), now->sample.body.position.z() - 0.001, 1e-5);  // hardly tilted
   EXPECT_NEAR((s.grasp_point - s.center - Vec3(0.001, 0.002, 0.003)).norm(), 0.0, 1e-4);
   // What the plane gives the object, the coupling takes to the hand: twice, by the force scale.
   EXPECT_GT(s.contact.force.z(), 0.5);
   EXPECT_NEAR(s.on_hand.force.z(), 2.0 * s.contact.force.z(), 0.05 * s.on_hand.force.z());
-  EXPECT_LT(s.on_hand.force.y(), 0.0);  // pulled along +y: back
+  EXPECT_NEAR(s.on_hand.force.y(), 0.0, 0.05 * s.on_hand.force.z());
+  EXPECT_NEAR(now->sample.command.force.y(), s.on_hand.force.z(), 1e-9);  // as the device has it
   ASSERT_FALSE(s.clusters.empty());
   Vec3 sum = Vec3::Zero();
   for (const ViewedCluster& c : s.clusters) sum += c.force;

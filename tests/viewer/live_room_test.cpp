@@ -96,8 +96,9 @@ TEST(LiveRoom, APageIsToldEverythingInTheOrderOfTheProtocol) {
   for (int i = 0; i < 6; ++i) {
     const auto message = client.read();
     ASSERT_TRUE(message) << i;
-    types.push_back(message->is_binary ? "mesh " + std::to_string(at<std::uint32_t>(message->data, 4))
-                                       : Json::parse(message->data)["type"].get<std::string>());
+    types.push_back(message->is_binary
+                        ? "mesh " + std::to_string(at<std::uint32_t>(message->data, 4))
+                        : Json::parse(message->data)["type"].get<std::string>());
   }
   EXPECT_EQ(types, (std::vector<std::string>{"hello", "scene", "mesh 0", "mesh 1", "parameters",
                                              "state"}));
@@ -163,12 +164,12 @@ TEST(LiveRoom, DragPressesTheObjectOntoTheSurfaceAndLosingThePageIsZeroForce) {
   ASSERT_TRUE(has_pressed);
   EXPECT_EQ(at<std::uint16_t>(snapshot, 2) & 7, kGrasped | kArmed);
   const float object_z = field(snapshot, 2), ghost_z = field(snapshot, 9);
-  EXPECT_GT(object_z, 0.0145f);            // the ball rests on the sheet
-  EXPECT_LT(ghost_z, object_z - 0.001f);   // the ghost goes on
+  EXPECT_GT(object_z, 0.0135f);  // the ball of 15 mm rests on the sheet, pressed in a little
+  EXPECT_LT(ghost_z, object_z - 0.001f);            // the ghost goes on
   EXPECT_GE(at<std::uint32_t>(snapshot, 4), 1u);    // contacts ...
   EXPECT_GE(at<std::uint32_t>(snapshot, 216), 1u);  // ... and clusters
   EXPECT_GE(at<std::int32_t>(snapshot, 240 + 36), 0);
-  EXPECT_GT(field(snapshot, 39), -0.001f);
+  EXPECT_LT(std::abs(field(snapshot, 39)), 0.0015f);
 
   WebClient other(b.room->port());
   client.reset();  // the browser is gone
@@ -257,7 +258,8 @@ TEST(LiveRoom, ParametersAreChangedAnsweredAndToldToAll) {
   while (!is_told) {
     const std::string text = second.read_type("parameters");
     ASSERT_NE(text, "");
-    for (const Json& p : Json::parse(text)["list"])
+    const Json parameters = Json::parse(text);
+    for (const Json& p : parameters["list"])
       is_told = is_told || (p["name"] == "mass" && p["value"] == 0.02);
   }
   EXPECT_TRUE(config.live->haptic_tuning.fetch());

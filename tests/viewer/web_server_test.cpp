@@ -29,7 +29,8 @@ struct Bench {
 
   explicit Bench(std::size_t load_in = 0, const WebLimits& limits = {}) : load(load_in) {
     server = std::make_unique<WebServer>(
-        std::uint16_t{0}, std::vector<WebFile>{{"/index.html", "text/html", "<p>page</p>"}}, limits);
+        std::uint16_t{0}, std::vector<WebFile>{{"/index.html", "text/html", "<p>page</p>"}},
+        limits);
     server->start({[this](PageId) { ++opened; }, [this](PageId) { ++closed; },
                    [this](PageId page, std::string_view message, bool is_binary) -> Refusal {
                      ++heard;
@@ -60,8 +61,8 @@ bool comes_true(Condition condition) {
 
 std::string get(std::uint16_t port, const std::string& path, const std::string& method = "GET",
                 const std::string& host = "localhost") {
-  return http_exchange(port, method + " " + path + " HTTP/1.1\r\nHost: " + host +
-                                 "\r\nConnection: close\r\n\r\n");
+  return http_exchange(
+      port, method + " " + path + " HTTP/1.1\r\nHost: " + host + "\r\nConnection: close\r\n\r\n");
 }
 
 TEST(WebServer, ServesItsFilesWithTheHeadersThatKeepThemSafe) {
@@ -151,10 +152,10 @@ TEST(WebServer, OversizedAndMalformedFramesCloseWithTheirCode) {
               c.send_raw("abcd");
             }),
             1009);
-  EXPECT_EQ(code_of([](WebClient& c) { c.send_text("\xc3\x28"); }), 1007);      // no UTF-8
-  EXPECT_EQ(code_of([](WebClient& c) { c.send_frame(3, "x"); }), 1002);         // no such opcode
+  EXPECT_EQ(code_of([](WebClient& c) { c.send_text("\xc3\x28"); }), 1007);  // no UTF-8
+  EXPECT_EQ(code_of([](WebClient& c) { c.send_frame(3, "x"); }), 1002);     // no such opcode
   EXPECT_EQ(code_of([](WebClient& c) { c.send_raw(std::string("\x81\x01x")); }), 1002);  // unmasked
-  EXPECT_EQ(code_of([](WebClient& c) { c.send_frame(0, "x"); }), 1002);  // continues nothing
+  EXPECT_EQ(code_of([](WebClient& c) { c.send_frame(0, "x"); }), 1002);     // continues nothing
   EXPECT_EQ(code_of([](WebClient& c) { c.send_frame(0x71, "x"); }), 1002);  // reserved bits
   WebClient fine(b.port());
   fine.send_text(std::string(4096, 'a'));

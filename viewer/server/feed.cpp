@@ -58,8 +58,7 @@ void LiveFeed::look_at(const HapticSample& s) {
                            static_cast<double>(s.touching),
                            static_cast<double>(state_bits(s))};
   static_assert(std::size(values) == kChannels - 1);
-  for (std::size_t i = 0; i < row.values.size(); ++i)
-    row.values[i] = static_cast<float>(values[i]);
+  for (std::size_t i = 0; i < row.values.size(); ++i) row.values[i] = static_cast<float>(values[i]);
   rows_.push(row);
 
   HapticNow& now = haptic_.draft();

@@ -378,7 +378,8 @@ void LiveRoom::Impl::began(const LiveStart& start) {
   }
   if (start.is_web && start.holder != 0) {
     const std::vector<PageId> pages = server.pages();
-    if (std::find(pages.begin(), pages.end(), start.holder) != pages.end()) hold(start.holder, true);
+    if (std::find(pages.begin(), pages.end(), start.holder) != pages.end())
+      hold(start.holder, true);
   }
   {
     const std::lock_guard lock(mutex);
@@ -399,8 +400,8 @@ void LiveRoom::Impl::ended(const std::string& reason, std::uint64_t dropped) {
 }
 
 LiveRoom::LiveRoom(SceneView scene, const SessionConfig& config, const Pose& start,
-                   std::vector<std::string> devices, std::vector<WebFile> files,
-                   std::uint16_t port, WebLink& link, const WebLimits& limits)
+                   std::vector<std::string> devices, std::vector<WebFile> files, std::uint16_t port,
+                   WebLink& link, const WebLimits& limits)
     : impl_(std::make_unique<Impl>(std::move(scene), config, start, std::move(devices),
                                    std::move(files), port, link, limits)) {
   Impl* room = impl_.get();

@@ -29,12 +29,12 @@ struct LiveRequest {
 
 /// A session that begins.
 struct LiveStart {
-  std::string device;       // its address
-  bool is_web = false;      // `web:`
-  bool is_simulated = true; // may be paused: there is no motor
-  std::string recording;    // file being written; "" none
+  std::string device;        // its address
+  bool is_web = false;       // `web:`
+  bool is_simulated = true;  // may be paused: there is no motor
+  std::string recording;     // file being written; "" none
   bool is_lockstep = false;
-  PageId holder = 0;        // page that holds `web:` from the start; 0 none
+  PageId holder = 0;  // page that holds `web:` from the start; 0 none
 };
 
 /// Serves one scene. Threads: one of its own for the server; look_at_* are called by the thread that

@@ -2,9 +2,8 @@
 
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "viewer/server/protocol.h"
+#include <nlohmann/json.hpp>
 
 namespace thigma::live {
 namespace {
@@ -44,12 +43,9 @@ void add_pose(Json& json, const Pose& pose) {
 
 Json body_json(const SceneBodyView& body, std::size_t mesh) {
   const ClodHierarchy& h = *body.hierarchy;
-  return {{"name", body.name},
-          {"mesh", mesh},
-          {"radius", h.radius},
-          {"center", vector(h.center)},
-          {"levels", h.levels.size()},
-          {"triangles", body.mesh->triangles.size()},
+  return {{"name", body.name},          {"mesh", mesh},
+          {"radius", h.radius},         {"center", vector(h.center)},
+          {"levels", h.levels.size()},  {"triangles", body.mesh->triangles.size()},
           {"patches", h.patches.size()}};
 }
 
@@ -73,7 +69,9 @@ std::string fill(const CommandForm& form, const Json& json, Command& command) {
     command.number = value->get<double>();
     if (!std::isfinite(command.number)) return "value has to be a finite number";
   }
-  const char* text_key = form.has_text ? "value" : form.kind == Command::Kind::set ? "name" : nullptr;
+  const char* text_key = form.has_text                     ? "value"
+                         : form.kind == Command::Kind::set ? "name"
+                                                           : nullptr;
   if (text_key == nullptr) return {};
   const auto text = json.find(text_key);
   if (text == json.end() || !text->is_string() ||
@@ -117,9 +115,8 @@ ParsedCommand parse_command(std::string_view text) {
 
 std::string hello_message(const SceneView& scene, PageId page, double lost_after,
                           std::size_t max_message) {
-  Json json = {{"type", "hello"},           {"protocol", kProtocol},
-               {"program", scene.program},  {"page", page},
-               {"lost_after", lost_after},  {"max_message", max_message}};
+  Json json = {{"type", "hello"}, {"protocol", kProtocol},    {"program", scene.program},
+               {"page", page},    {"lost_after", lost_after}, {"max_message", max_message}};
   json["channels"] = Json::array();
   for (const Channel& c : kChannelList)
     json["channels"].push_back({{"name", std::string(c.name)}, {"unit", std::string(c.unit)}});
@@ -199,7 +196,8 @@ std::string event_message(const SessionEvent& event) {
 }
 
 std::string ack_message(std::int64_t id, const std::string& reason, std::optional<double> value) {
-  Json json = {{"type", "ack"}, {"id", id}, {"ok", reason.empty()}, {"reason", text_or_null(reason)}};
+  Json json = {
+      {"type", "ack"}, {"id", id}, {"ok", reason.empty()}, {"reason", text_or_null(reason)}};
   if (value) json["value"] = *value;
   return dumped(json);
 }

@@ -127,7 +127,8 @@ void put_cluster(std::string& out, const ViewedCluster& c) {
 std::string wrong_with(const WebSample& sample) {
   constexpr double kFarthest = 10.0;  // [m]
   const Vec3& p = sample.pose.position;
-  if (!std::isfinite(sample.time) || !p.allFinite() || !sample.pose.orientation.coeffs().allFinite())
+  if (!std::isfinite(sample.time) || !p.allFinite() ||
+      !sample.pose.orientation.coeffs().allFinite())
     return "a number is not finite";
   if (p.cwiseAbs().maxCoeff() > kFarthest) return "the handle is more than 10 m away";
   if (std::abs(sample.pose.orientation.norm() - 1.0) > 1e-3) return "a quaternion is not unit";

@@ -67,8 +67,8 @@ struct Snapshot {
   Fault fault = Fault::none;
   Pose object, ghost, handle;  // world_from_mesh, world_from_mesh, in the world
   Vec3 grasp_point = Vec3::Zero(), center = Vec3::Zero();
-  Wrench on_hand;          // about the handle; world axes, device size
-  Wrench contact;          // on the object about its centre of mass; world, virtual size
+  Wrench on_hand;  // about the handle; world axes, device size
+  Wrench contact;  // on the object about its centre of mass; world, virtual size
   double penetration = 0.0, stretch = 0.0, energy = 0.0, model_age = 0.0, model_weight = 0.0;
   double haptic_hz = 0.0, contact_hz = 0.0, query_cpu = 0.0, newton_length = 0.0;
   std::int64_t found = 0, dropped = 0, front = 0;

@@ -76,8 +76,8 @@ Tuner::Tuner(const SessionConfig& config) {
 }
 
 const LiveParameter* Tuner::find(const std::string& name) const {
-  const auto found =
-      std::find_if(list_.begin(), list_.end(), [&](const LiveParameter& p) { return p.name == name; });
+  const auto found = std::find_if(list_.begin(), list_.end(),
+                                  [&](const LiveParameter& p) { return p.name == name; });
   return found == list_.end() ? nullptr : &*found;
 }
 
@@ -105,8 +105,8 @@ std::string Tuner::unsafe(const std::string& name, double wanted) const {
     const double k = with(spring);
     if (k <= stiffest * (1.0 + 1e-9)) continue;
     if (name == "mass") {
-      return "a mass of " + number(mass) + " kg would swing on the " + find(spring)->label + " of " +
-             number(k) + " N/m faster than the haptic frames can follow; at least " +
+      return "a mass of " + number(mass) + " kg would swing on the " + find(spring)->label +
+             " of " + number(k) + " N/m faster than the haptic frames can follow; at least " +
              number(mass * k / stiffest) + " kg, or a softer spring first";
     }
     return number(k) + " N/m would let " + number(mass) +
@@ -132,8 +132,8 @@ std::string Tuner::unsafe(const std::string& name, double wanted) const {
 }
 
 std::string Tuner::set(const std::string& name, double wanted) {
-  const auto found =
-      std::find_if(list_.begin(), list_.end(), [&](const LiveParameter& p) { return p.name == name; });
+  const auto found = std::find_if(list_.begin(), list_.end(),
+                                  [&](const LiveParameter& p) { return p.name == name; });
   if (found == list_.end()) return "there is no parameter '" + name + "' here";
   if (!found->locked.empty()) return found->locked;
   // Sliders come to their ends by rounding.
@@ -150,7 +150,8 @@ std::string Tuner::set(const std::string& name, double wanted) {
 HapticTuning Tuner::haptic() const {
   HapticTuning tuning{base_.haptic.body, base_.haptic.coupling};
   const double m0 = base_.haptic.body.mass, m = value("mass");
-  if (m != m0) tuning.body = make_body(m, base_.haptic.body.inertia * (m / m0), base_.haptic.body.gravity);
+  if (m != m0)
+    tuning.body = make_body(m, base_.haptic.body.inertia * (m / m0), base_.haptic.body.gravity);
   Coupling& c = tuning.coupling;
   // b = 2 ratio sqrt(k m): the ratio stays.
   if (find("coupling_stiffness") != nullptr) {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "viewer/server/origin.h"
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
@@ -17,8 +18,6 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
-
-#include "viewer/server/origin.h"
 
 namespace thigma::live {
 namespace {
@@ -42,7 +41,8 @@ std::chrono::steady_clock::duration duration_of(double seconds) {
 }
 
 std::string content_policy(std::string_view host) {
-  return "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: "
+  return "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' "
+         "data: "
          "blob:; font-src 'self'; connect-src 'self' ws://" +
          std::string(host) + "; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 }
@@ -68,8 +68,8 @@ struct Core {
       acceptor.listen();
       port = acceptor.local_endpoint().port();
     } catch (const boost::system::system_error& error) {
-      throw PortUnavailable("port " + std::to_string(wanted) + " on 127.0.0.1: " +
-                            error.code().message());
+      throw PortUnavailable("port " + std::to_string(wanted) +
+                            " on 127.0.0.1: " + error.code().message());
     }
   }
 
@@ -176,13 +176,14 @@ class Page : public std::enable_shared_from_this<Page> {
   }
 
   void read() {
-    socket_.async_read(incoming_, [self = shared_from_this()](beast::error_code error, std::size_t) {
-      if (error) {
-        self->gone();
-        return;
-      }
-      self->take();
-    });
+    socket_.async_read(incoming_,
+                       [self = shared_from_this()](beast::error_code error, std::size_t) {
+                         if (error) {
+                           self->gone();
+                           return;
+                         }
+                         self->take();
+                       });
   }
 
   void take() {
@@ -247,8 +248,7 @@ class Page : public std::enable_shared_from_this<Page> {
 /// Requests of one connection, until it becomes a page.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
-  HttpConnection(Core& server, tcp::socket socket)
-      : server_(server), stream_(std::move(socket)) {
+  HttpConnection(Core& server, tcp::socket socket) : server_(server), stream_(std::move(socket)) {
     ++server_.connections;
   }
   ~HttpConnection() { --server_.connections; }
@@ -260,10 +260,9 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     parser_->header_limit(kHeaderBytes);
     parser_->body_limit(0);
     stream_.expires_after(kHttpPatience);
-    http::async_read(stream_, incoming_, *parser_,
-                     [self = shared_from_this()](beast::error_code error, std::size_t) {
-                       self->take(error);
-                     });
+    http::async_read(
+        stream_, incoming_, *parser_,
+        [self = shared_from_this()](beast::error_code error, std::size_t) { self->take(error); });
   }
 
  private:
@@ -343,15 +342,16 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     response_.keep_alive(keeps_alive);
     response_.content_length(body.size());
     if (!is_head_) response_.body() = std::move(body);
-    http::async_write(stream_, response_,
-                      [self = shared_from_this(), keeps_alive](beast::error_code error, std::size_t) {
-                        if (error) return;
-                        if (keeps_alive && !self->server_.is_stopping) {
-                          self->read();
-                        } else {
-                          self->hang_up();
-                        }
-                      });
+    http::async_write(
+        stream_, response_,
+        [self = shared_from_this(), keeps_alive](beast::error_code error, std::size_t) {
+          if (error) return;
+          if (keeps_alive && !self->server_.is_stopping) {
+            self->read();
+          } else {
+            self->hang_up();
+          }
+        });
   }
 
   void hang_up() {
@@ -431,7 +431,9 @@ WebServer::~WebServer() {
 
 std::uint16_t WebServer::port() const noexcept { return impl_->core.port; }
 
-std::string WebServer::address() const { return "http://127.0.0.1:" + std::to_string(impl_->core.port); }
+std::string WebServer::address() const {
+  return "http://127.0.0.1:" + std::to_string(impl_->core.port);
+}
 
 void WebServer::start(WebHandlers handlers) {
   impl_->core.handlers = std::move(handlers);

@@ -20,14 +20,14 @@ struct WebSample {
 
 struct WebMotionParams {
   double lost_after = 0.2;  // without a sample for so long the device is lost [s]
-  double delay = 0.016;     // samples are played back so late, a frame of a display: what lies between
-                            // two of them is then mostly known [s]
-  double extrapolation = 0.020;  // beyond the newest sample for so long at most [s]
-  double stiffness = 250.0;      // natural frequency of the smoothing; lags by 2 / this [rad/s]
-  double max_speed = 1.2;        // of the handle: below what safety takes for a fault [m/s]
-  double max_angular_speed = 12.0;    // [rad/s]
-  double offset_memory = 2.0;         // the offset of the clocks is that of the least delayed sample of
-                                      // this long [s]
+  double delay = 0.016;  // samples are played back so late, a frame of a display: what lies between
+                         // two of them is then mostly known [s]
+  double extrapolation = 0.020;     // beyond the newest sample for so long at most [s]
+  double stiffness = 250.0;         // natural frequency of the smoothing; lags by 2 / this [rad/s]
+  double max_speed = 1.2;           // of the handle: below what safety takes for a fault [m/s]
+  double max_angular_speed = 12.0;  // [rad/s]
+  double offset_memory = 2.0;  // the offset of the clocks is that of the least delayed sample of
+                               // this long [s]
 };
 
 /// Plays the samples of one page after another as one handle: clock offset, interpolation, bounded
@@ -68,9 +68,9 @@ class WebMotion {
   Hold hold_ = Hold::never;
   std::array<WebSample, kHistory> history_{};  // poses as played
   std::size_t newest_ = 0, count_ = 0;
-  Pose page_origin_, place_;        // this pose of the page is that pose of the handle
-  bool has_pose_ = false;           // of the handle, ever
-  bool has_place_ = false;          // since begin()
+  Pose page_origin_, place_;  // this pose of the page is that pose of the handle
+  bool has_pose_ = false;     // of the handle, ever
+  bool has_place_ = false;    // since begin()
   std::uint32_t buttons_ = 0;
   double last_arrival_ = 0.0, last_read_ = 0.0;
   double offset_ = 0.0, offset_before_ = 0.0, offset_since_ = 0.0;  // least delays of two windows
