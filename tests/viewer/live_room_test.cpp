@@ -213,6 +213,7 @@ TEST(LiveRoom, OnePageHoldsTheDeviceAndOthersAreTold) {
   EXPECT_NE(refused["reason"].get<std::string>().find("another page"), std::string::npos);
   second.send_binary(samples(1.0, Vec3::Zero(), true));  // without effect, without a scene
   EXPECT_FALSE(ack_of(second, R"({"type":"hold","id":3,"value":false})")["ok"].get<bool>());
+  EXPECT_FALSE(ack_of(second, R"({"type":"use_device","id":4,"value":"hand:"})")["ok"].get<bool>());
   EXPECT_TRUE(ack_of(first, R"({"type":"hold","id":4,"value":false})")["ok"].get<bool>());
   EXPECT_TRUE(ack_of(second, R"({"type":"hold","id":5,"value":true})")["ok"].get<bool>());
   EXPECT_EQ(Json::parse(second.read_type("state"))["holder"], "you");

@@ -212,6 +212,8 @@ void LiveRoom::Impl::ask_program(PageId page, const Command& command) {
   if (request.kind == LiveRequest::Kind::use_device &&
       std::find(state.devices.begin(), state.devices.end(), command.text) == state.devices.end())
     why = "there is no device '" + command.text + "' here";
+  if (request.kind == LiveRequest::Kind::use_device && holder != 0 && holder != page)
+    why = "another page holds the device";
   if (request.kind == LiveRequest::Kind::record && command.flag && !now_running.recording.empty())
     why = "a recording is being written already";
   if (request.kind == LiveRequest::Kind::record && !command.flag && now_running.recording.empty())
