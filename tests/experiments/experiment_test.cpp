@@ -1,0 +1,143 @@
+#include "experiments/common/experiment.h"
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "thigma/core/error.h"
+#include "thigma/core/file.h"
+
+namespace thigma::experiments {
+namespace {
+
+using Json = nlohmann::json;
+
+std::filesystem::path fresh_folder(const std::string& name) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() /
+                                       ("thigma_experiment_" + name + std::to_string(::getpid()));
+  std::filesystem::remove_all(folder);
+  return folder;
+}
+
+/// Fails the test where a claims.json is not as INTERFACE has it.
+void expect_schema(const Json& json, const std::string& name) {
+  EXPECT_EQ(json.at("name"), name);
+  EXPECT_TRUE(json.at("source").is_string());
+  std::set<std::string> ids;
+  for (const Json& claim : json.at("claims")) {
+    EXPECT_TRUE(claim.at("id").is_string());
+    EXPECT_TRUE(ids.insert(claim.at("id").get<std::string>()).second)
+        << "twice: " << claim.at("id");
+    EXPECT_FALSE(claim.at("text").get<std::string>().empty());
+    for (const char* key : {"value", "bound"})
+      EXPECT_TRUE(claim.at(key).is_number() || claim.at(key).is_null());
+    EXPECT_TRUE(claim.at("unit").is_string());
+    EXPECT_TRUE(claim.at("holds").is_boolean());
+    EXPECT_TRUE(claim.at("expected").is_boolean());
+    EXPECT_TRUE(claim.at("reason").is_string());
+    if (!claim.at("expected").get<bool>()) {
+      EXPECT_FALSE(claim.at("holds").get<bool>());
+      EXPECT_FALSE(claim.at("reason").get<std::string>().empty());
+    }
+  }
+}
+
+Outcome small_outcome(const Context& context) {
+  Outcome outcome;
+  outcome.tables = {{.columns = {"x"}}};
+  add_row(outcome.tables[0], {context.quick ? 1.0 : 2.0});
+  outcome.figure = {.title = "small", .width = 100, .panel_height = 80};
+  outcome.claims = {at_least("good", "is large", 3.0, 2.0, "N"),
+                    known_not_to(at_most("known", "is small", 3.0, 2.0), "because"),
+                    within("between", "lies there", 5.0, 1.0, 10.0),
+                    stated("said", "only said", std::nan(""))};
+  return outcome;
+}
+
+TEST(Claims, CompareWithTheirBound) {
+  EXPECT_TRUE(at_least("a", "", 2.0, 2.0).holds);
+  EXPECT_FALSE(above("a", "", 2.0, 2.0).holds);
+  EXPECT_TRUE(at_most("a", "", 2.0, 2.0).holds);
+  EXPECT_FALSE(below("a", "", 2.0, 2.0).holds);
+  EXPECT_TRUE(within("a", "", 1.0, 1.0, 10.0).holds);
+  EXPECT_FALSE(within("a", "", 0.9, 1.0, 10.0).holds);
+  EXPECT_FALSE(within("a", "", 10.1, 1.0, 10.0).holds);
+}
+
+TEST(Claims, DoNotHoldWithoutANumber) {
+  const double nan = std::nan("");
+  for (const Claim& c :
+       {at_least("a", "", nan, 0.0), at_most("a", "", nan, 0.0), within("a", "", nan, 0.0, 1.0),
+        above("a", "", INFINITY, 0.0), below("a", "", -INFINITY, 0.0), stated("a", "", nan)}) {
+    EXPECT_FALSE(c.holds);
+    EXPECT_FALSE(c.value.has_value());
+    EXPECT_TRUE(is_broken(c));
+  }
+}
+
+TEST(Claims, AreExcusedOnlyWhereTheyDoNotHold) {
+  const Claim good = known_not_to(at_least("a", "", 3.0, 2.0), "why");
+  EXPECT_TRUE(good.expected);
+  EXPECT_TRUE(good.reason.empty());
+  const Claim bad = known_not_to(at_least("a", "", 1.0, 2.0), "why");
+  EXPECT_FALSE(bad.expected);
+  EXPECT_FALSE(is_broken(bad));
+  EXPECT_EQ(bad.reason, "why");
+}
+
+TEST(Experiments, WriteDataPlotAndClaims) {
+  const std::filesystem::path folder = fresh_folder("files");
+  const Experiment experiment{"small-one", "Fig. 0", "a small one", small_outcome};
+  run_experiment(experiment, {.quick = true}, folder);
+  EXPECT_EQ(read_file((folder / "small-one" / "data.csv").string()), "x\n1\n");
+  EXPECT_EQ(read_file((folder / "small-one" / "small-one.png").string()).substr(1, 3), "PNG");
+  const Json claims = Json::parse(read_file((folder / "small-one" / "claims.json").string()));
+  expect_schema(claims, "small-one");
+  EXPECT_EQ(claims["claims"][0]["value"], 3.0);
+  EXPECT_EQ(claims["claims"][0]["bound"], 2.0);
+  EXPECT_EQ(claims["claims"][1]["expected"], false);
+  EXPECT_EQ(claims["claims"][2]["bound_low"], 1.0);
+  EXPECT_TRUE(claims["claims"][3]["value"].is_null());
+  const Json run = Json::parse(read_file((folder / "small-one" / "run.json").string()));
+  EXPECT_EQ(run["quick"], true);
+  EXPECT_GT(run["dependent_adds_ghz"].get<double>(), 0.0);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Experiments, LeaveNoClaimsOfAnEarlierRunBehind) {
+  const std::filesystem::path folder = fresh_folder("stale");
+  run_experiment({"one", "", "", small_outcome}, {}, folder);
+  ASSERT_TRUE(std::filesystem::exists(folder / "one" / "claims.json"));
+  const auto fails = [](const Context&) -> Outcome { throw InputError("no"); };
+  EXPECT_THROW(run_experiment({"one", "", "", fails}, {}, folder), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "one" / "claims.json"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Experiments, RefuseAFolderThatIsAFile) {
+  const std::filesystem::path folder = fresh_folder("file");
+  write_file(folder.string(), "x");
+  EXPECT_THROW(run_experiment({"one", "", "", small_outcome}, {}, folder), IoError);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Experiments, AreThoseOfTheInterface) {
+  std::set<std::string> names;
+  for (const Experiment& e : all_experiments()) EXPECT_TRUE(names.insert(e.name).second) << e.name;
+  for (const char* name : {"table-3-2", "table-3-3", "fig-3-15", "fig-3-16", "e1-static-queries",
+                           "e8-lod-error", "e14-degradation", "e16-scaling"}) {
+    EXPECT_TRUE(names.count(name)) << name;
+  }
+  for (const std::string& name : names) {
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(THIGMA_SOURCE_DIR) / "experiments" /
+                                        name / "README.md"))
+        << name;
+  }
+}
+
+}  // namespace
+}  // namespace thigma::experiments
