@@ -145,7 +145,7 @@ std::string interval(const LineFit& fit) {
 Outcome run_e1_static_queries(const Context& context) {
   std::vector<int> counts = {1000, 3000, 10'000, 30'000, 100'000};
   if (!context.quick) counts.push_back(1'000'000);
-  const int poses = context.quick ? 40 : 1000;
+  const int poses = context.quick ? 16 : 1000;
   Outcome outcome;
   outcome.tables = {{.columns = {"model", "triangles", "query", "distance / size", "poses",
                                  "CPU mean [s]", "CPU p99 [s]", "CPU max [s]", "contacts mean",
