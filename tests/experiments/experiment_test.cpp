@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "experiments/claims_schema.h"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -21,29 +22,6 @@ std::filesystem::path fresh_folder(const std::string& name) {
                                        ("thigma_experiment_" + name + std::to_string(::getpid()));
   std::filesystem::remove_all(folder);
   return folder;
-}
-
-/// Fails the test where a claims.json is not as INTERFACE has it.
-void expect_schema(const Json& json, const std::string& name) {
-  EXPECT_EQ(json.at("name"), name);
-  EXPECT_TRUE(json.at("source").is_string());
-  std::set<std::string> ids;
-  for (const Json& claim : json.at("claims")) {
-    EXPECT_TRUE(claim.at("id").is_string());
-    EXPECT_TRUE(ids.insert(claim.at("id").get<std::string>()).second)
-        << "twice: " << claim.at("id");
-    EXPECT_FALSE(claim.at("text").get<std::string>().empty());
-    for (const char* key : {"value", "bound"})
-      EXPECT_TRUE(claim.at(key).is_number() || claim.at(key).is_null());
-    EXPECT_TRUE(claim.at("unit").is_string());
-    EXPECT_TRUE(claim.at("holds").is_boolean());
-    EXPECT_TRUE(claim.at("expected").is_boolean());
-    EXPECT_TRUE(claim.at("reason").is_string());
-    if (!claim.at("expected").get<bool>()) {
-      EXPECT_FALSE(claim.at("holds").get<bool>());
-      EXPECT_FALSE(claim.at("reason").get<std::string>().empty());
-    }
-  }
 }
 
 Outcome small_outcome(const Context& context) {
@@ -96,7 +74,7 @@ TEST(Experiments, WriteDataPlotAndClaims) {
   EXPECT_EQ(read_file((folder / "small-one" / "data.csv").string()), "x\n1\n");
   EXPECT_EQ(read_file((folder / "small-one" / "small-one.png").string()).substr(1, 3), "PNG");
   const Json claims = Json::parse(read_file((folder / "small-one" / "claims.json").string()));
-  expect_schema(claims, "small-one");
+  test::expect_claims_schema(claims, "small-one");
   EXPECT_EQ(claims["claims"][0]["value"], 3.0);
   EXPECT_EQ(claims["claims"][0]["bound"], 2.0);
   EXPECT_EQ(claims["claims"][1]["expected"], false);
