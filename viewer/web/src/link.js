@@ -6,7 +6,7 @@ const SILENT = 3000; // `state` comes once a second: nothing for this long, and 
 
 /// on   {message(object), opened(), lost(sentence), retrying()}
 export function makeLink(url, on) {
-  const link = { url, on, socket: null, attempt: 0, nextId: 1, waiting: new Map(), heard: 0, received: 0, bytes: 0,
+  const link = { url, on, socket: null, attempt: 0, nextId: 1, waiting: new Map(), heard: 0, watched: 0, received: 0, bytes: 0,
     timer: 0, stopped: false };
   setInterval(() => watch(link), 500);
   open(link);
@@ -65,7 +65,10 @@ export function sendBytes(link, buffer) {
 }
 
 function watch(link) {
-  if (isOpen(link) && performance.now() - link.heard > SILENT && !document.hidden) {
+  const now = performance.now();
+  if (now - link.watched > 1500) link.heard = now; // this page slept; what came meanwhile is still to be read
+  link.watched = now;
+  if (isOpen(link) && now - link.heard > SILENT && !document.hidden) {
     lose(link, "The program has stopped talking.");
   }
 }

@@ -176,7 +176,8 @@ addEventListener("keydown", (event) => {
 
 function startStage() {
   try {
-    stage = makeScene(at("scene"));
+    const asked = new URLSearchParams(location.search).get("picture"); // "full" or "plain", whatever the graphics
+    stage = makeScene(at("scene"), asked ? asked === "plain" : undefined);
   } catch (error) {
     session.trouble = "This browser shows no WebGL 2, so there is no picture; numbers and plots work. " +
       "Hardware acceleration may be off in its settings.";

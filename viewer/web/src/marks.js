@@ -12,7 +12,7 @@ function markMaterial(options = {}) {
   return new MeshStandardMaterial({ roughness: 0.5, metalness: 0, ...options });
 }
 function seenThrough(options = {}) {
-  return new MeshBasicMaterial({ transparent: true, opacity: 0.3, depthTest: false, depthWrite: false, ...options });
+  return new MeshBasicMaterial({ transparent: true, opacity: 0.42, depthTest: false, depthWrite: false, ...options });
 }
 
 /// An arrow along +z of unit length, in parts so that the head keeps its shape.

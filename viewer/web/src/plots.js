@@ -17,14 +17,13 @@ const PLOTS = [
     names: ["size", ...AXES], colours: ["force", "x", "y", "z"] },
   { id: "torque", title: "Torque on the hand", unit: "N m", least: 1e-6, lines: ["torque", "torque_x", "torque_y", "torque_z"],
     names: ["size", ...AXES], colours: ["torque", "x", "y", "z"] },
-  { id: "penetration", title: "Penetration", unit: "m", least: 1e-9, lines: ["penetration"], names: ["depth"], colours: ["contact"],
-    zero: true },
+  { id: "penetration", title: "Penetration, below 0: gap", unit: "m", least: 1e-9, lines: ["penetration"], names: ["depth"],
+    colours: ["contact"] },
   { id: "stretch", title: "Coupling stretch", unit: "m", least: 1e-9, lines: ["stretch"], names: ["stretch"], colours: ["hand"] },
   { id: "rates", title: "Contact and haptic rate", unit: "Hz", least: 1, lines: ["contact_rate", "haptic_rate"],
     names: ["contact", "haptic"], colours: ["contact", "held"], slow: true },
   { id: "age", title: "Age of the contact model", unit: "s", least: 1e-6, lines: ["model_age"], names: ["age"], colours: ["muted"] },
-  { id: "energy", title: "Energy put in by the hand", unit: "J", least: 1e-9, lines: ["energy"], names: ["energy"], colours: ["torque"],
-    zero: true },
+  { id: "energy", title: "Energy put in by the hand", unit: "J", least: 1e-9, lines: ["energy"], names: ["energy"], colours: ["torque"] },
 ];
 
 export function makePlots(parent) {
@@ -74,7 +73,7 @@ function options(board, { spec }, width) {
       y: { range: (u, low, high) => spread(low, high, Math.max(spec.least, board.floors[spec.unit] ?? 0)) } },
     axes: [
       { show: true, size: 4, grid, ticks: { show: false }, values: () => [], space: 40 },
-      { size: 52, grid, ticks: { show: false }, space: 17, gap: 4, font, stroke: colour("muted"),
+      { size: 52, grid, ticks: { show: false }, space: 12, gap: 4, font, stroke: colour("muted"),
         values: (u, at) => labels(at, spec) },
     ],
     series: [{}, ...spec.lines.map((name, k) => ({ stroke: colour(spec.colours[k]), width: k === 0 || spec.slow ? 1.6 : 0.8,

@@ -6,7 +6,8 @@ import { LEVEL_COLOURS, levelColour } from "./theme.js";
 const TILES = [
   { id: "force", name: "Force", unit: "N", least: 1e-3, help: "on the hand, as sent to the device" },
   { id: "torque", name: "Torque", unit: "N m", least: 1e-6, help: "on the hand, about the handle" },
-  { id: "penetration", name: "Depth", unit: "m", least: 1e-9, help: "deepest contact; how far the surfaces pass into each other" },
+  { id: "penetration", name: "Depth", unit: "m", least: 1e-9,
+    help: "of the deepest contact: how far the surfaces pass into each other, or the gap between them; forces begin before they touch" },
   { id: "stretch", name: "Stretch", unit: "m", least: 1e-9, help: "from the hand to where it holds the object: the spring that is felt" },
 ];
 
@@ -17,9 +18,10 @@ export function makeReadouts(parent) {
     const tile = element("div", `tile ${id}`);
     tile.title = help;
     const number = element("span", "number"), unit = element("span", "unit");
-    tile.append(element("span", "name", name), number, unit);
+    const title = element("span", "name", name);
+    tile.append(title, number, unit);
     tiles.append(tile);
-    board.tiles[id] = { number, unit };
+    board.tiles[id] = { title, number, unit };
   }
   const said = element("p", "situation");
   const lines = element("ul", "lines");
@@ -45,12 +47,13 @@ export function showReadouts(board, snapshot, state, scene) {
   if (!snapshot || !scene) return;
   const inside = snapshot.penetration > 0;
   const values = { force: norm(snapshot.force), torque: norm(snapshot.torque), stretch: snapshot.stretch,
-    penetration: Number.isFinite(snapshot.penetration) ? Math.max(0, snapshot.penetration) : 0 };
+    penetration: Math.abs(snapshot.penetration) };
   for (const { id, unit, least } of TILES) {
     const shown = split(values[id], unit, least);
     board.tiles[id].number.textContent = shown.number;
     board.tiles[id].unit.textContent = shown.unit;
   }
+  board.tiles.penetration.title.textContent = snapshot.penetration < 0 ? "Gap" : "Depth";
   const touching = inside || norm(snapshot.contactForce) > 0;
   board.said.textContent = situation({ object: scene.object.name, statics: scene.statics.map((one) => one.name),
     grasped: (snapshot.bits & 1) !== 0, contacts: snapshot.contactsFound, clusters: snapshot.clusters.length, touching });
@@ -103,13 +106,18 @@ export function showLegend(parent, snapshot, scene) {
   if (parent.childElementCount !== levels + 1) {
     const swatches = Array.from({ length: levels }, (_, level) => {
       const item = element("span", "swatch", "");
-      item.append(element("i"), element("b", "", String(level)), element("em"));
+      const more = level === levels - 1 && scene?.object.levels > levels ? "+" : ""; // the last stands for all coarser ones
+      item.append(element("i"), element("b", "", `${level}${more}`), element("em"));
       item.firstChild.style.background = levelColour(level);
       return item;
     });
     parent.replaceChildren(element("span", "legend-title", "Level at contacts"), ...swatches);
   }
-  const counts = new Map(levelCounts(snapshot?.contacts ?? []));
+  const counts = new Map();
+  for (const [level, n] of levelCounts(snapshot?.contacts ?? [])) {
+    const shown = Math.min(level, LEVEL_COLOURS.length - 1);
+    counts.set(shown, (counts.get(shown) ?? 0) + n);
+  }
   [...parent.children].slice(1).forEach((item, level) => {
     const n = counts.get(level) ?? 0;
     item.classList.toggle("active", n > 0);

@@ -10,34 +10,47 @@ import { makeArrow, makeContactMarks, makeRod, makeTwist, paintArrow, paintRod, 
 import { disposeSurface, makeSurface, paintSurface, setActive, setSpots, showLevels, thinSpots } from "./surface.js";
 import { colour } from "./theme.js";
 
+const EMPHASIS = 1.6; // the arrow has to come out of the object it starts in
+
+/// Whether pictures are made by the processor, which the engine needs as well.
+function drawsInSoftware() {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const names = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : "";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
 /// canvas   where to draw; throws when there is no WebGL 2
-export function makeScene(canvas) {
-  const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
+/// plain    simpler, for computers without graphics hardware; by default where there is none
+export function makeScene(canvas, plain = drawsInSoftware()) {
+  const renderer = new WebGLRenderer({ canvas, antialias: !plain, alpha: true, powerPreference: "high-performance" });
   renderer.outputColorSpace = SRGBColorSpace;
   renderer.toneMapping = NeutralToneMapping;
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
+  renderer.shadowMap.autoUpdate = false; // only when something has moved, not when the view turns
   const scene = new Scene();
   const root = new Group();
   scene.add(root);
   const stage = {
-    canvas, renderer, scene, root, view: makeView(), lights: addLights(scene), ground: addGround(scene), radius: 1,
+    canvas, renderer, scene, root, view: makeView(), plain, lights: addLights(scene, plain), ground: addGround(scene), radius: 1,
     size: 1, object: null, statics: [], ghost: null, force: makeArrow(), twist: makeTwist(), marks: makeContactMarks(),
     spring: makeRod(), dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true },
-    last: null, fence: null,
+    last: null, moved: true, fence: null, begun: 0, rested: 0,
   };
   root.add(stage.force.group, stage.twist.group, stage.marks.group, stage.spring.group);
   stage.spring.group.visible = false;
   return stage;
 }
 
-function addLights(scene) {
+function addLights(scene, plain) {
   const sky = new HemisphereLight(0xffffff, 0x8a8378, 1.5);
   sky.position.set(0, 0, 1);
   const key = new DirectionalLight(0xfff4e4, 2.6);
   key.position.set(2.3, -1.5, 3.6); // over the left shoulder of who looks from the home of the view
   key.castShadow = true;
-  key.shadow.mapSize.set(1536, 1536);
+  key.shadow.mapSize.setScalar(plain ? 768 : 1536);
   Object.assign(key.shadow.camera, { left: -1.5, right: 1.5, top: 1.5, bottom: -1.5, near: 0.5, far: 9 });
   key.shadow.radius = 4;
   key.shadow.bias = -0.0006;
@@ -76,6 +89,7 @@ export function setObjects(stage, description, meshes) {
   stage.root.add(stage.object.group, ...stage.statics.map((surface) => surface.group), stage.ghost.group);
   stage.size = description.object.radius;
   fit(stage);
+  stage.moved = true;
   repaint(stage);
 }
 
@@ -158,7 +172,7 @@ export function showSnapshot(stage, snapshot) {
   setRod(stage.spring, at, hand, 0.012 * stage.size);
   showForces(stage, snapshot, at);
   showContacts(stage, snapshot);
-  stage.dirty = true;
+  stage.dirty = stage.moved = true;
 }
 
 /// How far the ghost stands from the object: the way, in radii, and the turn.
@@ -174,9 +188,9 @@ function showForces(stage, snapshot, at) {
     return;
   }
   const perNewton = snapshot.metresPerNewton > 0 ? snapshot.metresPerNewton : 0.5 * stage.size;
-  const along = new Vector3(...snapshot.force).multiplyScalar(perNewton);
+  const along = new Vector3(...snapshot.force).multiplyScalar(EMPHASIS * perNewton);
   along.clampLength(0, 4 * stage.size);
-  setArrow(stage.force, at, along, 0.035 * stage.size);
+  setArrow(stage.force, at, along, 0.045 * stage.size);
   const axis = new Vector3(...snapshot.torque);
   const whole = (0.5 * stage.size * stage.size) / perNewton; // an arrow as long as the object at half its radius
   setTwist(stage.twist, at, axis, axis.length() / whole, 0.42 * stage.size);
@@ -216,7 +230,7 @@ export function setOptions(stage, options) {
 export function resize(stage) {
   const { clientWidth: width, clientHeight: height } = stage.canvas;
   if (width === 0 || height === 0) return;
-  stage.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+  stage.renderer.setPixelRatio(stage.plain ? 1 : Math.min(2, devicePixelRatio));
   stage.renderer.setSize(width, height, false);
   stage.view.camera.aspect = width / height;
   stage.view.camera.fov = width < height ? 38 : 30; // an upright picture would cut the sides off
@@ -225,13 +239,22 @@ export function resize(stage) {
 }
 
 /// Draws when something has changed and the last picture is done; true when it did. Handing over more pictures than the
-/// graphics can make would in the end hold up this thread, and with it the hand.
+/// graphics can make would in the end hold up this thread, and with it the hand. Where the processor draws, it gets half of
+/// the time at most: the engine and the page need the rest.
 export function draw(stage) {
   if (!stage.dirty && !stage.view.changed) return false;
-  const gl = stage.renderer.getContext();
-  if (stage.fence && !gl.isContextLost() && gl.getSyncParameter(stage.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
-  if (stage.fence) gl.deleteSync(stage.fence);
+  const gl = stage.renderer.getContext(), now = performance.now();
+  if (stage.fence && !gl.isContextLost()) {
+    if (gl.getSyncParameter(stage.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
+    gl.deleteSync(stage.fence);
+    stage.rested = stage.plain ? now + (now - stage.begun) : now;
+    stage.fence = null;
+  }
+  if (now < stage.rested) return false;
   stage.dirty = stage.view.changed = false;
+  stage.renderer.shadowMap.needsUpdate = stage.moved;
+  stage.moved = false;
+  stage.begun = now;
   stage.renderer.render(stage.scene, stage.view.camera);
   stage.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
   gl.flush();

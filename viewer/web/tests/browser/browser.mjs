@@ -24,6 +24,7 @@ export async function startBrowser() {
 export async function openPage(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, colorScheme: "light", ...options });
   const page = await context.newPage();
+  page.setDefaultTimeout(120000);
   const errors = [];
   page.on("pageerror", (error) => errors.push(String(error.stack ?? error)));
   page.on("console", (message) => { if (message.type() === "error") errors.push(message.text()); });

@@ -6,7 +6,7 @@ import { after, before, test } from "node:test";
 import { startMock } from "../mock/server.mjs";
 import { openPage, startBrowser } from "./browser.mjs";
 
-const PATIENCE = { timeout: 90000 }; // software rendering on a busy machine
+const PATIENCE = { timeout: 400000 }; // software rendering on a busy machine
 let browser = null, reason = null;
 
 before(async () => { ({ browser, reason } = await startBrowser()); });
@@ -18,7 +18,7 @@ function pageTest(name, options, body) {
     if (reason) { t.skip(reason); return; }
     const mock = await startMock({ device: options.device ?? "web:" });
     const { page, errors, context } = await openPage(browser, "about:blank", options.context);
-    page.setDefaultTimeout(60000);
+    page.setDefaultTimeout(150000);
     try {
       if (options.prepare) await page.addInitScript(options.prepare);
       await page.goto(`http://127.0.0.1:${mock.port}/`);
@@ -39,7 +39,7 @@ const drawnSince = async (page, n = 2) => {
 
 /// Waits until a statement about this process holds.
 async function until(holds, what) {
-  for (const end = Date.now() + 60000; Date.now() < end;) {
+  for (const end = Date.now() + 150000; Date.now() < end;) {
     if (holds()) return;
     await new Promise((resolve) => setTimeout(resolve, 50));
   }

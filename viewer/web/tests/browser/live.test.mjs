@@ -1,0 +1,146 @@
+// The page against the program itself: THIGMA_PROGRAM names it (ctest does). What the page shows is compared with what the
+// engine says of itself in its snapshots.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { existsSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { openPage, startBrowser } from "./browser.mjs";
+
+const root = join(dirname(fileURLToPath(import.meta.url)), "../../../..");
+const program = process.env.THIGMA_PROGRAM;
+const PATIENCE = { timeout: 400000 };
+let browser = null, reason = null;
+
+before(async () => {
+  if (!program || !existsSync(program)) reason = "no program to run (THIGMA_PROGRAM is not set or not there)";
+  else ({ browser, reason } = await startBrowser());
+});
+after(async () => { await browser?.close(); });
+
+/// `thigma run` of a small scene with its page, in a folder of its own; {address, end(): exit status}.
+async function startProgram(device) {
+  const folder = mkdtempSync(join(tmpdir(), "thigma-page-"));
+  const child = spawn(program, ["run", join(root, "scenes/ellipsoid.toml"), "--device", device, "--exact", "--port", "0"],
+    { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
+  let said = "";
+  const ended = new Promise((resolve) => child.on("exit", (code, signal) => resolve(code ?? signal)));
+  const address = await new Promise((resolve, reject) => {
+    const hear = (data) => {
+      said += data;
+      const found = /http:\/\/127\.0\.0\.1:\d+\//.exec(said);
+      if (found) resolve(found[0]);
+    };
+    child.stdout.on("data", hear);
+    child.stderr.on("data", hear);
+    ended.then((code) => reject(new Error(`thigma run ended with ${code}: ${said.slice(-400)}`)));
+  });
+  return { address, child, end: async () => {
+    child.kill("SIGINT");
+    const code = await ended;
+    rmSync(folder, { recursive: true, force: true });
+    return code;
+  } };
+}
+
+function liveTest(name, device, body) {
+  test(name, PATIENCE, async (t) => {
+    if (reason) { t.skip(reason); return; }
+    const run = await startProgram(device);
+    const { page, errors, context } = await openPage(browser, run.address);
+    page.setDefaultTimeout(150000);
+    try {
+      await page.waitForFunction(() => window.thigma?.session.counts.snapshot > 5 && window.thigma.stage.object && window.thigma.drawn > 0);
+      await body({ page, run });
+      assert.deepEqual(errors, []);
+    } finally {
+      await context.close();
+      await run.end();
+    }
+  });
+}
+
+const session = (page, read) => page.evaluate((text) => new Function("s", `return ${text};`)(window.thigma.session), read);
+
+/// Takes hold and drags down in the picture, seen from the side, until there is force. A page on a busy machine may be too
+/// slow for the 0.2 s after which the device counts as lost: then it takes hold again, as a person would.
+async function pressDown(page) {
+  const box = await page.locator("#scene").boundingBox();
+  const x = Math.round(box.x + box.width / 2), y = Math.round(box.y + box.height / 2);
+  await page.mouse.move(x, y);
+  await page.mouse.down({ button: "right" });
+  await page.mouse.move(x, y - 66);
+  await page.mouse.up({ button: "right" });
+  let down = 0, lower = 0;
+  for (const end = Date.now() + 150000; Date.now() < end;) {
+    const { holds, newtons } = await page.evaluate(() => { const { session: s, hand } = window.thigma;
+      return { holds: s.holding && hand.clutch, newtons: Math.hypot(...s.snapshot.force) }; });
+    if (newtons > 0.3) { await page.mouse.up(); return; }
+    if (!holds) {
+      await page.mouse.up();
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      down = 0;
+      await page.waitForFunction(() => window.thigma.session.holding && window.thigma.hand.clutch, null, { timeout: 10000 }).catch(() => {});
+    } else if (lower < 200) {
+      down += 2;
+      lower += 2;
+      await page.mouse.move(x, y + Math.min(down, box.height / 2 - 5));
+    }
+    await page.waitForTimeout(40);
+  }
+  assert.fail("never pressed");
+}
+
+liveTest("a drag moves the object until it presses, and not through", "web:", async ({ page }) => {
+  const start = await session(page, "s.snapshot.object.position[2]");
+  await pressDown(page);
+  await page.waitForFunction(() => Math.hypot(...window.thigma.session.snapshot.force) > 0.3);
+  const from = await page.evaluate(() => window.thigma.drawn);
+  await page.waitForFunction((n) => window.thigma.drawn > n + 2, from);
+  const seen = await page.evaluate(() => {
+    const { stage, session: s, plots } = window.thigma;
+    return { drawn: stage.object.group.position.toArray(), engine: stage.last.object.position, ghost: stage.ghost.group.position.toArray(),
+      arrow: stage.force.group.visible, penetration: s.snapshot.penetration, stretch: s.snapshot.stretch, tolerance: s.scene.tolerance,
+      contacts: s.snapshot.contacts.length, rows: plots.rows, faults: s.snapshot.bits & 4 };
+  });
+  assert.deepEqual(seen.drawn, seen.engine, "drawn where the engine has it");
+  assert.ok(seen.engine[2] < start, "it went down");
+  assert.ok(seen.arrow && seen.contacts > 0 && seen.rows > 100 && seen.faults === 0, JSON.stringify(seen));
+  assert.ok(seen.ghost[2] < seen.engine[2], "the ghost is below the object");
+  assert.ok(seen.penetration < 0.5 * seen.stretch, "the surfaces give less than the hand");
+});
+
+liveTest("what the page asks for happens", "hand:", async ({ page }) => {
+  await page.getByRole("button", { name: "Pause" }).click();
+  await page.waitForFunction(() => window.thigma.session.state.run === "paused" && (window.thigma.session.snapshot.bits & 8) !== 0);
+  const frame = await session(page, "s.snapshot.frame");
+  await page.getByRole("button", { name: "One step" }).click();
+  await page.waitForFunction((n) => window.thigma.session.snapshot.frame > n, frame);
+  await page.getByRole("button", { name: "Go on" }).click();
+  await page.waitForFunction(() => window.thigma.session.state.run === "running");
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  const stiffness = page.getByLabel("coupling stiffness, N/m");
+  const value = Number(await stiffness.inputValue());
+  await stiffness.fill(String(0.8 * value));
+  await stiffness.press("Enter");
+  await page.waitForFunction((now) => window.thigma.session.parameters.some((one) => one.name === "coupling_stiffness" &&
+    Math.abs(one.value - now) < 1e-6 * now), 0.8 * value);
+  const number = await session(page, "s.state.session");
+  await page.getByRole("button", { name: "Begin again" }).click();
+  await page.waitForFunction((n) => window.thigma.session.state.session > n, number);
+  await page.getByRole("button", { name: "Take it yourself" }).click();
+  await page.waitForFunction(() => window.thigma.session.state.device === "web:" && window.thigma.session.state.holder === "you");
+});
+
+liveTest("a page that goes leaves no force behind", "web:", async ({ page, run }) => {
+  await pressDown(page);
+  const other = await openPage(browser, run.address);
+  await other.page.waitForFunction(() => Math.hypot(...(window.thigma?.session.snapshot?.force ?? [0])) > 0.1);
+  await page.goto("about:blank");
+  await other.page.waitForFunction(() => Math.hypot(...window.thigma.session.snapshot.force) === 0);
+  await other.context.close();
+  await page.goto(run.address);
+});
