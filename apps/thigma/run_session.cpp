@@ -209,9 +209,8 @@ std::unique_ptr<Run> prepare_run(const RunOptions& options, std::uint64_t seed,
   return run;
 }
 
-void reopen_run_device(const RunOptions& options, std::uint64_t seed, const std::string& uri,
-                       Run& run) {
-  const std::string before = std::exchange(run.device_uri, uri);
+void reopen_run_device(const RunOptions& options, std::uint64_t seed, std::string uri, Run& run) {
+  const std::string before = std::exchange(run.device_uri, std::move(uri));
   try {
     open_run_device(options, seed, {}, run);
     refuse_device_clock(*run.device);

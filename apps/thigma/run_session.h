@@ -41,6 +41,6 @@ std::unique_ptr<Run> prepare_run(const RunOptions& options, std::uint64_t seed,
 /// Opens a device anew, or another one, and places the object for it as prepare_run does; the old one is
 /// given up only when that succeeds.
 /// Thread   [offline]; as prepare_run.
-void reopen_run_device(const RunOptions& options, std::uint64_t seed, const std::string& uri, Run& run);
+void reopen_run_device(const RunOptions& options, std::uint64_t seed, std::string uri, Run& run);
 
 }  // namespace thigma::app

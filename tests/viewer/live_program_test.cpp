@@ -39,7 +39,7 @@ std::uint16_t port_of(Program& program) {
 /// The next `state` that fulfils the condition; null when none comes.
 template <class Condition>
 Json state_where(WebClient& client, Condition condition) {
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const std::string text = client.read_type("state", 20.0);
     if (text.empty()) break;
     Json state = Json::parse(text);
