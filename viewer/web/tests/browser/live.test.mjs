@@ -30,7 +30,7 @@ async function startProgram(device) {
   const address = await new Promise((resolve, reject) => {
     const hear = (data) => {
       said += data;
-      const found = /http:\/\/127\.0\.0\.1:\d+\//.exec(said);
+      const found = /http:\/\/127\.0\.0\.1:\d+(?=[\s/])/.exec(said);
       if (found) resolve(found[0]);
     };
     child.stdout.on("data", hear);
