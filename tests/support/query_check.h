@@ -126,7 +126,7 @@ inline void check_against_search(const CheckedPair& pair, const Pose& pose, doub
 inline bool same_bits(const Contact& x, const Contact& y) {
   auto same = [](const auto& p, const auto& q) { return std::memcmp(&p, &q, sizeof(p)) == 0; };
   return same(x.point, y.point) && same(x.scene_point, y.scene_point) && same(x.normal, y.normal) &&
-         same(x.depth, y.depth) && same(x.bound, y.bound) && x.body == y.body && x.object_patch == y.object_patch &&
+         same(x.depth, y.depth) && same(x.bound, y.bound) && same(x.weight, y.weight) && x.body == y.body && x.object_patch == y.object_patch &&
          x.scene_patch == y.scene_patch && x.object_level == y.object_level && x.scene_level == y.scene_level &&
          x.status == y.status;
 }

@@ -9,8 +9,6 @@
 #include <cmath>
 #include <limits>
 
-#include "thigma/convex/triangle_distance.h"
-
 namespace thigma {
 namespace {
 
@@ -278,8 +276,14 @@ double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& 
 PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& x,
                          double tolerance, GjkCache& cache, const Vec3* last_normal,
                          const SegmentProbe& probe) noexcept {
+  return pair_contact(a, b, x, tolerance, patch_separation(a, b, x, tolerance, cache), last_normal,
+                      probe);
+}
+
+PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& x,
+                         double tolerance, const PatchSeparation& gap, const Vec3* last_normal,
+                         const SegmentProbe& probe) noexcept {
   PairContact out;
-  const PatchSeparation gap = patch_separation(a, b, x, tolerance, cache);
   out.triangle_pairs = static_cast<std::int16_t>(gap.triangle_pairs);
   out.separation = gap.distance;
   out.depth = -gap.distance;

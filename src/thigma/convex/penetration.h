@@ -6,6 +6,7 @@
 
 #include "thigma/convex/hull_view.h"
 #include "thigma/convex/pair.h"
+#include "thigma/convex/triangle_distance.h"
 
 namespace thigma {
 
@@ -103,6 +104,12 @@ double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& 
 /// Source    Sec. 3.4.2 asks for the local penetration; the contract is this project's.
 PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& a_from_b,
                          double tolerance, GjkCache& cache, const Vec3* last_normal,
+                         const SegmentProbe& probe) noexcept;
+
+/// The same for a caller that has measured the triangles: `gap` is patch_separation of the two with
+/// `tolerance` as its stop.
+PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& a_from_b,
+                         double tolerance, const PatchSeparation& gap, const Vec3* last_normal,
                          const SegmentProbe& probe) noexcept;
 
 }  // namespace thigma

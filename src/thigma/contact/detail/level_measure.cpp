@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "thigma/contact/error_metric.h"
+#include "thigma/convex/triangle_distance.h"
 
 // What a contact of two patches P and Q of any levels says about the finest triangles T and U below their nodes.
 //
@@ -130,24 +131,24 @@ double distance_to_below(const Side& side, const Place& place, const Vec3& p) no
 
 // ---- refinement -------------------------------------------------------------------------------------------------
 
-double speed_at(const LevelQuery& q, const PatchPair& pair) noexcept {
+double speed_at(const LevelQuery& q, const Vec3& on_scene) noexcept {
   if (!q.has_last) return 0.0;
   const RelativePose& x = q.t.pose;
-  const Vec3 on_scene = x.rotation.transpose() * (pair.witness_b - x.translation);
+  const Vec3 now = x.rotation * on_scene + x.translation;
   const Vec3 before = q.last.rotation * on_scene + q.last.translation;
-  return (pair.witness_b - before).norm() / q.t.query.resolution.step_time;
+  return (now - before).norm() / q.t.query.resolution.step_time;
 }
 
 // s0: the least of the metrics that are on.
-double threshold_at(const LevelQuery& q, const PatchPair& pair) noexcept {
+double threshold_at(const LevelQuery& q, const Vec3& on_object, const Vec3& on_scene) noexcept {
   if (q.is_haptic_alone) return q.threshold;
   const RefinementMetric& metric = q.t.query.resolution.metric;
   double least = metric.haptic > 0.0 ? q.threshold : kInfinity;
-  if (metric.velocity > 0.0) least = std::min(least, metric.velocity * speed_at(q, pair));
+  if (metric.velocity > 0.0) least = std::min(least, metric.velocity * speed_at(q, on_scene));
   if (metric.view.pixels > 0.0) {
     ViewThreshold view = metric.view;
     if (metric.has_eye) {
-      view.distance = (q.t.world_rotation * pair.witness_a + q.t.world_position - metric.eye).norm();
+      view.distance = (q.t.world_rotation * on_object + q.t.world_position - metric.eye).norm();
     }
     least = std::min(least, view_threshold(view));
   }
@@ -155,12 +156,12 @@ double threshold_at(const LevelQuery& q, const PatchPair& pair) noexcept {
 }
 
 double priority_of(const LevelQuery& q, const Side& a, const Side& b, const Place& on_a, const Place& on_b,
-                   const PatchPair& pair) noexcept {
+                   const Vec3& on_object, const Vec3& on_scene) noexcept {
   const Resolution& r = q.t.query.resolution;
   const double weighted =
       weighted_deviation({a.deviation(), a.resolution(), support_area(a, on_a, r.reading), false},
                          {b.deviation(), b.resolution(), support_area(b, on_b, r.reading), false}, r.area);
-  const double threshold = threshold_at(q, pair);
+  const double threshold = threshold_at(q, on_object, on_scene);
   const double over_cap = (a.deviation() + b.deviation()) / q.deviation_cap;
   const double over_threshold = threshold > 0.0 ? weighted / threshold : kInfinity;
   return over_cap > 1.0 ? std::max(over_cap, over_threshold) : over_threshold;
@@ -201,6 +202,31 @@ double hull_distance(LevelQuery& q, const FrontNode& n, std::int32_t i, double e
   return s.status == PairStatus::separated ? s.distance : 0.0;
 }
 
+// Separation of two finest patches below a pair that are likely the nearest: an upper bound of that of all. Goes down
+// to the child whose ball reaches farthest towards the other's centre.
+double near_pair_distance(const Traversal& t, std::int32_t a, std::int32_t b, double limit) noexcept {
+  while (!is_leaf_pair(t, a, b)) {
+    const ClodNode& na = node_a(t, a);
+    const ClodNode& nb = node_b(t, b);
+    const bool of_a = na.child_count > 0 && (nb.child_count == 0 || na.radius >= nb.radius);
+    const Vec3 other = of_a ? Vec3(t.pose.rotation * nb.center + t.pose.translation)
+                            : Vec3(t.pose.rotation.transpose() * (na.center - t.pose.translation));
+    const ClodNode& parent = of_a ? na : nb;
+    double least = kInfinity;
+    std::int32_t next = parent.first_child;
+    for (std::int32_t c = parent.first_child; c < parent.first_child + parent.child_count; ++c) {
+      const ClodNode& child = of_a ? node_a(t, c) : node_b(t, c);
+      const double gap = std::sqrt((child.center - other).squaredNorm()) - child.radius;
+      if (!(gap < least)) continue;
+      least = gap;
+      next = c;
+    }
+    (of_a ? a : b) = next;
+  }
+  GjkCache fresh;
+  return patch_separation(hull_view(t.object, a), hull_view(t.scene, b), t.pose, limit, fresh).distance;
+}
+
 void move_apart(PatchPair& pair, double separation) noexcept {
   const Vec3 step = 0.5 * (separation + pair.depth) * pair.normal;
   pair.witness_a -= step;
@@ -211,13 +237,18 @@ void move_apart(PatchPair& pair, double separation) noexcept {
 void bound_separated(LevelQuery& q, const Side& a, const Side& b, double below, const FrontNode& n, std::int32_t i,
                      LevelPair& out) noexcept {
   PatchPair& pair = out.pair;
-  const double farthest = pair.separation + below;
+  double farthest = pair.separation + below;
+  if (q.t.query.resolution.tightens_bounds) {
+    farthest = std::min(farthest, near_pair_distance(q.t, n.a, n.b, farthest));
+  }
   const double out_of_hull = a.node.hausdorff + b.node.hausdorff;
   double nearest = std::max(pair.separation - a.from_below() - b.from_below(),
                             hull_gap(q.t, n, pair.normal).low - out_of_hull);
   if (pair.status == PairContactStatus::separated && a.is_culling_hull() && b.is_culling_hull()) {
+    // Beyond rounding, which must not show whether it was measured.
+    const double least = pair.separation + 1e-9 * (a.node.radius + b.node.radius);
     const double apart = hull_distance(q, n, i, pair.separation);
-    if (apart > pair.separation) {
+    if (apart > least) {
       nearest = std::max(nearest, apart - out_of_hull);
       move_apart(pair, apart);
     }
@@ -253,7 +284,7 @@ bool separates(const void* context, const Vec3& from, const Vec3& to) noexcept {
   return exact.separates(exact.context, from + (probe.margin_a / length) * way, to - (probe.margin_b / length) * way);
 }
 
-// Whether D of the pair is at least the area times `scale`, at most: by the largest areas of the patches.
+// D of the pair, at most: by the largest areas of its patches.
 double largest_area(const LevelQuery& q, const FrontNode& n) noexcept {
   const ContactFront& f = q.t.front;
   const Resolution& r = q.t.query.resolution;
@@ -264,6 +295,35 @@ double largest_area(const LevelQuery& q, const FrontNode& n) noexcept {
 }
 
 bool is_free(const ClodNode& node) noexcept { return node.child_count > 0 && node.contact < 0; }
+
+// Metric and place of a pair, asked for as soon as its closest points are known.
+struct Deciding {
+  const LevelQuery& q;
+  const Side& a;
+  const Side& b;
+  Place on_a{}, on_b{};
+  Vec3 point_a = Vec3::Zero(), point_b = Vec3::Zero();  // each in the frame of its own body
+  double priority = 0.0;
+
+  // What is only split needs no contact of its own; with a budget it may have to do with it.
+  bool needs_contact() const noexcept {
+    const Resolution& r = q.t.query.resolution;
+    if (r.budget_tests > 0 || r.budget_cpu > 0.0) return true;
+    return r.interpolates ? priority < 1.0 : !(priority > 1.0);
+  }
+};
+
+bool decide(void* context, std::uint32_t feature_a, std::uint32_t feature_b, const Vec3& point_a,
+            const Vec3& point_b) noexcept {
+  auto& d = *static_cast<Deciding*>(context);
+  const RelativePose& x = d.q.t.pose;
+  d.point_a = point_a;
+  d.point_b = x.rotation.transpose() * (point_b - x.translation);
+  d.on_a = find_place(d.a.view, feature_a, d.point_a);
+  d.on_b = find_place(d.b.view, feature_b, d.point_b);
+  d.priority = priority_of(d.q, d.a, d.b, d.on_a, d.on_b, point_a, d.point_b);
+  return d.needs_contact();
+}
 
 }  // namespace
 
@@ -314,21 +374,16 @@ LevelPair measure_level_pair(LevelQuery& q, FrontNode& n, std::int32_t i) noexce
   LevelPair out;
   out.reach = t.query.tolerance + a.reach() + b.reach();
   const LevelProbe probe{&q.crossing, a.deviation(), b.deviation()};
-  out.pair = measure_patches(a.view, b.view, t.pose, out.reach, t.query.keep_directions, {&separates, &probe}, n,
-                             t.set.stats);
+  Deciding deciding{q, a, b};
+  out.pair = measure_patches(a.view, b.view, t.pose, out.reach, t.query.keep_directions, {&separates, &probe},
+                             {&decide, &deciding}, n, t.set.stats);
   PatchPair& pair = out.pair;
   if (pair.status == PairContactStatus::apart) return out;
-  const Vec3 on_scene = t.pose.rotation.transpose() * (pair.witness_b - t.pose.translation);
-  const Place on_a = find_place(a.view, pair.feature_a, pair.witness_a);
-  const Place on_b = find_place(b.view, pair.feature_b, on_scene);
-  out.priority = priority_of(q, a, b, on_a, on_b, pair);
-  if (out.priority >= 1.0) {
-    const bool is_budgeted = t.query.resolution.budget_tests > 0 || t.query.resolution.budget_cpu > 0.0;
-    if (!is_budgeted && (out.priority > 1.0 || t.query.resolution.interpolates)) return out;
-  }
+  out.priority = deciding.priority;
+  if (!deciding.needs_contact()) return out;
   const bool is_apart = pair.status == PairContactStatus::separated || pair.status == PairContactStatus::beside;
   if (is_apart) {
-    const double below = distance_to_below(a, on_a, pair.witness_a) + distance_to_below(b, on_b, on_scene);
+    const double below = distance_to_below(a, deciding.on_a, deciding.point_a) + distance_to_below(b, deciding.on_b, deciding.point_b);
     bound_separated(q, a, b, below, n, i, out);
   } else {
     bound_penetrating(q, a, b, n, out);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "thigma/convex/triangle_distance.h"
+
 // A query that remembers must report the same bits as one that starts afresh. The closest points of disjoint convex
 // hulls are determined by the hull vertices that support them: the sets of vertices within a hair of the two support
 // planes. Where these are a vertex, an edge or a face on each side, not both more than a vertex unless two crossing
@@ -176,15 +178,23 @@ void remember(FrontNode& memory, const Vec3& normal, bool is_normal) noexcept {
 }
 
 PatchPair measure_cold(const HullView& a, const HullView& b, const RelativePose& pose, double tolerance,
-                       bool keep_direction, const SegmentProbe& probe, FrontNode& memory, QueryStats& stats) noexcept {
+                       bool keep_direction, const SegmentProbe& probe, const EarlyDecision& early, FrontNode& memory,
+                       QueryStats& stats) noexcept {
   GjkCache fresh;
   Vec3 last(memory.axis[0], memory.axis[1], memory.axis[2]);
   const bool has_last = keep_direction && memory.has_normal && last.squaredNorm() > 0.5;
   if (has_last) last.normalize();
-  const PairContact pair = pair_contact(a, b, pose, tolerance, keep_direction ? memory.gjk : fresh,
-                                        has_last ? &last : nullptr, probe);
+  const PatchSeparation gap = patch_separation(a, b, pose, tolerance, keep_direction ? memory.gjk : fresh);
   ++stats.pair_queries;
-  stats.triangle_pairs += pair.triangle_pairs;
+  stats.triangle_pairs += gap.triangle_pairs;
+  if (early.decide != nullptr && !(gap.distance > tolerance) &&
+      !early.decide(early.context, gap.feature_a, gap.feature_b, gap.point_a, gap.point_b)) {
+    memory.support_a = memory.support_b = 0;
+    PatchPair part;
+    part.status = PairContactStatus::separated;
+    return part;
+  }
+  const PairContact pair = pair_contact(a, b, pose, tolerance, gap, has_last ? &last : nullptr, probe);
   memory.support_a = memory.support_b = 0;
   const bool touches = pair.status != PairContactStatus::apart;
   if (touches) remember(memory, pair.normal, true);
@@ -198,6 +208,12 @@ PatchPair measure_cold(const HullView& a, const HullView& b, const RelativePose&
 PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose, double tolerance,
                           bool keep_direction, const SegmentProbe& probe, FrontNode& memory,
                           QueryStats& stats) noexcept {
+  return measure_patches(a, b, pose, tolerance, keep_direction, probe, {}, memory, stats);
+}
+
+PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose, double tolerance,
+                          bool keep_direction, const SegmentProbe& probe, const EarlyDecision& early,
+                          FrontNode& memory, QueryStats& stats) noexcept {
   const Placement place{a, b, pose, pose.rotation * b.center + pose.translation - a.center, a.radius + b.radius};
   PatchPair result;
   bool found = memory.support_a != 0 && verify(place, memory.support_a, memory.support_b, result);
@@ -218,10 +234,13 @@ PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePo
       memory.support_b = found ? sets.b : 0;
     }
   }
-  if (!found) return measure_cold(a, b, pose, tolerance, keep_direction, probe, memory, stats);
+  if (!found) return measure_cold(a, b, pose, tolerance, keep_direction, probe, early, memory, stats);
   const bool touches = -result.depth <= tolerance;
   remember(memory, result.normal, touches);
   if (!touches) result.status = PairContactStatus::apart;
+  else if (early.decide != nullptr) {
+    early.decide(early.context, result.feature_a, result.feature_b, result.witness_a, result.witness_b);
+  }
   return result;
 }
 

@@ -28,4 +28,18 @@ PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePo
                           bool keep_direction, const SegmentProbe& probe, FrontNode& memory,
                           QueryStats& stats) noexcept;
 
+/// Decides whether a pair is measured to the end: `decide(context, feature_a, feature_b, point_a, point_b)`, points in the
+/// frame of a, sees where the triangles are closest or meet. False: the result holds these alone, its depth 0 and its
+/// normal any.
+struct EarlyDecision {
+  bool (*decide)(void* context, std::uint32_t feature_a, std::uint32_t feature_b, const Vec3& point_a,
+                 const Vec3& point_b) noexcept = nullptr;
+  void* context = nullptr;
+};
+
+/// As measure_patches, for a caller who may need less than a contact: asked of every pair that is not apart.
+PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose, double tolerance,
+                          bool keep_direction, const SegmentProbe& probe, const EarlyDecision& early,
+                          FrontNode& memory, QueryStats& stats) noexcept;
+
 }  // namespace thigma::detail

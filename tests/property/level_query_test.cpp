@@ -1,0 +1,115 @@
+// The query with levels of detail: bounds against the original triangles, nothing left out, memory without a trace.
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "scenes/make_model.h"
+#include "support/level_check.h"
+#include "thigma/mesh/shapes.h"
+
+namespace thigma {
+namespace {
+
+using test::Approach;
+using test::LevelPairCheck;
+using test::PatchSurfaces;
+
+constexpr double kThresholds[] = {0.0025, 0.01, 0.025, 0.05};
+
+TriangleMesh model(const char* name, int quick) {
+  return scenes::make_model({.name = name, .triangles = test::is_full() ? 0 : quick});
+}
+
+ContactQuery query_at(double tolerance, double threshold) {
+  ContactQuery query{.tolerance = tolerance};
+  query.resolution.is_exact = false;
+  query.resolution.metric.haptic = threshold;
+  query.resolution.tightens_bounds = true;
+  return query;
+}
+
+void ask(const LevelPairCheck& pair, const Pose& pose, const ContactQuery& query, ContactFront& front, ContactSet& set) {
+  clear(set);
+  query_contacts(pair.exact.object, pose, pair.exact.scene, Pose{}, query, front, set);
+  ASSERT_EQ(set.dropped, 0);
+}
+
+double quantile(std::vector<double> v, double q) {
+  if (v.empty()) return 0.0;
+  std::sort(v.begin(), v.end());
+  return v[static_cast<std::size_t>(q * static_cast<double>(v.size() - 1))];
+}
+
+/// The whole check of a pair along one path into contact, threshold by threshold.
+void check_path(LevelPairCheck pair, const Approach& approach) {
+  const int poses = test::is_full() ? 1000 : 12;
+  const double d = 0.01 * pair.exact.radius;
+  PatchSurfaces objects(pair.exact.object, pair.object_mesh), scenes(pair.exact.scene, pair.scene_mesh);
+  const Pose touch = test::pose_at_gap(pair.exact, approach.start, approach.direction, 0.0);
+  ContactSet set, other;
+  set.contacts.reserve(400'000);
+  other.contacts.reserve(400'000);
+  for (const double threshold : kThresholds) {
+    for (const bool has_cap : {true, false}) {
+      ContactFront front, fresh;
+      ContactQuery query = query_at(d, threshold);
+      if (!has_cap) query.resolution.deviation_cap = kNoCap;
+      query.resolution.interpolates = threshold > 0.02;
+      pair.ratios.clear();
+      pair.contacts = pair.coarse = pair.poses = pair.true_pairs = 0;
+      for (int i = 0; i < poses; ++i) {
+        SCOPED_TRACE("threshold " + std::to_string(threshold) + " pose " + std::to_string(i));
+        const Pose pose = test::on_path(pair.exact, touch, approach.direction, i / (poses - 1.0));
+        ask(pair, pose, query, front, set);
+        clear_front(fresh);
+        ask(pair, pose, query, fresh, other);
+        EXPECT_EQ(test::first_difference(set, other), -1) << pair.name << ": remembering changed the answer";
+        test::check_levels(pair, objects, scenes, pose, d, set);
+        if (::testing::Test::HasFailure()) return;
+      }
+      const double median = quantile(pair.ratios, 0.5);
+      std::printf("  %-14s s0 %.4f cap %-3s %6lld contacts, %6lld coarse, %6lld true pairs; bound/error p5 %.2f p25 %.2f "
+                  "median %.2f p75 %.1f p95 %.1f; bound/(s+s+h+h) up to %.3f\n",
+                  pair.name.c_str(), threshold, has_cap ? "on" : "off", static_cast<long long>(pair.contacts),
+                  static_cast<long long>(pair.coarse), static_cast<long long>(pair.true_pairs),
+                  quantile(pair.ratios, 0.05), quantile(pair.ratios, 0.25), median, quantile(pair.ratios, 0.75),
+                  quantile(pair.ratios, 0.95), pair.worst_promise);
+      if (pair.ratios.size() > 100) {
+        EXPECT_LE(median, 20.0) << pair.name << ": bounds are not tight";
+      }
+    }
+  }
+}
+
+void check_above(LevelPairCheck pair) {
+  const Approach approach = test::from_above(pair.exact);
+  check_path(std::move(pair), approach);
+}
+
+TEST(LevelQuery, BallOnBall) {
+  check_above(test::make_level_pair("ball on ball", make_ball(1.0, 20), make_ball(1.2, 24)));
+}
+
+TEST(LevelQuery, JawOnJaw) {
+  check_above(test::make_level_pair("jaw on jaw", model("jaw_upper", 4'000), model("jaw_lower", 4'000)));
+}
+
+TEST(LevelQuery, SpoonInCup) {
+  check_above(test::make_level_pair("spoon in cup", model("spoon", 3'000), model("cup", 4'000)));
+}
+
+TEST(LevelQuery, GolfBallOnClub) {
+  check_above(test::make_level_pair("golf", model("golf_ball", 4'000), model("golf_club", 4'000)));
+}
+
+TEST(LevelQuery, BallInSocket) {
+  check_above(test::make_level_pair("ball joint", model("joint_ball", 4'000), model("joint_socket", 4'000)));
+}
+
+TEST(LevelQuery, TorusOnGear) {
+  check_above(test::make_level_pair("torus on gear", model("torus", 3'000), model("gear", 4'000)));
+}
+
+}  // namespace
+}  // namespace thigma
