@@ -14,11 +14,16 @@
 
 namespace thigma::experiments {
 
+/// d of direct rendering, over the pair's smaller radius. The text takes d = F_max / k for the device's best stiffness
+/// k; with 3.3 N this is 1.8 kN/m for the jaws and 3 kN/m for the golf ball, what 6-DoF devices of its time rendered.
+inline constexpr double kDirectTolerance = 0.05;
+
 /// Direct rendering as in the text: the device's maximum force at zero distance, nothing at the tolerance.
 ///
 /// tolerance_share  d over the pair's smaller radius: the device is taken to be one whose best stiffness is F_max / d
 /// max_force        [N]
-PenaltyParams direct_gains(const Pair& pair, double tolerance_share = 0.01, double max_force = 3.3);
+PenaltyParams direct_gains(const Pair& pair, double tolerance_share = kDirectTolerance,
+                           double max_force = 3.3);
 
 /// A motion of the object.
 struct Path {

@@ -141,7 +141,7 @@ Outcome run_e14_degradation(const Context& context) {
     discs.radius = std::min(discs.object->radius, discs.scene->radius);
     return discs;
   }();
-  const PenaltyParams gains = direct_gains(pair);
+  const PenaltyParams gains = direct_gains(pair, 0.01);
   const Path path = hover_path(pair.radius, context.quick ? 1500 : 10'000);
   Resolution full;
   full.is_exact = false;

@@ -40,7 +40,7 @@ double median(const Profile& profile, const Span& span) {
 Size measure(const Context& context, const Path& path, int triangles) {
   Assets assets;  // of this count alone: the large ones do not stay
   const Pair pair = scene_pair(assets, "jaws", triangles);
-  const PenaltyParams gains = direct_gains(pair);
+  const PenaltyParams gains = direct_gains(pair, 0.01);
   Size size;
   size.triangles = pair.object->triangle_count + pair.scene->triangle_count;
   for (const auto& [uri, seconds] : assets.seconds) size.build += seconds;
@@ -103,7 +103,7 @@ Outcome run_e16_scaling(const Context& context) {
   const Pair jaws = scene_pair(*context.assets, "jaws");
   HandScript hand = jaws_hand(jaws.radius);
   if (context.quick) hand.seconds = 0.6;
-  const Path path = record_path(jaws, as_in_text(0.025), direct_gains(jaws), hand);
+  const Path path = record_path(jaws, as_in_text(0.025), direct_gains(jaws, 0.01), hand);
   std::vector<Size> sizes;
   for (const int count : counts) sizes.push_back(measure(context, path, count));
 

@@ -87,7 +87,7 @@ Outcome run_e8_lod_error(const Context& context) {
   outcome.figure = {
       .title = "Error of contact levels of detail (E8)",
       .note =
-          "paths recorded at 2.5 %, replayed; no cap on the deviation, tolerance 1 % of the radius",
+          "paths recorded at 2.5 %, replayed; no cap on the deviation, tolerance 5 % of the radius",
       .panels = {error_panel("Force"), error_panel("Torque")},
       .columns = 2,
       .width = 1100,
