@@ -1,0 +1,191 @@
+// What a query with levels of detail promises beside its bounds: thresholds, budgets, blending, memory.
+
+#include "thigma/contact/resolution.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "support/audit.h"
+#include "support/query_path.h"
+#include "thigma/clod/build_clod.h"
+#include "thigma/contact/clustering.h"
+#include "thigma/mesh/shapes.h"
+
+namespace thigma {
+namespace {
+
+struct Pair {
+  ClodHierarchy object = build_clod(make_torus(1.0, 0.4, 48, 20));
+  ClodHierarchy scene = build_clod(make_ball(1.3, 14));
+  double d = 0.03;
+};
+
+const Pair& the_pair() {
+  static const Pair pair;
+  return pair;
+}
+
+// The ring comes down round the ball until it sits on it, and turns a little.
+Pose pose_at(double s) {
+  Pose pose;
+  pose.position = Vec3(0.02 * sine(5.0 * s), 0.0, 1.45 - 0.12 * s);
+  pose.orientation = test::turn(Vec3::UnitX(), 4.0 * sine(3.0 * s));
+  return pose;
+}
+
+ContactQuery query_at(double threshold, double cap = kNoCap) {
+  ContactQuery query{.tolerance = the_pair().d};
+  query.resolution.is_exact = false;
+  query.resolution.metric.haptic = threshold;
+  query.resolution.deviation_cap = cap;
+  return query;
+}
+
+void ask(const ContactQuery& query, const Pose& pose, ContactFront& front, ContactSet& set) {
+  clear(set);
+  query_contacts(the_pair().object, pose, the_pair().scene, Pose{}, query, front, set);
+}
+
+ContactSet room() {
+  ContactSet set;
+  set.contacts.reserve(100'000);
+  return set;
+}
+
+TEST(Resolution, ThresholdZeroIsExactContactForContact) {
+  ContactFront front, exact_front;
+  ContactSet set = room(), exact = room();
+  std::size_t contacts = 0;
+  for (int i = 0; i <= 40; ++i) {
+    ask(query_at(0.0), pose_at(i / 40.0), front, set);
+    ask({.tolerance = the_pair().d}, pose_at(i / 40.0), exact_front, exact);
+    ASSERT_EQ(test::first_difference(set, exact), -1) << "pose " << i;
+    contacts += set.contacts.size();
+  }
+  EXPECT_GT(contacts, 100u);
+}
+
+TEST(Resolution, CoarserThresholdsMakeSmallerFronts) {
+  std::int64_t fronts[3] = {};
+  std::size_t coarse = 0;
+  const double thresholds[3] = {0.0, 0.01, 0.1};
+  ContactSet set = room();
+  for (int k = 0; k < 3; ++k) {
+    ContactFront front;
+    for (int i = 0; i <= 20; ++i) {
+      ask(query_at(thresholds[k]), pose_at(i / 20.0), front, set);
+      fronts[k] += set.stats.front;
+      for (const Contact& c : set.contacts) coarse += c.object_level > 0 || c.scene_level > 0 ? 1u : 0u;
+    }
+  }
+  EXPECT_LT(fronts[1], fronts[0]);
+  EXPECT_LE(fronts[2], fronts[1]);
+  EXPECT_GT(coarse, 20u);
+}
+
+TEST(Resolution, FasterMotionIsCoarserAndStandstillExact) {
+  ContactQuery query = query_at(0.0);
+  query.resolution.metric.haptic = 0.0;
+  query.resolution.metric.velocity = 0.1;
+  ContactFront front, exact_front;
+  ContactSet set = room(), exact = room();
+  ask(query, pose_at(0.8), front, set);
+  ask(query, pose_at(0.8), front, set);
+  ask({.tolerance = the_pair().d}, pose_at(0.8), exact_front, exact);
+  EXPECT_EQ(test::first_difference(set, exact), -1);
+  ask(query, pose_at(0.81), front, set);
+  std::size_t coarse = 0;
+  for (const Contact& c : set.contacts) coarse += c.object_level > 0 ? 1u : 0u;
+  EXPECT_GT(coarse, 0u);
+}
+
+TEST(Resolution, BudgetOfTestsIsNeverPassedAndIsReproducible) {
+  ContactFront unlimited_front;
+  ContactSet set = room(), again = room();
+  double errors[3] = {};
+  const std::int64_t budgets[3] = {30, 120, 100'000};
+  for (int k = 0; k < 3; ++k) {
+    ContactFront front, second;
+    ContactQuery query = query_at(0.001);
+    query.resolution.budget_tests = budgets[k];
+    for (int i = 0; i <= 30; ++i) {
+      ask(query, pose_at(i / 30.0), front, set);
+      EXPECT_LE(set.stats.tests, std::max(budgets[k], set.stats.mandatory_tests));
+      if (k == 2) {
+        EXPECT_EQ(set.stats.unrefined, 0);
+      }
+      ask(query, pose_at(i / 30.0), second, again);
+      EXPECT_EQ(test::first_difference(set, again), -1);
+      for (const Contact& c : set.contacts) errors[k] += c.bound / static_cast<double>(set.contacts.size());
+    }
+  }
+  EXPECT_GE(errors[0], errors[1]);
+  EXPECT_GT(errors[1], errors[2]);
+}
+
+TEST(Resolution, BudgetThatIsAmpleAnswersAsWithout) {
+  ContactFront front, other;
+  ContactSet set = room(), free = room();
+  ContactQuery query = query_at(0.01);
+  for (int i = 0; i <= 20; ++i) {
+    query.resolution.budget_tests = 0;
+    ask(query, pose_at(i / 20.0), front, free);
+    query.resolution.budget_tests = 1'000'000;
+    ask(query, pose_at(i / 20.0), other, set);
+    EXPECT_EQ(test::first_difference(set, free), -1) << "pose " << i;
+  }
+}
+
+TEST(Resolution, FullFrontAnswersTheSame) {
+  ContactFront front, tiny;
+  reserve_front(tiny, the_pair().object, the_pair().scene, 16);
+  ContactSet set = room(), other = room();
+  for (int i = 0; i <= 20; ++i) {
+    ask(query_at(0.01), pose_at(i / 20.0), front, set);
+    ask(query_at(0.01), pose_at(i / 20.0), tiny, other);
+    EXPECT_EQ(test::first_difference(set, other), -1) << "pose " << i;
+  }
+}
+
+TEST(Resolution, NothingIsAllocatedAfterTheFirstQuery) {
+  if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
+  ContactFront front;
+  ContactSet set = room();
+  ContactQuery query = query_at(0.01);
+  ask(query, pose_at(0.0), front, set);
+  const test::AuditScope watched;
+  for (int i = 0; i <= 100; ++i) {
+    query.resolution.budget_tests = i % 3 == 0 ? 60 : 0;
+    ask(query, pose_at(i / 100.0), front, set);
+  }
+  EXPECT_EQ(watched.counts().allocations, 0);
+  EXPECT_EQ(watched.counts().frees, 0);
+}
+
+// Largest change of the weighted sum of depth + d along the normals from one pose to the next, over a fine path.
+double largest_step(bool interpolates) {
+  ContactFront front;
+  ContactSet set = room();
+  ContactQuery query = query_at(0.004);
+  query.resolution.interpolates = interpolates;
+  Vec3 last = Vec3::Zero();
+  double largest = 0.0;
+  for (int i = 0; i <= 1200; ++i) {
+    ask(query, pose_at(0.4 + 0.6 * i / 1200.0), front, set);
+    Vec3 sum = Vec3::Zero();
+    for (const Contact& c : set.contacts) {
+      sum += c.weight * std::max(c.depth + the_pair().d, 0.0) * c.normal;
+    }
+    if (i > 0) largest = std::max(largest, (sum - last).norm());
+    last = sum;
+  }
+  return largest;
+}
+
+TEST(Resolution, BlendingTakesAwayJumps) {
+  EXPECT_LT(largest_step(true), largest_step(false));
+}
+
+}  // namespace
+}  // namespace thigma
