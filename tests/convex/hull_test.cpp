@@ -95,7 +95,9 @@ QhullResult qhull(const std::vector<Vec3>& points) {
     vertexT* vertex = nullptr;
     FORALLvertices result.vertices.push_back(qh_pointid(qh, vertex->point));
   }
-  qh_freeqhull(qh, qh_ALL);
+  qh_freeqhull(qh, !qh_ALL);
+  int long_blocks = 0, long_bytes = 0;
+  qh_memfreeshort(qh, &long_blocks, &long_bytes);
   std::sort(result.vertices.begin(), result.vertices.end());
   return result;
 }
