@@ -41,7 +41,7 @@ struct BuildOptions {
 
 /// What a user gets to know of a build besides the asset.
 struct BuildFigures {
-  double seconds = 0.0;
+  double seconds = 0.0;  // of wall time
   std::size_t file_bytes = 0;
   std::string sha256;
 };
@@ -61,11 +61,13 @@ std::string what_is_wrong(const BuildOptions& options) {
 }
 
 /// Better now than after a minute of work.
-void refuse_closed_folder(const std::string& out) {
-  const fs::path folder = fs::path(out).parent_path();
+void refuse_closed_place(const std::string& out) {
   std::error_code unknown;
-  if (fs::is_directory(out, unknown) || ::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
-    throw IoError(out + ": cannot be written: no folder that takes it, or a folder itself");
+  const fs::path folder = fs::path(out).parent_path();
+  const bool is_device = fs::exists(out, unknown) && !fs::is_regular_file(out, unknown);
+  const std::string place = is_device ? out : folder.empty() ? "." : folder.string();
+  if (!fs::is_directory(out, unknown) && ::access(place.c_str(), W_OK) == 0) return;
+  throw IoError(out + ": cannot be written: a folder itself, or in none that takes it");
 }
 
 /// Share of the volume a level lost, null of an open surface and of a free level.
@@ -97,9 +99,20 @@ ordered_json level_json(const ClodAsset& asset, std::size_t k) {
   return j;
 }
 
-double peak_bytes() {
+rusage usage_so_far() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
+  return usage;
+}
+
+double cpu_seconds() {
+  const rusage usage = usage_so_far();
+  return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+         1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+}
+
+double peak_bytes() {
+  const rusage usage = usage_so_far();
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
@@ -114,6 +127,7 @@ ordered_json report_json(const BuildOptions& options, const ClodAsset& asset,
   for (std::size_t k = 0; k < asset.hierarchy.levels.size(); ++k)
     j["levels"].push_back(level_json(asset, k));
   j["seconds"] = figures.seconds;
+  j["cpu_seconds"] = cpu_seconds();
   j["peak_bytes"] = static_cast<std::int64_t>(peak_bytes());
   j["file_bytes"] = figures.file_bytes;
   j["sha256"] = figures.sha256;
@@ -144,8 +158,9 @@ std::string report_text(const BuildOptions& options, const ClodAsset& asset,
                     l.contact_hausdorff_max / h.radius);
     out << line;
   }
-  std::snprintf(line, sizeof line, "  %.1f s, %.0f MiB at most, %.1f MiB written, sha256 ",
-                figures.seconds, peak_bytes() / 1048576.0,
+  std::snprintf(line, sizeof line,
+                "  %.1f s (%.1f s of CPU), %.0f MiB at most, %.1f MiB written, sha256 ",
+                figures.seconds, cpu_seconds(), peak_bytes() / 1048576.0,
                 static_cast<double>(figures.file_bytes) / 1048576.0);
   out << line << figures.sha256 << '\n';
   return out.str();
@@ -174,7 +189,7 @@ int build(const Common& common, const BuildOptions& options) {
     throw InputError(
         options.mesh +
         ": is levels of detail already, byte 0, expected a mesh: OBJ, PLY, STL or OFF");
-  refuse_closed_folder(options.out);
+  refuse_closed_place(options.out);
   const auto start = std::chrono::steady_clock::now();
   const ClodAsset asset = build_asset(options, common);
   const std::string bytes = format_clod(asset, options.mesh);

@@ -80,6 +80,8 @@ nlohmann::ordered_json to_json(std::size_t index, const ContactSet& set, double 
   j["front"] = set.stats.front;
   j["tests"] = set.stats.tests;
   j["cpu_us"] = cpu_us;
+  j["mandatory_tests"] = set.stats.mandatory_tests;  // no budget can leave them out
+  j["unrefined"] = set.stats.unrefined;              // contacts coarser than asked for want of budget
   return j;
 }
 

@@ -4,6 +4,7 @@
 
 #include "mesh/samples.h"
 
+#include "thigma/clod/clod_file.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/shapes.h"
 #include "thigma/mesh/write_mesh.h"
@@ -207,6 +208,30 @@ void add_not_meshes(std::vector<BadMesh>& files) {
   files.push_back({"noise", "zeros.stl", std::string(100'000, '\0'), Due::refusal, ""});
 }
 
+void add_damaged_levels(std::vector<BadMesh>& files) {
+  ClodAsset asset = build_clod_asset(ball());
+  const std::string good = format_clod(asset);
+  const auto add = [&](const char* name, std::string bytes) {
+    files.push_back({"damaged .clod", name, std::move(bytes), Due::refusal, ""});
+  };
+  add("cut.clod", good.substr(0, good.size() / 2));
+  add("cut_header.clod", good.substr(0, 40));
+  add("longer.clod", good + "more");
+  Random random(7);
+  for (int i = 0; i < 3; ++i) {
+    std::string flipped = good;
+    const std::size_t at = random.below(flipped.size());
+    flipped[at] = static_cast<char>(flipped[at] ^ 1 << random.below(8));
+    add(("flip" + std::to_string(i) + ".clod").c_str(), flipped);
+  }
+  std::string newer = good;
+  newer[8] = 2;
+  add("newer.clod", newer);
+  std::string chunks = good;  // four billion of them
+  for (std::size_t i = 12; i < 16; ++i) chunks[i] = '\xff';
+  add("chunks.clod", chunks);
+}
+
 }  // namespace
 
 std::vector<BadMesh> bad_meshes() {
@@ -217,6 +242,7 @@ std::vector<BadMesh> bad_meshes() {
   add_lying_headers(files);
   add_bad_numbers(files);
   add_bad_shapes(files);
+  add_damaged_levels(files);
   return files;
 }
 

@@ -1,5 +1,6 @@
 #include "thigma/clod/validate_hierarchy.h"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 
@@ -30,6 +31,22 @@ struct Lie {
   const char* says;
   std::function<void(ClodHierarchy&)> tell;
 };
+
+/// A patch with room for vertices it does not have.
+const ClodPatch& small_patch(const ClodHierarchy& h) {
+  const auto vertices = [&](const ClodPatch& p) {
+    return p.edge_count > 0 ? h.nodes[static_cast<std::size_t>(p.node)].vertex_count : 99;
+  };
+  return *std::min_element(
+      h.patches.begin(), h.patches.end(),
+      [&](const ClodPatch& a, const ClodPatch& b) { return vertices(a) < vertices(b); });
+}
+std::size_t first_face(const ClodHierarchy& h) {
+  return static_cast<std::size_t>(small_patch(h).first_face);
+}
+std::size_t first_edge(const ClodHierarchy& h) {
+  return static_cast<std::size_t>(small_patch(h).first_edge);
+}
 
 std::vector<Lie> lies() {
   using H = ClodHierarchy;
@@ -68,16 +85,16 @@ std::vector<Lie> lies() {
       {"triangle", [](H& h) { h.hull_triangles[9].mask = 0; }},
       {"triangle", [](H& h) { h.triangle_ids[9] = -2; }},
       {"triangle", [](H& h) { h.triangle_ids.back() = 1 << 30; }},
-      {"face", [](H& h) { h.faces[9].vertices = 1u << 31; }},
+      {"face", [](H& h) { h.faces[first_face(h)].vertices = 1u << 31; }},
       {"face", [](H& h) { h.faces[9].normal *= 2.0; }},
-      {"edge", [](H& h) { h.edges[4].head = 31; }},
+      {"edge", [](H& h) { h.edges[first_edge(h)].head = 31; }},
       {"edge", [](H& h) { h.edges[4].face_left = 3000; }},
       {"edge", [](H& h) { h.edges[4].face_right = -2; }},
       {"resolution", [](H& h) { h.levels[1].resolution = 0.0; }},
       {"count", [](H& h) { ++h.levels[1].node_count; }},
       {"count", [](H& h) { ++h.levels[1].patch_count; }},
       {"order", [](H& h) { h.levels[0].is_free = true; }},
-      {"order", [](H& h) { h.levels.back().is_free = false; }},
+      {"level", [](H& h) { h.levels.back().is_free = false; }},
       {"bounds", [](H& h) { h.vertex_to_below.clear(); }},
       {"bounds", [](H& h) { h.vertex_to_below[4] = -1.0f; }},
       {"bounds", [](H& h) { h.triangle_to_below[4] = static_cast<float>(kNan); }},
