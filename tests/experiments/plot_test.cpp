@@ -3,6 +3,7 @@
 #include "experiments/common/plot.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -46,9 +47,18 @@ Picture decode(std::string png) {
   return picture;
 }
 
+/// Pixels of a colour, to a rounding of each channel.
 int count(const Picture& picture, unsigned color) {
   int found = 0;
-  for (const unsigned p : picture.pixels) found += p == color ? 1 : 0;
+  for (const unsigned p : picture.pixels) {
+    bool is_near = true;
+    for (const int shift : {0, 8, 16}) {
+      const int difference =
+          static_cast<int>((p >> shift) & 0xff) - static_cast<int>((color >> shift) & 0xff);
+      is_near = is_near && std::abs(difference) <= 2;
+    }
+    found += is_near ? 1 : 0;
+  }
   return found;
 }
 
