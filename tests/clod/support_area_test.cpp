@@ -50,9 +50,24 @@ TEST(SupportAreas, EndAtEdgesAndScaleAsAnArea) {
       EXPECT_NEAR(areas[v][kFlood], 1.0, 1e-12) << "all of its face";
     }
     if (on_planes > 1) {
-      EXPECT_EQ(areas[v][kFlood], 0.0) << "an edge stands on no face";
+      EXPECT_GT(areas[v][kFlood], 0.0);
+      EXPECT_LT(areas[v][kFlood], 0.02) << "an edge stands on little more than itself";
+      EXPECT_EQ(areas[v][kFlood], areas[v][kRing]);
     }
   }
+}
+
+TEST(SupportAreas, CountTheTipOfAPyramid) {
+  TriangleMesh pyramid;  // 45 degrees steep
+  pyramid.positions = {{0, 0, 0}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, -1}, {1, -1, -1}};
+  pyramid.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
+  for (const double t : {0.01, 0.3}) {
+    const auto tip = support_areas(pyramid, {.tolerance = t})[0];
+    EXPECT_NEAR(tip[kRing], 4.0 * t * t, 1e-12);
+    EXPECT_EQ(tip[kFlood], tip[kRing]);
+  }
+  EXPECT_NEAR(support_areas(pyramid, {.tolerance = 1.0})[0][kRing], 4.0, 1e-12);
+  EXPECT_EQ(support_areas(pyramid, {.tolerance = 0.3, .cone_cosine = 0.8})[0][kRing], 0.0);
 }
 
 }  // namespace

@@ -72,6 +72,7 @@ TEST(SimplifySurface, StaysWithinTheLimits) {
   const double radius = enclosing_ball(mesh.positions).radius;
   SimplifyParams params = test::generous();
   params.longest_edge = 0.3;
+  params.longest_edge_ever = 0.0;
   const Simplification wide = test::simplify(mesh, params);
   params.deviation_limit = 0.004;
   const Simplification tight = test::simplify(mesh, params);
@@ -99,6 +100,34 @@ TEST(SimplifySurface, StaysWithinTheLimits) {
   }
   EXPECT_NEAR(mass_properties(wide.levels.back().mesh).volume / mass_properties(mesh).volume, 1.0,
               0.2);
+}
+
+TEST(SimplifySurface, KeepsTheVolumeOfLongThings) {
+  const TriangleMesh mesh = make_capsule(1.0, 20.0, 24, 30);
+  const double volume = mass_properties(mesh).volume;
+  const auto lost = [&](bool keeps_volume) {
+    SimplifyParams params;
+    params.collapse.keeps_volume = keeps_volume;
+    const Simplification s = test::simplify(mesh, params);
+    return 1.0 - mass_properties(s.levels.back().mesh).volume / volume;
+  };
+  EXPECT_LT(std::fabs(lost(true)), 0.12);
+  EXPECT_LT(std::fabs(lost(true)), std::fabs(lost(false)));
+}
+
+TEST(SimplifySurface, GoesOnPastTheEdgeWhileManyPatchesAreLeft) {
+  const TriangleMesh ball = make_ball(1.0, 16);
+  SimplifyParams params;
+  const Simplification far = test::simplify(ball, params);
+  params.longest_edge_ever = 0.0;
+  const Simplification near = test::simplify(ball, params);
+  const auto share = [](const Simplification& s) {
+    return static_cast<double>(s.levels.back().patch_count) / s.levels.front().patch_count;
+  };
+  EXPECT_GT(share(near), params.coarsest_share);
+  EXPECT_LT(share(far), 0.5 * share(near));
+  EXPECT_GE(near.levels.back().resolution, 8.0 * (1.0 - 1e-9));
+  EXPECT_LT(far.levels.back().resolution, 8.0);
 }
 
 TEST(SimplifySurface, IsDeterministicAndScaleFree) {

@@ -19,6 +19,9 @@ namespace {
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
+// Of the time of a build, about: the loop of simplification, and all up to the finished tree.
+constexpr double kShareOfLoop = 0.6, kShareOfTree = 0.75;
+
 double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -89,7 +92,10 @@ ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params, Clo
   const double decomposed = cpu_seconds();
   auto support = support_areas(mesh, {.tolerance = params.contact_tolerance * h.radius});
   const double supported = cpu_seconds();
-  Simplification s = simplify_surface(mesh, decomposition, params.simplify, std::move(support));
+  SimplifyParams simplify = params.simplify;
+  const auto& progress = params.simplify.progress;
+  if (progress) simplify.progress = [&](double share) { progress(kShareOfLoop * share); };
+  Simplification s = simplify_surface(mesh, decomposition, simplify, std::move(support));
   const double simplified = cpu_seconds();
   const std::vector<detail::LevelPatches> patches = detail::list_level_patches(s);
   detail::DraftTree tree = detail::draft_leaves(mesh, decomposition);
@@ -100,10 +106,12 @@ ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params, Clo
   detail::measure_hausdorff(h);
   if (!params.has_culling_hulls) detail::bound_by_contact_patches(h);
   const double placed = cpu_seconds();
+  if (progress) progress(kShareOfTree);
   detail::measure_deviation(mesh, decomposition, s, params.threads, h);
   detail::measure_level_bounds(params.threads, h);
   detail::fill_support(decomposition, patches, s, h);
   describe_levels(s, h);
+  if (progress) progress(1.0);
   if (!report) return h;
   report->decompose_seconds = decomposed - start;
   report->simplify_seconds = simplified - supported;

@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
-#include "thigma/convex/clip.h"
-#include "thigma/convex/detail/surface.h"
-#include "thigma/convex/detail/visit_triangles.h"
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/detail/patch_faults.h"
 #include "thigma/convex/pair.h"
 
 namespace thigma {
@@ -27,10 +23,6 @@ struct Checker {
 
 const Vec3& corner(const Checker& c, std::int32_t t, std::size_t k) {
   return c.mesh.positions[at(c.mesh.triangles[at(t)][k])];
-}
-
-double height_over(const Checker& c, std::int32_t t, const Vec3& p) {
-  return c.surface.normal[at(t)].dot(p - corner(c, t, 0));
 }
 
 void check_tree(Checker& c) {
@@ -80,57 +72,17 @@ void check_triangles(Checker& c) {
     c.result.misplaced_triangles += (c.patch_of[t] >= 0) != (c.surface.height[t] > 0.0);
 }
 
-void check_convexity(Checker& c) {
-  for (std::size_t t = 0; t < c.patch_of.size(); ++t) {
-    if (c.patch_of[t] < 0 || !(c.surface.height[t] > c.flat)) continue;  // slivers have no plane
-    const auto triangle = static_cast<std::int32_t>(t);
-    for (const std::int32_t other : c.surface.neighbor[t]) {
-      if (other < 0 || c.patch_of[at(other)] != c.patch_of[t]) continue;
-      bool is_reflex = false;
-      for (std::size_t k = 0; k < 3; ++k)
-        is_reflex = is_reflex || height_over(c, triangle, corner(c, other, k)) > c.flat;
-      c.result.reflex_edges += is_reflex;
-    }
-    const HullView hull = hull_view(c.h, c.h.patches[at(c.patch_of[t])].node);
-    bool is_off = false;
-    for (int i = 0; i < hull.vertex_count; ++i)
-      is_off = is_off || height_over(c, triangle, hull.vertices[i]) > c.flat;
-    c.result.off_hull += is_off;
-  }
-}
-
-void check_protrusion(Checker& c) {
-  std::vector<std::int32_t> all(c.mesh.triangles.size());
-  std::iota(all.begin(), all.end(), 0);
-  const detail::TriangleTree tree = detail::build_triangle_tree(c.mesh, std::move(all));
-  GrowingHull grown;
-  std::vector<HalfSpace> half_spaces;
-  for (std::size_t p = 0; p < c.h.patches.size(); ++p) {
-    const ClodPatch& patch = c.h.patches[p];
+void check_hulls(Checker& c) {
+  std::vector<std::vector<Vec3>> points;
+  for (const ClodPatch& patch : c.h.patches) {
     const HullView hull = hull_view(c.h, patch.node);
-    detail::TreeBox box{hull.vertices[0], hull.vertices[0]};
-    for (int i = 1; i < hull.vertex_count; ++i) {
-      box.min = box.min.cwiseMin(hull.vertices[i]);
-      box.max = box.max.cwiseMax(hull.vertices[i]);
-    }
-    start_hull(grown, {hull.vertices, static_cast<std::size_t>(hull.vertex_count)},
-               std::max(1e-10, c.flat / (box.max - box.min).norm()));
-    if (grown.dimension < 3) continue;
-    complete_hull(grown);
-    list_half_spaces(grown, c.inset, half_spaces);
-    const std::int32_t shell = c.surface.shell[at(c.h.triangle_ids[at(patch.first_triangle)])];
-    bool is_entered = false;
-    detail::visit_triangles(tree, box, [&](std::int32_t t) {
-      if (is_entered || c.patch_of[at(t)] == static_cast<std::int32_t>(p) ||
-          c.surface.shell[at(t)] != shell || c.surface.height[at(t)] <= 0.0)
-        return;
-      std::array<Vec3, 3> triangle;
-      for (std::size_t k = 0; k < 3; ++k)
-        triangle[k] = (corner(c, t, k) - grown.origin) * grown.scale;
-      is_entered = reaches_into(triangle, half_spaces);
-    });
-    c.result.protruding_patches += is_entered;
+    points.emplace_back(hull.vertices, hull.vertices + hull.vertex_count);
   }
+  const detail::PatchFaults faults =
+      detail::count_patch_faults({c.mesh, c.surface, c.patch_of, points, c.flat, c.inset});
+  c.result.reflex_edges = faults.reflex_edges;
+  c.result.off_hull = faults.off_hull;
+  c.result.protruding_patches = faults.protruding_patches;
 }
 
 void check_features(Checker& c) {
@@ -222,8 +174,7 @@ HierarchyCheck check_hierarchy(const ClodHierarchy& hierarchy, const TriangleMes
                   {}};
   check_tree(checker);
   check_triangles(checker);
-  check_convexity(checker);
-  check_protrusion(checker);
+  check_hulls(checker);
   check_features(checker);
   check_cover(checker);
   return checker.result;

@@ -1,5 +1,6 @@
 #include "thigma/clod/support_area.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "thigma/convex/detail/surface.h"
@@ -18,8 +19,33 @@ struct Flood {
   std::vector<std::int32_t> faces;    // reached
 };
 
+bool is_in_cone(const Flood& f, std::int32_t face, const Vec3& normal) {
+  return f.surface.normal[at(face)].dot(normal) >= f.params.cone_cosine;
+}
+
+/// Share of a triangle with these heights that is not above a height, if its lowest corner is not.
+double share_below(std::array<double, 3> height, double limit) {
+  std::sort(height.begin(), height.end());
+  const auto [low, middle, high] = height;
+  if (high <= limit) return 1.0;
+  if (low >= limit) return 0.0;
+  // The part cut off at one corner is similar in both of its sides.
+  if (limit <= middle) return (limit - low) / (middle - low) * ((limit - low) / (high - low));
+  return 1.0 - (high - limit) / (high - middle) * ((high - limit) / (high - low));
+}
+
+/// Share of a face within the tolerance of the tangent plane.
+double share_within(const Flood& f, std::int32_t face, const Vec3& at_vertex, const Vec3& normal) {
+  std::array<double, 3> height, depth;
+  for (std::size_t k = 0; k < 3; ++k) {
+    height[k] = normal.dot(f.mesh.positions[at(f.mesh.triangles[at(face)][k])] - at_vertex);
+    depth[k] = -height[k];
+  }
+  return share_below(height, f.params.tolerance) + share_below(depth, f.params.tolerance) - 1.0;
+}
+
 bool counts(const Flood& f, std::int32_t face, const Vec3& at_vertex, const Vec3& normal) {
-  if (f.surface.normal[at(face)].dot(normal) < f.params.cone_cosine) return false;
+  if (!is_in_cone(f, face, normal)) return false;
   for (const std::int32_t v : f.mesh.triangles[at(face)])
     if (std::fabs(normal.dot(f.mesh.positions[at(v)] - at_vertex)) > f.params.tolerance)
       return false;
@@ -58,7 +84,14 @@ std::vector<std::array<double, 2>> support_areas(const TriangleMesh& mesh,
       f.seen_by[at(face)] = id;
       if (counts(f, face, mesh.positions[v], n)) f.faces.push_back(face);
     };
-    for (const std::int32_t face : around[v]) look_at(face);
+    double in_part = 0.0;
+    for (const std::int32_t face : around[v]) {
+      const std::size_t whole = f.faces.size();
+      look_at(face);
+      if (f.faces.size() == whole && is_in_cone(f, face, n))
+        in_part += share_within(f, face, mesh.positions[v], n) * projected(face);
+    }
+    areas[v] = {in_part, in_part};
     for (const std::int32_t face : f.faces) areas[v][0] += projected(face);
     for (std::size_t i = 0; i < f.faces.size(); ++i) {
       areas[v][1] += projected(f.faces[i]);

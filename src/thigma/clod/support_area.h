@@ -17,7 +17,9 @@ struct SupportParams {
 
 /// Areas of the faces at each vertex, projected onto its tangent plane, by SupportReading: the
 /// one-ring alone, and the flood over edges from it. A face counts when all its corners lie within
-/// the tolerance of the tangent plane and its normal lies in the cone.
+/// the tolerance of the tangent plane and its normal lies in the cone; of a face of the one-ring
+/// that leaves the tolerance the part within it counts, so that the vertex of a sharp edge or of a
+/// coarse mesh has an area, a small one. 0 only where no face around the vertex is in the cone.
 ///
 /// The one-ring is the text to the letter, where tolerance and cone are almost idle and D shrinks
 /// with the tessellation; the flood is what they are for (docs/deviations.md).

@@ -24,7 +24,9 @@ bool reaches_into(const std::array<Vec3, 3>& triangle, const std::vector<HalfSpa
     if (h.normal.dot(triangle[0]) > h.offset && h.normal.dot(triangle[1]) > h.offset &&
         h.normal.dot(triangle[2]) > h.offset)
       return false;
-  std::vector<Vec3> polygon(triangle.begin(), triangle.end()), cut;
+  // Kept from call to call: millions of them a model.
+  thread_local std::vector<Vec3> polygon, cut;
+  polygon.assign(triangle.begin(), triangle.end());
   for (const HalfSpace& h : half_spaces) {
     cut.clear();
     for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -1,12 +1,8 @@
 #include "thigma/simplify/check_levels.h"
 
 #include <algorithm>
-#include <numeric>
 
-#include "thigma/convex/clip.h"
-#include "thigma/convex/detail/surface.h"
-#include "thigma/convex/detail/visit_triangles.h"
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/detail/patch_faults.h"
 #include "thigma/mesh/topology.h"
 
 namespace thigma {
@@ -17,18 +13,9 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 struct LevelView {
   const SimplifiedLevel& level;
   detail::Surface surface;
-  detail::TriangleTree tree;
   std::vector<std::vector<std::int32_t>> triangles, vertices;  // of each patch
   double flat, inset;                                          // [m]
 };
-
-const Vec3& corner(const LevelView& v, std::int32_t t, std::size_t k) {
-  return v.level.mesh.positions[at(v.level.mesh.triangles[at(t)][k])];
-}
-
-double height_over(const LevelView& v, std::int32_t t, const Vec3& p) {
-  return v.surface.normal[at(t)].dot(p - corner(v, t, 0));
-}
 
 void check_patches(const LevelView& v, int max_vertices, LevelCheck& result) {
   for (std::size_t t = 0; t < v.level.mesh.triangles.size(); ++t) {
@@ -42,61 +29,22 @@ void check_patches(const LevelView& v, int max_vertices, LevelCheck& result) {
   }
 }
 
-void check_convexity(const LevelView& v, LevelCheck& result) {
-  for (std::size_t i = 0; i < v.level.mesh.triangles.size(); ++i) {
-    const auto t = static_cast<std::int32_t>(i);
-    const std::int32_t patch = v.level.patch_of_triangle[i];
-    if (patch < 0 || !(v.surface.height[i] > v.flat)) continue;  // slivers have no plane
-    for (const std::int32_t other : v.surface.neighbor[i]) {
-      if (other < 0 || v.level.patch_of_triangle[at(other)] != patch) continue;
-      bool is_reflex = false;
-      for (std::size_t k = 0; k < 3; ++k)
-        is_reflex = is_reflex || height_over(v, t, corner(v, other, k)) > v.flat;
-      result.reflex_edges += is_reflex;
-    }
-    bool is_off = false;
-    for (const std::int32_t w : v.vertices[at(patch)])
-      is_off = is_off || height_over(v, t, v.level.mesh.positions[at(w)]) > v.flat;
-    result.off_hull += is_off;
-  }
-}
-
-void check_protrusion(const LevelView& v, LevelCheck& result) {
-  GrowingHull hull;
-  std::vector<HalfSpace> half_spaces;
-  std::vector<Vec3> points;
-  for (std::size_t p = 0; p < v.triangles.size(); ++p) {
-    if (v.triangles[p].empty()) continue;
-    points.clear();
-    for (const std::int32_t w : v.vertices[p]) points.push_back(v.level.mesh.positions[at(w)]);
-    detail::TreeBox box{points[0], points[0]};
-    for (const Vec3& x : points) {
-      box.min = box.min.cwiseMin(x);
-      box.max = box.max.cwiseMax(x);
-    }
-    start_hull(hull, points, std::max(1e-10, v.flat / (box.max - box.min).norm()));
-    if (hull.dimension < 3) continue;
-    complete_hull(hull);
-    list_half_spaces(hull, v.inset, half_spaces);
-    const std::int32_t shell = v.surface.shell[at(v.triangles[p][0])];
-    bool is_entered = false;
-    detail::visit_triangles(v.tree, box, [&](std::int32_t t) {
-      if (is_entered || v.level.patch_of_triangle[at(t)] == static_cast<std::int32_t>(p) ||
-          v.surface.shell[at(t)] != shell || v.surface.height[at(t)] <= 0.0)
-        return;
-      std::array<Vec3, 3> c;
-      for (std::size_t k = 0; k < 3; ++k) c[k] = (corner(v, t, k) - hull.origin) * hull.scale;
-      is_entered = reaches_into(c, half_spaces);
-    });
-    result.protruding_patches += is_entered;
-  }
+void check_hulls(const LevelView& v, LevelCheck& result) {
+  std::vector<std::vector<Vec3>> points(v.vertices.size());
+  for (std::size_t p = 0; p < points.size(); ++p)
+    for (const std::int32_t w : v.vertices[p]) points[p].push_back(v.level.mesh.positions[at(w)]);
+  std::vector<std::int32_t> patch_of = v.level.patch_of_triangle;
+  for (std::int32_t& patch : patch_of)
+    if (patch >= v.level.patch_count) patch = -1;
+  const detail::PatchFaults faults =
+      detail::count_patch_faults({v.level.mesh, v.surface, patch_of, points, v.flat, v.inset});
+  result.reflex_edges += faults.reflex_edges;
+  result.off_hull += faults.off_hull;
+  result.protruding_patches += faults.protruding_patches;
 }
 
 LevelView view(const SimplifiedLevel& level, double flat, double inset) {
-  LevelView v{level, detail::describe_surface(level.mesh), {}, {}, {}, flat, inset};
-  std::vector<std::int32_t> all(level.mesh.triangles.size());
-  std::iota(all.begin(), all.end(), 0);
-  v.tree = detail::build_triangle_tree(level.mesh, std::move(all));
+  LevelView v{level, detail::describe_surface(level.mesh), {}, {}, flat, inset};
   v.triangles.resize(at(level.patch_count));
   v.vertices.resize(at(level.patch_count));
   for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
@@ -153,8 +101,7 @@ LevelCheck check_levels(const Simplification& s, const ConvexDecomposition& deco
     const LevelView v = view(s.levels[i], s.convexity_tolerance * (1.0 + 1e-6),
                              s.protrusion_tolerance * (1.0 + 1e-6));
     check_patches(v, decomposition.params.max_vertices, result);
-    check_convexity(v, result);
-    check_protrusion(v, result);
+    check_hulls(v, result);
     result.changed_surfaces += euler_characteristic(s.levels[i].mesh) != characteristic;
     if (i > 0) check_step(s, i, result);
   }

@@ -16,6 +16,9 @@ using detail::StarTriangle;
 
 /// A position never starts or relaxes farther than this many edge lengths away from the edge.
 constexpr double kReach = 2.0;
+/// Steps that keep the volume, in edge lengths: smaller ones would only unsettle flat and smoothly
+/// curved patches, where hardly any position is convex; larger ones are folds.
+constexpr double kLeastStep = 0.01, kLargestStep = 0.5;
 
 /// Narrows by one condition on four points. Its slack is the height that counts as flat over the
 /// larger of the two triangles it may be read as: the trials that follow measure heights over the
@@ -71,6 +74,39 @@ Vec3 clamped(const Vec3& p, const Vec3& from, double reach) {
   const Vec3 step = p - from;
   const double length = step.norm();
   return length <= reach ? p : Vec3(from + (reach / length) * step);
+}
+
+/// Where the new vertex may lie for the volume under the star to stay what it was: a plane.
+struct VolumePlane {
+  Vec3 normal = Vec3::Zero();  // twice the vector area of the ring [m^2]
+  double offset = 0.0;         // [m^3]
+};
+
+VolumePlane volume_plane(const PatchedSurface& s, const EdgeStar& star) {
+  const auto& x = s.mesh.positions;
+  const Vec3 origin = x[at(star.tail)];
+  VolumePlane plane;
+  const auto add_old = [&](std::int32_t t) {
+    const auto& v = s.mesh.triangles[at(t)];
+    plane.offset += (x[at(v[0])] - origin).dot((x[at(v[1])] - origin).cross(x[at(v[2])] - origin));
+  };
+  for (const StarTriangle& t : star.triangles) {
+    plane.normal += (x[at(t.a)] - origin).cross(x[at(t.b)] - origin);
+    add_old(t.triangle);
+  }
+  for (const std::int32_t t : star.removed)
+    if (t >= 0) add_old(t);
+  plane.offset += plane.normal.dot(origin);
+  return plane;
+}
+
+/// p moved onto the plane, if that is a step worth taking and no leap.
+Vec3 with_volume(const VolumePlane& plane, const Vec3& p, double edge) {
+  const double size = plane.normal.norm();
+  if (!(size > 0.0)) return p;
+  const double step = (plane.offset - plane.normal.dot(p)) / size;
+  if (!(std::fabs(step) >= kLeastStep * edge && std::fabs(step) <= kLargestStep * edge)) return p;
+  return p + (step / size) * plane.normal;
 }
 
 struct Starts {
@@ -177,6 +213,32 @@ void commit(PatchedSurface& s, CollapseContext& context, const Vec3& p,
   }
 }
 
+/// The relaxed position that goes with a start.
+Vec3 relaxed(const CollapseContext& context, const Vec3& v_hat, double edge) {
+  return clamped(relax(v_hat, context.scratch.ring), v_hat, kReach * edge);
+}
+
+/// Tries the positions between a start and its relaxed position; commits the one it takes.
+CollapseOutcome try_start(PatchedSurface& s, CollapseContext& context, const Vec3& v_hat,
+                          const Vec3& v_tilde, bool& has_begun,
+                          std::vector<std::int32_t>& successor) {
+  CollapseScratch& k = context.scratch;
+  UnitInterval interval;
+  narrow_by_edges(interval, s, k.star, k.ring, v_hat, v_tilde);
+  if (!interval.is_feasible) return CollapseOutcome::convexity;
+  if (!has_begun) detail::begin_trials(s, context);
+  has_begun = true;
+  narrow_by_patches(interval, s, k.star, k, v_hat, v_tilde);
+  if (!interval.is_feasible) return CollapseOutcome::convexity;
+  if (v_tilde == v_hat) interval.low = interval.high;
+  const BisectionResult found =
+      bisect(interval.low, interval.high, context.params.bisections,
+             [&](double u) { return detail::try_position(s, context, mix(u, v_hat, v_tilde)); });
+  if (!found.is_accepted) return k.reason;
+  commit(s, context, mix(found.u, v_hat, v_tilde), successor);
+  return CollapseOutcome::collapsed;
+}
+
 }  // namespace
 
 std::vector<Quadric> vertex_quadrics(const PatchedSurface& s) {
@@ -208,32 +270,25 @@ CollapseOutcome filtered_edge_collapse(PatchedSurface& s, CollapseContext& conte
   detail::gather_star(s, halfedge, k.star);
   detail::list_ring(s, k.star, k.ring);
   const Starts starts = choose_starts(s, context);
-  const double reach =
-      kReach * (s.mesh.positions[at(k.star.head)] - s.mesh.positions[at(k.star.tail)]).norm();
+  const double edge =
+      (s.mesh.positions[at(k.star.head)] - s.mesh.positions[at(k.star.tail)]).norm();
   bool has_begun = false;
   CollapseOutcome reason = CollapseOutcome::convexity;
+  const auto succeeds = [&](const Vec3& v_hat, const Vec3& v_tilde) {
+    const CollapseOutcome outcome = try_start(s, context, v_hat, v_tilde, has_begun, successor);
+    // What stopped a trial tells more than that another start had none.
+    if (outcome != CollapseOutcome::convexity) reason = outcome;
+    return outcome == CollapseOutcome::collapsed;
+  };
   for (int i = 0; i < starts.count; ++i) {
     const Vec3& v_hat = starts.position[static_cast<std::size_t>(i)];
-    Vec3 v_tilde = v_hat;
-    if (starts.may_move && context.params.is_relaxed)
-      v_tilde = clamped(relax(v_hat, k.ring), v_hat, reach);
-    UnitInterval interval;
-    narrow_by_edges(interval, s, k.star, k.ring, v_hat, v_tilde);
-    if (!interval.is_feasible) continue;
-    if (!has_begun) detail::begin_trials(s, context);
-    has_begun = true;
-    narrow_by_patches(interval, s, k.star, k, v_hat, v_tilde);
-    if (!interval.is_feasible) continue;
-    if (v_tilde == v_hat) interval.low = interval.high;
-    const BisectionResult found =
-        bisect(interval.low, interval.high, context.params.bisections,
-               [&](double u) { return detail::try_position(s, context, mix(u, v_hat, v_tilde)); });
-    if (!found.is_accepted) {
-      reason = k.reason;
-      continue;
+    const bool moves = starts.may_move && context.params.is_relaxed;
+    const Vec3 v_tilde = moves ? relaxed(context, v_hat, edge) : v_hat;
+    if (i == 0 && moves && context.params.keeps_volume) {
+      const Vec3 kept = with_volume(volume_plane(s, k.star), v_tilde, edge);
+      if (kept != v_tilde && succeeds(v_hat, kept)) return CollapseOutcome::collapsed;
     }
-    commit(s, context, mix(found.u, v_hat, v_tilde), successor);
-    return CollapseOutcome::collapsed;
+    if (succeeds(v_hat, v_tilde)) return CollapseOutcome::collapsed;
   }
   return reason;
 }

@@ -31,6 +31,7 @@ struct CollapseParams {
                                 // equilateral; where the worst of the old ones is below, that
   double free_to_turn = 2e-3;   // a triangle of less quality may turn over
   bool is_relaxed = true;       // step 3
+  bool keeps_volume = true;     // the relaxed position first tried keeps the volume of the object
   bool guards_original = true;  // the limit on deviation holds from the original's vertices too
 };
 
@@ -72,7 +73,8 @@ std::vector<Quadric> vertex_quadrics(const PatchedSurface& s);
 ///
 /// The start is the point of least quadric error; where no position near it keeps the patches
 /// convex, the ends of the edge. On a boundary the vertex stays at an end that is on it. The
-/// vertex then moves towards the relaxed position as far as the convexity of its patches allows,
+/// vertex then moves towards the relaxed position, first that moved along the normal of its ring
+/// until the volume is what it was, as far as the convexity of its patches allows,
 /// and back until no triangle becomes a sliver or turns over, the surface stays near the original,
 /// crosses itself no more than before, and no hull is entered.
 ///

@@ -36,7 +36,8 @@ struct Loop {
   std::vector<std::int32_t> successor = {};   // of each patch: itself while it lives
   std::vector<std::int32_t> last_level = {};  // patches of the level kept last, by their number now
   std::vector<std::array<double, 2>> support = {};
-  double longest = 0.0;  // projected edge collapsed so far [m]
+  double longest_ever = 0.0;  // projected edge that may ever be tried [m]
+  double longest = 0.0;       // projected edge collapsed so far [m]
 };
 
 std::int32_t find_live(std::vector<std::int32_t>& successor, std::int32_t patch) {
@@ -59,7 +60,7 @@ void push(Loop& loop, std::int32_t a, std::int32_t b) {
   if (m.is_locked[at(a)] || m.is_locked[at(b)]) return;
   const double length = projected_length(m.positions[at(b)] - m.positions[at(a)],
                                          loop.vertex_normal[at(a)] + loop.vertex_normal[at(b)]);
-  if (length > loop.params.longest_edge * loop.surface.radius) return;
+  if (length > loop.longest_ever) return;
   loop.queue.push(
       {length, std::min(a, b), std::max(a, b), loop.version[at(a)] + loop.version[at(b)]});
 }
@@ -147,6 +148,16 @@ void attempt(Loop& loop, const Candidate& candidate) {
       loop.result.merges += merge_patch(s, patch, loop.context.scratch.hull, loop.successor);
 }
 
+/// Every collapse takes about the same time: the share of the triangles gone, by hundredths.
+void report_progress(const Loop& loop, double& shown) {
+  if (!loop.params.progress) return;
+  const auto all = static_cast<double>(loop.result.levels[0].mesh.triangles.size());
+  const double share = 1.0 - loop.surface.mesh.triangle_count / all;
+  if (share < shown + 0.01) return;
+  shown = share;
+  loop.params.progress(share);
+}
+
 SimplifiedLevel first_level(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
                             const std::vector<std::array<double, 2>>& support,
                             const CornerAttributes& attributes) {
@@ -187,21 +198,27 @@ Simplification simplify_surface(const TriangleMesh& mesh, const ConvexDecomposit
     loop.successor.push_back(static_cast<std::int32_t>(i));
   loop.last_level.assign(loop.successor.begin(),
                          loop.successor.begin() + loop.result.levels[0].patch_count);
-  push_all(loop);
   const std::int32_t first = loop.result.levels[0].patch_count;
   std::int32_t kept = first;
+  loop.longest_ever = std::max(params.longest_edge, params.longest_edge_ever) * s.radius;
+  push_all(loop);
+  double shown = 0.0;
   while (!loop.queue.empty()) {
     const Candidate candidate = loop.queue.top();
     loop.queue.pop();
     if (candidate.version != loop.version[at(candidate.a)] + loop.version[at(candidate.b)])
       continue;
+    if (candidate.length > params.longest_edge * s.radius &&
+        s.patch_count <= params.coarsest_share * first)
+      break;
     attempt(loop, candidate);
+    report_progress(loop, shown);
     if (2 * s.patch_count > kept) continue;
     keep_level(loop);
     kept = s.patch_count;
-    if (params.progress) params.progress(1.0 - static_cast<double>(kept) / first);
   }
   if (s.patch_count <= params.last_level * kept) keep_level(loop);
+  if (params.progress) params.progress(1.0);
   return std::move(loop.result);
 }
 

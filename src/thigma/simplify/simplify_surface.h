@@ -14,13 +14,16 @@
 namespace thigma {
 
 struct SimplifyParams {
-  double longest_edge = 0.125;        // stop: projected edges up to this times the radius collapse
-  double deviation_limit = 0.02;      // new triangles stay this near the original, times the radius
-  double convexity_tolerance = 1e-6;  // least, times the radius; see DecompositionParams
+  double longest_edge = 0.125;     // stop: projected edges up to this times the radius collapse,
+  double coarsest_share = 0.02;    // and longer ones while more than this share of the original's
+  double longest_edge_ever = 0.5;  // patches is left, up to this times the radius
+  double deviation_limit = 0.02;   // new triangles stay this near the original, times the radius
+  double convexity_tolerance = 1e-6;   // least, times the radius; see DecompositionParams
   double protrusion_tolerance = 1e-5;  // least, times the radius
   double last_level = 0.8;  // a level that did not come to half the patches is kept below this
   CollapseParams collapse;
-  std::function<void(double)> progress;  // called with the share of the patches gone, 0..1
+  std::function<void(double)> progress;  // called with the share of the work done, 0..1, rising; by
+                                         // build_clod for all of its work
 };
 
 /// One level of detail.
