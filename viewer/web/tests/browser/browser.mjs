@@ -15,7 +15,7 @@ export async function startBrowser() {
   } catch {
     return { reason: "playwright-core is not installed (npm ci in viewer/web)" };
   }
-  const args = ["--disable-dev-shm-usage", ...GL];
+  const args = ["--disable-dev-shm-usage", "--disable-gpu-watchdog", ...GL]; // busy is not hung
   if (process.getuid?.() === 0) args.push("--no-sandbox"); // Chromium's sandbox refuses root
   return { browser: await playwright.chromium.launch({ executablePath, args, headless: true, timeout: 120000 }) };
 }
