@@ -3,6 +3,8 @@
 #include "support/mesh_session.h"
 #include <gtest/gtest.h>
 
+#include "thigma/runtime/direct_session.h"
+
 namespace thigma {
 namespace {
 
@@ -101,6 +103,34 @@ TEST(StaleModel, TheForceComesBackNoFasterThanTheSlewLimit) {
   EXPECT_LT(weakest, 0.1);
   EXPECT_EQ(weight, 1.0);
   EXPECT_GT(last, 0.5);  // it came back
+}
+
+// A contact query as slow as two gears in mesh: every model is used from 20 to 40 ms after its state.
+TEST(SlowQuery, OldModelsMakeNoFaultAndNoPull) {
+  for (const ResponseKind response : {ResponseKind::coupled, ResponseKind::direct}) {
+    SCOPED_TRACE(response == ResponseKind::direct ? "direct" : "coupled");
+    MeshSession scene;
+    if (response == ResponseKind::direct) {
+      use_direct_response(HandDevice(scene.hand(HandPath::press)).limits(), scene.config);
+      scene.start = find_start(scene.config.contact, scene.config.world_from_body);
+      scene.config.world_from_body = scene.start.world_from_body;
+    }
+    scene.config.duration = 5.0;
+    scene.config.contact_every = 20;
+    scene.config.contact_latency = 20;
+    HandDevice device(scene.hand(HandPath::press));
+    const Kept kept(scene.config, device);
+    EXPECT_EQ(kept.summary.end, SessionEnd::duration);
+    EXPECT_TRUE(kept.summary.safety_events.empty());
+    double weakest = 1.0;
+    for (const HapticSample& s : kept.samples) {
+      if (s.model_sequence > 1) weakest = std::min(weakest, s.model_weight);
+      EXPECT_GE(s.contact.force.dot(-scene.start.approach), 0.0);
+    }
+    EXPECT_LT(weakest, 0.6);
+    EXPECT_GT(kept.summary.force_max, 0.2);
+    EXPECT_LE(kept.summary.force_max, device.limits().max_force * (1.0 + 1e-12));
+  }
 }
 
 }  // namespace
