@@ -16,6 +16,7 @@ after(async () => { await browser?.close(); });
 function pageTest(name, options, body) {
   test(name, PATIENCE, async (t) => {
     if (reason) { t.skip(reason); return; }
+    if (!browser.isConnected()) ({ browser } = await startBrowser()); // one that died fails its own test only
     const mock = await startMock({ device: options.device ?? "web:" });
     const { page, errors, context } = await openPage(browser, "about:blank", options.context);
     page.setDefaultTimeout(150000);
