@@ -104,6 +104,7 @@ Place find_place(const HullView& view, std::uint32_t feature, const Vec3& p) noe
 }
 
 double support_area(const Side& side, const Place& place, SupportReading reading) noexcept {
+  if (side.h.support.empty()) return 0.0;  // no simplified levels
   const std::array<double, 2>* first = side.h.support.data() + (side.view.vertices - side.h.vertices.data());
   const auto r = static_cast<std::size_t>(reading);
   double area = 0.0;
