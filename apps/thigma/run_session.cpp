@@ -147,10 +147,14 @@ void refuse_device_clock(const HapticDevice& device) {
       device.name() + ": wants to set the pace by its own clock, which this build cannot follow");
 }
 
+void refuse_web_without_page(const Run& run) {
+  if (device_scheme(run.device_uri) == "web" && run.web_link == nullptr)
+    throw DeviceUnavailable("web: needs the page, which --headless and --lockstep leave out");
+}
+
 /// The page's mouse, slower than what safety takes for a fault.
 std::unique_ptr<HapticDevice> open_web(Run& run) {
-  if (run.web_link == nullptr)
-    throw DeviceUnavailable("web: needs the page, which --headless and --lockstep leave out");
+  refuse_web_without_page(run);
   WebMotionParams params;
   params.max_speed = std::min(params.max_speed, 0.8 * run.config.haptic.safety.max_speed);
   return make_web_device(*run.web_link, params);
@@ -189,6 +193,7 @@ std::unique_ptr<Run> prepare_run(const RunOptions& options, std::uint64_t seed,
                    : scenes::read_scene(options.scene);
   run->device_uri = options.device.empty() ? run->scene.device.uri : options.device;
   if (has_page(options)) run->web_link = std::make_unique<WebLink>();
+  refuse_web_without_page(*run);  // before anything takes long to load
 
   // Whether levels are wanted decides what is loaded, before there is a configuration.
   Resolution resolution = run->scene.contact.resolution;
