@@ -72,7 +72,7 @@ TEST(Conformance, changed_number_fails_and_is_named) {
   entry = entry.get<double>() + 1e-6;
   const ConformanceReport report = check_document("penalty.json", document.dump());
   EXPECT_EQ(report.failed, 1);
-  EXPECT_EQ(report.worst.name, document["cases"][4]["name"]);
+  EXPECT_EQ(report.worst.name, document["cases"][4]["name"].get<std::string>());
   EXPECT_EQ(report.worst.field, "FT");
   EXPECT_NEAR(report.worst.error, 1e-6, 1e-9);
 }
