@@ -1,21 +1,15 @@
 #include "benchmarks/clod_build_bench.h"
 
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 
 #include "scenes/make_model.h"
 
 #include "thigma/clod/clod_file.h"
+#include "thigma/core/cpu_clock.h"
 
 namespace thigma::bench {
 namespace {
-
-double clock_seconds(clockid_t clock) {
-  timespec t{};
-  clock_gettime(clock, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 // A line "NAME:  N kB" of Linux's account of this process; 0 where there is none.
 std::int64_t status_bytes(const std::string& name) {
@@ -47,10 +41,10 @@ ClodHierarchy build_measured(const TriangleMesh& mesh, double contact_tolerance,
   params.threads = cost.threads;
   reset_peak();
   const std::int64_t before = status_bytes("VmRSS");
-  const double cpu = clock_seconds(CLOCK_PROCESS_CPUTIME_ID), wall = clock_seconds(CLOCK_MONOTONIC);
+  const double cpu = process_cpu_seconds(), wall = clock_seconds(CLOCK_MONOTONIC);
   ClodReport report;
   ClodAsset asset = build_clod_asset(mesh, params, &report);
-  cost.cpu = clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+  cost.cpu = process_cpu_seconds() - cpu;
   cost.wall = clock_seconds(CLOCK_MONOTONIC) - wall;
   cost.peak_bytes = before > 0 ? status_bytes("VmHWM") - before : 0;
   cost.serial = report.decompose_seconds + report.simplify_seconds;

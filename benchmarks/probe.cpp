@@ -4,18 +4,11 @@
 #include <cstddef>
 #include <ctime>
 
+#include "thigma/core/cpu_clock.h"
+
 namespace thigma::bench {
-namespace {
 
-double seconds(clockid_t clock) {
-  timespec t{};
-  clock_gettime(clock, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-}  // namespace
-
-double thread_cpu() { return seconds(CLOCK_THREAD_CPUTIME_ID); }
+double thread_cpu() { return thread_cpu_seconds(); }
 
 double dependent_adds() {
   constexpr std::uint64_t kAdds = 20'000'000;
@@ -50,7 +43,7 @@ std::vector<double> empty_loop_lateness(double duration) {
     }
     clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &next, nullptr);
     const double due = static_cast<double>(next.tv_sec) + 1e-9 * static_cast<double>(next.tv_nsec);
-    late.push_back(std::max(0.0, seconds(CLOCK_MONOTONIC) - due));
+    late.push_back(std::max(0.0, clock_seconds(CLOCK_MONOTONIC) - due));
   }
   return late;
 }

@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include "thigma/clod/clod_file.h"
+#include "thigma/core/cpu_clock.h"
 #include "thigma/core/checksum.h"
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
@@ -99,20 +100,9 @@ ordered_json level_json(const ClodAsset& asset, std::size_t k) {
   return j;
 }
 
-rusage usage_so_far() {
+double peak_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return usage;
-}
-
-double cpu_seconds() {
-  const rusage usage = usage_so_far();
-  return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-         1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-}
-
-double peak_bytes() {
-  const rusage usage = usage_so_far();
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
@@ -127,7 +117,7 @@ ordered_json report_json(const BuildOptions& options, const ClodAsset& asset,
   for (std::size_t k = 0; k < asset.hierarchy.levels.size(); ++k)
     j["levels"].push_back(level_json(asset, k));
   j["seconds"] = figures.seconds;
-  j["cpu_seconds"] = cpu_seconds();
+  j["cpu_seconds"] = process_cpu_seconds();
   j["peak_bytes"] = static_cast<std::int64_t>(peak_bytes());
   j["file_bytes"] = figures.file_bytes;
   j["sha256"] = figures.sha256;
@@ -160,7 +150,7 @@ std::string report_text(const BuildOptions& options, const ClodAsset& asset,
   }
   std::snprintf(line, sizeof line,
                 "  %.1f s (%.1f s of CPU), %.0f MiB at most, %.1f MiB written, sha256 ",
-                figures.seconds, cpu_seconds(), peak_bytes() / 1048576.0,
+                figures.seconds, process_cpu_seconds(), peak_bytes() / 1048576.0,
                 static_cast<double>(figures.file_bytes) / 1048576.0);
   out << line << figures.sha256 << '\n';
   return out.str();

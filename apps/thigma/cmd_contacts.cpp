@@ -1,7 +1,5 @@
 // thigma contacts OBJECT SCENE: the contacts of an object along a path of poses, one JSON object a pose.
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,6 +18,7 @@
 #include "scenes/make_model.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/contact/query_contacts.h"
+#include "thigma/core/cpu_clock.h"
 #include "thigma/core/error.h"
 #include "verbs.h"
 
@@ -37,12 +36,6 @@ struct ContactsOptions {
   bool fresh = false, repair = false;
   ResolutionOptions resolution;
 };
-
-double cpu_microseconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return 1e6 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_nsec);
-}
 
 ClodHierarchy load(const std::string& name, const char* role, const ContactsOptions& options, bool is_exact,
                    const Common& common) {
@@ -114,9 +107,9 @@ int contacts(const Common& common, const ContactsOptions& options) {
     for (bool complete = false; !complete;) {
       clear(set);
       if (options.fresh) clear_front(front);
-      const double start = cpu_microseconds();
+      const double start = thread_cpu_seconds();
       query_contacts(object, poses[i], scene, Pose{}, query, front, set);
-      spent = cpu_microseconds() - start;
+      spent = 1e6 * (thread_cpu_seconds() - start);
       complete = set.dropped == 0;
       const std::size_t wanted = set.contacts.size() + static_cast<std::size_t>(set.dropped);
       if (wanted > kMostContacts) {

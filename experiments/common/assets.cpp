@@ -5,18 +5,12 @@
 
 #include "scenes/make_model.h"
 #include "scenes/scene_file.h"
-#include <time.h>
 
+#include "thigma/core/cpu_clock.h"
 #include "thigma/runtime/placement.h"
 
 namespace thigma::experiments {
 namespace {
-
-double process_cpu() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 std::string with_count(const scenes::SceneObject& object, int triangles) {
   if (!object.model) throw std::invalid_argument("an experiment's scene has procedural models");
@@ -37,12 +31,12 @@ const ClodHierarchy& levels_of(Assets& assets, const std::string& uri) {
   const auto known = assets.levels.find(uri);
   if (known != assets.levels.end()) return known->second;
   const TriangleMesh mesh = make_mesh(uri);
-  const double start = process_cpu();
+  const double start = process_cpu_seconds();
   ClodReport report;
   ClodParams params;
   params.threads = 2;
   ClodHierarchy levels = build_clod(mesh, params, &report);
-  assets.seconds[uri] = process_cpu() - start;
+  assets.seconds[uri] = process_cpu_seconds() - start;
   report.simplification.levels.clear();  // the meshes are in the hierarchy already
   assets.reports[uri] = std::move(report);
   return assets.levels.emplace(uri, std::move(levels)).first->second;

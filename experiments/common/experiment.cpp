@@ -6,8 +6,8 @@
 
 #include "benchmarks/probe.h"
 #include <nlohmann/json.hpp>
-#include <time.h>
 
+#include "thigma/core/cpu_clock.h"
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
 
@@ -53,12 +53,6 @@ std::string processor_name() {
     if (colon != std::string::npos) return line.substr(colon + 2);
   }
   return "unknown";
-}
-
-double process_cpu() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 std::string run_json(const Experiment& experiment, const Context& context, double cpu) {
@@ -145,7 +139,7 @@ Outcome run_experiment(const Experiment& experiment, const Context& context,
                   "; expected a folder to write to");
   // A claims file of an earlier run must not stand for one that did not finish.
   std::filesystem::remove(own / "claims.json", failed);
-  const double start = process_cpu();
+  const double start = process_cpu_seconds();
   Assets own_assets;
   Context complete = context;
   if (complete.assets == nullptr) complete.assets = &own_assets;
@@ -154,7 +148,7 @@ Outcome run_experiment(const Experiment& experiment, const Context& context,
     write_file((own / (table.name + ".csv")).string(), csv_text(table));
   write_file((own / (std::string(experiment.name) + ".png")).string(),
              plot::png_bytes(outcome.figure));
-  write_file((own / "run.json").string(), run_json(experiment, context, process_cpu() - start));
+  write_file((own / "run.json").string(), run_json(experiment, context, process_cpu_seconds() - start));
   write_file((own / "claims.json").string(), claims_json(experiment, outcome.claims));
   return outcome;
 }

@@ -4,7 +4,6 @@
 #include "thigma/clod/build_clod.h"
 
 #include <algorithm>
-#include <ctime>
 #include <limits>
 
 #include "thigma/clod/detail/contact_patches.h"
@@ -12,6 +11,7 @@
 #include "thigma/clod/detail/level_bounds.h"
 #include "thigma/clod/detail/parents.h"
 #include "thigma/clod/support_area.h"
+#include "thigma/core/cpu_clock.h"
 #include "thigma/mesh/measure.h"
 
 namespace thigma {
@@ -21,12 +21,6 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 // Of the time of a build, about: the loop of simplification, and all up to the finished tree.
 constexpr double kShareOfLoop = 0.6, kShareOfTree = 0.75;
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// The simplified levels of the tree. returns the nodes without a parent.
 std::vector<std::int32_t> draft_levels(const TriangleMesh& mesh, const Simplification& s,
@@ -87,16 +81,16 @@ ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params, Clo
   h.center = ball.center;
   h.radius = ball.radius;
   h.triangle_count = static_cast<std::int32_t>(mesh.triangles.size());
-  const double start = cpu_seconds();
+  const double start = process_cpu_seconds();
   const ConvexDecomposition decomposition = decompose_surface(mesh, params.decomposition);
-  const double decomposed = cpu_seconds();
+  const double decomposed = process_cpu_seconds();
   auto support = support_areas(mesh, {.tolerance = params.contact_tolerance * h.radius});
-  const double supported = cpu_seconds();
+  const double supported = process_cpu_seconds();
   SimplifyParams simplify = params.simplify;
   const auto& progress = params.simplify.progress;
   if (progress) simplify.progress = [&](double share) { progress(kShareOfLoop * share); };
   Simplification s = simplify_surface(mesh, decomposition, simplify, std::move(support));
-  const double simplified = cpu_seconds();
+  const double simplified = process_cpu_seconds();
   const std::vector<detail::LevelPatches> patches = detail::list_level_patches(s);
   detail::DraftTree tree = detail::draft_leaves(mesh, decomposition);
   std::vector<std::int32_t> tops = draft_levels(mesh, s, patches, params.is_reparented, tree);
@@ -105,7 +99,7 @@ ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params, Clo
   detail::append_contact_patches(s, patches, h);
   detail::measure_hausdorff(h);
   if (!params.has_culling_hulls) detail::bound_by_contact_patches(h);
-  const double placed = cpu_seconds();
+  const double placed = process_cpu_seconds();
   if (progress) progress(kShareOfTree);
   detail::measure_deviation(mesh, decomposition, s, params.threads, h);
   detail::measure_level_bounds(params.threads, h);
@@ -116,7 +110,7 @@ ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params, Clo
   report->decompose_seconds = decomposed - start;
   report->simplify_seconds = simplified - supported;
   report->tree_seconds = placed - simplified;
-  report->parameter_seconds = cpu_seconds() - placed + supported - decomposed;
+  report->parameter_seconds = process_cpu_seconds() - placed + supported - decomposed;
   report->childless = std::count_if(h.contact_patches.begin(), h.contact_patches.end(),
                                     [](const ClodContactPatch& p) { return p.patch.node < 0; });
   report->simplification = std::move(s);

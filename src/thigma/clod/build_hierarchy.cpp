@@ -5,22 +5,16 @@
 #include "thigma/clod/build_hierarchy.h"
 
 #include <algorithm>
-#include <ctime>
 #include <numeric>
 
 #include "thigma/clod/detail/draft_tree.h"
+#include "thigma/core/cpu_clock.h"
 #include "thigma/mesh/measure.h"
 
 namespace thigma {
 namespace {
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 void describe_levels(ClodHierarchy& h) {
   h.levels.resize(at(h.nodes[0].level) + 1);
@@ -36,9 +30,9 @@ void describe_levels(ClodHierarchy& h) {
 
 ClodHierarchy build_exact_hierarchy(const TriangleMesh& mesh, const DecompositionParams& params,
                                     BuildReport* report) {
-  const double start = cpu_seconds();
+  const double start = process_cpu_seconds();
   const ConvexDecomposition decomposition = decompose_surface(mesh, params);
-  const double middle = cpu_seconds();
+  const double middle = process_cpu_seconds();
   ClodHierarchy h;
   const Ball ball = enclosing_ball(mesh.positions);
   h.center = ball.center;
@@ -57,7 +51,7 @@ ClodHierarchy build_exact_hierarchy(const TriangleMesh& mesh, const Decompositio
     report->cut_by_protrusion = decomposition.cut_by_protrusion;
     report->cut_by_size = decomposition.cut_by_size;
     report->decompose_seconds = middle - start;
-    report->hierarchy_seconds = cpu_seconds() - middle;
+    report->hierarchy_seconds = process_cpu_seconds() - middle;
   }
   return h;
 }

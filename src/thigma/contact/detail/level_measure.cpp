@@ -295,8 +295,6 @@ double largest_area(const LevelQuery& q, const FrontNode& n) noexcept {
   return r.area == SupportArea::larger ? std::max(a, b) : std::min(a, b);
 }
 
-bool is_free(const ClodNode& node) noexcept { return node.child_count > 0 && node.contact < 0; }
-
 // Metric and place of a pair, asked for as soon as its closest points are known.
 struct Deciding {
   const LevelQuery& q;

@@ -21,6 +21,9 @@ struct LevelQuery {
 
 LevelQuery make_level_query(Traversal& t) noexcept;
 
+/// A node of merged hulls alone: nothing to measure a contact on.
+inline bool is_free(const ClodNode& node) noexcept { return node.child_count > 0 && node.contact < 0; }
+
 /// Largest support areas of the vertices of each node's patch, by reading; empty without simplified levels.
 /// Thread [offline].
 std::vector<std::array<double, 2>> largest_support(const ClodHierarchy& h);

@@ -1,11 +1,10 @@
 #include "thigma/contact/detail/level_query.h"
 
-#include <ctime>
-
 #include <algorithm>
 #include <numeric>
 
 #include "thigma/contact/detail/level_measure.h"
+#include "thigma/core/cpu_clock.h"
 
 // Sec. 3.4.2. The tree of pairs is walked from the root each frame. Where a pair was culled, or proved open, the walk
 // goes by that until the bodies may have moved far enough to change it, so it costs a look at one number; what is
@@ -19,8 +18,6 @@ namespace thigma::detail {
 namespace {
 
 constexpr double kBlendFrom = 0.5;  // of s* / s0: below, a pair speaks for itself; from 1 on, its children do
-
-bool is_free(const ClodNode& node) noexcept { return node.child_count > 0 && node.contact < 0; }
 
 double child_resolution(const ClodHierarchy& h, const ClodNode& node) noexcept {
   return h.levels[static_cast<std::size_t>(node.level - 1)].resolution;
@@ -188,12 +185,6 @@ struct Budget {
   bool is_spent = false;
 };
 
-double thread_seconds() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 bool is_less_urgent(const PendingPair& x, const PendingPair& y) noexcept {
   if (x.priority != y.priority) return x.priority < y.priority;
   return x.a != y.a ? x.a > y.a : x.b > y.b;
@@ -271,7 +262,7 @@ bool has_room(LevelQuery& q, Budget& budget, const PendingPair& top) noexcept {
   if (budget.deadline > 0.0 && --budget.until_clock <= 0) {
     budget.until_clock = 4;
     const double finish = static_cast<double>(t.front.found.size()) * t.front.finish_cost;
-    if (thread_seconds() + finish > budget.deadline) return false;
+    if (thread_cpu_seconds() + finish > budget.deadline) return false;
   }
   // Every child may add a contact.
   return t.front.found.capacity() - t.front.found.size() > 64;
@@ -300,19 +291,19 @@ void walk_within_budget(LevelQuery& q) noexcept {
   ContactFront& f = t.front;
   const Resolution& r = t.query.resolution;
   Budget budget{.first = t.set.stats.tests, .tests = r.budget_tests};
-  if (r.budget_cpu > 0.0) budget.deadline = thread_seconds() + r.budget_cpu;
+  if (r.budget_cpu > 0.0) budget.deadline = thread_cpu_seconds() + r.budget_cpu;
   f.found.clear();
   f.queue.clear();
   walk_within(q);
   t.set.stats.mandatory_tests += t.set.stats.tests - budget.first;
   refine(q, budget);
   for (const PendingPair& left : f.queue) t.set.stats.unrefined += left.contact >= 0 && left.priority > 1.0;
-  const double start = budget.deadline > 0.0 ? thread_seconds() : 0.0;
+  const double start = budget.deadline > 0.0 ? thread_cpu_seconds() : 0.0;
   for (const Contact& c : f.found) {
     if (c.weight > 0.0) report(t, c);
   }
   if (budget.deadline > 0.0 && !f.found.empty()) {
-    f.finish_cost = 2.0 * (thread_seconds() - start) / static_cast<double>(f.found.size());
+    f.finish_cost = 2.0 * (thread_cpu_seconds() - start) / static_cast<double>(f.found.size());
   }
 }
 
