@@ -9,6 +9,7 @@
 #include "benchmarks/query_bench.h"
 #include "scenes/make_model.h"
 #include "thigma/clod/build_hierarchy.h"
+#include "thigma/math/quantile.h"
 
 namespace thigma::bench {
 namespace {
@@ -97,7 +98,7 @@ std::vector<Row> build_rows(bool quick) {
   Row row;
   row.name = "decomposition and hierarchy, " + std::to_string(mesh.triangles.size()) + " triangles";
   row.unit = "s";
-  row.ours = {percentile(seconds, 0.5), percentile(seconds, 0.99)};
+  row.ours = {sample_quantile(seconds, 0.5), sample_quantile(seconds, 0.99)};
   if (has_fcl()) {
     const double start = thread_cpu();
     make_fcl_pair(mesh, mesh);

@@ -9,6 +9,7 @@
 #include "benchmarks/point_cells.h"
 
 #include "thigma/contact/query_contacts.h"
+#include "thigma/math/quantile.h"
 
 namespace thigma::bench {
 namespace {
@@ -174,8 +175,8 @@ LevelTiming measure_levels(const BenchPair& pair, const std::vector<Pose>& path,
   std::vector<double> apart, meeting;
   for (std::size_t i = 1; i < path.size(); ++i)
     (is_meeting[i] != 0 ? meeting : apart).push_back(best[i]);
-  out.apart_us = 1e6 * percentile(apart, 0.5);
-  out.meeting_us = 1e6 * percentile(meeting, 0.5);
+  out.apart_us = 1e6 * sample_quantile(apart, 0.5);
+  out.meeting_us = 1e6 * sample_quantile(meeting, 0.5);
   best.erase(best.begin());
   out.method.us = figure_of(best, 1e6);
   out.method.poses = static_cast<std::int64_t>(best.size());

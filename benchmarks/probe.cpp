@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "thigma/core/cpu_clock.h"
+#include "thigma/math/quantile.h"
 
 namespace thigma::bench {
 
@@ -48,17 +49,9 @@ std::vector<double> empty_loop_lateness(double duration) {
   return late;
 }
 
-double percentile(std::vector<double> samples, double p) {
-  if (samples.empty()) return 0.0;
-  const std::size_t rank =
-      std::min(samples.size() - 1, static_cast<std::size_t>(p * static_cast<double>(samples.size())));
-  std::nth_element(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(rank), samples.end());
-  return samples[rank];
-}
-
 Figure figure_of(const std::vector<double>& samples, double factor) {
-  return {factor * percentile(samples, 0.5), factor * percentile(samples, 0.99), factor * percentile(samples, 0.999),
-          factor * percentile(samples, 1.0)};
+  return {factor * sample_quantile(samples, 0.5), factor * sample_quantile(samples, 0.99), factor * sample_quantile(samples, 0.999),
+          factor * sample_quantile(samples, 1.0)};
 }
 
 }  // namespace thigma::bench

@@ -16,9 +16,6 @@ double dependent_adds();
 /// How late an empty 1 kHz loop wakes up over `seconds` [s each], with the scheduling the process has.
 std::vector<double> empty_loop_lateness(double seconds);
 
-/// Value below which the fraction p of the samples lies; 0 when there is none.
-double percentile(std::vector<double> samples, double p);
-
 /// What is said about many calls, in their unit. What was not measured is absent, never 0.
 struct Figure {
   double p50 = 0.0, p99 = 0.0;

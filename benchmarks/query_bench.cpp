@@ -14,6 +14,7 @@
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/math/elementary.h"
+#include "thigma/math/quantile.h"
 
 namespace thigma::bench {
 namespace {
@@ -102,12 +103,8 @@ QueryTiming run_path(const Jaws& jaws, int frames, double tolerance, double step
     timing.pair_queries += static_cast<double>(set.stats.pair_queries + tracked.pair_queries) / (frames - 1);
     timing.front += fronts.back() / (frames - 1);
   }
-  auto quantile = [](std::vector<double>& v, double q) {
-    std::sort(v.begin(), v.end());
-    return v[static_cast<std::size_t>(q * static_cast<double>(v.size() - 1))];
-  };
   timing.us = figure_of(seconds, 1e6);
-  timing.ns_per_node = 1e9 * quantile(tracking, 0.5) / quantile(fronts, 0.5);
+  timing.ns_per_node = 1e9 * sample_quantile(tracking, 0.5) / sample_quantile(fronts, 0.5);
   return timing;
 }
 

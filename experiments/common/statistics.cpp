@@ -81,6 +81,37 @@ void run_section(const Section& s, std::vector<double>& x) {
   }
 }
 
+/// A line of a spectrum: power is weight (re^2 + im^2), in units of the signal's square.
+struct Line {
+  double re = 0.0, im = 0.0, weight = 0.0;
+};
+
+/// Those within [low, high] Hz, mean removed, under a Hann window.
+std::vector<Line> lines_of(std::span<const double> x, double step, double low, double high) {
+  const std::size_t n = x.size();
+  const double average = mean(x), length = static_cast<double>(n);
+  std::vector<double> windowed(n);
+  double window_power = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double w = 0.5 - 0.5 * cosine(2.0 * kPi * (static_cast<double>(i) + 0.5) / length);
+    windowed[i] = w * (x[i] - average);
+    window_power += w * w / length;
+  }
+  std::vector<Line> lines;
+  for (std::size_t k = 1; k <= n / 2; ++k) {
+    const double frequency = static_cast<double>(k) / (length * step);
+    if (frequency < low || frequency > high) continue;
+    Line line{0.0, 0.0, (2 * k == n ? 1.0 : 2.0) / (length * length * window_power)};
+    for (std::size_t i = 0; i < n; ++i) {
+      const SinCos turn = sin_cos(2.0 * kPi * static_cast<double>((k * i) % n) / length);
+      line.re += windowed[i] * turn.cos;
+      line.im += windowed[i] * turn.sin;
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
 }  // namespace
 
 double mean(std::span<const double> x) {
@@ -105,15 +136,6 @@ double standard_deviation(std::span<const double> x) {
 
 double coefficient_of_variation(std::span<const double> x) {
   return standard_deviation(x) / mean(x);
-}
-
-double quantile(std::vector<double> x, double p) {
-  if (x.empty()) return kNaN;
-  std::sort(x.begin(), x.end());
-  const double at = std::clamp(p, 0.0, 1.0) * static_cast<double>(x.size() - 1);
-  const std::size_t low = static_cast<std::size_t>(at);
-  const std::size_t high = std::min(low + 1, x.size() - 1);
-  return x[low] + (at - static_cast<double>(low)) * (x[high] - x[low]);
 }
 
 double correlation(std::span<const double> x, std::span<const double> y) {
@@ -210,29 +232,25 @@ std::vector<double> second_derivative(std::span<const double> x, double step) {
 }
 
 double band_level(std::span<const double> x, double step, double low, double high) {
-  const std::size_t n = x.size();
-  if (n < 4) return kNaN;
-  const double average = mean(x), length = static_cast<double>(n);
-  std::vector<double> windowed(n);
-  double window_power = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double w = 0.5 - 0.5 * cosine(2.0 * kPi * (static_cast<double>(i) + 0.5) / length);
-    windowed[i] = w * (x[i] - average);
-    window_power += w * w / length;
-  }
+  if (x.size() < 4) return kNaN;
   double power = 0.0;
-  for (std::size_t k = 1; k <= n / 2; ++k) {
-    const double frequency = static_cast<double>(k) / (length * step);
-    if (frequency < low || frequency > high) continue;
-    double re = 0.0, im = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const SinCos turn = sin_cos(2.0 * kPi * static_cast<double>((k * i) % n) / length);
-      re += windowed[i] * turn.cos;
-      im += windowed[i] * turn.sin;
-    }
-    power += (2 * k == n ? 1.0 : 2.0) * (re * re + im * im) / (length * length);
+  for (const Line& line : lines_of(x, step, low, high))
+    power += line.weight * (line.re * line.re + line.im * line.im);
+  return std::sqrt(power);
+}
+
+double band_share(std::span<const double> x, std::span<const double> reference, double step,
+                  double low, double high) {
+  if (x.size() < 4 || x.size() != reference.size()) return kNaN;
+  const std::vector<Line> ours = lines_of(x, step, low, high);
+  const std::vector<Line> theirs = lines_of(reference, step, low, high);
+  double common = 0.0, power = 0.0;
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const Line &a = ours[i], &b = theirs[i];
+    common += b.weight * (a.re * b.re + a.im * b.im);
+    power += b.weight * (b.re * b.re + b.im * b.im);
   }
-  return std::sqrt(power / window_power);
+  return power > 0.0 ? common / power : kNaN;
 }
 
 }  // namespace thigma::experiments

@@ -1,6 +1,6 @@
 #pragma once
 // The statistics that claims are made of. Offline, plain double arithmetic, no failure: where the data do not
-// determine a number it is NaN, and a claim made of it does not hold.
+// determine a number it is NaN, and a claim made of it does not hold. Quantiles: thigma/math/quantile.h.
 
 #include <span>
 #include <vector>
@@ -11,8 +11,6 @@ double mean(std::span<const double> x);                      // NaN of nothing
 double root_mean_square(std::span<const double> x);          // NaN of nothing
 double standard_deviation(std::span<const double> x);        // of the sample, n - 1; NaN below two
 double coefficient_of_variation(std::span<const double> x);  // standard deviation / mean
-/// Value below which the share p of the samples lies, between samples by interpolation; NaN of nothing.
-double quantile(std::vector<double> x, double p);
 
 /// Pearson's correlation; NaN when either does not vary or the lengths differ.
 double correlation(std::span<const double> x, std::span<const double> y);
@@ -41,5 +39,9 @@ std::vector<double> low_pass(std::span<const double> x, double step, double cuto
 std::vector<double> second_derivative(std::span<const double> x, double step);
 /// Root mean square of x within [low, high] Hz, by a discrete Fourier sum under a Hann window, mean removed.
 double band_level(std::span<const double> x, double step, double low, double high);
+/// Within the same band, how much of a reference is in x: the factor of least squares from the reference to x. 1 for
+/// the reference itself, 0 for what has nothing to do with it, however strong; NaN where the reference is silent there.
+double band_share(std::span<const double> x, std::span<const double> reference, double step,
+                  double low, double high);
 
 }  // namespace thigma::experiments
