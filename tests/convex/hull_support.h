@@ -10,6 +10,7 @@
 #include "thigma/convex/hull_view.h"
 #include "thigma/convex/pair.h"
 #include "thigma/math/random.h"
+#include "thigma/mesh/shapes.h"
 
 namespace thigma::test {
 
@@ -145,6 +146,19 @@ inline MeshPatch make_patch(const std::vector<Vec3>& positions, const Triangles&
     patch.thickness = std::min(patch.thickness, f.offset - low);
   }
   return patch;
+}
+
+/// The triangles of a unit ball whose centres lie higher than `from` along z: one patch, open below; all of it for -2.
+inline MeshPatch ball_cap(int frequency, double from) {
+  const TriangleMesh ball = make_ball(1.0, frequency);
+  std::vector<int> members;
+  for (std::size_t t = 0; t < ball.triangles.size(); ++t) {
+    double height = 0.0;
+    for (const std::int32_t v : ball.triangles[t])
+      height += ball.positions[static_cast<std::size_t>(v)].z() / 3.0;
+    if (height > from) members.push_back(static_cast<int>(t));
+  }
+  return make_patch(ball.positions, ball.triangles, members);
 }
 
 }  // namespace thigma::test

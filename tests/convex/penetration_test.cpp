@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "thigma/convex/decomposition.h"
-#include "thigma/convex/triangle_distance.h"
+#include "thigma/convex/patch_separation.h"
 #include "thigma/mesh/shapes.h"
 
 namespace thigma {

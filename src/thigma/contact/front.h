@@ -9,6 +9,7 @@
 #include "thigma/clod/hierarchy.h"
 #include "thigma/contact/contact.h"
 #include "thigma/convex/pair.h"
+#include "thigma/convex/patch_separation.h"
 
 namespace thigma {
 
@@ -21,6 +22,7 @@ struct FrontNode {
   std::uint32_t support_a = 0, support_b = 0;  // leaf pairs: hull vertices of the closest features, 0 unknown
   GjkCache gjk;
   float axis[3] = {0.0f, 0.0f, 0.0f};    // from a to b, unit or zero: separating, or the normal reported last [frame of a]
+  TriangleHint triangles;                // of patches whose triangles were measured
   bool has_normal = false;               // axis holds a contact normal (hysteresis)
   bool is_active = false;                // leaf pair evaluated every frame
   bool is_saturated = false;             // could not be split for want of room: traversed below without memory
@@ -76,6 +78,7 @@ struct ContactFront {
   std::vector<std::array<double, 2>> object_support, scene_support;  // by node: largest D of the vertices of its patch,
                                                                      // by SupportReading [m^2]
   double finish_cost = 0.0;              // CPU time of handing over one contact, measured; with a budget of time [s]
+  double refine_cost = 0.0;              // the same of refining one pair, of late and at most [s]
 };
 
 /// Nodes a front is given room for when the caller does not say.

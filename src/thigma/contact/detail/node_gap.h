@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "thigma/contact/front.h"
+#include "thigma/convex/detail/support.h"
 
 namespace thigma::detail {
 
@@ -60,6 +61,15 @@ inline double axis_gap(const NodePair& pair, const RelativePose& pose, const flo
   const double gap = n.dot(pair.offset) - static_cast<double>(top) - static_cast<double>(bottom);
   // The axis is a unit vector only to 1e-7: shorter makes the gap smaller, longer is made up for.
   return gap - 1e-6 * std::fabs(gap) - kLaneRounding * (pair.a.radius + pair.b.radius) - pair.rounding;
+}
+
+/// Lets a search start where an axis from a to b (frame of a), such as that of the parents, says.
+inline void start_along(const NodePair& pair, const RelativePose& pose, const float axis[3], GjkCache& cache) noexcept {
+  const Vec3 n(axis[0], axis[1], axis[2]);
+  if (!(n.squaredNorm() > 0.0)) return;
+  cache.a[0] = static_cast<std::uint8_t>(support_vertex(pair.a, n));
+  cache.b[0] = static_cast<std::uint8_t>(support_vertex(pair.b, -(pose.rotation.transpose() * n)));
+  cache.count = 1;
 }
 
 }  // namespace thigma::detail

@@ -170,6 +170,7 @@ inline double slack_of(Traversal& t, FrontNode& n) noexcept {
     if (slack > enough) return slack;
   }
   ++t.set.stats.pair_queries;
+  if (n.gjk.count == 0) start_along(pair, t.pose, n.axis, n.gjk);
   const Separation s = closest_points(pair.a, pair.b, t.pose, kInfinity, n.gjk);
   if (s.status == PairStatus::overlapping || !(s.distance > 0.0)) return std::max(slack, -reach);
   const Vec3 axis = (s.witness_b - s.witness_a) / s.distance;

@@ -21,8 +21,10 @@ void count_in_planes(const PatchView& v, PatchFaults& faults) {
     const auto t = static_cast<std::int32_t>(i);
     const std::int32_t patch = v.patch_of[i];
     if (patch < 0 || !(v.surface.height[i] > v.flat)) continue;  // slivers have no plane
+    // Its own corners are on its plane, whatever the rounding of a sliver's normal says.
     const auto is_over = [&](const Vec3& p) {
-      return v.surface.normal[i].dot(p - corner(v, t, 0)) > v.flat;
+      return v.surface.normal[i].dot(p - corner(v, t, 0)) > v.flat && p != corner(v, t, 1) &&
+             p != corner(v, t, 2);
     };
     for (const std::int32_t other : v.surface.neighbor[i])
       faults.reflex_edges += other >= 0 && v.patch_of[at(other)] == patch &&
