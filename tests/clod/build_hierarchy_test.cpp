@@ -35,6 +35,8 @@ void expect_sound(const TriangleMesh& mesh, const char* name) {
   std::size_t nodes = 0;
   for (const ClodLevel& level : h.levels) nodes += static_cast<std::size_t>(level.node_count);
   EXPECT_EQ(nodes, h.nodes.size());
+  // Nothing is missing from it, which is what meets levels of another body in the metric.
+  EXPECT_EQ(h.levels[0].resolution, std::numeric_limits<double>::infinity());
 }
 
 TEST(BuildExactHierarchy, IsSoundOnShapes) {

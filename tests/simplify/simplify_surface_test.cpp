@@ -72,7 +72,7 @@ TEST(SimplifySurface, StaysWithinTheLimits) {
   const double radius = enclosing_ball(mesh.positions).radius;
   SimplifyParams params = test::generous();
   params.longest_edge = 0.3;
-  params.longest_edge_ever = 0.0;
+  params.longest_edge_ever = params.deviation_share = 0.0;
   const Simplification wide = test::simplify(mesh, params);
   params.deviation_limit = 0.004;
   const Simplification tight = test::simplify(mesh, params);
@@ -120,6 +120,7 @@ TEST(SimplifySurface, GoesOnPastTheEdgeWhileManyPatchesAreLeft) {
   SimplifyParams params;
   const Simplification far = test::simplify(ball, params);
   params.longest_edge_ever = 0.0;
+  params.deviation_share = 0.0;
   const Simplification near = test::simplify(ball, params);
   const auto share = [](const Simplification& s) {
     return static_cast<double>(s.levels.back().patch_count) / s.levels.front().patch_count;
@@ -128,6 +129,35 @@ TEST(SimplifySurface, GoesOnPastTheEdgeWhileManyPatchesAreLeft) {
   EXPECT_LT(share(far), 0.5 * share(near));
   EXPECT_GE(near.levels.back().resolution, 8.0 * (1.0 - 1e-9));
   EXPECT_LT(far.levels.back().resolution, 8.0);
+}
+
+TEST(SimplifySurface, LosesNoMoreVolumeThanItMay) {
+  const TriangleMesh mesh = test::wavy_ball(10);
+  const double volume = mass_properties(mesh).volume;
+  SimplifyParams params = test::generous();
+  params.deviation_ever = params.deviation_limit = 0.5;
+  params.longest_edge = 1.0;
+  params.volume_limit = 0.004;
+  params.collapse.keeps_volume = false;
+  const Simplification s = test::simplify(mesh, params);
+  EXPECT_GT(s.outcomes[static_cast<std::size_t>(CollapseOutcome::volume)], 0);
+  for (const SimplifiedLevel& level : s.levels)
+    EXPECT_NEAR(mass_properties(level.mesh).volume, volume, 0.004 * volume * (1.0 + 1e-9));
+}
+
+TEST(SimplifySurface, IsCoarserWithAConvexStartAndALaterDeviation) {
+  const TriangleMesh mesh = make_torus(1.0, 0.4, 64, 32);
+  SimplifyParams params;
+  params.longest_edge_ever = 0.0;
+  const auto triangles = [&] {
+    return test::simplify(mesh, params).levels.back().mesh.triangles.size();
+  };
+  const std::size_t both = triangles();
+  params.collapse.seeks_convex_start = false;
+  EXPECT_LT(both, triangles());
+  params.collapse.seeks_convex_start = true;
+  params.deviation_share = 0.0;
+  EXPECT_LT(both, triangles());
 }
 
 TEST(SimplifySurface, IsDeterministicAndScaleFree) {

@@ -5,6 +5,7 @@
 #include "thigma/clod/build_hierarchy.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "thigma/clod/detail/draft_tree.h"
@@ -18,6 +19,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 void describe_levels(ClodHierarchy& h) {
   h.levels.resize(at(h.nodes[0].level) + 1);
+  h.levels[0].resolution = std::numeric_limits<double>::infinity();
   for (const ClodNode& node : h.nodes) {
     ClodLevel& level = h.levels[at(node.level)];
     level.is_free = node.level > 0;

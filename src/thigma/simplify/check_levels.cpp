@@ -97,6 +97,10 @@ LevelCheck check_levels(const Simplification& s, const ConvexDecomposition& deco
   LevelCheck result;
   const std::int64_t characteristic = euler_characteristic(s.levels[0].mesh);
   for (std::size_t i = 0; i < s.levels.size(); ++i) {
+    if (s.levels[i].patch_of_triangle.size() != s.levels[i].mesh.triangles.size()) {
+      ++result.changed_surfaces;  // which patch a triangle is in cannot be told
+      continue;
+    }
     // A rounding more than the builder allows itself.
     const LevelView v = view(s.levels[i], s.convexity_tolerance * (1.0 + 1e-6),
                              s.protrusion_tolerance * (1.0 + 1e-6));

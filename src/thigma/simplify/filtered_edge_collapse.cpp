@@ -1,9 +1,10 @@
 #include "thigma/simplify/filtered_edge_collapse.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <optional>
 
+#include "thigma/simplify/detail/edge_start.h"
 #include "thigma/simplify/detail/trial.h"
 
 namespace thigma {
@@ -13,12 +14,6 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 using detail::EdgeStar;
 using detail::StarTriangle;
-
-/// A position never starts or relaxes farther than this many edge lengths away from the edge.
-constexpr double kReach = 2.0;
-/// Steps that keep the volume, in edge lengths: smaller ones would only unsettle flat and smoothly
-/// curved patches, where hardly any position is convex; larger ones are folds.
-constexpr double kLeastStep = 0.01, kLargestStep = 0.5;
 
 /// Narrows by one condition on four points. Its slack is the height that counts as flat over the
 /// larger of the two triangles it may be read as: the trials that follow measure heights over the
@@ -70,79 +65,6 @@ void narrow_by_patches(UnitInterval& interval, const PatchedSurface& s,
   }
 }
 
-Vec3 clamped(const Vec3& p, const Vec3& from, double reach) {
-  const Vec3 step = p - from;
-  const double length = step.norm();
-  return length <= reach ? p : Vec3(from + (reach / length) * step);
-}
-
-/// Where the new vertex may lie for the volume under the star to stay what it was: a plane.
-struct VolumePlane {
-  Vec3 normal = Vec3::Zero();  // twice the vector area of the ring [m^2]
-  double offset = 0.0;         // [m^3]
-};
-
-VolumePlane volume_plane(const PatchedSurface& s, const EdgeStar& star) {
-  const auto& x = s.mesh.positions;
-  const Vec3 origin = x[at(star.tail)];
-  VolumePlane plane;
-  const auto add_old = [&](std::int32_t t) {
-    const auto& v = s.mesh.triangles[at(t)];
-    plane.offset += (x[at(v[0])] - origin).dot((x[at(v[1])] - origin).cross(x[at(v[2])] - origin));
-  };
-  for (const StarTriangle& t : star.triangles) {
-    plane.normal += (x[at(t.a)] - origin).cross(x[at(t.b)] - origin);
-    add_old(t.triangle);
-  }
-  for (const std::int32_t t : star.removed)
-    if (t >= 0) add_old(t);
-  plane.offset += plane.normal.dot(origin);
-  return plane;
-}
-
-/// p moved onto the plane, if that is a step worth taking and no leap.
-Vec3 with_volume(const VolumePlane& plane, const Vec3& p, double edge) {
-  const double size = plane.normal.norm();
-  if (!(size > 0.0)) return p;
-  const double step = (plane.offset - plane.normal.dot(p)) / size;
-  if (!(std::fabs(step) >= kLeastStep * edge && std::fabs(step) <= kLargestStep * edge)) return p;
-  return p + (step / size) * plane.normal;
-}
-
-struct Starts {
-  std::array<Vec3, 3> position;
-  int count = 0;
-  bool may_move = true;  // relax from there
-};
-
-/// Where the vertex may start, best first.
-Starts choose_starts(const PatchedSurface& s, const CollapseContext& context) {
-  const EdgeStar& star = context.scratch.star;
-  const Vec3 &tail = s.mesh.positions[at(star.tail)], &head = s.mesh.positions[at(star.head)];
-  Quadric sum = context.quadric[at(star.tail)];
-  sum += context.quadric[at(star.head)];
-  Starts starts;
-  starts.may_move = !star.is_tail_on_boundary && !star.is_head_on_boundary;
-  if (starts.may_move) {
-    const Vec3 middle = 0.5 * tail + 0.5 * head;
-    const double length = (head - tail).norm();
-    starts.position[0] = clamped(minimize(sum, middle), middle, kReach * length);
-    starts.count = 1;
-  }
-  const bool head_first = star.is_head_on_boundary &&
-                          (!star.is_tail_on_boundary || evaluate(sum, head) < evaluate(sum, tail));
-  const auto add = [&](const Vec3& p) {
-    starts.position[static_cast<std::size_t>(starts.count++)] = p;
-  };
-  if (starts.may_move || star.is_tail_on_boundary == star.is_head_on_boundary) {
-    add(head_first ? head : tail);
-    add(head_first ? tail : head);
-  } else {
-    add(head_first ? head : tail);
-  }
-  return starts;
-}
-
 /// Hands the original's vertices that the star stood for to the nearest of its new triangles.
 void hand_over_samples(const PatchedSurface& s, const EdgeStar& star,
                        detail::DeviationGuard& guard) {
@@ -185,6 +107,7 @@ void commit(PatchedSurface& s, CollapseContext& context, const Vec3& p,
   const Vec3 edge = s.mesh.positions[at(star.head)] - tail;
   const double share =
       std::clamp(edge.dot(p - tail) / std::max(edge.squaredNorm(), 1e-300), 0.0, 1.0);
+  context.volume.now += volume_change(k.volume, p);
   collapse_edge(s.mesh, star.halfedge, p, share);
   context.quadric[at(star.tail)] += context.quadric[at(star.head)];
   const std::int32_t near =
@@ -215,7 +138,7 @@ void commit(PatchedSurface& s, CollapseContext& context, const Vec3& p,
 
 /// The relaxed position that goes with a start.
 Vec3 relaxed(const CollapseContext& context, const Vec3& v_hat, double edge) {
-  return clamped(relax(v_hat, context.scratch.ring), v_hat, kReach * edge);
+  return detail::clamped(relax(v_hat, context.scratch.ring), v_hat, detail::kReach * edge);
 }
 
 /// Tries the positions between a start and its relaxed position; commits the one it takes.
@@ -269,7 +192,8 @@ CollapseOutcome filtered_edge_collapse(PatchedSurface& s, CollapseContext& conte
   CollapseScratch& k = context.scratch;
   detail::gather_star(s, halfedge, k.star);
   detail::list_ring(s, k.star, k.ring);
-  const Starts starts = choose_starts(s, context);
+  k.volume = detail::volume_plane(s, k.star);
+  const detail::Starts starts = detail::choose_starts(s, context);
   const double edge =
       (s.mesh.positions[at(k.star.head)] - s.mesh.positions[at(k.star.tail)]).norm();
   bool has_begun = false;
@@ -280,17 +204,24 @@ CollapseOutcome filtered_edge_collapse(PatchedSurface& s, CollapseContext& conte
     if (outcome != CollapseOutcome::convexity) reason = outcome;
     return outcome == CollapseOutcome::collapsed;
   };
+  const bool moves = starts.may_move && context.params.is_relaxed;
+  const auto succeeds_from = [&](const Vec3& v_hat) {
+    return succeeds(v_hat, moves ? relaxed(context, v_hat, edge) : v_hat);
+  };
   for (int i = 0; i < starts.count; ++i) {
     const Vec3& v_hat = starts.position[static_cast<std::size_t>(i)];
-    const bool moves = starts.may_move && context.params.is_relaxed;
-    const Vec3 v_tilde = moves ? relaxed(context, v_hat, edge) : v_hat;
     if (i == 0 && moves && context.params.keeps_volume) {
-      const Vec3 kept = with_volume(volume_plane(s, k.star), v_tilde, edge);
+      const Vec3 v_tilde = relaxed(context, v_hat, edge);
+      const Vec3 kept = detail::with_volume(k.volume, v_tilde, edge);
       if (kept != v_tilde && succeeds(v_hat, kept)) return CollapseOutcome::collapsed;
     }
-    if (succeeds(v_hat, v_tilde)) return CollapseOutcome::collapsed;
+    if (succeeds_from(v_hat)) return CollapseOutcome::collapsed;
   }
-  return reason;
+  if (!context.params.seeks_convex_start || !starts.may_move) return reason;
+  if (!has_begun) detail::begin_trials(s, context);
+  has_begun = true;
+  const std::optional<Vec3> best = detail::best_convex_start(s, context);
+  return best && succeeds_from(*best) ? CollapseOutcome::collapsed : reason;
 }
 
 }  // namespace thigma

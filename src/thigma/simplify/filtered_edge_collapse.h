@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "thigma/simplify/convexity.h"
 #include "thigma/simplify/detail/deviation_guard.h"
 #include "thigma/simplify/detail/edge_star.h"
+#include "thigma/simplify/nearest_feasible.h"
 #include "thigma/simplify/patched_surface.h"
 #include "thigma/simplify/quadric.h"
 
@@ -20,10 +22,11 @@ enum class CollapseOutcome : std::uint8_t {
   convexity,     // no position keeps the patches convex
   quality,       // a triangle would turn over or become a sliver
   deviation,     // too far from the original surface
+  volume,        // the object would lose or gain too much
   intersection,  // the surface would cross itself
   protrusion,    // a hull would be entered
 };
-inline constexpr std::size_t kCollapseOutcomes = 7;
+inline constexpr std::size_t kCollapseOutcomes = 8;
 
 struct CollapseParams {
   int bisections = 3;           // K
@@ -32,13 +35,34 @@ struct CollapseParams {
   double free_to_turn = 2e-3;   // a triangle of less quality may turn over
   bool is_relaxed = true;       // step 3
   bool keeps_volume = true;     // the relaxed position first tried keeps the volume of the object
+  bool seeks_convex_start =
+      true;                     // where neither quadric nor ends will do, the best convex position
   bool guards_original = true;  // the limit on deviation holds from the original's vertices too
+};
+
+/// Where a vertex may lie for the volume under its star to stay what it was: normal . p = offset.
+struct VolumePlane {
+  Vec3 normal = Vec3::Zero();  // twice the vector area of the ring [m^2]
+  double offset = 0.0;         // [m^3]
+};
+
+/// What the object's volume grows by when the vertex lies at p [m^3].
+inline double volume_change(const VolumePlane& plane, const Vec3& p) {
+  return (plane.normal.dot(p) - plane.offset) / 6.0;
+}
+
+/// How far the volume may drift from the original's. An open surface has none: limit infinite.
+struct VolumeGuard {
+  double original = 0.0, now = 0.0;                        // [m^3]
+  double limit = std::numeric_limits<double>::infinity();  // [m^3]
 };
 
 /// Scratch of one attempt, reused so that attempts do not allocate.
 struct CollapseScratch {
   detail::EdgeStar star;
   std::vector<RingTriangle> ring;
+  VolumePlane volume;
+  std::vector<LinearConstraint> constraints;
   std::vector<Vec3> new_normal;  // of the triangles of the star, at the position on trial
   std::vector<double> new_height, old_quality;
   std::vector<detail::TreeBox> new_box;
@@ -61,6 +85,7 @@ struct CollapseContext {
   CollapseParams params;
   std::vector<Quadric> quadric;  // of each vertex
   detail::DeviationGuard guard;
+  VolumeGuard volume;
   CollapseScratch scratch;
 };
 
@@ -72,7 +97,8 @@ std::vector<Quadric> vertex_quadrics(const PatchedSurface& s);
 /// Tries to collapse an edge; a refused attempt leaves everything as it was.
 ///
 /// The start is the point of least quadric error; where no position near it keeps the patches
-/// convex, the ends of the edge. On a boundary the vertex stays at an end that is on it. The
+/// convex, the ends of the edge, and then the position of least quadric error that does. On a boundary the vertex
+/// stays at an end that is on it. The
 /// vertex then moves towards the relaxed position, first that moved along the normal of its ring
 /// until the volume is what it was, as far as the convexity of its patches allows,
 /// and back until no triangle becomes a sliver or turns over, the surface stays near the original,

@@ -4,9 +4,12 @@
 #include "thigma/simplify/simplify_surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <queue>
 
+#include "thigma/mesh/measure.h"
+#include "thigma/simplify/level_spacing.h"
 #include "thigma/simplify/resolution.h"
 
 namespace thigma {
@@ -35,10 +38,23 @@ struct Loop {
   std::vector<Vec3> vertex_normal = {};       // sum of the unit normals around it
   std::vector<std::int32_t> successor = {};   // of each patch: itself while it lives
   std::vector<std::int32_t> last_level = {};  // patches of the level kept last, by their number now
+  std::vector<std::int32_t> first_patches = {};
   std::vector<std::array<double, 2>> support = {};
-  double longest_ever = 0.0;  // projected edge that may ever be tried [m]
-  double longest = 0.0;       // projected edge collapsed so far [m]
+  double longest_tried = 0.0;  // projected edge that may be tried [m]
+  double longest = 0.0;        // projected edge collapsed so far [m]
+  std::int32_t kept = 0;       // patches of the level kept last
 };
+
+/// What may be collapsed once nothing more could be at the stage before.
+struct Stage {
+  double longest;          // projected edge, times the radius
+  double deviation_share;  // of the projected edge, where that is more than the limit
+  bool is_for_many;        // only while more than `coarsest_share` of the patches is left
+};
+
+/// Before edges grow longer than `longest_edge` a level is kept for each of these shares of the one before, for
+/// space_levels to choose from.
+constexpr double kDraftShare = 0.84;
 
 std::int32_t find_live(std::vector<std::int32_t>& successor, std::int32_t patch) {
   while (successor[at(patch)] != patch) {
@@ -60,7 +76,7 @@ void push(Loop& loop, std::int32_t a, std::int32_t b) {
   if (m.is_locked[at(a)] || m.is_locked[at(b)]) return;
   const double length = projected_length(m.positions[at(b)] - m.positions[at(a)],
                                          loop.vertex_normal[at(a)] + loop.vertex_normal[at(b)]);
-  if (length > loop.longest_ever) return;
+  if (length > loop.longest_tried) return;
   loop.queue.push(
       {length, std::min(a, b), std::max(a, b), loop.version[at(a)] + loop.version[at(b)]});
 }
@@ -68,7 +84,8 @@ void push(Loop& loop, std::int32_t a, std::int32_t b) {
 void push_all(Loop& loop) {
   const auto& m = loop.surface.mesh;
   for (std::int32_t h = 0; h < static_cast<std::int32_t>(m.twin.size()); ++h)
-    if (m.twin[at(h)] < h) push(loop, tail_of(m, h), head_of(m, h));
+    if (m.twin[at(h)] < h && loop.surface.patch_of[at(h / 3)] >= 0)
+      push(loop, tail_of(m, h), head_of(m, h));
 }
 
 /// Resolutions around the new vertex have changed, and edges refused before may now be taken: all
@@ -123,10 +140,15 @@ void keep_level(Loop& loop) {
   level.resolution = edge_resolution(Vec3(loop.longest, 0, 0), Vec3::Zero(), Vec3::Zero());
   loop.result.levels.push_back(std::move(level));
   loop.last_level = std::move(live);
+  loop.kept = s.patch_count;
 }
 
-void attempt(Loop& loop, const Candidate& candidate) {
+void attempt(Loop& loop, const Stage& stage, const Candidate& candidate) {
   PatchedSurface& s = loop.surface;
+  const SimplifyParams& params = loop.params;
+  loop.context.guard.limit = std::max(
+      params.deviation_limit * s.radius,
+      std::min(stage.deviation_share * candidate.length, params.deviation_ever * s.radius));
   const std::int32_t halfedge = find_halfedge(s.mesh, candidate.a, candidate.b);
   if (halfedge < 0) return;
   const std::int32_t patches = s.patch_count;
@@ -171,6 +193,57 @@ SimplifiedLevel first_level(const TriangleMesh& mesh, const ConvexDecomposition&
   return level;
 }
 
+/// Whether the levels are still to become coarser: neither the last kept nor one that could be kept now has few enough.
+bool has_many_patches(const Loop& loop) {
+  const double few = loop.params.coarsest_share * loop.result.levels[0].patch_count;
+  return loop.kept > few &&
+         loop.surface.patch_count > std::min(few, loop.params.last_level * loop.kept);
+}
+
+/// Collapses what the stage allows; a level is kept whenever at most `share` of the patches of the last is left.
+void run_stage(Loop& loop, const Stage& stage, double share, double& shown) {
+  loop.longest_tried = stage.longest * loop.surface.radius;
+  push_all(loop);
+  while (!loop.queue.empty() && !(stage.is_for_many && !has_many_patches(loop))) {
+    const Candidate candidate = loop.queue.top();
+    loop.queue.pop();
+    if (candidate.version != loop.version[at(candidate.a)] + loop.version[at(candidate.b)])
+      continue;
+    attempt(loop, stage, candidate);
+    report_progress(loop, shown);
+    if (loop.surface.patch_count <= share * loop.kept) keep_level(loop);
+  }
+  loop.queue = {};
+}
+
+void run_stages(Loop& loop) {
+  const SimplifyParams& p = loop.params;
+  double shown = 0.0;
+  run_stage(loop, {p.longest_edge, 0.0, false}, kDraftShare, shown);
+  run_stage(loop, {p.longest_edge, p.deviation_share, false}, kDraftShare, shown);
+  auto& levels = loop.result.levels;
+  if (loop.surface.patch_count < loop.kept) keep_level(loop);
+  space_levels(levels);
+  loop.kept = levels.back().patch_count;
+  if (levels.size() == 1) loop.last_level = loop.first_patches;
+  run_stage(loop, {p.longest_edge_ever, 0.0, true}, 0.5, shown);
+  run_stage(loop, {p.longest_edge_ever, p.deviation_share, true}, 0.5, shown);
+  if (loop.surface.patch_count <= p.last_level * loop.kept) keep_level(loop);
+  drop_equal_resolutions(levels);
+}
+
+/// The volume of an open surface depends on where it is measured from by its vector area: guarded is one that is closed
+/// but for holes too small to matter.
+VolumeGuard guard_volume(const TriangleMesh& mesh, double radius, double limit) {
+  const auto& x = mesh.positions;
+  Vec3 vector_area = Vec3::Zero();
+  for (const auto& t : mesh.triangles)
+    vector_area += 0.5 * (x[at(t[1])] - x[at(t[0])]).cross(x[at(t[2])] - x[at(t[0])]);
+  const double volume = mass_properties(mesh).volume, largest = limit * std::fabs(volume);
+  if (vector_area.norm() * radius > largest) return {};
+  return {volume, volume, largest};
+}
+
 }  // namespace
 
 Simplification simplify_surface(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
@@ -189,6 +262,7 @@ Simplification simplify_surface(const TriangleMesh& mesh, const ConvexDecomposit
   loop.context.params = params.collapse;
   loop.context.quadric = vertex_quadrics(s);
   loop.context.guard = detail::build_deviation_guard(mesh, params.deviation_limit * s.radius);
+  loop.context.volume = guard_volume(mesh, s.radius, params.volume_limit);
   loop.support = std::move(support);
   loop.version.assign(mesh.positions.size(), 0);
   loop.vertex_normal.resize(mesh.positions.size());
@@ -196,28 +270,10 @@ Simplification simplify_surface(const TriangleMesh& mesh, const ConvexDecomposit
     if (s.mesh.outgoing[v] >= 0) update_normal(loop, static_cast<std::int32_t>(v));
   for (std::size_t i = 0; i < s.patches.size(); ++i)
     loop.successor.push_back(static_cast<std::int32_t>(i));
-  loop.last_level.assign(loop.successor.begin(),
-                         loop.successor.begin() + loop.result.levels[0].patch_count);
-  const std::int32_t first = loop.result.levels[0].patch_count;
-  std::int32_t kept = first;
-  loop.longest_ever = std::max(params.longest_edge, params.longest_edge_ever) * s.radius;
-  push_all(loop);
-  double shown = 0.0;
-  while (!loop.queue.empty()) {
-    const Candidate candidate = loop.queue.top();
-    loop.queue.pop();
-    if (candidate.version != loop.version[at(candidate.a)] + loop.version[at(candidate.b)])
-      continue;
-    if (candidate.length > params.longest_edge * s.radius &&
-        s.patch_count <= params.coarsest_share * first)
-      break;
-    attempt(loop, candidate);
-    report_progress(loop, shown);
-    if (2 * s.patch_count > kept) continue;
-    keep_level(loop);
-    kept = s.patch_count;
-  }
-  if (s.patch_count <= params.last_level * kept) keep_level(loop);
+  loop.kept = loop.result.levels[0].patch_count;
+  loop.first_patches.assign(loop.successor.begin(), loop.successor.begin() + loop.kept);
+  loop.last_level = loop.first_patches;
+  run_stages(loop);
   if (params.progress) params.progress(1.0);
   return std::move(loop.result);
 }

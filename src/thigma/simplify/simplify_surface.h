@@ -14,10 +14,14 @@
 namespace thigma {
 
 struct SimplifyParams {
-  double longest_edge = 0.125;     // stop: projected edges up to this times the radius collapse,
+  double longest_edge = 0.125;     // projected edges up to this times the radius collapse,
   double coarsest_share = 0.02;    // and longer ones while more than this share of the original's
   double longest_edge_ever = 0.5;  // patches is left, up to this times the radius
-  double deviation_limit = 0.02;   // new triangles stay this near the original, times the radius
+  double deviation_limit = 0.02;   // new triangles stay this near the original, times the radius;
+  double deviation_share = 1.0;  // where nothing else is left to do this near, times the projected
+  double deviation_ever = 0.08;  // edge, up to this times the radius
+  double volume_limit = 0.1;     // change of a surface that is closed but for small holes, times
+                                 // its volume
   double convexity_tolerance = 1e-6;   // least, times the radius; see DecompositionParams
   double protrusion_tolerance = 1e-5;  // least, times the radius
   double last_level = 0.8;  // a level that did not come to half the patches is kept below this
@@ -51,7 +55,10 @@ struct Simplification {
 };
 
 /// Simplifies a decomposed surface: edges collapse in the order of their projected length, patches
-/// merge when their union is convex, a level is kept each time their number has halved.
+/// merge when their union is convex, levels are kept so that their number halves.
+///
+/// The last level before edges longer than `longest_edge` collapse is one of those kept, if it has at most half the
+/// original's patches. Deviation beyond `deviation_limit`, and such edges, come last.
 ///
 /// mesh           usable in the sense of mesh/inspect.h [m]
 /// decomposition  of the mesh; becomes level 0

@@ -47,9 +47,30 @@ Patch localize(const TriangleMesh& mesh, std::span<const std::int32_t> triangles
   return patch;
 }
 
+/// Unit normal of a triangle. That of a sliver is mostly rounding, and its own ends may lie over
+/// the plane: then turned to be normal to its longest edge, so that they do not.
+Vec3 seed_normal(const Patch& patch, std::size_t t, double flat) {
+  const auto corner = [&](std::size_t k) -> const Vec3& {
+    return patch.points[patch.corner[t][k % 3]];
+  };
+  Vec3 normal = patch.cross[t].normalized(), longest = Vec3::Zero();
+  bool is_off = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 edge = corner(k + 1) - corner(k);
+    is_off = is_off || std::fabs(normal.dot(edge)) > 0.5 * flat;
+    if (edge.squaredNorm() > longest.squaredNorm()) longest = edge;
+  }
+  if (!is_off) return normal;
+  const Vec3 along = longest.normalized();
+  normal -= normal.dot(along) * along;
+  if (!(normal.squaredNorm() > 0.01)) normal = along.unitOrthogonal();
+  normal.normalize();
+  return (normal - normal.dot(along) * along).normalized();
+}
+
 /// Gives the triangle's face to every triangle that can be reached in its plane.
 void flood_face(Patch& patch, std::size_t seed, int face, double flat) {
-  const Vec3 normal = patch.cross[seed].normalized();
+  const Vec3 normal = seed_normal(patch, seed, flat);
   const Vec3 on_plane = patch.points[patch.corner[seed][0]];
   std::vector<std::size_t> reached(1, seed);
   patch.face[seed] = face;
@@ -66,6 +87,39 @@ void flood_face(Patch& patch, std::size_t seed, int face, double flat) {
     }
 }
 
+/// Heights of the face's vertices along a normal, least and largest.
+std::array<double, 2> height_range(const Patch& patch, std::uint32_t vertices, const Vec3& normal) {
+  std::array<double, 2> range{std::numeric_limits<double>::infinity(),
+                              -std::numeric_limits<double>::infinity()};
+  for (std::size_t v = 0; v < patch.points.size(); ++v) {
+    if (!(vertices >> v & 1u)) continue;
+    const double height = normal.dot(patch.points[v]);
+    range = {std::min(range[0], height), std::max(range[1], height)};
+  }
+  return range;
+}
+
+/// The plane of the triangles that were given the face.
+RealFace describe_face(const Patch& patch, std::size_t seed, int index, double flat) {
+  RealFace face;
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t t = 0; t < patch.corner.size(); ++t) {
+    if (patch.face[t] != index) continue;
+    sum += patch.cross[t];
+    for (const std::uint8_t v : patch.corner[t]) face.vertices |= 1u << v;
+  }
+  face.normal = sum.normalized();
+  std::array<double, 2> range = height_range(patch, face.vertices, face.normal);
+  // The mean of a face long and hardly wider than the tolerance may tilt by any angle. All of it is
+  // within the tolerance of the plane it was gathered in.
+  if (!(range[1] - range[0] <= 2.0 * flat)) {
+    face.normal = seed_normal(patch, seed, flat);
+    range = height_range(patch, face.vertices, face.normal);
+  }
+  face.offset = range[1];
+  return face;
+}
+
 void find_faces(Patch& patch, double flat, std::vector<RealFace>& faces) {
   // From the largest triangle down, so that slivers take the plane of what they lie in.
   std::vector<std::size_t> order(patch.corner.size());
@@ -77,19 +131,7 @@ void find_faces(Patch& patch, double flat, std::vector<RealFace>& faces) {
     if (patch.face[seed] >= 0) continue;
     const auto index = static_cast<int>(faces.size());
     flood_face(patch, seed, index, flat);
-    RealFace face;
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t t = 0; t < patch.corner.size(); ++t) {
-      if (patch.face[t] != index) continue;
-      sum += patch.cross[t];
-      for (const std::uint8_t v : patch.corner[t]) face.vertices |= 1u << v;
-    }
-    face.normal = sum.normalized();
-    face.offset = -std::numeric_limits<double>::infinity();
-    for (std::size_t v = 0; v < patch.points.size(); ++v)
-      if (face.vertices >> v & 1u)
-        face.offset = std::max(face.offset, face.normal.dot(patch.points[v]));
-    faces.push_back(face);
+    faces.push_back(describe_face(patch, seed, index, flat));
   }
 }
 

@@ -91,6 +91,15 @@ bool is_near_original(const PatchedSurface& s, CollapseContext& context, const V
   return true;
 }
 
+/// A step back towards the original's volume is always allowed.
+bool keeps_within_volume(const CollapseContext& context, const Vec3& p) {
+  const VolumeGuard& guard = context.volume;
+  const double before = std::fabs(guard.now - guard.original);
+  const double after =
+      std::fabs(guard.now + volume_change(context.scratch.volume, p) - guard.original);
+  return after <= std::max(guard.limit, before);
+}
+
 /// Vertices of the original that the star stands for, to the new triangles.
 bool is_original_near(const PatchedSurface& s, const CollapseContext& context, const Vec3& p) {
   const CollapseScratch& k = context.scratch;
@@ -314,6 +323,8 @@ bool try_position(PatchedSurface& s, CollapseContext& context, const Vec3& p) {
   k.reason = CollapseOutcome::deviation;
   if (!with_both_at_p([&] { return is_near_original(s, context, p); })) return false;
   if (context.params.guards_original && !is_original_near(s, context, p)) return false;
+  k.reason = CollapseOutcome::volume;
+  if (!keeps_within_volume(context, p)) return false;
   k.reason = CollapseOutcome::intersection;
   // Not more than before, rather than none: what crosses itself already must stay free to be
   // simplified.
