@@ -1,0 +1,135 @@
+#include "thigma/texture/depth_gradient.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace thigma {
+namespace {
+
+constexpr std::array<std::string_view, 3> kNames = {"central_differences", "envelope",
+                                                    "smoothed_envelope"};
+
+// Eq. 4.8, turned from {u, v, n} to the world (Eq. 4.7).
+DepthGradient by_differences(const DepthSamples& s) noexcept {
+  DepthGradient gradient;
+  Vec3 slope(0.0, 0.0, 1.0), turn;
+  for (int pair = 0; pair < 5; ++pair) {
+    const std::size_t i = static_cast<std::size_t>(1 + 2 * pair);
+    const double step = pair < 2 ? s.shift : s.turn;
+    const double derivative = (s.depth[i] - s.depth[i + 1]) / (2.0 * step);
+    if (!std::isfinite(derivative)) return gradient;
+    if (pair < 2) {
+      slope[pair] = derivative;
+    } else {
+      turn[pair - 2] = derivative;
+    }
+  }
+  gradient.is_valid = true;
+  gradient.linear = s.frame.world_from_contact * slope;
+  gradient.angular = s.frame.world_from_contact * turn;
+  return gradient;
+}
+
+// Whether the maximum is held at a point by the end of a side's domain: the depth would still rise beyond it.
+int edge_at(const GradientScratch& scratch, const SurfaceJet& object, const SurfaceJet& scene,
+            const Vec2& at, double texel) noexcept {
+  const Vec2 rising = object.slope + scene.slope;  // of the depth along the plane
+  const double length = rising.norm();
+  if (!(length > 0.0)) return 0;
+  constexpr double kBeyond = 0.25;  // of a texel: twice what the climb to the maximum leaves
+  const Vec2 beyond = at + (kBeyond * texel / length) * rising;
+  std::int32_t near = -1;
+  if (height_at(scratch.object, beyond, near) == kNoSurface) return -1;
+  near = -1;
+  return height_at(scratch.scene, beyond, near) == kNoSurface ? 1 : 0;
+}
+
+double finer_texel(const DepthContact& contact) noexcept {
+  return std::min(contact.object.texture->texel_size, contact.scene.texture->texel_size);
+}
+
+DepthGradient by_envelope(const DepthContact& contact, const DepthSamples& sample, bool is_smoothed,
+                          GradientScratch& scratch) noexcept {
+  project_patch(*contact.object.texture, contact.object.triangles, contact.object.world_from_body,
+                sample.frame, Facing::along, scratch.object);
+  project_patch(*contact.scene.texture, contact.scene.triangles, contact.scene.world_from_body,
+                sample.frame, Facing::against, scratch.scene);
+  const double texel = finer_texel(contact);
+  DepthGradient sum;
+  double weights = 0.0;
+  const NearMaximum only{sample.at, 1.0};
+  const NearMaximum* first = is_smoothed ? sample.near.begin() : &only;
+  const NearMaximum* last = is_smoothed ? sample.near.end() : &only + 1;
+  for (const NearMaximum* near = first; near != last; ++near) {
+    const SurfaceJet object = surface_jet(scratch.object, near->at);
+    const SurfaceJet scene = surface_jet(scratch.scene, near->at);
+    if (!object.is_covered || !scene.is_covered) continue;
+    const int edge = edge_at(scratch, object, scene, near->at, texel);
+    const DepthGradient here = gradient_at(object, sample.frame, contact.centre,
+                                           envelope_slope(object, scene, texel, edge));
+    sum.linear += near->weight * here.linear;
+    sum.angular += near->weight * here.angular;
+    weights += near->weight;
+  }
+  if (!(weights > 0.0)) return {};
+  return {true, sum.linear / weights, sum.angular / weights};
+}
+
+}  // namespace
+
+bool gradient_kind(std::string_view name, GradientKind& kind) noexcept {
+  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  if (found == kNames.end()) return false;
+  kind = static_cast<GradientKind>(found - kNames.begin());
+  return true;
+}
+
+std::string_view gradient_name(GradientKind kind) noexcept {
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+DepthRequest depth_request(GradientKind kind, double amplitude, double smoothing) noexcept {
+  DepthRequest request;
+  request.has_differences = kind == GradientKind::central_differences;
+  if (kind == GradientKind::smoothed_envelope) request.near = smoothing * amplitude;
+  return request;
+}
+
+DepthGradient depth_gradient(const DepthContact& contact, const DepthSamples& sample,
+                             GradientKind kind, GradientScratch& scratch) noexcept {
+  if (!sample.is_found) return {};
+  if (kind == GradientKind::central_differences) return by_differences(sample);
+  return by_envelope(contact, sample, kind == GradientKind::smoothed_envelope, scratch);
+}
+
+DepthGradient gradient_at(const SurfaceJet& object, const ContactFrame& frame, const Vec3& centre,
+                          const Vec2& slope) noexcept {
+  // With the point s of the plane held, a motion V of the object moves the coarse point over s by -V along the plane: the
+  // height changes by n . V(fine point) - slope . V(coarse point).
+  const Vec3 c = frame.world_from_contact.transpose() * (centre - frame.origin);
+  const Vec3 n = Vec3::UnitZ();
+  const Vec3 along(slope.x(), slope.y(), 0.0);
+  const Vec3 angular = (object.fine_point - c).cross(n) - (object.coarse_point - c).cross(along);
+  return {true, frame.world_from_contact * (n - along), frame.world_from_contact * angular};
+}
+
+Vec2 envelope_slope(const SurfaceJet& object, const SurfaceJet& scene, double texel,
+                    int edge) noexcept {
+  // The scene's height along n is minus the one along its facing direction.
+  const Vec2 from_object = object.slope, from_scene = -scene.slope;
+  if (edge != 0) return edge < 0 ? from_scene : from_object;
+  const Vec2 rising = from_object - from_scene;
+  const Mat2 bowl = -(object.curvature + scene.curvature);  // of minus the depth
+  const double determinant = bowl.determinant();
+  const bool is_peak = determinant > 0.0 && bowl.trace() > 0.0;
+  if (is_peak) {
+    const Vec2 step = bowl.inverse() * rising;
+    const double length = step.norm();
+    // A longer step would leave the texels the second derivatives are of.
+    if (length <= texel) return from_object + object.curvature * step;
+  }
+  return 0.5 * (from_object + from_scene);
+}
+
+}  // namespace thigma

@@ -1,0 +1,167 @@
+#include "thigma/texture/detail/texel_pair.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "thigma/texture/texel_lookup.h"
+
+namespace thigma::detail {
+namespace {
+
+double cross(const Vec2& a, const Vec2& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
+
+// As in projected_patch: a texel on the edge of two triangles belongs to both.
+constexpr double kEdgeSlack = 1e-9;
+
+// Adds the limit direction . s + offset >= 0 on points s of the plane.
+void add_limit(TexelPair& pair, const Vec2& direction, double offset) noexcept {
+  TexelPair::Limit& limit = pair.limits[static_cast<std::size_t>(pair.limit_count++)];
+  limit.normal = pair.at_by_texel.transpose() * direction;
+  limit.offset = offset + direction.dot(pair.at_origin);
+}
+
+void add_edges(TexelPair& pair, const ProjectedTriangle& t) noexcept {
+  const double area = cross(t.at[1] - t.at[0], t.at[2] - t.at[0]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec2 edge = t.at[(k + 1) % 3] - t.at[k];
+    const Vec2 direction(-edge.y() / area, edge.x() / area);
+    add_limit(pair, direction, -direction.dot(t.at[k]));
+  }
+}
+
+void add_box(TexelPair& pair, const PlaneBox& box) noexcept {
+  const Vec2 size = box.high - box.low;
+  for (int k = 0; k < 2; ++k) {
+    const Vec2 direction = Vec2::Unit(k) / size[k];
+    add_limit(pair, direction, -box.low[k] / size[k]);
+    add_limit(pair, -direction, box.high[k] / size[k]);
+  }
+}
+
+double largest_along(const Vec3& m, const TexelBounds& b) noexcept {
+  const auto larger = [](double a, float low, float high) {
+    return a * static_cast<double>(a > 0.0 ? high : low);
+  };
+  return larger(m.x(), b.low.x, b.high.x) + larger(m.y(), b.low.y, b.high.y) +
+         larger(m.z(), b.low.z, b.high.z);
+}
+
+// Largest displacement along the facing direction between texture coordinates low and high.
+double largest_between(const ProjectedPatch& patch, const Vec2& low, const Vec2& high) noexcept {
+  const HapticTexture& texture = *patch.texture;
+  const Vec2 last(texture.width - 1.0, texture.height - 1.0);
+  const Vec2 from = low.cwiseMax(0.0).cwiseMin(last), to = high.cwiseMax(0.0).cwiseMin(last);
+  // Cells at least as large as the range: it touches no more than two each way. Level k has cells of 2^(k + 1) texels.
+  const unsigned size = static_cast<unsigned>(std::ceil((to - from).maxCoeff()));
+  const int level = std::min(std::max(static_cast<int>(std::bit_width(size - (size > 0))) - 1, 0),
+                             static_cast<int>(texture.pyramid.size()) - 1);
+  const BoundsLevel& bounds = texture.pyramid[static_cast<std::size_t>(level)];
+  const auto cell = [&](double at, int count) {
+    return std::min(static_cast<int>(at) >> (level + 1), count - 1);
+  };
+  const int first_column = cell(from.x(), bounds.columns),
+            last_column = cell(to.x(), bounds.columns);
+  const int first_row = cell(from.y(), bounds.rows), last_row = cell(to.y(), bounds.rows);
+  double largest = kNoDepth;
+  for (int row = first_row; row <= last_row; ++row) {
+    for (int column = first_column; column <= last_column; ++column) {
+      const std::size_t i =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(bounds.columns) +
+          static_cast<std::size_t>(column);
+      largest = std::max(largest, largest_along(patch.direction_body, bounds.cells[i]));
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+TexelPair make_texel_pair(const ProjectedPatch& driver, const ProjectedTriangle& a,
+                          const ProjectedPatch& other, const ProjectedTriangle& b,
+                          const PlaneBox& box, bool is_bounded) noexcept {
+  TexelPair pair;
+  pair.driver = &driver;
+  pair.other = &other;
+  pair.driver_triangle = a.triangle;
+  pair.other_triangle = b.triangle;
+  pair.at_origin = a.at_origin;
+  pair.at_by_texel = a.at_by_texel;
+  pair.other_by_texel = b.texel_by_at * a.at_by_texel;
+  pair.other_origin = b.texel_origin + b.texel_by_at * a.at_origin;
+  const Vec2 by_at = a.height_by_at + b.height_by_at;
+  pair.height_by_texel = a.at_by_texel.transpose() * by_at;
+  pair.height_origin = a.height_origin + b.height_origin + by_at.dot(a.at_origin);
+  add_edges(pair, a);
+  add_edges(pair, b);
+  if (is_bounded) add_box(pair, box);
+  Vec2 a_low = Vec2::Constant(std::numeric_limits<double>::infinity()), a_high = -a_low;
+  Vec2 b_low = a_low, b_high = a_high;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec2 own = a.texel_origin + a.texel_by_at * a.at[k];
+    const Vec2 others = a.texel_origin + a.texel_by_at * b.at[k];
+    a_low = a_low.cwiseMin(own);
+    a_high = a_high.cwiseMax(own);
+    b_low = b_low.cwiseMin(others);
+    b_high = b_high.cwiseMax(others);
+  }
+  pair.low = a_low.cwiseMax(b_low);
+  pair.high = a_high.cwiseMin(b_high);
+  return pair;
+}
+
+CellBound upper_bound(const TexelPair& pair, const TexelCell& cell, double others,
+                      double floor) noexcept {
+  const HapticTexture& texture = *pair.driver->texture;
+  const int side = 1 << cell.level;
+  const Vec2 low(cell.column * side, cell.row * side);
+  const Vec2 high =
+      (low + Vec2::Constant(side)).cwiseMin(Vec2(texture.width - 1, texture.height - 1));
+  const Vec2 centre = 0.5 * (low + high), half = 0.5 * (high - low);
+  const BoundsLevel& bounds = texture.pyramid[static_cast<std::size_t>(cell.level - 1)];
+  const std::size_t i =
+      static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(bounds.columns) +
+      static_cast<std::size_t>(cell.column);
+  const double own = pair.height_origin + pair.height_by_texel.dot(centre) +
+                     pair.height_by_texel.cwiseAbs().dot(half) +
+                     largest_along(pair.driver->direction_body, bounds.cells[i]);
+  if (!(own + others > floor)) return {};
+  for (int k = 0; k < pair.limit_count; ++k) {
+    const TexelPair::Limit& limit = pair.limits[static_cast<std::size_t>(k)];
+    const double nearest =
+        limit.normal.dot(centre) + limit.normal.cwiseAbs().dot(half) + limit.offset;
+    if (nearest < -kEdgeSlack) return {};
+  }
+  const Vec2 other_centre = pair.other_origin + pair.other_by_texel * centre;
+  const Vec2 other_half = pair.other_by_texel.cwiseAbs() * half;
+  others = std::min(
+      others, largest_between(*pair.other, other_centre - other_half, other_centre + other_half));
+  return {own + others, others};
+}
+
+double depth_at_texel(const TexelPair& pair, int column, int row) noexcept {
+  const Vec2 t(column, row);
+  for (int k = 0; k < pair.limit_count; ++k) {
+    const TexelPair::Limit& limit = pair.limits[static_cast<std::size_t>(k)];
+    if (limit.normal.dot(t) + limit.offset < -kEdgeSlack) return kNoDepth;
+  }
+  const Texel& texel = texel_at(*pair.driver->texture, column, row);
+  const Vec3 own(static_cast<double>(texel.x), static_cast<double>(texel.y),
+                 static_cast<double>(texel.z));
+  const Vec3 others =
+      displacement_at(*pair.other->texture, pair.other_origin + pair.other_by_texel * t);
+  return pair.height_origin + pair.height_by_texel.dot(t) + pair.driver->direction_body.dot(own) +
+         pair.other->direction_body.dot(others);
+}
+
+TexelRange texels_of(const HapticTexture& texture, const TexelCell& cell) noexcept {
+  const BoundsLevel& bounds = texture.pyramid[static_cast<std::size_t>(cell.level - 1)];
+  const int side = 1 << cell.level;
+  TexelRange range{cell.column * side, (cell.column + 1) * side - 1, cell.row * side,
+                   (cell.row + 1) * side - 1};
+  if (cell.column == bounds.columns - 1) range.last_column = texture.width - 1;
+  if (cell.row == bounds.rows - 1) range.last_row = texture.height - 1;
+  return range;
+}
+
+}  // namespace thigma::detail

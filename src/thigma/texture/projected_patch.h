@@ -1,0 +1,110 @@
+#pragma once
+// One side of a contact as a height field: coarse triangles with their texture, seen along the contact normal.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "thigma/math/pose.h"
+#include "thigma/texture/haptic_texture.h"
+
+namespace thigma {
+
+using Mat2 = Eigen::Matrix2d;
+
+/// The rotated reference system {u, v, n} of a contact. Invariant: right-handed, u x v = n.
+struct ContactFrame {
+  Vec3 origin = Vec3::Zero();                  // [m; world]
+  Mat3 world_from_contact = Mat3::Identity();  // columns u, v, n
+};
+
+/// A frame about a point; u and v are a function of n alone.
+/// Thread    [contact]; no failure for |normal| = 1.
+/// Source    Sec. 4.1.1; right-handed by ERRATA 4.1.
+ContactFrame contact_frame(const Vec3& origin, const Vec3& normal) noexcept;
+
+/// Which way a patch looks: the object's surface along n, the scene's against it.
+enum class Facing : std::int8_t { along = 1, against = -1 };
+
+/// A coarse triangle in the plane (u, v); heights are along the facing direction [m].
+struct ProjectedTriangle {
+  std::array<Vec2, 3> at;  // corners [m]
+  Vec2 texel_origin;  // texture coordinates at a point s of the plane: texel_origin + texel_by_at s
+  Mat2 texel_by_at;   // [texels/m]
+  Vec2 at_origin;     // and back
+  Mat2 at_by_texel;   // [m/texel]
+  double height_origin = 0.0;  // of the coarse surface: height_origin + height_by_at . s [m]
+  Vec2 height_by_at;
+  std::int32_t triangle = -1;
+};
+
+/// A rectangle of the plane (u, v) [m]; empty when low > high in a component.
+struct PlaneBox {
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 high = Vec2::Constant(-std::numeric_limits<double>::infinity());
+  bool is_empty() const noexcept { return !(low.x() < high.x() && low.y() < high.y()); }
+};
+
+inline PlaneBox intersection(const PlaneBox& a, const PlaneBox& b) noexcept {
+  return {a.low.cwiseMax(b.low), a.high.cwiseMin(b.high)};
+}
+
+/// A patch prepared for one contact. Any content is valid to project into; vectors keep their memory.
+struct ProjectedPatch {
+  const HapticTexture* texture = nullptr;
+  Facing facing = Facing::along;
+  Vec3 direction_body = Vec3::UnitZ();        // the facing direction in the texture's body frame
+  Mat3 contact_from_body = Mat3::Identity();  // rotation only
+  std::vector<ProjectedTriangle> triangles;   // those that face the right way
+  std::vector<PlaneBox> hidden;  // boxes of those that do not: over these it is no height field
+  PlaneBox box;                  // of `triangles`
+};
+
+/// Projects triangles of a textured surface along the normal of a contact.
+///
+/// triangles        indices into texture.coarse.triangles; triangles without area are left out
+/// world_from_body  pose of the surface
+/// patch            overwritten
+/// Thread           [contact]; no failure; allocates when there are more triangles than ever before.
+/// Source           Sec. 4.4.1, the mapping g^ of Eq. 4.9.
+void project_patch(const HapticTexture& texture, std::span<const std::int32_t> triangles,
+                   const Pose& world_from_body, const ContactFrame& frame, Facing facing,
+                   ProjectedPatch& patch) noexcept;
+
+/// Whether the part of a patch over a box is one: no triangle there looks the other way or is seen edge-on.
+bool is_height_field(const ProjectedPatch& patch, const PlaneBox& over) noexcept;
+
+inline constexpr double kNoSurface = -std::numeric_limits<double>::infinity();
+
+/// Height of the fine surface over a point of the plane along the facing direction (Eq. 4.9) [m]; kNoSurface where the
+/// patch does not lie, the largest where several sheets do.
+///
+/// at    [m; contact plane]
+/// near  index into patch.triangles where to look first, and the triangle found; any value is fine. In a patch without
+///       hidden triangles the first sheet found is taken for the only one
+/// Thread    [contact]; no failure.
+double height_at(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near) noexcept;
+
+/// The same of one projected triangle, inside or not.
+double height_on(const ProjectedPatch& patch, const ProjectedTriangle& triangle,
+                 const Vec2& at) noexcept;
+
+/// The fine surface over a point, with what derivatives need. Slopes come from central differences of the texels,
+/// interpolated: they are continuous, where those of the bilinear facets jump at every texel.
+struct SurfaceJet {
+  bool is_covered = false;
+  bool is_height_field =
+      true;  // one sheet only, and the fine surface itself does not turn over here
+  double height = kNoSurface;  // along the facing direction [m]
+  Vec2 slope = Vec2::Zero();   // d height/d at, texel tangents
+  Vec2 facet_slope =
+      Vec2::Zero();  // the same, of the bilinear interpolant itself: its exact derivative
+  Mat2 curvature = Mat2::Zero();     // second derivatives by second differences of texels [1/m]
+  Vec3 coarse_point = Vec3::Zero();  // [m; contact frame]
+  Vec3 fine_point = Vec3::Zero();    // coarse point plus displacement [m; contact frame]
+};
+SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at) noexcept;
+
+}  // namespace thigma
