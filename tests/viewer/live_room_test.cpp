@@ -120,12 +120,12 @@ TEST(LiveRoom, WatchersChangeNothingOfALockstepSession) {
   b.room->prepare_session(config);
   b.room->begin_session({.device = "hand:", .is_lockstep = true});
   const auto second = make_hand(b.scene.hand(HandPath::press));
-  std::size_t binaries = 0;
+  std::atomic<std::size_t> binaries{0};
   std::atomic<bool> is_over{false};
   std::thread reader([&] {
     while (!is_over) {
       const auto message = watching.read(0.05);
-      binaries += message && message->is_binary;
+      if (message && message->is_binary) ++binaries;
     }
   });
   const SessionSummary s = run_lockstep(config, *second, b.sinks());

@@ -32,7 +32,7 @@ struct LiveStart {
   std::string device;        // its address
   bool is_web = false;       // `web:`
   bool is_simulated = true;  // may be paused: there is no motor
-  std::string recording;     // file being written; "" none
+  std::string recording{};   // file being written; "" none
   bool is_lockstep = false;
   PageId holder = 0;  // page that holds `web:` from the start; 0 none
 };

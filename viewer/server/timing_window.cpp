@@ -1,21 +1,14 @@
 #include "viewer/server/timing_window.h"
 
-#include <algorithm>
 #include <limits>
+
+#include "thigma/math/quantile.h"
 
 namespace thigma::live {
 namespace {
 
 constexpr std::size_t kStepCpu = 10, kWakeLate = 11;  // in ChannelRow::values
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-/// NaN of nothing.
-double quantile(std::vector<double>& values, double share) {
-  if (values.empty()) return kUnknown;
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
-}
 
 }  // namespace
 
@@ -30,12 +23,12 @@ void add(std::span<const ChannelRow> rows, std::span<const double> queries, Timi
 Timing close(double now, bool has_frame, std::uint64_t frame, std::uint64_t update,
              TimingWindow& window) {
   Timing t{};
-  t.step_p50 = quantile(window.step_cpu, 0.5);
-  t.step_p99 = quantile(window.step_cpu, 0.99);
-  t.late_p50 = quantile(window.wake_late, 0.5);
-  t.late_p99 = quantile(window.wake_late, 0.99);
-  t.query_p50 = quantile(window.query_cpu, 0.5);
-  t.query_p99 = quantile(window.query_cpu, 0.99);
+  t.step_p50 = sample_quantile(window.step_cpu, 0.5);
+  t.step_p99 = sample_quantile(window.step_cpu, 0.99);
+  t.late_p50 = sample_quantile(window.wake_late, 0.5);
+  t.late_p99 = sample_quantile(window.wake_late, 0.99);
+  t.query_p50 = sample_quantile(window.query_cpu, 0.5);
+  t.query_p99 = sample_quantile(window.query_cpu, 0.99);
   t.haptic_hz = t.contact_hz = kUnknown;
   const double elapsed = now - window.since;
   // A session that began anew counts from 0 again.

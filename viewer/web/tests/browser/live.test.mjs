@@ -64,6 +64,8 @@ function liveTest(name, device, body) {
 
 const session = (page, read) => page.evaluate((text) => new Function("s", `return ${text};`)(window.thigma.session), read);
 
+const LOST_AFTER = 200;  // ms without a sample, and the device counts as lost
+
 /// Takes hold and drags down in the picture, seen from the side, until there is force. A page on a busy machine may be too
 /// slow for the 0.2 s after which the device counts as lost: then it takes hold again, as a person would.
 /// Returns false where the machine let go of it again and again: too slow to press anything.
@@ -74,27 +76,33 @@ async function pressDown(page) {
   await page.mouse.down({ button: "right" });
   await page.mouse.move(x, y - 66);
   await page.mouse.up({ button: "right" });
-  let down = 0, lower = 0, held = false, losses = 0;
+  const reach = box.height / 2 - 5;  // of a hand in the picture; then it takes hold again, higher up
+  let down = 0, held = false, hurdles = 0;
   for (const end = Date.now() + 150000; Date.now() < end;) {
+    const begin = Date.now();
     const { holds, newtons } = await page.evaluate(() => { const { session: s, hand } = window.thigma;
       return { holds: s.holding && hand.clutch, newtons: Math.hypot(...s.snapshot.force) }; });
     if (newtons > 0.3) { await page.mouse.up(); return true; }
-    if (held && !holds) ++losses;
+    if (held && !holds) ++hurdles;
     held = holds;
     if (!holds) {
       await page.mouse.up();
       await page.mouse.move(x, y);
       await page.mouse.down();
       down = 0;
-      await page.waitForFunction(() => window.thigma.session.holding && window.thigma.hand.clutch, null, { timeout: 10000 }).catch(() => {});
-    } else if (lower < 200) {
+      await page.waitForFunction(() => window.thigma.session.holding && window.thigma.hand.clutch, null, { timeout: 10000 })
+        .catch(() => { ++hurdles; });
+    } else if (down < reach) {
       down += 2;
-      lower += 2;
-      await page.mouse.move(x, y + Math.min(down, box.height / 2 - 5));
+      await page.mouse.move(x, y + down);
+      if (Date.now() - begin > LOST_AFTER) ++hurdles;
+    } else {
+      await page.mouse.up();
+      held = false;
     }
     await page.waitForTimeout(40);
   }
-  assert.ok(losses > 2, "held, and never pressed");
+  assert.ok(hurdles > 2, "held, and never pressed");
   return false;
 }
 
@@ -141,12 +149,30 @@ liveTest("what the page asks for happens", "hand:", async ({ page }) => {
   await page.waitForFunction(() => window.thigma.session.state.device === "web:" && window.thigma.session.state.holder === "you");
 });
 
+/// Another page of the same session that watches and draws nothing, so that it takes no processor from the one that holds.
+async function openWatcher(address) {
+  const watcher = await openPage(browser, "about:blank");
+  await watcher.page.addInitScript(() => { window.requestAnimationFrame = () => 0; });
+  await watcher.page.goto(address);
+  await watcher.page.waitForFunction(() => window.thigma?.session.counts.snapshot > 5, null, { polling: 50 });
+  return watcher;
+}
+
 liveTest("a page that goes leaves no force behind", "web:", async ({ page, run, t }) => {
-  if (!await pressDown(page)) { t.skip(TOO_SLOW); return; }
-  const other = await openPage(browser, run.address);
-  await other.page.waitForFunction(() => Math.hypot(...(window.thigma?.session.snapshot?.force ?? [0])) > 0.1);
+  const watcher = await openWatcher(run.address);
+  const newtons = () => session(watcher.page, "Math.hypot(...s.snapshot.force)");
+  let seen = 0;
+  for (let attempt = 0; attempt < 4 && !(seen > 0.1); ++attempt) {
+    if (!await pressDown(page)) break;
+    for (const end = Date.now() + 2000; Date.now() < end && !(seen > 0.1);) seen = await newtons();
+  }
+  if (!(seen > 0.1)) {  // only a hand that was lost again may excuse a force that is not there
+    assert.ok(!await page.evaluate(() => window.thigma.session.holding && window.thigma.hand.clutch), "holds, presses, and no force is sent");
+    t.skip(TOO_SLOW);
+    return;
+  }
   await page.goto("about:blank");
-  await other.page.waitForFunction(() => Math.hypot(...window.thigma.session.snapshot.force) === 0);
-  await other.context.close();
+  await watcher.page.waitForFunction(() => Math.hypot(...window.thigma.session.snapshot.force) === 0, null, { polling: 50 });
+  await watcher.context.close();
   await page.goto(run.address);
 });

@@ -1,0 +1,122 @@
+// What pages are told, sixty times a second and when something changes.
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/server/detail/live_room_state.h"
+
+namespace thigma::live {
+namespace {
+
+constexpr std::size_t kMostRows = 250;     // of a batch
+constexpr std::uint64_t kIdleTicks = 15;   // a snapshot four times a second where nothing moves
+constexpr std::uint64_t kStateTicks = 60;  // `state` once a second
+
+double wall_seconds() { return 1e-9 * static_cast<double>(monotonic_ns()); }
+
+}  // namespace
+
+void LiveRoom::Impl::collect_rows() {
+  rows.clear();
+  query_times.clear();
+  feed.take_rows(rows);
+  feed.take_query_times(query_times);
+  add(rows, query_times, window);
+  if (rows.size() <= kMostRows) return;
+  left_out += rows.size() - kMostRows;
+  rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kMostRows));
+}
+
+Snapshot LiveRoom::Impl::snapshot_now(const HapticNow& now) {
+  RigidBody body;
+  {
+    const std::lock_guard lock(mutex);
+    body = tuner.haptic().body;
+  }
+  Snapshot s = make_snapshot(now, feed.contact(), body, config.haptic.workspace, body_from_mesh,
+                             grasp_point, clusters);
+  if (state.run == "paused") s.bits |= kPaused;
+  if (state.run == "ended") s.bits |= kEnded;
+  s.haptic_hz = timing.haptic_hz;
+  s.contact_hz = timing.contact_hz;
+  s.newton_length = 0.4 * scene.object.hierarchy->radius;
+  ports->contacts.fetch();
+  const ContactView& view = ports->contacts.value();
+  s.found = view.found;
+  s.dropped = view.dropped;
+  s.front = view.front;
+  s.contacts = {view.contacts.begin(), view.contacts.size()};
+  return s;
+}
+
+void LiveRoom::Impl::show() {
+  const HapticNow* now = feed.haptic();
+  if (now == nullptr) return;
+  if (now->sample.fault != last_fault) {
+    last_fault = now->sample.fault;
+    if (state.run != "ended") {
+      state.reason = last_fault == Fault::none ? "" : fault_name(last_fault);
+      tell_state();
+    }
+  }
+  const std::vector<PageId> pages = server.pages();
+  if (pages.empty() || (rows.empty() && ticks % kIdleTicks != 0)) return;
+  std::vector<std::string> messages;
+  if (!rows.empty()) messages.push_back(encode_channels(rows));
+  messages.push_back(encode_snapshot(snapshot_now(*now)));
+  for (const PageId page : pages) server.offer(page, messages);
+}
+
+void LiveRoom::Impl::send_events() {
+  events.clear();
+  feed.take_events(events);
+  for (const SessionEvent& event : events) tell_all(event_message(event));
+}
+
+void LiveRoom::Impl::tick() {
+  ++ticks;
+  collect_rows();
+  show();
+  send_events();
+  if (ticks % kStateTicks != 0) return;
+  const HapticNow* now = feed.haptic();
+  const std::uint64_t frame = now != nullptr ? now->sample.frame : 0;
+  timing = close(wall_seconds(), now != nullptr, frame, feed.contact_updates(), window);
+  if (now != nullptr) {
+    // Session time counts every tick, frames only those that were made.
+    const double due = std::floor(now->sample.time * rate + 0.5);
+    timing.missed = static_cast<std::uint64_t>(std::max(0.0, due - static_cast<double>(frame)));
+  }
+  tell_state();
+}
+
+void LiveRoom::Impl::tell_state_to(PageId page) {
+  const char* holds = holder == 0 ? "none" : holder == page ? "you" : "other";
+  server.send(page,
+              state_message(state, timing, holds, server.dropped(page),
+                            left_out + feed.dropped_rows(), dropped_samples),
+              false);
+}
+
+void LiveRoom::Impl::tell_state() {
+  const std::vector<PageId> pages = server.pages();
+  const HapticNow* now = feed.haptic();
+  state.time = now != nullptr ? now->sample.time : 0.0;
+  state.pages = pages.size();
+  for (const PageId page : pages) tell_state_to(page);
+}
+
+void LiveRoom::Impl::tell_parameters() {
+  std::string text;
+  {
+    const std::lock_guard lock(mutex);
+    text = parameters_message(tuner.list());
+  }
+  tell_all(text);
+}
+
+void LiveRoom::Impl::tell_all(const std::string& text) {
+  for (const PageId page : server.pages()) server.send(page, text, false);
+}
+
+}  // namespace thigma::live

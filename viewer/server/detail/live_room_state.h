@@ -1,0 +1,93 @@
+#pragma once
+// Inside of the room: its state and the steps on it. Commands of pages in live_room_commands.cpp, what pages are
+// told in live_room_show.cpp, sessions and pages that come and go in live_room.cpp.
+
+#include <atomic>
+#include <deque>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viewer/server/feed.h"
+#include "viewer/server/live_room.h"
+#include "viewer/server/protocol.h"
+#include "viewer/server/timing_window.h"
+#include "viewer/server/tuning.h"
+
+namespace thigma::live {
+
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+inline constexpr const char* kIsLockstep = "a session in lockstep is the same every time";
+inline constexpr const char* kIsRecording =
+    "a recording is being written, and could not be replayed if this changed: stop it first";
+inline constexpr const char* kIsRestarting = "the session is just beginning anew";
+
+struct LiveRoom::Impl {
+  Impl(SceneView scene_in, const SessionConfig& config_in, const Pose& start_in,
+       std::vector<std::string> devices, std::vector<WebFile> files, std::uint16_t port,
+       WebLink& link_in, const WebLimits& limits_in);
+
+  // On the server's thread.
+  void opened(PageId page);
+  void closed(PageId page);
+  Refusal received(PageId page, std::string_view message, bool is_binary);
+  Refusal take_samples(PageId page, std::string_view message);
+  void take_command(PageId page, const Command& command);
+  std::string hold(PageId page, bool wanted);
+  std::string pause(bool wanted);
+  std::string step(double frames);
+  std::string change(const Command& command);
+  void ask_program(PageId page, const Command& command);
+  void tick();
+  void collect_rows();
+  void show();
+  void send_events();
+  void tell_state();
+  void tell_state_to(PageId page);
+  void tell_parameters();
+  void tell_all(const std::string& text);
+  Snapshot snapshot_now(const HapticNow& now);
+  void began(const LiveStart& start);
+  void ended(const std::string& reason, std::uint64_t dropped_samples);
+
+  // Constant.
+  const SceneView scene;
+  SessionConfig config;  // what `scene` tells of it
+  const Pose body_from_mesh;
+  const Vec3 grasp_point;
+  const WebLimits limits;
+  Pose start_pose;
+  std::vector<std::string> meshes;
+
+  // Between threads.
+  std::unique_ptr<LivePorts> ports;
+  WebLink& link;
+  LiveFeed feed;
+  std::atomic<std::size_t> open_pages{0};
+  mutable std::mutex mutex;  // of what follows; never held for longer than a copy takes
+  Tuner tuner;
+  bool is_restarting = true;
+  std::deque<LiveRequest> requests;
+
+  // The server's thread only.
+  RunState state;
+  LiveStart now_running;
+  PageId holder = 0;
+  double last_sample = -std::numeric_limits<double>::infinity();  // of the holder's clock
+  Timing timing{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, 0};
+  TimingWindow window;
+  std::vector<ChannelRow> rows;
+  std::vector<double> query_times;
+  std::vector<SessionEvent> events;
+  std::vector<ViewedCluster> clusters;
+  std::uint64_t ticks = 0, left_out = 0, dropped_samples = 0;
+  Fault last_fault = Fault::none;
+  double rate;
+
+  WebServer server;  // last: its thread uses all of the above
+};
+
+}  // namespace thigma::live
