@@ -30,4 +30,15 @@ function(thigma_test name)
   # One ctest entry an executable: gtest's own cases are counted by scripts/test from its XML.
   add_test(NAME ${name} COMMAND ${name} --gtest_output=xml:${CMAKE_BINARY_DIR}/results/${name}.xml)
   set_tests_properties(${name} PROPERTIES LABELS "${T_LABEL}" TIMEOUT ${T_TIMEOUT})
+  thigma_test_environment(${name})
+endfunction()
+
+# thigma_test_environment(TEST [NAME=VALUE ...]): levels of detail that a test builds are kept in the build folder,
+# for all tests, instead of in the cache folder of whoever runs them.
+function(thigma_test_environment name)
+  set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/test_cache" ${ARGN})
+  if(THIGMA_SANITIZE STREQUAL "address")
+    set(known ${PROJECT_SOURCE_DIR}/tests/support/leaks_of_libraries.txt)
+    set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT "LSAN_OPTIONS=suppressions=${known}:print_suppressions=0")
+  endif()
 endfunction()

@@ -10,6 +10,8 @@
 #include "verbs.h"
 #include <nlohmann/json.hpp>
 
+#include "thigma/math/quantile.h"
+
 namespace thigma::app {
 namespace {
 
@@ -100,9 +102,9 @@ void print_row(const bench::Row& row, double ghz, bool as_json) {
 void print_machine(bool as_json, double seconds) {
   const double adds = bench::dependent_adds();
   const std::vector<double> late = bench::empty_loop_lateness(seconds);
-  const double p50 = 1e6 * bench::percentile(late, 0.5), p99 = 1e6 * bench::percentile(late, 0.99);
-  const double p999 = 1e6 * bench::percentile(late, 0.999),
-               max = 1e6 * bench::percentile(late, 1.0);
+  const double p50 = 1e6 * sample_quantile(late, 0.5), p99 = 1e6 * sample_quantile(late, 0.99);
+  const double p999 = 1e6 * sample_quantile(late, 0.999),
+               max = 1e6 * sample_quantile(late, 1.0);
   if (as_json) {
     Json json;
     json["name"] = "machine";

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "clod_cache.h"
 #include "experiments/common/experiment.h"
 #include "json_out.h"
 #include "scenes/make_model.h"
@@ -68,6 +69,15 @@ void print_claims(const Experiment& experiment, const std::vector<Claim>& claims
   std::fflush(stdout);
 }
 
+/// Levels from the cache of `run`. Nobody is told what is kept where: experiments tell what they do.
+ClodHierarchy kept_levels(const std::string& uri) {
+  ClodSource source;
+  source.name = uri;
+  source.role = "experiment";
+  source.params.threads = 2;
+  return load_clod_cached(source).hierarchy;
+}
+
 int run_experiments(const ExperimentOptions& options, const Common& common) {
   if (options.name == "list") return list_experiments(common.json);
   const std::vector<Experiment> chosen = choose(options.name);
@@ -79,7 +89,7 @@ int run_experiments(const ExperimentOptions& options, const Common& common) {
     tell_error("experiment: -o DIR is missing: the folder to write to");
     return kUsage;
   }
-  experiments::Assets assets;
+  experiments::Assets assets{.kept = kept_levels};
   experiments::Context context{.quick = options.quick, .seed = common.seed, .assets = &assets};
   if (!common.quiet) {
     context.tell = [](const std::string& line) { std::fprintf(stderr, "  %s\n", line.c_str()); };

@@ -193,9 +193,10 @@ SessionSummary run_with_page(const RunOptions& options, const Common& common, Ru
 }
 
 int run_verb(const RunOptions& options, const Common& common) {
-  const auto tell = [&common](const std::string& line) {
-    if (!common.quiet) std::fprintf(stderr, "thigma: %s\n", line.c_str());
-  };
+  std::function<void(const std::string&)> tell;  // empty: nothing is told, no progress either
+  if (!common.quiet) {
+    tell = [](const std::string& line) { std::fprintf(stderr, "thigma: %s\n", line.c_str()); };
+  }
   const std::unique_ptr<Run> run = prepare_run(options, common.seed, tell);
   const SignalGuard signals;
   const SessionSummary summary = has_page(options) ? run_with_page(options, common, *run)

@@ -87,14 +87,15 @@ class CaseCheck {
 struct CaseContext {
   bool has_difference_tolerance = false;
   Tolerance difference;  // fd_tolerance
+  Tolerance depth;       // delta_abs of the tolerance, for the fields of kinds that have it
+  Tolerance slope;       // slope_abs
 };
 
 /// One kind of vectors: recognised by fields of "in", else by the file's name.
 struct ConformanceKind {
   const char* name;                 // also how the file is called
   std::vector<const char*> fields;  // all of them are in "in", and in no other kind's before it
-  void (*check)(const JsonField& in, CaseCheck& check,
-                const CaseContext& context);  // null: not implemented
+  void (*check)(const JsonField& in, CaseCheck& check, const CaseContext& context);
 };
 const std::vector<ConformanceKind>& conformance_kinds();
 
@@ -103,8 +104,7 @@ struct ConformanceReport {
   int cases = 0;
   int passed = 0;
   int failed = 0;
-  int not_implemented =
-      0;  // kinds the engine does not have yet, and cases with fields it does not compute
+  int not_implemented = 0;  // cases with results the engine does not compute
   WorstField worst;
 };
 
@@ -118,6 +118,7 @@ void check_spline(const JsonField& in, CaseCheck& check, const CaseContext& cont
 void check_coupling(const JsonField& in, CaseCheck& check, const CaseContext& context);
 void check_penalty(const JsonField& in, CaseCheck& check, const CaseContext& context);
 void check_texture_point(const JsonField& in, CaseCheck& check, const CaseContext& context);
+void check_texture_disk(const JsonField& in, CaseCheck& check, const CaseContext& context);
 void check_integrators(const JsonField& in, CaseCheck& check, const CaseContext& context);
 void check_linearized_contact(const JsonField& in, CaseCheck& check, const CaseContext& context);
 void check_clustering(const JsonField& in, CaseCheck& check, const CaseContext& context);

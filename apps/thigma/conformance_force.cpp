@@ -4,6 +4,8 @@
 #include "conformance.h"
 #include "conformance_values.h"
 
+#include "thigma/texture/offset_surface.h"
+
 namespace thigma::app {
 namespace {
 
@@ -73,6 +75,21 @@ void check_texture_point(const JsonField& in, CaseCheck& check, const CaseContex
     check.compare(check.take("FT"), to_vector(wrench_by_differences(probe, state)),
                   context.difference);
   }
+}
+
+void check_texture_disk(const JsonField& in, CaseCheck& check, const CaseContext& context) {
+  const double radius = number(member(in, "radius"));
+  const double amplitude = number(member(in, "amp"));
+  const double wavelength = number(member(in, "lambda"));
+  const JsonField places = member(in, "u");
+  std::vector<double> depths, slopes;
+  for (const double at : numbers(places, {list_size(places)})) {
+    const OffsetHeight height = disk_on_wave(radius, amplitude, wavelength, at);
+    depths.push_back(height.height);
+    slopes.push_back(height.slope);
+  }
+  check.compare(check.take("delta"), depths, {depths.size()}, context.depth);
+  check.compare(check.take("ddelta_du"), slopes, {slopes.size()}, context.slope);
 }
 
 void check_linearized_contact(const JsonField& in, CaseCheck& check, const CaseContext&) {

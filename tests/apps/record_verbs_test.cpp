@@ -249,6 +249,23 @@ TEST(RecordVerbs, export_has_a_row_a_frame) {
   expect_one_line(folder, work_folder().string() + ": ");
 }
 
+TEST(RecordVerbs, plot_draws_what_was_recorded) {
+  const std::string file = in_work("drawn.mcap"), png = in_work("drawn.png");
+  run_ball({"--lockstep", "--duration", "0.3", "--record", file});
+  const Ended e = run_program({"plot", file, "-o", png, "--json"});
+  EXPECT_EQ(e.code, 0) << e.err;
+  EXPECT_EQ(json_line(e)["frames"], 300);
+  const std::string drawn = read_text(png);
+  EXPECT_EQ(drawn.substr(1, 3), "PNG");
+  EXPECT_GT(drawn.size(), 10000u);
+  const Ended folder = run_program({"plot", file, "-o", work_folder().string()});
+  EXPECT_EQ(folder.code, 1);
+  expect_one_line(folder, work_folder().string() + ": ");
+  const Ended other = run_program({"plot", png, "-o", png});
+  EXPECT_EQ(other.code, 4);
+  expect_one_line(other, png + ": ");
+}
+
 TEST(RecordVerbs, an_unwritable_place_is_told_before_the_run) {
   for (const std::string& place : {std::string("/proc/x.mcap"), in_work("no_folder/x.mcap"),
                                    work_folder().string(), std::string("/dev/null")}) {
