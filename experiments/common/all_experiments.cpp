@@ -10,6 +10,8 @@ const std::vector<Experiment>& all_experiments() {
       {"fig-3-15", "Fig. 3.15", "moving jaws: force, query time and front up to 2.5 %",
        run_fig_3_15},
       {"fig-3-16", "Fig. 3.16", "golf club on ball: the same up to 3 %", run_fig_3_16},
+      {"no-popping", "Sec. 3.4.4", "force steps where a contact changes its level of detail",
+       run_no_popping},
       {"e1-static-queries", "PROTOCOLS E1", "fresh queries at predefined distances",
        run_e1_static_queries},
       {"e8-lod-error", "PROTOCOLS E8", "error of force and torque over the threshold",

@@ -6,6 +6,7 @@
 #include "scenes/make_model.h"
 #include "scenes/scene_file.h"
 
+#include "thigma/clod/build_clod.h"
 #include "thigma/core/cpu_clock.h"
 #include "thigma/runtime/placement.h"
 
@@ -28,17 +29,21 @@ TriangleMesh make_mesh(const std::string& uri) {
 }
 
 const ClodHierarchy& levels_of(Assets& assets, const std::string& uri) {
+  if (!assets.kept) return timed_levels_of(assets, uri);
   const auto known = assets.levels.find(uri);
   if (known != assets.levels.end()) return known->second;
+  return assets.levels.emplace(uri, assets.kept(uri)).first->second;
+}
+
+const ClodHierarchy& timed_levels_of(Assets& assets, const std::string& uri) {
+  if (assets.seconds.contains(uri)) return assets.levels.at(uri);
   const TriangleMesh mesh = make_mesh(uri);
-  const double start = process_cpu_seconds();
-  ClodReport report;
   ClodParams params;
   params.threads = 2;
-  ClodHierarchy levels = build_clod(mesh, params, &report);
+  const double start = process_cpu_seconds();
+  ClodHierarchy levels = build_clod(mesh, params);
   assets.seconds[uri] = process_cpu_seconds() - start;
-  report.simplification.levels.clear();  // the meshes are in the hierarchy already
-  assets.reports[uri] = std::move(report);
+  // What was kept is the same; references to it stay.
   return assets.levels.emplace(uri, std::move(levels)).first->second;
 }
 
@@ -54,14 +59,15 @@ void place_apart(Pair& pair, const Vec3& approach) {
   pair.clearance = placed.clearance;
 }
 
-Pair scene_pair(Assets& assets, const std::string& scene, int triangles) {
+Pair scene_pair(Assets& assets, const std::string& scene, int triangles, bool is_timed) {
   const scenes::SceneDescription description =
       scenes::parse_scene(scenes::builtin_scene(scene), scene, "");
   const scenes::SceneObject& body = description.statics.at(0);
   Pair pair;
   pair.name = scene;
-  pair.object = &levels_of(assets, with_count(description.object, triangles));
-  pair.scene = &levels_of(assets, with_count(body, triangles));
+  const auto levels = is_timed ? timed_levels_of : levels_of;
+  pair.object = &levels(assets, with_count(description.object, triangles));
+  pair.scene = &levels(assets, with_count(body, triangles));
   pair.radius = std::min(pair.object->radius, pair.scene->radius);
   pair.start = description.object.world_from_mesh;
   pair.world_from_scene = body.world_from_mesh;

@@ -1,10 +1,11 @@
 #include "experiments/common/contact_profile.h"
 
-#include <cassert>
 #include <cmath>
 #include <cstdio>
 
 #include "experiments/common/statistics.h"
+
+#include "thigma/math/quantile.h"
 
 namespace thigma::experiments {
 namespace {
@@ -14,6 +15,8 @@ std::string percent(double share) {
   std::snprintf(text, sizeof text, "%.4g %%", 100.0 * share);
   return text;
 }
+
+std::string name_of(double threshold) { return "s0 = " + percent(threshold); }
 
 bool is_of_text(const Setting& s) { return s.name.find("; ") == std::string::npos; }
 
@@ -61,13 +64,110 @@ plot::Panel time_panel(const std::string& title, const std::string& label, bool 
           .y = {.label = label, .is_log = is_log}};
 }
 
+double time_by_front_from(const ProfileStudy& study, std::size_t first) {
+  std::vector<double> fronts, times;
+  for (std::size_t k = first; k < study.settings.size(); ++k) {
+    if (!is_of_text(study.settings[k])) continue;
+    fronts.push_back(mean(study.profiles[k].front));
+    times.push_back(mean(study.profiles[k].cpu));
+  }
+  return proportional_r_squared(fronts, times);
+}
+
+/// data.csv (a row a frame and setting) and sweep.csv (a row a setting).
+std::vector<Table> profile_tables(const ProfileStudy& study) {
+  Table frames{.columns = {"setting", "s0", "time [s]", "force [N]", "force x [N]", "force y [N]",
+                           "force z [N]", "torque x [N m]", "torque y [N m]", "torque z [N m]",
+                           "query CPU [s]", "front", "tests", "contacts", "mean level",
+                           "largest bound [m]"}};
+  Table sweep{
+      .name = "sweep",
+      .columns = {"setting", "s0", "force correlation", "curvature correlation", "force error",
+                  "force error, fitted", "torque error", "torque error, fitted",
+                  "query CPU p50 [s]", "query CPU p99 [s]", "query CPU variation", "front mean",
+                  "tests mean", "contacts mean", "mean level", "front to force rank correlation"}};
+  for (std::size_t k = 0; k < study.settings.size(); ++k) {
+    const Setting& s = study.settings[k];
+    const Profile& p = study.profiles[k];
+    const Likeness& like = study.likeness[k];
+    std::vector<double> levels;
+    for (const double level : p.level) {
+      if (std::isfinite(level)) levels.push_back(level);
+    }
+    for (std::size_t i = 0; i < p.force.size(); ++i) {
+      add_row(frames, {s.name, s.threshold, static_cast<double>(i) * study.step, p.force_size[i],
+                       p.force[i].x(), p.force[i].y(), p.force[i].z(), p.torque[i].x(),
+                       p.torque[i].y(), p.torque[i].z(), p.cpu[i], p.front[i], p.tests[i],
+                       p.contacts[i], p.level[i], p.bound[i]});
+    }
+    add_row(sweep, {s.name, s.threshold, like.correlation, like.curvature, like.force_error,
+                    like.shape_error, like.torque_error, like.torque_shape_error,
+                    sample_quantile(p.cpu, 0.5), sample_quantile(p.cpu, 0.99),
+                    coefficient_of_variation(p.cpu), mean(p.front), mean(p.tests), mean(p.contacts),
+                    mean(levels), rank_correlation(p.front, p.force_size)});
+  }
+  return {frames, sweep};
+}
+
+/// Force, query time and front over time, as the source draws them, for the settings of the text.
+plot::Figure profile_figure(const ProfileStudy& study, const std::string& title,
+                            const std::string& note) {
+  plot::Figure figure{.title = title, .note = note};
+  figure.panels = {time_panel("Contact force", "force [N]", false),
+                   time_panel("Contact query", "CPU time [us]", true),
+                   time_panel("Front of the bounding volume test tree", "node pairs", true)};
+  int color = 6;  // exact is black
+  for (std::size_t k = 0; k < study.settings.size(); ++k) {
+    if (!is_of_text(study.settings[k])) continue;
+    const Profile& p = study.profiles[k];
+    std::vector<double> time, microseconds;
+    for (std::size_t i = 0; i < p.cpu.size(); ++i) {
+      time.push_back(1e3 * static_cast<double>(i) * study.step);
+      microseconds.push_back(1e6 * p.cpu[i]);
+    }
+    const std::vector<double>* values[] = {&p.force_size, &microseconds, &p.front};
+    for (std::size_t panel = 0; panel < 3; ++panel) {
+      figure.panels[panel].series.push_back({.label = study.settings[k].name,
+                                             .x = time,
+                                             .y = *values[panel],
+                                             .color = color,
+                                             .width = k == 0 ? 1.8 : 1.2});
+    }
+    color = k == 0 ? 0 : color + (color == 5 ? 2 : 1);
+  }
+  return figure;
+}
+
+Claim unless_known(Claim claim, const char* reason) {
+  return *reason != '\0' ? known_not_to(std::move(claim), reason) : claim;
+}
+
+std::vector<Claim> common_claims(const ProfileFigure& figure, const Profile& exact,
+                                 const Profile& coarse, const Likeness& like) {
+  const std::string at = percent(figure.thresholds.back());
+  return {
+      unless_known(at_least("profile", "correlation of the force at " + at + " with the exact one",
+                            like.correlation, 0.98),
+                   figure.why_no_profile),
+      unless_known(at_least("curvature", "the same of its second derivative, low-passed at 50 Hz",
+                            like.curvature, 0.9),
+                   figure.why_no_curvature),
+      at_least("front",
+               "times the front is smaller at " + at +
+                   " than exact, means along the path; the source has " + figure.source_front,
+               mean(exact.front) / mean(coarse.front), 10.0),
+      stated(
+          "speed-up",
+          "mean query time exact over that at " + at + "; the source has " + figure.source_speed_up,
+          mean(exact.cpu) / mean(coarse.cpu))};
+}
+
 }  // namespace
 
 std::vector<Setting> profile_settings(const std::vector<double>& thresholds, double main) {
   std::vector<Setting> settings = {{"exact", 0.0, as_in_text(0.0)}};
-  for (const double s0 : thresholds)
-    settings.push_back({"s0 = " + percent(s0), s0, as_in_text(s0)});
-  const std::string name = "s0 = " + percent(main);
+  for (const double s0 : thresholds) settings.push_back({name_of(s0), s0, as_in_text(s0)});
+  const std::string name = name_of(main);
   Resolution one_ring = as_in_text(main), capped = as_in_text(main), plain = as_in_text(main),
              least = as_in_text(main);
   one_ring.reading = SupportReading::one_ring;
@@ -110,94 +210,31 @@ ProfileStudy study_profile(const Context& context, const Pair& pair, const Path&
   return study;
 }
 
-std::vector<Table> profile_tables(const ProfileStudy& study) {
-  Table frames{.columns = {"setting", "s0", "time [s]", "force [N]", "force x [N]", "force y [N]",
-                           "force z [N]", "torque x [N m]", "torque y [N m]", "torque z [N m]",
-                           "query CPU [s]", "front", "tests", "contacts", "mean level",
-                           "largest bound [m]"}};
-  Table sweep{
-      .name = "sweep",
-      .columns = {"setting", "s0", "force correlation", "curvature correlation", "force error",
-                  "force error, fitted", "torque error", "torque error, fitted",
-                  "query CPU p50 [s]", "query CPU p99 [s]", "query CPU variation", "front mean",
-                  "tests mean", "contacts mean", "mean level", "front to force rank correlation"}};
-  for (std::size_t k = 0; k < study.settings.size(); ++k) {
-    const Setting& s = study.settings[k];
-    const Profile& p = study.profiles[k];
-    const Likeness& like = study.likeness[k];
-    std::vector<double> levels;
-    for (const double level : p.level) {
-      if (std::isfinite(level)) levels.push_back(level);
-    }
-    for (std::size_t i = 0; i < p.force.size(); ++i) {
-      add_row(frames, {s.name, s.threshold, static_cast<double>(i) * study.step, p.force_size[i],
-                       p.force[i].x(), p.force[i].y(), p.force[i].z(), p.torque[i].x(),
-                       p.torque[i].y(), p.torque[i].z(), p.cpu[i], p.front[i], p.tests[i],
-                       p.contacts[i], p.level[i], p.bound[i]});
-    }
-    add_row(sweep,
-            {s.name, s.threshold, like.correlation, like.curvature, like.force_error,
-             like.shape_error, like.torque_error, like.torque_shape_error, quantile(p.cpu, 0.5),
-             quantile(p.cpu, 0.99), coefficient_of_variation(p.cpu), mean(p.front), mean(p.tests),
-             mean(p.contacts), mean(levels), rank_correlation(p.front, p.force_size)});
-  }
-  return {frames, sweep};
-}
+double time_by_front(const ProfileStudy& study) { return time_by_front_from(study, 1); }
 
-plot::Figure profile_figure(const ProfileStudy& study, const std::string& title,
-                            const std::string& note) {
-  plot::Figure figure{.title = title, .note = note};
-  figure.panels = {time_panel("Contact force", "force [N]", false),
-                   time_panel("Contact query", "CPU time [us]", true),
-                   time_panel("Front of the bounding volume test tree", "node pairs", true)};
-  int color = 6;  // exact is black
-  for (std::size_t k = 0; k < study.settings.size(); ++k) {
-    if (!is_of_text(study.settings[k])) continue;
-    const Profile& p = study.profiles[k];
-    std::vector<double> time, microseconds;
-    for (std::size_t i = 0; i < p.cpu.size(); ++i) {
-      time.push_back(1e3 * static_cast<double>(i) * study.step);
-      microseconds.push_back(1e6 * p.cpu[i]);
-    }
-    const std::vector<double>* values[] = {&p.force_size, &microseconds, &p.front};
-    for (std::size_t panel = 0; panel < 3; ++panel) {
-      figure.panels[panel].series.push_back({.label = study.settings[k].name,
-                                             .x = time,
-                                             .y = *values[panel],
-                                             .color = color,
-                                             .width = k == 0 ? 1.8 : 1.2});
-    }
-    color = k == 0 ? 0 : color + (color == 5 ? 2 : 1);
-  }
-  return figure;
-}
+double time_by_front_with_exact(const ProfileStudy& study) { return time_by_front_from(study, 0); }
 
-std::size_t setting_index(const ProfileStudy& study, const std::string& name) {
-  for (std::size_t i = 0; i < study.settings.size(); ++i) {
-    if (study.settings[i].name == name) return i;
-  }
-  assert(!"no such setting");
-  return 0;
-}
-
-double time_by_front(const ProfileStudy& study) {
-  std::vector<double> fronts, times;
-  for (std::size_t k = 0; k < study.settings.size(); ++k) {
-    if (!is_of_text(study.settings[k])) continue;
-    fronts.push_back(mean(study.profiles[k].front));
-    times.push_back(mean(study.profiles[k].cpu));
-  }
-  return proportional_r_squared(fronts, times);
-}
-
-double time_by_front_of_frames(const ProfileStudy& study) {
-  std::vector<double> fronts, times;
-  for (std::size_t k = 0; k < study.settings.size(); ++k) {
-    if (!is_of_text(study.settings[k])) continue;
-    fronts.insert(fronts.end(), study.profiles[k].front.begin(), study.profiles[k].front.end());
-    times.insert(times.end(), study.profiles[k].cpu.begin(), study.profiles[k].cpu.end());
-  }
-  return proportional_r_squared(fronts, times);
+Outcome run_profile(const Context& context, const ProfileFigure& figure) {
+  const Pair pair = scene_pair(*context.assets, figure.scene);
+  const PenaltyParams gains = direct_gains(pair);
+  const double main = figure.thresholds.back();
+  HandScript hand = figure.hand(pair.radius);
+  if (context.quick) hand.seconds = figure.quick_seconds;
+  const Path path = record_path(pair, as_in_text(main), gains, hand);
+  const ProfileStudy study = study_profile(
+      context, pair, path, gains, profile_settings(figure.thresholds, main), context.quick ? 1 : 3);
+  const std::size_t at_main = figure.thresholds.size();  // the first setting is exact
+  const Profile &exact = study.profiles.front(), &coarse = study.profiles[at_main];
+  Outcome outcome;
+  outcome.tables = profile_tables(study);
+  outcome.figure = profile_figure(study, figure.title,
+                                  "path led at " + percent(main) +
+                                      ", played back at the other thresholds; tolerance " +
+                                      percent(kDirectTolerance) + " of the radius");
+  outcome.claims = common_claims(figure, exact, coarse, study.likeness[at_main]);
+  for (Claim& claim : figure.own_claims(exact, coarse, study))
+    outcome.claims.push_back(std::move(claim));
+  return outcome;
 }
 
 }  // namespace thigma::experiments

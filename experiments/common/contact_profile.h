@@ -45,18 +45,29 @@ ProfileStudy study_profile(const Context& context, const Pair& pair, const Path&
                            const PenaltyParams& gains, const std::vector<Setting>& settings,
                            int repeats);
 
-/// data.csv (a row a frame and setting) and sweep.csv (a row a setting).
-std::vector<Table> profile_tables(const ProfileStudy& study);
-/// Force, query time and front over time, as the source draws them, for the settings of the text.
-plot::Figure profile_figure(const ProfileStudy& study, const std::string& title,
-                            const std::string& note);
+/// A figure of Sec. 3.5.3 as data: what happens, and what the text says of it.
+struct ProfileFigure {
+  const char* scene;                  // built in
+  HandScript (*hand)(double radius);  // what leads the object
+  double quick_seconds;               // of the script with --quick [s]
+  std::vector<double> thresholds;     // s0, rising; the path is led at the last
+  const char* title;
+  const char* source_front;     // how much smaller the source's front is, in words
+  const char* source_speed_up;  // how much faster its query, in words
+  // Why these are known not to hold, where they do not; "": they are expected to.
+  const char* why_no_profile;
+  const char* why_no_curvature;
+  std::vector<Claim> (*own_claims)(const Profile& exact, const Profile& coarse,
+                                   const ProfileStudy& study);
+};
 
-/// Index of a setting by name; assert: there is one.
-std::size_t setting_index(const ProfileStudy& study, const std::string& name);
+/// Leads the object once, plays the path back at every setting, and makes claims, tables and figure of it.
+Outcome run_profile(const Context& context, const ProfileFigure& figure);
 
-/// How well query time is proportional to the front over the settings of the text: R^2 of the means along the path.
+/// How well query time is proportional to the front: R^2 of the means along the path, over the thresholds of the text.
+/// The exact query is another algorithm, here as in the source, with a price of its own for a node pair.
 double time_by_front(const ProfileStudy& study);
-/// The same over single frames of all of them.
-double time_by_front_of_frames(const ProfileStudy& study);
+/// The same with the exact query for one more.
+double time_by_front_with_exact(const ProfileStudy& study);
 
 }  // namespace thigma::experiments

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "thigma/convex/pair.h"
-#include "thigma/convex/triangle_distance.h"
+#include "thigma/convex/patch_separation.h"
 
 namespace thigma::experiments {
 namespace {

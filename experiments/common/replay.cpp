@@ -25,6 +25,7 @@ struct Renderer {
   ContactSet contacts;
   ContactClusters clusters;
   ClusterScratch scratch;
+  ClusterStart start = ClusterStart::last_frame;
   double cpu = 0.0;  // of the last query [s]
 
   Renderer(const Pair& p, const Resolution& resolution, const PenaltyParams& g)
@@ -37,10 +38,11 @@ struct Renderer {
 
   Wrench render(const Pose& world_from_object) {
     clear(contacts);
-    const double start = bench::thread_cpu();
+    const double before = bench::thread_cpu();
     query_contacts(*pair.object, world_from_object, *pair.scene, pair.world_from_scene, query,
                    front, contacts);
-    cpu = bench::thread_cpu() - start;
+    cpu = bench::thread_cpu() - before;
+    if (start == ClusterStart::afresh) clusters = {};
     cluster_contacts(contacts.contacts, clusters,
                      {.max_clusters = kClusters, .tolerance = gains.tolerance}, scratch, clusters);
     return direct_wrench(clusters, gains, transform_point(world_from_object, pair.object->center));
@@ -105,10 +107,11 @@ Path record_path(const Pair& pair, const Resolution& resolution, const PenaltyPa
 }
 
 Profile replay(const Pair& pair, const Path& path, const Resolution& resolution,
-               const PenaltyParams& gains, int repeats) {
+               const PenaltyParams& gains, int repeats, ClusterStart start) {
   Profile profile;
   for (int repeat = 0; repeat < std::max(repeats, 1); ++repeat) {
     Renderer renderer(pair, resolution, gains);
+    renderer.start = start;
     for (std::size_t i = 0; i < path.poses.size(); ++i) {
       const Wrench wrench = renderer.render(path.poses[i]);
       if (repeat > 0) {

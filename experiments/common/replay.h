@@ -62,10 +62,17 @@ struct Profile {
   std::vector<double> bound;  // largest of the frame [m]
 };
 
+/// Where clusters of contacts start from.
+enum class ClusterStart : unsigned char {
+  last_frame,  // as a session has it: smooth, but dependent on what came before
+  afresh,      // a function of the contacts alone
+};
+
 /// Queries a path with a front of its own.
 /// repeats   at least 1; all but the times are the same in each
 Profile replay(const Pair& pair, const Path& path, const Resolution& resolution,
-               const PenaltyParams& gains, int repeats = 1);
+               const PenaltyParams& gains, int repeats = 1,
+               ClusterStart start = ClusterStart::last_frame);
 
 /// A resolution as the text has it: threshold alone, no cap. s0 = 0: exact.
 Resolution as_in_text(double threshold);

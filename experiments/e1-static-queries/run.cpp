@@ -12,6 +12,7 @@
 #include "experiments/common/replay.h"
 #include "experiments/common/statistics.h"
 
+#include "thigma/math/quantile.h"
 #include "thigma/math/random.h"
 
 namespace thigma::experiments {
@@ -116,8 +117,8 @@ void add_rows(const char* model, const ClodHierarchy& h, const std::vector<AtDis
       const std::vector<double>& s = all[i].seconds[w];
       add_row(outcome.tables[0],
               {model, static_cast<double>(h.triangle_count), names[w].name, kDistances[i],
-               static_cast<double>(s.size()), mean(s), quantile(s, 0.99), quantile(s, 1.0),
-               mean(all[i].contacts[w]), mean(all[i].errors[w]), quantile(all[i].errors[w], 1.0)});
+               static_cast<double>(s.size()), mean(s), sample_quantile(s, 0.99), sample_quantile(s, 1.0),
+               mean(all[i].contacts[w]), mean(all[i].errors[w]), sample_quantile(all[i].errors[w], 1.0)});
       if (std::fabs(kDistances[i]) <= 0.002) near.insert(near.end(), s.begin(), s.end());
     }
     curves.near_means[w].push_back(mean(near));
@@ -161,7 +162,7 @@ Outcome run_e1_static_queries(const Context& context) {
     Curves curves;
     for (const int count : counts) {
       tell(context, std::string(model) + " of " + std::to_string(count) + " triangles");
-      Assets own;
+      Assets own{.kept = context.assets->kept};
       const ClodHierarchy& h = levels_of(own, model_uri(model, count));
       const std::vector<AtDistance> all = measure(context, h, poses);
       add_rows(model, h, all, outcome, curves);

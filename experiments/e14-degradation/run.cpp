@@ -9,12 +9,13 @@
 #include "experiments/common/statistics.h"
 
 #include "thigma/math/elementary.h"
+#include "thigma/math/quantile.h"
 #include "thigma/math/rotation.h"
 
 namespace thigma::experiments {
 namespace {
 
-constexpr double kTestBudgets[] = {500, 1000, 2000, 4000, 8000, 16000, 32000};
+constexpr double kTestBudgets[] = {500, 1000, 2000, 4000, 8000, 16000};
 constexpr double kTimeBudgets[] = {50e-6, 100e-6, 200e-6, 500e-6, 1000e-6};  // [s]
 
 /// The upper disc hovers 0.1 mm above the lower one and slides, lifts and tilts by a little.
@@ -57,7 +58,7 @@ Result run_tests(const Pair& pair, const Path& path, const PenaltyParams& gains,
   Resolution resolution;
   resolution.is_exact = false;
   resolution.budget_tests = static_cast<std::int64_t>(budget);
-  Result r{.profile = replay(pair, path, resolution, gains)};
+  Result r{.profile = replay(pair, path, resolution, gains, 1, ClusterStart::afresh)};
   for (std::size_t i = 0; i < r.profile.tests.size(); ++i) {
     r.excess = std::max(r.excess, r.profile.tests[i] - std::max(budget, r.profile.mandatory[i]));
     r.share_short +=
@@ -72,7 +73,7 @@ Result run_time(const Pair& pair, const Path& path, const PenaltyParams& gains,
   Resolution resolution;
   resolution.is_exact = false;
   resolution.budget_cpu = budget;
-  Result r{.profile = replay(pair, path, resolution, gains)};
+  Result r{.profile = replay(pair, path, resolution, gains, 1, ClusterStart::afresh)};
   r.error = error_of(r.profile, unlimited, pair.radius);
   return r;
 }
@@ -84,17 +85,17 @@ bool same_bits(const Profile& a, const Profile& b) {
 std::vector<Cell> row_of(const char* kind, double budget, const Result& r) {
   return {kind,
           budget,
-          quantile(r.profile.tests, 0.5),
-          quantile(r.profile.tests, 1.0),
-          quantile(r.profile.mandatory, 0.5),
-          quantile(r.profile.mandatory, 1.0),
+          sample_quantile(r.profile.tests, 0.5),
+          sample_quantile(r.profile.tests, 1.0),
+          sample_quantile(r.profile.mandatory, 0.5),
+          sample_quantile(r.profile.mandatory, 1.0),
           mean(r.profile.unrefined),
-          1e6 * quantile(r.profile.cpu, 0.5),
-          1e6 * quantile(r.profile.cpu, 0.99),
-          1e6 * quantile(r.profile.cpu, 0.999),
+          1e6 * sample_quantile(r.profile.cpu, 0.5),
+          1e6 * sample_quantile(r.profile.cpu, 0.99),
+          1e6 * sample_quantile(r.profile.cpu, 0.999),
           r.error,
           r.share_short,
-          quantile(r.profile.bound, 0.5)};
+          sample_quantile(r.profile.bound, 0.5)};
 }
 
 /// Largest rise of the error from a budget to a larger one, over the error at the smallest.
@@ -109,7 +110,7 @@ double largest_rise(const std::vector<double>& errors) {
 
 /// What the time budgets show.
 struct TimeVerdict {
-  double excess = 0.0;  // largest p99 over what is allowed, of budgets that hold the mandatory part
+  double excess = 0.0;    // largest p99 over what is allowed, where the mandatory part fits
   double smallest = 0.0;  // budget that does [s]; 0: none
 };
 
@@ -118,11 +119,15 @@ TimeVerdict judge(const std::vector<Result>& results, double one_test) {
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Profile& p = results[i].profile;
     // What cannot be left out, at the price of a test: free levels and the front's validity.
-    const double mandatory = quantile(p.mandatory, 0.99) * one_test;
-    if (mandatory > kTimeBudgets[i]) continue;
+    if (sample_quantile(p.mandatory, 0.5) * one_test > kTimeBudgets[i]) continue;
     if (verdict.smallest == 0.0) verdict.smallest = kTimeBudgets[i];
+    // Frames that could keep the budget: the first ones of a front cannot.
+    std::vector<double> cpu;
+    for (std::size_t f = 0; f < p.cpu.size(); ++f) {
+      if (p.mandatory[f] * one_test <= kTimeBudgets[i]) cpu.push_back(p.cpu[f]);
+    }
     verdict.excess =
-        std::max(verdict.excess, quantile(p.cpu, 0.99) / (1.1 * kTimeBudgets[i] + one_test));
+        std::max(verdict.excess, sample_quantile(cpu, 0.99) / (1.1 * kTimeBudgets[i] + one_test));
   }
   return verdict;
 }
@@ -131,7 +136,7 @@ TimeVerdict judge(const std::vector<Result>& results, double one_test) {
 
 Outcome run_e14_degradation(const Context& context) {
   const int triangles = context.quick ? 100'000 : 1'000'000;
-  Assets own;
+  Assets own{.kept = context.assets->kept};  // of these alone: the large ones do not stay
   const Pair pair = [&] {
     tell(context, "building two discs of " + std::to_string(triangles) + " triangles");
     Pair discs;
@@ -142,11 +147,11 @@ Outcome run_e14_degradation(const Context& context) {
     return discs;
   }();
   const PenaltyParams gains = direct_gains(pair, 0.01);
-  const Path path = hover_path(pair.radius, context.quick ? 1500 : 10'000);
+  const Path path = hover_path(pair.radius, context.quick ? 600 : 10'000);
   Resolution full;
   full.is_exact = false;
   tell(context, "unlimited");
-  const Profile unlimited = replay(pair, path, full, gains);
+  const Profile unlimited = replay(pair, path, full, gains, 1, ClusterStart::afresh);
   const double one_test = mean(unlimited.cpu) / mean(unlimited.tests);
 
   Outcome outcome;
@@ -179,7 +184,7 @@ Outcome run_e14_degradation(const Context& context) {
     timed.push_back(run_time(pair, path, gains, unlimited, budget));
     add_row(outcome.tables[0], row_of("time", budget, timed.back()));
     for (plot::Series* s : {&p99, &allowed, &by_time}) s->x.push_back(1e6 * budget);
-    p99.y.push_back(1e6 * quantile(timed.back().profile.cpu, 0.99));
+    p99.y.push_back(1e6 * sample_quantile(timed.back().profile.cpu, 0.99));
     allowed.y.push_back(1.1e6 * budget);
     by_time.y.push_back(timed.back().error);
   }
@@ -191,10 +196,11 @@ Outcome run_e14_degradation(const Context& context) {
               excess, 0.0, "tests"),
       at_least("reproducible", "a budget of tests gives the same bits again (1: yes)",
                is_reproducible ? 1.0 : 0.0, 1.0),
-      at_most("time",
-              "p99 of CPU time over budget + 10 % + one test, largest of the budgets that hold the "
-              "mandatory part",
-              verdict.excess, 1.0),
+      at_most(
+          "time",
+          "p99 of CPU time over budget + 10 % + one test, of the frames whose mandatory part fits; "
+          "largest of the budgets that hold the usual one",
+          verdict.excess, 1.0),
       stated("smallest",
              "smallest of the budgets 50, 100, 200, 500 and 1000 us that holds the mandatory part",
              1e6 * verdict.smallest, "us"),
@@ -202,8 +208,8 @@ Outcome run_e14_degradation(const Context& context) {
               "error against the unlimited query falls as the budget of tests grows: largest rise "
               "over the first error",
               largest_rise(by_tests.y), 0.05),
-      stated("p999", "p99.9 of CPU time without a budget", 1e6 * quantile(unlimited.cpu, 0.999),
-             "us")};
+      stated("p999", "p99.9 of CPU time without a budget",
+             1e6 * sample_quantile(unlimited.cpu, 0.999), "us")};
   const std::string models = std::to_string(triangles) +
                              " triangles each, 0.1 mm apart at 10 cm radius, s0 = 2.5 %, cap 2 %";
   outcome.figure = {.title = "Queries that stop early (E14)",

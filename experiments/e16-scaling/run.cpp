@@ -9,6 +9,8 @@
 #include "experiments/common/hands.h"
 #include "experiments/common/statistics.h"
 
+#include "thigma/math/quantile.h"
+
 namespace thigma::experiments {
 namespace {
 
@@ -33,13 +35,13 @@ double bytes_of(const ClodHierarchy& h) {
 }
 
 double median(const Profile& profile, const Span& span) {
-  return quantile(cut(profile.cpu, span), 0.5);
+  return sample_quantile(cut(profile.cpu, span), 0.5);
 }
 
 /// The path of the jaws at their own count, played at this one.
 Size measure(const Context& context, const Path& path, int triangles) {
   Assets assets;  // of this count alone: the large ones do not stay
-  const Pair pair = scene_pair(assets, "jaws", triangles);
+  const Pair pair = scene_pair(assets, "jaws", triangles, true);
   const PenaltyParams gains = direct_gains(pair, 0.01);
   Size size;
   size.triangles = pair.object->triangle_count + pair.scene->triangle_count;
@@ -54,8 +56,8 @@ Size measure(const Context& context, const Path& path, int triangles) {
   size.exact = median(exact, span);
   size.coarse = median(coarse, span);
   size.capped = median(replay(pair, path, capped, gains, 3), span);
-  size.exact_front = quantile(cut(exact.front, span), 0.5);
-  size.coarse_front = quantile(cut(coarse.front, span), 0.5);
+  size.exact_front = sample_quantile(cut(exact.front, span), 0.5);
+  size.coarse_front = sample_quantile(cut(coarse.front, span), 0.5);
   return size;
 }
 

@@ -1,0 +1,24 @@
+#pragma once
+// A built-in scene as `thigma run` has it, on a virtual clock: simulated hand, coupling, contact frames of a millisecond.
+
+#include <string>
+
+#include "experiments/common/assets.h"
+
+#include "thigma/device/open_device.h"
+#include "thigma/runtime/session.h"
+
+namespace thigma::experiments {
+
+/// A scene ready to run, with one static object.
+struct SessionPair {
+  std::string name;
+  SessionConfig config;  // resolution as the scene has it
+  DeviceContext hand;    // for the hand that comes to the object
+};
+
+/// As `thigma run scenes/NAME.toml` sets it up; references into assets stay.
+/// Thread   [offline].
+SessionPair session_pair(Assets& assets, const std::string& scene, double seconds);
+
+}  // namespace thigma::experiments
