@@ -9,19 +9,21 @@ import xml.etree.ElementTree as tree
 
 build, log, preset = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
 passed = failed = skipped = 0
-reported = set()
+reported = {}  # program: failures in its report
 for report in sorted((build / "results").glob("*.xml")):
-    reported.add(report.stem)
+    reported[report.stem] = 0
     try:
         cases = list(tree.parse(report).iter("testcase"))
     except tree.ParseError:
         print(f"FAILED  {preset} {report.stem}: its report is damaged")
         failed += 1
+        reported[report.stem] = 1
         continue
     for case in cases:
         name = f"{preset} {case.get('classname')}.{case.get('name')}"
         if case.find("failure") is not None:
             failed += 1
+            reported[report.stem] += 1
             print(f"FAILED  {name}")
         elif case.find("skipped") is not None:
             skipped += 1
@@ -30,12 +32,18 @@ for report in sorted((build / "results").glob("*.xml")):
         elif case.get("status") == "run":
             passed += 1
 
-# Tests that are no GoogleTest executables, and executables that died before writing a report.
+# Tests that are no GoogleTest executables, executables that died before writing a report, and those whose every case passed
+# and that a sanitizer failed at the end.
 for line in log.read_text(errors="replace").splitlines():
     match = re.match(r"\s*\d+/\d+ Test\s+#\d+: (\S+) \.*\s*(\S.*?)\s+[\d.]+ sec", line)
-    if not match or match.group(1) in reported:
+    if not match:
         continue
     name, result = match.groups()
+    if name in reported:
+        if "Failed" in result and reported[name] == 0:
+            failed += 1
+            print(f"FAILED  {preset} {name}: every case passed, the program did not: see {log}")
+        continue
     if result.startswith("Passed"):
         passed += 1
     elif "Skipped" in result:

@@ -132,7 +132,9 @@ TEST(DirectSession, AStaleModelFadesToZeroAndLatches) {
   for (int age = 1; age < 60 && s.fault == Fault::none; ++age) {
     s = b.tick(false);
     EXPECT_LE(s.command.force.z(), before + 1e-12);
-    if (age < 24) EXPECT_NEAR(s.command.force.z(), full, 1e-9);
+    if (age < 24) {
+      EXPECT_NEAR(s.command.force.z(), full, 1e-9);
+    }
     before = s.command.force.z();
   }
   EXPECT_EQ(s.fault, Fault::contact_stale);
