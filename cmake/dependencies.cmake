@@ -18,6 +18,8 @@ if(THIGMA_BUILD_APPS)
   thigma_need(libcli11-dev THIGMA_CLI11_INCLUDE CLI/CLI.hpp)
   thigma_need(libcairo2-dev THIGMA_CAIRO_INCLUDE cairo/cairo.h)  # plots of experiments
   find_library(THIGMA_CAIRO_LIBRARY cairo REQUIRED)
+  thigma_need(libpng-dev THIGMA_PNG_INCLUDE png.h)  # height maps
+  find_library(THIGMA_PNG_LIBRARY png REQUIRED)
 endif()
 if(THIGMA_BUILD_TESTS)
   find_package(GTest QUIET)

@@ -18,7 +18,7 @@ namespace thigma::app {
 namespace {
 
 // Verbs of INTERFACE that need parts which are not built yet.
-constexpr std::string_view kLaterVerbs[] = {"bake", "tune"};
+constexpr std::string_view kLaterVerbs[] = {"tune"};
 
 /// What is wrong with the first word when it is no verb, "" otherwise. The parser would only say
 /// that one is missing.

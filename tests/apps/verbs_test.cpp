@@ -103,7 +103,7 @@ TEST(Verbs, refuse_wrong_use_with_one_sentence) {
 }
 
 TEST(Verbs, say_what_is_not_built_yet) {
-  for (const char* verb : {"bake", "tune"}) {
+  for (const char* verb : {"tune"}) {
     const Ended e = run_program({verb, "x", "-o", "y"});
     EXPECT_EQ(e.code, 2);
     EXPECT_NE(e.err.find("not in this version"), std::string::npos) << e.err;

@@ -7,7 +7,6 @@
 #include "support/full.h"
 #include <gtest/gtest.h>
 
-#include "thigma/clod/detail/chunk_file.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
@@ -148,11 +147,11 @@ TEST(ClodFile, SaysWhatIsWrong) {
 
 /// The sample with one more chunk.
 std::string with_chunk(const std::string& name, bool is_required) {
-  const auto chunks = detail::read_chunks(sample_bytes(), "sample");
-  detail::ChunkWriter file(chunks.size() + 1, sample_bytes().size());
+  const auto chunks = read_chunks(kClodKind, sample_bytes(), "sample");
+  ChunkWriter file(kClodKind, chunks.size() + 1, sample_bytes().size());
   file.begin(name, is_required, 3);
   file.out() += "abcdef";
-  for (const detail::Chunk& chunk : chunks) {
+  for (const Chunk& chunk : chunks) {
     file.begin(chunk.name, chunk.is_required, chunk.record_bytes);
     file.out() += chunk.bytes;
   }
@@ -168,7 +167,7 @@ TEST(ClodFile, SkipsWhatItNeedNotKnow) {
 TEST(ClodFile, IsWhatTheDocumentSays) {
   const std::string text = read_file(THIGMA_SOURCE_DIR "/docs/formats.md");
   std::size_t last = 0;
-  for (const detail::Chunk& chunk : detail::read_chunks(sample_bytes(), "sample")) {
+  for (const Chunk& chunk : read_chunks(kClodKind, sample_bytes(), "sample")) {
     const std::string row = "| `" + chunk.name + "` | " + std::to_string(chunk.record_bytes) + " |";
     const std::size_t at = text.find(row);
     ASSERT_NE(at, std::string::npos) << row;
@@ -181,13 +180,13 @@ TEST(ClodFile, IsWhatTheDocumentSays) {
 }
 
 TEST(ClodFile, RefusesMissingAndMisshapenChunks) {
-  const auto chunks = detail::read_chunks(sample_bytes(), "sample");
-  for (const detail::Chunk& odd : chunks) {
-    detail::ChunkWriter without(chunks.size() - 1, 0), shorter(chunks.size(), 0),
-        wider(chunks.size(), 0);
-    for (const detail::Chunk& chunk : chunks) {
+  const auto chunks = read_chunks(kClodKind, sample_bytes(), "sample");
+  for (const Chunk& odd : chunks) {
+    ChunkWriter without(kClodKind, chunks.size() - 1, 0), shorter(kClodKind, chunks.size(), 0),
+        wider(kClodKind, chunks.size(), 0);
+    for (const Chunk& chunk : chunks) {
       const bool is_odd = chunk.name == odd.name;
-      for (detail::ChunkWriter* file : {&without, &shorter, &wider}) {
+      for (ChunkWriter* file : {&without, &shorter, &wider}) {
         if (is_odd && file == &without) continue;
         const std::uint32_t gain = is_odd && file == &wider ? 1 : 0;
         file->begin(chunk.name, chunk.is_required, chunk.record_bytes + gain);
@@ -205,9 +204,9 @@ TEST(ClodFile, RefusesMissingAndMisshapenChunks) {
 
 /// Writes a few bytes over a chunk and gives everything its right checksum again: a file that lies.
 std::string lying_file(Random& random) {
-  const auto chunks = detail::read_chunks(sample_bytes(), "sample");
+  const auto chunks = read_chunks(kClodKind, sample_bytes(), "sample");
   std::vector<std::string> bytes;
-  for (const detail::Chunk& chunk : chunks) bytes.emplace_back(chunk.bytes);
+  for (const Chunk& chunk : chunks) bytes.emplace_back(chunk.bytes);
   const auto lies = 1 + random.below(4);
   for (std::uint64_t i = 0; i < lies; ++i) {
     std::string& target = bytes[random.below(bytes.size())];
@@ -223,7 +222,7 @@ std::string lying_file(Random& random) {
     value = kind == 8 ? value ^ std::uint64_t{1} << random.below(64) : kinds[kind];
     std::memcpy(target.data() + at, &value, 1 + random.below(8));
   }
-  detail::ChunkWriter file(chunks.size(), sample_bytes().size());
+  ChunkWriter file(kClodKind, chunks.size(), sample_bytes().size());
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     const std::size_t record = chunks[i].record_bytes;
     if (random.below(40) == 0)  // records gone or too many

@@ -9,7 +9,6 @@
 #include <map>
 #include <type_traits>
 
-#include "thigma/clod/detail/chunk_file.h"
 #include "thigma/clod/detail/clod_fields.h"
 #include "thigma/clod/validate_hierarchy.h"
 #include "thigma/core/error.h"
@@ -19,7 +18,6 @@
 namespace thigma {
 namespace {
 
-using detail::Chunk;
 using detail::Dimension;
 using detail::Range;
 
@@ -82,7 +80,7 @@ struct Totals {
 // ---- writing -------------------------------------------------------------------------------------------
 
 struct Writer {
-  detail::ChunkWriter& file;
+  ChunkWriter& file;
   bool is_required;
 
   template <class T>
@@ -217,7 +215,7 @@ std::map<std::string, Chunk> known_chunks(std::string_view bytes, const std::str
   names.record("mass", 0);
   names.record("origin", 0);
   std::map<std::string, Chunk> chunks;
-  for (Chunk& chunk : detail::read_chunks(bytes, name)) {
+  for (Chunk& chunk : read_chunks(kClodKind, bytes, name)) {
     const bool is_known =
         std::find(names.all.begin(), names.all.end(), chunk.name) != names.all.end();
     if (!is_known && chunk.is_required)
@@ -281,7 +279,7 @@ std::string format_clod(const ClodAsset& asset, const std::string& name) {
   totals.record("mass", asset.mass);
   totals.record("origin", asset.origin);
   if (!meshes.entries.empty()) visit_parts(meshes, totals);
-  detail::ChunkWriter file(totals.chunks, totals.bytes);
+  ChunkWriter file(kClodKind, totals.chunks, totals.bytes);
   Writer needed{file, true};
   detail::visit_parts(asset.hierarchy, needed);
   Writer optional{file, false};
@@ -325,6 +323,6 @@ ClodAsset read_clod(const std::string& path, double unit_scale) {
   return parse_clod(read_file(path), path, unit_scale);
 }
 
-bool is_clod(std::string_view bytes) { return bytes.starts_with(detail::kChunkMagic); }
+bool is_clod(std::string_view bytes) { return bytes.starts_with(kClodKind.magic); }
 
 }  // namespace thigma

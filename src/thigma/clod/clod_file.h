@@ -5,8 +5,18 @@
 #include <string_view>
 
 #include "thigma/clod/clod_asset.h"
+#include "thigma/core/chunk_file.h"
 
 namespace thigma {
+
+/// How a .clod file is told from others.
+inline constexpr ChunkKind kClodKind{
+    .magic = {"\x89"
+              "CLOD\r\n\x1a",
+              8},
+    .version = 1,
+    .suffix = ".clod",
+    .expected = "levels of detail as `thigma build` writes them"};
 
 /// The bytes of a .clod file. Same asset, same bytes.
 ///

@@ -212,6 +212,7 @@ HapticTexture make_texture(TextureSource source, const std::string& name) {
   Area area;
   texture.amplitude = measure_relief(source, name, area);
   texture.texel_size = std::sqrt(area.on_surface / area.in_map);
+  if (!(texture.texel_size > 0.0)) fail(name, "no triangle with an area", "a coarse surface");
   texture.width = source.width;
   texture.height = source.height;
   texture.texels = padded(source.texels, source.width, source.height);

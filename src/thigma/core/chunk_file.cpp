@@ -1,4 +1,4 @@
-#include "thigma/clod/detail/chunk_file.h"
+#include "thigma/core/chunk_file.h"
 
 #include <algorithm>
 #include <bit>
@@ -8,7 +8,7 @@
 #include "thigma/core/checksum.h"
 #include "thigma/core/error.h"
 
-namespace thigma::detail {
+namespace thigma {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "files are little-endian, as memory is");
@@ -46,16 +46,16 @@ std::uint32_t header_crc(std::string_view bytes, std::size_t size) {
 std::string bytes_text(std::uint64_t count) { return std::to_string(count) + " bytes"; }
 
 /// Checks the header. returns the number of chunks.
-std::size_t check_header(std::string_view bytes, const std::string& name) {
-  if (bytes.substr(0, kChunkMagic.size()) != kChunkMagic.substr(0, bytes.size()))
-    fail(name, "is no .clod file", 0, "levels of detail as `thigma build` writes them");
+std::size_t check_header(const ChunkKind& kind, std::string_view bytes, const std::string& name) {
+  if (bytes.substr(0, kind.magic.size()) != kind.magic.substr(0, bytes.size()))
+    fail(name, "is no " + std::string(kind.suffix) + " file", 0, std::string(kind.expected));
   if (bytes.size() < kChunkHeader)
     fail(name, "is cut off in its header", bytes.size(), bytes_text(kChunkHeader));
   const auto version = get<std::uint32_t>(bytes, 8);
-  if (version != kChunkVersion)
+  if (version != kind.version)
     fail(name, "has version " + std::to_string(version), 8,
-         "version " + std::to_string(kChunkVersion) +
-             (version > kChunkVersion ? ", or a newer thigma" : ""));
+         "version " + std::to_string(kind.version) +
+             (version > kind.version ? ", or a newer thigma" : ""));
   const auto count = get<std::uint32_t>(bytes, 12);
   const auto size = get<std::uint64_t>(bytes, 16);
   if (size > bytes.size()) fail(name, "is cut off", bytes.size(), bytes_text(size));
@@ -116,7 +116,8 @@ Chunk read_entry(std::string_view bytes, std::size_t i, std::size_t& offset,
 
 }  // namespace
 
-ChunkWriter::ChunkWriter(std::size_t chunk_count, std::size_t bytes) : chunk_count_(chunk_count) {
+ChunkWriter::ChunkWriter(const ChunkKind& kind, std::size_t chunk_count, std::size_t bytes)
+    : kind_(kind), chunk_count_(chunk_count) {
   out_.reserve(kChunkHeader + chunk_count * (kChunkEntry + kChunkAlign) + bytes);
   out_.resize(kChunkHeader + chunk_count * kChunkEntry, '\0');
 }
@@ -135,8 +136,8 @@ void ChunkWriter::end() {
 std::string ChunkWriter::finish() {
   end();
   assert(entries_.size() == chunk_count_);
-  std::copy(kChunkMagic.begin(), kChunkMagic.end(), out_.begin());
-  put(out_, 8, kChunkVersion);
+  std::copy(kind_.magic.begin(), kind_.magic.end(), out_.begin());
+  put(out_, 8, kind_.version);
   put(out_, 12, static_cast<std::uint32_t>(entries_.size()));
   put(out_, 16, static_cast<std::uint64_t>(out_.size()));
   for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -156,8 +157,9 @@ std::string ChunkWriter::finish() {
   return std::move(out_);
 }
 
-std::vector<Chunk> read_chunks(std::string_view bytes, const std::string& name) {
-  const std::size_t count = check_header(bytes, name);
+std::vector<Chunk> read_chunks(const ChunkKind& kind, std::string_view bytes,
+                               const std::string& name) {
+  const std::size_t count = check_header(kind, bytes, name);
   std::vector<Chunk> chunks;
   std::size_t offset = kChunkHeader + count * kChunkEntry;
   for (std::size_t i = 0; i < count; ++i) {
@@ -171,4 +173,4 @@ std::vector<Chunk> read_chunks(std::string_view bytes, const std::string& name) 
   return chunks;
 }
 
-}  // namespace thigma::detail
+}  // namespace thigma

@@ -1,18 +1,22 @@
 #pragma once
-// The container of .clod files: a header, a table of named chunks, the chunks. docs/formats.md has every byte.
+// The container of this project's binary files: a header, a table of named chunks, the chunks. docs/formats.md has
+// every byte.
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace thigma::detail {
+namespace thigma {
 
-inline constexpr std::string_view kChunkMagic{
-    "\x89"
-    "CLOD\r\n\x1a",
-    8};
-inline constexpr std::uint32_t kChunkVersion = 1;
+/// What tells one kind of file from another.
+struct ChunkKind {
+  std::string_view magic;     // the first 8 bytes
+  std::uint32_t version = 1;  // of the format; another one is refused
+  std::string_view suffix;    // ".clod", for messages
+  std::string_view expected;  // "levels of detail as `thigma build` writes them", for messages
+};
+
 inline constexpr std::size_t kChunkHeader = 64, kChunkEntry = 64, kChunkAlign = 64;
 inline constexpr std::size_t kMostChunks = 1024;
 inline constexpr std::size_t kChunkName = 16;
@@ -31,7 +35,7 @@ struct Chunk {
 class ChunkWriter {
  public:
   /// chunk_count  how many there will be; bytes  of all together, or a guess
-  ChunkWriter(std::size_t chunk_count, std::size_t bytes);
+  ChunkWriter(const ChunkKind& kind, std::size_t chunk_count, std::size_t bytes);
   void begin(std::string_view name, bool is_required, std::uint32_t record_bytes);
   std::string& out() { return out_; }
   std::string finish();
@@ -45,6 +49,7 @@ class ChunkWriter {
   };
   void end();
 
+  ChunkKind kind_;
   std::size_t chunk_count_;
   std::vector<Entry> entries_;
   std::string out_;
@@ -55,6 +60,7 @@ class ChunkWriter {
 ///
 /// name    of the file, for messages
 /// Thread  [offline]; throws InputError with the reason.
-std::vector<Chunk> read_chunks(std::string_view bytes, const std::string& name);
+std::vector<Chunk> read_chunks(const ChunkKind& kind, std::string_view bytes,
+                               const std::string& name);
 
-}  // namespace thigma::detail
+}  // namespace thigma

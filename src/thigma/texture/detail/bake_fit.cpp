@@ -1,0 +1,138 @@
+#include "thigma/texture/detail/bake_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "thigma/math/random.h"
+#include "thigma/mesh/topology.h"
+#include "thigma/texture/texel_lookup.h"
+
+namespace thigma::detail {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+std::array<Vec3, 3> corners_of(const TriangleMesh& mesh, std::int32_t t) {
+  const auto& v = mesh.triangles[at(t)];
+  return {mesh.positions[at(v[0])], mesh.positions[at(v[1])], mesh.positions[at(v[2])]};
+}
+
+/// Calls visit(triangle, weights) for points spread evenly over a surface: by area, one in each of as many equal shares.
+template <class Visit>
+void visit_samples(const TriangleMesh& mesh, int count, Random& random, const Visit& visit) {
+  double total = 0.0;
+  const auto area = [&](std::size_t t) {
+    const std::array<Vec3, 3> p = corners_of(mesh, static_cast<std::int32_t>(t));
+    return (p[1] - p[0]).cross(p[2] - p[0]).norm();
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) total += area(t);
+  const double share = total / count;
+  double next = share * random.uniform(), passed = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    passed += area(t);
+    for (; next < passed; next += share) {
+      double b = random.uniform(), c = random.uniform();
+      if (b + c > 1.0) {
+        b = 1.0 - b;
+        c = 1.0 - c;
+      }
+      visit(static_cast<std::int32_t>(t), Vec3(1.0 - b - c, b, c));
+    }
+  }
+}
+
+Vec3 blend(const std::array<Vec3, 3>& p, const Vec3& w) {
+  return w[0] * p[0] + w[1] * p[1] + w[2] * p[2];
+}
+
+/// From a fine point to the textured surface, at most: what a coarse point must be displaced from is where the fine
+/// point lies less the displacement there, found by going there again and again.
+double distance_to_textured(const HapticTexture& texture, const SurfaceSearch& on_coarse,
+                            const Vec3& p) {
+  constexpr int kSteps = 12;
+  SurfacePoint base = nearest_point(on_coarse, p);
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kSteps; ++i) {
+    const Vec3 fine = textured_point(texture, base.triangle, base.weights);
+    const double distance = (p - fine).norm();
+    if (!(distance < least) && i > 2) break;
+    least = std::min(least, distance);
+    base = nearest_point(on_coarse, base.at + (p - fine));
+  }
+  return least;
+}
+
+struct Errors {
+  double sum = 0.0, largest = 0.0;
+  std::int64_t count = 0;
+  void add(double error) {
+    sum += error * error;
+    largest = std::max(largest, error);
+    ++count;
+  }
+};
+
+double largest_crack(const HapticTexture& texture) {
+  const EdgeTable table = build_edge_table(texture.coarse);
+  const auto corner = [&](const EdgeUse& use, bool is_first) {
+    const bool is_own = is_first == use.is_forward;
+    return static_cast<std::size_t>((use.corner + (is_own ? 0 : 1)) % 3);
+  };
+  std::vector<const MeshEdge*> seams;
+  for (const MeshEdge& edge : table.edges) {
+    if (edge.use_count != 2) continue;
+    const EdgeUse &one = table.uses_of(edge)[0], &other = table.uses_of(edge)[1];
+    const auto place = [&](const EdgeUse& use, bool is_first) {
+      return texture.corners[at(use.triangle)][corner(use, is_first)];
+    };
+    if (place(one, true) != place(other, true) || place(one, false) != place(other, false))
+      seams.push_back(&edge);
+  }
+  if (seams.empty()) return 0.0;
+  constexpr int kSamples = 10000;
+  const int each = kSamples / static_cast<int>(std::min<std::size_t>(seams.size(), kSamples)) + 1;
+  double largest = 0.0;
+  for (const MeshEdge* edge : seams) {
+    for (int i = 0; i < each; ++i) {
+      const double share = (i + 0.5) / each;
+      Vec3 point[2];
+      for (std::size_t side = 0; side < 2; ++side) {
+        const EdgeUse& use = table.uses_of(*edge)[side];
+        Vec3 weights = Vec3::Zero();
+        weights[static_cast<Eigen::Index>(corner(use, true))] = 1.0 - share;
+        weights[static_cast<Eigen::Index>(corner(use, false))] = share;
+        point[side] = textured_point(texture, use.triangle, weights);
+      }
+      largest = std::max(largest, (point[0] - point[1]).norm());
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+Vec3 textured_point(const HapticTexture& texture, std::int32_t triangle, const Vec3& weights) {
+  const std::array<Vec2, 3>& c = texture.corners[at(triangle)];
+  const Vec2 texel = weights[0] * c[0] + weights[1] * c[1] + weights[2] * c[2];
+  return blend(corners_of(texture.coarse, triangle), weights) + displacement_at(texture, texel);
+}
+
+BakeFigures measure_fit(const TriangleMesh& fine, const SurfaceSearch& on_fine,
+                        const SurfaceSearch& on_coarse, const HapticTexture& texture,
+                        const FitParams& params) {
+  Random random(params.seed);
+  Errors errors;
+  visit_samples(texture.coarse, params.samples, random, [&](std::int32_t t, const Vec3& weights) {
+    errors.add(nearest_point(on_fine, textured_point(texture, t, weights)).distance);
+  });
+  visit_samples(fine, params.samples, random, [&](std::int32_t t, const Vec3& weights) {
+    errors.add(distance_to_textured(texture, on_coarse, blend(corners_of(fine, t), weights)));
+  });
+  BakeFigures figures;
+  figures.fit_error_rms = std::sqrt(errors.sum / static_cast<double>(errors.count));
+  figures.fit_error_max = errors.largest;
+  figures.crack_max = largest_crack(texture);
+  return figures;
+}
+
+}  // namespace thigma::detail
