@@ -4,6 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "scenes/gain_task.h"
+
 #include "thigma/core/error.h"
 #include "thigma/mesh/load_mesh.h"
 
@@ -114,16 +116,22 @@ DefaultGains default_gains(double radius) {
   return gains;
 }
 
-SessionConfig make_session_config(const SceneDescription& scene, const LoadedObject& object) {
+SessionConfig make_session_config(const SceneDescription& given, const LoadedObject& object) {
   const Solid solid = solid_of(object);
   const DefaultGains gains = default_gains(object.ball.radius);
-  const double mass = object_mass(scene, solid);
+  const double mass = object_mass(given, solid);
   SessionConfig config;
-  config.haptic.body = make_body(mass, solid.inertia * (mass / solid.volume), scene.gravity);
+  config.haptic.body = make_body(mass, solid.inertia * (mass / solid.volume), given.gravity);
+  const double motion_scale = given.device.motion_scale.value_or(gains.motion_scale);
+  config.haptic.workspace = {given.device.world_from_device, motion_scale,
+                             given.device.force_scale.value_or(1.0 / motion_scale)};
+  SceneDescription scene = given;
+  if (scene.has_auto_gains) {
+    fill_gains(propose_gains(gain_task(describe_device(scene.device.uri), config.haptic.body,
+                                       config.haptic.workspace, scene.rate)),
+               scene);
+  }
   config.haptic.coupling = make_coupling(scene, gains, config.haptic.body);
-  const double motion_scale = scene.device.motion_scale.value_or(gains.motion_scale);
-  config.haptic.workspace = {scene.device.world_from_device, motion_scale,
-                             scene.device.force_scale.value_or(1.0 / motion_scale)};
   config.haptic.safety = scene.safety;
   config.haptic.grasp_place = scene.device.grasp_place;
   config.haptic.grasp_point =

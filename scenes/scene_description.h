@@ -74,6 +74,7 @@ struct SceneDescription {
       density;  // instead of mass, for closed meshes [kg/m^3]; neither: kDefaultMass
   std::optional<Vec3> grasp_point;  // [m; scaled mesh frame]; otherwise the centre of mass
   Vec3 gravity = Vec3::Zero();      // [m/s^2; world]
+  bool has_auto_gains = false;      // gains that are not set follow from the device (docs/gains.md)
   ContactGains contact;
   CouplingGains coupling;
   DeviceChoice device;
@@ -120,8 +121,10 @@ DefaultGains default_gains(double radius);
 /// the caller's to add.
 ///
 /// Body axes are the mesh's, the origin is the centre of mass: haptic.body, contact.body_from_mesh,
-/// world_from_body.
-/// errors    InputError: density of an open mesh, a mesh without volume, gains that contradict each other
+/// world_from_body. With has_auto_gains, gains left open follow from the device of the scene's address, the object
+/// and the rate (dynamics/gains.h); otherwise from the object's size.
+/// errors    InputError: density of an open mesh, a mesh without volume, gains that contradict each other; with
+///           has_auto_gains also DeviceAddressError and DeviceUnavailable
 /// Thread    [offline]
 SessionConfig make_session_config(const SceneDescription& scene, const LoadedObject& object);
 

@@ -202,6 +202,7 @@ SceneDescription parse_scene(std::string_view text, const std::string& file,
   scene.file = file;
   scene.title = top.text("title").value_or(fs::path(file).stem().string());
   scene.gravity = top.vector("gravity").value_or(scene.gravity);
+  scene.has_auto_gains = top.choice("gains", {"size", "auto"}).value_or(0) == 1;
   std::optional<TomlTable> object = top.table("object");
   std::vector<TomlTable> statics = top.tables("static");
   if (auto table = top.table("contact")) read_contact(*table, scene.contact);

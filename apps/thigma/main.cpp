@@ -17,9 +17,6 @@
 namespace thigma::app {
 namespace {
 
-// Verbs of INTERFACE that need parts which are not built yet.
-constexpr std::string_view kLaterVerbs[] = {"tune"};
-
 /// What is wrong with the first word when it is no verb, "" otherwise. The parser would only say
 /// that one is missing.
 std::string what_is_wrong(const CLI::App& app, std::string_view word) {
@@ -28,9 +25,6 @@ std::string what_is_wrong(const CLI::App& app, std::string_view word) {
   for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
   if (std::find(names.begin(), names.end(), word) != names.end()) return "";
   const std::string named = "'" + std::string(word) + "'";
-  if (std::find(std::begin(kLaterVerbs), std::end(kLaterVerbs), word) != std::end(kLaterVerbs)) {
-    return "the verb " + named + " is not in this version";
-  }
   const std::string near = scenes::nearest_word(word, names);
   return "no verb " + named + (near.empty() ? "" : ", nearest is '" + near + "'");
 }

@@ -191,7 +191,10 @@ std::unique_ptr<Run> prepare_run(const RunOptions& options, std::uint64_t seed,
                          options.object, options.against, options.scale,
                          options.pose_text.empty() ? Pose{} : *parse_pose(options.pose_text))
                    : scenes::read_scene(options.scene);
-  run->device_uri = options.device.empty() ? run->scene.device.uri : options.device;
+  // What decides gains = "auto" has to be known before there is a configuration.
+  if (!options.device.empty()) run->scene.device.uri = options.device;
+  if (options.rate) run->scene.rate = *options.rate;
+  run->device_uri = run->scene.device.uri;
   if (has_page(options)) run->web_link = std::make_unique<WebLink>();
   refuse_web_without_page(*run);  // before anything takes long to load
 

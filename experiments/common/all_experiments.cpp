@@ -14,11 +14,14 @@ const std::vector<Experiment>& all_experiments() {
        run_no_popping},
       {"e1-static-queries", "PROTOCOLS E1", "fresh queries at predefined distances",
        run_e1_static_queries},
+      {"e3-z-width", "PROTOCOLS E3", "walls that are stable and passive, and what the engine bears",
+       run_e3_z_width},
       {"e8-lod-error", "PROTOCOLS E8", "error of force and torque over the threshold",
        run_e8_lod_error},
       {"e14-degradation", "PROTOCOLS E14", "queries that stop early: budgets kept, error left",
        run_e14_degradation},
       {"e16-scaling", "PROTOCOLS E16", "growth with the number of triangles", run_e16_scaling},
+      {"gains", "Sec. 5.5", "what `thigma tune` proposes, in the closed loop", run_gains},
   };
   return list;
 }

@@ -11,8 +11,10 @@ Outcome run_fig_3_15(const Context& context);
 Outcome run_fig_3_16(const Context& context);
 Outcome run_no_popping(const Context& context);
 Outcome run_e1_static_queries(const Context& context);
+Outcome run_e3_z_width(const Context& context);
 Outcome run_e8_lod_error(const Context& context);
 Outcome run_e14_degradation(const Context& context);
 Outcome run_e16_scaling(const Context& context);
+Outcome run_gains(const Context& context);
 
 }  // namespace thigma::experiments
