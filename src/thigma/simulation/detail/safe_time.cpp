@@ -1,0 +1,59 @@
+#include "thigma/simulation/detail/safe_time.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thigma::detail {
+namespace {
+
+// How long a gap lasts: closing speed now, and how fast that may grow.
+double time_to_close(double gap, double speed, double acceleration) {
+  const double v = std::max(speed, 0.0);
+  const double root = std::sqrt(v * v + 2.0 * acceleration * gap);
+  return root > 0.0 ? 2.0 * gap / (v + root) : 1e300;
+}
+
+// Size of a patch about the place of a contact: points of it may approach faster than that place.
+double patch_reach(const ClodHierarchy& h, const Contact& c, const Pose& world_from_mesh) {
+  const auto i = static_cast<std::size_t>(c.object_patch);
+  Vec3 center;
+  double radius = 0.0;
+  if (i < h.patches.size()) {
+    const ClodNode& node = h.nodes[static_cast<std::size_t>(h.patches[i].node)];
+    center = node.center;
+    radius = node.radius;
+  } else {
+    const ClodContactPatch& patch = h.contact_patches[i - h.patches.size()];
+    center = patch.center;
+    radius = patch.radius;
+  }
+  return radius + (transform_point(world_from_mesh, center) - c.point).norm();
+}
+
+}  // namespace
+
+Touch touch_of(const SimulationWorld& world, const BodyState& state, const Contact& c) {
+  const Vec3 arm = c.point - state.position;
+  return {arm, c.normal.dot(point_velocity(world.body, state, arm)), -c.depth};
+}
+
+double safe_time(const SimulationWorld& world, const BodyState& state, const ContactSet& contacts, double reach) {
+  const Twist v = velocity(world.body, state);
+  // The spin of a free body never exceeds |L| over its least moment of inertia.
+  const double fastest =
+      std::max(v.angular.norm(), state.angular_momentum.norm() * world.body.inverse_inertia.norm());
+  const double swing = fastest * fastest * reach, fall = world.body.gravity.norm();
+  double time = time_to_close(world.tolerance, v.linear.norm() + fastest * reach, fall + swing);
+  const Pose world_from_mesh = Pose{state.position, state.orientation} * world.body_from_mesh;
+  const double near = collision_gap(world);
+  for (const Contact& c : contacts.contacts) {
+    const Touch t = touch_of(world, state, c);
+    const double turning = c.normal.cross(v.angular).norm() * patch_reach(*world.object, c, world_from_mesh);
+    const double falls = std::max(c.normal.dot(world.body.gravity), 0.0) + swing;
+    const double gap = t.gap > near ? t.gap - 0.5 * near : kShortestFall * near;
+    time = std::min(time, time_to_close(gap, t.approach + turning, falls));
+  }
+  return time;
+}
+
+}  // namespace thigma::detail

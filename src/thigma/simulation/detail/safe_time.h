@@ -1,0 +1,30 @@
+#pragma once
+// How long a body may fly before its surfaces could meet others: conservative advancement.
+
+#include "thigma/simulation/simulate.h"
+
+namespace thigma::detail {
+
+inline constexpr double kShortestFall = 0.125;  // of the collision distance: what may be closed between two events
+
+/// Within this distance a contact that approaches collides [m].
+inline double collision_gap(const SimulationWorld& world) { return 0.25 * world.tolerance; }
+
+/// One contact as the motion sees it.
+struct Touch {
+  Vec3 arm;         // from the centre of mass to the point on the body [m; world]
+  double approach;  // speed along the normal, into the obstacle [m/s]
+  double gap;       // negative in penetration [m]
+};
+
+Touch touch_of(const SimulationWorld& world, const BodyState& state, const Contact& contact);
+
+/// A time in which nothing that is farther apart than the tolerance comes together, no contact beyond the collision distance
+/// comes nearer than half of it, and one within closes by an eighth of it at most, as the patches in contact are
+/// convex: the plane between them keeps them apart.
+/// contacts  all within the tolerance, at this state
+/// reach     of the mesh from the centre of mass [m]
+/// returns   > 0 [s]
+double safe_time(const SimulationWorld& world, const BodyState& state, const ContactSet& contacts, double reach);
+
+}  // namespace thigma::detail
