@@ -54,15 +54,6 @@ void visit_within(LevelQuery& q, const PendingPair& entry) noexcept {
   }
 }
 
-void walk_within(LevelQuery& q) noexcept {
-  std::vector<PendingPair>& stack = q.t.front.pending;
-  while (!stack.empty()) {
-    const PendingPair entry = stack.back();
-    stack.pop_back();
-    visit_within(q, entry);
-  }
-}
-
 // Tests that refining a pair may take, at most: two a child, none of one that is known to be apart.
 std::int64_t most_tests(const LevelQuery& q, const FrontNode& n) noexcept {
   const Traversal& t = q.t;
@@ -114,7 +105,7 @@ void refine(LevelQuery& q, Budget& budget) noexcept {
     const Blend share = blend(q, top.priority);
     if (top.contact >= 0) f.found[static_cast<std::size_t>(top.contact)].weight *= share.own;
     push_children(q, f.nodes[top.node], top.node, top.weight * share.below);
-    walk_within(q);
+    walk(q, visit_within);
   }
 }
 
@@ -129,7 +120,7 @@ void walk_within_budget(LevelQuery& q) noexcept {
   f.found.clear();
   f.queue.clear();
   f.refine_cost *= kForgets;
-  walk_within(q);
+  walk(q, visit_within);
   t.set.stats.mandatory_tests += t.set.stats.tests - budget.first;
   refine(q, budget);
   for (const PendingPair& left : f.queue) t.set.stats.unrefined += left.contact >= 0 && left.priority > 1.0;

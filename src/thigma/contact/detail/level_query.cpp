@@ -35,15 +35,6 @@ void visit(LevelQuery& q, const PendingPair& entry) noexcept {
   if (i >= 0) drop_children(t.front, i);
 }
 
-void walk(LevelQuery& q) noexcept {
-  std::vector<PendingPair>& stack = q.t.front.pending;
-  while (!stack.empty()) {
-    const PendingPair entry = stack.back();
-    stack.pop_back();
-    visit(q, entry);
-  }
-}
-
 // In the order of their patches. Contacts are large: places are sorted, then each contact moves once.
 void sort_contacts(Traversal& t) noexcept {
   Contact* contacts = t.set.contacts.data() + t.first;
@@ -89,7 +80,7 @@ void query_levels(Traversal& t) noexcept {
   f.pending.push_back({.node = 0});
   const Resolution& r = t.query.resolution;
   if (r.budget_tests > 0 || r.budget_cpu > 0.0) walk_within_budget(q);
-  else walk(q);
+  else walk(q, visit);
   f.last = t.pose;
   sort_contacts(t);
 }

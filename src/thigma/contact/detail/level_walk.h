@@ -49,4 +49,15 @@ Blend blend(const LevelQuery& q, double priority) noexcept;
 
 Contact level_contact(const LevelQuery& q, const FrontNode& n, const LevelPair& m, double weight) noexcept;
 
+/// Visits what is pending, and what the visits make pending.
+template <typename Visit>
+void walk(LevelQuery& q, Visit visit) noexcept {
+  std::vector<PendingPair>& stack = q.t.front.pending;
+  while (!stack.empty()) {
+    const PendingPair entry = stack.back();
+    stack.pop_back();
+    visit(q, entry);
+  }
+}
+
 }  // namespace thigma::detail
