@@ -160,6 +160,19 @@ TEST(SimplifySurface, IsCoarserWithAConvexStartAndALaterDeviation) {
   EXPECT_LT(both, triangles());
 }
 
+TEST(SimplifySurface, HasFewerPatchesWhereEdgesFlip) {
+  for (const TriangleMesh& mesh : {make_torus(1.0, 0.4, 40, 20), test::wavy_ball(8)}) {
+    SimplifyParams params;
+    params.longest_edge_ever = 0.0;
+    const Simplification with = expect_simplified(mesh, "flipped", params);
+    EXPECT_GT(with.flips[static_cast<std::size_t>(FlipOutcome::flipped)], 5);
+    params.flips_edges = false;
+    const Simplification without = expect_simplified(mesh, "not flipped", params);
+    EXPECT_EQ(without.flips[static_cast<std::size_t>(FlipOutcome::flipped)], 0);
+    EXPECT_LT(10 * with.levels.back().patch_count, 9 * without.levels.back().patch_count);
+  }
+}
+
 TEST(SimplifySurface, IsDeterministicAndScaleFree) {
   const Simplification one = test::simplify(test::wavy_ball(9)),
                        two = test::simplify(test::wavy_ball(9)),

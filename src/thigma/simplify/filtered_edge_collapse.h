@@ -1,7 +1,9 @@
 #pragma once
 // The atomic operation of sensation preserving simplification (Sec. 3.3.4).
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -56,6 +58,12 @@ struct VolumeGuard {
   double original = 0.0, now = 0.0;                        // [m^3]
   double limit = std::numeric_limits<double>::infinity();  // [m^3]
 };
+
+/// Whether the volume may change by so much [m^3]. A step back towards the original's is always allowed.
+inline bool keeps_within(const VolumeGuard& guard, double change) {
+  return std::fabs(guard.now + change - guard.original) <=
+         std::max(guard.limit, std::fabs(guard.now - guard.original));
+}
 
 /// Scratch of one attempt, reused so that attempts do not allocate.
 struct CollapseScratch {

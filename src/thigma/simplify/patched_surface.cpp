@@ -103,19 +103,6 @@ void list_mergeable(const PatchedSurface& s, std::int32_t patch, std::vector<std
 
 }  // namespace
 
-double height_over(const PatchedSurface& s, std::int32_t t, const Vec3& p) {
-  return s.normal[at(t)].dot(p - s.mesh.positions[at(s.mesh.triangles[at(t)][0])]);
-}
-
-std::array<Vec3, 3> corners_of(const PatchedSurface& s, std::int32_t t) {
-  const auto& v = s.mesh.triangles[at(t)];
-  return {s.mesh.positions[at(v[0])], s.mesh.positions[at(v[1])], s.mesh.positions[at(v[2])]};
-}
-
-detail::TreeBox box_of(const std::array<Vec3, 3>& c) {
-  return {c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2])};
-}
-
 void refresh_triangle(PatchedSurface& s, std::int32_t t) {
   const std::array<Vec3, 3> c = corners_of(s, t);
   const Vec3 ab = c[1] - c[0], ac = c[2] - c[0];

@@ -55,11 +55,23 @@ inline bool has_plane(const PatchedSurface& s, std::int32_t t) noexcept {
 }
 
 /// Height of p over the triangle's plane [m].
-double height_over(const PatchedSurface& s, std::int32_t t, const Vec3& p);
+inline double height_over(const PatchedSurface& s, std::int32_t t, const Vec3& p) {
+  const auto i = static_cast<std::size_t>(t);
+  const auto first = static_cast<std::size_t>(s.mesh.triangles[i][0]);
+  return s.normal[i].dot(p - s.mesh.positions[first]);
+}
 
 /// Corners of a triangle at the present positions [m].
-std::array<Vec3, 3> corners_of(const PatchedSurface& s, std::int32_t t);
-detail::TreeBox box_of(const std::array<Vec3, 3>& corners);
+inline std::array<Vec3, 3> corners_of(const PatchedSurface& s, std::int32_t t) {
+  const auto& v = s.mesh.triangles[static_cast<std::size_t>(t)];
+  const auto& x = s.mesh.positions;
+  return {x[static_cast<std::size_t>(v[0])], x[static_cast<std::size_t>(v[1])],
+          x[static_cast<std::size_t>(v[2])]};
+}
+
+inline detail::TreeBox box_of(const std::array<Vec3, 3>& c) {
+  return {c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2])};
+}
 
 /// Recomputes normal and height from the positions.
 void refresh_triangle(PatchedSurface& s, std::int32_t t);

@@ -9,6 +9,7 @@
 #include <queue>
 
 #include "thigma/mesh/measure.h"
+#include "thigma/simplify/edge_flip.h"
 #include "thigma/simplify/level_spacing.h"
 #include "thigma/simplify/resolution.h"
 
@@ -55,6 +56,7 @@ struct Stage {
 /// Before edges grow longer than `longest_edge` a level is kept for each of these shares of the one before, for
 /// space_levels to choose from.
 constexpr double kDraftShare = 0.84;
+constexpr int kFlipRounds = 8;
 
 std::int32_t find_live(std::vector<std::int32_t>& successor, std::int32_t patch) {
   while (successor[at(patch)] != patch) {
@@ -143,12 +145,15 @@ void keep_level(Loop& loop) {
   loop.kept = s.patch_count;
 }
 
+detail::DeviationLimit deviation_limit(const Loop& loop, const Stage& stage) {
+  const double radius = loop.surface.radius;
+  return {loop.params.deviation_limit * radius, stage.deviation_share,
+          loop.params.deviation_ever * radius};
+}
+
 void attempt(Loop& loop, const Stage& stage, const Candidate& candidate) {
   PatchedSurface& s = loop.surface;
-  const SimplifyParams& params = loop.params;
-  loop.context.guard.limit = std::max(
-      params.deviation_limit * s.radius,
-      std::min(stage.deviation_share * candidate.length, params.deviation_ever * s.radius));
+  loop.context.guard.limit = deviation_limit(loop, stage).of(candidate.length);
   const std::int32_t halfedge = find_halfedge(s.mesh, candidate.a, candidate.b);
   if (halfedge < 0) return;
   const std::int32_t patches = s.patch_count;
@@ -216,18 +221,40 @@ void run_stage(Loop& loop, const Stage& stage, double share, double& shown) {
   loop.queue = {};
 }
 
+/// Where nothing more can collapse, flips edges and tries again, as long as that changes something.
+void flip_and_go_on(Loop& loop, const Stage& stage, double share, double& shown) {
+  PatchedSurface& s = loop.surface;
+  for (int round = 0; loop.params.flips_edges && round < kFlipRounds; ++round) {
+    const std::int32_t before = s.patch_count;
+    const std::int64_t flipped = flip_reflex_edges(s, loop.context, deviation_limit(loop, stage),
+                                                   loop.successor, loop.result.flips);
+    loop.result.merges += before - s.patch_count;
+    if (flipped == 0) return;
+    for (std::int32_t v = 0; v < static_cast<std::int32_t>(loop.version.size()); ++v)
+      if (s.mesh.outgoing[at(v)] >= 0) {
+        update_normal(loop, v);
+        ++loop.version[at(v)];
+      }
+    run_stage(loop, stage, share, shown);
+  }
+}
+
 void run_stages(Loop& loop) {
   const SimplifyParams& p = loop.params;
   double shown = 0.0;
   run_stage(loop, {p.longest_edge, 0.0, false}, kDraftShare, shown);
-  run_stage(loop, {p.longest_edge, p.deviation_share, false}, kDraftShare, shown);
+  const Stage wide{p.longest_edge, p.deviation_share, false};
+  run_stage(loop, wide, kDraftShare, shown);
+  flip_and_go_on(loop, wide, kDraftShare, shown);
   auto& levels = loop.result.levels;
   if (loop.surface.patch_count < loop.kept) keep_level(loop);
   space_levels(levels);
   loop.kept = levels.back().patch_count;
   if (levels.size() == 1) loop.last_level = loop.first_patches;
   run_stage(loop, {p.longest_edge_ever, 0.0, true}, 0.5, shown);
-  run_stage(loop, {p.longest_edge_ever, p.deviation_share, true}, 0.5, shown);
+  const Stage last{p.longest_edge_ever, p.deviation_share, true};
+  run_stage(loop, last, 0.5, shown);
+  if (has_many_patches(loop)) flip_and_go_on(loop, last, 0.5, shown);
   if (loop.surface.patch_count <= p.last_level * loop.kept) keep_level(loop);
   drop_equal_resolutions(levels);
 }

@@ -9,6 +9,7 @@
 #include "thigma/convex/decomposition.h"
 #include "thigma/mesh/halfedge_mesh.h"
 #include "thigma/mesh/triangle_mesh.h"
+#include "thigma/simplify/edge_flip.h"
 #include "thigma/simplify/filtered_edge_collapse.h"
 
 namespace thigma {
@@ -25,6 +26,7 @@ struct SimplifyParams {
   double convexity_tolerance = 1e-6;   // least, times the radius; see DecompositionParams
   double protrusion_tolerance = 1e-5;  // least, times the radius
   double last_level = 0.8;  // a level that did not come to half the patches is kept below this
+  bool flips_edges = true;  // reflex edges flip where no more can collapse
   CollapseParams collapse;
   std::function<void(double)> progress;  // called with the share of the work done, 0..1, rising; by
                                          // build_clod for all of its work
@@ -48,6 +50,7 @@ struct SimplifiedLevel {
 struct Simplification {
   std::vector<SimplifiedLevel> levels;
   std::array<std::int64_t, kCollapseOutcomes> outcomes{};  // of attempts, by CollapseOutcome
+  std::array<std::int64_t, kFlipOutcomes> flips{};         // of attempts, by FlipOutcome
   std::int64_t merges = 0;                                 // patches absorbed by neighbours
   std::int64_t vanished = 0;                               // patches that lost all their triangles
   double convexity_tolerance = 0.0;                        // used from level 1 on [m]

@@ -12,6 +12,8 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 bool is_within(const DeviationGuard& guard, const Vec3& p, std::int32_t t) {
   const auto& v = guard.original->triangles[at(t)];
   const auto& x = guard.original->positions;
+  // Fine triangles are smaller than the limit: where a corner is near enough, so is the triangle.
+  if ((p - x[at(v[0])]).squaredNorm() <= guard.limit * guard.limit) return true;
   return point_triangle_distance(p, x[at(v[0])], x[at(v[1])], x[at(v[2])]) <= guard.limit;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Is the surface still near the original, and the original near it?
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -9,6 +10,16 @@
 #include "thigma/mesh/triangle_mesh.h"
 
 namespace thigma::detail {
+
+/// How far new triangles may lie from the original, by the length of the edge they came of.
+struct DeviationLimit {
+  double least = 0.0;  // whatever the length [m]
+  double share = 0.0;  // of the length, where that is more,
+  double most = 0.0;   // up to this [m]
+  double of(double length) const noexcept {
+    return std::max(least, std::min(share * length, most));
+  }
+};
 
 /// The original surface, for each vertex of the simplified one a triangle near it, and for each
 /// triangle of the simplified one the vertices of the original that it stands for.

@@ -4,20 +4,12 @@
 #include <cmath>
 
 #include "thigma/mesh/triangles_meet.h"
+#include "thigma/simplify/detail/triangle_trial.h"
 
 namespace thigma::detail {
 namespace {
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-// Neighbours whose normals enclose more than 168 degrees lie on each other.
-constexpr double kFoldCosine = -0.98;
-
-double quality(const std::array<Vec3, 3>& c) {
-  const Vec3 ab = c[1] - c[0], ac = c[2] - c[0];
-  const double sum = ab.squaredNorm() + ac.squaredNorm() + (ac - ab).squaredNorm();
-  return sum > 0.0 ? 2.0 * std::sqrt(3.0) * ab.cross(ac).norm() / sum : 0.0;
-}
 
 bool is_in_star(const CollapseScratch& k, std::int32_t t) { return k.mark[at(t)] == k.epoch; }
 bool is_removed(const CollapseScratch& k, std::int32_t t) { return k.mark[at(t)] == -k.epoch; }
@@ -89,15 +81,6 @@ bool is_near_original(const PatchedSurface& s, CollapseContext& context, const V
     if (t.following < 0 && !is_near(0.5 * (p + b), t.b, k.star.head)) return false;
   }
   return true;
-}
-
-/// A step back towards the original's volume is always allowed.
-bool keeps_within_volume(const CollapseContext& context, const Vec3& p) {
-  const VolumeGuard& guard = context.volume;
-  const double before = std::fabs(guard.now - guard.original);
-  const double after =
-      std::fabs(guard.now + volume_change(context.scratch.volume, p) - guard.original);
-  return after <= std::max(guard.limit, before);
 }
 
 /// Vertices of the original that the star stands for, to the new triangles.
@@ -172,10 +155,12 @@ int count_new_crossings(const PatchedSurface& s, const CollapseScratch& k) {
     for (std::size_t j = i + 1; j < count; ++j)
       crossings += k.new_height[i] > 0.0 && k.new_height[j] > 0.0 &&
                    triangles_meet(positions, new_corners(k, i), new_corners(k, j));
-  visit_patches(s, k, star_box(k), [&](std::int32_t, const SurfacePatch& patch) {
+  const TreeBox all = star_box(k);
+  visit_patches(s, k, all, [&](std::int32_t, const SurfacePatch& patch) {
     for (const std::int32_t t : patch.triangles) {
       if (is_in_star(k, t) || is_removed(k, t) || s.height[at(t)] <= 0.0) continue;
       const TreeBox box = box_of(corners_of(s, t));
+      if (!box.overlaps(all)) continue;
       for (std::size_t i = 0; i < count; ++i)
         crossings += k.new_box[i].overlaps(box) && k.new_height[i] > 0.0 &&
                      triangles_meet(positions, new_corners(k, i), s.mesh.triangles[at(t)]);
@@ -297,11 +282,12 @@ void begin_trials(const PatchedSurface& s, CollapseContext& context) {
     list_patch_vertices(s, k.star, k.star.patches[i], k.patch_vertices[i]);
   k.worst_old_quality = 1.0;
   for (std::size_t i = 0; i < triangles; ++i) {
-    k.old_quality[i] = quality(corners_of(s, k.star.triangles[i].triangle));
+    k.old_quality[i] = triangle_quality(corners_of(s, k.star.triangles[i].triangle));
     k.worst_old_quality = std::min(k.worst_old_quality, k.old_quality[i]);
   }
   for (const std::int32_t t : k.star.removed)
-    if (t >= 0) k.worst_old_quality = std::min(k.worst_old_quality, quality(corners_of(s, t)));
+    if (t >= 0)
+      k.worst_old_quality = std::min(k.worst_old_quality, triangle_quality(corners_of(s, t)));
   k.old_crossings = k.old_folds = -1;
 }
 
@@ -324,7 +310,7 @@ bool try_position(PatchedSurface& s, CollapseContext& context, const Vec3& p) {
   if (!with_both_at_p([&] { return is_near_original(s, context, p); })) return false;
   if (context.params.guards_original && !is_original_near(s, context, p)) return false;
   k.reason = CollapseOutcome::volume;
-  if (!keeps_within_volume(context, p)) return false;
+  if (!keeps_within(context.volume, volume_change(k.volume, p))) return false;
   k.reason = CollapseOutcome::intersection;
   // Not more than before, rather than none: what crosses itself already must stay free to be
   // simplified.
