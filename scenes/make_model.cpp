@@ -82,6 +82,7 @@ const std::vector<ModelInfo>& models() {
       {"cone", 2'000, 16, "cone of 30 mm radius, 80 mm high"},
       {"torus", 8'000, 32, "torus, radii 40 and 15 mm"},
       {"gear", 20'000, 1'000, "spur gear with 20 teeth, 50 mm across"},
+      {"probe", 2'000, 400, "probe with a round tip of 10 mm radius, 100 mm long"},
       {"peg", 4'000, 40, "round peg, 16 mm thick and 50 mm long"},
       {"hole", 8'000, 100, "block with a hole of 16.4 mm for the peg"},
       {"joint_ball", 137'060, 1'000, "ball joint: ball of 25 mm radius with a stem"},
@@ -111,6 +112,7 @@ TriangleMesh make_model(const ModelRequest& request) {
   if (name == "cone") return make_cone_near(0.030, 0.080, n);
   if (name == "torus") return make_torus_near(0.040, 0.015, n);
   if (name == "gear") return make_gear(n);
+  if (name == "probe") return make_probe(n);
   if (name == "peg") return make_peg(n);
   if (name == "joint_ball") return make_joint_ball(n, request.seed);
   if (name == "joint_socket") return make_joint_socket(n, request.seed);

@@ -137,6 +137,19 @@ TriangleMesh make_cone_near(double radius, double height, int triangles) {
                      (radius + side) / (2.0 * kPi * radius));
 }
 
+TriangleMesh make_probe(int triangles) {
+  constexpr double kRadius = 0.010, kHalf = 0.050;
+  constexpr int kArc = 16;  // segments of the tip
+  std::vector<Vec2> profile = {{0.0, -kHalf}};
+  for (int k = 1; k <= kArc; ++k) {
+    const SinCos a = sin_cos(0.5 * kPi * k / kArc);
+    profile.emplace_back(kRadius * a.sin, kRadius * (1.0 - a.cos) - kHalf);
+  }
+  profile.emplace_back(kRadius, kHalf);
+  profile.emplace_back(0.0, kHalf);
+  return turned_near(profile, triangles, (0.5 * kPi * kRadius + 0.1) / (2.0 * kPi * kRadius));
+}
+
 TriangleMesh make_torus_near(double major_radius, double minor_radius, int triangles) {
   const GridCounts counts =
       nearest_counts(triangles, minor_radius / major_radius, 1, 3,

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include "scenes/gain_task.h"
 
 #include "thigma/core/error.h"
 #include "thigma/mesh/load_mesh.h"
+#include "thigma/texture/texture_file.h"
 
 namespace thigma::scenes {
 namespace {
@@ -70,6 +72,13 @@ Coupling make_coupling(const SceneDescription& scene, const DefaultGains& gains,
   return coupling;
 }
 
+bool is_texture_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  char first[8] = {};
+  file.read(first, sizeof first);
+  return file.gcount() == sizeof first && is_texture(std::string_view(first, sizeof first));
+}
+
 SceneObject object_from(const std::string& mesh, double scale, const char* option) {
   SceneObject object;
   object.mesh = mesh;
@@ -84,14 +93,22 @@ SceneObject object_from(const std::string& mesh, double scale, const char* optio
     throw InputError(mesh + ": no such file, " + option + " expected a mesh or procedural:NAME");
   }
   object.name = std::filesystem::path(mesh).stem().string();
+  object.is_textured = is_texture_file(mesh);
   return object;
 }
 
 }  // namespace
 
+HapticTexture load_texture(const SceneObject& object) {
+  if (!object.textured_model) return read_texture(object.mesh, object.unit_scale).texture;
+  return make_textured_model(*object.textured_model);
+}
+
 LoadedObject load_object(const SceneObject& object, bool repair) {
   LoadedObject loaded;
-  if (object.model) {
+  if (object.is_textured) {
+    loaded.mesh = load_texture(object).coarse;
+  } else if (object.model) {
     loaded.mesh = make_model(*object.model);
     scale_mesh(loaded.mesh, object.unit_scale, object.mesh);
   } else {
@@ -145,6 +162,7 @@ SessionConfig make_session_config(const SceneDescription& given, const LoadedObj
   config.contact.response.tolerance = config.contact.tolerance;
   config.contact.response.is_shared = scene.contact.is_shared;
   config.contact.resolution = scene.contact.resolution;
+  config.contact.textures.params = scene.contact.texture;
   const double ratio = scene.contact.damping_ratio.value_or(gains.contact_damping_ratio);
   config.contact.response.damping = scene.contact.damping.value_or(
       2.0 * ratio * std::sqrt(config.contact.response.stiffness * mass));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenes/make_model.h"
+#include "scenes/textured_model.h"
 
 #include "thigma/contact/resolution.h"
 #include "thigma/math/pose.h"
@@ -21,6 +22,8 @@ struct SceneObject {
   std::string name;                   // for reports; the mesh's own when the scene gives none
   std::string mesh;                   // path that can be opened, or the procedural address as given
   std::optional<ModelRequest> model;  // set: procedural, `mesh` is no file
+  bool is_textured = false;           // `mesh` is a .tex file or, with the next, procedural
+  std::optional<TexturedRequest> textured_model;
   double unit_scale = 1.0;            // metres per unit of the mesh, > 0
   Pose world_from_mesh;               // of the scaled mesh
 };
@@ -36,6 +39,7 @@ struct ContactGains {
       true;  // k and b belong to the contact as a whole; false: to each cluster, as in Eq. 5.37
   Resolution resolution{.is_exact = false};  // levels of detail at s0 = 2.5 %
   ResponseKind response = ResponseKind::coupled;
+  TextureParams texture;  // how relief is looked for
 };
 
 /// Virtual coupling. What is not set follows from the object's size, default_gains.
@@ -92,7 +96,11 @@ struct LoadedObject {
   Ball ball;               // smallest enclosing
 };
 
-/// Reads or makes the surface of an object.
+/// Reads or makes the texture of a textured object, scaled.
+/// Thread [offline]; InputError as read_texture and make_textured_model.
+HapticTexture load_texture(const SceneObject& object);
+
+/// Reads or makes the surface of an object; of a textured one the coarse surface.
 /// Thread [offline]; InputError as load_usable_mesh and make_model.
 LoadedObject load_object(const SceneObject& object, bool repair = false);
 

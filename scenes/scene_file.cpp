@@ -18,41 +18,60 @@ constexpr std::size_t kMostBytes = 1 << 20;  // a scene file is a page of text
 
 /// The keys every object has; mesh and unit_scale are looked into by resolve_mesh.
 struct ObjectKeys {
-  std::optional<std::string> mesh, name;
+  std::optional<std::string> mesh, texture, name;
   std::optional<double> unit_scale;
   Pose pose;
 };
 
 ObjectKeys read_object_keys(TomlTable& table) {
-  return {table.text("mesh"), table.text("name"), table.number("unit_scale", Range::positive),
-          table.pose()};
+  return {table.text("mesh"), table.text("texture"), table.text("name"),
+          table.number("unit_scale", Range::positive), table.pose()};
+}
+
+/// A procedural surface, with or without relief.
+void resolve_model(const TomlTable& table, const char* key, const std::string& uri,
+                   SceneObject& object) {
+  try {
+    if (object.is_textured) {
+      object.textured_model = parse_textured_uri(uri, key);
+      object.name = object.textured_model->name;
+    } else {
+      object.model = parse_model_uri(uri, key);
+      object.name = object.model->name;
+    }
+  } catch (const InputError& error) {
+    // "mesh: what, expected": the line goes in between.
+    const std::string text = error.what();
+    const std::size_t split = text.rfind(", expected"), start = std::string(key).size();
+    table.fail(key, "is wrong" + text.substr(start, split - start), text.substr(split + 2));
+  }
+  object.mesh = uri;
 }
 
 SceneObject resolve_object(const TomlTable& table, const ObjectKeys& keys,
                            const std::string& folder) {
   SceneObject object;
-  if (!keys.mesh) table.fail_here("no mesh", "expected mesh = \"FILE\" or \"procedural:NAME\"");
-  if (is_model_uri(*keys.mesh)) {
-    try {
-      object.model = parse_model_uri(*keys.mesh, "mesh");
-    } catch (const InputError& error) {
-      // "mesh: what, expected": the line goes in between.
-      const std::string text = error.what();
-      const std::size_t split = text.rfind(", expected");
-      table.fail("mesh", "is wrong" + text.substr(4, split - 4), text.substr(split + 2));
-    }
-    object.mesh = *keys.mesh;
-    object.name = object.model->name;
+  if (!keys.mesh && !keys.texture)
+    table.fail_here("no mesh", "expected mesh = \"FILE\" or \"procedural:NAME\", or a texture");
+  if (keys.mesh && keys.texture)
+    table.fail("texture", "stands beside mesh", "expected one of the two: a texture has its surface");
+  object.is_textured = keys.texture.has_value();
+  const char* const key = object.is_textured ? "texture" : "mesh";
+  const std::string& given = object.is_textured ? *keys.texture : *keys.mesh;
+  if (is_model_uri(given)) {
+    if (object.is_textured && keys.unit_scale)
+      table.fail("unit_scale", "stands beside a procedural texture", "expected its own size");
+    resolve_model(table, key, given, object);
   } else {
     if (!keys.unit_scale) {
-      table.fail("mesh", "has no unit_scale", "expected unit_scale = metres per unit of the mesh");
+      table.fail(key, "has no unit_scale", "expected unit_scale = metres per unit of the mesh");
     }
-    const fs::path named(*keys.mesh);
+    const fs::path named(given);
     const fs::path path = named.is_absolute() || folder.empty() ? named : fs::path(folder) / named;
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
-      table.fail("mesh", "= '" + *keys.mesh + "' is not there",
-                 "expected a mesh file (relative to the scene)");
+      table.fail(key, "= '" + given + "' is not there",
+                 std::string("expected a ") + key + " file (relative to the scene)");
     }
     object.mesh = path.string();
     object.name = path.stem().string();
@@ -72,6 +91,18 @@ void read_grasped(TomlTable& table, const std::string& folder, SceneDescription&
   scene.grasp_point = table.vector("grasp_point");
   table.finish();
   scene.object = resolve_object(table, keys, folder);
+}
+
+void read_texture_keys(TomlTable table, TextureParams& texture) {
+  if (const auto search = table.choice("depth", {"grid", "branch"}))
+    texture.search = *search == 0 ? DepthSearch::grid : DepthSearch::branch;
+  texture.resolution = table.whole("resolution", 2, 4096).value_or(texture.resolution);
+  texture.max_nodes = table.whole("nodes", 1, 1'000'000'000).value_or(texture.max_nodes);
+  const std::vector<std::string> kinds = {"central_differences", "envelope", "smoothed_envelope"};
+  if (const auto kind = table.choice("gradient", kinds))
+    gradient_kind(kinds[static_cast<std::size_t>(*kind)], texture.gradient);
+  texture.smoothing = table.number("smoothing", Range::positive).value_or(texture.smoothing);
+  table.finish();
 }
 
 /// Keys of levels of detail: what is left out stays as in `resolution`.
@@ -206,6 +237,7 @@ SceneDescription parse_scene(std::string_view text, const std::string& file,
   std::optional<TomlTable> object = top.table("object");
   std::vector<TomlTable> statics = top.tables("static");
   if (auto table = top.table("contact")) read_contact(*table, scene.contact);
+  if (auto table = top.table("texture")) read_texture_keys(*table, scene.contact.texture);
   if (auto table = top.table("coupling")) read_coupling(*table, scene.coupling);
   if (auto table = top.table("device")) read_device(*table, scene.device);
   if (auto table = top.table("safety")) read_safety(*table, scene.safety);

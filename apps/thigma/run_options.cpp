@@ -30,7 +30,7 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
   verb.add_flag("--no-cache", o.has_no_cache, "build levels of detail anew and keep nothing");
   verb.add_flag("--repair", o.is_repair, "repair meshes that need it");
   verb.add_option("--fault", o.fault_text, "unplug@T, stall=S@T, nan@T, hang=S@T, comma-separated");
-  verb.add_option("--texture", o.texture, "not in this build")->group("");
+  verb.add_option("--texture", o.texture, "on: refuse a scene without textures; off: coarse surfaces alone");
   verb.add_option("--port", o.port, "of the page on this machine; 0 or none: any free one");
 }
 
@@ -59,8 +59,8 @@ std::string check_run_options(const RunOptions& o) {
   Resolution resolution;
   const std::string wrong = apply(o.resolution, resolution);
   if (!wrong.empty()) return wrong;
-  if (!o.texture.empty() && o.texture != "off")
-    return "--texture needs haptic textures, which this build does not have";
+  if (!o.texture.empty() && o.texture != "on" && o.texture != "off")
+    return "--texture is on or off";
   if (o.port && o.is_headless)
     return "--port belongs to the page, which --headless leaves out";
   if (!o.pose_text.empty() && !parse_pose(o.pose_text))

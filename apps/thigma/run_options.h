@@ -32,8 +32,7 @@ struct RunOptions {
   bool has_no_cache = false;  // levels of detail are built and forgotten
   bool is_repair = false;
   std::string fault_text;
-  // Of parts that are not built yet: refused with a sentence.
-  std::string texture;
+  std::string texture;                // "on", "off"; otherwise on where the scene has some
   std::optional<std::uint16_t> port;  // of the page; otherwise any free one
 };
 

@@ -29,6 +29,51 @@ ClodAsset build_exact(const ClodSource& source, const Tell& tell) {
   return asset;
 }
 
+/// The coarse surface of a texture at full resolution, as an asset.
+ClodAsset coarse_asset(const HapticTexture& texture) {
+  ClodAsset asset;
+  asset.meshes.push_back(texture.coarse);
+  asset.hierarchy = build_exact_hierarchy(texture.coarse);
+  asset.mass.measure = mass_properties(texture.coarse);
+  return asset;
+}
+
+/// A texture where the object has one, null otherwise; told.
+std::unique_ptr<HapticTexture> load_relief(const scenes::SceneObject& object, const Tell& tell) {
+  if (!object.is_textured) return nullptr;
+  auto texture = std::make_unique<HapticTexture>(scenes::load_texture(object));
+  if (tell) {
+    char line[256];
+    std::snprintf(line, sizeof line, "%s: %d x %d texels of %.3g mm, relief +-%.3g mm",
+                  object.name.c_str(), texture->width, texture->height, 1e3 * texture->texel_size,
+                  1e3 * texture->amplitude);
+    tell(line);
+  }
+  return texture;
+}
+
+/// Hands textures to the contact world: of every body, or of none.
+void use_textures(Run& run) {
+  const auto is_there = [](const auto& texture) { return texture != nullptr; };
+  const bool has_any =
+      run.object_texture || std::any_of(run.static_textures.begin(), run.static_textures.end(), is_there);
+  if (!has_any) {
+    run.static_textures.clear();
+    return;
+  }
+  const auto body = [](std::unique_ptr<HapticTexture>& texture, const ClodAsset& asset,
+                       const std::string& name) {
+    if (!texture)
+      texture = std::make_unique<HapticTexture>(make_plain_texture(asset.meshes.at(0), name));
+    return make_textured_body(*texture, asset.hierarchy);
+  };
+  TexturedWorld& world = run.config.contact.textures;
+  world.object = body(run.object_texture, run.object, run.scene.object.name);
+  for (std::size_t i = 0; i < run.statics.size(); ++i)
+    world.scene.push_back(
+        body(run.static_textures[i], *run.statics[i], run.scene.statics[i].name));
+}
+
 /// Surface, hierarchy and mass of an object: levels of detail where the session asks for them.
 ClodAsset load_asset(const scenes::SceneObject& object, const char* role, const RunOptions& options,
                      bool is_exact, const Tell& tell) {
@@ -201,16 +246,33 @@ std::unique_ptr<Run> prepare_run(const RunOptions& options, std::uint64_t seed,
   // Whether levels are wanted decides what is loaded, before there is a configuration.
   Resolution resolution = run->scene.contact.resolution;
   apply(options.resolution, resolution);
-  run->object = load_asset(run->scene.object, "--object", options, resolution.is_exact, tell);
+  const bool is_textured =
+      run->scene.object.is_textured ||
+      std::any_of(run->scene.statics.begin(), run->scene.statics.end(),
+                  [](const scenes::SceneObject& o) { return o.is_textured; });
+  if (options.texture == "on" && !is_textured)
+    throw InputError(run->scene.file + ": nothing in it has a texture, for --texture on, expected "
+                                       "an object or static body with one");
+  // Relief lies over patches of the original surface.
+  resolution.is_exact = resolution.is_exact || is_textured;
+  const auto load = [&](const scenes::SceneObject& object, const char* role,
+                        std::unique_ptr<HapticTexture>& texture) {
+    texture = load_relief(object, tell);
+    return texture ? coarse_asset(*texture)
+                   : load_asset(object, role, options, resolution.is_exact, tell);
+  };
+  run->object = load(run->scene.object, "--object", run->object_texture);
   run->object_radius = run->object.hierarchy.radius;
   run->config = scenes::make_session_config(run->scene, measures_of(run->object));
   run->config.contact.object = &run->object.hierarchy;
   for (const scenes::SceneObject& other : run->scene.statics) {
-    run->statics.push_back(std::make_unique<ClodAsset>(
-        load_asset(other, "--against", options, resolution.is_exact, tell)));
+    run->static_textures.emplace_back();
+    run->statics.push_back(
+        std::make_unique<ClodAsset>(load(other, "--against", run->static_textures.back())));
     run->config.contact.scene.push_back({&run->statics.back()->hierarchy, other.world_from_mesh});
   }
   apply_options(options, run->scene, run->config);
+  if (options.texture != "off") use_textures(*run);
   open_run_device(options, seed, tell, *run);
   refuse_device_clock(*run->device);
   run->config.haptic.device = run->device->limits();

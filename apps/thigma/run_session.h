@@ -23,6 +23,8 @@ struct Run {
   double object_radius = 0.0;  // [m]
   ClodAsset object;
   std::vector<std::unique_ptr<ClodAsset>> statics;  // in the order of the scene
+  std::unique_ptr<HapticTexture> object_texture;    // null where nothing of the scene is textured
+  std::vector<std::unique_ptr<HapticTexture>> static_textures;  // as many as statics, or none
   SessionConfig config;
   StartPlacement start;
   std::unique_ptr<WebLink> web_link;  // of the page, where there is one

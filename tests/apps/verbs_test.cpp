@@ -105,7 +105,7 @@ TEST(Verbs, refuse_wrong_use_with_one_sentence) {
 
 TEST(Verbs, say_what_is_not_built_yet) {
   for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{
-           {"--texture", "on"}, {"--port", "8080"}}) {
+           {"--texture", "rough"}, {"--port", "8080"}}) {
     const Ended e = run_program({"run", "jaws", "--headless", option, value});
     EXPECT_EQ(e.code, 2) << e.err;
     expect_one_line(e, option);

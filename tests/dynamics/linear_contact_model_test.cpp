@@ -138,6 +138,102 @@ TEST(LinearContactModel, power_of_a_contact_is_minus_stored_minus_lost) {
   }
 }
 
+DepthTerm any_depth(Random& random) {
+  DepthTerm t;
+  t.depth = random.uniform(0.0, 1e-3);
+  t.linear = random.direction() + random.in_cube(0.3);
+  t.angular = random.in_cube(0.05);
+  t.stiffness = 2000.0;
+  t.damping = random.uniform(0.0, 20.0);
+  t.tolerance = 1e-3;
+  return t;
+}
+
+TEST(LinearContactModel, depth_term_jacobian_is_its_derivative) {
+  Random random(11);
+  for (int i = 0; i < 40; ++i) {
+    const RigidBody body = test::random_body(random);
+    const test::NamedState at{
+        "random", test::random_state(random, body, random.orientation())};
+    LinearContactModel model;
+    model.state = at.state;
+    model.state.position += random.in_cube(1e-4);
+    model.state.orientation =
+        rotation_from_vector(random.in_cube(1e-2)) * model.state.orientation;
+    if (i % 2 == 1) model.state.orientation.coeffs() *= -1.0;
+    for (int k = 0; k < 3; ++k) {
+      model.depths.push_back(any_depth(random));
+      model.depths[static_cast<std::size_t>(k)].depth += 3e-3;  // far from the clamp's kink
+    }
+    ASSERT_GT(contact_wrench(model, body, at.state).force.norm(), 0.0);
+    test::expect_jacobian(
+        [&](const BodyState& y, WrenchJacobian* J) {
+          return contact_wrench(model, body, y, 0.7, J);
+        },
+        body, at, 1e-7);
+  }
+}
+
+TEST(LinearContactModel, depth_term_of_a_plane_is_the_plane) {
+  // The depth of a point over a plane has the gradient (n, Rr x n): one step further both agree to second order.
+  Random random(12);
+  for (int i = 0; i < 100; ++i) {
+    const RigidBody body = test::random_body(random);
+    LinearContactModel planes, depths;
+    planes.state = depths.state = test::random_state(random, body, random.orientation());
+    const PlaneTerm plane = plane_at(random, planes.state, random.uniform(0.0, 1e-3));
+    const BodyKinematics here = kinematics(body, planes.state);
+    const Vec3 arm = here.rotation * plane.arm_body;
+    DepthTerm depth;
+    depth.depth = plane_force(plane, body, planes.state, here).depth;
+    depth.linear = plane.normal;
+    depth.angular = arm.cross(plane.normal);
+    depth.stiffness = plane.stiffness;
+    depth.damping = plane.damping;
+    depth.tolerance = plane.tolerance;
+    planes.planes.push_back(plane);
+    depths.depths.push_back(depth);
+    const Wrench a = contact_wrench(planes, body, planes.state),
+                 b = contact_wrench(depths, body, planes.state);
+    EXPECT_LE((a.force - b.force).norm(), 1e-12 * (1.0 + a.force.norm()));
+    EXPECT_LE((a.torque - b.torque).norm(), 1e-12 * (1.0 + a.force.norm()));
+    const double angle = 1e-4;
+    BodyState moved = planes.state;
+    moved.position += random.in_cube(1e-5);
+    moved.orientation = rotation_from_vector(angle * random.direction()) * moved.orientation;
+    const double of_plane = plane_force(plane, body, moved, kinematics(body, moved)).depth;
+    EXPECT_NEAR(depth_at(depth, depths.state, moved), of_plane, angle * angle * arm.norm());
+  }
+}
+
+TEST(LinearContactModel, depth_term_never_pulls_and_only_loses_energy_to_damping) {
+  Random random(13);
+  int active = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const RigidBody body = test::random_body(random);
+    BodyState state = test::random_state(random, body, random.orientation());
+    state.linear_momentum *= 10.0;
+    const DepthTerm term = any_depth(random);
+    const BodyState taken_at = state;
+    state.position += random.in_cube(2e-3);
+    const BodyKinematics at = kinematics(body, state);
+    const PlaneForce f = depth_force(term, taken_at, body, state, at);
+    EXPECT_LE(f.wrench.force.dot(term.linear), 0.0);
+    if (!f.is_active) {
+      EXPECT_EQ(f.wrench.force, Vec3::Zero());
+      continue;
+    }
+    ++active;
+    const double rate =
+        term.linear.dot(at.velocity.linear) + term.angular.dot(at.velocity.angular);
+    const double power =
+        f.wrench.force.dot(at.velocity.linear) + f.wrench.torque.dot(at.velocity.angular);
+    const double stored = term.stiffness * (f.depth + term.tolerance) * rate;
+    EXPECT_NEAR(power, -stored - term.damping * rate * rate, 1e-9 * (1.0 + std::fabs(power)));
+  }
+  EXPECT_GT(active, 300);
+}
+
 TaylorTerm any_taylor(Random& random) {
   TaylorTerm t;
   t.normal = random.direction();

@@ -95,6 +95,15 @@ TEST(ReadRecording, contact_models_come_back_bit_for_bit) {
       expect_bits(a.tolerance, b.tolerance);
       EXPECT_EQ(a.id, b.id);
     }
+    ASSERT_EQ(got.model.depths.size(), 1u);
+    expect_bits(got.model.depths[0].depth, want.model.depths[0].depth);
+    expect_bits(got.model.depths[0].linear, want.model.depths[0].linear);
+    expect_bits(got.model.depths[0].angular, want.model.depths[0].angular);
+    expect_bits(got.model.depths[0].stiffness, want.model.depths[0].stiffness);
+    expect_bits(got.model.depths[0].damping, want.model.depths[0].damping);
+    expect_bits(got.model.depths[0].tolerance, want.model.depths[0].tolerance);
+    EXPECT_EQ(got.model.depths[0].id, 7);
+    EXPECT_EQ(model_digest(got.model), want.model_digest);
     ASSERT_EQ(got.model.taylors.size(), 1u);
     expect_bits(got.model.taylors[0].jacobian.reshaped(),
                 want.model.taylors[0].jacobian.reshaped());

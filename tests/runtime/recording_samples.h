@@ -88,6 +88,15 @@ inline ContactSample contact_sample(std::uint64_t sequence) {
     plane.id = i;
     c.model.planes.push_back(plane);
   }
+  DepthTerm depth;
+  depth.depth = random.uniform(-1e-3, 1e-3);
+  depth.linear = random.direction();
+  depth.angular = random.in_cube(0.1);
+  depth.stiffness = 5000.0;
+  depth.damping = random.uniform();
+  depth.tolerance = 1e-4;
+  depth.id = 7;
+  c.model.depths.push_back(depth);
   TaylorTerm taylor;
   taylor.wrench = random_wrench(random);
   for (int i = 0; i < 78; ++i) taylor.jacobian(i / 13, i % 13) = random.uniform(-1e3, 1e3);

@@ -110,6 +110,11 @@ TEST(ModelDigest, SeesEveryTerm) {
   EXPECT_NE(one, empty);
   flip_last_bit(model.planes[0].tolerance);
   EXPECT_NE(model_digest(model), one);
+  model.depths.push_back(DepthTerm{});
+  const std::uint64_t deep = model_digest(model);
+  EXPECT_NE(deep, one);
+  flip_last_bit(model.depths[0].tolerance);
+  EXPECT_NE(model_digest(model), deep);
   model.taylors.push_back(TaylorTerm{});
   const std::uint64_t textured = model_digest(model);
   model.taylors[0].jacobian(5, 12) = 1.0;

@@ -321,6 +321,35 @@ TEST(SceneFile, EveryKeyOfTheJawsSceneIsReadAndItsMisspellingNamed) {
   EXPECT_GE(keys, 45);
 }
 
+TEST(SceneFile, TexturesStandInThePlaceOfMeshes) {
+  const std::string ball = "[object]\nmesh = \"procedural:ball\"\n[[static]]\n";
+  const SceneDescription s = parse_scene(
+      ball + "texture = \"procedural:ridged_plate?texels=64\"\n[texture]\ndepth = \"branch\"\n"
+             "resolution = 25\nnodes = 7\ngradient = \"envelope\"\nsmoothing = 0.2\n",
+      "s", "");
+  EXPECT_FALSE(s.object.is_textured);
+  ASSERT_TRUE(s.statics[0].is_textured);
+  ASSERT_TRUE(s.statics[0].textured_model.has_value());
+  EXPECT_EQ(s.statics[0].textured_model->texels, 64);
+  EXPECT_EQ(s.statics[0].name, "ridged_plate");
+  EXPECT_EQ(load_texture(s.statics[0]).width, 64);
+  EXPECT_EQ(load_object(s.statics[0]).mesh.triangles.size(), 16u);
+  EXPECT_EQ(s.contact.texture.search, DepthSearch::branch);
+  EXPECT_EQ(s.contact.texture.resolution, 25);
+  EXPECT_EQ(s.contact.texture.max_nodes, 7);
+  EXPECT_EQ(s.contact.texture.gradient, GradientKind::envelope);
+  EXPECT_EQ(s.contact.texture.smoothing, 0.2);
+  const auto says = [&](const std::string& rest, const std::string& what) {
+    EXPECT_NE(message_of(ball + rest).find(what), std::string::npos) << message_of(ball + rest);
+  };
+  says("texture = \"procedural:ridged_plat\"\n", "line 4, expected 'ridged_plate'");
+  says("texture = \"procedural:ridged_plate\"\nmesh = \"procedural:ball\"\n", "stands beside mesh");
+  says("texture = \"procedural:ridged_plate\"\nunit_scale = 2\n", "expected its own size");
+  says("texture = \"none.tex\"\nunit_scale = 1\n", "is not there");
+  says("texture = \"none.tex\"\n", "unit_scale");
+  says("mesh = \"procedural:ball\"\n[texture]\ngradient = \"steep\"\n", "line");
+}
+
 TEST(SceneFile, MeshPathsAreRelativeToTheScene) {
   const std::filesystem::path folder =
       std::filesystem::path(testing::TempDir()) / "thigma_scene_file_test";

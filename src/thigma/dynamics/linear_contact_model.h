@@ -25,7 +25,20 @@ struct PlaneTerm {
   std::int32_t id = -1;                   // of the cluster, persistent over frames
 };
 
-/// First-order term, for texture forces: wrench and Jacobian at the model's state.
+/// Depth of textured surfaces to first order in the object's motion, with its viscoelastic force along the gradient.
+/// The depth is evaluated at the current state, so that the clamp against pulling is natural; the gradient is that of
+/// the model's state (Gauss-Newton).
+struct DepthTerm {
+  double depth = 0.0;             // at the model's state [m]; positive = penetrating
+  Vec3 linear = Vec3::Zero();     // gradient by the position of the centre of mass [-; world]
+  Vec3 angular = Vec3::Zero();    // and by a rotation vector about it [m/rad; world]
+  double stiffness = 0.0;         // k [N/m]
+  double damping = 0.0;           // b [N s/m]
+  double tolerance = 0.0;         // d: force starts at depth = -d [m]
+  std::int32_t id = -1;           // of the cluster, persistent over frames
+};
+
+/// First-order term: wrench and Jacobian at the model's state.
 struct TaylorTerm {
   Wrench wrench;                                     // about the centre of mass [N, N m; world]
   WrenchJacobian jacobian = WrenchJacobian::Zero();  // d(force, torque)/dy
@@ -38,15 +51,16 @@ struct LinearContactModel {
   double time = 0.0;           // of y_0 on the session's clock [s]
   std::uint64_t sequence = 0;  // counts publications; 0 = none yet
   StaticVector<PlaneTerm, kMaxClusters> planes;
+  StaticVector<DepthTerm, kMaxClusters> depths;
   StaticVector<TaylorTerm, 4> taylors;
 };
 static_assert(RtPayload<LinearContactModel>);
 
-/// One plane term at one state.
+/// One plane or depth term at one state.
 struct PlaneForce {
-  double depth = 0.0;  // n . (x + R r - p_0) [m]; positive = penetrating
+  double depth = 0.0;  // n . (x + R r - p_0), or of the textures [m]; positive = penetrating
   double magnitude =
-      0.0;  // k (depth + d) + b n . (velocity relative to the scene) [N]; > 0 pushes along -n
+      0.0;  // k (depth + d) + b times the rate of the depth [N]; > 0 pushes along -n
   bool is_active = false;  // unilateral terms: depth + d > 0 and magnitude > 0
   Wrench wrench;           // about the centre of mass [N, N m; world]; zero when inactive
 };
@@ -60,6 +74,21 @@ struct PlaneForce {
 PlaneForce plane_force(const PlaneTerm& term, const RigidBody& body, const BodyState& state,
                        const BodyKinematics& at, double scale = 1.0,
                        WrenchJacobian* jacobian = nullptr) THIGMA_RT;
+
+/// Evaluates a depth term at a state: with g = (linear, angular), depth + g . (way moved, 2 vec(q q_0^-1)) is the depth,
+/// -(k (depth + d) + b g . velocity) g the wrench.
+///
+/// taken_at  state of the model the term is of
+/// others    as of plane_force
+/// Thread    [haptic]; no failure.
+/// Source    Eqs. 4.6, 4.7, 5.14; the Jacobian is Eq. 5.56 without the Hessian of the depth. Deviates: D81.
+PlaneForce depth_force(const DepthTerm& term, const BodyState& taken_at, const RigidBody& body,
+                       const BodyState& state, const BodyKinematics& at, double scale = 1.0,
+                       WrenchJacobian* jacobian = nullptr) THIGMA_RT;
+
+/// Depth alone, as depth_force has it [m].
+/// Thread    [haptic].
+double depth_at(const DepthTerm& term, const BodyState& taken_at, const BodyState& state) THIGMA_RT;
 
 /// Wrench of a Taylor term, taken at state y_0, at a state y: W + J (y - y_0), where -q stands for q when
 /// it is the nearer of the two (Eq. 5.14). Not clamped. `jacobian`: null, or the Jacobian at y (6 x 13).

@@ -22,23 +22,23 @@ double present_reach(const ContactCluster& cluster, double tolerance) noexcept {
   return presence(cluster, reach) * reach;
 }
 
+}  // namespace
+
 double total_reach(const ContactClusters& clusters, double tolerance) noexcept {
   double sum = 0.0;
   for (const ContactCluster& c : clusters.clusters) sum += present_reach(c, tolerance);
   return sum;
 }
 
-}  // namespace
-
 LinearContactModel linearize_contacts(const ContactClusters& clusters, const PenaltyParams& params,
-                                      const BodyState& state, double time,
-                                      std::uint64_t sequence) noexcept {
+                                      const BodyState& state, double time, std::uint64_t sequence,
+                                      double other_reach) noexcept {
   LinearContactModel model;
   model.state = state;
   model.time = time;
   model.sequence = sequence;
   const Mat3 body_from_world = rotation_matrix(state.orientation).transpose();
-  const double total = total_reach(clusters, params.tolerance);
+  const double total = total_reach(clusters, params.tolerance) + other_reach;
   const double equal_share =
       1.0 / static_cast<double>(std::max<std::size_t>(clusters.clusters.size(), 1));
   for (const ContactCluster& cluster : clusters.clusters) {

@@ -16,11 +16,15 @@ namespace thigma {
 /// state     of the object when the contacts were found; the terms' arms are fixed to it
 /// time      of `state` on the session's clock [s]
 /// sequence  of this publication, from 1
-/// returns   plane terms only; the scene is at rest. Texture terms are added by the caller
+/// other_reach  sum of depth + tolerance of terms that share the stiffness with these [m]
+/// returns   plane terms only; the scene is at rest. Texture terms: response/texture_contacts.h
 /// Thread    [contact]; no failure, no allocation. Clusters beyond kMaxClusters do not exist.
 /// Source    Sec. 5.4.3, Eqs. 5.36-5.37.
 LinearContactModel linearize_contacts(const ContactClusters& clusters, const PenaltyParams& params,
                                       const BodyState& state, double time,
-                                      std::uint64_t sequence) noexcept;
+                                      std::uint64_t sequence, double other_reach = 0.0) noexcept;
+
+/// Sum of depth + tolerance over the clusters that press [m]: what they share the stiffness by.
+double total_reach(const ContactClusters& clusters, double tolerance) noexcept;
 
 }  // namespace thigma

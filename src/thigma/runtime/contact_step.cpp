@@ -14,6 +14,11 @@ void count_level(std::int32_t level, LevelCounts& counts) noexcept {
   ++counts[static_cast<std::size_t>(std::clamp<std::int32_t>(level, 0, kLevelBins - 1))];
 }
 
+/// d of the query: of the response, and what relief reaches beyond coarse surfaces.
+double query_tolerance(const ContactWorld& world) noexcept {
+  return world.tolerance + relief_of(world.textures);
+}
+
 Pose world_from_mesh(const ContactWorld& world, const BodyState& body) noexcept {
   return Pose{body.position, body.orientation} * world.body_from_mesh;
 }
@@ -27,6 +32,7 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
   }
   scratch.contacts.contacts.reserve(world.capacity);
   reserve_clusters(scratch.clustering, world.capacity);
+  if (!world.textures.is_empty()) reserve_texture_scratch(world.textures, scratch.textures);
   if (world.object != nullptr && !world.resolution.is_exact) {
     reserve_level_history(*world.object, world.scene, world.capacity, scratch.levels);
   }
@@ -38,14 +44,16 @@ void find_contacts(const ContactWorld& world, const StampedBody& at,
   const Pose pose = world_from_mesh(world, at.state);
   if (!world.scene.empty()) {
     ContactQuery query;
-    query.tolerance = world.tolerance;
+    query.tolerance = query_tolerance(world);
     query.keep_directions = true;
-    query.resolution = world.resolution;
+    if (world.textures.is_empty()) query.resolution = world.resolution;
     if (scratch.sequence > 0 && at.time > scratch.last_time) {
       query.resolution.step_time = at.time - scratch.last_time;
     }
     scratch.last_time = at.time;
     query_scene(*world.object, pose, world.scene, query, scratch.fronts, scratch.contacts);
+    if (!world.textures.is_empty())
+      limit_to_relief(world.textures, world.tolerance, scratch.contacts);
   }
   if (world.source) world.source(pose, world.tolerance, scratch.contacts);
 }
@@ -54,15 +62,21 @@ void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch
                 ContactSample& sample) noexcept {
   ClusterParams clustering;
   clustering.max_clusters = world.max_clusters;
-  clustering.tolerance = world.tolerance;
+  clustering.tolerance = query_tolerance(world);
   cluster_contacts(scratch.contacts.contacts, scratch.clusters, clustering, scratch.clustering,
                    scratch.clusters);
 
   PenaltyParams response = world.response;
   response.tolerance =
       world.tolerance;  // one d: what the query starts at is what the force starts at
+  ++scratch.sequence;
   sample.model =
-      linearize_contacts(scratch.clusters, response, at.state, at.time, ++scratch.sequence);
+      world.textures.is_empty()
+          ? linearize_contacts(scratch.clusters, response, at.state, at.time, scratch.sequence)
+          : linearize_textured(world.textures, world_from_mesh(world, at.state), world.scene,
+                               scratch.contacts.contacts, scratch.clusters,
+                               scratch.clustering.assignment, response, at.state, at.time,
+                               scratch.sequence, scratch.textures);
 
   sample.time = at.time;
   sample.contacts = static_cast<std::int64_t>(scratch.contacts.contacts.size());
@@ -74,8 +88,12 @@ void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch
   sample.bound_max = 0.0;
   sample.object_levels.fill(0);
   sample.scene_levels.fill(0);
+  for (const DepthTerm& term : sample.model.depths)
+    sample.depth_max = std::max(sample.depth_max, term.depth);
   for (const Contact& contact : scratch.contacts.contacts) {
-    sample.depth_max = std::max(sample.depth_max, contact.depth);
+    // Coarse surfaces under relief may well be through each other.
+    if (world.textures.is_empty() || !is_textured(world.textures, contact.body))
+      sample.depth_max = std::max(sample.depth_max, contact.depth);
     sample.bound_max = std::max(sample.bound_max, contact.bound);
     count_level(contact.object_level, sample.object_levels);
     count_level(contact.scene_level, sample.scene_levels);

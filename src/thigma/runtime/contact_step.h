@@ -11,6 +11,7 @@
 #include "thigma/contact/query_contacts.h"
 #include "thigma/dynamics/body.h"
 #include "thigma/response/penalty.h"
+#include "thigma/response/texture_contacts.h"
 #include "thigma/runtime/haptic_step.h"
 #include "thigma/runtime/level_changes.h"
 #include "thigma/runtime/telemetry.h"
@@ -31,7 +32,8 @@ struct ContactWorld {
   std::vector<SceneBody> scene;  // static
   ContactSource source;          // in addition to `scene`; empty: none
   double tolerance = 0.0;        // d [m]
-  Resolution resolution;         // of the query; exact unless asked otherwise
+  Resolution resolution;         // of the query; exact unless asked otherwise, and with textures
+  TexturedWorld textures;        // relief of the surfaces; empty: none
   int max_clusters = 5;          // K
   PenaltyParams response;        // how clusters push; its tolerance is set to the one above
   std::size_t capacity = 16384;  // contacts a frame; what does not fit is counted
@@ -46,18 +48,21 @@ struct ContactScratch {
   std::uint64_t sequence = 0;  // models made
   double last_time = 0.0;      // of the last query, for speeds [s]
   LevelHistory levels;         // which contacts changed their level since the last frame
+  TextureScratch textures;
 };
 
 /// Room for world.capacity contacts and a front a static object.
 /// Thread    [offline]; throws std::bad_alloc.
 void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch);
 
-/// First half of a contact frame: queries every static object into scratch.contacts.
+/// First half of a contact frame: queries every static object into scratch.contacts. Where there is relief, farther than
+/// the tolerance by as much.
 /// Thread    [contact]; no failure.
 void find_contacts(const ContactWorld& world, const StampedBody& at,
                    ContactScratch& scratch) noexcept;
 
-/// Second half: clusters all contacts together and linearises them.
+/// Second half: clusters all contacts together and linearises them, with depth and gradient from textures where a
+/// cluster touches relief.
 ///
 /// world         constant
 /// at            state and time the model is for, as given to find_contacts
@@ -70,7 +75,7 @@ void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch
                 ContactSample& sample) noexcept;
 
 /// One frame: both halves.
-/// Source Sec. 5.1.2, contact thread; texture refinement comes with textures.
+/// Source Sec. 5.1.2, contact thread.
 void contact_step(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch,
                   ContactSample& sample) noexcept;
 

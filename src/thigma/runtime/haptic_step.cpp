@@ -83,6 +83,11 @@ Touch touch(const LinearContactModel& model, const BodyState& y) THIGMA_RT {
     if (depth + t.tolerance > 0.0) ++result.count;
     if (depth > result.penetration) result.penetration = depth;
   }
+  for (const DepthTerm& t : model.depths) {
+    const double depth = depth_at(t, model.state, y);
+    if (depth + t.tolerance > 0.0) ++result.count;
+    if (depth > result.penetration) result.penetration = depth;
+  }
   result.count += static_cast<std::int32_t>(model.taylors.size());
   return result;
 }

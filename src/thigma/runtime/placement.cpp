@@ -89,7 +89,7 @@ StartPlacement find_start(const ContactWorld& world, const Pose& world_from_body
   StartPlacement start;
   start.world_from_body = world_from_body;
   start.clearance = 0.2 * prober.radius;
-  const double tolerance = world.tolerance;
+  const double tolerance = world.tolerance + relief_of(world.textures);
   const double wanted = std::max(gap > 0.0 ? gap : 0.1 * prober.radius, 3.0 * tolerance);
 
   std::optional<Contact> nearest = prober.closest(start.world_from_body, wanted);

@@ -120,6 +120,18 @@ PlaneTerm read_plane(const Json& json) {
   return p;
 }
 
+DepthTerm read_depth(const Json& json) {
+  DepthTerm t;
+  t.depth = number(json, "depth");
+  read_vector(json, "linear", t.linear);
+  read_vector(json, "angular", t.angular);
+  t.stiffness = number(json, "stiffness");
+  t.damping = number(json, "damping");
+  t.tolerance = number(json, "tolerance");
+  t.id = json.at("id").get<std::int32_t>();
+  return t;
+}
+
 TaylorTerm read_taylor(const Json& json) {
   TaylorTerm t;
   read_wrench(json, "force", "torque", t.wrench);
@@ -136,6 +148,12 @@ void read_model(const Json& json, LinearContactModel& model) {
   read_body(json, model.state);
   for (const Json& plane : json.at("planes")) {
     if (!model.planes.push_back(read_plane(plane))) throw InputError("too many 'planes'");
+  }
+  // Recordings of earlier builds have none.
+  if (json.contains("depths")) {
+    for (const Json& depth : json.at("depths")) {
+      if (!model.depths.push_back(read_depth(depth))) throw InputError("too many 'depths'");
+    }
   }
   for (const Json& taylor : json.at("taylors")) {
     if (!model.taylors.push_back(read_taylor(taylor))) throw InputError("too many 'taylors'");

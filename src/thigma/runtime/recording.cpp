@@ -110,6 +110,18 @@ void put_plane(std::string& out, const PlaneTerm& p) {
   json.close();
 }
 
+void put_depth(std::string& out, const DepthTerm& t) {
+  JsonObject json(out);
+  json.number("depth", t.depth);
+  json.vector("linear", t.linear);
+  json.vector("angular", t.angular);
+  json.number("stiffness", t.stiffness);
+  json.number("damping", t.damping);
+  json.number("tolerance", t.tolerance);
+  json.integer("id", t.id);
+  json.close();
+}
+
 void put_taylor(std::string& out, const TaylorTerm& t) {
   JsonObject json(out);
   put_wrench(json, "force", "torque", t.wrench);
@@ -137,6 +149,13 @@ void put_model(std::string& out, const ContactSample& sample) {
   for (std::size_t i = 0; i < model.planes.size(); ++i) {
     if (i > 0) out += ',';
     put_plane(out, model.planes[i]);
+  }
+  out += ']';
+  json.key("depths");
+  out += '[';
+  for (std::size_t i = 0; i < model.depths.size(); ++i) {
+    if (i > 0) out += ',';
+    put_depth(out, model.depths[i]);
   }
   out += ']';
   json.key("taylors");

@@ -66,6 +66,16 @@ void add_data(StateHash& hash, const PlaneTerm& t) THIGMA_RT {
   add_bits(hash, static_cast<std::uint64_t>(t.id));
 }
 
+void add_data(StateHash& hash, const DepthTerm& t) THIGMA_RT {
+  add_datum(hash, t.depth);
+  add_data(hash, t.linear);
+  add_data(hash, t.angular);
+  add_datum(hash, t.stiffness);
+  add_datum(hash, t.damping);
+  add_datum(hash, t.tolerance);
+  add_bits(hash, static_cast<std::uint64_t>(t.id));
+}
+
 void add_data(StateHash& hash, const TaylorTerm& t) THIGMA_RT {
   add_data(hash, t.wrench.force);
   add_data(hash, t.wrench.torque);
@@ -102,6 +112,7 @@ std::uint64_t model_digest(const LinearContactModel& model) THIGMA_RT {
   add_datum(hash, model.time);
   add_bits(hash, model.sequence);
   for (const PlaneTerm& term : model.planes) add_data(hash, term);
+  for (const DepthTerm& term : model.depths) add_data(hash, term);
   for (const TaylorTerm& term : model.taylors) add_data(hash, term);
   return hash.value;
 }

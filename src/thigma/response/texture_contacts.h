@@ -1,0 +1,107 @@
+#pragma once
+// Texture forces in the contact model: where a cluster touches relief, its depth and gradient come from the textures
+// (Sec. 4.2.2, 5.4.4).
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "thigma/contact/clustering.h"
+#include "thigma/contact/query_contacts.h"
+#include "thigma/dynamics/linear_contact_model.h"
+#include "thigma/response/penalty.h"
+#include "thigma/texture/depth_gradient.h"
+
+namespace thigma {
+
+enum class DepthSearch : std::uint8_t {
+  grid,    // samples, then the climb to the maximum near the best
+  branch,  // every texel, by branch and bound
+};
+
+struct TextureParams {
+  DepthSearch search = DepthSearch::grid;
+  int resolution = 50;    // of the grid
+  int max_nodes = 20000;  // of the search over texels
+  GradientKind gradient = GradientKind::smoothed_envelope;
+  double smoothing =
+      0.1;  // of the summed amplitudes: depths this near the maximum count, see depth_request
+};
+
+/// A body whose surface a texture may refine. Immutable; outlives the session.
+struct TexturedBody {
+  const HapticTexture* texture =
+      nullptr;  // over the mesh of the hierarchy; of one texel for a plain body
+  const ClodHierarchy* hierarchy = nullptr;  // exact: its patches are of texture->coarse
+  double relief = 0.0;                       // no texel is longer [m]; 0: a plain body
+};
+
+/// relief is measured.
+/// Thread [offline].
+TexturedBody make_textured_body(const HapticTexture& texture, const ClodHierarchy& hierarchy);
+
+/// Everything textured of a contact world. Empty: nothing is.
+struct TexturedWorld {
+  TexturedBody object;
+  std::vector<TexturedBody> scene;  // one a static body
+  TextureParams params;
+  bool is_empty() const noexcept { return object.texture == nullptr; }
+};
+
+/// Whether a contact with this body of the scene touches relief.
+inline bool is_textured(const TexturedWorld& world, std::int32_t body) noexcept {
+  return world.object.relief > 0.0 ||
+         (body >= 0 && world.scene[static_cast<std::size_t>(body)].relief > 0.0);
+}
+
+/// By how much fine surfaces may meet before coarse ones come within a tolerance: what a query has to add [m].
+double relief_of(const TexturedWorld& world) noexcept;
+
+/// After a query at tolerance + relief_of(world): takes out contacts that no relief of their own two bodies makes real,
+/// and makes the others weigh in clusters by depth + tolerance + that relief, so that plain ones weigh what they do
+/// without textures.
+///
+/// tolerance  without relief [m]
+/// contacts   of weight 1; order of those that stay is kept
+/// Thread     [contact]; no failure.
+void limit_to_relief(const TexturedWorld& world, double tolerance, ContactSet& contacts) noexcept;
+
+/// Working memory. Any content is valid; the backend is made by reserve_texture_scratch.
+struct TextureScratch {
+  std::unique_ptr<DepthBackend> backend;
+  std::vector<DepthContact> contacts;                                        // of the last frame
+  std::vector<DepthSamples> samples;                                         // of them
+  std::vector<std::vector<std::int32_t>> object_triangles, scene_triangles;  // one a depth contact
+  std::vector<std::uint32_t> object_marks, scene_marks;  // of triangles: taken in round `round`
+  std::uint32_t round = 0;
+  std::vector<std::int32_t> cluster, body;  // of each depth contact
+  std::vector<double> deepest;              // member of each depth contact, coarse [m]
+  GradientScratch gradient;
+  ContactClusters plain;  // those that touch no relief
+};
+
+/// Room for the largest contacts there can be.
+/// Thread [offline]; throws std::bad_alloc.
+void reserve_texture_scratch(const TexturedWorld& world, TextureScratch& scratch);
+
+/// Contact model of one frame: a depth term for each cluster and textured body it touches, plane terms for the others;
+/// all share the stiffness by depth + tolerance.
+///
+/// world           not empty; poses of the scene are those of `bodies`, that of the object's mesh `world_from_object`
+/// contacts        exact ones, as clustered
+/// clusters, assignment  of cluster_contacts
+/// penalty         as linearize_contacts
+/// state, time, sequence  likewise
+/// scratch         results of the last call are looked into by tests and reports
+/// returns         depth terms without depth, because the surfaces share no part of the plane along n, are left out; a
+///                 depth above what coarse depth, relief and tolerance allow together is cut to it
+/// Thread          [contact]; no failure; allocates only when a contact is larger than any before.
+/// Source          Sec. 4.2.2, 5.4.4. Deviates: D79, D81.
+LinearContactModel linearize_textured(
+    const TexturedWorld& world, const Pose& world_from_object, std::span<const SceneBody> bodies,
+    std::span<const Contact> contacts, const ContactClusters& clusters,
+    std::span<const std::int32_t> assignment, const PenaltyParams& penalty, const BodyState& state,
+    double time, std::uint64_t sequence, TextureScratch& scratch) noexcept;
+
+}  // namespace thigma

@@ -1,0 +1,52 @@
+// A contact step with textures allocates nothing once warm.
+#include "support/audit.h"
+#include "texture/textured_plates.h"
+#include <gtest/gtest.h>
+
+#include "thigma/clod/build_hierarchy.h"
+#include "thigma/mesh/shapes.h"
+#include "thigma/runtime/contact_step.h"
+
+namespace thigma {
+namespace {
+
+TEST(WarmTextures, allocate_nothing) {
+  if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
+  Random random(1);
+  const test::PlateShape shape{.size = 0.02, .cells = 4, .texels = 128};
+  const HapticTexture plate = make_texture(test::plate_source(random, shape), "plate");
+  const TriangleMesh mesh = make_ball(0.004, 8);
+  const HapticTexture smooth = make_plain_texture(mesh, "ball");
+  const ClodHierarchy ball = build_exact_hierarchy(mesh),
+                      below = build_exact_hierarchy(plate.coarse);
+  for (const DepthSearch search : {DepthSearch::grid, DepthSearch::branch}) {
+    ContactWorld world;
+    world.object = &ball;
+    world.scene = {{&below, Pose{}}};
+    world.tolerance = 1e-4;
+    world.textures.object = make_textured_body(smooth, ball);
+    world.textures.scene = {make_textured_body(plate, below)};
+    world.textures.params.search = search;
+    ContactScratch scratch;
+    reserve_contact_scratch(world, scratch);
+    ContactSample sample;
+    std::size_t terms = 0;
+    const auto slide = [&] {
+      for (int i = 0; i < 60; ++i) {
+        StampedBody at;
+        at.time = 1e-3 * i;
+        at.state.position = {1e-4 * (i - 30), 2e-5 * i, 0.004 + 2e-4};
+        contact_step(world, at, scratch, sample);
+        terms += sample.model.depths.size();
+      }
+    };
+    slide();
+    ASSERT_GT(terms, 60u);
+    const test::AuditScope watched;
+    slide();
+    EXPECT_EQ(watched.counts().total(), 0);
+  }
+}
+
+}  // namespace
+}  // namespace thigma
