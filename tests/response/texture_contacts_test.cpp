@@ -4,6 +4,7 @@
 
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/math/elementary.h"
+#include "thigma/math/rotation.h"
 #include "thigma/mesh/shapes.h"
 #include "thigma/runtime/contact_step.h"
 #include "thigma/texture/offset_surface.h"
@@ -174,6 +175,33 @@ TEST(TextureContacts, FlatReliefFeelsAsAPlane) {
   ASSERT_EQ(model.depths.size(), 1u);
   EXPECT_NEAR(model.depths[0].depth, 1e-4, kFacet);
   EXPECT_NEAR((model.depths[0].linear + Vec3::UnitZ()).norm(), 0.0, 0.05);
+}
+
+TEST(TextureContacts, EdgesOfABoxPushAsTheSurfaceBelowThemSlopes) {
+  // A box tilted a little or more on the ridges touches with its lower edge, beside a side seen almost edge-on.
+  const TriangleMesh mesh = make_box({0.012, 0.012, 0.006});
+  const HapticTexture smooth = make_plain_texture(mesh, "box");
+  const ClodHierarchy box = build_exact_hierarchy(mesh);
+  for (const double tilt : {1e-5, 1e-3, 0.02, 0.2}) {
+    for (const GradientKind kind : {GradientKind::envelope, GradientKind::smoothed_envelope}) {
+      BallOnRidges scene({.gradient = kind});
+      scene.world.object = &box;
+      scene.world.textures.object = make_textured_body(smooth, box);
+      reserve_contact_scratch(scene.world, scene.scratch);
+      for (int i = 0; i < 20; ++i) {
+        StampedBody at;
+        at.state.orientation = rotation_from_vector(Vec3(0.0, tilt, 0.0));
+        at.state.position = {0.02 + kWave * i / 20.0, 0.0, 0.003 + 0.006 * sine(tilt)};
+        contact_step(scene.world, at, scene.scratch, scene.sample);
+        // The steepest place of the ridges and half the tilt bound what can be felt sideways.
+        const double steepest = kAmplitude * 2.0 * kPi / kWave + tilt;
+        for (const DepthTerm& term : scene.sample.model.depths) {
+          EXPECT_NEAR(term.linear.z(), -1.0, 0.25) << tilt << ' ' << i;
+          EXPECT_LE(term.linear.head<2>().norm(), 1.2 * steepest) << tilt << ' ' << i;
+        }
+      }
+    }
+  }
 }
 
 TEST(TextureContacts, SameBitsTwice) {

@@ -45,6 +45,32 @@ int edge_at(const GradientScratch& scratch, const SurfaceJet& object, const Surf
   return height_at(scratch.scene, beyond, near) == kNoSurface ? 1 : 0;
 }
 
+// Whether the two slopes are those on either side of a smooth maximum within a texel.
+bool is_smooth_peak(const SurfaceJet& object, const SurfaceJet& scene, double texel) noexcept {
+  const Mat2 bowl = -(object.curvature + scene.curvature);
+  if (!(bowl.determinant() > 0.0 && bowl.trace() > 0.0)) return false;
+  return (bowl.inverse() * (object.slope + scene.slope)).norm() <= texel;
+}
+
+// At a maximum held by a crease of one side, such as the edge of a box, the slope that counts is the other's: the one
+// that changes less across the point. Signs as of edge_at.
+int crease_at(const GradientScratch& scratch, const SurfaceJet& object, const SurfaceJet& scene,
+              const Vec2& at, double texel) noexcept {
+  const Vec2 rising = object.slope + scene.slope;
+  const double length = rising.norm();
+  if (!(length > 0.0)) return 0;
+  const Vec2 step = (texel / length) * rising;
+  const auto change = [&](const ProjectedPatch& patch) {
+    const SurfaceJet before = surface_jet(patch, at - step), after = surface_jet(patch, at + step);
+    return before.is_covered && after.is_covered ? (after.slope - before.slope).norm() : -1.0;
+  };
+  const double of_object = change(scratch.object), of_scene = change(scratch.scene);
+  if (of_object < 0.0 || of_scene < 0.0) return 0;
+  constexpr double kClearly = 2.0;  // less apart, neither is the crease
+  if (of_object > kClearly * of_scene) return -1;
+  return of_scene > kClearly * of_object ? 1 : 0;
+}
+
 double finer_texel(const DepthContact& contact) noexcept {
   return std::min(contact.object.texture->texel_size, contact.scene.texture->texel_size);
 }
@@ -65,7 +91,9 @@ DepthGradient by_envelope(const DepthContact& contact, const DepthSamples& sampl
     const SurfaceJet object = surface_jet(scratch.object, near->at);
     const SurfaceJet scene = surface_jet(scratch.scene, near->at);
     if (!object.is_covered || !scene.is_covered) continue;
-    const int edge = edge_at(scratch, object, scene, near->at, texel);
+    int edge = edge_at(scratch, object, scene, near->at, texel);
+    if (edge == 0 && !is_smooth_peak(object, scene, texel))
+      edge = crease_at(scratch, object, scene, near->at, texel);
     const DepthGradient here = gradient_at(object, sample.frame, contact.centre,
                                            envelope_slope(object, scene, texel, edge));
     sum.linear += near->weight * here.linear;

@@ -108,8 +108,9 @@ void project_patch(const HapticTexture& texture, std::span<const std::int32_t> t
     const double size = normal.norm();
     if (!(size > 0.0)) continue;
     // Cosine between a triangle's normal and the direction below which it counts as seen edge-on. Its height
-    // changes by 1 / cosine per length: nothing could be told from it.
-    constexpr double kEdgeOn = 1e-6;
+    // changes by 1 / cosine per length: with the side of a box under a tilt of a tenth of a degree that would be the
+    // slope of a contact, and its force sideways.
+    constexpr double kEdgeOn = 0.1;
     if (!(direction * normal.z() > kEdgeOn * size)) {
       patch.hidden.push_back(box);
       continue;
