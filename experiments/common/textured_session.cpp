@@ -1,0 +1,72 @@
+#include "experiments/common/textured_session.h"
+
+#include "scenes/scene_file.h"
+
+#include "thigma/clod/build_hierarchy.h"
+#include "thigma/mesh/measure.h"
+
+namespace thigma::experiments {
+namespace {
+
+std::unique_ptr<TexturedSession::Body> load_body(const scenes::SceneObject& object) {
+  auto body = std::make_unique<TexturedSession::Body>();
+  body->texture = object.is_textured
+                      ? scenes::load_texture(object)
+                      : make_plain_texture(scenes::load_object(object).mesh, object.name);
+  body->hierarchy = build_exact_hierarchy(body->texture.coarse);
+  return body;
+}
+
+}  // namespace
+
+std::unique_ptr<TexturedSession> textured_session(
+    const std::string& scene, bool is_textured,
+    const std::function<void(scenes::SceneDescription&)>& change) {
+  auto session = std::make_unique<TexturedSession>();
+  session->scene = scenes::parse_scene(scenes::builtin_scene(scene), scene, "");
+  if (change) change(session->scene);
+  session->object = load_body(session->scene.object);
+  const TriangleMesh& mesh = session->object->texture.coarse;
+  session->config = scenes::make_session_config(
+      session->scene, {{}, mass_properties(mesh), enclosing_ball(mesh.positions)});
+  ContactWorld& world = session->config.contact;
+  world.object = &session->object->hierarchy;
+  const auto textured = [](const TexturedSession::Body& body) {
+    return make_textured_body(body.texture, body.hierarchy);
+  };
+  if (is_textured) world.textures.object = textured(*session->object);
+  for (const scenes::SceneObject& other : session->scene.statics) {
+    session->statics.push_back(load_body(other));
+    world.scene.push_back({&session->statics.back()->hierarchy, other.world_from_mesh});
+    if (is_textured) world.textures.scene.push_back(textured(*session->statics.back()));
+  }
+  return session;
+}
+
+ScriptRun run_script(TexturedSession& session, double seconds,
+                     const std::function<Pose(double)>& pose) {
+  const Pose start = session.config.world_from_body;
+  constexpr double kRow = 0.005;  // [s]: between rows the motion is smooth
+  std::vector<TimedPose> script;
+  for (int i = 0; i <= static_cast<int>(seconds / kRow); ++i) {
+    const Pose by = pose(kRow * i);
+    TimedPose row;
+    row.time = kRow * i;
+    row.pose.position = by.position;
+    row.pose.orientation = by.orientation;
+    script.push_back(row);
+  }
+  const std::unique_ptr<HapticDevice> device = make_script_device(std::move(script));
+  SessionConfig config = session.config;
+  config.world_from_body = start;
+  config.duration = seconds;
+  config.haptic.device = device->limits();
+  ScriptRun run;
+  run.summary = run_lockstep(config, *device,
+                             {.haptic = [&](const HapticSample& s) { run.frames.push_back(s); },
+                              .contact = [&](const ContactSample& s) { run.contacts.push_back(s); },
+                              .event = {}});
+  return run;
+}
+
+}  // namespace thigma::experiments
