@@ -119,11 +119,11 @@ double expect_sound_asset(const std::string& name, const TriangleMesh& mesh, boo
 
 TEST(LevelAssets, ProceduralModels) {
   constexpr Asset assets[] = {
-      {"jaw_lower", 8000, true}, {"jaw_upper", 0, true},     {"cup", 0, false},
-      {"spoon", 6000, true},     {"ellipsoid", 2000, false}, {"ball", 20000, true},
-      {"box", 1200, false},      {"plate", 2000, false},     {"cylinder", 2000, false},
-      {"cone", 2000, false},     {"torus", 4000, false},     {"gear", 6000, false},
-      {"peg", 4000, false},      {"hole", 4000, false}};
+      {"jaw_lower", 8000, true}, {"jaw_upper", 0, true},    {"cup", 0, true},
+      {"spoon", 6000, true},     {"ellipsoid", 2000, true}, {"ball", 20000, true},
+      {"box", 1200, false},      {"plate", 2000, true},     {"cylinder", 2000, false},
+      {"cone", 2000, true},      {"torus", 4000, false},    {"gear", 6000, false},
+      {"peg", 4000, true},       {"hole", 4000, false}};
   for (const Asset& asset : assets) {
     if (asset.triangles == 0 && !test::is_full()) continue;
     scenes::ModelRequest request;
