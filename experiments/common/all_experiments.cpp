@@ -12,6 +12,8 @@ const std::vector<Experiment>& all_experiments() {
       {"fig-3-16", "Fig. 3.16", "golf club on ball: the same up to 3 %", run_fig_3_16},
       {"fig-4-15", "Fig. 4.15", "a striped block turned in another", run_fig_4_15},
       {"fig-5-12", "Fig. 5.12", "a probe on a plate with ridges", run_fig_5_12},
+      {"fig-3-18", "Fig. 3.18", "spoon into cup: levels by the velocity-dependent metric", run_fig_3_18},
+      {"fig-3-19", "Fig. 3.19", "spoon into cup: queries and front up to the first impact", run_fig_3_19},
       {"no-popping", "Sec. 3.4.4", "force steps where a contact changes its level of detail",
        run_no_popping},
       {"e1-static-queries", "PROTOCOLS E1", "fresh queries at predefined distances",

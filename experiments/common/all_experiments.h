@@ -9,6 +9,8 @@ Outcome run_table_3_2(const Context& context);
 Outcome run_table_3_3(const Context& context);
 Outcome run_fig_3_15(const Context& context);
 Outcome run_fig_3_16(const Context& context);
+Outcome run_fig_3_18(const Context& context);
+Outcome run_fig_3_19(const Context& context);
 Outcome run_fig_4_15(const Context& context);
 Outcome run_fig_5_12(const Context& context);
 Outcome run_no_popping(const Context& context);

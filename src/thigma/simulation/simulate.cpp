@@ -17,7 +17,7 @@ using detail::Touch;
 using detail::touch_of;
 
 constexpr int kMostImpulses = 400;      // of one event
-constexpr double kStill = 0.05;      // without motion: at rest [s]
+constexpr double kStill = 0.025;     // without motion: at rest [s]
 constexpr int kHeld = 8;             // events in that time, at least: a body at the top of its flight is not at rest
 constexpr int kFullHits = 4;         // of one contact within an event: those after bounce less and less
 constexpr double kAtRest = 1e-9;        // approach that counts as none, of the speed that the tolerance is fallen with
@@ -79,7 +79,7 @@ class Simulation {
   }
 
   void watch_motion() {
-    if (state_.moved_at < 0.0 || moved() > world_.tolerance) {
+    if (state_.moved_at < 0.0 || moved() > 0.5 * world_.tolerance) {
       state_.moved_from = state_.body;
       state_.moved_at = state_.time;
       state_.held = 0;

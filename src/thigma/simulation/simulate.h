@@ -86,7 +86,7 @@ SimulationScratch reserve_simulation(const SimulationWorld& world, std::size_t c
 /// contact that approaches collides: all that touch, the fastest first, until none approaches. Slow impacts, of less
 /// speed than lifts the body an eighth of that quarter against gravity, keep all their speed, so that a body at rest is
 /// held by a train of small impulses whose frequency is bounded (Sec. 2.4.3; no energy is added).
-/// A body that impulses hold and no point of which has moved by the tolerance for a twentieth of a second is at rest:
+/// A body that impulses hold and no point of which has moved by half the tolerance for 25 ms is at rest:
 /// it loses what speed it has and is simulated no more (a train of impulses would go on for ever).
 /// Where a query sees a penetration of more than a quarter of the tolerance although the one before saw a gap, levels of detail have changed in between: the
 /// collision is taken to be at the time where the line from gap to depth is zero, and the body goes on from there. So

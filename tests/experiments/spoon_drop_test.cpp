@@ -1,0 +1,69 @@
+// Figs. 3.18 and 3.19 with small models. Claims about time are not tests.
+#include "experiments/common/spoon_drop.h"
+
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "experiments/common/all_experiments.h"
+
+#include "thigma/simulation/free_motion.h"
+
+namespace thigma::experiments {
+namespace {
+
+Assets& small_assets() {
+  static Assets assets;
+  return assets;
+}
+
+Outcome run_quick(Outcome (*experiment)(const Context&)) {
+  Context context;
+  context.quick = true;
+  context.assets = &small_assets();
+  return experiment(context);
+}
+
+void expect_claim(const Outcome& outcome, const std::string& id) {
+  for (const Claim& claim : outcome.claims) {
+    if (claim.id != id) continue;
+    EXPECT_FALSE(is_broken(claim)) << id << ": " << claim.value.value_or(-1.0);
+    return;
+  }
+  ADD_FAILURE() << "no claim " << id;
+}
+
+TEST(SpoonDrop, VelocityMetricCoarsensTheFall) {
+  const Outcome outcome = run_quick(run_fig_3_18);
+  expect_claim(outcome, "coarser");
+  expect_claim(outcome, "triangles");
+}
+
+TEST(SpoonDrop, FrontIsSteadierWithLevels) { expect_claim(run_quick(run_fig_3_19), "steadier"); }
+
+// Energy never grows, and the same drop ends the same. A spoon that leans in the cup sinks by up to four tolerances before it
+// comes to rest (docs/simulation.md): known, and not more.
+TEST(SpoonDrop, StaysInTheCup) {
+  BodyState ends[2];
+  for (BodyState& end : ends) {
+    SpoonDrop drop = spoon_drop(small_assets(), 8000);
+    const RigidBody& body = drop.world.body;
+    SimulationScratch scratch = reserve_simulation(drop.world);
+    double gain = 0.0;
+    SimulationPorts ports;
+    ports.event = [&](const CollisionEvent& e) { gain = std::max(gain, e.energy_change); };
+    const double start = mechanical_energy(body, drop.start.body);
+    const SimulationCounts counts = simulate(drop.world, 1.0, drop.start, scratch, ports);
+    const double scale = body.mass * 9.81 * 0.1;
+    EXPECT_LE(mechanical_energy(body, drop.start.body), start);
+    EXPECT_LE(gain, 1e-12 * scale);
+    EXPECT_LE(counts.deepest, 5.0 * drop.world.tolerance);
+    EXPECT_GT(counts.events, 5);
+    end = drop.start.body;
+  }
+  EXPECT_EQ(to_vector(ends[0]), to_vector(ends[1]));
+}
+
+}  // namespace
+}  // namespace thigma::experiments
