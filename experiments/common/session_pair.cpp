@@ -8,10 +8,10 @@
 
 namespace thigma::experiments {
 
-SessionPair session_pair(Assets& assets, const std::string& scene, double seconds) {
+SessionPair session_pair(Assets& assets, const std::string& scene, double seconds, int triangles) {
   const scenes::SceneDescription description =
       scenes::parse_scene(scenes::builtin_scene(scene), scene, "");
-  const Pair pair = scene_pair(assets, scene);
+  const Pair pair = scene_pair(assets, scene, triangles);
   scenes::LoadedObject object;
   object.measure = mass_properties(scenes::make_model(description.object.model.value()));
   object.ball = {pair.object->center, pair.object->radius};

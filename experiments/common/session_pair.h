@@ -18,7 +18,9 @@ struct SessionPair {
 };
 
 /// As `thigma run scenes/NAME.toml` sets it up; references into assets stay.
-/// Thread   [offline].
-SessionPair session_pair(Assets& assets, const std::string& scene, double seconds);
+/// triangles  0 as the scene says, otherwise of both objects
+/// Thread     [offline].
+SessionPair session_pair(Assets& assets, const std::string& scene, double seconds,
+                         int triangles = 0);
 
 }  // namespace thigma::experiments

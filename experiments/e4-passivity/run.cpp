@@ -1,0 +1,134 @@
+// PROTOCOLS E4: energy at the device's port over the scenes, without delay, and 15 ms late with and without the
+// passivity controller.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "experiments/common/all_experiments.h"
+#include "experiments/common/session_pair.h"
+#include "scenes/gain_task.h"
+
+#include "thigma/runtime/passivity.h"
+#include "thigma/runtime/passivity_control.h"
+
+namespace thigma::experiments {
+namespace {
+
+constexpr double kDelay = 0.015;  // [s]
+
+/// Gains as `tune` proposes them for this object and the simulated hand without delay.
+void recommend(SessionConfig& config) {
+  const GainProposal p = propose_gains(scenes::gain_task(
+      scenes::describe_device("hand:"), config.haptic.body, config.haptic.workspace, config.rate));
+  Coupling& c = config.haptic.coupling;
+  c.linear_stiffness = p.linear.stiffness;
+  c.linear_damping = p.linear.damping;
+  c.angular_stiffness = p.angular.stiffness;
+  c.angular_damping = p.angular.damping;
+  c.linear_saturation =
+      make_saturation(c.linear_stiffness, 0.5 * p.max_force / c.linear_stiffness, p.max_force);
+  c.angular_saturation =
+      make_saturation(c.angular_stiffness, 0.5 * p.max_torque / c.angular_stiffness, p.max_torque);
+  config.contact.response.stiffness = p.contact.stiffness;
+  config.contact.response.damping = p.contact.damping;
+}
+
+struct Ran {
+  SessionSummary summary;
+  double energy_min = 0.0;  // from the handle's true motion and the wrench its motors applied [J]
+  double energy_end = 0.0;
+  double damped = 0.0, damping = 0.0;  // share of frames, largest [N s/m]
+  std::vector<double> time, energy;
+};
+
+Ran run(const SessionPair& session, double delay, bool is_controlled) {
+  HandParams params = parse_hand("path=demo", session.hand);
+  params.delay = delay;
+  HandDevice hand(params);
+  SessionConfig config = session.config;
+  const Workspace& w = config.haptic.workspace;
+  const Coupling& c = config.haptic.coupling;
+  PassiveDevice passive(
+      hand, passivity_for(c.linear_stiffness * w.force_scale * w.motion_scale,
+                          c.angular_stiffness * torque_scale(w), 1.0 / config.rate, delay));
+  HapticDevice& device = is_controlled ? static_cast<HapticDevice&>(passive) : hand;
+  EnergyObserver port;
+  Ran ran;
+  const auto look = [&](const HapticSample& sample) {
+    observe_motion(port, hand.true_motion().pose);
+    observe_wrench(port, hand.applied_wrench());
+    ran.damping = std::max(ran.damping, passive.control().damping);
+    if (sample.frame % 10 != 0) return;
+    ran.time.push_back(sample.time);
+    ran.energy.push_back(1e3 * port.energy);
+  };
+  ran.summary = run_lockstep(config, device, {.haptic = look, .contact = {}, .event = {}});
+  ran.energy_min = port.energy_min;
+  ran.energy_end = port.energy;
+  ran.damped = static_cast<double>(passive.control().damped_frames) /
+               static_cast<double>(std::max<std::uint64_t>(ran.summary.frames, 1));
+  return ran;
+}
+
+void add(const std::string& scene, double delay, bool is_controlled, const Ran& ran,
+         plot::Panel& panel, Outcome& outcome) {
+  add_row(outcome.tables[0],
+          {scene, delay, is_controlled ? 1.0 : 0.0, ran.energy_min, ran.summary.energy_min,
+           ran.energy_end, ran.damped, ran.damping, ran.summary.force_max, ran.summary.force_rms,
+           ran.summary.penetration_max, ran.summary.end == SessionEnd::fault ? 1.0 : 0.0});
+  panel.series.push_back({.label = delay == 0.0    ? "no delay"
+                                   : is_controlled ? "15 ms, controlled"
+                                                   : "15 ms",
+                          .x = ran.time,
+                          .y = ran.energy});
+}
+
+}  // namespace
+
+Outcome run_e4_passivity(const Context& context) {
+  Outcome outcome;
+  outcome.tables = {
+      {.columns = {"scene", "delay [s]", "controlled", "least energy [J]",
+                   "least energy as sensed [J]", "energy at the end [J]", "share of frames damped",
+                   "largest damping [N s/m]", "largest force [N]", "rms force [N]",
+                   "penetration [m]", "fault"}}};
+  outcome.figure = {.title = "Energy put in at the device's port (PROTOCOLS E4)",
+                    .note = "true motion of the simulated handle; gains as `tune` proposes them"};
+  const std::vector<const char*> scenes =
+      context.quick ? std::vector<const char*>{"simple_cup_spoon"}
+                    : std::vector<const char*>{"jaws",      "cup_spoon", "simple_cup_spoon",
+                                               "ellipsoid", "golf",      "ball_joint"};
+  double least = 0.0, least_controlled = 0.0, least_gain = std::numeric_limits<double>::infinity();
+  double cost = 0.0, damping = 0.0;
+  for (const char* scene : scenes) {
+    tell(context, scene);
+    SessionPair session = session_pair(*context.assets, scene, context.quick ? 4.0 : 10.0);
+    recommend(session.config);
+    plot::Panel panel{.title = scene, .x = {.label = "time [s]"}, .y = {.label = "energy [mJ]"}};
+    const Ran prompt = run(session, 0.0, false);
+    const Ran late = run(session, kDelay, false);
+    const Ran controlled = run(session, kDelay, true);
+    add(scene, 0.0, false, prompt, panel, outcome);
+    add(scene, kDelay, false, late, panel, outcome);
+    add(scene, kDelay, true, controlled, panel, outcome);
+    outcome.figure.panels.push_back(panel);
+    least = std::min(least, prompt.energy_min);
+    least_controlled = std::min(least_controlled, controlled.energy_min);
+    least_gain = std::min(least_gain, late.energy_min / std::min(controlled.energy_min, -1e-12));
+    cost = std::max(cost, controlled.damped);
+    damping = std::max(damping, controlled.damping);
+  }
+  outcome.claims = {
+      at_least("energy-min", "least energy over the scenes at recommended gains, no added delay",
+               least, -1e-6, "J"),
+      at_least("controlled", "least energy over the scenes 15 ms late with the controller",
+               least_controlled, -1e-3, "J"),
+      at_least("nearer", "how much nearer zero that is than without, in the worst scene",
+               least_gain, 20.0),
+      stated("cost", "most of a session's frames that the controller damps", cost),
+      stated("damping", "largest damping it adds to the handle", damping, "N s/m")};
+  return outcome;
+}
+
+}  // namespace thigma::experiments
