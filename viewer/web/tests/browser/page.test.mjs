@@ -108,7 +108,7 @@ pageTest("plots and words get what is sent", { device: "hand:" }, async ({ page,
   assert.ok(seen.rows <= mock.world.frame + 16 && seen.channels > 10);
   assert.match(seen.words, /The upper block (presses on|is close to) the lower block at|touches nothing/);
   assert.match(seen.words, /The loop holds 1000 Hz, 0 frames missed\./);
-  assert.match(seen.words, /Contacts found 4\d\d times a second, 1\.18 ms each; the model is 2\.10 ms old\./);
+  assert.match(seen.words, /Contacts found [34]\d\d times a second, 1\.18 ms each; the model is 2\.10 ms old\./);
 });
 
 pageTest("a drag moves the hand until the object touches, and not through", {}, async ({ page, mock }) => {
