@@ -194,4 +194,15 @@ std::vector<double> contact_force(std::span<const CoupledFrame> frames) {
   return norms(frames, &CoupledFrame::contact);
 }
 
+void point_on_floor(const Pose& at, double tolerance, ContactSet& set) {
+  if (at.position.z() > tolerance) return;
+  Contact c;
+  c.point = at.position;
+  c.scene_point = {at.position.x(), at.position.y(), 0.0};
+  c.normal = -Vec3::UnitZ();
+  c.depth = -at.position.z();
+  c.object_patch = c.scene_patch = 0;
+  set.contacts.push_back(c);
+}
+
 }  // namespace thigma::experiments

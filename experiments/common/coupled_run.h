@@ -67,4 +67,7 @@ std::vector<double> exact_depths(const ContactWorld& world, std::span<const Coup
 std::vector<double> coupling_force(std::span<const CoupledFrame> frames);
 std::vector<double> contact_force(std::span<const CoupledFrame> frames);
 
+/// Contacts of a point at the object's origin with the floor z = 0: a source for ContactWorld.
+void point_on_floor(const Pose& at, double tolerance, ContactSet& set);
+
 }  // namespace thigma::experiments

@@ -168,8 +168,12 @@ double quadratic_fit(const Roughness& curve) {
   return 1.0 - (values - fitted).squaredNorm() / about;
 }
 
-Outcome roughness_outcome(const std::string& title, const std::vector<Roughness>& exact,
-                          const std::vector<Roughness>& pipeline) {
+Outcome run_roughness(const Context& context, const std::string& title,
+                      const std::vector<Roughness>& curves,
+                      void (*add_claims)(const std::string& suffix, const std::string& how,
+                                         const std::vector<Roughness>& curves, Outcome& outcome)) {
+  const std::vector<Roughness> exact = roughness_curves(context, curves, false),
+                               pipeline = roughness_curves(context, curves, true);
   Outcome outcome;
   outcome.tables = {{.name = "data",
                      .columns = {"slopes", "curve", "diameter [m]", "normal force [N]",
@@ -194,6 +198,8 @@ Outcome roughness_outcome(const std::string& title, const std::vector<Roughness>
     }
     outcome.figure.panels.push_back(panel);
   }
+  add_claims("", "closed form: ", exact, outcome);
+  add_claims("-pipeline", "through the contact step: ", pipeline, outcome);
   return outcome;
 }
 

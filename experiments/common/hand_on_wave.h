@@ -53,9 +53,12 @@ std::vector<Roughness> roughness_curves(const Context& context, std::vector<Roug
 /// R^2 of a parabola through the logarithms between 0.5 and 5 mm.
 double quadratic_fit(const Roughness& curve);
 
-/// Tables and panels that Figs. 4.8 to 4.10 share: the closed form and the pipeline.
-Outcome roughness_outcome(const std::string& title, const std::vector<Roughness>& exact,
-                          const std::vector<Roughness>& pipeline);
+/// Figs. 4.8 to 4.10: the curves in closed form and through the contact step, with tables, panels and claims of both.
+/// add_claims  of one of the two; suffix of the ids, how the curves came about
+Outcome run_roughness(const Context& context, const std::string& title,
+                      const std::vector<Roughness>& curves,
+                      void (*add_claims)(const std::string& suffix, const std::string& how,
+                                         const std::vector<Roughness>& curves, Outcome& outcome));
 
 /// Acceleration of a curve at a wavelength, between the nearest in logarithms.
 double acceleration_at(const Roughness& curve, double spacing);

@@ -15,22 +15,11 @@ constexpr double kPeriod = 1e-3, kMass = 0.010, kMoment = 1e-6;
 constexpr double kCoupling = 480.0, kContact = 6000.0;  // as `tune` proposes for 10 g [N/m]
 constexpr double kTolerance = 2e-4, kGap = 0.005;       // [m]
 
-void plane(const Pose& at, double tolerance, ContactSet& set) {
-  if (at.position.z() > tolerance) return;
-  Contact c;
-  c.point = at.position;
-  c.scene_point = {at.position.x(), at.position.y(), 0.0};
-  c.normal = -Vec3::UnitZ();
-  c.depth = -at.position.z();
-  c.object_patch = c.scene_patch = 0;
-  set.contacts.push_back(c);
-}
-
 double critical(double stiffness, double mass) { return 2.0 * std::sqrt(stiffness * mass); }
 
 ContactWorld wall() {
   ContactWorld world;
-  world.source = plane;
+  world.source = point_on_floor;
   world.capacity = 4;
   world.tolerance = kTolerance;
   world.response = {.stiffness = kContact, .damping = critical(kContact, kMass)};

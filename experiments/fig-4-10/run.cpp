@@ -48,12 +48,7 @@ void add_claims(const std::string& suffix, const std::string& how,
 }  // namespace
 
 Outcome run_fig_4_10(const Context& context) {
-  const std::vector<Roughness> exact = roughness_curves(context, curves(context.quick), false),
-                               pipeline = roughness_curves(context, curves(context.quick), true);
-  Outcome outcome = roughness_outcome("Exploratory speed (Fig. 4.10)", exact, pipeline);
-  add_claims("", "closed form: ", exact, outcome);
-  add_claims("-pipeline", "through the contact step: ", pipeline, outcome);
-  return outcome;
+  return run_roughness(context, "Exploratory speed (Fig. 4.10)", curves(context.quick), add_claims);
 }
 
 }  // namespace thigma::experiments

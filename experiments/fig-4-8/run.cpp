@@ -48,12 +48,7 @@ void add_claims(const std::string& suffix, const std::string& how,
 }  // namespace
 
 Outcome run_fig_4_8(const Context& context) {
-  const std::vector<Roughness> exact = roughness_curves(context, curves(), false),
-                               pipeline = roughness_curves(context, curves(), true);
-  Outcome outcome = roughness_outcome("Probe diameter (Fig. 4.8)", exact, pipeline);
-  add_claims("", "closed form: ", exact, outcome);
-  add_claims("-pipeline", "through the contact step: ", pipeline, outcome);
-  return outcome;
+  return run_roughness(context, "Probe diameter (Fig. 4.8)", curves(), add_claims);
 }
 
 }  // namespace thigma::experiments

@@ -36,12 +36,7 @@ void add_claims(const std::string& suffix, const std::string& how,
 }  // namespace
 
 Outcome run_fig_4_9(const Context& context) {
-  const std::vector<Roughness> exact = roughness_curves(context, curves(), false),
-                               pipeline = roughness_curves(context, curves(), true);
-  Outcome outcome = roughness_outcome("Normal force (Fig. 4.9)", exact, pipeline);
-  add_claims("", "closed form: ", exact, outcome);
-  add_claims("-pipeline", "through the contact step: ", pipeline, outcome);
-  return outcome;
+  return run_roughness(context, "Normal force (Fig. 4.9)", curves(), add_claims);
 }
 
 }  // namespace thigma::experiments

@@ -39,16 +39,7 @@ double point_on_plane(int every, bool is_linearized) {
   setup.coupling.angular_stiffness = 0.3;
   setup.coupling.angular_damping = 2.0 * std::sqrt(0.3 * 1e-6);
   setup.start.position.z() = 1e-3;
-  setup.contact.source = [](const Pose& at, double tolerance, ContactSet& set) {
-    if (at.position.z() > tolerance) return;
-    Contact c;
-    c.point = at.position;
-    c.scene_point = {at.position.x(), at.position.y(), 0.0};
-    c.normal = -Vec3::UnitZ();
-    c.depth = -at.position.z();
-    c.object_patch = c.scene_patch = 0;
-    set.contacts.push_back(c);
-  };
+  setup.contact.source = point_on_floor;
   setup.contact.capacity = 4;
   setup.contact.tolerance = 1e-3;
   setup.contact.response = {.stiffness = kStiffness,
