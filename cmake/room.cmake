@@ -15,10 +15,19 @@ function(thigma_room name)
   set_property(GLOBAL APPEND PROPERTY THIGMA_ROOMS ${name})
 endfunction()
 
-# thigma_test(NAME room ...): tests/<room>/<file>_test.cpp of one room in one executable.
+# thigma_test(NAME [THREADS] [REALTIME] SOURCES ... DEPENDS ...): tests/<room>/<file>_test.cpp of one room in one executable.
+# THREADS: it starts threads, or a program that does; REALTIME: it calls functions marked THIGMA_RT. The thread and the
+# real-time sanitizer can find nothing in the others, which are left out there; the address sanitizer runs them all.
+if(THIGMA_BUILD_TESTS)
+  add_custom_target(thigma_test_programs)
+endif()
 function(thigma_test name)
-  cmake_parse_arguments(T "" "LABEL;TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(T "THREADS;REALTIME" "LABEL;TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
+  if((THIGMA_SANITIZE STREQUAL "thread" AND NOT T_THREADS) OR (THIGMA_SANITIZE STREQUAL "realtime" AND NOT T_REALTIME))
+    return()
+  endif()
   add_executable(${name} ${T_SOURCES})
+  add_dependencies(thigma_test_programs ${name})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${name} PRIVATE THIGMA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE ${T_DEPENDS} GTest::gtest GTest::gtest_main thigma_warnings)
