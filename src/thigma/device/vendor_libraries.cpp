@@ -1,6 +1,6 @@
 #include "thigma/device/vendor_libraries.h"
 
-#include "thigma/device/shared_library.h"
+#include "thigma/core/shared_library.h"
 
 namespace thigma {
 namespace {

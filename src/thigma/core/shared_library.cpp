@@ -1,4 +1,4 @@
-#include "thigma/device/shared_library.h"
+#include "thigma/core/shared_library.h"
 
 #include <utility>
 
