@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <sys/mman.h>
+
 #include "thigma/core/error.h"
 
 namespace thigma {
@@ -190,9 +192,20 @@ BoundsLevel next_level(const BoundsLevel& fine) {
   return level;
 }
 
+// A height map reads texels all over the map: with pages of 4 KiB a lookup of the address costs more than the texel. Where
+// the system has no larger pages, nothing changes.
+void ask_for_large_pages(const void* memory, std::size_t bytes) {
+  constexpr std::uintptr_t kLargePage = std::uintptr_t{1} << 21;
+  const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(memory);
+  const std::uintptr_t first = (begin + kLargePage - 1) & ~(kLargePage - 1),
+                       last = (begin + bytes) & ~(kLargePage - 1);
+  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+}
+
 std::vector<Texel> padded(const std::vector<Texel>& texels, int width, int height) {
   std::vector<Texel> out;
   out.reserve(static_cast<std::size_t>(width + 1) * static_cast<std::size_t>(height + 1));
+  ask_for_large_pages(out.data(), out.capacity() * sizeof(Texel));
   for (int row = 0; row <= height; ++row) {
     const auto start =
         texels.begin() + static_cast<std::ptrdiff_t>(std::min(row, height - 1)) * width;
