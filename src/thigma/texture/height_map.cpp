@@ -5,8 +5,9 @@
 
 #include <emmintrin.h>
 
-#include "thigma/math/elementary.h"
 #include "thigma/texture/detail/height_span.h"
+#include "thigma/texture/detail/map_motion.h"
+#include "thigma/texture/detail/triangle_span.h"
 
 namespace thigma {
 namespace {
@@ -38,35 +39,12 @@ Extent row_extent(const ProjectedTriangle& t, double v) noexcept {
   return extent;
 }
 
-// What all rows of a triangle share.
-detail::HeightSpan span_of(const ProjectedPatch& patch, const ProjectedTriangle& t, double spacing,
-                           Vec2& origin) noexcept {
-  const HapticTexture& texture = *patch.texture;
-  // Coordinates are counted from a texel of the triangle: single precision then resolves its texels, not the map's.
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
-  for (const Vec2& at : t.at) low = low.cwiseMin(t.texel_origin + t.texel_by_at * at);
-  const auto index = [](double at, int count) {
-    return static_cast<int>(std::clamp(std::floor(at) - 1.0, 0.0, count - 1.0));
-  };
-  const int column = index(low.x(), texture.width), row = index(low.y(), texture.height);
-  origin = Vec2(column, row);
-  detail::HeightSpan span;
-  span.texels = &texel_at(texture, column, row).x;
-  span.texel_row = texture.width + 1;
-  span.high_x = static_cast<float>(texture.width - 1 - column);
-  span.high_y = static_cast<float>(texture.height - 1 - row);
-  span.by_x = static_cast<float>(t.texel_by_at(0, 0) * spacing);
-  span.by_y = static_cast<float>(t.texel_by_at(1, 0) * spacing);
-  span.by_h = static_cast<float>(t.height_by_at.x() * spacing);
-  for (int k = 0; k < 3; ++k) span.m[k] = static_cast<float>(patch.direction_body[k]);
-  return span;
+int first_index(double cells) noexcept {
+  return static_cast<int>(std::ceil(cells - detail::kSpanOverlap));
 }
-
-// Cells by which a triangle reaches beyond its edges: enough that rounding opens no crack between neighbours.
-constexpr double kOverlap = 1e-6;
-
-int first_index(double cells) noexcept { return static_cast<int>(std::ceil(cells - kOverlap)); }
-int last_index(double cells) noexcept { return static_cast<int>(std::floor(cells + kOverlap)); }
+int last_index(double cells) noexcept {
+  return static_cast<int>(std::floor(cells + detail::kSpanOverlap));
+}
 
 void render_triangle(const ProjectedPatch& patch, const ProjectedTriangle& t, const MapGrid& grid,
                      RaiseSpan raise, HeightMap& map) noexcept {
@@ -80,7 +58,7 @@ void render_triangle(const ProjectedPatch& patch, const ProjectedTriangle& t, co
     return std::clamp((u - first.x()) / spacing.x(), -1.0, static_cast<double>(grid.columns));
   };
   Vec2 origin;
-  detail::HeightSpan span = span_of(patch, t, spacing.x(), origin);
+  detail::HeightSpan span = detail::start_span(patch, t, spacing.x(), origin);
   const int last_row = std::min(last_index(row_of(top)), grid.rows - 1);
   for (int row = std::max(first_index(row_of(bottom)), 0); row <= last_row; ++row) {
     const double v = grid.at(0, row).y();
@@ -98,19 +76,13 @@ void render_triangle(const ProjectedPatch& patch, const ProjectedTriangle& t, co
   }
 }
 
-// Of a cell: nearer to a sample than this, an offset is meant to be whole, and must not fall off the edge by rounding.
-constexpr double kWholeCell = 1e-9;
-
-// Less than the smallest weight leaves of an empty sample [m].
-constexpr float kMixed = 1e-10f * kEmptySample;
-
 // Between four samples; empty as soon as an empty one takes part.
 float interpolate(const float* h, std::ptrdiff_t next, std::ptrdiff_t next_row, float x,
                   float y) noexcept {
   const float left = h[0] + y * (h[next_row] - h[0]);
   const float right = h[next] + y * (h[next_row + next] - h[next]);
   const float height = left + x * (right - left);
-  return height < kMixed ? kEmptySample : height;
+  return height < detail::kMixedSample ? kEmptySample : height;
 }
 
 // The same for four at once: corners in rows, h[row][column], lane by lane.
@@ -118,7 +90,7 @@ __m128 interpolate_four(const __m128 (&h)[2][2], __m128 x, __m128 y) noexcept {
   const __m128 left = _mm_add_ps(h[0][0], _mm_mul_ps(y, _mm_sub_ps(h[1][0], h[0][0])));
   const __m128 right = _mm_add_ps(h[0][1], _mm_mul_ps(y, _mm_sub_ps(h[1][1], h[0][1])));
   const __m128 height = _mm_add_ps(left, _mm_mul_ps(x, _mm_sub_ps(right, left)));
-  const __m128 is_mixed = _mm_cmplt_ps(height, _mm_set1_ps(kMixed));
+  const __m128 is_mixed = _mm_cmplt_ps(height, _mm_set1_ps(detail::kMixedSample));
   return _mm_or_ps(_mm_and_ps(is_mixed, _mm_set1_ps(kEmptySample)),
                    _mm_andnot_ps(is_mixed, height));
 }
@@ -133,19 +105,9 @@ void load_pairs(const float* row, const std::int32_t (&at)[4], __m128 (&h)[2]) n
   h[1] = _mm_unpackhi_ps(even, odd);
 }
 
-// Moved sample (i, j) is the old one at (i, j) + offset cells: the same weights everywhere.
-void shift_map(const HeightMap& map, const Vec2& offset, HeightMap& moved) noexcept {
-  int first[2], last[2], whole[2];
-  float way[2];
-  for (int k = 0; k < 2; ++k) {
-    const int count = k == 0 ? map.columns : map.rows;
-    double at = std::clamp(offset[k], -static_cast<double>(count), static_cast<double>(count));
-    if (std::fabs(at - std::round(at)) <= kWholeCell) at = std::round(at);
-    whole[k] = static_cast<int>(std::floor(at));
-    way[k] = static_cast<float>(at - whole[k]);
-    first[k] = std::max(0, -whole[k]);
-    last[k] = std::min(count, count - whole[k] - (way[k] > 0.0f));
-  }
+// The same weights everywhere.
+void shift_map(const HeightMap& map, const detail::MapShift& by, HeightMap& moved) noexcept {
+  const auto& [whole, first, last, way] = by;
   const std::ptrdiff_t next = way[0] > 0.0f, next_row = way[1] > 0.0f ? map.columns : 0;
   const __m128 x = _mm_set1_ps(way[0]), y = _mm_set1_ps(way[1]);
   for (int row = first[1]; row < last[1]; ++row) {
@@ -199,21 +161,13 @@ __m128 read_four(const HeightMap& map, __m128 x, __m128 y) noexcept {
 
 void turn_map(const HeightMap& map, const MapGrid& grid, const PlaneMotion& motion,
               HeightMap& moved) noexcept {
-  const SinCos turn = sin_cos(motion.turn);
-  Mat2 back;
-  back << turn.cos, turn.sin, -turn.sin, turn.cos;
-  const Vec2 spacing = grid.spacing();
-  const Vec2 first = grid.at(0, 0);
-  const auto old = [&](const Vec2& at) -> Vec2 {
-    const Vec2 from = back * (at - motion.shift - motion.centre) + motion.centre;
-    return (from - first).cwiseQuotient(spacing);
-  };
-  const Vec2 by_column = old(grid.at(1, 0)) - old(first);
+  const detail::MapTurn turn = detail::map_turn(grid, motion);
+  const Vec2& by_column = turn.by_column;
   const float last_x = static_cast<float>(map.columns - 1),
               last_y = static_cast<float>(map.rows - 1);
   const float by_x = static_cast<float>(by_column.x()), by_y = static_cast<float>(by_column.y());
   for (int row = 0; row < map.rows; ++row) {
-    const Vec2 start = old(grid.at(0, row));  // where sample (0, row) was [cells]
+    const Vec2 start = turn.old(grid.at(0, row));  // where sample (0, row) was [cells]
     double low = 0.0, high = map.columns - 1;
     narrow(start.x(), by_column.x(), map.columns - 1, low, high);
     narrow(start.y(), by_column.y(), map.rows - 1, low, high);
@@ -276,7 +230,7 @@ void move_map(const HeightMap& map, const MapGrid& grid, const PlaneMotion& moti
   moved.rows = map.rows;
   moved.heights.assign(map.heights.size(), kEmptySample);
   if (motion.turn == 0.0) {
-    shift_map(map, -motion.shift.cwiseQuotient(grid.spacing()), moved);
+    shift_map(map, detail::map_shift(grid, motion.shift), moved);
   } else {
     turn_map(map, grid, motion, moved);
   }
