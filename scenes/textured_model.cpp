@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "scenes/make_model.h"
+#include "scenes/textured_parts.h"
 
 #include "thigma/core/error.h"
 #include "thigma/math/elementary.h"
@@ -78,6 +79,11 @@ const std::vector<TexturedInfo>& textured_models() {
   static const std::vector<TexturedInfo> list = {
       {"ridged_plate", 1024, "plate of 350 x 350 x 10 mm with sinusoidal ridges, 8 mm high"},
       {"striped_block", 1024, "block of 80 x 60 x 20 mm with stripes, 2 mm high, 10 mm apart"},
+      {"gear", 1024, "gear of 80 mm with 20 teeth, grooves 0.4 mm high along its rim"},
+      {"hammer", 1024, "hammer of 240 mm, head and handle with knobs up to 0.6 mm high"},
+      {"cad_part", 1024, "flange of 100 x 100 x 46 mm with a boss, rough by 0.45 mm"},
+      {"file", 1024, "cross-cut file of 200 x 22 x 6 mm, cuts 0.3 mm high, 3 mm apart"},
+      {"helicoidal_torus", 1024, "torus of 160 mm, its tube wound about by ridges 0.6 mm high"},
   };
   return list;
 }
@@ -86,7 +92,10 @@ HapticTexture make_textured_model(const TexturedRequest& request) {
   const TexturedInfo& info = find_model(request.name, "texture");
   const int texels = request.texels == 0 ? info.texels : request.texels;
   check_texels(texels, "texture");
-  return request.name == "ridged_plate" ? make_ridged_plate(texels) : make_striped_block(texels);
+  if (request.name == "ridged_plate") return make_ridged_plate(texels);
+  if (request.name == "striped_block") return make_striped_block(texels);
+  const std::vector<TexturedSheet> sheets = textured_part(request.name);
+  return make_texture(make_textured_sheets(sheets, texels), request.name);
 }
 
 TexturedRequest parse_textured_uri(std::string_view uri, const std::string& where) {

@@ -21,10 +21,14 @@ TEST(BuiltinScenes, LoadAndStandApart) {
     const LoadedObject object = load_object(scene.object);
     TriangleMesh all = transformed(object.mesh, scene.object.world_from_mesh);
     ASSERT_GE(scene.statics.size(), 1u);
+    // A hammer's head and handle are two components that lie in each other.
+    auto own = find_self_intersections(object.mesh).pairs;
     for (const SceneObject& other : scene.statics) {
-      all = joined(all, transformed(load_object(other).mesh, other.world_from_mesh));
+      const TriangleMesh mesh = load_object(other).mesh;
+      own += find_self_intersections(mesh).pairs;
+      all = joined(all, transformed(mesh, other.world_from_mesh));
     }
-    EXPECT_EQ(find_self_intersections(all).pairs, 0) << "objects overlap as given";
+    EXPECT_EQ(find_self_intersections(all).pairs, own) << "objects overlap as given";
     const SessionConfig config = make_session_config(scene, object);
     EXPECT_GT(config.contact.tolerance, 0.0);
     EXPECT_LT(config.contact.tolerance, 0.05 * object.ball.radius);
