@@ -7,6 +7,7 @@
 #include "benchmarks/pair_bench.h"
 #include "benchmarks/probe.h"
 #include "benchmarks/query_bench.h"
+#include "benchmarks/texture_rows.h"
 #include "scenes/make_model.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/math/quantile.h"
@@ -119,6 +120,8 @@ std::vector<Measurement> measurements(bool quick) {
       {"front-small", [=] { return std::vector<Row>{front_row("front tracking, small front", 1250, quick ? 20 : 400)}; }},
       {"front-large", [=] { return std::vector<Row>{front_row("front tracking, large front", 30000, quick ? 10 : 200)}; }},
       {"exact-query", [=] { return query_rows(quick); }},
+      {"texture-depth", [=] { return texture_rows(quick); }},
+      {"texture-gpu", [=] { return gpu_texture_rows(quick); }},
       {"build-levels", [=] { return clod_build_rows(quick); }},
   };
   const std::vector<Measurement> with_levels = level_measurements(quick);
