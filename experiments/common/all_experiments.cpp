@@ -1,5 +1,7 @@
 #include "experiments/common/all_experiments.h"
 
+#include "experiments/common/texture_experiments.h"
+
 namespace thigma::experiments {
 
 const std::vector<Experiment>& all_experiments() {
@@ -10,12 +12,15 @@ const std::vector<Experiment>& all_experiments() {
       {"fig-3-15", "Fig. 3.15", "moving jaws: force, query time and front up to 2.5 %",
        run_fig_3_15},
       {"fig-3-16", "Fig. 3.16", "golf club on ball: the same up to 3 %", run_fig_3_16},
+      {"table-4-1", "Table 4.1", "triangles of the textured models", run_table_4_1},
       {"fig-4-8", "Fig. 4.8", "roughness of a wave through probes of several diameters", run_fig_4_8},
       {"fig-4-9", "Fig. 4.9", "roughness of a wave under several normal forces", run_fig_4_9},
       {"fig-4-10", "Fig. 4.10", "roughness of a wave at several speeds", run_fig_4_10},
       {"fig-4-14", "Fig. 4.14", "a striped block dragged over another", run_fig_4_14},
       {"fig-4-15", "Fig. 4.15", "a striped block turned in another", run_fig_4_15},
       {"fig-4-16", "Fig. 4.16", "time of textured contacts over their number", run_fig_4_16},
+      {"hammer-on-torus", "Sec. 4.5.2", "a textured hammer on a textured torus; the textured scenes led by a hand",
+       run_hammer_on_torus},
       {"fig-5-12", "Fig. 5.12", "a probe on a plate with ridges", run_fig_5_12},
       {"fig-3-18", "Fig. 3.18", "spoon into cup: levels by the velocity-dependent metric", run_fig_3_18},
       {"fig-3-19", "Fig. 3.19", "spoon into cup: queries and front up to the first impact", run_fig_3_19},
@@ -38,6 +43,8 @@ const std::vector<Experiment>& all_experiments() {
        run_e6_impact},
       {"e8-lod-error", "PROTOCOLS E8", "error of force and torque over the threshold",
        run_e8_lod_error},
+      {"e10-depth-accuracy", "PROTOCOLS E10", "depth, gradient and Hessian against closed forms and rays",
+       run_e10_depth_accuracy},
       {"e14-degradation", "PROTOCOLS E14", "queries that stop early: budgets kept, error left",
        run_e14_degradation},
       {"e16-scaling", "PROTOCOLS E16", "growth with the number of triangles", run_e16_scaling},

@@ -42,6 +42,30 @@ TEST(BakeVerb, PrintsTheFieldsOfTheInterfaceAndWritesWhatItSays) {
   EXPECT_LT(j["fit_error_rms"].get<double>(), 1e-4);
 }
 
+TEST(BakeVerb, BakesOntoLevelsOfDetail) {
+  const std::string fine = mesh_file("round.obj", make_ball(0.02, 24)), clod = out_file("round.clod"),
+                    out = out_file("level.tex");
+  const Ended built = run_program({"build", fine, "-o", clod, "--json", "--quiet"});
+  ASSERT_EQ(built.code, 0) << built.err;
+  int meshes = 0, last = 0;
+  for (const auto& level : json_line(built)["levels"]) meshes += !level["free"].get<bool>();
+  ASSERT_GT(meshes, 2);
+  for (const int level : {1, meshes - 1}) {
+    const Ended e = run_program({"bake", fine, "--onto", clod, "--level", std::to_string(level),
+                                 "-o", out, "--texels", "128", "--json", "--quiet"});
+    ASSERT_EQ(e.code, 0) << e.err;
+    const TextureAsset asset = parse_texture(read_text(out), "out");
+    const int triangles = static_cast<int>(asset.texture.coarse.triangles.size());
+    EXPECT_TRUE(last == 0 || triangles < last);
+    last = triangles;
+    EXPECT_LT(*asset.figures.fit_error_rms, 0.005 * 0.02) << level;
+    EXPECT_LT(*asset.figures.fit_error_max, 0.02 * 0.02) << level;
+  }
+  const Ended none = run_program({"bake", fine, "--onto", clod, "--level", "999", "-o", out, "--quiet"});
+  EXPECT_EQ(none.code, 4);
+  EXPECT_NE(none.err.find("no level 999"), std::string::npos) << none.err;
+}
+
 TEST(BakeVerb, TakesHeightMapsOverTextureCoordinates) {
   const std::string plate = write_text("plate.obj", kSquare),
                     map = write_text("map.pgm", "P2 2 2 4\n0 4 4 0\n"), out = out_file("plate.tex");

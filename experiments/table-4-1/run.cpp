@@ -1,0 +1,86 @@
+// Table 4.1: fine and coarse triangles of the textured models, and the bounding volumes over the coarse ones.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "experiments/common/texture_experiments.h"
+#include "scenes/textured_model.h"
+#include "scenes/textured_parts.h"
+
+#include "thigma/clod/build_hierarchy.h"
+
+namespace thigma::experiments {
+namespace {
+
+struct Row41 {
+  const char* name;
+  const char* model;
+  double fine, coarse, volumes;  // of the text
+};
+
+constexpr Row41 kRows[] = {{"Block", "striped_block", 65536, 16, 1},
+                           {"Gear", "gear", 25600, 1600, 1},
+                           {"Hammer", "hammer", 433152, 518, 210},
+                           {"CAD Part", "cad_part", 658432, 720, 390},
+                           {"File", "file", 285824, 632, 113},
+                           {"Torus", "helicoidal_torus", 128000, 532, 114}};
+
+/// Triangles of the fine surface: of the mesh there is, or for the block, which has none, of the text's.
+double fine_count(const Row41& row) {
+  double count = 0.0;
+  for (const scenes::TexturedSheet& sheet : scenes::textured_part(row.model))
+    count += scenes::fine_triangles(sheet);
+  return count > 0.0 ? count : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+Outcome run_table_4_1(const Context& context) {
+  Outcome outcome;
+  outcome.tables = {{.name = "data",
+                     .columns = {"model", "fine triangles", "fine, text", "coarse triangles",
+                                 "coarse, text", "hierarchy nodes", "volumes, text", "patches",
+                                 "texels", "relief [m]"}}};
+  plot::Series fine{.label = "fine", .mark = plot::Mark::points},
+      coarse{.label = "coarse", .mark = plot::Mark::points},
+      nodes{.label = "hierarchy", .mark = plot::Mark::points};
+  double fine_off = 0.0, coarse_off = 0.0;
+  for (const Row41& row : kRows) {
+    tell(context, row.name);
+    const HapticTexture texture =
+        scenes::make_textured_model({row.model, context.quick ? 256 : 1024});
+    const ClodHierarchy h = build_exact_hierarchy(texture.coarse);
+    const double triangles = static_cast<double>(texture.coarse.triangles.size()),
+                 volumes = static_cast<double>(h.nodes.size()), fine_here = fine_count(row);
+    add_row(outcome.tables[0],
+            {std::string(row.name), fine_here, row.fine, triangles, row.coarse, volumes,
+             row.volumes, static_cast<double>(h.patches.size()),
+             static_cast<double>(texture.width) * texture.height, texture.amplitude});
+    if (std::isfinite(fine_here))
+      fine_off = std::max(fine_off, std::fabs(fine_here / row.fine - 1.0));
+    coarse_off = std::max(coarse_off, std::fabs(triangles / row.coarse - 1.0));
+    fine.x.push_back(row.fine);
+    fine.y.push_back(fine_here);
+    coarse.x.push_back(row.coarse);
+    coarse.y.push_back(triangles);
+    nodes.x.push_back(row.volumes);
+    nodes.y.push_back(volumes);
+    outcome.claims.push_back(stated(std::string("nodes-") + row.model,
+                                    std::string("nodes of the hierarchy, all levels free: ") + row.name +
+                                        "; the text has " + std::to_string(static_cast<int>(row.volumes)),
+                                    volumes));
+  }
+  outcome.claims.insert(
+      outcome.claims.begin(),
+      {at_most("fine", "fine triangles off the text's, the worst of five models", fine_off, 0.01),
+       at_most("coarse", "coarse triangles off the text's, the worst of six models", coarse_off, 0.05)});
+  outcome.figure = {.title = "Complexity of the textured models (Table 4.1)",
+                    .panels = {{.title = "",
+                                .x = {.label = "the text's", .is_log = true},
+                                .y = {.label = "here", .is_log = true},
+                                .series = {fine, coarse, nodes}}}};
+  return outcome;
+}
+
+}  // namespace thigma::experiments
