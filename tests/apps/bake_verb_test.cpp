@@ -48,7 +48,8 @@ TEST(BakeVerb, BakesOntoLevelsOfDetail) {
   const Ended built = run_program({"build", fine, "-o", clod, "--json", "--quiet"});
   ASSERT_EQ(built.code, 0) << built.err;
   int meshes = 0, last = 0;
-  for (const auto& level : json_line(built)["levels"]) meshes += !level["free"].get<bool>();
+  const nlohmann::json report = json_line(built);
+  for (const auto& level : report["levels"]) meshes += !level["free"].get<bool>();
   ASSERT_GT(meshes, 2);
   for (const int level : {1, meshes - 1}) {
     const Ended e = run_program({"bake", fine, "--onto", clod, "--level", std::to_string(level),
