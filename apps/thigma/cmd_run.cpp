@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "json_out.h"
+#include "playback.h"
 #include "run_live.h"
 #include "run_options.h"
 #include "run_session.h"
@@ -166,17 +167,19 @@ SessionSummary run_alone(const RunOptions& options, const Common& common, Run& r
 }
 
 /// With the page, and a table in the terminal.
-SessionSummary run_with_page(const RunOptions& options, const Common& common, Run& run) {
+SessionSummary run_with_page(const RunOptions& options, const Common& common, WebLink& link,
+                             std::unique_ptr<Run>& run) {
   LiveTable table;
   const bool wants_table = !options.is_lockstep && !common.quiet && isatty(2) != 0;
   int polls = 0;
   LiveProgram program;
   program.run = &run;
+  program.web_link = &link;
   program.options = &options;
   program.seed = common.seed;
   program.stop = &stop_requested;
   program.record = [&](const std::string& path) {
-    return open_recording(path, options, run, common.seed);
+    return open_recording(path, options, *run, common.seed);
   };
   program.tell = [&common](const std::string& line) {
     if (!common.quiet) std::fprintf(stderr, "thigma: %s\n", line.c_str());
@@ -188,18 +191,22 @@ SessionSummary run_with_page(const RunOptions& options, const Common& common, Ru
       if (++polls % 10 == 0) table.draw(polls == 10);
     };
   }
-  if (!options.is_lockstep) prepare_process(run.config, common.quiet);
+  if (!options.is_lockstep) prepare_process(run->config, common.quiet);
   return run_live(program);
 }
 
-int run_verb(const RunOptions& options, const Common& common) {
+int run_verb(const RunOptions& asked, const Common& common) {
   std::function<void(const std::string&)> tell;  // empty: nothing is told, no progress either
   if (!common.quiet) {
     tell = [](const std::string& line) { std::fprintf(stderr, "thigma: %s\n", line.c_str()); };
   }
-  const std::unique_ptr<Run> run = prepare_run(options, common.seed, tell);
+  RunOptions options = asked;
+  if (!options.replay.empty()) use_recorded_scene(options);
+  WebLink link;
+  std::unique_ptr<Run> run = prepare_run(read_run_scene(options), options, common.seed,
+                                         {tell, {}, has_page(options) ? &link : nullptr});
   const SignalGuard signals;
-  const SessionSummary summary = has_page(options) ? run_with_page(options, common, *run)
+  const SessionSummary summary = has_page(options) ? run_with_page(options, common, link, run)
                                                    : run_alone(options, common, *run);
   if (common.json || options.is_headless) {
     print_json(run_summary_json(summary, run->scene.file, run->device_uri));

@@ -1,11 +1,13 @@
 #include "run_live.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <filesystem>
+#include <limits>
 #include <optional>
 
-#include "version.h"
+#include "live_models.h"
+#include "playback.h"
+#include "run_view.h"
+#include "scenes/scene_file.h"
 #include "viewer/server/live_room.h"
 #include "viewer/server/web_files.h"
 
@@ -18,88 +20,41 @@ namespace {
 
 constexpr std::int64_t kPoll = 10'000'000;  // [ns]
 
-live::SceneView view_of(const Run& run) {
-  const scenes::SceneDescription& scene = run.scene;
-  live::SceneView view;
-  view.title = scene.title.empty() ? scene.object.name : scene.title;
-  view.name = scene.file;
-  view.program = std::string("thigma ") + kVersion;
-  view.object = {scene.object.name, &run.object.meshes.at(0), &run.object.hierarchy, {}};
-  for (std::size_t i = 0; i < scene.statics.size(); ++i) {
-    view.statics.push_back({scene.statics[i].name, &run.statics[i]->meshes.at(0),
-                            &run.statics[i]->hierarchy, scene.statics[i].world_from_mesh});
-  }
-  return view;
-}
-
-/// Who may move the object: the device the program was started with, the page, and a hand.
-std::vector<std::string> devices_of(const Run& run) {
-  std::vector<std::string> devices = {run.device_uri};
-  for (const char* other : {"web:", "hand:"}) {
-    const bool is_there = std::any_of(devices.begin(), devices.end(), [&](const std::string& uri) {
-      return device_scheme(uri) + ":" == other;
-    });
-    if (!is_there) devices.push_back(other);
-  }
-  return devices;
-}
-
-const char* end_name(SessionEnd end) {
-  switch (end) {
-    case SessionEnd::duration:
-      return "duration";
-    case SessionEnd::device_finished:
-      return "device_finished";
-    case SessionEnd::stopped:
-      return "stopped";
-    case SessionEnd::fault:
-      return "fault";
-  }
-  return "";
-}
-
-/// A name no file has yet, in the folder the program runs in.
-std::string free_recording() {
-  for (int i = 1; i < 1000; ++i) {
-    char name[32];
-    std::snprintf(name, sizeof name, "session-%03d.mcap", i);
-    const std::string part = std::string(name) + ".part";
-    if (!std::filesystem::exists(name) && !std::filesystem::exists(part)) return name;
-  }
-  throw IoError(
-      "session-999.mcap: there is already a file, expected a free name from session-001 on");
-}
+using Kind = live::LiveRequest::Kind;
 
 /// The sessions of one run and what carries over from one to the next.
 class LiveRun {
  public:
   explicit LiveRun(const LiveProgram& program)
       : program_(program),
+        options_(*program.options),
         run_(*program.run),
-        start_(run_.config.world_from_body),
+        start_(run_->config.world_from_body),
         record_(program.options->record),
-        room_(view_of(run_), run_.config, start_ * run_.config.contact.body_from_mesh,
-              devices_of(run_), live::web_files(), program.options->port.value_or(0),
-              *run_.web_link) {}
+        room_(view_of(*run_), run_->config, start_ * run_->config.contact.body_from_mesh,
+              devices_of(*run_), live::web_files(), program.options->port.value_or(0),
+              *program.web_link) {}
 
   SessionSummary go() {
+    room_.offer(open_menu());
+    if (!options_.replay.empty()) show_recording(options_.replay);
     program_.tell("the page is at " + room_.address() +
                   " - open it in a browser on this machine; Ctrl-C ends it");
     SessionSummary summary;
     do {
-      summary = program_.options->is_lockstep ? lockstep() : session();
+      summary = playback_ ? playback() : options_.is_lockstep ? lockstep() : session();
     } while (begins_again(summary));
     return summary;
   }
 
  private:
   SessionConfig next_config() {
-    SessionConfig config = run_.config;
-    config.haptic.device = run_.device->limits();
-    config.haptic.resumes_lost_device = device_scheme(run_.device_uri) == "web";
-    if (program_.options->duration) {
+    SessionConfig config = run_->config;
+    config.haptic.device = run_->device->limits();
+    config.haptic.resumes_lost_device = device_scheme(run_->device_uri) == "web";
+    if (options_.duration) {
       const double least = 1.0 / config.rate;
-      config.duration = std::max(*program_.options->duration - seconds_, least);
+      config.duration = std::max(*options_.duration - seconds_, least);
     }
     room_.prepare_session(config);
     return config;
@@ -129,36 +84,40 @@ class LiveRun {
   void open_recording(const SessionConfig& config) {
     recording_.reset();
     if (record_.empty()) return;
-    const SessionConfig kept = run_.config;
-    run_.config = config;  // what it was tuned to belongs in the file
+    const SessionConfig kept = run_->config;
+    run_->config = config;  // what it was tuned to belongs in the file
     recording_ = program_.record(record_);
-    run_.config = kept;
+    run_->config = kept;
   }
 
   void begin() {
     live::LiveStart start;
-    start.device = run_.device_uri;
-    start.is_web = device_scheme(run_.device_uri) == "web";
+    start.device = run_->device_uri;
+    start.is_web = device_scheme(run_->device_uri) == "web";
     start.recording = recording_ ? record_ : "";
-    start.is_lockstep = program_.options->is_lockstep;
+    start.is_lockstep = options_.is_lockstep;
     start.holder = holder_;
+    start.gains = gains_of(*run_);
+    start.choices = choices_of(*run_);
     holder_ = 0;
     room_.begin_session(start);
   }
 
   void end(const SessionSummary& summary) {
+    const bool was_recorded = recording_ != nullptr;
     if (recording_)
       recording_->close({summary.frames, summary.state_hash, summary.dropped_samples});
     recording_.reset();
     seconds_ += summary.seconds;
     room_.end_session(end_name(summary.end), summary.dropped_samples);
+    if (was_recorded) room_.offer(open_menu());
   }
 
   SessionSummary lockstep() {
     const SessionConfig config = next_config();
     open_recording(config);
     begin();
-    const SessionSummary summary = run_lockstep(config, *run_.device, sinks(), program_.stop);
+    const SessionSummary summary = run_lockstep(config, *run_->device, sinks(), program_.stop);
     end(summary);
     return summary;
   }
@@ -166,12 +125,13 @@ class LiveRun {
   SessionSummary session() {
     const SessionConfig config = next_config();
     open_recording(config);
-    Session session(config, *run_.device, sinks());
+    Session session(config, *run_->device, sinks());
     session.start();
     begin();
     while (session.is_running()) {
-      if (program_.stop->load(std::memory_order_relaxed)) session.request_stop();
+      if (is_told_to_stop()) session.request_stop();
       if (!request_) request_ = room_.take_request();
+      if (request_ && request_->kind == Kind::inspect) look_at_dropped();
       if (request_) session.request_stop();
       sleep_ns(kPoll);
       if (program_.poll) program_.poll();
@@ -182,6 +142,78 @@ class LiveRun {
     return summary;
   }
 
+  bool is_told_to_stop() const { return program_.stop->load(std::memory_order_relaxed); }
+
+  /// Shows a recording until a page asks for something else.
+  SessionSummary playback() {
+    SessionConfig config = recorded_config();
+    room_.prepare_session(config);
+    live::LiveStart start;
+    start.device = playback_->config().device;
+    start.replay = playback_->file();
+    start.replay_seconds = playback_->seconds();
+    room_.begin_session(start);
+    ContactScratch scratch;
+    reserve_contact_scratch(config.contact, scratch);
+    playback_->jump_to(0.0, watchers());
+    double due = playback_->time();
+    std::int64_t last = monotonic_ns();
+    while (!request_ && !is_told_to_stop()) {
+      const std::int64_t now = monotonic_ns();
+      const std::uint64_t before = playback_->frame().frame;
+      if (take_step(room_.ports())) {
+        playback_->advance_to(std::numeric_limits<double>::infinity(), 1, watchers());
+        due = playback_->time();
+      } else if (!room_.ports().is_paused && !playback_->is_over()) {
+        due += 1e-9 * static_cast<double>(now - last);
+        playback_->advance_to(due, kMostFrames, watchers());
+      }
+      last = now;
+      request_ = room_.take_request();
+      if (request_ && request_->kind == Kind::inspect) look_at_dropped();
+      if (request_ && (request_->kind == Kind::seek || request_->kind == Kind::reset)) {
+        room_.rewind();
+        playback_->jump_to(request_->kind == Kind::seek ? request_->number : 0.0, watchers());
+        due = playback_->time();
+        room_.answer(*request_, "");
+        request_.reset();
+      }
+      if (playback_->frame().frame != before || scratch.sequence == 0) find(config, scratch);
+      sleep_ns(kPoll);
+    }
+    room_.end_session("stopped", 0);
+    SessionSummary summary;
+    summary.end = SessionEnd::stopped;
+    return summary;
+  }
+
+  /// What watches without writing anything.
+  SessionSinks watchers() {
+    return {[this](const HapticSample& sample) { room_.look_at(sample); },
+            [this](const ContactSample& sample) { room_.look_at(sample); },
+            [this](const SessionEvent& event) { room_.look_at(event); }};
+  }
+
+  /// Contacts are not part of a recording: they are found again where the object was.
+  void find(const SessionConfig& config, ContactScratch& scratch) {
+    const HapticSample& frame = playback_->frame();
+    ContactSample sample;
+    contact_step(config.contact, {frame.body, frame.time, frame.frame}, scratch, sample);
+    view_contacts(config.contact, scratch, frame.time, room_.ports().contacts.draft());
+    room_.ports().contacts.publish();
+  }
+
+  SessionConfig recorded_config() const {
+    SessionConfig config = run_->config;
+    const RecordedConfig& recorded = playback_->config();
+    const bool is_exact = config.contact.resolution.is_exact;
+    config.haptic = recorded.params;
+    config.rate = recorded.rate_hz;
+    config.contact.resolution = recorded.resolution;
+    config.contact.resolution.is_exact |= is_exact;  // there are no levels then
+    return config;
+  }
+
   /// Whether there is another session to run, and sets it up.
   bool begins_again(const SessionSummary& summary) {
     // Who is looking at a fault may begin again, and may load the page anew; without anybody there
@@ -189,12 +221,13 @@ class LiveRun {
     constexpr int kPatience = 500;  // polls
     int alone = room_.page_count() > 0 ? 0 : kPatience;
     while (!request_ && summary.end == SessionEnd::fault && alone < kPatience &&
-           !program_.stop->load(std::memory_order_relaxed)) {
+           !is_told_to_stop()) {
       request_ = room_.take_request();
+      if (request_ && request_->kind == Kind::inspect) look_at_dropped();
       alone = room_.page_count() > 0 ? 0 : alone + 1;
       sleep_ns(kPoll);
     }
-    if (!request_ || program_.stop->load(std::memory_order_relaxed)) return false;
+    if (!request_ || is_told_to_stop()) return false;
     const live::LiveRequest request = *request_;
     request_.reset();
     if (summary.end == SessionEnd::duration || summary.end == SessionEnd::device_finished) {
@@ -208,43 +241,163 @@ class LiveRun {
   /// What a request changes; "" or why it cannot be. A session begins again in any case.
   std::string set_up(const live::LiveRequest& request) {
     try {
-      if (request.kind == live::LiveRequest::Kind::record) {
+      leave_recording(request);
+      if (request.kind == Kind::record) {
         record_ = request.flag ? free_recording() : "";
       } else if (!record_.empty()) {
         record_ = free_recording();  // one file a session
       }
-      if (request.kind == live::LiveRequest::Kind::use_device) {
-        use_device(request);
-        return {};
+      switch (request.kind) {
+        case Kind::use_device:
+          use_device(request);
+          return {};
+        case Kind::choose:
+          choose(request);
+          return {};
+        case Kind::open:
+          open(request.text);
+          return {};
+        case Kind::place:
+          place_dropped(request);
+          return {};
+        default:
+          break;
       }
-      run_.config.world_from_body = start_;
-      reopen_run_device(*program_.options, program_.seed, run_.device_uri, run_);
+      run_->config.world_from_body = start_;
+      reopen_run_device(options_, program_.seed, run_->device_uri, *run_);
       return {};
     } catch (const std::exception& error) {
       record_.clear();
+      room_.tell_progress("", 1.0);
       return error.what();
     }
   }
 
   void use_device(const live::LiveRequest& request) {
-    if (run_.config.haptic.response == ResponseKind::direct)
+    if (run_->config.haptic.response == ResponseKind::direct)
       throw std::runtime_error(
-          "the direct response is set up for its device; start with --device " + request.device);
-    const bool is_web = device_scheme(request.device) == "web";
+          "the direct response is set up for its device; choose the coupled response first");
+    const bool is_web = device_scheme(request.text) == "web";
     // A person goes on from where the object is, but for a contact, inside which no force is ever
     // switched on; a hand comes to it from the start.
-    run_.config.world_from_body = start_;
-    reopen_run_device(*program_.options, program_.seed, request.device, run_);
-    if (is_web && last_body_) run_.config.world_from_body = *last_body_;
+    run_->config.world_from_body = start_;
+    reopen_run_device(options_, program_.seed, request.text, *run_);
+    if (is_web && last_body_) run_->config.world_from_body = *last_body_;
     if (is_web) holder_ = request.page;
   }
 
+  /// Response and texture decide the contact tolerance and how surfaces are loaded: the run is prepared anew.
+  void choose(const live::LiveRequest& request) {
+    RunOptions options = options_;
+    if (request.text == "response") options.response = request.number == 0.0 ? "coupled" : "direct";
+    if (request.text == "texture") options.texture = request.number == 0.0 ? "on" : "off";
+    prepare(run_->scene, options);
+  }
+
+  void open(const std::string& what) {
+    const live::OpenMenu menu = open_menu();
+    const auto has = [&](const std::vector<live::OpenMenu::Item>& items) {
+      return std::any_of(items.begin(), items.end(),
+                         [&](const live::OpenMenu::Item& item) { return item.name == what; });
+    };
+    if (has(menu.recordings)) return show_recording(what);
+    if (!has(menu.scenes)) throw std::runtime_error("there is no '" + what + "' to open here");
+    prepare(scenes::read_scene(what), scene_options());
+  }
+
+  /// What of the options is not about the scene that ran.
+  RunOptions scene_options() const {
+    RunOptions options = options_;
+    options.scene = options.object = options.against = options.pose_text = options.response =
+        options.texture = "";
+    options.scale = 1.0;
+    options.is_repair = false;
+    return options;
+  }
+
+  /// Prepares another run and shows it; what fails leaves everything as it was.
+  void prepare(scenes::SceneDescription scene, RunOptions options) {
+    // Who moves the object goes on doing so, where they can.
+    const std::string scheme = device_scheme(run_->device_uri);
+    options.device = scheme == "web" || scheme == "hand" ? run_->device_uri : "web:";
+    RunHooks hooks;
+    hooks.tell = [this](const std::string& line) { program_.tell(line); };
+    hooks.progress = [this](const std::string& what, double share) {
+      if (is_told_to_stop()) throw std::runtime_error("told to stop");
+      room_.tell_progress(what, share);
+    };
+    hooks.web_link = program_.web_link;
+    room_.tell_progress("preparing " + scene.title, 0.0);
+    std::unique_ptr<Run> next = prepare_run(std::move(scene), options, program_.seed, hooks);
+    room_.show(view_of(*next), next->config,
+               next->config.world_from_body * next->config.contact.body_from_mesh);
+    room_.tell_progress("", 1.0);
+    run_ = std::move(next);
+    options_ = options;
+    start_ = run_->config.world_from_body;
+    last_body_.reset();
+    record_.clear();
+  }
+
+  void show_recording(const std::string& path) {
+    auto next = std::make_unique<Playback>(path);
+    const std::string& scene = next->config().scene;
+    const bool is_other = scene != run_->scene.file && options_.replay != path;
+    if (is_other) prepare(scenes::read_scene(scene), scene_options());
+    playback_ = std::move(next);
+    const SessionConfig config = recorded_config();
+    room_.show(view_of(*run_), config, start_ * config.contact.body_from_mesh);
+    record_.clear();
+  }
+
+  /// Anything but moving about in it ends a recording; the scene stays, for a session.
+  void leave_recording(const live::LiveRequest&) {
+    if (!playback_) return;
+    playback_.reset();
+    room_.show(view_of(*run_), run_->config, start_ * run_->config.contact.body_from_mesh);
+  }
+
+  /// Answers a request to look at a mesh; a session goes on meanwhile.
+  void look_at_dropped() {
+    const live::LiveRequest request = std::move(*request_);
+    request_.reset();
+    try {
+      dropped_.keep(request.text, request.data);
+      room_.tell(request.page, model_message(request.id, dropped_, run_->object_radius));
+      room_.answer(request, "");
+    } catch (const std::exception& error) {
+      room_.answer(request, error.what());
+    }
+  }
+
+  void place_dropped(const live::LiveRequest& request) {
+    if (!dropped_.is_there()) throw std::runtime_error("no mesh has been dropped on the page");
+    if (request.text != "hold" && request.text != "touch")
+      throw std::runtime_error("a mesh can be held or touched");
+    if (!(request.number > 0.0 && request.number < 1e6))
+      throw std::runtime_error("a unit has to be a length above 0");
+    const bool is_held = request.text == "hold";
+    if (is_held && run_->statics.empty())
+      throw std::runtime_error("nothing stands still here to hold it against");
+    const ClodAsset& other = is_held ? *run_->statics.front() : run_->object;
+    RunOptions options = scene_options();
+    options.is_repair = request.flag;
+    prepare(scene_with(run_->scene, dropped_, is_held, request.number,
+                       bounds_of(other.meshes.front().positions)),
+            options);
+  }
+
+  static constexpr std::size_t kMostFrames = 240;  // of a recording, at once
+
   const LiveProgram& program_;
-  Run& run_;
-  const Pose start_;  // world_from_body
+  RunOptions options_;  // of the run that is prepared
+  std::unique_ptr<Run>& run_;
+  Pose start_;  // world_from_body
   std::string record_;
+  DroppedMesh dropped_;
   live::LiveRoom room_;
   std::unique_ptr<RecordingWriter> recording_;
+  std::unique_ptr<Playback> playback_;  // null: sessions
   std::optional<live::LiveRequest> request_;
   std::optional<Pose>
       last_body_;            // world_from_body of the last frame, unless it touched something;

@@ -16,7 +16,8 @@ namespace thigma::app {
 
 /// What a live run needs of the program around it.
 struct LiveProgram {
-  Run* run = nullptr;
+  std::unique_ptr<Run>* run = nullptr;  // of the session; the page may ask for another
+  WebLink* web_link = nullptr;          // between the page and the device web:
   const RunOptions* options = nullptr;
   std::uint64_t seed = 1;
   const std::atomic<bool>* stop = nullptr;  // set by Ctrl-C

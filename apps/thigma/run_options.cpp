@@ -21,6 +21,8 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
                 "virtual clock: as fast as it goes, same inputs same bits");
   verb.add_option("--rate", o.rate, "haptic frames a second");
   verb.add_option("--record", o.record, "write a recording (.mcap)");
+  verb.add_option("--replay", o.replay,
+                  "show a recording (.mcap) on the page, with a time slider, before any session");
   add_resolution_options(verb, o.resolution);
   verb.add_flag("--no-blend", o.has_no_blend,
                 "contacts change their level of detail at once, not gradually");
@@ -38,6 +40,10 @@ bool has_page(const RunOptions& o) { return !o.is_headless && (!o.is_lockstep ||
 
 std::string check_run_options(const RunOptions& o) {
   const bool has_pair = !o.object.empty() || !o.against.empty();
+  if (!o.replay.empty() && !has_page(o))
+    return "--replay belongs to the page, which --headless and --lockstep leave out; thigma replay "
+           "runs a recording again without it";
+  if (!o.replay.empty() && !has_pair && o.scene.empty()) return {};
   if (has_pair == !o.scene.empty()) {
     return has_pair ? "run takes a scene or --object with --against, not both"
                     : "run needs a scene, or --object MESH --against MESH";

@@ -26,6 +26,7 @@ struct RunOptions {
   bool is_lockstep = false;
   std::optional<double> rate;  // otherwise the scene's [Hz]
   std::string record;
+  std::string replay;  // recording to show instead of a session; its scene, where none is named
   ResolutionOptions resolution;
   bool has_no_blend = false;  // contacts change level at once
   std::string response;       // otherwise the scene's

@@ -76,7 +76,8 @@ void use_textures(Run& run) {
 
 /// Surface, hierarchy and mass of an object: levels of detail where the session asks for them.
 ClodAsset load_asset(const scenes::SceneObject& object, const char* role, const RunOptions& options,
-                     bool is_exact, const Tell& tell) {
+                     bool is_exact, const RunHooks& hooks) {
+  const Tell& tell = hooks.tell;
   ClodSource source;
   source.name = object.mesh;
   source.role = role;
@@ -87,8 +88,12 @@ ClodAsset load_asset(const scenes::SceneObject& object, const char* role, const 
   if (is_exact && !is_kept) {
     asset = build_exact(source, tell);
   } else {
-    Progress bar("building levels of " + object.name, "triangles", static_cast<bool>(tell));
-    source.progress = [&bar](double share, double amount) { bar.update(share, amount); };
+    const std::string what = "building levels of " + object.name;
+    Progress bar(what, "triangles", static_cast<bool>(tell));
+    source.progress = [&](double share, double amount) {
+      bar.update(share, amount);
+      if (hooks.progress) hooks.progress(what, share);
+    };
     asset = load_clod_cached(source, {.is_enabled = !options.has_no_cache, .folder = {}}, tell);
   }
   const ClodHierarchy& h = asset.hierarchy;
@@ -228,19 +233,23 @@ void open_run_device(const RunOptions& options, std::uint64_t seed, const Tell& 
 
 }  // namespace
 
-std::unique_ptr<Run> prepare_run(const RunOptions& options, std::uint64_t seed,
-                                 const std::function<void(const std::string&)>& tell) {
+scenes::SceneDescription read_run_scene(const RunOptions& options) {
+  if (!options.scene.empty()) return scenes::read_scene(options.scene);
+  return scenes::scene_from_pair(options.object, options.against, options.scale,
+                                 options.pose_text.empty() ? Pose{}
+                                                           : *parse_pose(options.pose_text));
+}
+
+std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOptions& options,
+                                 std::uint64_t seed, const RunHooks& hooks) {
+  const Tell& tell = hooks.tell;
   auto run = std::make_unique<Run>();
-  run->scene = options.scene.empty()
-                   ? scenes::scene_from_pair(
-                         options.object, options.against, options.scale,
-                         options.pose_text.empty() ? Pose{} : *parse_pose(options.pose_text))
-                   : scenes::read_scene(options.scene);
+  run->scene = std::move(scene);
   // What decides gains = "auto" has to be known before there is a configuration.
   if (!options.device.empty()) run->scene.device.uri = options.device;
   if (options.rate) run->scene.rate = *options.rate;
   run->device_uri = run->scene.device.uri;
-  if (has_page(options)) run->web_link = std::make_unique<WebLink>();
+  run->web_link = hooks.web_link;
   refuse_web_without_page(*run);  // before anything takes long to load
 
   // Whether levels are wanted decides what is loaded, before there is a configuration.
@@ -259,7 +268,7 @@ std::unique_ptr<Run> prepare_run(const RunOptions& options, std::uint64_t seed,
                         std::unique_ptr<HapticTexture>& texture) {
     texture = load_relief(object, tell);
     return texture ? coarse_asset(*texture)
-                   : load_asset(object, role, options, resolution.is_exact, tell);
+                   : load_asset(object, role, options, resolution.is_exact, hooks);
   };
   run->object = load(run->scene.object, "--object", run->object_texture);
   run->object_radius = run->object.hierarchy.radius;

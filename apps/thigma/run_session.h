@@ -27,18 +27,29 @@ struct Run {
   std::vector<std::unique_ptr<HapticTexture>> static_textures;  // as many as statics, or none
   SessionConfig config;
   StartPlacement start;
-  std::unique_ptr<WebLink> web_link;  // of the page, where there is one
+  WebLink* web_link = nullptr;  // of the page, where there is one; outlives the run
   std::unique_ptr<HapticDevice> device;
   std::string device_uri;
 };
 
-/// Reads the scene, loads or builds levels of detail, places the object, opens the device.
+/// Who is told how a run is prepared, and what it shares with the page.
+struct RunHooks {
+  std::function<void(const std::string&)> tell;  // lines for people; may be empty
+  // What is being built and the share that is done; may be empty, may throw to give it up.
+  std::function<void(const std::string& what, double share)> progress;
+  WebLink* web_link = nullptr;  // of the page; null without one
+};
+
+/// The scene that the options name.
+/// Thread   [offline]. InputError.
+scenes::SceneDescription read_run_scene(const RunOptions& options);
+
+/// Loads or builds levels of detail, places the object, opens the device.
 ///
-/// tell     called with a line of progress, may be empty
 /// Thread   [offline]. InputError, IoError, DeviceAddressError, DeviceUnavailable,
 /// std::invalid_argument.
-std::unique_ptr<Run> prepare_run(const RunOptions& options, std::uint64_t seed,
-                                 const std::function<void(const std::string&)>& tell);
+std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOptions& options,
+                                 std::uint64_t seed, const RunHooks& hooks);
 
 /// Opens a device anew, or another one, and places the object for it as prepare_run does; the old one is
 /// given up only when that succeeds.

@@ -15,7 +15,7 @@ using test::plane_session;
 
 std::unique_ptr<LiveFeed> fed(const SessionConfig& config, HapticDevice& device) {
   auto feed = std::make_unique<LiveFeed>(config.haptic.workspace);
-  feed->begin_session();
+  feed->begin_session(config.haptic.workspace);
   run_lockstep(config, device,
                {[&](const HapticSample& s) { feed->look_at(s); },
                 [&](const ContactSample& s) { feed->look_at(s); },

@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 
 #include "apps/program.h"
@@ -110,6 +111,107 @@ TEST(LiveProgram, ThePageTakesOverBeginsAgainAndRecordsUntilCtrlC) {
   EXPECT_EQ(client.close_code(10.0), 1001);
   const Ended e = program.finish();
   EXPECT_EQ(e.code, 130) << e.err;
+}
+
+/// The next message of a type that fulfils the condition; null when none comes.
+template <class Condition>
+Json message_where(WebClient& client, const std::string& type, Condition condition) {
+  for (int i = 0; i < 2000; ++i) {
+    const std::string text = client.read_type(type, 60.0);
+    if (text.empty()) break;
+    Json message = Json::parse(text);
+    if (condition(message)) return message;
+  }
+  return {};
+}
+
+const auto kAny = [](const Json&) { return true; };
+
+/// The next `mesh` message; "" when none comes.
+std::string next_mesh(WebClient& client) {
+  while (const auto message = client.read(60.0))
+    if (message->is_binary && message->data[0] == 1) return message->data;
+  return {};
+}
+
+void upload(WebClient& client, int id, const std::string& name, const std::string& bytes) {
+  client.send_text(Json{{"type", "upload"}, {"id", id}, {"name", name}, {"value", bytes.size()}}.dump());
+  std::string message("\x21\x01\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 16);
+  const auto size = static_cast<std::uint32_t>(bytes.size());
+  std::memcpy(message.data() + 4, &size, 4);
+  client.send_binary(message + bytes);
+}
+
+TEST(LiveProgram, ARecordingIsShownFromAnyTimeAndLeftForASession) {
+  const std::string recording = (work_folder() / "shown.mcap").string();
+  const Ended recorded = run_program(run_arguments(
+      {"--lockstep", "--headless", "--duration", "2", "--json", "--quiet", "--record", recording}));
+  ASSERT_EQ(recorded.code, 0) << recorded.err;
+  Program program(run_arguments({"--replay", recording}));
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  WebClient client(port);
+  const Json state = state_where(client, [](const Json& s) { return !s["replay"].is_null(); });
+  ASSERT_FALSE(state.is_null());
+  EXPECT_NEAR(state["replay"]["seconds"].get<double>(), 2.0, 0.01);
+  EXPECT_TRUE(ask(client, R"({"type":"pause","id":1,"value":true})")["ok"].get<bool>());
+  EXPECT_TRUE(ask(client, R"({"type":"seek","id":2,"value":1.25})")["ok"].get<bool>());
+  const Json there = state_where(client, [](const Json& s) {
+    return s["run"] == "paused" && std::abs(s["time"].get<double>() - 1.25) < 1e-9;
+  });
+  EXPECT_FALSE(there.is_null());
+  EXPECT_TRUE(ask(client, R"({"type":"step","id":3,"value":1})")["ok"].get<bool>());
+  EXPECT_FALSE(state_where(client, [](const Json& s) {
+                 return std::abs(s["time"].get<double>() - 1.251) < 1e-9;
+               }).is_null());
+  EXPECT_FALSE(ask(client, R"({"type":"set","id":4,"name":"mass","value":0.02})")["ok"].get<bool>());
+  EXPECT_TRUE(ask(client, R"({"type":"use_device","id":5,"value":"web:"})")["ok"].get<bool>());
+  EXPECT_FALSE(state_where(client, [](const Json& s) {
+                 return s["replay"].is_null() && s["device"] == "web:" && s["run"] == "running";
+               }).is_null());
+  program.send(SIGINT);
+  EXPECT_EQ(program.finish().code, 130);
+}
+
+TEST(LiveProgram, AnotherSceneAndADroppedMeshTakeThePlaceOfTheFirst) {
+  Program program(run_arguments({"--device", "web:"}));
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  WebClient client(port);
+  const Json menu = message_where(client, "menu", [](const Json& m) { return !m["scenes"].empty(); });
+  ASSERT_FALSE(menu.is_null());
+  EXPECT_FALSE(ask(client, R"({"type":"open","id":1,"value":"/etc/passwd"})")["ok"].get<bool>());
+  EXPECT_FALSE(ask(client, R"({"type":"place","id":2,"name":"hold","value":1,"repair":false})")["ok"].get<bool>());
+  EXPECT_TRUE(ask(client, R"({"type":"open","id":3,"value":"ellipsoid"})")["ok"].get<bool>());
+  EXPECT_FALSE(state_where(client, [](const Json& s) { return s["run"] == "running"; }).is_null());
+
+  upload(client, 4, "../what.stl", "not a mesh at all");
+  const Json refused = Json::parse(client.read_type("ack", 60.0));
+  EXPECT_EQ(refused["id"], 4);
+  EXPECT_FALSE(refused["ok"].get<bool>());
+  EXPECT_EQ(refused["reason"].get<std::string>().rfind("what.stl", 0), 0u) << refused;
+
+  // Four faces, one of them twice: repairable.
+  upload(client, 5, "four.obj",
+         "v 0 0 0\nv 30 0 0\nv 0 30 0\nv 0 0 30\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nf 1 3 2\n");
+  const Json model = message_where(client, "model", kAny);
+  ASSERT_FALSE(model.is_null());
+  EXPECT_EQ(model["id"], 5);
+  EXPECT_EQ(model["report"]["verdict"], "repairable") << model;
+  EXPECT_EQ(model["unit"], 0.001);
+  EXPECT_EQ(Json::parse(client.read_type("ack"))["id"], 5);
+  EXPECT_FALSE(ask(client, R"({"type":"place","id":6,"name":"hold","value":0.001,"repair":false})")["ok"].get<bool>());
+  client.send_text(R"({"type":"place","id":7,"name":"hold","value":0.001,"repair":true})");
+  const Json scene = message_where(client, "scene", [](const Json& s) { return s["object"]["name"] == "four.obj"; });
+  ASSERT_FALSE(scene.is_null());
+  EXPECT_EQ(scene["object"]["triangles"], 4);
+  EXPECT_GT(scene["start"]["position"][2], scene["statics"][0]["position"][2]);
+  EXPECT_NE(next_mesh(client), "");
+  EXPECT_FALSE(state_where(client, [](const Json& s) { return s["run"] == "running"; }).is_null());
+  EXPECT_TRUE(ask(client, R"({"type":"set","id":8,"name":"response","value":1})")["ok"].get<bool>());
+  EXPECT_FALSE(state_where(client, [](const Json& s) { return s["run"] == "running"; }).is_null());
+  program.send(SIGINT);
+  EXPECT_EQ(program.finish().code, 130);
 }
 
 TEST(LiveProgram, AFaultNobodyLooksAtEndsTheProgram) {

@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "thigma/clod/clod_asset.h"
+
 namespace thigma::live {
 namespace {
 
@@ -30,8 +32,8 @@ struct Bench {
   std::unique_ptr<LiveRoom> room;
 
   explicit Bench(const WebLimits& limits = {}) {
-    SceneView view{"Ball", "test", "thigma test", {"ball", &ball, &scene.object, {}}, {}};
-    view.statics.push_back({"ground", &ground, &scene.ground, {}});
+    SceneView view{"Ball", "test", "thigma test", {"ball", {&ball, 1}, &scene.object, {}}, {}};
+    view.statics.push_back({"ground", {&ground, 1}, &scene.ground, {}});
     scene.config.haptic.device = make_web_device(link)->limits();
     room = std::make_unique<LiveRoom>(view, scene.config, scene.config.world_from_body,
                                       std::vector<std::string>{"hand:", "web:"},
@@ -93,7 +95,7 @@ TEST(LiveRoom, APageIsToldEverythingInTheOrderOfTheProtocol) {
   WebClient client(b.room->port());
   ASSERT_EQ(client.status(), 101) << client.response();
   std::vector<std::string> types;
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 7; ++i) {
     const auto message = client.read();
     ASSERT_TRUE(message) << i;
     types.push_back(message->is_binary
@@ -101,7 +103,7 @@ TEST(LiveRoom, APageIsToldEverythingInTheOrderOfTheProtocol) {
                         : Json::parse(message->data)["type"].get<std::string>());
   }
   EXPECT_EQ(types, (std::vector<std::string>{"hello", "scene", "mesh 0", "mesh 1", "parameters",
-                                             "state"}));
+                                             "menu", "state"}));
 }
 
 TEST(LiveRoom, WatchersChangeNothingOfALockstepSession) {
@@ -241,7 +243,81 @@ TEST(LiveRoom, DamagedMessagesOfAPageCloseIt) {
               c.send_binary(samples(4.0, Vec3::Zero(), true));
             }),
             1008);
-  EXPECT_EQ(code_of([](WebClient& c) { c.send_binary(std::string(5000, 'x')); }), 1009);
+  EXPECT_EQ(code_of([](WebClient& c) { c.send_binary(std::string(70000, 'x')); }), 1009);
+}
+
+TEST(LiveRoom, LevelsAreSentWhenAskedForAndUploadsReachTheProgram) {
+  Bench b;
+  b.room->begin_session({.device = "hand:"});
+  WebClient client(b.room->port());
+  ASSERT_NE(client.read_type("state"), "");
+  // The ball of this bench has its original surface alone.
+  for (const char* wrong : {R"({"type":"level","id":1,"mesh":0,"value":1})",
+                            R"({"type":"level","id":1,"mesh":0,"value":0})",
+                            R"({"type":"level","id":1,"mesh":7,"value":1})",
+                            R"({"type":"level","id":1,"mesh":-1,"value":1})"})
+    EXPECT_FALSE(ack_of(client, wrong)["ok"].get<bool>()) << wrong;
+
+  const ClodAsset asset = build_clod_asset(make_ball(0.015, 4));
+  ASSERT_GT(asset.meshes.size(), 1u);
+  SceneView view{"Ball", "test", "thigma test", {"ball", asset.meshes, &asset.hierarchy, {}}, {}};
+  b.room->show(view, b.scene.config, {});
+  b.room->begin_session({.device = "hand:"});
+  ASSERT_NE(client.read_type("scene"), "");
+  client.send_text(R"({"type":"level","id":2,"mesh":0,"value":1})");
+  std::string level;
+  for (auto message = client.read(); message && level.empty(); message = client.read()) {
+    if (message->is_binary && message->data[0] == 4) level = message->data;
+  }
+  EXPECT_EQ(level, encode_level(0, 1, asset.meshes[1], asset.hierarchy));
+
+  client.send_text(R"({"type":"upload","id":3,"name":"ball.stl","value":5})");
+  client.send_binary(std::string("\x21\x01\0\0\3\0\0\0\0\0\0\0\0\0\0\0abc", 19));
+  client.send_binary(std::string("\x21\x01\0\0\2\0\0\0\0\0\0\0\0\0\0\0de", 18));
+  std::optional<LiveRequest> request;
+  for (int i = 0; i < 5000 && !request; ++i) {
+    request = b.room->take_request();
+    sleep_ns(1'000'000);
+  }
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->kind, LiveRequest::Kind::inspect);
+  EXPECT_EQ(request->text, "ball.stl");
+  EXPECT_EQ(request->data, "abcde");
+  b.room->answer(*request, "no mesh");
+  EXPECT_EQ(Json::parse(client.read_type("ack"))["id"], 3);
+  EXPECT_FALSE(ack_of(client, R"({"type":"upload","id":4,"name":"x","value":1e12})")["ok"].get<bool>());
+  EXPECT_FALSE(ack_of(client, R"({"type":"seek","id":5,"value":1})")["ok"].get<bool>());
+  client.send_binary(std::string("\x21\x01\0\0\2\0\0\0\0\0\0\0\0\0\0\0de", 18));
+  EXPECT_EQ(client.close_code(), 1008);  // nobody asked for it
+  b.room->show(SceneView{"", "", "", {"ball", {&b.ball, 1}, &b.scene.object, {}}, {}}, b.scene.config, {});
+}
+
+TEST(LiveRoom, ChoicesOfTheProgramAreShownAndAskedForThere) {
+  Bench b;
+  LiveParameter response;
+  response.name = "response";
+  response.kind = ParameterKind::choice;
+  response.choices = {"coupled", "direct"};
+  b.room->begin_session({.device = "hand:", .choices = {response}});
+  WebClient client(b.room->port());
+  bool is_told = false;
+  for (std::string text = client.read_type("parameters"); !text.empty() && !is_told;
+       text = is_told ? text : client.read_type("parameters")) {
+    const Json message = Json::parse(text);
+    for (const Json& p : message["list"])
+      is_told = is_told || (p["name"] == "response" && p["choices"][1] == "direct");
+  }
+  EXPECT_TRUE(is_told);
+  client.send_text(R"({"type":"set","id":9,"name":"response","value":1})");
+  std::optional<LiveRequest> request;
+  for (int i = 0; i < 5000 && !request; ++i) {
+    request = b.room->take_request();
+    sleep_ns(1'000'000);
+  }
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->kind, LiveRequest::Kind::choose);
+  EXPECT_EQ(request->text, "response");
+  EXPECT_EQ(request->number, 1.0);
 }
 
 TEST(LiveRoom, ParametersAreChangedAnsweredAndToldToAll) {
@@ -305,7 +381,7 @@ TEST(LiveRoom, PauseStepAndWhatTheProgramIsAsked) {
     sleep_ns(1'000'000);
   }
   ASSERT_TRUE(request);
-  EXPECT_EQ(request->device, "web:");
+  EXPECT_EQ(request->text, "web:");
   b.room->answer(*request, "not now");
   const Json answer = Json::parse(client.read_type("ack"));
   EXPECT_EQ(answer["id"], 8);

@@ -53,8 +53,8 @@ TEST(Messages, WhatIsNoCommandIsRefusedWithItsCode) {
 TEST(Messages, SceneTellsWhatAPageNeeds) {
   const TriangleMesh ball = make_ball(0.02, 3);
   const ClodHierarchy h = build_exact_hierarchy(ball);
-  SceneView view{"Title \xff", "file.toml", "thigma 9", {"ball", &ball, &h, {}}, {}};
-  view.statics.push_back({"plate", &ball, &h, {{1.0, 2.0, 3.0}, Quat::Identity()}});
+  SceneView view{"Title \xff", "file.toml", "thigma 9", {"ball", {&ball, 1}, &h, {}}, {}};
+  view.statics.push_back({"plate", {&ball, 1}, &h, {{1.0, 2.0, 3.0}, Quat::Identity()}});
   SessionConfig config;
   config.contact.tolerance = 4e-4;
   config.haptic.workspace.motion_scale = 0.5;

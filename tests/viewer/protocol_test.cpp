@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_hierarchy.h"
+#include "thigma/clod/clod_asset.h"
 #include "thigma/mesh/shapes.h"
 
 namespace thigma::live {
@@ -171,6 +172,43 @@ TEST(Protocol, MeshCarriesItsPatchesAndTheTreeAboveThem) {
     ASSERT_EQ(node, 0);
   }
   EXPECT_EQ(at<std::int32_t>(m, parents), -1);
+}
+
+TEST(Protocol, LevelCarriesItsPatchesAndTheNodesTheyAreNamedBy) {
+  const ClodAsset asset = build_clod_asset(make_ball(0.02, 4));
+  ASSERT_GT(asset.meshes.size(), 1u);
+  const TriangleMesh& mesh = asset.meshes[1];
+  const std::string message = encode_level(3, 1, mesh, asset.hierarchy);
+  EXPECT_EQ(at<std::uint8_t>(message, 0), 4);
+  EXPECT_EQ(at<std::uint16_t>(message, 2), 1);
+  EXPECT_EQ(at<std::uint32_t>(message, 4), 3u);
+  const std::size_t v = at<std::uint32_t>(message, 16), t = at<std::uint32_t>(message, 20),
+                    p = at<std::uint32_t>(message, 24);
+  EXPECT_EQ(v, mesh.positions.size());
+  EXPECT_EQ(t, mesh.triangles.size());
+  ASSERT_EQ(message.size(), 32 + 12 * v + 16 * t + 4 * p);
+  EXPECT_EQ(static_cast<std::int32_t>(p), asset.hierarchy.levels[1].patch_count);
+  EXPECT_EQ(at<float>(message, 32 + 12), static_cast<float>(mesh.positions[1].x()));
+  const std::vector<std::int32_t> patches = patches_of_triangles(asset, 1);
+  std::size_t first = 0;  // of the level among all contact patches
+  while (asset.hierarchy.contact_patches[first].level != 1) ++first;
+  for (std::size_t i = 0; i < t; ++i) {
+    const auto patch = at<std::uint32_t>(message, 32 + 12 * (v + t) + 4 * i);
+    ASSERT_EQ(patch == 0xffffffffu ? -1 : static_cast<std::int32_t>(first + patch), patches[i]);
+    if (patch == 0xffffffffu) continue;
+    ASSERT_EQ(at<std::int32_t>(message, 32 + 12 * v + 16 * t + 4 * patch),
+              asset.hierarchy.contact_patches[first + patch].patch.node);
+  }
+}
+
+TEST(Protocol, UploadsHaveExactlyTheBytesTheySay) {
+  const std::string message("\x21\x01\0\0\3\0\0\0\0\0\0\0\0\0\0\0abc", 19);
+  EXPECT_EQ(decode_upload(message), "abc");
+  for (std::size_t length = 0; length < message.size(); ++length)
+    EXPECT_FALSE(decode_upload(std::string_view(message).substr(0, length))) << length;
+  EXPECT_FALSE(decode_upload(message + "d"));
+  EXPECT_FALSE(decode_upload("\x20" + message.substr(1)));
+  EXPECT_FALSE(decode_upload(message.substr(0, 1) + "\2" + message.substr(2)));
 }
 
 TEST(Protocol, DeviceMessagesComeBackAsTheyWent) {

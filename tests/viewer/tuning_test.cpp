@@ -98,5 +98,50 @@ TEST(Tuning, ThresholdIsThereOnlyWithLevelsOfDetail) {
   EXPECT_EQ(c.contact.resolution.metric.haptic, 0.05);
 }
 
+TEST(Tuning, MetricsCapAndBudgetReachTheQueryAndMayBeOff) {
+  SessionConfig c = config();
+  c.contact.resolution = {.is_exact = false};
+  c.contact.resolution.budget_cpu = 1.0 / 3.0 * 1e-3;
+  Tuner tuner(c);
+  const Resolution untouched = tuner.contact().resolution;
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(untouched.budget_cpu),
+            std::bit_cast<std::uint64_t>(c.contact.resolution.budget_cpu));
+  EXPECT_EQ(untouched.deviation_cap, 0.02);
+  EXPECT_EQ(untouched.metric.view.pixels, 0.0);
+
+  EXPECT_EQ(tuner.set("threshold", 0.0), "");
+  EXPECT_EQ(tuner.set("velocity_metric", 0.02), "");
+  EXPECT_EQ(tuner.set("view_metric", 2.0), "");
+  EXPECT_EQ(tuner.set("deviation_cap", 0.0), "");
+  EXPECT_EQ(tuner.set("budget_us", 200.0), "");
+  const Resolution r = tuner.contact().resolution;
+  EXPECT_EQ(r.metric.haptic, 0.0);
+  EXPECT_EQ(r.metric.velocity, 0.02);
+  EXPECT_GT(view_threshold(r.metric.view), 0.0);
+  EXPECT_EQ(r.deviation_cap, kNoCap);
+  EXPECT_DOUBLE_EQ(r.budget_cpu, 200e-6);
+  EXPECT_NE(tuner.set("budget_us", 1.0), "");  // neither off nor within
+  EXPECT_NE(tuner.set("budget_us", -1.0), "");
+  EXPECT_EQ(tuner.set("budget_us", 0.0), "");
+  EXPECT_EQ(tuner.contact().resolution.budget_cpu, 0.0);
+  EXPECT_NE(tuner.set("mass", 0.0), "");  // is never off
+}
+
+TEST(Tuning, WhatIsOutsideTheLimitsOfTheDeviceGetsAWarning) {
+  Tuner tuner(config());
+  EXPECT_EQ(tuner.set("coupling_stiffness", 600.0), "");
+  EXPECT_EQ(tuner.find("coupling_stiffness")->warning, "");  // nothing to judge by
+  GainTask task;
+  task.linear.max_stiffness = 500.0;  // as published: 1 kHz, no delay
+  tuner.judge_for(task);
+  EXPECT_NE(tuner.find("coupling_stiffness")->warning.find("500"), std::string::npos);
+  EXPECT_EQ(tuner.find("mass")->warning, "");
+  EXPECT_EQ(tuner.set("coupling_stiffness", 400.0), "");
+  EXPECT_EQ(tuner.find("coupling_stiffness")->warning, "");
+  tuner.judge_for(std::nullopt);
+  EXPECT_EQ(tuner.set("coupling_stiffness", 600.0), "");
+  EXPECT_EQ(tuner.find("coupling_stiffness")->warning, "");
+}
+
 }  // namespace
 }  // namespace thigma::live

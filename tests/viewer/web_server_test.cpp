@@ -133,7 +133,7 @@ TEST(WebServer, ForeignPagesMayNot) {
 }
 
 TEST(WebServer, OversizedAndMalformedFramesCloseWithTheirCode) {
-  const Bench b;
+  const Bench b(0, {.message_bytes = 4096});
   const auto code_of = [&](auto misbehave) {
     WebClient client(b.port());
     EXPECT_EQ(client.status(), 101);

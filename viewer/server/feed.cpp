@@ -28,7 +28,10 @@ Wrench on_hand(const Workspace& workspace, const HapticSample& s) {
 
 }  // namespace
 
-void LiveFeed::begin_session() noexcept { was_grasped_ = false; }
+void LiveFeed::begin_session(const Workspace& workspace) noexcept {
+  workspace_ = workspace;
+  was_grasped_ = false;
+}
 
 void LiveFeed::look_at(const HapticSample& s) {
   // The grasp is taken at the body's state before the step: that of the frame before.

@@ -29,7 +29,7 @@ class LiveFeed {
   explicit LiveFeed(const Workspace& workspace) : workspace_(workspace) {}
 
   /// To be called before the samples of a session: nothing is remembered of the one before.
-  void begin_session() noexcept;
+  void begin_session(const Workspace& workspace) noexcept;
   void look_at(const HapticSample& sample);
   void look_at(const ContactSample& sample);
   void look_at(const SessionEvent& event);

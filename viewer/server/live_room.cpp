@@ -1,6 +1,7 @@
 #include "viewer/server/live_room.h"
 
 #include <algorithm>
+#include <future>
 #include <utility>
 
 #include "viewer/server/detail/live_room_state.h"
@@ -10,25 +11,30 @@ namespace thigma::live {
 LiveRoom::Impl::Impl(SceneView scene_in, const SessionConfig& config_in, const Pose& start_in,
                      std::vector<std::string> devices, std::vector<WebFile> files,
                      std::uint16_t port, WebLink& link_in, const WebLimits& limits_in)
-    : scene(std::move(scene_in)),
-      body_from_mesh(config_in.contact.body_from_mesh),
-      grasp_point(config_in.haptic.grasp_point),
-      limits(limits_in),
+    : limits(limits_in),
       ports(std::make_unique<LivePorts>()),
       link(link_in),
       feed(config_in.haptic.workspace),
       tuner(config_in),
       rate(config_in.rate),
       server(port, std::move(files), limits_in) {
-  config.haptic.workspace = config_in.haptic.workspace;
-  config.contact.tolerance = config_in.contact.tolerance;
-  config.rate = config_in.rate;
-  start_pose = start_in;
   state.devices = std::move(devices);
   state.run = "paused";
-  meshes.push_back(encode_mesh(0, *scene.object.mesh, scene.object.hierarchy));
+  show_scene(std::move(scene_in), config_in, start_in);
+}
+
+void LiveRoom::Impl::show_scene(SceneView view, const SessionConfig& shown, const Pose& start) {
+  scene = std::move(view);
+  body_from_mesh = shown.contact.body_from_mesh;
+  grasp_point = shown.haptic.grasp_point;
+  config.haptic.workspace = shown.haptic.workspace;
+  config.contact.tolerance = shown.contact.tolerance;
+  config.rate = rate = shown.rate;
+  start_pose = start;
+  meshes.clear();
+  meshes.push_back(encode_mesh(0, scene.object.meshes.front(), scene.object.hierarchy));
   for (std::size_t i = 0; i < scene.statics.size(); ++i) {
-    meshes.push_back(encode_mesh(static_cast<std::uint32_t>(i + 1), *scene.statics[i].mesh,
+    meshes.push_back(encode_mesh(static_cast<std::uint32_t>(i + 1), scene.statics[i].meshes.front(),
                                  scene.statics[i].hierarchy));
   }
 }
@@ -36,17 +42,30 @@ LiveRoom::Impl::Impl(SceneView scene_in, const SessionConfig& config_in, const P
 void LiveRoom::Impl::opened(PageId page) {
   server.send(page, hello_message(scene, page, WebMotionParams{}.lost_after, limits.message_bytes),
               false);
-  server.send(page, scene_message(scene, config, start_pose), false);
-  for (const std::string& mesh : meshes) server.send(page, mesh, true);
-  {
-    const std::lock_guard lock(mutex);
-    server.send(page, parameters_message(tuner.list()), false);
-  }
+  tell_scene(page);
+  server.send(page, parameters_message(parameters()), false);
+  server.send(page, menu_message(menu), false);
   open_pages = server.pages().size();
   tell_state();
 }
 
+void LiveRoom::Impl::tell_scene(PageId page) {
+  server.send(page, scene_message(scene, config, start_pose), false);
+  for (const std::string& mesh : meshes) server.send(page, mesh, true);
+}
+
+std::vector<LiveParameter> LiveRoom::Impl::parameters() {
+  std::vector<LiveParameter> all;
+  {
+    const std::lock_guard lock(mutex);
+    all = tuner.list();
+  }
+  all.insert(all.end(), now_running.choices.begin(), now_running.choices.end());
+  return all;
+}
+
 void LiveRoom::Impl::closed(PageId page) {
+  uploads.erase(page);
   open_pages = server.pages().size();
   if (page == holder) {
     holder = 0;
@@ -63,6 +82,8 @@ void LiveRoom::Impl::began(const LiveStart& start) {
   state.device = start.device;
   state.recording = start.recording;
   state.is_simulated = start.is_simulated;
+  state.replay = start.replay;
+  state.replay_seconds = start.replay_seconds;
   last_fault = Fault::none;
   if (!start.is_web && holder != 0) {
     holder = 0;
@@ -76,7 +97,10 @@ void LiveRoom::Impl::began(const LiveStart& start) {
   {
     const std::lock_guard lock(mutex);
     is_restarting = false;
-    tuner.lock(start.recording.empty() ? "" : kIsRecording, start.is_lockstep ? kIsLockstep : "");
+    tuner.lock(start.recording.empty() ? "" : kIsRecording, start.is_lockstep       ? kIsLockstep
+                                                            : !start.replay.empty() ? kIsReplay
+                                                                                    : "");
+    tuner.judge_for(start.gains);
   }
   tell_parameters();
   tell_state();
@@ -119,8 +143,53 @@ void LiveRoom::prepare_session(SessionConfig& config) {
   impl_->tuner.apply_to(config);
   impl_->ports->is_paused = false;
   impl_->ports->steps = 0;
-  impl_->feed.begin_session();
+  impl_->feed.begin_session(config.haptic.workspace);
   config.live = impl_->ports.get();
+}
+
+void LiveRoom::show(SceneView scene, const SessionConfig& config, const Pose& start) {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->is_restarting = true;
+    impl_->tuner = Tuner(config);
+  }
+  auto done = std::make_shared<std::promise<void>>();
+  std::future<void> shown = done->get_future();
+  impl_->server.post([room = impl_.get(), done, view = std::move(scene), config, start] {
+    room->show_scene(view, config, start);
+    for (const PageId page : room->server.pages()) room->tell_scene(page);
+    room->tell_parameters();
+    done->set_value();
+  });
+  done.reset();
+  shown.wait();  // a server that has stopped drops what is posted, which also ends the wait
+}
+
+void LiveRoom::offer(const OpenMenu& menu) {
+  impl_->server.post([room = impl_.get(), menu] {
+    room->menu = menu;
+    room->tell_all(menu_message(menu));
+  });
+}
+
+void LiveRoom::tell_progress(const std::string& what, double share) {
+  impl_->server.post(
+      [room = impl_.get(), what, share] { room->tell_all(progress_message(what, share)); });
+}
+
+void LiveRoom::tell(PageId page, const std::string& message) {
+  impl_->server.post(
+      [room = impl_.get(), page, message] { room->server.send(page, message, false); });
+}
+
+void LiveRoom::rewind() {
+  impl_->feed.begin_session(impl_->config.haptic.workspace);
+  impl_->server.post([room = impl_.get()] {
+    room->collect_rows();  // of the time before
+    room->rows.clear();
+    room->state.session += 1;
+    room->tell_state();
+  });
 }
 
 void LiveRoom::begin_session(const LiveStart& start) {

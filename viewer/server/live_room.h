@@ -19,12 +19,15 @@ namespace thigma::live {
 
 /// What a page asked for that takes a new session: the program's business.
 struct LiveRequest {
-  enum class Kind : std::uint8_t { reset, use_device, record };
+  enum class Kind : std::uint8_t { reset, use_device, record, choose, open, seek, inspect, place };
   Kind kind = Kind::reset;
   PageId page = 0;
   std::int64_t id = 0;
-  std::string device;  // of use_device
-  bool flag = false;   // of record
+  // The device; name of the choice; what to open; name of the file to inspect; "hold" or "touch".
+  std::string text;
+  double number = 0.0;  // index of the choice; time to go to [s]; metres per unit of what is placed
+  bool flag = false;    // of record; of place: repair
+  std::string data{};   // of inspect: the file
 };
 
 /// A session that begins.
@@ -35,6 +38,10 @@ struct LiveStart {
   std::string recording{};   // file being written; "" none
   bool is_lockstep = false;
   PageId holder = 0;  // page that holds `web:` from the start; 0 none
+  std::optional<GainTask> gains{};       // what stiffnesses are judged for; nothing: no warnings
+  std::vector<LiveParameter> choices{};  // parameters that are the program's business
+  std::string replay{};                  // recording that is shown instead of a session; "" none
+  double replay_seconds = 0.0;           // its length [s]
 };
 
 /// Serves one scene. Threads: one of its own for the server; look_at_* are called by the thread that
@@ -56,6 +63,18 @@ class LiveRoom {
 
   std::string address() const;
   std::uint16_t port() const;
+
+  /// Another scene, between sessions; as for the constructor. Waits until nothing of the one before is in use, a tick
+  /// of the server at most.
+  void show(SceneView scene, const SessionConfig& config, const Pose& start);
+  /// What pages may open.
+  void offer(const OpenMenu& menu);
+  /// What is being done that takes long, and how far it is; "" when it is done.
+  void tell_progress(const std::string& what, double share);
+  /// A text message to one page.
+  void tell(PageId page, const std::string& message);
+  /// The samples that come next are of an earlier time.
+  void rewind();
 
   LivePorts& ports();
   void look_at(const HapticSample& sample);

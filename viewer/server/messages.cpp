@@ -13,16 +13,22 @@ using Json = nlohmann::ordered_json;
 struct CommandForm {
   const char* type;
   Command::Kind kind;
-  bool has_flag, has_number, has_text;
+  bool has_flag, has_number;   // `value` is one
+  const char* text_key;        // where a text is; "" without
 };
 
-constexpr CommandForm kForms[] = {{"hold", Command::Kind::hold, true, false, false},
-                                  {"use_device", Command::Kind::use_device, false, false, true},
-                                  {"pause", Command::Kind::pause, true, false, false},
-                                  {"step", Command::Kind::step, false, true, false},
-                                  {"reset", Command::Kind::reset, false, false, false},
-                                  {"record", Command::Kind::record, true, false, false},
-                                  {"set", Command::Kind::set, false, true, false}};
+constexpr CommandForm kForms[] = {{"hold", Command::Kind::hold, true, false, ""},
+                                  {"use_device", Command::Kind::use_device, false, false, "value"},
+                                  {"pause", Command::Kind::pause, true, false, ""},
+                                  {"step", Command::Kind::step, false, true, ""},
+                                  {"reset", Command::Kind::reset, false, false, ""},
+                                  {"record", Command::Kind::record, true, false, ""},
+                                  {"set", Command::Kind::set, false, true, "name"},
+                                  {"level", Command::Kind::level, false, true, ""},
+                                  {"open", Command::Kind::open, false, false, "value"},
+                                  {"seek", Command::Kind::seek, false, true, ""},
+                                  {"upload", Command::Kind::upload, false, true, "name"},
+                                  {"place", Command::Kind::place, false, true, "name"}};
 
 constexpr std::size_t kLongestText = 256;
 
@@ -41,17 +47,42 @@ void add_pose(Json& json, const Pose& pose) {
   json["quat_xyzw"] = quaternion(pose.orientation);
 }
 
+/// What a page can show of each level: a surface of its own, or for free levels groups of the finest patches.
+Json level_list_json(const SceneBodyView& body) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < body.hierarchy->levels.size(); ++i) {
+    const ClodLevel& level = body.hierarchy->levels[i];
+    const bool has_mesh = i < body.meshes.size() && !level.is_free;
+    list.push_back({{"free", level.is_free},
+                    {"triangles", has_mesh ? body.meshes[i].triangles.size() : 0},
+                    {"patches", i == 0 ? body.hierarchy->patches.size()
+                                : has_mesh ? static_cast<std::size_t>(level.patch_count)
+                                           : static_cast<std::size_t>(level.node_count)},
+                    {"deviation", has_mesh ? finite(level.deviation_max) : Json(nullptr)}});
+  }
+  return list;
+}
+
 Json body_json(const SceneBodyView& body, std::size_t mesh) {
   const ClodHierarchy& h = *body.hierarchy;
-  return {{"name", body.name},          {"mesh", mesh},
-          {"radius", h.radius},         {"center", vector(h.center)},
-          {"levels", h.levels.size()},  {"triangles", body.mesh->triangles.size()},
-          {"patches", h.patches.size()}};
+  return {{"name", body.name},
+          {"mesh", mesh},
+          {"radius", h.radius},
+          {"center", vector(h.center)},
+          {"levels", h.levels.size()},
+          {"triangles", body.meshes.front().triangles.size()},
+          {"patches", h.patches.size()},
+          {"level_list", level_list_json(body)}};
 }
 
 Json micro(double p50, double p99) {
   constexpr double kMicro = 1e6;
   return {{"p50", finite(kMicro * p50)}, {"p99", finite(kMicro * p99)}};
+}
+
+const char* kind_name(ParameterKind kind) {
+  constexpr const char* kNames[] = {"number", "optional", "choice"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 Refusal refuse(std::string why) { return {kPolicy, std::move(why)}; }
@@ -69,14 +100,22 @@ std::string fill(const CommandForm& form, const Json& json, Command& command) {
     command.number = value->get<double>();
     if (!std::isfinite(command.number)) return "value has to be a finite number";
   }
-  const char* text_key = form.has_text                     ? "value"
-                         : form.kind == Command::Kind::set ? "name"
-                                                           : nullptr;
-  if (text_key == nullptr) return {};
+  if (form.kind == Command::Kind::level) {
+    const auto mesh = json.find("mesh");
+    if (mesh == json.end() || !mesh->is_number_integer()) return "mesh has to be a whole number";
+    command.mesh = mesh->get<std::int64_t>();
+  }
+  if (form.kind == Command::Kind::place) {
+    const auto repair = json.find("repair");
+    if (repair == json.end() || !repair->is_boolean()) return "repair has to be true or false";
+    command.flag = repair->get<bool>();
+  }
+  const std::string text_key = form.text_key;
+  if (text_key.empty()) return {};
   const auto text = json.find(text_key);
   if (text == json.end() || !text->is_string() ||
       text->get_ref<const std::string&>().size() > kLongestText)
-    return std::string(text_key) + " has to be a text of at most 256 bytes";
+    return text_key + " has to be a text of at most 256 bytes";
   command.text = text->get<std::string>();
   return {};
 }
@@ -155,6 +194,10 @@ std::string parameters_message(const std::vector<LiveParameter>& list) {
                             {"min", p.min},
                             {"max", p.max},
                             {"scale", p.is_log ? "log" : "linear"},
+                            {"kind", kind_name(p.kind)},
+                            {"choices", p.choices},
+                            {"begins_again", p.begins_again},
+                            {"warning", text_or_null(p.warning)},
                             {"locked", text_or_null(p.locked)},
                             {"help", p.help}});
   }
@@ -173,6 +216,9 @@ std::string state_message(const RunState& s, const Timing& t, std::string_view h
                {"devices", s.devices},
                {"holder", std::string(holder)},
                {"recording", text_or_null(s.recording)},
+               {"replay", s.replay.empty()
+                              ? Json(nullptr)
+                              : Json{{"file", s.replay}, {"seconds", s.replay_seconds}}},
                {"pages", s.pages},
                {"simulated", s.is_simulated}};
   json["timing"] = {{"step_cpu_us", micro(t.step_p50, t.step_p99)},
@@ -184,6 +230,21 @@ std::string state_message(const RunState& s, const Timing& t, std::string_view h
   json["dropped"] = {
       {"yours", dropped_yours}, {"rows", dropped_rows}, {"samples", dropped_samples}};
   return dumped(json);
+}
+
+std::string menu_message(const OpenMenu& menu) {
+  const auto list = [](const std::vector<OpenMenu::Item>& items) {
+    Json json = Json::array();
+    for (const OpenMenu::Item& item : items)
+      json.push_back({{"name", item.name}, {"title", item.title}});
+    return json;
+  };
+  return dumped(
+      {{"type", "menu"}, {"scenes", list(menu.scenes)}, {"recordings", list(menu.recordings)}});
+}
+
+std::string progress_message(const std::string& what, double share) {
+  return dumped({{"type", "progress"}, {"what", text_or_null(what)}, {"share", finite(share)}});
 }
 
 std::string event_message(const SessionEvent& event) {

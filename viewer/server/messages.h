@@ -2,6 +2,7 @@
 // The text messages of docs/protocol.md: what pages ask for, and what they are told.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,12 +18,15 @@ namespace thigma::live {
 
 /// What a page asks for.
 struct Command {
-  enum class Kind : std::uint8_t { hold, use_device, pause, step, reset, record, set };
+  enum class Kind : std::uint8_t { hold, use_device, pause, step, reset, record, set, level, open, seek, upload,
+                                   place };
   Kind kind = Kind::reset;
   std::int64_t id = 0;
-  bool flag = false;    // of hold, pause, record
-  double number = 0.0;  // of step and set
-  std::string text;     // of use_device: the device; of set: the parameter
+  bool flag = false;    // of hold, pause, record; of place: repair
+  double number = 0.0;  // of step, set, level, seek; of upload: bytes; of place: metres per unit
+  std::int64_t mesh = 0;  // of level: the mesh's number
+  std::string text;     // of use_device: the device; of set: the parameter; of open: what; of upload: a file's name; of
+                        // place: "hold" or "touch"
 };
 
 /// A message of a page, or why it is none.
@@ -32,10 +36,10 @@ struct ParsedCommand {
 };
 ParsedCommand parse_command(std::string_view text);
 
-/// A body of the scene as it is shown. Mesh and hierarchy outlive the room.
+/// A body of the scene as it is shown. Meshes and hierarchy outlive the room.
 struct SceneBodyView {
   std::string name;
-  const TriangleMesh* mesh = nullptr;
+  std::span<const TriangleMesh> meshes;  // of the levels that are not free, finest first; one at least
   const ClodHierarchy* hierarchy = nullptr;
   Pose world_from_mesh;  // of static ones
 };
@@ -48,6 +52,14 @@ struct SceneView {
   std::vector<SceneBodyView> statics;
 };
 
+/// What a page may open.
+struct OpenMenu {
+  struct Item {
+    std::string name, title;
+  };
+  std::vector<Item> scenes, recordings;
+};
+
 /// How the session stands, for `state`.
 struct RunState {
   int session = 0;
@@ -56,7 +68,9 @@ struct RunState {
   double time = 0.0;
   std::string device;
   std::vector<std::string> devices;
-  std::string recording;  // "" for null
+  std::string recording;  // being written; "" for null
+  std::string replay;     // being shown instead of a session; "" for null
+  double replay_seconds = 0.0;  // its length [s]
   bool is_simulated = true;
   std::size_t pages = 0;
 };
@@ -76,6 +90,9 @@ std::string parameters_message(const std::vector<LiveParameter>& list);
 std::string state_message(const RunState& state, const Timing& timing, std::string_view holder,
                           std::uint64_t dropped_yours, std::uint64_t dropped_rows,
                           std::uint64_t dropped_samples);
+std::string menu_message(const OpenMenu& menu);
+/// what: being done, "" when it is; share 0..1
+std::string progress_message(const std::string& what, double share);
 std::string event_message(const SessionEvent& event);
 /// reason: "" when it was done.
 std::string ack_message(std::int64_t id, const std::string& reason,

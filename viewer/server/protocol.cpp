@@ -60,18 +60,29 @@ std::uint32_t counted(std::int64_t n) {
   return static_cast<std::uint32_t>(std::clamp<std::int64_t>(n, 0, 0xffffffff));
 }
 
+/// Gives the triangles of a patch its number.
+void mark_patch(const ClodHierarchy& h, const ClodPatch& patch, std::uint32_t number,
+                std::vector<std::uint32_t>& patch_of) {
+  for (std::int32_t i = patch.first_triangle; i < patch.first_triangle + patch.triangle_count; ++i) {
+    const auto triangle = static_cast<std::size_t>(h.triangle_ids[static_cast<std::size_t>(i)]);
+    if (triangle < patch_of.size()) patch_of[triangle] = number;
+  }
+}
+
 /// Finest patch of every triangle of the mesh the hierarchy was built of.
 std::vector<std::uint32_t> patch_of_triangles(const TriangleMesh& mesh, const ClodHierarchy* h) {
   std::vector<std::uint32_t> patch(mesh.triangles.size(), h == nullptr ? 0u : 0xffffffffu);
   if (h == nullptr) return patch;
-  for (std::size_t p = 0; p < h->patches.size(); ++p) {
-    const ClodPatch& at = h->patches[p];
-    for (std::int32_t i = at.first_triangle; i < at.first_triangle + at.triangle_count; ++i) {
-      const auto triangle = static_cast<std::size_t>(h->triangle_ids[static_cast<std::size_t>(i)]);
-      if (triangle < patch.size()) patch[triangle] = static_cast<std::uint32_t>(p);
-    }
-  }
+  for (std::size_t p = 0; p < h->patches.size(); ++p)
+    mark_patch(*h, h->patches[p], static_cast<std::uint32_t>(p), patch);
   return patch;
+}
+
+void put_surface(std::string& out, const TriangleMesh& mesh) {
+  for (const Vec3& p : mesh.positions) put_vector(out, p);
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::int32_t corner : triangle) put(out, static_cast<std::uint32_t>(corner));
+  }
 }
 
 void put_tree(std::string& out, const ClodHierarchy& h) {
@@ -145,16 +156,34 @@ std::string encode_mesh(std::uint32_t mesh_number, const TriangleMesh& mesh,
   put(out, static_cast<std::uint32_t>(mesh.triangles.size()));
   put(out, static_cast<std::uint32_t>(hierarchy == nullptr ? 1 : hierarchy->patches.size()));
   put(out, static_cast<std::uint32_t>(hierarchy == nullptr ? 1 : hierarchy->nodes.size()));
-  for (const Vec3& p : mesh.positions) put_vector(out, p);
-  for (const auto& triangle : mesh.triangles) {
-    for (const std::int32_t corner : triangle) put(out, static_cast<std::uint32_t>(corner));
-  }
+  put_surface(out, mesh);
   for (const std::uint32_t patch : patch_of_triangles(mesh, hierarchy)) put(out, patch);
   if (hierarchy != nullptr) {
     put_tree(out, *hierarchy);
   } else {
     for (const std::int32_t one : {0, -1, 0}) put(out, one);
   }
+  return out;
+}
+
+std::string encode_level(std::uint32_t mesh_number, std::int32_t level, const TriangleMesh& mesh,
+                         const ClodHierarchy& hierarchy) {
+  std::vector<std::uint32_t> patch_of(mesh.triangles.size(), 0xffffffffu);
+  std::vector<std::int32_t> nodes;
+  for (const ClodContactPatch& contact : hierarchy.contact_patches) {
+    if (contact.level != level) continue;
+    mark_patch(hierarchy, contact.patch, static_cast<std::uint32_t>(nodes.size()), patch_of);
+    nodes.push_back(contact.patch.node);
+  }
+  std::string out;
+  put_header(out, MessageKind::level, static_cast<std::uint16_t>(level), mesh_number, 0.0);
+  put(out, static_cast<std::uint32_t>(mesh.positions.size()));
+  put(out, static_cast<std::uint32_t>(mesh.triangles.size()));
+  put(out, static_cast<std::uint32_t>(nodes.size()));
+  put(out, std::uint32_t{0});
+  put_surface(out, mesh);
+  for (const std::uint32_t patch : patch_of) put(out, patch);
+  for (const std::int32_t node : nodes) put(out, node);
   return out;
 }
 
@@ -189,9 +218,9 @@ std::string encode_snapshot(const Snapshot& s) {
 
 DeviceMessage decode_device(std::string_view message) {
   DeviceMessage result;
-  const auto refuse = [&](std::string why) {
+  const auto refuse = [&](const std::string& why) {
     result.samples.clear();
-    result.problem = std::move(why);
+    result.problem = why;
     return result;
   };
   if (message.size() < kHeader) return refuse("a binary message has at least 16 bytes");
@@ -216,13 +245,22 @@ DeviceMessage decode_device(std::string_view message) {
           get<float>(message, at + 20 + 4 * static_cast<std::size_t>(k));
     }
     sample.buttons = get<std::uint32_t>(message, at + 36);
-    if (std::string why = wrong_with(sample); !why.empty()) return refuse(std::move(why));
+    if (std::string why = wrong_with(sample); !why.empty()) return refuse(why);
     if (i > 0 && sample.time < result.samples.back().time)
       return refuse("the browser's clock runs backwards");
     sample.pose.orientation.normalize();
     result.samples.push_back(sample);
   }
   return result;
+}
+
+std::optional<std::string_view> decode_upload(std::string_view message) {
+  if (message.size() < kHeader ||
+      get<std::uint8_t>(message, 0) != static_cast<std::uint8_t>(MessageKind::upload) ||
+      get<std::uint8_t>(message, 1) != kLayout ||
+      get<std::uint32_t>(message, 4) != message.size() - kHeader)
+    return std::nullopt;
+  return message.substr(kHeader);
 }
 
 std::string encode_device(double sent, std::span<const WebSample> samples) {

@@ -18,7 +18,7 @@ namespace thigma::live {
 
 inline constexpr int kProtocol = 1;
 
-enum class MessageKind : std::uint8_t { mesh = 1, channels = 2, snapshot = 3, device = 32 };
+enum class MessageKind : std::uint8_t { mesh = 1, channels = 2, snapshot = 3, level = 4, device = 32, upload = 33 };
 
 /// A column of `channels`.
 struct Channel {
@@ -81,6 +81,12 @@ struct Snapshot {
 std::string encode_mesh(std::uint32_t mesh_number, const TriangleMesh& mesh,
                         const ClodHierarchy* hierarchy);
 
+/// `level`: the surface of a simplified level of the mesh with that number.
+/// level     1 or more; mesh: its surface, what the triangle_ids of its contact patches index
+/// Thread    any; throws std::bad_alloc.
+std::string encode_level(std::uint32_t mesh_number, std::int32_t level, const TriangleMesh& mesh,
+                         const ClodHierarchy& hierarchy);
+
 /// `channels`, of at least one row.
 std::string encode_channels(std::span<const ChannelRow> rows);
 
@@ -95,6 +101,9 @@ struct DeviceMessage {
   std::string problem;  // "" when it is one
 };
 DeviceMessage decode_device(std::string_view message);
+
+/// The bytes of an `upload` message, within `message`; nothing when it is none.
+std::optional<std::string_view> decode_upload(std::string_view message);
 
 /// `device` as a page writes it, for tests and other clients.
 std::string encode_device(double sent, std::span<const WebSample> samples);

@@ -26,6 +26,22 @@ LiveParameter span(const char* name, const char* label, const char* unit, const 
   return p;
 }
 
+/// A number that may be off. off_value: what stands for off in a session.
+LiveParameter switchable(const char* name, const char* label, const char* unit, const char* help,
+                         double value, double least, double most) {
+  LiveParameter p;
+  p.name = name;
+  p.label = label;
+  p.unit = unit;
+  p.help = help;
+  p.kind = ParameterKind::optional;
+  p.value = value;
+  p.min = value > 0.0 ? std::min(least, value) : least;
+  p.max = std::max(most, value);
+  p.is_replayed = false;  // recordings hold the contact models themselves
+  return p;
+}
+
 /// The same spring with another stiffness: it levels off at the same force, from the same share of it on.
 Saturation restiffened(const Saturation& s, double stiffness) {
   if (stiffness == s.stiffness) return s;  // to the last bit
@@ -61,18 +77,33 @@ Tuner::Tuner(const SessionConfig& config) {
   }
   list_.push_back(span("mass", "mass", "kg", "of the object; its inertia goes with it",
                        config.haptic.body.mass, 10.0, 10.0));
+  if (!config.contact.resolution.is_exact) add_resolution(config);
+}
+
+void Tuner::add_resolution(const SessionConfig& config) {
   const Resolution& r = config.contact.resolution;
-  if (!r.is_exact && r.metric.haptic > 0.0) {
-    LiveParameter p;
-    p.name = "threshold";
-    p.label = "error threshold";
-    p.help = "of the levels of detail, as a share of the smaller radius: larger is coarser";
-    p.value = r.metric.haptic;
-    p.min = std::min(0.001, r.metric.haptic);
-    p.max = std::max(0.2, r.metric.haptic);
-    p.is_replayed = false;
-    list_.push_back(p);
-  }
+  // Where the page first looks from: an opening of 30 degrees, 720 pixels.
+  constexpr double kRadii = 4.0, kHeight = 0.536, kPixels = 720.0;
+  const double radius = config.contact.object != nullptr ? config.contact.object->radius : 1.0;
+  from_afar_ = {0.0, kRadii * radius, kHeight, 1.0, kPixels};
+  list_.push_back(switchable(
+      "threshold", "error threshold", "",
+      "of the levels of detail, as a share of the smaller radius: larger is coarser",
+      r.metric.haptic, 0.001, 0.2));
+  list_.push_back(switchable("velocity_metric", "speed metric", "s",
+                             "coarser where surfaces pass fast: error allowed for each m/s",
+                             r.metric.velocity, 0.001, 0.2));
+  list_.push_back(switchable(
+      "view_metric", "view metric", "px",
+      "errors no larger than this on a picture 720 pixels high from some four radii away are allowed",
+      r.metric.view.pixels, 0.25, 50.0));
+  list_.push_back(switchable(
+      "deviation_cap", "deviation cap", "",
+      "most surface deviation of a contact, as a share of the smaller radius, whatever the metrics allow",
+      std::isfinite(r.deviation_cap) ? r.deviation_cap : 0.0, 0.002, 0.2));
+  list_.push_back(switchable("budget_us", "time budget", "\u00b5s",
+                             "CPU time of a contact query; what is left coarse for it shows in the bounds",
+                             1e6 * r.budget_cpu, 20.0, 20000.0));
 }
 
 const LiveParameter* Tuner::find(const std::string& name) const {
@@ -138,13 +169,43 @@ std::string Tuner::set(const std::string& name, double wanted) {
   if (!found->locked.empty()) return found->locked;
   // Sliders come to their ends by rounding.
   constexpr double kRounding = 1e-6;
-  if (!(wanted >= found->min * (1.0 - kRounding) && wanted <= found->max * (1.0 + kRounding))) {
+  const bool is_off = found->kind == ParameterKind::optional && wanted == 0.0;
+  if (!is_off && !(wanted >= found->min * (1.0 - kRounding) && wanted <= found->max * (1.0 + kRounding))) {
     return found->label + " goes from " + number(found->min) + " to " + number(found->max) +
-           (found->unit.empty() ? "" : " ") + found->unit;
+           (found->unit.empty() ? "" : " ") + found->unit +
+           (found->kind == ParameterKind::optional ? ", or is off" : "");
   }
   std::string why = unsafe(name, wanted);
-  if (why.empty()) found->value = wanted;
-  return why;
+  if (!why.empty()) return why;
+  found->value = wanted;
+  warn();
+  return {};
+}
+
+void Tuner::judge_for(const std::optional<GainTask>& task) {
+  task_ = task;
+  warn();
+}
+
+void Tuner::warn() {
+  for (LiveParameter& p : list_) p.warning.clear();
+  if (!task_) return;
+  const HapticTuning h = haptic();
+  task_->body = h.body;
+  const PenaltyParams response = contact().response;
+  // Gains by the names of docs/gains.md; dampings follow stiffness and mass here.
+  const auto of = [](const std::string& gain) {
+    return gain == "linear_stiffness"    ? "coupling_stiffness"
+           : gain == "angular_stiffness" ? "coupling_angular_stiffness"
+           : gain == "stiffness"         ? "contact_stiffness"
+                                         : "";
+  };
+  for (const GainWarning& w : check_gains(*task_, propose_gains(*task_), h.coupling,
+                                          response.stiffness, response.damping)) {
+    for (LiveParameter& p : list_) {
+      if (p.name == of(w.gain)) p.warning = w.text;
+    }
+  }
 }
 
 HapticTuning Tuner::haptic() const {
@@ -168,7 +229,16 @@ HapticTuning Tuner::haptic() const {
 }
 
 ContactTuning Tuner::contact() const {
-  ContactTuning tuning{base_.contact.response, value("threshold")};
+  ContactTuning tuning{base_.contact.response, base_.contact.resolution};
+  Resolution& r = tuning.resolution;
+  if (!r.is_exact) {
+    r.metric.haptic = value("threshold");
+    r.metric.velocity = value("velocity_metric");
+    if (value("view_metric") > 0.0 && r.metric.view.pixels == 0.0) r.metric.view = from_afar_;
+    r.metric.view.pixels = value("view_metric");
+    r.deviation_cap = value("deviation_cap") > 0.0 ? value("deviation_cap") : kNoCap;
+    if (value("budget_us") != 1e6 * r.budget_cpu) r.budget_cpu = 1e-6 * value("budget_us");
+  }
   const double k = value("contact_stiffness");
   tuning.response.damping *=
       std::sqrt(k * value("mass") / (tuning.response.stiffness * base_.haptic.body.mass));

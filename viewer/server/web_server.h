@@ -52,7 +52,7 @@ struct WebHandlers {
 struct WebLimits {
   std::size_t pages = 8;
   std::size_t connections = 64;      // pages and HTTP together
-  std::size_t message_bytes = 4096;  // of a page's
+  std::size_t message_bytes = 65536;  // of a page's
   int messages_per_second = 1000;    // of a page's
   std::size_t waiting = 256;         // messages to a page that it has not taken yet
   double silence = 10.0;             // without an answer to pings a page is gone [s]

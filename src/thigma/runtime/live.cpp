@@ -68,8 +68,9 @@ void apply_tuning(const HapticTuning& tuning, HapticParams& params, HapticState&
 
 void apply_tuning(const ContactTuning& tuning, ContactWorld& world) noexcept {
   world.response = tuning.response;
-  if (tuning.threshold > 0.0 && !world.resolution.is_exact)
-    world.resolution.metric.haptic = tuning.threshold;
+  const bool is_exact = world.resolution.is_exact;
+  world.resolution = tuning.resolution;
+  world.resolution.is_exact = is_exact;
 }
 
 bool take_step(LivePorts& live) THIGMA_RT {

@@ -54,10 +54,10 @@ static_assert(RtPayload<HapticTuning>);
 /// Thread    [haptic].
 void apply_tuning(const HapticTuning& tuning, HapticParams& params, HapticState& state) THIGMA_RT;
 
-/// Gains of the contact thread that may change while it runs.
+/// Gains and resolution of the contact thread that may change while it runs.
 struct ContactTuning {
   PenaltyParams response;
-  double threshold = 0.0;  // s0 of the haptic metric; 0: as it is. Of queries at levels of detail only
+  Resolution resolution;  // is_exact is left as it is, and exact queries read nothing of it
 };
 static_assert(RtPayload<ContactTuning>);
 

@@ -7,9 +7,46 @@
 #include "viewer/server/detail/live_room_state.h"
 
 namespace thigma::live {
+namespace {
+
+LiveRequest request_of(PageId page, const Command& command) {
+  LiveRequest request;
+  switch (command.kind) {
+    case Command::Kind::use_device:
+      request.kind = LiveRequest::Kind::use_device;
+      break;
+    case Command::Kind::record:
+      request.kind = LiveRequest::Kind::record;
+      break;
+    case Command::Kind::open:
+      request.kind = LiveRequest::Kind::open;
+      break;
+    case Command::Kind::seek:
+      request.kind = LiveRequest::Kind::seek;
+      break;
+    case Command::Kind::place:
+      request.kind = LiveRequest::Kind::place;
+      break;
+    default:
+      request.kind = LiveRequest::Kind::reset;
+      break;
+  }
+  request.page = page;
+  request.id = command.id;
+  request.text = command.text;
+  request.number = command.number;
+  request.flag = command.flag;
+  return request;
+}
+
+}  // namespace
 
 Refusal LiveRoom::Impl::received(PageId page, std::string_view message, bool is_binary) {
-  if (is_binary) return take_samples(page, message);
+  if (is_binary) {
+    const bool is_upload =
+        !message.empty() && message[0] == static_cast<char>(MessageKind::upload);
+    return is_upload ? take_chunk(page, message) : take_samples(page, message);
+  }
   ParsedCommand parsed = parse_command(message);
   if (parsed.refusal.code == 0) take_command(page, parsed.command);
   return parsed.refusal;
@@ -43,6 +80,11 @@ std::string LiveRoom::Impl::hold(PageId page, bool wanted) {
   return {};
 }
 
+bool LiveRoom::Impl::is_choice(const std::string& name) const {
+  return std::any_of(now_running.choices.begin(), now_running.choices.end(),
+                     [&](const LiveParameter& p) { return p.name == name; });
+}
+
 std::string LiveRoom::Impl::pause(bool wanted) {
   if (now_running.is_lockstep) return kIsLockstep;
   if (state.run == "ended") return "the session has ended; begin again";
@@ -72,21 +114,42 @@ std::string LiveRoom::Impl::change(const Command& command) {
   return {};
 }
 
-void LiveRoom::Impl::ask_program(PageId page, const Command& command) {
-  LiveRequest request{LiveRequest::Kind::reset, page, command.id, command.text, command.flag};
-  if (command.kind == Command::Kind::use_device) request.kind = LiveRequest::Kind::use_device;
-  if (command.kind == Command::Kind::record) request.kind = LiveRequest::Kind::record;
+std::string LiveRoom::Impl::send_level(PageId page, const Command& command) {
+  const bool is_there =
+      command.mesh >= 0 && command.mesh <= static_cast<std::int64_t>(scene.statics.size());
+  if (!is_there) return "there is no mesh of that number";
+  const SceneBodyView& body = command.mesh == 0
+                                  ? scene.object
+                                  : scene.statics[static_cast<std::size_t>(command.mesh - 1)];
+  const double level = command.number, levels = static_cast<double>(body.meshes.size());
+  if (!(level >= 1.0 && level < levels) || level != std::floor(level))
+    return "that level has no surface of its own";
+  server.send(page,
+              encode_level(static_cast<std::uint32_t>(command.mesh),
+                           static_cast<std::int32_t>(level),
+                           body.meshes[static_cast<std::size_t>(level)], *body.hierarchy),
+              true);
+  return {};
+}
+
+void LiveRoom::Impl::ask_program(LiveRequest request) {
+  using Kind = LiveRequest::Kind;
+  const PageId page = request.page;
+  const std::int64_t id = request.id;
+  const bool is_replay = !now_running.replay.empty();
   std::string why;
   if (now_running.is_lockstep) why = kIsLockstep;
-  if (request.kind == LiveRequest::Kind::use_device &&
-      std::find(state.devices.begin(), state.devices.end(), command.text) == state.devices.end())
-    why = "there is no device '" + command.text + "' here";
-  if (request.kind == LiveRequest::Kind::use_device && holder != 0 && holder != page)
+  if (request.kind == Kind::use_device &&
+      std::find(state.devices.begin(), state.devices.end(), request.text) == state.devices.end())
+    why = "there is no device '" + request.text + "' here";
+  if (request.kind != Kind::reset && request.kind != Kind::record && request.kind != Kind::inspect &&
+      holder != 0 && holder != page)
     why = "another page holds the device";
-  if (request.kind == LiveRequest::Kind::record && command.flag && !now_running.recording.empty())
+  if (request.kind == Kind::record && request.flag && !now_running.recording.empty())
     why = "a recording is being written already";
-  if (request.kind == LiveRequest::Kind::record && !command.flag && now_running.recording.empty())
+  if (request.kind == Kind::record && !request.flag && now_running.recording.empty())
     why = "no recording is being written";
+  if (request.kind == Kind::seek && !is_replay) why = "no recording is shown";
   if (why.empty()) {
     const std::lock_guard lock(mutex);
     constexpr std::size_t kMostRequests = 32;
@@ -96,7 +159,33 @@ void LiveRoom::Impl::ask_program(PageId page, const Command& command) {
     }
     why = kIsRestarting;
   }
-  server.send(page, ack_message(command.id, why), false);
+  server.send(page, ack_message(id, why), false);
+}
+
+std::string LiveRoom::Impl::take_upload(PageId page, const Command& command) {
+  constexpr double kMost = 256.0 * 1024.0 * 1024.0;
+  if (!(command.number >= 1.0 && command.number <= kMost)) return "a file may have up to 256 MiB";
+  if (uploads.contains(page)) return "another file of this page is still on its way";
+  if (uploads.size() >= 2) return "other pages' files are still on their way";
+  uploads[page] = {command.id, command.text, static_cast<std::size_t>(command.number), {}};
+  return {};
+}
+
+Refusal LiveRoom::Impl::take_chunk(PageId page, std::string_view message) {
+  const std::optional<std::string_view> chunk = decode_upload(message);
+  if (!chunk) return {kPolicy, "the length does not fit the upload"};
+  const auto found = uploads.find(page);
+  if (found == uploads.end()) return {kPolicy, "an upload that nobody asked for"};
+  Upload& upload = found->second;
+  if (chunk->empty() || chunk->size() > upload.bytes - upload.data.size())
+    return {kPolicy, "more of a file than was said"};
+  upload.data.append(*chunk);
+  if (upload.data.size() < upload.bytes) return {};
+  LiveRequest request{LiveRequest::Kind::inspect, page, upload.id, upload.name};
+  request.data = std::move(upload.data);
+  uploads.erase(found);
+  ask_program(std::move(request));
+  return {};
 }
 
 void LiveRoom::Impl::take_command(PageId page, const Command& command) {
@@ -113,20 +202,37 @@ void LiveRoom::Impl::take_command(PageId page, const Command& command) {
       why = step(command.number);
       break;
     case Command::Kind::set:
+      if (is_choice(command.text)) {
+        LiveRequest request = request_of(page, command);
+        request.kind = LiveRequest::Kind::choose;
+        ask_program(std::move(request));
+        return;
+      }
       why = change(command);
       if (why.empty()) value = command.number;
+      break;
+    case Command::Kind::level:
+      why = send_level(page, command);
+      break;
+    case Command::Kind::upload:
+      // Answered once it is here and was looked at.
+      why = take_upload(page, command);
+      if (why.empty()) return;
       break;
     case Command::Kind::use_device:
     case Command::Kind::reset:
     case Command::Kind::record:
-      ask_program(page, command);
+    case Command::Kind::open:
+    case Command::Kind::seek:
+    case Command::Kind::place:
+      ask_program(request_of(page, command));
       return;
   }
   server.send(page, ack_message(command.id, why, value), false);
   if (!why.empty()) return;
   if (command.kind == Command::Kind::set) {
     tell_parameters();
-  } else if (command.kind != Command::Kind::step) {
+  } else if (command.kind != Command::Kind::step && command.kind != Command::Kind::level) {
     tell_state();
   }
 }

@@ -107,12 +107,7 @@ void LiveRoom::Impl::tell_state() {
 }
 
 void LiveRoom::Impl::tell_parameters() {
-  std::string text;
-  {
-    const std::lock_guard lock(mutex);
-    text = parameters_message(tuner.list());
-  }
-  tell_all(text);
+  tell_all(parameters_message(parameters()));
 }
 
 void LiveRoom::Impl::tell_all(const std::string& text) {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <deque>
 #include <limits>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -23,6 +24,7 @@ inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 inline constexpr const char* kIsLockstep = "a session in lockstep is the same every time";
 inline constexpr const char* kIsRecording =
     "a recording is being written, and could not be replayed if this changed: stop it first";
+inline constexpr const char* kIsReplay = "a recording is shown as it was; begin a session to change this";
 inline constexpr const char* kIsRestarting = "the session is just beginning anew";
 
 struct LiveRoom::Impl {
@@ -40,7 +42,14 @@ struct LiveRoom::Impl {
   std::string pause(bool wanted);
   std::string step(double frames);
   std::string change(const Command& command);
-  void ask_program(PageId page, const Command& command);
+  std::string take_upload(PageId page, const Command& command);
+  Refusal take_chunk(PageId page, std::string_view message);
+  void ask_program(LiveRequest request);
+  void show_scene(SceneView view, const SessionConfig& config, const Pose& start);
+  void tell_scene(PageId page);
+  std::vector<LiveParameter> parameters();
+  std::string send_level(PageId page, const Command& command);
+  bool is_choice(const std::string& name) const;
   void tick();
   void collect_rows();
   void show();
@@ -53,14 +62,23 @@ struct LiveRoom::Impl {
   void began(const LiveStart& start);
   void ended(const std::string& reason, std::uint64_t dropped_samples);
 
-  // Constant.
-  const SceneView scene;
-  SessionConfig config;  // what `scene` tells of it
-  const Pose body_from_mesh;
-  const Vec3 grasp_point;
   const WebLimits limits;
+
+  // The server's thread only, but while it is constructed.
+  SceneView scene;
+  SessionConfig config;  // what `scene` tells of it
+  Pose body_from_mesh;
+  Vec3 grasp_point;
   Pose start_pose;
   std::vector<std::string> meshes;
+  OpenMenu menu;
+  struct Upload {
+    std::int64_t id = 0;
+    std::string name;
+    std::size_t bytes = 0;
+    std::string data;
+  };
+  std::map<PageId, Upload> uploads;
 
   // Between threads.
   std::unique_ptr<LivePorts> ports;

@@ -3,12 +3,12 @@ import { icon, iconButton, nameButton, setIcon } from "./icons.js";
 import { duration } from "./format.js";
 import { END_WORDS, deviceWords, faultWords } from "./words.js";
 
-/// act   {pause, step, reset, record, theme, help, device(uri), letGo, view(option), fit}
+/// act   {open, pause, step, reset, record, theme, help, device(uri), letGo, view(option), fit}
 export function makeBar(act) {
   const controls = document.getElementById("controls"), tools = document.getElementById("view-tools");
   const bar = {
     title: document.getElementById("title"), chip: document.getElementById("state"),
-    pause: iconButton("pause", "Pause", "P", act.pause), step: iconButton("step", "One step", ".", act.step),
+    open: iconButton("open", "Open a scene or a mesh", "O", act.open), pause: iconButton("pause", "Pause", "P", act.pause), step: iconButton("step", "One step", ".", act.step),
     reset: iconButton("reset", "Begin again", "R", act.reset), record: iconButton("record", "Record", "", act.record),
     theme: iconButton("theme", "Light or dark", "", act.theme), help: iconButton("help", "Help", "?", act.help),
     device: document.createElement("select"), views: {}, act,
@@ -21,7 +21,7 @@ export function makeBar(act) {
     span.append(...parts);
     return span;
   };
-  controls.append(group(bar.device), group(bar.pause, bar.step, bar.reset, bar.record), group(bar.theme, bar.help));
+  controls.append(group(bar.open), group(bar.device), group(bar.pause, bar.step, bar.reset, bar.record), group(bar.theme, bar.help));
   const views = [["levels", "Levels of detail: finest as wireframe", "L", "wireframe"], ["ghost", "Ghost of the hand", "G", "ghost"],
     ["contacts", "Contacts and clusters", "C", "contacts"], ["forces", "Force and torque", "A", "forces"]];
   for (const [name, label, key, option] of views) {
@@ -46,8 +46,9 @@ export function showState(bar, session) {
   const run = !connected ? "lost" : state?.run ?? "connecting";
   const time = snapshot ? ` · ${duration(snapshot.time)}` : "";
   const words = { lost: "connection lost", connecting: "connecting", running: `running${time}`, paused: `paused${time}`,
-    ended: END_WORDS[state?.reason] ?? "ended" };
+    ended: session.progress ? "preparing" : END_WORDS[state?.reason] ?? "ended" };
   const faulty = run === "running" && (snapshot?.bits & 4) !== 0;
+  if (state?.replay && run === "running") words.running = `replaying${time}`;
   bar.chip.textContent = faulty ? `forces off: ${faultWords(session.faultName())}` : words[run];
   bar.chip.dataset.run = faulty ? "fault" : run;
   const alive = connected && Boolean(state);
@@ -56,7 +57,7 @@ export function showState(bar, session) {
   nameButton(bar.pause, paused ? "Go on" : "Pause", "P");
   bar.pause.disabled = !alive || state.run === "ended";
   bar.step.disabled = !alive || !paused;
-  bar.reset.disabled = bar.record.disabled = !alive;
+  bar.reset.disabled = bar.record.disabled = bar.open.disabled = !alive;
   const recording = Boolean(state?.recording);
   setIcon(bar.record, recording ? "stop" : "record");
   bar.record.classList.toggle("on", recording);

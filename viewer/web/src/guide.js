@@ -12,15 +12,20 @@ export function guideLine(guide, session, facts, act) {
   if (!session.connected || !state || !scene || !snapshot) return null;
   const object = scene.object.name;
   const grasped = (snapshot.bits & 1) !== 0, armed = (snapshot.bits & 2) !== 0, fault = (snapshot.bits & 4) !== 0;
+  if (session.progress) return null;
   if (state.run === "ended") {
     return { text: `The session ${END_WORDS[state.reason] ?? "has ended"}.`, button: "Begin again", act: act.reset, mood: "stop" };
+  }
+  if (session.refusal && facts.now < session.refusal.until) return { text: session.refusal.text, mood: "stop" };
+  if (state.replay) {
+    return { text: `A recording: ${state.replay.file}`, button: state.devices.includes("web:") ? "Take it yourself" : undefined,
+      act: () => act.device("web:") };
   }
   if (fault) {
     const web = state.device.startsWith("web:");
     return { text: `Forces are off: ${faultWords(session.faultName())}.${web ? ` Take hold of the ${object} again to go on.` : ""}`,
       button: web ? undefined : "Begin again", act: act.reset, mood: "stop" };
   }
-  if (session.refusal && facts.now < session.refusal.until) return { text: session.refusal.text, mood: "stop" };
   if (!state.device.startsWith("web:")) {
     if (!state.devices.includes("web:")) return null;
     return { text: `A ${state.simulated === false ? "device" : "simulated hand"} moves the ${object}.`, button: "Take it yourself",

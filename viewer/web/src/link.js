@@ -64,6 +64,13 @@ export function sendBytes(link, buffer) {
   return true;
 }
 
+/// Sends bytes that must not be lost; whether they went.
+export function sendAll(link, buffer) {
+  if (isOpen(link)) link.socket.send(buffer);
+  return isOpen(link);
+}
+export const waitingBytes = (link) => link.socket?.bufferedAmount ?? 0;
+
 function watch(link) {
   const now = performance.now();
   if (now - link.watched > 1500) link.heard = now; // this page slept; what came meanwhile is still to be read

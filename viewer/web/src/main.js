@@ -5,11 +5,14 @@ import { guideLine, makeGuide } from "./guide.js";
 import { encodeDevice, STATE } from "./protocol.js";
 import { makeHand, noteSample, takeSamples } from "./hand.js";
 import { readGamepad, startInput } from "./input.js";
-import { ask, makeLink, sendBytes } from "./link.js";
+import { ask, makeLink, sendAll, sendBytes, waitingBytes } from "./link.js";
 import { addEvent, fillHelp, makeParameters, showParameters } from "./panels.js";
 import { addMark, addRates, addRows, clearPlots, drawPlots, makePlots, plotPicture, plotTable, rebuildPlots, setFloors } from "./plots.js";
 import { makeReadouts, showLegend, showReadouts } from "./readouts.js";
-import { draw, makeScene, repaint, resize, setObjects, setOptions, showSnapshot } from "./scene.js";
+import { fillLevelBrowser, browsedWords, makeLevelBrowser } from "./levels.js";
+import { makeOpener, openMenu, takeMenu, takeModel } from "./open.js";
+import { makeReplayBar, showReplayBar } from "./replay.js";
+import { bodies, browseLevel, draw, makeScene, repaint, resize, setObjects, setOptions, showSnapshot, takeLevel } from "./scene.js";
 import { startTheme } from "./theme.js";
 import { startTabs } from "./tabs.js";
 
@@ -18,7 +21,7 @@ const RESEND = 50; // the device is lost after 200 ms of silence [ms]
 
 const session = { connected: false, hello: null, scene: null, meshes: new Map(), state: null, parameters: [], snapshot: null,
   refusal: null, counts: { snapshot: 0, channels: 0, mesh: 0, event: 0 }, holding: false,
-  turned: false, trouble: null, fresh: false, asking: false, sent: 0,
+  turned: false, trouble: null, progress: null, fresh: false, asking: false, sent: 0,
   faultName: () => session.hello?.faults?.[session.snapshot?.fault ?? 0] ?? "fault" };
 const hand = makeHand();
 const guide = makeGuide();
@@ -26,6 +29,9 @@ let stage = null, link = null;
 
 const plots = makePlots(at("plots"));
 const readouts = makeReadouts(at("readouts"));
+const levels = makeLevelBrowser(at("levels"), (body, level) => stage && bodies(stage)[body] && browseLevel(stage, bodies(stage)[body], level));
+const opener = makeOpener(at("opener"), { ask: (message) => ask(link, message), send: (bytes) => sendAll(link, bytes),
+  room: () => waitingBytes(link), limit: () => session.hello?.max_message ?? 4096 });
 const parameters = makeParameters(at("parameters"), (name, value) => ask(link, { type: "set", name, value }));
 
 /// Asks, and says in the picture why not when the answer is no.
@@ -36,6 +42,8 @@ async function request(message) {
 }
 
 const act = {
+  open: () => (at("opener").open ? at("opener").close() : openMenu(opener, session.scene?.name ?? "")),
+  seek: (time) => request({ type: "seek", value: time }),
   pause: () => request({ type: "pause", value: session.state?.run !== "paused" }),
   step: () => request({ type: "step", value: 1 }),
   reset: () => request({ type: "reset" }),
@@ -51,21 +59,35 @@ const act = {
   fit: () => stage && goHome(stage.view),
 };
 const bar = makeBar(act);
+const replayBar = makeReplayBar(at("replay"), act);
 const toggleTheme = startTheme(() => { if (stage) repaint(stage); rebuildPlots(plots); });
 
 // ---- from the program
 
 const on = {
   hello: (message) => { session.hello = message; },
-  scene: (message) => { session.scene = message; session.meshes.clear(); at("veil").hidden = false; say("Loading the objects …"); },
+  scene: (message) => {
+    session.scene = message;
+    session.snapshot = null;
+    session.meshes.clear();
+    fillLevelBrowser(levels, message);
+    veil("Loading the objects …");
+  },
   mesh: (message) => {
     session.counts.mesh += 1;
     session.meshes.set(message.number, message);
     const wanted = [session.scene.object, ...session.scene.statics].map((one) => one.mesh);
     if (!wanted.every((number) => session.meshes.has(number))) return;
     if (stage) setObjects(stage, session.scene, session.meshes);
-    at("veil").hidden = !session.trouble;
-    if (session.trouble) say(session.trouble);
+    veil(session.trouble);
+  },
+  level: (message) => { if (stage) takeLevel(stage, message); },
+  menu: (message) => takeMenu(opener, message),
+  model: (message) => takeModel(opener, message),
+  progress: ({ what, share }) => {
+    session.progress = what;
+    if (what) veil(`${what[0].toUpperCase()}${what.slice(1)} …`, share);
+    else veil(session.trouble);
   },
   parameters: (message) => { session.parameters = message.list; showParameters(parameters, message.list); },
   state: (message) => {
@@ -99,8 +121,13 @@ function begunAgain() {
   at("events").replaceChildren();
 }
 
-function say(sentence) {
-  at("veil").textContent = sentence;
+/// A sentence over the picture, perhaps with how far something is; null takes it away.
+function veil(sentence, share = null) {
+  at("veil").hidden = !sentence;
+  if (!sentence) return;
+  const text = Object.assign(document.createElement("p"), { textContent: sentence });
+  const bar = Object.assign(document.createElement("progress"), { max: 1, value: share ?? 0 });
+  at("veil").replaceChildren(text, ...(share === null ? [] : [bar]));
 }
 
 function lost(sentence) {
@@ -108,14 +135,14 @@ function lost(sentence) {
   hand.clutch = false;
   takeSamples(hand);
   document.body.classList.add("lost");
-  at("veil").hidden = false;
-  say(`${sentence} Nothing is felt or shown any more. ${link?.stopped ? "" : "Trying again …"}`);
+  session.progress = null;
+  veil(`${sentence} Nothing is felt or shown any more. ${link?.stopped ? "" : "Trying again …"}`);
 }
 
 function opened() {
   session.connected = true;
   document.body.classList.remove("lost");
-  at("veil").hidden = true;
+  veil(null);
 }
 
 // ---- from the hand
@@ -126,7 +153,7 @@ const player = {
   workspace: () => session.scene.workspace,
   grasp: () => session.snapshot?.grasp ?? [0, 0, 0],
   mayMove: () => session.connected && Boolean(session.state?.device.startsWith("web:")) && session.state.holder !== "other" &&
-    session.state.run !== "ended" && Boolean(session.snapshot),
+    session.state.run !== "ended" && !session.state.replay && Boolean(session.snapshot),
   async press() {
     if ((hand.clutch && session.holding) || session.asking) return;
     session.asking = true;
@@ -164,7 +191,7 @@ addEventListener("pagehide", leave);
 addEventListener("keydown", (event) => {
   if (event.target.closest?.("input, select, textarea") || event.ctrlKey || event.metaKey || event.altKey) return;
   const toggle = () => (hand.clutch ? player.letGo() : player.mayMove() && player.press());
-  const keys = { " ": toggle, p: act.pause, ".": act.step, r: act.reset, f: act.fit, "?": act.help, h: act.help,
+  const keys = { " ": toggle, p: act.pause, ".": act.step, r: act.reset, f: act.fit, o: act.open, "?": act.help, h: act.help,
     l: () => act.view("wireframe"), g: () => act.view("ghost"), c: () => act.view("contacts"), a: () => act.view("forces") };
   const does = keys[event.key.length === 1 ? event.key.toLowerCase() : ""];
   if (!does || (event.key === " " && event.target.closest?.("button"))) return;
@@ -181,11 +208,11 @@ function startStage() {
   } catch (error) {
     session.trouble = "This browser shows no WebGL 2, so there is no picture; numbers and plots work. " +
       "Hardware acceleration may be off in its settings.";
-    at("veil").hidden = false;
-    say(session.trouble);
+    veil(session.trouble);
     console.warn(String(error.message ?? error));
     return null;
   }
+  stage.wants = (mesh, level) => ask(link, { type: "level", mesh, value: level });
   repaint(stage);
   showViews(bar, stage.options);
   new ResizeObserver(() => resize(stage)).observe(at("stage"));
@@ -203,12 +230,12 @@ const fileName = (ending) => `thigma-${(session.snapshot?.time ?? 0).toFixed(1)}
 const input = startStage();
 fillHelp(at("help"));
 const caption = () => `${session.scene?.title ?? ""}, to ${(session.snapshot?.time ?? 0).toFixed(1)} s`;
-startTabs(at("tabs"), [["plots", "Plots"], ["parameters", "Parameters"], ["events", "Events"]], [
-  ["Picture", "Save the plots as a picture", () => plotPicture(plots, caption()).toBlob((blob) => save(fileName("png"), blob))],
-  ["Table", "Save the plots as comma-separated text", () => save(fileName("csv"), new Blob([plotTable(plots)], { type: "text/csv" }))],
+startTabs(at("tabs"), [["plots", "Plots"], ["parameters", "Parameters"], ["levels", "Levels"], ["events", "Events"]], [
+  ["PNG", "Save the plots as a picture", () => plotPicture(plots, caption()).toBlob((blob) => save(fileName("png"), blob))],
+  ["CSV", "Save the plots as a table", () => save(fileName("csv"), new Blob([plotTable(plots)], { type: "text/csv" }))],
 ]);
 rebuildPlots(plots);
-say("Connecting …");
+veil("Connecting …");
 link = makeLink(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live`, {
   message: (message) => on[message.kind ?? message.type]?.(message), opened, lost, retrying: () => {},
 });
@@ -238,11 +265,12 @@ function fullForce() {
 function showWords(now, newtons) {
   showState(bar, session);
   showReadouts(readouts, session.snapshot, session.state, session.scene);
-  showLegend(at("legend"), session.snapshot, session.scene);
+  showLegend(at("legend"), session.snapshot, session.scene, browsedWords(levels));
+  showReplayBar(replayBar, session.state, session.snapshot);
   showHint(at("hint"), guideLine(guide, session, { now, newtons, holding: session.holding && hand.clutch, turned: session.turned }, act));
 }
 requestAnimationFrame(frame);
 
 /// For tests and the curious: everything the page knows.
-window.thigma = { session, hand, plots, player, act, get stage() { return stage; }, get link() { return link; },
+window.thigma = { session, hand, plots, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; },
   get drawn() { return drawn; } };

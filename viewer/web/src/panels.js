@@ -33,7 +33,30 @@ export function showParameters(panel, list) {
   }
 }
 
+/// A choice of words: buttons, the chosen one pressed.
+function makeChoice(panel, parameter) {
+  const box = element("div", "parameter"), top = element("div", "parameter-top"), words = element("span", "words");
+  const label = element("label", "", parameter.label), help = element("p", "note"), refusal = element("p", "refusal");
+  const warning = element("p", "warning");
+  refusal.setAttribute("role", "alert");
+  words.setAttribute("role", "radiogroup");
+  words.setAttribute("aria-label", parameter.label);
+  const buttons = parameter.choices.map((word, index) => {
+    const button = Object.assign(element("button", "chip-button", word), { type: "button" });
+    button.setAttribute("role", "radio");
+    button.addEventListener("click", () => { if (row.parameter.value !== index) request(panel, row, index); });
+    words.append(button);
+    return button;
+  });
+  top.append(label, words);
+  box.append(top, help, refusal, warning);
+  panel.parent.append(box);
+  const row = { box, buttons, help, refusal, warning, parameter, busy: false, next: null };
+  return row;
+}
+
 function makeRow(panel, parameter) {
+  if (parameter.kind === "choice") return makeChoice(panel, parameter);
   const box = element("div", "parameter");
   const label = element("label", "", parameter.label);
   const slider = Object.assign(element("input"), { type: "range", min: 0, max: 1, step: 0.001, id: `parameter-${parameter.name}` });
@@ -42,11 +65,18 @@ function makeRow(panel, parameter) {
   number.setAttribute("aria-label", `${parameter.label}, ${parameter.unit}`);
   const unit = element("span", "unit", parameter.unit), help = element("p", "note"), refusal = element("p", "refusal");
   refusal.setAttribute("role", "alert");
-  const top = element("div", "parameter-top");
+  const top = element("div", "parameter-top"), warning = element("p", "warning");
+  const row = { box, slider, number, help, refusal, warning, parameter, busy: false, next: null, on: null };
+  if (parameter.kind === "optional") {
+    row.on = Object.assign(element("input", "switch"), { type: "checkbox" });
+    row.on.setAttribute("aria-label", `${parameter.label} on`);
+    row.kept = parameter.value || fromSlider(parameter, 0.5);
+    row.on.addEventListener("change", () => request(panel, row, row.on.checked ? Number(short(row.kept)) : 0));
+    top.append(row.on);
+  }
   top.append(label, number, unit);
-  box.append(top, slider, help, refusal);
+  box.append(top, slider, help, refusal, warning);
   panel.parent.append(box);
-  const row = { box, slider, number, help, refusal, parameter, busy: false, next: null };
   slider.addEventListener("input", () => {
     const value = Number(short(fromSlider(row.parameter, Number(slider.value))));
     number.value = short(value);
@@ -82,21 +112,35 @@ async function request(panel, row, value) {
 }
 
 function refuse(row, reason) {
-  row.refusal.textContent = `${reason} It stays at ${short(row.parameter.value)} ${row.parameter.unit}.`;
+  const { value, unit, choices } = row.parameter;
+  const stays = choices?.length > 0 ? choices[value] : row.on && value === 0 ? "off" : `${short(value)} ${unit}`.trim();
+  row.refusal.textContent = `${reason.replace(/[.]?$/, ".")} It stays at ${stays}.`;
   writeRow(row);
 }
 
 function fillRow(row, parameter) {
   row.parameter = parameter;
-  row.help.textContent = parameter.locked ?? parameter.help ?? "";
-  row.box.classList.toggle("locked", Boolean(parameter.locked));
-  row.slider.disabled = row.number.disabled = Boolean(parameter.locked);
+  const anew = parameter.begins_again ? " Begins again." : "";
+  row.help.textContent = parameter.locked ?? `${parameter.help ?? ""}${anew}`;
+  row.warning.textContent = parameter.warning ? `Risky: ${parameter.warning}.` : "";
+  const locked = Boolean(parameter.locked);
+  row.box.classList.toggle("locked", locked);
+  for (const control of [row.slider, row.number, row.on, ...(row.buttons ?? [])]) if (control) control.disabled = locked;
   if (!row.busy && document.activeElement !== row.number) writeRow(row);
 }
 
 function writeRow(row) {
-  row.slider.value = toSlider(row.parameter, row.parameter.value);
-  row.number.value = short(row.parameter.value);
+  const { value } = row.parameter;
+  row.buttons?.forEach((button, index) => button.setAttribute("aria-checked", String(index === value)));
+  if (row.buttons) return;
+  const off = row.on !== null && value === 0;
+  if (row.on) {
+    row.on.checked = !off;
+    if (!off) row.kept = value;
+    row.box.classList.toggle("off", off);
+  }
+  row.slider.value = toSlider(row.parameter, off ? row.kept : value);
+  row.number.value = off ? "off" : short(value);
 }
 
 const KEPT = 200;
@@ -116,7 +160,8 @@ const HELP = [
   ["Right drag, wheel", "turns and zooms the view; middle drag shifts it"],
   ["Touch", "one finger on the object moves it, a second turns and lifts it; beside it fingers move the view"],
   ["Gamepad", "sticks move and turn, triggers push and pull, A holds, B lets go; it rumbles with the force"],
-  ["P . R F L", "pause, one step, reset, fit the view, levels of detail"],
+  ["P . R O", "pause, one step, begin again, open a scene"],
+  ["F L G C A", "fit the view; levels of detail, ghost, contacts, arrows on and off"],
 ];
 
 export function fillHelp(dialog) {

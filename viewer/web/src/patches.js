@@ -62,3 +62,31 @@ export function markPatches(ranges, active, into) {
 
 /// Patch of a triangle for drawing: -1 for none.
 export const patchOf = (mesh, triangle) => (mesh.patchOfTriangle[triangle] === NOTHING ? -1 : mesh.patchOfTriangle[triangle]);
+
+/// Node a patch belongs to at a level: the coarsest above it that is not coarser than that.
+export function groupsAtLevel(nodeOfPatch, parents, levels, level) {
+  return Int32Array.from(nodeOfPatch, (leaf) => {
+    let node = leaf;
+    while (parents[node] >= 0 && levels[parents[node]] <= level) node = parents[node];
+    return node;
+  });
+}
+
+/// As markPatches, for the patches of a simplified level: those whose node is in contact.
+export function markNodes(nodeOfPatch, active, into) {
+  const nodes = new Map(active.map(({ node, level }) => [node, level]));
+  for (let patch = 0; patch < nodeOfPatch.length; patch++) {
+    const level = nodes.get(nodeOfPatch[patch]);
+    into[patch] = level === undefined || nodeOfPatch[patch] < 0 ? 0 : Math.min(255, level + 1);
+  }
+}
+
+/// A colour for a number that neighbours do not share: golden-angle hues, three lightnesses. [r, g, b] 0 to 255.
+export function tint(number) {
+  const hue = (number * 0.61803398875) % 1, light = [0.62, 0.5, 0.72][number % 3], strong = 0.55;
+  const channel = (shift) => {
+    const k = (shift + hue * 12) % 12;
+    return Math.round(255 * (light - strong * Math.min(light, 1 - light) * Math.max(-1, Math.min(k - 3, 9 - k, 1))));
+  };
+  return [channel(0), channel(8), channel(4)];
+}

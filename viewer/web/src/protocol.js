@@ -3,7 +3,7 @@
 
 export const SUBPROTOCOL = "thigma.live.1";
 export const VERSION = 1;
-export const MESH = 1, CHANNELS = 2, SNAPSHOT = 3, DEVICE = 32;
+export const MESH = 1, CHANNELS = 2, SNAPSHOT = 3, LEVEL = 4, DEVICE = 32, UPLOAD = 33;
 export const NOTHING = 0xffffffff;
 export const CLUTCH = 1;
 export const STATE = { grasped: 1, armed: 2, fault: 4, paused: 8, ended: 16 };
@@ -16,14 +16,14 @@ export class ProtocolError extends Error {}
 const must = (holds, sentence) => { if (!holds) throw new ProtocolError(sentence); };
 
 /// buffer   one binary frame
-/// returns  {kind: "mesh" | "channels" | "snapshot", ...}
+/// returns  {kind: "mesh" | "level" | "channels" | "snapshot", ...}
 /// errors   ProtocolError
 export function decode(buffer) {
   must(buffer.byteLength >= HEADER, `a message of ${buffer.byteLength} bytes has no header`);
   const words = new DataView(buffer);
   const type = words.getUint8(0), version = words.getUint8(1);
   const head = { bits: words.getUint16(2, true), count: words.getUint32(4, true), time: words.getFloat64(8, true) };
-  const decoders = { [MESH]: decodeMesh, [CHANNELS]: decodeChannels, [SNAPSHOT]: decodeSnapshot };
+  const decoders = { [MESH]: decodeMesh, [CHANNELS]: decodeChannels, [SNAPSHOT]: decodeSnapshot, [LEVEL]: decodeLevel };
   must(decoders[type], `message type ${type} is not known`);
   must(version === 1, `layout ${version} of message type ${type} is not known`);
   return decoders[type](buffer, words, head);
@@ -33,25 +33,47 @@ function exactly(buffer, bytes, what) {
   must(buffer.byteLength === bytes, `${what} of ${buffer.byteLength} bytes, ${bytes} expected`);
 }
 
-function decodeMesh(buffer, words, { count: number }) {
-  must(buffer.byteLength >= 32, `mesh of ${buffer.byteLength} bytes, 32 at least`);
-  const [V, T, P, N] = [16, 20, 24, 28].map((at) => words.getUint32(at, true));
-  exactly(buffer, 32 + 12 * V + 16 * T + 4 * P + 8 * N, "mesh");
-  let at = 32;
-  const take = (Kind, n) => {
+/// Takes arrays of 4-byte numbers from where a message's head ends.
+function taker(buffer, begin) {
+  let at = begin;
+  return (Kind, n) => {
     const part = new Kind(buffer, at, n);
     at += 4 * n;
     return part;
   };
+}
+
+function checkSurface({ positions, triangles, patchOfTriangle }, V, P, what) {
+  must(positions.every(Number.isFinite), `${what} with a position that is no number`);
+  must(triangles.every((v) => v < V), `${what} with a triangle of a vertex that is not there`);
+  must(patchOfTriangle.every((p) => p < P || p === NOTHING), `${what} with a triangle of a patch that is not there`);
+}
+
+function decodeMesh(buffer, words, { count: number }) {
+  must(buffer.byteLength >= 32, `mesh of ${buffer.byteLength} bytes, 32 at least`);
+  const [V, T, P, N] = [16, 20, 24, 28].map((at) => words.getUint32(at, true));
+  exactly(buffer, 32 + 12 * V + 16 * T + 4 * P + 8 * N, "mesh");
+  const take = taker(buffer, 32);
   const mesh = { kind: "mesh", number, positions: take(Float32Array, 3 * V), triangles: take(Uint32Array, 3 * T),
     patchOfTriangle: take(Uint32Array, T), nodeOfPatch: take(Int32Array, P), parents: take(Int32Array, N),
     levels: take(Int32Array, N) };
-  must(mesh.positions.every(Number.isFinite), "mesh with a position that is no number");
-  must(mesh.triangles.every((v) => v < V), "mesh with a triangle of a vertex that is not there");
-  must(mesh.patchOfTriangle.every((p) => p < P || p === NOTHING), "mesh with a triangle of a patch that is not there");
+  checkSurface(mesh, V, P, "mesh");
   must(mesh.nodeOfPatch.every((n) => n >= 0 && n < N), "mesh with a patch of a node that is not there");
   must(mesh.parents.every((n) => n >= -1 && n < N), "mesh with a parent that is not there");
   must(mesh.levels.every((level) => level >= 0), "mesh with a negative level");
+  return mesh;
+}
+
+function decodeLevel(buffer, words, { bits: level, count: number }) {
+  must(buffer.byteLength >= 32, `level of ${buffer.byteLength} bytes, 32 at least`);
+  const [V, T, P] = [16, 20, 24].map((at) => words.getUint32(at, true));
+  exactly(buffer, 32 + 12 * V + 16 * T + 4 * P, "level");
+  const take = taker(buffer, 32);
+  const mesh = { kind: "level", number, level, positions: take(Float32Array, 3 * V), triangles: take(Uint32Array, 3 * T),
+    patchOfTriangle: take(Uint32Array, T), nodeOfPatch: take(Int32Array, P) };
+  must(level > 0, "level 0 comes as a mesh");
+  checkSurface(mesh, V, P, "level");
+  must(mesh.nodeOfPatch.every((n) => n >= -1), "level with a patch of no node that could be");
   return mesh;
 }
 
@@ -105,6 +127,17 @@ export function parseText(text) {
   try { message = JSON.parse(text); } catch { /* said below */ }
   must(message && typeof message === "object" && typeof message.type === "string", "a text message without a type");
   return message;
+}
+
+/// A piece of a file as an `upload` message.
+export function encodeUpload(bytes) {
+  const buffer = new ArrayBuffer(HEADER + bytes.length);
+  const words = new DataView(buffer);
+  words.setUint8(0, UPLOAD);
+  words.setUint8(1, 1);
+  words.setUint32(4, bytes.length, true);
+  new Uint8Array(buffer, HEADER).set(bytes);
+  return buffer;
 }
 
 /// Samples of the hand, oldest first, as a `device` message.

@@ -101,9 +101,9 @@ function showContact(target, snapshot, state) {
 }
 
 /// The colours of the levels, with how many contacts each has now.
-export function showLegend(parent, snapshot, scene) {
+export function showLegend(parent, snapshot, scene, browsed = "") {
   const levels = Math.min(LEVEL_COLOURS.length, Math.max(scene?.object.levels ?? 1, 1));
-  if (parent.childElementCount !== levels + 1) {
+  if (parent.childElementCount !== levels + 2) {
     const swatches = Array.from({ length: levels }, (_, level) => {
       const item = element("span", "swatch", "");
       const more = level === levels - 1 && scene?.object.levels > levels ? "+" : ""; // the last stands for all coarser ones
@@ -111,14 +111,16 @@ export function showLegend(parent, snapshot, scene) {
       item.firstChild.style.background = levelColour(level);
       return item;
     });
-    parent.replaceChildren(element("span", "legend-title", "Level at contacts"), ...swatches);
+    parent.replaceChildren(element("span", "legend-title", "Level at contacts"), ...swatches, element("span", "legend-browsed"));
   }
   const counts = new Map();
   for (const [level, n] of levelCounts(snapshot?.contacts ?? [])) {
     const shown = Math.min(level, LEVEL_COLOURS.length - 1);
     counts.set(shown, (counts.get(shown) ?? 0) + n);
   }
-  [...parent.children].slice(1).forEach((item, level) => {
+  const shown = browsed ? `Patches of ${browsed}` : "";
+  if (parent.lastChild.textContent !== shown) parent.lastChild.textContent = shown;
+  [...parent.children].slice(1, -1).forEach((item, level) => {
     const n = counts.get(level) ?? 0;
     item.classList.toggle("active", n > 0);
     const text = n > 0 ? `×${n}` : "";

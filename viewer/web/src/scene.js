@@ -7,7 +7,7 @@ import { depthOf, makeView, placeCamera } from "./camera.js";
 import { boundsOf } from "./geometry.js";
 import { makeArrow, makeContactMarks, makeRod, makeTwist, paintArrow, paintRod, paintTwist, setArrow, setContactMarks,
   setRod, setTwist } from "./marks.js";
-import { disposeSurface, makeSurface, paintSurface, setActive, setSpots, showLevels, thinSpots } from "./surface.js";
+import { addLevel, disposeBody, lacksLevel, makeBody, markContacts, paintBody, showBody } from "./body.js";
 import { colour } from "./theme.js";
 
 const EMPHASIS = 1.6; // the arrow has to come out of the object it starts in
@@ -37,7 +37,7 @@ export function makeScene(canvas, plain = drawsInSoftware()) {
     canvas, renderer, scene, root, view: makeView(), plain, lights: addLights(scene, plain), ground: addGround(scene), radius: 1,
     size: 1, object: null, statics: [], ghost: null, force: makeArrow(), twist: makeTwist(), marks: makeContactMarks(),
     spring: makeRod(), dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true },
-    last: null, moved: true, fence: null, begun: 0, rested: 0,
+    wants: () => {}, wanted: new Set(), last: null, moved: true, fence: null, begun: 0, rested: 0,
   };
   root.add(stage.force.group, stage.twist.group, stage.marks.group, stage.spring.group);
   stage.spring.group.visible = false;
@@ -72,25 +72,53 @@ function addGround(scene) {
 
 /// The objects of a `scene` message with their meshes by number.
 export function setObjects(stage, description, meshes) {
-  for (const surface of [stage.object, ...stage.statics]) {
-    if (!surface) continue;
-    stage.root.remove(surface.group);
-    disposeSurface(surface);
+  for (const body of bodies(stage)) {
+    stage.root.remove(body.group);
+    disposeBody(body);
   }
   if (stage.ghost) stage.root.remove(stage.ghost.group);
-  stage.object = makeSurface(meshes.get(description.object.mesh));
+  stage.last = null;
+  stage.object = makeBody(meshes.get(description.object.mesh), description.object);
   stage.statics = description.statics.map((entry) => {
-    const surface = makeSurface(meshes.get(entry.mesh));
-    place(surface.group, { position: entry.position, quaternion: entry.quat_xyzw });
-    return surface;
+    const body = makeBody(meshes.get(entry.mesh), entry);
+    place(body.group, { position: entry.position, quaternion: entry.quat_xyzw });
+    return body;
   });
+  for (const body of bodies(stage)) showBody(body, { wireframe: stage.options.wireframe });
   stage.ghost = makeGhost(stage.object);
   place(stage.object.group, { position: description.start.position, quaternion: description.start.quat_xyzw });
   stage.root.add(stage.object.group, ...stage.statics.map((surface) => surface.group), stage.ghost.group);
   stage.size = description.object.radius;
+  stage.wanted.clear();
   fit(stage);
   stage.moved = true;
   repaint(stage);
+}
+
+/// The one in the hand first; empty before the first scene.
+export const bodies = (stage) => (stage.object ? [stage.object, ...stage.statics] : []);
+
+/// A `level` message has come.
+export function takeLevel(stage, message) {
+  for (const body of bodies(stage)) if (body.about.mesh === message.number) addLevel(body, message);
+  if (stage.last) showContacts(stage, stage.last);
+  stage.dirty = stage.moved = true;
+}
+
+/// Shows the patches of a level of one body, or with null the body as it is.
+export function browseLevel(stage, body, level) {
+  showBody(body, { browsed: level });
+  if (level !== null) want(stage, body, level);
+  if (stage.last) showContacts(stage, stage.last);
+  stage.dirty = stage.moved = true;
+}
+
+/// Asks for the surface of a level, once.
+function want(stage, body, level) {
+  const key = `${body.about.mesh} ${level}`;
+  if (!lacksLevel(body, level) || stage.wanted.has(key)) return;
+  stage.wanted.add(key);
+  stage.wants(body.about.mesh, level);
 }
 
 /// A twin of glass, brighter at its rim: first its depth alone, then its nearest surface, so that nothing of its inside
@@ -147,8 +175,8 @@ function fit(stage) {
 
 export function repaint(stage) {
   if (stage.object) {
-    paintSurface(stage.object, colour("held"), colour("held-line"));
-    for (const surface of stage.statics) paintSurface(surface, colour("fixed"), colour("fixed-line"));
+    paintBody(stage.object, colour("held"), colour("held-line"));
+    for (const body of stage.statics) paintBody(body, colour("fixed"), colour("fixed-line"));
     stage.ghost.glass.material.uniforms.tone.value.set(colour("ghost"));
   }
   paintArrow(stage.force, colour("force"));
@@ -203,16 +231,13 @@ function showContacts(stage, snapshot) {
     shown.map((contact) => ({ point: contact.point, normal: contact.normal, level: contact.objectLevel })),
     stage.options.contacts ? snapshot.clusters.map((cluster) => ({ point: cluster.point, normal: cluster.normal,
       share: Math.hypot(...cluster.force) / largest })) : [], 0.011 * stage.size, colour("ring"));
-  const spots = (surface, of, levelOf) => thinSpots(of.map((contact) => ({ point: toMesh(surface.group, contact.point),
-    level: levelOf(contact) })), 0.03 * stage.size);
-  const reach = 0.075 * stage.size;
-  setActive(stage.object, snapshot.contacts.map((c) => ({ node: c.objectNode, level: c.objectLevel })));
-  setSpots(stage.object, spots(stage.object, snapshot.contacts, (c) => c.objectLevel), reach);
-  stage.statics.forEach((surface, body) => {
-    const own = snapshot.contacts.filter((contact) => contact.body === body);
-    setActive(surface, own.map((c) => ({ node: c.sceneNode, level: c.sceneLevel })));
-    setSpots(surface, spots(surface, own, (c) => c.sceneLevel), reach);
-  });
+  const mark = (body, of) => {
+    markContacts(body, of.map(({ point, node, level }) => ({ point: toMesh(body.group, point), node, level })), stage.size);
+    if (body.wireframe) for (const { level } of of) want(stage, body, level);
+  };
+  mark(stage.object, snapshot.contacts.map((c) => ({ point: c.point, node: c.objectNode, level: c.objectLevel })));
+  stage.statics.forEach((body, number) => mark(body, snapshot.contacts.filter((contact) => contact.body === number)
+    .map((c) => ({ point: c.point, node: c.sceneNode, level: c.sceneLevel }))));
 }
 
 function toMesh(group, point) {
@@ -222,7 +247,7 @@ function toMesh(group, point) {
 /// options   any of {wireframe, ghost, contacts, forces}
 export function setOptions(stage, options) {
   Object.assign(stage.options, options);
-  for (const surface of [stage.object, ...stage.statics]) if (surface) showLevels(surface, stage.options.wireframe);
+  for (const body of bodies(stage)) showBody(body, { wireframe: stage.options.wireframe });
   if (stage.last) showSnapshot(stage, stage.last);
   stage.dirty = true;
 }

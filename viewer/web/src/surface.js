@@ -1,8 +1,8 @@
 // One object as drawn: its surface, coloured near the contacts by their level of detail, and its finest triangles as lines.
 import { BufferAttribute, BufferGeometry, Color, DataTexture, Group, LineBasicMaterial, LineSegments, Mesh,
-  MeshStandardMaterial, RedFormat, UnsignedByteType, Vector4 } from "three";
+  MeshStandardMaterial, RedFormat, RGBAFormat, UnsignedByteType, Vector4 } from "three";
 import { splitAtCreases, uniqueEdges } from "./geometry.js";
-import { markPatches, patchOf, patchRanges } from "./patches.js";
+import { groupsAtLevel, markNodes, markPatches, patchOf, patchRanges, tint } from "./patches.js";
 import { LEVEL_COLOURS, levelColour } from "./theme.js";
 
 export const MAX_SPOTS = 24;
@@ -17,6 +17,8 @@ function surfaceUniforms(patchLevels) {
     spots: { value: Array.from({ length: MAX_SPOTS }, () => new Vector4()) }, // point [mesh frame], level
     levelColours: { value: LEVEL_COLOURS.map((_, level) => new Color(levelColour(level))) },
     onlyActive: { value: 0 }, // 1: nothing but the coloured parts is drawn
+    patchTints: { value: null }, // a colour a patch, of the level browser
+    tinted: { value: 0 }, // 1: every patch in its colour of patchTints
   };
 }
 
@@ -36,6 +38,8 @@ uniform sampler2D patchLevels;
 uniform int spotCount;
 uniform float spotRadius;
 uniform float onlyActive;
+uniform sampler2D patchTints;
+uniform float tinted;
 uniform vec4 spots[${MAX_SPOTS}];
 uniform vec3 levelColours[${LEVEL_COLOURS.length}];`)
       .replace("#include <color_fragment>", `#include <color_fragment>
@@ -57,6 +61,10 @@ uniform vec3 levelColours[${LEVEL_COLOURS.length}];`)
   if (onlyActive > 0.5 && share < 0.02) discard;
   level = min(level, ${LEVEL_COLOURS.length - 1});
   diffuseColor.rgb = mix(diffuseColor.rgb, levelColours[level], share);
+  if (tinted > 0.5 && onPatch >= 0.0) {
+    vec3 own = texelFetch(patchTints, ivec2(patchIndex % ${TEXTURE_WIDTH}, patchIndex / ${TEXTURE_WIDTH}), 0).rgb;
+    diffuseColor.rgb = mix(own, levelColours[level], 0.75 * step(0.9, share));
+  }
 }`);
   };
   return material;
@@ -76,11 +84,8 @@ export function makeSurface(mesh) {
   lineGeometry.setAttribute("position", new BufferAttribute(mesh.positions, 3));
   lineGeometry.setIndex(new BufferAttribute(uniqueEdges(mesh.triangles), 1));
 
-  const rows = Math.max(1, Math.ceil(mesh.nodeOfPatch.length / TEXTURE_WIDTH));
-  const bytes = new Uint8Array(TEXTURE_WIDTH * rows);
-  const patchLevels = new DataTexture(bytes, TEXTURE_WIDTH, rows, RedFormat, UnsignedByteType);
-  patchLevels.unpackAlignment = 1;
-  patchLevels.needsUpdate = true;
+  const bytes = new Uint8Array(TEXTURE_WIDTH * textureRows(mesh));
+  const patchLevels = patchTexture(bytes, RedFormat);
   const uniforms = surfaceUniforms(patchLevels);
   const solid = new Mesh(geometry, surfaceMaterial(uniforms));
   solid.castShadow = solid.receiveShadow = true;
@@ -88,8 +93,32 @@ export function makeSurface(mesh) {
   lines.visible = false;
   const group = new Group();
   group.add(solid, lines);
-  const ranges = patchRanges(mesh.nodeOfPatch, mesh.parents);
-  return { group, solid, lines, uniforms, geometry, ranges, bytes, patchLevels };
+  // A simplified level comes without a tree: its patches are named by their nodes.
+  const ranges = mesh.parents ? patchRanges(mesh.nodeOfPatch, mesh.parents) : null;
+  return { group, solid, lines, uniforms, geometry, mesh, ranges, bytes, patchLevels };
+}
+
+const textureRows = (mesh) => Math.max(1, Math.ceil(mesh.nodeOfPatch.length / TEXTURE_WIDTH));
+
+function patchTexture(bytes, format) {
+  const texture = new DataTexture(bytes, TEXTURE_WIDTH, bytes.length / (TEXTURE_WIDTH * (format === RGBAFormat ? 4 : 1)), format,
+    UnsignedByteType);
+  texture.unpackAlignment = 1;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/// Every patch in a colour of its own; with a free level of the tree those of one group in the same. null: as it is.
+export function tintPatches(surface, level) {
+  const { uniforms, mesh } = surface;
+  uniforms.tinted.value = level === null ? 0 : 1;
+  if (level === null || surface.tintedAt === level) return;
+  const numbers = mesh.parents ? groupsAtLevel(mesh.nodeOfPatch, mesh.parents, mesh.levels, level) : mesh.nodeOfPatch;
+  const bytes = new Uint8Array(4 * TEXTURE_WIDTH * textureRows(mesh));
+  numbers.forEach((number, patch) => bytes.set([...tint(Math.max(0, number)), 255], 4 * patch));
+  uniforms.patchTints.value?.dispose();
+  uniforms.patchTints.value = patchTexture(bytes, RGBAFormat);
+  surface.tintedAt = level;
 }
 
 export function paintSurface(surface, base, line) {
@@ -97,15 +126,18 @@ export function paintSurface(surface, base, line) {
   surface.lines.material.color.set(line);
 }
 
-/// wireframe   true: the finest resolution as lines, the active one solid near the contacts (Fig. 3.1)
-export function showLevels(surface, wireframe) {
-  surface.lines.visible = wireframe;
-  surface.uniforms.onlyActive.value = wireframe ? 1 : 0;
+/// solid   "whole", "active": only near contacts, or "none"; lines 0 to 1: how strong edges are drawn
+export function showParts(surface, solid, lines) {
+  surface.solid.visible = solid !== "none";
+  surface.uniforms.onlyActive.value = solid === "active" ? 1 : 0;
+  surface.lines.visible = lines > 0;
+  surface.lines.material.opacity = lines;
 }
 
 /// active   [{node, level}] of the contacts on this object
 export function setActive(surface, active) {
-  markPatches(surface.ranges, active, surface.bytes);
+  if (surface.ranges) markPatches(surface.ranges, active, surface.bytes);
+  else markNodes(surface.mesh.nodeOfPatch, active, surface.bytes);
   surface.patchLevels.needsUpdate = true;
 }
 
@@ -134,6 +166,7 @@ const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 export function disposeSurface(surface) {
   surface.geometry.dispose();
   surface.patchLevels.dispose();
+  surface.uniforms.patchTints.value?.dispose();
   surface.lines.geometry.dispose();
   surface.solid.material.dispose();
   surface.lines.material.dispose();

@@ -12,6 +12,7 @@ export function startTabs(parent, tabs, buttons) {
   const space = Object.assign(document.createElement("span"), { className: "grow" });
   const extras = buttons.map(([name, help, act]) => {
     const button = Object.assign(document.createElement("button"), { type: "button", textContent: name, title: help, className: "quiet" });
+    button.setAttribute("aria-label", help);
     button.addEventListener("click", act);
     return button;
   });

@@ -11,7 +11,7 @@ const EVENT_WORDS = {
 export const END_WORDS = { fault: "ended by a fault", duration: "reached its duration", device_finished: "the hand has finished",
   stopped: "was stopped" };
 
-const DEVICE_WORDS = { hand: "simulated hand", web: "mouse or touch", script: "scripted hand", replay: "recorded hand", null: "no hand" };
+const DEVICE_WORDS = { hand: "simulated hand", web: "mouse or touch", script: "scripted hand", replay: "recorded hand", null: "no hand", "": "a recording" };
 export function deviceWords(uri) {
   return DEVICE_WORDS[String(uri).split(":")[0]] ?? uri;
 }

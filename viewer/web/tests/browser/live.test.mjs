@@ -1,15 +1,12 @@
 // The page against the program itself: THIGMA_PROGRAM names it (ctest does). What the page shows is compared with what the
 // engine says of itself in its snapshots.
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
-import { existsSync, mkdtempSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { dirname, join } from "node:path";
+import { existsSync } from "node:fs";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { fileURLToPath } from "node:url";
+import { startProgram } from "../program.mjs";
 import { openPage, startBrowser } from "./browser.mjs";
 
-const root = join(dirname(fileURLToPath(import.meta.url)), "../../../..");
 const program = process.env.THIGMA_PROGRAM;
 const PATIENCE = { timeout: 400000 };
 let browser = null, reason = null;
@@ -20,36 +17,13 @@ before(async () => {
 });
 after(async () => { await browser?.close(); });
 
-/// `thigma run` of a small scene with its page, in a folder of its own; {address, end(): exit status}.
-async function startProgram(device) {
-  const folder = mkdtempSync(join(tmpdir(), "thigma-page-"));
-  const child = spawn(program, ["run", join(root, "scenes/ellipsoid.toml"), "--device", device, "--exact", "--port", "0"],
-    { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
-  let said = "";
-  const ended = new Promise((resolve) => child.on("exit", (code, signal) => resolve(code ?? signal)));
-  const address = await new Promise((resolve, reject) => {
-    const hear = (data) => {
-      said += data;
-      const found = /http:\/\/127\.0\.0\.1:\d+(?=[\s/])/.exec(said);
-      if (found) resolve(found[0]);
-    };
-    child.stdout.on("data", hear);
-    child.stderr.on("data", hear);
-    ended.then((code) => reject(new Error(`thigma run ended with ${code}: ${said.slice(-400)}`)));
-  });
-  return { address, child, end: async () => {
-    child.kill("SIGINT");
-    const code = await ended;
-    rmSync(folder, { recursive: true, force: true });
-    return code;
-  } };
-}
+const SMALL = ["SCENES/ellipsoid.toml", "--exact"];
 
-function liveTest(name, device, body) {
+function liveTest(name, device, body, scene = SMALL, query = "") {
   test(name, PATIENCE, async (t) => {
     if (reason) { t.skip(reason); return; }
-    const run = await startProgram(device);
-    const { page, errors, context } = await openPage(browser, run.address);
+    const run = await startProgram(program, [...scene, "--device", device]);
+    const { page, errors, context } = await openPage(browser, `${run.address}/${query}`);
     page.setDefaultTimeout(150000);
     try {
       await page.waitForFunction(() => window.thigma?.session.counts.snapshot > 5 && window.thigma.stage.object && window.thigma.drawn > 0);
@@ -159,6 +133,85 @@ liveTest("what the page asks for happens", "hand:", async ({ page }) => {
   await page.getByRole("button", { name: "Take it yourself" }).click();
   await page.waitForFunction(() => window.thigma.session.state.device === "web:" && window.thigma.session.state.holder === "you");
 });
+
+const OCTAHEDRON = "v 15 0 0\nv -15 0 0\nv 0 15 0\nv 0 -15 0\nv 0 0 15\nv 0 0 -15\n" +
+  "f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n";
+
+liveTest("a recording is shown at any time, and a mesh of one's own is held and touches", "hand:", async ({ page }) => {
+  await page.getByRole("button", { name: "Record" }).click();
+  await page.waitForFunction(() => window.thigma.session.state.recording && Math.hypot(...window.thigma.session.snapshot.force) > 0.2);
+  await page.getByRole("button", { name: "Stop recording" }).click();
+  await page.waitForFunction(() => !window.thigma.session.state.recording);
+  await page.keyboard.press("o");
+  await page.getByRole("button", { name: "session-001.mcap" }).click();
+  const slider = page.getByLabel("Time in the recording");
+  await slider.waitFor();
+  await page.waitForFunction(() => !document.getElementById("opener").open && window.thigma.session.state.replay);
+  await page.getByRole("button", { name: "Hold", exact: true }).click();
+  await page.waitForFunction(() => window.thigma.session.state.run === "paused");
+  const end = await session(page, "s.state.replay.seconds");
+  for (const [share, least] of [[0.95, 0.5], [0.3, 0]]) { // a busy machine leaves frames out: not to the millisecond
+    await slider.fill(String(share * end));
+    await page.waitForFunction(([low, high]) => { const { time } = window.thigma.session.snapshot; return time >= low && time <= high; },
+      [least * end, share * end]);
+  }
+  await page.waitForFunction(() => { const { stage, session: s } = window.thigma;
+    return stage.last === s.snapshot && stage.object.group.position.toArray().every((value, k) => value === s.snapshot.object.position[k]); });
+  await page.keyboard.press("o");
+  await page.locator("#mesh-file").setInputFiles({ name: "octahedron.obj", mimeType: "model/obj", buffer: Buffer.from(OCTAHEDRON) });
+  await page.getByText("Ready to use").waitFor();
+  await page.getByRole("button", { name: "Hold it" }).click();
+  await page.waitForFunction(() => window.thigma.session.scene.object.name === "octahedron.obj" && window.thigma.stage.object &&
+    window.thigma.session.state.replay === null && Math.hypot(...(window.thigma.session.snapshot?.force ?? [0])) > 0.1);
+  assert.equal(await session(page, "s.scene.object.triangles"), 8);
+});
+
+// THIGMA_SHOTS=DIR: the same with the jaws in full quality, and the pictures of the documents.
+const SHOTS = process.env.THIGMA_SHOTS;
+const shot = (page, name) => SHOTS && page.screenshot({ path: join(SHOTS, `${name}.png`) });
+
+async function drawnAgain(page) {
+  const from = await page.evaluate(() => window.thigma.drawn);
+  await page.waitForFunction((n) => window.thigma.drawn > n, from);
+}
+
+liveTest("levels of the engine: in contact, by themselves, light and dark", "hand:", async ({ page }) => {
+  const waits = SHOTS ? 9000 : 50; // rows: for pictures all of the plots
+  await page.waitForFunction(([rows, newtons]) => {
+    const { session: s, plots, act } = window.thigma;
+    if (plots.rows < rows || s.snapshot.contacts.length < 1 || Math.hypot(...s.snapshot.force) < newtons) return false;
+    act.pause();
+    return true;
+  }, [waits, SHOTS ? 0.8 : 0.1], { polling: 20 });
+  await page.waitForFunction(() => window.thigma.session.state.run === "paused" && (window.thigma.session.snapshot.bits & 8) !== 0);
+  await drawnAgain(page);
+  await shot(page, "live");
+  await page.emulateMedia({ colorScheme: "dark" });
+  await drawnAgain(page);
+  await shot(page, "live-dark");
+  await page.emulateMedia({ colorScheme: "light" });
+  await page.keyboard.press("l");
+  const wanted = await page.evaluate(() => { const { stage, session: s } = window.thigma;
+    return [...new Set(s.snapshot.contacts.map((c) => c.objectLevel))].filter((level) => level > 0 && !s.scene.object.level_list[level].free); });
+  await page.waitForFunction((levels) => levels.every((level) => window.thigma.stage.object.levels.has(level)), wanted);
+  await drawnAgain(page);
+  const active = await page.evaluate(() => { const { object } = window.thigma.stage;
+    return [object.finest, ...object.levels.values()].reduce((sum, one) => sum + one.bytes.filter((level) => level > 0).length, 0); });
+  assert.ok(active > 0, "patches in contact are drawn");
+  await shot(page, "live-levels");
+  await page.keyboard.press("l");
+  await page.getByRole("tab", { name: "Levels" }).click();
+  const browsed = await page.evaluate(() => { const { level_list: list } = window.thigma.session.scene.statics[0];
+    return list.reduce((best, { free }, level) => (free ? best : level), 0); });
+  assert.ok(browsed > 0, "the scene has simplified levels");
+  for (const [body, level] of [[0, SHOTS ? 3 : 1], [1, SHOTS ? 3 : browsed]]) {
+    await page.locator(".level-row").nth(body).getByRole("radio", { name: new RegExp(`, level ${level}$`) }).click();
+  }
+  await page.waitForFunction((level) => window.thigma.stage.statics[0].levels.has(level), SHOTS ? 3 : browsed);
+  if (SHOTS) for (const key of "gca") await page.keyboard.press(key);
+  await drawnAgain(page);
+  await shot(page, "live-browser");
+}, SHOTS ? ["jaws"] : ["SCENES/ellipsoid.toml"], SHOTS ? "?picture=full" : "");
 
 /// Another page of the same session that watches and draws nothing, so that it takes no processor from the one that holds.
 async function openWatcher(address) {

@@ -75,7 +75,8 @@ pageTest("shows both objects, light and dark, wide and narrow", { device: "hand:
   await drawnSince(page);
   const graph = await page.evaluate(() => {
     const { object, statics, root } = window.thigma.stage, { scene } = window.thigma.session;
-    return { whole: [object, ...statics].every((one, k) => one.geometry.index.count / 3 === [scene.object, ...scene.statics][k].triangles), inRoot: [object, ...statics].every((one) => one.group.parent === root),
+    return { whole: [object, ...statics].every((one, k) => one.geometry.index.count / 3 === [scene.object, ...scene.statics][k].triangles),
+      inRoot: [object, ...statics].every((one) => one.group.parent === root),
       title: document.getElementById("title").textContent };
   });
   assert.deepEqual(graph, { whole: true, inRoot: true, title: "Block on block (made up)" });
@@ -126,7 +127,8 @@ pageTest("a drag moves the hand until the object touches, and not through", {}, 
     const { stage, session } = window.thigma, at = stage.object.group.position, ghost = stage.ghost.group.position;
     return { object: at.toArray(), ghost: ghost.toArray(), arrow: stage.force.group.visible, length: stage.force.group.children[0].scale.z,
       ghostSeen: stage.ghost.group.visible, dots: stage.marks.dots[0].count, force: Math.hypot(...session.snapshot.force),
-      sent: session.sent, active: stage.object.bytes.filter((level) => level > 0).length, spots: stage.object.uniforms.spotCount.value };
+      sent: session.sent, active: stage.object.finest.bytes.filter((level) => level > 0).length,
+      spots: stage.object.finest.uniforms.spotCount.value };
   });
   seen.object.forEach((value, k) => assert.ok(Math.abs(value - mock.world.object[k]) < 2e-4, "drawn where the engine has it"));
   assert.ok(seen.ghost[2] < seen.object[2] - 0.001 && seen.ghostSeen, "the ghost goes on, the object does not");
@@ -187,6 +189,75 @@ pageTest("parameters change, and a refusal says why", {}, async ({ page, mock })
   await page.getByText("While recording this stays as it is.").waitFor();
   await page.locator("#parameter-contact_stiffness").fill("1");
   await until(() => mock.parameters[0].value === 20000, "the slider at its end");
+  await stiffness.fill("900");
+  await stiffness.press("Enter");
+  await page.getByText("Risky: 900 N/m is above 800 N/m, where the loop begins to swing.").waitFor();
+  const budget = mock.parameters.find((one) => one.name === "budget_us");
+  await page.getByLabel("time budget on").check();
+  await until(() => budget.value > 20 && budget.value < 20000, "a budget");
+  await page.getByLabel("time budget on").uncheck();
+  await until(() => budget.value === 0, "no budget");
+  await page.getByRole("radio", { name: "direct" }).click();
+  await until(() => mock.parameters.find((one) => one.name === "response").value === 1, "the direct response");
+  await page.waitForFunction(() => document.querySelector(".words [aria-checked=true]").textContent === "direct");
+});
+
+pageTest("levels: patches of any, and the active ones where the finest is only lines", { device: "hand:" }, async ({ page, mock }) => {
+  await page.getByRole("tab", { name: "Levels" }).click();
+  await page.getByRole("radio", { name: "lower block, level 2" }).click();
+  await page.getByText("672 triangles in 36 convex patches; nowhere more than 320 µm off the original.").waitFor();
+  await page.waitForFunction(() => window.thigma.stage.statics[0].levels.has(2));
+  await page.getByRole("radio", { name: "upper block, level 5" }).click();
+  await page.getByText("1 group of patches below, merged pairwise.").waitFor();
+  await drawnSince(page);
+  const parts = () => page.evaluate(() => [window.thigma.stage.object, ...window.thigma.stage.statics].map((body) =>
+    [[0, body.finest], ...body.levels].map(([level, one]) => [level, one.solid.visible, one.uniforms.onlyActive.value, one.uniforms.tinted.value])));
+  assert.deepEqual(await parts(), [[[0, true, 0, 1]], [[0, false, 0, 0], [2, true, 0, 1]]], "a free level tints the finest patches");
+  const asked = () => mock.received.text.filter(({ type }) => type === "level").map(({ mesh, value }) => `${mesh} ${value}`);
+  assert.deepEqual(asked(), ["1 2"], "free levels have no surface to ask for");
+  for (const name of ["lower block as it is", "upper block as it is"]) await page.getByRole("radio", { name }).click();
+  await page.keyboard.press("l");
+  await page.waitForFunction(() => window.thigma.session.snapshot.contacts.length > 20 && window.thigma.stage.object.levels.size === 2);
+  await page.evaluate(() => window.thigma.act.pause());
+  await until(() => mock.run === "paused", "pause");
+  await drawnSince(page, 1);
+  const active = await page.evaluate(() => { const { object } = window.thigma.stage;
+    return [object.finest, object.levels.get(1), object.levels.get(2)].map((one) => one.bytes.filter((level) => level > 0).length); });
+  assert.ok(active.every((n) => n > 0), `patches of each level in contact: ${active}`);
+  assert.deepEqual([...new Set(asked())].sort(), ["0 1", "0 2", "1 1", "1 2"]);
+  assert.equal(asked().length, 4, "each is asked for once");
+});
+
+pageTest("a scene, a recording and a mesh of one's own are opened from the menu", { device: "hand:" }, async ({ page, mock }) => {
+  await page.getByRole("button", { name: "Open a scene" }).click();
+  await page.getByRole("button", { name: "Cup and spoon" }).click();
+  await page.getByText("Building levels of cup …").waitFor();
+  assert.equal(mock.opened, "cups");
+  mock.progress(null, 1);
+  await page.waitForFunction(() => document.getElementById("veil").hidden);
+  await page.keyboard.press("o");
+  await page.getByRole("button", { name: "session-001.mcap" }).click();
+  const slider = page.getByLabel("Time in the recording");
+  await slider.waitFor();
+  await slider.fill("12.5");
+  await until(() => mock.received.text.some(({ type, value }) => type === "seek" && value === 12.5), "the slider's time");
+  await page.getByText("A recording: session-001.mcap").waitFor();
+  await page.getByRole("button", { name: "Take it yourself" }).click();
+  await slider.waitFor({ state: "hidden" });
+  const bytes = Buffer.from(Array.from({ length: 150000 }, (_, k) => (k * k) % 251));
+  await page.keyboard.press("o");
+  await page.locator("#mesh-file").setInputFiles({ name: "cup.stl", mimeType: "model/stl", buffer: bytes });
+  await page.getByText("Needs repair first").waitFor();
+  assert.ok(mock.uploaded.equals(bytes), "every byte, in order");
+  await page.getByText("2 duplicate faces").waitFor();
+  await page.getByLabel("Its unit is").selectOption({ label: "centimetres (400 mm)" });
+  await page.getByRole("button", { name: "Repair and hold it" }).click();
+  await until(() => mock.placed, "placed");
+  assert.deepEqual(mock.placed, { how: "hold", unit: 0.01, repair: true });
+  const dropped = await page.evaluateHandle(() => { const data = new DataTransfer(); data.items.add(new File(["x"], "bad.obj")); return data; });
+  await page.dispatchEvent("#scene", "drop", { dataTransfer: dropped });
+  await page.getByText("Cannot be used").waitFor();
+  assert.equal(await page.getByRole("button", { name: /Hold it/ }).count(), 0);
 });
 
 pageTest("pause, step, reset, record, save", { device: "hand:" }, async ({ page, mock }) => {
@@ -204,7 +275,7 @@ pageTest("pause, step, reset, record, save", { device: "hand:" }, async ({ page,
   await page.getByRole("button", { name: "Begin again" }).click();
   await until(() => mock.session === 2, "a new session");
   await page.waitForFunction(() => window.thigma.session.state.session === 2);
-  for (const [name, ending] of [["Picture", "png"], ["Table", "csv"]]) {
+  for (const [name, ending] of [["Save the plots as a picture", "png"], ["Save the plots as a table", "csv"]]) {
     const coming = page.waitForEvent("download");
     await page.getByRole("button", { name }).click();
     assert.match((await coming).suggestedFilename(), new RegExp(`^thigma-.*\\.${ending}$`));

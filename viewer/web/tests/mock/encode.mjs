@@ -31,6 +31,19 @@ export function encodeMesh(number, mesh) {
   return buffer;
 }
 
+export function encodeLevel(number, level, { positions, triangles, patchOfTriangle, nodeOfPatch }) {
+  const sizes = [positions.length / 3, triangles.length / 3, nodeOfPatch.length, 0];
+  const buffer = header(32 + 4 * (positions.length + triangles.length + patchOfTriangle.length + nodeOfPatch.length), 4, level, number, 0);
+  sizes.forEach((size, k) => buffer.writeUInt32LE(size, 16 + 4 * k));
+  let at = 32;
+  const put = (list, write) => { for (const value of list) { buffer[write](value, at); at += 4; } };
+  put(positions, "writeFloatLE");
+  put(triangles, "writeUInt32LE");
+  put(patchOfTriangle, "writeUInt32LE");
+  put(nodeOfPatch, "writeInt32LE");
+  return buffer;
+}
+
 /// rows   arrays of numbers in the order of CHANNELS
 export function encodeChannels(time, rows) {
   const buffer = header(16 + 4 * CHANNELS.length * rows.length, 2, CHANNELS.length, rows.length, time);

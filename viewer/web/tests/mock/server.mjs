@@ -5,8 +5,8 @@ import { readFile } from "node:fs/promises";
 import { dirname, extname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { acceptSocket } from "./websocket.mjs";
-import { CHANNELS, encodeChannels, encodeMesh, encodeSnapshot, FAULTS, readDevice } from "./encode.mjs";
-import { makeBlock, makeWorld, rowOf, scriptedHand, snapshotOf, START, stepWorld } from "./world.mjs";
+import { CHANNELS, encodeChannels, encodeLevel, encodeMesh, encodeSnapshot, FAULTS, readDevice } from "./encode.mjs";
+import { levelList, makeBlock, makeWorld, rowOf, scriptedHand, snapshotOf, START, stepWorld } from "./world.mjs";
 
 const dist = join(dirname(fileURLToPath(import.meta.url)), "../../dist");
 const MIME = { ".js": "text/javascript", ".css": "text/css", ".html": "text/html; charset=utf-8", ".svg": "image/svg+xml", ".txt": "text/plain" };
@@ -24,6 +24,8 @@ export async function startMock({ port = 0, device = "web:" } = {}) {
   mock.parameters = [parameter("contact_stiffness", "contact stiffness", "N/m", 5000, 200, 20000, "how hard the surfaces are"),
     parameter("coupling_stiffness", "coupling stiffness", "N/m", 500, 50, 1000, "how firmly the hand holds the object"),
     parameter("mass", "mass", "kg", 0.01, 0.0005, 0.5, "of the object in the hand"),
+    { ...parameter("budget_us", "time budget", "µs", 0, 20, 20000, "CPU time of a contact query"), kind: "optional" },
+    { ...parameter("response", "response", "", 0, 0, 1, "coupled or direct"), kind: "choice", choices: ["coupled", "direct"], begins_again: true },
     { ...parameter("threshold", "error threshold", "", 0.025, 0.001, 0.2, "how coarse contacts may be"), locked: "While recording this stays as it is." }];
   const server = createServer((request, response) => serve(request, response));
   server.on("upgrade", (request, socket) => enter(mock, request, socket));
@@ -33,13 +35,15 @@ export async function startMock({ port = 0, device = "web:" } = {}) {
   Object.assign(mock, {
     port: server.address().port,
     silence: (quiet) => { mock.quiet = quiet; },
+    progress: (what, share) => { for (const page of mock.pages) page.say({ type: "progress", what, share }); },
     drop: () => { for (const page of [...mock.pages]) page.destroy(); },
     close: () => { clearInterval(clock); clearInterval(slow); for (const page of [...mock.pages]) page.destroy(); server.close(); },
   });
   return mock;
 }
 
-const parameter = (name, label, unit, value, min, max, help) => ({ name, label, unit, value, min, max, scale: "log", locked: null, help });
+const parameter = (name, label, unit, value, min, max, help) => ({ name, label, unit, value, min, max, scale: "log", locked: null, help,
+  kind: "number", choices: [], begins_again: false, warning: null });
 
 async function serve(request, response) {
   const path = request.url.split("?")[0];
@@ -60,14 +64,17 @@ function enter(mock, request, socket) {
     closed: () => { mock.pages.delete(page); if (mock.holder === page) loseDevice(mock); } });
   const say = (message) => page.sendText(JSON.stringify(message));
   mock.pages.add(page);
-  say({ type: "hello", protocol: 1, program: "mock", page: mock.nextPage++, lost_after: 0.2, max_message: 4096,
+  say({ type: "hello", protocol: 1, program: "mock", page: mock.nextPage++, lost_after: 0.2, max_message: 65536,
     channels: CHANNELS.map((name) => ({ name, unit: "" })), faults: FAULTS });
-  const block = (name, mesh) => ({ name, mesh, radius: 0.043, center: [0, 0, 0], levels: 6, triangles: 9600, patches: 576 });
+  const block = (name, mesh) => ({ name, mesh, radius: 0.043, center: [0, 0, 0], levels: 6, triangles: 9600, patches: 576,
+    level_list: levelList() });
   say({ type: "scene", title: "Block on block (made up)", name: "mock", object: block("upper block", 0),
     statics: [{ ...block("lower block", 1), position: [0, 0, 0], quat_xyzw: [0, 0, 0, 1] }], start: START,
     workspace: { position: [0, 0, 0], quat_xyzw: [0, 0, 0, 1], motion_scale: 1, force_scale: 1 }, tolerance: 0.0004, rate: 1000 });
   for (const mesh of mock.meshes) page.sendBinary(mesh);
   say({ type: "parameters", list: mock.parameters });
+  say({ type: "menu", scenes: [{ name: "mock", title: "Block on block (made up)" }, { name: "cups", title: "Cup and spoon" }],
+    recordings: [{ name: "session-001.mcap", title: "session-001.mcap" }] });
   page.say = say;
   tellState(mock);
 }
@@ -77,6 +84,7 @@ function tellState(mock) {
   for (const page of mock.pages) {
     page.say({ type: "state", session: mock.session, run: mock.run, reason: null, time: mock.world.time, device: mock.device,
       devices: ["hand:", "web:"], holder: mock.holder === page ? "you" : mock.holder ? "other" : "none", recording: mock.recording ?? null,
+      replay: mock.replay ?? null,
       pages: mock.pages.size, simulated: true, timing: { step_cpu_us: { p50: 2.1, p99: 4 }, wake_late_us: { p50: 60, p99: 400 },
         query_cpu_us: { p50: 1180, p99: 2100 }, haptic_hz: 1000, contact_hz: 420, missed: 0 }, dropped: { yours: 0, rows: 0, samples: 0 } });
   }
@@ -96,14 +104,20 @@ function loseDevice(mock) {
 function hear(mock, page, message) {
   mock.received.text.push(message);
   const reason = obey(mock, page, message);
+  if (reason === undefined) return; // answered later
   const found = mock.parameters.find((one) => one.name === message.name);
   page.say({ type: "ack", id: message.id, ok: reason === null, reason, ...(message.type === "set" && reason === null ? { value: found.value } : {}) });
   tellState(mock);
 }
 
 /// Does what a page asks; null, or the reason why not.
-function obey(mock, page, { type, value, name }) {
-  if (type === "hold") {
+function obey(mock, page, { type, value, name, mesh, id, repair }) {
+  if (type === "level") page.sendBinary(encodeLevel(mesh, value, makeBlock(mesh === 0, value)));
+  else if (type === "open") return open(mock, value);
+  else if (type === "seek") mock.world.time = value;
+  else if (type === "upload") { mock.upload = { id, page, name, left: value, bytes: [] }; return undefined; }
+  else if (type === "place") mock.placed = { how: name, unit: value, repair };
+  else if (type === "hold") {
     if (mock.device !== "web:") return "The session's device is not web:.";
     if (mock.holder && mock.holder !== page) return "Another page holds the device.";
     mock.holder = value ? page : null;
@@ -111,6 +125,7 @@ function obey(mock, page, { type, value, name }) {
     if (!value) mock.world.hand = null;
   } else if (type === "use_device") {
     mock.device = value;
+    mock.replay = null;
     mock.holder = value === "web:" ? page : null;
     mock.world.hand = null;
     mock.lastDevice = Date.now();
@@ -122,14 +137,46 @@ function obey(mock, page, { type, value, name }) {
     const found = mock.parameters.find((one) => one.name === name);
     if (name === "mass" && value < 0.001) return `mass ${value} kg is too light for this coupling at 1000 Hz; 0.001 kg or more is safe.`;
     found.value = value;
-    if (name === "coupling_stiffness") mock.world.spring = value;
+    if (name === "coupling_stiffness") {
+      mock.world.spring = value;
+      found.warning = value > 800 ? `${value} N/m is above 800 N/m, where the loop begins to swing` : null;
+    }
     event(mock, "parameter", `${name} ${value}`);
     for (const one of mock.pages) one.say({ type: "parameters", list: mock.parameters });
   }
   return null;
 }
 
+/// A recording, or a scene that takes a moment to prepare.
+function open(mock, name) {
+  if (name.endsWith(".mcap")) {
+    mock.replay = { file: name, seconds: 20 };
+    return null;
+  }
+  if (name !== "cups") return `there is no '${name}' here`;
+  for (const page of mock.pages) page.say({ type: "progress", what: "building levels of cup", share: 0.4 });
+  mock.opened = name;
+  return null;
+}
+
+function hearUpload(mock, page, data) {
+  const { upload } = mock;
+  const bytes = data.subarray(16);
+  if (!upload || upload.page !== page || data.readUInt32LE(4) !== bytes.length || bytes.length > upload.left) { page.close(1008, "upload"); return; }
+  upload.bytes.push(Buffer.from(bytes));
+  upload.left -= bytes.length;
+  if (upload.left > 0) return;
+  mock.upload = null;
+  mock.uploaded = Buffer.concat(upload.bytes);
+  const bad = upload.name.startsWith("bad");
+  page.say({ type: "model", id: upload.id, name: upload.name, unit: 0.001, object_radius: 0.03, report: { verdict: bad ? "rejected" : "repairable",
+    triangles: 4, closed: true, components: 1, radius: 30, bounds: { min: [0, 0, 0], max: [40, 30, 20] },
+    reasons: [bad ? "no triangle" : "2 duplicate faces"], warnings: [] } });
+  page.say({ type: "ack", id: upload.id, ok: true, reason: null });
+}
+
 function hearDevice(mock, page, data) {
+  if (data[0] === 33) { hearUpload(mock, page, data); return; }
   const samples = readDevice(data);
   if (typeof samples === "string") { mock.received.refused.push(samples); page.close(1008, samples); return; }
   if (page !== mock.holder) { mock.received.refused.push("not the holder"); return; }

@@ -8,18 +8,19 @@ const REACH = 0.0004;               // contacts begin at this distance [m]
 const height = (x, y) => BUMP * Math.cos((2 * Math.PI * WAVES * x) / SIZE) * Math.cos((2 * Math.PI * WAVES * y) / SIZE);
 
 /// A block with bumps on one side and a hierarchy: patches of 2 x 2 cells, each level merging 2 x 2 below.
-export function makeBlock(upper) {
-  const positions = [], triangles = [], patchOfTriangle = [];
-  const at = (i, j, side) => side * (N + 1) * (N + 1) + j * (N + 1) + i;
+/// level   0, or up to SIMPLIFIED: a coarser surface, without a tree, its patches named by the nodes of the tree
+export function makeBlock(upper, level = 0) {
+  const M = N >> level, positions = [], triangles = [], patchOfTriangle = [];
+  const at = (i, j, side) => side * (M + 1) * (M + 1) + j * (M + 1) + i;
   for (const flat of [false, true]) {
-    for (let j = 0; j <= N; j++) for (let i = 0; i <= N; i++) {
-      const x = SIZE * (i / N - 0.5), y = SIZE * (j / N - 0.5);
+    for (let j = 0; j <= M; j++) for (let i = 0; i <= M; i++) {
+      const x = SIZE * (i / M - 0.5), y = SIZE * (j / M - 0.5);
       positions.push(x, y, flat ? (upper ? THICK : -THICK) : height(x, y));
     }
   }
-  const half = N / 2;
+  const half = M / 2;
   const add = (a, b, c, turned, patch) => { triangles.push(...(turned ? [a, c, b] : [a, b, c])); patchOfTriangle.push(patch); };
-  for (let j = 0; j < N; j++) for (let i = 0; i < N; i++) {
+  for (let j = 0; j < M; j++) for (let i = 0; i < M; i++) {
     const patch = (j >> 1) * half + (i >> 1);
     for (const side of [0, 1]) {
       const [a, b, c, d] = [at(i, j, side), at(i + 1, j, side), at(i + 1, j + 1, side), at(i, j + 1, side)];
@@ -28,12 +29,25 @@ export function makeBlock(upper) {
       add(a, c, d, turned, side === 0 ? patch : 0xffffffff);
     }
   }
-  for (let k = 0; k < N; k++) for (const [i, j, di, dj] of [[k, 0, 1, 0], [k + 1, N, -1, 0], [N, k, 0, 1], [0, k + 1, 0, -1]]) {
+  for (let k = 0; k < M; k++) for (const [i, j, di, dj] of [[k, 0, 1, 0], [k + 1, M, -1, 0], [M, k, 0, 1], [0, k + 1, 0, -1]]) {
     const [a, b] = [at(i, j, 0), at(i + di, j + dj, 0)], [c, d] = [at(i, j, 1), at(i + di, j + dj, 1)];
     add(a, d, b, upper, 0xffffffff);
     add(a, c, d, upper, 0xffffffff);
   }
-  return { positions, triangles, patchOfTriangle, ...makeTree(half) };
+  if (level === 0) return { positions, triangles, patchOfTriangle, ...makeTree(half) };
+  let begin = 0;
+  for (let k = 0, n = N / 2; k < level; k++, n = Math.ceil(n / 2)) begin += n * n;
+  return { positions, triangles, patchOfTriangle, nodeOfPatch: Array.from({ length: half * half }, (_, patch) => begin + patch) };
+}
+
+const SIMPLIFIED = 3; // levels 1 to 3 have surfaces of their own, 4 and 5 are free
+
+/// As in `scene`.
+export function levelList() {
+  return Array.from({ length: 6 }, (_, level) => {
+    const free = level > SIMPLIFIED, n = Math.ceil(N / 2 / 2 ** level);
+    return { free, triangles: free ? 0 : makeBlock(true, level).triangles.length / 3, patches: n * n, deviation: free ? null : 2e-5 * 4 ** level };
+  });
 }
 
 function makeTree(side) {

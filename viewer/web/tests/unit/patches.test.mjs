@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { markPatches, patchRanges } from "../../src/patches.js";
+import { groupsAtLevel, markNodes, markPatches, patchRanges, tint } from "../../src/patches.js";
 
 // 6 is the root of 4 and 5; 4 has leaves 0 and 1, 5 has 2 and 3. Patches lie on leaves in another order.
 const PARENTS = Int32Array.from([4, 4, 5, 5, 6, 6, -1]);
@@ -51,4 +51,28 @@ test("the finer level wins where contacts meet, and old marks go", () => {
   assert.deepEqual([...into], [2, 1, 3, 2]);
   markPatches(ranges, [], into);
   assert.deepEqual([...into], [0, 0, 0, 0]);
+});
+
+test("patches of a level go by the coarsest node that is not coarser", () => {
+  //        6 (2)
+  //    4 (1)   5 (1)
+  //  0   1    2   3
+  const parents = [4, 4, 5, 5, 6, 6, -1], levels = [0, 0, 0, 0, 1, 1, 2];
+  assert.deepEqual([...groupsAtLevel([0, 1, 2, 3], parents, levels, 0)], [0, 1, 2, 3]);
+  assert.deepEqual([...groupsAtLevel([0, 1, 2, 3], parents, levels, 1)], [4, 4, 5, 5]);
+  assert.deepEqual([...groupsAtLevel([0, 1, 2, 3], parents, levels, 7)], [6, 6, 6, 6]);
+});
+
+test("a level's own patches are marked by their nodes", () => {
+  const into = new Uint8Array(4);
+  markNodes([4, 5, -1], [{ node: 5, level: 1 }, { node: -1, level: 0 }], into);
+  assert.deepEqual([...into], [0, 2, 0, 0]);
+});
+
+test("neighbouring numbers have colours that can be told apart", () => {
+  for (let k = 0; k < 200; k++) {
+    const a = tint(k), b = tint(k + 1);
+    assert.ok(Math.hypot(...a.map((value, i) => value - b[i])) > 40, `${k}: ${a} and ${b}`);
+    assert.ok(a.every((value) => value >= 0 && value <= 255));
+  }
 });

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { decode, encodeDevice, parseText, ProtocolError } from "../../src/protocol.js";
-import { CHANNELS, encodeChannels, encodeMesh, encodeSnapshot, readDevice } from "../mock/encode.mjs";
+import { decode, encodeDevice, encodeUpload, parseText, ProtocolError } from "../../src/protocol.js";
+import { CHANNELS, encodeChannels, encodeLevel, encodeMesh, encodeSnapshot, readDevice } from "../mock/encode.mjs";
 
 const bytes = (buffer) => buffer.buffer.slice(buffer.byteOffset, buffer.byteOffset + buffer.length);
 const MESH = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], triangles: [0, 2, 1, 0, 1, 3], patchOfTriangle: [0, 0xffffffff],
@@ -16,6 +16,22 @@ test("a mesh comes through whole", () => {
   const mesh = decode(bytes(encodeMesh(5, MESH)));
   assert.equal(mesh.number, 5);
   for (const [name, values] of Object.entries(MESH)) assert.deepEqual([...mesh[name]], values, name);
+});
+
+test("a level comes through whole, and wrong ones are refused", () => {
+  const LEVEL = { positions: MESH.positions, triangles: MESH.triangles, patchOfTriangle: MESH.patchOfTriangle, nodeOfPatch: [2, -1] };
+  const level = decode(bytes(encodeLevel(5, 3, LEVEL)));
+  assert.deepEqual([level.kind, level.number, level.level], ["level", 5, 3]);
+  for (const [name, values] of Object.entries(LEVEL)) assert.deepEqual([...level[name]], values, name);
+  assert.throws(() => decode(bytes(encodeLevel(5, 0, LEVEL))), /level 0/);
+  for (const wrong of [{ triangles: [0, 2, 1, 0, 1, 4] }, { patchOfTriangle: [0, 2] }, { nodeOfPatch: [2, -2] }]) {
+    assert.throws(() => decode(bytes(encodeLevel(5, 3, { ...LEVEL, ...wrong }))), ProtocolError);
+  }
+});
+
+test("an upload says how many bytes it has", () => {
+  const message = new Uint8Array(encodeUpload(Uint8Array.from([7, 8, 9])));
+  assert.deepEqual([...message], [33, 1, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 7, 8, 9]);
 });
 
 test("a snapshot comes through field by field", () => {
@@ -45,7 +61,7 @@ test("unknown numbers stay unknown", () => {
 });
 
 test("every other length is refused", () => {
-  for (const whole of [encodeMesh(0, MESH), encodeSnapshot(SNAPSHOT), encodeChannels(0, [CHANNELS.map(() => 0)])]) {
+  for (const whole of [encodeMesh(0, MESH), encodeLevel(0, 1, MESH), encodeSnapshot(SNAPSHOT), encodeChannels(0, [CHANNELS.map(() => 0)])]) {
     for (let length = 0; length < whole.length; length++) {
       assert.throws(() => decode(bytes(whole.subarray(0, length))), ProtocolError, `${length} of ${whole.length} bytes`);
     }

@@ -1,0 +1,148 @@
+#include "live_models.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "mesh_report.h"
+#include "scenes/scene_file.h"
+#include <unistd.h>
+
+#include "thigma/core/error.h"
+#include "thigma/core/file.h"
+#include "thigma/mesh/read_mesh.h"
+
+namespace thigma::app {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kMostRecordings = 50;
+
+/// Nothing that a path or a message could trip over.
+std::string harmless(const std::string& name) {
+  std::string safe;
+  for (const char c : fs::path(name).filename().string().substr(0, 80)) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '_';
+    safe += is_plain ? c : '_';
+  }
+  return safe.empty() || safe[0] == '.' ? "mesh" + safe : safe;
+}
+
+Bounds scaled(const Bounds& b, double unit) { return {unit * b.min, unit * b.max}; }
+
+/// Bounds of a box after a turn.
+Bounds turned(const Bounds& b, const Quat& q) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Bounds result{Vec3::Constant(kFar), Vec3::Constant(-kFar)};
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 at((corner & 1) != 0 ? b.max.x() : b.min.x(), (corner & 2) != 0 ? b.max.y() : b.min.y(),
+                  (corner & 4) != 0 ? b.max.z() : b.min.z());
+    const Vec3 p = q._transformVector(at);
+    result.min = result.min.cwiseMin(p);
+    result.max = result.max.cwiseMax(p);
+  }
+  return result;
+}
+
+/// Metres per unit that make a mesh most like an object of this radius: millimetres, centimetres, inches or metres.
+double likely_unit(double mesh_radius, double radius) {
+  constexpr std::array<double, 4> kUnits = {0.001, 0.01, 0.0254, 1.0};
+  if (!(mesh_radius > 0.0)) return kUnits[0];
+  return *std::min_element(kUnits.begin(), kUnits.end(), [&](double a, double b) {
+    const auto off = [&](double unit) { return std::abs(std::log(unit * mesh_radius / radius)); };
+    return off(a) < off(b);
+  });
+}
+
+}  // namespace
+
+live::OpenMenu open_menu() {
+  live::OpenMenu menu;
+  for (const std::string& name : scenes::builtin_scene_names())
+    menu.scenes.push_back({name, scenes::read_scene(name).title});
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(".", ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() == ".mcap" && entry.is_regular_file(ignored))
+      menu.recordings.push_back({name, name});
+  }
+  std::sort(menu.recordings.begin(), menu.recordings.end(),
+            [](const auto& a, const auto& b) { return a.name < b.name; });
+  if (menu.recordings.size() > kMostRecordings)
+    menu.recordings.erase(menu.recordings.begin(),
+                          menu.recordings.end() - static_cast<std::ptrdiff_t>(kMostRecordings));
+  return menu;
+}
+
+DroppedMesh::~DroppedMesh() {
+  std::error_code ignored;
+  if (!folder_.empty()) fs::remove_all(folder_, ignored);
+}
+
+const MeshReport& DroppedMesh::keep(const std::string& name, const std::string& bytes) {
+  std::error_code error;
+  if (folder_.empty()) {
+    std::string made = (fs::temp_directory_path(error) / "thigma-XXXXXX").string();
+    if (error || mkdtemp(made.data()) == nullptr)
+      throw IoError(made + ": no folder could be made there for a dropped mesh");
+    folder_ = made;
+  }
+  const fs::path place = fs::path(folder_) / std::to_string(++count_);
+  fs::create_directory(place, error);
+  const std::string path = (place / harmless(name)).string();
+  write_file(path, bytes);
+  MeshReport report;
+  try {
+    report = inspect_mesh(read_mesh(path), path);
+  } catch (const InputError& wrong) {
+    // People know the file by its name, not by where it is kept meanwhile.
+    std::string text = wrong.what();
+    if (text.starts_with(path)) text.replace(0, path.size(), harmless(name));
+    throw InputError(text);
+  }
+  report_ = std::move(report);
+  path_ = path;
+  name_ = harmless(name);
+  return report_;
+}
+
+std::string model_message(std::int64_t id, const DroppedMesh& mesh, double radius) {
+  nlohmann::ordered_json json = {{"type", "model"}, {"id", id}, {"name", mesh.name()}};
+  json["report"] = mesh_report_json(mesh.report());
+  json["report"]["file"] = mesh.name();
+  json["unit"] = likely_unit(mesh.report().radius, radius);
+  json["object_radius"] = radius;
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+scenes::SceneDescription scene_with(const scenes::SceneDescription& now, const DroppedMesh& mesh,
+                                    bool is_held, double unit, const Bounds& other) {
+  if (is_held && now.statics.empty())
+    throw InputError(mesh.name() + ": nothing stands still in this scene to hold it against");
+  scenes::SceneObject dropped;
+  dropped.name = mesh.name();
+  dropped.mesh = mesh.path();
+  dropped.unit_scale = unit;
+  scenes::SceneDescription scene;
+  scene.object = is_held ? dropped : now.object;
+  scene.statics.push_back(is_held ? now.statics.front() : dropped);
+  scene.title = scene.object.name + " against " + scene.statics[0].name;
+  scene.file = scene.title;
+  scene.rate = now.rate;
+  scene.device.uri = now.device.uri;
+
+  const Bounds own = scaled(mesh.report().bounds, unit);
+  Pose& held = scene.object.world_from_mesh;
+  const Pose& standing = scene.statics[0].world_from_mesh;
+  const Bounds above = turned(is_held ? own : other, held.orientation);
+  const Bounds below = turned(is_held ? other : own, standing.orientation);
+  const double gap = 0.05 * (above.max - above.min).norm();
+  held.position = standing.position + 0.5 * (below.min + below.max - above.min - above.max);
+  held.position.z() = standing.position.z() + below.max.z() - above.min.z() + gap;
+  return scene;
+}
+
+}  // namespace thigma::app

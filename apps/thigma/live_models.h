@@ -1,0 +1,56 @@
+#pragma once
+// What a page may open in place of the scene that runs: scenes, recordings, meshes dropped on it.
+
+#include <cstdint>
+#include <string>
+
+#include "scenes/scene_description.h"
+#include "viewer/server/messages.h"
+
+#include "thigma/mesh/inspect.h"
+
+namespace thigma::app {
+
+/// Scenes of the program, and the recordings in the folder it runs in.
+/// Thread [offline].
+live::OpenMenu open_menu();
+
+/// The mesh that a page has sent last, in a folder that goes with this.
+/// Thread: one.
+class DroppedMesh {
+ public:
+  DroppedMesh() = default;
+  ~DroppedMesh();
+  DroppedMesh(const DroppedMesh&) = delete;
+  DroppedMesh& operator=(const DroppedMesh&) = delete;
+
+  /// Keeps a file's bytes under (nearly) its name and looks at them. The one before stays until this goes, as a session
+  /// may stand on it.
+  /// Throws IoError, and InputError for what is no mesh.
+  const MeshReport& keep(const std::string& name, const std::string& bytes);
+  bool is_there() const { return !path_.empty(); }
+  const std::string& path() const { return path_; }
+  const std::string& name() const { return name_; }
+  const MeshReport& report() const { return report_; }
+
+ private:
+  std::string folder_, path_, name_;
+  MeshReport report_;
+  int count_ = 0;
+};
+
+/// `model`: what the program thinks of a mesh, and what one unit of it might be.
+/// radius  of the object in the hand now, which a likely unit makes it most like [m]
+std::string model_message(std::int64_t id, const DroppedMesh& mesh, double radius);
+
+/// A scene of a dropped mesh and one that is there: the dropped one in the hand, or standing still; the held one a little
+/// above the other. All else follows from their sizes.
+///
+/// now     scene that runs
+/// unit    metres per unit of the dropped mesh, > 0
+/// other   bounds of the surface that stays: of the first static body if is_held, else of the object [m; its mesh frame]
+/// Thread  [offline]; InputError where there is no static body to hold it against.
+scenes::SceneDescription scene_with(const scenes::SceneDescription& now, const DroppedMesh& mesh,
+                                    bool is_held, double unit, const Bounds& other);
+
+}  // namespace thigma::app

@@ -1,0 +1,49 @@
+#pragma once
+// A recording as the page shows it: samples in their order and at their pace, from any time on.
+
+#include <cstddef>
+#include <string>
+
+#include "run_options.h"
+
+#include "thigma/runtime/config_json.h"
+#include "thigma/runtime/recording.h"
+#include "thigma/runtime/session.h"
+
+namespace thigma::app {
+
+/// Where in a recording the page is.
+/// Thread: any one.
+class Playback {
+ public:
+  /// errors   InputError for what is no recording, or one without a frame
+  explicit Playback(const std::string& path);
+
+  const std::string& file() const { return file_; }
+  const RecordedConfig& config() const { return config_; }
+  double seconds() const;  // time of the last frame [s]
+  double time() const;     // of the newest frame that was told [s]
+  bool is_over() const { return next_ >= recording_.frames.size(); }
+  /// The newest frame that was told; the first before any was.
+  const HapticSample& frame() const;
+
+  /// Tells `sinks` of everything up to `time`, at most `most` frames.
+  void advance_to(double time, std::size_t most, const SessionSinks& sinks);
+  /// The same up to `time`, forgetting what was told: frames of the ten seconds before it, thinned to what pages take
+  /// at once, after those in which the object was last taken hold of.
+  void jump_to(double time, const SessionSinks& sinks);
+
+ private:
+  void tell_contacts(double time, const SessionSinks& sinks);
+
+  std::string file_;
+  Recording recording_;
+  RecordedConfig config_;
+  std::size_t next_ = 0, next_contact_ = 0, next_event_ = 0;
+};
+
+/// Names the scene of options.replay where the options name none.
+/// Thread [offline]; InputError for what is no recording, or one of two meshes given on the command line.
+void use_recorded_scene(RunOptions& options);
+
+}  // namespace thigma::app

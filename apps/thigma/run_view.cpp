@@ -1,0 +1,112 @@
+#include "run_view.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "scenes/gain_task.h"
+#include "version.h"
+
+#include "thigma/core/error.h"
+#include "thigma/device/open_device.h"
+
+namespace thigma::app {
+namespace {
+
+live::LiveParameter choice(const char* name, const char* label, const char* help,
+                           std::vector<std::string> words, std::size_t chosen) {
+  live::LiveParameter p;
+  p.name = name;
+  p.label = label;
+  p.help = help;
+  p.kind = live::ParameterKind::choice;
+  p.choices = std::move(words);
+  p.value = static_cast<double>(chosen);
+  p.max = static_cast<double>(p.choices.size() - 1);
+  p.is_log = false;
+  p.begins_again = true;
+  return p;
+}
+
+}  // namespace
+
+live::SceneView view_of(const Run& run) {
+  const scenes::SceneDescription& scene = run.scene;
+  live::SceneView view;
+  view.title = scene.title.empty() ? scene.object.name : scene.title;
+  view.name = scene.file;
+  view.program = std::string("thigma ") + kVersion;
+  view.object = {scene.object.name, run.object.meshes, &run.object.hierarchy, {}};
+  for (std::size_t i = 0; i < scene.statics.size(); ++i) {
+    view.statics.push_back({scene.statics[i].name, run.statics[i]->meshes,
+                            &run.statics[i]->hierarchy, scene.statics[i].world_from_mesh});
+  }
+  return view;
+}
+
+std::vector<std::string> devices_of(const Run& run) {
+  std::vector<std::string> devices = {run.device_uri};
+  for (const char* other : {"web:", "hand:"}) {
+    const bool is_there = std::any_of(devices.begin(), devices.end(), [&](const std::string& uri) {
+      return device_scheme(uri) + ":" == other;
+    });
+    if (!is_there) devices.push_back(other);
+  }
+  return devices;
+}
+
+const char* end_name(SessionEnd end) {
+  switch (end) {
+    case SessionEnd::duration:
+      return "duration";
+    case SessionEnd::device_finished:
+      return "device_finished";
+    case SessionEnd::stopped:
+      return "stopped";
+    case SessionEnd::fault:
+      return "fault";
+  }
+  return "";
+}
+
+std::optional<GainTask> gains_of(const Run& run) {
+  const HapticParams& haptic = run.config.haptic;
+  if (haptic.response == ResponseKind::direct) return std::nullopt;  // no springs to judge
+  scenes::DevicePort port;
+  try {
+    port = scenes::describe_device(run.device_uri);
+  } catch (const std::exception&) {  // the page's mouse, a recording: their limits alone
+    port.limits = run.device->limits();
+    port.linear = {port.limits.max_force, port.limits.max_stiffness};
+    port.angular = {port.limits.max_torque, port.limits.max_angular_stiffness};
+  }
+  return scenes::gain_task(port, haptic.body, haptic.workspace, run.config.rate);
+}
+
+std::vector<live::LiveParameter> choices_of(const Run& run) {
+  const bool is_direct = run.config.haptic.response == ResponseKind::direct;
+  std::vector<live::LiveParameter> choices = {
+      choice("response", "response",
+             "coupled: through a simulated body; direct: contact forces as they are",
+             {"coupled", "direct"}, is_direct ? 1 : 0)};
+  const auto is_textured = [](const scenes::SceneObject& o) { return o.is_textured; };
+  if (run.scene.object.is_textured ||
+      std::any_of(run.scene.statics.begin(), run.scene.statics.end(), is_textured)) {
+    choices.push_back(choice("texture", "texture", "on: relief is felt; off: coarse surfaces alone",
+                             {"on", "off"}, run.config.contact.textures.is_empty() ? 1 : 0));
+  }
+  return choices;
+}
+
+std::string free_recording() {
+  for (int i = 1; i < 1000; ++i) {
+    char name[32];
+    std::snprintf(name, sizeof name, "session-%03d.mcap", i);
+    const std::string part = std::string(name) + ".part";
+    if (!std::filesystem::exists(name) && !std::filesystem::exists(part)) return name;
+  }
+  throw IoError(
+      "session-999.mcap: there is already a file, expected a free name from session-001 on");
+}
+
+}  // namespace thigma::app

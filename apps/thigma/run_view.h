@@ -1,0 +1,34 @@
+#pragma once
+// What pages are told of a run, and what they may choose in it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run_session.h"
+#include "viewer/server/messages.h"
+
+#include "thigma/dynamics/gains.h"
+
+namespace thigma::app {
+
+/// Surfaces and hierarchies of the run, which outlives the view.
+live::SceneView view_of(const Run& run);
+
+/// Who may move the object: the device the program was started with, the page, and a hand.
+std::vector<std::string> devices_of(const Run& run);
+
+/// What gains of this run are judged for, as far as the device is known; nothing for the direct response, which has none.
+/// Thread [offline].
+std::optional<GainTask> gains_of(const Run& run);
+
+/// What pages may choose that takes a new session.
+std::vector<live::LiveParameter> choices_of(const Run& run);
+
+/// "duration", "device_finished", "stopped", "fault".
+const char* end_name(SessionEnd end);
+
+/// A name no file has yet, in the folder the program runs in. Throws IoError.
+std::string free_recording();
+
+}  // namespace thigma::app
