@@ -143,7 +143,7 @@ liveTest("a recording is shown at any time, and a mesh of one's own is held and 
   await page.getByRole("button", { name: "Stop recording" }).click();
   await page.waitForFunction(() => !window.thigma.session.state.recording);
   await page.keyboard.press("o");
-  await page.getByRole("button", { name: "session-001.mcap" }).click();
+  await page.locator("#opener").getByRole("button", { name: "session-001.mcap" }).click();
   const slider = page.getByLabel("Time in the recording");
   await slider.waitFor();
   await page.waitForFunction(() => !document.getElementById("opener").open && window.thigma.session.state.replay);

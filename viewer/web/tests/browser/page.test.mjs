@@ -236,7 +236,7 @@ pageTest("a scene, a recording and a mesh of one's own are opened from the menu"
   mock.progress(null, 1);
   await page.waitForFunction(() => document.getElementById("veil").hidden);
   await page.keyboard.press("o");
-  await page.getByRole("button", { name: "session-001.mcap" }).click();
+  await page.locator("#opener").getByRole("button", { name: "session-001.mcap" }).click();
   const slider = page.getByLabel("Time in the recording");
   await slider.waitFor();
   await slider.fill("12.5");
