@@ -35,7 +35,7 @@ test("three pages, one of them deaf in the middle", { timeout: 400000 }, async (
     const second = await openClient(run.port), third = await openClient(run.port);
     await until(() => third.snapshots > 10, "snapshots of the third");
     third.socket.pause(); // reads nothing any more
-    for (let id = 1; id <= 60; id++) third.send({ type: "level", id, mesh: 0, value: 1 }); // fills what lies between the two
+    for (let id = 1; id <= 60; id++) third.send({ type: "level", id, mesh: 1, value: 1 }); // 127 kB each: fills what lies between
     const before = first.snapshots;
     await until(() => first.states.length >= SECONDS + 2 && second.states.length >= SECONDS, "states of the others");
     const watched = timings(first.states);
