@@ -1,13 +1,17 @@
 // The page against the program itself: THIGMA_PROGRAM names it (ctest does). What the page shows is compared with what the
 // engine says of itself in its snapshots.
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
-import { join } from "node:path";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
 import { startProgram } from "../program.mjs";
 import { openPage, startBrowser } from "./browser.mjs";
 
 const program = process.env.THIGMA_PROGRAM;
+const SHOTS = process.env.THIGMA_SHOTS;
 const PATIENCE = { timeout: 400000 };
 let browser = null, reason = null;
 
@@ -19,10 +23,21 @@ after(async () => { await browser?.close(); });
 
 const SMALL = ["SCENES/ellipsoid.toml", "--exact"];
 
+/// A session in lockstep, which no machine is too slow for, to be shown again: the arguments for it.
+function recorded() {
+  const folder = mkdtempSync(join(tmpdir(), "thigma-recorded-"));
+  const file = join(folder, "session.mcap");
+  const root = join(dirname(fileURLToPath(import.meta.url)), "../../../..");
+  execFileSync(program, ["run", SHOTS ? "jaws" : join(root, "scenes/ellipsoid.toml"), "--headless", "--lockstep", "--duration", SHOTS ? "6" : "3",
+    "--record", file, "--quiet"], { stdio: "ignore" });
+  return { args: ["--replay", file], done: () => rmSync(folder, { recursive: true, force: true }) };
+}
+
 function liveTest(name, device, body, scene = SMALL, query = "") {
   test(name, PATIENCE, async (t) => {
     if (reason) { t.skip(reason); return; }
-    const run = await startProgram(program, [...scene, "--device", device]);
+    const { args, done } = typeof scene === "function" ? scene() : { args: scene, done: () => {} };
+    const run = await startProgram(program, [...args, "--device", device]);
     const { page, errors, context } = await openPage(browser, `${run.address}/${query}`);
     page.setDefaultTimeout(150000);
     try {
@@ -32,6 +47,7 @@ function liveTest(name, device, body, scene = SMALL, query = "") {
     } finally {
       await context.close();
       await run.end();
+      done();
     }
   });
 }
@@ -167,7 +183,6 @@ liveTest("a recording is shown at any time, and a mesh of one's own is held and 
 });
 
 // THIGMA_SHOTS=DIR: the same with the jaws in full quality, and the pictures of the documents.
-const SHOTS = process.env.THIGMA_SHOTS;
 const shot = (page, name) => SHOTS && page.screenshot({ path: join(SHOTS, `${name}.png`) });
 
 async function drawnAgain(page) {
@@ -176,14 +191,18 @@ async function drawnAgain(page) {
 }
 
 liveTest("levels of the engine: in contact, by themselves, light and dark", "hand:", async ({ page }) => {
-  const waits = SHOTS ? 9000 : 50; // rows: for pictures all of the plots
-  await page.waitForFunction(([rows, newtons]) => {
-    const { session: s, plots, act } = window.thigma;
-    if (plots.rows < rows || s.snapshot.contacts.length < 1 || Math.hypot(...s.snapshot.force) < newtons) return false;
-    act.pause();
-    return true;
-  }, [waits, SHOTS ? 0.8 : 0.1], { polling: 20 });
-  await page.waitForFunction(() => window.thigma.session.state.run === "paused" && (window.thigma.session.snapshot.bits & 8) !== 0);
+  await page.waitForFunction(() => window.thigma.session.state?.replay);
+  await page.evaluate(() => window.thigma.act.pause());
+  await page.waitForFunction(() => window.thigma.session.state.run === "paused");
+  const end = await session(page, "s.state.replay.seconds");
+  let pressed = false; // where the hand presses: the first such time from the end
+  for (let time = end; !pressed && time > 0; time -= 0.1) {
+    await page.evaluate((t) => window.thigma.act.seek(t), time);
+    await page.waitForFunction((t) => { const s = window.thigma.session.snapshot; return s && Math.abs(s.time - t) < 0.0021; }, time);
+    pressed = await session(page, `s.snapshot.contacts.length > 0 && Math.hypot(...s.snapshot.force) > ${SHOTS ? 0.7 : 0.2}`);
+  }
+  assert.ok(pressed, "the recording presses");
+  await page.waitForFunction(() => window.thigma.session.snapshot.contacts.length > 0);
   await drawnAgain(page);
   await shot(page, "live");
   await page.emulateMedia({ colorScheme: "dark" });
@@ -211,7 +230,7 @@ liveTest("levels of the engine: in contact, by themselves, light and dark", "han
   if (SHOTS) for (const key of "gca") await page.keyboard.press(key);
   await drawnAgain(page);
   await shot(page, "live-browser");
-}, SHOTS ? ["jaws"] : ["SCENES/ellipsoid.toml"], SHOTS ? "?picture=full" : "");
+}, recorded, SHOTS ? "?picture=full" : "");
 
 /// Another page of the same session that watches and draws nothing, so that it takes no processor from the one that holds.
 async function openWatcher(address) {
