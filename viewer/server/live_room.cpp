@@ -184,12 +184,17 @@ void LiveRoom::tell(PageId page, const std::string& message) {
 
 void LiveRoom::rewind() {
   impl_->feed.begin_session(impl_->config.haptic.workspace);
-  impl_->server.post([room = impl_.get()] {
+  auto done = std::make_shared<std::promise<void>>();
+  std::future<void> rewound = done->get_future();
+  impl_->server.post([room = impl_.get(), done] {
     room->collect_rows();  // of the time before
     room->rows.clear();
     room->state.session += 1;
     room->tell_state();
+    done->set_value();
   });
+  done.reset();
+  rewound.wait();  // else rows of the time that comes would go with those before
 }
 
 void LiveRoom::begin_session(const LiveStart& start) {

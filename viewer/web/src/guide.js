@@ -18,7 +18,7 @@ export function guideLine(guide, session, facts, act) {
   }
   if (session.refusal && facts.now < session.refusal.until) return { text: session.refusal.text, mood: "stop" };
   if (state.replay) {
-    return { text: `A recording: ${state.replay.file}`, button: state.devices.includes("web:") ? "Take it yourself" : undefined,
+    return { text: `A recording: ${state.replay.file.split("/").pop()}`, button: state.devices.includes("web:") ? "Take it yourself" : undefined,
       act: () => act.device("web:") };
   }
   if (fault) {

@@ -81,6 +81,7 @@ function showLevel(target, snapshot, scene) {
 
 function showLoop(target, snapshot, state, scene) {
   const rate = snapshot.hapticRate, asked = scene.rate;
+  if (state?.replay) return line(target, "", `A recording of a loop at ${Math.round(asked)} Hz.`);
   if (!Number.isFinite(rate)) return line(target, "", "Haptic loop: not measured yet.");
   if (state?.run !== "running") return line(target, "", `Haptic loop: ${state?.run ?? "unknown"}.`);
   const holds = rate >= 0.99 * asked;
@@ -91,6 +92,10 @@ function showLoop(target, snapshot, state, scene) {
 }
 
 function showContact(target, snapshot, state) {
+  if (state?.replay) {
+    const old = Number.isFinite(snapshot.modelAge) ? ` The model was ${say(snapshot.modelAge, "s", 1e-6)} old.` : "";
+    return line(target, "", `Contacts are found again where the object was.${old}`);
+  }
   if (!Number.isFinite(snapshot.contactRate)) return line(target, "", "Contacts: not measured yet.");
   const age = Number.isFinite(snapshot.modelAge) ? `; the model is ${say(snapshot.modelAge, "s", 1e-6)} old` : "";
   const running = state?.run === "running";

@@ -202,6 +202,7 @@ liveTest("levels of the engine: in contact, by themselves, light and dark", "han
     pressed = await session(page, `s.snapshot.contacts.length > 0 && Math.hypot(...s.snapshot.force) > ${SHOTS ? 0.7 : 0.2}`);
   }
   assert.ok(pressed, "the recording presses");
+  await page.waitForFunction(() => window.thigma.plots.fast.used > 30); // thinned, the seconds before
   await page.waitForFunction(() => window.thigma.session.snapshot.contacts.length > 0);
   await drawnAgain(page);
   await shot(page, "live");
