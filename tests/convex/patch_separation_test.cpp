@@ -86,6 +86,7 @@ struct Truth {
   double distance = kInfinity;
   Vec3 point = Vec3::Zero();  // the mean over the pairs that intersect
   int intersecting = 0;
+  std::uint32_t met_a = 0, met_b = 0;  // corners of the triangles that intersect
 };
 
 // Every pair of triangles by itself.
@@ -102,6 +103,8 @@ Truth all_pairs(const test::MeshPatch& a, const test::MeshPatch& b, const Relati
       truth.distance = std::min(truth.distance, d.distance);
       truth.point += d.intersecting ? d.point_a : Vec3::Zero();
       truth.intersecting += d.intersecting;
+      truth.met_a |= d.intersecting ? ta.mask : 0;
+      truth.met_b |= d.intersecting ? tb.mask : 0;
     }
   }
   if (truth.intersecting > 0) truth.point /= truth.intersecting;
@@ -130,6 +133,8 @@ TEST(TriangleSeparation, EqualsAllPairsWhateverTheHint) {
     ASSERT_NEAR(s.distance, truth.distance, 1e-14) << trial;
     if (s.intersecting) {
       ASSERT_LE((s.point_a - truth.point).norm(), 1e-12) << trial;
+      ASSERT_EQ(s.feature_a, truth.met_a) << trial;
+      ASSERT_EQ(s.feature_b, truth.met_b) << trial;
     }
     meetings += s.intersecting;
     distances += !s.intersecting;

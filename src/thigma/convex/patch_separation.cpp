@@ -8,8 +8,8 @@
 #include "thigma/convex/detail/triangle_features.h"
 
 // Pairs of triangles are left out by masks of hull vertices: a triangle all of whose corners are beyond one face of a
-// box, or on one side of another's plane. What is left is measured feature by feature. Everything happens about the
-// centre of a.
+// box, or on one side of another's plane. What is left is measured feature by feature, but for features that are too far
+// apart along the line of the closest points of a first guess. Everything happens about the centre of a.
 
 namespace thigma {
 namespace {
@@ -53,6 +53,11 @@ struct NearTriangle {
   NearTriangle() noexcept {}  // set when it is found to be near: most never are
 };
 
+// Masks of hull vertices of the two patches.
+struct CornerMasks {
+  std::uint32_t a = 0, b = 0;
+};
+
 // The triangles of one patch that may come within a reach of the other.
 struct NearTriangles {
   // A surface patch on at most 32 hull vertices has at most 60 triangles.
@@ -86,11 +91,13 @@ struct Patch {
   }
 };
 
-void find_near(const Patch& patch, const Box& other, double reach, NearTriangles& near) {
+// some: of the corners; a triangle without one of them is left out.
+void find_near(const Patch& patch, const Box& other, double reach, std::uint32_t some,
+               NearTriangles& near) {
   const detail::BoxSides sides = sides_of(patch.corners, grown(other, reach));
   for (int i = 0; i < patch.triangle_count; ++i) {
     const HullTriangle& t = patch.hull.triangles[i];
-    if (!sides.may_meet(t.mask)) continue;
+    if ((t.mask & some) == 0 || !sides.may_meet(t.mask)) continue;
     NearTriangle& n = near.triangle[near.count++];
     n.index = i;
     n.mask = t.mask;
@@ -140,8 +147,9 @@ class TrianglePairs {
 
   // Where triangles pierce each other: one pass that needs no distances.
   bool intersect(PatchSeparation& out) {
-    find_pairs(0.0);
+    find_pairs(0.0, {~0u, ~0u});
     Vec3 sum = Vec3::Zero();
+    CornerMasks met;
     int hits = 0;
     for (const NearTriangle& a : near_a_) {
       for (const NearTriangle& b : near_b_) {
@@ -154,24 +162,32 @@ class TrianglePairs {
             pierce(a.triangle.p, b.triangle, points) + pierce(b.triangle.p, a.triangle, points);
         if (count == 0) continue;
         if (hits++ == 0) keep(a.index, b.index, 0, 0, out);
+        met.a |= a.mask;
+        met.b |= b.mask;
         sum += points / count;
       }
     }
     if (hits == 0) return false;
-    meet(sum / hits, out);
+    meet(sum / hits, met, out);
     return true;
   }
 
   // The least distance; triangles that only touch intersect as well.
   void measure(double stop, const TriangleHint& hint, PatchSeparation& out) {
     const double farthest = stop + kRounding * size_;
-    double limit = std::min(farthest * farthest, guess(hint));
-    find_pairs(std::sqrt(limit * kMargin));
+    Vec3 line;
+    double limit = std::min(farthest * farthest, guess(hint, line));
+    const Levels levels(*this, line);
+    double most = levels.gap(limit);
+    find_pairs(std::sqrt(limit * kMargin), levels.near(most));
     Vec3 sum = Vec3::Zero();
+    CornerMasks met;
     int touches = 0;
     for (const NearTriangle& a : near_a_) {
       for (const NearTriangle& b : near_b_) {
         if (!a.others.straddles(b.mask) || !b.others.straddles(a.mask)) continue;
+        detail::CornerHeights along;
+        if (!levels.may_be_nearer(a, b, most, along)) continue;
         const double bound = limit * kMargin;
         if (squared_distance(a.box, b.box) > bound || plane_gap(a.triangle, b.triangle) > bound ||
             plane_gap(b.triangle, a.triangle) > bound)
@@ -180,14 +196,18 @@ class TrianglePairs {
         const double noise = touch_distance(a.triangle, b.triangle);
         detail::ClosestFeatures best;
         best.squared = std::max(bound, 2.0 * noise * noise);
-        offer_features(a.triangle, b.triangle, best);
+        offer_features(a.triangle, b.triangle, along, best);
         if (best.corners_a == 0) continue;
         if (best.squared <= noise * noise) {
           if (touches++ == 0) keep(a.index, b.index, best.corners_a, best.corners_b, out);
+          met.a |= a.mask;
+          met.b |= b.mask;
           sum += best.a;
           limit = 0.0;
+          most = levels.gap(limit);
         } else if (touches == 0 && best.squared <= limit) {
           limit = best.squared;
+          most = levels.gap(limit);
           keep(a.index, b.index, best.corners_a, best.corners_b, out);
           out.distance = std::sqrt(best.squared);
           out.point_a = best.a + origin_;
@@ -195,33 +215,81 @@ class TrianglePairs {
         }
       }
     }
-    if (touches > 0) meet(sum / touches, out);
+    if (touches > 0) meet(sum / touches, met, out);
   }
 
  private:
-  void find_pairs(double reach) {
+  // Triangles within reach of the other patch, and with a corner of `some`.
+  void find_pairs(double reach, const CornerMasks& some) {
     near_a_.count = near_b_.count = 0;
     near_a_.corners = near_b_.corners = 0;
-    find_near(a_, box_around(b_.corners, b_.used), reach, near_a_);
+    find_near(a_, box_around(b_.corners, b_.used), reach, some.a, near_a_);
     // The second side against what is left of the first.
-    if (near_a_.count > 0) find_near(b_, box_around(a_.corners, near_a_.corners), reach, near_b_);
+    if (near_a_.count > 0)
+      find_near(b_, box_around(a_.corners, near_a_.corners), reach, some.b, near_b_);
     drop_by_planes(a_, b_, near_b_.corners, reach, near_a_);
     drop_by_planes(b_, a_, near_a_.corners, reach, near_b_);
   }
 
-  // Squared; the distance of the triangles is no larger. Of the hint, or of the corners.
-  double guess(const TriangleHint& hint) const {
+  // Heights of all corners along a line: where b is farther above a than the limit, nothing is nearer.
+  struct Levels {
+    const TrianglePairs& pairs;
+    double length, rounding;
+    alignas(16) double a[kMaxHullVertices], b[kMaxHullVertices];
+
+    Levels(const TrianglePairs& p, const Vec3& line)
+        : pairs(p), length(std::sqrt(line.squaredNorm())), rounding(kRounding * p.size_) {
+      heights_along(p.a_.corners, line, a);
+      heights_along(p.b_.corners, line, b);
+    }
+
+    // Of features within a squared distance, at most.
+    double gap(double limit) const { return length * (std::sqrt(limit * kMargin) + rounding); }
+
+    // Corners that are not beyond all of the other patch.
+    CornerMasks near(double most) const {
+      double top = a[0], bottom = b[0];
+      for (int i = 1; i < pairs.a_.corners.count; ++i) top = std::max(top, a[i]);
+      for (int i = 1; i < pairs.b_.corners.count; ++i) bottom = std::min(bottom, b[i]);
+      CornerMasks masks;
+      for (int i = 0; i < pairs.a_.corners.count; ++i)
+        masks.a |= static_cast<std::uint32_t>(!(bottom - a[i] > most)) << i;
+      for (int i = 0; i < pairs.b_.corners.count; ++i)
+        masks.b |= static_cast<std::uint32_t>(!(b[i] - top > most)) << i;
+      return masks;
+    }
+
+    bool may_be_nearer(const NearTriangle& ta, const NearTriangle& tb, double most,
+                       detail::CornerHeights& along) const {
+      const std::uint8_t* ca = pairs.a_.hull.triangles[ta.index].corner;
+      const std::uint8_t* cb = pairs.b_.hull.triangles[tb.index].corner;
+      along = {{a[ca[0]], a[ca[1]], a[ca[2]]}, {b[cb[0]], b[cb[1]], b[cb[2]]}, most};
+      return !(std::min({along.b[0], along.b[1], along.b[2]}) -
+                   std::max({along.a[0], along.a[1], along.a[2]}) >
+               most);
+    }
+  };
+
+  // Squared; the distance of the triangles is no larger. Of the hint, or of the corners. line: from one to the other
+  double guess(const TriangleHint& hint, Vec3& line) const {
     double least = kInfinity;
+    line = Vec3::Zero();
     if (hint.a < a_.triangle_count && hint.b < b_.triangle_count) {
       detail::ClosestFeatures best;
       offer_features(placed(a_.corners, a_.hull.triangles[hint.a]),
                      placed(b_.corners, b_.hull.triangles[hint.b]), best);
       least = best.squared;
+      if (best.corners_a != 0) line = best.b - best.a;
     } else {
       for (std::uint32_t left = a_.used; left != 0; left &= left - 1) {
         const Vec3 p = a_.corners[std::countr_zero(left)];
-        for (std::uint32_t other = b_.used; other != 0; other &= other - 1)
-          least = std::min(least, (p - b_.corners[std::countr_zero(other)]).squaredNorm());
+        for (std::uint32_t other = b_.used; other != 0; other &= other - 1) {
+          const Vec3 between = b_.corners[std::countr_zero(other)] - p;
+          const double squared = between.squaredNorm();
+          if (!(squared < least)) continue;
+          least = squared;
+          line = between;
+        }
       }
     }
     const double distance = std::sqrt(least) + kRounding * size_;
@@ -235,9 +303,11 @@ class TrianglePairs {
     out.feature_b = hull_mask(b_.hull.triangles[j], corners_b);
   }
 
-  void meet(const Vec3& point, PatchSeparation& out) const {
+  void meet(const Vec3& point, const CornerMasks& corners, PatchSeparation& out) const {
     out.intersecting = true;
     out.distance = 0.0;
+    out.feature_a = corners.a;
+    out.feature_b = corners.b;
     out.point_a = out.point_b = point + origin_;
   }
 

@@ -17,9 +17,9 @@ struct PatchSeparation {
   Vec3 point_b = Vec3::Zero();
   int triangle_a = -1,
       triangle_b = -1;  // into the hulls' triangles; -1 farther than stop, points invalid
-  std::uint32_t feature_a = 0,
-                feature_b =
-                    0;     // masks of the hull vertices that span the closest feature; 0 unknown
+  // Masks of the hull vertices that span the closest feature, 0 unknown; intersecting: corners of the
+  // triangles that do.
+  std::uint32_t feature_a = 0, feature_b = 0;
   int triangle_pairs = 0;  // measured
 };
 

@@ -60,6 +60,12 @@ inline double top_along(const Corners& c, const Vec3& n) {
   return _mm_cvtsd_f64(_mm_max_sd(top, _mm_unpackhi_pd(top, top)));
 }
 
+/// Heights of all corners along n, as many as are padded.
+inline void heights_along(const Corners& c, const Vec3& n, double* height) {
+  const Heights h(n);
+  for (int i = 0; i < c.count; i += 2) _mm_store_pd(height + i, h.at(c, i));
+}
+
 /// Smallest height of the corners along n.
 inline double bottom_along(const Corners& c, const Vec3& n) {
   const Heights h(n);

@@ -1,5 +1,7 @@
 #include "thigma/convex/detail/triangle_features.h"
 
+#include <algorithm>
+
 #include "thigma/convex/detail/simplex.h"
 
 // The closest points of disjoint triangles lie on two edges, or on a corner and a face (Ericson 2005, 5.1.10).
@@ -53,17 +55,29 @@ void offer_corner(const Vec3& p, const PlacedTriangle& t, int corner, bool swapp
 }  // namespace
 
 void offer_features(const PlacedTriangle& a, const PlacedTriangle& b, ClosestFeatures& best) {
+  offer_features(a, b, {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}, best);
+}
+
+void offer_features(const PlacedTriangle& a, const PlacedTriangle& b, const CornerHeights& along,
+                    ClosestFeatures& best) {
+  const double* const at_a = along.a;
+  const double* const at_b = along.b;
+  const double top = std::max({at_a[0], at_a[1], at_a[2]}),
+               bottom = std::min({at_b[0], at_b[1], at_b[2]});
   for (int i = 0; i < 3; ++i) {
-    offer_corner(a.p[i], b, i, false, best);
-    offer_corner(b.p[i], a, i, true, best);
+    if (!(bottom - at_a[i] > along.most)) offer_corner(a.p[i], b, i, false, best);
+    if (!(at_b[i] - top > along.most)) offer_corner(b.p[i], a, i, true, best);
   }
   Vec3 along_b[3];
   for (int j = 0; j < 3; ++j) along_b[j] = b.p[j == 2 ? 0 : j + 1] - b.p[j];
   for (int i = 0; i < 3; ++i) {
     const int i2 = i == 2 ? 0 : i + 1;
+    const double top_of_edge = std::max(at_a[i], at_a[i2]);
+    if (bottom - top_of_edge > along.most) continue;
     const Vec3 along_a = a.p[i2] - a.p[i];
     for (int j = 0; j < 3; ++j) {
       const int j2 = j == 2 ? 0 : j + 1;
+      if (std::min(at_b[j], at_b[j2]) - top_of_edge > along.most) continue;
       offer_interior(a.p[i], along_a, b.p[j], along_b[j], 1 << i | 1 << i2, 1 << j | 1 << j2, best);
     }
   }

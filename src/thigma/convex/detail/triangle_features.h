@@ -35,6 +35,17 @@ struct ClosestFeatures {
 /// Among features to rounding equally near it depends on their order alone which is kept.
 void offer_features(const PlacedTriangle& a, const PlacedTriangle& b, ClosestFeatures& best);
 
+/// Heights of the corners of two triangles along one direction, and the most by which those of b may be above those of a
+/// for features to be of interest.
+struct CornerHeights {
+  double a[3], b[3];
+  double most = 0.0;
+};
+
+/// The same for a caller who knows a direction along which most features are far apart.
+void offer_features(const PlacedTriangle& a, const PlacedTriangle& b, const CornerHeights& along,
+                    ClosestFeatures& best);
+
 /// Adds the points where the edges of a triangle pierce the inside of another; returns how many.
 int pierce(const Vec3 edges[3], const PlacedTriangle& face, Vec3& sum);
 
