@@ -172,7 +172,8 @@ void read_device(TomlTable table, DeviceChoice& device) {
   table.finish();
 }
 
-void read_safety(TomlTable table, SafetyLimits& safety) {
+void read_safety(TomlTable table, SafetyLimits& safety, bool& is_passive) {
+  is_passive = table.truth("passivity").value_or(is_passive);
   const auto read = [&](const char* key, double& value) {
     value = table.number(key, Range::positive).value_or(value);
   };
@@ -240,7 +241,7 @@ SceneDescription parse_scene(std::string_view text, const std::string& file,
   if (auto table = top.table("texture")) read_texture_keys(*table, scene.contact.texture);
   if (auto table = top.table("coupling")) read_coupling(*table, scene.coupling);
   if (auto table = top.table("device")) read_device(*table, scene.device);
-  if (auto table = top.table("safety")) read_safety(*table, scene.safety);
+  if (auto table = top.table("safety")) read_safety(*table, scene.safety, scene.is_passive);
   if (auto table = top.table("solver")) read_solver(*table, scene);
   top.finish();  // before what is missing: a misspelt [object] is named as such
   if (!object) top.fail_here("no [object]", "expected the grasped object as a table [object]");

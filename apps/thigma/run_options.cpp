@@ -29,6 +29,8 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
   verb.add_option(
       "--response", o.response,
       "coupled: through a simulated body (default); direct: contact forces as they are");
+  verb.add_flag("--passivity", o.is_passive,
+                "let late samples give no energy away: damps the handle, softens what is not backed");
   verb.add_flag("--no-cache", o.has_no_cache, "build levels of detail anew and keep nothing");
   verb.add_flag("--repair", o.is_repair, "repair meshes that need it");
   verb.add_option("--fault", o.fault_text, "unplug@T, stall=S@T, nan@T, hang=S@T, comma-separated");

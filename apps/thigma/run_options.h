@@ -30,6 +30,7 @@ struct RunOptions {
   ResolutionOptions resolution;
   bool has_no_blend = false;  // contacts change level at once
   std::string response;       // otherwise the scene's
+  bool is_passive = false;    // passivity controller; otherwise as the scene says
   bool has_no_cache = false;  // levels of detail are built and forgotten
   bool is_repair = false;
   std::string fault_text;

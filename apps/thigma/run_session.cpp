@@ -15,6 +15,7 @@
 #include "thigma/device/replay.h"
 #include "thigma/runtime/config_json.h"
 #include "thigma/runtime/direct_session.h"
+#include "thigma/runtime/passive_session.h"
 #include "thigma/runtime/recording.h"
 
 namespace thigma::app {
@@ -285,6 +286,7 @@ std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOption
   open_run_device(options, seed, tell, *run);
   refuse_device_clock(*run->device);
   run->config.haptic.device = run->device->limits();
+  if (options.is_passive || run->scene.is_passive) use_passivity(run->device->limits(), run->config);
   return run;
 }
 
@@ -298,6 +300,7 @@ void reopen_run_device(const RunOptions& options, std::uint64_t seed, std::strin
     throw;
   }
   run.config.haptic.device = run.device->limits();
+  if (run.config.haptic.passivity.is_on) use_passivity(run.device->limits(), run.config);
 }
 
 }  // namespace thigma::app

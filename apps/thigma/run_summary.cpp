@@ -49,6 +49,15 @@ Json force_step(const ForceStep& step, const SessionSummary& s) {
   return json;
 }
 
+/// What the controller did, null without it.
+Json passivity(const PassivitySummary& p) {
+  if (!p.is_on) return nullptr;
+  return {{"delay", p.delay},
+          {"acted_share", p.acted_share},
+          {"sent_share", p.sent_share},
+          {"damping_max", p.damping_max}};
+}
+
 void append(std::string& text, const char* format, ...) __attribute__((format(printf, 2, 3)));
 void append(std::string& text, const char* format, ...) {
   char line[256];
@@ -100,6 +109,7 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene,
   json["penetration_max"] = s.penetration_max;
   json["coupling_stretch_max"] = s.stretch_max;
   json["energy_min"] = s.energy_min;
+  json["passivity"] = passivity(s.passivity);
   json["dropped_samples"] = s.dropped_samples;
   json["safety_events"] = Json::array();
   for (const SessionEvent& event : s.safety_events) {
@@ -140,6 +150,11 @@ std::string run_summary_text(const SessionSummary& s) {
          1e3 * s.penetration_max, 1e3 * s.stretch_max);
   append(text, "energy           min %.3g J; samples dropped %llu\n", s.energy_min,
          static_cast<unsigned long long>(s.dropped_samples));
+  if (s.passivity.is_on) {
+    append(text,
+           "passivity        %.1f %% of the frames changed, %.1f %% of the wanted wrench sent, damping at most %.1f N s/m\n",
+           100.0 * s.passivity.acted_share, 100.0 * s.passivity.sent_share, s.passivity.damping_max);
+  }
   for (const SessionEvent& event : s.safety_events) {
     append(text, "FAULT            %s at %.3f s; zero force since\n", event.detail.c_str(),
            event.time);

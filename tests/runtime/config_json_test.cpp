@@ -27,6 +27,9 @@ RecordedConfig example() {
   c.params.grasp_place = GraspPlace::handle;
   c.params.grasp_point = random.in_cube(0.1);
   c.params.resumes_lost_device = true;
+  c.params.device.delay = 0.0123;
+  c.params.passivity = passivity_for(300.0, 0.2, 1e-3, 0.0123);
+  c.params.passivity.credit = 2e-5;
   c.world_from_body = {random.in_cube(1.0), random.orientation()};
   c.params.response = ResponseKind::direct;
   c.resolution.is_exact = false;
@@ -58,6 +61,9 @@ TEST(ConfigJson, round_trip_loses_nothing) {
   EXPECT_EQ(back.params.workspace.world_from_device.position,
             config.params.workspace.world_from_device.position);
   EXPECT_EQ(back.params.safety.force_slew, 123.0);
+  EXPECT_EQ(back.params.device.delay, 0.0123);
+  EXPECT_TRUE(back.params.passivity.is_on);
+  EXPECT_EQ(back.params.passivity.credit, 2e-5);
   EXPECT_FALSE(back.params.device.actuates_rotation);
   EXPECT_TRUE(back.params.resumes_lost_device);
   EXPECT_EQ(back.params.response, ResponseKind::direct);

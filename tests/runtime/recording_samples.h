@@ -50,6 +50,8 @@ inline HapticSample sample(std::uint64_t frame) {
   s.fault = frame > 400 ? Fault::pose_jump : Fault::none;
   s.step_cpu = static_cast<float>(random.uniform(1e-6, 2e-6));
   s.wake_late = static_cast<float>(random.uniform(0.0, 1e-4));
+  s.device.has_true_handle = frame % 2 == 1;
+  if (s.device.has_true_handle) s.device.true_handle = {random.in_cube(0.1), random.orientation()};
   s.input_digest = input_digest(s);
   return s;
 }

@@ -109,6 +109,7 @@ DeviceLimits limits_of(const HandParams& p) {
   limits.workspace_radius = p.workspace_radius;
   limits.senses_rotation = p.senses_rotation;
   limits.actuates_rotation = p.actuates_rotation;
+  limits.delay = p.delay + 0.5 * p.jitter + (p.sampling > 0.0 ? 0.5 / p.sampling : 0.0);
   return limits;
 }
 
@@ -264,6 +265,8 @@ void HandDevice::Impl::sense() THIGMA_RT {
   state.motion.pose = pose;
   state.buttons = buttons;
   state.status = DeviceStatus::ok;
+  state.has_true_handle = true;
+  state.true_handle = handle.pose;
 }
 
 HandDevice::HandDevice(const HandParams& params) : impl_(std::make_unique<Impl>(params)) {}

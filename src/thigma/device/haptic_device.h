@@ -21,6 +21,7 @@ struct DeviceLimits {
   double workspace_radius = 0.1;       // [m]
   bool senses_translation = true, senses_rotation = true;
   bool actuates_translation = true, actuates_rotation = true;
+  double delay = 0.0;  // age of what a read returns, as far as known [s]
   DeviceClock clock = DeviceClock::engine;
 };
 
@@ -38,6 +39,10 @@ struct DeviceState {
   Motion motion;              // handle pose and velocity [device frame: right-handed, z up]
   std::uint32_t buttons = 0;  // bits below
   DeviceStatus status = DeviceStatus::ok;
+  // Simulated devices only: where the handle is now, without encoders and delay. Nothing but the account of energy
+  // looks at it: the port's energy is that of the motion, not of what is known of it.
+  bool has_true_handle = false;
+  Pose true_handle;  // [device frame]
 };
 
 /// Bit of DeviceState::buttons that means "the hand is on the object".

@@ -32,6 +32,21 @@ void each_limit(Limits& s, Visit visit) {
   visit("watchdog", s.watchdog);
 }
 
+/// The same of the passivity controller.
+template <class Params, class Visit>
+void each_passivity_number(Params& p, Visit visit) {
+  visit("period", p.period);
+  visit("delay", p.delay);
+  visit("max_damping", p.max_damping);
+  visit("max_angular_damping", p.max_angular_damping);
+  visit("stiffness", p.stiffness);
+  visit("angular_stiffness", p.angular_stiffness);
+  visit("acceleration", p.acceleration);
+  visit("angular_acceleration", p.angular_acceleration);
+  visit("velocity_lag", p.velocity_lag);
+  visit("credit", p.credit);
+}
+
 template <class Device, class Number, class Flag>
 void each_device_limit(Device& d, Number number, Flag flag) {
   number("max_force", d.max_force);
@@ -96,6 +111,7 @@ void put_device(std::string& out, JsonObject& json, const DeviceLimits& device) 
       device, [&](const char* key, double value) { inner.number(key, value); },
       [&](const char* key, bool value) { inner.flag(key, value); });
   inner.flag("device_clock", device.clock == DeviceClock::device);
+  inner.number("delay", device.delay);
   inner.close();
 }
 
@@ -186,6 +202,7 @@ DeviceLimits read_device(const Json& json) {
       device, [&](const char* key, double& value) { value = json.at(key).get<double>(); },
       [&](const char* key, bool& value) { value = json.at(key).get<bool>(); });
   device.clock = json.at("device_clock").get<bool>() ? DeviceClock::device : DeviceClock::engine;
+  device.delay = json.value("delay", 0.0);  // older recordings lack it
   return device;
 }
 
@@ -210,6 +227,13 @@ void read_params(const Json& json, HapticParams& params) {
   params.response = is_direct ? ResponseKind::direct : ResponseKind::coupled;
   params.resumes_lost_device =
       json.value("resumes_lost_device", false);  // older recordings lack it
+  params.passivity.is_on = json.contains("passivity");
+  if (params.passivity.is_on) {
+    const Json& passivity = json.at("passivity");
+    each_passivity_number(params.passivity, [&](const char* key, double& value) {
+      value = passivity.at(key).get<double>();
+    });
+  }
 }
 
 // File names need not be UTF-8, JSON has to be.
@@ -250,6 +274,13 @@ std::string write_config(const RecordedConfig& config) {
   json.number("turn_rate", p.turn_rate);
   json.word("response", p.response == ResponseKind::direct ? "direct" : "coupled");
   json.flag("resumes_lost_device", p.resumes_lost_device);
+  if (p.passivity.is_on) {
+    json.key("passivity");
+    JsonObject passivity(out);
+    each_passivity_number(p.passivity,
+                          [&](const char* key, double value) { passivity.number(key, value); });
+    passivity.close();
+  }
   put_resolution(out, json, config.resolution);
   json.close();
   return out;

@@ -2,6 +2,7 @@
 
 #include "thigma/runtime/haptic_step.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -119,7 +120,11 @@ void read_inputs(const HapticParams& params, const HapticPorts& ports, const Hap
   const bool is_usable = check_device(params.safety, sample.device, tick.now, tick.elapsed, safety);
   if (is_usable && sample.device.status != DeviceStatus::not_ready) {
     state.last_device = sample.device;
-    observe_motion(state.energy, sample.device.motion.pose);
+    const DeviceState& device = sample.device;
+    observe_motion(state.energy,
+                   device.has_true_handle ? device.true_handle : device.motion.pose);
+    if (params.passivity.is_on)
+      observe_handle(params.passivity, device.motion, tick.now, state.passivity);
   }
   ports.models->fetch();
   const LinearContactModel& model = ports.models->value();
@@ -186,6 +191,16 @@ Wrench contact_on_hand(const LinearContactModel& model, const RigidBody& body, c
   return {push.force, push.torque + (state.position - hand.pose.position).cross(push.force)};
 }
 
+/// The command made passive. The device's maxima hold behind the damping as they did before it.
+void make_passive(const HapticParams& params, HapticState& state, HapticSample& sample) THIGMA_RT {
+  Wrench sent = passive_wrench(params.passivity, state.last_device.motion, sample.command,
+                               sample.time, state.passivity);
+  sent.force = clamped(sent.force, std::min(params.safety.max_force, params.device.max_force));
+  sent.torque = clamped(sent.torque, std::min(params.safety.max_torque, params.device.max_torque));
+  correct_sent(sent, state.passivity);
+  sample.command = sent;
+}
+
 /// Steps 5 and 6: what the hand gets, within the limits.
 void send_wrench(const HapticParams& params, const HapticPorts& ports,
                  const LinearContactModel& model, const Touch& touching, HapticState& state,
@@ -208,6 +223,7 @@ void send_wrench(const HapticParams& params, const HapticPorts& ports,
   sample.command = sample.feedback;
   if (!params.device.actuates_rotation) sample.command.torque.setZero();
   if (!params.device.actuates_translation) sample.command.force.setZero();
+  if (params.passivity.is_on) make_passive(params, state, sample);
   ports.device->write(sample.command);
   observe_wrench(state.energy, sample.command);
 }

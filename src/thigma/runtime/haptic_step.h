@@ -10,6 +10,7 @@
 #include "thigma/dynamics/linear_contact_model.h"
 #include "thigma/runtime/latest.h"
 #include "thigma/runtime/passivity.h"
+#include "thigma/runtime/passivity_control.h"
 #include "thigma/runtime/safety.h"
 #include "thigma/runtime/spsc_ring.h"
 #include "thigma/runtime/telemetry.h"
@@ -41,6 +42,7 @@ struct HapticParams {
   double turn_rate =
       kButtonTurnRate;  // of the turn buttons, for devices without sensed rotation [rad/s]
   ResponseKind response = ResponseKind::coupled;
+  PassivityParams passivity;  // off by default
   bool resumes_lost_device =
       false;  // a device that was lost and answers again may be taken up by a
               // new press of the clutch; else the fault stays until cleared
@@ -65,6 +67,7 @@ struct HapticState {
   DeviceState last_device;  // last usable sample
   SafetyState safety;
   EnergyObserver energy;
+  PassivityControl passivity;
   float step_cpu = 0.0f,
         wake_late = 0.0f;  // of the frame before, filled in by the shell for telemetry [s]
 };
@@ -97,7 +100,7 @@ struct HapticTick {
 HapticState initial_state(const HapticParams& params, const Pose& world_from_body) THIGMA_RT;
 
 /// One frame: device, coupling, newest contact model, implicit step, coupling again, limits,
-/// device, telemetry.
+/// passivity controller where it is on, device, telemetry.
 ///
 /// With the direct response the object follows the handle exactly, through anything, and the contact
 /// wrench alone is sent, under the same limits. Damping of the contact terms acts on the handle's velocity.

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "thigma/runtime/level_changes.h"
+#include "thigma/runtime/passive_session.h"
 
 namespace thigma {
 namespace {
@@ -64,6 +65,7 @@ void apply_tuning(const HapticTuning& tuning, HapticParams& params, HapticState&
   state.coupling = tuning.coupling;
   state.coupling.body_from_grasp = grasp;
   state.coupling.is_grasped = is_grasped;
+  if (params.passivity.is_on) retune_passivity(params);
 }
 
 void apply_tuning(const ContactTuning& tuning, ContactWorld& world) noexcept {

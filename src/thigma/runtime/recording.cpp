@@ -48,6 +48,12 @@ void put_device(std::string& out, const HapticSample& s) {
   json.twist(s.device.motion.twist);
   json.integer("buttons", s.device.buttons);
   json.word("status", status_name(s.device.status));
+  if (s.device.has_true_handle) {
+    json.key("true_handle");
+    JsonObject handle(out);
+    handle.pose(s.device.true_handle);
+    handle.close();
+  }
   json.integer("model_sequence", static_cast<long long>(s.model_sequence));
   json.word("external_fault", fault_name(s.external_fault));
   json.word("input_digest", hex_text(s.input_digest));

@@ -41,13 +41,6 @@ void check_way(const SafetyLimits& limits, const Vec3& position, double now, dou
   if (safety.lead > limits.pose_jump) latch_fault(safety, Fault::too_fast, now);
 }
 
-/// Shortened to `limit`, direction kept.
-Vec3 clamped(const Vec3& v, double limit) THIGMA_RT {
-  const double n = v.norm();
-  if (n <= limit) return v;
-  return (limit / n) * v;
-}
-
 /// From `last` towards `v`: by at most `step` where the norm grows, all the way where it does not.
 Vec3 grown(const Vec3& last, const Vec3& v, double step) THIGMA_RT {
   if (!(v.norm() > last.norm())) return v;
@@ -55,6 +48,12 @@ Vec3 grown(const Vec3& last, const Vec3& v, double step) THIGMA_RT {
 }
 
 }  // namespace
+
+Vec3 clamped(const Vec3& v, double limit) THIGMA_RT {
+  const double n = v.norm();
+  if (n <= limit) return v;
+  return (limit / n) * v;
+}
 
 const char* fault_name(Fault fault) noexcept {
   switch (fault) {

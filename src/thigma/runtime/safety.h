@@ -68,6 +68,10 @@ struct SafetyState {
   double lead = 0.0;  // how far the handle is ahead of one that moves at max_speed [m]
 };
 
+/// Shortened to `limit`, direction kept.
+/// Thread    [haptic].
+Vec3 clamped(const Vec3& v, double limit) THIGMA_RT;
+
 /// Latches the first fault and disarms; later ones change nothing.
 /// Thread    [haptic].
 void latch_fault(SafetyState& safety, Fault fault, double now) THIGMA_RT;

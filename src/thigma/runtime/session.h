@@ -64,6 +64,15 @@ struct SessionSinks {
 /// How a session ended.
 enum class SessionEnd : std::uint8_t { duration, device_finished, stopped, fault };
 
+/// What the passivity controller did; nothing where it was off.
+struct PassivitySummary {
+  bool is_on = false;
+  double delay = 0.0;         // it reckoned with [s]
+  double acted_share = 0.0;   // of the frames with a wrench, those it changed
+  double sent_share = 1.0;    // of the wanted wrench, mean over frames with one, before damping
+  double damping_max = 0.0;   // injected [N s/m]
+};
+
 /// What a session was like: the summary of `thigma run` is made of this.
 struct SessionSummary {
   SessionEnd end = SessionEnd::duration;
@@ -85,7 +94,8 @@ struct SessionSummary {
          torque_rms = 0.0;       // felt about the handle, sent or not (device without it) [N m]
   double penetration_max = 0.0;  // 0: never inside [m]
   double stretch_max = 0.0;      // of the coupling [m]
-  double energy_min = 0.0;       // [J]
+  double energy_min = 0.0;       // at the device's port, <= 0 [J]
+  PassivitySummary passivity;
   std::uint64_t dropped_samples = 0;  // of either ring
   std::uint64_t dropped_contacts = 0;
   std::vector<SessionEvent> safety_events;

@@ -30,13 +30,14 @@ struct HapticSample {
   Wrench coupling;  // on the object about its centre of mass [world]
   Wrench contact;   // on the object about its centre of mass [world]
   Wrench feedback;  // on the hand about the handle, after the limits [device frame]
-  Wrench command;   // what was sent: feedback without the axes the device lacks [device frame]
+  Wrench command;   // what was sent: feedback without the axes the device lacks, made passive where the session asks for
+                    // that [device frame]
   double model_age = 0.0;     // infinity: no model yet [s]
   double model_weight = 0.0;  // 1 fresh .. 0 stale
   double penetration =
       0.0;               // deepest contact of the model at the new state; -infinity: none near [m]
   double stretch = 0.0;  // of the coupling: handle to grasp point [m; world]
-  double energy = 0.0;   // the hand has put in so far, observed at the device [J]
+  double energy = 0.0;   // the hand has put in so far at the device's port [J]
   std::int32_t touching = 0;  // contact terms that push
   bool is_grasped = false;
   bool is_armed = false;

@@ -95,6 +95,18 @@ void EventDetector::look_at(const HapticSample& sample, double longest_gap) {
   was_armed_ = sample.is_armed;
 }
 
+PassivitySummary summarize(const PassivityParams& params, const PassivityControl& control) {
+  PassivitySummary s;
+  s.is_on = params.is_on;
+  s.delay = params.delay;
+  if (control.wanted_frames == 0) return s;
+  const auto frames = static_cast<double>(control.wanted_frames);
+  s.acted_share = static_cast<double>(control.acted_frames) / frames;
+  s.sent_share = control.share_sum / frames;
+  s.damping_max = control.damping_max;
+  return s;
+}
+
 SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic,
                          const ContactTally& contact, const HapticState& state) {
   SessionSummary s;
@@ -126,6 +138,7 @@ SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic,
   s.penetration_max = haptic.penetration_max;
   s.stretch_max = haptic.stretch_max;
   s.energy_min = state.energy.energy_min;
+  s.passivity = summarize(config.haptic.passivity, state.passivity);
   s.dropped_contacts = contact.dropped;
   s.state_hash = haptic.hash.value;
   return s;

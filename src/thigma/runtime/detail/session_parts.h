@@ -54,6 +54,8 @@ class EventDetector {
   Fault last_fault_ = Fault::none;
 };
 
+PassivitySummary summarize(const PassivityParams& params, const PassivityControl& control);
+
 /// The summary but for how the session ended, missed ticks, rings, events and notes.
 SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic,
                          const ContactTally& contact, const HapticState& state);

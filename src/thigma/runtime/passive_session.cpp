@@ -1,0 +1,35 @@
+#include "thigma/runtime/passive_session.h"
+
+namespace thigma {
+namespace {
+
+/// As the hand feels them: a world newton per world metre is f s device newtons per device metre.
+PassivityParams springs_of(const Workspace& workspace, double linear, double angular, double period,
+                           double delay) THIGMA_RT {
+  return passivity_for(linear * workspace.force_scale * workspace.motion_scale,
+                       angular * torque_scale(workspace), period, delay);
+}
+
+}  // namespace
+
+void use_passivity(const DeviceLimits& device, SessionConfig& config) {
+  HapticParams& params = config.haptic;
+  const double period = 1.0 / config.rate;
+  if (params.response == ResponseKind::direct) {
+    // Contacts are the spring; their torque is that of forces at the object's surface and has none of its own.
+    params.passivity = springs_of(params.workspace, config.contact.response.stiffness, 0.0, period,
+                                  device.delay);
+    return;
+  }
+  params.passivity = springs_of(params.workspace, params.coupling.linear_stiffness,
+                                params.coupling.angular_stiffness, period, device.delay);
+}
+
+void retune_passivity(HapticParams& params) THIGMA_RT {
+  if (params.response == ResponseKind::direct) return;
+  const PassivityParams& now = params.passivity;
+  params.passivity = springs_of(params.workspace, params.coupling.linear_stiffness,
+                                params.coupling.angular_stiffness, now.period, now.delay);
+}
+
+}  // namespace thigma
