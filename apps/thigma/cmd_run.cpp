@@ -117,8 +117,9 @@ std::unique_ptr<RecordingWriter> open_recording(const std::string& path, const R
 }
 
 /// How late this machine wakes a thread that does nothing, so that missed frames can be judged.
-void tell_floor(const SessionConfig& config) {
-  const EmptyLoop floor = measure_empty_loop(config.haptic_thread, config.rate, 0.5);
+EmptyLoop tell_floor(const SessionConfig& config) {
+  const EmptyLoop floor =
+      measure_empty_loop(config.haptic_thread, config.rate, 0.5, config.spin);
   const DurationSummary late = summarize(floor.wake_late);
   std::fprintf(stderr,
                "thigma: empty loop at %g Hz: %llu of %llu frames missed, late by p50 %.2f us, p99 "
@@ -126,16 +127,17 @@ void tell_floor(const SessionConfig& config) {
                config.rate, static_cast<unsigned long long>(floor.missed),
                static_cast<unsigned long long>(floor.ticks), 1e6 * late.p50, 1e6 * late.p99,
                1e6 * late.max);
+  return floor;
 }
 
-void prepare_process(const SessionConfig& config, bool is_quiet) {
+void prepare_process(Run& run, bool is_quiet) {
   const std::string refused = lock_process_memory();
   if (!refused.empty() && !is_quiet) std::fprintf(stderr, "thigma: %s\n", refused.c_str());
-  if (!is_quiet) tell_floor(config);
+  if (!is_quiet) run.floor = tell_floor(run.config);
 }
 
 SessionSummary run_threads(Run& run, const SessionSinks& sinks, bool is_quiet) {
-  prepare_process(run.config, is_quiet);
+  prepare_process(run, is_quiet);
   Session session(run.config, *run.device, sinks);
   session.start();
   while (session.is_running()) {
@@ -191,7 +193,7 @@ SessionSummary run_with_page(const RunOptions& options, const Common& common, We
       if (++polls % 10 == 0) table.draw(polls == 10);
     };
   }
-  if (!options.is_lockstep) prepare_process(run->config, common.quiet);
+  if (!options.is_lockstep) prepare_process(*run, common.quiet);
   return run_live(program);
 }
 
@@ -209,11 +211,13 @@ int run_verb(const RunOptions& asked, const Common& common) {
   const SessionSummary summary = has_page(options) ? run_with_page(options, common, link, run)
                                                    : run_alone(options, common, *run);
   if (common.json || options.is_headless) {
-    print_json(run_summary_json(summary, run->scene.file, run->device_uri));
+    print_json(run_summary_json(summary, run->scene.file, run->device_uri,
+                                run->floor ? &*run->floor : nullptr));
   } else {
     std::printf("%s", run_summary_text(summary).c_str());
   }
   flush_output();
+  if (!options.histograms.empty()) write_histograms(options.histograms, summary.histograms);
   for (const SessionEvent& event : summary.safety_events) {
     std::fprintf(stderr, "thigma: safety fault %s at %.3f s: zero force%s\n", event.detail.c_str(),
                  event.time, summary.end == SessionEnd::fault ? " since" : " until taken up again");

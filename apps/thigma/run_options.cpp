@@ -23,6 +23,8 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
   verb.add_option("--record", o.record, "write a recording (.mcap)");
   verb.add_option("--replay", o.replay,
                   "show a recording (.mcap) on the page, with a time slider, before any session");
+  verb.add_option("--histograms", o.histograms, "write the durations of every stage (.csv)");
+  verb.add_option("--spin", o.spin, "microseconds polled before each deadline; by default as wake-ups ask for");
   add_resolution_options(verb, o.resolution);
   verb.add_flag("--no-blend", o.has_no_blend,
                 "contacts change their level of detail at once, not gradually");
@@ -62,6 +64,7 @@ std::string check_run_options(const RunOptions& o) {
   }
   // As of solver.rate in a scene: more slowly, a contact model is too old before the next frame.
   if (o.rate && !(*o.rate >= 50.0 && *o.rate <= 20000.0)) return "--rate must be 50 to 20000 Hz";
+  if (o.spin && !(*o.spin >= 0.0 && *o.spin <= 20000.0)) return "--spin must be 0 to 20000 us";
   if (!o.response.empty() && o.response != "coupled" && o.response != "direct")
     return "--response is coupled or direct";
   Resolution resolution;

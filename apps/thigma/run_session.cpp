@@ -120,6 +120,7 @@ void apply_options(const RunOptions& options, const scenes::SceneDescription& sc
                    SessionConfig& config) {
   config.duration = options.duration.value_or(0.0);
   config.rate = options.rate.value_or(config.rate);
+  if (options.spin) config.spin = 1e-6 * *options.spin;
   config.faults = parse_faults(options.fault_text);
   apply(options.resolution, config.contact.resolution);
   if (options.has_no_blend) config.contact.resolution.interpolates = false;

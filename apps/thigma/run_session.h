@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct Run {
   std::unique_ptr<HapticTexture> object_texture;    // null where nothing of the scene is textured
   std::vector<std::unique_ptr<HapticTexture>> static_textures;  // as many as statics, or none
   SessionConfig config;
+  std::optional<EmptyLoop> floor;  // of the machine just before a threaded session, where it was measured
   StartPlacement start;
   WebLink* web_link = nullptr;  // of the page, where there is one; outlives the run
   std::unique_ptr<HapticDevice> device;

@@ -4,6 +4,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "thigma/core/file.h"
 #include "thigma/runtime/recording.h"
 
 namespace thigma::app {
@@ -22,8 +23,40 @@ Json quantiles(const DurationSummary& d, double unit, bool with_p999 = true) {
   json["p50"] = number(d.p50);
   json["p99"] = number(d.p99);
   if (with_p999) json["p999"] = number(d.p999);
+  if (with_p999) json["p9999"] = number(d.p9999);
   json["max"] = number(d.max);
   return json;
+}
+
+/// By the clock; null in lockstep.
+Json stages(const StageSummary& s) {
+  if (s.whole.count == 0) return nullptr;
+  constexpr double kMicro = 1e-6;
+  return {{"device_read", quantiles(s.device_read, kMicro)},
+          {"compute", quantiles(s.compute, kMicro)},
+          {"device_write", quantiles(s.device_write, kMicro)},
+          {"whole", quantiles(s.whole, kMicro)}};
+}
+
+/// How punctual the haptic thread was; null in lockstep.
+Json deadlines(const SessionSummary& s) {
+  if (s.wake_late.count == 0) return nullptr;
+  Json late;
+  for (std::size_t i = 0; i < kLateBounds.size(); ++i)
+    late[std::to_string(kLateBounds[i] / 1000)] = s.deadlines.late[i];
+  return {{"missed", s.missed},
+          {"overruns", s.deadlines.overruns},
+          {"late_over_us", late},
+          {"polled_share", s.deadlines.polled_share}};
+}
+
+/// The empty loop of the same minute, null where it was not measured.
+Json floor_json(const EmptyLoop* floor) {
+  if (floor == nullptr) return nullptr;
+  return {{"ticks", floor->ticks},
+          {"missed", floor->missed},
+          {"wake_late_us", quantiles(summarize(floor->wake_late), 1e-6)},
+          {"polled_share", floor->polled_share}};
 }
 
 /// Contacts at each level, 0 the finest, as shares of all, up to the coarsest in use.
@@ -70,8 +103,8 @@ void append(std::string& text, const char* format, ...) {
 
 }  // namespace
 
-Json run_summary_json(const SessionSummary& s, const std::string& scene,
-                      const std::string& device) {
+Json run_summary_json(const SessionSummary& s, const std::string& scene, const std::string& device,
+                      const EmptyLoop* floor) {
   constexpr double kMicro = 1e-6, kMilli = 1e-3;
   Json json;
   json["scene"] = scene;
@@ -81,7 +114,10 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene,
                     {"frames", s.frames},
                     {"missed", s.missed},
                     {"step_cpu_us", quantiles(s.step_cpu, kMicro)},
-                    {"wake_late_us", quantiles(s.wake_late, kMicro)}};
+                    {"wake_late_us", quantiles(s.wake_late, kMicro)},
+                    {"stages_us", stages(s.stages)},
+                    {"deadlines", deadlines(s)},
+                    {"floor", floor_json(floor)}};
   const bool has_updates = s.contact_updates > 0;
   const auto mean = [&](double value) { return has_updates ? finite(value) : Json(nullptr); };
   json["contact"] = {
@@ -89,6 +125,8 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene,
       {"rate_hz", s.seconds > 0.0 ? finite(static_cast<double>(s.contact_updates) / s.seconds)
                                   : Json(nullptr)},
       {"query_cpu_us", quantiles(s.query_cpu, kMicro)},
+      {"model_cpu_us", quantiles(s.model_cpu, kMicro)},
+      {"step_cpu_us", quantiles(s.contact_step_cpu, kMicro)},
       {"contacts_mean", mean(s.contacts_mean)},
       {"clusters_mean", mean(s.clusters_mean)},
       {"front_mean", mean(s.front_mean)},
@@ -161,6 +199,19 @@ std::string run_summary_text(const SessionSummary& s) {
   }
   append(text, "state hash       %s\n", hex_text(s.state_hash).c_str());
   return text;
+}
+
+void write_histograms(const std::string& path, const std::vector<StageHistogram>& histograms) {
+  std::string text = "stage,from_us,to_us,count\n";
+  for (const StageHistogram& stage : histograms) {
+    for (int i = 0; i < DurationHistogram::kBuckets; ++i) {
+      const std::uint32_t count = stage.histogram.counts[static_cast<std::size_t>(i)];
+      if (count == 0) continue;
+      const BucketBounds bounds = bucket_bounds(i);
+      append(text, "%s,%.6g,%.6g,%u\n", stage.name, 1e-3 * bounds.from, 1e-3 * bounds.to, count);
+    }
+  }
+  write_file(path, text);
 }
 
 }  // namespace thigma::app

@@ -37,6 +37,23 @@ TEST(DurationHistogram, QuantilesAreWithinTwoPercentOfTheSortedOnes) {
   }
 }
 
+TEST(DurationHistogram, EveryDurationLiesWithinTheBoundsOfItsBucket) {
+  Random random(8);
+  for (int i = 0; i < 300; ++i) {
+    const auto duration = static_cast<std::int64_t>(1ull << (random.below(40))) +
+                          static_cast<std::int64_t>(random.below(1000));
+    DurationHistogram histogram;
+    record(histogram, duration);
+    const auto found = std::find(histogram.counts.begin(), histogram.counts.end(), 1u);
+    const BucketBounds bounds =
+        bucket_bounds(static_cast<int>(found - histogram.counts.begin()));
+    EXPECT_LE(bounds.from, static_cast<double>(duration));
+    EXPECT_LT(static_cast<double>(duration), bounds.to);
+  }
+  for (int i = 1; i < DurationHistogram::kBuckets; ++i)
+    ASSERT_EQ(bucket_bounds(i).from, bucket_bounds(i - 1).to) << i;
+}
+
 TEST(DurationHistogram, TakesExtremes) {
   DurationHistogram histogram;
   record(histogram, -5);

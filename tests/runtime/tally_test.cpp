@@ -38,6 +38,22 @@ TEST(HapticTally, KeepsExtremesSumsAndTheHash) {
   EXPECT_EQ(t->hash.value, hash.value);
 }
 
+TEST(HapticTally, SplitsAFrameAndCountsWhatWasLate) {
+  const auto t = std::make_unique<HapticTally>();
+  tally(*t, StageTimes{.device_read = 2000, .device_write = 500, .whole = 10000});
+  tally(*t, StageTimes{.device_read = 2000, .device_write = 500, .whole = 10000, .is_overrun = true});
+  EXPECT_NEAR(quantile(t->compute, 0.5), 7.5e-6, 2e-7);
+  EXPECT_EQ(t->whole.total, 2u);
+  EXPECT_EQ(t->overruns, 1u);
+  const HapticSample sample;
+  for (const std::int64_t late : {-1, 50'000, 150'000, 250'000, 5'000'000})
+    tally(*t, sample, 0, late);
+  EXPECT_EQ(t->late[0], 3u);
+  EXPECT_EQ(t->late[1], 2u);
+  EXPECT_EQ(t->late[2], 1u);
+  EXPECT_EQ(t->wake_late.total, 4u);
+}
+
 TEST(ContactTally, AddsUp) {
   const auto t = std::make_unique<ContactTally>();
   ContactSample s;
@@ -56,6 +72,7 @@ TEST(ContactTally, AddsUp) {
   EXPECT_EQ(t->dropped, 2u);
   EXPECT_NEAR(quantile(t->query_cpu, 0.5), 1e-3, 2e-5);
   EXPECT_NEAR(quantile(t->step_cpu, 0.5), 2e-3, 4e-5);
+  EXPECT_NEAR(quantile(t->model_cpu, 0.5), 1e-3, 2e-5);
 }
 
 }  // namespace

@@ -17,13 +17,19 @@ int bucket_of(std::uint64_t v) THIGMA_RT {
 }
 
 double middle_of(int bucket) {
-  if (bucket < kSub) return bucket;
-  const int shift = (bucket >> DurationHistogram::kSubBits) - 1;
-  const double width = static_cast<double>(std::uint64_t{1} << shift);
-  return (static_cast<double>(kSub + (bucket & (kSub - 1))) + 0.5) * width;
+  const BucketBounds bounds = bucket_bounds(bucket);
+  return bucket < kSub ? bounds.from : 0.5 * (bounds.from + bounds.to);
 }
 
 }  // namespace
+
+BucketBounds bucket_bounds(int bucket) noexcept {
+  if (bucket < kSub) return {static_cast<double>(bucket), static_cast<double>(bucket + 1)};
+  const int shift = (bucket >> DurationHistogram::kSubBits) - 1;
+  const double width = static_cast<double>(std::uint64_t{1} << shift);
+  const double from = static_cast<double>(kSub + (bucket & (kSub - 1))) * width;
+  return {from, from + width};
+}
 
 void record(DurationHistogram& histogram, std::int64_t nanoseconds) THIGMA_RT {
   const std::uint64_t v = nanoseconds > 0 ? static_cast<std::uint64_t>(nanoseconds) : 0;
@@ -47,6 +53,7 @@ double quantile(const DurationHistogram& histogram, double quantile) noexcept {
 
 DurationSummary summarize(const DurationHistogram& histogram) noexcept {
   return {quantile(histogram, 0.5), quantile(histogram, 0.99), quantile(histogram, 0.999),
+          quantile(histogram, 0.9999),
           1e-9 * static_cast<double>(histogram.max_ns), histogram.total};
 }
 

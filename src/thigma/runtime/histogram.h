@@ -29,9 +29,16 @@ double quantile(const DurationHistogram& histogram, double quantile) noexcept;
 
 /// What summaries report of a distribution [s].
 struct DurationSummary {
-  double p50 = 0.0, p99 = 0.0, p999 = 0.0, max = 0.0;
+  double p50 = 0.0, p99 = 0.0, p999 = 0.0, p9999 = 0.0, max = 0.0;
   std::uint64_t count = 0;
 };
 DurationSummary summarize(const DurationHistogram& histogram) noexcept;
+
+/// Bounds of a bucket: durations from `from` up to, not including, `to` are counted in it [ns].
+/// bucket    0 to kBuckets - 1
+struct BucketBounds {
+  double from = 0.0, to = 0.0;
+};
+BucketBounds bucket_bounds(int bucket) noexcept;
 
 }  // namespace thigma

@@ -61,9 +61,33 @@ std::string lock_process_memory() {
 std::int64_t monotonic_ns() noexcept { return clock_ns(CLOCK_MONOTONIC); }
 std::int64_t thread_cpu_ns() noexcept { return clock_ns(CLOCK_THREAD_CPUTIME_ID); }
 
+DeadlineClock clock_of(double rate, double margin) noexcept {
+  DeadlineClock clock;
+  clock.period_ns = std::max<std::int64_t>(1, static_cast<std::int64_t>(1e9 / rate));
+  if (margin >= 0.0) {
+    clock.margin_ns = std::min(static_cast<std::int64_t>(1e9 * margin), clock.period_ns);
+    clock.least_margin_ns = clock.most_margin_ns = clock.margin_ns;
+    return clock;
+  }
+  // More than half a period were a thread that never sleeps, which the kernel throttles.
+  clock.most_margin_ns = std::min(clock.most_margin_ns, clock.period_ns / 2);
+  clock.least_margin_ns = std::min(clock.least_margin_ns, clock.most_margin_ns);
+  clock.margin_ns = std::min(clock.margin_ns, clock.most_margin_ns);
+  return clock;
+}
+
+std::int64_t next_margin(std::int64_t margin_ns, std::int64_t overslept_ns, std::int64_t least_ns,
+                         std::int64_t most_ns) noexcept {
+  constexpr std::int64_t kSafety = 2, kMemory = 256;
+  const std::int64_t wanted = std::clamp(kSafety * overslept_ns, least_ns, most_ns);
+  if (wanted >= margin_ns) return wanted;
+  return std::clamp(margin_ns - (margin_ns - wanted + kMemory - 1) / kMemory, least_ns, most_ns);
+}
+
 void start_clock(DeadlineClock& clock) noexcept {
   clock.tick = 0;
   clock.missed = 0;
+  clock.polled_ns = 0;
   clock.start_ns = monotonic_ns() + clock.period_ns;
 }
 
@@ -76,30 +100,35 @@ std::int64_t wait_for_tick(DeadlineClock& clock) noexcept {
     clock.tick += passed;
     deadline += passed * clock.period_ns;
   }
-  const timespec wake = to_timespec(deadline - clock.spin_ns);
-  if (now < deadline - clock.spin_ns) {
+  const std::int64_t wake_ns = deadline - clock.margin_ns;
+  if (now < wake_ns) {
+    const timespec wake = to_timespec(wake_ns);
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) == EINTR) {
     }
-  }
-  do {
     now = monotonic_ns();
-  } while (now < deadline);
+    clock.margin_ns = next_margin(clock.margin_ns, now - wake_ns, clock.least_margin_ns,
+                                  clock.most_margin_ns);
+  }
+  const std::int64_t polls_from = now;
+  while (now < deadline) now = monotonic_ns();
+  clock.polled_ns += now - polls_from;
   ++clock.tick;
   return now - deadline;
 }
 
-EmptyLoop measure_empty_loop(const RtRequest& request, double rate, double seconds) {
+EmptyLoop measure_empty_loop(const RtRequest& request, double rate, double seconds,
+                             double margin) {
   EmptyLoop loop;
   std::thread([&] {
     request_real_time(request);
-    DeadlineClock clock;
-    clock.period_ns = static_cast<std::int64_t>(1e9 / rate);
-    clock.spin_ns = std::min(clock.spin_ns, clock.period_ns / 4);
+    DeadlineClock clock = clock_of(rate, margin);
     const auto last = static_cast<std::int64_t>(seconds * rate);
     start_clock(clock);
     while (clock.tick < last) record(loop.wake_late, wait_for_tick(clock));
     loop.ticks = static_cast<std::uint64_t>(clock.tick);
     loop.missed = clock.missed;
+    const std::int64_t whole = std::max<std::int64_t>(1, clock.tick * clock.period_ns);
+    loop.polled_share = static_cast<double>(clock.polled_ns) / static_cast<double>(whole);
   }).join();
   return loop;
 }

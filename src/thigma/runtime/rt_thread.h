@@ -37,15 +37,28 @@ std::int64_t monotonic_ns() noexcept;
 /// CPU time of the calling thread [ns]. A system call: for the shells around the steps, not within.
 std::int64_t thread_cpu_ns() noexcept;
 
-/// Ticks at a fixed rate, by absolute deadlines.
+/// Ticks at a fixed rate, by absolute deadlines. It sleeps until a margin before each and polls from there: wake-ups are
+/// late, polls are not. The margin follows how late wake-ups were of late, between two bounds.
 struct DeadlineClock {
   std::int64_t period_ns = 1'000'000;
-  std::int64_t spin_ns = 150'000;  // sleep until this long before the deadline, then poll: wake-ups
-                                   // are late, polls are not
-  std::int64_t start_ns = 0;       // of tick 0
-  std::int64_t tick = 0;           // the next to wait for
-  std::uint64_t missed = 0;        // ticks that had passed before they could be waited for
+  std::int64_t margin_ns = 150'000;
+  std::int64_t least_margin_ns = 20'000, most_margin_ns = 250'000;  // equal: the margin is fixed
+  std::int64_t start_ns = 0;   // of tick 0
+  std::int64_t tick = 0;       // the next to wait for
+  std::uint64_t missed = 0;    // ticks that had passed before they could be waited for
+  std::int64_t polled_ns = 0;  // CPU time that was spent on being punctual
 };
+
+/// Clock of a rate [Hz].
+/// margin    polled before each deadline, at most the period [s]; below 0: as long as this machine's wake-ups ask for,
+///           from 20 us to 250 us or half the period
+/// Thread    [any].
+DeadlineClock clock_of(double rate, double margin = -1.0) noexcept;
+
+/// The margin after a wake-up that was `overslept_ns` late: twice that at once where it is more than now; forgotten by
+/// 1/256 a tick where it is less.
+std::int64_t next_margin(std::int64_t margin_ns, std::int64_t overslept_ns, std::int64_t least_ns,
+                         std::int64_t most_ns) noexcept;
 
 /// Starts the clock one period from now.
 void start_clock(DeadlineClock& clock) noexcept;
@@ -60,11 +73,13 @@ std::int64_t wait_for_tick(DeadlineClock& clock) noexcept;
 struct EmptyLoop {
   std::uint64_t ticks = 0, missed = 0;
   DurationHistogram wake_late;
+  double polled_share = 0.0;  // of the time
 };
 
-/// Ticks at `rate` [Hz] for `seconds` in a thread of its own with the schedule asked for.
+/// Ticks at `rate` [Hz] for `seconds` in a thread of its own with the schedule asked for; margin as of clock_of.
 /// Thread    [offline].
-EmptyLoop measure_empty_loop(const RtRequest& request, double rate, double seconds);
+EmptyLoop measure_empty_loop(const RtRequest& request, double rate, double seconds,
+                             double margin = -1.0);
 
 /// Sleeps about this long.
 /// Thread    [any but haptic].

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "thigma/runtime/detail/session_parts.h"
+#include "thigma/runtime/detail/timed_device.h"
 
 namespace thigma {
 namespace {
@@ -34,7 +35,8 @@ struct Session::Impl {
   Impl(SessionConfig config_in, HapticDevice& device_in, SessionSinks sinks_in)
       : config(std::move(config_in)),
         sinks(std::move(sinks_in)),
-        device(make_faulty_device(device_in, config.faults)),
+        faulty(make_faulty_device(device_in, config.faults)),
+        device(std::make_unique<detail::TimedDevice>(*faulty)),
         params(config.haptic),
         haptic_ring(std::max<std::size_t>(config.telemetry_frames, 1)),
         contact_ring(std::max<std::size_t>(config.telemetry_models, 1)),
@@ -61,7 +63,8 @@ struct Session::Impl {
 
   SessionConfig config;  // constant but for .contact, the contact thread's while it runs
   const SessionSinks sinks;
-  const std::unique_ptr<HapticDevice> device;
+  const std::unique_ptr<HapticDevice> faulty;
+  const std::unique_ptr<detail::TimedDevice> device;
   HapticParams params;
   HapticPorts ports;
 
@@ -125,8 +128,7 @@ void Session::Impl::contact_frame(const StampedBody& at, double now) {
 void Session::Impl::prepare() {
   reserve_contact_scratch(config.contact, scratch);
   contact_frame({state.body, 0.0, 0}, 0.0);
-  clock.period_ns = std::max<std::int64_t>(1, to_ns(1.0 / config.rate));
-  clock.spin_ns = std::min<std::int64_t>(clock.spin_ns, clock.period_ns / 4);
+  clock = clock_of(config.rate, config.spin);
 }
 
 HapticSample Session::Impl::guarded_step(const HapticTick& tick) {
@@ -196,9 +198,13 @@ void Session::Impl::run_haptic() {
     if (config.live != nullptr && config.live->haptic_tuning.fetch())
       apply_tuning(config.live->haptic_tuning.value(), params, state);
     const double elapsed = detail::step_length(config, static_cast<std::uint64_t>(k - previous));
-    const std::int64_t begin = thread_cpu_ns();
+    const std::int64_t begin = thread_cpu_ns(), began = monotonic_ns();
     const HapticSample sample = guarded_step({now, elapsed, Fault::none});
-    const std::int64_t cpu = thread_cpu_ns() - begin;
+    const std::int64_t ended = monotonic_ns(), cpu = thread_cpu_ns() - begin;
+    tally(haptic_tally, {.device_read = device->read_ns,
+                         .device_write = device->write_ns,
+                         .whole = ended - began,
+                         .is_overrun = ended > clock.start_ns + clock.tick * clock.period_ns});
     note_gap();  // again: a step may have hung in the device
     last_step_ns.store(monotonic_ns(), std::memory_order_release);
     tally(haptic_tally, sample, cpu, late);
@@ -258,7 +264,8 @@ void Session::Impl::run_watchdog() {
     // Stuck inside a step the haptic thread keeps the token: two threads in one driver would be
     // worse than one.
     if (!token.try_take()) continue;
-    if (last_step_ns.load(std::memory_order_acquire) != 0) device->write(Wrench{});
+    // Past the stop-watch, which belongs to the haptic thread.
+    if (last_step_ns.load(std::memory_order_acquire) != 0) faulty->write(Wrench{});
     token.give_back();
   }
 }
@@ -357,6 +364,9 @@ SessionSummary Session::finish() {
   summary.seconds = s.seconds;
   summary.force_steps = s.force_steps;
   summary.missed = s.clock.missed;
+  const std::int64_t whole = std::max<std::int64_t>(1, s.clock.tick * s.clock.period_ns);
+  summary.deadlines.polled_share =
+      static_cast<double>(s.clock.polled_ns) / static_cast<double>(whole);
   summary.dropped_samples = s.haptic_ring.dropped() + s.contact_ring.dropped();
   summary.safety_events = s.events.take_safety_events();
   summary.notes = s.notes;

@@ -16,6 +16,7 @@
 #include "thigma/runtime/histogram.h"
 #include "thigma/runtime/live.h"
 #include "thigma/runtime/rt_thread.h"
+#include "thigma/runtime/tally.h"
 
 namespace thigma {
 
@@ -36,6 +37,7 @@ struct SessionConfig {
 
   // threads
   RtRequest haptic_thread{80, -1};
+  double spin = -1.0;  // polled before each deadline [s]; below 0: as long as wake-ups ask for (clock_of)
   RtRequest contact_thread{40, -1};
   std::size_t telemetry_frames = 8192;  // room of the rings; 8 s at 1 kHz
   std::size_t telemetry_models = 2048;
@@ -64,6 +66,24 @@ struct SessionSinks {
 /// How a session ended.
 enum class SessionEnd : std::uint8_t { duration, device_finished, stopped, fault };
 
+/// Where a haptic frame's time goes, by the clock; nothing in lockstep [s].
+struct StageSummary {
+  DurationSummary device_read, compute, device_write, whole;
+};
+
+/// How punctual the haptic thread was; nothing in lockstep.
+struct DeadlineSummary {
+  std::uint64_t overruns = 0;                            // frames that ended after the next deadline
+  std::array<std::uint64_t, kLateBounds.size()> late{};  // wake-ups later than each of kLateBounds
+  double polled_share = 0.0;  // of the time: processor spent on being punctual
+};
+
+/// All durations of a stage.
+struct StageHistogram {
+  const char* name;
+  DurationHistogram histogram;
+};
+
 /// What the passivity controller did; nothing where it was off.
 struct PassivitySummary {
   bool is_on = false;
@@ -80,8 +100,11 @@ struct SessionSummary {
   double rate = 0.0;     // asked for [Hz]
   std::uint64_t frames = 0, missed = 0;
   DurationSummary step_cpu, wake_late;  // [s]
+  StageSummary stages;
+  DeadlineSummary deadlines;
+  std::vector<StageHistogram> histograms;  // of every stage that was timed
   std::uint64_t contact_updates = 0;
-  DurationSummary query_cpu, contact_step_cpu;                        // [s]
+  DurationSummary query_cpu, model_cpu, contact_step_cpu;             // [s]
   double contacts_mean = 0.0, clusters_mean = 0.0, front_mean = 0.0;  // over updates
   DurationSummary model_age;                                          // [s]
   double tests_mean = 0.0, mandatory_tests_mean = 0.0;  // pairs looked at, over updates

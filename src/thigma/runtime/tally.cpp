@@ -16,6 +16,7 @@ void tally(HapticTally& tally, const HapticSample& sample, std::int64_t step_cpu
   add_frame(tally.hash, sample.body, sample.command);
   if (step_cpu_ns >= 0) record(tally.step_cpu, step_cpu_ns);
   if (wake_late_ns >= 0) record(tally.wake_late, wake_late_ns);
+  for (std::size_t i = 0; i < kLateBounds.size(); ++i) tally.late[i] += wake_late_ns > kLateBounds[i] ? 1 : 0;
   if (sample.model_sequence > 0) record(tally.model_age, to_ns(sample.model_age));
   const double force2 = sample.command.force.squaredNorm();
   const double torque2 = sample.feedback.torque.squaredNorm();
@@ -25,6 +26,14 @@ void tally(HapticTally& tally, const HapticSample& sample, std::int64_t step_cpu
   tally.torque_square_sum += torque2;
   tally.penetration_max = std::max(tally.penetration_max, sample.penetration);
   if (sample.is_grasped) tally.stretch_max = std::max(tally.stretch_max, sample.stretch);
+}
+
+void tally(HapticTally& tally, const StageTimes& times) THIGMA_RT {
+  record(tally.device_read, times.device_read);
+  record(tally.compute, times.whole - times.device_read - times.device_write);
+  record(tally.device_write, times.device_write);
+  record(tally.whole, times.whole);
+  tally.overruns += times.is_overrun ? 1 : 0;
 }
 
 void tally(ContactTally& tally, const ContactSample& sample) THIGMA_RT {
@@ -43,6 +52,7 @@ void tally(ContactTally& tally, const ContactSample& sample) THIGMA_RT {
     tally.scene_levels[i] += static_cast<std::uint64_t>(sample.scene_levels[i]);
   }
   record(tally.query_cpu, to_ns(sample.query_cpu));
+  record(tally.model_cpu, to_ns(sample.step_cpu - sample.query_cpu));
   record(tally.step_cpu, to_ns(sample.step_cpu));
 }
 

@@ -11,11 +11,23 @@
 
 namespace thigma {
 
+/// Wake-ups later than these are counted [ns].
+inline constexpr std::array<std::int64_t, 3> kLateBounds = {100'000, 200'000, 1'000'000};
+
+/// Where a haptic frame's time went, by the clock [ns].
+struct StageTimes {
+  std::int64_t device_read = 0, device_write = 0, whole = 0;
+  bool is_overrun = false;  // ended after the next deadline
+};
+
 /// Of the haptic frames. Thread: one writer; read after it has stopped.
 struct HapticTally {
   std::uint64_t frames = 0;
   StateHash hash;
   DurationHistogram step_cpu, wake_late, model_age;
+  DurationHistogram device_read, compute, device_write, whole;  // of a frame, by the clock
+  std::uint64_t overruns = 0;                                   // frames that ended after the next deadline
+  std::array<std::uint64_t, kLateBounds.size()> late{};         // wake-ups later than each bound
   double force_max = 0.0, force_square_sum = 0.0;    // sent [N, N^2]
   double torque_max = 0.0, torque_square_sum = 0.0;  // felt, sent or not [N m, N^2 m^2]
   double penetration_max = 0.0;                      // [m]
@@ -26,7 +38,7 @@ struct HapticTally {
 struct ContactTally {
   std::uint64_t updates = 0, dropped = 0;
   std::uint64_t contacts = 0, clusters = 0, front = 0;  // sums over updates
-  DurationHistogram query_cpu, step_cpu;
+  DurationHistogram query_cpu, model_cpu, step_cpu;  // model: clusters and their linearization
   std::uint64_t tests = 0, mandatory_tests = 0, unrefined = 0,
                 level_changes = 0;                                        // sums over updates
   double bound_max = 0.0;                                                 // [m]
@@ -36,6 +48,7 @@ struct ContactTally {
 /// Adds a frame. Durations [ns]; negative ones (not measured) are left out. Thread [haptic].
 void tally(HapticTally& tally, const HapticSample& sample, std::int64_t step_cpu_ns,
            std::int64_t wake_late_ns) THIGMA_RT;
+void tally(HapticTally& tally, const StageTimes& times) THIGMA_RT;
 void tally(ContactTally& tally, const ContactSample& sample) THIGMA_RT;
 
 }  // namespace thigma

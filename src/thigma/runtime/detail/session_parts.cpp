@@ -95,6 +95,24 @@ void EventDetector::look_at(const HapticSample& sample, double longest_gap) {
   was_armed_ = sample.is_armed;
 }
 
+namespace {
+
+std::vector<StageHistogram> timed_stages(const HapticTally& haptic, const ContactTally& contact) {
+  const std::pair<const char*, const DurationHistogram*> all[] = {
+      {"haptic_wake_late", &haptic.wake_late},       {"haptic_device_read", &haptic.device_read},
+      {"haptic_compute", &haptic.compute},           {"haptic_device_write", &haptic.device_write},
+      {"haptic_whole", &haptic.whole},               {"haptic_step_cpu", &haptic.step_cpu},
+      {"contact_query_cpu", &contact.query_cpu},     {"contact_model_cpu", &contact.model_cpu},
+      {"contact_step_cpu", &contact.step_cpu},       {"contact_model_age", &haptic.model_age}};
+  std::vector<StageHistogram> timed;
+  for (const auto& [name, histogram] : all) {
+    if (histogram->total > 0) timed.push_back({name, *histogram});
+  }
+  return timed;
+}
+
+}  // namespace
+
 PassivitySummary summarize(const PassivityParams& params, const PassivityControl& control) {
   PassivitySummary s;
   s.is_on = params.is_on;
@@ -117,7 +135,13 @@ SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic,
   s.wake_late = summarize(haptic.wake_late);
   s.model_age = summarize(haptic.model_age);
   s.contact_updates = contact.updates;
+  s.stages = {summarize(haptic.device_read), summarize(haptic.compute),
+              summarize(haptic.device_write), summarize(haptic.whole)};
+  s.deadlines.overruns = haptic.overruns;
+  s.deadlines.late = haptic.late;
+  s.histograms = timed_stages(haptic, contact);
   s.query_cpu = summarize(contact.query_cpu);
+  s.model_cpu = summarize(contact.model_cpu);
   s.contact_step_cpu = summarize(contact.step_cpu);
   const double updates = std::max(1.0, static_cast<double>(contact.updates));
   s.contacts_mean = static_cast<double>(contact.contacts) / updates;
