@@ -30,7 +30,8 @@ TEST_P(FeelExperiment, holds_what_it_claims) {
 INSTANTIATE_TEST_SUITE_P(Quick, FeelExperiment,
                          testing::Values("fig-5-4", "fig-5-6", "fig-5-8", "fig-5-10",
                                          "e2-force-quality", "e3-z-width", "e4-passivity",
-                                         "e5-free-space", "e6-impact", "gains"),
+                                         "e5-free-space", "e6-impact", "e13-real-time",
+                                         "force-steps", "gains"),
                          [](const testing::TestParamInfo<const char*>& each) {
                            std::string name = each.param;
                            for (char& c : name) c = c == '-' ? '_' : c;
