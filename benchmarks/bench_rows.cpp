@@ -2,6 +2,7 @@
 
 #include "benchmarks/baselines/fcl_baseline.h"
 #include "benchmarks/clod_build_bench.h"
+#include "benchmarks/drop_bench.h"
 #include "benchmarks/haptic_bench.h"
 #include "benchmarks/level_rows.h"
 #include "benchmarks/pair_bench.h"
@@ -122,6 +123,7 @@ std::vector<Measurement> measurements(bool quick) {
       {"exact-query", [=] { return query_rows(quick); }},
       {"texture-depth", [=] { return texture_rows(quick); }},
       {"texture-gpu", [=] { return gpu_texture_rows(quick); }},
+      {"spoon-drop", [=] { return drop_rows(quick); }},
       {"build-levels", [=] { return clod_build_rows(quick); }},
   };
   const std::vector<Measurement> with_levels = level_measurements(quick);

@@ -112,6 +112,10 @@ void read_resolution(TomlTable& table, Resolution& resolution) {
       table.number("threshold", Range::not_negative).value_or(resolution.metric.haptic);
   resolution.metric.velocity =
       table.number("velocity_metric", Range::not_negative).value_or(resolution.metric.velocity);
+  if (const std::optional<Vec3> eye = table.vector("eye")) {
+    resolution.metric.has_eye = true;
+    resolution.metric.eye = *eye;
+  }
   const std::optional<double> cap = table.number("deviation_cap", Range::positive);
   const std::optional<bool> is_capped = table.truth("capped");
   resolution.deviation_cap = cap.value_or(resolution.deviation_cap);
@@ -243,6 +247,7 @@ SceneDescription parse_scene(std::string_view text, const std::string& file,
   if (auto table = top.table("device")) read_device(*table, scene.device);
   if (auto table = top.table("safety")) read_safety(*table, scene.safety, scene.is_passive);
   if (auto table = top.table("solver")) read_solver(*table, scene);
+  top.table("simulation");  // read by simulated_body.h
   top.finish();  // before what is missing: a misspelt [object] is named as such
   if (!object) top.fail_here("no [object]", "expected the grasped object as a table [object]");
   read_grasped(*object, folder, scene);

@@ -2,7 +2,10 @@
 
 #include <cstdio>
 
+#include <cstring>
+
 #include "json_out.h"
+#include "run_session.h"
 #include "verbs.h"
 #include <nlohmann/json.hpp>
 
@@ -19,10 +22,49 @@ struct Verdict {
   std::uint64_t recorded_hash = 0;
 };
 
+bool same_bits(const BodyState& a, const BodyState& b) {
+  const Vec13 x = to_vector(a), y = to_vector(b);
+  return std::memcmp(x.data(), y.data(), sizeof(double) * 13) == 0;
+}
+
+/// Simulates the recorded scene again, with the seed and resolution of the recording.
+ReplayReport replay_simulation(const Recording& recording, const RecordedConfig& config) {
+  RunOptions options;
+  options.scene = config.scene;
+  options.device = "null:";
+  options.rate = config.rate_hz;
+  options.is_headless = options.is_lockstep = true;
+  options.resolution.is_exact = config.resolution.is_exact;
+  const std::unique_ptr<Run> run = prepare_run(options, config.seed, {});
+  if (!run->simulation)
+    throw InputError(config.scene + ": has no [simulation] any more, expected the scene that was recorded");
+  run->simulation->world.resolution = config.resolution;
+  run->config.duration = static_cast<double>(recording.frames.size()) / config.rate_hz;
+  ReplayReport report;
+  StateHash recorded_hash;
+  const auto differs = [&report](std::uint64_t frame, const char* what) {
+    if (report.first_difference >= 0) return;
+    report.first_difference = static_cast<std::int64_t>(frame);
+    report.reason = what;
+  };
+  SessionSinks sinks;
+  sinks.haptic = [&](const HapticSample& sample) {
+    const HapticSample& recorded = recording.frames.at(report.frames++);
+    add_frame(recorded_hash, recorded.body, recorded.command);
+    if (recorded.frame != sample.frame) differs(recorded.frame, "frames are missing");
+    if (!same_bits(recorded.body, sample.body)) differs(sample.frame, "body state");
+  };
+  if (!recording.frames.empty())
+    report.state_hash = simulate_run(*run, run->config, false, sinks, nullptr).state_hash;
+  report.recorded_hash = recorded_hash.value;
+  return report;
+}
+
 Verdict judge(const Recording& recording, const RecordedConfig& config) {
   Verdict verdict;
-  verdict.report =
-      replay_session(config.params, config.world_from_body, recording.frames, recording.contacts);
+  verdict.report = config.is_simulated ? replay_simulation(recording, config)
+                                       : replay_session(config.params, config.world_from_body,
+                                                        recording.frames, recording.contacts);
   ReplayReport& report = verdict.report;
   verdict.recorded_hash = recording.has_end ? recording.end.state_hash : report.recorded_hash;
   if (report.first_difference < 0 && recording.has_end && report.frames != recording.end.frames) {

@@ -109,6 +109,7 @@ std::unique_ptr<RecordingWriter> open_recording(const std::string& path, const R
   recorded.world_from_body = run.config.world_from_body;
   recorded.rate_hz = run.config.rate;
   recorded.is_lockstep = options.is_lockstep;
+  recorded.is_simulated = run.simulation.has_value();
   recorded.resolution = run.config.contact.resolution;
   recorded.seed = seed;
   recorded.scene = run.scene.file;
@@ -162,7 +163,8 @@ SessionSummary run_alone(const RunOptions& options, const Common& common, Run& r
              [&](const SessionEvent& event) { recording->write(event); }};
   }
   const SessionSummary summary =
-      options.is_lockstep ? run_lockstep(run.config, *run.device, sinks, &stop_requested)
+      run.simulation ? simulate_run(run, run.config, !options.is_lockstep, sinks, &stop_requested)
+      : options.is_lockstep ? run_lockstep(run.config, *run.device, sinks, &stop_requested)
                           : run_threads(run, sinks, common.quiet);
   if (recording) recording->close({summary.frames, summary.state_hash, summary.dropped_samples});
   return summary;
@@ -211,10 +213,13 @@ int run_verb(const RunOptions& asked, const Common& common) {
   const SessionSummary summary = has_page(options) ? run_with_page(options, common, link, run)
                                                    : run_alone(options, common, *run);
   if (common.json || options.is_headless) {
-    print_json(run_summary_json(summary, run->scene.file, run->device_uri,
-                                run->floor ? &*run->floor : nullptr));
+    nlohmann::ordered_json json = run_summary_json(summary, run->scene.file, run->device_uri,
+                                                   run->floor ? &*run->floor : nullptr);
+    if (run->simulation) json["simulation"] = simulation_json(*run);
+    print_json(json);
   } else {
     std::printf("%s", run_summary_text(summary).c_str());
+    if (run->simulation) std::printf("%s", simulation_text(*run).c_str());
   }
   flush_output();
   if (!options.histograms.empty()) write_histograms(options.histograms, summary.histograms);

@@ -71,8 +71,10 @@ void add_resolution_options(CLI::App& verb, ResolutionOptions& o) {
 }
 
 std::string parse_metric(const std::string& text, RefinementMetric& metric) {
-  const double threshold = metric.haptic;
+  const RefinementMetric before = metric;
   metric = RefinementMetric{};
+  metric.has_eye = before.has_eye;
+  metric.eye = before.eye;
   bool has_haptic = false;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find('+', at), text.size());
@@ -81,7 +83,7 @@ std::string parse_metric(const std::string& text, RefinementMetric& metric) {
     if (!wrong.empty()) return wrong;
     at = end + 1;
   }
-  metric.haptic = has_haptic ? threshold : 0.0;
+  metric.haptic = has_haptic ? before.haptic : 0.0;
   return {};
 }
 

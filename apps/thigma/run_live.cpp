@@ -1,8 +1,11 @@
 #include "run_live.h"
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <limits>
 #include <optional>
+#include <thread>
 
 #include "live_models.h"
 #include "playback.h"
@@ -117,12 +120,44 @@ class LiveRun {
     const SessionConfig config = next_config();
     open_recording(config);
     begin();
-    const SessionSummary summary = run_lockstep(config, *run_->device, sinks(), program_.stop);
+    const SessionSummary summary =
+        run_->simulation ? simulate_run(*run_, config, false, sinks(), program_.stop)
+                         : run_lockstep(config, *run_->device, sinks(), program_.stop);
+    end(summary);
+    return summary;
+  }
+
+  /// A simulation at the pace of the clock, in a thread of its own.
+  SessionSummary simulation() {
+    const SessionConfig config = next_config();
+    open_recording(config);
+    std::atomic<bool> stops{false}, is_over{false};
+    std::exception_ptr error;
+    SessionSummary summary;
+    begin();
+    std::thread worker([&] {
+      try {
+        summary = simulate_run(*run_, config, true, sinks(), &stops);
+      } catch (...) {
+        error = std::current_exception();
+      }
+      is_over = true;
+    });
+    while (!is_over) {
+      if (!request_) request_ = room_.take_request();
+      if (request_ && request_->kind == Kind::inspect) look_at_dropped();
+      if (request_ || is_told_to_stop()) stops = true;
+      sleep_ns(kPoll);
+      if (program_.poll) program_.poll();
+    }
+    worker.join();
+    if (error) std::rethrow_exception(error);
     end(summary);
     return summary;
   }
 
   SessionSummary session() {
+    if (run_->simulation) return simulation();
     const SessionConfig config = next_config();
     open_recording(config);
     Session session(config, *run_->device, sinks());

@@ -8,6 +8,7 @@
 #include "clod_cache.h"
 #include "progress.h"
 #include "scenes/scene_file.h"
+#include "scenes/simulated_body.h"
 
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/core/error.h"
@@ -233,6 +234,25 @@ void open_run_device(const RunOptions& options, std::uint64_t seed, const Tell& 
   if (is_direct) use_direct_response(run.device->limits(), run.config);
 }
 
+/// What moves by itself instead of in a hand.
+void prepare_simulation(const scenes::SimulatedBody& body, std::uint64_t seed, Run& run) {
+  if (device_scheme(run.device_uri) != "null")
+    throw DeviceAddressError(run.scene.file + ": nobody holds the object of a [simulation], expected --device null:");
+  if (run.config.haptic.response == ResponseKind::direct || !run.config.contact.textures.is_empty())
+    throw InputError(run.scene.file + ": [simulation] knows neither --response direct nor textures, expected neither");
+  ContactWorld& contact = run.config.contact;
+  if (!body.has_tolerance) {
+    double radius = contact.object->radius;
+    for (const SceneBody& other : contact.scene) radius = std::min(radius, other.hierarchy->radius);
+    contact.tolerance = contact.response.tolerance = 1e-3 * radius;
+  }
+  contact.resolution.interpolates = false;
+  run.simulation.emplace();
+  run.simulation->world = scenes::simulation_world(body, run.config);
+  run.simulation->start = scenes::simulation_start(body, run.config, seed);
+  run.config.world_from_body = {run.simulation->start.body.position, run.simulation->start.body.orientation};
+}
+
 }  // namespace
 
 scenes::SceneDescription read_run_scene(const RunOptions& options) {
@@ -240,6 +260,13 @@ scenes::SceneDescription read_run_scene(const RunOptions& options) {
   return scenes::scene_from_pair(options.object, options.against, options.scale,
                                  options.pose_text.empty() ? Pose{}
                                                            : *parse_pose(options.pose_text));
+}
+
+SessionSummary simulate_run(Run& run, const SessionConfig& config, bool is_paced, const SessionSinks& sinks,
+                            const std::atomic<bool>* stop) {
+  SimulatedRun& simulated = *run.simulation;
+  simulated.last = run_simulated(config, simulated.world, simulated.start, is_paced, sinks, stop);
+  return simulated.last.session;
 }
 
 std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOptions& options,
@@ -288,6 +315,9 @@ std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOption
   refuse_device_clock(*run->device);
   run->config.haptic.device = run->device->limits();
   if (options.is_passive || run->scene.is_passive) use_passivity(run->device->limits(), run->config);
+  if (!options.scene.empty()) {
+    if (const auto body = scenes::read_simulated_body(options.scene)) prepare_simulation(*body, seed, *run);
+  }
   return run;
 }
 

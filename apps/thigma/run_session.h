@@ -13,10 +13,18 @@
 #include "thigma/clod/clod_asset.h"
 #include "thigma/device/haptic_device.h"
 #include "thigma/runtime/placement.h"
+#include "thigma/runtime/simulated_session.h"
 #include "thigma/runtime/session.h"
 #include "thigma/runtime/web_device.h"
 
 namespace thigma::app {
+
+/// An object that no hand holds, and how its last session went.
+struct SimulatedRun {
+  SimulationWorld world;
+  SimulationState start;
+  SimulatedSummary last;
+};
 
 /// Everything of a run. Not movable once `config` points into it.
 struct Run {
@@ -28,6 +36,7 @@ struct Run {
   std::vector<std::unique_ptr<HapticTexture>> static_textures;  // as many as statics, or none
   SessionConfig config;
   std::optional<EmptyLoop> floor;  // of the machine just before a threaded session, where it was measured
+  std::optional<SimulatedRun> simulation;  // of a scene with [simulation]
   StartPlacement start;
   WebLink* web_link = nullptr;  // of the page, where there is one; outlives the run
   std::unique_ptr<HapticDevice> device;
@@ -52,6 +61,11 @@ scenes::SceneDescription read_run_scene(const RunOptions& options);
 /// std::invalid_argument.
 std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOptions& options,
                                  std::uint64_t seed, const RunHooks& hooks);
+
+/// Runs the simulation of a scene that has one, as run_simulated; how it went stays in run.simulation->last.
+/// Thread   [offline]
+SessionSummary simulate_run(Run& run, const SessionConfig& config, bool is_paced, const SessionSinks& sinks,
+                            const std::atomic<bool>* stop);
 
 /// Opens a device anew, or another one, and places the object for it as prepare_run does; the old one is
 /// given up only when that succeeds.

@@ -158,6 +158,41 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene, const s
   return json;
 }
 
+Json simulation_json(const Run& run) {
+  const SimulatedSummary& s = run.simulation->last;
+  const SimulationCounts& c = s.counts;
+  Json json;
+  json["at_rest"] = s.is_resting;
+  json["queries"] = c.steps;
+  json["events"] = c.events;
+  json["impulses"] = c.impulses;
+  json["supported"] = c.supported;
+  json["interpolated"] = c.interpolated;
+  json["unresolved"] = c.unresolved;
+  json["query_cpu_us_mean"] = c.steps > 0 ? finite(1e6 * c.query_cpu / static_cast<double>(c.steps)) : Json(nullptr);
+  json["front_mean"] = c.steps > 0 ? finite(c.front / static_cast<double>(c.steps)) : Json(nullptr);
+  json["tolerance"] = run.simulation->world.tolerance;
+  json["deepest"] = c.deepest;
+  json["beyond_bound"] = c.beyond_bound;
+  json["energy"] = {{"start", s.energy_start}, {"end", s.energy_end}, {"growth_max", s.growth_max}};
+  json["body"] = {{"position", {s.body.position.x(), s.body.position.y(), s.body.position.z()}},
+                  {"quat_xyzw", {s.body.orientation.x(), s.body.orientation.y(), s.body.orientation.z(),
+                                 s.body.orientation.w()}}};
+  return json;
+}
+
+std::string simulation_text(const Run& run) {
+  const SimulatedSummary& s = run.simulation->last;
+  std::string text;
+  append(text, "simulation       %lld queries, %lld impacts, %lld held flights, %lld interpolated; %s\n",
+         static_cast<long long>(s.counts.steps), static_cast<long long>(s.counts.events),
+         static_cast<long long>(s.counts.supported), static_cast<long long>(s.counts.interpolated),
+         s.is_resting ? "at rest" : "moving");
+  append(text, "deepest          %.3g mm, tolerance %.3g mm; energy %.3g to %.3g J\n", 1e3 * s.counts.deepest,
+         1e3 * run.simulation->world.tolerance, s.energy_start, s.energy_end);
+  return text;
+}
+
 std::string run_summary_text(const SessionSummary& s) {
   std::string text;
   append(text, "%.3f s, %llu haptic frames at %g Hz, %llu missed\n", s.seconds,

@@ -46,6 +46,7 @@ live::SceneView view_of(const Run& run) {
 
 std::vector<std::string> devices_of(const Run& run) {
   std::vector<std::string> devices = {run.device_uri};
+  if (run.simulation) return devices;  // nobody holds the object
   for (const char* other : {"web:", "hand:"}) {
     const bool is_there = std::any_of(devices.begin(), devices.end(), [&](const std::string& uri) {
       return device_scheme(uri) + ":" == other;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "apps/program.h"
@@ -357,6 +358,33 @@ TEST(RecordVerbs, a_stop_signal_ends_in_order) {
       EXPECT_EQ(json_line(run_program({"replay", file, "--json"}))["identical"], true);
     }
   }
+}
+
+// Nobody holds the object: it falls, and comes to rest.
+TEST(RecordVerbs, a_scene_that_simulates_itself) {
+  const std::string scene = in_work("falls.toml"), file = in_work("falls.mcap");
+  std::ofstream(scene) << "gravity = [0.0, 0.0, -9.81]\n[object]\nmesh = \"procedural:ball?triangles=320\"\nunit_scale = 0.1\n"
+                          "position = [0.0, 0.0, 0.25]\nmass = 0.05\n[[static]]\nmesh = \"procedural:ball?triangles=320\"\n"
+                          "unit_scale = 0.1\n[contact]\nexact = true\n[simulation]\nscatter = 1e-3\n[device]\nuri = \"null:\"\n";
+  const auto play = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"run", scene, "--device", "null:", "--headless", "--json", "--quiet", "--lockstep",
+                                          "--duration", "0.4"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ended e = run_program(arguments);
+    EXPECT_EQ(e.code, 0) << e.err;
+    return json_line(e);
+  };
+  const nlohmann::json once = play({"--record", file});
+  EXPECT_EQ(once["haptic"]["frames"], 400);
+  EXPECT_GT(once["simulation"]["impulses"].get<int>(), 0);
+  EXPECT_LE(once["simulation"]["energy"]["end"].get<double>(), once["simulation"]["energy"]["start"].get<double>());
+  EXPECT_EQ(once["state_hash"], play({})["state_hash"]);
+  EXPECT_NE(once["state_hash"], play({"--seed", "2"})["state_hash"]);
+  const Ended replayed = run_program({"replay", file, "--json"});
+  EXPECT_EQ(replayed.code, 0) << replayed.err;
+  EXPECT_EQ(json_line(replayed)["identical"], true);
+  const Ended held = run_program({"run", scene, "--device", "hand:", "--headless", "--quiet", "--duration", "1"});
+  EXPECT_EQ(held.code, 2) << held.err;
 }
 
 }  // namespace

@@ -60,6 +60,27 @@ TEST(FreeMotion, KeepsEnergyAndAngularMomentum) {
   }
 }
 
+// Momenta are those of the wrench; half the step is right to a quarter of the error.
+TEST(FreeMotion, FollowsAConstantPush) {
+  const RigidBody body = brick();
+  BodyState start;
+  start.linear_momentum = Vec3(0.1, -0.2, 0.3);
+  start.angular_momentum = Vec3(2e-3, 3e-3, 1e-3);
+  const Wrench push{Vec3(1, 2, 3), Vec3(4e-3, -5e-3, 2e-3)};
+  const double time = 0.02;
+  BodyState exact = start;
+  for (int i = 0; i < 2000; ++i) exact = pushed_motion(body, exact, push, time / 2000);
+  const BodyState whole = pushed_motion(body, start, push, time);
+  const BodyState halves = pushed_motion(body, pushed_motion(body, start, push, 0.5 * time), push, 0.5 * time);
+  EXPECT_LE((whole.position - exact.position).norm(), 1e-12);
+  EXPECT_LE((whole.linear_momentum - start.linear_momentum - time * (push.force + body.mass * body.gravity)).norm(), 1e-15);
+  EXPECT_LE((whole.angular_momentum - start.angular_momentum - time * push.torque).norm(), 1e-17);
+  const double error = whole.orientation.angularDistance(exact.orientation);
+  EXPECT_LE(halves.orientation.angularDistance(exact.orientation), 0.4 * error);
+  EXPECT_GT(error, 1e-9);
+  EXPECT_EQ(to_vector(pushed_motion(body, start, {}, time)), to_vector(free_motion(body, start, time)));
+}
+
 // Two halves are one whole, to the order of the scheme.
 TEST(FreeMotion, DoesNotDependOnHowTimeIsCut) {
   const RigidBody body = brick();

@@ -44,7 +44,7 @@ TriangleMesh slab(double scale = 1.0) {
 struct Watch {
   SimulationPorts ports;
   double worst_gain = 0.0;   // of an impulse [J]
-  double worst_drift = 0.0;  // of the energy between events [J]
+  double worst_drift = 0.0;  // growth of the energy between events [J]
   double energy = std::nan("");
   explicit Watch(const Stage& stage) {
     const RigidBody& body = stage.world.body;
@@ -54,7 +54,7 @@ struct Watch {
     };
     ports.query = [&](const SimulationState& s, const ContactSet&) {
       const double now = mechanical_energy(body, s.body);
-      if (!std::isnan(energy)) worst_drift = std::max(worst_drift, std::abs(now - energy));
+      if (!std::isnan(energy)) worst_drift = std::max(worst_drift, now - energy);
       energy = now;
     };
   }

@@ -254,6 +254,7 @@ std::string write_config(const RecordedConfig& config) {
   out += quoted(config.device);
   json.number("rate_hz", config.rate_hz);
   json.flag("lockstep", config.is_lockstep);
+  json.flag("simulated", config.is_simulated);
   json.word("seed", std::to_string(config.seed));
   put_pose(out, json, "world_from_body", config.world_from_body);
   put_body(out, json, p.body);
@@ -297,6 +298,7 @@ RecordedConfig read_config(const std::string& text) {
     config.device = json.at("device").get<std::string>();
     config.rate_hz = json.at("rate_hz").get<double>();
     config.is_lockstep = json.at("lockstep").get<bool>();
+    config.is_simulated = json.value("simulated", false);
     config.seed = std::stoull(json.at("seed").get<std::string>());
     read_pose(json.at("world_from_body"), config.world_from_body);
     read_params(json, config.params);

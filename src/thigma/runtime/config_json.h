@@ -14,6 +14,7 @@ struct RecordedConfig {
   Pose world_from_body;      // of the centre of mass, before the first frame
   double rate_hz = 1000.0;
   bool is_lockstep = false;
+  bool is_simulated = false; // nobody held the object: frames are those of the simulation of the scene
   Resolution resolution;     // of the contact query; the haptic frames do not depend on it
   std::uint64_t seed = 1;
   std::string scene;         // as given on the command line; printable

@@ -73,4 +73,14 @@ BodyState free_motion(const RigidBody& body, const BodyState& state, double time
   return next;
 }
 
+BodyState pushed_motion(const RigidBody& body, const BodyState& state, const Wrench& push, double time) noexcept {
+  BodyState next = state;
+  const Vec3 acceleration = push.force / body.mass + body.gravity;
+  next.position += time * (state.linear_momentum / body.mass + 0.5 * time * acceleration);
+  next.linear_momentum += time * body.mass * acceleration;
+  next.angular_momentum += time * push.torque;
+  next.orientation = turned(body, state.orientation, state.angular_momentum + 0.5 * time * push.torque, time);
+  return next;
+}
+
 }  // namespace thigma

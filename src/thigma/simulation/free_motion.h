@@ -1,5 +1,5 @@
 #pragma once
-// Motion of a rigid body between collisions: a parabola, and the rotation of a free body.
+// Motion of a rigid body between collisions: a parabola and the rotation of a free body, or under a constant push.
 
 #include "thigma/dynamics/body.h"
 
@@ -16,5 +16,11 @@ double mechanical_energy(const RigidBody& body, const BodyState& state) noexcept
 /// time     >= 0 [s]
 /// Thread   any; no failure. A time that takes more than 100,000 steps is cut into that many.
 BodyState free_motion(const RigidBody& body, const BodyState& state, double time) noexcept;
+
+/// The same under gravity and a constant wrench about the centre of mass [world].
+///
+/// Position and momenta are exact to rounding; the body turns as a free one does with the momentum at half the time, so
+/// that orientation is right to second order.
+BodyState pushed_motion(const RigidBody& body, const BodyState& state, const Wrench& push, double time) noexcept;
 
 }  // namespace thigma

@@ -6,6 +6,7 @@
 #include "thigma/core/cpu_clock.h"
 #include "thigma/core/error.h"
 #include "thigma/simulation/detail/safe_time.h"
+#include "thigma/simulation/detail/support.h"
 #include "thigma/simulation/free_motion.h"
 
 namespace thigma {
@@ -16,10 +17,19 @@ using detail::safe_time;
 using detail::Touch;
 using detail::touch_of;
 
+/// A way to the next query.
+struct Flight {
+  double time = 0.0;
+  Wrench push;  // of the contacts that hold the body
+};
+
 constexpr int kMostImpulses = 400;      // of one event
-constexpr double kStill = 0.025;     // without motion: at rest [s]
-constexpr int kHeld = 8;             // events in that time, at least: a body at the top of its flight is not at rest
-constexpr int kFullHits = 4;         // of one contact within an event: those after bounce less and less
+constexpr double kLostStep = 0.1;       // least flight, of the longest, where a change of levels has left surfaces deep in others
+constexpr int kMostPlans = 4;           // of a flight: its time depends on the forces, and they on it
+constexpr double kStill = 0.025;        // without motion: at rest [s]
+constexpr double kCarried = 0.9;        // of the weight, meanwhile: a body at the top of its flight is not at rest
+constexpr int kFullHits = 4;            // of one contact within an event: those after bounce less and less
+constexpr double kLifts[] = {0.2, 0.0};  // of what a contact has sunk, per flight: the most that energy allows
 constexpr double kAtRest = 1e-9;        // approach that counts as none, of the speed that the tolerance is fallen with
 
 // Speed with which a body falls over a height.
@@ -39,6 +49,7 @@ class Simulation {
       : world_(world), state_(state), scratch_(scratch), ports_(ports) {
     const Pose mesh = world.body_from_mesh;
     reach_ = (transform_point(mesh, world.object->center)).norm() + 1.02 * world.object->radius;
+    if (world.body.gravity.norm() > 0.0) up_ = -world.body.gravity.normalized();
     slow_ = fall_speed(world, detail::kShortestFall * collision_gap(world));
   }
 
@@ -46,8 +57,8 @@ class Simulation {
     const double end = state_.time + duration;
     query();
     while (state_.time < end && !state_.is_resting && is_finite(state_.body)) {
-      counts_.deepest = std::max(counts_.deepest, -least_distance(scratch_.contacts));
-      state_.held += collide(scratch_.contacts);
+      counts_.deepest = std::max(counts_.deepest, -least_);
+      collide(scratch_.contacts);
       advance(end - state_.time);
       watch_motion();
     }
@@ -66,6 +77,9 @@ class Simulation {
     counts_.query_cpu += thread_cpu_seconds() - start;
     counts_.front += static_cast<double>(scratch_.contacts.stats.front);
     ++counts_.steps;
+    least_ = least_distance(scratch_.contacts);
+    for (const Contact& c : scratch_.contacts.contacts)
+      counts_.beyond_bound = std::max(counts_.beyond_bound, c.depth - c.bound);
     state_.since_query = 0.0;
     if (ports_.query) ports_.query(state_, scratch_.contacts);
   }
@@ -82,9 +96,11 @@ class Simulation {
     if (state_.moved_at < 0.0 || moved() > 0.5 * world_.tolerance) {
       state_.moved_from = state_.body;
       state_.moved_at = state_.time;
-      state_.held = 0;
+      state_.carried = 0.0;
     }
-    if (state_.time - state_.moved_at < kStill || state_.held < kHeld) return;
+    const double still = state_.time - state_.moved_at;
+    const double weight = world_.body.mass * world_.body.gravity.norm();
+    if (still < kStill || state_.carried < kCarried * weight * still) return;
     state_.is_resting = true;
     state_.body.linear_momentum.setZero();
     state_.body.angular_momentum.setZero();
@@ -123,9 +139,11 @@ class Simulation {
   }
 
   double restitution(const Touch& t, int hits) const {
-    const double slow = t.gap < 0.5 * collision_gap(world_) ? 4.0 * slow_ : slow_;
-    const double rest = slow > 0.0 ? std::clamp(t.approach / slow - 1.0, 0.0, 1.0) : 1.0;
-    return std::ldexp(1.0 - (1.0 - world_.law.restitution) * rest, -std::max(hits - kFullHits, 0));
+    const bool has_sunk = t.gap < 0.5 * collision_gap(world_) && t.gap > -world_.tolerance;
+    const double slow = has_sunk ? 4.0 * slow_ : slow_;
+    const double fast = slow > 0.0 ? std::clamp(t.approach / slow - 1.0, 0.0, 1.0) : 1.0;
+    const double kept = fast * world_.law.restitution + (has_sunk ? 1.0 - fast : 0.0);
+    return std::ldexp(kept, -std::max(hits - kFullHits, 0));
   }
 
   void hit(const Contact& c, int hits) {
@@ -135,6 +153,7 @@ class Simulation {
     const Vec3 impulse = collision_impulse(matrix, point_velocity(world_.body, state_.body, t.arm), c.normal, law);
     const double before = kinetic_energy(world_.body, state_.body);
     state_.body = with_impulse(state_.body, t.arm, impulse);
+    state_.carried += up_.dot(impulse);
     if (!ports_.event) return;
     ports_.event({.time = state_.time,
                   .point = c.point,
@@ -149,28 +168,82 @@ class Simulation {
 
   // ---- time -------------------------------------------------------------------------------------------------------
 
-  void move(double time) {
-    state_.body = free_motion(world_.body, state_.body, time);
+  void move(const Flight& flight, double part = 1.0) {
+    const double time = part * flight.time;
+    state_.body = pushed_motion(world_.body, state_.body, flight.push, time);
+    state_.carried += time * up_.dot(flight.push.force);
     state_.time += time;
     state_.since_query += time;
+  }
+
+  bool is_held() const { return !scratch_.touching.empty() && slow_ > 0.0; }
+
+  // The longest flight that is safe under the forces that hold the body over it.
+  Flight plan(double longest, double lift) {
+    Flight flight{longest, {}};
+    const bool is_lost = -least_ > world_.tolerance;
+    for (int i = 0; i < kMostPlans; ++i) {
+      if (is_held()) {
+        flight.push = detail::support_wrench(world_, state_.body, scratch_.contacts, scratch_.touching, flight.time, lift,
+                                             scratch_.supports);
+      }
+      const double safe = safe_time(world_, state_.body, scratch_.contacts, reach_, flight.push, flight.time);
+      if (safe >= flight.time) break;
+      flight.time = std::max(safe, is_lost ? kLostStep * longest : 0.0);
+    }
+    return flight;
+  }
+
+  // Takes out of the motion what energy is above this; false where motion has not so much.
+  bool pay(double energy) {
+    const double excess = mechanical_energy(world_.body, state_.body) - energy;
+    if (!(excess > 0.0)) return true;
+    const double motion = kinetic_energy(world_.body, state_.body);
+    if (excess > motion) return false;
+    const double kept = std::sqrt((motion - excess) / motion);
+    state_.body.linear_momentum *= kept;
+    state_.body.angular_momentum *= kept;
+    return true;
+  }
+
+  // Flies on for the longest safe time, held by what touches. Energy does not grow.
+  Flight fly(double longest) {
+    const SimulationState from = state_;
+    scratch_.supports.clear();
+    if (!is_held()) {
+      const Flight flight = plan(longest, 0.0);
+      move(flight);
+      return flight;
+    }
+    ++counts_.supported;
+    const double energy = mechanical_energy(world_.body, state_.body);
+    for (const double lift : kLifts) {
+      const Flight flight = plan(longest, lift);
+      move(flight);
+      const bool is_paid = mechanical_energy(world_.body, state_.body) <= energy;
+      if (is_paid || (lift == 0.0 && pay(energy))) return flight;
+      state_ = from;
+    }
+    const Flight free{std::min(longest, safe_time(world_, state_.body, scratch_.contacts, reach_)), {}};
+    move(free);
+    return free;
   }
 
   // Flies on to the next query. Where that finds levels in penetration which those before did not have, the event was
   // in between.
   void advance(double left) {
-    const double gap = std::min(world_.tolerance, least_distance(scratch_.contacts));
-    const double time = std::min({safe_time(world_, state_.body, scratch_.contacts, reach_), world_.longest_step, left});
+    const double gap = std::min(world_.tolerance, least_);
     const SimulationState from = state_;
-    move(time);
-    if (left - time < 1e-12 * (state_.time + left)) state_.time = from.time + left;
+    const Flight flight = fly(std::min(left, world_.longest_step));
+    if (left - flight.time < 1e-12 * (state_.time + left)) state_.time = from.time + left;
     query();
-    const double depth = -least_distance(scratch_.contacts);
+    const double depth = -least_;
     if (!(depth > collision_gap(world_)) || !(gap > 0.0)) return;
-    const double part = gap / (gap + depth);
     const SimulationState there = state_;
+    const double energy = mechanical_energy(world_.body, from.body);
     state_ = from;
-    move(part * time);
-    if (collide(scratch_.contacts)) {
+    move(flight, gap / (gap + depth));
+    if (pay(energy) && collide(scratch_.contacts)) {
       ++counts_.interpolated;
       query();
     } else {
@@ -184,7 +257,9 @@ class Simulation {
   const SimulationPorts& ports_;
   SimulationCounts counts_;
   double reach_ = 0.0;  // of the mesh from the centre of mass
-  double slow_ = 0.0;   // impacts below keep their speed
+  Vec3 up_ = Vec3::Zero();  // against gravity
+  double slow_ = 0.0;   // impacts below end without a bounce
+  double least_ = 0.0;  // distance that the last query saw [m]
 };
 
 void check(const SimulationWorld& world) {
@@ -208,6 +283,7 @@ SimulationScratch reserve_simulation(const SimulationWorld& world, std::size_t c
   scratch.contacts.contacts.reserve(contacts);
   scratch.touching.reserve(contacts);
   scratch.hits.reserve(contacts);
+  scratch.supports.reserve(contacts);
   return scratch;
 }
 

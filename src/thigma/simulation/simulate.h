@@ -33,7 +33,17 @@ struct SimulationState {
   // Where the body was when it was last seen to move.
   BodyState moved_from;
   double moved_at = -1.0;    // [s]; < 0: not watched yet
-  std::int64_t held = 0;     // events since
+  double carried = 0.0;      // of its momentum by gravity, contacts have taken since [N s]
+};
+
+/// A contact that holds the body, with the force found for it.
+struct SupportPoint {
+  Vec3 arm = Vec3::Zero();     // from the centre of mass [m; world]
+  Vec3 out = Vec3::UnitZ();    // away from the obstacle
+  Vec3 force = Vec3::Zero();   // on the body [N]
+  double speed = 0.0;          // outward, that it shall have on the mean [m/s]
+  double per_speed = 0.0;      // force for a change of that speed [N s/m]
+  double per_slide = 0.0;      // the same along the surface, at most
 };
 
 /// Memory of the contact queries of one simulation, owned by the caller. Constant capacity after reserve_simulation.
@@ -42,6 +52,7 @@ struct SimulationScratch {
   ContactSet contacts;
   std::vector<std::int32_t> touching;  // of contacts
   std::vector<std::int32_t> hits;      // of each contact within one event
+  std::vector<SupportPoint> supports;  // of touching
 };
 
 /// One impulse.
@@ -61,11 +72,13 @@ struct SimulationCounts {
   std::int64_t steps = 0;         // queries
   std::int64_t events = 0;        // instants with at least one impulse
   std::int64_t impulses = 0;
+  std::int64_t supported = 0;     // flights that contacts held
   std::int64_t interpolated = 0;  // events between two queries that saw other levels of detail (Sec. 3.4.4)
   std::int64_t unresolved = 0;    // events after which some contact still approached
   double query_cpu = 0.0;         // CPU time of the queries [s]
   double front = 0.0;             // sum over queries of node pairs held
   double deepest = 0.0;           // penetration seen by a query, at most [m]
+  double beyond_bound = 0.0;      // the same, less the bound of the contact: what levels of detail do not explain [m]
 };
 
 /// Hears of what happens; empty: nobody does. query: after each one, with the state it was asked at.
@@ -83,11 +96,14 @@ SimulationScratch reserve_simulation(const SimulationWorld& world, std::size_t c
 ///
 /// Between queries the body moves freely, no farther than the nearest surfaces allow: by at most the tolerance where nothing
 /// is within it, else by what the patches in contact leave, along their normals. Within a quarter of the tolerance a
-/// contact that approaches collides: all that touch, the fastest first, until none approaches. Slow impacts, of less
-/// speed than lifts the body an eighth of that quarter against gravity, keep all their speed, so that a body at rest is
-/// held by a train of small impulses whose frequency is bounded (Sec. 2.4.3; no energy is added).
-/// A body that impulses hold and no point of which has moved by half the tolerance for 25 ms is at rest:
-/// it loses what speed it has and is simulated no more (a train of impulses would go on for ever).
+/// contact that approaches collides: all that touch, the fastest first, until none approaches. Impacts of less
+/// speed than lifts the body an eighth of that quarter against gravity end without a bounce; from where a contact has sunk
+/// below half of the quarter they bounce back whole, so that it moves off.
+/// What touches holds the body on its way to the next query: by the mean force of the train of impulses that Sec. 2.4.3 would
+/// give, with Coulomb friction (detail/support.h). It never gives work on balance: what lifts a sunk contact is taken from what
+/// friction takes in the same flight, so energy does not grow, and a body that creeps does not sink.
+/// A body whose weight is carried and no point of which has moved by half the tolerance for 25 ms is at rest:
+/// it loses what speed it has and is simulated no more.
 /// Where a query sees a penetration of more than a quarter of the tolerance although the one before saw a gap, levels of detail have changed in between: the
 /// collision is taken to be at the time where the line from gap to depth is zero, and the body goes on from there. So
 /// time always advances.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/math/rotation.h"
+
 namespace thigma::detail {
 namespace {
 
@@ -37,23 +39,31 @@ Touch touch_of(const SimulationWorld& world, const BodyState& state, const Conta
   return {arm, c.normal.dot(point_velocity(world.body, state, arm)), -c.depth};
 }
 
-double safe_time(const SimulationWorld& world, const BodyState& state, const ContactSet& contacts, double reach) {
-  const Twist v = velocity(world.body, state);
+double safe_time(const SimulationWorld& world, const BodyState& state, const ContactSet& contacts, double reach,
+                 const Wrench& push, double time) {
+  const RigidBody& body = world.body;
+  const Twist v = velocity(body, state);
+  const Mat3 R = rotation_matrix(state.orientation);
+  const Vec3 linear = body.gravity + push.force / body.mass;
+  const Vec3 angular = R * (body.inverse_inertia * (R.transpose() * push.torque));
   // The spin of a free body never exceeds |L| over its least moment of inertia.
-  const double fastest =
-      std::max(v.angular.norm(), state.angular_momentum.norm() * world.body.inverse_inertia.norm());
-  const double swing = fastest * fastest * reach, fall = world.body.gravity.norm();
-  double time = time_to_close(world.tolerance, v.linear.norm() + fastest * reach, fall + swing);
+  const double most = state.angular_momentum.norm() + time * push.torque.norm();
+  const double fastest = std::max(v.angular.norm(), most * body.inverse_inertia.norm());
+  const double swing = fastest * fastest * reach;
+  double least = time_to_close(world.tolerance, v.linear.norm() + fastest * reach,
+                               linear.norm() + angular.norm() * reach + swing);
   const Pose world_from_mesh = Pose{state.position, state.orientation} * world.body_from_mesh;
   const double near = collision_gap(world);
   for (const Contact& c : contacts.contacts) {
     const Touch t = touch_of(world, state, c);
-    const double turning = c.normal.cross(v.angular).norm() * patch_reach(*world.object, c, world_from_mesh);
-    const double falls = std::max(c.normal.dot(world.body.gravity), 0.0) + swing;
+    const double patch = patch_reach(*world.object, c, world_from_mesh);
+    const double turning = c.normal.cross(v.angular).norm() * patch;
+    const double falls = std::max(c.normal.dot(linear + angular.cross(t.arm)), 0.0) +
+                         c.normal.cross(angular).norm() * patch + swing;
     const double gap = t.gap > near ? t.gap - 0.5 * near : kShortestFall * near;
-    time = std::min(time, time_to_close(gap, t.approach + turning, falls));
+    least = std::min(least, time_to_close(gap, t.approach + turning, falls));
   }
-  return time;
+  return least;
 }
 
 }  // namespace thigma::detail

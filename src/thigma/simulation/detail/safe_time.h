@@ -24,7 +24,9 @@ Touch touch_of(const SimulationWorld& world, const BodyState& state, const Conta
 /// convex: the plane between them keeps them apart.
 /// contacts  all within the tolerance, at this state
 /// reach     of the mesh from the centre of mass [m]
+/// push      constant wrench about the centre of mass on the way, and no longer than `time`
 /// returns   > 0 [s]
-double safe_time(const SimulationWorld& world, const BodyState& state, const ContactSet& contacts, double reach);
+double safe_time(const SimulationWorld& world, const BodyState& state, const ContactSet& contacts, double reach,
+                 const Wrench& push = {}, double time = 0.0);
 
 }  // namespace thigma::detail
