@@ -145,9 +145,7 @@ SimulatedSummary run_simulated(const SessionConfig& config, const SimulationWorl
                                bool is_paced, const SessionSinks& sinks, const std::atomic<bool>* stop) {
   detail::check_config(config);
   SimulatedSession session(config, world, start, sinks);
-  DeadlineClock clock;
-  clock.period_ns = static_cast<std::int64_t>(1e9 / config.rate);
-  clock.spin_ns = 0;  // nobody feels a late frame
+  DeadlineClock clock = clock_of(config.rate, 0.0);  // nobody feels a late frame
   start_clock(clock);
   const std::uint64_t last = detail::frame_limit(config);
   const bool ends_at_rest = config.duration <= 0.0 && config.live == nullptr;
