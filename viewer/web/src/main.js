@@ -237,7 +237,7 @@ startTabs(at("tabs"), [["plots", "Plots"], ["parameters", "Parameters"], ["level
 rebuildPlots(plots);
 veil("Connecting …");
 link = makeLink(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live`, {
-  message: (message) => on[message.kind ?? message.type]?.(message), opened, lost, retrying: () => {},
+  message: (message) => on[message.type ?? message.kind]?.(message), opened, lost, retrying: () => {},
 });
 setInterval(sendHand, RESEND);
 

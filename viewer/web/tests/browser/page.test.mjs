@@ -136,6 +136,8 @@ pageTest("a drag moves the hand until the object touches, and not through", {}, 
   assert.ok(seen.arrow && seen.length > 0 && seen.force > 0.3);
   assert.ok(seen.dots > 0 && seen.active > 0 && seen.spots > 0, "contacts are marked and coloured");
   assert.deepEqual(mock.received.refused, []);
+  await page.getByRole("tab", { name: "Events" }).click();
+  await page.getByText("The hand took hold of the object").first().waitFor();
   assert.ok(seen.sent > 3 && mock.received.device > 3);
 });
 
