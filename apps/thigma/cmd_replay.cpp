@@ -35,7 +35,7 @@ ReplayReport replay_simulation(const Recording& recording, const RecordedConfig&
   options.rate = config.rate_hz;
   options.is_headless = options.is_lockstep = true;
   options.resolution.is_exact = config.resolution.is_exact;
-  const std::unique_ptr<Run> run = prepare_run(options, config.seed, {});
+  const std::unique_ptr<Run> run = prepare_run(read_run_scene(options), options, config.seed, {});
   if (!run->simulation)
     throw InputError(config.scene + ": has no [simulation] any more, expected the scene that was recorded");
   run->simulation->world.resolution = config.resolution;
