@@ -160,7 +160,7 @@ TEST(Live, TuningReachesTheRunningThreads) {
   config.world_from_body.position.z() = test::kCubeHalf + 1e-4;  // within the tolerance
   HeldDevice device;
   device.state.buttons = kClutchButton;
-  live->contact_tuning.publish({.response = {.stiffness = 777.0}});
+  live->contact_tuning.publish({.response = {.stiffness = 777.0}, .resolution = {}});
   HapticTuning tuning{config.haptic.body, config.haptic.coupling};
   tuning.body.gravity = {-9.81, 0.0, 0.0};
   live->haptic_tuning.publish(tuning);

@@ -52,9 +52,9 @@ TEST_F(OnGpu, agrees_with_the_scalar_reference) {
     std::vector<DepthContact> contacts;
     const std::vector<std::int32_t> of_p = test::all_triangles(p.object),
                                     of_q = test::all_triangles(q.object);
-    const auto add = [&](test::PlateContact& plates, const std::vector<std::int32_t>& triangles) {
-      test::shuffle_contact(random, plates, 0.02);
-      contacts.push_back(plates.contact);
+    const auto add = [&](test::PlateContact& pair, const std::vector<std::int32_t>& triangles) {
+      test::shuffle_contact(random, pair, 0.02);
+      contacts.push_back(pair.contact);
       contacts.back().object.triangles = contacts.back().scene.triangles = triangles;
     };
     for (int k = 0; k < 4; ++k) {
