@@ -20,6 +20,14 @@ export async function startBrowser() {
   return { browser: await playwright.chromium.launch({ executablePath, args, headless: true, timeout: 120000 }) };
 }
 
+const WANTED = process.env.THIGMA_BROWSER || process.env.THIGMA_FULL || process.env.THIGMA_SHOTS;
+
+/// Why the cases in a browser are left out, or null. Their renderer works in software: eight minutes of two cores, of the half
+/// hour that the whole test has.
+export function leftOut() {
+  return WANTED ? null : "takes eight minutes of two cores at present: THIGMA_BROWSER=1 or scripts/test --full runs it";
+}
+
 /// A page with its console watched; errors collects what should not be there.
 export async function openPage(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, colorScheme: "light", ...options });
