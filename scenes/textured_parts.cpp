@@ -48,6 +48,23 @@ std::vector<Station> bar_stations(double length, int rows) {
   return stations;
 }
 
+struct Cells {
+  int around = 0, along = 0;
+};
+
+/// A sheet over point(u, v, is_fine), which both of its surfaces have in common.
+template <class Point>
+TexturedSheet sheet_of(const Point& point, Cells coarse, Cells fine) {
+  TexturedSheet sheet;
+  sheet.coarse = [point](double u, double v) { return point(u, v, false); };
+  sheet.fine = [point](double u, double v) { return point(u, v, true); };
+  sheet.around = coarse.around;
+  sheet.along = coarse.along;
+  sheet.fine_around = fine.around;
+  sheet.fine_along = fine.along;
+  return sheet;
+}
+
 /// Cross-cut file: 200 x 22 x 6 mm, cuts of 0.3 mm, 3 mm apart, on both broad sides.
 TexturedSheet file_sheet() {
   const std::vector<Station> stations = bar_stations(0.200, 38);
@@ -60,14 +77,7 @@ TexturedSheet file_sheet() {
     const double side = std::clamp(at.y() / 0.003, -1.0, 1.0);
     return Vec3(at.x(), at.y() + 1.5e-4 * cut * side * away_from_poles(v, 40), s.z);
   };
-  TexturedSheet sheet;
-  sheet.coarse = [point](double u, double v) { return point(u, v, false); };
-  sheet.fine = [point](double u, double v) { return point(u, v, true); };
-  sheet.around = 8;
-  sheet.along = 40;
-  sheet.fine_around = 352;
-  sheet.fine_along = 407;
-  return sheet;
+  return sheet_of(point, {8, 40}, {352, 407});
 }
 
 /// Flange with a boss, 100 x 100 x 45 mm, rough all over: waves of 5 mm, 0.3 mm high.
@@ -92,14 +102,7 @@ TexturedSheet cad_sheet() {
     const double d = 1.5e-4 * wave * away_from_poles(v, 16);
     return Vec3(at.x() + d * steep * out.x(), at.y() + d * steep * out.y(), s.z + d * level);
   };
-  TexturedSheet sheet;
-  sheet.coarse = [point](double u, double v) { return point(u, v, false); };
-  sheet.fine = [point](double u, double v) { return point(u, v, true); };
-  sheet.around = 24;
-  sheet.along = 16;
-  sheet.fine_around = 512;
-  sheet.fine_along = 644;
-  return sheet;
+  return sheet_of(point, {24, 16}, {512, 644});
 }
 
 /// A bar of round section along an axis: 0 x, 2 z; with knobs.
@@ -114,14 +117,7 @@ TexturedSheet bar_sheet(const std::vector<Station>& stations, double radius, int
     const Vec3 p(r * at.cos, r * at.sin, s.z);
     return Vec3(middle + (axis == 2 ? p : Vec3(p.z(), p.x(), p.y())));
   };
-  TexturedSheet sheet;
-  sheet.coarse = [point](double u, double v) { return point(u, v, false); };
-  sheet.fine = [point](double u, double v) { return point(u, v, true); };
-  sheet.around = 18;
-  sheet.along = along;
-  sheet.fine_around = 256;
-  sheet.fine_along = 424;
-  return sheet;
+  return sheet_of(point, {18, along}, {256, 424});
 }
 
 /// Head of 90 x 30 mm across a handle of 220 mm: two components.
@@ -138,20 +134,14 @@ std::vector<TexturedSheet> hammer_sheets() {
 
 /// Ring of 120 mm with a tube of 40 mm, wound about by ridges of 0.6 mm.
 TexturedSheet torus_sheet() {
-  const auto point = [](double u, double v, double relief) {
+  const auto point = [](double u, double v, bool is_fine) {
     const SinCos a = sin_cos(kTurn * u), b = sin_cos(kTurn * v);
-    const double r = 0.020 + relief * sine(kTurn * (40.0 * u + 6.0 * v));
+    const double r = 0.020 + (is_fine ? 3e-4 : 0.0) * sine(kTurn * (40.0 * u + 6.0 * v));
     const double out = 0.060 + r * b.cos;
     return Vec3(out * a.cos, out * a.sin, r * b.sin);
   };
-  TexturedSheet sheet;
-  sheet.coarse = [point](double u, double v) { return point(u, v, 0.0); };
-  sheet.fine = [point](double u, double v) { return point(u, v, 3e-4); };
+  TexturedSheet sheet = sheet_of(point, {19, 14}, {320, 200});
   sheet.is_ring = true;
-  sheet.around = 19;
-  sheet.along = 14;
-  sheet.fine_around = 320;
-  sheet.fine_along = 200;
   return sheet;
 }
 
@@ -170,14 +160,7 @@ TexturedSheet gear_sheet() {
     const SinCos at = sin_cos(kTurn * u);
     return Vec3(r * at.cos, r * at.sin, s.z);
   };
-  TexturedSheet sheet;
-  sheet.coarse = [point](double u, double v) { return point(u, v, false); };
-  sheet.fine = [point](double u, double v) { return point(u, v, true); };
-  sheet.around = 80;
-  sheet.along = 11;
-  sheet.fine_around = 160;
-  sheet.fine_along = 81;
-  return sheet;
+  return sheet_of(point, {80, 11}, {160, 81});
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 
 #include <cstdio>
 
-#include <cstring>
-
 #include "json_out.h"
 #include "run_session.h"
 #include "verbs.h"
@@ -21,11 +19,6 @@ struct Verdict {
   ReplayReport report;
   std::uint64_t recorded_hash = 0;
 };
-
-bool same_bits(const BodyState& a, const BodyState& b) {
-  const Vec13 x = to_vector(a), y = to_vector(b);
-  return std::memcmp(x.data(), y.data(), sizeof(double) * 13) == 0;
-}
 
 /// Simulates the recorded scene again, with the seed and resolution of the recording.
 ReplayReport replay_simulation(const Recording& recording, const RecordedConfig& config) {

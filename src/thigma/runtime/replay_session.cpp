@@ -37,12 +37,6 @@ bool same_bits(const Quat& a, const Quat& b) {
   return true;
 }
 
-bool same_bits(const BodyState& a, const BodyState& b) {
-  return same_bits(a.position, b.position) && same_bits(a.orientation, b.orientation) &&
-         same_bits(a.linear_momentum, b.linear_momentum) &&
-         same_bits(a.angular_momentum, b.angular_momentum);
-}
-
 bool same_bits(const Wrench& a, const Wrench& b) {
   return same_bits(a.force, b.force) && same_bits(a.torque, b.torque);
 }
@@ -67,6 +61,12 @@ std::string difference(const HapticSample& recorded, const HapticSample& replaye
 }
 
 }  // namespace
+
+bool same_bits(const BodyState& a, const BodyState& b) noexcept {
+  return same_bits(a.position, b.position) && same_bits(a.orientation, b.orientation) &&
+         same_bits(a.linear_momentum, b.linear_momentum) &&
+         same_bits(a.angular_momentum, b.angular_momentum);
+}
 
 ReplayReport replay_session(const HapticParams& params, const Pose& world_from_body,
                             const std::vector<HapticSample>& samples,

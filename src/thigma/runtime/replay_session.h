@@ -32,4 +32,8 @@ ReplayReport replay_session(const HapticParams& params, const Pose& world_from_b
                             const std::vector<HapticSample>& samples,
                             const std::vector<ContactSample>& models);
 
+/// Whether two states are the same bit for bit: 0 and -0 differ, NaNs with the same bits do not.
+/// Thread    [any].
+bool same_bits(const BodyState& a, const BodyState& b) noexcept;
+
 }  // namespace thigma
