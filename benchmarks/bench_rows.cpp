@@ -1,5 +1,7 @@
 #include "benchmarks/bench_rows.h"
 
+#include <cstdio>
+
 #include "benchmarks/baselines/fcl_baseline.h"
 #include "benchmarks/clod_build_bench.h"
 #include "benchmarks/drop_bench.h"
@@ -112,6 +114,12 @@ std::vector<Row> build_rows(bool quick) {
 }
 
 }  // namespace
+
+std::string number(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
 
 std::vector<Measurement> measurements(bool quick) {
   std::vector<Measurement> all = {

@@ -33,6 +33,9 @@ struct Row {
   std::string note;
 };
 
+/// value as printf writes it with this format.
+std::string number(const char* format, double value);
+
 /// A named measurement; several rows may come from one.
 struct Measurement {
   std::string name;  // matched by --filter

@@ -26,12 +26,6 @@ void reset_peak() {
   clear << "5";
 }
 
-std::string number(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 }  // namespace
 
 ClodHierarchy build_measured(const TriangleMesh& mesh, double contact_tolerance,

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kFrame = 0.030;      // [s]
 constexpr double kLongest = 3.0;      // of the simulation [s]
-constexpr std::size_t kRoom = 20'000;
+constexpr std::size_t kDropRoom = 20'000;
 
 /// The world of the built-in scene, with hierarchies of its own.
 struct DropCase {
@@ -70,7 +70,7 @@ DropTiming measure(const DropCase& drop, const std::vector<std::vector<Pose>>& f
   ContactFront front;
   reserve_front(front, drop.spoon, drop.cup);
   ContactSet set;
-  set.contacts.reserve(kRoom);
+  set.contacts.reserve(kDropRoom);
   double queries = 0.0;
   for (const std::vector<Pose>& frame : frames) {
     double seconds = 0.0;

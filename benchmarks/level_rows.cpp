@@ -30,12 +30,6 @@ Resolution levels(double cap, double budget = 0.0) {
   return r;
 }
 
-std::string number(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 Row level_row(const BenchPair& pair, const LevelTiming& ours,
               const std::optional<LevelTiming>& exact) {
   Row row;

@@ -41,6 +41,9 @@ function(thigma_test name)
   # One ctest entry an executable: gtest's own cases are counted by scripts/test from its XML.
   add_test(NAME ${name} COMMAND ${name} --gtest_output=xml:${CMAKE_BINARY_DIR}/results/${name}.xml)
   set_tests_properties(${name} PROPERTIES LABELS "${T_LABEL}" TIMEOUT ${T_TIMEOUT})
+  if(T_LABEL MATCHES "slow|property")
+    set_tests_properties(${name} PROPERTIES COST 100)  # begun first, so that none runs alone at the end
+  endif()
   thigma_test_environment(${name})
 endfunction()
 

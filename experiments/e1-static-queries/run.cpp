@@ -16,6 +16,7 @@
 #include "thigma/math/random.h"
 
 namespace thigma::experiments {
+namespace e1_static_queries {
 namespace {
 
 constexpr double kDistances[] = {-0.02, -0.01, -0.005, -0.001, 0.0, 0.001, 0.002,
@@ -142,8 +143,10 @@ std::string interval(const LineFit& fit) {
 }
 
 }  // namespace
+}  // namespace e1_static_queries
 
 Outcome run_e1_static_queries(const Context& context) {
+  using namespace e1_static_queries;
   std::vector<int> counts = {1000, 3000, 10'000, 30'000, 100'000};
   if (!context.quick) counts.push_back(1'000'000);
   const int poses = context.quick ? 16 : 1000;

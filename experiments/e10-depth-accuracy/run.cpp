@@ -15,6 +15,7 @@
 #include "thigma/texture/depth_gradient.h"
 
 namespace thigma::experiments {
+namespace e10_depth_accuracy {
 namespace {
 
 constexpr double kSide = 0.02, kUpper = 2e-4, kLower = 3e-4;  // of a plate, amplitudes of its waves [m]
@@ -248,8 +249,10 @@ double largest(const std::vector<double>& values) {
 }
 
 }  // namespace
+}  // namespace e10_depth_accuracy
 
 Outcome run_e10_depth_accuracy(const Context& context) {
+  using namespace e10_depth_accuracy;
   constexpr int kResolutions[] = {25, 50, 100, 200};
   Outcome outcome;
   outcome.tables = {

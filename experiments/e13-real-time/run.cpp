@@ -9,6 +9,7 @@
 #include "experiments/common/session_pair.h"
 
 namespace thigma::experiments {
+namespace e13_real_time {
 namespace {
 
 constexpr double kRates[] = {500.0, 1000.0, 2000.0, 5000.0, 10000.0};
@@ -101,8 +102,10 @@ void add_threaded(const SessionPair& session, double rate, double seconds, Outco
 }
 
 }  // namespace
+}  // namespace e13_real_time
 
 Outcome run_e13_real_time(const Context& context) {
+  using namespace e13_real_time;
   const double seconds = context.quick ? 3.0 : 20.0;
   const double threaded = context.quick ? 0.5 : 60.0;
   SessionPair session = session_pair(*context.assets, "simple_cup_spoon", seconds,

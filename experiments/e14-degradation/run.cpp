@@ -13,6 +13,7 @@
 #include "thigma/math/rotation.h"
 
 namespace thigma::experiments {
+namespace e14_degradation {
 namespace {
 
 constexpr double kTestBudgets[] = {500, 1000, 2000, 4000, 8000, 16000};
@@ -133,8 +134,10 @@ TimeVerdict judge(const std::vector<Result>& results, double one_test) {
 }
 
 }  // namespace
+}  // namespace e14_degradation
 
 Outcome run_e14_degradation(const Context& context) {
+  using namespace e14_degradation;
   const int triangles = context.quick ? 100'000 : 1'000'000;
   Assets own{.kept = context.assets->kept};  // of these alone: the large ones do not stay
   const Pair pair = [&] {

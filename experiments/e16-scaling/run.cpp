@@ -12,6 +12,7 @@
 #include "thigma/math/quantile.h"
 
 namespace thigma::experiments {
+namespace e16_scaling {
 namespace {
 
 /// One count of triangles.
@@ -98,8 +99,10 @@ plot::Series curve(const char* label, const std::vector<Size>& sizes, double Siz
 }
 
 }  // namespace
+}  // namespace e16_scaling
 
 Outcome run_e16_scaling(const Context& context) {
+  using namespace e16_scaling;
   std::vector<int> counts = {1000, 3000, 10'000, 30'000, 100'000};
   if (!context.quick) counts.insert(counts.end(), {300'000, 1'000'000});
   const Pair jaws = scene_pair(*context.assets, "jaws");

@@ -11,6 +11,7 @@
 #include "thigma/runtime/contact_step.h"
 
 namespace thigma::experiments {
+namespace e2_force_quality {
 namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
@@ -135,8 +136,10 @@ double spread(const std::vector<int>& segments, int frames, const Context& conte
 }
 
 }  // namespace
+}  // namespace e2_force_quality
 
 Outcome run_e2_force_quality(const Context& context) {
+  using namespace e2_force_quality;
   Outcome outcome;
   outcome.tables = {{.columns = {"scene", "magnitude error", "direction error [deg]",
                                  "largest torque error", "largest step", "scale"}}};

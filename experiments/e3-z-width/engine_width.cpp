@@ -14,7 +14,7 @@ namespace {
 constexpr double kRadius = 0.015, kMass = 0.010;             // of the object [m, kg]
 constexpr double kMoment = 0.4 * kMass * kRadius * kRadius;  // a ball's [kg m^2]
 constexpr double kContactStiffness = 6000.0;                 // as `tune` proposes for 10 g [N/m]
-constexpr double kTolerance = 5e-5;                          // [m]
+constexpr double kWallTolerance = 5e-5;                      // [m]
 constexpr double kCalmLinear = 300.0, kCalmAngular = 0.05;   // [N/m, N m/rad]
 constexpr double kJudged = 0.25;  // of three seconds: creep of a settling hand is no swing [s]
 // Of the grasp point where rotation is asked about, so that pressing turns the object; held in the middle otherwise, or
@@ -78,7 +78,7 @@ SessionConfig session(const Place& place, double k_c, double k_t, double lever) 
   config.haptic.safety.max_speed = 100.0;
   config.haptic.safety.pose_jump = 1.0;
   config.contact.source = place.contacts;
-  config.contact.tolerance = kTolerance;
+  config.contact.tolerance = kWallTolerance;
   config.contact.response = {.stiffness = kContactStiffness,
                              .damping = critical(kContactStiffness, kMass)};
   config.contact.capacity = 64;

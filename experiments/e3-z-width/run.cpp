@@ -11,6 +11,7 @@
 #include "thigma/runtime/passivity.h"
 
 namespace thigma::experiments {
+namespace e3_z_width {
 namespace {
 
 constexpr double kPeriod = 1e-3;
@@ -204,8 +205,10 @@ void run_engine(const Context& context, Outcome& outcome) {
 }
 
 }  // namespace
+}  // namespace e3_z_width
 
 Outcome run_e3_z_width(const Context& context) {
+  using namespace e3_z_width;
   Outcome outcome;
   outcome.tables = {{.columns = {"device", "period [s]", "delay [s]", "held", "B [N s/m]",
                                  "largest stable K [N/m]"}}};

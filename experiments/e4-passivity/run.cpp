@@ -13,6 +13,7 @@
 #include "thigma/runtime/passive_session.h"
 
 namespace thigma::experiments {
+namespace e4_passivity {
 namespace {
 
 constexpr double kDelay = 0.015;   // [s]
@@ -82,8 +83,10 @@ void add(const std::string& scene, double delay, bool is_controlled, const Ran& 
 }
 
 }  // namespace
+}  // namespace e4_passivity
 
 Outcome run_e4_passivity(const Context& context) {
+  using namespace e4_passivity;
   Outcome outcome;
   outcome.tables = {
       {.columns = {"scene", "delay [s]", "controlled", "least energy [J]",

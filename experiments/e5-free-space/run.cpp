@@ -11,6 +11,7 @@
 #include "thigma/math/rotation.h"
 
 namespace thigma::experiments {
+namespace e5_free_space {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846, kPeriod = 1e-3;
@@ -134,8 +135,10 @@ double analytic_mass(double mass, double hertz) {
 }
 
 }  // namespace
+}  // namespace e5_free_space
 
 Outcome run_e5_free_space(const Context&) {
+  using namespace e5_free_space;
   Outcome outcome;
   outcome.tables = {
       {.columns = {"run", "k_c [N/m]", "k_theta [N m/rad]", "mass [kg]", "whole",

@@ -9,6 +9,7 @@
 #include "thigma/device/hand.h"
 
 namespace thigma::experiments {
+namespace e6_impact {
 namespace {
 
 constexpr double kPeriod = 1e-3, kMass = 0.010, kMoment = 1e-6;
@@ -122,8 +123,10 @@ std::vector<double> taps(double seconds) {
 }
 
 }  // namespace
+}  // namespace e6_impact
 
 Outcome run_e6_impact(const Context& context) {
+  using namespace e6_impact;
   Outcome outcome;
   outcome.tables = {{.columns = {"step [m]", "speed [m/s]", "final force [N]", "rise [s]",
                                  "overshoot", "settling [s]", "penetration [m]",

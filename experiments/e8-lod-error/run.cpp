@@ -9,6 +9,7 @@
 #include "experiments/common/statistics.h"
 
 namespace thigma::experiments {
+namespace e8_lod_error {
 namespace {
 
 const std::vector<double> kThresholds = {0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.2};
@@ -80,8 +81,10 @@ plot::Panel error_panel(const char* title) {
 }
 
 }  // namespace
+}  // namespace e8_lod_error
 
 Outcome run_e8_lod_error(const Context& context) {
+  using namespace e8_lod_error;
   Outcome outcome;
   outcome.tables = {{.columns = {"scene", "cap", "s0", "force error", "force error, fitted",
                                  "torque error", "torque error, fitted", "force correlation",

@@ -5,6 +5,7 @@
 #include "experiments/common/hands.h"
 
 namespace thigma::experiments {
+namespace fig_3_15 {
 namespace {
 
 std::vector<Claim> make_claims(const Profile&, const Profile&, const ProfileStudy& study) {
@@ -17,8 +18,10 @@ std::vector<Claim> make_claims(const Profile&, const Profile&, const ProfileStud
 }
 
 }  // namespace
+}  // namespace fig_3_15
 
 Outcome run_fig_3_15(const Context& context) {
+  using namespace fig_3_15;
   return run_profile(
       context, {.scene = "jaws",
                 .hand = jaws_hand,

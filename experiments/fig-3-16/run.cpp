@@ -6,6 +6,7 @@
 #include "experiments/common/statistics.h"
 
 namespace thigma::experiments {
+namespace fig_3_16 {
 namespace {
 
 std::vector<Claim> make_claims(const Profile& exact, const Profile& coarse, const ProfileStudy&) {
@@ -18,8 +19,10 @@ std::vector<Claim> make_claims(const Profile& exact, const Profile& coarse, cons
 }
 
 }  // namespace
+}  // namespace fig_3_16
 
 Outcome run_fig_3_16(const Context& context) {
+  using namespace fig_3_16;
   return run_profile(
       context, {.scene = "golf",
                 .hand = golf_hand,

@@ -8,6 +8,7 @@
 #include "experiments/common/statistics.h"
 
 namespace thigma::experiments {
+namespace fig_3_18 {
 namespace {
 
 constexpr double kCoarsest = 0.035;  // s0 at the speed of the first impact, over the radius
@@ -64,8 +65,10 @@ plot::Series curve(const char* label, const std::vector<Sight>& all, double Sigh
 }
 
 }  // namespace
+}  // namespace fig_3_18
 
 Outcome run_fig_3_18(const Context& context) {
+  using namespace fig_3_18;
   SpoonDrop drop = spoon_drop(*context.assets, context.quick ? 8000 : 0);
   const double impact = first_impact_speed(drop);
   Resolution& resolution = drop.world.resolution;

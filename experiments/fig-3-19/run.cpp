@@ -11,6 +11,7 @@
 #include "thigma/math/quantile.h"
 
 namespace thigma::experiments {
+namespace fig_3_19 {
 namespace {
 
 constexpr int kFrames = 35;
@@ -101,8 +102,10 @@ plot::Series curve(const char* label, const std::vector<double>& y, double scale
 }
 
 }  // namespace
+}  // namespace fig_3_19
 
 Outcome run_fig_3_19(const Context& context) {
+  using namespace fig_3_19;
   const int triangles = context.quick ? 8000 : 0;
   const double at_once = time_of_impact(spoon_drop(*context.assets, triangles));
   const double slower = at_once / (kFrames * kFrame);

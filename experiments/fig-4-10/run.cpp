@@ -6,6 +6,7 @@
 #include "experiments/common/hand_on_wave.h"
 
 namespace thigma::experiments {
+namespace fig_4_10 {
 namespace {
 
 constexpr double kLarge[] = {4e-3, 6e-3, 8e-3}, kSmall[] = {5e-4, 7e-4, 1e-3};  // [m]
@@ -46,8 +47,10 @@ void add_claims(const std::string& suffix, const std::string& how,
 }
 
 }  // namespace
+}  // namespace fig_4_10
 
 Outcome run_fig_4_10(const Context& context) {
+  using namespace fig_4_10;
   return run_roughness(context, "Exploratory speed (Fig. 4.10)", curves(context.quick), add_claims);
 }
 

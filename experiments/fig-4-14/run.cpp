@@ -8,6 +8,7 @@
 #include "experiments/common/textured_session.h"
 
 namespace thigma::experiments {
+namespace fig_4_14 {
 namespace {
 
 constexpr double kPress = 0.003, kGap = 0.0015;          // as in fig-4-15 [m]
@@ -56,8 +57,10 @@ double resting(const Curves& c, std::size_t begin) {
 }
 
 }  // namespace
+}  // namespace fig_4_14
 
 Outcome run_fig_4_14(const Context& context) {
+  using namespace fig_4_14;
   const double across = context.quick ? 2.0 : 3.0;
   const double seconds = kDown + 0.4 + kAlong + across;
   const auto session = textured_session("blocks", true, [&](scenes::SceneDescription& scene) {

@@ -11,6 +11,7 @@
 #include "thigma/math/rotation.h"
 
 namespace thigma::experiments {
+namespace fig_4_15 {
 namespace {
 
 constexpr double kPress = 0.003;              // of the target beyond where the block rests [m]
@@ -63,8 +64,10 @@ double opposing(const Curves& c) {
 }
 
 }  // namespace
+}  // namespace fig_4_15
 
 Outcome run_fig_4_15(const Context& context) {
+  using namespace fig_4_15;
   const double seconds = context.quick ? 6.0 : 12.0;
   const auto session = textured_session("blocks", true, [&](scenes::SceneDescription& scene) {
     for (scenes::SceneObject* o : {&scene.object, &scene.statics[0]})

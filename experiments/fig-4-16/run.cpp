@@ -12,6 +12,7 @@
 #include "thigma/texture/depth_gradient.h"
 
 namespace thigma::experiments {
+namespace fig_4_16 {
 namespace {
 
 /// Two blocks at random poses against each other.
@@ -60,8 +61,10 @@ double time_frame(std::span<const DepthContact> contacts, DepthBackend& backend,
 }
 
 }  // namespace
+}  // namespace fig_4_16
 
 Outcome run_fig_4_16(const Context& context) {
+  using namespace fig_4_16;
   constexpr int kCounts[] = {1, 2, 5, 10, 20, 30, 40};
   constexpr GradientKind kKinds[] = {GradientKind::central_differences,
                                      GradientKind::smoothed_envelope, GradientKind::envelope};

@@ -6,6 +6,7 @@
 #include "experiments/common/hand_on_wave.h"
 
 namespace thigma::experiments {
+namespace fig_4_8 {
 namespace {
 
 std::vector<Roughness> curves() {
@@ -46,8 +47,10 @@ void add_claims(const std::string& suffix, const std::string& how,
 }
 
 }  // namespace
+}  // namespace fig_4_8
 
 Outcome run_fig_4_8(const Context& context) {
+  using namespace fig_4_8;
   return run_roughness(context, "Probe diameter (Fig. 4.8)", curves(), add_claims);
 }
 

@@ -6,6 +6,7 @@
 #include "experiments/common/hand_on_wave.h"
 
 namespace thigma::experiments {
+namespace fig_4_9 {
 namespace {
 
 std::vector<Roughness> curves() {
@@ -34,8 +35,10 @@ void add_claims(const std::string& suffix, const std::string& how,
 }
 
 }  // namespace
+}  // namespace fig_4_9
 
 Outcome run_fig_4_9(const Context& context) {
+  using namespace fig_4_9;
   return run_roughness(context, "Normal force (Fig. 4.9)", curves(), add_claims);
 }
 

@@ -12,6 +12,7 @@
 #include "thigma/math/quantile.h"
 
 namespace thigma::experiments {
+namespace fig_5_10 {
 namespace {
 
 constexpr double kTolerance = 2e-5;  // of the response [m]
@@ -122,8 +123,10 @@ void add(const Way& way, const Ran& ran, Outcome& outcome) {
 }
 
 }  // namespace
+}  // namespace fig_5_10
 
 Outcome run_fig_5_10(const Context& context) {
+  using namespace fig_5_10;
   Outcome outcome;
   outcome.tables = {
       {.columns = {"threshold", "contact rate [Hz]", "linearized", "clusters",

@@ -10,6 +10,7 @@
 #include "thigma/math/elementary.h"
 
 namespace thigma::experiments {
+namespace fig_5_12 {
 namespace {
 
 constexpr double kWave = 0.035;             // of the ridges of scenes/plate.toml [m]
@@ -114,8 +115,10 @@ void add_frames(const char* plate, const ScriptRun& run, Outcome& outcome, plot:
 }
 
 }  // namespace
+}  // namespace fig_5_12
 
 Outcome run_fig_5_12(const Context& context) {
+  using namespace fig_5_12;
   const int texels = context.quick ? 512 : 1024;
   const auto make = [&](bool is_textured) {
     auto session = textured_session("plate", is_textured, [&](scenes::SceneDescription& scene) {

@@ -12,6 +12,7 @@
 #include "thigma/math/rotation.h"
 
 namespace thigma::experiments {
+namespace fig_5_6 {
 namespace {
 
 // reference/EXPERIMENTS (b).
@@ -101,8 +102,10 @@ const char* name(Integrator integrator) {
 }
 
 }  // namespace
+}  // namespace fig_5_6
 
 Outcome run_fig_5_6(const Context&) {
+  using namespace fig_5_6;
   Outcome outcome;
   outcome.tables = {{.columns = {"integrator", "mass [kg]", "stable", "largest deviation [m]",
                                  "largest force [N]"}}};

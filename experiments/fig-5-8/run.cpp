@@ -8,6 +8,7 @@
 #include "experiments/common/statistics.h"
 
 namespace thigma::experiments {
+namespace fig_5_8 {
 namespace {
 
 constexpr double kTolerance = 2e-5;          // of the response [m]
@@ -88,8 +89,10 @@ void draw(const Setting& setting, const Ran& ran, double period, Outcome& outcom
 }
 
 }  // namespace
+}  // namespace fig_5_8
 
 Outcome run_fig_5_8(const Context& context) {
+  using namespace fig_5_8;
   SessionPair session = session_pair(*context.assets, "simple_cup_spoon", 3.0);
   SessionConfig& config = session.config;
   config.contact.resolution.is_exact = true;

@@ -15,6 +15,7 @@
 #include "thigma/mesh/shapes.h"
 
 namespace thigma::experiments {
+namespace force_steps {
 namespace {
 
 constexpr double kSide = 0.02;       // of the cube [m]
@@ -140,8 +141,10 @@ void add(const std::string& what, const Steps& s, Outcome& outcome) {
 }
 
 }  // namespace
+}  // namespace force_steps
 
 Outcome run_force_steps(const Context& context) {
+  using namespace force_steps;
   Outcome outcome;
   outcome.tables = {{.columns = {"what", "step where something switches [N]", "step elsewhere [N]",
                                  "torque step where something switches [N m]",

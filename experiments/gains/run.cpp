@@ -17,6 +17,7 @@
 #include "thigma/runtime/placement.h"
 
 namespace thigma::experiments {
+namespace gains {
 namespace {
 
 struct Held {
@@ -190,8 +191,10 @@ void run_case(const Bench& bench, const DeviceModel& model, int dof, bool is_qui
 }
 
 }  // namespace
+}  // namespace gains
 
 Outcome run_gains(const Context& context) {
+  using namespace gains;
   Outcome outcome;
   outcome.tables = {
       {.columns = {"device", "dof", "object", "mass [kg]", "motion scale", "k_c [N/m]",

@@ -14,6 +14,7 @@
 #include "thigma/runtime/placement.h"
 
 namespace thigma::experiments {
+namespace hammer_on_torus {
 namespace {
 
 struct LedRun {
@@ -114,8 +115,10 @@ plot::Series force_series(const std::string& label, const LedRun& run) {
 }
 
 }  // namespace
+}  // namespace hammer_on_torus
 
 Outcome run_hammer_on_torus(const Context& context) {
+  using namespace hammer_on_torus;
   Outcome outcome;
   outcome.tables = {{.name = "data",
                      .columns = {"scene", "texture", "gradient", "force max [N]", "depth max [m]",

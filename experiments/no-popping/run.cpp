@@ -12,6 +12,7 @@
 #include "thigma/math/quantile.h"
 
 namespace thigma::experiments {
+namespace no_popping {
 namespace {
 
 constexpr const char* kScenes[] = {"jaws", "golf", "ball_joint"};
@@ -129,8 +130,10 @@ void add_scene(const std::string& scene, const std::vector<SessionSummary>& all,
 }
 
 }  // namespace
+}  // namespace no_popping
 
 Outcome run_no_popping(const Context& context) {
+  using namespace no_popping;
   Outcome outcome;
   outcome.tables = {
       {.columns = {"scene", "query", "step where a level changes [N]", "step elsewhere [N]",

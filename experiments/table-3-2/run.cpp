@@ -7,6 +7,7 @@
 #include "experiments/common/assets.h"
 
 namespace thigma::experiments {
+namespace table_3_2 {
 namespace {
 
 /// A row of the source's table.
@@ -116,8 +117,10 @@ void add_model(const SourceRow& source, const ClodHierarchy& h, const Row& row, 
 }
 
 }  // namespace
+}  // namespace table_3_2
 
 Outcome run_table_3_2(const Context& context) {
+  using namespace table_3_2;
   Outcome outcome;
   outcome.tables = {
       {.columns = {"model", "whose", "triangles", "patches", "coarsest triangles",

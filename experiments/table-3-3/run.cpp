@@ -14,6 +14,7 @@
 #include "thigma/math/rotation.h"
 
 namespace thigma::experiments {
+namespace table_3_3 {
 namespace {
 
 constexpr double kDifference = 0.07;  // just-noticeable difference of force, published
@@ -168,8 +169,10 @@ std::vector<Claim> make_claims(const std::vector<double>& left) {
 }
 
 }  // namespace
+}  // namespace table_3_3
 
 Outcome run_table_3_3(const Context& context) {
+  using namespace table_3_3;
   const std::string ball_uri = model_uri("golf_ball", context.quick ? 44'000 : 177'876);
   ClodHierarchy ellipsoid = build_exact_hierarchy(make_mesh(model_uri("ellipsoid", 2000)));
   // Without levels it has no support areas of its own: those of the ball decide (Eq. 3.7, the larger).

@@ -11,6 +11,7 @@
 #include "thigma/clod/build_hierarchy.h"
 
 namespace thigma::experiments {
+namespace table_4_1 {
 namespace {
 
 struct Row41 {
@@ -35,8 +36,10 @@ double fine_count(const Row41& row) {
 }
 
 }  // namespace
+}  // namespace table_4_1
 
 Outcome run_table_4_1(const Context& context) {
+  using namespace table_4_1;
   Outcome outcome;
   outcome.tables = {{.name = "data",
                      .columns = {"model", "fine triangles", "fine, text", "coarse triangles",

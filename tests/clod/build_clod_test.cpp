@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "support/shared.h"
+#include "clod/distance_by_loop.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_hierarchy.h"
@@ -125,16 +126,6 @@ TEST(BuildClod, HausdorffDistancesReachEveryDescendant) {
   }
 }
 
-double distance_by_loop(const TriangleMesh& mesh, const Vec3& p) {
-  double nearest = 1e300;
-  for (const auto& t : mesh.triangles)
-    nearest =
-        std::min(nearest, point_triangle_distance(p, mesh.positions[static_cast<std::size_t>(t[0])],
-                                                  mesh.positions[static_cast<std::size_t>(t[1])],
-                                                  mesh.positions[static_cast<std::size_t>(t[2])]));
-  return nearest;
-}
-
 TEST(BuildClod, DeviationsBoundBothDirections) {
   const TriangleMesh mesh = wavy_ball(8);
   ClodReport report;
@@ -154,7 +145,7 @@ TEST(BuildClod, DeviationsBoundBothDirections) {
       if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
       const Vec3 p = (1.0 - u - v) * hull.vertices[t.corner[0]] + u * hull.vertices[t.corner[1]] +
                      v * hull.vertices[t.corner[2]];
-      const double distance = distance_by_loop(mesh, p);
+      const double distance = test::distance_by_loop(mesh, p);
       EXPECT_LE(distance, c.deviation * (1.0 + 1e-9));
     }
     worst = std::max(worst, c.deviation);
@@ -174,7 +165,7 @@ TEST(BuildClod, DeviationsBoundBothDirections) {
       const TriangleMesh& level =
           report.simplification.levels[static_cast<std::size_t>(node.level)].mesh;
       const auto v = random.below(static_cast<std::uint64_t>(hull.vertex_count));
-      EXPECT_LE(distance_by_loop(level, hull.vertices[v]),
+      EXPECT_LE(test::distance_by_loop(level, hull.vertices[v]),
                 h.contact_patches[static_cast<std::size_t>(node.contact)].deviation * (1.0 + 1e-9));
     }
   }

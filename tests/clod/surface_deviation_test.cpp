@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "clod/distance_by_loop.h"
 #include <gtest/gtest.h>
 
 #include "thigma/convex/growing_hull.h"
@@ -17,16 +18,6 @@ double bound(const DeviationTarget& target, const std::array<Vec3, 3>& triangle,
   return bound_deviation(target, triangle, reach, 0.0, nearest);
 }
 
-double distance_by_loop(const TriangleMesh& mesh, const Vec3& p) {
-  double nearest = 1e300;
-  for (const auto& t : mesh.triangles)
-    nearest =
-        std::min(nearest, point_triangle_distance(p, mesh.positions[static_cast<std::size_t>(t[0])],
-                                                  mesh.positions[static_cast<std::size_t>(t[1])],
-                                                  mesh.positions[static_cast<std::size_t>(t[2])]));
-  return nearest;
-}
-
 /// Largest distance over a grid of points of the triangle.
 double sampled(const TriangleMesh& mesh, const std::array<Vec3, 3>& c) {
   double largest = 0.0;
@@ -35,7 +26,7 @@ double sampled(const TriangleMesh& mesh, const std::array<Vec3, 3>& c) {
     for (int j = 0; i + j <= n; ++j) {
       const double u = static_cast<double>(i) / n, v = static_cast<double>(j) / n;
       largest =
-          std::max(largest, distance_by_loop(mesh, c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0])));
+          std::max(largest, test::distance_by_loop(mesh, c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0])));
     }
   return largest;
 }
@@ -47,7 +38,7 @@ TEST(SurfaceDeviation, NearestDistanceIsThatOfALoop) {
   for (int i = 0; i < 300; ++i) {
     const Vec3 p = random.in_cube(1.6);
     auto guess = static_cast<std::int32_t>(random.below(mesh.triangles.size()));
-    EXPECT_EQ(nearest_distance(target, p, guess), distance_by_loop(mesh, p));
+    EXPECT_EQ(nearest_distance(target, p, guess), test::distance_by_loop(mesh, p));
   }
 }
 

@@ -1,4 +1,5 @@
 #include "thigma/contact/error_metric.h"
+#include "thigma/math/infinity.h"
 
 #include <limits>
 
@@ -6,8 +7,6 @@
 
 namespace thigma {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(ErrorMetric, larger_feature_over_larger_area_decides) {
   const LevelError coarse{

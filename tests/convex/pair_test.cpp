@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "thigma/convex/triangle_distance.h"
+#include "thigma/math/infinity.h"
 
 namespace thigma {
 namespace {
@@ -16,7 +17,6 @@ using test::PointHull;
 using test::random_hull;
 using test::random_pose;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Distance of two hulls as the least over all triangles (with repeated corners: segments and
 // points) that their vertices span, or 0 when one contains the other: every face of the hull is

@@ -7,12 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "thigma/convex/triangle_distance.h"
+#include "thigma/math/infinity.h"
 #include "thigma/mesh/shapes.h"
 
 namespace thigma {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Two open bowls (lower halves of an octahedron): their hulls have a virtual lid.
 struct Bowl {

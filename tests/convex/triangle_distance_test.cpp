@@ -1,4 +1,5 @@
 #include "thigma/convex/triangle_distance.h"
+#include "thigma/math/infinity.h"
 
 #include <cmath>
 #include <limits>
@@ -8,8 +9,6 @@
 
 namespace thigma {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Nearest point of triangle t to p: alternating projections need no case distinction (Dykstra), but
 // converge slowly; a golden-section search over one barycentric coordinate of an exact

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "device/tick.h"
 #include <gtest/gtest.h>
 
 #include "thigma/device/hand.h"
@@ -13,7 +14,7 @@
 namespace thigma {
 namespace {
 
-constexpr double kTick = 1e-3;
+using test::kTick;
 constexpr double kDepth = 0.02;  // of the wall along the approach
 
 struct Played {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "device/tick.h"
 #include <gtest/gtest.h>
 
 #include "support/plain_hands.h"
@@ -10,7 +11,7 @@
 namespace thigma {
 namespace {
 
-constexpr double kTick = 1e-3;
+using test::kTick;
 
 using test::bare_mass;
 using test::resting;

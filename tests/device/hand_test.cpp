@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "device/tick.h"
 #include <gtest/gtest.h>
 
 #include "thigma/math/rotation.h"
@@ -13,7 +14,7 @@
 namespace thigma {
 namespace {
 
-constexpr double kTick = 1e-3;
+using test::kTick;
 
 using test::bare_mass;
 using test::resting;

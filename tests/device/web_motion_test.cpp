@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "device/tick.h"
 #include <gtest/gtest.h>
 
 #include "thigma/math/elementary.h"
@@ -11,7 +12,7 @@
 namespace thigma {
 namespace {
 
-constexpr double kTick = 1e-3;
+using test::kTick;
 
 WebSample sample(double time, const Vec3& position, std::uint32_t buttons = kClutchButton) {
   return {time, {position, Quat::Identity()}, buttons};

@@ -6,14 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "thigma/core/index.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/mesh/shapes.h"
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 using Edges = std::set<std::pair<std::int32_t, std::int32_t>>;
 

@@ -31,7 +31,7 @@ SessionConfig direct_plane(const DeviceLimits& limits) {
 }
 
 /// The step with a device in the test's hand; one contact frame before each haptic one.
-struct Bench {
+struct DirectBench {
   HeldDevice device;
   SessionConfig config;
   std::unique_ptr<Latest<LinearContactModel>> models =
@@ -41,7 +41,7 @@ struct Bench {
   ContactSample contact;
   double now = 0.0;
 
-  Bench() {
+  DirectBench() {
     device.device_limits = soft_device();
     config = direct_plane(device.device_limits);
     config.haptic.safety.start_ramp = 0.0;
@@ -100,7 +100,7 @@ TEST(DirectSession, ASafetyLimitBelowTheDevicesCounts) {
 TEST(DirectSession, ForceIsStiffnessTimesWhatIsLeftOfTheTolerance) {
   for (const double gap : {0.0038, 0.003, 0.002, 0.001, 1e-5}) {
     SCOPED_TRACE(gap);
-    Bench b;
+    DirectBench b;
     const HapticSample s = b.lower_to(gap);
     ASSERT_TRUE(s.is_armed);
     EXPECT_NEAR(s.command.force.z(), 500.0 * (0.004 - gap), 1e-6);
@@ -115,7 +115,7 @@ TEST(DirectSession, ForceIsStiffnessTimesWhatIsLeftOfTheTolerance) {
 }
 
 TEST(DirectSession, TheObjectFollowsTheHandExactlyAndThroughTheSurface) {
-  Bench b;
+  DirectBench b;
   const HapticSample s = b.lower_to(-0.003);
   EXPECT_NEAR(s.penetration, 0.003, 1e-9);
   EXPECT_NEAR(s.command.force.norm(), 2.0, 1e-9);  // no more than the device has
@@ -125,7 +125,7 @@ TEST(DirectSession, TheObjectFollowsTheHandExactlyAndThroughTheSurface) {
 }
 
 TEST(DirectSession, AStaleModelFadesToZeroAndLatches) {
-  Bench b;
+  DirectBench b;
   HapticSample s = b.lower_to(0.001);
   const double full = s.command.force.z();
   double before = full;
@@ -143,7 +143,7 @@ TEST(DirectSession, AStaleModelFadesToZeroAndLatches) {
 }
 
 TEST(DirectSession, ALostDeviceGetsZeroAndTheObjectStays) {
-  Bench b;
+  DirectBench b;
   const HapticSample before = b.lower_to(0.001);
   b.device.state.status = DeviceStatus::lost;
   const HapticSample s = b.tick();

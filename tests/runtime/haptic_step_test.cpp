@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "thigma/math/elementary.h"
+#include "thigma/math/infinity.h"
 
 namespace thigma {
 namespace {
@@ -269,7 +270,6 @@ TEST(HapticStep, FaultsSendZeroInTheSameTickAndStay) {
 
 TEST(HapticStep, AStepWithoutATimeOrALengthIsAFault) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const HapticTick ticks[] = {{1.0, 0.0, Fault::none},
                               {1.0, -1e-3, Fault::none},
                               {1.0, kNan, Fault::none},

@@ -9,7 +9,7 @@
 namespace thigma::scenes {
 namespace {
 
-SceneDescription ball_scene(const std::string& rest) {
+SceneDescription auto_ball_scene(const std::string& rest) {
   return parse_scene(
       "gains = \"auto\"\n[object]\nmesh = \"procedural:ball?triangles=2000\"\n" + rest, "S.toml",
       "");
@@ -38,7 +38,7 @@ TEST(GainTask, KnowsAllOfAHandAndTheLimitsOfOthers) {
 }
 
 TEST(GainTask, AutoGainsAreThoseThatTuneProposes) {
-  SceneDescription scene = ball_scene("[device]\nuri = \"hand:?device=touch\"\n");
+  SceneDescription scene = auto_ball_scene("[device]\nuri = \"hand:?device=touch\"\n");
   ASSERT_TRUE(scene.has_auto_gains);
   const LoadedObject object = load_object(scene.object);
   const SessionConfig config = make_session_config(scene, object);
@@ -64,7 +64,7 @@ TEST(GainTask, AutoGainsAreThoseThatTuneProposes) {
 }
 
 TEST(GainTask, WhatTheSceneSaysStays) {
-  const SceneDescription scene = ball_scene(
+  const SceneDescription scene = auto_ball_scene(
       "[coupling]\nlinear_stiffness = 123\nmax_force = 2.5\n[contact]\ndamping_ratio = 0.5\n");
   const SessionConfig config = make_session_config(scene, load_object(scene.object));
   const GainProposal p = proposal_for(scene, config);
@@ -76,7 +76,7 @@ TEST(GainTask, WhatTheSceneSaysStays) {
 }
 
 TEST(GainTask, WithoutTheWordNothingChanges) {
-  SceneDescription scene = ball_scene("");
+  SceneDescription scene = auto_ball_scene("");
   scene.has_auto_gains = false;
   const LoadedObject object = load_object(scene.object);
   const DefaultGains gains = default_gains(object.ball.radius);

@@ -6,28 +6,17 @@
 #include "simplify/simplify_support.h"
 #include <gtest/gtest.h>
 
+#include "thigma/core/index.h"
 #include "thigma/mesh/halfedge_flip.h"
 #include "thigma/mesh/measure.h"
 
 namespace thigma {
 namespace {
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-struct Bench {
-  TriangleMesh mesh;
-  PatchedSurface surface;
-  CollapseContext context;
-  std::vector<std::int32_t> successor;
+struct FlipBench : test::SurfaceBench {
+  using SurfaceBench::SurfaceBench;
   std::array<std::int64_t, kFlipOutcomes> outcomes{};
 
-  explicit Bench(TriangleMesh m, double limit) : mesh(std::move(m)) {
-    surface = build_patched_surface(mesh, decompose_surface(mesh), 1e-6, 1e-5);
-    context.quadric = vertex_quadrics(surface);
-    context.guard = detail::build_deviation_guard(mesh, limit * surface.radius);
-    successor.resize(surface.patches.size());
-    std::iota(successor.begin(), successor.end(), 0);
-  }
   std::int64_t flip_all() {
     return flip_reflex_edges(surface, context, {context.guard.limit, 0.0, 0.0}, successor,
                              outcomes);
@@ -46,17 +35,6 @@ std::int32_t count_reflex(const PatchedSurface& s) {
     reflex += height_over(s, h / 3, s.mesh.positions[at(apex)]) > s.flat;
   }
   return reflex;
-}
-
-bool same(const PatchedSurface& a, const PatchedSurface& b) {
-  if (a.mesh.triangles != b.mesh.triangles || a.mesh.twin != b.mesh.twin || a.normal != b.normal ||
-      a.height != b.height || a.patch_of != b.patch_of || a.patch_count != b.patch_count)
-    return false;
-  for (std::size_t i = 0; i < a.patches.size(); ++i)
-    if (a.patches[i].triangles != b.patches[i].triangles ||
-        a.patches[i].vertices != b.patches[i].vertices)
-      return false;
-  return true;
 }
 
 void expect_sound(const PatchedSurface& s) {
@@ -100,7 +78,7 @@ TriangleMesh dented_ball(int frequency) {
 }
 
 TEST(EdgeFlip, ChangesNothingWhenItRefuses) {
-  Bench bench(test::wavy_ball(5), 0.03);
+  FlipBench bench(test::wavy_ball(5), 0.03);
   bench.context.volume = {mass_properties(bench.mesh).volume, mass_properties(bench.mesh).volume,
                           0.02};
   int flipped = 0, refused = 0;
@@ -115,7 +93,7 @@ TEST(EdgeFlip, ChangesNothingWhenItRefuses) {
       continue;
     }
     refused += outcome != FlipOutcome::convex;
-    EXPECT_TRUE(same(before, bench.surface));
+    EXPECT_TRUE(test::same(before, bench.surface));
     EXPECT_EQ(bench.context.volume.now, volume);
   }
   EXPECT_GT(flipped, 20);
@@ -124,7 +102,7 @@ TEST(EdgeFlip, ChangesNothingWhenItRefuses) {
 }
 
 TEST(EdgeFlip, MakesDentedConvexBodiesConvex) {
-  Bench bench(dented_ball(3), 0.5);
+  FlipBench bench(dented_ball(3), 0.5);
   const std::int32_t patches = bench.surface.patch_count;
   const double volume = mass_properties(make_ball(1.0, 3)).volume;
   EXPECT_GT(count_reflex(bench.surface), 10);
@@ -140,7 +118,7 @@ TEST(EdgeFlip, MakesDentedConvexBodiesConvex) {
 TEST(EdgeFlip, PairsTheTrianglesOfACavity) {
   TriangleMesh cavity = make_ball(1.0, 4);
   for (auto& t : cavity.triangles) std::swap(t[1], t[2]);
-  Bench bench(cavity, 0.1);
+  FlipBench bench(cavity, 0.1);
   const auto triangles = static_cast<std::int32_t>(cavity.triangles.size());
   EXPECT_EQ(bench.surface.patch_count, triangles) << "every edge is reflex";
   EXPECT_GT(bench.flip_all(), triangles / 5);
@@ -150,14 +128,14 @@ TEST(EdgeFlip, PairsTheTrianglesOfACavity) {
 }
 
 TEST(EdgeFlip, NamesItsReasons) {
-  Bench flat(make_sheet(1, 1, 4, 4), 0.1);
+  FlipBench flat(make_sheet(1, 1, 4, 4), 0.1);
   EXPECT_EQ(flat.flip_all(), 0);
   EXPECT_EQ(flat.count(FlipOutcome::convex),
             std::accumulate(flat.outcomes.begin(), flat.outcomes.end(), std::int64_t{0}));
-  Bench tight(test::wavy_ball(5), 1e-7);
+  FlipBench tight(test::wavy_ball(5), 1e-7);
   EXPECT_EQ(tight.flip_all(), 0);
   EXPECT_GT(tight.count(FlipOutcome::deviation), 20);
-  Bench full(test::wavy_ball(5), 0.05);
+  FlipBench full(test::wavy_ball(5), 0.05);
   const double volume = mass_properties(full.mesh).volume;
   full.context.volume = {volume, volume, 0.0};
   EXPECT_EQ(full.flip_all(), 0);
@@ -165,7 +143,7 @@ TEST(EdgeFlip, NamesItsReasons) {
 }
 
 TEST(EdgeFlip, HandsTheOriginalsVerticesOver) {
-  Bench bench(test::wavy_ball(5), 0.03);
+  FlipBench bench(test::wavy_ball(5), 0.03);
   ASSERT_GT(bench.flip_all(), 0);
   std::vector<int> times(bench.mesh.positions.size(), 0);
   for (const std::int32_t first : bench.context.guard.first_sample)

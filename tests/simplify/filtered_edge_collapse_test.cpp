@@ -8,37 +8,15 @@
 namespace thigma {
 namespace {
 
-struct Bench {
-  TriangleMesh mesh;
-  PatchedSurface surface;
-  CollapseContext context;
-  std::vector<std::int32_t> successor;
-
-  explicit Bench(TriangleMesh m, double limit = 0.02) : mesh(std::move(m)) {
-    surface = build_patched_surface(mesh, decompose_surface(mesh), 1e-6, 1e-5);
-    context.quadric = vertex_quadrics(surface);
-    context.guard = detail::build_deviation_guard(mesh, limit * surface.radius);
-    successor.resize(surface.patches.size());
-    std::iota(successor.begin(), successor.end(), 0);
-  }
+struct CollapseBench : test::SurfaceBench {
+  using SurfaceBench::SurfaceBench;
   CollapseOutcome collapse(std::int32_t h) {
     return filtered_edge_collapse(surface, context, h, successor);
   }
 };
 
-bool same(const PatchedSurface& a, const PatchedSurface& b) {
-  if (a.mesh.triangles != b.mesh.triangles || a.mesh.positions != b.mesh.positions ||
-      a.mesh.twin != b.mesh.twin || a.patch_of != b.patch_of || a.patch_count != b.patch_count)
-    return false;
-  for (std::size_t i = 0; i < a.patches.size(); ++i)
-    if (a.patches[i].triangles != b.patches[i].triangles ||
-        a.patches[i].vertices != b.patches[i].vertices)
-      return false;
-  return true;
-}
-
 TEST(FilteredEdgeCollapse, ChangesNothingWhenItRefuses) {
-  Bench bench(test::wavy_ball(5));
+  CollapseBench bench(test::wavy_ball(5));
   int refused = 0, collapsed = 0;
   for (std::int32_t h = 0; h < static_cast<std::int32_t>(bench.surface.mesh.twin.size()); ++h) {
     if (bench.surface.mesh.triangles[static_cast<std::size_t>(h / 3)][0] < 0) continue;
@@ -50,7 +28,7 @@ TEST(FilteredEdgeCollapse, ChangesNothingWhenItRefuses) {
       EXPECT_EQ(count_halfedge_faults(bench.surface.mesh), 0);
     } else {
       ++refused;
-      EXPECT_TRUE(same(before, bench.surface));
+      EXPECT_TRUE(test::same(before, bench.surface));
     }
   }
   EXPECT_GT(refused, 10);
@@ -58,7 +36,7 @@ TEST(FilteredEdgeCollapse, ChangesNothingWhenItRefuses) {
 }
 
 TEST(FilteredEdgeCollapse, KeepsPatchesConvexAndTheirListsRight) {
-  Bench bench(test::wavy_ball(6));
+  CollapseBench bench(test::wavy_ball(6));
   for (std::int32_t h = 0; h < static_cast<std::int32_t>(bench.surface.mesh.twin.size()); ++h)
     if (bench.surface.mesh.triangles[static_cast<std::size_t>(h / 3)][0] >= 0) bench.collapse(h);
   const PatchedSurface& s = bench.surface;
@@ -87,19 +65,19 @@ TEST(FilteredEdgeCollapse, KeepsPatchesConvexAndTheirListsRight) {
 }
 
 TEST(FilteredEdgeCollapse, NamesItsReasons) {
-  Bench tetrahedron(make_tetrahedron(1.0));
+  CollapseBench tetrahedron(make_tetrahedron(1.0));
   EXPECT_EQ(tetrahedron.collapse(0), CollapseOutcome::topology);
   // A box edge cannot go without leaving the surface or its convexity.
-  Bench box(make_box({1, 1, 1}, {1, 1, 1}), 1e-4);
+  CollapseBench box(make_box({1, 1, 1}, {1, 1, 1}), 1e-4);
   for (std::int32_t h = 0; h < 36; ++h) EXPECT_NE(box.collapse(h), CollapseOutcome::collapsed);
-  Bench ball(make_ball(1.0, 4), 1e-9);
+  CollapseBench ball(make_ball(1.0, 4), 1e-9);
   int deviating = 0;
   for (std::int32_t h = 0; h < 60; ++h) deviating += ball.collapse(h) == CollapseOutcome::deviation;
   EXPECT_GT(deviating, 10) << "no coarser ball within a billionth of the radius";
 }
 
 TEST(FilteredEdgeCollapse, KeepsBoundaryVerticesOnTheBoundary) {
-  Bench sheet(make_dome(1.0, 16, 6), 0.1);
+  CollapseBench sheet(make_dome(1.0, 16, 6), 0.1);
   int collapsed = 0;
   for (std::int32_t h = 0; h < static_cast<std::int32_t>(sheet.surface.mesh.twin.size()); ++h) {
     const auto& m = sheet.surface.mesh;
@@ -123,7 +101,7 @@ TEST(FilteredEdgeCollapse, TakesSpikesOfNoiseDown) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     if (mesh.positions[v].norm() < 1e-9) spike = v;
   mesh.positions[spike].z() = 0.01;
-  Bench relaxed(mesh);
+  CollapseBench relaxed(mesh);
   const std::int32_t h = relaxed.surface.mesh.outgoing[spike];
   ASSERT_EQ(relaxed.collapse(h), CollapseOutcome::collapsed);
   EXPECT_LT(std::fabs(relaxed.surface.mesh.positions[spike].z()), 0.008);

@@ -2,6 +2,8 @@
 // Surfaces for the tests of simplification.
 
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "thigma/convex/decomposition.h"
 #include "thigma/mesh/shapes.h"
@@ -32,5 +34,33 @@ inline Simplification simplify(const TriangleMesh& mesh,
                                const SimplifyParams& params = generous()) {
   return simplify_surface(mesh, decompose_surface(mesh), params);
 }
+
+/// Whether everything a collapse or a flip may change is the same.
+inline bool same(const PatchedSurface& a, const PatchedSurface& b) {
+  if (a.mesh.triangles != b.mesh.triangles || a.mesh.positions != b.mesh.positions || a.mesh.twin != b.mesh.twin ||
+      a.normal != b.normal || a.height != b.height || a.patch_of != b.patch_of || a.patch_count != b.patch_count)
+    return false;
+  for (std::size_t i = 0; i < a.patches.size(); ++i)
+    if (a.patches[i].triangles != b.patches[i].triangles || a.patches[i].vertices != b.patches[i].vertices)
+      return false;
+  return true;
+}
+
+/// A surface with all that its collapses and flips need.
+struct SurfaceBench {
+  TriangleMesh mesh;
+  PatchedSurface surface;
+  CollapseContext context;
+  std::vector<std::int32_t> successor;
+
+  /// limit     of the deviation, by the radius
+  explicit SurfaceBench(TriangleMesh m, double limit = 0.02) : mesh(std::move(m)) {
+    surface = build_patched_surface(mesh, decompose_surface(mesh), 1e-6, 1e-5);
+    context.quadric = vertex_quadrics(surface);
+    context.guard = detail::build_deviation_guard(mesh, limit * surface.radius);
+    successor.resize(surface.patches.size());
+    std::iota(successor.begin(), successor.end(), 0);
+  }
+};
 
 }  // namespace thigma::test

@@ -4,13 +4,6 @@
 namespace thigma {
 namespace {
 
-DepthSamples depth_of(DepthBackend& backend, const DepthContact& contact,
-                      const DepthRequest& request = {}) {
-  DepthSamples sample;
-  backend.sample({&contact, 1}, request, {&sample, 1});
-  return sample;
-}
-
 TEST(BranchDepth, equals_the_maximum_over_all_texels) {
   Random random(1);
   const auto backend = make_branch_depth({});
@@ -25,7 +18,7 @@ TEST(BranchDepth, equals_the_maximum_over_all_texels) {
       test::shuffle_contact(random, p, shape.size);
       if (k % 2) p.contact.reach = random.uniform(0.1, 0.4) * shape.size;
       const double want = test::slow_depth(p.contact);
-      const DepthSamples got = depth_of(*backend, p.contact);
+      const DepthSamples got = test::depth_of(*backend, p.contact);
       EXPECT_EQ(got.is_found, want != kNoDepth);
       if (want == kNoDepth) continue;
       EXPECT_NEAR(got.depth[0], want, 1e-12) << i << ' ' << k;
@@ -41,9 +34,9 @@ TEST(BranchDepth, a_spent_budget_says_what_it_may_have_missed) {
   int spent = 0, over = 0;
   for (int i = 0; i < 20; ++i) {
     const test::PlateContact p(random, {.texels = 65, .bend = 2.0, .noise = 1e-4});
-    const double want = depth_of(*make_branch_depth({}), p.contact).depth[0];
+    const double want = test::depth_of(*make_branch_depth({}), p.contact).depth[0];
     for (const int nodes : {0, 1, 10, 40, 200}) {
-      const DepthSamples got = depth_of(*make_branch_depth({.max_nodes = nodes}), p.contact);
+      const DepthSamples got = test::depth_of(*make_branch_depth({.max_nodes = nodes}), p.contact);
       ASSERT_TRUE(got.is_found);
       over += got.nodes > nodes;
       EXPECT_LE(got.depth[0], want);
@@ -63,8 +56,8 @@ TEST(BranchDepth, a_warm_search_finds_the_same_in_no_more_cells) {
     test::PlateContact p(random, {.texels = 129, .waves = 10.0});
     for (int k = 0; k < 10; ++k) {
       p.contact.object.world_from_body.position += 2e-5 * p.contact.normal.unitOrthogonal();
-      const DepthSamples cold = depth_of(*make_branch_depth({}), p.contact);
-      const DepthSamples got = depth_of(*warm, p.contact);
+      const DepthSamples cold = test::depth_of(*make_branch_depth({}), p.contact);
+      const DepthSamples got = test::depth_of(*warm, p.contact);
       EXPECT_EQ(got.depth[0], cold.depth[0]);
       nodes_cold += cold.nodes;
       nodes_warm += got.nodes;
@@ -79,15 +72,15 @@ TEST(BranchDepth, memory_of_another_contact_is_harmless) {
   const auto backend = make_branch_depth({});
   for (int i = 0; i < 20; ++i) {
     const test::PlateContact p(random, {.cells = 1 + i % 3, .texels = i % 2 ? 9 : 80});
-    EXPECT_EQ(depth_of(*backend, p.contact).depth[0],
-              depth_of(*make_branch_depth({}), p.contact).depth[0]);
+    EXPECT_EQ(test::depth_of(*backend, p.contact).depth[0],
+              test::depth_of(*make_branch_depth({}), p.contact).depth[0]);
   }
 }
 
 TEST(BranchDepth, near_maxima_hold_the_maximum_first) {
   Random random(5);
   const test::PlateContact p(random, {.texels = 64});
-  const DepthSamples got = depth_of(*make_branch_depth({}), p.contact, {.near = 8e-4});
+  const DepthSamples got = test::depth_of(*make_branch_depth({}), p.contact, {.near = 8e-4});
   ASSERT_GT(got.near.size(), 2u);
   EXPECT_EQ(got.near[0].at, got.at);
   for (const NearMaximum& near : got.near)

@@ -11,13 +11,6 @@ namespace {
 constexpr GradientKind kKinds[] = {GradientKind::central_differences, GradientKind::envelope,
                                    GradientKind::smoothed_envelope};
 
-DepthSamples depth_of(DepthBackend& backend, const DepthContact& contact,
-                      const DepthRequest& request = {}) {
-  DepthSamples sample;
-  backend.sample({&contact, 1}, request, {&sample, 1});
-  return sample;
-}
-
 DepthContact moved(const DepthContact& contact, const Vec6& by) {
   DepthContact there = contact;
   Pose motion;
@@ -47,7 +40,7 @@ TEST(DepthGradient, of_two_hills_is_the_closed_one) {
   for (DepthBackend* backend : {grid.get(), branch.get()}) {
     for (const GradientKind kind : kKinds) {
       const DepthRequest request = depth_request(kind, 1e-3, 1e-3);
-      const DepthSamples sample = depth_of(*backend, hills.contact, request);
+      const DepthSamples sample = test::depth_of(*backend, hills.contact, request);
       // Interpolation cuts a curved surface by curvature texel^2 / 8 each way.
       const double texel = hills.object.texel_size;
       EXPECT_NEAR(sample.depth[0], depth, 2.0 * 0.125 * (a + b) * texel * texel);
@@ -64,14 +57,14 @@ TEST(DepthGradient, envelope_is_the_derivative_of_the_depth) {
   test::Hills hills;
   const auto backend = make_branch_depth({});
   GradientScratch scratch;
-  const DepthGradient got = depth_gradient(hills.contact, depth_of(*backend, hills.contact),
+  const DepthGradient got = depth_gradient(hills.contact, test::depth_of(*backend, hills.contact),
                                            GradientKind::envelope, scratch);
   ASSERT_TRUE(got.is_valid);
   const Vec3 n = hills.contact.normal;
   for (int i = 0; i < 6; ++i) {
     const double step = i < 3 ? 4e-4 : 4e-4 / 0.05;
-    const double to = depth_of(*backend, moved(hills.contact, step * Vec6::Unit(i))).depth[0];
-    const double fro = depth_of(*backend, moved(hills.contact, -step * Vec6::Unit(i))).depth[0];
+    const double to = test::depth_of(*backend, moved(hills.contact, step * Vec6::Unit(i))).depth[0];
+    const double fro = test::depth_of(*backend, moved(hills.contact, -step * Vec6::Unit(i))).depth[0];
     const double tolerance = i < 3 ? 1e-3 : 1e-3 * 0.05;  // texels of 78 um over a step of 400 um
     EXPECT_NEAR(six(got)[i], (to - fro) / (2.0 * step), tolerance) << i;
   }
@@ -115,7 +108,7 @@ TEST(DepthGradient, kinds_agree_where_the_contact_is_smooth) {
   GradientScratch scratch;
   Vec6 of_kind[3];
   for (const GradientKind kind : kKinds) {
-    const DepthSamples sample = depth_of(*backend, hills.contact, depth_request(kind, 1e-3, 0.01));
+    const DepthSamples sample = test::depth_of(*backend, hills.contact, depth_request(kind, 1e-3, 0.01));
     of_kind[static_cast<int>(kind)] = six(depth_gradient(hills.contact, sample, kind, scratch));
   }
   const double size = (of_kind[1].head<3>() - Vec3::UnitZ()).norm();
@@ -151,7 +144,7 @@ TEST(DepthGradient, smoothing_removes_the_jump_between_two_maxima) {
   for (int i = -40; i <= 40; ++i) {
     contact.object.world_from_body.orientation = rotation_from_vector(Vec3(0.0, 1e-4 * i, 0.0));
     for (const GradientKind kind : {GradientKind::envelope, GradientKind::smoothed_envelope}) {
-      const DepthSamples sample = depth_of(*backend, contact, depth_request(kind, 1e-4, 1.0));
+      const DepthSamples sample = test::depth_of(*backend, contact, depth_request(kind, 1e-4, 1.0));
       const int k = static_cast<int>(kind);
       const Vec6 here = six(depth_gradient(contact, sample, kind, scratch));
       if (i > -40) jump[k] = std::max(jump[k], (here - before[k]).norm());
@@ -179,7 +172,7 @@ TEST(DepthGradient, is_invalid_without_depth_and_where_a_configuration_has_none)
   const auto backend = make_grid_depth({});
   for (const GradientKind kind : kKinds)
     EXPECT_FALSE(depth_gradient(hills.contact, {}, kind, scratch).is_valid);
-  DepthSamples sample = depth_of(*backend, hills.contact, {.has_differences = true});
+  DepthSamples sample = test::depth_of(*backend, hills.contact, {.has_differences = true});
   EXPECT_TRUE(
       depth_gradient(hills.contact, sample, GradientKind::central_differences, scratch).is_valid);
   sample.depth[7] = kNoDepth;

@@ -27,13 +27,6 @@ class OnGpu : public testing::Test {
   GpuDepth made_;
 };
 
-DepthSamples depth_of(DepthBackend& backend, const DepthContact& contact,
-                      const DepthRequest& request = {}) {
-  DepthSamples sample;
-  backend.sample({&contact, 1}, request, {&sample, 1});
-  return sample;
-}
-
 // Random contacts, several a frame and of different textures, against the scalar reference.
 TEST_F(OnGpu, agrees_with_the_scalar_reference) {
   Random random(2);
@@ -100,8 +93,8 @@ TEST_F(OnGpu, grids_wider_than_a_group_and_gradients_agree) {
   for (const test::PlateContact& p : plates) {
     for (const GradientKind kind : {GradientKind::central_differences, GradientKind::smoothed_envelope}) {
       const DepthRequest request = depth_request(kind, 6e-4);
-      const DepthSamples got = depth_of(*wide.backend, p.contact, request),
-                         want = depth_of(*processor, p.contact, request);
+      const DepthSamples got = test::depth_of(*wide.backend, p.contact, request),
+                         want = test::depth_of(*processor, p.contact, request);
       ASSERT_TRUE(got.is_found && want.is_found);
       EXPECT_NEAR(got.depth[0], want.depth[0], 6e-4 * kGpuPrecision);
       const DepthGradient a = depth_gradient(p.contact, got, kind, scratch),
@@ -121,8 +114,8 @@ TEST_F(OnGpu, sixteen_bits_round_alike) {
   test::PlateContact p(random, {.bend = 10.0});
   for (int i = 0; i < 5; ++i) {
     test::shuffle_contact(random, p, 0.02);
-    const DepthSamples want = depth_of(*processor, p.contact, {.has_differences = true});
-    const DepthSamples got = depth_of(*rounded.backend, p.contact, {.has_differences = true});
+    const DepthSamples want = test::depth_of(*processor, p.contact, {.has_differences = true});
+    const DepthSamples got = test::depth_of(*rounded.backend, p.contact, {.has_differences = true});
     for (std::size_t k = 0; k < kConfigurations; ++k)
       EXPECT_NEAR(got.depth[k], want.depth[k], 6e-4 * kGpuPrecision);
   }
@@ -167,12 +160,12 @@ TEST_P(LostGpu, is_given_up_with_one_warning_and_the_right_depth) {
   Random random(6);
   const test::PlateContact p(random, {});
   const DepthRequest request{.has_differences = true, .near = 1e-4};
-  const DepthSamples want = depth_of(*processor, p.contact, request);
-  EXPECT_NEAR(depth_of(*backend, p.contact, request).depth[0], want.depth[0], 1e-8);
+  const DepthSamples want = test::depth_of(*processor, p.contact, request);
+  EXPECT_NEAR(test::depth_of(*backend, p.contact, request).depth[0], want.depth[0], 1e-8);
   EXPECT_EQ(warnings, 0);
   GetParam()(gl);
   for (int i = 0; i < 3; ++i) {
-    const DepthSamples got = depth_of(*backend, p.contact, request);
+    const DepthSamples got = test::depth_of(*backend, p.contact, request);
     EXPECT_EQ(got.depth, want.depth);
     EXPECT_EQ(got.near.size(), want.near.size());
     EXPECT_EQ(warnings, 1);
@@ -213,8 +206,8 @@ TEST(NoGpu, is_told_once_and_the_processor_computes) {
   EXPECT_EQ(warnings, 1);
   Random random(7);
   const test::PlateContact p(random, {});
-  EXPECT_EQ(depth_of(*none.backend, p.contact).depth,
-            depth_of(*make_grid_depth({}), p.contact).depth);
+  EXPECT_EQ(test::depth_of(*none.backend, p.contact).depth,
+            test::depth_of(*make_grid_depth({}), p.contact).depth);
 }
 
 }  // namespace

@@ -6,13 +6,6 @@
 namespace thigma {
 namespace {
 
-DepthSamples depth_of(DepthBackend& backend, const DepthContact& contact,
-                      const DepthRequest& request = {}) {
-  DepthSamples sample;
-  backend.sample({&contact, 1}, request, {&sample, 1});
-  return sample;
-}
-
 // Largest depth over the centres of resolution x resolution cells of the common box, by the slow search.
 double slow_grid_depth(const DepthContact& contact, const ContactFrame& frame, const PlaneBox& box,
                        int resolution) {
@@ -44,7 +37,7 @@ TEST(GridDepth, equals_the_maximum_over_the_grid) {
   const auto backend = make_grid_depth({.resolution = resolution, .is_polished = false});
   for (int i = 0; i < 20; ++i) {
     const test::PlateContact p(random, {.cells = 1 + i % 3, .bend = 2.0});
-    const DepthSamples got = depth_of(*backend, p.contact);
+    const DepthSamples got = test::depth_of(*backend, p.contact);
     ASSERT_TRUE(got.is_found);
     const PlaneBox box = common_box(p.contact, got.frame);
     EXPECT_NEAR(got.depth[0], slow_grid_depth(p.contact, got.frame, box, resolution), 1e-9);
@@ -63,8 +56,8 @@ TEST(GridDepth, scalar_and_widest_are_the_same) {
     for (int k = 0; k < 10; ++k) {
       test::shuffle_contact(random, p, 0.02);
       const DepthRequest request{.has_differences = true, .near = k % 2 ? 1e-4 : 0.0};
-      const DepthSamples a = depth_of(*scalar, p.contact, request),
-                         b = depth_of(*widest, p.contact, request);
+      const DepthSamples a = test::depth_of(*scalar, p.contact, request),
+                         b = test::depth_of(*widest, p.contact, request);
       ASSERT_EQ(a.is_found, b.is_found);
       EXPECT_EQ(a.depth, b.depth);
       EXPECT_EQ(a.at, b.at);
@@ -83,9 +76,9 @@ TEST(GridDepth, polishing_finds_more_than_the_grid_and_never_more_than_all_texel
   for (int i = 0; i < 12; ++i) {
     const test::PlateShape shape{.texels = 256, .waves = 20.0};
     const test::PlateContact p(random, shape);
-    const double all = depth_of(*exact, p.contact).depth[0];
-    const double best = depth_of(*polished, p.contact).depth[0],
-                 grid = depth_of(*rough, p.contact).depth[0];
+    const double all = test::depth_of(*exact, p.contact).depth[0];
+    const double best = test::depth_of(*polished, p.contact).depth[0],
+                 grid = test::depth_of(*rough, p.contact).depth[0];
     EXPECT_GE(best, grid);
     // Between texels of both sides the depth can exceed that at texels by what interpolation does over half a texel.
     EXPECT_LE(best, all + 0.1 * shape.amplitude);
@@ -104,7 +97,7 @@ TEST(GridDepth, moved_configurations_are_those_of_the_moved_object) {
     const DepthContact& contact = hills.contact;
     hills.contact.object.world_from_body.orientation =
         rotation_from_vector(Vec3(0.01, 0.02, 1.0 * i));
-    const DepthSamples got = depth_of(*backend, contact, {.has_differences = true});
+    const DepthSamples got = test::depth_of(*backend, contact, {.has_differences = true});
     ASSERT_TRUE(got.is_found);
     EXPECT_GT(got.shift, 0.0);
     EXPECT_NEAR(got.turn * (contact.point - contact.centre).norm(), got.shift, 1e-12);
@@ -128,8 +121,8 @@ TEST(GridDepth, sixteen_bits_round_depths_to_their_range) {
   int different = 0;
   for (int i = 0; i < 20; ++i) {
     const test::PlateContact p(random, {.bend = 10.0});
-    const DepthSamples a = depth_of(*fine, p.contact, {.has_differences = true});
-    const DepthSamples b = depth_of(*rounded, p.contact, {.has_differences = true});
+    const DepthSamples a = test::depth_of(*fine, p.contact, {.has_differences = true});
+    const DepthSamples b = test::depth_of(*rounded, p.contact, {.has_differences = true});
     for (std::size_t k = 0; k < kConfigurations; ++k) {
       if (a.depth[k] == kNoDepth) continue;
       EXPECT_NEAR(a.depth[k], b.depth[k], 0.01 / 65535);
@@ -145,7 +138,7 @@ TEST(GridDepth, patches_apart_sideways_and_nonsense_have_no_depth) {
   test::PlateContact p(random, {});
   const DepthContact good = p.contact;
   for (const auto& backend : {make_grid_depth({}), make_branch_depth({})}) {
-    EXPECT_TRUE(depth_of(*backend, good).is_found);
+    EXPECT_TRUE(test::depth_of(*backend, good).is_found);
     std::vector<DepthContact> bad(8, good);
     const ContactFrame frame = contact_frame(good.point, good.normal);
     bad[0].object.world_from_body.position += 0.05 * frame.world_from_contact.col(0);
@@ -157,15 +150,15 @@ TEST(GridDepth, patches_apart_sideways_and_nonsense_have_no_depth) {
     bad[6].scene.texture = nullptr;
     bad[7].object.world_from_body.position.z() = 1e200;
     for (const DepthContact& contact : bad) {
-      const DepthSamples got = depth_of(*backend, contact, {.has_differences = true, .near = 1e-4});
+      const DepthSamples got = test::depth_of(*backend, contact, {.has_differences = true, .near = 1e-4});
       EXPECT_FALSE(got.is_found);
       EXPECT_EQ(got.depth[0], kNoDepth);
     }
-    EXPECT_TRUE(depth_of(*backend, good).is_found);
+    EXPECT_TRUE(test::depth_of(*backend, good).is_found);
     for (const double far : {1e6, 1e12, 1e30, 1e90}) {  // whatever comes of it, it comes to an end
       DepthContact away = good;
       away.point += Vec3::Constant(far);
-      const DepthSamples got = depth_of(*backend, away, {.has_differences = true});
+      const DepthSamples got = test::depth_of(*backend, away, {.has_differences = true});
       EXPECT_TRUE(!got.is_found || std::isfinite(got.depth[0]));
     }
   }
@@ -186,7 +179,7 @@ TEST(GridDepth, batch_gives_what_single_calls_give) {
     std::vector<DepthSamples> results(5);
     make()->sample(contacts, request, results);
     for (std::size_t i = 0; i < 5; ++i)
-      EXPECT_EQ(results[i].depth, depth_of(*make(), contacts[i], request).depth);
+      EXPECT_EQ(results[i].depth, test::depth_of(*make(), contacts[i], request).depth);
   }
 }
 

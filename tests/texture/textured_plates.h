@@ -237,4 +237,12 @@ struct Hills {
   }
 };
 
+/// The answer for one contact.
+inline DepthSamples depth_of(DepthBackend& backend, const DepthContact& contact,
+                      const DepthRequest& request = {}) {
+  DepthSamples sample;
+  backend.sample({&contact, 1}, request, {&sample, 1});
+  return sample;
+}
+
 }  // namespace thigma::test

@@ -16,7 +16,7 @@ constexpr std::size_t kHeader = 16;
 constexpr std::size_t kSampleBytes = 40;
 constexpr std::size_t kMostSamples = 64;
 constexpr std::size_t kMostClusters = 16;
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+constexpr float kUnknownOnWire = std::numeric_limits<float>::quiet_NaN();
 
 template <class T>
 void put(std::string& out, T value) {
@@ -44,7 +44,7 @@ void put_header(std::string& out, MessageKind kind, std::uint16_t extra, std::si
 /// What no float can say is not known.
 void put_float(std::string& out, double value) {
   const auto narrow = static_cast<float>(value);
-  put(out, std::isfinite(narrow) ? narrow : kUnknown);
+  put(out, std::isfinite(narrow) ? narrow : kUnknownOnWire);
 }
 
 void put_vector(std::string& out, const Vec3& v) {

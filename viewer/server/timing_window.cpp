@@ -8,7 +8,7 @@ namespace thigma::live {
 namespace {
 
 constexpr std::size_t kStepCpu = 10, kWakeLate = 11;  // in ChannelRow::values
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoRate = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -29,7 +29,7 @@ Timing close(double now, bool has_frame, std::uint64_t frame, std::uint64_t upda
   t.late_p99 = sample_quantile(window.wake_late, 0.99);
   t.query_p50 = sample_quantile(window.query_cpu, 0.5);
   t.query_p99 = sample_quantile(window.query_cpu, 0.99);
-  t.haptic_hz = t.contact_hz = kUnknown;
+  t.haptic_hz = t.contact_hz = kNoRate;
   const double elapsed = now - window.since;
   // A session that began anew counts from 0 again.
   if (window.has_first && has_frame && elapsed > 0.0 && frame >= window.first_frame) {

@@ -12,12 +12,11 @@
 #include "thigma/clod/detail/parents.h"
 #include "thigma/clod/support_area.h"
 #include "thigma/core/cpu_clock.h"
+#include "thigma/core/index.h"
 #include "thigma/mesh/measure.h"
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 // Of the time of a build, about: the loop of simplification, and all up to the finished tree.
 constexpr double kShareOfLoop = 0.6, kShareOfTree = 0.75;

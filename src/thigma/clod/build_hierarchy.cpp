@@ -10,12 +10,11 @@
 
 #include "thigma/clod/detail/draft_tree.h"
 #include "thigma/core/cpu_clock.h"
+#include "thigma/core/index.h"
 #include "thigma/mesh/measure.h"
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 void describe_levels(ClodHierarchy& h) {
   h.levels.resize(at(h.nodes[0].level) + 1);

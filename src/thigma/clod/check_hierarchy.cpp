@@ -6,11 +6,10 @@
 
 #include "thigma/convex/detail/patch_faults.h"
 #include "thigma/convex/pair.h"
+#include "thigma/core/index.h"
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 struct Checker {
   const ClodHierarchy& h;

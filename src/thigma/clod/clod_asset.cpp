@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "thigma/clod/detail/clod_fields.h"
+#include "thigma/core/index.h"
 #include "thigma/mesh/topology.h"
 
 namespace thigma {
@@ -12,8 +13,6 @@ namespace {
 
 using detail::Dimension;
 using detail::Range;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double power(double factor, Dimension dimension) {
   double result = 1.0;

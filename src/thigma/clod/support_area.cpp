@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "thigma/convex/detail/surface.h"
+#include "thigma/core/index.h"
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 struct Flood {
   const TriangleMesh& mesh;

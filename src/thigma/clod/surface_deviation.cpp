@@ -7,11 +7,10 @@
 
 #include "thigma/convex/detail/visit_triangles.h"
 #include "thigma/convex/growing_hull.h"
+#include "thigma/core/index.h"
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 constexpr int kDivisions = 4;        // of a triangle into four, one after the other
 constexpr double kTightness = 1.25;  // of the bound over the largest distance met

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "thigma/clod/detail/clod_fields.h"
+#include "thigma/core/index.h"
 
 namespace thigma {
 namespace {
@@ -21,7 +22,6 @@ constexpr std::int64_t kMostWaiting = 64, kLeastWaiting = 65536;
 constexpr double kMostLength = 1e51;
 constexpr double kRounding = 1e-9;  // of unit vectors and spheres: computed, scaled and rounded
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 std::string text(std::size_t i) { return std::to_string(i); }
 
 struct Flaws {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "thigma/math/infinity.h"
+
 // Sec. 5.4.2: Lloyd's method on the contact points, each weighing depth + d. Old clusters seed new ones by closest
 // pairs, further seeds are the furthest contacts. Distances are kept in arrays of their own, cluster by cluster, so
 // that a pass over tens of thousands of contacts is a few vector instructions each.
@@ -12,7 +14,6 @@
 namespace thigma {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Length of a mean of unit normals below which they oppose each other: rounding of the mean, no direction left.
 constexpr double kOpposing = 1e-9;
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "thigma/math/infinity.h"
+
 namespace thigma {
 
 double weighted_deviation(const LevelError& object, const LevelError& scene,
                           SupportArea area) noexcept {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (object.is_free || scene.is_free) return kInfinity;
   const double feature = std::max(object.deviation / (object.resolution * object.resolution),
                                   scene.deviation / (scene.resolution * scene.resolution));

@@ -15,6 +15,7 @@
 #include "thigma/convex/detail/visit_triangles.h"
 #include "thigma/convex/growing_hull.h"
 #include "thigma/core/error.h"
+#include "thigma/core/index.h"
 #include "thigma/mesh/measure.h"
 
 namespace thigma {
@@ -22,8 +23,6 @@ namespace {
 
 using detail::Surface;
 using detail::TriangleTree;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Everything one patch after the other is grown with.
 struct Growth {

@@ -8,12 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/core/index.h"
 #include "thigma/mesh/predicates.h"
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 void set_plane(const GrowingHull& hull, GrowingFace& face) {
   const Vec3& a = hull.points[at(face.corner[0])];

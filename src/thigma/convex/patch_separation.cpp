@@ -6,6 +6,7 @@
 
 #include "thigma/convex/detail/corners.h"
 #include "thigma/convex/detail/triangle_features.h"
+#include "thigma/math/infinity.h"
 
 // Pairs of triangles are left out by masks of hull vertices: a triangle all of whose corners are beyond one face of a
 // box, or on one side of another's plane. What is left is measured feature by feature, but for features that are too far
@@ -19,7 +20,6 @@ using detail::Corners;
 using detail::PlacedTriangle;
 using detail::Sides;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A bound on squared distances that is too small by rounding must not leave out the pair it came from.
 constexpr double kMargin = 1.0 + 1e-12;

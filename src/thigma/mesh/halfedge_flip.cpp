@@ -1,9 +1,9 @@
 #include "thigma/mesh/halfedge_flip.h"
 
+#include "thigma/core/index.h"
+
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 void set_corners(HalfedgeMesh& m, std::int32_t h, const std::array<std::int32_t, 3>& v) {
   m.triangles[at(h / 3)][at(h % 3)] = v[0];
@@ -22,16 +22,6 @@ void carry_values(HalfedgeMesh& m, std::int32_t h, std::int32_t g) {
   const std::int32_t of_c = value[at(previous_halfedge(h))], of_d = value[at(previous_halfedge(g))];
   value[at(next_halfedge(h))] = of_d;
   value[at(next_halfedge(g))] = of_c;
-}
-
-/// Where the fan of a vertex begins, from any half-edge that starts at it.
-std::int32_t first_of_fan(const HalfedgeMesh& m, std::int32_t h) {
-  for (std::int32_t i = h;;) {
-    const std::int32_t beside = m.twin[at(i)];
-    if (beside < 0) return i;
-    i = next_halfedge(beside);
-    if (i == h) return h;
-  }
 }
 
 }  // namespace

@@ -3,22 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "thigma/core/index.h"
 #include "thigma/mesh/topology.h"
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-/// Turns back to where the fan begins, if it has a beginning.
-std::int32_t first_of_fan(const HalfedgeMesh& m, std::int32_t h) {
-  for (std::int32_t i = h;;) {
-    const std::int32_t beside = m.twin[at(i)];
-    if (beside < 0) return i;
-    i = next_halfedge(beside);
-    if (i == h) return h;
-  }
-}
 
 void lock_and_link(HalfedgeMesh& m, const EdgeTable& table) {
   for (const MeshEdge& edge : table.edges) {
@@ -98,6 +87,15 @@ void carry_attributes(HalfedgeMesh& m, std::int32_t h, double share,
 }
 
 }  // namespace
+
+std::int32_t first_of_fan(const HalfedgeMesh& m, std::int32_t h) noexcept {
+  for (std::int32_t i = h;;) {
+    const std::int32_t beside = m.twin[at(i)];
+    if (beside < 0) return i;
+    i = next_halfedge(beside);
+    if (i == h) return h;
+  }
+}
 
 HalfedgeMesh build_halfedge_mesh(const TriangleMesh& mesh, CornerAttributes attributes) {
   HalfedgeMesh m;

@@ -52,6 +52,8 @@ inline std::int32_t tail_of(const HalfedgeMesh& m, std::int32_t h) noexcept {
 inline std::int32_t head_of(const HalfedgeMesh& m, std::int32_t h) noexcept {
   return tail_of(m, next_halfedge(h));
 }
+/// Where the fan of a vertex begins, from any half-edge that starts at it; h itself where the fan is closed.
+std::int32_t first_of_fan(const HalfedgeMesh& m, std::int32_t h) noexcept;
 /// On a boundary, by a vertex that is not locked and has a triangle.
 inline bool is_boundary(const HalfedgeMesh& m, std::int32_t v) noexcept {
   return m.twin[static_cast<std::size_t>(m.outgoing[static_cast<std::size_t>(v)])] < 0;

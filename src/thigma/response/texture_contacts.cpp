@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/core/index.h"
 #include "thigma/response/linearize_contacts.h"
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) noexcept { return static_cast<std::size_t>(i); }
 
 /// Adds the triangles of a finest patch that are not there yet.
 void add_triangles(const ClodHierarchy& hierarchy, std::int32_t patch, std::uint32_t round,

@@ -18,29 +18,29 @@ double number(const Json& json, const char* key) {
 }
 
 template <class Vector>
-void read_vector(const Json& json, const char* key, Vector& out) {
+void read_sample_vector(const Json& json, const char* key, Vector& out) {
   detail::read_vector(json, key, out, kNull);
 }
 
-void read_pose(const Json& json, Pose& pose) { detail::read_pose(json, pose, kNull); }
+void read_sample_pose(const Json& json, Pose& pose) { detail::read_pose(json, pose, kNull); }
 
 void read_twist(const Json& json, Twist& twist) {
-  read_vector(json, "linear_velocity", twist.linear);
-  read_vector(json, "angular_velocity", twist.angular);
+  read_sample_vector(json, "linear_velocity", twist.linear);
+  read_sample_vector(json, "angular_velocity", twist.angular);
 }
 
 void read_wrench(const Json& json, const char* force, const char* torque, Wrench& wrench) {
-  read_vector(json, force, wrench.force);
-  read_vector(json, torque, wrench.torque);
+  read_sample_vector(json, force, wrench.force);
+  read_sample_vector(json, torque, wrench.torque);
 }
 
 void read_body(const Json& json, BodyState& body) {
   Pose pose;
-  read_pose(json, pose);
+  read_sample_pose(json, pose);
   body.position = pose.position;
   body.orientation = pose.orientation;
-  read_vector(json, "linear_momentum", body.linear_momentum);
-  read_vector(json, "angular_momentum", body.angular_momentum);
+  read_sample_vector(json, "linear_momentum", body.linear_momentum);
+  read_sample_vector(json, "angular_momentum", body.angular_momentum);
 }
 
 std::uint64_t read_hex(const Json& json, const char* key) {
@@ -80,12 +80,12 @@ void read_device(const Json& json, HapticSample& s) {
   s.time = number(json, "time");
   s.elapsed = number(json, "elapsed");
   s.device.time = number(json, "sample_time");
-  read_pose(json, s.device.motion.pose);
+  read_sample_pose(json, s.device.motion.pose);
   read_twist(json, s.device.motion.twist);
   s.device.buttons = json.at("buttons").get<std::uint32_t>();
   s.device.status = read_status(json);
   s.device.has_true_handle = json.contains("true_handle");
-  if (s.device.has_true_handle) read_pose(json.at("true_handle"), s.device.true_handle);
+  if (s.device.has_true_handle) read_sample_pose(json.at("true_handle"), s.device.true_handle);
   s.model_sequence = json.at("model_sequence").get<std::uint64_t>();
   s.external_fault = read_fault(json, "external_fault");
   s.input_digest = read_digest(json, "input_digest");
@@ -93,7 +93,7 @@ void read_device(const Json& json, HapticSample& s) {
 
 void read_state(const Json& json, HapticSample& s) {
   read_body(json, s.body);
-  read_pose(json.at("handle"), s.handle.pose);
+  read_sample_pose(json.at("handle"), s.handle.pose);
   read_twist(json.at("handle"), s.handle.twist);
   read_wrench(json, "coupling_force", "coupling_torque", s.coupling);
   read_wrench(json, "contact_force", "contact_torque", s.contact);
@@ -110,11 +110,11 @@ void read_state(const Json& json, HapticSample& s) {
 
 PlaneTerm read_plane(const Json& json) {
   PlaneTerm p;
-  read_vector(json, "arm_body", p.arm_body);
-  read_vector(json, "normal", p.normal);
-  read_vector(json, "scene_point", p.scene_point);
-  read_vector(json, "scene_velocity", p.scene_velocity);
-  read_vector(json, "tangential_anchor", p.tangential_anchor);
+  read_sample_vector(json, "arm_body", p.arm_body);
+  read_sample_vector(json, "normal", p.normal);
+  read_sample_vector(json, "scene_point", p.scene_point);
+  read_sample_vector(json, "scene_velocity", p.scene_velocity);
+  read_sample_vector(json, "tangential_anchor", p.tangential_anchor);
   p.stiffness = number(json, "stiffness");
   p.damping = number(json, "damping");
   p.tolerance = number(json, "tolerance");
@@ -125,8 +125,8 @@ PlaneTerm read_plane(const Json& json) {
 DepthTerm read_depth(const Json& json) {
   DepthTerm t;
   t.depth = number(json, "depth");
-  read_vector(json, "linear", t.linear);
-  read_vector(json, "angular", t.angular);
+  read_sample_vector(json, "linear", t.linear);
+  read_sample_vector(json, "angular", t.angular);
   t.stiffness = number(json, "stiffness");
   t.damping = number(json, "damping");
   t.tolerance = number(json, "tolerance");
@@ -137,9 +137,9 @@ DepthTerm read_depth(const Json& json) {
 TaylorTerm read_taylor(const Json& json) {
   TaylorTerm t;
   read_wrench(json, "force", "torque", t.wrench);
-  read_vector(json, "normal", t.normal);
+  read_sample_vector(json, "normal", t.normal);
   Eigen::Matrix<double, 78, 1> flat;
-  read_vector(json, "jacobian", flat);
+  read_sample_vector(json, "jacobian", flat);
   for (int i = 0; i < 78; ++i) t.jacobian(i / 13, i % 13) = flat[i];
   return t;
 }

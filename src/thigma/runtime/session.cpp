@@ -27,8 +27,6 @@ class DeviceToken {
   std::atomic<bool> is_taken_{false};
 };
 
-std::int64_t to_ns(double seconds) { return static_cast<std::int64_t>(seconds * 1e9); }
-
 }  // namespace
 
 struct Session::Impl {

@@ -4,12 +4,6 @@
 #include <cmath>
 
 namespace thigma {
-namespace {
-
-std::int64_t to_ns(double seconds) THIGMA_RT { return static_cast<std::int64_t>(seconds * 1e9); }
-
-}  // namespace
-
 void tally(HapticTally& tally, const HapticSample& sample, std::int64_t step_cpu_ns,
            std::int64_t wake_late_ns) THIGMA_RT {
   ++tally.frames;

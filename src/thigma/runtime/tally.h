@@ -11,6 +11,9 @@
 
 namespace thigma {
 
+/// Seconds as whole nanoseconds, towards zero.
+[[nodiscard]] inline std::int64_t to_ns(double seconds) THIGMA_RT { return static_cast<std::int64_t>(seconds * 1e9); }
+
 /// Wake-ups later than these are counted [ns].
 inline constexpr std::array<std::int64_t, 3> kLateBounds = {100'000, 200'000, 1'000'000};
 

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "thigma/convex/detail/patch_faults.h"
+#include "thigma/core/index.h"
 #include "thigma/mesh/topology.h"
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 struct LevelView {
   const SimplifiedLevel& level;

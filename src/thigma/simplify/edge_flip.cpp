@@ -4,14 +4,13 @@
 #include <cmath>
 #include <span>
 
+#include "thigma/core/index.h"
 #include "thigma/mesh/halfedge_flip.h"
 #include "thigma/simplify/detail/patch_part.h"
 #include "thigma/simplify/detail/triangle_trial.h"
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 // Flipping makes the volume grow, so it ends; broken surfaces may take long about it.
 constexpr int kSweeps = 12;

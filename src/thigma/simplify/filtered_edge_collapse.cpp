@@ -4,13 +4,12 @@
 #include <limits>
 #include <optional>
 
+#include "thigma/core/index.h"
 #include "thigma/simplify/detail/edge_start.h"
 #include "thigma/simplify/detail/trial.h"
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 using detail::EdgeStar;
 using detail::StarTriangle;

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "thigma/convex/detail/surface.h"
+#include "thigma/core/index.h"
 #include "thigma/mesh/measure.h"
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 bool contains(const std::vector<std::int32_t>& list, std::int32_t value) {
   return std::find(list.begin(), list.end(), value) != list.end();

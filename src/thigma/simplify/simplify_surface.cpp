@@ -8,6 +8,7 @@
 #include <limits>
 #include <queue>
 
+#include "thigma/core/index.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/simplify/edge_flip.h"
 #include "thigma/simplify/level_spacing.h"
@@ -15,8 +16,6 @@
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// An edge that may be tried. Stale once either end has changed since.
 struct Candidate {

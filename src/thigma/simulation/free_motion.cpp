@@ -9,7 +9,7 @@ namespace thigma {
 namespace {
 
 constexpr double kLargestTurn = 0.05;  // of a step [rad]
-constexpr double kMostSteps = 1e5;
+constexpr double kMostTurns = 1e5;
 
 Vec3 spin(const RigidBody& body, const Quat& q, const Vec3& momentum) noexcept {
   const Mat3 R = rotation_matrix(q);
@@ -51,7 +51,7 @@ Quat turned(const RigidBody& body, const Quat& from, const Vec3& momentum, doubl
   const double energy = spin_energy(body, from, momentum);
   // The spin of a free body changes, but never beyond |L| over its least moment of inertia.
   const double bound = std::max(fastest, momentum.norm() * body.inverse_inertia.norm());
-  const double steps = std::clamp(std::ceil(bound * time / kLargestTurn), 1.0, kMostSteps);
+  const double steps = std::clamp(std::ceil(bound * time / kLargestTurn), 1.0, kMostTurns);
   Quat q = from;
   for (double i = 0.0; i < steps; i += 1.0) {
     q = with_energy(body, runge_kutta(body, q, momentum, time / steps), momentum, energy);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "thigma/core/error.h"
+#include "thigma/core/index.h"
 #include "thigma/math/elementary.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/texture/charts.h"
@@ -15,8 +16,6 @@
 
 namespace thigma {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 // Texels beyond a chart's edge that interpolation and differences may touch.
 constexpr double kMargin = 3.0;

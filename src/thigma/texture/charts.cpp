@@ -9,6 +9,7 @@
 #include <queue>
 
 #include "thigma/core/error.h"
+#include "thigma/core/index.h"
 #include "thigma/math/elementary.h"
 #include "thigma/mesh/topology.h"
 #include "thigma/texture/detail/flatten_chart.h"
@@ -18,8 +19,6 @@ namespace thigma {
 namespace {
 
 using detail::FlatChart;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 struct Surface {
   const TriangleMesh& mesh;

@@ -7,9 +7,12 @@
 #include <sys/mman.h>
 
 #include "thigma/core/error.h"
+#include "thigma/texture/detail/plane_cross.h"
 
 namespace thigma {
 namespace {
+
+using detail::cross;
 
 [[noreturn]] void fail(const std::string& name, const std::string& what,
                        const std::string& expected) {
@@ -19,8 +22,6 @@ namespace {
 std::string place(const char* kind, std::size_t index) {
   return std::string(kind) + " " + std::to_string(index);
 }
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 void check_sizes(const TextureSource& source, const std::string& name) {
   const std::int64_t width = source.width, height = source.height;

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/texture/detail/plane_cross.h"
 #include "thigma/texture/texel_lookup.h"
 
 namespace thigma {
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
+using detail::cross;
 
 double sign_of(Facing facing) noexcept { return facing == Facing::along ? 1.0 : -1.0; }
 

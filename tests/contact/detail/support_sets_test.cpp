@@ -1,4 +1,5 @@
 #include "thigma/contact/detail/support_sets.h"
+#include "thigma/math/infinity.h"
 
 #include <bit>
 #include <limits>
@@ -8,8 +9,6 @@
 
 namespace thigma::detail {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Cubes have faces of four vertices, balls of three; both far from the origin of their bodies.
 test::PointHull hull_of(int trial, Random& random) {

@@ -5,12 +5,11 @@
 #include "convex/hull_support.h"
 #include <gtest/gtest.h>
 
+#include "thigma/math/infinity.h"
 #include "thigma/mesh/shapes.h"
 
 namespace thigma::detail {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Whether a unit direction is a sum of positive parts of two others, to rounding.
 bool is_between(const Vec3& n, const Vec3& from, const Vec3& to) {

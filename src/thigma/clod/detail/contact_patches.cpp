@@ -8,11 +8,10 @@
 #include "thigma/clod/detail/draft_tree.h"
 #include "thigma/clod/surface_deviation.h"
 #include "thigma/convex/pair.h"
+#include "thigma/core/index.h"
 
 namespace thigma::detail {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Distance from a point to a hull, 0 inside.
 double distance_to(const HullView& hull, const Vec3& p) {

@@ -4,6 +4,7 @@
 
 #include "thigma/clod/detail/cluster_tree.h"
 #include "thigma/clod/detail/patch_features.h"
+#include "thigma/core/index.h"
 #include "thigma/mesh/measure.h"
 
 namespace thigma::detail {
@@ -16,8 +17,6 @@ constexpr int kInnerVertices = 24;
 // pays for them.
 constexpr double kInnerTolerance = 1e-7;
 constexpr double kInnerSlack = 1e-6;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 ClusterBox box_of(const NodeDraft& draft) {
   ClusterBox box{draft.points[0], draft.points[0]};

@@ -13,6 +13,8 @@
 #include <thread>
 
 #include "thigma/convex/growing_hull.h"
+#include "thigma/core/index.h"
+#include "thigma/math/infinity.h"
 
 namespace thigma::detail {
 namespace {
@@ -20,9 +22,6 @@ namespace {
 constexpr int kDivisions = 5;    // of a triangle into four, one after the other
 constexpr double kTight = 2.0;  // a bound within this of the largest distance met is good
 // Nor is one worth dividing that is below s, which counts in every sum it enters.
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 using Corners = std::array<Vec3, 3>;
 

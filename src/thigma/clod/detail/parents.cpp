@@ -4,12 +4,11 @@
 #include <limits>
 
 #include "thigma/convex/growing_hull.h"
+#include "thigma/core/index.h"
 #include "thigma/simplify/detail/box_tree.h"
 
 namespace thigma::detail {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Largest distance of the points from the triangles of a patch; stops once it exceeds the limit.
 double distance_from(const std::vector<Vec3>& points, const TriangleMesh& level,

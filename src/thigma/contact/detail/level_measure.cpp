@@ -6,11 +6,10 @@
 #include "thigma/contact/detail/level_bound.h"
 #include "thigma/contact/detail/level_side.h"
 #include "thigma/contact/error_metric.h"
+#include "thigma/core/index.h"
 
 namespace thigma::detail {
 namespace {
-
-std::size_t at(std::int32_t i) noexcept { return static_cast<std::size_t>(i); }
 
 double speed_at(const LevelQuery& q, const Vec3& on_scene) noexcept {
   if (!q.has_last) return 0.0;

@@ -5,10 +5,10 @@
 #include <bit>
 #include <limits>
 
+#include "thigma/core/index.h"
+
 namespace thigma::detail {
 namespace {
-
-std::size_t at(std::int32_t i) noexcept { return static_cast<std::size_t>(i); }
 
 // Weights of the corners of a triangle for the point of its plane below p, clamped to the triangle; n across it.
 Vec3 clamped_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n) noexcept {

@@ -10,11 +10,11 @@
 #include "thigma/contact/detail/node_gap.h"
 #include "thigma/contact/detail/patch_pair.h"
 #include "thigma/contact/query_contacts.h"
+#include "thigma/math/infinity.h"
 
 namespace thigma::detail {
 
 inline constexpr float kNever = std::numeric_limits<float>::infinity();
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Traversal {
   const ClodHierarchy& object;

@@ -6,11 +6,10 @@
 #include "thigma/convex/clip.h"
 #include "thigma/convex/detail/visit_triangles.h"
 #include "thigma/convex/growing_hull.h"
+#include "thigma/core/index.h"
 
 namespace thigma::detail {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 const Vec3& corner(const PatchView& v, std::int32_t t, std::size_t k) {
   return v.mesh.positions[at(v.mesh.triangles[at(t)][k])];

@@ -8,7 +8,7 @@ namespace thigma::detail {
 namespace {
 
 // The next line with a word on it, comments cut off.
-bool next_content(Lines& lines, std::string_view& line) {
+bool next_uncommented(Lines& lines, std::string_view& line) {
   while (lines.next(line)) {
     line = line.substr(0, line.find('#'));
     if (!std::all_of(line.begin(), line.end(), is_blank)) return true;
@@ -34,7 +34,7 @@ OffCounts read_counts(Lines& lines, std::string_view header, const std::string& 
   std::string_view word = words.next();
   if (word.empty()) {
     std::string_view line;
-    if (!next_content(lines, line))
+    if (!next_uncommented(lines, line))
       fail_input(name, "ends after its first word", "line 1", "the counts");
     words = Words(line);
     word = words.next();
@@ -104,12 +104,12 @@ RawMesh read_off(std::string_view bytes, const std::string& name) {
   mesh.format = MeshFormat::off;
   Lines lines(bytes);
   std::string_view line;
-  next_content(lines, line);
+  next_uncommented(lines, line);
   const OffCounts counts = read_counts(lines, line, name);
   mesh.positions.reserve(static_cast<std::size_t>(counts.vertices));
   mesh.triangles.reserve(static_cast<std::size_t>(counts.faces));
   for (std::int64_t i = 0; i < counts.vertices; ++i) {
-    if (!next_content(lines, line)) {
+    if (!next_uncommented(lines, line)) {
       fail_input(name, "ends after " + std::to_string(i) + " vertices", at_line(lines.number()),
                  std::to_string(counts.vertices));
     }
@@ -122,13 +122,13 @@ RawMesh read_off(std::string_view bytes, const std::string& name) {
   }
   std::vector<std::int32_t> corners;
   for (std::int64_t i = 0; i < counts.faces; ++i) {
-    if (!next_content(lines, line)) {
+    if (!next_uncommented(lines, line)) {
       fail_input(name, "ends after " + std::to_string(i) + " faces", at_line(lines.number()),
                  std::to_string(counts.faces));
     }
     read_face(line, lines.number(), name, corners, mesh);
   }
-  if (next_content(lines, line)) {
+  if (next_uncommented(lines, line)) {
     fail_input(name, "goes on after the last face", at_line(lines.number()), "the end of the file");
   }
   return mesh;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "thigma/core/index.h"
+
 namespace thigma::detail {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 TreeBox united(const TreeBox& a, const TreeBox& b) {
   return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};

@@ -3,11 +3,10 @@
 #include <numeric>
 
 #include "thigma/convex/growing_hull.h"
+#include "thigma/core/index.h"
 
 namespace thigma::detail {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 bool is_within(const DeviationGuard& guard, const Vec3& p, std::int32_t t) {
   const auto& v = guard.original->triangles[at(t)];

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "thigma/core/index.h"
+
 namespace thigma::detail {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 void add_patch(EdgeStar& star, std::int32_t patch) {
   if (std::find(star.patches.begin(), star.patches.end(), patch) == star.patches.end())

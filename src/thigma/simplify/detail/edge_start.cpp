@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "thigma/core/index.h"
+
 namespace thigma::detail {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Steps that keep the volume, in edge lengths: smaller ones would only unsettle flat and smoothly
 /// curved patches, where hardly any position is convex; larger ones are folds.

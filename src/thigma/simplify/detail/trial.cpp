@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/core/index.h"
 #include "thigma/mesh/triangles_meet.h"
 #include "thigma/simplify/detail/triangle_trial.h"
 
 namespace thigma::detail {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 bool is_in_star(const CollapseScratch& k, std::int32_t t) { return k.mark[at(t)] == k.epoch; }
 bool is_removed(const CollapseScratch& k, std::int32_t t) { return k.mark[at(t)] == -k.epoch; }

@@ -2,12 +2,11 @@
 
 #include <cmath>
 
+#include "thigma/core/index.h"
 #include "thigma/mesh/triangles_meet.h"
 
 namespace thigma::detail {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

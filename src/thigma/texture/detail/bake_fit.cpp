@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/core/index.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/topology.h"
 #include "thigma/texture/texel_lookup.h"
 
 namespace thigma::detail {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 std::array<Vec3, 3> corners_of(const TriangleMesh& mesh, std::int32_t t) {
   const auto& v = mesh.triangles[at(t)];

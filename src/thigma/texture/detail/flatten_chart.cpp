@@ -10,11 +10,11 @@
 #include <Eigen/SVD>
 #include <Eigen/SparseCholesky>
 
+#include "thigma/core/index.h"
+#include "thigma/texture/detail/plane_cross.h"
+
 namespace thigma::detail {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // Corners in axes of the triangle's own.
 std::array<Vec2, 3> own_corners(const TriangleMesh& mesh, std::int32_t t) {

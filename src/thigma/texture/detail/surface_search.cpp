@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "thigma/core/index.h"
+
 namespace thigma::detail {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double box_distance(const TreeBox& box, const Vec3& p) {
   return (box.min - p).cwiseMax(p - box.max).cwiseMax(Vec3::Zero()).norm();

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "thigma/texture/detail/plane_cross.h"
+
 namespace thigma::detail {
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double segment_distance(const Vec2& a, const Vec2& b, const Vec2& p) {
   const Vec2 way = b - a;

@@ -4,12 +4,11 @@
 #include <bit>
 #include <cmath>
 
+#include "thigma/texture/detail/plane_cross.h"
 #include "thigma/texture/texel_lookup.h"
 
 namespace thigma::detail {
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
 
 // As in projected_patch: a texel on the edge of two triangles belongs to both.
 constexpr double kEdgeSlack = 1e-9;
