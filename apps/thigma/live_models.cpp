@@ -133,6 +133,8 @@ scenes::SceneDescription scene_with(const scenes::SceneDescription& now, const D
   scene.file = scene.title;
   scene.rate = now.rate;
   scene.device.uri = now.device.uri;
+  scene.safety = now.safety;  // the hand and its device are the same
+  scene.is_passive = now.is_passive;
 
   const Bounds own = scaled(mesh.report().bounds, unit);
   Pose& held = scene.object.world_from_mesh;

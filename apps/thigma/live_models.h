@@ -44,7 +44,7 @@ class DroppedMesh {
 std::string model_message(std::int64_t id, const DroppedMesh& mesh, double radius);
 
 /// A scene of a dropped mesh and one that is there: the dropped one in the hand, or standing still; the held one a little
-/// above the other. All else follows from their sizes.
+/// above the other. Rate, device and safety limits stay; all else follows from their sizes.
 ///
 /// now     scene that runs
 /// unit    metres per unit of the dropped mesh, > 0

@@ -42,7 +42,7 @@ function touchesObject({ player: { stage } }, event) {
   const at = new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
   const ray = new Raycaster();
   ray.setFromCamera(at, stage.view.camera);
-  return ray.intersectObject(stage.object.solid, false).length > 0;
+  return ray.intersectObject(stage.object.finest.solid, false).length > 0;
 }
 
 function move(input, event) {

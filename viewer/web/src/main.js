@@ -69,6 +69,7 @@ const on = {
   scene: (message) => {
     session.scene = message;
     session.snapshot = null;
+    session.fresh = false;
     session.meshes.clear();
     fillLevelBrowser(levels, message);
     veil("Loading the objects …");
@@ -203,8 +204,7 @@ addEventListener("keydown", (event) => {
 
 function startStage() {
   try {
-    const asked = new URLSearchParams(location.search).get("picture"); // "full" or "plain", whatever the graphics
-    stage = makeScene(at("scene"), asked ? asked === "plain" : undefined);
+    stage = makeScene(at("scene"), new URLSearchParams(location.search).get("picture")); // "full" or "plain", whatever the graphics
   } catch (error) {
     session.trouble = "This browser shows no WebGL 2, so there is no picture; numbers and plots work. " +
       "Hardware acceleration may be off in its settings.";
@@ -252,7 +252,7 @@ function frame(now) {
   session.fresh = false;
   if (stage && draw(stage)) drawn += 1;
   tick += 1;
-  if (tick % 3 === 0) drawPlots(plots);
+  drawPlots(plots);
   if (tick % 6 === 0) showWords(now / 1000, newtons);
 }
 

@@ -16,7 +16,7 @@ const UNITS = [["millimetres", 0.001], ["centimetres", 0.01], ["inches", 0.0254]
 /// ask     (message) -> promise of the `ack`; send (buffer) -> whether it went; room() -> bytes that wait to go
 /// limit() bytes of a message
 export function makeOpener(dialog, { ask, send, room, limit }) {
-  const opener = { dialog, ask, send, room, limit, menu: { scenes: [], recordings: [] }, name: "", model: null, busy: false };
+  const opener = { dialog, ask, send, room, limit, menu: { scenes: [], recordings: [] }, name: "", model: null, busy: null };
   dialog.addEventListener("click", (event) => { if (event.target === dialog) dialog.close(); });
   for (const kind of ["dragenter", "dragover"]) {
     addEventListener(kind, (event) => {
@@ -88,10 +88,10 @@ async function choose(opener, name) {
 /// One request at a time; a refusal stands in the dialog.
 async function attempt(opener, message) {
   if (opener.busy) return { ok: false };
-  opener.busy = true;
   opener.dialog.classList.add("busy");
-  const ack = await opener.ask(message);
-  opener.busy = false;
+  opener.busy = opener.ask(message);
+  const ack = await opener.busy;
+  opener.busy = null;
   opener.dialog.classList.remove("busy");
   if (!ack.ok && opener.said) opener.said.textContent = ack.reason ?? "The program refused.";
   return ack;
@@ -100,7 +100,7 @@ async function attempt(opener, message) {
 // ---- a mesh
 
 async function takeFile(opener, file) {
-  if (opener.busy) return;
+  while (opener.busy) await opener.busy; // nobody drops a file twice
   opener.model = { name: file.name };
   const bar = Object.assign(element("progress"), { max: 1, value: 0 });
   opener.dialog.replaceChildren(element("h2", "", file.name), element("p", "note", "Sending and looking at it …"), bar,

@@ -6,6 +6,7 @@ import { colour, currentTheme } from "./theme.js";
 
 export const SECONDS = 10;
 const HEIGHT = 56; // of a plot, as in style.css [px]
+const BETWEEN = 45; // from one drawing to the next, three frames of a screen [ms]
 const FAST = ["force", "force_x", "force_y", "force_z", "torque", "torque_x", "torque_y", "torque_z", "penetration",
   "stretch", "energy", "model_age", "step_cpu", "wake_late"];
 const SLOW = ["haptic_rate", "contact_rate"];
@@ -28,7 +29,7 @@ const PLOTS = [
 
 export function makePlots(parent) {
   const board = { parent, fast: makeHistory(FAST, SECONDS), slow: makeHistory(SLOW, SECONDS, 600), plots: [], rows: 0,
-    now: 0, marks: [], theme: null, floors: { Hz: 1000, s: 1e-3 } };
+    now: 0, marks: [], theme: null, floors: { Hz: 1000, s: 1e-3 }, rested: 0 };
   for (const spec of PLOTS) {
     const box = document.createElement("figure");
     box.className = "plot";
@@ -162,8 +163,10 @@ export function clearPlots(board) {
   board.marks = [];
 }
 
+/// Twenty times a second at most, and for a tenth of the time at most.
 export function drawPlots(board) {
-  if (board.parent.hidden || board.parent.offsetParent === null) return;
+  const begin = performance.now();
+  if (begin < board.rested || board.parent.hidden || board.parent.offsetParent === null) return;
   if (board.theme !== currentTheme()) rebuildPlots(board);
   for (const plot of board.plots) {
     const data = view(historyOf(board, plot), plot.spec.lines);
@@ -172,6 +175,8 @@ export function drawPlots(board) {
     plot.chart.setData(data);
     plot.value.textContent = say(shown(plot, data), plot.spec.unit, plot.spec.least);
   }
+  const end = performance.now();
+  board.rested = end + Math.max(BETWEEN, 9 * (end - begin));
 }
 
 /// The value under the cursor, or the newest.

@@ -8,8 +8,10 @@ import { boundsOf } from "./geometry.js";
 import { makeArrow, makeContactMarks, makeRod, makeTwist, paintArrow, paintRod, paintTwist, setArrow, setContactMarks,
   setRod, setTwist } from "./marks.js";
 import { addLevel, disposeBody, lacksLevel, makeBody, markContacts, paintBody, showBody } from "./body.js";
+import { makePace, notePicture, restAfter, STEPS } from "./pace.js";
 import { colour } from "./theme.js";
 
+const PLAIN_STEP = 2; // of pace.js, where the processor draws: it may turn out a fast one
 const EMPHASIS = 1.6; // the arrow has to come out of the object it starts in
 
 /// Whether pictures are made by the processor, which the engine needs as well.
@@ -22,8 +24,10 @@ function drawsInSoftware() {
 }
 
 /// canvas   where to draw; throws when there is no WebGL 2
-/// plain    simpler, for computers without graphics hardware; by default where there is none
-export function makeScene(canvas, plain = drawsInSoftware()) {
+/// asked    "full": all of the picture however long it takes; "plain": as for computers without graphics hardware; else
+///          whatever the graphics can do
+export function makeScene(canvas, asked = null) {
+  const plain = asked === "plain" || (asked !== "full" && drawsInSoftware());
   const renderer = new WebGLRenderer({ canvas, antialias: !plain, alpha: true, powerPreference: "high-performance" });
   renderer.outputColorSpace = SRGBColorSpace;
   renderer.toneMapping = NeutralToneMapping;
@@ -37,7 +41,8 @@ export function makeScene(canvas, plain = drawsInSoftware()) {
     canvas, renderer, scene, root, view: makeView(), plain, lights: addLights(scene, plain), ground: addGround(scene), radius: 1,
     size: 1, object: null, statics: [], ghost: null, force: makeArrow(), twist: makeTwist(), marks: makeContactMarks(),
     spring: makeRod(), dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true },
-    wants: () => {}, wanted: new Set(), last: null, moved: true, fence: null, begun: 0, rested: 0,
+    wants: () => {}, wanted: new Set(), last: null, moved: true, resized: true, fence: null, begun: 0, rested: 0,
+    pace: makePace({ step: plain ? PLAIN_STEP : 0, fixed: asked === "full" }),
   };
   root.add(stage.force.group, stage.twist.group, stage.marks.group, stage.spring.group);
   stage.spring.group.visible = false;
@@ -252,30 +257,43 @@ export function setOptions(stage, options) {
   stage.dirty = true;
 }
 
+/// The canvas has another size in the page. Its pixels follow with the next picture: until then the last one stays.
 export function resize(stage) {
   const { clientWidth: width, clientHeight: height } = stage.canvas;
   if (width === 0 || height === 0) return;
-  stage.renderer.setPixelRatio(stage.plain ? 1 : Math.min(2, devicePixelRatio));
-  stage.renderer.setSize(width, height, false);
+  stage.resized = true;
   stage.view.camera.aspect = width / height;
   stage.view.camera.fov = width < height ? 38 : 30; // an upright picture would cut the sides off
   stage.view.camera.updateProjectionMatrix();
   placeCamera(stage.view);
 }
 
+/// As many pixels as the page has room for and the machine can afford; where there are no shadows, nothing to catch them.
+function setQuality(stage) {
+  const { clientWidth: width, clientHeight: height } = stage.canvas;
+  const { ratio, shadows } = STEPS[stage.pace.step];
+  stage.renderer.setPixelRatio(ratio * (stage.plain ? 1 : Math.min(2, devicePixelRatio)));
+  if (width > 0 && height > 0) stage.renderer.setSize(width, height, false);
+  stage.lights.key.castShadow = stage.ground.visible = shadows;
+  stage.resized = false;
+  stage.moved = true;
+}
+
 /// Draws when something has changed and the last picture is done; true when it did. Handing over more pictures than the
-/// graphics can make would in the end hold up this thread, and with it the hand. Where the processor draws, it gets half of
-/// the time at most: the engine and the page need the rest.
+/// graphics can make would in the end hold up this thread, and with it the hand. Where a picture takes long, pictures get
+/// half of the time at most, as the engine and the page need the rest, and the next ones are simpler.
 export function draw(stage) {
-  if (!stage.dirty && !stage.view.changed) return false;
   const gl = stage.renderer.getContext(), now = performance.now();
   if (stage.fence && !gl.isContextLost()) {
     if (gl.getSyncParameter(stage.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
     gl.deleteSync(stage.fence);
-    stage.rested = stage.plain ? now + (now - stage.begun) : now;
     stage.fence = null;
+    const took = 1e-3 * (now - stage.begun);
+    stage.rested = now + 1e3 * restAfter(took, stage.plain);
+    stage.resized ||= notePicture(stage.pace, took);
   }
-  if (now < stage.rested) return false;
+  if (now < stage.rested || !(stage.dirty || stage.view.changed)) return false;
+  if (stage.resized) setQuality(stage);
   stage.dirty = stage.view.changed = false;
   stage.renderer.shadowMap.needsUpdate = stage.moved;
   stage.moved = false;

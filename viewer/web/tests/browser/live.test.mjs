@@ -8,7 +8,7 @@ import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { startProgram } from "../program.mjs";
-import { openPage, leftOut, startBrowser } from "./browser.mjs";
+import { openPage, startBrowser } from "./browser.mjs";
 
 const program = process.env.THIGMA_PROGRAM;
 const SHOTS = process.env.THIGMA_SHOTS;
@@ -16,29 +16,26 @@ const PATIENCE = { timeout: 400000 };
 let browser = null, reason = null;
 
 before(async () => {
-  reason = leftOut();
-  if (reason) return;
   if (!program || !existsSync(program)) reason = "no program to run (THIGMA_PROGRAM is not set or not there)";
   else ({ browser, reason } = await startBrowser());
 });
 after(async () => { await browser?.close(); });
 
-const SMALL = ["SCENES/ellipsoid.toml", "--exact"];
+const here = dirname(fileURLToPath(import.meta.url));
+const SMALL = [join(here, "small.toml"), "--exact"];
 
 /// A session in lockstep, which no machine is too slow for, to be shown again: the arguments for it.
 function recorded() {
   const folder = mkdtempSync(join(tmpdir(), "thigma-recorded-"));
   const file = join(folder, "session.mcap");
-  const root = join(dirname(fileURLToPath(import.meta.url)), "../../../..");
-  execFileSync(program, ["run", SHOTS ? "jaws" : join(root, "scenes/ellipsoid.toml"), "--headless", "--lockstep", "--duration", SHOTS ? "6" : "3",
+  execFileSync(program, ["run", SHOTS ? "jaws" : join(here, "../../../../scenes/ellipsoid.toml"), "--headless", "--lockstep", "--duration", SHOTS ? "6" : "3",
     "--record", file, "--quiet"], { stdio: "ignore" });
   return { args: ["--replay", file], done: () => rmSync(folder, { recursive: true, force: true }) };
 }
 
 function liveTest(name, device, body, scene = SMALL, query = "") {
   test(name, PATIENCE, async (t) => {
-    const why = reason ?? leftOut();
-    if (why) { t.skip(why); return; }
+    if (reason) { t.skip(reason); return; }
     const { args, done } = typeof scene === "function" ? scene() : { args: scene, done: () => {} };
     const run = await startProgram(program, [...args, "--device", device]);
     const { page, errors, context } = await openPage(browser, `${run.address}/${query}`);
@@ -60,7 +57,8 @@ const session = (page, read) => page.evaluate((text) => new Function("s", `retur
 const LOST_AFTER = 200;  // ms without a sample, and the device counts as lost
 
 /// Takes hold and drags down in the picture, seen from the side, until there is force. A page on a busy machine may be too
-/// slow for the 0.2 s after which the device counts as lost: then it takes hold again, as a person would.
+/// slow for the 0.2 s after which the device counts as lost: then it takes hold again and, as a person would who is told so,
+/// lifts the object off first.
 /// Returns false where the machine let go of it again and again: too slow to press anything.
 async function pressDown(page) {
   const box = await page.locator("#scene").boundingBox();
@@ -73,8 +71,8 @@ async function pressDown(page) {
   let down = 0, held = false, hurdles = 0, steady = 0, turns = 0;
   for (const end = Date.now() + 90000; Date.now() < end; ++turns) {
     const begin = Date.now();
-    const { holds, newtons } = await page.evaluate(() => { const { session: s, hand } = window.thigma;
-      return { holds: s.holding && hand.clutch, newtons: Math.hypot(...s.snapshot.force) }; });
+    const { holds, armed, newtons } = await page.evaluate(() => { const { session: s, hand } = window.thigma;
+      return { holds: s.holding && hand.clutch, armed: (s.snapshot.bits & 2) !== 0, newtons: Math.hypot(...s.snapshot.force) }; });
     steady = newtons > 0.4 ? steady + 1 : 0;  // the first touch is a bounce
     if (steady > 5) { await page.mouse.up(); return true; }
     if (held && !holds) ++hurdles;
@@ -88,8 +86,8 @@ async function pressDown(page) {
         .catch(() => { ++hurdles; });
     } else if (steady > 0) {
       // hold still
-    } else if (down < reach) {
-      down += 2;
+    } else if (Math.abs(down) < reach) {
+      down += armed ? 2 : -2;
       await page.mouse.move(x, y + down);
       if (Date.now() - begin > LOST_AFTER) ++hurdles;
     } else {
@@ -142,8 +140,15 @@ liveTest("what the page asks for happens", "hand:", async ({ page }) => {
   await page.waitForFunction(() => window.thigma.session.state.device === "web:" && window.thigma.session.state.holder === "you");
 });
 
-const OCTAHEDRON = "v 15 0 0\nv -15 0 0\nv 0 15 0\nv 0 -15 0\nv 0 0 15\nv 0 0 -15\n" +
-  "f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n";
+const CORNERS = [[15, 0, 0], [-15, 0, 0], [0, 15, 0], [0, -15, 0], [0, 0, 15], [0, 0, -15]];
+const FACES = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
+const lines = (list, write) => list.map((one) => `${write(one)}\n`).join("");
+const OCTAHEDRON = {
+  obj: lines(CORNERS, (c) => `v ${c.join(" ")}`) + lines(FACES, (f) => `f ${f.map((v) => v + 1).join(" ")}`),
+  stl: `solid octahedron\n${lines(FACES, (f) => `facet normal 0 0 0\nouter loop\n${lines(f, (v) => `vertex ${CORNERS[v].join(" ")}`)}endloop\nendfacet`)}endsolid\n`,
+  ply: `ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\nelement face 8\n` +
+    `property list uchar int vertex_indices\nend_header\n${lines(CORNERS, (c) => c.join(" "))}${lines(FACES, (f) => `3 ${f.join(" ")}`)}`,
+};
 
 liveTest("a drag moves the object until it presses, and not through", "web:", async ({ page, t }) => {
   const start = await session(page, "s.snapshot.object.position[2]");
@@ -177,13 +182,41 @@ liveTest("a recording is shown at any time, and a mesh of one's own is held and 
   await page.waitForFunction(() => { const { stage, session: s } = window.thigma;
     return stage.last === s.snapshot && stage.object.group.position.toArray().every((value, k) => value === s.snapshot.object.position[k]); });
   await page.keyboard.press("o");
-  await page.locator("#mesh-file").setInputFiles({ name: "octahedron.obj", mimeType: "model/obj", buffer: Buffer.from(OCTAHEDRON) });
+  await page.locator("#mesh-file").setInputFiles({ name: "octahedron.obj", mimeType: "model/obj", buffer: Buffer.from(OCTAHEDRON.obj) });
   await page.getByText("Ready to use").waitFor();
   await page.getByRole("button", { name: "Hold it" }).click();
   await page.waitForFunction(() => window.thigma.session.scene.object.name === "octahedron.obj" && window.thigma.stage.object &&
     window.thigma.session.state.replay === null && Math.hypot(...(window.thigma.session.snapshot?.force ?? [0])) > 0.1);
   assert.equal(await session(page, "s.scene.object.triangles"), 8);
 });
+
+liveTest("STL and PLY files dropped on the page are touched and held", "hand:", async ({ page }) => {
+  for (const [ending, how] of [["stl", "Touch it"], ["ply", "Hold it"]]) {
+    const name = `octahedron.${ending}`;
+    const dropped = await page.evaluateHandle(([text, as]) => { const data = new DataTransfer(); data.items.add(new File([text], as)); return data; },
+      [OCTAHEDRON[ending], name]);
+    await page.dispatchEvent("#scene", "drop", { dataTransfer: dropped });
+    await page.getByText("Ready to use").waitFor();
+    await page.getByRole("button", { name: how, exact: true }).click();
+    await page.waitForFunction(([as, isHeld]) => { const { scene, snapshot } = window.thigma.session;
+      const { name: shown, triangles } = isHeld ? scene.object : scene.statics[0];
+      return shown === as && triangles === 8 && Math.hypot(...(snapshot?.force ?? [0])) > 0.1; }, [name, how === "Hold it"]);
+  }
+  assert.equal(await session(page, "s.scene.statics[0].name"), "octahedron.stl", "what was touched stays");
+});
+
+liveTest("texture is switched off and on", "hand:", async ({ page }) => {
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  const choices = page.getByRole("radiogroup", { name: "texture" });
+  for (const word of ["off", "on"]) {
+    const number = await session(page, "s.state.session");
+    await choices.getByRole("radio", { name: word, exact: true }).click();
+    await page.waitForFunction(([before, value]) => { const { session: s } = window.thigma;
+      return s.state.session > before && s.parameters.find(({ name }) => name === "texture").value === value &&
+        Math.hypot(...(s.snapshot?.force ?? [0])) > 0.1; }, [number, word === "off" ? 1 : 0]);
+    assert.equal(await choices.locator("[aria-checked=true]").textContent(), word);
+  }
+}, [join(here, "ridged.toml")]);
 
 // THIGMA_SHOTS=DIR: the same with the jaws in full quality, and the pictures of the documents.
 const shot = (page, name) => SHOTS && page.screenshot({ path: join(SHOTS, `${name}.png`) });

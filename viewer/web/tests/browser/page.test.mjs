@@ -4,22 +4,20 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { startMock } from "../mock/server.mjs";
-import { openPage, leftOut, startBrowser } from "./browser.mjs";
+import { openPage, startBrowser } from "./browser.mjs";
 
 const PATIENCE = { timeout: 400000 }; // software rendering on a busy machine
 let browser = null, reason = null;
 
 before(async () => {
-  reason = leftOut();
-  if (!reason) ({ browser, reason } = await startBrowser());
+  ({ browser, reason } = await startBrowser());
 });
 after(async () => { await browser?.close(); });
 
 /// A test with a page of its own on a server of its own; fails on any error the page reports.
 function pageTest(name, options, body) {
   test(name, PATIENCE, async (t) => {
-    const why = reason ?? leftOut();
-    if (why) { t.skip(why); return; }
+    if (reason) { t.skip(reason); return; }
     if (!browser.isConnected()) ({ browser } = await startBrowser()); // one that died fails its own test only
     const mock = await startMock({ device: options.device ?? "web:" });
     const { page, errors, context } = await openPage(browser, "about:blank", options.context);
@@ -367,8 +365,7 @@ pageTest("without WebGL there is a sentence, and the numbers go on", { mayReport
 });
 
 test("nothing comes from elsewhere, and a foreign page is not let in", PATIENCE, async (t) => {
-  const why = reason ?? leftOut();
-    if (why) { t.skip(why); return; }
+  if (reason) { t.skip(reason); return; }
   const mock = await startMock();
   const { page, context } = await openPage(browser, "about:blank");
   const hosts = new Set();
