@@ -11,8 +11,6 @@
 namespace thigma::test {
 namespace {
 
-std::string out_file(const char* name) { return (work_folder() / name).string(); }
-
 std::string mesh_file(const char* name, const TriangleMesh& mesh) {
   return write_text(name, format_mesh(mesh, MeshFormat::obj, name));
 }

@@ -16,9 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string kTorus = "procedural:torus?triangles=3000";
-const std::string kHeader = "x,y,z,qx,qy,qz,qw\n";
-
-std::string out_file(const char* name) { return (work_folder() / name).string(); }
 
 Ended build(const std::string& mesh, const std::string& out,
             const std::vector<std::string>& more = {}) {

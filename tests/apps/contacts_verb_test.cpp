@@ -12,8 +12,6 @@ namespace {
 
 const std::string kObject = "procedural:ellipsoid?triangles=500";
 const std::string kScene = "procedural:torus?triangles=800";
-const std::string kBall = "procedural:ball?triangles=320";
-const std::string kHeader = "x,y,z,qx,qy,qz,qw\n";
 
 Ended contacts(const std::string& poses, const std::vector<std::string>& more = {},
                const std::string& object = kBall, const std::string& scene = kBall) {

@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kBall = "procedural:ball?triangles=320";
-
 std::string in_work(const std::string& name) { return (work_folder() / name).string(); }
 
 std::vector<std::string> run_arguments(const std::vector<std::string>& more) {

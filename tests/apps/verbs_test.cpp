@@ -16,7 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kBall = "procedural:ball?triangles=320";
 const std::vector<std::string> kVerbs = {"run",    "build",       "contacts", "inspect", "repair", "replay",
                                          "export", "conformance", "bench",    "devices", "doctor", "tune",
                                          "bake"};
