@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <limits>
 #include <optional>
 #include <thread>
 
 #include "live_models.h"
-#include "playback.h"
+#include "live_playback.h"
 #include "run_view.h"
 #include "scenes/scene_file.h"
 #include "viewer/server/live_room.h"
@@ -144,9 +143,7 @@ class LiveRun {
       is_over = true;
     });
     while (!is_over) {
-      if (!request_) request_ = room_.take_request();
-      if (request_ && request_->kind == Kind::inspect) look_at_dropped();
-      if (request_ || is_told_to_stop()) stops = true;
+      if (poll_pages() || is_told_to_stop()) stops = true;
       sleep_ns(kPoll);
       if (program_.poll) program_.poll();
     }
@@ -164,10 +161,7 @@ class LiveRun {
     session.start();
     begin();
     while (session.is_running()) {
-      if (is_told_to_stop()) session.request_stop();
-      if (!request_) request_ = room_.take_request();
-      if (request_ && request_->kind == Kind::inspect) look_at_dropped();
-      if (request_) session.request_stop();
+      if (poll_pages() || is_told_to_stop()) session.request_stop();
       sleep_ns(kPoll);
       if (program_.poll) program_.poll();
     }
@@ -179,74 +173,20 @@ class LiveRun {
 
   bool is_told_to_stop() const { return program_.stop->load(std::memory_order_relaxed); }
 
-  /// Shows a recording until a page asks for something else.
   SessionSummary playback() {
-    SessionConfig config = recorded_config();
-    room_.prepare_session(config);
-    live::LiveStart start;
-    start.device = playback_->config().device;
-    start.replay = playback_->file();
-    start.replay_seconds = playback_->seconds();
-    room_.begin_session(start);
-    ContactScratch scratch;
-    reserve_contact_scratch(config.contact, scratch);
-    playback_->jump_to(0.0, watchers());
-    double due = playback_->time();
-    std::int64_t last = monotonic_ns();
-    while (!request_ && !is_told_to_stop()) {
-      const std::int64_t now = monotonic_ns();
-      const std::uint64_t before = playback_->frame().frame;
-      if (take_step(room_.ports())) {
-        playback_->advance_to(std::numeric_limits<double>::infinity(), 1, watchers());
-        due = playback_->time();
-      } else if (!room_.ports().is_paused && !playback_->is_over()) {
-        due += 1e-9 * static_cast<double>(now - last);
-        playback_->advance_to(due, kMostFrames, watchers());
-      }
-      last = now;
-      request_ = room_.take_request();
-      if (request_ && request_->kind == Kind::inspect) look_at_dropped();
-      if (request_ && (request_->kind == Kind::seek || request_->kind == Kind::reset)) {
-        room_.rewind();
-        playback_->jump_to(request_->kind == Kind::seek ? request_->number : 0.0, watchers());
-        due = playback_->time();
-        room_.answer(*request_, "");
-        request_.reset();
-      }
-      if (playback_->frame().frame != before || scratch.sequence == 0) find(config, scratch);
-      sleep_ns(kPoll);
-    }
-    room_.end_session("stopped", 0);
+    show_playback({room_, *playback_, recorded_config(run_->config, playback_->config()),
+                   [this]() -> std::optional<live::LiveRequest>& { return poll_pages(); },
+                   [this] { return is_told_to_stop(); }});
     SessionSummary summary;
     summary.end = SessionEnd::stopped;
     return summary;
   }
 
-  /// What watches without writing anything.
-  SessionSinks watchers() {
-    return {[this](const HapticSample& sample) { room_.look_at(sample); },
-            [this](const ContactSample& sample) { room_.look_at(sample); },
-            [this](const SessionEvent& event) { room_.look_at(event); }};
-  }
-
-  /// Contacts are not part of a recording: they are found again where the object was.
-  void find(const SessionConfig& config, ContactScratch& scratch) {
-    const HapticSample& frame = playback_->frame();
-    ContactSample sample;
-    contact_step(config.contact, {frame.body, frame.time, frame.frame}, scratch, sample);
-    view_contacts(config.contact, scratch, frame.time, room_.ports().contacts.draft());
-    room_.ports().contacts.publish();
-  }
-
-  SessionConfig recorded_config() const {
-    SessionConfig config = run_->config;
-    const RecordedConfig& recorded = playback_->config();
-    const bool is_exact = config.contact.resolution.is_exact;
-    config.haptic = recorded.params;
-    config.rate = recorded.rate_hz;
-    config.contact.resolution = recorded.resolution;
-    config.contact.resolution.is_exact |= is_exact;  // there are no levels then
-    return config;
+  /// What a page asks for that the session has to end for, once there is such a request; meshes are looked at meanwhile.
+  std::optional<live::LiveRequest>& poll_pages() {
+    if (!request_) request_ = room_.take_request();
+    if (request_ && request_->kind == Kind::inspect) look_at_dropped();
+    return request_;
   }
 
   /// Whether there is another session to run, and sets it up.
@@ -257,8 +197,7 @@ class LiveRun {
     int alone = room_.page_count() > 0 ? 0 : kPatience;
     while (!request_ && summary.end == SessionEnd::fault && alone < kPatience &&
            !is_told_to_stop()) {
-      request_ = room_.take_request();
-      if (request_ && request_->kind == Kind::inspect) look_at_dropped();
+      poll_pages();
       alone = room_.page_count() > 0 ? 0 : alone + 1;
       sleep_ns(kPoll);
     }
@@ -380,7 +319,7 @@ class LiveRun {
     const bool is_other = scene != run_->scene.file && options_.replay != path;
     if (is_other) prepare(scenes::read_scene(scene), scene_options());
     playback_ = std::move(next);
-    const SessionConfig config = recorded_config();
+    const SessionConfig config = recorded_config(run_->config, playback_->config());
     room_.show(view_of(*run_), config, start_ * config.contact.body_from_mesh);
     record_.clear();
   }
@@ -421,8 +360,6 @@ class LiveRun {
                        bounds_of(other.meshes.front().positions)),
             options);
   }
-
-  static constexpr std::size_t kMostFrames = 240;  // of a recording, at once
 
   const LiveProgram& program_;
   RunOptions options_;  // of the run that is prepared

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -383,6 +384,27 @@ TEST(RecordVerbs, a_scene_that_simulates_itself) {
   EXPECT_EQ(json_line(replayed)["identical"], true);
   const Ended held = run_program({"run", scene, "--device", "hand:", "--headless", "--quiet", "--duration", "1"});
   EXPECT_EQ(held.code, 2) << held.err;
+}
+
+// The scene that ships, with its levels of detail and fewer triangles: nothing is deeper than the tolerance for 10 s.
+TEST(RecordVerbs, the_spoon_stays_out_of_the_cup) {
+  std::string text = read_text(std::string(THIGMA_SOURCE_DIR) + "/scenes/spoon_in_cup.toml");
+  for (const auto& [from, to] : {std::pair{"86016", "24000"}, std::pair{"64000", "24000"}}) {
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, std::strlen(from), to);
+  }
+  const Ended e = run_program({"run", write_text("spoon.toml", text), "--device", "null:", "--headless", "--json", "--quiet",
+                               "--lockstep", "--duration", "10"});
+  ASSERT_EQ(e.code, 0) << e.err;
+  const nlohmann::json said = json_line(e);
+  EXPECT_GT(said["contact"]["level_changes"].get<int>(), 0);
+  EXPECT_GT(said["simulation"]["events"].get<int>(), 5);
+  EXPECT_TRUE(said["simulation"]["at_rest"].get<bool>());
+  EXPECT_EQ(said["simulation"]["unresolved"], 0);
+  EXPECT_LE(said["simulation"]["deepest"].get<double>(), said["simulation"]["tolerance"].get<double>());
+  EXPECT_LE(said["penetration_max"].get<double>(), said["simulation"]["tolerance"].get<double>());
+  EXPECT_LE(said["simulation"]["energy"]["growth_max"].get<double>(), 1e-6 * said["simulation"]["energy"]["start"].get<double>());
 }
 
 }  // namespace

@@ -17,7 +17,6 @@ using test::PointHull;
 using test::random_hull;
 using test::random_pose;
 
-
 // Distance of two hulls as the least over all triangles (with repeated corners: segments and
 // points) that their vertices span, or 0 when one contains the other: every face of the hull is
 // among them.

@@ -20,7 +20,6 @@ using detail::Corners;
 using detail::PlacedTriangle;
 using detail::Sides;
 
-
 // A bound on squared distances that is too small by rounding must not leave out the pair it came from.
 constexpr double kMargin = 1.0 + 1e-12;
 // Of the distance from which on pairs are left out, by the size of the pair: far above the rounding of a plane's

@@ -21,8 +21,9 @@ void use_passivity(const DeviceLimits& device, SessionConfig& config) {
                                   device.delay);
     return;
   }
-  params.passivity = springs_of(params.workspace, params.coupling.linear_stiffness,
-                                params.coupling.angular_stiffness, period, device.delay);
+  params.passivity.period = period;
+  params.passivity.delay = device.delay;
+  retune_passivity(params);
 }
 
 void retune_passivity(HapticParams& params) THIGMA_RT {

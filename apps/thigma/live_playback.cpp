@@ -1,0 +1,87 @@
+#include "live_playback.h"
+
+#include <limits>
+
+#include "thigma/runtime/rt_thread.h"
+
+namespace thigma::app {
+namespace {
+
+using Kind = live::LiveRequest::Kind;
+
+constexpr std::int64_t kFrame = 10'000'000;  // between two pictures [ns]
+constexpr std::size_t kMostFrames = 240;     // of a recording, at once
+
+/// What watches without writing anything.
+SessionSinks watchers(live::LiveRoom& room) {
+  return {[&room](const HapticSample& sample) { room.look_at(sample); },
+          [&room](const ContactSample& sample) { room.look_at(sample); },
+          [&room](const SessionEvent& event) { room.look_at(event); }};
+}
+
+/// Contacts are not part of a recording: they are found again where the object was.
+void find_contacts(const LivePlayback& show, ContactScratch& scratch) {
+  const HapticSample& frame = show.playback.frame();
+  ContactSample sample;
+  contact_step(show.config.contact, {frame.body, frame.time, frame.frame}, scratch, sample);
+  view_contacts(show.config.contact, scratch, frame.time, show.room.ports().contacts.draft());
+  show.room.ports().contacts.publish();
+}
+
+/// Does what a page asked for, where that is moving about in the recording; returns whether it was.
+bool move_within(const LivePlayback& show, const live::LiveRequest& request, const SessionSinks& sinks) {
+  if (request.kind != Kind::seek && request.kind != Kind::reset) return false;
+  show.room.rewind();
+  show.playback.jump_to(request.kind == Kind::seek ? request.number : 0.0, sinks);
+  show.room.answer(request, "");
+  return true;
+}
+
+}  // namespace
+
+SessionConfig recorded_config(const SessionConfig& scene, const RecordedConfig& recorded) {
+  SessionConfig config = scene;
+  config.haptic = recorded.params;
+  config.rate = recorded.rate_hz;
+  config.contact.resolution = recorded.resolution;
+  config.contact.resolution.is_exact |= scene.contact.resolution.is_exact;  // there are no levels then
+  return config;
+}
+
+void show_playback(LivePlayback show) {
+  Playback& playback = show.playback;
+  const SessionSinks sinks = watchers(show.room);
+  show.room.prepare_session(show.config);
+  live::LiveStart start;
+  start.device = playback.config().device;
+  start.replay = playback.file();
+  start.replay_seconds = playback.seconds();
+  show.room.begin_session(start);
+  ContactScratch scratch;
+  reserve_contact_scratch(show.config.contact, scratch);
+  playback.jump_to(0.0, sinks);
+  double due = playback.time();
+  std::int64_t last = monotonic_ns();
+  while (!show.is_told_to_stop()) {
+    const std::int64_t now = monotonic_ns();
+    const std::uint64_t before = playback.frame().frame;
+    if (std::optional<live::LiveRequest>& request = show.poll()) {
+      if (!move_within(show, *request, sinks)) break;
+      request.reset();
+      due = playback.time();
+    }
+    if (take_step(show.room.ports())) {
+      playback.advance_to(std::numeric_limits<double>::infinity(), 1, sinks);
+      due = playback.time();
+    } else if (!show.room.ports().is_paused && !playback.is_over()) {
+      due += 1e-9 * static_cast<double>(now - last);
+      playback.advance_to(due, kMostFrames, sinks);
+    }
+    last = now;
+    if (playback.frame().frame != before || scratch.sequence == 0) find_contacts(show, scratch);
+    sleep_ns(kFrame);
+  }
+  show.room.end_session("stopped", 0);
+}
+
+}  // namespace thigma::app
