@@ -221,13 +221,10 @@ pageTest("levels: patches of any, and the active ones where the finest is only l
   assert.deepEqual(asked(), ["1 2"], "free levels have no surface to ask for");
   for (const name of ["lower block as it is", "upper block as it is"]) await page.getByRole("radio", { name }).click();
   await page.keyboard.press("l");
-  await page.waitForFunction(() => window.thigma.session.snapshot.contacts.length > 20 && window.thigma.stage.object.levels.size === 2);
-  await page.evaluate(() => window.thigma.act.pause());
-  await until(() => mock.run === "paused", "pause");
-  await drawnSince(page, 1);
-  const active = await page.evaluate(() => { const { object } = window.thigma.stage;
-    return [object.finest, object.levels.get(1), object.levels.get(2)].map((one) => one.bytes.filter((level) => level > 0).length); });
-  assert.ok(active.every((n) => n > 0), `patches of each level in contact: ${active}`);
+  await page.waitForFunction(() => { // contacts come and go, so in one picture
+    const { object } = window.thigma.stage;
+    return [object.finest, object.levels.get(1), object.levels.get(2)].every((one) => one?.bytes.some((level) => level > 0));
+  });
   assert.deepEqual([...new Set(asked())].sort(), ["0 1", "0 2", "1 1", "1 2"]);
   assert.equal(asked().length, 4, "each is asked for once");
 });
