@@ -1,6 +1,5 @@
 #include "benchmarks/clod_build_bench.h"
 
-#include <cstdio>
 #include <fstream>
 
 #include "scenes/make_model.h"

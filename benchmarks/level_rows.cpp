@@ -1,7 +1,6 @@
 #include "benchmarks/level_rows.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 #include <string>
 

@@ -3,6 +3,8 @@
 
 #include "conformance.h"
 
+#include "thigma/math/infinity.h"
+
 namespace thigma::app {
 
 JsonField CaseCheck::take(const char* name) {
@@ -11,7 +13,6 @@ JsonField CaseCheck::take(const char* name) {
 }
 
 void CaseCheck::note(const JsonField& want, double error, double allowed) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (std::isnan(error)) error = kInfinity;
   double used = error == 0.0 ? 0.0 : kInfinity;
   if (error > 0.0 && allowed > 0.0) used = error / allowed;

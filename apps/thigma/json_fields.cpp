@@ -1,6 +1,6 @@
 #include "json_fields.h"
 
-#include <limits>
+#include "thigma/math/infinity.h"
 
 namespace thigma::app {
 namespace {
@@ -43,7 +43,6 @@ std::size_t list_size(const JsonField& field) {
 
 double number(const JsonField& field) {
   if (field.value->is_number()) return field.value->get<double>();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (*field.value == "inf") return kInfinity;
   if (*field.value == "-inf") return -kInfinity;
   fail_field(field, "a number, \"inf\" or \"-inf\"");

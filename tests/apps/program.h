@@ -76,7 +76,7 @@ std::string write_text(const std::string& name, const std::string& bytes);
 std::string read_text(const std::filesystem::path& path);
 
 /// A file of this name in the folder of the tests.
-inline std::string out_file(const char* name) { return (work_folder() / name).string(); }
+inline std::string out_file(const std::string& name) { return (work_folder() / name).string(); }
 
 inline const std::string kBall = "procedural:ball?triangles=320";
 inline const std::string kHeader = "x,y,z,qx,qy,qz,qw\n";  // of a file of poses

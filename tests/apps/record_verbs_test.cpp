@@ -20,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string in_work(const std::string& name) { return (work_folder() / name).string(); }
-
 std::vector<std::string> run_arguments(const std::vector<std::string>& more) {
   std::vector<std::string> arguments = {"run", "--object",   kBall,    "--against",
                                         kBall, "--headless", "--json", "--quiet"};
@@ -45,7 +43,7 @@ nlohmann::json run_ball(const std::vector<std::string>& more) {
 }
 
 TEST(RecordVerbs, same_inputs_same_bits) {
-  const std::string file = in_work("once.mcap");
+  const std::string file = out_file("once.mcap");
   const nlohmann::json once = run_ball({"--lockstep", "--duration", "1", "--record", file});
   EXPECT_GT(once["force"]["max"].get<double>(), 0.5);
   EXPECT_EQ(once["haptic"]["frames"], 1000);
@@ -64,7 +62,7 @@ TEST(RecordVerbs, same_inputs_same_bits) {
 }
 
 TEST(RecordVerbs, threaded_sessions_replay_identical) {
-  const std::string file = in_work("threaded.mcap");
+  const std::string file = out_file("threaded.mcap");
   const nlohmann::json run = run_ball({"--duration", "1", "--record", file});
   EXPECT_GT(run["force"]["max"].get<double>(), 0.1);
   EXPECT_EQ(run["dropped_samples"], 0);
@@ -76,7 +74,7 @@ TEST(RecordVerbs, threaded_sessions_replay_identical) {
 TEST(RecordVerbs, only_objects_that_touch_are_moved_apart) {
   // Two balls of 50 mm: 4 mm apart, and overlapping.
   for (const bool is_apart : {true, false}) {
-    const std::string file = in_work("placed.mcap");
+    const std::string file = out_file("placed.mcap");
     const Ended e = run_program({"run", "--object", kBall, "--against", kBall, "--pose",
                                  is_apart ? "0,0,0.104,0,0,0,1" : "0,0,0.05,0,0,0,1", "--headless",
                                  "--lockstep", "--duration", "2", "--record", file});
@@ -91,7 +89,7 @@ TEST(RecordVerbs, only_objects_that_touch_are_moved_apart) {
 }
 
 TEST(RecordVerbs, recorded_samples_as_a_device_give_the_recorded_session) {
-  const std::string file = in_work("as_device.mcap");
+  const std::string file = out_file("as_device.mcap");
   const nlohmann::json recorded =
       run_ball({"--lockstep", "--duration", "1", "--rate", "800", "--record", file});
   ASSERT_GT(recorded["force"]["max"].get<double>(), 0.5);
@@ -143,7 +141,7 @@ void change_number(std::string& bytes, std::size_t at) {
 }
 
 TEST(RecordVerbs, one_changed_digit_is_found_at_its_frame) {
-  const std::string file = in_work("digit.mcap");
+  const std::string file = out_file("digit.mcap");
   run_ball({"--lockstep", "--duration", "0.8", "--record", file});
   const std::string whole = read_text(file);
   for (const int frame : {300, 641, 799}) {
@@ -163,7 +161,7 @@ TEST(RecordVerbs, one_changed_digit_is_found_at_its_frame) {
 }
 
 TEST(RecordVerbs, a_changed_contact_model_is_found_at_its_frame) {
-  const std::string file = in_work("model.mcap");
+  const std::string file = out_file("model.mcap");
   run_ball({"--lockstep", "--duration", "0.8", "--record", file});
   const std::string whole = read_text(file);
   const Recording recording = read_recording(file);
@@ -187,7 +185,7 @@ TEST(RecordVerbs, a_changed_contact_model_is_found_at_its_frame) {
 }
 
 TEST(RecordVerbs, events_are_recorded) {
-  const std::string file = in_work("events.mcap");
+  const std::string file = out_file("events.mcap");
   const Ended e = run_program(
       run_arguments({"--lockstep", "--duration", "3", "--record", file, "--fault", "unplug@0.8"}));
   EXPECT_EQ(e.code, 6) << e.err;
@@ -200,7 +198,7 @@ TEST(RecordVerbs, events_are_recorded) {
 }
 
 TEST(RecordVerbs, damaged_recordings_are_refused) {
-  const std::string file = in_work("damaged.mcap");
+  const std::string file = out_file("damaged.mcap");
   run_ball({"--lockstep", "--duration", "0.2", "--record", file});
   const std::string whole = read_text(file);
   const auto expect_refused = [&](const std::string& name, const std::string& bytes) {
@@ -230,7 +228,7 @@ TEST(RecordVerbs, damaged_recordings_are_refused) {
 }
 
 TEST(RecordVerbs, export_has_a_row_a_frame) {
-  const std::string file = in_work("rows.mcap"), csv = in_work("rows.csv");
+  const std::string file = out_file("rows.mcap"), csv = out_file("rows.csv");
   run_ball({"--lockstep", "--duration", "0.3", "--record", file});
   const Ended e = run_program({"export", file, "-o", csv, "--json"});
   EXPECT_EQ(e.code, 0) << e.err;
@@ -250,7 +248,7 @@ TEST(RecordVerbs, export_has_a_row_a_frame) {
 }
 
 TEST(RecordVerbs, plot_draws_what_was_recorded) {
-  const std::string file = in_work("drawn.mcap"), png = in_work("drawn.png");
+  const std::string file = out_file("drawn.mcap"), png = out_file("drawn.png");
   run_ball({"--lockstep", "--duration", "0.3", "--record", file});
   const Ended e = run_program({"plot", file, "-o", png, "--json"});
   EXPECT_EQ(e.code, 0) << e.err;
@@ -267,7 +265,7 @@ TEST(RecordVerbs, plot_draws_what_was_recorded) {
 }
 
 TEST(RecordVerbs, an_unwritable_place_is_told_before_the_run) {
-  for (const std::string& place : {std::string("/proc/x.mcap"), in_work("no_folder/x.mcap"),
+  for (const std::string& place : {std::string("/proc/x.mcap"), out_file("no_folder/x.mcap"),
                                    work_folder().string(), std::string("/dev/null")}) {
     const Ended e = run_program(
         run_arguments({"--lockstep", "--duration", "1000000", "--record", place}), 60.0);
@@ -303,7 +301,7 @@ TEST(RecordVerbs, faults_end_in_zero_force) {
                 {"hang=0.1@0.8", "watchdog", 0.101}};
   for (const bool is_lockstep : {true, false}) {
     for (const auto& f : faults) {
-      const std::string file = in_work("fault.mcap");
+      const std::string file = out_file("fault.mcap");
       std::vector<std::string> more = {"--duration", "3", "--record", file, "--fault", f.fault};
       if (is_lockstep) more.push_back("--lockstep");
       Ended e = run_program(run_arguments(more));
@@ -339,7 +337,7 @@ Ended stopped_run(int signal, const std::vector<std::string>& more, const std::s
 TEST(RecordVerbs, a_stop_signal_ends_in_order) {
   for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGTSTP}) {
     for (const bool is_lockstep : {true, false}) {
-      const std::string file = in_work("stopped.mcap");
+      const std::string file = out_file("stopped.mcap");
       std::vector<std::string> more = {"--record", file};
       if (is_lockstep) more.push_back("--lockstep");
       const Ended e = undisturbed([&] { return stopped_run(signal, more, file); }, 130);
@@ -361,7 +359,7 @@ TEST(RecordVerbs, a_stop_signal_ends_in_order) {
 
 // Nobody holds the object: it falls, and comes to rest.
 TEST(RecordVerbs, a_scene_that_simulates_itself) {
-  const std::string scene = in_work("falls.toml"), file = in_work("falls.mcap");
+  const std::string scene = out_file("falls.toml"), file = out_file("falls.mcap");
   std::ofstream(scene) << "gravity = [0.0, 0.0, -9.81]\n[object]\nmesh = \"procedural:ball?triangles=320\"\nunit_scale = 0.1\n"
                           "position = [0.0, 0.0, 0.25]\nmass = 0.05\n[[static]]\nmesh = \"procedural:ball?triangles=320\"\n"
                           "unit_scale = 0.1\n[contact]\nexact = true\n[simulation]\nscatter = 1e-3\n[device]\nuri = \"null:\"\n";

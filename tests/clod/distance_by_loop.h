@@ -2,7 +2,6 @@
 // The oracle of searches for the nearest point of a surface.
 
 #include <algorithm>
-#include <cmath>
 
 #include "thigma/convex/growing_hull.h"
 #include "thigma/core/index.h"

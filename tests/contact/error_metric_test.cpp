@@ -1,8 +1,6 @@
 #include "thigma/contact/error_metric.h"
 #include "thigma/math/infinity.h"
 
-#include <limits>
-
 #include <gtest/gtest.h>
 
 namespace thigma {

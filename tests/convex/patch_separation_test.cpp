@@ -1,7 +1,6 @@
 #include "thigma/convex/patch_separation.h"
 
 #include <cmath>
-#include <limits>
 
 #include "convex/hull_support.h"
 #include <gtest/gtest.h>

@@ -2,7 +2,6 @@
 #include "thigma/math/infinity.h"
 
 #include <cmath>
-#include <limits>
 
 #include "convex/hull_support.h"
 #include <gtest/gtest.h>

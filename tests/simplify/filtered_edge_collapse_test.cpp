@@ -1,7 +1,5 @@
 #include "thigma/simplify/filtered_edge_collapse.h"
 
-#include <numeric>
-
 #include "simplify/simplify_support.h"
 #include <gtest/gtest.h>
 

@@ -239,7 +239,7 @@ struct Hills {
 
 /// The answer for one contact.
 inline DepthSamples depth_of(DepthBackend& backend, const DepthContact& contact,
-                      const DepthRequest& request = {}) {
+                             const DepthRequest& request = {}) {
   DepthSamples sample;
   backend.sample({&contact, 1}, request, {&sample, 1});
   return sample;

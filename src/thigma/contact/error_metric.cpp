@@ -1,7 +1,6 @@
 #include "thigma/contact/error_metric.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "thigma/math/infinity.h"
 

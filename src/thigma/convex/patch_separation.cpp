@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "thigma/convex/detail/corners.h"
 #include "thigma/convex/detail/triangle_features.h"
