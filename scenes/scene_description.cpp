@@ -161,6 +161,7 @@ SessionConfig make_session_config(const SceneDescription& given, const LoadedObj
   config.contact.response.stiffness = scene.contact.stiffness.value_or(gains.contact_stiffness);
   config.contact.response.tolerance = config.contact.tolerance;
   config.contact.response.is_shared = scene.contact.is_shared;
+  config.contact.is_spread = scene.contact.is_spread;
   config.contact.resolution = scene.contact.resolution;
   config.contact.textures.params = scene.contact.texture;
   const double ratio = scene.contact.damping_ratio.value_or(gains.contact_damping_ratio);

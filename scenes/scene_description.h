@@ -37,6 +37,7 @@ struct ContactGains {
   int max_clusters = 5;                 // K
   bool is_shared =
       true;  // k and b belong to the contact as a whole; false: to each cluster, as in Eq. 5.37
+  bool is_spread = true;  // contacts of large patches over the area these share; false: one point a pair
   Resolution resolution{.is_exact = false};  // levels of detail at s0 = 2.5 %
   ResponseKind response = ResponseKind::coupled;
   TextureParams texture;  // how relief is looked for

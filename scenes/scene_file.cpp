@@ -135,6 +135,7 @@ void read_contact(TomlTable table, ContactGains& contact) {
   contact.max_clusters =
       table.whole("clusters", 1, kMaxContactClusters).value_or(contact.max_clusters);
   contact.is_shared = table.truth("shared").value_or(contact.is_shared);
+  contact.is_spread = table.truth("spread").value_or(contact.is_spread);
   read_resolution(table, contact.resolution);
   if (const auto response = table.choice("response", {"coupled", "direct"})) {
     contact.response = *response == 0 ? ResponseKind::coupled : ResponseKind::direct;

@@ -59,7 +59,7 @@ int lowest_corner(const Quat& turn) {
 
 /// The cube on a floor, its handle pressed down while it turns about a horizontal axis at `speed`, over flat faces and
 /// corners. A switch: another corner has become the lowest within the last kRecent frames, as models are a frame late.
-Steps turn_cube(double from, double to, double speed) {
+Steps turn_cube(double from, double to, double speed, bool is_spread) {
   const ClodHierarchy cube = build_exact_hierarchy(make_box(kSide * Vec3::Ones()));
   const ClodHierarchy floor = build_exact_hierarchy(make_sheet(0.2, 0.2, 2, 2));
   CoupledSetup setup;
@@ -72,6 +72,7 @@ Steps turn_cube(double from, double to, double speed) {
   setup.contact.object = &cube;
   setup.contact.scene = {{&floor, Pose{}}};
   setup.contact.tolerance = 2e-4;
+  setup.contact.is_spread = is_spread;
   setup.contact.response = {.stiffness = 5000.0, .damping = 2.0 * std::sqrt(5000.0 * 0.010)};
   const Vec3 axis = Vec3(0.1, 1.0, 0.0).normalized();  // not along an edge: one end comes first
   std::vector<Pose> poses;
@@ -158,10 +159,12 @@ Outcome run_force_steps(const Context& context) {
                     .series = {{.label = "where something switches", .mark = plot::Mark::points},
                                {.label = "elsewhere", .mark = plot::Mark::points}}};
   tell(context, "cube over flat");
-  const Steps flat = turn_cube(-0.1, 0.1, 0.1);
+  const Steps flat = turn_cube(-0.1, 0.1, 0.1, true);
+  const Steps alone = turn_cube(-0.1, 0.1, 0.1, false);
   tell(context, "cube over a corner");
-  const Steps corner = turn_cube(0.25 * kPi - 0.1, 0.25 * kPi + 0.1, 0.1);
+  const Steps corner = turn_cube(0.25 * kPi - 0.1, 0.25 * kPi + 0.1, 0.1, true);
   add("cube rolling over its face, 0.1 rad/s", flat, outcome);
+  add("cube rolling over its face, one contact for the pair of patches", alone, outcome);
   add("cube rolling over an edge, 0.1 rad/s", corner, outcome);
   SessionPair jaws = session_pair(*context.assets, "jaws", context.quick ? 3.0 : 8.0,
                                   context.quick ? 4000 : 0);
@@ -188,7 +191,11 @@ Outcome run_force_steps(const Context& context) {
         stated(std::string(id) + "-other", what + ": largest elsewhere", s.other, "N"));
   };
   claim("flat", "cube rolling over its face", flat);
+  claim("alone", "cube rolling over its face, one contact for the pair of patches", alone);
   claim("corner", "cube rolling over an edge", corner);
+  outcome.claims.push_back(at_most(
+      "spread", "cube rolling over its face: largest step, over that with one contact for the pair",
+      std::max(flat.switching, flat.other) / std::max(alone.switching, alone.other), 0.1));
   claim("clusters", "jaws sliding, clusters", with.clusters);
   claim("levels", "jaws sliding, levels", levels);
   return outcome;

@@ -146,6 +146,7 @@ TEST(TextureContacts, MixWithPlainOnesAndShareTheStiffness) {
   EXPECT_TRUE(plain.depths.empty());
   ContactWorld bare = scene.world;
   bare.textures = {};
+  bare.is_spread = false;  // nor are contacts spread beside relief
   ContactScratch scratch;
   reserve_contact_scratch(bare, scratch);
   StampedBody body;

@@ -67,6 +67,7 @@ damping = 7
 tolerance = 0.001
 clusters = 4
 shared = false
+spread = false
 exact = true
 threshold = 0.05
 velocity_metric = 0.25
@@ -134,6 +135,7 @@ contact_latency = 2
   EXPECT_EQ(s.contact.tolerance, 0.001);
   EXPECT_EQ(s.contact.max_clusters, 4);
   EXPECT_FALSE(s.contact.is_shared);
+  EXPECT_FALSE(s.contact.is_spread);
   EXPECT_TRUE(s.contact.resolution.is_exact);
   EXPECT_EQ(s.contact.resolution.metric.haptic, 0.05);
   EXPECT_EQ(s.contact.resolution.metric.velocity, 0.25);

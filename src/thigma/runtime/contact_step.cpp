@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "thigma/response/linearize_contacts.h"
 
@@ -23,6 +24,11 @@ Pose world_from_mesh(const ContactWorld& world, const BodyState& body) noexcept 
   return Pose{body.position, body.orientation} * world.body_from_mesh;
 }
 
+// Relief tells from a cluster's triangles itself where it presses.
+bool is_spread(const ContactWorld& world) noexcept {
+  return world.is_spread && world.object != nullptr && world.textures.is_empty();
+}
+
 }  // namespace
 
 void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch) {
@@ -31,6 +37,7 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
     reserve_front(scratch.fronts[i], *world.object, *world.scene[i].hierarchy);
   }
   scratch.contacts.contacts.reserve(world.capacity);
+  if (is_spread(world)) scratch.spread.reserve(world.capacity);
   reserve_clusters(scratch.clustering, world.capacity);
   if (!world.textures.is_empty()) reserve_texture_scratch(world.textures, scratch.textures);
   if (world.object != nullptr && !world.resolution.is_exact) {
@@ -63,8 +70,14 @@ void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch
   ClusterParams clustering;
   clustering.max_clusters = world.max_clusters;
   clustering.tolerance = query_tolerance(world);
-  cluster_contacts(scratch.contacts.contacts, scratch.clusters, clustering, scratch.clustering,
-                   scratch.clusters);
+  std::span<const Contact> pressing = scratch.contacts.contacts;
+  scratch.spread.clear();
+  if (is_spread(world)) {
+    spread_contacts(*world.object, world_from_mesh(world, at.state), world.scene, pressing, world.tolerance,
+                    scratch.spread);
+    pressing = scratch.spread;
+  }
+  cluster_contacts(pressing, scratch.clusters, clustering, scratch.clustering, scratch.clusters);
 
   PenaltyParams response = world.response;
   response.tolerance =

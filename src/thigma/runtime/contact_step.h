@@ -8,6 +8,7 @@
 #include "thigma/clod/hierarchy.h"
 #include "thigma/contact/clustering.h"
 #include "thigma/contact/contact.h"
+#include "thigma/contact/contact_manifold.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/dynamics/body.h"
 #include "thigma/response/penalty.h"
@@ -35,6 +36,7 @@ struct ContactWorld {
   Resolution resolution;         // of the query; exact unless asked otherwise, and with textures
   TexturedWorld textures;        // relief of the surfaces; empty: none
   int max_clusters = 5;          // K
+  bool is_spread = true;         // contacts of large patches over the area these share; not with textures
   PenaltyParams response;        // how clusters push; its tolerance is set to the one above
   std::size_t capacity = 16384;  // contacts a frame; what does not fit is counted
 };
@@ -43,6 +45,7 @@ struct ContactWorld {
 struct ContactScratch {
   std::vector<ContactFront> fronts;  // one a static object
   ContactSet contacts;               // of the last frame
+  std::vector<Contact> spread;       // the same as clustered, see spread_contacts; empty: as they are
   ContactClusters clusters;          // of the last frame: warm start, persistent ids
   ClusterScratch clustering;
   std::uint64_t sequence = 0;  // models made
@@ -61,7 +64,7 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
 void find_contacts(const ContactWorld& world, const StampedBody& at,
                    ContactScratch& scratch) noexcept;
 
-/// Second half: clusters all contacts together and linearises them, with depth and gradient from textures where a
+/// Second half: spreads contacts of large patches, clusters all together and linearises them, with depth and gradient from textures where a
 /// cluster touches relief.
 ///
 /// world         constant

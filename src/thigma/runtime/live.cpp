@@ -40,10 +40,11 @@ void view_contacts(const ContactWorld& world, const ContactScratch& scratch, dou
   view.contacts.clear();
   std::size_t stride = 1;
   if (contacts.size() > kViewedContacts) {
+    const std::span<const Contact> members = scratch.spread.empty() ? contacts : std::span<const Contact>(scratch.spread);
     for (const ContactCluster& cluster : scratch.clusters.clusters) {
       const auto deepest = static_cast<std::size_t>(cluster.deepest_member);
-      if (cluster.deepest_member >= 0 && deepest < contacts.size())
-        view.contacts.push_back(viewed(world, contacts[deepest]));
+      if (cluster.deepest_member >= 0 && deepest < members.size())
+        view.contacts.push_back(viewed(world, members[deepest]));
     }
     const std::size_t room = kViewedContacts - view.contacts.size();
     stride = (contacts.size() + room - 1) / room;
