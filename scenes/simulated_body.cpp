@@ -21,6 +21,7 @@ std::optional<SimulatedBody> parse_simulated_body(std::string_view text, const s
   body.law.restitution = keys->number("restitution", Range::not_negative).value_or(body.law.restitution);
   if (!(body.law.restitution <= 1.0)) keys->fail("restitution", "is out of range", "expected 0 to 1");
   body.law.friction = keys->number("friction", Range::not_negative).value_or(body.law.friction);
+  body.law.rolling = keys->number("rolling", Range::not_negative).value_or(body.law.rolling);
   body.velocity = keys->vector("velocity").value_or(body.velocity);
   body.spin = keys->vector("spin").value_or(body.spin);
   body.scatter = keys->number("scatter", Range::not_negative).value_or(body.scatter);

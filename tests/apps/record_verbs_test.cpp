@@ -392,8 +392,9 @@ TEST(RecordVerbs, the_spoon_stays_out_of_the_cup) {
     ASSERT_NE(at, std::string::npos);
     text.replace(at, std::strlen(from), to);
   }
+  constexpr double kLimit = 900.0;  // under a sanitizer [s]
   const Ended e = run_program({"run", write_text("spoon.toml", text), "--device", "null:", "--headless", "--json", "--quiet",
-                               "--lockstep", "--duration", "10"});
+                               "--lockstep", "--duration", "10"}, kLimit);
   ASSERT_EQ(e.code, 0) << e.err;
   const nlohmann::json said = json_line(e);
   EXPECT_GT(said["contact"]["level_changes"].get<int>(), 0);

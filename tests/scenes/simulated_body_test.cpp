@@ -14,11 +14,12 @@ std::string scene_with(const std::string& keys) {
 }
 
 TEST(SimulatedBody, IsReadFromItsTable) {
-  const std::string text = scene_with("[simulation]\nrestitution = 0.25\nfriction = 0.5\nspin = [1.0, 2.0, 3.0]\nscatter = 0.01\n");
+  const std::string text = scene_with("[simulation]\nrestitution = 0.25\nfriction = 0.5\nrolling = 0.001\nspin = [1.0, 2.0, 3.0]\nscatter = 0.01\n");
   const auto body = parse_simulated_body(text, "s.toml");
   ASSERT_TRUE(body.has_value());
   EXPECT_EQ(body->law.restitution, 0.25);
   EXPECT_EQ(body->law.friction, 0.5);
+  EXPECT_EQ(body->law.rolling, 0.001);
   EXPECT_EQ(body->spin, Vec3(1, 2, 3));
   EXPECT_EQ(body->scatter, 0.01);
   EXPECT_FALSE(body->has_tolerance);
@@ -27,7 +28,7 @@ TEST(SimulatedBody, IsReadFromItsTable) {
 }
 
 TEST(SimulatedBody, RefusesWhatItDoesNotKnow) {
-  for (const char* keys : {"restitution = 1.5", "restitution = -0.1", "friction = -1.0", "bounce = 1.0", "spin = 3.0"}) {
+  for (const char* keys : {"restitution = 1.5", "restitution = -0.1", "friction = -1.0", "rolling = -1.0", "bounce = 1.0", "spin = 3.0"}) {
     EXPECT_THROW(parse_simulated_body(scene_with("[simulation]\n" + std::string(keys) + "\n"), "s.toml"), InputError) << keys;
   }
 }

@@ -190,6 +190,8 @@ TEST(Simulate, RefusesWhatCannotBeSimulated) {
   EXPECT_THROW(reserve_simulation(stage.world), InputError);
   stage.world.law = {0.5, -1.0};
   EXPECT_THROW(reserve_simulation(stage.world), InputError);
+  stage.world.law = {0.5, 0.3, -1.0};
+  EXPECT_THROW(reserve_simulation(stage.world), InputError);
   stage.world.law = {};
   stage.world.object = nullptr;
   EXPECT_THROW(reserve_simulation(stage.world), InputError);

@@ -9,6 +9,8 @@ namespace thigma {
 struct CollisionLaw {
   double restitution = 0.5;  // e of the normal velocity, 0..1
   double friction = 0.3;     // mu of Coulomb's law, >= 0
+  double rolling = 0.0;      // what rolls or spins on a contact that holds it is braked by this times the normal force,
+                             // >= 0; impacts know nothing of it [m]
 };
 
 /// K with du = K p: change of velocity of a point of the body by an impulse there. Symmetric positive definite.

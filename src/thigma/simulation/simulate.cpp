@@ -270,6 +270,7 @@ void check(const SimulationWorld& world) {
   if (!(world.law.restitution >= 0.0 && world.law.restitution <= 1.0))
     throw InputError("simulation: restitution, expected 0 to 1");
   if (!(world.law.friction >= 0.0)) throw InputError("simulation: friction, expected 0 or more");
+  if (!(world.law.rolling >= 0.0)) throw InputError("simulation: rolling friction, expected a length of 0 or more [m]");
 }
 
 }  // namespace

@@ -41,9 +41,11 @@ struct SupportPoint {
   Vec3 arm = Vec3::Zero();     // from the centre of mass [m; world]
   Vec3 out = Vec3::UnitZ();    // away from the obstacle
   Vec3 force = Vec3::Zero();   // on the body [N]
+  Vec3 couple = Vec3::Zero();  // against rolling [N m]
   double speed = 0.0;          // outward, that it shall have on the mean [m/s]
   double per_speed = 0.0;      // force for a change of that speed [N s/m]
   double per_slide = 0.0;      // the same along the surface, at most
+  double per_turn = 0.0;       // couple for a change of angular velocity, at most [N m s]
 };
 
 /// Memory of the contact queries of one simulation, owned by the caller. Constant capacity after reserve_simulation.

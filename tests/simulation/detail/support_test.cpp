@@ -75,6 +75,32 @@ TEST(Support, LetsABrickSlideDownASlope) {
   }
 }
 
+// A ball of 5 cm that rolls: braked by 5/7 g rolling / R, and no further than to a stop; one that spins in place as well.
+TEST(Support, BrakesWhatRolls) {
+  constexpr double kRadius = 0.05, kMass = 0.2, kTime = 1e-3, kRolling = 1e-3;
+  const double inertia = 0.4 * kMass * kRadius * kRadius;
+  const auto ball = [&](const Vec3& spin, double rolling) {
+    Held held;
+    held.world.body = make_body(kMass, inertia * Mat3::Identity(), Vec3(0, 0, -9.81));
+    held.world.law = {.restitution = 0.0, .friction = 0.5, .rolling = rolling};
+    held.state.linear_momentum = kMass * spin.cross(Vec3(0, 0, kRadius));
+    held.state.angular_momentum = inertia * spin;
+    held.touch(Vec3(0, 0, -kRadius), -Vec3::UnitZ(), 2e-5);
+    return held;
+  };
+  Held rolls = ball(Vec3(0, 10, 0), kRolling);
+  const Wrench push = rolls.support(kTime, 0.0);
+  EXPECT_NEAR(push.force.x() / kMass, -5.0 / 7.0 * 9.81 * kRolling / kRadius, 1e-6);
+  Held free = ball(Vec3(0, 10, 0), 0.0);
+  EXPECT_NEAR(free.support(kTime, 0.0).force.x(), 0.0, 1e-9);
+  Held spins = ball(Vec3(0, 0, 10), kRolling);
+  EXPECT_NEAR(spins.support(kTime, 0.0).torque.z(), -kRolling * kMass * 9.81, 1e-9);
+  // Nearly still: the mean of the flight is at rest, no more.
+  Held still = ball(Vec3(0, 1e-5, 0), kRolling);
+  const Wrench stop = still.support(kTime, 0.0);
+  EXPECT_NEAR(1e-5 + 0.5 * kTime * stop.torque.y() / inertia, 0.0, 1e-8);
+}
+
 // Any contacts at all: forces lie in their cones, nothing comes nearer, friction opposes, and work is that of lifting at most.
 TEST(Support, HoldsWithoutGivingWork) {
   Random random(5);

@@ -24,6 +24,7 @@ struct MeanMotion {
     linear += by_force * force;
     angular += by_torque * arm.cross(force);
   }
+  void turn(const Vec3& torque) { angular += by_torque * torque; }
 };
 
 MeanMotion free_mean(const RigidBody& body, const BodyState& state, double time) {
@@ -33,8 +34,8 @@ MeanMotion free_mean(const RigidBody& body, const BodyState& state, double time)
           v.linear + 0.5 * time * body.gravity, v.angular};
 }
 
-// Brings the point of a contact to its outward speed and, as far as the cone allows, to no sliding.
-void relax(SupportPoint& p, double friction, MeanMotion& mean) {
+// Brings the point of a contact to its outward speed and, as far as the cones allow, to no sliding and no turning.
+void relax(SupportPoint& p, const CollisionLaw& law, MeanMotion& mean) {
   const Vec3 before = p.force;
   const double pushing = std::max(p.force.dot(p.out) + (p.speed - p.out.dot(mean.at(p.arm))) * p.per_speed, 0.0);
   const Vec3 along = p.force - p.force.dot(p.out) * p.out;
@@ -43,11 +44,17 @@ void relax(SupportPoint& p, double friction, MeanMotion& mean) {
   const Vec3 velocity = mean.at(p.arm);
   const Vec3 sliding = velocity - p.out.dot(velocity) * p.out;
   Vec3 wanted = along - p.per_slide * sliding;
-  const double most = friction * pushing, size = wanted.norm();
+  const double most = law.friction * pushing, size = wanted.norm();
   if (size > most) wanted *= most / size;
   const Vec3 held = pushing * p.out + wanted;
   mean.push(p.arm, held - p.force);
   p.force = held;
+  if (!(law.rolling > 0.0)) return;
+  Vec3 couple = p.couple - p.per_turn * mean.angular;
+  const double most_couple = law.rolling * pushing, couple_size = couple.norm();
+  if (couple_size > most_couple) couple *= most_couple / couple_size;
+  mean.turn(couple - p.couple);
+  p.couple = couple;
 }
 
 // The same contacts in the same order keep their forces from one time to another.
@@ -57,6 +64,7 @@ void set_up(const SimulationWorld& world, const BodyState& state, const ContactS
   points.resize(contacts.size());
   const double target = 0.5 * collision_gap(world);
   const double fastest = std::sqrt(2.0 * world.body.gravity.norm() * kShortestFall * collision_gap(world));
+  const double per_turn = 1.0 / (0.5 * time * world.body.inverse_inertia.trace());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& c = set.contacts[static_cast<std::size_t>(contacts[i])];
     SupportPoint& p = points[i];
@@ -67,7 +75,10 @@ void set_up(const SimulationWorld& world, const BodyState& state, const ContactS
     p.per_speed = 1.0 / p.out.dot(matrix * p.out);
     p.per_slide = 1.0 / (matrix.trace() - p.out.dot(matrix * p.out));
     p.speed = std::min(lift * std::max(target - touch.gap, 0.0) / time, fastest);
-    if (!is_known) p.force.setZero();
+    p.per_turn = per_turn;
+    if (is_known) continue;
+    p.force.setZero();
+    p.couple.setZero();
   }
 }
 
@@ -78,7 +89,10 @@ Wrench support_wrench(const SimulationWorld& world, const BodyState& state, cons
                       std::vector<SupportPoint>& points) {
   set_up(world, state, set, contacts, time, lift, points);
   MeanMotion mean = free_mean(world.body, state, time);
-  for (const SupportPoint& p : points) mean.push(p.arm, p.force);
+  for (const SupportPoint& p : points) {
+    mean.push(p.arm, p.force);
+    mean.turn(p.couple);
+  }
   double reach = 0.0;
   for (const SupportPoint& p : points) reach = std::max(reach, p.arm.norm());
   const double steady = kSteady * std::sqrt(2.0 * world.body.gravity.norm() * world.tolerance);
@@ -86,13 +100,13 @@ Wrench support_wrench(const SimulationWorld& world, const BodyState& state, cons
                                 kMostSweeps);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     const MeanMotion before = mean;
-    for (SupportPoint& p : points) relax(p, world.law.friction, mean);
+    for (SupportPoint& p : points) relax(p, world.law, mean);
     if ((mean.linear - before.linear).norm() + reach * (mean.angular - before.angular).norm() <= steady) break;
   }
   Wrench push;
   for (const SupportPoint& p : points) {
     push.force += p.force;
-    push.torque += p.arm.cross(p.force);
+    push.torque += p.arm.cross(p.force) + p.couple;
   }
   return push;
 }

@@ -11,7 +11,8 @@ namespace thigma::detail {
 
 /// Forces of contacts that hold a body while it flies on for a time.
 ///
-/// Each contact pushes outward, with friction in Coulomb's cone against the sliding, so that its point does not come nearer on
+/// Each contact pushes outward, with friction in Coulomb's cone against the sliding and a couple of at most `rolling` times its
+/// normal force against the turning, so that its point does not come nearer on
 /// the mean of the flight: by its mean velocity, which is that at half the time. Where it would move off by itself it does
 /// not push. So the normal forces do no work and friction takes some, exactly for translation and to second order for
 /// rotation. A contact nearer than half the collision distance is moved out towards it, by `lift` of what is missing at
