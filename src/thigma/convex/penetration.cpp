@@ -21,8 +21,8 @@ constexpr double kFullyThrough = 0.9;
 using detail::PlacedPair;
 using detail::WayOut;
 
-// How far the direction from witness to witness lies behind every real face that holds the witness:
-// the least sine, > 0 when the back of the surface is what faces the other patch.
+// How far the direction from witness to witness lies behind every real face that holds the witness, and behind those of
+// the neighbours over a convex edge that does: the least sine, > 0 when the back of the surface is what faces the other patch.
 double back_facing(const HullView& h, std::uint32_t feature, const Vec3& toward_other) {
   double least = 1.0;
   bool found = false;
@@ -30,6 +30,12 @@ double back_facing(const HullView& h, std::uint32_t feature, const Vec3& toward_
     if ((feature & ~h.faces[i].vertices) != 0) continue;
     least = std::min(least, -h.faces[i].normal.dot(toward_other));
     found = true;
+  }
+  for (int i = 0; i < h.edge_count; ++i) {
+    const RealEdge& edge = h.edges[i];
+    const std::uint32_t ends = (1u << edge.tail) | (1u << edge.head);
+    if ((feature & ~ends) != 0 || edge.beyond.isZero(0.0)) continue;
+    least = std::min(least, -edge.beyond.dot(toward_other));
   }
   return found ? least : -1.0;
 }

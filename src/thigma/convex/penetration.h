@@ -64,7 +64,8 @@ double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& 
 /// is minus their separation, normal the direction from the closest point of a to that of b.
 ///
 /// Penetrating. Original triangles intersect; or a is through b: the closest points see each other from
-/// behind every real face that holds them, on both sides, and the probe finds nothing in between. A patch
+/// behind every real face that holds them, and those over convex edges that do (RealEdge), on both sides,
+/// and the probe finds nothing in between. A patch
 /// is thin, so pairs are through at once; a pair is judged by its pose alone and needs no history. Then
 /// depth = max over a of normal .
 /// p         - min over b of normal .

@@ -118,6 +118,7 @@ void append_contact_patches(const Simplification& s, const std::vector<LevelPatc
   std::vector<Vec3> points;
   for (std::size_t k = 1; k < s.levels.size(); ++k) {
     const TriangleMesh& mesh = s.levels[k].mesh;
+    const Surface surface = describe_surface(mesh);
     for (std::size_t p = 0; p < patches[k].triangles.size(); ++p) {
       points.clear();
       for (const std::int32_t v : patches[k].vertices[p]) points.push_back(mesh.positions[at(v)]);
@@ -130,7 +131,7 @@ void append_contact_patches(const Simplification& s, const std::vector<LevelPatc
       contact.vertex_count = hull.vertex_count;
       contact.first_lane = hull.first_lane;
       contact.lane_count = hull.lane_count;
-      contact.patch = append_features(mesh, patches[k].triangles[p], patches[k].vertices[p],
+      contact.patch = append_features(mesh, surface, patches[k].triangles[p], patches[k].vertices[p],
                                       s.convexity_tolerance, h);
       h.contact_patches.push_back(contact);
     }

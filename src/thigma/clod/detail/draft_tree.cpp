@@ -130,9 +130,9 @@ PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& h) {
   return hull;
 }
 
-ClodPatch append_features(const TriangleMesh& mesh, std::span<const std::int32_t> triangles,
+ClodPatch append_features(const TriangleMesh& mesh, const Surface& surface, std::span<const std::int32_t> triangles,
                           std::span<const std::int32_t> vertices, double flat, ClodHierarchy& h) {
-  const PatchFeatures features = find_features(mesh, triangles, vertices, flat);
+  const PatchFeatures features = find_features(mesh, surface, triangles, vertices, flat);
   ClodPatch patch;
   patch.first_triangle = static_cast<std::int32_t>(h.hull_triangles.size());
   patch.triangle_count = static_cast<std::int32_t>(triangles.size());
@@ -152,6 +152,7 @@ ClodPatch append_features(const TriangleMesh& mesh, std::span<const std::int32_t
 void place_drafts(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
                   const DraftTree& tree, std::int32_t root, ClodHierarchy& h) {
   const double flat = decomposition.params.convexity_tolerance * h.radius;
+  const Surface surface = describe_surface(mesh);
   std::vector<std::int32_t> order(1, root);
   h.nodes.reserve(tree.drafts.size());
   h.patches.resize(decomposition.patches.size());
@@ -174,7 +175,7 @@ void place_drafts(const TriangleMesh& mesh, const ConvexDecomposition& decomposi
       order.insert(order.end(), draft.children.begin(), draft.children.end());
     } else {
       node.patch = draft.patch;
-      h.patches[at(node.patch)] = append_features(mesh, decomposition.patches[at(node.patch)],
+      h.patches[at(node.patch)] = append_features(mesh, surface, decomposition.patches[at(node.patch)],
                                                   decomposition.vertices[at(node.patch)], flat, h);
       h.patches[at(node.patch)].node = static_cast<std::int32_t>(i);
     }

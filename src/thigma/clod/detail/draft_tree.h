@@ -8,6 +8,7 @@
 
 #include "thigma/clod/hierarchy.h"
 #include "thigma/convex/decomposition.h"
+#include "thigma/convex/detail/surface.h"
 #include "thigma/convex/growing_hull.h"
 #include "thigma/mesh/triangle_mesh.h"
 
@@ -62,7 +63,7 @@ struct PlacedHull {
 PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& h);
 
 /// Appends the features of a patch of a mesh. triangles and vertices ascending; flat [m].
-ClodPatch append_features(const TriangleMesh& mesh, std::span<const std::int32_t> triangles,
+ClodPatch append_features(const TriangleMesh& mesh, const Surface& surface, std::span<const std::int32_t> triangles,
                           std::span<const std::int32_t> vertices, double flat, ClodHierarchy& h);
 
 /// Places the drafts below the root breadth first, so that children lie together and parents before

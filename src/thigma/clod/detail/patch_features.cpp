@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "thigma/core/index.h"
+
 namespace thigma::detail {
 namespace {
 
@@ -145,8 +147,20 @@ bool ends_facet(const Patch& patch, const RealFace& face, const Vec3& tail, cons
   return true;
 }
 
-void find_edges(const Patch& patch, double flat, const std::vector<RealFace>& faces,
-                std::vector<RealEdge>& edges) {
+/// Unit normal of the triangle across side k of a triangle of the mesh; zero where there is none, over a reflex edge, and of
+/// slivers, whose normals are mostly rounding.
+Vec3 normal_beyond(const TriangleMesh& mesh, const Surface& surface, std::int32_t triangle, std::size_t k,
+                   const Vec3& normal, double flat) {
+  const std::int32_t other = surface.neighbor[at(triangle)][k];
+  if (other < 0 || !(surface.height[at(other)] > flat)) return Vec3::Zero();
+  const Vec3& tail = mesh.positions[at(mesh.triangles[at(triangle)][k])];
+  for (const std::int32_t v : mesh.triangles[at(other)])
+    if (normal.dot(mesh.positions[at(v)] - tail) > flat) return Vec3::Zero();
+  return surface.normal[at(other)];
+}
+
+void find_edges(const TriangleMesh& mesh, const Surface& surface, std::span<const std::int32_t> triangles,
+                const Patch& patch, double flat, const std::vector<RealFace>& faces, std::vector<RealEdge>& edges) {
   for (std::size_t t = 0; t < patch.corner.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       const int other = patch.neighbor[t][k];
@@ -161,6 +175,8 @@ void find_edges(const Patch& patch, double flat, const std::vector<RealFace>& fa
       } else if (!ends_facet(patch, faces[static_cast<std::size_t>(patch.face[t])],
                              patch.points[edge.tail], patch.points[edge.head], flat)) {
         continue;
+      } else {
+        edge.beyond = normal_beyond(mesh, surface, triangles[t], k, faces[at(patch.face[t])].normal, flat);
       }
       edges.push_back(edge);
     }
@@ -168,12 +184,12 @@ void find_edges(const Patch& patch, double flat, const std::vector<RealFace>& fa
 
 }  // namespace
 
-PatchFeatures find_features(const TriangleMesh& mesh, std::span<const std::int32_t> triangles,
+PatchFeatures find_features(const TriangleMesh& mesh, const Surface& surface, std::span<const std::int32_t> triangles,
                             std::span<const std::int32_t> vertices, double flat) {
   Patch patch = localize(mesh, triangles, vertices);
   PatchFeatures features;
   find_faces(patch, flat, features.faces);
-  find_edges(patch, flat, features.faces, features.edges);
+  find_edges(mesh, surface, triangles, patch, flat, features.faces, features.edges);
   for (const auto& c : patch.corner)
     features.triangles.push_back({{c[0], c[1], c[2]}, 1u << c[0] | 1u << c[1] | 1u << c[2]});
   features.thickness = std::numeric_limits<double>::infinity();

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "thigma/convex/detail/surface.h"
 #include "thigma/convex/hull_view.h"
 #include "thigma/mesh/triangle_mesh.h"
 
@@ -19,11 +20,12 @@ struct PatchFeatures {
 
 /// Features of one patch.
 ///
+/// surface    of the mesh: what lies across the edges where the patch ends
 /// triangles  of the patch, indices into the mesh
 /// vertices   every position they use, ascending; local vertex i is vertices[i]; at most 32
 /// flat       height that still counts as in the plane [m]
 /// Thread     [offline]; no failure.
-PatchFeatures find_features(const TriangleMesh& mesh, std::span<const std::int32_t> triangles,
+PatchFeatures find_features(const TriangleMesh& mesh, const Surface& surface, std::span<const std::int32_t> triangles,
                             std::span<const std::int32_t> vertices, double flat);
 
 }  // namespace thigma::detail
