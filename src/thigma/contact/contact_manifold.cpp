@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/contact/contact_node.h"
 #include "thigma/contact/detail/shared_area.h"
 #include "thigma/core/index.h"
 
@@ -12,11 +13,7 @@ namespace {
 constexpr std::size_t kMostParts = 5;  // of a contact
 
 HullView view_of_patch(const ClodHierarchy& hierarchy, std::int32_t patch) noexcept {
-  if (patch < 0) return {};
-  const auto finest = static_cast<std::int32_t>(hierarchy.patches.size());
-  if (patch < finest) return hull_view(hierarchy, hierarchy.patches[at(patch)].node);
-  if (at(patch - finest) >= hierarchy.contact_patches.size()) return {};
-  const std::int32_t node = hierarchy.contact_patches[at(patch - finest)].patch.node;
+  const std::int32_t node = contact_node(hierarchy, patch);
   return node < 0 ? HullView{} : contact_view(hierarchy, node);
 }
 

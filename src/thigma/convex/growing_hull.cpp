@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "thigma/core/index.h"
+#include "thigma/math/plane_cross.h"
 #include "thigma/mesh/predicates.h"
 
 namespace thigma {
@@ -197,7 +198,7 @@ void order_rim(GrowingHull& hull, const Vec3& normal) {
   });
   const auto turns_left = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
     const Vec2 ab = flat[at(b)] - flat[at(a)], ac = flat[at(c)] - flat[at(a)];
-    return ab.x() * ac.y() - ab.y() * ac.x() > 0.0;
+    return cross(ab, ac) > 0.0;
   };
   hull.rim.clear();
   const auto append = [&](std::int32_t i, std::size_t keep) {

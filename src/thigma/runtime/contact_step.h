@@ -64,8 +64,8 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
 void find_contacts(const ContactWorld& world, const StampedBody& at,
                    ContactScratch& scratch) noexcept;
 
-/// Second half: spreads contacts of large patches, clusters all together and linearises them, with depth and gradient from textures where a
-/// cluster touches relief.
+/// Second half: spreads contacts of large patches, clusters all together and linearises them, with depth and gradient
+/// from textures where a cluster touches relief.
 ///
 /// world         constant
 /// at            state and time the model is for, as given to find_contacts

@@ -64,15 +64,6 @@ std::int32_t count_below(const LevelHistory& history, const std::vector<NodePair
 
 }  // namespace
 
-std::int32_t contact_node(const ClodHierarchy& hierarchy, std::int32_t patch) noexcept {
-  if (patch < 0) return -1;
-  const auto at = static_cast<std::size_t>(patch);
-  if (at < hierarchy.patches.size()) return hierarchy.patches[at].node;
-  const std::size_t contact = at - hierarchy.patches.size();
-  return contact < hierarchy.contact_patches.size() ? hierarchy.contact_patches[contact].patch.node
-                                                    : -1;
-}
-
 void reserve_level_history(const ClodHierarchy& object, std::span<const SceneBody> scene,
                            std::size_t contacts, LevelHistory& history) {
   history.object_parents = parents_of(object);

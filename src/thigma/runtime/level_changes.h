@@ -7,13 +7,10 @@
 
 #include "thigma/clod/hierarchy.h"
 #include "thigma/contact/contact.h"
+#include "thigma/contact/contact_node.h"
 #include "thigma/contact/query_contacts.h"
 
 namespace thigma {
-
-/// Node of a hierarchy that a contact's patch, numbered as in Contact, stands for; -1 where there is none.
-/// Thread    [contact].
-std::int32_t contact_node(const ClodHierarchy& hierarchy, std::int32_t patch) noexcept;
 
 /// A pair of nodes in contact.
 struct NodePair {

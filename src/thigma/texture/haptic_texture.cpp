@@ -7,12 +7,11 @@
 #include <sys/mman.h>
 
 #include "thigma/core/error.h"
-#include "thigma/texture/detail/plane_cross.h"
+#include "thigma/math/plane_cross.h"
 
 namespace thigma {
 namespace {
 
-using detail::cross;
 
 [[noreturn]] void fail(const std::string& name, const std::string& what,
                        const std::string& expected) {

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thigma/texture/detail/plane_cross.h"
+#include "thigma/math/plane_cross.h"
 #include "thigma/texture/texel_lookup.h"
 
 namespace thigma {
 namespace {
 
-using detail::cross;
 
 double sign_of(Facing facing) noexcept { return facing == Facing::along ? 1.0 : -1.0; }
 

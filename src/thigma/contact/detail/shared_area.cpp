@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "thigma/math/infinity.h"
+#include "thigma/math/plane_cross.h"
 
 // Both patches are convex surfaces, so that their facing triangles cover each point of the plane at most once. Pairs of
 // them are cut into pieces by Sutherland-Hodgman: a's triangle by the tolerance, then by the sides of b's. Hundreds of pairs of
@@ -64,13 +65,9 @@ struct Moments {
 
 // Rows u, v, normal.
 Mat3 plane_frame(const Vec3& normal) noexcept {
-  int least = 0;
-  for (int i = 1; i < 3; ++i)
-    if (std::abs(normal[i]) < std::abs(normal[least])) least = i;
+  const Vec3 u = normal.unitOrthogonal();
   Mat3 frame;
-  frame.row(0) = normal.cross(Vec3::Unit(least)).normalized();
-  frame.row(2) = normal;
-  frame.row(1) = normal.cross(Vec3(frame.row(0)));
+  frame << u.transpose(), normal.cross(u).transpose(), normal.transpose();
   return frame;
 }
 
@@ -145,7 +142,7 @@ void keep_positive(const Value& value, Piece& piece) noexcept {
 
 // Twice the area of a triangle, positive anticlockwise.
 double twice_area(const Vec2& o, const Vec2& p, const Vec2& q) noexcept {
-  return (p.x() - o.x()) * (q.y() - o.y()) - (p.y() - o.y()) * (q.x() - o.x());
+  return cross(p - o, q - o);
 }
 
 // The piece that two triangles share within the tolerance.
@@ -198,9 +195,10 @@ SharedArea area_of(const Moments& sum, const Mat3& frame, const Vec3& origin) no
   area.middle = frame.transpose() * Vec3(mean.x(), mean.y(), sum.height / sum.weight) + origin;
   const double uu = sum.uu / sum.weight - mean.x() * mean.x(), vv = sum.vv / sum.weight - mean.y() * mean.y();
   const double uv = sum.uv / sum.weight - mean.x() * mean.y();
-  const double half = 0.5 * (uu + vv), apart = std::hypot(0.5 * (uu - vv), uv);
+  const double half = 0.5 * (uu + vv), across = 0.5 * (uu - vv);
+  const double apart = std::sqrt(across * across + uv * uv);  // not hypot, whose last bit is its library's
   // The direction of the larger moment, from whichever of its two forms does not cancel.
-  Vec2 along = uu > vv ? Vec2(0.5 * (uu - vv) + apart, uv) : Vec2(uv, 0.5 * (vv - uu) + apart);
+  Vec2 along = across > 0.0 ? Vec2(across + apart, uv) : Vec2(uv, apart - across);
   const double length = along.norm();
   along = length > 0.0 ? Vec2(along / length) : Vec2(Vec2::UnitX());
   const double most = std::sqrt(std::max(half + apart, 0.0)), least = std::sqrt(std::max(half - apart, 0.0));

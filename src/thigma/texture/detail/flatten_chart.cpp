@@ -11,7 +11,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "thigma/core/index.h"
-#include "thigma/texture/detail/plane_cross.h"
+#include "thigma/math/plane_cross.h"
 
 namespace thigma::detail {
 namespace {

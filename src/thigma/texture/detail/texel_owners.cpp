@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "thigma/texture/detail/plane_cross.h"
+#include "thigma/math/plane_cross.h"
 
 namespace thigma::detail {
 namespace {

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "thigma/texture/detail/plane_cross.h"
+#include "thigma/math/plane_cross.h"
 #include "thigma/texture/texel_lookup.h"
 
 namespace thigma::detail {
