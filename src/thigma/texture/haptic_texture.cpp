@@ -12,7 +12,6 @@
 namespace thigma {
 namespace {
 
-
 [[noreturn]] void fail(const std::string& name, const std::string& what,
                        const std::string& expected) {
   throw InputError(name + ": " + what + ", expected " + expected);

@@ -9,7 +9,6 @@
 namespace thigma {
 namespace {
 
-
 double sign_of(Facing facing) noexcept { return facing == Facing::along ? 1.0 : -1.0; }
 
 // How far inside a triangle a point is: the least of its three barycentric coordinates.
