@@ -1,6 +1,7 @@
 #include "scenes/scene_file.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "scenes/toml_table.h"
@@ -94,8 +95,9 @@ void read_grasped(TomlTable& table, const std::string& folder, SceneDescription&
 }
 
 void read_texture_keys(TomlTable table, TextureParams& texture) {
-  if (const auto search = table.choice("depth", {"grid", "branch"}))
-    texture.search = *search == 0 ? DepthSearch::grid : DepthSearch::branch;
+  constexpr std::array kSearches = {DepthSearch::grid, DepthSearch::branch, DepthSearch::gpu};
+  if (const auto search = table.choice("depth", {"grid", "branch", "gpu"}))
+    texture.search = kSearches[static_cast<std::size_t>(*search)];
   texture.resolution = table.whole("resolution", 2, 4096).value_or(texture.resolution);
   texture.max_nodes = table.whole("nodes", 1, 1'000'000'000).value_or(texture.max_nodes);
   const std::vector<std::string> kinds = {"central_differences", "envelope", "smoothed_envelope"};

@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include "thigma/runtime/rt_thread.h"
+#include "thigma/texture/gpu_depth.h"
 
 namespace thigma::app {
 namespace {
@@ -181,6 +182,15 @@ Check check_shared() {
               "them need it.");
 }
 
+Check check_graphics() {
+  const GpuDepth gpu = make_gpu_depth({});
+  std::string found = gpu.is_on_gpu ? gpu.renderer : "none: " + gpu.reason;
+  if (gpu.is_on_gpu && gpu.is_software) found += ", a renderer in software";
+  return made("graphics_processor", gpu.is_on_gpu && !gpu.is_software, CheckState::warn, found,
+              "Install a driver with EGL and OpenGL 4.3 if textures are to use depth = \"gpu\"; "
+              "without one this processor computes them.");
+}
+
 int examine(const Common& common) {
   std::error_code error;
   const auto temporary = std::filesystem::temp_directory_path(error);
@@ -193,6 +203,7 @@ int examine(const Common& common) {
                           check_writable("working_folder", std::filesystem::current_path(error)),
                           check_writable("temporary_folder", error ? "/tmp" : temporary),
                           check_shared(),
+                          check_graphics(),
                           check_memlock()};
   for (const Check& check : checks) {
     if (common.json) {

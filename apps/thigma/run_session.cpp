@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <mutex>
 #include <utility>
 
 #include "clod_cache.h"
@@ -54,8 +55,21 @@ std::unique_ptr<HapticTexture> load_relief(const scenes::SceneObject& object, co
   return texture;
 }
 
+/// Tells a line once, though a session and what places its object both have something to say. Any thread.
+Tell tell_once(const Tell& tell) {
+  struct Last {
+    std::mutex mutex;
+    std::string line;
+  };
+  if (!tell) return {};
+  return [tell, last = std::make_shared<Last>()](const std::string& line) {
+    const std::lock_guard<std::mutex> lock(last->mutex);
+    if (std::exchange(last->line, line) != line) tell(line);
+  };
+}
+
 /// Hands textures to the contact world: of every body, or of none.
-void use_textures(Run& run) {
+void use_textures(Run& run, const Tell& tell) {
   const auto is_there = [](const auto& texture) { return texture != nullptr; };
   const bool has_any =
       run.object_texture || std::any_of(run.static_textures.begin(), run.static_textures.end(), is_there);
@@ -70,6 +84,7 @@ void use_textures(Run& run) {
     return make_textured_body(*texture, asset.hierarchy);
   };
   TexturedWorld& world = run.config.contact.textures;
+  world.warn = tell_once(tell);
   world.object = body(run.object_texture, run.object, run.scene.object.name);
   for (std::size_t i = 0; i < run.statics.size(); ++i)
     world.scene.push_back(
@@ -310,7 +325,7 @@ std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOption
     run->config.contact.scene.push_back({&run->statics.back()->hierarchy, other.world_from_mesh});
   }
   apply_options(options, run->scene, run->config);
-  if (options.texture != "off") use_textures(*run);
+  if (options.texture != "off") use_textures(*run, tell);
   open_run_device(options, seed, tell, *run);
   refuse_device_clock(*run->device);
   run->config.haptic.device = run->device->limits();

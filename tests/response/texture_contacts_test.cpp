@@ -1,5 +1,7 @@
 #include "thigma/response/texture_contacts.h"
 
+#include <iostream>
+
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_hierarchy.h"
@@ -101,6 +103,28 @@ TEST(TextureContacts, DepthOfABallIsThatOfTheOffsetSurface) {
       EXPECT_NEAR(scene.sample.depth_max, term.depth, 0.0);
     }
   }
+}
+
+// On a graphics processor, in a renderer in software, or on this processor: the same force, and a word about which.
+TEST(TextureContacts, GraphicsProcessorGivesTheModelOfTheGrid) {
+  TextureParams params{.search = DepthSearch::gpu, .resolution = 20, .gradient = GradientKind::envelope};
+  BallOnRidges there(params);
+  params.search = DepthSearch::grid;
+  BallOnRidges here(params);
+  std::vector<std::string> said;
+  there.world.textures.warn = [&](const std::string& why) { said.push_back(why); };
+  reserve_texture_scratch(there.world.textures, there.scratch.textures);
+  for (int i = 0; i < 10; ++i) {
+    const Vec3 at(0.021 + 3e-4 * i, 0.003, kBall + 1e-4);
+    const LinearContactModel want = here.at(at), &got = there.at(at);
+    ASSERT_EQ(got.depths.size(), want.depths.size());
+    for (std::size_t k = 0; k < want.depths.size(); ++k) {
+      EXPECT_NEAR(got.depths[k].depth, want.depths[k].depth, 1e-5 * kAmplitude);
+      EXPECT_NEAR((got.depths[k].linear - want.depths[k].linear).norm(), 0.0, 1e-6);
+    }
+  }
+  EXPECT_LE(said.size(), 1u);
+  for (const std::string& line : said) std::cout << line << "\n";
 }
 
 TEST(TextureContacts, ReliefIsFeltBeforeAndNotOnlyWhereTheCoarseSurfaceIs) {

@@ -341,6 +341,9 @@ TEST(SceneFile, TexturesStandInThePlaceOfMeshes) {
   EXPECT_EQ(s.contact.texture.max_nodes, 7);
   EXPECT_EQ(s.contact.texture.gradient, GradientKind::envelope);
   EXPECT_EQ(s.contact.texture.smoothing, 0.2);
+  EXPECT_EQ(parse_scene(ball + "texture = \"procedural:ridged_plate?texels=64\"\n[texture]\ndepth = \"gpu\"\n", "s", "")
+                .contact.texture.search,
+            DepthSearch::gpu);
   const auto says = [&](const std::string& rest, const std::string& what) {
     EXPECT_NE(message_of(ball + rest).find(what), std::string::npos) << message_of(ball + rest);
   };

@@ -7,6 +7,7 @@
 
 #include "thigma/core/index.h"
 #include "thigma/response/linearize_contacts.h"
+#include "thigma/texture/gpu_depth.h"
 
 namespace thigma {
 namespace {
@@ -99,6 +100,31 @@ void divide(const TexturedWorld& world, const Pose& world_from_object,
   }
 }
 
+std::unique_ptr<DepthBackend> open_gpu_search(const TexturedWorld& world) {
+  GpuDepthParams params;
+  params.grid.resolution = world.params.resolution;
+  params.warn = world.warn;
+  params.textures.push_back(world.object.texture);
+  for (const TexturedBody& body : world.scene) params.textures.push_back(body.texture);
+  GpuDepth gpu = make_gpu_depth(params);
+  if (gpu.is_on_gpu && gpu.is_software && world.warn)
+    world.warn("textures are computed by " + gpu.renderer +
+               ", in software: slower than depth = \"grid\"");
+  return std::move(gpu.backend);
+}
+
+std::unique_ptr<DepthBackend> open_search(const TexturedWorld& world) {
+  switch (world.params.search) {
+    case DepthSearch::branch:
+      return make_branch_depth({.max_nodes = world.params.max_nodes});
+    case DepthSearch::gpu:
+      return open_gpu_search(world);
+    case DepthSearch::grid:
+      break;
+  }
+  return make_grid_depth({.resolution = world.params.resolution});
+}
+
 double amplitude_of(const DepthContact& contact) noexcept {
   return contact.object.texture->amplitude + contact.scene.texture->amplitude;
 }
@@ -138,10 +164,7 @@ void limit_to_relief(const TexturedWorld& world, double tolerance, ContactSet& c
 }
 
 void reserve_texture_scratch(const TexturedWorld& world, TextureScratch& scratch) {
-  const TextureParams& params = world.params;
-  scratch.backend = params.search == DepthSearch::branch
-                        ? make_branch_depth({.max_nodes = params.max_nodes})
-                        : make_grid_depth({.resolution = params.resolution});
+  scratch.backend = open_search(world);
   const std::size_t of_object = world.object.texture->coarse.triangles.size();
   std::size_t of_scene = 0;
   for (const TexturedBody& body : world.scene)

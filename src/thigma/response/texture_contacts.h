@@ -3,8 +3,10 @@
 // (Sec. 4.2.2, 5.4.4).
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "thigma/contact/clustering.h"
@@ -18,6 +20,7 @@ namespace thigma {
 enum class DepthSearch : std::uint8_t {
   grid,    // samples, then the climb to the maximum near the best
   branch,  // every texel, by branch and bound
+  gpu,     // the grid, on a graphics processor; on this one where there is none, with a warning
 };
 
 struct TextureParams {
@@ -46,6 +49,9 @@ struct TexturedWorld {
   TexturedBody object;
   std::vector<TexturedBody> scene;  // one a static body
   TextureParams params;
+  /// Told why depths are not computed on a graphics processor, or that it is none in hardware: by the thread that
+  /// reserves scratch, later by the one that samples. May be empty.
+  std::function<void(const std::string& why)> warn{};
   bool is_empty() const noexcept { return object.texture == nullptr; }
 };
 
@@ -81,7 +87,8 @@ struct TextureScratch {
   ContactClusters plain;  // those that touch no relief
 };
 
-/// Room for the largest contacts there can be.
+/// Room for the largest contacts there can be. A graphics processor is opened and sent every texture of the world, so
+/// that the first frame is like any other; its driver may allocate in any frame.
 /// Thread [offline]; throws std::bad_alloc.
 void reserve_texture_scratch(const TexturedWorld& world, TextureScratch& scratch);
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "thigma/texture/depth.h"
 
@@ -14,6 +15,7 @@ struct GpuDepthParams {
   bool allows_hardware = true;
   bool allows_software = true;  // a renderer that runs on the processor; only where there is no other
   double timeout = 0.1;  // a frame that takes longer counts as lost; the first one may take 20 s [s]
+  std::vector<const HapticTexture*> textures{};  // sent at once and kept there; others when they first appear
   /// Told once why the graphics processor is not used: at once, or by the thread that samples when it is given up later.
   /// May be empty.
   std::function<void(const std::string& why)> warn{};

@@ -71,7 +71,7 @@ class GpuBackend final : public DepthBackend {
   void prepare(std::span<const DepthContact> contacts, const DepthRequest& request,
                std::span<DepthSamples> results) noexcept {
     used_.clear();
-    textures_.clear();
+    textures_ = params_.textures;
     if (prepared_.size() < contacts.size()) prepared_.resize(contacts.size());
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       results[i] = DepthSamples{};
