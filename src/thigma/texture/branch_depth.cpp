@@ -18,15 +18,20 @@ using detail::TexelCell;
 using detail::TexelPair;
 
 struct Node {
-  detail::CellBound bound;
+  double others = 0.0;  // as CellBound
   std::int32_t pair = -1;
   TexelCell cell;
-  std::int32_t order = 0;  // of creation: decides between equal bounds
+};
+
+// A node in the heap; `index` is that of its creation and decides between equal bounds.
+struct Open {
+  double bound = 0.0;
+  std::int32_t index = 0;
 };
 
 struct IsLess {
-  bool operator()(const Node& a, const Node& b) const noexcept {
-    return a.bound.depth != b.bound.depth ? a.bound.depth < b.bound.depth : a.order > b.order;
+  bool operator()(const Open& a, const Open& b) const noexcept {
+    return a.bound != b.bound ? a.bound < b.bound : a.index > b.index;
   }
 };
 
@@ -88,7 +93,7 @@ class BranchDepth final : public DepthBackend {
                    DepthSamples* result) noexcept {
     pairs_.clear();
     heap_.clear();
-    order_ = 0;
+    nodes_.clear();
     const bool is_bounded = std::isfinite(contact.reach);
     add_pairs(prepared_.object, prepared_.scene, is_bounded);
     const std::size_t of_object = pairs_.size();
@@ -103,14 +108,14 @@ class BranchDepth final : public DepthBackend {
     for (std::size_t i = 0; i < pairs_.size(); ++i) push_roots(static_cast<std::int32_t>(i), best);
     std::int32_t nodes = 0;
     double remaining = 0.0;
-    while (!heap_.empty() && heap_.front().bound.depth > best.depth) {
+    while (!heap_.empty() && heap_.front().bound > best.depth) {
       if (nodes >= params_.max_nodes && best.depth != kNoDepth) {
-        remaining = heap_.front().bound.depth - best.depth;
+        remaining = heap_.front().bound - best.depth;
         break;
       }
       ++nodes;
       std::pop_heap(heap_.begin(), heap_.end(), IsLess{});
-      const Node node = heap_.back();
+      const Node node = nodes_[static_cast<std::size_t>(heap_.back().index)];
       heap_.pop_back();
       open(node, best);
     }
@@ -124,21 +129,12 @@ class BranchDepth final : public DepthBackend {
   void add_pairs(const ProjectedPatch& driver, const ProjectedPatch& other,
                  bool is_bounded) noexcept {
     for (const ProjectedTriangle& a : driver.triangles) {
+      if (!touch(a.box, prepared_.box)) continue;
       for (const ProjectedTriangle& b : other.triangles) {
-        if (!may_overlap(a, b)) continue;
-        pairs_.push_back(detail::make_texel_pair(driver, a, other, b, prepared_.box, is_bounded));
+        if (touch(a.box, b.box))
+          pairs_.push_back(detail::make_texel_pair(driver, a, other, b, prepared_.box, is_bounded));
       }
     }
-  }
-
-  static bool may_overlap(const ProjectedTriangle& a, const ProjectedTriangle& b) noexcept {
-    const auto low = [](const ProjectedTriangle& t) -> Vec2 {
-      return t.at[0].cwiseMin(t.at[1]).cwiseMin(t.at[2]);
-    };
-    const auto high = [](const ProjectedTriangle& t) -> Vec2 {
-      return t.at[0].cwiseMax(t.at[1]).cwiseMax(t.at[2]);
-    };
-    return (low(a).array() <= high(b).array()).all() && (low(b).array() <= high(a).array()).all();
   }
 
   // Cells that cover the pair's box of texels, at most two each way.
@@ -170,7 +166,8 @@ class BranchDepth final : public DepthBackend {
     const detail::CellBound bound =
         detail::upper_bound(pairs_[static_cast<std::size_t>(index)], cell, others, best.depth);
     if (!(bound.depth > best.depth)) return;
-    heap_.push_back({bound, index, cell, order_++});
+    heap_.push_back({bound.depth, static_cast<std::int32_t>(nodes_.size())});
+    nodes_.push_back({bound.others, index, cell});
     std::push_heap(heap_.begin(), heap_.end(), IsLess{});
   }
 
@@ -179,7 +176,7 @@ class BranchDepth final : public DepthBackend {
       try_texels(node, best);
     } else {
       for_children(node,
-                   [&](const TexelCell& cell) { push(node.pair, cell, node.bound.others, best); });
+                   [&](const TexelCell& cell) { push(node.pair, cell, node.others, best); });
     }
   }
 
@@ -245,10 +242,10 @@ class BranchDepth final : public DepthBackend {
   BranchDepthParams params_;
   PreparedContact prepared_;
   std::vector<TexelPair> pairs_;
-  std::vector<Node> heap_;
+  std::vector<Node> nodes_;  // every one of a search
+  std::vector<Open> heap_;
   std::vector<Incumbent> last_;  // of every contact
   HeightMap object_, scene_;
-  std::int32_t order_ = 0;
 };
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "thigma/texture/detail/prepared_contact.h"
+
 namespace thigma {
 namespace {
 
@@ -33,16 +35,14 @@ DepthGradient by_differences(const DepthSamples& s) noexcept {
 
 // Whether the maximum is held at a point by the end of a side's domain: the depth would still rise beyond it.
 int edge_at(const GradientScratch& scratch, const SurfaceJet& object, const SurfaceJet& scene,
-            const Vec2& at, double texel) noexcept {
+            const Vec2& at, double texel, detail::NearTriangles near) noexcept {
   const Vec2 rising = object.slope + scene.slope;  // of the depth along the plane
   const double length = rising.norm();
   if (!(length > 0.0)) return 0;
   constexpr double kBeyond = 0.25;  // of a texel: twice what the climb to the maximum leaves
   const Vec2 beyond = at + (kBeyond * texel / length) * rising;
-  std::int32_t near = -1;
-  if (height_at(scratch.object, beyond, near) == kNoSurface) return -1;
-  near = -1;
-  return height_at(scratch.scene, beyond, near) == kNoSurface ? 1 : 0;
+  if (height_at(scratch.object, beyond, near.object) == kNoSurface) return -1;
+  return height_at(scratch.scene, beyond, near.scene) == kNoSurface ? 1 : 0;
 }
 
 // Whether the two slopes are those on either side of a smooth maximum within a texel.
@@ -55,16 +55,18 @@ bool is_smooth_peak(const SurfaceJet& object, const SurfaceJet& scene, double te
 // At a maximum held by a crease of one side, such as the edge of a box, the slope that counts is the other's: the one
 // that changes less across the point. Signs as of edge_at.
 int crease_at(const GradientScratch& scratch, const SurfaceJet& object, const SurfaceJet& scene,
-              const Vec2& at, double texel) noexcept {
+              const Vec2& at, double texel, detail::NearTriangles near) noexcept {
   const Vec2 rising = object.slope + scene.slope;
   const double length = rising.norm();
   if (!(length > 0.0)) return 0;
   const Vec2 step = (texel / length) * rising;
-  const auto change = [&](const ProjectedPatch& patch) {
-    const SurfaceJet before = surface_jet(patch, at - step), after = surface_jet(patch, at + step);
+  const auto change = [&](const ProjectedPatch& patch, std::int32_t triangle) {
+    const SurfaceJet before = surface_jet(patch, at - step, triangle),
+                     after = surface_jet(patch, at + step, triangle);
     return before.is_covered && after.is_covered ? (after.slope - before.slope).norm() : -1.0;
   };
-  const double of_object = change(scratch.object), of_scene = change(scratch.scene);
+  const double of_object = change(scratch.object, near.object),
+               of_scene = change(scratch.scene, near.scene);
   if (of_object < 0.0 || of_scene < 0.0) return 0;
   constexpr double kClearly = 2.0;  // less apart, neither is the crease
   if (of_object > kClearly * of_scene) return -1;
@@ -77,23 +79,30 @@ double finer_texel(const DepthContact& contact) noexcept {
 
 DepthGradient by_envelope(const DepthContact& contact, const DepthSamples& sample, bool is_smoothed,
                           GradientScratch& scratch) noexcept {
-  project_patch(*contact.object.texture, contact.object.triangles, contact.object.world_from_body,
-                sample.frame, Facing::along, scratch.object);
-  project_patch(*contact.scene.texture, contact.scene.triangles, contact.scene.world_from_body,
-                sample.frame, Facing::against, scratch.scene);
   const double texel = finer_texel(contact);
-  DepthGradient sum;
   double weights = 0.0;
+  detail::NearTriangles triangles;  // of the last place
   const NearMaximum only{sample.at, 1.0};
   const NearMaximum* first = is_smoothed ? sample.near.begin() : &only;
   const NearMaximum* last = is_smoothed ? sample.near.end() : &only + 1;
+  // Looked at are these places and what lies within a texel of them.
+  PlaneBox over;
+  for (const NearMaximum* near = first; near != last; ++near)
+    over = {over.low.cwiseMin(near->at), over.high.cwiseMax(near->at)};
+  const Vec2 around = Vec2::Constant(2.0 * texel);
+  over = {over.low - around, over.high + around};
+  project_patch(*contact.object.texture, contact.object.triangles, contact.object.world_from_body,
+                sample.frame, Facing::along, scratch.object, over);
+  project_patch(*contact.scene.texture, contact.scene.triangles, contact.scene.world_from_body,
+                sample.frame, Facing::against, scratch.scene, over);
+  DepthGradient sum;
   for (const NearMaximum* near = first; near != last; ++near) {
-    const SurfaceJet object = surface_jet(scratch.object, near->at);
-    const SurfaceJet scene = surface_jet(scratch.scene, near->at);
+    const SurfaceJet object = surface_jet(scratch.object, near->at, triangles.object);
+    const SurfaceJet scene = surface_jet(scratch.scene, near->at, triangles.scene);
     if (!object.is_covered || !scene.is_covered) continue;
-    int edge = edge_at(scratch, object, scene, near->at, texel);
+    int edge = edge_at(scratch, object, scene, near->at, texel, triangles);
     if (edge == 0 && !is_smooth_peak(object, scene, texel))
-      edge = crease_at(scratch, object, scene, near->at, texel);
+      edge = crease_at(scratch, object, scene, near->at, texel, triangles);
     const DepthGradient here = gradient_at(object, sample.frame, contact.centre,
                                            envelope_slope(object, scene, texel, edge));
     sum.linear += near->weight * here.linear;

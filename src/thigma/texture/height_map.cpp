@@ -1,6 +1,7 @@
 #include "thigma/texture/height_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <emmintrin.h>
@@ -25,16 +26,36 @@ struct Extent {
   double high = -std::numeric_limits<double>::infinity();
 };
 
-Extent row_extent(const ProjectedTriangle& t, double v) noexcept {
-  Extent extent;
+// An edge of a triangle as a line u(v).
+struct EdgeLine {
+  double low = 0.0, high = 0.0;  // its part of v
+  double u = 0.0, v = 0.0;       // of its first corner
+  double by_v = 0.0;             // 0 where it lies within a row
+  double far_u = 0.0;            // where it lies within a row, of its other corner; else u
+};
+using EdgeLines = std::array<EdgeLine, 3>;
+
+EdgeLines edge_lines(const ProjectedTriangle& t) noexcept {
+  EdgeLines lines;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec2& a = t.at[k];
     const Vec2& b = t.at[(k + 1) % 3];
-    if (std::min(a.y(), b.y()) > v || std::max(a.y(), b.y()) < v) continue;
     const double rise = b.y() - a.y();
-    const double u = rise == 0.0 ? a.x() : a.x() + (v - a.y()) / rise * (b.x() - a.x());
-    extent.low = std::min({extent.low, u, rise == 0.0 ? b.x() : u});
-    extent.high = std::max({extent.high, u, rise == 0.0 ? b.x() : u});
+    const bool is_flat = rise == 0.0;
+    lines[k] = {std::min(a.y(), b.y()), std::max(a.y(), b.y()), a.x(), a.y(),
+                is_flat ? 0.0 : (b.x() - a.x()) / rise, is_flat ? b.x() : a.x()};
+  }
+  return lines;
+}
+
+Extent row_extent(const EdgeLines& edges, double v) noexcept {
+  Extent extent;
+  for (const EdgeLine& edge : edges) {
+    if (edge.low > v || edge.high < v) continue;
+    const double u = edge.u + (v - edge.v) * edge.by_v;
+    const double far = edge.far_u + (v - edge.v) * edge.by_v;
+    extent.low = std::min({extent.low, u, far});
+    extent.high = std::max({extent.high, u, far});
   }
   return extent;
 }
@@ -48,6 +69,7 @@ int last_index(double cells) noexcept {
 
 void render_triangle(const ProjectedPatch& patch, const ProjectedTriangle& t, const MapGrid& grid,
                      RaiseSpan raise, HeightMap& map) noexcept {
+  if (!touch(t.box, grid.box)) return;
   const Vec2 spacing = grid.spacing();
   const Vec2 first = grid.at(0, 0);
   const auto [bottom, top] = std::minmax({t.at[0].y(), t.at[1].y(), t.at[2].y()});
@@ -59,10 +81,11 @@ void render_triangle(const ProjectedPatch& patch, const ProjectedTriangle& t, co
   };
   Vec2 origin;
   detail::HeightSpan span = detail::start_span(patch, t, spacing.x(), origin);
+  const EdgeLines edges = edge_lines(t);
   const int last_row = std::min(last_index(row_of(top)), grid.rows - 1);
   for (int row = std::max(first_index(row_of(bottom)), 0); row <= last_row; ++row) {
-    const double v = grid.at(0, row).y();
-    const Extent extent = row_extent(t, std::clamp(v, bottom, top));
+    const double v = grid.box.low.y() + spacing.y() * (row + 0.5);
+    const Extent extent = row_extent(edges, std::clamp(v, bottom, top));
     span.first = std::max(first_index(column_of(extent.low)), 0);
     span.count = std::min(last_index(column_of(extent.high)), grid.columns - 1) + 1 - span.first;
     if (span.count <= 0) continue;

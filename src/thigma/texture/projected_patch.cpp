@@ -13,24 +13,31 @@ double sign_of(Facing facing) noexcept { return facing == Facing::along ? 1.0 : 
 
 // How far inside a triangle a point is: the least of its three barycentric coordinates.
 double insideness(const ProjectedTriangle& t, const Vec2& at) noexcept {
-  const double area = cross(t.at[1] - t.at[0], t.at[2] - t.at[0]);
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < 3; ++k) {
-    least = std::min(least, cross(t.at[(k + 1) % 3] - t.at[k], at - t.at[k]) / area);
-  }
-  return least;
+  return std::min({cross(t.edges[0], at - t.at[0]), cross(t.edges[1], at - t.at[1]),
+                   cross(t.edges[2], at - t.at[2])});
 }
 
 // Slack of the test whether a point lies on a triangle, of its barycentric coordinates: less would open cracks between
 // neighbours by rounding; more only extends a triangle's plane by that share.
 constexpr double kEdgeSlack = 1e-9;
 
-bool covers(const ProjectedTriangle& t, const Vec2& at) noexcept {
-  return insideness(t, at) >= -kEdgeSlack;
+bool is_in(const PlaneBox& box, const Vec2& at) noexcept {
+  return at.x() >= box.low.x() && at.x() <= box.high.x() && at.y() >= box.low.y() &&
+         at.y() <= box.high.y();
 }
 
-bool touch(const PlaneBox& a, const PlaneBox& b) noexcept {
-  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+bool covers(const ProjectedTriangle& t, const Vec2& at) noexcept {
+  return is_in(t.box, at) && insideness(t, at) >= -kEdgeSlack;
+}
+
+// The triangle of the last point where this one lies on it, too. Where nothing is hidden one sheet is expected, and the
+// first triangle found is the one.
+const ProjectedTriangle* first_guess(const ProjectedPatch& patch, const Vec2& at,
+                                     std::int32_t near) noexcept {
+  if (!patch.hidden.empty() || near < 0 || near >= static_cast<std::int32_t>(patch.triangles.size()))
+    return nullptr;
+  const ProjectedTriangle& t = patch.triangles[static_cast<std::size_t>(near)];
+  return covers(t, at) ? &t : nullptr;
 }
 
 Vec2 texel_of(const ProjectedTriangle& t, const Vec2& at) noexcept {
@@ -49,6 +56,8 @@ ProjectedTriangle affine_maps(const std::array<Vec3, 3>& p, const std::array<Vec
   Mat2 edges, texel_edges;
   edges << t.at[1] - t.at[0], t.at[2] - t.at[0];
   texel_edges << c[1] - c[0], c[2] - c[0];
+  const double area = cross(edges.col(0), edges.col(1));
+  for (std::size_t k = 0; k < 3; ++k) t.edges[k] = (t.at[(k + 1) % 3] - t.at[k]) / area;
   const Mat2 back = edges.inverse();
   t.texel_by_at = texel_edges * back;
   t.texel_origin = c[0] - t.texel_by_at * t.at[0];
@@ -62,7 +71,34 @@ ProjectedTriangle affine_maps(const std::array<Vec3, 3>& p, const std::array<Vec
 
 bool is_finite(const ProjectedTriangle& t) noexcept {
   return t.texel_origin.allFinite() && t.texel_by_at.allFinite() && t.at_origin.allFinite() &&
-         t.at_by_texel.allFinite() && std::isfinite(t.height_origin) && t.height_by_at.allFinite();
+         t.at_by_texel.allFinite() && t.edges[0].allFinite() && t.edges[1].allFinite() &&
+         t.edges[2].allFinite() && std::isfinite(t.height_origin) && t.height_by_at.allFinite();
+}
+
+// What a triangle of a patch shows at a point on it.
+SurfaceJet jet_on(const ProjectedPatch& patch, const ProjectedTriangle& t,
+                  const Vec2& at) noexcept {
+  const TexelJet texel = texel_jet(*patch.texture, texel_of(t, at));
+  const Vec3& m = patch.direction_body;
+  const Mat2 by_at = t.texel_by_at;
+  SurfaceJet jet;
+  jet.is_covered = true;
+  jet.height = coarse_height(t, at) + m.dot(texel.value);
+  jet.slope = t.height_by_at + by_at.transpose() * Vec2(m.dot(texel.by_x), m.dot(texel.by_y));
+  jet.facet_slope =
+      t.height_by_at + by_at.transpose() * Vec2(m.dot(texel.facet_by_x), m.dot(texel.facet_by_y));
+  Mat2 second;
+  second << m.dot(texel.by_xx), m.dot(texel.by_xy), m.dot(texel.by_xy), m.dot(texel.by_yy);
+  jet.curvature = by_at.transpose() * second * by_at;
+  const double direction = sign_of(patch.facing);
+  jet.coarse_point << at, direction * coarse_height(t, at);
+  jet.fine_point = jet.coarse_point + patch.contact_from_body * texel.value;
+  // The projected tangents of the fine surface have to turn the same way as those of the coarse one.
+  Mat2 fine_by_texel = t.at_by_texel;
+  fine_by_texel.col(0) += (patch.contact_from_body * texel.by_x).head<2>();
+  fine_by_texel.col(1) += (patch.contact_from_body * texel.by_y).head<2>();
+  jet.is_height_field = fine_by_texel.determinant() * t.at_by_texel.determinant() > 0.0;
+  return jet;
 }
 
 }  // namespace
@@ -81,7 +117,7 @@ ContactFrame contact_frame(const Vec3& origin, const Vec3& normal) noexcept {
 
 void project_patch(const HapticTexture& texture, std::span<const std::int32_t> triangles,
                    const Pose& world_from_body, const ContactFrame& frame, Facing facing,
-                   ProjectedPatch& patch) noexcept {
+                   ProjectedPatch& patch, const PlaneBox& over) noexcept {
   patch.texture = &texture;
   patch.facing = facing;
   patch.triangles.clear();
@@ -103,6 +139,7 @@ void project_patch(const HapticTexture& texture, std::span<const std::int32_t> t
       box.low = box.low.cwiseMin(p[k].head<2>());
       box.high = box.high.cwiseMax(p[k].head<2>());
     }
+    if (!touch(box, over)) continue;
     const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
     const double size = normal.norm();
     if (!(size > 0.0)) continue;
@@ -118,6 +155,8 @@ void project_patch(const HapticTexture& texture, std::span<const std::int32_t> t
     if (!is_finite(projected))
       continue;  // so far from the contact that nothing is left of its shape
     projected.triangle = index;
+    const Vec2 slack = 2.0 * kEdgeSlack * (box.high - box.low);
+    projected.box = {box.low - slack, box.high + slack};
     patch.triangles.push_back(projected);
     patch.box.low = patch.box.low.cwiseMin(box.low);
     patch.box.high = patch.box.high.cwiseMax(box.high);
@@ -135,12 +174,8 @@ double height_on(const ProjectedPatch& patch, const ProjectedTriangle& t, const 
 }
 
 double height_at(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near) noexcept {
+  if (const ProjectedTriangle* t = first_guess(patch, at, near)) return height_on(patch, *t, at);
   const std::int32_t count = static_cast<std::int32_t>(patch.triangles.size());
-  // Where nothing is hidden one sheet is expected, and the first triangle found is the one.
-  if (patch.hidden.empty() && near >= 0 && near < count) {
-    const ProjectedTriangle& t = patch.triangles[static_cast<std::size_t>(near)];
-    if (covers(t, at)) return height_on(patch, t, at);
-  }
   double height = kNoSurface;
   for (std::int32_t i = 0; i < count; ++i) {
     const ProjectedTriangle& t = patch.triangles[static_cast<std::size_t>(i)];
@@ -155,40 +190,28 @@ double height_at(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near
 }
 
 SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at) noexcept {
-  SurfaceJet jet;
-  std::int32_t on = -1;
+  std::int32_t near = -1;
+  return surface_jet(patch, at, near);
+}
+
+SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near) noexcept {
+  if (const ProjectedTriangle* t = first_guess(patch, at, near)) return jet_on(patch, *t, at);
+  double height = kNoSurface;
   int sheets = 0;
   for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
+    if (!is_in(patch.triangles[i].box, at)) continue;
     const double inside = insideness(patch.triangles[i], at);
     if (inside < -kEdgeSlack) continue;
     sheets += inside > kEdgeSlack;
     const double here = height_on(patch, patch.triangles[i], at);
-    if (here > jet.height) {
-      jet.height = here;
-      on = static_cast<std::int32_t>(i);
+    if (here > height) {
+      height = here;
+      near = static_cast<std::int32_t>(i);
     }
   }
-  if (on < 0) return jet;
-  const ProjectedTriangle& t = patch.triangles[static_cast<std::size_t>(on)];
-  const TexelJet texel = texel_jet(*patch.texture, texel_of(t, at));
-  const Vec3& m = patch.direction_body;
-  const Mat2 by_at = t.texel_by_at;
-  jet.is_covered = true;
-  jet.slope = t.height_by_at + by_at.transpose() * Vec2(m.dot(texel.by_x), m.dot(texel.by_y));
-  jet.facet_slope =
-      t.height_by_at + by_at.transpose() * Vec2(m.dot(texel.facet_by_x), m.dot(texel.facet_by_y));
-  Mat2 second;
-  second << m.dot(texel.by_xx), m.dot(texel.by_xy), m.dot(texel.by_xy), m.dot(texel.by_yy);
-  jet.curvature = by_at.transpose() * second * by_at;
-  const double direction = sign_of(patch.facing);
-  jet.coarse_point << at, direction * coarse_height(t, at);
-  jet.fine_point = jet.coarse_point + patch.contact_from_body * texel.value;
-  // The projected tangents of the fine surface have to turn the same way as those of the coarse one.
-  Mat2 fine_by_texel = t.at_by_texel;
-  fine_by_texel.col(0) += (patch.contact_from_body * texel.by_x).head<2>();
-  fine_by_texel.col(1) += (patch.contact_from_body * texel.by_y).head<2>();
-  const bool is_upright = fine_by_texel.determinant() * t.at_by_texel.determinant() > 0.0;
-  jet.is_height_field = is_upright && sheets <= 1;
+  if (height == kNoSurface) return {};
+  SurfaceJet jet = jet_on(patch, patch.triangles[static_cast<std::size_t>(near)], at);
+  jet.is_height_field = jet.is_height_field && sheets <= 1;
   return jet;
 }
 

@@ -28,9 +28,31 @@ ContactFrame contact_frame(const Vec3& origin, const Vec3& normal) noexcept;
 /// Which way a patch looks: the object's surface along n, the scene's against it.
 enum class Facing : std::int8_t { along = 1, against = -1 };
 
+/// A rectangle of the plane (u, v) [m]; empty when low > high in a component.
+struct PlaneBox {
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 high = Vec2::Constant(-std::numeric_limits<double>::infinity());
+  bool is_empty() const noexcept { return !(low.x() < high.x() && low.y() < high.y()); }
+};
+
+inline const PlaneBox kWholePlane{Vec2::Constant(-std::numeric_limits<double>::infinity()),
+                                  Vec2::Constant(std::numeric_limits<double>::infinity())};
+
+inline PlaneBox intersection(const PlaneBox& a, const PlaneBox& b) noexcept {
+  return {a.low.cwiseMax(b.low), a.high.cwiseMin(b.high)};
+}
+
+/// Whether two closed boxes share a point.
+inline bool touch(const PlaneBox& a, const PlaneBox& b) noexcept {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
 /// A coarse triangle in the plane (u, v); heights are along the facing direction [m].
 struct ProjectedTriangle {
-  std::array<Vec2, 3> at;  // corners [m]
+  std::array<Vec2, 3> at;     // corners [m]
+  std::array<Vec2, 3> edges;  // from corner k to the next over twice the area: cross(edges[k], s - at[k]) is the
+                              // barycentric coordinate of a point s that is 0 along that edge [1/m]
+  PlaneBox box;  // of the corners, and of what counts as on the triangle by rounding
   Vec2 texel_origin;  // texture coordinates at a point s of the plane: texel_origin + texel_by_at s
   Mat2 texel_by_at;   // [texels/m]
   Vec2 at_origin;     // and back
@@ -39,17 +61,6 @@ struct ProjectedTriangle {
   Vec2 height_by_at;
   std::int32_t triangle = -1;
 };
-
-/// A rectangle of the plane (u, v) [m]; empty when low > high in a component.
-struct PlaneBox {
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
-  Vec2 high = Vec2::Constant(-std::numeric_limits<double>::infinity());
-  bool is_empty() const noexcept { return !(low.x() < high.x() && low.y() < high.y()); }
-};
-
-inline PlaneBox intersection(const PlaneBox& a, const PlaneBox& b) noexcept {
-  return {a.low.cwiseMax(b.low), a.high.cwiseMin(b.high)};
-}
 
 /// A patch prepared for one contact. Any content is valid to project into; vectors keep their memory.
 struct ProjectedPatch {
@@ -66,12 +77,13 @@ struct ProjectedPatch {
 ///
 /// triangles        indices into texture.coarse.triangles; triangles without area are left out
 /// world_from_body  pose of the surface
+/// over             triangles that do not touch it are left out; `box` of the patch is of those that stay
 /// patch            overwritten
 /// Thread           [contact]; no failure; allocates when there are more triangles than ever before.
 /// Source           Sec. 4.4.1, the mapping g^ of Eq. 4.9.
 void project_patch(const HapticTexture& texture, std::span<const std::int32_t> triangles,
                    const Pose& world_from_body, const ContactFrame& frame, Facing facing,
-                   ProjectedPatch& patch) noexcept;
+                   ProjectedPatch& patch, const PlaneBox& over = kWholePlane) noexcept;
 
 /// Whether the part of a patch over a box is one: no triangle there looks the other way or is seen edge-on.
 bool is_height_field(const ProjectedPatch& patch, const PlaneBox& over) noexcept;
@@ -106,5 +118,8 @@ struct SurfaceJet {
   Vec3 fine_point = Vec3::Zero();    // coarse point plus displacement [m; contact frame]
 };
 SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at) noexcept;
+
+/// The same; near: as of height_at. Where the first sheet found is taken for the only one, further ones are not seen.
+SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near) noexcept;
 
 }  // namespace thigma

@@ -37,7 +37,7 @@ void find_extent(Triangle t, double v, out double low, out double high) {
     double au = t.at[2 * k], av = t.at[2 * k + 1], bu = t.at[2 * n], bv = t.at[2 * n + 1];
     if (min(av, bv) > v || max(av, bv) < v) continue;
     precise double rise = bv - av;
-    precise double u = rise == 0.0LF ? au : au + (v - av) / rise * (bu - au);
+    precise double u = rise == 0.0LF ? au : au + (v - av) * ((bu - au) / rise);
     low = min(low, min(u, rise == 0.0LF ? bu : u));
     high = max(high, max(u, rise == 0.0LF ? bu : u));
   }

@@ -18,6 +18,7 @@ void add_limit(TexelPair& pair, const Vec2& direction, double offset) noexcept {
   TexelPair::Limit& limit = pair.limits[static_cast<std::size_t>(pair.limit_count++)];
   limit.normal = pair.at_by_texel.transpose() * direction;
   limit.offset = offset + direction.dot(pair.at_origin);
+  limit.reach = limit.normal.lpNorm<1>();
 }
 
 void add_edges(TexelPair& pair, const ProjectedTriangle& t) noexcept {
@@ -39,11 +40,11 @@ void add_box(TexelPair& pair, const PlaneBox& box) noexcept {
 }
 
 double largest_along(const Vec3& m, const TexelBounds& b) noexcept {
-  const auto larger = [](double a, float low, float high) {
-    return a * static_cast<double>(a > 0.0 ? high : low);
+  const auto vector = [](const Texel& t) -> Eigen::Vector4d {
+    return Eigen::Map<const Eigen::Vector4f, Eigen::Aligned16>(&t.x).cast<double>();
   };
-  return larger(m.x(), b.low.x, b.high.x) + larger(m.y(), b.low.y, b.high.y) +
-         larger(m.z(), b.low.z, b.high.z);
+  const Eigen::Vector4d m4(m.x(), m.y(), m.z(), 0.0);
+  return m4.cwiseProduct(vector(b.low)).cwiseMax(m4.cwiseProduct(vector(b.high))).sum();
 }
 
 // Largest displacement along the facing direction between texture coordinates low and high.
@@ -90,6 +91,8 @@ TexelPair make_texel_pair(const ProjectedPatch& driver, const ProjectedTriangle&
   pair.other_origin = b.texel_origin + b.texel_by_at * a.at_origin;
   const Vec2 by_at = a.height_by_at + b.height_by_at;
   pair.height_by_texel = a.at_by_texel.transpose() * by_at;
+  pair.height_reach = pair.height_by_texel.lpNorm<1>();
+  pair.other_reach = pair.other_by_texel.cwiseAbs().rowwise().sum();
   pair.height_origin = a.height_origin + b.height_origin + by_at.dot(a.at_origin);
   add_edges(pair, a);
   add_edges(pair, b);
@@ -112,27 +115,24 @@ TexelPair make_texel_pair(const ProjectedPatch& driver, const ProjectedTriangle&
 CellBound upper_bound(const TexelPair& pair, const TexelCell& cell, double others,
                       double floor) noexcept {
   const HapticTexture& texture = *pair.driver->texture;
-  const int side = 1 << cell.level;
-  const Vec2 low(cell.column * side, cell.row * side);
-  const Vec2 high =
-      (low + Vec2::Constant(side)).cwiseMin(Vec2(texture.width - 1, texture.height - 1));
-  const Vec2 centre = 0.5 * (low + high), half = 0.5 * (high - low);
+  // Cells at the far border of the map are bounded as if they were whole.
+  const double half = 0.5 * static_cast<double>(1 << cell.level);
+  const Vec2 centre = 2.0 * half * Vec2(cell.column + 0.5, cell.row + 0.5);
   const BoundsLevel& bounds = texture.pyramid[static_cast<std::size_t>(cell.level - 1)];
   const std::size_t i =
       static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(bounds.columns) +
       static_cast<std::size_t>(cell.column);
   const double own = pair.height_origin + pair.height_by_texel.dot(centre) +
-                     pair.height_by_texel.cwiseAbs().dot(half) +
+                     half * pair.height_reach +
                      largest_along(pair.driver->direction_body, bounds.cells[i]);
   if (!(own + others > floor)) return {};
   for (int k = 0; k < pair.limit_count; ++k) {
     const TexelPair::Limit& limit = pair.limits[static_cast<std::size_t>(k)];
-    const double nearest =
-        limit.normal.dot(centre) + limit.normal.cwiseAbs().dot(half) + limit.offset;
+    const double nearest = limit.normal.dot(centre) + half * limit.reach + limit.offset;
     if (nearest < -kEdgeSlack) return {};
   }
   const Vec2 other_centre = pair.other_origin + pair.other_by_texel * centre;
-  const Vec2 other_half = pair.other_by_texel.cwiseAbs() * half;
+  const Vec2 other_half = half * pair.other_reach;
   others = std::min(
       others, largest_between(*pair.other, other_centre - other_half, other_centre + other_half));
   return {own + others, others};

@@ -23,11 +23,14 @@ struct TexelPair {
   Mat2 at_by_texel = Mat2::Zero();
   Vec2 other_origin = Vec2::Zero();  // texture coordinates of the other side there
   Mat2 other_by_texel = Mat2::Zero();
-  double height_origin = 0.0;  // coarse heights of both, summed [m]
+  Vec2 other_reach = Vec2::Zero();  // a step of up to a texel along both axes moves them by no more
+  double height_origin = 0.0;       // coarse heights of both, summed [m]
   Vec2 height_by_texel = Vec2::Zero();
+  double height_reach = 0.0;  // of such a step [m]
   struct Limit {  // texels t with normal . t + offset >= 0 lie inside
     Vec2 normal = Vec2::Zero();
     double offset = 0.0;
+    double reach = 0.0;  // of such a step
   };
   std::array<Limit, 10> limits;  // of both triangles, as barycentric coordinates, and of the box
   int limit_count = 0;
