@@ -6,16 +6,13 @@
 
 #include <sys/mman.h>
 
-#include "thigma/core/error.h"
 #include "thigma/math/plane_cross.h"
+#include "thigma/texture/detail/texture_error.h"
 
 namespace thigma {
 namespace {
 
-[[noreturn]] void fail(const std::string& name, const std::string& what,
-                       const std::string& expected) {
-  throw InputError(name + ": " + what + ", expected " + expected);
-}
+using detail::fail;
 
 std::string place(const char* kind, std::size_t index) {
   return std::string(kind) + " " + std::to_string(index);

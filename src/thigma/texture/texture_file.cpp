@@ -8,12 +8,14 @@
 #include <cstring>
 #include <limits>
 
-#include "thigma/core/error.h"
 #include "thigma/core/file.h"
 #include "thigma/mesh/read_mesh.h"
+#include "thigma/texture/detail/texture_error.h"
 
 namespace thigma {
 namespace {
+
+using detail::fail;
 
 constexpr std::uint32_t kMapRecord = 8, kPositionRecord = 24, kTriangleRecord = 12,
                         kCornersRecord = 48, kTexelRecord = 12, kFiguresRecord = 36;
@@ -30,11 +32,6 @@ T take(const char*& at) {
   std::memcpy(&value, at, sizeof value);
   at += sizeof value;
   return value;
-}
-
-[[noreturn]] void fail(const std::string& name, const std::string& what,
-                       const std::string& expected) {
-  throw InputError(name + ": " + what + ", expected " + expected);
 }
 
 /// The chunks this version knows, by name.
