@@ -45,6 +45,42 @@ TEST(GridDepth, equals_the_maximum_over_the_grid) {
   }
 }
 
+// A tilted triangle under a plate that is all but flat: the deepest point is a corner, and samples lie far from it where
+// it is sharp. Steps along the axes leave the triangle; those along its edges do not.
+TEST(GridDepth, climbs_along_slanting_edges) {
+  Random random(7);
+  constexpr double kSide = 0.02, kRelief = 1e-6;
+  const HapticTexture plate = make_texture(
+      test::plate_source(random, {.size = 2.0 * kSide, .texels = 128, .amplitude = kRelief / 3.0, .bend = 0.0,
+                                  .is_reversed = true}),
+      "plate");
+  const std::vector<std::int32_t> all = test::all_triangles(plate), only = {0};
+  const auto grid = make_grid_depth({}), coarse = make_grid_depth({.is_polished = false});
+  double missed_before = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    // An angle of 6 to 35 degrees at the corner that is raised.
+    const double half = random.uniform(0.05, 0.3), slope = random.uniform(0.03, 0.1);
+    TriangleMesh mesh;
+    for (const double angle : {0.0, -half, half}) {
+      const double length = angle == 0.0 ? 0.0 : kSide;
+      const Vec3 at(length * cosine(angle), length * sine(angle), 0.0);
+      mesh.positions.push_back(at - Vec3(0.5 * kSide, 0.0, slope * at.x()));
+    }
+    mesh.triangles = {{0, 1, 2}};
+    const HapticTexture triangle = make_plain_texture(mesh, "triangle");
+    DepthContact contact;
+    contact.object = {&triangle, only,
+                      Pose{Vec3::Zero(), rotation_from_vector(Vec3(0.0, 0.0, random.uniform(-3.0, 3.0)))}};
+    contact.scene = {&plate, all, Pose{}};
+    const double got = test::depth_of(*grid, contact).depth[0];
+    // An eighth of a texel is the last step; across a sharp corner it fits only so far from the tip.
+    const double from_tip = 0.125 * plate.texel_size * (1.0 + 1.0 / half);
+    EXPECT_NEAR(got, 0.0, 2.0 * kRelief + from_tip * slope) << i;
+    missed_before = std::max(missed_before, -test::depth_of(*coarse, contact).depth[0]);
+  }
+  EXPECT_GT(missed_before, 2e-5) << "or there is nothing to climb";
+}
+
 // On many contacts: bit for bit, which is more than 1e-6 of the amplitude.
 TEST(GridDepth, scalar_and_widest_are_the_same) {
   Random random(2);

@@ -212,11 +212,13 @@ class GpuBackend final : public DepthBackend {
     result.is_found = true;
     const DepthRounding rounding = depth_rounding(params_.grid, peak.least, peak.sum);
     finish_depth(params_.grid, prepared, grid, best, rounding, result);
+    const bool is_climbed = params_.grid.is_polished && !params_.grid.is_16_bit;
+    if ((is_climbed || request.near > 0.0) && (!read_map(plain_map(i, false), grid, object_) ||
+                                               !read_map(plain_map(i, true), grid, scene_)))
+      return fail(maps_->why());
+    if (is_climbed) try_rival(prepared, object_, scene_, grid, best, result);
     result.is_height_field = prepared.is_height_field && is_upright(prepared, result.at);
     if (request.near > 0.0) {
-      if (!read_map(plain_map(i, false), grid, object_) ||
-          !read_map(plain_map(i, true), grid, scene_))
-        return fail(maps_->why());
       collect_near(object_, scene_, grid, request.near, result);
     } else {
       result.near.push_back({result.at, 1.0});

@@ -4,6 +4,50 @@
 #include <cmath>
 
 namespace thigma::detail {
+namespace {
+
+constexpr int kPart = 8;  // samples of a part of the grid, each way
+
+// Whether no sample beside is higher.
+bool is_summit(const HeightMap& a, const HeightMap& b, const MapMaximum& of) noexcept {
+  for (int row = std::max(of.row - 1, 0); row <= std::min(of.row + 1, a.rows - 1); ++row) {
+    for (int column = std::max(of.column - 1, 0); column <= std::min(of.column + 1, a.columns - 1);
+         ++column) {
+      const std::size_t i = static_cast<std::size_t>(row * a.columns + column);
+      if (a.heights[i] + b.heights[i] > of.sum) return false;
+    }
+  }
+  return true;
+}
+
+MapMaximum best_of_part(const HeightMap& a, const HeightMap& b, int first_column,
+                        int first_row) noexcept {
+  MapMaximum best;
+  for (int row = first_row; row < std::min(first_row + kPart, a.rows); ++row) {
+    for (int column = first_column; column < std::min(first_column + kPart, a.columns); ++column) {
+      const std::size_t i = static_cast<std::size_t>(row * a.columns + column);
+      const float sum = a.heights[i] + b.heights[i];
+      if (sum > best.sum) best = {sum, column, row};
+    }
+  }
+  return best;
+}
+
+// The highest summit of a part of the grid other than the best sample; column -1 for none.
+MapMaximum rival_of(const HeightMap& a, const HeightMap& b, const MapMaximum& best) noexcept {
+  MapMaximum rival;
+  for (int row = 0; row < a.rows; row += kPart) {
+    for (int column = 0; column < a.columns; column += kPart) {
+      const MapMaximum here = best_of_part(a, b, column, row);
+      const bool is_best = here.column == best.column && here.row == best.row;
+      if (here.sum > rival.sum && here.sum > kEmptySample && !is_best && is_summit(a, b, here))
+        rival = here;
+    }
+  }
+  return rival;
+}
+
+}  // namespace
 
 double DepthRounding::rounded(float sum) const noexcept {
   const double depth = static_cast<double>(sum);
@@ -48,6 +92,17 @@ void finish_depth(const GridDepthParams& params, const PreparedContact& prepared
     if (finished != kNoDepth) depth = finished;
   }
   result.depth[0] = depth;
+}
+
+void try_rival(const PreparedContact& prepared, const HeightMap& object, const HeightMap& scene,
+               const MapGrid& grid, const MapMaximum& best, DepthSamples& result) noexcept {
+  const MapMaximum rival = rival_of(object, scene, best);
+  if (rival.column < 0) return;
+  Vec2 at = grid.at(rival.column, rival.row);
+  const double depth = climb(prepared, grid.spacing(), at);
+  if (!(depth > result.depth[0])) return;
+  result.depth[0] = depth;
+  result.at = at;
 }
 
 }  // namespace thigma::detail

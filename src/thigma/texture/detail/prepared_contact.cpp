@@ -23,6 +23,56 @@ double relief_texel(const HapticTexture& texture) noexcept {
   return texture.amplitude > 0.0 ? texture.texel_size : std::numeric_limits<double>::infinity();
 }
 
+// A point of the plane, how deep it is there, and on which triangles.
+struct Place {
+  Vec2 at = Vec2::Zero();
+  double depth = kNoDepth;
+  NearTriangles triangles;
+};
+
+// The deepest place found around one, and whether some of them lay on other triangles or on none.
+struct Surroundings {
+  Place best;
+  bool is_cut = false;
+};
+
+void try_point(const PreparedContact& prepared, const Place& from, const Vec2& point,
+               Surroundings& around) noexcept {
+  Place to{point.cwiseMax(prepared.box.low).cwiseMin(prepared.box.high), kNoDepth, from.triangles};
+  to.depth = depth_at(prepared, to.at, to.triangles);
+  around.is_cut = around.is_cut || to.depth == kNoDepth ||
+                  to.triangles.object != from.triangles.object ||
+                  to.triangles.scene != from.triangles.scene;
+  if (to.depth > around.best.depth) around.best = to;
+}
+
+// Eight steps along the axes and diagonals.
+Surroundings look_around(const PreparedContact& prepared, const Place& from,
+                         const Vec2& step) noexcept {
+  Surroundings around{from, false};
+  for (int i = 0; i < 9; ++i) {
+    if (i == 4) continue;
+    try_point(prepared, from, from.at + step.cwiseProduct(Vec2(i % 3 - 1, i / 3 - 1)), around);
+  }
+  return around;
+}
+
+// Steps to and fro parallel to the edges of the triangles it lies on.
+Place look_along_edges(const PreparedContact& prepared, const Place& from, double length) noexcept {
+  Surroundings around{from, false};
+  const auto try_edges = [&](const ProjectedPatch& patch, std::int32_t triangle) {
+    if (triangle < 0) return;
+    for (const Vec2& edge : patch.triangles[static_cast<std::size_t>(triangle)].edges) {
+      const Vec2 step = length * edge.normalized();
+      try_point(prepared, from, from.at + step, around);
+      try_point(prepared, from, from.at - step, around);
+    }
+  };
+  try_edges(prepared.object, from.triangles.object);
+  try_edges(prepared.scene, from.triangles.scene);
+  return around.best;
+}
+
 }  // namespace
 
 bool prepare_contact(const DepthContact& contact, PreparedContact& prepared) noexcept {
@@ -58,29 +108,29 @@ double depth_at(const PreparedContact& prepared, const Vec2& at, NearTriangles& 
   return object + height_at(prepared.scene, at, near.scene);
 }
 
-double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at) noexcept {
-  constexpr int kMostHalvings = 24;
+double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at,
+             int most_halvings) noexcept {
   constexpr double kFinest =
       0.125;  // of a texel: finer tells facets of the interpolation, not the surface
-  NearTriangles near;
-  double best = depth_at(prepared, at, near);
+  constexpr int kMostMoves = 32;  // along edges, all together
+  Place here{at, kNoDepth, {}};
+  here.depth = depth_at(prepared, at, here.triangles);
   Vec2 step = spacing;
-  for (int k = 0; k < kMostHalvings && step.minCoeff() > kFinest * prepared.texel; ++k) {
+  int moves = 0;
+  for (int k = 0; k < most_halvings && step.minCoeff() > kFinest * prepared.texel; ++k) {
     step *= 0.5;
-    const Vec2 centre = at;
-    for (int i = 0; i < 9; ++i) {
-      if (i == 4) continue;
-      const Vec2 to = (centre + step.cwiseProduct(Vec2(i % 3 - 1, i / 3 - 1)))
-                          .cwiseMax(prepared.box.low)
-                          .cwiseMin(prepared.box.high);
-      const double depth = depth_at(prepared, to, near);
-      if (depth > best) {
-        best = depth;
-        at = to;
-      }
+    const Surroundings around = look_around(prepared, here, step);
+    here = around.best;
+    // On a slanting edge, of the domain or of a fold, steps along the axes lose more than they gain along it.
+    while (around.is_cut && moves < kMostMoves) {
+      const Place along = look_along_edges(prepared, here, step.norm());
+      if (!(along.depth > here.depth)) break;
+      here = along;
+      ++moves;
     }
   }
-  return best;
+  at = here.at;
+  return here.depth;
 }
 
 bool is_upright(const PreparedContact& prepared, const Vec2& at) noexcept {
