@@ -165,8 +165,11 @@ Outcome run_hammer_on_torus(const Context& context) {
        at_most("noise", "force above 300 Hz over its mean while pressed, the worst of four scenes",
                worst_noise, 0.02),
        at_least("energy", "least energy at the port, the worst of four scenes", energy, -1e-4, "J"),
-       above("textured", "force between 20 and 300 Hz with texture over that of the coarse surfaces",
-             roughness(hammer) / roughness(bare), 1.0),
+       known_not_to(above("textured", "force between 20 and 300 Hz with texture over that of the coarse surfaces",
+                          roughness(hammer) / roughness(bare), 1.0),
+                    "pressed at 6 mm/s the relief passes at a few Hz, below the band; what is in it is contacts "
+                    "that switch, which coarse surfaces have as well, and jumps of the depth where it was missed. "
+                    "fig-5-12 has the spectrum of relief"),
        stated("rate", "contact steps a second of CPU time, 99 % of them faster; the text's 100 to 200",
               1.0 / hammer.summary.contact_step_cpu.p99, "Hz"),
        stated("depth-error", "depth the grid misses on average, share of the amplitudes",
