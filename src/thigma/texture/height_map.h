@@ -29,7 +29,7 @@ struct HeightMap {
 
 enum class SpanWidth : std::uint8_t {
   scalar,  // the reference: one sample at a time
-  widest,  // four samples, two texels a load where the processor has AVX2; the same bits
+  widest,  // four samples, eight and two texels a load where the processor has AVX2; the same bits
 };
 
 /// Renders a patch: at every sample the height of its fine surface, the largest of several sheets.

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "thigma/texture/detail/texel_vector.h"
+
 namespace thigma {
 namespace {
 
-// A texel with its fourth float, which is 0: two vector registers instead of three numbers.
-using Vec4 = Eigen::Vector4d;
-
-Vec4 vector_of(const Texel& t) noexcept {
-  return Eigen::Map<const Eigen::Vector4f, Eigen::Aligned16>(&t.x).cast<double>();
-}
+using Vec4 = Eigen::Vector4d;  // a texel
+using detail::texel_vector;
 
 // A texel and the way to the next one. The last texel is its own neighbour: rows and columns are repeated.
 struct Cell {
@@ -51,7 +49,7 @@ Vec3 displacement_at(const HapticTexture& texture, const Vec2& at) noexcept {
   const Cell c = cell_of(texture, at);
   const Texel* const top = &texel_at(texture, c.column, c.row);
   const Texel* const bottom = &texel_at(texture, c.column, c.row + 1);
-  return blend(c, vector_of(top[0]), vector_of(top[1]), vector_of(bottom[0]), vector_of(bottom[1]))
+  return blend(c, texel_vector(top[0]), texel_vector(top[1]), texel_vector(bottom[0]), texel_vector(bottom[1]))
       .head<3>();
 }
 
@@ -66,7 +64,7 @@ TexelJet texel_jet(const HapticTexture& texture, const Vec2& at) noexcept {
     const int row = std::clamp(c.row + j - 1, 0, texture.height - 1);
     const Texel* const texels = &texel_at(texture, 0, row);
     for (std::size_t i = 0; i < 4; ++i)
-      p[static_cast<std::size_t>(j)][i] = vector_of(texels[columns[i]]);
+      p[static_cast<std::size_t>(j)][i] = texel_vector(texels[columns[i]]);
     if (j != 1 && j != 2) continue;
     const std::size_t k = static_cast<std::size_t>(j - 1);
     row_share[k] = share_of_difference(row, texture.height);

@@ -24,32 +24,4 @@ void raise_span_scalar(const HeightSpan& span) noexcept;
 void raise_span_sse2(const HeightSpan& span) noexcept;
 void raise_span_avx2(const HeightSpan& span) noexcept;  // only where the processor has AVX2
 
-/// Samples of `span` from first to last - 1, by the scalar definition: for what does not fill a vector. Static, so that
-/// the copy compiled for wider vectors stays in its own object.
-static inline void raise_samples(const HeightSpan& s, int first, int last) noexcept {
-  for (int k = first; k < last; ++k) {
-    const float step = static_cast<float>(k);
-    float x = s.x + step * s.by_x;
-    float y = s.y + step * s.by_y;
-    x = x > 0.0f ? x : 0.0f;
-    x = x < s.high_x ? x : s.high_x;
-    y = y > 0.0f ? y : 0.0f;
-    y = y < s.high_y ? y : s.high_y;
-    const float column = static_cast<float>(static_cast<std::int32_t>(x));
-    const float row = static_cast<float>(static_cast<std::int32_t>(y));
-    const float ax = x - column, ay = y - row;
-    const float* top = s.texels + 4 * (static_cast<std::int64_t>(row) * s.texel_row +
-                                       static_cast<std::int64_t>(column));
-    const float* bottom = top + 4 * s.texel_row;
-    float d[3];
-    for (int c = 0; c < 3; ++c) {
-      const float left = top[c] + ay * (bottom[c] - top[c]);
-      const float right = top[c + 4] + ay * (bottom[c + 4] - top[c + 4]);
-      d[c] = left + ax * (right - left);
-    }
-    const float height = (s.h + step * s.by_h) + ((s.m[0] * d[0] + s.m[1] * d[1]) + s.m[2] * d[2]);
-    s.out[k] = height > s.out[k] ? height : s.out[k];
-  }
-}
-
 }  // namespace thigma::detail

@@ -108,8 +108,8 @@ double depth_at(const PreparedContact& prepared, const Vec2& at, NearTriangles& 
   return object + height_at(prepared.scene, at, near.scene);
 }
 
-double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at,
-             int most_halvings) noexcept {
+double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at) noexcept {
+  constexpr int kMostHalvings = 24;
   constexpr double kFinest =
       0.125;  // of a texel: finer tells facets of the interpolation, not the surface
   constexpr int kMostMoves = 32;  // along edges, all together
@@ -117,7 +117,7 @@ double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at,
   here.depth = depth_at(prepared, at, here.triangles);
   Vec2 step = spacing;
   int moves = 0;
-  for (int k = 0; k < most_halvings && step.minCoeff() > kFinest * prepared.texel; ++k) {
+  for (int k = 0; k < kMostHalvings && step.minCoeff() > kFinest * prepared.texel; ++k) {
     step *= 0.5;
     const Surroundings around = look_around(prepared, here, step);
     here = around.best;

@@ -28,10 +28,9 @@ struct NearTriangles {
 double depth_at(const PreparedContact& prepared, const Vec2& at, NearTriangles& near) noexcept;
 
 /// Climbs from a point to a local maximum of the depth within the box: steps along both axes and diagonals, from
-/// `spacing` halved down to an eighth of a texel. at: start and result. most_halvings: fewer only find out how steep
-/// it is. returns the depth there, of the start if it is no number.
-double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at,
-             int most_halvings = 24) noexcept;
+/// `spacing` halved down to an eighth of a texel; where triangles end or change also along their edges. at: start and
+/// result. returns the depth there, of the start if it is no number.
+double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at) noexcept;
 
 /// Whether both fine surfaces are height fields at a point.
 bool is_upright(const PreparedContact& prepared, const Vec2& at) noexcept;

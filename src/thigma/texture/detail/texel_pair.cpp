@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "thigma/math/plane_cross.h"
+#include "thigma/texture/detail/texel_vector.h"
 #include "thigma/texture/texel_lookup.h"
 
 namespace thigma::detail {
@@ -40,11 +41,8 @@ void add_box(TexelPair& pair, const PlaneBox& box) noexcept {
 }
 
 double largest_along(const Vec3& m, const TexelBounds& b) noexcept {
-  const auto vector = [](const Texel& t) -> Eigen::Vector4d {
-    return Eigen::Map<const Eigen::Vector4f, Eigen::Aligned16>(&t.x).cast<double>();
-  };
   const Eigen::Vector4d m4(m.x(), m.y(), m.z(), 0.0);
-  return m4.cwiseProduct(vector(b.low)).cwiseMax(m4.cwiseProduct(vector(b.high))).sum();
+  return m4.cwiseProduct(texel_vector(b.low)).cwiseMax(m4.cwiseProduct(texel_vector(b.high))).sum();
 }
 
 // Largest displacement along the facing direction between texture coordinates low and high.
