@@ -30,13 +30,14 @@ std::string params_text(const ClodSource& source) {
   const CollapseParams& c = p.simplify.collapse;
   char text[768];
   std::snprintf(text, sizeof text,
-                "repair %d max %d %a %a edge %a %a %a %a %a %a %a %a %a %a flip %d "
+                "repair %d max %d %a %a edge %a %a %a %a %a %a %a %a %a %a %a flip %d "
                 "collapse %d %a %a %d %d %d %d tolerance %a %a tree %d %d\n",
                 source.is_repair, p.decomposition.max_vertices, p.decomposition.convexity_tolerance,
                 p.decomposition.protrusion_tolerance, p.simplify.longest_edge,
                 p.simplify.coarsest_share, p.simplify.longest_edge_ever, p.simplify.deviation_limit,
-                p.simplify.deviation_share, p.simplify.deviation_ever, p.simplify.volume_limit,
-                p.simplify.convexity_tolerance, p.simplify.protrusion_tolerance,
+                p.simplify.deviation_share, p.simplify.deviation_ever, p.simplify.deviation_last,
+                p.simplify.volume_limit, p.simplify.convexity_tolerance,
+                p.simplify.protrusion_tolerance,
                 p.simplify.last_level, p.simplify.flips_edges, c.bisections, c.least_quality,
                 c.free_to_turn, c.is_relaxed, c.keeps_volume, c.seeks_convex_start,
                 c.guards_original, p.contact_tolerance,

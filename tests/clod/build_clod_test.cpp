@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "support/shared.h"
+#include "clod/asset_samples.h"
 #include "clod/distance_by_loop.h"
 #include <gtest/gtest.h>
 
@@ -21,21 +22,8 @@
 namespace thigma {
 namespace {
 
-TriangleMesh wavy_ball(int frequency) {
-  TriangleMesh mesh = make_ball(1.0, frequency);
-  for (Vec3& p : mesh.positions) {
-    const double x = p.x(), y = p.y(), z = p.z();
-    p *= 1.0 + 0.12 * (5.0 * x * y * z + 3.0 * (x * x - y * y) * (z + 0.3));
-  }
-  return mesh;
-}
-
-ClodParams generous() {
-  ClodParams params;
-  params.simplify.longest_edge = 0.5;
-  params.simplify.deviation_limit = 0.08;
-  return params;
-}
+using test::generous;
+using test::wavy_ball;
 
 void expect_sound(const TriangleMesh& mesh, const ClodParams& params, const char* name) {
   ClodReport report;

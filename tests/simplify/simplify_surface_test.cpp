@@ -131,6 +131,17 @@ TEST(SimplifySurface, GoesOnPastTheEdgeWhileManyPatchesAreLeft) {
   EXPECT_LT(far.levels.back().resolution, 8.0);
 }
 
+TEST(SimplifySurface, MakesARingOfFewPiecesAtTheVeryLast) {
+  const TriangleMesh ring = make_torus(1.0, 0.4, 64, 32);
+  SimplifyParams params;
+  const Simplification few = expect_simplified(ring, "ring of few pieces", params);
+  params.deviation_last = params.deviation_ever;
+  const Simplification more = expect_simplified(ring, "ring", params);
+  EXPECT_GE(few.levels.back().patch_count, 3);  // straight pieces of a ring
+  EXPECT_LT(few.levels.back().patch_count, more.levels.back().patch_count);
+  EXPECT_NEAR(mass_properties(few.levels.back().mesh).volume / mass_properties(ring).volume, 1.0, 0.1 + 1e-9);
+}
+
 TEST(SimplifySurface, LosesNoMoreVolumeThanItMay) {
   const TriangleMesh mesh = test::wavy_ball(10);
   const double volume = mass_properties(mesh).volume;

@@ -48,7 +48,8 @@ struct Loop {
 /// What may be collapsed once nothing more could be at the stage before.
 struct Stage {
   double longest;          // projected edge, times the radius
-  double deviation_share;  // of the projected edge, where that is more than the limit
+  double deviation_share;  // of the projected edge, where that is more than the limit,
+  double deviation_ever;   // up to this times the radius
   bool is_for_many;        // only while more than `coarsest_share` of the patches is left
 };
 
@@ -56,6 +57,8 @@ struct Stage {
 /// space_levels to choose from.
 constexpr double kDraftShare = 0.84;
 constexpr int kFlipRounds = 8;
+/// How much longer than `longest_edge_ever` edges may be at the very last: for rings and plates that begin with few patches.
+constexpr double kLastEdge = 2.0;
 
 std::int32_t find_live(std::vector<std::int32_t>& successor, std::int32_t patch) {
   while (successor[at(patch)] != patch) {
@@ -147,7 +150,7 @@ void keep_level(Loop& loop) {
 detail::DeviationLimit deviation_limit(const Loop& loop, const Stage& stage) {
   const double radius = loop.surface.radius;
   return {loop.params.deviation_limit * radius, stage.deviation_share,
-          loop.params.deviation_ever * radius};
+          stage.deviation_ever * radius};
 }
 
 void attempt(Loop& loop, const Stage& stage, const Candidate& candidate) {
@@ -241,8 +244,8 @@ void flip_and_go_on(Loop& loop, const Stage& stage, double share, double& shown)
 void run_stages(Loop& loop) {
   const SimplifyParams& p = loop.params;
   double shown = 0.0;
-  run_stage(loop, {p.longest_edge, 0.0, false}, kDraftShare, shown);
-  const Stage wide{p.longest_edge, p.deviation_share, false};
+  run_stage(loop, {p.longest_edge, 0.0, 0.0, false}, kDraftShare, shown);
+  const Stage wide{p.longest_edge, p.deviation_share, p.deviation_ever, false};
   run_stage(loop, wide, kDraftShare, shown);
   flip_and_go_on(loop, wide, kDraftShare, shown);
   auto& levels = loop.result.levels;
@@ -250,10 +253,13 @@ void run_stages(Loop& loop) {
   space_levels(levels);
   loop.kept = levels.back().patch_count;
   if (levels.size() == 1) loop.last_level = loop.first_patches;
-  run_stage(loop, {p.longest_edge_ever, 0.0, true}, 0.5, shown);
-  const Stage last{p.longest_edge_ever, p.deviation_share, true};
-  run_stage(loop, last, 0.5, shown);
-  if (has_many_patches(loop)) flip_and_go_on(loop, last, 0.5, shown);
+  run_stage(loop, {p.longest_edge_ever, 0.0, 0.0, true}, 0.5, shown);
+  const Stage late{p.longest_edge_ever, p.deviation_share, p.deviation_ever, true};
+  const Stage last{kLastEdge * p.longest_edge_ever, p.deviation_share, p.deviation_last, true};
+  for (const Stage& stage : {late, last}) {
+    run_stage(loop, stage, 0.5, shown);
+    if (has_many_patches(loop)) flip_and_go_on(loop, stage, 0.5, shown);
+  }
   if (loop.surface.patch_count <= p.last_level * loop.kept) keep_level(loop);
   drop_equal_resolutions(levels);
 }

@@ -20,7 +20,8 @@ struct SimplifyParams {
   double longest_edge_ever = 0.5;  // patches is left, up to this times the radius
   double deviation_limit = 0.02;   // new triangles stay this near the original, times the radius;
   double deviation_share = 1.0;  // where nothing else is left to do this near, times the projected
-  double deviation_ever = 0.08;  // edge, up to this times the radius
+  double deviation_ever = 0.08;  // edge, up to this times the radius; and at the very last, where
+  double deviation_last = 0.2;   // still too many patches are left, up to this
   double volume_limit = 0.1;     // change of a surface that is closed but for small holes, times
                                  // its volume
   double convexity_tolerance = 1e-6;   // least, times the radius; see DecompositionParams
