@@ -24,8 +24,10 @@ struct SceneObject {
   std::optional<ModelRequest> model;  // set: procedural, `mesh` is no file
   bool is_textured = false;           // `mesh` is a .tex file or, with the next, procedural
   std::optional<TexturedRequest> textured_model;
+  std::string level_textures;  // path of the .tex file over the levels of `mesh`; empty: none
   double unit_scale = 1.0;            // metres per unit of the mesh, > 0
   Pose world_from_mesh;               // of the scaled mesh
+  bool has_relief() const { return is_textured || !level_textures.empty(); }
 };
 
 /// Contact response. What is not set follows from the object's size, default_gains.

@@ -49,14 +49,29 @@ void resolve_model(const TomlTable& table, const char* key, const std::string& u
   object.mesh = uri;
 }
 
+/// A file the scene names, relative to it.
+std::string resolve_file(const TomlTable& table, const char* key, const std::string& given, const std::string& folder) {
+  const fs::path named(given);
+  const fs::path path = named.is_absolute() || folder.empty() ? named : fs::path(folder) / named;
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) {
+    table.fail(key, "= '" + given + "' is not there",
+               std::string("expected a ") + key + " file (relative to the scene)");
+  }
+  return path.string();
+}
+
 SceneObject resolve_object(const TomlTable& table, const ObjectKeys& keys,
                            const std::string& folder) {
   SceneObject object;
   if (!keys.mesh && !keys.texture)
     table.fail_here("no mesh", "expected mesh = \"FILE\" or \"procedural:NAME\", or a texture");
-  if (keys.mesh && keys.texture)
-    table.fail("texture", "stands beside mesh", "expected one of the two: a texture has its surface");
-  object.is_textured = keys.texture.has_value();
+  if (keys.mesh && keys.texture) {
+    if (is_model_uri(*keys.texture))
+      table.fail("texture", "stands beside mesh", "expected a .tex file of its levels there, or one of the two");
+    object.level_textures = resolve_file(table, "texture", *keys.texture, folder);
+  }
+  object.is_textured = !keys.mesh;
   const char* const key = object.is_textured ? "texture" : "mesh";
   const std::string& given = object.is_textured ? *keys.texture : *keys.mesh;
   if (is_model_uri(given)) {
@@ -67,15 +82,8 @@ SceneObject resolve_object(const TomlTable& table, const ObjectKeys& keys,
     if (!keys.unit_scale) {
       table.fail(key, "has no unit_scale", "expected unit_scale = metres per unit of the mesh");
     }
-    const fs::path named(given);
-    const fs::path path = named.is_absolute() || folder.empty() ? named : fs::path(folder) / named;
-    std::error_code error;
-    if (!fs::is_regular_file(path, error)) {
-      table.fail(key, "= '" + given + "' is not there",
-                 std::string("expected a ") + key + " file (relative to the scene)");
-    }
-    object.mesh = path.string();
-    object.name = path.stem().string();
+    object.mesh = resolve_file(table, key, given, folder);
+    object.name = fs::path(object.mesh).stem().string();
   }
   object.unit_scale = keys.unit_scale.value_or(1.0);
   object.name = keys.name.value_or(object.name);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <mutex>
 #include <utility>
 
 #include "clod_cache.h"
 #include "progress.h"
+#include "run_relief.h"
 #include "scenes/scene_file.h"
 #include "scenes/simulated_body.h"
 
@@ -30,65 +30,6 @@ ClodAsset build_exact(const ClodSource& source, const Tell& tell) {
   asset.hierarchy = build_exact_hierarchy(asset.meshes[0]);
   asset.mass.measure = mass_properties(asset.meshes[0]);
   return asset;
-}
-
-/// The coarse surface of a texture at full resolution, as an asset.
-ClodAsset coarse_asset(const HapticTexture& texture) {
-  ClodAsset asset;
-  asset.meshes.push_back(texture.coarse);
-  asset.hierarchy = build_exact_hierarchy(texture.coarse);
-  asset.mass.measure = mass_properties(texture.coarse);
-  return asset;
-}
-
-/// A texture where the object has one, null otherwise; told.
-std::unique_ptr<HapticTexture> load_relief(const scenes::SceneObject& object, const Tell& tell) {
-  if (!object.is_textured) return nullptr;
-  auto texture = std::make_unique<HapticTexture>(scenes::load_texture(object));
-  if (tell) {
-    char line[256];
-    std::snprintf(line, sizeof line, "%s: %d x %d texels of %.3g mm, relief +-%.3g mm",
-                  object.name.c_str(), texture->width, texture->height, 1e3 * texture->texel_size,
-                  1e3 * texture->amplitude);
-    tell(line);
-  }
-  return texture;
-}
-
-/// Tells a line once, though a session and what places its object both have something to say. Any thread.
-Tell tell_once(const Tell& tell) {
-  struct Last {
-    std::mutex mutex;
-    std::string line;
-  };
-  if (!tell) return {};
-  return [tell, last = std::make_shared<Last>()](const std::string& line) {
-    const std::lock_guard<std::mutex> lock(last->mutex);
-    if (std::exchange(last->line, line) != line) tell(line);
-  };
-}
-
-/// Hands textures to the contact world: of every body, or of none.
-void use_textures(Run& run, const Tell& tell) {
-  const auto is_there = [](const auto& texture) { return texture != nullptr; };
-  const bool has_any =
-      run.object_texture || std::any_of(run.static_textures.begin(), run.static_textures.end(), is_there);
-  if (!has_any) {
-    run.static_textures.clear();
-    return;
-  }
-  const auto body = [](std::unique_ptr<HapticTexture>& texture, const ClodAsset& asset,
-                       const std::string& name) {
-    if (!texture)
-      texture = std::make_unique<HapticTexture>(make_plain_texture(asset.meshes.at(0), name));
-    return make_textured_body(*texture, asset.hierarchy);
-  };
-  TexturedWorld& world = run.config.contact.textures;
-  world.warn = tell_once(tell);
-  world.object = body(run.object_texture, run.object, run.scene.object.name);
-  for (std::size_t i = 0; i < run.statics.size(); ++i)
-    world.scene.push_back(
-        body(run.static_textures[i], *run.statics[i], run.scene.statics[i].name));
 }
 
 /// Surface, hierarchy and mass of an object: levels of detail where the session asks for them.
@@ -130,6 +71,11 @@ scenes::LoadedObject measures_of(const ClodAsset& asset) {
   loaded.measure = asset.mass.measure;
   loaded.ball = {asset.hierarchy.center, asset.hierarchy.radius};
   return loaded;
+}
+
+template <class Is>
+bool has_any(const scenes::SceneDescription& scene, Is is) {
+  return is(scene.object) || std::any_of(scene.statics.begin(), scene.statics.end(), is);
 }
 
 void apply_options(const RunOptions& options, const scenes::SceneDescription& scene,
@@ -299,22 +245,23 @@ std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOption
   // Whether levels are wanted decides what is loaded, before there is a configuration.
   Resolution resolution = run->scene.contact.resolution;
   apply(options.resolution, resolution);
-  const bool is_textured =
-      run->scene.object.is_textured ||
-      std::any_of(run->scene.statics.begin(), run->scene.statics.end(),
-                  [](const scenes::SceneObject& o) { return o.is_textured; });
-  if (options.texture == "on" && !is_textured)
+  if (options.texture == "on" && !has_any(run->scene, [](const scenes::SceneObject& o) { return o.has_relief(); }))
     throw InputError(run->scene.file + ": nothing in it has a texture, for --texture on, expected "
                                        "an object or static body with one");
-  // Relief lies over patches of the original surface.
-  resolution.is_exact = resolution.is_exact || is_textured;
-  const auto load = [&](const scenes::SceneObject& object, const char* role,
-                        std::unique_ptr<HapticTexture>& texture) {
-    texture = load_relief(object, tell);
-    return texture ? coarse_asset(*texture)
-                   : load_asset(object, role, options, resolution.is_exact, hooks);
+  // A texture instead of a mesh lies over patches of the original surface alone.
+  if (has_any(run->scene, [](const scenes::SceneObject& o) { return o.is_textured; })) resolution.is_exact = true;
+  std::int32_t coarsest = resolution.coarsest_level;
+  const auto load = [&](const scenes::SceneObject& object, const char* role, BodyTextures& textures) {
+    if (object.is_textured) {
+      textures = load_relief(object, tell);
+      return coarse_asset(*textures[0]);
+    }
+    ClodAsset asset = load_asset(object, role, options, resolution.is_exact && object.level_textures.empty(), hooks);
+    if (!object.level_textures.empty() && options.texture != "off")
+      textures = load_level_relief(object, asset, tell, coarsest);
+    return asset;
   };
-  run->object = load(run->scene.object, "--object", run->object_texture);
+  run->object = load(run->scene.object, "--object", run->object_textures);
   run->object_radius = run->object.hierarchy.radius;
   run->config = scenes::make_session_config(run->scene, measures_of(run->object));
   run->config.contact.object = &run->object.hierarchy;
@@ -325,6 +272,7 @@ std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOption
     run->config.contact.scene.push_back({&run->statics.back()->hierarchy, other.world_from_mesh});
   }
   apply_options(options, run->scene, run->config);
+  run->config.contact.resolution.coarsest_level = coarsest;
   if (options.texture != "off") use_textures(*run, tell);
   open_run_device(options, seed, tell, *run);
   refuse_device_clock(*run->device);

@@ -26,14 +26,17 @@ struct SimulatedRun {
   SimulatedSummary last;
 };
 
+/// Textures of one body, by level of detail; in places that do not move.
+using BodyTextures = std::vector<std::unique_ptr<HapticTexture>>;
+
 /// Everything of a run. Not movable once `config` points into it.
 struct Run {
   scenes::SceneDescription scene;
   double object_radius = 0.0;  // [m]
   ClodAsset object;
   std::vector<std::unique_ptr<ClodAsset>> statics;  // in the order of the scene
-  std::unique_ptr<HapticTexture> object_texture;    // null where nothing of the scene is textured
-  std::vector<std::unique_ptr<HapticTexture>> static_textures;  // as many as statics, or none
+  BodyTextures object_textures;               // none where nothing of the scene is textured
+  std::vector<BodyTextures> static_textures;  // as many as statics, or none
   SessionConfig config;
   std::optional<EmptyLoop> floor;  // of the machine just before a threaded session, where it was measured
   std::optional<SimulatedRun> simulation;  // of a scene with [simulation]

@@ -90,9 +90,9 @@ std::vector<live::LiveParameter> choices_of(const Run& run) {
       choice("response", "response",
              "coupled: through a simulated body; direct: contact forces as they are",
              {"coupled", "direct"}, is_direct ? 1 : 0)};
-  const auto is_textured = [](const scenes::SceneObject& o) { return o.is_textured; };
-  if (run.scene.object.is_textured ||
-      std::any_of(run.scene.statics.begin(), run.scene.statics.end(), is_textured)) {
+  const auto has_relief = [](const scenes::SceneObject& o) { return o.has_relief(); };
+  if (has_relief(run.scene.object) ||
+      std::any_of(run.scene.statics.begin(), run.scene.statics.end(), has_relief)) {
     choices.push_back(choice("texture", "texture", "on: relief is felt; off: coarse surfaces alone",
                              {"on", "off"}, run.config.contact.textures.is_empty() ? 1 : 0));
   }

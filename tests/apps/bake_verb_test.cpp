@@ -65,6 +65,62 @@ TEST(BakeVerb, BakesOntoLevelsOfDetail) {
   EXPECT_NE(none.err.find("no level 999"), std::string::npos) << none.err;
 }
 
+/// A ball with bumps that coarse levels of it do not have.
+TriangleMesh bumps() {
+  TriangleMesh mesh = make_ball(0.02, 20);
+  for (Vec3& p : mesh.positions) {
+    const Vec3 n = p / 0.02;
+    p *= 1.0 + 0.05 * (5.0 * n.x() * n.y() * n.z() + 3.0 * (n.x() * n.x() - n.y() * n.y()) * (n.z() + 0.3));
+  }
+  return mesh;
+}
+
+// A .clod with its .tex: a session at any level feels the original, and says so twice in the same bits.
+TEST(BakeVerb, TexturesAllLevelsForASession) {
+  const std::string fine = mesh_file("bumps.obj", bumps()), clod = out_file("bumps.clod"), tex = out_file("bumps.tex");
+  ASSERT_EQ(run_program({"build", fine, "-o", clod, "--quiet"}).code, 0);
+  const Ended baked = run_program({"bake", fine, "--onto", clod, "-o", tex, "--texels", "256", "--json", "--quiet"});
+  ASSERT_EQ(baked.code, 0) << baked.err;
+  const nlohmann::json j = json_line(baked);
+  ASSERT_GE(j["levels"].size(), 3u);
+  EXPECT_EQ(j["levels"][0]["level"], 1) << "level 0 is the fine surface itself";
+  double worst = 0.0;
+  for (const auto& level : j["levels"]) worst = std::max(worst, level["fit_error_max"].get<double>());
+  EXPECT_EQ(j["fit_error_max"], worst);
+  EXPECT_EQ(read_text(tex).size(), j["file_bytes"]);
+
+  const std::string text = "[object]\nmesh = \"procedural:ball\"\nposition = [0.0, 0.0, 0.08]\n"
+                           "[contact]\nthreshold = 0.1\ncapped = false\n"
+                           "[device]\napproach = [0.0, 0.0, -1.0]\n"
+                           "[[static]]\nmesh = \"bumps.clod\"\nunit_scale = 1.0\ntexture = \"bumps.tex\"\n";
+  const std::string scene = write_text("bumps.toml", text);
+  const auto play = [&](std::vector<std::string> more) {
+    std::vector<std::string> all = {"run", scene, "--device", "hand:", "--headless", "--lockstep", "--duration", "1.5", "--json", "--quiet"};
+    all.insert(all.end(), more.begin(), more.end());
+    const Ended e = run_program(all);
+    EXPECT_EQ(e.code, 0) << e.err;
+    return json_line(e);
+  };
+  const nlohmann::json levels = play({}), again = play({}), exact = play({"--exact"}), plain = play({"--texture", "off"});
+  EXPECT_EQ(levels["state_hash"], again["state_hash"]);
+  EXPECT_NE(levels["state_hash"], plain["state_hash"]);
+  EXPECT_EQ(levels["contact"]["levels"]["scene"][0], 0.0) << "no contact of the finest level";
+  EXPECT_TRUE(levels["safety_events"].empty());
+  const auto rms = [](const nlohmann::json& run) { return run["force"]["rms"].get<double>(); };
+  EXPECT_NEAR(rms(levels), rms(exact), 0.01 * rms(exact));
+
+  const std::string wrong = write_text("wrong.toml", std::string(text).replace(text.find("bumps.clod"), 10, "bumps.obj?"));
+  const Ended refused = run_program({"run", wrong, "--device", "null:", "--headless", "--lockstep", "--duration", "0.1"});
+  EXPECT_EQ(refused.code, 4) << refused.err;
+  // Over the levels of another mesh.
+  const std::string other = mesh_file("other.obj", make_ball(0.02, 20));
+  ASSERT_EQ(run_program({"build", other, "-o", out_file("other.clod"), "--quiet"}).code, 0);
+  const std::string mixed = write_text("mixed.toml", std::string(text).replace(text.find("bumps.clod"), 10, "other.clod"));
+  const Ended e = run_program({"run", mixed, "--device", "null:", "--headless", "--lockstep", "--duration", "0.1"});
+  EXPECT_EQ(e.code, 4) << e.err;
+  EXPECT_NE(e.err.find("bumps.tex"), std::string::npos) << e.err;
+}
+
 TEST(BakeVerb, TakesHeightMapsOverTextureCoordinates) {
   const std::string plate = write_text("plate.obj", kSquare),
                     map = write_text("map.pgm", "P2 2 2 4\n0 4 4 0\n"), out = out_file("plate.tex");

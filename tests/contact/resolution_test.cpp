@@ -53,6 +53,25 @@ ContactSet room() {
   return set;
 }
 
+TEST(Resolution, NoContactIsCoarserThanTheCoarsestLevelAllowed) {
+  std::int32_t free_to = 0;
+  for (const std::int32_t limit : {100, 2, 1, 0}) {
+    ContactFront front;
+    ContactSet set = room();
+    ContactQuery query = query_at(0.5);
+    query.resolution.coarsest_level = limit;
+    std::int32_t coarsest = 0;
+    for (int i = 0; i <= 20; ++i) {
+      ask(query, pose_at(i / 20.0), front, set);
+      for (const Contact& c : set.contacts) coarsest = std::max({coarsest, c.object_level, c.scene_level});
+    }
+    EXPECT_LE(coarsest, limit);
+    if (limit == 100) free_to = coarsest;
+    EXPECT_EQ(coarsest, std::min(limit, free_to)) << limit;
+  }
+  EXPECT_GE(free_to, 2);
+}
+
 TEST(Resolution, ThresholdZeroIsExactContactForContact) {
   ContactFront front, exact_front;
   ContactSet set = room(), exact = room();

@@ -1,9 +1,11 @@
 // A contact step with textures allocates nothing once warm.
+#include "response/level_relief.h"
 #include "support/audit.h"
 #include "texture/textured_plates.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_hierarchy.h"
+#include "thigma/math/rotation.h"
 #include "thigma/mesh/shapes.h"
 #include "thigma/runtime/contact_step.h"
 
@@ -46,6 +48,39 @@ TEST(WarmTextures, allocate_nothing) {
     slide();
     EXPECT_EQ(watched.counts().total(), 0);
   }
+}
+
+TEST(WarmTextures, levels_allocate_nothing) {
+  if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
+  const test::LevelRelief& assets = test::level_relief();
+  ContactWorld world;
+  world.object = &assets.ball.hierarchy;
+  world.scene = {{&assets.box, Pose{}}};
+  world.tolerance = test::kTolerance;
+  world.resolution.is_exact = false;
+  world.resolution.metric.haptic = 0.02;
+  world.resolution.deviation_cap = kNoCap;
+  world.textures.object = make_textured_levels(assets.of_ball, assets.ball.hierarchy);
+  world.textures.scene = {make_textured_body(assets.of_box, assets.box)};
+  ContactScratch scratch;
+  reserve_contact_scratch(world, scratch);
+  ContactSample sample;
+  std::size_t terms = 0;
+  const auto roll = [&] {
+    for (int i = 0; i < 60; ++i) {
+      StampedBody at;
+      at.time = 1e-3 * i;
+      at.state.position = {0.0, 0.0, 0.01 + test::kRadius};
+      at.state.orientation = rotation_from_vector(Vec3(0.01 * i, 0.002 * i, 0.0));
+      contact_step(world, at, scratch, sample);
+      terms += sample.model.depths.size();
+    }
+  };
+  roll();
+  ASSERT_GT(terms, 30u);
+  const test::AuditScope watched;
+  roll();
+  EXPECT_EQ(watched.counts().total(), 0);
 }
 
 }  // namespace

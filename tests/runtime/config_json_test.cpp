@@ -35,6 +35,7 @@ RecordedConfig example() {
   c.resolution.is_exact = false;
   c.resolution.metric = {.haptic = 0.01, .velocity = 0.5, .view = {2.0, 0.5, 0.1, 0.2, 1024.0}};
   c.resolution.deviation_cap = kNoCap;
+  c.resolution.coarsest_level = 4;
   c.resolution.reading = SupportReading::one_ring;
   c.resolution.area = SupportArea::smaller;
   c.resolution.interpolates = false;
@@ -74,6 +75,7 @@ TEST(ConfigJson, round_trip_loses_nothing) {
   EXPECT_EQ(r.metric.view.pixels, 2.0);
   EXPECT_EQ(r.metric.view.image_size, 1024.0);
   EXPECT_EQ(r.deviation_cap, kNoCap);
+  EXPECT_EQ(r.coarsest_level, 4);
   EXPECT_EQ(r.reading, SupportReading::one_ring);
   EXPECT_EQ(r.area, SupportArea::smaller);
   EXPECT_FALSE(r.interpolates);

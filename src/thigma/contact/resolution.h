@@ -21,11 +21,13 @@ struct RefinementMetric {
 
 /// Resolution of a query. The default is exact: finest patches everywhere.
 ///
-/// A pair of patches is refined while s* > s0, or the surface deviations of the two exceed the cap together.
+/// A pair of patches is refined while s* > s0, the surface deviations of the two exceed the cap together, or one is of a
+/// level beyond the coarsest.
 struct Resolution {
   bool is_exact = true;  // everything below is ignored
   RefinementMetric metric{.haptic = 0.025};
   double deviation_cap = 0.02;  // on s_a + s_b, times the smaller radius; infinite: off, as in the text
+  std::int32_t coarsest_level = std::numeric_limits<std::int32_t>::max();  // pairs with a coarser patch are refined
   SupportReading reading = SupportReading::flood;
   SupportArea area = SupportArea::larger;
   bool interpolates = true;   // contacts of a pair near its threshold are blended with its children's (Sec. 3.4.4)

@@ -1,34 +1,53 @@
-// A cluster is one contact of Sec. 4.2.2: the triangles of its members' patches on either side, its mean normal, its
-// centre. Members of one cluster may belong to several bodies; each body has a texture of its own and so a term.
+// A cluster is one contact of Sec. 4.2.2: the triangles of its members' patches on either side, at one level of detail
+// each, its mean normal, its centre. Members of one cluster may belong to several bodies; each body has a texture of its
+// own and so a term.
 #include "thigma/response/texture_contacts.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "thigma/core/index.h"
+#include "thigma/response/detail/patch_level.h"
 #include "thigma/response/linearize_contacts.h"
 #include "thigma/texture/gpu_depth.h"
 
 namespace thigma {
 namespace {
 
-/// Adds the triangles of a finest patch that are not there yet.
-void add_triangles(const ClodHierarchy& hierarchy, std::int32_t patch, std::uint32_t round,
-                   std::vector<std::uint32_t>& marks,
-                   std::vector<std::int32_t>& triangles) noexcept {
-  if (patch < 0 || at(patch) >= hierarchy.patches.size()) return;
-  const ClodPatch& p = hierarchy.patches[at(patch)];
-  for (std::int32_t i = p.first_triangle; i < p.first_triangle + p.triangle_count; ++i) {
-    const std::int32_t t = hierarchy.triangle_ids[at(i)];
+/// Adds the triangles of a patch, at a level, that are not there yet.
+void add_triangles(const TexturedBody& body, std::int32_t patch, std::int32_t level, std::uint32_t round,
+                   std::vector<std::uint32_t>& marks, std::vector<std::int32_t>& triangles) noexcept {
+  const ClodPatch* const p = detail::patch_at_level(body, patch, level);
+  if (p == nullptr) return;
+  for (std::int32_t i = p->first_triangle; i < p->first_triangle + p->triangle_count; ++i) {
+    const std::int32_t t = body.hierarchy->triangle_ids[at(i)];
     if (marks[at(t)] == round) continue;
     marks[at(t)] = round;
     triangles.push_back(t);
   }
 }
 
+/// Levels of detail at which a cluster looks at the object and at a body.
+struct Levels {
+  std::int32_t object = 0, scene = 0;
+};
+
+/// The coarsest levels among the members of a cluster.
+Levels coarsest_levels(const TexturedWorld& world, std::span<const Contact> contacts,
+                       std::span<const std::int32_t> assignment, std::int32_t cluster, std::int32_t body) noexcept {
+  Levels levels;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact& contact = contacts[i];
+    if (assignment[i] != cluster || contact.body != body) continue;
+    levels.object = std::max(levels.object, detail::level_of(*world.object.hierarchy, contact.object_patch));
+    levels.scene = std::max(levels.scene, detail::level_of(*world.scene[at(body)].hierarchy, contact.scene_patch));
+  }
+  return levels;
+}
+
 /// The object, and a body of the scene, as one cluster touches them. False without such members.
 bool gather(const TexturedWorld& world, std::span<const Contact> contacts,
-            std::span<const std::int32_t> assignment, std::int32_t cluster, std::int32_t body,
+            std::span<const std::int32_t> assignment, std::int32_t cluster, std::int32_t body, const Levels& levels,
             std::size_t slot, TextureScratch& scratch) noexcept {
   if (++scratch.round == 0) {  // after 2^32 of them: no mark may look new
     std::fill(scratch.object_marks.begin(), scratch.object_marks.end(), 0u);
@@ -44,11 +63,9 @@ bool gather(const TexturedWorld& world, std::span<const Contact> contacts,
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
     if (assignment[i] != cluster || contact.body != body) continue;
-    add_triangles(*world.object.hierarchy, contact.object_patch, round, scratch.object_marks,
-                  of_object);
-    add_triangles(*world.scene[at(body)].hierarchy, contact.scene_patch, round, scratch.scene_marks,
-                  of_scene);
-    deepest = std::max(deepest, contact.depth);
+    add_triangles(world.object, contact.object_patch, levels.object, round, scratch.object_marks, of_object);
+    add_triangles(world.scene[at(body)], contact.scene_patch, levels.scene, round, scratch.scene_marks, of_scene);
+    deepest = std::max(deepest, contact.depth + contact.bound);
   }
   // Clusters name their members in the order of contacts, which may change while the triangles do not.
   std::sort(of_object.begin(), of_object.end());
@@ -85,10 +102,11 @@ void divide(const TexturedWorld& world, const Pose& world_from_object,
       const std::size_t slot = scratch.contacts.size();
       if (slot == scratch.object_triangles.size()) break;  // as many as the model has room for
       const std::int32_t body = static_cast<std::int32_t>(b);
-      if (!gather(world, contacts, assignment, index, body, slot, scratch)) continue;
+      const Levels levels = coarsest_levels(world, contacts, assignment, index, body);
+      if (!gather(world, contacts, assignment, index, body, levels, slot, scratch)) continue;
       DepthContact contact;
-      contact.object = {world.object.texture, scratch.object_triangles[slot], world_from_object};
-      contact.scene = {world.scene[b].texture, scratch.scene_triangles[slot],
+      contact.object = {world.object.textures[at(levels.object)], scratch.object_triangles[slot], world_from_object};
+      contact.scene = {world.scene[b].textures[at(levels.scene)], scratch.scene_triangles[slot],
                        bodies[b].world_from_body};
       contact.point = cluster.point;
       contact.normal = cluster.normal;
@@ -104,8 +122,9 @@ std::unique_ptr<DepthBackend> open_gpu_search(const TexturedWorld& world) {
   GpuDepthParams params;
   params.grid.resolution = world.params.resolution;
   params.warn = world.warn;
-  params.textures.push_back(world.object.texture);
-  for (const TexturedBody& body : world.scene) params.textures.push_back(body.texture);
+  params.textures = world.object.textures;
+  for (const TexturedBody& body : world.scene)
+    params.textures.insert(params.textures.end(), body.textures.begin(), body.textures.end());
   GpuDepth gpu = make_gpu_depth(params);
   if (gpu.is_on_gpu && gpu.is_software && world.warn)
     world.warn("textures are computed by " + gpu.renderer +
@@ -125,19 +144,48 @@ std::unique_ptr<DepthBackend> open_search(const TexturedWorld& world) {
   return make_grid_depth({.resolution = world.params.resolution});
 }
 
-double amplitude_of(const DepthContact& contact) noexcept {
-  return contact.object.texture->amplitude + contact.scene.texture->amplitude;
+double longest_texel(const HapticTexture& texture) noexcept {
+  double longest = 0.0;
+  for (const Texel& t : texture.texels)
+    longest = std::max(longest, Vec3(static_cast<double>(t.x), static_cast<double>(t.y), static_cast<double>(t.z)).norm());
+  return longest;
+}
+
+std::size_t most_triangles(const TexturedBody& body) noexcept {
+  std::size_t most = 0;
+  for (const HapticTexture* texture : body.textures) most = std::max(most, texture->coarse.triangles.size());
+  return most;
 }
 
 }  // namespace
 
 TexturedBody make_textured_body(const HapticTexture& texture, const ClodHierarchy& hierarchy) {
-  TexturedBody body{&texture, &hierarchy, 0.0};
-  for (const Texel& t : texture.texels)
-    body.relief = std::max(
-        body.relief,
-        Vec3(static_cast<double>(t.x), static_cast<double>(t.y), static_cast<double>(t.z)).norm());
+  return make_textured_levels({&texture}, hierarchy);
+}
+
+TexturedBody make_textured_levels(std::vector<const HapticTexture*> textures, const ClodHierarchy& hierarchy) {
+  TexturedBody body;
+  body.textures = std::move(textures);
+  body.hierarchy = &hierarchy;
+  body.relief = longest_texel(*body.textures.front());
+  for (const HapticTexture* texture : body.textures) {
+    if (!(longest_texel(*texture) > 0.0)) continue;
+    body.amplitude = body.has_relief ? std::min(body.amplitude, texture->amplitude) : texture->amplitude;
+    body.has_relief = true;
+  }
+  if (body.textures.size() == 1) return body;
+  body.parent.assign(hierarchy.nodes.size(), -1);
+  for (std::size_t i = 0; i < hierarchy.nodes.size(); ++i) {
+    const ClodNode& node = hierarchy.nodes[i];
+    for (std::int32_t c = node.first_child; c < node.first_child + node.child_count; ++c)
+      body.parent[at(c)] = static_cast<std::int32_t>(i);
+  }
   return body;
+}
+
+bool has_levels(const TexturedWorld& world) noexcept {
+  const auto of_body = [](const TexturedBody& body) { return body.textures.size() > 1; };
+  return of_body(world.object) || std::any_of(world.scene.begin(), world.scene.end(), of_body);
 }
 
 double relief_of(const TexturedWorld& world) noexcept {
@@ -151,24 +199,28 @@ void limit_to_relief(const TexturedWorld& world, double tolerance, ContactSet& c
   const double most = tolerance + relief_of(world);
   const auto own_reach = [&](const Contact& contact) {
     const double relief = contact.body >= 0 ? world.scene[at(contact.body)].relief : 0.0;
-    return contact.depth + tolerance + world.object.relief + relief;
+    const double open = is_textured(world, contact.body) ? contact.bound : 0.0;
+    return contact.depth + tolerance + world.object.relief + relief + open;
   };
   contacts.contacts.erase(
       std::remove_if(contacts.contacts.begin(), contacts.contacts.end(),
                      [&](const Contact& contact) { return own_reach(contact) < 0.0; }),
       contacts.contacts.end());
+  // Clusters weigh by depth + most: what a coarse level leaves open may be beyond that.
+  const double least = 1e-3 * tolerance - most;
   for (Contact& contact : contacts.contacts) {
+    const double own = own_reach(contact);
+    if (contact.bound > 0.0 && is_textured(world, contact.body)) contact.depth = std::max(contact.depth, least);
     const double reach = contact.depth + most;
-    if (reach > 0.0) contact.weight = own_reach(contact) / reach;
+    if (reach > 0.0) contact.weight *= own / reach;
   }
 }
 
 void reserve_texture_scratch(const TexturedWorld& world, TextureScratch& scratch) {
   scratch.backend = open_search(world);
-  const std::size_t of_object = world.object.texture->coarse.triangles.size();
+  const std::size_t of_object = most_triangles(world.object);
   std::size_t of_scene = 0;
-  for (const TexturedBody& body : world.scene)
-    of_scene = std::max(of_scene, body.texture->coarse.triangles.size());
+  for (const TexturedBody& body : world.scene) of_scene = std::max(of_scene, most_triangles(body));
   scratch.object_triangles.assign(kMaxClusters, {});
   scratch.scene_triangles.assign(kMaxClusters, {});
   for (auto& list : scratch.object_triangles) list.reserve(of_object);
@@ -194,8 +246,8 @@ LinearContactModel linearize_textured(
     double time, std::uint64_t sequence, TextureScratch& scratch) noexcept {
   divide(world, world_from_object, bodies, contacts, clusters, assignment, state.position, scratch);
   double amplitude = 0.0;
-  for (const DepthContact& contact : scratch.contacts)
-    amplitude = std::max(amplitude, amplitude_of(contact));
+  for (const std::int32_t body : scratch.body)
+    amplitude = std::max(amplitude, world.object.amplitude + world.scene[at(body)].amplitude);
   const TextureParams& params = world.params;
   const std::size_t count = scratch.contacts.size();
   if (count > 0)

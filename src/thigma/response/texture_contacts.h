@@ -32,17 +32,23 @@ struct TextureParams {
       0.1;  // of the summed amplitudes: depths this near the maximum count, see depth_request
 };
 
-/// A body whose surface a texture may refine. Immutable; outlives the session.
+/// A body whose surface textures may refine. Immutable; outlives the session.
 struct TexturedBody {
-  const HapticTexture* texture =
-      nullptr;  // over the mesh of the hierarchy; of one texel for a plain body
-  const ClodHierarchy* hierarchy = nullptr;  // exact: its patches are of texture->coarse
-  double relief = 0.0;                       // no texel is longer [m]; 0: a plain body
+  std::vector<const HapticTexture*> textures;  // over the surface of level 0, 1, ..; of one texel where there is no relief
+  const ClodHierarchy* hierarchy = nullptr;    // its patches of level k are of textures[k]->coarse
+  std::vector<std::int32_t> parent;            // of each node, -1 of the root; empty with one texture
+  bool has_relief = false;                     // false: a plain body
+  double relief = 0.0;     // by how much the fine surface lies off level 0, at most [m]
+  double amplitude = 0.0;  // of the texture that has least of it, of those with relief [m]
 };
 
-/// relief is measured.
+/// A body at full resolution.
 /// Thread [offline].
 TexturedBody make_textured_body(const HapticTexture& texture, const ClodHierarchy& hierarchy);
+
+/// A body with levels of detail: one texture for each level that is not free.
+/// Thread [offline].
+TexturedBody make_textured_levels(std::vector<const HapticTexture*> textures, const ClodHierarchy& hierarchy);
 
 /// Everything textured of a contact world. Empty: nothing is.
 struct TexturedWorld {
@@ -52,24 +58,26 @@ struct TexturedWorld {
   /// Told why depths are not computed on a graphics processor, or that it is none in hardware: by the thread that
   /// reserves scratch, later by the one that samples. May be empty.
   std::function<void(const std::string& why)> warn{};
-  bool is_empty() const noexcept { return object.texture == nullptr; }
+  bool is_empty() const noexcept { return object.hierarchy == nullptr; }
 };
+
+/// Whether contacts of any level can be refined; otherwise queries have to be exact.
+bool has_levels(const TexturedWorld& world) noexcept;
 
 /// Whether a contact with this body of the scene touches relief.
 inline bool is_textured(const TexturedWorld& world, std::int32_t body) noexcept {
-  return world.object.relief > 0.0 ||
-         (body >= 0 && world.scene[static_cast<std::size_t>(body)].relief > 0.0);
+  return world.object.has_relief || (body >= 0 && world.scene[static_cast<std::size_t>(body)].has_relief);
 }
 
-/// By how much fine surfaces may meet before coarse ones come within a tolerance: what a query has to add [m].
+/// By how much fine surfaces may meet before those of level 0 come within a tolerance: what a query has to add [m].
 double relief_of(const TexturedWorld& world) noexcept;
 
-/// After a query at tolerance + relief_of(world): takes out contacts that no relief of their own two bodies makes real,
-/// and makes the others weigh in clusters by depth + tolerance + that relief, so that plain ones weigh what they do
-/// without textures.
+/// After a query at tolerance + relief_of(world): takes out contacts that neither relief of their own two bodies nor what
+/// their levels leave open (`bound`) makes real, and makes the others weigh in clusters by depth + tolerance + both, so
+/// that plain ones weigh what they do without textures.
 ///
 /// tolerance  without relief [m]
-/// contacts   of weight 1; order of those that stay is kept
+/// contacts   order of those that stay is kept; depth below the reach of the query is raised to it
 /// Thread     [contact]; no failure.
 void limit_to_relief(const TexturedWorld& world, double tolerance, ContactSet& contacts) noexcept;
 
@@ -82,7 +90,7 @@ struct TextureScratch {
   std::vector<std::uint32_t> object_marks, scene_marks;  // of triangles: taken in round `round`
   std::uint32_t round = 0;
   std::vector<std::int32_t> cluster, body;  // of each depth contact
-  std::vector<double> deepest;              // member of each depth contact, coarse [m]
+  std::vector<double> deepest;  // that a member of each depth contact may be, relief left aside [m]
   GradientScratch gradient;
   ContactClusters plain;  // those that touch no relief
 };
@@ -96,7 +104,8 @@ void reserve_texture_scratch(const TexturedWorld& world, TextureScratch& scratch
 /// all share the stiffness by depth + tolerance.
 ///
 /// world           not empty; poses of the scene are those of `bodies`, that of the object's mesh `world_from_object`
-/// contacts        exact ones, as clustered
+/// contacts        as clustered. The triangles of a cluster are those of the coarsest level among its members, where the
+///                 finer ones lie below; what it feels is the fine surface at any level, within the fit of its texture
 /// clusters, assignment  of cluster_contacts
 /// penalty         as linearize_contacts
 /// state, time, sequence  likewise

@@ -126,6 +126,7 @@ void put_resolution(std::string& out, JsonObject& json, const Resolution& r) {
                            r.metric.view.pixels, r.metric.view.distance, r.metric.view.frustum_size,
                            r.metric.view.near_distance, r.metric.view.image_size));
   inner.number("deviation_cap", r.deviation_cap);
+  inner.integer("coarsest_level", r.coarsest_level);
   inner.word("support", r.reading == SupportReading::flood ? "flood" : "one_ring");
   inner.word("area", r.area == SupportArea::larger ? "larger" : "smaller");
   inner.flag("interpolates", r.interpolates);
@@ -153,6 +154,7 @@ Resolution read_resolution(const Json& json) {
   r.metric.view = {view[0], view[1], view[2], view[3], view[4]};
   const Json& cap = json.at("deviation_cap");
   r.deviation_cap = cap.is_null() ? kNoCap : cap.get<double>();
+  r.coarsest_level = json.value("coarsest_level", r.coarsest_level);  // recordings from before have none
   r.reading = json.at("support").get<std::string>() == "one_ring" ? SupportReading::one_ring
                                                                   : SupportReading::flood;
   r.area =

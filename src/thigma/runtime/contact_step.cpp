@@ -53,7 +53,7 @@ void find_contacts(const ContactWorld& world, const StampedBody& at,
     ContactQuery query;
     query.tolerance = query_tolerance(world);
     query.keep_directions = true;
-    if (world.textures.is_empty()) query.resolution = world.resolution;
+    if (world.textures.is_empty() || has_levels(world.textures)) query.resolution = world.resolution;
     if (scratch.sequence > 0 && at.time > scratch.last_time) {
       query.resolution.step_time = at.time - scratch.last_time;
     }

@@ -33,7 +33,7 @@ struct ContactWorld {
   std::vector<SceneBody> scene;  // static
   ContactSource source;          // in addition to `scene`; empty: none
   double tolerance = 0.0;        // d [m]
-  Resolution resolution;         // of the query; exact unless asked otherwise, and with textures
+  Resolution resolution;         // of the query; exact unless asked otherwise, and with textures over one level
   TexturedWorld textures;        // relief of the surfaces; empty: none
   int max_clusters = 5;          // K
   bool is_spread = true;         // contacts of large patches over the area these share; not with textures

@@ -61,23 +61,38 @@ std::array<Vec3, 3> corners_of(const TriangleMesh& mesh, std::int32_t t) {
   return {mesh.positions[at(v[0])], mesh.positions[at(v[1])], mesh.positions[at(v[2])]};
 }
 
-/// The fine surface seen from the coarse one.
-struct Sight {
-  const TriangleMesh& coarse;
-  detail::SurfaceSearch on_coarse, on_fine;
+/// A surface on the way from the coarse one to the fine one.
+struct Stage {
+  detail::SurfaceSearch search;
   CornerNormals normals;
-  double reach = 0.0;  // along a normal [m]
+  double reach = 0.0;  // to the next one, along a normal [m]
+};
+
+/// The fine surface seen from the coarse one, through those between them.
+struct Sight {
+  std::vector<Stage> stages;  // from the coarse to the fine surface
+
+  const TriangleMesh& coarse() const { return *stages.front().search.mesh; }
 
   /// From a point of the coarse surface to the fine point that belongs to it.
   Vec3 displacement(const detail::SurfacePoint& from) const {
-    const Vec3 normal = blend(normals[at(from.triangle)], from.weights);
+    detail::SurfacePoint on = from;
+    for (std::size_t i = 0; i + 1 < stages.size(); ++i) on = next(i, on);
+    return on.at - from.at;
+  }
+
+ private:
+  detail::SurfacePoint next(std::size_t i, const detail::SurfacePoint& from) const {
+    const Stage& stage = stages[i];
+    const detail::SurfaceSearch& finer = stages[i + 1].search;
+    const Vec3 normal = blend(stage.normals[at(from.triangle)], from.weights);
     const double length = normal.norm();
     if (length > 0.0) {
       const detail::SurfacePoint hit =
-          detail::crossing_point(on_fine, from.at, normal / length, reach);
-      if (hit.triangle >= 0) return hit.at - from.at;
+          detail::crossing_point(finer, from.at, normal / length, stage.reach);
+      if (hit.triangle >= 0) return hit;
     }
-    return detail::nearest_point(on_fine, from.at).at - from.at;
+    return detail::nearest_point(finer, from.at);
   }
 };
 
@@ -89,6 +104,31 @@ double largest_distance(const TriangleMesh& from, const detail::SurfaceSearch& t
   for (std::size_t i = 0; i < from.positions.size(); i += step)
     largest = std::max(largest, detail::nearest_point(to, from.positions[i]).distance);
   return largest;
+}
+
+double farthest(const detail::SurfaceSearch& one, const detail::SurfaceSearch& other) {
+  return std::max(largest_distance(*one.mesh, other), largest_distance(*other.mesh, one));
+}
+
+Sight look_through(const TriangleMesh& fine, const TriangleMesh& coarse,
+                   std::span<const TriangleMesh> between, const std::string& name) {
+  Sight sight;
+  const auto add = [&](const TriangleMesh& mesh) {
+    sight.stages.push_back({detail::build_surface_search(mesh), corner_normals(mesh, -1.0)});
+  };
+  add(coarse);
+  for (const TriangleMesh& mesh : between) add(mesh);
+  add(fine);
+  const double apart = farthest(sight.stages.back().search, sight.stages.front().search);
+  const double radius = enclosing_ball(coarse.positions).radius;
+  if (!(apart < radius))
+    throw InputError(
+        name + ": lies " + std::to_string(apart) +
+        " m from the coarse surface, at its farthest vertex, expected one that it fits");
+  // A line along a normal that leans on the surface is longer than the distance.
+  for (std::size_t i = 0; i + 1 < sight.stages.size(); ++i)
+    sight.stages[i].reach = 2.0 * farthest(sight.stages[i].search, sight.stages[i + 1].search);
+  return sight;
 }
 
 Texel texel_of(const Vec3& d) {
@@ -105,11 +145,11 @@ void fill_texels(const Sight& sight, TextureSource& source) {
     const std::size_t width = static_cast<std::size_t>(source.width);
     const Vec2 texel(static_cast<double>(i % width), static_cast<double>(i / width));
     const Vec3 weights = detail::corner_weights(source.corners[at(t)], texel);
-    const Vec3 place = blend(corners_of(sight.coarse, t), weights);
+    const Vec3 place = blend(corners_of(sight.coarse(), t), weights);
     // Beyond the chart's edge the surface goes on as the neighbour.
     const detail::SurfacePoint on = weights.minCoeff() >= 0.0
                                         ? detail::SurfacePoint{t, weights, place, 0.0}
-                                        : detail::nearest_point(sight.on_coarse, place);
+                                        : detail::nearest_point(sight.stages.front().search, place);
     source.texels[i] = texel_of(sight.displacement(on));
   }
 }
@@ -117,19 +157,10 @@ void fill_texels(const Sight& sight, TextureSource& source) {
 }  // namespace
 
 TextureAsset bake_surface(const TriangleMesh& fine, const TriangleMesh& coarse,
-                          const BakeParams& params, const std::string& name) {
+                          const BakeParams& params, const std::string& name,
+                          std::span<const TriangleMesh> between) {
   const ChartMap charts = make_charts(coarse, {.texels = params.texels}, name);
-  Sight sight{coarse, detail::build_surface_search(coarse), detail::build_surface_search(fine),
-              corner_normals(coarse, -1.0), 0.0};
-  const double apart =
-      std::max(largest_distance(fine, sight.on_coarse), largest_distance(coarse, sight.on_fine));
-  const double radius = enclosing_ball(coarse.positions).radius;
-  if (!(apart < radius))
-    throw InputError(
-        name + ": lies " + std::to_string(apart) +
-        " m from the coarse surface, at its farthest vertex, expected one that it fits");
-  // A line along a normal that leans on the surface is longer than the distance.
-  sight.reach = 2.0 * apart;
+  const Sight sight = look_through(fine, coarse, between, name);
   TextureSource source;
   source.coarse = coarse;
   source.corners = charts.corners;
@@ -137,8 +168,8 @@ TextureAsset bake_surface(const TriangleMesh& fine, const TriangleMesh& coarse,
   fill_texels(sight, source);
   TextureAsset asset;
   asset.texture = make_texture(std::move(source), name);
-  asset.figures = detail::measure_fit(fine, sight.on_fine, sight.on_coarse, asset.texture,
-                                      {.samples = params.samples, .seed = params.seed});
+  asset.figures = detail::measure_fit(fine, sight.stages.back().search, sight.stages.front().search,
+                                      asset.texture, {.samples = params.samples, .seed = params.seed});
   asset.figures.charts = charts.count;
   asset.figures.distortion_max = charts.distortion_max;
   return asset;

@@ -2,6 +2,7 @@
 // Haptic textures from fine surfaces and from height maps.
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,8 @@ struct BakeParams {
 ///           radius, and as make_charts and make_texture.
 /// Source    Sec. 4.2.2.
 TextureAsset bake_surface(const TriangleMesh& fine, const TriangleMesh& coarse,
-                          const BakeParams& params, const std::string& name);
+                          const BakeParams& params, const std::string& name,
+                          std::span<const TriangleMesh> between = {});
 
 /// A height map over texture coordinates: white lies `amplitude` outside, black as much inside the coarse surface, along
 /// its normals, which are averaged over edges of less than 40 degrees.

@@ -134,6 +134,7 @@ bool is_always_refined(const LevelQuery& q, const FrontNode& n) noexcept {
   const ClodNode& na = node_a(q.t, n.a);
   const ClodNode& nb = node_b(q.t, n.b);
   if (is_free(na) || is_free(nb)) return true;
+  if (std::max(na.level, nb.level) > q.t.query.resolution.coarsest_level) return true;
   const double sa = na.contact >= 0 ? q.t.object.contact_patches[at(na.contact)].deviation : 0.0;
   const double sb = nb.contact >= 0 ? q.t.scene.contact_patches[at(nb.contact)].deviation : 0.0;
   if (sa + sb > q.deviation_cap) return true;

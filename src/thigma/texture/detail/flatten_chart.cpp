@@ -109,33 +109,40 @@ std::vector<Vec2> solve(const TriangleMesh& mesh, std::span<const std::int32_t> 
   return places;
 }
 
-bool do_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  const double abc = cross(b - a, c - a), abd = cross(b - a, d - a);
-  const double cda = cross(d - c, a - c), cdb = cross(d - c, b - c);
-  return abc * abd < 0.0 && cda * cdb < 0.0;
+/// Whether an edge of one triangle has all of the other outside, to rounding. Both turn to the left.
+bool are_apart(const std::array<Vec2, 3>& one, const std::array<Vec2, 3>& other) {
+  constexpr double kRounding = 1e-9;  // of the edge and its distance
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec2& a = one[k];
+    const Vec2 edge = one[(k + 1) % 3] - a;
+    bool is_outside = true;
+    for (const Vec2& p : other)
+      is_outside = is_outside && cross(edge, p - a) <= kRounding * edge.norm() * ((p - a).norm() + edge.norm());
+    if (is_outside) return true;
+  }
+  return false;
 }
 
-/// A flat chart that folds nowhere overlaps itself only where its rim crosses itself.
-bool rim_crosses(const Vertices& vertices, const std::vector<Vec2>& places) {
-  std::map<std::array<std::int32_t, 2>, int> uses;
-  for (const auto& t : vertices.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
-      ++uses[{a, b}];
-    }
+/// Whether two triangles of a chart lie over each other. Its rim need not cross itself for that: it may pass through one
+/// vertex twice.
+bool overlaps_itself(const std::vector<std::array<Vec2, 3>>& triangles) {
+  struct Box {
+    Vec2 low, high;
+    std::size_t triangle;
+  };
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& [a, b, c] = triangles[i];
+    boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), i});
   }
-  std::vector<std::array<std::int32_t, 2>> rim;
-  for (const auto& [edge, count] : uses)
-    if (count == 1) rim.push_back(edge);
-  for (std::size_t i = 0; i < rim.size(); ++i) {
-    const Vec2 &a = places[at(rim[i][0])], &b = places[at(rim[i][1])];
-    const Vec2 low = a.cwiseMin(b), high = a.cwiseMax(b);
-    for (std::size_t j = i + 1; j < rim.size(); ++j) {
-      const Vec2 &c = places[at(rim[j][0])], &d = places[at(rim[j][1])];
-      if ((c.cwiseMin(d).array() > high.array()).any() ||
-          (c.cwiseMax(d).array() < low.array()).any())
-        continue;
-      if (do_cross(a, b, c, d)) return true;
+  std::sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) {
+    return a.low.x() != b.low.x() ? a.low.x() < b.low.x() : a.triangle < b.triangle;
+  });
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t j = i + 1; j < boxes.size() && boxes[j].low.x() < boxes[i].high.x(); ++j) {
+      if (boxes[j].low.y() >= boxes[i].high.y() || boxes[j].high.y() <= boxes[i].low.y()) continue;
+      const auto &one = triangles[boxes[i].triangle], &other = triangles[boxes[j].triangle];
+      if (!are_apart(one, other) && !are_apart(other, one)) return true;
     }
   }
   return false;
@@ -171,7 +178,7 @@ FlatChart flatten_chart(const TriangleMesh& mesh, std::span<const std::int32_t> 
     flat.stretch = std::max({flat.stretch, stretch[0], 1.0 / stretch[1]});
     flat.at.push_back(c);
   }
-  flat.is_usable = std::isfinite(flat.stretch) && !rim_crosses(vertices, places);
+  flat.is_usable = std::isfinite(flat.stretch) && !overlaps_itself(flat.at);
   return flat;
 }
 

@@ -90,8 +90,9 @@ bool prepare_contact(const DepthContact& contact, PreparedContact& prepared) noe
   if (prepared.box.is_empty()) return false;
   prepared.is_height_field = is_height_field(prepared.object, prepared.box) &&
                              is_height_field(prepared.scene, prepared.box);
-  prepared.texel =
+  const double texel =
       std::min(relief_texel(*contact.object.texture), relief_texel(*contact.scene.texture));
+  prepared.texel = std::isfinite(texel) ? texel : 0.0;  // no relief: a corner of one side may be the deepest place
   return true;
 }
 
