@@ -84,6 +84,47 @@ void check_above(LevelPairCheck pair, int poses = pose_count()) {
   check_path(std::move(pair), approach, poses);
 }
 
+/// From any side: what is within d has a contact, of its own patches in an exact query, of patches above them with levels.
+void check_nothing_is_pruned(LevelPairCheck pair) {
+  const int poses = test::is_full() ? 10'000 : 50;
+  const double d = 0.01 * pair.exact.radius, eps = 1e-9 * pair.exact.radius;
+  const PatchSurfaces objects(pair.exact.object, pair.object_mesh), scenes(pair.exact.scene, pair.scene_mesh);
+  ContactQuery exact = query_at(d, 0.0), coarse = query_at(d, 0.025);
+  exact.resolution.is_exact = true;
+  coarse.resolution.deviation_cap = kNoCap;
+  ContactFront front;
+  ContactSet set;
+  set.contacts.reserve(400'000);
+  Random random(29);
+  int missed = 0, missed_coarse = 0;
+  std::int64_t true_pairs = 0, ignored = 0;
+  for (int i = 0; i < poses; ++i) {
+    const Pose pose = test::random_pose_near(pair.exact, random);
+    clear_front(front);
+    ask(pair, pose, exact, front, set);
+    missed += test::count_missed(pair, objects, scenes, pose, d - eps, set, true_pairs);
+    for (const Contact& c : set.contacts) ASSERT_EQ(c.object_level + c.scene_level, 0);
+    clear_front(front);
+    ask(pair, pose, coarse, front, set);
+    missed_coarse += test::count_missed(pair, objects, scenes, pose, d - eps, set, ignored);
+  }
+  std::printf("  %-14s %d random poses, %lld true pairs of finest patches, missed %d exact, %d with levels\n", pair.name.c_str(),
+              poses, static_cast<long long>(true_pairs), missed, missed_coarse);
+  std::fflush(stdout);
+  EXPECT_GT(true_pairs, poses / 4);
+  EXPECT_EQ(missed, 0);
+  EXPECT_EQ(missed_coarse, 0);
+}
+
+TEST(LevelQuery, PrunesNothingFromAnySide) {
+  check_nothing_is_pruned(test::make_level_pair("ball on ball", make_ball(1.0, 20), make_ball(1.2, 24)));
+  check_nothing_is_pruned(test::make_level_pair("jaw on jaw", model("jaw_upper", 4'000), model("jaw_lower", 4'000)));
+  check_nothing_is_pruned(test::make_level_pair("spoon and cup", model("spoon", 3'000), model("cup", 4'000)));
+  check_nothing_is_pruned(test::make_level_pair("golf", model("golf_ball", 4'000), model("golf_club", 4'000)));
+  check_nothing_is_pruned(test::make_level_pair("ball joint", model("joint_ball", 4'000), model("joint_socket", 4'000)));
+  check_nothing_is_pruned(test::make_level_pair("torus and gear", model("torus", 3'000), model("gear", 4'000)));
+}
+
 TEST(LevelQuery, BallOnBall) {
   check_above(test::make_level_pair("ball on ball", make_ball(1.0, 20), make_ball(1.2, 24)));
 }

@@ -39,6 +39,16 @@ inline Pose on_path(const CheckedPair& pair, const Pose& touch, const Vec3& dire
   return pose;
 }
 
+/// A turned object at -1 to 2 % of the radius from touch, from any side.
+inline Pose random_pose_near(const CheckedPair& pair, Random& random) {
+  Pose start;
+  start.orientation = random.orientation();
+  const Vec3 direction = random.direction();
+  const double apart = 1.1 * (pair.object.radius + pair.scene.radius);
+  start.position = pair.scene.center - apart * direction - start.orientation * pair.object.center;
+  return pose_at_gap(pair, start, direction, random.uniform(-0.01, 0.02) * pair.radius);
+}
+
 inline void query_pose(const CheckedPair& pair, const Pose& pose, double d, ContactFront& front, ContactSet& set) {
   clear(set);
   query_contacts(pair.object, pose, pair.scene, Pose{}, {.tolerance = d}, front, set);
@@ -69,12 +79,7 @@ inline void check_pair(const CheckedPair& pair, const Approach& approach, double
   Random random(17);
   for (int i = 0; i < random_poses; ++i) {
     SCOPED_TRACE("random pose " + std::to_string(i));
-    Pose start;
-    start.orientation = random.orientation();
-    const Vec3 direction = random.direction();
-    const double apart = 1.1 * (pair.object.radius + pair.scene.radius);
-    start.position = pair.scene.center - apart * direction - start.orientation * pair.object.center;
-    check(pose_at_gap(pair, start, direction, random.uniform(-0.01, 0.02) * pair.radius));
+    check(random_pose_near(pair, random));
     if (::testing::Test::HasFailure()) return;
   }
   std::printf("  %-22s %lld poses, %lld contacts, %lld triangle pairs, %lld poses intersecting; worst error of the "
