@@ -9,6 +9,8 @@
 #include "scenes/textured_parts.h"
 
 #include "thigma/clod/build_hierarchy.h"
+#include "thigma/mesh/measure.h"
+#include "thigma/texture/bake.h"
 
 namespace thigma::experiments {
 namespace table_4_1 {
@@ -20,12 +22,10 @@ struct Row41 {
   double fine, coarse, volumes;  // of the text
 };
 
-constexpr Row41 kRows[] = {{"Block", "striped_block", 65536, 16, 1},
-                           {"Gear", "gear", 25600, 1600, 1},
-                           {"Hammer", "hammer", 433152, 518, 210},
-                           {"CAD Part", "cad_part", 658432, 720, 390},
-                           {"File", "file", 285824, 632, 113},
-                           {"Torus", "helicoidal_torus", 128000, 532, 114}};
+constexpr Row41 kRows[] = {
+    {"Block", "striped_block", 65536, 16, 1}, {"Gear", "gear", 25600, 1600, 1},
+    {"Hammer", "hammer", 433152, 518, 210},   {"CAD Part", "cad_part", 658432, 720, 390},
+    {"File", "file", 285824, 632, 113},       {"Torus", "helicoidal_torus", 128000, 532, 114}};
 
 /// Triangles of the fine surface: of the mesh there is, or for the block, which has none, of the text's.
 double fine_count(const Row41& row) {
@@ -35,20 +35,39 @@ double fine_count(const Row41& row) {
   return count > 0.0 ? count : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// The fine mesh baked onto the coarse one: what is off, both ways, over the radius [%].
+struct Fit {
+  double rms = 0.0, largest = 0.0, distortion = 0.0;
+};
+
+Fit bake_part(const Row41& row, const TriangleMesh& coarse, const Context& context) {
+  const TriangleMesh fine = scenes::make_fine_sheets(scenes::textured_part(row.model));
+  const BakeFigures f =
+      bake_surface(fine, coarse,
+                   {.texels = context.quick ? 256 : 1024, .samples = context.quick ? 2000 : 20000},
+                   row.name)
+          .figures;
+  const double percent = 100.0 / enclosing_ball(fine.positions).radius;
+  return {percent * f.fit_error_rms.value_or(0.0), percent * f.fit_error_max.value_or(0.0),
+          f.distortion_max};
+}
+
 }  // namespace
 }  // namespace table_4_1
 
 Outcome run_table_4_1(const Context& context) {
   using namespace table_4_1;
   Outcome outcome;
-  outcome.tables = {{.name = "data",
-                     .columns = {"model", "fine triangles", "fine, text", "coarse triangles",
-                                 "coarse, text", "hierarchy nodes", "volumes, text", "patches",
-                                 "texels", "relief [m]"}}};
+  outcome.tables = {
+      {.name = "data",
+       .columns = {"model", "fine triangles", "fine, text", "coarse triangles", "coarse, text",
+                   "hierarchy nodes", "volumes, text", "patches", "texels", "relief [m]",
+                   "fit, RMS [% of the radius]", "fit, largest [% of the radius]", "distortion"}}};
   plot::Series fine{.label = "fine", .mark = plot::Mark::points},
       coarse{.label = "coarse", .mark = plot::Mark::points},
       nodes{.label = "hierarchy", .mark = plot::Mark::points};
   double fine_off = 0.0, coarse_off = 0.0;
+  Fit worst;
   for (const Row41& row : kRows) {
     tell(context, row.name);
     const HapticTexture texture =
@@ -56,10 +75,15 @@ Outcome run_table_4_1(const Context& context) {
     const ClodHierarchy h = build_exact_hierarchy(texture.coarse);
     const double triangles = static_cast<double>(texture.coarse.triangles.size()),
                  volumes = static_cast<double>(h.nodes.size()), fine_here = fine_count(row);
-    add_row(outcome.tables[0],
-            {std::string(row.name), fine_here, row.fine, triangles, row.coarse, volumes,
-             row.volumes, static_cast<double>(h.patches.size()),
-             static_cast<double>(texture.width) * texture.height, texture.amplitude});
+    Fit fit;
+    if (std::isfinite(fine_here) && (!context.quick || fine_here < 150e3))
+      fit = bake_part(row, texture.coarse, context);
+    worst = {std::max(worst.rms, fit.rms), std::max(worst.largest, fit.largest),
+             std::max(worst.distortion, fit.distortion)};
+    add_row(outcome.tables[0], {std::string(row.name), fine_here, row.fine, triangles, row.coarse,
+                                volumes, row.volumes, static_cast<double>(h.patches.size()),
+                                static_cast<double>(texture.width) * texture.height,
+                                texture.amplitude, fit.rms, fit.largest, fit.distortion});
     if (std::isfinite(fine_here))
       fine_off = std::max(fine_off, std::fabs(fine_here / row.fine - 1.0));
     coarse_off = std::max(coarse_off, std::fabs(triangles / row.coarse - 1.0));
@@ -70,14 +94,23 @@ Outcome run_table_4_1(const Context& context) {
     nodes.x.push_back(row.volumes);
     nodes.y.push_back(volumes);
     outcome.claims.push_back(stated(std::string("nodes-") + row.model,
-                                    std::string("nodes of the hierarchy, all levels free: ") + row.name +
-                                        "; the text has " + std::to_string(static_cast<int>(row.volumes)),
+                                    std::string("nodes of the hierarchy, all levels free: ") +
+                                        row.name + "; the text has " +
+                                        std::to_string(static_cast<int>(row.volumes)),
                                     volumes));
   }
   outcome.claims.insert(
       outcome.claims.begin(),
       {at_most("fine", "fine triangles off the text's, the worst of five models", fine_off, 0.01),
-       at_most("coarse", "coarse triangles off the text's, the worst of six models", coarse_off, 0.05)});
+       at_most("coarse", "coarse triangles off the text's, the worst of six models", coarse_off,
+               0.05),
+       at_most("fit-rms",
+               "fine meshes baked onto the coarse ones: two-sided fit error over the radius, RMS, "
+               "worst of the models",
+               worst.rms, 0.1, "%"),
+       at_most("fit-max", "the same, the largest", worst.largest, 0.5, "%"),
+       stated("distortion", "how much lengths are stretched or squeezed in the charts, at most",
+              worst.distortion)});
   outcome.figure = {.title = "Complexity of the textured models (Table 4.1)",
                     .panels = {{.title = "",
                                 .x = {.label = "the text's", .is_log = true},
