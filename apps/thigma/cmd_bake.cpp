@@ -22,6 +22,7 @@
 #include "thigma/mesh/load_mesh.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/mesh/read_texture_coordinates.h"
+#include "thigma/texture/bake.h"
 #include "thigma/texture/level_textures.h"
 
 namespace thigma::app {
@@ -97,8 +98,8 @@ LevelTextures bake_onto_levels(const Common& common, const BakeOptions& options)
   const TriangleMesh fine = load(common, options, options.mesh, "FINE");
   const std::vector<TriangleMesh> levels = level_surfaces(options);
   Progress bar("baking onto " + options.onto, "levels", !common.quiet);
-  return bake_levels(fine, levels, params_of(common, options), options.mesh,
-                     [&](double share) { bar.update(share, share * static_cast<double>(levels.size())); });
+  return {bake_levels(fine, levels, params_of(common, options), options.mesh,
+                      [&](double share) { bar.update(share, share * static_cast<double>(levels.size())); })};
 }
 
 TextureAsset bake_map(const BakeOptions& options) {

@@ -1,6 +1,7 @@
 // `thigma bake`: what it prints, what it writes, what it refuses.
 
 #include "apps/program.h"
+#include "support/wavy_ball.h"
 #include <gtest/gtest.h>
 
 #include "thigma/core/checksum.h"
@@ -66,14 +67,7 @@ TEST(BakeVerb, BakesOntoLevelsOfDetail) {
 }
 
 /// A ball with bumps that coarse levels of it do not have.
-TriangleMesh bumps() {
-  TriangleMesh mesh = make_ball(0.02, 20);
-  for (Vec3& p : mesh.positions) {
-    const Vec3 n = p / 0.02;
-    p *= 1.0 + 0.05 * (5.0 * n.x() * n.y() * n.z() + 3.0 * (n.x() * n.x() - n.y() * n.y()) * (n.z() + 0.3));
-  }
-  return mesh;
-}
+TriangleMesh bumps() { return wavy_ball_of(20, 0.02, 0.05); }
 
 // A .clod with its .tex: a session at any level feels the original, and says so twice in the same bits.
 TEST(BakeVerb, TexturesAllLevelsForASession) {

@@ -1,6 +1,7 @@
 #pragma once
 // A small asset with several levels, for tests of files.
 
+#include "support/wavy_ball.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/clod/clod_asset.h"
 #include "thigma/clod/validate_hierarchy.h"
@@ -9,14 +10,7 @@
 
 namespace thigma::test {
 
-inline TriangleMesh wavy_ball(int frequency) {
-  TriangleMesh mesh = make_ball(1.0, frequency);
-  for (Vec3& p : mesh.positions) {
-    const double x = p.x(), y = p.y(), z = p.z();
-    p *= 1.0 + 0.12 * (5.0 * x * y * z + 3.0 * (x * x - y * y) * (z + 0.3));
-  }
-  return mesh;
-}
+inline TriangleMesh wavy_ball(int frequency) { return wavy_ball_of(frequency, 1.0, 0.12); }
 
 inline ClodParams generous() {
   ClodParams params;

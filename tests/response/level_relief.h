@@ -7,6 +7,7 @@
 #include "thigma/clod/clod_asset.h"
 #include "thigma/math/elementary.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/texture/bake.h"
 #include "thigma/texture/level_textures.h"
 
 namespace thigma::test {
@@ -29,8 +30,8 @@ inline TriangleMesh bumpy_ball() {
 /// The ball with its textures, over a plain box; once for all tests.
 struct LevelRelief {
   ClodAsset ball = build_clod_asset(bumpy_ball());
-  LevelTextures relief =
-      bake_levels(ball.meshes[0], ball.meshes, {.texels = 256, .samples = 4000}, "ball");
+  LevelTextures relief{
+      bake_levels(ball.meshes[0], ball.meshes, {.texels = 256, .samples = 4000}, "ball")};
   TriangleMesh box_mesh = make_box({0.2, 0.2, 0.02});
   ClodHierarchy box = build_exact_hierarchy(box_mesh);
   std::vector<HapticTexture> plain;

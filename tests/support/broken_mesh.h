@@ -4,20 +4,13 @@
 #include <array>
 #include <limits>
 
+#include "support/wavy_ball.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/shapes.h"
 
 namespace thigma::test {
 
-/// A ball whose surface waves: reflex and convex everywhere, no symmetry.
-inline TriangleMesh waved_ball(int frequency) {
-  TriangleMesh mesh = make_ball(1.0, frequency);
-  for (Vec3& p : mesh.positions) {
-    const double x = p.x(), y = p.y(), z = p.z();
-    p *= 1.0 + 0.12 * (5.0 * x * y * z + 3.0 * (x * x - y * y) * (z + 0.3));
-  }
-  return mesh;
-}
+inline TriangleMesh waved_ball(int frequency) { return wavy_ball_of(frequency, 1.0, 0.12); }
 
 inline TriangleMesh base_of_broken_mesh(Random& random, bool is_large) {
   const int n = is_large ? 3 : 1;

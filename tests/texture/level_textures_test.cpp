@@ -1,5 +1,7 @@
+#include "thigma/texture/bake.h"
 #include "thigma/texture/level_textures.h"
 
+#include "support/wavy_ball.h"
 #include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
@@ -10,14 +12,7 @@ namespace thigma {
 namespace {
 
 /// A ball with waves that its coarser versions cannot have.
-TriangleMesh wavy_of(int frequency) {
-  TriangleMesh mesh = make_ball(0.03, frequency);
-  for (Vec3& p : mesh.positions) {
-    const double x = p.x() / 0.03, y = p.y() / 0.03, z = p.z() / 0.03;
-    p *= 1.0 + 0.05 * (5.0 * x * y * z + 3.0 * (x * x - y * y) * (z + 0.3));
-  }
-  return mesh;
-}
+TriangleMesh wavy_of(int frequency) { return test::wavy_ball_of(frequency, 0.03, 0.05); }
 
 const std::vector<TriangleMesh>& level_meshes() {
   static const std::vector<TriangleMesh> meshes = {wavy_of(16), wavy_of(8), wavy_of(4)};
@@ -25,8 +20,8 @@ const std::vector<TriangleMesh>& level_meshes() {
 }
 
 const LevelTextures& level_sample() {
-  static const LevelTextures textures =
-      bake_levels(level_meshes()[0], level_meshes(), {.texels = 96, .samples = 2000}, "ball");
+  static const LevelTextures textures{
+      bake_levels(level_meshes()[0], level_meshes(), {.texels = 96, .samples = 2000}, "ball")};
   return textures;
 }
 
@@ -57,16 +52,16 @@ TEST(LevelTextures, HoldTheFineSurfaceOnEveryLevel) {
     EXPECT_GT(level.texture.amplitude, 3.0 * *level.figures.fit_error_rms)
         << "there is something to hold";
   }
-  const LevelTextures finer =
-      bake_levels(wavy_of(24), level_meshes(), {.texels = 64, .samples = 500}, "ball");
+  const LevelTextures finer{
+      bake_levels(wavy_of(24), level_meshes(), {.texels = 64, .samples = 500}, "ball")};
   EXPECT_TRUE(finer.levels[0].has_value()) << "finer than the finest level";
 }
 
 TEST(LevelTextures, GiveBackEveryBitFromAFile) {
   const LevelTextures read = parse_level_textures(level_bytes(), "a.tex");
   EXPECT_EQ(format_level_textures(read), level_bytes());
-  EXPECT_EQ(format_level_textures(bake_levels(level_meshes()[0], level_meshes(),
-                                              {.texels = 96, .samples = 2000}, "ball")),
+  EXPECT_EQ(format_level_textures({bake_levels(level_meshes()[0], level_meshes(),
+                                               {.texels = 96, .samples = 2000}, "ball")}),
             level_bytes());
   const LevelTextures scaled = parse_level_textures(level_bytes(), "a.tex", 1000.0);
   EXPECT_NEAR(scaled.levels[2]->texture.texel_size,

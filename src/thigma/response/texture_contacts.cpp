@@ -6,18 +6,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/contact/contact_node.h"
 #include "thigma/core/index.h"
-#include "thigma/response/detail/patch_level.h"
 #include "thigma/response/linearize_contacts.h"
 #include "thigma/texture/gpu_depth.h"
 
 namespace thigma {
 namespace {
 
+/// A patch as contacts name it, or the one of a coarser level that it lies below; null without one.
+const ClodPatch* patch_at_level(const TexturedBody& body, std::int32_t patch, std::int32_t level) noexcept {
+  const ClodHierarchy& h = *body.hierarchy;
+  std::int32_t node = contact_node(h, patch);
+  while (node >= 0 && h.nodes[at(node)].level < level) node = body.parent[at(node)];
+  if (node < 0) return nullptr;
+  const ClodNode& n = h.nodes[at(node)];
+  if (n.patch >= 0) return &h.patches[at(n.patch)];
+  return n.contact >= 0 ? &h.contact_patches[at(n.contact)].patch : nullptr;
+}
+
 /// Adds the triangles of a patch, at a level, that are not there yet.
 void add_triangles(const TexturedBody& body, std::int32_t patch, std::int32_t level, std::uint32_t round,
                    std::vector<std::uint32_t>& marks, std::vector<std::int32_t>& triangles) noexcept {
-  const ClodPatch* const p = detail::patch_at_level(body, patch, level);
+  const ClodPatch* const p = patch_at_level(body, patch, level);
   if (p == nullptr) return;
   for (std::int32_t i = p->first_triangle; i < p->first_triangle + p->triangle_count; ++i) {
     const std::int32_t t = body.hierarchy->triangle_ids[at(i)];
@@ -39,8 +50,8 @@ Levels coarsest_levels(const TexturedWorld& world, std::span<const Contact> cont
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
     if (assignment[i] != cluster || contact.body != body) continue;
-    levels.object = std::max(levels.object, detail::level_of(*world.object.hierarchy, contact.object_patch));
-    levels.scene = std::max(levels.scene, detail::level_of(*world.scene[at(body)].hierarchy, contact.scene_patch));
+    levels.object = std::max(levels.object, contact.object_level);
+    levels.scene = std::max(levels.scene, contact.scene_level);
   }
   return levels;
 }

@@ -61,30 +61,31 @@ std::array<Vec3, 3> corners_of(const TriangleMesh& mesh, std::int32_t t) {
   return {mesh.positions[at(v[0])], mesh.positions[at(v[1])], mesh.positions[at(v[2])]};
 }
 
-/// A surface on the way from the coarse one to the fine one.
+/// A surface on the way from the fine one to coarser ones.
 struct Stage {
   detail::SurfaceSearch search;
-  CornerNormals normals;
-  double reach = 0.0;  // to the next one, along a normal [m]
+  CornerNormals normals;  // of all but the fine one
+  double reach = 0.0;     // to the one before, along a normal [m]
 };
 
-/// The fine surface seen from the coarse one, through those between them.
+/// The fine surface as it is seen from the coarsest, through those between them.
 struct Sight {
-  std::vector<Stage> stages;  // from the coarse to the fine surface
+  std::vector<Stage> stages;  // from the fine surface to the coarsest
 
-  const TriangleMesh& coarse() const { return *stages.front().search.mesh; }
+  const detail::SurfaceSearch& fine() const { return stages.front().search; }
+  const detail::SurfaceSearch& coarse() const { return stages.back().search; }
 
-  /// From a point of the coarse surface to the fine point that belongs to it.
+  /// From a point of the coarsest surface to the fine point that belongs to it.
   Vec3 displacement(const detail::SurfacePoint& from) const {
     detail::SurfacePoint on = from;
-    for (std::size_t i = 0; i + 1 < stages.size(); ++i) on = next(i, on);
+    for (std::size_t i = stages.size() - 1; i > 0; --i) on = next(i, on);
     return on.at - from.at;
   }
 
  private:
   detail::SurfacePoint next(std::size_t i, const detail::SurfacePoint& from) const {
     const Stage& stage = stages[i];
-    const detail::SurfaceSearch& finer = stages[i + 1].search;
+    const detail::SurfaceSearch& finer = stages[i - 1].search;
     const Vec3 normal = blend(stage.normals[at(from.triangle)], from.weights);
     const double length = normal.norm();
     if (length > 0.0) {
@@ -110,25 +111,28 @@ double farthest(const detail::SurfaceSearch& one, const detail::SurfaceSearch& o
   return std::max(largest_distance(*one.mesh, other), largest_distance(*other.mesh, one));
 }
 
-Sight look_through(const TriangleMesh& fine, const TriangleMesh& coarse,
-                   std::span<const TriangleMesh> between, const std::string& name) {
+Sight sight_of(const TriangleMesh& fine) {
   Sight sight;
-  const auto add = [&](const TriangleMesh& mesh) {
-    sight.stages.push_back({detail::build_surface_search(mesh), corner_normals(mesh, -1.0)});
-  };
-  add(coarse);
-  for (const TriangleMesh& mesh : between) add(mesh);
-  add(fine);
-  const double apart = farthest(sight.stages.back().search, sight.stages.front().search);
-  const double radius = enclosing_ball(coarse.positions).radius;
-  if (!(apart < radius))
+  sight.stages.push_back({detail::build_surface_search(fine), {}, 0.0});
+  return sight;
+}
+
+/// The surfaces stay where they are as long as the sight does.
+void look_from(const TriangleMesh& coarse, Sight& sight) {
+  Stage stage{detail::build_surface_search(coarse), corner_normals(coarse, -1.0), 0.0};
+  // A line along a normal that leans on the surface is longer than the distance.
+  stage.reach = 2.0 * farthest(sight.coarse(), stage.search);
+  sight.stages.push_back(std::move(stage));
+}
+
+void check_fit(const Sight& sight, const std::string& name) {
+  const bool is_direct = sight.stages.size() == 2;
+  const double apart =
+      is_direct ? 0.5 * sight.stages.back().reach : farthest(sight.fine(), sight.coarse());
+  if (!(apart < enclosing_ball(sight.coarse().mesh->positions).radius))
     throw InputError(
         name + ": lies " + std::to_string(apart) +
         " m from the coarse surface, at its farthest vertex, expected one that it fits");
-  // A line along a normal that leans on the surface is longer than the distance.
-  for (std::size_t i = 0; i + 1 < sight.stages.size(); ++i)
-    sight.stages[i].reach = 2.0 * farthest(sight.stages[i].search, sight.stages[i + 1].search);
-  return sight;
 }
 
 Texel texel_of(const Vec3& d) {
@@ -145,22 +149,19 @@ void fill_texels(const Sight& sight, TextureSource& source) {
     const std::size_t width = static_cast<std::size_t>(source.width);
     const Vec2 texel(static_cast<double>(i % width), static_cast<double>(i / width));
     const Vec3 weights = detail::corner_weights(source.corners[at(t)], texel);
-    const Vec3 place = blend(corners_of(sight.coarse(), t), weights);
+    const Vec3 place = blend(corners_of(*sight.coarse().mesh, t), weights);
     // Beyond the chart's edge the surface goes on as the neighbour.
     const detail::SurfacePoint on = weights.minCoeff() >= 0.0
                                         ? detail::SurfacePoint{t, weights, place, 0.0}
-                                        : detail::nearest_point(sight.stages.front().search, place);
+                                        : detail::nearest_point(sight.coarse(), place);
     source.texels[i] = texel_of(sight.displacement(on));
   }
 }
 
-}  // namespace
-
-TextureAsset bake_surface(const TriangleMesh& fine, const TriangleMesh& coarse,
-                          const BakeParams& params, const std::string& name,
-                          std::span<const TriangleMesh> between) {
+TextureAsset bake(const Sight& sight, const BakeParams& params, const std::string& name) {
+  const TriangleMesh& coarse = *sight.coarse().mesh;
   const ChartMap charts = make_charts(coarse, {.texels = params.texels}, name);
-  const Sight sight = look_through(fine, coarse, between, name);
+  check_fit(sight, name);
   TextureSource source;
   source.coarse = coarse;
   source.corners = charts.corners;
@@ -168,11 +169,40 @@ TextureAsset bake_surface(const TriangleMesh& fine, const TriangleMesh& coarse,
   fill_texels(sight, source);
   TextureAsset asset;
   asset.texture = make_texture(std::move(source), name);
-  asset.figures = detail::measure_fit(fine, sight.stages.back().search, sight.stages.front().search,
-                                      asset.texture, {.samples = params.samples, .seed = params.seed});
+  asset.figures = detail::measure_fit(*sight.fine().mesh, sight.fine(), sight.coarse(), asset.texture,
+                                      {.samples = params.samples, .seed = params.seed});
   asset.figures.charts = charts.count;
   asset.figures.distortion_max = charts.distortion_max;
   return asset;
+}
+
+bool is_same(const TriangleMesh& a, const TriangleMesh& b) {
+  return a.triangles == b.triangles && a.positions == b.positions;
+}
+
+}  // namespace
+
+TextureAsset bake_surface(const TriangleMesh& fine, const TriangleMesh& coarse,
+                          const BakeParams& params, const std::string& name) {
+  Sight sight = sight_of(fine);
+  look_from(coarse, sight);
+  return bake(sight, params, name);
+}
+
+std::vector<std::optional<TextureAsset>> bake_levels(const TriangleMesh& fine, std::span<const TriangleMesh> levels,
+                                                     const BakeParams& params, const std::string& name,
+                                                     const std::function<void(double)>& progress) {
+  std::vector<std::optional<TextureAsset>> textures(levels.size());
+  Sight sight = sight_of(fine);
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const bool is_fine_itself = k == 0 && is_same(fine, levels[0]);
+    if (!is_fine_itself) {
+      look_from(levels[k], sight);
+      textures[k] = bake(sight, params, name);
+    }
+    if (progress) progress(static_cast<double>(k + 1) / static_cast<double>(levels.size()));
+  }
+  return textures;
 }
 
 namespace {

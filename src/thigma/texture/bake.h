@@ -2,6 +2,8 @@
 // Haptic textures from fine surfaces and from height maps.
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,8 +37,19 @@ struct BakeParams {
 ///           radius, and as make_charts and make_texture.
 /// Source    Sec. 4.2.2.
 TextureAsset bake_surface(const TriangleMesh& fine, const TriangleMesh& coarse,
-                          const BakeParams& params, const std::string& name,
-                          std::span<const TriangleMesh> between = {});
+                          const BakeParams& params, const std::string& name);
+
+/// The same for each of several levels, where the fine surface is looked for through the finer levels, one after the
+/// other, each along its own normals.
+///
+/// levels    surfaces, from the finest; each triangle with an area [m]
+/// progress  called with the share of the levels done, 0..1; may be empty
+/// returns   one a level; none for the first where that is the fine surface
+/// Thread    [offline]; deterministic; throws InputError as bake_surface.
+/// Source    Sec. 4.2.2. Deviates: D84.
+std::vector<std::optional<TextureAsset>> bake_levels(const TriangleMesh& fine, std::span<const TriangleMesh> levels,
+                                                     const BakeParams& params, const std::string& name,
+                                                     const std::function<void(double)>& progress = {});
 
 /// A height map over texture coordinates: white lies `amplitude` outside, black as much inside the coarse surface, along
 /// its normals, which are averaged over edges of less than 40 degrees.

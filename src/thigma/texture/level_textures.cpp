@@ -26,10 +26,6 @@ int level_of(const Chunk& chunk) {
   return error == std::errc() && end == last && level < kMostLevels ? level : -1;
 }
 
-bool is_same(const TriangleMesh& a, const TriangleMesh& b) {
-  return a.triangles == b.triangles && a.positions == b.positions;
-}
-
 /// Levels the file says it has.
 int count_of(const std::vector<Chunk>& chunks, const std::string& name) {
   for (const Chunk& chunk : chunks) {
@@ -45,23 +41,6 @@ int count_of(const std::vector<Chunk>& chunks, const std::string& name) {
 }
 
 }  // namespace
-
-LevelTextures bake_levels(const TriangleMesh& fine, std::span<const TriangleMesh> levels,
-                          const BakeParams& params, const std::string& name,
-                          const std::function<void(double)>& progress) {
-  LevelTextures textures;
-  // From coarse to fine, for the way through the levels between.
-  std::vector<TriangleMesh> finer;
-  for (std::size_t k = 0; k < levels.size(); ++k) {
-    const bool is_fine_itself = k == 0 && is_same(fine, levels[0]);
-    textures.levels.emplace_back();
-    if (!is_fine_itself)
-      textures.levels.back() = bake_surface(fine, levels[k], params, name, finer);
-    if (!is_fine_itself) finer.insert(finer.begin(), levels[k]);
-    if (progress) progress(static_cast<double>(k + 1) / static_cast<double>(levels.size()));
-  }
-  return textures;
-}
 
 std::string format_level_textures(const LevelTextures& textures) {
   std::vector<std::string> files;

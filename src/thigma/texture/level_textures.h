@@ -1,14 +1,14 @@
 #pragma once
 // Haptic textures over the levels of detail of a .clod: on each the same fine surface.
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "thigma/texture/bake.h"
+#include "thigma/mesh/triangle_mesh.h"
+#include "thigma/texture/texture_file.h"
 
 namespace thigma {
 
@@ -16,18 +16,6 @@ namespace thigma {
 struct LevelTextures {
   std::vector<std::optional<TextureAsset>> levels;
 };
-
-/// A texture for each level, seen through the finer ones (bake_surface); none for level 0 where that is the fine surface.
-///
-/// fine      usable [m]
-/// levels    surfaces, from the finest; each triangle with an area [m]
-/// progress  called with the share of the levels done, 0..1; may be empty
-/// name      of the file, for messages
-/// Thread    [offline]; deterministic; throws InputError as bake_surface.
-/// Source    Sec. 4.2.2. Deviates: D84.
-LevelTextures bake_levels(const TriangleMesh& fine, std::span<const TriangleMesh> levels,
-                          const BakeParams& params, const std::string& name,
-                          const std::function<void(double)>& progress = {});
 
 /// The bytes of a .tex file of levels: one .tex file a level in it. Same textures, same bytes.
 /// Thread  [offline]; no failure for at most 1000 levels.
