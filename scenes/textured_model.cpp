@@ -118,7 +118,7 @@ TexturedRequest parse_textured_uri(std::string_view uri, const std::string& wher
 }
 
 TextureSource make_textured_slab(const TexturedSlab& slab) {
-  constexpr int kSpareRows = 5;  // below the top: triangles without relief, and a border
+  constexpr int kSpareRows = 6;  // below the top: a border, triangles without relief, a border
   const int texels = slab.texels;
   const Vec3 half = 0.5 * slab.size;
   SlabBuilder b;
@@ -136,17 +136,19 @@ TextureSource make_textured_slab(const TexturedSlab& slab) {
   }
   for (std::int32_t k = 0; k < 4; ++k) {
     const std::int32_t next = (k + 1) % 4;
-    b.add_plain(next, k, 4, texels);
-    b.add_plain(k, next, 5 + next, texels);
-    b.add_plain(k, 5 + next, 5 + k, texels);
+    b.add_plain(next, k, 4, texels + 1);
+    b.add_plain(k, next, 5 + next, texels + 1);
+    b.add_plain(k, 5 + next, 5 + k, texels + 1);
   }
   b.source.width = std::max(texels, 3 * b.spare + 2);
   b.source.height = texels + kSpareRows;
   b.source.texels.assign(
       static_cast<std::size_t>(b.source.width) * static_cast<std::size_t>(b.source.height),
       Texel{});
-  for (int row = 0; row < texels; ++row) {
-    for (int column = 0; column < texels; ++column) {
+  // One texel more where there is room: slopes at the rim are differences across it.
+  const int columns = std::min(b.source.width, texels + 1);
+  for (int row = 0; row <= texels; ++row) {
+    for (int column = 0; column < columns; ++column) {
       const double x = slab.size.x() * (column / last - 0.5),
                    y = slab.size.y() * (row / last - 0.5);
       b.source

@@ -1,11 +1,19 @@
 #include "scenes/textured_model.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
 #include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
 #include "thigma/math/elementary.h"
+#include "thigma/math/random.h"
+#include "thigma/math/rotation.h"
 #include "thigma/mesh/inspect.h"
 #include "thigma/mesh/measure.h"
+#include "thigma/texture/depth_gradient.h"
 #include "thigma/texture/texel_lookup.h"
 
 namespace thigma::scenes {
@@ -45,6 +53,46 @@ TEST(TexturedModel, BlocksLieInEachOther) {
                  down = displacement_at(block, Vec2(511 - i, 100)).z();
     EXPECT_NEAR(up, -down, 1e-9);
   }
+}
+
+void expect_no_push_along_ridges(const HapticTexture& block) {
+  std::vector<std::int32_t> triangles(block.coarse.triangles.size());
+  std::iota(triangles.begin(), triangles.end(), 0);
+  const std::unique_ptr<DepthBackend> search = make_grid_depth({});
+  GradientScratch scratch;
+  DepthContact contact;
+  contact.object = {&block, triangles, {}};
+  contact.scene = {&block, triangles, {}};
+  constexpr double kTurn = 2e-3;
+  Random random(4);
+  for (int i = 0; i < 300; ++i) {
+    Pose& pose = contact.object.world_from_body;
+    pose.position = {random.uniform(-0.005, 0.005), random.uniform(0.001, 0.01), 0.0215};
+    pose.orientation = rotation_from_vector(random.in_cube(kTurn)) * Quat(0, 0, 1, 0);
+    contact.point = contact.centre = pose.position;
+    contact.normal = -Vec3::UnitZ() + Vec3(0.0, random.uniform(-kTurn, kTurn), 0.0);
+    contact.normal.normalize();
+    for (const GradientKind kind : {GradientKind::envelope, GradientKind::smoothed_envelope}) {
+      const DepthRequest request = depth_request(kind, block.amplitude);
+      DepthSamples sample;
+      search->sample(std::span(&contact, 1), request, std::span(&sample, 1));
+      ASSERT_TRUE(sample.is_found);
+      const DepthGradient got = depth_gradient(contact, sample, kind, scratch);
+      ASSERT_TRUE(got.is_valid);
+      // The ridges rise by 0.63 at most; turned about the vertical, some of that goes along y.
+      EXPECT_LE(std::fabs(got.linear.y()), 2.0 * kTurn) << i << ", " << gradient_name(kind);
+    }
+  }
+}
+
+// Pushed along the ridges and tilted by a little, the deepest place is the rim of one block: what lies beside it, on the
+// block or in the map, has no say in the slope.
+TEST(TexturedModel, BlocksDoNotPushEachOtherAlongTheirRidges) {
+  HapticTexture block = make_textured_model({"striped_block", 1024});
+  expect_no_push_along_ridges(block);
+  const auto beside = block.texels.begin() + std::ptrdiff_t{1024} * (block.width + 1);
+  std::fill(beside, block.texels.end(), Texel{});
+  expect_no_push_along_ridges(block);
 }
 
 TEST(TexturedModel, AddressesAreReadStrictly) {

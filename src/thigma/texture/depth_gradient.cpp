@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "thigma/texture/detail/prepared_contact.h"
 
@@ -36,7 +37,8 @@ DepthGradient by_differences(const DepthSamples& s) noexcept {
 // Whether the maximum is held at a point by the end of a side's domain: the depth would still rise beyond it.
 int edge_at(const GradientScratch& scratch, const SurfaceJet& object, const SurfaceJet& scene,
             const Vec2& at, double texel, detail::NearTriangles near) noexcept {
-  const Vec2 rising = object.slope + scene.slope;  // of the depth along the plane
+  // Of the depth along the plane, as the search saw it: differences of texels take in what lies beside a chart.
+  const Vec2 rising = object.facet_slope + scene.facet_slope;
   const double length = rising.norm();
   if (!(length > 0.0)) return 0;
   constexpr double kBeyond = 0.25;  // of a texel: twice what the climb to the maximum leaves
@@ -53,7 +55,8 @@ bool is_smooth_peak(const SurfaceJet& object, const SurfaceJet& scene, double te
 }
 
 // At a maximum held by a crease of one side, such as the edge of a box, the slope that counts is the other's: the one
-// that changes less across the point. Signs as of edge_at.
+// that changes less across the point. A side that ends within the step, as the top of a box beside its wall, is the
+// crease. Signs as of edge_at.
 int crease_at(const GradientScratch& scratch, const SurfaceJet& object, const SurfaceJet& scene,
               const Vec2& at, double texel, detail::NearTriangles near) noexcept {
   const Vec2 rising = object.slope + scene.slope;
@@ -63,11 +66,11 @@ int crease_at(const GradientScratch& scratch, const SurfaceJet& object, const Su
   const auto change = [&](const ProjectedPatch& patch, std::int32_t triangle) {
     const SurfaceJet before = surface_jet(patch, at - step, triangle),
                      after = surface_jet(patch, at + step, triangle);
-    return before.is_covered && after.is_covered ? (after.slope - before.slope).norm() : -1.0;
+    return before.is_covered && after.is_covered ? (after.slope - before.slope).norm()
+                                                 : std::numeric_limits<double>::infinity();
   };
   const double of_object = change(scratch.object, near.object),
                of_scene = change(scratch.scene, near.scene);
-  if (of_object < 0.0 || of_scene < 0.0) return 0;
   constexpr double kClearly = 2.0;  // less apart, neither is the crease
   if (of_object > kClearly * of_scene) return -1;
   return of_scene > kClearly * of_object ? 1 : 0;
