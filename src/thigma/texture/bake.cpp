@@ -11,6 +11,7 @@
 #include "thigma/mesh/measure.h"
 #include "thigma/texture/charts.h"
 #include "thigma/texture/detail/bake_fit.h"
+#include "thigma/texture/detail/seams.h"
 #include "thigma/texture/detail/surface_search.h"
 #include "thigma/texture/detail/texel_owners.h"
 
@@ -140,22 +141,29 @@ Texel texel_of(const Vec3& d) {
 }
 
 void fill_texels(const Sight& sight, TextureSource& source) {
+  // Texels of a chart are seen; those beyond its edge only by interpolation, and may give way.
+  constexpr double kEaseInside = 0.1;
   const detail::TexelOwners owners =
       detail::find_texel_owners(source.corners, source.width, source.height, kMargin);
-  source.texels.assign(owners.triangle.size(), Texel{});
-  for (std::size_t i = 0; i < source.texels.size(); ++i) {
+  const std::size_t count = owners.triangle.size(), width = static_cast<std::size_t>(source.width);
+  detail::StitchedMap map{source.width, source.height, std::vector<Vec3>(count, Vec3::Zero()),
+                          std::vector<double>(count, 1.0)};
+  for (std::size_t i = 0; i < count; ++i) {
     const std::int32_t t = owners.triangle[i];
     if (t < 0) continue;
-    const std::size_t width = static_cast<std::size_t>(source.width);
     const Vec2 texel(static_cast<double>(i % width), static_cast<double>(i / width));
     const Vec3 weights = detail::corner_weights(source.corners[at(t)], texel);
     const Vec3 place = blend(corners_of(*sight.coarse().mesh, t), weights);
+    const bool is_inside = weights.minCoeff() >= 0.0;
+    if (is_inside) map.ease[i] = kEaseInside;
     // Beyond the chart's edge the surface goes on as the neighbour.
-    const detail::SurfacePoint on = weights.minCoeff() >= 0.0
-                                        ? detail::SurfacePoint{t, weights, place, 0.0}
-                                        : detail::nearest_point(sight.coarse(), place);
-    source.texels[i] = texel_of(sight.displacement(on));
+    const detail::SurfacePoint on =
+        is_inside ? detail::SurfacePoint{t, weights, place, 0.0} : detail::nearest_point(sight.coarse(), place);
+    map.texels[i] = sight.displacement(on);
   }
+  detail::stitch_seams(detail::find_seams(source.coarse, source.corners), source.corners, map);
+  source.texels.clear();
+  for (const Vec3& d : map.texels) source.texels.push_back(texel_of(d));
 }
 
 TextureAsset bake(const Sight& sight, const BakeParams& params, const std::string& name) {

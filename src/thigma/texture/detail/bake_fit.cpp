@@ -5,7 +5,7 @@
 
 #include "thigma/core/index.h"
 #include "thigma/math/random.h"
-#include "thigma/mesh/topology.h"
+#include "thigma/texture/detail/seams.h"
 #include "thigma/texture/texel_lookup.h"
 
 namespace thigma::detail {
@@ -126,37 +126,17 @@ struct Errors {
 };
 
 double largest_crack(const HapticTexture& texture) {
-  const EdgeTable table = build_edge_table(texture.coarse);
-  const auto corner = [&](const EdgeUse& use, bool is_first) {
-    const bool is_own = is_first == use.is_forward;
-    return static_cast<std::size_t>((use.corner + (is_own ? 0 : 1)) % 3);
-  };
-  std::vector<const MeshEdge*> seams;
-  for (const MeshEdge& edge : table.edges) {
-    if (edge.use_count != 2) continue;
-    const EdgeUse &one = table.uses_of(edge)[0], &other = table.uses_of(edge)[1];
-    const auto place = [&](const EdgeUse& use, bool is_first) {
-      return texture.corners[at(use.triangle)][corner(use, is_first)];
-    };
-    if (place(one, true) != place(other, true) || place(one, false) != place(other, false))
-      seams.push_back(&edge);
-  }
+  const std::vector<Seam> seams = find_seams(texture.coarse, texture.corners);
   if (seams.empty()) return 0.0;
   constexpr int kSamples = 10000;
   const int each = kSamples / static_cast<int>(std::min<std::size_t>(seams.size(), kSamples)) + 1;
   double largest = 0.0;
-  for (const MeshEdge* edge : seams) {
+  for (const Seam& seam : seams) {
     for (int i = 0; i < each; ++i) {
-      const double share = (i + 0.5) / each;
-      Vec3 point[2];
-      for (std::size_t side = 0; side < 2; ++side) {
-        const EdgeUse& use = table.uses_of(*edge)[side];
-        Vec3 weights = Vec3::Zero();
-        weights[static_cast<Eigen::Index>(corner(use, true))] = 1.0 - share;
-        weights[static_cast<Eigen::Index>(corner(use, false))] = share;
-        point[side] = textured_point(texture, use.triangle, weights);
-      }
-      largest = std::max(largest, (point[0] - point[1]).norm());
+      const auto point = [&](const Seam::Side& side) {
+        return textured_point(texture, side.triangle, seam_weights(side, (i + 0.5) / each));
+      };
+      largest = std::max(largest, (point(seam.sides[0]) - point(seam.sides[1])).norm());
     }
   }
   return largest;
