@@ -149,9 +149,17 @@ DepthTerm any_depth(Random& random) {
   return t;
 }
 
+/// With derivatives by a way of some 1/mm, and of both signs.
+DepthBend any_bend(Random& random) {
+  DepthBend bend;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) bend(i, j) = random.uniform(-1.0, 1.0) * (i < 3 ? 30.0 : 1.5) * (j < 3 ? 30.0 : 1.5);
+  return bend;
+}
+
 TEST(LinearContactModel, depth_term_jacobian_is_its_derivative) {
   Random random(11);
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 80; ++i) {
     const RigidBody body = test::random_body(random);
     const test::NamedState at{
         "random", test::random_state(random, body, random.orientation())};
@@ -164,6 +172,7 @@ TEST(LinearContactModel, depth_term_jacobian_is_its_derivative) {
     for (int k = 0; k < 3; ++k) {
       model.depths.push_back(any_depth(random));
       model.depths[static_cast<std::size_t>(k)].depth += 3e-3;  // far from the clamp's kink
+      if (i >= 40 && k < 2) model.bends.push_back(any_bend(random));
     }
     ASSERT_GT(contact_wrench(model, body, at.state).force.norm(), 0.0);
     test::expect_jacobian(
@@ -172,6 +181,76 @@ TEST(LinearContactModel, depth_term_jacobian_is_its_derivative) {
         },
         body, at, 1e-7);
   }
+}
+
+// The depth of a point of the object over a bowl, to second order, against the bowl.
+TEST(LinearContactModel, bent_depth_term_follows_a_curved_depth) {
+  Random random(14);
+  constexpr double kCurvature = 40.0;  // [1/m]
+  for (int i = 0; i < 100; ++i) {
+    const RigidBody body = test::random_body(random);
+    BodyState state = test::random_state(random, body, random.orientation());
+    state.linear_momentum.setZero();
+    state.angular_momentum.setZero();
+    const Vec3 arm_body = random.in_cube(0.05), bottom = state.position + random.in_cube(0.05);
+    const Mat3 bowl = kCurvature * Vec3(1.0, 0.5, 0.2).asDiagonal();
+    const Vec3 n = random.direction();
+    // depth(p) = n . (p - bottom) + (p - bottom)^T bowl (p - bottom) / 2 at the point p = x + R arm.
+    struct Exact {
+      double depth = 0.0;
+      Vec6 gradient;
+    };
+    const auto exact = [&](const BodyState& y) {
+      const Vec3 arm = y.orientation * arm_body, p = y.position + arm - bottom, by_point = n + bowl * p;
+      Exact e{n.dot(p) + 0.5 * p.dot(bowl * p), {}};
+      e.gradient << by_point, arm.cross(by_point);
+      return e;
+    };
+    const Exact here = exact(state);
+    const Vec3 arm = state.orientation * arm_body, by_point = here.gradient.head<3>();
+    Eigen::Matrix<double, 3, 6> point_by_motion;
+    point_by_motion << Mat3::Identity(), -skew(arm);
+    DepthBend bend = point_by_motion.transpose() * bowl * point_by_motion;
+    bend.bottomRightCorner<3, 3>() += skew(by_point) * skew(arm);  // the arm turns: d(arm x g) = -g x (w x arm)
+    DepthTerm term;
+    term.depth = here.depth;
+    term.linear = here.gradient.head<3>();
+    term.angular = here.gradient.tail<3>();
+    term.stiffness = 1.0;
+    term.tolerance = 10.0;
+    const auto errors = [&](double step) {
+      BodyState moved = state;
+      moved.position += step * Vec3(0.3, -0.5, 0.7);
+      moved.orientation = rotation_from_vector(20.0 * step * Vec3(-0.4, 0.8, 0.2)) * moved.orientation;
+      const Exact want = exact(moved);
+      const PlaneForce f = depth_force(term, state, body, moved, kinematics(body, moved), 1.0, nullptr, &bend);
+      EXPECT_EQ(f.depth, depth_at(term, state, moved, &bend));
+      Vec6 gradient;
+      gradient << f.wrench.force, f.wrench.torque;
+      gradient /= -f.magnitude;
+      return Vec2(std::fabs(f.depth - want.depth), (gradient - want.gradient).norm());
+    };
+    const Vec2 coarse = errors(2e-4), fine = errors(1e-4);
+    EXPECT_LT(fine[0], 0.2 * coarse[0] + 1e-13);  // third order: an eighth
+    EXPECT_LT(fine[1], 0.4 * coarse[1] + 1e-11);  // second order: a quarter
+  }
+}
+
+TEST(LinearContactModel, bent_depth_term_never_pulls) {
+  Random random(15);
+  int bent_over = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const RigidBody body = test::random_body(random);
+    BodyState state = test::random_state(random, body, random.orientation());
+    const DepthTerm term = any_depth(random);
+    const DepthBend bend = any_bend(random);
+    const BodyState taken_at = state;
+    state.position += random.in_cube(i % 2 == 0 ? 1e-3 : 1e-2);
+    const PlaneForce f = depth_force(term, taken_at, body, state, kinematics(body, state), 1.0, nullptr, &bend);
+    EXPECT_LE(f.wrench.force.dot(term.linear), 0.0);
+    bent_over += !f.is_active && f.depth + term.tolerance > 0.0 && f.magnitude > 0.0;
+  }
+  EXPECT_GT(bent_over, 20);
 }
 
 TEST(LinearContactModel, depth_term_of_a_plane_is_the_plane) {

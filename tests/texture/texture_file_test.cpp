@@ -24,7 +24,7 @@ const std::string& sample_bytes() {
   return bytes;
 }
 
-std::string complaint(std::string_view bytes, double scale = 1.0) {
+std::string complaint_of_file(std::string_view bytes, double scale = 1.0) {
   try {
     parse_texture(bytes, "a.tex", scale);
   } catch (const InputError& error) {
@@ -60,23 +60,23 @@ TEST(TextureFile, ReadsFilesInOtherUnits) {
               1e-6 * 1e-3 * metres.texture.amplitude);
   EXPECT_NEAR(*scaled.figures.fit_error_rms, 1e-9, 1e-18);
   for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::infinity(), 1e60})
-    EXPECT_NE(complaint(sample_bytes(), wrong), "") << wrong;
+    EXPECT_NE(complaint_of_file(sample_bytes(), wrong), "") << wrong;
 }
 
 TEST(TextureFile, RefusesWhatIsCutOffOrChanged) {
   std::string bytes = sample_bytes();
   for (std::size_t size = 0; size < bytes.size(); size += size < 600 ? 1 : 97)
-    EXPECT_NE(complaint(std::string_view(bytes).substr(0, size)), "") << size;
+    EXPECT_NE(complaint_of_file(std::string_view(bytes).substr(0, size)), "") << size;
   Random random(6);
   for (int i = 0; i < 500; ++i) {
     const std::size_t at = i < 400 ? static_cast<std::size_t>(i) : random.below(bytes.size());
     const int bit = static_cast<int>(random.below(8));
     bytes[at] = static_cast<char>(bytes[at] ^ (1 << bit));
-    EXPECT_NE(complaint(bytes), "") << at << ' ' << bit;
+    EXPECT_NE(complaint_of_file(bytes), "") << at << ' ' << bit;
     bytes[at] = static_cast<char>(bytes[at] ^ (1 << bit));
   }
-  EXPECT_EQ(complaint(bytes), "");
-  EXPECT_NE(complaint("v 0 0 0\n").find("no .tex file"), std::string::npos);
+  EXPECT_EQ(complaint_of_file(bytes), "");
+  EXPECT_NE(complaint_of_file("v 0 0 0\n").find("no .tex file"), std::string::npos);
 }
 
 /// The sample with some bytes of a chunk replaced, its checksums right: a file that lies.
@@ -99,7 +99,7 @@ std::string bytes_of(T value) {
 }
 
 TEST(TextureFile, RefusesWhatLies) {
-  EXPECT_EQ(complaint(with("figures", 0, bytes_of(std::int32_t{9}))), "");
+  EXPECT_EQ(complaint_of_file(with("figures", 0, bytes_of(std::int32_t{9}))), "");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const struct {
     std::string bytes, says;
@@ -117,7 +117,7 @@ TEST(TextureFile, RefusesWhatLies) {
       {with("texels", 0, bytes_of(1e3f)), "texel 0"},
   };
   for (const auto& c : cases)
-    EXPECT_NE(complaint(c.bytes).find(c.says), std::string::npos) << complaint(c.bytes);
+    EXPECT_NE(complaint_of_file(c.bytes).find(c.says), std::string::npos) << complaint_of_file(c.bytes);
 }
 
 TEST(TextureFile, SkipsUnknownChunksThatAreOptional) {
@@ -130,7 +130,7 @@ TEST(TextureFile, SkipsUnknownChunksThatAreOptional) {
     }
     file.begin("later", is_required, 4);
     file.out() += "abcd";
-    EXPECT_EQ(complaint(file.finish()).empty(), !is_required);
+    EXPECT_EQ(complaint_of_file(file.finish()).empty(), !is_required);
   }
 }
 

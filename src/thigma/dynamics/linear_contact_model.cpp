@@ -46,35 +46,60 @@ Mat34 turn_by_orientation(const Quat& from, const Quat& to) THIGMA_RT {
   return matrix;
 }
 
+Vec6 motion_between(const BodyState& from, const BodyState& to, const Mat34& turn) THIGMA_RT {
+  Vec6 motion;
+  motion << to.position - from.position, turn * to.orientation.coeffs();
+  return motion;
+}
+
+double depth_after(const DepthTerm& term, const Vec6& motion, const DepthBend* bend) THIGMA_RT {
+  const double depth = term.depth + term.linear.dot(motion.head<3>()) + term.angular.dot(motion.tail<3>());
+  return bend == nullptr ? depth : depth + 0.5 * motion.dot(*bend * motion);
+}
+
 }  // namespace
 
-double depth_at(const DepthTerm& term, const BodyState& taken_at, const BodyState& state) THIGMA_RT {
-  const Vec3 turn =
-      turn_by_orientation(taken_at.orientation, state.orientation) * state.orientation.coeffs();
-  return term.depth + term.linear.dot(state.position - taken_at.position) + term.angular.dot(turn);
+double depth_at(const DepthTerm& term, const BodyState& taken_at, const BodyState& state,
+                const DepthBend* bend) THIGMA_RT {
+  const Mat34 turn = turn_by_orientation(taken_at.orientation, state.orientation);
+  return depth_after(term, motion_between(taken_at, state, turn), bend);
 }
 
 PlaneForce depth_force(const DepthTerm& term, const BodyState& taken_at, const RigidBody& body,
                        const BodyState& state, const BodyKinematics& at, double scale,
-                       WrenchJacobian* jacobian) THIGMA_RT {
-  PlaneForce f;
-  f.depth = depth_at(term, taken_at, state);
-  f.magnitude = term.stiffness * (f.depth + term.tolerance) +
-                term.damping * (term.linear.dot(at.velocity.linear) +
-                                term.angular.dot(at.velocity.angular));
-  f.is_active = f.depth + term.tolerance > 0.0 && f.magnitude > 0.0;
-  if (!f.is_active) return f;
-  f.wrench = {-f.magnitude * term.linear, -f.magnitude * term.angular};
-  if (!jacobian) return f;
+                       WrenchJacobian* jacobian, const DepthBend* bend) THIGMA_RT {
   const Mat34 turn = turn_by_orientation(taken_at.orientation, state.orientation);
+  const Vec6 motion = motion_between(taken_at, state, turn);
+  Vec6 gradient, velocity;
+  gradient << term.linear, term.angular;
+  velocity << at.velocity.linear, at.velocity.angular;
+  PlaneForce f;
+  f.depth = depth_after(term, motion, bend);
+  Vec6 by_motion = term.stiffness * gradient;  // of the magnitude
+  if (bend != nullptr) {
+    const Vec6 change = *bend * motion;
+    by_motion += (0.5 * term.stiffness) * (change + bend->transpose() * motion) +
+                 term.damping * (bend->transpose() * velocity);
+    gradient += change;
+  }
+  f.magnitude = term.stiffness * (f.depth + term.tolerance) + term.damping * gradient.dot(velocity);
+  // A gradient bent to the other side is of no surface near.
+  const bool is_bent_over = bend != nullptr && !(gradient.head<3>().dot(term.linear) > 0.0);
+  f.is_active = f.depth + term.tolerance > 0.0 && f.magnitude > 0.0 && !is_bent_over;
+  if (!f.is_active) return f;
+  f.wrench = {-f.magnitude * gradient.head<3>(), -f.magnitude * gradient.tail<3>()};
+  if (!jacobian) return f;
   Vec13 by_y;  // dm/dy
-  by_y.segment<3>(0) = term.stiffness * term.linear;
-  by_y.segment<4>(3) = turn.transpose() * (term.stiffness * term.angular) +
-                       at.angular_velocity_by_q.transpose() * (term.damping * term.angular);
-  by_y.segment<3>(7) = (term.damping / body.mass) * term.linear;
-  by_y.segment<3>(10) = at.inverse_inertia * (term.damping * term.angular);  // symmetric
-  jacobian->topRows<3>() -= (scale * term.linear) * by_y.transpose();
-  jacobian->bottomRows<3>() -= (scale * term.angular) * by_y.transpose();
+  by_y.segment<3>(0) = by_motion.head<3>();
+  by_y.segment<4>(3) = turn.transpose() * by_motion.tail<3>() +
+                       at.angular_velocity_by_q.transpose() * (term.damping * gradient.tail<3>());
+  by_y.segment<3>(7) = (term.damping / body.mass) * gradient.head<3>();
+  by_y.segment<3>(10) = at.inverse_inertia * (term.damping * gradient.tail<3>());  // symmetric
+  *jacobian -= (scale * gradient) * by_y.transpose();
+  if (bend == nullptr) return f;
+  const double along = scale * f.magnitude;
+  jacobian->block<6, 3>(0, 0) -= along * bend->leftCols<3>();
+  jacobian->block<6, 4>(0, 3) -= along * (bend->rightCols<3>() * turn);
   return f;
 }
 
@@ -101,8 +126,9 @@ Wrench contact_wrench(const LinearContactModel& model, const RigidBody& body,
     const PlaneForce f = plane_force(term, body, state, at, scale, jacobian);
     if (f.is_active) sum = sum + f.wrench;
   }
-  for (const DepthTerm& term : model.depths) {
-    const PlaneForce f = depth_force(term, model.state, body, state, at, scale, jacobian);
+  for (std::size_t i = 0; i < model.depths.size(); ++i) {
+    const PlaneForce f = depth_force(model.depths[i], model.state, body, state, at, scale, jacobian,
+                                     bend_of(model, i));
     if (f.is_active) sum = sum + f.wrench;
   }
   for (const TaylorTerm& term : model.taylors) {

@@ -38,6 +38,10 @@ struct DepthTerm {
   std::int32_t id = -1;           // of the cluster, persistent over frames
 };
 
+/// How the gradient of a depth term changes with the motion: by a way, then a rotation vector about the centre of mass,
+/// rows as columns (6 x 6) [1/m, 1/rad, m/rad^2; world]. Not symmetric: the gradient is that of the turned object.
+using DepthBend = Mat6;
+
 /// First-order term: wrench and Jacobian at the model's state.
 struct TaylorTerm {
   Wrench wrench;                                     // about the centre of mass [N, N m; world]
@@ -52,6 +56,7 @@ struct LinearContactModel {
   std::uint64_t sequence = 0;  // counts publications; 0 = none yet
   StaticVector<PlaneTerm, kMaxClusters> planes;
   StaticVector<DepthTerm, kMaxClusters> depths;
+  StaticVector<DepthBend, 8> bends;  // of the first depth terms; the others are of first order
   StaticVector<TaylorTerm, 4> taylors;
 };
 static_assert(RtPayload<LinearContactModel>);
@@ -79,16 +84,25 @@ PlaneForce plane_force(const PlaneTerm& term, const RigidBody& body, const BodyS
 /// -(k (depth + d) + b g . velocity) g the wrench.
 ///
 /// taken_at  state of the model the term is of
+/// bend      null: the gradient stays as it is, and the Jacobian is Eq. 5.56 without the Hessian of the depth; or how it
+///           changes: the depth is of second order then, the force along the gradient at the state
 /// others    as of plane_force
 /// Thread    [haptic]; no failure.
-/// Source    Eqs. 4.6, 4.7, 5.14; the Jacobian is Eq. 5.56 without the Hessian of the depth. Deviates: D81.
+/// Source    Eqs. 4.6, 4.7, 5.14, 5.56. Deviates: D79, D81.
 PlaneForce depth_force(const DepthTerm& term, const BodyState& taken_at, const RigidBody& body,
                        const BodyState& state, const BodyKinematics& at, double scale = 1.0,
-                       WrenchJacobian* jacobian = nullptr) THIGMA_RT;
+                       WrenchJacobian* jacobian = nullptr, const DepthBend* bend = nullptr) THIGMA_RT;
+
+/// Bend of depth term i, null without one.
+/// Thread    [haptic].
+inline const DepthBend* bend_of(const LinearContactModel& model, std::size_t i) THIGMA_RT {
+  return i < model.bends.size() ? &model.bends[i] : nullptr;
+}
 
 /// Depth alone, as depth_force has it [m].
 /// Thread    [haptic].
-double depth_at(const DepthTerm& term, const BodyState& taken_at, const BodyState& state) THIGMA_RT;
+double depth_at(const DepthTerm& term, const BodyState& taken_at, const BodyState& state,
+                const DepthBend* bend = nullptr) THIGMA_RT;
 
 /// Wrench of a Taylor term, taken at state y_0, at a state y: W + J (y - y_0), where -q stands for q when
 /// it is the nearer of the two (Eq. 5.14). Not clamped. `jacobian`: null, or the Jacobian at y (6 x 13).

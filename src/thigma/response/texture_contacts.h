@@ -30,6 +30,7 @@ struct TextureParams {
   GradientKind gradient = GradientKind::smoothed_envelope;
   double smoothing =
       0.1;  // of the summed amplitudes: depths this near the maximum count, see depth_request
+  bool has_hessian = false;  // the model has the full Hessian of the depth where it has one; false: Gauss-Newton
 };
 
 /// A body whose surface textures may refine. Immutable; outlives the session.
@@ -113,7 +114,7 @@ void reserve_texture_scratch(const TexturedWorld& world, TextureScratch& scratch
 /// returns         depth terms without depth, because the surfaces share no part of the plane along n, are left out; a
 ///                 depth above what coarse depth, relief and tolerance allow together is cut to it
 /// Thread          [contact]; no failure; allocates only when a contact is larger than any before.
-/// Source          Sec. 4.2.2, 5.4.4. Deviates: D79, D81.
+/// Source          Sec. 4.2.2, 5.4.4, Eq. 5.56. Deviates: D79, D81.
 LinearContactModel linearize_textured(
     const TexturedWorld& world, const Pose& world_from_object, std::span<const SceneBody> bodies,
     std::span<const Contact> contacts, const ContactClusters& clusters,

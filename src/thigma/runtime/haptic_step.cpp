@@ -84,8 +84,9 @@ Touch touch(const LinearContactModel& model, const BodyState& y) THIGMA_RT {
     if (depth + t.tolerance > 0.0) ++result.count;
     if (depth > result.penetration) result.penetration = depth;
   }
-  for (const DepthTerm& t : model.depths) {
-    const double depth = depth_at(t, model.state, y);
+  for (std::size_t i = 0; i < model.depths.size(); ++i) {
+    const DepthTerm& t = model.depths[i];
+    const double depth = depth_at(t, model.state, y, bend_of(model, i));
     if (depth + t.tolerance > 0.0) ++result.count;
     if (depth > result.penetration) result.penetration = depth;
   }

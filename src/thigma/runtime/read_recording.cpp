@@ -134,6 +134,14 @@ DepthTerm read_depth(const Json& json) {
   return t;
 }
 
+DepthBend read_bend(const Json& json) {
+  Eigen::Matrix<double, 36, 1> flat;
+  read_sample_vector(json, "rows", flat);
+  DepthBend bend;
+  for (int i = 0; i < 36; ++i) bend(i / 6, i % 6) = flat[i];
+  return bend;
+}
+
 TaylorTerm read_taylor(const Json& json) {
   TaylorTerm t;
   read_wrench(json, "force", "torque", t.wrench);
@@ -156,6 +164,12 @@ void read_model(const Json& json, LinearContactModel& model) {
     for (const Json& depth : json.at("depths")) {
       if (!model.depths.push_back(read_depth(depth))) throw InputError("too many 'depths'");
     }
+  }
+  if (json.contains("bends")) {
+    for (const Json& bend : json.at("bends")) {
+      if (!model.bends.push_back(read_bend(bend))) throw InputError("too many 'bends'");
+    }
+    if (model.bends.size() > model.depths.size()) throw InputError("more 'bends' than 'depths'");
   }
   for (const Json& taylor : json.at("taylors")) {
     if (!model.taylors.push_back(read_taylor(taylor))) throw InputError("too many 'taylors'");

@@ -128,19 +128,31 @@ void put_depth(std::string& out, const DepthTerm& t) {
   json.close();
 }
 
+template <class Matrix>
+void put_rows(std::string& out, const Matrix& matrix) {
+  out += '[';
+  for (int row = 0; row < matrix.rows(); ++row) {
+    for (int column = 0; column < matrix.cols(); ++column) {
+      if (row + column > 0) out += ',';
+      detail::put_number(out, matrix(row, column));
+    }
+  }
+  out += ']';
+}
+
+void put_bend(std::string& out, const DepthBend& bend) {
+  JsonObject json(out);
+  json.key("rows");
+  put_rows(out, bend);
+  json.close();
+}
+
 void put_taylor(std::string& out, const TaylorTerm& t) {
   JsonObject json(out);
   put_wrench(json, "force", "torque", t.wrench);
   json.vector("normal", t.normal);
-  json.key("jacobian");  // 6 x 13, row by row
-  out += '[';
-  for (int row = 0; row < 6; ++row) {
-    for (int column = 0; column < 13; ++column) {
-      if (row + column > 0) out += ',';
-      detail::put_number(out, t.jacobian(row, column));
-    }
-  }
-  out += ']';
+  json.key("jacobian");
+  put_rows(out, t.jacobian);
   json.close();
 }
 
@@ -162,6 +174,13 @@ void put_model(std::string& out, const ContactSample& sample) {
   for (std::size_t i = 0; i < model.depths.size(); ++i) {
     if (i > 0) out += ',';
     put_depth(out, model.depths[i]);
+  }
+  out += ']';
+  json.key("bends");
+  out += '[';
+  for (std::size_t i = 0; i < model.bends.size(); ++i) {
+    if (i > 0) out += ',';
+    put_bend(out, model.bends[i]);
   }
   out += ']';
   json.key("taylors");

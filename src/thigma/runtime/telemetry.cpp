@@ -117,6 +117,8 @@ std::uint64_t model_digest(const LinearContactModel& model) THIGMA_RT {
   add_bits(hash, model.sequence);
   for (const PlaneTerm& term : model.planes) add_data(hash, term);
   for (const DepthTerm& term : model.depths) add_data(hash, term);
+  for (const DepthBend& bend : model.bends)
+    for (int i = 0; i < bend.size(); ++i) add_datum(hash, bend.data()[i]);
   for (const TaylorTerm& term : model.taylors) add_data(hash, term);
   return hash.value;
 }

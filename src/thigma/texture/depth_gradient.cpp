@@ -47,13 +47,6 @@ int edge_at(const GradientScratch& scratch, const SurfaceJet& object, const Surf
   return height_at(scratch.scene, beyond, near.scene) == kNoSurface ? 1 : 0;
 }
 
-// Whether the two slopes are those on either side of a smooth maximum within a texel.
-bool is_smooth_peak(const SurfaceJet& object, const SurfaceJet& scene, double texel) noexcept {
-  const Mat2 bowl = -(object.curvature + scene.curvature);
-  if (!(bowl.determinant() > 0.0 && bowl.trace() > 0.0)) return false;
-  return (bowl.inverse() * (object.slope + scene.slope)).norm() <= texel;
-}
-
 // At a maximum held by a crease of one side, such as the edge of a box, the slope that counts is the other's: the one
 // that changes less across the point. A side that ends within the step, as the top of a box beside its wall, is the
 // crease. Signs as of edge_at.
@@ -104,10 +97,10 @@ DepthGradient by_envelope(const DepthContact& contact, const DepthSamples& sampl
     const SurfaceJet scene = surface_jet(scratch.scene, near->at, triangles.scene);
     if (!object.is_covered || !scene.is_covered) continue;
     int edge = edge_at(scratch, object, scene, near->at, texel, triangles);
-    if (edge == 0 && !is_smooth_peak(object, scene, texel))
-      edge = crease_at(scratch, object, scene, near->at, texel, triangles);
-    const DepthGradient here = gradient_at(object, sample.frame, contact.centre,
-                                           envelope_slope(object, scene, texel, edge));
+    const SmoothPeak peak = smooth_peak(object, scene, texel);
+    if (edge == 0 && !peak.is_near) edge = crease_at(scratch, object, scene, near->at, texel, triangles);
+    const DepthGradient here = gradient_at(edge == 0 && peak.is_near ? carried(object, peak.step) : object, sample.frame,
+                                           contact.centre, envelope_slope(object, scene, texel, edge));
     sum.linear += near->weight * here.linear;
     sum.angular += near->weight * here.angular;
     weights += near->weight;
@@ -154,21 +147,29 @@ DepthGradient gradient_at(const SurfaceJet& object, const ContactFrame& frame, c
   return {true, frame.world_from_contact * (n - along), frame.world_from_contact * angular};
 }
 
+SmoothPeak smooth_peak(const SurfaceJet& object, const SurfaceJet& scene, double texel) noexcept {
+  const Mat2 bowl = -(object.curvature + scene.curvature);  // of minus the depth
+  if (!(bowl.determinant() > 0.0 && bowl.trace() > 0.0)) return {};
+  const Vec2 step = bowl.inverse() * (object.slope + scene.slope);
+  // A longer step would leave the texels the second derivatives are of.
+  if (!(step.norm() <= texel)) return {};
+  return {true, step, bowl};
+}
+
+SurfaceJet carried(const SurfaceJet& jet, const Vec2& step) noexcept {
+  SurfaceJet there = jet;
+  there.coarse_point += jet.coarse_by_at * step;
+  there.fine_point += jet.fine_by_at * step;
+  return there;
+}
+
 Vec2 envelope_slope(const SurfaceJet& object, const SurfaceJet& scene, double texel,
                     int edge) noexcept {
   // The scene's height along n is minus the one along its facing direction.
   const Vec2 from_object = object.slope, from_scene = -scene.slope;
   if (edge != 0) return edge < 0 ? from_scene : from_object;
-  const Vec2 rising = from_object - from_scene;
-  const Mat2 bowl = -(object.curvature + scene.curvature);  // of minus the depth
-  const double determinant = bowl.determinant();
-  const bool is_peak = determinant > 0.0 && bowl.trace() > 0.0;
-  if (is_peak) {
-    const Vec2 step = bowl.inverse() * rising;
-    const double length = step.norm();
-    // A longer step would leave the texels the second derivatives are of.
-    if (length <= texel) return from_object + object.curvature * step;
-  }
+  const SmoothPeak peak = smooth_peak(object, scene, texel);
+  if (peak.is_near) return from_object + object.curvature * peak.step;
   return 0.5 * (from_object + from_scene);
 }
 

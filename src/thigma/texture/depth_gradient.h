@@ -58,6 +58,17 @@ DepthGradient depth_gradient(const DepthContact& contact, const DepthSamples& sa
 DepthGradient gradient_at(const SurfaceJet& object, const ContactFrame& frame, const Vec3& centre,
                           const Vec2& slope) noexcept;
 
+/// A smooth maximum of the depth within a texel of a point.
+struct SmoothPeak {
+  bool is_near = false;
+  Vec2 step = Vec2::Zero();   // from the point to it: a Newton step from second derivatives [m]
+  Mat2 bowl = Mat2::Zero();   // minus the second derivatives of the depth along the plane [1/m]
+};
+SmoothPeak smooth_peak(const SurfaceJet& object, const SurfaceJet& scene, double texel) noexcept;
+
+/// The jet's points a step away along the plane, to first order; all else as it is.
+SurfaceJet carried(const SurfaceJet& jet, const Vec2& step) noexcept;
+
 /// The slope along n that both surfaces share at the maximum next to a point: where the slopes at the point differ, a
 /// Newton step from second derivatives says what they are at the maximum itself; at an edge of one side's domain it is
 /// the other side's.

@@ -93,11 +93,12 @@ SurfaceJet jet_on(const ProjectedPatch& patch, const ProjectedTriangle& t,
   const double direction = sign_of(patch.facing);
   jet.coarse_point << at, direction * coarse_height(t, at);
   jet.fine_point = jet.coarse_point + patch.contact_from_body * texel.value;
+  jet.coarse_by_at << 1.0, 0.0, 0.0, 1.0, direction * t.height_by_at.transpose();
+  Eigen::Matrix<double, 3, 2> by_texel;
+  by_texel << patch.contact_from_body * texel.by_x, patch.contact_from_body * texel.by_y;
+  jet.fine_by_at = jet.coarse_by_at + by_texel * by_at;
   // The projected tangents of the fine surface have to turn the same way as those of the coarse one.
-  Mat2 fine_by_texel = t.at_by_texel;
-  fine_by_texel.col(0) += (patch.contact_from_body * texel.by_x).head<2>();
-  fine_by_texel.col(1) += (patch.contact_from_body * texel.by_y).head<2>();
-  jet.is_height_field = fine_by_texel.determinant() * t.at_by_texel.determinant() > 0.0;
+  jet.is_height_field = jet.fine_by_at.topRows<2>().determinant() > 0.0;
   return jet;
 }
 

@@ -116,6 +116,8 @@ struct SurfaceJet {
   Mat2 curvature = Mat2::Zero();     // second derivatives by second differences of texels [1/m]
   Vec3 coarse_point = Vec3::Zero();  // [m; contact frame]
   Vec3 fine_point = Vec3::Zero();    // coarse point plus displacement [m; contact frame]
+  Eigen::Matrix<double, 3, 2> coarse_by_at = Eigen::Matrix<double, 3, 2>::Zero();  // d coarse_point/d at
+  Eigen::Matrix<double, 3, 2> fine_by_at = Eigen::Matrix<double, 3, 2>::Zero();    // d fine_point/d at, texel tangents
 };
 SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at) noexcept;
 
