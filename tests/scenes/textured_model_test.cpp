@@ -65,6 +65,7 @@ void expect_no_push_along_ridges(const HapticTexture& block) {
   contact.scene = {&block, triangles, {}};
   constexpr double kTurn = 2e-3;
   Random random(4);
+  int looked_at = 0;
   for (int i = 0; i < 300; ++i) {
     Pose& pose = contact.object.world_from_body;
     pose.position = {random.uniform(-0.005, 0.005), random.uniform(0.001, 0.01), 0.0215};
@@ -77,12 +78,16 @@ void expect_no_push_along_ridges(const HapticTexture& block) {
       DepthSamples sample;
       search->sample(std::span(&contact, 1), request, std::span(&sample, 1));
       ASSERT_TRUE(sample.is_found);
+      // At a corner of what they share, where two rims hold the maximum, a slope is that of none or either.
+      if (std::fabs(sample.at.y()) > 0.04 - 5.0 * block.texel_size) continue;
+      ++looked_at;
       const DepthGradient got = depth_gradient(contact, sample, kind, scratch);
       ASSERT_TRUE(got.is_valid);
       // The ridges rise by 0.63 at most; turned about the vertical, some of that goes along y.
       EXPECT_LE(std::fabs(got.linear.y()), 2.0 * kTurn) << i << ", " << gradient_name(kind);
     }
   }
+  EXPECT_GT(looked_at, 400);
 }
 
 // Pushed along the ridges and tilted by a little, the deepest place is the rim of one block: what lies beside it, on the

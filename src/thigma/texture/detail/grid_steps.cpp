@@ -6,7 +6,7 @@
 namespace thigma::detail {
 namespace {
 
-constexpr int kPart = 8;  // samples of a part of the grid, each way
+constexpr int kPart = 4;  // samples of a part of the grid, each way
 
 // Whether no sample beside is higher.
 bool is_summit(const HeightMap& a, const HeightMap& b, const MapMaximum& of) noexcept {
@@ -33,15 +33,29 @@ MapMaximum best_of_part(const HeightMap& a, const HeightMap& b, int first_column
   return best;
 }
 
-// The highest summit of a part of the grid other than the best sample; column -1 for none.
+// How high the surfaces may be between a summit of the samples and those beside it: as a tent whose flanks go through them.
+float tent_height(const HeightMap& a, const HeightMap& b, const MapMaximum& summit) noexcept {
+  const auto sum_at = [&](int column, int row) {
+    const int i = std::clamp(row, 0, a.rows - 1) * a.columns + std::clamp(column, 0, a.columns - 1);
+    const float sum = a.heights[static_cast<std::size_t>(i)] + b.heights[static_cast<std::size_t>(i)];
+    return sum > kEmptySample ? sum : summit.sum;
+  };
+  const int column = summit.column, row = summit.row;
+  return summit.sum + 0.5f * std::fabs(sum_at(column + 1, row) - sum_at(column - 1, row)) +
+         0.5f * std::fabs(sum_at(column, row + 1) - sum_at(column, row - 1));
+}
+
+// The summit of a part of the grid, other than the best sample, that may be highest between the samples, with that
+// height; column -1 for none. Crests narrower than the grid are as likely to be the maximum as broad ones.
 MapMaximum rival_of(const HeightMap& a, const HeightMap& b, const MapMaximum& best) noexcept {
   MapMaximum rival;
   for (int row = 0; row < a.rows; row += kPart) {
     for (int column = 0; column < a.columns; column += kPart) {
-      const MapMaximum here = best_of_part(a, b, column, row);
+      MapMaximum here = best_of_part(a, b, column, row);
       const bool is_best = here.column == best.column && here.row == best.row;
-      if (here.sum > rival.sum && here.sum > kEmptySample && !is_best && is_summit(a, b, here))
-        rival = here;
+      if (is_best || !(here.sum > kEmptySample) || !is_summit(a, b, here)) continue;
+      here.sum = tent_height(a, b, here);
+      if (here.sum > rival.sum) rival = here;
     }
   }
   return rival;
@@ -97,7 +111,7 @@ void finish_depth(const GridDepthParams& params, const PreparedContact& prepared
 void try_rival(const PreparedContact& prepared, const HeightMap& object, const HeightMap& scene,
                const MapGrid& grid, const MapMaximum& best, DepthSamples& result) noexcept {
   const MapMaximum rival = rival_of(object, scene, best);
-  if (rival.column < 0) return;
+  if (rival.column < 0 || !(static_cast<double>(rival.sum) > result.depth[0])) return;
   Vec2 at = grid.at(rival.column, rival.row);
   const double depth = climb(prepared, grid.spacing(), at);
   if (!(depth > result.depth[0])) return;

@@ -32,8 +32,8 @@ void finish_depth(const GridDepthParams& params, const PreparedContact& prepared
                   const MapGrid& grid, const MapMaximum& best, const DepthRounding& rounding,
                   DepthSamples& result) noexcept;
 
-/// Climbs from the best sample of another part of the grid, too, as the highest peak may lie between samples that are
-/// not the highest; when that is higher than depth[0] it takes its place. object, scene: the maps as they are
+/// Climbs from a summit of another part of the grid, too, as the highest peak may lie between samples that are not the
+/// highest; when that is higher than depth[0] it takes its place. object, scene: the maps as they are
 void try_rival(const PreparedContact& prepared, const HeightMap& object, const HeightMap& scene,
                const MapGrid& grid, const MapMaximum& best, DepthSamples& result) noexcept;
 
