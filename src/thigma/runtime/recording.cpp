@@ -156,40 +156,27 @@ void put_taylor(std::string& out, const TaylorTerm& t) {
   json.close();
 }
 
+template <class Items, class Put>
+void put_list(JsonObject& json, std::string& out, const char* key, const Items& items, const Put& put) {
+  json.key(key);
+  out += '[';
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) out += ',';
+    put(out, items[i]);
+  }
+  out += ']';
+}
+
 void put_model(std::string& out, const ContactSample& sample) {
   const LinearContactModel& model = sample.model;
   JsonObject json(out);
   json.integer("sequence", static_cast<long long>(model.sequence));
   json.number("time", model.time);
   put_body(json, model.state);
-  json.key("planes");
-  out += '[';
-  for (std::size_t i = 0; i < model.planes.size(); ++i) {
-    if (i > 0) out += ',';
-    put_plane(out, model.planes[i]);
-  }
-  out += ']';
-  json.key("depths");
-  out += '[';
-  for (std::size_t i = 0; i < model.depths.size(); ++i) {
-    if (i > 0) out += ',';
-    put_depth(out, model.depths[i]);
-  }
-  out += ']';
-  json.key("bends");
-  out += '[';
-  for (std::size_t i = 0; i < model.bends.size(); ++i) {
-    if (i > 0) out += ',';
-    put_bend(out, model.bends[i]);
-  }
-  out += ']';
-  json.key("taylors");
-  out += '[';
-  for (std::size_t i = 0; i < model.taylors.size(); ++i) {
-    if (i > 0) out += ',';
-    put_taylor(out, model.taylors[i]);
-  }
-  out += ']';
+  put_list(json, out, "planes", model.planes, put_plane);
+  put_list(json, out, "depths", model.depths, put_depth);
+  put_list(json, out, "bends", model.bends, put_bend);
+  put_list(json, out, "taylors", model.taylors, put_taylor);
   json.word("model_digest", hex_text(sample.model_digest));
   json.close();
 }
