@@ -1,6 +1,7 @@
 #include "thigma/texture/depth_hessian.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "thigma/math/rotation.h"
 
@@ -77,6 +78,11 @@ DepthHessian depth_hessian(const DepthContact& contact, const DepthSamples& samp
   if (!object.is_covered || !scene.is_covered) return {};
   const SmoothPeak peak = smooth_peak(object, scene, texel);
   if (!peak.is_near) return {};
+  const Vec2 at = sample.at + peak.step;
+  std::int32_t any = -1;
+  if (height_at(scratch.object, at, any) == kNoSurface) return {};  // held by the end of a side
+  any = -1;
+  if (height_at(scratch.scene, at, any) == kNoSurface) return {};
   const SurfaceJet there = carried(object, peak.step);
   const Mat3 contact_from_world = sample.frame.world_from_contact.transpose();
   const Vec3 centre = contact_from_world * (contact.centre - sample.frame.origin);
