@@ -3,6 +3,9 @@
 #include "support/plane_session.h"
 #include <gtest/gtest.h>
 
+#include "thigma/clod/build_hierarchy.h"
+#include "thigma/mesh/shapes.h"
+
 namespace thigma {
 namespace {
 
@@ -66,6 +69,28 @@ TEST(FindStart, FollowsTheWayOutItIsGiven) {
 TEST(FindStart, SaysWhenThereIsNothingNear) {
   SessionConfig config = plane_session(10.0);
   EXPECT_FALSE(find_start(config.contact, config.world_from_body).has_scene);
+}
+
+// Opening a graphics processor takes its time, and says what it found: the session's own time is the one.
+TEST(FindStart, LeavesTheGraphicsProcessorToTheSession) {
+  const TriangleMesh ball = make_ball(0.01, 8), box = make_box({0.05, 0.05, 0.02});
+  const HapticTexture of_ball = make_plain_texture(ball, "ball"), of_box = make_plain_texture(box, "box");
+  const ClodHierarchy object = build_exact_hierarchy(ball), scene = build_exact_hierarchy(box);
+  int said = 0;
+  ContactWorld world;
+  world.object = &object;
+  world.scene = {{&scene, Pose{}}};
+  world.tolerance = 1e-4;
+  world.textures.object = make_textured_body(of_ball, object);
+  world.textures.scene = {make_textured_body(of_box, scene)};
+  world.textures.params.search = DepthSearch::gpu;
+  world.textures.warn = [&](const std::string&) { ++said; };
+  Pose above;
+  above.position.z() = 0.03;
+  const StartPlacement start = find_start(world, above, 0.0);
+  EXPECT_TRUE(start.has_scene);
+  EXPECT_NEAR(start.clearance, 0.01, 1e-3);
+  EXPECT_EQ(said, 0);
 }
 
 }  // namespace
