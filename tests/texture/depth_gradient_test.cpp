@@ -11,22 +11,6 @@ namespace {
 constexpr GradientKind kKinds[] = {GradientKind::central_differences, GradientKind::envelope,
                                    GradientKind::smoothed_envelope};
 
-DepthContact moved(const DepthContact& contact, const Vec6& by) {
-  DepthContact there = contact;
-  Pose motion;
-  motion.orientation = rotation_from_vector(by.tail<3>());
-  motion.position =
-      by.head<3>() + contact.centre - motion.orientation._transformVector(contact.centre);
-  there.object.world_from_body = motion * contact.object.world_from_body;
-  return there;
-}
-
-Vec6 six(const DepthGradient& g) {
-  Vec6 v;
-  v << g.linear, g.angular;
-  return v;
-}
-
 // Two paraboloids of curvatures a and b: depth and gradient in closed form where the object is only shifted.
 TEST(DepthGradient, of_two_hills_is_the_closed_one) {
   test::Hills hills;
@@ -63,10 +47,10 @@ TEST(DepthGradient, envelope_is_the_derivative_of_the_depth) {
   const Vec3 n = hills.contact.normal;
   for (int i = 0; i < 6; ++i) {
     const double step = i < 3 ? 4e-4 : 4e-4 / 0.05;
-    const double to = test::depth_of(*backend, moved(hills.contact, step * Vec6::Unit(i))).depth[0];
-    const double fro = test::depth_of(*backend, moved(hills.contact, -step * Vec6::Unit(i))).depth[0];
+    const double to = test::depth_of(*backend, test::moved(hills.contact, step * Vec6::Unit(i))).depth[0];
+    const double fro = test::depth_of(*backend, test::moved(hills.contact, -step * Vec6::Unit(i))).depth[0];
     const double tolerance = i < 3 ? 1e-3 : 1e-3 * 0.05;  // texels of 78 um over a step of 400 um
-    EXPECT_NEAR(six(got)[i], (to - fro) / (2.0 * step), tolerance) << i;
+    EXPECT_NEAR(test::six(got)[i], (to - fro) / (2.0 * step), tolerance) << i;
   }
   EXPECT_NEAR(got.linear.dot(n), 1.0, 1e-12);
 }
@@ -87,12 +71,12 @@ TEST(DepthGradient, at_a_fixed_place_agrees_with_differences_to_rounding) {
     };
     const SurfaceJet here = jet_of(p.contact);
     if (!here.is_covered) continue;
-    const Vec6 got = six(gradient_at(here, frame, p.contact.centre, here.facet_slope));
+    const Vec6 got = test::six(gradient_at(here, frame, p.contact.centre, here.facet_slope));
     Vec6 want;
     for (int k = 0; k < 6; ++k) {
       const double step = k < 3 ? 1e-8 : 1e-8 / 0.04;
-      want[k] = (jet_of(moved(p.contact, step * Vec6::Unit(k))).height -
-                 jet_of(moved(p.contact, -step * Vec6::Unit(k))).height) /
+      want[k] = (jet_of(test::moved(p.contact, step * Vec6::Unit(k))).height -
+                 jet_of(test::moved(p.contact, -step * Vec6::Unit(k))).height) /
                 (2.0 * step);
     }
     ++tried;
@@ -109,7 +93,7 @@ TEST(DepthGradient, kinds_agree_where_the_contact_is_smooth) {
   Vec6 of_kind[3];
   for (const GradientKind kind : kKinds) {
     const DepthSamples sample = test::depth_of(*backend, hills.contact, depth_request(kind, 1e-3, 0.01));
-    of_kind[static_cast<int>(kind)] = six(depth_gradient(hills.contact, sample, kind, scratch));
+    of_kind[static_cast<int>(kind)] = test::six(depth_gradient(hills.contact, sample, kind, scratch));
   }
   const double size = (of_kind[1].head<3>() - Vec3::UnitZ()).norm();
   EXPECT_LE((of_kind[0] - of_kind[1]).norm(), 0.2 * size);
@@ -146,7 +130,7 @@ TEST(DepthGradient, smoothing_removes_the_jump_between_two_maxima) {
     for (const GradientKind kind : {GradientKind::envelope, GradientKind::smoothed_envelope}) {
       const DepthSamples sample = test::depth_of(*backend, contact, depth_request(kind, 1e-4, 1.0));
       const int k = static_cast<int>(kind);
-      const Vec6 here = six(depth_gradient(contact, sample, kind, scratch));
+      const Vec6 here = test::six(depth_gradient(contact, sample, kind, scratch));
       if (i > -40) jump[k] = std::max(jump[k], (here - before[k]).norm());
       before[k] = here;
     }
@@ -160,10 +144,11 @@ TEST(DepthGradient, at_the_end_of_one_side_the_slope_is_the_other_sides) {
   SurfaceJet object, scene;
   object.slope = Vec2(0.3, 0.1);
   scene.slope = Vec2(0.2, 0.0);  // against n: the surface falls by 0.2 along u
-  EXPECT_EQ(envelope_slope(object, scene, 1e-4, -1), Vec2(-0.2, 0.0));
-  EXPECT_EQ(envelope_slope(object, scene, 1e-4, 1), Vec2(0.3, 0.1));
+  const SmoothPeak peak = smooth_peak(object, scene, 1e-4);
+  EXPECT_EQ(envelope_slope(object, scene, peak, -1), Vec2(-0.2, 0.0));
+  EXPECT_EQ(envelope_slope(object, scene, peak, 1), Vec2(0.3, 0.1));
   // Flat both: the mean.
-  EXPECT_LE((envelope_slope(object, scene, 1e-4, 0) - Vec2(0.05, 0.05)).norm(), 1e-15);
+  EXPECT_LE((envelope_slope(object, scene, peak, 0) - Vec2(0.05, 0.05)).norm(), 1e-15);
 }
 
 TEST(DepthGradient, is_invalid_without_depth_and_where_a_configuration_has_none) {

@@ -6,22 +6,10 @@
 namespace thigma {
 namespace {
 
-/// The contact after a motion of the object about its centre, which goes along.
-DepthContact turned(const DepthContact& contact, const Vec6& by) {
-  DepthContact there = contact;
-  Pose motion;
-  motion.orientation = rotation_from_vector(by.tail<3>());
-  motion.position = by.head<3>() + contact.centre - motion.orientation._transformVector(contact.centre);
-  there.object.world_from_body = motion * contact.object.world_from_body;
-  there.centre = contact.centre + by.head<3>();
-  return there;
-}
-
-Vec6 gradient_of(DepthBackend& backend, const DepthContact& contact, GradientScratch& scratch) {
-  const DepthGradient g = depth_gradient(contact, test::depth_of(backend, contact), GradientKind::envelope, scratch);
-  Vec6 six;
-  six << g.linear, g.angular;
-  return six;
+Vec6 gradient_after(DepthBackend& backend, const DepthContact& contact, const Vec6& by, GradientScratch& scratch) {
+  DepthContact there = test::moved(contact, by);
+  there.centre += by.head<3>();  // the object's, which goes along
+  return test::six(depth_gradient(there, test::depth_of(backend, there), GradientKind::envelope, scratch));
 }
 
 /// Largest differences between derivatives and differences of the gradient, over the largest derivative: by ways and by
@@ -32,8 +20,8 @@ Vec2 off(const DepthContact& contact, const Mat6& got, double step, double arm) 
   Mat6 want;
   for (int i = 0; i < 6; ++i) {
     const double h = i < 3 ? step : step / arm;
-    want.col(i) = (gradient_of(*backend, turned(contact, h * Vec6::Unit(i)), scratch) -
-                   gradient_of(*backend, turned(contact, -h * Vec6::Unit(i)), scratch)) /
+    want.col(i) = (gradient_after(*backend, contact, h * Vec6::Unit(i), scratch) -
+                   gradient_after(*backend, contact, -h * Vec6::Unit(i), scratch)) /
                   (2.0 * h);
   }
   Vec6 unit;  // lengths and angles become alike

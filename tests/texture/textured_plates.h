@@ -6,7 +6,7 @@
 #include "thigma/math/elementary.h"
 #include "thigma/math/random.h"
 #include "thigma/math/rotation.h"
-#include "thigma/texture/depth.h"
+#include "thigma/texture/depth_gradient.h"
 
 namespace thigma::test {
 
@@ -236,6 +236,23 @@ struct Hills {
     contact.point = Vec3(1e-4, 0.0, 0.0);
   }
 };
+
+/// The contact after a motion of the object: a way, and a rotation vector about the contact's centre, which stays.
+inline DepthContact moved(const DepthContact& contact, const Vec6& by) {
+  DepthContact there = contact;
+  Pose motion;
+  motion.orientation = rotation_from_vector(by.tail<3>());
+  motion.position =
+      by.head<3>() + contact.centre - motion.orientation._transformVector(contact.centre);
+  there.object.world_from_body = motion * contact.object.world_from_body;
+  return there;
+}
+
+inline Vec6 six(const DepthGradient& g) {
+  Vec6 v;
+  v << g.linear, g.angular;
+  return v;
+}
 
 /// The answer for one contact.
 inline DepthSamples depth_of(DepthBackend& backend, const DepthContact& contact,

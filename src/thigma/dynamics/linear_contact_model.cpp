@@ -75,13 +75,7 @@ PlaneForce depth_force(const DepthTerm& term, const BodyState& taken_at, const R
   velocity << at.velocity.linear, at.velocity.angular;
   PlaneForce f;
   f.depth = depth_after(term, motion, bend);
-  Vec6 by_motion = term.stiffness * gradient;  // of the magnitude
-  if (bend != nullptr) {
-    const Vec6 change = *bend * motion;
-    by_motion += (0.5 * term.stiffness) * (change + bend->transpose() * motion) +
-                 term.damping * (bend->transpose() * velocity);
-    gradient += change;
-  }
+  if (bend != nullptr) gradient += *bend * motion;
   f.magnitude = term.stiffness * (f.depth + term.tolerance) + term.damping * gradient.dot(velocity);
   // A gradient bent to the other side is of no surface near.
   const bool is_bent_over = bend != nullptr && !(gradient.head<3>().dot(term.linear) > 0.0);
@@ -89,6 +83,11 @@ PlaneForce depth_force(const DepthTerm& term, const BodyState& taken_at, const R
   if (!f.is_active) return f;
   f.wrench = {-f.magnitude * gradient.head<3>(), -f.magnitude * gradient.tail<3>()};
   if (!jacobian) return f;
+  Vec6 by_motion = term.stiffness * gradient;  // dm: of the depth the symmetric part of the bend counts alone
+  if (bend != nullptr) {
+    by_motion += (0.5 * term.stiffness) * (bend->transpose() * motion - *bend * motion) +
+                 term.damping * (bend->transpose() * velocity);
+  }
   Vec13 by_y;  // dm/dy
   by_y.segment<3>(0) = by_motion.head<3>();
   by_y.segment<4>(3) = turn.transpose() * by_motion.tail<3>() +

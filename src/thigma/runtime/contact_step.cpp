@@ -31,12 +31,16 @@ bool is_spread(const ContactWorld& world) noexcept {
 
 }  // namespace
 
-void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch) {
+void reserve_query(const ContactWorld& world, ContactScratch& scratch) {
   scratch.fronts.resize(world.scene.size());
   for (std::size_t i = 0; i < world.scene.size(); ++i) {
     reserve_front(scratch.fronts[i], *world.object, *world.scene[i].hierarchy);
   }
   scratch.contacts.contacts.reserve(world.capacity);
+}
+
+void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch) {
+  reserve_query(world, scratch);
   if (is_spread(world)) scratch.spread.reserve(world.capacity);
   reserve_clusters(scratch.clustering, world.capacity);
   if (!world.textures.is_empty()) reserve_texture_scratch(world.textures, scratch.textures);

@@ -54,7 +54,11 @@ struct ContactScratch {
   TextureScratch textures;
 };
 
-/// Room for world.capacity contacts and a front a static object.
+/// Room for world.capacity contacts and a front a static object: all that find_contacts needs.
+/// Thread    [offline]; throws std::bad_alloc.
+void reserve_query(const ContactWorld& world, ContactScratch& scratch);
+
+/// The same, and what make_model needs: a graphics processor is opened here, where the world asks for one.
 /// Thread    [offline]; throws std::bad_alloc.
 void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch);
 

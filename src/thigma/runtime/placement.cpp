@@ -53,14 +53,11 @@ double extent(const ContactWorld& world, double object_radius) {
 
 Prober make_prober(const ContactWorld& world) {
   Prober prober{world, {}, 0.0, 0.0};
-  // A graphics processor is opened once, by the session.
-  TextureParams& textures = prober.world.textures.params;
-  if (textures.search == DepthSearch::gpu) textures.search = DepthSearch::grid;
   // Analytic scenes have no hierarchy to take a size from; their tolerance is about a hundredth of
   // it.
   prober.radius = world.object != nullptr ? world.object->radius : 100.0 * world.tolerance;
   prober.reach = 4.0 * extent(world, prober.radius);
-  reserve_contact_scratch(prober.world, prober.scratch);
+  reserve_query(world, prober.scratch);
   return prober;
 }
 

@@ -69,13 +69,9 @@ int crease_at(const GradientScratch& scratch, const SurfaceJet& object, const Su
   return of_scene > kClearly * of_object ? 1 : 0;
 }
 
-double finer_texel(const DepthContact& contact) noexcept {
-  return std::min(contact.object.texture->texel_size, contact.scene.texture->texel_size);
-}
-
 DepthGradient by_envelope(const DepthContact& contact, const DepthSamples& sample, bool is_smoothed,
                           GradientScratch& scratch) noexcept {
-  const double texel = finer_texel(contact);
+  const double texel = detail::finer_texel(contact);
   double weights = 0.0;
   detail::NearTriangles triangles;  // of the last place
   const NearMaximum only{sample.at, 1.0};
@@ -87,10 +83,7 @@ DepthGradient by_envelope(const DepthContact& contact, const DepthSamples& sampl
     over = {over.low.cwiseMin(near->at), over.high.cwiseMax(near->at)};
   const Vec2 around = Vec2::Constant(2.0 * texel);
   over = {over.low - around, over.high + around};
-  project_patch(*contact.object.texture, contact.object.triangles, contact.object.world_from_body,
-                sample.frame, Facing::along, scratch.object, over);
-  project_patch(*contact.scene.texture, contact.scene.triangles, contact.scene.world_from_body,
-                sample.frame, Facing::against, scratch.scene, over);
+  detail::project_sides(contact, sample.frame, over, scratch.object, scratch.scene);
   DepthGradient sum;
   for (const NearMaximum* near = first; near != last; ++near) {
     const SurfaceJet object = surface_jet(scratch.object, near->at, triangles.object);
@@ -100,7 +93,7 @@ DepthGradient by_envelope(const DepthContact& contact, const DepthSamples& sampl
     const SmoothPeak peak = smooth_peak(object, scene, texel);
     if (edge == 0 && !peak.is_near) edge = crease_at(scratch, object, scene, near->at, texel, triangles);
     const DepthGradient here = gradient_at(edge == 0 && peak.is_near ? carried(object, peak.step) : object, sample.frame,
-                                           contact.centre, envelope_slope(object, scene, texel, edge));
+                                           contact.centre, envelope_slope(object, scene, peak, edge));
     sum.linear += near->weight * here.linear;
     sum.angular += near->weight * here.angular;
     weights += near->weight;
@@ -163,12 +156,11 @@ SurfaceJet carried(const SurfaceJet& jet, const Vec2& step) noexcept {
   return there;
 }
 
-Vec2 envelope_slope(const SurfaceJet& object, const SurfaceJet& scene, double texel,
+Vec2 envelope_slope(const SurfaceJet& object, const SurfaceJet& scene, const SmoothPeak& peak,
                     int edge) noexcept {
   // The scene's height along n is minus the one along its facing direction.
   const Vec2 from_object = object.slope, from_scene = -scene.slope;
   if (edge != 0) return edge < 0 ? from_scene : from_object;
-  const SmoothPeak peak = smooth_peak(object, scene, texel);
   if (peak.is_near) return from_object + object.curvature * peak.step;
   return 0.5 * (from_object + from_scene);
 }

@@ -58,7 +58,7 @@ DepthGradient depth_gradient(const DepthContact& contact, const DepthSamples& sa
 DepthGradient gradient_at(const SurfaceJet& object, const ContactFrame& frame, const Vec3& centre,
                           const Vec2& slope) noexcept;
 
-/// A smooth maximum of the depth within a texel of a point.
+/// A smooth maximum of the depth within a texel of a point. texel: no step is longer [m]
 struct SmoothPeak {
   bool is_near = false;
   Vec2 step = Vec2::Zero();   // from the point to it: a Newton step from second derivatives [m]
@@ -73,9 +73,9 @@ SurfaceJet carried(const SurfaceJet& jet, const Vec2& step) noexcept;
 /// Newton step from second derivatives says what they are at the maximum itself; at an edge of one side's domain it is
 /// the other side's.
 ///
-/// texel  no step is longer [m]
+/// peak   of the two (smooth_peak)
 /// edge   -1: the object ends there, 1: the scene does, 0: neither
-Vec2 envelope_slope(const SurfaceJet& object, const SurfaceJet& scene, double texel,
+Vec2 envelope_slope(const SurfaceJet& object, const SurfaceJet& scene, const SmoothPeak& peak,
                     int edge) noexcept;
 
 }  // namespace thigma

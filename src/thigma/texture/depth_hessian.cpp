@@ -1,9 +1,9 @@
 #include "thigma/texture/depth_hessian.h"
 
-#include <algorithm>
 #include <cstdint>
 
 #include "thigma/math/rotation.h"
+#include "thigma/texture/detail/prepared_contact.h"
 
 namespace thigma {
 namespace {
@@ -67,13 +67,10 @@ Mat26 by_motion_and_place(const Moved& m) noexcept {
 
 DepthHessian depth_hessian(const DepthContact& contact, const DepthSamples& sample, GradientScratch& scratch) noexcept {
   if (!sample.is_found) return {};
-  const double texel = std::min(contact.object.texture->texel_size, contact.scene.texture->texel_size);
+  const double texel = detail::finer_texel(contact);
   const Vec2 around = Vec2::Constant(2.0 * texel);
   const PlaneBox over{sample.at - around, sample.at + around};
-  project_patch(*contact.object.texture, contact.object.triangles, contact.object.world_from_body, sample.frame,
-                Facing::along, scratch.object, over);
-  project_patch(*contact.scene.texture, contact.scene.triangles, contact.scene.world_from_body, sample.frame,
-                Facing::against, scratch.scene, over);
+  detail::project_sides(contact, sample.frame, over, scratch.object, scratch.scene);
   const SurfaceJet object = surface_jet(scratch.object, sample.at), scene = surface_jet(scratch.scene, sample.at);
   if (!object.is_covered || !scene.is_covered) return {};
   const SmoothPeak peak = smooth_peak(object, scene, texel);
@@ -90,7 +87,7 @@ DepthHessian depth_hessian(const DepthContact& contact, const DepthSamples& samp
                     there.fine_point - centre,
                     object.coarse_by_at,
                     object.fine_by_at,
-                    envelope_slope(object, scene, texel, 0),
+                    envelope_slope(object, scene, peak, 0),
                     object.curvature};
   const Mat26 mixed = by_motion_and_place(moved);
   // The place of the maximum follows the motion: that adds mixed^T bowl^-1 mixed.

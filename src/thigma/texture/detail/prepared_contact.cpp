@@ -75,15 +75,24 @@ Place look_along_edges(const PreparedContact& prepared, const Place& from, doubl
 
 }  // namespace
 
+void project_sides(const DepthContact& contact, const ContactFrame& frame, const PlaneBox& over, ProjectedPatch& object,
+                   ProjectedPatch& scene) noexcept {
+  project_patch(*contact.object.texture, contact.object.triangles, contact.object.world_from_body, frame, Facing::along,
+                object, over);
+  project_patch(*contact.scene.texture, contact.scene.triangles, contact.scene.world_from_body, frame, Facing::against,
+                scene, over);
+}
+
+double finer_texel(const DepthContact& contact) noexcept {
+  return std::min(contact.object.texture->texel_size, contact.scene.texture->texel_size);
+}
+
 bool prepare_contact(const DepthContact& contact, PreparedContact& prepared) noexcept {
   if (!is_usable(contact.object) || !is_usable(contact.scene)) return false;
   if (!contact.point.allFinite() || !contact.centre.allFinite()) return false;
   if (!is_direction(contact.normal)) return false;
   prepared.frame = contact_frame(contact.point, contact.normal);
-  project_patch(*contact.object.texture, contact.object.triangles, contact.object.world_from_body,
-                prepared.frame, Facing::along, prepared.object);
-  project_patch(*contact.scene.texture, contact.scene.triangles, contact.scene.world_from_body,
-                prepared.frame, Facing::against, prepared.scene);
+  project_sides(contact, prepared.frame, kWholePlane, prepared.object, prepared.scene);
   const Vec2 reach = Vec2::Constant(contact.reach);
   prepared.box =
       intersection(intersection(prepared.object.box, prepared.scene.box), {-reach, reach});

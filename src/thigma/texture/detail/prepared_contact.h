@@ -14,6 +14,13 @@ struct PreparedContact {
   double texel = 0.0;           // side of a texel of the finer side that has relief [m]
 };
 
+/// Projects both sides of a contact, the object along n and the scene against it; over: as of project_patch.
+void project_sides(const DepthContact& contact, const ContactFrame& frame, const PlaneBox& over, ProjectedPatch& object,
+                   ProjectedPatch& scene) noexcept;
+
+/// Side of a texel of the finer side, with relief or without [m].
+double finer_texel(const DepthContact& contact) noexcept;
+
 /// Projects both sides. False, and nothing to compute, when they share no part of the plane or a number is not finite.
 bool prepare_contact(const DepthContact& contact, PreparedContact& prepared) noexcept;
 
