@@ -35,7 +35,7 @@ std::string params_text(const ClodSource& source) {
                 source.is_repair, p.decomposition.max_vertices, p.decomposition.convexity_tolerance,
                 p.decomposition.protrusion_tolerance, p.simplify.longest_edge,
                 p.simplify.coarsest_share, p.simplify.longest_edge_ever, p.simplify.deviation_limit,
-                p.simplify.deviation_share, p.simplify.deviation_ever, p.simplify.deviation_last,
+                p.simplify.deviation_share, p.simplify.deviation_ever, p.simplify.deviation_early,
                 p.simplify.volume_limit, p.simplify.convexity_tolerance,
                 p.simplify.protrusion_tolerance,
                 p.simplify.last_level, p.simplify.flips_edges, c.bisections, c.least_quality,
