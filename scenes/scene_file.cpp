@@ -149,8 +149,8 @@ void read_contact(TomlTable table, ContactGains& contact) {
   contact.is_shared = table.truth("shared").value_or(contact.is_shared);
   contact.is_spread = table.truth("spread").value_or(contact.is_spread);
   read_resolution(table, contact.resolution);
-  if (const auto response = table.choice("response", {"coupled", "direct"})) {
-    contact.response = *response == 0 ? ResponseKind::coupled : ResponseKind::direct;
+  if (const auto response = table.choice("response", {"penalty", "coupled", "direct"})) {
+    contact.response = *response == 2 ? ResponseKind::direct : ResponseKind::coupled;
   }
   if (contact.damping && contact.damping_ratio) {
     table.fail("damping_ratio", "stands beside damping", "expected one of the two");

@@ -30,7 +30,8 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
                 "contacts change their level of detail at once, not gradually");
   verb.add_option(
       "--response", o.response,
-      "coupled: through a simulated body (default); direct: contact forces as they are");
+      "penalty: clusters push like springs, felt through a simulated body and its coupling (default; coupled is "
+      "its older name); direct: contact forces as they are");
   verb.add_flag("--passivity", o.is_passive,
                 "let late samples give no energy away: damps the handle, softens what is not backed");
   verb.add_flag("--no-cache", o.has_no_cache, "build levels of detail anew and keep nothing");
@@ -65,8 +66,8 @@ std::string check_run_options(const RunOptions& o) {
   // As of solver.rate in a scene: more slowly, a contact model is too old before the next frame.
   if (o.rate && !(*o.rate >= 50.0 && *o.rate <= 20000.0)) return "--rate must be 50 to 20000 Hz";
   if (o.spin && !(*o.spin >= 0.0 && *o.spin <= 20000.0)) return "--spin must be 0 to 20000 us";
-  if (!o.response.empty() && o.response != "coupled" && o.response != "direct")
-    return "--response is coupled or direct";
+  if (!o.response.empty() && o.response != "penalty" && o.response != "coupled" && o.response != "direct")
+    return "--response is penalty (or coupled, its older name) or direct";
   Resolution resolution;
   const std::string wrong = apply(o.resolution, resolution);
   if (!wrong.empty()) return wrong;

@@ -32,15 +32,23 @@ TEST(SceneFile, LeastSceneTakesDefaults) {
   EXPECT_EQ(scene.safety.force_slew, SafetyLimits{}.force_slew);
 }
 
-TEST(SceneFile, LevelsOfDetailAreTheDefaultAndTheCapCanBeOff) {
+TEST(SceneFile, LevelsOfDetailAreTheDefaultAndTheCapIsOffUnlessAskedFor) {
   const Resolution least = parse_scene(kLeast, "S.toml", "").contact.resolution;
   EXPECT_FALSE(least.is_exact);
   EXPECT_EQ(least.metric.haptic, 0.025);
-  EXPECT_EQ(least.deviation_cap, 0.02);
+  EXPECT_EQ(least.deviation_cap, kNoCap);
   EXPECT_TRUE(least.interpolates);
   EXPECT_EQ(least.budget_cpu, 0.0);
-  const std::string text = std::string(kLeast) + "[contact]\ncapped = false\n";
-  EXPECT_EQ(parse_scene(text, "S.toml", "").contact.resolution.deviation_cap, kNoCap);
+  const std::string capped = std::string(kLeast) + "[contact]\ndeviation_cap = 0.02\n";
+  EXPECT_EQ(parse_scene(capped, "S.toml", "").contact.resolution.deviation_cap, 0.02);
+  EXPECT_EQ(parse_scene(capped + "capped = false\n", "S.toml", "").contact.resolution.deviation_cap, kNoCap);
+}
+
+TEST(SceneFile, PenaltyAndCoupledAreOneResponse) {
+  for (const char* name : {"penalty", "coupled"}) {
+    const std::string text = std::string(kLeast) + "[contact]\nresponse = \"" + name + "\"\n";
+    EXPECT_EQ(parse_scene(text, "S.toml", "").contact.response, ResponseKind::coupled) << name;
+  }
 }
 
 TEST(SceneFile, EveryKeyArrives) {

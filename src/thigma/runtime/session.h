@@ -111,6 +111,8 @@ struct SessionSummary {
   std::uint64_t unrefined = 0, level_changes = 0;       // contacts, sums over updates
   double bound_max = 0.0;                               // of all contacts [m]
   std::array<std::uint64_t, kLevelBins> object_levels{}, scene_levels{};  // contacts, sums
+  std::array<std::uint64_t, kLevelDeciders> decided_by{};  // contacts, sums, by LevelDecision
+  double triangles_below_mean = 0.0;  // of the original below a contact, over contacts; 0 of exact queries
   ForceSteps force_steps;
   double force_max = 0.0, force_rms = 0.0;  // sent; rms over frames [N]
   double torque_max = 0.0,

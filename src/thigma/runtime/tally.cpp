@@ -45,6 +45,9 @@ void tally(ContactTally& tally, const ContactSample& sample) THIGMA_RT {
     tally.object_levels[i] += static_cast<std::uint64_t>(sample.object_levels[i]);
     tally.scene_levels[i] += static_cast<std::uint64_t>(sample.scene_levels[i]);
   }
+  for (std::size_t i = 0; i < tally.decided_by.size(); ++i)
+    tally.decided_by[i] += static_cast<std::uint64_t>(sample.decided_by[i]);
+  tally.triangles_below += sample.triangles_below;
   record(tally.query_cpu, to_ns(sample.query_cpu));
   record(tally.model_cpu, to_ns(sample.step_cpu - sample.query_cpu));
   record(tally.step_cpu, to_ns(sample.step_cpu));

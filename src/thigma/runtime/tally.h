@@ -46,6 +46,8 @@ struct ContactTally {
                 level_changes = 0;                                        // sums over updates
   double bound_max = 0.0;                                                 // [m]
   std::array<std::uint64_t, kLevelBins> object_levels{}, scene_levels{};  // contacts, sums
+  std::array<std::uint64_t, kLevelDeciders> decided_by{};  // contacts, sums
+  double triangles_below = 0.0;                             // sum over contacts
 };
 
 /// Adds a frame. Durations [ns]; negative ones (not measured) are left out. Thread [haptic].

@@ -52,6 +52,9 @@ static_assert(RtPayload<HapticSample>);
 inline constexpr std::int32_t kLevelBins = 24;
 using LevelCounts = std::array<std::int32_t, kLevelBins>;
 
+/// What may decide the level of a contact, see LevelDecision, which the haptic thread does not know.
+inline constexpr std::size_t kLevelDeciders = 6;
+
 /// One contact frame: the model published and how it came about.
 struct ContactSample {
   double time = 0.0;       // of the body state it was computed for [s]
@@ -72,6 +75,9 @@ struct ContactSample {
   std::int32_t level_changes = 0;    // contacts that were refined or coarsened since the last frame
   double bound_max = 0.0;            // of the contacts [m]
   LevelCounts object_levels{}, scene_levels{};
+  std::array<std::int32_t, kLevelDeciders> decided_by{};  // contacts, by LevelDecision; not recorded
+  double triangles_below = 0.0;  // of the original, below a contact, mean of both sides, sum over contacts; 0 of an exact
+                                 // query; not recorded
   LinearContactModel model;
 };
 static_assert(RtPayload<ContactSample>);

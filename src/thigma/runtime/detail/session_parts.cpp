@@ -154,6 +154,9 @@ SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic,
   s.bound_max = contact.bound_max;
   s.object_levels = contact.object_levels;
   s.scene_levels = contact.scene_levels;
+  s.decided_by = contact.decided_by;
+  s.triangles_below_mean =
+      contact.triangles_below / std::max(1.0, static_cast<double>(contact.contacts));
   const double frames = std::max(1.0, static_cast<double>(haptic.frames));
   s.force_max = haptic.force_max;
   s.force_rms = std::sqrt(haptic.force_square_sum / frames);
