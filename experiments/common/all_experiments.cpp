@@ -24,6 +24,8 @@ const std::vector<Experiment>& all_experiments() {
       {"fig-5-12", "Fig. 5.12", "a probe on a plate with ridges", run_fig_5_12},
       {"fig-3-18", "Fig. 3.18", "spoon into cup: levels by the velocity-dependent metric", run_fig_3_18},
       {"fig-3-19", "Fig. 3.19", "spoon into cup: queries and front up to the first impact", run_fig_3_19},
+      {"level-choice", "Sec. 3.4.3, 3.5.2", "what s0 buys: levels, error and time over the threshold",
+       run_level_choice},
       {"no-popping", "Sec. 3.4.4", "force steps where a contact changes its level of detail",
        run_no_popping},
       {"force-steps", "Sec. 5.4", "force steps over corners, cluster and level switches",
