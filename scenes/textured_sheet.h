@@ -13,6 +13,7 @@ namespace thigma::scenes {
 struct TexturedSheet {
   std::function<Vec3(double u, double v)> coarse;  // [m]; only its values at corners of cells count
   std::function<Vec3(double u, double v)> fine;    // [m]
+  std::function<Vec3(double u, double v)> smooth;  // the fine surface without its relief, for controls; may be empty [m]
   bool is_ring = false;  // v goes around too; otherwise v = 0 and v = 1 are one point each
   int around = 8, along = 8;            // coarse cells
   int fine_around = 64, fine_along = 64;  // cells of the fine surface as triangles

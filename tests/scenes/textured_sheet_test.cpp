@@ -6,9 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "scenes/ridge_profile.h"
 #include "scenes/textured_parts.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/inspect.h"
+#include "thigma/mesh/measure.h"
 #include "thigma/texture/texel_lookup.h"
 
 namespace thigma::scenes {
@@ -93,6 +95,18 @@ TEST(TexturedSheet, fine_surfaces_have_no_cracks) {
     std::cout << name << ": cracks " << crack / t.amplitude << " of the amplitude, "
               << t.width << " x " << t.height << " texels\n";
   }
+}
+
+// Table 4.1: "the block and gear models are fully convex at coarse resolution", with the teeth in the texture.
+TEST(TexturedSheet, coarse_gear_is_convex_and_its_teeth_are_relief) {
+  const HapticTexture gear = make_texture(make_textured_sheets(textured_part("gear"), 1024), "gear");
+  const double radius = enclosing_ball(gear.coarse.positions).radius;
+  for (const auto& t : gear.coarse.triangles) {
+    const auto corner = [&](std::size_t k) -> const Vec3& { return gear.coarse.positions[static_cast<std::size_t>(t[k])]; };
+    const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+    for (const Vec3& p : gear.coarse.positions) ASSERT_LE(normal.dot(p - corner(0)), 1e-9 * radius);
+  }
+  EXPECT_NEAR(gear.amplitude, 0.5 * kRidgeHeight, 0.05 * 0.5 * kRidgeHeight);
 }
 
 // On a ring without poles every texel is the fine surface itself.
