@@ -133,11 +133,12 @@ Outcome run_fig_3_19(const Context& context) {
       known_not_to(at_most("contact",
                            "CPU time of a query with levels over the exact one, in the last 5 of 35 frames before the first impact",
                            ratio(coarse, exact, end - kNear, end), 1.0),
-                   "the exact query here is on the same tight hulls and keeps its front by the motion it survives; at d = "
-                   "radius / 1000 a handful of finest pairs is all it looks at before the first impact"),
+                   {"the exact query here is on the same tight hulls and keeps its front by the motion it survives; at d = "
+                   "radius / 1000 a handful of finest pairs is all it looks at before the first impact",
+                    "data.csv", 4.0}),
       known_not_to(at_most("steadier", "coefficient of variation of the front with levels over that of the exact one",
                            coefficient_of_variation(coarse.front) / coefficient_of_variation(exact.front), 1.0),
-                   "for the same reason: the exact front does not leap either"),
+                   {"for the same reason: the exact front does not leap either", "data.csv", 1.1}),
       at_least("far", "CPU time of a query with levels over the exact one, in the first 20 frames", ratio(coarse, exact, 0, kFar), 1.0),
       stated("queries", "queries up to the first impact", queries)};
   outcome.figure = {.title = "Spoon into cup up to the first impact (Fig. 3.19)",
