@@ -150,17 +150,20 @@ TexturedSheet torus_sheet() {
 }  // namespace
 
 TexturedSheet make_gear_sheet(const RidgeProfile& teeth) {
-  constexpr double kHalfWidth = 0.012;
+  constexpr double kHalfWidth = 0.012, kTooth = 0.5 * kRidgeHeight;
   constexpr int kTeeth = 25, kRows = 5;  // of the rim
-  constexpr double kRadius = kTeeth * kRidgePitch / kTurn;
+  constexpr double kRadius = kTeeth * kRidgePitch / kTurn, kRoot = (kRadius - kTooth) / kRadius;
+  // The teeth rise from the root over the first and last row of the rim: no edge of the coarse wheel lies under relief.
   std::vector<Station> stations = {{0.0, -kHalfWidth}, {0.33, -kHalfWidth}, {0.66, -kHalfWidth}};
-  for (int i = 0; i <= kRows; ++i) stations.push_back({1.0, kHalfWidth * (2.0 * i / kRows - 1.0)});
+  for (int i = 0; i <= kRows; ++i)
+    stations.push_back({i == 0 || i == kRows ? kRoot : 1.0, kHalfWidth * (2.0 * i / kRows - 1.0)});
   for (const double width : {0.66, 0.33, 0.0}) stations.push_back({width, kHalfWidth});
   const auto point = [stations, teeth](double u, double v, bool is_rough) {
     const Station s = station_at(stations, v);
+    const double height = std::clamp(0.5 * kRows * (1.0 - std::fabs(s.z) / kHalfWidth), 0.0, 1.0);
     // A groove, not a flank, half way around.
-    const double tooth = is_rough ? 0.5 * kRidgeHeight * teeth(kTeeth * u + 0.25) : 0.0;
-    const double r = s.width * (kRadius + tooth);
+    const double tooth = is_rough ? kTooth * height * teeth(kTeeth * u + 0.25) : 0.0;
+    const double r = s.width * kRadius + tooth;
     const SinCos at = sin_cos(kTurn * u);
     return Vec3(r * at.cos, r * at.sin, s.z);
   };

@@ -16,7 +16,7 @@ namespace thigma::scenes {
 std::vector<TexturedSheet> textured_part(std::string_view name);
 
 /// The gear with teeth of a profile: wheel of 80 mm, 24 mm wide, 25 teeth as far apart and as high as the ridges of the
-/// block. They are relief alone: the coarse wheel is convex, as the text's.
+/// block, bevelled at their ends. They are relief alone: the coarse wheel is convex, as the text's.
 /// Thread [offline].
 TexturedSheet make_gear_sheet(const RidgeProfile& teeth);
 

@@ -17,8 +17,8 @@ enum class Surface {
 
 /// What of the hammer lies on the torus.
 enum class Touch {
-  face,  // of the head, a disc of 27 mm: almost three waves of the torus long
-  side,  // of the head, a cylinder across the tube: touches in a place
+  face,  // of the head, a disc of 27 mm
+  side,  // of the head, a cylinder across the tube
 };
 
 const char* name_of(Surface surface);

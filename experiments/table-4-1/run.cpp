@@ -9,6 +9,7 @@
 #include "scenes/textured_parts.h"
 
 #include "thigma/clod/build_hierarchy.h"
+#include "thigma/convex/count_patches.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/texture/bake.h"
 
@@ -23,7 +24,7 @@ struct Row41 {
 };
 
 constexpr Row41 kRows[] = {
-    {"Block", "striped_block", 65536, 16, 1}, {"Gear", "gear", 25600, 1600, 1},
+    {"Block", "ridged_block", 65536, 16, 1},  {"Gear", "gear", 25600, 1600, 1},
     {"Hammer", "hammer", 433152, 518, 210},   {"CAD Part", "cad_part", 658432, 720, 390},
     {"File", "file", 285824, 632, 113},       {"Torus", "helicoidal_torus", 128000, 532, 114}};
 
@@ -61,12 +62,12 @@ Outcome run_table_4_1(const Context& context) {
   outcome.tables = {
       {.name = "data",
        .columns = {"model", "fine triangles", "fine, text", "coarse triangles", "coarse, text",
-                   "hierarchy nodes", "volumes, text", "patches", "texels", "relief [m]",
+                   "hierarchy nodes", "volumes, text", "patches", "patches of any size", "nodes of any size", "texels", "relief [m]",
                    "fit, RMS [% of the radius]", "fit, largest [% of the radius]", "cracks, largest [% of the radius]", "distortion"}}};
   plot::Series fine{.label = "fine", .mark = plot::Mark::points},
       coarse{.label = "coarse", .mark = plot::Mark::points},
-      nodes{.label = "hierarchy", .mark = plot::Mark::points};
-  double fine_off = 0.0, coarse_off = 0.0, crack_to_fit = 0.0;
+      nodes{.label = "hierarchy, hulls of any size", .mark = plot::Mark::points};
+  double fine_off = 0.0, coarse_off = 0.0, crack_to_fit = 0.0, convex = 0.0, fewest = 1e9, most = 0.0;
   Fit worst;
   for (const Row41& row : kRows) {
     tell(context, row.name);
@@ -74,7 +75,15 @@ Outcome run_table_4_1(const Context& context) {
         scenes::make_textured_model({row.model, context.quick ? 256 : 1024});
     const ClodHierarchy h = build_exact_hierarchy(texture.coarse);
     const double triangles = static_cast<double>(texture.coarse.triangles.size()),
-                 volumes = static_cast<double>(h.nodes.size()), fine_here = fine_count(row);
+                 volumes = static_cast<double>(h.nodes.size()), fine_here = fine_count(row),
+                 parts = count_convex_patches(texture.coarse);
+    const double free_volumes = 2.0 * parts - 1.0;  // of a binary tree over patches of any size
+    if (row.volumes == 1.0) {
+      convex = std::max(convex, parts);
+    } else {
+      fewest = std::min(fewest, free_volumes / row.volumes);
+      most = std::max(most, free_volumes / row.volumes);
+    }
     Fit fit;
     if (std::isfinite(fine_here) && (!context.quick || fine_here < 150e3))
       fit = bake_part(row, texture.coarse, context);
@@ -82,7 +91,7 @@ Outcome run_table_4_1(const Context& context) {
              std::max(worst.distortion, fit.distortion)};
     if (fit.largest > 0.0) crack_to_fit = std::max(crack_to_fit, fit.crack / fit.largest);
     add_row(outcome.tables[0], {std::string(row.name), fine_here, row.fine, triangles, row.coarse,
-                                volumes, row.volumes, static_cast<double>(h.patches.size()),
+                                volumes, row.volumes, static_cast<double>(h.patches.size()), parts, free_volumes,
                                 static_cast<double>(texture.width) * texture.height,
                                 texture.amplitude, fit.rms, fit.largest, fit.crack, fit.distortion});
     if (std::isfinite(fine_here))
@@ -93,9 +102,9 @@ Outcome run_table_4_1(const Context& context) {
     coarse.x.push_back(row.coarse);
     coarse.y.push_back(triangles);
     nodes.x.push_back(row.volumes);
-    nodes.y.push_back(volumes);
+    nodes.y.push_back(free_volumes);
     outcome.claims.push_back(stated(std::string("nodes-") + row.model,
-                                    std::string("nodes of the hierarchy, all levels free: ") +
+                                    std::string("nodes of the hierarchy, all levels free, hulls of 32 vertices at most: ") +
                                         row.name + "; the text has " +
                                         std::to_string(static_cast<int>(row.volumes)),
                                     volumes));
@@ -105,6 +114,9 @@ Outcome run_table_4_1(const Context& context) {
       {at_most("fine", "fine triangles off the text's, the worst of five models", fine_off, 0.01),
        at_most("coarse", "coarse triangles off the text's, the worst of six models", coarse_off,
                0.05),
+       at_most("convex", "convex patches of the coarse block and the coarse gear, whatever their size, the more", convex, 1.0),
+       within("bumpy-least", "nodes over patches of any size over the text's volumes, the least of the other four models", fewest, 0.5, 2.0),
+       within("bumpy-most", "the same, the most", most, 0.5, 2.0),
        at_most("fit-rms",
                "fine meshes baked onto the coarse ones: two-sided fit error over the radius, RMS, "
                "worst of the models",
@@ -115,11 +127,12 @@ Outcome run_table_4_1(const Context& context) {
        stated("crack-max", "largest crack over the radius", worst.crack, "%"),
        stated("distortion", "how much lengths are stretched or squeezed in the charts, at most",
               worst.distortion)});
+  const plot::Series equal{.label = "equal", .x = {1.0, 1e6}, .y = {1.0, 1e6}, .is_dashed = true, .width = 1.0};
   outcome.figure = {.title = "Complexity of the textured models (Table 4.1)",
                     .panels = {{.title = "",
                                 .x = {.label = "the text's", .is_log = true},
                                 .y = {.label = "here", .is_log = true},
-                                .series = {fine, coarse, nodes}}}};
+                                .series = {fine, coarse, nodes, equal}}}};
   return outcome;
 }
 
