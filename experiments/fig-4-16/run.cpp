@@ -19,16 +19,17 @@ constexpr int kMost = 7;          // contacts a frame, the text: "as many as 7"
 constexpr int kContactEvery = 5;  // haptic frames: 200 Hz, the upper of the text's rates
 constexpr int kFrames = 500;      // as the text shows
 constexpr double kDown = 1.0, kGap = 0.004;  // [s, m] of the scene
+constexpr double kRim = 0.018, kEnd = 0.100, kHeld = 0.090;  // of the boss; of the file from its middle; where it is held [m]
 
-/// Scrapes to and fro over the boss, rocks, and is lifted now and then.
+/// The end of the file scrapes over the rim of the boss, further in and less, and rocks: places that touch come and go.
 Pose pose_at(double t) {
   const auto wave = [&](double hertz) { return sine(2.0 * kPi * hertz * std::max(t - kDown, 0.0)); };
   const double down = std::clamp(t / kDown, 0.0, 1.0);
   Pose pose;
-  pose.orientation = rotation_from_vector(Vec3(0.05 * wave(0.6), 0.03 * wave(0.9), 0.2 * wave(0.5)));
-  pose.position.x() = 0.020 * wave(1.0);
-  pose.position.y() = 0.008 * wave(0.7);
-  pose.position.z() = -(kGap + 0.002) * down * down * (3.0 - 2.0 * down) + 0.004 * wave(0.8);
+  pose.orientation = rotation_from_vector(Vec3(0.04 * wave(0.9), 0.03 * wave(1.3), 0.15 * wave(0.7)));
+  pose.position.x() = -0.008 + 0.012 * wave(0.8);
+  pose.position.y() = 0.004 * wave(1.1);
+  pose.position.z() = -(kGap + 0.001) * down * down * (3.0 - 2.0 * down) + 0.001 * wave(1.7);
   return pose;
 }
 
@@ -44,10 +45,12 @@ std::vector<Frame> record(const Context& context, GradientKind gradient, int clu
   const auto session = textured_session("file_on_cad", true, [&](scenes::SceneDescription& scene) {
     scene.contact.max_clusters = clusters;
     scene.contact.texture.gradient = gradient;
+    scene.object.world_from_mesh.position.x() = kRim + kEnd;
     if (!context.quick) return;
     for (scenes::SceneObject* o : {&scene.object, &scene.statics[0]}) o->textured_model->texels = 512;
   });
   session->config.contact_every = kContactEvery;
+  session->config.haptic.grasp_point += Vec3(0.0, 0.0, -kHeld);  // near its end
   std::vector<Frame> frames;
   for (int repeat = 0; repeat < (context.quick ? 2 : 4); ++repeat) {
     const ScriptRun run = run_script(*session, kDown + 1e-3 * kContactEvery * kFrames, pose_at);
