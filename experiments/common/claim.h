@@ -30,6 +30,7 @@ struct Claim {
   ClaimKind kind = ClaimKind::checked;
   Comparison comparison = Comparison::none;
   bool holds = false;    // against the bound; of a stated claim: there is a number
+  bool is_timed = false;  // compares times of this machine: no test asks for it
   bool expected = true;  // false: does not hold, as known, and is not beyond its floor
   // Of a claim that is not reproduced.
   std::string reason;
@@ -60,6 +61,9 @@ struct Known {
 /// Marks a claim as one that does not reproduce.
 /// Error   std::invalid_argument: nothing to hold, no reason, no sweep, or a floor that is stricter than the bound.
 Claim known_not_to(Claim claim, Known known);
+
+/// Marks a claim as one about times of this machine.
+Claim on_this_machine(Claim claim);
 
 /// The same claim had another value been measured: how tests plant a wrong one.
 Claim with_value(Claim claim, double value);
