@@ -1,9 +1,11 @@
 #include "experiments/hammer-on-torus/strokes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "experiments/common/statistics.h"
+#include "experiments/common/textured_session.h"
 #include "scenes/textured_parts.h"
 
 #include "thigma/math/elementary.h"
@@ -12,6 +14,34 @@
 namespace thigma::experiments::hammer_on_torus {
 namespace {
 
+/// What the hammer and the torus have over their coarse surfaces.
+enum class Surface {
+  coarse,  // nothing
+  smooth,  // their fine surfaces without relief: the control
+  relief,  // their fine surfaces
+};
+constexpr std::array<const char*, 3> kSurfaces = {"coarse", "smooth", "relief"};
+
+/// What of the hammer lies on the torus.
+enum class Touch {
+  side,  // of the head, a cylinder across the tube
+  face,  // of the head, a disc of 27 mm
+};
+constexpr std::array<const char*, 2> kTouches = {"side", "face"};
+
+/// One run, over the part at constant speed.
+struct Stroke {
+  double speed = 0.0;                        // of the head around the ring [m/s]
+  double mean_force = 0.0, deviation = 0.0;  // fed back [N]
+  double band = 0.0;      // of the force between 20 and 300 Hz, root mean square [N]
+  double at_waves = 0.0;  // the same within a tenth of the frequency at which the torus' waves pass [N]
+  double peak = 0.0;      // where between 0.6 and 1.6 times that frequency the force is strongest [Hz]
+  double waves = 0.0;     // that frequency [Hz]
+  double faults = 0.0;    // safety events
+  std::vector<double> time, force;  // [s, N]
+};
+
+constexpr double kInBand = 0.2;  // from this speed on the waves pass at 20 Hz and more [m/s]
 constexpr double kRing = 0.060, kWaves = 40.0;   // of the torus: radius [m], ridges around it
 constexpr double kDown = 0.6, kRest = 0.2;       // [s]
 constexpr double kSpeedUp = 0.2;                 // until the speed is constant [s]
@@ -70,18 +100,10 @@ double strongest(std::span<const double> x, double low, double high) {
   return best;
 }
 
-}  // namespace
-
-const char* name_of(Surface surface) {
-  return surface == Surface::coarse ? "coarse" : surface == Surface::smooth ? "smooth" : "relief";
-}
-const char* name_of(Touch touch) { return touch == Touch::face ? "face" : "side"; }
-
-Stroke stroke_torus(Touch touch, Surface surface, double speed, double seconds, int texels) {
-  const auto session = open_session(touch, surface, texels);
-  const Vec3 head = session->scene.object.world_from_mesh.position;
+Stroke stroke_at(TexturedSession& session, double speed, double seconds) {
+  const Vec3 head = session.scene.object.world_from_mesh.position;
   const double begin = kDown + kRest + kSpeedUp + 0.1;
-  const ScriptRun run = run_script(*session, begin + seconds, [&](double t) {
+  const ScriptRun run = run_script(session, begin + seconds, [&](double t) {
     const double down = std::clamp(t / kDown, 0.0, 1.0);
     Pose pose;
     pose.orientation = rotation_from_vector(Vec3(0.0, 0.0, turned(t, speed)));
@@ -89,7 +111,7 @@ Stroke stroke_torus(Touch touch, Surface surface, double speed, double seconds, 
     pose.position.z() = -(kGap + kPress) * down * down * (3.0 - 2.0 * down);
     return pose;
   });
-  Stroke stroke{.touch = touch, .surface = surface, .speed = speed};
+  Stroke stroke{.speed = speed};
   for (const HapticSample& s : run.frames) {
     if (s.time < begin) continue;
     stroke.time.push_back(s.time - begin);
@@ -103,6 +125,69 @@ Stroke stroke_torus(Touch touch, Surface surface, double speed, double seconds, 
   stroke.peak = strongest(stroke.force, 0.6 * stroke.waves, 1.6 * stroke.waves);
   stroke.faults = static_cast<double>(run.summary.safety_events.size());
   return stroke;
+}
+
+void note(Touch touch, Surface surface, const Stroke& s, Table& table) {
+  add_row(table, {std::string(kTouches[static_cast<std::size_t>(touch)]),
+                  std::string(kSurfaces[static_cast<std::size_t>(surface)]), s.speed, s.waves, s.mean_force, s.deviation,
+                  s.band, s.at_waves, s.peak, s.faults});
+}
+
+/// What the relief adds where its waves pass in the band, the worst of the strokes.
+struct Added {
+  double over_smooth = 1e9, over_coarse = 1e9;  // force between 20 and 300 Hz over that of the other surfaces
+  double of_mean = 1e9;                         // what is more than on the smooth surface, over the mean force
+  double off = 0.0;                             // of the strongest frequency from that of the waves
+  double faults = 0.0;                          // of all strokes
+
+  void look_at(const Stroke& coarse, const Stroke& smooth, const Stroke& relief) {
+    faults += coarse.faults + smooth.faults + relief.faults;
+    if (relief.speed < kInBand) return;
+    over_smooth = std::min(over_smooth, relief.band / smooth.band);
+    over_coarse = std::min(over_coarse, relief.band / coarse.band);
+    const double more = relief.band * relief.band - smooth.band * smooth.band;
+    of_mean = std::min(of_mean, std::sqrt(std::max(more, 0.0)) / relief.mean_force);
+    off = std::max(off, std::fabs(relief.peak / relief.waves - 1.0));
+  }
+};
+
+}  // namespace
+
+void add_strokes(const Context& context, Outcome& outcome) {
+  Table table{.name = "strokes",
+              .columns = {"touch", "surface", "speed [m/s]", "waves pass at [Hz]", "mean force [N]",
+                          "deviation [N]", "20 to 300 Hz [N]", "at the waves [N]", "strongest at [Hz]",
+                          "safety events"}};
+  plot::Panel panel{.title = "Side of the head around the torus at 200 mm/s", .x = {.label = "time [s]"},
+                    .y = {.label = "feedback force [N]"}};
+  const std::vector<double> speeds =
+      context.quick ? std::vector{kInBand, 0.3} : std::vector{0.006, 0.02, 0.1, kInBand, 0.3, 0.4};
+  Added added;
+  for (const Touch touch : {Touch::side, Touch::face}) {
+    std::array<std::vector<Stroke>, 3> strokes;
+    for (const Surface surface : {Surface::coarse, Surface::smooth, Surface::relief}) {
+      const char* const name = kSurfaces[static_cast<std::size_t>(surface)];
+      tell(context, std::string(kTouches[static_cast<std::size_t>(touch)]) + ", " + name);
+      const auto session = open_session(touch, surface, context.quick ? 512 : 1024);
+      for (const double speed : speeds) {
+        if (context.quick && touch == Touch::face && speed > kInBand) continue;
+        const Stroke& s = strokes[static_cast<std::size_t>(surface)].emplace_back(stroke_at(*session, speed, 1.0));
+        note(touch, surface, s, table);
+        if (touch == Touch::side && speed == kInBand)
+          panel.series.push_back({.label = name, .x = s.time, .y = s.force});
+      }
+    }
+    for (std::size_t i = 0; i < strokes[0].size(); ++i) added.look_at(strokes[0][i], strokes[1][i], strokes[2][i]);
+  }
+  outcome.tables.push_back(std::move(table));
+  outcome.figure.panels.push_back(panel);
+  outcome.claims = {
+      at_least("textured", "force between 20 and 300 Hz with relief over that on the same surfaces without, with the side "
+                           "and the face of the head at 200 mm/s and more, the least", added.over_smooth, 2.0),
+      at_most("frequency", "strongest frequency off that at which the waves of the torus pass, the worst", added.off, 0.02),
+      at_most("stroke-faults", "safety events of the strokes", added.faults, 0.0),
+      stated("added", "what the relief adds there, over the mean force", added.of_mean),
+      stated("facets", "as `textured`, over the coarse surfaces alone", added.over_coarse)};
 }
 
 }  // namespace thigma::experiments::hammer_on_torus
