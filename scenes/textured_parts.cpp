@@ -52,14 +52,19 @@ struct Cells {
   int around = 0, along = 0;
 };
 
-/// A sheet over point(u, v, is_rough), the surface with and without relief. Its coarse corners lie on the rough one, where
-/// a simplification of it would have them: such a surface is about as far from convex as the text's coarse models.
+/// A sheet over point(u, v, is_rough), the surface with and without relief. Its coarse corners lie off the smooth one by a
+/// share of the relief, as those of a simplified scan do: about as far from convex as the text's coarse models.
 template <class Point>
 TexturedSheet sheet_of(const Point& point, Cells coarse, Cells fine) {
   TexturedSheet sheet;
   sheet.fine = [point](double u, double v) { return point(u, v, true); };
   sheet.smooth = [point](double u, double v) { return point(u, v, false); };
-  sheet.coarse = sheet.fine;
+  // Any share makes as many patches; the more, the farther corners are from where the fine surface is on average.
+  sheet.coarse = [point](double u, double v) {
+    constexpr double kShare = 0.2;
+    const Vec3 smooth = point(u, v, false), rough = point(u, v, true);
+    return Vec3(smooth + kShare * (rough - smooth));
+  };
   sheet.around = coarse.around;
   sheet.along = coarse.along;
   sheet.fine_around = fine.around;
