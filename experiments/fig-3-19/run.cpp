@@ -153,6 +153,8 @@ Outcome run_fig_3_19(const Context& context) {
     add_row(sweep, {1e-3 * factor, mean(std::span(b.front).last(kNear)), c.contact, c.steadier, c.far});
   }
   outcome.tables.push_back(std::move(sweep));
+  const Claim steadier = at_most("steadier", "coefficient of variation of the front with levels over that of the exact one",
+                                 found.steadier, 1.0);
   outcome.claims = {
       known_not_to(on_this_machine(at_most("contact",
                            "CPU time of a query with levels over the exact one, in the last 5 of 35 frames before the first impact",
@@ -160,9 +162,10 @@ Outcome run_fig_3_19(const Context& context) {
                    {"at d = radius / 1000 the exact query looks at a handful of finest pairs up to the first impact, which leaves "
                     "levels nothing to save; the larger d is, the more of them, and the less levels cost beside it",
                     "sweep.csv", 4.0}),
-      known_not_to(at_most("steadier", "coefficient of variation of the front with levels over that of the exact one",
-                           found.steadier, 1.0),
-                   {"for the same reason: the exact front does not leap either", "sweep.csv", 1.1}),
+      context.quick ? known_not_to(steadier, {"of models as small as these the exact front does not leap either up to the first "
+                                              "impact; with d larger, and more to look at, it does",
+                                              "sweep.csv", 1.1})
+                    : steadier,
       on_this_machine(at_least("far", "CPU time of a query with levels over the exact one, in the first 20 frames", found.far, 1.0)),
       stated("queries", "queries up to the first impact", queries)};
   outcome.figure = {.title = "Spoon into cup up to the first impact (Fig. 3.19)",
