@@ -8,6 +8,7 @@
 
 #include "scenes/ridge_profile.h"
 #include "scenes/textured_parts.h"
+#include "thigma/convex/count_patches.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/inspect.h"
 #include "thigma/mesh/measure.h"
@@ -95,6 +96,35 @@ TEST(TexturedSheet, fine_surfaces_have_no_cracks) {
     EXPECT_LT(crack, 0.05 * t.amplitude) << name;
     std::cout << name << ": cracks " << crack / t.amplitude << " of the amplitude, "
               << t.width << " x " << t.height << " texels\n";
+  }
+}
+
+// Table 4.1: 210, 390, 113 and 114 volumes over the coarse models of hammer, CAD part, file and torus. On smooth corners the
+// file was convex.
+TEST(TexturedSheet, coarse_models_are_about_as_far_from_convex_as_the_texts) {
+  const std::map<std::string, int> volumes = {{"hammer", 210}, {"cad_part", 390}, {"file", 113}, {"helicoidal_torus", 114}};
+  for (const auto& [name, wanted] : volumes) {
+    const TriangleMesh coarse = make_texture(make_textured_sheets(textured_part(name), 200), name).coarse;
+    const int nodes = 2 * count_convex_patches(coarse) - 1;
+    EXPECT_GE(2 * nodes, wanted) << name;
+    EXPECT_LE(nodes, 2 * wanted) << name;
+  }
+  EXPECT_EQ(count_convex_patches(make_texture(make_textured_sheets(textured_part("gear"), 200), "gear").coarse), 1);
+}
+
+// The control of experiments: the same surface without its relief.
+TEST(TexturedSheet, smooth_surfaces_lie_within_the_relief_of_the_fine_ones) {
+  for (const char* name : kParts) {
+    for (const TexturedSheet& sheet : textured_part(name)) {
+      double off = 0.0;
+      Random random(3);
+      for (int i = 0; i < 2000; ++i) {
+        const double u = random.uniform(), v = random.uniform();
+        off = std::max(off, (sheet.fine(u, v) - sheet.smooth(u, v)).norm());
+      }
+      EXPECT_GT(off, 1e-4) << name;
+      EXPECT_LE(off, 1.001e-3) << name;
+    }
   }
 }
 
