@@ -160,14 +160,14 @@ std::vector<Claim> make_claims(const std::vector<double>& left) {
                       "published just-noticeable difference (7 %); below it, which is not to say "
                       "imperceptible",
                       100.0 * kept, 100.0 * kDifference, "%"),
-              kWhyNot),
+              {kWhyNot, "data.csv", 150.0}),
           at_least("lost", "smallest loss of modulation at s0 >= 10 %: more than that difference",
                    100.0 * lost, 100.0 * kDifference, "%"),
           known_not_to(within("between",
                               "threshold at which the change first exceeds it; the source's users: "
                               "2.5 to 5 %",
                               crossing(left), 1.0, 10.0, "%"),
-                       kWhyNot)};
+                       {kWhyNot, "data.csv", 20.0, 0.05})};
 }
 
 }  // namespace

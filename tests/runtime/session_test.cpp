@@ -1,6 +1,7 @@
 #include "thigma/runtime/session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
@@ -147,6 +148,49 @@ TEST(Session, StalledContactThreadFadesAndLatches) {
   ASSERT_EQ(s.safety_events.size(), 1u);
   EXPECT_EQ(s.safety_events[0].detail, "contact_stale");
   EXPECT_EQ(device.applied_wrench().force, Vec3::Zero());
+}
+
+/// A handle that holds the cube from the start and goes 20 mm down within 0.2 s from 0.5 s on.
+class SinkingDevice final : public HapticDevice {
+ public:
+  const DeviceLimits& limits() const override { return device_limits; }
+  std::string name() const override { return "sinking"; }
+  DeviceState read(double now) THIGMA_RT override {
+    DeviceState state;
+    state.time = now;
+    state.buttons = kClutchButton;
+    state.motion.pose.position.z() = -0.02 * std::clamp((now - 0.5) / 0.2, 0.0, 1.0);
+    return state;
+  }
+  void write(const Wrench&) THIGMA_RT override {}
+
+  DeviceLimits device_limits;
+};
+
+/// Events "deep_contact" of a cube let down 15 mm below a plane.
+std::vector<SessionEvent> deep_contacts(const char* faults) {
+  SessionConfig config = patient_session();
+  config.duration = 1.2;
+  config.deep_contact = 5e-3;
+  config.faults = parse_faults(faults);
+  SinkingDevice device;
+  std::vector<SessionEvent> told;
+  const auto tell = [&](const SessionEvent& e) {
+    if (e.kind == "deep_contact") told.push_back(e);
+  };
+  Session session(config, device, {{}, {}, tell});
+  session.start();
+  session.finish();
+  return told;
+}
+
+TEST(Session, TellsOfContactsThatAreDeepOnAnOldModel) {
+  // The contact thread stands still while the hand lets the cube down.
+  const std::vector<SessionEvent> told = deep_contacts("stall=0.4@0.45");
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].detail, "contact_model_too_old");
+  EXPECT_GE(told[0].time, 0.8);
+  EXPECT_NE(told[0].text.find("mm deep"), std::string::npos) << told[0].text;
 }
 
 TEST(Session, ASinkThatThrowsEndsTheSessionInOrder) {

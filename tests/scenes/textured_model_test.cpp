@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scenes/ridge_profile.h"
 #include "thigma/core/error.h"
 #include "thigma/math/elementary.h"
 #include "thigma/math/random.h"
@@ -46,13 +47,28 @@ TEST(TexturedModel, PlateHasTheRidgesOfTheText) {
 }
 
 TEST(TexturedModel, BlocksLieInEachOther) {
-  const HapticTexture block = make_textured_model({"striped_block", 512});
-  // Where one is high, the other, turned over about y, is low.
-  for (int i = 0; i < 512; i += 37) {
-    const double up = displacement_at(block, Vec2(i, 100)).z(),
-                 down = displacement_at(block, Vec2(511 - i, 100)).z();
-    EXPECT_NEAR(up, -down, 1e-9);
+  for (const char* name : {"striped_block", "ridged_block"}) {
+    const HapticTexture block = make_textured_model({name, 512});
+    // Where one is high, the other, turned over about y, is low.
+    for (int i = 0; i < 512; i += 37) {
+      const double up = displacement_at(block, Vec2(i, 100)).z(),
+                   down = displacement_at(block, Vec2(511 - i, 100)).z();
+      EXPECT_NEAR(up, -down, 1e-9) << name;
+    }
   }
+}
+
+// As on a tooth: a quarter of the way each on top, in the groove and on either flank.
+TEST(TexturedModel, RidgedBlockHasFlatTopsAndGrooves) {
+  const HapticTexture block = make_textured_model({"ridged_block", 2000});
+  int on_top = 0, in_groove = 0, all = 0;
+  for (int i = 0; i < 2000; ++i, ++all) {
+    const double z = displacement_at(block, Vec2(i, 700)).z();
+    on_top += z > 0.999 * 0.5 * kRidgeHeight;
+    in_groove += z < -0.999 * 0.5 * kRidgeHeight;
+  }
+  EXPECT_NEAR(on_top, all / 4, all / 100);
+  EXPECT_NEAR(in_groove, all / 4, all / 100);
 }
 
 void expect_no_push_along_ridges(const HapticTexture& block) {

@@ -74,21 +74,30 @@ void follow_clutch(const HapticParams& params, const DeviceState& device, bool i
 struct Touch {
   std::int32_t count = 0;                                         // terms within reach
   double penetration = -std::numeric_limits<double>::infinity();  // deepest [m]
+  double sunk = 0.0;  // how much deeper that one is than at the state the model was made for [m]
 };
+
+double depth_at(const PlaneTerm& t, const BodyState& y) THIGMA_RT {
+  const Vec3 point = y.position + y.orientation._transformVector(t.arm_body);
+  return t.normal.dot(point - t.scene_point);
+}
 
 Touch touch(const LinearContactModel& model, const BodyState& y) THIGMA_RT {
   Touch result;
   for (const PlaneTerm& t : model.planes) {
-    const Vec3 point = y.position + y.orientation._transformVector(t.arm_body);
-    const double depth = t.normal.dot(point - t.scene_point);
+    const double depth = depth_at(t, y);
     if (depth + t.tolerance > 0.0) ++result.count;
-    if (depth > result.penetration) result.penetration = depth;
+    if (!(depth > result.penetration)) continue;
+    result.penetration = depth;
+    result.sunk = depth - depth_at(t, model.state);
   }
   for (std::size_t i = 0; i < model.depths.size(); ++i) {
     const DepthTerm& t = model.depths[i];
     const double depth = depth_at(t, model.state, y, bend_of(model, i));
     if (depth + t.tolerance > 0.0) ++result.count;
-    if (depth > result.penetration) result.penetration = depth;
+    if (!(depth > result.penetration)) continue;
+    result.penetration = depth;
+    result.sunk = depth - depth_at(t, model.state, model.state, bend_of(model, i));
   }
   result.count += static_cast<std::int32_t>(model.taylors.size());
   return result;
@@ -261,6 +270,7 @@ HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports,
   sample.body = state.body;
   sample.penetration = touching.penetration;
   sample.touching = touching.count;
+  sample.sunk = touching.sunk;
   sample.stretch = coupling_stretch(state.coupling, sample.handle.pose, state.body).linear.norm();
   sample.energy = state.energy.energy;
   sample.is_grasped = state.is_grasped;

@@ -127,7 +127,7 @@ SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device,
   const auto haptic_tally = std::make_unique<HapticTally>();
   const auto contacts = std::make_unique<LockstepContacts>(config, sinks);
   reserve_contact_scratch(config.contact, contacts->scratch);
-  EventDetector events(sinks.event);
+  EventDetector events(sinks.event, detail::deep_contact_limits(config));
 
   contacts->step({state.body, 0.0, 0}, 0.0, 0);  // the first frame has a model
   const SessionEnd end =

@@ -38,7 +38,7 @@ struct Session::Impl {
         params(config.haptic),
         haptic_ring(std::max<std::size_t>(config.telemetry_frames, 1)),
         contact_ring(std::max<std::size_t>(config.telemetry_models, 1)),
-        events(sinks.event) {
+        events(sinks.event, detail::deep_contact_limits(config)) {
     params.device = device_in.limits();
     state = initial_state(params, config.world_from_body);
     ports = {device.get(), &models, &bodies, &haptic_ring};

@@ -36,6 +36,7 @@ struct HapticSample {
   double model_weight = 0.0;  // 1 fresh .. 0 stale
   double penetration =
       0.0;               // deepest contact of the model at the new state; -infinity: none near [m]
+  double sunk = 0.0;     // how much deeper that contact is than when the model was made; not recorded [m]
   double stretch = 0.0;  // of the coupling: handle to grasp point [m; world]
   double energy = 0.0;   // the hand has put in so far at the device's port [J]
   std::int32_t touching = 0;  // contact terms that push
