@@ -32,7 +32,7 @@ void timed_contact_step(const SessionConfig& config, const StampedBody& at, Cont
 
 /// Turns samples into events, as they change. A fault of the watchdog says how long nothing stepped;
 /// a hand that holds the object for a second and never gets a contact model young enough to arm is
-/// told so once.
+/// told so once. What was late and is ridden out is told each time and only counted in the summary.
 class EventDetector {
  public:
   explicit EventDetector(std::function<void(const SessionEvent&)> sink) : sink_(std::move(sink)) {}
@@ -45,12 +45,16 @@ class EventDetector {
  private:
   std::function<void(const SessionEvent&)> sink_;
   void look_for_old_models(const HapticSample& sample);
+  void look_for_late(const HapticSample& sample);
+  void tell_late(const HapticSample& sample, Fault cause, const char* text);
 
   std::vector<SessionEvent> safety_events_;
   std::vector<std::string> texts_;
   bool was_grasped_ = false, was_armed_ = false, has_told_of_old_models_ = false;
   double grasp_time_ = 0.0;      // [s; session clock]
   double youngest_model_ = 0.0;  // since then, while unarmed: age [s]
+  double last_time_ = 0.0;       // of the frame before [s; session clock]
+  double last_weight_ = 1.0;     // of its model
   Fault last_fault_ = Fault::none;
 };
 
