@@ -76,6 +76,7 @@ void LiveRoom::Impl::closed(PageId page) {
 
 void LiveRoom::Impl::began(const LiveStart& start) {
   now_running = start;
+  send_events();  // nothing of the session before is told as of this one
   state.session += 1;
   state.run = "running";
   state.reason = "";
