@@ -189,8 +189,10 @@ void read_device(TomlTable table, DeviceChoice& device) {
   table.finish();
 }
 
-void read_safety(TomlTable table, SafetyLimits& safety, bool& is_passive) {
-  is_passive = table.truth("passivity").value_or(is_passive);
+void read_safety(TomlTable table, SceneDescription& scene) {
+  SafetyLimits& safety = scene.safety;
+  scene.is_passive = table.truth("passivity").value_or(scene.is_passive);
+  scene.is_strict = table.truth("strict").value_or(scene.is_strict);
   const auto read = [&](const char* key, double& value) {
     value = table.number(key, Range::positive).value_or(value);
   };
@@ -258,7 +260,7 @@ SceneDescription parse_scene(std::string_view text, const std::string& file,
   if (auto table = top.table("texture")) read_texture_keys(*table, scene.contact.texture);
   if (auto table = top.table("coupling")) read_coupling(*table, scene.coupling);
   if (auto table = top.table("device")) read_device(*table, scene.device);
-  if (auto table = top.table("safety")) read_safety(*table, scene.safety, scene.is_passive);
+  if (auto table = top.table("safety")) read_safety(*table, scene);
   if (auto table = top.table("solver")) read_solver(*table, scene);
   top.table("simulation");  // read by simulated_body.h
   top.finish();  // before what is missing: a misspelt [object] is named as such

@@ -170,6 +170,9 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene, const s
   json["coupling_stretch_max"] = s.stretch_max;
   json["energy_min"] = s.energy_min;
   json["passivity"] = passivity(s.passivity);
+  json["ridden_out"] = {{"gaps", s.ridden_out.gaps},
+                        {"longest_gap_ms", 1e3 * s.ridden_out.longest_gap},
+                        {"stale_models", s.ridden_out.stale_models}};
   json["dropped_samples"] = s.dropped_samples;
   json["safety_events"] = Json::array();
   for (const SessionEvent& event : s.safety_events) {
@@ -257,6 +260,13 @@ std::string run_summary_text(const SessionSummary& s) {
     append(text,
            "passivity        %.1f %% of the frames changed, %.1f %% of the wanted wrench sent, damping at most %.1f N s/m\n",
            100.0 * s.passivity.acted_share, 100.0 * s.passivity.sent_share, s.passivity.damping_max);
+  }
+  if (s.ridden_out.gaps + s.ridden_out.stale_models > 0) {
+    append(text,
+           "late             %llu times no step for too long (%.1f ms at most), %llu times the contact "
+           "model too old: zero force, then on again, as nobody is held\n",
+           static_cast<unsigned long long>(s.ridden_out.gaps), 1e3 * s.ridden_out.longest_gap,
+           static_cast<unsigned long long>(s.ridden_out.stale_models));
   }
   for (const SessionEvent& event : s.safety_events) {
     append(text, "FAULT            %s at %.3f s; zero force since\n", event.detail.c_str(),

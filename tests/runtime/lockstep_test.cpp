@@ -141,6 +141,19 @@ TEST(Lockstep, WatchdogLeavesSlackAtLowRates) {
   EXPECT_EQ(s.safety_events[0].text, "watchdog: 450.0 ms without a haptic step");
 }
 
+TEST(Lockstep, AHangIsAFaultUnlessGapsAreRiddenOut) {
+  for (const bool rides_out : {false, true}) {
+    SessionConfig config = plane_session();
+    config.haptic.safety.rides_out_gaps = rides_out;
+    config.faults = parse_faults("hang=0.1@0.2");
+    HandDevice device(plane_hand(HandPath::press, 0.005));
+    const SessionSummary s = run_lockstep(config, device);
+    EXPECT_EQ(s.end, rides_out ? SessionEnd::duration : SessionEnd::fault);
+    EXPECT_EQ(s.safety_events.size(), rides_out ? 0u : 1u);
+    EXPECT_EQ(s.ridden_out.gaps, rides_out ? 1u : 0u);
+  }
+}
+
 TEST(Lockstep, SaysOnceThatNothingArmsBecauseTheContactModelIsTooOld) {
   HeldDevice device;
   SessionConfig config = plane_session();

@@ -110,11 +110,45 @@ TEST(Session, WatchdogSendsZeroForceWhileTheHapticThreadHangs) {
   ASSERT_EQ(s.end, SessionEnd::fault);
   ASSERT_EQ(s.safety_events.size(), 1u);
   EXPECT_EQ(s.safety_events[0].detail, "watchdog");
+  EXPECT_GE(s.safety_events[0].time, 0.2 + config.haptic.safety.watchdog);  // not before it can have acted
   EXPECT_GE(s.missed, 250u);
   // More writes than frames: the watchdog's own, while nobody else wrote.
   EXPECT_GT(static_cast<std::uint64_t>(device.writes), s.frames + 1);
   EXPECT_EQ(device.written.force, Vec3::Zero());
   EXPECT_EQ(recorder.samples.back().command.force, Vec3::Zero());
+}
+
+TEST(Session, AGapIsToldCountedAndReplayedWhereNobodyIsHeld) {
+  SessionConfig config = patient_session();
+  config.haptic.safety.watchdog = 0.020;
+  config.haptic.safety.rides_out_gaps = true;
+  config.faults = parse_faults("hang=0.3@0.2");
+  HandDevice device(plane_hand(HandPath::press, 0.005));
+  Recorder recorder;
+  std::vector<SessionEvent> late;
+  SessionSinks sinks = recorder.sinks();
+  sinks.event = [&](const SessionEvent& event) {
+    if (event.kind == "late") late.push_back(event);
+  };
+  Session session(config, device, sinks);
+  session.start();
+  const SessionSummary s = session.finish();
+  EXPECT_EQ(s.end, SessionEnd::duration);
+  EXPECT_TRUE(s.safety_events.empty());
+  ASSERT_GE(s.ridden_out.gaps, 1u);  // others are the machine's
+  EXPECT_GE(s.ridden_out.longest_gap, 0.299);
+  EXPECT_EQ(late.size(), s.ridden_out.gaps + s.ridden_out.stale_models);
+  EXPECT_EQ(late[0].detail, "watchdog");
+  HapticParams params = config.haptic;
+  params.device = device.limits();
+  const ReplayReport replay =
+      replay_session(params, config.world_from_body, recorder.samples, recorder.models);
+  EXPECT_TRUE(replay.identical) << replay.first_difference << ' ' << replay.reason;
+  for (const HapticSample& sample : recorder.samples) {
+    if (rode_out_gap(sample)) {
+      EXPECT_EQ(sample.command.force, Vec3::Zero());
+    }
+  }
 }
 
 TEST(Session, WatchdogWatchesFromTheStartAndSaysHowLongNothingStepped) {

@@ -114,6 +114,7 @@ silent_device = 0.06
 model_full_age = 0.02
 model_stale_age = 0.04
 watchdog = 0.03
+strict = true
 [solver]
 integrator = "implicit"
 rate = 2000
@@ -179,6 +180,8 @@ contact_latency = 2
   EXPECT_EQ(s.safety.model_full_age, 0.02);
   EXPECT_EQ(s.safety.model_stale_age, 0.04);
   EXPECT_EQ(s.safety.watchdog, 0.03);
+  EXPECT_TRUE(s.is_strict);
+  EXPECT_FALSE(SceneDescription{}.is_strict);
   EXPECT_EQ(s.rate, 2000.0);
   EXPECT_EQ(s.contact_every, 3);
   EXPECT_EQ(s.contact_latency, 2);

@@ -155,7 +155,9 @@ std::size_t find_row(const std::vector<TimedPose>& rows, double time, std::size_
 class ScriptDevice final : public HapticDevice {
  public:
   ScriptDevice(std::vector<TimedPose> script, const DeviceLimits& limits)
-      : script_(std::move(script)), limits_(limits) {}
+      : script_(std::move(script)), limits_(limits) {
+    limits_.holds_person = false;
+  }
 
   const DeviceLimits& limits() const override { return limits_; }
   std::string name() const override { return "script"; }

@@ -126,7 +126,11 @@ void read_inputs(const HapticParams& params, const HapticPorts& ports, const Hap
   sample.step_cpu = state.step_cpu;
   sample.wake_late = state.wake_late;
   sample.device = ports.device->read(tick.now);
-  if (tick.external_fault != Fault::none) latch_fault(safety, tick.external_fault, tick.now);
+  if (tick.external_fault == Fault::watchdog && params.safety.rides_out_gaps) {
+    ride_out_gap(safety, tick.now);
+  } else if (tick.external_fault != Fault::none) {
+    latch_fault(safety, tick.external_fault, tick.now);
+  }
   const bool is_usable = check_device(params.safety, sample.device, tick.now, tick.elapsed, safety);
   if (is_usable && sample.device.status != DeviceStatus::not_ready) {
     state.last_device = sample.device;
@@ -239,6 +243,11 @@ void send_wrench(const HapticParams& params, const HapticPorts& ports,
 }
 
 }  // namespace
+
+void use_device_limits(const DeviceLimits& limits, HapticParams& params) {
+  params.device = limits;
+  if (limits.holds_person) params.safety.rides_out_gaps = false;
+}
 
 HapticState initial_state(const HapticParams& params, const Pose& world_from_body) THIGMA_RT {
   HapticState state;

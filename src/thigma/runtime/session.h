@@ -54,9 +54,9 @@ struct SessionConfig {
 struct SessionEvent {
   double time = 0.0;  // session clock [s]
   std::uint64_t frame = 0;
-  std::string kind;  // "fault", "resumed", "grasped", "released", "armed", "disarmed", "not_armed",
+  std::string kind;  // "fault", "resumed", "late", "grasped", "released", "armed", "disarmed", "not_armed",
                      // "deep_contact"
-  std::string detail;  // for "fault" and "resumed": its name
+  std::string detail;  // for "fault", "resumed" and "late": the fault's name
   std::string text{};  // more, for a person: how long nothing stepped, why nothing arms, how deep; or empty
 };
 
@@ -127,6 +127,7 @@ struct SessionSummary {
   double stretch_max = 0.0;      // of the coupling [m]
   double energy_min = 0.0;       // at the device's port, <= 0 [J]
   PassivitySummary passivity;
+  RiddenOut ridden_out;
   std::uint64_t dropped_samples = 0;  // of either ring
   std::uint64_t dropped_contacts = 0;
   std::vector<SessionEvent> safety_events;

@@ -20,6 +20,13 @@ void tally(HapticTally& tally, const HapticSample& sample, std::int64_t step_cpu
   tally.torque_square_sum += torque2;
   tally.penetration_max = std::max(tally.penetration_max, sample.penetration);
   if (sample.is_grasped) tally.stretch_max = std::max(tally.stretch_max, sample.stretch);
+  if (rode_out_gap(sample)) {
+    ++tally.ridden_out.gaps;
+    tally.ridden_out.longest_gap = std::max(tally.ridden_out.longest_gap, sample.time - tally.last_time);
+  }
+  tally.ridden_out.stale_models += rode_out_model(sample, tally.last_weight) ? 1 : 0;
+  tally.last_time = sample.time;
+  tally.last_weight = rode_out_gap(sample) ? 0.0 : sample.model_weight;
 }
 
 void tally(HapticTally& tally, const StageTimes& times) THIGMA_RT {

@@ -111,6 +111,25 @@ void EventDetector::look_for_deep_contacts(const HapticSample& sample) {
   add({sample.time, sample.frame, "deep_contact", "contact_model_too_old", text});
 }
 
+void EventDetector::look_for_late(const HapticSample& sample) {
+  char text[120];
+  if (rode_out_gap(sample)) {
+    std::snprintf(text, sizeof text, "%.1f ms without a haptic step; nobody is held: zero force, then the ramp anew",
+                  1e3 * (sample.time - last_time_));
+    tell_late(sample, Fault::watchdog, text);
+  } else if (rode_out_model(sample, last_weight_)) {
+    std::snprintf(text, sizeof text, "contact model %.1f ms old; nobody is held: zero force, then the ramp anew",
+                  1e3 * sample.model_age);
+    tell_late(sample, Fault::contact_stale, text);
+  }
+  last_time_ = sample.time;
+  last_weight_ = rode_out_gap(sample) ? 0.0 : sample.model_weight;
+}
+
+void EventDetector::tell_late(const HapticSample& sample, Fault cause, const char* text) {
+  if (sink_) sink_({sample.time, sample.frame, "late", fault_name(cause), text});
+}
+
 void EventDetector::look_at(const HapticSample& sample, double longest_gap) {
   const auto tell = [&](const char* kind, const char* detail) {
     add({sample.time, sample.frame, kind, detail, {}});
@@ -124,6 +143,7 @@ void EventDetector::look_at(const HapticSample& sample, double longest_gap) {
   }
   if (sample.fault == Fault::none && last_fault_ != Fault::none)
     tell("resumed", fault_name(last_fault_));
+  look_for_late(sample);
   look_for_old_models(sample);
   look_for_deep_contacts(sample);
   if (sample.is_grasped != was_grasped_) tell(sample.is_grasped ? "grasped" : "released", "");
@@ -203,6 +223,7 @@ SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic,
   s.penetration_max = haptic.penetration_max;
   s.stretch_max = haptic.stretch_max;
   s.energy_min = state.energy.energy_min;
+  s.ridden_out = haptic.ridden_out;
   s.passivity = summarize(config.haptic.passivity, state.passivity);
   s.dropped_contacts = contact.dropped;
   s.state_hash = haptic.hash.value;

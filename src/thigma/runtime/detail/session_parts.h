@@ -40,7 +40,7 @@ DeepContactLimits deep_contact_limits(const SessionConfig& config) noexcept;
 /// Turns samples into events, as they change. A fault of the watchdog says how long nothing stepped;
 /// a hand that holds the object for a second and never gets a contact model young enough to arm is
 /// told so once. A contact that is deep, and came to be so unseen by a model, is told once for as long as it lasts, the
-/// first of a session with words.
+/// first of a session with words. What was late and is ridden out is told each time and only counted in the summary.
 class EventDetector {
  public:
   EventDetector(std::function<void(const SessionEvent&)> sink, const DeepContactLimits& limits)
@@ -55,6 +55,8 @@ class EventDetector {
   std::function<void(const SessionEvent&)> sink_;
   void look_for_old_models(const HapticSample& sample);
   void look_for_deep_contacts(const HapticSample& sample);
+  void look_for_late(const HapticSample& sample);
+  void tell_late(const HapticSample& sample, Fault cause, const char* text);
 
   std::vector<SessionEvent> safety_events_;
   std::vector<std::string> texts_;
@@ -65,6 +67,8 @@ class EventDetector {
   double last_depth_ = 0.0, last_age_ = 0.0;    // [m, s]
   double grasp_time_ = 0.0;      // [s; session clock]
   double youngest_model_ = 0.0;  // since then, while unarmed: age [s]
+  double last_time_ = 0.0;       // of the frame before [s; session clock]
+  double last_weight_ = 1.0;     // of its model
   Fault last_fault_ = Fault::none;
 };
 
