@@ -54,5 +54,14 @@ TEST(File, a_failed_write_leaves_the_old_file) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(File, only_a_whole_byte_order_mark_before_a_text_is_skipped) {
+  EXPECT_EQ(without_byte_order_mark("\xEF\xBB\xBF"
+                                    "v 0"),
+            "v 0");
+  EXPECT_EQ(without_byte_order_mark("\xEF\xBB\xBF"), "");
+  for (const char* text : {"", "v 0", "\xEF\xBB", "\xBB\xBF", " \xEF\xBB\xBF"})
+    EXPECT_EQ(without_byte_order_mark(text), text);
+}
+
 }  // namespace
 }  // namespace thigma

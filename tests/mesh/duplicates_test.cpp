@@ -71,7 +71,8 @@ void expect_restored(const TriangleMesh& damaged, const TriangleMesh& whole) {
 }
 
 /// Triangles reached over edges from a first one, breadth first.
-std::vector<std::size_t> neighbours(const TriangleMesh& mesh, std::size_t first, std::size_t count) {
+std::vector<std::size_t> neighbours(const TriangleMesh& mesh, std::size_t first,
+                                    std::size_t count) {
   const EdgeTable table = build_edge_table(mesh);
   std::vector<bool> is_reached(mesh.triangles.size(), false);
   std::vector<std::size_t> reached(1, first);
@@ -172,8 +173,9 @@ TEST(Duplicates, random_sets_of_doubled_faces_leave_the_surface) {
   }
 }
 
-/// A sheet of 2 x 2 squares upright on the top of a box, along a line of the top's edges.
-TriangleMesh fin_of(const TriangleMesh& box, std::size_t triangle, std::size_t side, double height) {
+/// Two triangles upright on one edge of a surface around the origin.
+TriangleMesh fin_of(const TriangleMesh& box, std::size_t triangle, std::size_t side,
+                    double height) {
   TriangleMesh fin;
   fin.positions = box.positions;
   const std::int32_t a = box.triangles[triangle][side];

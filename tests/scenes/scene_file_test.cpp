@@ -32,6 +32,10 @@ TEST(SceneFile, LeastSceneTakesDefaults) {
   EXPECT_EQ(scene.safety.force_slew, SafetyLimits{}.force_slew);
 }
 
+TEST(SceneFile, AByteOrderMarkIsSkipped) {
+  EXPECT_EQ(message_of(std::string("\xEF\xBB\xBF") + kLeast), "");
+}
+
 TEST(SceneFile, LevelsOfDetailAreTheDefaultAndTheCapCanBeOff) {
   const Resolution least = parse_scene(kLeast, "S.toml", "").contact.resolution;
   EXPECT_FALSE(least.is_exact);

@@ -19,4 +19,10 @@ std::string read_file(const std::string& path);
 /// Thread    [offline]; throws IoError, and nothing has changed.
 void write_file(const std::string& path, std::string_view bytes);
 
+/// A text without the UTF-8 byte order mark that editors may put before it. Every reader of text
+/// skips it.
+///
+/// Thread    [any]
+[[nodiscard]] std::string_view without_byte_order_mark(std::string_view text) noexcept;
+
 }  // namespace thigma
