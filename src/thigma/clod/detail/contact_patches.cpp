@@ -79,6 +79,7 @@ void measure_level(const TriangleMesh& mesh, const ConvexDecomposition& decompos
   const DeviationTarget target = build_deviation_target(level.mesh);
   std::int32_t guess = 0;
   for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
+    if (level.patch_of_triangle[t] < 0) continue;
     double& deviation = h.contact_patches[first + at(level.patch_of_triangle[t])].deviation;
     deviation = bound_deviation(original, corners(level.mesh, static_cast<std::int32_t>(t)), reach,
                                 deviation, guess);
@@ -101,6 +102,7 @@ std::vector<LevelPatches> list_level_patches(const Simplification& s) {
     patches.triangles.resize(at(level.patch_count));
     patches.vertices.resize(at(level.patch_count));
     for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
+      if (level.patch_of_triangle[t] < 0) continue;
       const std::size_t patch = at(level.patch_of_triangle[t]);
       patches.triangles[patch].push_back(static_cast<std::int32_t>(t));
       for (const std::int32_t v : level.mesh.triangles[t]) patches.vertices[patch].push_back(v);
