@@ -226,6 +226,7 @@ void read_solver(TomlTable table, SceneDescription& scene) {
 }
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
+  check_toml_letters(without_byte_order_mark(text), file);
   try {
     return toml::parse(without_byte_order_mark(text), file);
   } catch (const toml::parse_error& error) {

@@ -6,7 +6,8 @@
 
 namespace thigma {
 
-/// All bytes of a file, a regular one or a pipe, of at most 4 GiB.
+/// All bytes of a file, a regular one or a pipe, of at most 4 GiB. A pipe that nobody has opened for
+/// writing within two seconds is none that will be.
 ///
 /// Thread    [offline]; throws InputError when it cannot be opened or read: what a user names as
 /// input is input.
