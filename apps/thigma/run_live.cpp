@@ -284,7 +284,7 @@ class LiveRun {
     RunOptions options = options_;
     options.scene = options.object = options.against = options.pose_text = options.response =
         options.texture = "";
-    options.scale = 1.0;
+    options.scale.reset();
     options.is_repair = false;
     return options;
   }
