@@ -228,8 +228,9 @@ void read_solver(TomlTable table, SceneDescription& scene) {
 }
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
+  check_toml_letters(without_byte_order_mark(text), file);
   try {
-    return toml::parse(text, file);
+    return toml::parse(without_byte_order_mark(text), file);
   } catch (const toml::parse_error& error) {
     std::string what(error.description());
     for (char& c : what) {

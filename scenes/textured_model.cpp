@@ -39,7 +39,7 @@ const TexturedInfo& find_model(std::string_view name, const std::string& where) 
   std::string all;
   for (const std::string& known : names()) all += " " + known;
   throw InputError(where + ": no procedural texture '" + std::string(name.substr(0, 60)) +
-                   "', expected " + (nearest.empty() ? "one of" + all : "'" + nearest + "'"));
+                   "', expected " + (nearest.empty() ? "" : "'" + nearest + "', ") + "one of" + all);
 }
 
 void check_texels(int texels, const std::string& where) {

@@ -211,6 +211,16 @@ TriangleMesh load_surface(const ClodSource& source, const Tell& tell) {
   return mesh;
 }
 
+double check_source(const ClodSource& source) {
+  const bool is_model = scenes::is_model_uri(source.name);
+  if (is_model) {  // of a known size; making one takes time
+    scenes::parse_model_uri(source.name, source.role);
+    return 0.0;
+  }
+  if (is_clod_file(source.name)) return read_clod(source.name, source.scale).hierarchy.radius;
+  return enclosing_ball(load_surface(source).positions).radius;
+}
+
 ClodAsset load_clod(const ClodSource& source, const Tell& tell) {
   const bool is_model = scenes::is_model_uri(source.name);
   if (!is_model && is_clod_file(source.name)) return read_clod(source.name, source.scale);

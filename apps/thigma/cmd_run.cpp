@@ -204,6 +204,11 @@ SessionSummary run_with_page(const RunOptions& options, const Common& common, We
   return run_live(program);
 }
 
+int refuse(int code, const std::string& why) {
+  tell_error(why);
+  return code;
+}
+
 int run_verb(const RunOptions& asked, const Common& common) {
   std::function<void(const std::string&)> tell;  // empty: nothing is told, no progress either
   if (!common.quiet) {
@@ -211,8 +216,11 @@ int run_verb(const RunOptions& asked, const Common& common) {
   }
   RunOptions options = asked;
   if (!options.replay.empty()) use_recorded_scene(options);
+  scenes::SceneDescription scene = read_run_scene(options);
+  if (const std::string wrong = check_meshes(scene, options); !wrong.empty())
+    return refuse(kUsage, "run: " + wrong);
   WebLink link;
-  std::unique_ptr<Run> run = prepare_run(read_run_scene(options), options, common.seed,
+  std::unique_ptr<Run> run = prepare_run(std::move(scene), options, common.seed,
                                          {tell, {}, has_page(options) ? &link : nullptr});
   const SignalGuard signals;
   bool is_whole = true;
@@ -240,11 +248,6 @@ int run_verb(const RunOptions& asked, const Common& common) {
   if (summary.end == SessionEnd::fault) return kSafetyFault;
   if (!is_whole) return kFailed;
   return summary.end == SessionEnd::stopped ? kInterrupted : kDone;
-}
-
-int refuse(int code, const std::string& why) {
-  tell_error(why);
-  return code;
 }
 
 }  // namespace

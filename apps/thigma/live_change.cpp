@@ -25,7 +25,7 @@ RunOptions scene_options(const RunOptions& now) {
   RunOptions options = now;
   options.scene = options.object = options.against = options.pose_text = options.response =
       options.texture = "";
-  options.scale = 1.0;
+  options.scale.reset();
   options.is_repair = false;
   return options;
 }

@@ -65,7 +65,8 @@ void add_resolution_options(CLI::App& verb, ResolutionOptions& o) {
       "most surface deviation of a contact, a fraction of the smaller radius, or off (the default)");
   verb.add_option("--budget-us", o.budget_us,
                   "CPU time of a query [us]; what is left coarse for it shows in the bounds");
-  verb.add_option("--budget-tests", o.budget_tests, "the same in pairs looked at: reproducible");
+  verb.add_option("--budget-tests", o.budget_tests, "the same in pairs looked at: reproducible")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
   verb.add_option("--metric", o.metric,
                   "haptic, velocity=ALPHA, view=N,l,n,f,i, or several joined by +");
 }

@@ -23,6 +23,9 @@
 namespace thigma::app {
 namespace {
 
+// Of a mesh without a unit: what a hand holds is smaller, and in millimetres a thing of 1 mm is larger [m].
+constexpr double kLargestRadius = 1.0;
+
 /// The hierarchy of a mesh at full resolution, as an asset.
 ClodAsset build_exact(const ClodSource& source, const Tell& tell) {
   ClodAsset asset;
@@ -219,9 +222,35 @@ void prepare_simulation(const scenes::SimulatedBody& body, std::uint64_t seed, R
 
 scenes::SceneDescription read_run_scene(const RunOptions& options) {
   if (!options.scene.empty()) return scenes::read_scene(options.scene);
-  return scenes::scene_from_pair(options.object, options.against, options.scale,
+  return scenes::scene_from_pair(options.object, options.against, options.scale.value_or(1.0),
                                  options.pose_text.empty() ? Pose{}
                                                            : *parse_pose(options.pose_text));
+}
+
+std::string check_meshes(const scenes::SceneDescription& scene, const RunOptions& options) {
+  std::vector<const scenes::SceneObject*> objects(1, &scene.object);
+  for (const scenes::SceneObject& other : scene.statics) objects.push_back(&other);
+  double largest = 0.0;
+  std::string name;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const scenes::SceneObject& object = *objects[i];
+    if (object.is_textured || object.model) continue;
+    const double radius = check_source({.name = object.mesh,
+                                        .role = i == 0 ? "--object" : "--against",
+                                        .scale = object.unit_scale,
+                                        .is_repair = options.is_repair});
+    if (radius > largest) name = object.mesh;
+    largest = std::max(largest, radius);
+  }
+  if (options.object.empty() || options.scale || largest <= kLargestRadius) return "";
+  double scale = 1e-3;
+  while (largest * scale > kLargestRadius) scale *= 1e-3;
+  char line[512];
+  std::snprintf(line, sizeof line,
+                "%.300s: a radius of %.3g m, which no hand feels; --scale %g where it is in %s, --scale 1 where it "
+                "is meant",
+                name.c_str(), largest, scale, scale == 1e-3 ? "mm" : "smaller units");
+  return line;
 }
 
 SessionSummary simulate_run(Run& run, const SessionConfig& config, bool is_paced, const SessionSinks& sinks,

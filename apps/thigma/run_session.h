@@ -58,6 +58,13 @@ struct RunHooks {
 /// Thread   [offline]. InputError.
 scenes::SceneDescription read_run_scene(const RunOptions& options);
 
+/// Looks at all meshes of a scene before anything is built, since that may take minutes.
+///
+/// returns  "", or a sentence on the use of --scale: a pair of meshes without it of which one is larger than a
+///          hand could feel (exit code 2)
+/// Thread   [offline]. InputError for the first that cannot be used.
+std::string check_meshes(const scenes::SceneDescription& scene, const RunOptions& options);
+
 /// Loads or builds levels of detail, places the object, opens the device.
 ///
 /// Thread   [offline]. InputError, IoError, DeviceAddressError, DeviceUnavailable,

@@ -32,6 +32,26 @@ TEST(SceneFile, LeastSceneTakesDefaults) {
   EXPECT_EQ(scene.safety.force_slew, SafetyLimits{}.force_slew);
 }
 
+TEST(SceneFile, AByteOrderMarkIsSkipped) {
+  EXPECT_EQ(message_of(std::string("\xEF\xBB\xBF") + kLeast), "");
+}
+
+TEST(SceneFile, LettersBeyondAsciiAreTextOrCommentsOnly) {
+  const std::string e = "\xC3\xA9";
+  for (const std::string& line :
+       {e + " = 1\n", "\n" + e + "\n", "a" + e + " = 1\n", "a = " + e + "\n", "[" + e + "]\n",
+        std::string("\xFF\n"), "a = \"x\"" + e + "\n", "a = \"\"\"x\"\"\"\"" + e + "\n"}) {
+    const std::string message = message_of(line + kLeast);
+    EXPECT_NE(message.find("beyond ASCII"), std::string::npos) << message;
+    EXPECT_NE(message.find("line "), std::string::npos) << message;
+  }
+  for (const std::string& line :
+       {"title = \"" + e + " \\\" " + e + "\" # " + e + "\n", "title = '" + e + "\\' # '" + e + "\n",
+        "title = \"\"\"\n" + e + " \\\"\"\" " + e + "\"\"\"\n", "title = \'\'\'\n" + e + "\'\'\'\n",
+        "# " + e + "\n"})
+    EXPECT_EQ(message_of(line + kLeast), "") << line;
+}
+
 TEST(SceneFile, LevelsOfDetailAreTheDefaultAndTheCapIsOffUnlessAskedFor) {
   const Resolution least = parse_scene(kLeast, "S.toml", "").contact.resolution;
   EXPECT_FALSE(least.is_exact);

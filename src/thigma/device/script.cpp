@@ -193,7 +193,7 @@ std::vector<TimedPose> parse_script(std::istream& text, const std::string& name)
   std::size_t number = 0;
   while (std::getline(text, line)) {
     ++number;
-    const std::string_view content = trimmed(line);
+    const std::string_view content = trimmed(number == 1 ? without_byte_order_mark(line) : line);
     if (content.empty() || content.front() == '#') continue;
     if (columns == 0) {
       columns = columns_of_header(content, name, number);

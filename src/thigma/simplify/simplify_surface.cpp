@@ -124,30 +124,56 @@ void renew_candidates(Loop& loop, std::int32_t v) {
   for (const std::int32_t w : ring) push_around(w);
 }
 
+bool has_area(const PatchedSurface& s, std::int32_t t) { return s.height[at(t)] > 0.0; }
+
+/// Place of the patch, or of the nearest over edges that has one; the first where none is connected.
+std::int32_t nearest_place(const PatchedSurface& s, const std::vector<std::int32_t>& place,
+                           std::int32_t patch) {
+  if (place[at(patch)] >= 0) return place[at(patch)];
+  std::vector<std::int32_t> reached = s.patches[at(patch)].triangles;
+  std::vector<bool> is_reached(s.mesh.triangles.size(), false);
+  for (const std::int32_t t : reached) is_reached[at(t)] = true;
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    for (std::int32_t k = 0; k < 3; ++k) {
+      const std::int32_t beside = s.mesh.twin[at(3 * reached[i] + k)];
+      if (beside < 0 || is_reached[at(beside / 3)]) continue;
+      const std::int32_t other = s.patch_of[at(beside / 3)];
+      if (other >= 0 && place[at(other)] >= 0) return place[at(other)];
+      is_reached[at(beside / 3)] = true;
+      reached.push_back(beside / 3);
+    }
+  return 0;
+}
+
+/// As in the original, triangles without an area are in no patch: they have no normal to be felt
+/// by. A patch of which nothing else is left is none, and what it stood for goes with its neighbour.
 void keep_level(Loop& loop) {
   const PatchedSurface& s = loop.surface;
   std::vector<std::int32_t> place(s.patches.size(), -1), live;
   for (std::size_t i = 0; i < s.patches.size(); ++i) {
-    if (s.patches[i].triangles.empty()) continue;
+    const auto& own = s.patches[i].triangles;
+    if (std::none_of(own.begin(), own.end(), [&](std::int32_t t) { return has_area(s, t); }))
+      continue;
     place[i] = static_cast<std::int32_t>(live.size());
     live.push_back(static_cast<std::int32_t>(i));
   }
+  if (live.empty()) return;
   auto& before = loop.result.levels.back();
   for (const std::int32_t patch : loop.last_level)
-    before.parent.push_back(place[at(find_live(loop.successor, patch))]);
+    before.parent.push_back(nearest_place(s, place, find_live(loop.successor, patch)));
   CompactMesh small = compact(s.mesh);
   SimplifiedLevel level;
   level.mesh = std::move(small.mesh);
   level.attributes = std::move(small.attributes);
   for (const std::int32_t t : small.triangles)
-    level.patch_of_triangle.push_back(place[at(s.patch_of[at(t)])]);
+    level.patch_of_triangle.push_back(has_area(s, t) ? place[at(s.patch_of[at(t)])] : -1);
   if (!loop.support.empty())
     for (const std::int32_t v : small.vertices) level.support.push_back(loop.support[at(v)]);
   level.patch_count = static_cast<std::int32_t>(live.size());
   level.resolution = edge_resolution(Vec3(loop.longest, 0, 0), Vec3::Zero(), Vec3::Zero());
+  loop.kept = level.patch_count;
   loop.result.levels.push_back(std::move(level));
   loop.last_level = std::move(live);
-  loop.kept = s.patch_count;
   loop.kept_triangles = s.mesh.triangle_count;
 }
 

@@ -38,7 +38,7 @@ struct SimplifyParams {
 /// Invariant: patch p owns the triangles t with patch_of_triangle[t] == p.
 struct SimplifiedLevel {
   TriangleMesh mesh;                            // [m; body frame]
-  std::vector<std::int32_t> patch_of_triangle;  // -1: level 0, without area (m)
+  std::vector<std::int32_t> patch_of_triangle;  // -1: without area (m)
   std::int32_t patch_count = 0;
   std::vector<std::int32_t> parent;  // patch of the next level that took each patch; empty in the
                                      // last level. Vanished patches went to one beside them.

@@ -80,9 +80,11 @@ void measure_level(const TriangleMesh& mesh, const ConvexDecomposition& decompos
   const double rounding = 1e-12 * h.radius;  // of what is measured
   std::vector<DeviationRange> range(at(level.patch_count), DeviationRange{0.0, rounding});
   std::int32_t guess = 0;
-  for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t)
+  for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
+    if (level.patch_of_triangle[t] < 0) continue;
     extend_deviation(original, corners(level.mesh, static_cast<std::int32_t>(t)), reach,
                      range[at(level.patch_of_triangle[t])], guess);
+  }
   guess = 0;
   for (std::size_t p = 0; p < decomposition.patches.size(); ++p) {
     DeviationRange& of_patch = range[at(above[p]) - first];
@@ -103,6 +105,7 @@ std::vector<LevelPatches> list_level_patches(const Simplification& s) {
     patches.triangles.resize(at(level.patch_count));
     patches.vertices.resize(at(level.patch_count));
     for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
+      if (level.patch_of_triangle[t] < 0) continue;
       const std::size_t patch = at(level.patch_of_triangle[t]);
       patches.triangles[patch].push_back(static_cast<std::int32_t>(t));
       for (const std::int32_t v : level.mesh.triangles[t]) patches.vertices[patch].push_back(v);
