@@ -72,6 +72,9 @@ struct ContactSample {
   std::int32_t level_changes = 0;    // contacts that were refined or coarsened since the last frame
   double bound_max = 0.0;            // of the contacts [m]
   LevelCounts object_levels{}, scene_levels{};
+  // Not recorded: what replays recompute.
+  std::int32_t texture_depths = 0;  // that textures gave
+  std::int32_t texture_folds = 0;   // of these, where a fine surface is no height field at the deepest place
   LinearContactModel model;
 };
 static_assert(RtPayload<ContactSample>);
