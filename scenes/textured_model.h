@@ -15,7 +15,7 @@ namespace thigma::scenes {
 /// What to make.
 struct TexturedRequest {
   std::string name;  // one of textured_models()
-  int texels = 0;    // along a side of the map; 0 = the model's own default
+  int texels = 0;    // along a side of the map, of sheets the root of all texels; 0 = the model's own default
 };
 
 struct TexturedInfo {

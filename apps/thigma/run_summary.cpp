@@ -157,6 +157,7 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene, const s
       {"bound_max", s.bound_max},
       {"unrefined", s.unrefined},
       {"level_changes", s.level_changes},
+      {"texture", {{"depths", s.texture_depths}, {"not_height_field", s.texture_folds}}},
       {"levels",
        {{"object", level_shares(s.object_levels)}, {"scene", level_shares(s.scene_levels)}}}};
   json["levels"] = {{"decided_by", deciders(s)},

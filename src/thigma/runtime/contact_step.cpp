@@ -121,6 +121,12 @@ void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch
   }
   sample.mandatory_tests = scratch.contacts.stats.mandatory_tests;
   sample.unrefined = scratch.contacts.stats.unrefined;
+  sample.texture_depths = sample.texture_folds = 0;
+  for (std::size_t i = 0; i < scratch.textures.contacts.size(); ++i) {
+    if (!scratch.textures.samples[i].is_found) continue;
+    ++sample.texture_depths;
+    sample.texture_folds += scratch.textures.samples[i].is_height_field ? 0 : 1;
+  }
   sample.level_changes = 0;
   sample.triangles_below = 0.0;
   if (!world.resolution.is_exact) {

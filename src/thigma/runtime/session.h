@@ -115,6 +115,7 @@ struct SessionSummary {
   DurationSummary model_age;                                          // [s]
   double tests_mean = 0.0, mandatory_tests_mean = 0.0;  // pairs looked at, over updates
   std::uint64_t unrefined = 0, level_changes = 0;       // contacts, sums over updates
+  std::uint64_t texture_depths = 0, texture_folds = 0;  // depths by textures; of these where a surface is no height field
   double bound_max = 0.0;                               // of all contacts [m]
   std::array<std::uint64_t, kLevelBins> object_levels{}, scene_levels{};  // contacts, sums
   std::array<std::uint64_t, kLevelDeciders> decided_by{};  // contacts, sums, by LevelDecision

@@ -47,6 +47,8 @@ void tally(ContactTally& tally, const ContactSample& sample) THIGMA_RT {
   tally.mandatory_tests += static_cast<std::uint64_t>(sample.mandatory_tests);
   tally.unrefined += static_cast<std::uint64_t>(sample.unrefined);
   tally.level_changes += static_cast<std::uint64_t>(sample.level_changes);
+  tally.texture_depths += static_cast<std::uint64_t>(sample.texture_depths);
+  tally.texture_folds += static_cast<std::uint64_t>(sample.texture_folds);
   tally.bound_max = std::max(tally.bound_max, sample.bound_max);
   for (std::size_t i = 0; i < tally.object_levels.size(); ++i) {
     tally.object_levels[i] += static_cast<std::uint64_t>(sample.object_levels[i]);

@@ -52,6 +52,7 @@ struct ContactTally {
   DurationHistogram query_cpu, model_cpu, step_cpu;  // model: clusters and their linearization
   std::uint64_t tests = 0, mandatory_tests = 0, unrefined = 0,
                 level_changes = 0;                                        // sums over updates
+  std::uint64_t texture_depths = 0, texture_folds = 0;                    // likewise
   double bound_max = 0.0;                                                 // [m]
   std::array<std::uint64_t, kLevelBins> object_levels{}, scene_levels{};  // contacts, sums
   std::array<std::uint64_t, kLevelDeciders> decided_by{};  // contacts, sums

@@ -79,6 +79,9 @@ struct ContactSample {
   std::array<std::int32_t, kLevelDeciders> decided_by{};  // contacts, by LevelDecision; not recorded
   double triangles_below = 0.0;  // of the original, below a contact, mean of both sides, sum over contacts; 0 of an exact
                                  // query; not recorded
+  // Not recorded: what replays recompute.
+  std::int32_t texture_depths = 0;  // that textures gave
+  std::int32_t texture_folds = 0;   // of these, where a fine surface is no height field at the deepest place
   LinearContactModel model;
 };
 static_assert(RtPayload<ContactSample>);

@@ -209,6 +209,8 @@ SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic,
   s.mandatory_tests_mean = static_cast<double>(contact.mandatory_tests) / updates;
   s.unrefined = contact.unrefined;
   s.level_changes = contact.level_changes;
+  s.texture_depths = contact.texture_depths;
+  s.texture_folds = contact.texture_folds;
   s.bound_max = contact.bound_max;
   s.object_levels = contact.object_levels;
   s.scene_levels = contact.scene_levels;
