@@ -108,7 +108,7 @@ plot::Series curve(const char* label, const std::vector<Sight>& all, double Sigh
 
 Outcome run_fig_3_18(const Context& context) {
   using namespace fig_3_18;
-  SpoonDrop drop = spoon_drop(*context.assets, context.quick ? 8000 : 0);
+  SpoonDrop drop = spoon_drop(*context.assets, context.quick ? 20'000 : 0);
   const double impact = first_impact_speed(drop);
   const double alpha = kCoarsest * drop.radius / impact, seconds = context.quick ? 0.6 : 2.0;
   const Fall fall = play(drop, seconds, alpha, kNoCap);
@@ -134,7 +134,7 @@ Outcome run_fig_3_18(const Context& context) {
                 "choose from",
                 fall.deepest, least_deep);
   Claim deepest = at_most("deepest", "penetration that a query sees over the tolerance, at most", fall.deepest, 1.0);
-  if (!deepest.holds) deepest = known_not_to(deepest, {reason, "sweep.csv", 20.0});
+  if (!deepest.holds) deepest = known_not_to(deepest, {reason, "sweep.csv", context.quick ? 75.0 : 45.0});
   Claim triangles = at_least("triangles", "triangles of the levels in slow contacts over those in fast ones (the source: roughly 10)",
                              coarser.triangles, 5.0);
   outcome.claims = {

@@ -265,7 +265,7 @@ TEST(SceneFile, WrongScenesNamePlaceAndExpectation) {
        {"contact.threshold"}},
       {"[object]\nmesh = \"procedural:ball\"\n[contact]\nresponse = \"dirct\"\n",
        4,
-       {"one of coupled direct"}},
+       {"one of penalty coupled direct"}},
       {"[object]\nmesh = \"procedural:ball\"\n[contact]\nstifness = 1\n",
        4,
        {"contact.stifness", "'stiffness'"}},
