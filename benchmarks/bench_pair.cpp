@@ -95,8 +95,8 @@ BenchPair make_pair(const PairRequest& request) {
   pair.object_mesh = model_mesh(scene.object, request.object_model, request.object_triangles, 1.0);
   pair.scene_mesh = model_mesh(scene.statics.front(), request.scene_model, request.scene_triangles,
                                request.scene_scale);
-  pair.object = build_measured(pair.object_mesh, request.tolerance, pair.object_cost);
-  pair.scene = build_measured(pair.scene_mesh, request.tolerance, pair.scene_cost);
+  pair.object = build_measured(pair.object_mesh, pair.object_cost);
+  pair.scene = build_measured(pair.scene_mesh, pair.scene_cost);
   pair.radius = std::min(pair.object.radius, pair.scene.radius);
   pair.tolerance = request.tolerance * pair.radius;
   const Pose scene_from_world = inverse(scene.statics.front().world_from_mesh);

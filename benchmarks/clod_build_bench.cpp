@@ -27,10 +27,8 @@ void reset_peak() {
 
 }  // namespace
 
-ClodHierarchy build_measured(const TriangleMesh& mesh, double contact_tolerance,
-                             ClodBuildCost& cost) {
+ClodHierarchy build_measured(const TriangleMesh& mesh, ClodBuildCost& cost) {
   ClodParams params;
-  params.contact_tolerance = contact_tolerance;
   params.threads = cost.threads;
   reset_peak();
   const std::int64_t before = status_bytes("VmRSS");
@@ -75,7 +73,7 @@ std::vector<Row> clod_build_rows(bool quick) {
   std::vector<Row> rows;
   for (const scenes::ModelRequest& model : models) {
     ClodBuildCost cost;
-    build_measured(scenes::make_model(model), 0.01, cost);
+    build_measured(scenes::make_model(model), cost);
     rows.push_back(build_row(model.name, cost));
   }
   return rows;

@@ -21,9 +21,8 @@ struct ClodBuildCost {
   int threads = 2;
 };
 
-/// Builds, and says what it cost. contact_tolerance as in ClodParams. Thread [offline].
-ClodHierarchy build_measured(const TriangleMesh& mesh, double contact_tolerance,
-                             ClodBuildCost& cost);
+/// Builds, and says what it cost. Thread [offline].
+ClodHierarchy build_measured(const TriangleMesh& mesh, ClodBuildCost& cost);
 
 /// A row of it.
 Row build_row(const std::string& model, const ClodBuildCost& cost);

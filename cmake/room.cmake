@@ -15,6 +15,17 @@ function(thigma_room name)
   set_property(GLOBAL APPEND PROPERTY THIGMA_ROOMS ${name})
 endfunction()
 
+# thigma_test_program(NAME SOURCES ... DEPENDS ...): the executable alone, for who adds its ctest entries himself.
+function(thigma_test_program name)
+  cmake_parse_arguments(P "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${name} ${P_SOURCES})
+  add_dependencies(thigma_test_programs ${name})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR})
+  target_compile_definitions(${name} PRIVATE THIGMA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${name} PRIVATE ${P_DEPENDS} GTest::gtest GTest::gtest_main thigma_warnings)
+  thigma_precompile(${name} tests <gtest/gtest.h>)
+endfunction()
+
 # thigma_test(NAME [THREADS] [REALTIME] SOURCES ... DEPENDS ...): tests/<room>/<file>_test.cpp of one room in one executable.
 # THREADS: it starts threads, or a program that does; REALTIME: it calls functions marked THIGMA_RT. The thread and the
 # real-time sanitizer can find nothing in the others, which are left out there; the address sanitizer runs them all.
@@ -26,12 +37,7 @@ function(thigma_test name)
   if((THIGMA_SANITIZE STREQUAL "thread" AND NOT T_THREADS) OR (THIGMA_SANITIZE STREQUAL "realtime" AND NOT T_REALTIME))
     return()
   endif()
-  add_executable(${name} ${T_SOURCES})
-  add_dependencies(thigma_test_programs ${name})
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR})
-  target_compile_definitions(${name} PRIVATE THIGMA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  target_link_libraries(${name} PRIVATE ${T_DEPENDS} GTest::gtest GTest::gtest_main thigma_warnings)
-  thigma_precompile(${name} tests <gtest/gtest.h>)
+  thigma_test_program(${name} SOURCES ${T_SOURCES} DEPENDS ${T_DEPENDS})
   if(NOT T_LABEL)
     set(T_LABEL unit)
   endif()

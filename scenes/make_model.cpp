@@ -26,8 +26,7 @@ std::string quoted(std::string_view text) {
 
 std::string meant(std::string_view word, const std::vector<std::string>& known) {
   const std::string nearest = nearest_word(word, known);
-  if (!nearest.empty()) return "expected '" + nearest + "'";
-  std::string all = "expected one of";
+  std::string all = nearest.empty() ? "expected one of" : "expected '" + nearest + "', one of";
   for (const std::string& k : known) all += " " + k;
   return all;
 }

@@ -86,6 +86,7 @@ struct SceneDescription {
   CouplingGains coupling;
   DeviceChoice device;
   SafetyLimits safety;
+  bool is_strict = false;  // late frames are faults even where the device holds nobody
   bool is_passive = false;                     // with the passivity controller
   double rate = 1000.0;                        // of haptic frames [Hz]
   int contact_every = 1, contact_latency = 1;  // lockstep, see SessionConfig

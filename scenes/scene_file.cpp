@@ -149,8 +149,8 @@ void read_contact(TomlTable table, ContactGains& contact) {
   contact.is_shared = table.truth("shared").value_or(contact.is_shared);
   contact.is_spread = table.truth("spread").value_or(contact.is_spread);
   read_resolution(table, contact.resolution);
-  if (const auto response = table.choice("response", {"coupled", "direct"})) {
-    contact.response = *response == 0 ? ResponseKind::coupled : ResponseKind::direct;
+  if (const auto response = table.choice("response", {"penalty", "coupled", "direct"})) {
+    contact.response = *response == 2 ? ResponseKind::direct : ResponseKind::coupled;
   }
   if (contact.damping && contact.damping_ratio) {
     table.fail("damping_ratio", "stands beside damping", "expected one of the two");
@@ -189,8 +189,10 @@ void read_device(TomlTable table, DeviceChoice& device) {
   table.finish();
 }
 
-void read_safety(TomlTable table, SafetyLimits& safety, bool& is_passive) {
-  is_passive = table.truth("passivity").value_or(is_passive);
+void read_safety(TomlTable table, SceneDescription& scene) {
+  SafetyLimits& safety = scene.safety;
+  scene.is_passive = table.truth("passivity").value_or(scene.is_passive);
+  scene.is_strict = table.truth("strict").value_or(scene.is_strict);
   const auto read = [&](const char* key, double& value) {
     value = table.number(key, Range::positive).value_or(value);
   };
@@ -226,8 +228,9 @@ void read_solver(TomlTable table, SceneDescription& scene) {
 }
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
+  check_toml_letters(without_byte_order_mark(text), file);
   try {
-    return toml::parse(text, file);
+    return toml::parse(without_byte_order_mark(text), file);
   } catch (const toml::parse_error& error) {
     std::string what(error.description());
     for (char& c : what) {
@@ -258,7 +261,7 @@ SceneDescription parse_scene(std::string_view text, const std::string& file,
   if (auto table = top.table("texture")) read_texture_keys(*table, scene.contact.texture);
   if (auto table = top.table("coupling")) read_coupling(*table, scene.coupling);
   if (auto table = top.table("device")) read_device(*table, scene.device);
-  if (auto table = top.table("safety")) read_safety(*table, scene.safety, scene.is_passive);
+  if (auto table = top.table("safety")) read_safety(*table, scene);
   if (auto table = top.table("solver")) read_solver(*table, scene);
   top.table("simulation");  // read by simulated_body.h
   top.finish();  // before what is missing: a misspelt [object] is named as such

@@ -13,7 +13,8 @@
 namespace thigma::scenes {
 
 std::optional<SimulatedBody> parse_simulated_body(std::string_view text, const std::string& file) {
-  const toml::table root = toml::parse(text, file);
+  check_toml_letters(without_byte_order_mark(text), file);
+  const toml::table root = toml::parse(without_byte_order_mark(text), file);
   TomlTable top(root, file, "");
   std::optional<TomlTable> keys = top.table("simulation");
   if (!keys) return std::nullopt;

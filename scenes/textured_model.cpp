@@ -17,22 +17,13 @@ constexpr int kLeastTexels = 16, kMostTexels = 8192;
 // Sec. 5.5.4: a plate of 35 x 35 cm with sinusoidal ridges 8 mm high; their distance is not told.
 constexpr double kPlateSide = 0.35, kPlateRidge = 0.008, kPlatePitch = 0.035;
 // Fig. 4.11: striped blocks that lie in each other; no size is told.
-constexpr double kBlockLong = 0.08, kBlockWide = 0.06, kBlockHigh = 0.02, kStripe = 0.002,
-                 kStripePitch = 0.010;
+constexpr double kBlockLong = 0.08, kBlockWide = 0.06, kBlockHigh = 0.02;
 
 HapticTexture make_ridged_plate(int texels) {
   const TexturedSlab slab{{kPlateSide, kPlateSide, 0.010}, texels, [](double x, double) {
                             return 0.5 * kPlateRidge * sine(2.0 * kPi * x / kPlatePitch);
                           }};
   return make_texture(make_textured_slab(slab), "ridged_plate");
-}
-
-/// Stripes along y. Turned over about y, x becomes -x: two such blocks lie in each other because a sine is odd.
-HapticTexture make_striped_block(int texels) {
-  const TexturedSlab slab{{kBlockLong, kBlockWide, kBlockHigh}, texels, [](double x, double) {
-                            return 0.5 * kStripe * sine(2.0 * kPi * x / kStripePitch);
-                          }};
-  return make_texture(make_textured_slab(slab), "striped_block");
 }
 
 std::vector<std::string> names() {
@@ -48,7 +39,7 @@ const TexturedInfo& find_model(std::string_view name, const std::string& where) 
   std::string all;
   for (const std::string& known : names()) all += " " + known;
   throw InputError(where + ": no procedural texture '" + std::string(name.substr(0, 60)) +
-                   "', expected " + (nearest.empty() ? "one of" + all : "'" + nearest + "'"));
+                   "', expected " + (nearest.empty() ? "" : "'" + nearest + "', ") + "one of" + all);
 }
 
 void check_texels(int texels, const std::string& where) {
@@ -79,7 +70,8 @@ const std::vector<TexturedInfo>& textured_models() {
   static const std::vector<TexturedInfo> list = {
       {"ridged_plate", 1024, "plate of 350 x 350 x 10 mm with sinusoidal ridges, 8 mm high"},
       {"striped_block", 1024, "block of 80 x 60 x 20 mm with stripes, 2 mm high, 10 mm apart"},
-      {"gear", 1024, "gear of 80 mm with 20 teeth, grooves 0.4 mm high along its rim"},
+      {"ridged_block", 1024, "the same block with flat-topped ridges, 2 mm high, 10 mm apart"},
+      {"gear", 1024, "gear of 80 mm, 24 mm wide, with 25 teeth like the ridges of the block"},
       {"hammer", 1024, "hammer of 240 mm, head and handle with knobs up to 0.6 mm high"},
       {"cad_part", 1024, "flange of 100 x 100 x 46 mm with a boss, rough by 0.45 mm"},
       {"file", 1024, "cross-cut file of 200 x 22 x 6 mm, cuts 0.3 mm high, 3 mm apart"},
@@ -93,7 +85,11 @@ HapticTexture make_textured_model(const TexturedRequest& request) {
   const int texels = request.texels == 0 ? info.texels : request.texels;
   check_texels(texels, "texture");
   if (request.name == "ridged_plate") return make_ridged_plate(texels);
-  if (request.name == "striped_block") return make_striped_block(texels);
+  // Stripes along y. Turned over about y, x becomes -x: two such blocks lie in each other because a profile is odd.
+  if (request.name == "striped_block")
+    return make_block([](double turns) { return sine(2.0 * kPi * turns); }, texels, request.name);
+  if (request.name == "ridged_block")
+    return make_block([](double turns) { return flat_ridge(turns); }, texels, request.name);
   const std::vector<TexturedSheet> sheets = textured_part(request.name);
   return make_texture(make_textured_sheets(sheets, texels), request.name);
 }
@@ -115,6 +111,13 @@ TexturedRequest parse_textured_uri(std::string_view uri, const std::string& wher
     throw InputError(where + ": unknown key or value, expected texels=N");
   check_texels(request.texels, where);
   return request;
+}
+
+HapticTexture make_block(const RidgeProfile& ridges, int texels, const std::string& name) {
+  const TexturedSlab slab{{kBlockLong, kBlockWide, kBlockHigh}, texels, [&](double x, double) {
+                            return 0.5 * kRidgeHeight * ridges(x / kRidgePitch);
+                          }};
+  return make_texture(make_textured_slab(slab), name);
 }
 
 TextureSource make_textured_slab(const TexturedSlab& slab) {

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scenes/ridge_profile.h"
+
 #include "thigma/texture/haptic_texture.h"
 
 namespace thigma::scenes {
@@ -13,7 +15,7 @@ namespace thigma::scenes {
 /// What to make.
 struct TexturedRequest {
   std::string name;  // one of textured_models()
-  int texels = 0;    // along a side of the map; 0 = the model's own default
+  int texels = 0;    // along a side of the map, of sheets the root of all texels; 0 = the model's own default
 };
 
 struct TexturedInfo {
@@ -46,5 +48,9 @@ struct TexturedSlab {
   std::function<double(double x, double y)> height;
 };
 TextureSource make_textured_slab(const TexturedSlab& slab);
+
+/// The block of Fig. 4.11, 80 x 60 x 20 mm, with ridges of a profile across x, 2 mm high and 10 mm apart.
+/// Thread [offline].
+HapticTexture make_block(const RidgeProfile& ridges, int texels, const std::string& name);
 
 }  // namespace thigma::scenes

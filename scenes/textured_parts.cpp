@@ -52,12 +52,19 @@ struct Cells {
   int around = 0, along = 0;
 };
 
-/// A sheet over point(u, v, is_fine), which both of its surfaces have in common.
+/// A sheet over point(u, v, is_rough), the surface with and without relief. Its coarse corners lie off the smooth one by a
+/// share of the relief, as those of a simplified scan do: about as far from convex as the text's coarse models.
 template <class Point>
 TexturedSheet sheet_of(const Point& point, Cells coarse, Cells fine) {
   TexturedSheet sheet;
-  sheet.coarse = [point](double u, double v) { return point(u, v, false); };
   sheet.fine = [point](double u, double v) { return point(u, v, true); };
+  sheet.smooth = [point](double u, double v) { return point(u, v, false); };
+  // Any share makes as many patches; the more, the farther corners are from where the fine surface is on average.
+  sheet.coarse = [point](double u, double v) {
+    constexpr double kShare = 0.2;
+    const Vec3 smooth = point(u, v, false), rough = point(u, v, true);
+    return Vec3(smooth + kShare * (rough - smooth));
+  };
   sheet.around = coarse.around;
   sheet.along = coarse.along;
   sheet.fine_around = fine.around;
@@ -68,10 +75,10 @@ TexturedSheet sheet_of(const Point& point, Cells coarse, Cells fine) {
 /// Cross-cut file: 200 x 22 x 6 mm, cuts of 0.3 mm, 3 mm apart, on both broad sides.
 TexturedSheet file_sheet() {
   const std::vector<Station> stations = bar_stations(0.200, 38);
-  const auto point = [stations](double u, double v, bool is_fine) {
+  const auto point = [stations](double u, double v, bool is_rough) {
     const Station s = station_at(stations, v);
     const Vec2 at = s.width * box_section(u, 0.011, 0.003);
-    if (!is_fine) return Vec3(at.x(), at.y(), s.z);
+    if (!is_rough) return Vec3(at.x(), at.y(), s.z);
     const double across = at.x() / 0.003, along = s.z / 0.003;
     const double cut = 0.5 * (sine(kTurn * (along + across)) + sine(kTurn * (along - 0.7 * across)));
     const double side = std::clamp(at.y() / 0.003, -1.0, 1.0);
@@ -86,10 +93,10 @@ TexturedSheet cad_sheet() {
       {0.0, 0.0},    {0.35, 0.0},   {0.7, 0.0},    {0.97, 0.0},  {1.0, 0.004}, {1.0, 0.012},
       {1.0, 0.021},  {0.97, 0.025}, {0.80, 0.025}, {0.63, 0.025}, {0.48, 0.026}, {0.44, 0.030},
       {0.42, 0.037}, {0.40, 0.044}, {0.36, 0.046}, {0.18, 0.046}, {0.0, 0.046}};
-  const auto point = [stations](double u, double v, bool is_fine) {
+  const auto point = [stations](double u, double v, bool is_rough) {
     const Station s = station_at(stations, v);
     const Vec2 at = s.width * box_section(u, 0.050, 0.050);
-    if (!is_fine) return Vec3(at.x(), at.y(), s.z);
+    if (!is_rough) return Vec3(at.x(), at.y(), s.z);
     // Up on level parts, outwards on steep ones.
     const Station before = station_at(stations, std::max(v - 0.01, 0.0)),
                   after = station_at(stations, std::min(v + 0.01, 1.0));
@@ -109,11 +116,11 @@ TexturedSheet cad_sheet() {
 TexturedSheet bar_sheet(const std::vector<Station>& stations, double radius, int axis,
                         const Vec3& middle, double knob) {
   const int along = static_cast<int>(stations.size()) - 1;
-  const auto point = [=](double u, double v, bool is_fine) {
+  const auto point = [=](double u, double v, bool is_rough) {
     const Station s = station_at(stations, v);
     const SinCos at = sin_cos(kTurn * u);
     const double relief = knob * sine(kTurn * 12.0 * u) * sine(kTurn * s.z / 0.006);
-    const double r = s.width * (radius + (is_fine ? relief * away_from_poles(v, along) : 0.0));
+    const double r = s.width * (radius + (is_rough ? relief * away_from_poles(v, along) : 0.0));
     const Vec3 p(r * at.cos, r * at.sin, s.z);
     return Vec3(middle + (axis == 2 ? p : Vec3(p.z(), p.x(), p.y())));
   };
@@ -134,9 +141,9 @@ std::vector<TexturedSheet> hammer_sheets() {
 
 /// Ring of 120 mm with a tube of 40 mm, wound about by ridges of 0.6 mm.
 TexturedSheet torus_sheet() {
-  const auto point = [](double u, double v, bool is_fine) {
+  const auto point = [](double u, double v, bool is_rough) {
     const SinCos a = sin_cos(kTurn * u), b = sin_cos(kTurn * v);
-    const double r = 0.020 + (is_fine ? 3e-4 : 0.0) * sine(kTurn * (40.0 * u + 6.0 * v));
+    const double r = 0.020 + (is_rough ? 3e-4 : 0.0) * sine(kTurn * (40.0 * u + 6.0 * v));
     const double out = 0.060 + r * b.cos;
     return Vec3(out * a.cos, out * a.sin, r * b.sin);
   };
@@ -145,32 +152,37 @@ TexturedSheet torus_sheet() {
   return sheet;
 }
 
-/// 20 teeth of 4 mm on a wheel of 80 mm, grooved along them.
-TexturedSheet gear_sheet() {
-  const std::vector<Station> stations = {
-      {0.0, -0.006},  {0.33, -0.006}, {0.66, -0.006}, {1.0, -0.006}, {1.0, -0.0036}, {1.0, -0.0012},
-      {1.0, 0.0012}, {1.0, 0.0036},  {1.0, 0.006},   {0.66, 0.006}, {0.33, 0.006},  {0.0, 0.006}};
-  const auto point = [stations](double u, double v, bool is_fine) {
+}  // namespace
+
+TexturedSheet make_gear_sheet(const RidgeProfile& teeth) {
+  constexpr double kHalfWidth = 0.012, kTooth = 0.5 * kRidgeHeight;
+  constexpr int kTeeth = 25, kRows = 5;  // of the rim
+  constexpr double kRadius = kTeeth * kRidgePitch / kTurn, kRoot = (kRadius - kTooth) / kRadius;
+  // The teeth rise from the root over the first and last row of the rim: no edge of the coarse wheel lies under relief.
+  std::vector<Station> stations = {{0.0, -kHalfWidth}, {0.33, -kHalfWidth}, {0.66, -kHalfWidth}};
+  for (int i = 0; i <= kRows; ++i)
+    stations.push_back({i == 0 || i == kRows ? kRoot : 1.0, kHalfWidth * (2.0 * i / kRows - 1.0)});
+  for (const double width : {0.66, 0.33, 0.0}) stations.push_back({width, kHalfWidth});
+  const auto point = [stations, teeth](double u, double v, bool is_rough) {
     const Station s = station_at(stations, v);
-    // Four stations a tooth: up, top, down, root.
-    const double tooth = 20.0 * u - std::floor(20.0 * u);
-    const double rise = std::clamp(tooth < 0.5 ? 4.0 * tooth : 4.0 * (0.75 - tooth), 0.0, 1.0);
-    const double groove = is_fine && s.width == 1.0 ? 2e-4 * sine(kTurn * s.z / 0.003) : 0.0;
-    const double r = s.width * (0.036 + 0.004 * rise + groove);
+    const double height = std::clamp(0.5 * kRows * (1.0 - std::fabs(s.z) / kHalfWidth), 0.0, 1.0);
+    // A groove, not a flank, half way around.
+    const double tooth = is_rough ? kTooth * height * teeth(kTeeth * u + 0.25) : 0.0;
+    const double r = s.width * kRadius + tooth;
     const SinCos at = sin_cos(kTurn * u);
     return Vec3(r * at.cos, r * at.sin, s.z);
   };
-  return sheet_of(point, {80, 11}, {160, 81});
+  TexturedSheet sheet = sheet_of(point, {80, 11}, {400, 33});
+  sheet.coarse = sheet.smooth;
+  return sheet;
 }
-
-}  // namespace
 
 std::vector<TexturedSheet> textured_part(std::string_view name) {
   if (name == "file") return {file_sheet()};
   if (name == "cad_part") return {cad_sheet()};
   if (name == "hammer") return hammer_sheets();
   if (name == "helicoidal_torus") return {torus_sheet()};
-  if (name == "gear") return {gear_sheet()};
+  if (name == "gear") return {make_gear_sheet([](double turns) { return flat_ridge(turns); })};
   return {};
 }
 

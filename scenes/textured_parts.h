@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scenes/ridge_profile.h"
 #include "scenes/textured_sheet.h"
 
 namespace thigma::scenes {
@@ -13,5 +14,10 @@ namespace thigma::scenes {
 /// Same name, same bits, on every machine.
 /// Thread [offline].
 std::vector<TexturedSheet> textured_part(std::string_view name);
+
+/// The gear with teeth of a profile: wheel of 80 mm, 24 mm wide, 25 teeth as far apart and as high as the ridges of the
+/// block, bevelled at their ends. They are relief alone: the coarse wheel is convex, as the text's.
+/// Thread [offline].
+TexturedSheet make_gear_sheet(const RidgeProfile& teeth);
 
 }  // namespace thigma::scenes

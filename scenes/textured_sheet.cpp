@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "scenes/fine_grid.h"
 
 namespace thigma::scenes {
 namespace {
@@ -62,47 +65,129 @@ std::array<std::int32_t, 3> triangle_of(const SheetCorners& c, int i, int j, int
   return {c.at(i, j), c.at(i + 1, j + 1), c.at(i, j + 1)};
 }
 
-/// The parameters that belong to a place in a cell: towards a pole the triangle narrows, the sheet does not.
+/// 1 away from poles, 0 at one, for a place in a row of cells.
+double from_pole(const TexturedSheet& sheet, int j, double along) {
+  if (sheet.is_ring) return 1.0;
+  return j == 0 ? along : j == sheet.along - 1 ? 1.0 - along : 1.0;
+}
+
+/// The place on the triangle of a cell at a pole that is nearest along the row: beside it texels continue its edge.
+Vec2 on_triangle(const TexturedSheet& sheet, int j, const Vec2& in_cell) {
+  const double half = 0.5 * from_pole(sheet, j, in_cell.y());
+  return {std::clamp(in_cell.x(), 0.5 - half, 0.5 + half), in_cell.y()};
+}
+
+/// The parameters that belong to a place on a triangle: towards a pole it narrows, the sheet does not.
 Vec2 parameters(const TexturedSheet& sheet, int i, int j, const Vec2& in_cell) {
-  double x = in_cell.x();
-  const double from_pole = !sheet.is_ring && j == 0                  ? in_cell.y()
-                           : !sheet.is_ring && j == sheet.along - 1 ? 1.0 - in_cell.y()
-                                                                     : 1.0;
-  if (from_pole < 1.0)
-    x = from_pole > 0.0 ? std::clamp(0.5 + (x - 0.5) / from_pole, -0.5, 1.5) : 0.5;
+  const double width = from_pole(sheet, j, in_cell.y());
+  const double x = width > 0.0 ? 0.5 + (in_cell.x() - 0.5) / width : 0.5;
   return {(i + x) / sheet.around, (j + in_cell.y()) / sheet.along};
 }
 
-/// Where a chart lies in the map.
+/// Where a chart lies in the map: cells have texels by their size.
 struct Chart {
-  int per_cell = 1;  // texels
+  std::vector<int> columns, rows;  // where each coarse cell starts, and where the last one ends [texels]
   int first_row = 0;
-  int columns(const TexturedSheet& s) const { return s.around * per_cell + 1 + 2 * kGutter; }
-  int rows(const TexturedSheet& s) const { return s.along * per_cell + 1 + 2 * kGutter; }
+  int width() const { return columns.back() + 1 + 2 * kGutter; }
+  int height() const { return rows.back() + 1 + 2 * kGutter; }
+  Vec2 place(int i, int j, const Vec2& in_cell) const {
+    const std::size_t c = static_cast<std::size_t>(i), r = static_cast<std::size_t>(j);
+    return {kGutter + columns[c] + in_cell.x() * (columns[c + 1] - columns[c]),
+            kGutter + first_row + rows[r] + in_cell.y() * (rows[r + 1] - rows[r])};
+  }
 };
 
-Texel texel_of(const TexturedSheet& sheet, const SheetCorners& corners, const TriangleMesh& coarse,
-               const Chart& chart, int column, int row) {
-  const int wide = sheet.around * chart.per_cell, high = sheet.along * chart.per_cell;
+/// Length of the longest coarse edge of every column of cells, and of every row [m].
+struct CellSizes {
+  std::vector<double> columns, rows;
+};
+
+CellSizes cell_sizes(const TexturedSheet& sheet) {
+  TriangleMesh mesh;
+  const SheetCorners corners = add_corners(sheet.coarse, sheet.is_ring, sheet.around, sheet.along, mesh);
+  const auto point = [&](int i, int j) { return mesh.positions[static_cast<std::size_t>(corners.at(i, j))]; };
+  CellSizes sizes{std::vector<double>(static_cast<std::size_t>(sheet.around), 0.0),
+                  std::vector<double>(static_cast<std::size_t>(sheet.along), 0.0)};
+  for (int j = 0; j <= sheet.along; ++j) {
+    for (int i = 0; i < sheet.around; ++i) {
+      double& across = sizes.columns[static_cast<std::size_t>(i)];
+      across = std::max(across, (point(i + 1, j) - point(i, j)).norm());
+      if (j == sheet.along) continue;
+      double& along = sizes.rows[static_cast<std::size_t>(j)];
+      along = std::max(along, (point(i, j + 1) - point(i, j)).norm());
+    }
+  }
+  return sizes;
+}
+
+Chart chart_of(const CellSizes& sizes, double texel) {
+  constexpr double kLeast = 2.0, kMost = 4096.0;  // texels along a cell
+  const auto starts = [&](const std::vector<double>& lengths) {
+    std::vector<int> at = {0};
+    for (const double length : lengths)
+      at.push_back(at.back() + static_cast<int>(std::ceil(std::clamp(length / texel, kLeast, kMost))));
+    return at;
+  };
+  return {starts(sizes.columns), starts(sizes.rows), 0};
+}
+
+/// Cell that a texel lies in, and where in it, from 0 to 1.
+std::pair<int, double> cell_at(const std::vector<int>& starts, int texel) {
+  const auto next = std::upper_bound(starts.begin() + 1, starts.end() - 1, texel);
+  const int low = *(next - 1), high = *next;
+  return {static_cast<int>(next - starts.begin()) - 1, static_cast<double>(texel - low) / (high - low)};
+}
+
+/// A sheet while its texels are filled.
+struct SheetBake {
+  const TexturedSheet& sheet;
+  SheetCorners corners;
+  FineGrid fine;
+  std::vector<Vec3> normals;  // of the vertices of the coarse surface, by area
+};
+
+std::vector<Vec3> vertex_normals(const TexturedSheet& sheet, const SheetCorners& corners, const TriangleMesh& coarse) {
+  std::vector<Vec3> normals(coarse.positions.size(), Vec3::Zero());
+  for (int j = 0; j < sheet.along; ++j) {
+    for (int i = 0; i < sheet.around; ++i) {
+      const bool is_low = !sheet.is_ring && j == 0, is_high = !sheet.is_ring && j == sheet.along - 1;
+      for (int half = is_low ? 1 : 0; half < (is_high ? 1 : 2); ++half) {
+        const std::array<std::int32_t, 3> t = triangle_of(corners, i, j, half);
+        const auto p = [&](std::size_t k) { return coarse.positions[static_cast<std::size_t>(t[k])]; };
+        const Vec3 normal = (p(1) - p(0)).cross(p(2) - p(0));
+        for (const std::int32_t k : t) normals[static_cast<std::size_t>(k)] += normal;
+      }
+    }
+  }
+  for (Vec3& n : normals)
+    if (n.norm() > 0.0) n.normalize();
+  return normals;
+}
+
+Texel texel_of(const SheetBake& bake, const TriangleMesh& coarse, const Chart& chart, int column, int row) {
+  const TexturedSheet& sheet = bake.sheet;
+  const int wide = chart.columns.back(), high = chart.rows.back();
   const int x = ((column - kGutter) % wide + wide) % wide;
   const int y = sheet.is_ring ? ((row - kGutter) % high + high) % high
                               : std::clamp(row - kGutter, 0, high);
-  const int i = x / chart.per_cell, j = std::min(y / chart.per_cell, sheet.along - 1);
-  const Vec2 in_cell(static_cast<double>(x) / chart.per_cell - i,
-                     static_cast<double>(y) / chart.per_cell - j);
+  const auto [i, in_x] = cell_at(chart.columns, x);
+  const auto [j, in_y] = cell_at(chart.rows, y);
+  const Vec2 in_cell = on_triangle(sheet, j, {in_x, in_y});
   const int half = half_of(sheet, j, in_cell);
   const std::array<Vec2, 3> at = places(sheet, j, half);
-  const std::array<std::int32_t, 3> t = triangle_of(corners, i, j, half);
+  const std::array<std::int32_t, 3> t = triangle_of(bake.corners, i, j, half);
   Eigen::Matrix2d edges;
   edges << at[1] - at[0], at[2] - at[0];
   const Vec2 weights = edges.inverse() * (in_cell - at[0]);
-  const auto corner = [&](std::size_t k) -> const Vec3& {
-    return coarse.positions[static_cast<std::size_t>(t[k])];
+  const auto blend = [&](const std::vector<Vec3>& of) -> Vec3 {
+    const auto corner = [&](std::size_t k) -> const Vec3& { return of[static_cast<std::size_t>(t[k])]; };
+    return corner(0) + weights.x() * (corner(1) - corner(0)) + weights.y() * (corner(2) - corner(0));
   };
-  const Vec3 on_coarse = corner(0) + weights.x() * (corner(1) - corner(0)) +
-                         weights.y() * (corner(2) - corner(0));
+  const Vec3 on_coarse = blend(coarse.positions);
   const Vec2 uv = parameters(sheet, i, j, in_cell);
-  const Vec3 d = sheet.fine(uv.x() - std::floor(uv.x()), uv.y()) - on_coarse;
+  const Vec3 paired = bake.fine.at(uv);
+  const Vec3 fine = sheet.is_paired ? paired : bake.fine.along(on_coarse, blend(bake.normals), uv, paired);
+  const Vec3 d = fine - on_coarse;
   return {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())};
 }
 
@@ -115,18 +200,58 @@ void add_chart(const TexturedSheet& sheet, const Chart& chart, TextureSource& so
       for (int half = is_low ? 1 : 0; half < (is_high ? 1 : 2); ++half) {
         source.coarse.triangles.push_back(triangle_of(corners, i, j, half));
         std::array<Vec2, 3> at = places(sheet, j, half);
-        for (Vec2& p : at)
-          p = chart.per_cell * (p + Vec2(i, j)) + Vec2(kGutter, chart.first_row + kGutter);
+        for (Vec2& p : at) p = chart.place(i, j, p);
         source.corners.push_back(at);
       }
     }
   }
-  for (int row = 0; row < chart.rows(sheet); ++row)
-    for (int column = 0; column < chart.columns(sheet); ++column)
+  const SheetBake bake{sheet, corners, FineGrid(sheet), vertex_normals(sheet, corners, source.coarse)};
+  for (int row = 0; row < chart.height(); ++row)
+    for (int column = 0; column < chart.width(); ++column)
       source.texels[static_cast<std::size_t>(chart.first_row + row) *
                         static_cast<std::size_t>(source.width) +
                     static_cast<std::size_t>(column)] =
-          texel_of(sheet, corners, source.coarse, chart, column, row);
+          texel_of(bake, source.coarse, chart, column, row);
+}
+
+/// Charts with texels of one size, and their map.
+struct Layout {
+  std::vector<Chart> charts;
+  int width = 1, height = 0;
+};
+
+Layout layout_of(const std::vector<CellSizes>& sizes, double texel) {
+  Layout layout;
+  for (const CellSizes& of_sheet : sizes) {
+    Chart chart = chart_of(of_sheet, texel);
+    chart.first_row = layout.height;
+    layout.width = std::max(layout.width, chart.width());
+    layout.height += chart.height();
+    layout.charts.push_back(std::move(chart));
+  }
+  return layout;
+}
+
+/// The layout with the smallest texels whose map has no more than texels x texels, or the smallest there is.
+Layout choose_layout(std::span<const TexturedSheet> sheets, int texels) {
+  std::vector<CellSizes> sizes;
+  double longest = 0.0;
+  for (const TexturedSheet& sheet : sheets) {
+    sizes.push_back(cell_sizes(sheet));
+    for (const std::vector<double>* lengths : {&sizes.back().columns, &sizes.back().rows})
+      for (const double length : *lengths) longest = std::max(longest, length);
+  }
+  double small = longest / kMaxTextureSide, large = longest;
+  const double most = static_cast<double>(texels) * texels;
+  constexpr int kHalvings = 40;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = std::sqrt(small * large);
+    const Layout layout = layout_of(sizes, middle);
+    const bool fits = static_cast<double>(layout.width) * layout.height <= most &&
+                      std::max(layout.width, layout.height) <= kMaxTextureSide;
+    (fits ? large : small) = middle;
+  }
+  return layout_of(sizes, large);
 }
 
 }  // namespace
@@ -140,26 +265,13 @@ int fine_triangles(const TexturedSheet& sheet) {
 }
 
 TextureSource make_textured_sheets(std::span<const TexturedSheet> sheets, int texels) {
-  int cells_around = 1, cells_along = 0;
-  for (const TexturedSheet& sheet : sheets) {
-    cells_around = std::max(cells_around, sheet.around);
-    cells_along += sheet.along;
-  }
-  Chart chart;
-  chart.per_cell = std::max(2, texels / std::max(cells_around, cells_along));
+  const Layout layout = choose_layout(sheets, texels);
   TextureSource source;
-  source.width = 1;
-  source.height = 0;
-  for (const TexturedSheet& sheet : sheets) {
-    source.width = std::max(source.width, chart.columns(sheet));
-    source.height += chart.rows(sheet);
-  }
+  source.width = layout.width;
+  source.height = layout.height;
   source.texels.assign(
       static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height), Texel{});
-  for (const TexturedSheet& sheet : sheets) {
-    add_chart(sheet, chart, source);
-    chart.first_row += chart.rows(sheet);
-  }
+  for (std::size_t i = 0; i < sheets.size(); ++i) add_chart(sheets[i], layout.charts[i], source);
   return source;
 }
 

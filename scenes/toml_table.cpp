@@ -61,6 +61,35 @@ std::string scene_message(const std::string& file, const std::string& what, std:
   return file + ": " + what + ", line " + std::to_string(line) + ", " + expected;
 }
 
+void check_toml_letters(std::string_view text, const std::string& file) {
+  std::string_view closing;  // of the text or comment we are in, empty outside
+  std::size_t line = 1;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    line += c == '\n';
+    if (closing.empty()) {
+      if (static_cast<unsigned char>(c) > 127)
+        throw InputError(scene_message(file, "a letter beyond ASCII outside of quotes", line,
+                                       "expected it in \"quotes\" or a comment"));
+      if (c == '#') closing = "\n";
+      for (const std::string_view opening : {"\"\"\"", "\'\'\'", "\"", "\'"})
+        if (closing.empty() && text.substr(i).starts_with(opening)) closing = opening;
+      if (closing.size() == 3) i += 2;
+    } else if (c == '\\' && closing.front() == '"') {
+      ++i;
+      line += i < text.size() && text[i] == '\n';
+    } else if (text.substr(i).starts_with(closing)) {
+      const bool is_long = closing.size() == 3;
+      i += closing.size() - 1;
+      // Such a text may end with quotes of its own.
+      for (int k = 0; is_long && k < 2 && i + 1 < text.size() && text[i + 1] == c; ++k) ++i;
+      closing = {};
+    } else if (c == '\n' && closing.size() == 1) {
+      closing = {};  // a text that does not end: the parser says so
+    }
+  }
+}
+
 TomlTable::TomlTable(const toml::table& table, std::string file, std::string name)
     : table_(table), file_(std::move(file)), name_(std::move(name)) {}
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <toml++/toml.h>
@@ -10,6 +11,11 @@
 #include "thigma/math/pose.h"
 
 namespace thigma::scenes {
+
+/// Refuses bytes beyond ASCII outside text and comments, where TOML has no place for them: the
+/// library answers some of them with undefined behaviour.
+/// Thread: [offline]; throws InputError with the line.
+void check_toml_letters(std::string_view text, const std::string& file);
 
 /// What a number may be.
 enum class Range : std::uint8_t { any, not_negative, positive };

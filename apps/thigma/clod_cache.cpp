@@ -35,7 +35,7 @@ std::string params_text(const ClodSource& source) {
                 source.is_repair, p.decomposition.max_vertices, p.decomposition.convexity_tolerance,
                 p.decomposition.protrusion_tolerance, p.simplify.longest_edge,
                 p.simplify.coarsest_share, p.simplify.longest_edge_ever, p.simplify.deviation_limit,
-                p.simplify.deviation_share, p.simplify.deviation_ever, p.simplify.deviation_last,
+                p.simplify.deviation_share, p.simplify.deviation_ever, p.simplify.deviation_early,
                 p.simplify.volume_limit, p.simplify.convexity_tolerance,
                 p.simplify.protrusion_tolerance,
                 p.simplify.last_level, p.simplify.flips_edges, c.bisections, c.least_quality,
@@ -209,6 +209,16 @@ TriangleMesh load_surface(const ClodSource& source, const Tell& tell) {
   TriangleMesh mesh = load_scaled(source, source.scale, scenes::is_model_uri(source.name), repairs);
   for (const std::string& repair : repairs) say(tell, source.name + ": repaired: " + repair);
   return mesh;
+}
+
+double check_source(const ClodSource& source) {
+  const bool is_model = scenes::is_model_uri(source.name);
+  if (is_model) {  // of a known size; making one takes time
+    scenes::parse_model_uri(source.name, source.role);
+    return 0.0;
+  }
+  if (is_clod_file(source.name)) return read_clod(source.name, source.scale).hierarchy.radius;
+  return enclosing_ball(load_surface(source).positions).radius;
 }
 
 ClodAsset load_clod(const ClodSource& source, const Tell& tell) {

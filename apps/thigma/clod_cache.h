@@ -35,6 +35,11 @@ using Tell = std::function<void(const std::string&)>;
 /// Thread [offline]; throws InputError for anything that cannot be used, a .clod file among it.
 TriangleMesh load_surface(const ClodSource& source, const Tell& tell = {});
 
+/// Radius of a surface that can be used [m], without building anything: what is wrong with a second mesh shall
+/// not cost the time of building the first.
+/// Thread [offline]; throws InputError as load_clod.
+double check_source(const ClodSource& source);
+
 /// Reads a .clod file, or builds levels of a mesh or model in memory. Nothing is kept.
 ///
 /// tell    may be empty

@@ -37,7 +37,8 @@ struct BakeOptions {
   std::string height;  // or a height map
   std::string out;
   double amplitude = 0.0;  // [m]
-  double scale = 1.0;
+  std::optional<double> scale;       // metres per unit of MESH
+  std::optional<double> onto_scale;  // and of the coarse surface
   int texels = 1024;
   std::optional<int> level;  // of levels of detail to bake onto
   bool repair = false;
@@ -50,8 +51,11 @@ std::string what_is_wrong(const BakeOptions& options) {
     return "--height needs --amplitude, a finite length above 0 [m]";
   if (!is_height && options.amplitude != 0.0) return "--amplitude goes with --height";
   if (options.level && !is_clod_file(options.onto)) return "--level goes with --onto a .clod file";
-  if (!(options.scale > 0.0) || !std::isfinite(options.scale))
-    return "--scale must be a finite number above 0";
+  const auto is_scale = [](double scale) { return scale > 0.0 && std::isfinite(scale); };
+  if (!is_scale(options.scale.value_or(1.0))) return "--scale must be a finite number above 0";
+  if (!is_scale(options.onto_scale.value_or(1.0)))
+    return "--onto-scale must be a finite number above 0";
+  if (is_height && options.onto_scale) return "--onto-scale goes with --onto";
   std::error_code unknown;
   for (const std::string* in : {&options.mesh, &options.onto, &options.height})
     if (!in->empty() && fs::equivalent(*in, options.out, unknown))
@@ -59,16 +63,25 @@ std::string what_is_wrong(const BakeOptions& options) {
   return "";
 }
 
-/// The surfaces of the levels of a .clod file.
-std::vector<TriangleMesh> level_surfaces(const BakeOptions& options) {
-  ClodAsset asset = read_clod(options.onto, options.scale);
+// Surfaces of one object differ by their relief, and by a cut of a scan; units differ by more.
+constexpr double kMostSizeRatio = 4.0;
+
+/// Surfaces to bake onto: a mesh alone, or those of the levels of a .clod file.
+struct Onto {
+  std::vector<TriangleMesh> surfaces;  // [m]
+  double fine_scale = 1.0;             // metres per unit of the fine mesh, where none is named
+};
+
+/// A .clod is in metres from its build on, and tells how many a unit of its mesh had: so has the fine mesh.
+/// Meshes are of the same unit.
+Onto load_onto_clod(const BakeOptions& options) {
+  ClodAsset asset = read_clod(options.onto, options.onto_scale.value_or(1.0));
   if (asset.meshes.empty())
     throw InputError(options.onto + ": no surfaces of its levels, in its table, expected them");
-  return std::move(asset.meshes);
+  return {std::move(asset.meshes), asset.origin.unit_scale * options.onto_scale.value_or(1.0)};
 }
 
-TriangleMesh level_surface(const BakeOptions& options, int level) {
-  std::vector<TriangleMesh> meshes = level_surfaces(options);
+TriangleMesh level_surface(const BakeOptions& options, std::vector<TriangleMesh> meshes, int level) {
   const int coarsest = static_cast<int>(meshes.size()) - 1;
   if (level > coarsest)
     throw InputError(options.onto + ": no level " + std::to_string(level) +
@@ -76,11 +89,27 @@ TriangleMesh level_surface(const BakeOptions& options, int level) {
   return std::move(meshes[static_cast<std::size_t>(level)]);
 }
 
-TriangleMesh load(const Common& common, const BakeOptions& options, const std::string& name, const char* role) {
+TriangleMesh load(const Common& common, const BakeOptions& options, const std::string& name, const char* role,
+                  double scale) {
   const Tell tell = common.quiet ? Tell{} : [](const std::string& text) {
     std::cerr << "thigma: " << text << "\n";
   };
-  return load_surface({.name = name, .role = role, .scale = options.scale, .is_repair = options.repair}, tell);
+  return load_surface({.name = name, .role = role, .scale = scale, .is_repair = options.repair}, tell);
+}
+
+/// A unit forgotten ends in nothing found near anything, after minutes.
+void refuse_other_sizes(const BakeOptions& options, const TriangleMesh& fine, double fine_scale,
+                        const TriangleMesh& coarse) {
+  const double radius = enclosing_ball(fine.positions).radius;
+  const double wanted = enclosing_ball(coarse.positions).radius;
+  if (radius <= kMostSizeRatio * wanted && wanted <= kMostSizeRatio * radius) return;
+  char line[160];
+  std::snprintf(line, sizeof line,
+                ": a radius of %.3g m, in the mesh as a whole, expected about the %.3g m of ", radius, wanted);
+  std::string what = options.mesh + line + options.onto;
+  std::snprintf(line, sizeof line, "; --scale (now %g) gives its metres per unit, about %.3g", fine_scale,
+                fine_scale * wanted / radius);
+  throw InputError(what + line + ", --onto-scale those of the other");
 }
 
 BakeParams params_of(const Common& common, const BakeOptions& options) {
@@ -88,15 +117,26 @@ BakeParams params_of(const Common& common, const BakeOptions& options) {
 }
 
 TextureAsset bake_onto(const Common& common, const BakeOptions& options) {
-  const TriangleMesh fine = load(common, options, options.mesh, "FINE");
-  const TriangleMesh coarse =
-      options.level ? level_surface(options, *options.level) : load(common, options, options.onto, "--onto");
+  double scale = options.scale.value_or(1.0);
+  TriangleMesh coarse;
+  if (options.level) {
+    Onto onto = load_onto_clod(options);
+    scale = options.scale.value_or(onto.fine_scale);
+    coarse = level_surface(options, std::move(onto.surfaces), *options.level);
+  } else {
+    coarse = load(common, options, options.onto, "--onto", options.onto_scale.value_or(scale));
+  }
+  const TriangleMesh fine = load(common, options, options.mesh, "FINE", scale);
+  refuse_other_sizes(options, fine, scale, coarse);
   return bake_surface(fine, coarse, params_of(common, options), options.mesh);
 }
 
 LevelTextures bake_onto_levels(const Common& common, const BakeOptions& options) {
-  const TriangleMesh fine = load(common, options, options.mesh, "FINE");
-  const std::vector<TriangleMesh> levels = level_surfaces(options);
+  const Onto onto = load_onto_clod(options);
+  const std::vector<TriangleMesh>& levels = onto.surfaces;
+  const double scale = options.scale.value_or(onto.fine_scale);
+  const TriangleMesh fine = load(common, options, options.mesh, "FINE", scale);
+  refuse_other_sizes(options, fine, scale, levels[0]);
   Progress bar("baking onto " + options.onto, "levels", !common.quiet);
   return {bake_levels(fine, levels, params_of(common, options), options.mesh,
                       [&](double share) { bar.update(share, share * static_cast<double>(levels.size())); })};
@@ -107,7 +147,7 @@ TextureAsset bake_map(const BakeOptions& options) {
   if (scenes::is_model_uri(options.mesh) || is_clod_file(options.mesh))
     throw InputError(options.mesh +
                      ": no texture coordinates, in it as a whole, expected an OBJ with vt");
-  TriangleMesh coarse = load_usable_mesh(options.mesh, options.scale);
+  TriangleMesh coarse = load_usable_mesh(options.mesh, options.scale.value_or(1.0));
   return bake_heights(std::move(coarse),
                       read_texture_coordinates(read_file(options.mesh), options.mesh), image,
                       options.amplitude, options.mesh);
@@ -231,7 +271,10 @@ void add_bake(CLI::App& app, Common& common) {
   verb->add_option("-o,--output", options->out, ".tex file to write")->required();
   verb->add_option("--texels", options->texels, "along each side of the map; with --onto only")
       ->check(CLI::Range(16, kMaxTextureSide / 2));
-  verb->add_option("--scale", options->scale, "metres per unit of the meshes");
+  verb->add_option("--scale", options->scale,
+                   "metres per unit of MESH; by default as the .clod was built with, else 1");
+  verb->add_option("--onto-scale", options->onto_scale,
+                   "metres per unit of --onto; by default 1 of a .clod, which is in metres, else as --scale");
   verb->add_flag("--repair", options->repair, "take repairable meshes and repair them");
 }
 

@@ -96,6 +96,7 @@ int contacts(const Common& common, const ContactsOptions& options) {
     return kUsage;
   }
   const std::vector<Pose> poses = read_poses(options.poses);
+  check_source({.name = options.scene, .role = "SCENE", .scale = options.scale, .is_repair = options.repair});
   const ClodHierarchy object = load(options.object, "OBJECT", options, query.resolution.is_exact, common);
   const ClodHierarchy scene = load(options.scene, "SCENE", options, query.resolution.is_exact, common);
   ContactFront front;

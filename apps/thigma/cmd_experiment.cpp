@@ -50,23 +50,51 @@ std::string known_names(const std::string& name) {
   return near.empty() ? "`thigma experiment list` names them" : "nearest is '" + near + "'";
 }
 
-const char* verdict(const Claim& claim) {
-  if (claim.holds) return "holds";
-  return claim.expected ? "DOES NOT HOLD" : "does not hold, as known";
+void print_bounds(const std::optional<double>& low, const std::optional<double>& bound) {
+  if (low && bound) std::printf("%.4g to %.4g", *low, *bound);
+  if (!low && bound) std::printf("%.4g", *bound);
+}
+
+void print_claim(const Claim& claim) {
+  std::printf("  %-16s %-20s", claim.id.c_str(), verdict(claim));
+  if (claim.value) std::printf(" %.4g %s", *claim.value, claim.unit.c_str());
+  if (claim.bound) {
+    std::printf(" (");
+    print_bounds(claim.bound_low, claim.bound);
+    if (claim.floor) {
+      std::printf("; not beyond ");
+      print_bounds(claim.floor_low, claim.floor);
+    }
+    std::printf(")");
+  }
+  std::printf("  %s\n", claim.text.c_str());
+  if (!claim.reason.empty())
+    std::printf("  %-16s because %s [%s]\n", "", claim.reason.c_str(), claim.sweep.c_str());
 }
 
 void print_claims(const Experiment& experiment, const std::vector<Claim>& claims) {
   std::printf("%s (%s)\n", experiment.name, experiment.source);
-  for (const Claim& claim : claims) {
-    std::printf("  %-16s %-24s", claim.id.c_str(), verdict(claim));
-    if (claim.value) std::printf(" %.4g %s", *claim.value, claim.unit.c_str());
-    if (claim.bound_low && claim.bound)
-      std::printf(" (%.4g to %.4g)", *claim.bound_low, *claim.bound);
-    if (!claim.bound_low && claim.bound) std::printf(" (%.4g)", *claim.bound);
-    std::printf("  %s\n", claim.text.c_str());
-    if (!claim.reason.empty()) std::printf("  %-16s %s\n", "", claim.reason.c_str());
-  }
+  for (const Claim& claim : claims) print_claim(claim);
+  std::printf("  %s\n", counts_text(count_claims(claims)).c_str());
   std::fflush(stdout);
+}
+
+/// Runs one and says what it claims. What is wrong with the claims themselves counts as broken.
+experiments::ClaimCounts run_one(const Experiment& experiment, const experiments::Context& context,
+                                 const ExperimentOptions& options, const Common& common) {
+  if (!common.quiet) std::fprintf(stderr, "%s: %s\n", experiment.name, experiment.text);
+  const experiments::Outcome outcome = run_experiment(experiment, context, options.folder);
+  if (common.json) {
+    print_json(nlohmann::ordered_json::parse(claims_json(experiment, outcome.claims)));
+  } else {
+    print_claims(experiment, outcome.claims);
+  }
+  experiments::ClaimCounts counts = count_claims(outcome.claims);
+  for (const std::string& fault : faults(outcome.claims, outcome.tables)) {
+    tell_error(std::string(experiment.name) + ": " + fault);
+    ++counts.broken;
+  }
+  return counts;
 }
 
 /// Levels from the cache of `run`. Nobody is told what is kept where: experiments tell what they do.
@@ -94,19 +122,12 @@ int run_experiments(const ExperimentOptions& options, const Common& common) {
   if (!common.quiet) {
     context.tell = [](const std::string& line) { std::fprintf(stderr, "  %s\n", line.c_str()); };
   }
-  bool is_broken = false;
-  for (const Experiment& experiment : chosen) {
-    if (!common.quiet) std::fprintf(stderr, "%s: %s\n", experiment.name, experiment.text);
-    const experiments::Outcome outcome = run_experiment(experiment, context, options.folder);
-    if (common.json) {
-      print_json(nlohmann::ordered_json::parse(claims_json(experiment, outcome.claims)));
-    } else {
-      print_claims(experiment, outcome.claims);
-    }
-    for (const Claim& claim : outcome.claims)
-      is_broken = is_broken || experiments::is_broken(claim);
-  }
-  return is_broken ? kClaimFails : kDone;
+  experiments::ClaimCounts all;
+  for (const Experiment& experiment : chosen)
+    all = all + run_one(experiment, context, options, common);
+  if (chosen.size() > 1 && !common.json)
+    std::printf("%zu experiments, %s\n", chosen.size(), counts_text(all).c_str());
+  return all.broken > 0 ? kClaimFails : kDone;
 }
 
 }  // namespace

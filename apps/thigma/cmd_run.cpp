@@ -13,6 +13,7 @@
 #include "run_options.h"
 #include "run_session.h"
 #include "run_summary.h"
+#include "session_recorder.h"
 #include "verbs.h"
 #include "viewer/server/web_server.h"
 #include <unistd.h>
@@ -152,21 +153,24 @@ SessionSummary run_threads(Run& run, const SessionSinks& sinks, bool is_quiet) {
   return summary;
 }
 
-/// Without a page: one session, no table.
-SessionSummary run_alone(const RunOptions& options, const Common& common, Run& run) {
-  const std::unique_ptr<RecordingWriter> recording =
-      open_recording(options.record, options, run, common.seed);
+/// Without a page: one session, no table. is_whole: of the recording, where one was asked for.
+SessionSummary run_alone(const RunOptions& options, const Common& common, Run& run, bool& is_whole) {
+  SessionRecorder recorder([&](const RecordingFailure& failure) {
+    is_whole = false;
+    tell_error(failure.why + "; the recording ends there, the session goes on");
+  });
+  recorder.begin(open_recording(options.record, options, run, common.seed));
   SessionSinks sinks;
-  if (recording) {
-    sinks = {[&](const HapticSample& sample) { recording->write(sample); },
-             [&](const ContactSample& sample) { recording->write(sample); },
-             [&](const SessionEvent& event) { recording->write(event); }};
+  if (recorder.is_open()) {
+    sinks = {[&](const HapticSample& sample) { recorder.write(sample); },
+             [&](const ContactSample& sample) { recorder.write(sample); },
+             [&](const SessionEvent& event) { recorder.write(event); }};
   }
   const SessionSummary summary =
       run.simulation ? simulate_run(run, run.config, !options.is_lockstep, sinks, &stop_requested)
       : options.is_lockstep ? run_lockstep(run.config, *run.device, sinks, &stop_requested)
                           : run_threads(run, sinks, common.quiet);
-  if (recording) recording->close({summary.frames, summary.state_hash, summary.dropped_samples});
+  recorder.close({summary.frames, summary.state_hash, summary.dropped_samples});
   return summary;
 }
 
@@ -188,6 +192,7 @@ SessionSummary run_with_page(const RunOptions& options, const Common& common, We
   program.tell = [&common](const std::string& line) {
     if (!common.quiet) std::fprintf(stderr, "thigma: %s\n", line.c_str());
   };
+  program.tell_trouble = tell_error;
   if (wants_table) {
     program.look_at_haptic = [&table](const HapticSample& sample) { table.look_at(sample); };
     program.look_at_contact = [&table](const ContactSample& sample) { table.look_at(sample); };
@@ -199,6 +204,11 @@ SessionSummary run_with_page(const RunOptions& options, const Common& common, We
   return run_live(program);
 }
 
+int refuse(int code, const std::string& why) {
+  tell_error(why);
+  return code;
+}
+
 int run_verb(const RunOptions& asked, const Common& common) {
   std::function<void(const std::string&)> tell;  // empty: nothing is told, no progress either
   if (!common.quiet) {
@@ -206,12 +216,16 @@ int run_verb(const RunOptions& asked, const Common& common) {
   }
   RunOptions options = asked;
   if (!options.replay.empty()) use_recorded_scene(options);
+  scenes::SceneDescription scene = read_run_scene(options);
+  if (const std::string wrong = check_meshes(scene, options); !wrong.empty())
+    return refuse(kUsage, "run: " + wrong);
   WebLink link;
-  std::unique_ptr<Run> run = prepare_run(read_run_scene(options), options, common.seed,
+  std::unique_ptr<Run> run = prepare_run(std::move(scene), options, common.seed,
                                          {tell, {}, has_page(options) ? &link : nullptr});
   const SignalGuard signals;
+  bool is_whole = true;
   const SessionSummary summary = has_page(options) ? run_with_page(options, common, link, run)
-                                                   : run_alone(options, common, *run);
+                                                   : run_alone(options, common, *run, is_whole);
   if (common.json || options.is_headless) {
     nlohmann::ordered_json json = run_summary_json(summary, run->scene.file, run->device_uri,
                                                    run->floor ? &*run->floor : nullptr);
@@ -232,12 +246,8 @@ int run_verb(const RunOptions& asked, const Common& common) {
         "a session cannot be suspended, as the device would keep its last force: ended instead");
   }
   if (summary.end == SessionEnd::fault) return kSafetyFault;
+  if (!is_whole) return kFailed;
   return summary.end == SessionEnd::stopped ? kInterrupted : kDone;
-}
-
-int refuse(int code, const std::string& why) {
-  tell_error(why);
-  return code;
 }
 
 }  // namespace

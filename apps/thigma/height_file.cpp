@@ -118,7 +118,8 @@ HeightImage parse_png(std::string_view bytes, const std::string& name) {
 }  // namespace
 
 HeightImage parse_height_file(std::string_view bytes, const std::string& name) {
-  if (is_pgm(bytes)) return parse_pgm(bytes, name);
+  const std::string_view text = without_byte_order_mark(bytes);
+  if (is_pgm(text)) return parse_pgm(text, name);
   if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return parse_png(bytes, name);
   fail(name, "is no height map", 0, "a PGM or a grey PNG");
 }

@@ -93,20 +93,33 @@ const MeshReport& DroppedMesh::keep(const std::string& name, const std::string& 
   const fs::path place = fs::path(folder_) / std::to_string(++count_);
   fs::create_directory(place, error);
   const std::string path = (place / harmless(name)).string();
-  write_file(path, bytes);
   MeshReport report;
   try {
+    write_file(path, bytes);
     report = inspect_mesh(read_mesh(path), path);
-  } catch (const InputError& wrong) {
+  } catch (const std::exception& wrong) {
+    fs::remove_all(place, error);
     // People know the file by its name, not by where it is kept meanwhile.
     std::string text = wrong.what();
     if (text.starts_with(path)) text.replace(0, path.size(), harmless(name));
     throw InputError(text);
   }
   report_ = std::move(report);
+  kept_.push_back(path);
   path_ = path;
   name_ = harmless(name);
   return report_;
+}
+
+void DroppedMesh::tidy(const scenes::SceneDescription& now) {
+  std::erase_if(kept_, [&](const std::string& path) {
+    const auto is_it = [&](const scenes::SceneObject& o) { return o.mesh == path; };
+    const bool is_used = is_it(now.object) || std::any_of(now.statics.begin(), now.statics.end(), is_it);
+    if (is_used || path == path_) return false;
+    std::error_code ignored;
+    fs::remove_all(fs::path(path).parent_path(), ignored);
+    return true;
+  });
 }
 
 std::string model_message(std::int64_t id, const DroppedMesh& mesh, double radius) {
@@ -135,6 +148,7 @@ scenes::SceneDescription scene_with(const scenes::SceneDescription& now, const D
   scene.device.uri = now.device.uri;
   scene.safety = now.safety;  // the hand and its device are the same
   scene.is_passive = now.is_passive;
+  scene.is_strict = now.is_strict;
 
   const Bounds own = scaled(mesh.report().bounds, unit);
   Pose& held = scene.object.world_from_mesh;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "scenes/scene_description.h"
 #include "viewer/server/messages.h"
@@ -24,10 +25,12 @@ class DroppedMesh {
   DroppedMesh(const DroppedMesh&) = delete;
   DroppedMesh& operator=(const DroppedMesh&) = delete;
 
-  /// Keeps a file's bytes under (nearly) its name and looks at them. The one before stays until this goes, as a session
+  /// Keeps a file's bytes under (nearly) its name and looks at them. The one before stays until tidy(), as a session
   /// may stand on it.
-  /// Throws IoError, and InputError for what is no mesh.
+  /// Throws IoError, and InputError for what is no mesh, of which nothing is kept.
   const MeshReport& keep(const std::string& name, const std::string& bytes);
+  /// Removes what was kept, but for the last and what the scene that runs is made of.
+  void tidy(const scenes::SceneDescription& now);
   bool is_there() const { return !path_.empty(); }
   const std::string& path() const { return path_; }
   const std::string& name() const { return name_; }
@@ -36,6 +39,7 @@ class DroppedMesh {
  private:
   std::string folder_, path_, name_;
   MeshReport report_;
+  std::vector<std::string> kept_;  // paths, the last included
   int count_ = 0;
 };
 

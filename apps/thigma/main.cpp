@@ -17,6 +17,12 @@
 namespace thigma::app {
 namespace {
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
+  return all;
+}
+
 /// What is wrong with the first word when it is no verb, "" otherwise. The parser would only say
 /// that one is missing.
 std::string what_is_wrong(const CLI::App& app, std::string_view word) {
@@ -26,7 +32,24 @@ std::string what_is_wrong(const CLI::App& app, std::string_view word) {
   if (std::find(names.begin(), names.end(), word) != names.end()) return "";
   const std::string named = "'" + std::string(word) + "'";
   const std::string near = scenes::nearest_word(word, names);
-  return "no verb " + named + (near.empty() ? "" : ", nearest is '" + near + "'");
+  return "no verb " + named + (near.empty() ? "" : ", nearest is '" + near + "'") + ", expected one of " +
+         joined(names);
+}
+
+/// What is wrong with the first option that the verb does not have, "" where there is none. The parser would
+/// only say that it did not expect it.
+std::string unknown_option(const CLI::App& app, const std::string& verb,
+                           const std::vector<std::string>& left) {
+  const auto is_option = [](const std::string& word) { return word.size() > 1 && word.front() == '-'; };
+  const auto found = std::find_if(left.begin(), left.end(), is_option);
+  if (found == left.end()) return "";
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_subcommand(verb)->get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  const std::string given = found->substr(0, found->find('='));
+  const std::string near = scenes::nearest_word(given, names);
+  return verb + ": no option '" + given + "'" + (near.empty() ? "" : ", nearest is '" + near + "'") +
+         ", expected one of " + joined(names);
 }
 
 int refuse(const std::string& why, const std::string& verb) {
@@ -48,17 +71,28 @@ int run(int argc, char** argv) {
       "interrupted.");
   Common common;
   add_all_verbs(app, common);
-  const std::string_view first = argc > 1 ? argv[1] : "";
+  // `thigma help VERB` is `thigma VERB --help`.
+  std::vector<const char*> words(argv, argv + argc);
+  if (argc > 1 && words[1] == std::string_view("help")) {
+    words.resize(std::min<std::size_t>(words.size(), 3));
+    words.erase(words.begin() + 1);
+    words.push_back("--help");
+  }
+  const std::string_view first = words.size() > 1 ? words[1] : "";
   if (const std::string wrong = what_is_wrong(app, first); !wrong.empty()) return refuse(wrong, "");
   if (first.empty()) return refuse("no verb", "");
   try {
-    app.parse(argc, argv);
+    app.parse(static_cast<int>(words.size()), words.data());
     flush_output();
     return common.exit_code;
   } catch (const CLI::Success& success) {
     const int code = app.exit(success);
     flush_output();
     return code;
+  } catch (const CLI::ExtrasError& error) {
+    const std::string verb(first.front() == '-' ? "" : first);
+    const std::string wrong = verb.empty() ? "" : unknown_option(app, verb, app.remaining(true));
+    return refuse(wrong.empty() ? error.what() : wrong, verb);
   } catch (const CLI::ParseError& error) {
     return refuse(error.what(), first.front() == '-' ? "" : std::string(first));
   }

@@ -72,7 +72,7 @@ std::vector<Pose> read_poses(const std::string& path) {
   std::vector<Pose> poses;
   int line = 0;
   bool has_header = false;
-  for (std::string_view rest = text; !rest.empty();) {
+  for (std::string_view rest = without_byte_order_mark(text); !rest.empty();) {
     const std::size_t end = rest.find('\n');
     const std::string_view row = trimmed(rest.substr(0, end));
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);

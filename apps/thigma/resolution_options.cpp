@@ -62,10 +62,11 @@ void add_resolution_options(CLI::App& verb, ResolutionOptions& o) {
                   "levels of detail by contact: s0 as a fraction of the smaller radius (0.025)");
   verb.add_option(
       "--deviation-cap", o.deviation_cap,
-      "most surface deviation of a contact, a fraction of the smaller radius (0.02), or off");
+      "most surface deviation of a contact, a fraction of the smaller radius, or off (the default)");
   verb.add_option("--budget-us", o.budget_us,
                   "CPU time of a query [us]; what is left coarse for it shows in the bounds");
-  verb.add_option("--budget-tests", o.budget_tests, "the same in pairs looked at: reproducible");
+  verb.add_option("--budget-tests", o.budget_tests, "the same in pairs looked at: reproducible")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
   verb.add_option("--metric", o.metric,
                   "haptic, velocity=ALPHA, view=N,l,n,f,i, or several joined by +");
 }

@@ -5,11 +5,13 @@
 #include <exception>
 #include <optional>
 #include <thread>
+#include <utility>
 
+#include "live_change.h"
 #include "live_models.h"
 #include "live_playback.h"
 #include "run_view.h"
-#include "scenes/scene_file.h"
+#include "session_recorder.h"
 #include "viewer/server/live_room.h"
 #include "viewer/server/web_files.h"
 
@@ -33,13 +35,14 @@ class LiveRun {
         run_(*program.run),
         start_(run_->config.world_from_body),
         record_(program.options->record),
+        recorder_([this](const RecordingFailure& failure) { recording_failed(failure); }),
         room_(view_of(*run_), run_->config, start_ * run_->config.contact.body_from_mesh,
               devices_of(*run_), live::web_files(), program.options->port.value_or(0),
               *program.web_link) {}
 
   SessionSummary go() {
     room_.offer(open_menu());
-    if (!options_.replay.empty()) show_recording(options_.replay);
+    if (!options_.replay.empty()) commit(change_to_recording(options_.replay, now()));
     program_.tell("the page is at " + room_.address() +
                   " - open it in a browser on this machine; Ctrl-C ends it");
     SessionSummary summary;
@@ -64,7 +67,7 @@ class LiveRun {
 
   SessionSinks sinks() {
     return {[this](const HapticSample& sample) {
-              if (recording_) recording_->write(sample);
+              recorder_.write(sample);
               if (program_.look_at_haptic) program_.look_at_haptic(sample);
               last_body_.reset();
               if (sample.touching == 0)
@@ -72,31 +75,46 @@ class LiveRun {
               room_.look_at(sample);
             },
             [this](const ContactSample& sample) {
-              if (recording_) recording_->write(sample);
+              recorder_.write(sample);
               if (program_.look_at_contact) program_.look_at_contact(sample);
               room_.look_at(sample);
             },
             [this](const SessionEvent& event) {
-              if (recording_) recording_->write(event);
+              recorder_.write(event);
               room_.look_at(event);
             }};
   }
 
-  /// The recording of the session with this configuration, if one is wanted.
+  /// The recording of the session with this configuration, if one is wanted. The first is of the command line: without
+  /// it there is no session; those that pages ask for have been tried before.
   void open_recording(const SessionConfig& config) {
-    recording_.reset();
+    recorder_.begin(nullptr);
+    has_lost_recording_ = false;
     if (record_.empty()) return;
     const SessionConfig kept = run_->config;
     run_->config = config;  // what it was tuned to belongs in the file
-    recording_ = program_.record(record_);
+    try {
+      recorder_.begin(program_.record(record_));
+    } catch (const IoError& error) {
+      if (seconds_ == 0.0 && record_ == program_.options->record) throw;
+      recording_failed({error.what(), 0.0, 0});
+    }
     run_->config = kept;
+  }
+
+  /// On the thread that drains the session: the session goes on, pages and people are told once.
+  void recording_failed(const RecordingFailure& failure) {
+    has_lost_recording_ = true;
+    room_.look_at(SessionEvent{failure.time, failure.frame, "recording_ended", record_, failure.why});
+    room_.lose_recording();
+    program_.tell_trouble(failure.why + "; the recording ends there, the session goes on");
   }
 
   void begin() {
     live::LiveStart start;
     start.device = run_->device_uri;
     start.is_web = device_scheme(run_->device_uri) == "web";
-    start.recording = recording_ ? record_ : "";
+    start.recording = recorder_.is_open() ? record_ : "";
     start.is_lockstep = options_.is_lockstep;
     start.holder = holder_;
     start.gains = gains_of(*run_);
@@ -106,10 +124,8 @@ class LiveRun {
   }
 
   void end(const SessionSummary& summary) {
-    const bool was_recorded = recording_ != nullptr;
-    if (recording_)
-      recording_->close({summary.frames, summary.state_hash, summary.dropped_samples});
-    recording_.reset();
+    const bool was_recorded = recorder_.is_open();
+    recorder_.close({summary.frames, summary.state_hash, summary.dropped_samples});
     seconds_ += summary.seconds;
     room_.end_session(end_name(summary.end), summary.dropped_samples);
     if (was_recorded) room_.offer(open_menu());
@@ -182,11 +198,35 @@ class LiveRun {
     return summary;
   }
 
-  /// What a page asks for that the session has to end for, once there is such a request; meshes are looked at meanwhile.
+  /// What a page asks for that the session has to end for, once there is such a request and all it takes is ready. What
+  /// is refused is answered here and stops nothing; meshes are looked at meanwhile.
   std::optional<live::LiveRequest>& poll_pages() {
-    if (!request_) request_ = room_.take_request();
-    if (request_ && request_->kind == Kind::inspect) look_at_dropped();
+    if (request_) return request_;
+    request_ = room_.take_request();
+    if (!request_) return request_;
+    if (request_->kind == Kind::inspect) {
+      look_at_dropped();
+    } else if (!moves_within_recording(*request_)) {
+      judge();
+    }
     return request_;
+  }
+
+  bool moves_within_recording(const live::LiveRequest& request) const {
+    return playback_ && (request.kind == Kind::seek || request.kind == Kind::reset);
+  }
+
+  void judge() {
+    std::string why;
+    try {
+      change_ = make_change(*request_, now());
+    } catch (const std::exception& error) {
+      why = error.what();
+    }
+    if (std::exchange(has_progress_, false)) room_.tell_progress("", 1.0);
+    if (why.empty()) return;
+    room_.answer(*request_, why);
+    request_.reset();
   }
 
   /// Whether there is another session to run, and sets it up.
@@ -208,127 +248,49 @@ class LiveRun {
       room_.answer(request, "the session is over");
       return false;
     }
-    room_.answer(request, set_up(request));
+    commit(std::move(change_));
+    room_.answer(request, "");
     return true;
   }
 
-  /// What a request changes; "" or why it cannot be. A session begins again in any case.
-  std::string set_up(const live::LiveRequest& request) {
-    try {
-      leave_recording(request);
-      if (request.kind == Kind::record) {
-        record_ = request.flag ? free_recording() : "";
-      } else if (!record_.empty()) {
-        record_ = free_recording();  // one file a session
-      }
-      switch (request.kind) {
-        case Kind::use_device:
-          use_device(request);
-          return {};
-        case Kind::choose:
-          choose(request);
-          return {};
-        case Kind::open:
-          open(request.text);
-          return {};
-        case Kind::place:
-          place_dropped(request);
-          return {};
-        default:
-          break;
-      }
-      run_->config.world_from_body = start_;
-      reopen_run_device(options_, program_.seed, run_->device_uri, *run_);
-      return {};
-    } catch (const std::exception& error) {
-      record_.clear();
-      room_.tell_progress("", 1.0);
-      return error.what();
-    }
-  }
-
-  void use_device(const live::LiveRequest& request) {
-    if (run_->config.haptic.response == ResponseKind::direct)
-      throw std::runtime_error(
-          "the direct response is set up for its device; choose the coupled response first");
-    const bool is_web = device_scheme(request.text) == "web";
-    // A person goes on from where the object is, but for a contact, inside which no force is ever
-    // switched on; a hand comes to it from the start.
-    run_->config.world_from_body = start_;
-    reopen_run_device(options_, program_.seed, request.text, *run_);
-    if (is_web && last_body_) run_->config.world_from_body = *last_body_;
-    if (is_web) holder_ = request.page;
-  }
-
-  /// Response and texture decide the contact tolerance and how surfaces are loaded: the run is prepared anew.
-  void choose(const live::LiveRequest& request) {
-    RunOptions options = options_;
-    if (request.text == "response") options.response = request.number == 0.0 ? "coupled" : "direct";
-    if (request.text == "texture") options.texture = request.number == 0.0 ? "on" : "off";
-    prepare(run_->scene, options);
-  }
-
-  void open(const std::string& what) {
-    const live::OpenMenu menu = open_menu();
-    const auto has = [&](const std::vector<live::OpenMenu::Item>& items) {
-      return std::any_of(items.begin(), items.end(),
-                         [&](const live::OpenMenu::Item& item) { return item.name == what; });
-    };
-    if (has(menu.recordings)) return show_recording(what);
-    if (!has(menu.scenes)) throw std::runtime_error("there is no '" + what + "' to open here");
-    prepare(scenes::read_scene(what), scene_options());
-  }
-
-  /// What of the options is not about the scene that ran.
-  RunOptions scene_options() const {
-    RunOptions options = options_;
-    options.scene = options.object = options.against = options.pose_text = options.response =
-        options.texture = "";
-    options.scale = 1.0;
-    options.is_repair = false;
-    return options;
-  }
-
-  /// Prepares another run and shows it; what fails leaves everything as it was.
-  void prepare(scenes::SceneDescription scene, RunOptions options) {
-    // Who moves the object goes on doing so, where they can.
-    const std::string scheme = device_scheme(run_->device_uri);
-    options.device = scheme == "web" || scheme == "hand" ? run_->device_uri : "web:";
+  LiveNow now() {
     RunHooks hooks;
     hooks.tell = [this](const std::string& line) { program_.tell(line); };
     hooks.progress = [this](const std::string& what, double share) {
       if (is_told_to_stop()) throw std::runtime_error("told to stop");
+      has_progress_ = true;
       room_.tell_progress(what, share);
     };
     hooks.web_link = program_.web_link;
-    room_.tell_progress("preparing " + scene.title, 0.0);
-    std::unique_ptr<Run> next = prepare_run(std::move(scene), options, program_.seed, hooks);
-    room_.show(view_of(*next), next->config,
-               next->config.world_from_body * next->config.contact.body_from_mesh);
-    room_.tell_progress("", 1.0);
-    run_ = std::move(next);
-    options_ = options;
-    start_ = run_->config.world_from_body;
-    last_body_.reset();
-    record_.clear();
+    const bool is_recorded = !playback_ && !has_lost_recording_;
+    return {*run_, options_, dropped_, start_, is_recorded ? record_ : "", program_.seed, std::move(hooks)};
   }
 
-  void show_recording(const std::string& path) {
-    auto next = std::make_unique<Playback>(path);
-    const std::string& scene = next->config().scene;
-    const bool is_other = scene != run_->scene.file && options_.replay != path;
-    if (is_other) prepare(scenes::read_scene(scene), scene_options());
-    playback_ = std::move(next);
-    const SessionConfig config = recorded_config(run_->config, playback_->config());
-    room_.show(view_of(*run_), config, start_ * config.contact.body_from_mesh);
-    record_.clear();
-  }
-
-  /// Anything but moving about in it ends a recording; the scene stays, for a session.
-  void leave_recording(const live::LiveRequest&) {
-    if (!playback_) return;
-    playback_.reset();
-    room_.show(view_of(*run_), run_->config, start_ * run_->config.contact.body_from_mesh);
+  /// Puts a change into effect, between two sessions; nothing of it can fail.
+  void commit(LiveChange change) {
+    const bool was_replay = playback_ != nullptr;
+    playback_ = std::move(change.playback);
+    if (change.run) {
+      const SessionConfig& config = change.run->config;
+      room_.show(view_of(*change.run), config, config.world_from_body * config.contact.body_from_mesh);
+      run_ = std::move(change.run);
+      options_ = std::move(change.options);
+      start_ = run_->config.world_from_body;
+      last_body_.reset();
+      dropped_.tidy(run_->scene);
+    }
+    if (playback_) {
+      const SessionConfig config = recorded_config(run_->config, playback_->config());
+      room_.show(view_of(*run_), config, start_ * config.contact.body_from_mesh);
+    } else if (was_replay) {
+      room_.show(view_of(*run_), run_->config, start_ * run_->config.contact.body_from_mesh);
+    }
+    if (change.device) use_run_device(std::move(*change.device), *run_);
+    holder_ = change.holder;
+    // A person goes on from where the object is, but for a contact, inside which no force is ever
+    // switched on; a hand comes to it from the start.
+    if (holder_ != 0 && last_body_) run_->config.world_from_body = *last_body_;
+    record_ = change.record;
   }
 
   /// Answers a request to look at a mesh; a session goes on meanwhile.
@@ -337,6 +299,7 @@ class LiveRun {
     request_.reset();
     try {
       dropped_.keep(request.text, request.data);
+      dropped_.tidy(run_->scene);
       room_.tell(request.page, model_message(request.id, dropped_, run_->object_radius));
       room_.answer(request, "");
     } catch (const std::exception& error) {
@@ -344,33 +307,19 @@ class LiveRun {
     }
   }
 
-  void place_dropped(const live::LiveRequest& request) {
-    if (!dropped_.is_there()) throw std::runtime_error("no mesh has been dropped on the page");
-    if (request.text != "hold" && request.text != "touch")
-      throw std::runtime_error("a mesh can be held or touched");
-    if (!(request.number > 0.0 && request.number < 1e6))
-      throw std::runtime_error("a unit has to be a length above 0");
-    const bool is_held = request.text == "hold";
-    if (is_held && run_->statics.empty())
-      throw std::runtime_error("nothing stands still here to hold it against");
-    const ClodAsset& other = is_held ? *run_->statics.front() : run_->object;
-    RunOptions options = scene_options();
-    options.is_repair = request.flag;
-    prepare(scene_with(run_->scene, dropped_, is_held, request.number,
-                       bounds_of(other.meshes.front().positions)),
-            options);
-  }
-
   const LiveProgram& program_;
   RunOptions options_;  // of the run that is prepared
   std::unique_ptr<Run>& run_;
   Pose start_;  // world_from_body
   std::string record_;
+  std::atomic<bool> has_lost_recording_{false};  // it ended before its session
+  SessionRecorder recorder_;
   DroppedMesh dropped_;
   live::LiveRoom room_;
-  std::unique_ptr<RecordingWriter> recording_;
   std::unique_ptr<Playback> playback_;  // null: sessions
   std::optional<live::LiveRequest> request_;
+  LiveChange change_;          // what request_ takes
+  bool has_progress_ = false;  // pages have been told of some
   std::optional<Pose>
       last_body_;            // world_from_body of the last frame, unless it touched something;
                              // the draining thread's while a session runs

@@ -11,7 +11,7 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
   verb.add_option("scene", o.scene, "scene file (.toml) or the name of a built-in scene");
   verb.add_option("--object", o.object, "mesh to hold, instead of a scene");
   verb.add_option("--against", o.against, "mesh that stands still, with --object");
-  verb.add_option("--scale", o.scale, "metres per unit of both meshes, with --object");
+  verb.add_option("--scale", o.scale, "metres per unit of both meshes, with --object; without it neither may be larger than 1 m in radius");
   verb.add_option("--pose", o.pose_text, "x,y,z,qx,qy,qz,qw of the object [m], with --object");
   verb.add_option("--device", o.device,
                   "hand:, web:, script:FILE, replay:FILE, null: (thigma devices lists them)");
@@ -30,7 +30,8 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
                 "contacts change their level of detail at once, not gradually");
   verb.add_option(
       "--response", o.response,
-      "coupled: through a simulated body (default); direct: contact forces as they are");
+      "penalty: clusters push like springs, felt through a simulated body and its coupling (default; coupled is "
+      "its older name); direct: contact forces as they are");
   verb.add_flag("--passivity", o.is_passive,
                 "let late samples give no energy away: damps the handle, softens what is not backed");
   verb.add_flag("--no-cache", o.has_no_cache, "build levels of detail anew and keep nothing");
@@ -54,10 +55,11 @@ std::string check_run_options(const RunOptions& o) {
   }
   if (has_pair && (o.object.empty() || o.against.empty()))
     return "--object and --against belong together";
-  if (!has_pair && (!o.pose_text.empty() || o.scale != 1.0)) {
+  if (!has_pair && (!o.pose_text.empty() || o.scale)) {
     return "--pose and --scale belong to --object and --against; a scene file has its own";
   }
-  if (!(o.scale > 0.0) || !std::isfinite(o.scale)) return "--scale must be a number above 0";
+  if (o.scale && !(*o.scale > 0.0 && std::isfinite(*o.scale)))
+    return "--scale must be a number above 0";
   if (o.duration && !(*o.duration > 0.0 && *o.duration < 1e9)) {
     return "--duration must be above 0 and below 1e9 seconds; without it the run lasts until "
            "Ctrl-C";
@@ -65,8 +67,8 @@ std::string check_run_options(const RunOptions& o) {
   // As of solver.rate in a scene: more slowly, a contact model is too old before the next frame.
   if (o.rate && !(*o.rate >= 50.0 && *o.rate <= 20000.0)) return "--rate must be 50 to 20000 Hz";
   if (o.spin && !(*o.spin >= 0.0 && *o.spin <= 20000.0)) return "--spin must be 0 to 20000 us";
-  if (!o.response.empty() && o.response != "coupled" && o.response != "direct")
-    return "--response is coupled or direct";
+  if (!o.response.empty() && o.response != "penalty" && o.response != "coupled" && o.response != "direct")
+    return "--response is penalty (or coupled, its older name) or direct";
   Resolution resolution;
   const std::string wrong = apply(o.resolution, resolution);
   if (!wrong.empty()) return wrong;

@@ -18,7 +18,7 @@ namespace thigma::app {
 struct RunOptions {
   std::string scene;            // file or built-in name
   std::string object, against;  // instead of a scene
-  double scale = 1.0;
+  std::optional<double> scale;  // of both meshes; 1 where none is named
   std::string pose_text;
   std::string device;
   std::optional<double> duration;  // otherwise until stopped [s]

@@ -23,6 +23,9 @@
 namespace thigma::app {
 namespace {
 
+// Of a mesh without a unit: what a hand holds is smaller, and in millimetres a thing of 1 mm is larger [m].
+constexpr double kLargestRadius = 1.0;
+
 /// The hierarchy of a mesh at full resolution, as an asset.
 ClodAsset build_exact(const ClodSource& source, const Tell& tell) {
   ClodAsset asset;
@@ -115,21 +118,21 @@ std::string placement_line(const StartPlacement& start, bool has_approach) {
 }
 
 /// Only a hand comes to the object by itself; scripts and people start where the scene says.
-void place(Run& run, const std::function<void(const std::string&)>& tell) {
+void place(const Run& run, const Tell& tell, RunDevice& opened) {
   const Vec3* approach = run.scene.device.approach ? &*run.scene.device.approach : nullptr;
   const Vec3 out = approach != nullptr ? Vec3(-*approach) : Vec3::Zero();
-  run.start = find_start(run.config.contact, run.config.world_from_body, 0.0,
-                         approach != nullptr ? &out : nullptr);
-  run.config.world_from_body = run.start.world_from_body;
-  if (tell) tell(placement_line(run.start, approach != nullptr));
+  opened.start = find_start(opened.config.contact, opened.config.world_from_body, 0.0,
+                            approach != nullptr ? &out : nullptr);
+  opened.config.world_from_body = opened.start.world_from_body;
+  if (tell) tell(placement_line(opened.start, approach != nullptr));
 }
 
-DeviceContext context_of(const Run& run, std::uint64_t seed) {
-  const Workspace& workspace = run.config.haptic.workspace;
+DeviceContext context_of(const Run& run, const RunDevice& opened, std::uint64_t seed) {
+  const Workspace& workspace = opened.config.haptic.workspace;
   DeviceContext context;
   context.approach =
-      workspace.world_from_device.orientation.conjugate()._transformVector(run.start.approach);
-  context.clearance = run.start.clearance / workspace.motion_scale;
+      workspace.world_from_device.orientation.conjugate()._transformVector(opened.start.approach);
+  context.clearance = opened.start.clearance / workspace.motion_scale;
   context.object_radius = run.object_radius / workspace.motion_scale;
   context.seed = seed;
   return context;
@@ -161,14 +164,14 @@ void refuse_device_clock(const HapticDevice& device) {
       device.name() + ": wants to set the pace by its own clock, which this build cannot follow");
 }
 
-void refuse_web_without_page(const Run& run) {
-  if (device_scheme(run.device_uri) == "web" && run.web_link == nullptr)
+void refuse_web_without_page(const Run& run, const std::string& uri) {
+  if (device_scheme(uri) == "web" && run.web_link == nullptr)
     throw DeviceUnavailable("web: needs the page, which --headless and --lockstep leave out");
 }
 
 /// The page's mouse, slower than what safety takes for a fault.
-std::unique_ptr<HapticDevice> open_web(Run& run) {
-  refuse_web_without_page(run);
+std::unique_ptr<HapticDevice> open_web(const Run& run) {
+  refuse_web_without_page(run, "web:");
   WebMotionParams params;
   params.max_speed = std::min(params.max_speed, 0.8 * run.config.haptic.safety.max_speed);
   return make_web_device(*run.web_link, params);
@@ -176,23 +179,24 @@ std::unique_ptr<HapticDevice> open_web(Run& run) {
 
 /// Opens the device, and places the object before a hand comes to it. With the direct response the
 /// device decides the contact tolerance, and that the place: a hand is opened once more for its limits.
-void open_run_device(const RunOptions& options, std::uint64_t seed, const Tell& tell, Run& run) {
-  const std::string scheme = device_scheme(run.device_uri);
-  const bool is_direct = run.config.haptic.response == ResponseKind::direct;
+void open_at(const RunOptions& options, std::uint64_t seed, const Tell& tell, const Run& run,
+             RunDevice& opened) {
+  const std::string scheme = device_scheme(opened.uri);
+  const bool is_direct = opened.config.haptic.response == ResponseKind::direct;
   if (scheme == "web") {
-    place(run, tell);
-    run.device = open_web(run);
-    if (is_direct) use_direct_response(run.device->limits(), run.config);
+    place(run, tell, opened);
+    opened.device = open_web(run);
+    if (is_direct) use_direct_response(opened.device->limits(), opened.config);
     return;
   }
   if (scheme == "hand") {
-    if (is_direct) use_direct_response(open_device(run.device_uri, {})->limits(), run.config);
-    place(run, tell);
+    if (is_direct) use_direct_response(open_device(opened.uri, {})->limits(), opened.config);
+    place(run, tell, opened);
   }
-  run.device = scheme == "replay"
-                   ? open_recorded(run.device_uri.substr(scheme.size() + 1), options, run.config)
-                   : open_device(run.device_uri, context_of(run, seed));
-  if (is_direct) use_direct_response(run.device->limits(), run.config);
+  opened.device = scheme == "replay"
+                      ? open_recorded(opened.uri.substr(scheme.size() + 1), options, opened.config)
+                      : open_device(opened.uri, context_of(run, opened, seed));
+  if (is_direct) use_direct_response(opened.device->limits(), opened.config);
 }
 
 /// What moves by itself instead of in a hand.
@@ -218,9 +222,35 @@ void prepare_simulation(const scenes::SimulatedBody& body, std::uint64_t seed, R
 
 scenes::SceneDescription read_run_scene(const RunOptions& options) {
   if (!options.scene.empty()) return scenes::read_scene(options.scene);
-  return scenes::scene_from_pair(options.object, options.against, options.scale,
+  return scenes::scene_from_pair(options.object, options.against, options.scale.value_or(1.0),
                                  options.pose_text.empty() ? Pose{}
                                                            : *parse_pose(options.pose_text));
+}
+
+std::string check_meshes(const scenes::SceneDescription& scene, const RunOptions& options) {
+  std::vector<const scenes::SceneObject*> objects(1, &scene.object);
+  for (const scenes::SceneObject& other : scene.statics) objects.push_back(&other);
+  double largest = 0.0;
+  std::string name;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const scenes::SceneObject& object = *objects[i];
+    if (object.is_textured || object.model) continue;
+    const double radius = check_source({.name = object.mesh,
+                                        .role = i == 0 ? "--object" : "--against",
+                                        .scale = object.unit_scale,
+                                        .is_repair = options.is_repair});
+    if (radius > largest) name = object.mesh;
+    largest = std::max(largest, radius);
+  }
+  if (options.object.empty() || options.scale || largest <= kLargestRadius) return "";
+  double scale = 1e-3;
+  while (largest * scale > kLargestRadius) scale *= 1e-3;
+  char line[512];
+  std::snprintf(line, sizeof line,
+                "%.300s: a radius of %.3g m, which no hand feels; --scale %g where it is in %s, --scale 1 where it "
+                "is meant",
+                name.c_str(), largest, scale, scale == 1e-3 ? "mm" : "smaller units");
+  return line;
 }
 
 SessionSummary simulate_run(Run& run, const SessionConfig& config, bool is_paced, const SessionSinks& sinks,
@@ -240,7 +270,7 @@ std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOption
   if (options.rate) run->scene.rate = *options.rate;
   run->device_uri = run->scene.device.uri;
   run->web_link = hooks.web_link;
-  refuse_web_without_page(*run);  // before anything takes long to load
+  refuse_web_without_page(*run, run->device_uri);  // before anything takes long to load
 
   // Whether levels are wanted decides what is loaded, before there is a configuration.
   Resolution resolution = run->scene.contact.resolution;
@@ -274,9 +304,9 @@ std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOption
   apply_options(options, run->scene, run->config);
   run->config.contact.resolution.coarsest_level = coarsest;
   if (options.texture != "off") use_textures(*run, tell);
-  open_run_device(options, seed, tell, *run);
-  refuse_device_clock(*run->device);
-  run->config.haptic.device = run->device->limits();
+  use_run_device(open_run_device(options, seed, run->device_uri, run->config.world_from_body, *run,
+                                 tell),
+                 *run);
   if (options.is_passive || run->scene.is_passive) use_passivity(run->device->limits(), run->config);
   if (!options.scene.empty()) {
     if (const auto body = scenes::read_simulated_body(options.scene)) prepare_simulation(*body, seed, *run);
@@ -284,17 +314,27 @@ std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOption
   return run;
 }
 
-void reopen_run_device(const RunOptions& options, std::uint64_t seed, std::string uri, Run& run) {
-  const std::string before = std::exchange(run.device_uri, std::move(uri));
-  try {
-    open_run_device(options, seed, {}, run);
-    refuse_device_clock(*run.device);
-  } catch (...) {
-    run.device_uri = before;
-    throw;
-  }
-  run.config.haptic.device = run.device->limits();
-  if (run.config.haptic.passivity.is_on) use_passivity(run.device->limits(), run.config);
+RunDevice open_run_device(const RunOptions& options, std::uint64_t seed, const std::string& uri,
+                          const Pose& world_from_body, const Run& run, const Tell& tell) {
+  RunDevice opened;
+  opened.uri = uri;
+  opened.config = run.config;
+  opened.config.world_from_body = world_from_body;
+  opened.start = run.start;
+  open_at(options, seed, tell, run, opened);
+  refuse_device_clock(*opened.device);
+  // Faults that are asked for are to be seen as a device would have them.
+  opened.config.haptic.safety.rides_out_gaps = !run.scene.is_strict && opened.config.faults.empty();
+  use_device_limits(opened.device->limits(), opened.config.haptic);
+  if (opened.config.haptic.passivity.is_on) use_passivity(opened.device->limits(), opened.config);
+  return opened;
+}
+
+void use_run_device(RunDevice opened, Run& run) {
+  run.device_uri = std::move(opened.uri);
+  run.config = std::move(opened.config);
+  run.start = opened.start;
+  run.device = std::move(opened.device);
 }
 
 }  // namespace thigma::app

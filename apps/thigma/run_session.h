@@ -58,6 +58,13 @@ struct RunHooks {
 /// Thread   [offline]. InputError.
 scenes::SceneDescription read_run_scene(const RunOptions& options);
 
+/// Looks at all meshes of a scene before anything is built, since that may take minutes.
+///
+/// returns  "", or a sentence on the use of --scale: a pair of meshes without it of which one is larger than a
+///          hand could feel (exit code 2)
+/// Thread   [offline]. InputError for the first that cannot be used.
+std::string check_meshes(const scenes::SceneDescription& scene, const RunOptions& options);
+
 /// Loads or builds levels of detail, places the object, opens the device.
 ///
 /// Thread   [offline]. InputError, IoError, DeviceAddressError, DeviceUnavailable,
@@ -70,9 +77,24 @@ std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOption
 SessionSummary simulate_run(Run& run, const SessionConfig& config, bool is_paced, const SessionSinks& sinks,
                             const std::atomic<bool>* stop);
 
-/// Opens a device anew, or another one, and places the object for it as prepare_run does; the old one is
-/// given up only when that succeeds.
-/// Thread   [offline]; as prepare_run.
-void reopen_run_device(const RunOptions& options, std::uint64_t seed, std::string uri, Run& run);
+/// What of a run its device decides.
+struct RunDevice {
+  std::string uri;
+  std::unique_ptr<HapticDevice> device;
+  SessionConfig config;
+  StartPlacement start;
+};
+
+/// Opens a device anew, or another one, and places the object for it as prepare_run does. The run, which a session may
+/// be using, stays as it is.
+///
+/// world_from_body  where the object starts unless it has to be placed elsewhere
+/// Thread   [offline]; errors as prepare_run.
+RunDevice open_run_device(const RunOptions& options, std::uint64_t seed, const std::string& uri,
+                          const Pose& world_from_body, const Run& run,
+                          const std::function<void(const std::string&)>& tell = {});
+
+/// Gives the run its device, between two sessions.
+void use_run_device(RunDevice opened, Run& run);
 
 }  // namespace thigma::app

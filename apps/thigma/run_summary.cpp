@@ -73,6 +73,26 @@ Json level_shares(const std::array<std::uint64_t, kLevelBins>& counts) {
   return shares;
 }
 
+constexpr std::array<const char*, kLevelDeciders> kDeciders = {"haptic", "velocity", "view",
+                                                               "cap",    "budget",   "finest"};
+
+double share_of(std::uint64_t part, const std::array<std::uint64_t, kLevelDeciders>& counts) {
+  std::uint64_t sum = 0;
+  for (const std::uint64_t n : counts) sum += n;
+  return sum > 0 ? static_cast<double>(part) / static_cast<double>(sum) : 0.0;
+}
+
+/// What decided the level of detail of contacts, as shares of all; null without a contact.
+Json deciders(const SessionSummary& s) {
+  Json shares;
+  bool has_contacts = false;
+  for (std::size_t i = 0; i < kDeciders.size(); ++i) {
+    has_contacts |= s.decided_by[i] > 0;
+    shares[kDeciders[i]] = share_of(s.decided_by[i], s.decided_by);
+  }
+  return has_contacts ? shares : Json(nullptr);
+}
+
 /// Largest steps from frame to frame [N], where a contact changes its level of detail and elsewhere.
 Json force_step(const ForceStep& step, const SessionSummary& s) {
   Json json;
@@ -137,8 +157,11 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene, const s
       {"bound_max", s.bound_max},
       {"unrefined", s.unrefined},
       {"level_changes", s.level_changes},
+      {"texture", {{"depths", s.texture_depths}, {"not_height_field", s.texture_folds}}},
       {"levels",
        {{"object", level_shares(s.object_levels)}, {"scene", level_shares(s.scene_levels)}}}};
+  json["levels"] = {{"decided_by", deciders(s)},
+                    {"triangles_below_mean", s.triangles_below_mean > 0.0 ? Json(s.triangles_below_mean) : Json(nullptr)}};
   json["force"] = {{"max", s.force_max},
                    {"rms", s.force_rms},
                    {"step_max", force_step(s.force_steps.device, s)},
@@ -148,6 +171,9 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene, const s
   json["coupling_stretch_max"] = s.stretch_max;
   json["energy_min"] = s.energy_min;
   json["passivity"] = passivity(s.passivity);
+  json["ridden_out"] = {{"gaps", s.ridden_out.gaps},
+                        {"longest_gap_ms", 1e3 * s.ridden_out.longest_gap},
+                        {"stale_models", s.ridden_out.stale_models}};
   json["dropped_samples"] = s.dropped_samples;
   json["safety_events"] = Json::array();
   for (const SessionEvent& event : s.safety_events) {
@@ -209,6 +235,14 @@ std::string run_summary_text(const SessionSummary& s) {
          "clusters\n",
          1e6 * s.query_cpu.p50, 1e6 * s.query_cpu.p99,
          static_cast<unsigned long long>(s.contact_updates), s.contacts_mean, s.clusters_mean);
+  std::string deciding;
+  for (std::size_t i = 0; i < kDeciders.size(); ++i)
+    if (s.decided_by[i] > 0)
+      append(deciding, "%s%s %.0f %%", deciding.empty() ? "" : ", ", kDeciders[i],
+             100.0 * share_of(s.decided_by[i], s.decided_by));
+  if (!deciding.empty() && s.triangles_below_mean > 0.0)
+    append(text, "level of detail  decided by %s; %.0f original triangles below a contact\n", deciding.c_str(),
+           s.triangles_below_mean);
   append(text, "contact model    p50 %.2f ms old, p99 %.2f ms, max %.2f ms\n",
          1e3 * s.model_age.p50, 1e3 * s.model_age.p99, 1e3 * s.model_age.max);
   append(text, "force            max %.3f N, rms %.3f N; torque max %.4f N m\n", s.force_max,
@@ -227,6 +261,13 @@ std::string run_summary_text(const SessionSummary& s) {
     append(text,
            "passivity        %.1f %% of the frames changed, %.1f %% of the wanted wrench sent, damping at most %.1f N s/m\n",
            100.0 * s.passivity.acted_share, 100.0 * s.passivity.sent_share, s.passivity.damping_max);
+  }
+  if (s.ridden_out.gaps + s.ridden_out.stale_models > 0) {
+    append(text,
+           "late             %llu times no step for too long (%.1f ms at most), %llu times the contact "
+           "model too old: zero force, then on again, as nobody is held\n",
+           static_cast<unsigned long long>(s.ridden_out.gaps), 1e3 * s.ridden_out.longest_gap,
+           static_cast<unsigned long long>(s.ridden_out.stale_models));
   }
   for (const SessionEvent& event : s.safety_events) {
     append(text, "FAULT            %s at %.3f s; zero force since\n", event.detail.c_str(),

@@ -1,15 +1,20 @@
 #include "verbs.h"
 
+#include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <utility>
 
 namespace thigma::app {
 namespace {
 
-// The parser itself takes -3 for 2^64 - 3.
+// The parser itself takes -3 for 2^64 - 3, and what is larger for 2^64 - 1.
 std::string check_seed(const std::string& text) {
-  const bool is_whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return is_whole ? "" : "'" + text + "', expected a whole number of 0 or more";
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  const bool is_whole = error == std::errc() && rest == end;
+  return is_whole ? "" : "'" + text + "', expected a whole number of 0 to 18446744073709551615";
 }
 
 }  // namespace

@@ -35,5 +35,6 @@ Outcome run_fig_5_6(const Context& context);
 Outcome run_fig_5_8(const Context& context);
 Outcome run_fig_5_10(const Context& context);
 Outcome run_gains(const Context& context);
+Outcome run_level_choice(const Context& context);
 
 }  // namespace thigma::experiments

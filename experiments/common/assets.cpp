@@ -1,7 +1,6 @@
 #include "experiments/common/assets.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "scenes/make_model.h"
 #include "scenes/scene_file.h"
@@ -14,8 +13,16 @@ namespace thigma::experiments {
 namespace {
 
 std::string with_count(const scenes::SceneObject& object, int triangles) {
-  if (!object.model) throw std::invalid_argument("an experiment's scene has procedural models");
   return model_uri(object.model->name, triangles > 0 ? triangles : object.model->triangles);
+}
+
+const ClodHierarchy& levels_of_file(Assets& assets, const scenes::SceneObject& object) {
+  const std::string key = object.mesh + " at " + std::to_string(object.unit_scale);
+  const auto known = assets.levels.find(key);
+  if (known != assets.levels.end()) return known->second;
+  ClodParams params;
+  params.threads = 2;
+  return assets.levels.emplace(key, build_clod(scenes::load_object(object).mesh, params)).first->second;
 }
 
 }  // namespace
@@ -60,14 +67,23 @@ void place_apart(Pair& pair, const Vec3& approach) {
 }
 
 Pair scene_pair(Assets& assets, const std::string& scene, int triangles, bool is_timed) {
-  const scenes::SceneDescription description =
-      scenes::parse_scene(scenes::builtin_scene(scene), scene, "");
+  Pair pair = scene_pair(assets, scenes::parse_scene(scenes::builtin_scene(scene), scene, ""),
+                         triangles, is_timed);
+  pair.name = scene;
+  return pair;
+}
+
+Pair scene_pair(Assets& assets, const scenes::SceneDescription& description, int triangles,
+                bool is_timed) {
   const scenes::SceneObject& body = description.statics.at(0);
   Pair pair;
-  pair.name = scene;
-  const auto levels = is_timed ? timed_levels_of : levels_of;
-  pair.object = &levels(assets, with_count(description.object, triangles));
-  pair.scene = &levels(assets, with_count(body, triangles));
+  pair.name = description.title;
+  const auto levels = [&](const scenes::SceneObject& object) {
+    if (!object.model) return &levels_of_file(assets, object);
+    return &(is_timed ? timed_levels_of : levels_of)(assets, with_count(object, triangles));
+  };
+  pair.object = levels(description.object);
+  pair.scene = levels(body);
   pair.radius = std::min(pair.object->radius, pair.scene->radius);
   pair.start = description.object.world_from_mesh;
   pair.world_from_scene = body.world_from_mesh;

@@ -5,6 +5,8 @@
 #include <map>
 #include <string>
 
+#include "scenes/scene_description.h"
+
 #include "thigma/clod/hierarchy.h"
 #include "thigma/math/pose.h"
 #include "thigma/mesh/triangle_mesh.h"
@@ -47,6 +49,10 @@ struct Pair {
 /// is_timed   levels are built here and timed
 /// Thread     [offline].
 Pair scene_pair(Assets& assets, const std::string& scene, int triangles = 0, bool is_timed = false);
+
+/// The same of any scene. The object and the first static one are procedural or mesh files; levels of files are built and
+/// kept in assets for the run.
+Pair scene_pair(Assets& assets, const scenes::SceneDescription& scene, int triangles = 0, bool is_timed = false);
 
 /// Start and clearance of a pair whose object stands somewhere near: moved apart where it touches.
 void place_apart(Pair& pair, const Vec3& approach);

@@ -138,8 +138,8 @@ plot::Figure profile_figure(const ProfileStudy& study, const std::string& title,
   return figure;
 }
 
-Claim unless_known(Claim claim, const char* reason) {
-  return *reason != '\0' ? known_not_to(std::move(claim), reason) : claim;
+Claim unless_known(Claim claim, const Known& known) {
+  return known.reason.empty() ? claim : known_not_to(std::move(claim), known);
 }
 
 std::vector<Claim> common_claims(const ProfileFigure& figure, const Profile& exact,

@@ -54,9 +54,9 @@ struct ProfileFigure {
   const char* title;
   const char* source_front;     // how much smaller the source's front is, in words
   const char* source_speed_up;  // how much faster its query, in words
-  // Why these are known not to hold, where they do not; "": they are expected to.
-  const char* why_no_profile;
-  const char* why_no_curvature;
+  // Why these do not hold; no reason: they are expected to.
+  Known why_no_profile;
+  Known why_no_curvature;
   std::vector<Claim> (*own_claims)(const Profile& exact, const Profile& coarse,
                                    const ProfileStudy& study);
 };

@@ -64,6 +64,16 @@ struct Contacts {
   }
 };
 
+double mean_level(const ContactSample& sample) {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t level = 0; level < sample.object_levels.size(); ++level) {
+    const double n = sample.object_levels[level] + sample.scene_levels[level];
+    sum += static_cast<double>(level) * n;
+    count += n;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
 bool is_here(const BodyState& y, const Pose& handle) {
   const double distance = (y.position - handle.position).norm();
   return distance < kGone && y.orientation.coeffs().allFinite() && y.linear_momentum.allFinite() &&
@@ -98,6 +108,7 @@ std::vector<CoupledFrame> run_coupled(const CoupledSetup& setup, std::span<const
     frame.stretch = stretch.linear.norm();
     frame.turn = stretch.angular.norm();
     frame.contacts = contacts.sample.contacts;
+    frame.level = mean_level(contacts.sample);
     frames.push_back(frame);
   }
   return frames;

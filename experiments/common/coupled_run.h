@@ -32,6 +32,7 @@ struct CoupledFrame {
   Wrench coupling, contact;          // on the object about its centre of mass [world]
   double stretch = 0.0, turn = 0.0;  // of the coupling [m, rad]
   std::int64_t contacts = 0;         // of the model in use
+  double level = 0.0;                // mean level of detail of both surfaces in them, 0 the finest
 };
 
 /// Frames until the motion ends or the object is gone: more than a metre from the handle, or not finite.

@@ -16,25 +16,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Claim make_claim(std::string id, std::string text, double value, std::optional<double> bound,
-                 std::string unit) {
-  Claim claim;
-  claim.id = std::move(id);
-  claim.text = std::move(text);
-  if (std::isfinite(value)) claim.value = value;
-  claim.bound = bound;
-  claim.unit = std::move(unit);
-  return claim;
-}
-
 Json number(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+const char* kind_name(ClaimKind kind) {
+  switch (kind) {
+    case ClaimKind::checked: return "checked";
+    case ClaimKind::stated: return "stated";
+    case ClaimKind::not_reproduced: return "not reproduced";
+  }
+  return "";
 }
 
 Json claim_json(const Claim& claim) {
   Json json;
   json["id"] = claim.id;
   json["text"] = claim.text;
+  json["kind"] = kind_name(claim.kind);
   json["value"] = number(claim.value);
   json["bound"] = number(claim.bound);
   if (claim.bound_low) json["bound_low"] = number(claim.bound_low);
@@ -42,6 +41,10 @@ Json claim_json(const Claim& claim) {
   json["holds"] = claim.holds;
   json["expected"] = claim.expected;
   json["reason"] = claim.reason;
+  if (claim.kind != ClaimKind::not_reproduced) return json;
+  json["sweep"] = claim.sweep;
+  json["floor"] = number(claim.floor);
+  if (claim.floor_low) json["floor_low"] = number(claim.floor_low);
   return json;
 }
 
@@ -69,53 +72,6 @@ std::string run_json(const Experiment& experiment, const Context& context, doubl
 
 }  // namespace
 
-Claim at_least(std::string id, std::string text, double value, double bound, std::string unit) {
-  Claim claim = make_claim(std::move(id), std::move(text), value, bound, std::move(unit));
-  claim.holds = claim.value && value >= bound;
-  return claim;
-}
-
-Claim at_most(std::string id, std::string text, double value, double bound, std::string unit) {
-  Claim claim = make_claim(std::move(id), std::move(text), value, bound, std::move(unit));
-  claim.holds = claim.value && value <= bound;
-  return claim;
-}
-
-Claim within(std::string id, std::string text, double value, double low, double high,
-             std::string unit) {
-  Claim claim = make_claim(std::move(id), std::move(text), value, high, std::move(unit));
-  claim.bound_low = low;
-  claim.holds = claim.value && value >= low && value <= high;
-  return claim;
-}
-
-Claim above(std::string id, std::string text, double value, double bound, std::string unit) {
-  Claim claim = make_claim(std::move(id), std::move(text), value, bound, std::move(unit));
-  claim.holds = claim.value && value > bound;
-  return claim;
-}
-
-Claim below(std::string id, std::string text, double value, double bound, std::string unit) {
-  Claim claim = make_claim(std::move(id), std::move(text), value, bound, std::move(unit));
-  claim.holds = claim.value && value < bound;
-  return claim;
-}
-
-Claim stated(std::string id, std::string text, double value, std::string unit) {
-  Claim claim = make_claim(std::move(id), std::move(text), value, std::nullopt, std::move(unit));
-  claim.holds = claim.value.has_value();
-  return claim;
-}
-
-Claim known_not_to(Claim claim, std::string reason) {
-  if (claim.holds) return claim;
-  claim.expected = false;
-  claim.reason = std::move(reason);
-  return claim;
-}
-
-bool is_broken(const Claim& claim) { return claim.expected && !claim.holds; }
-
 void tell(const Context& context, const std::string& line) {
   if (context.tell) context.tell(line);
 }
@@ -124,6 +80,11 @@ std::string claims_json(const Experiment& experiment, const std::vector<Claim>& 
   Json json;
   json["name"] = experiment.name;
   json["source"] = experiment.source;
+  const ClaimCounts counts = count_claims(claims);
+  json["counts"] = {{"checked", counts.checked},
+                    {"stated", counts.stated},
+                    {"not_reproduced", counts.not_reproduced},
+                    {"broken", counts.broken}};
   json["claims"] = Json::array();
   for (const Claim& claim : claims) json["claims"].push_back(claim_json(claim));
   return json.dump(2) + "\n";

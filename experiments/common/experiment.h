@@ -4,47 +4,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "experiments/common/assets.h"
+#include "experiments/common/claim.h"
 #include "experiments/common/plot.h"
 #include "experiments/common/table.h"
 
 namespace thigma::experiments {
-
-/// One statement that the run either bears out or does not.
-/// Invariant: what is not a finite number does not hold.
-struct Claim {
-  std::string id;                   // of reference/CLAIMS, or our own
-  std::string text;                 // one sentence, with the bound in words
-  std::optional<double> value;      // measured; none: could not be
-  std::optional<double> bound;      // value is compared with it; none: only stated
-  std::optional<double> bound_low;  // set: value has to lie in [bound_low, bound]
-  std::string unit;                 // of value and bounds, "" for a ratio or a count
-  bool holds = false;
-  bool expected = true;  // false: known not to reproduce, `reason` says why
-  std::string reason;
-};
-
-/// value >= bound; value <= bound; low <= value <= high; value > bound; value < bound.
-Claim at_least(std::string id, std::string text, double value, double bound, std::string unit = "");
-Claim at_most(std::string id, std::string text, double value, double bound, std::string unit = "");
-Claim within(std::string id, std::string text, double value, double low, double high,
-             std::string unit = "");
-Claim above(std::string id, std::string text, double value, double bound, std::string unit = "");
-Claim below(std::string id, std::string text, double value, double bound, std::string unit = "");
-/// A number that is stated and compared with nothing; holds when finite.
-Claim stated(std::string id, std::string text, double value, std::string unit = "");
-
-/// What is known beforehand about a claim that does not reproduce: where it does not hold it is marked as not
-/// expected, with the reason; where it does hold nothing changes.
-Claim known_not_to(Claim claim, std::string reason);
-
-/// True when the run fails: a claim that does not hold and is expected to.
-bool is_broken(const Claim& claim);
 
 /// What a run is given.
 struct Context {
@@ -73,8 +41,10 @@ struct Experiment {
 /// All of them, in the order of listings.
 const std::vector<Experiment>& all_experiments();
 
-/// claims.json of an outcome: {name, source, claims: [{id, text, value, bound, unit, holds, expected, reason}]}, on
-/// lines, with bound_low where a claim has two bounds. Numbers that are not finite become null.
+/// claims.json of an outcome: {name, source, counts: {checked, stated, not_reproduced, broken}, claims: [{id, text,
+/// kind, value, bound, unit, holds, expected, reason}]}, on lines. bound_low stands beside bound where a claim has two;
+/// one that is not reproduced has its sweep and floor (floor_low). Numbers that are not finite become null. A stated
+/// claim has no bound and `holds` where it is a number, so that a run fails exactly where `expected` and not `holds`.
 std::string claims_json(const Experiment& experiment, const std::vector<Claim>& claims);
 
 /// Runs one and writes folder/NAME/{data.csv, NAME.png, claims.json, run.json}. Every file is complete or absent.

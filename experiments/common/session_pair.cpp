@@ -9,14 +9,22 @@
 namespace thigma::experiments {
 
 SessionPair session_pair(Assets& assets, const std::string& scene, double seconds, int triangles) {
-  const scenes::SceneDescription description =
-      scenes::parse_scene(scenes::builtin_scene(scene), scene, "");
-  const Pair pair = scene_pair(assets, scene, triangles);
+  SessionPair session = session_pair(
+      assets, scenes::parse_scene(scenes::builtin_scene(scene), scene, ""), seconds, triangles);
+  session.name = scene;
+  return session;
+}
+
+SessionPair session_pair(Assets& assets, const scenes::SceneDescription& description,
+                         double seconds, int triangles) {
+  const Pair pair = scene_pair(assets, description, triangles);
   scenes::LoadedObject object;
-  object.measure = mass_properties(scenes::make_model(description.object.model.value()));
+  object.measure = description.object.model
+                       ? mass_properties(scenes::make_model(*description.object.model))
+                       : scenes::load_object(description.object).measure;
   object.ball = {pair.object->center, pair.object->radius};
   SessionPair session;
-  session.name = scene;
+  session.name = description.title;
   session.config = scenes::make_session_config(description, object);
   session.config.duration = seconds;
   session.config.contact.object = pair.object;

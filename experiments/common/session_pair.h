@@ -23,4 +23,8 @@ struct SessionPair {
 SessionPair session_pair(Assets& assets, const std::string& scene, double seconds,
                          int triangles = 0);
 
+/// The same of any scene with one static object.
+SessionPair session_pair(Assets& assets, const scenes::SceneDescription& scene, double seconds,
+                         int triangles = 0);
+
 }  // namespace thigma::experiments

@@ -8,11 +8,14 @@
 namespace thigma::experiments {
 namespace {
 
-std::unique_ptr<TexturedSession::Body> load_body(const scenes::SceneObject& object) {
+std::unique_ptr<TexturedSession::Body> load_body(
+    const scenes::SceneObject& object,
+    const std::function<HapticTexture(const scenes::SceneObject&)>& make) {
   auto body = std::make_unique<TexturedSession::Body>();
-  body->texture = object.is_textured
-                      ? scenes::load_texture(object)
-                      : make_plain_texture(scenes::load_object(object).mesh, object.name);
+  if (!object.is_textured)
+    body->texture = make_plain_texture(scenes::load_object(object).mesh, object.name);
+  else
+    body->texture = make ? make(object) : scenes::load_texture(object);
   body->hierarchy = build_exact_hierarchy(body->texture.coarse);
   return body;
 }
@@ -21,11 +24,12 @@ std::unique_ptr<TexturedSession::Body> load_body(const scenes::SceneObject& obje
 
 std::unique_ptr<TexturedSession> textured_session(
     const std::string& scene, bool is_textured,
-    const std::function<void(scenes::SceneDescription&)>& change) {
+    const std::function<void(scenes::SceneDescription&)>& change,
+    const std::function<HapticTexture(const scenes::SceneObject&)>& make) {
   auto session = std::make_unique<TexturedSession>();
   session->scene = scenes::parse_scene(scenes::builtin_scene(scene), scene, "");
   if (change) change(session->scene);
-  session->object = load_body(session->scene.object);
+  session->object = load_body(session->scene.object, make);
   const TriangleMesh& mesh = session->object->texture.coarse;
   session->config = scenes::make_session_config(
       session->scene, {{}, mass_properties(mesh), enclosing_ball(mesh.positions)});
@@ -36,7 +40,7 @@ std::unique_ptr<TexturedSession> textured_session(
   };
   if (is_textured) world.textures.object = textured(*session->object);
   for (const scenes::SceneObject& other : session->scene.statics) {
-    session->statics.push_back(load_body(other));
+    session->statics.push_back(load_body(other, make));
     world.scene.push_back({&session->statics.back()->hierarchy, other.world_from_mesh});
     if (is_textured) world.textures.scene.push_back(textured(*session->statics.back()));
   }
@@ -47,12 +51,13 @@ ScriptRun run_script(TexturedSession& session, double seconds,
                      const std::function<Pose(double)>& pose) {
   const Pose start = session.config.world_from_body;
   constexpr double kRow = 0.005;  // [s]: between rows the motion is smooth
+  const double scale = session.config.haptic.workspace.motion_scale;  // of large and small objects not 1
   std::vector<TimedPose> script;
   for (int i = 0; i <= static_cast<int>(seconds / kRow); ++i) {
     const Pose by = pose(kRow * i);
     TimedPose row;
     row.time = kRow * i;
-    row.pose.position = by.position;
+    row.pose.position = by.position / scale;
     row.pose.orientation = by.orientation;
     script.push_back(row);
   }

@@ -30,10 +30,12 @@ struct TexturedSession {
 ///
 /// is_textured  false: coarse surfaces alone
 /// change       what to change of the scene first, may be empty
+/// make         another surface for a textured object; empty: the scene's own
 /// Thread       [offline].
 std::unique_ptr<TexturedSession> textured_session(
     const std::string& scene, bool is_textured,
-    const std::function<void(scenes::SceneDescription&)>& change = {});
+    const std::function<void(scenes::SceneDescription&)>& change = {},
+    const std::function<HapticTexture(const scenes::SceneObject&)>& make = {});
 
 /// What a script's frames gave.
 struct ScriptRun {

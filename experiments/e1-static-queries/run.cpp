@@ -195,7 +195,7 @@ Outcome run_e1_static_queries(const Context& context) {
                                          : w == 1 ? "sublinear-"
                                                   : "capped-") +
                              model;
-      outcome.claims.push_back(w == 1 ? below(id, text, fit.slope, 0.5)
+      outcome.claims.push_back(w == 1 ? on_this_machine(below(id, text, fit.slope, 0.5))
                                       : stated(id, text, fit.slope));
     }
     outcome.figure.panels.push_back(growth);
@@ -205,10 +205,10 @@ Outcome run_e1_static_queries(const Context& context) {
     if (c.bound && c.value) worst = std::max(worst, *c.value);
   }
   outcome.claims.insert(outcome.claims.begin(),
-                        below("sublinear",
+                        on_this_machine(below("sublinear",
                               "query time at s0 = 2.5 % grows slower than triangles^0.5: largest "
                               "exponent of the models",
-                              worst, 0.5));
+                              worst, 0.5)));
   return outcome;
 }
 

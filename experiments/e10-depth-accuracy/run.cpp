@@ -8,6 +8,7 @@
 
 #include "experiments/common/statistics.h"
 #include "experiments/common/texture_experiments.h"
+#include "experiments/e10-depth-accuracy/fine_meshes.h"
 #include "scenes/textured_model.h"
 
 #include "thigma/math/elementary.h"
@@ -313,6 +314,7 @@ Outcome run_e10_depth_accuracy(const Context& context) {
   outcome.claims.push_back(at_most("rays", "depth over all texels against rays through displaced meshes: largest error by the amplitudes", largest(level[0]), 0.02));
   outcome.claims.push_back(stated("rays-grid", "the same, climbed to from 50 x 50", largest(level[1])));
   outcome.claims.push_back(stated("rays-leaning", "over all texels, plates leaning by up to 1.1 degrees each way", largest(leaning[0])));
+  against_fine_meshes(context, outcome);
   outcome.figure = {.title = "Accuracy of directional depth (E10)", .panels = {depths, slopes}};
   return outcome;
 }

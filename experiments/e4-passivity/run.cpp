@@ -17,7 +17,8 @@ namespace e4_passivity {
 namespace {
 
 constexpr double kDelay = 0.015;   // [s]
-constexpr double kNothing = 1e-6;  // [J]
+constexpr double kNothing = 1e-6;  // what energy_min is asked for: nearer zero is not told apart [J]
+constexpr double kAsked = 20.0;    // times nearer zero, of the controller
 // The built-in scenes without relief; fig-5-12 and fig-4-14 have those with it.
 constexpr const char* kScenes[] = {"jaws", "cup_spoon",  "simple_cup_spoon", "ellipsoid",
                                    "golf", "ball_joint", "conforming"};
@@ -97,6 +98,7 @@ Outcome run_e4_passivity(const Context& context) {
                     .note = "true motion of the simulated handle; gains as `tune` proposes them"};
   double least = 0.0, least_own = 0.0, least_controlled = 0.0, least_gain = std::numeric_limits<double>::infinity();
   double cost = 0.0, damping = 0.0;
+  int scenes_late = 0;
   for (const char* scene : kScenes) {
     tell(context, scene);
     SessionPair session = session_pair(*context.assets, scene, context.quick ? 3.0 : 10.0,
@@ -115,10 +117,11 @@ Outcome run_e4_passivity(const Context& context) {
     least = std::min(least, prompt.summary.energy_min);
     least_own = std::min(least_own, own.summary.energy_min);
     least_controlled = std::min(least_controlled, controlled.summary.energy_min);
-    // Where lateness gives nothing away there is nothing to take back.
-    if (late.summary.energy_min < -kNothing) {
-      const double left = std::min(controlled.summary.energy_min, -1e-12);
+    // Where lateness gives less away than can be told from nothing, there is nothing to take back.
+    if (late.summary.energy_min < -kAsked * kNothing) {
+      const double left = std::min(controlled.summary.energy_min, -kNothing);
       least_gain = std::min(least_gain, late.summary.energy_min / left);
+      ++scenes_late;
     }
     cost = std::max(cost, 1.0 - controlled.summary.passivity.sent_share);
     damping = std::max(damping, controlled.summary.passivity.damping_max);
@@ -130,8 +133,11 @@ Outcome run_e4_passivity(const Context& context) {
                "J"),
       at_least("controlled", "least energy over the scenes 15 ms late with the controller",
                least_controlled, -1e-3, "J"),
-      at_least("nearer", "how much nearer zero that is than without, in the worst scene",
-               least_gain, 20.0),
+      at_least("nearer",
+               "how much nearer zero that is than without, in the worst scene; what is nearer than 1e-6 J counts as that",
+               least_gain, kAsked),
+      at_least("late", "scenes that give away more than 20 times 1e-6 J without the controller: those judged",
+               scenes_late, 1.0),
       stated("cost", "most that the controller leaves out of the wanted wrench, mean over a session", cost),
       stated("damping", "largest damping it adds to the handle", damping, "N s/m")};
   return outcome;

@@ -120,8 +120,9 @@ Outcome run_e8_lod_error(const Context& context) {
                             "the force error rises with s0: largest fall from one threshold to a coarser "
                             "one, of the scene's largest error",
                             fall, kNoise),
-                    "above 5 % spoon and cup are felt at the same few coarsest levels, and which of them happens to lie "
-                    "nearer decides: 0.40 at 5 %, 0.36 at 10 and 20 %; elsewhere falls stay below a tenth"),
+                    {"above 5 % spoon and cup are felt at the same few coarsest levels, and which of them happens to lie "
+                    "nearer decides: 0.40 at 5 %, 0.36 at 10 and 20 %; elsewhere falls stay below a tenth",
+                     "data.csv", 0.4}),
        stated("rank", "rank correlation of error and threshold, least over the scenes",
               least_rank)});
   return outcome;

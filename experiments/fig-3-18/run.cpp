@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "experiments/common/all_experiments.h"
 #include "experiments/common/spoon_drop.h"
@@ -55,6 +56,44 @@ std::vector<double> column(const std::vector<Sight>& all, double Sight::*value, 
   return v;
 }
 
+/// A drop under the velocity metric.
+struct Fall {
+  std::vector<Sight> sights;
+  double deepest = 0.0;  // of what queries saw, over the tolerance
+};
+
+Fall play(SpoonDrop drop, double seconds, double alpha, double cap) {
+  Resolution& resolution = drop.world.resolution;
+  resolution.is_exact = false;
+  resolution.deviation_cap = cap;
+  resolution.metric = {.haptic = 0.0, .velocity = alpha};
+  Fall fall;
+  SimulationPorts ports;
+  ports.query = [&](const SimulationState& state, const ContactSet& set) {
+    if (!set.contacts.empty()) fall.sights.push_back(look(drop.world, state, set));
+  };
+  SimulationState state = drop.start;
+  SimulationScratch scratch = reserve_simulation(drop.world);
+  fall.deepest = simulate(drop.world, seconds, state, scratch, ports).deepest / drop.world.tolerance;
+  return fall;
+}
+
+/// Levels by which fast contacts are coarser than slow ones, and how many times fewer triangles they have.
+struct Coarsening {
+  double levels = std::nan(""), triangles = std::nan("");
+};
+
+Coarsening coarsening(const std::vector<Sight>& sights, double impact) {
+  const double fast = 0.5 * impact, slow = 0.1 * impact, none = 1e300;
+  const std::vector<double> coarse = column(sights, &Sight::coarsest, fast, none);
+  const std::vector<double> fine = column(sights, &Sight::finest, 0.0, slow);
+  if (coarse.empty() || fine.empty()) return {};
+  return {*std::max_element(coarse.begin(), coarse.end()) - *std::min_element(fine.begin(), fine.end()),
+          mean(column(sights, &Sight::triangles, 0.0, slow)) / mean(column(sights, &Sight::triangles, fast, none))};
+}
+
+constexpr double kCaps[] = {kNoCap, 0.02, 0.01, 0.005, 0.003};  // of the radius
+
 plot::Series curve(const char* label, const std::vector<Sight>& all, double Sight::*value) {
   plot::Series s{.label = label, .mark = plot::Mark::points};
   for (const Sight& one : all) {
@@ -71,34 +110,36 @@ Outcome run_fig_3_18(const Context& context) {
   using namespace fig_3_18;
   SpoonDrop drop = spoon_drop(*context.assets, context.quick ? 8000 : 0);
   const double impact = first_impact_speed(drop);
-  Resolution& resolution = drop.world.resolution;
-  resolution.is_exact = false;
-  resolution.deviation_cap = kNoCap;
-  resolution.metric = {.haptic = 0.0, .velocity = kCoarsest * drop.radius / impact};
-  std::vector<Sight> sights;
-  SimulationPorts ports;
-  ports.query = [&](const SimulationState& state, const ContactSet& set) {
-    if (!set.contacts.empty()) sights.push_back(look(drop.world, state, set));
-  };
-  SimulationState state = drop.start;
-  SimulationScratch scratch = reserve_simulation(drop.world);
-  const SimulationCounts counts = simulate(drop.world, context.quick ? 0.6 : 2.0, state, scratch, ports);
+  const double alpha = kCoarsest * drop.radius / impact, seconds = context.quick ? 0.6 : 2.0;
+  const Fall fall = play(drop, seconds, alpha, kNoCap);
+  const std::vector<Sight>& sights = fall.sights;
 
   Outcome outcome;
-  outcome.tables = {{.columns = {"time [s]", "fastest contact [m/s]", "coarsest level", "finest level", "triangles of both"}}};
+  outcome.tables = {{.columns = {"time [s]", "fastest contact [m/s]", "coarsest level", "finest level", "triangles of both"}},
+                    {.name = "sweep",
+                     .columns = {"cap / radius", "deepest / tolerance", "levels coarser", "times fewer triangles"}}};
   for (const Sight& s : sights) add_row(outcome.tables[0], {s.time, s.speed, s.coarsest, s.finest, s.triangles});
-  const double fast = 0.5 * impact, slow = 0.1 * impact, none = 1e300;
-  const std::vector<double> coarse = column(sights, &Sight::coarsest, fast, none);
-  const std::vector<double> fine = column(sights, &Sight::finest, 0.0, slow);
-  const double span = coarse.empty() || fine.empty() ? std::nan("")
-                                                     : *std::max_element(coarse.begin(), coarse.end()) -
-                                                           *std::min_element(fine.begin(), fine.end());
+  double least_deep = fall.deepest;
+  for (const double cap : kCaps) {
+    const Fall other = cap == kNoCap ? fall : play(drop, seconds, alpha, cap);
+    const Coarsening c = coarsening(other.sights, impact);
+    add_row(outcome.tables[1], {cap, other.deepest, c.levels, c.triangles});
+    least_deep = std::min(least_deep, other.deepest);
+  }
+  const Coarsening coarser = coarsening(sights, impact);
+  char reason[320];
+  std::snprintf(reason, sizeof reason,
+                "contacts that slow down are measured on finer levels, and those lie elsewhere by what the coarse ones deviate: %.1f "
+                "tolerances without a cap on the deviation, %.2f at best with one (sweep.csv), where the metric has no more levels to "
+                "choose from",
+                fall.deepest, least_deep);
+  Claim deepest = at_most("deepest", "penetration that a query sees over the tolerance, at most", fall.deepest, 1.0);
+  if (!deepest.holds) deepest = known_not_to(deepest, {reason, "sweep.csv", 20.0});
+  Claim triangles = at_least("triangles", "triangles of the levels in slow contacts over those in fast ones (the source: roughly 10)",
+                             coarser.triangles, 5.0);
   outcome.claims = {
-      at_least("coarser", "levels that the spoon's fast contacts are coarser than its slow ones, at most", span, 4.0),
-      at_least("triangles", "triangles of the levels in slow contacts over those in fast ones (the source: roughly 10)",
-               mean(column(sights, &Sight::triangles, 0.0, slow)) / mean(column(sights, &Sight::triangles, fast, none)), 5.0),
-      stated("speed", "speed of the first impact", impact, "m/s"),
-      stated("deepest", "penetration over the tolerance, at most", counts.deepest / drop.world.tolerance)};
+      at_least("coarser", "levels that the spoon's fast contacts are coarser than its slow ones, at most", coarser.levels, 4.0),
+      triangles, deepest, stated("speed", "speed of the first impact", impact, "m/s")};
   outcome.figure = {.title = "Spoon into cup, velocity-dependent metric (Fig. 3.18)",
                     .note = "each point a contact query; s0 = 3.5 % of the radius at the speed of the first impact",
                     .panels = {{.title = "Speed", .x = {.label = "time [s]"}, .y = {.label = "fastest contact [m/s]"}},

@@ -53,34 +53,44 @@ struct Measured {
   double mean = 0.0, deviation = 0.0, peak = 0.0;  // of the feedback force [N; Hz]
 };
 
-/// The frequency at which a signal has most power, by a Hann window and a fine scan.
-double peak_frequency(const std::vector<double>& x, double step, double low, double high) {
-  const double middle = mean(x);
-  double best = 0.0, most = -1.0;
-  for (double f = low; f <= high; f += 0.002 * (low + high)) {
-    double c = 0.0, s = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const double window =
-          1.0 - cosine(2.0 * kPi * static_cast<double>(i) / static_cast<double>(x.size()));
-      const SinCos w = sin_cos(2.0 * kPi * f * step * static_cast<double>(i));
-      c += window * (x[i] - middle) * w.cos;
-      s += window * (x[i] - middle) * w.sin;
-    }
-    if (c * c + s * s > most) {
-      most = c * c + s * s;
-      best = f;
-    }
+/// Power of a signal at a frequency, by a Hann window.
+double power_at(const std::vector<double>& x, double middle, double step, double f) {
+  double c = 0.0, s = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double window =
+        1.0 - cosine(2.0 * kPi * static_cast<double>(i) / static_cast<double>(x.size()));
+    const SinCos w = sin_cos(2.0 * kPi * f * step * static_cast<double>(i));
+    c += window * (x[i] - middle) * w.cos;
+    s += window * (x[i] - middle) * w.sin;
   }
-  return best;
+  return c * c + s * s;
+}
+
+/// The frequency at which a signal has most power: from one period in the whole of it, below which a window sees only
+/// its mean, to a tenth of the sampling rate.
+double peak_frequency(const std::vector<double>& x, double step) {
+  const double middle = mean(x);
+  const double line = 1.0 / (step * static_cast<double>(x.size()));  // of a discrete transform [Hz]
+  const auto highest = [&](double low, double high, double by) {
+    double best = low, most = -1.0;
+    for (double f = low; f <= high; f += by) {
+      const double power = power_at(x, middle, step, f);
+      if (power > most) {
+        most = power;
+        best = f;
+      }
+    }
+    return best;
+  };
+  const double near = highest(line, 0.1 / step, 0.25 * line);
+  return highest(std::max(line, near - 0.5 * line), near + 0.5 * line, 0.01 * line);
 }
 
 Measured measure(const ScriptRun& run, const Stroke& stroke) {
   std::vector<double> force;
   for (const HapticSample& s : run.frames)
     if (s.time >= stroke.begin + 0.1 && s.time < stroke.end) force.push_back(s.feedback.force.z());
-  const double expected = stroke.speed / kWave;
-  return {mean(force), standard_deviation(force),
-          peak_frequency(force, 1e-3, 0.6 * expected, 1.6 * expected)};
+  return {mean(force), standard_deviation(force), peak_frequency(force, 1e-3)};
 }
 
 /// Share of the feedback force's variation above a frequency, to its mean, while the probe rests in contact.

@@ -150,9 +150,9 @@ Outcome run_fig_5_6(const Context&) {
   const double euler = 1e3 * threshold(Integrator::forward_euler, hand);
   const double kutta = 1e3 * threshold(Integrator::runge_kutta, hand);
   outcome.claims = {
-      within("forward-euler", "least mass that forward Euler bears (source: 100 g)", euler, 95.0,
+      within("forward-euler", "least mass that forward Euler bears (source: 100 g, to which the spoon's gyration is fitted)", euler, 95.0,
              104.0, "g"),
-      within("runge-kutta", "least mass that Runge-Kutta bears (source: 70 g)", kutta, 69.0, 76.0,
+      within("runge-kutta", "least mass that Runge-Kutta bears, with the same gyration (source: 70 g)", kutta, 69.0, 76.0,
              "g"),
       at_least("backward-euler", "backward Euler is stable at 1 g and 0.1 g (source: 1 g)",
                is_light_stable ? 1.0 : 0.0, 1.0),

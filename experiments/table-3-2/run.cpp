@@ -34,7 +34,7 @@ struct Row {
          coarsest_r = 0;
   int free_levels = 0, levels = 0;
   double worst_ratio =
-      0.0;  // of a level's patches to those of the one before, but for the last level
+      0.0;  // of a level's patches or triangles, whichever fell more, to those of the one before, but for the last level
   double last_ratio = 0.0;  // of the last simplified level
   double worst_fall = 0.0;  // of a level's resolution to that of the one before; 1: not fallen
 };
@@ -61,7 +61,8 @@ Row measure(const ClodHierarchy& h) {
   row.finest_r = h.levels[1].resolution * h.radius;
   row.coarsest_r = h.levels[simplified].resolution * h.radius;
   for (std::size_t i = 1; i <= simplified; ++i) {
-    const double ratio = patch_count(h, i) / patch_count(h, i - 1);
+    const double ratio = std::min(patch_count(h, i) / patch_count(h, i - 1),
+                                  triangle_count(h, i) / triangle_count(h, i - 1));
     if (i < simplified)
       row.worst_ratio = std::max(row.worst_ratio, ratio);
     else

@@ -1,5 +1,8 @@
 // `thigma bake`: what it prints, what it writes, what it refuses.
 
+#include <algorithm>
+#include <filesystem>
+
 #include "apps/program.h"
 #include "support/wavy_ball.h"
 #include <gtest/gtest.h>
@@ -66,6 +69,37 @@ TEST(BakeVerb, BakesOntoLevelsOfDetail) {
   EXPECT_NE(none.err.find("no level 999"), std::string::npos) << none.err;
 }
 
+TEST(BakeVerb, TakesTheScaleThatTheLevelsWereBuiltWith) {
+  // As a scan in units of 0.24 mm.
+  const std::string fine = mesh_file("units.obj", make_ball(40.0, 16)), clod = out_file("units.clod"),
+                    out = out_file("units.tex");
+  ASSERT_EQ(run_program({"build", fine, "-o", clod, "--scale", "0.00024", "--quiet"}).code, 0);
+  std::string first;
+  for (const std::vector<std::string>& extra :
+       {std::vector<std::string>{}, {"--scale", "0.00024"}}) {
+    std::vector<std::string> arguments = {"bake", fine, "--onto", clod, "-o", out, "--texels", "64", "--json", "--quiet"};
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    const Ended e = run_program(arguments);
+    ASSERT_EQ(e.code, 0) << e.err;
+    EXPECT_NEAR(json_line(e)["radius"].get<double>(), 40.0 * 0.00024, 0.1 * 40.0 * 0.00024);
+    if (first.empty()) first = read_text(out);
+    EXPECT_EQ(read_text(out), first);
+  }
+}
+
+TEST(BakeVerb, RefusesSurfacesOfOtherSizesWithTheScaleThatFits) {
+  const std::string fine = mesh_file("mm.obj", make_ball(20.0, 8)), coarse = mesh_file("m.obj", make_ball(0.02, 2)),
+                    out = out_file("sizes.tex");
+  const Ended e = run_program({"bake", fine, "--onto", coarse, "-o", out, "--texels", "64", "--quiet"});
+  EXPECT_EQ(e.code, 4);
+  EXPECT_NE(e.err.find("about 0.001"), std::string::npos) << e.err;
+  EXPECT_EQ(std::count(e.err.begin(), e.err.end(), '\n'), 1) << e.err;
+  EXPECT_FALSE(std::filesystem::exists(out));
+  const Ended fits = run_program({"bake", fine, "--onto", coarse, "--scale", "0.001", "--onto-scale", "1", "-o", out,
+                                  "--texels", "64", "--quiet", "--json"});
+  EXPECT_EQ(fits.code, 0) << fits.err;
+}
+
 /// A ball with bumps that coarse levels of it do not have.
 TriangleMesh bumps() { return wavy_ball_of(20, 0.02, 0.05); }
 
@@ -130,6 +164,7 @@ TEST(BakeVerb, TakesHeightMapsOverTextureCoordinates) {
 TEST(BakeVerb, RefusesWithOneLineAndTheRightCode) {
   const std::string plate = write_text("plate2.obj", kSquare),
                     bare = mesh_file("bare.obj", make_box({1, 1, 1})),
+                    away = mesh_file("away.obj", transformed(make_ball(0.02, 4), Pose{Vec3(1, 0, 0), Quat::Identity()})),
                     ball = mesh_file("ball2.obj", make_ball(0.02, 2)),
                     map = write_text("map2.pgm", "P2 2 2 4\n0 4 4 0\n"),
                     cut = write_text("cut.pgm", "P2 2 2 4\n0 4 4\n"), out = out_file("none.tex");
@@ -150,7 +185,8 @@ TEST(BakeVerb, RefusesWithOneLineAndTheRightCode) {
   expect(4, {plate, "--height", map, "--amplitude", "1e9"}, "texel 0");
   expect(4, {plate, "--height", cut, "--amplitude", "0.1"}, "cut.pgm");
   expect(4, {plate, "--height", plate, "--amplitude", "0.1"}, "no height map");
-  expect(4, {bare, "--onto", ball}, "expected one that it fits");
+  expect(4, {bare, "--onto", ball}, "--onto-scale");
+  expect(4, {away, "--onto", ball}, "expected one that it fits");
   expect(4, {out_file("nowhere.obj"), "--onto", ball}, "nowhere.obj");
 }
 

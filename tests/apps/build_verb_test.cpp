@@ -5,10 +5,13 @@
 #include <filesystem>
 
 #include "apps/program.h"
+#include "support/zero_area.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/clod_file.h"
 #include "thigma/core/checksum.h"
+#include "thigma/mesh/shapes.h"
+#include "thigma/mesh/write_mesh.h"
 
 namespace thigma::test {
 namespace {
@@ -33,6 +36,28 @@ const std::string& torus_file() {
     return out;
   }();
   return path;
+}
+
+// inspect calls it usable: so it has to build, be read again, and run.
+TEST(BuildVerb, BuildsWhatIsUsableThoughTrianglesHaveNoArea) {
+  for (const double size : {1e-9, 0.02, 1e3}) {
+    TriangleMesh ball = make_ball(1.0, 8);
+    for (int i = 0; i < 5; ++i) add_stray(ball, {0.1 * i, 0, 0}, {0.1 * i, 0.5, 0});
+    for (int i = 0; i < 5; ++i) flatten(ball, 100 * static_cast<std::size_t>(i) + 7, 0, 0.5);
+    for (Vec3& p : ball.positions) p *= size;
+    const std::string mesh = write_text("strays.obj", format_mesh(ball, MeshFormat::obj, "strays")),
+                      out = out_file("strays.clod");
+    EXPECT_EQ(json_line(run_program({"inspect", mesh, "--json"}))["verdict"], "usable");
+    const Ended e = build(mesh, out);
+    ASSERT_EQ(e.code, 0) << e.err;
+    EXPECT_GE(json_line(e)["levels"].size(), 3u);
+    if (size != 0.02) continue;
+    for (const std::string& held : {mesh, out}) {
+      const Ended ran = run_program({"run", "--object", held, "--against", mesh, "--lockstep", "--headless",
+                                     "--duration", "0.5", "--quiet", "--no-cache"});
+      EXPECT_EQ(ran.code, 0) << ran.err;
+    }
+  }
 }
 
 TEST(BuildVerb, PrintsTheFieldsOfTheInterface) {

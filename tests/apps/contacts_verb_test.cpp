@@ -61,7 +61,8 @@ TEST(ContactsVerb, reads_the_same_poses_however_they_are_written) {
   for (const std::string& text :
        {std::string("x,y,z,qx,qy,qz,qw\r\n0,0,0.1002,0,0,0,1\r\n0,0,0.0999,0,0,0,1\r\n\r\n"),
         std::string("x, y, z, qx, qy, qz, qw\n 0, 0, 0.1002, 0, 0, 0, 1\n+0,0,9.99e-2,0,0,0,1"),
-        kHeader + "0,0,0.1002,0,0,0,1\n0,0,0.0999,0,0,0,1\n\n"}) {
+        kHeader + "0,0,0.1002,0,0,0,1\n0,0,0.0999,0,0,0,1\n\n",
+        "\xEF\xBB\xBF" + kHeader + "0,0,0.1002,0,0,0,1\n0,0,0.0999,0,0,0,1\n"}) {
     const auto other = json_lines(contacts(write_text("other.csv", text)));
     ASSERT_EQ(other.size(), 2u) << text;
     for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(other[i]["contacts"], plain[i]["contacts"]);

@@ -66,6 +66,10 @@ TEST(HeightFile, ReadsGreyPicturesOfAnyDepth) {
   EXPECT_EQ(parse_height_file("P2 1 1 2\n1\n", "a").values, std::vector<float>{0.5f});
 }
 
+TEST(HeightFile, SkipsAByteOrderMarkBeforeAPgm) {
+  EXPECT_EQ(parse_height_file("\xEF\xBB\xBFP2 1 1 2\n1\n", "a").values, std::vector<float>{0.5f});
+}
+
 TEST(HeightFile, RefusesColourDamageAndLies) {
   EXPECT_NE(complaint(png_of(1, 1, 8, {1, 2, 3}, PNG_COLOR_TYPE_RGB)).find("colour"),
             std::string::npos);

@@ -11,6 +11,9 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "thigma/mesh/shapes.h"
+#include "thigma/mesh/write_mesh.h"
+
 namespace thigma::test {
 namespace {
 
@@ -99,6 +102,78 @@ TEST(Verbs, refuse_wrong_use_with_one_sentence) {
     EXPECT_EQ(e.code, 2) << line << "\n" << e.err;
     EXPECT_TRUE(e.out.empty()) << line << "\n" << e.out;
     if (arguments.size() < 2 || arguments[0] != "bench") expect_one_line(e);
+  }
+}
+
+void expect_line_with(const Ended& ended, const std::string& text) {
+  expect_one_line(ended);
+  EXPECT_NE(ended.err.find(text), std::string::npos) << ended.err;
+}
+
+TEST(Verbs, numbers_beyond_their_type_are_refused_not_clamped) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"inspect", kBall, "--seed", "18446744073709551616"},
+        {"run", "jaws", "--headless", "--budget-tests", "99999999999999999999"}}) {
+    const Ended e = run_program(arguments);
+    EXPECT_EQ(e.code, 2) << e.err;
+    expect_one_line(e, arguments[arguments.size() - 2].c_str());
+  }
+  EXPECT_EQ(run_program({"inspect", kBall, "--seed", "18446744073709551615"}).code, 0);
+}
+
+TEST(Verbs, help_is_a_verb_too) {
+  EXPECT_EQ(run_program({"help"}).out, run_program({"--help"}).out);
+  EXPECT_EQ(run_program({"help", "bake"}).out, run_program({"bake", "--help"}).out);
+  EXPECT_EQ(run_program({"help"}).code, 0);
+  const Ended e = run_program({"help", "bak"});
+  EXPECT_EQ(e.code, 2);
+  expect_line_with(e, "nearest is 'bake'");
+}
+
+TEST(Verbs, unknown_words_get_the_nearest_and_the_list) {
+  const Ended option = run_program({"build", kBall, "--output", "x", "--scal", "2"});
+  EXPECT_EQ(option.code, 2);
+  expect_line_with(option, "nearest is '--scale'");
+  EXPECT_NE(option.err.find("--contact-tolerance"), std::string::npos) << option.err;
+  const Ended other = run_program({"inspect", kBall, "--zzzzzzzzzzzz=3"});
+  EXPECT_EQ(other.code, 2);
+  expect_line_with(other, "'--zzzzzzzzzzzz'");
+  EXPECT_NE(other.err.find("--json"), std::string::npos) << other.err;
+  const Ended model = run_program({"inspect", "procedural:torsu"});
+  EXPECT_EQ(model.code, 4);
+  expect_line_with(model, "expected 'torus', one of");
+  EXPECT_NE(model.err.find("golf_ball"), std::string::npos) << model.err;
+}
+
+TEST(Verbs, a_pair_of_meshes_in_millimetres_is_refused_with_the_scale) {
+  const std::string ball = write_text("mm.obj", format_mesh(make_ball(15.7, 3), MeshFormat::obj, "mm"));
+  std::vector<std::string> arguments = {"run", "--object", ball, "--against", ball, "--headless",
+                                        "--lockstep", "--duration", "0.01", "--quiet", "--no-cache"};
+  const Ended without = run_program(arguments);
+  EXPECT_EQ(without.code, 2);
+  expect_line_with(without, "--scale 0.001");
+  EXPECT_NE(without.err.find("15.7 m"), std::string::npos) << without.err;
+  for (const char* scale : {"0.001", "1"}) {
+    std::vector<std::string> with = arguments;
+    with.insert(with.end(), {"--scale", scale});
+    const Ended e = run_program(with);
+    EXPECT_EQ(e.code, 0) << e.err;
+  }
+}
+
+TEST(Verbs, a_bad_second_mesh_is_found_before_the_first_is_built) {
+  TriangleMesh fin = make_box({0.02, 0.02, 0.02});
+  fin.triangles.push_back(fin.triangles[0]);
+  const std::string bad = write_text("twice.obj", format_mesh(fin, MeshFormat::obj, "twice"));
+  // What builds says so on standard error, unless told to be quiet.
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"run", "--object", "procedural:ellipsoid", "--against", bad, "--headless",
+                                 "--lockstep", "--duration", "0.01", "--no-cache"},
+        {"contacts", "procedural:ellipsoid", bad, "--poses", poses_file(), "--tolerance", "0.001",
+         "--threshold", "0.025"}}) {
+    const Ended e = run_program(arguments);
+    EXPECT_EQ(e.code, 4) << e.err;
+    expect_line_with(e, "--repair");
   }
 }
 

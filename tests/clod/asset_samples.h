@@ -16,7 +16,7 @@ inline ClodParams generous() {
   ClodParams params;
   params.simplify.longest_edge = 0.5;  // as long at the very last
   params.simplify.longest_edge_ever = 0.25;
-  params.simplify.deviation_limit = params.simplify.deviation_last = 0.08;
+  params.simplify.deviation_limit = 0.08;
   return params;
 }
 

@@ -15,7 +15,10 @@ namespace {
 double bound(const DeviationTarget& target, const std::array<Vec3, 3>& triangle,
              double reach = 0.1) {
   std::int32_t nearest = 0;
-  return bound_deviation(target, triangle, reach, 0.0, nearest);
+  DeviationRange range;
+  extend_deviation(target, triangle, reach, range, nearest);
+  EXPECT_LE(range.met, range.bound * (1.0 + 1e-12));
+  return range.bound;
 }
 
 /// Largest distance over a grid of points of the triangle.
@@ -61,8 +64,11 @@ TEST(SurfaceDeviation, BoundsEveryPointAndStaysTight) {
       const double most = bound(target, c, reach), met = sampled(mesh, c);
       EXPECT_GE(most, met * (1.0 - 1e-12));
       std::int32_t nearest = 0;
-      EXPECT_EQ(bound_deviation(target, c, reach, 9.0, nearest), 9.0) << "known to be far less";
-      EXPECT_GE(bound_deviation(target, c, reach, 0.9 * met, nearest), met * (1.0 - 1e-12));
+      DeviationRange far{0.0, 9.0}, near{0.0, 0.9 * met};
+      extend_deviation(target, c, reach, far, nearest);
+      EXPECT_EQ(far.bound, 9.0) << "known to be far less";
+      extend_deviation(target, c, reach, near, nearest);
+      EXPECT_GE(near.bound, met * (1.0 - 1e-12));
       worst = std::max(worst, most / met);
       sum += most / met;
       ++count;
@@ -70,6 +76,28 @@ TEST(SurfaceDeviation, BoundsEveryPointAndStaysTight) {
   }
   EXPECT_LT(sum / count, 1.5);
   EXPECT_LT(worst, 4.0);
+}
+
+TEST(SurfaceDeviation, IsAsTightForManyTrianglesAsForOne) {
+  // What the bound of one triangle may lack must not add up over those that follow.
+  const TriangleMesh mesh = make_torus(1.0, 0.4, 28, 16), moved = [&] {
+    TriangleMesh m = make_torus(1.0, 0.4, 90, 60);
+    Random random(7);
+    for (Vec3& p : m.positions) p += 0.02 * random.in_cube(1.0);
+    return m;
+  }();
+  const DeviationTarget target = build_deviation_target(mesh);
+  DeviationRange range;
+  std::int32_t nearest = 0;
+  double sampled_most = 0.0;
+  for (const auto& t : moved.triangles) {
+    std::array<Vec3, 3> c;
+    for (std::size_t k = 0; k < 3; ++k) c[k] = moved.positions[static_cast<std::size_t>(t[k])];
+    extend_deviation(target, c, 0.1, range, nearest);
+    for (const Vec3& p : c) sampled_most = std::max(sampled_most, test::distance_by_loop(mesh, p));
+  }
+  EXPECT_GE(range.bound, sampled_most * (1.0 - 1e-12));
+  EXPECT_LE(range.bound, 1.2 * sampled_most);
 }
 
 TEST(SurfaceDeviation, OfTheSurfaceItselfIsNone) {

@@ -72,6 +72,40 @@ TEST(Resolution, NoContactIsCoarserThanTheCoarsestLevelAllowed) {
   EXPECT_GE(free_to, 2);
 }
 
+TEST(Resolution, TellsWhatDecidedTheLevelOfEachContact) {
+  const auto deciders = [](const ContactQuery& query) {
+    ContactFront front;
+    ContactSet set = room();
+    std::array<int, kLevelDecisions> count{};
+    for (int i = 0; i <= 40; ++i) {
+      ask(query, pose_at(i / 40.0), front, set);
+      for (const Contact& c : set.contacts) {
+        ++count[static_cast<std::size_t>(c.decided_by)];
+        EXPECT_EQ(c.decided_by == LevelDecision::finest, c.object_level == 0 && c.scene_level == 0);
+      }
+    }
+    return count;
+  };
+  const auto of = [](const std::array<int, kLevelDecisions>& count, LevelDecision by) {
+    return count[static_cast<std::size_t>(by)];
+  };
+  const auto haptic = deciders(query_at(0.1));
+  EXPECT_GT(of(haptic, LevelDecision::haptic), 0);
+  EXPECT_EQ(of(haptic, LevelDecision::cap) + of(haptic, LevelDecision::velocity) + of(haptic, LevelDecision::view) +
+                of(haptic, LevelDecision::budget),
+            0);
+  EXPECT_GT(of(deciders(query_at(10.0, 0.02)), LevelDecision::cap), 0) << "s0 allows all, the cap does not";
+  ContactQuery fast = query_at(10.0);
+  fast.resolution.metric.velocity = 1e-6;
+  EXPECT_GT(of(deciders(fast), LevelDecision::velocity) + of(deciders(fast), LevelDecision::finest), 0);
+  ContactQuery seen = query_at(10.0);
+  seen.resolution.metric.view = {.pixels = 1.0, .distance = 1.0, .frustum_size = 0.1, .near_distance = 0.1, .image_size = 100.0};
+  EXPECT_GT(of(deciders(seen), LevelDecision::view), 0);
+  ContactQuery hurried = query_at(1e-4);
+  hurried.resolution.budget_tests = 30;
+  EXPECT_GT(of(deciders(hurried), LevelDecision::budget), 0);
+}
+
 TEST(Resolution, ThresholdZeroIsExactContactForContact) {
   ContactFront front, exact_front;
   ContactSet set = room(), exact = room();

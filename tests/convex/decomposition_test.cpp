@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "thigma/convex/clip.h"
+#include "thigma/convex/count_patches.h"
 #include "thigma/convex/growing_hull.h"
 #include "thigma/core/error.h"
 #include "thigma/math/elementary.h"
@@ -72,6 +73,18 @@ TEST(DecomposeSurface, ConvexSolidsAreOnePatch) {
     EXPECT_EQ(d.patches.size(), 1u);
     expect_valid(mesh, d);
   }
+}
+
+// Hulls of 32 vertices at most cut a wheel of 400; it is convex all the same.
+TEST(CountConvexPatches, ConvexShapesHaveOneHoweverManyVertices) {
+  const TriangleMesh wheel = make_cylinder(1.0, 0.5, 80, 4, 2);
+  EXPECT_GT(decompose_surface(wheel).patches.size(), 10u);
+  EXPECT_EQ(count_convex_patches(wheel), 1);
+  EXPECT_EQ(count_convex_patches(make_ball(1.0, 4)), 1);
+  EXPECT_GE(count_convex_patches(make_l_shape(1.0, 0.3)), 2);
+  const TriangleMesh torus = make_torus(1.0, 0.3, 24, 16);
+  EXPECT_GE(count_convex_patches(torus), 24);
+  EXPECT_LE(count_convex_patches(torus), static_cast<std::int32_t>(decompose_surface(torus).patches.size()));
 }
 
 TEST(DecomposeSurface, HoldsItsInvariantsOnShapes) {

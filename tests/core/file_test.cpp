@@ -1,8 +1,11 @@
 #include "thigma/core/file.h"
 
 #include <filesystem>
+#include <fstream>
+#include <thread>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "thigma/core/error.h"
@@ -52,6 +55,35 @@ TEST(File, a_failed_write_leaves_the_old_file) {
   EXPECT_THROW(write_file(folder, "x"), IoError);
   EXPECT_TRUE(std::filesystem::is_empty(folder));
   std::filesystem::remove_all(folder);
+}
+
+TEST(File, a_pipe_that_nobody_writes_to_is_refused_and_one_that_is_written_is_read) {
+  const std::filesystem::path folder = fresh_folder("pipe");
+  const std::string path = folder / "pipe";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  try {
+    read_file(path);
+    FAIL() << "read from nobody";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("nobody writes"), std::string::npos) << error.what();
+  }
+  const std::string sent(300000, 'x');
+  std::thread writer([&] { std::ofstream(path) << sent; });
+  EXPECT_EQ(read_file(path), sent);
+  writer.join();
+  std::thread silent([&] { std::ofstream(path).close(); });
+  EXPECT_EQ(read_file(path), "");
+  silent.join();
+  std::filesystem::remove_all(folder);
+}
+
+TEST(File, only_a_whole_byte_order_mark_before_a_text_is_skipped) {
+  EXPECT_EQ(without_byte_order_mark("\xEF\xBB\xBF"
+                                    "v 0"),
+            "v 0");
+  EXPECT_EQ(without_byte_order_mark("\xEF\xBB\xBF"), "");
+  for (const char* text : {"", "v 0", "\xEF\xBB", "\xBB\xBF", " \xEF\xBB\xBF"})
+    EXPECT_EQ(without_byte_order_mark(text), text);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "thigma/core/error.h"
 #include "thigma/device/detail/hand_table.h"
+#include "thigma/device/script.h"
 
 namespace thigma {
 namespace {
@@ -153,6 +154,13 @@ TEST(OpenDevice, FilesBecomeScriptsAndPaths) {
 TEST(OpenDevice, NullHoldsItsClutchOrNot) {
   EXPECT_EQ(open_device("null:")->read(0.0).buttons, kClutchButton);
   EXPECT_EQ(open_device("null:?clutch=0")->read(0.0).buttons, 0u);
+}
+
+TEST(OpenDevice, WhatIsSimulatedHoldsNobody) {
+  EXPECT_TRUE(DeviceLimits{}.holds_person);  // unless a device says otherwise
+  EXPECT_FALSE(open_device("hand:")->limits().holds_person);
+  EXPECT_FALSE(open_device("null:")->limits().holds_person);
+  EXPECT_FALSE(make_script_device({TimedPose{}}, {})->limits().holds_person);
 }
 
 TEST(OpenDevice, SchemesListWhatOpens) {

@@ -28,6 +28,11 @@ std::string reason(const std::string& text) {
   return "no error";
 }
 
+TEST(Script, SkipsAByteOrderMark) {
+  EXPECT_EQ(parse("\xEF\xBB\xBF" + kHeader + "0,1,2,3,0,0,0,1\n").size(), 1u);
+  EXPECT_EQ(parse("\xEF\xBB\xBF# a comment\n" + kHeader + "0,1,2,3,0,0,0,1\n").size(), 1u);
+}
+
 TEST(Script, ReadsRowsButtonsAndComments) {
   const auto rows = parse(
       "# recorded by hand\n t, x,y,z,qx,qy,qz,qw,buttons\r\n"

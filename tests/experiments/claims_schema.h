@@ -24,9 +24,18 @@ inline void expect_claims_schema(const nlohmann::json& json, const std::string& 
     EXPECT_TRUE(claim.at("holds").is_boolean());
     EXPECT_TRUE(claim.at("expected").is_boolean());
     EXPECT_TRUE(claim.at("reason").is_string());
-    if (claim.at("expected").get<bool>()) continue;
-    EXPECT_FALSE(claim.at("holds").get<bool>());
-    EXPECT_FALSE(claim.at("reason").get<std::string>().empty());
+    const std::string kind = claim.at("kind");
+    EXPECT_TRUE(kind == "checked" || kind == "stated" || kind == "not reproduced") << kind;
+    EXPECT_EQ(claim.at("bound").is_null(), kind == "stated");
+    EXPECT_FALSE(claim.at("holds").get<bool>() && claim.at("value").is_null());
+    if (!claim.at("expected").get<bool>()) {
+      EXPECT_EQ(kind, "not reproduced");
+      EXPECT_FALSE(claim.at("holds").get<bool>());
+    }
+    EXPECT_EQ(claim.at("reason").get<std::string>().empty(), kind != "not reproduced");
+    if (kind != "not reproduced") continue;
+    EXPECT_FALSE(claim.at("sweep").get<std::string>().empty());
+    EXPECT_TRUE(claim.at("floor").is_number());
   }
 }
 

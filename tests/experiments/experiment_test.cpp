@@ -30,41 +30,11 @@ Outcome small_outcome(const Context& context) {
   add_row(outcome.tables[0], {context.quick ? 1.0 : 2.0});
   outcome.figure = {.title = "small", .width = 100, .panel_height = 80};
   outcome.claims = {at_least("good", "is large", 3.0, 2.0, "N"),
-                    known_not_to(at_most("known", "is small", 3.0, 2.0), "because"),
+                    known_not_to(at_most("known", "is small", 3.0, 2.0),
+                                 {.reason = "because", .sweep = "data.csv", .floor = 4.0}),
                     within("between", "lies there", 5.0, 1.0, 10.0),
                     stated("said", "only said", std::nan(""))};
   return outcome;
-}
-
-TEST(Claims, CompareWithTheirBound) {
-  EXPECT_TRUE(at_least("a", "", 2.0, 2.0).holds);
-  EXPECT_FALSE(above("a", "", 2.0, 2.0).holds);
-  EXPECT_TRUE(at_most("a", "", 2.0, 2.0).holds);
-  EXPECT_FALSE(below("a", "", 2.0, 2.0).holds);
-  EXPECT_TRUE(within("a", "", 1.0, 1.0, 10.0).holds);
-  EXPECT_FALSE(within("a", "", 0.9, 1.0, 10.0).holds);
-  EXPECT_FALSE(within("a", "", 10.1, 1.0, 10.0).holds);
-}
-
-TEST(Claims, DoNotHoldWithoutANumber) {
-  const double nan = std::nan("");
-  for (const Claim& c :
-       {at_least("a", "", nan, 0.0), at_most("a", "", nan, 0.0), within("a", "", nan, 0.0, 1.0),
-        above("a", "", INFINITY, 0.0), below("a", "", -INFINITY, 0.0), stated("a", "", nan)}) {
-    EXPECT_FALSE(c.holds);
-    EXPECT_FALSE(c.value.has_value());
-    EXPECT_TRUE(is_broken(c));
-  }
-}
-
-TEST(Claims, AreExcusedOnlyWhereTheyDoNotHold) {
-  const Claim good = known_not_to(at_least("a", "", 3.0, 2.0), "why");
-  EXPECT_TRUE(good.expected);
-  EXPECT_TRUE(good.reason.empty());
-  const Claim bad = known_not_to(at_least("a", "", 1.0, 2.0), "why");
-  EXPECT_FALSE(bad.expected);
-  EXPECT_FALSE(is_broken(bad));
-  EXPECT_EQ(bad.reason, "why");
 }
 
 TEST(Experiments, WriteDataPlotAndClaims) {
@@ -77,7 +47,12 @@ TEST(Experiments, WriteDataPlotAndClaims) {
   test::expect_claims_schema(claims, "small-one");
   EXPECT_EQ(claims["claims"][0]["value"], 3.0);
   EXPECT_EQ(claims["claims"][0]["bound"], 2.0);
+  EXPECT_EQ(claims["claims"][0]["kind"], "checked");
   EXPECT_EQ(claims["claims"][1]["expected"], false);
+  EXPECT_EQ(claims["claims"][1]["kind"], "not reproduced");
+  EXPECT_EQ(claims["claims"][1]["floor"], 4.0);
+  EXPECT_EQ(claims["claims"][3]["kind"], "stated");
+  EXPECT_EQ(claims["counts"], Json::parse(R"({"checked": 2, "stated": 1, "not_reproduced": 1, "broken": 1})"));
   EXPECT_EQ(claims["claims"][2]["bound_low"], 1.0);
   EXPECT_TRUE(claims["claims"][3]["value"].is_null());
   const Json run = Json::parse(read_file((folder / "small-one" / "run.json").string()));

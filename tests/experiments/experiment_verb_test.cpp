@@ -35,21 +35,36 @@ TEST(ExperimentVerb, refuses_names_and_folders_it_does_not_have) {
 TEST(ExperimentVerb, writes_data_plot_and_claims_and_says_whether_they_hold) {
   const std::filesystem::path folder = work_folder() / "out";
   const Ended ended = run_program(
-      {"experiment", "fig-3-15", "--quick", "--quiet", "--json", "-o", folder.string()}, 900.0);
+      {"experiment", "fig-5-6", "--quick", "--quiet", "--json", "-o", folder.string()}, 900.0);
   const nlohmann::json claims =
-      nlohmann::json::parse(read_text(folder / "fig-3-15" / "claims.json"));
-  expect_claims_schema(claims, "fig-3-15");
+      nlohmann::json::parse(read_text(folder / "fig-5-6" / "claims.json"));
+  expect_claims_schema(claims, "fig-5-6");
   EXPECT_EQ(json_line(ended), claims);
   std::set<std::string> ids;
-  bool is_broken = false;
+  int broken = 0;
   for (const nlohmann::json& claim : claims.at("claims")) {
     ids.insert(claim.at("id"));
-    is_broken = is_broken || (!claim.at("holds").get<bool>() && claim.at("expected").get<bool>());
+    broken += !claim.at("holds").get<bool>() && claim.at("expected").get<bool>() ? 1 : 0;
   }
-  for (const char* id : {"profile", "curvature", "front", "time"}) EXPECT_TRUE(ids.count(id)) << id;
-  EXPECT_EQ(ended.code, is_broken ? 5 : 0) << ended.err;
-  EXPECT_EQ(read_text(folder / "fig-3-15" / "fig-3-15.png").substr(1, 3), "PNG");
-  EXPECT_GT(read_text(folder / "fig-3-15" / "data.csv").size(), 10'000u);
+  for (const char* id : {"forward-euler", "runge-kutta", "backward-euler", "ratio"})
+    EXPECT_TRUE(ids.count(id)) << id;
+  EXPECT_EQ(claims.at("counts").at("broken"), broken);
+  EXPECT_EQ(ended.code, broken > 0 ? 5 : 0) << ended.err;
+  EXPECT_EQ(read_text(folder / "fig-5-6" / "fig-5-6.png").substr(1, 3), "PNG");
+  EXPECT_GT(read_text(folder / "fig-5-6" / "data.csv").size(), 200u);
+}
+
+TEST(ExperimentVerb, says_how_many_claims_are_of_which_kind) {
+  const Ended ended =
+      run_program({"experiment", "fig-5-6", "--quiet", "-o", (work_folder() / "kinds").string()});
+  EXPECT_NE(ended.out.find("9 claims: 5 checked, 4 stated, 0 not reproduced; 0 broken"),
+            std::string::npos)
+      << ended.out;
+  for (std::size_t at = ended.out.find("stated "); at != std::string::npos;
+       at = ended.out.find("stated ", at + 1)) {
+    const std::size_t end = ended.out.find('\n', at);
+    EXPECT_EQ(ended.out.substr(at, end - at).find("holds"), std::string::npos);
+  }
 }
 
 }  // namespace

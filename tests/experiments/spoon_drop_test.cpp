@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -28,6 +29,7 @@ Outcome run_quick(Outcome (*experiment)(const Context&)) {
 void expect_claim(const Outcome& outcome, const std::string& id) {
   for (const Claim& claim : outcome.claims) {
     if (claim.id != id) continue;
+    EXPECT_EQ(claim.kind, ClaimKind::checked) << id;
     EXPECT_FALSE(is_broken(claim)) << id << ": " << claim.value.value_or(-1.0);
     return;
   }
@@ -40,7 +42,19 @@ TEST(SpoonDrop, VelocityMetricCoarsensTheFall) {
   expect_claim(outcome, "triangles");
 }
 
-TEST(SpoonDrop, FrontIsSteadierWithLevels) { expect_claim(run_quick(run_fig_3_19), "steadier"); }
+// Fronts are counts: no time is in them. Where the query has much to look at the exact front leaps, and that with levels
+// does not; at the text's tolerance small models leave both steady.
+TEST(SpoonDrop, FrontIsSteadierWithLevelsWhereThereIsMuchToLookAt) {
+  const Outcome outcome = run_quick(run_fig_3_19);
+  const auto sweep = std::find_if(outcome.tables.begin(), outcome.tables.end(),
+                                  [](const Table& t) { return t.name == "sweep"; });
+  ASSERT_NE(sweep, outcome.tables.end());
+  std::vector<double> steadier;
+  for (const auto& row : sweep->rows) steadier.push_back(std::get<double>(row[3]));
+  ASSERT_EQ(steadier.size(), 5u);
+  EXPECT_LT(steadier.front(), 1.1);
+  EXPECT_LT(steadier.back(), 0.5 * steadier.front());
+}
 
 // Energy never grows, surfaces never meet, and the same drop ends the same: at rest on the bottom, after sliding and rocking.
 TEST(SpoonDrop, StaysInTheCup) {

@@ -93,6 +93,34 @@ TEST(ReadObj, reads_every_way_to_name_a_corner) {
   }
 }
 
+TEST(ReadMesh, a_byte_order_mark_before_a_text_is_skipped) {
+  const std::string triangle = "0 0 0\n1 0 0\n0 1 0\n";
+  const std::string facet =
+      " facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 0 1 0\n"
+      "  endloop\n endfacet\n";
+  for (const std::string& text :
+       {std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+        "OFF\n3 1 0\n" + triangle + "3 0 1 2\n",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+            triangle + "3 0 1 2\n",
+        "solid a\n" + facet + "endsolid a\n"}) {
+    const MeshFile plain = parse_mesh(text, "x"), marked = parse_mesh("\xEF\xBB\xBF" + text, "x");
+    EXPECT_EQ(marked.format, plain.format);
+    EXPECT_EQ(marked.mesh.positions, plain.mesh.positions);
+    EXPECT_EQ(marked.mesh.triangles, plain.mesh.triangles);
+  }
+  expect_error("\xEF\xBB\xBF", "empty", "byte 0");
+}
+
+TEST(ReadMesh, a_binary_stl_may_begin_with_the_bytes_of_a_mark) {
+  std::string bytes = "\xEF\xBB\xBF" + std::string(77, ' ');
+  put(bytes, std::uint32_t{1});
+  for (const float x : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) put(bytes, x);
+  put(bytes, std::uint16_t{0});
+  EXPECT_EQ(parse_mesh(bytes, "x").format, MeshFormat::stl_binary);
+}
+
 TEST(ReadObj, takes_weights_colours_line_ends_and_faces_before_vertices) {
   expect_quad(parse_mesh("f 1 2 3 4\r\n" + prefixed("v "), "x"));
   expect_quad(

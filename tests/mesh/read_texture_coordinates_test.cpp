@@ -20,6 +20,12 @@ TEST(TextureCoordinates, GoWithTheTrianglesOfTheMesh) {
   EXPECT_EQ(found[1], (std::array<Vec2, 3>{Vec2(0, 0), Vec2(1, 1), Vec2(0, 1)}));
 }
 
+TEST(TextureCoordinates, GoWithAMeshBehindAByteOrderMark) {
+  // The mark stands before the first vertex: without it all indices would be one off.
+  const std::string text = std::string("\xEF\xBB\xBF") + kSquare;
+  EXPECT_EQ(read_texture_coordinates(text, "a.obj"), read_texture_coordinates(kSquare, "a.obj"));
+}
+
 TEST(TextureCoordinates, LeaveOutWhatTheMeshLeavesOut) {
   // Vertices 2 and 5 are one position: the second face is no triangle.
   const std::string text = std::string(kSquare) + "f 2/1 5/2 3/3\nf -5/-5/1 \\\n -4/-4 -2/-2\n";

@@ -27,6 +27,8 @@ RecordedConfig example() {
   c.params.grasp_place = GraspPlace::handle;
   c.params.grasp_point = random.in_cube(0.1);
   c.params.resumes_lost_device = true;
+  c.params.device.holds_person = false;
+  c.params.safety.rides_out_gaps = true;
   c.params.device.delay = 0.0123;
   c.params.passivity = passivity_for(300.0, 0.2, 1e-3, 0.0123);
   c.params.passivity.credit = 2e-5;
@@ -67,6 +69,8 @@ TEST(ConfigJson, round_trip_loses_nothing) {
   EXPECT_EQ(back.params.passivity.credit, 2e-5);
   EXPECT_FALSE(back.params.device.actuates_rotation);
   EXPECT_TRUE(back.params.resumes_lost_device);
+  EXPECT_FALSE(back.params.device.holds_person);
+  EXPECT_TRUE(back.params.safety.rides_out_gaps);
   EXPECT_EQ(back.params.response, ResponseKind::direct);
   const Resolution& r = back.resolution;
   EXPECT_FALSE(r.is_exact);
@@ -98,6 +102,18 @@ TEST(ConfigJson, recordings_from_before_clear_before_arming_are_read) {
   const std::size_t other = broken.find("\"force_slew\"");
   broken.erase(other, broken.find(',', other) + 1 - other);
   EXPECT_THROW(read_config(broken), InputError);
+}
+
+TEST(ConfigJson, recordings_from_before_gaps_were_ridden_out_are_strict) {
+  std::string text = write_config(example());
+  for (const char* key : {",\"rides_out_gaps\":true", ",\"holds_person\":false"}) {
+    const std::size_t at = text.find(key);
+    ASSERT_NE(at, std::string::npos) << key << text;
+    text.erase(at, std::string(key).size());
+  }
+  const RecordedConfig back = read_config(text);
+  EXPECT_TRUE(back.params.device.holds_person);
+  EXPECT_FALSE(back.params.safety.rides_out_gaps);
 }
 
 TEST(ConfigJson, damage_is_refused_with_a_reason) {

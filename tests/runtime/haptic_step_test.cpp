@@ -268,6 +268,88 @@ TEST(HapticStep, FaultsSendZeroInTheSameTickAndStay) {
   faulty([](HeldDevice& d) { d.state.motion.twist.linear.x() = 1.6; }, Fault::too_fast);
 }
 
+/// Pressed into the plane, with limits that ride out what is late.
+struct RidingBench : Bench {
+  RidingBench(bool holds_person) {
+    config.haptic.safety.rides_out_gaps = true;
+    config.haptic.safety.start_ramp = 0.1;
+    config.haptic.safety.force_slew = 200.0;
+    config.world_from_body.position.z() = test::kCubeHalf + 1e-3;
+    begin();
+    device.device_limits.holds_person = holds_person;
+    use_device_limits(device.device_limits, config.haptic);
+    press(true);
+    ticks(200);
+    for (int i = 0; i < 30; ++i) {
+      device.state.motion.pose.position.z() -= 1e-4;
+      tick();
+    }
+  }
+  HapticSample late_tick() {
+    contact_step(config.contact, {state.body, now, 0}, scratch, contact);
+    models->publish(contact.model);
+    now += 0.3;
+    device.state.motion.pose.position.z() -= 0.02;  // farther than any tick may go
+    HapticState before = state;
+    const HapticPorts ports{&device, models.get(), bodies.get(), &ring};
+    const HapticSample s = haptic_step(config.haptic, ports, {now, 0.01, Fault::watchdog}, state);
+    // It is a function of what is recorded.
+    const HapticSample again = haptic_step(config.haptic, ports, {s.time, s.elapsed, s.external_fault}, before);
+    EXPECT_EQ(again.command.force, s.command.force);
+    EXPECT_EQ(again.body.position, s.body.position);
+    EXPECT_EQ(again.input_digest, s.input_digest);
+    return s;
+  }
+};
+
+TEST(HapticStep, ALateFrameIsRiddenOutWhereNobodyIsHeld) {
+  RidingBench b(false);
+  ASSERT_GT(b.ticks(500).command.force.z(), 0.3);
+  const HapticSample late = b.late_tick();
+  EXPECT_EQ(late.fault, Fault::none);
+  EXPECT_TRUE(late.is_grasped);
+  EXPECT_TRUE(late.is_armed);
+  EXPECT_EQ(late.command.force, Vec3::Zero());
+  EXPECT_EQ(late.command.torque, Vec3::Zero());
+  double last = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    const HapticSample s = b.tick();
+    ASSERT_EQ(s.fault, Fault::none);
+    // Over the ramp, and never faster than the slew limit.
+    EXPECT_LE(s.command.force.norm(), b.device.device_limits.max_force * std::min(1.0, 1e-3 * (i + 1) / 0.1) + 1e-9);
+    EXPECT_LE(s.command.force.norm(), last + 200.0 * 1e-3 + 1e-9);
+    last = s.command.force.norm();
+  }
+  EXPECT_GT(last, 0.3);  // it came back, inside the contact
+}
+
+TEST(HapticStep, AnOldModelIsRiddenOutWhereNobodyIsHeld) {
+  RidingBench b(false);
+  ASSERT_GT(b.ticks(500).command.force.z(), 0.3);
+  HapticSample s;
+  for (int i = 0; i < 80; ++i) s = b.tick(1e-3, false);
+  EXPECT_EQ(s.fault, Fault::none);
+  EXPECT_TRUE(s.is_armed);
+  EXPECT_EQ(s.command.force, Vec3::Zero());
+  double last = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    s = b.tick();
+    EXPECT_LE(s.command.force.norm(), last + 200.0 * 1e-3 + 1e-9);
+    last = s.command.force.norm();
+  }
+  EXPECT_EQ(s.fault, Fault::none);
+  EXPECT_GT(last, 0.3);
+}
+
+TEST(HapticStep, NothingIsRiddenOutWhereTheDeviceHoldsAPerson) {
+  RidingBench b(true);
+  EXPECT_FALSE(b.config.haptic.safety.rides_out_gaps);
+  ASSERT_GT(b.ticks(500).command.force.z(), 0.3);
+  EXPECT_EQ(b.late_tick().fault, Fault::watchdog);
+  for (int i = 0; i < 300; ++i) EXPECT_EQ(b.tick().command.force, Vec3::Zero());
+  EXPECT_FALSE(b.state.safety.is_armed);
+}
+
 TEST(HapticStep, AStepWithoutATimeOrALengthIsAFault) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   const HapticTick ticks[] = {{1.0, 0.0, Fault::none},

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 #include "support/plane_session.h"
@@ -122,6 +124,7 @@ TEST(Lockstep, RefusesNumbersThatMakeNoSense) {
   refuses([](SessionConfig& c) { c.contact_every = 0; });
   refuses([](SessionConfig& c) { c.contact_latency = 0; });
   refuses([](SessionConfig& c) { c.haptic.body.mass = 0.0; });
+  refuses([](SessionConfig& c) { c.deep_contact = -1e-3; });
 }
 
 TEST(Lockstep, WatchdogLeavesSlackAtLowRates) {
@@ -136,6 +139,19 @@ TEST(Lockstep, WatchdogLeavesSlackAtLowRates) {
   ASSERT_EQ(s.safety_events.size(), 1u);
   EXPECT_EQ(s.safety_events[0].detail, "watchdog");
   EXPECT_EQ(s.safety_events[0].text, "watchdog: 450.0 ms without a haptic step");
+}
+
+TEST(Lockstep, AHangIsAFaultUnlessGapsAreRiddenOut) {
+  for (const bool rides_out : {false, true}) {
+    SessionConfig config = plane_session();
+    config.haptic.safety.rides_out_gaps = rides_out;
+    config.faults = parse_faults("hang=0.1@0.2");
+    HandDevice device(plane_hand(HandPath::press, 0.005));
+    const SessionSummary s = run_lockstep(config, device);
+    EXPECT_EQ(s.end, rides_out ? SessionEnd::duration : SessionEnd::fault);
+    EXPECT_EQ(s.safety_events.size(), rides_out ? 0u : 1u);
+    EXPECT_EQ(s.ridden_out.gaps, rides_out ? 1u : 0u);
+  }
 }
 
 TEST(Lockstep, SaysOnceThatNothingArmsBecauseTheContactModelIsTooOld) {
@@ -157,6 +173,56 @@ TEST(Lockstep, SaysOnceThatNothingArmsBecauseTheContactModelIsTooOld) {
   EXPECT_EQ(std::count(s.notes.begin(), s.notes.end(), told[0].text), 1);
   config.contact_latency = 20;
   EXPECT_TRUE(run_lockstep(config, device, sinks).notes.empty());
+}
+
+/// Events of a cube that comes down on the plane at 0.2 m/s, twice, with contact frames `every` milliseconds.
+std::vector<SessionEvent> deep_contacts(int every, double deep, std::vector<std::string>& notes) {
+  HeldDevice device;
+  device.state.buttons = kClutchButton;
+  SessionConfig config = plane_session(0.02);
+  config.duration = 1.6;
+  config.contact_every = config.contact_latency = every;
+  config.deep_contact = deep;
+  std::vector<SessionEvent> told;
+  const SessionSinks sinks{
+      [&](const HapticSample& s) {  // down 30 mm from 0.5 s on, up again, down again
+        const double t = std::fmod(s.time, 0.8);
+        const double way = t < 0.4 ? 0.2 * (t - 0.2) : 0.03 - 0.2 * (t - 0.4);
+        device.state.motion.pose.position.z() = -std::clamp(way, 0.0, 0.03);
+      },
+      {},
+      [&](const SessionEvent& e) {
+        if (e.kind == "deep_contact") told.push_back(e);
+      }};
+  notes = run_lockstep(config, device, sinks).notes;
+  return told;
+}
+
+TEST(Lockstep, TellsOfContactsThatAreDeepOnAnOldModel) {
+  std::vector<std::string> notes;
+  const std::vector<SessionEvent> told = deep_contacts(10, 1e-3, notes);
+  ASSERT_EQ(told.size(), 2u);  // one a touch
+  EXPECT_EQ(told[0].detail, "contact_model_too_old");
+  double depth = 0.0, unseen = 0.0, age = 0.0;
+  ASSERT_EQ(std::sscanf(told[0].text.c_str(),
+                        "a contact is %lf mm deep, %lf mm of it unseen by a contact model %lf ms old",
+                        &depth, &unseen, &age),
+            3)
+      << told[0].text;
+  EXPECT_GT(depth, 1.0);
+  EXPECT_GE(depth, unseen);
+  EXPECT_GE(age, 10.0);
+  EXPECT_LE(age, 20.0);
+  EXPECT_TRUE(told[1].text.empty());
+  EXPECT_EQ(std::count(notes.begin(), notes.end(), told[0].text), 1);
+}
+
+TEST(Lockstep, TellsOfNoDeepContactWhereModelsAreFreshOrDepthIsAllowed) {
+  std::vector<std::string> notes;
+  EXPECT_TRUE(deep_contacts(1, 1e-3, notes).empty());
+  EXPECT_TRUE(deep_contacts(10, 0.05, notes).empty());
+  EXPECT_TRUE(deep_contacts(10, 0.0, notes).empty());  // a source has no radius
+  EXPECT_TRUE(notes.empty());
 }
 
 TEST(Lockstep, TellsWhatHappened) {

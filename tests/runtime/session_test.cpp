@@ -1,6 +1,7 @@
 #include "thigma/runtime/session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
@@ -109,11 +110,45 @@ TEST(Session, WatchdogSendsZeroForceWhileTheHapticThreadHangs) {
   ASSERT_EQ(s.end, SessionEnd::fault);
   ASSERT_EQ(s.safety_events.size(), 1u);
   EXPECT_EQ(s.safety_events[0].detail, "watchdog");
+  EXPECT_GE(s.safety_events[0].time, 0.2 + config.haptic.safety.watchdog);  // not before it can have acted
   EXPECT_GE(s.missed, 250u);
   // More writes than frames: the watchdog's own, while nobody else wrote.
   EXPECT_GT(static_cast<std::uint64_t>(device.writes), s.frames + 1);
   EXPECT_EQ(device.written.force, Vec3::Zero());
   EXPECT_EQ(recorder.samples.back().command.force, Vec3::Zero());
+}
+
+TEST(Session, AGapIsToldCountedAndReplayedWhereNobodyIsHeld) {
+  SessionConfig config = patient_session();
+  config.haptic.safety.watchdog = 0.020;
+  config.haptic.safety.rides_out_gaps = true;
+  config.faults = parse_faults("hang=0.3@0.2");
+  HandDevice device(plane_hand(HandPath::press, 0.005));
+  Recorder recorder;
+  std::vector<SessionEvent> late;
+  SessionSinks sinks = recorder.sinks();
+  sinks.event = [&](const SessionEvent& event) {
+    if (event.kind == "late") late.push_back(event);
+  };
+  Session session(config, device, sinks);
+  session.start();
+  const SessionSummary s = session.finish();
+  EXPECT_EQ(s.end, SessionEnd::duration);
+  EXPECT_TRUE(s.safety_events.empty());
+  ASSERT_GE(s.ridden_out.gaps, 1u);  // others are the machine's
+  EXPECT_GE(s.ridden_out.longest_gap, 0.299);
+  EXPECT_EQ(late.size(), s.ridden_out.gaps + s.ridden_out.stale_models);
+  EXPECT_EQ(late[0].detail, "watchdog");
+  HapticParams params = config.haptic;
+  params.device = device.limits();
+  const ReplayReport replay =
+      replay_session(params, config.world_from_body, recorder.samples, recorder.models);
+  EXPECT_TRUE(replay.identical) << replay.first_difference << ' ' << replay.reason;
+  for (const HapticSample& sample : recorder.samples) {
+    if (rode_out_gap(sample)) {
+      EXPECT_EQ(sample.command.force, Vec3::Zero());
+    }
+  }
 }
 
 TEST(Session, WatchdogWatchesFromTheStartAndSaysHowLongNothingStepped) {
@@ -147,6 +182,49 @@ TEST(Session, StalledContactThreadFadesAndLatches) {
   ASSERT_EQ(s.safety_events.size(), 1u);
   EXPECT_EQ(s.safety_events[0].detail, "contact_stale");
   EXPECT_EQ(device.applied_wrench().force, Vec3::Zero());
+}
+
+/// A handle that holds the cube from the start and goes 20 mm down within 0.2 s from 0.5 s on.
+class SinkingDevice final : public HapticDevice {
+ public:
+  const DeviceLimits& limits() const override { return device_limits; }
+  std::string name() const override { return "sinking"; }
+  DeviceState read(double now) THIGMA_RT override {
+    DeviceState state;
+    state.time = now;
+    state.buttons = kClutchButton;
+    state.motion.pose.position.z() = -0.02 * std::clamp((now - 0.5) / 0.2, 0.0, 1.0);
+    return state;
+  }
+  void write(const Wrench&) THIGMA_RT override {}
+
+  DeviceLimits device_limits;
+};
+
+/// Events "deep_contact" of a cube let down 15 mm below a plane.
+std::vector<SessionEvent> deep_contacts(const char* faults) {
+  SessionConfig config = patient_session();
+  config.duration = 1.2;
+  config.deep_contact = 5e-3;
+  config.faults = parse_faults(faults);
+  SinkingDevice device;
+  std::vector<SessionEvent> told;
+  const auto tell = [&](const SessionEvent& e) {
+    if (e.kind == "deep_contact") told.push_back(e);
+  };
+  Session session(config, device, {{}, {}, tell});
+  session.start();
+  session.finish();
+  return told;
+}
+
+TEST(Session, TellsOfContactsThatAreDeepOnAnOldModel) {
+  // The contact thread stands still while the hand lets the cube down.
+  const std::vector<SessionEvent> told = deep_contacts("stall=0.4@0.45");
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].detail, "contact_model_too_old");
+  EXPECT_GE(told[0].time, 0.8);
+  EXPECT_NE(told[0].text.find("mm deep"), std::string::npos) << told[0].text;
 }
 
 TEST(Session, ASinkThatThrowsEndsTheSessionInOrder) {

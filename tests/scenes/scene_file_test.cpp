@@ -32,15 +32,43 @@ TEST(SceneFile, LeastSceneTakesDefaults) {
   EXPECT_EQ(scene.safety.force_slew, SafetyLimits{}.force_slew);
 }
 
-TEST(SceneFile, LevelsOfDetailAreTheDefaultAndTheCapCanBeOff) {
+TEST(SceneFile, AByteOrderMarkIsSkipped) {
+  EXPECT_EQ(message_of(std::string("\xEF\xBB\xBF") + kLeast), "");
+}
+
+TEST(SceneFile, LettersBeyondAsciiAreTextOrCommentsOnly) {
+  const std::string e = "\xC3\xA9";
+  for (const std::string& line :
+       {e + " = 1\n", "\n" + e + "\n", "a" + e + " = 1\n", "a = " + e + "\n", "[" + e + "]\n",
+        std::string("\xFF\n"), "a = \"x\"" + e + "\n", "a = \"\"\"x\"\"\"\"" + e + "\n"}) {
+    const std::string message = message_of(line + kLeast);
+    EXPECT_NE(message.find("beyond ASCII"), std::string::npos) << message;
+    EXPECT_NE(message.find("line "), std::string::npos) << message;
+  }
+  for (const std::string& line :
+       {"title = \"" + e + " \\\" " + e + "\" # " + e + "\n", "title = '" + e + "\\' # '" + e + "\n",
+        "title = \"\"\"\n" + e + " \\\"\"\" " + e + "\"\"\"\n", "title = \'\'\'\n" + e + "\'\'\'\n",
+        "# " + e + "\n"})
+    EXPECT_EQ(message_of(line + kLeast), "") << line;
+}
+
+TEST(SceneFile, LevelsOfDetailAreTheDefaultAndTheCapIsOffUnlessAskedFor) {
   const Resolution least = parse_scene(kLeast, "S.toml", "").contact.resolution;
   EXPECT_FALSE(least.is_exact);
   EXPECT_EQ(least.metric.haptic, 0.025);
-  EXPECT_EQ(least.deviation_cap, 0.02);
+  EXPECT_EQ(least.deviation_cap, kNoCap);
   EXPECT_TRUE(least.interpolates);
   EXPECT_EQ(least.budget_cpu, 0.0);
-  const std::string text = std::string(kLeast) + "[contact]\ncapped = false\n";
-  EXPECT_EQ(parse_scene(text, "S.toml", "").contact.resolution.deviation_cap, kNoCap);
+  const std::string capped = std::string(kLeast) + "[contact]\ndeviation_cap = 0.02\n";
+  EXPECT_EQ(parse_scene(capped, "S.toml", "").contact.resolution.deviation_cap, 0.02);
+  EXPECT_EQ(parse_scene(capped + "capped = false\n", "S.toml", "").contact.resolution.deviation_cap, kNoCap);
+}
+
+TEST(SceneFile, PenaltyAndCoupledAreOneResponse) {
+  for (const char* name : {"penalty", "coupled"}) {
+    const std::string text = std::string(kLeast) + "[contact]\nresponse = \"" + name + "\"\n";
+    EXPECT_EQ(parse_scene(text, "S.toml", "").contact.response, ResponseKind::coupled) << name;
+  }
 }
 
 TEST(SceneFile, EveryKeyArrives) {
@@ -106,6 +134,7 @@ silent_device = 0.06
 model_full_age = 0.02
 model_stale_age = 0.04
 watchdog = 0.03
+strict = true
 [solver]
 integrator = "implicit"
 rate = 2000
@@ -171,6 +200,8 @@ contact_latency = 2
   EXPECT_EQ(s.safety.model_full_age, 0.02);
   EXPECT_EQ(s.safety.model_stale_age, 0.04);
   EXPECT_EQ(s.safety.watchdog, 0.03);
+  EXPECT_TRUE(s.is_strict);
+  EXPECT_FALSE(SceneDescription{}.is_strict);
   EXPECT_EQ(s.rate, 2000.0);
   EXPECT_EQ(s.contact_every, 3);
   EXPECT_EQ(s.contact_latency, 2);

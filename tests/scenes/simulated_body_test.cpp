@@ -27,6 +27,12 @@ TEST(SimulatedBody, IsReadFromItsTable) {
   EXPECT_FALSE(parse_simulated_body(scene_with(""), "s.toml").has_value());
 }
 
+TEST(SimulatedBody, IsReadBehindAByteOrderMark) {
+  const auto body = parse_simulated_body("\xEF\xBB\xBF" + scene_with("[simulation]\nfriction = 0.5\n"), "s.toml");
+  ASSERT_TRUE(body.has_value());
+  EXPECT_EQ(body->law.friction, 0.5);
+}
+
 TEST(SimulatedBody, RefusesWhatItDoesNotKnow) {
   for (const char* keys : {"restitution = 1.5", "restitution = -0.1", "friction = -1.0", "rolling = -1.0", "bounce = 1.0", "spin = 3.0"}) {
     EXPECT_THROW(parse_simulated_body(scene_with("[simulation]\n" + std::string(keys) + "\n"), "s.toml"), InputError) << keys;

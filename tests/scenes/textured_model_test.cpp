@@ -7,12 +7,15 @@
 
 #include <gtest/gtest.h>
 
+#include "scenes/ridge_profile.h"
+#include "thigma/clod/build_hierarchy.h"
 #include "thigma/core/error.h"
 #include "thigma/math/elementary.h"
 #include "thigma/math/random.h"
 #include "thigma/math/rotation.h"
 #include "thigma/mesh/inspect.h"
 #include "thigma/mesh/measure.h"
+#include "thigma/runtime/contact_step.h"
 #include "thigma/texture/depth_gradient.h"
 #include "thigma/texture/texel_lookup.h"
 
@@ -46,13 +49,28 @@ TEST(TexturedModel, PlateHasTheRidgesOfTheText) {
 }
 
 TEST(TexturedModel, BlocksLieInEachOther) {
-  const HapticTexture block = make_textured_model({"striped_block", 512});
-  // Where one is high, the other, turned over about y, is low.
-  for (int i = 0; i < 512; i += 37) {
-    const double up = displacement_at(block, Vec2(i, 100)).z(),
-                 down = displacement_at(block, Vec2(511 - i, 100)).z();
-    EXPECT_NEAR(up, -down, 1e-9);
+  for (const char* name : {"striped_block", "ridged_block"}) {
+    const HapticTexture block = make_textured_model({name, 512});
+    // Where one is high, the other, turned over about y, is low.
+    for (int i = 0; i < 512; i += 37) {
+      const double up = displacement_at(block, Vec2(i, 100)).z(),
+                   down = displacement_at(block, Vec2(511 - i, 100)).z();
+      EXPECT_NEAR(up, -down, 1e-9) << name;
+    }
   }
+}
+
+// As on a tooth: a quarter of the way each on top, in the groove and on either flank.
+TEST(TexturedModel, RidgedBlockHasFlatTopsAndGrooves) {
+  const HapticTexture block = make_textured_model({"ridged_block", 2000});
+  int on_top = 0, in_groove = 0, all = 0;
+  for (int i = 0; i < 2000; ++i, ++all) {
+    const double z = displacement_at(block, Vec2(i, 700)).z();
+    on_top += z > 0.999 * 0.5 * kRidgeHeight;
+    in_groove += z < -0.999 * 0.5 * kRidgeHeight;
+  }
+  EXPECT_NEAR(on_top, all / 4, all / 100);
+  EXPECT_NEAR(in_groove, all / 4, all / 100);
 }
 
 void expect_no_push_along_ridges(const HapticTexture& block) {
@@ -108,6 +126,42 @@ TEST(TexturedModel, AddressesAreReadStrictly) {
         "procedural:ridged_plate?texels=3", "procedural:ridged_plate?texels=99999",
         "procedural:ridged_plate?triangles=3", "procedural:ridged_plate?", "procedural:"})
     EXPECT_THROW(parse_textured_uri(wrong, "t"), InputError) << wrong;
+}
+
+// A fine surface displaced sideways until it lies the wrong way round: its depths are told to be none of a height field,
+// those of one that does not are not.
+TEST(TexturedModel, ReliefThatTurnsOverIsCounted) {
+  for (const double aside : {0.0, -1.5}) {
+    TextureSource source = make_textured_slab({Vec3(0.08, 0.06, 0.02), 256, [](double, double) { return 0.0; }});
+    for (int row = 0; row < 256; ++row)
+      for (int column = 0; column < 256; ++column)
+        source.texels[static_cast<std::size_t>(row * source.width + column)].x =
+            static_cast<float>(aside * 0.08 * (column / 255.0 - 0.5));
+    const HapticTexture folded = make_texture(std::move(source), "folded"), block = make_textured_model({"striped_block", 256});
+    const ClodHierarchy object = build_exact_hierarchy(block.coarse), scene = build_exact_hierarchy(folded.coarse);
+    ContactWorld world;
+    world.object = &object;
+    world.scene.push_back({&scene, Pose{}});
+    world.tolerance = 2e-4;
+    world.textures.object = make_textured_body(block, object);
+    world.textures.scene.push_back(make_textured_body(folded, scene));
+    ContactScratch scratch;
+    reserve_contact_scratch(world, scratch);
+    ContactSample sample;
+    int depths = 0, folds = 0;
+    for (int i = 0; i < 16; ++i) {
+      BodyState state;
+      state.position = Vec3(1e-3 * i, 0.0, 0.0208);
+      state.orientation = Quat(0.0, 0.0, 1.0, 0.0);
+      contact_step(world, {state, 1e-3 * i, static_cast<std::uint64_t>(i) + 1}, scratch, sample);
+      depths += sample.texture_depths;
+      folds += sample.texture_folds;
+    }
+    EXPECT_GT(depths, 15);
+    EXPECT_LE(folds, depths);
+    if (aside == 0.0) EXPECT_EQ(folds, 0);
+    if (aside < 0.0) EXPECT_GT(folds, depths / 2);
+  }
 }
 
 }  // namespace

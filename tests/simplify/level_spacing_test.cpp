@@ -42,6 +42,29 @@ TEST(LevelSpacing, HalvesEvenlyDownToTheLast) {
   }
 }
 
+TEST(LevelSpacing, KeepsLevelsBetweenWhereTrianglesFallFast) {
+  // Triangles fall by a third from draft to draft, patches by a sixth.
+  std::vector<SimplifiedLevel> levels = make_levels(drafts(1000, 100));
+  double triangles = 100'000.0;
+  for (SimplifiedLevel& level : levels) {
+    level.mesh.triangles.resize(static_cast<std::size_t>(triangles));
+    triangles *= 0.67;
+  }
+  const auto count = [](const SimplifiedLevel& level) { return level.mesh.triangles.size(); };
+  space_levels(levels);
+  ASSERT_GE(levels.size(), 6u);
+  int kept_for_triangles = 0;
+  for (std::size_t i = 1; i < levels.size(); ++i) {
+    kept_for_triangles += 2 * levels[i].patch_count > levels[i - 1].patch_count;
+    EXPECT_TRUE(2 * levels[i].patch_count <= levels[i - 1].patch_count ||
+                2 * count(levels[i]) <= count(levels[i - 1]))
+        << i;
+    EXPECT_LT(count(levels[i - 1]), 5 * count(levels[i])) << i;
+    for (const std::int32_t parent : levels[i - 1].parent) EXPECT_LT(parent, levels[i].patch_count);
+  }
+  EXPECT_GT(kept_for_triangles, 0);
+}
+
 TEST(LevelSpacing, LeadsParentsPastWhatIsDropped) {
   const std::vector<SimplifiedLevel> all = make_levels(drafts(1000, 30));
   std::vector<SimplifiedLevel> levels = all;

@@ -27,7 +27,7 @@ inline SimplifyParams generous() {
   SimplifyParams params;
   params.longest_edge = 0.5;  // as long at the very last
   params.longest_edge_ever = 0.25;
-  params.deviation_limit = params.deviation_last = 0.08;
+  params.deviation_limit = 0.08;
   return params;
 }
 

@@ -7,6 +7,7 @@
 #include "support/shared.h"
 #include <gtest/gtest.h>
 
+#include "thigma/clod/surface_deviation.h"
 #include "thigma/convex/growing_hull.h"
 #include "thigma/mesh/inspect.h"
 #include "thigma/mesh/load_mesh.h"
@@ -131,15 +132,51 @@ TEST(SimplifySurface, GoesOnPastTheEdgeWhileManyPatchesAreLeft) {
   EXPECT_LT(far.levels.back().resolution, 8.0);
 }
 
-TEST(SimplifySurface, MakesARingOfFewPiecesAtTheVeryLast) {
-  const TriangleMesh ring = make_torus(1.0, 0.4, 64, 32);
+TEST(SimplifySurface, IsAsNearTheOriginalAsItIsFine) {
+  const TriangleMesh mesh = test::wavy_ball(24);
+  const double radius = enclosing_ball(mesh.positions).radius;
   SimplifyParams params;
-  const Simplification few = expect_simplified(ring, "ring of few pieces", params);
-  params.deviation_last = params.deviation_ever;
-  const Simplification more = expect_simplified(ring, "ring", params);
-  EXPECT_GE(few.levels.back().patch_count, 3);  // straight pieces of a ring
-  EXPECT_LT(few.levels.back().patch_count, more.levels.back().patch_count);
-  EXPECT_NEAR(mass_properties(few.levels.back().mesh).volume / mass_properties(ring).volume, 1.0, 0.1 + 1e-9);
+  params.deviation_early = 0.1;
+  const auto worst_share = [&](const Simplification& s) {
+    double worst = 0.0;  // deviation of corners and middles, over the length of the edges collapsed so far
+    const DeviationTarget original = build_deviation_target(mesh);
+    for (std::size_t k = 1; k < s.levels.size() && s.levels[k].resolution * radius > 8.5; ++k)
+      for (const auto& t : s.levels[k].mesh.triangles) {
+        const auto& x = s.levels[k].mesh.positions;
+        std::int32_t nearest = 0;
+        const auto at = [&](int i) { return x[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])]; };
+        for (const Vec3& p : {at(0), Vec3((at(0) + at(1) + at(2)) / 3.0)})
+          worst = std::max(worst, nearest_distance(original, p, nearest) * s.levels[k].resolution);
+      }
+    return worst;
+  };
+  EXPECT_LE(worst_share(expect_simplified(mesh, "near", params)), 0.1 * (1.0 + 1e-9));
+  params.deviation_early = 10.0;  // as good as none
+  EXPECT_GT(worst_share(test::simplify(mesh, params)), 0.1);
+}
+
+TEST(SimplifySurface, StaysNearBetweenTheCornersOfLargeTriangles) {
+  // Two towers side by side on a plate: a triangle from top to top has its corners on the surface, and nothing below it.
+  const auto height = [](double x) { return (x > 0.3 && x < 0.45) || (x > 0.55 && x < 0.7) ? 0.25 : 0.0; };
+  TriangleMesh mesh = make_sheet(1.0, 1.0, 40, 40);
+  for (Vec3& p : mesh.positions) p.z() += height(p.x() + 0.5) * (std::fabs(p.y()) < 0.3 ? 1.0 : 0.0);
+  const double radius = enclosing_ball(mesh.positions).radius;
+  SimplifyParams params;
+  params.longest_edge = 1.0;
+  const Simplification s = test::simplify(mesh, params);
+  const DeviationTarget original = build_deviation_target(mesh);
+  double worst = 0.0;
+  for (const SimplifiedLevel& level : s.levels) {
+    DeviationRange range;
+    std::int32_t nearest = 0;
+    for (const auto& t : level.mesh.triangles) {
+      const auto at = [&](int i) { return level.mesh.positions[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])]; };
+      extend_deviation(original, {at(0), at(1), at(2)}, 0.1, range, nearest);
+    }
+    worst = std::max(worst, range.met);
+  }
+  EXPECT_GT(s.levels.size(), 2u);
+  EXPECT_LE(worst, 1.9 * std::max(params.deviation_limit, params.deviation_ever) * radius);
 }
 
 TEST(SimplifySurface, LosesNoMoreVolumeThanItMay) {

@@ -16,8 +16,8 @@ double slow_grid_depth(const DepthContact& contact, const ContactFrame& frame, c
   for (int k = 0; k < resolution * resolution; ++k) {
     const Vec2 at = grid.at(k % resolution, k / resolution);
     const Vec3 world = contact.point + at.x() * u + at.y() * v;
-    const double object = test::slow_height(contact.object, world, u, v, contact.normal);
-    const double scene = test::slow_height(contact.scene, world, u, v, -contact.normal);
+    const double object = test::slow_height(contact.object, world, u, v, contact.normal, test::SlowHeight::of_maps);
+    const double scene = test::slow_height(contact.scene, world, u, v, -contact.normal, test::SlowHeight::of_maps);
     if (object != kNoDepth && scene != kNoDepth) best = std::max(best, object + scene);
   }
   return best;
@@ -112,14 +112,15 @@ TEST(GridDepth, polishing_finds_more_than_the_grid_and_never_more_than_all_texel
   const auto exact = make_branch_depth({});
   double missed_rough = 0.0, missed_polished = 0.0;
   for (int i = 0; i < 12; ++i) {
-    const test::PlateShape shape{.texels = 256, .waves = 20.0};
+    const test::PlateShape shape{.texels = 256, .amplitude = 4e-5, .waves = 20.0};  // leaning plates: steeper turns over
     const test::PlateContact p(random, shape);
     const double all = test::depth_of(*exact, p.contact).depth[0];
     const double best = test::depth_of(*polished, p.contact).depth[0],
                  grid = test::depth_of(*rough, p.contact).depth[0];
-    EXPECT_GE(best, grid);
-    // Between texels of both sides the depth can exceed that at texels by what interpolation does over half a texel.
-    EXPECT_LE(best, all + 0.1 * shape.amplitude);
+    EXPECT_GE(best, grid - 0.1 * shape.amplitude);  // maps are right to first order in what lies sideways
+    // Between texels of both sides the depth can exceed that at texels by what interpolation does over half a texel, and at
+    // the end of a plate, where no texel's fine point is but the nearest one stands in, by its slope.
+    EXPECT_LE(best, all + 0.2 * shape.amplitude);
     missed_rough += all - grid;
     missed_polished += std::max(all - best, 0.0);
   }

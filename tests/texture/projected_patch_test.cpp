@@ -22,7 +22,7 @@ TEST(ProjectedPatch, height_is_that_of_the_fine_surface_over_the_point) {
   Random random(2);
   int covered = 0, open = 0;
   for (int i = 0; i < 20; ++i) {
-    const test::PlateContact p(random, {.cells = 1 + i % 4, .bend = 3.0, .noise = 1e-4});
+    const test::PlateContact p(random, {.cells = 1 + i % 4, .bend = 3.0, .noise = 3e-5});  // more turns over
     const ContactFrame frame = contact_frame(p.contact.point, p.contact.normal);
     const Vec3 u = frame.world_from_contact.col(0), v = frame.world_from_contact.col(1);
     for (const Facing facing : {Facing::along, Facing::against}) {
@@ -36,12 +36,16 @@ TEST(ProjectedPatch, height_is_that_of_the_fine_surface_over_the_point) {
         const Vec3 world = p.contact.point + at.x() * u + at.y() * v;
         const double want = test::slow_height(side, world, u, v, direction);
         const double got = height_at(patch, at, near);
+        const SurfaceJet jet = surface_jet(patch, at);
         if (want == kNoDepth) {
-          EXPECT_EQ(got, kNoSurface);
-          ++open;
+          // Over the coarse surface still, the nearest fine point of its edge stands in.
+          const bool is_beside = test::slow_height(side, world, u, v, direction, test::SlowHeight::of_maps) != kNoDepth;
+          EXPECT_EQ(got == kNoSurface, !is_beside);
+          EXPECT_EQ(jet.is_covered, is_beside);
+          open += !is_beside;
         } else {
-          EXPECT_NEAR(got, want, 1e-14);
-          EXPECT_NEAR(surface_jet(patch, at).height, want, 1e-14);
+          EXPECT_NEAR(got, want, 1e-10);  // as near as fine points are looked for
+          EXPECT_NEAR(jet.height, want, 1e-10);
           ++covered;
         }
       }
@@ -74,6 +78,78 @@ TEST(ProjectedPatch, facet_slope_is_the_derivative_of_the_height) {
   }
   EXPECT_GT(covered, 250);
   EXPECT_GE(good, covered - 1);  // one may lie on the seam of two facets
+}
+
+/// A flat plate under waves, its fine points `apart` beside their coarse ones in the middle and less towards the rim: the
+/// same fine surface, however far.
+TextureSource paired_plate(double apart) {
+  Random random(1);
+  TextureSource source = test::plate_source(random, {.texels = 257, .amplitude = 0.0, .bend = 0.0});
+  for (int j = 0; j < 257; ++j) {
+    for (int i = 0; i < 257; ++i) {
+      const double x = 0.02 * (i / 256.0 - 0.5), y = 0.02 * (j / 256.0 - 0.5);
+      const double rim = (1.0 - 1e4 * x * x) * (1.0 - 1e4 * y * y);
+      const Vec2 to(x + apart * rim, y - 0.7 * apart * rim);
+      const double z = 3e-4 * sine(2.0 * kPi * to.x() / 0.004) * cosine(2.0 * kPi * to.y() / 0.005);
+      source.texels[static_cast<std::size_t>(257 * j + i)] = {
+          static_cast<float>(to.x() - x), static_cast<float>(to.y() - y), static_cast<float>(z)};
+    }
+  }
+  return source;
+}
+
+// What is displaced sideways is followed: height, slope and curvature are those of the fine surface, whatever coarse points
+// its points belong to. Not followed, heights are off by a third of the waves.
+TEST(ProjectedPatch, fine_surface_is_the_same_however_its_points_are_paired) {
+  const HapticTexture straight = make_texture(paired_plate(0.0), "straight"), aside = make_texture(paired_plate(7e-4), "aside");
+  const std::vector<std::int32_t> all = test::all_triangles(straight);
+  Random random(5);
+  double off = 0.0, off_slope = 0.0, off_curvature = 0.0, not_followed = 0.0;
+  for (int i = 0; i < 10; ++i) {
+    const Vec3 normal = (rotation_from_vector(0.3 * random.in_cube(1.0)) * Vec3::UnitZ()).normalized();
+    const ContactFrame frame = contact_frame(Vec3::Zero(), normal);
+    ProjectedPatch a, b;
+    project_patch(straight, all, Pose{}, frame, Facing::along, a);
+    project_patch(aside, all, Pose{}, frame, Facing::along, b);
+    for (int k = 0; k < 100; ++k) {
+      const Vec2 at(random.uniform(-0.006, 0.006), random.uniform(-0.006, 0.006));
+      const SurfaceJet want = surface_jet(a, at), got = surface_jet(b, at);
+      ASSERT_TRUE(want.is_covered && got.is_covered && got.is_height_field);
+      std::int32_t near = -1;
+      EXPECT_NEAR(height_at(b, at, near), got.height, 1e-12);
+      off = std::max(off, std::fabs(got.height - want.height));
+      off_slope = std::max(off_slope, (got.slope - want.slope).norm());
+      off_curvature = std::max(off_curvature, (got.curvature - want.curvature).norm() / 1500.0);  // of the waves
+      not_followed = std::max(not_followed, std::fabs(height_on(b, b.triangles[static_cast<std::size_t>(near)], at) - want.height));
+      EXPECT_NEAR((got.point - Vec3(at.x(), at.y(), got.height)).norm(), 0.0, 1e-15);
+    }
+  }
+  EXPECT_LT(off, 2e-6);
+  EXPECT_LT(off_slope, 0.02);
+  EXPECT_LT(off_curvature, 0.1);
+  EXPECT_GT(not_followed, 1e-4);
+}
+
+// On a bent surface displacements cross from one triangle to the next.
+TEST(ProjectedPatch, follows_across_triangles) {
+  Random random(6);
+  int moved = 0;
+  for (int i = 0; i < 10; ++i) {
+    const test::PlateContact p(random, {.cells = 6, .texels = 128, .bend = 8.0});
+    ProjectedPatch patch;
+    project_patch(p.object, p.object_triangles, p.contact.object.world_from_body,
+                  contact_frame(p.contact.point, p.contact.normal), Facing::along, patch);
+    for (int k = 0; k < 100; ++k) {
+      const Vec2 at(random.uniform(-0.005, 0.005), random.uniform(-0.005, 0.005));
+      std::int32_t near = -1;
+      if (height_at(patch, at, near) == kNoSurface) continue;
+      const ProjectedTriangle& t = patch.triangles[static_cast<std::size_t>(near)];
+      Vec2 place;
+      ASSERT_TRUE(find_below(patch, t, at, place)) << "the triangle that holds the coarse point";
+      moved += test::barycentric(t.at[0], t.at[1], t.at[2], at).minCoeff() < 0.0;
+    }
+  }
+  EXPECT_GT(moved, 5) << "or no fine point lies over another triangle than its own";
 }
 
 TEST(ProjectedPatch, says_where_it_is_no_height_field) {

@@ -140,35 +140,68 @@ inline Vec3 barycentric(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2&
   return {1.0 - xy.sum(), xy.x(), xy.y()};
 }
 
-/// Largest height along `direction` (n or -n) over the point `at` of the line along it, by trying all triangles [m];
-/// kNoDepth where there is none.
-inline double slow_height(const TexturedPatch& patch, const Vec3& at, const Vec3& u, const Vec3& v,
-                          const Vec3& direction) {
-  const HapticTexture& texture = *patch.texture;
-  double best = kNoDepth;
-  for (const std::int32_t index : patch.triangles) {
+/// Which height over a point: of the fine point there, or to first order, as height maps hold it.
+enum class SlowHeight { followed, of_maps };
+
+/// A triangle of a patch in the world, seen along `direction` from the line through `at`.
+struct SlowTriangle {
+  Vec3 p[3];
+  Vec2 q[3];
+  std::array<Vec2, 3> corners;
+  Vec3 rise;  // height of the triangle by a way across the direction
+  bool faces = false;
+  SlowTriangle(const TexturedPatch& patch, std::int32_t index, const Vec3& at, const Vec3& u, const Vec3& v,
+               const Vec3& direction) {
+    const HapticTexture& texture = *patch.texture;
     const std::size_t t = static_cast<std::size_t>(index);
-    Vec3 p[3];
-    Vec2 q[3];
+    corners = texture.corners[t];
     for (std::size_t k = 0; k < 3; ++k) {
       p[k] = transform_point(
           patch.world_from_body,
           texture.coarse.positions[static_cast<std::size_t>(texture.coarse.triangles[t][k])]);
       q[k] = Vec2(u.dot(p[k] - at), v.dot(p[k] - at));
     }
-    if (!((p[1] - p[0]).cross(p[2] - p[0]).dot(direction) > 0.0)) continue;
-    const Vec3 w = barycentric(q[0], q[1], q[2], Vec2::Zero());
-    if (w.minCoeff() < -1e-9) continue;
-    const Vec3 coarse = w[0] * p[0] + w[1] * p[1] + w[2] * p[2];
-    const std::array<Vec2, 3>& c = texture.corners[t];
-    const Vec3 fine = coarse + patch.world_from_body.orientation *
-                                   lookup(texture, w[0] * c[0] + w[1] * c[1] + w[2] * c[2]);
-    best = std::max(best, direction.dot(fine - at));
+    const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
+    faces = normal.dot(direction) > 0.0;
+    rise = -(normal - direction.dot(normal) * direction) / normal.dot(direction);
   }
-  return best;
+  Vec3 weights(const Vec2& place) const { return barycentric(q[0], q[1], q[2], place); }
+  Vec3 coarse(const Vec3& w) const { return w[0] * p[0] + w[1] * p[1] + w[2] * p[2]; }
+  Vec3 displacement(const TexturedPatch& patch, const Vec3& w) const {
+    return patch.world_from_body.orientation *
+           lookup(*patch.texture, w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2]);
+  }
+};
+
+/// Largest height along `direction` (n or -n) over the point `at` of the line along it, by trying all triangles [m];
+/// kNoDepth where there is none.
+inline double slow_height(const TexturedPatch& patch, const Vec3& at, const Vec3& u, const Vec3& v,
+                          const Vec3& direction, SlowHeight kind = SlowHeight::followed) {
+  double followed = kNoDepth, of_maps = kNoDepth;
+  for (const std::int32_t index : patch.triangles) {
+    const SlowTriangle t(patch, index, at, u, v, direction);
+    if (!t.faces) continue;
+    const Vec3 here = t.weights(Vec2::Zero());
+    if (here.minCoeff() >= -1e-9) {
+      const Vec3 d = t.displacement(patch, here), rise = t.rise / std::max(t.rise.norm(), 1.0);
+      of_maps = std::max(of_maps, direction.dot(t.coarse(here) - at) + (direction - rise).dot(d));
+    }
+    // Back by what the displacement goes sideways, until the fine point lies over the place.
+    Vec2 place = Vec2::Zero();
+    Vec3 d = Vec3::Zero();
+    for (int k = 0; k < 300; ++k) {
+      Vec3 w = t.weights(place).cwiseMax(0.0);
+      w /= w.sum();
+      d = t.displacement(patch, w);
+      place = -Vec2(u.dot(d), v.dot(d));
+    }
+    const Vec3 w = t.weights(place);
+    if (w.minCoeff() >= -1e-9) followed = std::max(followed, direction.dot(t.coarse(w) + d - at));
+  }
+  return kind == SlowHeight::of_maps ? of_maps : followed;
 }
 
-/// Depth over all texel centres of `driver` that lie over `other`.
+/// Depth over the fine points of all texel centres of `driver` that lie over `other`.
 inline double slow_depth_of(const TexturedPatch& driver, const TexturedPatch& other,
                             const DepthContact& contact, const Vec3& direction) {
   const ContactFrame frame = contact_frame(contact.point, contact.normal);
@@ -190,11 +223,10 @@ inline double slow_depth_of(const TexturedPatch& driver, const TexturedPatch& ot
         const Vec3 w = barycentric(c[0], c[1], c[2], Vec2(i, j));
         if (w.minCoeff() < -1e-9) continue;
         const Vec3 coarse = w[0] * p[0] + w[1] * p[1] + w[2] * p[2];
-        const Vec2 from(u.dot(coarse - contact.point), v.dot(coarse - contact.point));
-        if (!(from.cwiseAbs().maxCoeff() <= contact.reach)) continue;
         const Vec3 fine = coarse + driver.world_from_body.orientation * lookup(texture, Vec2(i, j));
-        const double height = slow_height(other, coarse, u, v, -direction);
-        if (height != kNoDepth) best = std::max(best, direction.dot(fine - coarse) + height);
+        const Vec2 from(u.dot(fine - contact.point), v.dot(fine - contact.point));
+        if (!(from.cwiseAbs().maxCoeff() <= contact.reach)) continue;
+        best = std::max(best, slow_height(other, fine, u, v, -direction));
       }
     }
   }

@@ -1,14 +1,12 @@
 // thigma run with its page, as a process.
 
+#include <chrono>
 #include <csignal>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
+#include <thread>
 
-#include "apps/program.h"
-#include "viewer/web_client.h"
+#include "viewer/live_program.h"
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "thigma/runtime/recording.h"
 
@@ -16,44 +14,6 @@ namespace thigma::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
-
-const std::string kBall = "procedural:ball?triangles=320";
-
-std::vector<std::string> run_arguments(const std::vector<std::string>& more) {
-  std::vector<std::string> arguments = {"run", "--object", kBall, "--against", kBall, "--exact"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
-/// Port that the program says its page is at; 0 when it does not.
-std::uint16_t port_of(Program& program) {
-  const std::string start = "the page is at http://127.0.0.1:";
-  if (!program.waits_for("Ctrl-C ends it")) return 0;
-  const std::string said = program.said();
-  const std::size_t at = said.find(start);
-  return at == std::string::npos
-             ? std::uint16_t{0}
-             : static_cast<std::uint16_t>(std::atoi(said.c_str() + at + start.size()));
-}
-
-/// The next `state` that fulfils the condition; null when none comes.
-template <class Condition>
-Json state_where(WebClient& client, Condition condition) {
-  for (int i = 0; i < 60; ++i) {
-    const std::string text = client.read_type("state", 20.0);
-    if (text.empty()) break;
-    Json state = Json::parse(text);
-    if (condition(state)) return state;
-  }
-  return {};
-}
-
-Json ask(WebClient& client, const std::string& message) {
-  client.send_text(message);
-  const std::string text = client.read_type("ack", 20.0);
-  return text.empty() ? Json{} : Json::parse(text);
-}
 
 TEST(LiveProgram, AWatchedLockstepRunHasTheBitsOfAHeadlessOne) {
   const auto hash = [](const std::vector<std::string>& how) {
@@ -113,18 +73,6 @@ TEST(LiveProgram, ThePageTakesOverBeginsAgainAndRecordsUntilCtrlC) {
   EXPECT_EQ(e.code, 130) << e.err;
 }
 
-/// The next message of a type that fulfils the condition; null when none comes.
-template <class Condition>
-Json message_where(WebClient& client, const std::string& type, Condition condition) {
-  for (int i = 0; i < 2000; ++i) {
-    const std::string text = client.read_type(type, 60.0);
-    if (text.empty()) break;
-    Json message = Json::parse(text);
-    if (condition(message)) return message;
-  }
-  return {};
-}
-
 const auto kAny = [](const Json&) { return true; };
 
 /// The next `mesh` message; "" when none comes.
@@ -132,14 +80,6 @@ std::string next_mesh(WebClient& client) {
   while (const auto message = client.read(60.0))
     if (message->is_binary && message->data[0] == 1) return message->data;
   return {};
-}
-
-void upload(WebClient& client, int id, const std::string& name, const std::string& bytes) {
-  client.send_text(Json{{"type", "upload"}, {"id", id}, {"name", name}, {"value", bytes.size()}}.dump());
-  std::string message("\x21\x01\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 16);
-  const auto size = static_cast<std::uint32_t>(bytes.size());
-  std::memcpy(message.data() + 4, &size, 4);
-  client.send_binary(message + bytes);
 }
 
 TEST(LiveProgram, ARecordingIsShownFromAnyTimeAndLeftForASession) {
@@ -218,6 +158,50 @@ TEST(LiveProgram, AFaultNobodyLooksAtEndsTheProgram) {
   const Ended e = run_program(
       run_arguments({"--device", "hand:?path=rest", "--fault", "unplug@0.2", "--quiet"}));
   EXPECT_EQ(e.code, 6) << e.err;
+}
+
+/// As another program does that takes the processors away.
+void stand_still(const Program& program) {
+  program.send(SIGSTOP);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  program.send(SIGCONT);
+}
+
+TEST(LiveProgram, ASimulatedHandOutlivesALateFrameAndSaysSo) {
+  RunningProgram run("late", {"--device", "hand:?path=press"});
+  ASSERT_TRUE(run.client);
+  const Json before = run.running();
+  ASSERT_FALSE(before.is_null());
+  stand_still(*run.program);
+  const Json event =
+      message_where(*run.client, "event", [](const Json& e) { return e["kind"] == "late"; });
+  ASSERT_FALSE(event.is_null());
+  const Json after = state_where(*run.client, [](const Json& s) { return !s["late"].is_null(); });
+  ASSERT_FALSE(after.is_null());
+  EXPECT_EQ(after["run"], "running");
+  EXPECT_EQ(after["session"], before["session"]);
+  EXPECT_GE(after["late"]["count"], 1);
+  run.expect_goes_on(after);
+  const Ended e = run.end();
+  EXPECT_EQ(e.code, 130) << e.err;
+  EXPECT_NE(e.out.find("\nlate "), std::string::npos) << e.out;
+}
+
+TEST(LiveProgram, WithInjectedFaultsALateFrameIsAFaultThatAReloadedPageKnows) {
+  RunningProgram run("late_strict", {"--device", "hand:?path=press", "--fault", "unplug@100000"});
+  ASSERT_TRUE(run.client);
+  ASSERT_FALSE(run.running().is_null());
+  stand_still(*run.program);
+  ASSERT_FALSE(state_where(*run.client, [](const Json& s) { return s["run"] == "ended"; }).is_null());
+  run.client = std::make_unique<WebClient>(run.port);
+  const Json state = state_where(*run.client, [](const Json& s) { return s["run"] == "ended"; });
+  ASSERT_FALSE(state.is_null());
+  EXPECT_EQ(state["reason"], "fault");
+  // The model is too old as well, and either may be seen first.
+  const std::string name = state["fault"]["name"];
+  EXPECT_TRUE(name == "watchdog" || name == "contact_stale") << state;
+  run.client.reset();
+  EXPECT_EQ(run.program->finish().code, 6);  // nobody looks any more
 }
 
 TEST(LiveProgram, AFaultThatIsLookedAtMayBeBegunAgainFrom) {

@@ -106,12 +106,14 @@ TEST(Tuning, MetricsCapAndBudgetReachTheQueryAndMayBeOff) {
   const Resolution untouched = tuner.contact().resolution;
   EXPECT_EQ(std::bit_cast<std::uint64_t>(untouched.budget_cpu),
             std::bit_cast<std::uint64_t>(c.contact.resolution.budget_cpu));
-  EXPECT_EQ(untouched.deviation_cap, 0.02);
+  EXPECT_EQ(untouched.deviation_cap, kNoCap);
   EXPECT_EQ(untouched.metric.view.pixels, 0.0);
 
   EXPECT_EQ(tuner.set("threshold", 0.0), "");
   EXPECT_EQ(tuner.set("velocity_metric", 0.02), "");
   EXPECT_EQ(tuner.set("view_metric", 2.0), "");
+  EXPECT_EQ(tuner.set("deviation_cap", 0.02), "");
+  EXPECT_EQ(tuner.contact().resolution.deviation_cap, 0.02);
   EXPECT_EQ(tuner.set("deviation_cap", 0.0), "");
   EXPECT_EQ(tuner.set("budget_us", 200.0), "");
   const Resolution r = tuner.contact().resolution;

@@ -5,10 +5,14 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "web_client.h"
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include "thigma/runtime/rt_thread.h"
 
@@ -48,6 +52,25 @@ struct Bench {
     for (const PageId page : server->pages()) (server->offer(page, messages) ? taken : dropped)++;
   }
   std::uint16_t port() const { return server->port(); }
+};
+
+/// Connects and says nothing.
+class IdleConnection {
+ public:
+  explicit IdleConnection(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(port);
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    EXPECT_EQ(::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  }
+  IdleConnection(IdleConnection&& other) noexcept : socket_(std::exchange(other.socket_, -1)) {}
+  ~IdleConnection() {
+    if (socket_ >= 0) ::close(socket_);
+  }
+
+ private:
+  int socket_ = -1;
 };
 
 template <class Condition>
@@ -183,6 +206,25 @@ TEST(WebServer, SoManyPagesAndNoMore) {
   second.reset();
   ASSERT_TRUE(comes_true([&] { return b.closed == 1; }));
   EXPECT_EQ(WebClient(b.port()).status(), 101);
+}
+
+TEST(WebServer, ConnectionsThatAskForNothingLockNobodyOut) {
+  WebLimits limits;
+  limits.connections = 8;
+  Bench b(0, limits);
+  WebClient page(b.port());
+  ASSERT_EQ(page.status(), 101);
+  std::vector<IdleConnection> idle;
+  idle.reserve(40);
+  for (int i = 0; i < 40; ++i) idle.emplace_back(b.port());
+  EXPECT_NE(http_exchange(b.port(), "GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n").find("200 OK"),
+            std::string::npos);
+  WebClient another(b.port());
+  EXPECT_EQ(another.status(), 101);
+  page.send_text("still here");  // it asked for something, so it keeps its place
+  const auto back = page.read();
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->data, "still here");
 }
 
 TEST(WebServer, APageThatDoesNotReadIsDroppedFromNeverWaitedFor) {

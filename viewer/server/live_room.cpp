@@ -76,6 +76,7 @@ void LiveRoom::Impl::closed(PageId page) {
 
 void LiveRoom::Impl::began(const LiveStart& start) {
   now_running = start;
+  send_events();  // nothing of the session before is told as of this one
   state.session += 1;
   state.run = "running";
   state.reason = "";
@@ -97,16 +98,37 @@ void LiveRoom::Impl::began(const LiveStart& start) {
   {
     const std::lock_guard lock(mutex);
     is_restarting = false;
-    tuner.lock(start.recording.empty() ? "" : kIsRecording, start.is_lockstep       ? kIsLockstep
-                                                            : !start.replay.empty() ? kIsReplay
-                                                                                    : "");
+    lock_tuner();
     tuner.judge_for(start.gains);
   }
   tell_parameters();
   tell_state();
 }
 
+void LiveRoom::Impl::forget_troubles() {
+  state.fault = state.late = {};
+  state.lates = 0;
+}
+
+void LiveRoom::Impl::lock_tuner() {
+  const LiveStart& start = now_running;
+  tuner.lock(start.recording.empty() ? "" : kIsRecording, start.is_lockstep       ? kIsLockstep
+                                                          : !start.replay.empty() ? kIsReplay
+                                                                                  : "");
+}
+
+void LiveRoom::Impl::lost_recording() {
+  state.recording = now_running.recording = "";
+  {
+    const std::lock_guard lock(mutex);
+    lock_tuner();
+  }
+  tell_parameters();
+  tell_state();
+}
+
 void LiveRoom::Impl::ended(const std::string& reason, std::uint64_t dropped) {
+  send_events();  // what ended it first
   state.run = "ended";
   state.reason = reason;
   dropped_samples += dropped;
@@ -144,6 +166,7 @@ void LiveRoom::prepare_session(SessionConfig& config) {
   impl_->ports->is_paused = false;
   impl_->ports->steps = 0;
   impl_->feed.begin_session(config.haptic.workspace);
+  impl_->feed.look_at(SessionEvent{});  // what comes after it is of this session
   config.live = impl_->ports.get();
 }
 
@@ -199,6 +222,10 @@ void LiveRoom::rewind() {
 
 void LiveRoom::begin_session(const LiveStart& start) {
   impl_->server.post([room = impl_.get(), start] { room->began(start); });
+}
+
+void LiveRoom::lose_recording() {
+  impl_->server.post([room = impl_.get()] { room->lost_recording(); });
 }
 
 void LiveRoom::end_session(const std::string& reason, std::uint64_t dropped_samples) {

@@ -85,6 +85,8 @@ class LiveRoom {
   /// them from here to begin_session.
   void prepare_session(SessionConfig& config);
   void begin_session(const LiveStart& start);
+  /// The recording has ended before its session: pages may change again what it kept them from. Any thread.
+  void lose_recording();
   /// reason: "fault", "duration", "device_finished", "stopped".
   void end_session(const std::string& reason, std::uint64_t dropped_samples);
 

@@ -80,6 +80,10 @@ Json micro(double p50, double p99) {
   return {{"p50", finite(kMicro * p50)}, {"p99", finite(kMicro * p99)}};
 }
 
+Json trouble_json(const Trouble& trouble) {
+  return {{"name", trouble.name}, {"time", finite(trouble.time)}, {"text", text_or_null(trouble.text)}};
+}
+
 const char* kind_name(ParameterKind kind) {
   constexpr const char* kNames[] = {"number", "optional", "choice"};
   return kNames[static_cast<std::size_t>(kind)];
@@ -221,6 +225,9 @@ std::string state_message(const RunState& s, const Timing& t, std::string_view h
                               : Json{{"file", s.replay}, {"seconds", s.replay_seconds}}},
                {"pages", s.pages},
                {"simulated", s.is_simulated}};
+  json["fault"] = s.fault.name.empty() ? Json(nullptr) : trouble_json(s.fault);
+  json["late"] = s.lates == 0 ? Json(nullptr) : trouble_json(s.late);
+  if (s.lates > 0) json["late"]["count"] = s.lates;
   json["timing"] = {{"step_cpu_us", micro(t.step_p50, t.step_p99)},
                     {"wake_late_us", micro(t.late_p50, t.late_p99)},
                     {"query_cpu_us", micro(t.query_p50, t.query_p99)},

@@ -60,6 +60,13 @@ struct OpenMenu {
   std::vector<Item> scenes, recordings;
 };
 
+/// What a session was told of a fault, or of something late that was ridden out.
+struct Trouble {
+  std::string name;  // of the fault; "": none
+  std::string text;  // more, for people
+  double time = 0.0;  // [s; session clock]
+};
+
 /// How the session stands, for `state`.
 struct RunState {
   int session = 0;
@@ -73,6 +80,9 @@ struct RunState {
   double replay_seconds = 0.0;  // its length [s]
   bool is_simulated = true;
   std::size_t pages = 0;
+  Trouble fault;            // latched, or what ended the session
+  Trouble late;             // the last one ...
+  std::uint64_t lates = 0;  // ... of so many
 };
 
 /// Over the last second; NaN: nothing was measured.

@@ -53,6 +53,11 @@ bool WebServer::offer(PageId page, std::span<const std::string> messages) {
   return found != impl_->core.pages.end() && found->second->offer(messages);
 }
 
+std::size_t WebServer::waiting_bytes(PageId page) const {
+  const auto found = impl_->core.pages.find(page);
+  return found == impl_->core.pages.end() ? 0 : found->second->waiting_bytes();
+}
+
 std::uint64_t WebServer::dropped(PageId page) const {
   const auto found = impl_->core.pages.find(page);
   return found == impl_->core.pages.end() ? 0 : found->second->dropped;

@@ -55,6 +55,7 @@ struct WebLimits {
   std::size_t message_bytes = 65536;  // of a page's
   int messages_per_second = 1000;    // of a page's
   std::size_t waiting = 256;         // messages to a page that it has not taken yet
+  std::size_t waiting_bytes = 1u << 20;  // of these, with which a page is not sent a level more
   double silence = 10.0;             // without an answer to pings a page is gone [s]
   double tick = 1.0 / 60.0;          // [s]
 };
@@ -91,6 +92,7 @@ class WebServer {
   void send(PageId page, std::string message, bool is_binary);
   /// Sends all of these (binary) when the page has taken everything before; otherwise none, counted.
   bool offer(PageId page, std::span<const std::string> messages);
+  std::size_t waiting_bytes(PageId page) const;  // of what it has not taken yet
   std::uint64_t dropped(PageId page) const;  // offers that were not taken
   std::vector<PageId> pages() const;         // open ones
 

@@ -13,7 +13,7 @@ namespace thigma {
 struct ClodParams {
   DecompositionParams decomposition;
   SimplifyParams simplify;
-  double contact_tolerance = 0.01;  // of the queries to come, for support areas; times the radius
+  double contact_tolerance = 0.004;  // within which faces count as support of a vertex (Sec. 3.3.5); times the radius
   int threads = 1;                  // for the parameters; the loop of simplification is serial
   bool is_reparented = true;        // parents by geometry; false: by merging, as in the text
   bool has_culling_hulls = true;  // nodes bounded by hulls of the finest surface below them; false:

@@ -12,8 +12,9 @@
 namespace thigma {
 namespace {
 
-constexpr int kDivisions = 4;        // of a triangle into four, one after the other
-constexpr double kTightness = 1.25;  // of the bound over the largest distance met
+constexpr int kDivisions = 6;        // of a triangle into four, one after the other
+constexpr int kFirstSamples = 4;     // of an edge of a triangle that has to be divided
+constexpr double kTightness = 1.1;   // of the bound over the largest distance met
 
 double distance_to(const DeviationTarget& target, const Vec3& p, std::int32_t t) {
   const auto& v = target.mesh->triangles[at(t)];
@@ -83,7 +84,6 @@ double area_above(const Polygon& polygon) {
 
 struct SheetBound {
   double distance = std::numeric_limits<double>::infinity();  // along the normal, at most
-  bool is_steep = false;   // where it is largest: the surface may be much nearer sideways
   std::int32_t over = -1;  // triangle of the surface with the largest part over this one
 };
 
@@ -106,7 +106,7 @@ SheetBound bound_by_sheet(const DeviationTarget& target, const std::array<Vec3, 
   const detail::TreeBox box{triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]) - reach,
                             triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]) + reach};
   double covered = 0.0;
-  SheetBound bound{0.0, false, -1};
+  SheetBound bound{0.0, -1};
   double largest_part = 0.0;
   detail::visit_triangles(target.tree, box, [&](std::int32_t t) {
     const auto& corner = target.mesh->triangles[at(t)];
@@ -137,38 +137,63 @@ SheetBound bound_by_sheet(const DeviationTarget& target, const std::array<Vec3, 
       largest_part = part;
       bound.over = t;
     }
-    if (farthest <= bound.distance) return;
-    bound.distance = farthest;
-    bound.is_steep = turned.z() < 0.5 * turned.norm();
+    bound.distance = std::max(bound.distance, farthest);
   });
   if (std::fabs(covered - 0.5 * length) > 1e-6 * 0.5 * length)
     bound.distance = std::numeric_limits<double>::infinity();
   return bound;
 }
 
-/// Bound over a part of the triangle. met: largest distance of any point so far, a lower bound.
+/// A triangle, and how far its corners are from its middle.
+struct Part {
+  std::array<Vec3, 3> corner;
+  Vec3 middle;
+  double radius;
+};
+
+Part part_of(const std::array<Vec3, 3>& c) {
+  const Vec3 middle = (c[0] + c[1] + c[2]) / 3.0;
+  double radius2 = 0.0;
+  for (const Vec3& p : c) radius2 = std::max(radius2, (p - middle).squaredNorm());
+  return {c, middle, std::sqrt(radius2)};
+}
+
+/// What a part has to stay below to be done.
+double enough(const DeviationRange& range) { return std::max(range.bound, kTightness * range.met); }
+
+double farthest_corner(const DeviationTarget& target, const std::array<Vec3, 3>& c, std::int32_t t) {
+  double farthest = 0.0;
+  for (const Vec3& p : c) farthest = std::max(farthest, distance_to(target, p, t));
+  return farthest;
+}
+
+/// Bound over a part; extends range.met. Its bound stays: what a sibling was allowed must not loosen this one.
 double bound_by_division(const DeviationTarget& target, const std::array<Vec3, 3>& c, double reach,
-                         int divisions, std::int32_t nearest, double& met) {
-  const double center = nearest_distance(target, (c[0] + c[1] + c[2]) / 3.0, nearest);
-  met = std::max(met, center);
-  double bound = 0.0;
-  for (const Vec3& p : c) bound = std::max(bound, distance_to(target, p, nearest));
-  if (bound <= kTightness * met) return bound;
+                         int divisions, std::int32_t nearest, DeviationRange& range) {
+  const Part part = part_of(c);
+  const double at_middle = nearest_distance(target, part.middle, nearest);
+  range.met = std::max(range.met, at_middle);
+  double bound = std::min(at_middle + part.radius, farthest_corner(target, c, nearest));
+  if (bound <= enough(range)) return bound;
   bound = std::min(bound, bound_by_sheet(target, c, reach).distance);
-  if (divisions == 0 || bound <= kTightness * met) return bound;
-  for (const Vec3& p : c) {
-    std::int32_t guess = nearest;
-    met = std::max(met, nearest_distance(target, p, guess));
-  }
-  if (bound <= kTightness * met) return bound;
+  if (divisions == 0 || bound <= enough(range)) return bound;
   const Vec3 ab = 0.5 * (c[0] + c[1]), bc = 0.5 * (c[1] + c[2]), ca = 0.5 * (c[2] + c[0]);
   const std::array<std::array<Vec3, 3>, 4> parts = {
       {{c[0], ab, ca}, {ab, c[1], bc}, {ca, bc, c[2]}, {ab, bc, ca}}};
   double largest = 0.0;
-  for (const auto& part : parts)
-    largest =
-        std::max(largest, bound_by_division(target, part, reach, divisions - 1, nearest, met));
+  for (const auto& smaller : parts)
+    largest = std::max(largest, bound_by_division(target, smaller, reach, divisions - 1, nearest, range));
   return std::min(bound, largest);
+}
+
+/// Distances of points spread over a triangle, so that parts measured first are not measured closer than they need be.
+void meet_samples(const DeviationTarget& target, const std::array<Vec3, 3>& c, std::int32_t nearest,
+                  DeviationRange& range) {
+  for (int i = 0; i <= kFirstSamples; ++i)
+    for (int j = 0; i + j <= kFirstSamples; ++j) {
+      const Vec3 p = (i * c[0] + j * c[1] + (kFirstSamples - i - j) * c[2]) / kFirstSamples;
+      range.met = std::max(range.met, nearest_distance(target, p, nearest));
+    }
 }
 
 }  // namespace
@@ -188,16 +213,17 @@ double nearest_distance(const DeviationTarget& target, const Vec3& p, std::int32
   return best;
 }
 
-double bound_deviation(const DeviationTarget& target, const std::array<Vec3, 3>& triangle,
-                       double reach, double known, std::int32_t& nearest) {
-  double simple = 0.0;
-  for (const Vec3& p : triangle) simple = std::max(simple, distance_to(target, p, nearest));
-  if (simple <= known) return known;
+void extend_deviation(const DeviationTarget& target, const std::array<Vec3, 3>& triangle,
+                      double reach, DeviationRange& range, std::int32_t& nearest) {
+  if (farthest_corner(target, triangle, nearest) <= range.bound) return;
   const SheetBound sheet = bound_by_sheet(target, triangle, reach);
   if (sheet.over >= 0) nearest = sheet.over;
-  if (std::isfinite(sheet.distance) && !sheet.is_steep) return std::max(known, sheet.distance);
-  double met = known;
-  return std::max(known, bound_by_division(target, triangle, reach, kDivisions, nearest, met));
+  if (sheet.distance <= range.bound) return;
+  meet_samples(target, triangle, nearest, range);
+  const double bound = sheet.distance <= enough(range)
+                           ? sheet.distance
+                           : bound_by_division(target, triangle, reach, kDivisions, nearest, range);
+  range.bound = std::max(range.bound, bound);
 }
 
 }  // namespace thigma

@@ -18,6 +18,11 @@ enum class ContactStatus : std::uint8_t {
                 // triangles and below their overlap, on the way from one to the other (see pair_contact)
 };
 
+/// What decided how fine a contact is: of the criteria that are on the one nearest to its limit, unless a budget ended
+/// refinement before they were met, or there is nothing finer.
+enum class LevelDecision : std::uint8_t { haptic, velocity, view, cap, budget, finest };
+inline constexpr std::size_t kLevelDecisions = 6;
+
 /// A contact between one surface patch of the grasped object and one of a scene object (Sec. 5.4.1).
 /// depth = normal . (point - scene_point): positive when penetrating, negative when separated.
 struct Contact {
@@ -33,6 +38,7 @@ struct Contact {
   std::int32_t object_patch = -1, scene_patch = -1;
   std::int32_t object_level = 0, scene_level = 0;  // of detail: 0 finest
   ContactStatus status = ContactStatus::separated;
+  LevelDecision decided_by = LevelDecision::finest;
 };
 
 /// Counts of one query.

@@ -10,6 +10,8 @@
 
 namespace thigma {
 
+inline constexpr double kNoCap = std::numeric_limits<double>::infinity();
+
 /// What s0 is compared with. Several may be on: the least of their thresholds counts.
 struct RefinementMetric {
   double haptic = 0.0;    // s0, times the smaller radius of the two; 0 with the others off: finest patches
@@ -26,7 +28,7 @@ struct RefinementMetric {
 struct Resolution {
   bool is_exact = true;  // everything below is ignored
   RefinementMetric metric{.haptic = 0.025};
-  double deviation_cap = 0.02;  // on s_a + s_b, times the smaller radius; infinite: off, as in the text
+  double deviation_cap = kNoCap;  // on s_a + s_b, times the smaller radius; infinite: off, as in the text
   std::int32_t coarsest_level = std::numeric_limits<std::int32_t>::max();  // pairs with a coarser patch are refined
   SupportReading reading = SupportReading::flood;
   SupportArea area = SupportArea::larger;
@@ -37,7 +39,5 @@ struct Resolution {
   std::int64_t budget_tests = 0;  // pairs looked at, at most; 0: no limit. Reproducible
   double budget_cpu = 0.0;        // CPU time of the thread, at most; 0: no limit [s]
 };
-
-inline constexpr double kNoCap = std::numeric_limits<double>::infinity();
 
 }  // namespace thigma

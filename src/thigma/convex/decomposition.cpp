@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "thigma/convex/clip.h"
+#include "thigma/convex/count_patches.h"
 #include "thigma/convex/detail/surface.h"
 #include "thigma/convex/detail/visit_triangles.h"
 #include "thigma/convex/growing_hull.h"
@@ -194,13 +196,12 @@ DecompositionParams resolve_tolerances(const TriangleMesh& mesh,
   return resolved(mesh, detail::describe_surface(mesh), half_extent(mesh), params);
 }
 
-ConvexDecomposition decompose_surface(const TriangleMesh& mesh, const DecompositionParams& params) {
-  const Surface surface = detail::describe_surface(mesh);
-  if (std::none_of(surface.height.begin(), surface.height.end(), [](double h) { return h > 0.0; }))
-    throw InputError("convex decomposition: no triangle has an area, expected at least one");
-  const double radius = half_extent(mesh);
+namespace {
+
+ConvexDecomposition decompose(const TriangleMesh& mesh, const Surface& surface, double radius,
+                              const DecompositionParams& params) {
   ConvexDecomposition result;
-  result.params = resolved(mesh, surface, radius, params);
+  result.params = params;
   std::vector<std::int32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0);
   const TriangleTree tree = detail::build_triangle_tree(mesh, std::move(all));
@@ -225,6 +226,29 @@ ConvexDecomposition decompose_surface(const TriangleMesh& mesh, const Decomposit
   }
   result.patch_of_triangle = std::move(g.patch_of);
   return result;
+}
+
+Surface checked_surface(const TriangleMesh& mesh) {
+  Surface surface = detail::describe_surface(mesh);
+  if (std::none_of(surface.height.begin(), surface.height.end(), [](double h) { return h > 0.0; }))
+    throw InputError("convex decomposition: no triangle has an area, expected at least one");
+  return surface;
+}
+
+}  // namespace
+
+ConvexDecomposition decompose_surface(const TriangleMesh& mesh, const DecompositionParams& params) {
+  const Surface surface = checked_surface(mesh);
+  const double radius = half_extent(mesh);
+  return decompose(mesh, surface, radius, resolved(mesh, surface, radius, params));
+}
+
+std::int32_t count_convex_patches(const TriangleMesh& mesh) {
+  const Surface surface = checked_surface(mesh);
+  const double radius = half_extent(mesh);
+  DecompositionParams params = resolved(mesh, surface, radius, {});
+  params.max_vertices = std::numeric_limits<int>::max();
+  return static_cast<std::int32_t>(decompose(mesh, surface, radius, params).patches.size());
 }
 
 }  // namespace thigma

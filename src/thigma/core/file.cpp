@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -57,15 +58,30 @@ bool write_all(int fd, std::string_view bytes) {
   return true;
 }
 
+// Whether a pipe has bytes or has seen its writer go, within a time in which a writer that was
+// started with the program has come.
+bool has_news(int fd) {
+  constexpr int kWait = 2000;  // [ms]
+  pollfd wait{fd, POLLIN, 0};
+  return ::poll(&wait, 1, kWait) > 0;
+}
+
+bool wait_from_now_on(int fd) {
+  const int flags = ::fcntl(fd, F_GETFL);
+  return flags >= 0 && ::fcntl(fd, F_SETFL, flags & ~O_NONBLOCK) == 0;
+}
+
 }  // namespace
 
 std::string read_file(const std::string& path) {
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // Opened in the other way, a pipe that nobody writes to would wait for ever.
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.get() < 0) fail_read(path, std::strerror(errno));
   struct stat info {};
   if (::fstat(file.get(), &info) != 0) fail_read(path, std::strerror(errno));
   // A character device such as /dev/zero never ends.
   if (!S_ISREG(info.st_mode) && !S_ISFIFO(info.st_mode)) fail_read(path, "not a regular file");
+  const bool may_lack_writer = S_ISFIFO(info.st_mode) && !has_news(file.get());
   const std::size_t expected = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
   if (expected > kMaxFileBytes) fail_read(path, "larger than 4 GiB");
   std::string bytes(expected + 1, '\0');  // the spare byte finds the end without growing
@@ -74,13 +90,21 @@ std::string read_file(const std::string& path) {
     if (size == bytes.size()) bytes.resize(bytes.size() + bytes.size() / 2 + 65536);
     const ssize_t n = ::read(file.get(), bytes.data() + size, bytes.size() - size);
     if (n < 0 && errno == EINTR) continue;
+    if (n < 0 && errno == EAGAIN && wait_from_now_on(file.get())) continue;  // slow, but there
     if (n < 0) fail_read(path, std::strerror(errno));
+    if (n == 0 && size == 0 && may_lack_writer) fail_read(path, "a pipe that nobody writes to");
     if (n == 0) break;
     size += static_cast<std::size_t>(n);
     if (size > kMaxFileBytes) fail_read(path, "larger than 4 GiB");
   }
   bytes.resize(size);
   return bytes;
+}
+
+std::string_view without_byte_order_mark(std::string_view text) noexcept {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  return text;
 }
 
 void write_file(const std::string& path, std::string_view bytes) {

@@ -6,7 +6,8 @@
 
 namespace thigma {
 
-/// All bytes of a file, a regular one or a pipe, of at most 4 GiB.
+/// All bytes of a file, a regular one or a pipe, of at most 4 GiB. A pipe that nobody has opened for
+/// writing within two seconds is none that will be.
 ///
 /// Thread    [offline]; throws InputError when it cannot be opened or read: what a user names as
 /// input is input.
@@ -18,5 +19,11 @@ std::string read_file(const std::string& path);
 ///
 /// Thread    [offline]; throws IoError, and nothing has changed.
 void write_file(const std::string& path, std::string_view bytes);
+
+/// A text without the UTF-8 byte order mark that editors may put before it. Every reader of text
+/// skips it.
+///
+/// Thread    [any]
+[[nodiscard]] std::string_view without_byte_order_mark(std::string_view text) noexcept;
 
 }  // namespace thigma

@@ -109,6 +109,7 @@ DeviceLimits limits_of(const HandParams& p) {
   limits.workspace_radius = p.workspace_radius;
   limits.senses_rotation = p.senses_rotation;
   limits.actuates_rotation = p.actuates_rotation;
+  limits.holds_person = false;
   limits.delay = p.delay + 0.5 * p.jitter + (p.sampling > 0.0 ? 0.5 / p.sampling : 0.0);
   return limits;
 }

@@ -23,6 +23,7 @@ struct DeviceLimits {
   bool actuates_translation = true, actuates_rotation = true;
   double delay = 0.0;  // age of what a read returns, as far as known [s]
   DeviceClock clock = DeviceClock::engine;
+  bool holds_person = true;  // what it is sent may push a person; false: simulated, or nothing is pushed
 };
 
 enum class DeviceStatus : std::uint8_t {

@@ -6,7 +6,9 @@ namespace {
 class NullDevice final : public HapticDevice {
  public:
   NullDevice(bool clutch, const DeviceLimits& limits)
-      : limits_(limits), buttons_(clutch ? kClutchButton : 0u) {}
+      : limits_(limits), buttons_(clutch ? kClutchButton : 0u) {
+    limits_.holds_person = false;
+  }
 
   const DeviceLimits& limits() const override { return limits_; }
   std::string name() const override { return "null"; }

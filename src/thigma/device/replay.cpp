@@ -8,7 +8,9 @@ namespace {
 class ReplayDevice final : public HapticDevice {
  public:
   ReplayDevice(std::vector<DeviceState> samples, const DeviceLimits& limits)
-      : samples_(std::move(samples)), limits_(limits) {}
+      : samples_(std::move(samples)), limits_(limits) {
+    limits_.holds_person = false;  // whoever was held when it was recorded
+  }
 
   const DeviceLimits& limits() const override { return limits_; }
   std::string name() const override { return "replay"; }

@@ -155,7 +155,9 @@ std::size_t find_row(const std::vector<TimedPose>& rows, double time, std::size_
 class ScriptDevice final : public HapticDevice {
  public:
   ScriptDevice(std::vector<TimedPose> script, const DeviceLimits& limits)
-      : script_(std::move(script)), limits_(limits) {}
+      : script_(std::move(script)), limits_(limits) {
+    limits_.holds_person = false;
+  }
 
   const DeviceLimits& limits() const override { return limits_; }
   std::string name() const override { return "script"; }
@@ -191,7 +193,7 @@ std::vector<TimedPose> parse_script(std::istream& text, const std::string& name)
   std::size_t number = 0;
   while (std::getline(text, line)) {
     ++number;
-    const std::string_view content = trimmed(line);
+    const std::string_view content = trimmed(number == 1 ? without_byte_order_mark(line) : line);
     if (content.empty() || content.front() == '#') continue;
     if (columns == 0) {
       columns = columns_of_header(content, name, number);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "thigma/mesh/duplicates.h"
 #include "thigma/mesh/predicates.h"
 #include "thigma/mesh/self_intersections.h"
 #include "thigma/mesh/topology.h"
@@ -139,14 +140,39 @@ std::vector<std::int32_t> inside_out_components(const Inspection& in,
   return negative;
 }
 
-void count_components(Inspection& in) {
-  const std::vector<ComponentState> states = measure_components(in);
+void count_components(const Inspection& in, const std::vector<ComponentState>& states) {
   for (const ComponentState& s : states) {
     in.report.nonorientable_components += !s.is_orientable;
     in.report.zero_volume_components += s.is_closed && s.is_orientable && has_zero_volume(s);
   }
   in.report.inside_out_components =
       static_cast<std::int64_t>(inside_out_components(in, states).size());
+}
+
+// Components as repair will leave them, each face once and no fin. One that is closed only because
+// each of its faces has its back too encloses nothing.
+void count_distinct_components(const TriangleMesh& mesh, MeshReport& report) {
+  const DistinctFaces faces = list_distinct_faces(mesh);
+  const std::vector<bool> is_fin = find_fins(mesh, faces);
+  TriangleMesh distinct{mesh.positions, {}};
+  std::vector<bool> is_folded;
+  for (std::size_t i = 0; i < faces.triangle.size(); ++i) {
+    if (is_fin[i]) continue;
+    distinct.triangles.push_back(mesh.triangles[static_cast<std::size_t>(faces.triangle[i])]);
+    is_folded.push_back(faces.net[i] == 0);
+  }
+  const Inspection in = begin_inspection(distinct, report);
+  std::vector<ComponentState> states = measure_components(in);
+  std::vector<bool> is_all_folded(states.size(), true);
+  for (std::size_t t = 0; t < is_folded.size(); ++t)
+    if (!is_folded[t])
+      is_all_folded[static_cast<std::size_t>(in.components.of_triangle[t])] = false;
+  for (std::size_t c = 0; c < states.size(); ++c) {
+    if (!is_all_folded[c] || states[c].is_closed) continue;
+    states[c].is_closed = true;
+    states[c].volume = 0.0;
+  }
+  count_components(in, states);
 }
 
 void count_topology(Inspection& in) {
@@ -296,7 +322,10 @@ void inspect_merged(const TriangleMesh& mesh, const InspectOptions& options, Mes
   Inspection in = begin_inspection(mesh, r);
   r.components = in.components.count;
   count_topology(in);
-  count_components(in);
+  if (r.duplicate_triangles == 0)
+    count_components(in, measure_components(in));
+  else
+    count_distinct_components(mesh, r);
   r.unwelded_vertices = find_welds(mesh, in.table, r.radius).count;
   measure(in);
   if (options.self_intersections) {

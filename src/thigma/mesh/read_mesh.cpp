@@ -38,6 +38,7 @@ bool has_binary_stl_size(std::string_view bytes) {
 }
 
 RawMesh parse_raw(std::string_view bytes, const std::string& name) {
+  if (!has_binary_stl_size(bytes)) bytes = without_byte_order_mark(bytes);
   if (bytes.empty()) detail::fail_input(name, "is empty", "byte 0", "a mesh: OBJ, PLY, STL or OFF");
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r\n"))
     return detail::read_ply(bytes, name);

@@ -2,6 +2,7 @@
 // with what parse_mesh has checked taken for granted.
 #include "thigma/mesh/read_texture_coordinates.h"
 
+#include "thigma/core/file.h"
 #include "thigma/mesh/detail/raw_mesh.h"
 
 namespace thigma {
@@ -67,7 +68,7 @@ void read_face(CoordinateReader& obj, detail::Words& words, std::int64_t line) {
 std::vector<std::array<Vec2, 3>> read_texture_coordinates(std::string_view bytes,
                                                           const std::string& name) {
   CoordinateReader obj{name, {}, {}, {}};
-  detail::Lines lines(bytes);
+  detail::Lines lines(without_byte_order_mark(bytes));
   std::string_view line;
   std::string joined;
   while (lines.next(line)) {

@@ -10,6 +10,7 @@
 
 #include "thigma/core/error.h"
 #include "thigma/math/elementary.h"
+#include "thigma/mesh/duplicates.h"
 #include "thigma/mesh/inspect.h"
 #include "thigma/mesh/topology.h"
 #include "thigma/mesh/weld.h"
@@ -31,6 +32,7 @@ struct Repair {
   TriangleMesh mesh;
   double radius = 0.0;
   std::vector<std::string> done;
+  std::vector<std::int64_t> votes = {};  // of each triangle, for being the right way round
 
   const Vec3& at(std::int32_t v) const { return mesh.positions[static_cast<std::size_t>(v)]; }
   void note(std::int64_t count, const char* one, const char* many) {
@@ -52,40 +54,21 @@ void weld(Repair& r) {
          "vertices welded to ones that nearly equal them");
 }
 
-// A fin is two equal triangles back to back on an edge of a surface that goes on without them: both
-// go. Otherwise one of each group of equal triangles stays, or the surface would have a hole.
+// Fins go, and one of each group of equal triangles stays. Which way round is decided by its neighbours: the
+// triangles that the mesh has once, before those that turn one way more often than the other.
 void drop_duplicates(Repair& r) {
-  const std::vector<std::int32_t> first = find_duplicates(r.mesh);
-  std::vector<std::int32_t> group_size(first.size(), 0);
-  for (std::size_t t = 0; t < first.size(); ++t) {
-    if (first[t] >= 0) ++group_size[static_cast<std::size_t>(first[t])];
-  }
-  const EdgeTable table = build_edge_table(r.mesh);
-  std::vector<bool> is_dropped(first.size(), false);
-  std::int64_t dropped = 0;
-  for (std::size_t t = 0; t < first.size(); ++t) {
-    if (first[t] >= 0) is_dropped[t] = true;
-    if (group_size[t] == 0) continue;
-    bool leaves_hole = false;
-    bool is_attached = false;
-    for (const std::int32_t e : table.of_triangle[t]) {
-      const std::int32_t others =
-          table.edges[static_cast<std::size_t>(e)].use_count - group_size[t] - 1;
-      leaves_hole = leaves_hole || others % 2 == 1;
-      is_attached = is_attached || others > 0;
-    }
-    const bool is_fin = group_size[t] == 1 && is_attached && !leaves_hole;
-    if (!is_fin) continue;
-    is_dropped[t] = true;
-  }
+  const DistinctFaces faces = list_distinct_faces(r.mesh);
+  const std::vector<bool> is_fin = find_fins(r.mesh, faces);
+  const auto all = static_cast<std::int64_t>(r.mesh.triangles.size());
   std::vector<Triangle> kept;
-  for (std::size_t t = 0; t < first.size(); ++t) {
-    // The copy of a fin's first triangle is dropped by its own mark.
-    if (is_dropped[t])
-      ++dropped;
-    else
-      kept.push_back(r.mesh.triangles[t]);
+  r.votes.clear();
+  for (std::size_t i = 0; i < faces.triangle.size(); ++i) {
+    if (is_fin[i]) continue;
+    kept.push_back(r.mesh.triangles[static_cast<std::size_t>(faces.triangle[i])]);
+    const std::int64_t net = faces.net[i];
+    r.votes.push_back(faces.copies[i] == 1 ? all + 1 : std::clamp<std::int64_t>(net, -1, 1));
   }
+  const std::int64_t dropped = all - static_cast<std::int64_t>(kept.size());
   if (dropped == 0) return;
   r.mesh.triangles = std::move(kept);
   r.note(dropped, "duplicate triangle dropped", "duplicate triangles dropped");
@@ -93,9 +76,16 @@ void drop_duplicates(Repair& r) {
 
 void orient(Repair& r) {
   const Orientation o = orient_sheets(r.mesh, build_edge_table(r.mesh));
+  // For the turning as it is, by sheet.
+  std::vector<std::int64_t> votes(static_cast<std::size_t>(o.sheets), 0);
+  const auto sheet_of = [&](std::size_t t) {
+    return static_cast<std::size_t>(o.sheet_of_triangle[t]);
+  };
+  for (std::size_t t = 0; t < r.mesh.triangles.size(); ++t)
+    votes[sheet_of(t)] += o.is_flipped[t] ? -r.votes[t] : r.votes[t];
   std::int64_t turned = 0;
   for (std::size_t t = 0; t < r.mesh.triangles.size(); ++t) {
-    if (!o.is_flipped[t]) continue;
+    if (o.is_flipped[t] == (votes[sheet_of(t)] < 0)) continue;
     std::swap(r.mesh.triangles[t][1], r.mesh.triangles[t][2]);
     ++turned;
   }

@@ -112,6 +112,7 @@ void put_device(std::string& out, JsonObject& json, const DeviceLimits& device) 
       [&](const char* key, bool value) { inner.flag(key, value); });
   inner.flag("device_clock", device.clock == DeviceClock::device);
   inner.number("delay", device.delay);
+  inner.flag("holds_person", device.holds_person);
   inner.close();
 }
 
@@ -204,7 +205,8 @@ DeviceLimits read_device(const Json& json) {
       device, [&](const char* key, double& value) { value = json.at(key).get<double>(); },
       [&](const char* key, bool& value) { value = json.at(key).get<bool>(); });
   device.clock = json.at("device_clock").get<bool>() ? DeviceClock::device : DeviceClock::engine;
-  device.delay = json.value("delay", 0.0);  // older recordings lack it
+  device.delay = json.value("delay", 0.0);  // older recordings lack it, and the next
+  device.holds_person = json.value("holds_person", true);
   return device;
 }
 
@@ -220,6 +222,7 @@ void read_params(const Json& json, HapticParams& params) {
     const bool is_missing = std::string_view(key) == "clear_before_arming" && !safety.contains(key);
     value = is_missing ? 0.0 : safety.at(key).get<double>();
   });
+  params.safety.rides_out_gaps = safety.value("rides_out_gaps", false);  // older ones lack it
   params.device = read_device(json.at("device_limits"));
   const std::string place = json.at("grasp_place").get<std::string>();
   params.grasp_place = place == "handle" ? GraspPlace::handle : GraspPlace::grasp_point;
@@ -270,6 +273,7 @@ std::string write_config(const RecordedConfig& config) {
   json.key("safety");
   JsonObject safety(out);
   each_limit(p.safety, [&](const char* key, double value) { safety.number(key, value); });
+  safety.flag("rides_out_gaps", p.safety.rides_out_gaps);
   safety.close();
   put_device(out, json, p.device);
   json.word("grasp_place", p.grasp_place == GraspPlace::handle ? "handle" : "grasp_point");

@@ -11,6 +11,8 @@
 namespace thigma {
 namespace {
 
+static_assert(kLevelDeciders == kLevelDecisions);
+
 void count_level(std::int32_t level, LevelCounts& counts) noexcept {
   ++counts[static_cast<std::size_t>(std::clamp<std::int32_t>(level, 0, kLevelBins - 1))];
 }
@@ -105,6 +107,7 @@ void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch
   sample.bound_max = 0.0;
   sample.object_levels.fill(0);
   sample.scene_levels.fill(0);
+  sample.decided_by.fill(0);
   for (const DepthTerm& term : sample.model.depths)
     sample.depth_max = std::max(sample.depth_max, term.depth);
   for (const Contact& contact : scratch.contacts.contacts) {
@@ -114,11 +117,20 @@ void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch
     sample.bound_max = std::max(sample.bound_max, contact.bound);
     count_level(contact.object_level, sample.object_levels);
     count_level(contact.scene_level, sample.scene_levels);
+    ++sample.decided_by[static_cast<std::size_t>(contact.decided_by)];
   }
   sample.mandatory_tests = scratch.contacts.stats.mandatory_tests;
   sample.unrefined = scratch.contacts.stats.unrefined;
+  sample.texture_depths = sample.texture_folds = 0;
+  for (std::size_t i = 0; i < scratch.textures.contacts.size(); ++i) {
+    if (!scratch.textures.samples[i].is_found) continue;
+    ++sample.texture_depths;
+    sample.texture_folds += scratch.textures.samples[i].is_height_field ? 0 : 1;
+  }
   sample.level_changes = 0;
+  sample.triangles_below = 0.0;
   if (!world.resolution.is_exact) {
+    sample.triangles_below = count_triangles_below(*world.object, world.scene, scratch.contacts.contacts, scratch.levels);
     sample.level_changes =
         count_level_changes(*world.object, world.scene, scratch.contacts.contacts, scratch.levels);
   }

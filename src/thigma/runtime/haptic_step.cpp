@@ -74,21 +74,30 @@ void follow_clutch(const HapticParams& params, const DeviceState& device, bool i
 struct Touch {
   std::int32_t count = 0;                                         // terms within reach
   double penetration = -std::numeric_limits<double>::infinity();  // deepest [m]
+  double sunk = 0.0;  // how much deeper that one is than at the state the model was made for [m]
 };
+
+double depth_at(const PlaneTerm& t, const BodyState& y) THIGMA_RT {
+  const Vec3 point = y.position + y.orientation._transformVector(t.arm_body);
+  return t.normal.dot(point - t.scene_point);
+}
 
 Touch touch(const LinearContactModel& model, const BodyState& y) THIGMA_RT {
   Touch result;
   for (const PlaneTerm& t : model.planes) {
-    const Vec3 point = y.position + y.orientation._transformVector(t.arm_body);
-    const double depth = t.normal.dot(point - t.scene_point);
+    const double depth = depth_at(t, y);
     if (depth + t.tolerance > 0.0) ++result.count;
-    if (depth > result.penetration) result.penetration = depth;
+    if (!(depth > result.penetration)) continue;
+    result.penetration = depth;
+    result.sunk = depth - depth_at(t, model.state);
   }
   for (std::size_t i = 0; i < model.depths.size(); ++i) {
     const DepthTerm& t = model.depths[i];
     const double depth = depth_at(t, model.state, y, bend_of(model, i));
     if (depth + t.tolerance > 0.0) ++result.count;
-    if (depth > result.penetration) result.penetration = depth;
+    if (!(depth > result.penetration)) continue;
+    result.penetration = depth;
+    result.sunk = depth - depth_at(t, model.state, model.state, bend_of(model, i));
   }
   result.count += static_cast<std::int32_t>(model.taylors.size());
   return result;
@@ -117,7 +126,11 @@ void read_inputs(const HapticParams& params, const HapticPorts& ports, const Hap
   sample.step_cpu = state.step_cpu;
   sample.wake_late = state.wake_late;
   sample.device = ports.device->read(tick.now);
-  if (tick.external_fault != Fault::none) latch_fault(safety, tick.external_fault, tick.now);
+  if (tick.external_fault == Fault::watchdog && params.safety.rides_out_gaps) {
+    ride_out_gap(safety, tick.now);
+  } else if (tick.external_fault != Fault::none) {
+    latch_fault(safety, tick.external_fault, tick.now);
+  }
   const bool is_usable = check_device(params.safety, sample.device, tick.now, tick.elapsed, safety);
   if (is_usable && sample.device.status != DeviceStatus::not_ready) {
     state.last_device = sample.device;
@@ -233,6 +246,11 @@ void send_wrench(const HapticParams& params, const HapticPorts& ports,
 
 }  // namespace
 
+void use_device_limits(const DeviceLimits& limits, HapticParams& params) {
+  params.device = limits;
+  if (limits.holds_person) params.safety.rides_out_gaps = false;
+}
+
 HapticState initial_state(const HapticParams& params, const Pose& world_from_body) THIGMA_RT {
   HapticState state;
   state.body.position = world_from_body.position;
@@ -263,6 +281,7 @@ HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports,
   sample.body = state.body;
   sample.penetration = touching.penetration;
   sample.touching = touching.count;
+  sample.sunk = touching.sunk;
   sample.stretch = coupling_stretch(state.coupling, sample.handle.pose, state.body).linear.norm();
   sample.energy = state.energy.energy;
   sample.is_grasped = state.is_grasped;

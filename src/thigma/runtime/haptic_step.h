@@ -48,6 +48,10 @@ struct HapticParams {
               // new press of the clutch; else the fault stays until cleared
 };
 
+/// Sets params.device, and takes rides_out_gaps away where the device holds a person.
+/// Thread    [offline].
+void use_device_limits(const DeviceLimits& limits, HapticParams& params);
+
 /// Whether a session goes on, with zero force, while this fault is latched: a press of the clutch may
 /// clear it.
 /// Thread    [haptic].
@@ -113,6 +117,9 @@ HapticState initial_state(const HapticParams& params, const Pose& world_from_bod
 /// the contact once: arming never happens inside a contact. After a fault nothing is held and zero
 /// is sent until clear_fault, or, where params.resumes_lost_device, until a lost device answers again
 /// and its clutch is pressed anew.
+///
+/// With safety.rides_out_gaps a frame that is told of the watchdog, or finds the model too old, sends zero and
+/// goes on instead: what is held stays held, the force comes back over the ramp.
 ///
 /// params, ports   constant; ports.device is read once and written once
 /// tick            time and step length; nothing assumes 1 ms

@@ -23,6 +23,8 @@ struct NodePair {
 struct LevelHistory {
   std::vector<std::int32_t> object_parents;              // of each node, -1: the root
   std::vector<std::vector<std::int32_t>> scene_parents;  // by body
+  std::vector<std::int32_t> object_triangles;            // of the original below each node
+  std::vector<std::vector<std::int32_t>> scene_triangles;  // by body
   std::vector<NodePair> last, now;                       // sorted
   std::vector<NodePair> gone;                            // of last, what now lacks
 };
@@ -39,5 +41,11 @@ void reserve_level_history(const ClodHierarchy& object, std::span<const SceneBod
 /// Thread    [contact]; no failure; allocates only when contacts outgrow the history.
 std::int32_t count_level_changes(const ClodHierarchy& object, std::span<const SceneBody> scene,
                                  std::span<const Contact> contacts, LevelHistory& history) noexcept;
+
+/// Original triangles below the contacts' patches, mean of both sides, summed over the contacts.
+/// history  of the same object and scene
+/// Thread    [contact]; no failure.
+double count_triangles_below(const ClodHierarchy& object, std::span<const SceneBody> scene,
+                             std::span<const Contact> contacts, const LevelHistory& history) noexcept;
 
 }  // namespace thigma

@@ -88,6 +88,7 @@ SessionEnd run_frames(const SessionConfig& config, const HapticParams& params,
     const std::int64_t cpu = thread_cpu_ns() - begin;
     tally(haptic_tally, sample, cpu, -1);
     state.step_cpu = static_cast<float>(1e-9 * static_cast<double>(cpu));
+    if (params.safety.rides_out_gaps) external = Fault::none;  // told once a gap
     longest_gap = std::max(longest_gap, k - previous);
     previous = k;
     contacts.force_steps.look_at(sample);
@@ -118,7 +119,7 @@ SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device,
   const std::unique_ptr<HapticDevice> faulty = make_faulty_device(device, config.faults);
   const ZeroForceOnExit zero_force(*faulty);
   HapticParams params = config.haptic;
-  params.device = device.limits();
+  use_device_limits(device.limits(), params);
 
   const auto models = std::make_unique<Latest<LinearContactModel>>();
   const auto bodies = std::make_unique<Latest<StampedBody>>();
@@ -127,7 +128,7 @@ SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device,
   const auto haptic_tally = std::make_unique<HapticTally>();
   const auto contacts = std::make_unique<LockstepContacts>(config, sinks);
   reserve_contact_scratch(config.contact, contacts->scratch);
-  EventDetector events(sinks.event);
+  EventDetector events(sinks.event, detail::deep_contact_limits(config));
 
   contacts->step({state.body, 0.0, 0}, 0.0, 0);  // the first frame has a model
   const SessionEnd end =

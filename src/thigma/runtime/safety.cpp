@@ -90,6 +90,18 @@ void clear_fault(SafetyState& safety) THIGMA_RT {
   safety.lead = 0.0;
 }
 
+void ramp_anew(SafetyState& safety, double now) THIGMA_RT {
+  safety.armed_time = now;
+  safety.slewed = Wrench{};
+  safety.sent = Wrench{};
+}
+
+void ride_out_gap(SafetyState& safety, double now) THIGMA_RT {
+  ramp_anew(safety, now);
+  safety.has_device = false;
+  safety.lead = 0.0;
+}
+
 bool check_device(const SafetyLimits& limits, const DeviceState& device, double now, double elapsed,
                   SafetyState& safety) THIGMA_RT {
   if (device.status == DeviceStatus::lost) {
@@ -119,7 +131,11 @@ double model_weight(const SafetyLimits& limits, double age, double now, double e
   const double fade = limits.model_stale_age - limits.model_full_age;
   double weight = 0.0;
   if (!(age < limits.model_stale_age)) {  // NaN counts as stale
-    if (safety.is_armed) latch_fault(safety, Fault::contact_stale, now);
+    if (safety.is_armed && limits.rides_out_gaps) {
+      ramp_anew(safety, now);
+    } else if (safety.is_armed) {
+      latch_fault(safety, Fault::contact_stale, now);
+    }
   } else if (age <= limits.model_full_age) {
     weight = 1.0;
   } else {

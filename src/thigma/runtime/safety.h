@@ -28,6 +28,8 @@ struct SafetyLimits {
   double model_full_age = 0.025;   // a contact model up to this age counts fully [s]
   double model_stale_age = 0.050;  // and not at all from here on, where contact_stale latches [s]
   double watchdog = 0.020;         // without a haptic step the second thread sends zero force [s]
+  bool rides_out_gaps = false;  // a late frame or model is no fault: zero force, then start_ramp anew; only where the
+                                // device holds nobody (use_device_limits)
 };
 
 /// Free of contact for so many onset windows before a touch opens another: a contact that chatters
@@ -80,6 +82,15 @@ void latch_fault(SafetyState& safety, Fault fault, double now) THIGMA_RT;
 /// Thread    [haptic].
 void clear_fault(SafetyState& safety) THIGMA_RT;
 
+/// The force is zero from now on and comes back over start_ramp, inside a contact as well; nothing latches. For
+/// rides_out_gaps.
+/// Thread    [haptic].
+void ramp_anew(SafetyState& safety, double now) THIGMA_RT;
+
+/// The same after a gap without steps, in which the handle may have gone anywhere.
+/// Thread    [haptic].
+void ride_out_gap(SafetyState& safety, double now) THIGMA_RT;
+
 /// Looks at a device sample and latches what is wrong with it. The speed is judged by what the
 /// device reports and by the way its handle went: a way that gets ahead of max_speed by pose_jump is
 /// too fast as well, however it was divided into ticks. A sample with the stamp of the one before is
@@ -92,7 +103,7 @@ bool check_device(const SafetyLimits& limits, const DeviceState& device, double 
                   SafetyState& safety) THIGMA_RT;
 
 /// How much a contact model of this age counts, 1 to 0; latches contact_stale where it reaches 0
-/// while armed. The same factor multiplies the device wrench, so that a fading contact never turns
+/// while armed, or with rides_out_gaps begins the ramp anew. The same factor multiplies the device wrench, so that a fading contact never turns
 /// into a pull. It falls as the age says; while armed it rises no faster than it fades, so that a
 /// late model brings the force back as gently as it left.
 ///

@@ -38,8 +38,9 @@ struct Session::Impl {
         params(config.haptic),
         haptic_ring(std::max<std::size_t>(config.telemetry_frames, 1)),
         contact_ring(std::max<std::size_t>(config.telemetry_models, 1)),
-        events(sinks.event) {
-    params.device = device_in.limits();
+        events(sinks.event, detail::deep_contact_limits(config)) {
+    use_device_limits(device_in.limits(), params);
+    watchdog_ns = to_ns(detail::effective_watchdog(config));
     state = initial_state(params, config.world_from_body);
     ports = {device.get(), &models, &bodies, &haptic_ring};
   }
@@ -55,6 +56,8 @@ struct Session::Impl {
   void drain();
   HapticSample guarded_step(const HapticTick& tick);
   void note_gap();
+  std::int64_t next_tick();
+  void hang_as_asked();
   void hold_while_paused();
   void end_with_zero_force();
   void note(const std::string& text);
@@ -70,6 +73,9 @@ struct Session::Impl {
   HapticState state;
   HapticTally haptic_tally;
   DeadlineClock clock;
+  std::int64_t watchdog_ns = 0;  // constant
+  std::int64_t step_ns = 0;      // length of the last step, which may have hung in the device
+  bool has_hung = false;         // as asked
   SessionEnd end = SessionEnd::duration;
   double seconds = 0.0;
 
@@ -132,9 +138,17 @@ void Session::Impl::prepare() {
 HapticSample Session::Impl::guarded_step(const HapticTick& tick) {
   while (!token.try_take()) sleep_ns(20'000);  // only while the watchdog is sending zero
   HapticTick told = tick;
+  const std::int64_t begin = monotonic_ns();
+  const std::int64_t gap = begin - last_step_ns.load(std::memory_order_relaxed);
   note_gap();
-  if (watchdog_fired.load(std::memory_order_acquire)) told.external_fault = Fault::watchdog;
+  // Ridden out, a gap is told once, by the one who was late: the watchdog may have been late as well.
+  const std::int64_t skipped = to_ns(tick.now - state.time);
+  const bool is_late = params.safety.rides_out_gaps
+                           ? std::max({gap, step_ns, skipped}) > watchdog_ns
+                           : watchdog_fired.load(std::memory_order_acquire);
+  if (is_late) told.external_fault = Fault::watchdog;
   const HapticSample sample = haptic_step(params, ports, told, state);
+  step_ns = monotonic_ns() - begin;
   token.give_back();
   return sample;
 }
@@ -163,6 +177,33 @@ void Session::Impl::hold_while_paused() {
   last_step_ns.store(resumed, std::memory_order_release);
 }
 
+/// An injected hang, once.
+void Session::Impl::hang_as_asked() {
+  const double now = static_cast<double>(clock.tick - 1) / config.rate;
+  const FaultEvent* hang = active_fault(config.faults, InjectedFault::hang, now);
+  if (hang == nullptr || has_hung) return;
+  has_hung = true;
+  sleep_ns(to_ns(hang->duration));
+}
+
+/// Waits for the next tick; returns how late it was [ns]. One that was slept through for longer than the watchdog waits is
+/// left out: its step would stamp what the watchdog did with a time before it.
+std::int64_t Session::Impl::next_tick() {
+  const std::int64_t late = wait_for_tick(clock);
+  hold_while_paused();
+  hang_as_asked();
+  const auto behind = [this] { return monotonic_ns() - (clock.start_ns + (clock.tick - 1) * clock.period_ns); };
+  constexpr int kMostAgain = 10;  // a machine that is always late is to be told of as well
+  std::int64_t latest = behind();
+  if (latest <= watchdog_ns) return late;
+  for (int again = 0; again < kMostAgain && behind() > watchdog_ns; ++again) {
+    latest = std::max(latest, behind());
+    ++clock.missed;
+    wait_for_tick(clock);
+  }
+  return latest;
+}
+
 void Session::Impl::end_with_zero_force() {
   while (!token.try_take()) sleep_ns(20'000);
   device->write(Wrench{});
@@ -179,20 +220,13 @@ void Session::Impl::run_haptic() {
       std::min<std::uint64_t>(detail::frame_limit(config), std::uint64_t{1} << 62));
   std::int64_t previous = -1;
   double fault_time = -1.0;
-  bool has_hung = false;
   while (true) {
-    const std::int64_t late = wait_for_tick(clock);
-    hold_while_paused();
+    const std::int64_t late = next_tick();
     const std::int64_t k = clock.tick - 1;
     const double now = static_cast<double>(k) / config.rate;
     seconds = now;
     if (should_stop.load(std::memory_order_relaxed)) end = SessionEnd::stopped;
     if (k >= last || end == SessionEnd::stopped) break;
-    if (const FaultEvent* hang = active_fault(config.faults, InjectedFault::hang, now);
-        hang != nullptr && !has_hung) {
-      has_hung = true;
-      sleep_ns(to_ns(hang->duration));
-    }
     if (config.live != nullptr && config.live->haptic_tuning.fetch())
       apply_tuning(config.live->haptic_tuning.value(), params, state);
     const double elapsed = detail::step_length(config, static_cast<std::uint64_t>(k - previous));
@@ -253,7 +287,7 @@ void Session::Impl::run_watchdog() {
   request_real_time(
       {config.haptic_thread.priority > 0 ? std::min(config.haptic_thread.priority + 1, 99) : 0,
        -1});
-  const std::int64_t limit = to_ns(detail::effective_watchdog(config));
+  const std::int64_t limit = watchdog_ns;
   while (!haptic_done.load(std::memory_order_acquire)) {
     sleep_ns(limit / 20);
     const std::int64_t last = last_step_ns.load(std::memory_order_acquire);

@@ -20,6 +20,9 @@
 
 namespace thigma {
 
+/// Of the grasped object's radius: deeper contacts on an old model raise the event deep_contact.
+inline constexpr double kDeepShare = 0.05;
+
 /// Everything a session needs but the device. Constant while it runs; hierarchies outlive it.
 struct SessionConfig {
   HapticParams haptic;  // haptic.device is filled in from the device
@@ -29,6 +32,8 @@ struct SessionConfig {
   double duration = 0.0;  // 0: until told to stop or the device has finished [s]
   std::vector<FaultEvent> faults;
   double after_fault = 0.020;  // zero force is kept up this long, then the session ends [s]
+  double deep_contact = 0.0;   // a contact this deep that the model in use did not know raises an event; 0: kDeepShare
+                               // of the grasped object's radius, and never where a source stands for it [m]
 
   // lockstep
   int contact_every = 1;  // haptic frames from one contact step to the next
@@ -49,9 +54,10 @@ struct SessionConfig {
 struct SessionEvent {
   double time = 0.0;  // session clock [s]
   std::uint64_t frame = 0;
-  std::string kind;  // "fault", "resumed", "grasped", "released", "armed", "disarmed", "not_armed"
-  std::string detail;  // for "fault" and "resumed": its name
-  std::string text{};  // more, for a person: how long nothing stepped, why nothing arms; or empty
+  std::string kind;  // "fault", "resumed", "late", "grasped", "released", "armed", "disarmed", "not_armed",
+                     // "deep_contact"
+  std::string detail;  // for "fault", "resumed" and "late": the fault's name
+  std::string text{};  // more, for a person: how long nothing stepped, why nothing arms, how deep; or empty
 };
 
 /// Where samples go. Called from one thread that is not real time (lockstep: the caller's), in
@@ -109,8 +115,11 @@ struct SessionSummary {
   DurationSummary model_age;                                          // [s]
   double tests_mean = 0.0, mandatory_tests_mean = 0.0;  // pairs looked at, over updates
   std::uint64_t unrefined = 0, level_changes = 0;       // contacts, sums over updates
+  std::uint64_t texture_depths = 0, texture_folds = 0;  // depths by textures; of these where a surface is no height field
   double bound_max = 0.0;                               // of all contacts [m]
   std::array<std::uint64_t, kLevelBins> object_levels{}, scene_levels{};  // contacts, sums
+  std::array<std::uint64_t, kLevelDeciders> decided_by{};  // contacts, sums, by LevelDecision
+  double triangles_below_mean = 0.0;  // of the original below a contact, over contacts; 0 of exact queries
   ForceSteps force_steps;
   double force_max = 0.0, force_rms = 0.0;  // sent; rms over frames [N]
   double torque_max = 0.0,
@@ -119,6 +128,7 @@ struct SessionSummary {
   double stretch_max = 0.0;      // of the coupling [m]
   double energy_min = 0.0;       // at the device's port, <= 0 [J]
   PassivitySummary passivity;
+  RiddenOut ridden_out;
   std::uint64_t dropped_samples = 0;  // of either ring
   std::uint64_t dropped_contacts = 0;
   std::vector<SessionEvent> safety_events;

@@ -20,6 +20,13 @@ void tally(HapticTally& tally, const HapticSample& sample, std::int64_t step_cpu
   tally.torque_square_sum += torque2;
   tally.penetration_max = std::max(tally.penetration_max, sample.penetration);
   if (sample.is_grasped) tally.stretch_max = std::max(tally.stretch_max, sample.stretch);
+  if (rode_out_gap(sample)) {
+    ++tally.ridden_out.gaps;
+    tally.ridden_out.longest_gap = std::max(tally.ridden_out.longest_gap, sample.time - tally.last_time);
+  }
+  tally.ridden_out.stale_models += rode_out_model(sample, tally.last_weight) ? 1 : 0;
+  tally.last_time = sample.time;
+  tally.last_weight = rode_out_gap(sample) ? 0.0 : sample.model_weight;
 }
 
 void tally(HapticTally& tally, const StageTimes& times) THIGMA_RT {
@@ -40,11 +47,16 @@ void tally(ContactTally& tally, const ContactSample& sample) THIGMA_RT {
   tally.mandatory_tests += static_cast<std::uint64_t>(sample.mandatory_tests);
   tally.unrefined += static_cast<std::uint64_t>(sample.unrefined);
   tally.level_changes += static_cast<std::uint64_t>(sample.level_changes);
+  tally.texture_depths += static_cast<std::uint64_t>(sample.texture_depths);
+  tally.texture_folds += static_cast<std::uint64_t>(sample.texture_folds);
   tally.bound_max = std::max(tally.bound_max, sample.bound_max);
   for (std::size_t i = 0; i < tally.object_levels.size(); ++i) {
     tally.object_levels[i] += static_cast<std::uint64_t>(sample.object_levels[i]);
     tally.scene_levels[i] += static_cast<std::uint64_t>(sample.scene_levels[i]);
   }
+  for (std::size_t i = 0; i < tally.decided_by.size(); ++i)
+    tally.decided_by[i] += static_cast<std::uint64_t>(sample.decided_by[i]);
+  tally.triangles_below += sample.triangles_below;
   record(tally.query_cpu, to_ns(sample.query_cpu));
   record(tally.model_cpu, to_ns(sample.step_cpu - sample.query_cpu));
   record(tally.step_cpu, to_ns(sample.step_cpu));

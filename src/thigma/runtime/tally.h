@@ -23,6 +23,12 @@ struct StageTimes {
   bool is_overrun = false;  // ended after the next deadline
 };
 
+/// What was late and ridden out (SafetyLimits::rides_out_gaps).
+struct RiddenOut {
+  std::uint64_t gaps = 0, stale_models = 0;
+  double longest_gap = 0.0;  // from the frame before to the one that was late [s]
+};
+
 /// Of the haptic frames. Thread: one writer; read after it has stopped.
 struct HapticTally {
   std::uint64_t frames = 0;
@@ -35,6 +41,8 @@ struct HapticTally {
   double torque_max = 0.0, torque_square_sum = 0.0;  // felt, sent or not [N m, N^2 m^2]
   double penetration_max = 0.0;                      // [m]
   double stretch_max = 0.0;                          // while grasped [m]
+  RiddenOut ridden_out;
+  double last_time = 0.0, last_weight = 1.0;  // of the frame before
 };
 
 /// Of the contact frames. Thread: as above.
@@ -44,9 +52,22 @@ struct ContactTally {
   DurationHistogram query_cpu, model_cpu, step_cpu;  // model: clusters and their linearization
   std::uint64_t tests = 0, mandatory_tests = 0, unrefined = 0,
                 level_changes = 0;                                        // sums over updates
+  std::uint64_t texture_depths = 0, texture_folds = 0;                    // likewise
   double bound_max = 0.0;                                                 // [m]
   std::array<std::uint64_t, kLevelBins> object_levels{}, scene_levels{};  // contacts, sums
+  std::array<std::uint64_t, kLevelDeciders> decided_by{};  // contacts, sums
+  double triangles_below = 0.0;                             // sum over contacts
 };
+
+/// Whether a frame was late, and whether its model had become too old, without a fault of it. last_weight: of the
+/// model in the frame before; after a gap the model is old as well, which is not counted again.
+/// Thread    [haptic].
+inline bool rode_out_gap(const HapticSample& sample) THIGMA_RT {
+  return sample.external_fault == Fault::watchdog && sample.fault == Fault::none;
+}
+inline bool rode_out_model(const HapticSample& sample, double last_weight) THIGMA_RT {
+  return sample.is_armed && !(sample.model_weight > 0.0) && last_weight > 0.0 && !rode_out_gap(sample);
+}
 
 /// Adds a frame. Durations [ns]; negative ones (not measured) are left out. Thread [haptic].
 void tally(HapticTally& tally, const HapticSample& sample, std::int64_t step_cpu_ns,

@@ -36,6 +36,7 @@ struct HapticSample {
   double model_weight = 0.0;  // 1 fresh .. 0 stale
   double penetration =
       0.0;               // deepest contact of the model at the new state; -infinity: none near [m]
+  double sunk = 0.0;     // how much deeper that contact is than when the model was made; not recorded [m]
   double stretch = 0.0;  // of the coupling: handle to grasp point [m; world]
   double energy = 0.0;   // the hand has put in so far at the device's port [J]
   std::int32_t touching = 0;  // contact terms that push
@@ -51,6 +52,9 @@ static_assert(RtPayload<HapticSample>);
 /// How many contacts lie at each level of detail, 0 the finest; the last bin holds all above.
 inline constexpr std::int32_t kLevelBins = 24;
 using LevelCounts = std::array<std::int32_t, kLevelBins>;
+
+/// What may decide the level of a contact, see LevelDecision, which the haptic thread does not know.
+inline constexpr std::size_t kLevelDeciders = 6;
 
 /// One contact frame: the model published and how it came about.
 struct ContactSample {
@@ -72,6 +76,12 @@ struct ContactSample {
   std::int32_t level_changes = 0;    // contacts that were refined or coarsened since the last frame
   double bound_max = 0.0;            // of the contacts [m]
   LevelCounts object_levels{}, scene_levels{};
+  std::array<std::int32_t, kLevelDeciders> decided_by{};  // contacts, by LevelDecision; not recorded
+  double triangles_below = 0.0;  // of the original, below a contact, mean of both sides, sum over contacts; 0 of an exact
+                                 // query; not recorded
+  // Not recorded: what replays recompute.
+  std::int32_t texture_depths = 0;  // that textures gave
+  std::int32_t texture_folds = 0;   // of these, where a fine surface is no height field at the deepest place
   LinearContactModel model;
 };
 static_assert(RtPayload<ContactSample>);

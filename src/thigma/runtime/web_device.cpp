@@ -10,6 +10,7 @@ DeviceLimits web_limits() {
   limits.max_stiffness = 1000.0;
   limits.max_angular_stiffness = 0.6;
   limits.workspace_radius = 1.0;
+  limits.holds_person = false;  // a mouse has no motors, and the page shows what it is told
   constexpr WebMotionParams kMotion;
   limits.delay = kMotion.delay + 2.0 / kMotion.stiffness;
   return limits;

@@ -74,7 +74,8 @@ void check_step(const Simplification& s, std::size_t i, LevelCheck& result) {
   const SimplifiedLevel &before = s.levels[i - 1], &level = s.levels[i];
   result.rising_resolutions += !(level.resolution <= before.resolution);
   const bool is_last = i + 1 == s.levels.size();
-  result.unhalved_levels += !is_last && 2 * level.patch_count > before.patch_count;
+  result.unhalved_levels += !is_last && 2 * level.patch_count > before.patch_count &&
+                            2 * level.mesh.triangles.size() > before.mesh.triangles.size();
   result.unhalved_levels += level.patch_count >= before.patch_count;
   std::vector<char> has_child(at(level.patch_count), 0);
   result.wrong_parents += before.parent.size() != at(before.patch_count);

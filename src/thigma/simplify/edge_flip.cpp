@@ -82,9 +82,9 @@ bool has_good_shape(const PatchedSurface& s, const CollapseParams& params, const
 bool is_near_original(const PatchedSurface& s, detail::DeviationGuard& guard, const Flip& f) {
   const auto& x = s.mesh.positions;
   const Vec3 &a = x[at(f.quad.a)], &b = x[at(f.quad.b)], &c = x[at(f.quad.c)], &d = x[at(f.quad.d)];
-  const std::array<Vec3, 3> samples = {0.5 * (c + d), (a + c + d) / 3.0, (b + c + d) / 3.0};
-  for (const Vec3& p : samples)
-    if (detail::find_within_limit(guard, p, {f.quad.a, f.quad.b, f.quad.c}) < 0) return false;
+  const std::array<std::int32_t, 3> near = {f.quad.a, f.quad.b, f.quad.c};
+  if (!detail::is_within_limit(guard, {a, c, d}, near) || !detail::is_within_limit(guard, {b, c, d}, near))
+    return false;
   const auto one = corners_of(s, f.quad.triangle[0]), two = corners_of(s, f.quad.triangle[1]);
   for (const std::int32_t t : f.quad.triangle)
     for (std::int32_t v = guard.first_sample[at(t)]; v >= 0; v = guard.next_sample[at(v)]) {

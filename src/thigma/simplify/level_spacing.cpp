@@ -7,6 +7,8 @@
 namespace thigma {
 namespace {
 
+constexpr double kMostFall = 4.0;  // of triangles in a step whose patches halve
+
 /// The factor that, taken as often as 2 goes into the ratio of two numbers of patches, makes that ratio.
 double even_factor(double ratio) {
   int steps = 0;
@@ -35,6 +37,32 @@ std::size_t find_before(const std::vector<SimplifiedLevel>& levels, std::size_t 
   return best;
 }
 
+double triangle_count(const SimplifiedLevel& level) {
+  return static_cast<double>(level.mesh.triangles.size());
+}
+
+/// Of the levels between two, those to keep for their triangles, fine to coarse.
+std::vector<std::size_t> find_between(const std::vector<SimplifiedLevel>& levels, std::size_t from,
+                                      std::size_t to) {
+  std::vector<std::size_t> kept;
+  const double last = triangle_count(levels[to]);
+  if (!(triangle_count(levels[from]) > kMostFall * last)) return kept;
+  std::size_t before = from;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const double count = triangle_count(levels[i]);
+    if (2.0 * last > count) break;
+    if (2.0 * count > triangle_count(levels[before]) ||
+        levels[i].patch_count >= levels[before].patch_count ||
+        levels[i].patch_count <= levels[to].patch_count ||
+        !(levels[i].resolution < levels[before].resolution) ||
+        !(levels[to].resolution < levels[i].resolution))
+      continue;
+    kept.push_back(i);
+    before = i;
+  }
+  return kept;
+}
+
 /// Takes out the levels between two.
 void drop_between(std::vector<SimplifiedLevel>& levels, std::size_t from, std::size_t to) {
   for (std::size_t i = from + 1; i < to; ++i)
@@ -59,6 +87,8 @@ void space_levels(std::vector<SimplifiedLevel>& levels) {
     const double count = levels[next].patch_count;
     const std::size_t before =
         find_before(levels, next, count * even_factor(levels[0].patch_count / count));
+    const std::vector<std::size_t> between = find_between(levels, before, next);
+    for (std::size_t k = between.size(); k-- > 0; next = between[k]) drop_between(levels, between[k], next);
     drop_between(levels, before, next);
     next = before;
   }

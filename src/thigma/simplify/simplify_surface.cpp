@@ -43,6 +43,7 @@ struct Loop {
   double longest_tried = 0.0;  // projected edge that may be tried [m]
   double longest = 0.0;        // projected edge collapsed so far [m]
   std::int32_t kept = 0;       // patches of the level kept last
+  std::int32_t kept_triangles = 0;
 };
 
 /// What may be collapsed once nothing more could be at the stage before.
@@ -51,12 +52,14 @@ struct Stage {
   double deviation_share;  // of the projected edge, where that is more than the limit,
   double deviation_ever;   // up to this times the radius
   bool is_for_many;        // only while more than `coarsest_share` of the patches is left
+  bool is_draft;           // levels are kept for space_levels to choose from
 };
 
 /// Before edges grow longer than `longest_edge` a level is kept for each of these shares of the one before, for
 /// space_levels to choose from.
 constexpr double kDraftShare = 0.84;
 constexpr int kFlipRounds = 8;
+constexpr int kOctaves = 5;  // of projected length below `longest_edge`, each a pass of its own
 /// How much longer than `longest_edge_ever` edges may be at the very last: for rings and plates that begin with few patches.
 constexpr double kLastEdge = 2.0;
 
@@ -121,41 +124,72 @@ void renew_candidates(Loop& loop, std::int32_t v) {
   for (const std::int32_t w : ring) push_around(w);
 }
 
+bool has_area(const PatchedSurface& s, std::int32_t t) { return s.height[at(t)] > 0.0; }
+
+/// Place of the patch, or of the nearest over edges that has one; the first where none is connected.
+std::int32_t nearest_place(const PatchedSurface& s, const std::vector<std::int32_t>& place,
+                           std::int32_t patch) {
+  if (place[at(patch)] >= 0) return place[at(patch)];
+  std::vector<std::int32_t> reached = s.patches[at(patch)].triangles;
+  std::vector<bool> is_reached(s.mesh.triangles.size(), false);
+  for (const std::int32_t t : reached) is_reached[at(t)] = true;
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    for (std::int32_t k = 0; k < 3; ++k) {
+      const std::int32_t beside = s.mesh.twin[at(3 * reached[i] + k)];
+      if (beside < 0 || is_reached[at(beside / 3)]) continue;
+      const std::int32_t other = s.patch_of[at(beside / 3)];
+      if (other >= 0 && place[at(other)] >= 0) return place[at(other)];
+      is_reached[at(beside / 3)] = true;
+      reached.push_back(beside / 3);
+    }
+  return 0;
+}
+
+/// As in the original, triangles without an area are in no patch: they have no normal to be felt
+/// by. A patch of which nothing else is left is none, and what it stood for goes with its neighbour.
 void keep_level(Loop& loop) {
   const PatchedSurface& s = loop.surface;
   std::vector<std::int32_t> place(s.patches.size(), -1), live;
   for (std::size_t i = 0; i < s.patches.size(); ++i) {
-    if (s.patches[i].triangles.empty()) continue;
+    const auto& own = s.patches[i].triangles;
+    if (std::none_of(own.begin(), own.end(), [&](std::int32_t t) { return has_area(s, t); }))
+      continue;
     place[i] = static_cast<std::int32_t>(live.size());
     live.push_back(static_cast<std::int32_t>(i));
   }
+  if (live.empty()) return;
   auto& before = loop.result.levels.back();
   for (const std::int32_t patch : loop.last_level)
-    before.parent.push_back(place[at(find_live(loop.successor, patch))]);
+    before.parent.push_back(nearest_place(s, place, find_live(loop.successor, patch)));
   CompactMesh small = compact(s.mesh);
   SimplifiedLevel level;
   level.mesh = std::move(small.mesh);
   level.attributes = std::move(small.attributes);
   for (const std::int32_t t : small.triangles)
-    level.patch_of_triangle.push_back(place[at(s.patch_of[at(t)])]);
+    level.patch_of_triangle.push_back(has_area(s, t) ? place[at(s.patch_of[at(t)])] : -1);
   if (!loop.support.empty())
     for (const std::int32_t v : small.vertices) level.support.push_back(loop.support[at(v)]);
   level.patch_count = static_cast<std::int32_t>(live.size());
   level.resolution = edge_resolution(Vec3(loop.longest, 0, 0), Vec3::Zero(), Vec3::Zero());
+  loop.kept = level.patch_count;
   loop.result.levels.push_back(std::move(level));
   loop.last_level = std::move(live);
-  loop.kept = s.patch_count;
+  loop.kept_triangles = s.mesh.triangle_count;
 }
 
-detail::DeviationLimit deviation_limit(const Loop& loop, const Stage& stage) {
+/// Short edges may deviate by a share of their length alone, so that a level is as near the original as it is fine: what
+/// they are refused is tried again once longer ones have collapsed. `length` is of the edge to collapse [m].
+detail::DeviationLimit deviation_limit(const Loop& loop, const Stage& stage, double length) {
+  const SimplifyParams& p = loop.params;
   const double radius = loop.surface.radius;
-  return {loop.params.deviation_limit * radius, stage.deviation_share,
+  const double early = p.deviation_early * std::max(length, loop.longest);
+  return {std::min(p.deviation_limit * radius, early), stage.deviation_share,
           stage.deviation_ever * radius};
 }
 
 void attempt(Loop& loop, const Stage& stage, const Candidate& candidate) {
   PatchedSurface& s = loop.surface;
-  loop.context.guard.limit = deviation_limit(loop, stage).of(candidate.length);
+  loop.context.guard.limit = deviation_limit(loop, stage, candidate.length).of(candidate.length);
   const std::int32_t halfedge = find_halfedge(s.mesh, candidate.a, candidate.b);
   if (halfedge < 0) return;
   const std::int32_t patches = s.patch_count;
@@ -218,7 +252,9 @@ void run_stage(Loop& loop, const Stage& stage, double share, double& shown) {
       continue;
     attempt(loop, stage, candidate);
     report_progress(loop, shown);
-    if (loop.surface.patch_count <= share * loop.kept) keep_level(loop);
+    if (loop.surface.patch_count <= share * loop.kept ||
+        (stage.is_draft && loop.surface.mesh.triangle_count <= share * loop.kept_triangles))
+      keep_level(loop);
   }
   loop.queue = {};
 }
@@ -228,7 +264,7 @@ void flip_and_go_on(Loop& loop, const Stage& stage, double share, double& shown)
   PatchedSurface& s = loop.surface;
   for (int round = 0; loop.params.flips_edges && round < kFlipRounds; ++round) {
     const std::int32_t before = s.patch_count;
-    const std::int64_t flipped = flip_reflex_edges(s, loop.context, deviation_limit(loop, stage),
+    const std::int64_t flipped = flip_reflex_edges(s, loop.context, deviation_limit(loop, stage, loop.longest),
                                                    loop.successor, loop.result.flips);
     loop.result.merges += before - s.patch_count;
     if (flipped == 0) return;
@@ -244,8 +280,10 @@ void flip_and_go_on(Loop& loop, const Stage& stage, double share, double& shown)
 void run_stages(Loop& loop) {
   const SimplifyParams& p = loop.params;
   double shown = 0.0;
-  run_stage(loop, {p.longest_edge, 0.0, 0.0, false}, kDraftShare, shown);
-  const Stage wide{p.longest_edge, p.deviation_share, p.deviation_ever, false};
+  // Every octave of length anew: what was too far from the original among shorter edges may now be near enough.
+  for (int octave = kOctaves; octave >= 0; --octave)
+    run_stage(loop, {std::ldexp(p.longest_edge, -octave), 0.0, 0.0, false, true}, kDraftShare, shown);
+  const Stage wide{p.longest_edge, p.deviation_share, p.deviation_ever, false, true};
   run_stage(loop, wide, kDraftShare, shown);
   flip_and_go_on(loop, wide, kDraftShare, shown);
   auto& levels = loop.result.levels;
@@ -253,9 +291,9 @@ void run_stages(Loop& loop) {
   space_levels(levels);
   loop.kept = levels.back().patch_count;
   if (levels.size() == 1) loop.last_level = loop.first_patches;
-  run_stage(loop, {p.longest_edge_ever, 0.0, 0.0, true}, 0.5, shown);
-  const Stage late{p.longest_edge_ever, p.deviation_share, p.deviation_ever, true};
-  const Stage last{kLastEdge * p.longest_edge_ever, p.deviation_share, p.deviation_last, true};
+  run_stage(loop, {p.longest_edge_ever, 0.0, 0.0, true, false}, 0.5, shown);
+  const Stage late{p.longest_edge_ever, p.deviation_share, p.deviation_ever, true, false};
+  const Stage last{kLastEdge * p.longest_edge_ever, p.deviation_share, p.deviation_ever, true, false};
   for (const Stage& stage : {late, last}) {
     run_stage(loop, stage, 0.5, shown);
     if (has_many_patches(loop)) flip_and_go_on(loop, stage, 0.5, shown);
@@ -303,6 +341,7 @@ Simplification simplify_surface(const TriangleMesh& mesh, const ConvexDecomposit
   for (std::size_t i = 0; i < s.patches.size(); ++i)
     loop.successor.push_back(static_cast<std::int32_t>(i));
   loop.kept = loop.result.levels[0].patch_count;
+  loop.kept_triangles = s.mesh.triangle_count;
   loop.first_patches.assign(loop.successor.begin(), loop.successor.begin() + loop.kept);
   loop.last_level = loop.first_patches;
   run_stages(loop);

@@ -18,10 +18,11 @@ struct SimplifyParams {
   double longest_edge = 0.125;     // projected edges up to this times the radius collapse,
   double coarsest_share = 0.02;    // and longer ones while more than this share of the original's
   double longest_edge_ever = 0.5;  // patches is left, up to this times the radius
-  double deviation_limit = 0.02;   // new triangles stay this near the original, times the radius;
-  double deviation_share = 1.0;  // where nothing else is left to do this near, times the projected
-  double deviation_ever = 0.08;  // edge, up to this times the radius; and at the very last, where
-  double deviation_last = 0.2;   // still too many patches are left, up to this
+  double deviation_limit = 0.02;   // new triangles stay this near the original, times the radius,
+  double deviation_early = 0.4;    // and while edges are short this near, times the longest projected
+                                   // edge collapsed so far: first levels lie close to the original
+  double deviation_share = 1.0;    // where nothing else is left to do this near, times the projected
+  double deviation_ever = 0.045;   // edge, up to this times the radius
   double volume_limit = 0.1;     // change of a surface that is closed but for small holes, times
                                  // its volume
   double convexity_tolerance = 1e-6;   // least, times the radius; see DecompositionParams
@@ -37,7 +38,7 @@ struct SimplifyParams {
 /// Invariant: patch p owns the triangles t with patch_of_triangle[t] == p.
 struct SimplifiedLevel {
   TriangleMesh mesh;                            // [m; body frame]
-  std::vector<std::int32_t> patch_of_triangle;  // -1: level 0, without area (m)
+  std::vector<std::int32_t> patch_of_triangle;  // -1: without area (m)
   std::int32_t patch_count = 0;
   std::vector<std::int32_t> parent;  // patch of the next level that took each patch; empty in the
                                      // last level. Vanished patches went to one beside them.
@@ -59,7 +60,7 @@ struct Simplification {
 };
 
 /// Simplifies a decomposed surface: edges collapse in the order of their projected length, patches
-/// merge when their union is convex, levels are kept so that their number halves.
+/// merge when their union is convex, levels are kept so that the number of patches halves, or of triangles (space_levels).
 ///
 /// The last level before edges longer than `longest_edge` collapse is one of those kept, if it has at most half the
 /// original's patches. Deviation beyond `deviation_limit`, and such edges, come last.
@@ -69,7 +70,7 @@ struct Simplification {
 /// support        of each vertex, two values that become the least where vertices come together, or
 ///                empty
 /// attributes     of the corners, or width 0
-/// returns        at least level 0; resolutions fall, patches at least halve but into the last
+/// returns        at least level 0; resolutions fall, patches or triangles at least halve but into the last
 /// Thread         [offline]; deterministic.
 /// Source         Sec. 3.3.3, Algorithm 3.3.1. Stops and tolerances: docs.
 Simplification simplify_surface(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,

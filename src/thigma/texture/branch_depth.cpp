@@ -1,6 +1,6 @@
 // Directional depth over every texel, by branch and bound. A place to look is a texel of one side over a triangle of the
 // other; a node is a cell of a pyramid with such a pair of triangles. The cell's largest texel, the largest of the other
-// side under it and the largest coarse height bound all depths in it, so the node with the largest bound is opened first
+// side that may lie under it and the largest coarse height bound all depths in it, so the node with the largest bound is opened first
 // until no bound is above the best depth found.
 #include <algorithm>
 #include <cmath>
@@ -71,7 +71,7 @@ class BranchDepth final : public DepthBackend {
     result.is_found = true;
     result.depth[0] = best.depth;
     result.at = best.at;
-    result.is_height_field = prepared_.is_height_field && detail::is_upright(prepared_, best.at);
+    result.is_height_field = detail::is_upright(prepared_, best.at);
     collect_near(request.near, result);
     if (request.has_differences) sample_moved(contact, request, best, result);
   }
@@ -129,9 +129,11 @@ class BranchDepth final : public DepthBackend {
   void add_pairs(const ProjectedPatch& driver, const ProjectedPatch& other,
                  bool is_bounded) noexcept {
     for (const ProjectedTriangle& a : driver.triangles) {
-      if (!touch(a.box, prepared_.box)) continue;
+      const PlaneBox fine{a.box.low + driver.sideways.low, a.box.high + driver.sideways.high};
+      if (!touch(fine, prepared_.box)) continue;
+      const PlaneBox under{fine.low - other.sideways.high, fine.high - other.sideways.low};
       for (const ProjectedTriangle& b : other.triangles) {
-        if (touch(a.box, b.box))
+        if (touch(under, b.box))
           pairs_.push_back(detail::make_texel_pair(driver, a, other, b, prepared_.box, is_bounded));
       }
     }
@@ -215,15 +217,15 @@ class BranchDepth final : public DepthBackend {
 
   void try_texel(std::int32_t index, int column, int row, Incumbent& best) noexcept {
     const TexelPair& pair = pairs_[static_cast<std::size_t>(index)];
-    const double depth = detail::depth_at_texel(pair, column, row);
-    if (!(depth > best.depth)) return;
-    best = {depth,
+    const detail::TexelDepth here = detail::depth_at_texel(pair, column, row);
+    if (!(here.depth > best.depth)) return;
+    best = {here.depth,
             pair.driver == &prepared_.object,
             pair.driver_triangle,
             pair.other_triangle,
             column,
             row,
-            pair.at_origin + pair.at_by_texel * Vec2(column, row)};
+            here.at};
   }
 
   // A search sees too few places for an average: what is near the maximum is looked for on a grid.

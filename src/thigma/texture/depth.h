@@ -57,7 +57,7 @@ struct DepthSamples {
   bool is_found =
       false;  // the patches have a common domain and the input is finite; otherwise nothing below
   bool is_height_field =
-      true;  // false: some patch is none along n there; the depth is that of its outermost sheet
+      true;  // false: at the deepest place some patch is none along n; the depth is that of its outermost sheet
   ContactFrame frame;  // about the contact's point
   std::array<double, kConfigurations>
       depth;               // as it is, then moved; kNoDepth where moved apart, or not asked for [m]

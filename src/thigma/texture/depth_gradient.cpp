@@ -131,13 +131,11 @@ DepthGradient depth_gradient(const DepthContact& contact, const DepthSamples& sa
 
 DepthGradient gradient_at(const SurfaceJet& object, const ContactFrame& frame, const Vec3& centre,
                           const Vec2& slope) noexcept {
-  // With the point s of the plane held, a motion V of the object moves the coarse point over s by -V along the plane: the
-  // height changes by n . V(fine point) - slope . V(coarse point).
+  // With the point s of the plane held, a motion V of the object moves the surface there by V of its point: the height
+  // changes by n . V - slope . V.
   const Vec3 c = frame.world_from_contact.transpose() * (centre - frame.origin);
-  const Vec3 n = Vec3::UnitZ();
-  const Vec3 along(slope.x(), slope.y(), 0.0);
-  const Vec3 angular = (object.fine_point - c).cross(n) - (object.coarse_point - c).cross(along);
-  return {true, frame.world_from_contact * (n - along), frame.world_from_contact * angular};
+  const Vec3 off(-slope.x(), -slope.y(), 1.0);
+  return {true, frame.world_from_contact * off, frame.world_from_contact * (object.point - c).cross(off)};
 }
 
 SmoothPeak smooth_peak(const SurfaceJet& object, const SurfaceJet& scene, double texel) noexcept {
@@ -151,8 +149,8 @@ SmoothPeak smooth_peak(const SurfaceJet& object, const SurfaceJet& scene, double
 
 SurfaceJet carried(const SurfaceJet& jet, const Vec2& step) noexcept {
   SurfaceJet there = jet;
-  there.coarse_point += jet.coarse_by_at * step;
-  there.fine_point += jet.fine_by_at * step;
+  there.point.head<2>() += step;
+  there.point.z() += jet.slope.dot(step);
   return there;
 }
 

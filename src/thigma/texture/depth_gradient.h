@@ -66,7 +66,7 @@ struct SmoothPeak {
 };
 SmoothPeak smooth_peak(const SurfaceJet& object, const SurfaceJet& scene, double texel) noexcept;
 
-/// The jet's points a step away along the plane, to first order; all else as it is.
+/// The object's jet with its point a step away along the plane, to first order; all else as it is.
 SurfaceJet carried(const SurfaceJet& jet, const Vec2& step) noexcept;
 
 /// The slope along n that both surfaces share at the maximum next to a point: where the slopes at the point differ, a

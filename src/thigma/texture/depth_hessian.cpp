@@ -10,29 +10,28 @@ namespace {
 
 using Mat26 = Eigen::Matrix<double, 2, 6>;
 
-/// A surface at a point of the plane, and what moves it. All in the contact frame; points from the centre.
+/// A surface at a point of the plane, and what moves it. All in the contact frame; the point from the centre.
 struct Moved {
-  Vec3 coarse, fine;
-  Eigen::Matrix<double, 3, 2> coarse_by_at, fine_by_at;
+  Vec3 point;
+  Eigen::Matrix<double, 3, 2> by_at;
   Vec2 slope;
   Mat2 curvature;
 };
 
 // A motion w = (t, r) takes p to p + t + r x p + r x (r x p) / 2. Over a point s of the plane then lies what was over s + sigma:
-// sigma = sigma_1 + sigma_2 follows from the coarse point, and the height from the fine one there.
+// sigma = sigma_1 + sigma_2 follows from the point, as does the height there.
 
 Vec2 first_shift(const Moved& m, const Vec6& w) noexcept {
   const Vec3 t = w.head<3>(), r = w.tail<3>();
-  return -(t + r.cross(m.coarse)).head<2>();
+  return -(t + r.cross(m.point)).head<2>();
 }
 
 // The part of the height over s that is quadratic in the motion.
 double quadratic_part(const Moved& m, const Vec6& w) noexcept {
   const Vec3 r = w.tail<3>();
   const Vec2 first = first_shift(m, w);
-  const Vec3 coarse = r.cross(Vec3(m.coarse_by_at * first)) + 0.5 * r.cross(r.cross(m.coarse)),
-             fine = r.cross(Vec3(m.fine_by_at * first)) + 0.5 * r.cross(r.cross(m.fine));
-  return -m.slope.dot(coarse.head<2>()) + 0.5 * first.dot(m.curvature * first) + fine.z();
+  const Vec3 second = r.cross(Vec3(m.by_at * first)) + 0.5 * r.cross(r.cross(m.point));
+  return -m.slope.dot(second.head<2>()) + 0.5 * first.dot(m.curvature * first) + second.z();
 }
 
 // Second derivatives by the motion at a fixed point of the plane.
@@ -56,9 +55,8 @@ Mat26 by_motion_and_place(const Moved& m) noexcept {
   for (int i = 0; i < 6; ++i) {
     const Vec6 w = Vec6::Unit(i);
     const Mat3 turn = skew(Vec3(w.tail<3>()));
-    const Mat2 shift_by_at = -(turn * m.coarse_by_at).topRows<2>();
-    mixed.col(i) = m.curvature * first_shift(m, w) + shift_by_at.transpose() * m.slope +
-                   (turn * m.fine_by_at).row(2).transpose();
+    const Eigen::Matrix<double, 3, 2> turned = turn * m.by_at;
+    mixed.col(i) = m.curvature * first_shift(m, w) - turned.topRows<2>().transpose() * m.slope + turned.row(2).transpose();
   }
   return mixed;
 }
@@ -83,17 +81,13 @@ DepthHessian depth_hessian(const DepthContact& contact, const DepthSamples& samp
   const SurfaceJet there = carried(object, peak.step);
   const Mat3 contact_from_world = sample.frame.world_from_contact.transpose();
   const Vec3 centre = contact_from_world * (contact.centre - sample.frame.origin);
-  const Moved moved{there.coarse_point - centre,
-                    there.fine_point - centre,
-                    object.coarse_by_at,
-                    object.fine_by_at,
-                    envelope_slope(object, scene, peak, 0),
-                    object.curvature};
+  Moved moved{there.point - centre, {}, envelope_slope(object, scene, peak, 0), object.curvature};
+  moved.by_at << 1.0, 0.0, 0.0, 1.0, moved.slope.transpose();
   const Mat26 mixed = by_motion_and_place(moved);
   // The place of the maximum follows the motion: that adds mixed^T bowl^-1 mixed.
   Mat6 second = by_motion_twice(moved) + mixed.transpose() * peak.bowl.inverse() * mixed;
   // What turns next is the turned object: half the bracket of two rotations.
-  const Vec3 angular = moved.fine.cross(Vec3::UnitZ()) - moved.coarse.cross(Vec3(moved.slope.x(), moved.slope.y(), 0.0));
+  const Vec3 angular = moved.point.cross(Vec3(-moved.slope.x(), -moved.slope.y(), 1.0));
   second.bottomRightCorner<3, 3>() -= 0.5 * skew(angular);
   Mat6 to_world = Mat6::Zero();
   to_world.topLeftCorner<3, 3>() = to_world.bottomRightCorner<3, 3>() = sample.frame.world_from_contact;

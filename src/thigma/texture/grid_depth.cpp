@@ -39,8 +39,8 @@ class GridDepth final : public DepthBackend {
         detail::depth_rounding(params_, params_.is_16_bit ? least_sum(best.sum) : 0.0f, best.sum);
     detail::finish_depth(params_, prepared_, grid, best, rounding, result);
     if (params_.is_polished && !params_.is_16_bit)
-      detail::try_rival(prepared_, object_, scene_, grid, best, result);
-    result.is_height_field = prepared_.is_height_field && detail::is_upright(prepared_, result.at);
+      detail::try_rivals(prepared_, object_, scene_, grid, best, result);
+    result.is_height_field = detail::is_upright(prepared_, result.at);
     if (request.near > 0.0) {
       detail::collect_near(object_, scene_, grid, request.near, result);
     } else {

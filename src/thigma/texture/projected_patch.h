@@ -53,13 +53,22 @@ struct ProjectedTriangle {
   std::array<Vec2, 3> edges;  // from corner k to the next over twice the area: cross(edges[k], s - at[k]) is the
                               // barycentric coordinate of a point s that is 0 along that edge [1/m]
   PlaneBox box;  // of the corners, and of what counts as on the triangle by rounding
+  PlaneBox fine;  // no fine point of it lies beyond [m]
   Vec2 texel_origin;  // texture coordinates at a point s of the plane: texel_origin + texel_by_at s
   Mat2 texel_by_at;   // [texels/m]
   Vec2 at_origin;     // and back
   Mat2 at_by_texel;   // [m/texel]
   double height_origin = 0.0;  // of the coarse surface: height_origin + height_by_at . s [m]
   Vec2 height_by_at;
+  Vec3 carried;  // what a displacement adds to the height over the coarse point's own place, times it: its part along the
+                 // facing direction, less what the triangle rises by as far as it goes sideways [body frame]
   std::int32_t triangle = -1;
+};
+
+/// What is left of a triangle that faces the other way or is seen edge-on.
+struct HiddenTriangle {
+  PlaneBox box;
+  double highest = 0.0;  // of its corners, along the facing direction [m]
 };
 
 /// A patch prepared for one contact. Any content is valid to project into; vectors keep their memory.
@@ -69,7 +78,8 @@ struct ProjectedPatch {
   Vec3 direction_body = Vec3::UnitZ();        // the facing direction in the texture's body frame
   Mat3 contact_from_body = Mat3::Identity();  // rotation only
   std::vector<ProjectedTriangle> triangles;   // those that face the right way
-  std::vector<PlaneBox> hidden;  // boxes of those that do not: over these it is no height field
+  std::vector<HiddenTriangle> hidden;         // those that do not: over these it may be no height field
+  PlaneBox sideways;  // of what any displacement of the texture moves along the plane [m]
   PlaneBox box;                  // of `triangles`
 };
 
@@ -77,7 +87,7 @@ struct ProjectedPatch {
 ///
 /// triangles        indices into texture.coarse.triangles; triangles without area are left out
 /// world_from_body  pose of the surface
-/// over             triangles that do not touch it are left out; `box` of the patch is of those that stay
+/// over             triangles whose fine surface does not reach it are left out; `box` of the patch is of the others
 /// patch            overwritten
 /// Thread           [contact]; no failure; allocates when there are more triangles than ever before.
 /// Source           Sec. 4.4.1, the mapping g^ of Eq. 4.9.
@@ -88,23 +98,38 @@ void project_patch(const HapticTexture& texture, std::span<const std::int32_t> t
 /// Whether the part of a patch over a box is one: no triangle there looks the other way or is seen edge-on.
 bool is_height_field(const ProjectedPatch& patch, const PlaneBox& over) noexcept;
 
+/// Whether a triangle that looks the other way or is seen edge-on reaches above a height at a place: then what is seen there
+/// is below it.
+///
+/// within  of the place along both axes; and so much above does not count [m]
+bool is_overhung(const ProjectedPatch& patch, const Vec2& at, double height, double within) noexcept;
+
 inline constexpr double kNoSurface = -std::numeric_limits<double>::infinity();
 
 /// Height of the fine surface over a point of the plane along the facing direction (Eq. 4.9) [m]; kNoSurface where the
-/// patch does not lie, the largest where several sheets do.
+/// patch does not lie, the largest where several sheets do. What the displacement moves sideways is followed back: the fine
+/// point is the one over `at`, of whatever coarse point. Beside the end of the patch, where a coarse triangle still lies, it
+/// is the nearest one of its edge. None is found where the fine surface turns over.
 ///
 /// at    [m; contact plane]
-/// near  index into patch.triangles where to look first, and the triangle found; any value is fine. In a patch without
-///       hidden triangles the first sheet found is taken for the only one
+/// near  index into patch.triangles where to look first, and the triangle found; any value is fine. Where its sheet lies over
+///       the place it is taken, whatever lies above: -1 asks for the highest
 /// Thread    [contact]; no failure.
+/// Source    Eq. 4.9. Deviates: D86.
 double height_at(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near) noexcept;
 
-/// The same of one projected triangle, inside or not.
+/// To first order in what the displacement moves sideways, of one projected triangle, inside or not: the displacement of
+/// the coarse point over `at`, carried along the triangle, at 45 degrees where that is steeper. What height maps hold.
 double height_on(const ProjectedPatch& patch, const ProjectedTriangle& triangle,
                  const Vec2& at) noexcept;
 
+/// The coarse point of a triangle whose fine point lies over `at` of the plane: where it lies. False where it is beside
+/// the triangle, or where the fine surface turns over on the way.
+bool find_below(const ProjectedPatch& patch, const ProjectedTriangle& triangle, const Vec2& at, Vec2& place) noexcept;
+
 /// The fine surface over a point, with what derivatives need. Slopes come from central differences of the texels,
-/// interpolated: they are continuous, where those of the bilinear facets jump at every texel.
+/// interpolated: they are continuous, where those of the bilinear facets jump at every texel. Where the fine surface
+/// turns over it is that of height_on and no height field.
 struct SurfaceJet {
   bool is_covered = false;
   bool is_height_field =
@@ -113,15 +138,12 @@ struct SurfaceJet {
   Vec2 slope = Vec2::Zero();   // d height/d at, texel tangents
   Vec2 facet_slope =
       Vec2::Zero();  // the same, of the bilinear interpolant itself: its exact derivative
-  Mat2 curvature = Mat2::Zero();     // second derivatives by second differences of texels [1/m]
-  Vec3 coarse_point = Vec3::Zero();  // [m; contact frame]
-  Vec3 fine_point = Vec3::Zero();    // coarse point plus displacement [m; contact frame]
-  Eigen::Matrix<double, 3, 2> coarse_by_at = Eigen::Matrix<double, 3, 2>::Zero();  // d coarse_point/d at
-  Eigen::Matrix<double, 3, 2> fine_by_at = Eigen::Matrix<double, 3, 2>::Zero();    // d fine_point/d at, texel tangents
+  Mat2 curvature = Mat2::Zero();  // second derivatives by second differences of texels [1/m]
+  Vec3 point = Vec3::Zero();      // of the fine surface [m; contact frame]
 };
 SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at) noexcept;
 
-/// The same; near: as of height_at. Where the first sheet found is taken for the only one, further ones are not seen.
+/// The same; near: as of height_at. Where the sheet of `near` is taken, further ones are not counted.
 SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near) noexcept;
 
 }  // namespace thigma

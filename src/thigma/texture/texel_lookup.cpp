@@ -53,6 +53,16 @@ Vec3 displacement_at(const HapticTexture& texture, const Vec2& at) noexcept {
       .head<3>();
 }
 
+TexelFacet texel_facet(const HapticTexture& texture, const Vec2& at) noexcept {
+  const Cell c = cell_of(texture, at);
+  const Texel* const top = &texel_at(texture, c.column, c.row);
+  const Texel* const bottom = &texel_at(texture, c.column, c.row + 1);
+  const Vec4 p00 = texel_vector(top[0]), p10 = texel_vector(top[1]), p01 = texel_vector(bottom[0]),
+             p11 = texel_vector(bottom[1]);
+  return {blend(c, p00, p10, p01, p11).head<3>(), ((1.0 - c.y) * (p10 - p00) + c.y * (p11 - p01)).head<3>(),
+          ((1.0 - c.x) * (p01 - p00) + c.x * (p11 - p10)).head<3>()};
+}
+
 TexelJet texel_jet(const HapticTexture& texture, const Vec2& at) noexcept {
   const Cell c = cell_of(texture, at);
   std::array<std::array<Vec4, 4>, 4> p;  // p[row][column] around the cell

@@ -9,6 +9,12 @@ namespace thigma {
 /// Thread    [contact]; no failure.
 Vec3 displacement_at(const HapticTexture& texture, const Vec2& at) noexcept;
 
+/// The same with its own derivatives, which jump between texels [m, m/texel; body frame].
+struct TexelFacet {
+  Vec3 value = Vec3::Zero(), by_x = Vec3::Zero(), by_y = Vec3::Zero();
+};
+TexelFacet texel_facet(const HapticTexture& texture, const Vec2& at) noexcept;
+
 /// Displacement and its derivatives by the texture coordinates [m, m/texel, m/texel^2; body frame].
 struct TexelJet {
   Vec3 value = Vec3::Zero();       // bilinear, as displacement_at

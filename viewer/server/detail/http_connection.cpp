@@ -31,7 +31,24 @@ HttpConnection::HttpConnection(Core& server, tcp::socket socket)
   ++server_.connections;
 }
 
+HttpConnection::~HttpConnection() {
+  leave_idle();
+  --server_.connections;
+}
+
+void HttpConnection::leave_idle() {
+  if (idle_) server_.idle.erase(*idle_);
+  idle_.reset();
+}
+
+void HttpConnection::give_up() {
+  leave_idle();
+  beast::error_code ignored;
+  stream_.socket().close(ignored);  // ends the read
+}
+
 void HttpConnection::read() {
+  idle_ = server_.idle.insert(server_.idle.end(), this);
   parser_.emplace();
   parser_->header_limit(kHeaderBytes);
   parser_->body_limit(0);
@@ -42,6 +59,7 @@ void HttpConnection::read() {
 }
 
 void HttpConnection::take(beast::error_code error) {
+  leave_idle();
   if (server_.is_stopping) return;
   if (error == http::error::header_limit) {
     answer(http::status::request_header_fields_too_large, "the request is too long", false);

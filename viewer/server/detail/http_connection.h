@@ -1,6 +1,7 @@
 #pragma once
 // Inside of the server: a connection that asks for files, until it becomes a page.
 
+#include <list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,11 +17,13 @@ inline constexpr std::uint32_t kHeaderBytes = 8192;
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(Core& server, tcp::socket socket);
-  ~HttpConnection() { --server_.connections; }
+  ~HttpConnection();
   HttpConnection(const HttpConnection&) = delete;
   HttpConnection& operator=(const HttpConnection&) = delete;
 
   void read();
+  /// Hangs up on a client that has not asked for anything; once.
+  void give_up();
 
  private:
   void take(beast::error_code error);
@@ -30,6 +33,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void answer(http::status status, const std::string& line, bool keeps_alive);
   void write(http::status status, std::string_view type, std::string body, bool keeps_alive);
   void hang_up();
+  void leave_idle();
 
   Core& server_;
   beast::tcp_stream stream_;
@@ -38,6 +42,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   http::response<http::string_body> response_;
   std::string host_ = "127.0.0.1";
   bool is_head_ = false;
+  std::optional<std::list<HttpConnection*>::iterator> idle_;  // place in Core::idle
 };
 
 }  // namespace thigma::live

@@ -73,7 +73,7 @@ std::string LiveRoom::Impl::hold(PageId page, bool wanted) {
   }
   if (!now_running.is_web)
     return "the object is moved by " + now_running.device + "; choose web: first";
-  if (holder != 0 && holder != page) return "another page holds the device";
+  if (is_held_by_other(page)) return kIsHeld;
   holder = page;
   last_sample = -std::numeric_limits<double>::infinity();
   link.begin();
@@ -85,7 +85,12 @@ bool LiveRoom::Impl::is_choice(const std::string& name) const {
                      [&](const LiveParameter& p) { return p.name == name; });
 }
 
+bool LiveRoom::Impl::is_held_by_other(PageId page) const { return holder != 0 && holder != page; }
+
 std::string LiveRoom::Impl::pause(bool wanted) {
+  // A session that is about to begin would stand still unseen: prepare_session sets both of these at once.
+  const std::lock_guard lock(mutex);
+  if (is_restarting) return kIsRestarting;
   if (now_running.is_lockstep) return kIsLockstep;
   if (state.run == "ended") return "the session has ended; begin again";
   if (!now_running.is_simulated)
@@ -97,6 +102,8 @@ std::string LiveRoom::Impl::pause(bool wanted) {
 }
 
 std::string LiveRoom::Impl::step(double frames) {
+  const std::lock_guard lock(mutex);
+  if (is_restarting) return kIsRestarting;
   if (state.run != "paused") return "only a paused session goes step by step";
   if (!(frames >= 1.0 && frames <= 1000.0) || frames != std::floor(frames))
     return "1 to 1000 frames at a time";
@@ -124,6 +131,9 @@ std::string LiveRoom::Impl::send_level(PageId page, const Command& command) {
   const double level = command.number, levels = static_cast<double>(body.meshes.size());
   if (!(level >= 1.0 && level < levels) || level != std::floor(level))
     return "that level has no surface of its own";
+  // Answers are never dropped, so a page that asks and does not read may not have many of these waiting.
+  if (server.waiting_bytes(page) > limits.waiting_bytes)
+    return "this page has not taken yet what it was sent before; ask again";
   server.send(page,
               encode_level(static_cast<std::uint32_t>(command.mesh),
                            static_cast<std::int32_t>(level),
@@ -142,9 +152,7 @@ void LiveRoom::Impl::ask_program(LiveRequest request) {
   if (request.kind == Kind::use_device &&
       std::find(state.devices.begin(), state.devices.end(), request.text) == state.devices.end())
     why = "there is no device '" + request.text + "' here";
-  if (request.kind != Kind::reset && request.kind != Kind::record && request.kind != Kind::inspect &&
-      holder != 0 && holder != page)
-    why = "another page holds the device";
+  if (request.kind != Kind::inspect && is_held_by_other(page)) why = kIsHeld;
   if (request.kind == Kind::record && request.flag && !now_running.recording.empty())
     why = "a recording is being written already";
   if (request.kind == Kind::record && !request.flag && now_running.recording.empty())
@@ -196,10 +204,10 @@ void LiveRoom::Impl::take_command(PageId page, const Command& command) {
       why = hold(page, command.flag);
       break;
     case Command::Kind::pause:
-      why = pause(command.flag);
+      why = is_held_by_other(page) ? kIsHeld : pause(command.flag);
       break;
     case Command::Kind::step:
-      why = step(command.number);
+      why = is_held_by_other(page) ? kIsHeld : step(command.number);
       break;
     case Command::Kind::set:
       if (is_choice(command.text)) {
@@ -208,7 +216,7 @@ void LiveRoom::Impl::take_command(PageId page, const Command& command) {
         ask_program(std::move(request));
         return;
       }
-      why = change(command);
+      why = is_held_by_other(page) ? kIsHeld : change(command);
       if (why.empty()) value = command.number;
       break;
     case Command::Kind::level:

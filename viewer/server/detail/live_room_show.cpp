@@ -70,7 +70,30 @@ void LiveRoom::Impl::show() {
 void LiveRoom::Impl::send_events() {
   events.clear();
   feed.take_events(events);
-  for (const SessionEvent& event : events) tell_all(event_message(event));
+  for (const SessionEvent& event : events) {
+    if (event.kind.empty()) {  // of prepare_session
+      forget_troubles();
+      continue;
+    }
+    tell_all(event_message(event));
+    if (now_running.replay.empty()) remember(event);
+  }
+}
+
+/// What pages that come later have to know of an event.
+void LiveRoom::Impl::remember(const SessionEvent& event) {
+  const Trouble trouble{event.detail, event.text, event.time};
+  if (event.kind == "fault") {
+    state.fault = trouble;
+  } else if (event.kind == "resumed") {
+    state.fault = {};
+  } else if (event.kind == "late") {
+    state.late = trouble;
+    ++state.lates;
+  } else {
+    return;
+  }
+  tell_state();
 }
 
 void LiveRoom::Impl::tick() {

@@ -25,6 +25,7 @@ inline constexpr const char* kIsLockstep = "a session in lockstep is the same ev
 inline constexpr const char* kIsRecording =
     "a recording is being written, and could not be replayed if this changed: stop it first";
 inline constexpr const char* kIsReplay = "a recording is shown as it was; begin a session to change this";
+inline constexpr const char* kIsHeld = "another page holds the device";
 inline constexpr const char* kIsRestarting = "the session is just beginning anew";
 
 struct LiveRoom::Impl {
@@ -39,6 +40,7 @@ struct LiveRoom::Impl {
   Refusal take_samples(PageId page, std::string_view message);
   void take_command(PageId page, const Command& command);
   std::string hold(PageId page, bool wanted);
+  bool is_held_by_other(PageId page) const;
   std::string pause(bool wanted);
   std::string step(double frames);
   std::string change(const Command& command);
@@ -54,12 +56,16 @@ struct LiveRoom::Impl {
   void collect_rows();
   void show();
   void send_events();
+  void remember(const SessionEvent& event);
   void tell_state();
   void tell_state_to(PageId page);
   void tell_parameters();
   void tell_all(const std::string& text);
   Snapshot snapshot_now(const HapticNow& now);
   void began(const LiveStart& start);
+  void forget_troubles();
+  void lock_tuner();  // with the mutex held
+  void lost_recording();
   void ended(const std::string& reason, std::uint64_t dropped_samples);
 
   const WebLimits limits;

@@ -1,6 +1,7 @@
 #include "viewer/server/detail/page.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace thigma::live {
@@ -48,6 +49,11 @@ void Page::send(std::string message, bool is_binary) {
   }
   waiting_.push_back({std::move(message), is_binary});
   if (!is_writing_) write();
+}
+
+std::size_t Page::waiting_bytes() const {
+  return std::accumulate(waiting_.begin(), waiting_.end(), std::size_t{0},
+                         [](std::size_t sum, const Waiting& w) { return sum + w.message.size(); });
 }
 
 bool Page::offer(std::span<const std::string> messages) {

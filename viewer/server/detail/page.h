@@ -28,6 +28,8 @@ class Page : public std::enable_shared_from_this<Page> {
   void close(std::uint16_t code, std::string_view why);
   void hang_up();
 
+  std::size_t waiting_bytes() const;
+
   std::uint64_t dropped = 0;  // offers that were not taken
 
  private:

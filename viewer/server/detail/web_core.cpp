@@ -23,8 +23,10 @@ Core::Core(std::uint16_t wanted, std::vector<WebFile> files_in, const WebLimits&
 void Core::accept() {
   acceptor.async_accept([this](beast::error_code error, tcp::socket socket) {
     if (is_stopping) return;
-    if (!error && connections < limits.connections)
-      std::make_shared<HttpConnection>(*this, std::move(socket))->read();
+    // Who only holds a place gives it up for who comes.
+    const bool has_room = connections < limits.connections || !idle.empty();
+    if (!error && connections >= limits.connections && has_room) idle.front()->give_up();
+    if (!error && has_room) std::make_shared<HttpConnection>(*this, std::move(socket))->read();
     if (error) {  // out of descriptors, say: not at once again
       farewell.expires_after(std::chrono::milliseconds(100));
       farewell.async_wait([this](beast::error_code) {

@@ -4,6 +4,7 @@
 // callbacks need it; everything runs in one thread, so nothing is locked.
 
 #include <chrono>
+#include <list>
 #include <map>
 #include <memory>
 #include <string>
@@ -28,6 +29,7 @@ using Request = http::request<http::empty_body>;
 using Clock = std::chrono::steady_clock;
 
 class Page;
+class HttpConnection;
 
 inline std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
@@ -51,6 +53,7 @@ struct Core {
   // Before io: what it still holds at the end counts itself out.
   PageId last_id = 0;
   std::size_t connections = 0, upgrading = 0;
+  std::list<HttpConnection*> idle;  // wait for a request, the longest first
   bool is_stopping = false;
   asio::io_context io{1};
   tcp::acceptor acceptor;

@@ -1,7 +1,7 @@
 // The bar on top and the buttons on the picture.
 import { icon, iconButton, nameButton, setIcon } from "./icons.js";
 import { duration } from "./format.js";
-import { END_WORDS, deviceWords, faultWords } from "./words.js";
+import { deviceWords, END_WORDS, endWords, faultWords } from "./words.js";
 
 /// act   {open, pause, step, reset, record, theme, help, device(uri), letGo, view(option), fit}
 export function makeBar(act) {
@@ -47,9 +47,11 @@ export function showState(bar, session) {
   const time = snapshot ? ` · ${duration(snapshot.time)}` : "";
   const words = { lost: "connection lost", connecting: "connecting", running: `running${time}`, paused: `paused${time}`,
     ended: session.progress ? "preparing" : END_WORDS[state?.reason] ?? "ended" };
+  if (state?.late) words.running += ` · late ${state.late.count}×`;
   const faulty = run === "running" && (snapshot?.bits & 4) !== 0;
   if (state?.replay && run === "running") words.running = `replaying${time}`;
   bar.chip.textContent = faulty ? `forces off: ${faultWords(session.faultName())}` : words[run];
+  bar.chip.title = run === "ended" ? endWords(state) ?? "" : state?.late?.text ?? "";
   bar.chip.dataset.run = faulty ? "fault" : run;
   const alive = connected && Boolean(state);
   const paused = state?.run === "paused";

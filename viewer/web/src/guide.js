@@ -1,5 +1,5 @@
 // What to say over the picture at this moment: the guided start, and whatever keeps the hand from feeling.
-import { END_WORDS, faultWords } from "./words.js";
+import { endWords, faultWords, lateWords } from "./words.js";
 
 export function makeGuide() {
   return { step: 0, turned: false, unarmedSince: null, touchedAt: null };
@@ -14,7 +14,7 @@ export function guideLine(guide, session, facts, act) {
   const grasped = (snapshot.bits & 1) !== 0, armed = (snapshot.bits & 2) !== 0, fault = (snapshot.bits & 4) !== 0;
   if (session.progress) return null;
   if (state.run === "ended") {
-    return { text: `The session ${END_WORDS[state.reason] ?? "has ended"}.`, button: "Begin again", act: act.reset, mood: "stop" };
+    return { text: `The session ${endWords(state) ?? "has ended"}.`, button: "Begin again", act: act.reset, mood: "stop" };
   }
   if (session.refusal && facts.now < session.refusal.until) return { text: session.refusal.text, mood: "stop" };
   if (state.replay) {
@@ -26,6 +26,8 @@ export function guideLine(guide, session, facts, act) {
     return { text: `Forces are off: ${faultWords(session.faultName())}.${web ? ` Take hold of the ${object} again to go on.` : ""}`,
       button: web ? undefined : "Begin again", act: act.reset, mood: "stop" };
   }
+  const late = lateWords(state.late, snapshot.time);
+  if (late) return { text: late, mood: "stop" };
   if (!state.device.startsWith("web:")) {
     if (!state.devices.includes("web:")) return null;
     return { text: `A ${state.simulated === false ? "device" : "simulated hand"} moves the ${object}.`, button: "Take it yourself",

@@ -15,6 +15,7 @@ import { makeReplayBar, showReplayBar } from "./replay.js";
 import { bodies, browseLevel, draw, makeScene, repaint, resize, setObjects, setOptions, showSnapshot, takeLevel } from "./scene.js";
 import { startTheme } from "./theme.js";
 import { startTabs } from "./tabs.js";
+import { eventWords } from "./words.js";
 
 const at = (id) => document.getElementById(id);
 const RESEND = 50; // the device is lost after 200 ms of silence [ms]
@@ -100,6 +101,7 @@ const on = {
     session.counts.event += 1;
     addEvent(at("events"), message);
     addMark(plots, message.time, message.kind);
+    if (message.kind === "recording_ended") session.refusal = { text: `${eventWords(message)}.`, until: performance.now() / 1000 + 10 };
   },
   channels: (message) => {
     session.counts.channels += 1;

@@ -6,7 +6,7 @@ export const FAULT_WORDS = {
 };
 const EVENT_WORDS = {
   grasped: "The hand took hold of the object", released: "The hand let the object go", armed: "Forces are on",
-  disarmed: "Forces are off", not_armed: "Forces stay off", resumed: "Goes on", parameter: "Parameter changed", fault: "Fault",
+  disarmed: "Forces are off", late: "Late", recording_ended: "The recording has ended", not_armed: "Forces stay off", resumed: "Goes on", parameter: "Parameter changed", fault: "Fault",
 };
 export const END_WORDS = { fault: "ended by a fault", duration: "reached its duration", device_finished: "the hand has finished",
   stopped: "was stopped" };
@@ -20,9 +20,25 @@ export function faultWords(name) {
   return FAULT_WORDS[name] ?? String(name).replaceAll("_", " ");
 }
 
+/// How a session ended, with the cause where it was a fault: `state` tells it to pages that come later as well.
+export function endWords({ reason, fault }) {
+  const words = END_WORDS[reason];
+  if (!words || reason !== "fault" || !fault) return words;
+  return `${words}: ${faultWords(fault.name)}${fault.text ? ` (${fault.text})` : ""}`;
+}
+
+/// What was late and ridden out, while it is worth a line; null otherwise.
+/// late   of `state`; time [s] of the session
+export function lateWords(late, time) {
+  const shown = 6; // [s]
+  if (!late || !(time - late.time < shown)) return null;
+  const times = late.count === 1 ? "once" : `${late.count} times so far`;
+  return `The computer was late (${times}): ${late.text ?? faultWords(late.name)}.`;
+}
+
 export function eventWords({ kind, detail, text }) {
   const head = EVENT_WORDS[kind] ?? String(kind).replaceAll("_", " ");
-  const tail = [kind === "fault" ? faultWords(detail) : detail, text].filter(Boolean).join("; ");
+  const tail = [kind === "fault" || kind === "late" ? faultWords(detail) : detail, text].filter(Boolean).join("; ");
   return tail ? `${head}: ${tail}` : head;
 }
 

@@ -77,18 +77,22 @@ void measure_level(const TriangleMesh& mesh, const ConvexDecomposition& decompos
                    const std::vector<std::int32_t>& above, std::size_t first, ClodHierarchy& h) {
   const double reach = reach_of(original, level.mesh);
   const DeviationTarget target = build_deviation_target(level.mesh);
+  const double rounding = 1e-12 * h.radius;  // of what is measured
+  std::vector<DeviationRange> range(at(level.patch_count), DeviationRange{0.0, rounding});
   std::int32_t guess = 0;
   for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
-    double& deviation = h.contact_patches[first + at(level.patch_of_triangle[t])].deviation;
-    deviation = bound_deviation(original, corners(level.mesh, static_cast<std::int32_t>(t)), reach,
-                                deviation, guess);
+    if (level.patch_of_triangle[t] < 0) continue;
+    extend_deviation(original, corners(level.mesh, static_cast<std::int32_t>(t)), reach,
+                     range[at(level.patch_of_triangle[t])], guess);
   }
   guess = 0;
   for (std::size_t p = 0; p < decomposition.patches.size(); ++p) {
-    double& deviation = h.contact_patches[at(above[p])].deviation;
+    DeviationRange& of_patch = range[at(above[p]) - first];
     for (const std::int32_t t : decomposition.patches[p])
-      deviation = bound_deviation(target, corners(mesh, t), reach, deviation, guess);
+      extend_deviation(target, corners(mesh, t), reach, of_patch, guess);
   }
+  for (std::size_t p = 0; p < range.size(); ++p)
+    h.contact_patches[first + p].deviation = range[p].bound;
 }
 
 }  // namespace
@@ -101,6 +105,7 @@ std::vector<LevelPatches> list_level_patches(const Simplification& s) {
     patches.triangles.resize(at(level.patch_count));
     patches.vertices.resize(at(level.patch_count));
     for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
+      if (level.patch_of_triangle[t] < 0) continue;
       const std::size_t patch = at(level.patch_of_triangle[t]);
       patches.triangles[patch].push_back(static_cast<std::int32_t>(t));
       for (const std::int32_t v : level.mesh.triangles[t]) patches.vertices[patch].push_back(v);
@@ -189,8 +194,6 @@ void bound_by_contact_patches(ClodHierarchy& h) {
 void measure_deviation(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
                        const Simplification& s, int threads, ClodHierarchy& h) {
   if (s.levels.size() < 2) return;
-  for (ClodContactPatch& patch : h.contact_patches)
-    patch.deviation = 1e-12 * h.radius;  // rounding of what is measured
   const DeviationTarget original = build_deviation_target(mesh);
   const auto above = contact_patches_above(h, s.levels.size());
   std::vector<std::size_t> first(1, 0);

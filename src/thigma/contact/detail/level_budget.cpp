@@ -123,7 +123,11 @@ void walk_within_budget(LevelQuery& q) noexcept {
   walk(q, visit_within);
   t.set.stats.mandatory_tests += t.set.stats.tests - budget.first;
   refine(q, budget);
-  for (const PendingPair& left : f.queue) t.set.stats.unrefined += left.contact >= 0 && left.priority > 1.0;
+  for (const PendingPair& left : f.queue) {
+    if (left.contact < 0 || !(left.priority > 1.0)) continue;
+    ++t.set.stats.unrefined;
+    f.found[static_cast<std::size_t>(left.contact)].decided_by = LevelDecision::budget;
+  }
   const double start = budget.deadline > 0.0 ? thread_cpu_seconds() : 0.0;
   for (const Contact& c : f.found) {
     if (c.weight > 0.0) report(t, c);

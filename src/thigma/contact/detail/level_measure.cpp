@@ -19,32 +19,49 @@ double speed_at(const LevelQuery& q, const Vec3& on_scene) noexcept {
   return (now - before).norm() / q.t.query.resolution.step_time;
 }
 
-// s0: the least of the metrics that are on.
-double threshold_at(const LevelQuery& q, const Vec3& on_object, const Vec3& on_scene) noexcept {
-  if (q.is_haptic_alone) return q.threshold;
+// s0, and whose it is.
+struct Threshold {
+  double value = kInfinity;  // [m]
+  LevelDecision by = LevelDecision::haptic;
+  void offer(double other, LevelDecision whose) noexcept {
+    if (other < value) *this = {other, whose};
+  }
+};
+
+// The least of the metrics that are on.
+Threshold threshold_at(const LevelQuery& q, const Vec3& on_object, const Vec3& on_scene) noexcept {
+  if (q.is_haptic_alone) return {q.threshold, LevelDecision::haptic};
   const RefinementMetric& metric = q.t.query.resolution.metric;
-  double least = metric.haptic > 0.0 ? q.threshold : kInfinity;
-  if (metric.velocity > 0.0) least = std::min(least, metric.velocity * speed_at(q, on_scene));
+  Threshold least;
+  if (metric.haptic > 0.0) least.value = q.threshold;
+  if (metric.velocity > 0.0) least.offer(metric.velocity * speed_at(q, on_scene), LevelDecision::velocity);
   if (metric.view.pixels > 0.0) {
     ViewThreshold view = metric.view;
     if (metric.has_eye) {
       view.distance = (q.t.world_rotation * on_object + q.t.world_position - metric.eye).norm();
     }
-    least = std::min(least, view_threshold(view));
+    least.offer(view_threshold(view), LevelDecision::view);
   }
   return least;
 }
 
-double priority_of(const LevelQuery& q, const Side& a, const Side& b, const Place& on_a, const Place& on_b,
+// How far a pair is beyond its limits, above 1 to be refined, and the limit that is nearest or exceeded most.
+struct Urgency {
+  double priority = 0.0;
+  LevelDecision by = LevelDecision::haptic;
+};
+
+Urgency urgency_of(const LevelQuery& q, const Side& a, const Side& b, const Place& on_a, const Place& on_b,
                    const Vec3& on_object, const Vec3& on_scene) noexcept {
   const Resolution& r = q.t.query.resolution;
   const double weighted =
       weighted_deviation({a.deviation(), a.resolution(), support_area(a, on_a, r.reading), false},
                          {b.deviation(), b.resolution(), support_area(b, on_b, r.reading), false}, r.area);
-  const double threshold = threshold_at(q, on_object, on_scene);
+  const Threshold threshold = threshold_at(q, on_object, on_scene);
   const double over_cap = (a.deviation() + b.deviation()) / q.deviation_cap;
-  const double over_threshold = threshold > 0.0 ? weighted / threshold : kInfinity;
-  return over_cap > 1.0 ? std::max(over_cap, over_threshold) : over_threshold;
+  const double over_threshold = threshold.value > 0.0 ? weighted / threshold.value : kInfinity;
+  return {over_cap > 1.0 ? std::max(over_cap, over_threshold) : over_threshold,
+          over_cap > over_threshold ? LevelDecision::cap : threshold.by};
 }
 
 // The probe of pairs that are not both finest: a coarse patch lies off the surface by up to s, so the surface it stands
@@ -81,6 +98,7 @@ struct Deciding {
   Place on_a{}, on_b{};
   Vec3 point_a = Vec3::Zero(), point_b = Vec3::Zero();  // each in the frame of its own body
   double priority = 0.0;
+  LevelDecision by = LevelDecision::haptic;
 
   // What is only split needs no contact of its own; with a budget it may have to do with it.
   bool needs_contact() const noexcept {
@@ -98,7 +116,9 @@ bool decide(void* context, std::uint32_t feature_a, std::uint32_t feature_b, con
   d.point_b = x.rotation.transpose() * (point_b - x.translation);
   d.on_a = find_place(d.a.view, feature_a, d.point_a);
   d.on_b = find_place(d.b.view, feature_b, d.point_b);
-  d.priority = priority_of(d.q, d.a, d.b, d.on_a, d.on_b, point_a, d.point_b);
+  const Urgency urgency = urgency_of(d.q, d.a, d.b, d.on_a, d.on_b, point_a, d.point_b);
+  d.priority = urgency.priority;
+  d.by = urgency.by;
   return d.needs_contact();
 }
 
@@ -158,6 +178,7 @@ LevelPair measure_level_pair(LevelQuery& q, FrontNode& n, std::int32_t i) noexce
   PatchPair& pair = out.pair;
   if (pair.status == PairContactStatus::apart) return out;
   out.priority = deciding.priority;
+  out.decided_by = deciding.by;
   if (!deciding.needs_contact()) return out;
   const bool is_apart = pair.status == PairContactStatus::separated || pair.status == PairContactStatus::beside;
   if (is_apart) {

@@ -37,6 +37,7 @@ struct LevelPair {
   PatchPair pair;          // status apart: farther than any contact at or below could be, depth minus a lower bound
   double reach = 0.0;      // separation up to which the pair could matter [m]
   double priority = 0.0;   // s* / s0; above 1 it has to be refined. Infinite where the bound would not hold
+  LevelDecision decided_by = LevelDecision::finest;
   double bound = 0.0;      // see Contact [m]
   double nearest = 0.0;    // the separation of the original triangles is not below this [m]
 };

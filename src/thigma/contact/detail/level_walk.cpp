@@ -115,6 +115,7 @@ void push_children(LevelQuery& q, FrontNode& n, std::int32_t i, double weight) n
 Contact level_contact(const LevelQuery& q, const FrontNode& n, const LevelPair& m, double weight) noexcept {
   Contact c = make_contact(q.t, n, m.pair);
   c.bound = m.bound;
+  c.decided_by = m.decided_by;
   c.weight = weight;
   return c;
 }

@@ -15,6 +15,7 @@ void check_config(const SessionConfig& config) {
   if (!(config.rate >= 1.0 && config.rate <= 1e5)) refuse("rate must be 1 to 100000 Hz");
   if (!(config.duration >= 0.0 && config.duration < 1e9)) refuse("duration must be 0 s or more");
   if (!(config.after_fault >= 0.0)) refuse("after_fault must be 0 s or more");
+  if (!(config.deep_contact >= 0.0)) refuse("deep_contact must be 0 m or more");
   if (config.contact_every < 1) refuse("contact_every must be 1 frame or more");
   if (config.contact_latency < 1) refuse("contact_latency must be 1 frame or more");
   if (!(config.haptic.body.mass > 0.0)) refuse("the body has no mass");
@@ -49,6 +50,16 @@ void timed_contact_step(const SessionConfig& config, const StampedBody& at, Cont
   sample.step_cpu = 1e-9 * static_cast<double>(end - begin);
 }
 
+DeepContactLimits deep_contact_limits(const SessionConfig& config) noexcept {
+  // The direct response lets the object through anything.
+  const bool is_held_apart = config.haptic.response != ResponseKind::direct;
+  double deep = std::numeric_limits<double>::infinity();
+  if (is_held_apart && config.contact.object != nullptr)
+    deep = kDeepShare * config.contact.object->radius;
+  if (is_held_apart && config.deep_contact > 0.0) deep = config.deep_contact;
+  return {deep, config.contact.tolerance};
+}
+
 void EventDetector::add(const SessionEvent& event) {
   if (event.kind == "fault") safety_events_.push_back(event);
   if (!event.text.empty()) texts_.push_back(event.text);
@@ -74,6 +85,51 @@ void EventDetector::look_for_old_models(const HapticSample& sample) {
   add({sample.time, sample.frame, "not_armed", "contact_model_too_old", text});
 }
 
+void EventDetector::look_for_deep_contacts(const HapticSample& sample) {
+  const double depth = std::max(0.0, sample.penetration);
+  // It lasts until the surfaces are out of each other.
+  if (!sample.is_grasped || depth == 0.0) is_deep_ = false;
+  // What nobody saw come: deeper than when the model was made, or than the model before knew.
+  double unseen = sample.sunk, age = sample.model_age;
+  if (sample.model_sequence != last_model_ && depth - last_depth_ > unseen) {
+    unseen = depth - last_depth_;
+    age = last_age_;
+  }
+  last_model_ = sample.model_sequence;
+  last_depth_ = depth;
+  last_age_ = sample.model_age;
+  const bool is_found = depth > deep_limits_.deep && unseen > deep_limits_.unseen;
+  if (!sample.is_grasped || !is_found || is_deep_) return;
+  is_deep_ = true;
+  char text[160] = "";
+  if (!has_told_of_depth_) {
+    std::snprintf(text, sizeof text,
+                  "a contact is %.2f mm deep, %.2f mm of it unseen by a contact model %.1f ms old",
+                  1e3 * depth, 1e3 * unseen, 1e3 * age);
+  }
+  has_told_of_depth_ = true;
+  add({sample.time, sample.frame, "deep_contact", "contact_model_too_old", text});
+}
+
+void EventDetector::look_for_late(const HapticSample& sample) {
+  char text[120];
+  if (rode_out_gap(sample)) {
+    std::snprintf(text, sizeof text, "%.1f ms without a haptic step; nobody is held: zero force, then the ramp anew",
+                  1e3 * (sample.time - last_time_));
+    tell_late(sample, Fault::watchdog, text);
+  } else if (rode_out_model(sample, last_weight_)) {
+    std::snprintf(text, sizeof text, "contact model %.1f ms old; nobody is held: zero force, then the ramp anew",
+                  1e3 * sample.model_age);
+    tell_late(sample, Fault::contact_stale, text);
+  }
+  last_time_ = sample.time;
+  last_weight_ = rode_out_gap(sample) ? 0.0 : sample.model_weight;
+}
+
+void EventDetector::tell_late(const HapticSample& sample, Fault cause, const char* text) {
+  if (sink_) sink_({sample.time, sample.frame, "late", fault_name(cause), text});
+}
+
 void EventDetector::look_at(const HapticSample& sample, double longest_gap) {
   const auto tell = [&](const char* kind, const char* detail) {
     add({sample.time, sample.frame, kind, detail, {}});
@@ -87,7 +143,9 @@ void EventDetector::look_at(const HapticSample& sample, double longest_gap) {
   }
   if (sample.fault == Fault::none && last_fault_ != Fault::none)
     tell("resumed", fault_name(last_fault_));
+  look_for_late(sample);
   look_for_old_models(sample);
+  look_for_deep_contacts(sample);
   if (sample.is_grasped != was_grasped_) tell(sample.is_grasped ? "grasped" : "released", "");
   if (sample.is_armed != was_armed_) tell(sample.is_armed ? "armed" : "disarmed", "");
   last_fault_ = sample.fault;
@@ -151,9 +209,14 @@ SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic,
   s.mandatory_tests_mean = static_cast<double>(contact.mandatory_tests) / updates;
   s.unrefined = contact.unrefined;
   s.level_changes = contact.level_changes;
+  s.texture_depths = contact.texture_depths;
+  s.texture_folds = contact.texture_folds;
   s.bound_max = contact.bound_max;
   s.object_levels = contact.object_levels;
   s.scene_levels = contact.scene_levels;
+  s.decided_by = contact.decided_by;
+  s.triangles_below_mean =
+      contact.triangles_below / std::max(1.0, static_cast<double>(contact.contacts));
   const double frames = std::max(1.0, static_cast<double>(haptic.frames));
   s.force_max = haptic.force_max;
   s.force_rms = std::sqrt(haptic.force_square_sum / frames);
@@ -162,6 +225,7 @@ SessionSummary summarize(const SessionConfig& config, const HapticTally& haptic,
   s.penetration_max = haptic.penetration_max;
   s.stretch_max = haptic.stretch_max;
   s.energy_min = state.energy.energy_min;
+  s.ridden_out = haptic.ridden_out;
   s.passivity = summarize(config.haptic.passivity, state.passivity);
   s.dropped_contacts = contact.dropped;
   s.state_hash = haptic.hash.value;

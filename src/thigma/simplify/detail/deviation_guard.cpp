@@ -1,5 +1,6 @@
 #include "thigma/simplify/detail/deviation_guard.h"
 
+#include <cmath>
 #include <numeric>
 
 #include "thigma/convex/growing_hull.h"
@@ -15,6 +16,8 @@ bool is_within(const DeviationGuard& guard, const Vec3& p, std::int32_t t) {
   if ((p - x[at(v[0])]).squaredNorm() <= guard.limit * guard.limit) return true;
   return point_triangle_distance(p, x[at(v[0])], x[at(v[1])], x[at(v[2])]) <= guard.limit;
 }
+
+constexpr int kMostDivisions = 32;  // of an edge: where the limit is far below the triangle, samples are sparser
 
 }  // namespace
 
@@ -62,6 +65,23 @@ std::int32_t find_within_limit(DeviationGuard& guard, const Vec3& p,
       if (is_within(guard, p, guard.tree.order[at(i)])) return guard.tree.order[at(i)];
   }
   return -1;
+}
+
+bool is_within_limit(DeviationGuard& guard, const std::array<Vec3, 3>& corners,
+                     const std::array<std::int32_t, 3>& near) {
+  const auto& [p, a, b] = corners;
+  const double longest2 =
+      std::max({(a - p).squaredNorm(), (b - p).squaredNorm(), (b - a).squaredNorm()});
+  const double wanted = std::sqrt(longest2) / (kSampleSpacing * guard.limit);
+  const int n = wanted < kMostDivisions ? std::max(2, static_cast<int>(std::ceil(wanted))) : kMostDivisions;
+  for (int i = 0; i < n; ++i)  // i = n is the first corner
+    for (int j = 0; j <= n - i; ++j) {
+      const int k = n - i - j;
+      if (i == 0 && (j == n || k == n)) continue;  // the other two
+      const Vec3 x = (i * p + j * a + k * b) / n;
+      if (find_within_limit(guard, x, near) < 0) return false;
+    }
+  return n != 2 || find_within_limit(guard, (p + a + b) / 3.0, near) >= 0;
 }
 
 }  // namespace thigma::detail

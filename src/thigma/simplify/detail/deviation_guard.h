@@ -33,9 +33,20 @@ struct DeviationGuard {
   std::vector<std::int32_t> stack;         // scratch
 };
 
+/// Between samples of a triangle, times the limit.
+inline constexpr double kSampleSpacing = 1.5;
+
 /// Keeps a pointer to the mesh; every vertex starts near one of its own triangles, which stands for
 /// it.
 DeviationGuard build_deviation_guard(const TriangleMesh& original, double limit);
+
+/// Whether all of a triangle lies within the limit of the original, by samples no farther apart than kSampleSpacing
+/// times the limit: between them the deviation can grow by at most half of that.
+///
+/// corners   of the triangle; the first is taken to have been tested [m]
+/// near      three vertices whose nearest triangles of the original are looked at first
+bool is_within_limit(DeviationGuard& guard, const std::array<Vec3, 3>& corners,
+                     const std::array<std::int32_t, 3>& near);
 
 /// A triangle of the original within the limit of p, -1 for none. Looks first at the triangles
 /// near the given vertices.

@@ -68,18 +68,12 @@ int count_old_folds(const PatchedSurface& s, const CollapseScratch& k) {
 }
 
 bool is_near_original(const PatchedSurface& s, CollapseContext& context, const Vec3& p) {
-  CollapseScratch& k = context.scratch;
-  const auto is_near = [&](const Vec3& x, std::int32_t a, std::int32_t b) {
-    return find_within_limit(context.guard, x, {k.star.tail, a, b}) >= 0;
-  };
-  if (!is_near(p, k.star.head, k.star.tail)) return false;
-  for (const StarTriangle& t : k.star.triangles) {
-    const Vec3 &a = s.mesh.positions[at(t.a)], &b = s.mesh.positions[at(t.b)];
-    if (!is_near(0.5 * (p + a), t.a, k.star.head) || !is_near((p + a + b) / 3.0, t.a, t.b))
-      return false;
-    if (t.following < 0 && !is_near(0.5 * (p + b), t.b, k.star.head)) return false;
-  }
-  return true;
+  const EdgeStar& star = context.scratch.star;
+  if (find_within_limit(context.guard, p, {star.tail, star.head, star.tail}) < 0) return false;
+  return std::all_of(star.triangles.begin(), star.triangles.end(), [&](const StarTriangle& t) {
+    return is_within_limit(context.guard, {p, s.mesh.positions[at(t.a)], s.mesh.positions[at(t.b)]},
+                           {star.tail, t.a, t.b});
+  });
 }
 
 /// Vertices of the original that the star stands for, to the new triangles.

@@ -9,12 +9,12 @@ layout(location = 0) uniform ivec3 size;  // columns, rows, frame
 struct Triangle {
   double at[6], texel_x[3], texel_y[3], height[3], origin_x, origin_y;
   float by_x, by_y, by_h, high_x, high_y;
-  int first_texel, texel_row, unused;
+  float mx, my, mz;
+  int first_texel, texel_row;
 };
 struct Map {
   double first_u, low_v, spacing_u, spacing_v;
-  float mx, my, mz;
-  int first_triangle, triangle_count, heights, unused_a, unused_b;
+  int first_triangle, triangle_count, heights, unused;
 };
 layout(std430, binding = 0) readonly buffer Texels { vec4 texels[]; };
 layout(std430, binding = 1) readonly buffer Triangles { Triangle triangles[]; };
@@ -71,7 +71,7 @@ void prepare(Map map, int index, int row) {
   start_h[slot] = float(h);
 }
 
-float height_in(Map map, int slot, int column) {
+float height_in(int slot, int column) {
   int i = slot_triangle[slot];
   float k = float(column);
   precise float x = start_x[slot] + k * triangles[i].by_x;
@@ -87,7 +87,7 @@ float height_in(Map map, int slot, int column) {
   precise vec3 right = texels[top + 1].xyz + ay * (texels[bottom + 1].xyz - texels[top + 1].xyz);
   precise vec3 d = left + ax * (right - left);
   precise float height = (start_h[slot] + k * triangles[i].by_h) +
-                         ((map.mx * d.x + map.my * d.y) + map.mz * d.z);
+                         ((triangles[i].mx * d.x + triangles[i].my * d.y) + triangles[i].mz * d.z);
   return height;
 }
 
@@ -107,7 +107,7 @@ void main() {
       if (column < size.x) {
         for (int slot = 0; slot < active_count; ++slot) {
           if (column < first_column[slot] || column > last_column[slot]) continue;
-          float here = height_in(map, slot, column);
+          float here = height_in(slot, column);
           height = here > height ? here : height;
         }
       }

@@ -15,18 +15,18 @@ struct GpuTriangle {
   double origin_x = 0.0, origin_y = 0.0;                 // texel that coordinates are counted from
   float by_x = 0.0f, by_y = 0.0f, by_h = 0.0f;           // from one sample of a row to the next
   float high_x = 0.0f, high_y = 0.0f;                    // the last column and row
-  std::int32_t first_texel = 0, texel_row = 0, unused = 0;
+  float m[3] = {};                                       // ProjectedTriangle::carried [body frame]
+  std::int32_t first_texel = 0, texel_row = 0;
 };
-static_assert(sizeof(GpuTriangle) == 168);
+static_assert(sizeof(GpuTriangle) == 176);
 
 /// One height map to render.
 struct GpuMap {
   double first_u = 0.0, low_v = 0.0, spacing_u = 1.0, spacing_v = 1.0;  // [m]
-  float m[3] = {};  // facing direction [body frame]
   std::int32_t first_triangle = 0, triangle_count = 0, heights = 0;  // index of its first sample
-  std::int32_t unused[2] = {};
+  std::int32_t unused = 0;
 };
-static_assert(sizeof(GpuMap) == 64);
+static_assert(sizeof(GpuMap) == 48);
 
 /// One configuration of one contact: the object's map as it is, shifted or turned, over the scene's.
 struct GpuSum {

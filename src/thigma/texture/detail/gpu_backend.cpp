@@ -136,7 +136,6 @@ class GpuBackend final : public DepthBackend {
     map.low_v = grid.box.low.y();
     map.spacing_u = spacing.x();
     map.spacing_v = spacing.y();
-    for (int k = 0; k < 3; ++k) map.m[k] = static_cast<float>(patch.direction_body[k]);
     map.first_triangle = static_cast<std::int32_t>(frame_.triangles.size());
     map.triangle_count = static_cast<std::int32_t>(patch.triangles.size());
     map.heights = static_cast<std::int32_t>(heights);
@@ -165,6 +164,7 @@ class GpuBackend final : public DepthBackend {
     g.by_h = span.by_h;
     g.high_x = span.high_x;
     g.high_y = span.high_y;
+    for (int k = 0; k < 3; ++k) g.m[k] = span.m[k];
     g.texel_row = static_cast<std::int32_t>(span.texel_row);
     g.first_texel = first_texel + static_cast<std::int32_t>(origin.y()) * g.texel_row +
                     static_cast<std::int32_t>(origin.x());
@@ -216,8 +216,8 @@ class GpuBackend final : public DepthBackend {
     if ((is_climbed || request.near > 0.0) && (!read_map(plain_map(i, false), grid, object_) ||
                                                !read_map(plain_map(i, true), grid, scene_)))
       return fail(maps_->why());
-    if (is_climbed) try_rival(prepared, object_, scene_, grid, best, result);
-    result.is_height_field = prepared.is_height_field && is_upright(prepared, result.at);
+    if (is_climbed) try_rivals(prepared, object_, scene_, grid, best, result);
+    result.is_height_field = is_upright(prepared, result.at);
     if (request.near > 0.0) {
       collect_near(object_, scene_, grid, request.near, result);
     } else {

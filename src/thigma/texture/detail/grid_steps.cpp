@@ -1,7 +1,9 @@
 #include "thigma/texture/detail/grid_steps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace thigma::detail {
 namespace {
@@ -45,20 +47,24 @@ float tent_height(const HeightMap& a, const HeightMap& b, const MapMaximum& summ
          0.5f * std::fabs(sum_at(column, row + 1) - sum_at(column, row - 1));
 }
 
-// The summit of a part of the grid, other than the best sample, that may be highest between the samples, with that
-// height; column -1 for none. Crests narrower than the grid are as likely to be the maximum as broad ones.
-MapMaximum rival_of(const HeightMap& a, const HeightMap& b, const MapMaximum& best) noexcept {
-  MapMaximum rival;
+// Summits of parts of the grid, other than the best sample, that may be highest between the samples, with those heights,
+// the highest first; column -1 for none. Crests narrower than the grid are as likely to be the maximum as broad ones, and
+// maps rank them to first order in what lies sideways.
+using Rivals = std::array<MapMaximum, 3>;
+
+Rivals rivals_of(const HeightMap& a, const HeightMap& b, const MapMaximum& best) noexcept {
+  Rivals rivals;
   for (int row = 0; row < a.rows; row += kPart) {
     for (int column = 0; column < a.columns; column += kPart) {
       MapMaximum here = best_of_part(a, b, column, row);
       const bool is_best = here.column == best.column && here.row == best.row;
       if (is_best || !(here.sum > kEmptySample) || !is_summit(a, b, here)) continue;
       here.sum = tent_height(a, b, here);
-      if (here.sum > rival.sum) rival = here;
+      for (MapMaximum& rival : rivals)
+        if (here.sum > rival.sum) std::swap(here, rival);
     }
   }
-  return rival;
+  return rivals;
 }
 
 }  // namespace
@@ -100,23 +106,23 @@ void finish_depth(const GridDepthParams& params, const PreparedContact& prepared
                   DepthSamples& result) noexcept {
   result.at = grid.at(best.column, best.row);
   double depth = rounding.rounded(best.sum);
-  if (!params.is_16_bit) {
-    const Vec2 spacing = params.is_polished ? grid.spacing() : Vec2(Vec2::Zero());
-    const double finished = climb(prepared, spacing, result.at);
+  if (params.is_polished && !params.is_16_bit) {
+    const double finished = climb(prepared, grid.spacing(), result.at);
     if (finished != kNoDepth) depth = finished;
   }
   result.depth[0] = depth;
 }
 
-void try_rival(const PreparedContact& prepared, const HeightMap& object, const HeightMap& scene,
+void try_rivals(const PreparedContact& prepared, const HeightMap& object, const HeightMap& scene,
                const MapGrid& grid, const MapMaximum& best, DepthSamples& result) noexcept {
-  const MapMaximum rival = rival_of(object, scene, best);
-  if (rival.column < 0 || !(static_cast<double>(rival.sum) > result.depth[0])) return;
-  Vec2 at = grid.at(rival.column, rival.row);
-  const double depth = climb(prepared, grid.spacing(), at);
-  if (!(depth > result.depth[0])) return;
-  result.depth[0] = depth;
-  result.at = at;
+  for (const MapMaximum& rival : rivals_of(object, scene, best)) {
+    if (rival.column < 0 || !(static_cast<double>(rival.sum) > result.depth[0])) return;
+    Vec2 at = grid.at(rival.column, rival.row);
+    const double depth = climb(prepared, grid.spacing(), at);
+    if (!(depth > result.depth[0])) continue;
+    result.depth[0] = depth;
+    result.at = at;
+  }
 }
 
 }  // namespace thigma::detail

@@ -32,9 +32,9 @@ void finish_depth(const GridDepthParams& params, const PreparedContact& prepared
                   const MapGrid& grid, const MapMaximum& best, const DepthRounding& rounding,
                   DepthSamples& result) noexcept;
 
-/// Climbs from a summit of another part of the grid, too, as the highest peak may lie between samples that are not the
-/// highest; when that is higher than depth[0] it takes its place. object, scene: the maps as they are
-void try_rival(const PreparedContact& prepared, const HeightMap& object, const HeightMap& scene,
+/// Climbs from summits of other parts of the grid, too, as the highest peak may lie between samples that are not the
+/// highest; when one is higher than depth[0] it takes its place. object, scene: the maps as they are
+void try_rivals(const PreparedContact& prepared, const HeightMap& object, const HeightMap& scene,
                const MapGrid& grid, const MapMaximum& best, DepthSamples& result) noexcept;
 
 }  // namespace thigma::detail

@@ -7,14 +7,14 @@
 namespace thigma::detail {
 
 /// Sample k lies at texture coordinates (x + k by_x, y + k by_y) about `texels`, its coarse height is h + k by_h; its
-/// fine height adds the displacement along m. out[k] becomes the larger of itself and that height.
+/// fine height adds the displacement times m. out[k] becomes the larger of itself and that height.
 struct HeightSpan {
   const float* texels = nullptr;  // four floats each; the texel the coordinates are counted from
   std::int64_t texel_row = 0;     // texels from one row to the next
   float high_x = 0.0f, high_y = 0.0f;  // the last column and row; coordinates are held in 0..high
   float x = 0.0f, by_x = 0.0f, y = 0.0f, by_y = 0.0f;
   float h = 0.0f, by_h = 0.0f;      // [m]
-  float m[3] = {0.0f, 0.0f, 0.0f};  // facing direction [body frame]
+  float m[3] = {0.0f, 0.0f, 0.0f};  // ProjectedTriangle::carried [body frame]
   int first = 0, count = 0;         // samples first .. first + count - 1
   float* out = nullptr;             // indexed like the samples [m]
 };

@@ -10,7 +10,7 @@ namespace {
 // A span with every number in all lanes, in registers: stores to the map could otherwise change it.
 struct Lanes {
   __m256 x, by_x, high_x, y, by_y, high_y, h, by_h;
-  __m256 m;  // facing direction and -0, twice
+  __m256 m;  // HeightSpan::m and -0, twice
   __m256i texel_row;
   const float* texels;
   std::int64_t row;  // floats from one row of texels to the next

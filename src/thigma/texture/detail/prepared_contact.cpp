@@ -97,8 +97,6 @@ bool prepare_contact(const DepthContact& contact, PreparedContact& prepared) noe
   prepared.box =
       intersection(intersection(prepared.object.box, prepared.scene.box), {-reach, reach});
   if (prepared.box.is_empty()) return false;
-  prepared.is_height_field = is_height_field(prepared.object, prepared.box) &&
-                             is_height_field(prepared.scene, prepared.box);
   const double texel =
       std::min(relief_texel(*contact.object.texture), relief_texel(*contact.scene.texture));
   prepared.texel = std::isfinite(texel) ? texel : 0.0;  // no relief: a corner of one side may be the deepest place
@@ -144,8 +142,11 @@ double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at) noe
 }
 
 bool is_upright(const PreparedContact& prepared, const Vec2& at) noexcept {
-  return surface_jet(prepared.object, at).is_height_field &&
-         surface_jet(prepared.scene, at).is_height_field;
+  const auto is_one = [&](const ProjectedPatch& patch) {
+    const SurfaceJet jet = surface_jet(patch, at);
+    return jet.is_height_field && !is_overhung(patch, at, jet.height, prepared.texel);
+  };
+  return is_one(prepared.object) && is_one(prepared.scene);
 }
 
 }  // namespace thigma::detail

@@ -10,7 +10,6 @@ struct PreparedContact {
   ContactFrame frame;
   ProjectedPatch object, scene;
   PlaneBox box;                 // the patches' boxes and the reach, intersected
-  bool is_height_field = true;  // both coarse patches are, over the box
   double texel = 0.0;           // side of a texel of the finer side that has relief [m]
 };
 
@@ -39,7 +38,7 @@ double depth_at(const PreparedContact& prepared, const Vec2& at, NearTriangles& 
 /// result. returns the depth there, of the start if it is no number.
 double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at) noexcept;
 
-/// Whether both fine surfaces are height fields at a point.
+/// Whether both fine surfaces are height fields at a point: each one sheet that does not turn over, and nothing above it.
 bool is_upright(const PreparedContact& prepared, const Vec2& at) noexcept;
 
 }  // namespace thigma::detail

@@ -23,7 +23,7 @@ HeightSpan start_span(const ProjectedPatch& patch, const ProjectedTriangle& t, d
   span.by_x = static_cast<float>(t.texel_by_at(0, 0) * spacing);
   span.by_y = static_cast<float>(t.texel_by_at(1, 0) * spacing);
   span.by_h = static_cast<float>(t.height_by_at.x() * spacing);
-  for (int k = 0; k < 3; ++k) span.m[k] = static_cast<float>(patch.direction_body[k]);
+  for (int k = 0; k < 3; ++k) span.m[k] = static_cast<float>(t.carried[k]);
   return span;
 }
 

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { digits, duration, say, split } from "../../src/format.js";
-import { eventWords, levelCounts, situation } from "../../src/words.js";
+import { endWords, eventWords, lateWords, levelCounts, situation } from "../../src/words.js";
 
 test("three digits and the right prefix", () => {
   const cases = [[1.3245, "N", "1.32 N"], [0.0123, "N m", "12.3 mN m"], [4.2e-5, "m", "42.0 µm"], [999.6, "Hz", "1.00 kHz"], [412, "Hz", "412 Hz"],
@@ -36,4 +36,19 @@ test("events and levels", () => {
   assert.equal(eventWords({ kind: "fault", detail: "device_lost", text: "" }), "Fault: the hand was lost");
   assert.equal(eventWords({ kind: "armed", detail: "", text: "" }), "Forces are on");
   assert.deepEqual(levelCounts([{ objectLevel: 3 }, { objectLevel: 0 }, { objectLevel: 3 }]), [[0, 1], [3, 2]]);
+});
+
+test("the cause of a fault stands where the end is told", () => {
+  const fault = { name: "watchdog", time: 2, text: "watchdog: 50.1 ms without a haptic step" };
+  assert.equal(endWords({ reason: "fault", fault }), "ended by a fault: the haptic loop stood still (watchdog: 50.1 ms without a haptic step)");
+  assert.equal(endWords({ reason: "fault", fault: null }), "ended by a fault");
+  assert.equal(endWords({ reason: "stopped", fault: null }), "was stopped");
+});
+
+test("what was late is told for a while", () => {
+  const late = { name: "watchdog", time: 2, text: "45.0 ms without a haptic step", count: 3 };
+  assert.equal(lateWords(late, 3), "The computer was late (3 times so far): 45.0 ms without a haptic step.");
+  assert.equal(lateWords(late, 9), null);
+  assert.equal(lateWords(null, 3), null);
+  assert.equal(eventWords({ kind: "late", detail: "watchdog", text: "45.0 ms" }), "Late: the haptic loop stood still; 45.0 ms");
 });

@@ -1,0 +1,161 @@
+#include "live_change.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "run_view.h"
+#include "scenes/scene_file.h"
+
+#include "thigma/core/error.h"
+#include "thigma/core/file.h"
+#include "thigma/device/open_device.h"
+
+namespace thigma::app {
+namespace {
+
+using Kind = live::LiveRequest::Kind;
+
+[[noreturn]] void refuse_request(const std::string& why) { throw std::runtime_error(why); }
+
+/// What of the options is not about the scene that runs.
+RunOptions scene_options(const RunOptions& now) {
+  RunOptions options = now;
+  options.scene = options.object = options.against = options.pose_text = options.response =
+      options.texture = "";
+  options.scale.reset();
+  options.is_repair = false;
+  return options;
+}
+
+void prepare(scenes::SceneDescription scene, RunOptions options, const LiveNow& now,
+             LiveChange& change) {
+  // Who moves the object goes on doing so, where they can.
+  const std::string scheme = device_scheme(now.run.device_uri);
+  options.device = scheme == "web" || scheme == "hand" ? now.run.device_uri : "web:";
+  now.hooks.progress("preparing " + scene.title, 0.0);
+  change.run = prepare_run(std::move(scene), options, now.seed, now.hooks);
+  change.options = std::move(options);
+}
+
+/// A name for the next recording, in a folder that takes files.
+std::string next_recording() {
+  const std::string path = free_recording();
+  const std::string attempt = path + ".try";
+  constexpr std::size_t kSome = 1u << 16;  // a file without any bytes may be made on a full disk
+  try {
+    write_file(attempt, std::string(kSome, '\0'));
+  } catch (const IoError& error) {
+    // People know the recording, not the attempt.
+    std::string why = error.what();
+    if (why.starts_with(attempt)) why.replace(0, attempt.size(), path);
+    refuse_request(why);
+  }
+  std::error_code ignored;
+  std::filesystem::remove(attempt, ignored);
+  return path;
+}
+
+void open_again(const std::string& uri, const LiveNow& now, LiveChange& change) {
+  change.device = open_run_device(now.options, now.seed, uri, now.start, now.run);
+}
+
+void change_device(const live::LiveRequest& request, const LiveNow& now, LiveChange& change) {
+  if (now.run.config.haptic.response == ResponseKind::direct)
+    refuse_request(
+        "the direct response is set up for its device; choose the coupled response first");
+  open_again(request.text, now, change);
+  if (device_scheme(request.text) == "web") change.holder = request.page;
+  if (!now.record.empty()) change.record = next_recording();  // one file a session
+}
+
+/// Response and texture decide the contact tolerance and how surfaces are loaded: the run is prepared anew.
+void choose(const live::LiveRequest& request, const LiveNow& now, LiveChange& change) {
+  const bool is_first = request.number == 0.0;
+  if (!is_first && request.number != 1.0) refuse_request("there is no such choice");
+  RunOptions options = now.options;
+  if (request.text == "response") options.response = is_first ? "coupled" : "direct";
+  if (request.text == "texture") options.texture = is_first ? "on" : "off";
+  prepare(now.run.scene, std::move(options), now, change);
+}
+
+LiveChange open(const std::string& what, const LiveNow& now) {
+  const live::OpenMenu menu = open_menu();
+  const auto has = [&](const std::vector<live::OpenMenu::Item>& items) {
+    return std::any_of(items.begin(), items.end(),
+                       [&](const live::OpenMenu::Item& item) { return item.name == what; });
+  };
+  if (has(menu.recordings)) return change_to_recording(what, now);
+  if (!has(menu.scenes)) refuse_request("there is no '" + what + "' to open here");
+  LiveChange change;
+  prepare(scenes::read_scene(what), scene_options(now.options), now, change);
+  return change;
+}
+
+void place_dropped(const live::LiveRequest& request, const LiveNow& now, LiveChange& change) {
+  if (!now.dropped.is_there()) refuse_request("no mesh has been dropped on the page");
+  if (request.text != "hold" && request.text != "touch")
+    refuse_request("a mesh can be held or touched");
+  if (!(request.number > 0.0 && request.number < 1e6))
+    refuse_request("a unit has to be a length above 0");
+  const bool is_held = request.text == "hold";
+  if (is_held && now.run.statics.empty())
+    refuse_request("nothing stands still here to hold it against");
+  const ClodAsset& other = is_held ? *now.run.statics.front() : now.run.object;
+  RunOptions options = scene_options(now.options);
+  options.is_repair = request.flag;
+  prepare(scene_with(now.run.scene, now.dropped, is_held, request.number,
+                     bounds_of(other.meshes.front().positions)),
+          std::move(options), now, change);
+}
+
+void change_recording(const live::LiveRequest& request, const LiveNow& now, LiveChange& change) {
+  if (request.flag && !now.record.empty()) refuse_request("a recording is being written already");
+  if (!request.flag && now.record.empty()) refuse_request("no recording is being written");
+  open_again(now.run.device_uri, now, change);
+  if (request.flag) change.record = next_recording();
+}
+
+}  // namespace
+
+LiveChange change_to_recording(const std::string& path, const LiveNow& now) {
+  LiveChange change;
+  change.playback = std::make_unique<Playback>(path);
+  const std::string& scene = change.playback->config().scene;
+  const bool is_other = scene != now.run.scene.file && now.options.replay != path;
+  if (is_other) prepare(scenes::read_scene(scene), scene_options(now.options), now, change);
+  return change;
+}
+
+LiveChange make_change(const live::LiveRequest& request, const LiveNow& now) {
+  LiveChange change;
+  switch (request.kind) {
+    case Kind::use_device:
+      change_device(request, now, change);
+      break;
+    case Kind::choose:
+      choose(request, now, change);
+      break;
+    case Kind::open:
+      return open(request.text, now);
+    case Kind::place:
+      place_dropped(request, now, change);
+      break;
+    case Kind::record:
+      change_recording(request, now, change);
+      break;
+    case Kind::reset:
+      open_again(now.run.device_uri, now, change);
+      if (!now.record.empty()) change.record = next_recording();
+      break;
+    case Kind::seek:
+      refuse_request("no recording is shown");
+    case Kind::inspect:
+      refuse_request("a mesh is looked at, not opened");
+  }
+  return change;
+}
+
+}  // namespace thigma::app

@@ -1,0 +1,89 @@
+// Recordings that a page asks for where the folder cannot hold them.
+
+#include <filesystem>
+#include <string>
+
+#include "viewer/live_program.h"
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+namespace thigma::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Programs that start while this lives cannot write files longer than this: to them, the disk is full.
+class FileLimit {
+ public:
+  explicit FileLimit(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+  }
+  ~FileLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileLimit(const FileLimit&) = delete;
+  FileLimit& operator=(const FileLimit&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = nullptr;
+};
+
+constexpr rlim_t kFull = 2 << 20;  // [byte]
+
+TEST(LiveRecordings, AFolderThatTakesNoFilesRefusesTheRecording) {
+  RunningProgram run("record_nowhere", {"--device", "null:"});
+  ASSERT_TRUE(run.client);
+  fs::remove_all(run.folder);
+  run.expect_refused({R"({"type":"record","id":1,"value":true})"});
+  EXPECT_EQ(run.end().code, 130);
+}
+
+TEST(LiveRecordings, AFullDiskEndsTheRecordingAndNotTheSession) {
+  std::unique_ptr<RunningProgram> run;
+  {
+    const FileLimit limit(kFull);
+    run = std::make_unique<RunningProgram>("record_full",
+                                           std::vector<std::string>{"--device", "null:"});
+  }
+  ASSERT_TRUE(run->client);
+  ASSERT_TRUE(ask(*run->client, R"({"type":"record","id":1,"value":true})")["ok"].get<bool>());
+  const Json recording =
+      state_where(*run->client, [](const Json& s) { return !s["recording"].is_null(); });
+  ASSERT_FALSE(recording.is_null());
+  const Json told = message_where(*run->client, "event",
+                                  [](const Json& e) { return e["kind"] == "recording_ended"; });
+  ASSERT_FALSE(told.is_null()) << run->program->said();
+  EXPECT_EQ(told["detail"], recording["recording"]);
+  EXPECT_NE(told["text"].get<std::string>().find("cannot be written"), std::string::npos);
+  const Json after =
+      state_where(*run->client, [](const Json& s) { return s["recording"].is_null(); });
+  ASSERT_FALSE(after.is_null());
+  EXPECT_EQ(after["session"], recording["session"]);
+  run->expect_goes_on(after);
+  // Once more: the page may try again, and what was locked for the recording is free.
+  EXPECT_TRUE(ask(*run->client, R"({"type":"set","id":2,"name":"mass","value":0.02})")["ok"].get<bool>());
+  const Ended e = run->end();
+  EXPECT_EQ(e.code, 130);
+  EXPECT_NE(e.out.find("haptic frames"), std::string::npos) << e.out;  // the summary
+  const std::size_t first = e.err.find("the recording ends there");
+  ASSERT_NE(first, std::string::npos) << e.err;
+  EXPECT_EQ(e.err.find("the recording ends there", first + 1), std::string::npos) << e.err;
+}
+
+TEST(LiveRecordings, WithoutAPageAFullDiskEndsTheRecordingAndTheSummarySaysTheRest) {
+  const FileLimit limit(kFull);
+  const Ended e = run_program(run_arguments({"--device", "null:", "--headless", "--lockstep",
+                                             "--duration", "3", "--record", out_file("full.mcap")}));
+  EXPECT_EQ(e.code, 1);  // what was asked for is not there
+  EXPECT_NE(e.err.find("the recording ends there"), std::string::npos) << e.err;
+  EXPECT_EQ(json_line(e)["haptic"]["frames"], 3000);
+}
+
+}  // namespace
+}  // namespace thigma::test
