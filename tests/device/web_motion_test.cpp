@@ -1,6 +1,7 @@
 #include "thigma/device/web_motion.h"
 
 #include <cmath>
+#include <vector>
 
 #include "device/tick.h"
 #include <gtest/gtest.h>
@@ -99,7 +100,8 @@ TEST(WebMotion, NoMouseIsFasterThanTheLimits) {
   }
 }
 
-TEST(WebMotion, SilenceIsALostDeviceAndTheHandleGoesOnFromWhereItWas) {
+TEST(WebMotion, SilenceForLongIsALostDeviceAndTheHandleGoesOnFromWhereItWas) {
+  const WebMotionParams params;
   WebMotion motion;
   motion.begin();
   double now = 0.0;
@@ -109,11 +111,11 @@ TEST(WebMotion, SilenceIsALostDeviceAndTheHandleGoesOnFromWhereItWas) {
   }
   const double silent_from = now;
   DeviceState s;
-  for (; now < silent_from + 0.199; now += kTick) {
+  for (; now < silent_from + params.lost_after - 2.0 * kTick; now += kTick) {
     s = motion.read(now);
     ASSERT_EQ(s.status, DeviceStatus::ok) << now;
   }
-  for (; now < silent_from + 0.3; now += kTick) s = motion.read(now);
+  for (; now < silent_from + params.lost_after + 0.1; now += kTick) s = motion.read(now);
   EXPECT_EQ(s.status, DeviceStatus::lost);
   const Vec3 left_at = s.motion.pose.position;
   motion.add(sample(now, {5.0, 5.0, 5.0}, 0), now);
@@ -121,6 +123,106 @@ TEST(WebMotion, SilenceIsALostDeviceAndTheHandleGoesOnFromWhereItWas) {
   EXPECT_EQ(s.status, DeviceStatus::ok);
   EXPECT_EQ(s.motion.pose.position, left_at);
   EXPECT_EQ(s.buttons, 0u);
+}
+
+/// A page that moves at `v` and falls behind from `late_from` to `late_to`: silent, or, where it `repeats`, saying
+/// its last sample again as a page does whose main thread stands still. What was read at every tick.
+std::vector<DeviceState> read_late_page(const Vec3& v, double late_from, double late_to, bool repeats,
+                                        double duration) {
+  constexpr double kClock = -77.0;  // of the browser
+  WebMotion motion;
+  motion.begin();
+  std::vector<DeviceState> states;
+  WebSample last;
+  for (int k = 0; k < static_cast<int>(duration / kTick + 0.5); ++k) {
+    const double now = kTick * k;
+    if (k % 16 == 0) {
+      const bool is_late = now > late_from && now < late_to;
+      if (!is_late) last = sample(now - kClock, now * v);
+      if (!is_late || repeats) motion.add(last, now);
+    }
+    states.push_back(motion.read(now));
+  }
+  return states;
+}
+
+std::size_t tick_at(double time) { return static_cast<std::size_t>(time / kTick + 0.5); }
+
+TEST(WebMotion, ALatePageIsSlowNotGone) {
+  const WebMotionParams params;
+  const Vec3 v(0.2, 0.0, 0.0);
+  for (const bool repeats : {false, true}) {
+    const std::vector<DeviceState> read = read_late_page(v, 1.0, 3.0, repeats, 4.0);
+    for (const DeviceState& s : read) {
+      ASSERT_EQ(s.status, DeviceStatus::ok) << s.time;
+      ASSERT_GE(s.weight, 0.0);
+      ASSERT_LE(s.weight, 1.0);
+      if (s.time > 0.1) {
+        ASSERT_EQ(s.buttons, kClutchButton) << s.time;
+      }
+    }
+    // The pose of 0.992 s was the last: full at first, half in the middle, nothing from the stated age on.
+    const double last = 0.992;
+    EXPECT_EQ(read[tick_at(last + params.full_age) - 2].weight, 1.0);
+    EXPECT_NEAR(read[tick_at(last + 0.5 * (params.full_age + params.stale_age))].weight, 0.5, 0.01);
+    EXPECT_EQ(read[tick_at(last + params.stale_age) + 2].weight, 0.0);
+    EXPECT_EQ(read[tick_at(2.9)].weight, 0.0);
+    // Held where it was last known to be, not where it was guessed.
+    EXPECT_NEAR(read[tick_at(2.9)].motion.pose.position.x(), last * v.x(), 1e-6);
+    EXPECT_LT(read[tick_at(2.9)].motion.twist.linear.norm(), 1e-6);
+    // And back by itself, no faster than stated.
+    EXPECT_LT(read[tick_at(3.0 + 0.5 * params.return_time)].weight, 0.55);
+    EXPECT_EQ(read[tick_at(3.05 + params.return_time)].weight, 1.0);
+    EXPECT_NEAR(read.back().motion.pose.position.x(), v.x() * 3.976, 0.01);
+  }
+}
+
+TEST(WebMotion, NothingJumpsWhenALatePageComesBack) {
+  const WebMotionParams params;
+  const std::vector<DeviceState> read = read_late_page({0.3, -0.2, 0.1}, 0.7, 2.2, true, 4.0);
+  for (std::size_t k = 1; k < read.size(); ++k) {
+    const double way = (read[k].motion.pose.position - read[k - 1].motion.pose.position).norm();
+    ASSERT_LE(way, params.max_speed * kTick * 1.0001) << k;
+    const double fall = read[k - 1].weight - read[k].weight;
+    ASSERT_LE(-fall, kTick / params.return_time * 1.0001) << k;
+    ASSERT_LE(fall, kTick / (params.stale_age - params.full_age) * 1.0001) << k;
+  }
+}
+
+TEST(WebMotion, AHandHeldStillIsNotLate) {
+  WebMotion motion;
+  motion.begin();
+  for (int k = 0; k < 20000; ++k) {
+    const double now = kTick * k;
+    if (k % 50 == 0) motion.add(sample(now, {0.01, 0.0, 0.0}), now);
+    ASSERT_EQ(motion.read(now).weight, 1.0);
+  }
+}
+
+TEST(WebMotion, ThePoseOfASampleAsLateAsTheNewestStandsForIt) {
+  WebMotion motion;
+  motion.begin();
+  motion.add(sample(1.0, Vec3::Zero()), 0.0);
+  motion.read(0.0);
+  motion.add(sample(1.0, {0.001, 0.0, 0.0}), 0.001);
+  double now = 0.001;
+  for (; now < 0.3; now += kTick) motion.read(now);
+  EXPECT_NEAR(motion.read(now).motion.pose.position.x(), 0.001, 1e-9);
+}
+
+TEST(WebMotion, AnOpenClutchIsSeenHoweverShortItWas) {
+  WebMotion motion;
+  motion.begin();
+  motion.add(sample(1.0, Vec3::Zero(), kClutchButton), 0.0);
+  EXPECT_EQ(motion.read(0.0).buttons, kClutchButton);
+  motion.add(sample(1.1, Vec3::Zero(), 0), 0.1);
+  motion.add(sample(1.1, Vec3::Zero(), kClutchButton), 0.1);
+  EXPECT_EQ(motion.read(0.1).buttons, 0u);
+  EXPECT_EQ(motion.read(0.101).buttons, kClutchButton);
+  motion.begin();  // another page, or the same one anew
+  motion.add(sample(1.2, Vec3::Zero(), kClutchButton), 0.2);
+  EXPECT_EQ(motion.read(0.2).buttons, 0u);
+  EXPECT_EQ(motion.read(0.201).buttons, kClutchButton);
 }
 
 TEST(WebMotion, ExtrapolationIsBounded) {

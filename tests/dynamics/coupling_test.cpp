@@ -213,5 +213,30 @@ TEST(Coupling, saturation_is_smooth_monotone_and_keeps_its_limit) {
   EXPECT_THROW(make_saturation(100.0, -0.1, 5.0), InputError);
 }
 
+TEST(Coupling, FadedSpringsPullLessByTheWeightAndDampersStay) {
+  Random random(31);
+  for (const bool saturating : {false, true}) {
+    const RigidBody body = test::random_body(random);
+    const BodyState state = test::states_to_try(random, body).front().state;
+    const Coupling c = any_coupling(random, saturating);
+    Motion still = hand_near(random, c, state, 4e-3, 0.1);
+    still.twist = Twist{};
+    BodyState at_rest = state;
+    at_rest.linear_momentum.setZero();
+    at_rest.angular_momentum.setZero();
+    const Wrench whole = device_wrench(c, still, body, at_rest);
+    for (const double weight : {1.0, 0.3, 0.0}) {
+      const Wrench part = device_wrench(faded(c, weight), still, body, at_rest);
+      EXPECT_LE((part.force - weight * whole.force).norm(), 1e-12 * whole.force.norm());
+      EXPECT_LE((part.torque - weight * whole.torque).norm(), 1e-12 * whole.torque.norm());
+    }
+    const Wrench same = device_wrench(faded(c, 1.0), still, body, at_rest);
+    EXPECT_EQ(same.force, whole.force);
+    EXPECT_EQ(same.torque, whole.torque);
+    EXPECT_EQ(faded(c, 0.0).linear_damping, c.linear_damping);
+    EXPECT_EQ(faded(c, 0.0).angular_damping, c.angular_damping);
+  }
+}
+
 }  // namespace
 }  // namespace thigma

@@ -495,5 +495,54 @@ TEST(HapticStep, OtherFaultsAndOtherSessionsStayLatched) {
   EXPECT_EQ(b.ticks(3).fault, Fault::not_finite);
 }
 
+TEST(HapticStep, AHandThatFadesNeverPullsAndComesBackWithoutAJump) {
+  Bench b;
+  b.config.haptic.safety.force_slew = SafetyLimits{}.force_slew;
+  b.press(true);
+  b.ticks(1000);
+  b.device.state.motion.pose.position.x() = 0.004;
+  HapticSample s = b.ticks(300);
+  b.device.state.motion.pose.position.x() = 0.008;
+  s = b.ticks(3);  // stretched: the spring is on its way
+  ASSERT_GT(s.command.force.norm(), 0.3);
+  for (int i = 0; i < 200; ++i) {  // fades faster than the object follows
+    b.device.state.weight = std::max(0.0, b.device.state.weight - 0.02);
+    s = b.tick();
+    ASSERT_EQ(s.fault, Fault::none);
+    ASSERT_TRUE(s.is_grasped && s.is_armed);
+  }
+  EXPECT_EQ(s.command.force, Vec3::Zero());
+  EXPECT_EQ(s.command.torque, Vec3::Zero());
+  const Vec3 rest = b.state.body.position;
+  b.device.state.motion.pose.position.x() = 0.012;  // where a late page would have it
+  s = b.ticks(500);
+  EXPECT_LT((s.body.position - rest).norm(), 1e-6);  // nothing pulls
+  EXPECT_EQ(s.command.force, Vec3::Zero());
+
+  Vec3 force = s.command.force, place = s.body.position;
+  const double slew = b.config.haptic.safety.force_slew, speed = b.config.haptic.safety.max_speed;
+  for (int i = 0; i < 600; ++i) {
+    b.device.state.weight = std::min(1.0, b.device.state.weight + 1e-3 / 0.3);
+    s = b.tick();
+    ASSERT_LE((s.command.force - force).norm(), 1.001e-3 * slew) << i;
+    ASSERT_LE((s.body.position - place).norm(), 1e-3 * speed) << i;
+    force = s.command.force;
+    place = s.body.position;
+  }
+  EXPECT_NEAR(s.body.position.x(), s.handle.pose.position.x(), 1e-3);
+}
+
+TEST(HapticStep, AWeightThatIsNoShareIsAFault) {
+  for (const double wrong : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
+    Bench b;
+    b.press(true);
+    b.ticks(10);
+    b.device.state.weight = wrong;
+    const HapticSample s = b.tick();
+    EXPECT_EQ(s.fault, Fault::not_finite) << wrong;
+    EXPECT_EQ(s.command.force, Vec3::Zero());
+  }
+}
+
 }  // namespace
 }  // namespace thigma

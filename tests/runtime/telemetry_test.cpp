@@ -70,6 +70,7 @@ TEST(InputDigest, EveryNumberCounts) {
   EXPECT_TRUE(differs([&] { flip_last_bit(s.elapsed); }));
   EXPECT_TRUE(differs([&] { flip_last_bit(s.device.time); }));
   EXPECT_TRUE(differs([&] { s.device.buttons ^= 1u; }));
+  EXPECT_TRUE(differs([&] { s.device.weight = 0.5; }));
   EXPECT_TRUE(differs([&] { s.model_sequence ^= 1u; }));
   EXPECT_TRUE(differs([&] { s.external_fault = Fault::watchdog; }));
   EXPECT_FALSE(differs([&] { s.step_cpu = 1.0f; }));

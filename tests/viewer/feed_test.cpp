@@ -110,6 +110,12 @@ TEST(Feed, SnapshotTellsForcesInTheWorldAtTheHand) {
                     body_from_mesh, config.haptic.grasp_point, clusters);
   EXPECT_EQ(s.frame, 999u);
   EXPECT_EQ(s.bits, kGrasped | kArmed);
+  HapticNow late = *now;
+  late.sample.device.weight = 0.9;
+  const Snapshot fading =
+      make_snapshot(late, feed->contact(), config.haptic.body, config.haptic.workspace,
+                    body_from_mesh, config.haptic.grasp_point, clusters);
+  EXPECT_EQ(fading.bits, kGrasped | kArmed | kFading);
   EXPECT_NEAR(s.object.position.z(), now->sample.body.position.z() - 0.001, 1e-5);  // hardly tilted
   EXPECT_NEAR((s.grasp_point - s.center - Vec3(0.001, 0.002, 0.003)).norm(), 0.0, 1e-4);
   // What the plane gives the object, the coupling takes to the hand: twice, by the force scale.

@@ -18,7 +18,8 @@ Wrench in_world(const Workspace& workspace, const Wrench& device) {
 
 std::uint16_t state_bits(const HapticSample& s) {
   return static_cast<std::uint16_t>((s.is_grasped ? kGrasped : 0) | (s.is_armed ? kArmed : 0) |
-                                    (s.fault != Fault::none ? kFaulty : 0));
+                                    (s.fault != Fault::none ? kFaulty : 0) |
+                                    (s.device.weight < 1.0 ? kFading : 0));
 }
 
 /// What is felt: the force sent, and the torque whether the device can give it or not.

@@ -48,7 +48,7 @@ struct ChannelRow {
   std::array<float, kChannels - 1> values{};
 };
 
-enum StateBit : std::uint16_t { kGrasped = 1, kArmed = 2, kFaulty = 4, kPaused = 8, kEnded = 16 };
+enum StateBit : std::uint16_t { kGrasped = 1, kArmed = 2, kFaulty = 4, kPaused = 8, kEnded = 16, kFading = 32 };
 
 /// A cluster as it is shown.
 struct ViewedCluster {

@@ -40,6 +40,10 @@ struct DeviceState {
   Motion motion;              // handle pose and velocity [device frame: right-handed, z up]
   std::uint32_t buttons = 0;  // bits below
   DeviceStatus status = DeviceStatus::ok;
+  // How much the handle counts, 1 to 0: less where what is known of it is old and held, as of a page that is late.
+  // The springs to the hand and the wrench on it fade by this. Drivers of devices with motors leave it at 1: what
+  // is late there is lost.
+  double weight = 1.0;
   // Simulated devices only: where the handle is now, without encoders and delay. Nothing but the account of energy
   // looks at it: the port's energy is that of the motion, not of what is known of it.
   bool has_true_handle = false;

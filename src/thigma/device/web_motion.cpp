@@ -32,19 +32,27 @@ Pose between(const Pose& a, const Pose& b, double u) THIGMA_RT {
           (rotation_from_vector(u * turn) * a.orientation).normalized()};
 }
 
+/// A late tick makes neither the handle nor its weight leap.
+double step_of(double elapsed) THIGMA_RT { return std::clamp(elapsed, 0.0, 0.010); }
+
 }  // namespace
 
-void WebMotion::begin() THIGMA_RT {
+void WebMotion::take_up() THIGMA_RT {
   hold_ = Hold::held;
   has_place_ = false;
   count_ = 0;
-  buttons_ = 0;
+  weight_ = 1.0;
+}
+
+void WebMotion::begin() THIGMA_RT {
+  take_up();
+  press(0);
 }
 
 void WebMotion::release() THIGMA_RT {
   if (hold_ == Hold::never) return;
   hold_ = Hold::released;
-  buttons_ = 0;
+  press(0);
 }
 
 void WebMotion::lose() THIGMA_RT {
@@ -59,6 +67,19 @@ void WebMotion::place_first(const WebSample& sample) THIGMA_RT {
   has_pose_ = true;
   has_place_ = true;
   count_ = 0;
+}
+
+void WebMotion::press(std::uint32_t buttons) THIGMA_RT {
+  next_buttons_ = buttons;
+  const bool is_open = (buttons & kClutchButton) == 0;
+  // An open clutch waits for nothing, and lets nothing overtake it.
+  if (!is_read_ && !is_open) return;
+  is_read_ = is_read_ && buttons == buttons_;
+  buttons_ = buttons;
+}
+
+double WebMotion::session_from_page() const THIGMA_RT {
+  return std::min(offset_, offset_before_);
 }
 
 void WebMotion::learn_offset(double offset, double now) THIGMA_RT {
@@ -76,7 +97,7 @@ void WebMotion::learn_offset(double offset, double now) THIGMA_RT {
 void WebMotion::add(const WebSample& sample, double now) THIGMA_RT {
   if (hold_ == Hold::never || hold_ == Hold::released) return;
   if (hold_ == Hold::lost) {
-    begin();
+    take_up();  // its clutch as it was: to go on takes a new press
     last_read_ = now;
   }
   if (!has_place_) {
@@ -84,26 +105,28 @@ void WebMotion::add(const WebSample& sample, double now) THIGMA_RT {
     last_read_ = now;
   }
   last_arrival_ = now;
-  buttons_ = sample.buttons;
-  if (count_ > 0 && !(sample.time > back(0).time)) return;
-  learn_offset(now - sample.time, now);
+  press(sample.buttons);
+  const bool is_later = count_ == 0 || sample.time > back(0).time;
+  if (!is_later && sample.time < back(0).time) return;
+  if (is_later) learn_offset(now - sample.time, now);
   WebSample placed = sample;
   placed.pose.position = place_.position + (sample.pose.position - page_origin_.position);
   placed.pose.orientation =
       (sample.pose.orientation * page_origin_.orientation.conjugate() * place_.orientation)
           .normalized();
-  newest_ = (newest_ + 1) % kHistory;
+  if (is_later) newest_ = (newest_ + 1) % kHistory;
   history_[newest_] = placed;
-  count_ = std::min(count_ + 1, kHistory);
+  if (is_later) count_ = std::min(count_ + 1, kHistory);
 }
 
 Pose WebMotion::target(double now) const THIGMA_RT {
-  const double time = now - std::min(offset_, offset_before_) - params_.delay;
+  const double time = now - session_from_page() - params_.delay;
   const WebSample& last = back(0);
   if (count_ == 1) return last.pose;
   if (time >= last.time) {
     const WebSample& before = back(1);
-    const double ahead = std::min(time - last.time, params_.extrapolation);
+    // What was guessed goes with the weight: a stale handle is where it was last known to be.
+    const double ahead = weight_ * std::min(time - last.time, params_.extrapolation);
     // Samples a moment apart say little about a velocity.
     const double span = std::max(last.time - before.time, params_.extrapolation / 4.0);
     return between(before.pose, last.pose, 1.0 + ahead / span);
@@ -118,8 +141,7 @@ Pose WebMotion::target(double now) const THIGMA_RT {
 }
 
 void WebMotion::follow(const Pose& target, double elapsed) THIGMA_RT {
-  // A late tick does not make the handle leap.
-  const double h = std::clamp(elapsed, 0.0, 0.010);
+  const double h = step_of(elapsed);
   if (h <= 0.0) return;
   Pose& pose = motion_.pose;
   const Vec3 away = pose.position - target.position;
@@ -138,6 +160,13 @@ void WebMotion::follow(const Pose& target, double elapsed) THIGMA_RT {
       at_most(turned == turn_step ? turn.rate : Vec3(turned / h), params_.max_angular_speed);
 }
 
+void WebMotion::weigh(double now, double elapsed) THIGMA_RT {
+  const double age = now - session_from_page() - back(0).time;
+  const double by_age = (params_.stale_age - age) / (params_.stale_age - params_.full_age);
+  const double risen = weight_ + step_of(elapsed) / params_.return_time;
+  weight_ = std::clamp(std::min(by_age, risen), 0.0, 1.0);
+}
+
 DeviceState WebMotion::read(double now) THIGMA_RT {
   DeviceState state;
   state.time = now;
@@ -150,12 +179,16 @@ DeviceState WebMotion::read(double now) THIGMA_RT {
     return state;
   }
   if (hold_ == Hold::held && count_ > 0) {
+    weigh(now, elapsed);
     follow(target(now), elapsed);
   } else {
     motion_.twist = Twist{};
   }
   state.motion = motion_;
   state.buttons = buttons_;
+  buttons_ = next_buttons_;
+  is_read_ = true;
+  state.weight = weight_;
   if (hold_ == Hold::lost) state.status = DeviceStatus::lost;
   return state;
 }

@@ -19,7 +19,10 @@ struct WebSample {
 };
 
 struct WebMotionParams {
-  double lost_after = 0.2;  // without a sample for so long the device is lost [s]
+  double full_age = 0.3;     // a pose up to this age counts fully: a picture drawn by the processor takes as long [s]
+  double stale_age = 1.0;    // and not at all from here on; in between its weight falls linearly [s]
+  double return_time = 0.3;  // poses that come again bring the weight back from 0 to 1 in no less [s]
+  double lost_after = 5.0;   // without any message for so long the device is lost [s]
   double delay = 0.016;  // samples are played back so late, a frame of a display: what lies between
                          // two of them is then mostly known [s]
   double extrapolation = 0.020;     // beyond the newest sample for so long at most [s]
@@ -33,6 +36,11 @@ struct WebMotionParams {
 /// Plays the samples of one page after another as one handle: clock offset, interpolation, bounded
 /// extrapolation, critically damped smoothing, speed limits. Whoever comes next, and whoever comes
 /// back, goes on from where the handle is.
+///
+/// A page that is late is slow, not gone: its last pose is held, and DeviceState::weight falls with the
+/// age of that pose, by the browser's own clock, until it is stale. Samples that come again bring both
+/// back by themselves, the weight gently. What a page repeats with the time it had before keeps the
+/// device from being lost, and the pose no younger.
 /// Invariant: the speed of what read() returns never exceeds the limits; times in the history increase.
 /// Thread: every member is [haptic], from one thread.
 class WebMotion {
@@ -45,17 +53,22 @@ class WebMotion {
   void release() THIGMA_RT;
   /// The page is gone.
   void lose() THIGMA_RT;
-  /// A sample that arrived by `now` [s; session clock]. One that is not later than the newest replaces
-  /// nothing but its buttons.
+  /// A sample that arrived by `now` [s; session clock]. One as late as the newest stands for it, one
+  /// before it says nothing but its buttons.
   void add(const WebSample& sample, double now) THIGMA_RT;
-  /// Advances to `now` [s; session clock]: the pose, its velocity, the newest buttons. Status not_ready
+  /// Advances to `now` [s; session clock]: the pose, its velocity, its weight, the newest buttons. Every
+  /// open clutch is there for a read at least, however many samples came between two. Status not_ready
   /// before the first sample, lost without any for params.lost_after or after lose().
   DeviceState read(double now) THIGMA_RT;
 
  private:
   enum class Hold : std::uint8_t { never, held, released, lost };
 
+  void take_up() THIGMA_RT;
   void place_first(const WebSample& sample) THIGMA_RT;
+  void press(std::uint32_t buttons) THIGMA_RT;
+  void weigh(double now, double elapsed) THIGMA_RT;
+  double session_from_page() const THIGMA_RT;
   void learn_offset(double offset, double now) THIGMA_RT;
   Pose target(double now) const THIGMA_RT;
   void follow(const Pose& target, double elapsed) THIGMA_RT;
@@ -71,7 +84,9 @@ class WebMotion {
   Pose page_origin_, place_;  // this pose of the page is that pose of the handle
   bool has_pose_ = false;     // of the handle, ever
   bool has_place_ = false;    // since begin()
-  std::uint32_t buttons_ = 0;
+  std::uint32_t buttons_ = 0, next_buttons_ = 0;  // of the next read and of those after it
+  bool is_read_ = true;                           // buttons_ has been there for a read
+  double weight_ = 1.0;
   double last_arrival_ = 0.0, last_read_ = 0.0;
   double offset_ = 0.0, offset_before_ = 0.0, offset_since_ = 0.0;  // least delays of two windows
   Motion motion_;

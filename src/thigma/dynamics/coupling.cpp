@@ -98,6 +98,18 @@ void grasp(Coupling& coupling, const BodyState& state, const Pose& world_from_de
 
 void release(Coupling& coupling) THIGMA_RT { coupling.is_grasped = false; }
 
+Coupling faded(const Coupling& coupling, double weight) THIGMA_RT {
+  Coupling result = coupling;
+  result.linear_stiffness *= weight;
+  result.angular_stiffness *= weight;
+  for (std::optional<Saturation>* spring : {&result.linear_saturation, &result.angular_saturation}) {
+    if (!*spring) continue;
+    (*spring)->stiffness *= weight;
+    (*spring)->max_force *= weight;
+  }
+  return result;
+}
+
 CouplingStretch coupling_stretch(const Coupling& coupling, const Pose& world_from_device,
                                  const BodyState& state) THIGMA_RT {
   CouplingStretch s;

@@ -65,6 +65,11 @@ Pose grasp(const BodyState& state, const Pose& world_from_device) THIGMA_RT;
 void grasp(Coupling& coupling, const BodyState& state, const Pose& world_from_device) THIGMA_RT;
 void release(Coupling& coupling) THIGMA_RT;
 
+/// The coupling of a hand that counts only by `weight`, 1 to 0: springs weaker by it at every stretch;
+/// dampers as they are, so that what the springs let go of comes to rest. A weight of 1 changes no bit.
+/// Thread    [haptic].
+Coupling faded(const Coupling& coupling, double weight) THIGMA_RT;
+
 /// Stretch of both springs: from the grasp point to the hand [m; world] and the rotation vector u_c
 /// that turns the grasp frame onto the hand's, the shorter way [rad; world], with du_c/dq
 /// (Eqs. 5.18-5.20, 5.25 corrected).

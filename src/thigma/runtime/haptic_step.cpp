@@ -164,8 +164,8 @@ void advance_body(const HapticParams& params, const LinearContactModel& model,
   const BodyState before = state.body;
   const BodyKinematics at = kinematics(params.body, state.body);
   WrenchJacobian by_coupling, by_contact;
-  const Wrench pull =
-      coupling_wrench(state.coupling, sample.handle, params.body, state.body, at, &by_coupling);
+  const Wrench pull = coupling_wrench(faded(state.coupling, state.last_device.weight),
+                                      sample.handle, params.body, state.body, at, &by_coupling);
   const Wrench push =
       contact_wrench(model, params.body, state.body, sample.model_weight, &by_contact);
   const WrenchJacobian by_state = by_coupling + by_contact;
@@ -220,6 +220,7 @@ void send_wrench(const HapticParams& params, const HapticPorts& ports,
                  const LinearContactModel& model, const Touch& touching, HapticState& state,
                  HapticSample& sample) THIGMA_RT {
   SafetyState& safety = state.safety;
+  const double hand_weight = state.last_device.weight;
   // Nothing arms on a model that does not count fully.
   const bool may_be_armed = state.is_grasped && (safety.is_armed || sample.model_weight >= 1.0);
   update_arming(params.safety, may_be_armed, touching.count > 0, sample.time, safety);
@@ -228,12 +229,13 @@ void send_wrench(const HapticParams& params, const HapticPorts& ports,
   if (params.response == ResponseKind::direct) {
     on_hand = contact_on_hand(model, params.body, sample.handle, state.body);
   } else {
-    sample.coupling = coupling_wrench(state.coupling, sample.handle, params.body, state.body);
+    sample.coupling = coupling_wrench(faded(state.coupling, hand_weight), sample.handle, params.body,
+                                      state.body);
     on_hand = device_wrench(state.coupling, sample.handle, params.body, state.body);
   }
   sample.feedback =
       limit_wrench(params.safety, params.device, device_wrench(params.workspace, on_hand),
-                   sample.model_weight, sample.time, sample.elapsed, safety);
+                   sample.model_weight * hand_weight, sample.time, sample.elapsed, safety);
   sample.command = sample.feedback;
   if (!params.device.actuates_rotation) sample.command.torque.setZero();
   if (!params.device.actuates_translation) sample.command.force.setZero();

@@ -109,6 +109,9 @@ HapticState initial_state(const HapticParams& params, const Pose& world_from_bod
 /// With the direct response the object follows the handle exactly, through anything, and the contact
 /// wrench alone is sent, under the same limits. Damping of the contact terms acts on the handle's velocity.
 ///
+/// A device sample that counts by less than 1 (DeviceState::weight) holds the object by weaker springs,
+/// and the wrench on the hand is weaker by the same factor: at 0 the object comes to rest where it is.
+///
 /// The clutch button takes hold of the object and lets it go. An object nobody holds stays where it
 /// is, at rest. Grasped inside a contact it follows the hand, but nothing is sent until it has left
 /// the contact once: arming never happens inside a contact. After a fault nothing is held and zero

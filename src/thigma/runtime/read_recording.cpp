@@ -84,6 +84,7 @@ void read_device(const Json& json, HapticSample& s) {
   read_twist(json, s.device.motion.twist);
   s.device.buttons = json.at("buttons").get<std::uint32_t>();
   s.device.status = read_status(json);
+  if (json.contains("weight")) s.device.weight = number(json, "weight");
   s.device.has_true_handle = json.contains("true_handle");
   if (s.device.has_true_handle) read_sample_pose(json.at("true_handle"), s.device.true_handle);
   s.model_sequence = json.at("model_sequence").get<std::uint64_t>();

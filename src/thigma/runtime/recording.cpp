@@ -48,6 +48,7 @@ void put_device(std::string& out, const HapticSample& s) {
   json.twist(s.device.motion.twist);
   json.integer("buttons", s.device.buttons);
   json.word("status", status_name(s.device.status));
+  if (s.device.weight != 1.0) json.number("weight", s.device.weight);
   if (s.device.has_true_handle) {
     json.key("true_handle");
     JsonObject handle(out);

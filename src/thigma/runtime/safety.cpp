@@ -11,7 +11,7 @@ bool is_finite(const Wrench& w) THIGMA_RT { return w.force.allFinite() && w.torq
 bool is_finite(const DeviceState& d) THIGMA_RT {
   return std::isfinite(d.time) && d.motion.pose.position.allFinite() &&
          d.motion.pose.orientation.coeffs().allFinite() && d.motion.twist.linear.allFinite() &&
-         d.motion.twist.angular.allFinite();
+         d.motion.twist.angular.allFinite() && d.weight >= 0.0 && d.weight <= 1.0;
 }
 
 /// Latches where a sample stamped `stamp` leaves the device silent for too long.

@@ -98,6 +98,7 @@ std::uint64_t input_digest(const HapticSample& sample) THIGMA_RT {
   add_data(hash, d.motion.twist.angular);
   add_bits(hash, d.buttons);
   add_bits(hash, static_cast<std::uint64_t>(d.status));
+  if (d.weight != 1.0) add_datum(hash, d.weight);  // older recordings have none
   if (d.has_true_handle) {
     add_data(hash, d.true_handle.position);
     add_data(hash, d.true_handle.orientation);
