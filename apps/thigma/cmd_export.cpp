@@ -5,13 +5,14 @@
 
 #include "thigma/runtime/recording.h"
 #include "json_out.h"
+#include "told_recording.h"
 #include "verbs.h"
 
 namespace thigma::app {
 namespace {
 
 int export_recording(const std::string& path, const std::string& out, const Common& common) {
-  const Recording recording = read_recording(path);
+  const Recording recording = read_recording_told(path, common.quiet);
   export_csv(recording, out);
   if (common.json) {
     nlohmann::ordered_json json;

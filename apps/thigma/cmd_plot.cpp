@@ -5,6 +5,7 @@
 
 #include "json_out.h"
 #include "session_figure.h"
+#include "told_recording.h"
 #include "verbs.h"
 #include <nlohmann/json.hpp>
 
@@ -16,7 +17,7 @@ namespace thigma::app {
 namespace {
 
 int plot_recording(const std::string& path, const std::string& out, const Common& common) {
-  const Recording recording = read_recording(path);
+  const Recording recording = read_recording_told(path, common.quiet);
   if (recording.frames.empty())
     throw InputError(path + ": no haptic frame in it, at least one was expected");
   const std::string name = std::filesystem::path(path).filename().string();

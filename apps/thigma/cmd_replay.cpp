@@ -4,6 +4,7 @@
 
 #include "json_out.h"
 #include "run_session.h"
+#include "told_recording.h"
 #include "verbs.h"
 #include <nlohmann/json.hpp>
 
@@ -69,20 +70,12 @@ Verdict judge(const Recording& recording, const RecordedConfig& config) {
 }
 
 int replay(const std::string& path, const Common& common) {
-  const Recording recording = read_recording(path);
+  const Recording recording = read_recording_told(path, common.quiet);
   RecordedConfig config;
   try {
     config = read_config(recording.config);
   } catch (const InputError& error) {
     throw InputError(path + ": " + error.what());
-  }
-  if (!common.quiet) {
-    for (const std::string& warning : recording.warnings) {
-      std::fprintf(stderr, "thigma: %s: %s\n", path.c_str(), warning.c_str());
-    }
-    if (!recording.has_end)
-      std::fprintf(stderr, "thigma: %s: the session was cut off; replaying what is there\n",
-                   path.c_str());
   }
   const Verdict verdict = judge(recording, config);
   const ReplayReport& report = verdict.report;
@@ -90,17 +83,21 @@ int replay(const std::string& path, const Common& common) {
     nlohmann::ordered_json json;
     json["frames"] = report.frames;
     json["state_hash"] = hex_text(report.state_hash);
-    json["recorded_hash"] = hex_text(verdict.recorded_hash);
+    json["recorded_hash"] = nullptr;
+    if (recording.has_end) json["recorded_hash"] = hex_text(verdict.recorded_hash);
     json["identical"] = report.identical;
     json["first_difference"] = nullptr;
     if (report.first_difference >= 0) json["first_difference"] = report.first_difference;
     json["reason"] = nullptr;
     if (!report.reason.empty()) json["reason"] = report.reason;
+    json["cut_off"] = nullptr;
+    if (!recording.cut_off.empty()) json["cut_off"] = recording.cut_off;
     print_json(json);
   } else {
-    std::printf("%llu frames, state hash %s, recorded %s: %s\n",
+    std::printf("%llu frames, state hash %s, %s: %s\n",
                 static_cast<unsigned long long>(report.frames), hex_text(report.state_hash).c_str(),
-                hex_text(verdict.recorded_hash).c_str(),
+                recording.has_end ? ("recorded " + hex_text(verdict.recorded_hash)).c_str()
+                                  : "no recorded hash as the end is missing",
                 report.identical ? "identical" : "different");
     if (report.first_difference >= 0) {
       std::printf("first difference at frame %lld: %s\n",

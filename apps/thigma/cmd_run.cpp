@@ -103,7 +103,7 @@ class LiveTable {
 };
 
 std::unique_ptr<RecordingWriter> open_recording(const std::string& path, const RunOptions& options,
-                                                const Run& run, std::uint64_t seed) {
+                                                const Run& run, const Common& common) {
   if (path.empty()) return nullptr;
   RecordedConfig recorded;
   recorded.params = run.config.haptic;
@@ -112,10 +112,13 @@ std::unique_ptr<RecordingWriter> open_recording(const std::string& path, const R
   recorded.is_lockstep = options.is_lockstep;
   recorded.is_simulated = run.simulation.has_value();
   recorded.resolution = run.config.contact.resolution;
-  recorded.seed = seed;
+  recorded.seed = common.seed;
   recorded.scene = run.scene.file;
   recorded.device = run.device_uri;
-  return std::make_unique<RecordingWriter>(path, write_config(recorded));
+  auto writer = std::make_unique<RecordingWriter>(path, write_config(recorded));
+  if (!common.quiet && !writer->moved().empty())
+    tell_error(path + ": what a session that was killed left is now " + writer->moved());
+  return writer;
 }
 
 /// How late this machine wakes a thread that does nothing, so that missed frames can be judged.
@@ -159,7 +162,7 @@ SessionSummary run_alone(const RunOptions& options, const Common& common, Run& r
     is_whole = false;
     tell_error(failure.why + "; the recording ends there, the session goes on");
   });
-  recorder.begin(open_recording(options.record, options, run, common.seed));
+  recorder.begin(open_recording(options.record, options, run, common));
   SessionSinks sinks;
   if (recorder.is_open()) {
     sinks = {[&](const HapticSample& sample) { recorder.write(sample); },
@@ -187,7 +190,7 @@ SessionSummary run_with_page(const RunOptions& options, const Common& common, We
   program.seed = common.seed;
   program.stop = &stop_requested;
   program.record = [&](const std::string& path) {
-    return open_recording(path, options, *run, common.seed);
+    return open_recording(path, options, *run, common);
   };
   program.tell = [&common](const std::string& line) {
     if (!common.quiet) std::fprintf(stderr, "thigma: %s\n", line.c_str());

@@ -8,6 +8,7 @@
 
 #include "run_view.h"
 #include "scenes/scene_file.h"
+#include "told_recording.h"
 
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
@@ -123,6 +124,10 @@ void change_recording(const live::LiveRequest& request, const LiveNow& now, Live
 LiveChange change_to_recording(const std::string& path, const LiveNow& now) {
   LiveChange change;
   change.playback = std::make_unique<Playback>(path);
+  if (now.hooks.tell) {
+    for (const std::string& line : recording_warnings(path, change.playback->recording()))
+      now.hooks.tell(line);
+  }
   const std::string& scene = change.playback->config().scene;
   const bool is_other = scene != now.run.scene.file && now.options.replay != path;
   if (is_other) prepare(scenes::read_scene(scene), scene_options(now.options), now, change);

@@ -20,6 +20,7 @@ class Playback {
   explicit Playback(const std::string& path);
 
   const std::string& file() const { return file_; }
+  const Recording& recording() const { return recording_; }
   const RecordedConfig& config() const { return config_; }
   double seconds() const;  // time of the last frame [s]
   double time() const;     // of the newest frame that was told [s]

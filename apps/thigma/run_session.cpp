@@ -10,6 +10,7 @@
 #include "run_relief.h"
 #include "scenes/scene_file.h"
 #include "scenes/simulated_body.h"
+#include "told_recording.h"
 
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/core/error.h"
@@ -141,8 +142,11 @@ DeviceContext context_of(const Run& run, const RunDevice& opened, std::uint64_t 
 /// The samples of a recording as a device. Forces come out as recorded only from where that session
 /// started and at its rate, so both are taken over.
 std::unique_ptr<HapticDevice> open_recorded(const std::string& path, const RunOptions& options,
-                                            SessionConfig& session) {
+                                            const Tell& tell, SessionConfig& session) {
   const Recording recording = read_recording(path);
+  if (tell) {
+    for (const std::string& line : recording_warnings(path, recording)) tell(line);
+  }
   std::vector<DeviceState> samples;
   samples.reserve(recording.frames.size());
   for (const HapticSample& frame : recording.frames) samples.push_back(frame.device);
@@ -194,7 +198,7 @@ void open_at(const RunOptions& options, std::uint64_t seed, const Tell& tell, co
     place(run, tell, opened);
   }
   opened.device = scheme == "replay"
-                      ? open_recorded(opened.uri.substr(scheme.size() + 1), options, opened.config)
+                      ? open_recorded(opened.uri.substr(scheme.size() + 1), options, tell, opened.config)
                       : open_device(opened.uri, context_of(run, opened, seed));
   if (is_direct) use_direct_response(opened.device->limits(), opened.config);
 }

@@ -240,13 +240,6 @@ TEST(RecordVerbs, damaged_recordings_are_refused) {
   };
   expect_refused("empty.mcap", "");
   expect_refused("text.mcap", "frame,time\n");
-  for (const double part : {0.01, 0.5, 0.9}) {
-    expect_refused(
-        "part.mcap",
-        whole.substr(0, static_cast<std::size_t>(part * static_cast<double>(whole.size()))));
-  }
-  for (const std::size_t missing : {1u, 9u, 40u})
-    expect_refused("end.mcap", whole.substr(0, whole.size() - missing));
   // A record that claims to be as long as the address space.
   std::string lying = whole;
   lying.replace(9, 8, 8, '\xff');

@@ -2,10 +2,14 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
+#include <fstream>
 #include <thread>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "thigma/core/error.h"
@@ -84,6 +88,45 @@ TEST(File, only_a_whole_byte_order_mark_before_a_text_is_skipped) {
   EXPECT_EQ(without_byte_order_mark("\xEF\xBB\xBF"), "");
   for (const char* text : {"", "v 0", "\xEF\xBB", "\xBB\xBF", " \xEF\xBB\xBF"})
     EXPECT_EQ(without_byte_order_mark(text), text);
+}
+
+TEST(File, of_many_writers_at_once_one_wins_and_each_is_whole) {
+  const std::filesystem::path folder = fresh_folder("writers");
+  const std::string path = folder / "a.bin";
+  write_file(path, std::string(100000, 'z'));
+  int running = 0;
+  for (char name = 'a'; name < 'e'; ++name, ++running) {
+    if (::fork() != 0) continue;
+    for (int i = 0; i < 20; ++i) write_file(path, std::string(100000, name));
+    ::_exit(0);
+  }
+  for (int status = 0; running > 0;) {
+    if (::waitpid(-1, &status, WNOHANG) > 0) {
+      EXPECT_EQ(status, 0);
+      --running;
+    }
+    const std::string bytes = read_file(path);
+    ASSERT_EQ(bytes, std::string(100000, bytes.at(0)));
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder),
+                          std::filesystem::directory_iterator()),
+            1);
+  std::filesystem::remove_all(folder);
+}
+
+// A process of the same number: in another container that shares the folder, or one that was killed.
+TEST(File, a_temporary_file_of_somebody_else_is_left_alone) {
+  const std::filesystem::path folder = fresh_folder("others");
+  const std::string path = folder / "a.bin";
+  std::vector<std::string> others;
+  for (int i = 0; i < 300; ++i) {
+    others.push_back(path + ".part" + std::to_string(::getpid()) + "." + std::to_string(i));
+    std::ofstream(others.back()) << "theirs";
+  }
+  write_file(path, "ours");
+  EXPECT_EQ(read_file(path), "ours");
+  for (const std::string& other : others) EXPECT_EQ(read_file(other), "theirs");
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -5,39 +5,26 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "thigma/core/detail/descriptor.h"
 #include "thigma/core/error.h"
 
 namespace thigma {
 namespace {
 
+using detail::Descriptor;
+using detail::sync_file;
+using detail::sync_folder;
+using detail::write_all;
+
 constexpr std::size_t kMaxFileBytes = std::size_t{1}
                                       << 32;  // indices are 32 bits; a larger text holds more
-
-// An open descriptor, closed on every way out.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return fd_; }
-  bool close() {
-    const int fd = fd_;
-    fd_ = -1;
-    return ::close(fd) == 0;
-  }
-
- private:
-  int fd_;
-};
 
 [[noreturn]] void fail_read(const std::string& path, const std::string& why) {
   throw InputError(path + ": cannot be read (" + why +
@@ -48,13 +35,32 @@ class Descriptor {
   throw IoError(path + ": cannot be written (" + std::strerror(errno) + ")");
 }
 
-bool write_all(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(n));
+/// A new file beside `path` under a name that nobody else has, threads and other machines on a shared
+/// folder included.
+Descriptor open_temporary(const std::string& path, std::string& temporary) {
+  static std::atomic<unsigned> written{0};
+  constexpr int kTries = 1000;
+  for (int i = 0; i < kTries; ++i) {
+    temporary = path + ".part" + std::to_string(::getpid()) + "." + std::to_string(written++);
+    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.is_open() || errno != EEXIST) return file;
   }
+  return Descriptor();
+}
+
+/// The folder that a path is in; not open when that cannot be.
+Descriptor open_folder(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return Descriptor(
+      ::open(folder.empty() ? "." : folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+}
+
+/// Bytes before the name, both on the disk: a power cut leaves the old file or the new one.
+bool replace_file(const std::string& path, const std::string& temporary, Descriptor& file,
+                  std::string_view bytes) {
+  if (!write_all(file.get(), bytes) || !sync_file(file.get()) || !file.close()) return false;
+  if (std::rename(temporary.c_str(), path.c_str()) != 0) return false;
+  if (const Descriptor folder = open_folder(path); folder.is_open()) sync_folder(folder.get());
   return true;
 }
 
@@ -114,25 +120,14 @@ void write_file(const std::string& path, std::string_view bytes) {
     if (device.get() < 0 || !write_all(device.get(), bytes)) fail_write(path);
     return;
   }
-  static std::atomic<unsigned> written{0};  // threads of one process write beside each other
-  const std::string temporary =
-      path + ".part" + std::to_string(::getpid()) + "." + std::to_string(written++);
-  {
-    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (file.get() < 0) fail_write(path);
-    if (!write_all(file.get(), bytes) || !file.close()) {
-      const int why = errno;
-      ::unlink(temporary.c_str());
-      errno = why;
-      fail_write(path);
-    }
-  }
-  if (std::rename(temporary.c_str(), path.c_str()) != 0) {
-    const int why = errno;
-    ::unlink(temporary.c_str());
-    errno = why;
-    fail_write(path);
-  }
+  std::string temporary;
+  Descriptor file = open_temporary(path, temporary);
+  if (!file.is_open()) fail_write(path);
+  if (replace_file(path, temporary, file, bytes)) return;
+  const int why = errno;
+  ::unlink(temporary.c_str());
+  errno = why;
+  fail_write(path);
 }
 
 }  // namespace thigma

@@ -13,9 +13,9 @@ namespace thigma {
 /// input is input.
 std::string read_file(const std::string& path);
 
-/// Replaces or creates `path` with `bytes`: written beside it under a temporary name, then renamed,
-/// so that a reader, a full disk or a crash never sees half of it. A device such as /dev/stdout is
-/// written directly.
+/// Replaces or creates `path` with `bytes`: written beside it under a name of its own, on the disk, then
+/// renamed, so that a reader, another writer, a full disk, a crash or a power cut never sees half of it.
+/// A device such as /dev/stdout is written directly.
 ///
 /// Thread    [offline]; throws IoError, and nothing has changed.
 void write_file(const std::string& path, std::string_view bytes);

@@ -1,13 +1,10 @@
 #include "thigma/runtime/mcap_file.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 
 #include "thigma/core/checksum.h"
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
+#include "thigma/runtime/detail/mcap_records.h"
 
 // After the public MCAP specification: records are opcode, length, content; little-endian; strings
 // carry their length. Chunks are uncompressed: a recording is a few megabytes, and any reader opens
@@ -16,22 +13,10 @@
 namespace thigma {
 namespace {
 
-constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
-constexpr std::size_t kChunkBytes = 1u << 20;
+using namespace detail;
 
-enum Opcode : std::uint8_t {
-  kHeader = 0x01,
-  kFooter = 0x02,
-  kSchema = 0x03,
-  kChannel = 0x04,
-  kMessage = 0x05,
-  kChunk = 0x06,
-  kMessageIndex = 0x07,
-  kChunkIndex = 0x08,
-  kStatistics = 0x0b,
-  kSummaryOffset = 0x0e,
-  kDataEnd = 0x0f
-};
+constexpr std::size_t kChunkBytes = 1u << 20;
+constexpr std::uint64_t kChunkTime = 500'000'000;  // of its messages, first to last [ns]
 
 template <class T>
 void append(std::string& out, T value) {
@@ -45,7 +30,7 @@ void append_string(std::string& out, std::string_view text) {
   out.append(text);
 }
 
-std::string record(Opcode opcode, std::string_view content) {
+std::string record(McapOpcode opcode, std::string_view content) {
   std::string out;
   out.reserve(content.size() + 9);
   append(out, static_cast<std::uint8_t>(opcode));
@@ -56,34 +41,25 @@ std::string record(Opcode opcode, std::string_view content) {
 
 }  // namespace
 
-McapWriter::McapWriter(const std::string& path, std::string_view library)
-    : path_(path), part_(path + ".part") {
-  // Renaming would fail at a folder after the whole session, and put a file in the place of a
-  // device such as /dev/null.
-  std::error_code unknown;
-  if (std::filesystem::exists(path, unknown) && !std::filesystem::is_regular_file(path, unknown)) {
-    throw IoError(path + ": cannot be written: not a regular file");
-  }
-  file_ = std::fopen(part_.c_str(), "wb");
-  if (file_ == nullptr) throw IoError(path + ": cannot be written: " + std::strerror(errno));
-  put(kMagic);
+McapWriter::McapWriter(const std::string& path, std::string_view library) : file_(path) {
   std::string header;
   append_string(header, "");
   append_string(header, library);
-  put(record(kHeader, header));
+  try {
+    file_.append(std::string(kMcapMagic) + record(kHeader, header));
+  } catch (...) {
+    file_.discard();
+    throw;
+  }
 }
 
 McapWriter::~McapWriter() {
-  if (file_ == nullptr) return;
-  std::fclose(file_);
-  std::remove(part_.c_str());
-}
-
-void McapWriter::put(std::string_view bytes) {
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) {
-    throw IoError(path_ + ": cannot be written: " + std::strerror(errno));
+  if (!is_open_) return;
+  try {
+    flush();
+  } catch (...) {  // the disk is full: what is there stays
   }
-  offset_ += bytes.size();
+  if (messages_ == 0) file_.discard();
 }
 
 std::uint16_t McapWriter::add_channel(std::string_view topic, std::string_view schema_name,
@@ -108,13 +84,12 @@ std::uint16_t McapWriter::add_channel(std::string_view topic, std::string_view s
 
 void McapWriter::write(std::uint16_t channel, std::uint32_t sequence, std::uint64_t time,
                        std::string_view json) {
-  if (chunk_.size() >= kChunkBytes) flush_chunk();
+  const bool is_long = time > chunk_first_ && time - chunk_first_ >= kChunkTime;
+  if (chunk_.size() >= kChunkBytes || (chunk_messages_ > 0 && is_long)) flush();
   chunk_index_[channel].emplace_back(time, chunk_.size());
   chunk_first_ = chunk_messages_ == 0 ? time : std::min(chunk_first_, time);
   chunk_last_ = chunk_messages_ == 0 ? time : std::max(chunk_last_, time);
   ++chunk_messages_;
-  first_time_ = message_count_ == 0 ? time : std::min(first_time_, time);
-  last_time_ = message_count_ == 0 ? time : std::max(last_time_, time);
   append(chunk_, static_cast<std::uint8_t>(kMessage));
   append(chunk_, static_cast<std::uint64_t>(22 + json.size()));
   append(chunk_, channel);
@@ -122,31 +97,25 @@ void McapWriter::write(std::uint16_t channel, std::uint32_t sequence, std::uint6
   append(chunk_, time);
   append(chunk_, time);
   chunk_.append(json);
-  ++channels_[channel - 1u].messages;
-  ++message_count_;
 }
 
-void McapWriter::flush_chunk() {
+void McapWriter::flush() {
   if (chunk_.empty()) return;
-  ChunkEntry entry{};
-  entry.offset = offset_;
-  entry.first = chunk_first_;
-  entry.last = chunk_last_;
-  entry.size = chunk_.size();
   std::string content;
   content.reserve(chunk_.size() + 64);
-  append(content, entry.first);
-  append(content, entry.last);
+  append(content, chunk_first_);
+  append(content, chunk_last_);
   append(content, static_cast<std::uint64_t>(chunk_.size()));
   append(content, crc32(chunk_));
   append_string(content, "");  // no compression
   append(content, static_cast<std::uint64_t>(chunk_.size()));
   content += chunk_;
-  put(record(kChunk, content));
-  entry.length = offset_ - entry.offset;
-  entry.index_offset = offset_;
+  std::string bytes = record(kChunk, content);
+  const std::uint64_t length = bytes.size();
+  std::string index_offsets;
   for (const auto& [channel, items] : chunk_index_) {
-    entry.index_offsets[channel] = offset_;
+    append(index_offsets, channel);
+    append(index_offsets, file_.size() + bytes.size());
     std::string index;
     append(index, channel);
     append(index, static_cast<std::uint32_t>(items.size() * 16));
@@ -154,25 +123,59 @@ void McapWriter::flush_chunk() {
       append(index, time);
       append(index, at);
     }
-    put(record(kMessageIndex, index));
+    bytes += record(kMessageIndex, index);
   }
-  entry.index_length = offset_ - entry.index_offset;
-  chunks_.push_back(std::move(entry));
+  const std::string entry = chunk_entry(length, index_offsets, bytes.size() - length);
+  // Room for the end, so that a full disk still takes it.
+  file_.append(bytes, end_bytes() + entry.size());
+  chunk_entries_ += entry;
+  count_chunk();
+  drop_chunk();
+}
+
+/// The index record of the chunk that is about to be written, for the summary.
+std::string McapWriter::chunk_entry(std::uint64_t length, const std::string& index_offsets,
+                                    std::uint64_t index_length) const {
+  std::string entry;
+  append(entry, chunk_first_);
+  append(entry, chunk_last_);
+  append(entry, file_.size());
+  append(entry, length);
+  append(entry, static_cast<std::uint32_t>(index_offsets.size()));
+  entry += index_offsets;
+  append(entry, index_length);
+  append_string(entry, "");
+  append(entry, static_cast<std::uint64_t>(chunk_.size()));  // compressed size
+  append(entry, static_cast<std::uint64_t>(chunk_.size()));
+  return record(kChunkIndex, entry);
+}
+
+void McapWriter::count_chunk() {
+  for (const auto& [channel, items] : chunk_index_) channels_[channel - 1u].messages += items.size();
+  if (chunk_messages_ > 0) {
+    first_time_ = messages_ == 0 ? chunk_first_ : std::min(first_time_, chunk_first_);
+    last_time_ = messages_ == 0 ? chunk_last_ : std::max(last_time_, chunk_last_);
+  }
+  messages_ += chunk_messages_;
+  ++chunks_;
+}
+
+void McapWriter::drop_chunk() {
   chunk_.clear();
   chunk_index_.clear();
   chunk_messages_ = chunk_first_ = chunk_last_ = 0;
 }
 
-void McapWriter::write_summary() {
+std::string McapWriter::summary() const {
   std::string summary;
   for (const Channel& channel : channels_) summary += channel.record_bytes;
   std::string statistics;
-  append(statistics, message_count_);
+  append(statistics, messages_);
   append(statistics, static_cast<std::uint16_t>(channels_.size()));  // schemas
   append(statistics, static_cast<std::uint32_t>(channels_.size()));
   append(statistics, std::uint32_t{0});  // attachments
   append(statistics, std::uint32_t{0});  // metadata records
-  append(statistics, static_cast<std::uint32_t>(chunks_.size()));
+  append(statistics, chunks_);
   append(statistics, first_time_);
   append(statistics, last_time_);
   append(statistics, static_cast<std::uint32_t>(channels_.size() * 10));
@@ -180,178 +183,61 @@ void McapWriter::write_summary() {
     append(statistics, static_cast<std::uint16_t>(i + 1));
     append(statistics, channels_[i].messages);
   }
-  summary += record(kStatistics, statistics);
-  for (const ChunkEntry& chunk : chunks_) {
-    std::string index;
-    append(index, chunk.first);
-    append(index, chunk.last);
-    append(index, chunk.offset);
-    append(index, chunk.length);
-    append(index, static_cast<std::uint32_t>(chunk.index_offsets.size() * 10));
-    for (const auto& [channel, at] : chunk.index_offsets) {
-      append(index, channel);
-      append(index, at);
-    }
-    append(index, chunk.index_length);
-    append_string(index, "");
-    append(index, chunk.size);  // compressed size
-    append(index, chunk.size);
-    summary += record(kChunkIndex, index);
-  }
-  const std::uint64_t start = offset_;
-  put(summary);
+  return summary + record(kStatistics, statistics) + chunk_entries_;
+}
+
+/// How long the end would be now.
+std::uint64_t McapWriter::end_bytes() const {
+  std::uint64_t bytes = (9 + 4) + (9 + 46 + 10 * channels_.size()) + chunk_entries_.size() +
+                        kFooterBytes + kMcapMagic.size();
+  for (const Channel& channel : channels_) bytes += channel.record_bytes.size();
+  return bytes;
+}
+
+void McapWriter::finish() {
+  is_open_ = false;
+  std::string data_end;
+  append(data_end, std::uint32_t{0});  // the chunks carry their own checksums
+  std::string end = record(kDataEnd, data_end);
   std::string footer;
-  append(footer, start);
+  append(footer, file_.size() + end.size());
   append(footer, std::uint64_t{0});  // no summary offsets
   // The checksum covers the summary and the footer up to the checksum itself.
-  std::string covered = summary;
+  std::string covered = summary();
   append(covered, static_cast<std::uint8_t>(kFooter));
   append(covered, std::uint64_t{20});
   covered += footer;
-  append(footer, crc32(covered));
-  put(record(kFooter, footer));
-  put(kMagic);
+  append(covered, crc32(covered));
+  end += covered;
+  end += kMcapMagic;
+  file_.append(end);
+  file_.keep();
 }
 
 void McapWriter::close() {
-  if (file_ == nullptr) return;
-  flush_chunk();
-  std::string end;
-  append(end, std::uint32_t{0});  // the chunks carry their own checksums
-  put(record(kDataEnd, end));
-  write_summary();
-  std::FILE* file = file_;
-  file_ = nullptr;
-  if (std::fclose(file) != 0) throw IoError(path_ + ": cannot be written: " + std::strerror(errno));
-  std::error_code error;
-  std::filesystem::rename(part_, path_, error);
-  if (error) throw IoError(path_ + ": cannot be written: " + error.message());
+  if (!is_open_) return;
+  flush();
+  finish();
 }
 
-namespace {
+std::string McapWriter::close_early() {
+  if (!is_open_) return file_.part();
+  drop_chunk();
+  if (messages_ == 0) {
+    discard();
+    return {};
+  }
+  try {
+    finish();
+    return file_.path();
+  } catch (const IoError&) {
+    return file_.part();
+  }
+}
 
-/// Bounds-checked little-endian cursor over a part of the file.
-struct Cursor {
-  const McapFile& file;
-  const std::string& path;
-  std::size_t at, end;
-
-  [[noreturn]] void fail(const char* what, const char* expected) const {
-    throw InputError(path + ": " + what + ", byte " + std::to_string(at) + ", expected " +
-                     expected);
-  }
-  void need(std::size_t count, const char* what) const {
-    if (end - at < count) fail(what, "more bytes: the file is truncated or damaged");
-  }
-  template <class T>
-  T get(const char* what) {
-    need(sizeof(T), what);
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < sizeof(T); ++i) {
-      value |= static_cast<std::uint64_t>(static_cast<std::uint8_t>(file.bytes[at + i])) << (8 * i);
-    }
-    at += sizeof(T);
-    return static_cast<T>(value);
-  }
-  std::string_view take(std::uint64_t count, const char* what) {
-    need(count > end - at ? end - at + 1 : static_cast<std::size_t>(count), what);
-    const std::string_view view(file.bytes.data() + at, static_cast<std::size_t>(count));
-    at += static_cast<std::size_t>(count);
-    return view;
-  }
-  std::string_view text(const char* what) { return take(get<std::uint32_t>(what), what); }
-};
-
-struct Reading {
-  McapFile& file;
-  const std::string& path;
-  std::map<std::uint16_t, std::int32_t> channels;
-
-  /// One pass over records in [at, end); true when a footer or data end was met.
-  bool records(std::size_t at, std::size_t end, bool in_chunk) {
-    Cursor cursor{file, path, at, end};
-    while (cursor.at < end) {
-      const std::size_t start = cursor.at;
-      const auto opcode = cursor.get<std::uint8_t>("record");
-      const auto length = cursor.get<std::uint64_t>("record length");
-      const std::size_t begin = cursor.at;
-      cursor.take(length, "record");
-      Cursor body{file, path, begin, cursor.at};
-      if (opcode == kDataEnd || opcode == kFooter) return true;
-      if (opcode == kChannel) channel(body);
-      if (opcode == kMessage) message(body, start);
-      if (opcode == kChunk) {
-        if (in_chunk) body.fail("chunk in a chunk", "no nesting");
-        chunk(body);
-      }
-    }
-    return false;
-  }
-
-  void channel(Cursor body) {
-    const auto id = body.get<std::uint16_t>("channel");
-    body.get<std::uint16_t>("channel schema");
-    const std::string topic(body.text("channel topic"));
-    if (body.text("message encoding") != "json") body.fail("message encoding", "json");
-    if (channels.count(id) != 0) return;
-    channels[id] = static_cast<std::int32_t>(file.topics.size());
-    file.topics.push_back(topic);
-  }
-
-  void message(Cursor body, std::size_t start) {
-    const auto id = body.get<std::uint16_t>("message");
-    const auto found = channels.find(id);
-    if (found == channels.end())
-      body.fail("message of an unknown channel", "its channel record before it");
-    McapMessage m;
-    m.channel = found->second;
-    m.sequence = body.get<std::uint32_t>("message");
-    m.time = body.get<std::uint64_t>("message");
-    body.get<std::uint64_t>("message");
-    m.data = body.take(body.end - body.at, "message");
-    m.offset = start;
-    file.messages.push_back(m);
-  }
-
-  void chunk(Cursor body) {
-    body.get<std::uint64_t>("chunk");
-    body.get<std::uint64_t>("chunk");
-    body.get<std::uint64_t>("chunk");
-    const auto crc = body.get<std::uint32_t>("chunk");
-    if (!body.text("chunk compression").empty())
-      body.fail("compressed chunk", "an uncompressed one");
-    const auto size = body.get<std::uint64_t>("chunk size");
-    const std::size_t begin = body.at;
-    const std::string_view content = body.take(size, "chunk");
-    if (crc != 0 && crc32(content) != crc) {
-      file.warnings.push_back("the chunk at byte " + std::to_string(begin) +
-                              " is not what its checksum says");
-    }
-    records(begin, begin + content.size(), true);
-  }
-};
-
-}  // namespace
-
-McapFile read_mcap(const std::string& path) {
-  McapFile file;
-  file.bytes = read_file(path);
-  if (file.bytes.compare(0, kMagic.size(), kMagic) != 0) {
-    throw InputError(path + ": not an MCAP file, byte 0, expected its magic bytes");
-  }
-  Reading reading{file, path, {}};
-  const bool has_data_end = reading.records(kMagic.size(), file.bytes.size(), false);
-  // The summary after the data is not needed here, but a file without its end is not the one that
-  // was written.
-  const bool has_end =
-      file.bytes.size() >= 2 * kMagic.size() &&
-      file.bytes.compare(file.bytes.size() - kMagic.size(), kMagic.size(), kMagic) == 0;
-  if (!has_data_end || !has_end) {
-    throw InputError(path + ": the recording ends early, byte " +
-                     std::to_string(file.bytes.size()) +
-                     ", expected a footer and the magic bytes: it is truncated");
-  }
-  return file;
+void McapWriter::discard() {
+  is_open_ = false;
+  file_.discard();
 }
 
 }  // namespace thigma

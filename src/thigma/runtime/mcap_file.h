@@ -3,55 +3,72 @@
 // Layout as this project writes and reads it: docs/formats.md.
 
 #include <cstdint>
-#include <cstdio>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "thigma/core/growing_file.h"
 
 namespace thigma {
 
 /// Writes an MCAP file. Written beside its place as PATH.part and moved there by close(), so that PATH is
-/// whole or absent.
+/// whole or absent; what a kill leaves of PATH.part is read up to its last whole chunk (GrowingFile).
 /// Invariant: between construction and close() the .part file is a prefix of a valid file, chunks at a time.
-/// Thread: one thread, [offline]. Every member throws IoError when the system refuses.
+/// Thread: one thread, [offline]. Members throw IoError, one line, when the system refuses.
 class McapWriter {
  public:
   explicit McapWriter(const std::string& path, std::string_view library = "thigma");
-  ~McapWriter();  // without close(): removes the .part file
+  ~McapWriter();  // without close(): flushes and leaves the .part file, removes one without a message
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
   /// Channel of JSON messages; all channels are added before the first write. json_schema may be empty.
   std::uint16_t add_channel(std::string_view topic, std::string_view schema_name, std::string_view json_schema);
 
-  /// Appends one message; time [ns] of the session clock.
+  /// Appends one message; time [ns] of the session clock. Chunks are flushed as they reach 1 MiB, or with the first
+  /// message half a second after their first.
   void write(std::uint16_t channel, std::uint32_t sequence, std::uint64_t time, std::string_view json);
 
+  /// What was written so far survives the process.
+  void flush();
+
   void close();
-  std::uint64_t messages() const { return message_count_; }
+
+  /// After an error: without what was not flushed, closes the file, whole, if there is room for its end.
+  /// returns  where it is: PATH, PATH.part without its end, "" where nothing was flushed and nothing is left
+  std::string close_early();
+
+  void discard();  // removes the file
+
+  std::uint64_t messages() const { return messages_; }    // flushed
+  std::uint64_t last_time() const { return last_time_; }  // of them [ns]
+  const std::string& path() const { return file_.path(); }
+  const std::string& moved() const { return file_.moved(); }  // see GrowingFile
 
  private:
-  struct ChunkEntry {
-    std::uint64_t offset, length, first, last, index_offset, index_length, size;
-    std::map<std::uint16_t, std::uint64_t> index_offsets;
-  };
   struct Channel {
     std::string record_bytes;  // schema and channel records, repeated in the summary
     std::uint64_t messages = 0;
   };
-  void put(std::string_view bytes);
-  void flush_chunk();
-  void write_summary();
+  std::string chunk_entry(std::uint64_t length, const std::string& index_offsets, std::uint64_t index_length) const;
+  void count_chunk();
+  void drop_chunk();
+  std::string summary() const;
+  std::uint64_t end_bytes() const;
+  void finish();
 
-  std::string path_, part_;
-  std::FILE* file_ = nullptr;
-  std::uint64_t offset_ = 0, message_count_ = 0, first_time_ = 0, last_time_ = 0;
-  std::string chunk_;
+  GrowingFile file_;
+  bool is_open_ = true;
+  std::vector<Channel> channels_;
+  std::uint64_t messages_ = 0, first_time_ = 0, last_time_ = 0;  // flushed
+  std::uint32_t chunks_ = 0;
+  std::string chunk_entries_;  // of the summary
+
+  std::string chunk_;  // not flushed
   std::uint64_t chunk_messages_ = 0, chunk_first_ = 0, chunk_last_ = 0;
   std::map<std::uint16_t, std::vector<std::pair<std::uint64_t, std::uint64_t>>> chunk_index_;
-  std::vector<ChunkEntry> chunks_;
-  std::vector<Channel> channels_;
 };
 
 struct McapMessage {
@@ -62,16 +79,23 @@ struct McapMessage {
   std::uint64_t offset = 0;     // of the record in the file or in its chunk's place in the file [byte]
 };
 
-/// A whole MCAP file in memory. Views stay valid while the object is not moved from or destroyed.
+/// An MCAP file in memory. Views stay valid while the object is not moved from or destroyed.
 struct McapFile {
   std::string bytes;
   std::vector<std::string> topics;
   std::vector<McapMessage> messages;  // in file order
-  std::vector<std::string> warnings;  // chunks whose checksum is off: read all the same, and said
+  std::vector<std::string> warnings;  // what is not what its checksum says: read all the same, and said
+  std::string cut;  // "" where the file has its end; else why nothing more was read
+  std::size_t end = 0;  // of what was read [byte]
 };
 
-/// Reads an MCAP file with uncompressed chunks.
-/// Thread [offline]; throws InputError "FILE: what, byte N, what was expected" on damage, IoError when unreadable.
+/// Reads an MCAP file with uncompressed chunks. One that has its end is read whole or refused. One without was cut
+/// off by a kill, a power cut or a full disk: it is read up to the first record that is not whole, or not what its
+/// checksum says.
+/// Thread [offline]; throws InputError "FILE: what, byte N, what was expected" on damage and when unreadable.
 McapFile read_mcap(const std::string& path);
+
+/// The same of bytes that are there; `path` names them in errors. Thread [offline].
+McapFile parse_mcap(std::string bytes, const std::string& path);
 
 }  // namespace thigma

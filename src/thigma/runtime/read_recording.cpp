@@ -1,4 +1,5 @@
 #include <charconv>
+#include <cstdio>
 
 #include <nlohmann/json.hpp>
 
@@ -257,12 +258,35 @@ void read_message(const std::string& topic, std::string_view data, Recording& re
   }
 }
 
+/// Where what was cut off ends, in one line.
+std::string cut_text(const Recording& recording, const McapFile& file) {
+  const std::string why = !file.cut.empty() ? file.cut : "the session went on";
+  char text[160];
+  std::snprintf(text, sizeof text, "the recording ends at %.3f s, %zu frames, byte %zu of %zu: ",
+                recording.frames.empty() ? 0.0 : recording.frames.back().time,
+                recording.frames.size(), file.end, file.bytes.size());
+  return text + why;
+}
+
+/// A frame is several messages, and the last may lack some where the recording was cut off.
+struct Wholeness {
+  bool has_frame = true, has_contact = true;
+
+  void look_at(const std::string& topic) {
+    if (topic == "/device/state") has_frame = false;
+    if (topic == "/timing") has_frame = true;
+    if (topic == "/contact/model") has_contact = false;
+    if (topic == "/contact/frame") has_contact = true;
+  }
+};
+
 }  // namespace
 
 Recording read_recording(const std::string& path) {
   McapFile file = read_mcap(path);
   Recording recording;
   recording.warnings = std::move(file.warnings);
+  Wholeness last;
   for (const McapMessage& message : file.messages) {
     const std::string& topic = file.topics[static_cast<std::size_t>(message.channel)];
     const auto where = [&] {
@@ -270,6 +294,7 @@ Recording read_recording(const std::string& path) {
              std::to_string(message.offset) + ", ";
     };
     try {
+      last.look_at(topic);
       read_message(topic, message.data, recording);
     } catch (const Json::exception& error) {
       throw InputError(where() + "expected a recording of thigma: " + error.what());
@@ -278,7 +303,17 @@ Recording read_recording(const std::string& path) {
     }
   }
   if (recording.config.empty()) {
-    throw InputError(path + ": no /config message, expected a recording of thigma");
+    throw InputError(path + ": no /config message" +
+                     (file.cut.empty() ? "" : ", byte " + std::to_string(file.end) + ": " + file.cut) +
+                     ", expected a recording of thigma");
+  }
+  if (!recording.has_end) {
+    if (!last.has_frame) recording.frames.pop_back();
+    if (!last.has_contact) recording.contacts.pop_back();
+  }
+  if (!recording.has_end || !file.cut.empty()) {
+    recording.cut_off = cut_text(recording, file);
+    recording.warnings.push_back(recording.cut_off);
   }
   return recording;
 }

@@ -1,7 +1,9 @@
 #include "thigma/runtime/recording.h"
 
 #include <cstdio>
+#include <filesystem>
 
+#include "thigma/core/error.h"
 #include "thigma/runtime/detail/json_text.h"
 
 namespace thigma {
@@ -235,7 +237,51 @@ RecordingWriter::RecordingWriter(const std::string& path, const std::string& con
       model_(file_.add_channel("/contact/model", "thigma.ContactModel", "")),
       frame_(file_.add_channel("/contact/frame", "thigma.ContactFrame", "")),
       events_(file_.add_channel("/events", "thigma.Event", "")) {
-  file_.write(config_, 0, 0, config);
+  try {
+    file_.write(config_, 0, 0, config);
+    file_.flush();  // without it nothing that follows can be read
+  } catch (...) {
+    file_.discard();
+    throw;
+  }
+}
+
+RecordingWriter::~RecordingWriter() {
+  if (!is_open_) return;
+  try {
+    file_.flush();
+    if (has_frames()) file_.close();
+  } catch (...) {  // what was flushed is in the part
+  }
+  if (!has_frames()) file_.discard();
+}
+
+/// More than the configuration has been flushed.
+bool RecordingWriter::has_frames() const { return file_.messages() > 1; }
+
+/// Closes the file after an error; says how much of the session is where.
+std::string RecordingWriter::keep_early() {
+  if (!has_frames()) {
+    file_.discard();
+    return "; nothing was recorded";
+  }
+  const std::string place = file_.close_early();
+  if (std::error_code unknown; !std::filesystem::exists(place, unknown)) return "";
+  char text[64];
+  std::snprintf(text, sizeof text, "; the first %.3f s are in ",
+                1e-9 * static_cast<double>(file_.last_time()));
+  return text + place;
+}
+
+template <class Work>
+void RecordingWriter::attempt(Work work) {
+  if (!is_open_) return;
+  try {
+    work();
+  } catch (const IoError& error) {
+    is_open_ = false;
+    throw IoError(error.what() + keep_early());
+  }
 }
 
 void RecordingWriter::write(const HapticSample& sample) {
@@ -246,21 +292,26 @@ void RecordingWriter::write(const HapticSample& sample) {
     encode(text_, sample);
     file_.write(channel, sequence, time, text_);
   };
-  put(device_, put_device);
-  put(command_, put_command);
-  put(body_, put_state);
-  put(timing_, put_timing);
+  attempt([&] {
+    put(device_, put_device);
+    put(command_, put_command);
+    put(body_, put_state);
+    put(timing_, put_timing);
+  });
   last_time_ = sample.time;
 }
 
 void RecordingWriter::write(const ContactSample& sample) {
   const std::uint64_t time = nanoseconds(sample.published);
-  text_.clear();
-  put_model(text_, sample);
-  file_.write(model_, contact_count_, time, text_);
-  text_.clear();
-  put_frame(text_, sample);
-  file_.write(frame_, contact_count_, time, text_);
+  const auto put = [&](std::uint16_t channel, void (*encode)(std::string&, const ContactSample&)) {
+    text_.clear();
+    encode(text_, sample);
+    file_.write(channel, contact_count_, time, text_);
+  };
+  attempt([&] {
+    put(model_, put_model);
+    put(frame_, put_frame);
+  });
   ++contact_count_;
 }
 
@@ -272,7 +323,7 @@ void RecordingWriter::write(const SessionEvent& event) {
   json.word("event", event.kind);
   if (!event.detail.empty()) json.word(event.kind == "fault" ? "fault" : "detail", event.detail);
   json.close();
-  file_.write(events_, event_count_++, nanoseconds(event.time), text_);
+  attempt([&] { file_.write(events_, event_count_++, nanoseconds(event.time), text_); });
 }
 
 void RecordingWriter::close(const RecordingEnd& end) {
@@ -284,8 +335,11 @@ void RecordingWriter::close(const RecordingEnd& end) {
   json.word("state_hash", hex_text(end.state_hash));
   json.integer("dropped", static_cast<long long>(end.dropped));
   json.close();
-  file_.write(events_, event_count_++, nanoseconds(last_time_), text_);
-  file_.close();
+  attempt([&] {
+    file_.write(events_, event_count_++, nanoseconds(last_time_), text_);
+    file_.close();
+  });
+  is_open_ = false;
 }
 
 }  // namespace thigma

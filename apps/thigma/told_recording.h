@@ -1,0 +1,17 @@
+#pragma once
+// Recordings as the verbs read them.
+
+#include <string>
+
+#include "thigma/runtime/recording.h"
+
+namespace thigma::app {
+
+/// Reads a recording and tells on standard error what is wrong with it, a line each, unless quiet.
+/// Thread   [offline]; as read_recording.
+Recording read_recording_told(const std::string& path, bool is_quiet);
+
+/// The lines, for whoever tells them otherwise.
+std::vector<std::string> recording_warnings(const std::string& path, const Recording& recording);
+
+}  // namespace thigma::app
