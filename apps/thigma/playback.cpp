@@ -61,9 +61,9 @@ void Playback::jump_to(double time, const SessionSinks& sinks) {
   // The ghost follows from where the object was when it was taken hold of.
   std::size_t taken = begin;
   while (taken > 0 && frames[taken].is_grasped && frames[taken - 1].is_grasped) --taken;
-  if (sinks.haptic && frames[begin].is_grasped && taken < begin) {
+  if (sinks.haptic && frames[begin].is_grasped) {
     if (taken > 0) sinks.haptic(frames[taken - 1]);
-    sinks.haptic(frames[taken]);
+    if (taken < begin) sinks.haptic(frames[taken]);
   }
   const auto& contacts = recording_.contacts;
   const auto newest = std::upper_bound(contacts.begin(), contacts.end(), frames[end - 1].time,

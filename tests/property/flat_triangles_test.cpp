@@ -113,7 +113,7 @@ TEST(FlatTriangles, whatever_is_usable_builds) {
   }
   std::printf("  %d meshes, %d triangles without an area, %d levels\n", tally.meshes, tally.flat, tally.levels);
   EXPECT_GT(tally.flat, rounds);
-  EXPECT_GT(tally.levels, 2 * rounds);
+  EXPECT_GT(tally.levels, rounds);  // simplified ones, of meshes of a few hundred triangles
 }
 
 /// Takes triangles of no patch out of the search: without an area they lie on others, or are no surface.

@@ -152,6 +152,7 @@ TEST(LevelAssets, SharedMeshes) {
 }
 
 /// What a prototype reached on a real mesh (CLOD-NOTES 6), in its own unit: the farthest vertex from the middle of the box.
+/// The mug: 750 there; 758 since new triangles stay within 4.5 % of the radius instead of 8.
 struct Coarsest {
   const char* name;
   std::size_t triangles;
@@ -161,7 +162,7 @@ struct Coarsest {
 TEST(LevelAssets, RealMeshesAreAsCoarseAsAsked) {
   THIGMA_NEEDS_SHARED(folder);
   constexpr Coarsest asked[] = {
-      {"a02_dental_cast_lower", 600, 100}, {"a12_mug_ycb", 750, 250},
+      {"a02_dental_cast_lower", 600, 100}, {"a12_mug_ycb", 760, 250},
       {"a01_dental_cast_upper", 600, 100}, {"a03_femur_right", 750, 60},
       {"a04_hip_bone_right_mirrored", 750, 60}, {"a05_gear_large_60t", 2100, 140},
       {"a06_gear_medium_40t", 2100, 140}, {"a07_bolt_m16_loose", 2100, 140},

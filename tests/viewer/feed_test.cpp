@@ -143,5 +143,40 @@ TEST(Feed, ReleasedObjectsHaveNoGhostOfTheirOwn) {
   EXPECT_EQ(rows.back().values[7], 0.0f);  // no stretch
 }
 
+TEST(Feed, AGhostThatIsFirstSeenInTheMiddleStandsAtTheObject) {
+  // As after a seek in a recording: the first frame that comes is held, and the one before it is not known.
+  LiveFeed feed{Workspace{}};
+  feed.begin_session(Workspace{});
+  HapticSample sample;
+  sample.frame = 700;
+  sample.is_grasped = true;
+  sample.body.position = {0.1, -0.2, 0.3};
+  sample.handle.pose.position = {0.1, -0.2, 0.32};
+  feed.look_at(sample);
+  ASSERT_NE(feed.haptic(), nullptr);
+  EXPECT_LT((feed.haptic()->ghost.position - sample.body.position).norm(), 1e-12);
+
+  // And from a body of a time that has nothing to do with it.
+  feed.begin_session(Workspace{});
+  sample.frame = 30;
+  sample.body.position = {-0.4, 0.0, 0.0};
+  sample.handle.pose.position = {-0.4, 0.0, 0.02};
+  feed.look_at(sample);
+  EXPECT_LT((feed.haptic()->ghost.position - sample.body.position).norm(), 1e-12);
+}
+
+TEST(Feed, WhatIsForgottenIsNotShown) {
+  LiveFeed feed{Workspace{}};
+  feed.look_at(HapticSample{});
+  feed.look_at(ContactSample{});
+  ASSERT_NE(feed.haptic(), nullptr);
+  feed.look_at(HapticSample{});  // not fetched yet
+  feed.forget();
+  EXPECT_EQ(feed.haptic(), nullptr);
+  EXPECT_EQ(feed.contact(), nullptr);
+  feed.look_at(HapticSample{});
+  EXPECT_NE(feed.haptic(), nullptr);
+}
+
 }  // namespace
 }  // namespace thigma::live

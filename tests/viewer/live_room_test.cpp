@@ -292,6 +292,26 @@ TEST(LiveRoom, LevelsAreSentWhenAskedForAndUploadsReachTheProgram) {
   b.room->show(SceneView{"", "", "", {"ball", {&b.ball, 1}, &b.scene.object, {}}, {}}, b.scene.config, {});
 }
 
+TEST(LiveRoom, NothingOfTheSceneBeforeIsShownInTheNext) {
+  Bench b;
+  b.room->begin_session({.device = "hand:"});
+  WebClient client(b.room->port());
+  b.room->look_at(HapticSample{});
+  ASSERT_NE(next_snapshot(client), "");
+  b.room->show(SceneView{"", "", "", {"ball", {&b.ball, 1}, &b.scene.object, {}}, {}}, b.scene.config, {});
+  ASSERT_NE(client.read_type("scene"), "");
+  int states = 0, snapshots = 0;
+  while (states < 3) {  // one a second
+    const auto message = client.read();
+    ASSERT_TRUE(message);
+    snapshots += message->is_binary && at<std::uint8_t>(message->data, 0) == 3;
+    states += !message->is_binary && Json::parse(message->data)["type"] == "state";
+  }
+  EXPECT_EQ(snapshots, 0);
+  b.room->look_at(HapticSample{});
+  EXPECT_NE(next_snapshot(client), "");
+}
+
 TEST(LiveRoom, ChoicesOfTheProgramAreShownAndAskedForThere) {
   Bench b;
   LiveParameter response;

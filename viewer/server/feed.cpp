@@ -32,16 +32,19 @@ Wrench on_hand(const Workspace& workspace, const HapticSample& s) {
 void LiveFeed::begin_session(const Workspace& workspace) noexcept {
   workspace_ = workspace;
   was_grasped_ = false;
+  next_frame_ = 0;
 }
 
 void LiveFeed::look_at(const HapticSample& s) {
-  // The grasp is taken at the body's state before the step: that of the frame before.
+  // The grasp is taken at the body's state before the step: that of the frame before. Where that frame is not known,
+  // as after a seek, a step's way is what the ghost is off by.
   if (s.is_grasped && !was_grasped_) {
-    const Pose before = s.frame > 0 ? last_body_ : pose_of(s.body);
+    const Pose before = next_frame_ > 0 && s.frame == next_frame_ ? last_body_ : pose_of(s.body);
     body_from_grasp_ = inverse(before) * s.handle.pose;
   }
   was_grasped_ = s.is_grasped;
   last_body_ = pose_of(s.body);
+  next_frame_ = s.frame + 1;
 
   const Wrench felt = on_hand(workspace_, s);
   ChannelRow row;
@@ -105,6 +108,12 @@ void LiveFeed::take_events(std::vector<SessionEvent>& events) {
   const std::lock_guard lock(events_mutex_);
   events.insert(events.end(), events_.begin(), events_.end());
   events_.clear();
+}
+
+void LiveFeed::forget() {
+  haptic_.fetch();
+  contact_.fetch();
+  has_haptic_ = has_contact_ = false;
 }
 
 const HapticNow* LiveFeed::haptic() {

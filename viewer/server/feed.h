@@ -40,6 +40,8 @@ class LiveFeed {
   void take_query_times(std::vector<double>& times);
   /// Moves all events that wait to the end of `events`.
   void take_events(std::vector<SessionEvent>& events);
+  /// Nothing of what has come so far is shown any more: another scene comes. Rows and events that wait stay.
+  void forget();
   /// The newest frame; null before the first.
   const HapticNow* haptic();
   /// The newest contact frame; null before the first.
@@ -53,6 +55,7 @@ class LiveFeed {
   // The draining thread's.
   Pose last_body_, body_from_grasp_;
   bool was_grasped_ = false;
+  std::uint64_t next_frame_ = 0;  // the one that last_body_ is the state before; 0: not known
   // Shared.
   SpscRing<ChannelRow> rows_{8192};
   SpscRing<double> query_times_{8192};

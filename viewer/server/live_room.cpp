@@ -180,6 +180,7 @@ void LiveRoom::show(SceneView scene, const SessionConfig& config, const Pose& st
   std::future<void> shown = done->get_future();
   impl_->server.post([room = impl_.get(), done, view = std::move(scene), config, start] {
     room->show_scene(view, config, start);
+    room->feed.forget();  // else the forces of the scene before would be drawn into this one
     for (const PageId page : room->server.pages()) room->tell_scene(page);
     room->tell_parameters();
     done->set_value();

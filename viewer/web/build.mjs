@@ -36,6 +36,7 @@ async function licences() {
 
 const files = {
   "app.js": await bundle("src/main.js", { format: "iife" }),
+  "worker.js": await bundle("src/worker.js", { format: "iife" }),
   "style.css": await bundle("src/style.css", {}),
   "index.html": await readFile(join(here, "src/index.html")),
   "icon.svg": await readFile(join(here, "src/icon.svg")),

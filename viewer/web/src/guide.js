@@ -11,7 +11,7 @@ export function guideLine(guide, session, facts, act) {
   const { state, scene, snapshot } = session;
   if (!session.connected || !state || !scene || !snapshot) return null;
   const object = scene.object.name;
-  const grasped = (snapshot.bits & 1) !== 0, armed = (snapshot.bits & 2) !== 0, fault = (snapshot.bits & 4) !== 0;
+  const fading = (snapshot.bits & 32) !== 0, grasped = (snapshot.bits & 1) !== 0, armed = (snapshot.bits & 2) !== 0, fault = (snapshot.bits & 4) !== 0;
   if (session.progress) return null;
   if (state.run === "ended") {
     return { text: `The session ${endWords(state) ?? "has ended"}.`, button: "Begin again", act: act.reset, mood: "stop" };
@@ -34,7 +34,7 @@ export function guideLine(guide, session, facts, act) {
       act: () => act.device("web:"), icon: "hand" };
   }
   if (state.holder === "other") return { text: "Another page holds the hand; this one watches." };
-  return ownHand(guide, { object, grasped, armed, snapshot, scene, ...facts });
+  return ownHand(guide, { object, grasped, armed, fading, snapshot, scene, ...facts });
 }
 
 function ownHand(guide, facts) {
@@ -48,6 +48,7 @@ function ownHand(guide, facts) {
   if (!armed && now - guide.unarmedSince > 0.6) {
     return { text: `Taken hold of inside a contact: lift the ${object} off once, then forces come on.` };
   }
+  if (facts.fading) return { text: "This page is slow: the force fades until it keeps up, and comes back by itself." };
   if (newtons > 0) guide.touchedAt ??= now;
   if (guide.touchedAt === null) {
     const target = facts.scene.statics[0]?.name ?? "scene";

@@ -45,17 +45,23 @@ export function turnHand(hand, axis, angle, workspace) {
   hand.quaternion = q.map((value) => value / norm);
 }
 
-/// Notes where the hand is at a time of the browser's clock [s]; sooner than 4 ms after the last it replaces that one, so
-/// that the newest position is never lost, unless the buttons differ.
-export function noteSample(hand, time) {
-  const buttons = hand.clutch ? CLUTCH : 0;
-  const sample = { time: Math.max(time, hand.latest), position: [...hand.position], quaternion: [...hand.quaternion], buttons };
-  const last = hand.pending[hand.pending.length - 1];
-  const before = hand.pending[hand.pending.length - 2];
-  const since = before ? before.time : hand.sent ?? -Infinity;
-  if (last && last.buttons === buttons && last.time - since < SHORTEST) hand.pending[hand.pending.length - 1] = sample;
-  else hand.pending.push(sample);
-  if (hand.pending.length > MAX_SAMPLES) hand.pending.splice(0, hand.pending.length - MAX_SAMPLES);
+/// Adds a sample to those that wait; sooner than 4 ms after the last it replaces that one, so that the newest position is
+/// never lost, unless the buttons differ. More than a message holds push the oldest out.
+/// sent   time of the last one that no longer waits [s]
+export function addSample(pending, sample, sent = -Infinity) {
+  const last = pending[pending.length - 1];
+  const since = pending[pending.length - 2]?.time ?? sent;
+  if (last && last.buttons === sample.buttons && last.time - since < SHORTEST) pending[pending.length - 1] = sample;
+  else pending.push(sample);
+  if (pending.length > MAX_SAMPLES) pending.splice(0, pending.length - MAX_SAMPLES);
+}
+
+export const poseOf = (hand) => ({ position: [...hand.position], quaternion: [...hand.quaternion] });
+
+/// Notes where the hand is, or was, at a time of the browser's clock [s].
+export function noteSample(hand, time, pose = poseOf(hand)) {
+  const sample = { time: Math.max(time, hand.latest), ...pose, buttons: hand.clutch ? CLUTCH : 0 };
+  addSample(hand.pending, sample, hand.sent);
   hand.latest = sample.time;
 }
 

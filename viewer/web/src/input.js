@@ -7,7 +7,7 @@ import { moveHand, noteSample, turnHand } from "./hand.js";
 const TURN_PER_PIXEL = 0.008; // [rad]
 
 /// player   {stage, hand, workspace(), grasp(): world point, mayMove(): the hand is this page's to move,
-///           press(): take hold, moved(turned), letGo()}
+///           press(): take hold, moved(turned), give(): what was noted, at the end of an event, letGo()}
 export function startInput(player) {
   const { canvas } = player.stage;
   const input = { player, pointers: new Map(), mode: null };
@@ -60,6 +60,7 @@ function move(input, event) {
   }
   last.x = event.clientX;
   last.y = event.clientY;
+  if (input.mode === "hand") input.player.give();
 }
 
 function step(input, event, dx, dy) {
@@ -124,8 +125,10 @@ function up(input, event) {
 function wheel(input, event) {
   event.preventDefault();
   const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1);
-  if (input.mode === "hand") shift(input, 0, 0, -0.4 * pixels, event.timeStamp);
-  else zoom(input.player.stage.view, Math.exp(0.0012 * pixels));
+  if (input.mode === "hand") {
+    shift(input, 0, 0, -0.4 * pixels, event.timeStamp);
+    input.player.give();
+  } else zoom(input.player.stage.view, Math.exp(0.0012 * pixels));
 }
 
 const DEAD = 0.12; // of a stick

@@ -2,10 +2,10 @@
 import { goHome } from "./camera.js";
 import { makeBar, showHint, showState, showViews } from "./bar.js";
 import { guideLine, makeGuide } from "./guide.js";
-import { encodeDevice, STATE } from "./protocol.js";
-import { makeHand, noteSample, takeSamples } from "./hand.js";
+import { STATE } from "./protocol.js";
+import { makeHand, noteSample, poseOf, takeSamples } from "./hand.js";
 import { readGamepad, startInput } from "./input.js";
-import { ask, makeLink, sendAll, sendBytes, waitingBytes } from "./link.js";
+import { ask, letGo, makeLink, sendAll, sendHand, waitingBytes } from "./link.js";
 import { addEvent, fillHelp, makeParameters, showParameters } from "./panels.js";
 import { addMark, addRates, addRows, clearPlots, drawPlots, makePlots, plotPicture, plotTable, rebuildPlots, setFloors } from "./plots.js";
 import { makeReadouts, showLegend, showReadouts } from "./readouts.js";
@@ -18,7 +18,7 @@ import { startTabs } from "./tabs.js";
 import { eventWords } from "./words.js";
 
 const at = (id) => document.getElementById(id);
-const RESEND = 50; // the device is lost after 200 ms of silence [ms]
+const CONFIRM = 50; // the worker is told so often that the hand is still where it was: the force fades with the age of that [ms]
 
 const session = { connected: false, hello: null, scene: null, meshes: new Map(), state: null, parameters: [], snapshot: null,
   refusal: null, counts: { snapshot: 0, channels: 0, mesh: 0, event: 0 }, holding: false,
@@ -49,7 +49,7 @@ const act = {
   step: () => request({ type: "step", value: 1 }),
   reset: () => request({ type: "reset" }),
   record: () => request({ type: "record", value: !session.state?.recording }),
-  device: (uri) => request({ type: "use_device", value: uri }).then((ack) => { session.holding = ack.ok && uri.startsWith("web:"); }),
+  device: (uri) => request({ type: "use_device", value: uri }).then((ack) => hold(ack.ok && uri.startsWith("web:"))),
   help: () => (at("help").open ? at("help").close() : at("help").showModal()),
   theme: () => toggleTheme(),
   view: (option) => {
@@ -95,7 +95,7 @@ const on = {
   state: (message) => {
     if (session.state && session.state.session !== message.session) begunAgain();
     session.state = message;
-    session.holding = message.holder === "you";
+    hold(message.holder === "you");
   },
   event: (message) => {
     session.counts.event += 1;
@@ -134,7 +134,8 @@ function veil(sentence, share = null) {
 }
 
 function lost(sentence) {
-  session.connected = session.holding = false;
+  session.connected = false;
+  hold(false);
   hand.clutch = false;
   takeSamples(hand);
   document.body.classList.add("lost");
@@ -160,32 +161,47 @@ const player = {
   async press() {
     if ((hand.clutch && session.holding) || session.asking) return;
     session.asking = true;
-    if (!session.holding) session.holding = (await request({ type: "hold", value: true })).ok;
+    const from = poseOf(hand); // what is dragged before the answer comes counts as well
+    if (!session.holding) hold((await request({ type: "hold", value: true })).ok);
     session.asking = false;
     if (!session.holding) return;
-    noteSample(hand, performance.now() / 1000); // open first, so that the clutch is seen to close
+    noteSample(hand, performance.now() / 1000, from); // open first, so that the clutch is seen to close
     hand.clutch = true;
-    noteSample(hand, performance.now() / 1000);
+    confirmHand();
   },
   moved: (turned) => { session.turned ||= turned; },
-  letGo: () => { hand.clutch = false; },
+  give: giveHand,
+  letGo: () => {
+    hand.clutch = false;
+    confirmHand();
+  },
 };
 
-function sendHand() {
+function hold(holding) {
+  if (session.holding && !holding) letGo(link);
+  session.holding = holding;
+}
+
+/// What has been noted goes to the worker, which sends it whatever this page is busy with.
+function giveHand() {
   if (!session.holding || !session.connected) return;
-  const now = performance.now() / 1000;
-  noteSample(hand, now);
   const samples = takeSamples(hand);
-  sendBytes(link, encodeDevice(samples, performance.now() / 1000));
+  sendHand(link, samples);
   session.sent += samples.length;
 }
 
-/// A page that nobody sees must not hold anything: its timers slow down, and the hand would be lost.
+/// The hand is where it was, now.
+function confirmHand() {
+  if (!session.holding) return;
+  noteSample(hand, performance.now() / 1000);
+  giveHand();
+}
+
+/// A page that nobody sees must not hold anything: its timers slow down, and nobody would know what fades and comes back.
 function leave() {
   if (!session.holding) return;
-  hand.clutch = false;
-  sendHand();
-  session.holding = false;
+  player.letGo();
+  hold(false);
   ask(link, { type: "hold", value: false });
 }
 
@@ -239,9 +255,9 @@ startTabs(at("tabs"), [["plots", "Plots"], ["parameters", "Parameters"], ["level
 rebuildPlots(plots);
 veil("Connecting …");
 link = makeLink(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live`, {
-  message: (message) => on[message.type ?? message.kind]?.(message), opened, lost, retrying: () => {},
+  message: (message) => on[message.type ?? message.kind]?.(message), opened, lost,
 });
-setInterval(sendHand, RESEND);
+setInterval(confirmHand, CONFIRM);
 
 let last = performance.now(), tick = 0, drawn = 0;
 function frame(now) {
@@ -249,7 +265,7 @@ function frame(now) {
   const newtons = session.snapshot ? Math.hypot(...session.snapshot.force) : 0;
   if (input) readGamepad(input, (now - last) / 1000, newtons, fullForce());
   last = now;
-  sendHand();
+  confirmHand();
   if (stage && session.fresh) showSnapshot(stage, session.snapshot);
   session.fresh = false;
   if (stage && draw(stage)) drawn += 1;

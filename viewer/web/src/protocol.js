@@ -6,7 +6,7 @@ export const VERSION = 1;
 export const MESH = 1, CHANNELS = 2, SNAPSHOT = 3, LEVEL = 4, DEVICE = 32, UPLOAD = 33;
 export const NOTHING = 0xffffffff;
 export const CLUTCH = 1;
-export const STATE = { grasped: 1, armed: 2, fault: 4, paused: 8, ended: 16 };
+export const STATE = { grasped: 1, armed: 2, fault: 4, paused: 8, ended: 16, fading: 32 };
 export const STATUS = ["apart", "inside", "deep inside", "side by side"];
 export const MAX_SAMPLES = 64;
 const HEADER = 16, FIELDS = 48, CONTACT = 48, SAMPLE = 40;

@@ -56,7 +56,7 @@ export function showReadouts(board, snapshot, state, scene) {
   board.tiles.penetration.title.textContent = snapshot.penetration < 0 ? "Gap" : "Depth";
   const touching = inside || norm(snapshot.contactForce) > 0;
   board.said.textContent = situation({ object: scene.object.name, statics: scene.statics.map((one) => one.name),
-    grasped: (snapshot.bits & 1) !== 0, contacts: snapshot.contactsFound, clusters: snapshot.clusters.length, touching });
+    grasped: (snapshot.bits & 1) !== 0, armed: (snapshot.bits & 6) === 2, contacts: snapshot.contactsFound, clusters: snapshot.clusters.length, touching });
   showLevel(board.lines.level, snapshot, scene);
   showLoop(board.lines.loop, snapshot, state, scene);
   showContact(board.lines.contact, snapshot, state);

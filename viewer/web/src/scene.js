@@ -83,6 +83,8 @@ export function setObjects(stage, description, meshes) {
   }
   if (stage.ghost) stage.root.remove(stage.ghost.group);
   stage.last = null;
+  for (const { group } of [stage.force, stage.twist, stage.spring]) group.visible = false; // until there is something to show
+  setContactMarks(stage.marks, [], [], 1, colour("ring"));
   stage.object = makeBody(meshes.get(description.object.mesh), description.object);
   stage.statics = description.statics.map((entry) => {
     const body = makeBody(meshes.get(entry.mesh), entry);

@@ -51,6 +51,7 @@ export function situation(facts) {
   const where = statics.length === 1 ? `the ${statics[0]}` : "the scene";
   const count = contacts === 1 ? "1 contact" : `${contacts} contacts`;
   const groups = clusters === 1 ? "1 cluster" : `${clusters} clusters`;
+  if (facts.touching && facts.armed === false) return `${subject} touches ${where} at ${count} in ${groups}; forces are off.`;
   if (facts.touching) return `${subject} presses on ${where} at ${count} in ${groups}.`;
   return `${subject} is close to ${where}: ${count} in ${groups}.`;
 }

@@ -54,11 +54,9 @@ function liveTest(name, device, body, scene = SMALL, query = "") {
 
 const session = (page, read) => page.evaluate((text) => new Function("s", `return ${text};`)(window.thigma.session), read);
 
-const LOST_AFTER = 200;  // ms without a sample, and the device counts as lost
-
-/// Takes hold and drags down in the picture, seen from the side, until there is force. A page on a busy machine may be too
-/// slow for the 0.2 s after which the device counts as lost: then it takes hold again and, as a person would who is told so,
-/// lifts the object off first.
+/// Takes hold and drags down in the picture, seen from the side, until there is force. On a busy machine the hand may count
+/// less than fully; where a frame of the engine was late, or a press was, it lifts the object off first, as a person would
+/// who is told so.
 /// Returns false where the machine let go of it again and again: too slow to press anything.
 async function pressDown(page) {
   const box = await page.locator("#scene").boundingBox();
@@ -70,7 +68,6 @@ async function pressDown(page) {
   const reach = box.height / 2 - 5;  // of a hand in the picture; then it takes hold again, higher up
   let down = 0, held = false, hurdles = 0, steady = 0, turns = 0;
   for (const end = Date.now() + 90000; Date.now() < end; ++turns) {
-    const begin = Date.now();
     const { holds, armed, newtons } = await page.evaluate(() => { const { session: s, hand } = window.thigma;
       return { holds: s.holding && hand.clutch, armed: (s.snapshot.bits & 2) !== 0, newtons: Math.hypot(...s.snapshot.force) }; });
     steady = newtons > 0.4 ? steady + 1 : 0;  // the first touch is a bounce
@@ -89,7 +86,6 @@ async function pressDown(page) {
     } else if (Math.abs(down) < reach) {
       down += armed ? 2 : -2;
       await page.mouse.move(x, y + down);
-      if (Date.now() - begin > LOST_AFTER) ++hurdles;
     } else {
       await page.mouse.up();
       held = false;

@@ -110,7 +110,7 @@ pageTest("plots and words get what is sent", { device: "hand:" }, async ({ page,
   assert.ok(seen.force > 0.3, `${seen.force} N`);
   assert.ok(seen.charts.length === 7 && seen.charts.every((n) => n > 10), JSON.stringify(seen.charts));
   assert.ok(seen.rows <= mock.world.frame + 16 && seen.channels > 10);
-  assert.match(seen.words, /The upper block (presses on|is close to) the lower block at|touches nothing/);
+  assert.match(seen.words, /The upper block (presses on|is close to|touches) the lower block at|touches nothing/);
   assert.match(seen.words, /The loop holds 1000 Hz, 0 frames missed\./);
   assert.match(seen.words, /Contacts found [34]\d\d times a second, 1\.18 ms each; the model is 2\.10 ms old\./);
 });
@@ -142,6 +142,54 @@ pageTest("a drag moves the hand until the object touches, and not through", {}, 
   await page.getByRole("tab", { name: "Events" }).click();
   await page.getByText("The hand took hold of the object").first().waitFor();
   assert.ok(seen.sent > 3 && mock.received.device > 3);
+});
+
+pageTest("a page whose main thread stands still goes on saying where the hand was", {}, async ({ page, mock }) => {
+  await drag(page, 20, 10, 4);
+  await until(() => mock.world.grasped, "held");
+  const before = mock.received.device, newest = [];
+  const standing = page.evaluate(() => {
+    for (const end = performance.now() + 3000; performance.now() < end;);
+    window.stoodStill = true;
+  });
+  for (const end = Date.now() + 3000; Date.now() < end;) {
+    newest.push(mock.received.newest);
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  await standing;
+  assert.ok(mock.received.device > before + 10, `${mock.received.device - before} messages`);
+  const same = newest.filter((time) => time === newest[Math.floor(newest.length / 2)]).length;
+  assert.ok(same > newest.length / 2, "with the time it had");
+  assert.ok(mock.world.grasped && mock.world.fault === 0);
+  await until(() => mock.received.newest > newest.at(-1), "and goes on from there");
+  assert.deepEqual(mock.received.refused, []);
+});
+
+pageTest("hovering neither takes the hand nor loses it", {}, async ({ page, mock }) => {
+  const hover = async () => { for (let k = 0; k < 12; k++) await page.mouse.move(200 + 40 * k, 300 + 10 * k); };
+  await hover();
+  assert.ok(!mock.holder && !mock.received.text.some(({ type }) => type === "hold"), "nobody asked");
+  await drag(page, 20, 10, 4);
+  await until(() => mock.world.grasped, "held");
+  const place = await page.evaluate(() => window.thigma.hand.position);
+  await hover();
+  assert.deepEqual(await page.evaluate(() => window.thigma.hand.position), place, "and moves nothing");
+  assert.ok(mock.holder && mock.world.grasped && mock.world.fault === 0);
+  assert.equal(mock.received.text.filter(({ type }) => type === "hold").length, 1);
+});
+
+pageTest("another scene begins without the arrow, the ghost and the contacts of the one before", { device: "hand:" }, async ({ page, mock }) => {
+  const marks = () => page.evaluate(() => { const { stage } = window.thigma;
+    return [stage.force.group, stage.twist.group, stage.spring.group, stage.ghost.group].map(({ visible }) => visible)
+      .concat(stage.marks.dots[0].count > 0, stage.object.finest.bytes.some((level) => level > 0)); });
+  await page.waitForFunction(() => window.thigma.stage.force.group.visible && window.thigma.stage.marks.dots[0].count > 0);
+  mock.silence(true); // a session that takes its time to begin
+  const meshes = await page.evaluate(() => window.thigma.session.counts.mesh);
+  mock.show();
+  await page.waitForFunction((n) => window.thigma.session.counts.mesh === n + 2, meshes);
+  assert.deepEqual(await marks(), Array(6).fill(false));
+  mock.silence(false);
+  await page.waitForFunction(() => window.thigma.stage.force.group.visible);
 });
 
 pageTest("Ctrl turns, Shift pushes away, the wheel zooms or pushes, Space lets go", {}, async ({ page, mock }) => {

@@ -13,13 +13,13 @@ const MIME = { ".js": "text/javascript", ".css": "text/css", ".html": "text/html
 const policy = (host) => "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; " +
   `connect-src 'self' ws://${host}; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'`;
 
-const LOST_AFTER = 10000; // [ms]; the program says 200, but a test machine may be busy
+const LOST_AFTER = 10000; // [ms]; the program says 5000, but a test machine may be busy
 
 /// options   {port 0: any, device "web:" | "hand:"}
 /// returns   {port, world, received: {device, samples, text, refused}, silence(bool), drop(), close()}
 export async function startMock({ port = 0, device = "web:" } = {}) {
   const mock = { world: makeWorld(), device, pages: new Set(), run: "running", session: 1, holder: null, lastDevice: 0, nextPage: 1,
-    received: { device: 0, samples: 0, text: [], refused: [] }, quiet: false, rows: [], started: 0 };
+    received: { device: 0, samples: 0, newest: null, text: [], refused: [] }, quiet: false, rows: [], started: 0 };
   mock.meshes = [makeBlock(true), makeBlock(false)].map((mesh, number) => encodeMesh(number, mesh));
   mock.parameters = [parameter("contact_stiffness", "contact stiffness", "N/m", 5000, 200, 20000, "how hard the surfaces are"),
     parameter("coupling_stiffness", "coupling stiffness", "N/m", 500, 50, 1000, "how firmly the hand holds the object"),
@@ -36,6 +36,7 @@ export async function startMock({ port = 0, device = "web:" } = {}) {
     port: server.address().port,
     silence: (quiet) => { mock.quiet = quiet; },
     progress: (what, share) => { for (const page of mock.pages) page.say({ type: "progress", what, share }); },
+    show: () => { for (const page of mock.pages) tellScene(mock, page, page.say); },
     drop: () => { for (const page of [...mock.pages]) page.destroy(); },
     close: () => { clearInterval(clock); clearInterval(slow); for (const page of [...mock.pages]) page.destroy(); server.close(); },
   });
@@ -64,19 +65,23 @@ function enter(mock, request, socket) {
     closed: () => { mock.pages.delete(page); if (mock.holder === page) loseDevice(mock); } });
   const say = (message) => page.sendText(JSON.stringify(message));
   mock.pages.add(page);
-  say({ type: "hello", protocol: 1, program: "mock", page: mock.nextPage++, lost_after: 0.2, max_message: 65536,
+  say({ type: "hello", protocol: 1, program: "mock", page: mock.nextPage++, lost_after: 5, max_message: 65536,
     channels: CHANNELS.map((name) => ({ name, unit: "" })), faults: FAULTS });
+  tellScene(mock, page, say);
+  say({ type: "parameters", list: mock.parameters });
+  say({ type: "menu", scenes: [{ name: "mock", title: "Block on block (made up)" }, { name: "cups", title: "Cup and spoon" }],
+    recordings: [{ name: "session-001.mcap", title: "session-001.mcap" }] });
+  page.say = say;
+  tellState(mock);
+}
+
+function tellScene(mock, page, say) {
   const block = (name, mesh) => ({ name, mesh, radius: 0.043, center: [0, 0, 0], levels: 6, triangles: 9600, patches: 576,
     level_list: levelList() });
   say({ type: "scene", title: "Block on block (made up)", name: "mock", object: block("upper block", 0),
     statics: [{ ...block("lower block", 1), position: [0, 0, 0], quat_xyzw: [0, 0, 0, 1] }], start: START,
     workspace: { position: [0, 0, 0], quat_xyzw: [0, 0, 0, 1], motion_scale: 1, force_scale: 1 }, tolerance: 0.0004, rate: 1000 });
   for (const mesh of mock.meshes) page.sendBinary(mesh);
-  say({ type: "parameters", list: mock.parameters });
-  say({ type: "menu", scenes: [{ name: "mock", title: "Block on block (made up)" }, { name: "cups", title: "Cup and spoon" }],
-    recordings: [{ name: "session-001.mcap", title: "session-001.mcap" }] });
-  page.say = say;
-  tellState(mock);
 }
 
 function tellState(mock) {
@@ -183,6 +188,7 @@ function hearDevice(mock, page, data) {
   mock.received.device += 1;
   mock.received.samples += samples.length;
   mock.lastDevice = Date.now();
+  mock.received.newest = samples[samples.length - 1].time;
   for (const { position, quaternion, buttons } of samples) {
     const clutch = (buttons & 1) !== 0;
     if (clutch && !mock.world.hand?.clutch && mock.world.fault === 1) { mock.world.fault = 0; event(mock, "resumed"); }

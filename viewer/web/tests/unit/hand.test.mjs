@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { aboutAxis, makeHand, moveHand, multiply, noteSample, rotate, takeSamples, turnHand } from "../../src/hand.js";
+import { aboutAxis, makeHand, moveHand, multiply, noteSample, poseOf, rotate, takeSamples, turnHand } from "../../src/hand.js";
 
 const close = (a, b) => a.forEach((value, k) => assert.ok(Math.abs(value - b[k]) < 1e-12, `${a} is not ${b}`));
 const PLAIN = { quat_xyzw: [0, 0, 0, 1], motion_scale: 1 };
@@ -66,4 +66,14 @@ test("the clock never falls, and a message holds no more than it may", () => {
   assert.equal(samples.length, 64);
   assert.ok(samples.every((sample, k) => k === 0 || sample.time >= samples[k - 1].time));
   assert.deepEqual(takeSamples(hand), []);
+});
+
+test("where the hand was when it was pressed is told before where it has got to", () => {
+  const hand = makeHand();
+  const from = poseOf(hand);
+  moveHand(hand, [0.1, 0, 0], PLAIN);
+  noteSample(hand, 1, from);
+  hand.clutch = true;
+  noteSample(hand, 1);
+  assert.deepEqual(takeSamples(hand).map(({ position, buttons }) => [position[0], buttons]), [[0, 0], [0.1, 1]]);
 });

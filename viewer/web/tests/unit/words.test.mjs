@@ -29,6 +29,9 @@ test("the situation in a sentence", () => {
   assert.equal(situation(facts), "The upper jaw is in the hand and touches nothing.");
   assert.equal(situation({ ...facts, grasped: false }), "The upper jaw rests and touches nothing.");
   assert.equal(situation({ ...facts, contacts: 1, clusters: 1, touching: true }), "The upper jaw presses on the lower jaw at 1 contact in 1 cluster.");
+  const off = { ...facts, contacts: 2, clusters: 1, touching: true, armed: false };
+  assert.equal(situation(off), "The upper jaw touches the lower jaw at 2 contacts in 1 cluster; forces are off.");
+  assert.equal(situation({ ...off, armed: true }), "The upper jaw presses on the lower jaw at 2 contacts in 1 cluster.");
   assert.equal(situation({ ...facts, contacts: 7, clusters: 2, statics: ["a", "b"] }), "The upper jaw is close to the scene: 7 contacts in 2 clusters.");
 });
 
