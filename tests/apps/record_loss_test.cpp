@@ -97,6 +97,8 @@ TEST(RecordLoss, what_was_flushed_before_a_kill_is_read_by_every_verb) {
   const std::string part = killed_recording("killed.mcap");
   const nlohmann::json said = expect_read_by_every_verb(part);
   EXPECT_GT(said["frames"].get<int>(), 500);
+  const std::string name = part.substr(0, part.rfind('.'));
+  expect_one_line(run_program({"replay", name}), name + ": is not there, but");
   const Ended text = run_program({"replay", part});
   EXPECT_EQ(text.code, 0) << text.err;
   EXPECT_NE(text.out.find("no recorded hash"), std::string::npos) << text.out;

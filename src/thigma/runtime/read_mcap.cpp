@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <map>
 
 #include "thigma/core/checksum.h"
@@ -197,7 +198,14 @@ bool has_end(const std::string& bytes) {
 
 }  // namespace
 
-McapFile read_mcap(const std::string& path) { return parse_mcap(read_file(path), path); }
+McapFile read_mcap(const std::string& path) {
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown) && std::filesystem::exists(path + ".part", unknown)) {
+    throw InputError(path + ": is not there, but what a session that is not over has written is, " +
+                     "expected " + path + ".part");
+  }
+  return parse_mcap(read_file(path), path);
+}
 
 McapFile parse_mcap(std::string bytes, const std::string& path) {
   McapFile file;
