@@ -36,7 +36,11 @@ test("three pages, one of them deaf in the middle", { timeout: 400000 }, async (
     const second = await openClient(run.port), third = await openClient(run.port);
     await until(() => third.snapshots > 10, "snapshots of the third");
     third.socket.pause(); // reads nothing any more
-    for (let id = 1; id <= 60; id++) third.send({ type: "level", id, mesh: 1, value: 1 }); // 127 kB each: fills what lies between
+    // Some 100 kB each, one by one, as no level is sent while more than 1 MiB waits: they fill what lies between.
+    for (let id = 1; id <= 120; id++) {
+      third.send({ type: "level", id, mesh: 1, value: 1 });
+      await new Promise((resolve) => setTimeout(resolve, 15));
+    }
     const before = first.snapshots;
     await until(() => first.states.length >= DEAF && second.states.length >= DEAF - 2, "states of the others");
     assert.ok(first.snapshots - before > 5 && second.snapshots > 5, "the others go on getting snapshots");
