@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "benchmarks/point_cells.h"
 #include "benchmarks/probe.h"
 #include "experiments/common/statistics.h"
 #include "experiments/level-choice/tree_ranges.h"
@@ -62,17 +63,20 @@ Frame query_at(const TouchedPair& pair, std::size_t sample, const Setting& setti
   return frame;
 }
 
+std::vector<Vec3> middles_of(const std::vector<Contact>& contacts, std::size_t step = 1) {
+  std::vector<Vec3> middles;
+  for (std::size_t i = 0; i < contacts.size(); i += step)
+    middles.push_back(0.5 * (contacts[i].point + contacts[i].scene_point));
+  return middles;
+}
+
+/// Neither frame without a contact.
 double recall_of(const Frame& exact, const Frame& frame, double near) {
-  const std::size_t step = exact.contacts.size() / kCompared + 1;
-  double asked = 0.0, found = 0.0;
-  for (std::size_t i = 0; i < exact.contacts.size(); i += step) {
-    const Contact& e = exact.contacts[i];
-    asked += 1.0;
-    found += std::any_of(frame.contacts.begin(), frame.contacts.end(), [&](const Contact& c) {
-      return (c.point + c.scene_point - e.point - e.scene_point).squaredNorm() <= 4.0 * near * near;
-    });
-  }
-  return asked > 0.0 ? found / asked : std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Vec3> asked = middles_of(exact.contacts, exact.contacts.size() / kCompared + 1);
+  const bench::PointCells cells = bench::sort_into_cells(middles_of(frame.contacts), near);
+  const auto found = std::count_if(asked.begin(), asked.end(),
+                                   [&](const Vec3& p) { return bench::has_point_within(cells, p); });
+  return static_cast<double>(found) / static_cast<double>(asked.size());
 }
 
 /// Largest of minus depth minus bound, and the same plus bound: between them lies the least separation.

@@ -144,18 +144,11 @@ SheetBound bound_by_sheet(const DeviationTarget& target, const std::array<Vec3, 
   return bound;
 }
 
-/// A triangle, and how far its corners are from its middle.
-struct Part {
-  std::array<Vec3, 3> corner;
-  Vec3 middle;
-  double radius;
-};
-
-Part part_of(const std::array<Vec3, 3>& c) {
-  const Vec3 middle = (c[0] + c[1] + c[2]) / 3.0;
+/// How far the corners are from a point, at most.
+double radius_about(const Vec3& middle, const std::array<Vec3, 3>& c) {
   double radius2 = 0.0;
   for (const Vec3& p : c) radius2 = std::max(radius2, (p - middle).squaredNorm());
-  return {c, middle, std::sqrt(radius2)};
+  return std::sqrt(radius2);
 }
 
 /// What a part has to stay below to be done.
@@ -170,10 +163,10 @@ double farthest_corner(const DeviationTarget& target, const std::array<Vec3, 3>&
 /// Bound over a part; extends range.met. Its bound stays: what a sibling was allowed must not loosen this one.
 double bound_by_division(const DeviationTarget& target, const std::array<Vec3, 3>& c, double reach,
                          int divisions, std::int32_t nearest, DeviationRange& range) {
-  const Part part = part_of(c);
-  const double at_middle = nearest_distance(target, part.middle, nearest);
+  const Vec3 middle = (c[0] + c[1] + c[2]) / 3.0;
+  const double at_middle = nearest_distance(target, middle, nearest);
   range.met = std::max(range.met, at_middle);
-  double bound = std::min(at_middle + part.radius, farthest_corner(target, c, nearest));
+  double bound = std::min(at_middle + radius_about(middle, c), farthest_corner(target, c, nearest));
   if (bound <= enough(range)) return bound;
   bound = std::min(bound, bound_by_sheet(target, c, reach).distance);
   if (divisions == 0 || bound <= enough(range)) return bound;
@@ -181,8 +174,8 @@ double bound_by_division(const DeviationTarget& target, const std::array<Vec3, 3
   const std::array<std::array<Vec3, 3>, 4> parts = {
       {{c[0], ab, ca}, {ab, c[1], bc}, {ca, bc, c[2]}, {ab, bc, ca}}};
   double largest = 0.0;
-  for (const auto& smaller : parts)
-    largest = std::max(largest, bound_by_division(target, smaller, reach, divisions - 1, nearest, range));
+  for (const auto& part : parts)
+    largest = std::max(largest, bound_by_division(target, part, reach, divisions - 1, nearest, range));
   return std::min(bound, largest);
 }
 

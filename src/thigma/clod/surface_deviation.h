@@ -32,7 +32,7 @@ struct DeviationRange {
 /// Where the surface lies over the triangle in one sheet, it is cut along the triangle's prism, and
 /// the distance along the normal, linear on every piece, has its largest value at a corner of a
 /// piece. Elsewhere, and where that distance is slanted, the triangle is divided until every part is bounded
-/// to a quarter of `met`: by that distance, by the distance of its corners to one triangle of the surface, a convex
+/// to a tenth above `met`: by that distance, by the distance of its corners to one triangle of the surface, a convex
 /// function, or by the distance of its middle and its size; at most 4^6 parts.
 ///
 /// reach    about the largest deviation to expect [m]: sheets farther along the normal are not

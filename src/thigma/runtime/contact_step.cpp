@@ -130,9 +130,9 @@ void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch
   sample.level_changes = 0;
   sample.triangles_below = 0.0;
   if (!world.resolution.is_exact) {
-    sample.triangles_below = count_triangles_below(*world.object, world.scene, scratch.contacts.contacts, scratch.levels);
     sample.level_changes =
         count_level_changes(*world.object, world.scene, scratch.contacts.contacts, scratch.levels);
+    sample.triangles_below = triangles_below(scratch.levels);
   }
   sample.model_digest = model_digest(sample.model);
 }

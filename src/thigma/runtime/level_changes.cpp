@@ -19,7 +19,7 @@ std::vector<std::int32_t> parents_of(const ClodHierarchy& hierarchy) {
   return parents;
 }
 
-std::vector<std::int32_t> triangles_below(const ClodHierarchy& hierarchy) {
+std::vector<std::int32_t> triangles_of_nodes(const ClodHierarchy& hierarchy) {
   std::vector<std::int32_t> triangles(hierarchy.nodes.size(), 0);
   for (std::size_t i = hierarchy.nodes.size(); i-- > 0;) {  // children come after their parents
     const ClodNode& node = hierarchy.nodes[i];
@@ -28,13 +28,6 @@ std::vector<std::int32_t> triangles_below(const ClodHierarchy& hierarchy) {
       triangles[i] += triangles[static_cast<std::size_t>(node.first_child + k)];
   }
   return triangles;
-}
-
-/// The pair of nodes of a contact, -1 where there is none.
-NodePair nodes_of(const ClodHierarchy& object, std::span<const SceneBody> scene, const Contact& c) noexcept {
-  if (c.body < 0 || static_cast<std::size_t>(c.body) >= scene.size()) return {};
-  const ClodHierarchy& other = *scene[static_cast<std::size_t>(c.body)].hierarchy;
-  return {c.body, contact_node(object, c.object_patch), contact_node(other, c.scene_patch)};
 }
 
 std::int32_t parent(const std::vector<std::int32_t>& parents, std::int32_t node) noexcept {
@@ -85,12 +78,12 @@ std::int32_t count_below(const LevelHistory& history, const std::vector<NodePair
 void reserve_level_history(const ClodHierarchy& object, std::span<const SceneBody> scene,
                            std::size_t contacts, LevelHistory& history) {
   history.object_parents = parents_of(object);
-  history.object_triangles = triangles_below(object);
+  history.object_triangles = triangles_of_nodes(object);
   history.scene_parents.clear();
   history.scene_triangles.clear();
   for (const SceneBody& body : scene) {
     history.scene_parents.push_back(parents_of(*body.hierarchy));
-    history.scene_triangles.push_back(triangles_below(*body.hierarchy));
+    history.scene_triangles.push_back(triangles_of_nodes(*body.hierarchy));
   }
   history.last.clear();
   history.last.reserve(contacts);
@@ -103,7 +96,10 @@ std::int32_t count_level_changes(const ClodHierarchy& object, std::span<const Sc
                                  LevelHistory& history) noexcept {
   history.now.clear();
   for (const Contact& c : contacts) {
-    const NodePair pair = nodes_of(object, scene.first(history.scene_parents.size()), c);
+    if (c.body < 0 || static_cast<std::size_t>(c.body) >= history.scene_parents.size()) continue;
+    const ClodHierarchy& other = *scene[static_cast<std::size_t>(c.body)].hierarchy;
+    const NodePair pair{c.body, contact_node(object, c.object_patch),
+                        contact_node(other, c.scene_patch)};
     if (pair.object >= 0 && pair.scene >= 0) history.now.push_back(pair);
   }
   std::sort(history.now.begin(), history.now.end());
@@ -119,12 +115,9 @@ std::int32_t count_level_changes(const ClodHierarchy& object, std::span<const Sc
   return changes;
 }
 
-double count_triangles_below(const ClodHierarchy& object, std::span<const SceneBody> scene,
-                             std::span<const Contact> contacts, const LevelHistory& history) noexcept {
+double triangles_below(const LevelHistory& history) noexcept {
   double sum = 0.0;
-  for (const Contact& c : contacts) {
-    const NodePair pair = nodes_of(object, scene.first(history.scene_triangles.size()), c);
-    if (pair.object < 0 || pair.scene < 0) continue;
+  for (const NodePair& pair : history.last) {
     sum += 0.5 * history.object_triangles[static_cast<std::size_t>(pair.object)];
     sum += 0.5 * history.scene_triangles[static_cast<std::size_t>(pair.body)][static_cast<std::size_t>(pair.scene)];
   }

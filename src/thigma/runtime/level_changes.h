@@ -42,10 +42,8 @@ void reserve_level_history(const ClodHierarchy& object, std::span<const SceneBod
 std::int32_t count_level_changes(const ClodHierarchy& object, std::span<const SceneBody> scene,
                                  std::span<const Contact> contacts, LevelHistory& history) noexcept;
 
-/// Original triangles below the contacts' patches, mean of both sides, summed over the contacts.
-/// history  of the same object and scene
+/// Original triangles below the contacts of the frame counted last, mean of both sides, summed over the contacts.
 /// Thread    [contact]; no failure.
-double count_triangles_below(const ClodHierarchy& object, std::span<const SceneBody> scene,
-                             std::span<const Contact> contacts, const LevelHistory& history) noexcept;
+double triangles_below(const LevelHistory& history) noexcept;
 
 }  // namespace thigma
