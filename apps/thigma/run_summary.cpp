@@ -194,6 +194,7 @@ Json simulation_json(const Run& run) {
   json["impulses"] = c.impulses;
   json["supported"] = c.supported;
   json["interpolated"] = c.interpolated;
+  json["doubted"] = c.doubted;
   json["unresolved"] = c.unresolved;
   json["query_cpu_us_mean"] = c.steps > 0 ? finite(1e6 * c.query_cpu / static_cast<double>(c.steps)) : Json(nullptr);
   json["front_mean"] = c.steps > 0 ? finite(c.front / static_cast<double>(c.steps)) : Json(nullptr);

@@ -181,6 +181,64 @@ TEST(Simulate, LevelsThatChangeAtAnImpactDoNotHoldTimeUp) {
   EXPECT_GT(stage.state.body.position.z(), 0.0);
 }
 
+/// A torus that falls on a floor, as coarse as its speed allows.
+struct LevelFall {
+  double rest_gap = 0.0;  // of the exact surfaces at the end, over the tolerance
+  std::int64_t doubted = 0;
+  bool is_resting = false;
+};
+
+/// alpha    of the velocity metric [s]
+/// returns how deep the exact surfaces were in each other at any query, over the tolerance.
+double fall_on_levels(bool allows_for_bounds, double alpha, LevelFall& fall) {
+  Stage stage(make_torus(0.06, 0.025, 48, 24), slab());
+  stage.object = build_clod(make_torus(0.06, 0.025, 48, 24));
+  stage.world.resolution.is_exact = false;
+  stage.world.resolution.metric = {.haptic = 0.0, .velocity = alpha};
+  stage.world.allows_for_bounds = allows_for_bounds;
+  stage.world.law = {0.3, 0.3};
+  stage.state.body.position = Vec3(0, 0, 0.15);
+  stage.state.body.orientation = Quat(Eigen::AngleAxisd(0.4, Vec3(1, 2, 0).normalized()));
+  SimulationScratch scratch = reserve_simulation(stage.world);
+  std::vector<ContactFront> fronts(1);
+  ContactSet exact;
+  exact.contacts.reserve(20'000);
+  Watch watch(stage);
+  double deepest = 0.0, last = 0.0;
+  const auto hear = watch.ports.query;
+  watch.ports.query = [&](const SimulationState& s, const ContactSet& set) {
+    hear(s, set);
+    const Pose at = Pose{s.body.position, s.body.orientation} * stage.world.body_from_mesh;
+    query_scene(stage.object, at, stage.world.scene, {.tolerance = stage.world.tolerance}, fronts, exact);
+    last = least_distance(exact) / stage.world.tolerance;
+    deepest = std::max(deepest, -last);
+  };
+  const SimulationCounts counts = simulate(stage.world, 4.0, stage.state, scratch, watch.ports);
+  EXPECT_LE(watch.worst_gain, 0.0);
+  fall.doubted = counts.doubted;
+  fall.is_resting = stage.state.is_resting;
+  fall.rest_gap = last;
+  return deepest;
+}
+
+TEST(Simulate, LevelsThatMayLieOffNeverLetTheSurfacesMeet) {
+  LevelFall fall, trusting;
+  EXPECT_LE(fall_on_levels(true, 0.02, fall), 0.25);
+  EXPECT_GT(fall.doubted, 0);
+  // Without the bounds the same fall ends deeper: what is tested is what keeps it clear.
+  EXPECT_GT(fall_on_levels(false, 0.02, trusting), 1.0);
+  EXPECT_EQ(trusting.doubted, 0);
+}
+
+TEST(Simulate, ABodyRestsOnTheSurfaceNotOnItsLevels) {
+  for (const double alpha : {0.02, 0.2, 1.0}) {
+    LevelFall fall;
+    fall_on_levels(true, alpha, fall);
+    EXPECT_TRUE(fall.is_resting) << alpha;
+    EXPECT_LE(std::fabs(fall.rest_gap), 1.0) << alpha;
+  }
+}
+
 TEST(Simulate, RefusesWhatCannotBeSimulated) {
   Stage stage(make_ball(0.05, 2), slab());
   stage.world.tolerance = 0.0;

@@ -19,6 +19,7 @@ void add(SimulationCounts& sum, const SimulationCounts& more) {
   sum.impulses += more.impulses;
   sum.supported += more.supported;
   sum.interpolated += more.interpolated;
+  sum.doubted += more.doubted;
   sum.unresolved += more.unresolved;
   sum.query_cpu += more.query_cpu;
   sum.front += more.front;

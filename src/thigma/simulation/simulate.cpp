@@ -13,6 +13,8 @@ namespace thigma {
 namespace {
 
 using detail::collision_gap;
+using detail::gap_of;
+using detail::least_gap;
 using detail::safe_time;
 using detail::Touch;
 using detail::touch_of;
@@ -27,6 +29,7 @@ constexpr int kMostImpulses = 400;      // of one event
 constexpr double kLostStep = 0.1;       // least flight, of the longest, where a change of levels has left surfaces deep in others
 constexpr int kMostPlans = 4;           // of a flight: its time depends on the forces, and they on it
 constexpr double kStill = 0.025;        // without motion: at rest [s]
+constexpr double kSettled = 100.0;      // tolerances, of the fall that a settling body is not expected to take
 constexpr double kCarried = 0.9;        // of the weight, meanwhile: a body at the top of its flight is not at rest
 constexpr int kFullHits = 4;            // of one contact within an event: those after bounce less and less
 constexpr double kLifts[] = {0.2, 0.0};  // of what a contact has sunk, per flight: the most that energy allows
@@ -57,7 +60,7 @@ class Simulation {
     const double end = state_.time + duration;
     query();
     while (state_.time < end && !state_.is_resting && is_finite(state_.body)) {
-      counts_.deepest = std::max(counts_.deepest, -least_);
+      counts_.deepest = std::max(counts_.deepest, -seen_);
       collide(scratch_.contacts);
       advance(end - state_.time);
       watch_motion();
@@ -69,6 +72,7 @@ class Simulation {
  private:
   void query() {
     ContactQuery q{.tolerance = world_.tolerance, .resolution = world_.resolution};
+    q.resolution.is_exact |= state_.is_settling;
     q.resolution.interpolates = false;
     q.resolution.step_time = std::max(state_.since_query, 1e-9);
     const Pose world_from_mesh = Pose{state_.body.position, state_.body.orientation} * world_.body_from_mesh;
@@ -77,11 +81,36 @@ class Simulation {
     counts_.query_cpu += thread_cpu_seconds() - start;
     counts_.front += static_cast<double>(scratch_.contacts.stats.front);
     ++counts_.steps;
-    least_ = least_distance(scratch_.contacts);
+    seen_ = least_distance(scratch_.contacts);
     for (const Contact& c : scratch_.contacts.contacts)
       counts_.beyond_bound = std::max(counts_.beyond_bound, c.depth - c.bound);
     state_.since_query = 0.0;
     if (ports_.query) ports_.query(state_, scratch_.contacts);
+    if (is_in_doubt()) {
+      add_exact_contacts(world_from_mesh);
+      seen_ = least_distance(scratch_.exact);
+    }
+    least_ = least_gap(world_, scratch_.contacts);
+  }
+
+  // Whether levels leave open that something touches: the direction they give is theirs alone then.
+  bool is_in_doubt() const {
+    const auto& all = scratch_.contacts.contacts;
+    return world_.allows_for_bounds && std::any_of(all.begin(), all.end(), [&](const Contact& c) {
+      return c.bound > 0.0 && gap_of(world_, c) <= collision_gap(world_);
+    });
+  }
+
+  void add_exact_contacts(const Pose& world_from_mesh) {
+    ++counts_.doubted;
+    const double start = thread_cpu_seconds();
+    query_scene(*world_.object, world_from_mesh, world_.scene, {.tolerance = world_.tolerance}, scratch_.exact_fronts,
+                scratch_.exact);
+    counts_.query_cpu += thread_cpu_seconds() - start;
+    auto& all = scratch_.contacts.contacts;
+    const auto& exact = scratch_.exact.contacts;
+    const std::size_t count = std::min(exact.size(), all.capacity() - all.size());
+    all.insert(all.end(), exact.begin(), exact.begin() + static_cast<std::ptrdiff_t>(count));
   }
 
   // ---- rest -------------------------------------------------------------------------------------------------------
@@ -92,15 +121,31 @@ class Simulation {
     return (state_.body.position - from.position).norm() + 2.0 * turn.vec().norm() * reach_;
   }
 
+  // Whether all that carries the body are levels that may lie off.
+  bool hovers() const {
+    if (state_.is_settling || !world_.allows_for_bounds) return false;
+    const auto& all = scratch_.contacts.contacts;
+    return std::none_of(all.begin(), all.end(), [&](const Contact& c) {
+      return c.bound <= world_.tolerance && -c.depth <= collision_gap(world_);
+    });
+  }
+
   void watch_motion() {
     if (state_.moved_at < 0.0 || moved() > 0.5 * world_.tolerance) {
       state_.moved_from = state_.body;
       state_.moved_at = state_.time;
       state_.carried = 0.0;
     }
+    if (state_.is_settling && velocity(world_.body, state_.body).linear.norm() > fall_speed(world_, kSettled * world_.tolerance))
+      state_.is_settling = false;
     const double still = state_.time - state_.moved_at;
     const double weight = world_.body.mass * world_.body.gravity.norm();
     if (still < kStill || state_.carried < kCarried * weight * still) return;
+    if (hovers()) {
+      state_.is_settling = true;
+      state_.moved_at = -1.0;  // watched anew: what carried it so far did not
+      return;
+    }
     state_.is_resting = true;
     state_.body.linear_momentum.setZero();
     state_.body.angular_momentum.setZero();
@@ -113,7 +158,7 @@ class Simulation {
     const double near = collision_gap(world_);
     scratch_.touching.clear();
     for (std::size_t i = 0; i < set.contacts.size(); ++i) {
-      if (-set.contacts[i].depth <= near) scratch_.touching.push_back(static_cast<std::int32_t>(i));
+      if (gap_of(world_, set.contacts[i]) <= near) scratch_.touching.push_back(static_cast<std::int32_t>(i));
     }
     scratch_.hits.assign(scratch_.touching.size(), 0);
     const double least = kAtRest * std::max(slow_, fall_speed(world_, world_.tolerance));
@@ -161,7 +206,7 @@ class Simulation {
                   .impulse = impulse,
                   .approach = t.approach,
                   .energy_change = kinetic_energy(world_.body, state_.body) - before,
-                  .gap = t.gap,
+                  .gap = -c.depth,
                   .object_level = c.object_level,
                   .scene_level = c.scene_level});
   }
@@ -181,7 +226,7 @@ class Simulation {
   // The longest flight that is safe under the forces that hold the body over it.
   Flight plan(double longest, double lift) {
     Flight flight{longest, {}};
-    const bool is_lost = -least_ > world_.tolerance;
+    const bool is_lost = -seen_ > world_.tolerance;
     for (int i = 0; i < kMostPlans; ++i) {
       if (is_held()) {
         flight.push = detail::support_wrench(world_, state_.body, scratch_.contacts, scratch_.touching, flight.time, lift,
@@ -242,7 +287,9 @@ class Simulation {
     const SimulationState there = state_;
     const double energy = mechanical_energy(world_.body, from.body);
     state_ = from;
-    move(flight, gap / (gap + depth));
+    const double part = gap / (gap + depth);
+    move(flight, part);
+    state_.since_query = (1.0 - part) * flight.time;  // the query before was of the flight's end
     if (pay(energy) && collide(scratch_.contacts)) {
       ++counts_.interpolated;
       query();
@@ -259,7 +306,8 @@ class Simulation {
   double reach_ = 0.0;  // of the mesh from the centre of mass
   Vec3 up_ = Vec3::Zero();  // against gravity
   double slow_ = 0.0;   // impacts below end without a bounce
-  double least_ = 0.0;  // distance that the last query saw [m]
+  double seen_ = 0.0;   // distance that the last query saw, the exact one where it was asked [m]
+  double least_ = 0.0;  // the same with what levels may lie off: the least gap [m]
 };
 
 void check(const SimulationWorld& world) {
@@ -278,10 +326,14 @@ void check(const SimulationWorld& world) {
 SimulationScratch reserve_simulation(const SimulationWorld& world, std::size_t contacts) {
   check(world);
   SimulationScratch scratch;
-  scratch.fronts.resize(world.scene.size());
-  for (std::size_t i = 0; i < world.scene.size(); ++i)
-    reserve_front(scratch.fronts[i], *world.object, *world.scene[i].hierarchy);
+  for (std::vector<ContactFront>* fronts : {&scratch.fronts, &scratch.exact_fronts}) {
+    fronts->resize(world.scene.size());
+    for (std::size_t i = 0; i < world.scene.size(); ++i)
+      reserve_front((*fronts)[i], *world.object, *world.scene[i].hierarchy);
+    if (world.resolution.is_exact || !world.allows_for_bounds) break;  // no second query
+  }
   scratch.contacts.contacts.reserve(contacts);
+  scratch.exact.contacts.reserve(contacts);
   scratch.touching.reserve(contacts);
   scratch.hits.reserve(contacts);
   scratch.supports.reserve(contacts);

@@ -21,6 +21,10 @@ struct SimulationWorld {
   double tolerance = 0.0;    // d: surfaces this near are in contact; collisions happen within a quarter of it [m]
   Resolution resolution{};   // of contact queries. step_time is set by the simulation, blending is never used: collisions
                              // have a moment, not a weight (Sec. 3.4.4)
+  // Contacts of simplified levels are as near as what they stand for may be, by `bound` nearer than they look; where that is
+  // touching, what the exact query finds holds the body as well. Off, as in the text, a body that slows down may find
+  // itself deep in the finer levels it is measured on then.
+  bool allows_for_bounds = true;
   double longest_step = 1e-3;  // between two queries [s]
 };
 
@@ -30,6 +34,7 @@ struct SimulationState {
   double time = 0.0;         // [s]
   double since_query = 0.0;  // time that the last query is old, for speeds [s]
   bool is_resting = false;   // held by contacts and still: stays so until the caller says otherwise
+  bool is_settling = false;  // held and still by simplified levels alone: queries are exact until it rests or falls on
   // Where the body was when it was last seen to move.
   BodyState moved_from;
   double moved_at = -1.0;    // [s]; < 0: not watched yet
@@ -52,6 +57,8 @@ struct SupportPoint {
 struct SimulationScratch {
   std::vector<ContactFront> fronts;
   ContactSet contacts;
+  std::vector<ContactFront> exact_fronts;  // of the queries beside simplified levels that may touch
+  ContactSet exact;
   std::vector<std::int32_t> touching;  // of contacts
   std::vector<std::int32_t> hits;      // of each contact within one event
   std::vector<SupportPoint> supports;  // of touching
@@ -65,7 +72,7 @@ struct CollisionEvent {
   Vec3 impulse = Vec3::Zero();      // on the body [N s]
   double approach = 0.0;            // speed along the normal before it [m/s]
   double energy_change = 0.0;       // <= 0 but for rounding [J]
-  double gap = 0.0;                 // negative in penetration [m]
+  double gap = 0.0;                 // of the contact as it was measured, negative in penetration [m]
   std::int32_t object_level = 0, scene_level = 0;
 };
 
@@ -76,14 +83,16 @@ struct SimulationCounts {
   std::int64_t impulses = 0;
   std::int64_t supported = 0;     // flights that contacts held
   std::int64_t interpolated = 0;  // events between two queries that saw other levels of detail (Sec. 3.4.4)
+  std::int64_t doubted = 0;       // queries whose levels might touch, so that the exact one was asked too
   std::int64_t unresolved = 0;    // events after which some contact still approached
   double query_cpu = 0.0;         // CPU time of the queries [s]
   double front = 0.0;             // sum over queries of node pairs held
-  double deepest = 0.0;           // penetration seen by a query, at most [m]
+  double deepest = 0.0;           // penetration seen by a query, the exact one where it was asked, at most [m]
   double beyond_bound = 0.0;      // the same, less the bound of the contact: what levels of detail do not explain [m]
 };
 
-/// Hears of what happens; empty: nobody does. query: after each one, with the state it was asked at.
+/// Hears of what happens; empty: nobody does. query: after each one, with the state it was asked at and the contacts of the
+/// levels that the resolution asks for.
 struct SimulationPorts {
   std::function<void(const CollisionEvent&)> event;
   std::function<void(const SimulationState&, const ContactSet&)> query;
@@ -105,7 +114,8 @@ SimulationScratch reserve_simulation(const SimulationWorld& world, std::size_t c
 /// give, with Coulomb friction (detail/support.h). It never gives work on balance: what lifts a sunk contact is taken from what
 /// friction takes in the same flight, so energy does not grow, and a body that creeps does not sink.
 /// A body whose weight is carried and no point of which has moved by half the tolerance for 25 ms is at rest:
-/// it loses what speed it has and is simulated no more.
+/// it loses what speed it has and is simulated no more. Where nothing but what levels may lie off carries it, it is
+/// queried exactly from then on and settles.
 /// Where a query sees a penetration of more than a quarter of the tolerance although the one before saw a gap, levels of detail have changed in between: the
 /// collision is taken to be at the time where the line from gap to depth is zero, and the body goes on from there. So
 /// time always advances.

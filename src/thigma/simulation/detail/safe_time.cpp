@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "thigma/math/rotation.h"
 
@@ -34,9 +35,15 @@ double patch_reach(const ClodHierarchy& h, const Contact& c, const Pose& world_f
 
 }  // namespace
 
+double least_gap(const SimulationWorld& world, const ContactSet& contacts) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Contact& c : contacts.contacts) least = std::min(least, gap_of(world, c));
+  return least;
+}
+
 Touch touch_of(const SimulationWorld& world, const BodyState& state, const Contact& c) {
   const Vec3 arm = c.point - state.position;
-  return {arm, c.normal.dot(point_velocity(world.body, state, arm)), -c.depth};
+  return {arm, c.normal.dot(point_velocity(world.body, state, arm)), gap_of(world, c)};
 }
 
 double safe_time(const SimulationWorld& world, const BodyState& state, const ContactSet& contacts, double reach,

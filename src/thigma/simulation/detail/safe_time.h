@@ -10,11 +10,19 @@ inline constexpr double kShortestFall = 0.125;  // of the collision distance: wh
 /// Within this distance a contact that approaches collides [m].
 inline double collision_gap(const SimulationWorld& world) { return 0.25 * world.tolerance; }
 
+/// How far apart the surfaces of a contact are to the motion; negative in penetration [m].
+inline double gap_of(const SimulationWorld& world, const Contact& c) {
+  return -c.depth - (world.allows_for_bounds ? c.bound : 0.0);
+}
+
+/// The least gap of a set; infinite without contacts [m].
+double least_gap(const SimulationWorld& world, const ContactSet& contacts);
+
 /// One contact as the motion sees it.
 struct Touch {
   Vec3 arm;         // from the centre of mass to the point on the body [m; world]
   double approach;  // speed along the normal, into the obstacle [m/s]
-  double gap;       // negative in penetration [m]
+  double gap;       // gap_of the contact [m]
 };
 
 Touch touch_of(const SimulationWorld& world, const BodyState& state, const Contact& contact);
