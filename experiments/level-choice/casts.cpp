@@ -8,8 +8,8 @@
 namespace thigma::experiments::level_choice {
 namespace {
 
-/// Scale: 0.24 mm a unit. Near contact: turned by -4 degrees about x through (0, 18.55, 97.07) units, then moved by
-/// (12.04, 24.09, 27.87) units.
+/// Scale: 0.24 mm a unit. Near contact: turned by -4 degrees about x through (0, 18.55, 97.07)
+/// units, then moved by (12.04, 24.09, 27.87) units.
 constexpr const char* kScene = R"(title = "casts"
 [object]
 mesh = "a02_dental_cast_lower.obj"

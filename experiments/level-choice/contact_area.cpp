@@ -28,7 +28,8 @@ struct Below {
   double area = 0.0, region = 0.0;  // [m^2]
 };
 
-Below below_of(const PairSurfaces& s, const std::vector<TouchedPlace>& exact, std::int32_t a, std::int32_t b) {
+Below below_of(const PairSurfaces& s, const std::vector<TouchedPlace>& exact, std::int32_t a,
+               std::int32_t b) {
   const auto is_before = [](const TouchedPlace& p, std::int32_t patch) { return p.object < patch; };
   const auto first = std::lower_bound(exact.begin(), exact.end(), s.object.first[at(a)], is_before);
   const auto last = std::lower_bound(first, exact.end(), s.object.last[at(a)], is_before);
@@ -45,7 +46,8 @@ Below below_of(const PairSurfaces& s, const std::vector<TouchedPlace>& exact, st
 }
 
 /// D at a place of a node's patch, as the metric finds it [m^2].
-double support_at(const ClodHierarchy& h, std::int32_t node, const Pose& world_from_mesh, const Vec3& point) {
+double support_at(const ClodHierarchy& h, std::int32_t node, const Pose& world_from_mesh,
+                  const Vec3& point) {
   const detail::Side side = detail::side_of(h, node);
   const Vec3 p = transform_point(inverse(world_from_mesh), point);
   return detail::support_area(side, detail::find_place(side.view, 0, p), SupportReading::flood);
@@ -105,18 +107,22 @@ std::vector<TouchedPlace> touched_places(const PairSurfaces& surfaces, const Clo
   const std::vector<double> a = region_areas(surfaces.object_corners, surfaces.object, on_object);
   const std::vector<double> b = region_areas(surfaces.scene_corners, surfaces.scene, on_scene);
   std::vector<TouchedPlace> places;
-  for (std::size_t i = 0; i < a.size(); ++i) places.push_back({on_object[i], on_scene[i], std::min(a[i], b[i])});
-  std::stable_sort(places.begin(), places.end(),
-                   [](const TouchedPlace& x, const TouchedPlace& y) { return x.object < y.object; });
+  for (std::size_t i = 0; i < a.size(); ++i)
+    places.push_back({on_object[i], on_scene[i], std::min(a[i], b[i])});
+  std::stable_sort(places.begin(), places.end(), [](const TouchedPlace& x, const TouchedPlace& y) {
+    return x.object < y.object;
+  });
   return places;
 }
 
-void add_contacts(AreaSamples& samples, const TouchedPair& pair, const PairSurfaces& surfaces, const Pose& pose,
-                  const std::vector<TouchedPlace>& exact, const PoseFrame& frame) {
+void add_contacts(AreaSamples& samples, const TouchedPair& pair, const PairSurfaces& surfaces,
+                  const Pose& pose, const std::vector<TouchedPlace>& exact,
+                  const PoseFrame& frame) {
   const ContactWorld& world = pair.session.config.contact;
   const SceneBody& body = world.scene.front();
   for (const Contact& c : frame.contacts) {
-    const std::int32_t a = contact_node(*world.object, c.object_patch), b = contact_node(*body.hierarchy, c.scene_patch);
+    const std::int32_t a = contact_node(*world.object, c.object_patch),
+                       b = contact_node(*body.hierarchy, c.scene_patch);
     if (a < 0 || b < 0) continue;
     const Below below = below_of(surfaces, exact, a, b);
     if (!(below.area > 0.0)) continue;
@@ -124,43 +130,52 @@ void add_contacts(AreaSamples& samples, const TouchedPair& pair, const PairSurfa
     samples.weight.push_back(c.weight);
     samples.below.push_back(below.area);
     samples.region.push_back(below.region);
-    samples.support.push_back(std::max(support_at(*world.object, a, pose, c.point),
-                                       support_at(*body.hierarchy, b, body.world_from_body, c.scene_point)));
+    samples.support.push_back(
+        std::max(support_at(*world.object, a, pose, c.point),
+                 support_at(*body.hierarchy, b, body.world_from_body, c.scene_point)));
   }
 }
 
-void add_contacts_by_region(AreaSamples& samples, const TouchedPair& pair, const PairSurfaces& surfaces,
-                            const PoseFrame& exact, const std::vector<TouchedPlace>& places, double threshold) {
+void add_contacts_by_region(AreaSamples& samples, const TouchedPair& pair,
+                            const PairSurfaces& surfaces, const PoseFrame& exact,
+                            const std::vector<TouchedPlace>& places, double threshold) {
   const ClodHierarchy& object = *pair.session.config.contact.object;
   const ClodHierarchy& scene = *pair.session.config.contact.scene.front().hierarchy;
-  const std::vector<std::int32_t> object_parents = parents_of(object), scene_parents = parents_of(scene);
+  const std::vector<std::int32_t> object_parents = parents_of(object),
+                                  scene_parents = parents_of(scene);
   std::map<std::pair<std::int32_t, std::int32_t>, double> region;  // by finest patches
   for (const TouchedPlace& p : places) region[{p.object, p.scene}] = p.region;
   std::set<std::pair<std::int32_t, std::int32_t>> reported;
   for (const Contact& e : exact.contacts) {
-    const std::int32_t a = contact_node(object, e.object_patch), b = contact_node(scene, e.scene_patch);
+    const std::int32_t a = contact_node(object, e.object_patch),
+                       b = contact_node(scene, e.scene_patch);
     const double area = region.at({surfaces.object.first[at(a)], surfaces.scene.first[at(b)]});
-    Climber up_a{object, object_parents, area, threshold, a}, up_b{scene, scene_parents, area, threshold, b};
+    Climber up_a{object, object_parents, area, threshold, a},
+        up_b{scene, scene_parents, area, threshold, b};
     climb(up_a, up_b);
     if (!reported.insert({up_a.node, up_b.node}).second) continue;
-    samples.level.push_back(0.5 * (object.nodes[at(up_a.node)].level + scene.nodes[at(up_b.node)].level));
+    samples.level.push_back(0.5 *
+                            (object.nodes[at(up_a.node)].level + scene.nodes[at(up_b.node)].level));
     samples.weight.push_back(1.0);
     samples.region.push_back(area);
   }
 }
 
-std::vector<AreaRank> area_ranks(const AreaSamples& blended, const AreaSamples& single, const AreaSamples& by_region) {
-  const AreaSamples &x = blended, &y = single, &z = by_region;
-  const double n = static_cast<double>(x.level.size()), m = static_cast<double>(y.level.size());
-  return {{"level and area below", rank_correlation(x.level, x.below), n},
-          {"the same by weight", rank_correlation(x.level, x.below, x.weight), n},
-          {"level and area below, no interpolation", rank_correlation(y.level, y.below), m},
-          {"level and region by weight", rank_correlation(x.level, x.region, x.weight), n},
-          {"level and region, no interpolation", rank_correlation(y.level, y.region), m},
-          {"level and D by weight", rank_correlation(x.level, x.support, x.weight), n},
-          {"D and region by weight", rank_correlation(x.support, x.region, x.weight), n},
+std::vector<AreaRank> area_ranks(const AreaTrials& trials) {
+  const AreaSamples &x = trials.blended, &y = trials.single;
+  const AreaSamples &s = trials.smaller, &z = trials.by_region;
+  const auto count = [](const AreaSamples& a) { return static_cast<double>(a.level.size()); };
+  return {{"level and area below", rank_correlation(x.level, x.below), count(x)},
+          {"the same by weight", rank_correlation(x.level, x.below, x.weight), count(x)},
+          {"level and area below, no interpolation", rank_correlation(y.level, y.below), count(y)},
+          {"level and region by weight", rank_correlation(x.level, x.region, x.weight), count(x)},
+          {"level and region, no interpolation", rank_correlation(y.level, y.region), count(y)},
+          {"level and region by weight, the smaller D",
+           rank_correlation(s.level, s.region, s.weight), count(s)},
+          {"level and D by weight", rank_correlation(x.level, x.support, x.weight), count(x)},
+          {"D and region by weight", rank_correlation(x.support, x.region, x.weight), count(x)},
           {"level and region, region in place of D", rank_correlation(z.level, z.region),
-           static_cast<double>(z.level.size())}};
+           count(z)}};
 }
 
 double commonest_level(const AreaSamples& samples) {

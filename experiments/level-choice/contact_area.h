@@ -29,22 +29,25 @@ std::vector<TouchedPlace> touched_places(const PairSurfaces& surfaces, const Clo
 
 /// Contacts that have something of the exact query below them, of all poses.
 struct AreaSamples {
-  std::vector<double> level;    // mean of both sides
-  std::vector<double> weight;   // its share of the force's blend
-  std::vector<double> below;    // area of the finest patches below it that touch, the smaller of the two sides [m^2]
+  std::vector<double> level;   // mean of both sides
+  std::vector<double> weight;  // its share of the force's blend
+  // Of the finest patches below it that touch, the smaller of the two sides [m^2].
+  std::vector<double> below;
   std::vector<double> region;   // area of the largest region below it [m^2]
   std::vector<double> support;  // D of the contact (Eq. 3.7) [m^2]
 };
 
 /// Adds the contacts of a frame.
-void add_contacts(AreaSamples& samples, const TouchedPair& pair, const PairSurfaces& surfaces, const Pose& pose,
-                  const std::vector<TouchedPlace>& exact, const PoseFrame& frame);
+void add_contacts(AreaSamples& samples, const TouchedPair& pair, const PairSurfaces& surfaces,
+                  const Pose& pose, const std::vector<TouchedPlace>& exact, const PoseFrame& frame);
 
-/// Adds the contacts there would be if Eq. 3.7 divided by the area of the exact contact's own region instead of by D: from
-/// every exact contact up through the pairs above it, the finer side first, while s* stays within the threshold.
+/// Adds the contacts there would be if Eq. 3.7 divided by the area of the exact contact's own
+/// region instead of by D: from every exact contact up through the pairs above it, the finer side
+/// first, while s* stays within the threshold.
 /// threshold  s0 [m]
-void add_contacts_by_region(AreaSamples& samples, const TouchedPair& pair, const PairSurfaces& surfaces,
-                            const PoseFrame& exact, const std::vector<TouchedPlace>& places, double threshold);
+void add_contacts_by_region(AreaSamples& samples, const TouchedPair& pair,
+                            const PairSurfaces& surfaces, const PoseFrame& exact,
+                            const std::vector<TouchedPlace>& places, double threshold);
 
 /// One way to ask, with its answer.
 struct AreaRank {
@@ -53,12 +56,19 @@ struct AreaRank {
   double count = 0.0;  // of contacts
 };
 
-/// The statistic and what takes each supposed cause of its smallness away.
-/// blended, single  contacts as reported; the same without interpolation
-/// by_region        as add_contacts_by_region
-std::vector<AreaRank> area_ranks(const AreaSamples& blended, const AreaSamples& single, const AreaSamples& by_region);
+/// The same poses asked in several ways.
+struct AreaTrials {
+  AreaSamples blended;    // as reported
+  AreaSamples single;     // without interpolation
+  AreaSamples smaller;    // as reported, with the smaller of the two D
+  AreaSamples by_region;  // as add_contacts_by_region
+};
 
-/// Share of the contacts, by weight, that are of the level most of them have. Near 1 no rank says anything.
+/// The statistic and what takes each supposed cause of its smallness away; by_region last.
+std::vector<AreaRank> area_ranks(const AreaTrials& trials);
+
+/// Share of the contacts, by weight, that are of the level most of them have. Near 1 no rank says
+/// anything.
 double commonest_level(const AreaSamples& samples);
 
 /// 90 % quantile of the regions' areas over their 10 % quantile.

@@ -14,15 +14,18 @@ namespace thigma::experiments::level_choice {
 namespace {
 
 constexpr std::size_t kRoom = 400'000;
-constexpr std::size_t kBurst = 4;        // frames before a sample is taken, the last three timed
-constexpr int kClusters = 16;            // of the force that is compared
-constexpr std::size_t kCompared = 2000;  // exact contacts of a pose that recall is taken over, at most
+constexpr std::size_t kBurst = 4;  // frames before a sample is taken, the last three timed
+constexpr int kClusters = 16;      // of the force that is compared
+constexpr std::size_t kCompared =
+    2000;  // exact contacts of a pose that recall is taken over, at most
 
 void add_force(PoseFrame& frame, double tolerance) {
   ContactClusters clusters;
   ClusterScratch scratch;
-  cluster_contacts(frame.contacts, {}, {.max_clusters = kClusters, .tolerance = tolerance}, scratch, clusters);
-  for (const ContactCluster& c : clusters.clusters) frame.force -= std::max(c.depth + tolerance, 0.0) * c.normal;
+  cluster_contacts(frame.contacts, {}, {.max_clusters = kClusters, .tolerance = tolerance}, scratch,
+                   clusters);
+  for (const ContactCluster& c : clusters.clusters)
+    frame.force -= std::max(c.depth + tolerance, 0.0) * c.normal;
   PenaltyParams shared;
   shared.stiffness = 1.0;
   shared.damping = 0.0;
@@ -44,7 +47,8 @@ std::vector<double> time_burst(const TouchedPair& pair, std::size_t sample, Quer
   return times;
 }
 
-/// Points of the object lie on it, those of the scene on the scene; the other end is depth away along the normal.
+/// Points of the object lie on it, those of the scene on the scene; the other end is depth away
+/// along the normal.
 Contact contact_of(const bench::ShellContact& c) {
   Contact contact;
   contact.point = c.is_of_object ? c.point : Vec3(c.point + c.depth * c.normal);
@@ -71,7 +75,8 @@ QueryMemory make_memory(const TouchedPair& pair) {
   return memory;
 }
 
-PoseFrame query_at(const TouchedPair& pair, std::size_t sample, const Resolution& resolution, QueryMemory& memory) {
+PoseFrame query_at(const TouchedPair& pair, std::size_t sample, const Resolution& resolution,
+                   QueryMemory& memory) {
   const ContactWorld& world = pair.session.config.contact;
   const SceneBody& body = world.scene.front();
   const ContactQuery query{.tolerance = world.tolerance, .resolution = resolution};
@@ -79,7 +84,8 @@ PoseFrame query_at(const TouchedPair& pair, std::size_t sample, const Resolution
   clear_front(memory.front);
   frame.query = time_burst(pair, sample, [&](const Pose& pose) {
     clear(memory.set);
-    query_contacts(*world.object, pose, *body.hierarchy, body.world_from_body, query, memory.front, memory.set);
+    query_contacts(*world.object, pose, *body.hierarchy, body.world_from_body, query, memory.front,
+                   memory.set);
   });
   frame.contacts = memory.set.contacts;
   frame.front = static_cast<double>(memory.set.stats.front);
@@ -87,12 +93,14 @@ PoseFrame query_at(const TouchedPair& pair, std::size_t sample, const Resolution
   return frame;
 }
 
-PoseFrame query_at(const TouchedPair& pair, std::size_t sample, const ShellPair& shells, QueryMemory& memory) {
+PoseFrame query_at(const TouchedPair& pair, std::size_t sample, const ShellPair& shells,
+                   QueryMemory& memory) {
   const ContactWorld& world = pair.session.config.contact;
   const Pose& world_from_scene = world.scene.front().world_from_body;
   PoseFrame frame;
   frame.query = time_burst(pair, sample, [&](const Pose& pose) {
-    query_shells(shells.object, pose, shells.scene, world_from_scene, world.tolerance, memory.shell);
+    query_shells(shells.object, pose, shells.scene, world_from_scene, world.tolerance,
+                 memory.shell);
   });
   for (const bench::ShellContact& c : memory.shell) frame.contacts.push_back(contact_of(c));
   frame.front = std::numeric_limits<double>::quiet_NaN();
@@ -103,8 +111,8 @@ PoseFrame query_at(const TouchedPair& pair, std::size_t sample, const ShellPair&
 double recall_of(const PoseFrame& exact, const PoseFrame& frame, double near) {
   const std::vector<Vec3> asked = middles_of(exact.contacts, exact.contacts.size() / kCompared + 1);
   const bench::PointCells cells = bench::sort_into_cells(middles_of(frame.contacts), near);
-  const auto found = std::count_if(asked.begin(), asked.end(),
-                                   [&](const Vec3& p) { return bench::has_point_within(cells, p); });
+  const auto found = std::count_if(
+      asked.begin(), asked.end(), [&](const Vec3& p) { return bench::has_point_within(cells, p); });
   return static_cast<double>(found) / static_cast<double>(asked.size());
 }
 

@@ -21,7 +21,8 @@ double drawn_quotient(const PoseShare& share, const std::vector<std::size_t>& po
 
 }  // namespace
 
-Growth growth_between(const PoseShare& from, const PoseShare& to, bool is_squared, std::uint64_t seed) {
+Growth growth_between(const PoseShare& from, const PoseShare& to, bool is_squared,
+                      std::uint64_t seed) {
   const auto growth = [&](const std::vector<std::size_t>& poses) {
     const double ratio = drawn_quotient(to, poses) / drawn_quotient(from, poses);
     return is_squared ? std::sqrt(ratio) : ratio;

@@ -16,10 +16,12 @@ struct Growth {
   double value = 0.0, low = 0.0, high = 0.0;
 };
 
-/// Same poses in both, in the same order; neighbours resemble each other, so that the interval is narrow rather than wide.
+/// Same poses in both, in the same order; neighbours resemble each other, so that the interval is
+/// narrow rather than wide.
 /// is_squared  quotients are of squares: the roots are compared
 /// seed        of the draws
 /// Thread      [offline]; NaN where nothing is.
-Growth growth_between(const PoseShare& from, const PoseShare& to, bool is_squared, std::uint64_t seed);
+Growth growth_between(const PoseShare& from, const PoseShare& to, bool is_squared,
+                      std::uint64_t seed);
 
 }  // namespace thigma::experiments::level_choice

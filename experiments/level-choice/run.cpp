@@ -1,5 +1,6 @@
-// What s0 buys: the shipped scenes in the hand, queried again at thresholds from 0.05 to 20 %, exactly, and by a point
-// shell; and whether s0 between 1 and 5 % decides the level of a contact by its area (Sec. 3.4.3, 3.5.2).
+// What s0 buys: the shipped scenes in the hand, queried again at thresholds from 0.05 to 20 %,
+// exactly, and by a point shell; and whether s0 between 1 and 5 % decides the level of a contact by
+// its area (Sec. 3.4.3, 3.5.2).
 
 #include "experiments/common/all_experiments.h"
 #include "experiments/level-choice/casts.h"
@@ -10,7 +11,8 @@ namespace thigma::experiments {
 namespace level_choice {
 namespace {
 
-const std::vector<double> kThresholds = {0.0, 0.0005, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.2, kNoMetric};
+const std::vector<double> kThresholds = {0.0,   0.0005, 0.0025, 0.005, 0.01,
+                                         0.025, 0.05,   0.1,    0.2,   kNoMetric};
 const std::vector<double> kFewThresholds = {0.0, 0.01, 0.025, 0.05, kNoMetric};
 
 struct Scene {
@@ -24,18 +26,21 @@ constexpr Scene kScenes[] = {{"jaws", 3.0, 0},
                              {"ball_joint", 2.0, 24'000},
                              {"cup_spoon", 3.0, 24'000}};
 
-Studied study(const Context& context, const std::string& name, const scenes::SceneDescription& scene, double seconds,
-              int triangles) {
+Studied study(const Context& context, const std::string& name,
+              const scenes::SceneDescription& scene, double seconds, int triangles) {
   tell(context, name);
   Studied pair;
   pair.name = name;
-  for (const double s0 : context.quick ? kFewThresholds : kThresholds) pair.settings.push_back(setting_at(s0));
+  pair.is_quick = context.quick;
+  for (const double s0 : context.quick ? kFewThresholds : kThresholds)
+    pair.settings.push_back(setting_at(s0));
   const SessionPair session = session_pair(*context.assets, scene, seconds, triangles);
   const ContactWorld& world = session.config.contact;
   pair.radius = std::min(world.object->radius, world.scene.front().hierarchy->radius);
   const ShellPair shells = build_shells(scene, triangles, session);
   pair.shell_build = shells.build;
-  pair.study = measure(touch(session, kShipped), shells, pair.settings, context.quick ? 8 : 32, kShipped);
+  pair.study =
+      measure(touch(session, kShipped), shells, pair.settings, context.quick ? 8 : 32, kShipped);
   return pair;
 }
 
@@ -52,8 +57,10 @@ Outcome run_level_choice(const Context& context) {
   for (const Scene& s : kScenes)
     add(study(context, s.name, scenes::parse_scene(scenes::builtin_scene(s.name), s.name, ""),
               context.quick ? 1.0 : s.seconds, context.quick ? s.quick_triangles : 0));
-  if (const auto casts = casts_scene()) add(study(context, "casts", *casts, context.quick ? 1.0 : 3.0, 0));
-  else tell(context, "casts: left out, THIGMA_SHARED names no folder with meshes");
+  if (const auto casts = casts_scene())
+    add(study(context, "casts", *casts, context.quick ? 1.0 : 3.0, 0));
+  else
+    tell(context, "casts: left out, THIGMA_SHARED names no folder with meshes");
   return outcome;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The point shell beside the levels: both objects' shells, both ways (benchmarks/baselines/point_shell.h).
+// The point shell beside the levels: both objects' shells, both ways
+// (benchmarks/baselines/point_shell.h).
 
 #include "benchmarks/baselines/point_shell.h"
 #include "experiments/common/session_pair.h"
@@ -18,6 +19,7 @@ struct ShellPair {
 /// triangles    as of the session
 /// session      of the same description and triangles
 /// Thread       [offline].
-ShellPair build_shells(const scenes::SceneDescription& description, int triangles, const SessionPair& session);
+ShellPair build_shells(const scenes::SceneDescription& description, int triangles,
+                       const SessionPair& session);
 
 }  // namespace thigma::experiments::level_choice

@@ -47,10 +47,12 @@ void add_triangles(Collector& c, const Comparison& with, const PoseFrame& frame)
   c.below.under.push_back(count);
 }
 
-void add_frame(Collector& c, const Comparison& with, const PoseFrame& exact, const PoseFrame& frame) {
+void add_frame(Collector& c, const Comparison& with, const PoseFrame& exact,
+               const PoseFrame& frame) {
   add_triangles(c, with, frame);
   std::set<std::int32_t> levels;
-  for (const Contact& contact : frame.contacts) levels.insert({contact.object_level, contact.scene_level});
+  for (const Contact& contact : frame.contacts)
+    levels.insert({contact.object_level, contact.scene_level});
   c.levels_at_once = std::max(c.levels_at_once, levels.size());
   c.contacts.push_back(static_cast<double>(frame.contacts.size()));
   c.front.push_back(frame.front);
@@ -102,45 +104,63 @@ Choice summarize_shell(const Collector& c, double bytes) {
   return choice;
 }
 
+/// A pose for all of the trials but `blended`.
+void add_trials(AreaTrials& trials, const Comparison& with, std::size_t sample,
+                const PoseFrame& exact, const std::vector<TouchedPlace>& places, double threshold,
+                QueryMemory& memory) {
+  const auto add = [&](AreaSamples& to, const Resolution& resolution) {
+    add_contacts(to, with.pair, with.surfaces, with.pair.touching[sample], places,
+                 query_at(with.pair, sample, resolution, memory));
+  };
+  Resolution single = setting_at(threshold).resolution, smaller = single;
+  single.interpolates = false;
+  smaller.area = SupportArea::smaller;
+  add(trials.single, single);
+  add(trials.smaller, smaller);
+  add_contacts_by_region(trials.by_region, with.pair, with.surfaces, exact, places,
+                         threshold * with.radius);
+}
+
 }  // namespace
 
-PairStudy measure(const TouchedPair& pair, const ShellPair& shells, const std::vector<Setting>& settings, int samples,
-                  double threshold) {
+PairStudy measure(const TouchedPair& pair, const ShellPair& shells,
+                  const std::vector<Setting>& settings, int samples, double threshold) {
   const ContactWorld& world = pair.session.config.contact;
   const ClodHierarchy &object = *world.object, &scene = *world.scene.front().hierarchy;
-  const Comparison with{pair, object, scene, pair_surfaces(object, scene), std::min(object.radius, scene.radius)};
+  const Comparison with{pair, object, scene, pair_surfaces(object, scene),
+                        std::min(object.radius, scene.radius)};
   std::vector<Collector> collectors(settings.size());
   std::vector<AreaSamples> areas(settings.size());
   Collector of_shell;
-  AreaSamples single, by_region;
-  Resolution plain = setting_at(threshold).resolution;
-  plain.interpolates = false;
+  AreaTrials trials;
   QueryMemory memory = make_memory(pair);
   const auto count = static_cast<std::size_t>(samples);
   for (std::size_t i = 0; i < count && !pair.touching.empty(); ++i) {
     const std::size_t sample = (2 * i + 1) * pair.touching.size() / (2 * count);
-    const Pose& pose = pair.touching[sample];
     const PoseFrame exact = query_at(pair, sample, Resolution{}, memory);
     const std::vector<TouchedPlace> places = touched_places(with.surfaces, object, scene, exact);
     for (std::size_t k = 0; k < settings.size(); ++k) {
       const bool is_exact = !(settings[k].threshold > 0.0);
-      const PoseFrame frame = is_exact ? exact : query_at(pair, sample, settings[k].resolution, memory);
+      const PoseFrame frame =
+          is_exact ? exact : query_at(pair, sample, settings[k].resolution, memory);
       add_frame(collectors[k], with, exact, frame);
-      if (!is_exact) add_contacts(areas[k], pair, with.surfaces, pose, places, frame);
+      if (!is_exact)
+        add_contacts(areas[k], pair, with.surfaces, pair.touching[sample], places, frame);
     }
     add_frame(of_shell, with, exact, query_at(pair, sample, shells, memory));
-    add_contacts(single, pair, with.surfaces, pose, places, query_at(pair, sample, plain, memory));
-    add_contacts_by_region(by_region, pair, with.surfaces, exact, places, threshold * with.radius);
+    add_trials(trials, with, sample, exact, places, threshold, memory);
   }
   PairStudy study;
   for (std::size_t k = 0; k < settings.size(); ++k) {
-    study.choices.push_back(summarize(collectors[k], hierarchy_bytes(object) + hierarchy_bytes(scene)));
-    study.choices.back().area_rank = rank_correlation(areas[k].level, areas[k].region, areas[k].weight);
-    if (settings[k].threshold != threshold) continue;
-    study.ranks = area_ranks(areas[k], single, by_region);
-    study.commonest_level = commonest_level(areas[k]);
-    study.region_spread = region_spread(areas[k]);
+    study.choices.push_back(
+        summarize(collectors[k], hierarchy_bytes(object) + hierarchy_bytes(scene)));
+    study.choices.back().area_rank =
+        rank_correlation(areas[k].level, areas[k].region, areas[k].weight);
+    if (settings[k].threshold == threshold) trials.blended = areas[k];
   }
+  study.ranks = area_ranks(trials);
+  study.commonest_level = commonest_level(trials.blended);
+  study.region_spread = region_spread(trials.blended);
   study.shell = summarize_shell(of_shell, shells.bytes);
   return study;
 }

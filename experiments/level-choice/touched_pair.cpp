@@ -14,7 +14,8 @@ TouchedPair touch(SessionPair session, double threshold) {
   const auto look = [&](const ContactSample& sample) {
     const BodyState& state = sample.model.state;
     if (sample.contacts > 0)
-      pair.touching.push_back(Pose{state.position, state.orientation} * session.config.contact.body_from_mesh);
+      pair.touching.push_back(Pose{state.position, state.orientation} *
+                              session.config.contact.body_from_mesh);
   };
   run_lockstep(session.config, *hand, {.haptic = {}, .contact = look, .event = {}});
   return pair;

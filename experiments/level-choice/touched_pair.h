@@ -20,7 +20,8 @@ struct TouchedPair {
 /// Runs the scene in lockstep at the threshold, coupled, under the penalty law.
 TouchedPair touch(SessionPair session, double threshold);
 
-inline constexpr double kNoMetric = std::numeric_limits<double>::infinity();  // s0 of a query without one
+// s0 of a query without a metric.
+inline constexpr double kNoMetric = std::numeric_limits<double>::infinity();
 
 /// How a query is asked.
 struct Setting {

@@ -41,10 +41,13 @@ std::vector<double> region_areas(const PatchCorners& surface, const TreeRanges& 
   for (const std::int32_t patch : touched) {
     is_touched[at(patch)] = true;
     const std::vector<std::int32_t>& corners = surface.corners[at(patch)];
-    for (const std::int32_t corner : corners) parent[at(root_of(parent, corner))] = root_of(parent, corners.front());
+    for (const std::int32_t corner : corners)
+      parent[at(root_of(parent, corner))] = root_of(parent, corners.front());
   }
   std::vector<double> area(at(surface.count), 0.0);
-  const auto region = [&](std::size_t patch) { return at(root_of(parent, surface.corners[patch].front())); };
+  const auto region = [&](std::size_t patch) {
+    return at(root_of(parent, surface.corners[patch].front()));
+  };
   for (std::size_t p = 0; p < is_touched.size(); ++p)
     if (is_touched[p]) area[region(p)] += tree.area[p];
   std::vector<double> areas;

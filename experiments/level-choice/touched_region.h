@@ -1,5 +1,6 @@
 #pragma once
-// The regions of a surface that an exact query found in contact: finest patches that touch and hang together.
+// The regions of a surface that an exact query found in contact: finest patches that touch and hang
+// together.
 
 #include <cstdint>
 #include <vector>
@@ -15,8 +16,8 @@ struct PatchCorners {
 };
 PatchCorners patch_corners(const ClodHierarchy& h, const TreeRanges& tree);
 
-/// Area of the region each touched patch belongs to: of all touched patches that can be reached from it over common
-/// corners [m^2].
+/// Area of the region each touched patch belongs to: of all touched patches that can be reached
+/// from it over common corners [m^2].
 ///
 /// touched  finest patches, with repetitions
 /// returns  by entry of `touched`
