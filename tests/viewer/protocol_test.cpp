@@ -99,6 +99,7 @@ TEST(Protocol, SnapshotLiesAsTheTableSays) {
   contact.object_level = 3;
   contact.scene_level = 2;
   contact.status = ContactStatus::deep;
+  contact.decided_by = LevelDecision::velocity;
   const ViewedContact contacts[] = {contact, contact};
   const ViewedCluster cluster{{1, 0, 0}, {0, 0, 1}, 0.75, {0, 0, -8}, 9};
   const ViewedCluster clusters[] = {cluster};
@@ -132,7 +133,7 @@ TEST(Protocol, SnapshotLiesAsTheTableSays) {
   EXPECT_EQ(at<std::int32_t>(m, first + 32), 1);
   EXPECT_EQ(at<std::int32_t>(m, first + 36), 42);
   EXPECT_EQ(at<std::int32_t>(m, first + 40), 43);
-  EXPECT_EQ(at<std::uint32_t>(m, first + 44), 0x00020203u);
+  EXPECT_EQ(at<std::uint32_t>(m, first + 44), 0x01020203u);
   const std::size_t last = 240 + 96;
   EXPECT_EQ(at<float>(m, last + 24), 0.75f);
   EXPECT_EQ(at<float>(m, last + 36), -8.0f);

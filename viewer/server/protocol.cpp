@@ -122,7 +122,8 @@ void put_contact(std::string& out, const ViewedContact& c) {
   put(out, c.object_node);
   put(out, c.scene_node);
   put(out, c.object_level | static_cast<std::uint32_t>(c.scene_level) << 8 |
-               static_cast<std::uint32_t>(c.status) << 16);
+               static_cast<std::uint32_t>(c.status) << 16 |
+               static_cast<std::uint32_t>(c.decided_by) << 24);
 }
 
 void put_cluster(std::string& out, const ViewedCluster& c) {

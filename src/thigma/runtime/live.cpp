@@ -24,6 +24,7 @@ ViewedContact viewed(const ContactWorld& world, const Contact& c) noexcept {
   v.object_level = static_cast<std::uint8_t>(std::clamp(c.object_level, 0, 255));
   v.scene_level = static_cast<std::uint8_t>(std::clamp(c.scene_level, 0, 255));
   v.status = c.status;
+  v.decided_by = c.decided_by;
   return v;
 }
 

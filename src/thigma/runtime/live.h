@@ -26,6 +26,7 @@ struct ViewedContact {
   std::int32_t object_node = -1, scene_node = -1;  // of the hierarchies; -1: not of one
   std::uint8_t object_level = 0, scene_level = 0;
   ContactStatus status = ContactStatus::separated;
+  LevelDecision decided_by = LevelDecision::finest;
 };
 
 /// The contacts of one frame, or a sample of them where there are too many.

@@ -113,7 +113,7 @@ function contactAt(words, at) {
   return { point: floats(words, at, 3), normal: floats(words, at + 12, 3), depth: words.getFloat32(at + 24, true),
     bound: words.getFloat32(at + 28, true), body: words.getInt32(at + 32, true), objectNode: words.getInt32(at + 36, true),
     sceneNode: words.getInt32(at + 40, true), objectLevel: levels & 0xff, sceneLevel: (levels >> 8) & 0xff,
-    status: (levels >> 16) & 0xff };
+    status: (levels >> 16) & 0xff, decidedBy: levels >>> 24 };
 }
 
 function clusterAt(words, at) {

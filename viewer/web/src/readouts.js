@@ -1,6 +1,6 @@
 // The numbers that matter, in words and with units.
 import { count, digits, say, split } from "./format.js";
-import { levelCounts, situation } from "./words.js";
+import { deciderWords, levelCounts, situation } from "./words.js";
 import { LEVEL_COLOURS, levelColour } from "./theme.js";
 
 const TILES = [
@@ -75,7 +75,8 @@ function showLevel(target, snapshot, scene) {
   const original = counts[0]?.[0] === 0 ? ", the original surface" : "";
   if (counts.length === 1) text = `Level of detail at the contacts: ${counts[0][0]}${whole}${original}.`;
   if (counts.length > 1) text = `Levels of detail at the contacts: ${counts.map(([level]) => level).join(", ")}${whole}; 0 is the finest.`;
-  line(target, "", text);
+  const deciders = deciderWords(snapshot.contacts);
+  line(target, "", deciders ? `${text} Decided ${deciders}${deciders.includes("100 %") ? "" : "; there is nothing finer elsewhere"}.` : text);
   target.dot.style.background = counts.length > 0 ? levelColour(counts[0][0]) : "";
 }
 

@@ -56,6 +56,16 @@ export function situation(facts) {
   return `${subject} is close to ${where}: ${count} in ${groups}.`;
 }
 
+const DECIDERS = ["what a hand feels", "speed", "what the eye sees", "the cap on deviation", "the budget"];
+
+/// What decided how fine contacts are, the most frequent first: "...% by what a hand feels, ...". "" where nothing did but that there is
+/// nothing finer, as in exact contacts.
+export function deciderWords(contacts) {
+  const counts = DECIDERS.map((by, k) => [by, contacts.filter((one) => one.decidedBy === k).length]);
+  const told = counts.filter(([, n]) => n > 0).sort(([, a], [, b]) => b - a);
+  return told.map(([by, n]) => `${Math.round((100 * n) / contacts.length)} % by ${by}`).join(", ");
+}
+
 /// Number of contacts by level of the object, finest first: [[level, n], ...].
 export function levelCounts(contacts) {
   const counts = new Map();

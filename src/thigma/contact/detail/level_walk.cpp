@@ -5,7 +5,7 @@
 namespace thigma::detail {
 namespace {
 
-constexpr double kBlendFrom = 0.5;  // of s* / s0: below, a pair speaks for itself; from 1 on, its children do
+constexpr double kBlendFrom = 0.8;  // of s* / s0: below, a pair speaks for itself; from 1 on, its children do
 
 double child_resolution(const ClodHierarchy& h, const ClodNode& node) noexcept {
   return h.levels[static_cast<std::size_t>(node.level - 1)].resolution;

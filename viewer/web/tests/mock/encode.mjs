@@ -61,7 +61,7 @@ export function encodeSnapshot(s) {
   for (const c of s.contacts) {
     [...c.point, ...c.normal, c.depth, c.bound].forEach((value, k) => buffer.writeFloatLE(value, at + 4 * k));
     [c.body, c.objectNode, c.sceneNode].forEach((value, k) => buffer.writeInt32LE(value, at + 32 + 4 * k));
-    buffer.writeUInt32LE(c.objectLevel | (c.sceneLevel << 8) | (c.status << 16), at + 44);
+    buffer.writeUInt32LE((c.objectLevel | (c.sceneLevel << 8) | (c.status << 16) | ((c.decidedBy ?? 5) << 24)) >>> 0, at + 44);
     at += 48;
   }
   for (const c of s.clusters) {

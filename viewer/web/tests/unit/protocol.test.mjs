@@ -7,7 +7,7 @@ const bytes = (buffer) => buffer.buffer.slice(buffer.byteOffset, buffer.byteOffs
 const MESH = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], triangles: [0, 2, 1, 0, 1, 3], patchOfTriangle: [0, 0xffffffff],
   nodeOfPatch: [0, 1], parents: [2, 2, -1], levels: [0, 0, 1] };
 const CONTACT = { point: [1, 2, 3], normal: [0, 0, -1], depth: 0.5, bound: 0.25, body: 2, objectNode: 7, sceneNode: 9, objectLevel: 3,
-  sceneLevel: 4, status: 1 };
+  sceneLevel: 4, status: 1, decidedBy: 2 };
 const CLUSTER = { point: [4, 5, 6], normal: [1, 0, 0], depth: -0.5, force: [7, 8, 9], id: 11 };
 const SNAPSHOT = { time: 1.5, bits: 3, frame: 1500, fields: Array.from({ length: 48 }, (_, k) => k), found: 40, dropped: 1, front: 77,
   fault: 1, contacts: [CONTACT], clusters: [CLUSTER] };

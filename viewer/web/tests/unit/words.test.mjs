@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { digits, duration, say, split } from "../../src/format.js";
-import { endWords, eventWords, lateWords, levelCounts, situation } from "../../src/words.js";
+import { deciderWords, endWords, eventWords, lateWords, levelCounts, situation } from "../../src/words.js";
 
 test("three digits and the right prefix", () => {
   const cases = [[1.3245, "N", "1.32 N"], [0.0123, "N m", "12.3 mN m"], [4.2e-5, "m", "42.0 µm"], [999.6, "Hz", "1.00 kHz"], [412, "Hz", "412 Hz"],
@@ -38,6 +38,9 @@ test("the situation in a sentence", () => {
 test("events and levels", () => {
   assert.equal(eventWords({ kind: "fault", detail: "device_lost", text: "" }), "Fault: the hand was lost");
   assert.equal(eventWords({ kind: "armed", detail: "", text: "" }), "Forces are on");
+  assert.equal(deciderWords([{ decidedBy: 5 }]), "");
+  assert.equal(deciderWords([{ decidedBy: 0 }, { decidedBy: 5 }, { decidedBy: 0 }, { decidedBy: 3 }]),
+    "50 % by what a hand feels, 25 % by the cap on deviation");
   assert.deepEqual(levelCounts([{ objectLevel: 3 }, { objectLevel: 0 }, { objectLevel: 3 }]), [[0, 1], [3, 2]]);
 });
 
