@@ -43,6 +43,25 @@ std::vector<double> ranks(std::span<const double> x) {
   return rank;
 }
 
+/// The weight of what is smaller and half of that of what is equal.
+std::vector<double> weighted_ranks(std::span<const double> x, std::span<const double> weight) {
+  std::vector<std::size_t> order(x.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
+  std::vector<double> rank(x.size());
+  double below = 0.0;
+  for (std::size_t i = 0; i < order.size();) {
+    std::size_t end = i;
+    double equal = 0.0;
+    while (end < order.size() && x[order[end]] == x[order[i]]) equal += weight[order[end++]];
+    for (std::size_t j = i; j < end; ++j) rank[order[j]] = below + 0.5 * equal;
+    below += equal;
+    i = end;
+  }
+  return rank;
+}
+
 /// Two-sided 95 % quantile of Student's t.
 double student_t(std::size_t freedom) {
   static constexpr double kTable[] = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365,
@@ -148,6 +167,26 @@ double correlation(std::span<const double> x, std::span<const double> y) {
 double rank_correlation(std::span<const double> x, std::span<const double> y) {
   if (x.size() != y.size()) return kNaN;
   return correlation(ranks(x), ranks(y));
+}
+
+double rank_correlation(std::span<const double> x, std::span<const double> y, std::span<const double> weight) {
+  if (x.size() != y.size() || x.size() != weight.size()) return kNaN;
+  const std::vector<double> a = weighted_ranks(x, weight), b = weighted_ranks(y, weight);
+  double total = 0.0, mean_a = 0.0, mean_b = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    total += weight[i];
+    mean_a += weight[i] * a[i];
+    mean_b += weight[i] * b[i];
+  }
+  mean_a /= total;
+  mean_b /= total;
+  double aa = 0.0, bb = 0.0, ab = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    aa += weight[i] * (a[i] - mean_a) * (a[i] - mean_a);
+    bb += weight[i] * (b[i] - mean_b) * (b[i] - mean_b);
+    ab += weight[i] * (a[i] - mean_a) * (b[i] - mean_b);
+  }
+  return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : kNaN;
 }
 
 double relative_error(std::span<const double> x, std::span<const double> y) {

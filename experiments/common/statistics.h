@@ -16,6 +16,8 @@ double coefficient_of_variation(std::span<const double> x);  // standard deviati
 double correlation(std::span<const double> x, std::span<const double> y);
 /// Spearman's: of the ranks, equal values sharing the mean of theirs.
 double rank_correlation(std::span<const double> x, std::span<const double> y);
+/// The same where each pair counts as often as its weight says, which need not be whole; weights >= 0.
+double rank_correlation(std::span<const double> x, std::span<const double> y, std::span<const double> weight);
 
 /// Root mean square of x - y over that of y.
 double relative_error(std::span<const double> x, std::span<const double> y);

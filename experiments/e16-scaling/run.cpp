@@ -7,6 +7,7 @@
 #include "experiments/common/all_experiments.h"
 #include "experiments/common/contact_profile.h"
 #include "experiments/common/hands.h"
+#include "experiments/common/hierarchy_bytes.h"
 #include "experiments/common/statistics.h"
 
 #include "thigma/math/quantile.h"
@@ -24,17 +25,6 @@ struct Size {
   double exact_front = 0.0, coarse_front = 0.0;
 };
 
-template <class T>
-double bytes_of(const T& container) {
-  return static_cast<double>(container.size() * sizeof(*container.data()));
-}
-
-double bytes_of(const ClodHierarchy& h) {
-  return bytes_of(h.nodes) + bytes_of(h.patches) + bytes_of(h.contact_patches) +
-         bytes_of(h.support) + bytes_of(h.vertices) + bytes_of(h.lanes) + bytes_of(h.faces) +
-         bytes_of(h.edges) + bytes_of(h.hull_triangles) + bytes_of(h.triangle_ids);
-}
-
 double median(const Profile& profile, const Span& span) {
   return sample_quantile(cut(profile.cpu, span), 0.5);
 }
@@ -47,7 +37,7 @@ Size measure(const Context& context, const Path& path, int triangles) {
   Size size;
   size.triangles = pair.object->triangle_count + pair.scene->triangle_count;
   for (const auto& [uri, seconds] : assets.seconds) size.build += seconds;
-  size.bytes = bytes_of(*pair.object) + bytes_of(*pair.scene);
+  size.bytes = hierarchy_bytes(*pair.object) + hierarchy_bytes(*pair.scene);
   tell(context, "jaws of " + std::to_string(triangles) + " triangles");
   Resolution capped = as_in_text(0.025);
   capped.deviation_cap = 0.02;

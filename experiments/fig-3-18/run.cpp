@@ -169,8 +169,12 @@ Outcome run_fig_3_18(const Context& context) {
       stated("speed", "speed of the first impact", impact, "m/s")};
   outcome.figure = {.title = "Spoon into cup, velocity-dependent metric (Fig. 3.18)",
                     .note = "each point a contact query; s0 = 3.5 % of the radius at the speed of the first impact",
-                    .panels = {{.title = "Speed", .x = {.label = "time [s]"}, .y = {.label = "fastest contact [m/s]"}},
-                               {.title = "Levels", .x = {.label = "time [s]"}, .y = {.label = "level (0 finest)"}}}};
+                    .panels = {{.title = "Speed",
+                                .x = {.label = "time [s]", .low = 0.0},
+                                .y = {.label = "fastest contact [m/s]", .low = 0.0}},
+                               {.title = "Levels",
+                                .x = {.label = "time [s]", .low = 0.0},
+                                .y = {.label = "level (0 finest)", .low = -0.5}}}};
   outcome.figure.panels[0].series = {curve("", sights, &Sight::speed)};
   outcome.figure.panels[1].series = {curve("coarsest", sights, &Sight::coarsest), curve("finest", sights, &Sight::finest)};
   return outcome;

@@ -168,13 +168,16 @@ Outcome run_fig_4_16(const Context& context) {
   outcome.tables = {{.name = "data",
                      .columns = {"gradient", "time [s]", "pairs of patches", "contacts", "query [s]",
                                  "textures [s]", "total [s]"}}};
-  plot::Panel over{.title = "Textures over contacts", .x = {.label = "contacts"}, .y = {.label = "CPU time [ms]", .low = 0.0}};
+  plot::Panel over{.title = "Textures over contacts", .x = {.label = "contacts", .low = -0.3, .high = 7.3},
+                   .y = {.label = "CPU time [ms]", .low = 0.0}};
   std::vector<Claim> rest;
   for (const GradientKind kind : kKinds) {
     const std::string name(gradient_name(kind));
     tell(context, name);
     const std::vector<Frame> frames = record(context, kind);
-    plot::Series points{.label = name, .mark = plot::Mark::points};
+    std::string label = name;
+    std::replace(label.begin(), label.end(), '_', ' ');
+    plot::Series points{.label = label, .mark = plot::Mark::points};
     for (const Frame& f : frames) {
       add_row(outcome.tables[0], {name, f.time, f.pairs, f.contacts, f.query, f.texture, f.total()});
       points.x.push_back(f.contacts);

@@ -8,8 +8,8 @@
 namespace thigma::experiments::level_choice {
 namespace {
 
-/// Scale: 0.24 mm a unit. Near contact: turned by -4 degrees about x through (0, 18.55, 97.07) units, then moved by
-/// (12.04, 24.09, 27.87) units.
+/// Scale: 0.24 mm a unit. Near contact: turned by -4 degrees about x through (0, 18.55, 97.07)
+/// units, then moved by (12.04, 24.09, 27.87) units.
 constexpr const char* kScene = R"(title = "casts"
 [object]
 mesh = "a02_dental_cast_lower.obj"
@@ -25,12 +25,12 @@ approach = [0.0, 0.0, 1.0]
 
 }  // namespace
 
-std::optional<SessionPair> casts_session(Assets& assets, double seconds) {
+std::optional<scenes::SceneDescription> casts_scene() {
   const char* shared = std::getenv("THIGMA_SHARED");
   if (shared == nullptr) return std::nullopt;
   const std::filesystem::path folder = std::filesystem::path(shared) / "meshes";
   if (!std::filesystem::exists(folder / "a01_dental_cast_upper.obj")) return std::nullopt;
-  return session_pair(assets, scenes::parse_scene(kScene, "casts", folder.string()), seconds);
+  return scenes::parse_scene(kScene, "casts", folder.string());
 }
 
 }  // namespace thigma::experiments::level_choice

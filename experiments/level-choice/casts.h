@@ -3,12 +3,13 @@
 
 #include <optional>
 
-#include "experiments/common/session_pair.h"
+#include "scenes/scene_description.h"
 
 namespace thigma::experiments::level_choice {
 
-/// The lower cast in the hand, under the upper one; none where the folder THIGMA_SHARED names has no such meshes.
+/// The lower cast in the hand, under the upper one; none where the folder THIGMA_SHARED names has
+/// no such meshes.
 /// Thread     [offline].
-std::optional<SessionPair> casts_session(Assets& assets, double seconds);
+std::optional<scenes::SceneDescription> casts_scene();
 
 }  // namespace thigma::experiments::level_choice

@@ -5,229 +5,164 @@
 #include <limits>
 #include <set>
 
-#include "benchmarks/point_cells.h"
-#include "benchmarks/probe.h"
+#include "experiments/common/hierarchy_bytes.h"
 #include "experiments/common/statistics.h"
-#include "experiments/level-choice/tree_ranges.h"
 
-#include "thigma/contact/clustering.h"
 #include "thigma/contact/contact_node.h"
-#include "thigma/contact/query_contacts.h"
 #include "thigma/core/index.h"
 #include "thigma/math/quantile.h"
 
 namespace thigma::experiments::level_choice {
 namespace {
 
-constexpr std::size_t kRoom = 400'000;
-constexpr int kBurst = 4;              // frames before a sample is taken, the last three timed
-constexpr int kClusters = 16;          // of the force that is compared
-constexpr double kNear = 0.02;         // of the radius: a contact is found where another is as near
-constexpr std::size_t kCompared = 2000;  // exact contacts of a pose that recall is taken over, at most
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNear = 0.02;  // of the radius: a contact is found where another is as near
 
-/// Contacts of one pose.
-struct Frame {
-  std::vector<Contact> contacts;
-  Vec3 force = Vec3::Zero();  // per unit of stiffness [m]
-  double front = 0.0;
-  std::vector<double> query;  // CPU times of the burst [s]
-};
-
-Vec3 force_of(const std::vector<Contact>& contacts, double tolerance) {
-  ContactClusters clusters;
-  ClusterScratch scratch;
-  cluster_contacts(contacts, {}, {.max_clusters = kClusters, .tolerance = tolerance}, scratch, clusters);
-  Vec3 force = Vec3::Zero();
-  for (const ContactCluster& c : clusters.clusters) force -= std::max(c.depth + tolerance, 0.0) * c.normal;
-  return force;
-}
-
-Frame query_at(const TouchedPair& pair, std::size_t sample, const Setting& setting, ContactFront& front,
-               ContactSet& set) {
-  const ContactWorld& world = pair.session.config.contact;
-  ContactQuery query{.tolerance = world.tolerance};
-  query.resolution = setting.resolution;
-  Frame frame;
-  clear_front(front);
-  for (std::size_t i = sample - std::min<std::size_t>(sample, kBurst - 1); i <= sample; ++i) {
-    clear(set);
-    const double start = bench::thread_cpu();
-    query_contacts(*world.object, pair.touching[i], *world.scene.front().hierarchy,
-                   world.scene.front().world_from_body, query, front, set);
-    frame.query.push_back(bench::thread_cpu() - start);
-  }
-  if (frame.query.size() > 1) frame.query.erase(frame.query.begin());  // from the root
-  frame.contacts = set.contacts;
-  frame.front = static_cast<double>(set.stats.front);
-  frame.force = force_of(frame.contacts, world.tolerance);
-  return frame;
-}
-
-std::vector<Vec3> middles_of(const std::vector<Contact>& contacts, std::size_t step = 1) {
-  std::vector<Vec3> middles;
-  for (std::size_t i = 0; i < contacts.size(); i += step)
-    middles.push_back(0.5 * (contacts[i].point + contacts[i].scene_point));
-  return middles;
-}
-
-/// Neither frame without a contact.
-double recall_of(const Frame& exact, const Frame& frame, double near) {
-  const std::vector<Vec3> asked = middles_of(exact.contacts, exact.contacts.size() / kCompared + 1);
-  const bench::PointCells cells = bench::sort_into_cells(middles_of(frame.contacts), near);
-  const auto found = std::count_if(asked.begin(), asked.end(),
-                                   [&](const Vec3& p) { return bench::has_point_within(cells, p); });
-  return static_cast<double>(found) / static_cast<double>(asked.size());
-}
-
-/// Largest of minus depth minus bound, and the same plus bound: between them lies the least separation.
-struct Interval {
-  double low = std::numeric_limits<double>::infinity(), high = low, reported = low;
-};
-
-Interval least_separation(const Frame& frame) {
-  Interval least;
-  for (const Contact& c : frame.contacts) {
-    least.low = std::min(least.low, -c.depth - c.bound);
-    least.high = std::min(least.high, -c.depth + c.bound);
-    least.reported = std::min(least.reported, -c.depth);
-  }
-  return least;
-}
-
-/// Area of the finest patches on one side of a contact that the exact query found near the other side.
-double touched_area(const TreeRanges& tree, std::set<std::int32_t>& patches) {
-  double area = 0.0;
-  for (const std::int32_t p : patches) area += tree.area[at(p)];
-  return area;
-}
-
-/// Collects the samples of one setting.
+/// Collects the poses of one setting.
 struct Collector {
+  std::vector<double> contacts{}, front{}, query{}, recall{}, error{}, interval{}, ratio{};
+  PoseShare below{}, difference{}, shared{};
+  std::size_t levels_at_once = 0;
+};
+
+/// What all settings are compared over.
+struct Comparison {
+  const TouchedPair& pair;
   const ClodHierarchy &object, &scene;
-  const TreeRanges &object_tree, &scene_tree;
+  PairSurfaces surfaces;
   double radius;
-  std::vector<double> triangles{}, contacts{}, front{}, query{}, recall{}, error{}, interval{}, ratio{};
-  std::vector<double> level{}, area{};  // of every contact that has something of the exact query below it
-  double difference2 = 0.0, force2 = 0.0;
-  int levels_at_once = 0;
 };
 
-struct Place {
-  std::int32_t object, scene;  // counts of finest patches
-};
-
-void add_contact(Collector& c, const std::vector<Place>& exact, const Contact& contact) {
-  const std::int32_t a = contact_node(c.object, contact.object_patch), b = contact_node(c.scene, contact.scene_patch);
-  if (a < 0 || b < 0) return;
-  c.triangles.push_back(0.5 * (c.object_tree.triangles[at(a)] + c.scene_tree.triangles[at(b)]));
-  std::set<std::int32_t> on_object, on_scene;
-  for (const Place& e : exact) {
-    if (e.object < c.object_tree.first[at(a)] || e.object >= c.object_tree.last[at(a)]) continue;
-    if (e.scene < c.scene_tree.first[at(b)] || e.scene >= c.scene_tree.last[at(b)]) continue;
-    on_object.insert(e.object);
-    on_scene.insert(e.scene);
+/// Of a shell's contacts, which are of no patch, nothing is below.
+void add_triangles(Collector& c, const Comparison& with, const PoseFrame& frame) {
+  double sum = 0.0, count = 0.0;
+  for (const Contact& contact : frame.contacts) {
+    const std::int32_t a = contact_node(with.object, contact.object_patch);
+    const std::int32_t b = contact_node(with.scene, contact.scene_patch);
+    if (a < 0 || b < 0) continue;
+    sum += 0.5 * (with.surfaces.object.triangles[at(a)] + with.surfaces.scene.triangles[at(b)]);
+    count += 1.0;
   }
-  if (on_object.empty()) return;
-  c.level.push_back(0.5 * (contact.object_level + contact.scene_level));
-  c.area.push_back(std::min(touched_area(c.object_tree, on_object), touched_area(c.scene_tree, on_scene)));
+  c.below.over.push_back(sum);
+  c.below.under.push_back(count);
 }
 
-void add_frame(Collector& c, const Frame& exact, const std::vector<Place>& places, const Frame& frame) {
-  for (const Contact& contact : frame.contacts) add_contact(c, places, contact);
+void add_frame(Collector& c, const Comparison& with, const PoseFrame& exact,
+               const PoseFrame& frame) {
+  add_triangles(c, with, frame);
   std::set<std::int32_t> levels;
-  for (const Contact& contact : frame.contacts) levels.insert({contact.object_level, contact.scene_level});
-  c.levels_at_once = std::max(c.levels_at_once, static_cast<int>(levels.size()));
+  for (const Contact& contact : frame.contacts)
+    levels.insert({contact.object_level, contact.scene_level});
+  c.levels_at_once = std::max(c.levels_at_once, levels.size());
   c.contacts.push_back(static_cast<double>(frame.contacts.size()));
   c.front.push_back(frame.front);
   c.query.insert(c.query.end(), frame.query.begin(), frame.query.end());
-  c.difference2 += (frame.force - exact.force).squaredNorm();
-  c.force2 += exact.force.squaredNorm();
+  c.difference.over.push_back((frame.force - exact.force).squaredNorm());
+  c.difference.under.push_back(exact.force.squaredNorm());
+  c.shared.over.push_back((frame.shared_force - exact.shared_force).squaredNorm());
+  c.shared.under.push_back(exact.shared_force.squaredNorm());
   if (exact.contacts.empty() || frame.contacts.empty()) return;
-  c.recall.push_back(recall_of(exact, frame, kNear * c.radius));
-  const Interval truth = least_separation(exact), least = least_separation(frame);
+  c.recall.push_back(recall_of(exact, frame, kNear * with.radius));
+  const LeastSeparation truth = least_separation(exact), least = least_separation(frame);
   c.error.push_back(std::fabs(least.reported - truth.reported));
   c.interval.push_back(least.high - least.low);
   if (c.error.back() > 0.0) c.ratio.push_back(c.interval.back() / c.error.back());
 }
 
-double median(const std::vector<double>& x) {
-  return x.empty() ? std::numeric_limits<double>::quiet_NaN() : sample_quantile(x, 0.5);
+double quotient(const PoseShare& share) {
+  double over = 0.0, under = 0.0;
+  for (const double x : share.over) over += x;
+  for (const double x : share.under) under += x;
+  return over / under;
 }
 
-Choice summarize(const Collector& c) {
+Choice summarize(const Collector& c, double bytes) {
   Choice choice;
-  choice.triangles = mean(c.triangles);
+  choice.triangles = quotient(c.below);
   choice.contacts = mean(c.contacts);
   choice.front = mean(c.front);
-  choice.query = median(c.query);
-  choice.force_error = std::sqrt(c.difference2 / c.force2);
+  choice.query = sample_quantile(c.query, 0.5);
+  choice.force_error = std::sqrt(quotient(c.difference));
+  choice.shared_error = std::sqrt(quotient(c.shared));
   choice.recall = mean(c.recall);
-  choice.separation_error = median(c.error);
-  choice.interval = median(c.interval);
-  choice.interval_ratio = median(c.ratio);
-  choice.area_rank = rank_correlation(c.area, c.level);
-  choice.levels_at_once = c.levels_at_once;
+  choice.separation_error = sample_quantile(c.error, 0.5);
+  choice.interval = sample_quantile(c.interval, 0.5);
+  choice.interval_ratio = sample_quantile(c.ratio, 0.5);
+  choice.area_rank = kNaN;
+  choice.levels_at_once = static_cast<double>(c.levels_at_once);
+  choice.bytes = bytes;
+  choice.below = c.below;
+  choice.error = c.difference;
+  choice.shared = c.shared;
   return choice;
 }
 
-std::vector<Place> places_of(const Frame& exact, const Collector& c) {
-  std::vector<Place> places;
-  for (const Contact& e : exact.contacts)
-    places.push_back({c.object_tree.first[at(contact_node(c.object, e.object_patch))],
-                      c.scene_tree.first[at(contact_node(c.scene, e.scene_patch))]});
-  return places;
+/// A shell's contacts have neither levels nor bounds.
+Choice summarize_shell(const Collector& c, double bytes) {
+  Choice choice = summarize(c, bytes);
+  choice.triangles = choice.interval = choice.interval_ratio = choice.levels_at_once = kNaN;
+  return choice;
+}
+
+/// A pose for all of the trials but `blended`.
+void add_trials(AreaTrials& trials, const Comparison& with, std::size_t sample,
+                const PoseFrame& exact, const std::vector<TouchedPlace>& places, double threshold,
+                QueryMemory& memory) {
+  const auto add = [&](AreaSamples& to, const Resolution& resolution) {
+    add_contacts(to, with.pair, with.surfaces, with.pair.touching[sample], places,
+                 query_at(with.pair, sample, resolution, memory));
+  };
+  Resolution single = setting_at(threshold).resolution, smaller = single;
+  single.interpolates = false;
+  smaller.area = SupportArea::smaller;
+  add(trials.single, single);
+  add(trials.smaller, smaller);
+  add_contacts_by_region(trials.by_region, with.pair, with.surfaces, exact, places,
+                         threshold * with.radius);
 }
 
 }  // namespace
 
-TouchedPair touch(SessionPair session, double threshold) {
-  Resolution& resolution = session.config.contact.resolution;
-  resolution = setting_at(threshold).resolution;
-  const std::unique_ptr<HapticDevice> hand = open_device("hand:", session.hand);
-  session.config.haptic.device = hand->limits();
-  TouchedPair pair{session, {}};
-  const auto look = [&](const ContactSample& sample) {
-    const BodyState& state = sample.model.state;
-    if (sample.contacts > 0)
-      pair.touching.push_back(Pose{state.position, state.orientation} * session.config.contact.body_from_mesh);
-  };
-  run_lockstep(session.config, *hand, {.haptic = {}, .contact = look, .event = {}});
-  return pair;
-}
-
-Setting setting_at(double threshold) {
-  Setting setting{"exact", threshold, {}};
-  if (!(threshold > 0.0)) return setting;
-  setting.resolution.is_exact = false;
-  setting.resolution.metric.haptic = std::isfinite(threshold) ? threshold : 1e9;
-  char name[32];
-  std::snprintf(name, sizeof name, "%g %%", 100.0 * threshold);
-  setting.name = std::isfinite(threshold) ? name : "no metric";
-  return setting;
-}
-
-std::vector<Choice> measure(const TouchedPair& pair, const std::vector<Setting>& settings, int samples) {
+PairStudy measure(const TouchedPair& pair, const ShellPair& shells,
+                  const std::vector<Setting>& settings, int samples, double threshold) {
   const ContactWorld& world = pair.session.config.contact;
   const ClodHierarchy &object = *world.object, &scene = *world.scene.front().hierarchy;
-  const TreeRanges object_tree = tree_ranges(object), scene_tree = tree_ranges(scene);
-  const double radius = std::min(object.radius, scene.radius);
-  std::vector<Collector> collectors(settings.size(), Collector{object, scene, object_tree, scene_tree, radius});
-  ContactFront front;
-  reserve_front(front, object, scene);
-  ContactSet set;
-  set.contacts.reserve(kRoom);
+  const Comparison with{pair, object, scene, pair_surfaces(object, scene),
+                        std::min(object.radius, scene.radius)};
+  std::vector<Collector> collectors(settings.size());
+  std::vector<AreaSamples> areas(settings.size());
+  Collector of_shell;
+  AreaTrials trials;
+  QueryMemory memory = make_memory(pair);
   const auto count = static_cast<std::size_t>(samples);
   for (std::size_t i = 0; i < count && !pair.touching.empty(); ++i) {
     const std::size_t sample = (2 * i + 1) * pair.touching.size() / (2 * count);
-    const Frame exact = query_at(pair, sample, setting_at(0.0), front, set);
-    const std::vector<Place> places = places_of(exact, collectors.front());
-    for (std::size_t k = 0; k < settings.size(); ++k)
-      add_frame(collectors[k], exact, places,
-                settings[k].threshold > 0.0 ? query_at(pair, sample, settings[k], front, set) : exact);
+    const PoseFrame exact = query_at(pair, sample, Resolution{}, memory);
+    const std::vector<TouchedPlace> places = touched_places(with.surfaces, object, scene, exact);
+    for (std::size_t k = 0; k < settings.size(); ++k) {
+      const bool is_exact = !(settings[k].threshold > 0.0);
+      const PoseFrame frame =
+          is_exact ? exact : query_at(pair, sample, settings[k].resolution, memory);
+      add_frame(collectors[k], with, exact, frame);
+      if (!is_exact)
+        add_contacts(areas[k], pair, with.surfaces, pair.touching[sample], places, frame);
+    }
+    add_frame(of_shell, with, exact, query_at(pair, sample, shells, memory));
+    add_trials(trials, with, sample, exact, places, threshold, memory);
   }
-  std::vector<Choice> choices;
-  for (const Collector& c : collectors) choices.push_back(summarize(c));
-  return choices;
+  PairStudy study;
+  for (std::size_t k = 0; k < settings.size(); ++k) {
+    study.choices.push_back(
+        summarize(collectors[k], hierarchy_bytes(object) + hierarchy_bytes(scene)));
+    study.choices.back().area_rank =
+        rank_correlation(areas[k].level, areas[k].region, areas[k].weight);
+    if (settings[k].threshold == threshold) trials.blended = areas[k];
+  }
+  study.ranks = area_ranks(trials);
+  study.commonest_level = commonest_level(trials.blended);
+  study.region_spread = region_spread(trials.blended);
+  study.shell = summarize_shell(of_shell, shells.bytes);
+  return study;
 }
 
 }  // namespace thigma::experiments::level_choice

@@ -103,9 +103,9 @@ Outcome run_table_4_1(const Context& context) {
        .columns = {"model", "fine triangles", "fine, text", "coarse triangles", "coarse, text",
                    "hierarchy nodes", "volumes, text", "patches", "patches of any size", "nodes of any size", "texels", "relief [m]",
                    "fit, RMS [% of the radius]", "fit, largest [% of the radius]", "cracks, largest [% of the radius]", "distortion"}}};
-  plot::Series fine{.label = "fine", .mark = plot::Mark::points},
-      coarse{.label = "coarse", .mark = plot::Mark::points},
-      nodes{.label = "hierarchy, hulls of any size", .mark = plot::Mark::points};
+  plot::Series fine{.label = "triangles, fine", .mark = plot::Mark::points},
+      coarse{.label = "triangles, coarse", .mark = plot::Mark::points},
+      nodes{.label = "volumes, hulls of any size", .mark = plot::Mark::points};
   Off off;
   for (const Row41& row : kRows) {
     tell(context, row.name);
@@ -141,9 +141,11 @@ Outcome run_table_4_1(const Context& context) {
   const plot::Series equal{.label = "equal", .x = {1.0, 1e6}, .y = {1.0, 1e6}, .is_dashed = true, .width = 1.0};
   outcome.figure = {.title = "Complexity of the textured models (Table 4.1)",
                     .panels = {{.title = "",
-                                .x = {.label = "the text's", .is_log = true},
+                                .x = {.label = "triangles or bounding volumes, the text's", .is_log = true},
                                 .y = {.label = "here", .is_log = true},
-                                .series = {fine, coarse, nodes, equal}}}};
+                                .series = {fine, coarse, nodes, equal}}},
+                    .width = 720,
+                    .panel_height = 420};
   return outcome;
 }
 

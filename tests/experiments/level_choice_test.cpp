@@ -1,0 +1,60 @@
+#include <cmath>
+
+#include "experiments/level-choice/contact_area.h"
+#include "experiments/level-choice/resample.h"
+#include <gtest/gtest.h>
+
+namespace thigma::experiments::level_choice {
+namespace {
+
+TEST(LevelChoice, RegionsAreTouchedPatchesThatHangTogether) {
+  TreeRanges tree;
+  tree.area = {1.0, 2.0, 4.0, 8.0};
+  const PatchCorners row{{{0, 1}, {1, 2}, {2, 3}, {4, 5}}, 6};  // three in a row, one apart
+  EXPECT_EQ(region_areas(row, tree, {0, 1, 3, 0}), (std::vector<double>{3.0, 3.0, 8.0, 3.0}));
+  EXPECT_EQ(region_areas(row, tree, {0, 2}),
+            (std::vector<double>{1.0, 4.0}));  // the middle one is missing
+  EXPECT_EQ(region_areas(row, tree, {2, 0, 1}), (std::vector<double>{7.0, 7.0, 7.0}));
+}
+
+TEST(LevelChoice, GrowthHasAnIntervalAsWideAsPosesDiffer) {
+  const PoseShare from{{1.0, 2.0, 3.0, 4.0}, {1.0, 1.0, 1.0, 1.0}};
+  PoseShare to{{4.0, 8.0, 12.0, 16.0}, from.under};
+  const Growth same = growth_between(from, to, true, 1);
+  EXPECT_DOUBLE_EQ(same.value, 2.0);
+  EXPECT_DOUBLE_EQ(same.low, 2.0);
+  EXPECT_DOUBLE_EQ(same.high, 2.0);
+  to.over = {0.1, 8.0, 1.0, 16.0};
+  const Growth other = growth_between(from, to, false, 1),
+               again = growth_between(from, to, false, 1);
+  EXPECT_DOUBLE_EQ(other.value, 2.51);
+  EXPECT_LT(other.low, 2.0);
+  EXPECT_GT(other.high, 3.0);
+  EXPECT_EQ(other.low, again.low);
+  EXPECT_TRUE(std::isnan(growth_between({}, {}, false, 1).low));
+}
+
+TEST(LevelChoice, RanksSeeTheWeightOfABlend) {
+  // Two contacts and, of next to no weight, what a blend reports below the coarser one at the same
+  // place.
+  AreaSamples blended{.level = {1.0, 3.0, 0.0},
+                      .weight = {1.0, 1.0, 1e-9},
+                      .below = {1.0, 2.0, 3.0},
+                      .region = {1.0, 2.0, 2.0},
+                      .support = {1.0, 2.0, 2.0}};
+  AreaSamples single{.level = {1.0, 3.0},
+                     .weight = {1.0, 1.0},
+                     .below = {1.0, 2.0},
+                     .region = {1.0, 2.0},
+                     .support = {1.0, 2.0}};
+  for (const AreaRank& r : area_ranks({blended, single, single, single})) {
+    if (r.what == "level and area below")
+      EXPECT_LT(r.rank, 0.0);
+    else
+      EXPECT_NEAR(r.rank, 1.0, 1e-6) << r.what;
+  }
+  EXPECT_NEAR(commonest_level(blended), 0.5, 1e-6);
+}
+
+}  // namespace
+}  // namespace thigma::experiments::level_choice
