@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "apps/program.h"
+#include "support/file_limit.h"
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include "thigma/runtime/recording.h"
@@ -45,21 +45,6 @@ std::string killed_recording(const std::string& name) {
   return file + ".part";
 }
 
-/// Programs started while this lives may not write files beyond a size.
-class FileLimit {
- public:
-  explicit FileLimit(rlim_t bytes) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit less = before_;
-    less.rlim_cur = bytes;
-    setrlimit(RLIMIT_FSIZE, &less);
-  }
-  ~FileLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
-  FileLimit(const FileLimit&) = delete;
-  FileLimit& operator=(const FileLimit&) = delete;
-
- private:
-  rlimit before_{};
 };
 
 std::size_t count(const std::string& text, const std::string& what) {

@@ -3,36 +3,14 @@
 #include <filesystem>
 #include <string>
 
+#include "support/file_limit.h"
 #include "viewer/live_program.h"
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 namespace thigma::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Programs that start while this lives cannot write files longer than this: to them, the disk is full.
-class FileLimit {
- public:
-  explicit FileLimit(rlim_t bytes) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit limit = before_;
-    limit.rlim_cur = bytes;
-    setrlimit(RLIMIT_FSIZE, &limit);
-    handler_ = std::signal(SIGXFSZ, SIG_IGN);
-  }
-  ~FileLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileLimit(const FileLimit&) = delete;
-  FileLimit& operator=(const FileLimit&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int) = nullptr;
-};
 
 constexpr rlim_t kFull = 2 << 20;  // [byte]
 
