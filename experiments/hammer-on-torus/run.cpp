@@ -55,7 +55,8 @@ std::vector<double> missed_depths(const TexturedSession& session,
     exact->sample(contacts, {}, all);
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const DepthSamples& grid = scratch.textures.samples[c];
-      if (!all[c].is_found || !grid.is_found || !(all[c].depth[0] > 0.0)) continue;
+      // Those that press: a force begins at the tolerance.
+      if (!all[c].is_found || !grid.is_found || !(all[c].depth[0] > -session.config.contact.tolerance)) continue;
       const double amplitude =
           contacts[c].object.texture->amplitude + contacts[c].scene.texture->amplitude;
       missed.push_back(std::max(all[c].depth[0] - grid.depth[0], 0.0) / amplitude);

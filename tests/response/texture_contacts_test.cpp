@@ -286,6 +286,29 @@ TEST(TextureContacts, EdgesOfABoxPushAsTheSurfaceBelowThemSlopes) {
   }
 }
 
+TEST(TextureContacts, LookAtTheTrianglesAroundTheirOwn) {
+  Random random(3);
+  const HapticTexture plate =
+      make_texture(test::plate_source(random, {.size = kSide, .cells = 8, .texels = 256}), "plate");
+  const ClodHierarchy hierarchy = build_exact_hierarchy(plate.coarse);
+  BallOnRidges scene;
+  scene.world.scene = {{&hierarchy, Pose{}}};
+  scene.world.textures.scene = {make_textured_body(plate, hierarchy)};
+  reserve_contact_scratch(scene.world, scene.scratch);
+  scene.at({0.003, 0.004, kBall});
+  ASSERT_FALSE(scene.scratch.textures.contacts.empty());
+  for (const DepthContact& contact : scene.scratch.textures.contacts) {
+    TriangleMarks marks{std::vector<std::uint32_t>(plate.coarse.triangles.size(), 0u)};
+    marks.begin();
+    for (const std::int32_t t : contact.scene.triangles) marks.add(t);
+    std::vector<std::int32_t> want;
+    add_ring(plate.coarse, vertex_triangles(plate.coarse), contact.scene.triangles, marks, want);
+    EXPECT_TRUE(std::equal(want.begin(), want.end(), contact.scene.around.begin(), contact.scene.around.end()));
+    EXPECT_FALSE(want.empty()) << "or the whole plate is the contact";
+    EXPECT_TRUE(contact.object.around.empty()) << "a ball without relief has nothing to see there";
+  }
+}
+
 TEST(TextureContacts, SameBitsTwice) {
   const auto digest = [] {
     BallOnRidges scene;

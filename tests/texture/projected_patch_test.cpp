@@ -217,5 +217,47 @@ TEST(ProjectedPatch, fine_surface_that_turns_over_is_no_height_field) {
                    .is_height_field);  // cos = -1: 0.08 a texel back, 0.032 forth
 }
 
+// What moves sideways comes over the end of a patch from the triangles beside it.
+TEST(ProjectedPatch, sees_the_fine_surface_of_triangles_around) {
+  Random random(12);
+  constexpr double kAside = 4e-4;
+  TextureSource source = test::plate_source(random, {.cells = 4, .texels = 128});
+  for (Texel& t : source.texels) t.x -= static_cast<float>(kAside);
+  const HapticTexture texture = make_texture(std::move(source), "aside");
+  const std::vector<std::int32_t> all = test::all_triangles(texture);
+  std::vector<std::int32_t> left, right;
+  for (const std::int32_t t : all) {
+    double sum = 0.0;
+    for (const std::int32_t v : texture.coarse.triangles[static_cast<std::size_t>(t)])
+      sum += texture.coarse.positions[static_cast<std::size_t>(v)].x();
+    (sum < 0.0 ? left : right).push_back(t);
+  }
+  const ContactFrame frame = contact_frame(Vec3::Zero(), Vec3::UnitZ());
+  ProjectedPatch whole, cut, seen;
+  project_patch(texture, all, Pose{}, frame, Facing::along, whole);
+  project_patch(texture, left, Pose{}, frame, Facing::along, cut);
+  project_patch(texture, left, Pose{}, frame, Facing::along, seen, kWholePlane, right);
+  ASSERT_FALSE(seen.around.empty());
+  EXPECT_EQ(seen.box.high, cut.box.high) << "no ground to stand on";
+  double worst_cut = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 world(-random.uniform(0.05, 0.95) * kAside, random.uniform(-0.009, 0.009), 0.0);
+    const Vec2 at = (frame.world_from_contact.transpose() * world).head<2>();
+    std::int32_t near = -1;
+    const double want = height_at(whole, at, near);
+    near = -1;
+    const double got = height_at(seen, at, near);
+    EXPECT_NEAR(got, want, 1e-9);
+    EXPECT_GE(near, static_cast<std::int32_t>(seen.triangles.size()));
+    EXPECT_NEAR(surface_jet(seen, at).height, want, 1e-9);
+    near = -1;
+    worst_cut = std::max(worst_cut, std::fabs(height_at(cut, at, near) - want));
+    near = -1;
+    const Vec3 beyond(1e-5, world.y(), 0.0);
+    EXPECT_EQ(height_at(seen, (frame.world_from_contact.transpose() * beyond).head<2>(), near), kNoSurface);
+  }
+  EXPECT_GT(worst_cut, 2e-5) << "or there is nothing to see";
+}
+
 }  // namespace
 }  // namespace thigma

@@ -27,15 +27,13 @@ const ClodPatch* patch_at_level(const TexturedBody& body, std::int32_t patch, st
 }
 
 /// Adds the triangles of a patch, at a level, that are not there yet.
-void add_triangles(const TexturedBody& body, std::int32_t patch, std::int32_t level, std::uint32_t round,
-                   std::vector<std::uint32_t>& marks, std::vector<std::int32_t>& triangles) noexcept {
+void add_triangles(const TexturedBody& body, std::int32_t patch, std::int32_t level, TriangleMarks& marks,
+                   std::vector<std::int32_t>& triangles) noexcept {
   const ClodPatch* const p = patch_at_level(body, patch, level);
   if (p == nullptr) return;
   for (std::int32_t i = p->first_triangle; i < p->first_triangle + p->triangle_count; ++i) {
     const std::int32_t t = body.hierarchy->triangle_ids[at(i)];
-    if (marks[at(t)] == round) continue;
-    marks[at(t)] = round;
-    triangles.push_back(t);
+    if (marks.add(t)) triangles.push_back(t);
   }
 }
 
@@ -61,12 +59,8 @@ Levels coarsest_levels(const TexturedWorld& world, std::span<const Contact> cont
 bool gather(const TexturedWorld& world, std::span<const Contact> contacts,
             std::span<const std::int32_t> assignment, std::int32_t cluster, std::int32_t body, const Levels& levels,
             std::size_t slot, TextureScratch& scratch) noexcept {
-  if (++scratch.round == 0) {  // after 2^32 of them: no mark may look new
-    std::fill(scratch.object_marks.begin(), scratch.object_marks.end(), 0u);
-    std::fill(scratch.scene_marks.begin(), scratch.scene_marks.end(), 0u);
-    scratch.round = 1;
-  }
-  const std::uint32_t round = scratch.round;
+  scratch.object_marks.begin();
+  scratch.scene_marks.begin();
   std::vector<std::int32_t>&of_object = scratch.object_triangles[slot],
   &of_scene = scratch.scene_triangles[slot];
   of_object.clear();
@@ -75,13 +69,20 @@ bool gather(const TexturedWorld& world, std::span<const Contact> contacts,
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
     if (assignment[i] != cluster || contact.body != body) continue;
-    add_triangles(world.object, contact.object_patch, levels.object, round, scratch.object_marks, of_object);
-    add_triangles(world.scene[at(body)], contact.scene_patch, levels.scene, round, scratch.scene_marks, of_scene);
+    add_triangles(world.object, contact.object_patch, levels.object, scratch.object_marks, of_object);
+    add_triangles(world.scene[at(body)], contact.scene_patch, levels.scene, scratch.scene_marks, of_scene);
     deepest = std::max(deepest, contact.depth + contact.bound);
   }
   // Clusters name their members in the order of contacts, which may change while the triangles do not.
   std::sort(of_object.begin(), of_object.end());
   std::sort(of_scene.begin(), of_scene.end());
+  const auto look_beside = [](const TexturedBody& of, std::int32_t level, const auto& own, TriangleMarks& marks,
+                              std::vector<std::int32_t>& around) {
+    around.clear();
+    add_ring(of.textures[at(level)]->coarse, of.at_vertex[at(level)], own, marks, around);
+  };
+  look_beside(world.object, levels.object, of_object, scratch.object_marks, scratch.object_around[slot]);
+  look_beside(world.scene[at(body)], levels.scene, of_scene, scratch.scene_marks, scratch.scene_around[slot]);
   scratch.deepest[slot] = deepest;
   return !of_object.empty() && !of_scene.empty();
 }
@@ -117,9 +118,10 @@ void divide(const TexturedWorld& world, const Pose& world_from_object,
       const Levels levels = coarsest_levels(world, contacts, assignment, index, body);
       if (!gather(world, contacts, assignment, index, body, levels, slot, scratch)) continue;
       DepthContact contact;
-      contact.object = {world.object.textures[at(levels.object)], scratch.object_triangles[slot], world_from_object};
+      contact.object = {world.object.textures[at(levels.object)], scratch.object_triangles[slot], world_from_object,
+                        scratch.object_around[slot]};
       contact.scene = {world.scene[b].textures[at(levels.scene)], scratch.scene_triangles[slot],
-                       bodies[b].world_from_body};
+                       bodies[b].world_from_body, scratch.scene_around[slot]};
       contact.point = cluster.point;
       contact.normal = cluster.normal;
       contact.centre = centre;
@@ -181,7 +183,9 @@ TexturedBody make_textured_levels(std::vector<const HapticTexture*> textures, co
   body.hierarchy = &hierarchy;
   body.relief = longest_texel(*body.textures.front());
   for (const HapticTexture* texture : body.textures) {
+    body.at_vertex.emplace_back();
     if (!(longest_texel(*texture) > 0.0)) continue;
+    body.at_vertex.back() = vertex_triangles(texture->coarse);
     body.amplitude = body.has_relief ? std::min(body.amplitude, texture->amplitude) : texture->amplitude;
     body.has_relief = true;
   }
@@ -237,17 +241,22 @@ void reserve_texture_scratch(const TexturedWorld& world, TextureScratch& scratch
   scratch.scene_triangles.assign(kMaxClusters, {});
   for (auto& list : scratch.object_triangles) list.reserve(of_object);
   for (auto& list : scratch.scene_triangles) list.reserve(of_scene);
-  scratch.object_marks.assign(of_object, 0);
-  scratch.scene_marks.assign(of_scene, 0);
-  scratch.round = 0;
+  scratch.object_around = scratch.object_triangles;
+  scratch.scene_around = scratch.scene_triangles;
+  for (auto& list : scratch.object_around) list.reserve(of_object);
+  for (auto& list : scratch.scene_around) list.reserve(of_scene);
+  scratch.object_marks = {std::vector<std::uint32_t>(of_object, 0u)};
+  scratch.scene_marks = {std::vector<std::uint32_t>(of_scene, 0u)};
   scratch.contacts.reserve(kMaxClusters);
   scratch.cluster.reserve(kMaxClusters);
   scratch.body.reserve(kMaxClusters);
   scratch.samples.resize(kMaxClusters);
   scratch.deepest.assign(kMaxClusters, 0.0);
   scratch.gradient.object.triangles.reserve(of_object);
+  scratch.gradient.object.around.reserve(of_object);
   scratch.gradient.object.hidden.reserve(of_object);
   scratch.gradient.scene.triangles.reserve(of_scene);
+  scratch.gradient.scene.around.reserve(of_scene);
   scratch.gradient.scene.hidden.reserve(of_scene);
 }
 

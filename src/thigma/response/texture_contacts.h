@@ -14,6 +14,7 @@
 #include "thigma/dynamics/linear_contact_model.h"
 #include "thigma/response/penalty.h"
 #include "thigma/texture/depth_gradient.h"
+#include "thigma/texture/triangle_ring.h"
 
 namespace thigma {
 
@@ -36,6 +37,7 @@ struct TextureParams {
 /// A body whose surface textures may refine. Immutable; outlives the session.
 struct TexturedBody {
   std::vector<const HapticTexture*> textures;  // over the surface of level 0, 1, ..; of one texel where there is no relief
+  std::vector<VertexTriangles> at_vertex;      // of each texture's coarse surface; empty where it has no relief
   const ClodHierarchy* hierarchy = nullptr;    // its patches of level k are of textures[k]->coarse
   std::vector<std::int32_t> parent;            // of each node, -1 of the root; empty with one texture
   bool has_relief = false;                     // false: a plain body
@@ -88,8 +90,8 @@ struct TextureScratch {
   std::vector<DepthContact> contacts;                                        // of the last frame
   std::vector<DepthSamples> samples;                                         // of them
   std::vector<std::vector<std::int32_t>> object_triangles, scene_triangles;  // one a depth contact
-  std::vector<std::uint32_t> object_marks, scene_marks;  // of triangles: taken in round `round`
-  std::uint32_t round = 0;
+  std::vector<std::vector<std::int32_t>> object_around, scene_around;        // the triangles beside those
+  TriangleMarks object_marks, scene_marks;
   std::vector<std::int32_t> cluster, body;  // of each depth contact
   std::vector<double> deepest;  // that a member of each depth contact may be, relief left aside [m]
   GradientScratch gradient;

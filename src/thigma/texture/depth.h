@@ -18,6 +18,8 @@ struct TexturedPatch {
   const HapticTexture* texture = nullptr;
   std::span<const std::int32_t> triangles;  // of texture->coarse; belongs to the caller
   Pose world_from_body;
+  std::span<const std::int32_t> around{};  // the triangles beside them: no part of the contact, but
+                                           // their fine surface may lie over `triangles`
 };
 
 /// A contact to refine, as collision detection between the coarse surfaces found it.

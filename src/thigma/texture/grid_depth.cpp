@@ -37,9 +37,7 @@ class GridDepth final : public DepthBackend {
     result.is_found = true;
     const detail::DepthRounding rounding =
         detail::depth_rounding(params_, params_.is_16_bit ? least_sum(best.sum) : 0.0f, best.sum);
-    detail::finish_depth(params_, prepared_, grid, best, rounding, result);
-    if (params_.is_polished && !params_.is_16_bit)
-      detail::try_rivals(prepared_, object_, scene_, grid, best, result);
+    detail::finish_depth(params_, prepared_, object_, scene_, grid, best, rounding, result);
     result.is_height_field = detail::is_upright(prepared_, result.at);
     if (request.near > 0.0) {
       detail::collect_near(object_, scene_, grid, request.near, result);

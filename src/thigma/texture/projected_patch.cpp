@@ -86,6 +86,23 @@ Vec2 nearest_on(const ProjectedTriangle& t, const Vec2& p) noexcept {
 constexpr double kClose = 1e-9;  // of the size of the triangle's box
 constexpr double kFoundSlack = 1e-7;
 
+// The least barycentric coordinates that a place on a triangle, moved sideways within a box, can have.
+std::array<double, 3> least_coordinates(const ProjectedTriangle& t, const PlaneBox& sideways) noexcept {
+  std::array<double, 3> least;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec2& e = t.edges[k];
+    least[k] = std::min(e.x() * sideways.low.y(), e.x() * sideways.high.y()) +
+               std::min(-e.y() * sideways.low.x(), -e.y() * sideways.high.x()) - 2.0 * kFoundSlack;
+  }
+  return least;
+}
+
+// Whether a fine point of a triangle may lie over a place.
+bool may_cover(const ProjectedTriangle& t, const Vec2& at) noexcept {
+  return is_in(t.fine, at) && cross(t.edges[0], at - t.at[0]) >= t.least[0] &&
+         cross(t.edges[1], at - t.at[1]) >= t.least[1] && cross(t.edges[2], at - t.at[2]) >= t.least[2];
+}
+
 Mat2 by_texel(const Vec3& x, const Vec3& y, const ProjectedPatch& patch) noexcept {
   Mat2 along;
   along << patch.contact_from_body.topRows<2>() * x, patch.contact_from_body.topRows<2>() * y;
@@ -129,13 +146,30 @@ Found look_below(const ProjectedPatch& patch, const ProjectedTriangle& t, const 
 }
 
 double height_below(const ProjectedPatch& patch, const Below& below, const Vec2& at) noexcept {
-  const ProjectedTriangle& t = patch.triangles[static_cast<std::size_t>(below.triangle)];
+  const ProjectedTriangle& t = projected_triangle(patch, below.triangle);
   if (below.found == Found::none) return height_on(patch, t, at);
   const Vec2 on = below.found == Found::on ? below.place : nearest_on(t, below.place);
   return coarse_height(t, on) + patch.direction_body.dot(displacement_at(*patch.texture, texel_of(t, on)));
 }
 
-// Where no fine point of the patch lies over a point: the highest of the coarse triangles there, by the nearest
+// Where no fine point of the patch lies over a point: that of a triangle around, the highest.
+Below highest_around(const ProjectedPatch& patch, const Vec2& at, int& sheets) noexcept {
+  Below best;
+  double highest = kNoSurface;
+  for (std::size_t i = 0; i < patch.around.size(); ++i) {
+    const ProjectedTriangle& t = patch.around[i];
+    Below here{static_cast<std::int32_t>(patch.triangles.size() + i), at, Found::on};
+    if (!may_cover(t, at) || !find_below(patch, t, at, here.place)) continue;
+    sheets += insideness(t, here.place) > kFoundSlack;
+    const double height = height_below(patch, here, at);
+    if (!(height > highest)) continue;
+    highest = height;
+    best = here;
+  }
+  return best;
+}
+
+// Where none of those around does either: the highest of the coarse triangles there, by the nearest
 // fine point of their edge where the fine surface ends, else to first order.
 Below highest_coarse(const ProjectedPatch& patch, const Vec2& at, int& sheets) noexcept {
   Below best;
@@ -158,13 +192,14 @@ Below find_highest(const ProjectedPatch& patch, const Vec2& at, std::int32_t nea
   Below best;
   sheets = 1;
   const bool has_guess = near >= 0 && near < static_cast<std::int32_t>(patch.triangles.size());
-  if (has_guess && find_below(patch, patch.triangles[static_cast<std::size_t>(near)], at, best.place))
+  if (has_guess && may_cover(patch.triangles[static_cast<std::size_t>(near)], at) &&
+      find_below(patch, patch.triangles[static_cast<std::size_t>(near)], at, best.place))
     return {near, best.place, Found::on};
   sheets = 0;
   double highest = kNoSurface;
   for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
     const ProjectedTriangle& t = patch.triangles[i];
-    if (!is_in(t.fine, at)) continue;
+    if (!may_cover(t, at) || (has_guess && static_cast<std::int32_t>(i) == near)) continue;
     Below here{static_cast<std::int32_t>(i), at, Found::on};
     if (!find_below(patch, t, at, here.place)) continue;
     sheets += insideness(t, here.place) > kFoundSlack;
@@ -174,6 +209,17 @@ Below find_highest(const ProjectedPatch& patch, const Vec2& at, std::int32_t nea
     best = here;
   }
   return best;
+}
+
+// Where no fine point of the patch lies over a point. Nothing where no coarse triangle does.
+Below find_beside(const ProjectedPatch& patch, const Vec2& at, int& sheets) noexcept {
+  if (!patch.around.empty() &&
+      std::any_of(patch.triangles.begin(), patch.triangles.end(),
+                  [&](const ProjectedTriangle& t) { return covers(t, at); })) {
+    const Below around = highest_around(patch, at, sheets);
+    if (around.triangle >= 0) return around;
+  }
+  return highest_coarse(patch, at, sheets);
 }
 
 // Slope over the plane of what rises by `rises` a texel while it moves by `moves`.
@@ -187,7 +233,7 @@ Mat2 second_of(const Vec3& m, const TexelJet& texel) noexcept {
 
 // What a triangle of a patch shows at a point. The fine point moves by `moves` a texel and rises by `rises`.
 SurfaceJet jet_below(const ProjectedPatch& patch, const Below& below, const Vec2& at) noexcept {
-  const ProjectedTriangle& t = patch.triangles[static_cast<std::size_t>(below.triangle)];
+  const ProjectedTriangle& t = projected_triangle(patch, below.triangle);
   const bool is_on = below.found == Found::on;
   const Vec2 on = below.found == Found::beside ? nearest_on(t, below.place) : below.place;
   const TexelJet texel = texel_jet(*patch.texture, texel_of(t, on));
@@ -260,6 +306,65 @@ PlaneBox sideways_of(const TexelBounds& bounds, const Mat3& contact_from_body) n
   return box;
 }
 
+// A triangle's corners in the contact frame.
+struct Corners {
+  std::array<Vec3, 3> at;
+  PlaneBox box;
+};
+
+Corners corners_of(const ProjectedPatch& patch, const Vec3& shift, std::int32_t triangle) noexcept {
+  const TriangleMesh& coarse = patch.texture->coarse;
+  Corners corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::int32_t v = coarse.triangles[static_cast<std::size_t>(triangle)][k];
+    corners.at[k] = patch.contact_from_body * coarse.positions[static_cast<std::size_t>(v)] + shift;
+    corners.box.low = corners.box.low.cwiseMin(corners.at[k].head<2>());
+    corners.box.high = corners.box.high.cwiseMax(corners.at[k].head<2>());
+  }
+  return corners;
+}
+
+// Whether a triangle lies over a box, or its fine surface may.
+bool may_reach(const ProjectedPatch& patch, const PlaneBox& box, const PlaneBox& over) noexcept {
+  return touch(box, over) ||
+         touch(box, {over.low - patch.sideways.high, over.high - patch.sideways.low});
+}
+
+Vec3 area_of(const Corners& c) noexcept { return (c.at[1] - c.at[0]).cross(c.at[2] - c.at[0]); }
+
+// Whether a triangle looks the other way or is seen edge-on; one without area does neither.
+bool is_hidden(const ProjectedPatch& patch, const Corners& corners) noexcept {
+  // Cosine between a triangle's normal and the direction below which it counts as seen edge-on. Its height
+  // changes by 1 / cosine per length: with the side of a box under a tilt of a tenth of a degree that would be the
+  // slope of a contact, and its force sideways.
+  constexpr double kEdgeOn = 0.1;
+  const Vec3 normal = area_of(corners);
+  const double size = normal.norm();
+  return size > 0.0 && !(sign_of(patch.facing) * normal.z() > kEdgeOn * size);
+}
+
+double highest(const ProjectedPatch& patch, const Corners& c) noexcept {
+  const double direction = sign_of(patch.facing);
+  return std::max({direction * c.at[0].z(), direction * c.at[1].z(), direction * c.at[2].z()});
+}
+
+// False for a triangle without area, or so far from the contact that nothing is left of its shape.
+bool project_triangle(const ProjectedPatch& patch, const Corners& corners, std::int32_t index,
+                      ProjectedTriangle& projected) noexcept {
+  if (!(area_of(corners).norm() > 0.0)) return false;
+  const auto& texels = patch.texture->corners[static_cast<std::size_t>(index)];
+  projected = affine_maps(corners.at, texels, sign_of(patch.facing));
+  if (!is_finite(projected)) return false;
+  projected.triangle = index;
+  projected.carried = carried_by(projected, patch);
+  const Vec2 slack = 2.0 * kEdgeSlack * (corners.box.high - corners.box.low);
+  projected.box = {corners.box.low - slack, corners.box.high + slack};
+  const PlaneBox sideways = sideways_of(bounds_under(*patch.texture, texels), patch.contact_from_body);
+  projected.least = least_coordinates(projected, sideways);
+  projected.fine = {projected.box.low + sideways.low, projected.box.high + sideways.high};
+  return true;
+}
+
 }  // namespace
 
 ContactFrame contact_frame(const Vec3& origin, const Vec3& normal) noexcept {
@@ -276,55 +381,37 @@ ContactFrame contact_frame(const Vec3& origin, const Vec3& normal) noexcept {
 
 void project_patch(const HapticTexture& texture, std::span<const std::int32_t> triangles,
                    const Pose& world_from_body, const ContactFrame& frame, Facing facing,
-                   ProjectedPatch& patch, const PlaneBox& over) noexcept {
+                   ProjectedPatch& patch, const PlaneBox& over, std::span<const std::int32_t> around) noexcept {
   patch.texture = &texture;
   patch.facing = facing;
   patch.triangles.clear();
+  patch.around.clear();
   patch.hidden.clear();
   patch.box = {};
-  const double direction = sign_of(facing);
   const Mat3 world_from_axes = world_from_body.orientation.toRotationMatrix();
   patch.contact_from_body = frame.world_from_contact.transpose() * world_from_axes;
-  patch.direction_body = direction * patch.contact_from_body.row(2).transpose();
+  patch.direction_body = sign_of(facing) * patch.contact_from_body.row(2).transpose();
   patch.sideways = sideways_of(texture.pyramid.back().cells.front(), patch.contact_from_body);
-  const PlaneBox reached{over.low - patch.sideways.high, over.high - patch.sideways.low};
   const Vec3 shift =
       frame.world_from_contact.transpose() * (world_from_body.position - frame.origin);
+  ProjectedTriangle projected;
   for (const std::int32_t index : triangles) {
-    const std::size_t i = static_cast<std::size_t>(index);
-    std::array<Vec3, 3> p;
-    PlaneBox box;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t corner = static_cast<std::size_t>(texture.coarse.triangles[i][k]);
-      p[k] = patch.contact_from_body * texture.coarse.positions[corner] + shift;
-      box.low = box.low.cwiseMin(p[k].head<2>());
-      box.high = box.high.cwiseMax(p[k].head<2>());
+    const Corners corners = corners_of(patch, shift, index);
+    if (!may_reach(patch, corners.box, over)) continue;
+    if (is_hidden(patch, corners)) {
+      patch.hidden.push_back({corners.box, highest(patch, corners)});
+    } else if (project_triangle(patch, corners, index, projected)) {
+      patch.triangles.push_back(projected);
+      patch.box.low = patch.box.low.cwiseMin(corners.box.low);
+      patch.box.high = patch.box.high.cwiseMax(corners.box.high);
     }
-    if (!touch(box, over) && !touch(box, reached)) continue;
-    const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
-    const double size = normal.norm();
-    if (!(size > 0.0)) continue;
-    // Cosine between a triangle's normal and the direction below which it counts as seen edge-on. Its height
-    // changes by 1 / cosine per length: with the side of a box under a tilt of a tenth of a degree that would be the
-    // slope of a contact, and its force sideways.
-    constexpr double kEdgeOn = 0.1;
-    if (!(direction * normal.z() > kEdgeOn * size)) {
-      const double highest = std::max({direction * p[0].z(), direction * p[1].z(), direction * p[2].z()});
-      patch.hidden.push_back({box, highest});
-      continue;
-    }
-    ProjectedTriangle projected = affine_maps(p, texture.corners[i], direction);
-    if (!is_finite(projected))
-      continue;  // so far from the contact that nothing is left of its shape
-    projected.triangle = index;
-    projected.carried = carried_by(projected, patch);
-    const Vec2 slack = 2.0 * kEdgeSlack * (box.high - box.low);
-    projected.box = {box.low - slack, box.high + slack};
-    const PlaneBox sideways = sideways_of(bounds_under(texture, texture.corners[i]), patch.contact_from_body);
-    projected.fine = {projected.box.low + sideways.low, projected.box.high + sideways.high};
-    patch.triangles.push_back(projected);
-    patch.box.low = patch.box.low.cwiseMin(box.low);
-    patch.box.high = patch.box.high.cwiseMax(box.high);
+  }
+  const PlaneBox own = intersection(patch.box, over);
+  for (const std::int32_t index : around) {
+    const Corners corners = corners_of(patch, shift, index);
+    if (!may_reach(patch, corners.box, own) || is_hidden(patch, corners)) continue;
+    if (project_triangle(patch, corners, index, projected) && touch(projected.fine, own))
+      patch.around.push_back(projected);
   }
 }
 
@@ -352,7 +439,7 @@ bool find_below(const ProjectedPatch& patch, const ProjectedTriangle& t, const V
 double height_at(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near) noexcept {
   int sheets = 0;
   Below below = find_highest(patch, at, near, sheets);
-  if (below.triangle < 0) below = highest_coarse(patch, at, sheets);
+  if (below.triangle < 0) below = find_beside(patch, at, sheets);
   // A height to first order may be above all that is there: no place to climb to.
   if (below.triangle < 0 || below.found == Found::none) return kNoSurface;
   near = below.triangle;
@@ -367,7 +454,7 @@ SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at) noexcept {
 SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near) noexcept {
   int sheets = 0;
   Below below = find_highest(patch, at, near, sheets);
-  if (below.triangle < 0) below = highest_coarse(patch, at, sheets);
+  if (below.triangle < 0) below = find_beside(patch, at, sheets);
   if (below.triangle < 0) return {};
   near = below.triangle;
   SurfaceJet jet = jet_below(patch, below, at);

@@ -54,6 +54,7 @@ struct ProjectedTriangle {
                               // barycentric coordinate of a point s that is 0 along that edge [1/m]
   PlaneBox box;  // of the corners, and of what counts as on the triangle by rounding
   PlaneBox fine;  // no fine point of it lies beyond [m]
+  std::array<double, 3> least;  // barycentric coordinates of what a fine point of it lies over are no smaller
   Vec2 texel_origin;  // texture coordinates at a point s of the plane: texel_origin + texel_by_at s
   Mat2 texel_by_at;   // [texels/m]
   Vec2 at_origin;     // and back
@@ -78,6 +79,7 @@ struct ProjectedPatch {
   Vec3 direction_body = Vec3::UnitZ();        // the facing direction in the texture's body frame
   Mat3 contact_from_body = Mat3::Identity();  // rotation only
   std::vector<ProjectedTriangle> triangles;   // those that face the right way
+  std::vector<ProjectedTriangle> around;      // beside them: seen over `triangles` where their own fine surface is not
   std::vector<HiddenTriangle> hidden;         // those that do not: over these it may be no height field
   PlaneBox sideways;  // of what any displacement of the texture moves along the plane [m]
   PlaneBox box;                  // of `triangles`
@@ -89,11 +91,19 @@ struct ProjectedPatch {
 /// world_from_body  pose of the surface
 /// over             triangles whose fine surface does not reach it are left out; `box` of the patch is of the others
 /// patch            overwritten
+/// around           the triangles beside those, see ProjectedPatch
 /// Thread           [contact]; no failure; allocates when there are more triangles than ever before.
 /// Source           Sec. 4.4.1, the mapping g^ of Eq. 4.9.
 void project_patch(const HapticTexture& texture, std::span<const std::int32_t> triangles,
                    const Pose& world_from_body, const ContactFrame& frame, Facing facing,
-                   ProjectedPatch& patch, const PlaneBox& over = kWholePlane) noexcept;
+                   ProjectedPatch& patch, const PlaneBox& over = kWholePlane,
+                   std::span<const std::int32_t> around = {}) noexcept;
+
+/// A triangle of a patch by the index that height_at finds: of `triangles`, then of `around`.
+inline const ProjectedTriangle& projected_triangle(const ProjectedPatch& patch, std::int32_t index) noexcept {
+  const std::size_t i = static_cast<std::size_t>(index), own = patch.triangles.size();
+  return i < own ? patch.triangles[i] : patch.around[i - own];
+}
 
 /// Whether the part of a patch over a box is one: no triangle there looks the other way or is seen edge-on.
 bool is_height_field(const ProjectedPatch& patch, const PlaneBox& over) noexcept;
@@ -109,11 +119,11 @@ inline constexpr double kNoSurface = -std::numeric_limits<double>::infinity();
 /// Height of the fine surface over a point of the plane along the facing direction (Eq. 4.9) [m]; kNoSurface where the
 /// patch does not lie, the largest where several sheets do. What the displacement moves sideways is followed back: the fine
 /// point is the one over `at`, of whatever coarse point. Beside the end of the patch, where a coarse triangle still lies, it
-/// is the nearest one of its edge. None is found where the fine surface turns over.
+/// is one of a triangle around, or without one the nearest of its edge. None is found where the fine surface turns over.
 ///
 /// at    [m; contact plane]
-/// near  index into patch.triangles where to look first, and the triangle found; any value is fine. Where its sheet lies over
-///       the place it is taken, whatever lies above: -1 asks for the highest
+/// near  triangle (as of projected_triangle) where to look first, and the one found; any value is fine. Where its sheet lies
+///       over the place it is taken, whatever lies above: -1 asks for the highest
 /// Thread    [contact]; no failure.
 /// Source    Eq. 4.9. Deviates: D86.
 double height_at(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near) noexcept;

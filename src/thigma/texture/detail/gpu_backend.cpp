@@ -203,7 +203,7 @@ class GpuBackend final : public DepthBackend {
   bool finish(const DepthContact& contact, std::size_t i, const DepthRequest& request,
               DepthSamples& result) noexcept {
     const GpuContact& used = used_[i];
-    const PreparedContact& prepared = prepared_[i];
+    PreparedContact& prepared = prepared_[i];
     const MapGrid& grid = used.grid;
     const GpuPeak& peak = peaks_[used.first_sum];
     if (peak.index < 0) return true;
@@ -211,12 +211,11 @@ class GpuBackend final : public DepthBackend {
     if (!is_credible(contact, prepared, grid, best)) return fail("gave a depth that is none there");
     result.is_found = true;
     const DepthRounding rounding = depth_rounding(params_.grid, peak.least, peak.sum);
-    finish_depth(params_.grid, prepared, grid, best, rounding, result);
     const bool is_climbed = params_.grid.is_polished && !params_.grid.is_16_bit;
     if ((is_climbed || request.near > 0.0) && (!read_map(plain_map(i, false), grid, object_) ||
                                                !read_map(plain_map(i, true), grid, scene_)))
       return fail(maps_->why());
-    if (is_climbed) try_rivals(prepared, object_, scene_, grid, best, result);
+    finish_depth(params_.grid, prepared, object_, scene_, grid, best, rounding, result);
     result.is_height_field = is_upright(prepared, result.at);
     if (request.near > 0.0) {
       collect_near(object_, scene_, grid, request.near, result);

@@ -1,9 +1,10 @@
 #include "thigma/texture/detail/grid_steps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
+#include <limits>
+
+#include "thigma/core/static_vector.h"
 
 namespace thigma::detail {
 namespace {
@@ -47,24 +48,55 @@ float tent_height(const HeightMap& a, const HeightMap& b, const MapMaximum& summ
          0.5f * std::fabs(sum_at(column, row + 1) - sum_at(column, row - 1));
 }
 
-// Summits of parts of the grid, other than the best sample, that may be highest between the samples, with those heights,
-// the highest first; column -1 for none. Crests narrower than the grid are as likely to be the maximum as broad ones, and
-// maps rank them to first order in what lies sideways.
-using Rivals = std::array<MapMaximum, 3>;
+constexpr int kLooked = 8;   // summits that are looked at more closely
+constexpr int kClimbs = 3;   // of them climbed from, at most
+constexpr int kFine = 16;    // samples each way of the closer look
+constexpr double kAround = 1.5;  // cells it goes each way from the summit
 
-Rivals rivals_of(const HeightMap& a, const HeightMap& b, const MapMaximum& best) noexcept {
+// A summit of a part of the grid, and how high it may be: as a tent between its samples, then from a closer look [m].
+struct Rival {
+  double hope = kNoDepth;
+  Vec2 at = Vec2::Zero();
+};
+using Rivals = StaticVector<Rival, kLooked>;
+
+bool is_lower(const Rival& a, const Rival& b) noexcept { return a.hope < b.hope; }
+
+// The best sample, and those with the highest tents. Crests narrower than the grid are as likely to be the maximum as
+// broad ones.
+Rivals rivals_of(const HeightMap& a, const HeightMap& b, const MapGrid& grid, const MapMaximum& best) noexcept {
   Rivals rivals;
+  rivals.push_back({std::numeric_limits<double>::infinity(), grid.at(best.column, best.row)});
   for (int row = 0; row < a.rows; row += kPart) {
     for (int column = 0; column < a.columns; column += kPart) {
-      MapMaximum here = best_of_part(a, b, column, row);
+      const MapMaximum here = best_of_part(a, b, column, row);
       const bool is_best = here.column == best.column && here.row == best.row;
       if (is_best || !(here.sum > kEmptySample) || !is_summit(a, b, here)) continue;
-      here.sum = tent_height(a, b, here);
-      for (MapMaximum& rival : rivals)
-        if (here.sum > rival.sum) std::swap(here, rival);
+      const Rival rival{static_cast<double>(tent_height(a, b, here)), grid.at(here.column, here.row)};
+      if (rivals.push_back(rival)) continue;
+      Rival& lowest = *std::min_element(rivals.begin(), rivals.end(), is_lower);
+      if (is_lower(lowest, rival)) lowest = rival;
     }
   }
   return rivals;
+}
+
+// Samples more finely around a summit: moves it to the best of them. Its hope is the depth there, and what the tent over
+// these samples adds.
+void look_closer(PreparedContact& prepared, const MapGrid& grid, SpanWidth width, Rival& rival) noexcept {
+  const Vec2 around = kAround * grid.spacing();
+  const MapGrid fine{intersection({rival.at - around, rival.at + around}, grid.box), kFine, kFine};
+  render_heights(prepared.object, fine, width, prepared.fine_object);
+  render_heights(prepared.scene, fine, width, prepared.fine_scene);
+  const MapMaximum best = largest_sum(prepared.fine_object, prepared.fine_scene);
+  rival.hope = kNoDepth;
+  if (best.column < 0) return;
+  rival.at = fine.at(best.column, best.row);
+  NearTriangles triangles;
+  // Maps are of first order: the depth itself says how high the tent stands.
+  const double depth = depth_at(prepared, rival.at, triangles);
+  const float tent = tent_height(prepared.fine_object, prepared.fine_scene, best);
+  rival.hope = (depth == kNoDepth ? static_cast<double>(best.sum) : depth) + static_cast<double>(tent - best.sum);
 }
 
 }  // namespace
@@ -101,27 +133,23 @@ PlaneMotion plane_motion(const DepthContact& contact, const DepthSamples& result
   return motion;
 }
 
-void finish_depth(const GridDepthParams& params, const PreparedContact& prepared,
-                  const MapGrid& grid, const MapMaximum& best, const DepthRounding& rounding,
-                  DepthSamples& result) noexcept {
+void finish_depth(const GridDepthParams& params, PreparedContact& prepared, const HeightMap& object,
+                  const HeightMap& scene, const MapGrid& grid, const MapMaximum& best,
+                  const DepthRounding& rounding, DepthSamples& result) noexcept {
   result.at = grid.at(best.column, best.row);
-  double depth = rounding.rounded(best.sum);
-  if (params.is_polished && !params.is_16_bit) {
-    const double finished = climb(prepared, grid.spacing(), result.at);
-    if (finished != kNoDepth) depth = finished;
-  }
-  result.depth[0] = depth;
-}
-
-void try_rivals(const PreparedContact& prepared, const HeightMap& object, const HeightMap& scene,
-               const MapGrid& grid, const MapMaximum& best, DepthSamples& result) noexcept {
-  for (const MapMaximum& rival : rivals_of(object, scene, best)) {
-    if (rival.column < 0 || !(static_cast<double>(rival.sum) > result.depth[0])) return;
-    Vec2 at = grid.at(rival.column, rival.row);
-    const double depth = climb(prepared, grid.spacing(), at);
-    if (!(depth > result.depth[0])) continue;
-    result.depth[0] = depth;
-    result.at = at;
+  result.depth[0] = rounding.rounded(best.sum);
+  if (!params.is_polished || params.is_16_bit) return;
+  Rivals rivals = rivals_of(object, scene, grid, best);
+  for (Rival& rival : rivals) look_closer(prepared, grid, params.width, rival);
+  double deepest = kNoDepth;
+  for (int k = 0; k < kClimbs; ++k) {
+    Rival& rival = *std::max_element(rivals.begin(), rivals.end(), is_lower);
+    if (!(rival.hope > deepest)) break;
+    rival.hope = kNoDepth;
+    const double depth = climb(prepared, grid.spacing(), rival.at);
+    if (!(depth > deepest)) continue;
+    result.depth[0] = deepest = depth;
+    result.at = rival.at;
   }
 }
 

@@ -27,14 +27,14 @@ constexpr bool is_tilted(int configuration) noexcept {
 PlaneMotion plane_motion(const DepthContact& contact, const DepthSamples& result,
                          int configuration) noexcept;
 
-/// Sets depth[0] and where it is from the best sample: climbed from if asked for.
-void finish_depth(const GridDepthParams& params, const PreparedContact& prepared,
-                  const MapGrid& grid, const MapMaximum& best, const DepthRounding& rounding,
-                  DepthSamples& result) noexcept;
-
-/// Climbs from summits of other parts of the grid, too, as the highest peak may lie between samples that are not the
-/// highest; when one is higher than depth[0] it takes its place. object, scene: the maps as they are
-void try_rivals(const PreparedContact& prepared, const HeightMap& object, const HeightMap& scene,
-               const MapGrid& grid, const MapMaximum& best, DepthSamples& result) noexcept;
+/// Sets depth[0] and where it is: the best sample, or if asked for the deepest place that is climbed to. The highest peak
+/// may lie between samples that are not the highest: the most promising summits are sampled more finely, and climbed from
+/// while they may be higher than what is found.
+///
+/// object, scene  the maps as they are; not looked at where nothing is climbed to
+/// rounding       of a depth that is not climbed to
+void finish_depth(const GridDepthParams& params, PreparedContact& prepared, const HeightMap& object,
+                  const HeightMap& scene, const MapGrid& grid, const MapMaximum& best,
+                  const DepthRounding& rounding, DepthSamples& result) noexcept;
 
 }  // namespace thigma::detail

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/math/plane_cross.h"
+
 namespace thigma::detail {
 namespace {
 
@@ -22,6 +24,8 @@ bool is_direction(const Vec3& v) noexcept {
 double relief_texel(const HapticTexture& texture) noexcept {
   return texture.amplitude > 0.0 ? texture.texel_size : std::numeric_limits<double>::infinity();
 }
+
+constexpr double kNearEdge = 2.0;  // of a step: edges farther away do not cut what lies around
 
 // A point of the plane, how deep it is there, and on which triangles.
 struct Place {
@@ -57,12 +61,17 @@ Surroundings look_around(const PreparedContact& prepared, const Place& from,
   return around;
 }
 
-// Steps to and fro parallel to the edges of the triangles it lies on.
+// Steps to and fro parallel to the edges of the triangles it lies on, those that a step may reach.
 Place look_along_edges(const PreparedContact& prepared, const Place& from, double length) noexcept {
   Surroundings around{from, false};
   const auto try_edges = [&](const ProjectedPatch& patch, std::int32_t triangle) {
     if (triangle < 0) return;
-    for (const Vec2& edge : patch.triangles[static_cast<std::size_t>(triangle)].edges) {
+    const ProjectedTriangle& t = projected_triangle(patch, triangle);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2& edge = t.edges[k];
+      // By as much as its points move sideways the fine surface may end beside the edge.
+      const double far = cross(edge, from.at - t.at[k]) + t.least[k];
+      if (far > kNearEdge * length * edge.norm()) continue;
       const Vec2 step = length * edge.normalized();
       try_point(prepared, from, from.at + step, around);
       try_point(prepared, from, from.at - step, around);
@@ -78,9 +87,9 @@ Place look_along_edges(const PreparedContact& prepared, const Place& from, doubl
 void project_sides(const DepthContact& contact, const ContactFrame& frame, const PlaneBox& over, ProjectedPatch& object,
                    ProjectedPatch& scene) noexcept {
   project_patch(*contact.object.texture, contact.object.triangles, contact.object.world_from_body, frame, Facing::along,
-                object, over);
+                object, over, contact.object.around);
   project_patch(*contact.scene.texture, contact.scene.triangles, contact.scene.world_from_body, frame, Facing::against,
-                scene, over);
+                scene, over, contact.scene.around);
 }
 
 double finer_texel(const DepthContact& contact) noexcept {

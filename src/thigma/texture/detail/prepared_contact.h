@@ -11,6 +11,7 @@ struct PreparedContact {
   ProjectedPatch object, scene;
   PlaneBox box;                 // the patches' boxes and the reach, intersected
   double texel = 0.0;           // side of a texel of the finer side that has relief [m]
+  HeightMap fine_object, fine_scene;  // memory of a closer look
 };
 
 /// Projects both sides of a contact, the object along n and the scene against it; over: as of project_patch.
