@@ -177,7 +177,9 @@ void refuse_web_without_page(const Run& run, const std::string& uri) {
 std::unique_ptr<HapticDevice> open_web(const Run& run) {
   refuse_web_without_page(run, "web:");
   WebMotionParams params;
-  params.max_speed = std::min(params.max_speed, 0.8 * run.config.haptic.safety.max_speed);
+  const SafetyLimits& safety = run.config.haptic.safety;
+  params.max_speed = std::min(params.max_speed, 0.8 * safety.max_speed);
+  params.max_angular_speed = std::min(params.max_angular_speed, 0.8 * safety.max_turn_speed);
   return make_web_device(*run.web_link, params);
 }
 

@@ -130,6 +130,8 @@ onset_window = 0.02
 start_ramp = 0.6
 max_speed = 1.1
 pose_jump = 0.004
+max_turn_speed = 21
+orientation_jump = 0.2
 silent_device = 0.06
 model_full_age = 0.02
 model_stale_age = 0.04
@@ -196,6 +198,8 @@ contact_latency = 2
   EXPECT_EQ(s.safety.start_ramp, 0.6);
   EXPECT_EQ(s.safety.max_speed, 1.1);
   EXPECT_EQ(s.safety.pose_jump, 0.004);
+  EXPECT_EQ(s.safety.max_turn_speed, 21.0);
+  EXPECT_EQ(s.safety.orientation_jump, 0.2);
   EXPECT_EQ(s.safety.silent_device, 0.06);
   EXPECT_EQ(s.safety.model_full_age, 0.02);
   EXPECT_EQ(s.safety.model_stale_age, 0.04);
