@@ -143,13 +143,12 @@ DeviceContext context_of(const Run& run, const RunDevice& opened, std::uint64_t 
 /// started and at its rate, so both are taken over.
 std::unique_ptr<HapticDevice> open_recorded(const std::string& path, const RunOptions& options,
                                             const Tell& tell, SessionConfig& session) {
-  const Recording recording = read_recording(path);
+  std::vector<DeviceState> samples;
+  const RecordingInfo recording = stream_recording(
+      path, {.frame = [&samples](const HapticSample& frame, const SamplePlace&) { samples.push_back(frame.device); }});
   if (tell) {
     for (const std::string& line : recording_warnings(path, recording)) tell(line);
   }
-  std::vector<DeviceState> samples;
-  samples.reserve(recording.frames.size());
-  for (const HapticSample& frame : recording.frames) samples.push_back(frame.device);
   try {
     const RecordedConfig recorded = read_config(recording.config);
     session.world_from_body = recorded.world_from_body;
