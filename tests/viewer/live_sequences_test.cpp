@@ -142,7 +142,9 @@ TEST(LiveSequences, RandomRequestsKeepForcesWithinLimitsAndSessionsThatRefuseThe
       ASSERT_FALSE(after.is_null());
       EXPECT_EQ(after["session"], before["session"]) << answer;
       EXPECT_EQ(after["device"], before["device"]) << answer;
-      if (before["run"] == "running") EXPECT_NE(after["run"], "ended") << answer << after;
+      if (before["run"] == "running") {
+        EXPECT_NE(after["run"], "ended") << answer << after;
+      }
     }
     EXPECT_GT(refused, requests / 10);
     EXPECT_EQ(run.end().code, 130) << run.program->said();
