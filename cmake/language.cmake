@@ -9,6 +9,7 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 
 set(THIGMA_SANITIZE "" CACHE STRING "Sanitizers for everything built here: address, thread or realtime")
+option(THIGMA_FUZZ "Fuzz targets of every reader; needs clang" OFF)
 option(THIGMA_WERROR "Warnings are errors" OFF)
 
 # Same binary, same bits on every x86-64: no contraction into fused multiply-add, no fast-math,
@@ -35,6 +36,10 @@ elseif(THIGMA_SANITIZE STREQUAL "realtime")
   add_link_options(-fsanitize=realtime)
 elseif(THIGMA_SANITIZE)
   message(FATAL_ERROR "THIGMA_SANITIZE must be empty, address, thread or realtime")
+endif()
+
+if(THIGMA_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)  # coverage; the programs add the fuzzer itself
 endif()
 
 find_program(THIGMA_CCACHE ccache)

@@ -205,6 +205,8 @@ void read_safety(TomlTable table, SceneDescription& scene) {
   read("clear_before_arming", safety.clear_before_arming);
   read("max_speed", safety.max_speed);
   read("pose_jump", safety.pose_jump);
+  read("max_turn_speed", safety.max_turn_speed);
+  read("orientation_jump", safety.orientation_jump);
   read("silent_device", safety.silent_device);
   read("model_full_age", safety.model_full_age);
   read("model_stale_age", safety.model_stale_age);

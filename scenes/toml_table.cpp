@@ -61,21 +61,59 @@ std::string scene_message(const std::string& file, const std::string& what, std:
   return file + ": " + what + ", line " + std::to_string(line) + ", " + expected;
 }
 
-void check_toml_letters(std::string_view text, const std::string& file) {
-  std::string_view closing;  // of the text or comment we are in, empty outside
+namespace {
+
+bool is_control(char c) {
+  return (static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r') || c == 127;
+}
+
+/// Where in a TOML text we are: as right as the text is up to there, as the parser stops at the first mistake.
+struct TomlPlace {
+  std::string_view text;
+  const std::string& file;
   std::size_t line = 1;
-  for (std::size_t i = 0; i < text.size(); ++i) {
+  std::string_view closing{};  // of the text or comment we are in, empty outside
+  int depth = 0;               // of brackets
+  bool begins_line = true;     // nothing but blanks before
+
+  [[noreturn]] void fail(const char* what, const char* expected) const {
+    throw InputError(scene_message(file, what, line, expected));
+  }
+
+  /// What follows the [ or [[ of a table has to be a name.
+  void check_header(std::size_t i) const {
+    const auto skip = [&](std::string_view letters) {
+      while (i < text.size() && letters.find(text[i]) != std::string_view::npos) ++i;
+    };
+    ++i;
+    skip(" \t");
+    if (i < text.size() && text[i] == '[') ++i;
+    skip(" \t");
+    if (i >= text.size()) return;
     const char c = text[i];
-    line += c == '\n';
-    if (closing.empty()) {
-      if (static_cast<unsigned char>(c) > 127)
-        throw InputError(scene_message(file, "a letter beyond ASCII outside of quotes", line,
-                                       "expected it in \"quotes\" or a comment"));
-      if (c == '#') closing = "\n";
-      for (const std::string_view opening : {"\"\"\"", "\'\'\'", "\"", "\'"})
-        if (closing.empty() && text.substr(i).starts_with(opening)) closing = opening;
-      if (closing.size() == 3) i += 2;
-    } else if (c == '\\' && closing.front() == '"') {
+    const bool is_name = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                         std::string_view("_-\"\']\r\n").find(c) != std::string_view::npos;
+    const bool is_refused_anyway = static_cast<unsigned char>(c) > 127 || is_control(c);
+    if (!is_name && !is_refused_anyway) fail("a table without a name", "expected one as in [object]");
+  }
+
+  void outside(std::size_t& i) {
+    const char c = text[i];
+    if (static_cast<unsigned char>(c) > 127)
+      fail("a letter beyond ASCII outside of quotes", "expected it in \"quotes\" or a comment");
+    if (c == '[' && begins_line && depth == 0) check_header(i);
+    if (c != ' ' && c != '\t') begins_line = c == '\n';
+    if (c == '[' || c == '{') ++depth;
+    if (c == ']' || c == '}') depth = std::max(0, depth - 1);
+    if (c == '#') closing = "\n";
+    for (const std::string_view opening : {"\"\"\"", "\'\'\'", "\"", "\'"})
+      if (closing.empty() && text.substr(i).starts_with(opening)) closing = opening;
+    if (closing.size() == 3) i += 2;
+  }
+
+  void inside(std::size_t& i) {
+    const char c = text[i];
+    if (c == '\\' && closing.front() == '"') {
       ++i;
       line += i < text.size() && text[i] == '\n';
     } else if (text.substr(i).starts_with(closing)) {
@@ -83,9 +121,25 @@ void check_toml_letters(std::string_view text, const std::string& file) {
       i += closing.size() - 1;
       // Such a text may end with quotes of its own.
       for (int k = 0; is_long && k < 2 && i + 1 < text.size() && text[i + 1] == c; ++k) ++i;
+      begins_line = closing == "\n";
       closing = {};
     } else if (c == '\n' && closing.size() == 1) {
       closing = {};  // a text that does not end: the parser says so
+    }
+  }
+};
+
+}  // namespace
+
+void check_toml_letters(std::string_view text, const std::string& file) {
+  TomlPlace place{text, file};
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    place.line += text[i] == '\n';
+    if (is_control(text[i])) place.fail("a control character", "expected text, as \\u0000 in quotes");
+    if (place.closing.empty()) {
+      place.outside(i);
+    } else {
+      place.inside(i);
     }
   }
 }

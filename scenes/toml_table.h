@@ -12,8 +12,8 @@
 
 namespace thigma::scenes {
 
-/// Refuses bytes beyond ASCII outside text and comments, where TOML has no place for them: the
-/// library answers some of them with undefined behaviour.
+/// Refuses bytes beyond ASCII outside text and comments, control characters anywhere, and tables
+/// without a name: the library answers some of them with undefined behaviour.
 /// Thread: [offline]; throws InputError with the line.
 void check_toml_letters(std::string_view text, const std::string& file);
 

@@ -12,15 +12,19 @@ namespace thigma::app {
 namespace {
 
 int export_recording(const std::string& path, const std::string& out, const Common& common) {
-  const Recording recording = read_recording_told(path, common.quiet);
-  export_csv(recording, out);
+  CsvExport csv(out);
+  const RecordingInfo recording = stream_recording_told(
+      path, {.frame = [&csv](const HapticSample& frame, const SamplePlace&) { csv.add(frame); }},
+      common.quiet);
+  csv.keep();
   if (common.json) {
     nlohmann::ordered_json json;
     json["file"] = out;
-    json["frames"] = recording.frames.size();
+    json["frames"] = recording.frame_count;
     print_json(json);
   } else if (!common.quiet) {
-    std::fprintf(stderr, "%zu frames written to %s\n", recording.frames.size(), out.c_str());
+    std::fprintf(stderr, "%llu frames written to %s\n",
+                 static_cast<unsigned long long>(recording.frame_count), out.c_str());
   }
   return kDone;
 }

@@ -17,20 +17,38 @@ namespace thigma::app {
 namespace {
 
 int plot_recording(const std::string& path, const std::string& out, const Common& common) {
-  const Recording recording = read_recording_told(path, common.quiet);
-  if (recording.frames.empty())
+  // Twice over the file, so that no recording is too long for memory. One that is still being written is longer the
+  // second time; what is new is left out.
+  SessionExtent extent;
+  const RecordingInfo recording = stream_recording_told(
+      path,
+      {{},
+       [&](const HapticSample& frame, const SamplePlace&) { extent.add(frame); },
+       [&](const ContactSample&, const SamplePlace&) { ++extent.contacts; }},
+      common.quiet);
+  if (extent.frames == 0)
     throw InputError(path + ": no haptic frame in it, at least one was expected");
+  SessionCurves curves(extent);
+  SessionExtent drawn;
+  stream_recording(path, {{},
+                          [&](const HapticSample& frame, const SamplePlace&) {
+                            if (drawn.frames < extent.frames) curves.add(frame);
+                            drawn.add(frame);
+                          },
+                          [&](const ContactSample& contact, const SamplePlace&) {
+                            if (drawn.contacts++ < extent.contacts) curves.add(contact);
+                          }});
   const std::string name = std::filesystem::path(path).filename().string();
-  const plot::Figure figure = session_figure(recording, name);
+  const plot::Figure figure = curves.figure(recording, name);
   write_file(out, plot::png_bytes(figure));
   if (common.json) {
     nlohmann::ordered_json json;
     json["file"] = out;
-    json["frames"] = recording.frames.size();
+    json["frames"] = extent.frames;
     json["panels"] = figure.panels.size();
     print_json(json);
   } else if (!common.quiet) {
-    std::fprintf(stderr, "%zu frames drawn in %s\n", recording.frames.size(), out.c_str());
+    std::fprintf(stderr, "%zu frames drawn in %s\n", extent.frames, out.c_str());
   }
   return kDone;
 }

@@ -1,6 +1,8 @@
 // `thigma replay F.mcap`: runs the recorded haptic frames again and compares every bit.
 
 #include <cstdio>
+#include <optional>
+#include <vector>
 
 #include "json_out.h"
 #include "run_session.h"
@@ -17,12 +19,20 @@ namespace thigma::app {
 namespace {
 
 struct Verdict {
+  RecordingInfo recording;
   ReplayReport report;
   std::uint64_t recorded_hash = 0;
 };
 
+/// Of a recorded frame, what a simulation that is run again is compared with.
+struct SimulatedFrame {
+  std::uint64_t frame = 0;
+  BodyState body;
+  Wrench command;
+};
+
 /// Simulates the recorded scene again, with the seed and resolution of the recording.
-ReplayReport replay_simulation(const Recording& recording, const RecordedConfig& config) {
+ReplayReport replay_simulation(const std::vector<SimulatedFrame>& frames, const RecordedConfig& config) {
   RunOptions options;
   options.scene = config.scene;
   options.device = "null:";
@@ -33,7 +43,7 @@ ReplayReport replay_simulation(const Recording& recording, const RecordedConfig&
   if (!run->simulation)
     throw InputError(config.scene + ": has no [simulation] any more, expected the scene that was recorded");
   run->simulation->world.resolution = config.resolution;
-  run->config.duration = static_cast<double>(recording.frames.size()) / config.rate_hz;
+  run->config.duration = static_cast<double>(frames.size()) / config.rate_hz;
   ReplayReport report;
   StateHash recorded_hash;
   const auto differs = [&report](std::uint64_t frame, const char* what) {
@@ -43,22 +53,59 @@ ReplayReport replay_simulation(const Recording& recording, const RecordedConfig&
   };
   SessionSinks sinks;
   sinks.haptic = [&](const HapticSample& sample) {
-    const HapticSample& recorded = recording.frames.at(report.frames++);
+    const SimulatedFrame& recorded = frames.at(report.frames++);
     add_frame(recorded_hash, recorded.body, recorded.command);
     if (recorded.frame != sample.frame) differs(recorded.frame, "frames are missing");
     if (!same_bits(recorded.body, sample.body)) differs(sample.frame, "body state");
   };
-  if (!recording.frames.empty())
+  if (!frames.empty())
     report.state_hash = simulate_run(*run, run->config, false, sinks, nullptr).state_hash;
   report.recorded_hash = recorded_hash.value;
   return report;
 }
 
-Verdict judge(const Recording& recording, const RecordedConfig& config) {
+/// A session is run again while its recording is read; a simulation afterwards, from 200 bytes a frame.
+struct Rerun {
+  const std::string& path;
+  RecordedConfig config{};
+  std::optional<SessionReplay> session{};
+  std::vector<SimulatedFrame> simulated{};
+
+  bool begin(const std::string& text) {
+    try {
+      config = read_config(text);
+    } catch (const InputError& error) {
+      throw InputError(path + ": " + error.what());
+    }
+    if (!config.is_simulated) session.emplace(config.params, config.world_from_body);
+    return true;
+  }
+  void add(const HapticSample& frame) {
+    if (session) {
+      session->add(frame);
+    } else if (config.is_simulated) {
+      simulated.push_back({frame.frame, frame.body, frame.command});
+    } else {
+      throw InputError(path + ": a frame before the /config message, expected it first");
+    }
+  }
+  void add(const ContactSample& model) {
+    if (session) session->add(model);
+  }
+};
+
+Verdict judge(const std::string& path, bool is_quiet) {
+  Rerun rerun{path};
   Verdict verdict;
-  verdict.report = config.is_simulated ? replay_simulation(recording, config)
-                                       : replay_session(config.params, config.world_from_body,
-                                                        recording.frames, recording.contacts);
+  verdict.recording = stream_recording_told(
+      path,
+      {[&](const std::string& text) { return rerun.begin(text); },
+       [&](const HapticSample& frame, const SamplePlace&) { rerun.add(frame); },
+       [&](const ContactSample& model, const SamplePlace&) { rerun.add(model); }},
+      is_quiet);
+  const RecordingInfo& recording = verdict.recording;
+  verdict.report = rerun.session ? rerun.session->finish()
+                                 : replay_simulation(rerun.simulated, rerun.config);
   ReplayReport& report = verdict.report;
   verdict.recorded_hash = recording.has_end ? recording.end.state_hash : report.recorded_hash;
   if (report.first_difference < 0 && recording.has_end && report.frames != recording.end.frames) {
@@ -70,14 +117,8 @@ Verdict judge(const Recording& recording, const RecordedConfig& config) {
 }
 
 int replay(const std::string& path, const Common& common) {
-  const Recording recording = read_recording_told(path, common.quiet);
-  RecordedConfig config;
-  try {
-    config = read_config(recording.config);
-  } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what());
-  }
-  const Verdict verdict = judge(recording, config);
+  const Verdict verdict = judge(path, common.quiet);
+  const RecordingInfo& recording = verdict.recording;
   const ReplayReport& report = verdict.report;
   if (common.json) {
     nlohmann::ordered_json json;

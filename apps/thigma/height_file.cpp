@@ -75,7 +75,23 @@ bool read_rows(PngReader& reader, png_bytepp rows) {
                    expected);
 }
 
+/// Refuses a piece that claims more bytes than there are: the library would set aside as many.
+void check_pieces(std::string_view bytes, const std::string& name) {
+  constexpr std::size_t kMagic = 8, kAround = 12;  // length, kind and checksum of a piece
+  for (std::size_t at = kMagic; at + kAround <= bytes.size();) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
+    if (length > bytes.size() - at - kAround)
+      fail(name, "PNG: a piece of " + std::to_string(length) + " bytes", at,
+           "no more than there are: an undamaged grey PNG");
+    if (bytes.substr(at + 4, 4) == "IEND") return;
+    at += kAround + length;
+  }
+}
+
 HeightImage parse_png(std::string_view bytes, const std::string& name) {
+  check_pieces(bytes, name);
   PngReader reader;
   reader.at = bytes.data();
   reader.end = bytes.data() + bytes.size();
@@ -93,9 +109,11 @@ HeightImage parse_png(std::string_view bytes, const std::string& name) {
   const std::size_t width = static_cast<std::size_t>(image.width),
                     height = static_cast<std::size_t>(image.height);
   // Deflate shrinks to a thousandth at best: what claims more than that is not there.
-  constexpr std::size_t kMostShrunk = 1100 * 8;
+  constexpr std::size_t kMostShrunk = 1100;
+  const std::size_t pixel_bits = std::size_t{png_get_bit_depth(reader.png, reader.info)} *
+                                 png_get_channels(reader.png, reader.info);
   if (width * height > static_cast<std::size_t>(kMaxTexels) ||
-      width * height > kMostShrunk * bytes.size())
+      width * height * pixel_bits / 8 > kMostShrunk * bytes.size())
     fail(name, "claims " + std::to_string(width * height) + " greys", 16,
          "no more than there can be");
   if (!choose_rows(reader)) refuse();

@@ -12,6 +12,7 @@
 
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
+#include "thigma/core/growing_file.h"
 #include "thigma/mesh/read_mesh.h"
 
 namespace thigma::app {
@@ -47,6 +48,23 @@ Bounds turned(const Bounds& b, const Quat& q) {
   return result;
 }
 
+/// Whether a name is that of a recording without its end: F.mcap.part, or F.mcap.part.N, moved out of its way.
+bool is_part_of_recording(const std::string& name) {
+  constexpr std::string_view kPart = ".mcap.part";
+  const std::size_t at = name.rfind(kPart);
+  if (at == std::string::npos || at == 0) return false;
+  const std::string rest = name.substr(at + kPart.size());
+  const bool is_number = rest.size() > 1 && rest[0] == '.' &&
+                         rest.find_first_not_of("0123456789", 1) == std::string::npos;
+  return rest.empty() || is_number;
+}
+
+/// How a recording without its end stands in the menu.
+std::string part_title(const fs::path& path, const std::string& name) {
+  const std::string recording = name.substr(0, name.rfind(".part"));
+  return recording + (is_growing(path.string()) ? ", being written" : ", cut off");
+}
+
 /// Metres per unit that make a mesh most like an object of this radius: millimetres, centimetres, inches or metres.
 double likely_unit(double mesh_radius, double radius) {
   constexpr std::array<double, 4> kUnits = {0.001, 0.01, 0.0254, 1.0};
@@ -66,8 +84,9 @@ live::OpenMenu open_menu() {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(".", ignored)) {
     const std::string name = entry.path().filename().string();
-    if (entry.path().extension() == ".mcap" && entry.is_regular_file(ignored))
-      menu.recordings.push_back({name, name});
+    if (!entry.is_regular_file(ignored)) continue;
+    if (entry.path().extension() == ".mcap") menu.recordings.push_back({name, name});
+    if (is_part_of_recording(name)) menu.recordings.push_back({name, part_title(entry.path(), name)});
   }
   std::sort(menu.recordings.begin(), menu.recordings.end(),
             [](const auto& a, const auto& b) { return a.name < b.name; });

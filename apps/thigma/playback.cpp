@@ -12,7 +12,7 @@ namespace {
 constexpr double kHistory = 10.0;         // that the plots show [s]
 constexpr std::size_t kMostHistory = 200;  // frames of it; a page takes 250 at once
 
-RecordedConfig config_of(const std::string& path, const Recording& recording) {
+RecordedConfig config_of(const std::string& path, const RecordingInfo& recording) {
   try {
     return read_config(recording.config);
   } catch (const InputError& error) {
@@ -20,73 +20,99 @@ RecordedConfig config_of(const std::string& path, const Recording& recording) {
   }
 }
 
+/// Opens what is there to read; where only PATH.part is, the error names it.
+FileSource open_recording(const std::string& path) {
+  refuse_absent_recording(path);
+  return FileSource(path);
+}
+
 }  // namespace
 
-Playback::Playback(const std::string& path)
-    : file_(path), recording_(read_recording(path)), config_(config_of(path, recording_)) {
-  if (recording_.frames.empty())
+Playback::Playback(const std::string& path) : file_(path), source_(open_recording(path)) {
+  recording_ = stream_recording(
+      source_, path,
+      {{},
+       [this](const HapticSample& frame, const SamplePlace& place) {
+         if (frames_.empty()) frame_ = frame;
+         frames_.push_back({frame.time, frame.is_grasped, place});
+       },
+       [this](const ContactSample& contact, const SamplePlace& place) {
+         contacts_.push_back({contact.time, place});
+       }});
+  config_ = config_of(path, recording_);
+  if (frames_.empty())
     throw InputError(path + ": no frame, in the recording, expected one at least");
 }
 
-double Playback::seconds() const { return recording_.frames.back().time; }
-double Playback::time() const { return frame().time; }
-const HapticSample& Playback::frame() const { return recording_.frames[next_ == 0 ? 0 : next_ - 1]; }
+double Playback::seconds() const { return frames_.back().time; }
+double Playback::time() const { return frame_.time; }
+
+HapticSample Playback::read(std::size_t index) { return read_frame(source_, frames_[index].place); }
+
+void Playback::tell_frame(std::size_t index, const SessionSinks& sinks) {
+  frame_ = read(index);
+  if (sinks.haptic) sinks.haptic(frame_);
+}
 
 void Playback::tell_contacts(double time, const SessionSinks& sinks) {
-  const auto& contacts = recording_.contacts;
-  for (; next_contact_ < contacts.size() && contacts[next_contact_].time <= time; ++next_contact_)
-    if (sinks.contact) sinks.contact(contacts[next_contact_]);
+  for (; next_contact_ < contacts_.size() && contacts_[next_contact_].time <= time; ++next_contact_)
+    if (sinks.contact) sinks.contact(read_contact(source_, contacts_[next_contact_].place));
 }
 
 void Playback::advance_to(double time, std::size_t most, const SessionSinks& sinks) {
-  const auto& frames = recording_.frames;
   const auto& events = recording_.events;
-  for (; most > 0 && next_ < frames.size() && frames[next_].time <= time; ++next_, --most) {
-    tell_contacts(frames[next_].time, sinks);
-    if (sinks.haptic) sinks.haptic(frames[next_]);
-    for (; next_event_ < events.size() && events[next_event_].time <= frames[next_].time; ++next_event_)
+  for (; most > 0 && next_ < frames_.size() && frames_[next_].time <= time; ++next_, --most) {
+    const double now = frames_[next_].time;
+    tell_contacts(now, sinks);
+    tell_frame(next_, sinks);
+    for (; next_event_ < events.size() && events[next_event_].time <= now; ++next_event_)
       if (sinks.event) sinks.event(events[next_event_]);
   }
 }
 
+void Playback::tell_history(std::size_t begin, std::size_t end, const SessionSinks& sinks) {
+  const std::size_t stride = (end - begin + kMostHistory - 1) / kMostHistory;
+  for (std::size_t i = begin; i < end; ++i) {
+    // All frames around a change of hold, else the ghost would be drawn from the wrong place.
+    const bool changes = i > 0 && frames_[i].is_grasped != frames_[i - 1].is_grasped;
+    const bool will_change = i + 1 < end && frames_[i].is_grasped != frames_[i + 1].is_grasped;
+    if ((end - 1 - i) % stride == 0 || changes || will_change) tell_frame(i, sinks);
+  }
+}
+
 void Playback::jump_to(double time, const SessionSinks& sinks) {
-  const auto& frames = recording_.frames;
   const auto at_time = [&](double t) {
-    const auto found = std::upper_bound(
-        frames.begin(), frames.end(), t, [](double a, const HapticSample& f) { return a < f.time; });
-    return static_cast<std::size_t>(found - frames.begin());
+    const auto found = std::upper_bound(frames_.begin(), frames_.end(), t,
+                                        [](double a, const FrameEntry& f) { return a < f.time; });
+    return static_cast<std::size_t>(found - frames_.begin());
   };
   const std::size_t end = std::max<std::size_t>(1, at_time(time));
   const std::size_t begin = std::min(at_time(time - kHistory), end - 1);
   // The ghost follows from where the object was when it was taken hold of.
   std::size_t taken = begin;
-  while (taken > 0 && frames[taken].is_grasped && frames[taken - 1].is_grasped) --taken;
-  if (sinks.haptic && frames[begin].is_grasped) {
-    if (taken > 0) sinks.haptic(frames[taken - 1]);
-    if (taken < begin) sinks.haptic(frames[taken]);
+  while (taken > 0 && frames_[taken].is_grasped && frames_[taken - 1].is_grasped) --taken;
+  if (sinks.haptic && frames_[begin].is_grasped) {
+    if (taken > 0) sinks.haptic(read(taken - 1));
+    if (taken < begin) sinks.haptic(read(taken));
   }
-  const auto& contacts = recording_.contacts;
-  const auto newest = std::upper_bound(contacts.begin(), contacts.end(), frames[end - 1].time,
-                                       [](double a, const ContactSample& c) { return a < c.time; });
-  next_contact_ = static_cast<std::size_t>(newest - contacts.begin());
-  if (next_contact_ > 0 && sinks.contact) sinks.contact(contacts[next_contact_ - 1]);
-  const std::size_t stride = (end - begin + kMostHistory - 1) / kMostHistory;
-  for (std::size_t i = begin; i < end && sinks.haptic; ++i) {
-    // All frames around a change of hold, else the ghost would be drawn from the wrong place.
-    const bool changes = i > 0 && frames[i].is_grasped != frames[i - 1].is_grasped;
-    const bool will_change = i + 1 < end && frames[i].is_grasped != frames[i + 1].is_grasped;
-    if ((end - 1 - i) % stride == 0 || changes || will_change) sinks.haptic(frames[i]);
-  }
+  const double newest = frames_[end - 1].time;
+  const auto after = std::upper_bound(contacts_.begin(), contacts_.end(), newest,
+                                      [](double a, const ContactEntry& c) { return a < c.time; });
+  next_contact_ = static_cast<std::size_t>(after - contacts_.begin());
+  if (next_contact_ > 0 && sinks.contact)
+    sinks.contact(read_contact(source_, contacts_[next_contact_ - 1].place));
+  tell_history(begin, end, sinks);
   next_ = end;
+  const auto& events = recording_.events;
   next_event_ = 0;
-  while (next_event_ < recording_.events.size() &&
-         recording_.events[next_event_].time <= frames[end - 1].time)
-    ++next_event_;
+  while (next_event_ < events.size() && events[next_event_].time <= newest) ++next_event_;
 }
 
 void use_recorded_scene(RunOptions& options) {
   if (!options.scene.empty() || !options.object.empty()) return;
-  const std::string scene = config_of(options.replay, read_recording(options.replay)).scene;
+  const RecordingInfo recording =
+      stream_recording(options.replay, {[](const std::string&) { return false; }, {}, {}});
+  const std::string scene = config_of(options.replay, recording).scene;
   try {
     scenes::read_scene(scene);
   } catch (const InputError&) {

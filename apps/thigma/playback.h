@@ -12,7 +12,7 @@
 
 namespace thigma::app {
 
-/// Where in a recording the page is.
+/// Where in a recording the page is. Holds some 50 bytes a frame; samples are read from the file when they are told of.
 /// Thread: any one.
 class Playback {
  public:
@@ -20,13 +20,13 @@ class Playback {
   explicit Playback(const std::string& path);
 
   const std::string& file() const { return file_; }
-  const Recording& recording() const { return recording_; }
+  const RecordingInfo& recording() const { return recording_; }
   const RecordedConfig& config() const { return config_; }
   double seconds() const;  // time of the last frame [s]
   double time() const;     // of the newest frame that was told [s]
-  bool is_over() const { return next_ >= recording_.frames.size(); }
+  bool is_over() const { return next_ >= frames_.size(); }
   /// The newest frame that was told; the first before any was.
-  const HapticSample& frame() const;
+  const HapticSample& frame() const { return frame_; }
 
   /// Tells `sinks` of everything up to `time`, at most `most` frames.
   void advance_to(double time, std::size_t most, const SessionSinks& sinks);
@@ -35,11 +35,28 @@ class Playback {
   void jump_to(double time, const SessionSinks& sinks);
 
  private:
+  struct FrameEntry {
+    double time;  // [s]
+    bool is_grasped;
+    SamplePlace place;
+  };
+  struct ContactEntry {
+    double time;  // [s]
+    SamplePlace place;
+  };
+
   void tell_contacts(double time, const SessionSinks& sinks);
+  void tell_frame(std::size_t index, const SessionSinks& sinks);
+  void tell_history(std::size_t begin, std::size_t end, const SessionSinks& sinks);
+  HapticSample read(std::size_t index);
 
   std::string file_;
-  Recording recording_;
+  FileSource source_;
+  RecordingInfo recording_;
   RecordedConfig config_;
+  std::vector<FrameEntry> frames_;
+  std::vector<ContactEntry> contacts_;
+  HapticSample frame_;
   std::size_t next_ = 0, next_contact_ = 0, next_event_ = 0;
 };
 

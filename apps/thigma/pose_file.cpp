@@ -67,8 +67,9 @@ Pose parse_pose(const std::string& path, std::string_view row, int line) {
 
 }  // namespace
 
-std::vector<Pose> read_poses(const std::string& path) {
-  const std::string text = read_file(path);
+std::vector<Pose> read_poses(const std::string& path) { return parse_poses(read_file(path), path); }
+
+std::vector<Pose> parse_poses(std::string_view text, const std::string& path) {
   std::vector<Pose> poses;
   int line = 0;
   bool has_header = false;

@@ -2,6 +2,7 @@
 // Paths as CSV: one pose a row.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "thigma/math/pose.h"
@@ -12,5 +13,8 @@ namespace thigma::app {
 /// returned normalized. Empty lines are skipped.
 /// Thread [offline]; throws InputError naming the line.
 std::vector<Pose> read_poses(const std::string& path);
+
+/// The same of text; name: of the file, for messages.
+std::vector<Pose> parse_poses(std::string_view text, const std::string& name);
 
 }  // namespace thigma::app

@@ -121,6 +121,7 @@ class LiveRun {
     start.choices = choices_of(*run_);
     holder_ = 0;
     room_.begin_session(start);
+    if (recorder_.is_open()) room_.offer(open_menu());
   }
 
   void end(const SessionSummary& summary) {

@@ -143,13 +143,12 @@ DeviceContext context_of(const Run& run, const RunDevice& opened, std::uint64_t 
 /// started and at its rate, so both are taken over.
 std::unique_ptr<HapticDevice> open_recorded(const std::string& path, const RunOptions& options,
                                             const Tell& tell, SessionConfig& session) {
-  const Recording recording = read_recording(path);
+  std::vector<DeviceState> samples;
+  const RecordingInfo recording = stream_recording(
+      path, {.frame = [&samples](const HapticSample& frame, const SamplePlace&) { samples.push_back(frame.device); }});
   if (tell) {
     for (const std::string& line : recording_warnings(path, recording)) tell(line);
   }
-  std::vector<DeviceState> samples;
-  samples.reserve(recording.frames.size());
-  for (const HapticSample& frame : recording.frames) samples.push_back(frame.device);
   try {
     const RecordedConfig recorded = read_config(recording.config);
     session.world_from_body = recorded.world_from_body;
@@ -177,7 +176,9 @@ void refuse_web_without_page(const Run& run, const std::string& uri) {
 std::unique_ptr<HapticDevice> open_web(const Run& run) {
   refuse_web_without_page(run, "web:");
   WebMotionParams params;
-  params.max_speed = std::min(params.max_speed, 0.8 * run.config.haptic.safety.max_speed);
+  const SafetyLimits& safety = run.config.haptic.safety;
+  params.max_speed = std::min(params.max_speed, 0.8 * safety.max_speed);
+  params.max_angular_speed = std::min(params.max_angular_speed, 0.8 * safety.max_turn_speed);
   return make_web_device(*run.web_link, params);
 }
 

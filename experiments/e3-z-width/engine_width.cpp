@@ -77,6 +77,8 @@ SessionConfig session(const Place& place, double k_c, double k_t, double lever) 
   config.haptic.safety.force_slew = config.haptic.safety.torque_slew = 1e9;
   config.haptic.safety.max_speed = 100.0;
   config.haptic.safety.pose_jump = 1.0;
+  config.haptic.safety.max_turn_speed = 1e3;
+  config.haptic.safety.orientation_jump = 10.0;
   config.contact.source = place.contacts;
   config.contact.tolerance = kWallTolerance;
   config.contact.response = {.stiffness = kContactStiffness,

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "support/png_bytes.h"
 #include <gtest/gtest.h>
-#include <png.h>
 
 #include "thigma/core/error.h"
 #include "thigma/math/random.h"
@@ -11,30 +11,7 @@
 namespace thigma::app {
 namespace {
 
-/// A grey PNG of rows as libpng takes them.
-std::string png_of(int width, int height, int bits, const std::vector<unsigned char>& data,
-                   int color = PNG_COLOR_TYPE_GRAY, int interlace = PNG_INTERLACE_NONE) {
-  std::string out;
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-  png_infop info = png_create_info_struct(png);
-  png_set_write_fn(
-      png, &out,
-      [](png_structp p, png_bytep bytes, png_size_t count) {
-        static_cast<std::string*>(png_get_io_ptr(p))->append(reinterpret_cast<char*>(bytes), count);
-      },
-      nullptr);
-  png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bits,
-               color, interlace, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_write_info(png, info);
-  const std::size_t row = data.size() / static_cast<std::size_t>(height);
-  std::vector<png_bytep> rows;
-  for (int i = 0; i < height; ++i)
-    rows.push_back(const_cast<png_bytep>(data.data()) + static_cast<std::size_t>(i) * row);
-  png_write_image(png, rows.data());
-  png_write_end(png, nullptr);
-  png_destroy_write_struct(&png, &info);
-  return out;
-}
+using test::png_of;
 
 std::string complaint(std::string_view bytes) {
   try {
@@ -74,6 +51,9 @@ TEST(HeightFile, RefusesColourDamageAndLies) {
   EXPECT_NE(complaint(png_of(1, 1, 8, {1, 2, 3}, PNG_COLOR_TYPE_RGB)).find("colour"),
             std::string::npos);
   EXPECT_NE(complaint("GIF89a"), "");
+  std::string greedy = png_of(2, 2, 8, {1, 2, 3, 4});
+  greedy.replace(33, 8, std::string("\x44\xae\x42\x60zTXt", 8));  // in place of the pixels
+  EXPECT_NE(complaint(greedy).find("a piece of 1152270944 bytes"), std::string::npos);
   EXPECT_NE(complaint(""), "");
   std::vector<unsigned char> data(64 * 64);
   Random random(3);

@@ -10,9 +10,11 @@
 #include <sstream>
 
 #include "apps/program.h"
+#include "support/far_recording.h"
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "thigma/core/file.h"
 #include "thigma/runtime/recording.h"
 
 namespace thigma::test {
@@ -112,6 +114,20 @@ TEST(RecordVerbs, only_objects_that_touch_are_moved_apart) {
     const Vec3 first = read_recording(file).frames.at(0).body.position;
     EXPECT_EQ((first - Vec3(0.0, 0.0, is_apart ? 0.104 : 0.05)).norm() < 1e-4, is_apart) << first;
   }
+}
+
+TEST(RecordVerbs, a_recording_of_more_than_4_GiB_is_used_like_any_other) {
+  const std::string file = out_file("far.mcap"), csv = out_file("far.csv");
+  run_ball({"--lockstep", "--duration", "0.5", "--record", file});
+  ASSERT_EQ(run_program({"export", file, "-o", csv}).code, 0);
+  const std::string rows = read_file(csv);
+  test::push_away(file, (std::uint64_t{1} << 32) + 99);
+  EXPECT_EQ(json_line(run_program({"replay", file, "--json"}))["identical"], true);
+  ASSERT_EQ(run_program({"export", file, "-o", csv}).code, 0);
+  EXPECT_EQ(read_file(csv), rows);
+  EXPECT_EQ(json_line(run_program({"plot", file, "-o", out_file("far.png"), "--json"}))["frames"], 500);
+  run_ball({"--lockstep", "--device", "replay:" + file, "--duration", "0.5"});
+  std::filesystem::remove(file);
 }
 
 TEST(RecordVerbs, recorded_samples_as_a_device_give_the_recorded_session) {

@@ -226,5 +226,19 @@ TEST(GrowingFile, only_a_regular_file_is_replaced) {
     EXPECT_EQ(refusal([&] { GrowingFile file(path); }).rfind(std::string(path) + ": ", 0), 0u);
 }
 
+TEST(GrowingFile, tells_whether_a_part_is_being_written) {
+  const fs::path folder = new_folder("growing_told");
+  const std::string path = (folder / "a").string();
+  EXPECT_FALSE(is_growing(path + ".part"));
+  {
+    GrowingFile file(path);
+    file.append("some");
+    EXPECT_TRUE(is_growing(path + ".part"));
+    EXPECT_FALSE(refusal([&] { GrowingFile second(path); }).empty());
+  }
+  EXPECT_TRUE(fs::exists(path + ".part"));
+  EXPECT_FALSE(is_growing(path + ".part")) << "left by what is no more";
+}
+
 }  // namespace
 }  // namespace thigma

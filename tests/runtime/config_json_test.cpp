@@ -104,6 +104,18 @@ TEST(ConfigJson, recordings_from_before_clear_before_arming_are_read) {
   EXPECT_THROW(read_config(broken), InputError);
 }
 
+TEST(ConfigJson, recordings_from_before_turning_was_judged_have_no_limit_of_it) {
+  std::string text = write_config(example());
+  for (const char* key : {"\"max_turn_speed\"", "\"orientation_jump\""}) {
+    const std::size_t at = text.find(key);
+    ASSERT_NE(at, std::string::npos);
+    text.erase(at, text.find(',', at) + 1 - at);
+  }
+  const RecordedConfig back = read_config(text);
+  EXPECT_GE(back.params.safety.max_turn_speed, 1e6);
+  EXPECT_GE(back.params.safety.orientation_jump, 1e6);
+}
+
 TEST(ConfigJson, recordings_from_before_gaps_were_ridden_out_are_strict) {
   std::string text = write_config(example());
   for (const char* key : {",\"rides_out_gaps\":true", ",\"holds_person\":false"}) {

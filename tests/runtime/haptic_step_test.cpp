@@ -266,6 +266,13 @@ TEST(HapticStep, FaultsSendZeroInTheSameTickAndStay) {
          Fault::not_finite);
   faulty([](HeldDevice& d) { d.state.motion.pose.position.z() += 0.006; }, Fault::pose_jump);
   faulty([](HeldDevice& d) { d.state.motion.twist.linear.x() = 1.6; }, Fault::too_fast);
+  faulty(
+      [](HeldDevice& d) {
+        const double half = std::sqrt(0.5);
+        d.state.motion.pose.orientation = Quat(half, half, 0.0, 0.0) * d.state.motion.pose.orientation;
+      },
+      Fault::orientation_jump);
+  faulty([](HeldDevice& d) { d.state.motion.twist.angular.y() = 25.1; }, Fault::turned_too_fast);
 }
 
 /// Pressed into the plane, with limits that ride out what is late.

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "runtime/recording_samples.h"
+#include "support/far_recording.h"
 #include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
@@ -178,6 +179,61 @@ TEST(ReadRecording, files_that_are_no_recordings_are_refused) {
   EXPECT_TRUE(refuses("/device/state", "{\"frame\":"));  // JSON cut off
   EXPECT_TRUE(refuses("/body/state", "{}"));             // before its frame
   EXPECT_TRUE(refuses("/contact/model", R"({"sequence":"x"})"));
+}
+
+TEST(ReadRecording, goes_through_a_long_one_in_little_memory) {
+  const std::string path = test::write_recording("stream.mcap", 3000);
+  const Recording whole = read_recording(path);
+  FileSource source(path, 1 << 16);
+  std::size_t frames = 0, contacts = 0;
+  std::vector<SamplePlace> places;
+  const RecordingInfo info = stream_recording(
+      source, path,
+      {[&](const std::string& config) { return config == whole.config; },
+       [&](const HapticSample& s, const SamplePlace& place) {
+         ASSERT_LT(frames, whole.frames.size());
+         EXPECT_EQ(input_digest(s), input_digest(whole.frames[frames++]));
+         places.push_back(place);
+       },
+       [&](const ContactSample& s, const SamplePlace&) {
+         ASSERT_LT(contacts, whole.contacts.size());
+         EXPECT_EQ(model_digest(s.model), model_digest(whole.contacts[contacts++].model));
+       }});
+  EXPECT_EQ(frames, 3000u);
+  EXPECT_EQ(contacts, 300u);
+  EXPECT_EQ(info.frame_count, 3000u);
+  EXPECT_EQ(info.last_time, whole.frames.back().time);
+  // Chunks of 1 MiB are not in memory at once, nor is what a sample is read again from.
+  for (const std::size_t i : {2999u, 0u, 1234u})
+    EXPECT_EQ(input_digest(read_frame(source, places[i])), input_digest(whole.frames[i]));
+  EXPECT_GT(source.size(), 30 * source.memory());
+}
+
+TEST(ReadRecording, reads_one_of_more_than_4_GiB) {
+  const std::string path = test::write_recording("far.mcap", 450);
+  const Recording near = read_recording(path);
+  const std::uint64_t hole = (std::uint64_t{1} << 32) + 4321;
+  test::push_away(path, hole);
+  const Recording far = read_recording(path);
+  EXPECT_TRUE(far.warnings.empty());
+  EXPECT_TRUE(far.has_end);
+  ASSERT_EQ(far.frames.size(), near.frames.size());
+  EXPECT_EQ(input_digest(far.frames.back()), input_digest(near.frames.back()));
+  EXPECT_EQ(far.events.size(), near.events.size());
+  std::uint64_t first = 0;
+  stream_recording(path, {{}, [&](const HapticSample&, const SamplePlace& p) { if (first == 0) first = p[0]; }, {}});
+  EXPECT_GT(first, hole);
+  std::filesystem::remove(path);
+}
+
+TEST(ReadRecording, stops_where_no_more_is_wanted) {
+  const std::string path = test::write_recording("stop.mcap", 100);
+  int frames = 0;
+  const RecordingInfo info =
+      stream_recording(path, {[](const std::string&) { return false; },
+                              [&](const HapticSample&, const SamplePlace&) { ++frames; }, {}});
+  EXPECT_EQ(frames, 0);
+  EXPECT_EQ(info.config, read_recording(path).config);
 }
 
 }  // namespace

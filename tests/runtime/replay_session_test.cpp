@@ -86,6 +86,25 @@ TEST(ReplaySession, MissingFramesAndModelsAreDifferences) {
   EXPECT_NE(report.reason.find("contact model"), std::string::npos);
 }
 
+TEST(ReplaySession, TakesFramesAndModelsInWhateverOrderTheirThreadsWroteThem) {
+  const Recorded r;
+  const ReplayReport expected = r.replay();
+  for (const std::size_t ahead : {0u, 1u, 40u, 300u}) {  // frames before the models they name
+    SessionReplay replay(r.params, r.config.world_from_body);
+    std::size_t model = 0;
+    for (std::size_t i = 0; i < r.samples.size(); ++i) {
+      replay.add(r.samples[i]);
+      const std::uint64_t wanted = r.samples[i < ahead ? 0 : i - ahead].model_sequence;
+      while (model < r.models.size() && r.models[model].model.sequence <= wanted)
+        replay.add(r.models[model++]);
+    }
+    while (model < r.models.size()) replay.add(r.models[model++]);
+    const ReplayReport report = replay.finish();
+    EXPECT_TRUE(report.identical) << ahead << ' ' << report.reason;
+    EXPECT_EQ(report.state_hash, expected.state_hash);
+  }
+}
+
 TEST(ReplaySession, AnotherParameterIsADifference) {
   Recorded r;
   r.params.coupling.linear_stiffness *= 1.0 + 1e-12;

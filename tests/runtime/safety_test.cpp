@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "thigma/math/rotation.h"
 
 namespace thigma {
 namespace {
@@ -209,6 +212,72 @@ TEST(Safety, AHandleThatIsTooFastCannotHideBehindAReportOfZero) {
   for (int i = 0; i < 5; ++i)
     check_device(limits, at({i % 2 * 0.0049, 0, 0}), i * kTick, kTick, shaking);
   EXPECT_EQ(shaking.fault, Fault::too_fast);
+}
+
+DeviceState turned(double angle, const Vec3& axis = Vec3::UnitY()) {
+  DeviceState d = at(Vec3::Zero());
+  d.motion.pose.orientation = rotation_from_vector(angle * axis);
+  return d;
+}
+
+TEST(Safety, AnOrientationThatJumpsIsAFault) {
+  const SafetyLimits limits;
+  const double right_angle = 0.5 * std::numbers::pi;
+  for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0.6, 0.0, 0.8)}) {
+    SafetyState s;
+    EXPECT_TRUE(check_device(limits, turned(0.3, axis), 0.0, kTick, s));
+    EXPECT_FALSE(check_device(limits, turned(0.3 + right_angle, axis), kTick, kTick, s));
+    EXPECT_EQ(s.fault, Fault::orientation_jump);
+    EXPECT_EQ(s.fault_time, kTick);
+    EXPECT_STREQ(fault_name(s.fault), "orientation_jump");
+    clear_fault(s);  // and is not seen again
+    EXPECT_TRUE(check_device(limits, turned(0.3 + right_angle, axis), 2 * kTick, kTick, s));
+  }
+  SafetyState small;
+  check_device(limits, turned(0.0), 0.0, kTick, small);
+  EXPECT_TRUE(check_device(limits, turned(0.099), kTick, kTick, small));
+  SafetyState slow_rate;  // 100 Hz: as far as the speed limit allows in a tick
+  check_device(limits, turned(0.0), 0.0, 0.010, slow_rate);
+  EXPECT_TRUE(check_device(limits, turned(0.24), 0.010, 0.010, slow_rate));
+  EXPECT_FALSE(check_device(limits, turned(0.52), 0.020, 0.010, slow_rate));
+}
+
+TEST(Safety, TheOtherSignOfAQuaternionIsNoJump) {
+  const SafetyLimits limits;
+  SafetyState s;
+  for (int i = 0; i < 100; ++i) {
+    DeviceState d = turned(0.01 * i, Vec3(0.6, 0.0, 0.8));
+    d.time = i * kTick;
+    if (i % 2 == 1) d.motion.pose.orientation.coeffs() *= -1.0;
+    if (i % 3 == 1) d.motion.pose.orientation.coeffs() *= 0.8;  // nor is another length
+    EXPECT_TRUE(check_device(limits, d, d.time, kTick, s)) << i;
+  }
+}
+
+TEST(Safety, TurningIsAFaultOnlyFasterThanAHandTurns) {
+  const SafetyLimits limits;
+  const auto seconds_to_fault = [&](double rate, int every, Fault expected) {
+    SafetyState s;
+    for (int i = 0; i < 2000; ++i) {
+      DeviceState d = turned(rate * kTick * (i - i % every));
+      d.time = i * kTick;
+      check_device(limits, d, d.time, kTick, s);
+      if (s.fault == Fault::none) continue;
+      EXPECT_EQ(s.fault, expected);
+      return i * kTick;
+    }
+    return 1e300;
+  };
+  EXPECT_EQ(seconds_to_fault(3.0, 1, Fault::none), 1e300);
+  EXPECT_EQ(seconds_to_fault(24.8, 1, Fault::none), 1e300);  // many times around
+  EXPECT_EQ(seconds_to_fault(20.0, 4, Fault::none), 1e300);  // 0.08 rad at a time
+  EXPECT_LE(seconds_to_fault(90.0, 1, Fault::turned_too_fast), 0.003);
+  EXPECT_LE(seconds_to_fault(30.0, 1, Fault::turned_too_fast), 0.025);
+  SafetyState told;
+  DeviceState d = turned(0.0);
+  d.motion.twist.angular = {0.0, 0.0, -25.1};
+  EXPECT_FALSE(check_device(limits, d, 0.0, kTick, told));
+  EXPECT_EQ(told.fault, Fault::turned_too_fast);
 }
 
 TEST(Safety, AfterAClearedFaultTheOldPoseIsForgotten) {

@@ -52,6 +52,24 @@ TEST(SceneFile, LettersBeyondAsciiAreTextOrCommentsOnly) {
     EXPECT_EQ(message_of(line + kLeast), "") << line;
 }
 
+/// Found by fuzzing: the library takes these for granted not to be there.
+TEST(SceneFile, RefusesControlCharactersAndTablesWithoutAName) {
+  const auto says = [](const std::string& text, const char* what) {
+    const std::string message = message_of(text);
+    EXPECT_NE(message.find(what), std::string::npos) << text << message;
+  };
+  for (const char c : {'\0', '\x01', '\x1f', '\x7f'}) {
+    const std::string bad(1, c);
+    for (const std::string& text : {"[" + bad + "object]\n", "# a" + bad + "\n", "title = \"" + bad + "\"\n"})
+      says(text, "a control character, line 1");
+  }
+  for (const char* header : {"[{static]]", "[=]", "[ .a]", "[[+a]]", "  [ [ , ]", "[(]"})
+    says("title = [\"[\",\n  [1, [{a = 2}]]]\n" + std::string(header) + "\n", "line 3");
+  // Lines of values may begin so.
+  says("title = [\n[{a = 1}],\n[+1]]\n", "title");
+  says("[ object ]\n[[ static ]]\n[\"de\\u0076ice\"]\n", "no mesh");
+}
+
 TEST(SceneFile, LevelsOfDetailAreTheDefaultAndTheCapIsOffUnlessAskedFor) {
   const Resolution least = parse_scene(kLeast, "S.toml", "").contact.resolution;
   EXPECT_FALSE(least.is_exact);
@@ -130,6 +148,8 @@ onset_window = 0.02
 start_ramp = 0.6
 max_speed = 1.1
 pose_jump = 0.004
+max_turn_speed = 21
+orientation_jump = 0.2
 silent_device = 0.06
 model_full_age = 0.02
 model_stale_age = 0.04
@@ -196,6 +216,8 @@ contact_latency = 2
   EXPECT_EQ(s.safety.start_ramp, 0.6);
   EXPECT_EQ(s.safety.max_speed, 1.1);
   EXPECT_EQ(s.safety.pose_jump, 0.004);
+  EXPECT_EQ(s.safety.max_turn_speed, 21.0);
+  EXPECT_EQ(s.safety.orientation_jump, 0.2);
   EXPECT_EQ(s.safety.silent_device, 0.06);
   EXPECT_EQ(s.safety.model_full_age, 0.02);
   EXPECT_EQ(s.safety.model_stale_age, 0.04);

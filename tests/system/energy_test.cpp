@@ -26,11 +26,11 @@ TEST(Energy, NeverGrowsInFreeSpaceWhileTheHandIsStill) {
     run_lockstep(config, device,
                  {[&](const HapticSample& s) {
                     samples.push_back(s);
-                    // One jerk, within the pose-jump limit, then still.
+                    // One jerk, within the limits of a tick, then still.
                     if (s.frame == 20) {
                       device.state.motion.pose.position = {0.003, -0.002, 0.001};
                       device.state.motion.pose.orientation =
-                          Quat(0.995, 0.0, 0.0998749, 0.0).normalized();
+                          Quat(0.999, 0.0, 0.0447, 0.0).normalized();
                     }
                   },
                   {},

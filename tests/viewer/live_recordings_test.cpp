@@ -1,6 +1,7 @@
 // Recordings that a page asks for where the folder cannot hold them.
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "support/file_limit.h"
@@ -19,6 +20,30 @@ TEST(LiveRecordings, AFolderThatTakesNoFilesRefusesTheRecording) {
   ASSERT_TRUE(run.client);
   fs::remove_all(run.folder);
   run.expect_refused({R"({"type":"record","id":1,"value":true})"});
+  EXPECT_EQ(run.end().code, 130);
+}
+
+TEST(LiveRecordings, TheMenuTellsCutRecordingsFromThoseThatGrow) {
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"old.mcap.part", "cut"}, {"older.mcap.part.2", "cut"}, {"a.mcap.part.x", "no name of ours"}};
+  RunningProgram run("record_menu", {"--device", "null:", "--record", "now.mcap"}, files);
+  ASSERT_TRUE(run.client);
+  const auto titles = [&] {
+    WebClient late(run.port);
+    std::map<std::string, std::string> found;
+    const Json menu = message_where(late, "menu", [](const Json& m) {
+      return m["recordings"].dump().find("now.mcap") != std::string::npos;
+    });
+    for (const Json& item : menu["recordings"])
+      found[item["name"].get<std::string>()] = item["title"].get<std::string>();
+    return found;
+  };
+  const std::map<std::string, std::string> found = titles();
+  ASSERT_EQ(found.count("now.mcap.part"), 1u);
+  EXPECT_EQ(found.at("now.mcap.part"), "now.mcap, being written");
+  EXPECT_EQ(found.at("old.mcap.part"), "old.mcap, cut off");
+  EXPECT_EQ(found.at("older.mcap.part.2"), "older.mcap, cut off");
+  EXPECT_EQ(found.size(), 3u);
   EXPECT_EQ(run.end().code, 130);
 }
 

@@ -56,9 +56,8 @@ Descriptor open_folder(const std::string& path) {
 }
 
 /// Bytes before the name, both on the disk: a power cut leaves the old file or the new one.
-bool replace_file(const std::string& path, const std::string& temporary, Descriptor& file,
-                  std::string_view bytes) {
-  if (!write_all(file.get(), bytes) || !sync_file(file.get()) || !file.close()) return false;
+bool replace_file(const std::string& path, const std::string& temporary, Descriptor& file) {
+  if (!sync_file(file.get()) || !file.close()) return false;
   if (std::rename(temporary.c_str(), path.c_str()) != 0) return false;
   if (const Descriptor folder = open_folder(path); folder.is_open()) sync_folder(folder.get());
   return true;
@@ -113,21 +112,44 @@ std::string_view without_byte_order_mark(std::string_view text) noexcept {
   return text;
 }
 
-void write_file(const std::string& path, std::string_view bytes) {
+FileWriter::FileWriter(const std::string& path) : path_(path) {
   struct stat info {};
   if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) {
-    Descriptor device(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-    if (device.get() < 0 || !write_all(device.get(), bytes)) fail_write(path);
-    return;
+    file_ = Descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  } else {
+    file_ = open_temporary(path, temporary_);
   }
-  std::string temporary;
-  Descriptor file = open_temporary(path, temporary);
-  if (!file.is_open()) fail_write(path);
-  if (replace_file(path, temporary, file, bytes)) return;
-  const int why = errno;
-  ::unlink(temporary.c_str());
-  errno = why;
+  if (file_.is_open()) return;
+  temporary_.clear();
   fail_write(path);
+}
+
+FileWriter::~FileWriter() {
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void FileWriter::fail() {
+  const int why = errno;
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  temporary_.clear();
+  errno = why;
+  fail_write(path_);
+}
+
+void FileWriter::append(std::string_view bytes) {
+  if (!write_all(file_.get(), bytes)) fail();
+}
+
+void FileWriter::keep() {
+  if (temporary_.empty()) return;
+  if (!replace_file(path_, temporary_, file_)) fail();
+  temporary_.clear();
+}
+
+void write_file(const std::string& path, std::string_view bytes) {
+  FileWriter file(path);
+  file.append(bytes);
+  file.keep();
 }
 
 }  // namespace thigma

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "thigma/core/detail/descriptor.h"
+
 namespace thigma {
 
 /// All bytes of a file, a regular one or a pipe, of at most 4 GiB. A pipe that nobody has opened for
@@ -19,6 +21,24 @@ std::string read_file(const std::string& path);
 ///
 /// Thread    [offline]; throws IoError, and nothing has changed.
 void write_file(const std::string& path, std::string_view bytes);
+
+/// write_file for what is written a piece at a time.
+/// Thread: one, [offline]; members throw IoError, and then nothing is left.
+class FileWriter {
+ public:
+  explicit FileWriter(const std::string& path);
+  ~FileWriter();  // without keep(): nothing has changed
+  FileWriter(const FileWriter&) = delete;
+  FileWriter& operator=(const FileWriter&) = delete;
+  void append(std::string_view bytes);
+  void keep();
+
+ private:
+  [[noreturn]] void fail();
+
+  std::string path_, temporary_;  // "" for a device, which is written directly
+  detail::Descriptor file_;
+};
 
 /// A text without the UTF-8 byte order mark that editors may put before it. Every reader of text
 /// skips it.

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -151,6 +152,19 @@ void GrowingFile::stop_syncing() noexcept {
   }
   wake_.notify_all();
   if (syncing_.joinable()) syncing_.join();
+}
+
+bool is_growing(const std::string& part) {
+  struct stat info {};
+  if (::stat(part.c_str(), &info) != 0) return false;
+  // By the number of the file alone: layered file systems give devices of their own there.
+  const std::string place = ":" + std::to_string(info.st_ino) + " ";
+  std::ifstream locks("/proc/locks");
+  for (std::string line; std::getline(locks, line);) {
+    if (line.find(" FLOCK ") != std::string::npos && line.find(place) != std::string::npos)
+      return true;
+  }
+  return false;
 }
 
 }  // namespace thigma

@@ -66,4 +66,9 @@ class GrowingFile {
   std::thread syncing_;
 };
 
+/// Whether somebody is writing this PATH.part now, as far as this process may know. Takes no lock, so that no writer
+/// is refused because of it.
+/// Thread [offline]; no failure.
+bool is_growing(const std::string& part);
+
 }  // namespace thigma

@@ -26,6 +26,8 @@ void each_limit(Limits& s, Visit visit) {
   visit("clear_before_arming", s.clear_before_arming);
   visit("max_speed", s.max_speed);
   visit("pose_jump", s.pose_jump);
+  visit("max_turn_speed", s.max_turn_speed);
+  visit("orientation_jump", s.orientation_jump);
   visit("silent_device", s.silent_device);
   visit("model_full_age", s.model_full_age);
   visit("model_stale_age", s.model_stale_age);
@@ -218,9 +220,16 @@ void read_params(const Json& json, HapticParams& params) {
   params.workspace.force_scale = json.at("workspace").at("force_scale").get<double>();
   const Json& safety = json.at("safety");
   each_limit(params.safety, [&](const char* key, double& value) {
-    // Early recordings of this version lack it; before it existed, nothing was waited for.
-    const bool is_missing = std::string_view(key) == "clear_before_arming" && !safety.contains(key);
-    value = is_missing ? 0.0 : safety.at(key).get<double>();
+    // Early recordings of this version lack some; they are run again as they were run.
+    const std::string_view name = key;
+    constexpr double kNoLimit = 1e9;
+    if (!safety.contains(key) && name == "clear_before_arming") {
+      value = 0.0;
+    } else if (!safety.contains(key) && (name == "max_turn_speed" || name == "orientation_jump")) {
+      value = kNoLimit;
+    } else {
+      value = safety.at(key).get<double>();
+    }
   });
   params.safety.rides_out_gaps = safety.value("rides_out_gaps", false);  // older ones lack it
   params.device = read_device(json.at("device_limits"));

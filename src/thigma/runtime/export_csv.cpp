@@ -5,7 +5,7 @@
 namespace thigma {
 namespace {
 
-constexpr const char* kHeader =
+constexpr const char* kCsvHeader =
     "frame,time [s],device x [m],device y [m],device z [m],device qx,device qy,device qz,device qw,buttons,"
     "body x [m],body y [m],body z [m],body qx,body qy,body qz,body qw,"
     "Px [kg m/s],Py [kg m/s],Pz [kg m/s],Lx [kg m^2/s],Ly [kg m^2/s],Lz [kg m^2/s],"
@@ -53,10 +53,26 @@ void put_row(std::string& row, const HapticSample& s) {
 
 }  // namespace
 
+CsvExport::CsvExport(const std::string& path) : file_(path), rows_(kCsvHeader) {}
+
+void CsvExport::add(const HapticSample& sample) {
+  constexpr std::size_t kMost = 1 << 20;
+  put_row(rows_, sample);
+  if (rows_.size() < kMost) return;
+  file_.append(rows_);
+  rows_.clear();
+}
+
+void CsvExport::keep() {
+  file_.append(rows_);
+  rows_.clear();
+  file_.keep();
+}
+
 void export_csv(const Recording& recording, const std::string& path) {
-  std::string text = kHeader;
-  for (const HapticSample& sample : recording.frames) put_row(text, sample);
-  write_file(path, text);
+  CsvExport csv(path);
+  for (const HapticSample& sample : recording.frames) csv.add(sample);
+  csv.keep();
 }
 
 }  // namespace thigma

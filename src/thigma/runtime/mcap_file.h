@@ -3,12 +3,14 @@
 // Layout as this project writes and reads it: docs/formats.md.
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "thigma/core/byte_source.h"
 #include "thigma/core/growing_file.h"
 
 namespace thigma {
@@ -75,24 +77,47 @@ struct McapMessage {
   std::int32_t channel = 0;     // into McapFile::topics
   std::uint32_t sequence = 0;
   std::uint64_t time = 0;       // [ns]
-  std::string_view data;        // into McapFile::bytes
+  std::string_view data;        // into McapFile::bytes; of scan_mcap: valid during the call
   std::uint64_t offset = 0;     // of the record in the file or in its chunk's place in the file [byte]
 };
+
+/// What a pass over an MCAP file finds beside its messages.
+struct McapScan {
+  std::vector<std::string> topics;
+  std::vector<std::string> warnings;  // what is not what its checksum says: read all the same, and said
+  std::string cut;  // "" where the file has its end; else why nothing more was read
+  std::uint64_t end = 0;       // of what was read [byte]
+  std::uint64_t size = 0;      // of the file [byte]
+  std::uint64_t messages = 0;  // so far
+};
+
+/// Takes a message, whose topic is scan.topics[message.channel]; false: no more are wanted.
+using McapSink = std::function<bool(const McapScan& scan, const McapMessage& message)>;
+
+/// Goes through an MCAP file with uncompressed chunks, of any size, in the memory of the longest message and of the
+/// source's window. A file that has its end is read whole or refused. One without was cut off by a kill, a power cut
+/// or a full disk: it is read up to the first record that is not whole, or not what its checksum says.
+/// Thread [offline]; throws InputError "FILE: what, byte N, what was expected" on damage and when unreadable, maybe
+/// after some messages were taken.
+McapScan scan_mcap(ByteSource& source, const std::string& path, const McapSink& take);
+
+/// Throws InputError that names PATH.part where that is there and PATH is not. Thread [offline].
+void refuse_absent_recording(const std::string& path);
+
+/// The data of the message at that offset of McapMessage. Valid until the source is asked again.
+std::string_view mcap_message_data(ByteSource& source, std::uint64_t offset);
 
 /// An MCAP file in memory. Views stay valid while the object is not moved from or destroyed.
 struct McapFile {
   std::string bytes;
   std::vector<std::string> topics;
   std::vector<McapMessage> messages;  // in file order
-  std::vector<std::string> warnings;  // what is not what its checksum says: read all the same, and said
-  std::string cut;  // "" where the file has its end; else why nothing more was read
-  std::size_t end = 0;  // of what was read [byte]
+  std::vector<std::string> warnings;  // as in McapScan, and so the next two
+  std::string cut;
+  std::size_t end = 0;
 };
 
-/// Reads an MCAP file with uncompressed chunks. One that has its end is read whole or refused. One without was cut
-/// off by a kill, a power cut or a full disk: it is read up to the first record that is not whole, or not what its
-/// checksum says.
-/// Thread [offline]; throws InputError "FILE: what, byte N, what was expected" on damage and when unreadable.
+/// Reads an MCAP file of at most 4 GiB as scan_mcap does.
 McapFile read_mcap(const std::string& path);
 
 /// The same of bytes that are there; `path` names them in errors. Thread [offline].

@@ -1,321 +1,184 @@
-#include <charconv>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
-#include "thigma/runtime/detail/json_read.h"
+#include "thigma/runtime/detail/recorded_messages.h"
 #include "thigma/runtime/recording.h"
 
 namespace thigma {
 namespace {
 
+using detail::BegunSamples;
 using Json = nlohmann::json;
 
-constexpr detail::NullNumber kNull = detail::NullNumber::not_a_number;
-
-double number(const Json& json, const char* key) {
-  return detail::read_number(json.at(key), kNull);
-}
-
-template <class Vector>
-void read_sample_vector(const Json& json, const char* key, Vector& out) {
-  detail::read_vector(json, key, out, kNull);
-}
-
-void read_sample_pose(const Json& json, Pose& pose) { detail::read_pose(json, pose, kNull); }
-
-void read_twist(const Json& json, Twist& twist) {
-  read_sample_vector(json, "linear_velocity", twist.linear);
-  read_sample_vector(json, "angular_velocity", twist.angular);
-}
-
-void read_wrench(const Json& json, const char* force, const char* torque, Wrench& wrench) {
-  read_sample_vector(json, force, wrench.force);
-  read_sample_vector(json, torque, wrench.torque);
-}
-
-void read_body(const Json& json, BodyState& body) {
-  Pose pose;
-  read_sample_pose(json, pose);
-  body.position = pose.position;
-  body.orientation = pose.orientation;
-  read_sample_vector(json, "linear_momentum", body.linear_momentum);
-  read_sample_vector(json, "angular_momentum", body.angular_momentum);
-}
-
-std::uint64_t read_hex(const Json& json, const char* key) {
-  const std::string text = json.at(key).get<std::string>();
-  std::uint64_t value = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value, 16);
-  if (result.ptr != text.data() + text.size() || text.empty()) {
-    throw InputError(std::string("'") + key + "' is no hexadecimal number");
-  }
-  return value;
-}
-
-/// Recordings of earlier builds have none: 0, not compared.
-std::uint64_t read_digest(const Json& json, const char* key) {
-  return json.contains(key) ? read_hex(json, key) : 0;
-}
-
-DeviceStatus read_status(const Json& json) {
-  const std::string name = json.at("status").get<std::string>();
-  if (name == "ok") return DeviceStatus::ok;
-  if (name == "not_ready") return DeviceStatus::not_ready;
-  if (name == "finished") return DeviceStatus::finished;
-  if (name == "lost") return DeviceStatus::lost;
-  throw InputError("'status' is '" + name + "'");
-}
-
-Fault read_fault(const Json& json, const char* key) {
-  const std::string name = json.at(key).get<std::string>();
-  for (int i = 0; i <= static_cast<int>(Fault::watchdog); ++i) {
-    if (name == fault_name(static_cast<Fault>(i))) return static_cast<Fault>(i);
-  }
-  throw InputError(std::string("'") + key + "' is '" + name + "'");
-}
-
-void read_device(const Json& json, HapticSample& s) {
-  s.frame = json.at("frame").get<std::uint64_t>();
-  s.time = number(json, "time");
-  s.elapsed = number(json, "elapsed");
-  s.device.time = number(json, "sample_time");
-  read_sample_pose(json, s.device.motion.pose);
-  read_twist(json, s.device.motion.twist);
-  s.device.buttons = json.at("buttons").get<std::uint32_t>();
-  s.device.status = read_status(json);
-  if (json.contains("weight")) s.device.weight = number(json, "weight");
-  s.device.has_true_handle = json.contains("true_handle");
-  if (s.device.has_true_handle) read_sample_pose(json.at("true_handle"), s.device.true_handle);
-  s.model_sequence = json.at("model_sequence").get<std::uint64_t>();
-  s.external_fault = read_fault(json, "external_fault");
-  s.input_digest = read_digest(json, "input_digest");
-}
-
-void read_state(const Json& json, HapticSample& s) {
-  read_body(json, s.body);
-  read_sample_pose(json.at("handle"), s.handle.pose);
-  read_twist(json.at("handle"), s.handle.twist);
-  read_wrench(json, "coupling_force", "coupling_torque", s.coupling);
-  read_wrench(json, "contact_force", "contact_torque", s.contact);
-  s.model_age = number(json, "model_age");
-  s.model_weight = number(json, "model_weight");
-  s.penetration = number(json, "penetration");
-  s.stretch = number(json, "stretch");
-  s.energy = number(json, "energy");
-  s.touching = json.at("touching").get<std::int32_t>();
-  s.is_grasped = json.at("is_grasped").get<bool>();
-  s.is_armed = json.at("is_armed").get<bool>();
-  s.fault = read_fault(json, "fault");
-}
-
-PlaneTerm read_plane(const Json& json) {
-  PlaneTerm p;
-  read_sample_vector(json, "arm_body", p.arm_body);
-  read_sample_vector(json, "normal", p.normal);
-  read_sample_vector(json, "scene_point", p.scene_point);
-  read_sample_vector(json, "scene_velocity", p.scene_velocity);
-  read_sample_vector(json, "tangential_anchor", p.tangential_anchor);
-  p.stiffness = number(json, "stiffness");
-  p.damping = number(json, "damping");
-  p.tolerance = number(json, "tolerance");
-  p.id = json.at("id").get<std::int32_t>();
-  return p;
-}
-
-DepthTerm read_depth(const Json& json) {
-  DepthTerm t;
-  t.depth = number(json, "depth");
-  read_sample_vector(json, "linear", t.linear);
-  read_sample_vector(json, "angular", t.angular);
-  t.stiffness = number(json, "stiffness");
-  t.damping = number(json, "damping");
-  t.tolerance = number(json, "tolerance");
-  t.id = json.at("id").get<std::int32_t>();
-  return t;
-}
-
-DepthBend read_bend(const Json& json) {
-  Eigen::Matrix<double, 36, 1> flat;
-  read_sample_vector(json, "rows", flat);
-  DepthBend bend;
-  for (int i = 0; i < 36; ++i) bend(i / 6, i % 6) = flat[i];
-  return bend;
-}
-
-TaylorTerm read_taylor(const Json& json) {
-  TaylorTerm t;
-  read_wrench(json, "force", "torque", t.wrench);
-  read_sample_vector(json, "normal", t.normal);
-  Eigen::Matrix<double, 78, 1> flat;
-  read_sample_vector(json, "jacobian", flat);
-  for (int i = 0; i < 78; ++i) t.jacobian(i / 13, i % 13) = flat[i];
-  return t;
-}
-
-void read_model(const Json& json, LinearContactModel& model) {
-  model.sequence = json.at("sequence").get<std::uint64_t>();
-  model.time = number(json, "time");
-  read_body(json, model.state);
-  for (const Json& plane : json.at("planes")) {
-    if (!model.planes.push_back(read_plane(plane))) throw InputError("too many 'planes'");
-  }
-  // Recordings of earlier builds have none.
-  if (json.contains("depths")) {
-    for (const Json& depth : json.at("depths")) {
-      if (!model.depths.push_back(read_depth(depth))) throw InputError("too many 'depths'");
-    }
-  }
-  if (json.contains("bends")) {
-    for (const Json& bend : json.at("bends")) {
-      if (!model.bends.push_back(read_bend(bend))) throw InputError("too many 'bends'");
-    }
-    if (model.bends.size() > model.depths.size()) throw InputError("more 'bends' than 'depths'");
-  }
-  for (const Json& taylor : json.at("taylors")) {
-    if (!model.taylors.push_back(read_taylor(taylor))) throw InputError("too many 'taylors'");
-  }
-}
-
-void read_counts(const Json& json, LevelCounts& counts) {
-  if (!json.is_array() || json.size() > counts.size()) throw InputError("too many levels");
-  for (std::size_t i = 0; i < json.size(); ++i) counts[i] = json[i].get<std::int32_t>();
-}
-
-void read_frame(const Json& json, ContactSample& c) {
-  c.time = number(json, "time");
-  c.published = number(json, "published");
-  c.query_cpu = number(json, "query_cpu");
-  c.step_cpu = number(json, "step_cpu");
-  c.contacts = json.at("contacts").get<std::int64_t>();
-  c.dropped = json.at("dropped").get<std::int64_t>();
-  c.front = json.at("front").get<std::int64_t>();
-  c.tests = json.at("tests").get<std::int64_t>();
-  c.clusters = json.at("clusters").get<std::int32_t>();
-  c.depth_max = number(json, "depth_max");
-  if (!json.contains("object_levels")) return;  // recordings of builds without levels of detail
-  c.mandatory_tests = json.at("mandatory_tests").get<std::int64_t>();
-  c.unrefined = json.at("unrefined").get<std::int64_t>();
-  c.level_changes = json.at("level_changes").get<std::int32_t>();
-  c.bound_max = number(json, "bound_max");
-  read_counts(json.at("object_levels"), c.object_levels);
-  read_counts(json.at("scene_levels"), c.scene_levels);
-}
-
-/// The sample a message of a later topic belongs to: the last one begun.
-template <class Sample>
-Sample& last(std::vector<Sample>& samples) {
-  if (samples.empty()) throw InputError("comes before the message it belongs to");
-  return samples.back();
-}
-
-void read_event(const Json& json, Recording& recording) {
-  SessionEvent event;
-  event.kind = json.at("event").get<std::string>();
-  if (event.kind == "end") {
-    recording.has_end = true;
-    recording.end.frames = json.at("frames").get<std::uint64_t>();
-    recording.end.state_hash = read_hex(json, "state_hash");
-    recording.end.dropped = json.at("dropped").get<std::uint64_t>();
-    return;
-  }
-  event.time = number(json, "time");
-  event.frame = json.value("frame", std::uint64_t{0});
-  event.detail = json.value(event.kind == "fault" ? "fault" : "detail", std::string());
-  recording.events.push_back(event);
-}
-
-void read_message(const std::string& topic, std::string_view data, Recording& recording) {
-  if (topic == "/config") {
-    recording.config = std::string(data);
-    return;
-  }
-  const Json json = Json::parse(data);
-  if (topic == "/device/state") {
-    HapticSample sample;
-    read_device(json, sample);
-    recording.frames.push_back(sample);
-  } else if (topic == "/device/command") {
-    HapticSample& sample = last(recording.frames);
-    read_wrench(json, "force", "torque", sample.command);
-    read_wrench(json, "feedback_force", "feedback_torque", sample.feedback);
-  } else if (topic == "/body/state") {
-    read_state(json, last(recording.frames));
-  } else if (topic == "/timing") {
-    HapticSample& sample = last(recording.frames);
-    sample.step_cpu = static_cast<float>(number(json, "step_cpu"));
-    sample.wake_late = static_cast<float>(number(json, "wake_late"));
-  } else if (topic == "/contact/model") {
-    ContactSample sample;
-    read_model(json, sample.model);
-    sample.model_digest = read_digest(json, "model_digest");
-    recording.contacts.push_back(sample);
-  } else if (topic == "/contact/frame") {
-    read_frame(json, last(recording.contacts));
-  } else if (topic == "/events") {
-    read_event(json, recording);
-  }
-}
-
 /// Where what was cut off ends, in one line.
-std::string cut_text(const Recording& recording, const McapFile& file) {
+std::string cut_text(const RecordingInfo& recording, const McapScan& file) {
   const std::string why = !file.cut.empty() ? file.cut : "the session went on";
   char text[160];
-  std::snprintf(text, sizeof text, "the recording ends at %.3f s, %zu frames, byte %zu of %zu: ",
-                recording.frames.empty() ? 0.0 : recording.frames.back().time,
-                recording.frames.size(), file.end, file.bytes.size());
+  std::snprintf(text, sizeof text, "the recording ends at %.3f s, %llu frames, byte %llu of %llu: ",
+                recording.last_time, static_cast<unsigned long long>(recording.frame_count),
+                static_cast<unsigned long long>(file.end),
+                static_cast<unsigned long long>(file.size));
   return text + why;
 }
 
-/// A frame is several messages, and the last may lack some where the recording was cut off.
-struct Wholeness {
-  bool has_frame = true, has_contact = true;
+std::string where_text(const std::string& path, const std::string& topic,
+                       const McapMessage& message) {
+  return path + ": message " + std::to_string(message.sequence) + " of " + topic + ", byte " +
+         std::to_string(message.offset) + ", ";
+}
 
-  void look_at(const std::string& topic) {
-    if (topic == "/device/state") has_frame = false;
+/// Puts the samples together and tells of each when its last message has been read, or the first of
+/// the next.
+struct Assembly {
+  const std::string& path;
+  const RecordingSinks& sinks;
+  RecordingInfo info{};
+  BegunSamples begun{};
+  SamplePlace frame_place{}, contact_place{};
+  bool has_frame = false, has_contact = false;  // the last one, whole
+
+  void end_frame() {
+    if (!begun.frame) return;
+    ++info.frame_count;
+    info.last_time = begun.frame->time;
+    if (sinks.frame) sinks.frame(*begun.frame, frame_place);
+    begun.frame.reset();
+  }
+  void end_contact() {
+    if (!begun.contact) return;
+    ++info.contact_count;
+    if (sinks.contact) sinks.contact(*begun.contact, contact_place);
+    begun.contact.reset();
+  }
+
+  bool take(const std::string& topic, const McapMessage& message) {
+    if (topic == "/device/state") {
+      end_frame();
+      frame_place = {};
+    }
+    if (topic == "/contact/model") {
+      end_contact();
+      contact_place = {};
+    }
+    try {
+      detail::read_message(topic, message.data, info, begun);
+    } catch (const Json::exception& error) {
+      fail(topic, message, error.what());
+    } catch (const InputError& error) {
+      fail(topic, message, error.what());
+    }
+    if (begun.frame) note(topic, {"/device/state", "/device/command", "/body/state", "/timing"}, message, frame_place);
+    if (begun.contact) note(topic, {"/contact/model", "/contact/frame"}, message, contact_place);
     if (topic == "/timing") has_frame = true;
-    if (topic == "/contact/model") has_contact = false;
+    if (topic == "/device/state") has_frame = false;
     if (topic == "/contact/frame") has_contact = true;
+    if (topic == "/contact/model") has_contact = false;
+    return topic != "/config" || !sinks.config || sinks.config(info.config);
+  }
+
+  /// What was begun and not ended is left out, unless the recording says that it is whole.
+  void finish() {
+    if (info.has_end || has_frame) end_frame();
+    if (info.has_end || has_contact) end_contact();
+  }
+
+ private:
+  void note(const std::string& topic, std::initializer_list<std::string_view> topics,
+            const McapMessage& message, SamplePlace& place) {
+    std::size_t i = 0;
+    for (const std::string_view name : topics) {
+      if (name == topic) place[i] = message.offset;
+      ++i;
+    }
+  }
+  [[noreturn]] void fail(const std::string& topic, const McapMessage& message, const char* why) {
+    std::string text = where_text(path, topic, message) + "expected a recording of thigma: " + why;
+    for (char& c : text)  // names in the file may have any
+      if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
+    throw InputError(text);
   }
 };
 
-}  // namespace
-
-Recording read_recording(const std::string& path) {
-  McapFile file = read_mcap(path);
-  Recording recording;
-  recording.warnings = std::move(file.warnings);
-  Wholeness last;
-  for (const McapMessage& message : file.messages) {
-    const std::string& topic = file.topics[static_cast<std::size_t>(message.channel)];
-    const auto where = [&] {
-      return path + ": message " + std::to_string(message.sequence) + " of " + topic + ", byte " +
-             std::to_string(message.offset) + ", ";
-    };
-    try {
-      last.look_at(topic);
-      read_message(topic, message.data, recording);
-    } catch (const Json::exception& error) {
-      throw InputError(where() + "expected a recording of thigma: " + error.what());
-    } catch (const InputError& error) {
-      throw InputError(where() + "expected a recording of thigma: " + error.what());
-    }
-  }
-  if (recording.config.empty()) {
+RecordingInfo stream(ByteSource& source, const std::string& path, const RecordingSinks& sinks) {
+  Assembly assembly{path, sinks};
+  bool is_enough = false;
+  McapScan scan =
+      scan_mcap(source, path, [&](const McapScan& file, const McapMessage& message) {
+        is_enough = !assembly.take(file.topics[static_cast<std::size_t>(message.channel)], message);
+        return !is_enough;
+      });
+  RecordingInfo& info = assembly.info;
+  info.warnings = std::move(scan.warnings);
+  if (is_enough) return std::move(info);
+  if (info.config.empty()) {
     throw InputError(path + ": no /config message" +
-                     (file.cut.empty() ? "" : ", byte " + std::to_string(file.end) + ": " + file.cut) +
+                     (scan.cut.empty() ? "" : ", byte " + std::to_string(scan.end) + ": " + scan.cut) +
                      ", expected a recording of thigma");
   }
-  if (!recording.has_end) {
-    if (!last.has_frame) recording.frames.pop_back();
-    if (!last.has_contact) recording.contacts.pop_back();
+  assembly.finish();
+  if (!info.has_end || !scan.cut.empty()) {
+    info.cut_off = cut_text(info, scan);
+    info.warnings.push_back(info.cut_off);
   }
-  if (!recording.has_end || !file.cut.empty()) {
-    recording.cut_off = cut_text(recording, file);
-    recording.warnings.push_back(recording.cut_off);
-  }
+  return std::move(info);
+}
+
+/// Sinks that keep everything in `recording`.
+RecordingSinks keepers(Recording& recording) {
+  return {{},
+          [&recording](const HapticSample& s, const SamplePlace&) { recording.frames.push_back(s); },
+          [&recording](const ContactSample& s, const SamplePlace&) { recording.contacts.push_back(s); }};
+}
+
+}  // namespace
+
+RecordingInfo stream_recording(ByteSource& source, const std::string& path,
+                               const RecordingSinks& sinks) {
+  return stream(source, path, sinks);
+}
+
+RecordingInfo stream_recording(const std::string& path, const RecordingSinks& sinks) {
+  refuse_absent_recording(path);
+  FileSource source(path);
+  return stream(source, path, sinks);
+}
+
+Recording read_recording(const std::string& path) {
+  Recording recording;
+  RecordingInfo info = stream_recording(path, keepers(recording));
+  static_cast<RecordingInfo&>(recording) = std::move(info);
   return recording;
+}
+
+Recording read_recording(ByteSource& source, const std::string& path) {
+  Recording recording;
+  RecordingInfo info = stream_recording(source, path, keepers(recording));
+  static_cast<RecordingInfo&>(recording) = std::move(info);
+  return recording;
+}
+
+HapticSample read_frame(ByteSource& source, const SamplePlace& place) {
+  BegunSamples begun;
+  RecordingInfo info;
+  const char* const topics[] = {"/device/state", "/device/command", "/body/state", "/timing"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (place[i] == 0) continue;
+    detail::read_message(topics[i], mcap_message_data(source, place[i]), info, begun);
+  }
+  return *begun.frame;
+}
+
+ContactSample read_contact(ByteSource& source, const SamplePlace& place) {
+  BegunSamples begun;
+  RecordingInfo info;
+  const char* const topics[] = {"/contact/model", "/contact/frame"};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (place[i] == 0) continue;
+    detail::read_message(topics[i], mcap_message_data(source, place[i]), info, begun);
+  }
+  return *begun.contact;
 }
 
 }  // namespace thigma

@@ -1,11 +1,15 @@
 #pragma once
 // Recordings: what a session did, frame by frame, in an MCAP file; bit for bit, so that it can be run again.
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "thigma/core/byte_source.h"
+#include "thigma/core/file.h"
 #include "thigma/runtime/mcap_file.h"
 #include "thigma/runtime/session.h"
 #include "thigma/runtime/telemetry.h"
@@ -56,21 +60,50 @@ class RecordingWriter {
   std::string text_;
 };
 
-/// A recording in memory.
-struct Recording {
+/// What a recording says beside its samples.
+struct RecordingInfo {
   std::string config;                // the JSON of /config
-  std::vector<HapticSample> frames;  // with the digests as recorded
-  std::vector<ContactSample> contacts;
   std::vector<SessionEvent> events;  // without the end
   RecordingEnd end;
   bool has_end = false;  // false: the session went on
   std::string cut_off;   // where and why the file ends before it should; "" for a whole one
   std::vector<std::string> warnings;  // cut_off among them
+  std::uint64_t frame_count = 0, contact_count = 0;  // samples in it
+  double last_time = 0.0;                            // of the last frame [s]
 };
 
-/// Reads a recording. One that a kill, a power cut or a full disk cut off is read up to its last whole frame.
-/// Thread [offline]; throws InputError "FILE: what, where, what was expected" for anything that is not one.
+/// A recording in memory.
+struct Recording : RecordingInfo {
+  std::vector<HapticSample> frames;  // with the digests as recorded
+  std::vector<ContactSample> contacts;
+};
+
+/// Where the messages of a sample are: offsets of McapMessage, in the order of docs/formats.md; 0: it lacks that one.
+using SamplePlace = std::array<std::uint64_t, 4>;
+
+/// What samples are told to while a recording is read; any may be empty.
+struct RecordingSinks {
+  /// The JSON of /config, before anything else of what a session writes; false: no more is wanted.
+  std::function<bool(const std::string& config)> config{};
+  std::function<void(const HapticSample&, const SamplePlace&)> frame{};
+  std::function<void(const ContactSample&, const SamplePlace&)> contact{};
+};
+
+/// Goes through a recording of any size once, in little memory. One that a kill, a power cut or a full disk cut off is
+/// read up to its last whole frame.
+/// Thread [offline]; throws InputError "FILE: what, where, what was expected" for anything that is not one, maybe after
+/// some samples were told.
+RecordingInfo stream_recording(const std::string& path, const RecordingSinks& sinks);
+RecordingInfo stream_recording(ByteSource& source, const std::string& path, const RecordingSinks& sinks);
+
+/// The same into memory: a small recording.
 Recording read_recording(const std::string& path);
+Recording read_recording(ByteSource& source, const std::string& path);
+
+/// A sample once more, from where a pass over the same source found it.
+/// Thread [offline]; throws InputError, or an exception of the JSON parser, where the file has changed.
+HapticSample read_frame(ByteSource& source, const SamplePlace& place);
+ContactSample read_contact(ByteSource& source, const SamplePlace& place);
 
 /// Hashes and digests as they stand in files and summaries: 16 hexadecimal digits.
 std::string hex_text(std::uint64_t bits);
@@ -78,5 +111,17 @@ std::string hex_text(std::uint64_t bits);
 /// Writes a recording as CSV, one row a haptic frame, units in the header.
 /// Thread [offline]; throws IoError; the file is whole or absent.
 void export_csv(const Recording& recording, const std::string& path);
+
+/// The same frame by frame.
+class CsvExport {
+ public:
+  explicit CsvExport(const std::string& path);
+  void add(const HapticSample& sample);
+  void keep();  // without it nothing is left
+
+ private:
+  FileWriter file_;
+  std::string rows_;
+};
 
 }  // namespace thigma

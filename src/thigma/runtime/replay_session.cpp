@@ -1,8 +1,8 @@
 #include "thigma/runtime/replay_session.h"
 
-#include <algorithm>
 #include <bit>
-#include <memory>
+#include <deque>
+#include <utility>
 
 namespace thigma {
 namespace {
@@ -41,14 +41,6 @@ bool same_bits(const Wrench& a, const Wrench& b) {
   return same_bits(a.force, b.force) && same_bits(a.torque, b.torque);
 }
 
-const ContactSample* find_model(const std::vector<ContactSample>& models, std::uint64_t sequence) {
-  const auto found = std::lower_bound(models.begin(), models.end(), sequence,
-                                      [](const ContactSample& sample, std::uint64_t wanted) {
-                                        return sample.model.sequence < wanted;
-                                      });
-  return found != models.end() && found->model.sequence == sequence ? &*found : nullptr;
-}
-
 /// Why a replayed frame is not the recorded one; "" when it is.
 std::string difference(const HapticSample& recorded, const HapticSample& replayed) {
   if (recorded.frame != replayed.frame) return "frames are missing";
@@ -68,36 +60,45 @@ bool same_bits(const BodyState& a, const BodyState& b) noexcept {
          same_bits(a.angular_momentum, b.angular_momentum);
 }
 
-ReplayReport replay_session(const HapticParams& params, const Pose& world_from_body,
-                            const std::vector<HapticSample>& samples,
-                            const std::vector<ContactSample>& models) {
-  RecordedDevice device(params.device);
-  const auto exchange = std::make_unique<Latest<LinearContactModel>>();
-  const HapticPorts ports{&device, exchange.get(), nullptr, nullptr};
-  HapticState state = initial_state(params, world_from_body);
-  ReplayReport report;
-  StateHash replayed_hash, recorded_hash;
-  std::uint64_t sequence = 0;
-  const auto note = [&report](std::uint64_t frame, std::string reason) {
+struct SessionReplay::Impl {
+  HapticParams params;
+  RecordedDevice device;
+  std::unique_ptr<Latest<LinearContactModel>> exchange =
+      std::make_unique<Latest<LinearContactModel>>();
+  HapticState state;
+  ReplayReport report{};
+  StateHash replayed_hash{}, recorded_hash{};
+  std::uint64_t sequence = 0;  // of the model in use
+  std::deque<ContactSample> models{};
+  std::deque<HapticSample> waiting{};
+
+  Impl(const HapticParams& p, const Pose& world_from_body)
+      : params(p), device(p.device), state(initial_state(p, world_from_body)) {}
+
+  void note(std::uint64_t frame, std::string reason) {
     if (report.first_difference >= 0 || reason.empty()) return;
     report.first_difference = static_cast<std::int64_t>(frame);
     report.reason = std::move(reason);
-  };
-  for (const HapticSample& recorded : samples) {
-    if (recorded.model_sequence != sequence) {
-      sequence = recorded.model_sequence;
-      const ContactSample* found = find_model(models, sequence);
-      if (found == nullptr) {
-        note(recorded.frame, "contact model " + std::to_string(sequence) + " is missing");
-      } else {
-        if (found->model_digest != 0 && found->model_digest != model_digest(found->model)) {
-          note(recorded.frame,
-               "contact model " + std::to_string(sequence) + " is not the one that was recorded");
-        }
-        exchange->publish(found->model);
-      }
+  }
+
+  void use_model(const HapticSample& recorded) {
+    sequence = recorded.model_sequence;
+    while (!models.empty() && models.front().model.sequence < sequence) models.pop_front();
+    const std::string name = "contact model " + std::to_string(sequence);
+    if (models.empty() || models.front().model.sequence != sequence) {
+      note(recorded.frame, name + " is missing");
+      return;
     }
+    const ContactSample& found = models.front();
+    if (found.model_digest != 0 && found.model_digest != model_digest(found.model))
+      note(recorded.frame, name + " is not the one that was recorded");
+    exchange->publish(found.model);
+  }
+
+  void step(const HapticSample& recorded) {
+    if (recorded.model_sequence != sequence) use_model(recorded);
     device.next = recorded.device;
+    const HapticPorts ports{&device, exchange.get(), nullptr, nullptr};
     const HapticSample replayed = haptic_step(
         params, ports, {recorded.time, recorded.elapsed, recorded.external_fault}, state);
     note(recorded.frame, difference(recorded, replayed));
@@ -105,10 +106,50 @@ ReplayReport replay_session(const HapticParams& params, const Pose& world_from_b
     add_frame(recorded_hash, recorded.body, recorded.command);
     ++report.frames;
   }
-  report.state_hash = replayed_hash.value;
-  report.recorded_hash = recorded_hash.value;
+
+  bool has_come(std::uint64_t wanted) const {
+    return wanted == sequence || (!models.empty() && models.back().model.sequence >= wanted);
+  }
+
+  void step_waiting(std::size_t most) {
+    while (!waiting.empty() &&
+           (waiting.size() > most || has_come(waiting.front().model_sequence))) {
+      step(waiting.front());
+      waiting.pop_front();
+    }
+  }
+};
+
+SessionReplay::SessionReplay(const HapticParams& params, const Pose& world_from_body)
+    : impl_(std::make_unique<Impl>(params, world_from_body)) {}
+SessionReplay::~SessionReplay() = default;
+
+void SessionReplay::add(const ContactSample& model) {
+  impl_->models.push_back(model);
+  impl_->step_waiting(kMostWaiting);
+}
+
+void SessionReplay::add(const HapticSample& sample) {
+  impl_->waiting.push_back(sample);
+  impl_->step_waiting(kMostWaiting);
+}
+
+ReplayReport SessionReplay::finish() {
+  impl_->step_waiting(0);
+  ReplayReport report = impl_->report;
+  report.state_hash = impl_->replayed_hash.value;
+  report.recorded_hash = impl_->recorded_hash.value;
   report.identical = report.first_difference < 0 && report.state_hash == report.recorded_hash;
   return report;
+}
+
+ReplayReport replay_session(const HapticParams& params, const Pose& world_from_body,
+                            const std::vector<HapticSample>& samples,
+                            const std::vector<ContactSample>& models) {
+  SessionReplay replay(params, world_from_body);
+  for (const ContactSample& model : models) replay.add(model);
+  for (const HapticSample& sample : samples) replay.add(sample);
+  return replay.finish();
 }
 
 }  // namespace thigma

@@ -2,6 +2,7 @@
 // Running recorded haptic frames again, and comparing every bit.
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,29 @@ struct ReplayReport {
   bool identical = false;
   std::int64_t first_difference = -1;  // frame, -1: none
   std::string reason;                  // of the first difference, "" without one
+};
+
+/// Runs a session again as its samples and models go by, in the order they were recorded.
+/// Invariant: holds the models that frames may still name, and at most kMostWaiting frames whose model has not come.
+/// Thread: one, [offline]; no failure: what is missing or damaged is a difference.
+class SessionReplay {
+ public:
+  /// params    of the recorded session, with its device's limits
+  /// world_from_body of the centre of mass before frame 0
+  SessionReplay(const HapticParams& params, const Pose& world_from_body);
+  ~SessionReplay();
+  SessionReplay(const SessionReplay&) = delete;
+  SessionReplay& operator=(const SessionReplay&) = delete;
+
+  void add(const ContactSample& model);   // in order of their sequence
+  void add(const HapticSample& sample);   // in order from frame 0
+  ReplayReport finish();                  // after the last of both
+
+  static constexpr std::size_t kMostWaiting = 10000;  // ten seconds and more between a model and its frame: it is missing
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// Steps through recorded device samples with the recorded models; lockstep and threaded sessions

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/math/rotation.h"
+
 namespace thigma {
 namespace {
 
@@ -27,18 +29,45 @@ void check_silence(const SafetyLimits& limits, const DeviceState& device, double
   }
 }
 
-/// Latches where the handle went too far or too fast since the last look.
-void check_way(const SafetyLimits& limits, const Vec3& position, double now, double elapsed,
+/// What a way or an angle is judged by, and the faults it is.
+struct WayLimit {
+  double speed;  // [m/s or rad/s]
+  double jump;   // in a tick [m or rad]
+  Fault too_far, too_fast;
+};
+
+/// Latches where `moved` since the last look [m or rad] is too far or too fast; `lead` is how far
+/// ahead of the fastest that is allowed.
+void check_way(const WayLimit& limit, double moved, double now, double elapsed, double& lead,
                SafetyState& safety) THIGMA_RT {
-  const double moved = (position - safety.last_position).norm();
   // A tick longer than the usual millisecond may go as far as the speed limit allows in it.
-  const double reach = std::max(limits.pose_jump, limits.max_speed * elapsed);
-  if (moved > reach) latch_fault(safety, Fault::pose_jump, now);
-  // Fills with the way, empties at max_speed: samples that come late or seldom do no harm, a handle
-  // that is too fast for long cannot hide in steps below pose_jump.
-  const double allowed = limits.max_speed * std::max(0.0, now - safety.last_look);
-  safety.lead = std::max(0.0, safety.lead + moved - allowed);
-  if (safety.lead > limits.pose_jump) latch_fault(safety, Fault::too_fast, now);
+  const double reach = std::max(limit.jump, limit.speed * elapsed);
+  if (moved > reach) latch_fault(safety, limit.too_far, now);
+  // Fills with the way, empties at the speed limit: samples that come late or seldom do no harm, a
+  // handle that is too fast for long cannot hide in steps below the jump.
+  const double allowed = limit.speed * std::max(0.0, now - safety.last_look);
+  lead = std::max(0.0, lead + moved - allowed);
+  if (lead > limit.jump) latch_fault(safety, limit.too_fast, now);
+}
+
+/// Latches where the handle went or turned too far or too fast since the last look.
+void check_ways(const SafetyLimits& limits, const Pose& pose, double now, double elapsed,
+                SafetyState& safety) THIGMA_RT {
+  const double moved = (pose.position - safety.last_position).norm();
+  check_way({limits.max_speed, limits.pose_jump, Fault::pose_jump, Fault::too_fast}, moved, now,
+            elapsed, safety.lead, safety);
+  const double turned =
+      vector_from_rotation(pose.orientation * safety.last_orientation.conjugate()).norm();
+  check_way({limits.max_turn_speed, limits.orientation_jump, Fault::orientation_jump,
+             Fault::turned_too_fast},
+            turned, now, elapsed, safety.turn_lead, safety);
+}
+
+/// Where the handle is starts a new history.
+void forget_way(SafetyState& safety) THIGMA_RT {
+  safety.has_device = false;
+  safety.lead = 0.0;
+  safety.turn_lead = 0.0;
 }
 
 /// From `last` towards `v`: by at most `step` where the norm grows, all the way where it does not.
@@ -67,6 +96,10 @@ const char* fault_name(Fault fault) noexcept {
       return "too_fast";
     case Fault::pose_jump:
       return "pose_jump";
+    case Fault::turned_too_fast:
+      return "turned_too_fast";
+    case Fault::orientation_jump:
+      return "orientation_jump";
     case Fault::contact_stale:
       return "contact_stale";
     case Fault::watchdog:
@@ -85,9 +118,7 @@ void latch_fault(SafetyState& safety, Fault fault, double now) THIGMA_RT {
 void clear_fault(SafetyState& safety) THIGMA_RT {
   safety.fault = Fault::none;
   safety.fault_time = 0.0;
-  // The next sample starts a new history: the jump that caused the fault is not to be seen again.
-  safety.has_device = false;
-  safety.lead = 0.0;
+  forget_way(safety);  // the jump that caused the fault is not to be seen again
 }
 
 void ramp_anew(SafetyState& safety, double now) THIGMA_RT {
@@ -98,8 +129,7 @@ void ramp_anew(SafetyState& safety, double now) THIGMA_RT {
 
 void ride_out_gap(SafetyState& safety, double now) THIGMA_RT {
   ramp_anew(safety, now);
-  safety.has_device = false;
-  safety.lead = 0.0;
+  forget_way(safety);
 }
 
 bool check_device(const SafetyLimits& limits, const DeviceState& device, double now, double elapsed,
@@ -118,10 +148,13 @@ bool check_device(const SafetyLimits& limits, const DeviceState& device, double 
   }
   if (device.motion.twist.linear.norm() > limits.max_speed)
     latch_fault(safety, Fault::too_fast, now);
+  if (device.motion.twist.angular.norm() > limits.max_turn_speed)
+    latch_fault(safety, Fault::turned_too_fast, now);
   check_silence(limits, device, now, safety);
-  if (safety.has_device) check_way(limits, device.motion.pose.position, now, elapsed, safety);
+  if (safety.has_device) check_ways(limits, device.motion.pose, now, elapsed, safety);
   safety.has_device = true;
   safety.last_position = device.motion.pose.position;
+  safety.last_orientation = device.motion.pose.orientation;
   safety.last_look = now;
   return safety.fault == Fault::none;
 }

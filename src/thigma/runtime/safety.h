@@ -24,6 +24,8 @@ struct SafetyLimits {
       0.05;  // free of contact this long, so that bouncing is not taken for leaving [s]
   double max_speed = 1.5;          // of the handle, reported or moved; faster is a fault [m/s]
   double pose_jump = 0.005;        // of the handle in a tick; farther is a fault [m]
+  double max_turn_speed = 25.0;    // the same for turning, reported or done [rad/s]
+  double orientation_jump = 0.1;   // and for the angle turned in a tick [rad]
   double silent_device = 0.050;    // without a new device sample: a fault [s]
   double model_full_age = 0.025;   // a contact model up to this age counts fully [s]
   double model_stale_age = 0.050;  // and not at all from here on, where contact_stale latches [s]
@@ -43,6 +45,8 @@ enum class Fault : std::uint8_t {
                   // a time or a length
   too_fast,       // handle speed
   pose_jump,      // handle moved too far in a tick
+  turned_too_fast,   // speed of the handle's turning
+  orientation_jump,  // handle turned too far in a tick
   contact_stale,  // the contact thread did not answer in time
   watchdog,       // the haptic thread did not step in time
 };
@@ -68,6 +72,8 @@ struct SafetyState {
   double last_time = 0.0;             // when the last new sample came [s; session clock]
   double last_look = 0.0;             // when a sample was last looked at [s; session clock]
   double lead = 0.0;  // how far the handle is ahead of one that moves at max_speed [m]
+  Quat last_orientation = Quat::Identity();  // of the handle [device frame]
+  double turn_lead = 0.0;  // how far it is ahead of one that turns at max_turn_speed [rad]
 };
 
 /// Shortened to `limit`, direction kept.
@@ -93,7 +99,8 @@ void ride_out_gap(SafetyState& safety, double now) THIGMA_RT;
 
 /// Looks at a device sample and latches what is wrong with it. The speed is judged by what the
 /// device reports and by the way its handle went: a way that gets ahead of max_speed by pose_jump is
-/// too fast as well, however it was divided into ticks. A sample with the stamp of the one before is
+/// too fast as well, however it was divided into ticks. Its turning is judged the same way, by
+/// max_turn_speed and orientation_jump; q and -q are one orientation. A sample with the stamp of the one before is
 /// not a new one, whatever its status.
 ///
 /// now      [s; session clock]; elapsed: since the last step [s], > 0

@@ -2,7 +2,8 @@
 
 export const FAULT_WORDS = {
   device_lost: "the hand was lost", watchdog: "the haptic loop stood still", not_finite: "a number was not finite",
-  too_fast: "the hand moved too fast", pose_jump: "the hand jumped", contact_stale: "the contact model was too old",
+  too_fast: "the hand moved too fast", pose_jump: "the hand jumped",
+  turned_too_fast: "the hand turned too fast", orientation_jump: "the hand's direction jumped", contact_stale: "the contact model was too old",
 };
 const EVENT_WORDS = {
   grasped: "The hand took hold of the object", released: "The hand let the object go", armed: "Forces are on",

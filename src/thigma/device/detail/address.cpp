@@ -61,7 +61,8 @@ double parse_value(const std::string& scheme, const std::string& name, const std
 
 std::string quoted(std::string_view text) {
   std::string result(1, '\'');
-  result.append(text.substr(0, 60));
+  for (const char c : text.substr(0, 60))  // one line, whatever was given
+    result.push_back(static_cast<unsigned char>(c) < ' ' || c == 127 ? '?' : c);
   result.push_back('\'');
   return result;
 }

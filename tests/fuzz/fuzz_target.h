@@ -1,0 +1,90 @@
+#pragma once
+// One function a reader: takes any bytes, and either comes back or ends the process. Found by libFuzzer (the `fuzz`
+// preset), replayed by fuzz_replay_tests in every build.
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "thigma/core/error.h"
+
+namespace thigma::fuzz {
+
+using Bytes = std::span<const std::byte>;
+
+inline std::string_view text_of(Bytes bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// What a reader promises of bytes it took. Throws std::logic_error, which no target catches.
+inline void require(bool holds, const char* promise) {
+  if (!holds) throw std::logic_error(std::string("a promise is broken: ") + promise);
+}
+
+/// Whether `read` takes its input. It may refuse only by InputError, in one line that begins with `name`.
+inline bool is_taken(const std::string& name, const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    const std::string_view why = error.what();
+    require(why.starts_with(name), "a refusal names the file");
+    require(why.find('\n') == std::string_view::npos, "a refusal is one line");
+    return false;
+  }
+  return true;
+}
+
+/// Changes bytes at random in place, of at most `most`; returns their new number. libFuzzer's, or a test's.
+using Mutate = std::size_t (*)(std::uint8_t* bytes, std::size_t size, std::size_t most);
+
+void fuzz_obj(Bytes bytes);
+void fuzz_ply(Bytes bytes);
+void fuzz_stl(Bytes bytes);
+void fuzz_off(Bytes bytes);
+void fuzz_png(Bytes bytes);
+void fuzz_pgm(Bytes bytes);
+void fuzz_clod(Bytes bytes);
+void fuzz_tex(Bytes bytes);
+void fuzz_scene(Bytes bytes);
+void fuzz_recording(Bytes bytes);
+void fuzz_script(Bytes bytes);
+void fuzz_poses(Bytes bytes);
+void fuzz_uri(Bytes bytes);
+void fuzz_frames(Bytes bytes);
+void fuzz_message(Bytes bytes);
+
+/// Mutators of formats with checksums: they change what is inside and mend what guards it.
+void mutate_clod(std::string& bytes, std::size_t most, std::uint32_t seed, Mutate mutate);
+void mutate_tex(std::string& bytes, std::size_t most, std::uint32_t seed, Mutate mutate);
+void mutate_recording(std::string& bytes, std::size_t most, std::uint32_t seed, Mutate mutate);
+void mutate_png(std::string& bytes, std::size_t most, std::uint32_t seed, Mutate mutate);
+
+struct Target {
+  const char* name;
+  void (*run)(Bytes);
+  void (*mutate)(std::string&, std::size_t, std::uint32_t, Mutate);  // null: any change will do
+};
+inline constexpr Target kTargets[] = {
+    {"obj", fuzz_obj, nullptr},
+    {"ply", fuzz_ply, nullptr},
+    {"stl", fuzz_stl, nullptr},
+    {"off", fuzz_off, nullptr},
+    {"png", fuzz_png, mutate_png},
+    {"pgm", fuzz_pgm, nullptr},
+    {"clod", fuzz_clod, mutate_clod},
+    {"tex", fuzz_tex, mutate_tex},
+    {"scene", fuzz_scene, nullptr},
+    {"recording", fuzz_recording, mutate_recording},
+    {"script", fuzz_script, nullptr},
+    {"poses", fuzz_poses, nullptr},
+    {"uri", fuzz_uri, nullptr},
+    {"frames", fuzz_frames, nullptr},
+    {"message", fuzz_message, nullptr},
+};
+
+}  // namespace thigma::fuzz

@@ -1,0 +1,41 @@
+#include "fuzz/fuzz_target.h"
+
+#include "thigma/runtime/config_json.h"
+#include "thigma/runtime/recording.h"
+#include "thigma/runtime/replay_session.h"
+
+namespace thigma::fuzz {
+namespace {
+
+/// "What is missing or damaged is a difference", never a failure.
+void replay(const Recording& recording) {
+  RecordedConfig config;
+  try {
+    config = read_config(recording.config);
+  } catch (const InputError&) {
+    return;
+  }
+  const ReplayReport report =
+      replay_session(config.params, config.world_from_body, recording.frames, recording.contacts);
+  require(report.frames == recording.frames.size(), "every frame is run again");
+}
+
+}  // namespace
+
+void fuzz_recording(Bytes bytes) {
+  MemorySource source(text_of(bytes));
+  Recording recording;
+  std::vector<SamplePlace> places;
+  if (!is_taken("file", [&] { recording = read_recording(source, "file"); })) return;
+  require(recording.frames.size() == recording.frame_count, "frames are counted");
+  stream_recording(source, "file",
+                   {{}, [&](const HapticSample&, const SamplePlace& p) { places.push_back(p); }, {}});
+  require(places.size() == recording.frames.size(), "a second pass finds the same");
+  constexpr std::size_t kFew = 50;
+  if (places.size() > kFew) return;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    require(read_frame(source, places[i]).frame == recording.frames[i].frame, "a frame is where it was");
+  replay(recording);
+}
+
+}  // namespace thigma::fuzz
