@@ -92,7 +92,7 @@ struct TomlPlace {
     if (i >= text.size()) return;
     const char c = text[i];
     const bool is_name = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                         std::string_view("_-\"\']\r\n").find(c) != std::string_view::npos;
+                         std::string_view("_-\"\']").find(c) != std::string_view::npos;
     const bool is_refused_anyway = static_cast<unsigned char>(c) > 127 || is_control(c);
     if (!is_name && !is_refused_anyway) fail("a table without a name", "expected one as in [object]");
   }

@@ -63,7 +63,7 @@ TEST(SceneFile, RefusesControlCharactersAndTablesWithoutAName) {
     for (const std::string& text : {"[" + bad + "object]\n", "# a" + bad + "\n", "title = \"" + bad + "\"\n"})
       says(text, "a control character, line 1");
   }
-  for (const char* header : {"[{static]]", "[=]", "[ .a]", "[[+a]]", "  [ [ , ]", "[(]"})
+  for (const char* header : {"[{static]]", "[=]", "[ .a]", "[[+a]]", "  [ [ , ]", "[(]", "[\nobject]", "[[\r\na]]"})
     says("title = [\"[\",\n  [1, [{a = 2}]]]\n" + std::string(header) + "\n", "line 3");
   // Lines of values may begin so.
   says("title = [\n[{a = 1}],\n[+1]]\n", "title");
