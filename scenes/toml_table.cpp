@@ -67,7 +67,8 @@ bool is_control(char c) {
   return (static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r') || c == 127;
 }
 
-/// Where in a TOML text we are: as right as the text is up to there, as the parser stops at the first mistake.
+/// Where in a TOML text we are: as right as the text is up to there, as the parser stops at the
+/// first mistake.
 struct TomlPlace {
   std::string_view text;
   const std::string& file;
@@ -91,10 +92,12 @@ struct TomlPlace {
     skip(" \t");
     if (i >= text.size()) return;
     const char c = text[i];
-    const bool is_name = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+    const bool is_name = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                         (c >= '0' && c <= '9') ||
                          std::string_view("_-\"\']").find(c) != std::string_view::npos;
     const bool is_refused_anyway = static_cast<unsigned char>(c) > 127 || is_control(c);
-    if (!is_name && !is_refused_anyway) fail("a table without a name", "expected one as in [object]");
+    if (!is_name && !is_refused_anyway)
+      fail("a table without a name", "expected one as in [object]");
   }
 
   void outside(std::size_t& i) {
@@ -135,7 +138,8 @@ void check_toml_letters(std::string_view text, const std::string& file) {
   TomlPlace place{text, file};
   for (std::size_t i = 0; i < text.size(); ++i) {
     place.line += text[i] == '\n';
-    if (is_control(text[i])) place.fail("a control character", "expected text, as \\u0000 in quotes");
+    if (is_control(text[i]))
+      place.fail("a control character", "expected text, as \\u0000 in quotes");
     if (place.closing.empty()) {
       place.outside(i);
     } else {

@@ -1,6 +1,6 @@
 #pragma once
-// One function a reader: takes any bytes, and either comes back or ends the process. Found by libFuzzer (the `fuzz`
-// preset), replayed by fuzz_replay_tests in every build.
+// One function a reader: takes any bytes, and either comes back or ends the process. Found by
+// libFuzzer (the `fuzz` preset), replayed by fuzz_replay_tests in every build.
 
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +26,8 @@ inline void require(bool holds, const char* promise) {
   if (!holds) throw std::logic_error(std::string("a promise is broken: ") + promise);
 }
 
-/// Whether `read` takes its input. It may refuse only by InputError, in one line that begins with `name`.
+/// Whether `read` takes its input. It may refuse only by InputError, in one line that begins with
+/// `name`.
 inline bool is_taken(const std::string& name, const std::function<void()>& read) {
   try {
     read();
@@ -39,7 +40,8 @@ inline bool is_taken(const std::string& name, const std::function<void()>& read)
   return true;
 }
 
-/// Changes bytes at random in place, of at most `most`; returns their new number. libFuzzer's, or a test's.
+/// Changes bytes at random in place, of at most `most`; returns their new number. libFuzzer's, or a
+/// test's.
 using Mutate = std::size_t (*)(std::uint8_t* bytes, std::size_t size, std::size_t most);
 
 void fuzz_obj(Bytes bytes);
@@ -70,20 +72,13 @@ struct Target {
   void (*mutate)(std::string&, std::size_t, std::uint32_t, Mutate);  // null: any change will do
 };
 inline constexpr Target kTargets[] = {
-    {"obj", fuzz_obj, nullptr},
-    {"ply", fuzz_ply, nullptr},
-    {"stl", fuzz_stl, nullptr},
-    {"off", fuzz_off, nullptr},
-    {"png", fuzz_png, mutate_png},
-    {"pgm", fuzz_pgm, nullptr},
-    {"clod", fuzz_clod, mutate_clod},
-    {"tex", fuzz_tex, mutate_tex},
-    {"scene", fuzz_scene, nullptr},
-    {"recording", fuzz_recording, mutate_recording},
-    {"script", fuzz_script, nullptr},
-    {"poses", fuzz_poses, nullptr},
-    {"uri", fuzz_uri, nullptr},
-    {"frames", fuzz_frames, nullptr},
+    {"obj", fuzz_obj, nullptr},         {"ply", fuzz_ply, nullptr},
+    {"stl", fuzz_stl, nullptr},         {"off", fuzz_off, nullptr},
+    {"png", fuzz_png, mutate_png},      {"pgm", fuzz_pgm, nullptr},
+    {"clod", fuzz_clod, mutate_clod},   {"tex", fuzz_tex, mutate_tex},
+    {"scene", fuzz_scene, nullptr},     {"recording", fuzz_recording, mutate_recording},
+    {"script", fuzz_script, nullptr},   {"poses", fuzz_poses, nullptr},
+    {"uri", fuzz_uri, nullptr},         {"frames", fuzz_frames, nullptr},
     {"message", fuzz_message, nullptr},
 };
 

@@ -1,5 +1,5 @@
-// Writes the seeds of tests/fuzz/corpus from the project's own models: make_fuzz_seeds FOLDER. What fuzzing has found
-// lies beside them under names that begin with found_.
+// Writes the seeds of tests/fuzz/corpus from the project's own models: make_fuzz_seeds FOLDER. What
+// fuzzing has found lies beside them under names that begin with found_.
 
 #include <cstdio>
 #include <filesystem>
@@ -41,15 +41,20 @@ void put_meshes(const Seeds& seeds) {
   for (const auto& [name, mesh] : {std::pair{"ball", ball}, {"box", box}, {"doubled", doubled}}) {
     seeds.put("obj", name, format_mesh(mesh, MeshFormat::obj, name));
     seeds.put("off", name, format_mesh(mesh, MeshFormat::off, name).substr(4));
-    seeds.put("ply", std::string(name) + "_binary", format_mesh(mesh, MeshFormat::ply_little, name).substr(4));
-    seeds.put("ply", std::string(name) + "_text", format_mesh(mesh, MeshFormat::ply_ascii, name).substr(4));
-    seeds.put("ply", std::string(name) + "_big", format_mesh(mesh, MeshFormat::ply_big, name).substr(4));
+    seeds.put("ply", std::string(name) + "_binary",
+              format_mesh(mesh, MeshFormat::ply_little, name).substr(4));
+    seeds.put("ply", std::string(name) + "_text",
+              format_mesh(mesh, MeshFormat::ply_ascii, name).substr(4));
+    seeds.put("ply", std::string(name) + "_big",
+              format_mesh(mesh, MeshFormat::ply_big, name).substr(4));
     const std::string stl = format_mesh(mesh, MeshFormat::stl_binary, name);
     seeds.put("stl", std::string(name) + "_binary", "b" + stl.substr(84));
-    seeds.put("stl", std::string(name) + "_text", "t" + format_mesh(mesh, MeshFormat::stl_ascii, name).substr(6));
+    seeds.put("stl", std::string(name) + "_text",
+              "t" + format_mesh(mesh, MeshFormat::stl_ascii, name).substr(6));
   }
   seeds.put("obj", "textured",
-            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1\nf -1/1 -2/2 -3/3 # b\n");
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nf 1/1/1 2/2/1 "
+            "3/3/1\nf -1/1 -2/2 -3/3 # b\n");
   seeds.put("off", "colours", "4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n3 0 1 2 255 0 0\n4 0 1 2 3\n");
 }
 
@@ -58,9 +63,11 @@ void put_pictures(const Seeds& seeds) {
   for (int i = 0; i < 64; ++i) greys += static_cast<char>(4 * i);
   for (const int bits : {2, 8, 16}) {
     const std::size_t row = static_cast<std::size_t>(4 * bits / 8);
-    const std::vector<unsigned char> rows(greys.begin(), greys.begin() + static_cast<std::ptrdiff_t>(4 * row));
+    const std::vector<unsigned char> rows(greys.begin(),
+                                          greys.begin() + static_cast<std::ptrdiff_t>(4 * row));
     seeds.put("png", "grey" + std::to_string(bits), test::png_of(4, 4, bits, rows));
-    seeds.put("png", "woven" + std::to_string(bits), test::png_of(4, 4, bits, rows, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_ADAM7));
+    seeds.put("png", "woven" + std::to_string(bits),
+              test::png_of(4, 4, bits, rows, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_ADAM7));
   }
   seeds.put("pgm", "plain", "P2\n# heights\n3 2\n255\n0 10 20\n30 40 255\n");
   seeds.put("pgm", "raw8", "P5 4 4 255\n" + greys.substr(0, 16));
@@ -90,10 +97,10 @@ void put_recordings(const Seeds& seeds) {
   SessionConfig few = config;
   few.duration = 0.003;
   HandDevice hand(test::plane_hand(HandPath::press));
-  const SessionSummary summary =
-      run_lockstep(few, hand, {[&](const HapticSample& s) { writer.write(s); },
-                               [&](const ContactSample& s) { writer.write(s); },
-                               [&](const SessionEvent& e) { writer.write(e); }});
+  const SessionSummary summary = run_lockstep(few, hand,
+                                              {[&](const HapticSample& s) { writer.write(s); },
+                                               [&](const ContactSample& s) { writer.write(s); },
+                                               [&](const SessionEvent& e) { writer.write(e); }});
   writer.close({.frames = summary.frames, .state_hash = summary.state_hash, .dropped = 0});
   const std::string whole = read_file(path);
   seeds.put("recording", "session", whole);
@@ -103,8 +110,11 @@ void put_recordings(const Seeds& seeds) {
 void put_texts(const Seeds& seeds) {
   for (const char* name : {"jaws", "blocks", "spoon_in_cup", "file_on_cad"})
     seeds.put("scene", name, std::string(scenes::builtin_scene(name)));
-  seeds.put("script", "two", "t,x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n# on\n1,0.01,0,0,0,0,0.6,0.8\n");
-  seeds.put("script", "buttons", "t,x,y,z,qx,qy,qz,qw,buttons\n0,0,0,0.05,0,0,0,1,0\n0.5,0,0,0,1,0,0,0,1\n2,0,0,0,0,1,0,0,3\n");
+  seeds.put("script", "two",
+            "t,x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n# on\n1,0.01,0,0,0,0,0.6,0.8\n");
+  seeds.put("script", "buttons",
+            "t,x,y,z,qx,qy,qz,qw,buttons\n0,0,0,0.05,0,0,0,1,0\n0.5,0,0,0,1,0,0,0,1\n2,0,0,0,0,1,0,"
+            "0,3\n");
   seeds.put("poses", "two", "x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,1\n\n1e-3,-2,+3,0.6,0,0,0.8\n");
   const char* const addresses[] = {"hand:",
                                    "hand:?path=press&tremor=1e-5&seed=3",
@@ -128,16 +138,17 @@ std::string frame(int opcode, std::string_view payload) {
 }
 
 void put_messages(const Seeds& seeds) {
-  const char* const texts[] = {R"({"type":"hold","id":1,"value":true})",
-                               R"({"type":"use_device","id":2,"value":"web:"})",
-                               R"({"type":"pause","id":3,"value":false})",
-                               R"({"type":"step","id":4,"value":10})",
-                               R"({"type":"set","id":5,"name":"s0","value":0.01})",
-                               R"({"type":"level","id":6,"mesh":0,"value":2})",
-                               R"({"type":"open","id":7,"value":"jaws"})",
-                               R"({"type":"seek","id":8,"value":1.5})",
-                               R"({"type":"upload","id":9,"name":"a.obj","value":100})",
-                               R"({"type":"place","id":10,"name":"hold","value":0.001,"repair":true})"};
+  const char* const texts[] = {
+      R"({"type":"hold","id":1,"value":true})",
+      R"({"type":"use_device","id":2,"value":"web:"})",
+      R"({"type":"pause","id":3,"value":false})",
+      R"({"type":"step","id":4,"value":10})",
+      R"({"type":"set","id":5,"name":"s0","value":0.01})",
+      R"({"type":"level","id":6,"mesh":0,"value":2})",
+      R"({"type":"open","id":7,"value":"jaws"})",
+      R"({"type":"seek","id":8,"value":1.5})",
+      R"({"type":"upload","id":9,"name":"a.obj","value":100})",
+      R"({"type":"place","id":10,"name":"hold","value":0.001,"repair":true})"};
   std::string all;
   for (int i = 0; i < 10; ++i) {
     seeds.put("message", "text" + std::to_string(i), std::string("t") + texts[i]);
@@ -150,7 +161,8 @@ void put_messages(const Seeds& seeds) {
   samples[1].buttons = 1;
   const std::string device = live::encode_device(1.02, samples);
   seeds.put("message", "device", "b" + device);
-  seeds.put("message", "upload", std::string("b\x21\x01\x00\x00\x03\x00\x00\x00", 9) + std::string(16, '\0') + "abc");
+  seeds.put("message", "upload",
+            std::string("b\x21\x01\x00\x00\x03\x00\x00\x00", 9) + std::string(16, '\0') + "abc");
   seeds.put("frames", "texts", "f" + all);
   seeds.put("frames", "device", "f" + frame(2, device) + frame(9, "ping") + frame(8, "\x03\xe8"));
   seeds.put("frames", "page", "hGET / HTTP/1.1\r\nHost: localhost\r\n\r\n");

@@ -1,4 +1,5 @@
-// .clod and .tex: chunks are taken out, one is changed, and all are put back with right lengths and checksums.
+// .clod and .tex: chunks are taken out, one is changed, and all are put back with right lengths and
+// checksums.
 
 #include "fuzz/fuzz_target.h"
 

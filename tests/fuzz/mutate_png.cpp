@@ -1,4 +1,5 @@
-// PNG: one piece is changed, and the checksums of all are mended. What is compressed is changed as it stands.
+// PNG: one piece is changed, and the checksums of all are mended. What is compressed is changed as
+// it stands.
 
 #include "fuzz/fuzz_target.h"
 

@@ -1,5 +1,5 @@
-// MCAP: the records are taken out of their chunks, one is changed, and chunks are put together again with right
-// lengths and checksums, without the summary, which the format does not ask for.
+// MCAP: the records are taken out of their chunks, one is changed, and chunks are put together
+// again with right lengths and checksums, without the summary, which the format does not ask for.
 
 #include "fuzz/fuzz_target.h"
 
@@ -41,7 +41,8 @@ std::vector<Record> records_of(std::string_view bytes) {
     const std::uint64_t length = number_at(bytes, 1);
     if (length > bytes.size() - kHead) break;
     const auto size = static_cast<std::size_t>(length);
-    records.push_back({static_cast<std::uint8_t>(bytes[0]), std::string(bytes.substr(kHead, size))});
+    records.push_back(
+        {static_cast<std::uint8_t>(bytes[0]), std::string(bytes.substr(kHead, size))});
     bytes.remove_prefix(kHead + size);
   }
   return records;
@@ -110,8 +111,10 @@ void mutate_recording(std::string& bytes, std::size_t most, std::uint32_t seed, 
   if (inner.empty()) return change(bytes, 0, most, mutate);
   change_records(inner, random, mutate);
   const std::size_t cut = random.below(inner.size() + 1);  // two chunks
-  put_record(made, {kChunk, chunk_of({inner.begin(), inner.begin() + static_cast<std::ptrdiff_t>(cut)})});
-  put_record(made, {kChunk, chunk_of({inner.begin() + static_cast<std::ptrdiff_t>(cut), inner.end()})});
+  put_record(made,
+             {kChunk, chunk_of({inner.begin(), inner.begin() + static_cast<std::ptrdiff_t>(cut)})});
+  put_record(made,
+             {kChunk, chunk_of({inner.begin() + static_cast<std::ptrdiff_t>(cut), inner.end()})});
   if (random.below(4) != 0) {  // whole
     put_record(made, {kDataEnd, std::string(4, '\0')});
     put_record(made, {kFooter, std::string(20, '\0')});

@@ -19,7 +19,8 @@ Bytes bytes_of(const std::string& text) {
 
 std::vector<fs::path> corpus_of(const std::string& name) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(fs::path(THIGMA_SOURCE_DIR) / "tests/fuzz/corpus" / name))
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(THIGMA_SOURCE_DIR) / "tests/fuzz/corpus" / name))
     files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;

@@ -1,5 +1,6 @@
 #pragma once
-// Recordings that are longer than 4 GiB and take no room: a hole in the middle, where the file system has them.
+// Recordings that are longer than 4 GiB and take no room: a hole in the middle, where the file
+// system has them.
 
 #include <cstdint>
 #include <filesystem>
@@ -11,8 +12,8 @@
 
 namespace thigma::test {
 
-/// Puts a record of a kind that readers skip, `hole` bytes long, before all others of a whole recording. The summary
-/// says where it is, and its checksum is right.
+/// Puts a record of a kind that readers skip, `hole` bytes long, before all others of a whole
+/// recording. The summary says where it is, and its checksum is right.
 inline void push_away(const std::string& path, std::uint64_t hole) {
   constexpr std::size_t kMagic = 8, kEnd = 8 + 29, kKind = 0x80;
   const auto put = [](std::string& bytes, std::size_t at, std::uint64_t value, int count) {

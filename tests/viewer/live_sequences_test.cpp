@@ -1,5 +1,5 @@
-// Random sequences of a page's requests: whatever is asked in whatever order, forces stay within the limits, a
-// refused request changes no session, and the program goes on.
+// Random sequences of a page's requests: whatever is asked in whatever order, forces stay within
+// the limits, a refused request changes no session, and the program goes on.
 
 #include <cmath>
 #include <cstring>
@@ -22,10 +22,13 @@ const char* any_of(Random& random, const char* const (&words)[N]) {
 
 /// A request as a page may send it, right or wrong.
 std::string random_request(Random& random, int id) {
-  static constexpr const char* kDevices[] = {"hand:?path=rest", "hand:", "web:", "null:", "dhd:", ""};
-  static constexpr const char* kNames[] = {"response", "resolution", "exact", "s0", "linear_stiffness", "texture",
+  static constexpr const char* kDevices[] = {
+      "hand:?path=rest", "hand:", "web:", "null:", "dhd:", ""};
+  static constexpr const char* kNames[] = {"response",  "resolution",       "exact",
+                                           "s0",        "linear_stiffness", "texture",
                                            "budget_us", "nothing"};
-  static constexpr const char* kThings[] = {"blocks", "no such scene", "/etc/passwd", "damaged.mcap", ""};
+  static constexpr const char* kThings[] = {"blocks", "no such scene", "/etc/passwd",
+                                            "damaged.mcap", ""};
   static constexpr const char* kPlaces[] = {"hold", "touch", "throw"};
   static constexpr double kNumbers[] = {0.0, 1.0, -1.0, 0.5, 7.0, 1e-9, 1e9, 300.0};
   const bool yes = random.below(2) == 0;
@@ -36,14 +39,30 @@ std::string random_request(Random& random, int id) {
     json["value"] = value;
   };
   switch (random.below(10)) {
-    case 0: form("hold", yes); break;
-    case 1: form("use_device", any_of(random, kDevices)); break;
-    case 2: form("pause", yes); break;
-    case 3: form("step", number); break;
-    case 4: json["type"] = "reset"; break;
-    case 5: form("record", yes); break;
-    case 6: form("open", any_of(random, kThings)); break;
-    case 7: form("seek", number); break;
+    case 0:
+      form("hold", yes);
+      break;
+    case 1:
+      form("use_device", any_of(random, kDevices));
+      break;
+    case 2:
+      form("pause", yes);
+      break;
+    case 3:
+      form("step", number);
+      break;
+    case 4:
+      json["type"] = "reset";
+      break;
+    case 5:
+      form("record", yes);
+      break;
+    case 6:
+      form("open", any_of(random, kThings));
+      break;
+    case 7:
+      form("seek", number);
+      break;
     case 8:
       form("place", number);
       json["name"] = any_of(random, kPlaces);
@@ -55,7 +74,8 @@ std::string random_request(Random& random, int id) {
       break;
   }
   // Opening takes long, as levels are built; one in four of them.
-  if (json["type"] == "open" && json["value"] == "blocks" && random.below(4) != 0) json["value"] = "nowhere";
+  if (json["type"] == "open" && json["value"] == "blocks" && random.below(4) != 0)
+    json["value"] = "nowhere";
   return json.dump();
 }
 

@@ -16,7 +16,7 @@ namespace thigma {
 FileSource::FileSource(const std::string& path, std::size_t window, std::uint64_t most)
     : path_(path), window_(window), most_(most) {
   detail::Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  struct stat info {};
+  struct stat info{};
   if (file.is_open() && ::fstat(file.get(), &info) == 0 && S_ISREG(info.st_mode)) {
     file_ = std::move(file);
     size_ = static_cast<std::uint64_t>(info.st_size);
@@ -31,8 +31,8 @@ void FileSource::load(std::uint64_t at, std::size_t count) {
   begin_ = at;
   buffer_.resize(count);
   for (std::size_t have = 0; have < count;) {
-    const ssize_t n = ::pread(file_.get(), buffer_.data() + have, count - have,
-                              static_cast<off_t>(at + have));
+    const ssize_t n =
+        ::pread(file_.get(), buffer_.data() + have, count - have, static_cast<off_t>(at + have));
     if (n < 0 && errno == EINTR) continue;
     if (n > 0) {
       have += static_cast<std::size_t>(n);
@@ -46,8 +46,8 @@ void FileSource::load(std::uint64_t at, std::size_t count) {
 }
 
 std::string_view FileSource::view(std::uint64_t at, std::uint64_t count) {
-  const bool is_here = at >= begin_ && at - begin_ <= buffer_.size() &&
-                       count <= buffer_.size() - (at - begin_);
+  const bool is_here =
+      at >= begin_ && at - begin_ <= buffer_.size() && count <= buffer_.size() - (at - begin_);
   if (!is_here) {
     if (count > most_) {
       throw InputError(path_ + ": a piece of " + std::to_string(count) + " bytes, byte " +

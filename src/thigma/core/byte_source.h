@@ -33,7 +33,8 @@ class MemorySource final : public ByteSource {
   std::string_view bytes_;
 };
 
-/// A regular file of any size, as long as it was when it was opened. A pipe is read to its end first.
+/// A regular file of any size, as long as it was when it was opened. A pipe is read to its end
+/// first.
 class FileSource final : public ByteSource {
  public:
   /// window  read at once [byte]; most: the longest stretch that is asked for [byte]

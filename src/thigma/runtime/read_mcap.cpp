@@ -8,16 +8,16 @@
 #include "thigma/runtime/detail/mcap_records.h"
 #include "thigma/runtime/mcap_file.h"
 
-// A file with its end is whole, and whatever is wrong in it is damage. One without is what a kill, a
-// power cut or a full disk left: chunks carry their own checksums, so it is read from the front up to
-// the first that is not whole. Nothing longer than a message is ever in memory at once.
+// A file with its end is whole, and whatever is wrong in it is damage. One without is what a kill,
+// a power cut or a full disk left: chunks carry their own checksums, so it is read from the front
+// up to the first that is not whole. Nothing longer than a message is ever in memory at once.
 
 namespace thigma {
 namespace {
 
 using namespace detail;
 
-constexpr std::uint64_t kRecordHead = 9;   // opcode and length
+constexpr std::uint64_t kRecordHead = 9;    // opcode and length
 constexpr std::uint64_t kMessageHead = 22;  // of a message record, before its data
 
 std::uint64_t little_endian(std::string_view bytes) {
@@ -67,7 +67,8 @@ struct Reading {
   std::map<std::uint16_t, std::int32_t> channels{};
   bool is_enough = false;  // no more messages are wanted
 
-  /// One pass over the records of a whole file, or of a chunk; true when a footer or data end was met.
+  /// One pass over the records of a whole file, or of a chunk; true when a footer or data end was
+  /// met.
   bool records(std::uint64_t at, std::uint64_t end, bool in_chunk) {
     Cursor cursor{source, path, at, end};
     while (cursor.at < end && !is_enough) {
@@ -89,7 +90,8 @@ struct Reading {
     return false;
   }
 
-  /// The whole records of a file without its end; why it goes no further, and from where, is in `scan`.
+  /// The whole records of a file without its end; why it goes no further, and from where, is in
+  /// `scan`.
   void prefix(std::uint64_t at) {
     const std::uint64_t size = source.size();
     for (scan.end = at; scan.end < size && !is_enough; scan.end = at) {
@@ -146,8 +148,7 @@ struct Reading {
       const std::uint64_t begin = cursor.at;
       cursor.skip(length, "record");
       if (opcode != kStatistics) continue;
-      const auto messages =
-          Cursor{source, path, begin, cursor.at}.get<std::uint64_t>("statistics");
+      const auto messages = Cursor{source, path, begin, cursor.at}.get<std::uint64_t>("statistics");
       if (messages != scan.messages) {
         throw InputError(path + ": " + std::to_string(scan.messages) + " messages, byte " +
                          std::to_string(begin) + ", expected the " + std::to_string(messages) +

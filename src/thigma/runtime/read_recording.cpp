@@ -69,7 +69,9 @@ struct Assembly {
     } catch (const InputError& error) {
       fail(topic, message, error.what());
     }
-    if (begun.frame) note(topic, {"/device/state", "/device/command", "/body/state", "/timing"}, message, frame_place);
+    if (begun.frame)
+      note(topic, {"/device/state", "/device/command", "/body/state", "/timing"}, message,
+           frame_place);
     if (begun.contact) note(topic, {"/contact/model", "/contact/frame"}, message, contact_place);
     if (topic == "/timing") has_frame = true;
     if (topic == "/device/state") has_frame = false;
@@ -104,18 +106,18 @@ struct Assembly {
 RecordingInfo stream(ByteSource& source, const std::string& path, const RecordingSinks& sinks) {
   Assembly assembly{path, sinks};
   bool is_enough = false;
-  McapScan scan =
-      scan_mcap(source, path, [&](const McapScan& file, const McapMessage& message) {
-        is_enough = !assembly.take(file.topics[static_cast<std::size_t>(message.channel)], message);
-        return !is_enough;
-      });
+  McapScan scan = scan_mcap(source, path, [&](const McapScan& file, const McapMessage& message) {
+    is_enough = !assembly.take(file.topics[static_cast<std::size_t>(message.channel)], message);
+    return !is_enough;
+  });
   RecordingInfo& info = assembly.info;
   info.warnings = std::move(scan.warnings);
   if (is_enough) return std::move(info);
   if (info.config.empty()) {
-    throw InputError(path + ": no /config message" +
-                     (scan.cut.empty() ? "" : ", byte " + std::to_string(scan.end) + ": " + scan.cut) +
-                     ", expected a recording of thigma");
+    throw InputError(
+        path + ": no /config message" +
+        (scan.cut.empty() ? "" : ", byte " + std::to_string(scan.end) + ": " + scan.cut) +
+        ", expected a recording of thigma");
   }
   assembly.finish();
   if (!info.has_end || !scan.cut.empty()) {
@@ -127,9 +129,12 @@ RecordingInfo stream(ByteSource& source, const std::string& path, const Recordin
 
 /// Sinks that keep everything in `recording`.
 RecordingSinks keepers(Recording& recording) {
-  return {{},
-          [&recording](const HapticSample& s, const SamplePlace&) { recording.frames.push_back(s); },
-          [&recording](const ContactSample& s, const SamplePlace&) { recording.contacts.push_back(s); }};
+  return {
+      {},
+      [&recording](const HapticSample& s, const SamplePlace&) { recording.frames.push_back(s); },
+      [&recording](const ContactSample& s, const SamplePlace&) {
+        recording.contacts.push_back(s);
+      }};
 }
 
 }  // namespace

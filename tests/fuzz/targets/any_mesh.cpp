@@ -38,7 +38,8 @@ void read_any_mesh(const std::string& bytes) {
   const MeshReport report = inspect_mesh(file, "mesh");
   if (report.verdict != MeshVerdict::repairable) return;
   RepairResult repaired;
-  if (is_taken("mesh", [&] { repaired = repair_mesh(file.mesh, "mesh"); })) check_mesh(repaired.mesh);
+  if (is_taken("mesh", [&] { repaired = repair_mesh(file.mesh, "mesh"); }))
+    check_mesh(repaired.mesh);
 }
 
 }  // namespace thigma::fuzz

@@ -7,7 +7,8 @@
 
 namespace thigma::fuzz {
 
-/// Reads a mesh, checks what read_mesh promises, looks at small ones as `inspect` does, and writes and reads them again.
+/// Reads a mesh, checks what read_mesh promises, looks at small ones as `inspect` does, and writes
+/// and reads them again.
 void read_any_mesh(const std::string& bytes);
 
 }  // namespace thigma::fuzz

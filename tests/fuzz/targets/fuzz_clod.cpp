@@ -30,7 +30,8 @@ void fuzz_clod(Bytes bytes) {
   ClodAsset asset;
   if (!is_taken("asset", [&] { asset = parse_clod(text_of(bytes), "asset"); })) return;
   const std::string written = format_clod(asset, "asset");
-  require(format_clod(parse_clod(written, "asset"), "asset") == written, "what is read is written the same");
+  require(format_clod(parse_clod(written, "asset"), "asset") == written,
+          "what is read is written the same");
   if (asset.hierarchy.contact_patches.size() > 200 || !(asset.hierarchy.radius < 1e6)) return;
   query(asset.hierarchy);
 }

@@ -41,7 +41,8 @@ std::string handshake(std::uint16_t port) {
   const std::string host = "127.0.0.1:" + std::to_string(port);
   return "GET /live HTTP/1.1\r\nHost: " + host + "\r\nOrigin: http://" + host +
          "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
-         "Sec-WebSocket-Key: dGhpZ21hIGZ1enogdGVzdA==\r\nSec-WebSocket-Protocol: thigma.live.1\r\n\r\n";
+         "Sec-WebSocket-Key: dGhpZ21hIGZ1enogdGVzdA==\r\nSec-WebSocket-Protocol: "
+         "thigma.live.1\r\n\r\n";
 }
 
 /// All bytes, a half-closed connection, and what comes back until the server has closed as well.
@@ -51,9 +52,11 @@ void talk(std::uint16_t port, std::string_view bytes) {
   address.sin_family = AF_INET;
   address.sin_port = htons(port);
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  const int status = ::connect(s.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
+  const int status =
+      ::connect(s.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
   require(status == 0, "the server takes connections");
-  // A port used up by thousands of closed connections a second is this test's fault, not the server's.
+  // A port used up by thousands of closed connections a second is this test's fault, not the
+  // server's.
   const linger at_once{1, 0};
   while (!bytes.empty()) {
     const ssize_t n = ::send(s.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);

@@ -26,11 +26,13 @@ void fuzz_message(Bytes bytes) {
       const DeviceState state = motion.read(now += 1e-3);
       require(state.motion.pose.position.allFinite(), "handle positions are finite");
       require(state.motion.pose.orientation.coeffs().allFinite(), "and orientations");
-      require(state.motion.twist.linear.norm() <= 1.2 * (1.0 + 1e-9), "the mouse is never too fast");
+      require(state.motion.twist.linear.norm() <= 1.2 * (1.0 + 1e-9),
+              "the mouse is never too fast");
     }
   }
   if (const auto upload = live::decode_upload(message))
-    require(upload->data() >= message.data() && upload->size() <= message.size(), "an upload lies in its message");
+    require(upload->data() >= message.data() && upload->size() <= message.size(),
+            "an upload lies in its message");
 }
 
 }  // namespace thigma::fuzz

@@ -28,13 +28,15 @@ void fuzz_recording(Bytes bytes) {
   std::vector<SamplePlace> places;
   if (!is_taken("file", [&] { recording = read_recording(source, "file"); })) return;
   require(recording.frames.size() == recording.frame_count, "frames are counted");
-  stream_recording(source, "file",
-                   {{}, [&](const HapticSample&, const SamplePlace& p) { places.push_back(p); }, {}});
+  stream_recording(
+      source, "file",
+      {{}, [&](const HapticSample&, const SamplePlace& p) { places.push_back(p); }, {}});
   require(places.size() == recording.frames.size(), "a second pass finds the same");
   constexpr std::size_t kFew = 50;
   if (places.size() > kFew) return;
   for (std::size_t i = 0; i < places.size(); ++i)
-    require(read_frame(source, places[i]).frame == recording.frames[i].frame, "a frame is where it was");
+    require(read_frame(source, places[i]).frame == recording.frames[i].frame,
+            "a frame is where it was");
   replay(recording);
 }
 

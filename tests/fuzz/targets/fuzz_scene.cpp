@@ -7,10 +7,11 @@ namespace thigma::fuzz {
 
 void fuzz_scene(Bytes bytes) {
   scenes::SceneDescription scene;
-  if (!is_taken("scene", [&] { scene = scenes::parse_scene(text_of(bytes), "scene", "/nowhere"); })) return;
+  if (!is_taken("scene", [&] { scene = scenes::parse_scene(text_of(bytes), "scene", "/nowhere"); }))
+    return;
   const SafetyLimits& s = scene.safety;
-  for (const double limit : {s.max_force, s.max_torque, s.force_slew, s.torque_slew, s.max_speed, s.pose_jump,
-                             s.max_turn_speed, s.orientation_jump, s.watchdog})
+  for (const double limit : {s.max_force, s.max_torque, s.force_slew, s.torque_slew, s.max_speed,
+                             s.pose_jump, s.max_turn_speed, s.orientation_jump, s.watchdog})
     require(limit > 0.0 && std::isfinite(limit), "limits are positive");
   require(s.model_full_age < s.model_stale_age, "models have time to fade");
   require(scene.rate >= 50.0 && scene.rate <= 20000.0, "the rate is in range");

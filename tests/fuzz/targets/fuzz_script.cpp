@@ -11,7 +11,8 @@ void fuzz_script(Bytes bytes) {
   std::istringstream text{std::string(text_of(bytes))};
   if (!is_taken("script", [&] { rows = parse_script(text, "script"); })) return;
   require(!rows.empty(), "a script has a row");
-  for (std::size_t i = 1; i < rows.size(); ++i) require(rows[i].time > rows[i - 1].time, "times increase");
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    require(rows[i].time > rows[i - 1].time, "times increase");
   ScriptCursor cursor;
   const double first = rows.front().time, last = rows.back().time;
   for (int i = -2; i < 20; ++i) {

@@ -2,8 +2,8 @@
 
 namespace thigma::fuzz {
 
-/// The first byte says whether what follows is text. Of a binary file the count of triangles is then made right, as
-/// that is how one is known.
+/// The first byte says whether what follows is text. Of a binary file the count of triangles is
+/// then made right, as that is how one is known.
 void fuzz_stl(Bytes bytes) {
   if (bytes.empty()) return;
   const std::string_view rest = text_of(bytes.subspan(1));

@@ -11,7 +11,8 @@ void fuzz_tex(Bytes bytes) {
   if (!is_taken("texture", [&] { asset = parse_texture(text_of(bytes), "texture"); })) return;
   require(std::isfinite(asset.texture.amplitude), "the amplitude is finite");
   const std::string written = format_texture(asset);
-  require(format_texture(parse_texture(written, "texture")) == written, "what is read is written the same");
+  require(format_texture(parse_texture(written, "texture")) == written,
+          "what is read is written the same");
 }
 
 }  // namespace thigma::fuzz

@@ -24,7 +24,8 @@ void fuzz_uri(Bytes bytes) {
   try {
     use(*open_device(address));
   } catch (const DeviceAddressError& error) {
-    require(std::string_view(error.what()).find('\n') == std::string_view::npos, "a refusal is one line");
+    require(std::string_view(error.what()).find('\n') == std::string_view::npos,
+            "a refusal is one line");
   } catch (const DeviceUnavailable&) {
   } catch (const InputError&) {
   }

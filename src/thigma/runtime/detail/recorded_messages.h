@@ -15,9 +15,10 @@ struct BegunSamples {
   std::optional<ContactSample> contact;
 };
 
-/// Reads one message: /config, /events and the end go into `recording`, all else into a sample. The first message
-/// of a sample begins a new one. Messages of other topics mean nothing.
-/// Thread [offline]; throws InputError or an exception of the JSON parser for what is not a message of that topic.
+/// Reads one message: /config, /events and the end go into `recording`, all else into a sample. The
+/// first message of a sample begins a new one. Messages of other topics mean nothing. Thread
+/// [offline]; throws InputError or an exception of the JSON parser for what is not a message of
+/// that topic.
 void read_message(const std::string& topic, std::string_view data, RecordingInfo& recording,
                   BegunSamples& begun);
 
