@@ -45,8 +45,6 @@ std::string killed_recording(const std::string& name) {
   return file + ".part";
 }
 
-};
-
 std::size_t count(const std::string& text, const std::string& what) {
   std::size_t n = 0;
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
