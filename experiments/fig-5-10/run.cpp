@@ -236,7 +236,8 @@ Outcome run_fig_5_10(const Context& context) {
       known_not_to(
           at_most("depth", "deepest between exact meshes, linearized, 2.5 % at 500 Hz",
                   1e3 * deepest, 0.1, "mm"),
-          {why_deep, "data.csv:series=springs", 0.2}),
+          // Coarse levels of small models lie off by more.
+          {why_deep, "data.csv:series=springs", context.quick ? 0.5 : 0.2}),
       context.quick ? known_not_to(depth_fine, {"the first level of models as small as these lies off the surface by more than the "
                                                 "tolerance; a cap of 0.5 % leaves no level, and 0.061 mm",
                                                 "data.csv:series=cap", 0.15})
