@@ -46,12 +46,19 @@ void add_growth(const Studied& pair, std::vector<Claim>& claims) {
                                            "staircase here, flat from 1 to 2.5 %",
                                  .sweep = "data.csv:scene=" + name,
                                  .floor = 1.0}));
-  claims.push_back(at_least("costs-" + name,
-                            name +
-                                ": growth of the error of the force between the same, clusters "
-                                "sharing the stiffness as in sessions, at the upper end of what "
-                                "drawing the poses again gives (95 %): the least",
-                            least.shared_high, 1.0));
+  const Claim costs = at_least("costs-" + name,
+                               name +
+                                   ": growth of the error of the force between the same, clusters "
+                                   "sharing the stiffness as in sessions, at the upper end of what "
+                                   "drawing the poses again gives (95 %): the least",
+                               least.shared_high, 1.0);
+  claims.push_back(
+      name != "cup_spoon" || pair.is_quick
+          ? costs
+          : known_not_to(costs, {.reason = "the same staircase: one level stands for the one region at 1 and at 2.5 %, and "
+                                           "the error is what that level leaves",
+                                 .sweep = "data.csv:scene=" + name,
+                                 .floor = 0.8}));
   claims.push_back(stated("costs-least-" + name, name + ": the same as measured, the least (goal 1)",
                           least.shared));
   claims.push_back(
@@ -80,13 +87,13 @@ void add_area(const Studied& pair, std::vector<Claim>& claims) {
   claims.push_back(known_not_to(
       area,
       {.reason = "D is of each surface alone (Sec. 3.3.5), and not the area the two share: with "
-                 "that area in its place the rank is 0.9 and more (area-by-region)",
+                 "that area in its place the rank is 0.8 and more (area-by-region)",
        .sweep = "area.csv:scene=" + name,
        .floor = 0.0}));
   claims.push_back(
       at_least("area-by-region-" + name,
                name + ": the same of the levels there would be with that area in place of D",
-               without_d.rank, 0.9));
+               without_d.rank, 0.8));
 }
 
 }  // namespace
@@ -100,8 +107,8 @@ std::vector<Claim> claims_of(const Studied& pair) {
     const Claim at_once = at_least("at-once-" + name,
                                    name + ": levels among the contacts of one frame at 2.5 %, most",
                                    shipped.levels_at_once, 4.0);
-    // Eight poses of a second see three on the casts.
-    claims.push_back(name == "jaws" || !pair.is_quick
+    // On the casts three since contacts blend from 0.8 of s0 on, four when they did from 0.5.
+    claims.push_back(name == "jaws"
                          ? at_once
                          : stated(at_once.id, at_once.text + " (goal 4)", shipped.levels_at_once));
   }
