@@ -146,9 +146,9 @@ void add_curve(const Reading& reading, const std::vector<Left>& curve, Outcome& 
 }
 
 constexpr const char* kWhyNot =
-    "facets of coarse levels modulate the force in the dimples' band too: the share left rises "
-    "above 1 from 0.1 % on, before it falls below between 1 and 2.5 %; with smaller areas it never "
-    "falls (data.csv)";
+    "facets of the first levels modulate the force in the dimples' band too: the share left is "
+    "above 1, by a quarter at most, until it falls below near 1 %; with smaller areas of small "
+    "models it never falls (data.csv)";
 
 std::vector<Claim> make_claims(const std::vector<double>& left) {
   double kept = 0.0, lost = 1.0;
