@@ -27,7 +27,7 @@ struct PathShape {
 struct PairRequest {
   std::string name;                               // of the rows
   std::string scene;                              // of scenes/
-  std::string object_model{}, scene_model{};          // instead of the scene's own; empty: those
+  std::string object_model{}, scene_model{};      // instead of the scene's own; empty: those
   int object_triangles = 0, scene_triangles = 0;  // 0: the models' own
   double scene_scale = 1.0;                       // of the scene object, when its model is replaced
   PathShape path;
@@ -48,7 +48,8 @@ struct BenchPair {
   Vec3 approach = -Vec3::UnitZ();  // towards the scene, in the same frame
 };
 
-/// Makes models, levels of detail and shells. Thread [offline]; throws InputError for unknown names.
+/// Makes models, levels of detail and shells. Thread [offline]; throws InputError for unknown
+/// names.
 BenchPair make_pair(const PairRequest& request);
 
 /// Poses of the object, the scene object at the identity, one a millisecond. The height is solved

@@ -12,6 +12,7 @@
 #include "benchmarks/query_bench.h"
 #include "benchmarks/texture_rows.h"
 #include "scenes/make_model.h"
+
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/math/quantile.h"
 
@@ -26,7 +27,9 @@ std::vector<Row> haptic_rows(bool quick) {
   row.ours = figure_of(timing.step, 1e6);
   row.baseline = "coupling, planes and the 13 x 13 solve alone";
   row.theirs = figure_of(timing.dense, 1e6);
-  row.note = "block means of 16 ticks; ours is the whole tick with device, limits, observer, telemetry sample";
+  row.note =
+      "block means of 16 ticks; ours is the whole tick with device, limits, observer, telemetry "
+      "sample";
   return {row};
 }
 
@@ -42,11 +45,13 @@ std::vector<Row> pair_rows(bool quick) {
     row.unit = "ns";
     row.ours = {timing.median, timing.p99};
     for (const ConvexBaseline& other : baseline) {
-      if (other.vertices_low != timing.vertices_low || other.vertices_high != timing.vertices_high) continue;
+      if (other.vertices_low != timing.vertices_low || other.vertices_high != timing.vertices_high)
+        continue;
       if (timing.name != "single" && timing.name != "batched") continue;
       row.baseline = "FCL 0.7 convex distance";
       row.theirs = Figure{other.median, other.p99};
-      row.note = "largest difference of the two distances: " + std::to_string(other.disagreement) + " of the hull size";
+      row.note = "largest difference of the two distances: " + std::to_string(other.disagreement) +
+                 " of the hull size";
     }
     rows.push_back(row);
   }
@@ -66,7 +71,8 @@ Row front_row(const char* name, double nodes, int frames) {
   row.theirs = Figure{1e3 * timing.cold_us / timing.front, 1e3 * timing.cold_us / timing.front};
   row.contacts_ours = timing.contacts;
   row.contacts_baseline = timing.contacts;
-  row.note = "traversal alone, moving 0.05 % of the radius a frame; mean front " + std::to_string(static_cast<long long>(timing.front)) + " nodes";
+  row.note = "traversal alone, moving 0.05 % of the radius a frame; mean front " +
+             std::to_string(static_cast<long long>(timing.front)) + " nodes";
   return row;
 }
 
@@ -86,13 +92,16 @@ std::vector<Row> query_rows(bool quick) {
     row.found_baseline.recall = both.recall_baseline;
     row.found_baseline.error_max = both.error_baseline;
   }
-  row.note = "the upper jaw comes down, then grinds pressed in by up to 0.5 % of the radius; ours finds every region, the "
-             "baseline one point; recall and error against an independent search on some of the frames";
+  row.note =
+      "the upper jaw comes down, then grinds pressed in by up to 0.5 % of the radius; ours finds "
+      "every region, the "
+      "baseline one point; recall and error against an independent search on some of the frames";
   return {row};
 }
 
 std::vector<Row> build_rows(bool quick) {
-  const TriangleMesh mesh = scenes::make_model({.name = "jaw_lower", .triangles = quick ? 10000 : 100000});
+  const TriangleMesh mesh =
+      scenes::make_model({.name = "jaw_lower", .triangles = quick ? 10000 : 100000});
   std::vector<double> seconds;
   for (int i = 0; i < (quick ? 1 : 3); ++i) {
     const double start = thread_cpu();
@@ -126,8 +135,14 @@ std::vector<Measurement> measurements(bool quick) {
       {"haptic-step", [=] { return haptic_rows(quick); }},
       {"convex-pair", [=] { return pair_rows(quick); }},
       {"build", [=] { return build_rows(quick); }},
-      {"front-small", [=] { return std::vector<Row>{front_row("front tracking, small front", 1250, quick ? 20 : 400)}; }},
-      {"front-large", [=] { return std::vector<Row>{front_row("front tracking, large front", 30000, quick ? 10 : 200)}; }},
+      {"front-small",
+       [=] {
+         return std::vector<Row>{front_row("front tracking, small front", 1250, quick ? 20 : 400)};
+       }},
+      {"front-large",
+       [=] {
+         return std::vector<Row>{front_row("front tracking, large front", 30000, quick ? 10 : 200)};
+       }},
       {"exact-query", [=] { return query_rows(quick); }},
       {"texture-depth", [=] { return texture_rows(quick); }},
       {"texture-gpu", [=] { return gpu_texture_rows(quick); }},

@@ -11,25 +11,28 @@
 
 namespace thigma::bench {
 
-/// What a method found of the exact contacts, over some poses. Absent: not asked, or not of that method.
+/// What a method found of the exact contacts, over some poses. Absent: not asked, or not of that
+/// method.
 struct Quality {
-  std::optional<double> recall;       // share of the exact contacts with a reported one near
-  std::optional<double> regions;      // share of their local regions with one
-  std::optional<double> error_max;    // of the smallest separation, kept within 0..d, by the radius
-  std::optional<double> error_mean;   // the same
-  std::optional<double> depth_error;  // largest, of the depth where surfaces intersect, by the radius
+  std::optional<double> recall;      // share of the exact contacts with a reported one near
+  std::optional<double> regions;     // share of their local regions with one
+  std::optional<double> error_max;   // of the smallest separation, kept within 0..d, by the radius
+  std::optional<double> error_mean;  // the same
+  // largest, of the depth where surfaces intersect, by the radius
+  std::optional<double> depth_error;
 };
 
 /// One row. What was not measured is absent, never 0.
 struct Row {
   std::string name, unit;
   Figure ours;
-  std::string baseline;                                  // its name; empty without one
+  std::string baseline;  // its name; empty without one
   std::optional<Figure> theirs;
   std::optional<double> contacts_ours, contacts_baseline;  // mean a query
   Quality found_ours, found_baseline;
-  std::optional<double> front, front_exact;  // node pairs held, mean; of the exact query on the same asset
-  std::optional<double> speedup;             // over that query, of the medians
+  // node pairs held, mean; of the exact query on the same asset
+  std::optional<double> front, front_exact;
+  std::optional<double> speedup;  // over that query, of the medians
   std::string note;
 };
 

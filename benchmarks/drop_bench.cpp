@@ -14,8 +14,8 @@
 namespace thigma::bench {
 namespace {
 
-constexpr double kFrame = 0.030;      // [s]
-constexpr double kLongest = 3.0;      // of the simulation [s]
+constexpr double kFrame = 0.030;  // [s]
+constexpr double kLongest = 3.0;  // of the simulation [s]
 constexpr std::size_t kDropRoom = 20'000;
 
 /// The world of the built-in scene, with hierarchies of its own.
@@ -59,11 +59,12 @@ std::vector<std::vector<Pose>> play(const DropCase& drop, bool quick) {
 }
 
 struct DropTiming {
-  std::vector<double> seconds;  // mean query of each frame
+  std::vector<double> seconds;         // mean query of each frame
   double front = 0.0, contacts = 0.0;  // means over the queries
 };
 
-DropTiming measure(const DropCase& drop, const std::vector<std::vector<Pose>>& frames, const Resolution& resolution) {
+DropTiming measure(const DropCase& drop, const std::vector<std::vector<Pose>>& frames,
+                   const Resolution& resolution) {
   DropTiming timing;
   const SceneBody& cup = drop.world.scene.front();
   const ContactQuery query{.tolerance = drop.world.tolerance, .resolution = resolution};
@@ -112,7 +113,8 @@ std::vector<Row> drop_rows(bool quick) {
     levels.interpolates = false;
     const DropTiming ours = measure(drop, frames, levels);
     Row row;
-    row.name = std::string("spoon falls into cup, levels s0 = 3.5 %, ") + (cap == kNoCap ? "no cap" : "cap 2 %");
+    row.name = std::string("spoon falls into cup, levels s0 = 3.5 %, ") +
+               (cap == kNoCap ? "no cap" : "cap 2 %");
     row.unit = "us";
     row.ours = figure_of(ours.seconds, 1e6);
     row.baseline = "exact on the same asset";
@@ -123,8 +125,10 @@ std::vector<Row> drop_rows(bool quick) {
     row.front_exact = exact.front;
     row.speedup = row.theirs->p50 / row.ours.p50;
     char note[160];
-    std::snprintf(note, sizeof note, "mean query of each of %zu frames of 30 ms until rest; average %.1f us, exact %.1f us", frames.size(),
-                  mean_us(ours), mean_us(exact));
+    std::snprintf(
+        note, sizeof note,
+        "mean query of each of %zu frames of 30 ms until rest; average %.1f us, exact %.1f us",
+        frames.size(), mean_us(ours), mean_us(exact));
     row.note = note;
     rows.push_back(row);
   }

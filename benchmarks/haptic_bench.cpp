@@ -1,6 +1,7 @@
 #include "benchmarks/haptic_bench.h"
 
 #include "benchmarks/probe.h"
+
 #include "thigma/device/null_device.h"
 #include "thigma/dynamics/implicit_step.h"
 #include "thigma/math/elementary.h"

@@ -6,12 +6,13 @@
 namespace thigma::bench {
 
 struct HapticTiming {
-  std::vector<double> step;      // haptic_step with coupling and `clusters` contact planes, a tick each [s]
-  std::vector<double> dense;     // coupling, planes and the 13 x 13 step on the same states [s]
+  // haptic_step with coupling and `clusters` contact planes, a tick each [s]
+  std::vector<double> step;
+  std::vector<double> dense;  // coupling, planes and the 13 x 13 step on the same states [s]
 };
 
-/// frames ticks of a body pressed onto `clusters` planes. Ticks are timed in blocks of 16, as one is shorter than
-/// the clock can tell: percentiles are over block means.
+/// frames ticks of a body pressed onto `clusters` planes. Ticks are timed in blocks of 16, as one
+/// is shorter than the clock can tell: percentiles are over block means.
 HapticTiming time_haptic_step(int clusters, int frames);
 
 }  // namespace thigma::bench

@@ -7,7 +7,8 @@
 
 namespace thigma::bench {
 
-/// A measurement a pair: levels with and without the cap, exact, and the baselines; and the heavy ones.
+/// A measurement a pair: levels with and without the cap, exact, and the baselines; and the heavy
+/// ones.
 std::vector<Measurement> level_measurements(bool quick);
 
 }  // namespace thigma::bench

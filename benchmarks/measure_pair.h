@@ -17,8 +17,8 @@ namespace thigma::bench {
 /// What one method reports at a pose, in terms all methods share.
 struct Report {
   std::vector<Vec3> points;  // of the contacts [m; world]
-  std::optional<double>
-      least;  // smallest separation, negative in penetration; none: no contact [m]
+  // smallest separation, negative in penetration; none: no contact [m]
+  std::optional<double> least;
 };
 
 /// The exact contacts at a pose, and their local regions: contacts linked by steps of `reach`.
@@ -31,7 +31,8 @@ struct Truth {
 /// Exact contacts; reach is 2 % of the pair's radius.
 Truth find_truth(const BenchPair& pair, const Pose& pose);
 
-/// Compares reports with truths at the same poses. has_depth: false for methods that say 0 in penetration.
+/// Compares reports with truths at the same poses. has_depth: false for methods that say 0 in
+/// penetration.
 Quality compare(const BenchPair& pair, const std::vector<Truth>& truths,
                 const std::vector<Report>& reports, bool has_depth = true);
 
@@ -56,7 +57,8 @@ struct LevelTiming {
 };
 
 /// Ours along the whole path, each pose's best of `runs` runs; the first pose is in cold_us alone.
-/// checked: poses (indices of the path, rising) the quality is taken at, with its truth in `truths`.
+/// checked: poses (indices of the path, rising) the quality is taken at, with its truth in
+/// `truths`.
 LevelTiming measure_levels(const BenchPair& pair, const std::vector<Pose>& path,
                            const Resolution& resolution, int runs,
                            const std::vector<std::size_t>& checked,

@@ -7,6 +7,7 @@
 
 #include "benchmarks/baselines/fcl_baseline.h"
 #include "benchmarks/probe.h"
+
 #include "thigma/convex/hull.h"
 #include "thigma/convex/pair.h"
 #include "thigma/math/random.h"
@@ -84,8 +85,8 @@ Scene make_scene(int low, int high, const PairTimingParams& params) {
   const Vec3 step = random.direction() * params.motion;
   const Vec3 turn = random.direction();
   for (int f = 0; f < params.frames; ++f) {
-    const double s =
-        std::sin(0.2 * f) / 0.2;  // to and fro: never far, always about `motion` a frame
+    // to and fro: never far, always about `motion` a frame
+    const double s = std::sin(0.2 * f) / 0.2;
     const double angle = 0.5 * params.motion / 30.0 * s;
     const Mat3 small = Quat(1.0, angle * turn.x(), angle * turn.y(), angle * turn.z())
                            .normalized()
@@ -133,7 +134,8 @@ PairTiming time_frames(const char* name, int low, int high, const Scene& scene,
 volatile double g_sink = 0.0;  // keeps results alive
 
 // Vertices a hull may have, from and to.
-constexpr std::array<std::pair<int, int>, 5> kClasses = {{{4, 6}, {8, 8}, {16, 16}, {30, 30}, {4, 30}}};
+constexpr std::array<std::pair<int, int>, 5> kClasses = {
+    {{4, 6}, {8, 8}, {16, 16}, {30, 30}, {4, 30}}};
 
 TriangleMesh hull_mesh(const std::vector<Vec3>& points) {
   const ConvexHull hull = build_hull(points);
@@ -207,13 +209,12 @@ std::vector<ConvexBaseline> time_convex_baseline(const PairTimingParams& params)
       const double theirs = fcl_convex_distance(*pairs[i], Pose{x.translation, Quat(x.rotation)});
       row.disagreement = std::max(row.disagreement, std::fabs(ours - theirs));
     }
-    const PairTiming t =
-        time_frames("fcl", low, high, scene, params, [&](const RelativePose& x) {
-          const Pose pose{x.translation, Quat(x.rotation)};
-          double sum = 0.0;
-          for (std::size_t i = 0; i < n; ++i) sum += fcl_convex_distance(*pairs[i], pose);
-          g_sink = sum;
-        });
+    const PairTiming t = time_frames("fcl", low, high, scene, params, [&](const RelativePose& x) {
+      const Pose pose{x.translation, Quat(x.rotation)};
+      double sum = 0.0;
+      for (std::size_t i = 0; i < n; ++i) sum += fcl_convex_distance(*pairs[i], pose);
+      g_sink = sum;
+    });
     row.median = t.median;
     row.p99 = t.p99;
     out.push_back(row);

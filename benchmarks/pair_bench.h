@@ -11,8 +11,8 @@ namespace thigma::bench {
 struct PairTiming {
   std::string name;  // "single", "batched", "axis", "sphere"
   int vertices_low = 0, vertices_high = 0;
-  double median =
-      0.0;  // over frames of (time of the frame / pairs), best of the repetitions of each frame
+  // over frames of (time of the frame / pairs), best of the repetitions of each frame
+  double median = 0.0;
   double p99 = 0.0;
   double least = 0.0;
   double iterations = 0.0;  // mean turns of the distance loop, where it applies

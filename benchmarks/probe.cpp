@@ -50,8 +50,8 @@ std::vector<double> empty_loop_lateness(double duration) {
 }
 
 Figure figure_of(const std::vector<double>& samples, double factor) {
-  return {factor * sample_quantile(samples, 0.5), factor * sample_quantile(samples, 0.99), factor * sample_quantile(samples, 0.999),
-          factor * sample_quantile(samples, 1.0)};
+  return {factor * sample_quantile(samples, 0.5), factor * sample_quantile(samples, 0.99),
+          factor * sample_quantile(samples, 0.999), factor * sample_quantile(samples, 1.0)};
 }
 
 }  // namespace thigma::bench

@@ -10,10 +10,12 @@ namespace thigma::bench {
 /// CPU time of the calling thread [s].
 double thread_cpu();
 
-/// Billions of dependent integer additions a second of CPU time, best of several runs: the clock the code really got.
+/// Billions of dependent integer additions a second of CPU time, best of several runs: the clock
+/// the code really got.
 double dependent_adds();
 
-/// How late an empty 1 kHz loop wakes up over `seconds` [s each], with the scheduling the process has.
+/// How late an empty 1 kHz loop wakes up over `seconds` [s each], with the scheduling the process
+/// has.
 std::vector<double> empty_loop_lateness(double seconds);
 
 /// What is said about many calls, in their unit. What was not measured is absent, never 0.

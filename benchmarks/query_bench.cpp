@@ -11,6 +11,7 @@
 #include "benchmarks/probe.h"
 #include "scenes/make_model.h"
 #include "tests/support/triangle_search.h"
+
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/math/elementary.h"
@@ -31,13 +32,15 @@ Pose find_touch(const Jaws& jaws) {
   ContactSet set;
   set.contacts.reserve(1);
   ContactFront front;
-  double low = 0.0, high = 2.0 * (jaws.upper.radius + jaws.lower.radius);  // in touch at low, apart at high
+  // in touch at low, apart at high
+  double low = 0.0, high = 2.0 * (jaws.upper.radius + jaws.lower.radius);
   const double center = jaws.lower.center.z() - jaws.upper.center.z();
   auto touches = [&](double height) {
     clear(set);
     Pose pose;
     pose.position.z() = center + height;
-    query_contacts(jaws.upper, pose, jaws.lower, Pose{}, {.tolerance = 1e-4 * jaws.radius}, front, set);
+    query_contacts(jaws.upper, pose, jaws.lower, Pose{}, {.tolerance = 1e-4 * jaws.radius}, front,
+                   set);
     return !set.contacts.empty();
   };
   for (int i = 0; i < 40 && high - low > 1e-5 * jaws.radius; ++i) {
@@ -100,7 +103,8 @@ QueryTiming run_path(const Jaws& jaws, int frames, double tolerance, double step
     fronts.push_back(static_cast<double>(set.stats.front));
     timing.contacts += static_cast<double>(set.contacts.size()) / (frames - 1);
     timing.tests += static_cast<double>(set.stats.tests + tracked.tests) / (frames - 1);
-    timing.pair_queries += static_cast<double>(set.stats.pair_queries + tracked.pair_queries) / (frames - 1);
+    timing.pair_queries +=
+        static_cast<double>(set.stats.pair_queries + tracked.pair_queries) / (frames - 1);
     timing.front += fronts.back() / (frames - 1);
   }
   timing.us = figure_of(seconds, 1e6);
@@ -115,7 +119,8 @@ double largest_front(const Jaws& jaws, double tolerance, double step) {
   double largest = 0.0;
   for (int i = 10; i < 100; i += 10) {
     clear(set);
-    query_contacts(jaws.upper, pose_at(jaws, i, 100, step), jaws.lower, Pose{}, {.tolerance = tolerance}, front, set);
+    query_contacts(jaws.upper, pose_at(jaws, i, 100, step), jaws.lower, Pose{},
+                   {.tolerance = tolerance}, front, set);
     largest = std::max(largest, static_cast<double>(set.stats.front));
   }
   return largest;
@@ -131,7 +136,8 @@ std::vector<std::int32_t> patch_of_triangle(const ClodHierarchy& h) {
   for (std::size_t p = 0; p < h.patches.size(); ++p) {
     const ClodPatch& patch = h.patches[p];
     for (std::int32_t t = 0; t < patch.triangle_count; ++t) {
-      of[static_cast<std::size_t>(h.triangle_ids[static_cast<std::size_t>(patch.first_triangle + t)])] =
+      of[static_cast<std::size_t>(
+          h.triangle_ids[static_cast<std::size_t>(patch.first_triangle + t)])] =
           static_cast<std::int32_t>(p);
     }
   }
@@ -146,20 +152,23 @@ struct Truth {
 };
 
 Truth find_truth(const Jaws& jaws, const Pose& pose, double d) {
-  static const std::vector<std::int32_t> of_upper = patch_of_triangle(jaws.upper), of_lower = patch_of_triangle(jaws.lower);
+  static const std::vector<std::int32_t> of_upper = patch_of_triangle(jaws.upper),
+                                         of_lower = patch_of_triangle(jaws.lower);
   static const test::TriangleTree lower = test::build_triangle_tree(jaws.lower_mesh);
   const test::TriangleTree upper = test::build_triangle_tree(jaws.upper_mesh, pose);
   Truth truth;
   for (const test::TrianglePair& pair : test::triangle_pairs_within(upper, lower, d)) {
-    truth.within.insert({of_upper[static_cast<std::size_t>(pair.a)], of_lower[static_cast<std::size_t>(pair.b)]});
+    truth.within.insert(
+        {of_upper[static_cast<std::size_t>(pair.a)], of_lower[static_cast<std::size_t>(pair.b)]});
   }
   truth.least = test::least_triangle_distance(upper, lower);
   return truth;
 }
 
 /// What one frame says about ours and the baseline; recall and errors are gathered in `out`.
-void check_frame(const Jaws& jaws, const Pose& pose, double d, FclPair* fcl, std::vector<double>& baseline_seconds,
-                 std::array<double, 3>& found, JawsComparison& out) {
+void check_frame(const Jaws& jaws, const Pose& pose, double d, FclPair* fcl,
+                 std::vector<double>& baseline_seconds, std::array<double, 3>& found,
+                 JawsComparison& out) {
   const Truth truth = find_truth(jaws, pose, d);
   ContactFront front;
   ContactSet set;
@@ -172,13 +181,15 @@ void check_frame(const Jaws& jaws, const Pose& pose, double d, FclPair* fcl, std
   }
   found[0] += static_cast<double>(truth.within.size());
   const double ours = std::max(0.0, -deepest);
-  if (!set.contacts.empty()) out.error_ours = std::max(out.error_ours, std::fabs(ours - truth.least) / jaws.radius);
+  if (!set.contacts.empty())
+    out.error_ours = std::max(out.error_ours, std::fabs(ours - truth.least) / jaws.radius);
   if (fcl == nullptr) return;
   const double start = thread_cpu();
   const FclDistance theirs = fcl_distance(*fcl, pose);
   baseline_seconds.push_back(thread_cpu() - start);
   found[2] += truth.within.empty() ? 0.0 : 1.0;  // its one pair
-  out.error_baseline = std::max(out.error_baseline, std::fabs(std::max(0.0, theirs.distance) - truth.least) / jaws.radius);
+  out.error_baseline = std::max(
+      out.error_baseline, std::fabs(std::max(0.0, theirs.distance) - truth.least) / jaws.radius);
 }
 
 }  // namespace
@@ -191,7 +202,8 @@ QueryTiming measure_jaws_query(int frames, double tolerance, double step, double
     // A smaller front at the same tolerance is one of coarser jaws.
     Jaws best = make_jaws(4000);
     double reached = largest_front(best, tolerance * best.radius, step);
-    for (int triangles = 6000; reached < 0.9 * front && triangles < 40000; triangles += triangles / 2) {
+    for (int triangles = 6000; reached < 0.9 * front && triangles < 40000;
+         triangles += triangles / 2) {
       best = make_jaws(triangles);
       reached = largest_front(best, tolerance * best.radius, step);
     }
@@ -217,7 +229,8 @@ JawsComparison compare_jaws_query(int frames, int checked, double tolerance, dou
   std::vector<double> seconds;
   std::array<double, 3> found{};  // true pairs, ours, baseline's
   for (int i = 0; i < checked; ++i) {
-    check_frame(jaws, pose_at(jaws, (2 * i + 1) * frames / (2 * checked), frames, step), d, fcl.get(), seconds, found, out);
+    check_frame(jaws, pose_at(jaws, (2 * i + 1) * frames / (2 * checked), frames, step), d,
+                fcl.get(), seconds, found, out);
   }
   if (found[0] > 0.0) {
     out.recall_ours = found[1] / found[0];

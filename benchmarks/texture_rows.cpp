@@ -1,5 +1,5 @@
-// Two plates with three random waves each, pressed together at random poses and slid by 10 um a frame: 40 contacts a frame
-// in turn, warm.
+// Two plates with three random waves each, pressed together at random poses and slid by 10 um a
+// frame: 40 contacts a frame in turn, warm.
 #include "benchmarks/texture_rows.h"
 
 #include <array>
@@ -25,7 +25,8 @@ constexpr double kSlide = 1e-5;  // a frame [m]
 HapticTexture wavy_plate(Random& random, int texels) {
   std::array<Vec3, 3> waves;  // by x and y [1/m], phase [turns]
   for (Vec3& w : waves)
-    w = Vec3(300.0 * random.uniform(-1.0, 1.0), 300.0 * random.uniform(-1.0, 1.0), random.uniform());
+    w = Vec3(300.0 * random.uniform(-1.0, 1.0), 300.0 * random.uniform(-1.0, 1.0),
+             random.uniform());
   const auto height = [&](double x, double y) {
     double sum = 0.0;
     for (const Vec3& w : waves)
@@ -72,8 +73,8 @@ struct Way {
 
 /// Gradients of every contact, contact by contact.
 struct Timing {
-  std::vector<double> seconds;  // of a contact
-  double depth_sum = 0.0;       // of all [m]
+  std::vector<double> seconds;      // of a contact
+  double depth_sum = 0.0;           // of all [m]
   double found = 0.0, nodes = 0.0;  // mean a contact
 };
 
@@ -113,8 +114,8 @@ Row row_of(const std::string& name, const Timing& ours, const std::string& basel
   const auto missed = [&](const Timing& timing) {
     return std::to_string(100.0 * (exact.depth_sum - timing.depth_sum) / (6.0 * kAmplitude));
   };
-  row.note = "per contact; depth lacks " + missed(ours) + " % of the amplitudes on average, the baseline " +
-             missed(theirs) + " %";
+  row.note = "per contact; depth lacks " + missed(ours) +
+             " % of the amplitudes on average, the baseline " + missed(theirs) + " %";
   if (ours.nodes > 0.0)
     row.note += "; " + std::to_string(static_cast<int>(ours.nodes)) + " cells opened";
   return row;
@@ -155,8 +156,9 @@ std::vector<Row> texture_rows(bool quick) {
                                   GradientKind::central_differences}) {
     const Timing scalar = grid(SpanWidth::scalar, kind), widest = grid(SpanWidth::widest, kind);
     if (kind == GradientKind::envelope) plain = scalar;
-    rows.push_back(row_of("texture depth and gradient, 50 x 50, " + std::string(gradient_name(kind)),
-                          widest, "the same, scalar", scalar, exact));
+    rows.push_back(
+        row_of("texture depth and gradient, 50 x 50, " + std::string(gradient_name(kind)), widest,
+               "the same, scalar", scalar, exact));
   }
   rows.push_back(row_of("texture depth and gradient, all texels, warm", exact,
                         "50 x 50, envelope, scalar", plain, exact));
@@ -182,8 +184,7 @@ std::vector<Row> gpu_texture_rows(bool quick) {
       double (*const clock)() = gpu.is_software ? process_cpu_seconds : steady;
       row.ours = figure_of(time_frames(*contacts, count, *gpu.backend, kind, frames, clock), 1e6);
       row.baseline = "scalar, one core";
-      row.theirs =
-          figure_of(time_frames(*contacts, count, *scalar, kind, frames, thread_cpu), 1e6);
+      row.theirs = figure_of(time_frames(*contacts, count, *scalar, kind, frames, thread_cpu), 1e6);
       row.contacts_ours = row.contacts_baseline = count;
       row.note = gpu.renderer + (gpu.is_software ? ", software: CPU time of all its threads"
                                                  : ": time from the call to the result");

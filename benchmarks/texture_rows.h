@@ -7,7 +7,8 @@
 
 namespace thigma::bench {
 
-/// On the processor, per contact; and on a graphics processor where there is one, per frame over the number of contacts.
+/// On the processor, per contact; and on a graphics processor where there is one, per frame over
+/// the number of contacts.
 std::vector<Row> texture_rows(bool quick);
 std::vector<Row> gpu_texture_rows(bool quick);
 

@@ -8,12 +8,12 @@
 namespace thigma::scenes {
 
 inline constexpr double kJointRadius = 0.025;  // of the ball [m]
-inline constexpr double kJointClearance =
-    0.0005;                                     // between ball and socket, without their relief [m]
+// between ball and socket, without their relief [m]
+inline constexpr double kJointClearance = 0.0005;
 inline constexpr double kConformingGap = 1e-4;  // between the wavy discs, upwards [m]
 
-/// Ball with a stem up +z, and the socket that holds its lower part; both centred in the ball, in one
-/// frame, both with a fine relief. Closed, genus 0, [m].
+/// Ball with a stem up +z, and the socket that holds its lower part; both centred in the ball, in
+/// one frame, both with a fine relief. Closed, genus 0, [m].
 TriangleMesh make_joint_ball(int triangles, std::uint64_t seed);
 TriangleMesh make_joint_socket(int triangles, std::uint64_t seed);
 

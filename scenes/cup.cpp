@@ -192,8 +192,8 @@ void add_handle(TriangleMesh& mesh, const std::vector<Ring>& rings, const CupPla
       for (int j = 0; j < n; ++j) {
         const Vec2& s = places[j];
         const Vec3& at_rim = mesh.positions[rim[j]];
-        const double turn =
-            near_start ? 1.0 : -1.0;  // the way goes out at the start and in at the end
+        // the way goes out at the start and in at the end
+        const double turn = near_start ? 1.0 : -1.0;
         const double across = at_rim.y();
         const double up = turn * (at_rim.z() - origin.y());
         const double ahead = turn * (at_rim.x() - origin.x());

@@ -18,7 +18,8 @@ FineGrid::FineGrid(const TexturedSheet& sheet)
 const Vec3& FineGrid::corner(int i, int j) const {
   i = (i % around_ + around_) % around_;
   if (is_ring_) j = (j % along_ + along_) % along_;
-  return corners_[static_cast<std::size_t>(j) * static_cast<std::size_t>(around_) + static_cast<std::size_t>(i)];
+  return corners_[static_cast<std::size_t>(j) * static_cast<std::size_t>(around_) +
+                  static_cast<std::size_t>(i)];
 }
 
 namespace {
@@ -44,7 +45,8 @@ CellPlace cell_place(const Vec2& cells, int along, bool is_ring) {
 Vec3 FineGrid::at(const Vec2& uv) const {
   const CellPlace c = cell_place(Vec2(uv.x() * around_, uv.y() * along_), along_, is_ring_);
   const Vec3 &origin = corner(c.i, c.j), &far = corner(c.i + 1, c.j + 1);
-  // At a pole a cell is one triangle; its two rows of corners are told apart by the place along them.
+  // At a pole a cell is one triangle; its two rows of corners are told apart by the place along
+  // them.
   if (c.a >= c.b) {
     const Vec3& side = corner(c.i + 1, c.j);
     return origin + c.a * (side - origin) + c.b * (far - side);
@@ -53,32 +55,38 @@ Vec3 FineGrid::at(const Vec2& uv) const {
   return origin + c.b * (side - origin) + c.a * (far - side);
 }
 
-Vec3 FineGrid::along(const Vec3& point, const Vec3& direction, const Vec2& start, const Vec3& other) const {
+Vec3 FineGrid::along(const Vec3& point, const Vec3& direction, const Vec2& start,
+                     const Vec3& other) const {
   constexpr int kMostSteps = 40;
   constexpr double kLongest = 8.0, kSlack = 1e-9;  // cells
   const double reach = 2.0 * (other - point).norm();
   Vec2 cells(start.x() * around_, start.y() * along_);
   for (int step = 0; step < kMostSteps; ++step) {
     const CellPlace c = cell_place(cells, along_, is_ring_);
-    if (!is_ring_ && (c.j == 0 || c.j == along_ - 1)) return other;  // triangles of a pole have no (u, v) to walk by
+    // triangles of a pole have no (u, v) to walk by
+    if (!is_ring_ && (c.j == 0 || c.j == along_ - 1)) return other;
     const bool is_low = c.a >= c.b;
     const Vec3 &origin = corner(c.i, c.j), &far = corner(c.i + 1, c.j + 1);
     const Vec3& side = is_low ? corner(c.i + 1, c.j) : corner(c.i, c.j + 1);
     Mat3 columns;  // by a, by b, minus the way along the line
-    columns << (is_low ? side - origin : far - side), (is_low ? far - side : side - origin), -direction;
+    columns << (is_low ? side - origin : far - side), (is_low ? far - side : side - origin),
+        -direction;
     const double area = columns.determinant();
     if (area == 0.0) return other;
     const Vec3 found = columns.inverse() * (point - origin);
-    const bool is_inside = found.x() >= -kSlack && found.y() >= -kSlack && found.x() <= 1.0 + kSlack &&
-                           found.y() <= 1.0 + kSlack &&
-                           (is_low ? found.x() >= found.y() - kSlack : found.y() >= found.x() - kSlack);
+    const bool is_inside =
+        found.x() >= -kSlack && found.y() >= -kSlack && found.x() <= 1.0 + kSlack &&
+        found.y() <= 1.0 + kSlack &&
+        (is_low ? found.x() >= found.y() - kSlack : found.y() >= found.x() - kSlack);
     if (is_inside) {
       const bool faces_along = columns.col(0).cross(columns.col(1)).dot(direction) > 0.0;
-      return faces_along && std::fabs(found.z()) <= reach ? Vec3(point + found.z() * direction) : other;
+      return faces_along && std::fabs(found.z()) <= reach ? Vec3(point + found.z() * direction)
+                                                          : other;
     }
     const Vec2 to(c.i + found.x(), c.j + found.y());
     const Vec2 way = to - cells;
-    // Over the edge, so that the next triangle is another one; shorter and shorter where it goes to and fro.
+    // Over the edge, so that the next triangle is another one; shorter and shorter where it goes to
+    // and fro.
     const double longest = step < kMostSteps / 2 ? kLongest : 0.5;
     const double length = way.norm();
     cells += way * std::min(1.0 + 1e-6, longest / std::max(length, 1e-12));

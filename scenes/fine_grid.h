@@ -15,10 +15,12 @@ class FineGrid {
   /// The point of (u, v); u of any number of turns, v in [0, 1] [m].
   Vec3 at(const Vec2& uv) const;
 
-  /// Where the line through a point meets a triangle that faces along `direction`, walking from triangle to triangle.
+  /// Where the line through a point meets a triangle that faces along `direction`, walking from
+  /// triangle to triangle.
   ///
   /// start   (u, v) to walk from
-  /// other   what to return where the walk finds none, or only one more than twice as far away as this
+  /// other   what to return where the walk finds none, or only one more than twice as far away as
+  ///         this
   Vec3 along(const Vec3& point, const Vec3& direction, const Vec2& start, const Vec3& other) const;
 
  private:

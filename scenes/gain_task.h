@@ -26,8 +26,8 @@ DevicePort describe_device(const std::string& uri);
 GainTask gain_task(const DevicePort& port, const RigidBody& body, const Workspace& workspace,
                    double rate);
 
-/// Fills in what a scene leaves open of coupling and contact: proposed stiffnesses with their critical dampings, and
-/// where the springs level off. What the scene says stays.
+/// Fills in what a scene leaves open of coupling and contact: proposed stiffnesses with their
+/// critical dampings, and where the springs level off. What the scene says stays.
 void fill_gains(const GainProposal& proposal, SceneDescription& scene);
 
 }  // namespace thigma::scenes

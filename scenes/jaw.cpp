@@ -31,8 +31,8 @@ constexpr double kBaseShare = 0.3;  // density of vertices on the underside agai
 /// How dense vertices should lie: lengths of surface over the floor plan, averaged.
 struct Density {
   std::vector<double> along;  // kTableRows: at s = length (i + 0.5) / kTableRows
-  std::vector<std::vector<double>>
-      across;  // same rows; over u = t / half_width in -1..1, smoothed along the arch
+  // same rows; over u = t / half_width in -1..1, smoothed along the arch
+  std::vector<std::vector<double>> across;
 };
 
 double stretch(double slope) {

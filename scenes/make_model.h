@@ -14,8 +14,8 @@ namespace thigma::scenes {
 struct ModelRequest {
   std::string name;   // one of model_names()
   int triangles = 0;  // wished count; 0 = the model's own default
-  std::uint64_t seed =
-      1;  // of the models that vary: jaws, joint, golf club, conforming discs; others ignore it
+  // of the models that vary: jaws, joint, golf club, conforming discs; others ignore it
+  std::uint64_t seed = 1;
 };
 
 /// A model that can be made.
@@ -31,8 +31,8 @@ const std::vector<ModelInfo>& models();
 
 /// Makes a model: closed, oriented, without self-intersections, in metres.
 ///
-/// The count is met within 1 % from 2,000 triangles upwards (the nearest the construction allows below).
-/// Same request, same bytes, on every machine.
+/// The count is met within 1 % from 2,000 triangles upwards (the nearest the construction allows
+/// below). Same request, same bytes, on every machine.
 /// Thread    [offline]; InputError for an unknown name or a count out of range.
 TriangleMesh make_model(const ModelRequest& request);
 

@@ -14,9 +14,9 @@ TriangleMesh make_cylinder_near(double radius, double height, int triangles);
 TriangleMesh make_cone_near(double radius, double height, int triangles);
 TriangleMesh make_torus_near(double major_radius, double minor_radius, int triangles);
 
-TriangleMesh make_gear(int triangles);  // 20 teeth, 50 mm across, 8 mm thick, bore 10 mm; genus 1
+TriangleMesh make_gear(int triangles);   // 20 teeth, 50 mm across, 8 mm thick, bore 10 mm; genus 1
 TriangleMesh make_probe(int triangles);  // 20 mm thick, 100 mm long, axis z, below a half ball
-TriangleMesh make_peg(int triangles);   // 16 mm thick, 50 mm long, axis z, chamfered below
+TriangleMesh make_peg(int triangles);    // 16 mm thick, 50 mm long, axis z, chamfered below
 TriangleMesh make_hole(
     int triangles);  // square block 50 mm wide, 20 mm high, with a hole of 16.4 mm along z; genus 1
 

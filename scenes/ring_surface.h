@@ -30,11 +30,11 @@ void add_line(std::vector<ProfilePoint>& profile, const Vec2& from, const Vec2& 
 
 /// Turns a profile into rings whose vertex counts follow their length, and joins neighbours.
 ///
-/// profile    from the axis to the axis, counter-clockwise about the solid: from its bottom outwards;
-///            finer than the edges asked for
+/// profile    from the axis to the axis, counter-clockwise about the solid: from its bottom
+///            outwards; finer than the edges asked for
 /// triangles  met exactly where even (one less where odd), from a few hundred upwards
-/// place      where the surface is, for a point of the profile and a turn about z; small changes only,
-///            or such that no two triangles cross
+/// place      where the surface is, for a point of the profile and a turn about z; small changes
+///            only, or such that no two triangles cross
 /// Thread     [offline]
 TriangleMesh make_ring_surface(
     const std::vector<ProfilePoint>& profile, int triangles,
@@ -43,7 +43,8 @@ TriangleMesh make_ring_surface(
 /// The place of a turned profile itself, moved along its normal.
 Vec3 turned_place(const ProfilePoint& at, const SinCos& turn, double outwards = 0.0);
 
-/// A relief: the sum of plane waves of random directions, smooth and the same at any triangle count.
+/// A relief: the sum of plane waves of random directions, smooth and the same at any triangle
+/// count.
 struct WaveRelief {
   std::vector<Vec3> wave;     // [rad/m]
   std::vector<double> phase;  // [rad]

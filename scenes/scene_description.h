@@ -25,8 +25,8 @@ struct SceneObject {
   bool is_textured = false;           // `mesh` is a .tex file or, with the next, procedural
   std::optional<TexturedRequest> textured_model;
   std::string level_textures;  // path of the .tex file over the levels of `mesh`; empty: none
-  double unit_scale = 1.0;            // metres per unit of the mesh, > 0
-  Pose world_from_mesh;               // of the scaled mesh
+  double unit_scale = 1.0;     // metres per unit of the mesh, > 0
+  Pose world_from_mesh;        // of the scaled mesh
   bool has_relief() const { return is_textured || !level_textures.empty(); }
 };
 
@@ -37,9 +37,10 @@ struct ContactGains {
   std::optional<double> damping_ratio;  // b = 2 ratio sqrt(k m)
   std::optional<double> tolerance;      // d [m]
   int max_clusters = 5;                 // K
-  bool is_shared =
-      true;  // k and b belong to the contact as a whole; false: to each cluster, as in Eq. 5.37
-  bool is_spread = true;  // contacts of large patches over the area these share; false: one point a pair
+  // k and b belong to the contact as a whole; false: to each cluster, as in Eq. 5.37
+  bool is_shared = true;
+  // contacts of large patches over the area these share; false: one point a pair
+  bool is_spread = true;
   Resolution resolution{.is_exact = false};  // levels of detail at s0 = 2.5 %
   ResponseKind response = ResponseKind::coupled;
   TextureParams texture;  // how relief is looked for
@@ -51,8 +52,8 @@ struct CouplingGains {
   std::optional<double> linear_damping;     // b_c [N s/m]; otherwise from damping_ratio
   std::optional<double> angular_stiffness;  // k_theta [N m/rad]
   std::optional<double> angular_damping;    // b_theta [N m s/rad]; otherwise from damping_ratio
-  std::optional<double>
-      damping_ratio;                 // b_c = 2 ratio sqrt(k_c m), b_theta = 2 ratio sqrt(k_theta I)
+  // b_c = 2 ratio sqrt(k_c m), b_theta = 2 ratio sqrt(k_theta I)
+  std::optional<double> damping_ratio;
   std::optional<double> max_force;   // where the linear spring levels off [N; virtual]
   std::optional<double> max_torque;  // and the angular one [N m; virtual]
   bool is_saturated = true;          // false: springs stay linear
@@ -64,8 +65,8 @@ struct DeviceChoice {
   std::optional<double> motion_scale;  // s [virtual m / device m]
   std::optional<double> force_scale;   // f [device N / virtual N]; otherwise 1 / s
   Pose world_from_device;
-  std::optional<Vec3>
-      approach;  // from the object towards the scene [world]; otherwise along the closest points
+  // from the object towards the scene [world]; otherwise along the closest points
+  std::optional<Vec3> approach;
   GraspPlace grasp_place = GraspPlace::grasp_point;
   double turn_rate = kButtonTurnRate;  // [rad/s]
 };
@@ -77,8 +78,8 @@ struct SceneDescription {
   SceneObject object;                // the grasped one
   std::vector<SceneObject> statics;  // in contact order: body 0, 1, ...
   std::optional<double> mass;        // of the object [kg]
-  std::optional<double>
-      density;  // instead of mass, for closed meshes [kg/m^3]; neither: kDefaultMass
+  // instead of mass, for closed meshes [kg/m^3]; neither: kDefaultMass
+  std::optional<double> density;
   std::optional<Vec3> grasp_point;  // [m; scaled mesh frame]; otherwise the centre of mass
   Vec3 gravity = Vec3::Zero();      // [m/s^2; world]
   bool has_auto_gains = false;      // gains that are not set follow from the device (docs/gains.md)
@@ -86,9 +87,9 @@ struct SceneDescription {
   CouplingGains coupling;
   DeviceChoice device;
   SafetyLimits safety;
-  bool is_strict = false;  // late frames are faults even where the device holds nobody
-  bool is_passive = false;                     // with the passivity controller
-  double rate = 1000.0;                        // of haptic frames [Hz]
+  bool is_strict = false;   // late frames are faults even where the device holds nobody
+  bool is_passive = false;  // with the passivity controller
+  double rate = 1000.0;     // of haptic frames [Hz]
   int contact_every = 1, contact_latency = 1;  // lockstep, see SessionConfig
 };
 
@@ -134,10 +135,10 @@ DefaultGains default_gains(double radius);
 /// the caller's to add.
 ///
 /// Body axes are the mesh's, the origin is the centre of mass: haptic.body, contact.body_from_mesh,
-/// world_from_body. With has_auto_gains, gains left open follow from the device of the scene's address, the object
-/// and the rate (dynamics/gains.h); otherwise from the object's size.
-/// errors    InputError: density of an open mesh, a mesh without volume, gains that contradict each other; with
-///           has_auto_gains also DeviceAddressError and DeviceUnavailable
+/// world_from_body. With has_auto_gains, gains left open follow from the device of the scene's
+/// address, the object and the rate (dynamics/gains.h); otherwise from the object's size.
+/// errors    InputError: density of an open mesh, a mesh without volume, gains that contradict each
+///           other; with has_auto_gains also DeviceAddressError and DeviceUnavailable
 /// Thread    [offline]
 SessionConfig make_session_config(const SceneDescription& scene, const LoadedObject& object);
 

@@ -50,7 +50,8 @@ void resolve_model(const TomlTable& table, const char* key, const std::string& u
 }
 
 /// A file the scene names, relative to it.
-std::string resolve_file(const TomlTable& table, const char* key, const std::string& given, const std::string& folder) {
+std::string resolve_file(const TomlTable& table, const char* key, const std::string& given,
+                         const std::string& folder) {
   const fs::path named(given);
   const fs::path path = named.is_absolute() || folder.empty() ? named : fs::path(folder) / named;
   std::error_code error;
@@ -68,7 +69,8 @@ SceneObject resolve_object(const TomlTable& table, const ObjectKeys& keys,
     table.fail_here("no mesh", "expected mesh = \"FILE\" or \"procedural:NAME\", or a texture");
   if (keys.mesh && keys.texture) {
     if (is_model_uri(*keys.texture))
-      table.fail("texture", "stands beside mesh", "expected a .tex file of its levels there, or one of the two");
+      table.fail("texture", "stands beside mesh",
+                 "expected a .tex file of its levels there, or one of the two");
     object.level_textures = resolve_file(table, "texture", *keys.texture, folder);
   }
   object.is_textured = !keys.mesh;
@@ -266,7 +268,7 @@ SceneDescription parse_scene(std::string_view text, const std::string& file,
   if (auto table = top.table("safety")) read_safety(*table, scene);
   if (auto table = top.table("solver")) read_solver(*table, scene);
   top.table("simulation");  // read by simulated_body.h
-  top.finish();  // before what is missing: a misspelt [object] is named as such
+  top.finish();             // before what is missing: a misspelt [object] is named as such
   if (!object) top.fail_here("no [object]", "expected the grasped object as a table [object]");
   read_grasped(*object, folder, scene);
   for (TomlTable& table : statics) {

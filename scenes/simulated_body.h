@@ -19,8 +19,10 @@ struct SimulatedBody {
   CollisionLaw law;              // of all surfaces
   Vec3 velocity = Vec3::Zero();  // at the start [m/s; world]
   Vec3 spin = Vec3::Zero();      // at the start [rad/s; world]
-  double scatter = 0.0;          // the seed moves the start by up to this along each axis, and turns it as far [m]
-  bool has_tolerance = false;    // [contact] names one; otherwise it is a thousandth of the smaller radius
+  // the seed moves the start by up to this along each axis, and turns it as far [m]
+  double scatter = 0.0;
+  // [contact] names one; otherwise it is a thousandth of the smaller radius
+  bool has_tolerance = false;
 };
 
 /// [simulation] of a scene, if it has one; path as for read_scene, which has to take the scene.
@@ -30,10 +32,12 @@ std::optional<SimulatedBody> read_simulated_body(const std::string& path);
 /// The same from text.
 std::optional<SimulatedBody> parse_simulated_body(std::string_view text, const std::string& file);
 
-/// What is simulated, of the session of the same scene: body, hierarchies, poses, tolerance, resolution (without blending).
+/// What is simulated, of the session of the same scene: body, hierarchies, poses, tolerance,
+/// resolution (without blending).
 SimulationWorld simulation_world(const SimulatedBody& body, const SessionConfig& config);
 
 /// Where it starts: the session's pose, scattered.
-SimulationState simulation_start(const SimulatedBody& body, const SessionConfig& config, std::uint64_t seed);
+SimulationState simulation_start(const SimulatedBody& body, const SessionConfig& config,
+                                 std::uint64_t seed);
 
 }  // namespace thigma::scenes

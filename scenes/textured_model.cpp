@@ -39,7 +39,8 @@ const TexturedInfo& find_model(std::string_view name, const std::string& where) 
   std::string all;
   for (const std::string& known : names()) all += " " + known;
   throw InputError(where + ": no procedural texture '" + std::string(name.substr(0, 60)) +
-                   "', expected " + (nearest.empty() ? "" : "'" + nearest + "', ") + "one of" + all);
+                   "', expected " + (nearest.empty() ? "" : "'" + nearest + "', ") + "one of" +
+                   all);
 }
 
 void check_texels(int texels, const std::string& where) {
@@ -85,7 +86,8 @@ HapticTexture make_textured_model(const TexturedRequest& request) {
   const int texels = request.texels == 0 ? info.texels : request.texels;
   check_texels(texels, "texture");
   if (request.name == "ridged_plate") return make_ridged_plate(texels);
-  // Stripes along y. Turned over about y, x becomes -x: two such blocks lie in each other because a profile is odd.
+  // Stripes along y. Turned over about y, x becomes -x: two such blocks lie in each other because a
+  // profile is odd.
   if (request.name == "striped_block")
     return make_block([](double turns) { return sine(2.0 * kPi * turns); }, texels, request.name);
   if (request.name == "ridged_block")

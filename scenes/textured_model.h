@@ -15,7 +15,8 @@ namespace thigma::scenes {
 /// What to make.
 struct TexturedRequest {
   std::string name;  // one of textured_models()
-  int texels = 0;    // along a side of the map, of sheets the root of all texels; 0 = the model's own default
+  // along a side of the map, of sheets the root of all texels; 0 = the model's own default
+  int texels = 0;
 };
 
 struct TexturedInfo {
@@ -37,7 +38,8 @@ HapticTexture make_textured_model(const TexturedRequest& request);
 /// Thread  [offline]; InputError names what is wrong and the nearest right name or key.
 TexturedRequest parse_textured_uri(std::string_view uri, const std::string& where);
 
-/// A box of 16 triangles, its top and bottom as fans around their middles, centred at the origin, with relief on top.
+/// A box of 16 triangles, its top and bottom as fans around their middles, centred at the origin,
+/// with relief on top.
 ///
 /// size     [m]
 /// texels   along each side of the top, 16 to 8192
@@ -49,8 +51,8 @@ struct TexturedSlab {
 };
 TextureSource make_textured_slab(const TexturedSlab& slab);
 
-/// The block of Fig. 4.11, 80 x 60 x 20 mm, with ridges of a profile across x, 2 mm high and 10 mm apart.
-/// Thread [offline].
+/// The block of Fig. 4.11, 80 x 60 x 20 mm, with ridges of a profile across x, 2 mm high and 10 mm
+/// apart. Thread [offline].
 HapticTexture make_block(const RidgeProfile& ridges, int texels, const std::string& name);
 
 }  // namespace thigma::scenes

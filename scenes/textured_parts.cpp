@@ -52,14 +52,16 @@ struct Cells {
   int around = 0, along = 0;
 };
 
-/// A sheet over point(u, v, is_rough), the surface with and without relief. Its coarse corners lie off the smooth one by a
-/// share of the relief, as those of a simplified scan do: about as far from convex as the text's coarse models.
+/// A sheet over point(u, v, is_rough), the surface with and without relief. Its coarse corners lie
+/// off the smooth one by a share of the relief, as those of a simplified scan do: about as far from
+/// convex as the text's coarse models.
 template <class Point>
 TexturedSheet sheet_of(const Point& point, Cells coarse, Cells fine) {
   TexturedSheet sheet;
   sheet.fine = [point](double u, double v) { return point(u, v, true); };
   sheet.smooth = [point](double u, double v) { return point(u, v, false); };
-  // Any share makes as many patches; the more, the farther corners are from where the fine surface is on average.
+  // Any share makes as many patches; the more, the farther corners are from where the fine surface
+  // is on average.
   sheet.coarse = [point](double u, double v) {
     constexpr double kShare = 0.2;
     const Vec3 smooth = point(u, v, false), rough = point(u, v, true);
@@ -80,7 +82,8 @@ TexturedSheet file_sheet() {
     const Vec2 at = s.width * box_section(u, 0.011, 0.003);
     if (!is_rough) return Vec3(at.x(), at.y(), s.z);
     const double across = at.x() / 0.003, along = s.z / 0.003;
-    const double cut = 0.5 * (sine(kTurn * (along + across)) + sine(kTurn * (along - 0.7 * across)));
+    const double cut =
+        0.5 * (sine(kTurn * (along + across)) + sine(kTurn * (along - 0.7 * across)));
     const double side = std::clamp(at.y() / 0.003, -1.0, 1.0);
     return Vec3(at.x(), at.y() + 1.5e-4 * cut * side * away_from_poles(v, 40), s.z);
   };
@@ -90,7 +93,7 @@ TexturedSheet file_sheet() {
 /// Flange with a boss, 100 x 100 x 45 mm, rough all over: waves of 5 mm, 0.3 mm high.
 TexturedSheet cad_sheet() {
   const std::vector<Station> stations = {
-      {0.0, 0.0},    {0.35, 0.0},   {0.7, 0.0},    {0.97, 0.0},  {1.0, 0.004}, {1.0, 0.012},
+      {0.0, 0.0},    {0.35, 0.0},   {0.7, 0.0},    {0.97, 0.0},   {1.0, 0.004},  {1.0, 0.012},
       {1.0, 0.021},  {0.97, 0.025}, {0.80, 0.025}, {0.63, 0.025}, {0.48, 0.026}, {0.44, 0.030},
       {0.42, 0.037}, {0.40, 0.044}, {0.36, 0.046}, {0.18, 0.046}, {0.0, 0.046}};
   const auto point = [stations](double u, double v, bool is_rough) {
@@ -129,12 +132,12 @@ TexturedSheet bar_sheet(const std::vector<Station>& stations, double radius, int
 
 /// Head of 90 x 30 mm across a handle of 220 mm: two components.
 std::vector<TexturedSheet> hammer_sheets() {
-  const std::vector<Station> head = {{0.0, -0.045}, {0.5, -0.045}, {0.9, -0.043}, {1.0, -0.038},
-                                     {0.95, -0.012}, {0.95, 0.012}, {1.0, 0.038}, {0.9, 0.043},
-                                     {0.0, 0.045}};
-  const std::vector<Station> handle = {{0.0, -0.220}, {0.9, -0.220}, {1.0, -0.190}, {0.9, -0.140},
-                                       {0.85, -0.100}, {0.8, -0.060}, {0.8, -0.030}, {0.8, 0.018},
-                                       {0.0, 0.018}};
+  const std::vector<Station> head = {{0.0, -0.045}, {0.5, -0.045},  {0.9, -0.043},
+                                     {1.0, -0.038}, {0.95, -0.012}, {0.95, 0.012},
+                                     {1.0, 0.038},  {0.9, 0.043},   {0.0, 0.045}};
+  const std::vector<Station> handle = {{0.0, -0.220}, {0.9, -0.220},  {1.0, -0.190},
+                                       {0.9, -0.140}, {0.85, -0.100}, {0.8, -0.060},
+                                       {0.8, -0.030}, {0.8, 0.018},   {0.0, 0.018}};
   return {bar_sheet(head, 0.015, 0, Vec3::Zero(), 2e-4),
           bar_sheet(handle, 0.010, 2, Vec3::Zero(), 3e-4)};
 }
@@ -158,7 +161,8 @@ TexturedSheet make_gear_sheet(const RidgeProfile& teeth) {
   constexpr double kHalfWidth = 0.012, kTooth = 0.5 * kRidgeHeight;
   constexpr int kTeeth = 25, kRows = 5;  // of the rim
   constexpr double kRadius = kTeeth * kRidgePitch / kTurn, kRoot = (kRadius - kTooth) / kRadius;
-  // The teeth rise from the root over the first and last row of the rim: no edge of the coarse wheel lies under relief.
+  // The teeth rise from the root over the first and last row of the rim: no edge of the coarse
+  // wheel lies under relief.
   std::vector<Station> stations = {{0.0, -kHalfWidth}, {0.33, -kHalfWidth}, {0.66, -kHalfWidth}};
   for (int i = 0; i <= kRows; ++i)
     stations.push_back({i == 0 || i == kRows ? kRoot : 1.0, kHalfWidth * (2.0 * i / kRows - 1.0)});

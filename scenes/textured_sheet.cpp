@@ -46,7 +46,8 @@ SheetCorners add_corners(const Point& point, bool is_ring, int around, int along
   return corners;
 }
 
-/// Which triangle of a cell a place within it lies on: 0 below the diagonal, 1 above it; at a pole the only one.
+/// Which triangle of a cell a place within it lies on: 0 below the diagonal, 1 above it; at a pole
+/// the only one.
 int half_of(const TexturedSheet& sheet, int j, const Vec2& in_cell) {
   if (!sheet.is_ring && j == 0) return 1;
   if (!sheet.is_ring && j == sheet.along - 1) return 0;
@@ -71,13 +72,15 @@ double from_pole(const TexturedSheet& sheet, int j, double along) {
   return j == 0 ? along : j == sheet.along - 1 ? 1.0 - along : 1.0;
 }
 
-/// The place on the triangle of a cell at a pole that is nearest along the row: beside it texels continue its edge.
+/// The place on the triangle of a cell at a pole that is nearest along the row: beside it texels
+/// continue its edge.
 Vec2 on_triangle(const TexturedSheet& sheet, int j, const Vec2& in_cell) {
   const double half = 0.5 * from_pole(sheet, j, in_cell.y());
   return {std::clamp(in_cell.x(), 0.5 - half, 0.5 + half), in_cell.y()};
 }
 
-/// The parameters that belong to a place on a triangle: towards a pole it narrows, the sheet does not.
+/// The parameters that belong to a place on a triangle: towards a pole it narrows, the sheet does
+/// not.
 Vec2 parameters(const TexturedSheet& sheet, int i, int j, const Vec2& in_cell) {
   const double width = from_pole(sheet, j, in_cell.y());
   const double x = width > 0.0 ? 0.5 + (in_cell.x() - 0.5) / width : 0.5;
@@ -86,7 +89,8 @@ Vec2 parameters(const TexturedSheet& sheet, int i, int j, const Vec2& in_cell) {
 
 /// Where a chart lies in the map: cells have texels by their size.
 struct Chart {
-  std::vector<int> columns, rows;  // where each coarse cell starts, and where the last one ends [texels]
+  // where each coarse cell starts, and where the last one ends [texels]
+  std::vector<int> columns, rows;
   int first_row = 0;
   int width() const { return columns.back() + 1 + 2 * kGutter; }
   int height() const { return rows.back() + 1 + 2 * kGutter; }
@@ -104,8 +108,11 @@ struct CellSizes {
 
 CellSizes cell_sizes(const TexturedSheet& sheet) {
   TriangleMesh mesh;
-  const SheetCorners corners = add_corners(sheet.coarse, sheet.is_ring, sheet.around, sheet.along, mesh);
-  const auto point = [&](int i, int j) { return mesh.positions[static_cast<std::size_t>(corners.at(i, j))]; };
+  const SheetCorners corners =
+      add_corners(sheet.coarse, sheet.is_ring, sheet.around, sheet.along, mesh);
+  const auto point = [&](int i, int j) {
+    return mesh.positions[static_cast<std::size_t>(corners.at(i, j))];
+  };
   CellSizes sizes{std::vector<double>(static_cast<std::size_t>(sheet.around), 0.0),
                   std::vector<double>(static_cast<std::size_t>(sheet.along), 0.0)};
   for (int j = 0; j <= sheet.along; ++j) {
@@ -125,7 +132,8 @@ Chart chart_of(const CellSizes& sizes, double texel) {
   const auto starts = [&](const std::vector<double>& lengths) {
     std::vector<int> at = {0};
     for (const double length : lengths)
-      at.push_back(at.back() + static_cast<int>(std::ceil(std::clamp(length / texel, kLeast, kMost))));
+      at.push_back(at.back() +
+                   static_cast<int>(std::ceil(std::clamp(length / texel, kLeast, kMost))));
     return at;
   };
   return {starts(sizes.columns), starts(sizes.rows), 0};
@@ -135,7 +143,8 @@ Chart chart_of(const CellSizes& sizes, double texel) {
 std::pair<int, double> cell_at(const std::vector<int>& starts, int texel) {
   const auto next = std::upper_bound(starts.begin() + 1, starts.end() - 1, texel);
   const int low = *(next - 1), high = *next;
-  return {static_cast<int>(next - starts.begin()) - 1, static_cast<double>(texel - low) / (high - low)};
+  return {static_cast<int>(next - starts.begin()) - 1,
+          static_cast<double>(texel - low) / (high - low)};
 }
 
 /// A sheet while its texels are filled.
@@ -146,14 +155,18 @@ struct SheetBake {
   std::vector<Vec3> normals;  // of the vertices of the coarse surface, by area
 };
 
-std::vector<Vec3> vertex_normals(const TexturedSheet& sheet, const SheetCorners& corners, const TriangleMesh& coarse) {
+std::vector<Vec3> vertex_normals(const TexturedSheet& sheet, const SheetCorners& corners,
+                                 const TriangleMesh& coarse) {
   std::vector<Vec3> normals(coarse.positions.size(), Vec3::Zero());
   for (int j = 0; j < sheet.along; ++j) {
     for (int i = 0; i < sheet.around; ++i) {
-      const bool is_low = !sheet.is_ring && j == 0, is_high = !sheet.is_ring && j == sheet.along - 1;
+      const bool is_low = !sheet.is_ring && j == 0,
+                 is_high = !sheet.is_ring && j == sheet.along - 1;
       for (int half = is_low ? 1 : 0; half < (is_high ? 1 : 2); ++half) {
         const std::array<std::int32_t, 3> t = triangle_of(corners, i, j, half);
-        const auto p = [&](std::size_t k) { return coarse.positions[static_cast<std::size_t>(t[k])]; };
+        const auto p = [&](std::size_t k) {
+          return coarse.positions[static_cast<std::size_t>(t[k])];
+        };
         const Vec3 normal = (p(1) - p(0)).cross(p(2) - p(0));
         for (const std::int32_t k : t) normals[static_cast<std::size_t>(k)] += normal;
       }
@@ -164,12 +177,13 @@ std::vector<Vec3> vertex_normals(const TexturedSheet& sheet, const SheetCorners&
   return normals;
 }
 
-Texel texel_of(const SheetBake& bake, const TriangleMesh& coarse, const Chart& chart, int column, int row) {
+Texel texel_of(const SheetBake& bake, const TriangleMesh& coarse, const Chart& chart, int column,
+               int row) {
   const TexturedSheet& sheet = bake.sheet;
   const int wide = chart.columns.back(), high = chart.rows.back();
   const int x = ((column - kGutter) % wide + wide) % wide;
-  const int y = sheet.is_ring ? ((row - kGutter) % high + high) % high
-                              : std::clamp(row - kGutter, 0, high);
+  const int y =
+      sheet.is_ring ? ((row - kGutter) % high + high) % high : std::clamp(row - kGutter, 0, high);
   const auto [i, in_x] = cell_at(chart.columns, x);
   const auto [j, in_y] = cell_at(chart.rows, y);
   const Vec2 in_cell = on_triangle(sheet, j, {in_x, in_y});
@@ -180,13 +194,17 @@ Texel texel_of(const SheetBake& bake, const TriangleMesh& coarse, const Chart& c
   edges << at[1] - at[0], at[2] - at[0];
   const Vec2 weights = edges.inverse() * (in_cell - at[0]);
   const auto blend = [&](const std::vector<Vec3>& of) -> Vec3 {
-    const auto corner = [&](std::size_t k) -> const Vec3& { return of[static_cast<std::size_t>(t[k])]; };
-    return corner(0) + weights.x() * (corner(1) - corner(0)) + weights.y() * (corner(2) - corner(0));
+    const auto corner = [&](std::size_t k) -> const Vec3& {
+      return of[static_cast<std::size_t>(t[k])];
+    };
+    return corner(0) + weights.x() * (corner(1) - corner(0)) +
+           weights.y() * (corner(2) - corner(0));
   };
   const Vec3 on_coarse = blend(coarse.positions);
   const Vec2 uv = parameters(sheet, i, j, in_cell);
   const Vec3 paired = bake.fine.at(uv);
-  const Vec3 fine = sheet.is_paired ? paired : bake.fine.along(on_coarse, blend(bake.normals), uv, paired);
+  const Vec3 fine =
+      sheet.is_paired ? paired : bake.fine.along(on_coarse, blend(bake.normals), uv, paired);
   const Vec3 d = fine - on_coarse;
   return {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())};
 }
@@ -196,7 +214,8 @@ void add_chart(const TexturedSheet& sheet, const Chart& chart, TextureSource& so
       add_corners(sheet.coarse, sheet.is_ring, sheet.around, sheet.along, source.coarse);
   for (int j = 0; j < sheet.along; ++j) {
     for (int i = 0; i < sheet.around; ++i) {
-      const bool is_low = !sheet.is_ring && j == 0, is_high = !sheet.is_ring && j == sheet.along - 1;
+      const bool is_low = !sheet.is_ring && j == 0,
+                 is_high = !sheet.is_ring && j == sheet.along - 1;
       for (int half = is_low ? 1 : 0; half < (is_high ? 1 : 2); ++half) {
         source.coarse.triangles.push_back(triangle_of(corners, i, j, half));
         std::array<Vec2, 3> at = places(sheet, j, half);
@@ -205,7 +224,8 @@ void add_chart(const TexturedSheet& sheet, const Chart& chart, TextureSource& so
       }
     }
   }
-  const SheetBake bake{sheet, corners, FineGrid(sheet), vertex_normals(sheet, corners, source.coarse)};
+  const SheetBake bake{sheet, corners, FineGrid(sheet),
+                       vertex_normals(sheet, corners, source.coarse)};
   for (int row = 0; row < chart.height(); ++row)
     for (int column = 0; column < chart.width(); ++column)
       source.texels[static_cast<std::size_t>(chart.first_row + row) *
@@ -232,7 +252,8 @@ Layout layout_of(const std::vector<CellSizes>& sizes, double texel) {
   return layout;
 }
 
-/// The layout with the smallest texels whose map has no more than texels x texels, or the smallest there is.
+/// The layout with the smallest texels whose map has no more than texels x texels, or the smallest
+/// there is.
 Layout choose_layout(std::span<const TexturedSheet> sheets, int texels) {
   std::vector<CellSizes> sizes;
   double longest = 0.0;

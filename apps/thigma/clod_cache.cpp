@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// ---- keys ----------------------------------------------------------------------------------------------
+// ---- keys
+// ------------------------------------------------------------
 
 /// Every parameter by value; doubles to the last bit.
 std::string params_text(const ClodSource& source) {
@@ -37,10 +38,9 @@ std::string params_text(const ClodSource& source) {
                 p.simplify.coarsest_share, p.simplify.longest_edge_ever, p.simplify.deviation_limit,
                 p.simplify.deviation_share, p.simplify.deviation_ever, p.simplify.deviation_early,
                 p.simplify.volume_limit, p.simplify.convexity_tolerance,
-                p.simplify.protrusion_tolerance,
-                p.simplify.last_level, p.simplify.flips_edges, c.bisections, c.least_quality,
-                c.free_to_turn, c.is_relaxed, c.keeps_volume, c.seeks_convex_start,
-                c.guards_original, p.contact_tolerance,
+                p.simplify.protrusion_tolerance, p.simplify.last_level, p.simplify.flips_edges,
+                c.bisections, c.least_quality, c.free_to_turn, c.is_relaxed, c.keeps_volume,
+                c.seeks_convex_start, c.guards_original, p.contact_tolerance,
                 source.contact_tolerance ? *source.contact_tolerance / source.scale : -1.0,
                 p.is_reparented, p.has_culling_hulls);
   return text;
@@ -78,7 +78,8 @@ Sha256 key_of(const Sha256& source, const std::string& params) {
   return sha256(program_text() + hex_text(source) + "\n" + params);
 }
 
-// ---- places --------------------------------------------------------------------------------------------
+// ---- places
+// ------------------------------------------------------------
 
 /// The user's cache folder, "" without one.
 std::string user_folder() {
@@ -142,7 +143,8 @@ void keep(const std::vector<std::string>& candidates, const ClodAsset& asset,
   say(tell, name + ": levels of detail are not kept: " + why);
 }
 
-// ---- building ------------------------------------------------------------------------------------------
+// ---- building
+// ------------------------------------------------------------
 
 TriangleMesh load_scaled(const ClodSource& source, double scale, bool is_model,
                          std::vector<std::string>& repairs) {

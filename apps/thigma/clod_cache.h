@@ -24,8 +24,8 @@ struct ClodSource {
 /// Where they are kept.
 struct ClodCache {
   bool is_enabled = true;
-  std::string
-      folder;  // "": beside the mesh, else (and for procedural models) the user's cache folder
+  // "": beside the mesh, else (and for procedural models) the user's cache folder
+  std::string folder;
 };
 
 /// What a user may be told about it: a line of progress or a notice.
@@ -35,8 +35,8 @@ using Tell = std::function<void(const std::string&)>;
 /// Thread [offline]; throws InputError for anything that cannot be used, a .clod file among it.
 TriangleMesh load_surface(const ClodSource& source, const Tell& tell = {});
 
-/// Radius of a surface that can be used [m], without building anything: what is wrong with a second mesh shall
-/// not cost the time of building the first.
+/// Radius of a surface that can be used [m], without building anything: what is wrong with a second
+/// mesh shall not cost the time of building the first.
 /// Thread [offline]; throws InputError as load_clod.
 double check_source(const ClodSource& source);
 
@@ -46,11 +46,12 @@ double check_source(const ClodSource& source);
 /// Thread  [offline]; throws InputError for anything that cannot be used.
 ClodAsset load_clod(const ClodSource& source, const Tell& tell = {});
 
-/// The same through a cache. An asset is kept as NAME.<16 digits of the parameters>.clod beside the mesh, or in
-/// $XDG_CACHE_HOME/thigma or ~/.cache/thigma where that cannot be written or there is no file. It is used when its
-/// key, a digest of the mesh's bytes, all parameters, the format and this build of the program, is the one wanted;
-/// a stale or damaged one is built again with a notice. Where nothing can be written nothing is kept, with a notice.
-/// Any number of processes and threads may do this at once: files appear whole, under their final name.
+/// The same through a cache. An asset is kept as NAME.<16 digits of the parameters>.clod beside the
+/// mesh, or in $XDG_CACHE_HOME/thigma or ~/.cache/thigma where that cannot be written or there is
+/// no file. It is used when its key, a digest of the mesh's bytes, all parameters, the format and
+/// this build of the program, is the one wanted; a stale or damaged one is built again with a
+/// notice. Where nothing can be written nothing is kept, with a notice. Any number of processes and
+/// threads may do this at once: files appear whole, under their final name.
 ///
 /// Kept in units of the file and scaled on reading, so that one asset serves every scale.
 /// Thread  [offline]; throws as load_clod.

@@ -36,7 +36,7 @@ struct BakeOptions {
   std::string onto;    // the coarse surface
   std::string height;  // or a height map
   std::string out;
-  double amplitude = 0.0;  // [m]
+  double amplitude = 0.0;            // [m]
   std::optional<double> scale;       // metres per unit of MESH
   std::optional<double> onto_scale;  // and of the coarse surface
   int texels = 1024;
@@ -72,8 +72,8 @@ struct Onto {
   double fine_scale = 1.0;             // metres per unit of the fine mesh, where none is named
 };
 
-/// A .clod is in metres from its build on, and tells how many a unit of its mesh had: so has the fine mesh.
-/// Meshes are of the same unit.
+/// A .clod is in metres from its build on, and tells how many a unit of its mesh had: so has the
+/// fine mesh. Meshes are of the same unit.
 Onto load_onto_clod(const BakeOptions& options) {
   ClodAsset asset = read_clod(options.onto, options.onto_scale.value_or(1.0));
   if (asset.meshes.empty())
@@ -81,7 +81,8 @@ Onto load_onto_clod(const BakeOptions& options) {
   return {std::move(asset.meshes), asset.origin.unit_scale * options.onto_scale.value_or(1.0)};
 }
 
-TriangleMesh level_surface(const BakeOptions& options, std::vector<TriangleMesh> meshes, int level) {
+TriangleMesh level_surface(const BakeOptions& options, std::vector<TriangleMesh> meshes,
+                           int level) {
   const int coarsest = static_cast<int>(meshes.size()) - 1;
   if (level > coarsest)
     throw InputError(options.onto + ": no level " + std::to_string(level) +
@@ -89,12 +90,13 @@ TriangleMesh level_surface(const BakeOptions& options, std::vector<TriangleMesh>
   return std::move(meshes[static_cast<std::size_t>(level)]);
 }
 
-TriangleMesh load(const Common& common, const BakeOptions& options, const std::string& name, const char* role,
-                  double scale) {
+TriangleMesh load(const Common& common, const BakeOptions& options, const std::string& name,
+                  const char* role, double scale) {
   const Tell tell = common.quiet ? Tell{} : [](const std::string& text) {
     std::cerr << "thigma: " << text << "\n";
   };
-  return load_surface({.name = name, .role = role, .scale = scale, .is_repair = options.repair}, tell);
+  return load_surface({.name = name, .role = role, .scale = scale, .is_repair = options.repair},
+                      tell);
 }
 
 /// A unit forgotten ends in nothing found near anything, after minutes.
@@ -105,10 +107,11 @@ void refuse_other_sizes(const BakeOptions& options, const TriangleMesh& fine, do
   if (radius <= kMostSizeRatio * wanted && wanted <= kMostSizeRatio * radius) return;
   char line[160];
   std::snprintf(line, sizeof line,
-                ": a radius of %.3g m, in the mesh as a whole, expected about the %.3g m of ", radius, wanted);
+                ": a radius of %.3g m, in the mesh as a whole, expected about the %.3g m of ",
+                radius, wanted);
   std::string what = options.mesh + line + options.onto;
-  std::snprintf(line, sizeof line, "; --scale (now %g) gives its metres per unit, about %.3g", fine_scale,
-                fine_scale * wanted / radius);
+  std::snprintf(line, sizeof line, "; --scale (now %g) gives its metres per unit, about %.3g",
+                fine_scale, fine_scale * wanted / radius);
   throw InputError(what + line + ", --onto-scale those of the other");
 }
 
@@ -138,8 +141,9 @@ LevelTextures bake_onto_levels(const Common& common, const BakeOptions& options)
   const TriangleMesh fine = load(common, options, options.mesh, "FINE", scale);
   refuse_other_sizes(options, fine, scale, levels[0]);
   Progress bar("baking onto " + options.onto, "levels", !common.quiet);
-  return {bake_levels(fine, levels, params_of(common, options), options.mesh,
-                      [&](double share) { bar.update(share, share * static_cast<double>(levels.size())); })};
+  return {bake_levels(fine, levels, params_of(common, options), options.mesh, [&](double share) {
+    bar.update(share, share * static_cast<double>(levels.size()));
+  })};
 }
 
 TextureAsset bake_map(const BakeOptions& options) {
@@ -183,7 +187,8 @@ ordered_json levels_json(const LevelTextures& textures) {
     if (!textures.levels[k]) continue;
     ordered_json level = texture_json(*textures.levels[k]);
     if (levels.empty()) j = level;
-    for (const char* key : {"fit_error_rms", "fit_error_max", "crack_max", "distortion_max", "texel_size", "amplitude"})
+    for (const char* key : {"fit_error_rms", "fit_error_max", "crack_max", "distortion_max",
+                            "texel_size", "amplitude"})
       if (level[key] > j[key]) j[key] = level[key];
     ordered_json named;
     named["level"] = k;
@@ -196,9 +201,10 @@ ordered_json levels_json(const LevelTextures& textures) {
 
 std::string texture_text(const ordered_json& j, double radius) {
   std::ostringstream out;
-  out << j["width"] << " x " << j["height"] << " texels of " << j["texel_size"].get<double>() << " m in "
-      << j["charts"] << " charts over " << j["triangles"] << " triangles\n  relief +-"
-      << j["amplitude"].get<double>() << " m, distortion at most " << j["distortion_max"].get<double>() << "\n";
+  out << j["width"] << " x " << j["height"] << " texels of " << j["texel_size"].get<double>()
+      << " m in " << j["charts"] << " charts over " << j["triangles"] << " triangles\n  relief +-"
+      << j["amplitude"].get<double>() << " m, distortion at most "
+      << j["distortion_max"].get<double>() << "\n";
   if (!j["fit_error_rms"].is_null())
     out << "  fit error " << j["fit_error_rms"].get<double>() << " m RMS ("
         << 100.0 * j["fit_error_rms"].get<double>() / radius << " % of the radius), "
@@ -229,11 +235,13 @@ int bake(const Common& common, const BakeOptions& options) {
   if (options.height.empty() && is_clod_file(options.onto) && !options.level) {
     const LevelTextures textures = bake_onto_levels(common, options);
     if (textures.levels.size() == 1 && !textures.levels[0])
-      throw InputError(options.onto + ": no simplified levels, in its table, expected some to bake onto");
+      throw InputError(options.onto +
+                       ": no simplified levels, in its table, expected some to bake onto");
     bytes = format_level_textures(textures);
     report = levels_json(textures);
   } else {
-    const TextureAsset asset = options.height.empty() ? bake_onto(common, options) : bake_map(options);
+    const TextureAsset asset =
+        options.height.empty() ? bake_onto(common, options) : bake_map(options);
     bytes = format_texture(asset);
     report = texture_json(asset);
   }
@@ -262,8 +270,9 @@ void add_bake(CLI::App& app, Common& common) {
       ->required();
   verb->add_option("--onto", options->onto,
                    "coarse surface: a mesh, procedural:NAME or a .clod file");
-  verb->add_option("--level", options->level,
-                   "of a .clod file: onto this one alone, as a plain surface; all of them by default")
+  verb->add_option(
+          "--level", options->level,
+          "of a .clod file: onto this one alone, as a plain surface; all of them by default")
       ->check(CLI::Range(0, 1000));
   verb->add_option("--height", options->height, "height map: PGM or grey PNG, 8 or 16 bits");
   verb->add_option("--amplitude", options->amplitude,
@@ -273,8 +282,9 @@ void add_bake(CLI::App& app, Common& common) {
       ->check(CLI::Range(16, kMaxTextureSide / 2));
   verb->add_option("--scale", options->scale,
                    "metres per unit of MESH; by default as the .clod was built with, else 1");
-  verb->add_option("--onto-scale", options->onto_scale,
-                   "metres per unit of --onto; by default 1 of a .clod, which is in metres, else as --scale");
+  verb->add_option(
+      "--onto-scale", options->onto_scale,
+      "metres per unit of --onto; by default 1 of a .clod, which is in metres, else as --scale");
   verb->add_flag("--repair", options->repair, "take repairable meshes and repair them");
 }
 

@@ -23,7 +23,8 @@ Json optional_number(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-// Figures here are scaled to this rate of dependent additions, for comparison with those taken at it.
+// Figures here are scaled to this rate of dependent additions, for comparison with those taken at
+// it.
 constexpr double kReferenceGhz = 3.56;
 
 Json figure_json(const bench::Figure& figure, double factor = 1.0) {
@@ -103,8 +104,7 @@ void print_machine(bool as_json, double seconds) {
   const double adds = bench::dependent_adds();
   const std::vector<double> late = bench::empty_loop_lateness(seconds);
   const double p50 = 1e6 * sample_quantile(late, 0.5), p99 = 1e6 * sample_quantile(late, 0.99);
-  const double p999 = 1e6 * sample_quantile(late, 0.999),
-               max = 1e6 * sample_quantile(late, 1.0);
+  const double p999 = 1e6 * sample_quantile(late, 0.999), max = 1e6 * sample_quantile(late, 1.0);
   if (as_json) {
     Json json;
     json["name"] = "machine";

@@ -19,8 +19,8 @@
 #include <unistd.h>
 
 #include "thigma/clod/clod_file.h"
-#include "thigma/core/cpu_clock.h"
 #include "thigma/core/checksum.h"
+#include "thigma/core/cpu_clock.h"
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
 

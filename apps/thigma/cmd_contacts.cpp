@@ -1,11 +1,11 @@
-// thigma contacts OBJECT SCENE: the contacts of an object along a path of poses, one JSON object a pose.
+// thigma contacts OBJECT SCENE: the contacts of an object along a path of poses, one JSON object a
+// pose.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
@@ -16,11 +16,13 @@
 #include "progress.h"
 #include "resolution_options.h"
 #include "scenes/make_model.h"
+#include "verbs.h"
+#include <nlohmann/json.hpp>
+
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/core/cpu_clock.h"
 #include "thigma/core/error.h"
-#include "verbs.h"
 
 namespace thigma::app {
 namespace {
@@ -37,10 +39,13 @@ struct ContactsOptions {
   ResolutionOptions resolution;
 };
 
-ClodHierarchy load(const std::string& name, const char* role, const ContactsOptions& options, bool is_exact,
-                   const Common& common) {
-  const Tell tell = common.quiet ? Tell{} : [](const std::string& text) { std::cerr << "thigma: " << text << "\n"; };
-  ClodSource source{.name = name, .role = role, .scale = options.scale, .is_repair = options.repair};
+ClodHierarchy load(const std::string& name, const char* role, const ContactsOptions& options,
+                   bool is_exact, const Common& common) {
+  const Tell tell = common.quiet ? Tell{} : [](const std::string& text) {
+    std::cerr << "thigma: " << text << "\n";
+  };
+  ClodSource source{
+      .name = name, .role = role, .scale = options.scale, .is_repair = options.repair};
   const bool is_file = !scenes::is_model_uri(name) && is_clod_file(name);
   if (is_exact && !is_file) return build_exact_hierarchy(load_surface(source, tell));
   Progress progress("building " + name, "triangles", !common.quiet);
@@ -65,8 +70,10 @@ nlohmann::ordered_json to_json(const Contact& c) {
 nlohmann::ordered_json to_json(std::size_t index, const ContactSet& set, double cpu_us) {
   nlohmann::ordered_json j;
   j["index"] = index;
-  if (set.contacts.empty()) j["min_distance"] = nullptr;
-  else j["min_distance"] = least_distance(set);
+  if (set.contacts.empty())
+    j["min_distance"] = nullptr;
+  else
+    j["min_distance"] = least_distance(set);
   j["contacts"] = nlohmann::ordered_json::array();
   for (const Contact& c : set.contacts) j["contacts"].push_back(to_json(c));
   j["dropped"] = set.dropped;
@@ -74,7 +81,8 @@ nlohmann::ordered_json to_json(std::size_t index, const ContactSet& set, double 
   j["tests"] = set.stats.tests;
   j["cpu_us"] = cpu_us;
   j["mandatory_tests"] = set.stats.mandatory_tests;  // no budget can leave them out
-  j["unrefined"] = set.stats.unrefined;              // contacts coarser than asked for want of budget
+  // contacts coarser than asked for want of budget
+  j["unrefined"] = set.stats.unrefined;
   return j;
 }
 
@@ -82,8 +90,10 @@ nlohmann::ordered_json to_json(std::size_t index, const ContactSet& set, double 
 std::string make_query(const ContactsOptions& options, ContactQuery& query) {
   if (!(options.tolerance >= 0.0) || !std::isfinite(options.tolerance))
     return "--tolerance must be a finite length >= 0 [m]";
-  if (!(options.scale > 0.0) || !std::isfinite(options.scale)) return "--scale must be a finite number above 0";
-  if (!(options.step_time > 0.0) || !std::isfinite(options.step_time)) return "--dt must be a finite time above 0 [s]";
+  if (!(options.scale > 0.0) || !std::isfinite(options.scale))
+    return "--scale must be a finite number above 0";
+  if (!(options.step_time > 0.0) || !std::isfinite(options.step_time))
+    return "--dt must be a finite time above 0 [s]";
   query.tolerance = options.tolerance;
   query.resolution.step_time = options.step_time;
   return apply(options.resolution, query.resolution);
@@ -96,9 +106,14 @@ int contacts(const Common& common, const ContactsOptions& options) {
     return kUsage;
   }
   const std::vector<Pose> poses = read_poses(options.poses);
-  check_source({.name = options.scene, .role = "SCENE", .scale = options.scale, .is_repair = options.repair});
-  const ClodHierarchy object = load(options.object, "OBJECT", options, query.resolution.is_exact, common);
-  const ClodHierarchy scene = load(options.scene, "SCENE", options, query.resolution.is_exact, common);
+  check_source({.name = options.scene,
+                .role = "SCENE",
+                .scale = options.scale,
+                .is_repair = options.repair});
+  const ClodHierarchy object =
+      load(options.object, "OBJECT", options, query.resolution.is_exact, common);
+  const ClodHierarchy scene =
+      load(options.scene, "SCENE", options, query.resolution.is_exact, common);
   ContactFront front;
   reserve_front(front, object, scene);
   ContactSet set;
@@ -114,8 +129,11 @@ int contacts(const Common& common, const ContactsOptions& options) {
       complete = set.dropped == 0;
       const std::size_t wanted = set.contacts.size() + static_cast<std::size_t>(set.dropped);
       if (wanted > kMostContacts) {
-        std::fprintf(stderr, "thigma: contacts: %zu contacts at pose %zu, at most %zu can be listed; expected a "
-                             "smaller --tolerance\n", wanted, i, kMostContacts);
+        std::fprintf(
+            stderr,
+            "thigma: contacts: %zu contacts at pose %zu, at most %zu can be listed; expected a "
+            "smaller --tolerance\n",
+            wanted, i, kMostContacts);
         return kFailed;
       }
       if (!complete) set.contacts.reserve(wanted + wanted / 4);
@@ -129,16 +147,24 @@ int contacts(const Common& common, const ContactsOptions& options) {
 
 void add_contacts(CLI::App& app, Common& common) {
   const auto options = std::make_shared<ContactsOptions>();
-  CLI::App* verb = add_verb(app, common, "contacts", "List the contacts between two objects along a path of poses",
+  CLI::App* verb = add_verb(app, common, "contacts",
+                            "List the contacts between two objects along a path of poses",
                             [&common, options] { return contacts(common, *options); });
-  verb->add_option("OBJECT", options->object, "what moves: a mesh or .clod file, or procedural:NAME")->required();
+  verb->add_option("OBJECT", options->object,
+                   "what moves: a mesh or .clod file, or procedural:NAME")
+      ->required();
   verb->add_option("SCENE", options->scene, "what stays at the identity")->required();
-  verb->add_option("--poses", options->poses, "CSV: x,y,z,qx,qy,qz,qw; one world pose of OBJECT a line [m]")->required();
-  verb->add_option("--tolerance", options->tolerance, "contacts are pairs at most this far apart [m]")->required();
+  verb->add_option("--poses", options->poses,
+                   "CSV: x,y,z,qx,qy,qz,qw; one world pose of OBJECT a line [m]")
+      ->required();
+  verb->add_option("--tolerance", options->tolerance,
+                   "contacts are pairs at most this far apart [m]")
+      ->required();
   verb->add_option("--scale", options->scale, "metres per unit of both meshes");
   verb->add_flag("--fresh", options->fresh, "forget the pose before at every line");
   verb->add_flag("--repair", options->repair, "take repairable meshes and repair them");
-  verb->add_option("--dt", options->step_time, "time from pose to pose, for the velocity metric [s]; 0.001");
+  verb->add_option("--dt", options->step_time,
+                   "time from pose to pose, for the velocity metric [s]; 0.001");
   add_resolution_options(*verb, options->resolution);
 }
 

@@ -97,7 +97,8 @@ experiments::ClaimCounts run_one(const Experiment& experiment, const experiments
   return counts;
 }
 
-/// Levels from the cache of `run`. Nobody is told what is kept where: experiments tell what they do.
+/// Levels from the cache of `run`. Nobody is told what is kept where: experiments tell what they
+/// do.
 ClodHierarchy kept_levels(const std::string& uri) {
   ClodSource source;
   source.name = uri;

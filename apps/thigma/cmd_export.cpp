@@ -1,12 +1,13 @@
 // `thigma export F.mcap -o F.csv`: one row a haptic frame, units in the header.
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
-#include "thigma/runtime/recording.h"
 #include "json_out.h"
 #include "told_recording.h"
 #include "verbs.h"
+#include <nlohmann/json.hpp>
+
+#include "thigma/runtime/recording.h"
 
 namespace thigma::app {
 namespace {

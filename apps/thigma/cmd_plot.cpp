@@ -17,8 +17,8 @@ namespace thigma::app {
 namespace {
 
 int plot_recording(const std::string& path, const std::string& out, const Common& common) {
-  // Twice over the file, so that no recording is too long for memory. One that is still being written is longer the
-  // second time; what is new is left out.
+  // Twice over the file, so that no recording is too long for memory. One that is still being
+  // written is longer the second time; what is new is left out.
   SessionExtent extent;
   const RecordingInfo recording = stream_recording_told(
       path,

@@ -32,7 +32,8 @@ struct SimulatedFrame {
 };
 
 /// Simulates the recorded scene again, with the seed and resolution of the recording.
-ReplayReport replay_simulation(const std::vector<SimulatedFrame>& frames, const RecordedConfig& config) {
+ReplayReport replay_simulation(const std::vector<SimulatedFrame>& frames,
+                               const RecordedConfig& config) {
   RunOptions options;
   options.scene = config.scene;
   options.device = "null:";
@@ -41,7 +42,8 @@ ReplayReport replay_simulation(const std::vector<SimulatedFrame>& frames, const 
   options.resolution.is_exact = config.resolution.is_exact;
   const std::unique_ptr<Run> run = prepare_run(read_run_scene(options), options, config.seed, {});
   if (!run->simulation)
-    throw InputError(config.scene + ": has no [simulation] any more, expected the scene that was recorded");
+    throw InputError(config.scene +
+                     ": has no [simulation] any more, expected the scene that was recorded");
   run->simulation->world.resolution = config.resolution;
   run->config.duration = static_cast<double>(frames.size()) / config.rate_hz;
   ReplayReport report;
@@ -64,7 +66,8 @@ ReplayReport replay_simulation(const std::vector<SimulatedFrame>& frames, const 
   return report;
 }
 
-/// A session is run again while its recording is read; a simulation afterwards, from 200 bytes a frame.
+/// A session is run again while its recording is read; a simulation afterwards, from 200 bytes a
+/// frame.
 struct Rerun {
   const std::string& path;
   RecordedConfig config{};
@@ -104,8 +107,8 @@ Verdict judge(const std::string& path, bool is_quiet) {
        [&](const ContactSample& model, const SamplePlace&) { rerun.add(model); }},
       is_quiet);
   const RecordingInfo& recording = verdict.recording;
-  verdict.report = rerun.session ? rerun.session->finish()
-                                 : replay_simulation(rerun.simulated, rerun.config);
+  verdict.report =
+      rerun.session ? rerun.session->finish() : replay_simulation(rerun.simulated, rerun.config);
   ReplayReport& report = verdict.report;
   verdict.recorded_hash = recording.has_end ? recording.end.state_hash : report.recorded_hash;
   if (report.first_difference < 0 && recording.has_end && report.frames != recording.end.frames) {

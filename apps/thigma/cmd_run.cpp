@@ -37,7 +37,8 @@ void on_signal(int signal) {
 }
 
 /// Ctrl-C and its kin end the session in order while this lives; twice Ctrl-C does not hurry it: it
-/// takes milliseconds. So does Ctrl-Z: a suspended process would leave its last force on the device.
+/// takes milliseconds. So does Ctrl-Z: a suspended process would leave its last force on the
+/// device.
 class SignalGuard {
  public:
   SignalGuard() {
@@ -123,8 +124,7 @@ std::unique_ptr<RecordingWriter> open_recording(const std::string& path, const R
 
 /// How late this machine wakes a thread that does nothing, so that missed frames can be judged.
 EmptyLoop tell_floor(const SessionConfig& config) {
-  const EmptyLoop floor =
-      measure_empty_loop(config.haptic_thread, config.rate, 0.5, config.spin);
+  const EmptyLoop floor = measure_empty_loop(config.haptic_thread, config.rate, 0.5, config.spin);
   const DurationSummary late = summarize(floor.wake_late);
   std::fprintf(stderr,
                "thigma: empty loop at %g Hz: %llu of %llu frames missed, late by p50 %.2f us, p99 "
@@ -157,7 +157,8 @@ SessionSummary run_threads(Run& run, const SessionSinks& sinks, bool is_quiet) {
 }
 
 /// Without a page: one session, no table. is_whole: of the recording, where one was asked for.
-SessionSummary run_alone(const RunOptions& options, const Common& common, Run& run, bool& is_whole) {
+SessionSummary run_alone(const RunOptions& options, const Common& common, Run& run,
+                         bool& is_whole) {
   SessionRecorder recorder([&](const RecordingFailure& failure) {
     is_whole = false;
     tell_error(failure.why + "; the recording ends there, the session goes on");
@@ -172,7 +173,7 @@ SessionSummary run_alone(const RunOptions& options, const Common& common, Run& r
   const SessionSummary summary =
       run.simulation ? simulate_run(run, run.config, !options.is_lockstep, sinks, &stop_requested)
       : options.is_lockstep ? run_lockstep(run.config, *run.device, sinks, &stop_requested)
-                          : run_threads(run, sinks, common.quiet);
+                            : run_threads(run, sinks, common.quiet);
   recorder.close({summary.frames, summary.state_hash, summary.dropped_samples});
   return summary;
 }

@@ -33,7 +33,8 @@ struct Tuned {
   std::optional<SessionConfig> chosen;
 };
 
-/// One moment or three principal ones, "I" or "I,I,I" [kg m^2]; none where the text is something else.
+/// One moment or three principal ones, "I" or "I,I,I" [kg m^2]; none where the text is something
+/// else.
 std::optional<Vec3> parse_inertia(const std::string& text) {
   Vec3 moments = Vec3::Zero();
   int count = 0;

@@ -30,7 +30,8 @@ class CaseCheck {
   CaseCheck(const JsonField& expected, const Tolerance& tolerance)
       : expected_(expected), tolerance_(tolerance) {}
 
-  /// Compares with the field of this name of the case. Throw InputError when it is absent or of another shape.
+  /// Compares with the field of this name of the case. Throw InputError when it is absent or of
+  /// another shape.
   template <class Derived>
   void expect(const char* name, const Eigen::MatrixBase<Derived>& got) {
     compare(take(name), got, tolerance_);
@@ -108,7 +109,8 @@ struct ConformanceReport {
   WorstField worst;
 };
 
-/// Runs every case of a document; `file` is its name for messages. Throws InputError on anything out of schema.
+/// Runs every case of a document; `file` is its name for messages. Throws InputError on anything
+/// out of schema.
 ConformanceReport check_document(const std::string& file, const std::string& text);
 
 // Checks of conformance_rotation.cpp, conformance_force.cpp, conformance_step.cpp,

@@ -30,7 +30,8 @@ const ConformanceKind* kind_by_name(const std::string& file) {
   return nullptr;
 }
 
-// The first case decides when it has no name of its own: files of one kind may hold a malformed case.
+// The first case decides when it has no name of its own: files of one kind may hold a malformed
+// case.
 const ConformanceKind& kind_of(const JsonField& in, const std::string& file) {
   const ConformanceKind* kind = kind_by_fields(in);
   if (!kind) kind = kind_by_name(file);

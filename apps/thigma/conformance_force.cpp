@@ -9,7 +9,8 @@
 namespace thigma::app {
 namespace {
 
-// Steps for central differences of a relief: 1e-4 of a wave, or of the lever arm where there is no wave.
+// Steps for central differences of a relief: 1e-4 of a wave, or of the lever arm where there is no
+// wave.
 double difference_step(const TexturedPoint& probe) {
   const double wave = std::max(std::fabs(probe.plate.wave_u), std::fabs(probe.plate.wave_v));
   const double arm = probe.arm_body.norm();

@@ -8,8 +8,8 @@
 
 namespace thigma::app {
 
-/// Reads a PGM (8 or 16 bits) or a grey PNG (1 to 16 bits), recognised by content. Greys count as they are stored,
-/// without gamma; an alpha channel is left out.
+/// Reads a PGM (8 or 16 bits) or a grey PNG (1 to 16 bits), recognised by content. Greys count as
+/// they are stored, without gamma; an alpha channel is left out.
 /// Thread  [offline]; throws InputError for anything else, colour among it.
 HeightImage read_height_file(const std::string& path);
 

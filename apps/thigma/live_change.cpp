@@ -72,7 +72,8 @@ void change_device(const live::LiveRequest& request, const LiveNow& now, LiveCha
   if (!now.record.empty()) change.record = next_recording();  // one file a session
 }
 
-/// Response and texture decide the contact tolerance and how surfaces are loaded: the run is prepared anew.
+/// Response and texture decide the contact tolerance and how surfaces are loaded: the run is
+/// prepared anew.
 void choose(const live::LiveRequest& request, const LiveNow& now, LiveChange& change) {
   const bool is_first = request.number == 0.0;
   if (!is_first && request.number != 1.0) refuse_request("there is no such choice");

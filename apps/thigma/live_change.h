@@ -1,5 +1,6 @@
 #pragma once
-// What a page asks for, judged and made ready while what runs goes on: only what can be done stops it.
+// What a page asks for, judged and made ready while what runs goes on: only what can be done stops
+// it.
 
 #include <cstdint>
 #include <memory>
@@ -16,12 +17,13 @@ namespace thigma::app {
 
 /// What a granted request changes between two sessions.
 struct LiveChange {
-  std::unique_ptr<Run> run;  // in place of the one that ran; null: the same
-  RunOptions options;        // of `run`
+  std::unique_ptr<Run> run;            // in place of the one that ran; null: the same
+  RunOptions options;                  // of `run`
   std::optional<RunDevice> device;     // for the run that stays
   std::unique_ptr<Playback> playback;  // to be shown; null: a session
   std::string record;                  // file for the session that begins; "" none
-  live::PageId holder = 0;  // of that session's device; it goes on from where the object is. 0: none
+  // of that session's device; it goes on from where the object is. 0: none
+  live::PageId holder = 0;
 };
 
 /// What a request is judged by. All of it stays as it is.
@@ -35,7 +37,8 @@ struct LiveNow {
   RunHooks hooks;  // progress is there
 };
 
-/// Judges a request and makes ready all that it takes: scenes and meshes are loaded, devices opened.
+/// Judges a request and makes ready all that it takes: scenes and meshes are loaded, devices
+/// opened.
 ///
 /// errors   std::exception, with the reason for people; nothing has changed then
 /// Thread   [offline], while a session of now.run may run

@@ -39,7 +39,8 @@ Bounds turned(const Bounds& b, const Quat& q) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Bounds result{Vec3::Constant(kFar), Vec3::Constant(-kFar)};
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 at((corner & 1) != 0 ? b.max.x() : b.min.x(), (corner & 2) != 0 ? b.max.y() : b.min.y(),
+    const Vec3 at((corner & 1) != 0 ? b.max.x() : b.min.x(),
+                  (corner & 2) != 0 ? b.max.y() : b.min.y(),
                   (corner & 4) != 0 ? b.max.z() : b.min.z());
     const Vec3 p = q._transformVector(at);
     result.min = result.min.cwiseMin(p);
@@ -48,7 +49,8 @@ Bounds turned(const Bounds& b, const Quat& q) {
   return result;
 }
 
-/// Whether a name is that of a recording without its end: F.mcap.part, or F.mcap.part.N, moved out of its way.
+/// Whether a name is that of a recording without its end: F.mcap.part, or F.mcap.part.N, moved out
+/// of its way.
 bool is_part_of_recording(const std::string& name) {
   constexpr std::string_view kPart = ".mcap.part";
   const std::size_t at = name.rfind(kPart);
@@ -65,7 +67,8 @@ std::string part_title(const fs::path& path, const std::string& name) {
   return recording + (is_growing(path.string()) ? ", being written" : ", cut off");
 }
 
-/// Metres per unit that make a mesh most like an object of this radius: millimetres, centimetres, inches or metres.
+/// Metres per unit that make a mesh most like an object of this radius: millimetres, centimetres,
+/// inches or metres.
 double likely_unit(double mesh_radius, double radius) {
   constexpr std::array<double, 4> kUnits = {0.001, 0.01, 0.0254, 1.0};
   if (!(mesh_radius > 0.0)) return kUnits[0];
@@ -86,7 +89,8 @@ live::OpenMenu open_menu() {
     const std::string name = entry.path().filename().string();
     if (!entry.is_regular_file(ignored)) continue;
     if (entry.path().extension() == ".mcap") menu.recordings.push_back({name, name});
-    if (is_part_of_recording(name)) menu.recordings.push_back({name, part_title(entry.path(), name)});
+    if (is_part_of_recording(name))
+      menu.recordings.push_back({name, part_title(entry.path(), name)});
   }
   std::sort(menu.recordings.begin(), menu.recordings.end(),
             [](const auto& a, const auto& b) { return a.name < b.name; });
@@ -133,7 +137,8 @@ const MeshReport& DroppedMesh::keep(const std::string& name, const std::string& 
 void DroppedMesh::tidy(const scenes::SceneDescription& now) {
   std::erase_if(kept_, [&](const std::string& path) {
     const auto is_it = [&](const scenes::SceneObject& o) { return o.mesh == path; };
-    const bool is_used = is_it(now.object) || std::any_of(now.statics.begin(), now.statics.end(), is_it);
+    const bool is_used =
+        is_it(now.object) || std::any_of(now.statics.begin(), now.statics.end(), is_it);
     if (is_used || path == path_) return false;
     std::error_code ignored;
     fs::remove_all(fs::path(path).parent_path(), ignored);

@@ -25,8 +25,8 @@ class DroppedMesh {
   DroppedMesh(const DroppedMesh&) = delete;
   DroppedMesh& operator=(const DroppedMesh&) = delete;
 
-  /// Keeps a file's bytes under (nearly) its name and looks at them. The one before stays until tidy(), as a session
-  /// may stand on it.
+  /// Keeps a file's bytes under (nearly) its name and looks at them. The one before stays until
+  /// tidy(), as a session may stand on it.
   /// Throws IoError, and InputError for what is no mesh, of which nothing is kept.
   const MeshReport& keep(const std::string& name, const std::string& bytes);
   /// Removes what was kept, but for the last and what the scene that runs is made of.
@@ -47,12 +47,14 @@ class DroppedMesh {
 /// radius  of the object in the hand now, which a likely unit makes it most like [m]
 std::string model_message(std::int64_t id, const DroppedMesh& mesh, double radius);
 
-/// A scene of a dropped mesh and one that is there: the dropped one in the hand, or standing still; the held one a little
-/// above the other. Rate, device and safety limits stay; all else follows from their sizes.
+/// A scene of a dropped mesh and one that is there: the dropped one in the hand, or standing still;
+/// the held one a little above the other. Rate, device and safety limits stay; all else follows
+/// from their sizes.
 ///
 /// now     scene that runs
 /// unit    metres per unit of the dropped mesh, > 0
-/// other   bounds of the surface that stays: of the first static body if is_held, else of the object [m; its mesh frame]
+/// other   bounds of the surface that stays: of the first static body if is_held, else of the
+///         object [m; its mesh frame]
 /// Thread  [offline]; InputError where there is no static body to hold it against.
 scenes::SceneDescription scene_with(const scenes::SceneDescription& now, const DroppedMesh& mesh,
                                     bool is_held, double unit, const Bounds& other);

@@ -29,7 +29,8 @@ void find_contacts(const LivePlayback& show, ContactScratch& scratch) {
 }
 
 /// Does what a page asked for, where that is moving about in the recording; returns whether it was.
-bool move_within(const LivePlayback& show, const live::LiveRequest& request, const SessionSinks& sinks) {
+bool move_within(const LivePlayback& show, const live::LiveRequest& request,
+                 const SessionSinks& sinks) {
   if (request.kind != Kind::seek && request.kind != Kind::reset) return false;
   show.room.rewind();
   show.playback.jump_to(request.kind == Kind::seek ? request.number : 0.0, sinks);
@@ -44,7 +45,8 @@ SessionConfig recorded_config(const SessionConfig& scene, const RecordedConfig& 
   config.haptic = recorded.params;
   config.rate = recorded.rate_hz;
   config.contact.resolution = recorded.resolution;
-  config.contact.resolution.is_exact |= scene.contact.resolution.is_exact;  // there are no levels then
+  // there are no levels then
+  config.contact.resolution.is_exact |= scene.contact.resolution.is_exact;
   return config;
 }
 

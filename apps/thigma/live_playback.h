@@ -24,8 +24,8 @@ struct LivePlayback {
 /// The scene's configuration with what the recording was made with.
 SessionConfig recorded_config(const SessionConfig& scene, const RecordedConfig& recorded);
 
-/// Shows the recording until a page asks for something other than moving about in it (the request is left where `poll` has
-/// it), or the program is told to stop.
+/// Shows the recording until a page asks for something other than moving about in it (the request
+/// is left where `poll` has it), or the program is told to stop.
 ///
 /// Thread   [offline]
 void show_playback(LivePlayback show);

@@ -32,15 +32,17 @@ std::string what_is_wrong(const CLI::App& app, std::string_view word) {
   if (std::find(names.begin(), names.end(), word) != names.end()) return "";
   const std::string named = "'" + std::string(word) + "'";
   const std::string near = scenes::nearest_word(word, names);
-  return "no verb " + named + (near.empty() ? "" : ", nearest is '" + near + "'") + ", expected one of " +
-         joined(names);
+  return "no verb " + named + (near.empty() ? "" : ", nearest is '" + near + "'") +
+         ", expected one of " + joined(names);
 }
 
-/// What is wrong with the first option that the verb does not have, "" where there is none. The parser would
-/// only say that it did not expect it.
+/// What is wrong with the first option that the verb does not have, "" where there is none. The
+/// parser would only say that it did not expect it.
 std::string unknown_option(const CLI::App& app, const std::string& verb,
                            const std::vector<std::string>& left) {
-  const auto is_option = [](const std::string& word) { return word.size() > 1 && word.front() == '-'; };
+  const auto is_option = [](const std::string& word) {
+    return word.size() > 1 && word.front() == '-';
+  };
   const auto found = std::find_if(left.begin(), left.end(), is_option);
   if (found == left.end()) return "";
   std::vector<std::string> names;
@@ -48,8 +50,8 @@ std::string unknown_option(const CLI::App& app, const std::string& verb,
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   const std::string given = found->substr(0, found->find('='));
   const std::string near = scenes::nearest_word(given, names);
-  return verb + ": no option '" + given + "'" + (near.empty() ? "" : ", nearest is '" + near + "'") +
-         ", expected one of " + joined(names);
+  return verb + ": no option '" + given + "'" +
+         (near.empty() ? "" : ", nearest is '" + near + "'") + ", expected one of " + joined(names);
 }
 
 int refuse(const std::string& why, const std::string& verb) {

@@ -9,7 +9,7 @@
 namespace thigma::app {
 namespace {
 
-constexpr double kHistory = 10.0;         // that the plots show [s]
+constexpr double kHistory = 10.0;          // that the plots show [s]
 constexpr std::size_t kMostHistory = 200;  // frames of it; a page takes 250 at once
 
 RecordedConfig config_of(const std::string& path, const RecordingInfo& recording) {
@@ -29,16 +29,15 @@ FileSource open_recording(const std::string& path) {
 }  // namespace
 
 Playback::Playback(const std::string& path) : file_(path), source_(open_recording(path)) {
-  recording_ = stream_recording(
-      source_, path,
-      {{},
-       [this](const HapticSample& frame, const SamplePlace& place) {
-         if (frames_.empty()) frame_ = frame;
-         frames_.push_back({frame.time, frame.is_grasped, place});
-       },
-       [this](const ContactSample& contact, const SamplePlace& place) {
-         contacts_.push_back({contact.time, place});
-       }});
+  recording_ = stream_recording(source_, path,
+                                {{},
+                                 [this](const HapticSample& frame, const SamplePlace& place) {
+                                   if (frames_.empty()) frame_ = frame;
+                                   frames_.push_back({frame.time, frame.is_grasped, place});
+                                 },
+                                 [this](const ContactSample& contact, const SamplePlace& place) {
+                                   contacts_.push_back({contact.time, place});
+                                 }});
   config_ = config_of(path, recording_);
   if (frames_.empty())
     throw InputError(path + ": no frame, in the recording, expected one at least");

@@ -12,8 +12,8 @@
 
 namespace thigma::app {
 
-/// Where in a recording the page is. Holds some 50 bytes a frame; samples are read from the file when they are told of.
-/// Thread: any one.
+/// Where in a recording the page is. Holds some 50 bytes a frame; samples are read from the file
+/// when they are told of. Thread: any one.
 class Playback {
  public:
   /// errors   InputError for what is no recording, or one without a frame
@@ -30,8 +30,8 @@ class Playback {
 
   /// Tells `sinks` of everything up to `time`, at most `most` frames.
   void advance_to(double time, std::size_t most, const SessionSinks& sinks);
-  /// The same up to `time`, forgetting what was told: frames of the ten seconds before it, thinned to what pages take
-  /// at once, after those in which the object was last taken hold of.
+  /// The same up to `time`, forgetting what was told: frames of the ten seconds before it, thinned
+  /// to what pages take at once, after those in which the object was last taken hold of.
   void jump_to(double time, const SessionSinks& sinks);
 
  private:
@@ -61,7 +61,8 @@ class Playback {
 };
 
 /// Names the scene of options.replay where the options name none.
-/// Thread [offline]; InputError for what is no recording, or one of two meshes given on the command line.
+/// Thread [offline]; InputError for what is no recording, or one of two meshes given on the command
+/// line.
 void use_recorded_scene(RunOptions& options);
 
 }  // namespace thigma::app

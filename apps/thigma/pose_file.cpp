@@ -29,8 +29,10 @@ std::string without_blanks(std::string_view text) {
   return kept;
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& what, int line, const std::string& expected) {
-  throw InputError(path + ": " + what + ", line " + std::to_string(line) + ", expected " + expected);
+[[noreturn]] void refuse(const std::string& path, const std::string& what, int line,
+                         const std::string& expected) {
+  throw InputError(path + ": " + what + ", line " + std::to_string(line) + ", expected " +
+                   expected);
 }
 
 double parse_number(const std::string& path, std::string_view field, int line) {
@@ -54,7 +56,8 @@ Pose parse_pose(const std::string& path, std::string_view row, int line) {
     if (comma == std::string_view::npos) break;
     rest.remove_prefix(comma + 1);
   }
-  if (count != v.size()) refuse(path, std::to_string(count) + " values", line, std::string("7: ") + kHeader);
+  if (count != v.size())
+    refuse(path, std::to_string(count) + " values", line, std::string("7: ") + kHeader);
   Pose pose;
   pose.position = Vec3(v[0], v[1], v[2]);
   const double length = std::sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5] + v[6] * v[6]);
@@ -86,7 +89,9 @@ std::vector<Pose> parse_poses(std::string_view text, const std::string& path) {
     }
     has_header = true;
   }
-  if (poses.empty()) refuse(path, has_header ? "no pose" : "no header", line, has_header ? "one pose a line" : kHeader);
+  if (poses.empty())
+    refuse(path, has_header ? "no pose" : "no header", line,
+           has_header ? "one pose a line" : kHeader);
   return poses;
 }
 

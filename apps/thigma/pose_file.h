@@ -9,8 +9,8 @@
 
 namespace thigma::app {
 
-/// Reads poses: first line `x,y,z,qx,qy,qz,qw`, then seven finite numbers a line [m]; quaternions are unit to 1e-6 and
-/// returned normalized. Empty lines are skipped.
+/// Reads poses: first line `x,y,z,qx,qy,qz,qw`, then seven finite numbers a line [m]; quaternions
+/// are unit to 1e-6 and returned normalized. Empty lines are skipped.
 /// Thread [offline]; throws InputError naming the line.
 std::vector<Pose> read_poses(const std::string& path);
 

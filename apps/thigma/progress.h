@@ -6,8 +6,8 @@
 
 namespace thigma::app {
 
-/// A bar with rate and time left on a terminal, a plain line every tenth and at most one in two seconds elsewhere.
-/// Thread: one.
+/// A bar with rate and time left on a terminal, a plain line every tenth and at most one in two
+/// seconds elsewhere. Thread: one.
 class Progress {
  public:
   /// label     what is being done, "building cup.obj"

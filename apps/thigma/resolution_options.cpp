@@ -60,9 +60,9 @@ void add_resolution_options(CLI::App& verb, ResolutionOptions& o) {
   verb.add_flag("--exact", o.is_exact, "contacts at full resolution");
   verb.add_option("--threshold", o.threshold,
                   "levels of detail by contact: s0 as a fraction of the smaller radius (0.025)");
-  verb.add_option(
-      "--deviation-cap", o.deviation_cap,
-      "most surface deviation of a contact, a fraction of the smaller radius, or off (the default)");
+  verb.add_option("--deviation-cap", o.deviation_cap,
+                  "most surface deviation of a contact, a fraction of the smaller radius, or off "
+                  "(the default)");
   verb.add_option("--budget-us", o.budget_us,
                   "CPU time of a query [us]; what is left coarse for it shows in the bounds");
   verb.add_option("--budget-tests", o.budget_tests, "the same in pairs looked at: reproducible")

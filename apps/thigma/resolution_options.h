@@ -29,7 +29,8 @@ void add_resolution_options(CLI::App& verb, ResolutionOptions& options);
 /// returns     what is wrong with the options, one sentence; "" when nothing
 std::string apply(const ResolutionOptions& options, Resolution& resolution);
 
-/// Sets what s0 is compared with from the text of --metric; the threshold is kept for the haptic one.
+/// Sets what s0 is compared with from the text of --metric; the threshold is kept for the haptic
+/// one.
 /// returns  what is wrong, one sentence; "" when nothing
 std::string parse_metric(const std::string& text, RefinementMetric& metric);
 

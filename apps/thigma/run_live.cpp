@@ -85,8 +85,8 @@ class LiveRun {
             }};
   }
 
-  /// The recording of the session with this configuration, if one is wanted. The first is of the command line: without
-  /// it there is no session; those that pages ask for have been tried before.
+  /// The recording of the session with this configuration, if one is wanted. The first is of the
+  /// command line: without it there is no session; those that pages ask for have been tried before.
   void open_recording(const SessionConfig& config) {
     recorder_.begin(nullptr);
     has_lost_recording_ = false;
@@ -105,7 +105,8 @@ class LiveRun {
   /// On the thread that drains the session: the session goes on, pages and people are told once.
   void recording_failed(const RecordingFailure& failure) {
     has_lost_recording_ = true;
-    room_.look_at(SessionEvent{failure.time, failure.frame, "recording_ended", record_, failure.why});
+    room_.look_at(
+        SessionEvent{failure.time, failure.frame, "recording_ended", record_, failure.why});
     room_.lose_recording();
     program_.tell_trouble(failure.why + "; the recording ends there, the session goes on");
   }
@@ -199,8 +200,9 @@ class LiveRun {
     return summary;
   }
 
-  /// What a page asks for that the session has to end for, once there is such a request and all it takes is ready. What
-  /// is refused is answered here and stops nothing; meshes are looked at meanwhile.
+  /// What a page asks for that the session has to end for, once there is such a request and all it
+  /// takes is ready. What is refused is answered here and stops nothing; meshes are looked at
+  /// meanwhile.
   std::optional<live::LiveRequest>& poll_pages() {
     if (request_) return request_;
     request_ = room_.take_request();
@@ -264,7 +266,8 @@ class LiveRun {
     };
     hooks.web_link = program_.web_link;
     const bool is_recorded = !playback_ && !has_lost_recording_;
-    return {*run_, options_, dropped_, start_, is_recorded ? record_ : "", program_.seed, std::move(hooks)};
+    return {*run_,         options_,        dropped_, start_, is_recorded ? record_ : "",
+            program_.seed, std::move(hooks)};
   }
 
   /// Puts a change into effect, between two sessions; nothing of it can fail.
@@ -273,7 +276,8 @@ class LiveRun {
     playback_ = std::move(change.playback);
     if (change.run) {
       const SessionConfig& config = change.run->config;
-      room_.show(view_of(*change.run), config, config.world_from_body * config.contact.body_from_mesh);
+      room_.show(view_of(*change.run), config,
+                 config.world_from_body * config.contact.body_from_mesh);
       run_ = std::move(change.run);
       options_ = std::move(change.options);
       start_ = run_->config.world_from_body;
@@ -321,9 +325,9 @@ class LiveRun {
   std::optional<live::LiveRequest> request_;
   LiveChange change_;          // what request_ takes
   bool has_progress_ = false;  // pages have been told of some
-  std::optional<Pose>
-      last_body_;            // world_from_body of the last frame, unless it touched something;
-                             // the draining thread's while a session runs
+  // world_from_body of the last frame, unless it touched something; the draining thread's while a
+  // session runs
+  std::optional<Pose> last_body_;
   live::PageId holder_ = 0;  // of the next session's device
   double seconds_ = 0.0;     // of all sessions so far
 };

@@ -27,11 +27,12 @@ struct LiveProgram {
   std::function<void(const ContactSample&)> look_at_contact;  // likewise
   std::function<void()> poll;                                 // every 10 ms; may be empty
   std::function<void(const std::string&)> tell;               // a line for people
-  std::function<void(const std::string&)> tell_trouble;       // one that --quiet does not take away; any thread
+  // one that --quiet does not take away; any thread
+  std::function<void(const std::string&)> tell_trouble;
 };
 
-/// Serves the page and runs sessions until the time is over, the device has finished, a fault has ended
-/// one with nobody there to begin again, or it is told to stop.
+/// Serves the page and runs sessions until the time is over, the device has finished, a fault has
+/// ended one with nobody there to begin again, or it is told to stop.
 ///
 /// returns  of the last session
 /// errors   PortUnavailable, IoError, std::system_error

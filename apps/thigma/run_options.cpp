@@ -11,7 +11,9 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
   verb.add_option("scene", o.scene, "scene file (.toml) or the name of a built-in scene");
   verb.add_option("--object", o.object, "mesh to hold, instead of a scene");
   verb.add_option("--against", o.against, "mesh that stands still, with --object");
-  verb.add_option("--scale", o.scale, "metres per unit of both meshes, with --object; without it neither may be larger than 1 m in radius");
+  verb.add_option("--scale", o.scale,
+                  "metres per unit of both meshes, with --object; without it neither may be larger "
+                  "than 1 m in radius");
   verb.add_option("--pose", o.pose_text, "x,y,z,qx,qy,qz,qw of the object [m], with --object");
   verb.add_option("--device", o.device,
                   "hand:, web:, script:FILE, replay:FILE, null: (thigma devices lists them)");
@@ -24,20 +26,23 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
   verb.add_option("--replay", o.replay,
                   "show a recording (.mcap) on the page, with a time slider, before any session");
   verb.add_option("--histograms", o.histograms, "write the durations of every stage (.csv)");
-  verb.add_option("--spin", o.spin, "microseconds polled before each deadline; by default as wake-ups ask for");
+  verb.add_option("--spin", o.spin,
+                  "microseconds polled before each deadline; by default as wake-ups ask for");
   add_resolution_options(verb, o.resolution);
   verb.add_flag("--no-blend", o.has_no_blend,
                 "contacts change their level of detail at once, not gradually");
-  verb.add_option(
-      "--response", o.response,
-      "penalty: clusters push like springs, felt through a simulated body and its coupling (default; coupled is "
-      "its older name); direct: contact forces as they are");
-  verb.add_flag("--passivity", o.is_passive,
-                "let late samples give no energy away: damps the handle, softens what is not backed");
+  verb.add_option("--response", o.response,
+                  "penalty: clusters push like springs, felt through a simulated body and its "
+                  "coupling (default; coupled is "
+                  "its older name); direct: contact forces as they are");
+  verb.add_flag(
+      "--passivity", o.is_passive,
+      "let late samples give no energy away: damps the handle, softens what is not backed");
   verb.add_flag("--no-cache", o.has_no_cache, "build levels of detail anew and keep nothing");
   verb.add_flag("--repair", o.is_repair, "repair meshes that need it");
   verb.add_option("--fault", o.fault_text, "unplug@T, stall=S@T, nan@T, hang=S@T, comma-separated");
-  verb.add_option("--texture", o.texture, "on: refuse a scene without textures; off: coarse surfaces alone");
+  verb.add_option("--texture", o.texture,
+                  "on: refuse a scene without textures; off: coarse surfaces alone");
   verb.add_option("--port", o.port, "of the page on this machine; 0 or none: any free one");
 }
 
@@ -67,15 +72,15 @@ std::string check_run_options(const RunOptions& o) {
   // As of solver.rate in a scene: more slowly, a contact model is too old before the next frame.
   if (o.rate && !(*o.rate >= 50.0 && *o.rate <= 20000.0)) return "--rate must be 50 to 20000 Hz";
   if (o.spin && !(*o.spin >= 0.0 && *o.spin <= 20000.0)) return "--spin must be 0 to 20000 us";
-  if (!o.response.empty() && o.response != "penalty" && o.response != "coupled" && o.response != "direct")
+  if (!o.response.empty() && o.response != "penalty" && o.response != "coupled" &&
+      o.response != "direct")
     return "--response is penalty (or coupled, its older name) or direct";
   Resolution resolution;
   const std::string wrong = apply(o.resolution, resolution);
   if (!wrong.empty()) return wrong;
   if (!o.texture.empty() && o.texture != "on" && o.texture != "off")
     return "--texture is on or off";
-  if (o.port && o.is_headless)
-    return "--port belongs to the page, which --headless leaves out";
+  if (o.port && o.is_headless) return "--port belongs to the page, which --headless leaves out";
   if (!o.pose_text.empty() && !parse_pose(o.pose_text))
     return "--pose must be seven numbers: x,y,z,qx,qy,qz,qw";
   return {};

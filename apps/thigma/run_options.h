@@ -26,8 +26,8 @@ struct RunOptions {
   bool is_lockstep = false;
   std::optional<double> rate;  // otherwise the scene's [Hz]
   std::string record;
-  std::string replay;  // recording to show instead of a session; its scene, where none is named
-  std::string histograms;      // file for the durations of every stage
+  std::string replay;      // recording to show instead of a session; its scene, where none is named
+  std::string histograms;  // file for the durations of every stage
   std::optional<double> spin;  // polled before each deadline [us]; otherwise as wake-ups ask for
   ResolutionOptions resolution;
   bool has_no_blend = false;  // contacts change level at once

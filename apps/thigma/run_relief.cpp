@@ -19,7 +19,8 @@ void tell_relief(const Tell& tell, const std::string& name, const HapticTexture&
   tell(line);
 }
 
-/// Of the radius: where a texture fits its level worse than this, contacts are refined to a finer one.
+/// Of the radius: where a texture fits its level worse than this, contacts are refined to a finer
+/// one.
 constexpr double kWorstFit = 0.005;
 
 /// The coarsest level up to which all textures fit.
@@ -32,7 +33,8 @@ std::int32_t coarsest_fitting(const LevelTextures& textures, double radius) {
   return std::max(coarsest, 0);
 }
 
-/// Tells a line once, though a session and what places its object both have something to say. Any thread.
+/// Tells a line once, though a session and what places its object both have something to say. Any
+/// thread.
 Tell tell_once(const Tell& tell) {
   struct Last {
     std::mutex mutex;

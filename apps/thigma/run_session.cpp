@@ -24,7 +24,8 @@
 namespace thigma::app {
 namespace {
 
-// Of a mesh without a unit: what a hand holds is smaller, and in millimetres a thing of 1 mm is larger [m].
+// Of a mesh without a unit: what a hand holds is smaller, and in millimetres a thing of 1 mm is
+// larger [m].
 constexpr double kLargestRadius = 1.0;
 
 /// The hierarchy of a mesh at full resolution, as an asset.
@@ -144,8 +145,10 @@ DeviceContext context_of(const Run& run, const RunDevice& opened, std::uint64_t 
 std::unique_ptr<HapticDevice> open_recorded(const std::string& path, const RunOptions& options,
                                             const Tell& tell, SessionConfig& session) {
   std::vector<DeviceState> samples;
-  const RecordingInfo recording = stream_recording(
-      path, {.frame = [&samples](const HapticSample& frame, const SamplePlace&) { samples.push_back(frame.device); }});
+  const RecordingInfo recording =
+      stream_recording(path, {.frame = [&samples](const HapticSample& frame, const SamplePlace&) {
+                         samples.push_back(frame.device);
+                       }});
   if (tell) {
     for (const std::string& line : recording_warnings(path, recording)) tell(line);
   }
@@ -183,7 +186,8 @@ std::unique_ptr<HapticDevice> open_web(const Run& run) {
 }
 
 /// Opens the device, and places the object before a hand comes to it. With the direct response the
-/// device decides the contact tolerance, and that the place: a hand is opened once more for its limits.
+/// device decides the contact tolerance, and that the place: a hand is opened once more for its
+/// limits.
 void open_at(const RunOptions& options, std::uint64_t seed, const Tell& tell, const Run& run,
              RunDevice& opened) {
   const std::string scheme = device_scheme(opened.uri);
@@ -198,18 +202,21 @@ void open_at(const RunOptions& options, std::uint64_t seed, const Tell& tell, co
     if (is_direct) use_direct_response(open_device(opened.uri, {})->limits(), opened.config);
     place(run, tell, opened);
   }
-  opened.device = scheme == "replay"
-                      ? open_recorded(opened.uri.substr(scheme.size() + 1), options, tell, opened.config)
-                      : open_device(opened.uri, context_of(run, opened, seed));
+  opened.device = scheme == "replay" ? open_recorded(opened.uri.substr(scheme.size() + 1), options,
+                                                     tell, opened.config)
+                                     : open_device(opened.uri, context_of(run, opened, seed));
   if (is_direct) use_direct_response(opened.device->limits(), opened.config);
 }
 
 /// What moves by itself instead of in a hand.
 void prepare_simulation(const scenes::SimulatedBody& body, std::uint64_t seed, Run& run) {
   if (device_scheme(run.device_uri) != "null")
-    throw DeviceAddressError(run.scene.file + ": nobody holds the object of a [simulation], expected --device null:");
+    throw DeviceAddressError(
+        run.scene.file + ": nobody holds the object of a [simulation], expected --device null:");
   if (run.config.haptic.response == ResponseKind::direct || !run.config.contact.textures.is_empty())
-    throw InputError(run.scene.file + ": [simulation] knows neither --response direct nor textures, expected neither");
+    throw InputError(
+        run.scene.file +
+        ": [simulation] knows neither --response direct nor textures, expected neither");
   ContactWorld& contact = run.config.contact;
   if (!body.has_tolerance) {
     double radius = contact.object->radius;
@@ -220,16 +227,17 @@ void prepare_simulation(const scenes::SimulatedBody& body, std::uint64_t seed, R
   run.simulation.emplace();
   run.simulation->world = scenes::simulation_world(body, run.config);
   run.simulation->start = scenes::simulation_start(body, run.config, seed);
-  run.config.world_from_body = {run.simulation->start.body.position, run.simulation->start.body.orientation};
+  run.config.world_from_body = {run.simulation->start.body.position,
+                                run.simulation->start.body.orientation};
 }
 
 }  // namespace
 
 scenes::SceneDescription read_run_scene(const RunOptions& options) {
   if (!options.scene.empty()) return scenes::read_scene(options.scene);
-  return scenes::scene_from_pair(options.object, options.against, options.scale.value_or(1.0),
-                                 options.pose_text.empty() ? Pose{}
-                                                           : *parse_pose(options.pose_text));
+  return scenes::scene_from_pair(
+      options.object, options.against, options.scale.value_or(1.0),
+      options.pose_text.empty() ? Pose{} : *parse_pose(options.pose_text));
 }
 
 std::string check_meshes(const scenes::SceneDescription& scene, const RunOptions& options) {
@@ -252,14 +260,15 @@ std::string check_meshes(const scenes::SceneDescription& scene, const RunOptions
   while (largest * scale > kLargestRadius) scale *= 1e-3;
   char line[512];
   std::snprintf(line, sizeof line,
-                "%.300s: a radius of %.3g m, which no hand feels; --scale %g where it is in %s, --scale 1 where it "
+                "%.300s: a radius of %.3g m, which no hand feels; --scale %g where it is in %s, "
+                "--scale 1 where it "
                 "is meant",
                 name.c_str(), largest, scale, scale == 1e-3 ? "mm" : "smaller units");
   return line;
 }
 
-SessionSummary simulate_run(Run& run, const SessionConfig& config, bool is_paced, const SessionSinks& sinks,
-                            const std::atomic<bool>* stop) {
+SessionSummary simulate_run(Run& run, const SessionConfig& config, bool is_paced,
+                            const SessionSinks& sinks, const std::atomic<bool>* stop) {
   SimulatedRun& simulated = *run.simulation;
   simulated.last = run_simulated(config, simulated.world, simulated.start, is_paced, sinks, stop);
   return simulated.last.session;
@@ -280,18 +289,23 @@ std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOption
   // Whether levels are wanted decides what is loaded, before there is a configuration.
   Resolution resolution = run->scene.contact.resolution;
   apply(options.resolution, resolution);
-  if (options.texture == "on" && !has_any(run->scene, [](const scenes::SceneObject& o) { return o.has_relief(); }))
-    throw InputError(run->scene.file + ": nothing in it has a texture, for --texture on, expected "
-                                       "an object or static body with one");
+  if (options.texture == "on" &&
+      !has_any(run->scene, [](const scenes::SceneObject& o) { return o.has_relief(); }))
+    throw InputError(run->scene.file +
+                     ": nothing in it has a texture, for --texture on, expected "
+                     "an object or static body with one");
   // A texture instead of a mesh lies over patches of the original surface alone.
-  if (has_any(run->scene, [](const scenes::SceneObject& o) { return o.is_textured; })) resolution.is_exact = true;
+  if (has_any(run->scene, [](const scenes::SceneObject& o) { return o.is_textured; }))
+    resolution.is_exact = true;
   std::int32_t coarsest = resolution.coarsest_level;
-  const auto load = [&](const scenes::SceneObject& object, const char* role, BodyTextures& textures) {
+  const auto load = [&](const scenes::SceneObject& object, const char* role,
+                        BodyTextures& textures) {
     if (object.is_textured) {
       textures = load_relief(object, tell);
       return coarse_asset(*textures[0]);
     }
-    ClodAsset asset = load_asset(object, role, options, resolution.is_exact && object.level_textures.empty(), hooks);
+    ClodAsset asset = load_asset(object, role, options,
+                                 resolution.is_exact && object.level_textures.empty(), hooks);
     if (!object.level_textures.empty() && options.texture != "off")
       textures = load_level_relief(object, asset, tell, coarsest);
     return asset;
@@ -309,12 +323,14 @@ std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOption
   apply_options(options, run->scene, run->config);
   run->config.contact.resolution.coarsest_level = coarsest;
   if (options.texture != "off") use_textures(*run, tell);
-  use_run_device(open_run_device(options, seed, run->device_uri, run->config.world_from_body, *run,
-                                 tell),
-                 *run);
-  if (options.is_passive || run->scene.is_passive) use_passivity(run->device->limits(), run->config);
+  use_run_device(
+      open_run_device(options, seed, run->device_uri, run->config.world_from_body, *run, tell),
+      *run);
+  if (options.is_passive || run->scene.is_passive)
+    use_passivity(run->device->limits(), run->config);
   if (!options.scene.empty()) {
-    if (const auto body = scenes::read_simulated_body(options.scene)) prepare_simulation(*body, seed, *run);
+    if (const auto body = scenes::read_simulated_body(options.scene))
+      prepare_simulation(*body, seed, *run);
   }
   return run;
 }

@@ -13,8 +13,8 @@
 #include "thigma/clod/clod_asset.h"
 #include "thigma/device/haptic_device.h"
 #include "thigma/runtime/placement.h"
-#include "thigma/runtime/simulated_session.h"
 #include "thigma/runtime/session.h"
+#include "thigma/runtime/simulated_session.h"
 #include "thigma/runtime/web_device.h"
 
 namespace thigma::app {
@@ -35,10 +35,11 @@ struct Run {
   double object_radius = 0.0;  // [m]
   ClodAsset object;
   std::vector<std::unique_ptr<ClodAsset>> statics;  // in the order of the scene
-  BodyTextures object_textures;               // none where nothing of the scene is textured
-  std::vector<BodyTextures> static_textures;  // as many as statics, or none
+  BodyTextures object_textures;                     // none where nothing of the scene is textured
+  std::vector<BodyTextures> static_textures;        // as many as statics, or none
   SessionConfig config;
-  std::optional<EmptyLoop> floor;  // of the machine just before a threaded session, where it was measured
+  // of the machine just before a threaded session, where it was measured
+  std::optional<EmptyLoop> floor;
   std::optional<SimulatedRun> simulation;  // of a scene with [simulation]
   StartPlacement start;
   WebLink* web_link = nullptr;  // of the page, where there is one; outlives the run
@@ -60,8 +61,8 @@ scenes::SceneDescription read_run_scene(const RunOptions& options);
 
 /// Looks at all meshes of a scene before anything is built, since that may take minutes.
 ///
-/// returns  "", or a sentence on the use of --scale: a pair of meshes without it of which one is larger than a
-///          hand could feel (exit code 2)
+/// returns  "", or a sentence on the use of --scale: a pair of meshes without it of which one is
+///          larger than a hand could feel (exit code 2)
 /// Thread   [offline]. InputError for the first that cannot be used.
 std::string check_meshes(const scenes::SceneDescription& scene, const RunOptions& options);
 
@@ -72,10 +73,11 @@ std::string check_meshes(const scenes::SceneDescription& scene, const RunOptions
 std::unique_ptr<Run> prepare_run(scenes::SceneDescription scene, const RunOptions& options,
                                  std::uint64_t seed, const RunHooks& hooks);
 
-/// Runs the simulation of a scene that has one, as run_simulated; how it went stays in run.simulation->last.
+/// Runs the simulation of a scene that has one, as run_simulated; how it went stays in
+/// run.simulation->last.
 /// Thread   [offline]
-SessionSummary simulate_run(Run& run, const SessionConfig& config, bool is_paced, const SessionSinks& sinks,
-                            const std::atomic<bool>* stop);
+SessionSummary simulate_run(Run& run, const SessionConfig& config, bool is_paced,
+                            const SessionSinks& sinks, const std::atomic<bool>* stop);
 
 /// What of a run its device decides.
 struct RunDevice {
@@ -85,8 +87,8 @@ struct RunDevice {
   StartPlacement start;
 };
 
-/// Opens a device anew, or another one, and places the object for it as prepare_run does. The run, which a session may
-/// be using, stays as it is.
+/// Opens a device anew, or another one, and places the object for it as prepare_run does. The run,
+/// which a session may be using, stays as it is.
 ///
 /// world_from_body  where the object starts unless it has to be placed elsewhere
 /// Thread   [offline]; errors as prepare_run.

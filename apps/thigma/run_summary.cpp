@@ -93,7 +93,8 @@ Json deciders(const SessionSummary& s) {
   return has_contacts ? shares : Json(nullptr);
 }
 
-/// Largest steps from frame to frame [N], where a contact changes its level of detail and elsewhere.
+/// Largest steps from frame to frame [N], where a contact changes its level of detail and
+/// elsewhere.
 Json force_step(const ForceStep& step, const SessionSummary& s) {
   Json json;
   json["level_change"] =
@@ -161,7 +162,8 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene, const s
       {"levels",
        {{"object", level_shares(s.object_levels)}, {"scene", level_shares(s.scene_levels)}}}};
   json["levels"] = {{"decided_by", deciders(s)},
-                    {"triangles_below_mean", s.triangles_below_mean > 0.0 ? Json(s.triangles_below_mean) : Json(nullptr)}};
+                    {"triangles_below_mean",
+                     s.triangles_below_mean > 0.0 ? Json(s.triangles_below_mean) : Json(nullptr)}};
   json["force"] = {{"max", s.force_max},
                    {"rms", s.force_rms},
                    {"step_max", force_step(s.force_steps.device, s)},
@@ -196,27 +198,31 @@ Json simulation_json(const Run& run) {
   json["interpolated"] = c.interpolated;
   json["doubted"] = c.doubted;
   json["unresolved"] = c.unresolved;
-  json["query_cpu_us_mean"] = c.steps > 0 ? finite(1e6 * c.query_cpu / static_cast<double>(c.steps)) : Json(nullptr);
+  json["query_cpu_us_mean"] =
+      c.steps > 0 ? finite(1e6 * c.query_cpu / static_cast<double>(c.steps)) : Json(nullptr);
   json["front_mean"] = c.steps > 0 ? finite(c.front / static_cast<double>(c.steps)) : Json(nullptr);
   json["tolerance"] = run.simulation->world.tolerance;
   json["deepest"] = c.deepest;
   json["beyond_bound"] = c.beyond_bound;
   json["energy"] = {{"start", s.energy_start}, {"end", s.energy_end}, {"growth_max", s.growth_max}};
   json["body"] = {{"position", {s.body.position.x(), s.body.position.y(), s.body.position.z()}},
-                  {"quat_xyzw", {s.body.orientation.x(), s.body.orientation.y(), s.body.orientation.z(),
-                                 s.body.orientation.w()}}};
+                  {"quat_xyzw",
+                   {s.body.orientation.x(), s.body.orientation.y(), s.body.orientation.z(),
+                    s.body.orientation.w()}}};
   return json;
 }
 
 std::string simulation_text(const Run& run) {
   const SimulatedSummary& s = run.simulation->last;
   std::string text;
-  append(text, "simulation       %lld queries, %lld impacts, %lld held flights, %lld interpolated; %s\n",
+  append(text,
+         "simulation       %lld queries, %lld impacts, %lld held flights, %lld interpolated; %s\n",
          static_cast<long long>(s.counts.steps), static_cast<long long>(s.counts.events),
          static_cast<long long>(s.counts.supported), static_cast<long long>(s.counts.interpolated),
          s.is_resting ? "at rest" : "moving");
-  append(text, "deepest          %.3g mm, tolerance %.3g mm; energy %.3g to %.3g J\n", 1e3 * s.counts.deepest,
-         1e3 * run.simulation->world.tolerance, s.energy_start, s.energy_end);
+  append(text, "deepest          %.3g mm, tolerance %.3g mm; energy %.3g to %.3g J\n",
+         1e3 * s.counts.deepest, 1e3 * run.simulation->world.tolerance, s.energy_start,
+         s.energy_end);
   return text;
 }
 
@@ -242,8 +248,8 @@ std::string run_summary_text(const SessionSummary& s) {
       append(deciding, "%s%s %.0f %%", deciding.empty() ? "" : ", ", kDeciders[i],
              100.0 * share_of(s.decided_by[i], s.decided_by));
   if (!deciding.empty() && s.triangles_below_mean > 0.0)
-    append(text, "level of detail  decided by %s; %.0f original triangles below a contact\n", deciding.c_str(),
-           s.triangles_below_mean);
+    append(text, "level of detail  decided by %s; %.0f original triangles below a contact\n",
+           deciding.c_str(), s.triangles_below_mean);
   append(text, "contact model    p50 %.2f ms old, p99 %.2f ms, max %.2f ms\n",
          1e3 * s.model_age.p50, 1e3 * s.model_age.p99, 1e3 * s.model_age.max);
   append(text, "force            max %.3f N, rms %.3f N; torque max %.4f N m\n", s.force_max,
@@ -260,12 +266,15 @@ std::string run_summary_text(const SessionSummary& s) {
          static_cast<unsigned long long>(s.dropped_samples));
   if (s.passivity.is_on) {
     append(text,
-           "passivity        %.1f %% of the frames changed, %.1f %% of the wanted wrench sent, damping at most %.1f N s/m\n",
-           100.0 * s.passivity.acted_share, 100.0 * s.passivity.sent_share, s.passivity.damping_max);
+           "passivity        %.1f %% of the frames changed, %.1f %% of the wanted wrench sent, "
+           "damping at most %.1f N s/m\n",
+           100.0 * s.passivity.acted_share, 100.0 * s.passivity.sent_share,
+           s.passivity.damping_max);
   }
   if (s.ridden_out.gaps + s.ridden_out.stale_models > 0) {
     append(text,
-           "late             %llu times no step for too long (%.1f ms at most), %llu times the contact "
+           "late             %llu times no step for too long (%.1f ms at most), %llu times the "
+           "contact "
            "model too old: zero force, then on again, as nobody is held\n",
            static_cast<unsigned long long>(s.ridden_out.gaps), 1e3 * s.ridden_out.longest_gap,
            static_cast<unsigned long long>(s.ridden_out.stale_models));

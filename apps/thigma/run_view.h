@@ -18,8 +18,8 @@ live::SceneView view_of(const Run& run);
 /// Who may move the object: the device the program was started with, the page, and a hand.
 std::vector<std::string> devices_of(const Run& run);
 
-/// What gains of this run are judged for, as far as the device is known; nothing for the direct response, which has none.
-/// Thread [offline].
+/// What gains of this run are judged for, as far as the device is known; nothing for the direct
+/// response, which has none. Thread [offline].
 std::optional<GainTask> gains_of(const Run& run);
 
 /// What pages may choose that takes a new session.

@@ -83,7 +83,8 @@ Thinner::Thinner(std::string label, std::size_t count, std::size_t most)
 
 void Thinner::end_stretch() {
   std::array<Point, 3> kept = {low_, high_, gap_};
-  std::sort(kept.begin(), kept.end(), [](const Point& a, const Point& b) { return a.index < b.index; });
+  std::sort(kept.begin(), kept.end(),
+            [](const Point& a, const Point& b) { return a.index < b.index; });
   std::size_t last = count_;
   for (const Point& p : kept) {
     if (!p.is_there || p.index == last) continue;

@@ -12,9 +12,9 @@
 
 namespace thigma::app {
 
-/// At most about `most` points of a curve: of every stretch of equal length the lowest and the highest
-/// stay, in their order, so that a peak of one frame is still seen. A value that is not finite
-/// interrupts the curve; of such neighbours one stays.
+/// At most about `most` points of a curve: of every stretch of equal length the lowest and the
+/// highest stay, in their order, so that a peak of one frame is still seen. A value that is not
+/// finite interrupts the curve; of such neighbours one stays.
 plot::Series thinned(const plot::Series& series, std::size_t most);
 
 /// thinned() of a curve of so many points whose points come one by one.
@@ -48,9 +48,9 @@ struct SessionExtent {
 };
 
 /// Eight panels: force, torque, penetration, coupling stretch, rates, contacts, age of the contact
-/// model, energy; faults and other events are lines across all of them. Penetration is shown where the
-/// object is in touch or near. Units in the labels, millimetres and milliseconds where SI would be small.
-/// Made of samples as they go by, in the memory of what is drawn.
+/// model, energy; faults and other events are lines across all of them. Penetration is shown where
+/// the object is in touch or near. Units in the labels, millimetres and milliseconds where SI would
+/// be small. Made of samples as they go by, in the memory of what is drawn.
 /// Thread: one, [offline].
 class SessionCurves {
  public:

@@ -11,13 +11,14 @@ namespace thigma::app {
 
 /// Where the recording of a session ended before the session did.
 struct RecordingFailure {
-  std::string why;  // "FILE: what the system says"
+  std::string why;    // "FILE: what the system says"
   double time = 0.0;  // of the last frame written [s; session clock]
   std::uint64_t frame = 0;
 };
 
-/// Writes a session's samples until the system refuses; then that is told once, and nothing more is written.
-/// Thread: write from the thread that drains the session, all else from the program's while no session runs.
+/// Writes a session's samples until the system refuses; then that is told once, and nothing more is
+/// written. Thread: write from the thread that drains the session, all else from the program's
+/// while no session runs.
 class SessionRecorder {
  public:
   /// failed   told of a failure, on the thread that wrote; may be empty

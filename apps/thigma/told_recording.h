@@ -7,11 +7,14 @@
 
 namespace thigma::app {
 
-/// Goes through a recording and tells on standard error what is wrong with it, a line each, unless quiet.
+/// Goes through a recording and tells on standard error what is wrong with it, a line each, unless
+/// quiet.
 /// Thread   [offline]; as stream_recording.
-RecordingInfo stream_recording_told(const std::string& path, const RecordingSinks& sinks, bool is_quiet);
+RecordingInfo stream_recording_told(const std::string& path, const RecordingSinks& sinks,
+                                    bool is_quiet);
 
 /// The lines, for whoever tells them otherwise.
-std::vector<std::string> recording_warnings(const std::string& path, const RecordingInfo& recording);
+std::vector<std::string> recording_warnings(const std::string& path,
+                                            const RecordingInfo& recording);
 
 }  // namespace thigma::app

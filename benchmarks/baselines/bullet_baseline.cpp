@@ -48,7 +48,8 @@ struct Collector : btManifoldResult {
   double unit = 1.0, margins = 0.0;
   Collector(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b)
       : btManifoldResult(a, b) {}
-  // normal: on the second body, towards the first. The depth counts from the shapes with their margins.
+  // normal: on the second body, towards the first. The depth counts from the shapes with their
+  // margins.
   void addContactPoint(const btVector3& normal, const btVector3& point, btScalar depth) override {
     out->push_back(
         {unit * vec3(point), -vec3(normal), -unit * static_cast<double>(depth) - margins});

@@ -89,8 +89,8 @@ inline FieldCell find_cell(const DistanceField& field, float px, float py, float
   return cell;
 }
 
-/// The eight corners of a cell with samples: (0,0) (1,0) (0,1) (1,1) at the lower z, and the rise to
-/// the upper one.
+/// The eight corners of a cell with samples: (0,0) (1,0) (0,1) (1,1) at the lower z, and the rise
+/// to the upper one.
 struct FieldCorners {
   __m128 low, rise;
 };

@@ -34,7 +34,8 @@ fcl::Transform3d transform(const Pose& pose) {
 }
 
 std::shared_ptr<fcl::Convexd> make_convex(const TriangleMesh& mesh) {
-  auto vertices = std::make_shared<const std::vector<fcl::Vector3d>>(mesh.positions.begin(), mesh.positions.end());
+  auto vertices = std::make_shared<const std::vector<fcl::Vector3d>>(mesh.positions.begin(),
+                                                                     mesh.positions.end());
   auto faces = std::make_shared<std::vector<int>>();
   for (const auto& t : mesh.triangles) faces->insert(faces->end(), {3, t[0], t[1], t[2]});
   return std::make_shared<fcl::Convexd>(vertices, static_cast<int>(mesh.triangles.size()), faces);
@@ -63,7 +64,8 @@ FclDistance fcl_distance(FclPair& pair, const Pose& world_from_object) {
   fcl::DistanceRequestd request(true);  // with the nearest points
   fcl::DistanceResultd result;
   const fcl::Transform3d scene = fcl::Transform3d::Identity();
-  fcl::distance(pair.object.get(), transform(world_from_object), pair.scene.get(), scene, request, result);
+  fcl::distance(pair.object.get(), transform(world_from_object), pair.scene.get(), scene, request,
+                result);
   return {result.min_distance, result.nearest_points[0], result.nearest_points[1]};
 }
 

@@ -20,8 +20,9 @@ using FclPairPtr = std::unique_ptr<FclPair, FclPairDeleter>;
 
 FclPairPtr make_fcl_pair(const TriangleMesh& object, const TriangleMesh& scene);
 
-/// Smallest distance at a pose of the object, the scene at the identity, and the closest points; 0 where the
-/// surfaces intersect. One pair of points: FCL has no query for all regions nearer than a tolerance.
+/// Smallest distance at a pose of the object, the scene at the identity, and the closest points; 0
+/// where the surfaces intersect. One pair of points: FCL has no query for all regions nearer than a
+/// tolerance.
 struct FclDistance {
   double distance = 0.0;
   Vec3 point_object = Vec3::Zero(), point_scene = Vec3::Zero();  // [m; world]

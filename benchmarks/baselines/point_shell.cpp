@@ -219,7 +219,8 @@ void test_leaf(const OneWay& way, const ShellLeaf& leaf) {
         cell.corner != nullptr ? cell_distance(cell) : cell.bound + field.brick_radius;
     if (!(distance < way.tolerance)) continue;
     ShellContact contact;
-    // Out of the grasped object: against the field's gradient for its own points, along it for others.
+    // Out of the grasped object: against the field's gradient for its own points, along it for
+    // others.
     if (cell.corner != nullptr) {
       const std::array<float, 3> rise = cell_rise(cell);
       const float norm2 = rise[0] * rise[0] + rise[1] * rise[1] + rise[2] * rise[2];
@@ -242,8 +243,8 @@ void test_leaf(const OneWay& way, const ShellLeaf& leaf) {
 ShellStats walk(const OneWay& way) {
   const DistanceField& field = way.other->field;
   ShellStats stats;
-  std::array<std::int32_t, 128>
-      stack;  // three a level are left waiting, and 4^40 leaves are never reached
+  // three a level are left waiting, and 4^40 leaves are never reached
+  std::array<std::int32_t, 128> stack;
   std::size_t top = 0;
   stack[top++] = 0;
   while (top > 0) {

@@ -63,8 +63,8 @@ struct ShellStats {
 };
 
 /// Every point of either object nearer than the tolerance to the other, or inside it, up to the
-/// error of the fields. A point deeper than the field's band has the depth of its brick's centre and
-/// its own normal. contacts: emptied first; grows. Thread: any; allocates only to grow.
+/// error of the fields. A point deeper than the field's band has the depth of its brick's centre
+/// and its own normal. contacts: emptied first; grows. Thread: any; allocates only to grow.
 ShellStats query_shells(const PointShell& object, const Pose& world_from_object,
                         const PointShell& scene, const Pose& world_from_scene, double tolerance,
                         std::vector<ShellContact>& contacts);

@@ -22,7 +22,8 @@ const ClodHierarchy& levels_of_file(Assets& assets, const scenes::SceneObject& o
   if (known != assets.levels.end()) return known->second;
   ClodParams params;
   params.threads = 2;
-  return assets.levels.emplace(key, build_clod(scenes::load_object(object).mesh, params)).first->second;
+  return assets.levels.emplace(key, build_clod(scenes::load_object(object).mesh, params))
+      .first->second;
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ TriangleMesh make_mesh(const std::string& uri);
 /// Thread   [offline]; InputError for an address that is none.
 const ClodHierarchy& levels_of(Assets& assets, const std::string& uri);
 
-/// The same, built here, with its time in assets.seconds: CPU time of the process, of all its threads.
+/// The same, built here, with its time in assets.seconds: CPU time of the process, of all its
+/// threads.
 const ClodHierarchy& timed_levels_of(Assets& assets, const std::string& uri);
 
 /// An object over a scene of one body at rest.
@@ -50,9 +51,10 @@ struct Pair {
 /// Thread     [offline].
 Pair scene_pair(Assets& assets, const std::string& scene, int triangles = 0, bool is_timed = false);
 
-/// The same of any scene. The object and the first static one are procedural or mesh files; levels of files are built and
-/// kept in assets for the run.
-Pair scene_pair(Assets& assets, const scenes::SceneDescription& scene, int triangles = 0, bool is_timed = false);
+/// The same of any scene. The object and the first static one are procedural or mesh files; levels
+/// of files are built and kept in assets for the run.
+Pair scene_pair(Assets& assets, const scenes::SceneDescription& scene, int triangles = 0,
+                bool is_timed = false);
 
 /// Start and clearance of a pair whose object stands somewhere near: moved apart where it touches.
 void place_apart(Pair& pair, const Vec3& approach);

@@ -18,7 +18,8 @@ struct Scale {
   std::vector<Tick> ticks;
 };
 
-/// Scale over [low, high], widened to whole steps where `fit` is set for that end. About `wanted` labels.
+/// Scale over [low, high], widened to whole steps where `fit` is set for that end. About `wanted`
+/// labels.
 Scale make_scale(double low, double high, bool is_log, int wanted, bool fit_low = true,
                  bool fit_high = true);
 

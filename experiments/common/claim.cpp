@@ -13,12 +13,18 @@ constexpr int kLeastRows = 3;  // of a sweep: two ends and something between the
 
 bool satisfies(Comparison comparison, double value, double bound, double low) {
   switch (comparison) {
-    case Comparison::none: return true;
-    case Comparison::at_least: return value >= bound;
-    case Comparison::at_most: return value <= bound;
-    case Comparison::within: return value >= low && value <= bound;
-    case Comparison::above: return value > bound;
-    case Comparison::below: return value < bound;
+    case Comparison::none:
+      return true;
+    case Comparison::at_least:
+      return value >= bound;
+    case Comparison::at_most:
+      return value <= bound;
+    case Comparison::within:
+      return value >= low && value <= bound;
+    case Comparison::above:
+      return value > bound;
+    case Comparison::below:
+      return value < bound;
   }
   return false;
 }
@@ -55,13 +61,16 @@ Claim make_claim(std::string id, std::string text, Comparison comparison, double
 bool is_further_off(const Claim& claim) {
   switch (claim.comparison) {
     case Comparison::at_least:
-    case Comparison::above: return *claim.floor <= *claim.bound;
+    case Comparison::above:
+      return *claim.floor <= *claim.bound;
     case Comparison::at_most:
-    case Comparison::below: return *claim.floor >= *claim.bound;
+    case Comparison::below:
+      return *claim.floor >= *claim.bound;
     case Comparison::within:
       return claim.floor_low && *claim.floor_low <= *claim.bound_low &&
              *claim.floor >= *claim.bound;
-    case Comparison::none: return false;
+    case Comparison::none:
+      return false;
   }
   return false;
 }
@@ -103,8 +112,8 @@ Claim at_most(std::string id, std::string text, double value, double bound, std:
 
 Claim within(std::string id, std::string text, double value, double low, double high,
              std::string unit) {
-  Claim claim = make_claim(std::move(id), std::move(text), Comparison::within, value, high,
-                           std::move(unit));
+  Claim claim =
+      make_claim(std::move(id), std::move(text), Comparison::within, value, high, std::move(unit));
   claim.bound_low = low;
   return judge(std::move(claim), value);
 }
@@ -154,9 +163,12 @@ bool holds_though_marked(const Claim& claim) {
 
 const char* verdict(const Claim& claim) {
   switch (claim.kind) {
-    case ClaimKind::checked: return claim.holds ? "holds" : "DOES NOT HOLD";
-    case ClaimKind::stated: return claim.holds ? "stated" : "NO NUMBER";
-    case ClaimKind::not_reproduced: break;
+    case ClaimKind::checked:
+      return claim.holds ? "holds" : "DOES NOT HOLD";
+    case ClaimKind::stated:
+      return claim.holds ? "stated" : "NO NUMBER";
+    case ClaimKind::not_reproduced:
+      break;
   }
   if (claim.holds) return "holds, though marked";
   return claim.expected ? "WORSE THAN KNOWN" : "not reproduced";
@@ -182,9 +194,8 @@ ClaimCounts operator+(const ClaimCounts& a, const ClaimCounts& b) {
 std::string counts_text(const ClaimCounts& counts) {
   const int all = counts.checked + counts.stated + counts.not_reproduced;
   std::string text = std::to_string(all) + (all == 1 ? " claim: " : " claims: ") +
-                     std::to_string(counts.checked) + " checked, " +
-                     std::to_string(counts.stated) + " stated, " +
-                     std::to_string(counts.not_reproduced) + " not reproduced; " +
+                     std::to_string(counts.checked) + " checked, " + std::to_string(counts.stated) +
+                     " stated, " + std::to_string(counts.not_reproduced) + " not reproduced; " +
                      std::to_string(counts.broken) + " broken";
   if (counts.marked_though_held > 0)
     text += ", " + std::to_string(counts.marked_though_held) + " held though marked";

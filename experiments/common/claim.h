@@ -19,7 +19,8 @@ enum class ClaimKind {
 enum class Comparison { none, at_least, at_most, within, above, below };
 
 /// One statement that the run bears out, or does not, or that is only a number.
-/// Invariant: it is broken exactly where it does not hold and is expected to; what is not a finite number is broken.
+/// Invariant: it is broken exactly where it does not hold and is expected to; what is not a finite
+/// number is broken.
 struct Claim {
   std::string id;                   // of reference/CLAIMS, or our own
   std::string text;                 // one sentence, with the bound in words
@@ -29,9 +30,9 @@ struct Claim {
   std::string unit;                 // of value and bounds, "" for a ratio or a count
   ClaimKind kind = ClaimKind::checked;
   Comparison comparison = Comparison::none;
-  bool holds = false;    // against the bound; of a stated claim: there is a number
+  bool holds = false;     // against the bound; of a stated claim: there is a number
   bool is_timed = false;  // compares times of this machine: no test asks for it
-  bool expected = true;  // false: does not hold, as known, and is not beyond its floor
+  bool expected = true;   // false: does not hold, as known, and is not beyond its floor
   // Of a claim that is not reproduced.
   std::string reason;
   std::string sweep;            // rows that show the reason, as Known has them
@@ -46,20 +47,23 @@ Claim within(std::string id, std::string text, double value, double low, double 
              std::string unit = "");
 Claim above(std::string id, std::string text, double value, double bound, std::string unit = "");
 Claim below(std::string id, std::string text, double value, double bound, std::string unit = "");
-/// A number that is stated and compared with nothing. It never "holds" for a reader; it is broken where it is no number.
+/// A number that is stated and compared with nothing. It never "holds" for a reader; it is broken
+/// where it is no number.
 Claim stated(std::string id, std::string text, double value, std::string unit = "");
 
 /// What is known about a claim that does not reproduce.
 struct Known {
   std::string reason;  // what was shown by taking the cause away
-  std::string sweep;   // the table with the rows that show it: "damping.csv", or "data.csv:series=damping", those
-                       // rows in whose column of that name the word stands; a run's tables have at least three
-  double floor = 0.0;  // beyond it the claim breaks all the same; outside the bound
+  // the table with the rows that show it: "damping.csv", or "data.csv:series=damping", those rows
+  // in whose column of that name the word stands; a run's tables have at least three
+  std::string sweep;
+  double floor = 0.0;                 // beyond it the claim breaks all the same; outside the bound
   std::optional<double> floor_low{};  // lower end, of a claim with two bounds
 };
 
 /// Marks a claim as one that does not reproduce.
-/// Error   std::invalid_argument: nothing to hold, no reason, no sweep, or a floor that is stricter than the bound.
+/// Error   std::invalid_argument: nothing to hold, no reason, no sweep, or a floor that is stricter
+///         than the bound.
 Claim known_not_to(Claim claim, Known known);
 
 /// Marks a claim as one about times of this machine.
@@ -74,8 +78,8 @@ bool is_broken(const Claim& claim);
 /// True for one that is marked as not reproduced and holds: the mark has to go.
 bool holds_though_marked(const Claim& claim);
 
-/// One or a few words for a person: "holds", "DOES NOT HOLD", "stated", "NO NUMBER", "not reproduced",
-/// "WORSE THAN KNOWN", "holds, though marked".
+/// One or a few words for a person: "holds", "DOES NOT HOLD", "stated", "NO NUMBER", "not
+/// reproduced", "WORSE THAN KNOWN", "holds, though marked".
 const char* verdict(const Claim& claim);
 
 /// How many there are of each kind.
@@ -90,8 +94,8 @@ ClaimCounts operator+(const ClaimCounts& a, const ClaimCounts& b);
 /// "7 claims: 5 checked, 1 stated, 1 not reproduced; 0 broken", and what holds though it is marked.
 std::string counts_text(const ClaimCounts& counts);
 
-/// What is wrong with the claims themselves, a line each: an id twice, a claim that is not reproduced without three
-/// rows of its sweep in the tables. Empty where nothing is.
+/// What is wrong with the claims themselves, a line each: an id twice, a claim that is not
+/// reproduced without three rows of its sweep in the tables. Empty where nothing is.
 std::vector<std::string> faults(const std::vector<Claim>& claims, const std::vector<Table>& tables);
 
 }  // namespace thigma::experiments

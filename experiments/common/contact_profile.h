@@ -1,5 +1,6 @@
 #pragma once
-// The contact profile of Figs. 3.15 and 3.16: force, query time and front along one path, at several thresholds.
+// The contact profile of Figs. 3.15 and 3.16: force, query time and front along one path, at
+// several thresholds.
 
 #include <string>
 #include <vector>
@@ -16,17 +17,17 @@ struct Setting {
   Resolution resolution;
 };
 
-/// Thresholds as in the text, cap off, from exact to the coarsest; then those that differ from it at `main`: the
-/// other reading of D, the cap, without interpolation.
+/// Thresholds as in the text, cap off, from exact to the coarsest; then those that differ from it
+/// at `main`: the other reading of D, the cap, without interpolation.
 std::vector<Setting> profile_settings(const std::vector<double>& thresholds, double main);
 
 /// How alike two force profiles are.
 struct Likeness {
   double correlation = 0.0;  // of the force
-  double curvature =
-      0.0;  // correlation of the second derivatives of the force, low-passed at 50 Hz
-  double force_error =
-      0.0;  // root mean square of the difference of the force vectors over that of the reference
+  // correlation of the second derivatives of the force, low-passed at 50 Hz
+  double curvature = 0.0;
+  // root mean square of the difference of the force vectors over that of the reference
+  double force_error = 0.0;
   double torque_error = 0.0;  // the same of torque
   double shape_error = 0.0;   // of the force, after the best constant and scale
   double torque_shape_error = 0.0;
@@ -61,11 +62,13 @@ struct ProfileFigure {
                                    const ProfileStudy& study);
 };
 
-/// Leads the object once, plays the path back at every setting, and makes claims, tables and figure of it.
+/// Leads the object once, plays the path back at every setting, and makes claims, tables and figure
+/// of it.
 Outcome run_profile(const Context& context, const ProfileFigure& figure);
 
-/// How well query time is proportional to the front: R^2 of the means along the path, over the thresholds of the text.
-/// The exact query is another algorithm, here as in the source, with a price of its own for a node pair.
+/// How well query time is proportional to the front: R^2 of the means along the path, over the
+/// thresholds of the text. The exact query is another algorithm, here as in the source, with a
+/// price of its own for a node pair.
 double time_by_front(const ProfileStudy& study);
 /// The same with the exact query for one more.
 double time_by_front_with_exact(const ProfileStudy& study);

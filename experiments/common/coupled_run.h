@@ -1,6 +1,6 @@
 #pragma once
-// A recorded motion of the handle played through coupling, contacts and any integrator, without a hand that feels it:
-// the experiments of Sec. 5.5.
+// A recorded motion of the handle played through coupling, contacts and any integrator, without a
+// hand that feels it: the experiments of Sec. 5.5.
 
 #include <span>
 #include <vector>
@@ -20,10 +20,10 @@ struct CoupledSetup {
   Integrator integrator = Integrator::implicit_tangent;
   double period = 1e-3;  // of the haptic frames [s]
   ContactWorld contact;  // neither scene nor source: free space
-  int contact_every =
-      1;  // haptic frames from one contact frame to the next, a new model being used a frame later
-  bool is_linearized =
-      true;  // false: contact forces are held from one model to the next, without a Jacobian
+  // haptic frames from one contact frame to the next, a new model being used a frame later
+  int contact_every = 1;
+  // false: contact forces are held from one model to the next, without a Jacobian
+  bool is_linearized = true;
 };
 
 /// One haptic frame.
@@ -35,12 +35,13 @@ struct CoupledFrame {
   double level = 0.0;                // mean level of detail of both surfaces in them, 0 the finest
 };
 
-/// Frames until the motion ends or the object is gone: more than a metre from the handle, or not finite.
+/// Frames until the motion ends or the object is gone: more than a metre from the handle, or not
+/// finite.
 /// Thread    [offline].
 std::vector<CoupledFrame> run_coupled(const CoupledSetup& setup, std::span<const Motion> handle);
 
-/// The handle's motion in the scene while the simulated hand leads a session, from `before` seconds ahead of the first
-/// touch on; and the object as it was then.
+/// The handle's motion in the scene while the simulated hand leads a session, from `before` seconds
+/// ahead of the first touch on; and the object as it was then.
 struct LedMotion {
   std::vector<Motion> handle;
   BodyState start;
@@ -60,7 +61,8 @@ double ripple(std::span<const double> values, std::size_t from, std::size_t to, 
 /// Motion along poses a period apart, with velocities by central differences.
 std::vector<Motion> motion_along(std::span<const Pose> poses, double period);
 
-/// Depth between exact meshes, as an exact query says, of every `stride`-th frame: 0 where they are apart [m].
+/// Depth between exact meshes, as an exact query says, of every `stride`-th frame: 0 where they are
+/// apart [m].
 std::vector<double> exact_depths(const ContactWorld& world, std::span<const CoupledFrame> frames,
                                  int stride, double tolerance);
 

@@ -1,19 +1,20 @@
 #pragma once
-// How far two objects are from each other, and poses at a distance that is asked for (PROTOCOLS E1).
+// How far two objects are from each other, and poses at a distance that is asked for (PROTOCOLS
+// E1).
 
 #include "thigma/clod/hierarchy.h"
 #include "thigma/math/pose.h"
 
 namespace thigma::experiments {
 
-/// Least distance of the original surfaces, 0 where they intersect [m]. Best first over the hierarchies, without
-/// memory of the last call.
+/// Least distance of the original surfaces, 0 where they intersect [m]. Best first over the
+/// hierarchies, without memory of the last call.
 /// Thread   [offline].
 double least_distance(const ClodHierarchy& object, const Pose& world_from_object,
                       const ClodHierarchy& scene, const Pose& world_from_scene);
 
-/// Moves the object along a direction from far away until the distance is `wanted`, without passing a surface: by the
-/// distance that is missing, again and again.
+/// Moves the object along a direction from far away until the distance is `wanted`, without passing
+/// a surface: by the distance that is missing, again and again.
 ///
 /// start      apart by more than `wanted`; orientation is kept
 /// direction  unit, towards the scene

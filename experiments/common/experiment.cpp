@@ -22,9 +22,12 @@ Json number(const std::optional<double>& value) {
 
 const char* kind_name(ClaimKind kind) {
   switch (kind) {
-    case ClaimKind::checked: return "checked";
-    case ClaimKind::stated: return "stated";
-    case ClaimKind::not_reproduced: return "not reproduced";
+    case ClaimKind::checked:
+      return "checked";
+    case ClaimKind::stated:
+      return "stated";
+    case ClaimKind::not_reproduced:
+      return "not reproduced";
   }
   return "";
 }
@@ -109,7 +112,8 @@ Outcome run_experiment(const Experiment& experiment, const Context& context,
     write_file((own / (table.name + ".csv")).string(), csv_text(table));
   write_file((own / (std::string(experiment.name) + ".png")).string(),
              plot::png_bytes(outcome.figure));
-  write_file((own / "run.json").string(), run_json(experiment, context, process_cpu_seconds() - start));
+  write_file((own / "run.json").string(),
+             run_json(experiment, context, process_cpu_seconds() - start));
   write_file((own / "claims.json").string(), claims_json(experiment, outcome.claims));
   return outcome;
 }

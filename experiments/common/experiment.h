@@ -41,13 +41,15 @@ struct Experiment {
 /// All of them, in the order of listings.
 const std::vector<Experiment>& all_experiments();
 
-/// claims.json of an outcome: {name, source, counts: {checked, stated, not_reproduced, broken}, claims: [{id, text,
-/// kind, value, bound, unit, holds, expected, reason}]}, on lines. bound_low stands beside bound where a claim has two;
-/// one that is not reproduced has its sweep and floor (floor_low). Numbers that are not finite become null. A stated
-/// claim has no bound and `holds` where it is a number, so that a run fails exactly where `expected` and not `holds`.
+/// claims.json of an outcome: {name, source, counts: {checked, stated, not_reproduced, broken},
+/// claims: [{id, text, kind, value, bound, unit, holds, expected, reason}]}, on lines. bound_low
+/// stands beside bound where a claim has two; one that is not reproduced has its sweep and floor
+/// (floor_low). Numbers that are not finite become null. A stated claim has no bound and `holds`
+/// where it is a number, so that a run fails exactly where `expected` and not `holds`.
 std::string claims_json(const Experiment& experiment, const std::vector<Claim>& claims);
 
-/// Runs one and writes folder/NAME/{data.csv, NAME.png, claims.json, run.json}. Every file is complete or absent.
+/// Runs one and writes folder/NAME/{data.csv, NAME.png, claims.json, run.json}. Every file is
+/// complete or absent.
 /// Thread   [offline]; IoError where a file cannot be written, and what the experiment throws.
 Outcome run_experiment(const Experiment& experiment, const Context& context,
                        const std::filesystem::path& folder);

@@ -14,8 +14,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNothing = -kInfinity;
-constexpr double kSlack = 1e-9;  // of barycentric coordinates: a point of an edge is on both triangles
-constexpr double kSteepest = 0.1;  // cosine: coarse triangles steeper than 84 degrees are no ground to look over (D82)
+// of barycentric coordinates: a point of an edge is on both triangles
+constexpr double kSlack = 1e-9;
+// cosine: coarse triangles steeper than 84 degrees are no ground to look over (D82)
+constexpr double kSteepest = 0.1;
 
 /// A triangle over the plane, its height along the way its side faces.
 struct Facet {
@@ -54,8 +56,9 @@ double height_over(const Facet& f, const Vec2& at) {
 }
 
 /// Facets of some triangles of a mesh that face along sign * n, and touch a box.
-std::vector<Facet> project(const TriangleMesh& mesh, std::span<const std::int32_t> chosen, bool is_all, const Pose& pose,
-                           const Mat3& axes, const Vec3& origin, double sign, double steepest, const Box& over) {
+std::vector<Facet> project(const TriangleMesh& mesh, std::span<const std::int32_t> chosen,
+                           bool is_all, const Pose& pose, const Mat3& axes, const Vec3& origin,
+                           double sign, double steepest, const Box& over) {
   const Mat3 turn = axes.transpose() * pose.orientation.toRotationMatrix();
   const Vec3 shift = axes.transpose() * (pose.position - origin);
   std::vector<Facet> facets;
@@ -84,11 +87,13 @@ std::vector<Facet> project(const TriangleMesh& mesh, std::span<const std::int32_
 struct Cells {
   static constexpr int kSide = 96;
   Box box;
-  std::vector<std::vector<std::int32_t>> lists = std::vector<std::vector<std::int32_t>>(at(kSide * kSide));
+  std::vector<std::vector<std::int32_t>> lists =
+      std::vector<std::vector<std::int32_t>>(at(kSide * kSide));
 
   Vec2 size() const { return (box.high - box.low) / kSide; }
   int along(double x, int axis) const {
-    return std::clamp(static_cast<int>(std::floor((x - box.low[axis]) / size()[axis])), 0, kSide - 1);
+    return std::clamp(static_cast<int>(std::floor((x - box.low[axis]) / size()[axis])), 0,
+                      kSide - 1);
   }
   const std::vector<std::int32_t>& over(const Vec2& p) const {
     return lists[at(along(p.y(), 1) * kSide + along(p.x(), 0))];
@@ -103,7 +108,8 @@ struct Cells {
   }
 };
 
-double outermost(const std::vector<Facet>& facets, const Cells& cells, const Vec2& p, double low, double high) {
+double outermost(const std::vector<Facet>& facets, const Cells& cells, const Vec2& p, double low,
+                 double high) {
   double best = kNothing;
   for (const std::int32_t i : cells.over(p)) {
     const double h = height_over(facets[at(i)], p);
@@ -118,18 +124,23 @@ struct Side {
   Cells fine_cells, coarse_cells;
   double band = 0.0;
 
-  double coarse_height(const Vec2& p) const { return outermost(coarse, coarse_cells, p, kNothing, kInfinity); }
+  double coarse_height(const Vec2& p) const {
+    return outermost(coarse, coarse_cells, p, kNothing, kInfinity);
+  }
   double height(const Vec2& p) const {
     const double ground = coarse_height(p);
-    return ground == kNothing ? kNothing : outermost(fine, fine_cells, p, ground - band, ground + band);
+    return ground == kNothing ? kNothing
+                              : outermost(fine, fine_cells, p, ground - band, ground + band);
   }
   double most_in(std::size_t cell) const {
     double most = kNothing;
     for (const std::int32_t i : fine_cells.lists[cell])
-      most = std::max(most, *std::max_element(fine[at(i)].height.begin(), fine[at(i)].height.end()));
+      most =
+          std::max(most, *std::max_element(fine[at(i)].height.begin(), fine[at(i)].height.end()));
     double ground = kNothing;
     for (const std::int32_t i : coarse_cells.lists[cell])
-      ground = std::max(ground, *std::max_element(coarse[at(i)].height.begin(), coarse[at(i)].height.end()));
+      ground = std::max(
+          ground, *std::max_element(coarse[at(i)].height.begin(), coarse[at(i)].height.end()));
     return std::min(most, ground + band);
   }
 };
@@ -139,8 +150,8 @@ struct Segment {
   int family = 0;
 };
 
-void add_segments(const std::vector<Facet>& facets, const std::vector<std::int32_t>& list, int family,
-                  std::vector<Segment>& segments) {
+void add_segments(const std::vector<Facet>& facets, const std::vector<std::int32_t>& list,
+                  int family, std::vector<Segment>& segments) {
   for (const std::int32_t i : list)
     for (std::size_t k = 0; k < 3; ++k)
       segments.push_back({facets[at(i)].at[k], facets[at(i)].at[(k + 1) % 3], family});
@@ -148,7 +159,8 @@ void add_segments(const std::vector<Facet>& facets, const std::vector<std::int32
 
 class Search {
  public:
-  Search(Side object, Side scene, const Box& box) : object_(std::move(object)), scene_(std::move(scene)), box_(box) {}
+  Search(Side object, Side scene, const Box& box)
+      : object_(std::move(object)), scene_(std::move(scene)), box_(box) {}
 
   FineDepth run() {
     std::vector<std::pair<double, std::size_t>> order;
@@ -200,7 +212,8 @@ class Search {
     const double step = 1e-4 * (box_.high - box_.low).maxCoeff();
     for (int i = 0; i < 9; ++i) {
       const Vec2 beside = p + step * Vec2(i % 3 - 1, i / 3 - 1);
-      if (object_.coarse_height(beside) == kNothing || scene_.coarse_height(beside) == kNothing) return true;
+      if (object_.coarse_height(beside) == kNothing || scene_.coarse_height(beside) == kNothing)
+        return true;
     }
     return false;
   }
@@ -211,10 +224,12 @@ class Search {
   FineDepth found_;
 };
 
-Side make_side(const FineSide& side, const Mat3& axes, const Vec3& origin, double sign, const Box& over, double band) {
+Side make_side(const FineSide& side, const Mat3& axes, const Vec3& origin, double sign,
+               const Box& over, double band) {
   Side made;
   made.band = band;
-  made.coarse = project(*side.coarse, side.triangles, false, side.world_from_body, axes, origin, sign, kSteepest, over);
+  made.coarse = project(*side.coarse, side.triangles, false, side.world_from_body, axes, origin,
+                        sign, kSteepest, over);
   made.fine = project(*side.fine, {}, true, side.world_from_body, axes, origin, sign, 0.0, over);
   made.coarse_cells.box = made.fine_cells.box = over;
   made.coarse_cells.add(made.coarse);
@@ -225,7 +240,8 @@ Side make_side(const FineSide& side, const Mat3& axes, const Vec3& origin, doubl
 Box ground(const FineSide& side, const Mat3& axes, const Vec3& origin, double sign) {
   const Box everywhere{Vec2::Constant(kNothing), Vec2::Constant(kInfinity)};
   Box box;
-  for (const Facet& f : project(*side.coarse, side.triangles, false, side.world_from_body, axes, origin, sign, kSteepest, everywhere))
+  for (const Facet& f : project(*side.coarse, side.triangles, false, side.world_from_body, axes,
+                                origin, sign, kSteepest, everywhere))
     for (const Vec2& p : f.at) box.add(p);
   return box;
 }
@@ -234,7 +250,8 @@ Box ground(const FineSide& side, const Mat3& axes, const Vec3& origin, double si
 
 FineDepth fine_depth(const FineSide& object, const FineSide& scene, const Mat3& world_from_contact,
                      const Vec3& origin, double band) {
-  const Box a = ground(object, world_from_contact, origin, 1.0), b = ground(scene, world_from_contact, origin, -1.0);
+  const Box a = ground(object, world_from_contact, origin, 1.0),
+            b = ground(scene, world_from_contact, origin, -1.0);
   const Box box{a.low.cwiseMax(b.low), a.high.cwiseMin(b.high)};
   if (!(box.low.array() < box.high.array()).all()) return {};
   return Search(make_side(object, world_from_contact, origin, 1.0, box, band),

@@ -9,7 +9,8 @@
 
 namespace thigma::experiments {
 
-/// The hand, the probe and how it is led. The text gives no number: these are the reference set of the project's notes.
+/// The hand, the probe and how it is led. The text gives no number: these are the reference set of
+/// the project's notes.
 struct WaveStroke {
   double amplitude = 1e-4;    // of the wave [m]
   double diameter = 3e-3;     // of the probe [m]
@@ -53,7 +54,8 @@ std::vector<Roughness> roughness_curves(const Context& context, std::vector<Roug
 /// R^2 of a parabola through the logarithms between 0.5 and 5 mm.
 double quadratic_fit(const Roughness& curve);
 
-/// Figs. 4.8 to 4.10: the curves in closed form and through the contact step, with tables, panels and claims of both.
+/// Figs. 4.8 to 4.10: the curves in closed form and through the contact step, with tables, panels
+/// and claims of both.
 /// add_claims  of one of the two; suffix of the ids, how the curves came about
 Outcome run_roughness(const Context& context, const std::string& title,
                       const std::vector<Roughness>& curves,

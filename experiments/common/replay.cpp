@@ -54,7 +54,8 @@ double rise(double t) {
   return t * t * t * (10.0 + t * (6.0 * t - 15.0));
 }
 
-/// The script as rows for the hand, device frame: origin at the object's centre at the start, axes of the world.
+/// The script as rows for the hand, device frame: origin at the object's centre at the start, axes
+/// of the world.
 std::vector<TimedPose> script_rows(const Pair& pair, const HandScript& script) {
   std::vector<TimedPose> rows;
   const double step = 0.005;

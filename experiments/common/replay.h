@@ -1,6 +1,6 @@
 #pragma once
-// Contact experiments of Sec. 3.5.3: a hand leads the object once, rendered directly; the same poses are then queried
-// again at other resolutions.
+// Contact experiments of Sec. 3.5.3: a hand leads the object once, rendered directly; the same
+// poses are then queried again at other resolutions.
 
 #include <functional>
 #include <vector>
@@ -14,13 +14,16 @@
 
 namespace thigma::experiments {
 
-/// d of direct rendering, over the pair's smaller radius. The text takes d = F_max / k for the device's best stiffness
-/// k; with 3.3 N this is 1.8 kN/m for the jaws and 3 kN/m for the golf ball, what 6-DoF devices of its time rendered.
+/// d of direct rendering, over the pair's smaller radius. The text takes d = F_max / k for the
+/// device's best stiffness k; with 3.3 N this is 1.8 kN/m for the jaws and 3 kN/m for the golf
+/// ball, what 6-DoF devices of its time rendered.
 inline constexpr double kDirectTolerance = 0.05;
 
-/// Direct rendering as in the text: the device's maximum force at zero distance, nothing at the tolerance.
+/// Direct rendering as in the text: the device's maximum force at zero distance, nothing at the
+/// tolerance.
 ///
-/// tolerance_share  d over the pair's smaller radius: the device is taken to be one whose best stiffness is F_max / d
+/// tolerance_share  d over the pair's smaller radius: the device is taken to be one whose best
+///                  stiffness is F_max / d
 /// max_force        [N]
 PenaltyParams direct_gains(const Pair& pair, double tolerance_share = kDirectTolerance,
                            double max_force = 3.3);
@@ -44,8 +47,9 @@ struct HandScript {
   double tap_rate = 0.0;        // [Hz]
 };
 
-/// The simulated hand leads the object along a script, with direct rendering at the given resolution. The path starts
-/// where the pair stands apart. The reaction acts about the centre of the object, whose handle is there.
+/// The simulated hand leads the object along a script, with direct rendering at the given
+/// resolution. The path starts where the pair stands apart. The reaction acts about the centre of
+/// the object, whose handle is there.
 /// Thread   [offline]; deterministic while the resolution has no budget in time.
 Path record_path(const Pair& pair, const Resolution& resolution, const PenaltyParams& gains,
                  const HandScript& script);

@@ -1,5 +1,6 @@
 #pragma once
-// A built-in scene as `thigma run` has it, on a virtual clock: simulated hand, coupling, contact frames of a millisecond.
+// A built-in scene as `thigma run` has it, on a virtual clock: simulated hand, coupling, contact
+// frames of a millisecond.
 
 #include <string>
 

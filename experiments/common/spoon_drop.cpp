@@ -26,7 +26,8 @@ SpoonDrop spoon_drop(Assets& assets, int triangles, double gravity) {
   const MassProperties solid = mass_properties(make_mesh(spoon));
   world.body = make_body(kMass, kMass / solid.volume * solid.inertia, Vec3(0, 0, -gravity));
   world.body_from_mesh.position = -solid.center_of_mass;
-  // The spoon lies along x, the tip of its bowl at 0: upright, leaning towards the handle of the cup.
+  // The spoon lies along x, the tip of its bowl at 0: upright, leaning towards the handle of the
+  // cup.
   BodyState& body = drop.start.body;
   body.orientation = Quat(Eigen::AngleAxisd(-0.5 * 3.14159265358979 + kLean, Vec3::UnitY()));
   const Vec3 tip = body.orientation * (world.body_from_mesh.position);

@@ -169,7 +169,8 @@ double rank_correlation(std::span<const double> x, std::span<const double> y) {
   return correlation(ranks(x), ranks(y));
 }
 
-double rank_correlation(std::span<const double> x, std::span<const double> y, std::span<const double> weight) {
+double rank_correlation(std::span<const double> x, std::span<const double> y,
+                        std::span<const double> weight) {
   if (x.size() != y.size() || x.size() != weight.size()) return kNaN;
   const std::vector<double> a = weighted_ranks(x, weight), b = weighted_ranks(y, weight);
   double total = 0.0, mean_a = 0.0, mean_b = 0.0;

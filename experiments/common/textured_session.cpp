@@ -51,7 +51,8 @@ ScriptRun run_script(TexturedSession& session, double seconds,
                      const std::function<Pose(double)>& pose) {
   const Pose start = session.config.world_from_body;
   constexpr double kRow = 0.005;  // [s]: between rows the motion is smooth
-  const double scale = session.config.haptic.workspace.motion_scale;  // of large and small objects not 1
+  // of large and small objects not 1
+  const double scale = session.config.haptic.workspace.motion_scale;
   std::vector<TimedPose> script;
   for (int i = 0; i <= static_cast<int>(seconds / kRow); ++i) {
     const Pose by = pose(kRow * i);

@@ -44,7 +44,8 @@ struct ScriptRun {
   SessionSummary summary;
 };
 
-/// Leads the object by its centre of mass along a motion: pose(t) moves it from where it starts [world].
+/// Leads the object by its centre of mass along a motion: pose(t) moves it from where it starts
+/// [world].
 ///
 /// seconds  of the motion
 /// Thread   [offline]; deterministic.

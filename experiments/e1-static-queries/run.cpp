@@ -1,5 +1,5 @@
-// PROTOCOLS E1: single queries without coherence at predefined distances, same-object pairs (Trenkel, Weller,
-// Zachmann 2007), negative distances too (Diktas, Sahiner).
+// PROTOCOLS E1: single queries without coherence at predefined distances, same-object pairs
+// (Trenkel, Weller, Zachmann 2007), negative distances too (Diktas, Sahiner).
 
 #include <algorithm>
 #include <array>
@@ -118,8 +118,9 @@ void add_rows(const char* model, const ClodHierarchy& h, const std::vector<AtDis
       const std::vector<double>& s = all[i].seconds[w];
       add_row(outcome.tables[0],
               {model, static_cast<double>(h.triangle_count), names[w].name, kDistances[i],
-               static_cast<double>(s.size()), mean(s), sample_quantile(s, 0.99), sample_quantile(s, 1.0),
-               mean(all[i].contacts[w]), mean(all[i].errors[w]), sample_quantile(all[i].errors[w], 1.0)});
+               static_cast<double>(s.size()), mean(s), sample_quantile(s, 0.99),
+               sample_quantile(s, 1.0), mean(all[i].contacts[w]), mean(all[i].errors[w]),
+               sample_quantile(all[i].errors[w], 1.0)});
       if (std::fabs(kDistances[i]) <= 0.002) near.insert(near.end(), s.begin(), s.end());
     }
     curves.near_means[w].push_back(mean(near));
@@ -204,11 +205,12 @@ Outcome run_e1_static_queries(const Context& context) {
   for (const Claim& c : outcome.claims) {
     if (c.bound && c.value) worst = std::max(worst, *c.value);
   }
-  outcome.claims.insert(outcome.claims.begin(),
-                        on_this_machine(below("sublinear",
-                              "query time at s0 = 2.5 % grows slower than triangles^0.5: largest "
-                              "exponent of the models",
-                              worst, 0.5)));
+  outcome.claims.insert(
+      outcome.claims.begin(),
+      on_this_machine(below("sublinear",
+                            "query time at s0 = 2.5 % grows slower than triangles^0.5: largest "
+                            "exponent of the models",
+                            worst, 0.5)));
   return outcome;
 }
 

@@ -26,13 +26,16 @@ struct Pair {
   const char* object_here;  // takes the place of the scene's object; null: none does
   Vec3 start;               // of that, by its mesh [m]
   Quat turn;
-  bool is_judged_at_ends;  // fine-max-all is a claim: no depth that an end of a patch holds is missed by the search
+  // fine-max-all is a claim: no depth that an end of a patch holds is missed by the search
+  bool is_judged_at_ends;
 };
 
 // The gear stands on the flange beside its boss, its axis level, and rolls.
 const Pair kPairs[] = {
-    {"hammer_on_torus", "hammer_on_torus", "hammer", "helicoidal_torus", nullptr, Vec3::Zero(), Quat::Identity(), true},
-    {"file_on_cad", "file_on_cad", "file", "cad_part", nullptr, Vec3::Zero(), Quat::Identity(), false},
+    {"hammer_on_torus", "hammer_on_torus", "hammer", "helicoidal_torus", nullptr, Vec3::Zero(),
+     Quat::Identity(), true},
+    {"file_on_cad", "file_on_cad", "file", "cad_part", nullptr, Vec3::Zero(), Quat::Identity(),
+     false},
     {"gear_on_cad", "file_on_cad", "gear", "cad_part", "procedural:gear", Vec3(0.036, 0.0, 0.069),
      Quat(0.7071067811865476, 0.0, 0.7071067811865476, 0.0), false}};
 
@@ -53,12 +56,14 @@ class Presser {
     reserve_contact_scratch(session.config.contact, scratch);
   }
 
-  /// Lowers the object, moved and turned at random, until its deepest contact is that deep; false where it never is.
+  /// Lowers the object, moved and turned at random, until its deepest contact is that deep; false
+  /// where it never is.
   bool press(Random& random, double depth) {
     Pose pose = session_.config.world_from_body;
     const double across = random.uniform(-0.006, 0.006), along = random.uniform(-0.006, 0.03);
     pose.position += Vec3(across, along, 0.0);
-    const Vec3 lean(random.uniform(-0.06, 0.06), random.uniform(-0.06, 0.06), random.uniform(-0.5, 0.5));
+    const Vec3 lean(random.uniform(-0.06, 0.06), random.uniform(-0.06, 0.06),
+                    random.uniform(-0.5, 0.5));
     pose.orientation = rotation_from_vector(lean) * pose.orientation;
     constexpr double kFarthest = 0.012;
     double high = 0.0, low = kFarthest;
@@ -78,7 +83,8 @@ class Presser {
     state.position = pose.position - Vec3(0.0, 0.0, lower);
     state.orientation = pose.orientation;
     const double start = bench::thread_cpu();
-    contact_step(session_.config.contact, {state, 1e-3 * static_cast<double>(count_), count_ + 1}, scratch, sample_);
+    contact_step(session_.config.contact, {state, 1e-3 * static_cast<double>(count_), count_ + 1},
+                 scratch, sample_);
     ++count_;
     double deepest = kNoDepth;
     for (const DepthTerm& term : sample_.model.depths) deepest = std::max(deepest, term.depth);
@@ -93,8 +99,9 @@ class Presser {
 
 /// What depths are off by [m].
 struct FineErrors {
-  std::vector<double> contacts, inner, frames;  // of every contact, of those that no end of a patch holds, of frames' deepest
-  int not_height_field = 0;                     // of the contacts
+  // of every contact, of those that no end of a patch holds, of frames' deepest
+  std::vector<double> contacts, inner, frames;
+  int not_height_field = 0;  // of the contacts
 };
 
 // Contacts farther apart than this are none of a hand's: they have no force.
@@ -102,8 +109,8 @@ constexpr double kApart = 5e-4;  // [m]
 // Of the fine surface off the coarse one along n: sheets that far off are others.
 constexpr double kBand = 2e-3;  // [m]
 
-void compare(const Pair& pair, const ContactScratch& scratch, const TriangleMesh& object, const TriangleMesh& fixed,
-             int frame, FineErrors& errors, Table& table) {
+void compare(const Pair& pair, const ContactScratch& scratch, const TriangleMesh& object,
+             const TriangleMesh& fixed, int frame, FineErrors& errors, Table& table) {
   double deepest = kNoDepth, want_deepest = kNoDepth;
   for (std::size_t i = 0; i < scratch.textures.contacts.size(); ++i) {
     const DepthContact& contact = scratch.textures.contacts[i];
@@ -120,41 +127,57 @@ void compare(const Pair& pair, const ContactScratch& scratch, const TriangleMesh
     errors.not_height_field += !sample.is_height_field;
     deepest = std::max(deepest, sample.depth[0]);
     want_deepest = std::max(want_deepest, want.depth);
-    add_row(table, {std::string(pair.name), static_cast<double>(frame), static_cast<double>(i), sample.depth[0], want.depth,
-                    want.is_at_rim ? 1.0 : 0.0, sample.is_height_field ? 1.0 : 0.0});
+    add_row(table, {std::string(pair.name), static_cast<double>(frame), static_cast<double>(i),
+                    sample.depth[0], want.depth, want.is_at_rim ? 1.0 : 0.0,
+                    sample.is_height_field ? 1.0 : 0.0});
   }
   if (deepest > kNoDepth) errors.frames.push_back(std::fabs(deepest - want_deepest));
 }
 
-void add_claims(const Pair& pair, const FineErrors& errors, std::vector<double> seconds, Outcome& outcome) {
+void add_claims(const Pair& pair, const FineErrors& errors, std::vector<double> seconds,
+                Outcome& outcome) {
   const std::string of = std::string("-") + pair.name, here = std::string(pair.name) + ": ";
   const auto claim = [&](Claim c) { outcome.claims.push_back(std::move(c)); };
-  const auto at = [](const std::vector<double>& of_all, double share) { return 1e6 * sample_quantile(of_all, share); };
-  claim(at_most("fine-median" + of, here + "depth of a contact against the fine meshes, median error",
-                                   at(errors.contacts, 0.5), 10.0, "um"));
-  claim(at_most("fine-p90" + of, here + "the same, 90 % quantile", at(errors.contacts, 0.9), 30.0, "um"));
+  const auto at = [](const std::vector<double>& of_all, double share) {
+    return 1e6 * sample_quantile(of_all, share);
+  };
+  claim(at_most("fine-median" + of,
+                here + "depth of a contact against the fine meshes, median error",
+                at(errors.contacts, 0.5), 10.0, "um"));
+  claim(at_most("fine-p90" + of, here + "the same, 90 % quantile", at(errors.contacts, 0.9), 30.0,
+                "um"));
   claim(at_most("fine-max" + of, here + "the same, largest of those that no end of a patch holds",
-                                   at(errors.inner, 1.0), 60.0, "um"));
+                at(errors.inner, 1.0), 60.0, "um"));
   const std::string of_all = here + "the same, largest of all";
-  claim(pair.is_judged_at_ends ? at_most("fine-max-all" + of, of_all, at(errors.contacts, 1.0), 60.0, "um")
-                               : stated("fine-max-all" + of, of_all, at(errors.contacts, 1.0), "um"));
+  claim(pair.is_judged_at_ends
+            ? at_most("fine-max-all" + of, of_all, at(errors.contacts, 1.0), 60.0, "um")
+            : stated("fine-max-all" + of, of_all, at(errors.contacts, 1.0), "um"));
   claim(at_most("fine-frame-median" + of, here + "deepest depth of a frame, median error",
-                                   at(errors.frames, 0.5), 10.0, "um"));
-  claim(at_most("fine-frame-p90" + of, here + "the same, 90 % quantile", at(errors.frames, 0.9), 30.0, "um"));
-  claim(at_most("fine-frame-max" + of, here + "the same, largest", at(errors.frames, 1.0), 60.0, "um"));
-  outcome.claims.push_back(stated("fine-contacts" + of, here + "contacts compared", static_cast<double>(errors.contacts.size())));
-  outcome.claims.push_back(stated("fine-rim" + of, here + "of these, the end of a patch holds the deepest place",
-                                  static_cast<double>(errors.contacts.size() - errors.inner.size())));
-  outcome.claims.push_back(stated("fine-not-height-field" + of, here + "of these, no height field there", errors.not_height_field));
-  outcome.claims.push_back(stated("fine-time" + of, here + "CPU time of a contact step, median", 1e6 * sample_quantile(seconds, 0.5), "us"));
-  outcome.claims.push_back(stated("fine-time-p99" + of, here + "the same, 99 % quantile", 1e6 * sample_quantile(seconds, 0.99), "us"));
+                at(errors.frames, 0.5), 10.0, "um"));
+  claim(at_most("fine-frame-p90" + of, here + "the same, 90 % quantile", at(errors.frames, 0.9),
+                30.0, "um"));
+  claim(at_most("fine-frame-max" + of, here + "the same, largest", at(errors.frames, 1.0), 60.0,
+                "um"));
+  outcome.claims.push_back(stated("fine-contacts" + of, here + "contacts compared",
+                                  static_cast<double>(errors.contacts.size())));
+  outcome.claims.push_back(
+      stated("fine-rim" + of, here + "of these, the end of a patch holds the deepest place",
+             static_cast<double>(errors.contacts.size() - errors.inner.size())));
+  outcome.claims.push_back(stated("fine-not-height-field" + of,
+                                  here + "of these, no height field there",
+                                  errors.not_height_field));
+  outcome.claims.push_back(stated("fine-time" + of, here + "CPU time of a contact step, median",
+                                  1e6 * sample_quantile(seconds, 0.5), "us"));
+  outcome.claims.push_back(stated("fine-time-p99" + of, here + "the same, 99 % quantile",
+                                  1e6 * sample_quantile(seconds, 0.99), "us"));
 }
 
 }  // namespace
 
 void against_fine_meshes(const Context& context, Outcome& outcome) {
-  Table table{.name = "fine", .columns = {"scene", "frame", "contact", "depth [m]", "fine meshes [m]", "at the rim",
-                                          "height field"}};
+  Table table{.name = "fine",
+              .columns = {"scene", "frame", "contact", "depth [m]", "fine meshes [m]", "at the rim",
+                          "height field"}};
   const int frames = context.quick ? 8 : 100;
   for (const Pair& pair : kPairs) {
     tell(context, pair.name);

@@ -1,5 +1,5 @@
-// PROTOCOLS E10: directional depth, its gradient and its Hessian against closed forms, and against rays through displaced
-// meshes.
+// PROTOCOLS E10: directional depth, its gradient and its Hessian against closed forms, and against
+// rays through displaced meshes.
 
 #include <algorithm>
 #include <array>
@@ -21,10 +21,12 @@ namespace thigma::experiments {
 namespace e10_depth_accuracy {
 namespace {
 
-constexpr double kSide = 0.02, kUpper = 2e-4, kLower = 3e-4;  // of a plate, amplitudes of its waves [m]
+// of a plate, amplitudes of its waves [m]
+constexpr double kSide = 0.02, kUpper = 2e-4, kLower = 3e-4;
 
-// One wave along x and one along y, of the same length on both plates. With the upper one shifted by x the largest sum of
-// a cos(k (s - x)) and b cos(k s) over s is sqrt(a^2 + b^2 + 2 a b cos(k x)): depth, slope and curvature in closed form.
+// One wave along x and one along y, of the same length on both plates. With the upper one shifted
+// by x the largest sum of a cos(k (s - x)) and b cos(k s) over s is sqrt(a^2 + b^2 + 2 a b cos(k
+// x)): depth, slope and curvature in closed form.
 struct ClosedForm {
   double depth = 0.0;
   Vec2 gradient = Vec2::Zero(), hessian = Vec2::Zero();  // by x and y: the mixed derivative is 0
@@ -58,7 +60,8 @@ Plate make_plate(int texels, std::function<double(double, double)> height) {
 }
 
 Plate wave_plate(int texels, double k, double amplitude) {
-  return make_plate(texels, [=](double x, double y) { return amplitude * (cosine(k * x) + cosine(k * y)); });
+  return make_plate(
+      texels, [=](double x, double y) { return amplitude * (cosine(k * x) + cosine(k * y)); });
 }
 
 constexpr std::array<std::int32_t, 4> kTop = {0, 1, 2, 3};
@@ -79,7 +82,8 @@ Pose turned_over(const Vec2& shift) {
 }
 
 struct Errors {
-  std::vector<double> depth, gradient, hessian;  // relative to the amplitude, the steepest slope, the sharpest curvature
+  // relative to the amplitude, the steepest slope, the sharpest curvature
+  std::vector<double> depth, gradient, hessian;
 };
 
 struct Method {
@@ -116,13 +120,16 @@ Errors measure(const Method& method, const Plate& upper, const Plate& lower, dou
     const DepthHessian hessian = depth_hessian(contact, sample, scratch);
     // A sample may be farther than a texel from the maximum; what was climbed to may not.
     if (!hessian.is_valid && !method.is_polished) continue;
-    const Mat2 off = hessian.gradient_by_motion.topLeftCorner<2, 2>() - Mat2(want.hessian.asDiagonal());
-    errors.hessian.push_back(hessian.is_valid ? off.norm() / (k * steepest) : std::numeric_limits<double>::infinity());
+    const Mat2 off =
+        hessian.gradient_by_motion.topLeftCorner<2, 2>() - Mat2(want.hessian.asDiagonal());
+    errors.hessian.push_back(hessian.is_valid ? off.norm() / (k * steepest)
+                                              : std::numeric_limits<double>::infinity());
   }
   return errors;
 }
 
-/// The top of a plate as a displaced mesh, projected along z of the contact, with buckets to find the triangle over a place.
+/// The top of a plate as a displaced mesh, projected along z of the contact, with buckets to find
+/// the triangle over a place.
 class DisplacedMesh {
  public:
   DisplacedMesh(const Plate& plate, const Pose& placed, int cells, double sign)
@@ -131,8 +138,8 @@ class DisplacedMesh {
       for (int i = 0; i <= cells; ++i) {
         const double x = kSide * (static_cast<double>(i) / cells - 0.5),
                      y = kSide * (static_cast<double>(j) / cells - 0.5);
-        const Vec3 p = placed.position +
-                       placed.orientation * Vec3(x, y, 0.125 * kSide + plate.height(x, y));
+        const Vec3 p =
+            placed.position + placed.orientation * Vec3(x, y, 0.125 * kSide + plate.height(x, y));
         points_.push_back(p);
       }
     }
@@ -199,8 +206,8 @@ double ray_depth(const DisplacedMesh& upper, const DisplacedMesh& lower) {
   return best;
 }
 
-/// Plates of random waves at random turns, the upper one tilted by up to `tilt`: errors by the amplitudes, of all texels
-/// and of the polished grid.
+/// Plates of random waves at random turns, the upper one tilted by up to `tilt`: errors by the
+/// amplitudes, of all texels and of the polished grid.
 std::array<std::vector<double>, 2> against_rays(const Context& context, double tilt, int pairs,
                                                 int cells) {
   Random random(context.seed + 7);
@@ -209,7 +216,8 @@ std::array<std::vector<double>, 2> against_rays(const Context& context, double t
   const auto rough = [&] {
     std::array<Vec3, 3> waves;
     for (Vec3& w : waves)
-      w = Vec3(250.0 * random.uniform(-1.0, 1.0), 250.0 * random.uniform(-1.0, 1.0), random.uniform());
+      w = Vec3(250.0 * random.uniform(-1.0, 1.0), 250.0 * random.uniform(-1.0, 1.0),
+               random.uniform());
     return make_plate(context.quick ? 256 : 512, [waves](double x, double y) {
       double sum = 0.0;
       for (const Vec3& w : waves) sum += 1e-4 * sine(2.0 * kPi * (w.x() * x + w.y() * y + w.z()));
@@ -221,7 +229,8 @@ std::array<std::vector<double>, 2> against_rays(const Context& context, double t
     const Quat turn = rotation_from_vector(Vec3(0.0, 0.0, random.uniform(-3.0, 3.0))),
                lean = rotation_from_vector(
                    Vec3(tilt * random.uniform(-1.0, 1.0), tilt * random.uniform(-1.0, 1.0), 0.0));
-    Pose placed = turned_over(Vec2(0.002 * random.uniform(-1.0, 1.0), 0.002 * random.uniform(-1.0, 1.0)));
+    Pose placed =
+        turned_over(Vec2(0.002 * random.uniform(-1.0, 1.0), 0.002 * random.uniform(-1.0, 1.0)));
     placed.orientation = lean * turn * placed.orientation;
     const DepthContact contact = contact_of(upper, lower, placed);
     const double want = ray_depth(DisplacedMesh(upper, placed, cells, -1.0),
@@ -248,11 +257,15 @@ Outcome run_e10_depth_accuracy(const Context& context) {
   constexpr int kResolutions[] = {25, 50, 100, 200};
   Outcome outcome;
   outcome.tables = {
-      {.name = "data", .columns = {"method", "resolution", "depth error", "gradient error", "Hessian error"}},
-      {.name = "aliasing", .columns = {"cells a wave", "depth error, samples", "depth error, climbed"}}};
-  plot::Panel depths{.title = "Depth", .x = {.label = "samples a side", .is_log = true},
+      {.name = "data",
+       .columns = {"method", "resolution", "depth error", "gradient error", "Hessian error"}},
+      {.name = "aliasing",
+       .columns = {"cells a wave", "depth error, samples", "depth error, climbed"}}};
+  plot::Panel depths{.title = "Depth",
+                     .x = {.label = "samples a side", .is_log = true},
                      .y = {.label = "RMS error / amplitude", .is_log = true}};
-  plot::Panel slopes{.title = "Gradient", .x = {.label = "samples a side", .is_log = true},
+  plot::Panel slopes{.title = "Gradient",
+                     .x = {.label = "samples a side", .is_log = true},
                      .y = {.label = "RMS error / steepest slope", .is_log = true}};
   const int texels = context.quick ? 512 : 1024, shifts = context.quick ? 20 : 100;
   const double k = 2.0 * kPi / 0.008;
@@ -272,19 +285,32 @@ Outcome run_e10_depth_accuracy(const Context& context) {
                                   depth.back(), slope.back(), bend});
     }
     std::vector<double> sides(std::begin(kResolutions), std::end(kResolutions));
-    depths.series.push_back({.label = kMethods[m].name, .x = sides, .y = depth, .mark = plot::Mark::line_and_points});
-    slopes.series.push_back({.label = kMethods[m].name, .x = sides, .y = slope, .mark = plot::Mark::line_and_points});
+    depths.series.push_back(
+        {.label = kMethods[m].name, .x = sides, .y = depth, .mark = plot::Mark::line_and_points});
+    slopes.series.push_back(
+        {.label = kMethods[m].name, .x = sides, .y = slope, .mark = plot::Mark::line_and_points});
     depth_order[m] = fit_power(spacing, depth).slope;
     slope_order[m] = fit_power(spacing, slope).slope;
     if (m == 2) {
-      outcome.claims.push_back(at_most("depth", "depth climbed to from 50 x 50: RMS error by the amplitude", depth[1], 1e-3));
-      outcome.claims.push_back(at_most("gradient", "envelope gradient there: RMS error by the steepest slope", slope[1], 0.01));
-      outcome.claims.push_back(at_most("hessian", "Hessian from both curvatures there: RMS error by the sharpest", hessian_at_most[m], 0.05));
+      outcome.claims.push_back(at_most(
+          "depth", "depth climbed to from 50 x 50: RMS error by the amplitude", depth[1], 1e-3));
+      outcome.claims.push_back(at_most(
+          "gradient", "envelope gradient there: RMS error by the steepest slope", slope[1], 0.01));
+      outcome.claims.push_back(
+          at_most("hessian", "Hessian from both curvatures there: RMS error by the sharpest",
+                  hessian_at_most[m], 0.05));
     }
   }
-  outcome.claims.push_back(within("order-depth", "order of the depth error in the spacing of samples, not climbed; 2 for a smooth maximum", depth_order[1], 1.5, 2.5));
-  outcome.claims.push_back(at_least("order-gradient", "order of the gradient error in that spacing, envelope, not climbed", slope_order[1], 1.0));
-  outcome.claims.push_back(stated("order-differences", "order of the gradient error, central differences over a cell", slope_order[0]));
+  outcome.claims.push_back(within(
+      "order-depth",
+      "order of the depth error in the spacing of samples, not climbed; 2 for a smooth maximum",
+      depth_order[1], 1.5, 2.5));
+  outcome.claims.push_back(at_least(
+      "order-gradient", "order of the gradient error in that spacing, envelope, not climbed",
+      slope_order[1], 1.0));
+  outcome.claims.push_back(stated("order-differences",
+                                  "order of the gradient error, central differences over a cell",
+                                  slope_order[0]));
 
   tell(context, "aliasing");
   double worst_at_four = 0.0;
@@ -295,25 +321,36 @@ Outcome run_e10_depth_accuracy(const Context& context) {
     Random random(context.seed + 3);
     std::array<std::vector<double>, 2> off;
     for (int i = 0; i < shifts; ++i) {
-      const Vec2 shift(0.3 * short_wave * random.uniform(-1.0, 1.0), 0.3 * short_wave * random.uniform(-1.0, 1.0));
+      const Vec2 shift(0.3 * short_wave * random.uniform(-1.0, 1.0),
+                       0.3 * short_wave * random.uniform(-1.0, 1.0));
       const DepthContact contact = contact_of(a, b, turned_over(shift));
       for (std::size_t p = 0; p < 2; ++p) {
         DepthSamples sample;
         make_grid_depth({.is_polished = p == 1})->sample({&contact, 1}, {}, {&sample, 1});
-        off[p].push_back(std::fabs(sample.depth[0] - closed_form(short_k, shift).depth) / (kUpper + kLower));
+        off[p].push_back(std::fabs(sample.depth[0] - closed_form(short_k, shift).depth) /
+                         (kUpper + kLower));
       }
     }
     add_row(outcome.tables[1], {cells, root_mean_square(off[0]), root_mean_square(off[1])});
     if (cells == 4.0) worst_at_four = root_mean_square(off[1]);
   }
-  outcome.claims.push_back(at_most("aliasing", "depth climbed to with four samples a wave: RMS error by the amplitude", worst_at_four, 0.02));
+  outcome.claims.push_back(
+      at_most("aliasing", "depth climbed to with four samples a wave: RMS error by the amplitude",
+              worst_at_four, 0.02));
 
   tell(context, "rays");
   const int pairs = context.quick ? 6 : 30, cells = context.quick ? 200 : 400;
-  const auto level = against_rays(context, 0.0, pairs, cells), leaning = against_rays(context, 0.02, pairs, cells);
-  outcome.claims.push_back(at_most("rays", "depth over all texels against rays through displaced meshes: largest error by the amplitudes", largest(level[0]), 0.02));
-  outcome.claims.push_back(stated("rays-grid", "the same, climbed to from 50 x 50", largest(level[1])));
-  outcome.claims.push_back(stated("rays-leaning", "over all texels, plates leaning by up to 1.1 degrees each way", largest(leaning[0])));
+  const auto level = against_rays(context, 0.0, pairs, cells),
+             leaning = against_rays(context, 0.02, pairs, cells);
+  outcome.claims.push_back(at_most("rays",
+                                   "depth over all texels against rays through displaced meshes: "
+                                   "largest error by the amplitudes",
+                                   largest(level[0]), 0.02));
+  outcome.claims.push_back(
+      stated("rays-grid", "the same, climbed to from 50 x 50", largest(level[1])));
+  outcome.claims.push_back(stated("rays-leaning",
+                                  "over all texels, plates leaning by up to 1.1 degrees each way",
+                                  largest(leaning[0])));
   against_fine_meshes(context, outcome);
   outcome.figure = {.title = "Accuracy of directional depth (E10)", .panels = {depths, slopes}};
   return outcome;

@@ -1,5 +1,6 @@
-// PROTOCOLS E13: haptic rates from 500 Hz to 10 kHz. On a virtual clock what they do to the loop; on threads where the time
-// goes, beside the empty loop of the same minute; and what a cold cache costs.
+// PROTOCOLS E13: haptic rates from 500 Hz to 10 kHz. On a virtual clock what they do to the loop;
+// on threads where the time goes, beside the empty loop of the same minute; and what a cold cache
+// costs.
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,8 @@ constexpr double kRates[] = {500.0, 1000.0, 2000.0, 5000.0, 10000.0};
 constexpr int kQuickTriangles = 4000;
 constexpr std::size_t kFlushed = std::size_t{64} << 20;  // [bytes]
 
-/// The scene at a rate: contact frames stay a millisecond apart on the virtual clock, or a haptic frame where that is
-/// longer.
+/// The scene at a rate: contact frames stay a millisecond apart on the virtual clock, or a haptic
+/// frame where that is longer.
 SessionConfig at_rate(const SessionPair& session, double rate, double seconds) {
   SessionConfig config = session.config;
   config.rate = rate;
@@ -71,9 +72,7 @@ void add_threaded(const SessionPair& session, double rate, double seconds, Outco
   const EmptyLoop floor =
       measure_empty_loop(session.config.haptic_thread, rate, seconds, session.config.spin);
   const SessionSummary s = run_threads(session, rate, seconds);
-  std::vector<Cell> row = {rate,
-                           static_cast<double>(s.frames),
-                           static_cast<double>(s.missed),
+  std::vector<Cell> row = {rate, static_cast<double>(s.frames), static_cast<double>(s.missed),
                            static_cast<double>(floor.missed),
                            static_cast<double>(s.deadlines.overruns)};
   for (const std::uint64_t n : s.deadlines.late) row.emplace_back(static_cast<double>(n));
@@ -112,16 +111,14 @@ Outcome run_e13_real_time(const Context& context) {
                                      context.quick ? kQuickTriangles : 0);
   Outcome outcome;
   outcome.tables = {{.columns = {"rate [Hz]", "rms force [N]", "largest force [N]",
-                                 "penetration [m]", "least energy [J]", "fault",
-                                 "step CPU p50 [s]", "step CPU p99 [s]", "cold: p50 [s]",
-                                 "cold: p99 [s]"}},
+                                 "penetration [m]", "least energy [J]", "fault", "step CPU p50 [s]",
+                                 "step CPU p99 [s]", "cold: p50 [s]", "cold: p99 [s]"}},
                     {.name = "threads",
                      .columns = {"rate [Hz]", "frames", "missed", "empty loop: missed", "overruns",
                                  "later than 0.1 ms", "later than 0.2 ms", "later than 1 ms",
                                  "polled share", "empty loop: polled share", "fault"}}};
   for (const char* of : {"late", "empty loop late", "frame", "compute", "step CPU"}) {
-    for (const std::string& name : quantile_columns(of))
-      outcome.tables[1].columns.push_back(name);
+    for (const std::string& name : quantile_columns(of)) outcome.tables[1].columns.push_back(name);
   }
   outcome.figure = {.title = "Haptic rates from 500 Hz to 10 kHz (PROTOCOLS E13)",
                     .note = "on this machine, with whatever else ran on it",

@@ -1,4 +1,5 @@
-// PROTOCOLS E14: what is left of the forces when a query has to stop early, on two surfaces that fit each other.
+// PROTOCOLS E14: what is left of the forces when a query has to stop early, on two surfaces that
+// fit each other.
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +38,8 @@ Path hover_path(double radius, int frames) {
 /// One budget.
 struct Result {
   Profile profile;
-  double excess =
-      0.0;  // tests beyond the budget, or beyond the mandatory ones where those are more, most
+  // tests beyond the budget, or beyond the mandatory ones where those are more, most
+  double excess = 0.0;
   double share_short = 0.0;  // of frames whose mandatory part alone is more than the budget
   double error = 0.0;        // of force and, over the radius, torque against the unlimited query
 };

@@ -113,16 +113,17 @@ Outcome run_e16_scaling(const Context& context) {
   }
   const std::vector<double> triangles = column(sizes, &Size::triangles);
   const LineFit main = fit_power(triangles, column(sizes, &Size::coarse));
-  const Claim sublinear =
-      on_this_machine(below("sublinear",
-                  "exponent of query time at s0 = 2.5 % in the number of triangles" + interval(main),
-                  main.slope, 0.5));
+  const Claim sublinear = on_this_machine(
+      below("sublinear",
+            "exponent of query time at s0 = 2.5 % in the number of triangles" + interval(main),
+            main.slope, 0.5));
   const std::size_t last = sizes.size() - 1;
   const double end_slope = std::log(sizes[last].coarse / sizes[last - 1].coarse) /
                            std::log(sizes[last].triangles / sizes[last - 1].triangles);
   char why[200];
   std::snprintf(why, sizeof why,
-                "the query grows with the small models and levels off: over the last step, to %.0f triangles, the "
+                "the query grows with the small models and levels off: over the last step, to %.0f "
+                "triangles, the "
                 "exponent is %.2f; a whole run goes on to two million",
                 sizes[last].triangles, end_slope);
   outcome.claims = {context.quick ? known_not_to(sublinear, {why, "data.csv", 0.8}) : sublinear};

@@ -1,4 +1,5 @@
-// PROTOCOLS E2: force and torque on six analytic scenes, through the exact query, clusters and the contact model.
+// PROTOCOLS E2: force and torque on six analytic scenes, through the exact query, clusters and the
+// contact model.
 
 #include <algorithm>
 #include <cmath>

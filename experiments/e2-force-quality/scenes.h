@@ -15,10 +15,10 @@ namespace thigma::experiments {
 struct QualityScene {
   std::string name;
   TriangleMesh object{}, scene{};
-  double tolerance = 0.0;  // d of the response [m]
+  double tolerance = 0.0;    // d of the response [m]
   std::vector<Pose> path{};  // world_from_object, a millisecond apart
-  // Ideal wrench on the object about its mesh frame's origin, for stiffness 1: per metre, so a force is in [m] and a
-  // torque in [m^2]; scaled afterwards by one factor.
+  // Ideal wrench on the object about its mesh frame's origin, for stiffness 1: per metre, so a
+  // force is in [m] and a torque in [m^2]; scaled afterwards by one factor.
   std::function<Wrench(const Pose&)> ideal{};
   bool has_torque = false;  // the ideal torque is more than zero
   double length = 0.0;      // torque over force that counts as large as the force itself [m]

@@ -17,8 +17,8 @@ constexpr double kContactStiffness = 6000.0;                 // as `tune` propos
 constexpr double kWallTolerance = 5e-5;                      // [m]
 constexpr double kCalmLinear = 300.0, kCalmAngular = 0.05;   // [N/m, N m/rad]
 constexpr double kJudged = 0.25;  // of three seconds: creep of a settling hand is no swing [s]
-// Of the grasp point where rotation is asked about, so that pressing turns the object; held in the middle otherwise, or
-// the hand would feel nothing but how it tilts [m].
+// Of the grasp point where rotation is asked about, so that pressing turns the object; held in the
+// middle otherwise, or the hand would feel nothing but how it tilts [m].
 constexpr double kLever = 0.010;
 
 void add(ContactSet& set, const Vec3& point, const Vec3& normal, double depth, double tolerance,
@@ -34,7 +34,8 @@ void add(ContactSet& set, const Vec3& point, const Vec3& normal, double depth, d
   set.contacts.push_back(c);
 }
 
-/// A ball between walls through the origin's line y = 0; `slope` of each side to the horizontal [rad].
+/// A ball between walls through the origin's line y = 0; `slope` of each side to the horizontal
+/// [rad].
 ContactSource groove(double slope) {
   const SinCos s = sin_cos(slope);
   return [s, flat = slope == 0.0](const Pose& at, double tolerance, ContactSet& set) {

@@ -1,5 +1,6 @@
 #pragma once
-// The whole engine in the loop: how stiff the coupling may be on a wall, in a groove, with a peg in its hole.
+// The whole engine in the loop: how stiff the coupling may be on a wall, in a groove, with a peg in
+// its hole.
 
 #include <string>
 #include <vector>
@@ -18,8 +19,9 @@ struct Place {
 /// Half space, V-grooves of 60, 90 and 120 degrees, a peg of 10 mm in a hole of 0.1 mm clearance.
 std::vector<Place> engine_places();
 
-/// How far the handle still moves over the last 0.25 s of three seconds, pressed in with 1 N at these gains: position
-/// and rotation [m, rad], peak to peak. `turns`: held off its centre, so that pressing turns it.
+/// How far the handle still moves over the last 0.25 s of three seconds, pressed in with 1 N at
+/// these gains: position and rotation [m, rad], peak to peak. `turns`: held off its centre, so that
+/// pressing turns it.
 struct EngineRest {
   double sway = 0.0, turn = 0.0;
   double force = 0.0;        // largest sent [N]
@@ -28,8 +30,8 @@ struct EngineRest {
 EngineRest press_in(const Place& place, double linear_stiffness, double angular_stiffness,
                     double delay, bool turns);
 
-/// What the linear loop of sampled_loop.h expects: largest stiffness that settles in contact with the simulated arm,
-/// translation or rotation.
+/// What the linear loop of sampled_loop.h expects: largest stiffness that settles in contact with
+/// the simulated arm, translation or rotation.
 double loop_boundary(bool is_angular, double delay);
 
 /// Largest stiffness that comes to rest, by bisection to 5 %; the other half at a calm value.

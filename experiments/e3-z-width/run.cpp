@@ -1,5 +1,5 @@
-// PROTOCOLS E3: where a sampled wall stops being stable and passive, beside what is exact, and how stiff the engine may
-// be in the same hand.
+// PROTOCOLS E3: where a sampled wall stops being stable and passive, beside what is exact, and how
+// stiff the engine may be in the same hand.
 
 #include <algorithm>
 #include <cmath>
@@ -67,8 +67,8 @@ void run_boundary(const Context& context, Outcome& outcome) {
       "boundary", "largest distance of the measured boundary from the exact one", worst, 0.02));
 }
 
-/// Energy that the engine's own observer sees over the worst motion of a wall with B >= 0, damper of the device
-/// included: to and fro at half the sampling rate.
+/// Energy that the engine's own observer sees over the worst motion of a wall with B >= 0, damper
+/// of the device included: to and fro at half the sampling rate.
 double observed_energy(const Wall& wall, double device_damping) {
   EnergyObserver observer;
   constexpr double kSwing = 1e-3;

@@ -10,7 +10,8 @@
 namespace thigma::experiments {
 namespace {
 
-// Farther no wall of these holds a handle; two-sided ones are left before the actuators saturate [m].
+// Farther no wall of these holds a handle; two-sided ones are left before the actuators saturate
+// [m].
 constexpr double kGone = 1.0, kGoneTwoSided = 1e-4;
 
 double force_of(const Wall& wall, double x, double before, double period) {
@@ -113,8 +114,8 @@ double exact_boundary(double beta, int late) {
 }
 
 bool is_passive(const Wall& wall, double b, double T) {
-  // Energy of x_1 .. x_N from rest to rest, sum of F_k (x_{k+1} - x_k) + b (x_{k+1} - x_k)^2 / T, as a symmetric
-  // matrix of bandwidth two, of Toeplitz form.
+  // Energy of x_1 .. x_N from rest to rest, sum of F_k (x_{k+1} - x_k) + b (x_{k+1} - x_k)^2 / T,
+  // as a symmetric matrix of bandwidth two, of Toeplitz form.
   constexpr int kSamples = 2000;
   const double K = wall.stiffness, B = wall.damping;
   const double diagonal = -K - B / T + 2.0 * b / T;

@@ -1,5 +1,5 @@
-// PROTOCOLS E4: energy at the device's port over the scenes, without delay, and 15 ms late with and without the
-// passivity controller.
+// PROTOCOLS E4: energy at the device's port over the scenes, without delay, and 15 ms late with and
+// without the passivity controller.
 
 #include <algorithm>
 #include <cmath>
@@ -9,16 +9,17 @@
 #include "experiments/common/session_pair.h"
 #include "scenes/gain_task.h"
 
-#include "thigma/runtime/passivity.h"
 #include "thigma/runtime/passive_session.h"
+#include "thigma/runtime/passivity.h"
 
 namespace thigma::experiments {
 namespace e4_passivity {
 namespace {
 
-constexpr double kDelay = 0.015;   // [s]
-constexpr double kNothing = 1e-6;  // what energy_min is asked for: nearer zero is not told apart [J]
-constexpr double kAsked = 20.0;    // times nearer zero, of the controller
+constexpr double kDelay = 0.015;  // [s]
+// what energy_min is asked for: nearer zero is not told apart [J]
+constexpr double kNothing = 1e-6;
+constexpr double kAsked = 20.0;  // times nearer zero, of the controller
 // The built-in scenes without relief; fig-5-12 and fig-4-14 have those with it.
 constexpr const char* kScenes[] = {"jaws", "cup_spoon",  "simple_cup_spoon", "ellipsoid",
                                    "golf", "ball_joint", "conforming"};
@@ -92,11 +93,12 @@ Outcome run_e4_passivity(const Context& context) {
   outcome.tables = {
       {.columns = {"scene", "delay [s]", "controlled", "least energy [J]",
                    "least energy as sensed [J]", "energy at the end [J]", "share of frames changed",
-                   "share of the wrench sent", "largest damping [N s/m]", "largest force [N]", "rms force [N]",
-                   "penetration [m]", "fault"}}};
+                   "share of the wrench sent", "largest damping [N s/m]", "largest force [N]",
+                   "rms force [N]", "penetration [m]", "fault"}}};
   outcome.figure = {.title = "Energy put in at the device's port (PROTOCOLS E4)",
                     .note = "true motion of the simulated handle; gains as `tune` proposes them"};
-  double least = 0.0, least_own = 0.0, least_controlled = 0.0, least_gain = std::numeric_limits<double>::infinity();
+  double least = 0.0, least_own = 0.0, least_controlled = 0.0,
+         least_gain = std::numeric_limits<double>::infinity();
   double cost = 0.0, damping = 0.0;
   int scenes_late = 0;
   for (const char* scene : kScenes) {
@@ -129,16 +131,20 @@ Outcome run_e4_passivity(const Context& context) {
   outcome.claims = {
       at_least("energy-min", "least energy over the scenes at recommended gains, no added delay",
                least, -1e-6, "J"),
-      at_least("energy-min-own", "the same at the gains the scenes themselves name", least_own, -1e-6,
-               "J"),
+      at_least("energy-min-own", "the same at the gains the scenes themselves name", least_own,
+               -1e-6, "J"),
       at_least("controlled", "least energy over the scenes 15 ms late with the controller",
                least_controlled, -1e-3, "J"),
       at_least("nearer",
-               "how much nearer zero that is than without, in the worst scene; what is nearer than 1e-6 J counts as that",
+               "how much nearer zero that is than without, in the worst scene; what is nearer than "
+               "1e-6 J counts as that",
                least_gain, kAsked),
-      at_least("late", "scenes that give away more than 20 times 1e-6 J without the controller: those judged",
-               scenes_late, 1.0),
-      stated("cost", "most that the controller leaves out of the wanted wrench, mean over a session", cost),
+      at_least(
+          "late",
+          "scenes that give away more than 20 times 1e-6 J without the controller: those judged",
+          scenes_late, 1.0),
+      stated("cost",
+             "most that the controller leaves out of the wanted wrench, mean over a session", cost),
       stated("damping", "largest damping it adds to the handle", damping, "N s/m")};
   return outcome;
 }

@@ -1,4 +1,5 @@
-// PROTOCOLS E5: how an object lags behind the hand in the air, for masses, gains and integrators, and what mass is felt.
+// PROTOCOLS E5: how an object lags behind the hand in the air, for masses, gains and integrators,
+// and what mass is felt.
 
 #include <algorithm>
 #include <cmath>
@@ -87,8 +88,9 @@ void run_table(Outcome& outcome) {
   }
 }
 
-/// Largest distance of the lag under constant acceleration from (m - b T / 2) a / k_c, over it: a backward Euler step's
-/// velocity is half a frame behind that of the position it makes, and the damper pulls by as much.
+/// Largest distance of the lag under constant acceleration from (m - b T / 2) a / k_c, over it: a
+/// backward Euler step's velocity is half a frame behind that of the position it makes, and the
+/// damper pulls by as much.
 double constant_acceleration() {
   constexpr double kAcceleration = 0.5;  // [m/s^2]
   double worst = 0.0;

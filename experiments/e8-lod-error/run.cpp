@@ -1,4 +1,5 @@
-// PROTOCOLS E8: error of force and torque against the exact query over the threshold, on the replays of Sec. 3.5.
+// PROTOCOLS E8: error of force and torque against the exact query over the threshold, on the
+// replays of Sec. 3.5.
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,8 @@ namespace {
 const std::vector<double> kThresholds = {0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.2};
 const std::vector<double> kFewThresholds = {0.0005, 0.0025, 0.01, 0.025, 0.1};
 constexpr double kMain = 0.025;
-constexpr double kNoise =
-    0.1;  // of the largest error: falls smaller than this are noise of single contacts
+// of the largest error: falls smaller than this are noise of single contacts
+constexpr double kNoise = 0.1;
 
 struct Replay {
   const char* scene;
@@ -116,13 +117,15 @@ Outcome run_e8_lod_error(const Context& context) {
   }
   outcome.claims.insert(
       outcome.claims.begin(),
-      {known_not_to(at_most("monotone",
-                            "the force error rises with s0: largest fall from one threshold to a coarser "
-                            "one, of the scene's largest error",
-                            fall, kNoise),
-                    {"above 5 % spoon and cup are felt at the same few coarsest levels, and which of them happens to lie "
-                    "nearer decides: 0.40 at 5 %, 0.36 at 10 and 20 %; elsewhere falls stay below a tenth",
-                     "data.csv", 0.4}),
+      {known_not_to(
+           at_most("monotone",
+                   "the force error rises with s0: largest fall from one threshold to a coarser "
+                   "one, of the scene's largest error",
+                   fall, kNoise),
+           {"above 5 % spoon and cup are felt at the same few coarsest levels, and which of them "
+            "happens to lie "
+            "nearer decides: 0.40 at 5 %, 0.36 at 10 and 20 %; elsewhere falls stay below a tenth",
+            "data.csv", 0.4}),
        stated("rank", "rank correlation of error and threshold, least over the scenes",
               least_rank)});
   return outcome;

@@ -1,4 +1,5 @@
-// Fig. 3.15: the moving jaws, rendered directly; one recorded path at thresholds up to 2.5 % and exactly.
+// Fig. 3.15: the moving jaws, rendered directly; one recorded path at thresholds up to 2.5 % and
+// exactly.
 
 #include "experiments/common/all_experiments.h"
 #include "experiments/common/contact_profile.h"
@@ -9,10 +10,11 @@ namespace fig_3_15 {
 namespace {
 
 std::vector<Claim> make_claims(const Profile&, const Profile&, const ProfileStudy& study) {
-  return {on_this_machine(at_least("time",
-                   "query time proportional to the front: R^2 of the means along the path, over "
-                   "the thresholds with levels",
-                   time_by_front(study), 0.9)),
+  return {on_this_machine(at_least(
+              "time",
+              "query time proportional to the front: R^2 of the means along the path, over "
+              "the thresholds with levels",
+              time_by_front(study), 0.9)),
           stated("time-exact", "the same with the exact query, another algorithm, for one more",
                  time_by_front_with_exact(study))};
 }
@@ -31,11 +33,12 @@ Outcome run_fig_3_15(const Context& context) {
                 .source_front = "more than 10",
                 .source_speed_up = "50",
                 .why_no_profile = {},
-                .why_no_curvature = {"the force ripples as contacts of levels pass over the edges of their "
-                                     "patches and from cluster to cluster: it falls with s0 from the first levels "
-                                     "on, the one-ring reading of D and switching without interpolation are "
-                                     "better, none comes to the bound",
-                                     "sweep.csv", 0.35},
+                .why_no_curvature =
+                    {"the force ripples as contacts of levels pass over the edges of their "
+                     "patches and from cluster to cluster: it falls with s0 from the first levels "
+                     "on, the one-ring reading of D and switching without interpolation are "
+                     "better, none comes to the bound",
+                     "sweep.csv", 0.35},
                 .own_claims = make_claims});
 }
 

@@ -1,4 +1,5 @@
-// Fig. 3.18: levels of detail chosen by the velocity-dependent metric, coarse while the spoon falls, fine while it slides.
+// Fig. 3.18: levels of detail chosen by the velocity-dependent metric, coarse while the spoon
+// falls, fine while it slides.
 
 #include <algorithm>
 #include <cmath>
@@ -30,10 +31,12 @@ Sight look(const SimulationWorld& world, const SimulationState& state, const Con
   for (const Contact& c : set.contacts) {
     const Vec3 arm = c.point - state.body.position;
     sight.speed = std::max(sight.speed, point_velocity(world.body, state.body, arm).norm());
-    const double coarse = std::max(c.object_level, c.scene_level), fine = std::min(c.object_level, c.scene_level);
+    const double coarse = std::max(c.object_level, c.scene_level),
+                 fine = std::min(c.object_level, c.scene_level);
     sight.coarsest = std::max(sight.coarsest, coarse);
     sight.finest = std::min(sight.finest, fine);
-    sight.triangles += (count(a, c.object_level) + count(b, c.scene_level)) / static_cast<double>(set.contacts.size());
+    sight.triangles += (count(a, c.object_level) + count(b, c.scene_level)) /
+                       static_cast<double>(set.contacts.size());
   }
   return sight;
 }
@@ -43,11 +46,13 @@ double first_impact_speed(SpoonDrop drop) {
   SimulationPorts ports;
   ports.event = [&](const CollisionEvent& e) { speed = speed > 0.0 ? speed : e.approach; };
   SimulationScratch scratch = reserve_simulation(drop.world);
-  for (int i = 0; i < 200 && !(speed > 0.0); ++i) simulate(drop.world, 0.005, drop.start, scratch, ports);
+  for (int i = 0; i < 200 && !(speed > 0.0); ++i)
+    simulate(drop.world, 0.005, drop.start, scratch, ports);
   return speed;
 }
 
-std::vector<double> column(const std::vector<Sight>& all, double Sight::*value, double low, double high) {
+std::vector<double> column(const std::vector<Sight>& all, double Sight::*value, double low,
+                           double high) {
   std::vector<double> v;
   for (const Sight& s : all) {
     if (s.speed >= low && s.speed <= high) v.push_back(s.*value);
@@ -67,12 +72,15 @@ struct Fall {
 // Exact queries beside those of a simulation.
 class Witness {
  public:
-  explicit Witness(const SimulationWorld& world) : world_(world), fronts_(reserve_simulation(world).fronts) {
+  explicit Witness(const SimulationWorld& world)
+      : world_(world), fronts_(reserve_simulation(world).fronts) {
     set_.contacts.reserve(20'000);
   }
   double depth(const SimulationState& state) {
-    const Pose world_from_mesh = Pose{state.body.position, state.body.orientation} * world_.body_from_mesh;
-    query_scene(*world_.object, world_from_mesh, world_.scene, {.tolerance = world_.tolerance}, fronts_, set_);
+    const Pose world_from_mesh =
+        Pose{state.body.position, state.body.orientation} * world_.body_from_mesh;
+    query_scene(*world_.object, world_from_mesh, world_.scene, {.tolerance = world_.tolerance},
+                fronts_, set_);
     return -least_distance(set_);
   }
 
@@ -105,7 +113,8 @@ Fall play(SpoonDrop drop, double seconds, double alpha, double cap, bool allows_
   return fall;
 }
 
-/// Levels by which fast contacts are coarser than slow ones, and how many times fewer triangles they have.
+/// Levels by which fast contacts are coarser than slow ones, and how many times fewer triangles
+/// they have.
 struct Coarsening {
   double levels = std::nan(""), triangles = std::nan("");
 };
@@ -115,8 +124,10 @@ Coarsening coarsening(const std::vector<Sight>& sights, double impact) {
   const std::vector<double> coarse = column(sights, &Sight::coarsest, fast, none);
   const std::vector<double> fine = column(sights, &Sight::finest, 0.0, slow);
   if (coarse.empty() || fine.empty()) return {};
-  return {*std::max_element(coarse.begin(), coarse.end()) - *std::min_element(fine.begin(), fine.end()),
-          mean(column(sights, &Sight::triangles, 0.0, slow)) / mean(column(sights, &Sight::triangles, fast, none))};
+  return {
+      *std::max_element(coarse.begin(), coarse.end()) - *std::min_element(fine.begin(), fine.end()),
+      mean(column(sights, &Sight::triangles, 0.0, slow)) /
+          mean(column(sights, &Sight::triangles, fast, none))};
 }
 
 constexpr double kCaps[] = {kNoCap, 0.02, 0.01, 0.005, 0.003};  // of the radius
@@ -142,41 +153,60 @@ Outcome run_fig_3_18(const Context& context) {
   const std::vector<Sight>& sights = fall.sights;
 
   Outcome outcome;
-  outcome.tables = {{.columns = {"time [s]", "fastest contact [m/s]", "coarsest level", "finest level", "triangles of both"}},
+  outcome.tables = {{.columns = {"time [s]", "fastest contact [m/s]", "coarsest level",
+                                 "finest level", "triangles of both"}},
                     {.name = "sweep",
-                     .columns = {"cap / radius", "allows for bounds", "deepest / tolerance", "deepest exact / tolerance",
-                                 "levels coarser", "times fewer triangles", "height at the end [m]"}}};
-  for (const Sight& s : sights) add_row(outcome.tables[0], {s.time, s.speed, s.coarsest, s.finest, s.triangles});
+                     .columns = {"cap / radius", "allows for bounds", "deepest / tolerance",
+                                 "deepest exact / tolerance", "levels coarser",
+                                 "times fewer triangles", "height at the end [m]"}}};
+  for (const Sight& s : sights)
+    add_row(outcome.tables[0], {s.time, s.speed, s.coarsest, s.finest, s.triangles});
   double trusting = 0.0;  // deepest of the run that takes levels at their word
   for (const bool allows : {true, false}) {
-    tell(context, allows ? "the same drop under caps on the deviation" : "the same drops, levels taken at their word");
+    tell(context, allows ? "the same drop under caps on the deviation"
+                         : "the same drops, levels taken at their word");
     for (const double cap : kCaps) {
       const Fall other = allows && cap == kNoCap ? fall : play(drop, seconds, alpha, cap, allows);
       const Coarsening c = coarsening(other.sights, impact);
       if (!allows && cap == kNoCap) trusting = other.deepest_exact;
-      add_row(outcome.tables[1], {cap, allows ? 1.0 : 0.0, other.deepest, other.deepest_exact, c.levels, c.triangles, other.height});
+      add_row(outcome.tables[1], {cap, allows ? 1.0 : 0.0, other.deepest, other.deepest_exact,
+                                  c.levels, c.triangles, other.height});
     }
   }
   const Coarsening coarser = coarsening(sights, impact);
   outcome.claims = {
-      at_least("coarser", "levels that the spoon's fast contacts are coarser than its slow ones, at most", coarser.levels, 4.0),
-      at_least("triangles", "triangles of the levels in slow contacts over those in fast ones (the source: roughly 10)",
+      at_least("coarser",
+               "levels that the spoon's fast contacts are coarser than its slow ones, at most",
+               coarser.levels, 4.0),
+      at_least("triangles",
+               "triangles of the levels in slow contacts over those in fast ones (the source: "
+               "roughly 10)",
                coarser.triangles, 5.0),
-      at_most("deepest", "penetration that the simulation's queries or exact ones beside them see, over the tolerance, at most",
+      at_most("deepest",
+              "penetration that the simulation's queries or exact ones beside them see, over the "
+              "tolerance, at most",
               std::max(fall.deepest, fall.deepest_exact), 1.0),
-      stated("doubted", "queries whose levels might touch, so that the simulation asked exactly as well", 100.0 * fall.doubted, "%"),
-      stated("trusting", "`deepest` where contacts of simplified levels are taken at their word, as in the text", trusting, "tolerances"),
+      stated("doubted",
+             "queries whose levels might touch, so that the simulation asked exactly as well",
+             100.0 * fall.doubted, "%"),
+      stated(
+          "trusting",
+          "`deepest` where contacts of simplified levels are taken at their word, as in the text",
+          trusting, "tolerances"),
       stated("speed", "speed of the first impact", impact, "m/s")};
-  outcome.figure = {.title = "Spoon into cup, velocity-dependent metric (Fig. 3.18)",
-                    .note = "each point a contact query; s0 = 3.5 % of the radius at the speed of the first impact",
-                    .panels = {{.title = "Speed",
-                                .x = {.label = "time [s]", .low = 0.0},
-                                .y = {.label = "fastest contact [m/s]", .low = 0.0}},
-                               {.title = "Levels",
-                                .x = {.label = "time [s]", .low = 0.0},
-                                .y = {.label = "level (0 finest)", .low = -0.5}}}};
+  outcome.figure = {
+      .title = "Spoon into cup, velocity-dependent metric (Fig. 3.18)",
+      .note =
+          "each point a contact query; s0 = 3.5 % of the radius at the speed of the first impact",
+      .panels = {{.title = "Speed",
+                  .x = {.label = "time [s]", .low = 0.0},
+                  .y = {.label = "fastest contact [m/s]", .low = 0.0}},
+                 {.title = "Levels",
+                  .x = {.label = "time [s]", .low = 0.0},
+                  .y = {.label = "level (0 finest)", .low = -0.5}}}};
   outcome.figure.panels[0].series = {curve("", sights, &Sight::speed)};
-  outcome.figure.panels[1].series = {curve("coarsest", sights, &Sight::coarsest), curve("finest", sights, &Sight::finest)};
+  outcome.figure.panels[1].series = {curve("coarsest", sights, &Sight::coarsest),
+                                     curve("finest", sights, &Sight::finest)};
   return outcome;
 }
 

@@ -1,4 +1,5 @@
-// Fig. 3.19: query times and front of a spoon falling into a cup up to the first impact, with levels and exact, on the same poses.
+// Fig. 3.19: query times and front of a spoon falling into a cup up to the first impact, with
+// levels and exact, on the same poses.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,7 @@ namespace fig_3_19 {
 namespace {
 
 constexpr int kFrames = 35;
-constexpr double kFrame = 0.030;  // [s]
+constexpr double kFrame = 0.030;     // [s]
 constexpr int kNear = 5, kFar = 20;  // frames before the impact, and after the start
 
 /// Poses of the queries, by frame.
@@ -33,7 +34,8 @@ double time_of_impact(SpoonDrop drop) {
   SimulationPorts ports;
   ports.event = [&](const CollisionEvent& e) { time = time > 0.0 ? time : e.time; };
   SimulationScratch scratch = reserve_simulation(drop.world);
-  for (int i = 0; i < 200 && !(time > 0.0); ++i) simulate(drop.world, 0.005, drop.start, scratch, ports);
+  for (int i = 0; i < 200 && !(time > 0.0); ++i)
+    simulate(drop.world, 0.005, drop.start, scratch, ports);
   return time;
 }
 
@@ -44,14 +46,18 @@ Frames fall(SpoonDrop drop) {
   ports.event = [&](const CollisionEvent&) { has_hit = true; };
   ports.query = [&](const SimulationState& s, const ContactSet&) {
     const auto frame = static_cast<std::size_t>(std::min(s.time / kFrame, kFrames - 1.0));
-    if (!has_hit) frames[frame].push_back(Pose{s.body.position, s.body.orientation} * drop.world.body_from_mesh);
+    if (!has_hit)
+      frames[frame].push_back(Pose{s.body.position, s.body.orientation} *
+                              drop.world.body_from_mesh);
   };
   SimulationScratch scratch = reserve_simulation(drop.world);
-  for (int i = 0; i < kFrames + 5 && !has_hit; ++i) simulate(drop.world, kFrame, drop.start, scratch, ports);
+  for (int i = 0; i < kFrames + 5 && !has_hit; ++i)
+    simulate(drop.world, kFrame, drop.start, scratch, ports);
   return frames;
 }
 
-Method measure(const SpoonDrop& drop, const Frames& frames, const Resolution& resolution, double tolerance, int repeats) {
+Method measure(const SpoonDrop& drop, const Frames& frames, const Resolution& resolution,
+               double tolerance, int repeats) {
   const ClodHierarchy& spoon = *drop.world.object;
   const SceneBody& cup = drop.world.scene.front();
   Method method;
@@ -133,47 +139,71 @@ Outcome run_fig_3_19(const Context& context) {
   tell(context, "queries up to the first impact");
   const int repeats = context.quick ? 1 : 3;
   const double tolerance = drop.world.tolerance;
-  const Method coarse = measure(drop, frames, levels, tolerance, repeats), exact = measure(drop, frames, {}, tolerance, repeats);
+  const Method coarse = measure(drop, frames, levels, tolerance, repeats),
+               exact = measure(drop, frames, {}, tolerance, repeats);
   const Compared found = compare(coarse, exact);
 
   Outcome outcome;
-  outcome.tables = {{.columns = {"frame", "queries", "CPU with levels [s]", "CPU exact [s]", "front with levels", "front exact"}}};
+  outcome.tables = {{.columns = {"frame", "queries", "CPU with levels [s]", "CPU exact [s]",
+                                 "front with levels", "front exact"}}};
   double queries = 0.0;
   for (std::size_t f = 0; f < frames.size(); ++f) {
     queries += static_cast<double>(frames[f].size());
-    add_row(outcome.tables[0], {static_cast<double>(f), static_cast<double>(frames[f].size()), coarse.seconds[f], exact.seconds[f],
-                                coarse.front[f], exact.front[f]});
+    add_row(outcome.tables[0],
+            {static_cast<double>(f), static_cast<double>(frames[f].size()), coarse.seconds[f],
+             exact.seconds[f], coarse.front[f], exact.front[f]});
   }
-  Table sweep{.name = "sweep",
-              .columns = {"d, of the radius", "front exact, last 5 frames", "contact", "steadier", "far"}};
+  Table sweep{
+      .name = "sweep",
+      .columns = {"d, of the radius", "front exact, last 5 frames", "contact", "steadier", "far"}};
   for (const double factor : {1.0, 3.0, 10.0, 30.0, 100.0}) {
-    tell(context, "the same poses, " + std::to_string(static_cast<int>(factor)) + " times the tolerance");
-    const Method a = measure(drop, frames, levels, factor * tolerance, 1), b = measure(drop, frames, {}, factor * tolerance, 1);
+    tell(context,
+         "the same poses, " + std::to_string(static_cast<int>(factor)) + " times the tolerance");
+    const Method a = measure(drop, frames, levels, factor * tolerance, 1),
+                 b = measure(drop, frames, {}, factor * tolerance, 1);
     const Compared c = compare(a, b);
-    add_row(sweep, {1e-3 * factor, mean(std::span(b.front).last(kNear)), c.contact, c.steadier, c.far});
+    add_row(sweep,
+            {1e-3 * factor, mean(std::span(b.front).last(kNear)), c.contact, c.steadier, c.far});
   }
   outcome.tables.push_back(std::move(sweep));
-  const Claim steadier = at_most("steadier", "coefficient of variation of the front with levels over that of the exact one",
-                                 found.steadier, 1.0);
+  const Claim steadier = at_most(
+      "steadier", "coefficient of variation of the front with levels over that of the exact one",
+      found.steadier, 1.0);
   outcome.claims = {
       known_not_to(on_this_machine(at_most("contact",
-                           "CPU time of a query with levels over the exact one, in the last 5 of 35 frames before the first impact",
-                           found.contact, 1.0)),
-                   {"at d = radius / 1000 the exact query looks at a handful of finest pairs up to the first impact, which leaves "
-                    "levels nothing to save; the larger d is, the more of them, and the less levels cost beside it",
+                                           "CPU time of a query with levels over the exact one, in "
+                                           "the last 5 of 35 frames before the first impact",
+                                           found.contact, 1.0)),
+                   {"at d = radius / 1000 the exact query looks at a handful of finest pairs up to "
+                    "the first impact, which leaves "
+                    "levels nothing to save; the larger d is, the more of them, and the less "
+                    "levels cost beside it",
                     "sweep.csv", 4.0}),
-      context.quick ? known_not_to(steadier, {"of models as small as these the exact front does not leap either up to the first "
-                                              "impact; with d larger, and more to look at, it does",
-                                              "sweep.csv", 1.1})
-                    : steadier,
-      on_this_machine(at_least("far", "CPU time of a query with levels over the exact one, in the first 20 frames", found.far, 1.0)),
+      context.quick
+          ? known_not_to(
+                steadier,
+                {"of models as small as these the exact front does not leap either up to the first "
+                 "impact; with d larger, and more to look at, it does",
+                 "sweep.csv", 1.1})
+          : steadier,
+      on_this_machine(at_least(
+          "far", "CPU time of a query with levels over the exact one, in the first 20 frames",
+          found.far, 1.0)),
       stated("queries", "queries up to the first impact", queries)};
-  outcome.figure = {.title = "Spoon into cup up to the first impact (Fig. 3.19)",
-                    .note = "s0 = 3.5 %, no cap, d = radius / 1000; the fall is slowed down to 35 frames of 30 ms",
-                    .panels = {{.title = "Query", .x = {.label = "frame"}, .y = {.label = "CPU time [us]", .is_log = true}},
-                               {.title = "Front", .x = {.label = "frame"}, .y = {.label = "node pairs", .is_log = true}}}};
-  outcome.figure.panels[0].series = {curve("s0 = 3.5 %", coarse.seconds, 1e6), curve("exact", exact.seconds, 1e6)};
-  outcome.figure.panels[1].series = {curve("s0 = 3.5 %", coarse.front, 1.0), curve("exact", exact.front, 1.0)};
+  outcome.figure = {
+      .title = "Spoon into cup up to the first impact (Fig. 3.19)",
+      .note =
+          "s0 = 3.5 %, no cap, d = radius / 1000; the fall is slowed down to 35 frames of 30 ms",
+      .panels = {{.title = "Query",
+                  .x = {.label = "frame"},
+                  .y = {.label = "CPU time [us]", .is_log = true}},
+                 {.title = "Front",
+                  .x = {.label = "frame"},
+                  .y = {.label = "node pairs", .is_log = true}}}};
+  outcome.figure.panels[0].series = {curve("s0 = 3.5 %", coarse.seconds, 1e6),
+                                     curve("exact", exact.seconds, 1e6)};
+  outcome.figure.panels[1].series = {curve("s0 = 3.5 %", coarse.front, 1.0),
+                                     curve("exact", exact.front, 1.0)};
   return outcome;
 }
 

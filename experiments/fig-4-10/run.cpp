@@ -13,7 +13,7 @@ namespace thigma::experiments {
 namespace fig_4_10 {
 namespace {
 
-constexpr double kSpeeds[] = {0.025, 0.05, 0.1, 0.2};  // [m/s]
+constexpr double kSpeeds[] = {0.025, 0.05, 0.1, 0.2};                           // [m/s]
 constexpr double kLarge[] = {4e-3, 6e-3, 8e-3}, kSmall[] = {5e-4, 7e-4, 1e-3};  // [m]
 
 std::vector<Roughness> curves(bool is_quick) {
@@ -40,12 +40,14 @@ double widest_ratio(const std::function<double(double speed, double spacing)>& a
   return widest;
 }
 
-/// hands.csv: the same for other hands, in closed form. Above its natural frequency a hand is a mass, and speed cancels:
-/// takes the cause away, and returns the ratio of the hand of 0.3 kg, which follows 5 Hz.
+/// hands.csv: the same for other hands, in closed form. Above its natural frequency a hand is a
+/// mass, and speed cancels: takes the cause away, and returns the ratio of the hand of 0.3 kg,
+/// which follows 5 Hz.
 double add_hands(Outcome& outcome) {
   double heavy = std::nan("");
-  Table hands{.name = "hands",
-              .columns = {"mass [kg]", "natural frequency [Hz]", "largest over smallest acceleration"}};
+  Table hands{
+      .name = "hands",
+      .columns = {"mass [kg]", "natural frequency [Hz]", "largest over smallest acceleration"}};
   for (const double mass : {0.02, 0.05, 0.1, 0.2, 0.3, 0.5}) {
     WaveStroke stroke{.mass = mass};
     const double widest = widest_ratio([&](double speed, double spacing) {
@@ -77,8 +79,10 @@ void add_claims(const std::string& suffix, const std::string& how,
   outcome.claims.push_back(known_not_to(
       at_most("speed-small" + suffix,
               how + "up to 1 mm almost constant: largest over smallest of the speeds", widest, 1.3),
-      {"the slowest strokes shake the hand at frequencies it still follows; above them it is a mere mass, and speed "
-       "cancels. The text names no hand: one of 0.2 kg on the same spring is within the bound, this has 0.1 kg",
+      {"the slowest strokes shake the hand at frequencies it still follows; above them it is a "
+       "mere mass, and speed "
+       "cancels. The text names no hand: one of 0.2 kg on the same spring is within the bound, "
+       "this has 0.1 kg",
        "hands.csv", 1.6}));
 }
 
@@ -89,7 +93,9 @@ Outcome run_fig_4_10(const Context& context) {
   using namespace fig_4_10;
   Outcome outcome =
       run_roughness(context, "Exploratory speed (Fig. 4.10)", curves(context.quick), add_claims);
-  outcome.claims.push_back(at_most("speed-small-heavy", "the same ratio of a hand of 0.3 kg, which follows 5 Hz alone: every wave shakes it far above that",
+  outcome.claims.push_back(at_most("speed-small-heavy",
+                                   "the same ratio of a hand of 0.3 kg, which follows 5 Hz alone: "
+                                   "every wave shakes it far above that",
                                    add_hands(outcome), 1.3));
   return outcome;
 }

@@ -55,7 +55,7 @@ Pose pose_at(const Drag& drag, double t) {
 struct Curves {
   std::vector<double> time;
   std::array<std::vector<double>, 3> place, force;  // along x, y, z
-  std::size_t across = 0;  // first index of the way across
+  std::size_t across = 0;                           // first index of the way across
   double faults = 0.0;
 };
 
@@ -84,15 +84,16 @@ Curves drag_block(const Ridges& ridges, const Drag& drag, int texels) {
 }
 
 struct Measured {
-  double stairs = 0.0;      // share of the time across in which the height rests
-  double on_tops = 0.0;     // the same, above the middle of its range: on the ridges, not between them
+  double stairs = 0.0;  // share of the time across in which the height rests
+  // the same, above the middle of its range: on the ridges, not between them
+  double on_tops = 0.0;
   double ridge_free = 0.0;  // force along the ridges over the normal force, root mean squares
   double correlated = 0.0;  // of the force across with the slope being climbed
   double height = 0.0;      // range across [m]
 };
 
-/// Share of the time across in which the block moves up and down by less than a fifth of its mean speed of doing so,
-/// where it is above a height.
+/// Share of the time across in which the block moves up and down by less than a fifth of its mean
+/// speed of doing so, where it is above a height.
 double resting(std::span<const double> z, double above) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < z.size(); ++i) steps.push_back(std::fabs(z[i] - z[i - 1]));
@@ -102,8 +103,8 @@ double resting(std::span<const double> z, double above) {
   return slow / static_cast<double>(steps.size());
 }
 
-/// Correlation of the sideways force with the slope the block is on: with the change of its height over 20 ms. A block
-/// that stands, at less than a tenth of its mean speed, does not tell a slope.
+/// Correlation of the sideways force with the slope the block is on: with the change of its height
+/// over 20 ms. A block that stands, at less than a tenth of its mean speed, does not tell a slope.
 double correlated_with_climb(std::span<const double> y, std::span<const double> z,
                              std::span<const double> force) {
   constexpr std::size_t kSpan = 10;  // frames
@@ -136,7 +137,9 @@ void show(const Curves& c, Outcome& outcome) {
                                  "force y [N]", "force z [N]"}}};
   const std::array<const char*, 3> names = {"x, along the ridges", "y, across", "z"};
   plot::Panel place{.title = "Position", .x = {.label = "time [s]"}, .y = {.label = "[mm]"}};
-  plot::Panel height{.title = "Height", .x = {.label = "time [s]"}, .y = {.label = "z [mm]"},
+  plot::Panel height{.title = "Height",
+                     .x = {.label = "time [s]"},
+                     .y = {.label = "z [mm]"},
                      .series = {{.color = 2}}};
   plot::Panel force{.title = "Contact force", .x = {.label = "time [s]"}, .y = {.label = "[N]"}};
   for (const char* name : names) {
@@ -174,7 +177,8 @@ double sweep(const Context& context, int texels, const Drag& drag, Outcome& outc
                                    {flat_ridges("flat tops", 0.0625), 0.0625}};
   double round = std::nan("");
   for (std::size_t i = 0; i < (context.quick ? 1 : cases.size()); ++i) {
-    for (const double press : context.quick ? std::vector{kPress} : std::vector{0.0015, kPress, 0.0045}) {
+    for (const double press :
+         context.quick ? std::vector{kPress} : std::vector{0.0015, kPress, 0.0045}) {
       tell(context, std::string("sweep: ") + cases[i].ridges.name);
       const Measured m = measure(drag_block(cases[i].ridges, {press, drag.across}, texels));
       add_row(outcome.tables.back(), {std::string(cases[i].ridges.name), cases[i].flank, press,
@@ -203,7 +207,9 @@ Outcome run_fig_4_14(const Context& context) {
       at_least("stairs", "share of the time across in which the height rests", m.stairs, 0.2),
       at_least("correlated", "correlation of the force across with the slope the block climbs",
                m.correlated, 0.5),
-      at_most("round", "share of the time in which it rests on tops with sine ridges on both, over that with flat tops",
+      at_most("round",
+              "share of the time in which it rests on tops with sine ridges on both, over that "
+              "with flat tops",
               round / m.on_tops, 0.5),
       stated("on-tops", "share of the time across in which it rests on tops", m.on_tops),
       stated("height", "range of the height across", m.height, "m"),

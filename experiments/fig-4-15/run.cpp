@@ -1,4 +1,5 @@
-// Fig. 4.15: a striped block that lies in another is turned to and fro about the normal; it rises as soon as it turns.
+// Fig. 4.15: a striped block that lies in another is turned to and fro about the normal; it rises
+// as soon as it turns.
 
 #include <algorithm>
 #include <cmath>

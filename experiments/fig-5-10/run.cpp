@@ -1,5 +1,5 @@
-// Fig. 5.10: the jaws with and without the linearized contact model, at the contact rates of the original; and the same
-// question in one dimension.
+// Fig. 5.10: the jaws with and without the linearized contact model, at the contact rates of the
+// original; and the same question in one dimension.
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +20,10 @@ namespace {
 constexpr double kTolerance = 2e-5;  // of the response [m]
 constexpr double kStiffness = 5000.0, kCoupling = 500.0, kMass = 0.010;
 constexpr double kSettled = 0.15;  // after the first touch [s]
-// On the deviation of coarse surfaces, of the radius: what still lets contacts above the finest level in.
+// On the deviation of coarse surfaces, of the radius: what still lets contacts above the finest
+// level in.
 constexpr double kFineCap = 0.002, kQuickFineCap = 0.01;
-constexpr double kCalm = 0.1;      // ripple of the coupling force that is no instability [N]
+constexpr double kCalm = 0.1;  // ripple of the coupling force that is no instability [N]
 
 /// A way to play the motion.
 struct Way {
@@ -31,8 +32,8 @@ struct Way {
   int every;  // contact frames a haptic frame
   bool is_linearized;
   int clusters = 5;
-  double cap = 0.02;                // on the deviation of coarse surfaces, of the radius
-  double stiffness = kStiffness;    // [N/m]
+  double cap = 0.02;              // on the deviation of coarse surfaces, of the radius
+  double stiffness = kStiffness;  // [N/m]
 };
 
 struct Ran {
@@ -43,7 +44,8 @@ struct Ran {
   double deepest = 0.0, settled = 0.0;  // between exact meshes: largest, median [m]
 };
 
-/// One point on a plane, pressed by a handle 2 mm below: std of the coupling force over the second half of a second.
+/// One point on a plane, pressed by a handle 2 mm below: std of the coupling force over the second
+/// half of a second.
 double point_on_plane(int every, bool is_linearized) {
   CoupledSetup setup;
   setup.body = make_body(kMass, 1e-6 * Mat3::Identity());
@@ -141,11 +143,10 @@ void add(const Way& way, const Ran& ran, Outcome& outcome) {
 Outcome run_fig_5_10(const Context& context) {
   using namespace fig_5_10;
   Outcome outcome;
-  outcome.tables = {
-      {.columns = {"series", "threshold", "contact rate [Hz]", "linearized", "clusters",
-                   "deviation cap", "stiffness [N/m]", "ripple of the force [N]",
-                   "largest force [N]", "mean level", "depth between meshes [m]",
-                   "its median [m]", "frames"}}};
+  outcome.tables = {{.columns = {"series", "threshold", "contact rate [Hz]", "linearized",
+                                 "clusters", "deviation cap", "stiffness [N/m]",
+                                 "ripple of the force [N]", "largest force [N]", "mean level",
+                                 "depth between meshes [m]", "its median [m]", "frames"}}};
   outcome.figure = {
       .title = "The linearized contact model on the jaws (Fig. 5.10)",
       .note = "one motion led at 2.5 %, played at other thresholds and contact rates",
@@ -166,18 +167,12 @@ Outcome run_fig_5_10(const Context& context) {
   const LedMotion motion = lead(session, "hand:?path=slide&force=1.2", 0.1, 0.9);
   const CoupledSetup base = setup_of(session, motion);
   // Exact contacts; the six of the source, at its rates; then 2.5 % throttled further.
-  std::vector<Way> ways = {{"exact", 0.0, 2, true},
-                           {"figure", 0.025, 2, true},
-                           {"figure", 0.010, 4, true},
-                           {"figure", 0.004, 10, true},
-                           {"figure", 0.025, 2, false},
-                           {"figure", 0.010, 4, false},
-                           {"figure", 0.004, 10, false},
-                           {"throttled", 0.025, 5, true},
-                           {"throttled", 0.025, 10, true},
-                           {"throttled", 0.025, 20, true},
-                           {"throttled", 0.025, 5, false},
-                           {"throttled", 0.025, 10, false}};
+  std::vector<Way> ways = {{"exact", 0.0, 2, true},        {"figure", 0.025, 2, true},
+                           {"figure", 0.010, 4, true},     {"figure", 0.004, 10, true},
+                           {"figure", 0.025, 2, false},    {"figure", 0.010, 4, false},
+                           {"figure", 0.004, 10, false},   {"throttled", 0.025, 5, true},
+                           {"throttled", 0.025, 10, true}, {"throttled", 0.025, 20, true},
+                           {"throttled", 0.025, 5, false}, {"throttled", 0.025, 10, false}};
   const double fine_cap = context.quick ? kQuickFineCap : kFineCap;
   // What keeps it deep, one cause after the other: springs, coarse surfaces, impact.
   constexpr std::size_t kFew = 12, kFine = 15, kEven = 16, kStiff = 17;
@@ -187,7 +182,8 @@ Outcome run_fig_5_10(const Context& context) {
   ways.push_back({"fine", 0.025, 1, true, 16, fine_cap});
   ways.push_back({"springs", 0.0, 1, true, 16});
   ways.push_back({"springs", 0.0, 1, true, 16, 0.02, 5.0 * kStiffness});
-  for (const double cap : {0.002, 0.005, 0.010, 0.02}) ways.push_back({"cap", 0.025, 1, true, 16, cap});
+  for (const double cap : {0.002, 0.005, 0.010, 0.02})
+    ways.push_back({"cap", 0.025, 1, true, 16, cap});
   std::vector<Ran> causes(ways.size());
   double worst_linearized = 0.0, held_late = 0.0, held_early = 0.0, first_peak = 0.0;
   double deepest = 0.0, deepest_exact = 0.0;
@@ -217,15 +213,18 @@ Outcome run_fig_5_10(const Context& context) {
   const Ran &fine = causes[kFine], &even = causes[kEven], &stiff = causes[kStiff];
   char why_deep[400];
   std::snprintf(why_deep, sizeof why_deep,
-                "each cluster is a spring of 5 kN/m, and five stand for all the teeth that touch: five at full resolution "
-                "leave %.3f mm, 16 at 2.5 %% %.3f mm, 16 at full resolution each millisecond %.3f mm: what is left are coarse "
-                "surfaces and models of two frames. The source does not say which meshes its depth is between",
+                "each cluster is a spring of 5 kN/m, and five stand for all the teeth that touch: "
+                "five at full resolution "
+                "leave %.3f mm, 16 at 2.5 %% %.3f mm, 16 at full resolution each millisecond %.3f "
+                "mm: what is left are coarse "
+                "surfaces and models of two frames. The source does not say which meshes its depth "
+                "is between",
                 1e3 * deepest_exact, 1e3 * causes[kFew].deepest, 1e3 * even.deepest);
   const double calm = std::min(worst_linearized, kCalm);
-  const Claim depth_fine =
-      at_most("depth-fine",
-              "the same at 2.5 % with a deviation cap of " + percent(fine_cap) + " and 16 clusters, each millisecond",
-              1e3 * fine.deepest, 0.1, "mm");
+  const Claim depth_fine = at_most("depth-fine",
+                                   "the same at 2.5 % with a deviation cap of " +
+                                       percent(fine_cap) + " and 16 clusters, each millisecond",
+                                   1e3 * fine.deepest, 0.1, "mm");
   std::vector<Claim> claims = {
       at_most("stable", "ripple of the coupling force, linearized, at 100 Hz and above",
               worst_linearized, kCalm, "N"),
@@ -233,18 +232,20 @@ Outcome run_fig_5_10(const Context& context) {
             std::isfinite(held_late) ? held_late / calm : 1e6, 10.0),
       above("early", "the same with forces held at 500 Hz and 2.5 %",
             std::isfinite(held_early) ? held_early / calm : 1e6, 10.0),
-      known_not_to(
-          at_most("depth", "deepest between exact meshes, linearized, 2.5 % at 500 Hz",
-                  1e3 * deepest, 0.1, "mm"),
-          // Coarse levels of small models lie off by more.
-          {why_deep, "data.csv:series=springs", context.quick ? 0.5 : 0.2}),
-      context.quick ? known_not_to(depth_fine, {"the first level of models as small as these lies off the surface by more than the "
-                                                "tolerance; a cap of 0.5 % leaves no level, and 0.061 mm",
-                                                "data.csv:series=cap", 0.15})
-                    : depth_fine,
+      known_not_to(at_most("depth", "deepest between exact meshes, linearized, 2.5 % at 500 Hz",
+                           1e3 * deepest, 0.1, "mm"),
+                   // Coarse levels of small models lie off by more.
+                   {why_deep, "data.csv:series=springs", context.quick ? 0.5 : 0.2}),
+      context.quick
+          ? known_not_to(depth_fine, {"the first level of models as small as these lies off the "
+                                      "surface by more than the "
+                                      "tolerance; a cap of 0.5 % leaves no level, and 0.061 mm",
+                                      "data.csv:series=cap", 0.15})
+          : depth_fine,
       above("fine-levels", "mean level of the contacts of that run, 0 the finest", fine.level, 0.0),
       at_least("peak-fine", "largest coupling force of that run", fine.peak, 1.0, "N"),
-      stated("depth-clusters", "its median at full resolution with 16 clusters: what springs of 5 kN/m leave",
+      stated("depth-clusters",
+             "its median at full resolution with 16 clusters: what springs of 5 kN/m leave",
              1e3 * even.settled, "mm"),
       stated("depth-stiff", "the same with 25 kN/m", 1e3 * stiff.settled, "mm"),
       stated("depth-impact", "deepest of that run: the first touch, v sqrt(m / k)",

@@ -1,4 +1,5 @@
-// Fig. 5.12: a probe led over a plate with sinusoidal ridges and over the flat plate below them, out slowly, back faster.
+// Fig. 5.12: a probe led over a plate with sinusoidal ridges and over the flat plate below them,
+// out slowly, back faster.
 
 #include <algorithm>
 #include <cmath>
@@ -66,8 +67,8 @@ double power_at(const std::vector<double>& x, double middle, double step, double
   return c * c + s * s;
 }
 
-/// The frequency at which a signal has most power: from one period in the whole of it, below which a window sees only
-/// its mean, to a tenth of the sampling rate.
+/// The frequency at which a signal has most power: from one period in the whole of it, below which
+/// a window sees only its mean, to a tenth of the sampling rate.
 double peak_frequency(const std::vector<double>& x, double step) {
   const double middle = mean(x);
   const double line = 1.0 / (step * static_cast<double>(x.size()));  // of a discrete transform [Hz]
@@ -93,7 +94,8 @@ Measured measure(const ScriptRun& run, const Stroke& stroke) {
   return {mean(force), standard_deviation(force), peak_frequency(force, 1e-3)};
 }
 
-/// Share of the feedback force's variation above a frequency, to its mean, while the probe rests in contact.
+/// Share of the feedback force's variation above a frequency, to its mean, while the probe rests in
+/// contact.
 double noise(const ScriptRun& run, double begin, double end) {
   std::vector<double> force;
   for (const HapticSample& s : run.frames)

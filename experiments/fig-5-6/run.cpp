@@ -1,4 +1,5 @@
-// Fig. 5.6: a spoon in free space on a virtual coupling; which masses each integrator bears, and how far it lags.
+// Fig. 5.6: a spoon in free space on a virtual coupling; which masses each integrator bears, and
+// how far it lags.
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +22,8 @@ constexpr double kLinear = 200.0, kAngular = 0.6;                  // [N/m, N m/
 constexpr double kAngularDamping = 8.94e-3;                        // [N m s/rad]
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kPeriod = 1e-3, kSeconds = 2.5;
-constexpr double kLost =
-    2.0;  // rotation of the object against the hand that is no lag any more [rad]
+// rotation of the object against the hand that is no lag any more [rad]
+constexpr double kLost = 2.0;
 
 Pose hand_pose(double t) {
   const double u = std::clamp(t / 0.3, 0.0, 1.0);
@@ -150,10 +151,13 @@ Outcome run_fig_5_6(const Context&) {
   const double euler = 1e3 * threshold(Integrator::forward_euler, hand);
   const double kutta = 1e3 * threshold(Integrator::runge_kutta, hand);
   outcome.claims = {
-      within("forward-euler", "least mass that forward Euler bears (source: 100 g, to which the spoon's gyration is fitted)", euler, 95.0,
-             104.0, "g"),
-      within("runge-kutta", "least mass that Runge-Kutta bears, with the same gyration (source: 70 g)", kutta, 69.0, 76.0,
-             "g"),
+      within("forward-euler",
+             "least mass that forward Euler bears (source: 100 g, to which the spoon's gyration is "
+             "fitted)",
+             euler, 95.0, 104.0, "g"),
+      within("runge-kutta",
+             "least mass that Runge-Kutta bears, with the same gyration (source: 70 g)", kutta,
+             69.0, 76.0, "g"),
       at_least("backward-euler", "backward Euler is stable at 1 g and 0.1 g (source: 1 g)",
                is_light_stable ? 1.0 : 0.0, 1.0),
       within("ratio", "largest deviation at 100 g over that at 10 g", hundred.stretch / ten.stretch,

@@ -1,4 +1,5 @@
-// Fig. 5.8: a spoon pressed in the handle of a cup; one recorded motion played with two integrators and two stiffnesses.
+// Fig. 5.8: a spoon pressed in the handle of a cup; one recorded motion played with two integrators
+// and two stiffnesses.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double kTolerance = 2e-5;          // of the response [m]
 constexpr double kAngularDamping = 8.94e-3;  // as in Fig. 5.6, for every mass [N m s/rad]
-constexpr double kSettled = 0.15;  // after the first touch [s]
+constexpr double kSettled = 0.15;            // after the first touch [s]
 
 struct Setting {
   const char* name;
@@ -92,8 +93,8 @@ void measure_depth(const SessionPair& session, const LedMotion& motion, const Se
 /// sweep.csv: the ripples of the three settings for other answers of the contacts.
 Table sweep_answers(const Context& context, const SessionPair& session, const LedMotion& motion) {
   Table table{.name = "sweep",
-              .columns = {"sweep", "contact damping, of critical", "contact rate [Hz]",
-                          "clusters", "spread", "ripple: RK4, 100 g, 2 kN/m [N]", "BE, 10 g, 2 kN/m [N]",
+              .columns = {"sweep", "contact damping, of critical", "contact rate [Hz]", "clusters",
+                          "spread", "ripple: RK4, 100 g, 2 kN/m [N]", "BE, 10 g, 2 kN/m [N]",
                           "BE, 100 g, 10 kN/m [N]", "RK4 over BE", "BE 10 kN/m over BE"}};
   const auto add = [&](const char* sweep, const Answer& answer) {
     tell(context, std::string("sweep: ") + sweep);
@@ -101,7 +102,8 @@ Table sweep_answers(const Context& context, const SessionPair& session, const Le
     for (std::size_t i = 0; i < 3; ++i)
       ripples[i] = play(session, motion, kSettings[i], answer).ripple;
     add_row(table, {sweep, answer.damping, session.config.rate / answer.every,
-                    static_cast<double>(answer.clusters), answer.is_spread ? 1.0 : 0.0, ripples[0], ripples[1], ripples[2], ripples[0] / ripples[1], ripples[2] / ripples[1]});
+                    static_cast<double>(answer.clusters), answer.is_spread ? 1.0 : 0.0, ripples[0],
+                    ripples[1], ripples[2], ripples[0] / ripples[1], ripples[2] / ripples[1]});
   };
   for (const double damping : {0.0, 0.03, 0.1, 0.3, 0.7}) add("damping", {damping, 1});
   for (const int every : {1, 2, 3, 5, 10}) add("rate", {0.0, every});
@@ -109,11 +111,13 @@ Table sweep_answers(const Context& context, const SessionPair& session, const Le
   return table;
 }
 
-/// integrators.csv: ripples at 100 g over that of the stable run, with an integrator that damps and one that does not.
+/// integrators.csv: ripples at 100 g over that of the stable run, with an integrator that damps and
+/// one that does not.
 Table sweep_integrators(const Context& context, const SessionPair& session, const LedMotion& motion,
                         double stable) {
-  Table table{.name = "integrators",
-              .columns = {"integrator", "stiffness [N/m]", "ripple at 100 g [N]", "over the stable run"}};
+  Table table{
+      .name = "integrators",
+      .columns = {"integrator", "stiffness [N/m]", "ripple at 100 g [N]", "over the stable run"}};
   for (const double stiffness : {2000.0, 5000.0, 10000.0}) {
     for (const Integrator integrator : {Integrator::runge_kutta, Integrator::implicit_tangent}) {
       const char* name = integrator == Integrator::runge_kutta ? "Runge-Kutta" : "backward Euler";
@@ -132,8 +136,10 @@ std::string why_calm(const Table& integrators) {
   };
   char text[320];
   std::snprintf(text, sizeof text,
-                "backward Euler damps what jumps of the contact points set off: at the same mass and stiffness "
-                "Runge-Kutta, which does not, has %.1f times the ripple of the stable run, backward Euler %.1f times; "
+                "backward Euler damps what jumps of the contact points set off: at the same mass "
+                "and stiffness "
+                "Runge-Kutta, which does not, has %.1f times the ripple of the stable run, "
+                "backward Euler %.1f times; "
                 "damping, rate and number of the contacts change little (sweep.csv)",
                 over(2), over(1));
   return text;

@@ -1,5 +1,6 @@
-// Largest step of the contact force from one haptic frame to the next: slow rotation over a corner, clusters that come and
-// go, contacts that change their level of detail; each beside the largest where nothing switches.
+// Largest step of the contact force from one haptic frame to the next: slow rotation over a corner,
+// clusters that come and go, contacts that change their level of detail; each beside the largest
+// where nothing switches.
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,8 @@ namespace thigma::experiments {
 namespace force_steps {
 namespace {
 
-constexpr double kSide = 0.02;       // of the cube [m]
-constexpr double kPressed = 0.002;   // handle below the floor [m]
+constexpr double kSide = 0.02;      // of the cube [m]
+constexpr double kPressed = 0.002;  // handle below the floor [m]
 constexpr double kPi = 3.14159265358979323846;
 
 /// Largest steps where something switched, and elsewhere [N].
@@ -57,8 +58,9 @@ int lowest_corner(const Quat& turn) {
   return lowest;
 }
 
-/// The cube on a floor, its handle pressed down while it turns about a horizontal axis at `speed`, over flat faces and
-/// corners. A switch: another corner has become the lowest within the last kRecent frames, as models are a frame late.
+/// The cube on a floor, its handle pressed down while it turns about a horizontal axis at `speed`,
+/// over flat faces and corners. A switch: another corner has become the lowest within the last
+/// kRecent frames, as models are a frame late.
 Steps turn_cube(double from, double to, double speed, bool is_spread) {
   const ClodHierarchy cube = build_exact_hierarchy(make_box(kSide * Vec3::Ones()));
   const ClodHierarchy floor = build_exact_hierarchy(make_sheet(0.2, 0.2, 2, 2));
@@ -95,8 +97,8 @@ Steps turn_cube(double from, double to, double speed, bool is_spread) {
   Steps steps;
   constexpr std::size_t kSettled = 200, kRecent = 20;
   for (std::size_t i = kSettled; i < ran.size(); ++i) {
-    const bool is_switch = lowest_corner(ran[i].body.orientation) !=
-                           lowest_corner(ran[i - kRecent].body.orientation);
+    const bool is_switch =
+        lowest_corner(ran[i].body.orientation) != lowest_corner(ran[i - kRecent].body.orientation);
     note(is_switch, ran[i].contact, ran[i - 1].contact, steps);
   }
   return steps;
@@ -147,10 +149,10 @@ void add(const std::string& what, const Steps& s, Outcome& outcome) {
 Outcome run_force_steps(const Context& context) {
   using namespace force_steps;
   Outcome outcome;
-  outcome.tables = {{.columns = {"what", "step where something switches [N]", "step elsewhere [N]",
-                                 "torque step where something switches [N m]",
-                                 "torque step elsewhere [N m]", "frames with a switch",
-                                 "largest force [N]"}}};
+  outcome.tables = {
+      {.columns = {"what", "step where something switches [N]", "step elsewhere [N]",
+                   "torque step where something switches [N m]", "torque step elsewhere [N m]",
+                   "frames with a switch", "largest force [N]"}}};
   outcome.figure = {.title = "Steps of the contact force where something switches",
                     .note = "largest from one haptic frame to the next; a row of data.csv each"};
   plot::Panel panel{.title = "steps",
@@ -166,8 +168,8 @@ Outcome run_force_steps(const Context& context) {
   add("cube rolling over its face, 0.1 rad/s", flat, outcome);
   add("cube rolling over its face, one contact for the pair of patches", alone, outcome);
   add("cube rolling over an edge, 0.1 rad/s", corner, outcome);
-  SessionPair jaws = session_pair(*context.assets, "jaws", context.quick ? 3.0 : 8.0,
-                                  context.quick ? 4000 : 0);
+  SessionPair jaws =
+      session_pair(*context.assets, "jaws", context.quick ? 3.0 : 8.0, context.quick ? 4000 : 0);
   tell(context, "jaws");
   const SceneSteps with = run_scene(jaws);
   add("jaws sliding, clusters that come and go", with.clusters, outcome);
@@ -185,8 +187,9 @@ Outcome run_force_steps(const Context& context) {
   }
   outcome.figure.panels = {panel};
   const auto claim = [&](const char* id, const std::string& what, const Steps& s) {
-    outcome.claims.push_back(stated(std::string(id) + "-switch", what + ": largest step of the contact force where something switches",
-                                    s.switching, "N"));
+    outcome.claims.push_back(stated(
+        std::string(id) + "-switch",
+        what + ": largest step of the contact force where something switches", s.switching, "N"));
     outcome.claims.push_back(
         stated(std::string(id) + "-other", what + ": largest elsewhere", s.other, "N"));
   };

@@ -1,4 +1,5 @@
-// Proposed gains in the closed loop: five devices by their published limits, five objects, with and without rotation.
+// Proposed gains in the closed loop: five devices by their published limits, five objects, with and
+// without rotation.
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-// Sec. 4.5.2, 5.6.2: textured hammer on a textured torus, and the other textured scenes, led by a simulated hand at 5 kN/m,
-// 10 g, five clusters. The text's own set-up was unstable on these.
+// Sec. 4.5.2, 5.6.2: textured hammer on a textured torus, and the other textured scenes, led by a
+// simulated hand at 5 kN/m, 10 g, five clusters. The text's own set-up was unstable on these.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,8 @@ namespace {
 struct LedRun {
   std::vector<HapticSample> frames;
   SessionSummary summary;
-  std::vector<double> missed;  // of the depth over all texels, by the summed amplitudes; one a textured contact
+  // of the depth over all texels, by the summed amplitudes; one a textured contact
+  std::vector<double> missed;
 };
 
 std::unique_ptr<HapticDevice> open_hand(TexturedSession& session, std::uint64_t seed) {
@@ -33,7 +34,8 @@ std::unique_ptr<HapticDevice> open_hand(TexturedSession& session, std::uint64_t 
   config.world_from_body = start.world_from_body;
   const Workspace& workspace = config.haptic.workspace;
   DeviceContext hand;
-  hand.approach = workspace.world_from_device.orientation.conjugate()._transformVector(start.approach);
+  hand.approach =
+      workspace.world_from_device.orientation.conjugate()._transformVector(start.approach);
   hand.clearance = start.clearance / workspace.motion_scale;
   hand.object_radius = session.object->hierarchy.radius / workspace.motion_scale;
   hand.seed = seed;
@@ -56,7 +58,9 @@ std::vector<double> missed_depths(const TexturedSession& session,
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const DepthSamples& grid = scratch.textures.samples[c];
       // Those that press: a force begins at the tolerance.
-      if (!all[c].is_found || !grid.is_found || !(all[c].depth[0] > -session.config.contact.tolerance)) continue;
+      if (!all[c].is_found || !grid.is_found ||
+          !(all[c].depth[0] > -session.config.contact.tolerance))
+        continue;
       const double amplitude =
           contacts[c].object.texture->amplitude + contacts[c].scene.texture->amplitude;
       missed.push_back(std::max(all[c].depth[0] - grid.depth[0], 0.0) / amplitude);
@@ -72,7 +76,8 @@ struct Lead {
   bool has_hessian = false;
   int resolution = 50;
   double stiffness = 5000.0;  // [N/m]
-  int every = 1;              // haptic frames from one contact model to the next, and until it is used
+  // haptic frames from one contact model to the next, and until it is used
+  int every = 1;
 };
 
 LedRun lead_scene(const Context& context, const Lead& lead, double seconds) {
@@ -96,13 +101,15 @@ LedRun lead_scene(const Context& context, const Lead& lead, double seconds) {
   return run;
 }
 
-/// Force above 300 Hz over its mean, over a second at a time where the hand presses all through: the worst of them.
+/// Force above 300 Hz over its mean, over a second at a time where the hand presses all through:
+/// the worst of them.
 double noise(const LedRun& run) {
   constexpr std::size_t kSecond = 500;  // frames: half a second
   double worst = 0.0;
   for (std::size_t i = 0; i + kSecond <= run.frames.size(); i += kSecond / 2) {
     std::vector<double> force;
-    for (std::size_t k = i; k < i + kSecond; ++k) force.push_back(run.frames[k].feedback.force.norm());
+    for (std::size_t k = i; k < i + kSecond; ++k)
+      force.push_back(run.frames[k].feedback.force.norm());
     if (*std::min_element(force.begin(), force.end()) < 0.2) continue;
     worst = std::max(worst, band_level(force, 1e-3, 300.0, 499.0) / mean(force));
   }
@@ -142,19 +149,22 @@ LedRun lead_and_note(const Context& context, const Lead& lead, Table& table) {
   tell(context, lead.scene + (lead.has_hessian ? ", full Hessian" : ""));
   const LedRun run = lead_scene(context, lead, context.quick ? 3.0 : 10.0);
   const SessionSummary& s = run.summary;
-  add_row(table, {lead.scene, std::string(gradient_name(lead.gradient)) + (lead.has_hessian ? ", full Hessian" : ""),
-                  s.force_max, s.penetration_max, noise(run), s.energy_min,
-                  static_cast<double>(s.safety_events.size()), s.contact_step_cpu.p50,
-                  s.contact_step_cpu.p99, run.missed.empty() ? std::nan("") : mean(run.missed),
-                  quantile_or_nan(run.missed, 0.99)});
+  add_row(
+      table,
+      {lead.scene,
+       std::string(gradient_name(lead.gradient)) + (lead.has_hessian ? ", full Hessian" : ""),
+       s.force_max, s.penetration_max, noise(run), s.energy_min,
+       static_cast<double>(s.safety_events.size()), s.contact_step_cpu.p50, s.contact_step_cpu.p99,
+       run.missed.empty() ? std::nan("") : mean(run.missed), quantile_or_nan(run.missed, 0.99)});
   return run;
 }
 
-/// Central differences where the text's pipeline was: slower models, stiffer contact, a coarser grid.
+/// Central differences where the text's pipeline was: slower models, stiffer contact, a coarser
+/// grid.
 double differences(const Context& context, Outcome& outcome) {
   Table table{.name = "differences",
-              .columns = {"samples a side", "stiffness [N/m]", "contact models a second", "above 300 Hz / mean",
-                          "force max [N]", "safety events"}};
+              .columns = {"samples a side", "stiffness [N/m]", "contact models a second",
+                          "above 300 Hz / mean", "force max [N]", "safety events"}};
   const double seconds = context.quick ? 2.0 : 4.0;
   double here = std::nan("");
   std::vector<Lead> leads;
@@ -167,8 +177,9 @@ double differences(const Context& context, Outcome& outcome) {
     lead.gradient = GradientKind::central_differences;
     tell(context, "central differences");
     const LedRun run = lead_scene(context, lead, seconds);
-    add_row(table, {static_cast<double>(lead.resolution), lead.stiffness, 1000.0 / lead.every, noise(run),
-                    run.summary.force_max, static_cast<double>(run.summary.safety_events.size())});
+    add_row(table,
+            {static_cast<double>(lead.resolution), lead.stiffness, 1000.0 / lead.every, noise(run),
+             run.summary.force_max, static_cast<double>(run.summary.safety_events.size())});
     if (std::isnan(here)) here = noise(run);
   }
   outcome.tables.push_back(std::move(table));
@@ -194,9 +205,11 @@ Outcome run_hammer_on_torus(const Context& context) {
     // On blocks and plate there never is a Hessian: in each other, and with facets.
     if (!context.quick || scene == std::string("file_on_cad"))
       bent.add(lead_and_note(context, {.scene = scene, .has_hessian = true}, led));
-    stated_last.push_back(stated(std::string("missed-") + scene,
-                                 std::string("depth the grid misses, 99 % of contacts below, share of the amplitudes: ") + scene,
-                                 quantile_or_nan(run.missed, 0.99)));
+    stated_last.push_back(stated(
+        std::string("missed-") + scene,
+        std::string("depth the grid misses, 99 % of contacts below, share of the amplitudes: ") +
+            scene,
+        quantile_or_nan(run.missed, 0.99)));
     stated_last.push_back(stated(std::string("step-") + scene,
                                  std::string("CPU time of a contact step, p99: ") + scene,
                                  run.summary.contact_step_cpu.p99, "s"));
@@ -206,21 +219,32 @@ Outcome run_hammer_on_torus(const Context& context) {
       at_most("stable", "safety events of four textured scenes", worst.events, 0.0),
       at_most("noise", "force above 300 Hz over its mean while pressed, the worst of four scenes",
               worst.noise, 0.02),
-      at_least("energy", "least energy at the port, the worst of four scenes", worst.energy, -1e-4, "J"),
-      stated("rate", "contact steps a second of CPU time, 99 % of them faster; the text's 100 to 200",
+      at_least("energy", "least energy at the port, the worst of four scenes", worst.energy, -1e-4,
+               "J"),
+      stated("rate",
+             "contact steps a second of CPU time, 99 % of them faster; the text's 100 to 200",
              1.0 / hammer.summary.contact_step_cpu.p99, "Hz"),
       stated("depth-error", "depth the grid misses on average, share of the amplitudes",
              hammer.missed.empty() ? std::nan("") : mean(hammer.missed)),
-      stated("depth-error-p99", "the same, 99 % of contacts below", quantile_or_nan(hammer.missed, 0.99)),
-      at_most("noise-hessian", "force above 300 Hz over its mean with the full Hessian in the model, the worst of four scenes",
+      stated("depth-error-p99", "the same, 99 % of contacts below",
+             quantile_or_nan(hammer.missed, 0.99)),
+      at_most("noise-hessian",
+              "force above 300 Hz over its mean with the full Hessian in the model, the worst of "
+              "four scenes",
               bent.noise, 0.02),
       at_most("stable-hessian", "safety events there", bent.events, 0.0),
-      at_most("noise-differences", "with central differences, where the text's hammer was unstable: force above 300 Hz over its mean",
+      at_most("noise-differences",
+              "with central differences, where the text's hammer was unstable: force above 300 Hz "
+              "over its mean",
               rough, 0.02),
-      known_not_to(above("unstable", "as the text at 50 x 50: with central differences the force above "
-                                     "300 Hz exceeds a tenth of the mean", rough, 0.1),
-                   {"not wanted: the model of the haptic thread is implicit with a Gauss-Newton Jacobian and the depth "
-                    "is climbed to below texel size; slower models, a stiffer contact and a coarser grid do not bring it back",
+      known_not_to(above("unstable",
+                         "as the text at 50 x 50: with central differences the force above "
+                         "300 Hz exceeds a tenth of the mean",
+                         rough, 0.1),
+                   {"not wanted: the model of the haptic thread is implicit with a Gauss-Newton "
+                    "Jacobian and the depth "
+                    "is climbed to below texel size; slower models, a stiffer contact and a "
+                    "coarser grid do not bring it back",
                     "differences.csv", 0.0})};
   outcome.claims.insert(outcome.claims.end(), claims.begin(), claims.end());
   outcome.claims.insert(outcome.claims.end(), stated_last.begin(), stated_last.end());

@@ -33,21 +33,24 @@ constexpr std::array<const char*, 2> kTouches = {"side", "face"};
 struct Stroke {
   double speed = 0.0;                        // of the head around the ring [m/s]
   double mean_force = 0.0, deviation = 0.0;  // fed back [N]
-  double band = 0.0;      // of the force between 20 and 300 Hz, root mean square [N]
-  double at_waves = 0.0;  // the same within a tenth of the frequency at which the torus' waves pass [N]
-  double peak = 0.0;      // where between 0.6 and 1.6 times that frequency the force is strongest [Hz]
-  double waves = 0.0;     // that frequency [Hz]
-  double faults = 0.0;    // safety events
+  double band = 0.0;  // of the force between 20 and 300 Hz, root mean square [N]
+  // the same within a tenth of the frequency at which the torus' waves pass [N]
+  double at_waves = 0.0;
+  // where between 0.6 and 1.6 times that frequency the force is strongest [Hz]
+  double peak = 0.0;
+  double waves = 0.0;               // that frequency [Hz]
+  double faults = 0.0;              // safety events
   std::vector<double> time, force;  // [s, N]
 };
 
 constexpr double kInBand = 0.2;  // from this speed on the waves pass at 20 Hz and more [m/s]
-constexpr double kRing = 0.060, kWaves = 40.0;   // of the torus: radius [m], ridges around it
-constexpr double kDown = 0.6, kRest = 0.2;       // [s]
-constexpr double kSpeedUp = 0.2;                 // until the speed is constant [s]
-constexpr double kGap = 0.004, kPress = 0.004;   // [m]
+constexpr double kRing = 0.060, kWaves = 40.0;  // of the torus: radius [m], ridges around it
+constexpr double kDown = 0.6, kRest = 0.2;      // [s]
+constexpr double kSpeedUp = 0.2;                // until the speed is constant [s]
+constexpr double kGap = 0.004, kPress = 0.004;  // [m]
 
-/// The head rests on its side, its axis across the tube: the side is 15 mm from its axis, the tube's top 20 mm high.
+/// The head rests on its side, its axis across the tube: the side is 15 mm from its axis, the
+/// tube's top 20 mm high.
 void lay_on_side(scenes::SceneDescription& scene) {
   const double quarter = std::sqrt(0.5);
   scene.object.world_from_mesh.orientation = Quat(quarter, quarter, 0.0, 0.0);
@@ -69,7 +72,8 @@ HapticTexture without_relief(const scenes::SceneObject& object, int texels) {
 std::unique_ptr<TexturedSession> open_session(Touch touch, Surface surface, int texels) {
   const auto change = [&](scenes::SceneDescription& scene) {
     if (touch == Touch::side) lay_on_side(scene);
-    for (scenes::SceneObject* o : {&scene.object, &scene.statics[0]}) o->textured_model->texels = texels;
+    for (scenes::SceneObject* o : {&scene.object, &scene.statics[0]})
+      o->textured_model->texels = texels;
   };
   std::function<HapticTexture(const scenes::SceneObject&)> make;
   if (surface == Surface::smooth)
@@ -129,16 +133,18 @@ Stroke stroke_at(TexturedSession& session, double speed, double seconds) {
 
 void note(Touch touch, Surface surface, const Stroke& s, Table& table) {
   add_row(table, {std::string(kTouches[static_cast<std::size_t>(touch)]),
-                  std::string(kSurfaces[static_cast<std::size_t>(surface)]), s.speed, s.waves, s.mean_force, s.deviation,
-                  s.band, s.at_waves, s.peak, s.faults});
+                  std::string(kSurfaces[static_cast<std::size_t>(surface)]), s.speed, s.waves,
+                  s.mean_force, s.deviation, s.band, s.at_waves, s.peak, s.faults});
 }
 
 /// What the relief adds where its waves pass in the band, the worst of the strokes.
 struct Added {
-  double over_smooth = 1e9, over_coarse = 1e9;  // force between 20 and 300 Hz over that of the other surfaces
-  double of_mean = 1e9;                         // what is more than on the smooth surface, over the mean force
-  double off = 0.0;                             // of the strongest frequency from that of the waves
-  double faults = 0.0;                          // of all strokes
+  // force between 20 and 300 Hz over that of the other surfaces
+  double over_smooth = 1e9, over_coarse = 1e9;
+  // what is more than on the smooth surface, over the mean force
+  double of_mean = 1e9;
+  double off = 0.0;     // of the strongest frequency from that of the waves
+  double faults = 0.0;  // of all strokes
 
   void look_at(const Stroke& coarse, const Stroke& smooth, const Stroke& relief) {
     faults += coarse.faults + smooth.faults + relief.faults;
@@ -156,9 +162,10 @@ struct Added {
 void add_strokes(const Context& context, Outcome& outcome) {
   Table table{.name = "strokes",
               .columns = {"touch", "surface", "speed [m/s]", "waves pass at [Hz]", "mean force [N]",
-                          "deviation [N]", "20 to 300 Hz [N]", "at the waves [N]", "strongest at [Hz]",
-                          "safety events"}};
-  plot::Panel panel{.title = "Side of the head around the torus at 200 mm/s", .x = {.label = "time [s]"},
+                          "deviation [N]", "20 to 300 Hz [N]", "at the waves [N]",
+                          "strongest at [Hz]", "safety events"}};
+  plot::Panel panel{.title = "Side of the head around the torus at 200 mm/s",
+                    .x = {.label = "time [s]"},
                     .y = {.label = "feedback force [N]"}};
   const std::vector<double> speeds =
       context.quick ? std::vector{kInBand, 0.3} : std::vector{0.006, 0.02, 0.1, kInBand, 0.3, 0.4};
@@ -171,20 +178,27 @@ void add_strokes(const Context& context, Outcome& outcome) {
       const auto session = open_session(touch, surface, context.quick ? 512 : 1024);
       for (const double speed : speeds) {
         if (context.quick && touch == Touch::face && speed > kInBand) continue;
-        const Stroke& s = strokes[static_cast<std::size_t>(surface)].emplace_back(stroke_at(*session, speed, 1.0));
+        const Stroke& s = strokes[static_cast<std::size_t>(surface)].emplace_back(
+            stroke_at(*session, speed, 1.0));
         note(touch, surface, s, table);
         if (touch == Touch::side && speed == kInBand)
           panel.series.push_back({.label = name, .x = s.time, .y = s.force});
       }
     }
-    for (std::size_t i = 0; i < strokes[0].size(); ++i) added.look_at(strokes[0][i], strokes[1][i], strokes[2][i]);
+    for (std::size_t i = 0; i < strokes[0].size(); ++i)
+      added.look_at(strokes[0][i], strokes[1][i], strokes[2][i]);
   }
   outcome.tables.push_back(std::move(table));
   outcome.figure.panels.push_back(panel);
   outcome.claims = {
-      at_least("textured", "force between 20 and 300 Hz with relief over that on the same surfaces without, with the side "
-                           "and the face of the head at 200 mm/s and more, the least", added.over_smooth, 2.0),
-      at_most("frequency", "strongest frequency off that at which the waves of the torus pass, the worst", added.off, 0.02),
+      at_least("textured",
+               "force between 20 and 300 Hz with relief over that on the same surfaces without, "
+               "with the side "
+               "and the face of the head at 200 mm/s and more, the least",
+               added.over_smooth, 2.0),
+      at_most("frequency",
+              "strongest frequency off that at which the waves of the torus pass, the worst",
+              added.off, 0.02),
       at_most("stroke-faults", "safety events of the strokes", added.faults, 0.0),
       stated("added", "what the relief adds there, over the mean force", added.of_mean),
       stated("facets", "as `textured`, over the coarse surfaces alone", added.over_coarse)};

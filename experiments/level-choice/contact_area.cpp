@@ -165,17 +165,17 @@ std::vector<AreaRank> area_ranks(const AreaTrials& trials) {
   const AreaSamples &x = trials.blended, &y = trials.single;
   const AreaSamples &s = trials.smaller, &z = trials.by_region;
   const auto count = [](const AreaSamples& a) { return static_cast<double>(a.level.size()); };
-  return {{"level and area below", rank_correlation(x.level, x.below), count(x)},
-          {"the same by weight", rank_correlation(x.level, x.below, x.weight), count(x)},
-          {"level and area below, no interpolation", rank_correlation(y.level, y.below), count(y)},
-          {"level and region by weight", rank_correlation(x.level, x.region, x.weight), count(x)},
-          {"level and region, no interpolation", rank_correlation(y.level, y.region), count(y)},
-          {"level and region by weight, the smaller D",
-           rank_correlation(s.level, s.region, s.weight), count(s)},
-          {"level and D by weight", rank_correlation(x.level, x.support, x.weight), count(x)},
-          {"D and region by weight", rank_correlation(x.support, x.region, x.weight), count(x)},
-          {"level and region, region in place of D", rank_correlation(z.level, z.region),
-           count(z)}};
+  return {
+      {"level and area below", rank_correlation(x.level, x.below), count(x)},
+      {"the same by weight", rank_correlation(x.level, x.below, x.weight), count(x)},
+      {"level and area below, no interpolation", rank_correlation(y.level, y.below), count(y)},
+      {"level and region by weight", rank_correlation(x.level, x.region, x.weight), count(x)},
+      {"level and region, no interpolation", rank_correlation(y.level, y.region), count(y)},
+      {"level and region by weight, the smaller D", rank_correlation(s.level, s.region, s.weight),
+       count(s)},
+      {"level and D by weight", rank_correlation(x.level, x.support, x.weight), count(x)},
+      {"D and region by weight", rank_correlation(x.support, x.region, x.weight), count(x)},
+      {"level and region, region in place of D", rank_correlation(z.level, z.region), count(z)}};
 }
 
 double commonest_level(const AreaSamples& samples) {

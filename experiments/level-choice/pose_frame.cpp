@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t kRoom = 400'000;
 constexpr std::size_t kBurst = 4;  // frames before a sample is taken, the last three timed
 constexpr int kClusters = 16;      // of the force that is compared
-constexpr std::size_t kCompared =
-    2000;  // exact contacts of a pose that recall is taken over, at most
+// exact contacts of a pose that recall is taken over, at most
+constexpr std::size_t kCompared = 2000;
 
 void add_force(PoseFrame& frame, double tolerance) {
   ContactClusters clusters;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kBandOfScene = 0.03;   // of the smaller radius, as the bench has it
 constexpr double kBandOfObject = 0.02;  // of the radius of the object itself
-constexpr double kBandOfQuery =
-    2.0;  // of the tolerance: apart as far as it, and through as far again
+// of the tolerance: apart as far as it, and through as far again
+constexpr double kBandOfQuery = 2.0;
 
 TriangleMesh mesh_of(const scenes::SceneObject& object, int triangles) {
   if (!object.model) return scenes::load_object(object).mesh;

@@ -14,19 +14,19 @@ namespace thigma::experiments::level_choice {
 /// What a setting gives, over the sampled poses. Errors of the force: RMS of the difference from
 /// the exact contacts' force over its RMS.
 struct Choice {
-  double triangles = 0.0;         // of the original below a contact, mean of both sides
-  double contacts = 0.0;          // mean
-  double front = 0.0;             // mean
-  double query = 0.0;             // CPU time, median [s]
-  double force_error = 0.0;       // of clusters each by itself
-  double shared_error = 0.0;      // of clusters that share the stiffness
-  double recall = 0.0;            // share of exact contacts with one of these near it
-  double separation_error = 0.0;  // of the least separation, median [m]
-  double interval = 0.0;          // that the bounds leave for the least separation, median [m]
-  double interval_ratio = 0.0;    // interval over error, median
-  double area_rank = 0.0;         // correlation of level and region of the exact query, by weight
-  double levels_at_once = 0.0;    // of detail among the contacts of a frame, most
-  double bytes = 0.0;             // of both objects' assets
+  double triangles = 0.0;          // of the original below a contact, mean of both sides
+  double contacts = 0.0;           // mean
+  double front = 0.0;              // mean
+  double query = 0.0;              // CPU time, median [s]
+  double force_error = 0.0;        // of clusters each by itself
+  double shared_error = 0.0;       // of clusters that share the stiffness
+  double recall = 0.0;             // share of exact contacts with one of these near it
+  double separation_error = 0.0;   // of the least separation, median [m]
+  double interval = 0.0;           // that the bounds leave for the least separation, median [m]
+  double interval_ratio = 0.0;     // interval over error, median
+  double area_rank = 0.0;          // correlation of level and region of the exact query, by weight
+  double levels_at_once = 0.0;     // of detail among the contacts of a frame, most
+  double bytes = 0.0;              // of both objects' assets
   PoseShare below, error, shared;  // triangles below, and squares of both errors, by pose
 };
 

@@ -9,7 +9,8 @@ double area_of(const HullView& view) {
   double area = 0.0;
   for (int t = 0; t < view.triangle_count; ++t) {
     const auto& corner = view.triangles[t].corner;
-    const Vec3 &a = view.vertices[corner[0]], &b = view.vertices[corner[1]], &c = view.vertices[corner[2]];
+    const Vec3 &a = view.vertices[corner[0]], &b = view.vertices[corner[1]],
+               &c = view.vertices[corner[2]];
     area += 0.5 * (b - a).cross(c - a).norm();
   }
   return area;

@@ -8,7 +8,8 @@
 
 namespace thigma::experiments::level_choice {
 
-/// By node. Finest patches are counted in the order of the tree, so that those below a node are first .. last - 1.
+/// By node. Finest patches are counted in the order of the tree, so that those below a node are
+/// first .. last - 1.
 struct TreeRanges {
   std::vector<std::int32_t> first, last;
   std::vector<double> triangles;  // of the original below the node

@@ -1,5 +1,5 @@
-// Sec. 3.4.4: contacts that change their level of detail must not be felt; `thigma run` on three scenes, with
-// interpolation and without.
+// Sec. 3.4.4: contacts that change their level of detail must not be felt; `thigma run` on three
+// scenes, with interpolation and without.
 
 #include <algorithm>
 #include <string_view>
@@ -57,7 +57,8 @@ Ran run_way(SessionPair session, const Way& way) {
   return ran;
 }
 
-/// CPU times of the exact query in the middle of a contact, each from the pose of a millisecond before [s].
+/// CPU times of the exact query in the middle of a contact, each from the pose of a millisecond
+/// before [s].
 std::vector<double> time_exact(const SessionPair& session, const std::vector<Pose>& touching) {
   const ContactWorld& world = session.config.contact;
   const SceneBody& body = world.scene.front();
@@ -82,11 +83,10 @@ double step_ratio(const SessionSummary& s) {
 }
 
 Claim make_larger(const std::vector<SessionSummary>& all) {
-  return above("larger",
-               "jaws: the step where a level changes without interpolation over that with it",
-               all[kBare].force_steps.contact.level_change /
-                   all[kDefault].force_steps.contact.level_change,
-               1.0);
+  return above(
+      "larger", "jaws: the step where a level changes without interpolation over that with it",
+      all[kBare].force_steps.contact.level_change / all[kDefault].force_steps.contact.level_change,
+      1.0);
 }
 
 void add_scene(const std::string& scene, const std::vector<SessionSummary>& all,
@@ -111,8 +111,9 @@ void add_scene(const std::string& scene, const std::vector<SessionSummary>& all,
   const std::string here = scene + ": ";
   const Claim smooth =
       at_most("smooth-" + scene,
-              here + "largest step where a contact changes level over the largest elsewhere, at "
-                     "the defaults",
+              here +
+                  "largest step where a contact changes level over the largest elsewhere, at "
+                  "the defaults",
               step_ratio(all[kDefault]), kLargest);
   std::vector<Claim> claims = {
       scene != "jaws" && !smooth.holds

@@ -36,10 +36,13 @@ struct Row {
          coarsest_r = 0;
   int free_levels = 0, levels = 0;
   double worst_ratio =
-      0.0;  // of a level's patches or triangles, whichever fell more, to those of the one before, but for the last level
+      // of a level's patches or triangles, whichever fell more, to those of the one before, but for
+      // the last level
+      0.0;
   double last_ratio = 0.0;  // of the last simplified level
   double worst_fall = 0.0;  // of a level's resolution to that of the one before; 1: not fallen
-  double first_deviation = 0.0, last_deviation = 0.0;  // largest s of the first and last simplified level, over the radius
+  // largest s of the first and last simplified level, over the radius
+  double first_deviation = 0.0, last_deviation = 0.0;
 };
 
 /// Of the edges of a mesh [m].
@@ -48,7 +51,8 @@ double median_edge(const TriangleMesh& mesh) {
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k)
       lengths.push_back((mesh.positions[static_cast<std::size_t>(t[k])] -
-                         mesh.positions[static_cast<std::size_t>(t[(k + 1) % 3])]).norm());
+                         mesh.positions[static_cast<std::size_t>(t[(k + 1) % 3])])
+                            .norm());
   return sample_quantile(lengths, 0.5);
 }
 
@@ -168,8 +172,10 @@ Outcome run_table_3_2(const Context& context) {
     add_model(source, h, row, context.assets->seconds[uri], outcome);
     ratio = std::max(ratio, row.worst_ratio);
     last = std::max(last, row.last_ratio);
-    // Either is few: 2 % of the original's, or 1.5 times what the source's simplified levels end with.
-    const double share = std::min(row.coarse_patches / row.patches / 0.02, row.coarse_patches / (1.5 * source.coarse_patches));
+    // Either is few: 2 % of the original's, or 1.5 times what the source's simplified levels end
+    // with.
+    const double share = std::min(row.coarse_patches / row.patches / 0.02,
+                                  row.coarse_patches / (1.5 * source.coarse_patches));
     if (share > coarse) coarsest_of = source.name;
     coarse = std::max(coarse, share);
     fine = std::min(fine, row.finest_r * median_edge(make_mesh(uri)) / h.radius);
@@ -180,16 +186,23 @@ Outcome run_table_3_2(const Context& context) {
   }
   outcome.claims = {
       at_most("levels",
-              "patches, or triangles, halve from level to level, but into the coarsest: largest ratio of the lesser of the two",
+              "patches, or triangles, halve from level to level, but into the coarsest: largest "
+              "ratio of the lesser of the two",
               ratio, 0.5),
       stated("last", "ratio of patches into the coarsest simplified level, largest", last),
       at_most("coarse",
-              "patches of the coarsest simplified level over 2 % of the original's, or over 1.5 times the source's, the lesser; "
-              "largest: " + coarsest_of,
+              "patches of the coarsest simplified level over 2 % of the original's, or over 1.5 "
+              "times the source's, the lesser; "
+              "largest: " +
+                  coarsest_of,
               coarse, 1.0),
-      at_most("near", "largest deviation of a coarsest simplified level, of the radius", last_off, 7.0, "%"),
-      at_least("first", "r of a first simplified level over the inverse median edge of the original, least", fine, 0.8),
-      at_most("first-near", "largest deviation of a first simplified level, of the radius", first_off, 1.0, "%"),
+      at_most("near", "largest deviation of a coarsest simplified level, of the radius", last_off,
+              7.0, "%"),
+      at_least("first",
+               "r of a first simplified level over the inverse median edge of the original, least",
+               fine, 0.8),
+      at_most("first-near", "largest deviation of a first simplified level, of the radius",
+              first_off, 1.0, "%"),
       at_most("free", "free levels above the simplified ones, most", free_levels, 8.0, "levels"),
       below("falling", "resolutions fall strictly: largest ratio of a level's to the one before",
             fall, 1.0)};

@@ -1,5 +1,5 @@
-// Table 3.3, without people: an ellipsoid slides over the dimpled ball at thresholds from 0.05 % to 20 %; how much of
-// the force's modulation by the dimples is left.
+// Table 3.3, without people: an ellipsoid slides over the dimpled ball at thresholds from 0.05 % to
+// 20 %; how much of the force's modulation by the dimples is left.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,8 @@ constexpr double kDifference = 0.07;  // just-noticeable difference of force, pu
 constexpr double kSpeed = 0.04;       // of the ellipsoid over the ball [m/s]
 constexpr double kPitch = 0.0041;     // between dimples: 392 of them on the ball [m]
 constexpr double kTolerance = 0.003;  // d, of the ball's radius: a quarter of a dimple's depth
-constexpr double kPress = 0.002;      // how far the ellipsoid is pressed into the ball, of its radius
+// how far the ellipsoid is pressed into the ball, of its radius
+constexpr double kPress = 0.002;
 constexpr double kThresholds[] = {0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.2};
 
 /// Which side of the ellipsoid (semi-axes 10, 6, 4 mm) is down.
@@ -34,7 +35,8 @@ struct Pass {
 const Pass kPasses[] = {
     {"tip", Vec3::UnitX(), 0.010}, {"side", Vec3::UnitY(), 0.006}, {"flat", Vec3::UnitZ(), 0.004}};
 
-/// Around the ball at constant height: the ellipsoid's nearest point runs a little below the sphere the dimples are in.
+/// Around the ball at constant height: the ellipsoid's nearest point runs a little below the sphere
+/// the dimples are in.
 Path slide_path(const Pass& pass, double ball_radius, double seconds) {
   Path path;
   const Vec3 axis = Vec3(0.2, -0.5, 1.0).normalized();  // no symmetry of the dimples' lattice
@@ -117,7 +119,8 @@ std::vector<double> shares_of(const std::vector<Left>& curve) {
   return left;
 }
 
-/// Threshold at which the difference first exceeds what is noticed, between those tried by its logarithm [%]; NaN: never.
+/// Threshold at which the difference first exceeds what is noticed, between those tried by its
+/// logarithm [%]; NaN: never.
 double crossing(const std::vector<double>& left) {
   for (std::size_t i = 0; i < left.size(); ++i) {
     const double now = std::fabs(left[i] - 1.0);
@@ -179,7 +182,8 @@ Outcome run_table_3_3(const Context& context) {
   using namespace table_3_3;
   const std::string ball_uri = model_uri("golf_ball", context.quick ? 44'000 : 177'876);
   ClodHierarchy ellipsoid = build_exact_hierarchy(make_mesh(model_uri("ellipsoid", 2000)));
-  // Without levels it has no support areas of its own: those of the ball decide (Eq. 3.7, the larger).
+  // Without levels it has no support areas of its own: those of the ball decide (Eq. 3.7, the
+  // larger).
   ellipsoid.support.assign(ellipsoid.vertices.size(), {0.0, 0.0});
   Pair pair;
   pair.name = "ellipsoid on golf ball";

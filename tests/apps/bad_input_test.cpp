@@ -78,10 +78,9 @@ std::string summary(const Ended& e) {
 Ended run_mesh(const BadMesh& bad, const std::string& path, bool is_repair) {
   // A second: the hand comes near, touches and presses. Damaged files only have to start.
   const char* duration = bad.due == Due::result || is_repair ? "1" : "0.1";
-  std::vector<std::string> arguments = {"run",        "--object",   path,         "--against",
-                                        path,         "--lockstep", "--duration", duration,
-                                        "--headless", "--json",     "--quiet",
-                                        "--scale",    "1"};  // of any size
+  std::vector<std::string> arguments = {
+      "run",    "--object",   path,     "--against", path,      "--lockstep", "--duration",
+      duration, "--headless", "--json", "--quiet",   "--scale", "1"};  // of any size
   if (is_repair) arguments.push_back("--repair");
   const Ended e = run_program(arguments);
   add_row(bad.kind, bad.name, is_repair ? "run --repair" : "run", e, summary(e));

@@ -1,4 +1,5 @@
-// `thigma build`: what it prints, what it writes, what it refuses; and .clod files as input of `contacts`.
+// `thigma build`: what it prints, what it writes, what it refuses; and .clod files as input of
+// `contacts`.
 
 #include <algorithm>
 #include <cmath>
@@ -53,8 +54,8 @@ TEST(BuildVerb, BuildsWhatIsUsableThoughTrianglesHaveNoArea) {
     EXPECT_GE(json_line(e)["levels"].size(), 3u);
     if (size != 0.02) continue;
     for (const std::string& held : {mesh, out}) {
-      const Ended ran = run_program({"run", "--object", held, "--against", mesh, "--lockstep", "--headless",
-                                     "--duration", "0.5", "--quiet", "--no-cache"});
+      const Ended ran = run_program({"run", "--object", held, "--against", mesh, "--lockstep",
+                                     "--headless", "--duration", "0.5", "--quiet", "--no-cache"});
       EXPECT_EQ(ran.code, 0) << ran.err;
     }
   }
@@ -163,7 +164,8 @@ TEST(BuildVerb, TellsPeopleWithoutATerminalInPlainLines) {
   EXPECT_NE(e.out.find("sha256"), std::string::npos);
 }
 
-// ---- as input of contacts ------------------------------------------------------------------------------
+// ---- as input of contacts
+// ------------------------------------------------------------------------------
 
 std::string poses() {
   std::string text = kHeader;

@@ -1,4 +1,5 @@
-// Levels of detail beside their mesh: found again, built again when anything is different, whole at any moment.
+// Levels of detail beside their mesh: found again, built again when anything is different, whole at
+// any moment.
 
 #include "clod_cache.h"
 

@@ -84,7 +84,8 @@ TEST(Conformance, changed_number_fails_and_is_named) {
   EXPECT_NEAR(report.worst.error, 1e-6, 1e-9);
 }
 
-// Every field of every case, changed in turn, must make its case fail: nothing is compared with itself.
+// Every field of every case, changed in turn, must make its case fail: nothing is compared with
+// itself.
 TEST(Conformance, each_result_of_each_kind_is_really_compared) {
   THIGMA_NEEDS_SHARED(folder);
   int changed = 0;

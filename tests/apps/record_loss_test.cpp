@@ -1,5 +1,5 @@
-// Recordings that something ends before their session does: a kill, a full disk, a folder that goes,
-// a second writer. What was flushed is read by every verb, and said to be a part.
+// Recordings that something ends before their session does: a kill, a full disk, a folder that
+// goes, a second writer. What was flushed is read by every verb, and said to be a part.
 
 #include <algorithm>
 #include <csignal>
@@ -85,15 +85,14 @@ TEST(RecordLoss, what_was_flushed_before_a_kill_is_read_by_every_verb) {
   const Ended text = run_program({"replay", part});
   EXPECT_EQ(text.code, 0) << text.err;
   EXPECT_NE(text.out.find("no recorded hash"), std::string::npos) << text.out;
-  const Ended device =
-      run_program(loss_arguments({"--lockstep", "--device", "replay:" + part}));
+  const Ended device = run_program(loss_arguments({"--lockstep", "--device", "replay:" + part}));
   EXPECT_EQ(device.code, 0) << device.err;
 }
 
 TEST(RecordLoss, the_page_shows_what_was_flushed) {
   const std::string part = killed_recording("shown.mcap");
-  Program program({"run", "--object", kBall, "--against", kBall, "--exact", "--port", "0",
-                   "--replay", part});
+  Program program(
+      {"run", "--object", kBall, "--against", kBall, "--exact", "--port", "0", "--replay", part});
   ASSERT_TRUE(program.waits_for("Ctrl-C ends it")) << program.said();
   program.send(SIGINT);
   const Ended e = program.finish();
@@ -154,7 +153,8 @@ TEST(RecordLoss, a_full_disk_ends_the_recording_not_the_session) {
     EXPECT_EQ(count(e.err, file + ": "), 1u) << e.err;
     EXPECT_GT(json_line(e)["haptic"]["frames"].get<int>(), 1500);
     const std::string kept = fs::exists(file) ? file : file + ".part";
-    EXPECT_NE(e.err.find(" s are in " + kept + ";"), std::string::npos) << "names the file: " << e.err;
+    EXPECT_NE(e.err.find(" s are in " + kept + ";"), std::string::npos)
+        << "names the file: " << e.err;
     EXPECT_GT(expect_read_by_every_verb(kept)["frames"].get<int>(), 500);
   }
 }
@@ -173,8 +173,8 @@ TEST(RecordLoss, two_processes_do_not_write_one_recording) {
   const std::string file = out_file("shared.mcap");
   Program first(loss_arguments({"--lockstep", "--record", file}));
   wait_for_growth(file, 1'000'000);
-  const Ended second = run_program(
-      loss_arguments({"--lockstep", "--duration", "1000000", "--record", file}), 60.0);
+  const Ended second =
+      run_program(loss_arguments({"--lockstep", "--duration", "1000000", "--record", file}), 60.0);
   EXPECT_EQ(second.code, 1) << second.err;
   expect_one_line(second, file + ": ");
   EXPECT_NE(second.err.find("another process"), std::string::npos) << second.err;

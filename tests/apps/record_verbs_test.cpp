@@ -75,13 +75,16 @@ TEST(RecordVerbs, threaded_sessions_replay_identical) {
 
 TEST(RecordVerbs, relief_is_the_same_on_a_graphics_processor) {
   const auto run = [](const std::string& depth, const std::string& file) {
-    const std::string scene = write_text(
-        depth + ".toml",
-        "[object]\nmesh = \"procedural:ball?triangles=320\"\nunit_scale = 0.2\nposition = [0.0, 0.0, 0.022]\n"
-        "mass = 0.01\n[[static]]\ntexture = \"procedural:ridged_plate?texels=64\"\n"
-        "[contact]\nstiffness = 2000.0\n[device]\napproach = [0.0, 0.0, -1.0]\n[texture]\nresolution = 12\ndepth = \"" + depth + "\"\n");
-    return run_program({"run", scene, "--headless", "--json", "--lockstep", "--duration", "2",
-                        "--record", file});
+    const std::string scene =
+        write_text(depth + ".toml",
+                   "[object]\nmesh = \"procedural:ball?triangles=320\"\nunit_scale = 0.2\nposition "
+                   "= [0.0, 0.0, 0.022]\n"
+                   "mass = 0.01\n[[static]]\ntexture = \"procedural:ridged_plate?texels=64\"\n"
+                   "[contact]\nstiffness = 2000.0\n[device]\napproach = [0.0, 0.0, "
+                   "-1.0]\n[texture]\nresolution = 12\ndepth = \"" +
+                       depth + "\"\n");
+    return run_program(
+        {"run", scene, "--headless", "--json", "--lockstep", "--duration", "2", "--record", file});
   };
   const std::string file = out_file("gpu.mcap");
   const Ended there = run("gpu", file), here = run("grid", out_file("grid.mcap"));
@@ -125,7 +128,8 @@ TEST(RecordVerbs, a_recording_of_more_than_4_GiB_is_used_like_any_other) {
   EXPECT_EQ(json_line(run_program({"replay", file, "--json"}))["identical"], true);
   ASSERT_EQ(run_program({"export", file, "-o", csv}).code, 0);
   EXPECT_EQ(read_file(csv), rows);
-  EXPECT_EQ(json_line(run_program({"plot", file, "-o", out_file("far.png"), "--json"}))["frames"], 500);
+  EXPECT_EQ(json_line(run_program({"plot", file, "-o", out_file("far.png"), "--json"}))["frames"],
+            500);
   run_ball({"--lockstep", "--device", "replay:" + file, "--duration", "0.5"});
   std::filesystem::remove(file);
 }
@@ -395,12 +399,16 @@ TEST(RecordVerbs, a_stop_signal_ends_in_order) {
 // Nobody holds the object: it falls, and comes to rest.
 TEST(RecordVerbs, a_scene_that_simulates_itself) {
   const std::string scene = out_file("falls.toml"), file = out_file("falls.mcap");
-  std::ofstream(scene) << "gravity = [0.0, 0.0, -9.81]\n[object]\nmesh = \"procedural:ball?triangles=320\"\nunit_scale = 0.1\n"
-                          "position = [0.0, 0.0, 0.25]\nmass = 0.05\n[[static]]\nmesh = \"procedural:ball?triangles=320\"\n"
-                          "unit_scale = 0.1\n[contact]\nexact = true\n[simulation]\nscatter = 1e-3\n[device]\nuri = \"null:\"\n";
+  std::ofstream(scene) << "gravity = [0.0, 0.0, -9.81]\n[object]\nmesh = "
+                          "\"procedural:ball?triangles=320\"\nunit_scale = 0.1\n"
+                          "position = [0.0, 0.0, 0.25]\nmass = 0.05\n[[static]]\nmesh = "
+                          "\"procedural:ball?triangles=320\"\n"
+                          "unit_scale = 0.1\n[contact]\nexact = true\n[simulation]\nscatter = "
+                          "1e-3\n[device]\nuri = \"null:\"\n";
   const auto play = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = {"run", scene, "--device", "null:", "--headless", "--json", "--quiet", "--lockstep",
-                                          "--duration", "0.4"};
+    std::vector<std::string> arguments = {
+        "run",    scene,     "--device",   "null:",      "--headless",
+        "--json", "--quiet", "--lockstep", "--duration", "0.4"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Ended e = run_program(arguments);
     EXPECT_EQ(e.code, 0) << e.err;
@@ -409,17 +417,20 @@ TEST(RecordVerbs, a_scene_that_simulates_itself) {
   const nlohmann::json once = play({"--record", file});
   EXPECT_EQ(once["haptic"]["frames"], 400);
   EXPECT_GT(once["simulation"]["impulses"].get<int>(), 0);
-  EXPECT_LE(once["simulation"]["energy"]["end"].get<double>(), once["simulation"]["energy"]["start"].get<double>());
+  EXPECT_LE(once["simulation"]["energy"]["end"].get<double>(),
+            once["simulation"]["energy"]["start"].get<double>());
   EXPECT_EQ(once["state_hash"], play({})["state_hash"]);
   EXPECT_NE(once["state_hash"], play({"--seed", "2"})["state_hash"]);
   const Ended replayed = run_program({"replay", file, "--json"});
   EXPECT_EQ(replayed.code, 0) << replayed.err;
   EXPECT_EQ(json_line(replayed)["identical"], true);
-  const Ended held = run_program({"run", scene, "--device", "hand:", "--headless", "--quiet", "--duration", "1"});
+  const Ended held =
+      run_program({"run", scene, "--device", "hand:", "--headless", "--quiet", "--duration", "1"});
   EXPECT_EQ(held.code, 2) << held.err;
 }
 
-// The scene that ships, with its levels of detail and fewer triangles: nothing is deeper than the tolerance for 10 s.
+// The scene that ships, with its levels of detail and fewer triangles: nothing is deeper than the
+// tolerance for 10 s.
 TEST(RecordVerbs, the_spoon_stays_out_of_the_cup) {
   std::string text = read_text(std::string(THIGMA_SOURCE_DIR) + "/scenes/spoon_in_cup.toml");
   for (const auto& [from, to] : {std::pair{"86016", "24000"}, std::pair{"64000", "24000"}}) {
@@ -428,17 +439,21 @@ TEST(RecordVerbs, the_spoon_stays_out_of_the_cup) {
     text.replace(at, std::strlen(from), to);
   }
   constexpr double kLimit = 900.0;  // under a sanitizer [s]
-  const Ended e = run_program({"run", write_text("spoon.toml", text), "--device", "null:", "--headless", "--json", "--quiet",
-                               "--lockstep", "--duration", "10"}, kLimit);
+  const Ended e =
+      run_program({"run", write_text("spoon.toml", text), "--device", "null:", "--headless",
+                   "--json", "--quiet", "--lockstep", "--duration", "10"},
+                  kLimit);
   ASSERT_EQ(e.code, 0) << e.err;
   const nlohmann::json said = json_line(e);
   EXPECT_GT(said["contact"]["level_changes"].get<int>(), 0);
   EXPECT_GT(said["simulation"]["events"].get<int>(), 5);
   EXPECT_TRUE(said["simulation"]["at_rest"].get<bool>());
   EXPECT_EQ(said["simulation"]["unresolved"], 0);
-  EXPECT_LE(said["simulation"]["deepest"].get<double>(), said["simulation"]["tolerance"].get<double>());
+  EXPECT_LE(said["simulation"]["deepest"].get<double>(),
+            said["simulation"]["tolerance"].get<double>());
   EXPECT_LE(said["penetration_max"].get<double>(), said["simulation"]["tolerance"].get<double>());
-  EXPECT_LE(said["simulation"]["energy"]["growth_max"].get<double>(), 1e-6 * said["simulation"]["energy"]["start"].get<double>());
+  EXPECT_LE(said["simulation"]["energy"]["growth_max"].get<double>(),
+            1e-6 * said["simulation"]["energy"]["start"].get<double>());
 }
 
 }  // namespace

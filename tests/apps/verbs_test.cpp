@@ -19,9 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kVerbs = {"run",    "build",       "contacts", "inspect", "repair", "replay",
-                                         "export", "conformance", "bench",    "devices", "doctor", "tune",
-                                         "bake"};
+const std::vector<std::string> kVerbs = {"run",    "build",  "contacts",    "inspect", "repair",
+                                         "replay", "export", "conformance", "bench",   "devices",
+                                         "doctor", "tune",   "bake"};
 
 std::string poses_file() {
   return write_text("poses.csv",
@@ -146,9 +146,11 @@ TEST(Verbs, unknown_words_get_the_nearest_and_the_list) {
 }
 
 TEST(Verbs, a_pair_of_meshes_in_millimetres_is_refused_with_the_scale) {
-  const std::string ball = write_text("mm.obj", format_mesh(make_ball(15.7, 3), MeshFormat::obj, "mm"));
-  std::vector<std::string> arguments = {"run", "--object", ball, "--against", ball, "--headless",
-                                        "--lockstep", "--duration", "0.01", "--quiet", "--no-cache"};
+  const std::string ball =
+      write_text("mm.obj", format_mesh(make_ball(15.7, 3), MeshFormat::obj, "mm"));
+  std::vector<std::string> arguments = {"run",  "--object",   ball,         "--against",
+                                        ball,   "--headless", "--lockstep", "--duration",
+                                        "0.01", "--quiet",    "--no-cache"};
   const Ended without = run_program(arguments);
   EXPECT_EQ(without.code, 2);
   expect_line_with(without, "--scale 0.001");
@@ -167,8 +169,8 @@ TEST(Verbs, a_bad_second_mesh_is_found_before_the_first_is_built) {
   const std::string bad = write_text("twice.obj", format_mesh(fin, MeshFormat::obj, "twice"));
   // What builds says so on standard error, unless told to be quiet.
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"run", "--object", "procedural:ellipsoid", "--against", bad, "--headless",
-                                 "--lockstep", "--duration", "0.01", "--no-cache"},
+       {std::vector<std::string>{"run", "--object", "procedural:ellipsoid", "--against", bad,
+                                 "--headless", "--lockstep", "--duration", "0.01", "--no-cache"},
         {"contacts", "procedural:ellipsoid", bad, "--poses", poses_file(), "--tolerance", "0.001",
          "--threshold", "0.025"}}) {
     const Ended e = run_program(arguments);

@@ -45,7 +45,8 @@ TEST_F(BulletBaseline, BoxesAreApartByTheirGap) {
   EXPECT_TRUE(contacts.empty());
 }
 
-// Triangles through each other are clipped along either face, so some depths are those of side faces.
+// Triangles through each other are clipped along either face, so some depths are those of side
+// faces.
 TEST_F(BulletBaseline, OverlappingBoxesHaveContactsOfTheirOverlap) {
   const TriangleMesh box = make_box(Vec3(0.1, 0.1, 0.1), {4, 4, 4});
   BulletPairPtr pair = make_bullet_pair(box, box, 0.002, 0.1);

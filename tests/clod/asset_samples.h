@@ -2,6 +2,7 @@
 // A small asset with several levels, for tests of files.
 
 #include "support/wavy_ball.h"
+
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/clod/clod_asset.h"
 #include "thigma/clod/validate_hierarchy.h"

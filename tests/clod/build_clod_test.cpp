@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "support/shared.h"
 #include "clod/asset_samples.h"
 #include "clod/distance_by_loop.h"
+#include "support/shared.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_hierarchy.h"

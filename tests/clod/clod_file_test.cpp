@@ -234,7 +234,8 @@ std::string lying_file(Random& random) {
   return file.finish();
 }
 
-/// Everything a program does with an asset. A wrong answer is no wonder, a crash or a hang is a failure.
+/// Everything a program does with an asset. A wrong answer is no wonder, a crash or a hang is a
+/// failure.
 void use(const ClodAsset& asset) {
   const ClodHierarchy& other = sample_asset().hierarchy;
   ContactSet set;

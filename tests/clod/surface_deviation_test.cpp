@@ -28,8 +28,8 @@ double sampled(const TriangleMesh& mesh, const std::array<Vec3, 3>& c) {
   for (int i = 0; i <= n; ++i)
     for (int j = 0; i + j <= n; ++j) {
       const double u = static_cast<double>(i) / n, v = static_cast<double>(j) / n;
-      largest =
-          std::max(largest, test::distance_by_loop(mesh, c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0])));
+      largest = std::max(
+          largest, test::distance_by_loop(mesh, c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0])));
     }
   return largest;
 }

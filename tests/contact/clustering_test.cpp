@@ -1,19 +1,21 @@
 #include "thigma/contact/clustering.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "support/shared.h"
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
 #include "thigma/math/random.h"
 
 namespace thigma {
 namespace {
 
-Vec3 vec(const nlohmann::json& j) { return {j[0].get<double>(), j[1].get<double>(), j[2].get<double>()}; }
+Vec3 vec(const nlohmann::json& j) {
+  return {j[0].get<double>(), j[1].get<double>(), j[2].get<double>()};
+}
 
 std::vector<Contact> blob(Random& random, const Vec3& center, double size, int count) {
   std::vector<Contact> contacts;
@@ -28,7 +30,9 @@ std::vector<Contact> blob(Random& random, const Vec3& center, double size, int c
   return contacts;
 }
 
-void expect_near(double got, double want, double scale) { EXPECT_NEAR(got, want, 1e-12 + 1e-9 * std::abs(scale)); }
+void expect_near(double got, double want, double scale) {
+  EXPECT_NEAR(got, want, 1e-12 + 1e-9 * std::abs(scale));
+}
 
 TEST(Clustering, MatchesTheReferenceVectors) {
   THIGMA_NEEDS_SHARED(shared);
@@ -67,7 +71,8 @@ TEST(Clustering, MatchesTheReferenceVectors) {
     ASSERT_EQ(got.clusters.size(), want["clusters"].size());
     for (std::size_t k = 0; k < got.clusters.size(); ++k) {
       const auto& w = want["clusters"][k];
-      expect_near((got.clusters[k].point - vec(w["p"])).cwiseAbs().maxCoeff(), 0.0, vec(w["p"]).cwiseAbs().maxCoeff());
+      expect_near((got.clusters[k].point - vec(w["p"])).cwiseAbs().maxCoeff(), 0.0,
+                  vec(w["p"]).cwiseAbs().maxCoeff());
       expect_near((got.clusters[k].scene_point - vec(w["p0"])).cwiseAbs().maxCoeff(), 0.0,
                   vec(w["p0"]).cwiseAbs().maxCoeff());
       expect_near((got.clusters[k].normal - vec(w["n"])).cwiseAbs().maxCoeff(), 0.0, 1.0);
@@ -90,7 +95,8 @@ TEST(Clustering, SeparatedGroupsAreFoundWhateverTheStart) {
   cluster_contacts(contacts, {}, {.max_clusters = 4, .tolerance = 2e-3}, scratch, clusters);
   ASSERT_EQ(clusters.clusters.size(), 4u);
   for (int g = 0; g < 4; ++g) {
-    std::set<int> used(scratch.assignment.begin() + 50 * g, scratch.assignment.begin() + 50 * (g + 1));
+    std::set<int> used(scratch.assignment.begin() + 50 * g,
+                       scratch.assignment.begin() + 50 * (g + 1));
     EXPECT_EQ(used.size(), 1u) << "group " << g << " was split";
   }
 }
@@ -113,13 +119,15 @@ TEST(Clustering, IdsFollowTheirClustersAndNewClustersGetNewOnes) {
   cluster_contacts(both, {}, params, scratch, clusters);
   const int left_id = id_near(0.0), right_id = id_near(1.0);
   ASSERT_NE(left_id, right_id);
-  for (int frame = 0; frame < 20; ++frame) {  // depths change at will, so the order of the output does too
+  // depths change at will, so the order of the output does too
+  for (int frame = 0; frame < 20; ++frame) {
     for (Contact& c : both) c.depth = random.uniform(-1e-3, 1e-3);
     cluster_contacts(both, clusters, params, scratch, clusters);
     ASSERT_EQ(id_near(0.0), left_id);
     ASSERT_EQ(id_near(1.0), right_id);
   }
-  // One region leaves and another appears: the survivor keeps its name, the newcomer's was never used.
+  // One region leaves and another appears: the survivor keeps its name, the newcomer's was never
+  // used.
   cluster_contacts(left, clusters, {.max_clusters = 1, .tolerance = 2e-3}, scratch, clusters);
   ASSERT_EQ(clusters.clusters.size(), 1u);
   const int kept = clusters.clusters[0].id;
@@ -140,7 +148,7 @@ TEST(Clustering, WeightlessAndOpposingContactsStayFinite) {
   cluster_contacts(contacts, {}, {.max_clusters = 1, .tolerance = 1e-3}, scratch, clusters);
   ASSERT_EQ(clusters.clusters.size(), 1u);
   EXPECT_EQ(clusters.clusters[0].weight, 0.0);
-  EXPECT_EQ(clusters.clusters[0].point, Vec3(0, 0, 2));        // unit weights
+  EXPECT_EQ(clusters.clusters[0].point, Vec3(0, 0, 2));         // unit weights
   EXPECT_EQ(clusters.clusters[0].normal, Vec3(Vec3::UnitX()));  // of the deepest, ties to the first
 }
 
@@ -159,12 +167,14 @@ TEST(Clustering, EveryContactIsInOneClusterAndMomentsAgree) {
   ContactClusters clusters;
   for (int round = 0; round < 200; ++round) {
     const auto contacts = blob(random, Vec3::Zero(), 1.0, 1 + static_cast<int>(random.below(300)));
-    const ClusterParams params{.max_clusters = 1 + static_cast<int>(random.below(16)), .tolerance = 5e-4};
+    const ClusterParams params{.max_clusters = 1 + static_cast<int>(random.below(16)),
+                               .tolerance = 5e-4};
     cluster_contacts(contacts, clusters, params, scratch, clusters);
     ASSERT_EQ(scratch.assignment.size(), contacts.size());
     ASSERT_LE(clusters.clusters.size(), static_cast<std::size_t>(params.max_clusters));
     std::vector<int> members(clusters.clusters.size(), 0);
-    for (std::size_t i = 0; i < contacts.size(); ++i) ++members[static_cast<std::size_t>(scratch.assignment[i])];
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      ++members[static_cast<std::size_t>(scratch.assignment[i])];
     std::set<int> ids;
     for (std::size_t k = 0; k < members.size(); ++k) {
       const ContactCluster& c = clusters.clusters[k];

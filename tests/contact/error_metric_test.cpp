@@ -1,7 +1,8 @@
 #include "thigma/contact/error_metric.h"
-#include "thigma/math/infinity.h"
 
 #include <gtest/gtest.h>
+
+#include "thigma/math/infinity.h"
 
 namespace thigma {
 namespace {

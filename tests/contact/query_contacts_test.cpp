@@ -1,10 +1,10 @@
 #include "thigma/contact/query_contacts.h"
 
-#include <gtest/gtest.h>
-
 #include <limits>
 
 #include "support/query_path.h"
+#include <gtest/gtest.h>
+
 #include "thigma/convex/detail/surface.h"
 #include "thigma/mesh/shapes.h"
 
@@ -39,7 +39,8 @@ TEST(QueryContacts, FarApartFindsNothingFromOnePair) {
 }
 
 TEST(QueryContacts, PlatesThatPassedThroughEachOtherPenetrate) {
-  // Their backs face each other while their hulls stand apart: closest points alone would call them separated.
+  // Their backs face each other while their hulls stand apart: closest points alone would call them
+  // separated.
   TriangleMesh up, down;
   up.positions = {{-2, -2, 0}, {2, -2, 0}, {0, 3, 0}};
   up.triangles = {{0, 1, 2}};
@@ -48,12 +49,14 @@ TEST(QueryContacts, PlatesThatPassedThroughEachOtherPenetrate) {
   const ClodHierarchy object = build_exact_hierarchy(down), scene = build_exact_hierarchy(up);
   ContactFront front;
   ContactSet set = room(10);
-  for (const double height : {0.02, -0.12, -0.14}) {  // of the lowest corner; the last two have passed
+  // of the lowest corner; the last two have passed
+  for (const double height : {0.02, -0.12, -0.14}) {
     clear(set);
     query_contacts(object, at(Vec3(0, 0, height)), scene, {}, {.tolerance = 0.2}, front, set);
     ASSERT_EQ(set.contacts.size(), 1u);
     EXPECT_LT(set.contacts[0].normal.z(), -0.9) << height;
-    EXPECT_EQ(set.contacts[0].status, height > 0.0 ? ContactStatus::separated : ContactStatus::deep);
+    EXPECT_EQ(set.contacts[0].status,
+              height > 0.0 ? ContactStatus::separated : ContactStatus::deep);
     EXPECT_EQ(set.contacts[0].depth > 0.0, height < 0.0);
   }
 }
@@ -69,15 +72,17 @@ bool surfaces_cross(const TriangleMesh& a, const TriangleMesh& b) {
     const Vec3 low_p = low(p), high_p = high(p);
     for (const auto& t : b.triangles) {
       const std::array<Vec3, 3> q = corners(b, t);
-      const bool is_apart = (low_p.array() > high(q).array()).any() || (low(q).array() > high_p.array()).any();
+      const bool is_apart =
+          (low_p.array() > high(q).array()).any() || (low(q).array() > high_p.array()).any();
       if (!is_apart && detail::triangles_cross(p, q)) return true;
     }
   }
   return false;
 }
 
-// A corner of a box by the rim of a hole: side of the box and wall of the hole may see each other from behind, through nothing but
-// air. What tells are the faces over their edges, which belong to other patches.
+// A corner of a box by the rim of a hole: side of the box and wall of the hole may see each other
+// from behind, through nothing but air. What tells are the faces over their edges, which belong to
+// other patches.
 TEST(QueryContacts, OnlySurfacesThatCrossPenetrate) {
   std::vector<double> xs, zs;  // fine enough that walls and top are patches of their own
   for (int i = 0; i <= 24; ++i) xs.push_back(-3.0 + 0.25 * i);
@@ -91,11 +96,12 @@ TEST(QueryContacts, OnlySurfacesThatCrossPenetrate) {
   for (const std::uint64_t first : {600u, 4200u}) {
     for (std::uint64_t seed = first; seed < first + 150; ++seed) {
       Random random(seed);
-      const Quat turn =
-          seed % 2 == 0 ? random.orientation() : test::turn(random.direction(), random.uniform(0.0, 15.0));
+      const Quat turn = seed % 2 == 0 ? random.orientation()
+                                      : test::turn(random.direction(), random.uniform(0.0, 15.0));
       Vec3 corner = Vec3::Zero();
       for (int i = 0; i < 8; ++i) {
-        const Vec3 at = turn * Vec3((i & 1) ? 0.7 : -0.7, (i & 2) ? 0.5 : -0.5, (i & 4) ? 0.4 : -0.4);
+        const Vec3 at =
+            turn * Vec3((i & 1) ? 0.7 : -0.7, (i & 2) ? 0.5 : -0.5, (i & 4) ? 0.4 : -0.4);
         if (at.z() < 0.0 && at.y() > corner.y()) corner = at;
       }
       const double gap = random.uniform(1e-6, 0.002);
@@ -119,7 +125,8 @@ TEST(QueryContacts, ContactIsWhatItsDefinitionSaysInTheWorldFrame) {
   const ClodHierarchy ball = build_exact_hierarchy(make_ball(1.0, 6));
   ContactFront front;
   ContactSet set = room(1000);
-  // The scene is turned and moved; the ball stands 0.02 above the box's +z face, which looks along +x in the world.
+  // The scene is turned and moved; the ball stands 0.02 above the box's +z face, which looks along
+  // +x in the world.
   Pose scene;
   scene.orientation = test::turn(Vec3::UnitY(), 90.0);
   scene.position = Vec3(5, -3, 2);
@@ -139,7 +146,8 @@ TEST(QueryContacts, ContactIsWhatItsDefinitionSaysInTheWorldFrame) {
 
 TEST(QueryContacts, AppendsAndKeepsWhatIsThere) {
   const Balls balls;
-  const SceneBody bodies[] = {{&balls.large, at(Vec3(0, 0, -3.01))}, {&balls.large, at(Vec3(0, 0, 3.01))}};
+  const SceneBody bodies[] = {{&balls.large, at(Vec3(0, 0, -3.01))},
+                              {&balls.large, at(Vec3(0, 0, 3.01))}};
   ContactFront fronts[2];
   ContactSet set = room(1000);
   query_scene(balls.small, {}, bodies, {.tolerance = 0.05}, fronts, set);
@@ -211,10 +219,12 @@ TEST(QueryContacts, ImpossiblePosesGiveNoContact) {
   ContactSet set = room(100);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   query_contacts(balls.small, at(Vec3(nan, 0, 0)), balls.large, {}, {.tolerance = 0.1}, front, set);
-  query_contacts(balls.small, at(Vec3(1e300, 0, 0)), balls.large, {}, {.tolerance = 0.1}, front, set);
+  query_contacts(balls.small, at(Vec3(1e300, 0, 0)), balls.large, {}, {.tolerance = 0.1}, front,
+                 set);
   query_contacts(balls.small, at(Vec3(0, 0, 3.0)), balls.large, {}, {.tolerance = nan}, front, set);
   EXPECT_TRUE(set.contacts.empty());
-  query_contacts(balls.small, at(Vec3(0, 0, 3.01)), balls.large, {}, {.tolerance = 0.1}, front, set);
+  query_contacts(balls.small, at(Vec3(0, 0, 3.01)), balls.large, {}, {.tolerance = 0.1}, front,
+                 set);
   EXPECT_FALSE(set.contacts.empty()) << "and the front works on";
 }
 
@@ -241,7 +251,8 @@ TEST(QueryContacts, TheFrontFollowsAndReturns) {
   ContactSet set = room(10'000);
   auto front_at = [&](double gap) {
     clear(set);
-    query_contacts(balls.small, at(Vec3(0, 0, 3.0 + gap)), balls.large, {}, {.tolerance = 0.05}, front, set);
+    query_contacts(balls.small, at(Vec3(0, 0, 3.0 + gap)), balls.large, {}, {.tolerance = 0.05},
+                   front, set);
     return set.stats.front;
   };
   const auto far = front_at(1.0);
@@ -254,9 +265,11 @@ TEST(QueryContacts, TheFrontFollowsAndReturns) {
   EXPECT_LT(back, close / 4) << "nodes that separated were not given back";
   // Motionless frames look at nothing but contacts.
   clear(set);
-  query_contacts(balls.small, at(Vec3(0, 0, 4.0)), balls.large, {}, {.tolerance = 0.05}, front, set);
+  query_contacts(balls.small, at(Vec3(0, 0, 4.0)), balls.large, {}, {.tolerance = 0.05}, front,
+                 set);
   clear(set);
-  query_contacts(balls.small, at(Vec3(0, 0, 4.0)), balls.large, {}, {.tolerance = 0.05}, front, set);
+  query_contacts(balls.small, at(Vec3(0, 0, 4.0)), balls.large, {}, {.tolerance = 0.05}, front,
+                 set);
   EXPECT_EQ(set.stats.tests, 0);
 }
 

@@ -1,13 +1,14 @@
-// What a query with levels of detail promises beside its bounds: thresholds, budgets, blending, memory.
+// What a query with levels of detail promises beside its bounds: thresholds, budgets, blending,
+// memory.
 
 #include "thigma/contact/resolution.h"
-
-#include <gtest/gtest.h>
 
 #include <vector>
 
 #include "support/audit.h"
 #include "support/query_path.h"
+#include <gtest/gtest.h>
+
 #include "thigma/clod/build_clod.h"
 #include "thigma/contact/clustering.h"
 #include "thigma/mesh/shapes.h"
@@ -63,7 +64,8 @@ TEST(Resolution, NoContactIsCoarserThanTheCoarsestLevelAllowed) {
     std::int32_t coarsest = 0;
     for (int i = 0; i <= 20; ++i) {
       ask(query, pose_at(i / 20.0), front, set);
-      for (const Contact& c : set.contacts) coarsest = std::max({coarsest, c.object_level, c.scene_level});
+      for (const Contact& c : set.contacts)
+        coarsest = std::max({coarsest, c.object_level, c.scene_level});
     }
     EXPECT_LE(coarsest, limit);
     if (limit == 100) free_to = coarsest;
@@ -91,15 +93,18 @@ TEST(Resolution, TellsWhatDecidedTheLevelOfEachContact) {
   };
   const auto haptic = deciders(query_at(0.1));
   EXPECT_GT(of(haptic, LevelDecision::haptic), 0);
-  EXPECT_EQ(of(haptic, LevelDecision::cap) + of(haptic, LevelDecision::velocity) + of(haptic, LevelDecision::view) +
-                of(haptic, LevelDecision::budget),
+  EXPECT_EQ(of(haptic, LevelDecision::cap) + of(haptic, LevelDecision::velocity) +
+                of(haptic, LevelDecision::view) + of(haptic, LevelDecision::budget),
             0);
-  EXPECT_GT(of(deciders(query_at(10.0, 0.02)), LevelDecision::cap), 0) << "s0 allows all, the cap does not";
+  EXPECT_GT(of(deciders(query_at(10.0, 0.02)), LevelDecision::cap), 0)
+      << "s0 allows all, the cap does not";
   ContactQuery fast = query_at(10.0);
   fast.resolution.metric.velocity = 1e-6;
-  EXPECT_GT(of(deciders(fast), LevelDecision::velocity) + of(deciders(fast), LevelDecision::finest), 0);
+  EXPECT_GT(of(deciders(fast), LevelDecision::velocity) + of(deciders(fast), LevelDecision::finest),
+            0);
   ContactQuery seen = query_at(10.0);
-  seen.resolution.metric.view = {.pixels = 1.0, .distance = 1.0, .frustum_size = 0.1, .near_distance = 0.1, .image_size = 4.0};
+  seen.resolution.metric.view = {
+      .pixels = 1.0, .distance = 1.0, .frustum_size = 0.1, .near_distance = 0.1, .image_size = 4.0};
   EXPECT_GT(of(deciders(seen), LevelDecision::view), 0);
   ContactQuery hurried = query_at(1e-4);
   hurried.resolution.budget_tests = 30;
@@ -129,7 +134,8 @@ TEST(Resolution, CoarserThresholdsMakeSmallerFronts) {
     for (int i = 0; i <= 20; ++i) {
       ask(query_at(thresholds[k]), pose_at(i / 20.0), front, set);
       fronts[k] += set.stats.front;
-      for (const Contact& c : set.contacts) coarse += c.object_level > 0 || c.scene_level > 0 ? 1u : 0u;
+      for (const Contact& c : set.contacts)
+        coarse += c.object_level > 0 || c.scene_level > 0 ? 1u : 0u;
     }
   }
   EXPECT_LT(fronts[1], fronts[0]);
@@ -170,7 +176,8 @@ TEST(Resolution, BudgetOfTestsIsNeverPassedAndIsReproducible) {
       }
       ask(query, pose_at(i / 30.0), second, again);
       EXPECT_EQ(test::first_difference(set, again), -1);
-      for (const Contact& c : set.contacts) errors[k] += c.bound / static_cast<double>(set.contacts.size());
+      for (const Contact& c : set.contacts)
+        errors[k] += c.bound / static_cast<double>(set.contacts.size());
     }
   }
   EXPECT_GE(errors[0], errors[1]);
@@ -216,8 +223,8 @@ TEST(Resolution, NothingIsAllocatedAfterTheFirstQuery) {
   EXPECT_EQ(watched.counts().frees, 0);
 }
 
-// How unsteadily the weighted sum of depth + d along the normals changes over a fine path: squares of its second
-// differences, to which a jump of any contact adds and steady motion does not.
+// How unsteadily the weighted sum of depth + d along the normals changes over a fine path: squares
+// of its second differences, to which a jump of any contact adds and steady motion does not.
 double unsteadiness(double threshold, bool interpolates) {
   ContactFront front;
   ContactSet set = room();

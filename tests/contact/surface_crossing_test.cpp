@@ -35,7 +35,8 @@ TEST(SurfaceCrossing, WindsOnceAroundTheInside) {
 
 TEST(SurfaceCrossing, EdgesAndCornersCountOnce) {
   const ClodHierarchy box = build_exact_hierarchy(make_box(Vec3(2, 2, 2), {2, 2, 2}));
-  for (const Vec3& to : {Vec3(3, 0, 0), Vec3(3, 0, 3), Vec3(3, 3, 3), Vec3(0, 3, 0), Vec3(3, 1, 0)}) {
+  for (const Vec3& to :
+       {Vec3(3, 0, 0), Vec3(3, 0, 3), Vec3(3, 3, 3), Vec3(0, 3, 0), Vec3(3, 1, 0)}) {
     const Crossings c = count_crossings(box, Vec3::Zero(), to);
     EXPECT_EQ(c.between, 1) << to.transpose();
     EXPECT_EQ(c.exits_after_from, 1) << to.transpose();
@@ -53,7 +54,8 @@ TEST(SurfaceCrossing, ClosedIsToldFromOpen) {
   EXPECT_FALSE(is_closed(build_exact_hierarchy(make_revolution(wall, 24))));
 }
 
-// Two plates side by side, 0.1 apart: from the back of one to the back of the other the material ends in between.
+// Two plates side by side, 0.1 apart: from the back of one to the back of the other the material
+// ends in between.
 TEST(SurfaceCrossing, ProbeSeesTheGapBetweenPlates) {
   const ClodHierarchy plate = build_exact_hierarchy(make_box(Vec3(1, 1, 0.2), {2, 2, 1}));
   CrossingContext context{&plate, &plate, {}};

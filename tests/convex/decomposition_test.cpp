@@ -84,7 +84,8 @@ TEST(CountConvexPatches, ConvexShapesHaveOneHoweverManyVertices) {
   EXPECT_GE(count_convex_patches(make_l_shape(1.0, 0.3)), 2);
   const TriangleMesh torus = make_torus(1.0, 0.3, 24, 16);
   EXPECT_GE(count_convex_patches(torus), 24);
-  EXPECT_LE(count_convex_patches(torus), static_cast<std::int32_t>(decompose_surface(torus).patches.size()));
+  EXPECT_LE(count_convex_patches(torus),
+            static_cast<std::int32_t>(decompose_surface(torus).patches.size()));
 }
 
 TEST(DecomposeSurface, HoldsItsInvariantsOnShapes) {

@@ -148,7 +148,8 @@ inline MeshPatch make_patch(const std::vector<Vec3>& positions, const Triangles&
   return patch;
 }
 
-/// The triangles of a unit ball whose centres lie higher than `from` along z: one patch, open below; all of it for -2.
+/// The triangles of a unit ball whose centres lie higher than `from` along z: one patch, open
+/// below; all of it for -2.
 inline MeshPatch ball_cap(int frequency, double from) {
   const TriangleMesh ball = make_ball(1.0, frequency);
   std::vector<int> members;

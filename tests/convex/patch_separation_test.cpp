@@ -116,7 +116,8 @@ bool same_bits(const PatchSeparation& x, const PatchSeparation& y) {
 }
 
 TEST(TriangleSeparation, EqualsAllPairsWhateverTheHint) {
-  const test::MeshPatch patches[] = {test::ball_cap(1, -2.0), test::ball_cap(2, 0.1), test::ball_cap(2, 0.5)};
+  const test::MeshPatch patches[] = {test::ball_cap(1, -2.0), test::ball_cap(2, 0.1),
+                                     test::ball_cap(2, 0.5)};
   ASSERT_LE(patches[1].points.size(), static_cast<std::size_t>(kMaxHullVertices));
   Random random(3);
   int meetings = 0, distances = 0;

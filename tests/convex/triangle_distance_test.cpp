@@ -1,10 +1,11 @@
 #include "thigma/convex/triangle_distance.h"
-#include "thigma/math/infinity.h"
 
 #include <cmath>
 
 #include "convex/hull_support.h"
 #include <gtest/gtest.h>
+
+#include "thigma/math/infinity.h"
 
 namespace thigma {
 namespace {

@@ -3,9 +3,8 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <vector>
-#include <fstream>
 #include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -114,7 +113,8 @@ TEST(File, of_many_writers_at_once_one_wins_and_each_is_whole) {
   std::filesystem::remove_all(folder);
 }
 
-// A process of the same number: in another container that shares the folder, or one that was killed.
+// A process of the same number: in another container that shares the folder, or one that was
+// killed.
 TEST(File, a_temporary_file_of_somebody_else_is_left_alone) {
   const std::filesystem::path folder = fresh_folder("others");
   const std::string path = folder / "a.bin";

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "device/tick.h"
+#include "support/plain_hands.h"
 #include <gtest/gtest.h>
 
-#include "support/plain_hands.h"
 #include "thigma/device/hand.h"
 
 namespace thigma {

@@ -1,4 +1,3 @@
-#include "support/plain_hands.h"
 #include "thigma/device/hand.h"
 
 #include <cmath>
@@ -7,6 +6,7 @@
 #include <vector>
 
 #include "device/tick.h"
+#include "support/plain_hands.h"
 #include <gtest/gtest.h>
 
 #include "thigma/math/rotation.h"

@@ -123,8 +123,9 @@ TEST(OpenDevice, MistakesAreNamedWithTheNearestRightOne) {
   EXPECT_EQ(refusal("null:?clutsch=0"), "null: no parameter 'clutsch', nearest is 'clutch'");
   EXPECT_EQ(refusal("null:?clutch=2"), "null: clutch = '2', expected 0 or 1");
   EXPECT_EQ(refusal("hnad:"), "no device 'hnad:', nearest is 'hand:'");
-  EXPECT_EQ(refusal("touch"),
-            "device 'touch' has no scheme, expected hand:, web:, script:FILE, replay:FILE or null:");
+  EXPECT_EQ(
+      refusal("touch"),
+      "device 'touch' has no scheme, expected hand:, web:, script:FILE, replay:FILE or null:");
   EXPECT_EQ(refusal("script:"), "script: no file, expected script:FILE");
 }
 

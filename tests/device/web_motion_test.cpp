@@ -19,8 +19,8 @@ WebSample sample(double time, const Vec3& position, std::uint32_t buttons = kClu
   return {time, {position, Quat::Identity()}, buttons};
 }
 
-/// A page that draws 60 frames a second, its clock `offset` behind the session's, its messages late by
-/// up to `jitter`, following `path`.
+/// A page that draws 60 frames a second, its clock `offset` behind the session's, its messages late
+/// by up to `jitter`, following `path`.
 template <class Path>
 double worst_error(WebMotion& motion, double offset, double jitter, double duration, double lag,
                    Path path) {
@@ -125,10 +125,11 @@ TEST(WebMotion, SilenceForLongIsALostDeviceAndTheHandleGoesOnFromWhereItWas) {
   EXPECT_EQ(s.buttons, 0u);
 }
 
-/// A page that moves at `v` and falls behind from `late_from` to `late_to`: silent, or, where it `repeats`, saying
-/// its last sample again as a page does whose main thread stands still. What was read at every tick.
-std::vector<DeviceState> read_late_page(const Vec3& v, double late_from, double late_to, bool repeats,
-                                        double duration) {
+/// A page that moves at `v` and falls behind from `late_from` to `late_to`: silent, or, where it
+/// `repeats`, saying its last sample again as a page does whose main thread stands still. What was
+/// read at every tick.
+std::vector<DeviceState> read_late_page(const Vec3& v, double late_from, double late_to,
+                                        bool repeats, double duration) {
   constexpr double kClock = -77.0;  // of the browser
   WebMotion motion;
   motion.begin();
@@ -161,7 +162,8 @@ TEST(WebMotion, ALatePageIsSlowNotGone) {
         ASSERT_EQ(s.buttons, kClutchButton) << s.time;
       }
     }
-    // The pose of 0.992 s was the last: full at first, half in the middle, nothing from the stated age on.
+    // The pose of 0.992 s was the last: full at first, half in the middle, nothing from the stated
+    // age on.
     const double last = 0.992;
     EXPECT_EQ(read[tick_at(last + params.full_age) - 2].weight, 1.0);
     EXPECT_NEAR(read[tick_at(last + 0.5 * (params.full_age + params.stale_age))].weight, 0.5, 0.01);

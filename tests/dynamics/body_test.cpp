@@ -54,7 +54,8 @@ TEST(Body, angular_velocity_derivative_agrees_with_differences) {
   }
 }
 
-// Euler's equation in the body frame is the independent form of what 5.1-5.2 say in the world frame.
+// Euler's equation in the body frame is the independent form of what 5.1-5.2 say in the world
+// frame.
 TEST(Body, free_rotation_obeys_eulers_equation) {
   Random random(4);
   for (int i = 0; i < 20; ++i) {

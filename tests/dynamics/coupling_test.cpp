@@ -24,7 +24,8 @@ Coupling any_coupling(Random& random, bool saturating) {
   return c;
 }
 
-// A hand whose handle is `stretch` metres and `turn` radians away from where the body's grasp frame is.
+// A hand whose handle is `stretch` metres and `turn` radians away from where the body's grasp frame
+// is.
 Motion hand_near(Random& random, const Coupling& c, const BodyState& state, double stretch,
                  double turn) {
   Motion device;
@@ -143,7 +144,8 @@ TEST(Coupling, hand_gets_the_reaction_about_the_handle) {
   }
 }
 
-// d/dt (energy of both springs) = power in at hand and body - what the dampers take, which is never negative.
+// d/dt (energy of both springs) = power in at hand and body - what the dampers take, which is never
+// negative.
 TEST(Coupling, dampers_take_power_and_springs_store_the_rest) {
   Random random(7);
   for (int i = 0; i < 300; ++i) {

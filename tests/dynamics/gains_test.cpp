@@ -53,7 +53,8 @@ TEST(Gains, TheDeviceBindsAndEverySpringIsCriticallyDamped) {
   EXPECT_DOUBLE_EQ(p.contact.limit, 0.010 * 1e6);
   EXPECT_DOUBLE_EQ(p.max_force, 8.5);
   EXPECT_DOUBLE_EQ(p.max_torque, 0.188);
-  // Without mass, friction and encoder of the handle, neither the loop nor friction is known to limit.
+  // Without mass, friction and encoder of the handle, neither the loop nor friction is known to
+  // limit.
   EXPECT_TRUE(std::isinf(limit_of(p.linear, GainLimit::loop)));
   EXPECT_TRUE(std::isinf(limit_of(p.linear, GainLimit::friction)));
 }
@@ -88,7 +89,8 @@ TEST(Gains, TheLoopLimitIsWhereTheLoopBeginsToSwing) {
   task.delay = 0.003;
   const GainProposal p = propose_gains(task);
   ASSERT_EQ(p.linear.binds, GainLimit::loop);
-  // The worst arm is one of those of PROTOCOLS E3; beyond the limit at least one swings, in the air or pressing.
+  // The worst arm is one of those of PROTOCOLS E3; beyond the limit at least one swings, in the air
+  // or pressing.
   const auto worst = [&](double stiffness) {
     double growth = 0.0;
     for (const auto& arm : {std::array{100.0, 1.0}, {500.0, 5.0}, {1500.0, 15.0}}) {

@@ -61,7 +61,8 @@ TEST(ImplicitStep, six_unknowns_give_what_thirteen_give) {
   }
 }
 
-// The tangent form differs from Eq. 5.7 only by the radial quaternion mode, a term of second order in h.
+// The tangent form differs from Eq. 5.7 only by the radial quaternion mode, a term of second order
+// in h.
 TEST(ImplicitStep, tangent_form_approaches_the_thirteen_with_the_square_of_the_step) {
   Random random(2);
   for (int i = 0; i < 50; ++i) {
@@ -96,8 +97,8 @@ TEST(ImplicitStep, tangent_form_turns_freely_as_the_thirteen_to_third_order) {
   }
 }
 
-// A rod spinning about its middle axis: without the half spin in the derivative of the rotation rate the system
-// becomes singular at about a radian a step.
+// A rod spinning about its middle axis: without the half spin in the derivative of the rotation
+// rate the system becomes singular at about a radian a step.
 TEST(ImplicitStep, stays_regular_at_any_spin) {
   const RigidBody body = make_body(0.01, 1e-7 * Mat3(Vec3(1.0, 38.0, 39.0).asDiagonal()));
   const double h = 5e-3;
@@ -183,7 +184,8 @@ TEST(ImplicitStep, error_is_of_first_order_in_the_step) {
   }
 }
 
-// A stiff contact under gravity with a coupling: springs and dampers only, so what the body can give back never grows.
+// A stiff contact under gravity with a coupling: springs and dampers only, so what the body can
+// give back never grows.
 TEST(ImplicitStep, energy_of_a_damped_system_never_grows) {
   Random random(6);
   for (int i = 0; i < 10; ++i) {
@@ -218,7 +220,8 @@ TEST(ImplicitStep, energy_of_a_damped_system_never_grows) {
       f.jacobian += contact;
       y = implicit_step(body, y, f.wrench, f.jacobian, 1e-3);
       const double now = energy();
-      // Linearising a unilateral contact once a step lets a step across the surface gain a little, never more.
+      // Linearising a unilateral contact once a step lets a step across the surface gain a little,
+      // never more.
       ASSERT_LE(now, last + 0.02 * start) << i << ' ' << k;
       last = now;
     }

@@ -153,7 +153,8 @@ DepthTerm any_depth(Random& random) {
 DepthBend any_bend(Random& random) {
   DepthBend bend;
   for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) bend(i, j) = random.uniform(-1.0, 1.0) * (i < 3 ? 30.0 : 1.5) * (j < 3 ? 30.0 : 1.5);
+    for (int j = 0; j < 6; ++j)
+      bend(i, j) = random.uniform(-1.0, 1.0) * (i < 3 ? 30.0 : 1.5) * (j < 3 ? 30.0 : 1.5);
   return bend;
 }
 
@@ -161,13 +162,11 @@ TEST(LinearContactModel, depth_term_jacobian_is_its_derivative) {
   Random random(11);
   for (int i = 0; i < 80; ++i) {
     const RigidBody body = test::random_body(random);
-    const test::NamedState at{
-        "random", test::random_state(random, body, random.orientation())};
+    const test::NamedState at{"random", test::random_state(random, body, random.orientation())};
     LinearContactModel model;
     model.state = at.state;
     model.state.position += random.in_cube(1e-4);
-    model.state.orientation =
-        rotation_from_vector(random.in_cube(1e-2)) * model.state.orientation;
+    model.state.orientation = rotation_from_vector(random.in_cube(1e-2)) * model.state.orientation;
     if (i % 2 == 1) model.state.orientation.coeffs() *= -1.0;
     for (int k = 0; k < 3; ++k) {
       model.depths.push_back(any_depth(random));
@@ -175,11 +174,9 @@ TEST(LinearContactModel, depth_term_jacobian_is_its_derivative) {
       if (i >= 40 && k < 2) model.bends.push_back(any_bend(random));
     }
     ASSERT_GT(contact_wrench(model, body, at.state).force.norm(), 0.0);
-    test::expect_jacobian(
-        [&](const BodyState& y, WrenchJacobian* J) {
-          return contact_wrench(model, body, y, 0.7, J);
-        },
-        body, at, 1e-7);
+    test::expect_jacobian([&](const BodyState& y,
+                              WrenchJacobian* J) { return contact_wrench(model, body, y, 0.7, J); },
+                          body, at, 1e-7);
   }
 }
 
@@ -195,13 +192,15 @@ TEST(LinearContactModel, bent_depth_term_follows_a_curved_depth) {
     const Vec3 arm_body = random.in_cube(0.05), bottom = state.position + random.in_cube(0.05);
     const Mat3 bowl = kCurvature * Vec3(1.0, 0.5, 0.2).asDiagonal();
     const Vec3 n = random.direction();
-    // depth(p) = n . (p - bottom) + (p - bottom)^T bowl (p - bottom) / 2 at the point p = x + R arm.
+    // depth(p) = n . (p - bottom) + (p - bottom)^T bowl (p - bottom) / 2 at the point p = x + R
+    // arm.
     struct Exact {
       double depth = 0.0;
       Vec6 gradient;
     };
     const auto exact = [&](const BodyState& y) {
-      const Vec3 arm = y.orientation * arm_body, p = y.position + arm - bottom, by_point = n + bowl * p;
+      const Vec3 arm = y.orientation * arm_body, p = y.position + arm - bottom,
+                 by_point = n + bowl * p;
       Exact e{n.dot(p) + 0.5 * p.dot(bowl * p), {}};
       e.gradient << by_point, arm.cross(by_point);
       return e;
@@ -211,7 +210,8 @@ TEST(LinearContactModel, bent_depth_term_follows_a_curved_depth) {
     Eigen::Matrix<double, 3, 6> point_by_motion;
     point_by_motion << Mat3::Identity(), -skew(arm);
     DepthBend bend = point_by_motion.transpose() * bowl * point_by_motion;
-    bend.bottomRightCorner<3, 3>() += skew(by_point) * skew(arm);  // the arm turns: d(arm x g) = -g x (w x arm)
+    // the arm turns: d(arm x g) = -g x (w x arm)
+    bend.bottomRightCorner<3, 3>() += skew(by_point) * skew(arm);
     DepthTerm term;
     term.depth = here.depth;
     term.linear = here.gradient.head<3>();
@@ -221,9 +221,11 @@ TEST(LinearContactModel, bent_depth_term_follows_a_curved_depth) {
     const auto errors = [&](double step) {
       BodyState moved = state;
       moved.position += step * Vec3(0.3, -0.5, 0.7);
-      moved.orientation = rotation_from_vector(20.0 * step * Vec3(-0.4, 0.8, 0.2)) * moved.orientation;
+      moved.orientation =
+          rotation_from_vector(20.0 * step * Vec3(-0.4, 0.8, 0.2)) * moved.orientation;
       const Exact want = exact(moved);
-      const PlaneForce f = depth_force(term, state, body, moved, kinematics(body, moved), 1.0, nullptr, &bend);
+      const PlaneForce f =
+          depth_force(term, state, body, moved, kinematics(body, moved), 1.0, nullptr, &bend);
       EXPECT_EQ(f.depth, depth_at(term, state, moved, &bend));
       Vec6 gradient;
       gradient << f.wrench.force, f.wrench.torque;
@@ -246,7 +248,8 @@ TEST(LinearContactModel, bent_depth_term_never_pulls) {
     const DepthBend bend = any_bend(random);
     const BodyState taken_at = state;
     state.position += random.in_cube(i % 2 == 0 ? 1e-3 : 1e-2);
-    const PlaneForce f = depth_force(term, taken_at, body, state, kinematics(body, state), 1.0, nullptr, &bend);
+    const PlaneForce f =
+        depth_force(term, taken_at, body, state, kinematics(body, state), 1.0, nullptr, &bend);
     EXPECT_LE(f.wrench.force.dot(term.linear), 0.0);
     bent_over += !f.is_active && f.depth + term.tolerance > 0.0 && f.magnitude > 0.0;
   }
@@ -254,7 +257,8 @@ TEST(LinearContactModel, bent_depth_term_never_pulls) {
 }
 
 TEST(LinearContactModel, depth_term_of_a_plane_is_the_plane) {
-  // The depth of a point over a plane has the gradient (n, Rr x n): one step further both agree to second order.
+  // The depth of a point over a plane has the gradient (n, Rr x n): one step further both agree to
+  // second order.
   Random random(12);
   for (int i = 0; i < 100; ++i) {
     const RigidBody body = test::random_body(random);
@@ -303,8 +307,7 @@ TEST(LinearContactModel, depth_term_never_pulls_and_only_loses_energy_to_damping
       continue;
     }
     ++active;
-    const double rate =
-        term.linear.dot(at.velocity.linear) + term.angular.dot(at.velocity.angular);
+    const double rate = term.linear.dot(at.velocity.linear) + term.angular.dot(at.velocity.angular);
     const double power =
         f.wrench.force.dot(at.velocity.linear) + f.wrench.torque.dot(at.velocity.angular);
     const double stored = term.stiffness * (f.depth + term.tolerance) * rate;

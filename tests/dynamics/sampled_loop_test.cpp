@@ -11,7 +11,8 @@
 namespace thigma {
 namespace {
 
-/// A body that does not move: the coupling is then the two-sided wall of PROTOCOLS E3 on a handle without damping.
+/// A body that does not move: the coupling is then the two-sided wall of PROTOCOLS E3 on a handle
+/// without damping.
 SampledLoop wall(double alpha, double beta, double delay_in_frames = 0.0) {
   const double mass = 0.1, period = 1e-3;
   return {.period = period,
@@ -22,7 +23,8 @@ SampledLoop wall(double alpha, double beta, double delay_in_frames = 0.0) {
           .coupling_damping = beta * mass / period};
 }
 
-/// Largest root of z^3 + (-2 + (alpha + beta) / 2) z^2 + (1 + alpha / 2) z - beta / 2 (PROTOCOLS E3, check 1).
+/// Largest root of z^3 + (-2 + (alpha + beta) / 2) z^2 + (1 + alpha / 2) z - beta / 2 (PROTOCOLS
+/// E3, check 1).
 double largest_root(double alpha, double beta) {
   Mat3 companion = Mat3::Zero();
   companion(1, 0) = companion(2, 1) = 1.0;

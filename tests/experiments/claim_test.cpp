@@ -29,18 +29,19 @@ Known known(double floor, const std::string& sweep = "sweep.csv") {
 
 /// One of each kind and comparison, none of them broken.
 std::vector<Claim> one_of_each() {
-  return {at_least("least", "", 2.0, 2.0),
-          at_most("most", "", 2.0, 2.0),
-          within("within", "", 5.0, 1.0, 10.0),
-          above("above", "", 2.1, 2.0),
-          below("below", "", 1.9, 2.0),
-          stated("stated", "", -7.0),
-          known_not_to(at_least("least-known", "", 1.5, 2.0), known(1.0)),
-          known_not_to(at_most("most-known", "", 2.5, 2.0), known(3.0)),
-          known_not_to(within("within-known", "", 0.7, 1.0, 10.0),
-                       {.reason = "because", .sweep = "sweep.csv", .floor = 10.0, .floor_low = 0.5}),
-          known_not_to(above("above-known", "", 2.0, 2.0), known(1.0)),
-          known_not_to(below("below-known", "", 2.0, 2.0), known(3.0))};
+  return {
+      at_least("least", "", 2.0, 2.0),
+      at_most("most", "", 2.0, 2.0),
+      within("within", "", 5.0, 1.0, 10.0),
+      above("above", "", 2.1, 2.0),
+      below("below", "", 1.9, 2.0),
+      stated("stated", "", -7.0),
+      known_not_to(at_least("least-known", "", 1.5, 2.0), known(1.0)),
+      known_not_to(at_most("most-known", "", 2.5, 2.0), known(3.0)),
+      known_not_to(within("within-known", "", 0.7, 1.0, 10.0),
+                   {.reason = "because", .sweep = "sweep.csv", .floor = 10.0, .floor_low = 0.5}),
+      known_not_to(above("above-known", "", 2.0, 2.0), known(1.0)),
+      known_not_to(below("below-known", "", 2.0, 2.0), known(3.0))};
 }
 
 TEST(Claims, compare_with_their_bound) {

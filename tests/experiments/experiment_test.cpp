@@ -52,7 +52,8 @@ TEST(Experiments, WriteDataPlotAndClaims) {
   EXPECT_EQ(claims["claims"][1]["kind"], "not reproduced");
   EXPECT_EQ(claims["claims"][1]["floor"], 4.0);
   EXPECT_EQ(claims["claims"][3]["kind"], "stated");
-  EXPECT_EQ(claims["counts"], Json::parse(R"({"checked": 2, "stated": 1, "not_reproduced": 1, "broken": 1})"));
+  EXPECT_EQ(claims["counts"],
+            Json::parse(R"({"checked": 2, "stated": 1, "not_reproduced": 1, "broken": 1})"));
   EXPECT_EQ(claims["claims"][2]["bound_low"], 1.0);
   EXPECT_TRUE(claims["claims"][3]["value"].is_null());
   const Json run = Json::parse(read_file((folder / "small-one" / "run.json").string()));

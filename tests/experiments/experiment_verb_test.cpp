@@ -31,7 +31,8 @@ TEST(ExperimentVerb, refuses_names_and_folders_it_does_not_have) {
   EXPECT_EQ(blocked.code, 1);
 }
 
-// Whether the claims hold is said by the exit code and by claims.json alike; a test of the engine's numbers it is not.
+// Whether the claims hold is said by the exit code and by claims.json alike; a test of the engine's
+// numbers it is not.
 TEST(ExperimentVerb, writes_data_plot_and_claims_and_says_whether_they_hold) {
   const std::filesystem::path folder = work_folder() / "out";
   const Ended ended = run_program(

@@ -1,5 +1,5 @@
-// What a plot shows is looked at; here it is only that it is drawn, the same each time, and that data that could break
-// it do not.
+// What a plot shows is looked at; here it is only that it is drawn, the same each time, and that
+// data that could break it do not.
 #include "experiments/common/plot.h"
 
 #include <cmath>
@@ -80,8 +80,8 @@ TEST(Plot, HasTheSizeThatWasAskedForAtTwoPixelsAPoint) {
 
 TEST(Plot, DrawsTheCurveInItsColour) {
   const int drawn = count(decode(png_bytes(one_curve({0.0, 1.0}, {0.0, 1.0}))), kBlue);
-  const int nothing =
-      count(decode(png_bytes(one_curve({}, {}))), kBlue);  // its line in the legend alone
+  // its line in the legend alone
+  const int nothing = count(decode(png_bytes(one_curve({}, {}))), kBlue);
   EXPECT_GT(drawn, nothing + 500);
 }
 

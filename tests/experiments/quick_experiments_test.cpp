@@ -1,4 +1,5 @@
-// Every experiment, --quick: what it claims holds or is known not to, and a wrong value in any claim breaks it.
+// Every experiment, --quick: what it claims holds or is known not to, and a wrong value in any
+// claim breaks it.
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,8 @@ TEST_P(QuickExperiment, claims_what_holds_and_what_can_break) {
     for (const double wrong : test::worse_values(claim))
       EXPECT_TRUE(is_broken(with_value(claim, wrong))) << line_of(claim) << ", with " << wrong;
     if (claim.kind == ClaimKind::not_reproduced && !claim.is_timed && claim.value)
-      EXPECT_TRUE(is_near(claim, *claim.floor) || (claim.floor_low && is_near(claim, *claim.floor_low)))
+      EXPECT_TRUE(is_near(claim, *claim.floor) ||
+                  (claim.floor_low && is_near(claim, *claim.floor_low)))
           << "floor " << *claim.floor << ": " << line_of(claim);
   }
 }

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
-
 #include "experiments/common/all_experiments.h"
+#include <gtest/gtest.h>
 
 #include "thigma/simulation/free_motion.h"
 
@@ -42,8 +41,8 @@ TEST(SpoonDrop, VelocityMetricCoarsensTheFall) {
   expect_claim(outcome, "triangles");
 }
 
-// Fronts are counts: no time is in them. Where the query has much to look at the exact front leaps, and that with levels
-// does not; at the text's tolerance small models leave both steady.
+// Fronts are counts: no time is in them. Where the query has much to look at the exact front leaps,
+// and that with levels does not; at the text's tolerance small models leave both steady.
 TEST(SpoonDrop, FrontIsSteadierWithLevelsWhereThereIsMuchToLookAt) {
   const Outcome outcome = run_quick(run_fig_3_19);
   const auto sweep = std::find_if(outcome.tables.begin(), outcome.tables.end(),
@@ -56,7 +55,8 @@ TEST(SpoonDrop, FrontIsSteadierWithLevelsWhereThereIsMuchToLookAt) {
   EXPECT_LT(steadier.back(), 0.5 * steadier.front());
 }
 
-// Energy never grows, surfaces never meet, and the same drop ends the same: at rest on the bottom, after sliding and rocking.
+// Energy never grows, surfaces never meet, and the same drop ends the same: at rest on the bottom,
+// after sliding and rocking.
 TEST(SpoonDrop, StaysInTheCup) {
   BodyState ends[2];
   for (BodyState& end : ends) {

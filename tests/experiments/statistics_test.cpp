@@ -52,7 +52,8 @@ TEST(Statistics, CorrelateByValueAndByRank) {
 TEST(Statistics, RanksCountAsOftenAsTheirWeightsSay) {
   const std::vector<double> x{1.0, 2.0, 3.0, 4.0}, y{2.0, 1.0, 4.0, 4.0};
   const std::vector<double> often{3.0, 1.0, 0.0, 2.0};
-  const std::vector<double> repeated_x{1.0, 1.0, 1.0, 2.0, 4.0, 4.0}, repeated_y{2.0, 2.0, 2.0, 1.0, 4.0, 4.0};
+  const std::vector<double> repeated_x{1.0, 1.0, 1.0, 2.0, 4.0, 4.0},
+      repeated_y{2.0, 2.0, 2.0, 1.0, 4.0, 4.0};
   EXPECT_NEAR(rank_correlation(x, y, std::vector<double>(4, 0.5)), rank_correlation(x, y), 1e-14);
   EXPECT_NEAR(rank_correlation(x, y, often), rank_correlation(repeated_x, repeated_y), 1e-14);
   EXPECT_TRUE(std::isnan(rank_correlation(x, std::vector<double>(4, 1.0), often)));

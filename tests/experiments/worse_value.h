@@ -9,7 +9,8 @@
 
 namespace thigma::test {
 
-/// Values with which a claim has to break: the next ones beyond its bound, or beyond its floor where it is not reproduced.
+/// Values with which a claim has to break: the next ones beyond its bound, or beyond its floor
+/// where it is not reproduced.
 inline std::vector<double> worse_values(const experiments::Claim& claim) {
   using experiments::Comparison;
   constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -17,12 +18,17 @@ inline std::vector<double> worse_values(const experiments::Claim& claim) {
   const double bound = (is_marked ? claim.floor : claim.bound).value_or(0.0);
   const double low = (is_marked ? claim.floor_low : claim.bound_low).value_or(0.0);
   switch (claim.comparison) {
-    case Comparison::none: return {kInf};
-    case Comparison::at_least: return {std::nextafter(bound, -kInf)};
-    case Comparison::at_most: return {std::nextafter(bound, kInf)};
-    case Comparison::within: return {std::nextafter(low, -kInf), std::nextafter(bound, kInf)};
+    case Comparison::none:
+      return {kInf};
+    case Comparison::at_least:
+      return {std::nextafter(bound, -kInf)};
+    case Comparison::at_most:
+      return {std::nextafter(bound, kInf)};
+    case Comparison::within:
+      return {std::nextafter(low, -kInf), std::nextafter(bound, kInf)};
     case Comparison::above:
-    case Comparison::below: return {bound};
+    case Comparison::below:
+      return {bound};
   }
   return {};
 }

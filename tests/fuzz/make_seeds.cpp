@@ -10,8 +10,8 @@
 #include "fuzz/fuzz_target.h"
 #include "runtime/recording_samples.h"
 #include "scenes/scene_file.h"
-#include "support/png_bytes.h"
 #include "support/plane_session.h"
+#include "support/png_bytes.h"
 #include "texture/textured_plates.h"
 #include "viewer/server/protocol.h"
 

@@ -1,9 +1,9 @@
 #include "thigma/math/elementary.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
+
+#include <gtest/gtest.h>
 
 #include "thigma/math/random.h"
 

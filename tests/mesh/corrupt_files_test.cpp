@@ -21,8 +21,8 @@ std::atomic<std::size_t> largest_allocation{0};
 
 }  // namespace
 
-// Not inlined: the compiler would see malloc's memory end in delete and warn. The non-throwing form too: the library
-// uses it for temporary buffers, and every new must match the delete below.
+// Not inlined: the compiler would see malloc's memory end in delete and warn. The non-throwing form
+// too: the library uses it for temporary buffers, and every new must match the delete below.
 [[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   std::size_t seen = largest_allocation.load(std::memory_order_relaxed);
   while (size > seen && !largest_allocation.compare_exchange_weak(seen, size)) {

@@ -95,7 +95,8 @@ TEST(HalfedgeFlip, RefusesWhatWouldChangeTheSurface) {
     EXPECT_FALSE(can_flip(sheet, h));
 }
 
-/// The value of every corner is the number of its vertex, and of its triangle's half where there is a seam.
+/// The value of every corner is the number of its vertex, and of its triangle's half where there is
+/// a seam.
 CornerAttributes numbered(const TriangleMesh& mesh, bool has_seam) {
   CornerAttributes values;
   values.width = 1;

@@ -128,7 +128,8 @@ TEST(HalfedgeMesh, RefusesExactlyWhatChangesTheSurface) {
       // Cutting off an ear of an open surface keeps both counts, but not its rim.
       const bool cuts_across = m.twin[static_cast<std::size_t>(h)] >= 0 &&
                                is_boundary(m, tail_of(m, h)) && is_boundary(m, head_of(m, h));
-      EXPECT_EQ(can_collapse(m, h), keeps && !cuts_across) << mesh.triangles.size() << " half-edge " << h;
+      EXPECT_EQ(can_collapse(m, h), keeps && !cuts_across)
+          << mesh.triangles.size() << " half-edge " << h;
     }
   }
 }

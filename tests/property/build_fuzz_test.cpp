@@ -1,5 +1,5 @@
-// Builds of perturbed and broken meshes: built, or refused with a reason. `scripts/test` runs a few,
-// `--full` the thousand; the sanitizer presets turn every slip of memory into a failure.
+// Builds of perturbed and broken meshes: built, or refused with a reason. `scripts/test` runs a
+// few, `--full` the thousand; the sanitizer presets turn every slip of memory into a failure.
 
 #include <cstdio>
 #include <map>

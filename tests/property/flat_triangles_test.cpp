@@ -1,5 +1,5 @@
-// Meshes with triangles that have no area to rounding: whatever is usable builds, exactly and with levels, and
-// answers queries as the search over its triangles does.
+// Meshes with triangles that have no area to rounding: whatever is usable builds, exactly and with
+// levels, and answers queries as the search over its triangles does.
 
 #include <array>
 #include <cstdio>
@@ -50,7 +50,8 @@ TriangleMesh flawed_mesh(int number, double& scale) {
     const Vec3 at = std::array{0.0, 0.0, 5.0}[random.below(3)] * random.in_cube(1.0);
     for (Vec3& p : mesh.positions) p = scale * (turn * p + at);
     mesh = merge_equal_positions(std::move(mesh)).mesh;
-    if (inspect_mesh(mesh, {.self_intersections = false}).verdict == MeshVerdict::usable) return mesh;
+    if (inspect_mesh(mesh, {.self_intersections = false}).verdict == MeshVerdict::usable)
+      return mesh;
   }
 }
 
@@ -66,12 +67,14 @@ void build_both_ways(const TriangleMesh& mesh, Tally& tally) {
   const ClodHierarchy h = build_clod(mesh, {}, &report);
   EXPECT_EQ(find_flaw(h), "");
   const HierarchyCheck check = check_hierarchy(h, mesh);
-  EXPECT_EQ(check.total(), 0) << check.reflex_edges << ' ' << check.off_hull << ' ' << check.protruding_patches << ' '
-                              << check.wrong_features << ' ' << check.uncovered_nodes << ' ' << check.worst_uncovered;
+  EXPECT_EQ(check.total(), 0) << check.reflex_edges << ' ' << check.off_hull << ' '
+                              << check.protruding_patches << ' ' << check.wrong_features << ' '
+                              << check.uncovered_nodes << ' ' << check.worst_uncovered;
   const LevelCheck levels = check_levels(report.simplification, decompose_surface(mesh));
   EXPECT_EQ(levels.total() - levels.changed_surfaces, 0)
-      << levels.misplaced_triangles << ' ' << levels.empty_patches << ' ' << levels.unhalved_levels << ' '
-      << levels.wrong_parents << ' ' << levels.off_hull << ' ' << levels.reflex_edges << ' ' << levels.protruding_patches;
+      << levels.misplaced_triangles << ' ' << levels.empty_patches << ' ' << levels.unhalved_levels
+      << ' ' << levels.wrong_parents << ' ' << levels.off_hull << ' ' << levels.reflex_edges << ' '
+      << levels.protruding_patches;
   ++tally.meshes;
   for (const double height : detail::describe_surface(mesh).height) tally.flat += height <= 0.0;
   tally.levels += static_cast<int>(report.simplification.levels.size());
@@ -111,13 +114,16 @@ TEST(FlatTriangles, whatever_is_usable_builds) {
     double scale = 1.0;
     build_both_ways(flawed_mesh(number, scale), tally);
   }
-  std::printf("  %d meshes, %d triangles without an area, %d levels\n", tally.meshes, tally.flat, tally.levels);
+  std::printf("  %d meshes, %d triangles without an area, %d levels\n", tally.meshes, tally.flat,
+              tally.levels);
   EXPECT_GT(tally.flat, rounds);
   EXPECT_GT(tally.levels, rounds);  // simplified ones, of meshes of a few hundred triangles
 }
 
-/// Takes triangles of no patch out of the search: without an area they lie on others, or are no surface.
-void search_surface_alone(const TriangleMesh& mesh, test::TriangleTree& tree, std::vector<int>& patch) {
+/// Takes triangles of no patch out of the search: without an area they lie on others, or are no
+/// surface.
+void search_surface_alone(const TriangleMesh& mesh, test::TriangleTree& tree,
+                          std::vector<int>& patch) {
   TriangleMesh part{mesh.positions, {}};
   std::vector<int> of_part;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -163,7 +169,9 @@ TEST(FlatTriangles, queries_find_what_a_search_finds) {
       clear(set);
       clear_front(front);
       query_contacts(pair.exact.object, pose, pair.exact.scene, Pose{}, coarse, front, set);
-      EXPECT_EQ(test::count_missed(pair, objects, scenes, pose, d - 1e-9 * pair.exact.radius, set, true_pairs), 0);
+      EXPECT_EQ(test::count_missed(pair, objects, scenes, pose, d - 1e-9 * pair.exact.radius, set,
+                                   true_pairs),
+                0);
       for (const Contact& c : set.contacts) EXPECT_NEAR(c.normal.norm(), 1.0, 1e-9);
     }
     if (HasFailure()) return;

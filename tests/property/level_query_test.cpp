@@ -1,11 +1,12 @@
-// The query with levels of detail: bounds against the original triangles, nothing left out, memory without a trace.
-
-#include <gtest/gtest.h>
+// The query with levels of detail: bounds against the original triangles, nothing left out, memory
+// without a trace.
 
 #include <numeric>
 
 #include "scenes/make_model.h"
 #include "support/level_check.h"
+#include <gtest/gtest.h>
+
 #include "thigma/math/quantile.h"
 #include "thigma/mesh/shapes.h"
 
@@ -19,10 +20,12 @@ using test::PatchSurfaces;
 constexpr double kThresholds[] = {0.0025, 0.01, 0.025, 0.05};
 
 /// triangles 0: as many as the model ships with.
-TriangleMesh model(const char* name, int triangles) { return scenes::make_model({.name = name, .triangles = triangles}); }
+TriangleMesh model(const char* name, int triangles) {
+  return scenes::make_model({.name = name, .triangles = triangles});
+}
 
-// Every contact is compared with every original triangle near it: a thousand poses want models of thousands of
-// triangles.
+// Every contact is compared with every original triangle near it: a thousand poses want models of
+// thousands of triangles.
 int pose_count() { return test::is_full() ? 1000 : 12; }
 
 ContactQuery query_at(double tolerance, double threshold) {
@@ -33,7 +36,8 @@ ContactQuery query_at(double tolerance, double threshold) {
   return query;
 }
 
-void ask(const LevelPairCheck& pair, const Pose& pose, const ContactQuery& query, ContactFront& front, ContactSet& set) {
+void ask(const LevelPairCheck& pair, const Pose& pose, const ContactQuery& query,
+         ContactFront& front, ContactSet& set) {
   clear(set);
   query_contacts(pair.exact.object, pose, pair.exact.scene, Pose{}, query, front, set);
   ASSERT_EQ(set.dropped, 0);
@@ -42,7 +46,8 @@ void ask(const LevelPairCheck& pair, const Pose& pose, const ContactQuery& query
 /// The whole check of a pair along one path into contact, threshold by threshold.
 void check_path(LevelPairCheck pair, const Approach& approach, int poses) {
   const double d = 0.01 * pair.exact.radius;
-  PatchSurfaces objects(pair.exact.object, pair.object_mesh), scenes(pair.exact.scene, pair.scene_mesh);
+  PatchSurfaces objects(pair.exact.object, pair.object_mesh),
+      scenes(pair.exact.scene, pair.scene_mesh);
   const Pose touch = test::pose_at_gap(pair.exact, approach.start, approach.direction, 0.0);
   ContactSet set, other;
   set.contacts.reserve(400'000);
@@ -61,17 +66,21 @@ void check_path(LevelPairCheck pair, const Approach& approach, int poses) {
         ask(pair, pose, query, front, set);
         clear_front(fresh);
         ask(pair, pose, query, fresh, other);
-        EXPECT_EQ(test::first_difference(set, other), -1) << pair.name << ": remembering changed the answer";
+        EXPECT_EQ(test::first_difference(set, other), -1)
+            << pair.name << ": remembering changed the answer";
         test::check_levels(pair, objects, scenes, pose, d, set);
         if (::testing::Test::HasFailure()) return;
       }
       const double median = sample_quantile(pair.ratios, 0.5);
-      std::printf("  %-14s s0 %.4f cap %-3s %6lld contacts, %6lld coarse, %6lld true pairs; bound/error p5 %.2f p25 %.2f "
-                  "median %.2f p75 %.1f p95 %.1f; bound/(s+s+h+h) up to %.3f\n",
-                  pair.name.c_str(), threshold, has_cap ? "on" : "off", static_cast<long long>(pair.contacts),
-                  static_cast<long long>(pair.coarse), static_cast<long long>(pair.true_pairs),
-                  sample_quantile(pair.ratios, 0.05), sample_quantile(pair.ratios, 0.25), median, sample_quantile(pair.ratios, 0.75),
-                  sample_quantile(pair.ratios, 0.95), pair.worst_promise);
+      std::printf(
+          "  %-14s s0 %.4f cap %-3s %6lld contacts, %6lld coarse, %6lld true pairs; bound/error p5 "
+          "%.2f p25 %.2f "
+          "median %.2f p75 %.1f p95 %.1f; bound/(s+s+h+h) up to %.3f\n",
+          pair.name.c_str(), threshold, has_cap ? "on" : "off",
+          static_cast<long long>(pair.contacts), static_cast<long long>(pair.coarse),
+          static_cast<long long>(pair.true_pairs), sample_quantile(pair.ratios, 0.05),
+          sample_quantile(pair.ratios, 0.25), median, sample_quantile(pair.ratios, 0.75),
+          sample_quantile(pair.ratios, 0.95), pair.worst_promise);
       if (pair.ratios.size() > 100) {
         EXPECT_LE(median, 20.0) << pair.name << ": bounds are not tight";
       }
@@ -84,11 +93,13 @@ void check_above(LevelPairCheck pair, int poses = pose_count()) {
   check_path(std::move(pair), approach, poses);
 }
 
-/// From any side: what is within d has a contact, of its own patches in an exact query, of patches above them with levels.
+/// From any side: what is within d has a contact, of its own patches in an exact query, of patches
+/// above them with levels.
 void check_nothing_is_pruned(LevelPairCheck pair) {
   const int poses = test::is_full() ? 10'000 : 50;
   const double d = 0.01 * pair.exact.radius, eps = 1e-9 * pair.exact.radius;
-  const PatchSurfaces objects(pair.exact.object, pair.object_mesh), scenes(pair.exact.scene, pair.scene_mesh);
+  const PatchSurfaces objects(pair.exact.object, pair.object_mesh),
+      scenes(pair.exact.scene, pair.scene_mesh);
   ContactQuery exact = query_at(d, 0.0), coarse = query_at(d, 0.025);
   exact.resolution.is_exact = true;
   coarse.resolution.deviation_cap = kNoCap;
@@ -108,8 +119,10 @@ void check_nothing_is_pruned(LevelPairCheck pair) {
     ask(pair, pose, coarse, front, set);
     missed_coarse += test::count_missed(pair, objects, scenes, pose, d - eps, set, ignored);
   }
-  std::printf("  %-14s %d random poses, %lld true pairs of finest patches, missed %d exact, %d with levels\n", pair.name.c_str(),
-              poses, static_cast<long long>(true_pairs), missed, missed_coarse);
+  std::printf(
+      "  %-14s %d random poses, %lld true pairs of finest patches, missed %d exact, %d with "
+      "levels\n",
+      pair.name.c_str(), poses, static_cast<long long>(true_pairs), missed, missed_coarse);
   std::fflush(stdout);
   EXPECT_GT(true_pairs, poses / 4);
   EXPECT_EQ(missed, 0);
@@ -117,12 +130,18 @@ void check_nothing_is_pruned(LevelPairCheck pair) {
 }
 
 TEST(LevelQuery, PrunesNothingFromAnySide) {
-  check_nothing_is_pruned(test::make_level_pair("ball on ball", make_ball(1.0, 20), make_ball(1.2, 24)));
-  check_nothing_is_pruned(test::make_level_pair("jaw on jaw", model("jaw_upper", 4'000), model("jaw_lower", 4'000)));
-  check_nothing_is_pruned(test::make_level_pair("spoon and cup", model("spoon", 3'000), model("cup", 4'000)));
-  check_nothing_is_pruned(test::make_level_pair("golf", model("golf_ball", 4'000), model("golf_club", 4'000)));
-  check_nothing_is_pruned(test::make_level_pair("ball joint", model("joint_ball", 4'000), model("joint_socket", 4'000)));
-  check_nothing_is_pruned(test::make_level_pair("torus and gear", model("torus", 3'000), model("gear", 4'000)));
+  check_nothing_is_pruned(
+      test::make_level_pair("ball on ball", make_ball(1.0, 20), make_ball(1.2, 24)));
+  check_nothing_is_pruned(
+      test::make_level_pair("jaw on jaw", model("jaw_upper", 4'000), model("jaw_lower", 4'000)));
+  check_nothing_is_pruned(
+      test::make_level_pair("spoon and cup", model("spoon", 3'000), model("cup", 4'000)));
+  check_nothing_is_pruned(
+      test::make_level_pair("golf", model("golf_ball", 4'000), model("golf_club", 4'000)));
+  check_nothing_is_pruned(test::make_level_pair("ball joint", model("joint_ball", 4'000),
+                                                model("joint_socket", 4'000)));
+  check_nothing_is_pruned(
+      test::make_level_pair("torus and gear", model("torus", 3'000), model("gear", 4'000)));
 }
 
 TEST(LevelQuery, BallOnBall) {
@@ -130,7 +149,8 @@ TEST(LevelQuery, BallOnBall) {
 }
 
 TEST(LevelQuery, JawOnJaw) {
-  check_above(test::make_level_pair("jaw on jaw", model("jaw_upper", 4'000), model("jaw_lower", 4'000)));
+  check_above(
+      test::make_level_pair("jaw on jaw", model("jaw_upper", 4'000), model("jaw_lower", 4'000)));
 }
 
 TEST(LevelQuery, JawsAsTheyShip) {
@@ -147,7 +167,8 @@ TEST(LevelQuery, GolfBallOnClub) {
 }
 
 TEST(LevelQuery, BallInSocket) {
-  check_above(test::make_level_pair("ball joint", model("joint_ball", 4'000), model("joint_socket", 4'000)));
+  check_above(test::make_level_pair("ball joint", model("joint_ball", 4'000),
+                                    model("joint_socket", 4'000)));
 }
 
 TEST(LevelQuery, TorusOnGear) {

@@ -1,12 +1,12 @@
 // The exact query against an independent search over raw triangles, on coherent and random poses.
 
-#include <gtest/gtest.h>
-
 #include <limits>
 
 #include "scenes/make_model.h"
 #include "support/pressing.h"
 #include "support/query_path.h"
+#include <gtest/gtest.h>
+
 #include "thigma/mesh/shapes.h"
 
 namespace thigma {
@@ -17,8 +17,8 @@ using test::CheckedPair;
 
 TEST(TriangleSearch, AgreesWithAllPairsOnSmallMeshes) {
   Random random(23);
-  const TriangleMesh shapes[] = {make_ball(1.0, 3), make_box(Vec3(1, 2, 0.5), {2, 3, 1}), make_torus(1.0, 0.3, 12, 8),
-                                 make_l_shape(2.0, 0.4)};
+  const TriangleMesh shapes[] = {make_ball(1.0, 3), make_box(Vec3(1, 2, 0.5), {2, 3, 1}),
+                                 make_torus(1.0, 0.3, 12, 8), make_l_shape(2.0, 0.4)};
   for (int round = 0; round < 60; ++round) {
     const auto a = test::build_triangle_tree(shapes[random.below(4)],
                                              {random.in_cube(1.5), random.orientation()});
@@ -43,14 +43,16 @@ TEST(ExactQuery, BallOnBall) {
 }
 
 TEST(ExactQuery, JawOnJaw) {
-  const CheckedPair pair = test::checked("jaw on jaw", scenes::make_model({.name = "jaw_upper", .triangles = 12'000}),
-                                   scenes::make_model({.name = "jaw_lower", .triangles = 14'000}));
+  const CheckedPair pair =
+      test::checked("jaw on jaw", scenes::make_model({.name = "jaw_upper", .triangles = 12'000}),
+                    scenes::make_model({.name = "jaw_lower", .triangles = 14'000}));
   test::check_pair(pair, test::from_above(pair), 0.01 * pair.radius);
 }
 
 TEST(ExactQuery, LShapeInBlocks) {
   // Large coplanar faces and parallel edges: the degenerate cases of every closest-point routine.
-  const CheckedPair pair = test::checked("L-shape on box", make_l_shape(1.0, 0.3), make_box(Vec3(2, 1.5, 0.5), {4, 3, 1}));
+  const CheckedPair pair = test::checked("L-shape on box", make_l_shape(1.0, 0.3),
+                                         make_box(Vec3(2, 1.5, 0.5), {4, 3, 1}));
   test::check_pair(pair, test::from_above(pair), 0.02 * pair.radius);
 }
 

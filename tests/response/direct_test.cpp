@@ -26,9 +26,9 @@ TEST(DirectPenalty, ScalesKeepWhatTheDeviceFeels) {
   const double s = 2.5, f = 0.4;
   const PenaltyParams p = direct_penalty(
       {.max_force = 3.3, .max_stiffness = 1100.0, .motion_scale = s, .force_scale = f});
-  EXPECT_NEAR(p.stiffness * p.tolerance * f, 3.3, 1e-12);   // device force at zero distance
-  EXPECT_NEAR(p.stiffness * s * f, 1100.0, 1e-9);           // device stiffness
-  EXPECT_NEAR(p.tolerance / s, 0.003, 1e-15);               // the way of the hand between the two
+  EXPECT_NEAR(p.stiffness * p.tolerance * f, 3.3, 1e-12);  // device force at zero distance
+  EXPECT_NEAR(p.stiffness * s * f, 1100.0, 1e-9);          // device stiffness
+  EXPECT_NEAR(p.tolerance / s, 0.003, 1e-15);              // the way of the hand between the two
 }
 
 TEST(DirectWrench, APlaneGivesStiffnessTimesToleranceLessDistance) {

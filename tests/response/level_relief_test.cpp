@@ -1,4 +1,5 @@
-// Textures over levels of detail in the contact model: whatever level a contact has, the original surface is felt.
+// Textures over levels of detail in the contact model: whatever level a contact has, the original
+// surface is felt.
 
 #include "response/level_relief.h"
 

@@ -83,7 +83,8 @@ TEST(LinearizeContacts, ABlendedContactEntersWithItsWeight) {
   }
 }
 
-// n pairs of a flat contact: however many there are, and however many clusters they make, the floor is as stiff.
+// n pairs of a flat contact: however many there are, and however many clusters they make, the floor
+// is as stiff.
 TEST(LinearizeContacts, force_of_a_flat_contact_does_not_grow_with_pairs_or_clusters) {
   const double depth = 4e-4;
   const PenaltyParams params{.stiffness = 2000.0, .damping = 0.0, .tolerance = 1e-3};

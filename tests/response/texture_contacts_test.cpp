@@ -94,7 +94,8 @@ TEST(TextureContacts, DepthOfABallIsThatOfTheOffsetSurface) {
       EXPECT_TRUE(model.planes.empty());
       const DepthTerm& term = model.depths[0];
       EXPECT_NEAR(term.depth, depth, kFacet + 0.01 * kAmplitude) << u;
-      // The depth falls by a metre a metre as the ball rises, and follows the offset surface sideways.
+      // The depth falls by a metre a metre as the ball rises, and follows the offset surface
+      // sideways.
       EXPECT_NEAR(term.linear.z(), -1.0, 1e-6);
       EXPECT_NEAR(term.linear.y(), 0.0, 0.05);
       if (std::fabs(offset.slope) < 0.25) {  // away from cusps
@@ -109,7 +110,8 @@ TEST(TextureContacts, DepthOfABallIsThatOfTheOffsetSurface) {
 /// One hill under another.
 struct HillUnderHill {
   HillUnderHill(bool has_hessian)
-      : object(build_exact_hierarchy(hills.object.coarse)), scene(build_exact_hierarchy(hills.scene.coarse)) {
+      : object(build_exact_hierarchy(hills.object.coarse)),
+        scene(build_exact_hierarchy(hills.scene.coarse)) {
     world.object = &object;
     world.scene = {{&scene, Pose{}}};
     world.tolerance = 1e-4;
@@ -133,8 +135,8 @@ struct HillUnderHill {
   ContactScratch scratch;
 };
 
-// The haptic thread's wrench away from where the model was taken, against that of a model taken there: the error falls with the
-// square of the way instead of the way itself.
+// The haptic thread's wrench away from where the model was taken, against that of a model taken
+// there: the error falls with the square of the way instead of the way itself.
 TEST(TextureContacts, FullHessianFollowsTheGradient) {
   HillUnderHill first_order(false), second_order(true);
   RigidBody body;
@@ -162,9 +164,11 @@ TEST(TextureContacts, FullHessianFollowsTheGradient) {
   EXPECT_LT((wrench_at(with, moved) - want).norm(), 5e-5);
 }
 
-// On a graphics processor, in a renderer in software, or on this processor: the same force, and a word about which.
+// On a graphics processor, in a renderer in software, or on this processor: the same force, and a
+// word about which.
 TEST(TextureContacts, GraphicsProcessorGivesTheModelOfTheGrid) {
-  TextureParams params{.search = DepthSearch::gpu, .resolution = 20, .gradient = GradientKind::envelope};
+  TextureParams params{
+      .search = DepthSearch::gpu, .resolution = 20, .gradient = GradientKind::envelope};
   BallOnRidges there(params);
   params.search = DepthSearch::grid;
   BallOnRidges here(params);
@@ -260,7 +264,8 @@ TEST(TextureContacts, FlatReliefFeelsAsAPlane) {
 }
 
 TEST(TextureContacts, EdgesOfABoxPushAsTheSurfaceBelowThemSlopes) {
-  // A box tilted a little or more on the ridges touches with its lower edge, beside a side seen almost edge-on.
+  // A box tilted a little or more on the ridges touches with its lower edge, beside a side seen
+  // almost edge-on.
   const TriangleMesh mesh = make_box({0.012, 0.012, 0.006});
   const HapticTexture smooth = make_plain_texture(mesh, "box");
   const ClodHierarchy box = build_exact_hierarchy(mesh);
@@ -303,7 +308,8 @@ TEST(TextureContacts, LookAtTheTrianglesAroundTheirOwn) {
     for (const std::int32_t t : contact.scene.triangles) marks.add(t);
     std::vector<std::int32_t> want;
     add_ring(plate.coarse, vertex_triangles(plate.coarse), contact.scene.triangles, marks, want);
-    EXPECT_TRUE(std::equal(want.begin(), want.end(), contact.scene.around.begin(), contact.scene.around.end()));
+    EXPECT_TRUE(std::equal(want.begin(), want.end(), contact.scene.around.begin(),
+                           contact.scene.around.end()));
     EXPECT_FALSE(want.empty()) << "or the whole plate is the contact";
     EXPECT_TRUE(contact.object.around.empty()) << "a ball without relief has nothing to see there";
   }

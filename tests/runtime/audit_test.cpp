@@ -81,7 +81,8 @@ struct Scene {
     config.contact.object = &ball;
     config.contact.scene = {{&sheet, Pose{}}};
     config.contact.tolerance = 2e-4;
-    config.contact.max_clusters = kMaxContactClusters;  // more than there are contacts: they come and go
+    // more than there are contacts: they come and go
+    config.contact.max_clusters = kMaxContactClusters;
     config.contact.response.damping = 1.0;
     config.world_from_body.position = {0.0, 0.0, 0.0115};
   }

@@ -129,8 +129,8 @@ TEST(ContactStep, QueriesAtTheResolutionAndCountsLevels) {
   EXPECT_EQ(decided, coarse.contacts);
   EXPECT_GT(coarse.decided_by[static_cast<std::size_t>(LevelDecision::haptic)], 0);
   EXPECT_GT(coarse.triangles_below, static_cast<double>(coarse.contacts));
-  EXPECT_LE(coarse.triangles_below,
-            0.5 * static_cast<double>(coarse.contacts) * (ball.triangle_count + box.triangle_count));
+  EXPECT_LE(coarse.triangles_below, 0.5 * static_cast<double>(coarse.contacts) *
+                                        (ball.triangle_count + box.triangle_count));
   world.resolution.is_exact = true;
   contact_step(world, at_height(0.0202), scratch, exact);
   EXPECT_EQ(exact.object_levels[0], exact.contacts);

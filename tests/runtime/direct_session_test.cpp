@@ -1,4 +1,5 @@
-// The direct response through the whole loop: the object is where the hand has it, the force is that of the contacts.
+// The direct response through the whole loop: the object is where the hand has it, the force is
+// that of the contacts.
 
 #include "thigma/runtime/direct_session.h"
 

@@ -1,9 +1,9 @@
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <sstream>
 
 #include "runtime/recording_samples.h"
+#include <gtest/gtest.h>
+
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
 

@@ -269,7 +269,8 @@ TEST(HapticStep, FaultsSendZeroInTheSameTickAndStay) {
   faulty(
       [](HeldDevice& d) {
         const double half = std::sqrt(0.5);
-        d.state.motion.pose.orientation = Quat(half, half, 0.0, 0.0) * d.state.motion.pose.orientation;
+        d.state.motion.pose.orientation =
+            Quat(half, half, 0.0, 0.0) * d.state.motion.pose.orientation;
       },
       Fault::orientation_jump);
   faulty([](HeldDevice& d) { d.state.motion.twist.angular.y() = 25.1; }, Fault::turned_too_fast);
@@ -301,7 +302,8 @@ struct RidingBench : Bench {
     const HapticPorts ports{&device, models.get(), bodies.get(), &ring};
     const HapticSample s = haptic_step(config.haptic, ports, {now, 0.01, Fault::watchdog}, state);
     // It is a function of what is recorded.
-    const HapticSample again = haptic_step(config.haptic, ports, {s.time, s.elapsed, s.external_fault}, before);
+    const HapticSample again =
+        haptic_step(config.haptic, ports, {s.time, s.elapsed, s.external_fault}, before);
     EXPECT_EQ(again.command.force, s.command.force);
     EXPECT_EQ(again.body.position, s.body.position);
     EXPECT_EQ(again.input_digest, s.input_digest);
@@ -323,7 +325,8 @@ TEST(HapticStep, ALateFrameIsRiddenOutWhereNobodyIsHeld) {
     const HapticSample s = b.tick();
     ASSERT_EQ(s.fault, Fault::none);
     // Over the ramp, and never faster than the slew limit.
-    EXPECT_LE(s.command.force.norm(), b.device.device_limits.max_force * std::min(1.0, 1e-3 * (i + 1) / 0.1) + 1e-9);
+    EXPECT_LE(s.command.force.norm(),
+              b.device.device_limits.max_force * std::min(1.0, 1e-3 * (i + 1) / 0.1) + 1e-9);
     EXPECT_LE(s.command.force.norm(), last + 200.0 * 1e-3 + 1e-9);
     last = s.command.force.norm();
   }
@@ -412,8 +415,8 @@ TEST(HapticStep, WithoutSensedRotationButtonsTurnTheObject) {
   b.device.device_limits.senses_rotation = false;
   b.begin();
   b.press(true);
-  b.device.state.motion.pose.orientation =
-      Quat(0.6, 0.8, 0.0, 0.0);  // nonsense that such a device may answer
+  // nonsense that such a device may answer
+  b.device.state.motion.pose.orientation = Quat(0.6, 0.8, 0.0, 0.0);
   HapticSample s = b.ticks(200);
   EXPECT_NEAR(std::abs(s.body.orientation.w()), 1.0, 1e-9);
   b.device.state.buttons |= kTurnButtons[4];

@@ -45,8 +45,7 @@ TEST(DurationHistogram, EveryDurationLiesWithinTheBoundsOfItsBucket) {
     DurationHistogram histogram;
     record(histogram, duration);
     const auto found = std::find(histogram.counts.begin(), histogram.counts.end(), 1u);
-    const BucketBounds bounds =
-        bucket_bounds(static_cast<int>(found - histogram.counts.begin()));
+    const BucketBounds bounds = bucket_bounds(static_cast<int>(found - histogram.counts.begin()));
     EXPECT_LE(bounds.from, static_cast<double>(duration));
     EXPECT_LT(static_cast<double>(duration), bounds.to);
   }

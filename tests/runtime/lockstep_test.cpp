@@ -175,7 +175,8 @@ TEST(Lockstep, SaysOnceThatNothingArmsBecauseTheContactModelIsTooOld) {
   EXPECT_TRUE(run_lockstep(config, device, sinks).notes.empty());
 }
 
-/// Events of a cube that comes down on the plane at 0.2 m/s, twice, with contact frames `every` milliseconds.
+/// Events of a cube that comes down on the plane at 0.2 m/s, twice, with contact frames `every`
+/// milliseconds.
 std::vector<SessionEvent> deep_contacts(int every, double deep, std::vector<std::string>& notes) {
   HeldDevice device;
   device.state.buttons = kClutchButton;
@@ -204,10 +205,11 @@ TEST(Lockstep, TellsOfContactsThatAreDeepOnAnOldModel) {
   ASSERT_EQ(told.size(), 2u);  // one a touch
   EXPECT_EQ(told[0].detail, "contact_model_too_old");
   double depth = 0.0, unseen = 0.0, age = 0.0;
-  ASSERT_EQ(std::sscanf(told[0].text.c_str(),
-                        "a contact is %lf mm deep, %lf mm of it unseen by a contact model %lf ms old",
-                        &depth, &unseen, &age),
-            3)
+  ASSERT_EQ(
+      std::sscanf(told[0].text.c_str(),
+                  "a contact is %lf mm deep, %lf mm of it unseen by a contact model %lf ms old",
+                  &depth, &unseen, &age),
+      3)
       << told[0].text;
   EXPECT_GT(depth, 1.0);
   EXPECT_GE(depth, unseen);

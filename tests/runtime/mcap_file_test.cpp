@@ -1,10 +1,10 @@
 #include "thigma/runtime/mcap_file.h"
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+
+#include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
 
@@ -20,10 +20,13 @@ std::filesystem::path write_sample(const std::string& name, int count) {
   const auto path = scratch(name);
   McapWriter writer(path.string());
   const auto a = writer.add_channel("/a", "A", "");
-  const auto b = writer.add_channel("/b", "B", R"({"type":"object","properties":{"v":{"type":"number"}}})");
+  const auto b =
+      writer.add_channel("/b", "B", R"({"type":"object","properties":{"v":{"type":"number"}}})");
   for (int i = 0; i < count; ++i) {
-    const std::string json = "{\"v\":" + std::to_string(i) + ",\"pad\":\"" + std::string(200, 'x') + "\"}";
-    writer.write(i % 3 == 0 ? b : a, static_cast<std::uint32_t>(i), static_cast<std::uint64_t>(i) * 1000000u, json);
+    const std::string json =
+        "{\"v\":" + std::to_string(i) + ",\"pad\":\"" + std::string(200, 'x') + "\"}";
+    writer.write(i % 3 == 0 ? b : a, static_cast<std::uint32_t>(i),
+                 static_cast<std::uint64_t>(i) * 1000000u, json);
   }
   writer.close();
   return path;
@@ -93,13 +96,16 @@ TEST(McapFile, closed_early_it_is_whole_without_what_was_not_flushed) {
 }
 
 TEST(McapFile, opens_in_the_official_reader) {
-  const std::filesystem::path reader = std::filesystem::path(THIGMA_SOURCE_DIR) / "tests/mcap_reader";
+  const std::filesystem::path reader =
+      std::filesystem::path(THIGMA_SOURCE_DIR) / "tests/mcap_reader";
   if (!std::filesystem::exists(reader / "node_modules/@mcap/core")) {
-    GTEST_SKIP() << "needs `npm ci` in tests/mcap_reader (scripts/test does it where npm reaches a registry)";
+    GTEST_SKIP() << "needs `npm ci` in tests/mcap_reader (scripts/test does it where npm reaches a "
+                    "registry)";
   }
   const auto path = write_sample("official.mcap", 20000);
   const std::string out = scratch("official.json").string();
-  const std::string command = "node '" + (reader / "read.mjs").string() + "' '" + path.string() + "' > '" + out + "'";
+  const std::string command =
+      "node '" + (reader / "read.mjs").string() + "' '" + path.string() + "' > '" + out + "'";
   ASSERT_EQ(std::system(command.c_str()), 0);
   std::ifstream in(out);
   const std::string line((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());

@@ -15,8 +15,8 @@ constexpr double kTick = 1e-3;
 
 enum class World { spring, wall };
 
-/// A hand on a spring or at a wall that loses nothing, samples `delay` late, with the controller or without; what the port
-/// gave.
+/// A hand on a spring or at a wall that loses nothing, samples `delay` late, with the controller or
+/// without; what the port gave.
 struct Ran {
   EnergyObserver port;  // of the true motion
   PassivityControl control;
@@ -95,8 +95,8 @@ TEST(PassivityControl, LeavesAPassiveWorldAlone) {
 }
 
 TEST(PassivityControl, ChargesEachMotionToTheWrenchThatDroveIt) {
-  // Samples two frames late: the wrench of frame 3 is the one that acts on the step from sample 3 to 4, which arrive in
-  // frames 5 and 6. Late ticks change nothing in that.
+  // Samples two frames late: the wrench of frame 3 is the one that acts on the step from sample 3
+  // to 4, which arrive in frames 5 and 6. Late ticks change nothing in that.
   for (const bool is_late : {false, true}) {
     PassivityControl control;
     const PassivityParams params{

@@ -71,10 +71,12 @@ TEST(FindStart, SaysWhenThereIsNothingNear) {
   EXPECT_FALSE(find_start(config.contact, config.world_from_body).has_scene);
 }
 
-// Opening a graphics processor takes its time, and says what it found: the session's own time is the one.
+// Opening a graphics processor takes its time, and says what it found: the session's own time is
+// the one.
 TEST(FindStart, LeavesTheGraphicsProcessorToTheSession) {
   const TriangleMesh ball = make_ball(0.01, 8), box = make_box({0.05, 0.05, 0.02});
-  const HapticTexture of_ball = make_plain_texture(ball, "ball"), of_box = make_plain_texture(box, "box");
+  const HapticTexture of_ball = make_plain_texture(ball, "ball"),
+                      of_box = make_plain_texture(box, "box");
   const ClodHierarchy object = build_exact_hierarchy(ball), scene = build_exact_hierarchy(box);
   int said = 0;
   ContactWorld world;

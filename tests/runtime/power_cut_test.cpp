@@ -1,5 +1,6 @@
-// Kills, full disks and failing calls at every call that changes the disk: a recording is then a prefix of what was
-// written, an asset is the old one or the new one, and nothing is ever anything else.
+// Kills, full disks and failing calls at every call that changes the disk: a recording is then a
+// prefix of what was written, an asset is the old one or the new one, and nothing is ever anything
+// else.
 
 #include <algorithm>
 #include <chrono>
@@ -28,8 +29,8 @@ using test::with_disk;
 constexpr std::uint64_t kFrames = 60;
 
 fs::path fresh_folder(const char* name) {
-  const fs::path folder = fs::path(::testing::TempDir()) /
-                          ("thigma_" + std::string(name) + std::to_string(::getpid()));
+  const fs::path folder =
+      fs::path(::testing::TempDir()) / ("thigma_" + std::string(name) + std::to_string(::getpid()));
   fs::remove_all(folder);
   fs::create_directories(folder);
   return folder;

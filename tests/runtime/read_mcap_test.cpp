@@ -17,7 +17,8 @@ namespace {
 std::string scratch(const std::string& name) { return ::testing::TempDir() + "thigma_" + name; }
 
 void put(const std::string& path, std::string_view bytes) {
-  std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  std::ofstream(path, std::ios::binary)
+      .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
 /// `chunks` chunks of ten messages; the whole file.
@@ -36,8 +37,10 @@ McapFile sample_file(const std::string& name, int chunks) {
 
 bool is_prefix(const McapFile& part, const McapFile& whole) {
   const auto same = [&](const McapMessage& m, const McapMessage& n) {
-    return m.sequence == n.sequence && m.time == n.time && m.data == n.data && m.offset == n.offset &&
-           part.topics[static_cast<std::size_t>(m.channel)] == whole.topics[static_cast<std::size_t>(n.channel)];
+    return m.sequence == n.sequence && m.time == n.time && m.data == n.data &&
+           m.offset == n.offset &&
+           part.topics[static_cast<std::size_t>(m.channel)] ==
+               whole.topics[static_cast<std::size_t>(n.channel)];
   };
   return part.messages.size() <= whole.messages.size() &&
          std::equal(part.messages.begin(), part.messages.end(), whole.messages.begin(), same);

@@ -221,7 +221,11 @@ TEST(ReadRecording, reads_one_of_more_than_4_GiB) {
   EXPECT_EQ(input_digest(far.frames.back()), input_digest(near.frames.back()));
   EXPECT_EQ(far.events.size(), near.events.size());
   std::uint64_t first = 0;
-  stream_recording(path, {{}, [&](const HapticSample&, const SamplePlace& p) { if (first == 0) first = p[0]; }, {}});
+  stream_recording(path, {{},
+                          [&](const HapticSample&, const SamplePlace& p) {
+                            if (first == 0) first = p[0];
+                          },
+                          {}});
   EXPECT_GT(first, hole);
   std::filesystem::remove(path);
 }
@@ -231,7 +235,8 @@ TEST(ReadRecording, stops_where_no_more_is_wanted) {
   int frames = 0;
   const RecordingInfo info =
       stream_recording(path, {[](const std::string&) { return false; },
-                              [&](const HapticSample&, const SamplePlace&) { ++frames; }, {}});
+                              [&](const HapticSample&, const SamplePlace&) { ++frames; },
+                              {}});
   EXPECT_EQ(frames, 0);
   EXPECT_EQ(info.config, read_recording(path).config);
 }

@@ -110,7 +110,8 @@ TEST(Session, WatchdogSendsZeroForceWhileTheHapticThreadHangs) {
   ASSERT_EQ(s.end, SessionEnd::fault);
   ASSERT_EQ(s.safety_events.size(), 1u);
   EXPECT_EQ(s.safety_events[0].detail, "watchdog");
-  EXPECT_GE(s.safety_events[0].time, 0.2 + config.haptic.safety.watchdog);  // not before it can have acted
+  // not before it can have acted
+  EXPECT_GE(s.safety_events[0].time, 0.2 + config.haptic.safety.watchdog);
   EXPECT_GE(s.missed, 250u);
   // More writes than frames: the watchdog's own, while nobody else wrote.
   EXPECT_GT(static_cast<std::uint64_t>(device.writes), s.frames + 1);

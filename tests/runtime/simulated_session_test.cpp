@@ -93,7 +93,8 @@ TEST(SimulatedSession, TheClockChangesNothingButTheTime) {
   EXPECT_EQ(fast.session.state_hash, again.session.state_hash);
   EXPECT_EQ(fast.session.state_hash, paced.session.state_hash);
   drop.start.body.position.x() += 1e-9;
-  EXPECT_NE(run_simulated(drop.config, drop.world, drop.start, false).session.state_hash, fast.session.state_hash);
+  EXPECT_NE(run_simulated(drop.config, drop.world, drop.start, false).session.state_hash,
+            fast.session.state_hash);
 }
 
 TEST(SimulatedSession, StopsWhenTold) {
@@ -101,7 +102,8 @@ TEST(SimulatedSession, StopsWhenTold) {
   std::atomic<bool> stop{false};
   SessionSinks sinks;
   sinks.haptic = [&](const HapticSample& s) { stop = s.frame == 20; };
-  const SimulatedSummary summary = run_simulated(drop.config, drop.world, drop.start, false, sinks, &stop);
+  const SimulatedSummary summary =
+      run_simulated(drop.config, drop.world, drop.start, false, sinks, &stop);
   EXPECT_EQ(summary.session.end, SessionEnd::stopped);
   EXPECT_EQ(summary.session.frames, 21u);
 }
@@ -118,7 +120,8 @@ TEST(SimulatedSession, StandsStillWhilePaused) {
   SessionSinks sinks;
   sinks.haptic = [&](const HapticSample&) { ++frames; };
   SimulatedSummary summary;
-  std::thread session([&] { summary = run_simulated(drop.config, drop.world, drop.start, true, sinks, &stop); });
+  std::thread session(
+      [&] { summary = run_simulated(drop.config, drop.world, drop.start, true, sinks, &stop); });
   while (frames < 3) std::this_thread::yield();
   stop = true;
   session.join();

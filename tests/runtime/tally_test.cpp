@@ -41,7 +41,8 @@ TEST(HapticTally, KeepsExtremesSumsAndTheHash) {
 TEST(HapticTally, SplitsAFrameAndCountsWhatWasLate) {
   const auto t = std::make_unique<HapticTally>();
   tally(*t, StageTimes{.device_read = 2000, .device_write = 500, .whole = 10000});
-  tally(*t, StageTimes{.device_read = 2000, .device_write = 500, .whole = 10000, .is_overrun = true});
+  tally(*t,
+        StageTimes{.device_read = 2000, .device_write = 500, .whole = 10000, .is_overrun = true});
   EXPECT_NEAR(quantile(t->compute, 0.5), 7.5e-6, 2e-7);
   EXPECT_EQ(t->whole.total, 2u);
   EXPECT_EQ(t->overruns, 1u);

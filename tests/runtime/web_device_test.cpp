@@ -125,7 +125,8 @@ TEST(WebDevice, LosingThePageIsZeroForceAndANewPressOfTheClutchGoesOn) {
   }
 }
 
-/// A drag onto the surface by a page that stands still from 1 s to 3 s, silent or saying its last sample again.
+/// A drag onto the surface by a page that stands still from 1 s to 3 s, silent or saying its last
+/// sample again.
 Told run_late_page(bool repeats) {
   return run(5.0, [repeats](double now, WebLink& link) {
     if (now == 0.0) link.begin();
@@ -187,7 +188,8 @@ TEST(WebDevice, ASessionOfALatePageIsReplayedBitForBit) {
                 [&](const ContactSample& s) { models.push_back(s); },
                 {}});
   EXPECT_LT(samples[2200].device.weight, 1.0);
-  const ReplayReport report = replay_session(config.haptic, config.world_from_body, samples, models);
+  const ReplayReport report =
+      replay_session(config.haptic, config.world_from_body, samples, models);
   EXPECT_TRUE(report.identical) << report.reason;
 }
 

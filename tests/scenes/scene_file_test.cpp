@@ -45,10 +45,10 @@ TEST(SceneFile, LettersBeyondAsciiAreTextOrCommentsOnly) {
     EXPECT_NE(message.find("beyond ASCII"), std::string::npos) << message;
     EXPECT_NE(message.find("line "), std::string::npos) << message;
   }
-  for (const std::string& line :
-       {"title = \"" + e + " \\\" " + e + "\" # " + e + "\n", "title = '" + e + "\\' # '" + e + "\n",
-        "title = \"\"\"\n" + e + " \\\"\"\" " + e + "\"\"\"\n", "title = \'\'\'\n" + e + "\'\'\'\n",
-        "# " + e + "\n"})
+  for (const std::string& line : {"title = \"" + e + " \\\" " + e + "\" # " + e + "\n",
+                                  "title = '" + e + "\\' # '" + e + "\n",
+                                  "title = \"\"\"\n" + e + " \\\"\"\" " + e + "\"\"\"\n",
+                                  "title = \'\'\'\n" + e + "\'\'\'\n", "# " + e + "\n"})
     EXPECT_EQ(message_of(line + kLeast), "") << line;
 }
 
@@ -60,10 +60,12 @@ TEST(SceneFile, RefusesControlCharactersAndTablesWithoutAName) {
   };
   for (const char c : {'\0', '\x01', '\x1f', '\x7f'}) {
     const std::string bad(1, c);
-    for (const std::string& text : {"[" + bad + "object]\n", "# a" + bad + "\n", "title = \"" + bad + "\"\n"})
+    for (const std::string& text :
+         {"[" + bad + "object]\n", "# a" + bad + "\n", "title = \"" + bad + "\"\n"})
       says(text, "a control character, line 1");
   }
-  for (const char* header : {"[{static]]", "[=]", "[ .a]", "[[+a]]", "  [ [ , ]", "[(]", "[\nobject]", "[[\r\na]]"})
+  for (const char* header :
+       {"[{static]]", "[=]", "[ .a]", "[[+a]]", "  [ [ , ]", "[(]", "[\nobject]", "[[\r\na]]"})
     says("title = [\"[\",\n  [1, [{a = 2}]]]\n" + std::string(header) + "\n", "line 3");
   // Lines of values may begin so.
   says("title = [\n[{a = 1}],\n[+1]]\n", "title");
@@ -79,7 +81,8 @@ TEST(SceneFile, LevelsOfDetailAreTheDefaultAndTheCapIsOffUnlessAskedFor) {
   EXPECT_EQ(least.budget_cpu, 0.0);
   const std::string capped = std::string(kLeast) + "[contact]\ndeviation_cap = 0.02\n";
   EXPECT_EQ(parse_scene(capped, "S.toml", "").contact.resolution.deviation_cap, 0.02);
-  EXPECT_EQ(parse_scene(capped + "capped = false\n", "S.toml", "").contact.resolution.deviation_cap, kNoCap);
+  EXPECT_EQ(parse_scene(capped + "capped = false\n", "S.toml", "").contact.resolution.deviation_cap,
+            kNoCap);
 }
 
 TEST(SceneFile, PenaltyAndCoupledAreOneResponse) {
@@ -379,8 +382,9 @@ TEST(SceneFile, EveryKeyOfTheJawsSceneIsReadAndItsMisspellingNamed) {
 TEST(SceneFile, TexturesStandInThePlaceOfMeshes) {
   const std::string ball = "[object]\nmesh = \"procedural:ball\"\n[[static]]\n";
   const SceneDescription s = parse_scene(
-      ball + "texture = \"procedural:ridged_plate?texels=64\"\n[texture]\ndepth = \"branch\"\n"
-             "resolution = 25\nnodes = 7\ngradient = \"envelope\"\nsmoothing = 0.2\n",
+      ball +
+          "texture = \"procedural:ridged_plate?texels=64\"\n[texture]\ndepth = \"branch\"\n"
+          "resolution = 25\nnodes = 7\ngradient = \"envelope\"\nsmoothing = 0.2\n",
       "s", "");
   EXPECT_FALSE(s.object.is_textured);
   ASSERT_TRUE(s.statics[0].is_textured);
@@ -394,9 +398,12 @@ TEST(SceneFile, TexturesStandInThePlaceOfMeshes) {
   EXPECT_EQ(s.contact.texture.max_nodes, 7);
   EXPECT_EQ(s.contact.texture.gradient, GradientKind::envelope);
   EXPECT_EQ(s.contact.texture.smoothing, 0.2);
-  EXPECT_EQ(parse_scene(ball + "texture = \"procedural:ridged_plate?texels=64\"\n[texture]\ndepth = \"gpu\"\n", "s", "")
-                .contact.texture.search,
-            DepthSearch::gpu);
+  EXPECT_EQ(
+      parse_scene(
+          ball + "texture = \"procedural:ridged_plate?texels=64\"\n[texture]\ndepth = \"gpu\"\n",
+          "s", "")
+          .contact.texture.search,
+      DepthSearch::gpu);
   const auto says = [&](const std::string& rest, const std::string& what) {
     EXPECT_NE(message_of(ball + rest).find(what), std::string::npos) << message_of(ball + rest);
   };

@@ -1,8 +1,7 @@
 #include "scenes/simulated_body.h"
 
-#include <gtest/gtest.h>
-
 #include "scenes/scene_file.h"
+#include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
 
@@ -10,11 +9,15 @@ namespace thigma::scenes {
 namespace {
 
 std::string scene_with(const std::string& keys) {
-  return "[object]\nmesh = \"procedural:ellipsoid\"\n[[static]]\nmesh = \"procedural:ellipsoid\"\n" + keys;
+  return "[object]\nmesh = \"procedural:ellipsoid\"\n[[static]]\nmesh = "
+         "\"procedural:ellipsoid\"\n" +
+         keys;
 }
 
 TEST(SimulatedBody, IsReadFromItsTable) {
-  const std::string text = scene_with("[simulation]\nrestitution = 0.25\nfriction = 0.5\nrolling = 0.001\nspin = [1.0, 2.0, 3.0]\nscatter = 0.01\n");
+  const std::string text = scene_with(
+      "[simulation]\nrestitution = 0.25\nfriction = 0.5\nrolling = 0.001\nspin = [1.0, 2.0, "
+      "3.0]\nscatter = 0.01\n");
   const auto body = parse_simulated_body(text, "s.toml");
   ASSERT_TRUE(body.has_value());
   EXPECT_EQ(body->law.restitution, 0.25);
@@ -28,14 +31,19 @@ TEST(SimulatedBody, IsReadFromItsTable) {
 }
 
 TEST(SimulatedBody, IsReadBehindAByteOrderMark) {
-  const auto body = parse_simulated_body("\xEF\xBB\xBF" + scene_with("[simulation]\nfriction = 0.5\n"), "s.toml");
+  const auto body =
+      parse_simulated_body("\xEF\xBB\xBF" + scene_with("[simulation]\nfriction = 0.5\n"), "s.toml");
   ASSERT_TRUE(body.has_value());
   EXPECT_EQ(body->law.friction, 0.5);
 }
 
 TEST(SimulatedBody, RefusesWhatItDoesNotKnow) {
-  for (const char* keys : {"restitution = 1.5", "restitution = -0.1", "friction = -1.0", "rolling = -1.0", "bounce = 1.0", "spin = 3.0"}) {
-    EXPECT_THROW(parse_simulated_body(scene_with("[simulation]\n" + std::string(keys) + "\n"), "s.toml"), InputError) << keys;
+  for (const char* keys : {"restitution = 1.5", "restitution = -0.1", "friction = -1.0",
+                           "rolling = -1.0", "bounce = 1.0", "spin = 3.0"}) {
+    EXPECT_THROW(
+        parse_simulated_body(scene_with("[simulation]\n" + std::string(keys) + "\n"), "s.toml"),
+        InputError)
+        << keys;
   }
 }
 

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <numeric>
 
+#include "scenes/ridge_profile.h"
 #include <gtest/gtest.h>
 
-#include "scenes/ridge_profile.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/core/error.h"
 #include "thigma/math/elementary.h"
@@ -96,7 +96,8 @@ void expect_no_push_along_ridges(const HapticTexture& block) {
       DepthSamples sample;
       search->sample(std::span(&contact, 1), request, std::span(&sample, 1));
       ASSERT_TRUE(sample.is_found);
-      // At a corner of what they share, where two rims hold the maximum, a slope is that of none or either.
+      // At a corner of what they share, where two rims hold the maximum, a slope is that of none or
+      // either.
       if (std::fabs(sample.at.y()) > 0.04 - 5.0 * block.texel_size) continue;
       ++looked_at;
       const DepthGradient got = depth_gradient(contact, sample, kind, scratch);
@@ -108,8 +109,8 @@ void expect_no_push_along_ridges(const HapticTexture& block) {
   EXPECT_GT(looked_at, 400);
 }
 
-// Pushed along the ridges and tilted by a little, the deepest place is the rim of one block: what lies beside it, on the
-// block or in the map, has no say in the slope.
+// Pushed along the ridges and tilted by a little, the deepest place is the rim of one block: what
+// lies beside it, on the block or in the map, has no say in the slope.
 TEST(TexturedModel, BlocksDoNotPushEachOtherAlongTheirRidges) {
   HapticTexture block = make_textured_model({"striped_block", 1024});
   expect_no_push_along_ridges(block);
@@ -128,17 +129,20 @@ TEST(TexturedModel, AddressesAreReadStrictly) {
     EXPECT_THROW(parse_textured_uri(wrong, "t"), InputError) << wrong;
 }
 
-// A fine surface displaced sideways until it lies the wrong way round: its depths are told to be none of a height field,
-// those of one that does not are not.
+// A fine surface displaced sideways until it lies the wrong way round: its depths are told to be
+// none of a height field, those of one that does not are not.
 TEST(TexturedModel, ReliefThatTurnsOverIsCounted) {
   for (const double aside : {0.0, -1.5}) {
-    TextureSource source = make_textured_slab({Vec3(0.08, 0.06, 0.02), 256, [](double, double) { return 0.0; }});
+    TextureSource source =
+        make_textured_slab({Vec3(0.08, 0.06, 0.02), 256, [](double, double) { return 0.0; }});
     for (int row = 0; row < 256; ++row)
       for (int column = 0; column < 256; ++column)
         source.texels[static_cast<std::size_t>(row * source.width + column)].x =
             static_cast<float>(aside * 0.08 * (column / 255.0 - 0.5));
-    const HapticTexture folded = make_texture(std::move(source), "folded"), block = make_textured_model({"striped_block", 256});
-    const ClodHierarchy object = build_exact_hierarchy(block.coarse), scene = build_exact_hierarchy(folded.coarse);
+    const HapticTexture folded = make_texture(std::move(source), "folded"),
+                        block = make_textured_model({"striped_block", 256});
+    const ClodHierarchy object = build_exact_hierarchy(block.coarse),
+                        scene = build_exact_hierarchy(folded.coarse);
     ContactWorld world;
     world.object = &object;
     world.scene.push_back({&scene, Pose{}});

@@ -4,10 +4,10 @@
 #include <iostream>
 #include <map>
 
-#include <gtest/gtest.h>
-
 #include "scenes/ridge_profile.h"
 #include "scenes/textured_parts.h"
+#include <gtest/gtest.h>
+
 #include "thigma/convex/count_patches.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/inspect.h"
@@ -65,7 +65,8 @@ TEST(TexturedSheet, fine_surfaces_are_usable_meshes) {
   }
 }
 
-// Two triangles that share an edge have the same fine points along it, at the poles and where sheets close too.
+// Two triangles that share an edge have the same fine points along it, at the poles and where
+// sheets close too.
 TEST(TexturedSheet, fine_surfaces_have_no_cracks) {
   for (const char* name : kParts) {
     const std::vector<TexturedSheet> sheets = textured_part(name);
@@ -87,29 +88,33 @@ TEST(TexturedSheet, fine_surfaces_have_no_cracks) {
           here[(k + 1) % 3] = way;
           there[other->second.second] = way;
           there[(other->second.second + 1) % 3] = 1.0 - way;
-          crack = std::max(crack, (fine_point(t, i, here) -
-                                   fine_point(t, other->second.first, there)).norm());
+          crack = std::max(
+              crack, (fine_point(t, i, here) - fine_point(t, other->second.first, there)).norm());
         }
       }
     }
     EXPECT_EQ(2 * shared, 3 * static_cast<int>(t.coarse.triangles.size())) << name;
     EXPECT_LT(crack, 0.05 * t.amplitude) << name;
-    std::cout << name << ": cracks " << crack / t.amplitude << " of the amplitude, "
-              << t.width << " x " << t.height << " texels\n";
+    std::cout << name << ": cracks " << crack / t.amplitude << " of the amplitude, " << t.width
+              << " x " << t.height << " texels\n";
   }
 }
 
-// Table 4.1: 210, 390, 113 and 114 volumes over the coarse models of hammer, CAD part, file and torus. On smooth corners the
-// file was convex.
+// Table 4.1: 210, 390, 113 and 114 volumes over the coarse models of hammer, CAD part, file and
+// torus. On smooth corners the file was convex.
 TEST(TexturedSheet, coarse_models_are_about_as_far_from_convex_as_the_texts) {
-  const std::map<std::string, int> volumes = {{"hammer", 210}, {"cad_part", 390}, {"file", 113}, {"helicoidal_torus", 114}};
+  const std::map<std::string, int> volumes = {
+      {"hammer", 210}, {"cad_part", 390}, {"file", 113}, {"helicoidal_torus", 114}};
   for (const auto& [name, wanted] : volumes) {
-    const TriangleMesh coarse = make_texture(make_textured_sheets(textured_part(name), 200), name).coarse;
+    const TriangleMesh coarse =
+        make_texture(make_textured_sheets(textured_part(name), 200), name).coarse;
     const int nodes = 2 * count_convex_patches(coarse) - 1;
     EXPECT_GE(2 * nodes, wanted) << name;
     EXPECT_LE(nodes, 2 * wanted) << name;
   }
-  EXPECT_EQ(count_convex_patches(make_texture(make_textured_sheets(textured_part("gear"), 200), "gear").coarse), 1);
+  EXPECT_EQ(count_convex_patches(
+                make_texture(make_textured_sheets(textured_part("gear"), 200), "gear").coarse),
+            1);
 }
 
 // The control of experiments: the same surface without its relief.
@@ -128,20 +133,24 @@ TEST(TexturedSheet, smooth_surfaces_lie_within_the_relief_of_the_fine_ones) {
   }
 }
 
-// Table 4.1: "the block and gear models are fully convex at coarse resolution", with the teeth in the texture.
+// Table 4.1: "the block and gear models are fully convex at coarse resolution", with the teeth in
+// the texture.
 TEST(TexturedSheet, coarse_gear_is_convex_and_its_teeth_are_relief) {
-  const HapticTexture gear = make_texture(make_textured_sheets(textured_part("gear"), 1024), "gear");
+  const HapticTexture gear =
+      make_texture(make_textured_sheets(textured_part("gear"), 1024), "gear");
   const double radius = enclosing_ball(gear.coarse.positions).radius;
   for (const auto& t : gear.coarse.triangles) {
-    const auto corner = [&](std::size_t k) -> const Vec3& { return gear.coarse.positions[static_cast<std::size_t>(t[k])]; };
+    const auto corner = [&](std::size_t k) -> const Vec3& {
+      return gear.coarse.positions[static_cast<std::size_t>(t[k])];
+    };
     const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
     for (const Vec3& p : gear.coarse.positions) ASSERT_LE(normal.dot(p - corner(0)), 1e-9 * radius);
   }
   EXPECT_NEAR(gear.amplitude, 0.5 * kRidgeHeight, 0.05 * 0.5 * kRidgeHeight);
 }
 
-/// Places over a textured surface, texel by texel where texels lie on a triangle: what is added there, and the distance of
-/// the fine point from the fine triangles.
+/// Places over a textured surface, texel by texel where texels lie on a triangle: what is added
+/// there, and the distance of the fine point from the fine triangles.
 struct TexelPlace {
   Vec3 displacement, normal;  // normal of the coarse triangle, unit
   double off = 0.0;           // [m]
@@ -157,12 +166,15 @@ std::vector<TexelPlace> places_of(const std::vector<TexturedSheet>& sheets, int 
     const std::size_t i = random.below(t.corners.size());
     const std::array<Vec2, 3>& c = t.corners[i];
     const Vec2 in(random.uniform(), random.uniform());
-    const Vec2 at = (c[0] + in.x() * (c[1] - c[0]) + in.y() * (c[2] - c[0])).array().round().matrix();
+    const Vec2 at =
+        (c[0] + in.x() * (c[1] - c[0]) + in.y() * (c[2] - c[0])).array().round().matrix();
     Eigen::Matrix2d edges;
     edges << c[1] - c[0], c[2] - c[0];
     const Vec2 w = edges.inverse() * (at - c[0]);
     if (w.minCoeff() < 0.0 || w.sum() > 1.0) continue;
-    const auto p = [&](std::size_t k) { return t.coarse.positions[static_cast<std::size_t>(t.coarse.triangles[i][k])]; };
+    const auto p = [&](std::size_t k) {
+      return t.coarse.positions[static_cast<std::size_t>(t.coarse.triangles[i][k])];
+    };
     const Vec3 there = fine_point(t, i, {1.0 - w.sum(), w.x(), w.y()});
     places.push_back({displacement_at(t, at), (p(1) - p(0)).cross(p(2) - p(0)).normalized(),
                       detail::nearest_point(search, there).distance});
@@ -177,17 +189,19 @@ double largest_sideways(const std::vector<TexelPlace>& places) {
   return most;
 }
 
-// The fine surface is the one of triangles that depths are judged against, not what its triangles stand for.
+// The fine surface is the one of triangles that depths are judged against, not what its triangles
+// stand for.
 TEST(TexturedSheet, texels_lie_on_the_fine_triangles) {
   for (const char* name : kParts) {
     double worst = 0.0;
-    for (const TexelPlace& p : places_of(textured_part(name), 300, 300)) worst = std::max(worst, p.off);
+    for (const TexelPlace& p : places_of(textured_part(name), 300, 300))
+      worst = std::max(worst, p.off);
     EXPECT_LT(worst, 1e-7) << name;  // floats of a displacement
   }
 }
 
-// Looked for along normals, the fine points of a ring lie sideways by what normals lean on the triangles, not by what (u, v)
-// is stretched over coarse cells.
+// Looked for along normals, the fine points of a ring lie sideways by what normals lean on the
+// triangles, not by what (u, v) is stretched over coarse cells.
 TEST(TexturedSheet, fine_points_lie_along_the_normals) {
   std::vector<TexturedSheet> ring = textured_part("helicoidal_torus");
   const double along = largest_sideways(places_of(ring, 200, 400));

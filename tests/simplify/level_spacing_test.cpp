@@ -9,7 +9,8 @@
 namespace thigma {
 namespace {
 
-/// Levels of these numbers of patches; parent of a patch is its number times the ratio, so that ancestors are known.
+/// Levels of these numbers of patches; parent of a patch is its number times the ratio, so that
+/// ancestors are known.
 std::vector<SimplifiedLevel> make_levels(const std::vector<int>& counts) {
   std::vector<SimplifiedLevel> levels(counts.size());
   for (std::size_t i = 0; i < counts.size(); ++i) {

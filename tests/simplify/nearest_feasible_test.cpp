@@ -12,8 +12,7 @@ namespace thigma {
 namespace {
 
 Vec3 random_vector(Random& random) {
-  return {random.uniform(-1, 1), random.uniform(-1, 1),
-          random.uniform(-1, 1)};
+  return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
 }
 
 double violation(const Vec3& p, const std::vector<LinearConstraint>& constraints) {

@@ -38,11 +38,13 @@ inline Simplification simplify(const TriangleMesh& mesh,
 
 /// Whether everything a collapse or a flip may change is the same.
 inline bool same(const PatchedSurface& a, const PatchedSurface& b) {
-  if (a.mesh.triangles != b.mesh.triangles || a.mesh.positions != b.mesh.positions || a.mesh.twin != b.mesh.twin ||
-      a.normal != b.normal || a.height != b.height || a.patch_of != b.patch_of || a.patch_count != b.patch_count)
+  if (a.mesh.triangles != b.mesh.triangles || a.mesh.positions != b.mesh.positions ||
+      a.mesh.twin != b.mesh.twin || a.normal != b.normal || a.height != b.height ||
+      a.patch_of != b.patch_of || a.patch_count != b.patch_count)
     return false;
   for (std::size_t i = 0; i < a.patches.size(); ++i)
-    if (a.patches[i].triangles != b.patches[i].triangles || a.patches[i].vertices != b.patches[i].vertices)
+    if (a.patches[i].triangles != b.patches[i].triangles ||
+        a.patches[i].vertices != b.patches[i].vertices)
       return false;
   return true;
 }

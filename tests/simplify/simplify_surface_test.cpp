@@ -138,13 +138,16 @@ TEST(SimplifySurface, IsAsNearTheOriginalAsItIsFine) {
   SimplifyParams params;
   params.deviation_early = 0.1;
   const auto worst_share = [&](const Simplification& s) {
-    double worst = 0.0;  // deviation of corners and middles, over the length of the edges collapsed so far
+    // deviation of corners and middles, over the length of the edges collapsed so far
+    double worst = 0.0;
     const DeviationTarget original = build_deviation_target(mesh);
     for (std::size_t k = 1; k < s.levels.size() && s.levels[k].resolution * radius > 8.5; ++k)
       for (const auto& t : s.levels[k].mesh.triangles) {
         const auto& x = s.levels[k].mesh.positions;
         std::int32_t nearest = 0;
-        const auto at = [&](int i) { return x[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])]; };
+        const auto at = [&](int i) {
+          return x[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])];
+        };
         for (const Vec3& p : {at(0), Vec3((at(0) + at(1) + at(2)) / 3.0)})
           worst = std::max(worst, nearest_distance(original, p, nearest) * s.levels[k].resolution);
       }
@@ -156,10 +159,14 @@ TEST(SimplifySurface, IsAsNearTheOriginalAsItIsFine) {
 }
 
 TEST(SimplifySurface, StaysNearBetweenTheCornersOfLargeTriangles) {
-  // Two towers side by side on a plate: a triangle from top to top has its corners on the surface, and nothing below it.
-  const auto height = [](double x) { return (x > 0.3 && x < 0.45) || (x > 0.55 && x < 0.7) ? 0.25 : 0.0; };
+  // Two towers side by side on a plate: a triangle from top to top has its corners on the surface,
+  // and nothing below it.
+  const auto height = [](double x) {
+    return (x > 0.3 && x < 0.45) || (x > 0.55 && x < 0.7) ? 0.25 : 0.0;
+  };
   TriangleMesh mesh = make_sheet(1.0, 1.0, 40, 40);
-  for (Vec3& p : mesh.positions) p.z() += height(p.x() + 0.5) * (std::fabs(p.y()) < 0.3 ? 1.0 : 0.0);
+  for (Vec3& p : mesh.positions)
+    p.z() += height(p.x() + 0.5) * (std::fabs(p.y()) < 0.3 ? 1.0 : 0.0);
   const double radius = enclosing_ball(mesh.positions).radius;
   SimplifyParams params;
   params.longest_edge = 1.0;
@@ -170,7 +177,9 @@ TEST(SimplifySurface, StaysNearBetweenTheCornersOfLargeTriangles) {
     DeviationRange range;
     std::int32_t nearest = 0;
     for (const auto& t : level.mesh.triangles) {
-      const auto at = [&](int i) { return level.mesh.positions[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])]; };
+      const auto at = [&](int i) {
+        return level.mesh.positions[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])];
+      };
       extend_deviation(original, {at(0), at(1), at(2)}, 0.1, range, nearest);
     }
     worst = std::max(worst, range.met);

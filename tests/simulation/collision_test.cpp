@@ -61,7 +61,8 @@ TEST(Collision, StaysInTheConeAndGainsNoEnergy) {
     const double pressing = -c.normal.dot(p);
     ASSERT_GT(pressing, 0.0);
     ASSERT_LE((p + pressing * c.normal).norm(), c.law.friction * pressing * (1.0 + 1e-9)) << trial;
-    ASSERT_LE(kinetic_energy(c.body, next), kinetic_energy(c.body, c.state) * (1.0 + 1e-12)) << trial;
+    ASSERT_LE(kinetic_energy(c.body, next), kinetic_energy(c.body, c.state) * (1.0 + 1e-12))
+        << trial;
     const double sliding = (after - c.normal.dot(after) * c.normal).norm();
     ++(sliding <= 1e-9 * u.norm() ? sticks : slides);
   }
@@ -69,7 +70,8 @@ TEST(Collision, StaysInTheConeAndGainsNoEnergy) {
   EXPECT_GT(sticks, 500);
 }
 
-// What the normal impulse gives back is e^2 of what it took: all the energy there is, without friction.
+// What the normal impulse gives back is e^2 of what it took: all the energy there is, without
+// friction.
 TEST(Collision, GivesBackTheEnergyAskedFor) {
   Random random(3);
   for (int trial = 0; trial < 2000; ++trial) {
@@ -91,8 +93,8 @@ TEST(Collision, SlidesByCoulombsLaw) {
   BodyState state;
   state.linear_momentum = Vec3(10, 0, -2);  // 5 and -1 m/s
   const Vec3 arm = Vec3::Zero();
-  const Vec3 p = collision_impulse(collision_matrix(body, state, arm), point_velocity(body, state, arm), -Vec3::UnitZ(),
-                                   {0.5, 0.25});
+  const Vec3 p = collision_impulse(collision_matrix(body, state, arm),
+                                   point_velocity(body, state, arm), -Vec3::UnitZ(), {0.5, 0.25});
   EXPECT_NEAR(p.z(), 3.0, 1e-12);
   EXPECT_NEAR(p.x(), -0.75, 1e-12);
   EXPECT_NEAR(p.y(), 0.0, 1e-15);

@@ -12,7 +12,8 @@ namespace thigma {
 namespace {
 
 RigidBody brick(double scale = 1.0, const Vec3& gravity = Vec3(0, 0, -9.81)) {
-  return make_body(0.3 * scale * scale * scale, scale * scale * scale * scale * scale * Vec3(1, 2, 3.5).asDiagonal() * 1e-4,
+  return make_body(0.3 * scale * scale * scale,
+                   scale * scale * scale * scale * scale * Vec3(1, 2, 3.5).asDiagonal() * 1e-4,
                    gravity);
 }
 
@@ -39,7 +40,8 @@ TEST(FreeMotion, PrecessesAsASymmetricTop) {
   for (const double turns : {0.3, 1.0, 20.0}) {
     const BodyState end = free_motion(body, start, turns * period);
     const Vec3 symmetry = end.orientation * Vec3::UnitZ();
-    const Vec3 expected = rotation_from_vector(2.0 * std::numbers::pi * turns * axis) * Vec3::UnitZ();
+    const Vec3 expected =
+        rotation_from_vector(2.0 * std::numbers::pi * turns * axis) * Vec3::UnitZ();
     EXPECT_LE((symmetry - expected).norm(), 1e-6 * std::max(turns, 1.0)) << turns;
   }
 }
@@ -71,14 +73,19 @@ TEST(FreeMotion, FollowsAConstantPush) {
   BodyState exact = start;
   for (int i = 0; i < 2000; ++i) exact = pushed_motion(body, exact, push, time / 2000);
   const BodyState whole = pushed_motion(body, start, push, time);
-  const BodyState halves = pushed_motion(body, pushed_motion(body, start, push, 0.5 * time), push, 0.5 * time);
+  const BodyState halves =
+      pushed_motion(body, pushed_motion(body, start, push, 0.5 * time), push, 0.5 * time);
   EXPECT_LE((whole.position - exact.position).norm(), 1e-12);
-  EXPECT_LE((whole.linear_momentum - start.linear_momentum - time * (push.force + body.mass * body.gravity)).norm(), 1e-15);
+  EXPECT_LE((whole.linear_momentum - start.linear_momentum -
+             time * (push.force + body.mass * body.gravity))
+                .norm(),
+            1e-15);
   EXPECT_LE((whole.angular_momentum - start.angular_momentum - time * push.torque).norm(), 1e-17);
   const double error = whole.orientation.angularDistance(exact.orientation);
   EXPECT_LE(halves.orientation.angularDistance(exact.orientation), 0.4 * error);
   EXPECT_GT(error, 1e-9);
-  EXPECT_EQ(to_vector(pushed_motion(body, start, {}, time)), to_vector(free_motion(body, start, time)));
+  EXPECT_EQ(to_vector(pushed_motion(body, start, {}, time)),
+            to_vector(free_motion(body, start, time)));
 }
 
 // Two halves are one whole, to the order of the scheme.
@@ -89,7 +96,8 @@ TEST(FreeMotion, DoesNotDependOnHowTimeIsCut) {
   const BodyState whole = free_motion(body, start, 0.2);
   BodyState parts = start;
   for (int i = 0; i < 20; ++i) parts = free_motion(body, parts, 0.01);
-  EXPECT_LE((whole.orientation.toRotationMatrix() - parts.orientation.toRotationMatrix()).norm(), 1e-5);
+  EXPECT_LE((whole.orientation.toRotationMatrix() - parts.orientation.toRotationMatrix()).norm(),
+            1e-5);
 }
 
 }  // namespace

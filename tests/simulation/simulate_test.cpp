@@ -130,8 +130,8 @@ TEST(Simulate, TheSameInputGivesTheSameBits) {
 // Dropped at random, everything loses its energy and stays on top.
 TEST(Simulate, RandomDropsComeToRest) {
   Random random(7);
-  const TriangleMesh meshes[] = {make_box(Vec3(0.1, 0.06, 0.03)), make_l_shape(0.1, 0.03), make_ball(0.05, 3),
-                                 make_torus(0.05, 0.015, 16, 8)};
+  const TriangleMesh meshes[] = {make_box(Vec3(0.1, 0.06, 0.03)), make_l_shape(0.1, 0.03),
+                                 make_ball(0.05, 3), make_torus(0.05, 0.015, 16, 8)};
   for (int trial = 0; trial < 8; ++trial) {
     Stage stage(meshes[trial % 4], slab());
     stage.world.law = {0.3, 0.4};
@@ -153,8 +153,8 @@ TEST(Simulate, RandomDropsComeToRest) {
   }
 }
 
-// Coarse while fast, fine while slow: at an impact the levels change, to ones that lie elsewhere by ten tolerances. A search for
-// the moment of contact of either would not end (Sec. 3.4.4).
+// Coarse while fast, fine while slow: at an impact the levels change, to ones that lie elsewhere by
+// ten tolerances. A search for the moment of contact of either would not end (Sec. 3.4.4).
 TEST(Simulate, LevelsThatChangeAtAnImpactDoNotHoldTimeUp) {
   Stage stage(make_torus(0.06, 0.025, 40, 20), slab());
   stage.object = build_clod(make_torus(0.06, 0.025, 40, 20));
@@ -209,7 +209,8 @@ double fall_on_levels(bool allows_for_bounds, double alpha, LevelFall& fall) {
   watch.ports.query = [&](const SimulationState& s, const ContactSet& set) {
     hear(s, set);
     const Pose at = Pose{s.body.position, s.body.orientation} * stage.world.body_from_mesh;
-    query_scene(stage.object, at, stage.world.scene, {.tolerance = stage.world.tolerance}, fronts, exact);
+    query_scene(stage.object, at, stage.world.scene, {.tolerance = stage.world.tolerance}, fronts,
+                exact);
     last = least_distance(exact) / stage.world.tolerance;
     deepest = std::max(deepest, -last);
   };

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "support/wavy_ball.h"
+
 #include "thigma/math/random.h"
 #include "thigma/mesh/shapes.h"
 
@@ -30,9 +31,9 @@ inline TriangleMesh base_of_broken_mesh(Random& random, bool is_large) {
   }
 }
 
-/// Noise up to folds, squashed flat or to a line, coinciding vertices, single precision, holes, edges
-/// of three faces, faces turned over, any scale. Positions finite, indices in range; at most 5,000
-/// triangles. Same number, same mesh.
+/// Noise up to folds, squashed flat or to a line, coinciding vertices, single precision, holes,
+/// edges of three faces, faces turned over, any scale. Positions finite, indices in range; at most
+/// 5,000 triangles. Same number, same mesh.
 inline TriangleMesh broken_mesh(int number) {
   Random random(7000 + static_cast<std::uint64_t>(number));
   const bool is_large = random.below(8) == 0;

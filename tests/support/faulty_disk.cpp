@@ -31,10 +31,12 @@ Verdict judge(const char* name) {
   names.emplace_back(name);
   if (n == fault.dies_at) return Verdict::dies;
   return n >= fault.fails_from && n < fault.fails_to && fault.fails_from >= 0 ? Verdict::fails
-                                                                             : Verdict::goes_on;
+                                                                              : Verdict::goes_on;
 }
 
-bool is_beyond(std::int64_t end) { return is_on.load() && fault.capacity >= 0 && end > fault.capacity; }
+bool is_beyond(std::int64_t end) {
+  return is_on.load() && fault.capacity >= 0 && end > fault.capacity;
+}
 
 /// True: refused, with errno.
 bool refuses(const char* name) {
@@ -102,14 +104,17 @@ ssize_t write(int fd, const void* bytes, size_t size) {
   return syscall(SYS_write, fd, bytes, size);
 }
 
-int fsync(int fd) { return thigma::test::refuses("fsync") ? -1 : static_cast<int>(syscall(SYS_fsync, fd)); }
+int fsync(int fd) {
+  return thigma::test::refuses("fsync") ? -1 : static_cast<int>(syscall(SYS_fsync, fd));
+}
 
 int fdatasync(int fd) {
   return thigma::test::refuses("fdatasync") ? -1 : static_cast<int>(syscall(SYS_fdatasync, fd));
 }
 
 int ftruncate(int fd, off_t size) noexcept {
-  return thigma::test::refuses("ftruncate") ? -1 : static_cast<int>(syscall(SYS_ftruncate, fd, size));
+  return thigma::test::refuses("ftruncate") ? -1
+                                            : static_cast<int>(syscall(SYS_ftruncate, fd, size));
 }
 
 int fallocate(int fd, int mode, off_t at, off_t size) {

@@ -5,7 +5,8 @@
 
 namespace thigma::test {
 
-/// Programs started while this lives cannot write files longer than a size: to them the disk is full there.
+/// Programs started while this lives cannot write files longer than a size: to them the disk is
+/// full there.
 class FileLimit {
  public:
   explicit FileLimit(rlim_t bytes) {

@@ -14,7 +14,8 @@
 
 namespace thigma::test {
 
-/// A body like the spoon of Sec. 5.5.3: 10 to 100 g, no symmetry, inertia not diagonal in its own frame.
+/// A body like the spoon of Sec. 5.5.3: 10 to 100 g, no symmetry, inertia not diagonal in its own
+/// frame.
 inline RigidBody random_body(Random& random, const Vec3& gravity = Vec3::Zero()) {
   const double mass = random.uniform(0.01, 0.1);
   const Vec3 a =
@@ -42,7 +43,8 @@ struct NamedState {
   BodyState state;
 };
 
-/// Orientations where formulas for rotations go wrong: identity, 1e-8 rad, close to half a turn, both covers, anywhere.
+/// Orientations where formulas for rotations go wrong: identity, 1e-8 rad, close to half a turn,
+/// both covers, anywhere.
 inline std::vector<NamedState> states_to_try(Random& random, const RigidBody& body) {
   std::vector<NamedState> list;
   const auto add = [&](const char* name, const Quat& q) {
@@ -57,8 +59,9 @@ inline std::vector<NamedState> states_to_try(Random& random, const RigidBody& bo
   return list;
 }
 
-/// Expects the Jacobian that `forces` (as the concept BodyForces) returns to be the derivative of its wrench.
-/// tolerance: largest error relative to the largest entry of the block (force or torque by x, q, P or L).
+/// Expects the Jacobian that `forces` (as the concept BodyForces) returns to be the derivative of
+/// its wrench. tolerance: largest error relative to the largest entry of the block (force or torque
+/// by x, q, P or L).
 template <class Forces>
 void expect_jacobian(const Forces& forces, const RigidBody& body, const NamedState& at,
                      double tolerance) {

@@ -1,7 +1,6 @@
 #pragma once
-// Checks answers with levels of detail against the original triangles below the patches they were measured on.
-
-#include <gtest/gtest.h>
+// Checks answers with levels of detail against the original triangles below the patches they were
+// measured on.
 
 #include <algorithm>
 #include <cstdio>
@@ -11,14 +10,18 @@
 
 #include "support/query_check.h"
 #include "support/query_path.h"
+#include <gtest/gtest.h>
+
 #include "thigma/clod/build_clod.h"
 
 namespace thigma::test {
 
-/// What is below each patch of one body, by the patch numbers of contacts. Trees are made when first asked for.
+/// What is below each patch of one body, by the patch numbers of contacts. Trees are made when
+/// first asked for.
 class PatchSurfaces {
  public:
-  PatchSurfaces(const ClodHierarchy& h, const TriangleMesh& mesh) : h_(h), mesh_(mesh), parent_(h.nodes.size(), -1) {
+  PatchSurfaces(const ClodHierarchy& h, const TriangleMesh& mesh)
+      : h_(h), mesh_(mesh), parent_(h.nodes.size(), -1) {
     for (std::size_t i = 0; i < h.nodes.size(); ++i) {
       for (int c = 0; c < h.nodes[i].child_count; ++c) {
         parent_[static_cast<std::size_t>(h.nodes[i].first_child + c)] = static_cast<int>(i);
@@ -59,8 +62,9 @@ class PatchSurfaces {
   /// Patch numbers of a finest patch and of everything above it that has one.
   std::vector<int> line_of(int patch) const {
     std::vector<int> line(1, patch);
-    for (int i = parent_[static_cast<std::size_t>(h_.patches[static_cast<std::size_t>(patch)].node)]; i >= 0;
-         i = parent_[static_cast<std::size_t>(i)]) {
+    for (int i =
+             parent_[static_cast<std::size_t>(h_.patches[static_cast<std::size_t>(patch)].node)];
+         i >= 0; i = parent_[static_cast<std::size_t>(i)]) {
       const int contact = h_.nodes[static_cast<std::size_t>(i)].contact;
       if (contact >= 0) line.push_back(static_cast<int>(h_.patches.size()) + contact);
     }
@@ -89,10 +93,10 @@ class PatchSurfaces {
 struct LevelPairCheck {
   std::string name;
   TriangleMesh object_mesh, scene_mesh;
-  CheckedPair exact;  // hierarchies with levels
-  std::vector<double> ratios;            // of bound to error
+  CheckedPair exact;           // hierarchies with levels
+  std::vector<double> ratios;  // of bound to error
   std::int64_t contacts = 0, coarse = 0, poses = 0, true_pairs = 0;
-  double worst_promise = 0.0;            // bound over s + s + h + h
+  double worst_promise = 0.0;  // bound over s + s + h + h
 };
 
 inline LevelPairCheck make_level_pair(std::string name, TriangleMesh object, TriangleMesh scene) {
@@ -101,8 +105,7 @@ inline LevelPairCheck make_level_pair(std::string name, TriangleMesh object, Tri
   pair.object_mesh = std::move(object);
   pair.scene_mesh = std::move(scene);
   pair.exact = make_checked_pair(pair.name, pair.object_mesh, pair.scene_mesh,
-                                 build_clod(pair.object_mesh),
-                                 build_clod(pair.scene_mesh));
+                                 build_clod(pair.object_mesh), build_clod(pair.scene_mesh));
   return pair;
 }
 
@@ -115,17 +118,19 @@ inline double top_along(const TriangleTree& tree, const Vec3& n) {
 }
 
 /// How far one contact is from what the original triangles below it say.
-inline double contact_error(const Contact& c, const TriangleTree& object, const TriangleTree& scene) {
+inline double contact_error(const Contact& c, const TriangleTree& object,
+                            const TriangleTree& scene) {
   if (c.status == ContactStatus::separated || c.status == ContactStatus::beside) {
     return std::fabs(-c.depth - least_triangle_distance(object, scene));
   }
   return std::fabs(c.depth - (top_along(object, c.normal) + top_along(scene, -c.normal)));
 }
 
-/// Pairs of finest patches within d by an independent search that neither a contact of theirs nor one of patches above
-/// them stands for. true_pairs: all of them are added to it
-inline int count_missed(const LevelPairCheck& pair, const PatchSurfaces& objects, const PatchSurfaces& scenes, const Pose& pose,
-                        double d, const ContactSet& got, std::int64_t& true_pairs) {
+/// Pairs of finest patches within d by an independent search that neither a contact of theirs nor
+/// one of patches above them stands for. true_pairs: all of them are added to it
+inline int count_missed(const LevelPairCheck& pair, const PatchSurfaces& objects,
+                        const PatchSurfaces& scenes, const Pose& pose, double d,
+                        const ContactSet& got, std::int64_t& true_pairs) {
   std::set<std::pair<int, int>> reported, truth;
   for (const Contact& c : got.contacts) reported.emplace(c.object_patch, c.scene_patch);
   const TriangleTree object = placed(pair.exact.object_tree, pose);
@@ -146,18 +151,22 @@ inline int count_missed(const LevelPairCheck& pair, const PatchSurfaces& objects
   return missed;
 }
 
-/// Every contact within its bound, the bound within what s and h promise, and no true pair left out.
-inline void check_levels(LevelPairCheck& pair, PatchSurfaces& objects, PatchSurfaces& scenes, const Pose& pose, double d,
-                         const ContactSet& got) {
+/// Every contact within its bound, the bound within what s and h promise, and no true pair left
+/// out.
+inline void check_levels(LevelPairCheck& pair, PatchSurfaces& objects, PatchSurfaces& scenes,
+                         const Pose& pose, double d, const ContactSet& got) {
   const double eps = 1e-9 * pair.exact.radius;
   std::set<std::pair<int, int>> reported;
   int over_bound = 0, over_promise = 0, beyond = 0;
   for (const Contact& c : got.contacts) {
-    EXPECT_TRUE(reported.emplace(c.object_patch, c.scene_patch).second) << pair.name << ": reported twice";
-    EXPECT_NEAR(c.normal.dot(c.point - c.scene_point), c.depth, 1e-11 * (pair.exact.radius + c.point.norm()));
+    EXPECT_TRUE(reported.emplace(c.object_patch, c.scene_patch).second)
+        << pair.name << ": reported twice";
+    EXPECT_NEAR(c.normal.dot(c.point - c.scene_point), c.depth,
+                1e-11 * (pair.exact.radius + c.point.norm()));
     if (-c.depth - c.bound > d + eps) ++beyond;
     const double promise = objects.promise(c.object_patch) + scenes.promise(c.scene_patch);
-    // Exact contacts in penetration may be turning from beside to through: the exact query's own test.
+    // Exact contacts in penetration may be turning from beside to through: the exact query's own
+    // test.
     if (promise == 0.0 && c.status != ContactStatus::separated) continue;
     if (c.bound > promise + eps) ++over_promise;
     const double error =
@@ -165,8 +174,9 @@ inline void check_levels(LevelPairCheck& pair, PatchSurfaces& objects, PatchSurf
     if (error > c.bound + eps) {
       ++over_bound;
       if (over_bound == 1) {
-        ADD_FAILURE() << pair.name << ": depth " << c.depth << " bound " << c.bound << " error " << error << " status "
-                      << static_cast<int>(c.status) << " levels " << c.object_level << ' ' << c.scene_level;
+        ADD_FAILURE() << pair.name << ": depth " << c.depth << " bound " << c.bound << " error "
+                      << error << " status " << static_cast<int>(c.status) << " levels "
+                      << c.object_level << ' ' << c.scene_level;
       }
     }
     if (promise == 0.0) continue;

@@ -11,7 +11,8 @@ inline HandParams resting() {
   return p;
 }
 
-/// A point mass without friction, encoder or arm: the reference device of the stability tests, without damping.
+/// A point mass without friction, encoder or arm: the reference device of the stability tests,
+/// without damping.
 inline HandParams bare_mass(double mass) {
   HandParams p = resting();
   p.mass = mass;

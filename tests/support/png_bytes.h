@@ -10,7 +10,7 @@ namespace thigma::test {
 
 /// A grey PNG of rows as libpng takes them.
 inline std::string png_of(int width, int height, int bits, const std::vector<unsigned char>& data,
-                   int color = PNG_COLOR_TYPE_GRAY, int interlace = PNG_INTERLACE_NONE) {
+                          int color = PNG_COLOR_TYPE_GRAY, int interlace = PNG_INTERLACE_NONE) {
   std::string out;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   png_infop info = png_create_info_struct(png);

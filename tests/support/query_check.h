@@ -1,13 +1,13 @@
 #pragma once
 // Checks one answer of the exact query against the independent search.
 
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <map>
 #include <string>
 
 #include "support/triangle_search.h"
+#include <gtest/gtest.h>
+
 #include "thigma/clod/hierarchy.h"
 #include "thigma/contact/query_contacts.h"
 
@@ -18,7 +18,8 @@ inline std::vector<int> patch_of_triangles(const ClodHierarchy& h) {
   std::vector<int> patch(static_cast<std::size_t>(h.triangle_count), -1);
   for (std::size_t p = 0; p < h.patches.size(); ++p) {
     for (int i = 0; i < h.patches[p].triangle_count; ++i) {
-      const auto id = static_cast<std::size_t>(h.triangle_ids[static_cast<std::size_t>(h.patches[p].first_triangle + i)]);
+      const auto id = static_cast<std::size_t>(
+          h.triangle_ids[static_cast<std::size_t>(h.patches[p].first_triangle + i)]);
       if (id < patch.size()) patch[id] = static_cast<int>(p);
     }
   }
@@ -34,10 +35,17 @@ struct CheckedPair {
   double radius = 0.0;  // of the smaller
 };
 
-inline CheckedPair make_checked_pair(std::string name, const TriangleMesh& object_mesh, const TriangleMesh& scene_mesh,
-                                     ClodHierarchy object, ClodHierarchy scene) {
-  CheckedPair pair{std::move(name), std::move(object), std::move(scene), build_triangle_tree(object_mesh),
-                   build_triangle_tree(scene_mesh), {}, {}, 0.0};
+inline CheckedPair make_checked_pair(std::string name, const TriangleMesh& object_mesh,
+                                     const TriangleMesh& scene_mesh, ClodHierarchy object,
+                                     ClodHierarchy scene) {
+  CheckedPair pair{std::move(name),
+                   std::move(object),
+                   std::move(scene),
+                   build_triangle_tree(object_mesh),
+                   build_triangle_tree(scene_mesh),
+                   {},
+                   {},
+                   0.0};
   pair.object_patch = patch_of_triangles(pair.object);
   pair.scene_patch = patch_of_triangles(pair.scene);
   pair.radius = std::min(pair.object.radius, pair.scene.radius);
@@ -72,8 +80,8 @@ struct CheckCounts {
 };
 
 /// Compares one answer with the search at one pose of the object; the scene is at the identity.
-inline void check_against_search(const CheckedPair& pair, const Pose& pose, double d, const ContactSet& got,
-                                 CheckCounts& counts) {
+inline void check_against_search(const CheckedPair& pair, const Pose& pose, double d,
+                                 const ContactSet& got, CheckCounts& counts) {
   const TriangleTree object = placed(pair.object_tree, pose);
   const double eps = 1e-9 * pair.radius;
   const double least = least_triangle_distance(object, pair.scene_tree);
@@ -84,13 +92,15 @@ inline void check_against_search(const CheckedPair& pair, const Pose& pose, doub
   } else if (least <= d - eps || !got.contacts.empty()) {
     if (reported >= 0.0) {
       EXPECT_NEAR(reported, least, eps) << pair.name;
-      counts.worst_distance = std::max(counts.worst_distance, std::fabs(reported - least) / pair.radius);
+      counts.worst_distance =
+          std::max(counts.worst_distance, std::fabs(reported - least) / pair.radius);
     }
   }
   // The least separation of each pair of patches, from the original triangles.
   std::map<std::pair<int, int>, double> truth;
   for (const TrianglePair& t : triangle_pairs_within(object, pair.scene_tree, d + eps)) {
-    const std::pair key(pair.object_patch[static_cast<std::size_t>(t.a)], pair.scene_patch[static_cast<std::size_t>(t.b)]);
+    const std::pair key(pair.object_patch[static_cast<std::size_t>(t.a)],
+                        pair.scene_patch[static_cast<std::size_t>(t.b)]);
     const auto [entry, is_new] = truth.try_emplace(key, t.distance);
     if (!is_new) entry->second = std::min(entry->second, t.distance);
     ++counts.triangle_pairs;
@@ -99,10 +109,12 @@ inline void check_against_search(const CheckedPair& pair, const Pose& pose, doub
   int beyond = 0;
   for (const Contact& c : got.contacts) {
     const std::pair key(c.object_patch, c.scene_patch);
-    EXPECT_TRUE(contacts.emplace(key, &c).second) << pair.name << ": a pair of patches is reported twice";
+    EXPECT_TRUE(contacts.emplace(key, &c).second)
+        << pair.name << ": a pair of patches is reported twice";
     EXPECT_GE(c.depth, -d) << pair.name;
     EXPECT_NEAR(c.normal.norm(), 1.0, 1e-12);
-    EXPECT_NEAR(c.normal.dot(c.point - c.scene_point), c.depth, 1e-12 * (pair.radius + c.point.norm()));
+    EXPECT_NEAR(c.normal.dot(c.point - c.scene_point), c.depth,
+                1e-12 * (pair.radius + c.point.norm()));
     if (truth.count(key) == 0) ++beyond;
   }
   EXPECT_EQ(beyond, 0) << pair.name << ": reported pairs with no triangles within d";
@@ -117,7 +129,8 @@ inline void check_against_search(const CheckedPair& pair, const Pose& pose, doub
       counts.worst_contact = std::max(counts.worst_contact, error / pair.radius);
     }
   }
-  EXPECT_EQ(missing, 0) << pair.name << ": of " << truth.size() << " patch pairs with triangles within d";
+  EXPECT_EQ(missing, 0) << pair.name << ": of " << truth.size()
+                        << " patch pairs with triangles within d";
   EXPECT_EQ(wrong, 0) << pair.name << ": separations off by more than 1e-9 of the radius";
   counts.contacts += static_cast<std::int64_t>(got.contacts.size());
   ++counts.poses;
@@ -126,9 +139,9 @@ inline void check_against_search(const CheckedPair& pair, const Pose& pose, doub
 inline bool same_bits(const Contact& x, const Contact& y) {
   auto same = [](const auto& p, const auto& q) { return std::memcmp(&p, &q, sizeof(p)) == 0; };
   return same(x.point, y.point) && same(x.scene_point, y.scene_point) && same(x.normal, y.normal) &&
-         same(x.depth, y.depth) && same(x.bound, y.bound) && same(x.weight, y.weight) && x.body == y.body && x.object_patch == y.object_patch &&
-         x.scene_patch == y.scene_patch && x.object_level == y.object_level && x.scene_level == y.scene_level &&
-         x.status == y.status;
+         same(x.depth, y.depth) && same(x.bound, y.bound) && same(x.weight, y.weight) &&
+         x.body == y.body && x.object_patch == y.object_patch && x.scene_patch == y.scene_patch &&
+         x.object_level == y.object_level && x.scene_level == y.scene_level && x.status == y.status;
 }
 
 /// Index of the first contact that differs, -1 when the sets are equal to the bit.
@@ -140,11 +153,13 @@ inline int first_difference(const ContactSet& x, const ContactSet& y) {
   return x.contacts.size() == y.contacts.size() ? -1 : static_cast<int>(n);
 }
 
-/// Pose at which the object, moved along `direction` from `start`, stands `gap` away from the scene. Found by sphere
-/// steps of the search, so `start` must be outside. Touch is where gap is 0; negative gaps press in.
+/// Pose at which the object, moved along `direction` from `start`, stands `gap` away from the
+/// scene. Found by sphere steps of the search, so `start` must be outside. Touch is where gap is 0;
+/// negative gaps press in.
 inline Pose pose_at_gap(const CheckedPair& pair, Pose start, const Vec3& direction, double gap) {
   for (int i = 0; i < 40; ++i) {
-    const double distance = least_triangle_distance(placed(pair.object_tree, start), pair.scene_tree);
+    const double distance =
+        least_triangle_distance(placed(pair.object_tree, start), pair.scene_tree);
     const double step = distance - std::max(gap, 1e-5 * pair.radius);
     if (step < 1e-5 * pair.radius) break;
     start.position += step * direction;

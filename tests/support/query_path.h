@@ -1,14 +1,14 @@
 #pragma once
 // Paths into contact, and the whole check of a pair of objects along them.
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstdio>
 #include <string>
 
 #include "support/full.h"
 #include "support/query_check.h"
+#include <gtest/gtest.h>
+
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/math/elementary.h"
 #include "thigma/math/random.h"
@@ -27,12 +27,15 @@ struct Approach {
   Vec3 direction = -Vec3::UnitZ();
 };
 
-/// A path from 3 % of the radius outside through touch to 1 % inside, wobbling and sliding by a little.
+/// A path from 3 % of the radius outside through touch to 1 % inside, wobbling and sliding by a
+/// little.
 inline Pose on_path(const CheckedPair& pair, const Pose& touch, const Vec3& direction, double s) {
   const double r = pair.radius;
   Pose pose = touch;
   pose.position += (-0.03 + 0.04 * s) * r * direction;
-  Vec3 side = direction.cross(std::fabs(direction.x()) < 0.5 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY())).normalized();
+  Vec3 side =
+      direction.cross(std::fabs(direction.x()) < 0.5 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY()))
+          .normalized();
   pose.position += 0.01 * r * sine(9.0 * s) * side;
   pose.orientation = turn(side, 0.5 * sine(7.0 * s)) * pose.orientation;
   pose.orientation.normalize();
@@ -49,7 +52,8 @@ inline Pose random_pose_near(const CheckedPair& pair, Random& random) {
   return pose_at_gap(pair, start, direction, random.uniform(-0.01, 0.02) * pair.radius);
 }
 
-inline void query_pose(const CheckedPair& pair, const Pose& pose, double d, ContactFront& front, ContactSet& set) {
+inline void query_pose(const CheckedPair& pair, const Pose& pose, double d, ContactFront& front,
+                       ContactSet& set) {
   clear(set);
   query_contacts(pair.object, pose, pair.scene, Pose{}, {.tolerance = d}, front, set);
   ASSERT_EQ(set.dropped, 0);
@@ -67,7 +71,8 @@ inline void check_pair(const CheckedPair& pair, const Approach& approach, double
     query_pose(pair, pose, d, front, set);
     clear_front(fresh);
     query_pose(pair, pose, d, fresh, fresh_set);
-    EXPECT_EQ(first_difference(set, fresh_set), -1) << pair.name << ": remembering changed the answer";
+    EXPECT_EQ(first_difference(set, fresh_set), -1)
+        << pair.name << ": remembering changed the answer";
     check_against_search(pair, pose, d, set, counts);
   };
   const Pose touch = pose_at_gap(pair, approach.start, approach.direction, 0.0);
@@ -82,21 +87,25 @@ inline void check_pair(const CheckedPair& pair, const Approach& approach, double
     check(random_pose_near(pair, random));
     if (::testing::Test::HasFailure()) return;
   }
-  std::printf("  %-22s %lld poses, %lld contacts, %lld triangle pairs, %lld poses intersecting; worst error of the "
-              "smallest separation %.1e, of a contact %.1e of the radius\n",
-              pair.name.c_str(), static_cast<long long>(counts.poses), static_cast<long long>(counts.contacts),
-              static_cast<long long>(counts.triangle_pairs), static_cast<long long>(counts.intersecting),
-              counts.worst_distance, counts.worst_contact);
+  std::printf(
+      "  %-22s %lld poses, %lld contacts, %lld triangle pairs, %lld poses intersecting; worst "
+      "error of the "
+      "smallest separation %.1e, of a contact %.1e of the radius\n",
+      pair.name.c_str(), static_cast<long long>(counts.poses),
+      static_cast<long long>(counts.contacts), static_cast<long long>(counts.triangle_pairs),
+      static_cast<long long>(counts.intersecting), counts.worst_distance, counts.worst_contact);
 }
 
-inline CheckedPair checked(const std::string& name, const TriangleMesh& object, const TriangleMesh& scene) {
-  return make_checked_pair(name, object, scene, build_exact_hierarchy(object), build_exact_hierarchy(scene));
+inline CheckedPair checked(const std::string& name, const TriangleMesh& object,
+                           const TriangleMesh& scene) {
+  return make_checked_pair(name, object, scene, build_exact_hierarchy(object),
+                           build_exact_hierarchy(scene));
 }
 
 inline Approach from_above(const CheckedPair& pair) {
   Approach approach;
-  approach.start.position =
-      pair.scene.center - pair.object.center + Vec3(0, 0, 1.05 * (pair.scene.radius + pair.object.radius));
+  approach.start.position = pair.scene.center - pair.object.center +
+                            Vec3(0, 0, 1.05 * (pair.scene.radius + pair.object.radius));
   return approach;
 }
 

@@ -17,6 +17,7 @@ inline std::filesystem::path shared_folder() {
 }  // namespace thigma::test
 
 /// Declares `folder`, or skips the test with a printed reason.
-#define THIGMA_NEEDS_SHARED(folder)                                                       \
-  const std::filesystem::path folder = ::thigma::test::shared_folder();                   \
-  if ((folder).empty()) GTEST_SKIP() << "needs the shared meshes: set THIGMA_SHARED to the folder that holds meshes/"
+#define THIGMA_NEEDS_SHARED(folder)                                     \
+  const std::filesystem::path folder = ::thigma::test::shared_folder(); \
+  if ((folder).empty())                                                 \
+  GTEST_SKIP() << "needs the shared meshes: set THIGMA_SHARED to the folder that holds meshes/"

@@ -1,6 +1,7 @@
 #pragma once
-// An independent answer to "which triangles come within d": boxes over single triangles, plain double arithmetic,
-// nothing of the engine but its vector types. Slow and simple on purpose; all_pairs() checks it on small meshes.
+// An independent answer to "which triangles come within d": boxes over single triangles, plain
+// double arithmetic, nothing of the engine but its vector types. Slow and simple on purpose;
+// all_pairs() checks it on small meshes.
 
 #include <algorithm>
 #include <array>
@@ -30,20 +31,23 @@ inline double point_inside_triangle(const Vec3& p, const Triangle& t) {
   const double n2 = n.squaredNorm();
   if (n2 == 0.0) return std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
-    if ((t[(i + 1) % 3] - t[i]).cross(p - t[i]).dot(n) < 0.0) return std::numeric_limits<double>::infinity();
+    if ((t[(i + 1) % 3] - t[i]).cross(p - t[i]).dot(n) < 0.0)
+      return std::numeric_limits<double>::infinity();
   }
   return std::fabs((p - t[0]).dot(n)) / std::sqrt(n2);
 }
 
 inline double segment_segment(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
-  double best = std::min({point_segment(a0, b0, b1), point_segment(a1, b0, b1), point_segment(b0, a0, a1),
-                          point_segment(b1, a0, a1)});
+  double best = std::min({point_segment(a0, b0, b1), point_segment(a1, b0, b1),
+                          point_segment(b0, a0, a1), point_segment(b1, a0, a1)});
   const Vec3 u = a1 - a0, v = b1 - b0, n = u.cross(v);
   const double n2 = n.squaredNorm();
-  if (n2 > 0.0) {  // lines cross: the common perpendicular counts when its feet lie on both segments
+  // lines cross: the common perpendicular counts when its feet lie on both segments
+  if (n2 > 0.0) {
     const Vec3 r = b0 - a0;
     const double s = r.cross(v).dot(n) / n2, t = r.cross(u).dot(n) / n2;
-    if (s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0) best = std::min(best, ((a0 + s * u) - (b0 + t * v)).norm());
+    if (s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0)
+      best = std::min(best, ((a0 + s * u) - (b0 + t * v)).norm());
   }
   return best;
 }
@@ -59,7 +63,9 @@ inline bool segment_through_triangle(const Vec3& a, const Vec3& b, const Triangl
 /// 0 when they intersect.
 inline double triangle_triangle(const Triangle& a, const Triangle& b) {
   for (std::size_t i = 0; i < 3; ++i) {
-    if (segment_through_triangle(a[i], a[(i + 1) % 3], b) || segment_through_triangle(b[i], b[(i + 1) % 3], a)) return 0.0;
+    if (segment_through_triangle(a[i], a[(i + 1) % 3], b) ||
+        segment_through_triangle(b[i], b[(i + 1) % 3], a))
+      return 0.0;
   }
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -102,7 +108,9 @@ inline int build_node(TriangleTree& tree, std::vector<int>& order, int begin, in
   tree.nodes.emplace_back();
   Box box;
   for (int i = begin; i < end; ++i) {
-    for (const Vec3& p : tree.triangles[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])]) box.add(p);
+    for (const Vec3& p :
+         tree.triangles[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])])
+      box.add(p);
   }
   tree.nodes[static_cast<std::size_t>(index)].box = box;
   if (end - begin == 1) {
@@ -131,7 +139,8 @@ inline TriangleTree build_triangle_tree(const TriangleMesh& mesh, const Pose& po
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     Triangle corner;
     for (std::size_t i = 0; i < 3; ++i) {
-      corner[i] = transform_point(pose, mesh.positions[static_cast<std::size_t>(mesh.triangles[t][i])]);
+      corner[i] =
+          transform_point(pose, mesh.positions[static_cast<std::size_t>(mesh.triangles[t][i])]);
     }
     if ((corner[1] - corner[0]).cross(corner[2] - corner[0]).squaredNorm() == 0.0) continue;
     tree.triangles.push_back(corner);
@@ -148,7 +157,8 @@ struct TrianglePair {
   double distance = 0.0;
 };
 
-/// Calls visit(distance, triangle_a, triangle_b) -> new limit for every pair whose boxes come within the limit.
+/// Calls visit(distance, triangle_a, triangle_b) -> new limit for every pair whose boxes come
+/// within the limit.
 template <class Visit>
 void search_pairs(const TriangleTree& a, const TriangleTree& b, double limit, const Visit& visit) {
   if (a.nodes.empty() || b.nodes.empty()) return;
@@ -170,7 +180,8 @@ void search_pairs(const TriangleTree& a, const TriangleTree& b, double limit, co
     std::pair<int, int> x = of_a ? std::pair{na.left, j} : std::pair{i, nb.left};
     std::pair<int, int> y = of_a ? std::pair{na.right, j} : std::pair{i, nb.right};
     auto gap = [&](const std::pair<int, int>& p) {
-      return box_box(a.nodes[static_cast<std::size_t>(p.first)].box, b.nodes[static_cast<std::size_t>(p.second)].box);
+      return box_box(a.nodes[static_cast<std::size_t>(p.first)].box,
+                     b.nodes[static_cast<std::size_t>(p.second)].box);
     };
     if (gap(x) < gap(y)) std::swap(x, y);
     stack.push_back(x);
@@ -181,19 +192,22 @@ void search_pairs(const TriangleTree& a, const TriangleTree& b, double limit, co
 /// Smallest distance of two surfaces, 0 when they intersect [m].
 inline double least_triangle_distance(const TriangleTree& a, const TriangleTree& b) {
   double best = std::numeric_limits<double>::infinity();
-  search_pairs(a, b, best, [&](double distance, int, int) { return best = std::min(best, distance); });
+  search_pairs(a, b, best,
+               [&](double distance, int, int) { return best = std::min(best, distance); });
   return best;
 }
 
 /// Every pair of triangles within d, by (a, b).
-inline std::vector<TrianglePair> triangle_pairs_within(const TriangleTree& a, const TriangleTree& b, double d) {
+inline std::vector<TrianglePair> triangle_pairs_within(const TriangleTree& a, const TriangleTree& b,
+                                                       double d) {
   std::vector<TrianglePair> pairs;
   search_pairs(a, b, d, [&](double distance, int ta, int tb) {
     if (distance <= d) pairs.push_back({ta, tb, distance});
     return d;
   });
-  std::sort(pairs.begin(), pairs.end(),
-            [](const TrianglePair& x, const TrianglePair& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
+  std::sort(pairs.begin(), pairs.end(), [](const TrianglePair& x, const TrianglePair& y) {
+    return std::pair(x.a, x.b) < std::pair(y.a, y.b);
+  });
   return pairs;
 }
 
@@ -206,8 +220,9 @@ inline std::vector<TrianglePair> all_pairs(const TriangleTree& a, const Triangle
       if (distance <= d) pairs.push_back({a.ids[i], b.ids[j], distance});
     }
   }
-  std::sort(pairs.begin(), pairs.end(),
-            [](const TrianglePair& x, const TrianglePair& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
+  std::sort(pairs.begin(), pairs.end(), [](const TrianglePair& x, const TrianglePair& y) {
+    return std::pair(x.a, x.b) < std::pair(y.a, y.b);
+  });
   return pairs;
 }
 

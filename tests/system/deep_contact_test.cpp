@@ -1,5 +1,5 @@
-// A ball let down on a sheet at 0.2 m/s: with a contact frame every millisecond it is stopped, every ten it is deep before anybody
-// knows.
+// A ball let down on a sheet at 0.2 m/s: with a contact frame every millisecond it is stopped,
+// every ten it is deep before anybody knows.
 
 #include <algorithm>
 #include <string>

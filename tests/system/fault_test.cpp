@@ -105,7 +105,8 @@ TEST(StaleModel, TheForceComesBackNoFasterThanTheSlewLimit) {
   EXPECT_GT(last, 0.5);  // it came back
 }
 
-// A contact query as slow as two gears in mesh: every model is used from 20 to 40 ms after its state.
+// A contact query as slow as two gears in mesh: every model is used from 20 to 40 ms after its
+// state.
 TEST(SlowQuery, OldModelsMakeNoFaultAndNoPull) {
   for (const ResponseKind response : {ResponseKind::coupled, ResponseKind::direct}) {
     SCOPED_TRACE(response == ResponseKind::direct ? "direct" : "coupled");

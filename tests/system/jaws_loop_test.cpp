@@ -1,7 +1,5 @@
-// The loop closed on the jaws (Must show 7 of the main job): contact 2 kN/m, coupling 200 and 500 N/m, 10 g, dof 6
-// and 3. Coarser jaws by default, the full ones with THIGMA_FULL set.
-
-#include <gtest/gtest.h>
+// The loop closed on the jaws (Must show 7 of the main job): contact 2 kN/m, coupling 200 and 500
+// N/m, 10 g, dof 6 and 3. Coarser jaws by default, the full ones with THIGMA_FULL set.
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "scenes/scene_file.h"
 #include "support/full.h"
 #include "support/mesh_session.h"
+#include <gtest/gtest.h>
 
 namespace thigma {
 namespace {
@@ -73,10 +72,12 @@ class JawsLoop : public testing::TestWithParam<Case> {
     jaws().config.duration = duration;
     HandDevice device(hand(path));
     test::Kept kept(jaws().config, device);
-    std::printf("  coupling %.0f N/m, dof %d: force max %.3f N, torque max %.4f N m, penetration max %.3f mm, "
-                "contacts mean %.0f\n",
-                GetParam().coupling, GetParam().dof, kept.summary.force_max, kept.summary.torque_max,
-                1e3 * kept.summary.penetration_max, kept.summary.contacts_mean);
+    std::printf(
+        "  coupling %.0f N/m, dof %d: force max %.3f N, torque max %.4f N m, penetration max %.3f "
+        "mm, "
+        "contacts mean %.0f\n",
+        GetParam().coupling, GetParam().dof, kept.summary.force_max, kept.summary.torque_max,
+        1e3 * kept.summary.penetration_max, kept.summary.contacts_mean);
     return kept;
   }
 };
@@ -89,7 +90,9 @@ struct Window {
 /// Handle along the approach over frames [from, to).
 Window window_of(const test::Kept& kept, const Vec3& along, std::size_t from, std::size_t to) {
   double low = 1e300, high = -1e300;
-  const auto at = [&](std::size_t i) { return along.dot(kept.samples[i].device.motion.pose.position); };
+  const auto at = [&](std::size_t i) {
+    return along.dot(kept.samples[i].device.motion.pose.position);
+  };
   for (std::size_t i = from; i < to; ++i) {
     low = std::min(low, at(i));
     high = std::max(high, at(i));
@@ -112,8 +115,9 @@ TEST_P(JawsLoop, RestsAndPressesWithinAnEncoderStep) {
   const Vec3 along = jaws().start.approach;
   const double encoder = hand(HandPath::press).encoder;
   EXPECT_NEAR(kept.samples.back().command.force.norm(), 1.0, 0.2);
-  // Without friction a pressed jaw slips down its teeth now and then, so "at rest" is a quarter of a second in which
-  // it does not get anywhere. An encoder step along each axis: the approach need not be an axis of the device.
+  // Without friction a pressed jaw slips down its teeth now and then, so "at rest" is a quarter of
+  // a second in which it does not get anywhere. An encoder step along each axis: the approach need
+  // not be an axis of the device.
   const double step = encoder * along.lpNorm<1>() * 1.001;
   int rests = 0;
   for (std::size_t from = 1500; from + 250 <= kept.samples.size(); from += 125) {
@@ -142,9 +146,11 @@ TEST_P(JawsLoop, SlidesAndTapsWithoutGrowth) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Gains, JawsLoop,
-                         testing::Values(Case{200.0, 6}, Case{500.0, 6}, Case{200.0, 3}, Case{500.0, 3}),
+                         testing::Values(Case{200.0, 6}, Case{500.0, 6}, Case{200.0, 3},
+                                         Case{500.0, 3}),
                          [](const testing::TestParamInfo<Case>& each) {
-                           return "coupling" + std::to_string(static_cast<int>(each.param.coupling)) + "dof" +
+                           return "coupling" +
+                                  std::to_string(static_cast<int>(each.param.coupling)) + "dof" +
                                   std::to_string(each.param.dof);
                          });
 

@@ -10,7 +10,8 @@ SessionSummary run_at(double rate) {
   test::MeshSession scene;
   scene.config.rate = rate;
   scene.config.duration = 3.0;
-  // Contact frames stay a millisecond apart, as a contact thread gets no faster with the haptic rate.
+  // Contact frames stay a millisecond apart, as a contact thread gets no faster with the haptic
+  // rate.
   scene.config.contact_every = std::max(1, static_cast<int>(rate / 1000.0 + 0.5));
   scene.config.contact_latency = scene.config.contact_every;
   HandDevice hand(scene.hand(HandPath::slide));

@@ -23,7 +23,8 @@ TEST(BranchDepth, equals_the_maximum_over_all_texels) {
       const DepthSamples got = test::depth_of(*backend, p.contact);
       EXPECT_EQ(got.is_found, want != kNoDepth);
       if (want == kNoDepth) continue;
-      EXPECT_NEAR(got.depth[0], want, 1e-11) << i << ' ' << k;  // as near as fine points are looked for
+      // as near as fine points are looked for
+      EXPECT_NEAR(got.depth[0], want, 1e-11) << i << ' ' << k;
       EXPECT_EQ(got.remaining, 0.0);
       ++found;
     }

@@ -11,7 +11,8 @@ namespace {
 constexpr GradientKind kKinds[] = {GradientKind::central_differences, GradientKind::envelope,
                                    GradientKind::smoothed_envelope};
 
-// Two paraboloids of curvatures a and b: depth and gradient in closed form where the object is only shifted.
+// Two paraboloids of curvatures a and b: depth and gradient in closed form where the object is only
+// shifted.
 TEST(DepthGradient, of_two_hills_is_the_closed_one) {
   test::Hills hills;
   hills.contact.object.world_from_body = Pose{Vec3(4e-4, -7e-4, 1e-4), Quat::Identity()};
@@ -36,7 +37,8 @@ TEST(DepthGradient, of_two_hills_is_the_closed_one) {
   }
 }
 
-// The whole chain on a smooth contact: envelope gradient against differences of the exact depth itself.
+// The whole chain on a smooth contact: envelope gradient against differences of the exact depth
+// itself.
 TEST(DepthGradient, envelope_is_the_derivative_of_the_depth) {
   test::Hills hills;
   const auto backend = make_branch_depth({});
@@ -47,15 +49,18 @@ TEST(DepthGradient, envelope_is_the_derivative_of_the_depth) {
   const Vec3 n = hills.contact.normal;
   for (int i = 0; i < 6; ++i) {
     const double step = i < 3 ? 4e-4 : 4e-4 / 0.05;
-    const double to = test::depth_of(*backend, test::moved(hills.contact, step * Vec6::Unit(i))).depth[0];
-    const double fro = test::depth_of(*backend, test::moved(hills.contact, -step * Vec6::Unit(i))).depth[0];
+    const double to =
+        test::depth_of(*backend, test::moved(hills.contact, step * Vec6::Unit(i))).depth[0];
+    const double fro =
+        test::depth_of(*backend, test::moved(hills.contact, -step * Vec6::Unit(i))).depth[0];
     const double tolerance = i < 3 ? 1e-3 : 1e-3 * 0.05;  // texels of 78 um over a step of 400 um
     EXPECT_NEAR(test::six(got)[i], (to - fro) / (2.0 * step), tolerance) << i;
   }
   EXPECT_NEAR(got.linear.dot(n), 1.0, 1e-12);
 }
 
-// gradient_at is exact for the interpolated surface: depth at a fixed line along n, by any small motion.
+// gradient_at is exact for the interpolated surface: depth at a fixed line along n, by any small
+// motion.
 TEST(DepthGradient, at_a_fixed_place_agrees_with_differences_to_rounding) {
   Random random(2);
   int good = 0, tried = 0;
@@ -92,16 +97,18 @@ TEST(DepthGradient, kinds_agree_where_the_contact_is_smooth) {
   GradientScratch scratch;
   Vec6 of_kind[3];
   for (const GradientKind kind : kKinds) {
-    const DepthSamples sample = test::depth_of(*backend, hills.contact, depth_request(kind, 1e-3, 0.01));
-    of_kind[static_cast<int>(kind)] = test::six(depth_gradient(hills.contact, sample, kind, scratch));
+    const DepthSamples sample =
+        test::depth_of(*backend, hills.contact, depth_request(kind, 1e-3, 0.01));
+    of_kind[static_cast<int>(kind)] =
+        test::six(depth_gradient(hills.contact, sample, kind, scratch));
   }
   const double size = (of_kind[1].head<3>() - Vec3::UnitZ()).norm();
   EXPECT_LE((of_kind[0] - of_kind[1]).norm(), 0.2 * size);
   EXPECT_LE((of_kind[2] - of_kind[1]).norm(), 0.1 * size);
 }
 
-// Two equal hills side by side: a small shift makes the other one the higher. The plain envelope jumps, the smoothed
-// one passes through.
+// Two equal hills side by side: a small shift makes the other one the higher. The plain envelope
+// jumps, the smoothed one passes through.
 TEST(DepthGradient, smoothing_removes_the_jump_between_two_maxima) {
   Random random(3);
   TextureSource source = test::plate_source(random, {.cells = 1, .texels = 257, .bend = 0.0});
@@ -139,7 +146,8 @@ TEST(DepthGradient, smoothing_removes_the_jump_between_two_maxima) {
   EXPECT_LT(jump[2], 0.3 * jump[1]);
 }
 
-// The edge of a plain block on a slope: the maximum is held by the block's end, and the slope is the scene's.
+// The edge of a plain block on a slope: the maximum is held by the block's end, and the slope is
+// the scene's.
 TEST(DepthGradient, at_the_end_of_one_side_the_slope_is_the_other_sides) {
   SurfaceJet object, scene;
   object.slope = Vec2(0.3, 0.1);

@@ -6,14 +6,16 @@
 namespace thigma {
 namespace {
 
-Vec6 gradient_after(DepthBackend& backend, const DepthContact& contact, const Vec6& by, GradientScratch& scratch) {
+Vec6 gradient_after(DepthBackend& backend, const DepthContact& contact, const Vec6& by,
+                    GradientScratch& scratch) {
   DepthContact there = test::moved(contact, by);
   there.centre += by.head<3>();  // the object's, which goes along
-  return test::six(depth_gradient(there, test::depth_of(backend, there), GradientKind::envelope, scratch));
+  return test::six(
+      depth_gradient(there, test::depth_of(backend, there), GradientKind::envelope, scratch));
 }
 
-/// Largest differences between derivatives and differences of the gradient, over the largest derivative: by ways and by
-/// rotations.
+/// Largest differences between derivatives and differences of the gradient, over the largest
+/// derivative: by ways and by rotations.
 Vec2 off(const DepthContact& contact, const Mat6& got, double step, double arm) {
   const auto backend = make_branch_depth({});
   GradientScratch scratch;
@@ -28,17 +30,20 @@ Vec2 off(const DepthContact& contact, const Mat6& got, double step, double arm) 
   unit << 1.0, 1.0, 1.0, 1.0 / arm, 1.0 / arm, 1.0 / arm;
   const Mat6 difference = unit.asDiagonal() * (got - want) * unit.asDiagonal(),
              all = unit.asDiagonal() * want * unit.asDiagonal();
-  return Vec2(difference.leftCols<3>().cwiseAbs().maxCoeff(), difference.rightCols<3>().cwiseAbs().maxCoeff()) /
+  return Vec2(difference.leftCols<3>().cwiseAbs().maxCoeff(),
+              difference.rightCols<3>().cwiseAbs().maxCoeff()) /
          all.cwiseAbs().maxCoeff();
 }
 
 TEST(DepthHessian, is_the_derivative_of_the_gradient) {
   test::Hills hills;
-  hills.contact.object.world_from_body = Pose{Vec3(4e-4, -7e-4, 1e-4), rotation_from_vector(Vec3(0.02, -0.03, 0.4))};
+  hills.contact.object.world_from_body =
+      Pose{Vec3(4e-4, -7e-4, 1e-4), rotation_from_vector(Vec3(0.02, -0.03, 0.4))};
   hills.contact.centre = Vec3(0.01, -0.02, 0.04);
   const auto backend = make_branch_depth({});
   GradientScratch scratch;
-  const DepthHessian got = depth_hessian(hills.contact, test::depth_of(*backend, hills.contact), scratch);
+  const DepthHessian got =
+      depth_hessian(hills.contact, test::depth_of(*backend, hills.contact), scratch);
   ASSERT_TRUE(got.is_valid);
   const Vec2 errors = off(hills.contact, got.gradient_by_motion, 2e-4, 0.05);
   EXPECT_LT(errors[0], 0.01);
@@ -50,7 +55,8 @@ TEST(DepthHessian, is_that_of_waves_as_well) {
   Random random(7);
   int valid = 0, good = 0;
   for (int i = 0; i < 30; ++i) {
-    const test::PlateContact p(random, {.texels = 512, .amplitude = 4e-4, .bend = 0.0, .waves = 2.0});
+    const test::PlateContact p(random,
+                               {.texels = 512, .amplitude = 4e-4, .bend = 0.0, .waves = 2.0});
     const auto backend = make_branch_depth({});
     GradientScratch scratch;
     const DepthHessian got = depth_hessian(p.contact, test::depth_of(*backend, p.contact), scratch);

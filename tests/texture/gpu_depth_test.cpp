@@ -91,7 +91,8 @@ TEST_F(OnGpu, grids_wider_than_a_group_and_gradients_agree) {
   const test::PlateShape shape{.cells = 6, .texels = 256, .bend = 2.0};
   const test::PlateContact plates[] = {{random, shape}, {random, shape}};
   for (const test::PlateContact& p : plates) {
-    for (const GradientKind kind : {GradientKind::central_differences, GradientKind::smoothed_envelope}) {
+    for (const GradientKind kind :
+         {GradientKind::central_differences, GradientKind::smoothed_envelope}) {
       const DepthRequest request = depth_request(kind, 6e-4);
       const DepthSamples got = test::depth_of(*wide.backend, p.contact, request),
                          want = test::depth_of(*processor, p.contact, request);
@@ -139,7 +140,8 @@ TEST_F(OnGpu, contacts_without_depth_and_other_threads_are_fine) {
   EXPECT_EQ(here[1].depth, there[1].depth);
 }
 
-// What a driver may do in the middle: each time the frame comes from the processor, and one warning.
+// What a driver may do in the middle: each time the frame comes from the processor, and one
+// warning.
 class LostGpu : public testing::TestWithParam<void (*)(detail::GlApi&)> {};
 
 TEST_P(LostGpu, is_given_up_with_one_warning_and_the_right_depth) {
@@ -185,15 +187,16 @@ INSTANTIATE_TEST_SUITE_P(
         +[](detail::GlApi& gl) {
           gl.dispatch = +[](std::uint32_t, std::uint32_t, std::uint32_t) {};
         },
-        // Numbers that are no depths: every buffer that comes back is full of them, but for the number of the frame.
+        // Numbers that are no depths: every buffer that comes back is full of them, but for the
+        // number of the frame.
         +[](detail::GlApi& gl) {
           static void (*read)(detail::GlEnum, std::ptrdiff_t, std::ptrdiff_t, void*);
           read = gl.read_buffer;
-          gl.read_buffer = +[](detail::GlEnum target, std::ptrdiff_t first, std::ptrdiff_t bytes,
-                               void* data) {
-            read(target, first, bytes, data);
-            static_cast<float*>(data)[0] += 1.0f;
-          };
+          gl.read_buffer =
+              +[](detail::GlEnum target, std::ptrdiff_t first, std::ptrdiff_t bytes, void* data) {
+                read(target, first, bytes, data);
+                static_cast<float*>(data)[0] += 1.0f;
+              };
         }));
 
 TEST(NoGpu, is_told_once_and_the_processor_computes) {

@@ -7,7 +7,8 @@
 namespace thigma {
 namespace {
 
-// Largest depth over the centres of resolution x resolution cells of the common box, by the slow search.
+// Largest depth over the centres of resolution x resolution cells of the common box, by the slow
+// search.
 double slow_grid_depth(const DepthContact& contact, const ContactFrame& frame, const PlaneBox& box,
                        int resolution) {
   const Vec3 u = frame.world_from_contact.col(0), v = frame.world_from_contact.col(1);
@@ -16,8 +17,10 @@ double slow_grid_depth(const DepthContact& contact, const ContactFrame& frame, c
   for (int k = 0; k < resolution * resolution; ++k) {
     const Vec2 at = grid.at(k % resolution, k / resolution);
     const Vec3 world = contact.point + at.x() * u + at.y() * v;
-    const double object = test::slow_height(contact.object, world, u, v, contact.normal, test::SlowHeight::of_maps);
-    const double scene = test::slow_height(contact.scene, world, u, v, -contact.normal, test::SlowHeight::of_maps);
+    const double object =
+        test::slow_height(contact.object, world, u, v, contact.normal, test::SlowHeight::of_maps);
+    const double scene =
+        test::slow_height(contact.scene, world, u, v, -contact.normal, test::SlowHeight::of_maps);
     if (object != kNoDepth && scene != kNoDepth) best = std::max(best, object + scene);
   }
   return best;
@@ -46,15 +49,18 @@ TEST(GridDepth, equals_the_maximum_over_the_grid) {
   }
 }
 
-// A tilted triangle under a plate that is all but flat: the deepest point is a corner, and samples lie far from it where
-// it is sharp. Steps along the axes leave the triangle; those along its edges do not.
+// A tilted triangle under a plate that is all but flat: the deepest point is a corner, and samples
+// lie far from it where it is sharp. Steps along the axes leave the triangle; those along its edges
+// do not.
 TEST(GridDepth, climbs_along_slanting_edges) {
   Random random(7);
   constexpr double kSide = 0.02, kRelief = 1e-6;
-  const HapticTexture plate = make_texture(
-      test::plate_source(random, {.size = 2.0 * kSide, .texels = 128, .amplitude = kRelief / 3.0, .bend = 0.0,
-                                  .is_reversed = true}),
-      "plate");
+  const HapticTexture plate = make_texture(test::plate_source(random, {.size = 2.0 * kSide,
+                                                                       .texels = 128,
+                                                                       .amplitude = kRelief / 3.0,
+                                                                       .bend = 0.0,
+                                                                       .is_reversed = true}),
+                                           "plate");
   const std::vector<std::int32_t> all = test::all_triangles(plate), only = {0};
   const auto grid = make_grid_depth({}), coarse = make_grid_depth({.is_polished = false});
   double missed_before = 0.0;
@@ -70,11 +76,13 @@ TEST(GridDepth, climbs_along_slanting_edges) {
     mesh.triangles = {{0, 1, 2}};
     const HapticTexture triangle = make_plain_texture(mesh, "triangle");
     DepthContact contact;
-    contact.object = {&triangle, only,
-                      Pose{Vec3::Zero(), rotation_from_vector(Vec3(0.0, 0.0, random.uniform(-3.0, 3.0)))}};
+    contact.object = {
+        &triangle, only,
+        Pose{Vec3::Zero(), rotation_from_vector(Vec3(0.0, 0.0, random.uniform(-3.0, 3.0)))}};
     contact.scene = {&plate, all, Pose{}};
     const double got = test::depth_of(*grid, contact).depth[0];
-    // An eighth of a texel is the last step; across a sharp corner it fits only so far from the tip.
+    // An eighth of a texel is the last step; across a sharp corner it fits only so far from the
+    // tip.
     const double from_tip = 0.125 * plate.texel_size * (1.0 + 1.0 / half);
     EXPECT_NEAR(got, 0.0, 2.0 * kRelief + from_tip * slope) << i;
     missed_before = std::max(missed_before, -test::depth_of(*coarse, contact).depth[0]);
@@ -83,7 +91,8 @@ TEST(GridDepth, climbs_along_slanting_edges) {
 }
 
 // On many contacts: bit for bit, which is more than 1e-6 of the amplitude.
-// Waves about as long as two cells: the samples alias, and the highest of them is often on a wrong crest.
+// Waves about as long as two cells: the samples alias, and the highest of them is often on a wrong
+// crest.
 TEST(GridDepth, finds_crests_that_lie_between_samples) {
   Random random(11);
   const auto grid = make_grid_depth({}), branch = make_branch_depth({});
@@ -91,7 +100,8 @@ TEST(GridDepth, finds_crests_that_lie_between_samples) {
   constexpr int kContacts = 40;
   for (int i = 0; i < kContacts; ++i) {
     test::PlateContact p(random, {.texels = 256, .amplitude = 1e-4, .bend = 0.1, .waves = 25.0});
-    const double want = test::depth_of(*branch, p.contact).depth[0], got = test::depth_of(*grid, p.contact).depth[0];
+    const double want = test::depth_of(*branch, p.contact).depth[0],
+                 got = test::depth_of(*grid, p.contact).depth[0];
     missed += std::max(want - got, 0.0) / (p.object.amplitude + p.scene.amplitude) / kContacts;
   }
   RecordProperty("missed", std::to_string(missed));
@@ -127,14 +137,17 @@ TEST(GridDepth, polishing_finds_more_than_the_grid_and_never_more_than_all_texel
   const auto exact = make_branch_depth({});
   double missed_rough = 0.0, missed_polished = 0.0;
   for (int i = 0; i < 12; ++i) {
-    const test::PlateShape shape{.texels = 256, .amplitude = 4e-5, .waves = 20.0};  // leaning plates: steeper turns over
+    // leaning plates: steeper turns over
+    const test::PlateShape shape{.texels = 256, .amplitude = 4e-5, .waves = 20.0};
     const test::PlateContact p(random, shape);
     const double all = test::depth_of(*exact, p.contact).depth[0];
     const double best = test::depth_of(*polished, p.contact).depth[0],
                  grid = test::depth_of(*rough, p.contact).depth[0];
-    EXPECT_GE(best, grid - 0.1 * shape.amplitude);  // maps are right to first order in what lies sideways
-    // Between texels of both sides the depth can exceed that at texels by what interpolation does over half a texel, and at
-    // the end of a plate, where no texel's fine point is but the nearest one stands in, by its slope.
+    // maps are right to first order in what lies sideways
+    EXPECT_GE(best, grid - 0.1 * shape.amplitude);
+    // Between texels of both sides the depth can exceed that at texels by what interpolation does
+    // over half a texel, and at the end of a plate, where no texel's fine point is but the nearest
+    // one stands in, by its slope.
     EXPECT_LE(best, all + 0.2 * shape.amplitude);
     missed_rough += all - grid;
     missed_polished += std::max(all - best, 0.0);
@@ -161,7 +174,8 @@ TEST(GridDepth, moved_configurations_are_those_of_the_moved_object) {
       moved.object.world_from_body =
           configuration_motion(got, contact.centre, k) * moved.object.world_from_body;
       const double want = slow_grid_depth(moved, got.frame, box, resolution);
-      // Rendered anew, the tilted ones are exact; the others interpolate between samples 0.3 mm apart.
+      // Rendered anew, the tilted ones are exact; the others interpolate between samples 0.3 mm
+      // apart.
       const bool is_tilted = k >= 5 && k <= 8;
       EXPECT_NEAR(got.depth[static_cast<std::size_t>(k)], want, is_tilted ? 1e-9 : 2e-6) << k;
     }
@@ -204,7 +218,8 @@ TEST(GridDepth, patches_apart_sideways_and_nonsense_have_no_depth) {
     bad[6].scene.texture = nullptr;
     bad[7].object.world_from_body.position.z() = 1e200;
     for (const DepthContact& contact : bad) {
-      const DepthSamples got = test::depth_of(*backend, contact, {.has_differences = true, .near = 1e-4});
+      const DepthSamples got =
+          test::depth_of(*backend, contact, {.has_differences = true, .near = 1e-4});
       EXPECT_FALSE(got.is_found);
       EXPECT_EQ(got.depth[0], kNoDepth);
     }

@@ -1,4 +1,3 @@
-#include "thigma/texture/bake.h"
 #include "thigma/texture/level_textures.h"
 
 #include "support/wavy_ball.h"
@@ -7,6 +6,7 @@
 #include "thigma/core/error.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/texture/bake.h"
 
 namespace thigma {
 namespace {

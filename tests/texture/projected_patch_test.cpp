@@ -22,7 +22,8 @@ TEST(ProjectedPatch, height_is_that_of_the_fine_surface_over_the_point) {
   Random random(2);
   int covered = 0, open = 0;
   for (int i = 0; i < 20; ++i) {
-    const test::PlateContact p(random, {.cells = 1 + i % 4, .bend = 3.0, .noise = 3e-5});  // more turns over
+    // more turns over
+    const test::PlateContact p(random, {.cells = 1 + i % 4, .bend = 3.0, .noise = 3e-5});
     const ContactFrame frame = contact_frame(p.contact.point, p.contact.normal);
     const Vec3 u = frame.world_from_contact.col(0), v = frame.world_from_contact.col(1);
     for (const Facing facing : {Facing::along, Facing::against}) {
@@ -39,7 +40,8 @@ TEST(ProjectedPatch, height_is_that_of_the_fine_surface_over_the_point) {
         const SurfaceJet jet = surface_jet(patch, at);
         if (want == kNoDepth) {
           // Over the coarse surface still, the nearest fine point of its edge stands in.
-          const bool is_beside = test::slow_height(side, world, u, v, direction, test::SlowHeight::of_maps) != kNoDepth;
+          const bool is_beside = test::slow_height(side, world, u, v, direction,
+                                                   test::SlowHeight::of_maps) != kNoDepth;
           EXPECT_EQ(got == kNoSurface, !is_beside);
           EXPECT_EQ(jet.is_covered, is_beside);
           open += !is_beside;
@@ -80,8 +82,8 @@ TEST(ProjectedPatch, facet_slope_is_the_derivative_of_the_height) {
   EXPECT_GE(good, covered - 1);  // one may lie on the seam of two facets
 }
 
-/// A flat plate under waves, its fine points `apart` beside their coarse ones in the middle and less towards the rim: the
-/// same fine surface, however far.
+/// A flat plate under waves, its fine points `apart` beside their coarse ones in the middle and
+/// less towards the rim: the same fine surface, however far.
 TextureSource paired_plate(double apart) {
   Random random(1);
   TextureSource source = test::plate_source(random, {.texels = 257, .amplitude = 0.0, .bend = 0.0});
@@ -98,15 +100,18 @@ TextureSource paired_plate(double apart) {
   return source;
 }
 
-// What is displaced sideways is followed: height, slope and curvature are those of the fine surface, whatever coarse points
-// its points belong to. Not followed, heights are off by a third of the waves.
+// What is displaced sideways is followed: height, slope and curvature are those of the fine
+// surface, whatever coarse points its points belong to. Not followed, heights are off by a third of
+// the waves.
 TEST(ProjectedPatch, fine_surface_is_the_same_however_its_points_are_paired) {
-  const HapticTexture straight = make_texture(paired_plate(0.0), "straight"), aside = make_texture(paired_plate(7e-4), "aside");
+  const HapticTexture straight = make_texture(paired_plate(0.0), "straight"),
+                      aside = make_texture(paired_plate(7e-4), "aside");
   const std::vector<std::int32_t> all = test::all_triangles(straight);
   Random random(5);
   double off = 0.0, off_slope = 0.0, off_curvature = 0.0, not_followed = 0.0;
   for (int i = 0; i < 10; ++i) {
-    const Vec3 normal = (rotation_from_vector(0.3 * random.in_cube(1.0)) * Vec3::UnitZ()).normalized();
+    const Vec3 normal =
+        (rotation_from_vector(0.3 * random.in_cube(1.0)) * Vec3::UnitZ()).normalized();
     const ContactFrame frame = contact_frame(Vec3::Zero(), normal);
     ProjectedPatch a, b;
     project_patch(straight, all, Pose{}, frame, Facing::along, a);
@@ -119,8 +124,11 @@ TEST(ProjectedPatch, fine_surface_is_the_same_however_its_points_are_paired) {
       EXPECT_NEAR(height_at(b, at, near), got.height, 1e-12);
       off = std::max(off, std::fabs(got.height - want.height));
       off_slope = std::max(off_slope, (got.slope - want.slope).norm());
-      off_curvature = std::max(off_curvature, (got.curvature - want.curvature).norm() / 1500.0);  // of the waves
-      not_followed = std::max(not_followed, std::fabs(height_on(b, b.triangles[static_cast<std::size_t>(near)], at) - want.height));
+      // of the waves
+      off_curvature = std::max(off_curvature, (got.curvature - want.curvature).norm() / 1500.0);
+      not_followed = std::max(
+          not_followed,
+          std::fabs(height_on(b, b.triangles[static_cast<std::size_t>(near)], at) - want.height));
       EXPECT_NEAR((got.point - Vec3(at.x(), at.y(), got.height)).norm(), 0.0, 1e-15);
     }
   }
@@ -254,7 +262,8 @@ TEST(ProjectedPatch, sees_the_fine_surface_of_triangles_around) {
     worst_cut = std::max(worst_cut, std::fabs(height_at(cut, at, near) - want));
     near = -1;
     const Vec3 beyond(1e-5, world.y(), 0.0);
-    EXPECT_EQ(height_at(seen, (frame.world_from_contact.transpose() * beyond).head<2>(), near), kNoSurface);
+    EXPECT_EQ(height_at(seen, (frame.world_from_contact.transpose() * beyond).head<2>(), near),
+              kNoSurface);
   }
   EXPECT_GT(worst_cut, 2e-5) << "or there is nothing to see";
 }

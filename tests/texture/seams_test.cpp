@@ -30,16 +30,22 @@ Vec2 place_on(const Box& box, const Seam::Side& side, double share) {
 
 /// Largest difference between the two sides over places of their own.
 double largest_gap(const Box& box, const std::vector<Vec3>& texels) {
-  TextureSource source{.coarse = box.mesh, .corners = box.charts.corners, .width = kTexels, .height = kTexels, .texels = {}};
+  TextureSource source{.coarse = box.mesh,
+                       .corners = box.charts.corners,
+                       .width = kTexels,
+                       .height = kTexels,
+                       .texels = {}};
   for (const Vec3& d : texels)
-    source.texels.push_back({static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())});
+    source.texels.push_back(
+        {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())});
   const HapticTexture texture = make_texture(std::move(source), "box");
   double gap = 0.0;
   for (const Seam& seam : box.seams) {
     for (int i = 0; i < 97; ++i) {
       const double share = (i + 0.5) / 97.0;
       gap = std::max(gap, (displacement_at(texture, place_on(box, seam.sides[0], share)) -
-                           displacement_at(texture, place_on(box, seam.sides[1], share))).norm());
+                           displacement_at(texture, place_on(box, seam.sides[1], share)))
+                              .norm());
     }
   }
   return gap;
@@ -59,7 +65,8 @@ TEST(Seams, AreTheEdgesBetweenCharts) {
   }
   // One chart, however many triangles, has none.
   TriangleMesh sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-  const std::vector<std::array<Vec2, 3>> corners = {{Vec2(0, 0), Vec2(9, 0), Vec2(9, 9)}, {Vec2(0, 0), Vec2(9, 9), Vec2(0, 9)}};
+  const std::vector<std::array<Vec2, 3>> corners = {{Vec2(0, 0), Vec2(9, 0), Vec2(9, 9)},
+                                                    {Vec2(0, 0), Vec2(9, 9), Vec2(0, 9)}};
   EXPECT_TRUE(find_seams(sheet, corners).empty());
 }
 
@@ -86,7 +93,8 @@ TEST(Seams, AgreeOnceStitched) {
         nearest = std::min(nearest, (a + share * along - texel).norm());
       }
     }
-    const double by = (stitched[static_cast<std::size_t>(i)] - texels[static_cast<std::size_t>(i)]).norm();
+    const double by =
+        (stitched[static_cast<std::size_t>(i)] - texels[static_cast<std::size_t>(i)]).norm();
     if (nearest > 1.42) away = std::max(away, by);
     moved = std::max(moved, by);
   }
@@ -98,7 +106,8 @@ TEST(Seams, MoveWhatGivesWay) {
   const Box box;
   const auto mean_step = [&](double ease) {
     Random random(6);
-    StitchedMap map{kTexels, kTexels, std::vector<Vec3>(kTexels * kTexels), std::vector<double>(kTexels * kTexels, 1.0)};
+    StitchedMap map{kTexels, kTexels, std::vector<Vec3>(kTexels * kTexels),
+                    std::vector<double>(kTexels * kTexels, 1.0)};
     for (Vec3& d : map.texels) d = random.in_cube(1e-3);
     for (std::size_t i = 0; i < map.ease.size(); i += 2) map.ease[i] = ease;
     const std::vector<Vec3> before = map.texels;

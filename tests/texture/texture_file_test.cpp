@@ -118,7 +118,8 @@ TEST(TextureFile, RefusesWhatLies) {
       {with("texels", 0, bytes_of(1e3f)), "texel 0"},
   };
   for (const auto& c : cases)
-    EXPECT_NE(complaint_of_file(c.bytes).find(c.says), std::string::npos) << complaint_of_file(c.bytes);
+    EXPECT_NE(complaint_of_file(c.bytes).find(c.says), std::string::npos)
+        << complaint_of_file(c.bytes);
 }
 
 TEST(TextureFile, SkipsUnknownChunksThatAreOptional) {

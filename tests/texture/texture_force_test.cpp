@@ -25,7 +25,8 @@ TEST(TextureForce, is_minus_the_gradient_of_the_energy_and_never_pulls) {
   EXPECT_EQ(texture_wrench(1e-3, {}, 1500.0).force, Vec3::Zero());
 }
 
-// With a gradient that does not change, Gauss-Newton is the exact Jacobian: dW/dy by moving the depth along it.
+// With a gradient that does not change, Gauss-Newton is the exact Jacobian: dW/dy by moving the
+// depth along it.
 TEST(TextureForce, jacobian_is_the_derivative_for_a_constant_gradient) {
   Random random(2);
   for (int i = 0; i < 20; ++i) {
@@ -68,7 +69,8 @@ TEST(TextureForce, reaction_balances_force_and_moment) {
   }
 }
 
-// The reaction against moving the scene itself: differences of the exact energy by motions of the scene.
+// The reaction against moving the scene itself: differences of the exact energy by motions of the
+// scene.
 TEST(TextureForce, on_the_scene_is_the_derivative_by_its_motion) {
   test::Hills hills;
   hills.contact.object.world_from_body.position.z() = 1e-3;

@@ -83,7 +83,8 @@ inline std::vector<std::int32_t> all_triangles(const HapticTexture& texture) {
   return list;
 }
 
-/// Fills `contact` from the plates and two poses that put both about the origin; all of it is then moved by `place`.
+/// Fills `contact` from the plates and two poses that put both about the origin; all of it is then
+/// moved by `place`.
 inline void place_contact(PlateContact& p, const Pose& object, const Pose& scene,
                           const Vec3& normal, const Pose& place) {
   p.object_triangles = all_triangles(p.object);
@@ -150,8 +151,8 @@ struct SlowTriangle {
   std::array<Vec2, 3> corners;
   Vec3 rise;  // height of the triangle by a way across the direction
   bool faces = false;
-  SlowTriangle(const TexturedPatch& patch, std::int32_t index, const Vec3& at, const Vec3& u, const Vec3& v,
-               const Vec3& direction) {
+  SlowTriangle(const TexturedPatch& patch, std::int32_t index, const Vec3& at, const Vec3& u,
+               const Vec3& v, const Vec3& direction) {
     const HapticTexture& texture = *patch.texture;
     const std::size_t t = static_cast<std::size_t>(index);
     corners = texture.corners[t];
@@ -173,8 +174,8 @@ struct SlowTriangle {
   }
 };
 
-/// Largest height along `direction` (n or -n) over the point `at` of the line along it, by trying all triangles [m];
-/// kNoDepth where there is none.
+/// Largest height along `direction` (n or -n) over the point `at` of the line along it, by trying
+/// all triangles [m]; kNoDepth where there is none.
 inline double slow_height(const TexturedPatch& patch, const Vec3& at, const Vec3& u, const Vec3& v,
                           const Vec3& direction, SlowHeight kind = SlowHeight::followed) {
   double followed = kNoDepth, of_maps = kNoDepth;
@@ -269,7 +270,8 @@ struct Hills {
   }
 };
 
-/// The contact after a motion of the object: a way, and a rotation vector about the contact's centre, which stays.
+/// The contact after a motion of the object: a way, and a rotation vector about the contact's
+/// centre, which stays.
 inline DepthContact moved(const DepthContact& contact, const Vec6& by) {
   DepthContact there = contact;
   Pose motion;

@@ -13,7 +13,8 @@ namespace {
 bool touch_each_other(const TriangleMesh& mesh, std::int32_t a, std::int32_t b) {
   const auto& p = mesh.triangles[static_cast<std::size_t>(a)];
   const auto& q = mesh.triangles[static_cast<std::size_t>(b)];
-  return std::any_of(p.begin(), p.end(), [&](std::int32_t v) { return std::find(q.begin(), q.end(), v) != q.end(); });
+  return std::any_of(p.begin(), p.end(),
+                     [&](std::int32_t v) { return std::find(q.begin(), q.end(), v) != q.end(); });
 }
 
 TEST(TriangleRing, is_what_touches_and_is_not_of_the_set) {
@@ -30,7 +31,8 @@ TEST(TriangleRing, is_what_touches_and_is_not_of_the_set) {
     std::set<std::int32_t> want;
     for (std::int32_t t = 0; t < count; ++t)
       for (const std::int32_t o : own)
-        if (std::find(own.begin(), own.end(), t) == own.end() && touch_each_other(mesh, o, t)) want.insert(t);
+        if (std::find(own.begin(), own.end(), t) == own.end() && touch_each_other(mesh, o, t))
+          want.insert(t);
     EXPECT_EQ(ring.size(), want.size());
     EXPECT_EQ(std::set<std::int32_t>(ring.begin(), ring.end()), want);
   }

@@ -144,7 +144,8 @@ TEST(Feed, ReleasedObjectsHaveNoGhostOfTheirOwn) {
 }
 
 TEST(Feed, AGhostThatIsFirstSeenInTheMiddleStandsAtTheObject) {
-  // As after a seek in a recording: the first frame that comes is held, and the one before it is not known.
+  // As after a seek in a recording: the first frame that comes is held, and the one before it is
+  // not known.
   LiveFeed feed{Workspace{}};
   feed.begin_session(Workspace{});
   HapticSample sample;

@@ -67,7 +67,8 @@ Json message_where(WebClient& client, const std::string& type, Condition conditi
 }
 
 inline void upload(WebClient& client, int id, const std::string& name, const std::string& bytes) {
-  client.send_text(Json{{"type", "upload"}, {"id", id}, {"name", name}, {"value", bytes.size()}}.dump());
+  client.send_text(
+      Json{{"type", "upload"}, {"id", id}, {"name", name}, {"value", bytes.size()}}.dump());
   std::string message("\x21\x01\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 16);
   const auto size = static_cast<std::uint32_t>(bytes.size());
   std::memcpy(message.data() + 4, &size, 4);

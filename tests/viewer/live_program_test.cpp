@@ -1,11 +1,12 @@
 // thigma run with its page, as a process.
 
+#include "viewer/live_program.h"
+
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <thread>
 
-#include "viewer/live_program.h"
 #include <gtest/gtest.h>
 
 #include "thigma/runtime/recording.h"
@@ -104,7 +105,8 @@ TEST(LiveProgram, ARecordingIsShownFromAnyTimeAndLeftForASession) {
   EXPECT_FALSE(state_where(client, [](const Json& s) {
                  return std::abs(s["time"].get<double>() - 1.251) < 1e-9;
                }).is_null());
-  EXPECT_FALSE(ask(client, R"({"type":"set","id":4,"name":"mass","value":0.02})")["ok"].get<bool>());
+  EXPECT_FALSE(
+      ask(client, R"({"type":"set","id":4,"name":"mass","value":0.02})")["ok"].get<bool>());
   EXPECT_TRUE(ask(client, R"({"type":"use_device","id":5,"value":"web:"})")["ok"].get<bool>());
   EXPECT_FALSE(state_where(client, [](const Json& s) {
                  return s["replay"].is_null() && s["device"] == "web:" && s["run"] == "running";
@@ -118,10 +120,13 @@ TEST(LiveProgram, AnotherSceneAndADroppedMeshTakeThePlaceOfTheFirst) {
   const std::uint16_t port = port_of(program);
   ASSERT_NE(port, 0) << program.said();
   WebClient client(port);
-  const Json menu = message_where(client, "menu", [](const Json& m) { return !m["scenes"].empty(); });
+  const Json menu =
+      message_where(client, "menu", [](const Json& m) { return !m["scenes"].empty(); });
   ASSERT_FALSE(menu.is_null());
   EXPECT_FALSE(ask(client, R"({"type":"open","id":1,"value":"/etc/passwd"})")["ok"].get<bool>());
-  EXPECT_FALSE(ask(client, R"({"type":"place","id":2,"name":"hold","value":1,"repair":false})")["ok"].get<bool>());
+  EXPECT_FALSE(
+      ask(client, R"({"type":"place","id":2,"name":"hold","value":1,"repair":false})")["ok"]
+          .get<bool>());
   EXPECT_TRUE(ask(client, R"({"type":"open","id":3,"value":"ellipsoid"})")["ok"].get<bool>());
   EXPECT_FALSE(state_where(client, [](const Json& s) { return s["run"] == "running"; }).is_null());
 
@@ -140,15 +145,19 @@ TEST(LiveProgram, AnotherSceneAndADroppedMeshTakeThePlaceOfTheFirst) {
   EXPECT_EQ(model["report"]["verdict"], "repairable") << model;
   EXPECT_EQ(model["unit"], 0.001);
   EXPECT_EQ(Json::parse(client.read_type("ack"))["id"], 5);
-  EXPECT_FALSE(ask(client, R"({"type":"place","id":6,"name":"hold","value":0.001,"repair":false})")["ok"].get<bool>());
+  EXPECT_FALSE(
+      ask(client, R"({"type":"place","id":6,"name":"hold","value":0.001,"repair":false})")["ok"]
+          .get<bool>());
   client.send_text(R"({"type":"place","id":7,"name":"hold","value":0.001,"repair":true})");
-  const Json scene = message_where(client, "scene", [](const Json& s) { return s["object"]["name"] == "four.obj"; });
+  const Json scene = message_where(client, "scene",
+                                   [](const Json& s) { return s["object"]["name"] == "four.obj"; });
   ASSERT_FALSE(scene.is_null());
   EXPECT_EQ(scene["object"]["triangles"], 4);
   EXPECT_GT(scene["start"]["position"][2], scene["statics"][0]["position"][2]);
   EXPECT_NE(next_mesh(client), "");
   EXPECT_FALSE(state_where(client, [](const Json& s) { return s["run"] == "running"; }).is_null());
-  EXPECT_TRUE(ask(client, R"({"type":"set","id":8,"name":"response","value":1})")["ok"].get<bool>());
+  EXPECT_TRUE(
+      ask(client, R"({"type":"set","id":8,"name":"response","value":1})")["ok"].get<bool>());
   EXPECT_FALSE(state_where(client, [](const Json& s) { return s["run"] == "running"; }).is_null());
   program.send(SIGINT);
   EXPECT_EQ(program.finish().code, 130);
@@ -192,7 +201,8 @@ TEST(LiveProgram, WithInjectedFaultsALateFrameIsAFaultThatAReloadedPageKnows) {
   ASSERT_TRUE(run.client);
   ASSERT_FALSE(run.running().is_null());
   stand_still(*run.program);
-  ASSERT_FALSE(state_where(*run.client, [](const Json& s) { return s["run"] == "ended"; }).is_null());
+  ASSERT_FALSE(
+      state_where(*run.client, [](const Json& s) { return s["run"] == "ended"; }).is_null());
   run.client = std::make_unique<WebClient>(run.port);
   const Json state = state_where(*run.client, [](const Json& s) { return s["run"] == "ended"; });
   ASSERT_FALSE(state.is_null());

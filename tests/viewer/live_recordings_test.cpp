@@ -70,7 +70,8 @@ TEST(LiveRecordings, AFullDiskEndsTheRecordingAndNotTheSession) {
   EXPECT_EQ(after["session"], recording["session"]);
   run->expect_goes_on(after);
   // Once more: the page may try again, and what was locked for the recording is free.
-  EXPECT_TRUE(ask(*run->client, R"({"type":"set","id":2,"name":"mass","value":0.02})")["ok"].get<bool>());
+  EXPECT_TRUE(
+      ask(*run->client, R"({"type":"set","id":2,"name":"mass","value":0.02})")["ok"].get<bool>());
   const Ended e = run->end();
   EXPECT_EQ(e.code, 130);
   EXPECT_NE(e.out.find("haptic frames"), std::string::npos) << e.out;  // the summary
@@ -81,8 +82,9 @@ TEST(LiveRecordings, AFullDiskEndsTheRecordingAndNotTheSession) {
 
 TEST(LiveRecordings, WithoutAPageAFullDiskEndsTheRecordingAndTheSummarySaysTheRest) {
   const FileLimit limit(kFull);
-  const Ended e = run_program(run_arguments({"--device", "null:", "--headless", "--lockstep",
-                                             "--duration", "3", "--record", out_file("full.mcap")}));
+  const Ended e =
+      run_program(run_arguments({"--device", "null:", "--headless", "--lockstep", "--duration", "3",
+                                 "--record", out_file("full.mcap")}));
   EXPECT_EQ(e.code, 1);  // what was asked for is not there
   EXPECT_NE(e.err.find("the recording ends there"), std::string::npos) << e.err;
   EXPECT_EQ(json_line(e)["haptic"]["frames"], 3000);

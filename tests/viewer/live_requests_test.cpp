@@ -76,10 +76,12 @@ TEST(LiveRequests, UploadsThatNothingIsMadeOfAreRemoved) {
   ASSERT_TRUE(run.client);
   const auto files = [&] {
     int count = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(kept)) count += entry.is_regular_file() ? 1 : 0;
+    for (const auto& entry : fs::recursive_directory_iterator(kept))
+      count += entry.is_regular_file() ? 1 : 0;
     return count;
   };
-  const std::string mesh = "v 0 0 0\nv 30 0 0\nv 0 30 0\nv 0 0 30\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  const std::string mesh =
+      "v 0 0 0\nv 30 0 0\nv 0 30 0\nv 0 0 30\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
   int id = 1;
   const auto send = [&](const std::string& bytes) {
     upload(*run.client, id, "some.obj", bytes);
@@ -90,7 +92,9 @@ TEST(LiveRequests, UploadsThatNothingIsMadeOfAreRemoved) {
   send(mesh);
   send(mesh);
   EXPECT_EQ(files(), 1);
-  EXPECT_TRUE(ask(*run.client, R"({"type":"place","id":10,"name":"hold","value":0.001,"repair":false})")["ok"].get<bool>());
+  EXPECT_TRUE(ask(*run.client,
+                  R"({"type":"place","id":10,"name":"hold","value":0.001,"repair":false})")["ok"]
+                  .get<bool>());
   send(mesh);
   send(mesh);
   EXPECT_EQ(files(), 2);  // what runs, and the last
@@ -99,9 +103,9 @@ TEST(LiveRequests, UploadsThatNothingIsMadeOfAreRemoved) {
 }
 
 TEST(LiveRequests, ARefusedRequestLeavesARecordingThatIsShown) {
-  const Ended recorded = run_program(run_arguments({"--lockstep", "--headless", "--duration", "10",
-                                                    "--device", "null:", "--quiet", "--record",
-                                                    out_file("long.mcap")}));
+  const Ended recorded =
+      run_program(run_arguments({"--lockstep", "--headless", "--duration", "10", "--device",
+                                 "null:", "--quiet", "--record", out_file("long.mcap")}));
   ASSERT_EQ(recorded.code, 0) << recorded.err;
   RunningProgram run("refused_replay", {"--replay", out_file("long.mcap")});
   ASSERT_TRUE(run.client);

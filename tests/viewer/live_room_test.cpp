@@ -285,11 +285,13 @@ TEST(LiveRoom, LevelsAreSentWhenAskedForAndUploadsReachTheProgram) {
   EXPECT_EQ(request->data, "abcde");
   b.room->answer(*request, "no mesh");
   EXPECT_EQ(Json::parse(client.read_type("ack"))["id"], 3);
-  EXPECT_FALSE(ack_of(client, R"({"type":"upload","id":4,"name":"x","value":1e12})")["ok"].get<bool>());
+  EXPECT_FALSE(
+      ack_of(client, R"({"type":"upload","id":4,"name":"x","value":1e12})")["ok"].get<bool>());
   EXPECT_FALSE(ack_of(client, R"({"type":"seek","id":5,"value":1})")["ok"].get<bool>());
   client.send_binary(std::string("\x21\x01\0\0\2\0\0\0\0\0\0\0\0\0\0\0de", 18));
   EXPECT_EQ(client.close_code(), 1008);  // nobody asked for it
-  b.room->show(SceneView{"", "", "", {"ball", {&b.ball, 1}, &b.scene.object, {}}, {}}, b.scene.config, {});
+  b.room->show(SceneView{"", "", "", {"ball", {&b.ball, 1}, &b.scene.object, {}}, {}},
+               b.scene.config, {});
 }
 
 TEST(LiveRoom, NothingOfTheSceneBeforeIsShownInTheNext) {
@@ -298,7 +300,8 @@ TEST(LiveRoom, NothingOfTheSceneBeforeIsShownInTheNext) {
   WebClient client(b.room->port());
   b.room->look_at(HapticSample{});
   ASSERT_NE(next_snapshot(client), "");
-  b.room->show(SceneView{"", "", "", {"ball", {&b.ball, 1}, &b.scene.object, {}}, {}}, b.scene.config, {});
+  b.room->show(SceneView{"", "", "", {"ball", {&b.ball, 1}, &b.scene.object, {}}, {}},
+               b.scene.config, {});
   ASSERT_NE(client.read_type("scene"), "");
   int states = 0, snapshots = 0;
   while (states < 3) {  // one a second

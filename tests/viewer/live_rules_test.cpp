@@ -1,5 +1,5 @@
-// What pages may do to a session that another one holds, that begins, that is over; and what a page that does not read
-// can make the server keep.
+// What pages may do to a session that another one holds, that begins, that is over; and what a page
+// that does not read can make the server keep.
 
 #include <memory>
 #include <string>
@@ -59,10 +59,11 @@ TEST(LiveRules, APageThatDoesNotHoldTheDeviceChangesNothingForTheOneThatDoes) {
   WebClient holder(b.room->port()), watcher(b.room->port());
   ASSERT_NE(watcher.read_type("state"), "");
   ASSERT_TRUE(answer_to(holder, R"({"type":"hold","id":1,"value":true})")["ok"].get<bool>());
-  for (const char* request : {R"({"type":"pause","id":2,"value":true})", R"({"type":"reset","id":3})",
-                              R"({"type":"set","id":4,"name":"mass","value":0.02})",
-                              R"({"type":"record","id":5,"value":true})", R"({"type":"step","id":6,"value":1})",
-                              R"({"type":"open","id":7,"value":"jaws"})"}) {
+  for (const char* request :
+       {R"({"type":"pause","id":2,"value":true})", R"({"type":"reset","id":3})",
+        R"({"type":"set","id":4,"name":"mass","value":0.02})",
+        R"({"type":"record","id":5,"value":true})", R"({"type":"step","id":6,"value":1})",
+        R"({"type":"open","id":7,"value":"jaws"})"}) {
     const Json refused = answer_to(watcher, request);
     ASSERT_TRUE(refused.is_object()) << request;
     EXPECT_FALSE(refused["ok"].get<bool>()) << request;
@@ -70,7 +71,8 @@ TEST(LiveRules, APageThatDoesNotHoldTheDeviceChangesNothingForTheOneThatDoes) {
   }
   EXPECT_FALSE(b.room->ports().is_paused);
   EXPECT_FALSE(b.room->take_request());
-  EXPECT_TRUE(answer_to(watcher, R"({"type":"level","id":8,"mesh":0,"value":1})")["ok"].get<bool>());
+  EXPECT_TRUE(
+      answer_to(watcher, R"({"type":"level","id":8,"mesh":0,"value":1})")["ok"].get<bool>());
   EXPECT_TRUE(answer_to(holder, R"({"type":"pause","id":9,"value":true})")["ok"].get<bool>());
 }
 
@@ -103,7 +105,8 @@ TEST(LiveRules, TheCauseOfAFaultIsKnownToPagesThatComeLaterUntilTheNextSession) 
     WebClient client(b.room->port());
     const Json state = wait_for_state(client, [](const Json& s) { return s["run"] == "ended"; });
     ASSERT_TRUE(state.is_object());
-    EXPECT_EQ(state["fault"], (Json{{"name", "contact_stale"}, {"time", 2.0}, {"text", "a sentence"}}));
+    EXPECT_EQ(state["fault"],
+              (Json{{"name", "contact_stale"}, {"time", 2.0}, {"text", "a sentence"}}));
     EXPECT_EQ(state["late"]["count"], 1);
     EXPECT_EQ(state["late"]["name"], "watchdog");
   }

@@ -8,8 +8,8 @@
 
 namespace thigma::test {
 
-/// Sends `request` as it stands to 127.0.0.1:port and returns all that comes back until the server closes
-/// or says nothing for `patience` [s].
+/// Sends `request` as it stands to 127.0.0.1:port and returns all that comes back until the server
+/// closes or says nothing for `patience` [s].
 std::string http_exchange(std::uint16_t port, const std::string& request, double patience = 2.0);
 
 /// What a client says of itself.
@@ -24,7 +24,8 @@ struct WebMessage {
   std::string data;
 };
 
-/// A WebSocket. Reading waits for at most `patience` seconds, so that a test fails rather than hangs.
+/// A WebSocket. Reading waits for at most `patience` seconds, so that a test fails rather than
+/// hangs.
 class WebClient {
  public:
   explicit WebClient(std::uint16_t port, const WebGreeting& greeting = {});
@@ -46,7 +47,8 @@ class WebClient {
   std::optional<WebMessage> read(double patience = 5.0);
   /// The next text message whose `type` is this.
   std::string read_type(const std::string& type, double patience = 5.0);
-  /// Reads on until the server closes; its code, 0 without one (hung up), -1 when it does not close.
+  /// Reads on until the server closes; its code, 0 without one (hung up), -1 when it does not
+  /// close.
   int close_code(double patience = 5.0);
   const std::string& close_reason() const { return close_reason_; }
 

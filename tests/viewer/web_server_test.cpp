@@ -23,7 +23,8 @@ using test::http_exchange;
 using test::WebClient;
 using test::WebGreeting;
 
-/// A server of one file that says back what it hears and offers `load` bytes to each page at each tick.
+/// A server of one file that says back what it hears and offers `load` bytes to each page at each
+/// tick.
 struct Bench {
   std::size_t load = 0;
   std::atomic<int> opened{0}, closed{0}, heard{0};
@@ -217,8 +218,10 @@ TEST(WebServer, ConnectionsThatAskForNothingLockNobodyOut) {
   std::vector<IdleConnection> idle;
   idle.reserve(40);
   for (int i = 0; i < 40; ++i) idle.emplace_back(b.port());
-  EXPECT_NE(http_exchange(b.port(), "GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n").find("200 OK"),
-            std::string::npos);
+  EXPECT_NE(
+      http_exchange(b.port(), "GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n")
+          .find("200 OK"),
+      std::string::npos);
   WebClient another(b.port());
   EXPECT_EQ(another.status(), 101);
   page.send_text("still here");  // it asked for something, so it keeps its place

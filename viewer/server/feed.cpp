@@ -36,8 +36,8 @@ void LiveFeed::begin_session(const Workspace& workspace) noexcept {
 }
 
 void LiveFeed::look_at(const HapticSample& s) {
-  // The grasp is taken at the body's state before the step: that of the frame before. Where that frame is not known,
-  // as after a seek, a step's way is what the ghost is off by.
+  // The grasp is taken at the body's state before the step: that of the frame before. Where that
+  // frame is not known, as after a seek, a step's way is what the ghost is off by.
   if (s.is_grasped && !was_grasped_) {
     const Pose before = next_frame_ > 0 && s.frame == next_frame_ ? last_body_ : pose_of(s.body);
     body_from_grasp_ = inverse(before) * s.handle.pose;

@@ -22,8 +22,8 @@ struct HapticNow {
 };
 
 /// Between the thread that drains a session's telemetry and the thread that serves pages.
-/// Thread: look_at from the draining thread, everything else from the serving one. Sessions may follow
-/// each other, one at a time.
+/// Thread: look_at from the draining thread, everything else from the serving one. Sessions may
+/// follow each other, one at a time.
 class LiveFeed {
  public:
   explicit LiveFeed(const Workspace& workspace) : workspace_(workspace) {}
@@ -40,7 +40,8 @@ class LiveFeed {
   void take_query_times(std::vector<double>& times);
   /// Moves all events that wait to the end of `events`.
   void take_events(std::vector<SessionEvent>& events);
-  /// Nothing of what has come so far is shown any more: another scene comes. Rows and events that wait stay.
+  /// Nothing of what has come so far is shown any more: another scene comes. Rows and events that
+  /// wait stay.
   void forget();
   /// The newest frame; null before the first.
   const HapticNow* haptic();

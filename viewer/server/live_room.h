@@ -37,15 +37,15 @@ struct LiveStart {
   bool is_simulated = true;  // may be paused: there is no motor
   std::string recording{};   // file being written; "" none
   bool is_lockstep = false;
-  PageId holder = 0;  // page that holds `web:` from the start; 0 none
+  PageId holder = 0;                     // page that holds `web:` from the start; 0 none
   std::optional<GainTask> gains{};       // what stiffnesses are judged for; nothing: no warnings
   std::vector<LiveParameter> choices{};  // parameters that are the program's business
   std::string replay{};                  // recording that is shown instead of a session; "" none
   double replay_seconds = 0.0;           // its length [s]
 };
 
-/// Serves one scene. Threads: one of its own for the server; look_at_* are called by the thread that
-/// drains a session's telemetry, all else by the program's.
+/// Serves one scene. Threads: one of its own for the server; look_at_* are called by the thread
+/// that drains a session's telemetry, all else by the program's.
 /// Invariant: nothing that a page does or fails to do makes a caller wait.
 class LiveRoom {
  public:
@@ -64,8 +64,8 @@ class LiveRoom {
   std::string address() const;
   std::uint16_t port() const;
 
-  /// Another scene, between sessions; as for the constructor. Waits until nothing of the one before is in use, a tick
-  /// of the server at most.
+  /// Another scene, between sessions; as for the constructor. Waits until nothing of the one before
+  /// is in use, a tick of the server at most.
   void show(SceneView scene, const SessionConfig& config, const Pose& start);
   /// What pages may open.
   void offer(const OpenMenu& menu);
@@ -85,7 +85,8 @@ class LiveRoom {
   /// them from here to begin_session.
   void prepare_session(SessionConfig& config);
   void begin_session(const LiveStart& start);
-  /// The recording has ended before its session: pages may change again what it kept them from. Any thread.
+  /// The recording has ended before its session: pages may change again what it kept them from. Any
+  /// thread.
   void lose_recording();
   /// reason: "fault", "duration", "device_finished", "stopped".
   void end_session(const std::string& reason, std::uint64_t dropped_samples);

@@ -13,8 +13,8 @@ using Json = nlohmann::ordered_json;
 struct CommandForm {
   const char* type;
   Command::Kind kind;
-  bool has_flag, has_number;   // `value` is one
-  const char* text_key;        // where a text is; "" without
+  bool has_flag, has_number;  // `value` is one
+  const char* text_key;       // where a text is; "" without
 };
 
 constexpr CommandForm kForms[] = {{"hold", Command::Kind::hold, true, false, ""},
@@ -47,7 +47,8 @@ void add_pose(Json& json, const Pose& pose) {
   json["quat_xyzw"] = quaternion(pose.orientation);
 }
 
-/// What a page can show of each level: a surface of its own, or for free levels groups of the finest patches.
+/// What a page can show of each level: a surface of its own, or for free levels groups of the
+/// finest patches.
 Json level_list_json(const SceneBodyView& body) {
   Json list = Json::array();
   for (std::size_t i = 0; i < body.hierarchy->levels.size(); ++i) {
@@ -55,7 +56,7 @@ Json level_list_json(const SceneBodyView& body) {
     const bool has_mesh = i < body.meshes.size() && !level.is_free;
     list.push_back({{"free", level.is_free},
                     {"triangles", has_mesh ? body.meshes[i].triangles.size() : 0},
-                    {"patches", i == 0 ? body.hierarchy->patches.size()
+                    {"patches", i == 0     ? body.hierarchy->patches.size()
                                 : has_mesh ? static_cast<std::size_t>(level.patch_count)
                                            : static_cast<std::size_t>(level.node_count)},
                     {"deviation", has_mesh ? finite(level.deviation_max) : Json(nullptr)}});
@@ -65,14 +66,10 @@ Json level_list_json(const SceneBodyView& body) {
 
 Json body_json(const SceneBodyView& body, std::size_t mesh) {
   const ClodHierarchy& h = *body.hierarchy;
-  return {{"name", body.name},
-          {"mesh", mesh},
-          {"radius", h.radius},
-          {"center", vector(h.center)},
-          {"levels", h.levels.size()},
-          {"triangles", body.meshes.front().triangles.size()},
-          {"patches", h.patches.size()},
-          {"level_list", level_list_json(body)}};
+  return {{"name", body.name},           {"mesh", mesh},
+          {"radius", h.radius},          {"center", vector(h.center)},
+          {"levels", h.levels.size()},   {"triangles", body.meshes.front().triangles.size()},
+          {"patches", h.patches.size()}, {"level_list", level_list_json(body)}};
 }
 
 Json micro(double p50, double p99) {
@@ -81,7 +78,8 @@ Json micro(double p50, double p99) {
 }
 
 Json trouble_json(const Trouble& trouble) {
-  return {{"name", trouble.name}, {"time", finite(trouble.time)}, {"text", text_or_null(trouble.text)}};
+  return {
+      {"name", trouble.name}, {"time", finite(trouble.time)}, {"text", text_or_null(trouble.text)}};
 }
 
 const char* kind_name(ParameterKind kind) {
@@ -211,20 +209,20 @@ std::string parameters_message(const std::vector<LiveParameter>& list) {
 std::string state_message(const RunState& s, const Timing& t, std::string_view holder,
                           std::uint64_t dropped_yours, std::uint64_t dropped_rows,
                           std::uint64_t dropped_samples) {
-  Json json = {{"type", "state"},
-               {"session", s.session},
-               {"run", s.run},
-               {"reason", text_or_null(s.reason)},
-               {"time", finite(s.time)},
-               {"device", s.device},
-               {"devices", s.devices},
-               {"holder", std::string(holder)},
-               {"recording", text_or_null(s.recording)},
-               {"replay", s.replay.empty()
-                              ? Json(nullptr)
-                              : Json{{"file", s.replay}, {"seconds", s.replay_seconds}}},
-               {"pages", s.pages},
-               {"simulated", s.is_simulated}};
+  Json json = {
+      {"type", "state"},
+      {"session", s.session},
+      {"run", s.run},
+      {"reason", text_or_null(s.reason)},
+      {"time", finite(s.time)},
+      {"device", s.device},
+      {"devices", s.devices},
+      {"holder", std::string(holder)},
+      {"recording", text_or_null(s.recording)},
+      {"replay",
+       s.replay.empty() ? Json(nullptr) : Json{{"file", s.replay}, {"seconds", s.replay_seconds}}},
+      {"pages", s.pages},
+      {"simulated", s.is_simulated}};
   json["fault"] = s.fault.name.empty() ? Json(nullptr) : trouble_json(s.fault);
   json["late"] = s.lates == 0 ? Json(nullptr) : trouble_json(s.late);
   if (s.lates > 0) json["late"]["count"] = s.lates;

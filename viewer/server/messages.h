@@ -18,15 +18,28 @@ namespace thigma::live {
 
 /// What a page asks for.
 struct Command {
-  enum class Kind : std::uint8_t { hold, use_device, pause, step, reset, record, set, level, open, seek, upload,
-                                   place };
+  enum class Kind : std::uint8_t {
+    hold,
+    use_device,
+    pause,
+    step,
+    reset,
+    record,
+    set,
+    level,
+    open,
+    seek,
+    upload,
+    place
+  };
   Kind kind = Kind::reset;
   std::int64_t id = 0;
-  bool flag = false;    // of hold, pause, record; of place: repair
-  double number = 0.0;  // of step, set, level, seek; of upload: bytes; of place: metres per unit
+  bool flag = false;      // of hold, pause, record; of place: repair
+  double number = 0.0;    // of step, set, level, seek; of upload: bytes; of place: metres per unit
   std::int64_t mesh = 0;  // of level: the mesh's number
-  std::string text;     // of use_device: the device; of set: the parameter; of open: what; of upload: a file's name; of
-                        // place: "hold" or "touch"
+  // of use_device: the device; of set: the parameter; of open: what; of upload: a file's name; of
+  // place: "hold" or "touch"
+  std::string text;
 };
 
 /// A message of a page, or why it is none.
@@ -39,7 +52,8 @@ ParsedCommand parse_command(std::string_view text);
 /// A body of the scene as it is shown. Meshes and hierarchy outlive the room.
 struct SceneBodyView {
   std::string name;
-  std::span<const TriangleMesh> meshes;  // of the levels that are not free, finest first; one at least
+  // of the levels that are not free, finest first; one at least
+  std::span<const TriangleMesh> meshes;
   const ClodHierarchy* hierarchy = nullptr;
   Pose world_from_mesh;  // of static ones
 };
@@ -62,8 +76,8 @@ struct OpenMenu {
 
 /// What a session was told of a fault, or of something late that was ridden out.
 struct Trouble {
-  std::string name;  // of the fault; "": none
-  std::string text;  // more, for people
+  std::string name;   // of the fault; "": none
+  std::string text;   // more, for people
   double time = 0.0;  // [s; session clock]
 };
 
@@ -75,8 +89,8 @@ struct RunState {
   double time = 0.0;
   std::string device;
   std::vector<std::string> devices;
-  std::string recording;  // being written; "" for null
-  std::string replay;     // being shown instead of a session; "" for null
+  std::string recording;        // being written; "" for null
+  std::string replay;           // being shown instead of a session; "" for null
   double replay_seconds = 0.0;  // its length [s]
   bool is_simulated = true;
   std::size_t pages = 0;

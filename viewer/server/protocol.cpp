@@ -63,7 +63,8 @@ std::uint32_t counted(std::int64_t n) {
 /// Gives the triangles of a patch its number.
 void mark_patch(const ClodHierarchy& h, const ClodPatch& patch, std::uint32_t number,
                 std::vector<std::uint32_t>& patch_of) {
-  for (std::int32_t i = patch.first_triangle; i < patch.first_triangle + patch.triangle_count; ++i) {
+  for (std::int32_t i = patch.first_triangle; i < patch.first_triangle + patch.triangle_count;
+       ++i) {
     const auto triangle = static_cast<std::size_t>(h.triangle_ids[static_cast<std::size_t>(i)]);
     if (triangle < patch_of.size()) patch_of[triangle] = number;
   }

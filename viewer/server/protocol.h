@@ -18,7 +18,14 @@ namespace thigma::live {
 
 inline constexpr int kProtocol = 1;
 
-enum class MessageKind : std::uint8_t { mesh = 1, channels = 2, snapshot = 3, level = 4, device = 32, upload = 33 };
+enum class MessageKind : std::uint8_t {
+  mesh = 1,
+  channels = 2,
+  snapshot = 3,
+  level = 4,
+  device = 32,
+  upload = 33
+};
 
 /// A column of `channels`.
 struct Channel {
@@ -48,7 +55,14 @@ struct ChannelRow {
   std::array<float, kChannels - 1> values{};
 };
 
-enum StateBit : std::uint16_t { kGrasped = 1, kArmed = 2, kFaulty = 4, kPaused = 8, kEnded = 16, kFading = 32 };
+enum StateBit : std::uint16_t {
+  kGrasped = 1,
+  kArmed = 2,
+  kFaulty = 4,
+  kPaused = 8,
+  kEnded = 16,
+  kFading = 32
+};
 
 /// A cluster as it is shown.
 struct ViewedCluster {
@@ -90,8 +104,8 @@ std::string encode_level(std::uint32_t mesh_number, std::int32_t level, const Tr
 /// `channels`, of at least one row.
 std::string encode_channels(std::span<const ChannelRow> rows);
 
-/// `snapshot`. What is not finite goes as NaN; contacts and clusters beyond the protocol's number are
-/// left out.
+/// `snapshot`. What is not finite goes as NaN; contacts and clusters beyond the protocol's number
+/// are left out.
 std::string encode_snapshot(const Snapshot& snapshot);
 
 /// The samples of a `device` message, or why it is none: one line for the page.

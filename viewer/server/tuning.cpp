@@ -42,7 +42,8 @@ LiveParameter switchable(const char* name, const char* label, const char* unit, 
   return p;
 }
 
-/// The same spring with another stiffness: it levels off at the same force, from the same share of it on.
+/// The same spring with another stiffness: it levels off at the same force, from the same share of
+/// it on.
 Saturation restiffened(const Saturation& s, double stiffness) {
   if (stiffness == s.stiffness) return s;  // to the last bit
   return make_saturation(stiffness, s.linear_range * s.stiffness / stiffness, s.max_force);
@@ -86,24 +87,25 @@ void Tuner::add_resolution(const SessionConfig& config) {
   constexpr double kRadii = 4.0, kHeight = 0.536, kPixels = 720.0;
   const double radius = config.contact.object != nullptr ? config.contact.object->radius : 1.0;
   from_afar_ = {0.0, kRadii * radius, kHeight, 1.0, kPixels};
-  list_.push_back(switchable(
-      "threshold", "error threshold", "",
-      "of the levels of detail, as a share of the smaller radius: larger is coarser",
-      r.metric.haptic, 0.001, 0.2));
+  list_.push_back(
+      switchable("threshold", "error threshold", "",
+                 "of the levels of detail, as a share of the smaller radius: larger is coarser",
+                 r.metric.haptic, 0.001, 0.2));
   list_.push_back(switchable("velocity_metric", "speed metric", "s",
                              "coarser where surfaces pass fast: error allowed for each m/s",
                              r.metric.velocity, 0.001, 0.2));
-  list_.push_back(switchable(
-      "view_metric", "view metric", "px",
-      "errors no larger than this on a picture 720 pixels high from some four radii away are allowed",
-      r.metric.view.pixels, 0.25, 50.0));
-  list_.push_back(switchable(
-      "deviation_cap", "deviation cap", "",
-      "most surface deviation of a contact, as a share of the smaller radius, whatever the metrics allow",
-      std::isfinite(r.deviation_cap) ? r.deviation_cap : 0.0, 0.002, 0.2));
-  list_.push_back(switchable("budget_us", "time budget", "\u00b5s",
-                             "CPU time of a contact query; what is left coarse for it shows in the bounds",
-                             1e6 * r.budget_cpu, 20.0, 20000.0));
+  list_.push_back(switchable("view_metric", "view metric", "px",
+                             "errors no larger than this on a picture 720 pixels high from some "
+                             "four radii away are allowed",
+                             r.metric.view.pixels, 0.25, 50.0));
+  list_.push_back(switchable("deviation_cap", "deviation cap", "",
+                             "most surface deviation of a contact, as a share of the smaller "
+                             "radius, whatever the metrics allow",
+                             std::isfinite(r.deviation_cap) ? r.deviation_cap : 0.0, 0.002, 0.2));
+  list_.push_back(
+      switchable("budget_us", "time budget", "\u00b5s",
+                 "CPU time of a contact query; what is left coarse for it shows in the bounds",
+                 1e6 * r.budget_cpu, 20.0, 20000.0));
 }
 
 const LiveParameter* Tuner::find(const std::string& name) const {
@@ -170,7 +172,8 @@ std::string Tuner::set(const std::string& name, double wanted) {
   // Sliders come to their ends by rounding.
   constexpr double kRounding = 1e-6;
   const bool is_off = found->kind == ParameterKind::optional && wanted == 0.0;
-  if (!is_off && !(wanted >= found->min * (1.0 - kRounding) && wanted <= found->max * (1.0 + kRounding))) {
+  if (!is_off &&
+      !(wanted >= found->min * (1.0 - kRounding) && wanted <= found->max * (1.0 + kRounding))) {
     return found->label + " goes from " + number(found->min) + " to " + number(found->max) +
            (found->unit.empty() ? "" : " ") + found->unit +
            (found->kind == ParameterKind::optional ? ", or is off" : "");

@@ -11,7 +11,8 @@
 
 namespace thigma::live {
 
-/// How a parameter is set: a number; a number or 0, which turns it off; one of several words, by its index.
+/// How a parameter is set: a number; a number or 0, which turns it off; one of several words, by
+/// its index.
 enum class ParameterKind : std::uint8_t { number, optional, choice };
 
 /// A parameter as a page shows it.
@@ -21,19 +22,19 @@ struct LiveParameter {
   std::vector<std::string> choices;  // of a choice
   double value = 0.0, min = 0.0, max = 0.0;
   bool is_log = true;
-  bool is_replayed = true;  // a recording can be replayed only if it does not change
+  bool is_replayed = true;    // a recording can be replayed only if it does not change
   bool begins_again = false;  // to change it takes a new session
-  std::string locked;       // why it cannot be changed now; "" when it can
-  std::string warning{};    // what its value risks; ""
+  std::string locked;         // why it cannot be changed now; "" when it can
+  std::string warning{};      // what its value risks; ""
 };
 
-/// Gains and resolution of a session that change by name. Dampings follow, so that every damping ratio stays. What
-/// the frames cannot follow is refused; what is outside the limits of docs/gains.md gets a warning.
-/// Thread: any one at a time.
+/// Gains and resolution of a session that change by name. Dampings follow, so that every damping
+/// ratio stays. What the frames cannot follow is refused; what is outside the limits of
+/// docs/gains.md gets a warning. Thread: any one at a time.
 class Tuner {
  public:
-  /// config.haptic.device is the device's; its stiffness limits bind, unless the scene goes beyond them
-  /// itself.
+  /// config.haptic.device is the device's; its stiffness limits bind, unless the scene goes beyond
+  /// them itself.
   explicit Tuner(const SessionConfig& config);
 
   const std::vector<LiveParameter>& list() const { return list_; }

@@ -1,6 +1,6 @@
 #pragma once
-// HTTP and WebSocket on one loopback port: files that are part of the program, and messages to and from
-// pages. What the messages mean is not known here.
+// HTTP and WebSocket on one loopback port: files that are part of the program, and messages to and
+// from pages. What the messages mean is not known here.
 
 #include <cstdint>
 #include <functional>
@@ -40,8 +40,8 @@ struct Refusal {
   std::string why;  // at most 120 bytes are told
 };
 
-/// What the server asks of those who know the content. All are called from the server's thread and none
-/// throws.
+/// What the server asks of those who know the content. All are called from the server's thread and
+/// none throws.
 struct WebHandlers {
   std::function<void(PageId)> opened;
   std::function<void(PageId)> closed;
@@ -51,13 +51,13 @@ struct WebHandlers {
 
 struct WebLimits {
   std::size_t pages = 8;
-  std::size_t connections = 64;      // pages and HTTP together
-  std::size_t message_bytes = 65536;  // of a page's
-  int messages_per_second = 1000;    // of a page's
-  std::size_t waiting = 256;         // messages to a page that it has not taken yet
+  std::size_t connections = 64;          // pages and HTTP together
+  std::size_t message_bytes = 65536;     // of a page's
+  int messages_per_second = 1000;        // of a page's
+  std::size_t waiting = 256;             // messages to a page that it has not taken yet
   std::size_t waiting_bytes = 1u << 20;  // of these, with which a page is not sent a level more
-  double silence = 10.0;             // without an answer to pings a page is gone [s]
-  double tick = 1.0 / 60.0;          // [s]
+  double silence = 10.0;                 // without an answer to pings a page is gone [s]
+  double tick = 1.0 / 60.0;              // [s]
 };
 
 /// The port cannot be had.
@@ -66,11 +66,11 @@ class PortUnavailable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The server and its one thread, which never waits for a page: what a page does not take is dropped or
-/// ends the page.
+/// The server and its one thread, which never waits for a page: what a page does not take is
+/// dropped or ends the page.
 /// Invariant: bound to a loopback address only; from construction to stop() the port is open.
-/// Thread: constructor, start, stop, destructor and post from any; everything else from handlers and
-/// posted work.
+/// Thread: constructor, start, stop, destructor and post from any; everything else from handlers
+/// and posted work.
 class WebServer {
  public:
   /// port 0: any free one. Throws PortUnavailable.
@@ -88,13 +88,15 @@ class WebServer {
   /// Runs `work` on the server's thread; not at all once it has stopped.
   void post(std::function<void()> work);
 
-  /// Puts a message in the page's queue; a page whose queue is full is closed. Unknown pages: nothing.
+  /// Puts a message in the page's queue; a page whose queue is full is closed. Unknown pages:
+  /// nothing.
   void send(PageId page, std::string message, bool is_binary);
-  /// Sends all of these (binary) when the page has taken everything before; otherwise none, counted.
+  /// Sends all of these (binary) when the page has taken everything before; otherwise none,
+  /// counted.
   bool offer(PageId page, std::span<const std::string> messages);
   std::size_t waiting_bytes(PageId page) const;  // of what it has not taken yet
-  std::uint64_t dropped(PageId page) const;  // offers that were not taken
-  std::vector<PageId> pages() const;         // open ones
+  std::uint64_t dropped(PageId page) const;      // offers that were not taken
+  std::vector<PageId> pages() const;             // open ones
 
  private:
   struct Impl;

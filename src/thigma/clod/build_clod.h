@@ -13,9 +13,10 @@ namespace thigma {
 struct ClodParams {
   DecompositionParams decomposition;
   SimplifyParams simplify;
-  double contact_tolerance = 0.004;  // within which faces count as support of a vertex (Sec. 3.3.5); times the radius
-  int threads = 1;                  // for the parameters; the loop of simplification is serial
-  bool is_reparented = true;        // parents by geometry; false: by merging, as in the text
+  // within which faces count as support of a vertex (Sec. 3.3.5); times the radius
+  double contact_tolerance = 0.004;
+  int threads = 1;                // for the parameters; the loop of simplification is serial
+  bool is_reparented = true;      // parents by geometry; false: by merging, as in the text
   bool has_culling_hulls = true;  // nodes bounded by hulls of the finest surface below them; false:
                                   // by their own patch and h, as in the text
 };

@@ -11,18 +11,18 @@ namespace thigma {
 
 /// Violations of the invariants of ConvexDecomposition and ClodHierarchy.
 struct HierarchyCheck {
-  std::int64_t misplaced_nodes =
-      0;  // children not contiguous after the node, or node not below the root once
-  std::int64_t misplaced_triangles =
-      0;  // with an area and not in exactly one patch, or without one and in a patch
+  // children not contiguous after the node, or node not below the root once
+  std::int64_t misplaced_nodes = 0;
+  // with an area and not in exactly one patch, or without one and in a patch
+  std::int64_t misplaced_triangles = 0;
   std::int64_t wrong_corners = 0;  // hull triangles that are not the mesh's triangle of that index
   std::int64_t reflex_edges = 0;   // inside a patch, beyond the convexity tolerance
   std::int64_t off_hull = 0;       // triangles with a vertex of their patch over their plane
-  std::int64_t protruding_patches =
-      0;                            // a triangle of the same shell reaches into the patch's hull
+  // a triangle of the same shell reaches into the patch's hull
+  std::int64_t protruding_patches = 0;
   std::int64_t wrong_features = 0;  // real faces or edges that do not bound their hull
-  std::int64_t uncovered_nodes =
-      0;  // a descendant's vertex is farther from the hull than h, or off the sphere
+  // a descendant's vertex is farther from the hull than h, or off the sphere
+  std::int64_t uncovered_nodes = 0;
   double worst_uncovered = 0.0;  // largest such excess [m]
 
   std::int64_t total() const {

@@ -32,8 +32,8 @@ struct ClodOrigin {
 };
 
 /// A hierarchy as it is kept in a file.
-/// Invariant: `meshes` is empty, or has one mesh for each level that is not free; triangle_ids of a patch index
-/// the mesh of its level.
+/// Invariant: `meshes` is empty, or has one mesh for each level that is not free; triangle_ids of a
+/// patch index the mesh of its level.
 struct ClodAsset {
   ClodHierarchy hierarchy;
   std::vector<TriangleMesh> meshes;
@@ -49,14 +49,15 @@ struct ClodAsset {
 ClodAsset build_clod_asset(const TriangleMesh& mesh, const ClodParams& params = {},
                            ClodReport* report = nullptr);
 
-/// Of each triangle of a level's mesh: its patch, -1 without one (m). Level 0: into hierarchy.patches; simplified
-/// levels: into hierarchy.contact_patches.
+/// Of each triangle of a level's mesh: its patch, -1 without one (m). Level 0: into
+/// hierarchy.patches; simplified levels: into hierarchy.contact_patches.
 /// level  with a mesh
 /// Thread [offline].
 std::vector<std::int32_t> patches_of_triangles(const ClodAsset& asset, std::int32_t level);
 
-/// Multiplies all lengths by a factor, as if the mesh had been scaled before: positions, s, h, thickness and planes
-/// by it, r by its inverse, D by its square. Equal to building the scaled mesh to rounding.
+/// Multiplies all lengths by a factor, as if the mesh had been scaled before: positions, s, h,
+/// thickness and planes by it, r by its inverse, D by its square. Equal to building the scaled mesh
+/// to rounding.
 ///
 /// factor  > 0 and finite
 /// Thread  [offline]; no failure.

@@ -1,5 +1,6 @@
-// Arrays of packed records, written and read field by field after the lists of detail/clod_fields.h. Nothing
-// is followed while reading: bytes go into arrays, and then the arrays are checked.
+// Arrays of packed records, written and read field by field after the lists of
+// detail/clod_fields.h. Nothing is followed while reading: bytes go into arrays, and then the
+// arrays are checked.
 
 #include "thigma/clod/clod_file.h"
 
@@ -77,7 +78,8 @@ struct Totals {
   }
 };
 
-// ---- writing -------------------------------------------------------------------------------------------
+// ---- writing
+// ------------------------------------------------------------
 
 struct Writer {
   ChunkWriter& file;
@@ -134,7 +136,8 @@ JoinedMeshes join(const std::vector<TriangleMesh>& meshes) {
   return all;
 }
 
-// ---- reading -------------------------------------------------------------------------------------------
+// ---- reading
+// ------------------------------------------------------------
 
 /// Fills what it is shown from the chunk of that name. Throws InputError.
 struct Reader {

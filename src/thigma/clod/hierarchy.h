@@ -15,8 +15,8 @@ namespace thigma {
 struct ClodNode {
   Vec3 center = Vec3::Zero();  // of the bounding sphere of the hull [m; body frame]
   double radius = 0.0;         // of that sphere [m]
-  double hausdorff =
-      0.0;  // h: how far any descendant's surface reaches outside this hull, at most [m]
+  // h: how far any descendant's surface reaches outside this hull, at most [m]
+  double hausdorff = 0.0;
   std::int32_t first_child = -1;  // children are contiguous
   std::int32_t child_count = 0;   // 0: a finest patch
   std::int32_t level = 0;         // 0 finest; of the simplified or free level the node belongs to
@@ -52,8 +52,9 @@ struct ClodContactPatch {
                            // one, at most; raised where s + h would not cover the next two [m]
   double from_below = 0.0;  // no point of the finest patches below its node is farther from the
                             // triangles of the patch [m]
-  double to_below = 0.0;    // no point of its triangles is farther from the finest patches below its
-                            // node; 0 without a node [m]
+  // no point of its triangles is farther from the finest patches below its node; 0 without a node
+  // [m]
+  double to_below = 0.0;
 };
 
 /// What a level is.
@@ -88,11 +89,11 @@ struct ClodHierarchy {
   // to_below of each vertex and triangle of contact patches alone, 0 of others; empty without
   // simplified levels (vertices, hull_triangles) [m].
   std::vector<float> vertex_to_below, triangle_to_below;
-  std::vector<std::array<double, 2>> support;     // D by SupportReading, of the vertices of finest
-                                                  // and contact patches; 0 of others; empty without
-                                                  // simplified levels (vertices) [m^2]
-  std::vector<Vec3> vertices;                     // hull vertices of all nodes [m; body frame]
-  AlignedFloats lanes;  // see HullView; 32-byte aligned start of every node
+  std::vector<std::array<double, 2>> support;  // D by SupportReading, of the vertices of finest
+                                               // and contact patches; 0 of others; empty without
+                                               // simplified levels (vertices) [m^2]
+  std::vector<Vec3> vertices;                  // hull vertices of all nodes [m; body frame]
+  AlignedFloats lanes;                         // see HullView; 32-byte aligned start of every node
   std::vector<RealFace> faces;
   std::vector<RealEdge> edges;
   std::vector<HullTriangle> hull_triangles;
@@ -123,8 +124,8 @@ inline HullView hull_view(const ClodHierarchy& h, std::int32_t node) noexcept {
   return v;
 }
 
-/// The surface of a node at its own level of detail: a finest or a contact patch; the bounding hull of a
-/// free node. Valid while the hierarchy lives.
+/// The surface of a node at its own level of detail: a finest or a contact patch; the bounding hull
+/// of a free node. Valid while the hierarchy lives.
 /// Thread    [haptic] [contact].
 inline HullView contact_view(const ClodHierarchy& h, std::int32_t node) noexcept {
   const std::int32_t contact = h.nodes[static_cast<std::size_t>(node)].contact;

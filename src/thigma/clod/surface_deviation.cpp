@@ -12,9 +12,9 @@
 namespace thigma {
 namespace {
 
-constexpr int kDivisions = 6;        // of a triangle into four, one after the other
-constexpr int kFirstSamples = 4;     // of an edge of a triangle that has to be divided
-constexpr double kTightness = 1.1;   // of the bound over the largest distance met
+constexpr int kDivisions = 6;       // of a triangle into four, one after the other
+constexpr int kFirstSamples = 4;    // of an edge of a triangle that has to be divided
+constexpr double kTightness = 1.1;  // of the bound over the largest distance met
 
 double distance_to(const DeviationTarget& target, const Vec3& p, std::int32_t t) {
   const auto& v = target.mesh->triangles[at(t)];
@@ -154,13 +154,15 @@ double radius_about(const Vec3& middle, const std::array<Vec3, 3>& c) {
 /// What a part has to stay below to be done.
 double enough(const DeviationRange& range) { return std::max(range.bound, kTightness * range.met); }
 
-double farthest_corner(const DeviationTarget& target, const std::array<Vec3, 3>& c, std::int32_t t) {
+double farthest_corner(const DeviationTarget& target, const std::array<Vec3, 3>& c,
+                       std::int32_t t) {
   double farthest = 0.0;
   for (const Vec3& p : c) farthest = std::max(farthest, distance_to(target, p, t));
   return farthest;
 }
 
-/// Bound over a part; extends range.met. Its bound stays: what a sibling was allowed must not loosen this one.
+/// Bound over a part; extends range.met. Its bound stays: what a sibling was allowed must not
+/// loosen this one.
 double bound_by_division(const DeviationTarget& target, const std::array<Vec3, 3>& c, double reach,
                          int divisions, std::int32_t nearest, DeviationRange& range) {
   const Vec3 middle = (c[0] + c[1] + c[2]) / 3.0;
@@ -175,11 +177,13 @@ double bound_by_division(const DeviationTarget& target, const std::array<Vec3, 3
       {{c[0], ab, ca}, {ab, c[1], bc}, {ca, bc, c[2]}, {ab, bc, ca}}};
   double largest = 0.0;
   for (const auto& part : parts)
-    largest = std::max(largest, bound_by_division(target, part, reach, divisions - 1, nearest, range));
+    largest =
+        std::max(largest, bound_by_division(target, part, reach, divisions - 1, nearest, range));
   return std::min(bound, largest);
 }
 
-/// Distances of points spread over a triangle, so that parts measured first are not measured closer than they need be.
+/// Distances of points spread over a triangle, so that parts measured first are not measured closer
+/// than they need be.
 void meet_samples(const DeviationTarget& target, const std::array<Vec3, 3>& c, std::int32_t nearest,
                   DeviationRange& range) {
   for (int i = 0; i <= kFirstSamples; ++i)

@@ -21,7 +21,8 @@ DeviationTarget build_deviation_target(const TriangleMesh& mesh);
 /// Distance from p to the surface, and the triangle it is nearest to; `nearest` is a first guess.
 double nearest_distance(const DeviationTarget& target, const Vec3& p, std::int32_t& nearest);
 
-/// What is known of the largest distance of several triangles from a surface: met <= that distance <= bound [m].
+/// What is known of the largest distance of several triangles from a surface: met <= that distance
+/// <= bound [m].
 struct DeviationRange {
   double met = 0.0;    // of some point
   double bound = 0.0;  // of all points
@@ -31,9 +32,10 @@ struct DeviationRange {
 ///
 /// Where the surface lies over the triangle in one sheet, it is cut along the triangle's prism, and
 /// the distance along the normal, linear on every piece, has its largest value at a corner of a
-/// piece. Elsewhere, and where that distance is slanted, the triangle is divided until every part is bounded
-/// to a tenth above `met`: by that distance, by the distance of its corners to one triangle of the surface, a convex
-/// function, or by the distance of its middle and its size; at most 4^6 parts.
+/// piece. Elsewhere, and where that distance is slanted, the triangle is divided until every part
+/// is bounded to a tenth above `met`: by that distance, by the distance of its corners to one
+/// triangle of the surface, a convex function, or by the distance of its middle and its size; at
+/// most 4^6 parts.
 ///
 /// reach    about the largest deviation to expect [m]: sheets farther along the normal are not
 ///          looked at; larger deviations are found too, slower

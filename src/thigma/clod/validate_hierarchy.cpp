@@ -16,7 +16,8 @@ using detail::Range;
 
 // Searches of a tree recurse. Levels of detail need a few dozen, chains of merges a few more.
 constexpr std::int32_t kMostLevels = 4096;
-// A traversal keeps the siblings of every node of a way down. Trees of levels are far below this times their nodes.
+// A traversal keeps the siblings of every node of a way down. Trees of levels are far below this
+// times their nodes.
 constexpr std::int64_t kMostWaiting = 64, kLeastWaiting = 65536;
 // Fifth powers stay finite (as kMaxCoordinate of meshes).
 constexpr double kMostLength = 1e51;
@@ -89,7 +90,8 @@ struct FiniteCheck {
   }
 };
 
-// ---- tree ----------------------------------------------------------------------------------------------
+// ---- tree
+// ------------------------------------------------------------
 
 bool check_node(Flaws& f, std::size_t i) {
   const ClodNode& n = f.h.nodes[i];
@@ -156,7 +158,8 @@ bool check_tree(Flaws& f) {
                  "few siblings on a way down");
 }
 
-// ---- hulls ---------------------------------------------------------------------------------------------
+// ---- hulls
+// ------------------------------------------------------------
 
 /// Vertices, lanes and sphere of a node or contact patch.
 template <class Hull>
@@ -236,7 +239,8 @@ bool check_patch(Flaws& f, const ClodPatch& p, std::int32_t vertex_count,
                  "its own vertices and a triangle of its level");
 }
 
-// ---- levels --------------------------------------------------------------------------------------------
+// ---- levels
+// ------------------------------------------------------------
 
 bool check_levels(Flaws& f) {
   const std::vector<ClodLevel>& levels = f.h.levels;

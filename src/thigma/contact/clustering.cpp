@@ -7,14 +7,16 @@
 
 #include "thigma/math/infinity.h"
 
-// Sec. 5.4.2: Lloyd's method on the contact points, each weighing depth + d. Old clusters seed new ones by closest
-// pairs, further seeds are the furthest contacts. Distances are kept in arrays of their own, cluster by cluster, so
-// that a pass over tens of thousands of contacts is a few vector instructions each.
+// Sec. 5.4.2: Lloyd's method on the contact points, each weighing depth + d. Old clusters seed new
+// ones by closest pairs, further seeds are the furthest contacts. Distances are kept in arrays of
+// their own, cluster by cluster, so that a pass over tens of thousands of contacts is a few vector
+// instructions each.
 
 namespace thigma {
 namespace {
 
-// Length of a mean of unit normals below which they oppose each other: rounding of the mean, no direction left.
+// Length of a mean of unit normals below which they oppose each other: rounding of the mean, no
+// direction left.
 constexpr double kOpposing = 1e-9;
 
 struct Seeds {
@@ -72,16 +74,18 @@ void take(ClusterScratch& s, std::int32_t contact, std::int32_t id, Seeds& seeds
   seeds.z[k] = s.z[c];
 }
 
-// First half of Alg. 5.4.2: the closest (contact, old cluster) pair, again and again. Ties go to the lowest contact,
-// then to the lowest (deepest) old cluster. An old cluster's nearest contact changes only when it is taken.
-void seed_from_previous(const ContactClusters& previous, std::size_t n, std::size_t m, ClusterScratch& s,
-                        Seeds& seeds) noexcept {
+// First half of Alg. 5.4.2: the closest (contact, old cluster) pair, again and again. Ties go to
+// the lowest contact, then to the lowest (deepest) old cluster. An old cluster's nearest contact
+// changes only when it is taken.
+void seed_from_previous(const ContactClusters& previous, std::size_t n, std::size_t m,
+                        ClusterScratch& s, Seeds& seeds) noexcept {
   std::array<const ContactCluster*, kMaxContactClusters> old{};
   std::size_t l = 0;
   for (const ContactCluster& c : previous.clusters) old[l++] = &c;
   // Insertion sort: stable without the buffer that std::stable_sort would allocate.
   for (std::size_t i = 1; i < l; ++i) {
-    for (std::size_t j = i; j > 0 && old[j]->depth > old[j - 1]->depth; --j) std::swap(old[j], old[j - 1]);
+    for (std::size_t j = i; j > 0 && old[j]->depth > old[j - 1]->depth; --j)
+      std::swap(old[j], old[j - 1]);
   }
   l = std::min(l, m);
   std::array<Nearest, kMaxContactClusters> nearest;
@@ -91,9 +95,9 @@ void seed_from_previous(const ContactClusters& previous, std::size_t n, std::siz
     std::size_t best = l;
     for (std::size_t k = 0; k < l; ++k) {
       if (used[k] || nearest[k].contact < 0) continue;
-      const bool closer =
-          best == l || nearest[k].squared < nearest[best].squared ||
-          (nearest[k].squared == nearest[best].squared && nearest[k].contact < nearest[best].contact);
+      const bool closer = best == l || nearest[k].squared < nearest[best].squared ||
+                          (nearest[k].squared == nearest[best].squared &&
+                           nearest[k].contact < nearest[best].contact);
       if (closer) best = k;
     }
     if (best == l) return;  // only non-finite points are left
@@ -101,18 +105,22 @@ void seed_from_previous(const ContactClusters& previous, std::size_t n, std::siz
     const std::int32_t contact = nearest[best].contact;
     take(s, contact, old[best]->id, seeds);
     for (std::size_t k = 0; k < l; ++k) {
-      if (!used[k] && nearest[k].contact == contact) nearest[k] = nearest_free_contact(s, n, old[k]->point);
+      if (!used[k] && nearest[k].contact == contact)
+        nearest[k] = nearest_free_contact(s, n, old[k]->point);
     }
   }
 }
 
 void lower_nearest(ClusterScratch& s, std::size_t n, std::size_t seed) noexcept {
   const Vec3 p(s.x[seed], s.y[seed], s.z[seed]);
-  for (std::size_t i = 0; i < n; ++i) s.nearest[i] = std::min(s.nearest[i], squared_distance(s, i, p));
+  for (std::size_t i = 0; i < n; ++i)
+    s.nearest[i] = std::min(s.nearest[i], squared_distance(s, i, p));
 }
 
-// Second half: the contact furthest from all seeds; the deepest when there is none yet. Ties: the lowest index.
-void seed_furthest(std::span<const Contact> contacts, std::size_t m, ClusterScratch& s, Seeds& seeds) noexcept {
+// Second half: the contact furthest from all seeds; the deepest when there is none yet. Ties: the
+// lowest index.
+void seed_furthest(std::span<const Contact> contacts, std::size_t m, ClusterScratch& s,
+                   Seeds& seeds) noexcept {
   const std::size_t n = contacts.size();
   if (s.seeds.size() == m) return;
   for (const std::int32_t seed : s.seeds) lower_nearest(s, n, static_cast<std::size_t>(seed));
@@ -153,7 +161,8 @@ struct Sums {
   std::int32_t count = 0;
 };
 
-// Alg. 5.4.4. A cluster without members keeps its place; one whose members all weigh nothing takes their mean.
+// Alg. 5.4.4. A cluster without members keeps its place; one whose members all weigh nothing takes
+// their mean.
 void compute_representatives(const ClusterScratch& s, std::size_t n, Seeds& seeds) noexcept {
   std::array<Sums, kMaxContactClusters> sums;
   for (std::size_t i = 0; i < n; ++i) {
@@ -192,7 +201,8 @@ void summarize(std::span<const Contact> contacts, const Seeds& seeds, const Clus
     moments[k].plain_normal += c.normal;
     ContactCluster& cluster = out[k];
     cluster.weight += w;
-    if (cluster.member_count++ == 0) cluster.first_member = cluster.deepest_member = static_cast<std::int32_t>(i);
+    if (cluster.member_count++ == 0)
+      cluster.first_member = cluster.deepest_member = static_cast<std::int32_t>(i);
     if (c.depth > contacts[static_cast<std::size_t>(cluster.deepest_member)].depth) {
       cluster.deepest_member = static_cast<std::int32_t>(i);
     }
@@ -214,9 +224,10 @@ void summarize(std::span<const Contact> contacts, const Seeds& seeds, const Clus
   }
 }
 
-// Orders clusters by decreasing depth (ties: lowest member), names new ones, renumbers the assignment.
-void publish(const std::array<ContactCluster, kMaxContactClusters>& by_seed, std::size_t count, ClusterScratch& s,
-             ContactClusters& result) noexcept {
+// Orders clusters by decreasing depth (ties: lowest member), names new ones, renumbers the
+// assignment.
+void publish(const std::array<ContactCluster, kMaxContactClusters>& by_seed, std::size_t count,
+             ClusterScratch& s, ContactClusters& result) noexcept {
   std::array<std::size_t, kMaxContactClusters> order{};
   std::size_t kept = 0;
   for (std::size_t k = 0; k < count; ++k) {
@@ -233,7 +244,8 @@ void publish(const std::array<ContactCluster, kMaxContactClusters>& by_seed, std
     ContactCluster cluster = by_seed[order[i]];
     if (cluster.id < 0) {
       cluster.id = result.next_id;
-      result.next_id = result.next_id == std::numeric_limits<std::int32_t>::max() ? 0 : result.next_id + 1;
+      result.next_id =
+          result.next_id == std::numeric_limits<std::int32_t>::max() ? 0 : result.next_id + 1;
     }
     result.clusters.push_back(cluster);
   }
@@ -254,7 +266,8 @@ double cost(const ClusterScratch& s, const ContactClusters& result) noexcept {
 
 void reserve_clusters(ClusterScratch& scratch, std::size_t contacts) {
   if (contacts <= scratch.x.size()) return;
-  for (std::vector<double>* v : {&scratch.x, &scratch.y, &scratch.z, &scratch.weight, &scratch.nearest}) {
+  for (std::vector<double>* v :
+       {&scratch.x, &scratch.y, &scratch.z, &scratch.weight, &scratch.nearest}) {
     v->resize(contacts);
   }
   scratch.taken.resize(contacts);
@@ -262,8 +275,9 @@ void reserve_clusters(ClusterScratch& scratch, std::size_t contacts) {
   scratch.candidate.reserve(contacts);
 }
 
-void cluster_contacts(std::span<const Contact> contacts, const ContactClusters& previous, const ClusterParams& params,
-                      ClusterScratch& scratch, ContactClusters& result) noexcept {
+void cluster_contacts(std::span<const Contact> contacts, const ContactClusters& previous,
+                      const ClusterParams& params, ClusterScratch& scratch,
+                      ContactClusters& result) noexcept {
   const std::size_t n = contacts.size();
   load(contacts, params.tolerance, scratch);
   result.next_id = previous.next_id;
@@ -273,7 +287,8 @@ void cluster_contacts(std::span<const Contact> contacts, const ContactClusters& 
     result.clusters.clear();
     return;
   }
-  const auto wanted = static_cast<std::size_t>(std::clamp(params.max_clusters, 1, kMaxContactClusters));
+  const auto wanted =
+      static_cast<std::size_t>(std::clamp(params.max_clusters, 1, kMaxContactClusters));
   const std::size_t m = std::min(wanted, n);
   Seeds seeds;
   seed_from_previous(previous, n, m, scratch, seeds);

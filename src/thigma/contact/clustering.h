@@ -1,5 +1,6 @@
 #pragma once
-// Contact clustering: many contacts become at most K representative ones, so that stiffness is bounded.
+// Contact clustering: many contacts become at most K representative ones, so that stiffness is
+// bounded.
 
 #include <cstdint>
 #include <span>
@@ -13,23 +14,27 @@ namespace thigma {
 inline constexpr int kMaxContactClusters = 16;
 
 struct ClusterParams {
-  int max_clusters = 5;      // K, 1..kMaxContactClusters; values outside are clamped
-  double tolerance = 0.0;    // d of the query: a contact weighs max(depth + d, 0), times its own weight [m]
+  int max_clusters = 5;  // K, 1..kMaxContactClusters; values outside are clamped
+  // d of the query: a contact weighs max(depth + d, 0), times its own weight [m]
+  double tolerance = 0.0;
   int max_iterations = 100;  // of Lloyd's method; a warm start needs a few
 };
 
 /// One cluster S and its representative contact.
 struct ContactCluster {
-  Vec3 point = Vec3::Zero();        // p: weighted centroid of the members' points [m; world]
-  Vec3 scene_point = Vec3::Zero();  // p_0 = p - depth * normal: a point of the plane, not of a surface [m; world]
-  Vec3 normal = Vec3::UnitZ();      // unit, out of the grasped object [world]
-  double depth = 0.0;               // weighted mean of the members' [m]
-  double weight = 0.0;              // sum of the members' weights, 0 when all are at -d [m]
-  std::int32_t id = -1;             // persistent: inherited from the previous cluster that seeded this one
+  Vec3 point = Vec3::Zero();  // p: weighted centroid of the members' points [m; world]
+  // p_0 = p - depth * normal: a point of the plane, not of a surface [m; world]
+  Vec3 scene_point = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();  // unit, out of the grasped object [world]
+  double depth = 0.0;           // weighted mean of the members' [m]
+  double weight = 0.0;          // sum of the members' weights, 0 when all are at -d [m]
+  // persistent: inherited from the previous cluster that seeded this one
+  std::int32_t id = -1;
   std::int32_t member_count = 0;
-  std::int32_t first_member = -1;   // lowest contact index of its members
-  std::int32_t deepest_member = -1; // contact index; ties: the lowest
-  std::int32_t body = 0;            // static object of the deepest member; members may touch several
+  std::int32_t first_member = -1;    // lowest contact index of its members
+  std::int32_t deepest_member = -1;  // contact index; ties: the lowest
+  // static object of the deepest member; members may touch several
+  std::int32_t body = 0;
 };
 
 /// Clusters of one frame, by decreasing depth. Also the warm start of the next frame.
@@ -41,14 +46,17 @@ struct ContactClusters {
 };
 
 /// Working memory of cluster_contacts; after a call also where each contact went.
-/// Any content is valid input. Grows to the largest set seen; reserve_clusters does so ahead of time.
+/// Any content is valid input. Grows to the largest set seen; reserve_clusters does so ahead of
+/// time.
 struct ClusterScratch {
-  std::vector<double> x, y, z, weight;   // of the contacts
-  std::vector<double> nearest;           // squared distances [m^2]
-  std::vector<std::int32_t> assignment;  // cluster of each contact, index into ContactClusters::clusters
-  std::vector<std::int32_t> candidate;   // the assignment being built
-  std::vector<std::uint8_t> taken;       // contacts used as seeds
-  StaticVector<std::int32_t, kMaxContactClusters> seeds;     // contact of each initial representative, Alg. 5.4.2 order
+  std::vector<double> x, y, z, weight;  // of the contacts
+  std::vector<double> nearest;          // squared distances [m^2]
+  // cluster of each contact, index into ContactClusters::clusters
+  std::vector<std::int32_t> assignment;
+  std::vector<std::int32_t> candidate;  // the assignment being built
+  std::vector<std::uint8_t> taken;      // contacts used as seeds
+  // contact of each initial representative, Alg. 5.4.2 order
+  StaticVector<std::int32_t, kMaxContactClusters> seeds;
   StaticVector<std::int32_t, kMaxContactClusters> seed_ids;  // id it inherits, -1 for a new cluster
 };
 
@@ -59,13 +67,16 @@ void reserve_clusters(ClusterScratch& scratch, std::size_t contacts);
 /// Weighted K-means over contacts of any bodies, warm-started from the previous clusters.
 ///
 /// contacts  of all bodies together
-/// previous  of the last frame, in any order; may be empty. Only points, depths, ids and next_id are read
+/// previous  of the last frame, in any order; may be empty. Only points, depths, ids and next_id
+///           are read
 /// scratch   working memory; assignment, seeds and seed_ids are results
 /// result    overwritten; may be the same object as previous
 /// Thread    [contact]; no failure; allocates only when the set outgrows the scratch.
-/// Source    Algs. 5.4.1-5.4.4, Eqs. 5.32-5.36. Deviates: rules for ties, zero weights, emptied clusters and opposing
-///           normals, and a stop on a repeated assignment (docs/deviations.md, contact clustering).
-void cluster_contacts(std::span<const Contact> contacts, const ContactClusters& previous, const ClusterParams& params,
-                      ClusterScratch& scratch, ContactClusters& result) noexcept;
+/// Source    Algs. 5.4.1-5.4.4, Eqs. 5.32-5.36. Deviates: rules for ties, zero weights, emptied
+///           clusters and opposing normals, and a stop on a repeated assignment
+///           (docs/deviations.md, contact clustering).
+void cluster_contacts(std::span<const Contact> contacts, const ContactClusters& previous,
+                      const ClusterParams& params, ClusterScratch& scratch,
+                      ContactClusters& result) noexcept;
 
 }  // namespace thigma

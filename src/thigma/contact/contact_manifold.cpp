@@ -17,14 +17,17 @@ HullView view_of_patch(const ClodHierarchy& hierarchy, std::int32_t patch) noexc
   return node < 0 ? HullView{} : contact_view(hierarchy, node);
 }
 
-// While mostly beside each other, the way out is no matter of where the surfaces face each other. A patch smaller than the
-// least width shares no wider area.
-bool can_spread(const Contact& contact, const HullView& a, const HullView& b, double tolerance) noexcept {
+// While mostly beside each other, the way out is no matter of where the surfaces face each other. A
+// patch smaller than the least width shares no wider area.
+bool can_spread(const Contact& contact, const HullView& a, const HullView& b,
+                double tolerance) noexcept {
   return a.triangle_count > 0 && b.triangle_count > 0 && contact.depth + tolerance > 0.0 &&
-         std::min(a.radius, b.radius) >= kSpreadFrom * tolerance && contact.status != ContactStatus::beside;
+         std::min(a.radius, b.radius) >= kSpreadFrom * tolerance &&
+         contact.status != ContactStatus::beside;
 }
 
-// How much of a contact is divided: none where the area is no wider than a few tolerances, all where it is twice that.
+// How much of a contact is divided: none where the area is no wider than a few tolerances, all
+// where it is twice that.
 double divided_part(const detail::SharedArea& area, double tolerance) noexcept {
   if (!(area.weight > 0.0)) return 0.0;
   const double width = std::sqrt(area.axis[0].squaredNorm() + area.axis[1].squaredNorm());
@@ -34,9 +37,10 @@ double divided_part(const detail::SharedArea& area, double tolerance) noexcept {
   return part * part * (3.0 - 2.0 * part);
 }
 
-// The contact divided among four points whose mean and moments are those of the area; false where it stays whole.
-bool divide(const Contact& contact, const detail::SharedArea& area, const Pose& world_from_object, double tolerance,
-            std::vector<Contact>& spread) noexcept {
+// The contact divided among four points whose mean and moments are those of the area; false where
+// it stays whole.
+bool divide(const Contact& contact, const detail::SharedArea& area, const Pose& world_from_object,
+            double tolerance, std::vector<Contact>& spread) noexcept {
   const double part = divided_part(area, tolerance);
   if (!(part > 0.0)) return false;
   if (part < 1.0) {
@@ -57,13 +61,15 @@ bool divide(const Contact& contact, const detail::SharedArea& area, const Pose& 
 
 }  // namespace
 
-void spread_contacts(const ClodHierarchy& object, const Pose& world_from_object, std::span<const SceneBody> scene,
-                     std::span<const Contact> contacts, double tolerance, std::vector<Contact>& spread) noexcept {
+void spread_contacts(const ClodHierarchy& object, const Pose& world_from_object,
+                     std::span<const SceneBody> scene, std::span<const Contact> contacts,
+                     double tolerance, std::vector<Contact>& spread) noexcept {
   spread.clear();
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
     const bool is_of_scene = contact.body >= 0 && at(contact.body) < scene.size();
-    const bool has_room = spread.size() + kMostParts + (contacts.size() - i - 1) <= spread.capacity();
+    const bool has_room =
+        spread.size() + kMostParts + (contacts.size() - i - 1) <= spread.capacity();
     if (is_of_scene && has_room) {
       const SceneBody& body = scene[at(contact.body)];
       const HullView a = view_of_patch(object, contact.object_patch);
@@ -71,7 +77,8 @@ void spread_contacts(const ClodHierarchy& object, const Pose& world_from_object,
       if (can_spread(contact, a, b, tolerance)) {
         const RelativePose pose = relative_pose(world_from_object, body.world_from_body);
         const Vec3 normal = world_from_object.orientation.conjugate() * contact.normal;
-        const detail::SharedArea area = detail::shared_area(a, b, pose, normal, tolerance, kSpreadFrom * tolerance);
+        const detail::SharedArea area =
+            detail::shared_area(a, b, pose, normal, tolerance, kSpreadFrom * tolerance);
         if (divide(contact, area, world_from_object, tolerance, spread)) continue;
       }
     }

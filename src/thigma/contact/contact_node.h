@@ -6,14 +6,16 @@
 
 namespace thigma {
 
-/// Node of a hierarchy that a contact's patch, numbered as in Contact, stands for; -1 where there is none.
+/// Node of a hierarchy that a contact's patch, numbered as in Contact, stands for; -1 where there
+/// is none.
 /// Thread    [contact].
 inline std::int32_t contact_node(const ClodHierarchy& hierarchy, std::int32_t patch) noexcept {
   if (patch < 0) return -1;
   const std::size_t finest = hierarchy.patches.size();
   if (at(patch) < finest) return hierarchy.patches[at(patch)].node;
   const std::size_t contact = at(patch) - finest;
-  return contact < hierarchy.contact_patches.size() ? hierarchy.contact_patches[contact].patch.node : -1;
+  return contact < hierarchy.contact_patches.size() ? hierarchy.contact_patches[contact].patch.node
+                                                    : -1;
 }
 
 }  // namespace thigma

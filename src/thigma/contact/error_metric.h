@@ -1,5 +1,6 @@
 #pragma once
-// How much detail a contact deserves: error of a pair of levels, weighted by the size of the contact (Sec. 3.3-3.4).
+// How much detail a contact deserves: error of a pair of levels, weighted by the size of the
+// contact (Sec. 3.3-3.4).
 
 namespace thigma {
 
@@ -16,8 +17,8 @@ enum class SupportArea {
   smaller
 };  // which of the two D counts; the text takes the larger (Eq. 3.7)
 
-/// s*: feature size s / r^2, the larger of the two, over the support area. Infinite for a free level and
-/// for an area of 0, unless the feature size is 0 too.
+/// s*: feature size s / r^2, the larger of the two, over the support area. Infinite for a free
+/// level and for an area of 0, unless the feature size is 0 too.
 /// Thread    [contact].
 /// Source    Eqs. 3.6-3.7.
 double weighted_deviation(const LevelError& object, const LevelError& scene,
@@ -27,10 +28,12 @@ double weighted_deviation(const LevelError& object, const LevelError& scene,
 /// Thread    [contact].
 bool needs_refinement(double weighted, double threshold) noexcept;
 
-/// Distance within which two nodes must be kept for contacts within `tolerance` of their surfaces (Eq. 3.5) [m].
+/// Distance within which two nodes must be kept for contacts within `tolerance` of their surfaces
+/// (Eq. 3.5) [m].
 double pair_tolerance(double tolerance, double hausdorff_object, double hausdorff_scene) noexcept;
 
-/// Surface deviation that is not seen: some pixels on screen, at the distance of the contact (Eq. 3.8).
+/// Surface deviation that is not seen: some pixels on screen, at the distance of the contact (Eq.
+/// 3.8).
 struct ViewThreshold {
   double pixels = 1.0;         // N
   double distance = 0.0;       // l, from the eye [m]

@@ -21,15 +21,18 @@ void measure(const ClodHierarchy& h, std::int32_t& depth, std::int32_t& fan) {
     fan = std::max(fan, n.child_count);
     depth = std::max(depth, depths[i]);
     for (std::int32_t c = 0; c < n.child_count; ++c) {
-      depths[static_cast<std::size_t>(n.first_child + c)] = depths[i] + 1;  // children follow their parent
+      // children follow their parent
+      depths[static_cast<std::size_t>(n.first_child + c)] = depths[i] + 1;
     }
   }
 }
 
 }  // namespace
 
-std::int32_t default_front_capacity(const ClodHierarchy& object, const ClodHierarchy& scene) noexcept {
-  // Fronts of conforming surfaces (jaws) need about one node a hierarchy node; four leave room for worse.
+std::int32_t default_front_capacity(const ClodHierarchy& object,
+                                    const ClodHierarchy& scene) noexcept {
+  // Fronts of conforming surfaces (jaws) need about one node a hierarchy node; four leave room for
+  // worse.
   const std::size_t wanted = 4 * (object.nodes.size() + scene.nodes.size());
   return static_cast<std::int32_t>(std::clamp<std::size_t>(wanted, 4096, 2'000'000));
 }
@@ -40,15 +43,16 @@ void reserve_front(ContactFront& front, const ClodHierarchy& object, const ClodH
   std::int32_t fan_a = 1, fan_b = 1;
   measure(object, front.object_depth, fan_a);
   measure(scene, front.scene_depth, fan_b);
-  front.stack_capacity = std::int64_t{front.object_depth + front.scene_depth + 2} * std::max(fan_a, fan_b);
+  front.stack_capacity =
+      std::int64_t{front.object_depth + front.scene_depth + 2} * std::max(fan_a, fan_b);
   front.stack.reserve(static_cast<std::size_t>(front.stack_capacity));
   const auto n = static_cast<std::size_t>(capacity);
   if (capacity != front.capacity) {
     front.nodes = std::make_unique_for_overwrite<FrontNode[]>(n);
     front.expires = std::make_unique_for_overwrite<float[]>(n);
     front.capacity = capacity;
-    for (std::vector<std::int32_t>* list : {&front.active, &front.next_active, &front.incoming, &front.work,
-                                            &front.saturated}) {
+    for (std::vector<std::int32_t>* list :
+         {&front.active, &front.next_active, &front.incoming, &front.work, &front.saturated}) {
       *list = {};
       list->reserve(n);
     }

@@ -1,5 +1,6 @@
 #pragma once
-// The front of the tandem traversal: which pairs of nodes were decided last time, and for how long that holds.
+// The front of the tandem traversal: which pairs of nodes were decided last time, and for how long
+// that holds.
 
 #include <array>
 #include <cstdint>
@@ -15,18 +16,22 @@ namespace thigma {
 
 /// A node of the bounding volume test tree: a pair of hierarchy nodes. 64 bytes.
 struct FrontNode {
-  std::int32_t a = 0, b = 0;             // nodes of object and scene
-  std::int32_t parent = -1;              // into ContactFront::nodes
-  std::int32_t first_child = -1;         // -1: the pair is in the front
+  std::int32_t a = 0, b = 0;      // nodes of object and scene
+  std::int32_t parent = -1;       // into ContactFront::nodes
+  std::int32_t first_child = -1;  // -1: the pair is in the front
   std::int32_t next_sibling = -1;
-  std::uint32_t support_a = 0, support_b = 0;  // leaf pairs: hull vertices of the closest features, 0 unknown
+  // leaf pairs: hull vertices of the closest features, 0 unknown
+  std::uint32_t support_a = 0, support_b = 0;
   GjkCache gjk;
-  float axis[3] = {0.0f, 0.0f, 0.0f};    // from a to b, unit or zero: separating, or the normal reported last [frame of a]
-  TriangleHint triangles;                // of patches whose triangles were measured
-  bool has_normal = false;               // axis holds a contact normal (hysteresis)
-  bool is_active = false;                // leaf pair evaluated every frame
-  bool is_saturated = false;             // could not be split for want of room: traversed below without memory
-  // Of a query with levels: what holds until the node's travel; apart covers culled and too far to matter.
+  // from a to b, unit or zero: separating, or the normal reported last [frame of a]
+  float axis[3] = {0.0f, 0.0f, 0.0f};
+  TriangleHint triangles;   // of patches whose triangles were measured
+  bool has_normal = false;  // axis holds a contact normal (hysteresis)
+  bool is_active = false;   // leaf pair evaluated every frame
+  // could not be split for want of room: traversed below without memory
+  bool is_saturated = false;
+  // Of a query with levels: what holds until the node's travel; apart covers culled and too far to
+  // matter.
   enum class Decision : std::uint8_t { unknown, open, apart } decision = Decision::unknown;
 };
 
@@ -34,55 +39,62 @@ static_assert(sizeof(FrontNode) <= 64);
 
 /// A pair of nodes a query with levels still has to look at, or may refine.
 struct PendingPair {
-  double priority = 0.0;       // s* / s0: larger first, where a budget decides
-  double weight = 1.0;         // of everything below it
-  std::int32_t node = -1;      // into ContactFront::nodes; -1: a and b tell the pair, without memory
+  double priority = 0.0;  // s* / s0: larger first, where a budget decides
+  double weight = 1.0;    // of everything below it
+  // into ContactFront::nodes; -1: a and b tell the pair, without memory
+  std::int32_t node = -1;
   std::int32_t a = 0, b = 0;
-  std::int32_t contact = -1;   // its own in ContactFront::found
+  std::int32_t contact = -1;  // its own in ContactFront::found
 };
 
 /// Scratch of one pair of bodies. Owned by the caller, one a pair; any content is valid input.
 ///
-/// Every node holds the travel up to which its decision stays true: a culled pair cannot come within the
-/// tolerance, nor a split one leave it, before the bodies moved by its slack against each other. So a frame looks
-/// only at pairs whose time has come, and at the contacts.
-/// Memory is taken once, by reserve_front or the first query; when it is full, pairs are traversed without memory.
-/// Thread: of the caller; not shared.
+/// Every node holds the travel up to which its decision stays true: a culled pair cannot come
+/// within the tolerance, nor a split one leave it, before the bodies moved by its slack against
+/// each other. So a frame looks only at pairs whose time has come, and at the contacts.
+/// Memory is taken once, by reserve_front or the first query; when it is full, pairs are traversed
+/// without memory. Thread: of the caller; not shared.
 struct ContactFront {
   std::unique_ptr<FrontNode[]> nodes;
-  std::unique_ptr<float[]> expires;      // by node, on the scale of `travel`; infinity: never looked at [m]
-  std::int32_t capacity = 0;             // nodes there is room for
-  std::int32_t used = 0;                 // nodes ever used
-  std::int32_t free_head = -1;           // list of free nodes through next_sibling
-  std::int32_t alive = 0, split = 0;     // nodes in use; of those, not in the front
-  double travel = 0.0;                   // relative motion since the origin of the scale, an upper bound [m]
-  double last_step = 0.0;                // of it, in the last query [m]
-  double tolerance = -1.0;               // of the last query [m]; negative: nothing known
-  RelativePose last;                     // of the last query
-  const void* object = nullptr;          // hierarchies of the last query, for comparison only
+  // by node, on the scale of `travel`; infinity: never looked at [m]
+  std::unique_ptr<float[]> expires;
+  std::int32_t capacity = 0;          // nodes there is room for
+  std::int32_t used = 0;              // nodes ever used
+  std::int32_t free_head = -1;        // list of free nodes through next_sibling
+  std::int32_t alive = 0, split = 0;  // nodes in use; of those, not in the front
+  // relative motion since the origin of the scale, an upper bound [m]
+  double travel = 0.0;
+  double last_step = 0.0;        // of it, in the last query [m]
+  double tolerance = -1.0;       // of the last query [m]; negative: nothing known
+  RelativePose last;             // of the last query
+  const void* object = nullptr;  // hierarchies of the last query, for comparison only
   const void* scene = nullptr;
-  std::vector<std::int32_t> active, next_active, incoming;  // active leaf pairs by (object patch, scene patch)
-  std::vector<std::int32_t> work;        // nodes to look at
-  std::vector<std::int32_t> saturated;   // nodes traversed without memory
-  std::vector<std::int64_t> stack;       // of that traversal
+  // active leaf pairs by (object patch, scene patch)
+  std::vector<std::int32_t> active, next_active, incoming;
+  std::vector<std::int32_t> work;       // nodes to look at
+  std::vector<std::int32_t> saturated;  // nodes traversed without memory
+  std::vector<std::int64_t> stack;      // of that traversal
   std::int64_t stack_capacity = 0;
   bool object_closed = true, scene_closed = true;  // see surface_crossing.h
   std::int32_t object_depth = 0, scene_depth = 0;  // of the two trees
 
   // Of queries with levels.
-  bool has_levels = false;               // the last query was one: its decisions are others than of an exact one
-  std::vector<PendingPair> pending;      // stack of the traversal
-  std::vector<PendingPair> queue;        // by priority, with a budget
-  std::vector<Contact> found;            // contacts that may still be refined, with a budget
-  std::vector<std::int32_t> order;       // of contacts
-  std::vector<std::array<double, 2>> object_support, scene_support;  // by node: largest D of the vertices of its patch,
-                                                                     // by SupportReading [m^2]
-  double finish_cost = 0.0;              // CPU time of handing over one contact, measured; with a budget of time [s]
-  double refine_cost = 0.0;              // the same of refining one pair, of late and at most [s]
+  // the last query was one: its decisions are others than of an exact one
+  bool has_levels = false;
+  std::vector<PendingPair> pending;  // stack of the traversal
+  std::vector<PendingPair> queue;    // by priority, with a budget
+  std::vector<Contact> found;        // contacts that may still be refined, with a budget
+  std::vector<std::int32_t> order;   // of contacts
+  // by node: largest D of the vertices of its patch, by SupportReading [m^2]
+  std::vector<std::array<double, 2>> object_support, scene_support;
+  // CPU time of handing over one contact, measured; with a budget of time [s]
+  double finish_cost = 0.0;
+  double refine_cost = 0.0;  // the same of refining one pair, of late and at most [s]
 };
 
 /// Nodes a front is given room for when the caller does not say.
-std::int32_t default_front_capacity(const ClodHierarchy& object, const ClodHierarchy& scene) noexcept;
+std::int32_t default_front_capacity(const ClodHierarchy& object,
+                                    const ClodHierarchy& scene) noexcept;
 
 /// Takes the memory for a pair of hierarchies and forgets what was known.
 /// capacity  nodes; 0 for default_front_capacity. 80 bytes each

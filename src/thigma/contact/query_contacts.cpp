@@ -1,20 +1,21 @@
 #include "thigma/contact/query_contacts.h"
 
-#include <emmintrin.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <emmintrin.h>
 
 #include "thigma/contact/detail/level_query.h"
 #include "thigma/contact/detail/traversal.h"
 #include "thigma/contact/surface_crossing.h"
 
-// Sec. 3.4.1-3.4.2 with generalized front tracking (Ehmann and Lin 2001). Each decision of the traversal (this pair is
-// farther apart than d_ab, that one is not) is kept with the motion it survives: a pair that misses its tolerance by s
-// has to be looked at again only when the bodies may have moved by s against each other. A frame is then one pass
-// over an array of numbers, tests of the few pairs whose time has come, and the contacts themselves, which are
-// measured every frame and from nothing but the pose.
+// Sec. 3.4.1-3.4.2 with generalized front tracking (Ehmann and Lin 2001). Each decision of the
+// traversal (this pair is farther apart than d_ab, that one is not) is kept with the motion it
+// survives: a pair that misses its tolerance by s has to be looked at again only when the bodies
+// may have moved by s against each other. A frame is then one pass over an array of numbers, tests
+// of the few pairs whose time has come, and the contacts themselves, which are measured every frame
+// and from nothing but the pose.
 
 namespace thigma {
 namespace {
@@ -30,25 +31,29 @@ bool splits_a(const Traversal& t, std::int32_t a, std::int32_t b) noexcept {
   return na.radius + na.hausdorff >= nb.radius + nb.hausdorff;
 }
 
-// ---- contacts ---------------------------------------------------------------------------------------------------
+// ---- contacts
+// ------------------------------------------------------------
 
 // Measures a leaf pair, reports it when it is a contact, returns its slack (<= 0 for a contact).
 double measure_leaf(Traversal& t, FrontNode& n) noexcept {
   ++t.set.stats.tests;
-  const PatchPair pair = measure_patches(hull_view(t.object, n.a), hull_view(t.scene, n.b), t.pose,
-                                                 t.query.tolerance, t.query.keep_directions, t.probe, n, t.set.stats);
+  const PatchPair pair =
+      measure_patches(hull_view(t.object, n.a), hull_view(t.scene, n.b), t.pose, t.query.tolerance,
+                      t.query.keep_directions, t.probe, n, t.set.stats);
   if (pair.status == PairContactStatus::apart) return -pair.depth - t.query.tolerance;
   report(t, make_contact(t, n, pair));
   return 0.0;
 }
 
-// ---- traversal without memory -----------------------------------------------------------------------------------
+// ---- traversal without memory
+// ------------------------------------------------------------
 
 std::int64_t packed(std::int32_t a, std::int32_t b) noexcept {
   return (static_cast<std::int64_t>(a) << 32) | static_cast<std::uint32_t>(b);
 }
 
-// Everything below a pair that the front has no room for. The stack was reserved for the depth of both trees.
+// Everything below a pair that the front has no room for. The stack was reserved for the depth of
+// both trees.
 void traverse_below(Traversal& t, std::int32_t a, std::int32_t b) noexcept {
   std::vector<std::int64_t>& stack = t.front.stack;
   stack.clear();
@@ -72,7 +77,8 @@ void traverse_below(Traversal& t, std::int32_t a, std::int32_t b) noexcept {
   }
 }
 
-// ---- descending and rising --------------------------------------------------------------------------------------
+// ---- descending and rising
+// ------------------------------------------------------------
 
 void activate(Traversal& t, std::int32_t i) noexcept {
   ContactFront& f = t.front;
@@ -81,7 +87,8 @@ void activate(Traversal& t, std::int32_t i) noexcept {
   f.incoming.push_back(i);
 }
 
-// Looks at pair i of the front and everything below it that has to be. f.work above `base` is the stack.
+// Looks at pair i of the front and everything below it that has to be. f.work above `base` is the
+// stack.
 void descend(Traversal& t, std::int32_t i) noexcept {
   ContactFront& f = t.front;
   const std::size_t base = f.work.size();
@@ -96,10 +103,11 @@ void descend(Traversal& t, std::int32_t i) noexcept {
     } else if (is_leaf_pair(t, n.a, n.b)) {
       activate(t, k);
     } else if (split(t, k, splits_a(t, n.a, n.b))) {
-      // It can only rise again once the bodies moved by what it lacks; a quarter of the tolerance keeps it from
-      // going back and forth.
+      // It can only rise again once the bodies moved by what it lacks; a quarter of the tolerance
+      // keeps it from going back and forth.
       set_timer(f, k, -slack + 0.25 * t.query.tolerance);
-      for (std::int32_t c = f.nodes[k].first_child; c >= 0; c = f.nodes[c].next_sibling) f.work.push_back(c);
+      for (std::int32_t c = f.nodes[k].first_child; c >= 0; c = f.nodes[c].next_sibling)
+        f.work.push_back(c);
     } else {
       f.nodes[k].is_saturated = true;
       f.expires[k] = kNever;
@@ -157,19 +165,23 @@ void update_front(Traversal& t) noexcept {
     const std::int32_t i = f.work.back();
     f.work.pop_back();
     if (f.nodes[i].a < 0 || f.expires[i] == kNever) continue;  // freed meanwhile
-    if (f.nodes[i].first_child >= 0) try_to_rise(t, i);
-    else descend(t, i);
+    if (f.nodes[i].first_child >= 0)
+      try_to_rise(t, i);
+    else
+      descend(t, i);
   }
 }
 
-// ---- leaf pairs -------------------------------------------------------------------------------------------------
+// ---- leaf pairs
+// ------------------------------------------------------------
 
 std::int64_t key_of(const Traversal& t, std::int32_t i) noexcept {
   const FrontNode& n = t.front.nodes[i];
   return packed(node_a(t, n.a).patch, node_b(t, n.b).patch);
 }
 
-// Measures the active leaf pairs in the order of their patches; those that left the tolerance fall asleep.
+// Measures the active leaf pairs in the order of their patches; those that left the tolerance fall
+// asleep.
 void measure_active(Traversal& t) noexcept {
   ContactFront& f = t.front;
   std::sort(f.incoming.begin(), f.incoming.end(),
@@ -177,8 +189,9 @@ void measure_active(Traversal& t) noexcept {
   f.next_active.clear();
   std::size_t old = 0, fresh = 0;
   while (old < f.active.size() || fresh < f.incoming.size()) {
-    const bool take_old = fresh == f.incoming.size() ||
-                          (old < f.active.size() && key_of(t, f.active[old]) < key_of(t, f.incoming[fresh]));
+    const bool take_old =
+        fresh == f.incoming.size() ||
+        (old < f.active.size() && key_of(t, f.active[old]) < key_of(t, f.incoming[fresh]));
     const std::int32_t i = take_old ? f.active[old++] : f.incoming[fresh++];
     const double slack = measure_leaf(t, f.nodes[i]);
     if (slack > 0.0) {
@@ -215,7 +228,8 @@ void traverse_saturated(Traversal& t) noexcept {
   f.saturated.resize(kept);
 }
 
-// ---- frames -----------------------------------------------------------------------------------------------------
+// ---- frames
+// ------------------------------------------------------------
 
 bool start_frame(Traversal& t) noexcept {
   ContactFront& f = t.front;
@@ -230,22 +244,30 @@ bool start_frame(Traversal& t) noexcept {
   return true;
 }
 
-bool is_answerable(const ClodHierarchy& object, const ClodHierarchy& scene, const ContactQuery& query,
-                   const RelativePose& pose) noexcept {
-  return !object.nodes.empty() && !scene.nodes.empty() && query.tolerance >= 0.0 && pose.rotation.allFinite() &&
-         pose.translation.allFinite();
+bool is_answerable(const ClodHierarchy& object, const ClodHierarchy& scene,
+                   const ContactQuery& query, const RelativePose& pose) noexcept {
+  return !object.nodes.empty() && !scene.nodes.empty() && query.tolerance >= 0.0 &&
+         pose.rotation.allFinite() && pose.translation.allFinite();
 }
 
 }  // namespace
 
-void query_contacts(const ClodHierarchy& object, const Pose& world_from_object, const ClodHierarchy& scene,
-                    const Pose& world_from_scene, const ContactQuery& query, ContactFront& front,
-                    ContactSet& contacts) noexcept {
+void query_contacts(const ClodHierarchy& object, const Pose& world_from_object,
+                    const ClodHierarchy& scene, const Pose& world_from_scene,
+                    const ContactQuery& query, ContactFront& front, ContactSet& contacts) noexcept {
   const RelativePose pose = relative_pose(world_from_object, world_from_scene);
   if (!is_answerable(object, scene, query, pose)) return;
   CrossingContext crossing{&object, &scene, pose};
-  Traversal t{object, scene, query, pose, world_from_object.orientation.toRotationMatrix(),
-              world_from_object.position, front, contacts, contacts.contacts.size(), crossing_probe(crossing)};
+  Traversal t{object,
+              scene,
+              query,
+              pose,
+              world_from_object.orientation.toRotationMatrix(),
+              world_from_object.position,
+              front,
+              contacts,
+              contacts.contacts.size(),
+              crossing_probe(crossing)};
   if (!query.resolution.is_exact) {
     query_levels(t);
     return;
@@ -260,8 +282,9 @@ void query_contacts(const ClodHierarchy& object, const Pose& world_from_object, 
   contacts.stats.front += front.alive - front.split;
 }
 
-QueryStats track_front(const ClodHierarchy& object, const Pose& world_from_object, const ClodHierarchy& scene,
-                       const Pose& world_from_scene, const ContactQuery& query, ContactFront& front) noexcept {
+QueryStats track_front(const ClodHierarchy& object, const Pose& world_from_object,
+                       const ClodHierarchy& scene, const Pose& world_from_scene,
+                       const ContactQuery& query, ContactFront& front) noexcept {
   ContactSet none;
   const RelativePose pose = relative_pose(world_from_object, world_from_scene);
   if (!is_answerable(object, scene, query, pose)) return none.stats;
@@ -275,16 +298,17 @@ QueryStats track_front(const ClodHierarchy& object, const Pose& world_from_objec
   return none.stats;
 }
 
-void query_scene(const ClodHierarchy& object, const Pose& world_from_object, std::span<const SceneBody> bodies,
-                 const ContactQuery& query, std::span<ContactFront> fronts, ContactSet& contacts) noexcept {
+void query_scene(const ClodHierarchy& object, const Pose& world_from_object,
+                 std::span<const SceneBody> bodies, const ContactQuery& query,
+                 std::span<ContactFront> fronts, ContactSet& contacts) noexcept {
   clear(contacts);
   ContactQuery one = query;
   const std::size_t count = std::min(bodies.size(), fronts.size());
   for (std::size_t i = 0; i < count; ++i) {
     if (bodies[i].hierarchy == nullptr) continue;
     one.body = static_cast<std::int32_t>(i);
-    query_contacts(object, world_from_object, *bodies[i].hierarchy, bodies[i].world_from_body, one, fronts[i],
-                   contacts);
+    query_contacts(object, world_from_object, *bodies[i].hierarchy, bodies[i].world_from_body, one,
+                   fronts[i], contacts);
   }
 }
 

@@ -13,11 +13,12 @@
 namespace thigma {
 
 struct ContactQuery {
-  double tolerance = 0.0;         // d: contacts have depth >= -tolerance [m]
-  bool keep_directions = false;   // penetration: among near-equal directions keep last frame's, and follow a pair
-                                  // through (hysteresis for a simulation; off, a result depends on the pose alone)
-  std::int32_t body = 0;          // written to the contacts
-  Resolution resolution{};        // exact unless asked otherwise
+  double tolerance = 0.0;  // d: contacts have depth >= -tolerance [m]
+  // penetration: among near-equal directions keep last frame's, and follow a pair through
+  // (hysteresis for a simulation; off, a result depends on the pose alone)
+  bool keep_directions = false;
+  std::int32_t body = 0;    // written to the contacts
+  Resolution resolution{};  // exact unless asked otherwise
 };
 
 /// Exact contacts between the grasped object and one object of the scene, appended to a set.
@@ -26,20 +27,24 @@ struct ContactQuery {
 /// world_from_object, world_from_scene  poses, |orientation| = 1 to 1e-9
 /// query               tolerance >= 0 [m]
 /// front               scratch of this pair of bodies
-/// contacts            contacts are appended, ordered by (object_patch, scene_patch). Capacity is never grown: of more
-///                     contacts than fit the deepest stay and `dropped` counts the others. Counts are added to stats
-/// Thread              [contact]; no failure: a pose that is not finite gives no contact. Allocates when the front has
-///                     no memory for these hierarchies yet, never after.
+/// contacts            contacts are appended, ordered by (object_patch, scene_patch). Capacity is
+///                     never grown: of more contacts than fit the deepest stay and `dropped` counts
+///                     the others. Counts are added to stats
+/// Thread              [contact]; no failure: a pose that is not finite gives no contact. Allocates
+///                     when the front has no memory for these hierarchies yet, never after.
 /// Without keep_directions the contacts, their order and every bit are a function of the two poses.
-/// Source              Sec. 3.4.1-3.4.2, Eq. 3.5. Deviates: front tracking by remaining travel (docs/deviations.md).
-void query_contacts(const ClodHierarchy& object, const Pose& world_from_object, const ClodHierarchy& scene,
-                    const Pose& world_from_scene, const ContactQuery& query, ContactFront& front,
-                    ContactSet& contacts) noexcept;
+/// Source              Sec. 3.4.1-3.4.2, Eq. 3.5. Deviates: front tracking by remaining travel
+///                     (docs/deviations.md).
+void query_contacts(const ClodHierarchy& object, const Pose& world_from_object,
+                    const ClodHierarchy& scene, const Pose& world_from_scene,
+                    const ContactQuery& query, ContactFront& front, ContactSet& contacts) noexcept;
 
-/// The traversal alone: brings the front to these poses and measures no contact. query_contacts does so itself; this is
-/// for those who want to know or time the two parts apart. returns counts of this call.
-QueryStats track_front(const ClodHierarchy& object, const Pose& world_from_object, const ClodHierarchy& scene,
-                       const Pose& world_from_scene, const ContactQuery& query, ContactFront& front) noexcept;
+/// The traversal alone: brings the front to these poses and measures no contact. query_contacts
+/// does so itself; this is for those who want to know or time the two parts apart. returns counts
+/// of this call.
+QueryStats track_front(const ClodHierarchy& object, const Pose& world_from_object,
+                       const ClodHierarchy& scene, const Pose& world_from_scene,
+                       const ContactQuery& query, ContactFront& front) noexcept;
 
 /// A static object of the scene.
 struct SceneBody {
@@ -49,8 +54,9 @@ struct SceneBody {
 
 /// Contacts with every body of a scene, in one set, with body indices; the set is emptied first.
 /// fronts  one a body, as many as bodies. query.body is ignored. Otherwise as query_contacts.
-void query_scene(const ClodHierarchy& object, const Pose& world_from_object, std::span<const SceneBody> bodies,
-                 const ContactQuery& query, std::span<ContactFront> fronts, ContactSet& contacts) noexcept;
+void query_scene(const ClodHierarchy& object, const Pose& world_from_object,
+                 std::span<const SceneBody> bodies, const ContactQuery& query,
+                 std::span<ContactFront> fronts, ContactSet& contacts) noexcept;
 
 /// Empties a set, keeping its capacity.
 /// Thread    [contact].

@@ -14,28 +14,34 @@ inline constexpr double kNoCap = std::numeric_limits<double>::infinity();
 
 /// What s0 is compared with. Several may be on: the least of their thresholds counts.
 struct RefinementMetric {
-  double haptic = 0.0;    // s0, times the smaller radius of the two; 0 with the others off: finest patches
-  double velocity = 0.0;  // alpha: s0 = alpha * relative speed of the bodies at the contact; 0: off [s]
+  // s0, times the smaller radius of the two; 0 with the others off: finest patches
+  double haptic = 0.0;
+  // alpha: s0 = alpha * relative speed of the bodies at the contact; 0: off [s]
+  double velocity = 0.0;
   ViewThreshold view{.pixels = 0.0};  // s0 of Eq. 3.8; pixels 0: off
-  bool has_eye = false;   // view.distance is measured from `eye` to each contact; off: as given
+  bool has_eye = false;     // view.distance is measured from `eye` to each contact; off: as given
   Vec3 eye = Vec3::Zero();  // [m; world]
 };
 
 /// Resolution of a query. The default is exact: finest patches everywhere.
 ///
-/// A pair of patches is refined while s* > s0, the surface deviations of the two exceed the cap together, or one is of a
-/// level beyond the coarsest.
+/// A pair of patches is refined while s* > s0, the surface deviations of the two exceed the cap
+/// together, or one is of a level beyond the coarsest.
 struct Resolution {
   bool is_exact = true;  // everything below is ignored
   RefinementMetric metric{.haptic = 0.025};
-  double deviation_cap = kNoCap;  // on s_a + s_b, times the smaller radius; infinite: off, as in the text
-  std::int32_t coarsest_level = std::numeric_limits<std::int32_t>::max();  // pairs with a coarser patch are refined
+  // on s_a + s_b, times the smaller radius; infinite: off, as in the text
+  double deviation_cap = kNoCap;
+  // pairs with a coarser patch are refined
+  std::int32_t coarsest_level = std::numeric_limits<std::int32_t>::max();
   SupportReading reading = SupportReading::flood;
   SupportArea area = SupportArea::larger;
-  bool interpolates = true;   // contacts of a pair near its threshold are blended with its children's (Sec. 3.4.4)
-  bool tightens_bounds = false;  // look for a near pair of finest patches below each contact: bounds come out smaller,
-                                 // for about a microsecond a contact
-  double step_time = 0.001;   // from the query before, for speeds [s]
+  // contacts of a pair near its threshold are blended with its children's (Sec. 3.4.4)
+  bool interpolates = true;
+  // look for a near pair of finest patches below each contact: bounds come out smaller, for about a
+  // microsecond a contact
+  bool tightens_bounds = false;
+  double step_time = 0.001;       // from the query before, for speeds [s]
   std::int64_t budget_tests = 0;  // pairs looked at, at most; 0: no limit. Reproducible
   double budget_cpu = 0.0;        // CPU time of the thread, at most; 0: no limit [s]
 };

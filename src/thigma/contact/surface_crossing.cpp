@@ -3,9 +3,10 @@
 #include <array>
 #include <cmath>
 
-// A segment crosses a triangle when the three edges pass it on the same side. In the plane across the segment an edge
-// function has the same value with the opposite sign for the two triangles that share the edge, so a segment cannot
-// slip through between them; a value of zero is given a sign by the order of the end points, opposite for the two.
+// A segment crosses a triangle when the three edges pass it on the same side. In the plane across
+// the segment an edge function has the same value with the opposite sign for the two triangles that
+// share the edge, so a segment cannot slip through between them; a value of zero is given a sign by
+// the order of the end points, opposite for the two.
 
 namespace thigma {
 namespace {
@@ -44,27 +45,34 @@ Projected project(const Segment& s, const Vec3& p) noexcept {
 double side(const Projected& p, const Projected& q) noexcept {
   const double value = p.x * q.y - q.x * p.y;
   if (value != 0.0) return value;
-  const bool ordered = p.x < q.x || (p.x == q.x && (p.y < q.y || (p.y == q.y && p.along < q.along)));
+  const bool ordered =
+      p.x < q.x || (p.x == q.x && (p.y < q.y || (p.y == q.y && p.along < q.along)));
   return ordered ? 1e-300 : -1e-300;
 }
 
 // Adds the crossing of one triangle, if there is one.
-void cross(const Segment& s, const Vec3& a, const Vec3& b, const Vec3& c, Crossings& count) noexcept {
+void cross(const Segment& s, const Vec3& a, const Vec3& b, const Vec3& c,
+           Crossings& count) noexcept {
   const Projected p = project(s, a), q = project(s, b), r = project(s, c);
   const double pq = side(p, q), qr = side(q, r), rp = side(r, p);
   if ((pq > 0.0) != (qr > 0.0) || (qr > 0.0) != (rp > 0.0)) return;
-  const double t = (qr * p.along + rp * q.along + pq * r.along) / ((pq + qr + rp) * s.length * s.length);
+  const double t =
+      (qr * p.along + rp * q.along + pq * r.along) / ((pq + qr + rp) * s.length * s.length);
   if (t <= kEnds || (t >= 1.0 - kEnds && t <= 1.0 + kEnds)) return;
-  const int exits = pq > 0.0 ? 1 : -1;  // counter-clockwise seen along the ray: its normal points along it
-  if (t < 1.0) ++count.between;
-  else count.exits_after_to += exits;
+  // counter-clockwise seen along the ray: its normal points along it
+  const int exits = pq > 0.0 ? 1 : -1;
+  if (t < 1.0)
+    ++count.between;
+  else
+    count.exits_after_to += exits;
   count.exits_after_from += exits;
 }
 
 bool near_ray(const Segment& s, const ClodNode& node) noexcept {
   const Vec3 r = node.center - s.origin;
   const double t = std::fmax(r.dot(s.direction) * s.inverse_length2, 0.0);
-  const double reach = (node.radius + node.hausdorff) * (1.0 + 1e-9) + 1e-12 * (node.center.lpNorm<1>() + s.length);
+  const double reach =
+      (node.radius + node.hausdorff) * (1.0 + 1e-9) + 1e-12 * (node.center.lpNorm<1>() + s.length);
   return (r - t * s.direction).squaredNorm() <= reach * reach;
 }
 
@@ -75,9 +83,10 @@ void cross_patch(const Segment& s, const HullView& hull, Crossings& count) noexc
   }
 }
 
-// Depth first. The stack holds a node's waiting siblings as one range, so its size is the depth of the tree; what
-// would not fit is searched by recursion.
-void descend(const ClodHierarchy& h, const Segment& s, std::int32_t start, Crossings& count) noexcept {
+// Depth first. The stack holds a node's waiting siblings as one range, so its size is the depth of
+// the tree; what would not fit is searched by recursion.
+void descend(const ClodHierarchy& h, const Segment& s, std::int32_t start,
+             Crossings& count) noexcept {
   struct Range {
     std::int32_t next, end;
   };
@@ -98,7 +107,8 @@ void descend(const ClodHierarchy& h, const Segment& s, std::int32_t start, Cross
     } else if (top < stack.size()) {
       stack[top++] = {node.first_child, node.first_child + node.child_count};
     } else {
-      for (std::int32_t c = 0; c < node.child_count; ++c) descend(h, s, node.first_child + c, count);
+      for (std::int32_t c = 0; c < node.child_count; ++c)
+        descend(h, s, node.first_child + c, count);
     }
   }
 }
@@ -106,12 +116,13 @@ void descend(const ClodHierarchy& h, const Segment& s, std::int32_t start, Cross
 bool near_segment(const Segment& s, const ClodNode& node) noexcept {
   const Vec3 r = node.center - s.origin;
   const double t = std::fmin(std::fmax(r.dot(s.direction) * s.inverse_length2, 0.0), 1.0);
-  const double reach = (node.radius + node.hausdorff) * (1.0 + 1e-9) + 1e-12 * (node.center.lpNorm<1>() + s.length);
+  const double reach =
+      (node.radius + node.hausdorff) * (1.0 + 1e-9) + 1e-12 * (node.center.lpNorm<1>() + s.length);
   return (r - t * s.direction).squaredNorm() <= reach * reach;
 }
 
-// Whether any surface lies between the ends. Far cheaper than counting along the ray: what is near a short segment is
-// a handful of patches.
+// Whether any surface lies between the ends. Far cheaper than counting along the ray: what is near
+// a short segment is a handful of patches.
 bool is_crossed(const ClodHierarchy& h, const Segment& s, std::int32_t index) noexcept {
   const ClodNode& node = h.nodes[static_cast<std::size_t>(index)];
   if (!near_segment(s, node)) return false;
@@ -126,8 +137,9 @@ bool is_crossed(const ClodHierarchy& h, const Segment& s, std::int32_t index) no
   return false;
 }
 
-// Whether the material of an object reaches along the ray from `from`, on its surface, to `to`. The ray enters
-// material at `from` (the caller has seen the back of the surface there), so without a surface in between it does.
+// Whether the material of an object reaches along the ray from `from`, on its surface, to `to`. The
+// ray enters material at `from` (the caller has seen the back of the surface there), so without a
+// surface in between it does.
 bool reaches(const ClodHierarchy& h, bool closed, const Vec3& from, const Vec3& to) noexcept {
   const Segment s = make_segment(from, to);
   if (!(s.length > 0.0) || !is_crossed(h, s, 0)) return true;
@@ -146,15 +158,16 @@ bool separates(const void* context, const Vec3& from, const Vec3& to) noexcept {
 
 }  // namespace
 
-Crossings count_crossings(const ClodHierarchy& hierarchy, const Vec3& from, const Vec3& to) noexcept {
+Crossings count_crossings(const ClodHierarchy& hierarchy, const Vec3& from,
+                          const Vec3& to) noexcept {
   Crossings count;
   const Segment s = make_segment(from, to);
   if (s.length > 0.0 && !hierarchy.nodes.empty()) descend(hierarchy, s, 0, count);
   return count;
 }
 
-// Over a closed surface the area vectors sum to zero and the integral of x n^T dA is the volume times the identity;
-// a rim leaves something in one of the two.
+// Over a closed surface the area vectors sum to zero and the integral of x n^T dA is the volume
+// times the identity; a rim leaves something in one of the two.
 bool is_closed(const ClodHierarchy& hierarchy) noexcept {
   Vec3 area = Vec3::Zero();
   Mat3 moment = Mat3::Zero();

@@ -7,8 +7,8 @@
 
 namespace thigma {
 
-/// The number of patches of a decomposition whose hulls could have any number of vertices, as the text's can: a convex
-/// shape has one.
+/// The number of patches of a decomposition whose hulls could have any number of vertices, as the
+/// text's can: a convex shape has one.
 ///
 /// mesh      usable, of a few thousand triangles at most: patches are as large as they get
 /// Thread    [offline]; throws InputError as decompose_surface.

@@ -14,12 +14,12 @@ namespace thigma {
 /// rounding, and faces must not part for it.
 struct DecompositionParams {
   int max_vertices = 32;  // of a patch's surface, so of its hull; 3..kMaxHullVertices
-  double convexity_tolerance =
-      -1.0;  // height over a face plane that still counts as flat, times the mesh radius;
-             // from the data: 1e-9 for doubles, about 1e-6 for single precision
-  double protrusion_tolerance =
-      -1.0;  // hull planes are moved inwards by this times the mesh radius before the clip
-             // test; from the data: 10 x the other, at least 1e-7
+  // height over a face plane that still counts as flat, times the mesh radius; from the data: 1e-9
+  // for doubles, about 1e-6 for single precision
+  double convexity_tolerance = -1.0;
+  // hull planes are moved inwards by this times the mesh radius before the clip test; from the
+  // data: 10 x the other, at least 1e-7
+  double protrusion_tolerance = -1.0;
 };
 
 /// The tolerances that decompose_surface uses for a mesh: params with negative ones replaced.
@@ -33,19 +33,19 @@ DecompositionParams resolve_tolerances(const TriangleMesh& mesh, const Decomposi
 struct ConvexDecomposition {
   std::vector<std::int32_t> patch_of_triangle;     // -1 for zero-area triangles (m)
   std::vector<std::vector<std::int32_t>> patches;  // triangle indices, ascending
-  std::vector<std::vector<std::int32_t>>
-      vertices;                // of each patch: every position its triangles use, ascending
+  // of each patch: every position its triangles use, ascending
+  std::vector<std::vector<std::int32_t>> vertices;
   DecompositionParams params;  // with the tolerances that were used
-  std::int32_t cut_by_self_intersection =
-      0;  // patches kept small because the surface crosses itself there
-  std::int32_t cut_by_protrusion =
-      0;                         // of the others: patches in which the hull would have protruded
+  // patches kept small because the surface crosses itself there
+  std::int32_t cut_by_self_intersection = 0;
+  // of the others: patches in which the hull would have protruded
+  std::int32_t cut_by_protrusion = 0;
   std::int32_t cut_by_size = 0;  // of the others: patches stopped by max_vertices
 };
 
-/// Decomposes a usable mesh (3.3.1): patches grow from the first free triangle over their edges, breadth
-/// first. Deterministic. Open surfaces work: the hull lies behind the sheet. An edge of three faces bounds
-/// patches.
+/// Decomposes a usable mesh (3.3.1): patches grow from the first free triangle over their edges,
+/// breadth first. Deterministic. Open surfaces work: the hull lies behind the sheet. An edge of
+/// three faces bounds patches.
 /// Thread    [offline]; throws InputError when the mesh has no triangle with an area.
 /// Source    Sec. 3.3.1; protrusion by exact clipping instead of sampling (docs/deviations.md).
 ConvexDecomposition decompose_surface(const TriangleMesh& mesh,

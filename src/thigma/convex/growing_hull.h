@@ -19,8 +19,8 @@ struct GrowingFace {
   std::array<std::int32_t, 3> neighbor = {-1, -1, -1};  // face across corner[i] -> corner[i + 1]
   Vec3 normal = Vec3::Zero();  // unit; zero when the triangle has no area in doubles
   double offset = 0.0;
-  std::int32_t first_outside =
-      -1;  // list of the points that this face keeps out, through GrowingHull::next
+  // list of the points that this face keeps out, through GrowingHull::next
+  std::int32_t first_outside = -1;
   std::int32_t farthest = -1;  // of them
   double farthest_height = 0.0;
   bool is_alive = false;
@@ -33,8 +33,8 @@ struct GrowingHull {
   std::vector<Vec3> points;
   std::vector<GrowingFace> faces;
   std::vector<std::int32_t> next;  // of each point, in the list of a face; -1 ends it
-  std::vector<std::int32_t>
-      vertices;                   // points added so far; in dimension 2 in order around the polygon
+  // points added so far; in dimension 2 in order around the polygon
+  std::vector<std::int32_t> vertices;
   std::vector<std::int32_t> rim;  // dimension 2: every extreme point, in order around the polygon
   std::vector<std::int32_t> face_behind;     // scratch: the new face that starts at a point
   std::vector<std::int32_t> visible, fresh;  // scratch

@@ -44,8 +44,8 @@ struct Separation {
   double distance = 0.0;          // [m], 0 when overlapping
   Vec3 witness_a = Vec3::Zero();  // [m; frame of a]
   Vec3 witness_b = Vec3::Zero();
-  std::uint32_t feature_a =
-      0;  // mask of the vertices of a that span the closest feature (1..3 bits)
+  // mask of the vertices of a that span the closest feature (1..3 bits)
+  std::uint32_t feature_a = 0;
   std::uint32_t feature_b = 0;
   int iterations = 0;
 };
@@ -70,9 +70,9 @@ struct PairQuery {
   GjkCache* cache = nullptr;
 };
 
-/// closest_points of many pairs under one pose: out[i] is, bit for bit, what closest_points gives for
-/// queries[i]. Pairs whose last answer still holds are confirmed two (SSE2) or four (AVX2, where the
-/// processor has it) at a time, with the same bits; the others are searched one by one.
+/// closest_points of many pairs under one pose: out[i] is, bit for bit, what closest_points gives
+/// for queries[i]. Pairs whose last answer still holds are confirmed two (SSE2) or four (AVX2,
+/// where the processor has it) at a time, with the same bits; the others are searched one by one.
 ///
 /// queries  no cache twice
 /// out      as many as queries
@@ -86,8 +86,8 @@ void closest_points_batch(std::span<const PairQuery> queries, const RelativePose
 ///
 /// a,
 /// b         with lanes
-/// axis      about unit length (0.1..10), frame of a, roughly from a to b: the direction of an earlier
-///           query
+/// axis      about unit length (0.1..10), frame of a, roughly from a to b: the direction of an
+///           earlier query
 /// gap       >= 0 [m]
 /// Thread    [contact]; same bits on every processor.
 bool axis_separates(const HullView& a, const HullView& b, const RelativePose& a_from_b,

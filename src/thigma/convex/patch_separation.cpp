@@ -7,9 +7,10 @@
 #include "thigma/convex/detail/triangle_features.h"
 #include "thigma/math/infinity.h"
 
-// Pairs of triangles are left out by masks of hull vertices: a triangle all of whose corners are beyond one face of a
-// box, or on one side of another's plane. What is left is measured feature by feature, but for features that are too far
-// apart along the line of the closest points of a first guess. Everything happens about the centre of a.
+// Pairs of triangles are left out by masks of hull vertices: a triangle all of whose corners are
+// beyond one face of a box, or on one side of another's plane. What is left is measured feature by
+// feature, but for features that are too far apart along the line of the closest points of a first
+// guess. Everything happens about the centre of a.
 
 namespace thigma {
 namespace {
@@ -19,10 +20,11 @@ using detail::Corners;
 using detail::PlacedTriangle;
 using detail::Sides;
 
-// A bound on squared distances that is too small by rounding must not leave out the pair it came from.
+// A bound on squared distances that is too small by rounding must not leave out the pair it came
+// from.
 constexpr double kMargin = 1.0 + 1e-12;
-// Of the distance from which on pairs are left out, by the size of the pair: far above the rounding of a plane's
-// height, so that what is kept does not depend on how well the first guess was.
+// Of the distance from which on pairs are left out, by the size of the pair: far above the rounding
+// of a plane's height, so that what is kept does not depend on how well the first guess was.
 constexpr double kRounding = 1e-10;
 
 std::uint32_t hull_mask(const HullTriangle& t, int corners) {
@@ -103,7 +105,8 @@ void find_near(const Patch& patch, const Box& other, double reach, std::uint32_t
   }
 }
 
-// Places the triangles, and drops those whose plane has all that is left of the other patch on one side.
+// Places the triangles, and drops those whose plane has all that is left of the other patch on one
+// side.
 void drop_by_planes(const Patch& patch, const Patch& other, std::uint32_t others, double reach,
                     NearTriangles& near) {
   int kept = 0;
@@ -123,7 +126,8 @@ void drop_by_planes(const Patch& patch, const Patch& other, std::uint32_t others
   near.count = kept;
 }
 
-// Squared distance that the plane of t keeps the triangle `other` away, at least; 0 when it crosses it.
+// Squared distance that the plane of t keeps the triangle `other` away, at least; 0 when it crosses
+// it.
 double plane_gap(const PlacedTriangle& t, const PlacedTriangle& other) {
   const double h[3] = {t.height(other.p[0]), t.height(other.p[1]), t.height(other.p[2])};
   const double low = std::min({h[0], h[1], h[2]}), high = std::max({h[0], h[1], h[2]});
@@ -229,7 +233,8 @@ class TrianglePairs {
     drop_by_planes(b_, a_, near_a_.corners, reach, near_b_);
   }
 
-  // Heights of all corners along a line: where b is farther above a than the limit, nothing is nearer.
+  // Heights of all corners along a line: where b is farther above a than the limit, nothing is
+  // nearer.
   struct Levels {
     const TrianglePairs& pairs;
     double length, rounding;
@@ -268,7 +273,8 @@ class TrianglePairs {
     }
   };
 
-  // Squared; the distance of the triangles is no larger. Of the hint, or of the corners. line: from one to the other
+  // Squared; the distance of the triangles is no larger. Of the hint, or of the corners. line: from
+  // one to the other
   double guess(const TriangleHint& hint, Vec3& line) const {
     double least = kInfinity;
     line = Vec3::Zero();

@@ -13,16 +13,18 @@
 namespace thigma {
 namespace {
 
-// Sine of the angle by which both backs must face each other, and cosine of that between the line of the closest points
-// and the way out, for the overlap to count fully. Smaller makes the turn from "beside" to "through" faster than the
-// motion: depth * normal then changes by more than 4 times the step.
+// Sine of the angle by which both backs must face each other, and cosine of that between the line
+// of the closest points and the way out, for the overlap to count fully. Smaller makes the turn
+// from "beside" to "through" faster than the motion: depth * normal then changes by more than 4
+// times the step.
 constexpr double kFullyThrough = 0.9;
 
 using detail::PlacedPair;
 using detail::WayOut;
 
-// How far the direction from witness to witness lies behind every real face that holds the witness, and behind those of
-// the neighbours over a convex edge that does: the least sine, > 0 when the back of the surface is what faces the other patch.
+// How far the direction from witness to witness lies behind every real face that holds the witness,
+// and behind those of the neighbours over a convex edge that does: the least sine, > 0 when the
+// back of the surface is what faces the other patch.
 double back_facing(const HullView& h, std::uint32_t feature, const Vec3& toward_other) {
   double least = 1.0;
   bool found = false;
@@ -55,13 +57,15 @@ void report_overlap(const PlacedPair& p, const Vec3& n, const Vec3& middle, Pair
   out.status = status_of(p, out.depth);
 }
 
-// A pair whose backs face each other turns from beside to through: from minus the separation along the direction
-// between the closest points to the overlap, as far as that direction opposes the way out. Beside each other the first
-// is right, one above the other the second; where one took over, depth times normal would jump by the distance of the
-// patches.
-void report_turning(const PlacedPair& p, const PatchSeparation& gap, double back, const WayOut& way_out, PairContact& out) {
+// A pair whose backs face each other turns from beside to through: from minus the separation along
+// the direction between the closest points to the overlap, as far as that direction opposes the way
+// out. Beside each other the first is right, one above the other the second; where one took over,
+// depth times normal would jump by the distance of the patches.
+void report_turning(const PlacedPair& p, const PatchSeparation& gap, double back,
+                    const WayOut& way_out, PairContact& out) {
   const Vec3 between = (gap.point_b - gap.point_a) / gap.distance;
-  const double through = std::min(std::min(back, -between.dot(way_out.normal)) / kFullyThrough, 1.0);
+  const double through =
+      std::min(std::min(back, -between.dot(way_out.normal)) / kFullyThrough, 1.0);
   if (!(through > 0.0)) return;  // as separated as before
   const Vec3 turned = (1.0 - through) * between + through * way_out.normal;
   const double length = turned.norm();

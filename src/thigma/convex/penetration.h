@@ -11,11 +11,12 @@
 namespace thigma {
 
 /// Answers, for two patches whose backs face each other, whether other surface lies between them.
-/// separates(context, from, to): `from` on a, `to` on b [m; frame of a]; the open segment leaves a into its
-/// material and reaches b through its material. True when it crosses the surface of a, or that of b, an odd
-/// number of times: then the material ends in between (two plates lying side by side) and nothing
-/// penetrates. The ends lie on the surfaces, often on edges shared with neighbours: only crossings inside
-/// the segment count. A null function means that no other surface exists. Called at most once a pair.
+/// separates(context, from, to): `from` on a, `to` on b [m; frame of a]; the open segment leaves a
+/// into its material and reaches b through its material. True when it crosses the surface of a, or
+/// that of b, an odd number of times: then the material ends in between (two plates lying side by
+/// side) and nothing penetrates. The ends lie on the surfaces, often on edges shared with
+/// neighbours: only crossings inside the segment count. A null function means that no other surface
+/// exists. Called at most once a pair.
 /// Thread    [contact].
 struct SegmentProbe {
   bool (*separates)(const void* context, const Vec3& from, const Vec3& to) noexcept = nullptr;
@@ -41,8 +42,8 @@ struct PairContact {
   double separation = 0.0;          // of the original triangles, 0 where they intersect [m]
   std::uint32_t feature_a = 0, feature_b = 0;  // masks of the hull vertices that span the closest
                                                // features; 0 where triangles intersect
-  Vec3 normal = Vec3::UnitZ();      // unit, out of a [frame of a]
-  Vec3 witness_a = Vec3::Zero();    // [m; frame of a]
+  Vec3 normal = Vec3::UnitZ();                 // unit, out of a [frame of a]
+  Vec3 witness_a = Vec3::Zero();               // [m; frame of a]
   Vec3 witness_b = Vec3::Zero();
 };
 
@@ -63,22 +64,23 @@ double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& 
 /// Separated. The original triangles share no point and do not face each other back to back: depth
 /// is minus their separation, normal the direction from the closest point of a to that of b.
 ///
-/// Penetrating. Original triangles intersect; or a is through b: the closest points see each other from
-/// behind every real face that holds them, and those over convex edges that do (RealEdge), on both sides,
-/// and the probe finds nothing in between. A patch
-/// is thin, so pairs are through at once; a pair is judged by its pose alone and needs no history. Then
-/// depth = max over a of normal .
+/// Penetrating. Original triangles intersect; or a is through b: the closest points see each other
+/// from behind every real face that holds them, and those over convex edges that do (RealEdge), on
+/// both sides, and the probe finds nothing in between. A patch
+/// is thin, so pairs are through at once; a pair is judged by its pose alone and needs no history.
+/// Then depth = max over a of normal .
 /// p         - min over b of normal .
-/// p         (hulls and triangles share the vertices) along the allowed direction of least depth: normals
-///           of real faces of a, minus normals of real faces of b, crosses of a real edge of each that lie
-///           within both edges' cones of real normals. Never along a virtual face, so never out through the
-///           back. At the border of a patch the cone reaches to the normal of the face beyond (RealEdge),
-///           at least 17 degrees outwards. Depth is 0 at touch from the front, and depth * normal is
-///           continuous there. A pair that is through but beside (the closest points far apart sideways)
-///           turns gradually, in proportion to how far the line between the points opposes that direction:
-///           depth goes from minus the separation to the overlap, normal from the direction between the
-///           points to the allowed one, witnesses lie on both sides of the middle of the points. While
-///           depth <= 0 its status is `beside`.
+/// p         (hulls and triangles share the vertices) along the allowed direction of least depth:
+///           normals of real faces of a, minus normals of real faces of b, crosses of a real edge
+///           of each that lie within both edges' cones of real normals. Never along a virtual face,
+///           so never out through the back. At the border of a patch the cone reaches to the normal
+///           of the face beyond (RealEdge), at least 17 degrees outwards. Depth is 0 at touch from
+///           the front, and depth * normal is continuous there. A pair that is through but beside
+///           (the closest points far apart sideways) turns gradually, in proportion to how far the
+///           line between the points opposes that direction: depth goes from minus the separation
+///           to the overlap, normal from the direction between the points to the allowed one,
+///           witnesses lie on both sides of the middle of the points. While depth <= 0 its status
+///           is `beside`.
 ///
 /// Deep. depth exceeds half the thickness of the thinner patch: overlap and direction are reported
 /// as above, but the patch alone no longer bounds the way out; a caller with memory keeps
@@ -93,15 +95,15 @@ double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& 
 /// b         views with faces, edges and triangles
 /// a_from_b  relative pose
 /// tolerance d: pairs with a larger separation are `apart` [m]
-/// cache     of the pair, read and written; results do not depend on it beyond rounding last_normal null,
-///           or the normal this pair reported last, frame of a: among directions within 5 % of the least
-///           overlap (itself included) the one nearest to it is kept
+/// cache     of the pair, read and written; results do not depend on it beyond rounding last_normal
+///           null, or the normal this pair reported last, frame of a: among directions within 5 %
+///           of the least overlap (itself included) the one nearest to it is kept
 /// probe     asked only for pairs whose backs face each other within the tolerance
-/// returns   witnesses: separated, the closest points; through, the two ends of the overlap along normal
-///           through the middle of the closest points (or of the intersections), on the supporting planes
-///           of a and b
-/// Thread    [contact]; no failure, no allocation. Without last_normal the result is a function of the
-///           pose.
+/// returns   witnesses: separated, the closest points; through, the two ends of the overlap along
+///           normal through the middle of the closest points (or of the intersections), on the
+///           supporting planes of a and b
+/// Thread    [contact]; no failure, no allocation. Without last_normal the result is a function of
+///           the pose.
 /// Source    Sec. 3.4.2 asks for the local penetration; the contract is this project's.
 PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& a_from_b,
                          double tolerance, GjkCache& cache, const Vec3* last_normal,

@@ -4,8 +4,9 @@
 
 #include "thigma/convex/detail/triangle_features.h"
 
-// Triangles intersect when an edge of one pierces the other, or when features touch. Everything happens about a corner
-// of the first triangle, so that the distance from the origin of the frame costs no digits.
+// Triangles intersect when an edge of one pierces the other, or when features touch. Everything
+// happens about a corner of the first triangle, so that the distance from the origin of the frame
+// costs no digits.
 
 namespace thigma {
 

@@ -1,6 +1,6 @@
 #pragma once
-// The container of this project's binary files: a header, a table of named chunks, the chunks. docs/formats.md has
-// every byte.
+// The container of this project's binary files: a header, a table of named chunks, the chunks.
+// docs/formats.md has every byte.
 
 #include <cstdint>
 #include <string>
@@ -31,7 +31,8 @@ struct Chunk {
 };
 
 /// Writes chunks one behind the other into one string.
-/// Invariant: between begin() and the next begin() or finish() everything appended belongs to one chunk.
+/// Invariant: between begin() and the next begin() or finish() everything appended belongs to one
+/// chunk.
 class ChunkWriter {
  public:
   /// chunk_count  how many there will be; bytes  of all together, or a guess
@@ -55,8 +56,8 @@ class ChunkWriter {
   std::string out_;
 };
 
-/// The chunks of a file, views into `bytes`. Lengths, checksums, order, padding: everything about the container has
-/// been checked; a changed byte anywhere is found.
+/// The chunks of a file, views into `bytes`. Lengths, checksums, order, padding: everything about
+/// the container has been checked; a changed byte anywhere is found.
 ///
 /// name    of the file, for messages
 /// Thread  [offline]; throws InputError with the reason.

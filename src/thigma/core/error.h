@@ -6,13 +6,15 @@
 
 namespace thigma {
 
-/// Something the user gave is wrong. what() is one line "FILE: what, where, what was expected"; exit code 4.
+/// Something the user gave is wrong. what() is one line "FILE: what, where, what was expected";
+/// exit code 4.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The system refused: a file that cannot be opened, read or written; exit code 1 (4 for an input file).
+/// The system refused: a file that cannot be opened, read or written; exit code 1 (4 for an input
+/// file).
 class IoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -35,8 +35,8 @@ constexpr std::size_t kMaxFileBytes = std::size_t{1}
   throw IoError(path + ": cannot be written (" + std::strerror(errno) + ")");
 }
 
-/// A new file beside `path` under a name that nobody else has, threads and other machines on a shared
-/// folder included.
+/// A new file beside `path` under a name that nobody else has, threads and other machines on a
+/// shared folder included.
 Descriptor open_temporary(const std::string& path, std::string& temporary) {
   static std::atomic<unsigned> written{0};
   constexpr int kTries = 1000;

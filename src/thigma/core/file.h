@@ -8,16 +8,16 @@
 
 namespace thigma {
 
-/// All bytes of a file, a regular one or a pipe, of at most 4 GiB. A pipe that nobody has opened for
-/// writing within two seconds is none that will be.
+/// All bytes of a file, a regular one or a pipe, of at most 4 GiB. A pipe that nobody has opened
+/// for writing within two seconds is none that will be.
 ///
 /// Thread    [offline]; throws InputError when it cannot be opened or read: what a user names as
 /// input is input.
 std::string read_file(const std::string& path);
 
-/// Replaces or creates `path` with `bytes`: written beside it under a name of its own, on the disk, then
-/// renamed, so that a reader, another writer, a full disk, a crash or a power cut never sees half of it.
-/// A device such as /dev/stdout is written directly.
+/// Replaces or creates `path` with `bytes`: written beside it under a name of its own, on the disk,
+/// then renamed, so that a reader, another writer, a full disk, a crash or a power cut never sees
+/// half of it. A device such as /dev/stdout is written directly.
 ///
 /// Thread    [offline]; throws IoError, and nothing has changed.
 void write_file(const std::string& path, std::string_view bytes);

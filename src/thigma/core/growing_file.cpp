@@ -33,8 +33,8 @@ GrowingFile::GrowingFile(const std::string& path)
   std::error_code unknown;
   if (fs::exists(path, unknown) && !fs::is_regular_file(path, unknown)) fail("not a regular file");
   const fs::path folder = fs::path(path).parent_path();
-  folder_ = Descriptor(
-      ::open(folder.empty() ? "." : folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  folder_ =
+      Descriptor(::open(folder.empty() ? "." : folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   if (!folder_.is_open()) fail(std::strerror(errno));
   open_part();
   detail::sync_folder(folder_.get());
@@ -73,7 +73,8 @@ void GrowingFile::open_part() {
 
 /// Whether the open file is the one that has the name.
 bool GrowingFile::is_named() const {
-  struct stat open {}, named {};
+  struct stat open {
+  }, named{};
   return ::fstat(file_.get(), &open) == 0 &&
          ::fstatat(folder_.get(), (name_ + ".part").c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0 &&
          is_same_file(open, named);
@@ -98,7 +99,8 @@ void GrowingFile::append(std::string_view bytes, std::uint64_t room) {
   struct stat info {};
   if (::fstat(file_.get(), &info) == 0 && info.st_nlink == 0) fail("it or its folder was deleted");
   const auto at = static_cast<off_t>(size());
-  // Set aside before anything is written; a file system that cannot do it is asked nevertheless by writing.
+  // Set aside before anything is written; a file system that cannot do it is asked nevertheless by
+  // writing.
   const auto wanted = static_cast<off_t>(bytes.size() + room);
   if (::fallocate(file_.get(), FALLOC_FL_KEEP_SIZE, at, wanted) != 0 &&
       (errno == ENOSPC || errno == EDQUOT)) {

@@ -13,26 +13,30 @@
 
 namespace thigma {
 
-/// Longest time between two moments at which all that was appended is made safe against a power cut [s].
+/// Longest time between two moments at which all that was appended is made safe against a power cut
+/// [s].
 inline constexpr int kSyncSeconds = 2;
 
 /// A file written beside its place as PATH.part, which takes the place when it is whole.
 ///
-/// What append() has taken survives the process; a power cut takes the last kSyncSeconds at most. PATH.part is
-/// locked by the kernel, so that a second writer is refused while the first lives, and none after it was killed;
-/// what a killed one left is moved out of the way, to the first free PATH.part.N. Names are looked up in the folder
-/// that was opened, wherever it is moved meanwhile.
-/// Thread: one thread, [offline]; another waits for the disk. Members throw IoError, one line that begins with PATH.
+/// What append() has taken survives the process; a power cut takes the last kSyncSeconds at most.
+/// PATH.part is locked by the kernel, so that a second writer is refused while the first lives, and
+/// none after it was killed; what a killed one left is moved out of the way, to the first free
+/// PATH.part.N. Names are looked up in the folder that was opened, wherever it is moved meanwhile.
+/// Thread: one thread, [offline]; another waits for the disk. Members throw IoError, one line that
+/// begins with PATH.
 class GrowingFile {
  public:
-  /// errors   IoError where PATH is no regular file, cannot be made, or is being written by somebody else
+  /// errors   IoError where PATH is no regular file, cannot be made, or is being written by
+  ///          somebody else
   explicit GrowingFile(const std::string& path);
   ~GrowingFile();  // neither kept nor discarded: PATH.part stays as it is, as after a kill
   GrowingFile(const GrowingFile&) = delete;
   GrowingFile& operator=(const GrowingFile&) = delete;
 
   /// Appends all of it or, with an error, nothing: what was there before stays as it is.
-  /// room   that is set aside behind it where the file system can, so that so much is taken even by a full disk [byte]
+  /// room   that is set aside behind it where the file system can, so that so much is taken even by
+  ///        a full disk [byte]
   void append(std::string_view bytes, std::uint64_t room = 0);
 
   std::uint64_t size() const { return size_.load(std::memory_order_relaxed); }  // [byte]
@@ -66,8 +70,8 @@ class GrowingFile {
   std::thread syncing_;
 };
 
-/// Whether somebody is writing this PATH.part now, as far as this process may know. Takes no lock, so that no writer
-/// is refused because of it.
+/// Whether somebody is writing this PATH.part now, as far as this process may know. Takes no lock,
+/// so that no writer is refused because of it.
 /// Thread [offline]; no failure.
 bool is_growing(const std::string& part);
 

@@ -1,5 +1,6 @@
 #pragma once
-// Meshes and trees keep their indices in 32 bits with a sign (negative: none); containers ask for std::size_t.
+// Meshes and trees keep their indices in 32 bits with a sign (negative: none); containers ask for
+// std::size_t.
 
 #include <cstddef>
 #include <cstdint>
@@ -7,6 +8,8 @@
 namespace thigma {
 
 /// i as an index of a container. i must not be negative.
-[[nodiscard]] constexpr std::size_t at(std::int32_t i) noexcept { return static_cast<std::size_t>(i); }
+[[nodiscard]] constexpr std::size_t at(std::int32_t i) noexcept {
+  return static_cast<std::size_t>(i);
+}
 
 }  // namespace thigma

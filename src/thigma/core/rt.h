@@ -1,5 +1,6 @@
 #pragma once
-// The real-time label of a function and of a type. docs/realtime.md says what it forbids and how it is checked.
+// The real-time label of a function and of a type. docs/realtime.md says what it forbids and how it
+// is checked.
 
 #include <type_traits>
 

@@ -20,8 +20,8 @@ struct DeviceModel {
   bool actuates_rotation = false;
 };
 
-/// The table, in alphabetical order of names. Source: the per-model values CHAI3D 3.3 publishes in its
-/// drivers.
+/// The table, in alphabetical order of names. Source: the per-model values CHAI3D 3.3 publishes in
+/// its drivers.
 /// Thread    [haptic].
 std::span<const DeviceModel> device_models() THIGMA_RT;
 

@@ -22,8 +22,8 @@ namespace {
 
 using detail::shortest;
 
-constexpr double kSubstep =
-    6.25e-5;  // [s] 16 in a millisecond: error of the fastest arm (100 Hz) below 1e-4
+// [s] 16 in a millisecond: error of the fastest arm (100 Hz) below 1e-4
+constexpr double kSubstep = 6.25e-5;
 constexpr int kMaxSubsteps = 1600;   // 0.1 s
 constexpr double kTimeSlack = 1e-9;  // [s] rounding of clock sums; samples are 62.5 us apart
 

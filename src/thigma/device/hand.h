@@ -30,11 +30,11 @@ struct HandParams {
   double sampling = 0.0;           // encoders are read this often [Hz]; 0 = at every read
   double delay = 0.0;              // age of what a read returns, beyond sampling [s], <= 0.1
   double jitter = 0.0;             // added to the delay, uniform in [0, jitter] [s], <= 0.1
-  double velocity_window =
-      0.015;                     // longest window of the velocity estimate [s]; angular: twice that
-  double max_force = 8.5;        // the actuators saturate here [N], norm
-  double max_torque = 0.188;     // [N m], norm
-  double max_stiffness = 800.0;  // told by limits() [N/m]
+  // longest window of the velocity estimate [s]; angular: twice that
+  double velocity_window = 0.015;
+  double max_force = 8.5;              // the actuators saturate here [N], norm
+  double max_torque = 0.188;           // [N m], norm
+  double max_stiffness = 800.0;        // told by limits() [N/m]
   double max_angular_stiffness = 0.3;  // told by limits() [N m/rad]
   double workspace_radius = 0.1;       // told by limits() [m]
   bool senses_rotation = true;         // without it the sensed orientation stays the identity

@@ -14,12 +14,12 @@
 namespace thigma {
 namespace {
 
-constexpr double kFirstRest =
-    0.6;  // [s] longer than the start ramp, so that the baseline is the full weight
+// [s] longer than the start ramp, so that the baseline is the full weight
+constexpr double kFirstRest = 0.6;
 constexpr double kLaterRest = 0.4;   // [s]
 constexpr double kFeltTime = 0.005;  // [s] of the low pass on the felt force: a few device ticks
-constexpr double kPressTime =
-    0.08;  // [s] of the force control; slower than arm and coupling, so stable
+// [s] of the force control; slower than arm and coupling, so stable
+constexpr double kPressTime = 0.08;
 constexpr double kAcceleration = 3.0;  // [m/s^2] of the target along the approach
 constexpr double kContactShare = 0.3;  // of the pressing force: this much felt is contact
 // Nobody corrects a force more finely; without it the hand would hunt to and fro across the

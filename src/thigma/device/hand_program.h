@@ -52,8 +52,8 @@ struct HandProgramParams {
   bool twist_by_buttons = false;  // the device senses no rotation: hold a turn button instead
 };
 
-/// Slide, lift and circle of at most `radius` / 5 of a grasped object of that radius [m; device space],
-/// reach of 1.5 clearance + radius; larger objects keep the lengths above.
+/// Slide, lift and circle of at most `radius` / 5 of a grasped object of that radius [m; device
+/// space], reach of 1.5 clearance + radius; larger objects keep the lengths above.
 /// Thread    [offline].
 HandProgramParams scale_to_object(HandProgramParams params, double radius);
 

@@ -23,7 +23,8 @@ struct DeviceLimits {
   bool actuates_translation = true, actuates_rotation = true;
   double delay = 0.0;  // age of what a read returns, as far as known [s]
   DeviceClock clock = DeviceClock::engine;
-  bool holds_person = true;  // what it is sent may push a person; false: simulated, or nothing is pushed
+  // what it is sent may push a person; false: simulated, or nothing is pushed
+  bool holds_person = true;
 };
 
 enum class DeviceStatus : std::uint8_t {
@@ -35,17 +36,18 @@ enum class DeviceStatus : std::uint8_t {
 
 /// One sample of a device.
 struct DeviceState {
-  double time =
-      0.0;  // when the driver got it [s; session clock]; transport delay is not known to a driver
+  // when the driver got it [s; session clock]; transport delay is not known to a driver
+  double time = 0.0;
   Motion motion;              // handle pose and velocity [device frame: right-handed, z up]
   std::uint32_t buttons = 0;  // bits below
   DeviceStatus status = DeviceStatus::ok;
-  // How much the handle counts, 1 to 0: less where what is known of it is old and held, as of a page that is late.
-  // The springs to the hand and the wrench on it fade by this. Drivers of devices with motors leave it at 1: what
-  // is late there is lost.
+  // How much the handle counts, 1 to 0: less where what is known of it is old and held, as of a
+  // page that is late. The springs to the hand and the wrench on it fade by this. Drivers of
+  // devices with motors leave it at 1: what is late there is lost.
   double weight = 1.0;
-  // Simulated devices only: where the handle is now, without encoders and delay. Nothing but the account of energy
-  // looks at it: the port's energy is that of the motion, not of what is known of it.
+  // Simulated devices only: where the handle is now, without encoders and delay. Nothing but the
+  // account of energy looks at it: the port's energy is that of the motion, not of what is known of
+  // it.
   bool has_true_handle = false;
   Pose true_handle;  // [device frame]
 };

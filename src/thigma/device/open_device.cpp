@@ -166,8 +166,9 @@ std::unique_ptr<HapticDevice> open_script(const std::string& rest) {
   }
   std::vector<std::string_view> names = {"hand", "web", "script", "replay", "null"};
   if (scheme.empty()) {
-    throw DeviceAddressError("device " + quoted(address) +
-                             " has no scheme, expected hand:, web:, script:FILE, replay:FILE or null:");
+    throw DeviceAddressError(
+        "device " + quoted(address) +
+        " has no scheme, expected hand:, web:, script:FILE, replay:FILE or null:");
   }
   throw DeviceAddressError("no device " + quoted(scheme + ":") + ", nearest is " +
                            quoted(std::string(detail::nearest_name(scheme, names)) + ":"));

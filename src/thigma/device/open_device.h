@@ -16,8 +16,8 @@ namespace thigma {
 /// What a scene tells a simulated device. All in device space, that is after the motion scale.
 struct DeviceContext {
   Pose start;  // handle pose at the start; objects are separated there [device frame]
-  Vec3 approach =
-      -Vec3::UnitZ();  // any length > 0: from the grasped object toward the scene [device frame]
+  // any length > 0: from the grasped object toward the scene [device frame]
+  Vec3 approach = -Vec3::UnitZ();
   double clearance = 0.02;      // travel along approach to first touch [m]
   double object_radius = 0.05;  // of the grasped object [m]
   std::uint64_t seed = 1;       // of tremor and jitter, unless the address has its own

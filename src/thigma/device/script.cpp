@@ -19,8 +19,8 @@
 namespace thigma {
 namespace {
 
-constexpr std::size_t kMaxRows =
-    10'000'000;  // 2.8 hours at 1 kHz; beyond it a file is not a script
+// 2.8 hours at 1 kHz; beyond it a file is not a script
+constexpr std::size_t kMaxRows = 10'000'000;
 constexpr std::size_t kPoseColumns = 8;
 constexpr std::string_view kHeader = "t,x,y,z,qx,qy,qz,qw";
 

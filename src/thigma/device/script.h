@@ -46,13 +46,13 @@ struct ScriptCursor {
 ///           otherwise
 /// returns   pose and its exact time derivative [device frame]
 /// Thread    [haptic]; no failure.
-/// Source    Fritsch, Butland 1984 (monotone cubic), on coordinates and on the sign-aligned quaternion,
-///           normalised.
+/// Source    Fritsch, Butland 1984 (monotone cubic), on coordinates and on the sign-aligned
+///           quaternion, normalised.
 Motion script_motion(const std::vector<TimedPose>& script, double time,
                      ScriptCursor& cursor) THIGMA_RT;
 
-/// Plays a script of at least one row from the first read on (row time 0 is then); status `finished` after
-/// its last row, where it stays. Wrenches are accepted.
+/// Plays a script of at least one row from the first read on (row time 0 is then); status
+/// `finished` after its last row, where it stays. Wrenches are accepted.
 /// Thread    [offline].
 std::unique_ptr<HapticDevice> make_script_device(std::vector<TimedPose> script,
                                                  const DeviceLimits& limits = {});

@@ -78,9 +78,7 @@ void WebMotion::press(std::uint32_t buttons) THIGMA_RT {
   buttons_ = buttons;
 }
 
-double WebMotion::session_from_page() const THIGMA_RT {
-  return std::min(offset_, offset_before_);
-}
+double WebMotion::session_from_page() const THIGMA_RT { return std::min(offset_, offset_before_); }
 
 void WebMotion::learn_offset(double offset, double now) THIGMA_RT {
   if (count_ == 0) {

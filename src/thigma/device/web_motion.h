@@ -1,6 +1,6 @@
 #pragma once
-// From the samples of a page in the browser, 20 to 250 a second and late by turns, to a smooth motion
-// at the haptic rate.
+// From the samples of a page in the browser, 20 to 250 a second and late by turns, to a smooth
+// motion at the haptic rate.
 
 #include <array>
 #include <cstddef>
@@ -19,10 +19,13 @@ struct WebSample {
 };
 
 struct WebMotionParams {
-  double full_age = 0.3;     // a pose up to this age counts fully: a picture drawn by the processor takes as long [s]
-  double stale_age = 1.0;    // and not at all from here on; in between its weight falls linearly [s]
-  double return_time = 0.3;  // poses that come again bring the weight back from 0 to 1 in no less [s]
-  double lost_after = 5.0;   // without any message for so long the device is lost [s]
+  // a pose up to this age counts fully: a picture drawn by the processor takes as long [s]
+  double full_age = 0.3;
+  // and not at all from here on; in between its weight falls linearly [s]
+  double stale_age = 1.0;
+  // poses that come again bring the weight back from 0 to 1 in no less [s]
+  double return_time = 0.3;
+  double lost_after = 5.0;  // without any message for so long the device is lost [s]
   double delay = 0.016;  // samples are played back so late, a frame of a display: what lies between
                          // two of them is then mostly known [s]
   double extrapolation = 0.020;     // beyond the newest sample for so long at most [s]
@@ -37,12 +40,12 @@ struct WebMotionParams {
 /// extrapolation, critically damped smoothing, speed limits. Whoever comes next, and whoever comes
 /// back, goes on from where the handle is.
 ///
-/// A page that is late is slow, not gone: its last pose is held, and DeviceState::weight falls with the
-/// age of that pose, by the browser's own clock, until it is stale. Samples that come again bring both
-/// back by themselves, the weight gently. What a page repeats with the time it had before keeps the
-/// device from being lost, and the pose no younger.
-/// Invariant: the speed of what read() returns never exceeds the limits; times in the history increase.
-/// Thread: every member is [haptic], from one thread.
+/// A page that is late is slow, not gone: its last pose is held, and DeviceState::weight falls with
+/// the age of that pose, by the browser's own clock, until it is stale. Samples that come again
+/// bring both back by themselves, the weight gently. What a page repeats with the time it had
+/// before keeps the device from being lost, and the pose no younger.
+/// Invariant: the speed of what read() returns never exceeds the limits; times in the history
+/// increase. Thread: every member is [haptic], from one thread.
 class WebMotion {
  public:
   explicit WebMotion(const WebMotionParams& params = {}) THIGMA_RT : params_(params) {}
@@ -53,12 +56,12 @@ class WebMotion {
   void release() THIGMA_RT;
   /// The page is gone.
   void lose() THIGMA_RT;
-  /// A sample that arrived by `now` [s; session clock]. One as late as the newest stands for it, one
-  /// before it says nothing but its buttons.
+  /// A sample that arrived by `now` [s; session clock]. One as late as the newest stands for it,
+  /// one before it says nothing but its buttons.
   void add(const WebSample& sample, double now) THIGMA_RT;
-  /// Advances to `now` [s; session clock]: the pose, its velocity, its weight, the newest buttons. Every
-  /// open clutch is there for a read at least, however many samples came between two. Status not_ready
-  /// before the first sample, lost without any for params.lost_after or after lose().
+  /// Advances to `now` [s; session clock]: the pose, its velocity, its weight, the newest buttons.
+  /// Every open clutch is there for a read at least, however many samples came between two. Status
+  /// not_ready before the first sample, lost without any for params.lost_after or after lose().
   DeviceState read(double now) THIGMA_RT;
 
  private:

@@ -50,8 +50,8 @@ struct WorkspaceAnchor {
 /// Thread    [haptic].
 WorkspaceAnchor base_anchor(const Workspace& workspace) THIGMA_RT;
 
-/// Anchor that lets `device` mean `world` from now on: grasp, and re-grasp after the clutch was open
-/// (world: the virtual handle pose at that moment, so that it does not jump).
+/// Anchor that lets `device` mean `world` from now on: grasp, and re-grasp after the clutch was
+/// open (world: the virtual handle pose at that moment, so that it does not jump).
 /// Thread    [haptic].
 WorkspaceAnchor anchor_at(const Pose& device, const Pose& world) THIGMA_RT;
 
@@ -69,14 +69,15 @@ Motion world_motion(const Workspace& workspace, const WorkspaceAnchor& anchor, c
 Motion device_motion(const Workspace& workspace, const WorkspaceAnchor& anchor,
                      const Motion& world) THIGMA_RT;
 
-/// Wrench for the device from the wrench on the hand, about the handle [N, N m; world -> device frame],
-/// scaled. The sign is kept: the caller passes the reaction.
+/// Wrench for the device from the wrench on the hand, about the handle [N, N m; world -> device
+/// frame], scaled. The sign is kept: the caller passes the reaction.
 /// Thread    [haptic].
 /// Source    ERRATA 5, workspace scaling.
 Wrench device_wrench(const Workspace& workspace, const Wrench& hand_wrench) THIGMA_RT;
 
-/// Advances the anchor by turn buttons held during dt at `rate` about device axes [rad/s], and keeps the
-/// rate in turn_rate so that the twist agrees with the motion. Call before world_motion, once a tick.
+/// Advances the anchor by turn buttons held during dt at `rate` about device axes [rad/s], and
+/// keeps the rate in turn_rate so that the twist agrees with the motion. Call before world_motion,
+/// once a tick.
 /// Thread    [haptic].
 void turn_by_buttons(const Workspace& workspace, std::uint32_t buttons, double rate, double dt,
                      WorkspaceAnchor& anchor) THIGMA_RT;

@@ -102,7 +102,8 @@ Coupling faded(const Coupling& coupling, double weight) THIGMA_RT {
   Coupling result = coupling;
   result.linear_stiffness *= weight;
   result.angular_stiffness *= weight;
-  for (std::optional<Saturation>* spring : {&result.linear_saturation, &result.angular_saturation}) {
+  for (std::optional<Saturation>* spring :
+       {&result.linear_saturation, &result.angular_saturation}) {
     if (!*spring) continue;
     (*spring)->stiffness *= weight;
     (*spring)->max_force *= weight;

@@ -55,8 +55,8 @@ struct Coupling {
   std::optional<Saturation> angular_saturation;  // when set, its stiffness stands for k_theta
 };
 
-/// Grasp frame for a hand that takes hold of the body as both are now: both springs start at rest, wherever
-/// the hand is (Eq. 5.17).
+/// Grasp frame for a hand that takes hold of the body as both are now: both springs start at rest,
+/// wherever the hand is (Eq. 5.17).
 /// Thread    [haptic].
 Pose grasp(const BodyState& state, const Pose& world_from_device) THIGMA_RT;
 
@@ -65,8 +65,9 @@ Pose grasp(const BodyState& state, const Pose& world_from_device) THIGMA_RT;
 void grasp(Coupling& coupling, const BodyState& state, const Pose& world_from_device) THIGMA_RT;
 void release(Coupling& coupling) THIGMA_RT;
 
-/// The coupling of a hand that counts only by `weight`, 1 to 0: springs weaker by it at every stretch;
-/// dampers as they are, so that what the springs let go of comes to rest. A weight of 1 changes no bit.
+/// The coupling of a hand that counts only by `weight`, 1 to 0: springs weaker by it at every
+/// stretch; dampers as they are, so that what the springs let go of comes to rest. A weight of 1
+/// changes no bit.
 /// Thread    [haptic].
 Coupling faded(const Coupling& coupling, double weight) THIGMA_RT;
 
@@ -99,9 +100,9 @@ Wrench coupling_wrench(const Coupling& coupling, const Motion& device, const Rig
                        const BodyState& state, const BodyKinematics& at,
                        WrenchJacobian* jacobian) THIGMA_RT;
 
-/// What the hand feels: the reaction of both springs and dampers about the handle [N, N m; world]. This is
-/// not the negative of coupling_wrench, whose torque is about the centre of mass and holds the lever arm of
-/// the force.
+/// What the hand feels: the reaction of both springs and dampers about the handle [N, N m; world].
+/// This is not the negative of coupling_wrench, whose torque is about the centre of mass and holds
+/// the lever arm of the force.
 /// Thread    [haptic].
 Wrench device_wrench(const Coupling& coupling, const Motion& device, const RigidBody& body,
                      const BodyState& state) THIGMA_RT;

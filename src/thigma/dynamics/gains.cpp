@@ -1,5 +1,5 @@
-// Gains from limits. All stiffnesses are computed in device space, with the object's mass brought there: what the
-// device is compared with is what the hand feels.
+// Gains from limits. All stiffnesses are computed in device space, with the object's mass brought
+// there: what the device is compared with is what the hand feels.
 
 #include "thigma/dynamics/gains.h"
 
@@ -70,7 +70,8 @@ Half angular_half(const GainTask& task) {
 
 double critical_damping(double stiffness, double mass) { return 2.0 * std::sqrt(stiffness * mass); }
 
-/// Whether the loop with these gains (device space) settles with every arm, in the air and against a contact.
+/// Whether the loop with these gains (device space) settles with every arm, in the air and against
+/// a contact.
 bool does_settle(const Half& half, double stiffness, double damping) {
   const double contact = kGainMargin * half.body_mass / (half.period * half.period);
   SampledLoop loop{.period = half.period,
@@ -93,13 +94,15 @@ bool does_settle(const Half& half, double stiffness, double damping) {
   return true;
 }
 
-/// Largest stiffness (device space) that settles when critically damped; infinity when all that matter do.
+/// Largest stiffness (device space) that settles when critically damped; infinity when all that
+/// matter do.
 double loop_limit(const Half& half) {
   if (!(half.port->mass > 0.0)) return kNoLimit;
   const auto settles = [&](double k) {
     return does_settle(half, k, critical_damping(k, half.body_mass));
   };
-  // Beyond a radian a frame of the handle itself nothing settles; 1e-6 of that is no spring any more.
+  // Beyond a radian a frame of the handle itself nothing settles; 1e-6 of that is no spring any
+  // more.
   double high = half.port->mass / (half.period * half.period);
   double low = 1e-6 * high;
   if (settles(high)) return kNoLimit;
@@ -119,7 +122,8 @@ GainChoice choose(const Half& half, bool is_felt, bool has_frame_limit) {
   };
   if (is_felt) {
     const PortHalf& port = *half.port;
-    // b > K (T / 2 + delay): what a device bears at its published period it bears less of later (PROTOCOLS E3, 4).
+    // b > K (T / 2 + delay): what a device bears at its published period it bears less of later
+    // (PROTOCOLS E3, 4).
     const double lateness = kPublishedPeriod / (half.period + 2.0 * half.delay);
     if (port.max_stiffness > 0.0)
       limit(GainLimit::device) = port.max_stiffness * std::min(lateness, 1.0);

@@ -1,6 +1,6 @@
 #pragma once
-// Gains of coupling and contact from what is known beforehand: device, object, rate and delay. docs/gains.md has the
-// reasons and a table.
+// Gains of coupling and contact from what is known beforehand: device, object, rate and delay.
+// docs/gains.md has the reasons and a table.
 
 #include <array>
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace thigma {
 
-/// What one half of a device brings into the loop: lengths in [m] or [rad], forces in [N] or [N m]; device frame.
-/// 0: not known, and then it limits nothing.
+/// What one half of a device brings into the loop: lengths in [m] or [rad], forces in [N] or [N m];
+/// device frame. 0: not known, and then it limits nothing.
 struct PortHalf {
   double max_effort = 0.0;     // norm of what it can exert
   double max_stiffness = 0.0;  // published, at 1 kHz without delay
@@ -35,9 +35,11 @@ struct GainTask {
 
 /// What a stiffness is limited by.
 enum class GainLimit : std::uint8_t {
-  device,    // published stiffness, less at lower rates and with delay: K T_0 / (T + 2 delay)
-  friction,  // encoder steps that Coulomb friction still swallows: 2 f_c / D (PROTOCOLS E3, check 3)
-  loop,  // the sampled loop with the handle's mass, in the air and against a contact (sampled_loop.h)
+  device,  // published stiffness, less at lower rates and with delay: K T_0 / (T + 2 delay)
+  // encoder steps that Coulomb friction still swallows: 2 f_c / D (PROTOCOLS E3, check 3)
+  friction,
+  // the sampled loop with the handle's mass, in the air and against a contact (sampled_loop.h)
+  loop,
   frames,  // a radian a frame: beyond it a contact found one frame late throws the object back
 };
 inline constexpr int kGainLimits = 4;
@@ -63,8 +65,9 @@ struct GainProposal {
   double max_torque = 0.0;  // the angular one [N m; virtual]; 0: device unknown or without torque
 };
 
-/// Largest stiffnesses with a margin, each critically damped. Angular damping and the frame limit go by the largest
-/// principal moment about the centre of mass, so that no axis is left underdamped.
+/// Largest stiffnesses with a margin, each critically damped. Angular damping and the frame limit
+/// go by the largest principal moment about the centre of mass, so that no axis is left
+/// underdamped.
 ///
 /// errors   InputError naming what is not positive
 /// Thread   [offline].
@@ -79,8 +82,8 @@ struct GainWarning {
   std::string text;    // one sentence
 };
 
-/// What is outside in gains that a scene or a person chose; empty when nothing is. `coupling.linear_saturation` and
-/// the angular one are looked at where they are set.
+/// What is outside in gains that a scene or a person chose; empty when nothing is.
+/// `coupling.linear_saturation` and the angular one are looked at where they are set.
 ///
 /// proposal  propose_gains(task)
 /// contact_stiffness, contact_damping  of all contacts together [N/m, N s/m]

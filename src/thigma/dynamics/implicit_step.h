@@ -1,5 +1,6 @@
 #pragma once
-// Semi-implicit backward Euler: one linear solve a step, stable where explicit schemes are not (Sec. 5.2).
+// Semi-implicit backward Euler: one linear solve a step, stable where explicit schemes are not
+// (Sec. 5.2).
 
 #include "thigma/dynamics/body.h"
 
@@ -9,8 +10,8 @@ namespace thigma {
 ///
 /// body      mass properties; its gravity is added
 /// state     y_{n-1}
-/// wrench    all that acts but gravity, at `state` and the device sample just read; about the centre
-///           of mass [N, N m; world]
+/// wrench    all that acts but gravity, at `state` and the device sample just read; about the
+///           centre of mass [N, N m; world]
 /// jacobian  d(force, torque)/dy of that wrench (6 x 13)
 /// dt        step length > 0 [s]; any
 /// returns   y_n with |q| = 1; not finite when an input is not. Without torque L is kept exactly

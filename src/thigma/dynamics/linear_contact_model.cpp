@@ -37,7 +37,8 @@ PlaneForce plane_force(const PlaneTerm& term, const RigidBody& body, const BodyS
 
 namespace {
 
-// 2 vec(q q_0^-1), the rotation vector from q_0 to q to second order, with -q for q when that is nearer: linear in q.
+// 2 vec(q q_0^-1), the rotation vector from q_0 to q to second order, with -q for q when that is
+// nearer: linear in q.
 Mat34 turn_by_orientation(const Quat& from, const Quat& to) THIGMA_RT {
   const double side = to.coeffs().dot(from.coeffs()) < 0.0 ? -2.0 : 2.0;
   Mat34 matrix;
@@ -53,7 +54,8 @@ Vec6 motion_between(const BodyState& from, const BodyState& to, const Mat34& tur
 }
 
 double depth_after(const DepthTerm& term, const Vec6& motion, const DepthBend* bend) THIGMA_RT {
-  const double depth = term.depth + term.linear.dot(motion.head<3>()) + term.angular.dot(motion.tail<3>());
+  const double depth =
+      term.depth + term.linear.dot(motion.head<3>()) + term.angular.dot(motion.tail<3>());
   return bend == nullptr ? depth : depth + 0.5 * motion.dot(*bend * motion);
 }
 
@@ -83,7 +85,8 @@ PlaneForce depth_force(const DepthTerm& term, const BodyState& taken_at, const R
   if (!f.is_active) return f;
   f.wrench = {-f.magnitude * gradient.head<3>(), -f.magnitude * gradient.tail<3>()};
   if (!jacobian) return f;
-  Vec6 by_motion = term.stiffness * gradient;  // dm: of the depth the symmetric part of the bend counts alone
+  // dm: of the depth the symmetric part of the bend counts alone
+  Vec6 by_motion = term.stiffness * gradient;
   if (bend != nullptr) {
     by_motion += (0.5 * term.stiffness) * (bend->transpose() * motion - *bend * motion) +
                  term.damping * (bend->transpose() * velocity);

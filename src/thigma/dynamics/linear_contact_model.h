@@ -25,21 +25,22 @@ struct PlaneTerm {
   std::int32_t id = -1;                   // of the cluster, persistent over frames
 };
 
-/// Depth of textured surfaces to first order in the object's motion, with its viscoelastic force along the gradient.
-/// The depth is evaluated at the current state, so that the clamp against pulling is natural; the gradient is that of
-/// the model's state (Gauss-Newton).
+/// Depth of textured surfaces to first order in the object's motion, with its viscoelastic force
+/// along the gradient. The depth is evaluated at the current state, so that the clamp against
+/// pulling is natural; the gradient is that of the model's state (Gauss-Newton).
 struct DepthTerm {
-  double depth = 0.0;             // at the model's state [m]; positive = penetrating
-  Vec3 linear = Vec3::Zero();     // gradient by the position of the centre of mass [-; world]
-  Vec3 angular = Vec3::Zero();    // and by a rotation vector about it [m/rad; world]
-  double stiffness = 0.0;         // k [N/m]
-  double damping = 0.0;           // b [N s/m]
-  double tolerance = 0.0;         // d: force starts at depth = -d [m]
-  std::int32_t id = -1;           // of the cluster, persistent over frames
+  double depth = 0.0;           // at the model's state [m]; positive = penetrating
+  Vec3 linear = Vec3::Zero();   // gradient by the position of the centre of mass [-; world]
+  Vec3 angular = Vec3::Zero();  // and by a rotation vector about it [m/rad; world]
+  double stiffness = 0.0;       // k [N/m]
+  double damping = 0.0;         // b [N s/m]
+  double tolerance = 0.0;       // d: force starts at depth = -d [m]
+  std::int32_t id = -1;         // of the cluster, persistent over frames
 };
 
-/// How the gradient of a depth term changes with the motion: by a way, then a rotation vector about the centre of mass,
-/// rows as columns (6 x 6) [1/m, 1/rad, m/rad^2; world]. Not symmetric: the gradient is that of the turned object.
+/// How the gradient of a depth term changes with the motion: by a way, then a rotation vector about
+/// the centre of mass, rows as columns (6 x 6) [1/m, 1/rad, m/rad^2; world]. Not symmetric: the
+/// gradient is that of the turned object.
 using DepthBend = Mat6;
 
 /// First-order term: wrench and Jacobian at the model's state.
@@ -63,9 +64,8 @@ static_assert(RtPayload<LinearContactModel>);
 
 /// One plane or depth term at one state.
 struct PlaneForce {
-  double depth = 0.0;  // n . (x + R r - p_0), or of the textures [m]; positive = penetrating
-  double magnitude =
-      0.0;  // k (depth + d) + b times the rate of the depth [N]; > 0 pushes along -n
+  double depth = 0.0;      // n . (x + R r - p_0), or of the textures [m]; positive = penetrating
+  double magnitude = 0.0;  // k (depth + d) + b times the rate of the depth [N]; > 0 pushes along -n
   bool is_active = false;  // unilateral terms: depth + d > 0 and magnitude > 0
   Wrench wrench;           // about the centre of mass [N, N m; world]; zero when inactive
 };
@@ -80,18 +80,20 @@ PlaneForce plane_force(const PlaneTerm& term, const RigidBody& body, const BodyS
                        const BodyKinematics& at, double scale = 1.0,
                        WrenchJacobian* jacobian = nullptr) THIGMA_RT;
 
-/// Evaluates a depth term at a state: with g = (linear, angular), depth + g . (way moved, 2 vec(q q_0^-1)) is the depth,
-/// -(k (depth + d) + b g . velocity) g the wrench.
+/// Evaluates a depth term at a state: with g = (linear, angular), depth + g . (way moved, 2 vec(q
+/// q_0^-1)) is the depth, -(k (depth + d) + b g . velocity) g the wrench.
 ///
 /// taken_at  state of the model the term is of
-/// bend      null: the gradient stays as it is, and the Jacobian is Eq. 5.56 without the Hessian of the depth; or how it
-///           changes: the depth is of second order then, the force along the gradient at the state
+/// bend      null: the gradient stays as it is, and the Jacobian is Eq. 5.56 without the Hessian of
+///           the depth; or how it changes: the depth is of second order then, the force along the
+///           gradient at the state
 /// others    as of plane_force
 /// Thread    [haptic]; no failure.
 /// Source    Eqs. 4.6, 4.7, 5.14, 5.56. Deviates: D79, D81.
 PlaneForce depth_force(const DepthTerm& term, const BodyState& taken_at, const RigidBody& body,
                        const BodyState& state, const BodyKinematics& at, double scale = 1.0,
-                       WrenchJacobian* jacobian = nullptr, const DepthBend* bend = nullptr) THIGMA_RT;
+                       WrenchJacobian* jacobian = nullptr,
+                       const DepthBend* bend = nullptr) THIGMA_RT;
 
 /// Bend of depth term i, null without one.
 /// Thread    [haptic].
@@ -104,8 +106,9 @@ inline const DepthBend* bend_of(const LinearContactModel& model, std::size_t i) 
 double depth_at(const DepthTerm& term, const BodyState& taken_at, const BodyState& state,
                 const DepthBend* bend = nullptr) THIGMA_RT;
 
-/// Wrench of a Taylor term, taken at state y_0, at a state y: W + J (y - y_0), where -q stands for q when
-/// it is the nearer of the two (Eq. 5.14). Not clamped. `jacobian`: null, or the Jacobian at y (6 x 13).
+/// Wrench of a Taylor term, taken at state y_0, at a state y: W + J (y - y_0), where -q stands for
+/// q when it is the nearer of the two (Eq. 5.14). Not clamped. `jacobian`: null, or the Jacobian at
+/// y (6 x 13).
 /// Thread    [haptic].
 Wrench extrapolate(const TaylorTerm& term, const BodyState& taken_at, const BodyState& state,
                    WrenchJacobian* jacobian = nullptr) THIGMA_RT;

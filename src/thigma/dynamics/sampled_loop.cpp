@@ -10,10 +10,11 @@
 namespace thigma {
 namespace {
 
-constexpr double kFar =
-    1e200;  // grown by this within an eighth of the frames, nothing is left to measure
+// grown by this within an eighth of the frames, nothing is left to measure
+constexpr double kFar = 1e200;
 
-// Position and velocity of handle and arm after a period under a constant force: (x, v, f) -> (x', v', f).
+// Position and velocity of handle and arm after a period under a constant force: (x, v, f) -> (x',
+// v', f).
 Mat3 held_force_step(const SampledLoop& loop) {
   const double mass = loop.handle_mass + loop.arm_mass;
   Mat3 rate = Mat3::Zero();
@@ -75,8 +76,8 @@ double loop_growth(const SampledLoop& loop, int frames) {
   LateSamples samples(loop.delay / T);
 
   double x = 1.0, v = 0.0, body_x = 0.0, body_v = 0.0, last = 0.0;
-  // The largest swing of each eighth, after which everything is brought to the size of one again: whatever a loop does,
-  // it neither overflows nor dies to nothing.
+  // The largest swing of each eighth, after which everything is brought to the size of one again:
+  // whatever a loop does, it neither overflows nor dies to nothing.
   constexpr int kBlocks = 8;
   double log_size[kBlocks] = {}, log_scale = 0.0;
   for (int block = 0; block < kBlocks; ++block) {

@@ -5,40 +5,42 @@
 #include <cstring>
 #include <limits>
 
-// Reduction to a small interval, then Taylor polynomials long enough for double precision (evaluated by
-// Horner in a fixed order). Slower than the C library by a factor of two; called a few times a tick.
+// Reduction to a small interval, then Taylor polynomials long enough for double precision
+// (evaluated by Horner in a fixed order). Slower than the C library by a factor of two; called a
+// few times a tick.
 
 namespace thigma {
 namespace {
 
-// pi/2 in three parts; the first two have 33 bits, so k * part is exact for |k| < 2^20 (|x| <= 1e5).
+// pi/2 in three parts; the first two have 33 bits, so k * part is exact for |k| < 2^20 (|x| <=
+// 1e5).
 constexpr double kHalfPiA = 1.57079632673412561417e+00;
 constexpr double kHalfPiB = 6.07710050630396597660e-11;
 constexpr double kHalfPiC = 2.02226624879595063154e-21;
 
 double sin_kernel(double x) {  // |x| <= pi/4
   const double z = x * x;
-  double s = 1.0 / 355687428096000.0;        // 17!
-  s = s * z - 1.0 / 1307674368000.0;         // 15!
-  s = s * z + 1.0 / 6227020800.0;            // 13!
-  s = s * z - 1.0 / 39916800.0;              // 11!
-  s = s * z + 1.0 / 362880.0;                // 9!
-  s = s * z - 1.0 / 5040.0;                  // 7!
-  s = s * z + 1.0 / 120.0;                   // 5!
-  s = s * z - 1.0 / 6.0;                     // 3!
+  double s = 1.0 / 355687428096000.0;  // 17!
+  s = s * z - 1.0 / 1307674368000.0;   // 15!
+  s = s * z + 1.0 / 6227020800.0;      // 13!
+  s = s * z - 1.0 / 39916800.0;        // 11!
+  s = s * z + 1.0 / 362880.0;          // 9!
+  s = s * z - 1.0 / 5040.0;            // 7!
+  s = s * z + 1.0 / 120.0;             // 5!
+  s = s * z - 1.0 / 6.0;               // 3!
   return x + x * (z * s);
 }
 
 double cos_kernel(double x) {  // |x| <= pi/4
   const double z = x * x;
-  double s = -1.0 / 6402373705728000.0;      // 18!
-  s = s * z + 1.0 / 20922789888000.0;        // 16!
-  s = s * z - 1.0 / 87178291200.0;           // 14!
-  s = s * z + 1.0 / 479001600.0;             // 12!
-  s = s * z - 1.0 / 3628800.0;               // 10!
-  s = s * z + 1.0 / 40320.0;                 // 8!
-  s = s * z - 1.0 / 720.0;                   // 6!
-  s = s * z + 1.0 / 24.0;                    // 4!
+  double s = -1.0 / 6402373705728000.0;  // 18!
+  s = s * z + 1.0 / 20922789888000.0;    // 16!
+  s = s * z - 1.0 / 87178291200.0;       // 14!
+  s = s * z + 1.0 / 479001600.0;         // 12!
+  s = s * z - 1.0 / 3628800.0;           // 10!
+  s = s * z + 1.0 / 40320.0;             // 8!
+  s = s * z - 1.0 / 720.0;               // 6!
+  s = s * z + 1.0 / 24.0;                // 4!
   return 1.0 - (0.5 * z - z * z * s);
 }
 
@@ -84,10 +86,14 @@ SinCos sin_cos(double x) THIGMA_RT {
   const double s = sin_kernel(r);
   const double c = cos_kernel(r);
   switch (static_cast<std::int64_t>(k) & 3) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
   }
 }
 

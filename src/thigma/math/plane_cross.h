@@ -4,7 +4,10 @@
 
 namespace thigma {
 
-/// Twice the signed area of the triangle (0, a, b) in the plane: positive where b lies anticlockwise of a.
-[[nodiscard]] inline double cross(const Vec2& a, const Vec2& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
+/// Twice the signed area of the triangle (0, a, b) in the plane: positive where b lies
+/// anticlockwise of a.
+[[nodiscard]] inline double cross(const Vec2& a, const Vec2& b) noexcept {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 }  // namespace thigma

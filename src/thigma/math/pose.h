@@ -8,7 +8,7 @@ namespace thigma {
 
 /// Rigid transform p -> orientation * p + position. Invariant of use: |orientation| = 1 to 1e-9.
 struct Pose {
-  Vec3 position = Vec3::Zero();       // [m]
+  Vec3 position = Vec3::Zero();         // [m]
   Quat orientation = Quat::Identity();  // unit
 };
 
@@ -24,7 +24,8 @@ struct Motion {
   Twist twist;
 };
 
-/// Force [N] and torque [N m] about a point that the name or docstring of the holder states; world axes.
+/// Force [N] and torque [N m] about a point that the name or docstring of the holder states; world
+/// axes.
 struct Wrench {
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
@@ -36,7 +37,8 @@ inline Vec3 transform_point(const Pose& a_from_b, const Vec3& p_b) THIGMA_RT {
 
 /// a_from_c = a_from_b * b_from_c.
 inline Pose operator*(const Pose& a_from_b, const Pose& b_from_c) THIGMA_RT {
-  return {transform_point(a_from_b, b_from_c.position), a_from_b.orientation * b_from_c.orientation};
+  return {transform_point(a_from_b, b_from_c.position),
+          a_from_b.orientation * b_from_c.orientation};
 }
 
 inline Pose inverse(const Pose& a_from_b) THIGMA_RT {

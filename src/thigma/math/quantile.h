@@ -5,8 +5,8 @@
 
 namespace thigma {
 
-/// Value below which a share of the samples lies, between samples by linear interpolation of the sorted ones
-/// (Hyndman and Fan 1996, type 7).
+/// Value below which a share of the samples lies, between samples by linear interpolation of the
+/// sorted ones (Hyndman and Fan 1996, type 7).
 ///
 /// samples  in any order, any unit, no NaN
 /// share    0 (the least) to 1 (the largest); held to that

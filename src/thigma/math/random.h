@@ -1,5 +1,6 @@
 #pragma once
-// Seeded random numbers with the same sequence everywhere; std::distributions differ between libraries.
+// Seeded random numbers with the same sequence everywhere; std::distributions differ between
+// libraries.
 
 #include <cmath>
 #include <cstdint>

@@ -1,9 +1,11 @@
 #pragma once
-// The few linear-algebra types everything is written in. Double precision, fixed size, no allocation.
+// The few linear-algebra types everything is written in. Double precision, fixed size, no
+// allocation.
+
+#include <cstdint>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <cstdint>
 
 namespace thigma {
 

@@ -33,8 +33,8 @@ struct Sheets {
   std::vector<Part> part;             // of each sheet
   std::vector<Seam> seams;            // by sheet
   std::vector<std::int32_t> first;    // seams of sheet s: first[s] .. first[s + 1]
-  std::vector<std::array<std::int32_t, kParts>> faces_at;   // of each edge: faces of each part
-  std::vector<std::vector<std::int32_t>> sheets_at;         // of each edge: those with a seam there
+  std::vector<std::array<std::int32_t, kParts>> faces_at;  // of each edge: faces of each part
+  std::vector<std::vector<std::int32_t>> sheets_at;        // of each edge: those with a seam there
 
   std::span<const Seam> seams_of(std::int32_t sheet) const {
     return {seams.data() + first[at(sheet)], seams.data() + first[at(sheet) + 1]};

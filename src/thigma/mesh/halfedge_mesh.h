@@ -52,7 +52,8 @@ inline std::int32_t tail_of(const HalfedgeMesh& m, std::int32_t h) noexcept {
 inline std::int32_t head_of(const HalfedgeMesh& m, std::int32_t h) noexcept {
   return tail_of(m, next_halfedge(h));
 }
-/// Where the fan of a vertex begins, from any half-edge that starts at it; h itself where the fan is closed.
+/// Where the fan of a vertex begins, from any half-edge that starts at it; h itself where the fan
+/// is closed.
 std::int32_t first_of_fan(const HalfedgeMesh& m, std::int32_t h) noexcept;
 /// On a boundary, by a vertex that is not locked and has a triangle.
 inline bool is_boundary(const HalfedgeMesh& m, std::int32_t v) noexcept {
@@ -75,8 +76,9 @@ void visit_fan(const HalfedgeMesh& m, std::int32_t v, Visit visit) {
 /// Half-edge from a to b, -1 when there is none; a is not locked.
 std::int32_t find_halfedge(const HalfedgeMesh& m, std::int32_t a, std::int32_t b);
 
-/// Whether collapsing the edge leaves the same surface: neither end locked, no boundary pinched or closed,
-/// and the ends share no neighbour but the corners across the edge (link condition, Dey et al. 1999).
+/// Whether collapsing the edge leaves the same surface: neither end locked, no boundary pinched or
+/// closed, and the ends share no neighbour but the corners across the edge (link condition, Dey et
+/// al. 1999).
 /// Thread    [offline].
 bool can_collapse(const HalfedgeMesh& m, std::int32_t halfedge);
 

@@ -32,22 +32,22 @@ struct MeshReport {
   std::int64_t nonmanifold_edges = 0;     // of three or more faces
   std::int64_t nonmanifold_vertices = 0;  // whose faces form more than one fan
   std::int64_t misoriented_edges = 0;     // of two faces that run along it the same way
-  std::int64_t degenerate_triangles =
-      0;  // without area: left out, or kept with three distinct vertices
-  std::int64_t duplicate_triangles =
-      0;  // of the same three vertices as an earlier one, either way round
+  // without area: left out, or kept with three distinct vertices
+  std::int64_t degenerate_triangles = 0;
+  // of the same three vertices as an earlier one, either way round
+  std::int64_t duplicate_triangles = 0;
   std::int64_t self_intersections = 0;  // pairs that meet other than at shared vertices or edges
-  std::int64_t unwelded_vertices =
-      0;  // that lie so close to another that welding them closes boundary edges
+  // that lie so close to another that welding them closes boundary edges
+  std::int64_t unwelded_vertices = 0;
   std::int64_t inside_out_components = 0;  // closed, of negative volume, in no other
   std::int64_t nonorientable_components = 0;
   std::int64_t zero_volume_components = 0;  // closed, and flat to rounding
-  bool self_intersections_counted =
-      false;              // false: not asked for, or stopped at a limit (then at least that many)
-  bool closed = false;    // no boundary edge
-  bool manifold = false;  // no non-manifold edge or vertex
-  bool oriented = false;  // no misoriented edge
-  double area = 0.0;      // [m^2]
+  // false: not asked for, or stopped at a limit (then at least that many)
+  bool self_intersections_counted = false;
+  bool closed = false;                 // no boundary edge
+  bool manifold = false;               // no non-manifold edge or vertex
+  bool oriented = false;               // no misoriented edge
+  double area = 0.0;                   // [m^2]
   std::optional<double> volume;        // [m^3]; none unless closed, manifold and oriented
   std::optional<Vec3> center_of_mass;  // [m; body frame]; as volume
   std::optional<Mat3> inertia;         // unit density, about the centre of mass [kg m^2]; as volume
@@ -63,8 +63,8 @@ struct InspectOptions {
   bool self_intersections = true;  // the one slow count; the verdict does not depend on it
 };
 
-/// Looks at a mesh and changes nothing. Any content is valid input, non-finite numbers and wild indices
-/// included.
+/// Looks at a mesh and changes nothing. Any content is valid input, non-finite numbers and wild
+/// indices included.
 /// Thread    [offline]; deterministic.
 MeshReport inspect_mesh(const TriangleMesh& mesh, const InspectOptions& options = {});
 

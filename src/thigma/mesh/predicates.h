@@ -10,8 +10,8 @@ namespace thigma {
 ///
 /// Exact while no nonzero coordinate is below about 1e-85 or above 1e50 (then products underflow or
 /// overflow).
-/// Thread    [offline] by use; neither allocates nor throws. A rounded determinant answers where it is
-///           certain, expansions of doubles (Dekker 1971, Priest 1991) where it is not.
+/// Thread    [offline] by use; neither allocates nor throws. A rounded determinant answers where it
+///           is certain, expansions of doubles (Dekker 1971, Priest 1991) where it is not.
 int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcept;
 
 /// +1 when a, b, c run counter-clockwise, -1 clockwise, 0 exactly on a line. As orient3d.

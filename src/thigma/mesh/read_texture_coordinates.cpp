@@ -1,5 +1,5 @@
-// A second look at the file: reading a mesh merges positions and leaves triangles out, so faces are read here once more,
-// with what parse_mesh has checked taken for granted.
+// A second look at the file: reading a mesh merges positions and leaves triangles out, so faces are
+// read here once more, with what parse_mesh has checked taken for granted.
 #include "thigma/mesh/read_texture_coordinates.h"
 
 #include "thigma/core/file.h"

@@ -15,7 +15,8 @@ namespace thigma {
 /// bytes     an OBJ that parse_mesh takes
 /// name      of the file, for messages
 /// returns   (u, v) of the three corners of each triangle, as the file has them (m)
-/// Thread    [offline]; throws InputError for a corner without texture coordinates, or with wrong ones; naming the line.
+/// Thread    [offline]; throws InputError for a corner without texture coordinates, or with wrong
+///           ones; naming the line.
 std::vector<std::array<Vec2, 3>> read_texture_coordinates(std::string_view bytes,
                                                           const std::string& name);
 

@@ -54,8 +54,9 @@ void weld(Repair& r) {
          "vertices welded to ones that nearly equal them");
 }
 
-// Fins go, and one of each group of equal triangles stays. Which way round is decided by its neighbours: the
-// triangles that the mesh has once, before those that turn one way more often than the other.
+// Fins go, and one of each group of equal triangles stays. Which way round is decided by its
+// neighbours: the triangles that the mesh has once, before those that turn one way more often than
+// the other.
 void drop_duplicates(Repair& r) {
   const DistinctFaces faces = list_distinct_faces(r.mesh);
   const std::vector<bool> is_fin = find_fins(r.mesh, faces);

@@ -53,8 +53,8 @@ Components connect_over_edges(const TriangleMesh& mesh, const EdgeTable& table);
 struct Orientation {
   std::int32_t sheets = 0;
   std::vector<std::int32_t> sheet_of_triangle;  // (m)
-  std::vector<bool>
-      is_flipped;  // (m) the fewer of each sheet: turn these over to make it consistent
+  // (m) the fewer of each sheet: turn these over to make it consistent
+  std::vector<bool> is_flipped;
   std::vector<bool> is_orientable;  // (sheets) false: no such turning exists, as of a Moebius strip
 };
 

@@ -58,7 +58,8 @@ bool is_one_side(const std::array<int, 3>& side) {
   return side[0] != 0 && side[0] == side[1] && side[0] == side[2];
 }
 
-// Times the lengths that span a height: below it the side of a plane is likely to need exact arithmetic.
+// Times the lengths that span a height: below it the side of a plane is likely to need exact
+// arithmetic.
 constexpr double kNearlyCoplanar = 1e-12;
 
 bool are_nearly_coplanar(Points s, const Triangle& a, const Triangle& b) {
@@ -73,10 +74,11 @@ bool are_nearly_coplanar(Points s, const Triangle& a, const Triangle& b) {
 }
 
 bool disjoint_corners_meet(Points s, const Triangle& a, const Triangle& b) {
-  // In surfaces that were squashed flat nearly all pairs lie beside each other, and exact sides of their planes are dear.
-  // What does not meet seen along an axis does not meet.
+  // In surfaces that were squashed flat nearly all pairs lie beside each other, and exact sides of
+  // their planes are dear. What does not meet seen along an axis does not meet.
   if (are_nearly_coplanar(s, a, b) &&
-      !coplanar_triangles_meet(at(s, a[0]), at(s, a[1]), at(s, a[2]), at(s, b[0]), at(s, b[1]), at(s, b[2])))
+      !coplanar_triangles_meet(at(s, a[0]), at(s, a[1]), at(s, a[2]), at(s, b[0]), at(s, b[1]),
+                               at(s, b[2])))
     return false;
   const std::array<int, 3> of_b = sides(s, a, b);
   if (is_one_side(of_b)) return false;

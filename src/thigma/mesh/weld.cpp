@@ -83,8 +83,8 @@ void find_near(WeldSearch& s, double tolerance) {
   }
   std::sort(grid.entries.begin(), grid.entries.end());
   s.near.resize(at.size());
-  constexpr std::size_t kMaxNear =
-      16;  // a vertex with more has lost its place anyway, and time stays bounded
+  // a vertex with more has lost its place anyway, and time stays bounded
+  constexpr std::size_t kMaxNear = 16;
   for (const Grid::Entry& entry : grid.entries) {
     std::vector<std::int32_t>& near = s.near[static_cast<std::size_t>(entry.vertex)];
     const Vec3& p = at[static_cast<std::size_t>(entry.vertex)];

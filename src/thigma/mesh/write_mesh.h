@@ -12,7 +12,8 @@ namespace thigma {
 /// is), .off, and OBJ for any other.
 MeshFormat format_for_name(const std::string& path);
 
-/// A mesh as the bytes of a file. Text is written with the fewest digits that read back to the same bits.
+/// A mesh as the bytes of a file. Text is written with the fewest digits that read back to the same
+/// bits.
 /// Thread    [offline]; throws InputError when a position does not fit (STL: single precision).
 std::string format_mesh(const TriangleMesh& mesh, MeshFormat format, const std::string& name);
 

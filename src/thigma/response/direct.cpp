@@ -13,8 +13,10 @@ PenaltyParams direct_penalty(const DirectDevice& device) noexcept {
   return penalty;
 }
 
-Wrench direct_wrench(const ContactClusters& clusters, const PenaltyParams& params, const Vec3& about) noexcept {
-  // The terms of the haptic thread, for some body at rest whose axes are the world's and whose centre is `about`.
+Wrench direct_wrench(const ContactClusters& clusters, const PenaltyParams& params,
+                     const Vec3& about) noexcept {
+  // The terms of the haptic thread, for some body at rest whose axes are the world's and whose
+  // centre is `about`.
   BodyState state;
   state.position = about;
   const RigidBody body = make_body(1.0, Mat3::Identity());

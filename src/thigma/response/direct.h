@@ -1,5 +1,6 @@
 #pragma once
-// Direct rendering: contact forces go to the hand as they are, without a simulated body between (Sec. 3.5.3).
+// Direct rendering: contact forces go to the hand as they are, without a simulated body between
+// (Sec. 3.5.3).
 
 #include "thigma/contact/clustering.h"
 #include "thigma/math/pose.h"
@@ -15,8 +16,9 @@ struct DirectDevice {
   double force_scale = 1.0;    // f: device newtons per virtual newton
 };
 
-/// Penalty whose force reaches the device's maximum where the surfaces meet, at the device's best stiffness:
-/// k = K / (f s), d = (F_max / f) / k. Clusters share k, so that the force is k (d - distance) however many they are.
+/// Penalty whose force reaches the device's maximum where the surfaces meet, at the device's best
+/// stiffness: k = K / (f s), d = (F_max / f) / k. Clusters share k, so that the force is k (d -
+/// distance) however many they are.
 ///
 /// device   all above 0
 /// returns  without damping: the hand's own has to do
@@ -31,6 +33,7 @@ PenaltyParams direct_penalty(const DirectDevice& device) noexcept;
 /// about     the handle, or the centre of mass [m; world]
 /// returns   [N, N m; world]
 /// Thread    [contact]; no failure.
-Wrench direct_wrench(const ContactClusters& clusters, const PenaltyParams& params, const Vec3& about) noexcept;
+Wrench direct_wrench(const ContactClusters& clusters, const PenaltyParams& params,
+                     const Vec3& about) noexcept;
 
 }  // namespace thigma

@@ -9,8 +9,9 @@ namespace {
 
 static_assert(kMaxContactClusters <= kMaxClusters, "a cluster must find room in the model");
 
-// How much of a cluster is there: below 1 where all it has are a few contacts that are being blended in or out.
-// Its weight over its reach is a lone contact's own weight, and never below 1 for contacts of weight 1.
+// How much of a cluster is there: below 1 where all it has are a few contacts that are being
+// blended in or out. Its weight over its reach is a lone contact's own weight, and never below 1
+// for contacts of weight 1.
 double presence(const ContactCluster& cluster, double reach) noexcept {
   constexpr double kRounding = 1e-9;
   return cluster.weight < (1.0 - kRounding) * reach ? cluster.weight / reach : 1.0;
@@ -43,8 +44,8 @@ LinearContactModel linearize_contacts(const ContactClusters& clusters, const Pen
       1.0 / static_cast<double>(std::max<std::size_t>(clusters.clusters.size(), 1));
   for (const ContactCluster& cluster : clusters.clusters) {
     const double reach = present_reach(cluster, params.tolerance);
-    const double shared =
-        total > 0.0 ? reach / total : equal_share;  // all at -d: none can be preferred
+    // all at -d: none can be preferred
+    const double shared = total > 0.0 ? reach / total : equal_share;
     const double alone = presence(cluster, std::max(cluster.depth + params.tolerance, 0.0));
     const double share = params.is_shared ? shared : alone;
     PlaneTerm term;

@@ -21,8 +21,8 @@ namespace thigma {
 /// Thread    [contact]; no failure, no allocation. Clusters beyond kMaxClusters do not exist.
 /// Source    Sec. 5.4.3, Eqs. 5.36-5.37.
 LinearContactModel linearize_contacts(const ContactClusters& clusters, const PenaltyParams& params,
-                                      const BodyState& state, double time,
-                                      std::uint64_t sequence, double other_reach = 0.0) noexcept;
+                                      const BodyState& state, double time, std::uint64_t sequence,
+                                      double other_reach = 0.0) noexcept;
 
 /// Sum of depth + tolerance over the clusters that press [m]: what they share the stiffness by.
 double total_reach(const ContactClusters& clusters, double tolerance) noexcept;

@@ -1,6 +1,6 @@
-// A cluster is one contact of Sec. 4.2.2: the triangles of its members' patches on either side, at one level of detail
-// each, its mean normal, its centre. Members of one cluster may belong to several bodies; each body has a texture of its
-// own and so a term.
+// A cluster is one contact of Sec. 4.2.2: the triangles of its members' patches on either side, at
+// one level of detail each, its mean normal, its centre. Members of one cluster may belong to
+// several bodies; each body has a texture of its own and so a term.
 #include "thigma/response/texture_contacts.h"
 
 #include <algorithm>
@@ -16,7 +16,8 @@ namespace thigma {
 namespace {
 
 /// A patch as contacts name it, or the one of a coarser level that it lies below; null without one.
-const ClodPatch* patch_at_level(const TexturedBody& body, std::int32_t patch, std::int32_t level) noexcept {
+const ClodPatch* patch_at_level(const TexturedBody& body, std::int32_t patch,
+                                std::int32_t level) noexcept {
   const ClodHierarchy& h = *body.hierarchy;
   std::int32_t node = contact_node(h, patch);
   while (node >= 0 && h.nodes[at(node)].level < level) node = body.parent[at(node)];
@@ -27,8 +28,8 @@ const ClodPatch* patch_at_level(const TexturedBody& body, std::int32_t patch, st
 }
 
 /// Adds the triangles of a patch, at a level, that are not there yet.
-void add_triangles(const TexturedBody& body, std::int32_t patch, std::int32_t level, TriangleMarks& marks,
-                   std::vector<std::int32_t>& triangles) noexcept {
+void add_triangles(const TexturedBody& body, std::int32_t patch, std::int32_t level,
+                   TriangleMarks& marks, std::vector<std::int32_t>& triangles) noexcept {
   const ClodPatch* const p = patch_at_level(body, patch, level);
   if (p == nullptr) return;
   for (std::int32_t i = p->first_triangle; i < p->first_triangle + p->triangle_count; ++i) {
@@ -44,7 +45,8 @@ struct Levels {
 
 /// The coarsest levels among the members of a cluster.
 Levels coarsest_levels(const TexturedWorld& world, std::span<const Contact> contacts,
-                       std::span<const std::int32_t> assignment, std::int32_t cluster, std::int32_t body) noexcept {
+                       std::span<const std::int32_t> assignment, std::int32_t cluster,
+                       std::int32_t body) noexcept {
   Levels levels;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
@@ -57,8 +59,8 @@ Levels coarsest_levels(const TexturedWorld& world, std::span<const Contact> cont
 
 /// The object, and a body of the scene, as one cluster touches them. False without such members.
 bool gather(const TexturedWorld& world, std::span<const Contact> contacts,
-            std::span<const std::int32_t> assignment, std::int32_t cluster, std::int32_t body, const Levels& levels,
-            std::size_t slot, TextureScratch& scratch) noexcept {
+            std::span<const std::int32_t> assignment, std::int32_t cluster, std::int32_t body,
+            const Levels& levels, std::size_t slot, TextureScratch& scratch) noexcept {
   scratch.object_marks.begin();
   scratch.scene_marks.begin();
   std::vector<std::int32_t>&of_object = scratch.object_triangles[slot],
@@ -69,20 +71,25 @@ bool gather(const TexturedWorld& world, std::span<const Contact> contacts,
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
     if (assignment[i] != cluster || contact.body != body) continue;
-    add_triangles(world.object, contact.object_patch, levels.object, scratch.object_marks, of_object);
-    add_triangles(world.scene[at(body)], contact.scene_patch, levels.scene, scratch.scene_marks, of_scene);
+    add_triangles(world.object, contact.object_patch, levels.object, scratch.object_marks,
+                  of_object);
+    add_triangles(world.scene[at(body)], contact.scene_patch, levels.scene, scratch.scene_marks,
+                  of_scene);
     deepest = std::max(deepest, contact.depth + contact.bound);
   }
-  // Clusters name their members in the order of contacts, which may change while the triangles do not.
+  // Clusters name their members in the order of contacts, which may change while the triangles do
+  // not.
   std::sort(of_object.begin(), of_object.end());
   std::sort(of_scene.begin(), of_scene.end());
-  const auto look_beside = [](const TexturedBody& of, std::int32_t level, const auto& own, TriangleMarks& marks,
-                              std::vector<std::int32_t>& around) {
+  const auto look_beside = [](const TexturedBody& of, std::int32_t level, const auto& own,
+                              TriangleMarks& marks, std::vector<std::int32_t>& around) {
     around.clear();
     add_ring(of.textures[at(level)]->coarse, of.at_vertex[at(level)], own, marks, around);
   };
-  look_beside(world.object, levels.object, of_object, scratch.object_marks, scratch.object_around[slot]);
-  look_beside(world.scene[at(body)], levels.scene, of_scene, scratch.scene_marks, scratch.scene_around[slot]);
+  look_beside(world.object, levels.object, of_object, scratch.object_marks,
+              scratch.object_around[slot]);
+  look_beside(world.scene[at(body)], levels.scene, of_scene, scratch.scene_marks,
+              scratch.scene_around[slot]);
   scratch.deepest[slot] = deepest;
   return !of_object.empty() && !of_scene.empty();
 }
@@ -118,8 +125,8 @@ void divide(const TexturedWorld& world, const Pose& world_from_object,
       const Levels levels = coarsest_levels(world, contacts, assignment, index, body);
       if (!gather(world, contacts, assignment, index, body, levels, slot, scratch)) continue;
       DepthContact contact;
-      contact.object = {world.object.textures[at(levels.object)], scratch.object_triangles[slot], world_from_object,
-                        scratch.object_around[slot]};
+      contact.object = {world.object.textures[at(levels.object)], scratch.object_triangles[slot],
+                        world_from_object, scratch.object_around[slot]};
       contact.scene = {world.scene[b].textures[at(levels.scene)], scratch.scene_triangles[slot],
                        bodies[b].world_from_body, scratch.scene_around[slot]};
       contact.point = cluster.point;
@@ -161,13 +168,16 @@ std::unique_ptr<DepthBackend> open_search(const TexturedWorld& world) {
 double longest_texel(const HapticTexture& texture) noexcept {
   double longest = 0.0;
   for (const Texel& t : texture.texels)
-    longest = std::max(longest, Vec3(static_cast<double>(t.x), static_cast<double>(t.y), static_cast<double>(t.z)).norm());
+    longest = std::max(
+        longest,
+        Vec3(static_cast<double>(t.x), static_cast<double>(t.y), static_cast<double>(t.z)).norm());
   return longest;
 }
 
 std::size_t most_triangles(const TexturedBody& body) noexcept {
   std::size_t most = 0;
-  for (const HapticTexture* texture : body.textures) most = std::max(most, texture->coarse.triangles.size());
+  for (const HapticTexture* texture : body.textures)
+    most = std::max(most, texture->coarse.triangles.size());
   return most;
 }
 
@@ -177,7 +187,8 @@ TexturedBody make_textured_body(const HapticTexture& texture, const ClodHierarch
   return make_textured_levels({&texture}, hierarchy);
 }
 
-TexturedBody make_textured_levels(std::vector<const HapticTexture*> textures, const ClodHierarchy& hierarchy) {
+TexturedBody make_textured_levels(std::vector<const HapticTexture*> textures,
+                                  const ClodHierarchy& hierarchy) {
   TexturedBody body;
   body.textures = std::move(textures);
   body.hierarchy = &hierarchy;
@@ -186,7 +197,8 @@ TexturedBody make_textured_levels(std::vector<const HapticTexture*> textures, co
     body.at_vertex.emplace_back();
     if (!(longest_texel(*texture) > 0.0)) continue;
     body.at_vertex.back() = vertex_triangles(texture->coarse);
-    body.amplitude = body.has_relief ? std::min(body.amplitude, texture->amplitude) : texture->amplitude;
+    body.amplitude =
+        body.has_relief ? std::min(body.amplitude, texture->amplitude) : texture->amplitude;
     body.has_relief = true;
   }
   if (body.textures.size() == 1) return body;
@@ -226,7 +238,8 @@ void limit_to_relief(const TexturedWorld& world, double tolerance, ContactSet& c
   const double least = 1e-3 * tolerance - most;
   for (Contact& contact : contacts.contacts) {
     const double own = own_reach(contact);
-    if (contact.bound > 0.0 && is_textured(world, contact.body)) contact.depth = std::max(contact.depth, least);
+    if (contact.bound > 0.0 && is_textured(world, contact.body))
+      contact.depth = std::max(contact.depth, least);
     const double reach = contact.depth + most;
     if (reach > 0.0) contact.weight *= own / reach;
   }

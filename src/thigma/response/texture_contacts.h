@@ -1,6 +1,6 @@
 #pragma once
-// Texture forces in the contact model: where a cluster touches relief, its depth and gradient come from the textures
-// (Sec. 4.2.2, 5.4.4).
+// Texture forces in the contact model: where a cluster touches relief, its depth and gradient come
+// from the textures (Sec. 4.2.2, 5.4.4).
 
 #include <cstdint>
 #include <functional>
@@ -29,20 +29,24 @@ struct TextureParams {
   int resolution = 50;    // of the grid
   int max_nodes = 20000;  // of the search over texels
   GradientKind gradient = GradientKind::smoothed_envelope;
-  double smoothing =
-      0.1;  // of the summed amplitudes: depths this near the maximum count, see depth_request
-  bool has_hessian = false;  // the model has the full Hessian of the depth where it has one; false: Gauss-Newton
+  // of the summed amplitudes: depths this near the maximum count, see depth_request
+  double smoothing = 0.1;
+  // the model has the full Hessian of the depth where it has one; false: Gauss-Newton
+  bool has_hessian = false;
 };
 
 /// A body whose surface textures may refine. Immutable; outlives the session.
 struct TexturedBody {
-  std::vector<const HapticTexture*> textures;  // over the surface of level 0, 1, ..; of one texel where there is no relief
-  std::vector<VertexTriangles> at_vertex;      // of each texture's coarse surface; empty where it has no relief
-  const ClodHierarchy* hierarchy = nullptr;    // its patches of level k are of textures[k]->coarse
-  std::vector<std::int32_t> parent;            // of each node, -1 of the root; empty with one texture
-  bool has_relief = false;                     // false: a plain body
-  double relief = 0.0;     // by how much the fine surface lies off level 0, at most [m]
-  double amplitude = 0.0;  // of the texture that has least of it, of those with relief [m]
+  // over the surface of level 0, 1, ..; of one texel where there is no relief
+  std::vector<const HapticTexture*> textures;
+  // of each texture's coarse surface; empty where it has no relief
+  std::vector<VertexTriangles> at_vertex;
+  const ClodHierarchy* hierarchy = nullptr;  // its patches of level k are of textures[k]->coarse
+  // of each node, -1 of the root; empty with one texture
+  std::vector<std::int32_t> parent;
+  bool has_relief = false;  // false: a plain body
+  double relief = 0.0;      // by how much the fine surface lies off level 0, at most [m]
+  double amplitude = 0.0;   // of the texture that has least of it, of those with relief [m]
 };
 
 /// A body at full resolution.
@@ -51,15 +55,16 @@ TexturedBody make_textured_body(const HapticTexture& texture, const ClodHierarch
 
 /// A body with levels of detail: one texture for each level that is not free.
 /// Thread [offline].
-TexturedBody make_textured_levels(std::vector<const HapticTexture*> textures, const ClodHierarchy& hierarchy);
+TexturedBody make_textured_levels(std::vector<const HapticTexture*> textures,
+                                  const ClodHierarchy& hierarchy);
 
 /// Everything textured of a contact world. Empty: nothing is.
 struct TexturedWorld {
   TexturedBody object;
   std::vector<TexturedBody> scene;  // one a static body
   TextureParams params;
-  /// Told why depths are not computed on a graphics processor, or that it is none in hardware: by the thread that
-  /// reserves scratch, later by the one that samples. May be empty.
+  /// Told why depths are not computed on a graphics processor, or that it is none in hardware: by
+  /// the thread that reserves scratch, later by the one that samples. May be empty.
   std::function<void(const std::string& why)> warn{};
   bool is_empty() const noexcept { return object.hierarchy == nullptr; }
 };
@@ -69,15 +74,17 @@ bool has_levels(const TexturedWorld& world) noexcept;
 
 /// Whether a contact with this body of the scene touches relief.
 inline bool is_textured(const TexturedWorld& world, std::int32_t body) noexcept {
-  return world.object.has_relief || (body >= 0 && world.scene[static_cast<std::size_t>(body)].has_relief);
+  return world.object.has_relief ||
+         (body >= 0 && world.scene[static_cast<std::size_t>(body)].has_relief);
 }
 
-/// By how much fine surfaces may meet before those of level 0 come within a tolerance: what a query has to add [m].
+/// By how much fine surfaces may meet before those of level 0 come within a tolerance: what a query
+/// has to add [m].
 double relief_of(const TexturedWorld& world) noexcept;
 
-/// After a query at tolerance + relief_of(world): takes out contacts that neither relief of their own two bodies nor what
-/// their levels leave open (`bound`) makes real, and makes the others weigh in clusters by depth + tolerance + both, so
-/// that plain ones weigh what they do without textures.
+/// After a query at tolerance + relief_of(world): takes out contacts that neither relief of their
+/// own two bodies nor what their levels leave open (`bound`) makes real, and makes the others weigh
+/// in clusters by depth + tolerance + both, so that plain ones weigh what they do without textures.
 ///
 /// tolerance  without relief [m]
 /// contacts   order of those that stay is kept; depth below the reach of the query is raised to it
@@ -90,7 +97,8 @@ struct TextureScratch {
   std::vector<DepthContact> contacts;                                        // of the last frame
   std::vector<DepthSamples> samples;                                         // of them
   std::vector<std::vector<std::int32_t>> object_triangles, scene_triangles;  // one a depth contact
-  std::vector<std::vector<std::int32_t>> object_around, scene_around;        // the triangles beside those
+  // the triangles beside those
+  std::vector<std::vector<std::int32_t>> object_around, scene_around;
   TriangleMarks object_marks, scene_marks;
   std::vector<std::int32_t> cluster, body;  // of each depth contact
   std::vector<double> deepest;  // that a member of each depth contact may be, relief left aside [m]
@@ -98,23 +106,26 @@ struct TextureScratch {
   ContactClusters plain;  // those that touch no relief
 };
 
-/// Room for the largest contacts there can be. A graphics processor is opened and sent every texture of the world, so
-/// that the first frame is like any other; its driver may allocate in any frame.
-/// Thread [offline]; throws std::bad_alloc.
+/// Room for the largest contacts there can be. A graphics processor is opened and sent every
+/// texture of the world, so that the first frame is like any other; its driver may allocate in any
+/// frame. Thread [offline]; throws std::bad_alloc.
 void reserve_texture_scratch(const TexturedWorld& world, TextureScratch& scratch);
 
-/// Contact model of one frame: a depth term for each cluster and textured body it touches, plane terms for the others;
-/// all share the stiffness by depth + tolerance.
+/// Contact model of one frame: a depth term for each cluster and textured body it touches, plane
+/// terms for the others; all share the stiffness by depth + tolerance.
 ///
-/// world           not empty; poses of the scene are those of `bodies`, that of the object's mesh `world_from_object`
-/// contacts        as clustered. The triangles of a cluster are those of the coarsest level among its members, where the
-///                 finer ones lie below; what it feels is the fine surface at any level, within the fit of its texture
+/// world           not empty; poses of the scene are those of `bodies`, that of the object's mesh
+///                 `world_from_object`
+/// contacts        as clustered. The triangles of a cluster are those of the coarsest level among
+///                 its members, where the finer ones lie below; what it feels is the fine surface
+///                 at any level, within the fit of its texture
 /// clusters, assignment  of cluster_contacts
 /// penalty         as linearize_contacts
 /// state, time, sequence  likewise
 /// scratch         results of the last call are looked into by tests and reports
-/// returns         depth terms without depth, because the surfaces share no part of the plane along n, are left out; a
-///                 depth above what coarse depth, relief and tolerance allow together is cut to it
+/// returns         depth terms without depth, because the surfaces share no part of the plane along
+///                 n, are left out; a depth above what coarse depth, relief and tolerance allow
+///                 together is cut to it
 /// Thread          [contact]; no failure; allocates only when a contact is larger than any before.
 /// Source          Sec. 4.2.2, 5.4.4, Eq. 5.56. Deviates: D79, D81.
 LinearContactModel linearize_textured(

@@ -1,5 +1,6 @@
 #pragma once
-// A point that slides over a plate with an analytic relief: the texture force law in closed form (Sec. 4.3, 5.4.4).
+// A point that slides over a plate with an analytic relief: the texture force law in closed form
+// (Sec. 4.3, 5.4.4).
 
 #include <cstdint>
 
@@ -20,7 +21,8 @@ struct SinusoidPlate {
   double phase_u = 0.0, phase_v = 0.0;          // f [rad]
 };
 
-/// Directional depth n . p - h at a point of the object and its derivatives by the point (Eq. 4.3, one sample).
+/// Directional depth n . p - h at a point of the object and its derivatives by the point (Eq. 4.3,
+/// one sample).
 struct PlateDepth {
   double depth = 0.0;            // positive = penetrating [m]
   Vec3 gradient = Vec3::Zero();  // [-]

@@ -157,7 +157,8 @@ Resolution read_resolution(const Json& json) {
   r.metric.view = {view[0], view[1], view[2], view[3], view[4]};
   const Json& cap = json.at("deviation_cap");
   r.deviation_cap = cap.is_null() ? kNoCap : cap.get<double>();
-  r.coarsest_level = json.value("coarsest_level", r.coarsest_level);  // recordings from before have none
+  // recordings from before have none
+  r.coarsest_level = json.value("coarsest_level", r.coarsest_level);
   r.reading = json.at("support").get<std::string>() == "one_ring" ? SupportReading::one_ring
                                                                   : SupportReading::flood;
   r.area =
@@ -239,8 +240,8 @@ void read_params(const Json& json, HapticParams& params) {
   params.turn_rate = json.at("turn_rate").get<double>();
   const bool is_direct = json.value("response", std::string("coupled")) == "direct";
   params.response = is_direct ? ResponseKind::direct : ResponseKind::coupled;
-  params.resumes_lost_device =
-      json.value("resumes_lost_device", false);  // older recordings lack it
+  // older recordings lack it
+  params.resumes_lost_device = json.value("resumes_lost_device", false);
   params.passivity.is_on = json.contains("passivity");
   if (params.passivity.is_on) {
     const Json& passivity = json.at("passivity");

@@ -59,7 +59,8 @@ void find_contacts(const ContactWorld& world, const StampedBody& at,
     ContactQuery query;
     query.tolerance = query_tolerance(world);
     query.keep_directions = true;
-    if (world.textures.is_empty() || has_levels(world.textures)) query.resolution = world.resolution;
+    if (world.textures.is_empty() || has_levels(world.textures))
+      query.resolution = world.resolution;
     if (scratch.sequence > 0 && at.time > scratch.last_time) {
       query.resolution.step_time = at.time - scratch.last_time;
     }
@@ -79,15 +80,15 @@ void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch
   std::span<const Contact> pressing = scratch.contacts.contacts;
   scratch.spread.clear();
   if (is_spread(world)) {
-    spread_contacts(*world.object, world_from_mesh(world, at.state), world.scene, pressing, world.tolerance,
-                    scratch.spread);
+    spread_contacts(*world.object, world_from_mesh(world, at.state), world.scene, pressing,
+                    world.tolerance, scratch.spread);
     pressing = scratch.spread;
   }
   cluster_contacts(pressing, scratch.clusters, clustering, scratch.clustering, scratch.clusters);
 
   PenaltyParams response = world.response;
-  response.tolerance =
-      world.tolerance;  // one d: what the query starts at is what the force starts at
+  // one d: what the query starts at is what the force starts at
+  response.tolerance = world.tolerance;
   ++scratch.sequence;
   sample.model =
       world.textures.is_empty()

@@ -33,10 +33,12 @@ struct ContactWorld {
   std::vector<SceneBody> scene;  // static
   ContactSource source;          // in addition to `scene`; empty: none
   double tolerance = 0.0;        // d [m]
-  Resolution resolution;         // of the query; exact unless asked otherwise, and with textures over one level
-  TexturedWorld textures;        // relief of the surfaces; empty: none
-  int max_clusters = 5;          // K
-  bool is_spread = true;         // contacts of large patches over the area these share; not with textures
+  // of the query; exact unless asked otherwise, and with textures over one level
+  Resolution resolution;
+  TexturedWorld textures;  // relief of the surfaces; empty: none
+  int max_clusters = 5;    // K
+  // contacts of large patches over the area these share; not with textures
+  bool is_spread = true;
   PenaltyParams response;        // how clusters push; its tolerance is set to the one above
   std::size_t capacity = 16384;  // contacts a frame; what does not fit is counted
 };
@@ -45,8 +47,9 @@ struct ContactWorld {
 struct ContactScratch {
   std::vector<ContactFront> fronts;  // one a static object
   ContactSet contacts;               // of the last frame
-  std::vector<Contact> spread;       // the same as clustered, see spread_contacts; empty: as they are
-  ContactClusters clusters;          // of the last frame: warm start, persistent ids
+  // the same as clustered, see spread_contacts; empty: as they are
+  std::vector<Contact> spread;
+  ContactClusters clusters;  // of the last frame: warm start, persistent ids
   ClusterScratch clustering;
   std::uint64_t sequence = 0;  // models made
   double last_time = 0.0;      // of the last query, for speeds [s]
@@ -58,18 +61,19 @@ struct ContactScratch {
 /// Thread    [offline]; throws std::bad_alloc.
 void reserve_query(const ContactWorld& world, ContactScratch& scratch);
 
-/// The same, and what make_model needs: a graphics processor is opened here, where the world asks for one.
+/// The same, and what make_model needs: a graphics processor is opened here, where the world asks
+/// for one.
 /// Thread    [offline]; throws std::bad_alloc.
 void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch);
 
-/// First half of a contact frame: queries every static object into scratch.contacts. Where there is relief, farther than
-/// the tolerance by as much.
+/// First half of a contact frame: queries every static object into scratch.contacts. Where there is
+/// relief, farther than the tolerance by as much.
 /// Thread    [contact]; no failure.
 void find_contacts(const ContactWorld& world, const StampedBody& at,
                    ContactScratch& scratch) noexcept;
 
-/// Second half: spreads contacts of large patches, clusters all together and linearises them, with depth and gradient
-/// from textures where a cluster touches relief.
+/// Second half: spreads contacts of large patches, clusters all together and linearises them, with
+/// depth and gradient from textures where a cluster touches relief.
 ///
 /// world         constant
 /// at            state and time the model is for, as given to find_contacts

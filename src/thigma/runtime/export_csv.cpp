@@ -6,13 +6,18 @@ namespace thigma {
 namespace {
 
 constexpr const char* kCsvHeader =
-    "frame,time [s],device x [m],device y [m],device z [m],device qx,device qy,device qz,device qw,buttons,"
+    "frame,time [s],device x [m],device y [m],device z [m],device qx,device qy,device qz,device "
+    "qw,buttons,"
     "body x [m],body y [m],body z [m],body qx,body qy,body qz,body qw,"
     "Px [kg m/s],Py [kg m/s],Pz [kg m/s],Lx [kg m^2/s],Ly [kg m^2/s],Lz [kg m^2/s],"
-    "contact fx [N],contact fy [N],contact fz [N],contact tx [N m],contact ty [N m],contact tz [N m],"
-    "command fx [N],command fy [N],command fz [N],command tx [N m],command ty [N m],command tz [N m],"
-    "feedback fx [N],feedback fy [N],feedback fz [N],feedback tx [N m],feedback ty [N m],feedback tz [N m],"
-    "penetration [m],stretch [m],model age [s],energy [J],touching,grasped,armed,fault,step cpu [s],wake late [s]\n";
+    "contact fx [N],contact fy [N],contact fz [N],contact tx [N m],contact ty [N m],contact tz [N "
+    "m],"
+    "command fx [N],command fy [N],command fz [N],command tx [N m],command ty [N m],command tz [N "
+    "m],"
+    "feedback fx [N],feedback fy [N],feedback fz [N],feedback tx [N m],feedback ty [N m],feedback "
+    "tz [N m],"
+    "penetration [m],stretch [m],model age [s],energy [J],touching,grasped,armed,fault,step cpu "
+    "[s],wake late [s]\n";
 
 void put(std::string& row, double value) {
   row += ',';

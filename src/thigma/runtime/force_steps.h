@@ -1,6 +1,6 @@
 #pragma once
-// How much the force steps from frame to frame, with and without a contact that changes its level of
-// detail: whether levels pop (Sec. 3.4.4).
+// How much the force steps from frame to frame, with and without a contact that changes its level
+// of detail: whether levels pop (Sec. 3.4.4).
 
 #include <array>
 #include <cstdint>

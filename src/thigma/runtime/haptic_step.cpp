@@ -103,8 +103,8 @@ Touch touch(const LinearContactModel& model, const BodyState& y) THIGMA_RT {
   return result;
 }
 
-/// The tick as told, or a fault in its place where it has no time or no length. Recordings hold what
-/// this returns, so that they replay.
+/// The tick as told, or a fault in its place where it has no time or no length. Recordings hold
+/// what this returns, so that they replay.
 HapticTick checked(const HapticTick& tick, HapticState& state) THIGMA_RT {
   HapticTick result = tick;
   if (!std::isfinite(tick.now) || !std::isfinite(tick.elapsed) || !(tick.elapsed > 0.0)) {
@@ -135,8 +135,7 @@ void read_inputs(const HapticParams& params, const HapticPorts& ports, const Hap
   if (is_usable && sample.device.status != DeviceStatus::not_ready) {
     state.last_device = sample.device;
     const DeviceState& device = sample.device;
-    observe_motion(state.energy,
-                   device.has_true_handle ? device.true_handle : device.motion.pose);
+    observe_motion(state.energy, device.has_true_handle ? device.true_handle : device.motion.pose);
     if (params.passivity.is_on)
       observe_handle(params.passivity, device.motion, tick.now, state.passivity);
   }
@@ -197,8 +196,8 @@ void follow_handle(const HapticParams& params, const HapticSample& sample,
   let_go(state);
 }
 
-/// The wrench of the contacts on the body as the hand feels it, about the handle. What a stale model
-/// fades by comes with the limits.
+/// The wrench of the contacts on the body as the hand feels it, about the handle. What a stale
+/// model fades by comes with the limits.
 Wrench contact_on_hand(const LinearContactModel& model, const RigidBody& body, const Motion& hand,
                        const BodyState& state) THIGMA_RT {
   const Wrench push = contact_wrench(model, body, state);
@@ -229,8 +228,8 @@ void send_wrench(const HapticParams& params, const HapticPorts& ports,
   if (params.response == ResponseKind::direct) {
     on_hand = contact_on_hand(model, params.body, sample.handle, state.body);
   } else {
-    sample.coupling = coupling_wrench(faded(state.coupling, hand_weight), sample.handle, params.body,
-                                      state.body);
+    sample.coupling =
+        coupling_wrench(faded(state.coupling, hand_weight), sample.handle, params.body, state.body);
     on_hand = device_wrench(state.coupling, sample.handle, params.body, state.body);
   }
   sample.feedback =

@@ -27,7 +27,8 @@ enum class GraspPlace : std::uint8_t {
 /// How the contact forces reach the hand.
 enum class ResponseKind : std::uint8_t {
   coupled,  // simulated body and virtual coupling (Chapter 5)
-  direct,  // the object is where the handle has it; contact forces go straight to the hand (Sec. 3.5.3)
+  // the object is where the handle has it; contact forces go straight to the hand (Sec. 3.5.3)
+  direct,
 };
 
 /// Constant while a session runs.
@@ -39,21 +40,21 @@ struct HapticParams {
   DeviceLimits device;  // of the device in use; sessions fill it in
   GraspPlace grasp_place = GraspPlace::grasp_point;
   Vec3 grasp_point = Vec3::Zero();  // from the centre of mass [m; body frame]
-  double turn_rate =
-      kButtonTurnRate;  // of the turn buttons, for devices without sensed rotation [rad/s]
+  // of the turn buttons, for devices without sensed rotation [rad/s]
+  double turn_rate = kButtonTurnRate;
   ResponseKind response = ResponseKind::coupled;
   PassivityParams passivity;  // off by default
-  bool resumes_lost_device =
-      false;  // a device that was lost and answers again may be taken up by a
-              // new press of the clutch; else the fault stays until cleared
+  // a device that was lost and answers again may be taken up by a new press of the clutch; else the
+  // fault stays until cleared
+  bool resumes_lost_device = false;
 };
 
 /// Sets params.device, and takes rides_out_gaps away where the device holds a person.
 /// Thread    [offline].
 void use_device_limits(const DeviceLimits& limits, HapticParams& params);
 
-/// Whether a session goes on, with zero force, while this fault is latched: a press of the clutch may
-/// clear it.
+/// Whether a session goes on, with zero force, while this fault is latched: a press of the clutch
+/// may clear it.
 /// Thread    [haptic].
 inline bool is_resumable(const HapticParams& params, Fault fault) THIGMA_RT {
   return params.resumes_lost_device && fault == Fault::device_lost;
@@ -106,20 +107,22 @@ HapticState initial_state(const HapticParams& params, const Pose& world_from_bod
 /// One frame: device, coupling, newest contact model, implicit step, coupling again, limits,
 /// passivity controller where it is on, device, telemetry.
 ///
-/// With the direct response the object follows the handle exactly, through anything, and the contact
-/// wrench alone is sent, under the same limits. Damping of the contact terms acts on the handle's velocity.
+/// With the direct response the object follows the handle exactly, through anything, and the
+/// contact wrench alone is sent, under the same limits. Damping of the contact terms acts on the
+/// handle's velocity.
 ///
-/// A device sample that counts by less than 1 (DeviceState::weight) holds the object by weaker springs,
-/// and the wrench on the hand is weaker by the same factor: at 0 the object comes to rest where it is.
+/// A device sample that counts by less than 1 (DeviceState::weight) holds the object by weaker
+/// springs, and the wrench on the hand is weaker by the same factor: at 0 the object comes to rest
+/// where it is.
 ///
 /// The clutch button takes hold of the object and lets it go. An object nobody holds stays where it
 /// is, at rest. Grasped inside a contact it follows the hand, but nothing is sent until it has left
 /// the contact once: arming never happens inside a contact. After a fault nothing is held and zero
-/// is sent until clear_fault, or, where params.resumes_lost_device, until a lost device answers again
-/// and its clutch is pressed anew.
+/// is sent until clear_fault, or, where params.resumes_lost_device, until a lost device answers
+/// again and its clutch is pressed anew.
 ///
-/// With safety.rides_out_gaps a frame that is told of the watchdog, or finds the model too old, sends zero and
-/// goes on instead: what is held stays held, the force comes back over the ramp.
+/// With safety.rides_out_gaps a frame that is told of the watchdog, or finds the model too old,
+/// sends zero and goes on instead: what is held stays held, the force comes back over the ramp.
 ///
 /// params, ports   constant; ports.device is read once and written once
 /// tick            time and step length; nothing assumes 1 ms

@@ -52,9 +52,12 @@ double quantile(const DurationHistogram& histogram, double quantile) noexcept {
 }
 
 DurationSummary summarize(const DurationHistogram& histogram) noexcept {
-  return {quantile(histogram, 0.5), quantile(histogram, 0.99), quantile(histogram, 0.999),
+  return {quantile(histogram, 0.5),
+          quantile(histogram, 0.99),
+          quantile(histogram, 0.999),
           quantile(histogram, 0.9999),
-          1e-9 * static_cast<double>(histogram.max_ns), histogram.total};
+          1e-9 * static_cast<double>(histogram.max_ns),
+          histogram.total};
 }
 
 }  // namespace thigma

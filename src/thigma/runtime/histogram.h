@@ -22,8 +22,8 @@ struct DurationHistogram {
 /// Thread    [haptic].
 void record(DurationHistogram& histogram, std::int64_t nanoseconds) THIGMA_RT;
 
-/// The value that a share `quantile` (0..1) of the durations does not exceed [s]: middle of its bucket,
-/// never above the maximum; 0 without one.
+/// The value that a share `quantile` (0..1) of the durations does not exceed [s]: middle of its
+/// bucket, never above the maximum; 0 without one.
 /// Thread    [any].
 double quantile(const DurationHistogram& histogram, double quantile) noexcept;
 

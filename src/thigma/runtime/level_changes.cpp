@@ -23,7 +23,8 @@ std::vector<std::int32_t> triangles_of_nodes(const ClodHierarchy& hierarchy) {
   std::vector<std::int32_t> triangles(hierarchy.nodes.size(), 0);
   for (std::size_t i = hierarchy.nodes.size(); i-- > 0;) {  // children come after their parents
     const ClodNode& node = hierarchy.nodes[i];
-    if (node.patch >= 0) triangles[i] = hierarchy.patches[static_cast<std::size_t>(node.patch)].triangle_count;
+    if (node.patch >= 0)
+      triangles[i] = hierarchy.patches[static_cast<std::size_t>(node.patch)].triangle_count;
     for (std::int32_t k = 0; k < node.child_count; ++k)
       triangles[i] += triangles[static_cast<std::size_t>(node.first_child + k)];
   }
@@ -104,8 +105,8 @@ std::int32_t count_level_changes(const ClodHierarchy& object, std::span<const Sc
   }
   std::sort(history.now.begin(), history.now.end());
   subtract(history.last, history.now, history.gone);
-  // Refined: what went stands above something that is there; coarsened: below it. What came and stands
-  // below what was there and stays, as while both are blended, is refined as well.
+  // Refined: what went stands above something that is there; coarsened: below it. What came and
+  // stands below what was there and stays, as while both are blended, is refined as well.
   std::int32_t changes = count_below(history, history.now, history.gone) +
                          count_below(history, history.gone, history.now);
   std::vector<NodePair>& came = history.gone;
@@ -119,7 +120,8 @@ double triangles_below(const LevelHistory& history) noexcept {
   double sum = 0.0;
   for (const NodePair& pair : history.last) {
     sum += 0.5 * history.object_triangles[static_cast<std::size_t>(pair.object)];
-    sum += 0.5 * history.scene_triangles[static_cast<std::size_t>(pair.body)][static_cast<std::size_t>(pair.scene)];
+    sum += 0.5 * history.scene_triangles[static_cast<std::size_t>(pair.body)]
+                                        [static_cast<std::size_t>(pair.scene)];
   }
   return sum;
 }

@@ -41,7 +41,8 @@ void view_contacts(const ContactWorld& world, const ContactScratch& scratch, dou
   view.contacts.clear();
   std::size_t stride = 1;
   if (contacts.size() > kViewedContacts) {
-    const std::span<const Contact> members = scratch.spread.empty() ? contacts : std::span<const Contact>(scratch.spread);
+    const std::span<const Contact> members =
+        scratch.spread.empty() ? contacts : std::span<const Contact>(scratch.spread);
     for (const ContactCluster& cluster : scratch.clusters.clusters) {
       const auto deepest = static_cast<std::size_t>(cluster.deepest_member);
       if (cluster.deepest_member >= 0 && deepest < members.size())

@@ -18,11 +18,11 @@ inline constexpr std::size_t kViewedContacts = 128;
 
 /// A contact as it is shown: Contact with nodes in place of patches.
 struct ViewedContact {
-  Vec3 point = Vec3::Zero();    // on the object [m; world]
-  Vec3 normal = Vec3::UnitZ();  // out of the object [world]
-  double depth = 0.0;           // > 0 penetrating [m]
-  double bound = 0.0;           // [m]
-  std::int32_t body = -1;       // static object
+  Vec3 point = Vec3::Zero();                       // on the object [m; world]
+  Vec3 normal = Vec3::UnitZ();                     // out of the object [world]
+  double depth = 0.0;                              // > 0 penetrating [m]
+  double bound = 0.0;                              // [m]
+  std::int32_t body = -1;                          // static object
   std::int32_t object_node = -1, scene_node = -1;  // of the hierarchies; -1: not of one
   std::uint8_t object_level = 0, scene_level = 0;
   ContactStatus status = ContactStatus::separated;
@@ -38,8 +38,8 @@ struct ContactView {
 };
 static_assert(RtPayload<ContactView>);
 
-/// Fills a view from the contacts that scratch holds: all of them, or every n-th and the deepest one of
-/// each cluster.
+/// Fills a view from the contacts that scratch holds: all of them, or every n-th and the deepest
+/// one of each cluster.
 /// Thread    [contact].
 void view_contacts(const ContactWorld& world, const ContactScratch& scratch, double time,
                    ContactView& view) noexcept;
@@ -66,15 +66,15 @@ static_assert(RtPayload<ContactTuning>);
 /// Thread    [contact].
 void apply_tuning(const ContactTuning& tuning, ContactWorld& world) noexcept;
 
-/// The exchanges themselves; they outlive the session. Lockstep sessions publish views and ignore the
-/// rest, as nothing may change what they compute.
+/// The exchanges themselves; they outlive the session. Lockstep sessions publish views and ignore
+/// the rest, as nothing may change what they compute.
 /// Thread: each exchange has one writer and one reader, named beside it.
 struct LivePorts {
-  Latest<ContactView> contacts;         // contact thread -> watcher
-  Latest<HapticTuning> haptic_tuning;   // watcher -> haptic thread
-  Latest<ContactTuning> contact_tuning; // watcher -> contact thread
-  std::atomic<bool> is_paused{false};   // watcher -> haptic thread: session time stands still
-  std::atomic<int> steps{0};            // watcher -> haptic thread: frames to do while paused
+  Latest<ContactView> contacts;          // contact thread -> watcher
+  Latest<HapticTuning> haptic_tuning;    // watcher -> haptic thread
+  Latest<ContactTuning> contact_tuning;  // watcher -> contact thread
+  std::atomic<bool> is_paused{false};    // watcher -> haptic thread: session time stands still
+  std::atomic<int> steps{0};             // watcher -> haptic thread: frames to do while paused
 };
 
 /// Takes one of the frames asked for while paused; false when there is none.

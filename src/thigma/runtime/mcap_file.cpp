@@ -151,7 +151,8 @@ std::string McapWriter::chunk_entry(std::uint64_t length, const std::string& ind
 }
 
 void McapWriter::count_chunk() {
-  for (const auto& [channel, items] : chunk_index_) channels_[channel - 1u].messages += items.size();
+  for (const auto& [channel, items] : chunk_index_)
+    channels_[channel - 1u].messages += items.size();
   if (chunk_messages_ > 0) {
     first_time_ = messages_ == 0 ? chunk_first_ : std::min(first_time_, chunk_first_);
     last_time_ = messages_ == 0 ? chunk_last_ : std::max(last_time_, chunk_last_);

@@ -15,31 +15,38 @@
 
 namespace thigma {
 
-/// Writes an MCAP file. Written beside its place as PATH.part and moved there by close(), so that PATH is
-/// whole or absent; what a kill leaves of PATH.part is read up to its last whole chunk (GrowingFile).
-/// Invariant: between construction and close() the .part file is a prefix of a valid file, chunks at a time.
-/// Thread: one thread, [offline]. Members throw IoError, one line, when the system refuses.
+/// Writes an MCAP file. Written beside its place as PATH.part and moved there by close(), so that
+/// PATH is whole or absent; what a kill leaves of PATH.part is read up to its last whole chunk
+/// (GrowingFile). Invariant: between construction and close() the .part file is a prefix of a valid
+/// file, chunks at a time. Thread: one thread, [offline]. Members throw IoError, one line, when the
+/// system refuses.
 class McapWriter {
  public:
   explicit McapWriter(const std::string& path, std::string_view library = "thigma");
-  ~McapWriter();  // without close(): flushes and leaves the .part file, removes one without a message
+  // without close(): flushes and leaves the .part file, removes one without a message
+  ~McapWriter();
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
-  /// Channel of JSON messages; all channels are added before the first write. json_schema may be empty.
-  std::uint16_t add_channel(std::string_view topic, std::string_view schema_name, std::string_view json_schema);
+  /// Channel of JSON messages; all channels are added before the first write. json_schema may be
+  /// empty.
+  std::uint16_t add_channel(std::string_view topic, std::string_view schema_name,
+                            std::string_view json_schema);
 
-  /// Appends one message; time [ns] of the session clock. Chunks are flushed as they reach 1 MiB, or with the first
-  /// message half a second after their first.
-  void write(std::uint16_t channel, std::uint32_t sequence, std::uint64_t time, std::string_view json);
+  /// Appends one message; time [ns] of the session clock. Chunks are flushed as they reach 1 MiB,
+  /// or with the first message half a second after their first.
+  void write(std::uint16_t channel, std::uint32_t sequence, std::uint64_t time,
+             std::string_view json);
 
   /// What was written so far survives the process.
   void flush();
 
   void close();
 
-  /// After an error: without what was not flushed, closes the file, whole, if there is room for its end.
-  /// returns  where it is: PATH, PATH.part without its end, "" where nothing was flushed and nothing is left
+  /// After an error: without what was not flushed, closes the file, whole, if there is room for its
+  /// end.
+  /// returns  where it is: PATH, PATH.part without its end, "" where nothing was flushed and
+  ///          nothing is left
   std::string close_early();
 
   void discard();  // removes the file
@@ -54,7 +61,8 @@ class McapWriter {
     std::string record_bytes;  // schema and channel records, repeated in the summary
     std::uint64_t messages = 0;
   };
-  std::string chunk_entry(std::uint64_t length, const std::string& index_offsets, std::uint64_t index_length) const;
+  std::string chunk_entry(std::uint64_t length, const std::string& index_offsets,
+                          std::uint64_t index_length) const;
   void count_chunk();
   void drop_chunk();
   std::string summary() const;
@@ -74,18 +82,20 @@ class McapWriter {
 };
 
 struct McapMessage {
-  std::int32_t channel = 0;     // into McapFile::topics
+  std::int32_t channel = 0;  // into McapFile::topics
   std::uint32_t sequence = 0;
-  std::uint64_t time = 0;       // [ns]
-  std::string_view data;        // into McapFile::bytes; of scan_mcap: valid during the call
-  std::uint64_t offset = 0;     // of the record in the file or in its chunk's place in the file [byte]
+  std::uint64_t time = 0;  // [ns]
+  std::string_view data;   // into McapFile::bytes; of scan_mcap: valid during the call
+  // of the record in the file or in its chunk's place in the file [byte]
+  std::uint64_t offset = 0;
 };
 
 /// What a pass over an MCAP file finds beside its messages.
 struct McapScan {
   std::vector<std::string> topics;
-  std::vector<std::string> warnings;  // what is not what its checksum says: read all the same, and said
-  std::string cut;  // "" where the file has its end; else why nothing more was read
+  // what is not what its checksum says: read all the same, and said
+  std::vector<std::string> warnings;
+  std::string cut;             // "" where the file has its end; else why nothing more was read
   std::uint64_t end = 0;       // of what was read [byte]
   std::uint64_t size = 0;      // of the file [byte]
   std::uint64_t messages = 0;  // so far
@@ -94,11 +104,12 @@ struct McapScan {
 /// Takes a message, whose topic is scan.topics[message.channel]; false: no more are wanted.
 using McapSink = std::function<bool(const McapScan& scan, const McapMessage& message)>;
 
-/// Goes through an MCAP file with uncompressed chunks, of any size, in the memory of the longest message and of the
-/// source's window. A file that has its end is read whole or refused. One without was cut off by a kill, a power cut
-/// or a full disk: it is read up to the first record that is not whole, or not what its checksum says.
-/// Thread [offline]; throws InputError "FILE: what, byte N, what was expected" on damage and when unreadable, maybe
-/// after some messages were taken.
+/// Goes through an MCAP file with uncompressed chunks, of any size, in the memory of the longest
+/// message and of the source's window. A file that has its end is read whole or refused. One
+/// without was cut off by a kill, a power cut or a full disk: it is read up to the first record
+/// that is not whole, or not what its checksum says. Thread [offline]; throws InputError "FILE:
+/// what, byte N, what was expected" on damage and when unreadable, maybe after some messages were
+/// taken.
 McapScan scan_mcap(ByteSource& source, const std::string& path, const McapSink& take);
 
 /// Throws InputError that names PATH.part where that is there and PATH is not. Thread [offline].

@@ -16,9 +16,10 @@ void use_passivity(const DeviceLimits& device, SessionConfig& config) {
   HapticParams& params = config.haptic;
   const double period = 1.0 / config.rate;
   if (params.response == ResponseKind::direct) {
-    // Contacts are the spring; their torque is that of forces at the object's surface and has none of its own.
-    params.passivity = springs_of(params.workspace, config.contact.response.stiffness, 0.0, period,
-                                  device.delay);
+    // Contacts are the spring; their torque is that of forces at the object's surface and has none
+    // of its own.
+    params.passivity =
+        springs_of(params.workspace, config.contact.response.stiffness, 0.0, period, device.delay);
     return;
   }
   params.passivity.period = period;

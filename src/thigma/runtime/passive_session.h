@@ -5,7 +5,8 @@
 
 namespace thigma {
 
-/// Switches the controller on for the springs of this configuration and the delay that the device tells of.
+/// Switches the controller on for the springs of this configuration and the delay that the device
+/// tells of.
 ///
 /// config  haptic.device filled in, or `device` given; coupling, response, workspace and rate set
 /// Thread  [offline]; after use_direct_response, where that is used

@@ -18,8 +18,9 @@ struct EnergyObserver {
   double energy_min = 0.0;  // smallest so far, <= 0 [J]
 };
 
-/// Accounts for the wrench held since the last sample. Call with every pose of the handle, before the new
-/// wrench is known: the true one where the device is simulated, else the one it senses. Thread [haptic].
+/// Accounts for the wrench held since the last sample. Call with every pose of the handle, before
+/// the new wrench is known: the true one where the device is simulated, else the one it senses.
+/// Thread [haptic].
 void observe_motion(EnergyObserver& observer, const Pose& handle) THIGMA_RT;
 
 /// The wrench held from now on. Thread [haptic].

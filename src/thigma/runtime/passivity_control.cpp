@@ -1,5 +1,6 @@
-// Every wrench is kept with its time until the sample that tells of the motion it drove has come. What has not been told
-// yet is predicted from the last velocity, and what the prediction may be wrong by is set aside.
+// Every wrench is kept with its time until the sample that tells of the motion it drove has come.
+// What has not been told yet is predicted from the last velocity, and what the prediction may be
+// wrong by is set aside.
 
 #include "thigma/runtime/passivity_control.h"
 
@@ -88,7 +89,8 @@ void observe_handle(const PassivityParams& params, const Motion& handle, double 
                     PassivityControl& control) THIGMA_RT {
   const double taken = now - params.delay;
   if (control.has_sample && control.count > 0) {
-    // The step that ends with this sample lay between the two times of taking; one wrench acted over most of it.
+    // The step that ends with this sample lay between the two times of taking; one wrench acted
+    // over most of it.
     const double middle = 0.5 * (now + control.last_time) - params.delay;
     find_acting(middle, control);
     const Wrench& drove = sent_at(control, control.acting).wrench;
@@ -123,8 +125,8 @@ Wrench passive_wrench(const PassivityParams& params, const Motion& handle, const
   if (!wanted.force.isZero(0.0) || !wanted.torque.isZero(0.0)) {
     const double age = params.delay + 0.5 * params.period + params.velocity_lag;
     const double held = held_energy(params, wanted);
-    const double flow = params.period * (power(wanted, handle.twist) +
-                                         age * unseen_power(params, wanted));
+    const double flow =
+        params.period * (power(wanted, handle.twist) + age * unseen_power(params, wanted));
     const double sure = control.predicted - control.reserve;
     control.share = backed_share(held, flow, std::max(0.0, sure + params.credit));
     sent = control.share * wanted;

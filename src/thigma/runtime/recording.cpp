@@ -160,7 +160,8 @@ void put_taylor(std::string& out, const TaylorTerm& t) {
 }
 
 template <class Items, class Put>
-void put_list(JsonObject& json, std::string& out, const char* key, const Items& items, const Put& put) {
+void put_list(JsonObject& json, std::string& out, const char* key, const Items& items,
+              const Put& put) {
   json.key(key);
   out += '[';
   for (std::size_t i = 0; i < items.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
-// Recordings: what a session did, frame by frame, in an MCAP file; bit for bit, so that it can be run again.
+// Recordings: what a session did, frame by frame, in an MCAP file; bit for bit, so that it can be
+// run again.
 
 #include <array>
 #include <cstdint>
@@ -20,21 +21,24 @@ namespace thigma {
 struct RecordingEnd {
   std::uint64_t frames = 0;
   std::uint64_t state_hash = 0;
-  std::uint64_t dropped =
-      0;  // samples that did not fit in the telemetry ring: the recording has gaps
+  // samples that did not fit in the telemetry ring: the recording has gaps
+  std::uint64_t dropped = 0;
 };
 
 /// Writes a recording. Topics and fields: docs/formats.md.
-/// Invariant: PATH appears when close() returns, whole; before that there is PATH.part, locked, which read_recording
-/// reads as far as it was flushed: all but the last half second of session time, or less.
-/// Thread: one thread, never a real-time one.
-/// errors  IoError when the system refuses, once: the file is then closed as well as it can be, the error says where
+/// Invariant: PATH appears when close() returns, whole; before that there is PATH.part, locked,
+/// which read_recording reads as far as it was flushed: all but the last half second of session
+/// time, or less. Thread: one thread, never a real-time one.
+/// errors  IoError when the system refuses, once: the file is then closed as well as it can be, the
+///         error says where
 /// it is and how far it goes, and everything after it does nothing.
 class RecordingWriter {
  public:
-  /// config: one JSON object, everything needed to run the session again, in the message of /config.
+  /// config: one JSON object, everything needed to run the session again, in the message of
+  /// /config.
   RecordingWriter(const std::string& path, const std::string& config);
-  ~RecordingWriter();  // without close(): what was written is kept, without its end; removed without a frame
+  // without close(): what was written is kept, without its end; removed without a frame
+  ~RecordingWriter();
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
@@ -67,7 +71,7 @@ struct RecordingInfo {
   RecordingEnd end;
   bool has_end = false;  // false: the session went on
   std::string cut_off;   // where and why the file ends before it should; "" for a whole one
-  std::vector<std::string> warnings;  // cut_off among them
+  std::vector<std::string> warnings;                 // cut_off among them
   std::uint64_t frame_count = 0, contact_count = 0;  // samples in it
   double last_time = 0.0;                            // of the last frame [s]
 };
@@ -78,7 +82,8 @@ struct Recording : RecordingInfo {
   std::vector<ContactSample> contacts;
 };
 
-/// Where the messages of a sample are: offsets of McapMessage, in the order of docs/formats.md; 0: it lacks that one.
+/// Where the messages of a sample are: offsets of McapMessage, in the order of docs/formats.md; 0:
+/// it lacks that one.
 using SamplePlace = std::array<std::uint64_t, 4>;
 
 /// What samples are told to while a recording is read; any may be empty.
@@ -89,19 +94,21 @@ struct RecordingSinks {
   std::function<void(const ContactSample&, const SamplePlace&)> contact{};
 };
 
-/// Goes through a recording of any size once, in little memory. One that a kill, a power cut or a full disk cut off is
-/// read up to its last whole frame.
-/// Thread [offline]; throws InputError "FILE: what, where, what was expected" for anything that is not one, maybe after
-/// some samples were told.
+/// Goes through a recording of any size once, in little memory. One that a kill, a power cut or a
+/// full disk cut off is read up to its last whole frame.
+/// Thread [offline]; throws InputError "FILE: what, where, what was expected" for anything that is
+/// not one, maybe after some samples were told.
 RecordingInfo stream_recording(const std::string& path, const RecordingSinks& sinks);
-RecordingInfo stream_recording(ByteSource& source, const std::string& path, const RecordingSinks& sinks);
+RecordingInfo stream_recording(ByteSource& source, const std::string& path,
+                               const RecordingSinks& sinks);
 
 /// The same into memory: a small recording.
 Recording read_recording(const std::string& path);
 Recording read_recording(ByteSource& source, const std::string& path);
 
 /// A sample once more, from where a pass over the same source found it.
-/// Thread [offline]; throws InputError, or an exception of the JSON parser, where the file has changed.
+/// Thread [offline]; throws InputError, or an exception of the JSON parser, where the file has
+/// changed.
 HapticSample read_frame(ByteSource& source, const SamplePlace& place);
 ContactSample read_contact(ByteSource& source, const SamplePlace& place);
 

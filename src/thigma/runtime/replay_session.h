@@ -22,8 +22,9 @@ struct ReplayReport {
 };
 
 /// Runs a session again as its samples and models go by, in the order they were recorded.
-/// Invariant: holds the models that frames may still name, and at most kMostWaiting frames whose model has not come.
-/// Thread: one, [offline]; no failure: what is missing or damaged is a difference.
+/// Invariant: holds the models that frames may still name, and at most kMostWaiting frames whose
+/// model has not come. Thread: one, [offline]; no failure: what is missing or damaged is a
+/// difference.
 class SessionReplay {
  public:
   /// params    of the recorded session, with its device's limits
@@ -33,11 +34,12 @@ class SessionReplay {
   SessionReplay(const SessionReplay&) = delete;
   SessionReplay& operator=(const SessionReplay&) = delete;
 
-  void add(const ContactSample& model);   // in order of their sequence
-  void add(const HapticSample& sample);   // in order from frame 0
-  ReplayReport finish();                  // after the last of both
+  void add(const ContactSample& model);  // in order of their sequence
+  void add(const HapticSample& sample);  // in order from frame 0
+  ReplayReport finish();                 // after the last of both
 
-  static constexpr std::size_t kMostWaiting = 10000;  // ten seconds and more between a model and its frame: it is missing
+  // ten seconds and more between a model and its frame: it is missing
+  static constexpr std::size_t kMostWaiting = 10000;
 
  private:
   struct Impl;
@@ -49,7 +51,8 @@ class SessionReplay {
 ///
 /// params    of the recorded session, with its device's limits
 /// world_from_body of the centre of mass before frame 0
-/// samples   every haptic frame, in order from frame 0; digests of 0 (here and in models) are not compared
+/// samples   every haptic frame, in order from frame 0; digests of 0 (here and in models) are not
+///           compared
 /// models    every model that a frame names, in order of their sequence
 /// Thread    [offline]; no failure: what is missing or damaged is a difference.
 ReplayReport replay_session(const HapticParams& params, const Pose& world_from_body,

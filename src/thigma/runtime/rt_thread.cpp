@@ -106,8 +106,8 @@ std::int64_t wait_for_tick(DeadlineClock& clock) noexcept {
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) == EINTR) {
     }
     now = monotonic_ns();
-    clock.margin_ns = next_margin(clock.margin_ns, now - wake_ns, clock.least_margin_ns,
-                                  clock.most_margin_ns);
+    clock.margin_ns =
+        next_margin(clock.margin_ns, now - wake_ns, clock.least_margin_ns, clock.most_margin_ns);
   }
   const std::int64_t polls_from = now;
   while (now < deadline) now = monotonic_ns();
@@ -116,8 +116,7 @@ std::int64_t wait_for_tick(DeadlineClock& clock) noexcept {
   return now - deadline;
 }
 
-EmptyLoop measure_empty_loop(const RtRequest& request, double rate, double seconds,
-                             double margin) {
+EmptyLoop measure_empty_loop(const RtRequest& request, double rate, double seconds, double margin) {
   EmptyLoop loop;
   std::thread([&] {
     request_real_time(request);

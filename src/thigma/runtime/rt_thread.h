@@ -37,26 +37,27 @@ std::int64_t monotonic_ns() noexcept;
 /// CPU time of the calling thread [ns]. A system call: for the shells around the steps, not within.
 std::int64_t thread_cpu_ns() noexcept;
 
-/// Ticks at a fixed rate, by absolute deadlines. It sleeps until a margin before each and polls from there: wake-ups are
-/// late, polls are not. The margin follows how late wake-ups were of late, between two bounds.
+/// Ticks at a fixed rate, by absolute deadlines. It sleeps until a margin before each and polls
+/// from there: wake-ups are late, polls are not. The margin follows how late wake-ups were of late,
+/// between two bounds.
 struct DeadlineClock {
   std::int64_t period_ns = 1'000'000;
   std::int64_t margin_ns = 150'000;
   std::int64_t least_margin_ns = 20'000, most_margin_ns = 250'000;  // equal: the margin is fixed
-  std::int64_t start_ns = 0;   // of tick 0
-  std::int64_t tick = 0;       // the next to wait for
+  std::int64_t start_ns = 0;                                        // of tick 0
+  std::int64_t tick = 0;                                            // the next to wait for
   std::uint64_t missed = 0;    // ticks that had passed before they could be waited for
   std::int64_t polled_ns = 0;  // CPU time that was spent on being punctual
 };
 
 /// Clock of a rate [Hz].
-/// margin    polled before each deadline, at most the period [s]; below 0: as long as this machine's wake-ups ask for,
-///           from 20 us to 250 us or half the period
+/// margin    polled before each deadline, at most the period [s]; below 0: as long as this
+///           machine's wake-ups ask for, from 20 us to 250 us or half the period
 /// Thread    [any].
 DeadlineClock clock_of(double rate, double margin = -1.0) noexcept;
 
-/// The margin after a wake-up that was `overslept_ns` late: twice that at once where it is more than now; forgotten by
-/// 1/256 a tick where it is less.
+/// The margin after a wake-up that was `overslept_ns` late: twice that at once where it is more
+/// than now; forgotten by 1/256 a tick where it is less.
 std::int64_t next_margin(std::int64_t margin_ns, std::int64_t overslept_ns, std::int64_t least_ns,
                          std::int64_t most_ns) noexcept;
 
@@ -76,7 +77,8 @@ struct EmptyLoop {
   double polled_share = 0.0;  // of the time
 };
 
-/// Ticks at `rate` [Hz] for `seconds` in a thread of its own with the schedule asked for; margin as of clock_of.
+/// Ticks at `rate` [Hz] for `seconds` in a thread of its own with the schedule asked for; margin as
+/// of clock_of.
 /// Thread    [offline].
 EmptyLoop measure_empty_loop(const RtRequest& request, double rate, double seconds,
                              double margin = -1.0);

@@ -141,7 +141,8 @@ HapticSample Session::Impl::guarded_step(const HapticTick& tick) {
   const std::int64_t begin = monotonic_ns();
   const std::int64_t gap = begin - last_step_ns.load(std::memory_order_relaxed);
   note_gap();
-  // Ridden out, a gap is told once, by the one who was late: the watchdog may have been late as well.
+  // Ridden out, a gap is told once, by the one who was late: the watchdog may have been late as
+  // well.
   const std::int64_t skipped = to_ns(tick.now - state.time);
   const bool is_late = params.safety.rides_out_gaps
                            ? std::max({gap, step_ns, skipped}) > watchdog_ns
@@ -153,7 +154,8 @@ HapticSample Session::Impl::guarded_step(const HapticTick& tick) {
   return sample;
 }
 
-/// How long the last step is ago, for whoever wants to know why the watchdog acted. Thread [haptic].
+/// How long the last step is ago, for whoever wants to know why the watchdog acted. Thread
+/// [haptic].
 void Session::Impl::note_gap() {
   const std::int64_t gap = monotonic_ns() - last_step_ns.load(std::memory_order_relaxed);
   if (gap > longest_gap_ns.load(std::memory_order_relaxed))
@@ -186,13 +188,16 @@ void Session::Impl::hang_as_asked() {
   sleep_ns(to_ns(hang->duration));
 }
 
-/// Waits for the next tick; returns how late it was [ns]. One that was slept through for longer than the watchdog waits is
-/// left out: its step would stamp what the watchdog did with a time before it.
+/// Waits for the next tick; returns how late it was [ns]. One that was slept through for longer
+/// than the watchdog waits is left out: its step would stamp what the watchdog did with a time
+/// before it.
 std::int64_t Session::Impl::next_tick() {
   const std::int64_t late = wait_for_tick(clock);
   hold_while_paused();
   hang_as_asked();
-  const auto behind = [this] { return monotonic_ns() - (clock.start_ns + (clock.tick - 1) * clock.period_ns); };
+  const auto behind = [this] {
+    return monotonic_ns() - (clock.start_ns + (clock.tick - 1) * clock.period_ns);
+  };
   constexpr int kMostAgain = 10;  // a machine that is always late is to be told of as well
   std::int64_t latest = behind();
   if (latest <= watchdog_ns) return late;

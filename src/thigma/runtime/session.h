@@ -32,17 +32,19 @@ struct SessionConfig {
   double duration = 0.0;  // 0: until told to stop or the device has finished [s]
   std::vector<FaultEvent> faults;
   double after_fault = 0.020;  // zero force is kept up this long, then the session ends [s]
-  double deep_contact = 0.0;   // a contact this deep that the model in use did not know raises an event; 0: kDeepShare
-                               // of the grasped object's radius, and never where a source stands for it [m]
+  // a contact this deep that the model in use did not know raises an event; 0: kDeepShare of the
+  // grasped object's radius, and never where a source stands for it [m]
+  double deep_contact = 0.0;
 
   // lockstep
   int contact_every = 1;  // haptic frames from one contact step to the next
-  int contact_latency =
-      1;  // haptic frames from the state a model is taken at to its first use, >= 1
+  // haptic frames from the state a model is taken at to its first use, >= 1
+  int contact_latency = 1;
 
   // threads
   RtRequest haptic_thread{80, -1};
-  double spin = -1.0;  // polled before each deadline [s]; below 0: as long as wake-ups ask for (clock_of)
+  // polled before each deadline [s]; below 0: as long as wake-ups ask for (clock_of)
+  double spin = -1.0;
   RtRequest contact_thread{40, -1};
   std::size_t telemetry_frames = 8192;  // room of the rings; 8 s at 1 kHz
   std::size_t telemetry_models = 2048;
@@ -54,10 +56,12 @@ struct SessionConfig {
 struct SessionEvent {
   double time = 0.0;  // session clock [s]
   std::uint64_t frame = 0;
-  std::string kind;  // "fault", "resumed", "late", "grasped", "released", "armed", "disarmed", "not_armed",
-                     // "deep_contact"
+  // "fault", "resumed", "late", "grasped", "released", "armed", "disarmed", "not_armed",
+  // "deep_contact"
+  std::string kind;
   std::string detail;  // for "fault", "resumed" and "late": the fault's name
-  std::string text{};  // more, for a person: how long nothing stepped, why nothing arms, how deep; or empty
+  // more, for a person: how long nothing stepped, why nothing arms, how deep; or empty
+  std::string text{};
 };
 
 /// Where samples go. Called from one thread that is not real time (lockstep: the caller's), in
@@ -79,7 +83,8 @@ struct StageSummary {
 
 /// How punctual the haptic thread was; nothing in lockstep.
 struct DeadlineSummary {
-  std::uint64_t overruns = 0;                            // frames that ended after the next deadline
+  // frames that ended after the next deadline
+  std::uint64_t overruns = 0;
   std::array<std::uint64_t, kLateBounds.size()> late{};  // wake-ups later than each of kLateBounds
   double polled_share = 0.0;  // of the time: processor spent on being punctual
 };
@@ -93,10 +98,10 @@ struct StageHistogram {
 /// What the passivity controller did; nothing where it was off.
 struct PassivitySummary {
   bool is_on = false;
-  double delay = 0.0;         // it reckoned with [s]
-  double acted_share = 0.0;   // of the frames with a wrench, those it changed
-  double sent_share = 1.0;    // of the wanted wrench, mean over frames with one, before damping
-  double damping_max = 0.0;   // injected [N s/m]
+  double delay = 0.0;        // it reckoned with [s]
+  double acted_share = 0.0;  // of the frames with a wrench, those it changed
+  double sent_share = 1.0;   // of the wanted wrench, mean over frames with one, before damping
+  double damping_max = 0.0;  // injected [N s/m]
 };
 
 /// What a session was like: the summary of `thigma run` is made of this.
@@ -115,11 +120,13 @@ struct SessionSummary {
   DurationSummary model_age;                                          // [s]
   double tests_mean = 0.0, mandatory_tests_mean = 0.0;  // pairs looked at, over updates
   std::uint64_t unrefined = 0, level_changes = 0;       // contacts, sums over updates
-  std::uint64_t texture_depths = 0, texture_folds = 0;  // depths by textures; of these where a surface is no height field
-  double bound_max = 0.0;                               // of all contacts [m]
+  // depths by textures; of these where a surface is no height field
+  std::uint64_t texture_depths = 0, texture_folds = 0;
+  double bound_max = 0.0;                                                 // of all contacts [m]
   std::array<std::uint64_t, kLevelBins> object_levels{}, scene_levels{};  // contacts, sums
   std::array<std::uint64_t, kLevelDeciders> decided_by{};  // contacts, sums, by LevelDecision
-  double triangles_below_mean = 0.0;  // of the original below a contact, over contacts; 0 of exact queries
+  // of the original below a contact, over contacts; 0 of exact queries
+  double triangles_below_mean = 0.0;
   ForceSteps force_steps;
   double force_max = 0.0, force_rms = 0.0;  // sent; rms over frames [N]
   double torque_max = 0.0,

@@ -29,9 +29,13 @@ void add(SimulationCounts& sum, const SimulationCounts& more) {
 
 class SimulatedSession {
  public:
-  SimulatedSession(const SessionConfig& config, const SimulationWorld& world, const SimulationState& start,
-                   const SessionSinks& sinks)
-      : config_(config), world_(world), state_(start), sinks_(sinks), scratch_(reserve_simulation(world)) {
+  SimulatedSession(const SessionConfig& config, const SimulationWorld& world,
+                   const SimulationState& start, const SessionSinks& sinks)
+      : config_(config),
+        world_(world),
+        state_(start),
+        sinks_(sinks),
+        scratch_(reserve_simulation(world)) {
     reserve_contact_scratch(config.contact, contacts_);
     loud_ = std::sqrt(2.0 * world.body.gravity.norm() * world.tolerance);
     ports_.event = [this](const CollisionEvent& event) { hear(event); };
@@ -50,7 +54,8 @@ class SimulatedSession {
     summary_.growth_max = std::max(summary_.growth_max, growth);
     tell_contacts(counts.query_cpu);
     tell_frame(before, cpu, wake_late_ns);
-    if (state_.is_resting && !was_resting && sinks_.event) sinks_.event({time(), frame_, "at_rest", "", {}});
+    if (state_.is_resting && !was_resting && sinks_.event)
+      sinks_.event({time(), frame_, "at_rest", "", {}});
     ++frame_;
   }
 
@@ -73,13 +78,14 @@ class SimulatedSession {
   void hear(const CollisionEvent& event) {
     if (!sinks_.event || !(event.approach > loud_)) return;
     char text[96];
-    std::snprintf(text, sizeof text, "impact at %.3f s: %.3g m/s, %.3g N s", event.time, event.approach,
-                  event.impulse.norm());
+    std::snprintf(text, sizeof text, "impact at %.3f s: %.3g m/s, %.3g N s", event.time,
+                  event.approach, event.impulse.norm());
     sinks_.event({time(), frame_, "impact", "", text});
   }
 
   void tell_contacts(double query_cpu) {
-    contacts_.contacts.contacts.assign(scratch_.contacts.contacts.begin(), scratch_.contacts.contacts.end());
+    contacts_.contacts.contacts.assign(scratch_.contacts.contacts.begin(),
+                                       scratch_.contacts.contacts.end());
     contacts_.contacts.dropped = scratch_.contacts.dropped;
     contacts_.contacts.stats = scratch_.contacts.stats;
     make_model(config_.contact, {state_.body, time(), frame_}, contacts_, sample_);
@@ -106,7 +112,8 @@ class SimulatedSession {
     sample.contact.torque = config_.rate * (state_.body.angular_momentum - before.angular_momentum);
     if (state_.is_resting) sample.contact = {-world_.body.mass * world_.body.gravity, Vec3::Zero()};
     sample.penetration = sample_.depth_max;
-    for (const Contact& c : contacts_.contacts.contacts) sample.touching += -c.depth <= 0.25 * world_.tolerance;
+    for (const Contact& c : contacts_.contacts.contacts)
+      sample.touching += -c.depth <= 0.25 * world_.tolerance;
     sample.step_cpu = 1e-9f * static_cast<float>(cpu);
     sample.wake_late = 1e-9f * static_cast<float>(std::max<std::int64_t>(wake_late, 0));
     sample.input_digest = input_digest(sample);
@@ -129,7 +136,8 @@ class SimulatedSession {
   double loud_ = 0.0;  // speed of an impact worth an event [m/s]
 };
 
-// Holds while paused, but for single frames asked for; false when told to stop meanwhile. is_held: the clock stood.
+// Holds while paused, but for single frames asked for; false when told to stop meanwhile. is_held:
+// the clock stood.
 bool hold_while_paused(LivePorts* live, const std::atomic<bool>* stop, bool& is_held) {
   is_held = false;
   while (live != nullptr && live->is_paused.load(std::memory_order_relaxed) && !take_step(*live)) {
@@ -142,8 +150,9 @@ bool hold_while_paused(LivePorts* live, const std::atomic<bool>* stop, bool& is_
 
 }  // namespace
 
-SimulatedSummary run_simulated(const SessionConfig& config, const SimulationWorld& world, const SimulationState& start,
-                               bool is_paced, const SessionSinks& sinks, const std::atomic<bool>* stop) {
+SimulatedSummary run_simulated(const SessionConfig& config, const SimulationWorld& world,
+                               const SimulationState& start, bool is_paced,
+                               const SessionSinks& sinks, const std::atomic<bool>* stop) {
   detail::check_config(config);
   SimulatedSession session(config, world, start, sinks);
   DeadlineClock clock = clock_of(config.rate, 0.0);  // nobody feels a late frame
@@ -151,16 +160,19 @@ SimulatedSummary run_simulated(const SessionConfig& config, const SimulationWorl
   const std::uint64_t last = detail::frame_limit(config);
   const bool ends_at_rest = config.duration <= 0.0 && config.live == nullptr;
   for (std::uint64_t k = 0; k < last; ++k) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return session.finish(SessionEnd::stopped, clock.missed);
+    if (stop != nullptr && stop->load(std::memory_order_relaxed))
+      return session.finish(SessionEnd::stopped, clock.missed);
     std::int64_t late = -1;
     if (is_paced) {
       bool is_held = false;
-      if (!hold_while_paused(config.live, stop, is_held)) return session.finish(SessionEnd::stopped, clock.missed);
+      if (!hold_while_paused(config.live, stop, is_held))
+        return session.finish(SessionEnd::stopped, clock.missed);
       if (is_held) start_clock(clock);
       late = wait_for_tick(clock);
     }
     session.frame(late);
-    if (ends_at_rest && session.is_resting()) return session.finish(SessionEnd::device_finished, clock.missed);
+    if (ends_at_rest && session.is_resting())
+      return session.finish(SessionEnd::device_finished, clock.missed);
   }
   return session.finish(SessionEnd::duration, clock.missed);
 }

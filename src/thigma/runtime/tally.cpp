@@ -10,7 +10,8 @@ void tally(HapticTally& tally, const HapticSample& sample, std::int64_t step_cpu
   add_frame(tally.hash, sample.body, sample.command);
   if (step_cpu_ns >= 0) record(tally.step_cpu, step_cpu_ns);
   if (wake_late_ns >= 0) record(tally.wake_late, wake_late_ns);
-  for (std::size_t i = 0; i < kLateBounds.size(); ++i) tally.late[i] += wake_late_ns > kLateBounds[i] ? 1 : 0;
+  for (std::size_t i = 0; i < kLateBounds.size(); ++i)
+    tally.late[i] += wake_late_ns > kLateBounds[i] ? 1 : 0;
   if (sample.model_sequence > 0) record(tally.model_age, to_ns(sample.model_age));
   const double force2 = sample.command.force.squaredNorm();
   const double torque2 = sample.feedback.torque.squaredNorm();
@@ -22,7 +23,8 @@ void tally(HapticTally& tally, const HapticSample& sample, std::int64_t step_cpu
   if (sample.is_grasped) tally.stretch_max = std::max(tally.stretch_max, sample.stretch);
   if (rode_out_gap(sample)) {
     ++tally.ridden_out.gaps;
-    tally.ridden_out.longest_gap = std::max(tally.ridden_out.longest_gap, sample.time - tally.last_time);
+    tally.ridden_out.longest_gap =
+        std::max(tally.ridden_out.longest_gap, sample.time - tally.last_time);
   }
   tally.ridden_out.stale_models += rode_out_model(sample, tally.last_weight) ? 1 : 0;
   tally.last_time = sample.time;

@@ -30,15 +30,17 @@ struct HapticSample {
   Wrench coupling;  // on the object about its centre of mass [world]
   Wrench contact;   // on the object about its centre of mass [world]
   Wrench feedback;  // on the hand about the handle, after the limits [device frame]
-  Wrench command;   // what was sent: feedback without the axes the device lacks, made passive where the session asks for
-                    // that [device frame]
+  // what was sent: feedback without the axes the device lacks, made passive where the session asks
+  // for that [device frame]
+  Wrench command;
   double model_age = 0.0;     // infinity: no model yet [s]
   double model_weight = 0.0;  // 1 fresh .. 0 stale
-  double penetration =
-      0.0;               // deepest contact of the model at the new state; -infinity: none near [m]
-  double sunk = 0.0;     // how much deeper that contact is than when the model was made; not recorded [m]
-  double stretch = 0.0;  // of the coupling: handle to grasp point [m; world]
-  double energy = 0.0;   // the hand has put in so far at the device's port [J]
+  // deepest contact of the model at the new state; -infinity: none near [m]
+  double penetration = 0.0;
+  // how much deeper that contact is than when the model was made; not recorded [m]
+  double sunk = 0.0;
+  double stretch = 0.0;       // of the coupling: handle to grasp point [m; world]
+  double energy = 0.0;        // the hand has put in so far at the device's port [J]
   std::int32_t touching = 0;  // contact terms that push
   bool is_grasped = false;
   bool is_armed = false;
@@ -53,7 +55,8 @@ static_assert(RtPayload<HapticSample>);
 inline constexpr std::int32_t kLevelBins = 24;
 using LevelCounts = std::array<std::int32_t, kLevelBins>;
 
-/// What may decide the level of a contact, see LevelDecision, which the haptic thread does not know.
+/// What may decide the level of a contact, see LevelDecision, which the haptic thread does not
+/// know.
 inline constexpr std::size_t kLevelDeciders = 6;
 
 /// One contact frame: the model published and how it came about.
@@ -67,8 +70,8 @@ struct ContactSample {
   std::int64_t front = 0;
   std::int64_t tests = 0;
   std::int32_t clusters = 0;
-  double depth_max =
-      0.0;  // of the contacts, minus the distance when separated; means nothing without one [m]
+  // of the contacts, minus the distance when separated; means nothing without one [m]
+  double depth_max = 0.0;
   std::uint64_t model_digest = 0;  // of the model's terms, as input_digest
   // Of levels of detail; all 0 of an exact query but for the first entry of the counts.
   std::int64_t mandatory_tests = 0;  // of tests, those no budget can leave out
@@ -76,12 +79,15 @@ struct ContactSample {
   std::int32_t level_changes = 0;    // contacts that were refined or coarsened since the last frame
   double bound_max = 0.0;            // of the contacts [m]
   LevelCounts object_levels{}, scene_levels{};
-  std::array<std::int32_t, kLevelDeciders> decided_by{};  // contacts, by LevelDecision; not recorded
-  double triangles_below = 0.0;  // of the original, below a contact, mean of both sides, sum over contacts; 0 of an exact
-                                 // query; not recorded
+  // contacts, by LevelDecision; not recorded
+  std::array<std::int32_t, kLevelDeciders> decided_by{};
+  // of the original, below a contact, mean of both sides, sum over contacts; 0 of an exact query;
+  // not recorded
+  double triangles_below = 0.0;
   // Not recorded: what replays recompute.
   std::int32_t texture_depths = 0;  // that textures gave
-  std::int32_t texture_folds = 0;   // of these, where a fine surface is no height field at the deepest place
+  // of these, where a fine surface is no height field at the deepest place
+  std::int32_t texture_folds = 0;
   LinearContactModel model;
 };
 static_assert(RtPayload<ContactSample>);
@@ -100,8 +106,8 @@ void add_quaternion(StateHash& hash, const Quat& q) THIGMA_RT;
 /// Thread    [haptic].
 void add_frame(StateHash& hash, const BodyState& body, const Wrench& command) THIGMA_RT;
 
-/// Digest of what a haptic frame read, and of what a contact frame published: equal after writing and
-/// reading a recording, so all that is not finite counts as one value.
+/// Digest of what a haptic frame read, and of what a contact frame published: equal after writing
+/// and reading a recording, so all that is not finite counts as one value.
 /// Thread    [haptic].
 std::uint64_t input_digest(const HapticSample& sample) THIGMA_RT;
 std::uint64_t model_digest(const LinearContactModel& model) THIGMA_RT;

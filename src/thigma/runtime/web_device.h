@@ -44,8 +44,8 @@ class WebLink {
   std::atomic<std::uint32_t> state_{0};
 };
 
-/// Limits as a desktop device has them, so that scenes feel alike; nothing pushes the hand, the page shows
-/// the wrench. link outlives the device.
+/// Limits as a desktop device has them, so that scenes feel alike; nothing pushes the hand, the
+/// page shows the wrench. link outlives the device.
 /// Thread    [offline].
 std::unique_ptr<HapticDevice> make_web_device(WebLink& link, const WebMotionParams& params = {});
 

@@ -18,8 +18,8 @@ struct LevelCheck {
   std::int64_t oversized_patches = 0;   // of more vertices than the decomposition allows
   std::int64_t wrong_parents = 0;
   std::int64_t changed_surfaces = 0;  // levels with another Euler characteristic than the original
-  std::int64_t unhalved_levels = 0;   // with more than half the patches and half the triangles of the one
-                                      // before, but the last
+  // with more than half the patches and half the triangles of the one before, but the last
+  std::int64_t unhalved_levels = 0;
   std::int64_t rising_resolutions = 0;
 
   std::int64_t total() const {

@@ -83,7 +83,8 @@ bool is_near_original(const PatchedSurface& s, detail::DeviationGuard& guard, co
   const auto& x = s.mesh.positions;
   const Vec3 &a = x[at(f.quad.a)], &b = x[at(f.quad.b)], &c = x[at(f.quad.c)], &d = x[at(f.quad.d)];
   const std::array<std::int32_t, 3> near = {f.quad.a, f.quad.b, f.quad.c};
-  if (!detail::is_within_limit(guard, {a, c, d}, near) || !detail::is_within_limit(guard, {b, c, d}, near))
+  if (!detail::is_within_limit(guard, {a, c, d}, near) ||
+      !detail::is_within_limit(guard, {b, c, d}, near))
     return false;
   const auto one = corners_of(s, f.quad.triangle[0]), two = corners_of(s, f.quad.triangle[1]);
   for (const std::int32_t t : f.quad.triangle)
@@ -96,7 +97,8 @@ bool is_near_original(const PatchedSurface& s, detail::DeviationGuard& guard, co
   return true;
 }
 
-/// Lists the new patch, what is left of the two old ones, and, behind them, the patches beside these.
+/// Lists the new patch, what is left of the two old ones, and, behind them, the patches beside
+/// these.
 /// returns  false when one of the own ones is entered
 bool list_parts(const PatchedSurface& s, GrowingHull& hull, Flip& f) {
   f.parts.assign(1, {});

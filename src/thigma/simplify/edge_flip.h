@@ -18,19 +18,23 @@ enum class FlipOutcome : std::uint8_t {
   volume,        // the object would gain too much
   intersection,  // the surface would cross itself
   protrusion,    // a hull would be entered
-  gain,  // neither fewer patches nor, with as many, fewer reflex edges or a volume nearer to the original's
+  // neither fewer patches nor, with as many, fewer reflex edges or a volume nearer to the
+  // original's
+  gain,
   convex,  // nothing to flip: not a reflex edge between two patches
 };
 inline constexpr std::size_t kFlipOutcomes = 9;
 
-/// Tries to flip the reflex edge between two patches; a refused attempt leaves everything as it was.
+/// Tries to flip the reflex edge between two patches; a refused attempt leaves everything as it
+/// was.
 ///
-/// Two triangles about a reflex edge are always of two patches; about the other diagonal, which is convex, they are one.
-/// What is left of the two patches, and the new one, merge with each other and with their neighbours as far as unions are
-/// convex. The tests are those of a collapse.
+/// Two triangles about a reflex edge are always of two patches; about the other diagonal, which is
+/// convex, they are one. What is left of the two patches, and the new one, merge with each other
+/// and with their neighbours as far as unions are convex. The tests are those of a collapse.
 ///
 /// context.guard.limit  deviation the new triangles may have [m]
-/// successor            of each patch: entries of patches that vanish are set to one that took their place
+/// successor            of each patch: entries of patches that vanish are set to one that took
+///                      their place
 /// returns              flipped, or why not
 /// Thread               [offline]; deterministic.
 FlipOutcome flip_reflex_edge(PatchedSurface& s, CollapseContext& context, std::int32_t halfedge,

@@ -37,8 +37,8 @@ struct CollapseParams {
   double free_to_turn = 2e-3;   // a triangle of less quality may turn over
   bool is_relaxed = true;       // step 3
   bool keeps_volume = true;     // the relaxed position first tried keeps the volume of the object
-  bool seeks_convex_start =
-      true;                     // where neither quadric nor ends will do, the best convex position
+  // where neither quadric nor ends will do, the best convex position
+  bool seeks_convex_start = true;
   bool guards_original = true;  // the limit on deviation holds from the original's vertices too
 };
 
@@ -59,7 +59,8 @@ struct VolumeGuard {
   double limit = std::numeric_limits<double>::infinity();  // [m^3]
 };
 
-/// Whether the volume may change by so much [m^3]. A step back towards the original's is always allowed.
+/// Whether the volume may change by so much [m^3]. A step back towards the original's is always
+/// allowed.
 inline bool keeps_within(const VolumeGuard& guard, double change) {
   return std::fabs(guard.now + change - guard.original) <=
          std::max(guard.limit, std::fabs(guard.now - guard.original));
@@ -97,16 +98,16 @@ struct CollapseContext {
   CollapseScratch scratch;
 };
 
-/// Quadrics of the triangles around each vertex, weighted by area; along a boundary also of planes that
-/// stand upright on it.
+/// Quadrics of the triangles around each vertex, weighted by area; along a boundary also of planes
+/// that stand upright on it.
 /// Thread    [offline].
 std::vector<Quadric> vertex_quadrics(const PatchedSurface& s);
 
 /// Tries to collapse an edge; a refused attempt leaves everything as it was.
 ///
 /// The start is the point of least quadric error; where no position near it keeps the patches
-/// convex, the ends of the edge, and then the position of least quadric error that does. On a boundary the vertex
-/// stays at an end that is on it. The
+/// convex, the ends of the edge, and then the position of least quadric error that does. On a
+/// boundary the vertex stays at an end that is on it. The
 /// vertex then moves towards the relaxed position, first that moved along the normal of its ring
 /// until the volume is what it was, as far as the convexity of its patches allows,
 /// and back until no triangle becomes a sliver or turns over, the surface stays near the original,

@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kMostFall = 4.0;  // of triangles in a step whose patches halve
 
-/// The factor that, taken as often as 2 goes into the ratio of two numbers of patches, makes that ratio.
+/// The factor that, taken as often as 2 goes into the ratio of two numbers of patches, makes that
+/// ratio.
 double even_factor(double ratio) {
   int steps = 0;
   for (double rest = ratio; rest >= 2.0; rest *= 0.5) ++steps;
@@ -23,7 +24,8 @@ double even_factor(double ratio) {
   return low;
 }
 
-/// Of the levels between, the one of at least twice the patches of `next` that is nearest to `wanted`; 0 when none.
+/// Of the levels between, the one of at least twice the patches of `next` that is nearest to
+/// `wanted`; 0 when none.
 std::size_t find_before(const std::vector<SimplifiedLevel>& levels, std::size_t next,
                         double wanted) {
   std::size_t best = 0;
@@ -88,7 +90,8 @@ void space_levels(std::vector<SimplifiedLevel>& levels) {
     const std::size_t before =
         find_before(levels, next, count * even_factor(levels[0].patch_count / count));
     const std::vector<std::size_t> between = find_between(levels, before, next);
-    for (std::size_t k = between.size(); k-- > 0; next = between[k]) drop_between(levels, between[k], next);
+    for (std::size_t k = between.size(); k-- > 0; next = between[k])
+      drop_between(levels, between[k], next);
     drop_between(levels, before, next);
     next = before;
   }

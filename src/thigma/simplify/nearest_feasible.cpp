@@ -15,7 +15,8 @@ struct Flat {
   int dimension = 3;
 };
 
-/// The part of a constraint's normal that lies in the flat; zero when the constraint is the same all over it.
+/// The part of a constraint's normal that lies in the flat; zero when the constraint is the same
+/// all over it.
 Vec3 inside(const Flat& flat, const Vec3& normal) {
   Vec3 part = Vec3::Zero();
   for (int i = 0; i < flat.dimension; ++i) {

@@ -19,9 +19,9 @@ inline constexpr std::size_t kMostConstraints = 512;
 
 /// The point that meets every constraint and is nearest to `target` in the norm of a matrix.
 ///
-/// The constraints are taken one by one, in their order: one that the point so far violates holds with equality at
-/// the next, which is then sought on its plane under those before it (Seidel 1991, for a convex program instead of a
-/// linear one).
+/// The constraints are taken one by one, in their order: one that the point so far violates holds
+/// with equality at the next, which is then sought on its plane under those before it (Seidel 1991,
+/// for a convex program instead of a linear one).
 ///
 /// metric     symmetric, positive definite: the square of the distance is d^T metric d
 /// tolerance  by how much the answer may violate a constraint [m]

@@ -55,12 +55,13 @@ struct Stage {
   bool is_draft;           // levels are kept for space_levels to choose from
 };
 
-/// Before edges grow longer than `longest_edge` a level is kept for each of these shares of the one before, for
-/// space_levels to choose from.
+/// Before edges grow longer than `longest_edge` a level is kept for each of these shares of the one
+/// before, for space_levels to choose from.
 constexpr double kDraftShare = 0.84;
 constexpr int kFlipRounds = 8;
 constexpr int kOctaves = 5;  // of projected length below `longest_edge`, each a pass of its own
-/// How much longer than `longest_edge_ever` edges may be at the very last: for rings and plates that begin with few patches.
+/// How much longer than `longest_edge_ever` edges may be at the very last: for rings and plates
+/// that begin with few patches.
 constexpr double kLastEdge = 2.0;
 
 std::int32_t find_live(std::vector<std::int32_t>& successor, std::int32_t patch) {
@@ -126,7 +127,8 @@ void renew_candidates(Loop& loop, std::int32_t v) {
 
 bool has_area(const PatchedSurface& s, std::int32_t t) { return s.height[at(t)] > 0.0; }
 
-/// Place of the patch, or of the nearest over edges that has one; the first where none is connected.
+/// Place of the patch, or of the nearest over edges that has one; the first where none is
+/// connected.
 std::int32_t nearest_place(const PatchedSurface& s, const std::vector<std::int32_t>& place,
                            std::int32_t patch) {
   if (place[at(patch)] >= 0) return place[at(patch)];
@@ -146,7 +148,8 @@ std::int32_t nearest_place(const PatchedSurface& s, const std::vector<std::int32
 }
 
 /// As in the original, triangles without an area are in no patch: they have no normal to be felt
-/// by. A patch of which nothing else is left is none, and what it stood for goes with its neighbour.
+/// by. A patch of which nothing else is left is none, and what it stood for goes with its
+/// neighbour.
 void keep_level(Loop& loop) {
   const PatchedSurface& s = loop.surface;
   std::vector<std::int32_t> place(s.patches.size(), -1), live;
@@ -177,8 +180,9 @@ void keep_level(Loop& loop) {
   loop.kept_triangles = s.mesh.triangle_count;
 }
 
-/// Short edges may deviate by a share of their length alone, so that a level is as near the original as it is fine: what
-/// they are refused is tried again once longer ones have collapsed. `length` is of the edge to collapse [m].
+/// Short edges may deviate by a share of their length alone, so that a level is as near the
+/// original as it is fine: what they are refused is tried again once longer ones have collapsed.
+/// `length` is of the edge to collapse [m].
 detail::DeviationLimit deviation_limit(const Loop& loop, const Stage& stage, double length) {
   const SimplifyParams& p = loop.params;
   const double radius = loop.surface.radius;
@@ -234,14 +238,16 @@ SimplifiedLevel first_level(const TriangleMesh& mesh, const ConvexDecomposition&
   return level;
 }
 
-/// Whether the levels are still to become coarser: neither the last kept nor one that could be kept now has few enough.
+/// Whether the levels are still to become coarser: neither the last kept nor one that could be kept
+/// now has few enough.
 bool has_many_patches(const Loop& loop) {
   const double few = loop.params.coarsest_share * loop.result.levels[0].patch_count;
   return loop.kept > few &&
          loop.surface.patch_count > std::min(few, loop.params.last_level * loop.kept);
 }
 
-/// Collapses what the stage allows; a level is kept whenever at most `share` of the patches of the last is left.
+/// Collapses what the stage allows; a level is kept whenever at most `share` of the patches of the
+/// last is left.
 void run_stage(Loop& loop, const Stage& stage, double share, double& shown) {
   loop.longest_tried = stage.longest * loop.surface.radius;
   push_all(loop);
@@ -264,8 +270,9 @@ void flip_and_go_on(Loop& loop, const Stage& stage, double share, double& shown)
   PatchedSurface& s = loop.surface;
   for (int round = 0; loop.params.flips_edges && round < kFlipRounds; ++round) {
     const std::int32_t before = s.patch_count;
-    const std::int64_t flipped = flip_reflex_edges(s, loop.context, deviation_limit(loop, stage, loop.longest),
-                                                   loop.successor, loop.result.flips);
+    const std::int64_t flipped =
+        flip_reflex_edges(s, loop.context, deviation_limit(loop, stage, loop.longest),
+                          loop.successor, loop.result.flips);
     loop.result.merges += before - s.patch_count;
     if (flipped == 0) return;
     for (std::int32_t v = 0; v < static_cast<std::int32_t>(loop.version.size()); ++v)
@@ -280,9 +287,11 @@ void flip_and_go_on(Loop& loop, const Stage& stage, double share, double& shown)
 void run_stages(Loop& loop) {
   const SimplifyParams& p = loop.params;
   double shown = 0.0;
-  // Every octave of length anew: what was too far from the original among shorter edges may now be near enough.
+  // Every octave of length anew: what was too far from the original among shorter edges may now be
+  // near enough.
   for (int octave = kOctaves; octave >= 0; --octave)
-    run_stage(loop, {std::ldexp(p.longest_edge, -octave), 0.0, 0.0, false, true}, kDraftShare, shown);
+    run_stage(loop, {std::ldexp(p.longest_edge, -octave), 0.0, 0.0, false, true}, kDraftShare,
+              shown);
   const Stage wide{p.longest_edge, p.deviation_share, p.deviation_ever, false, true};
   run_stage(loop, wide, kDraftShare, shown);
   flip_and_go_on(loop, wide, kDraftShare, shown);
@@ -293,7 +302,8 @@ void run_stages(Loop& loop) {
   if (levels.size() == 1) loop.last_level = loop.first_patches;
   run_stage(loop, {p.longest_edge_ever, 0.0, 0.0, true, false}, 0.5, shown);
   const Stage late{p.longest_edge_ever, p.deviation_share, p.deviation_ever, true, false};
-  const Stage last{kLastEdge * p.longest_edge_ever, p.deviation_share, p.deviation_ever, true, false};
+  const Stage last{kLastEdge * p.longest_edge_ever, p.deviation_share, p.deviation_ever, true,
+                   false};
   for (const Stage& stage : {late, last}) {
     run_stage(loop, stage, 0.5, shown);
     if (has_many_patches(loop)) flip_and_go_on(loop, stage, 0.5, shown);
@@ -302,8 +312,8 @@ void run_stages(Loop& loop) {
   drop_equal_resolutions(levels);
 }
 
-/// The volume of an open surface depends on where it is measured from by its vector area: guarded is one that is closed
-/// but for holes too small to matter.
+/// The volume of an open surface depends on where it is measured from by its vector area: guarded
+/// is one that is closed but for holes too small to matter.
 VolumeGuard guard_volume(const TriangleMesh& mesh, double radius, double limit) {
   const auto& x = mesh.positions;
   Vec3 vector_area = Vec3::Zero();

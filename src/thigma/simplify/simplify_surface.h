@@ -19,12 +19,14 @@ struct SimplifyParams {
   double coarsest_share = 0.02;    // and longer ones while more than this share of the original's
   double longest_edge_ever = 0.5;  // patches is left, up to this times the radius
   double deviation_limit = 0.02;   // new triangles stay this near the original, times the radius,
-  double deviation_early = 0.4;    // and while edges are short this near, times the longest projected
-                                   // edge collapsed so far: first levels lie close to the original
-  double deviation_share = 1.0;    // where nothing else is left to do this near, times the projected
-  double deviation_ever = 0.045;   // edge, up to this times the radius
-  double volume_limit = 0.1;     // change of a surface that is closed but for small holes, times
-                                 // its volume
+  // and while edges are short this near, times the longest projected edge collapsed so far: first
+  // levels lie close to the original
+  double deviation_early = 0.4;
+  // where nothing else is left to do this near, times the projected
+  double deviation_share = 1.0;
+  double deviation_ever = 0.045;  // edge, up to this times the radius
+  double volume_limit = 0.1;      // change of a surface that is closed but for small holes, times
+                                  // its volume
   double convexity_tolerance = 1e-6;   // least, times the radius; see DecompositionParams
   double protrusion_tolerance = 1e-5;  // least, times the radius
   double last_level = 0.8;  // a level that did not come to half the patches is kept below this
@@ -60,17 +62,20 @@ struct Simplification {
 };
 
 /// Simplifies a decomposed surface: edges collapse in the order of their projected length, patches
-/// merge when their union is convex, levels are kept so that the number of patches halves, or of triangles (space_levels).
+/// merge when their union is convex, levels are kept so that the number of patches halves, or of
+/// triangles (space_levels).
 ///
-/// The last level before edges longer than `longest_edge` collapse is one of those kept, if it has at most half the
-/// original's patches. Deviation beyond `deviation_limit`, and such edges, come last.
+/// The last level before edges longer than `longest_edge` collapse is one of those kept, if it has
+/// at most half the original's patches. Deviation beyond `deviation_limit`, and such edges, come
+/// last.
 ///
 /// mesh           usable in the sense of mesh/inspect.h [m]
 /// decomposition  of the mesh; becomes level 0
 /// support        of each vertex, two values that become the least where vertices come together, or
 ///                empty
 /// attributes     of the corners, or width 0
-/// returns        at least level 0; resolutions fall, patches or triangles at least halve but into the last
+/// returns        at least level 0; resolutions fall, patches or triangles at least halve but into
+///                the last
 /// Thread         [offline]; deterministic.
 /// Source         Sec. 3.3.3, Algorithm 3.3.1. Stops and tolerances: docs.
 Simplification simplify_surface(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,

@@ -14,8 +14,9 @@ constexpr double kSteps = 32.0;  // of a compression without friction
 constexpr int kMostSteps = 2000;
 constexpr double kStuck = 1e-12;  // of the speed at the start: does not slide
 
-// The velocity of a point while the normal impulse grows. A step adds an impulse of constant direction, so that velocity
-// runs straight and the work of the step is exact; it ends at the latest where sliding stops.
+// The velocity of a point while the normal impulse grows. A step adds an impulse of constant
+// direction, so that velocity runs straight and the work of the step is exact; it ends at the
+// latest where sliding stops.
 class Collision {
  public:
   Collision(const Mat3& matrix, const Vec3& velocity, const Vec3& normal, double friction)
@@ -44,7 +45,8 @@ class Collision {
     for (int i = 0; i < kMostSteps && work > 0.0; ++i) {
       const Push push = next_push();
       const double speed = std::max(-approach(), 0.0);
-      const double enough = 2.0 * work / (speed + std::sqrt(speed * speed + 2.0 * push.gain * work));
+      const double enough =
+          2.0 * work / (speed + std::sqrt(speed * speed + 2.0 * push.gain * work));
       if (enough <= push.longest) {
         advance(push, enough);
         return;
@@ -77,7 +79,8 @@ class Collision {
     return sliding_push(direction_of_slip(), 0.0);
   }
 
-  // Friction against the sliding; none where it would press the point in faster than the normal pushes it out.
+  // Friction against the sliding; none where it would press the point in faster than the normal
+  // pushes it out.
   Push sliding_push(const Vec3& way, double speed) const {
     Push push = push_by(out_ - mu_ * way);
     if (!(push.gain > 0.0)) push = push_by(out_);
@@ -118,7 +121,8 @@ class Collision {
 
 Mat3 collision_matrix(const RigidBody& body, const BodyState& state, const Vec3& arm) noexcept {
   const Mat3 R = rotation_matrix(state.orientation);
-  const Mat3 lever = R.transpose() * skew(arm);  // in body axes, so that the result is symmetric to the bit
+  // in body axes, so that the result is symmetric to the bit
+  const Mat3 lever = R.transpose() * skew(arm);
   const Mat3 turning = lever.transpose() * body.inverse_inertia * lever;
   return Mat3::Identity() / body.mass + 0.5 * (turning + turning.transpose());
 }
@@ -128,7 +132,8 @@ Vec3 point_velocity(const RigidBody& body, const BodyState& state, const Vec3& a
   return v.linear + v.angular.cross(arm);
 }
 
-Vec3 collision_impulse(const Mat3& matrix, const Vec3& velocity, const Vec3& normal, const CollisionLaw& law) noexcept {
+Vec3 collision_impulse(const Mat3& matrix, const Vec3& velocity, const Vec3& normal,
+                       const CollisionLaw& law) noexcept {
   if (!(normal.dot(velocity) > 0.0)) return Vec3::Zero();
   Collision at(matrix, velocity, normal, law.friction);
   const double work = at.compress();

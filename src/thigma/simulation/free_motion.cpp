@@ -25,7 +25,8 @@ Vec4 rate(const RigidBody& body, const Vec4& q, const Vec3& momentum) noexcept {
   return rate_matrix(unit) * spin(body, unit, momentum);
 }
 
-Quat runge_kutta(const RigidBody& body, const Quat& from, const Vec3& momentum, double dt) noexcept {
+Quat runge_kutta(const RigidBody& body, const Quat& from, const Vec3& momentum,
+                 double dt) noexcept {
   const Vec4 q = from.coeffs();
   const Vec4 k1 = rate(body, q, momentum);
   const Vec4 k2 = rate(body, q + 0.5 * dt * k1, momentum);
@@ -34,8 +35,10 @@ Quat runge_kutta(const RigidBody& body, const Quat& from, const Vec3& momentum, 
   return Quat(Vec4(q + dt / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4))).normalized();
 }
 
-// Turning by u changes the energy by u . (omega x L). Where body and momentum are aligned it cannot change, nor err.
-Quat with_energy(const RigidBody& body, const Quat& q, const Vec3& momentum, double energy) noexcept {
+// Turning by u changes the energy by u . (omega x L). Where body and momentum are aligned it cannot
+// change, nor err.
+Quat with_energy(const RigidBody& body, const Quat& q, const Vec3& momentum,
+                 double energy) noexcept {
   const Vec3 omega = spin(body, q, momentum);
   const Vec3 slope = omega.cross(momentum);
   const double squared = slope.squaredNorm();
@@ -73,13 +76,15 @@ BodyState free_motion(const RigidBody& body, const BodyState& state, double time
   return next;
 }
 
-BodyState pushed_motion(const RigidBody& body, const BodyState& state, const Wrench& push, double time) noexcept {
+BodyState pushed_motion(const RigidBody& body, const BodyState& state, const Wrench& push,
+                        double time) noexcept {
   BodyState next = state;
   const Vec3 acceleration = push.force / body.mass + body.gravity;
   next.position += time * (state.linear_momentum / body.mass + 0.5 * time * acceleration);
   next.linear_momentum += time * body.mass * acceleration;
   next.angular_momentum += time * push.torque;
-  next.orientation = turned(body, state.orientation, state.angular_momentum + 0.5 * time * push.torque, time);
+  next.orientation =
+      turned(body, state.orientation, state.angular_momentum + 0.5 * time * push.torque, time);
   return next;
 }
 

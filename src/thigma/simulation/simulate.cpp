@@ -25,15 +25,22 @@ struct Flight {
   Wrench push;  // of the contacts that hold the body
 };
 
-constexpr int kMostImpulses = 400;      // of one event
-constexpr double kLostStep = 0.1;       // least flight, of the longest, where a change of levels has left surfaces deep in others
-constexpr int kMostPlans = 4;           // of a flight: its time depends on the forces, and they on it
-constexpr double kStill = 0.025;        // without motion: at rest [s]
-constexpr double kSettled = 100.0;      // tolerances, of the fall that a settling body is not expected to take
-constexpr double kCarried = 0.9;        // of the weight, meanwhile: a body at the top of its flight is not at rest
-constexpr int kFullHits = 4;            // of one contact within an event: those after bounce less and less
-constexpr double kLifts[] = {0.2, 0.0};  // of what a contact has sunk, per flight: the most that energy allows
-constexpr double kAtRest = 1e-9;        // approach that counts as none, of the speed that the tolerance is fallen with
+constexpr int kMostImpulses = 400;  // of one event
+// least flight, of the longest, where a change of levels has left surfaces deep in others
+constexpr double kLostStep = 0.1;
+// of a flight: its time depends on the forces, and they on it
+constexpr int kMostPlans = 4;
+constexpr double kStill = 0.025;  // without motion: at rest [s]
+// tolerances, of the fall that a settling body is not expected to take
+constexpr double kSettled = 100.0;
+// of the weight, meanwhile: a body at the top of its flight is not at rest
+constexpr double kCarried = 0.9;
+// of one contact within an event: those after bounce less and less
+constexpr int kFullHits = 4;
+// of what a contact has sunk, per flight: the most that energy allows
+constexpr double kLifts[] = {0.2, 0.0};
+// approach that counts as none, of the speed that the tolerance is fallen with
+constexpr double kAtRest = 1e-9;
 
 // Speed with which a body falls over a height.
 double fall_speed(const SimulationWorld& world, double height) {
@@ -41,8 +48,8 @@ double fall_speed(const SimulationWorld& world, double height) {
 }
 
 bool is_finite(const BodyState& s) {
-  return s.position.allFinite() && s.orientation.coeffs().allFinite() && s.linear_momentum.allFinite() &&
-         s.angular_momentum.allFinite();
+  return s.position.allFinite() && s.orientation.coeffs().allFinite() &&
+         s.linear_momentum.allFinite() && s.angular_momentum.allFinite();
 }
 
 class Simulation {
@@ -75,9 +82,11 @@ class Simulation {
     q.resolution.is_exact |= state_.is_settling;
     q.resolution.interpolates = false;
     q.resolution.step_time = std::max(state_.since_query, 1e-9);
-    const Pose world_from_mesh = Pose{state_.body.position, state_.body.orientation} * world_.body_from_mesh;
+    const Pose world_from_mesh =
+        Pose{state_.body.position, state_.body.orientation} * world_.body_from_mesh;
     const double start = thread_cpu_seconds();
-    query_scene(*world_.object, world_from_mesh, world_.scene, q, scratch_.fronts, scratch_.contacts);
+    query_scene(*world_.object, world_from_mesh, world_.scene, q, scratch_.fronts,
+                scratch_.contacts);
     counts_.query_cpu += thread_cpu_seconds() - start;
     counts_.front += static_cast<double>(scratch_.contacts.stats.front);
     ++counts_.steps;
@@ -97,15 +106,15 @@ class Simulation {
   bool is_in_doubt() const {
     const auto& all = scratch_.contacts.contacts;
     return world_.allows_for_bounds && std::any_of(all.begin(), all.end(), [&](const Contact& c) {
-      return c.bound > 0.0 && gap_of(world_, c) <= collision_gap(world_);
-    });
+             return c.bound > 0.0 && gap_of(world_, c) <= collision_gap(world_);
+           });
   }
 
   void add_exact_contacts(const Pose& world_from_mesh) {
     ++counts_.doubted;
     const double start = thread_cpu_seconds();
-    query_scene(*world_.object, world_from_mesh, world_.scene, {.tolerance = world_.tolerance}, scratch_.exact_fronts,
-                scratch_.exact);
+    query_scene(*world_.object, world_from_mesh, world_.scene, {.tolerance = world_.tolerance},
+                scratch_.exact_fronts, scratch_.exact);
     counts_.query_cpu += thread_cpu_seconds() - start;
     auto& all = scratch_.contacts.contacts;
     const auto& exact = scratch_.exact.contacts;
@@ -113,7 +122,8 @@ class Simulation {
     all.insert(all.end(), exact.begin(), exact.begin() + static_cast<std::ptrdiff_t>(count));
   }
 
-  // ---- rest -------------------------------------------------------------------------------------------------------
+  // ---- rest
+  // ------------------------------------------------------------
 
   double moved() const {
     const BodyState& from = state_.moved_from;
@@ -136,7 +146,8 @@ class Simulation {
       state_.moved_at = state_.time;
       state_.carried = 0.0;
     }
-    if (state_.is_settling && velocity(world_.body, state_.body).linear.norm() > fall_speed(world_, kSettled * world_.tolerance))
+    if (state_.is_settling && velocity(world_.body, state_.body).linear.norm() >
+                                  fall_speed(world_, kSettled * world_.tolerance))
       state_.is_settling = false;
     const double still = state_.time - state_.moved_at;
     const double weight = world_.body.mass * world_.body.gravity.norm();
@@ -151,14 +162,17 @@ class Simulation {
     state_.body.angular_momentum.setZero();
   }
 
-  // ---- events -----------------------------------------------------------------------------------------------------
+  // ---- events
+  // ------------------------------------------------------------
 
-  // Impulses at everything that touches and approaches, the fastest first. A contact that is hit again bounces less.
+  // Impulses at everything that touches and approaches, the fastest first. A contact that is hit
+  // again bounces less.
   bool collide(const ContactSet& set) {
     const double near = collision_gap(world_);
     scratch_.touching.clear();
     for (std::size_t i = 0; i < set.contacts.size(); ++i) {
-      if (gap_of(world_, set.contacts[i]) <= near) scratch_.touching.push_back(static_cast<std::int32_t>(i));
+      if (gap_of(world_, set.contacts[i]) <= near)
+        scratch_.touching.push_back(static_cast<std::int32_t>(i));
     }
     scratch_.hits.assign(scratch_.touching.size(), 0);
     const double least = kAtRest * std::max(slow_, fall_speed(world_, world_.tolerance));
@@ -168,7 +182,9 @@ class Simulation {
       std::size_t which = scratch_.touching.size();
       for (std::size_t k = 0; k < scratch_.touching.size(); ++k) {
         const double approach =
-            touch_of(world_, state_.body, set.contacts[static_cast<std::size_t>(scratch_.touching[k])]).approach;
+            touch_of(world_, state_.body,
+                     set.contacts[static_cast<std::size_t>(scratch_.touching[k])])
+                .approach;
         if (approach > fastest) {
           fastest = approach;
           which = k;
@@ -195,7 +211,8 @@ class Simulation {
     const Touch t = touch_of(world_, state_.body, c);
     const CollisionLaw law{restitution(t, hits), world_.law.friction};
     const Mat3 matrix = collision_matrix(world_.body, state_.body, t.arm);
-    const Vec3 impulse = collision_impulse(matrix, point_velocity(world_.body, state_.body, t.arm), c.normal, law);
+    const Vec3 impulse =
+        collision_impulse(matrix, point_velocity(world_.body, state_.body, t.arm), c.normal, law);
     const double before = kinetic_energy(world_.body, state_.body);
     state_.body = with_impulse(state_.body, t.arm, impulse);
     state_.carried += up_.dot(impulse);
@@ -211,7 +228,8 @@ class Simulation {
                   .scene_level = c.scene_level});
   }
 
-  // ---- time -------------------------------------------------------------------------------------------------------
+  // ---- time
+  // ------------------------------------------------------------
 
   void move(const Flight& flight, double part = 1.0) {
     const double time = part * flight.time;
@@ -229,10 +247,12 @@ class Simulation {
     const bool is_lost = -seen_ > world_.tolerance;
     for (int i = 0; i < kMostPlans; ++i) {
       if (is_held()) {
-        flight.push = detail::support_wrench(world_, state_.body, scratch_.contacts, scratch_.touching, flight.time, lift,
-                                             scratch_.supports);
+        flight.push =
+            detail::support_wrench(world_, state_.body, scratch_.contacts, scratch_.touching,
+                                   flight.time, lift, scratch_.supports);
       }
-      const double safe = safe_time(world_, state_.body, scratch_.contacts, reach_, flight.push, flight.time);
+      const double safe =
+          safe_time(world_, state_.body, scratch_.contacts, reach_, flight.push, flight.time);
       if (safe >= flight.time) break;
       flight.time = std::max(safe, is_lost ? kLostStep * longest : 0.0);
     }
@@ -269,13 +289,14 @@ class Simulation {
       if (is_paid || (lift == 0.0 && pay(energy))) return flight;
       state_ = from;
     }
-    const Flight free{std::min(longest, safe_time(world_, state_.body, scratch_.contacts, reach_)), {}};
+    const Flight free{std::min(longest, safe_time(world_, state_.body, scratch_.contacts, reach_)),
+                      {}};
     move(free);
     return free;
   }
 
-  // Flies on to the next query. Where that finds levels in penetration which those before did not have, the event was
-  // in between.
+  // Flies on to the next query. Where that finds levels in penetration which those before did not
+  // have, the event was in between.
   void advance(double left) {
     const double gap = std::min(world_.tolerance, least_);
     const SimulationState from = state_;
@@ -303,9 +324,9 @@ class Simulation {
   SimulationScratch& scratch_;
   const SimulationPorts& ports_;
   SimulationCounts counts_;
-  double reach_ = 0.0;  // of the mesh from the centre of mass
+  double reach_ = 0.0;      // of the mesh from the centre of mass
   Vec3 up_ = Vec3::Zero();  // against gravity
-  double slow_ = 0.0;   // impacts below end without a bounce
+  double slow_ = 0.0;       // impacts below end without a bounce
   double seen_ = 0.0;   // distance that the last query saw, the exact one where it was asked [m]
   double least_ = 0.0;  // the same with what levels may lie off: the least gap [m]
 };
@@ -314,11 +335,13 @@ void check(const SimulationWorld& world) {
   if (world.object == nullptr) throw InputError("simulation: no moving object");
   if (!(world.tolerance > 0.0) || !std::isfinite(world.tolerance))
     throw InputError("simulation: tolerance, expected a finite length above 0 [m]");
-  if (!(world.longest_step > 0.0)) throw InputError("simulation: longest step, expected a time above 0 [s]");
+  if (!(world.longest_step > 0.0))
+    throw InputError("simulation: longest step, expected a time above 0 [s]");
   if (!(world.law.restitution >= 0.0 && world.law.restitution <= 1.0))
     throw InputError("simulation: restitution, expected 0 to 1");
   if (!(world.law.friction >= 0.0)) throw InputError("simulation: friction, expected 0 or more");
-  if (!(world.law.rolling >= 0.0)) throw InputError("simulation: rolling friction, expected a length of 0 or more [m]");
+  if (!(world.law.rolling >= 0.0))
+    throw InputError("simulation: rolling friction, expected a length of 0 or more [m]");
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ Vec3 face_normal(const TriangleMesh& mesh, std::size_t t) {
   return (mesh.positions[at(v[1])] - a).cross(mesh.positions[at(v[2])] - a);
 }
 
-/// Normals at the corners: of all faces around the vertex, by area, that turn away from the corner's own by less than an
-/// angle of cosine `crease`; -1 for all.
+/// Normals at the corners: of all faces around the vertex, by area, that turn away from the
+/// corner's own by less than an angle of cosine `crease`; -1 for all.
 CornerNormals corner_normals(const TriangleMesh& mesh, double crease) {
   std::vector<std::vector<std::int32_t>> around(mesh.positions.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -157,8 +157,8 @@ void fill_texels(const Sight& sight, TextureSource& source) {
     const bool is_inside = weights.minCoeff() >= 0.0;
     if (is_inside) map.ease[i] = kEaseInside;
     // Beyond the chart's edge the surface goes on as the neighbour.
-    const detail::SurfacePoint on =
-        is_inside ? detail::SurfacePoint{t, weights, place, 0.0} : detail::nearest_point(sight.coarse(), place);
+    const detail::SurfacePoint on = is_inside ? detail::SurfacePoint{t, weights, place, 0.0}
+                                              : detail::nearest_point(sight.coarse(), place);
     map.texels[i] = sight.displacement(on);
   }
   detail::stitch_seams(detail::find_seams(source.coarse, source.corners), source.corners, map);
@@ -177,8 +177,9 @@ TextureAsset bake(const Sight& sight, const BakeParams& params, const std::strin
   fill_texels(sight, source);
   TextureAsset asset;
   asset.texture = make_texture(std::move(source), name);
-  asset.figures = detail::measure_fit(*sight.fine().mesh, sight.fine(), sight.coarse(), asset.texture,
-                                      {.samples = params.samples, .seed = params.seed});
+  asset.figures =
+      detail::measure_fit(*sight.fine().mesh, sight.fine(), sight.coarse(), asset.texture,
+                          {.samples = params.samples, .seed = params.seed});
   asset.figures.charts = charts.count;
   asset.figures.distortion_max = charts.distortion_max;
   return asset;
@@ -197,8 +198,10 @@ TextureAsset bake_surface(const TriangleMesh& fine, const TriangleMesh& coarse,
   return bake(sight, params, name);
 }
 
-std::vector<std::optional<TextureAsset>> bake_levels(const TriangleMesh& fine, std::span<const TriangleMesh> levels,
-                                                     const BakeParams& params, const std::string& name,
+std::vector<std::optional<TextureAsset>> bake_levels(const TriangleMesh& fine,
+                                                     std::span<const TriangleMesh> levels,
+                                                     const BakeParams& params,
+                                                     const std::string& name,
                                                      const std::function<void(double)>& progress) {
   std::vector<std::optional<TextureAsset>> textures(levels.size());
   Sight sight = sight_of(fine);

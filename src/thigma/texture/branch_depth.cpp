@@ -1,7 +1,8 @@
-// Directional depth over every texel, by branch and bound. A place to look is a texel of one side over a triangle of the
-// other; a node is a cell of a pyramid with such a pair of triangles. The cell's largest texel, the largest of the other
-// side that may lie under it and the largest coarse height bound all depths in it, so the node with the largest bound is opened first
-// until no bound is above the best depth found.
+// Directional depth over every texel, by branch and bound. A place to look is a texel of one side
+// over a triangle of the other; a node is a cell of a pyramid with such a pair of triangles. The
+// cell's largest texel, the largest of the other side that may lie under it and the largest coarse
+// height bound all depths in it, so the node with the largest bound is opened first until no bound
+// is above the best depth found.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -177,8 +178,7 @@ class BranchDepth final : public DepthBackend {
     if (node.cell.level <= kLeafLevel) {
       try_texels(node, best);
     } else {
-      for_children(node,
-                   [&](const TexelCell& cell) { push(node.pair, cell, node.others, best); });
+      for_children(node, [&](const TexelCell& cell) { push(node.pair, cell, node.others, best); });
     }
   }
 

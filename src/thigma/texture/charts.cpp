@@ -1,5 +1,6 @@
-// Charts grow from large triangles over edges while the normals stay within a cone, are flattened, and are halved along
-// their longer side as long as that fails. Packed in shelves, at the largest scale that fits.
+// Charts grow from large triangles over edges while the normals stay within a cone, are flattened,
+// and are halved along their longer side as long as that fails. Packed in shelves, at the largest
+// scale that fits.
 #include "thigma/texture/charts.h"
 
 #include <algorithm>
@@ -51,7 +52,8 @@ void visit_neighbours(const Surface& s, std::int32_t t, const Visit& visit) {
   }
 }
 
-/// Connected triangles among those that `is_free` allows, from a seed, within a cone of normals. They are taken.
+/// Connected triangles among those that `is_free` allows, from a seed, within a cone of normals.
+/// They are taken.
 std::vector<std::int32_t> grow(const Surface& s, std::int32_t seed, double cone,
                                std::vector<char>& is_free) {
   struct Candidate {

@@ -34,10 +34,12 @@ DepthGradient by_differences(const DepthSamples& s) noexcept {
   return gradient;
 }
 
-// Whether the maximum is held at a point by the end of a side's domain: the depth would still rise beyond it.
+// Whether the maximum is held at a point by the end of a side's domain: the depth would still rise
+// beyond it.
 int edge_at(const GradientScratch& scratch, const SurfaceJet& object, const SurfaceJet& scene,
             const Vec2& at, double texel, detail::NearTriangles near) noexcept {
-  // Of the depth along the plane, as the search saw it: differences of texels take in what lies beside a chart.
+  // Of the depth along the plane, as the search saw it: differences of texels take in what lies
+  // beside a chart.
   const Vec2 rising = object.facet_slope + scene.facet_slope;
   const double length = rising.norm();
   if (!(length > 0.0)) return 0;
@@ -47,9 +49,9 @@ int edge_at(const GradientScratch& scratch, const SurfaceJet& object, const Surf
   return height_at(scratch.scene, beyond, near.scene) == kNoSurface ? 1 : 0;
 }
 
-// At a maximum held by a crease of one side, such as the edge of a box, the slope that counts is the other's: the one
-// that changes less across the point. A side that ends within the step, as the top of a box beside its wall, is the
-// crease. Signs as of edge_at.
+// At a maximum held by a crease of one side, such as the edge of a box, the slope that counts is
+// the other's: the one that changes less across the point. A side that ends within the step, as the
+// top of a box beside its wall, is the crease. Signs as of edge_at.
 int crease_at(const GradientScratch& scratch, const SurfaceJet& object, const SurfaceJet& scene,
               const Vec2& at, double texel, detail::NearTriangles near) noexcept {
   const Vec2 rising = object.slope + scene.slope;
@@ -91,9 +93,11 @@ DepthGradient by_envelope(const DepthContact& contact, const DepthSamples& sampl
     if (!object.is_covered || !scene.is_covered) continue;
     int edge = edge_at(scratch, object, scene, near->at, texel, triangles);
     const SmoothPeak peak = smooth_peak(object, scene, texel);
-    if (edge == 0 && !peak.is_near) edge = crease_at(scratch, object, scene, near->at, texel, triangles);
-    const DepthGradient here = gradient_at(edge == 0 && peak.is_near ? carried(object, peak.step) : object, sample.frame,
-                                           contact.centre, envelope_slope(object, scene, peak, edge));
+    if (edge == 0 && !peak.is_near)
+      edge = crease_at(scratch, object, scene, near->at, texel, triangles);
+    const DepthGradient here =
+        gradient_at(edge == 0 && peak.is_near ? carried(object, peak.step) : object, sample.frame,
+                    contact.centre, envelope_slope(object, scene, peak, edge));
     sum.linear += near->weight * here.linear;
     sum.angular += near->weight * here.angular;
     weights += near->weight;
@@ -131,11 +135,12 @@ DepthGradient depth_gradient(const DepthContact& contact, const DepthSamples& sa
 
 DepthGradient gradient_at(const SurfaceJet& object, const ContactFrame& frame, const Vec3& centre,
                           const Vec2& slope) noexcept {
-  // With the point s of the plane held, a motion V of the object moves the surface there by V of its point: the height
-  // changes by n . V - slope . V.
+  // With the point s of the plane held, a motion V of the object moves the surface there by V of
+  // its point: the height changes by n . V - slope . V.
   const Vec3 c = frame.world_from_contact.transpose() * (centre - frame.origin);
   const Vec3 off(-slope.x(), -slope.y(), 1.0);
-  return {true, frame.world_from_contact * off, frame.world_from_contact * (object.point - c).cross(off)};
+  return {true, frame.world_from_contact * off,
+          frame.world_from_contact * (object.point - c).cross(off)};
 }
 
 SmoothPeak smooth_peak(const SurfaceJet& object, const SurfaceJet& scene, double texel) noexcept {

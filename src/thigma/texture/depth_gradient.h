@@ -7,7 +7,8 @@
 
 namespace thigma {
 
-/// d depth / d(position, rotation vector) of the object; the rotation is about the contact's `centre`.
+/// d depth / d(position, rotation vector) of the object; the rotation is about the contact's
+/// `centre`.
 struct DepthGradient {
   bool is_valid = false;        // false: no depth, or a moved configuration without one
   Vec3 linear = Vec3::Zero();   // [-; world]; 1 along n
@@ -16,8 +17,10 @@ struct DepthGradient {
 
 /// Ways to the gradient. docs/textures.md compares them.
 enum class GradientKind : std::uint8_t {
-  central_differences,  // Eq. 4.8 over the moved configurations: smooth over one step, blind below it
-  envelope,  // slopes of the two surfaces where the depth is: exact, jumps when the maximum switches places
+  // Eq. 4.8 over the moved configurations: smooth over one step, blind below it
+  central_differences,
+  // slopes of the two surfaces where the depth is: exact, jumps when the maximum switches places
+  envelope,
   smoothed_envelope,  // the same, averaged over all places whose depth is near the maximum
 };
 
@@ -61,17 +64,17 @@ DepthGradient gradient_at(const SurfaceJet& object, const ContactFrame& frame, c
 /// A smooth maximum of the depth within a texel of a point. texel: no step is longer [m]
 struct SmoothPeak {
   bool is_near = false;
-  Vec2 step = Vec2::Zero();   // from the point to it: a Newton step from second derivatives [m]
-  Mat2 bowl = Mat2::Zero();   // minus the second derivatives of the depth along the plane [1/m]
+  Vec2 step = Vec2::Zero();  // from the point to it: a Newton step from second derivatives [m]
+  Mat2 bowl = Mat2::Zero();  // minus the second derivatives of the depth along the plane [1/m]
 };
 SmoothPeak smooth_peak(const SurfaceJet& object, const SurfaceJet& scene, double texel) noexcept;
 
 /// The object's jet with its point a step away along the plane, to first order; all else as it is.
 SurfaceJet carried(const SurfaceJet& jet, const Vec2& step) noexcept;
 
-/// The slope along n that both surfaces share at the maximum next to a point: where the slopes at the point differ, a
-/// Newton step from second derivatives says what they are at the maximum itself; at an edge of one side's domain it is
-/// the other side's.
+/// The slope along n that both surfaces share at the maximum next to a point: where the slopes at
+/// the point differ, a Newton step from second derivatives says what they are at the maximum
+/// itself; at an edge of one side's domain it is the other side's.
 ///
 /// peak   of the two (smooth_peak)
 /// edge   -1: the object ends there, 1: the scene does, 0: neither

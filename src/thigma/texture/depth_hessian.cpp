@@ -10,7 +10,8 @@ namespace {
 
 using Mat26 = Eigen::Matrix<double, 2, 6>;
 
-/// A surface at a point of the plane, and what moves it. All in the contact frame; the point from the centre.
+/// A surface at a point of the plane, and what moves it. All in the contact frame; the point from
+/// the centre.
 struct Moved {
   Vec3 point;
   Eigen::Matrix<double, 3, 2> by_at;
@@ -18,8 +19,9 @@ struct Moved {
   Mat2 curvature;
 };
 
-// A motion w = (t, r) takes p to p + t + r x p + r x (r x p) / 2. Over a point s of the plane then lies what was over s + sigma:
-// sigma = sigma_1 + sigma_2 follows from the point, as does the height there.
+// A motion w = (t, r) takes p to p + t + r x p + r x (r x p) / 2. Over a point s of the plane then
+// lies what was over s + sigma: sigma = sigma_1 + sigma_2 follows from the point, as does the
+// height there.
 
 Vec2 first_shift(const Moved& m, const Vec6& w) noexcept {
   const Vec3 t = w.head<3>(), r = w.tail<3>();
@@ -56,20 +58,23 @@ Mat26 by_motion_and_place(const Moved& m) noexcept {
     const Vec6 w = Vec6::Unit(i);
     const Mat3 turn = skew(Vec3(w.tail<3>()));
     const Eigen::Matrix<double, 3, 2> turned = turn * m.by_at;
-    mixed.col(i) = m.curvature * first_shift(m, w) - turned.topRows<2>().transpose() * m.slope + turned.row(2).transpose();
+    mixed.col(i) = m.curvature * first_shift(m, w) - turned.topRows<2>().transpose() * m.slope +
+                   turned.row(2).transpose();
   }
   return mixed;
 }
 
 }  // namespace
 
-DepthHessian depth_hessian(const DepthContact& contact, const DepthSamples& sample, GradientScratch& scratch) noexcept {
+DepthHessian depth_hessian(const DepthContact& contact, const DepthSamples& sample,
+                           GradientScratch& scratch) noexcept {
   if (!sample.is_found) return {};
   const double texel = detail::finer_texel(contact);
   const Vec2 around = Vec2::Constant(2.0 * texel);
   const PlaneBox over{sample.at - around, sample.at + around};
   detail::project_sides(contact, sample.frame, over, scratch.object, scratch.scene);
-  const SurfaceJet object = surface_jet(scratch.object, sample.at), scene = surface_jet(scratch.scene, sample.at);
+  const SurfaceJet object = surface_jet(scratch.object, sample.at),
+                   scene = surface_jet(scratch.scene, sample.at);
   if (!object.is_covered || !scene.is_covered) return {};
   const SmoothPeak peak = smooth_peak(object, scene, texel);
   if (!peak.is_near) return {};
@@ -90,10 +95,12 @@ DepthHessian depth_hessian(const DepthContact& contact, const DepthSamples& samp
   const Vec3 angular = moved.point.cross(Vec3(-moved.slope.x(), -moved.slope.y(), 1.0));
   second.bottomRightCorner<3, 3>() -= 0.5 * skew(angular);
   Mat6 to_world = Mat6::Zero();
-  to_world.topLeftCorner<3, 3>() = to_world.bottomRightCorner<3, 3>() = sample.frame.world_from_contact;
+  to_world.topLeftCorner<3, 3>() = to_world.bottomRightCorner<3, 3>() =
+      sample.frame.world_from_contact;
   DepthHessian result;
   result.gradient_by_motion = to_world * second * to_world.transpose();
-  result.is_valid = result.gradient_by_motion.allFinite() && second.topLeftCorner<3, 3>().norm() * texel <= 1.0;
+  result.is_valid =
+      result.gradient_by_motion.allFinite() && second.topLeftCorner<3, 3>().norm() * texel <= 1.0;
   return result;
 }
 

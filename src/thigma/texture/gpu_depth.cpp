@@ -7,8 +7,8 @@ namespace {
 
 /// The backend on a graphics processor; null with a reason.
 std::unique_ptr<DepthBackend> open_backend(const GpuDepthParams& params, GpuDepth& result) {
-  std::unique_ptr<detail::GlContext> context = detail::GlContext::open(
-      params.allows_hardware, params.allows_software, result.reason);
+  std::unique_ptr<detail::GlContext> context =
+      detail::GlContext::open(params.allows_hardware, params.allows_software, result.reason);
   if (!context) return nullptr;
   result.renderer = context->renderer;
   result.is_software = context->is_software;

@@ -1,5 +1,6 @@
-// Directional depth on a grid (Sec. 4.4): both fine surfaces become height maps over the common domain, along n and
-// against it; the depth is the largest sum of the two. Moved configurations reuse what they can (Sec. 4.4.2).
+// Directional depth on a grid (Sec. 4.4): both fine surfaces become height maps over the common
+// domain, along n and against it; the depth is the largest sum of the two. Moved configurations
+// reuse what they can (Sec. 4.4.2).
 #include <algorithm>
 
 #include "thigma/texture/depth.h"
@@ -48,8 +49,7 @@ class GridDepth final : public DepthBackend {
     detail::choose_steps(contact, grid, request, result);
     for (int i = 1; i < kConfigurations; ++i) {
       const float sum = moved_sum(contact, grid, i, result);
-      if (sum > kEmptySample)
-        result.depth[static_cast<std::size_t>(i)] = rounding.rounded(sum);
+      if (sum > kEmptySample) result.depth[static_cast<std::size_t>(i)] = rounding.rounded(sum);
     }
   }
 

@@ -188,8 +188,8 @@ BoundsLevel next_level(const BoundsLevel& fine) {
   return level;
 }
 
-// A height map reads texels all over the map: with pages of 4 KiB a lookup of the address costs more than the texel. Where
-// the system has no larger pages, nothing changes.
+// A height map reads texels all over the map: with pages of 4 KiB a lookup of the address costs
+// more than the texel. Where the system has no larger pages, nothing changes.
 void ask_for_large_pages(const void* memory, std::size_t bytes) {
   constexpr std::uintptr_t kLargePage = std::uintptr_t{1} << 21;
   const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(memory);

@@ -13,7 +13,8 @@ namespace thigma {
 inline constexpr int kMaxTextureSide = 16384;                      // texels along one side
 inline constexpr std::int64_t kMaxTexels = std::int64_t{1} << 26;  // of one texture: 1 GiB
 
-/// Displacement from the coarse surface to the fine one [m; body frame]. 16 bytes, so that one load fetches it whole.
+/// Displacement from the coarse surface to the fine one [m; body frame]. 16 bytes, so that one load
+/// fetches it whole.
 struct alignas(16) Texel {
   float x = 0.0f, y = 0.0f, z = 0.0f, unused = 0.0f;
 };
@@ -23,26 +24,26 @@ struct TexelBounds {
   Texel low, high;
 };
 
-/// One level of the pyramid. Cell (i, j) of level k bounds the texels from (i, j) 2^k to (i + 1, j + 1) 2^k, both ends
-/// included, so that it also bounds what is interpolated between them.
+/// One level of the pyramid. Cell (i, j) of level k bounds the texels from (i, j) 2^k to (i + 1, j
+/// + 1) 2^k, both ends included, so that it also bounds what is interpolated between them.
 struct BoundsLevel {
   int columns = 0, rows = 0;
   std::vector<TexelBounds> cells;  // row by row
 };
 
-/// A coarse surface and what is added to it per texel: the fine point over texture coordinates t of a triangle is
-/// P(t) + d(t), P affine on the triangle, d interpolated bilinearly.
+/// A coarse surface and what is added to it per texel: the fine point over texture coordinates t of
+/// a triangle is P(t) + d(t), P affine on the triangle, d interpolated bilinearly.
 ///
-/// Texture coordinates are in texels: the texel of column i and row j has its centre at (i, j). What lies beyond the
-/// outermost centres takes their value.
+/// Texture coordinates are in texels: the texel of column i and row j has its centre at (i, j).
+/// What lies beyond the outermost centres takes their value.
 /// Invariant: as make_texture leaves it. Thread: immutable while used.
 struct HapticTexture {
   TriangleMesh coarse;  // [m; body frame]
-  std::vector<std::array<Vec2, 3>>
-      corners;                // texture coordinates of the triangles' corners [texels]
+  // texture coordinates of the triangles' corners [texels]
+  std::vector<std::array<Vec2, 3>> corners;
   int width = 0, height = 0;  // texels
-  std::vector<Texel>
-      texels;  // (height + 1) rows of width + 1: the last row and column are repeated
+  // (height + 1) rows of width + 1: the last row and column are repeated
+  std::vector<Texel> texels;
   std::vector<BoundsLevel> pyramid;  // levels 1, 2, .. up to a single cell
   double texel_size = 0.0;           // mean side of a texel on the coarse surface [m]
   double amplitude = 0.0;            // half the range of displacements along the coarse normals [m]
@@ -51,8 +52,8 @@ struct HapticTexture {
 /// What a texture is made of.
 struct TextureSource {
   TriangleMesh coarse;
-  std::vector<std::array<Vec2, 3>>
-      corners;  // [texels], within half a texel of the outermost centres
+  // [texels], within half a texel of the outermost centres
+  std::vector<std::array<Vec2, 3>> corners;
   int width = 1, height = 1;
   std::vector<Texel> texels;  // width x height, row by row
 };
@@ -62,9 +63,10 @@ struct TextureSource {
 /// source    taken over
 /// name      of the file, for messages
 /// returns   the texture
-/// Thread    [offline]; throws InputError: no texture coordinates, coordinates out of the map, a triangle without area in
-///           the map, two triangles over one texel, sizes out of 1..16384 or above 2^26 texels, texels missing, not
-///           finite, or larger than the coarse surface itself.
+/// Thread    [offline]; throws InputError: no texture coordinates, coordinates out of the map, a
+///           triangle without area in the map, two triangles over one texel, sizes out of 1..16384
+///           or above 2^26 texels, texels missing, not finite, or larger than the coarse surface
+///           itself.
 /// Source    Sec. 4.2.2, 4.4.2.
 HapticTexture make_texture(TextureSource source, const std::string& name);
 

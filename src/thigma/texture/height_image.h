@@ -16,8 +16,9 @@ struct HeightImage {
 /// Reads a PGM, plain (P2) or raw (P5), with up to 65535 greys.
 ///
 /// name      of the file, for messages
-/// Thread    [offline]; throws InputError naming the byte for anything damaged, cut off, larger than a texture may be,
-///           or with a grey above its maximum. Takes no more memory than a small multiple of the bytes.
+/// Thread    [offline]; throws InputError naming the byte for anything damaged, cut off, larger
+///           than a texture may be, or with a grey above its maximum. Takes no more memory than a
+///           small multiple of the bytes.
 /// Source    Netpbm's description of the format.
 HeightImage parse_pgm(std::string_view bytes, const std::string& name);
 

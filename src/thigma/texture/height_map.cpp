@@ -42,8 +42,12 @@ EdgeLines edge_lines(const ProjectedTriangle& t) noexcept {
     const Vec2& b = t.at[(k + 1) % 3];
     const double rise = b.y() - a.y();
     const bool is_flat = rise == 0.0;
-    lines[k] = {std::min(a.y(), b.y()), std::max(a.y(), b.y()), a.x(), a.y(),
-                is_flat ? 0.0 : (b.x() - a.x()) / rise, is_flat ? b.x() : a.x()};
+    lines[k] = {std::min(a.y(), b.y()),
+                std::max(a.y(), b.y()),
+                a.x(),
+                a.y(),
+                is_flat ? 0.0 : (b.x() - a.x()) / rise,
+                is_flat ? b.x() : a.x()};
   }
   return lines;
 }

@@ -18,7 +18,8 @@ struct MapGrid {
   }
 };
 
-/// What a sample holds where the patch does not lie [m]. Finite, so that interpolating beside it stays a number.
+/// What a sample holds where the patch does not lie [m]. Finite, so that interpolating beside it
+/// stays a number.
 inline constexpr float kEmptySample = -1e30f;
 
 /// Heights along the facing direction, row by row [m].
@@ -35,14 +36,15 @@ enum class SpanWidth : std::uint8_t {
 /// Renders a patch: at every sample the height of its fine surface, the largest of several sheets.
 ///
 /// map       overwritten; sized to the grid, memory is kept
-/// Thread    [contact]; no failure; allocates for a grid larger than ever before. In single precision about the frame's
-///           origin: 1e-7 of the patch's height range plus 1e-7 of its texels' number times the relief's slope.
+/// Thread    [contact]; no failure; allocates for a grid larger than ever before. In single
+///           precision about the frame's origin: 1e-7 of the patch's height range plus 1e-7 of its
+///           texels' number times the relief's slope.
 /// Source    Sec. 4.4.2, Eq. 4.9.
 void render_heights(const ProjectedPatch& patch, const MapGrid& grid, SpanWidth width,
                     HeightMap& map) noexcept;
 
-/// The largest sum of two maps and where it is; ties: the first in row order. column -1 where the maps share nothing.
-/// With one map along n and the other against it, this is Eq. 4.10.
+/// The largest sum of two maps and where it is; ties: the first in row order. column -1 where the
+/// maps share nothing. With one map along n and the other against it, this is Eq. 4.10.
 struct MapMaximum {
   float sum = 2.0f * kEmptySample;  // [m]
   int column = -1, row = -1;
@@ -56,8 +58,9 @@ struct PlaneMotion {
   Vec2 shift = Vec2::Zero();
 };
 
-/// The map of a patch after a motion within the plane, read off the map before it: heights at samples between the old
-/// ones by bilinear interpolation, none where an old sample is missing or was outside.
+/// The map of a patch after a motion within the plane, read off the map before it: heights at
+/// samples between the old ones by bilinear interpolation, none where an old sample is missing or
+/// was outside.
 ///
 /// map       at least 2 x 2
 /// moved     overwritten, sized like map; not the same object

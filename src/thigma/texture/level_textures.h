@@ -12,7 +12,8 @@
 
 namespace thigma {
 
-/// By level, 0 the finest. None: the level is the fine surface itself, or close enough to need no relief.
+/// By level, 0 the finest. None: the level is the fine surface itself, or close enough to need no
+/// relief.
 struct LevelTextures {
   std::vector<std::optional<TextureAsset>> levels;
 };
@@ -32,7 +33,8 @@ LevelTextures read_level_textures(const std::string& path, double unit_scale = 1
 ///
 /// levels  surfaces of all levels that are not free
 /// name    of the textures, for messages
-/// Thread  [offline]; throws InputError: other numbers of levels, vertices or triangles, vertices elsewhere.
+/// Thread  [offline]; throws InputError: other numbers of levels, vertices or triangles, vertices
+///         elsewhere.
 void check_level_textures(const LevelTextures& textures, std::span<const TriangleMesh> levels,
                           const std::string& name);
 

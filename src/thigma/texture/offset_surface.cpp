@@ -1,5 +1,6 @@
-// The disk's rim and the wave meet where their slopes do. With s = R sin(phi) every candidate is a maximum of
-// a cos(k (u + s)) + R cos(phi) between two neighbouring samples, found by bisection of the derivative.
+// The disk's rim and the wave meet where their slopes do. With s = R sin(phi) every candidate is a
+// maximum of a cos(k (u + s)) + R cos(phi) between two neighbouring samples, found by bisection of
+// the derivative.
 #include "thigma/texture/offset_surface.h"
 
 #include <algorithm>

@@ -18,8 +18,8 @@ double insideness(const ProjectedTriangle& t, const Vec2& at) noexcept {
                    cross(t.edges[2], at - t.at[2])});
 }
 
-// Slack of the test whether a point lies on a triangle, of its barycentric coordinates: less would open cracks between
-// neighbours by rounding; more only extends a triangle's plane by that share.
+// Slack of the test whether a point lies on a triangle, of its barycentric coordinates: less would
+// open cracks between neighbours by rounding; more only extends a triangle's plane by that share.
 constexpr double kEdgeSlack = 1e-9;
 
 bool is_in(const PlaneBox& box, const Vec2& at) noexcept {
@@ -82,12 +82,15 @@ Vec2 nearest_on(const ProjectedTriangle& t, const Vec2& p) noexcept {
   return best;
 }
 
-// How far within a triangle a place counts as on it when it was found to kClose: no crack between neighbours.
+// How far within a triangle a place counts as on it when it was found to kClose: no crack between
+// neighbours.
 constexpr double kClose = 1e-9;  // of the size of the triangle's box
 constexpr double kFoundSlack = 1e-7;
 
-// The least barycentric coordinates that a place on a triangle, moved sideways within a box, can have.
-std::array<double, 3> least_coordinates(const ProjectedTriangle& t, const PlaneBox& sideways) noexcept {
+// The least barycentric coordinates that a place on a triangle, moved sideways within a box, can
+// have.
+std::array<double, 3> least_coordinates(const ProjectedTriangle& t,
+                                        const PlaneBox& sideways) noexcept {
   std::array<double, 3> least;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec2& e = t.edges[k];
@@ -100,7 +103,8 @@ std::array<double, 3> least_coordinates(const ProjectedTriangle& t, const PlaneB
 // Whether a fine point of a triangle may lie over a place.
 bool may_cover(const ProjectedTriangle& t, const Vec2& at) noexcept {
   return is_in(t.fine, at) && cross(t.edges[0], at - t.at[0]) >= t.least[0] &&
-         cross(t.edges[1], at - t.at[1]) >= t.least[1] && cross(t.edges[2], at - t.at[2]) >= t.least[2];
+         cross(t.edges[1], at - t.at[1]) >= t.least[1] &&
+         cross(t.edges[2], at - t.at[2]) >= t.least[2];
 }
 
 Mat2 by_texel(const Vec3& x, const Vec3& y, const ProjectedPatch& patch) noexcept {
@@ -122,17 +126,21 @@ struct Below {
   Found found = Found::none;
 };
 
-Found look_below(const ProjectedPatch& patch, const ProjectedTriangle& t, const Vec2& at, Vec2& place) noexcept {
+Found look_below(const ProjectedPatch& patch, const ProjectedTriangle& t, const Vec2& at,
+                 Vec2& place) noexcept {
   constexpr int kMostSteps = 12;
   const double close = kClose * (t.box.high - t.box.low).lpNorm<1>();
   const auto sideways = patch.contact_from_body.topRows<2>();
   place = at;
   for (int k = 0; k < kMostSteps; ++k) {
-    // Beside the triangle texels are of others: its nearest point stands in. The way there gets no longer by that.
+    // Beside the triangle texels are of others: its nearest point stands in. The way there gets no
+    // longer by that.
     const bool is_on = insideness(t, place) >= 0.0;
-    const TexelFacet facet = texel_facet(*patch.texture, texel_of(t, is_on ? place : nearest_on(t, place)));
+    const TexelFacet facet =
+        texel_facet(*patch.texture, texel_of(t, is_on ? place : nearest_on(t, place)));
     const Vec2 lack = at - place - sideways * facet.value;
-    if (lack.lpNorm<1>() <= close) return insideness(t, place) >= -kFoundSlack ? Found::on : Found::beside;
+    if (lack.lpNorm<1>() <= close)
+      return insideness(t, place) >= -kFoundSlack ? Found::on : Found::beside;
     if (!is_on) {
       place += lack;
       continue;
@@ -149,7 +157,8 @@ double height_below(const ProjectedPatch& patch, const Below& below, const Vec2&
   const ProjectedTriangle& t = projected_triangle(patch, below.triangle);
   if (below.found == Found::none) return height_on(patch, t, at);
   const Vec2 on = below.found == Found::on ? below.place : nearest_on(t, below.place);
-  return coarse_height(t, on) + patch.direction_body.dot(displacement_at(*patch.texture, texel_of(t, on)));
+  return coarse_height(t, on) +
+         patch.direction_body.dot(displacement_at(*patch.texture, texel_of(t, on)));
 }
 
 // Where no fine point of the patch lies over a point: that of a triangle around, the highest.
@@ -187,8 +196,10 @@ Below highest_coarse(const ProjectedPatch& patch, const Vec2& at, int& sheets) n
   return best;
 }
 
-// The highest sheet over a point; sheets: how many there are, counted only where not the first is taken.
-Below find_highest(const ProjectedPatch& patch, const Vec2& at, std::int32_t near, int& sheets) noexcept {
+// The highest sheet over a point; sheets: how many there are, counted only where not the first is
+// taken.
+Below find_highest(const ProjectedPatch& patch, const Vec2& at, std::int32_t near,
+                   int& sheets) noexcept {
   Below best;
   sheets = 1;
   const bool has_guess = near >= 0 && near < static_cast<std::int32_t>(patch.triangles.size());
@@ -223,7 +234,9 @@ Below find_beside(const ProjectedPatch& patch, const Vec2& at, int& sheets) noex
 }
 
 // Slope over the plane of what rises by `rises` a texel while it moves by `moves`.
-Vec2 slope_of(const Mat2& moves, const Vec2& rises) noexcept { return moves.transpose().inverse() * rises; }
+Vec2 slope_of(const Mat2& moves, const Vec2& rises) noexcept {
+  return moves.transpose().inverse() * rises;
+}
 
 Mat2 second_of(const Vec3& m, const TexelJet& texel) noexcept {
   Mat2 second;
@@ -231,7 +244,8 @@ Mat2 second_of(const Vec3& m, const TexelJet& texel) noexcept {
   return second;
 }
 
-// What a triangle of a patch shows at a point. The fine point moves by `moves` a texel and rises by `rises`.
+// What a triangle of a patch shows at a point. The fine point moves by `moves` a texel and rises by
+// `rises`.
 SurfaceJet jet_below(const ProjectedPatch& patch, const Below& below, const Vec2& at) noexcept {
   const ProjectedTriangle& t = projected_triangle(patch, below.triangle);
   const bool is_on = below.found == Found::on;
@@ -243,13 +257,15 @@ SurfaceJet jet_below(const ProjectedPatch& patch, const Below& below, const Vec2
   jet.is_covered = true;
   const Mat2 moves = t.at_by_texel + by_texel(texel.by_x, texel.by_y, patch),
              facet_moves = t.at_by_texel + by_texel(texel.facet_by_x, texel.facet_by_y, patch);
-  // The projected tangents of the fine surface have to turn the same way as those of the coarse one.
+  // The projected tangents of the fine surface have to turn the same way as those of the coarse
+  // one.
   const double turn = t.at_by_texel.determinant();
   const bool is_upright = moves.determinant() * turn > 0.0;
   if (is_on && is_upright && facet_moves.determinant() * turn > 0.0) {
     jet.height = coarse_height(t, below.place) + m.dot(texel.value);
     jet.slope = slope_of(moves, coarse + Vec2(m.dot(texel.by_x), m.dot(texel.by_y)));
-    jet.facet_slope = slope_of(facet_moves, coarse + Vec2(m.dot(texel.facet_by_x), m.dot(texel.facet_by_y)));
+    jet.facet_slope =
+        slope_of(facet_moves, coarse + Vec2(m.dot(texel.facet_by_x), m.dot(texel.facet_by_y)));
     const Vec3 off = m - patch.contact_from_body.topRows<2>().transpose() * jet.slope;
     const Mat2 back = moves.inverse();
     jet.curvature = back.transpose() * second_of(off, texel) * back;
@@ -259,15 +275,16 @@ SurfaceJet jet_below(const ProjectedPatch& patch, const Below& below, const Vec2
     jet.height = height_below(patch, below, at);
     const Mat2& by_at = t.texel_by_at;
     jet.slope = t.height_by_at + by_at.transpose() * Vec2(e.dot(texel.by_x), e.dot(texel.by_y));
-    jet.facet_slope = t.height_by_at + by_at.transpose() * Vec2(e.dot(texel.facet_by_x), e.dot(texel.facet_by_y));
+    jet.facet_slope =
+        t.height_by_at + by_at.transpose() * Vec2(e.dot(texel.facet_by_x), e.dot(texel.facet_by_y));
     jet.curvature = by_at.transpose() * second_of(e, texel) * by_at;
   }
   jet.point << at, sign_of(patch.facing) * jet.height;
   return jet;
 }
 
-// The height that a displacement adds where it stays on the plane of its triangle, at most as on one of 45 degrees: beyond,
-// triangles end before the displacement does.
+// The height that a displacement adds where it stays on the plane of its triangle, at most as on
+// one of 45 degrees: beyond, triangles end before the displacement does.
 Vec3 carried_by(const ProjectedTriangle& t, const ProjectedPatch& patch) noexcept {
   const double steep = t.height_by_at.norm();
   const Vec2 rise = steep > 1.0 ? Vec2(t.height_by_at / steep) : t.height_by_at;
@@ -275,20 +292,33 @@ Vec3 carried_by(const ProjectedTriangle& t, const ProjectedPatch& patch) noexcep
 }
 
 // Bounds of the texels under a triangle: of up to four cells at least as large as its box.
-TexelBounds bounds_under(const HapticTexture& texture, const std::array<Vec2, 3>& corners) noexcept {
+TexelBounds bounds_under(const HapticTexture& texture,
+                         const std::array<Vec2, 3>& corners) noexcept {
   const Vec2 last(texture.width - 1.0, texture.height - 1.0), around = Vec2::Ones();
-  const Vec2 low = (corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]) - around).cwiseMax(0.0).cwiseMin(last),
-             high = (corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) + around).cwiseMax(0.0).cwiseMin(last);
+  const Vec2 low = (corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]) - around)
+                       .cwiseMax(0.0)
+                       .cwiseMin(last),
+             high = (corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) + around)
+                        .cwiseMax(0.0)
+                        .cwiseMin(last);
   std::size_t level = 0;  // of cells of 2^(level + 1) texels
-  while (level + 1 < texture.pyramid.size() && std::ldexp(1.0, static_cast<int>(level) + 1) < (high - low).maxCoeff()) ++level;
+  while (level + 1 < texture.pyramid.size() &&
+         std::ldexp(1.0, static_cast<int>(level) + 1) < (high - low).maxCoeff())
+    ++level;
   const BoundsLevel& cells = texture.pyramid[level];
-  const auto cell = [&](double at, int count) { return std::min(static_cast<int>(at) >> (level + 1), count - 1); };
-  TexelBounds all = cells.cells[static_cast<std::size_t>(cell(low.y(), cells.rows) * cells.columns + cell(low.x(), cells.columns))];
+  const auto cell = [&](double at, int count) {
+    return std::min(static_cast<int>(at) >> (level + 1), count - 1);
+  };
+  TexelBounds all = cells.cells[static_cast<std::size_t>(cell(low.y(), cells.rows) * cells.columns +
+                                                         cell(low.x(), cells.columns))];
   for (int row = cell(low.y(), cells.rows); row <= cell(high.y(), cells.rows); ++row) {
-    for (int column = cell(low.x(), cells.columns); column <= cell(high.x(), cells.columns); ++column) {
+    for (int column = cell(low.x(), cells.columns); column <= cell(high.x(), cells.columns);
+         ++column) {
       const TexelBounds& here = cells.cells[static_cast<std::size_t>(row * cells.columns + column)];
-      all.low = {std::min(all.low.x, here.low.x), std::min(all.low.y, here.low.y), std::min(all.low.z, here.low.z)};
-      all.high = {std::max(all.high.x, here.high.x), std::max(all.high.y, here.high.y), std::max(all.high.z, here.high.z)};
+      all.low = {std::min(all.low.x, here.low.x), std::min(all.low.y, here.low.y),
+                 std::min(all.low.z, here.low.z)};
+      all.high = {std::max(all.high.x, here.high.x), std::max(all.high.y, here.high.y),
+                  std::max(all.high.z, here.high.z)};
     }
   }
   return all;
@@ -296,7 +326,8 @@ TexelBounds bounds_under(const HapticTexture& texture, const std::array<Vec2, 3>
 
 // Bounds of what displacements within bounds move along the plane.
 PlaneBox sideways_of(const TexelBounds& bounds, const Mat3& contact_from_body) noexcept {
-  const Vec3 low = detail::texel_vector(bounds.low).head<3>(), high = detail::texel_vector(bounds.high).head<3>();
+  const Vec3 low = detail::texel_vector(bounds.low).head<3>(),
+             high = detail::texel_vector(bounds.high).head<3>();
   PlaneBox box{Vec2::Zero(), Vec2::Zero()};
   for (int k = 0; k < 2; ++k) {
     const Vec3 way = contact_from_body.row(k).transpose();
@@ -334,9 +365,9 @@ Vec3 area_of(const Corners& c) noexcept { return (c.at[1] - c.at[0]).cross(c.at[
 
 // Whether a triangle looks the other way or is seen edge-on; one without area does neither.
 bool is_hidden(const ProjectedPatch& patch, const Corners& corners) noexcept {
-  // Cosine between a triangle's normal and the direction below which it counts as seen edge-on. Its height
-  // changes by 1 / cosine per length: with the side of a box under a tilt of a tenth of a degree that would be the
-  // slope of a contact, and its force sideways.
+  // Cosine between a triangle's normal and the direction below which it counts as seen edge-on. Its
+  // height changes by 1 / cosine per length: with the side of a box under a tilt of a tenth of a
+  // degree that would be the slope of a contact, and its force sideways.
   constexpr double kEdgeOn = 0.1;
   const Vec3 normal = area_of(corners);
   const double size = normal.norm();
@@ -359,7 +390,8 @@ bool project_triangle(const ProjectedPatch& patch, const Corners& corners, std::
   projected.carried = carried_by(projected, patch);
   const Vec2 slack = 2.0 * kEdgeSlack * (corners.box.high - corners.box.low);
   projected.box = {corners.box.low - slack, corners.box.high + slack};
-  const PlaneBox sideways = sideways_of(bounds_under(*patch.texture, texels), patch.contact_from_body);
+  const PlaneBox sideways =
+      sideways_of(bounds_under(*patch.texture, texels), patch.contact_from_body);
   projected.least = least_coordinates(projected, sideways);
   projected.fine = {projected.box.low + sideways.low, projected.box.high + sideways.high};
   return true;
@@ -381,7 +413,8 @@ ContactFrame contact_frame(const Vec3& origin, const Vec3& normal) noexcept {
 
 void project_patch(const HapticTexture& texture, std::span<const std::int32_t> triangles,
                    const Pose& world_from_body, const ContactFrame& frame, Facing facing,
-                   ProjectedPatch& patch, const PlaneBox& over, std::span<const std::int32_t> around) noexcept {
+                   ProjectedPatch& patch, const PlaneBox& over,
+                   std::span<const std::int32_t> around) noexcept {
   patch.texture = &texture;
   patch.facing = facing;
   patch.triangles.clear();
@@ -420,7 +453,8 @@ bool is_height_field(const ProjectedPatch& patch, const PlaneBox& over) noexcept
                       [&](const HiddenTriangle& hidden) { return touch(hidden.box, over); });
 }
 
-bool is_overhung(const ProjectedPatch& patch, const Vec2& at, double height, double within) noexcept {
+bool is_overhung(const ProjectedPatch& patch, const Vec2& at, double height,
+                 double within) noexcept {
   const Vec2 around = Vec2::Constant(within);
   const PlaneBox over{at - around, at + around};
   return std::any_of(patch.hidden.begin(), patch.hidden.end(), [&](const HiddenTriangle& hidden) {
@@ -432,7 +466,8 @@ double height_on(const ProjectedPatch& patch, const ProjectedTriangle& t, const 
   return coarse_height(t, at) + t.carried.dot(displacement_at(*patch.texture, texel_of(t, at)));
 }
 
-bool find_below(const ProjectedPatch& patch, const ProjectedTriangle& t, const Vec2& at, Vec2& place) noexcept {
+bool find_below(const ProjectedPatch& patch, const ProjectedTriangle& t, const Vec2& at,
+                Vec2& place) noexcept {
   return look_below(patch, t, at, place) == Found::on;
 }
 

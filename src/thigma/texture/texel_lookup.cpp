@@ -11,7 +11,8 @@ namespace {
 using Vec4 = Eigen::Vector4d;  // a texel
 using detail::texel_vector;
 
-// A texel and the way to the next one. The last texel is its own neighbour: rows and columns are repeated.
+// A texel and the way to the next one. The last texel is its own neighbour: rows and columns are
+// repeated.
 struct Cell {
   int column = 0, row = 0;
   double x = 0.0, y = 0.0;
@@ -25,7 +26,8 @@ Cell cell_of(const HapticTexture& texture, const Vec2& at) noexcept {
   return {column, row, x - column, y - row};
 }
 
-// Central difference along a row or column of `count` texels, given those at index - 1, index, index + 1.
+// Central difference along a row or column of `count` texels, given those at index - 1, index,
+// index + 1.
 double share_of_difference(int index, int count) noexcept {
   const int span = std::min(index + 1, count - 1) - std::max(index - 1, 0);
   return span > 0 ? 1.0 / span : 0.0;  // of 1 or 2: exact
@@ -49,7 +51,8 @@ Vec3 displacement_at(const HapticTexture& texture, const Vec2& at) noexcept {
   const Cell c = cell_of(texture, at);
   const Texel* const top = &texel_at(texture, c.column, c.row);
   const Texel* const bottom = &texel_at(texture, c.column, c.row + 1);
-  return blend(c, texel_vector(top[0]), texel_vector(top[1]), texel_vector(bottom[0]), texel_vector(bottom[1]))
+  return blend(c, texel_vector(top[0]), texel_vector(top[1]), texel_vector(bottom[0]),
+               texel_vector(bottom[1]))
       .head<3>();
 }
 
@@ -59,14 +62,16 @@ TexelFacet texel_facet(const HapticTexture& texture, const Vec2& at) noexcept {
   const Texel* const bottom = &texel_at(texture, c.column, c.row + 1);
   const Vec4 p00 = texel_vector(top[0]), p10 = texel_vector(top[1]), p01 = texel_vector(bottom[0]),
              p11 = texel_vector(bottom[1]);
-  return {blend(c, p00, p10, p01, p11).head<3>(), ((1.0 - c.y) * (p10 - p00) + c.y * (p11 - p01)).head<3>(),
+  return {blend(c, p00, p10, p01, p11).head<3>(),
+          ((1.0 - c.y) * (p10 - p00) + c.y * (p11 - p01)).head<3>(),
           ((1.0 - c.x) * (p01 - p00) + c.x * (p11 - p10)).head<3>()};
 }
 
 TexelJet texel_jet(const HapticTexture& texture, const Vec2& at) noexcept {
   const Cell c = cell_of(texture, at);
   std::array<std::array<Vec4, 4>, 4> p;  // p[row][column] around the cell
-  std::array<double, 2> column_share, column_second, row_share, row_second;  // of the two middle ones
+  // of the two middle ones
+  std::array<double, 2> column_share, column_second, row_share, row_second;
   std::array<int, 4> columns;
   for (int k = 0; k < 4; ++k)
     columns[static_cast<std::size_t>(k)] = std::clamp(c.column + k - 1, 0, texture.width - 1);
@@ -84,10 +89,8 @@ TexelJet texel_jet(const HapticTexture& texture, const Vec2& at) noexcept {
   }
   TexelJet jet;
   jet.value = blend(c, p[1][1], p[1][2], p[2][1], p[2][2]).head<3>();
-  jet.facet_by_x =
-      ((1.0 - c.y) * (p[1][2] - p[1][1]) + c.y * (p[2][2] - p[2][1])).head<3>();
-  jet.facet_by_y =
-      ((1.0 - c.x) * (p[2][1] - p[1][1]) + c.x * (p[2][2] - p[1][2])).head<3>();
+  jet.facet_by_x = ((1.0 - c.y) * (p[1][2] - p[1][1]) + c.y * (p[2][2] - p[2][1])).head<3>();
+  jet.facet_by_y = ((1.0 - c.x) * (p[2][1] - p[1][1]) + c.x * (p[2][2] - p[1][2])).head<3>();
   std::array<Vec4, 4> x, y, xx, yy;  // at the four texels around: (0, 0), (1, 0), (0, 1), (1, 1)
   for (std::size_t k = 0; k < 4; ++k) {
     const std::size_t column = k % 2, row = k / 2, i = 1 + column, j = 1 + row;

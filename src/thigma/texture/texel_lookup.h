@@ -5,7 +5,8 @@
 
 namespace thigma {
 
-/// Bilinear displacement at texture coordinates, clamped to the outermost texel centres [m; body frame].
+/// Bilinear displacement at texture coordinates, clamped to the outermost texel centres [m; body
+/// frame].
 /// Thread    [contact]; no failure.
 Vec3 displacement_at(const HapticTexture& texture, const Vec2& at) noexcept;
 
@@ -20,8 +21,8 @@ struct TexelJet {
   Vec3 value = Vec3::Zero();       // bilinear, as displacement_at
   Vec3 facet_by_x = Vec3::Zero();  // derivative of `value` itself: jumps between texels
   Vec3 facet_by_y = Vec3::Zero();
-  Vec3 by_x =
-      Vec3::Zero();  // central differences at the four texels around, interpolated: continuous
+  // central differences at the four texels around, interpolated: continuous
+  Vec3 by_x = Vec3::Zero();
   Vec3 by_y = Vec3::Zero();
   Vec3 by_xx = Vec3::Zero();  // second differences, interpolated
   Vec3 by_xy = Vec3::Zero();  // of the four texels around
@@ -29,7 +30,8 @@ struct TexelJet {
 };
 
 /// Value and tangents at once.
-/// Thread    [contact]; no failure. Differences are one-sided, and second ones 0, at the border of the map.
+/// Thread    [contact]; no failure. Differences are one-sided, and second ones 0, at the border of
+///           the map.
 TexelJet texel_jet(const HapticTexture& texture, const Vec2& at) noexcept;
 
 }  // namespace thigma

@@ -1,5 +1,5 @@
-// Packed records in named chunks. What is read goes through make_texture like any other source; only indices, which it
-// takes for granted, are checked here.
+// Packed records in named chunks. What is read goes through make_texture like any other source;
+// only indices, which it takes for granted, are checked here.
 #include "thigma/texture/texture_file.h"
 
 #include <algorithm>
@@ -63,7 +63,8 @@ Chunks known_chunks(std::string_view bytes, const std::string& name) {
   Chunks chunks{{}, name};
   for (Chunk& chunk : read_chunks(kTextureKind, bytes, name)) {
     if (chunk.name == "levels")
-      fail(name, "textures of levels of detail, in its table", "mesh = the .clod they were baked onto, beside them in a scene");
+      fail(name, "textures of levels of detail, in its table",
+           "mesh = the .clod they were baked onto, beside them in a scene");
     const bool is_known = std::find(kKnown.begin(), kKnown.end(), chunk.name) != kKnown.end();
     if (!is_known && chunk.is_required)
       fail(name, "needs what this version does not know, chunk " + chunk.name, "a newer thigma");

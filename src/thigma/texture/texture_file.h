@@ -22,8 +22,8 @@ inline constexpr ChunkKind kTextureKind{.magic = {"\x89"
 struct BakeFigures {
   std::int32_t charts = 0;      // connected pieces of the map
   double distortion_max = 0.0;  // see bake.h [-]
-  std::optional<double> fit_error_rms, fit_error_max,
-      crack_max;  // see bake.h [m]; none: of a height map
+  // see bake.h [m]; none: of a height map
+  std::optional<double> fit_error_rms, fit_error_max, crack_max;
 };
 
 /// A texture with what is known of it.
@@ -40,8 +40,8 @@ std::string format_texture(const TextureAsset& asset);
 ///
 /// name        of the file, for messages
 /// unit_scale  lengths are multiplied by it, > 0
-/// Thread      [offline]; throws InputError with the reason: cut off, changed, of another version, or lying. Takes no
-///             more than a small multiple of the bytes, whatever they claim.
+/// Thread      [offline]; throws InputError with the reason: cut off, changed, of another version,
+///             or lying. Takes no more than a small multiple of the bytes, whatever they claim.
 TextureAsset parse_texture(std::string_view bytes, const std::string& name,
                            double unit_scale = 1.0);
 

@@ -17,8 +17,8 @@ namespace thigma {
 /// Source     Eqs. 4.4-4.7.
 Wrench texture_wrench(double depth, const DepthGradient& gradient, double stiffness) noexcept;
 
-/// Gauss-Newton Jacobian of that wrench: -k grad grad^T by position and orientation, 0 by the momenta. Never adds
-/// energy and needs no second derivatives.
+/// Gauss-Newton Jacobian of that wrench: -k grad grad^T by position and orientation, 0 by the
+/// momenta. Never adds energy and needs no second derivatives.
 ///
 /// orientation  q of the object: the columns 3..6 are by its four numbers
 /// returns      d(force, torque)/dy (6 x 13)
@@ -26,7 +26,8 @@ Wrench texture_wrench(double depth, const DepthGradient& gradient, double stiffn
 WrenchJacobian texture_jacobian(double depth, const DepthGradient& gradient, double stiffness,
                                 const Quat& orientation) noexcept;
 
-/// The same contact's wrench on the scene, if that is what one moves: the reaction, about a point of the scene.
+/// The same contact's wrench on the scene, if that is what one moves: the reaction, about a point
+/// of the scene.
 ///
 /// on_object     as returned by texture_wrench, about object_centre
 /// scene_centre  [m; world]

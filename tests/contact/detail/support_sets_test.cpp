@@ -1,10 +1,11 @@
 #include "thigma/contact/detail/support_sets.h"
-#include "thigma/math/infinity.h"
 
 #include <bit>
 
 #include "convex/hull_support.h"
 #include <gtest/gtest.h>
+
+#include "thigma/math/infinity.h"
 
 namespace thigma::detail {
 namespace {

@@ -1,15 +1,14 @@
 #include <atomic>
 #include <mutex>
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <poll.h>
-#include <sys/socket.h>
-
 #include "fuzz/fuzz_target.h"
 #include "viewer/server/messages.h"
 #include "viewer/server/protocol.h"
 #include "viewer/server/web_server.h"
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
 
 #include "thigma/core/detail/descriptor.h"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "height_file.h"
 #include "fuzz/fuzz_target.h"
+#include "height_file.h"
 
 namespace thigma::fuzz {
 

@@ -13,7 +13,8 @@
 namespace thigma {
 namespace {
 
-// Bodies near a floor in random motion: after the time no corner is lower than the promise, and it is not uselessly short.
+// Bodies near a floor in random motion: after the time no corner is lower than the promise, and it
+// is not uselessly short.
 TEST(SafeTime, NothingMeetsWithinIt) {
   const TriangleMesh mesh = make_l_shape(0.1, 0.03);
   TriangleMesh slab = make_box(Vec3(2, 2, 0.2), {4, 4, 1});
@@ -55,7 +56,8 @@ TEST(SafeTime, NothingMeetsWithinIt) {
     const double least = gap > near ? 0.5 * near : gap - detail::kShortestFall * near;
     touching += gap <= near;
     for (const double part : {0.3, 0.7, 1.0}) {
-      ASSERT_GE(lowest(free_motion(world.body, s, part * time)), std::min(least, gap) - 1e-9) << trial;
+      ASSERT_GE(lowest(free_motion(world.body, s, part * time)), std::min(least, gap) - 1e-9)
+          << trial;
     }
   }
   EXPECT_GT(touching, 20);

@@ -23,7 +23,8 @@ struct Held {
 
   Held() {
     const double m = 0.24;
-    world.body = make_body(m, m / 12.0 * Vec3(0.0052, 0.0116, 0.0136).asDiagonal(), Vec3(0, 0, -9.81));
+    world.body =
+        make_body(m, m / 12.0 * Vec3(0.0052, 0.0116, 0.0136).asDiagonal(), Vec3(0, 0, -9.81));
     world.tolerance = 1e-4;
   }
   void touch(const Vec3& point, const Vec3& normal, double gap) {
@@ -66,7 +67,8 @@ TEST(Support, LetsABrickSlideDownASlope) {
     const Vec3 out(std::sin(angle), 0, std::cos(angle)), down(std::cos(angle), 0, -std::sin(angle));
     held.state.orientation = Quat(Eigen::AngleAxisd(angle, Vec3::UnitY()));
     for (const double x : {-0.05, 0.05}) {
-      for (const double y : {-0.03, 0.03}) held.touch(held.state.orientation * Vec3(x, y, -0.02), -out, 2e-5);
+      for (const double y : {-0.03, 0.03})
+        held.touch(held.state.orientation * Vec3(x, y, -0.02), -out, 2e-5);
     }
     const Wrench push = held.support(1e-3, 0.2);
     const Vec3 acceleration = held.world.body.gravity + push.force / held.world.body.mass;
@@ -75,7 +77,8 @@ TEST(Support, LetsABrickSlideDownASlope) {
   }
 }
 
-// A ball of 5 cm that rolls: braked by 5/7 g rolling / R, and no further than to a stop; one that spins in place as well.
+// A ball of 5 cm that rolls: braked by 5/7 g rolling / R, and no further than to a stop; one that
+// spins in place as well.
 TEST(Support, BrakesWhatRolls) {
   constexpr double kRadius = 0.05, kMass = 0.2, kTime = 1e-3, kRolling = 1e-3;
   const double inertia = 0.4 * kMass * kRadius * kRadius;
@@ -101,7 +104,8 @@ TEST(Support, BrakesWhatRolls) {
   EXPECT_NEAR(1e-5 + 0.5 * kTime * stop.torque.y() / inertia, 0.0, 1e-8);
 }
 
-// Any contacts at all: forces lie in their cones, nothing comes nearer, friction opposes, and work is that of lifting at most.
+// Any contacts at all: forces lie in their cones, nothing comes nearer, friction opposes, and work
+// is that of lifting at most.
 TEST(Support, HoldsWithoutGivingWork) {
   Random random(5);
   int loaded = 0, sliding = 0, settled = 0;
@@ -128,7 +132,8 @@ TEST(Support, HoldsWithoutGivingWork) {
       ASSERT_GE(rate, p.speed - 0.01 * gained) << trial;
       ASSERT_LE(along.dot(slide), 0.01 * pressing * gained) << trial;
       ASSERT_LE(pressing * (rate - p.speed), 0.01 * pressing * gained) << trial;
-      settled += std::abs(pressing * (rate - p.speed)) <= 1e-6 * pressing * gained && rate >= p.speed - 1e-6 * gained;
+      settled += std::abs(pressing * (rate - p.speed)) <= 1e-6 * pressing * gained &&
+                 rate >= p.speed - 1e-6 * gained;
       loaded += pressing > 0.0;
       sliding += slide.norm() > 0.01 * 9.81 * time;
       work += p.force.dot(mean);

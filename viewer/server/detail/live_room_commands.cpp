@@ -43,8 +43,7 @@ LiveRequest request_of(PageId page, const Command& command) {
 
 Refusal LiveRoom::Impl::received(PageId page, std::string_view message, bool is_binary) {
   if (is_binary) {
-    const bool is_upload =
-        !message.empty() && message[0] == static_cast<char>(MessageKind::upload);
+    const bool is_upload = !message.empty() && message[0] == static_cast<char>(MessageKind::upload);
     return is_upload ? take_chunk(page, message) : take_samples(page, message);
   }
   ParsedCommand parsed = parse_command(message);
@@ -88,7 +87,8 @@ bool LiveRoom::Impl::is_choice(const std::string& name) const {
 bool LiveRoom::Impl::is_held_by_other(PageId page) const { return holder != 0 && holder != page; }
 
 std::string LiveRoom::Impl::pause(bool wanted) {
-  // A session that is about to begin would stand still unseen: prepare_session sets both of these at once.
+  // A session that is about to begin would stand still unseen: prepare_session sets both of these
+  // at once.
   const std::lock_guard lock(mutex);
   if (is_restarting) return kIsRestarting;
   if (now_running.is_lockstep) return kIsLockstep;
@@ -125,20 +125,20 @@ std::string LiveRoom::Impl::send_level(PageId page, const Command& command) {
   const bool is_there =
       command.mesh >= 0 && command.mesh <= static_cast<std::int64_t>(scene.statics.size());
   if (!is_there) return "there is no mesh of that number";
-  const SceneBodyView& body = command.mesh == 0
-                                  ? scene.object
-                                  : scene.statics[static_cast<std::size_t>(command.mesh - 1)];
+  const SceneBodyView& body =
+      command.mesh == 0 ? scene.object : scene.statics[static_cast<std::size_t>(command.mesh - 1)];
   const double level = command.number, levels = static_cast<double>(body.meshes.size());
   if (!(level >= 1.0 && level < levels) || level != std::floor(level))
     return "that level has no surface of its own";
-  // Answers are never dropped, so a page that asks and does not read may not have many of these waiting.
+  // Answers are never dropped, so a page that asks and does not read may not have many of these
+  // waiting.
   if (server.waiting_bytes(page) > limits.waiting_bytes)
     return "this page has not taken yet what it was sent before; ask again";
-  server.send(page,
-              encode_level(static_cast<std::uint32_t>(command.mesh),
-                           static_cast<std::int32_t>(level),
-                           body.meshes[static_cast<std::size_t>(level)], *body.hierarchy),
-              true);
+  server.send(
+      page,
+      encode_level(static_cast<std::uint32_t>(command.mesh), static_cast<std::int32_t>(level),
+                   body.meshes[static_cast<std::size_t>(level)], *body.hierarchy),
+      true);
   return {};
 }
 

@@ -129,9 +129,7 @@ void LiveRoom::Impl::tell_state() {
   for (const PageId page : pages) tell_state_to(page);
 }
 
-void LiveRoom::Impl::tell_parameters() {
-  tell_all(parameters_message(parameters()));
-}
+void LiveRoom::Impl::tell_parameters() { tell_all(parameters_message(parameters())); }
 
 void LiveRoom::Impl::tell_all(const std::string& text) {
   for (const PageId page : server.pages()) server.send(page, text, false);

@@ -1,6 +1,6 @@
 #pragma once
-// Inside of the room: its state and the steps on it. Commands of pages in live_room_commands.cpp, what pages are
-// told in live_room_show.cpp, sessions and pages that come and go in live_room.cpp.
+// Inside of the room: its state and the steps on it. Commands of pages in live_room_commands.cpp,
+// what pages are told in live_room_show.cpp, sessions and pages that come and go in live_room.cpp.
 
 #include <atomic>
 #include <deque>
@@ -24,7 +24,8 @@ inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 inline constexpr const char* kIsLockstep = "a session in lockstep is the same every time";
 inline constexpr const char* kIsRecording =
     "a recording is being written, and could not be replayed if this changed: stop it first";
-inline constexpr const char* kIsReplay = "a recording is shown as it was; begin a session to change this";
+inline constexpr const char* kIsReplay =
+    "a recording is shown as it was; begin a session to change this";
 inline constexpr const char* kIsHeld = "another page holds the device";
 inline constexpr const char* kIsRestarting = "the session is just beginning anew";
 

@@ -1,7 +1,7 @@
 #pragma once
-// Inside of the server: what its connections share. These files are the only ones that see Boost.Beast.
-// Connections keep themselves alive by shared_ptr while an operation of theirs is under way, as Asio's
-// callbacks need it; everything runs in one thread, so nothing is locked.
+// Inside of the server: what its connections share. These files are the only ones that see
+// Boost.Beast. Connections keep themselves alive by shared_ptr while an operation of theirs is
+// under way, as Asio's callbacks need it; everything runs in one thread, so nothing is locked.
 
 #include <chrono>
 #include <list>

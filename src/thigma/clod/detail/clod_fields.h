@@ -1,6 +1,6 @@
 #pragma once
-// Every number of an asset by name and dimension: files, scaling and checks all go by these lists. A field that is
-// added to hierarchy.h is one line here and one in docs/formats.md.
+// Every number of an asset by name and dimension: files, scaling and checks all go by these lists.
+// A field that is added to hierarchy.h is one line here and one in docs/formats.md.
 
 #include <concepts>
 #include <type_traits>
@@ -25,7 +25,8 @@ enum class Range : bool { finite, infinite };
 template <class T, class Plain>
 concept Like = std::same_as<std::remove_const_t<T>, Plain>;
 
-/// Calls visit(name, field, dimension = none, range = finite) for every field of a record, in the order of the file.
+/// Calls visit(name, field, dimension = none, range = finite) for every field of a record, in the
+/// order of the file.
 template <class V>
 void visit_fields(Like<ClodNode> auto& n, V&& visit) {
   visit("center", n.center, Dimension::length);
@@ -137,8 +138,9 @@ void visit_fields(Like<ClodHierarchy> auto& h, V&& visit) {
   visit("triangle_count", h.triangle_count);
 }
 
-/// Calls visit.record(chunk, record), visit.records(chunk, vector of records) or visit.numbers(chunk, vector of
-/// numbers, dimension) for each part of a hierarchy, in the order of the file.
+/// Calls visit.record(chunk, record), visit.records(chunk, vector of records) or
+/// visit.numbers(chunk, vector of numbers, dimension) for each part of a hierarchy, in the order of
+/// the file.
 template <class V>
 void visit_parts(Like<ClodHierarchy> auto& h, V&& visit) {
   visit.record("object", h);
@@ -157,7 +159,8 @@ void visit_parts(Like<ClodHierarchy> auto& h, V&& visit) {
   visit.numbers("triangle_ids", h.triangle_ids, Dimension::none);
 }
 
-/// Single precision copies of hull vertices about the centres of their hulls, in the place they have.
+/// Single precision copies of hull vertices about the centres of their hulls, in the place they
+/// have.
 void refresh_lanes(ClodHierarchy& hierarchy);
 
 }  // namespace thigma::detail

@@ -136,8 +136,8 @@ void append_contact_patches(const Simplification& s, const std::vector<LevelPatc
       contact.vertex_count = hull.vertex_count;
       contact.first_lane = hull.first_lane;
       contact.lane_count = hull.lane_count;
-      contact.patch = append_features(mesh, surface, patches[k].triangles[p], patches[k].vertices[p],
-                                      s.convexity_tolerance, h);
+      contact.patch = append_features(mesh, surface, patches[k].triangles[p],
+                                      patches[k].vertices[p], s.convexity_tolerance, h);
       h.contact_patches.push_back(contact);
     }
   }

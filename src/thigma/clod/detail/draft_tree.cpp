@@ -130,7 +130,8 @@ PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& h) {
   return hull;
 }
 
-ClodPatch append_features(const TriangleMesh& mesh, const Surface& surface, std::span<const std::int32_t> triangles,
+ClodPatch append_features(const TriangleMesh& mesh, const Surface& surface,
+                          std::span<const std::int32_t> triangles,
                           std::span<const std::int32_t> vertices, double flat, ClodHierarchy& h) {
   const PatchFeatures features = find_features(mesh, surface, triangles, vertices, flat);
   ClodPatch patch;
@@ -175,8 +176,9 @@ void place_drafts(const TriangleMesh& mesh, const ConvexDecomposition& decomposi
       order.insert(order.end(), draft.children.begin(), draft.children.end());
     } else {
       node.patch = draft.patch;
-      h.patches[at(node.patch)] = append_features(mesh, surface, decomposition.patches[at(node.patch)],
-                                                  decomposition.vertices[at(node.patch)], flat, h);
+      h.patches[at(node.patch)] =
+          append_features(mesh, surface, decomposition.patches[at(node.patch)],
+                          decomposition.vertices[at(node.patch)], flat, h);
       h.patches[at(node.patch)].node = static_cast<std::int32_t>(i);
     }
     h.nodes.push_back(node);

@@ -63,7 +63,8 @@ struct PlacedHull {
 PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& h);
 
 /// Appends the features of a patch of a mesh. triangles and vertices ascending; flat [m].
-ClodPatch append_features(const TriangleMesh& mesh, const Surface& surface, std::span<const std::int32_t> triangles,
+ClodPatch append_features(const TriangleMesh& mesh, const Surface& surface,
+                          std::span<const std::int32_t> triangles,
                           std::span<const std::int32_t> vertices, double flat, ClodHierarchy& h);
 
 /// Places the drafts below the root breadth first, so that children lie together and parents before

@@ -1,7 +1,7 @@
-// Distances between patches of a level and the original triangles below their nodes. Searches run down
-// the hierarchy itself, whose nodes bound those triangles. Over a triangle, distance to a convex set is
-// convex, so its largest value to one triangle of the other side is at a corner: a bound that is exact
-// where the two are of a size, and is reached by division where they are not.
+// Distances between patches of a level and the original triangles below their nodes. Searches run
+// down the hierarchy itself, whose nodes bound those triangles. Over a triangle, distance to a
+// convex set is convex, so its largest value to one triangle of the other side is at a corner: a
+// bound that is exact where the two are of a size, and is reached by division where they are not.
 
 #include "thigma/clod/detail/level_bounds.h"
 
@@ -19,7 +19,7 @@
 namespace thigma::detail {
 namespace {
 
-constexpr int kDivisions = 5;    // of a triangle into four, one after the other
+constexpr int kDivisions = 5;   // of a triangle into four, one after the other
 constexpr double kTight = 2.0;  // a bound within this of the largest distance met is good
 // Nor is one worth dividing that is below s, which counts in every sum it enters.
 
@@ -112,8 +112,8 @@ struct PatchBounds {
     if (divisions == 0 || bound <= std::max(kTight * met, deviation)) return bound;
     const Vec3 ab = 0.5 * (part[0] + part[1]), bc = 0.5 * (part[1] + part[2]),
                ca = 0.5 * (part[2] + part[0]);
-    const std::array<Corners, 4> parts = {{{part[0], ab, ca}, {ab, part[1], bc}, {ca, bc, part[2]},
-                                           {ab, bc, ca}}};
+    const std::array<Corners, 4> parts = {
+        {{part[0], ab, ca}, {ab, part[1], bc}, {ca, bc, part[2]}, {ab, bc, ca}}};
     double largest = 0.0;
     for (const Corners& q : parts)
       largest = std::max(largest, to_below(q, divisions - 1, near, met));

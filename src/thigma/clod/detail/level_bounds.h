@@ -1,7 +1,7 @@
 #pragma once
-// How far a contact patch and the finest patches below its node lie apart: what a contact measured on the
-// one says about the other. s and h do not tell: s is taken against whole surfaces, h against the hull,
-// and a patch drifts sideways against what is below it.
+// How far a contact patch and the finest patches below its node lie apart: what a contact measured
+// on the one says about the other. s and h do not tell: s is taken against whole surfaces, h
+// against the hull, and a patch drifts sideways against what is below it.
 
 #include "thigma/clod/hierarchy.h"
 

@@ -14,8 +14,8 @@ struct Patch {
   std::vector<Vec3> points;                         // by local vertex
   std::vector<std::array<std::uint8_t, 3>> corner;  // of each triangle
   std::vector<Vec3> cross;                          // twice the area times the normal
-  std::vector<std::array<int, 3>>
-      neighbor;           // across corner i -> corner i + 1, -1 outside the patch
+  // across corner i -> corner i + 1, -1 outside the patch
+  std::vector<std::array<int, 3>> neighbor;
   std::vector<int> face;  // of each triangle
 };
 
@@ -147,10 +147,10 @@ bool ends_facet(const Patch& patch, const RealFace& face, const Vec3& tail, cons
   return true;
 }
 
-/// Unit normal of the triangle across side k of a triangle of the mesh; zero where there is none, over a reflex edge, and of
-/// slivers, whose normals are mostly rounding.
-Vec3 normal_beyond(const TriangleMesh& mesh, const Surface& surface, std::int32_t triangle, std::size_t k,
-                   const Vec3& normal, double flat) {
+/// Unit normal of the triangle across side k of a triangle of the mesh; zero where there is none,
+/// over a reflex edge, and of slivers, whose normals are mostly rounding.
+Vec3 normal_beyond(const TriangleMesh& mesh, const Surface& surface, std::int32_t triangle,
+                   std::size_t k, const Vec3& normal, double flat) {
   const std::int32_t other = surface.neighbor[at(triangle)][k];
   if (other < 0 || !(surface.height[at(other)] > flat)) return Vec3::Zero();
   const Vec3& tail = mesh.positions[at(mesh.triangles[at(triangle)][k])];
@@ -159,8 +159,9 @@ Vec3 normal_beyond(const TriangleMesh& mesh, const Surface& surface, std::int32_
   return surface.normal[at(other)];
 }
 
-void find_edges(const TriangleMesh& mesh, const Surface& surface, std::span<const std::int32_t> triangles,
-                const Patch& patch, double flat, const std::vector<RealFace>& faces, std::vector<RealEdge>& edges) {
+void find_edges(const TriangleMesh& mesh, const Surface& surface,
+                std::span<const std::int32_t> triangles, const Patch& patch, double flat,
+                const std::vector<RealFace>& faces, std::vector<RealEdge>& edges) {
   for (std::size_t t = 0; t < patch.corner.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       const int other = patch.neighbor[t][k];
@@ -176,7 +177,8 @@ void find_edges(const TriangleMesh& mesh, const Surface& surface, std::span<cons
                              patch.points[edge.tail], patch.points[edge.head], flat)) {
         continue;
       } else {
-        edge.beyond = normal_beyond(mesh, surface, triangles[t], k, faces[at(patch.face[t])].normal, flat);
+        edge.beyond =
+            normal_beyond(mesh, surface, triangles[t], k, faces[at(patch.face[t])].normal, flat);
       }
       edges.push_back(edge);
     }
@@ -184,7 +186,8 @@ void find_edges(const TriangleMesh& mesh, const Surface& surface, std::span<cons
 
 }  // namespace
 
-PatchFeatures find_features(const TriangleMesh& mesh, const Surface& surface, std::span<const std::int32_t> triangles,
+PatchFeatures find_features(const TriangleMesh& mesh, const Surface& surface,
+                            std::span<const std::int32_t> triangles,
                             std::span<const std::int32_t> vertices, double flat) {
   Patch patch = localize(mesh, triangles, vertices);
   PatchFeatures features;

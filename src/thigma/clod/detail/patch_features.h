@@ -25,7 +25,8 @@ struct PatchFeatures {
 /// vertices   every position they use, ascending; local vertex i is vertices[i]; at most 32
 /// flat       height that still counts as in the plane [m]
 /// Thread     [offline]; no failure.
-PatchFeatures find_features(const TriangleMesh& mesh, const Surface& surface, std::span<const std::int32_t> triangles,
+PatchFeatures find_features(const TriangleMesh& mesh, const Surface& surface,
+                            std::span<const std::int32_t> triangles,
                             std::span<const std::int32_t> vertices, double flat);
 
 }  // namespace thigma::detail

@@ -11,10 +11,10 @@ namespace {
 constexpr double kForgets = 0.98;  // a query: the cost of the dearest refinement halves in 35
 
 struct Budget {
-  std::int64_t first = 0;      // tests of the set before this query
-  std::int64_t tests = 0;      // at most; 0: no limit
-  double deadline = 0.0;       // of the thread's CPU clock; 0: none [s]
-  double now = 0.0;            // of that clock, when it was looked at last; 0: not yet [s]
+  std::int64_t first = 0;  // tests of the set before this query
+  std::int64_t tests = 0;  // at most; 0: no limit
+  double deadline = 0.0;   // of the thread's CPU clock; 0: none [s]
+  double now = 0.0;        // of that clock, when it was looked at last; 0: not yet [s]
   bool is_spent = false;
 };
 
@@ -44,7 +44,8 @@ void visit_within(LevelQuery& q, const PendingPair& entry) noexcept {
     keep(q, n, {.pair = finest}, entry.weight);
     return;
   }
-  if (is_free(node_a(t, n.a)) || is_free(node_b(t, n.b))) return push_children(q, n, i, entry.weight);
+  if (is_free(node_a(t, n.a)) || is_free(node_b(t, n.b)))
+    return push_children(q, n, i, entry.weight);
   const LevelPair m = measure_level_pair(q, n, i);
   if (m.pair.status == PairContactStatus::apart) return end_apart(q, n, i, -m.pair.depth - m.reach);
   const std::int32_t contact = m.nearest <= t.query.tolerance ? keep(q, n, m, entry.weight) : -1;
@@ -71,8 +72,9 @@ std::int64_t most_tests(const LevelQuery& q, const FrontNode& n) noexcept {
   return most;
 }
 
-// Whether there is time for another refinement. What one takes is known when the next one asks; as much is held back as
-// the dearest of late took, so that a query ends late only by what is dearer than all before.
+// Whether there is time for another refinement. What one takes is known when the next one asks; as
+// much is held back as the dearest of late took, so that a query ends late only by what is dearer
+// than all before.
 bool has_time(ContactFront& f, Budget& budget) noexcept {
   const double before = budget.now;
   budget.now = thread_cpu_seconds();

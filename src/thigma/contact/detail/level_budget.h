@@ -5,8 +5,8 @@
 
 namespace thigma::detail {
 
-/// As the walk without a budget, in the order of what is most needed, and no farther than the budget of the query goes.
-/// The stack of the front holds the root.
+/// As the walk without a budget, in the order of what is most needed, and no farther than the
+/// budget of the query goes. The stack of the front holds the root.
 void walk_within_budget(LevelQuery& q) noexcept;
 
 }  // namespace thigma::detail

@@ -34,7 +34,8 @@ Threshold threshold_at(const LevelQuery& q, const Vec3& on_object, const Vec3& o
   const RefinementMetric& metric = q.t.query.resolution.metric;
   Threshold least;
   if (metric.haptic > 0.0) least.value = q.threshold;
-  if (metric.velocity > 0.0) least.offer(metric.velocity * speed_at(q, on_scene), LevelDecision::velocity);
+  if (metric.velocity > 0.0)
+    least.offer(metric.velocity * speed_at(q, on_scene), LevelDecision::velocity);
   if (metric.view.pixels > 0.0) {
     ViewThreshold view = metric.view;
     if (metric.has_eye) {
@@ -45,18 +46,19 @@ Threshold threshold_at(const LevelQuery& q, const Vec3& on_object, const Vec3& o
   return least;
 }
 
-// How far a pair is beyond its limits, above 1 to be refined, and the limit that is nearest or exceeded most.
+// How far a pair is beyond its limits, above 1 to be refined, and the limit that is nearest or
+// exceeded most.
 struct Urgency {
   double priority = 0.0;
   LevelDecision by = LevelDecision::haptic;
 };
 
-Urgency urgency_of(const LevelQuery& q, const Side& a, const Side& b, const Place& on_a, const Place& on_b,
-                   const Vec3& on_object, const Vec3& on_scene) noexcept {
+Urgency urgency_of(const LevelQuery& q, const Side& a, const Side& b, const Place& on_a,
+                   const Place& on_b, const Vec3& on_object, const Vec3& on_scene) noexcept {
   const Resolution& r = q.t.query.resolution;
-  const double weighted =
-      weighted_deviation({a.deviation(), a.resolution(), support_area(a, on_a, r.reading), false},
-                         {b.deviation(), b.resolution(), support_area(b, on_b, r.reading), false}, r.area);
+  const double weighted = weighted_deviation(
+      {a.deviation(), a.resolution(), support_area(a, on_a, r.reading), false},
+      {b.deviation(), b.resolution(), support_area(b, on_b, r.reading), false}, r.area);
   const Threshold threshold = threshold_at(q, on_object, on_scene);
   const double over_cap = (a.deviation() + b.deviation()) / q.deviation_cap;
   const double over_threshold = threshold.value > 0.0 ? weighted / threshold.value : kInfinity;
@@ -64,8 +66,9 @@ Urgency urgency_of(const LevelQuery& q, const Side& a, const Side& b, const Plac
           over_cap > over_threshold ? LevelDecision::cap : threshold.by};
 }
 
-// The probe of pairs that are not both finest: a coarse patch lies off the surface by up to s, so the surface it stands
-// for may be crossed that far from the ends of the segment without anything in between.
+// The probe of pairs that are not both finest: a coarse patch lies off the surface by up to s, so
+// the surface it stands for may be crossed that far from the ends of the segment without anything
+// in between.
 struct LevelProbe {
   const CrossingContext* crossing;
   double margin_a, margin_b;
@@ -77,7 +80,8 @@ bool separates(const void* context, const Vec3& from, const Vec3& to) noexcept {
   const double length = std::sqrt(way.squaredNorm());
   if (!(length > probe.margin_a + probe.margin_b)) return false;
   const SegmentProbe exact = crossing_probe(*probe.crossing);
-  return exact.separates(exact.context, from + (probe.margin_a / length) * way, to - (probe.margin_b / length) * way);
+  return exact.separates(exact.context, from + (probe.margin_a / length) * way,
+                         to - (probe.margin_b / length) * way);
 }
 
 // D of the pair, at most: by the largest areas of its patches.
@@ -127,7 +131,8 @@ bool decide(void* context, std::uint32_t feature_a, std::uint32_t feature_b, con
 LevelQuery make_level_query(Traversal& t) noexcept {
   const RefinementMetric& metric = t.query.resolution.metric;
   const double smaller = std::min(t.object.radius, t.scene.radius);
-  LevelQuery q{t, {&t.object, &t.scene, t.pose, t.front.object_closed, t.front.scene_closed}, t.front.last};
+  LevelQuery q{
+      t, {&t.object, &t.scene, t.pose, t.front.object_closed, t.front.scene_closed}, t.front.last};
   q.is_haptic_alone = !(metric.velocity > 0.0) && !(metric.view.pixels > 0.0);
   q.threshold = std::max(metric.haptic, 0.0) * smaller;
   q.deviation_cap = t.query.resolution.deviation_cap * smaller;
@@ -162,7 +167,8 @@ bool is_always_refined(const LevelQuery& q, const FrontNode& n) noexcept {
   const double area = largest_area(q, n);
   const SupportArea either = SupportArea::larger;
   return weighted_deviation({sa, q.t.object.levels[at(na.level)].resolution, area, false},
-                            {sb, q.t.scene.levels[at(nb.level)].resolution, area, false}, either) > q.threshold;
+                            {sb, q.t.scene.levels[at(nb.level)].resolution, area, false},
+                            either) > q.threshold;
 }
 
 LevelPair measure_level_pair(LevelQuery& q, FrontNode& n, std::int32_t i) noexcept {
@@ -173,21 +179,24 @@ LevelPair measure_level_pair(LevelQuery& q, FrontNode& n, std::int32_t i) noexce
   out.reach = t.query.tolerance + a.reach() + b.reach();
   const LevelProbe probe{&q.crossing, a.deviation(), b.deviation()};
   Deciding deciding{q, a, b};
-  out.pair = measure_patches(a.view, b.view, t.pose, out.reach, t.query.keep_directions, {&separates, &probe},
-                             {&decide, &deciding}, n, t.set.stats);
+  out.pair = measure_patches(a.view, b.view, t.pose, out.reach, t.query.keep_directions,
+                             {&separates, &probe}, {&decide, &deciding}, n, t.set.stats);
   PatchPair& pair = out.pair;
   if (pair.status == PairContactStatus::apart) return out;
   out.priority = deciding.priority;
   out.decided_by = deciding.by;
   if (!deciding.needs_contact()) return out;
-  const bool is_apart = pair.status == PairContactStatus::separated || pair.status == PairContactStatus::beside;
+  const bool is_apart =
+      pair.status == PairContactStatus::separated || pair.status == PairContactStatus::beside;
   if (is_apart) {
-    const double below = distance_to_below(a, deciding.on_a, deciding.point_a) + distance_to_below(b, deciding.on_b, deciding.point_b);
+    const double below = distance_to_below(a, deciding.on_a, deciding.point_a) +
+                         distance_to_below(b, deciding.on_b, deciding.point_b);
     bound_separated(q, a, b, below, n, i, out);
   } else {
     bound_penetrating(q, a, b, n, out);
   }
-  // Depth of a pair that is turning from beside to through (see pair_contact) is neither the one nor the other.
+  // Depth of a pair that is turning from beside to through (see pair_contact) is neither the one
+  // nor the other.
   const double limit = a.deviation() + b.deviation() + a.hausdorff() + b.hausdorff();
   if (out.bound > limit * (1.0 + 1e-9)) out.priority = kInfinity;
   return out;

@@ -1,6 +1,6 @@
 #pragma once
-// One pair of patches of any levels: the contact between them, how much detail it deserves, and what it says about
-// the original triangles below.
+// One pair of patches of any levels: the contact between them, how much detail it deserves, and
+// what it says about the original triangles below.
 
 #include "thigma/contact/detail/traversal.h"
 #include "thigma/contact/surface_crossing.h"
@@ -10,8 +10,8 @@ namespace thigma::detail {
 /// What a query with levels keeps for all its pairs.
 struct LevelQuery {
   Traversal& t;
-  CrossingContext crossing;      // of the query, for probes
-  RelativePose last;             // the pose before [frame of the object]
+  CrossingContext crossing;  // of the query, for probes
+  RelativePose last;         // the pose before [frame of the object]
   bool has_last = false;
   bool is_haptic_alone = false;  // the threshold is the same everywhere
   double threshold = 0.0;        // s0 of the haptic metric [m]
@@ -22,24 +22,28 @@ struct LevelQuery {
 LevelQuery make_level_query(Traversal& t) noexcept;
 
 /// A node of merged hulls alone: nothing to measure a contact on.
-inline bool is_free(const ClodNode& node) noexcept { return node.child_count > 0 && node.contact < 0; }
+inline bool is_free(const ClodNode& node) noexcept {
+  return node.child_count > 0 && node.contact < 0;
+}
 
-/// Largest support areas of the vertices of each node's patch, by reading; empty without simplified levels.
-/// Thread [offline].
+/// Largest support areas of the vertices of each node's patch, by reading; empty without simplified
+/// levels. Thread [offline].
 std::vector<std::array<double, 2>> largest_support(const ClodHierarchy& h);
 
-/// A pair that no measurement can keep from being split: free nodes, deviations above the cap, features too large
-/// for any support area its patches have.
+/// A pair that no measurement can keep from being split: free nodes, deviations above the cap,
+/// features too large for any support area its patches have.
 bool is_always_refined(const LevelQuery& q, const FrontNode& n) noexcept;
 
 /// A measured pair, not both finest.
 struct LevelPair {
-  PatchPair pair;          // status apart: farther than any contact at or below could be, depth minus a lower bound
-  double reach = 0.0;      // separation up to which the pair could matter [m]
-  double priority = 0.0;   // s* / s0; above 1 it has to be refined. Infinite where the bound would not hold
+  // status apart: farther than any contact at or below could be, depth minus a lower bound
+  PatchPair pair;
+  double reach = 0.0;  // separation up to which the pair could matter [m]
+  // s* / s0; above 1 it has to be refined. Infinite where the bound would not hold
+  double priority = 0.0;
   LevelDecision decided_by = LevelDecision::finest;
-  double bound = 0.0;      // see Contact [m]
-  double nearest = 0.0;    // the separation of the original triangles is not below this [m]
+  double bound = 0.0;    // see Contact [m]
+  double nearest = 0.0;  // the separation of the original triangles is not below this [m]
 };
 
 /// Measures a pair that is open, counts it, and bounds the original triangles below.

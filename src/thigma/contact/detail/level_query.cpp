@@ -6,13 +6,14 @@
 #include "thigma/contact/detail/level_budget.h"
 #include "thigma/contact/detail/level_walk.h"
 
-// Sec. 3.4.2. The tree of pairs is walked from the root each frame. Where a pair was culled, or proved open, the walk
-// goes by that until the bodies may have moved far enough to change it, so it costs a look at one number; what is
-// measured each frame are the pairs near a contact, from nothing but the pose. Every decision is thus a function of the
-// pose alone, and a walk that remembers ends where a fresh one does.
+// Sec. 3.4.2. The tree of pairs is walked from the root each frame. Where a pair was culled, or
+// proved open, the walk goes by that until the bodies may have moved far enough to change it, so it
+// costs a look at one number; what is measured each frame are the pairs near a contact, from
+// nothing but the pose. Every decision is thus a function of the pose alone, and a walk that
+// remembers ends where a fresh one does.
 //
-// A pair is split by a rule that sees the pair alone (free nodes first, then the node with the coarser children), so
-// each pair of patches is reached in one way.
+// A pair is split by a rule that sees the pair alone (free nodes first, then the node with the
+// coarser children), so each pair of patches is reached in one way.
 
 namespace thigma::detail {
 namespace {
@@ -30,12 +31,14 @@ void visit(LevelQuery& q, const PendingPair& entry) noexcept {
   const LevelPair m = measure_level_pair(q, n, i);
   if (m.pair.status == PairContactStatus::apart) return end_apart(q, n, i, -m.pair.depth - m.reach);
   const Blend share = blend(q, m.priority);
-  if (share.own > 0.0 && m.nearest <= t.query.tolerance) report(t, level_contact(q, n, m, entry.weight * share.own));
+  if (share.own > 0.0 && m.nearest <= t.query.tolerance)
+    report(t, level_contact(q, n, m, entry.weight * share.own));
   if (share.below > 0.0) return push_children(q, n, i, entry.weight * share.below);
   if (i >= 0) drop_children(t.front, i);
 }
 
-// In the order of their patches. Contacts are large: places are sorted, then each contact moves once.
+// In the order of their patches. Contacts are large: places are sorted, then each contact moves
+// once.
 void sort_contacts(Traversal& t) noexcept {
   Contact* contacts = t.set.contacts.data() + t.first;
   const std::size_t count = t.set.contacts.size() - t.first;
@@ -79,8 +82,10 @@ void query_levels(Traversal& t) noexcept {
   f.work.clear();
   f.pending.push_back({.node = 0});
   const Resolution& r = t.query.resolution;
-  if (r.budget_tests > 0 || r.budget_cpu > 0.0) walk_within_budget(q);
-  else walk(q, visit);
+  if (r.budget_tests > 0 || r.budget_cpu > 0.0)
+    walk_within_budget(q);
+  else
+    walk(q, visit);
   f.last = t.pose;
   sort_contacts(t);
 }

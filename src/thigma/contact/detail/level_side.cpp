@@ -10,8 +10,10 @@
 namespace thigma::detail {
 namespace {
 
-// Weights of the corners of a triangle for the point of its plane below p, clamped to the triangle; n across it.
-Vec3 clamped_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n) noexcept {
+// Weights of the corners of a triangle for the point of its plane below p, clamped to the triangle;
+// n across it.
+Vec3 clamped_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c,
+                     const Vec3& n) noexcept {
   if (!(n.squaredNorm() > 0.0)) return Vec3::Constant(1.0 / 3.0);
   const double u = std::max((c - b).cross(p - b).dot(n), 0.0);
   const double v = std::max((a - c).cross(p - c).dot(n), 0.0);
@@ -23,7 +25,8 @@ Vec3 clamped_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c,
 
 Side side_of(const ClodHierarchy& h, std::int32_t i) noexcept {
   const ClodNode& node = h.nodes[at(i)];
-  return {h, node, contact_view(h, i), node.contact >= 0 ? &h.contact_patches[at(node.contact)] : nullptr};
+  return {h, node, contact_view(h, i),
+          node.contact >= 0 ? &h.contact_patches[at(node.contact)] : nullptr};
 }
 
 Place find_place(const HullView& view, std::uint32_t feature, const Vec3& p) noexcept {
@@ -46,7 +49,8 @@ Place find_place(const HullView& view, std::uint32_t feature, const Vec3& p) noe
   for (int t = 0; t < view.triangle_count; ++t) {
     const HullTriangle& tri = view.triangles[t];
     if ((tri.mask & feature) != (feature != 0 ? tri.mask : 0)) continue;
-    const Vec3 &a = view.vertices[tri.corner[0]], &b = view.vertices[tri.corner[1]], &c = view.vertices[tri.corner[2]];
+    const Vec3 &a = view.vertices[tri.corner[0]], &b = view.vertices[tri.corner[1]],
+               &c = view.vertices[tri.corner[2]];
     const Vec3 n = (b - a).cross(c - a);
     const double height = n.dot(p - a);
     if (height * height > least * n.squaredNorm()) continue;
@@ -61,7 +65,8 @@ Place find_place(const HullView& view, std::uint32_t feature, const Vec3& p) noe
 
 double support_area(const Side& side, const Place& place, SupportReading reading) noexcept {
   if (side.h.support.empty()) return 0.0;  // no simplified levels
-  const std::array<double, 2>* first = side.h.support.data() + (side.view.vertices - side.h.vertices.data());
+  const std::array<double, 2>* first =
+      side.h.support.data() + (side.view.vertices - side.h.vertices.data());
   const auto r = static_cast<std::size_t>(reading);
   double area = 0.0;
   for (int k = 0; k < 3; ++k) {
@@ -80,7 +85,8 @@ double distance_to_below(const Side& side, const Place& place, const Vec3& p) no
   }
   for (int k = 0; k < 3; ++k) {  // distances change no faster than the place
     if (!(place.weight[k] > 0.0)) continue;
-    least = std::min(least, vertex[place.corner[k]] + (p - side.view.vertices[place.corner[k]]).norm());
+    least =
+        std::min(least, vertex[place.corner[k]] + (p - side.view.vertices[place.corner[k]]).norm());
   }
   return least;
 }

@@ -11,17 +11,23 @@ namespace thigma::detail {
 struct Side {
   const ClodHierarchy& h;
   const ClodNode& node;
-  HullView view;                        // the patch
-  const ClodContactPatch* patch;        // null: finest
+  HullView view;                  // the patch
+  const ClodContactPatch* patch;  // null: finest
   bool is_finest() const noexcept { return patch == nullptr; }
   double deviation() const noexcept { return patch != nullptr ? patch->deviation : 0.0; }
   double hausdorff() const noexcept { return patch != nullptr ? patch->hausdorff : 0.0; }
   double from_below() const noexcept { return patch != nullptr ? patch->from_below : 0.0; }
-  double resolution() const noexcept { return h.levels[static_cast<std::size_t>(node.level)].resolution; }
+  double resolution() const noexcept {
+    return h.levels[static_cast<std::size_t>(node.level)].resolution;
+  }
   /// The hull of the node is one of points of the original.
-  bool is_culling_hull() const noexcept { return patch == nullptr || node.first_vertex != patch->first_vertex; }
+  bool is_culling_hull() const noexcept {
+    return patch == nullptr || node.first_vertex != patch->first_vertex;
+  }
   /// How far whatever is below reaches outside the patch.
-  double reach() const noexcept { return patch != nullptr ? std::max(patch->hausdorff, patch->from_below) : 0.0; }
+  double reach() const noexcept {
+    return patch != nullptr ? std::max(patch->hausdorff, patch->from_below) : 0.0;
+  }
 };
 
 Side side_of(const ClodHierarchy& h, std::int32_t node) noexcept;

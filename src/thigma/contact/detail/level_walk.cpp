@@ -5,13 +5,15 @@
 namespace thigma::detail {
 namespace {
 
-constexpr double kBlendFrom = 0.8;  // of s* / s0: below, a pair speaks for itself; from 1 on, its children do
+// of s* / s0: below, a pair speaks for itself; from 1 on, its children do
+constexpr double kBlendFrom = 0.8;
 
 double child_resolution(const ClodHierarchy& h, const ClodNode& node) noexcept {
   return h.levels[static_cast<std::size_t>(node.level - 1)].resolution;
 }
 
-// Whether a pair that is not both finest has to be looked at: the culling test, when its last answer may be outdated.
+// Whether a pair that is not both finest has to be looked at: the culling test, when its last
+// answer may be outdated.
 bool is_open(LevelQuery& q, FrontNode& n, std::int32_t i) noexcept {
   if (i >= 0 && n.decision == FrontNode::Decision::open && !is_due(q, i)) return true;
   const double slack = slack_of(q.t, n);
@@ -30,8 +32,9 @@ PatchPair measure_finest(LevelQuery& q, FrontNode& n, std::int32_t i) noexcept {
   Traversal& t = q.t;
   ++t.set.stats.tests;
   const SegmentProbe probe = crossing_probe(q.crossing);
-  const PatchPair pair = measure_patches(hull_view(t.object, n.a), hull_view(t.scene, n.b), t.pose, t.query.tolerance,
-                                         t.query.keep_directions, probe, n, t.set.stats);
+  const PatchPair pair =
+      measure_patches(hull_view(t.object, n.a), hull_view(t.scene, n.b), t.pose, t.query.tolerance,
+                      t.query.keep_directions, probe, n, t.set.stats);
   n.decision = FrontNode::Decision::unknown;
   if (pair.status == PairContactStatus::apart) end_apart(q, n, i, -pair.depth - t.query.tolerance);
   return pair;
@@ -68,8 +71,11 @@ void drop_children(ContactFront& f, std::int32_t i) noexcept {
     f.work.pop_back();
     for (std::int32_t c = f.nodes[k].first_child; c >= 0;) {
       const std::int32_t next = f.nodes[c].next_sibling;
-      if (f.nodes[c].first_child >= 0) f.work.push_back(c);  // its links outlive its place in the list
-      else free_node(f, c);
+      // its links outlive its place in the list
+      if (f.nodes[c].first_child >= 0)
+        f.work.push_back(c);
+      else
+        free_node(f, c);
       c = next;
     }
     f.nodes[k].first_child = -1;
@@ -112,7 +118,8 @@ void push_children(LevelQuery& q, FrontNode& n, std::int32_t i, double weight) n
   }
 }
 
-Contact level_contact(const LevelQuery& q, const FrontNode& n, const LevelPair& m, double weight) noexcept {
+Contact level_contact(const LevelQuery& q, const FrontNode& n, const LevelPair& m,
+                      double weight) noexcept {
   Contact c = make_contact(q.t, n, m.pair);
   c.bound = m.bound;
   c.decided_by = m.decided_by;

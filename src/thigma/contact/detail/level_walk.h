@@ -21,9 +21,12 @@ inline FrontNode& node_of(ContactFront& f, const PendingPair& entry, FrontNode& 
 }
 
 /// Whether what a node remembers may be outdated.
-inline bool is_due(const LevelQuery& q, std::int32_t i) noexcept { return q.t.front.expires[i] <= q.now; }
+inline bool is_due(const LevelQuery& q, std::int32_t i) noexcept {
+  return q.t.front.expires[i] <= q.now;
+}
 
-/// Looks at pair n, place i of the front or -1, counts it as part of the front, and measures finest patches.
+/// Looks at pair n, place i of the front or -1, counts it as part of the front, and measures finest
+/// patches.
 Found look_at(LevelQuery& q, FrontNode& n, std::int32_t i, PatchPair& finest) noexcept;
 
 /// Ends the pair for as long as the bodies do not move by its slack.
@@ -32,11 +35,12 @@ void end_apart(LevelQuery& q, FrontNode& n, std::int32_t i, double slack) noexce
 /// Forgets everything below a node.
 void drop_children(ContactFront& f, std::int32_t i) noexcept;
 
-/// Which of the two is split: free nodes first, of two the larger; then the node whose children are coarser.
+/// Which of the two is split: free nodes first, of two the larger; then the node whose children are
+/// coarser.
 bool splits_object(const Traversal& t, std::int32_t a, std::int32_t b) noexcept;
 
-/// Adds the children of a pair, which is part of the front no more, to the stack; without memory where the front has
-/// no room for them.
+/// Adds the children of a pair, which is part of the front no more, to the stack; without memory
+/// where the front has no room for them.
 void push_children(LevelQuery& q, FrontNode& n, std::int32_t i, double weight) noexcept;
 
 /// Shares of a pair and of its children in the contact (Sec. 3.4.4; the weight is this project's).
@@ -47,7 +51,8 @@ struct Blend {
 /// priority  s* / s0 of the pair
 Blend blend(const LevelQuery& q, double priority) noexcept;
 
-Contact level_contact(const LevelQuery& q, const FrontNode& n, const LevelPair& m, double weight) noexcept;
+Contact level_contact(const LevelQuery& q, const FrontNode& n, const LevelPair& m,
+                      double weight) noexcept;
 
 /// Visits what is pending, and what the visits make pending.
 template <typename Visit>

@@ -1,17 +1,18 @@
 #pragma once
 // Lower bounds of the distance of two hierarchy nodes, cheapest first.
 
-#include <emmintrin.h>
-
 #include <cmath>
+
+#include <emmintrin.h>
 
 #include "thigma/contact/front.h"
 #include "thigma/convex/detail/support.h"
 
 namespace thigma::detail {
 
-// Single-precision rounding of one support value over the lanes, times the bounding radius: three products and sums
-// of numbers below it, each off by 2^-24, on rounded coordinates and a rounded axis. Twice that, generously.
+// Single-precision rounding of one support value over the lanes, times the bounding radius: three
+// products and sums of numbers below it, each off by 2^-24, on rounded coordinates and a rounded
+// axis. Twice that, generously.
 inline constexpr double kLaneRounding = 2e-6;
 // Rounding of centres brought into one frame, times the magnitude of the coordinates.
 inline constexpr double kPlacementRounding = 1e-14;
@@ -25,8 +26,8 @@ struct NodePair {
 
 inline NodePair place(const HullView& a, const HullView& b, const RelativePose& pose) noexcept {
   NodePair pair{a, b, pose.rotation * b.center + pose.translation - a.center, 0.0};
-  pair.rounding = kPlacementRounding * (a.center.lpNorm<1>() + b.center.lpNorm<1>() + pose.translation.lpNorm<1>() +
-                                        a.radius + b.radius);
+  pair.rounding = kPlacementRounding * (a.center.lpNorm<1>() + b.center.lpNorm<1>() +
+                                        pose.translation.lpNorm<1>() + a.radius + b.radius);
   return pair;
 }
 
@@ -41,8 +42,9 @@ inline float lane_support(const HullView& hull, float x, float y, float z) noexc
   const float* vy = vx + hull.lane_count;
   const float* vz = vy + hull.lane_count;
   auto value = [&](int i) {
-    return _mm_add_ps(_mm_add_ps(_mm_mul_ps(ax, _mm_load_ps(vx + i)), _mm_mul_ps(ay, _mm_load_ps(vy + i))),
-                      _mm_mul_ps(az, _mm_load_ps(vz + i)));
+    return _mm_add_ps(
+        _mm_add_ps(_mm_mul_ps(ax, _mm_load_ps(vx + i)), _mm_mul_ps(ay, _mm_load_ps(vy + i))),
+        _mm_mul_ps(az, _mm_load_ps(vz + i)));
   };
   __m128 best = value(0);
   for (int i = 4; i < hull.lane_count; i += 4) best = _mm_max_ps(best, value(i));
@@ -51,20 +53,24 @@ inline float lane_support(const HullView& hull, float x, float y, float z) noexc
   return _mm_cvtss_f32(best);
 }
 
-/// Gap along an axis (unit to single precision, from a to b; frame of a): a lower bound of the distance.
-inline double axis_gap(const NodePair& pair, const RelativePose& pose, const float axis[3]) noexcept {
+/// Gap along an axis (unit to single precision, from a to b; frame of a): a lower bound of the
+/// distance.
+inline double axis_gap(const NodePair& pair, const RelativePose& pose,
+                       const float axis[3]) noexcept {
   const Vec3 n(axis[0], axis[1], axis[2]);
   const Vec3 in_b = pose.rotation.transpose() * n;
   const float top = lane_support(pair.a, axis[0], axis[1], axis[2]);
-  const float bottom = lane_support(pair.b, static_cast<float>(-in_b.x()), static_cast<float>(-in_b.y()),
-                                    static_cast<float>(-in_b.z()));
+  const float bottom = lane_support(pair.b, static_cast<float>(-in_b.x()),
+                                    static_cast<float>(-in_b.y()), static_cast<float>(-in_b.z()));
   const double gap = n.dot(pair.offset) - static_cast<double>(top) - static_cast<double>(bottom);
   // The axis is a unit vector only to 1e-7: shorter makes the gap smaller, longer is made up for.
-  return gap - 1e-6 * std::fabs(gap) - kLaneRounding * (pair.a.radius + pair.b.radius) - pair.rounding;
+  return gap - 1e-6 * std::fabs(gap) - kLaneRounding * (pair.a.radius + pair.b.radius) -
+         pair.rounding;
 }
 
 /// Lets a search start where an axis from a to b (frame of a), such as that of the parents, says.
-inline void start_along(const NodePair& pair, const RelativePose& pose, const float axis[3], GjkCache& cache) noexcept {
+inline void start_along(const NodePair& pair, const RelativePose& pose, const float axis[3],
+                        GjkCache& cache) noexcept {
   const Vec3 n(axis[0], axis[1], axis[2]);
   if (!(n.squaredNorm() > 0.0)) return;
   cache.a[0] = static_cast<std::uint8_t>(support_vertex(pair.a, n));

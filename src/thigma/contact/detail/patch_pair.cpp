@@ -6,12 +6,13 @@
 #include "thigma/contact/detail/support_sets.h"
 #include "thigma/convex/patch_separation.h"
 
-// A query that remembers must report the same bits as one that starts afresh. The closest points of disjoint convex
-// hulls are determined by the hull vertices that support them: the sets of vertices within a hair of the two support
-// planes. Where these are a vertex, an edge or a face on each side, not both more than a vertex unless two crossing
-// edges, and the points lie well inside them, a closed form in those vertices, taken in order, is the answer, however
-// the sets were found: remembered from the last frame and verified, or by GJK. Everything else (parallel faces,
-// virtual faces of the hull, overlap) goes to pair_contact without memory.
+// A query that remembers must report the same bits as one that starts afresh. The closest points of
+// disjoint convex hulls are determined by the hull vertices that support them: the sets of vertices
+// within a hair of the two support planes. Where these are a vertex, an edge or a face on each
+// side, not both more than a vertex unless two crossing edges, and the points lie well inside them,
+// a closed form in those vertices, taken in order, is the answer, however the sets were found:
+// remembered from the last frame and verified, or by GJK. Everything else (parallel faces, virtual
+// faces of the hull, overlap) goes to pair_contact without memory.
 
 namespace thigma::detail {
 namespace {
@@ -39,9 +40,10 @@ void remember(FrontNode& memory, const Vec3& normal, bool is_normal) noexcept {
 }
 
 // The contact of two patches whose triangles were measured.
-PatchPair contact_of(const HullView& a, const HullView& b, const RelativePose& pose, double tolerance,
-                     const PatchSeparation& gap, bool keep_direction, const SegmentProbe& probe,
-                     const EarlyDecision& early, FrontNode& memory, QueryStats& stats) noexcept {
+PatchPair contact_of(const HullView& a, const HullView& b, const RelativePose& pose,
+                     double tolerance, const PatchSeparation& gap, bool keep_direction,
+                     const SegmentProbe& probe, const EarlyDecision& early, FrontNode& memory,
+                     QueryStats& stats) noexcept {
   Vec3 last(memory.axis[0], memory.axis[1], memory.axis[2]);
   const bool has_last = keep_direction && memory.has_normal && last.squaredNorm() > 0.5;
   if (has_last) last.normalize();
@@ -53,26 +55,30 @@ PatchPair contact_of(const HullView& a, const HullView& b, const RelativePose& p
     part.status = PairContactStatus::separated;
     return part;
   }
-  const PairContact pair = pair_contact(a, b, pose, tolerance, gap, has_last ? &last : nullptr, probe);
+  const PairContact pair =
+      pair_contact(a, b, pose, tolerance, gap, has_last ? &last : nullptr, probe);
   memory.support_a = memory.support_b = 0;
   const bool touches = pair.status != PairContactStatus::apart;
-  if (touches) remember(memory, pair.normal, true);
-  else memory.has_normal = false;
-  return {pair.status,     pair.depth,      pair.normal.normalized(), pair.witness_a,
-          pair.witness_b,  pair.separation, pair.feature_a,           pair.feature_b};
+  if (touches)
+    remember(memory, pair.normal, true);
+  else
+    memory.has_normal = false;
+  return {pair.status,    pair.depth,      pair.normal.normalized(), pair.witness_a,
+          pair.witness_b, pair.separation, pair.feature_a,           pair.feature_b};
 }
 
 }  // namespace
 
-PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose, double tolerance,
-                          bool keep_direction, const SegmentProbe& probe, FrontNode& memory,
-                          QueryStats& stats) noexcept {
+PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose,
+                          double tolerance, bool keep_direction, const SegmentProbe& probe,
+                          FrontNode& memory, QueryStats& stats) noexcept {
   return measure_patches(a, b, pose, tolerance, keep_direction, probe, {}, memory, stats);
 }
 
-PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose, double tolerance,
-                          bool keep_direction, const SegmentProbe& probe, const EarlyDecision& early,
-                          FrontNode& memory, QueryStats& stats) noexcept {
+PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose,
+                          double tolerance, bool keep_direction, const SegmentProbe& probe,
+                          const EarlyDecision& early, FrontNode& memory,
+                          QueryStats& stats) noexcept {
   const Placement place(a, b, pose);
   PatchPair result;
   PatchSeparation gap;
@@ -83,7 +89,8 @@ PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePo
   bool found = memory.support_a != 0 && verify(place, {memory.support_a, memory.support_b}, result);
   if (!found) {
     ++stats.pair_queries;
-    const Separation s = closest_points(a, b, pose, std::numeric_limits<double>::infinity(), memory.gjk);
+    const Separation s =
+        closest_points(a, b, pose, std::numeric_limits<double>::infinity(), memory.gjk);
     const Vec3 w = s.witness_b - s.witness_a;
     if (s.status == PairStatus::separated && s.distance > kNear * place.size) {
       disjoint = true;
@@ -105,9 +112,11 @@ PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePo
   }
   const bool touches = -result.depth <= tolerance;
   remember(memory, result.normal, touches);
-  if (!touches) result.status = PairContactStatus::apart;
+  if (!touches)
+    result.status = PairContactStatus::apart;
   else if (early.decide != nullptr) {
-    early.decide(early.context, result.feature_a, result.feature_b, result.witness_a, result.witness_b);
+    early.decide(early.context, result.feature_a, result.feature_b, result.witness_a,
+                 result.witness_b);
   }
   return result;
 }

@@ -14,32 +14,36 @@ struct PatchPair {
   Vec3 normal = Vec3::UnitZ();    // unit, out of a [frame of a]
   Vec3 witness_a = Vec3::Zero();  // [m; frame of a]
   Vec3 witness_b = Vec3::Zero();
-  double separation = 0.0;        // of the triangles, 0 where they intersect; not of `apart` [m]
-  std::uint32_t feature_a = 0, feature_b = 0;  // hull vertices of the closest features; 0 where triangles intersect
+  double separation = 0.0;  // of the triangles, 0 where they intersect; not of `apart` [m]
+  // hull vertices of the closest features; 0 where triangles intersect
+  std::uint32_t feature_a = 0, feature_b = 0;
 };
 
 /// Measures two patches.
 ///
-/// memory  of the pair: support vertices, simplex and, with keep_direction, the normal reported last
+/// memory  of the pair: support vertices, simplex and, with keep_direction, the normal reported
+///         last
 /// stats   pair_queries and triangle_pairs are counted
 /// returns a function of the pose alone unless keep_direction
 /// Thread  [contact]; no failure, no allocation.
-PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose, double tolerance,
-                          bool keep_direction, const SegmentProbe& probe, FrontNode& memory,
-                          QueryStats& stats) noexcept;
+PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose,
+                          double tolerance, bool keep_direction, const SegmentProbe& probe,
+                          FrontNode& memory, QueryStats& stats) noexcept;
 
-/// Decides whether a pair is measured to the end: `decide(context, feature_a, feature_b, point_a, point_b)`, points in the
-/// frame of a, sees where the triangles are closest or meet. False: the result holds these alone, its depth 0 and its
-/// normal any.
+/// Decides whether a pair is measured to the end: `decide(context, feature_a, feature_b, point_a,
+/// point_b)`, points in the frame of a, sees where the triangles are closest or meet. False: the
+/// result holds these alone, its depth 0 and its normal any.
 struct EarlyDecision {
-  bool (*decide)(void* context, std::uint32_t feature_a, std::uint32_t feature_b, const Vec3& point_a,
-                 const Vec3& point_b) noexcept = nullptr;
+  bool (*decide)(void* context, std::uint32_t feature_a, std::uint32_t feature_b,
+                 const Vec3& point_a, const Vec3& point_b) noexcept = nullptr;
   void* context = nullptr;
 };
 
-/// As measure_patches, for a caller who may need less than a contact: asked of every pair that is not apart.
-PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose, double tolerance,
-                          bool keep_direction, const SegmentProbe& probe, const EarlyDecision& early,
-                          FrontNode& memory, QueryStats& stats) noexcept;
+/// As measure_patches, for a caller who may need less than a contact: asked of every pair that is
+/// not apart.
+PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose,
+                          double tolerance, bool keep_direction, const SegmentProbe& probe,
+                          const EarlyDecision& early, FrontNode& memory,
+                          QueryStats& stats) noexcept;
 
 }  // namespace thigma::detail

@@ -7,15 +7,17 @@
 #include "thigma/math/infinity.h"
 #include "thigma/math/plane_cross.h"
 
-// Both patches are convex surfaces, so that their facing triangles cover each point of the plane at most once. Pairs of
-// them are cut into pieces by Sutherland-Hodgman: a's triangle by the tolerance, then by the sides of b's. Hundreds of pairs of
-// patches go through here each frame: most are left as soon as what of them is near enough is seen to be small, and nothing
-// is filled in that is not read.
+// Both patches are convex surfaces, so that their facing triangles cover each point of the plane at
+// most once. Pairs of them are cut into pieces by Sutherland-Hodgman: a's triangle by the
+// tolerance, then by the sides of b's. Hundreds of pairs of patches go through here each frame:
+// most are left as soon as what of them is near enough is seen to be small, and nothing is filled
+// in that is not read.
 
 namespace thigma::detail {
 namespace {
 
-constexpr double kLeastFacing = 0.1;  // cosine: triangles at more than 84 degrees to the plane are left out
+// cosine: triangles at more than 84 degrees to the plane are left out
+constexpr double kLeastFacing = 0.1;
 
 // Extent in the frame (u, v, normal).
 struct Box {
@@ -26,7 +28,8 @@ struct Box {
     high = high.cwiseMax(p);
   }
   bool is_over(const Box& other) const noexcept {
-    return low.x() <= other.high.x() && other.low.x() <= high.x() && low.y() <= other.high.y() && other.low.y() <= high.y();
+    return low.x() <= other.high.x() && other.low.x() <= high.x() && low.y() <= other.high.y() &&
+           other.low.y() <= high.y();
   }
 };
 
@@ -92,14 +95,16 @@ Box extent_beyond(const HullView& hull, const Placed& placed, double side, doubl
       const Vec3 &p = placed.at[corner[k]], &q = placed.at[corner[(k + 1) % 3]];
       const double at_p = side * (p.z() - height), at_q = side * (q.z() - height);
       if (at_p >= 0.0) box.add(p);
-      if ((at_p > 0.0 && at_q < 0.0) || (at_p < 0.0 && at_q > 0.0)) box.add(p + at_p / (at_p - at_q) * (q - p));
+      if ((at_p > 0.0 && at_q < 0.0) || (at_p < 0.0 && at_q > 0.0))
+        box.add(p + at_p / (at_p - at_q) * (q - p));
     }
   }
   return box;
 }
 
 // The triangles of a hull over `within` that face along +-normal.
-void list_facets(const HullView& hull, const Placed& placed, double side, const Box& within, Facets& facets) noexcept {
+void list_facets(const HullView& hull, const Placed& placed, double side, const Box& within,
+                 Facets& facets) noexcept {
   for (int i = 0; i < hull.triangle_count && facets.count < facets.list.size(); ++i) {
     const auto& corner = hull.triangles[i].corner;
     const Vec3 &p = placed.at[corner[0]], &q = placed.at[corner[1]], &r = placed.at[corner[2]];
@@ -161,23 +166,26 @@ void cut_piece(const Facet& a, const Facet& b, double tolerance, Piece& piece) n
   }
 }
 
-// Adds a piece: four points a triangle, exact up to the third power (reach times a product of coordinates).
+// Adds a piece: four points a triangle, exact up to the third power (reach times a product of
+// coordinates).
 void add_piece(const Piece& piece, Moments& sum) noexcept {
   constexpr double kMiddle = -27.0 / 48.0, kOthers = 25.0 / 48.0;
   for (std::size_t i = 1; i + 1 < piece.count; ++i) {
     const PieceCorner* corner[3] = {&piece.corner[0], &piece.corner[i], &piece.corner[i + 1]};
-    const double area = std::max(0.5 * twice_area(corner[0]->at, corner[1]->at, corner[2]->at), 0.0);
+    const double area =
+        std::max(0.5 * twice_area(corner[0]->at, corner[1]->at, corner[2]->at), 0.0);
     sum.size += area;
     for (int k = 0; k < 4; ++k) {  // 3: the middle
       const double share = area * (k == 3 ? kMiddle : kOthers), other = k == 3 ? 1.0 / 3.0 : 0.2;
       double own[3] = {other, other, other};
       if (k < 3) own[k] = 0.6;
       const Vec2 at = own[0] * corner[0]->at + own[1] * corner[1]->at + own[2] * corner[2]->at;
-      const double w =
-          share * (own[0] * corner[0]->reach + own[1] * corner[1]->reach + own[2] * corner[2]->reach);
+      const double w = share * (own[0] * corner[0]->reach + own[1] * corner[1]->reach +
+                                own[2] * corner[2]->reach);
       sum.weight += w;
       sum.first += w * at;
-      sum.height += w * (own[0] * corner[0]->height + own[1] * corner[1]->height + own[2] * corner[2]->height);
+      sum.height += w * (own[0] * corner[0]->height + own[1] * corner[1]->height +
+                         own[2] * corner[2]->height);
       sum.uu += w * at.x() * at.x();
       sum.uv += w * at.x() * at.y();
       sum.vv += w * at.y() * at.y();
@@ -193,15 +201,18 @@ SharedArea area_of(const Moments& sum, const Mat3& frame, const Vec3& origin) no
   area.weight = sum.weight;
   const Vec2 mean = sum.first / sum.weight;
   area.middle = frame.transpose() * Vec3(mean.x(), mean.y(), sum.height / sum.weight) + origin;
-  const double uu = sum.uu / sum.weight - mean.x() * mean.x(), vv = sum.vv / sum.weight - mean.y() * mean.y();
+  const double uu = sum.uu / sum.weight - mean.x() * mean.x(),
+               vv = sum.vv / sum.weight - mean.y() * mean.y();
   const double uv = sum.uv / sum.weight - mean.x() * mean.y();
   const double half = 0.5 * (uu + vv), across = 0.5 * (uu - vv);
-  const double apart = std::sqrt(across * across + uv * uv);  // not hypot, whose last bit is its library's
+  // not hypot, whose last bit is its library's
+  const double apart = std::sqrt(across * across + uv * uv);
   // The direction of the larger moment, from whichever of its two forms does not cancel.
   Vec2 along = across > 0.0 ? Vec2(across + apart, uv) : Vec2(uv, apart - across);
   const double length = along.norm();
   along = length > 0.0 ? Vec2(along / length) : Vec2(Vec2::UnitX());
-  const double most = std::sqrt(std::max(half + apart, 0.0)), least = std::sqrt(std::max(half - apart, 0.0));
+  const double most = std::sqrt(std::max(half + apart, 0.0)),
+               least = std::sqrt(std::max(half - apart, 0.0));
   area.axis[0] = frame.transpose() * Vec3(most * along.x(), most * along.y(), 0.0);
   area.axis[1] = frame.transpose() * Vec3(-least * along.y(), least * along.x(), 0.0);
   return area;
@@ -209,17 +220,19 @@ SharedArea area_of(const Moments& sum, const Mat3& frame, const Vec3& origin) no
 
 }  // namespace
 
-SharedArea shared_area(const HullView& a, const HullView& b, const RelativePose& a_from_b, const Vec3& normal,
-                       double tolerance, double least_width) noexcept {
+SharedArea shared_area(const HullView& a, const HullView& b, const RelativePose& a_from_b,
+                       const Vec3& normal, double tolerance, double least_width) noexcept {
   const Mat3 frame = plane_frame(normal);
   const Placed in_a = place(a, frame, frame * -a.center);
-  const Placed in_b = place(b, frame * a_from_b.rotation, frame * (a_from_b.translation - a.center));
+  const Placed in_b =
+      place(b, frame * a_from_b.rotation, frame * (a_from_b.translation - a.center));
   const Box of_a = extent_beyond(a, in_a, 1.0, in_b.low - tolerance);
   const Box of_b = extent_beyond(b, in_b, -1.0, in_a.high + tolerance);
   const Box both{of_a.low.cwiseMax(of_b.low), of_a.high.cwiseMin(of_b.high)};
   // Whatever lies in a box, its deviation is at most half the diagonal.
   const Vec2 sides = (both.high - both.low).head<2>();
-  if (!(sides.minCoeff() > 0.0) || sides.squaredNorm() <= 4.0 * least_width * least_width) return {};
+  if (!(sides.minCoeff() > 0.0) || sides.squaredNorm() <= 4.0 * least_width * least_width)
+    return {};
   Facets up, down;
   list_facets(a, in_a, 1.0, both, up);
   list_facets(b, in_b, -1.0, both, down);

@@ -9,7 +9,8 @@
 namespace thigma::detail {
 namespace {
 
-// How far inside an edge or a triangle a closest point has to lie (barycentric) and how far from parallel edges are.
+// How far inside an edge or a triangle a closest point has to lie (barycentric) and how far from
+// parallel edges are.
 constexpr double kInside = 1e-7;
 constexpr double kCrossing = 1e-8;
 // Faces with more vertices are not looked through for a triangle below a point.
@@ -116,7 +117,8 @@ bool closest_of_sets(const Placement& place, std::uint32_t ma, std::uint32_t mb,
                           place.of_b(highest(mb)), c);
 }
 
-// Which vertices of a hull are higher than `least` along n, a mask, and the height of the highest. Two a step.
+// Which vertices of a hull are higher than `least` along n, a mask, and the height of the highest.
+// Two a step.
 std::uint32_t vertices_above(const HullView& hull, const Vec3& n, double least,
                              double& top) noexcept {
   const double* const first = hull.vertices->data();

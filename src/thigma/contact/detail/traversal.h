@@ -1,5 +1,6 @@
 #pragma once
-// What every traversal of a pair of hierarchies is made of: motion, nodes of the front, tests, reports.
+// What every traversal of a pair of hierarchies is made of: motion, nodes of the front, tests,
+// reports.
 
 #include <algorithm>
 #include <cmath>
@@ -20,26 +21,33 @@ struct Traversal {
   const ClodHierarchy& object;
   const ClodHierarchy& scene;
   const ContactQuery& query;
-  RelativePose pose;     // object_from_scene
-  Mat3 world_rotation;   // of the object
+  RelativePose pose;    // object_from_scene
+  Mat3 world_rotation;  // of the object
   Vec3 world_position;
   ContactFront& front;
   ContactSet& set;
-  std::size_t first;     // contact of this query in the set
+  std::size_t first;  // contact of this query in the set
   SegmentProbe probe;
-  bool full = false;     // contacts are a heap by now
+  bool full = false;       // contacts are a heap by now
   bool unordered = false;  // some came from a traversal without memory
 };
 
-inline const ClodNode& node_a(const Traversal& t, std::int32_t i) noexcept { return t.object.nodes[static_cast<std::size_t>(i)]; }
-inline const ClodNode& node_b(const Traversal& t, std::int32_t i) noexcept { return t.scene.nodes[static_cast<std::size_t>(i)]; }
+inline const ClodNode& node_a(const Traversal& t, std::int32_t i) noexcept {
+  return t.object.nodes[static_cast<std::size_t>(i)];
+}
+inline const ClodNode& node_b(const Traversal& t, std::int32_t i) noexcept {
+  return t.scene.nodes[static_cast<std::size_t>(i)];
+}
 
-// ---- travel -----------------------------------------------------------------------------------------------------
+// ---- travel
+// ------------------------------------------------------------
 
 // How far any point within `radius` of `center` in the frame of b moved in the frame of a, at most.
-inline double motion_bound(const RelativePose& from, const RelativePose& to, const Vec3& center, double radius) noexcept {
+inline double motion_bound(const RelativePose& from, const RelativePose& to, const Vec3& center,
+                           double radius) noexcept {
   const Mat3 turn = to.rotation - from.rotation;
-  // A difference of rotations stretches by its Frobenius norm over sqrt(2): two equal singular values and a zero.
+  // A difference of rotations stretches by its Frobenius norm over sqrt(2): two equal singular
+  // values and a zero.
   const double stretch = std::sqrt(0.5 * turn.squaredNorm());
   const Vec3 shift = turn * center + (to.translation - from.translation);
   const double rounding = 1e-14 * (center.lpNorm<1>() + to.translation.lpNorm<1>() + radius);
@@ -53,11 +61,13 @@ inline RelativePose inverse(const RelativePose& p) noexcept {
   return q;
 }
 
-// Distances between nodes change by no more than points of either body move in the frame of the other.
+// Distances between nodes change by no more than points of either body move in the frame of the
+// other.
 inline double relative_motion(const Traversal& t) noexcept {
   const RelativePose& last = t.front.last;
   const double scene_moves = motion_bound(last, t.pose, t.scene.center, 1.02 * t.scene.radius);
-  const double object_moves = motion_bound(inverse(last), inverse(t.pose), t.object.center, 1.02 * t.object.radius);
+  const double object_moves =
+      motion_bound(inverse(last), inverse(t.pose), t.object.center, 1.02 * t.object.radius);
   return std::min(scene_moves, object_moves);
 }
 
@@ -66,7 +76,9 @@ inline float round_down(double x) noexcept {
   return static_cast<double>(f) > x ? std::nextafterf(f, -kNever) : f;
 }
 
-inline void set_timer(ContactFront& f, std::int32_t i, double slack) noexcept { f.expires[i] = round_down(f.travel + slack); }
+inline void set_timer(ContactFront& f, std::int32_t i, double slack) noexcept {
+  f.expires[i] = round_down(f.travel + slack);
+}
 
 // The scale of travel starts again before single precision costs slack.
 inline void rebase(ContactFront& f) noexcept {
@@ -76,7 +88,8 @@ inline void rebase(ContactFront& f) noexcept {
   f.travel = 0.0;
 }
 
-// ---- nodes ------------------------------------------------------------------------------------------------------
+// ---- nodes
+// ------------------------------------------------------------
 
 inline std::int32_t take_node(ContactFront& f) noexcept {
   std::int32_t i = f.free_head;
@@ -114,8 +127,10 @@ inline bool split(Traversal& t, std::int32_t i, bool of_a) noexcept {
     n.b = of_a ? up.b : parent.first_child + c;
     n.parent = i;
     for (int k = 0; k < 3; ++k) n.axis[k] = up.axis[k];
-    if (previous < 0) f.nodes[i].first_child = child;
-    else f.nodes[previous].next_sibling = child;
+    if (previous < 0)
+      f.nodes[i].first_child = child;
+    else
+      f.nodes[previous].next_sibling = child;
     previous = child;
   }
   ++f.split;
@@ -125,8 +140,9 @@ inline bool split(Traversal& t, std::int32_t i, bool of_a) noexcept {
 // What a frame starts from.
 enum class FrontState : std::uint8_t { kept, empty, no_memory };
 
-// Brings travel up to this pose, or forgets everything: other bodies, another tolerance, another kind of query, or a
-// jump, after which descending from the root is cheaper than looking at everything.
+// Brings travel up to this pose, or forgets everything: other bodies, another tolerance, another
+// kind of query, or a jump, after which descending from the root is cheaper than looking at
+// everything.
 inline FrontState advance_front(Traversal& t, bool has_levels) noexcept {
   ContactFront& f = t.front;
   if (f.object != &t.object || f.scene != &t.scene || f.capacity == 0) {
@@ -154,10 +170,11 @@ inline bool is_leaf_pair(const Traversal& t, std::int32_t a, std::int32_t b) noe
   return node_a(t, a).child_count == 0 && node_b(t, b).child_count == 0;
 }
 
-// ---- tests ------------------------------------------------------------------------------------------------------
+// ---- tests
+// ------------------------------------------------------------
 
-// By how much a pair misses d_ab = d + h(a) + h(b) (Eq. 3.5), at least; <= 0: not culled. Stops at the first bound
-// that outlives the next frame.
+// By how much a pair misses d_ab = d + h(a) + h(b) (Eq. 3.5), at least; <= 0: not culled. Stops at
+// the first bound that outlives the next frame.
 inline double slack_of(Traversal& t, FrontNode& n) noexcept {
   ++t.set.stats.tests;
   const double reach = t.query.tolerance + node_a(t, n.a).hausdorff + node_b(t, n.b).hausdorff;
@@ -184,10 +201,12 @@ inline double slack_of(Traversal& t, FrontNode& n) noexcept {
   return std::max(slack, s.distance - rounding - reach);
 }
 
-// ---- contacts ---------------------------------------------------------------------------------------------------
+// ---- contacts
+// ------------------------------------------------------------
 
 inline bool is_before(const Contact& x, const Contact& y) noexcept {
-  return x.object_patch != y.object_patch ? x.object_patch < y.object_patch : x.scene_patch < y.scene_patch;
+  return x.object_patch != y.object_patch ? x.object_patch < y.object_patch
+                                          : x.scene_patch < y.scene_patch;
 }
 
 // Heap order of a full set: the least worth keeping on top.
@@ -198,10 +217,14 @@ inline bool is_deeper(const Contact& x, const Contact& y) noexcept {
 inline ContactStatus status_of(PairContactStatus status) noexcept {
   switch (status) {
     case PairContactStatus::apart:
-    case PairContactStatus::separated: return ContactStatus::separated;
-    case PairContactStatus::penetrating: return ContactStatus::penetrating;
-    case PairContactStatus::deep: return ContactStatus::deep;
-    case PairContactStatus::beside: return ContactStatus::beside;
+    case PairContactStatus::separated:
+      return ContactStatus::separated;
+    case PairContactStatus::penetrating:
+      return ContactStatus::penetrating;
+    case PairContactStatus::deep:
+      return ContactStatus::deep;
+    case PairContactStatus::beside:
+      return ContactStatus::beside;
   }
   return ContactStatus::separated;
 }
@@ -210,7 +233,8 @@ inline std::int32_t patch_id(const ClodHierarchy& h, const ClodNode& node) noexc
   return node.patch >= 0 ? node.patch : static_cast<std::int32_t>(h.patches.size()) + node.contact;
 }
 
-inline Contact make_contact(const Traversal& t, const FrontNode& n, const PatchPair& pair) noexcept {
+inline Contact make_contact(const Traversal& t, const FrontNode& n,
+                            const PatchPair& pair) noexcept {
   Contact c;
   c.point = t.world_rotation * pair.witness_a + t.world_position;
   c.scene_point = t.world_rotation * pair.witness_b + t.world_position;

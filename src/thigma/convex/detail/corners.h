@@ -1,5 +1,6 @@
 #pragma once
-// The vertices of a placed hull side by side, two to a step of SSE2, and what is asked of all of them at once.
+// The vertices of a placed hull side by side, two to a step of SSE2, and what is asked of all of
+// them at once.
 
 #include <bit>
 #include <cstdint>
@@ -10,7 +11,8 @@
 
 namespace thigma::detail {
 
-/// At most kMaxHullVertices points about a local origin; an odd count is padded by the last point again.
+/// At most kMaxHullVertices points about a local origin; an odd count is padded by the last point
+/// again.
 struct Corners {
   alignas(16) double x[kMaxHullVertices], y[kMaxHullVertices], z[kMaxHullVertices];
   int count = 0;  // >= 1
@@ -123,7 +125,8 @@ inline Box box_around(const Corners& c, std::uint32_t some) {
   return box;
 }
 
-/// Which corners are on the inner side of each face of a box: what has no corner inside one of them is apart.
+/// Which corners are on the inner side of each face of a box: what has no corner inside one of them
+/// is apart.
 struct BoxSides {
   std::uint32_t inside[6];
 

@@ -4,10 +4,11 @@
 #include <bit>
 #include <cmath>
 
-// Every direction comes with bounds that need no extent: the overlap along it is no less than the height of any vertex
-// of a over any of b. The two that lie deepest along the best direction so far tell about nearly all others, and about
-// whole arcs of the normals of an edge, that they cannot be better; few arcs are left to be crossed with each other.
-// Which two those will be is guessed first, so that most faces and edges are looked at once, in the frame of their hull.
+// Every direction comes with bounds that need no extent: the overlap along it is no less than the
+// height of any vertex of a over any of b. The two that lie deepest along the best direction so far
+// tell about nearly all others, and about whole arcs of the normals of an edge, that they cannot be
+// better; few arcs are left to be crossed with each other. Which two those will be is guessed
+// first, so that most faces and edges are looked at once, in the frame of their hull.
 
 namespace thigma::detail {
 namespace {
@@ -19,9 +20,11 @@ constexpr double kBorderTilt = 0.3;
 constexpr double kBorderScale = 0.95782628522115137;  // 1 / sqrt(1 + kBorderTilt^2)
 // Directions within this factor of the least overlap are equal to a caller who remembers one.
 constexpr double kNearEqual = 1.05;
-// By how much the cross of two edges may lie off their arcs, as the triangles of a face lie in its plane to rounding.
+// By how much the cross of two edges may lie off their arcs, as the triangles of a face lie in its
+// plane to rounding.
 constexpr double kOffArc = 1e-6;
-// Of an overlap that was found by a guess and will be found again, by the size of the pair: far above rounding.
+// Of an overlap that was found by a guess and will be found again, by the size of the pair: far
+// above rounding.
 constexpr double kAgain = 1e-12;
 
 // The arc of normals of an edge between its two faces; lengths of `to` and `pole` do not matter.
@@ -101,8 +104,8 @@ class Search {
     return p_.pose.rotation.transpose() * (p + p_.origin - p_.pose.translation);
   }
 
-  // The overlap along the face that promises the least over the vertices nearest to the other hull: no direction with
-  // more is of interest. And the vertices that lie deepest along it.
+  // The overlap along the face that promises the least over the vertices nearest to the other hull:
+  // no direction with more is of interest. And the vertices that lie deepest along it.
   void guess() {
     const Vec3 between = p_.pose.rotation * p_.b.center + p_.pose.translation - p_.origin;
     size_ = p_.a.radius + p_.b.radius + between.lpNorm<1>();
@@ -125,7 +128,8 @@ class Search {
     find_deepest(n);
   }
 
-  // The same of the lowest of all faces: those that are not the way out are looked at no further then.
+  // The same of the lowest of all faces: those that are not the way out are looked at no further
+  // then.
   void lower_ceiling() {
     const int faces_a = faces_of(p_.a), faces_b = faces_of(p_.b);
     const double* of_a = std::min_element(height_a_, height_a_ + faces_a);
@@ -137,8 +141,9 @@ class Search {
     ceiling_ = std::min(ceiling_, extent_along(p_, n).overlap() + kAgain * size_);
   }
 
-  // For each face the least height of its vertices over a vertex of the other hull, in the frame of the face: no overlap
-  // along its normal is less, nor along the arc of an edge between two faces less than the lower of theirs.
+  // For each face the least height of its vertices over a vertex of the other hull, in the frame of
+  // the face: no overlap along its normal is less, nor along the arc of an edge between two faces
+  // less than the lower of theirs.
   static void find_heights(const HullView& h, const Vec3& over, double* height) {
     for (int i = 0; i < faces_of(h); ++i) {
       const RealFace& face = h.faces[i];
@@ -177,7 +182,8 @@ class Search {
     deep_b_ = p_.pb[b];
   }
 
-  // Among the directions within kNearEqual of the least overlap, `last` among them, the one nearest to it.
+  // Among the directions within kNearEqual of the least overlap, `last` among them, the one nearest
+  // to it.
   WayOut nearest_to(const Vec3& last) const {
     WayOut kept = best_;
     double agreement = best_.normal.dot(last);
@@ -201,9 +207,9 @@ class Search {
     near_count_ = kept;
   }
 
-  // Whether all directions of an arc overlap too much. span: from a vertex of b to one of a. A unit direction between
-  // two unit vectors is a sum of parts of them that are no shorter together, so along it the span is no lower than
-  // along the lower end, if that is positive.
+  // Whether all directions of an arc overlap too much. span: from a vertex of b to one of a. A unit
+  // direction between two unit vectors is a sum of parts of them that are no shorter together, so
+  // along it the span is no lower than along the lower end, if that is positive.
   bool is_too_deep(const Arc& arc, const Vec3& span) const {
     const double most = std::max(limit(), 0.0) + kOffArc * span.lpNorm<1>();
     return arc.from.dot(span) > most && arc.to.dot(span) > most;

@@ -1,5 +1,6 @@
 #pragma once
-// The way out of a penetration: the direction of least overlap among those that real faces and edges allow.
+// The way out of a penetration: the direction of least overlap among those that real faces and
+// edges allow.
 
 #include <limits>
 
@@ -38,8 +39,10 @@ struct WayOut {
   double overlap = std::numeric_limits<double>::infinity();
 };
 
-/// The allowed direction of least overlap (see pair_contact); of equal ones the first of faces of a, faces of b, edges.
-/// last  null, or a direction: of those within 5 % of the least, itself among them, the one nearest to it
+/// The allowed direction of least overlap (see pair_contact); of equal ones the first of faces of
+/// a, faces of b, edges.
+/// last  null, or a direction: of those within 5 % of the least, itself among them, the one nearest
+///       to it
 WayOut least_overlap(const PlacedPair& p, const Vec3* last);
 
 }  // namespace thigma::detail

@@ -1,5 +1,6 @@
 #pragma once
-// What keeps triangles from being convex patches, counted by other means than patches are built with.
+// What keeps triangles from being convex patches, counted by other means than patches are built
+// with.
 
 #include <cstdint>
 #include <vector>
@@ -21,9 +22,8 @@ struct PatchView {
 struct PatchFaults {
   std::int64_t reflex_edges = 0;  // inside a patch, by more than `flat`
   std::int64_t off_hull = 0;      // triangles with a point of their patch over their plane
-  std::int64_t protruding_patches =
-      0;  // whose hull, moved inwards, a triangle of the same shell that is
-          // not theirs reaches into
+  // whose hull, moved inwards, a triangle of the same shell that is not theirs reaches into
+  std::int64_t protruding_patches = 0;
 };
 
 /// Thread [offline]; no failure.

@@ -11,9 +11,9 @@ namespace thigma::detail {
 
 /// Planes, neighbours and shells of the triangles of a mesh.
 struct Surface {
-  std::vector<std::array<std::int32_t, 3>>
-      neighbor;                     // across corner i -> corner i + 1; -1: boundary, or an edge of
-                                    // three faces or of two that turn against each other
+  // across corner i -> corner i + 1; -1: boundary, or an edge of three faces or of two that turn
+  // against each other
+  std::vector<std::array<std::int32_t, 3>> neighbor;
   std::vector<std::int32_t> shell;  // connected through edges
   std::vector<Vec3> normal;         // unit; zero for triangles without an area to rounding
   std::vector<double> height;       // over the longest edge: the width of a sliver [m]

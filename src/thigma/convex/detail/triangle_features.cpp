@@ -4,12 +4,14 @@
 
 #include "thigma/convex/detail/simplex.h"
 
-// The closest points of disjoint triangles lie on two edges, or on a corner and a face (Ericson 2005, 5.1.10).
+// The closest points of disjoint triangles lie on two edges, or on a corner and a face (Ericson
+// 2005, 5.1.10).
 
 namespace thigma::detail {
 namespace {
 
-// Of bounds against measured squares: far above the rounding of either where they are not about equal.
+// Of bounds against measured squares: far above the rounding of either where they are not about
+// equal.
 constexpr double kMargin = 1.0 + 1e-12;
 
 // Closest points of segments (p, p + u) and (q, q + v), of any length. Offers the interior pair;

@@ -31,12 +31,13 @@ struct ClosestFeatures {
   std::uint8_t corners_a = 0, corners_b = 0;  // masks of the corners that span the features
 };
 
-/// Offers every pair of features of two triangles; blind to edges that pierce faces. Points about a local origin.
-/// Among features to rounding equally near it depends on their order alone which is kept.
+/// Offers every pair of features of two triangles; blind to edges that pierce faces. Points about a
+/// local origin. Among features to rounding equally near it depends on their order alone which is
+/// kept.
 void offer_features(const PlacedTriangle& a, const PlacedTriangle& b, ClosestFeatures& best);
 
-/// Heights of the corners of two triangles along one direction, and the most by which those of b may be above those of a
-/// for features to be of interest.
+/// Heights of the corners of two triangles along one direction, and the most by which those of b
+/// may be above those of a for features to be of interest.
 struct CornerHeights {
   double a[3], b[3];
   double most = 0.0;

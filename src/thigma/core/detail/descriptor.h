@@ -45,8 +45,8 @@ inline bool write_all(int fd, std::string_view bytes) {
   return true;
 }
 
-/// What was written is on the disk; false with errno when it is not. True where a file system knows no
-/// such thing.
+/// What was written is on the disk; false with errno when it is not. True where a file system knows
+/// no such thing.
 inline bool sync_file(int fd) {
   while (::fsync(fd) != 0) {
     if (errno == EINVAL || errno == EROFS || errno == ENOTSUP) return true;
@@ -55,8 +55,9 @@ inline bool sync_file(int fd) {
   return true;
 }
 
-/// Names that were given or taken in a folder are on the disk. Not every file system can do that, and
-/// who may not read the folder cannot ask: nothing is lost that a power cut at once would not take.
+/// Names that were given or taken in a folder are on the disk. Not every file system can do that,
+/// and who may not read the folder cannot ask: nothing is lost that a power cut at once would not
+/// take.
 inline void sync_folder(int folder) {
   const Descriptor readable(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (readable.is_open()) sync_file(readable.get());

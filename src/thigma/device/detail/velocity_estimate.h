@@ -31,8 +31,8 @@ class VelocityEstimate {
     double time = 0.0;
     Pose pose;
   };
-  static constexpr std::size_t kSamples =
-      64;  // 15 ms at 4 kHz; at higher rates the window is shorter
+  // 15 ms at 4 kHz; at higher rates the window is shorter
+  static constexpr std::size_t kSamples = 64;
 
   const Sample& back(std::size_t age) const THIGMA_RT {
     return samples_[(newest_ + kSamples - age) % kSamples];

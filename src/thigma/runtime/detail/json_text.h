@@ -1,5 +1,6 @@
 #pragma once
-// Just enough JSON writing for recordings: fast, and every finite double comes back with the same bits.
+// Just enough JSON writing for recordings: fast, and every finite double comes back with the same
+// bits.
 
 #include <charconv>
 #include <cmath>
@@ -10,7 +11,8 @@
 
 namespace thigma::detail {
 
-/// Appends the shortest text that reads back as the same double; null for NaN and infinities, as JSON has neither.
+/// Appends the shortest text that reads back as the same double; null for NaN and infinities, as
+/// JSON has neither.
 inline void put_number(std::string& out, double value) {
   if (!std::isfinite(value)) {
     out += "null";

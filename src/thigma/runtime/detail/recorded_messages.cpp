@@ -14,9 +14,7 @@ using Json = nlohmann::json;
 
 constexpr NullNumber kNull = NullNumber::not_a_number;
 
-double number(const Json& json, const char* key) {
-  return read_number(json.at(key), kNull);
-}
+double number(const Json& json, const char* key) { return read_number(json.at(key), kNull); }
 
 template <class Vector>
 void read_sample_vector(const Json& json, const char* key, Vector& out) {

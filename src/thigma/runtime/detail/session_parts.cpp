@@ -114,11 +114,13 @@ void EventDetector::look_for_deep_contacts(const HapticSample& sample) {
 void EventDetector::look_for_late(const HapticSample& sample) {
   char text[120];
   if (rode_out_gap(sample)) {
-    std::snprintf(text, sizeof text, "%.1f ms without a haptic step; nobody is held: zero force, then the ramp anew",
+    std::snprintf(text, sizeof text,
+                  "%.1f ms without a haptic step; nobody is held: zero force, then the ramp anew",
                   1e3 * (sample.time - last_time_));
     tell_late(sample, Fault::watchdog, text);
   } else if (rode_out_model(sample, last_weight_)) {
-    std::snprintf(text, sizeof text, "contact model %.1f ms old; nobody is held: zero force, then the ramp anew",
+    std::snprintf(text, sizeof text,
+                  "contact model %.1f ms old; nobody is held: zero force, then the ramp anew",
                   1e3 * sample.model_age);
     tell_late(sample, Fault::contact_stale, text);
   }
@@ -157,11 +159,11 @@ namespace {
 
 std::vector<StageHistogram> timed_stages(const HapticTally& haptic, const ContactTally& contact) {
   const std::pair<const char*, const DurationHistogram*> all[] = {
-      {"haptic_wake_late", &haptic.wake_late},       {"haptic_device_read", &haptic.device_read},
-      {"haptic_compute", &haptic.compute},           {"haptic_device_write", &haptic.device_write},
-      {"haptic_whole", &haptic.whole},               {"haptic_step_cpu", &haptic.step_cpu},
-      {"contact_query_cpu", &contact.query_cpu},     {"contact_model_cpu", &contact.model_cpu},
-      {"contact_step_cpu", &contact.step_cpu},       {"contact_model_age", &haptic.model_age}};
+      {"haptic_wake_late", &haptic.wake_late},   {"haptic_device_read", &haptic.device_read},
+      {"haptic_compute", &haptic.compute},       {"haptic_device_write", &haptic.device_write},
+      {"haptic_whole", &haptic.whole},           {"haptic_step_cpu", &haptic.step_cpu},
+      {"contact_query_cpu", &contact.query_cpu}, {"contact_model_cpu", &contact.model_cpu},
+      {"contact_step_cpu", &contact.step_cpu},   {"contact_model_age", &haptic.model_age}};
   std::vector<StageHistogram> timed;
   for (const auto& [name, histogram] : all) {
     if (histogram->total > 0) timed.push_back({name, *histogram});

@@ -32,15 +32,17 @@ void timed_contact_step(const SessionConfig& config, const StampedBody& at, Cont
 
 /// What makes a contact deep while its model is old.
 struct DeepContactLimits {
-  double deep = 0.0;    // from here on [m]
-  double unseen = 0.0;  // more of it than this came since the model was made: farther than it looked [m]
+  double deep = 0.0;  // from here on [m]
+  // more of it than this came since the model was made: farther than it looked [m]
+  double unseen = 0.0;
 };
 DeepContactLimits deep_contact_limits(const SessionConfig& config) noexcept;
 
-/// Turns samples into events, as they change. A fault of the watchdog says how long nothing stepped;
-/// a hand that holds the object for a second and never gets a contact model young enough to arm is
-/// told so once. A contact that is deep, and came to be so unseen by a model, is told once for as long as it lasts, the
-/// first of a session with words. What was late and is ridden out is told each time and only counted in the summary.
+/// Turns samples into events, as they change. A fault of the watchdog says how long nothing
+/// stepped; a hand that holds the object for a second and never gets a contact model young enough
+/// to arm is told so once. A contact that is deep, and came to be so unseen by a model, is told
+/// once for as long as it lasts, the first of a session with words. What was late and is ridden out
+/// is told each time and only counted in the summary.
 class EventDetector {
  public:
   EventDetector(std::function<void(const SessionEvent&)> sink, const DeepContactLimits& limits)
@@ -63,12 +65,12 @@ class EventDetector {
   DeepContactLimits deep_limits_;
   bool was_grasped_ = false, was_armed_ = false, has_told_of_old_models_ = false;
   bool is_deep_ = false, has_told_of_depth_ = false;
-  std::uint64_t last_model_ = 0;                // of the frame before
-  double last_depth_ = 0.0, last_age_ = 0.0;    // [m, s]
-  double grasp_time_ = 0.0;      // [s; session clock]
-  double youngest_model_ = 0.0;  // since then, while unarmed: age [s]
-  double last_time_ = 0.0;       // of the frame before [s; session clock]
-  double last_weight_ = 1.0;     // of its model
+  std::uint64_t last_model_ = 0;              // of the frame before
+  double last_depth_ = 0.0, last_age_ = 0.0;  // [m, s]
+  double grasp_time_ = 0.0;                   // [s; session clock]
+  double youngest_model_ = 0.0;               // since then, while unarmed: age [s]
+  double last_time_ = 0.0;                    // of the frame before [s; session clock]
+  double last_weight_ = 1.0;                  // of its model
   Fault last_fault_ = Fault::none;
 };
 

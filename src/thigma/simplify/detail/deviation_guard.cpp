@@ -17,7 +17,8 @@ bool is_within(const DeviationGuard& guard, const Vec3& p, std::int32_t t) {
   return point_triangle_distance(p, x[at(v[0])], x[at(v[1])], x[at(v[2])]) <= guard.limit;
 }
 
-constexpr int kMostDivisions = 32;  // of an edge: where the limit is far below the triangle, samples are sparser
+// of an edge: where the limit is far below the triangle, samples are sparser
+constexpr int kMostDivisions = 32;
 
 }  // namespace
 
@@ -73,7 +74,8 @@ bool is_within_limit(DeviationGuard& guard, const std::array<Vec3, 3>& corners,
   const double longest2 =
       std::max({(a - p).squaredNorm(), (b - p).squaredNorm(), (b - a).squaredNorm()});
   const double wanted = std::sqrt(longest2) / (kSampleSpacing * guard.limit);
-  const int n = wanted < kMostDivisions ? std::max(2, static_cast<int>(std::ceil(wanted))) : kMostDivisions;
+  const int n =
+      wanted < kMostDivisions ? std::max(2, static_cast<int>(std::ceil(wanted))) : kMostDivisions;
   for (int i = 0; i < n; ++i)  // i = n is the first corner
     for (int j = 0; j <= n - i; ++j) {
       const int k = n - i - j;

@@ -40,8 +40,9 @@ inline constexpr double kSampleSpacing = 1.5;
 /// it.
 DeviationGuard build_deviation_guard(const TriangleMesh& original, double limit);
 
-/// Whether all of a triangle lies within the limit of the original, by samples no farther apart than kSampleSpacing
-/// times the limit: between them the deviation can grow by at most half of that.
+/// Whether all of a triangle lies within the limit of the original, by samples no farther apart
+/// than kSampleSpacing times the limit: between them the deviation can grow by at most half of
+/// that.
 ///
 /// corners   of the triangle; the first is taken to have been tested [m]
 /// near      three vertices whose nearest triangles of the original are looked at first

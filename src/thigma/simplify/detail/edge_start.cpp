@@ -10,7 +10,8 @@ namespace {
 /// Steps that keep the volume, in edge lengths: smaller ones would only unsettle flat and smoothly
 /// curved patches, where hardly any position is convex; larger ones are folds.
 constexpr double kLeastStep = 0.01, kLargestStep = 0.5;
-/// Of the trace: what draws the best convex start to the unconstrained one where the quadric is open.
+/// Of the trace: what draws the best convex start to the unconstrained one where the quadric is
+/// open.
 constexpr double kPull = 0.01;
 
 Quadric edge_quadric(const CollapseContext& context) {
@@ -26,8 +27,8 @@ Vec3 quadric_start(const PatchedSurface& s, const CollapseContext& context) {
   return clamped(minimize(edge_quadric(context), middle), middle, kReach * (head - tail).norm());
 }
 
-/// That the vertex stays on the side of the triangle (va, vc, vd) on which a patch with both is convex. Half of the
-/// height that counts as flat is left to the rounding of the trials.
+/// That the vertex stays on the side of the triangle (va, vc, vd) on which a patch with both is
+/// convex. Half of the height that counts as flat is left to the rounding of the trials.
 void add_plane(const PatchedSurface& s, const Vec3& va, const Vec3& vc, const Vec3& vd,
                std::vector<LinearConstraint>& list) {
   const Vec3 normal = (vc - va).cross(vd - va);

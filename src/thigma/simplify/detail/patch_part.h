@@ -23,8 +23,8 @@ using MovedTriangles = std::array<std::int32_t, 2>;
 /// Fills vertices and hull from the triangles.
 void describe_part(const PatchedSurface& s, PatchPart& part, GrowingHull& hull);
 
-/// Appends what is left of a patch without one of its triangles, connected over edges: nothing, one part, or several, of
-/// which the first has the patch's number.
+/// Appends what is left of a patch without one of its triangles, connected over edges: nothing, one
+/// part, or several, of which the first has the patch's number.
 void append_rest(const PatchedSurface& s, std::int32_t patch, std::int32_t without,
                  std::vector<PatchPart>& parts);
 
@@ -35,8 +35,8 @@ bool is_hull_clear(const PatchedSurface& s, std::int32_t shell, const PatchPart&
                    const PatchPart* beside, const std::vector<HalfSpace>& half_spaces,
                    const TreeBox& box, const MovedTriangles& moved);
 
-/// Merges each of the first `count` parts with others, of all parts, as long as the union is a convex patch over an edge
-/// they share.
+/// Merges each of the first `count` parts with others, of all parts, as long as the union is a
+/// convex patch over an edge they share.
 ///
 /// returns  how many were absorbed
 /// Thread   [offline]; deterministic.

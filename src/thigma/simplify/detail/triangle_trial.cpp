@@ -6,9 +6,7 @@
 #include "thigma/mesh/triangles_meet.h"
 
 namespace thigma::detail {
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 double triangle_quality(const std::array<Vec3, 3>& c) {
   const Vec3 ab = c[1] - c[0], ac = c[2] - c[0];

@@ -14,7 +14,8 @@ inline constexpr double kFoldCosine = -0.98;
 /// 4 sqrt(3) area / sum of squared edges: 1 when equilateral, 0 without an area.
 double triangle_quality(const std::array<Vec3, 3>& corners);
 
-/// How many triangles of the shell two triangles meet where they should not, not counting each other.
+/// How many triangles of the shell two triangles meet where they should not, not counting each
+/// other.
 int count_crossings(const PatchedSurface& s, const std::array<std::int32_t, 2>& triangles);
 
 }  // namespace thigma::detail

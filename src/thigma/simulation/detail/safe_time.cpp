@@ -46,8 +46,8 @@ Touch touch_of(const SimulationWorld& world, const BodyState& state, const Conta
   return {arm, c.normal.dot(point_velocity(world.body, state, arm)), gap_of(world, c)};
 }
 
-double safe_time(const SimulationWorld& world, const BodyState& state, const ContactSet& contacts, double reach,
-                 const Wrench& push, double time) {
+double safe_time(const SimulationWorld& world, const BodyState& state, const ContactSet& contacts,
+                 double reach, const Wrench& push, double time) {
   const RigidBody& body = world.body;
   const Twist v = velocity(body, state);
   const Mat3 R = rotation_matrix(state.orientation);

@@ -5,7 +5,8 @@
 
 namespace thigma::detail {
 
-inline constexpr double kShortestFall = 0.125;  // of the collision distance: what may be closed between two events
+// of the collision distance: what may be closed between two events
+inline constexpr double kShortestFall = 0.125;
 
 /// Within this distance a contact that approaches collides [m].
 inline double collision_gap(const SimulationWorld& world) { return 0.25 * world.tolerance; }
@@ -27,14 +28,14 @@ struct Touch {
 
 Touch touch_of(const SimulationWorld& world, const BodyState& state, const Contact& contact);
 
-/// A time in which nothing that is farther apart than the tolerance comes together, no contact beyond the collision distance
-/// comes nearer than half of it, and one within closes by an eighth of it at most, as the patches in contact are
-/// convex: the plane between them keeps them apart.
+/// A time in which nothing that is farther apart than the tolerance comes together, no contact
+/// beyond the collision distance comes nearer than half of it, and one within closes by an eighth
+/// of it at most, as the patches in contact are convex: the plane between them keeps them apart.
 /// contacts  all within the tolerance, at this state
 /// reach     of the mesh from the centre of mass [m]
 /// push      constant wrench about the centre of mass on the way, and no longer than `time`
 /// returns   > 0 [s]
-double safe_time(const SimulationWorld& world, const BodyState& state, const ContactSet& contacts, double reach,
-                 const Wrench& push = {}, double time = 0.0);
+double safe_time(const SimulationWorld& world, const BodyState& state, const ContactSet& contacts,
+                 double reach, const Wrench& push = {}, double time = 0.0);
 
 }  // namespace thigma::detail

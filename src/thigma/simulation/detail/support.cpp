@@ -10,12 +10,14 @@ namespace thigma::detail {
 namespace {
 
 constexpr int kFewestSweeps = 5, kMostSweeps = 200;
-constexpr std::size_t kMostRelaxed = 4000;  // contacts, in all sweeps: where levels change hundreds may touch at once
-constexpr double kSteady = 1e-9;  // change of velocity in a sweep that counts as none, of the speed of a fall over the tolerance
+// contacts, in all sweeps: where levels change hundreds may touch at once
+constexpr std::size_t kMostRelaxed = 4000;
+// change of velocity in a sweep that counts as none, of the speed of a fall over the tolerance
+constexpr double kSteady = 1e-9;
 
 // Mean velocity of the body over a flight, as forces change it.
 struct MeanMotion {
-  double by_force;   // of the mean velocity by a unit of force, over the flight
+  double by_force;  // of the mean velocity by a unit of force, over the flight
   Mat3 by_torque;
   Vec3 linear, angular;
 
@@ -34,10 +36,12 @@ MeanMotion free_mean(const RigidBody& body, const BodyState& state, double time)
           v.linear + 0.5 * time * body.gravity, v.angular};
 }
 
-// Brings the point of a contact to its outward speed and, as far as the cones allow, to no sliding and no turning.
+// Brings the point of a contact to its outward speed and, as far as the cones allow, to no sliding
+// and no turning.
 void relax(SupportPoint& p, const CollisionLaw& law, MeanMotion& mean) {
   const Vec3 before = p.force;
-  const double pushing = std::max(p.force.dot(p.out) + (p.speed - p.out.dot(mean.at(p.arm))) * p.per_speed, 0.0);
+  const double pushing =
+      std::max(p.force.dot(p.out) + (p.speed - p.out.dot(mean.at(p.arm))) * p.per_speed, 0.0);
   const Vec3 along = p.force - p.force.dot(p.out) * p.out;
   p.force = pushing * p.out + along;
   mean.push(p.arm, p.force - before);
@@ -59,11 +63,13 @@ void relax(SupportPoint& p, const CollisionLaw& law, MeanMotion& mean) {
 
 // The same contacts in the same order keep their forces from one time to another.
 void set_up(const SimulationWorld& world, const BodyState& state, const ContactSet& set,
-            std::span<const std::int32_t> contacts, double time, double lift, std::vector<SupportPoint>& points) {
+            std::span<const std::int32_t> contacts, double time, double lift,
+            std::vector<SupportPoint>& points) {
   const bool is_known = points.size() == contacts.size();
   points.resize(contacts.size());
   const double target = 0.5 * collision_gap(world);
-  const double fastest = std::sqrt(2.0 * world.body.gravity.norm() * kShortestFall * collision_gap(world));
+  const double fastest =
+      std::sqrt(2.0 * world.body.gravity.norm() * kShortestFall * collision_gap(world));
   const double per_turn = 1.0 / (0.5 * time * world.body.inverse_inertia.trace());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& c = set.contacts[static_cast<std::size_t>(contacts[i])];
@@ -96,12 +102,15 @@ Wrench support_wrench(const SimulationWorld& world, const BodyState& state, cons
   double reach = 0.0;
   for (const SupportPoint& p : points) reach = std::max(reach, p.arm.norm());
   const double steady = kSteady * std::sqrt(2.0 * world.body.gravity.norm() * world.tolerance);
-  const int sweeps = std::clamp(static_cast<int>(kMostRelaxed / std::max<std::size_t>(points.size(), 1)), kFewestSweeps,
-                                kMostSweeps);
+  const int sweeps =
+      std::clamp(static_cast<int>(kMostRelaxed / std::max<std::size_t>(points.size(), 1)),
+                 kFewestSweeps, kMostSweeps);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     const MeanMotion before = mean;
     for (SupportPoint& p : points) relax(p, world.law, mean);
-    if ((mean.linear - before.linear).norm() + reach * (mean.angular - before.angular).norm() <= steady) break;
+    if ((mean.linear - before.linear).norm() + reach * (mean.angular - before.angular).norm() <=
+        steady)
+      break;
   }
   Wrench push;
   for (const SupportPoint& p : points) {

@@ -16,7 +16,8 @@ std::array<Vec3, 3> corners_of(const TriangleMesh& mesh, std::int32_t t) {
   return {mesh.positions[at(v[0])], mesh.positions[at(v[1])], mesh.positions[at(v[2])]};
 }
 
-/// Calls visit(triangle, weights) for points spread evenly over a surface: by area, one in each of as many equal shares.
+/// Calls visit(triangle, weights) for points spread evenly over a surface: by area, one in each of
+/// as many equal shares.
 template <class Visit>
 void visit_samples(const TriangleMesh& mesh, int count, Random& random, const Visit& visit) {
   double total = 0.0;
@@ -99,8 +100,8 @@ SurfacePoint base_of(const HapticTexture& texture, const Facets& facets,
   return base;
 }
 
-/// From a fine point to the textured surface, at most: what a coarse point must be displaced from is where the fine
-/// point lies less the displacement there, found by going there again and again.
+/// From a fine point to the textured surface, at most: what a coarse point must be displaced from
+/// is where the fine point lies less the displacement there, found by going there again and again.
 double distance_to_textured(const HapticTexture& texture, const SurfaceSearch& on_coarse,
                             SurfacePoint base, const Vec3& p) {
   constexpr int kSteps = 12;

@@ -24,7 +24,8 @@ layout(std430, binding = 3) writeonly buffer Heights { float heights[]; };
 const double overlap = 1e-6LF;
 const float empty = -1e30;
 
-// The triangles that cover samples of the row, in any order: which columns, and their values at the row's first sample.
+// The triangles that cover samples of the row, in any order: which columns, and their values at the
+// row's first sample.
 shared int active_count, slot_triangle[64], first_column[64], last_column[64];
 shared float start_x[64], start_y[64], start_h[64];
 
@@ -233,7 +234,8 @@ void main() {
   }
   if (lane == 0) {
     bool is_found = best_sum[0] > 0.5 * empty;
-    peaks[gl_WorkGroupID.x] = Peak(best_sum[0], is_found ? best_index[0] : -1, best_least[0], size.z);
+    peaks[gl_WorkGroupID.x] = Peak(best_sum[0], is_found ? best_index[0] : -1,
+                                  best_least[0], size.z);
   }
 }
 )";

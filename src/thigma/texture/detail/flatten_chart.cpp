@@ -1,6 +1,7 @@
-// With a triangle's own axes as complex numbers z and its corners in the plane as U, the map keeps angles where
-// sum_k W_k U_k = 0, W_k the edge opposite corner k. Summed squares over all triangles, weighted by area, are least where
-// their normal equations hold; two vertices are held, or all of it would shrink to a point.
+// With a triangle's own axes as complex numbers z and its corners in the plane as U, the map keeps
+// angles where sum_k W_k U_k = 0, W_k the edge opposite corner k. Summed squares over all
+// triangles, weighted by area, are least where their normal equations hold; two vertices are held,
+// or all of it would shrink to a point.
 #include "thigma/texture/detail/flatten_chart.h"
 
 #include <algorithm>
@@ -109,7 +110,8 @@ std::vector<Vec2> solve(const TriangleMesh& mesh, std::span<const std::int32_t> 
   return places;
 }
 
-/// Whether an edge of one triangle has all of the other outside, to rounding. Both turn to the left.
+/// Whether an edge of one triangle has all of the other outside, to rounding. Both turn to the
+/// left.
 bool are_apart(const std::array<Vec2, 3>& one, const std::array<Vec2, 3>& other) {
   constexpr double kRounding = 1e-9;  // of the edge and its distance
   for (std::size_t k = 0; k < 3; ++k) {
@@ -117,14 +119,15 @@ bool are_apart(const std::array<Vec2, 3>& one, const std::array<Vec2, 3>& other)
     const Vec2 edge = one[(k + 1) % 3] - a;
     bool is_outside = true;
     for (const Vec2& p : other)
-      is_outside = is_outside && cross(edge, p - a) <= kRounding * edge.norm() * ((p - a).norm() + edge.norm());
+      is_outside = is_outside &&
+                   cross(edge, p - a) <= kRounding * edge.norm() * ((p - a).norm() + edge.norm());
     if (is_outside) return true;
   }
   return false;
 }
 
-/// Whether two triangles of a chart lie over each other. Its rim need not cross itself for that: it may pass through one
-/// vertex twice.
+/// Whether two triangles of a chart lie over each other. Its rim need not cross itself for that: it
+/// may pass through one vertex twice.
 bool overlaps_itself(const std::vector<std::array<Vec2, 3>>& triangles) {
   struct Box {
     Vec2 low, high;

@@ -17,8 +17,8 @@ struct FlatChart {
   double stretch = 1.0;  // by how much a length is longer or shorter than on the surface, at most
 };
 
-/// Least-squares conformal map of connected triangles: of all maps that hold two far vertices the one that changes angles
-/// least, by the squared area.
+/// Least-squares conformal map of connected triangles: of all maps that hold two far vertices the
+/// one that changes angles least, by the squared area.
 /// Thread    [offline]; deterministic.
 FlatChart flatten_chart(const TriangleMesh& mesh, std::span<const std::int32_t> triangles);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The few functions of OpenGL 4.3 that computing depths needs, found at run time. Names, values and signatures are those
-// of the Khronos specifications (OpenGL 4.3 core, KHR_robustness).
+// The few functions of OpenGL 4.3 that computing depths needs, found at run time. Names, values and
+// signatures are those of the Khronos specifications (OpenGL 4.3 core, KHR_robustness).
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +14,8 @@ struct GlSyncObject;
 using GlSync = GlSyncObject*;
 
 inline constexpr GlEnum kGlRenderer = 0x1F01, kGlVersion = 0x1F02;
-inline constexpr GlEnum kGlComputeShader = 0x91B9, kGlCompileStatus = 0x8B81, kGlLinkStatus = 0x8B82;
+inline constexpr GlEnum kGlComputeShader = 0x91B9, kGlCompileStatus = 0x8B81,
+                        kGlLinkStatus = 0x8B82;
 inline constexpr GlEnum kGlStorageBuffer = 0x90D2, kGlMaxStorageBlock = 0x90DE;
 inline constexpr GlEnum kGlStreamDraw = 0x88E0, kGlStreamRead = 0x88E1, kGlStaticDraw = 0x88E4,
                         kGlDynamicCopy = 0x88EA;

@@ -1,5 +1,5 @@
-// Names, values and signatures of EGL are those of the Khronos specifications (EGL 1.5, EXT_platform_device,
-// EXT_device_enumeration, MESA_platform_surfaceless, MESA_device_software).
+// Names, values and signatures of EGL are those of the Khronos specifications (EGL 1.5,
+// EXT_platform_device, EXT_device_enumeration, MESA_platform_surfaceless, MESA_device_software).
 #include "thigma/texture/detail/gl_context.h"
 
 #include <array>
@@ -59,8 +59,8 @@ bool load_egl(EglApi& egl, std::string& why) {
   const SharedLibrary* const library = egl_library(why);
   if (!library) return false;
   const char* const needed[] = {
-      "eglGetProcAddress", "eglInitialize",     "eglBindAPI",           "eglQueryAPI",
-      "eglChooseConfig",   "eglCreateContext",  "eglDestroyContext",    "eglMakeCurrent",
+      "eglGetProcAddress",    "eglInitialize",        "eglBindAPI",          "eglQueryAPI",
+      "eglChooseConfig",      "eglCreateContext",     "eglDestroyContext",   "eglMakeCurrent",
       "eglGetCurrentContext", "eglGetCurrentDisplay", "eglGetCurrentSurface"};
   if (const char* missing = library->first_missing(needed)) {
     why = library->name() + " lacks " + missing;
@@ -98,7 +98,8 @@ std::vector<Display> find_displays(const EglApi& egl) {
   if (egl.query_devices && egl.query_devices(devices.size(), devices.data(), &count)) {
     for (EglInt i = 0; i < count; ++i) {
       const EglHandle device = devices[static_cast<std::size_t>(i)];
-      const char* const words = egl.device_string ? egl.device_string(device, kExtensions) : nullptr;
+      const char* const words =
+          egl.device_string ? egl.device_string(device, kExtensions) : nullptr;
       const bool is_software = words && std::strstr(words, "EGL_MESA_device_software");
       (is_software ? software : hardware)
           .push_back({egl.platform_display(kPlatformDevice, device, nullptr), is_software});
@@ -118,8 +119,8 @@ EglHandle make_context(const EglApi& egl, EglHandle display) {
   EglInt count = 0;
   if (!egl.choose_config(display, wanted, &config, 1, &count) || count < 1) config = nullptr;
   // A driver that can tell of a reset is preferred; one that knows nothing of it is asked without.
-  const EglInt telling[] = {kMajor, 4, kMinor, 3, kProfile, kCoreProfile,
-                            kResetNotification, kLoseOnReset, kNone};
+  const EglInt telling[] = {
+      kMajor, 4, kMinor, 3, kProfile, kCoreProfile, kResetNotification, kLoseOnReset, kNone};
   if (EglHandle context = egl.create_context(display, config, nullptr, telling)) return context;
   const EglInt plain[] = {kMajor, 4, kMinor, 3, kProfile, kCoreProfile, kNone};
   return egl.create_context(display, config, nullptr, plain);

@@ -12,11 +12,12 @@ struct EglState;
 
 /// Owns one context of OpenGL 4.3 or later, opened through libEGL, which is loaded at run time.
 ///
-/// Thread: current on a thread only between enter and leave there, so that any one thread at a time may use it. What EGL
-/// had current on the thread comes back with leave.
+/// Thread: current on a thread only between enter and leave there, so that any one thread at a time
+/// may use it. What EGL had current on the thread comes back with leave.
 class GlContext {
  public:
-  /// The first graphics processor that offers one; where there is none, or none is allowed, a renderer in software.
+  /// The first graphics processor that offers one; where there is none, or none is allowed, a
+  /// renderer in software.
   ///
   /// allows_hardware, allows_software  which kinds to try
   /// why      when null comes back: the reason, one line

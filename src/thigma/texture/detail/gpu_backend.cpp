@@ -1,5 +1,5 @@
-// A frame: every contact is projected on the processor, all maps and sums go to the graphics processor together, and from
-// its largest sums on everything is as on the processor.
+// A frame: every contact is projected on the processor, all maps and sums go to the graphics
+// processor together, and from its largest sums on everything is as on the processor.
 #include "thigma/texture/detail/gpu_backend.h"
 
 #include <algorithm>
@@ -115,10 +115,10 @@ class GpuBackend final : public DepthBackend {
       for (int k = 1; request.has_differences && k < kConfigurations; ++k) {
         std::int64_t map = plain_map(i, false);
         if (is_tilted(k)) {
-          project_patch(*contact.object.texture, contact.object.triangles,
-                        configuration_motion(result, contact.centre, k) *
-                            contact.object.world_from_body,
-                        result.frame, Facing::along, moved_);
+          project_patch(
+              *contact.object.texture, contact.object.triangles,
+              configuration_motion(result, contact.centre, k) * contact.object.world_from_body,
+              result.frame, Facing::along, moved_);
           map = next;
           next += map_samples();
           add_map(moved_, used.grid, map);
@@ -224,8 +224,7 @@ class GpuBackend final : public DepthBackend {
     }
     for (int k = 1; request.has_differences && k < kConfigurations; ++k) {
       const GpuPeak& moved = peaks_[used.first_sum + static_cast<std::size_t>(k)];
-      if (moved.index >= 0)
-        result.depth[static_cast<std::size_t>(k)] = rounding.rounded(moved.sum);
+      if (moved.index >= 0) result.depth[static_cast<std::size_t>(k)] = rounding.rounded(moved.sum);
     }
     return true;
   }
@@ -258,8 +257,7 @@ class GpuBackend final : public DepthBackend {
 
   void give_up() noexcept {
     maps_.reset();
-    if (params_.warn)
-      params_.warn("textures are computed on the processor from now on: " + why_);
+    if (params_.warn) params_.warn("textures are computed on the processor from now on: " + why_);
   }
 
   // Indices of samples and triangles stay within 32 bits.
@@ -283,7 +281,8 @@ class GpuBackend final : public DepthBackend {
 TextureSource small_plate(bool looks_up) {
   constexpr int kSide = 17;
   TextureSource source;
-  source.coarse.positions = {{0.0, 0.0, 0.0}, {0.016, 0.0, 0.0}, {0.016, 0.016, 0.0}, {0.0, 0.016, 0.0}};
+  source.coarse.positions = {
+      {0.0, 0.0, 0.0}, {0.016, 0.0, 0.0}, {0.016, 0.016, 0.0}, {0.0, 0.016, 0.0}};
   source.coarse.triangles = {{0, 1, 2}, {0, 2, 3}};
   const Vec2 at[] = {{0.0, 0.0}, {16.0, 0.0}, {16.0, 16.0}, {0.0, 16.0}};
   for (std::array<std::int32_t, 3>& t : source.coarse.triangles) {
@@ -309,7 +308,8 @@ std::string differs_from_scalar(DepthBackend& backend, const GridDepthParams& gr
                              scene = make_texture(small_plate(false), "scene");
   const std::int32_t triangles[] = {0, 1};
   DepthContact contact;
-  contact.object = {&object, triangles, Pose{Vec3(0.002, 0.001, 0.0), Quat(0.9999, 0.0, 0.0, 0.01).normalized()}};
+  contact.object = {&object, triangles,
+                    Pose{Vec3(0.002, 0.001, 0.0), Quat(0.9999, 0.0, 0.0, 0.01).normalized()}};
   contact.scene = {&scene, triangles, Pose{}};
   contact.point = Vec3(0.008, 0.008, 0.0);
   contact.centre = Vec3(0.0, 0.0, -0.02);

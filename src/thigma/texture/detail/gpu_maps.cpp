@@ -166,8 +166,8 @@ bool GpuMaps::render(const GpuFrame& frame, std::vector<GpuPeak>& peaks) {
   send(GpuBinding::sums, frame.sums);
   if (frame.samples > height_capacity_) {
     height_capacity_ = frame.samples;
-    fill(GpuBinding::heights, nullptr,
-         static_cast<std::size_t>(frame.samples) * sizeof(float), kGlDynamicCopy);
+    fill(GpuBinding::heights, nullptr, static_cast<std::size_t>(frame.samples) * sizeof(float),
+         kGlDynamicCopy);
   }
   peaks.assign(frame.sums.size(), {});
   send(GpuBinding::peaks, peaks);
@@ -186,8 +186,8 @@ bool GpuMaps::render(const GpuFrame& frame, std::vector<GpuPeak>& peaks) {
   gl.memory_barrier(kGlUpdateBarrier);
   if (!wait()) return false;
   gl.bind_buffer(kGlStorageBuffer, buffers_[index_of(GpuBinding::peaks)]);
-  gl.read_buffer(kGlStorageBuffer, 0, bytes_of(static_cast<std::int64_t>(peaks.size()), sizeof(GpuPeak)),
-                 peaks.data());
+  gl.read_buffer(kGlStorageBuffer, 0,
+                 bytes_of(static_cast<std::int64_t>(peaks.size()), sizeof(GpuPeak)), peaks.data());
   if (!is_well()) return false;
   const bool is_whole = std::all_of(peaks.begin(), peaks.end(),
                                     [&](const GpuPeak& peak) { return peak.frame == frame_; });

@@ -21,7 +21,8 @@ struct GpuFrame {
   std::vector<GpuSum> sums;
 };
 
-/// The programs, the textures and the buffers on a graphics processor. A call that returns false leaves a reason.
+/// The programs, the textures and the buffers on a graphics processor. A call that returns false
+/// leaves a reason.
 ///
 /// Thread: one at a time. All calls but open lie between enter and leave of `context`.
 class GpuMaps {
@@ -33,7 +34,8 @@ class GpuMaps {
   GpuMaps& operator=(const GpuMaps&) = delete;
   ~GpuMaps();
 
-  /// Sees that textures, which stay where they are and unchanged, are there. first: index of the first texel of each.
+  /// Sees that textures, which stay where they are and unchanged, are there. first: index of the
+  /// first texel of each.
   bool place(std::span<const HapticTexture* const> textures, std::vector<std::int32_t>& first);
   /// One peak a sum.
   bool render(const GpuFrame& frame, std::vector<GpuPeak>& peaks);
@@ -61,8 +63,8 @@ class GpuMaps {
   double timeout_;  // [s]
   GlId render_ = 0, reduce_ = 0;
   GlId buffers_[kGpuBindings] = {};
-  std::int64_t most_bytes_ = 0;      // of one buffer
-  std::int64_t texel_capacity_ = 0;  // texels
+  std::int64_t most_bytes_ = 0;       // of one buffer
+  std::int64_t texel_capacity_ = 0;   // texels
   std::int64_t height_capacity_ = 0;  // samples
   std::vector<Resident> resident_;
   std::int32_t frame_ = 0;

@@ -36,11 +36,13 @@ MapMaximum best_of_part(const HeightMap& a, const HeightMap& b, int first_column
   return best;
 }
 
-// How high the surfaces may be between a summit of the samples and those beside it: as a tent whose flanks go through them.
+// How high the surfaces may be between a summit of the samples and those beside it: as a tent whose
+// flanks go through them.
 float tent_height(const HeightMap& a, const HeightMap& b, const MapMaximum& summit) noexcept {
   const auto sum_at = [&](int column, int row) {
     const int i = std::clamp(row, 0, a.rows - 1) * a.columns + std::clamp(column, 0, a.columns - 1);
-    const float sum = a.heights[static_cast<std::size_t>(i)] + b.heights[static_cast<std::size_t>(i)];
+    const float sum =
+        a.heights[static_cast<std::size_t>(i)] + b.heights[static_cast<std::size_t>(i)];
     return sum > kEmptySample ? sum : summit.sum;
   };
   const int column = summit.column, row = summit.row;
@@ -48,12 +50,13 @@ float tent_height(const HeightMap& a, const HeightMap& b, const MapMaximum& summ
          0.5f * std::fabs(sum_at(column, row + 1) - sum_at(column, row - 1));
 }
 
-constexpr int kLooked = 8;   // summits that are looked at more closely
-constexpr int kClimbs = 3;   // of them climbed from, at most
-constexpr int kFine = 16;    // samples each way of the closer look
+constexpr int kLooked = 8;       // summits that are looked at more closely
+constexpr int kClimbs = 3;       // of them climbed from, at most
+constexpr int kFine = 16;        // samples each way of the closer look
 constexpr double kAround = 1.5;  // cells it goes each way from the summit
 
-// A summit of a part of the grid, and how high it may be: as a tent between its samples, then from a closer look [m].
+// A summit of a part of the grid, and how high it may be: as a tent between its samples, then from
+// a closer look [m].
 struct Rival {
   double hope = kNoDepth;
   Vec2 at = Vec2::Zero();
@@ -62,9 +65,10 @@ using Rivals = StaticVector<Rival, kLooked>;
 
 bool is_lower(const Rival& a, const Rival& b) noexcept { return a.hope < b.hope; }
 
-// The best sample, and those with the highest tents. Crests narrower than the grid are as likely to be the maximum as
-// broad ones.
-Rivals rivals_of(const HeightMap& a, const HeightMap& b, const MapGrid& grid, const MapMaximum& best) noexcept {
+// The best sample, and those with the highest tents. Crests narrower than the grid are as likely to
+// be the maximum as broad ones.
+Rivals rivals_of(const HeightMap& a, const HeightMap& b, const MapGrid& grid,
+                 const MapMaximum& best) noexcept {
   Rivals rivals;
   rivals.push_back({std::numeric_limits<double>::infinity(), grid.at(best.column, best.row)});
   for (int row = 0; row < a.rows; row += kPart) {
@@ -72,7 +76,8 @@ Rivals rivals_of(const HeightMap& a, const HeightMap& b, const MapGrid& grid, co
       const MapMaximum here = best_of_part(a, b, column, row);
       const bool is_best = here.column == best.column && here.row == best.row;
       if (is_best || !(here.sum > kEmptySample) || !is_summit(a, b, here)) continue;
-      const Rival rival{static_cast<double>(tent_height(a, b, here)), grid.at(here.column, here.row)};
+      const Rival rival{static_cast<double>(tent_height(a, b, here)),
+                        grid.at(here.column, here.row)};
       if (rivals.push_back(rival)) continue;
       Rival& lowest = *std::min_element(rivals.begin(), rivals.end(), is_lower);
       if (is_lower(lowest, rival)) lowest = rival;
@@ -81,9 +86,10 @@ Rivals rivals_of(const HeightMap& a, const HeightMap& b, const MapGrid& grid, co
   return rivals;
 }
 
-// Samples more finely around a summit: moves it to the best of them. Its hope is the depth there, and what the tent over
-// these samples adds.
-void look_closer(PreparedContact& prepared, const MapGrid& grid, SpanWidth width, Rival& rival) noexcept {
+// Samples more finely around a summit: moves it to the best of them. Its hope is the depth there,
+// and what the tent over these samples adds.
+void look_closer(PreparedContact& prepared, const MapGrid& grid, SpanWidth width,
+                 Rival& rival) noexcept {
   const Vec2 around = kAround * grid.spacing();
   const MapGrid fine{intersection({rival.at - around, rival.at + around}, grid.box), kFine, kFine};
   render_heights(prepared.object, fine, width, prepared.fine_object);
@@ -96,7 +102,8 @@ void look_closer(PreparedContact& prepared, const MapGrid& grid, SpanWidth width
   // Maps are of first order: the depth itself says how high the tent stands.
   const double depth = depth_at(prepared, rival.at, triangles);
   const float tent = tent_height(prepared.fine_object, prepared.fine_scene, best);
-  rival.hope = (depth == kNoDepth ? static_cast<double>(best.sum) : depth) + static_cast<double>(tent - best.sum);
+  rival.hope = (depth == kNoDepth ? static_cast<double>(best.sum) : depth) +
+               static_cast<double>(tent - best.sum);
 }
 
 }  // namespace

@@ -27,9 +27,10 @@ constexpr bool is_tilted(int configuration) noexcept {
 PlaneMotion plane_motion(const DepthContact& contact, const DepthSamples& result,
                          int configuration) noexcept;
 
-/// Sets depth[0] and where it is: the best sample, or if asked for the deepest place that is climbed to. The highest peak
-/// may lie between samples that are not the highest: the most promising summits are sampled more finely, and climbed from
-/// while they may be higher than what is found.
+/// Sets depth[0] and where it is: the best sample, or if asked for the deepest place that is
+/// climbed to. The highest peak may lie between samples that are not the highest: the most
+/// promising summits are sampled more finely, and climbed from while they may be higher than what
+/// is found.
 ///
 /// object, scene  the maps as they are; not looked at where nothing is climbed to
 /// rounding       of a depth that is not climbed to

@@ -40,7 +40,8 @@ __m128 blend(const float* top, const float* bottom, __m128 ax, __m128 ay) noexce
   return _mm_add_ps(left, _mm_mul_ps(ax, _mm_sub_ps(right, left)));
 }
 
-// A span with every number in all four lanes, in registers: stores to the map could otherwise change it.
+// A span with every number in all four lanes, in registers: stores to the map could otherwise
+// change it.
 struct SpanLanes {
   __m128 x, by_x, high_x, y, by_y, high_y, h, by_h, mx, my, mz;
   __m128i texel_row;
@@ -69,7 +70,8 @@ void raise_four(const SpanLanes& s, int k) noexcept {
   const __m128i column = _mm_cvttps_epi32(x), row = _mm_cvttps_epi32(y);
   const __m128 ax = _mm_sub_ps(x, _mm_cvtepi32_ps(column));
   const __m128 ay = _mm_sub_ps(y, _mm_cvtepi32_ps(row));
-  // Texel indices row * texel_row + column as 64-bit numbers: of the even samples, then of the odd ones.
+  // Texel indices row * texel_row + column as 64-bit numbers: of the even samples, then of the odd
+  // ones.
   const __m128i low = _mm_set1_epi64x(0xffffffff);
   const __m128i even = _mm_add_epi64(_mm_mul_epu32(row, s.texel_row), _mm_and_si128(column, low));
   const __m128i odd = _mm_add_epi64(_mm_mul_epu32(_mm_srli_epi64(row, 32), s.texel_row),

@@ -1,13 +1,15 @@
 #pragma once
-// One row of a height map: the fine surface of one coarse triangle at equally spaced samples, in single precision.
-// Plain types only: this header is also compiled with wider instruction sets than the rest.
+// One row of a height map: the fine surface of one coarse triangle at equally spaced samples, in
+// single precision. Plain types only: this header is also compiled with wider instruction sets than
+// the rest.
 
 #include <cstdint>
 
 namespace thigma::detail {
 
-/// Sample k lies at texture coordinates (x + k by_x, y + k by_y) about `texels`, its coarse height is h + k by_h; its
-/// fine height adds the displacement times m. out[k] becomes the larger of itself and that height.
+/// Sample k lies at texture coordinates (x + k by_x, y + k by_y) about `texels`, its coarse height
+/// is h + k by_h; its fine height adds the displacement times m. out[k] becomes the larger of
+/// itself and that height.
 struct HeightSpan {
   const float* texels = nullptr;  // four floats each; the texel the coordinates are counted from
   std::int64_t texel_row = 0;     // texels from one row to the next
@@ -19,7 +21,8 @@ struct HeightSpan {
   float* out = nullptr;             // indexed like the samples [m]
 };
 
-/// Three ways to the same bits: operations and their order are those of the scalar one, without fused multiply-add.
+/// Three ways to the same bits: operations and their order are those of the scalar one, without
+/// fused multiply-add.
 void raise_span_scalar(const HeightSpan& span) noexcept;
 void raise_span_sse2(const HeightSpan& span) noexcept;
 void raise_span_avx2(const HeightSpan& span) noexcept;  // only where the processor has AVX2

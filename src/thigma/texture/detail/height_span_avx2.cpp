@@ -1,5 +1,5 @@
-// Height spans eight samples at a time, one load for two texels. Compiled with AVX2, called only where the processor has
-// it; includes only what is safe to compile so.
+// Height spans eight samples at a time, one load for two texels. Compiled with AVX2, called only
+// where the processor has it; includes only what is safe to compile so.
 #include <immintrin.h>
 
 #include "thigma/texture/detail/height_span.h"
@@ -21,14 +21,23 @@ Lanes lanes_of(const HeightSpan& s) {
   const auto all = [](float value) { return _mm256_set1_ps(value); };
   // The fourth float of a texel is 0, and adding -0 to the sum over three changes no bit of it.
   const __m256 m = _mm256_setr_ps(s.m[0], s.m[1], s.m[2], -0.0f, s.m[0], s.m[1], s.m[2], -0.0f);
-  return {all(s.x), all(s.by_x),   all(s.high_x),
-          all(s.y), all(s.by_y),   all(s.high_y),
-          all(s.h), all(s.by_h),   m,
+  return {all(s.x),
+          all(s.by_x),
+          all(s.high_x),
+          all(s.y),
+          all(s.by_y),
+          all(s.high_y),
+          all(s.h),
+          all(s.by_h),
+          m,
           _mm256_set1_epi32(static_cast<int>(s.texel_row)),
-          s.texels, 4 * s.texel_row, s.out};
+          s.texels,
+          4 * s.texel_row,
+          s.out};
 }
 
-// Weights and places of eight samples; bytes stay within 32 bits for as many texels as there may be.
+// Weights and places of eight samples; bytes stay within 32 bits for as many texels as there may
+// be.
 struct Places {
   __m256 ax;
   alignas(32) float ay[8];
@@ -54,8 +63,9 @@ __m256 product(const Lanes& s, const Places& p, int i) {
 
 // Heights of eight samples from k on.
 __m256 heights(const Lanes& s, int k) {
-  const __m256 steps = _mm256_add_ps(_mm256_set1_ps(static_cast<float>(k)),
-                                     _mm256_setr_ps(0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f));
+  const __m256 steps =
+      _mm256_add_ps(_mm256_set1_ps(static_cast<float>(k)),
+                    _mm256_setr_ps(0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f));
   __m256 x = _mm256_add_ps(s.x, _mm256_mul_ps(steps, s.by_x));
   __m256 y = _mm256_add_ps(s.y, _mm256_mul_ps(steps, s.by_y));
   x = _mm256_min_ps(_mm256_max_ps(x, _mm256_setzero_ps()), s.high_x);
@@ -85,9 +95,10 @@ void raise_span_avx2(const HeightSpan& span) noexcept {
     _mm256_storeu_ps(out, _mm256_max_ps(heights(lanes, k), _mm256_loadu_ps(out)));
   }
   if (k >= last) return;
-  // Coordinates are held within the map, so lanes beyond the end read what is there; they are not written.
-  const __m256i is_within = _mm256_cmpgt_epi32(_mm256_set1_epi32(last - k),
-                                               _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+  // Coordinates are held within the map, so lanes beyond the end read what is there; they are not
+  // written.
+  const __m256i is_within =
+      _mm256_cmpgt_epi32(_mm256_set1_epi32(last - k), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
   float* const out = lanes.out + k;
   const __m256 there = _mm256_maskload_ps(out, is_within);
   _mm256_maskstore_ps(out, is_within, _mm256_max_ps(heights(lanes, k), there));

@@ -8,7 +8,8 @@
 namespace thigma::detail {
 namespace {
 
-// Of a cell: nearer to a sample than this, an offset is meant to be whole, and must not fall off the edge by rounding.
+// Of a cell: nearer to a sample than this, an offset is meant to be whole, and must not fall off
+// the edge by rounding.
 constexpr double kWholeCell = 1e-9;
 
 }  // namespace

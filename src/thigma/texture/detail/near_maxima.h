@@ -5,8 +5,8 @@
 
 namespace thigma::detail {
 
-/// Fills result.near: the maximum itself, and samples of the grid within `within` of it, every k-th when there are more
-/// than fit.
+/// Fills result.near: the maximum itself, and samples of the grid within `within` of it, every k-th
+/// when there are more than fit.
 ///
 /// object, scene  height maps over the grid
 /// within         [m], > 0

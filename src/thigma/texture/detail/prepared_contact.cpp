@@ -84,12 +84,12 @@ Place look_along_edges(const PreparedContact& prepared, const Place& from, doubl
 
 }  // namespace
 
-void project_sides(const DepthContact& contact, const ContactFrame& frame, const PlaneBox& over, ProjectedPatch& object,
-                   ProjectedPatch& scene) noexcept {
-  project_patch(*contact.object.texture, contact.object.triangles, contact.object.world_from_body, frame, Facing::along,
-                object, over, contact.object.around);
-  project_patch(*contact.scene.texture, contact.scene.triangles, contact.scene.world_from_body, frame, Facing::against,
-                scene, over, contact.scene.around);
+void project_sides(const DepthContact& contact, const ContactFrame& frame, const PlaneBox& over,
+                   ProjectedPatch& object, ProjectedPatch& scene) noexcept {
+  project_patch(*contact.object.texture, contact.object.triangles, contact.object.world_from_body,
+                frame, Facing::along, object, over, contact.object.around);
+  project_patch(*contact.scene.texture, contact.scene.triangles, contact.scene.world_from_body,
+                frame, Facing::against, scene, over, contact.scene.around);
 }
 
 double finer_texel(const DepthContact& contact) noexcept {
@@ -108,7 +108,8 @@ bool prepare_contact(const DepthContact& contact, PreparedContact& prepared) noe
   if (prepared.box.is_empty()) return false;
   const double texel =
       std::min(relief_texel(*contact.object.texture), relief_texel(*contact.scene.texture));
-  prepared.texel = std::isfinite(texel) ? texel : 0.0;  // no relief: a corner of one side may be the deepest place
+  // no relief: a corner of one side may be the deepest place
+  prepared.texel = std::isfinite(texel) ? texel : 0.0;
   return true;
 }
 
@@ -127,8 +128,8 @@ double depth_at(const PreparedContact& prepared, const Vec2& at, NearTriangles& 
 
 double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at) noexcept {
   constexpr int kMostHalvings = 24;
-  constexpr double kFinest =
-      0.125;  // of a texel: finer tells facets of the interpolation, not the surface
+  // of a texel: finer tells facets of the interpolation, not the surface
+  constexpr double kFinest = 0.125;
   constexpr int kMostMoves = 32;  // along edges, all together
   Place here{at, kNoDepth, {}};
   here.depth = depth_at(prepared, at, here.triangles);
@@ -138,7 +139,8 @@ double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at) noe
     step *= 0.5;
     const Surroundings around = look_around(prepared, here, step);
     here = around.best;
-    // On a slanting edge, of the domain or of a fold, steps along the axes lose more than they gain along it.
+    // On a slanting edge, of the domain or of a fold, steps along the axes lose more than they gain
+    // along it.
     while (around.is_cut && moves < kMostMoves) {
       const Place along = look_along_edges(prepared, here, step.norm());
       if (!(along.depth > here.depth)) break;

@@ -16,13 +16,17 @@ struct Cell {
 };
 
 Cell cell_at(const Vec2& place, int width, int height) {
-  const double x = std::clamp(place.x(), 0.0, width - 1.0), y = std::clamp(place.y(), 0.0, height - 1.0);
-  const int column = std::min(static_cast<int>(x), width - 2), row = std::min(static_cast<int>(y), height - 2);
+  const double x = std::clamp(place.x(), 0.0, width - 1.0),
+               y = std::clamp(place.y(), 0.0, height - 1.0);
+  const int column = std::min(static_cast<int>(x), width - 2),
+            row = std::min(static_cast<int>(y), height - 2);
   const double u = x - column, v = y - row;
   const auto index = [&](int c, int r) {
-    return static_cast<std::size_t>(r) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c);
+    return static_cast<std::size_t>(r) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(c);
   };
-  return {{index(column, row), index(column + 1, row), index(column, row + 1), index(column + 1, row + 1)},
+  return {{index(column, row), index(column + 1, row), index(column, row + 1),
+           index(column + 1, row + 1)},
           {(1.0 - u) * (1.0 - v), u * (1.0 - v), (1.0 - u) * v, u * v}};
 }
 
@@ -38,24 +42,29 @@ struct Meeting {
   double weight = 0.0;  // sum of all squared shares times the ease of their texels
 };
 
-std::vector<Meeting> meetings_of(std::span<const Seam> seams, std::span<const std::array<Vec2, 3>> corners,
+std::vector<Meeting> meetings_of(std::span<const Seam> seams,
+                                 std::span<const std::array<Vec2, 3>> corners,
                                  const StitchedMap& map) {
-  constexpr double kEach = 3.0;  // a texel along the seam: what is interpolated is a parabola between the lines of texels
+  // a texel along the seam: what is interpolated is a parabola between the lines of texels
+  constexpr double kEach = 3.0;
   std::vector<Meeting> meetings;
   for (const Seam& seam : seams) {
     const auto end = [&](const Seam::Side& side, std::size_t k) {
       return corners[at(side.triangle)][static_cast<std::size_t>(side.corner[k])];
     };
     double length = 0.0;
-    for (const Seam::Side& side : seam.sides) length = std::max(length, (end(side, 1) - end(side, 0)).norm());
+    for (const Seam::Side& side : seam.sides)
+      length = std::max(length, (end(side, 1) - end(side, 0)).norm());
     const int count = static_cast<int>(std::ceil(kEach * length)) + 1;
     for (int i = 0; i <= count; ++i) {
       const double share = static_cast<double>(i) / count;
       Meeting meeting;
       for (std::size_t s = 0; s < 2; ++s) {
         const Seam::Side& side = seam.sides[s];
-        const Cell cell = cell_at((1.0 - share) * end(side, 0) + share * end(side, 1), map.width, map.height);
-        for (std::size_t k = 0; k < 4; ++k) meeting.weight += map.ease[cell.texel[k]] * cell.share[k] * cell.share[k];
+        const Cell cell =
+            cell_at((1.0 - share) * end(side, 0) + share * end(side, 1), map.width, map.height);
+        for (std::size_t k = 0; k < 4; ++k)
+          meeting.weight += map.ease[cell.texel[k]] * cell.share[k] * cell.share[k];
         meeting.side[s] = cell;
       }
       meetings.push_back(meeting);
@@ -66,7 +75,8 @@ std::vector<Meeting> meetings_of(std::span<const Seam> seams, std::span<const st
 
 }  // namespace
 
-std::vector<Seam> find_seams(const TriangleMesh& coarse, std::span<const std::array<Vec2, 3>> corners) {
+std::vector<Seam> find_seams(const TriangleMesh& coarse,
+                             std::span<const std::array<Vec2, 3>> corners) {
   const EdgeTable table = build_edge_table(coarse);
   std::vector<Seam> seams;
   for (const MeshEdge& edge : table.edges) {
@@ -75,7 +85,8 @@ std::vector<Seam> find_seams(const TriangleMesh& coarse, std::span<const std::ar
     for (std::size_t s = 0; s < 2; ++s) {
       const EdgeUse& use = table.uses_of(edge)[s];
       const int own = use.corner, next = (use.corner + 1) % 3;
-      seam.sides[s] = {use.triangle, use.is_forward ? std::array{own, next} : std::array{next, own}};
+      seam.sides[s] = {use.triangle,
+                       use.is_forward ? std::array{own, next} : std::array{next, own}};
     }
     const auto place = [&](std::size_t s, std::size_t k) {
       const Seam::Side& side = seam.sides[s];
@@ -93,12 +104,14 @@ Vec3 seam_weights(const Seam::Side& side, double share) noexcept {
   return weights;
 }
 
-void stitch_seams(std::span<const Seam> seams, std::span<const std::array<Vec2, 3>> corners, StitchedMap& map) {
+void stitch_seams(std::span<const Seam> seams, std::span<const std::array<Vec2, 3>> corners,
+                  StitchedMap& map) {
   constexpr int kSweeps = 200;
   const std::vector<Meeting> meetings = meetings_of(seams, corners, map);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (const Meeting& m : meetings) {
-      const Vec3 step = (value_of(m.side[0], map.texels) - value_of(m.side[1], map.texels)) / m.weight;
+      const Vec3 step =
+          (value_of(m.side[0], map.texels) - value_of(m.side[1], map.texels)) / m.weight;
       for (std::size_t k = 0; k < 4; ++k) {
         const std::size_t i = m.side[0].texel[k], j = m.side[1].texel[k];
         map.texels[i] -= map.ease[i] * m.side[0].share[k] * step;

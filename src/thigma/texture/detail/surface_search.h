@@ -31,8 +31,9 @@ SurfacePoint nearest_of_triangle(const TriangleMesh& mesh, std::int32_t triangle
 /// The point of the surface nearest to p.
 SurfacePoint nearest_point(const SurfaceSearch& search, const Vec3& p);
 
-/// Where the line p + t direction, |t| <= reach, meets a triangle whose normal goes along `direction`, with the least |t|:
-/// `distance` is t with its sign, `triangle` -1 when there is none.
+/// Where the line p + t direction, |t| <= reach, meets a triangle whose normal goes along
+/// `direction`, with the least |t|: `distance` is t with its sign, `triangle` -1 when there is
+/// none.
 ///
 /// direction  unit
 SurfacePoint crossing_point(const SurfaceSearch& search, const Vec3& p, const Vec3& direction,

@@ -9,7 +9,8 @@
 
 namespace thigma::detail {
 
-/// Of each texel the triangle it lies on, or the nearest one if that is within the margin; -1 beyond.
+/// Of each texel the triangle it lies on, or the nearest one if that is within the margin; -1
+/// beyond.
 struct TexelOwners {
   std::vector<std::int32_t> triangle;  // (width x height)
 };
@@ -20,7 +21,8 @@ struct TexelOwners {
 TexelOwners find_texel_owners(const std::vector<std::array<Vec2, 3>>& corners, int width,
                               int height, double margin);
 
-/// Weights of the corners of a triangle for a point of its plane; outside they are negative in part.
+/// Weights of the corners of a triangle for a point of its plane; outside they are negative in
+/// part.
 Vec3 corner_weights(const std::array<Vec2, 3>& corners, const Vec2& at);
 
 }  // namespace thigma::detail

@@ -16,11 +16,14 @@ constexpr double kEdgeSlack = 1e-9;
 
 // The least of direction . way over a box of ways, negated where that is below 0.
 double moved_by(const PlaneBox& ways, const Vec2& direction) noexcept {
-  return -std::min(direction.cwiseProduct(ways.low).cwiseMin(direction.cwiseProduct(ways.high)).sum(), 0.0);
+  return -std::min(
+      direction.cwiseProduct(ways.low).cwiseMin(direction.cwiseProduct(ways.high)).sum(), 0.0);
 }
 
-// Adds the limit direction . s + offset >= 0 on points s of the plane. ways: how displacements may move them.
-void add_limit(TexelPair& pair, const Vec2& direction, double offset, const PlaneBox& ways) noexcept {
+// Adds the limit direction . s + offset >= 0 on points s of the plane. ways: how displacements may
+// move them.
+void add_limit(TexelPair& pair, const Vec2& direction, double offset,
+               const PlaneBox& ways) noexcept {
   TexelPair::Limit& limit = pair.limits[static_cast<std::size_t>(pair.limit_count++)];
   limit.normal = pair.at_by_texel.transpose() * direction;
   limit.offset = offset + direction.dot(pair.at_origin);
@@ -53,10 +56,12 @@ double largest_along(const Vec3& m, const TexelBounds& b) noexcept {
 }
 
 // Largest displacement times `by` between texture coordinates low and high.
-double largest_between(const HapticTexture& texture, const Vec3& by, const Vec2& low, const Vec2& high) noexcept {
+double largest_between(const HapticTexture& texture, const Vec3& by, const Vec2& low,
+                       const Vec2& high) noexcept {
   const Vec2 last(texture.width - 1.0, texture.height - 1.0);
   const Vec2 from = low.cwiseMax(0.0).cwiseMin(last), to = high.cwiseMax(0.0).cwiseMin(last);
-  // Cells at least as large as the range: it touches no more than two each way. Level k has cells of 2^(k + 1) texels.
+  // Cells at least as large as the range: it touches no more than two each way. Level k has cells
+  // of 2^(k + 1) texels.
   const unsigned size = static_cast<unsigned>(std::ceil((to - from).maxCoeff()));
   const int level = std::min(std::max(static_cast<int>(std::bit_width(size - (size > 0))) - 1, 0),
                              static_cast<int>(texture.pyramid.size()) - 1);
@@ -89,7 +94,8 @@ void add_ways(TexelPair& pair, const ProjectedTriangle& b, const PlaneBox& ways)
 }
 
 // The box of texels in which both triangles lie.
-void add_texel_box(TexelPair& pair, const ProjectedTriangle& a, const ProjectedTriangle& b, const PlaneBox& ways) noexcept {
+void add_texel_box(TexelPair& pair, const ProjectedTriangle& a, const ProjectedTriangle& b,
+                   const PlaneBox& ways) noexcept {
   PlaneBox own, others;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec2 of_own = a.texel_origin + a.texel_by_at * a.at[k];
@@ -135,11 +141,15 @@ TexelPair make_texel_pair(const ProjectedPatch& driver, const ProjectedTriangle&
   pair.height_reach = pair.height_by_texel.lpNorm<1>();
   pair.other_reach = pair.other_by_texel.cwiseAbs().rowwise().sum();
   pair.height_origin = a.height_origin + b.height_origin + by_at.dot(a.at_origin);
-  // The fine point of the driver lies its displacement aside of its coarse one, where the other triangle is higher by its
-  // slope; the other side's coarse point lies its own displacement before that.
-  pair.own_by = driver.direction_body + driver.contact_from_body.topRows<2>().transpose() * b.height_by_at;
-  pair.others_by = other.direction_body - other.contact_from_body.topRows<2>().transpose() * b.height_by_at;
-  const PlaneBox ways{driver.sideways.low - other.sideways.high, driver.sideways.high - other.sideways.low};
+  // The fine point of the driver lies its displacement aside of its coarse one, where the other
+  // triangle is higher by its slope; the other side's coarse point lies its own displacement before
+  // that.
+  pair.own_by =
+      driver.direction_body + driver.contact_from_body.topRows<2>().transpose() * b.height_by_at;
+  pair.others_by =
+      other.direction_body - other.contact_from_body.topRows<2>().transpose() * b.height_by_at;
+  const PlaneBox ways{driver.sideways.low - other.sideways.high,
+                      driver.sideways.high - other.sideways.low};
   const PlaneBox none{Vec2::Zero(), Vec2::Zero()};
   add_edges(pair, a, none);
   pair.own_count = pair.limit_count;
@@ -161,8 +171,7 @@ CellBound upper_bound(const TexelPair& pair, const TexelCell& cell, double other
       static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(bounds.columns) +
       static_cast<std::size_t>(cell.column);
   const double own = pair.height_origin + pair.height_by_texel.dot(centre) +
-                     half * pair.height_reach +
-                     largest_along(pair.own_by, bounds.cells[i]);
+                     half * pair.height_reach + largest_along(pair.own_by, bounds.cells[i]);
   if (!(own + others > floor)) return {};
   for (int k = 0; k < pair.limit_count; ++k) {
     const TexelPair::Limit& limit = pair.limits[static_cast<std::size_t>(k)];
@@ -171,7 +180,8 @@ CellBound upper_bound(const TexelPair& pair, const TexelCell& cell, double other
   }
   const Vec2 other_centre = pair.other_origin + pair.other_by_texel * centre;
   const Vec2 other_half = half * pair.other_reach;
-  others = std::min(others, largest_between(*pair.other->texture, pair.others_by, other_centre - other_half + pair.other_low,
+  others = std::min(others, largest_between(*pair.other->texture, pair.others_by,
+                                            other_centre - other_half + pair.other_low,
                                             other_centre + other_half + pair.other_high));
   return {own + others, others};
 }
@@ -183,12 +193,15 @@ TexelDepth depth_at_texel(const TexelPair& pair, int column, int row) noexcept {
   const Vec3 own = texel_vector(texel).head<3>();
   const Vec2 coarse = pair.at_origin + pair.at_by_texel * t;
   const Vec2 at = coarse + pair.driver->contact_from_body.topRows<2>() * own;
-  if (!(at.array() >= pair.box.low.array()).all() || !(at.array() <= pair.box.high.array()).all()) return {};
+  if (!(at.array() >= pair.box.low.array()).all() || !(at.array() <= pair.box.high.array()).all())
+    return {};
   Vec2 place;
   if (!find_below(*pair.other, *pair.under, at, place)) return {};
   const Vec2 from = pair.under->texel_origin + pair.under->texel_by_at * place;
   const Vec3 others = displacement_at(*pair.other->texture, from);
-  return {pair.height_origin + pair.height_by_texel.dot(t) + pair.own_by.dot(own) + pair.others_by.dot(others), at};
+  return {pair.height_origin + pair.height_by_texel.dot(t) + pair.own_by.dot(own) +
+              pair.others_by.dot(others),
+          at};
 }
 
 TexelRange texels_of(const HapticTexture& texture, const TexelCell& cell) noexcept {
