@@ -18,7 +18,16 @@ namespace e14_degradation {
 namespace {
 
 constexpr double kTestBudgets[] = {500, 1000, 2000, 4000, 8000, 16000};
-constexpr double kTimeBudgets[] = {50e-6, 100e-6, 200e-6, 500e-6, 1000e-6};  // [s]
+constexpr double kTimeBudgets[] = {50e-6, 100e-6, 200e-6, 500e-6, 1000e-6, 2000e-6};  // [s]
+
+/// Much to refine and little that cannot be left out: with the cap, which is off by default, surfaces this near ask for
+/// thousands of tests.
+Resolution capped() {
+  Resolution resolution;
+  resolution.is_exact = false;
+  resolution.deviation_cap = 0.02;
+  return resolution;
+}
 
 /// The upper disc hovers 0.1 mm above the lower one and slides, lifts and tilts by a little.
 Path hover_path(double radius, int frames) {
@@ -57,8 +66,7 @@ double error_of(const Profile& p, const Profile& unlimited, double radius) {
 
 Result run_tests(const Pair& pair, const Path& path, const PenaltyParams& gains,
                  const Profile& unlimited, double budget) {
-  Resolution resolution;
-  resolution.is_exact = false;
+  Resolution resolution = capped();
   resolution.budget_tests = static_cast<std::int64_t>(budget);
   Result r{.profile = replay(pair, path, resolution, gains, 1, ClusterStart::afresh)};
   for (std::size_t i = 0; i < r.profile.tests.size(); ++i) {
@@ -72,8 +80,7 @@ Result run_tests(const Pair& pair, const Path& path, const PenaltyParams& gains,
 
 Result run_time(const Pair& pair, const Path& path, const PenaltyParams& gains,
                 const Profile& unlimited, double budget) {
-  Resolution resolution;
-  resolution.is_exact = false;
+  Resolution resolution = capped();
   resolution.budget_cpu = budget;
   Result r{.profile = replay(pair, path, resolution, gains, 1, ClusterStart::afresh)};
   r.error = error_of(r.profile, unlimited, pair.radius);
@@ -118,15 +125,19 @@ struct TimeVerdict {
 
 TimeVerdict judge(const std::vector<Result>& results, double one_test) {
   TimeVerdict verdict;
+  // What cannot be left out, free levels and the front's validity: the smallest budget has time for nothing else.
+  const Profile& mandatory = results.front().profile;
+  const double always = sample_quantile(mandatory.cpu, 0.99);
+  const double price =
+      sample_quantile(mandatory.cpu, 0.5) / sample_quantile(mandatory.mandatory, 0.5);
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Profile& p = results[i].profile;
-    // What cannot be left out, at the price of a test: free levels and the front's validity.
-    if (sample_quantile(p.mandatory, 0.5) * one_test > kTimeBudgets[i]) continue;
+    if (always > kTimeBudgets[i]) continue;
     if (verdict.smallest == 0.0) verdict.smallest = kTimeBudgets[i];
     // Frames that could keep the budget: the first ones of a front cannot.
     std::vector<double> cpu;
     for (std::size_t f = 0; f < p.cpu.size(); ++f) {
-      if (p.mandatory[f] * one_test <= kTimeBudgets[i]) cpu.push_back(p.cpu[f]);
+      if (p.mandatory[f] * price <= kTimeBudgets[i]) cpu.push_back(p.cpu[f]);
     }
     verdict.excess =
         std::max(verdict.excess, sample_quantile(cpu, 0.99) / (1.1 * kTimeBudgets[i] + one_test));
@@ -152,10 +163,8 @@ Outcome run_e14_degradation(const Context& context) {
   }();
   const PenaltyParams gains = direct_gains(pair, 0.01);
   const Path path = hover_path(pair.radius, context.quick ? 600 : 10'000);
-  Resolution full;
-  full.is_exact = false;
   tell(context, "unlimited");
-  const Profile unlimited = replay(pair, path, full, gains, 1, ClusterStart::afresh);
+  const Profile unlimited = replay(pair, path, capped(), gains, 1, ClusterStart::afresh);
   const double one_test = mean(unlimited.cpu) / mean(unlimited.tests);
 
   Outcome outcome;
@@ -206,7 +215,8 @@ Outcome run_e14_degradation(const Context& context) {
           "largest of the budgets that hold the usual one",
           verdict.excess, 1.0)),
       stated("smallest",
-             "smallest of the budgets 50, 100, 200, 500 and 1000 us that holds the mandatory part",
+             "smallest of the budgets 50, 100, 200, 500, 1000 and 2000 us that holds the mandatory part in 99 of "
+             "100 frames",
              1e6 * verdict.smallest, "us"),
       at_most("falls",
               "error against the unlimited query falls as the budget of tests grows: largest rise "

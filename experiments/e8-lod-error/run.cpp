@@ -22,12 +22,15 @@ constexpr double kNoise = 0.1;
 struct Replay {
   const char* scene;
   HandScript (*hand)(double radius);
+  int quick_triangles;  // of each body with --quick; 0: as the scene has them
 };
 
-constexpr Replay kReplays[] = {{"jaws", jaws_hand},
-                               {"golf", golf_hand},
-                               {"ball_joint", joint_hand},
-                               {"cup_spoon", spoon_hand}};
+// Ball and socket fit each other, so most of their patches lie within the tolerance: an exact query of the whole models
+// takes more than a second.
+constexpr Replay kReplays[] = {{"jaws", jaws_hand, 0},
+                               {"golf", golf_hand, 0},
+                               {"ball_joint", joint_hand, 6'000},
+                               {"cup_spoon", spoon_hand, 0}};
 
 std::vector<Setting> settings(const std::vector<double>& thresholds) {
   std::vector<Setting> all = {{"exact", 0.0, as_in_text(0.0)}};
@@ -102,7 +105,7 @@ Outcome run_e8_lod_error(const Context& context) {
   const auto main = std::find(thresholds.begin(), thresholds.end(), kMain) - thresholds.begin();
   double fall = 0.0, least_rank = 1.0;
   for (const Replay& entry : kReplays) {
-    const Pair pair = scene_pair(*context.assets, entry.scene);
+    const Pair pair = scene_pair(*context.assets, entry.scene, context.quick ? entry.quick_triangles : 0);
     const PenaltyParams gains = direct_gains(pair);
     HandScript hand = entry.hand(pair.radius);
     if (context.quick) hand.seconds = 0.5 * (hand.seconds + hand.approach_time);
