@@ -222,7 +222,7 @@ Outcome run_profile(const Context& context, const ProfileFigure& figure) {
   if (context.quick) hand.seconds = figure.quick_seconds;
   const Path path = record_path(pair, as_in_text(main), gains, hand);
   const ProfileStudy study = study_profile(
-      context, pair, path, gains, profile_settings(figure.thresholds, main), context.quick ? 1 : 3);
+      context, pair, path, gains, profile_settings(figure.thresholds, main), context.quick ? 2 : 3);
   const std::size_t at_main = figure.thresholds.size();  // the first setting is exact
   const Profile &exact = study.profiles.front(), &coarse = study.profiles[at_main];
   Outcome outcome;

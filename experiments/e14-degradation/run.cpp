@@ -215,7 +215,8 @@ Outcome run_e14_degradation(const Context& context) {
           "largest of the budgets that hold the usual one",
           verdict.excess, 1.0)),
       stated("smallest",
-             "smallest of the budgets 50, 100, 200, 500, 1000 and 2000 us that holds the mandatory part in 99 of "
+             "smallest of the budgets 50, 100, 200, 500, 1000 and 2000 us that holds the mandatory "
+             "part in 99 of "
              "100 frames",
              1e6 * verdict.smallest, "us"),
       at_most("falls",

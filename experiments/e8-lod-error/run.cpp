@@ -105,7 +105,8 @@ Outcome run_e8_lod_error(const Context& context) {
   const auto main = std::find(thresholds.begin(), thresholds.end(), kMain) - thresholds.begin();
   double fall = 0.0, least_rank = 1.0;
   for (const Replay& entry : kReplays) {
-    const Pair pair = scene_pair(*context.assets, entry.scene, context.quick ? entry.quick_triangles : 0);
+    const Pair pair =
+        scene_pair(*context.assets, entry.scene, context.quick ? entry.quick_triangles : 0);
     const PenaltyParams gains = direct_gains(pair);
     HandScript hand = entry.hand(pair.radius);
     if (context.quick) hand.seconds = 0.5 * (hand.seconds + hand.approach_time);

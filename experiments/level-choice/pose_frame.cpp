@@ -58,6 +58,19 @@ Contact contact_of(const bench::ShellContact& c) {
   return contact;
 }
 
+/// What least_separation makes of the contacts in memory.
+void add_narrowed(const TouchedPair& pair, std::size_t sample, QueryMemory& memory,
+                  PoseFrame& frame) {
+  const ContactWorld& world = pair.session.config.contact;
+  const SceneBody& body = world.scene.front();
+  const SeparationQuery query{.tolerance = world.tolerance};
+  const double start = bench::thread_cpu();
+  frame.narrowed =
+      thigma::least_separation(*world.object, pair.touching[sample], *body.hierarchy,
+                               body.world_from_body, memory.set, query, memory.separation);
+  frame.narrowing = bench::thread_cpu() - start;
+}
+
 std::vector<Vec3> middles_of(const std::vector<Contact>& contacts, std::size_t step = 1) {
   std::vector<Vec3> middles;
   for (std::size_t i = 0; i < contacts.size(); i += step)
@@ -71,6 +84,7 @@ QueryMemory make_memory(const TouchedPair& pair) {
   const ContactWorld& world = pair.session.config.contact;
   QueryMemory memory;
   reserve_front(memory.front, *world.object, *world.scene.front().hierarchy);
+  reserve_separation(memory.separation, *world.object, *world.scene.front().hierarchy);
   memory.set.contacts.reserve(kRoom);
   return memory;
 }
@@ -90,6 +104,7 @@ PoseFrame query_at(const TouchedPair& pair, std::size_t sample, const Resolution
   frame.contacts = memory.set.contacts;
   frame.front = static_cast<double>(memory.set.stats.front);
   add_force(frame, world.tolerance);
+  if (!resolution.is_exact) add_narrowed(pair, sample, memory, frame);
   return frame;
 }
 

@@ -9,6 +9,7 @@
 #include "experiments/level-choice/touched_pair.h"
 
 #include "thigma/contact/front.h"
+#include "thigma/contact/least_separation.h"
 
 namespace thigma::experiments::level_choice {
 
@@ -20,12 +21,16 @@ struct PoseFrame {
   Vec3 shared_force = Vec3::Zero();
   double front = 0.0;
   std::vector<double> query;  // CPU times of the burst [s]
+  // What the contacts' bounds were narrowed to, and the CPU time that took [s]; of levels alone.
+  SeparationInterval narrowed;
+  double narrowing = 0.0;
 };
 
 /// What queries need between poses.
 struct QueryMemory {
   ContactFront front;
   ContactSet set;
+  SeparationScratch separation;
   std::vector<bench::ShellContact> shell;
 };
 QueryMemory make_memory(const TouchedPair& pair);

@@ -16,11 +16,15 @@ namespace thigma::experiments::level_choice {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+// Of least separations measured in two ways, times the radius.
+constexpr double kRounding = 1e-9;
 constexpr double kNear = 0.02;  // of the radius: a contact is found where another is as near
 
 /// Collects the poses of one setting.
 struct Collector {
-  std::vector<double> contacts{}, front{}, query{}, recall{}, error{}, interval{}, ratio{};
+  std::vector<double> contacts{}, front{}, query{}, recall{}, error{}, ratio{};
+  std::vector<double> bounds{}, interval{}, narrowing{}, divided{};
+  double outside = 0.0;
   PoseShare below{}, difference{}, shared{};
   std::size_t levels_at_once = 0;
 };
@@ -47,6 +51,19 @@ void add_triangles(Collector& c, const Comparison& with, const PoseFrame& frame)
   c.below.under.push_back(count);
 }
 
+/// Of exact contacts, which are not narrowed, the interval is the least separation itself.
+void add_interval(Collector& c, const Comparison& with, const LeastSeparation& truth,
+                  const PoseFrame& frame) {
+  if (!(frame.narrowing > 0.0)) return c.interval.push_back(0.0);
+  const double rounding = kRounding * with.radius;
+  c.interval.push_back(frame.narrowed.high - frame.narrowed.low);
+  c.narrowing.push_back(frame.narrowing);
+  c.divided.push_back(static_cast<double>(frame.narrowed.expansions));
+  if (truth.reported < frame.narrowed.low - rounding ||
+      truth.reported > frame.narrowed.high + rounding)
+    c.outside += 1.0;
+}
+
 void add_frame(Collector& c, const Comparison& with, const PoseFrame& exact,
                const PoseFrame& frame) {
   add_triangles(c, with, frame);
@@ -65,7 +82,8 @@ void add_frame(Collector& c, const Comparison& with, const PoseFrame& exact,
   c.recall.push_back(recall_of(exact, frame, kNear * with.radius));
   const LeastSeparation truth = least_separation(exact), least = least_separation(frame);
   c.error.push_back(std::fabs(least.reported - truth.reported));
-  c.interval.push_back(least.high - least.low);
+  c.bounds.push_back(least.high - least.low);
+  add_interval(c, with, truth, frame);
   if (c.error.back() > 0.0) c.ratio.push_back(c.interval.back() / c.error.back());
 }
 
@@ -86,7 +104,11 @@ Choice summarize(const Collector& c, double bytes) {
   choice.shared_error = std::sqrt(quotient(c.shared));
   choice.recall = mean(c.recall);
   choice.separation_error = sample_quantile(c.error, 0.5);
+  choice.bounds = sample_quantile(c.bounds, 0.5);
   choice.interval = sample_quantile(c.interval, 0.5);
+  choice.outside = c.outside;
+  choice.narrowing = sample_quantile(c.narrowing, 0.5);
+  choice.divided = sample_quantile(c.divided, 0.5);
   choice.interval_ratio = sample_quantile(c.ratio, 0.5);
   choice.area_rank = kNaN;
   choice.levels_at_once = static_cast<double>(c.levels_at_once);
@@ -100,7 +122,8 @@ Choice summarize(const Collector& c, double bytes) {
 /// A shell's contacts have neither levels nor bounds.
 Choice summarize_shell(const Collector& c, double bytes) {
   Choice choice = summarize(c, bytes);
-  choice.triangles = choice.interval = choice.interval_ratio = choice.levels_at_once = kNaN;
+  choice.triangles = choice.bounds = choice.interval = choice.interval_ratio = kNaN;
+  choice.levels_at_once = choice.narrowing = choice.divided = choice.outside = kNaN;
   return choice;
 }
 

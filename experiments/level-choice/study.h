@@ -22,7 +22,11 @@ struct Choice {
   double shared_error = 0.0;       // of clusters that share the stiffness
   double recall = 0.0;             // share of exact contacts with one of these near it
   double separation_error = 0.0;   // of the least separation, median [m]
-  double interval = 0.0;           // that the bounds leave for the least separation, median [m]
+  double bounds = 0.0;             // interval the contacts' bounds leave for it, median [m]
+  double interval = 0.0;           // what least_separation narrows that to, median [m]
+  double outside = 0.0;            // poses whose exact one is not within
+  double narrowing = 0.0;          // CPU time of that, median [s]
+  double divided = 0.0;            // pairs of nodes it divides, median
   double interval_ratio = 0.0;     // interval over error, median
   double area_rank = 0.0;          // correlation of level and region of the exact query, by weight
   double levels_at_once = 0.0;     // of detail among the contacts of a frame, most

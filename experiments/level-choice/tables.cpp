@@ -22,10 +22,26 @@ plot::Panel panel_of(const char* title, const char* label) {
 
 void add_row_of(const Studied& pair, const std::string& setting, const Choice& c, double build,
                 Table& table) {
-  add_row(table,
-          {pair.name, setting, c.triangles, c.contacts, c.front, c.query, c.force_error,
-           c.shared_error, c.recall, c.separation_error / pair.radius, c.interval / pair.radius,
-           c.interval_ratio, c.area_rank, c.levels_at_once, c.bytes / kMebi, build});
+  add_row(table, {pair.name,
+                  setting,
+                  c.triangles,
+                  c.contacts,
+                  c.front,
+                  c.query,
+                  c.force_error,
+                  c.shared_error,
+                  c.recall,
+                  c.separation_error / pair.radius,
+                  c.bounds / pair.radius,
+                  c.interval / pair.radius,
+                  c.interval_ratio,
+                  c.outside,
+                  c.divided,
+                  c.narrowing,
+                  c.area_rank,
+                  c.levels_at_once,
+                  c.bytes / kMebi,
+                  build});
 }
 
 /// A curve over the thresholds, and dots of the same colour where there is none.
@@ -59,10 +75,25 @@ const Choice& choice_at(const Studied& pair, double s0) {
 Outcome empty_outcome() {
   Outcome outcome;
   outcome.tables = {
-      {.columns = {"scene", "s0", "triangles below a contact", "contacts", "front",
-                   "query CPU p50 [s]", "force error", "force error, shared stiffness", "recall",
-                   "least separation error / radius", "interval / radius", "interval / error",
-                   "rank of level and area", "levels at once", "memory [MiB]",
+      {.columns = {"scene",
+                   "s0",
+                   "triangles below a contact",
+                   "contacts",
+                   "front",
+                   "query CPU p50 [s]",
+                   "force error",
+                   "force error, shared stiffness",
+                   "recall",
+                   "least separation error / radius",
+                   "bounds / radius",
+                   "interval / radius",
+                   "interval / error",
+                   "poses outside",
+                   "pairs divided",
+                   "narrowing CPU p50 [s]",
+                   "rank of level and area",
+                   "levels at once",
+                   "memory [MiB]",
                    "shell build CPU [s]"}},
       {.name = "growth",
        .columns = {"scene", "quantity", "from", "to", "growth", "95 % low", "95 % high"}},

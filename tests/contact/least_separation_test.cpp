@@ -2,13 +2,13 @@
 
 #include "thigma/contact/least_separation.h"
 
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <limits>
 
 #include "support/audit.h"
 #include "support/query_path.h"
+#include <gtest/gtest.h>
+
 #include "thigma/clod/build_clod.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/mesh/shapes.h"

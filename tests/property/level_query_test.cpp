@@ -7,6 +7,7 @@
 #include "support/level_check.h"
 #include <gtest/gtest.h>
 
+#include "thigma/contact/least_separation.h"
 #include "thigma/math/quantile.h"
 #include "thigma/mesh/shapes.h"
 
@@ -43,12 +44,32 @@ void ask(const LevelPairCheck& pair, const Pose& pose, const ContactQuery& query
   ASSERT_EQ(set.dropped, 0);
 }
 
+/// What the contacts are narrowed to holds the distance of the original triangles.
+void check_interval(const test::CheckedPair& pair, const Pose& pose, double d,
+                    const ContactSet& set, SeparationScratch& scratch) {
+  const double truth =
+      test::least_triangle_distance(test::placed(pair.object_tree, pose), pair.scene_tree);
+  const double eps = 1e-9 * pair.radius;
+  for (const double width : {0.0, 0.01}) {
+    const SeparationInterval found =
+        least_separation(pair.object, pose, pair.scene, Pose{}, set,
+                         {.tolerance = d, .body = 0, .width = width}, scratch);
+    EXPECT_TRUE(found.is_narrow) << pair.name;
+    EXPECT_LE(found.low, truth + eps) << pair.name;
+    if (found.low >= d) continue;
+    EXPECT_LE(found.high - found.low, width * pair.radius + eps) << pair.name;
+    if (truth > 0.0) EXPECT_GE(found.high, std::min(truth, d) - eps) << pair.name;
+    if (truth == 0.0) EXPECT_LE(found.low, eps) << pair.name;
+  }
+}
+
 /// The whole check of a pair along one path into contact, threshold by threshold.
 void check_path(LevelPairCheck pair, const Approach& approach, int poses) {
   const double d = 0.01 * pair.exact.radius;
   PatchSurfaces objects(pair.exact.object, pair.object_mesh),
       scenes(pair.exact.scene, pair.scene_mesh);
   const Pose touch = test::pose_at_gap(pair.exact, approach.start, approach.direction, 0.0);
+  SeparationScratch separation;
   ContactSet set, other;
   set.contacts.reserve(400'000);
   other.contacts.reserve(400'000);
@@ -69,6 +90,7 @@ void check_path(LevelPairCheck pair, const Approach& approach, int poses) {
         EXPECT_EQ(test::first_difference(set, other), -1)
             << pair.name << ": remembering changed the answer";
         test::check_levels(pair, objects, scenes, pose, d, set);
+        check_interval(pair.exact, pose, d, set, separation);
         if (::testing::Test::HasFailure()) return;
       }
       const double median = sample_quantile(pair.ratios, 0.5);

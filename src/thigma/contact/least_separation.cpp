@@ -27,6 +27,8 @@ constexpr std::size_t kProbes = 3;
 // Of the size of two hulls: a search for their distance ends there where any distance is enough.
 // Smaller, and it goes on for no use.
 constexpr double kApart = 1e-6;
+// Of the width asked for, so that no interval is wider by the rounding of its own ends.
+constexpr double kOfWidth = 1.0 - 1e-9;
 // Rounding of the distance of two hulls, times their size.
 constexpr double kHullRounding = 1e-11;
 
@@ -34,7 +36,7 @@ struct Descent {
   const ClodHierarchy &object, &scene;
   RelativePose pose;
   const SeparationQuery& query;
-  double width;            // [m]
+  double width;  // [m]
   SegmentProbe probe;
   SeparationScratch& scratch;
   double rest = kInfinity;  // least bound of what is not in the heap any more [m]
@@ -108,8 +110,7 @@ void settle(Descent& d, double separation) noexcept {
 
 // Settles a pair, or leaves it to be divided.
 void add(Descent& d, SeparationPair p) noexcept {
-  if (is_leaf_pair(d, p.a, p.b))
-    return settle(d, measure_finest(d, p.a, p.b, d.query.tolerance));
+  if (is_leaf_pair(d, p.a, p.b)) return settle(d, measure_finest(d, p.a, p.b, d.query.tolerance));
   const double want = wanted(d);
   if (p.low < want) p.low = std::max(p.low, lower_bound(d, p, want));
   std::vector<SeparationPair>& pairs = d.scratch.pairs;
@@ -230,7 +231,8 @@ SeparationInterval least_separation(const ClodHierarchy& object, const Pose& wor
   if (!is_answerable || !has_memory(scratch, object, scene)) return {};
   const CrossingContext crossing{&object, &scene, pose, scratch.object_closed,
                                  scratch.scene_closed};
-  const double width = std::max(query.width, 0.0) * std::min(object.radius, scene.radius);
+  const double smaller = std::min(object.radius, scene.radius);
+  const double width = kOfWidth * std::max(query.width, 0.0) * smaller;
   Descent d{object, scene, pose, query, width, crossing_probe(crossing), scratch};
   std::vector<SeparationPair>& pairs = scratch.pairs;
   pairs.clear();

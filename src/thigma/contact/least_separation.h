@@ -36,7 +36,7 @@ struct SeparationPair {
   double low = -kInfinity;  // no two patches below are nearer [m]
   std::int32_t a = 0, b = 0;
   float axis[3] = {0.0f, 0.0f, 0.0f};  // from a to b, unit or zero [frame of a]
-  GjkCache gjk;
+  GjkCache gjk{};
 };
 
 /// Scratch of one pair of bodies. Owned by the caller; any content is valid input. Thread: of the
