@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clod_cache.h"
+#include "experiments/common/claim_list.h"
 #include "experiments/common/experiment.h"
 #include "json_out.h"
 #include "scenes/make_model.h"
@@ -44,7 +45,7 @@ std::vector<Experiment> choose(const std::string& name) {
 }
 
 std::string known_names(const std::string& name) {
-  std::vector<std::string> names = {"list", "all"};
+  std::vector<std::string> names = {"list", "all", "claims"};
   for (const Experiment& e : experiments::all_experiments()) names.push_back(e.name);
   const std::string near = scenes::nearest_word(name, names);
   return near.empty() ? "`thigma experiment list` names them" : "nearest is '" + near + "'";
@@ -110,13 +111,18 @@ ClodHierarchy kept_levels(const std::string& uri) {
 int run_experiments(const ExperimentOptions& options, const Common& common) {
   if (options.name == "list") return list_experiments(common.json);
   const std::vector<Experiment> chosen = choose(options.name);
-  if (chosen.empty()) {
+  if (chosen.empty() && options.name != "claims") {
     tell_error("experiment: no experiment '" + options.name + "', " + known_names(options.name));
     return kUsage;
   }
   if (options.folder.empty()) {
     tell_error("experiment: -o DIR is missing: the folder to write to");
     return kUsage;
+  }
+  if (options.name == "claims") {
+    std::fputs(experiments::claim_list(options.folder, experiments::all_experiments()).c_str(),
+               stdout);
+    return kDone;
   }
   experiments::Assets assets{.kept = kept_levels};
   experiments::Context context{.quick = options.quick, .seed = common.seed, .assets = &assets};
@@ -138,7 +144,9 @@ void add_experiment(CLI::App& app, Common& common) {
   CLI::App* verb = add_verb(app, common, "experiment",
                             "run figures and tables of the text again and check their claims",
                             [&common, options] { return run_experiments(*options, common); });
-  verb->add_option("NAME", options->name, "`list`, `all`, or one of the list")->required();
+  verb->add_option("NAME", options->name,
+                   "`list`, `all`, one of the list, or `claims`: a page of all claims in DIR")
+      ->required();
   verb->add_flag("--quick", options->quick, "fewer frames, smaller models");
   verb->add_option("-o,--output", options->folder,
                    "folder for DIR/NAME/{data.csv, NAME.png, claims.json}");

@@ -55,6 +55,15 @@ TEST(ExperimentVerb, writes_data_plot_and_claims_and_says_whether_they_hold) {
   EXPECT_GT(read_text(folder / "fig-5-6" / "data.csv").size(), 200u);
 }
 
+TEST(ExperimentVerb, tells_the_claims_of_a_folder) {
+  const Ended nowhere = run_program({"experiment", "claims"});
+  EXPECT_EQ(nowhere.code, 2);
+  const Ended ended = run_program({"experiment", "claims", "-o", work_folder().string()});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_NE(ended.out.find("0 claims: 0 checked"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("Not run: table-3-2,"), std::string::npos) << ended.out;
+}
+
 TEST(ExperimentVerb, says_how_many_claims_are_of_which_kind) {
   const Ended ended =
       run_program({"experiment", "fig-5-6", "--quiet", "-o", (work_folder() / "kinds").string()});
