@@ -212,7 +212,7 @@ void add_build(CLI::App& app, Common& common) {
   verb->add_flag("--repair", options->repair, "take a repairable mesh and repair it");
   verb->add_option(
       "--contact-tolerance", options->contact_tolerance,
-      "tolerance of the queries to come, for support areas [m]; 1 % of the radius by default");
+      "tolerance of the queries to come, for support areas [m]; 0.4 % of the radius by default");
 }
 
 }  // namespace thigma::app
