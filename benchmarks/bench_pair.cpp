@@ -5,25 +5,26 @@
 #include <limits>
 
 #include "benchmarks/probe.h"
-#include "scenes/scene_file.h"
 
 #include "thigma/math/elementary.h"
+#include "thigma/models/make_model.h"
+#include "thigma/scene/scene_file.h"
 
 namespace thigma::bench {
 namespace {
 
 constexpr int kKnot = 8;  // poses between two solved heights
 
-TriangleMesh model_mesh(const scenes::SceneObject& object, const std::string& name, int triangles,
+TriangleMesh model_mesh(const SceneObject& object, const std::string& name, int triangles,
                         double scale) {
-  scenes::ModelRequest model = object.model.value_or(scenes::ModelRequest{});
+  models::ModelRequest model = object.model.value_or(models::ModelRequest{});
   double unit = object.unit_scale;
   if (!name.empty()) {
     model = {.name = name};
     unit = scale;
   }
   if (triangles > 0) model.triangles = triangles;
-  TriangleMesh mesh = scenes::make_model(model);
+  TriangleMesh mesh = models::make_model(model);
   for (Vec3& p : mesh.positions) p *= unit;
   return mesh;
 }
@@ -89,7 +90,7 @@ double solve_height(const BenchPair& pair, double s, double height) {
 }  // namespace
 
 BenchPair make_pair(const PairRequest& request) {
-  const scenes::SceneDescription scene = scenes::read_scene(request.scene);
+  const SceneDescription scene = read_scene(request.scene);
   BenchPair pair;
   pair.request = request;
   pair.object_mesh = model_mesh(scene.object, request.object_model, request.object_triangles, 1.0);

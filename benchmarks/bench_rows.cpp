@@ -11,10 +11,10 @@
 #include "benchmarks/probe.h"
 #include "benchmarks/query_bench.h"
 #include "benchmarks/texture_rows.h"
-#include "scenes/make_model.h"
 
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/math/quantile.h"
+#include "thigma/models/make_model.h"
 
 namespace thigma::bench {
 namespace {
@@ -101,7 +101,7 @@ std::vector<Row> query_rows(bool quick) {
 
 std::vector<Row> build_rows(bool quick) {
   const TriangleMesh mesh =
-      scenes::make_model({.name = "jaw_lower", .triangles = quick ? 10000 : 100000});
+      models::make_model({.name = "jaw_lower", .triangles = quick ? 10000 : 100000});
   std::vector<double> seconds;
   for (int i = 0; i < (quick ? 1 : 3); ++i) {
     const double start = thread_cpu();

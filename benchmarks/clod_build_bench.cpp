@@ -2,10 +2,10 @@
 
 #include <fstream>
 
-#include "scenes/make_model.h"
-
+#include "thigma/clod/build_clod.h"
 #include "thigma/clod/clod_file.h"
 #include "thigma/core/cpu_clock.h"
+#include "thigma/models/make_model.h"
 
 namespace thigma::bench {
 namespace {
@@ -63,7 +63,7 @@ Row build_row(const std::string& model, const ClodBuildCost& cost) {
 }
 
 std::vector<Row> clod_build_rows(bool quick) {
-  const std::vector<scenes::ModelRequest> models = {
+  const std::vector<models::ModelRequest> models = {
       {.name = "jaw_lower", .triangles = quick ? 2000 : 100'000},
       {.name = "cup", .triangles = quick ? 2000 : 100'000},
       {.name = "gear", .triangles = quick ? 2000 : 100'000},
@@ -71,9 +71,9 @@ std::vector<Row> clod_build_rows(bool quick) {
       {.name = "golf_club", .triangles = quick ? 2000 : 0},
       {.name = "golf_ball", .triangles = quick ? 2000 : 0}};
   std::vector<Row> rows;
-  for (const scenes::ModelRequest& model : models) {
+  for (const models::ModelRequest& model : models) {
     ClodBuildCost cost;
-    build_measured(scenes::make_model(model), cost);
+    build_measured(models::make_model(model), cost);
     rows.push_back(build_row(model.name, cost));
   }
   return rows;

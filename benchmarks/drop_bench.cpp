@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "scenes/scene_file.h"
-#include "scenes/simulated_body.h"
-
 #include "thigma/clod/build_clod.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/mesh/measure.h"
+#include "thigma/scene/scene_file.h"
+#include "thigma/scene/simulated_body.h"
 #include "thigma/simulation/simulate.h"
 
 namespace thigma::bench {
@@ -26,20 +25,19 @@ struct DropCase {
 };
 
 void set_up(bool quick, DropCase& drop) {
-  scenes::SceneDescription scene = scenes::read_scene("spoon_in_cup");
+  SceneDescription scene = read_scene("spoon_in_cup");
   if (quick) scene.object.model->triangles = scene.statics[0].model->triangles = 3000;
-  scenes::LoadedObject spoon = scenes::load_object(scene.object);
-  const scenes::LoadedObject cup = scenes::load_object(scene.statics[0]);
+  LoadedObject spoon = load_object(scene.object);
+  const LoadedObject cup = load_object(scene.statics[0]);
   drop.spoon = build_clod(spoon.mesh);
   drop.cup = build_clod(cup.mesh);
-  SessionConfig config = scenes::make_session_config(scene, spoon);
-  config.contact.object = &drop.spoon;
-  config.contact.scene.push_back({&drop.cup, scene.statics[0].world_from_mesh});
+  SessionConfig config = make_session_config(scene, spoon, drop.spoon,
+                                             {{&drop.cup, scene.statics[0].world_from_mesh}});
   config.contact.tolerance = 1e-3 * std::min(drop.spoon.radius, drop.cup.radius);
   config.contact.resolution = {};
-  const scenes::SimulatedBody body = *scenes::read_simulated_body("spoon_in_cup");
-  drop.world = scenes::simulation_world(body, config);
-  drop.start = scenes::simulation_start(body, config, 1);
+  const SimulatedBody& body = *scene.simulation;
+  drop.world = simulation_world(body, config);
+  drop.start = simulation_start(body, config, 1);
 }
 
 /// Poses of the queries by frame, until the spoon rests.

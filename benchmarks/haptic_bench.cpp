@@ -4,8 +4,8 @@
 
 #include "thigma/device/null_device.h"
 #include "thigma/dynamics/implicit_step.h"
+#include "thigma/loop/haptic_step.h"
 #include "thigma/math/elementary.h"
-#include "thigma/runtime/haptic_step.h"
 
 namespace thigma::bench {
 namespace {

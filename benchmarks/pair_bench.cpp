@@ -8,8 +8,8 @@
 #include "benchmarks/baselines/fcl_baseline.h"
 #include "benchmarks/probe.h"
 
+#include "thigma/convex/gjk.h"
 #include "thigma/convex/hull.h"
-#include "thigma/convex/pair.h"
 #include "thigma/math/random.h"
 
 namespace thigma::bench {
@@ -158,7 +158,7 @@ void time_class(int low, int high, const PairTimingParams& params, std::vector<P
   }));
   out.back().iterations = turns / solved;
   std::vector<GjkCache> batch_caches(n);
-  std::vector<PairQuery> queries(n);
+  std::vector<GjkQuery> queries(n);
   std::vector<Separation> separations(n);
   for (std::size_t i = 0; i < n; ++i)
     queries[i] = {&scene.a.views[i], &scene.b.views[i], &batch_caches[i]};

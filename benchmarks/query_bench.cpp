@@ -9,13 +9,13 @@
 
 #include "benchmarks/baselines/fcl_baseline.h"
 #include "benchmarks/probe.h"
-#include "scenes/make_model.h"
 #include "tests/support/triangle_search.h"
 
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/math/elementary.h"
 #include "thigma/math/quantile.h"
+#include "thigma/models/make_model.h"
 
 namespace thigma::bench {
 namespace {
@@ -55,8 +55,8 @@ Pose find_touch(const Jaws& jaws) {
 // triangles: of each jaw, 0 for the models' own counts.
 Jaws make_jaws(int triangles = 0) {
   Jaws jaws;
-  jaws.upper_mesh = scenes::make_model({.name = "jaw_upper", .triangles = triangles});
-  jaws.lower_mesh = scenes::make_model({.name = "jaw_lower", .triangles = triangles});
+  jaws.upper_mesh = models::make_model({.name = "jaw_upper", .triangles = triangles});
+  jaws.lower_mesh = models::make_model({.name = "jaw_lower", .triangles = triangles});
   jaws.upper = build_exact_hierarchy(jaws.upper_mesh);
   jaws.lower = build_exact_hierarchy(jaws.lower_mesh);
   jaws.radius = std::min(jaws.upper.radius, jaws.lower.radius);

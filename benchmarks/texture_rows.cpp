@@ -6,14 +6,13 @@
 #include <cstdio>
 #include <memory>
 
-#include "scenes/textured_model.h"
-
 #include "thigma/core/cpu_clock.h"
+#include "thigma/depth/depth_gradient.h"
+#include "thigma/depth/gpu_depth.h"
 #include "thigma/math/elementary.h"
 #include "thigma/math/random.h"
 #include "thigma/math/rotation.h"
-#include "thigma/texture/depth_gradient.h"
-#include "thigma/texture/gpu_depth.h"
+#include "thigma/models/textured_model.h"
 
 namespace thigma::bench {
 namespace {
@@ -34,7 +33,7 @@ HapticTexture wavy_plate(Random& random, int texels) {
     return sum;
   };
   return make_texture(
-      scenes::make_textured_slab({Vec3(kSide, kSide, 0.25 * kSide), texels, height}), "plate");
+      models::make_textured_slab({Vec3(kSide, kSide, 0.25 * kSide), texels, height}), "plate");
 }
 
 struct Contacts {

@@ -8,11 +8,9 @@
 #include <optional>
 #include <sstream>
 
-#include "clod_cache.h"
 #include "height_file.h"
 #include "json_out.h"
 #include "progress.h"
-#include "scenes/make_model.h"
 #include "verbs.h"
 
 #include "thigma/clod/clod_file.h"
@@ -22,6 +20,8 @@
 #include "thigma/mesh/load_mesh.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/mesh/read_texture_coordinates.h"
+#include "thigma/models/make_model.h"
+#include "thigma/scene/asset_cache.h"
 #include "thigma/texture/bake.h"
 #include "thigma/texture/level_textures.h"
 
@@ -92,7 +92,7 @@ TriangleMesh level_surface(const BakeOptions& options, std::vector<TriangleMesh>
 
 TriangleMesh load(const Common& common, const BakeOptions& options, const std::string& name,
                   const char* role, double scale) {
-  const Tell tell = common.quiet ? Tell{} : [](const std::string& text) {
+  const Log tell = common.quiet ? Log{} : [](const std::string& text) {
     std::cerr << "thigma: " << text << "\n";
   };
   return load_surface({.name = name, .role = role, .scale = scale, .is_repair = options.repair},
@@ -148,7 +148,7 @@ LevelTextures bake_onto_levels(const Common& common, const BakeOptions& options)
 
 TextureAsset bake_map(const BakeOptions& options) {
   const HeightImage image = read_height_file(options.height);
-  if (scenes::is_model_uri(options.mesh) || is_clod_file(options.mesh))
+  if (models::is_model_uri(options.mesh) || is_clod_file(options.mesh))
     throw InputError(options.mesh +
                      ": no texture coordinates, in it as a whole, expected an OBJ with vt");
   TriangleMesh coarse = load_usable_mesh(options.mesh, options.scale.value_or(1.0));
@@ -226,7 +226,7 @@ std::string report_text(const ordered_json& j) {
 
 int bake(const Common& common, const BakeOptions& options) {
   if (const std::string wrong = what_is_wrong(options); !wrong.empty()) {
-    tell_error("bake: " + wrong);
+    print_error("bake: " + wrong);
     return kUsage;
   }
   const auto start = std::chrono::steady_clock::now();

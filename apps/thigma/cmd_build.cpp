@@ -10,10 +10,8 @@
 #include <sstream>
 #include <thread>
 
-#include "clod_cache.h"
 #include "json_out.h"
 #include "progress.h"
-#include "scenes/make_model.h"
 #include "verbs.h"
 #include <sys/resource.h>
 #include <unistd.h>
@@ -23,6 +21,8 @@
 #include "thigma/core/cpu_clock.h"
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
+#include "thigma/models/make_model.h"
+#include "thigma/scene/asset_cache.h"
 
 namespace thigma::app {
 namespace {
@@ -164,7 +164,7 @@ ClodAsset build_asset(const BuildOptions& options, const Common& common) {
   source.contact_tolerance = options.contact_tolerance;
   Progress progress("building " + options.mesh, "triangles", !common.quiet);
   source.progress = [&](double share, double triangles) { progress.update(share, triangles); };
-  const Tell tell = common.quiet ? Tell{} : [](const std::string& text) {
+  const Log tell = common.quiet ? Log{} : [](const std::string& text) {
     std::cerr << "thigma: " << text << "\n";
   };
   return load_clod(source, tell);
@@ -172,7 +172,7 @@ ClodAsset build_asset(const BuildOptions& options, const Common& common) {
 
 int build(const Common& common, const BuildOptions& options) {
   if (const std::string wrong = what_is_wrong(options); !wrong.empty()) {
-    tell_error("build: " + wrong);
+    print_error("build: " + wrong);
     return kUsage;
   }
   if (is_clod_file(options.mesh))

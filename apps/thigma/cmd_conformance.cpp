@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "conformance.h"
+#include "reference/conformance/conformance.h"
 #include "verbs.h"
 
 #include "thigma/core/file.h"
@@ -38,7 +38,7 @@ int run_conformance(const std::vector<std::string>& files) {
       std::printf("%s\n", report_line(report).c_str());
       is_failed = is_failed || report.failed > 0;
     } catch (const InputError& error) {
-      tell_error(error.what());
+      print_error(error.what());
       is_unreadable = true;
     }
   }

@@ -10,12 +10,10 @@
 #include <thread>
 #include <vector>
 
-#include "clod_cache.h"
 #include "json_out.h"
 #include "pose_file.h"
 #include "progress.h"
 #include "resolution_options.h"
-#include "scenes/make_model.h"
 #include "verbs.h"
 #include <nlohmann/json.hpp>
 
@@ -23,6 +21,8 @@
 #include "thigma/contact/query_contacts.h"
 #include "thigma/core/cpu_clock.h"
 #include "thigma/core/error.h"
+#include "thigma/models/make_model.h"
+#include "thigma/scene/asset_cache.h"
 
 namespace thigma::app {
 namespace {
@@ -41,12 +41,12 @@ struct ContactsOptions {
 
 ClodHierarchy load(const std::string& name, const char* role, const ContactsOptions& options,
                    bool is_exact, const Common& common) {
-  const Tell tell = common.quiet ? Tell{} : [](const std::string& text) {
+  const Log tell = common.quiet ? Log{} : [](const std::string& text) {
     std::cerr << "thigma: " << text << "\n";
   };
   ClodSource source{
       .name = name, .role = role, .scale = options.scale, .is_repair = options.repair};
-  const bool is_file = !scenes::is_model_uri(name) && is_clod_file(name);
+  const bool is_file = !models::is_model_uri(name) && is_clod_file(name);
   if (is_exact && !is_file) return build_exact_hierarchy(load_surface(source, tell));
   Progress progress("building " + name, "triangles", !common.quiet);
   source.progress = [&](double share, double triangles) { progress.update(share, triangles); };
@@ -102,7 +102,7 @@ std::string make_query(const ContactsOptions& options, ContactQuery& query) {
 int contacts(const Common& common, const ContactsOptions& options) {
   ContactQuery query;
   if (const std::string wrong = make_query(options, query); !wrong.empty()) {
-    tell_error("contacts: " + wrong);
+    print_error("contacts: " + wrong);
     return kUsage;
   }
   const std::vector<Pose> poses = read_poses(options.poses);

@@ -18,8 +18,8 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "thigma/runtime/rt_thread.h"
-#include "thigma/texture/gpu_depth.h"
+#include "thigma/depth/gpu_depth.h"
+#include "thigma/session/rt_thread.h"
 
 namespace thigma::app {
 namespace {

@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "clod_cache.h"
 #include "experiments/common/claim_list.h"
 #include "experiments/common/experiment.h"
 #include "json_out.h"
-#include "scenes/make_model.h"
 #include "verbs.h"
 #include <nlohmann/json.hpp>
+
+#include "thigma/models/make_model.h"
+#include "thigma/scene/asset_cache.h"
 
 namespace thigma::app {
 namespace {
@@ -47,7 +48,7 @@ std::vector<Experiment> choose(const std::string& name) {
 std::string known_names(const std::string& name) {
   std::vector<std::string> names = {"list", "all", "claims"};
   for (const Experiment& e : experiments::all_experiments()) names.push_back(e.name);
-  const std::string near = scenes::nearest_word(name, names);
+  const std::string near = models::nearest_word(name, names);
   return near.empty() ? "`thigma experiment list` names them" : "nearest is '" + near + "'";
 }
 
@@ -92,7 +93,7 @@ experiments::ClaimCounts run_one(const Experiment& experiment, const experiments
   }
   experiments::ClaimCounts counts = count_claims(outcome.claims);
   for (const std::string& fault : faults(outcome.claims, outcome.tables)) {
-    tell_error(std::string(experiment.name) + ": " + fault);
+    print_error(std::string(experiment.name) + ": " + fault);
     ++counts.broken;
   }
   return counts;
@@ -112,11 +113,11 @@ int run_experiments(const ExperimentOptions& options, const Common& common) {
   if (options.name == "list") return list_experiments(common.json);
   const std::vector<Experiment> chosen = choose(options.name);
   if (chosen.empty() && options.name != "claims") {
-    tell_error("experiment: no experiment '" + options.name + "', " + known_names(options.name));
+    print_error("experiment: no experiment '" + options.name + "', " + known_names(options.name));
     return kUsage;
   }
   if (options.folder.empty()) {
-    tell_error("experiment: -o DIR is missing: the folder to write to");
+    print_error("experiment: -o DIR is missing: the folder to write to");
     return kUsage;
   }
   if (options.name == "claims") {

@@ -7,7 +7,7 @@
 #include "verbs.h"
 #include <nlohmann/json.hpp>
 
-#include "thigma/runtime/recording.h"
+#include "thigma/recording/recording.h"
 
 namespace thigma::app {
 namespace {

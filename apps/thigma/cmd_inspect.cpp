@@ -5,18 +5,18 @@
 
 #include "json_out.h"
 #include "mesh_report.h"
-#include "scenes/make_model.h"
 #include "verbs.h"
 
 #include "thigma/mesh/inspect.h"
 #include "thigma/mesh/read_mesh.h"
+#include "thigma/models/make_model.h"
 
 namespace thigma::app {
 namespace {
 
 MeshReport report_on(const std::string& path) {
-  if (!scenes::is_model_uri(path)) return inspect_mesh(read_mesh(path), path);
-  MeshReport report = inspect_mesh(scenes::make_model(scenes::parse_model_uri(path, "MESH")));
+  if (!models::is_model_uri(path)) return inspect_mesh(read_mesh(path), path);
+  MeshReport report = inspect_mesh(models::make_model(models::parse_model_uri(path, "MESH")));
   report.file = path;
   report.format = "procedural";
   return report;
@@ -29,8 +29,8 @@ int inspect(const Common& common, const std::string& path) {
   else
     std::cout << mesh_report_text(report) << std::flush;
   if (report.verdict != MeshVerdict::rejected) return kDone;
-  tell_error(path + ": " + report.reasons.front() +
-             ", in the mesh as a whole, expected a usable or repairable mesh");
+  print_error(path + ": " + report.reasons.front() +
+              ", in the mesh as a whole, expected a usable or repairable mesh");
   return kBadInput;
 }
 

@@ -11,7 +11,7 @@
 
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
-#include "thigma/runtime/recording.h"
+#include "thigma/recording/recording.h"
 
 namespace thigma::app {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "json_out.h"
 #include "mesh_report.h"
-#include "scenes/make_model.h"
 #include "verbs.h"
 
 #include "thigma/core/error.h"
@@ -14,6 +13,7 @@
 #include "thigma/mesh/read_mesh.h"
 #include "thigma/mesh/repair.h"
 #include "thigma/mesh/write_mesh.h"
+#include "thigma/models/make_model.h"
 
 namespace thigma::app {
 namespace {
@@ -24,8 +24,8 @@ struct RepairPaths {
 
 int repair(const Common& common, const RepairPaths& paths) {
   const MeshFile file =
-      scenes::is_model_uri(paths.in)
-          ? merge_equal_positions(scenes::make_model(scenes::parse_model_uri(paths.in, "MESH")))
+      models::is_model_uri(paths.in)
+          ? merge_equal_positions(models::make_model(models::parse_model_uri(paths.in, "MESH")))
           : read_mesh(paths.in);
   const RepairResult result = repair_mesh(file.mesh, paths.in);
   const MeshFormat format = format_for_name(paths.out);

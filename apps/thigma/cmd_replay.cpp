@@ -11,9 +11,10 @@
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
-#include "thigma/runtime/config_json.h"
-#include "thigma/runtime/recording.h"
-#include "thigma/runtime/replay_session.h"
+#include "thigma/recording/config_json.h"
+#include "thigma/recording/recording.h"
+#include "thigma/recording/replay_session.h"
+#include "thigma/session/simulated_session.h"
 
 namespace thigma::app {
 namespace {
@@ -41,11 +42,13 @@ ReplayReport replay_simulation(const std::vector<SimulatedFrame>& frames,
   options.is_headless = options.is_lockstep = true;
   options.resolution.is_exact = config.resolution.is_exact;
   const std::unique_ptr<Run> run = prepare_run(read_run_scene(options), options, config.seed, {});
-  if (!run->simulation)
+  if (!run->session.simulation)
     throw InputError(config.scene +
                      ": has no [simulation] any more, expected the scene that was recorded");
-  run->simulation->world.resolution = config.resolution;
-  run->config.duration = static_cast<double>(frames.size()) / config.rate_hz;
+  SimulatedStart start = *run->session.simulation;
+  start.world.resolution = config.resolution;
+  run->session.simulation = std::make_shared<const SimulatedStart>(std::move(start));
+  run->session.config.duration = static_cast<double>(frames.size()) / config.rate_hz;
   ReplayReport report;
   StateHash recorded_hash;
   const auto differs = [&report](std::uint64_t frame, const char* what) {
@@ -61,7 +64,7 @@ ReplayReport replay_simulation(const std::vector<SimulatedFrame>& frames,
     if (!same_bits(recorded.body, sample.body)) differs(sample.frame, "body state");
   };
   if (!frames.empty())
-    report.state_hash = simulate_run(*run, run->config, false, sinks, nullptr).state_hash;
+    report.state_hash = simulate_run(*run, run->session.config, false, sinks, nullptr).state_hash;
   report.recorded_hash = recorded_hash.value;
   return report;
 }

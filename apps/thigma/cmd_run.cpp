@@ -1,4 +1,4 @@
-// thigma run: the main job. A hand moves an object against others and feels what it touches.
+// thigma run: a hand moves an object against others and feels what it touches.
 
 #include <atomic>
 #include <csignal>
@@ -20,8 +20,10 @@
 
 #include "thigma/core/error.h"
 #include "thigma/device/open_device.h"
-#include "thigma/runtime/config_json.h"
-#include "thigma/runtime/recording.h"
+#include "thigma/recording/config_json.h"
+#include "thigma/recording/recording.h"
+#include "thigma/scene/record_session.h"
+#include "thigma/session/simulated_session.h"
 
 namespace thigma::app {
 namespace {
@@ -61,11 +63,11 @@ class SignalGuard {
 /// The newest frame for the live table, handed over by the session's drain thread.
 class LiveTable {
  public:
-  void look_at(const HapticSample& sample) {
+  void observe(const HapticSample& sample) {
     const std::lock_guard lock(mutex_);
     haptic_ = sample;
   }
-  void look_at(const ContactSample& sample) {
+  void observe(const ContactSample& sample) {
     const std::lock_guard lock(mutex_);
     contacts_ = sample.contacts;
     clusters_ = sample.clusters;
@@ -106,19 +108,10 @@ class LiveTable {
 std::unique_ptr<RecordingWriter> open_recording(const std::string& path, const RunOptions& options,
                                                 const Run& run, const Common& common) {
   if (path.empty()) return nullptr;
-  RecordedConfig recorded;
-  recorded.params = run.config.haptic;
-  recorded.world_from_body = run.config.world_from_body;
-  recorded.rate_hz = run.config.rate;
-  recorded.is_lockstep = options.is_lockstep;
-  recorded.is_simulated = run.simulation.has_value();
-  recorded.resolution = run.config.contact.resolution;
-  recorded.seed = common.seed;
-  recorded.scene = run.scene.file;
-  recorded.device = run.device_uri;
+  const RecordedConfig recorded = recorded_config(run.session, options.is_lockstep);
   auto writer = std::make_unique<RecordingWriter>(path, write_config(recorded));
   if (!common.quiet && !writer->moved().empty())
-    tell_error(path + ": what a session that was killed left is now " + writer->moved());
+    print_error(path + ": what a session that was killed left is now " + writer->moved());
   return writer;
 }
 
@@ -138,12 +131,12 @@ EmptyLoop tell_floor(const SessionConfig& config) {
 void prepare_process(Run& run, bool is_quiet) {
   const std::string refused = lock_process_memory();
   if (!refused.empty() && !is_quiet) std::fprintf(stderr, "thigma: %s\n", refused.c_str());
-  if (!is_quiet) run.floor = tell_floor(run.config);
+  if (!is_quiet) run.floor = tell_floor(run.session.config);
 }
 
 SessionSummary run_threads(Run& run, const SessionSinks& sinks, bool is_quiet) {
   prepare_process(run, is_quiet);
-  Session session(run.config, *run.device, sinks);
+  Session session(run.session.config, *run.session.device, sinks);
   session.start();
   while (session.is_running()) {
     if (stop_requested.load(std::memory_order_relaxed)) session.request_stop();
@@ -161,7 +154,7 @@ SessionSummary run_alone(const RunOptions& options, const Common& common, Run& r
                          bool& is_whole) {
   SessionRecorder recorder([&](const RecordingFailure& failure) {
     is_whole = false;
-    tell_error(failure.why + "; the recording ends there, the session goes on");
+    print_error(failure.why + "; the recording ends there, the session goes on");
   });
   recorder.begin(open_recording(options.record, options, run, common));
   SessionSinks sinks;
@@ -171,22 +164,24 @@ SessionSummary run_alone(const RunOptions& options, const Common& common, Run& r
              [&](const SessionEvent& event) { recorder.write(event); }};
   }
   const SessionSummary summary =
-      run.simulation ? simulate_run(run, run.config, !options.is_lockstep, sinks, &stop_requested)
-      : options.is_lockstep ? run_lockstep(run.config, *run.device, sinks, &stop_requested)
-                            : run_threads(run, sinks, common.quiet);
+      run.session.simulation
+          ? simulate_run(run, run.session.config, !options.is_lockstep, sinks, &stop_requested)
+      : options.is_lockstep
+          ? run_lockstep(run.session.config, *run.session.device, sinks, &stop_requested)
+          : run_threads(run, sinks, common.quiet);
   recorder.close({summary.frames, summary.state_hash, summary.dropped_samples});
   return summary;
 }
 
 /// With the page, and a table in the terminal.
-SessionSummary run_with_page(const RunOptions& options, const Common& common, WebLink& link,
-                             std::unique_ptr<Run>& run) {
+SessionSummary run_with_page(const RunOptions& options, const Common& common,
+                             WebDeviceChannel& link, std::unique_ptr<Run>& run) {
   LiveTable table;
   const bool wants_table = !options.is_lockstep && !common.quiet && isatty(2) != 0;
   int polls = 0;
   LiveProgram program;
   program.run = &run;
-  program.web_link = &link;
+  program.web_channel = &link;
   program.options = &options;
   program.seed = common.seed;
   program.stop = &stop_requested;
@@ -196,10 +191,10 @@ SessionSummary run_with_page(const RunOptions& options, const Common& common, We
   program.tell = [&common](const std::string& line) {
     if (!common.quiet) std::fprintf(stderr, "thigma: %s\n", line.c_str());
   };
-  program.tell_trouble = tell_error;
+  program.tell_trouble = print_error;
   if (wants_table) {
-    program.look_at_haptic = [&table](const HapticSample& sample) { table.look_at(sample); };
-    program.look_at_contact = [&table](const ContactSample& sample) { table.look_at(sample); };
+    program.observe_haptic = [&table](const HapticSample& sample) { table.observe(sample); };
+    program.observe_contact = [&table](const ContactSample& sample) { table.observe(sample); };
     program.poll = [&] {
       if (++polls % 10 == 0) table.draw(polls == 10);
     };
@@ -209,7 +204,7 @@ SessionSummary run_with_page(const RunOptions& options, const Common& common, We
 }
 
 int refuse(int code, const std::string& why) {
-  tell_error(why);
+  print_error(why);
   return code;
 }
 
@@ -220,10 +215,10 @@ int run_verb(const RunOptions& asked, const Common& common) {
   }
   RunOptions options = asked;
   if (!options.replay.empty()) use_recorded_scene(options);
-  scenes::SceneDescription scene = read_run_scene(options);
+  SceneDescription scene = read_run_scene(options);
   if (const std::string wrong = check_meshes(scene, options); !wrong.empty())
     return refuse(kUsage, "run: " + wrong);
-  WebLink link;
+  WebDeviceChannel link;
   std::unique_ptr<Run> run = prepare_run(std::move(scene), options, common.seed,
                                          {tell, {}, has_page(options) ? &link : nullptr});
   const SignalGuard signals;
@@ -231,13 +226,14 @@ int run_verb(const RunOptions& asked, const Common& common) {
   const SessionSummary summary = has_page(options) ? run_with_page(options, common, link, run)
                                                    : run_alone(options, common, *run, is_whole);
   if (common.json || options.is_headless) {
-    nlohmann::ordered_json json = run_summary_json(summary, run->scene.file, run->device_uri,
-                                                   run->floor ? &*run->floor : nullptr);
-    if (run->simulation) json["simulation"] = simulation_json(*run);
+    nlohmann::ordered_json json =
+        run_summary_json(summary, run->scene.description.file, run->session.device_uri,
+                         run->floor ? &*run->floor : nullptr);
+    if (run->session.simulation) json["simulation"] = simulation_json(*run);
     print_json(json);
   } else {
     std::printf("%s", run_summary_text(summary).c_str());
-    if (run->simulation) std::printf("%s", simulation_text(*run).c_str());
+    if (run->session.simulation) std::printf("%s", simulation_text(*run).c_str());
   }
   flush_output();
   if (!options.histograms.empty()) write_histograms(options.histograms, summary.histograms);
@@ -246,7 +242,7 @@ int run_verb(const RunOptions& asked, const Common& common) {
                  event.time, summary.end == SessionEnd::fault ? " since" : " until taken up again");
   }
   if (was_suspended) {
-    tell_error(
+    print_error(
         "a session cannot be suspended, as the device would keep its last force: ended instead");
   }
   if (summary.end == SessionEnd::fault) return kSafetyFault;

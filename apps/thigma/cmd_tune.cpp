@@ -7,14 +7,14 @@
 #include <optional>
 #include <string>
 
-#include "clod_cache.h"
 #include "json_out.h"
-#include "scenes/gain_task.h"
-#include "scenes/scene_file.h"
 #include "verbs.h"
 
 #include "thigma/core/error.h"
 #include "thigma/device/open_device.h"
+#include "thigma/scene/asset_cache.h"
+#include "thigma/scene/gain_task.h"
+#include "thigma/scene/scene_file.h"
 
 namespace thigma::app {
 namespace {
@@ -71,11 +71,11 @@ std::string check(const TuneOptions& o) {
   return {};
 }
 
-scenes::LoadedObject load_measures(const scenes::SceneObject& object, const Common& common) {
-  if (object.model || !is_clod_file(object.mesh)) return scenes::load_object(object);
-  const Tell tell = common.quiet ? Tell{} : [](const std::string& line) { tell_error(line); };
+LoadedObject load_measures(const SceneObject& object, const Common& common) {
+  if (object.model || !is_clod_file(object.mesh)) return load_object(object);
+  const Log tell = common.quiet ? Log{} : [](const std::string& line) { print_error(line); };
   const ClodAsset asset = load_clod({.name = object.mesh, .scale = object.unit_scale}, tell);
-  scenes::LoadedObject loaded;
+  LoadedObject loaded;
   loaded.measure = asset.mass.measure;
   loaded.ball = {asset.hierarchy.center, asset.hierarchy.radius};
   return loaded;
@@ -83,28 +83,28 @@ scenes::LoadedObject load_measures(const scenes::SceneObject& object, const Comm
 
 Tuned tune_scene(const TuneOptions& options, const Common& common) {
   Tuned tuned;
-  scenes::SceneDescription scene = scenes::read_scene(options.scene);
+  SceneDescription scene = read_scene(options.scene);
   if (!options.device.empty()) scene.device.uri = options.device;
   scene.rate = options.rate.value_or(scene.rate);
   if (options.motion_scale) scene.device.motion_scale = options.motion_scale;
-  const scenes::DevicePort port = scenes::describe_device(scene.device.uri);
-  tuned.chosen = scenes::make_session_config(scene, load_measures(scene.object, common));
+  const DevicePort port = describe_device(scene.device.uri);
+  tuned.chosen = make_session_config(scene, load_measures(scene.object, common));
   const HapticParams& haptic = tuned.chosen->haptic;
   tuned.title = scene.file;
   tuned.device = scene.device.uri;
-  tuned.task = scenes::gain_task(port, haptic.body, haptic.workspace, scene.rate);
+  tuned.task = gain_task(port, haptic.body, haptic.workspace, scene.rate);
   return tuned;
 }
 
 Tuned tune_body(const TuneOptions& options) {
   Tuned tuned;
-  const scenes::DevicePort port = scenes::describe_device(options.device);
+  const DevicePort port = describe_device(options.device);
   const Mat3 inertia = parse_inertia(options.inertia)->asDiagonal();
   const Workspace workspace =
       stiffness_keeping_workspace(Pose{}, options.motion_scale.value_or(1.0));
   tuned.device = options.device;
-  tuned.task = scenes::gain_task(port, make_body(*options.mass, inertia), workspace,
-                                 options.rate.value_or(1000.0));
+  tuned.task =
+      gain_task(port, make_body(*options.mass, inertia), workspace, options.rate.value_or(1000.0));
   return tuned;
 }
 
@@ -193,7 +193,7 @@ void print_text(const Tuned& tuned, const GainProposal& proposal,
 
 int tune(const TuneOptions& options, const Common& common) {
   if (const std::string wrong = check(options); !wrong.empty()) {
-    tell_error(wrong);
+    print_error(wrong);
     return kUsage;
   }
   Tuned tuned = options.scene.empty() ? tune_body(options) : tune_scene(options, common);
@@ -217,10 +217,10 @@ int tune_or_refuse(const TuneOptions& options, const Common& common) {
   try {
     return tune(options, common);
   } catch (const DeviceAddressError& error) {
-    tell_error(error.what());
+    print_error(error.what());
     return kUsage;
   } catch (const DeviceUnavailable& error) {
-    tell_error(error.what());
+    print_error(error.what());
     return kUnavailable;
   }
 }

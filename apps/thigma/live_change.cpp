@@ -7,12 +7,13 @@
 #include <utility>
 
 #include "run_view.h"
-#include "scenes/scene_file.h"
-#include "told_recording.h"
 
+#include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
 #include "thigma/device/open_device.h"
+#include "thigma/recording/recording.h"
+#include "thigma/scene/scene_file.h"
 
 namespace thigma::app {
 namespace {
@@ -31,11 +32,10 @@ RunOptions scene_options(const RunOptions& now) {
   return options;
 }
 
-void prepare(scenes::SceneDescription scene, RunOptions options, const LiveNow& now,
-             LiveChange& change) {
+void prepare(SceneDescription scene, RunOptions options, const LiveNow& now, LiveChange& change) {
   // Who moves the object goes on doing so, where they can.
-  const std::string scheme = device_scheme(now.run.device_uri);
-  options.device = scheme == "web" || scheme == "hand" ? now.run.device_uri : "web:";
+  const std::string scheme = device_scheme(now.run.session.device_uri);
+  options.device = scheme == "web" || scheme == "hand" ? now.run.session.device_uri : "web:";
   now.hooks.progress("preparing " + scene.title, 0.0);
   change.run = prepare_run(std::move(scene), options, now.seed, now.hooks);
   change.options = std::move(options);
@@ -64,7 +64,7 @@ void open_again(const std::string& uri, const LiveNow& now, LiveChange& change) 
 }
 
 void change_device(const live::LiveRequest& request, const LiveNow& now, LiveChange& change) {
-  if (now.run.config.haptic.response == ResponseKind::direct)
+  if (now.run.session.config.haptic.response == ResponseKind::direct)
     refuse_request(
         "the direct response is set up for its device; choose the coupled response first");
   open_again(request.text, now, change);
@@ -80,7 +80,7 @@ void choose(const live::LiveRequest& request, const LiveNow& now, LiveChange& ch
   RunOptions options = now.options;
   if (request.text == "response") options.response = is_first ? "coupled" : "direct";
   if (request.text == "texture") options.texture = is_first ? "on" : "off";
-  prepare(now.run.scene, std::move(options), now, change);
+  prepare(now.run.given, std::move(options), now, change);
 }
 
 LiveChange open(const std::string& what, const LiveNow& now) {
@@ -92,7 +92,7 @@ LiveChange open(const std::string& what, const LiveNow& now) {
   if (has(menu.recordings)) return change_to_recording(what, now);
   if (!has(menu.scenes)) refuse_request("there is no '" + what + "' to open here");
   LiveChange change;
-  prepare(scenes::read_scene(what), scene_options(now.options), now, change);
+  prepare(read_scene(what), scene_options(now.options), now, change);
   return change;
 }
 
@@ -103,12 +103,12 @@ void place_dropped(const live::LiveRequest& request, const LiveNow& now, LiveCha
   if (!(request.number > 0.0 && request.number < 1e6))
     refuse_request("a unit has to be a length above 0");
   const bool is_held = request.text == "hold";
-  if (is_held && now.run.statics.empty())
+  if (is_held && now.run.scene.statics.empty())
     refuse_request("nothing stands still here to hold it against");
-  const ClodAsset& other = is_held ? *now.run.statics.front() : now.run.object;
+  const ClodAsset& other = is_held ? *now.run.scene.statics.front() : *now.run.scene.object;
   RunOptions options = scene_options(now.options);
   options.is_repair = request.flag;
-  prepare(scene_with(now.run.scene, now.dropped, is_held, request.number,
+  prepare(scene_with(now.run.given, now.dropped, is_held, request.number,
                      bounds_of(other.meshes.front().positions)),
           std::move(options), now, change);
 }
@@ -116,7 +116,7 @@ void place_dropped(const live::LiveRequest& request, const LiveNow& now, LiveCha
 void change_recording(const live::LiveRequest& request, const LiveNow& now, LiveChange& change) {
   if (request.flag && !now.record.empty()) refuse_request("a recording is being written already");
   if (!request.flag && now.record.empty()) refuse_request("no recording is being written");
-  open_again(now.run.device_uri, now, change);
+  open_again(now.run.session.device_uri, now, change);
   if (request.flag) change.record = next_recording();
 }
 
@@ -130,8 +130,8 @@ LiveChange change_to_recording(const std::string& path, const LiveNow& now) {
       now.hooks.tell(line);
   }
   const std::string& scene = change.playback->config().scene;
-  const bool is_other = scene != now.run.scene.file && now.options.replay != path;
-  if (is_other) prepare(scenes::read_scene(scene), scene_options(now.options), now, change);
+  const bool is_other = scene != now.run.scene.description.file && now.options.replay != path;
+  if (is_other) prepare(read_scene(scene), scene_options(now.options), now, change);
   return change;
 }
 
@@ -153,7 +153,7 @@ LiveChange make_change(const live::LiveRequest& request, const LiveNow& now) {
       change_recording(request, now, change);
       break;
     case Kind::reset:
-      open_again(now.run.device_uri, now, change);
+      open_again(now.run.session.device_uri, now, change);
       if (!now.record.empty()) change.record = next_recording();
       break;
     case Kind::seek:

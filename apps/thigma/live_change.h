@@ -19,7 +19,7 @@ namespace thigma::app {
 struct LiveChange {
   std::unique_ptr<Run> run;            // in place of the one that ran; null: the same
   RunOptions options;                  // of `run`
-  std::optional<RunDevice> device;     // for the run that stays
+  std::optional<SceneSession> device;  // for the run that stays
   std::unique_ptr<Playback> playback;  // to be shown; null: a session
   std::string record;                  // file for the session that begins; "" none
   // of that session's device; it goes on from where the object is. 0: none

@@ -7,13 +7,13 @@
 #include <limits>
 
 #include "mesh_report.h"
-#include "scenes/scene_file.h"
 #include <unistd.h>
 
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
 #include "thigma/core/growing_file.h"
 #include "thigma/mesh/read_mesh.h"
+#include "thigma/scene/scene_file.h"
 
 namespace thigma::app {
 namespace fs = std::filesystem;
@@ -82,8 +82,8 @@ double likely_unit(double mesh_radius, double radius) {
 
 live::OpenMenu open_menu() {
   live::OpenMenu menu;
-  for (const std::string& name : scenes::builtin_scene_names())
-    menu.scenes.push_back({name, scenes::read_scene(name).title});
+  for (const std::string& name : builtin_scene_names())
+    menu.scenes.push_back({name, read_scene(name).title});
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(".", ignored)) {
     const std::string name = entry.path().filename().string();
@@ -134,9 +134,9 @@ const MeshReport& DroppedMesh::keep(const std::string& name, const std::string& 
   return report_;
 }
 
-void DroppedMesh::tidy(const scenes::SceneDescription& now) {
+void DroppedMesh::tidy(const SceneDescription& now) {
   std::erase_if(kept_, [&](const std::string& path) {
-    const auto is_it = [&](const scenes::SceneObject& o) { return o.mesh == path; };
+    const auto is_it = [&](const SceneObject& o) { return o.mesh == path; };
     const bool is_used =
         is_it(now.object) || std::any_of(now.statics.begin(), now.statics.end(), is_it);
     if (is_used || path == path_) return false;
@@ -155,15 +155,15 @@ std::string model_message(std::int64_t id, const DroppedMesh& mesh, double radiu
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-scenes::SceneDescription scene_with(const scenes::SceneDescription& now, const DroppedMesh& mesh,
-                                    bool is_held, double unit, const Bounds& other) {
+SceneDescription scene_with(const SceneDescription& now, const DroppedMesh& mesh, bool is_held,
+                            double unit, const Bounds& other) {
   if (is_held && now.statics.empty())
     throw InputError(mesh.name() + ": nothing stands still in this scene to hold it against");
-  scenes::SceneObject dropped;
+  SceneObject dropped;
   dropped.name = mesh.name();
   dropped.mesh = mesh.path();
   dropped.unit_scale = unit;
-  scenes::SceneDescription scene;
+  SceneDescription scene;
   scene.object = is_held ? dropped : now.object;
   scene.statics.push_back(is_held ? now.statics.front() : dropped);
   scene.title = scene.object.name + " against " + scene.statics[0].name;

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "scenes/scene_description.h"
 #include "viewer/server/messages.h"
 
 #include "thigma/mesh/inspect.h"
+#include "thigma/scene/scene_description.h"
 
 namespace thigma::app {
 
@@ -30,7 +30,7 @@ class DroppedMesh {
   /// Throws IoError, and InputError for what is no mesh, of which nothing is kept.
   const MeshReport& keep(const std::string& name, const std::string& bytes);
   /// Removes what was kept, but for the last and what the scene that runs is made of.
-  void tidy(const scenes::SceneDescription& now);
+  void tidy(const SceneDescription& now);
   bool is_there() const { return !path_.empty(); }
   const std::string& path() const { return path_; }
   const std::string& name() const { return name_; }
@@ -56,7 +56,7 @@ std::string model_message(std::int64_t id, const DroppedMesh& mesh, double radiu
 /// other   bounds of the surface that stays: of the first static body if is_held, else of the
 ///         object [m; its mesh frame]
 /// Thread  [offline]; InputError where there is no static body to hold it against.
-scenes::SceneDescription scene_with(const scenes::SceneDescription& now, const DroppedMesh& mesh,
-                                    bool is_held, double unit, const Bounds& other);
+SceneDescription scene_with(const SceneDescription& now, const DroppedMesh& mesh, bool is_held,
+                            double unit, const Bounds& other);
 
 }  // namespace thigma::app

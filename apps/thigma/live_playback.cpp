@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "thigma/runtime/rt_thread.h"
+#include "thigma/session/rt_thread.h"
 
 namespace thigma::app {
 namespace {
@@ -14,9 +14,9 @@ constexpr std::size_t kMostFrames = 240;     // of a recording, at once
 
 /// What watches without writing anything.
 SessionSinks watchers(live::LiveRoom& room) {
-  return {[&room](const HapticSample& sample) { room.look_at(sample); },
-          [&room](const ContactSample& sample) { room.look_at(sample); },
-          [&room](const SessionEvent& event) { room.look_at(event); }};
+  return {[&room](const HapticSample& sample) { room.observe(sample); },
+          [&room](const ContactSample& sample) { room.observe(sample); },
+          [&room](const SessionEvent& event) { room.observe(event); }};
 }
 
 /// Contacts are not part of a recording: they are found again where the object was.

@@ -7,7 +7,7 @@
 #include "playback.h"
 #include "viewer/server/live_room.h"
 
-#include "thigma/runtime/session.h"
+#include "thigma/session/session.h"
 
 namespace thigma::app {
 

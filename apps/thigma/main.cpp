@@ -8,11 +8,11 @@
 #include <string_view>
 
 #include "json_out.h"
-#include "scenes/make_model.h"
 #include "verbs.h"
 #include "version.h"
 
 #include "thigma/core/error.h"
+#include "thigma/models/make_model.h"
 
 namespace thigma::app {
 namespace {
@@ -31,7 +31,7 @@ std::string what_is_wrong(const CLI::App& app, std::string_view word) {
   for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
   if (std::find(names.begin(), names.end(), word) != names.end()) return "";
   const std::string named = "'" + std::string(word) + "'";
-  const std::string near = scenes::nearest_word(word, names);
+  const std::string near = models::nearest_word(word, names);
   return "no verb " + named + (near.empty() ? "" : ", nearest is '" + near + "'") +
          ", expected one of " + joined(names);
 }
@@ -49,13 +49,13 @@ std::string unknown_option(const CLI::App& app, const std::string& verb,
   for (const CLI::Option* option : app.get_subcommand(verb)->get_options())
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   const std::string given = found->substr(0, found->find('='));
-  const std::string near = scenes::nearest_word(given, names);
+  const std::string near = models::nearest_word(given, names);
   return verb + ": no option '" + given + "'" +
          (near.empty() ? "" : ", nearest is '" + near + "'") + ", expected one of " + joined(names);
 }
 
 int refuse(const std::string& why, const std::string& verb) {
-  tell_error(why + "; try `thigma " + (verb.empty() ? "" : verb + " ") + "--help`");
+  print_error(why + "; try `thigma " + (verb.empty() ? "" : verb + " ") + "--help`");
   return kUsage;
 }
 
@@ -101,7 +101,7 @@ int run(int argc, char** argv) {
 }
 
 int fail(const std::string& why, int code) {
-  tell_error(why);
+  print_error(why);
   return code;
 }
 

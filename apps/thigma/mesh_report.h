@@ -9,7 +9,7 @@
 
 namespace thigma::app {
 
-/// Every field of `inspect` (INTERFACE); what is unknown is null.
+/// Every field of `inspect --json`; what is unknown is null.
 nlohmann::ordered_json mesh_report_json(const MeshReport& report);
 
 /// The same in a few lines.

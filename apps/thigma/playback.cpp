@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "scenes/scene_file.h"
-
 #include "thigma/core/error.h"
+#include "thigma/recording/mcap_file.h"
+#include "thigma/scene/scene_file.h"
 
 namespace thigma::app {
 namespace {
@@ -113,7 +113,7 @@ void use_recorded_scene(RunOptions& options) {
       stream_recording(options.replay, {[](const std::string&) { return false; }, {}, {}});
   const std::string scene = config_of(options.replay, recording).scene;
   try {
-    scenes::read_scene(scene);
+    read_scene(scene);
   } catch (const InputError&) {
     throw InputError(options.replay + ": its scene '" + scene +
                      "' is not here, expected --object and --against, or a scene, beside --replay");

@@ -6,9 +6,10 @@
 
 #include "run_options.h"
 
-#include "thigma/runtime/config_json.h"
-#include "thigma/runtime/recording.h"
-#include "thigma/runtime/session.h"
+#include "thigma/core/byte_source.h"
+#include "thigma/recording/config_json.h"
+#include "thigma/recording/recording.h"
+#include "thigma/session/session.h"
 
 namespace thigma::app {
 

@@ -12,7 +12,7 @@ namespace thigma::app {
 namespace {
 
 constexpr const char* kHeader = "x,y,z,qx,qy,qz,qw";
-constexpr double kUnitTolerance = 1e-6;  // INTERFACE: a pose whose |q| is off 1 by more is refused
+constexpr double kUnitTolerance = 1e-6;  // of |q| - 1, docs/formats.md: beyond it a pose is refused
 
 std::string_view trimmed(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };

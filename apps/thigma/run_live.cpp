@@ -15,9 +15,10 @@
 #include "viewer/server/live_room.h"
 #include "viewer/server/web_files.h"
 
+#include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
 #include "thigma/device/open_device.h"
-#include "thigma/runtime/rt_thread.h"
+#include "thigma/session/rt_thread.h"
 
 namespace thigma::app {
 namespace {
@@ -33,12 +34,12 @@ class LiveRun {
       : program_(program),
         options_(*program.options),
         run_(*program.run),
-        start_(run_->config.world_from_body),
+        start_(run_->session.config.world_from_body),
         record_(program.options->record),
         recorder_([this](const RecordingFailure& failure) { recording_failed(failure); }),
-        room_(view_of(*run_), run_->config, start_ * run_->config.contact.body_from_mesh,
-              devices_of(*run_), live::web_files(), program.options->port.value_or(0),
-              *program.web_link) {}
+        room_(view_of(*run_), run_->session.config,
+              start_ * run_->session.config.contact.body_from_mesh, devices_of(*run_),
+              live::web_files(), program.options->port.value_or(0), *program.web_channel) {}
 
   SessionSummary go() {
     room_.offer(open_menu());
@@ -54,9 +55,9 @@ class LiveRun {
 
  private:
   SessionConfig next_config() {
-    SessionConfig config = run_->config;
-    config.haptic.device = run_->device->limits();
-    config.haptic.resumes_lost_device = device_scheme(run_->device_uri) == "web";
+    SessionConfig config = run_->session.config;
+    config.haptic.device = run_->session.device->limits();
+    config.haptic.resumes_lost_device = device_scheme(run_->session.device_uri) == "web";
     if (options_.duration) {
       const double least = 1.0 / config.rate;
       config.duration = std::max(*options_.duration - seconds_, least);
@@ -68,20 +69,20 @@ class LiveRun {
   SessionSinks sinks() {
     return {[this](const HapticSample& sample) {
               recorder_.write(sample);
-              if (program_.look_at_haptic) program_.look_at_haptic(sample);
+              if (program_.observe_haptic) program_.observe_haptic(sample);
               last_body_.reset();
               if (sample.touching == 0)
                 last_body_ = Pose{sample.body.position, sample.body.orientation};
-              room_.look_at(sample);
+              room_.observe(sample);
             },
             [this](const ContactSample& sample) {
               recorder_.write(sample);
-              if (program_.look_at_contact) program_.look_at_contact(sample);
-              room_.look_at(sample);
+              if (program_.observe_contact) program_.observe_contact(sample);
+              room_.observe(sample);
             },
             [this](const SessionEvent& event) {
               recorder_.write(event);
-              room_.look_at(event);
+              room_.observe(event);
             }};
   }
 
@@ -91,21 +92,21 @@ class LiveRun {
     recorder_.begin(nullptr);
     has_lost_recording_ = false;
     if (record_.empty()) return;
-    const SessionConfig kept = run_->config;
-    run_->config = config;  // what it was tuned to belongs in the file
+    const SessionConfig kept = run_->session.config;
+    run_->session.config = config;  // what it was tuned to belongs in the file
     try {
       recorder_.begin(program_.record(record_));
     } catch (const IoError& error) {
       if (seconds_ == 0.0 && record_ == program_.options->record) throw;
       recording_failed({error.what(), 0.0, 0});
     }
-    run_->config = kept;
+    run_->session.config = kept;
   }
 
   /// On the thread that drains the session: the session goes on, pages and people are told once.
   void recording_failed(const RecordingFailure& failure) {
     has_lost_recording_ = true;
-    room_.look_at(
+    room_.observe(
         SessionEvent{failure.time, failure.frame, "recording_ended", record_, failure.why});
     room_.lose_recording();
     program_.tell_trouble(failure.why + "; the recording ends there, the session goes on");
@@ -113,8 +114,8 @@ class LiveRun {
 
   void begin() {
     live::LiveStart start;
-    start.device = run_->device_uri;
-    start.is_web = device_scheme(run_->device_uri) == "web";
+    start.device = run_->session.device_uri;
+    start.is_web = device_scheme(run_->session.device_uri) == "web";
     start.recording = recorder_.is_open() ? record_ : "";
     start.is_lockstep = options_.is_lockstep;
     start.holder = holder_;
@@ -138,8 +139,9 @@ class LiveRun {
     open_recording(config);
     begin();
     const SessionSummary summary =
-        run_->simulation ? simulate_run(*run_, config, false, sinks(), program_.stop)
-                         : run_lockstep(config, *run_->device, sinks(), program_.stop);
+        run_->session.simulation
+            ? simulate_run(*run_, config, false, sinks(), program_.stop)
+            : run_lockstep(config, *run_->session.device, sinks(), program_.stop);
     end(summary);
     return summary;
   }
@@ -172,10 +174,10 @@ class LiveRun {
   }
 
   SessionSummary session() {
-    if (run_->simulation) return simulation();
+    if (run_->session.simulation) return simulation();
     const SessionConfig config = next_config();
     open_recording(config);
-    Session session(config, *run_->device, sinks());
+    Session session(config, *run_->session.device, sinks());
     session.start();
     begin();
     while (session.is_running()) {
@@ -192,7 +194,7 @@ class LiveRun {
   bool is_told_to_stop() const { return program_.stop->load(std::memory_order_relaxed); }
 
   SessionSummary playback() {
-    show_playback({room_, *playback_, recorded_config(run_->config, playback_->config()),
+    show_playback({room_, *playback_, recorded_config(run_->session.config, playback_->config()),
                    [this]() -> std::optional<live::LiveRequest>& { return poll_pages(); },
                    [this] { return is_told_to_stop(); }});
     SessionSummary summary;
@@ -264,7 +266,7 @@ class LiveRun {
       has_progress_ = true;
       room_.tell_progress(what, share);
     };
-    hooks.web_link = program_.web_link;
+    hooks.web_channel = program_.web_channel;
     const bool is_recorded = !playback_ && !has_lost_recording_;
     return {*run_,         options_,        dropped_, start_, is_recorded ? record_ : "",
             program_.seed, std::move(hooks)};
@@ -275,26 +277,27 @@ class LiveRun {
     const bool was_replay = playback_ != nullptr;
     playback_ = std::move(change.playback);
     if (change.run) {
-      const SessionConfig& config = change.run->config;
+      const SessionConfig& config = change.run->session.config;
       room_.show(view_of(*change.run), config,
                  config.world_from_body * config.contact.body_from_mesh);
       run_ = std::move(change.run);
       options_ = std::move(change.options);
-      start_ = run_->config.world_from_body;
+      start_ = run_->session.config.world_from_body;
       last_body_.reset();
-      dropped_.tidy(run_->scene);
+      dropped_.tidy(run_->scene.description);
     }
     if (playback_) {
-      const SessionConfig config = recorded_config(run_->config, playback_->config());
+      const SessionConfig config = recorded_config(run_->session.config, playback_->config());
       room_.show(view_of(*run_), config, start_ * config.contact.body_from_mesh);
     } else if (was_replay) {
-      room_.show(view_of(*run_), run_->config, start_ * run_->config.contact.body_from_mesh);
+      room_.show(view_of(*run_), run_->session.config,
+                 start_ * run_->session.config.contact.body_from_mesh);
     }
-    if (change.device) use_run_device(std::move(*change.device), *run_);
+    if (change.device) run_->session = std::move(*change.device);
     holder_ = change.holder;
     // A person goes on from where the object is, but for a contact, inside which no force is ever
     // switched on; a hand comes to it from the start.
-    if (holder_ != 0 && last_body_) run_->config.world_from_body = *last_body_;
+    if (holder_ != 0 && last_body_) run_->session.config.world_from_body = *last_body_;
     record_ = change.record;
   }
 
@@ -304,8 +307,9 @@ class LiveRun {
     request_.reset();
     try {
       dropped_.keep(request.text, request.data);
-      dropped_.tidy(run_->scene);
-      room_.tell(request.page, model_message(request.id, dropped_, run_->object_radius));
+      dropped_.tidy(run_->scene.description);
+      room_.tell(request.page,
+                 model_message(request.id, dropped_, run_->scene.object->hierarchy.radius));
       room_.answer(request, "");
     } catch (const std::exception& error) {
       room_.answer(request, error.what());

@@ -9,22 +9,23 @@
 #include "run_options.h"
 #include "run_session.h"
 
-#include "thigma/runtime/recording.h"
-#include "thigma/runtime/session.h"
+#include "thigma/device/web_device.h"
+#include "thigma/recording/recording.h"
+#include "thigma/session/session.h"
 
 namespace thigma::app {
 
 /// What a live run needs of the program around it.
 struct LiveProgram {
-  std::unique_ptr<Run>* run = nullptr;  // of the session; the page may ask for another
-  WebLink* web_link = nullptr;          // between the page and the device web:
+  std::unique_ptr<Run>* run = nullptr;      // of the session; the page may ask for another
+  WebDeviceChannel* web_channel = nullptr;  // between the page and the device web:
   const RunOptions* options = nullptr;
   std::uint64_t seed = 1;
   const std::atomic<bool>* stop = nullptr;  // set by Ctrl-C
   // A recording of the session that `run` holds, under this path; throws IoError.
   std::function<std::unique_ptr<RecordingWriter>(const std::string& path)> record;
-  std::function<void(const HapticSample&)> look_at_haptic;  // on the draining thread; may be empty
-  std::function<void(const ContactSample&)> look_at_contact;  // likewise
+  std::function<void(const HapticSample&)> observe_haptic;  // on the draining thread; may be empty
+  std::function<void(const ContactSample&)> observe_contact;  // likewise
   std::function<void()> poll;                                 // every 10 ms; may be empty
   std::function<void(const std::string&)> tell;               // a line for people
   // one that --quiet does not take away; any thread

@@ -10,7 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "thigma/math/pose.h"
-#include "thigma/runtime/fault_injection.h"
+#include "thigma/session/fault_injection.h"
 
 namespace thigma::app {
 

@@ -5,7 +5,8 @@
 #include <cstdio>
 
 #include "thigma/core/file.h"
-#include "thigma/runtime/recording.h"
+#include "thigma/recording/recording.h"
+#include "thigma/session/simulated_session.h"
 
 namespace thigma::app {
 namespace {
@@ -187,7 +188,7 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene, const s
 }
 
 Json simulation_json(const Run& run) {
-  const SimulatedSummary& s = run.simulation->last;
+  const SimulatedSummary& s = run.simulated;
   const SimulationCounts& c = s.counts;
   Json json;
   json["at_rest"] = s.is_resting;
@@ -201,7 +202,7 @@ Json simulation_json(const Run& run) {
   json["query_cpu_us_mean"] =
       c.steps > 0 ? finite(1e6 * c.query_cpu / static_cast<double>(c.steps)) : Json(nullptr);
   json["front_mean"] = c.steps > 0 ? finite(c.front / static_cast<double>(c.steps)) : Json(nullptr);
-  json["tolerance"] = run.simulation->world.tolerance;
+  json["tolerance"] = run.session.simulation->world.tolerance;
   json["deepest"] = c.deepest;
   json["beyond_bound"] = c.beyond_bound;
   json["energy"] = {{"start", s.energy_start}, {"end", s.energy_end}, {"growth_max", s.growth_max}};
@@ -213,7 +214,7 @@ Json simulation_json(const Run& run) {
 }
 
 std::string simulation_text(const Run& run) {
-  const SimulatedSummary& s = run.simulation->last;
+  const SimulatedSummary& s = run.simulated;
   std::string text;
   append(text,
          "simulation       %lld queries, %lld impacts, %lld held flights, %lld interpolated; %s\n",
@@ -221,7 +222,7 @@ std::string simulation_text(const Run& run) {
          static_cast<long long>(s.counts.supported), static_cast<long long>(s.counts.interpolated),
          s.is_resting ? "at rest" : "moving");
   append(text, "deepest          %.3g mm, tolerance %.3g mm; energy %.3g to %.3g J\n",
-         1e3 * s.counts.deepest, 1e3 * run.simulation->world.tolerance, s.energy_start,
+         1e3 * s.counts.deepest, 1e3 * run.session.simulation->world.tolerance, s.energy_start,
          s.energy_end);
   return text;
 }

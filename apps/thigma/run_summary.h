@@ -6,11 +6,11 @@
 #include "run_session.h"
 #include <nlohmann/json.hpp>
 
-#include "thigma/runtime/session.h"
+#include "thigma/session/session.h"
 
 namespace thigma::app {
 
-/// The fields of INTERFACE; what is unknown is null.
+/// The fields of the summary of `thigma run`; what is unknown is null.
 /// floor   empty loop of the same minute; null where it was not measured
 nlohmann::ordered_json run_summary_json(const SessionSummary& summary, const std::string& scene,
                                         const std::string& device,

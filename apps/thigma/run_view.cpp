@@ -4,11 +4,12 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "scenes/gain_task.h"
 #include "version.h"
 
+#include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
 #include "thigma/device/open_device.h"
+#include "thigma/scene/gain_task.h"
 
 namespace thigma::app {
 namespace {
@@ -31,22 +32,22 @@ live::LiveParameter choice(const char* name, const char* label, const char* help
 }  // namespace
 
 live::SceneView view_of(const Run& run) {
-  const scenes::SceneDescription& scene = run.scene;
+  const SceneDescription& scene = run.scene.description;
   live::SceneView view;
   view.title = scene.title.empty() ? scene.object.name : scene.title;
   view.name = scene.file;
   view.program = std::string("thigma ") + kVersion;
-  view.object = {scene.object.name, run.object.meshes, &run.object.hierarchy, {}};
+  view.object = {scene.object.name, run.scene.object->meshes, &run.scene.object->hierarchy, {}};
   for (std::size_t i = 0; i < scene.statics.size(); ++i) {
-    view.statics.push_back({scene.statics[i].name, run.statics[i]->meshes,
-                            &run.statics[i]->hierarchy, scene.statics[i].world_from_mesh});
+    view.statics.push_back({scene.statics[i].name, run.scene.statics[i]->meshes,
+                            &run.scene.statics[i]->hierarchy, scene.statics[i].world_from_mesh});
   }
   return view;
 }
 
 std::vector<std::string> devices_of(const Run& run) {
-  std::vector<std::string> devices = {run.device_uri};
-  if (run.simulation) return devices;  // nobody holds the object
+  std::vector<std::string> devices = {run.session.device_uri};
+  if (run.session.simulation) return devices;  // nobody holds the object
   for (const char* other : {"web:", "hand:"}) {
     const bool is_there = std::any_of(devices.begin(), devices.end(), [&](const std::string& uri) {
       return device_scheme(uri) + ":" == other;
@@ -71,30 +72,32 @@ const char* end_name(SessionEnd end) {
 }
 
 std::optional<GainTask> gains_of(const Run& run) {
-  const HapticParams& haptic = run.config.haptic;
+  const HapticParams& haptic = run.session.config.haptic;
   if (haptic.response == ResponseKind::direct) return std::nullopt;  // no springs to judge
-  scenes::DevicePort port;
+  DevicePort port;
   try {
-    port = scenes::describe_device(run.device_uri);
+    port = describe_device(run.session.device_uri);
   } catch (const std::exception&) {  // the page's mouse, a recording: their limits alone
-    port.limits = run.device->limits();
+    port.limits = run.session.device->limits();
     port.linear = {port.limits.max_force, port.limits.max_stiffness};
     port.angular = {port.limits.max_torque, port.limits.max_angular_stiffness};
   }
-  return scenes::gain_task(port, haptic.body, haptic.workspace, run.config.rate);
+  return gain_task(port, haptic.body, haptic.workspace, run.session.config.rate);
 }
 
 std::vector<live::LiveParameter> choices_of(const Run& run) {
-  const bool is_direct = run.config.haptic.response == ResponseKind::direct;
+  const bool is_direct = run.session.config.haptic.response == ResponseKind::direct;
   std::vector<live::LiveParameter> choices = {
       choice("response", "response",
              "coupled: through a simulated body; direct: contact forces as they are",
              {"coupled", "direct"}, is_direct ? 1 : 0)};
-  const auto has_relief = [](const scenes::SceneObject& o) { return o.has_relief(); };
-  if (has_relief(run.scene.object) ||
-      std::any_of(run.scene.statics.begin(), run.scene.statics.end(), has_relief)) {
+  const auto has_relief = [](const SceneObject& o) { return o.has_relief(); };
+  if (has_relief(run.scene.description.object) ||
+      std::any_of(run.scene.description.statics.begin(), run.scene.description.statics.end(),
+                  has_relief)) {
     choices.push_back(choice("texture", "texture", "on: relief is felt; off: coarse surfaces alone",
-                             {"on", "off"}, run.config.contact.textures.is_empty() ? 1 : 0));
+                             {"on", "off"},
+                             run.session.config.contact.textures.is_empty() ? 1 : 0));
   }
   return choices;
 }

@@ -8,7 +8,7 @@
 
 #include "experiments/common/plot.h"
 
-#include "thigma/runtime/recording.h"
+#include "thigma/recording/recording.h"
 
 namespace thigma::app {
 

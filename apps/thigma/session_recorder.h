@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "thigma/runtime/recording.h"
+#include "thigma/recording/recording.h"
 
 namespace thigma::app {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "thigma/runtime/recording.h"
+#include "thigma/recording/recording.h"
 
 namespace thigma::app {
 
@@ -12,9 +12,5 @@ namespace thigma::app {
 /// Thread   [offline]; as stream_recording.
 RecordingInfo stream_recording_told(const std::string& path, const RecordingSinks& sinks,
                                     bool is_quiet);
-
-/// The lines, for whoever tells them otherwise.
-std::vector<std::string> recording_warnings(const std::string& path,
-                                            const RecordingInfo& recording);
 
 }  // namespace thigma::app

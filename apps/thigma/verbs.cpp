@@ -31,7 +31,7 @@ CLI::App* add_verb(CLI::App& app, Common& common, const char* name, const char* 
   return verb;
 }
 
-void tell_error(const std::string& text) {
+void print_error(const std::string& text) {
   std::string line = "thigma: " + text;
   for (char& c : line) {
     if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';

@@ -1,6 +1,6 @@
 #pragma once
 // The verbs of the program. Each lives in cmd_<verb>.cpp, adds its options to the parser and, when
-// chosen, returns an exit code (INTERFACE: 0 done, 1 failed, 2 usage, 3 device, 4 input, 5 claim, 6
+// chosen, returns an exit code (0 done, 1 failed, 2 usage, 3 device, 4 input, 5 claim, 6
 // safety, 130 interrupted).
 
 #include <cstdint>
@@ -40,6 +40,6 @@ void add_all_verbs(CLI::App& app, Common& common);
 
 /// "thigma: TEXT" as one line on standard error. What a file or a file name brought along and a
 /// terminal would act on, control characters, becomes '?'.
-void tell_error(const std::string& text);
+void print_error(const std::string& text);
 
 }  // namespace thigma::app

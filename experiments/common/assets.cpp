@@ -2,28 +2,26 @@
 
 #include <algorithm>
 
-#include "scenes/make_model.h"
-#include "scenes/scene_file.h"
-
 #include "thigma/clod/build_clod.h"
 #include "thigma/core/cpu_clock.h"
-#include "thigma/runtime/placement.h"
+#include "thigma/models/make_model.h"
+#include "thigma/scene/scene_file.h"
+#include "thigma/scene/start_placement.h"
 
 namespace thigma::experiments {
 namespace {
 
-std::string with_count(const scenes::SceneObject& object, int triangles) {
+std::string with_count(const SceneObject& object, int triangles) {
   return model_uri(object.model->name, triangles > 0 ? triangles : object.model->triangles);
 }
 
-const ClodHierarchy& levels_of_file(Assets& assets, const scenes::SceneObject& object) {
+const ClodHierarchy& levels_of_file(Assets& assets, const SceneObject& object) {
   const std::string key = object.mesh + " at " + std::to_string(object.unit_scale);
   const auto known = assets.levels.find(key);
   if (known != assets.levels.end()) return known->second;
   ClodParams params;
   params.threads = 2;
-  return assets.levels.emplace(key, build_clod(scenes::load_object(object).mesh, params))
-      .first->second;
+  return assets.levels.emplace(key, build_clod(load_object(object).mesh, params)).first->second;
 }
 
 }  // namespace
@@ -33,7 +31,7 @@ std::string model_uri(const std::string& name, int triangles) {
 }
 
 TriangleMesh make_mesh(const std::string& uri) {
-  return scenes::make_model(scenes::parse_model_uri(uri, "experiment"));
+  return models::make_model(models::parse_model_uri(uri, "experiment"));
 }
 
 const ClodHierarchy& levels_of(Assets& assets, const std::string& uri) {
@@ -68,18 +66,16 @@ void place_apart(Pair& pair, const Vec3& approach) {
 }
 
 Pair scene_pair(Assets& assets, const std::string& scene, int triangles, bool is_timed) {
-  Pair pair = scene_pair(assets, scenes::parse_scene(scenes::builtin_scene(scene), scene, ""),
-                         triangles, is_timed);
+  Pair pair = scene_pair(assets, parse_scene(builtin_scene(scene), scene, ""), triangles, is_timed);
   pair.name = scene;
   return pair;
 }
 
-Pair scene_pair(Assets& assets, const scenes::SceneDescription& description, int triangles,
-                bool is_timed) {
-  const scenes::SceneObject& body = description.statics.at(0);
+Pair scene_pair(Assets& assets, const SceneDescription& description, int triangles, bool is_timed) {
+  const SceneObject& body = description.statics.at(0);
   Pair pair;
   pair.name = description.title;
-  const auto levels = [&](const scenes::SceneObject& object) {
+  const auto levels = [&](const SceneObject& object) {
     if (!object.model) return &levels_of_file(assets, object);
     return &(is_timed ? timed_levels_of : levels_of)(assets, with_count(object, triangles));
   };

@@ -5,11 +5,10 @@
 #include <map>
 #include <string>
 
-#include "scenes/scene_description.h"
-
 #include "thigma/clod/hierarchy.h"
 #include "thigma/math/pose.h"
 #include "thigma/mesh/triangle_mesh.h"
+#include "thigma/scene/scene_description.h"
 
 namespace thigma::experiments {
 
@@ -53,7 +52,7 @@ Pair scene_pair(Assets& assets, const std::string& scene, int triangles = 0, boo
 
 /// The same of any scene. The object and the first static one are procedural or mesh files; levels
 /// of files are built and kept in assets for the run.
-Pair scene_pair(Assets& assets, const scenes::SceneDescription& scene, int triangles = 0,
+Pair scene_pair(Assets& assets, const SceneDescription& scene, int triangles = 0,
                 bool is_timed = false);
 
 /// Start and clearance of a pair whose object stands somewhere near: moved apart where it touches.

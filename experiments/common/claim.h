@@ -22,7 +22,7 @@ enum class Comparison { none, at_least, at_most, within, above, below };
 /// Invariant: it is broken exactly where it does not hold and is expected to; what is not a finite
 /// number is broken.
 struct Claim {
-  std::string id;                   // of reference/CLAIMS, or our own
+  std::string id;                   // short name, unique in the experiment
   std::string text;                 // one sentence, with the bound in words
   std::optional<double> value;      // measured; none: could not be
   std::optional<double> bound;      // value is compared with it; none: stated

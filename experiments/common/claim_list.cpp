@@ -52,9 +52,9 @@ void add_claim(const std::string& name, const Json& claim, Page& page) {
   const bool is_broken = claim.at("expected") && !claim.at("holds");
   const std::string verdict = is_broken ? kind + ", BROKEN" : kind;
   if (kind == "not reproduced")
-    page.known += row_of({name, claim.at("id"), value, bound,
-                          bounds_text(claim, "floor_low", "floor"), claim.at("sweep"),
-                          claim.at("reason")});
+    page.known +=
+        row_of({name, claim.at("id"), value, bound, bounds_text(claim, "floor_low", "floor"),
+                claim.at("sweep"), claim.at("reason")});
   else
     page.others += row_of({name, claim.at("id"), verdict, value, bound, claim.at("text")});
 }
@@ -90,7 +90,8 @@ std::string claim_list(const std::filesystem::path& folder,
   }
   std::string text = "# Claims\n\n" + counts_text(page.all) + ".";
   if (!page.missing.empty()) text += " Not run: " + page.missing + ".";
-  text += "\n\n| experiment | checked | stated | not reproduced | broken |\n|---|---|---|---|---|\n";
+  text +=
+      "\n\n| experiment | checked | stated | not reproduced | broken |\n|---|---|---|---|---|\n";
   text += page.counts + "\n## Not reproduced\n\n";
   text += "| experiment | claim | value | bound | floor | sweep | reason |\n";
   text += "|---|---|---|---|---|---|---|\n" + page.known + "\n## Checked and stated\n\n";

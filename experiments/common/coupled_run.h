@@ -8,7 +8,7 @@
 #include "experiments/common/session_pair.h"
 
 #include "thigma/dynamics/explicit_step.h"
-#include "thigma/runtime/contact_step.h"
+#include "thigma/loop/contact_step.h"
 
 namespace thigma::experiments {
 

@@ -5,7 +5,7 @@
 #include <queue>
 #include <vector>
 
-#include "thigma/convex/pair.h"
+#include "thigma/convex/gjk.h"
 #include "thigma/convex/patch_separation.h"
 
 namespace thigma::experiments {

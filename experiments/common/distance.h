@@ -1,8 +1,9 @@
 #pragma once
-// How far two objects are from each other, and poses at a distance that is asked for (PROTOCOLS
-// E1).
+// How far two objects are from each other, and poses at a distance that is asked for
+// (docs/sources.md, E1).
 
 #include "thigma/clod/hierarchy.h"
+#include "thigma/contact/query_contacts.h"
 #include "thigma/math/pose.h"
 
 namespace thigma::experiments {

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/offset_surface.h"
 #include <Eigen/QR>
 
 #include "thigma/clod/build_hierarchy.h"
+#include "thigma/loop/contact_step.h"
 #include "thigma/math/elementary.h"
 #include "thigma/mesh/shapes.h"
-#include "thigma/runtime/contact_step.h"
-#include "thigma/texture/offset_surface.h"
+#include "thigma/response/texture_contacts.h"
+#include "thigma/texture/haptic_texture.h"
 
 namespace thigma::experiments {
 namespace {

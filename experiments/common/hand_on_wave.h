@@ -35,7 +35,7 @@ SlopeTable pipeline_slopes(const WaveStroke& stroke, double wavelength, int plac
 
 /// Largest acceleration of the hand along the surface in the second half of two seconds.
 ///
-/// Source  Eqs. 4.11-4.14: m u'' = k (v t - u) + b (v - u') - N d depth/du, ERRATA 4.11-4.14
+/// Source  Eqs. 4.11-4.14: m u'' = k (v t - u) + b (v - u') - N d depth/du, docs/sources.md
 double largest_acceleration(const WaveStroke& stroke, const SlopeTable& table);
 
 /// One curve of Figs. 4.8 to 4.10.

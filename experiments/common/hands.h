@@ -5,7 +5,8 @@
 
 namespace thigma::experiments {
 
-/// Jaws: pressed with about 1 N, ground to and fro and rocked, as in chewing. 0.9 s (PROTOCOLS E7).
+/// Jaws: pressed with about 1 N, ground to and fro and rocked, as in chewing. 0.9 s
+/// (docs/sources.md, E7).
 HandScript jaws_hand(double radius);
 /// Golf: the club taps and rubs the ball. 0.45 s, 300 frames and more of them in contact.
 HandScript golf_hand(double radius);

@@ -11,9 +11,9 @@ double bytes_of(const T& container) {
 }  // namespace
 
 double hierarchy_bytes(const ClodHierarchy& h) {
-  return bytes_of(h.nodes) + bytes_of(h.patches) + bytes_of(h.contact_patches) +
-         bytes_of(h.support) + bytes_of(h.vertices) + bytes_of(h.lanes) + bytes_of(h.faces) +
-         bytes_of(h.edges) + bytes_of(h.hull_triangles) + bytes_of(h.triangle_ids);
+  return bytes_of(h.nodes) + bytes_of(h.patches) + bytes_of(h.level_patches) + bytes_of(h.support) +
+         bytes_of(h.vertices) + bytes_of(h.lanes) + bytes_of(h.faces) + bytes_of(h.edges) +
+         bytes_of(h.hull_triangles) + bytes_of(h.triangle_ids);
 }
 
 }  // namespace thigma::experiments

@@ -7,7 +7,7 @@
 #include "experiments/common/assets.h"
 
 #include "thigma/device/open_device.h"
-#include "thigma/runtime/session.h"
+#include "thigma/session/session.h"
 
 namespace thigma::experiments {
 
@@ -25,7 +25,7 @@ SessionPair session_pair(Assets& assets, const std::string& scene, double second
                          int triangles = 0);
 
 /// The same of any scene with one static object.
-SessionPair session_pair(Assets& assets, const scenes::SceneDescription& scene, double seconds,
+SessionPair session_pair(Assets& assets, const SceneDescription& scene, double seconds,
                          int triangles = 0);
 
 }  // namespace thigma::experiments

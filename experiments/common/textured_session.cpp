@@ -1,21 +1,20 @@
 #include "experiments/common/textured_session.h"
 
-#include "scenes/scene_file.h"
-
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/mesh/measure.h"
+#include "thigma/response/texture_contacts.h"
+#include "thigma/scene/scene_file.h"
 
 namespace thigma::experiments {
 namespace {
 
 std::unique_ptr<TexturedSession::Body> load_body(
-    const scenes::SceneObject& object,
-    const std::function<HapticTexture(const scenes::SceneObject&)>& make) {
+    const SceneObject& object, const std::function<HapticTexture(const SceneObject&)>& make) {
   auto body = std::make_unique<TexturedSession::Body>();
   if (!object.is_textured)
-    body->texture = make_plain_texture(scenes::load_object(object).mesh, object.name);
+    body->texture = make_plain_texture(load_object(object).mesh, object.name);
   else
-    body->texture = make ? make(object) : scenes::load_texture(object);
+    body->texture = make ? make(object) : load_texture(object);
   body->hierarchy = build_exact_hierarchy(body->texture.coarse);
   return body;
 }
@@ -24,26 +23,28 @@ std::unique_ptr<TexturedSession::Body> load_body(
 
 std::unique_ptr<TexturedSession> textured_session(
     const std::string& scene, bool is_textured,
-    const std::function<void(scenes::SceneDescription&)>& change,
-    const std::function<HapticTexture(const scenes::SceneObject&)>& make) {
+    const std::function<void(SceneDescription&)>& change,
+    const std::function<HapticTexture(const SceneObject&)>& make) {
   auto session = std::make_unique<TexturedSession>();
-  session->scene = scenes::parse_scene(scenes::builtin_scene(scene), scene, "");
+  session->scene = parse_scene(builtin_scene(scene), scene, "");
   if (change) change(session->scene);
   session->object = load_body(session->scene.object, make);
   const TriangleMesh& mesh = session->object->texture.coarse;
-  session->config = scenes::make_session_config(
-      session->scene, {{}, mass_properties(mesh), enclosing_ball(mesh.positions)});
+  std::vector<SceneBody> bodies;
+  for (const SceneObject& other : session->scene.statics) {
+    session->statics.push_back(load_body(other, make));
+    bodies.push_back({&session->statics.back()->hierarchy, other.world_from_mesh});
+  }
+  session->config =
+      make_session_config(session->scene, {mass_properties(mesh), enclosing_ball(mesh.positions)},
+                          session->object->hierarchy, std::move(bodies));
   ContactWorld& world = session->config.contact;
-  world.object = &session->object->hierarchy;
   const auto textured = [](const TexturedSession::Body& body) {
     return make_textured_body(body.texture, body.hierarchy);
   };
-  if (is_textured) world.textures.object = textured(*session->object);
-  for (const scenes::SceneObject& other : session->scene.statics) {
-    session->statics.push_back(load_body(other, make));
-    world.scene.push_back({&session->statics.back()->hierarchy, other.world_from_mesh});
-    if (is_textured) world.textures.scene.push_back(textured(*session->statics.back()));
-  }
+  if (!is_textured) return session;
+  world.textures.object = textured(*session->object);
+  for (const auto& other : session->statics) world.textures.scene.push_back(textured(*other));
   return session;
 }
 

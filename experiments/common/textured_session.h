@@ -6,17 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "scenes/scene_description.h"
-
 #include "thigma/clod/hierarchy.h"
 #include "thigma/device/script.h"
-#include "thigma/runtime/session.h"
+#include "thigma/scene/scene_description.h"
+#include "thigma/session/session.h"
+#include "thigma/texture/haptic_texture.h"
 
 namespace thigma::experiments {
 
 /// A scene at full resolution with its textures. Not movable once `config` points into it.
 struct TexturedSession {
-  scenes::SceneDescription scene;
+  SceneDescription scene;
   struct Body {
     HapticTexture texture;  // of one texel for a plain body
     ClodHierarchy hierarchy;
@@ -34,8 +34,8 @@ struct TexturedSession {
 /// Thread       [offline].
 std::unique_ptr<TexturedSession> textured_session(
     const std::string& scene, bool is_textured,
-    const std::function<void(scenes::SceneDescription&)>& change = {},
-    const std::function<HapticTexture(const scenes::SceneObject&)>& make = {});
+    const std::function<void(SceneDescription&)>& change = {},
+    const std::function<HapticTexture(const SceneObject&)>& make = {});
 
 /// What a script's frames gave.
 struct ScriptRun {

@@ -1,5 +1,5 @@
-// PROTOCOLS E1: single queries without coherence at predefined distances, same-object pairs
-// (Trenkel, Weller, Zachmann 2007), negative distances too (Diktas, Sahiner).
+// Protocol E1 (docs/sources.md): single queries without coherence at predefined distances,
+// same-object pairs (Trenkel, Weller, Zachmann 2007), negative distances too (Diktas, Sahiner).
 
 #include <algorithm>
 #include <array>

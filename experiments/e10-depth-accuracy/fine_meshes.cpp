@@ -7,12 +7,13 @@
 #include "experiments/common/fine_depth.h"
 #include "experiments/common/statistics.h"
 #include "experiments/common/textured_session.h"
-#include "scenes/textured_parts.h"
 
+#include "thigma/loop/contact_step.h"
 #include "thigma/math/quantile.h"
 #include "thigma/math/random.h"
 #include "thigma/math/rotation.h"
-#include "thigma/runtime/contact_step.h"
+#include "thigma/models/textured_parts.h"
+#include "thigma/response/texture_contacts.h"
 
 namespace thigma::experiments::e10_depth_accuracy {
 namespace {
@@ -40,11 +41,11 @@ const Pair kPairs[] = {
      Quat(0.7071067811865476, 0.0, 0.7071067811865476, 0.0), false}};
 
 std::unique_ptr<TexturedSession> open(const Pair& pair) {
-  return textured_session(pair.scene, true, [&](scenes::SceneDescription& scene) {
+  return textured_session(pair.scene, true, [&](SceneDescription& scene) {
     if (pair.object_here == nullptr) return;
     scene.object.name = pair.object;
     scene.object.mesh = pair.object_here;
-    scene.object.textured_model = scenes::TexturedRequest{pair.object, 0};
+    scene.object.textured_model = models::TexturedRequest{pair.object, 0};
     scene.object.world_from_mesh = {pair.start, pair.turn};
   });
 }
@@ -112,9 +113,9 @@ constexpr double kBand = 2e-3;  // [m]
 void compare(const Pair& pair, const ContactScratch& scratch, const TriangleMesh& object,
              const TriangleMesh& fixed, int frame, FineErrors& errors, Table& table) {
   double deepest = kNoDepth, want_deepest = kNoDepth;
-  for (std::size_t i = 0; i < scratch.textures.contacts.size(); ++i) {
-    const DepthContact& contact = scratch.textures.contacts[i];
-    const DepthSamples& sample = scratch.textures.samples[i];
+  for (std::size_t i = 0; i < scratch.textures->contacts.size(); ++i) {
+    const DepthContact& contact = scratch.textures->contacts[i];
+    const DepthSamples& sample = scratch.textures->samples[i];
     if (!sample.is_found || sample.depth[0] < -kApart) continue;
     const auto side = [](const TexturedPatch& patch, const TriangleMesh& fine) {
       return FineSide{&fine, &patch.texture->coarse, patch.triangles, patch.world_from_body};
@@ -182,8 +183,8 @@ void against_fine_meshes(const Context& context, Outcome& outcome) {
   for (const Pair& pair : kPairs) {
     tell(context, pair.name);
     const std::unique_ptr<TexturedSession> session = open(pair);
-    const TriangleMesh object = scenes::make_fine_sheets(scenes::textured_part(pair.object)),
-                       fixed = scenes::make_fine_sheets(scenes::textured_part(pair.fixed));
+    const TriangleMesh object = models::make_fine_sheets(models::textured_part(pair.object)),
+                       fixed = models::make_fine_sheets(models::textured_part(pair.fixed));
     Presser presser(*session);
     Random random(context.seed + 11);
     FineErrors errors;

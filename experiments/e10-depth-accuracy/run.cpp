@@ -1,5 +1,5 @@
-// PROTOCOLS E10: directional depth, its gradient and its Hessian against closed forms, and against
-// rays through displaced meshes.
+// Protocol E10 (docs/sources.md): directional depth, its gradient and its Hessian against closed
+// forms, and against rays through displaced meshes.
 
 #include <algorithm>
 #include <array>
@@ -9,13 +9,13 @@
 #include "experiments/common/statistics.h"
 #include "experiments/common/texture_experiments.h"
 #include "experiments/e10-depth-accuracy/fine_meshes.h"
-#include "scenes/textured_model.h"
 
+#include "thigma/depth/depth_gradient.h"
+#include "thigma/depth/depth_hessian.h"
 #include "thigma/math/elementary.h"
 #include "thigma/math/random.h"
 #include "thigma/math/rotation.h"
-#include "thigma/texture/depth_gradient.h"
-#include "thigma/texture/depth_hessian.h"
+#include "thigma/models/textured_model.h"
 
 namespace thigma::experiments {
 namespace e10_depth_accuracy {
@@ -54,7 +54,7 @@ struct Plate {
 Plate make_plate(int texels, std::function<double(double, double)> height) {
   Plate plate;
   plate.texture = make_texture(
-      scenes::make_textured_slab({Vec3(kSide, kSide, 0.25 * kSide), texels, height}), "plate");
+      models::make_textured_slab({Vec3(kSide, kSide, 0.25 * kSide), texels, height}), "plate");
   plate.height = std::move(height);
   return plate;
 }

@@ -1,6 +1,6 @@
-// PROTOCOLS E13: haptic rates from 500 Hz to 10 kHz. On a virtual clock what they do to the loop;
-// on threads where the time goes, beside the empty loop of the same minute; and what a cold cache
-// costs.
+// Protocol E13 (docs/sources.md): haptic rates from 500 Hz to 10 kHz. On a virtual clock what they
+// do to the loop; on threads where the time goes, beside the empty loop of the same minute; and
+// what a cold cache costs.
 
 #include <algorithm>
 #include <cmath>

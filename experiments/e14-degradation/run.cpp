@@ -1,5 +1,5 @@
-// PROTOCOLS E14: what is left of the forces when a query has to stop early, on two surfaces that
-// fit each other.
+// Protocol E14 (docs/sources.md): what is left of the forces when a query has to stop early, on two
+// surfaces that fit each other.
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,8 @@ namespace {
 constexpr double kTestBudgets[] = {500, 1000, 2000, 4000, 8000, 16000};
 constexpr double kTimeBudgets[] = {50e-6, 100e-6, 200e-6, 500e-6, 1000e-6, 2000e-6};  // [s]
 
-/// Much to refine and little that cannot be left out: with the cap, which is off by default, surfaces this near ask for
-/// thousands of tests.
+/// Much to refine and little that cannot be left out: with the cap, which is off by default,
+/// surfaces this near ask for thousands of tests.
 Resolution capped() {
   Resolution resolution;
   resolution.is_exact = false;
@@ -125,7 +125,8 @@ struct TimeVerdict {
 
 TimeVerdict judge(const std::vector<Result>& results, double one_test) {
   TimeVerdict verdict;
-  // What cannot be left out, free levels and the front's validity: the smallest budget has time for nothing else.
+  // What cannot be left out, free levels and the front's validity: the smallest budget has time for
+  // nothing else.
   const Profile& mandatory = results.front().profile;
   const double always = sample_quantile(mandatory.cpu, 0.99);
   const double price =

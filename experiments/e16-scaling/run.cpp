@@ -1,4 +1,5 @@
-// PROTOCOLS E16: how query time, front, memory and build time grow with the number of triangles.
+// Protocol E16 (docs/sources.md): how query time, front, memory and build time grow with the number
+// of triangles.
 
 #include <algorithm>
 #include <cmath>

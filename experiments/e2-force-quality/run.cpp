@@ -1,5 +1,5 @@
-// PROTOCOLS E2: force and torque on six analytic scenes, through the exact query, clusters and the
-// contact model.
+// Protocol E2 (docs/sources.md): force and torque on six analytic scenes, through the exact query,
+// clusters and the contact model.
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "experiments/e2-force-quality/scenes.h"
 
 #include "thigma/clod/build_hierarchy.h"
-#include "thigma/runtime/contact_step.h"
+#include "thigma/loop/contact_step.h"
 
 namespace thigma::experiments {
 namespace e2_force_quality {

@@ -1,5 +1,5 @@
 #pragma once
-// The six analytic scenes of PROTOCOLS E2: meshes, a path, and the force that it should give.
+// The six analytic scenes of E2 (docs/sources.md): meshes, a path, and the force it should give.
 
 #include <functional>
 #include <string>
@@ -24,7 +24,7 @@ struct QualityScene {
   double length = 0.0;      // torque over force that counts as large as the force itself [m]
 };
 
-/// a to f of PROTOCOLS E2. `frames` along each path.
+/// a to f of docs/sources.md, E2. `frames` along each path.
 std::vector<QualityScene> quality_scenes(int frames);
 
 /// e with a face of this many segments an edge: 12 segments^2 triangles.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "thigma/runtime/session.h"
+#include "thigma/session/session.h"
 
 namespace thigma::experiments {
 

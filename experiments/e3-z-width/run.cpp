@@ -1,5 +1,5 @@
-// PROTOCOLS E3: where a sampled wall stops being stable and passive, beside what is exact, and how
-// stiff the engine may be in the same hand.
+// Protocol E3 (docs/sources.md): where a sampled wall stops being stable and passive, beside what
+// is exact, and how stiff the engine may be in the same hand.
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "experiments/e3-z-width/engine_width.h"
 #include "experiments/e3-z-width/wall.h"
 
-#include "thigma/runtime/passivity.h"
+#include "thigma/loop/passivity.h"
 
 namespace thigma::experiments {
 namespace e3_z_width {

@@ -1,5 +1,5 @@
 #pragma once
-// A sampled wall and the simulated device against it (PROTOCOLS E3), without the engine.
+// A sampled wall and the simulated device against it (docs/sources.md, E3), without the engine.
 
 #include <vector>
 
@@ -30,10 +30,10 @@ std::vector<double> swing(const WallCase& wall_case);
 /// for good: infinity.
 double growth(const std::vector<double>& x, double seconds, double period);
 
-/// PROTOCOLS E3: over the last third peak-to-peak > max(2 D, 1 um), or it grows.
+/// docs/sources.md, E3: over the last third peak-to-peak > max(2 D, 1 um), or it grows.
 bool is_unstable(const WallCase& wall_case);
 
-/// Device of PROTOCOLS E3: 'A' analytic, 'B' like a Phantom, 'C' like a robot; no arm.
+/// Device of docs/sources.md, E3: 'A' analytic, 'B' like a Phantom, 'C' like a robot; no arm.
 HandParams e3_device(char letter);
 
 /// Largest root of z^{D+1} (z - 1)^2 + (z + 1) ((alpha + beta) z - beta) / 2: the two-sided wall on

@@ -1,5 +1,5 @@
-// PROTOCOLS E4: energy at the device's port over the scenes, without delay, and 15 ms late with and
-// without the passivity controller.
+// Protocol E4 (docs/sources.md): energy at the device's port over the scenes, without delay, and 15
+// ms late with and without the passivity controller.
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,11 @@
 
 #include "experiments/common/all_experiments.h"
 #include "experiments/common/session_pair.h"
-#include "scenes/gain_task.h"
 
-#include "thigma/runtime/passive_session.h"
-#include "thigma/runtime/passivity.h"
+#include "thigma/device/hand.h"
+#include "thigma/loop/passivity.h"
+#include "thigma/scene/gain_task.h"
+#include "thigma/session/session_config.h"
 
 namespace thigma::experiments {
 namespace e4_passivity {
@@ -27,8 +28,8 @@ constexpr int kQuickTriangles = 4000;
 
 /// Gains as `tune` proposes them for this object and the simulated hand without delay.
 void recommend(SessionConfig& config) {
-  const GainProposal p = propose_gains(scenes::gain_task(
-      scenes::describe_device("hand:"), config.haptic.body, config.haptic.workspace, config.rate));
+  const GainProposal p = propose_gains(gain_task(describe_device("hand:"), config.haptic.body,
+                                                 config.haptic.workspace, config.rate));
   Coupling& c = config.haptic.coupling;
   c.linear_stiffness = p.linear.stiffness;
   c.linear_damping = p.linear.damping;
@@ -54,7 +55,7 @@ Ran run(const SessionPair& session, double delay, bool is_controlled) {
   params.delay = delay;
   HandDevice hand(params);
   SessionConfig config = session.config;
-  if (is_controlled) use_passivity(hand.limits(), config);
+  if (is_controlled) enable_passivity(hand.limits(), config);
   EnergyObserver sensed;
   Ran ran;
   const auto look = [&](const HapticSample& sample) {

@@ -1,5 +1,5 @@
-// PROTOCOLS E5: how an object lags behind the hand in the air, for masses, gains and integrators,
-// and what mass is felt.
+// Protocol E5 (docs/sources.md): how an object lags behind the hand in the air, for masses, gains
+// and integrators, and what mass is felt.
 
 #include <algorithm>
 #include <cmath>

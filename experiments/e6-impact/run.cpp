@@ -1,4 +1,4 @@
-// PROTOCOLS E6: steps of the handle into a wall, and taps of the simulated hand.
+// Protocol E6 (docs/sources.md): steps of the handle into a wall, and taps of the simulated hand.
 
 #include <algorithm>
 #include <cmath>

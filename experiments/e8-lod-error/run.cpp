@@ -1,5 +1,5 @@
-// PROTOCOLS E8: error of force and torque against the exact query over the threshold, on the
-// replays of Sec. 3.5.
+// Protocol E8 (docs/sources.md): error of force and torque against the exact query over the
+// threshold, on the replays of Sec. 3.5.
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,8 @@ struct Replay {
   int quick_triangles;  // of each body with --quick; 0: as the scene has them
 };
 
-// Ball and socket fit each other, so most of their patches lie within the tolerance: an exact query of the whole models
-// takes more than a second.
+// Ball and socket fit each other, so most of their patches lie within the tolerance: an exact query
+// of the whole models takes more than a second.
 constexpr Replay kReplays[] = {{"jaws", jaws_hand, 0},
                                {"golf", golf_hand, 0},
                                {"ball_joint", joint_hand, 6'000},

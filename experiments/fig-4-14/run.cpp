@@ -7,9 +7,10 @@
 #include "experiments/common/all_experiments.h"
 #include "experiments/common/statistics.h"
 #include "experiments/common/textured_session.h"
-#include "scenes/textured_parts.h"
 
 #include "thigma/math/elementary.h"
+#include "thigma/models/textured_model.h"
+#include "thigma/models/textured_parts.h"
 
 namespace thigma::experiments {
 namespace fig_4_14 {
@@ -23,7 +24,7 @@ constexpr double kWayAlong = 0.010, kWayAcross = 0.035;  // [m]; ridges are 10 m
 /// Ridges of the block and teeth of the gear.
 struct Ridges {
   const char* name;
-  scenes::RidgeProfile profile;
+  models::RidgeProfile profile;
 };
 
 /// A way to drag the block.
@@ -34,7 +35,7 @@ struct Drag {
 };
 
 Ridges flat_ridges(const char* name, double flank) {
-  return {name, [flank](double turns) { return scenes::flat_ridge(turns, flank); }};
+  return {name, [flank](double turns) { return models::flat_ridge(turns, flank); }};
 }
 
 Ridges sine_ridges() {
@@ -60,11 +61,11 @@ struct Curves {
 };
 
 Curves drag_block(const Ridges& ridges, const Drag& drag, int texels) {
-  const auto make = [&](const scenes::SceneObject& object) {
+  const auto make = [&](const SceneObject& object) {
     if (object.textured_model->name != "gear")
-      return scenes::make_block(ridges.profile, texels, ridges.name);
-    const scenes::TexturedSheet gear = scenes::make_gear_sheet(ridges.profile);
-    return make_texture(scenes::make_textured_sheets({&gear, 1}, texels), ridges.name);
+      return models::make_block(ridges.profile, texels, ridges.name);
+    const models::TexturedSheet gear = models::make_gear_sheet(ridges.profile);
+    return make_texture(models::make_textured_sheets({&gear, 1}, texels), ridges.name);
   };
   const auto session = textured_session("block_on_gear", true, {}, make);
   const ScriptRun run =
@@ -196,7 +197,7 @@ Outcome run_fig_4_14(const Context& context) {
   using namespace fig_4_14;
   const Drag drag{.across = context.quick ? 2.0 : 3.0};
   const int texels = context.quick ? 512 : 1024;
-  const Curves c = drag_block(flat_ridges("flat tops", scenes::kRidgeFlank), drag, texels);
+  const Curves c = drag_block(flat_ridges("flat tops", models::kRidgeFlank), drag, texels);
   const Measured m = measure(c);
   Outcome outcome;
   show(c, outcome);

@@ -70,8 +70,8 @@ double opposing(const Curves& c) {
 Outcome run_fig_4_15(const Context& context) {
   using namespace fig_4_15;
   const double seconds = context.quick ? 6.0 : 12.0;
-  const auto session = textured_session("blocks", true, [&](scenes::SceneDescription& scene) {
-    for (scenes::SceneObject* o : {&scene.object, &scene.statics[0]})
+  const auto session = textured_session("blocks", true, [&](SceneDescription& scene) {
+    for (SceneObject* o : {&scene.object, &scene.statics[0]})
       o->textured_model->texels = context.quick ? 512 : 1024;
   });
   const ScriptRun run = run_script(*session, seconds, pose_at);

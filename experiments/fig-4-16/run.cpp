@@ -8,6 +8,7 @@
 #include "experiments/common/statistics.h"
 #include "experiments/common/textured_session.h"
 
+#include "thigma/depth/depth_gradient.h"
 #include "thigma/math/elementary.h"
 #include "thigma/math/rotation.h"
 
@@ -48,13 +49,12 @@ struct Frame {
 
 /// The session with a gradient: the least times of some runs, which are alike in all but those.
 std::vector<Frame> record(const Context& context, GradientKind gradient) {
-  const auto session = textured_session("file_on_cad", true, [&](scenes::SceneDescription& scene) {
+  const auto session = textured_session("file_on_cad", true, [&](SceneDescription& scene) {
     scene.contact.max_clusters = kMost;
     scene.contact.texture.gradient = gradient;
     scene.object.world_from_mesh.position.x() = kRim + kEnd;
     if (!context.quick) return;
-    for (scenes::SceneObject* o : {&scene.object, &scene.statics[0]})
-      o->textured_model->texels = 512;
+    for (SceneObject* o : {&scene.object, &scene.statics[0]}) o->textured_model->texels = 512;
   });
   session->config.contact_every = kContactEvery;
   session->config.haptic.grasp_point += Vec3(0.0, 0.0, -kHeld);  // near its end

@@ -159,7 +159,7 @@ Outcome run_fig_5_10(const Context& context) {
   SessionConfig& config = session.config;
   config.contact.tolerance = kTolerance;
   config.contact.response.stiffness = kStiffness;
-  config.contact.response.is_shared = false;  // Eq. 5.37: k for each cluster
+  config.contact.response.is_divided_among_clusters = false;  // Eq. 5.37: k for each cluster
   config.contact.resolution.is_exact = false;
   config.haptic.coupling.linear_stiffness = kCoupling;
   config.haptic.coupling.linear_saturation.reset();

@@ -133,7 +133,7 @@ Outcome run_fig_5_12(const Context& context) {
   using namespace fig_5_12;
   const int texels = context.quick ? 512 : 1024;
   const auto make = [&](bool is_textured) {
-    auto session = textured_session("plate", is_textured, [&](scenes::SceneDescription& scene) {
+    auto session = textured_session("plate", is_textured, [&](SceneDescription& scene) {
       scene.contact.stiffness = 2000.0;  // the text's
       scene.object.world_from_mesh.position.x() = -0.5 * kWay;
       scene.statics[0].textured_model->texels = texels;

@@ -16,7 +16,7 @@ namespace thigma::experiments {
 namespace fig_5_6 {
 namespace {
 
-// reference/EXPERIMENTS (b).
+// Length and gains of Sec. 5.5.2. The text gives no inertia; docs/sources.md, E5.
 constexpr double kLength = 0.20, kGyration = 0.0066, kArm = 0.08;  // [m]
 constexpr double kLinear = 200.0, kAngular = 0.6;                  // [N/m, N m/rad]
 constexpr double kAngularDamping = 8.94e-3;                        // [N m s/rad]

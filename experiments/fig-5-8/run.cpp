@@ -32,10 +32,10 @@ constexpr Setting kSettings[] = {
 
 /// How contacts answer: what the text does not say of them.
 struct Answer {
-  double damping = 0.0;   // of the contacts, of critical; the text has one and names no number
-  int every = 1;          // haptic frames a contact frame
-  int clusters = 5;       // K
-  bool is_spread = true;  // contacts of large patches, see contact_manifold.h
+  double damping = 0.0;  // of the contacts, of critical; the text has one and names no number
+  int every = 1;         // haptic frames a contact frame
+  int clusters = 5;      // K
+  bool distributes_wide_contacts = true;  // contacts of large patches, see distribute_contacts.h
 };
 
 CoupledSetup setup_for(const SessionPair& session, const LedMotion& motion, const Setting& s,
@@ -52,7 +52,7 @@ CoupledSetup setup_for(const SessionPair& session, const LedMotion& motion, cons
   setup.contact.response.damping = 2.0 * answer.damping * std::sqrt(s.stiffness * s.mass);
   setup.contact_every = answer.every;
   setup.contact.max_clusters = answer.clusters;
-  setup.contact.is_spread = answer.is_spread;
+  setup.contact.distributes_wide_contacts = answer.distributes_wide_contacts;
   return setup;
 }
 
@@ -101,9 +101,10 @@ Table sweep_answers(const Context& context, const SessionPair& session, const Le
     double ripples[3];
     for (std::size_t i = 0; i < 3; ++i)
       ripples[i] = play(session, motion, kSettings[i], answer).ripple;
-    add_row(table, {sweep, answer.damping, session.config.rate / answer.every,
-                    static_cast<double>(answer.clusters), answer.is_spread ? 1.0 : 0.0, ripples[0],
-                    ripples[1], ripples[2], ripples[0] / ripples[1], ripples[2] / ripples[1]});
+    add_row(table,
+            {sweep, answer.damping, session.config.rate / answer.every,
+             static_cast<double>(answer.clusters), answer.distributes_wide_contacts ? 1.0 : 0.0,
+             ripples[0], ripples[1], ripples[2], ripples[0] / ripples[1], ripples[2] / ripples[1]});
   };
   for (const double damping : {0.0, 0.03, 0.1, 0.3, 0.7}) add("damping", {damping, 1});
   for (const int every : {1, 2, 3, 5, 10}) add("rate", {0.0, every});
@@ -174,7 +175,7 @@ Outcome run_fig_5_8(const Context& context) {
   SessionConfig& config = session.config;
   config.contact.resolution.is_exact = true;
   config.contact.tolerance = kTolerance;
-  config.contact.response.is_shared = false;  // Eq. 5.37: k for each cluster
+  config.contact.response.is_divided_among_clusters = false;  // Eq. 5.37: k for each cluster
   Coupling& coupling = config.haptic.coupling;
   coupling.linear_saturation.reset();
   coupling.angular_saturation.reset();

@@ -61,7 +61,7 @@ int lowest_corner(const Quat& turn) {
 /// The cube on a floor, its handle pressed down while it turns about a horizontal axis at `speed`,
 /// over flat faces and corners. A switch: another corner has become the lowest within the last
 /// kRecent frames, as models are a frame late.
-Steps turn_cube(double from, double to, double speed, bool is_spread) {
+Steps turn_cube(double from, double to, double speed, bool distributes_wide_contacts) {
   const ClodHierarchy cube = build_exact_hierarchy(make_box(kSide * Vec3::Ones()));
   const ClodHierarchy floor = build_exact_hierarchy(make_sheet(0.2, 0.2, 2, 2));
   CoupledSetup setup;
@@ -74,7 +74,7 @@ Steps turn_cube(double from, double to, double speed, bool is_spread) {
   setup.contact.object = &cube;
   setup.contact.scene = {{&floor, Pose{}}};
   setup.contact.tolerance = 2e-4;
-  setup.contact.is_spread = is_spread;
+  setup.contact.distributes_wide_contacts = distributes_wide_contacts;
   setup.contact.response = {.stiffness = 5000.0, .damping = 2.0 * std::sqrt(5000.0 * 0.010)};
   const Vec3 axis = Vec3(0.1, 1.0, 0.0).normalized();  // not along an edge: one end comes first
   std::vector<Pose> poses;

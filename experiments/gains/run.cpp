@@ -7,15 +7,16 @@
 #include <memory>
 
 #include "experiments/common/all_experiments.h"
-#include "scenes/gain_task.h"
 
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/device/device_limits.h"
+#include "thigma/device/hand.h"
 #include "thigma/device/open_device.h"
 #include "thigma/math/elementary.h"
 #include "thigma/math/rotation.h"
 #include "thigma/mesh/shapes.h"
-#include "thigma/runtime/placement.h"
+#include "thigma/scene/gain_task.h"
+#include "thigma/scene/start_placement.h"
 
 namespace thigma::experiments {
 namespace gains {
@@ -44,8 +45,8 @@ TriangleMesh rippled_sheet() {
 /// One object of a device's, ready to run.
 struct Bench {
   ClodHierarchy object, ground;
-  scenes::SceneDescription scene;
-  scenes::LoadedObject loaded;
+  SceneDescription scene;
+  LoadedObject loaded;
 };
 
 constexpr double kGap = 0.003;  // above the sheet at the start [m]
@@ -73,7 +74,7 @@ struct Rest {
   bool has_fault = false;
   SessionSummary summary;
   bool is_stable(const HandParams& hand) const {
-    // PROTOCOLS E3.
+    // docs/sources.md, E3.
     return !has_fault && sway <= std::max(2.0 * hand.encoder, 1e-6) &&
            turn <= std::max(2.0 * hand.angular_encoder, 1e-6);
   }
@@ -149,22 +150,17 @@ struct Counts {
 
 void run_case(const Bench& bench, const DeviceModel& model, int dof, bool is_quick,
               Outcome& outcome, Counts& counts) {
-  scenes::SceneDescription scene = bench.scene;
+  SceneDescription scene = bench.scene;
   scene.device.uri = "hand:?device=" + std::string(model.name) + "&dof=" + std::to_string(dof) +
                      "&path=press&force=1";
-  SessionConfig config = scenes::make_session_config(scene, bench.loaded);
-  config.contact.object = &bench.object;
-  config.contact.scene = {{&bench.ground, Pose{}}};
-  const StartPlacement start = find_start(config.contact, config.world_from_body);
-  config.world_from_body = start.world_from_body;
+  SessionConfig config =
+      make_session_config(scene, bench.loaded, bench.object, {{&bench.ground, Pose{}}});
+  const StartPlacement start = place_at_start({}, config);
   const double s = config.haptic.workspace.motion_scale;
-  DeviceContext context;
-  context.approach = start.approach;
-  context.clearance = start.clearance / s;
-  context.object_radius = bench.loaded.ball.radius / s;
+  const DeviceContext context = device_context(config, start, bench.loaded.ball.radius);
   const HandParams hand = parse_hand(scene.device.uri.substr(6), context);
-  const GainTask task = scenes::gain_task(scenes::describe_device(scene.device.uri),
-                                          config.haptic.body, config.haptic.workspace, config.rate);
+  const GainTask task = gain_task(describe_device(scene.device.uri), config.haptic.body,
+                                  config.haptic.workspace, config.rate);
   const GainProposal p = propose_gains(task);
   const Rest rest = press(config, hand);
   SessionConfig doubled = config;

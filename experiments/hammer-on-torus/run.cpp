@@ -10,9 +10,12 @@
 #include "experiments/common/textured_session.h"
 #include "experiments/hammer-on-torus/strokes.h"
 
+#include "thigma/depth/depth_gradient.h"
 #include "thigma/device/open_device.h"
+#include "thigma/loop/contact_step.h"
 #include "thigma/math/quantile.h"
-#include "thigma/runtime/placement.h"
+#include "thigma/response/texture_contacts.h"
+#include "thigma/scene/start_placement.h"
 
 namespace thigma::experiments {
 namespace hammer_on_torus {
@@ -52,11 +55,11 @@ std::vector<double> missed_depths(const TexturedSession& session,
   ContactSample sample;
   for (std::size_t i = 0; i < frames.size(); i += static_cast<std::size_t>(stride)) {
     contact_step(session.config.contact, {frames[i].body, frames[i].time, i + 1}, scratch, sample);
-    const std::vector<DepthContact>& contacts = scratch.textures.contacts;
+    const std::vector<DepthContact>& contacts = scratch.textures->contacts;
     std::vector<DepthSamples> all(contacts.size());
     exact->sample(contacts, {}, all);
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-      const DepthSamples& grid = scratch.textures.samples[c];
+      const DepthSamples& grid = scratch.textures->samples[c];
       // Those that press: a force begins at the tolerance.
       if (!all[c].is_found || !grid.is_found ||
           !(all[c].depth[0] > -session.config.contact.tolerance))
@@ -81,7 +84,7 @@ struct Lead {
 };
 
 LedRun lead_scene(const Context& context, const Lead& lead, double seconds) {
-  const auto session = textured_session(lead.scene, true, [&](scenes::SceneDescription& s) {
+  const auto session = textured_session(lead.scene, true, [&](SceneDescription& s) {
     s.contact.texture.gradient = lead.gradient;
     s.contact.texture.has_hessian = lead.has_hessian;
     s.contact.texture.resolution = lead.resolution;

@@ -6,10 +6,10 @@
 
 #include "experiments/common/statistics.h"
 #include "experiments/common/textured_session.h"
-#include "scenes/textured_parts.h"
 
 #include "thigma/math/elementary.h"
 #include "thigma/math/rotation.h"
+#include "thigma/models/textured_parts.h"
 
 namespace thigma::experiments::hammer_on_torus {
 namespace {
@@ -51,7 +51,7 @@ constexpr double kGap = 0.004, kPress = 0.004;  // [m]
 
 /// The head rests on its side, its axis across the tube: the side is 15 mm from its axis, the
 /// tube's top 20 mm high.
-void lay_on_side(scenes::SceneDescription& scene) {
+void lay_on_side(SceneDescription& scene) {
   const double quarter = std::sqrt(0.5);
   scene.object.world_from_mesh.orientation = Quat(quarter, quarter, 0.0, 0.0);
   scene.object.world_from_mesh.position = Vec3(kRing, 0.0, 0.015 + 0.020 + kGap);
@@ -63,21 +63,20 @@ double turned(double t, double speed) {
   return since < kSpeedUp ? 0.5 * rate * since * since / kSpeedUp : rate * (since - 0.5 * kSpeedUp);
 }
 
-HapticTexture without_relief(const scenes::SceneObject& object, int texels) {
-  std::vector<scenes::TexturedSheet> sheets = scenes::textured_part(object.textured_model->name);
-  for (scenes::TexturedSheet& sheet : sheets) sheet.fine = sheet.smooth;
-  return make_texture(scenes::make_textured_sheets(sheets, texels), object.name);
+HapticTexture without_relief(const SceneObject& object, int texels) {
+  std::vector<models::TexturedSheet> sheets = models::textured_part(object.textured_model->name);
+  for (models::TexturedSheet& sheet : sheets) sheet.fine = sheet.smooth;
+  return make_texture(models::make_textured_sheets(sheets, texels), object.name);
 }
 
 std::unique_ptr<TexturedSession> open_session(Touch touch, Surface surface, int texels) {
-  const auto change = [&](scenes::SceneDescription& scene) {
+  const auto change = [&](SceneDescription& scene) {
     if (touch == Touch::side) lay_on_side(scene);
-    for (scenes::SceneObject* o : {&scene.object, &scene.statics[0]})
-      o->textured_model->texels = texels;
+    for (SceneObject* o : {&scene.object, &scene.statics[0]}) o->textured_model->texels = texels;
   };
-  std::function<HapticTexture(const scenes::SceneObject&)> make;
+  std::function<HapticTexture(const SceneObject&)> make;
   if (surface == Surface::smooth)
-    make = [texels](const scenes::SceneObject& object) { return without_relief(object, texels); };
+    make = [texels](const SceneObject& object) { return without_relief(object, texels); };
   auto session = textured_session("hammer_on_torus", surface != Surface::coarse, change, make);
   // Held at the head: pressed at its centre of mass, far along the handle, it would tip.
   session->config.haptic.grasp_point = session->config.contact.body_from_mesh.position;
@@ -146,7 +145,7 @@ struct Added {
   double off = 0.0;     // of the strongest frequency from that of the waves
   double faults = 0.0;  // of all strokes
 
-  void look_at(const Stroke& coarse, const Stroke& smooth, const Stroke& relief) {
+  void observe(const Stroke& coarse, const Stroke& smooth, const Stroke& relief) {
     faults += coarse.faults + smooth.faults + relief.faults;
     if (relief.speed < kInBand) return;
     over_smooth = std::min(over_smooth, relief.band / smooth.band);
@@ -186,7 +185,7 @@ void add_strokes(const Context& context, Outcome& outcome) {
       }
     }
     for (std::size_t i = 0; i < strokes[0].size(); ++i)
-      added.look_at(strokes[0][i], strokes[1][i], strokes[2][i]);
+      added.observe(strokes[0][i], strokes[1][i], strokes[2][i]);
   }
   outcome.tables.push_back(std::move(table));
   outcome.figure.panels.push_back(panel);

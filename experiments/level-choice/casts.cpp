@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "scenes/scene_file.h"
+#include "thigma/scene/scene_file.h"
 
 namespace thigma::experiments::level_choice {
 namespace {
@@ -25,12 +25,12 @@ approach = [0.0, 0.0, 1.0]
 
 }  // namespace
 
-std::optional<scenes::SceneDescription> casts_scene() {
+std::optional<SceneDescription> casts_scene() {
   const char* shared = std::getenv("THIGMA_SHARED");
   if (shared == nullptr) return std::nullopt;
   const std::filesystem::path folder = std::filesystem::path(shared) / "meshes";
   if (!std::filesystem::exists(folder / "a01_dental_cast_upper.obj")) return std::nullopt;
-  return scenes::parse_scene(kScene, "casts", folder.string());
+  return parse_scene(kScene, "casts", folder.string());
 }
 
 }  // namespace thigma::experiments::level_choice

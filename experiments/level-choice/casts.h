@@ -3,13 +3,13 @@
 
 #include <optional>
 
-#include "scenes/scene_description.h"
+#include "thigma/scene/scene_description.h"
 
 namespace thigma::experiments::level_choice {
 
 /// The lower cast in the hand, under the upper one; none where the folder THIGMA_SHARED names has
 /// no such meshes.
 /// Thread     [offline].
-std::optional<scenes::SceneDescription> casts_scene();
+std::optional<SceneDescription> casts_scene();
 
 }  // namespace thigma::experiments::level_choice

@@ -30,7 +30,7 @@ void add_force(PoseFrame& frame, double tolerance) {
   shared.stiffness = 1.0;
   shared.damping = 0.0;
   shared.tolerance = tolerance;
-  shared.is_shared = true;
+  shared.is_divided_among_clusters = true;
   frame.shared_force = direct_wrench(clusters, shared, Vec3::Zero()).force;
 }
 

@@ -5,7 +5,8 @@
 #include "experiments/common/all_experiments.h"
 #include "experiments/level-choice/casts.h"
 #include "experiments/level-choice/tables.h"
-#include "scenes/scene_file.h"
+
+#include "thigma/scene/scene_file.h"
 
 namespace thigma::experiments {
 namespace level_choice {
@@ -26,8 +27,8 @@ constexpr Scene kScenes[] = {{"jaws", 3.0, 0},
                              {"ball_joint", 2.0, 24'000},
                              {"cup_spoon", 3.0, 24'000}};
 
-Studied study(const Context& context, const std::string& name,
-              const scenes::SceneDescription& scene, double seconds, int triangles) {
+Studied study(const Context& context, const std::string& name, const SceneDescription& scene,
+              double seconds, int triangles) {
   tell(context, name);
   Studied pair;
   pair.name = name;
@@ -55,7 +56,7 @@ Outcome run_level_choice(const Context& context) {
     for (const Claim& claim : claims_of(pair)) outcome.claims.push_back(claim);
   };
   for (const Scene& s : kScenes)
-    add(study(context, s.name, scenes::parse_scene(scenes::builtin_scene(s.name), s.name, ""),
+    add(study(context, s.name, parse_scene(builtin_scene(s.name), s.name, ""),
               context.quick ? 1.0 : s.seconds, context.quick ? s.quick_triangles : 0));
   if (const auto casts = casts_scene())
     add(study(context, "casts", *casts, context.quick ? 1.0 : 3.0, 0));

@@ -12,15 +12,15 @@ constexpr double kBandOfObject = 0.02;  // of the radius of the object itself
 // of the tolerance: apart as far as it, and through as far again
 constexpr double kBandOfQuery = 2.0;
 
-TriangleMesh mesh_of(const scenes::SceneObject& object, int triangles) {
-  if (!object.model) return scenes::load_object(object).mesh;
+TriangleMesh mesh_of(const SceneObject& object, int triangles) {
+  if (!object.model) return load_object(object).mesh;
   return make_mesh(
       model_uri(object.model->name, triangles > 0 ? triangles : object.model->triangles));
 }
 
 }  // namespace
 
-ShellPair build_shells(const scenes::SceneDescription& description, int triangles,
+ShellPair build_shells(const SceneDescription& description, int triangles,
                        const SessionPair& session) {
   const ContactWorld& world = session.config.contact;
   const ClodHierarchy &object = *world.object, &scene = *world.scene.front().hierarchy;

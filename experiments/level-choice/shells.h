@@ -19,7 +19,7 @@ struct ShellPair {
 /// triangles    as of the session
 /// session      of the same description and triangles
 /// Thread       [offline].
-ShellPair build_shells(const scenes::SceneDescription& description, int triangles,
+ShellPair build_shells(const SceneDescription& description, int triangles,
                        const SessionPair& session);
 
 }  // namespace thigma::experiments::level_choice

@@ -6,12 +6,12 @@
 #include <limits>
 
 #include "experiments/common/texture_experiments.h"
-#include "scenes/textured_model.h"
-#include "scenes/textured_parts.h"
 
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/convex/count_patches.h"
 #include "thigma/mesh/measure.h"
+#include "thigma/models/textured_model.h"
+#include "thigma/models/textured_parts.h"
 #include "thigma/texture/bake.h"
 
 namespace thigma::experiments {
@@ -33,8 +33,8 @@ constexpr Row41 kRows[] = {
 /// text's.
 double fine_count(const Row41& row) {
   double count = 0.0;
-  for (const scenes::TexturedSheet& sheet : scenes::textured_part(row.model))
-    count += scenes::fine_triangles(sheet);
+  for (const models::TexturedSheet& sheet : models::textured_part(row.model))
+    count += models::fine_triangles(sheet);
   return count > 0.0 ? count : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -44,7 +44,7 @@ struct Fit {
 };
 
 Fit bake_part(const Row41& row, const TriangleMesh& coarse, const Context& context) {
-  const TriangleMesh fine = scenes::make_fine_sheets(scenes::textured_part(row.model));
+  const TriangleMesh fine = models::make_fine_sheets(models::textured_part(row.model));
   const BakeFigures f =
       bake_surface(fine, coarse,
                    {.texels = context.quick ? 512 : 1024, .samples = context.quick ? 2000 : 20000},
@@ -65,7 +65,7 @@ struct Off {
   double crack_to_fit = 0.0;
   Fit fit;
 
-  void look_at(const Row41& row, double fine_here, double triangles, double parts, double nodes,
+  void observe(const Row41& row, double fine_here, double triangles, double parts, double nodes,
                const Fit& here) {
     if (std::isfinite(fine_here)) fine = std::max(fine, std::fabs(fine_here / row.fine - 1.0));
     coarse = std::max(coarse, std::fabs(triangles / row.coarse - 1.0));
@@ -128,7 +128,7 @@ Outcome run_table_4_1(const Context& context) {
   for (const Row41& row : kRows) {
     tell(context, row.name);
     const HapticTexture texture =
-        scenes::make_textured_model({row.model, context.quick ? 256 : 1024});
+        models::make_textured_model({row.model, context.quick ? 256 : 1024});
     const ClodHierarchy h = build_exact_hierarchy(texture.coarse);
     const double triangles = static_cast<double>(texture.coarse.triangles.size()),
                  volumes = static_cast<double>(h.nodes.size()), fine_here = fine_count(row),
@@ -137,7 +137,7 @@ Outcome run_table_4_1(const Context& context) {
     Fit fit;
     if (std::isfinite(fine_here) && (!context.quick || fine_here < 150e3))
       fit = bake_part(row, texture.coarse, context);
-    off.look_at(row, fine_here, triangles, parts, free_volumes, fit);
+    off.observe(row, fine_here, triangles, parts, free_volumes, fit);
     add_row(outcome.tables[0],
             {std::string(row.name), fine_here, row.fine, triangles, row.coarse, volumes,
              row.volumes, static_cast<double>(h.patches.size()), parts, free_volumes,

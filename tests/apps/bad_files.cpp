@@ -4,6 +4,7 @@
 
 #include "mesh/samples.h"
 
+#include "thigma/clod/build_clod.h"
 #include "thigma/clod/clod_file.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/shapes.h"

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "thigma/runtime/recording.h"
+#include "thigma/recording/recording.h"
 
 namespace thigma::test {
 namespace {

@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "thigma/core/file.h"
-#include "thigma/runtime/recording.h"
+#include "thigma/recording/recording.h"
 
 namespace thigma::test {
 namespace {

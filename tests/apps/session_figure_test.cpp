@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "runtime/recording_samples.h"
+#include "recording/recording_samples.h"
 #include <gtest/gtest.h>
 
 namespace thigma::app {

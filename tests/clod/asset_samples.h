@@ -3,6 +3,7 @@
 
 #include "support/wavy_ball.h"
 
+#include "thigma/clod/build_clod.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/clod/clod_asset.h"
 #include "thigma/clod/validate_hierarchy.h"

@@ -6,18 +6,18 @@
 
 #include "clod/asset_samples.h"
 #include "clod/distance_by_loop.h"
+#include "support/check_hierarchy.h"
+#include "support/check_levels.h"
 #include "support/shared.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_hierarchy.h"
-#include "thigma/clod/check_hierarchy.h"
 #include "thigma/contact/query_contacts.h"
-#include "thigma/convex/growing_hull.h"
-#include "thigma/convex/pair.h"
+#include "thigma/convex/gjk.h"
+#include "thigma/convex/quickhull.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/load_mesh.h"
 #include "thigma/mesh/shapes.h"
-#include "thigma/simplify/check_levels.h"
 
 namespace thigma {
 namespace {
@@ -29,8 +29,8 @@ void expect_sound(const TriangleMesh& mesh, const ClodParams& params, const char
   ClodReport report;
   const ClodHierarchy h = build_clod(mesh, params, &report);
   EXPECT_EQ(check_hierarchy(h, mesh).total(), 0) << name;
-  EXPECT_EQ(check_levels(report.simplification, decompose_surface(mesh)).total(), 0) << name;
-  const auto& levels = report.simplification.levels;
+  EXPECT_EQ(check_levels(*report.simplification, decompose_surface(mesh)).total(), 0) << name;
+  const auto& levels = report.simplification->levels;
   std::size_t patches = 0, nodes = 0;
   for (std::size_t k = 0; k < h.levels.size(); ++k) {
     nodes += static_cast<std::size_t>(h.levels[k].node_count);
@@ -40,7 +40,7 @@ void expect_sound(const TriangleMesh& mesh, const ClodParams& params, const char
   EXPECT_EQ(nodes, h.nodes.size()) << name;
   EXPECT_LE(1 << (h.levels.size() - levels.size()), 2 * levels.back().patch_count)
       << name << ": free levels";
-  EXPECT_EQ(h.contact_patches.size(), patches) << name;
+  EXPECT_EQ(h.level_patches.size(), patches) << name;
   for (const ClodNode& node : h.nodes) {
     EXPECT_EQ(node.contact >= 0,
               node.level > 0 && !h.levels[static_cast<std::size_t>(node.level)].is_free);
@@ -80,13 +80,13 @@ TEST(BuildClod, HausdorffDistancesReachEveryDescendant) {
     int tight = 0, checked = 0;
     std::vector<double> largest(h.nodes.size(), 0.0);
     for (std::size_t i = 0; i < h.nodes.size(); ++i) {
-      const HullView inner = contact_view(h, static_cast<std::int32_t>(i));
+      const HullView inner = level_surface(h, static_cast<std::int32_t>(i));
       if (h.nodes[i].contact < 0 && h.nodes[i].patch < 0) continue;
       for (std::int32_t up = parent[i]; up >= 0; up = parent[static_cast<std::size_t>(up)]) {
         const std::int32_t contact = h.nodes[static_cast<std::size_t>(up)].contact;
         if (contact < 0) continue;
         std::vector<Vec3> points;
-        const HullView outer = contact_view(h, up);
+        const HullView outer = level_surface(h, up);
         for (int v = 0; v < inner.vertex_count; ++v) {
           GjkCache cache;
           HullView one = inner;  // the hull of one vertex
@@ -95,7 +95,7 @@ TEST(BuildClod, HausdorffDistancesReachEveryDescendant) {
           const double distance = closest_points(outer, one, RelativePose{},
                                                  std::numeric_limits<double>::infinity(), cache)
                                       .distance;
-          EXPECT_LE(distance, h.contact_patches[static_cast<std::size_t>(contact)].hausdorff);
+          EXPECT_LE(distance, h.level_patches[static_cast<std::size_t>(contact)].hausdorff);
           largest[static_cast<std::size_t>(up)] =
               std::max(largest[static_cast<std::size_t>(up)], distance);
         }
@@ -104,7 +104,7 @@ TEST(BuildClod, HausdorffDistancesReachEveryDescendant) {
     for (std::size_t i = 0; i < h.nodes.size(); ++i) {
       if (h.nodes[i].contact < 0) continue;
       ++checked;
-      const ClodContactPatch& c = h.contact_patches[static_cast<std::size_t>(h.nodes[i].contact)];
+      const LevelPatch& c = h.level_patches[static_cast<std::size_t>(h.nodes[i].contact)];
       // Either a hull below reaches so far out, or s + h has to cover one of these.
       const double covered = std::max({c.from_below, c.to_below, h.nodes[i].hausdorff});
       tight += largest[i] >= 0.999 * c.hausdorff - 1e-11 ||
@@ -120,7 +120,7 @@ TEST(BuildClod, DeviationsBoundBothDirections) {
   const ClodHierarchy h = build_clod(mesh, generous(), &report);
   Random random(51);
   double worst = 0.0;
-  for (const ClodContactPatch& c : h.contact_patches) {
+  for (const LevelPatch& c : h.level_patches) {
     const HullView hull = [&] {
       HullView v;
       v.vertices = h.vertices.data() + c.first_vertex;
@@ -151,10 +151,10 @@ TEST(BuildClod, DeviationsBoundBothDirections) {
       const ClodNode& node = h.nodes[static_cast<std::size_t>(up)];
       if (node.contact < 0) continue;
       const TriangleMesh& level =
-          report.simplification.levels[static_cast<std::size_t>(node.level)].mesh;
+          report.simplification->levels[static_cast<std::size_t>(node.level)].mesh;
       const auto v = random.below(static_cast<std::uint64_t>(hull.vertex_count));
       EXPECT_LE(test::distance_by_loop(level, hull.vertices[v]),
-                h.contact_patches[static_cast<std::size_t>(node.contact)].deviation * (1.0 + 1e-9));
+                h.level_patches[static_cast<std::size_t>(node.contact)].deviation * (1.0 + 1e-9));
     }
   }
 }
@@ -175,8 +175,8 @@ TEST(BuildClod, SupportComesDownWithTheVertices) {
     }
   }
   double least = 1e300;
-  for (const auto& d : report.simplification.levels[0].support) least = std::min(least, d[1]);
-  for (const ClodContactPatch& c : h.contact_patches)
+  for (const auto& d : report.simplification->levels[0].support) least = std::min(least, d[1]);
+  for (const LevelPatch& c : h.level_patches)
     for (std::int32_t v = c.first_vertex; v < c.first_vertex + c.vertex_count; ++v)
       EXPECT_GE(h.support[static_cast<std::size_t>(v)][1], least);
 }
@@ -233,10 +233,10 @@ TEST(BuildClod, IsTheSameWithAnyNumberOfThreads) {
                       b = build_clod(wavy_ball(7), threaded);
   EXPECT_EQ(a.vertices, b.vertices);
   EXPECT_EQ(a.support, b.support);
-  ASSERT_EQ(a.contact_patches.size(), b.contact_patches.size());
-  for (std::size_t i = 0; i < a.contact_patches.size(); ++i) {
-    EXPECT_EQ(a.contact_patches[i].deviation, b.contact_patches[i].deviation);
-    EXPECT_EQ(a.contact_patches[i].hausdorff, b.contact_patches[i].hausdorff);
+  ASSERT_EQ(a.level_patches.size(), b.level_patches.size());
+  for (std::size_t i = 0; i < a.level_patches.size(); ++i) {
+    EXPECT_EQ(a.level_patches[i].deviation, b.level_patches[i].deviation);
+    EXPECT_EQ(a.level_patches[i].hausdorff, b.level_patches[i].hausdorff);
   }
 }
 

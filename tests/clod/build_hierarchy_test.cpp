@@ -4,11 +4,11 @@
 #include <cstring>
 #include <limits>
 
+#include "support/check_hierarchy.h"
 #include "support/shared.h"
 #include <gtest/gtest.h>
 
-#include "thigma/clod/check_hierarchy.h"
-#include "thigma/convex/pair.h"
+#include "thigma/convex/gjk.h"
 #include "thigma/core/error.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/measure.h"

@@ -38,8 +38,8 @@ double difference(const ClodHierarchy& a, const ClodHierarchy& b) {
     worst.compare(a.nodes[i].hausdorff, b.nodes[i].hausdorff, size);
     worst.compare(a.nodes[i].center, b.nodes[i].center, size);
   }
-  for (std::size_t i = 0; i < a.contact_patches.size(); ++i) {
-    const ClodContactPatch &c = a.contact_patches[i], &d = b.contact_patches[i];
+  for (std::size_t i = 0; i < a.level_patches.size(); ++i) {
+    const LevelPatch &c = a.level_patches[i], &d = b.level_patches[i];
     worst.compare(c.deviation, d.deviation, size);
     worst.compare(c.hausdorff, d.hausdorff, size);
     worst.compare(c.from_below, d.from_below, size);
@@ -136,7 +136,7 @@ TEST(ClodAsset, EveryTriangleOfEveryLevelHasItsPatch) {
           asset.meshes[k].positions[static_cast<std::size_t>(asset.meshes[k].triangles[t][0])];
       std::int32_t first = 0, count = 0;
       if (k > 0) {
-        const ClodContactPatch& c = h.contact_patches[static_cast<std::size_t>(patch[t])];
+        const LevelPatch& c = h.level_patches[static_cast<std::size_t>(patch[t])];
         EXPECT_EQ(static_cast<std::size_t>(c.level), k);
         first = c.first_vertex, count = c.vertex_count;
       } else {

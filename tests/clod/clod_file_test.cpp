@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstring>
+#include <filesystem>
 
 #include "clod/asset_samples.h"
 #include "support/full.h"
@@ -50,7 +51,7 @@ TEST(ClodFile, GivesBackEveryBit) {
   const ClodAsset& wrote = sample_asset();
   const ClodAsset read = parse_clod(sample_bytes(), "a.clod");
   const ClodHierarchy &a = wrote.hierarchy, &b = read.hierarchy;
-  ASSERT_GT(a.contact_patches.size(), 10u);
+  ASSERT_GT(a.level_patches.size(), 10u);
   EXPECT_EQ(a.radius, b.radius);
   EXPECT_EQ(a.center, b.center);
   EXPECT_EQ(a.triangle_count, b.triangle_count);
@@ -78,6 +79,15 @@ TEST(ClodFile, GivesBackEveryBit) {
   EXPECT_TRUE(read.mass.is_closed);
   // Whatever else there is: written again, every byte is the same.
   EXPECT_EQ(format_clod(read), sample_bytes());
+}
+
+TEST(ClodFile, IsWrittenWholeOrNotAtAll) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / "thigma_clod_file_test.clod").string();
+  write_clod(sample_asset(), path);
+  EXPECT_EQ(format_clod(read_clod(path), path), read_file(path));
+  std::filesystem::remove(path);
+  EXPECT_THROW(write_clod(sample_asset(), "/no/such/folder/a.clod"), IoError);
 }
 
 TEST(ClodFile, TakesExactHierarchiesAndTheFormOfTheText) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/quickhull.h"
 #include "thigma/core/index.h"
 #include "thigma/mesh/triangle_mesh.h"
 

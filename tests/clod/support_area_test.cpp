@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "thigma/contact/resolution.h"
 #include "thigma/math/elementary.h"
 #include "thigma/mesh/shapes.h"
 

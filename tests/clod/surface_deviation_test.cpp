@@ -5,7 +5,7 @@
 #include "clod/distance_by_loop.h"
 #include <gtest/gtest.h>
 
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/quickhull.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/shapes.h"
 

@@ -69,11 +69,11 @@ std::vector<Lie> lies() {
       {"level", [](H& h) { h.nodes[1].level = h.nodes[0].level; }},
       {"patch", [](H& h) { h.nodes.back().patch = -1; }},
       {"patch", [](H& h) { h.patches[0].node = 0; }},
-      {"contact patch", [](H& h) { h.contact_patches[0].patch.node = 1 << 28; }},
-      {"level", [](H& h) { h.contact_patches[3].level = 0; }},
+      {"contact patch", [](H& h) { h.level_patches[0].patch.node = 1 << 28; }},
+      {"level", [](H& h) { h.level_patches[3].level = 0; }},
       {"vertices", [](H& h) { h.nodes[7].vertex_count = 33; }},
       {"vertices", [](H& h) { h.nodes[7].first_vertex = 1 << 30; }},
-      {"vertices", [](H& h) { h.contact_patches[2].vertex_count = 0; }},
+      {"vertices", [](H& h) { h.level_patches[2].vertex_count = 0; }},
       {"lanes", [](H& h) { h.nodes[7].first_lane += 4; }},
       {"lanes", [](H& h) { h.lanes.resize(h.lanes.size() - 8); }},
       {"lanes", [](H& h) { h.lanes[77] += 1.0f; }},
@@ -98,7 +98,7 @@ std::vector<Lie> lies() {
       {"bounds", [](H& h) { h.vertex_to_below.clear(); }},
       {"bounds", [](H& h) { h.vertex_to_below[4] = -1.0f; }},
       {"bounds", [](H& h) { h.triangle_to_below[4] = static_cast<float>(kNan); }},
-      {"negative", [](H& h) { h.contact_patches[4].to_below = -1.0; }},
+      {"negative", [](H& h) { h.level_patches[4].to_below = -1.0; }},
       {"support", [](H& h) { h.support.pop_back(); }},
   };
 }

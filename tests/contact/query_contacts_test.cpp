@@ -5,8 +5,8 @@
 #include "support/query_path.h"
 #include <gtest/gtest.h>
 
-#include "thigma/convex/detail/surface.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/mesh/surface_topology.h"
 
 namespace thigma {
 namespace {
@@ -74,7 +74,7 @@ bool surfaces_cross(const TriangleMesh& a, const TriangleMesh& b) {
       const std::array<Vec3, 3> q = corners(b, t);
       const bool is_apart =
           (low_p.array() > high(q).array()).any() || (low(q).array() > high_p.array()).any();
-      if (!is_apart && detail::triangles_cross(p, q)) return true;
+      if (!is_apart && triangles_cross(p, q)) return true;
     }
   }
   return false;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/quickhull.h"
 #include "thigma/math/random.h"
 
 namespace thigma {
@@ -57,7 +57,7 @@ TEST(ListHalfSpaces, HoldTheHullAndMoveInwardsByTheInset) {
   Random random(5);
   std::vector<Vec3> points;
   for (int i = 0; i < 20; ++i) points.push_back(3.0 * random.direction() + Vec3(100, 0, 0));
-  GrowingHull hull;
+  Quickhull hull;
   start_hull(hull, points, 1e-10);
   complete_hull(hull);
   std::vector<HalfSpace> at_rest, moved;

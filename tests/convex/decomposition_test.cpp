@@ -8,7 +8,7 @@
 
 #include "thigma/convex/clip.h"
 #include "thigma/convex/count_patches.h"
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/quickhull.h"
 #include "thigma/core/error.h"
 #include "thigma/math/elementary.h"
 #include "thigma/mesh/measure.h"
@@ -47,7 +47,7 @@ void expect_valid(const TriangleMesh& mesh, const ConvexDecomposition& d) {
       const Vec3 normal = (c[1] - c[0]).cross(c[2] - c[0]).normalized();
       for (const Vec3& q : points) EXPECT_LE(normal.dot(q - c[0]), flat) << "patch " << p;
     }
-    GrowingHull hull;
+    Quickhull hull;
     start_hull(hull, points, 1e-10);
     if (hull.dimension < 3) continue;
     complete_hull(hull);

@@ -7,8 +7,8 @@
 #include <map>
 #include <vector>
 
+#include "thigma/convex/gjk.h"
 #include "thigma/convex/hull_view.h"
-#include "thigma/convex/pair.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/shapes.h"
 

@@ -32,8 +32,8 @@ struct BatchScene {
   std::vector<PointHull> a, b;
   std::vector<HullView> view_a, view_b;
 
-  std::vector<PairQuery> queries(std::vector<GjkCache>& caches) const {
-    std::vector<PairQuery> q(caches.size());
+  std::vector<GjkQuery> queries(std::vector<GjkCache>& caches) const {
+    std::vector<GjkQuery> q(caches.size());
     for (std::size_t i = 0; i < q.size(); ++i) q[i] = {&view_a[i], &view_b[i], &caches[i]};
     return q;
   }

@@ -172,7 +172,7 @@ TEST(PairContact, AmongNearEqualDirectionsTheLastOneIsKept) {
   EXPECT_GT(pair_contact(patch.view(), patch.view(), x, 1.0, cache, &last, {}).normal.z(), 0.999);
 }
 
-// --- Pressing two bodies into each other (CLOD-NOTES 4)
+// --- Pressing two bodies into each other
 // --------------------------------------------------------
 
 struct Body {
@@ -204,7 +204,7 @@ struct PairMemory {
   GjkCache cache;
 };
 
-// Presses b along -d from touch to `press` in `steps`; counts what Must show 5 asks.
+// Presses b along -d from touch to `press` in `steps`; counts jumps and turned normals.
 Pressing press(const Body& a, const Body& b, const Mat3& rotation, const Vec3& d,
                double press_depth, int steps, bool memory) {
   constexpr double kTolerance = 0.01;

@@ -50,7 +50,7 @@ TEST(AxisSeparates, NeverLiesAndIsTightAndEqualsItsScalarTwin) {
     GjkCache cache;
     const Separation s =
         closest_points(ha.view(), hb.view(), x, std::numeric_limits<double>::infinity(), cache);
-    if (s.status != PairStatus::separated) continue;
+    if (s.status != GjkStatus::separated) continue;
     const Vec3 d = (s.witness_b - s.witness_a).normalized();
     const float axis[3] = {static_cast<float>(d.x()), static_cast<float>(d.y()),
                            static_cast<float>(d.z())};

@@ -1,4 +1,5 @@
-// The closed loop of simulated hand and sampled wall, against the stability bounds of PROTOCOLS E3.
+// The closed loop of simulated hand and sampled wall, against the stability bounds of Protocol E3
+// (docs/sources.md).
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +54,7 @@ struct Swing {
   double early, late;  // largest |x| in the first and last tenth
 };
 
-// Device A of PROTOCOLS E3 with b = 0 against a wall on both sides, `late` ticks of delay.
+// Device A of docs/sources.md, E3 with b = 0 against a wall on both sides, `late` ticks of delay.
 Swing swing_against_wall(double mass, double stiffness, double damping, int late, int ticks) {
   HandParams p = bare_mass(mass);
   p.delay = late * kTick;
@@ -72,7 +73,7 @@ Swing swing_against_wall(double mass, double stiffness, double damping, int late
 }
 
 TEST(HandStability, SampledWallIsStableExactlyWithinTheClosedFormBound) {
-  // PROTOCOLS E3, check 1: stable iff 0 < alpha < 2 beta (2 - beta) / (2 + beta), from the
+  // E3 (docs/sources.md), check 1: stable iff 0 < alpha < 2 beta (2 - beta) / (2 + beta), from the
   // characteristic polynomial.
   const double mass = 0.1;
   for (const double beta : {0.2, 0.5, 0.828, 1.2, 1.7}) {
@@ -88,7 +89,7 @@ TEST(HandStability, SampledWallIsStableExactlyWithinTheClosedFormBound) {
 }
 
 TEST(HandStability, OneSampleOfDelayShrinksTheStableRange) {
-  // PROTOCOLS E3: largest stable alpha 0.145 near beta 0.42 with one sample of delay.
+  // docs/sources.md, E3: largest stable alpha 0.145 near beta 0.42 with one sample of delay.
   const double mass = 0.1;
   const auto run = [&](double alpha) {
     return swing_against_wall(mass, alpha * mass / (kTick * kTick), 0.42 * mass / kTick, 1, 3000);
@@ -143,8 +144,8 @@ double press_amplitude(double stiffness, double delay) {
 }
 
 TEST(HandStability, PressesWithoutHuntingUntilDelayMakesItUnstable) {
-  // PROTOCOLS E3, check 4: K < (b + B) / (T / 2 + delay). The arm's 8 N s/m at 500 N/m allow about
-  // 15 ms.
+  // E3 (docs/sources.md), check 4: K < (b + B) / (T / 2 + delay). The arm's 8 N s/m at 500 N/m
+  // allow about 15 ms.
   const HandParams p;
   EXPECT_LE(press_amplitude(500.0, 0.0), p.encoder * 1.001);
   EXPECT_LE(press_amplitude(500.0, 0.010), p.encoder * 1.001);

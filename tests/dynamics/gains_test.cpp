@@ -89,8 +89,8 @@ TEST(Gains, TheLoopLimitIsWhereTheLoopBeginsToSwing) {
   task.delay = 0.003;
   const GainProposal p = propose_gains(task);
   ASSERT_EQ(p.linear.binds, GainLimit::loop);
-  // The worst arm is one of those of PROTOCOLS E3; beyond the limit at least one swings, in the air
-  // or pressing.
+  // The worst arm is one of those of docs/sources.md, E3; beyond the limit at least one swings, in
+  // the air or pressing.
   const auto worst = [&](double stiffness) {
     double growth = 0.0;
     for (const auto& arm : {std::array{100.0, 1.0}, {500.0, 5.0}, {1500.0, 15.0}}) {

@@ -11,8 +11,8 @@
 namespace thigma {
 namespace {
 
-/// A body that does not move: the coupling is then the two-sided wall of PROTOCOLS E3 on a handle
-/// without damping.
+/// A body that does not move: the coupling is then the two-sided wall of docs/sources.md, E3 on a
+/// handle without damping.
 SampledLoop wall(double alpha, double beta, double delay_in_frames = 0.0) {
   const double mass = 0.1, period = 1e-3;
   return {.period = period,
@@ -23,8 +23,8 @@ SampledLoop wall(double alpha, double beta, double delay_in_frames = 0.0) {
           .coupling_damping = beta * mass / period};
 }
 
-/// Largest root of z^3 + (-2 + (alpha + beta) / 2) z^2 + (1 + alpha / 2) z - beta / 2 (PROTOCOLS
-/// E3, check 1).
+/// Largest root of z^3 + (-2 + (alpha + beta) / 2) z^2 + (1 + alpha / 2) z - beta / 2
+/// (docs/sources.md, E3, check 1).
 double largest_root(double alpha, double beta) {
   Mat3 companion = Mat3::Zero();
   companion(1, 0) = companion(2, 1) = 1.0;
@@ -44,7 +44,8 @@ TEST(SampledLoop, GrowsAsTheCharacteristicPolynomialSays) {
 }
 
 TEST(SampledLoop, LateSamplesShrinkTheStableRangeAsPublished) {
-  // PROTOCOLS E3: largest stable alpha 0.145, 0.063, 0.035 with one, two, three samples of delay.
+  // docs/sources.md, E3: largest stable alpha 0.145, 0.063, 0.035 with one, two, three samples of
+  // delay.
   const double betas[] = {0.42, 0.29, 0.22}, bounds[] = {0.145, 0.063, 0.035};
   for (int late = 1; late <= 3; ++late) {
     EXPECT_LT(loop_growth(wall(0.95 * bounds[late - 1], betas[late - 1], late)), 1.0) << late;

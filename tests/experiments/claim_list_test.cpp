@@ -32,8 +32,9 @@ TEST(ClaimList, TellsEveryClaimWithItsKindAndWhatWasNotRun) {
                    {.reason = "because", .sweep = "data.csv", .floor = 4.0, .floor_low = 0.5}),
       at_most("bad", "is small", 5.0, 2.0), stated("said", "only said", 7.0)};
   const std::string page = claim_list(folder_with(claims_json(kTwo[0], claims)), kTwo);
-  EXPECT_NE(page.find("4 claims: 2 checked, 1 stated, 1 not reproduced; 1 broken. Not run: second."),
-            std::string::npos)
+  EXPECT_NE(
+      page.find("4 claims: 2 checked, 1 stated, 1 not reproduced; 1 broken. Not run: second."),
+      std::string::npos)
       << page;
   for (const char* row : {"| first | 2 | 1 | 1 | 1 |\n",
                           "| first | known | 3 | 1 to 2 | 0.5 to 4 | data.csv | because |\n",

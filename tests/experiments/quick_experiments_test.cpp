@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "clod_cache.h"
 #include "experiments/claims_schema.h"
 #include "experiments/common/experiment.h"
 #include "experiments/worse_value.h"
@@ -15,6 +14,7 @@
 #include <unistd.h>
 
 #include "thigma/core/file.h"
+#include "thigma/scene/asset_cache.h"
 
 namespace thigma::experiments {
 namespace {
@@ -22,10 +22,10 @@ namespace {
 class QuickExperiment : public testing::TestWithParam<Experiment> {};
 
 ClodHierarchy kept_levels(const std::string& uri) {
-  app::ClodSource source;
+  ClodSource source;
   source.name = uri;
   source.params.threads = 1;
-  return app::load_clod_cached(source).hierarchy;
+  return load_clod_cached(source).hierarchy;
 }
 
 /// Runs it into a folder that is removed again.

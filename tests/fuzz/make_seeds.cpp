@@ -7,19 +7,19 @@
 #include <sstream>
 
 #include "clod/asset_samples.h"
+#include "depth/textured_plates.h"
 #include "fuzz/fuzz_target.h"
-#include "runtime/recording_samples.h"
-#include "scenes/scene_file.h"
+#include "recording/recording_samples.h"
 #include "support/plane_session.h"
 #include "support/png_bytes.h"
-#include "texture/textured_plates.h"
 #include "viewer/server/protocol.h"
 
 #include "thigma/clod/clod_file.h"
 #include "thigma/core/file.h"
 #include "thigma/mesh/shapes.h"
 #include "thigma/mesh/write_mesh.h"
-#include "thigma/runtime/config_json.h"
+#include "thigma/recording/config_json.h"
+#include "thigma/scene/scene_file.h"
 #include "thigma/texture/texture_file.h"
 
 namespace thigma::fuzz {
@@ -109,7 +109,7 @@ void put_recordings(const Seeds& seeds) {
 
 void put_texts(const Seeds& seeds) {
   for (const char* name : {"jaws", "blocks", "spoon_in_cup", "file_on_cad"})
-    seeds.put("scene", name, std::string(scenes::builtin_scene(name)));
+    seeds.put("scene", name, std::string(builtin_scene(name)));
   seeds.put("script", "two",
             "t,x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n# on\n1,0.01,0,0,0,0,0.6,0.8\n");
   seeds.put("script", "buttons",

@@ -5,7 +5,7 @@
 
 #include "thigma/core/checksum.h"
 #include "thigma/math/random.h"
-#include "thigma/runtime/detail/mcap_records.h"
+#include "thigma/recording/detail/mcap_records.h"
 
 namespace thigma::fuzz {
 namespace {

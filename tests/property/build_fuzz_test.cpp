@@ -5,15 +5,15 @@
 #include <map>
 
 #include "support/broken_mesh.h"
+#include "support/check_hierarchy.h"
+#include "support/check_levels.h"
 #include "support/full.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_clod.h"
-#include "thigma/clod/check_hierarchy.h"
 #include "thigma/core/error.h"
 #include "thigma/mesh/inspect.h"
 #include "thigma/mesh/repair.h"
-#include "thigma/simplify/check_levels.h"
 
 namespace thigma {
 namespace {
@@ -36,9 +36,9 @@ void build(const TriangleMesh& mesh, int number, Outcomes& outcomes) {
   ClodReport report;
   const ClodHierarchy h = build_clod(mesh, params_of(number), &report);
   EXPECT_EQ(check_hierarchy(h, mesh).total(), 0);
-  const LevelCheck check = check_levels(report.simplification, decompose_surface(mesh));
+  const LevelCheck check = check_levels(*report.simplification, decompose_surface(mesh));
   EXPECT_EQ(check.total() - check.changed_surfaces, 0);
-  outcomes.levels += static_cast<int>(report.simplification.levels.size());
+  outcomes.levels += static_cast<int>(report.simplification->levels.size());
 }
 
 TEST(BuildFuzz, BuildsOrSaysWhyNot) {

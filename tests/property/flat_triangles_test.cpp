@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "support/check_hierarchy.h"
+#include "support/check_levels.h"
 #include "support/full.h"
 #include "support/level_check.h"
 #include "support/query_check.h"
@@ -12,12 +14,10 @@
 
 #include "thigma/clod/build_clod.h"
 #include "thigma/clod/build_hierarchy.h"
-#include "thigma/clod/check_hierarchy.h"
 #include "thigma/clod/validate_hierarchy.h"
-#include "thigma/convex/detail/surface.h"
 #include "thigma/mesh/inspect.h"
 #include "thigma/mesh/shapes.h"
-#include "thigma/simplify/check_levels.h"
+#include "thigma/mesh/surface_topology.h"
 
 namespace thigma {
 namespace {
@@ -70,14 +70,14 @@ void build_both_ways(const TriangleMesh& mesh, Tally& tally) {
   EXPECT_EQ(check.total(), 0) << check.reflex_edges << ' ' << check.off_hull << ' '
                               << check.protruding_patches << ' ' << check.wrong_features << ' '
                               << check.uncovered_nodes << ' ' << check.worst_uncovered;
-  const LevelCheck levels = check_levels(report.simplification, decompose_surface(mesh));
+  const LevelCheck levels = check_levels(*report.simplification, decompose_surface(mesh));
   EXPECT_EQ(levels.total() - levels.changed_surfaces, 0)
       << levels.misplaced_triangles << ' ' << levels.empty_patches << ' ' << levels.unhalved_levels
       << ' ' << levels.wrong_parents << ' ' << levels.off_hull << ' ' << levels.reflex_edges << ' '
       << levels.protruding_patches;
   ++tally.meshes;
-  for (const double height : detail::describe_surface(mesh).height) tally.flat += height <= 0.0;
-  tally.levels += static_cast<int>(report.simplification.levels.size());
+  for (const double height : compute_topology(mesh).height) tally.flat += height <= 0.0;
+  tally.levels += static_cast<int>(report.simplification->levels.size());
 }
 
 TEST(FlatTriangles, a_ball_with_five_builds_with_levels) {

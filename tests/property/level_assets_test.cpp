@@ -7,18 +7,18 @@
 #include <cstdio>
 #include <span>
 
-#include "scenes/make_model.h"
+#include "support/check_hierarchy.h"
+#include "support/check_levels.h"
 #include "support/full.h"
 #include "support/shared.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_clod.h"
-#include "thigma/clod/check_hierarchy.h"
 #include "thigma/clod/surface_deviation.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/load_mesh.h"
 #include "thigma/mesh/measure.h"
-#include "thigma/simplify/check_levels.h"
+#include "thigma/models/make_model.h"
 #include "thigma/simplify/simplify_surface.h"
 
 namespace thigma {
@@ -66,11 +66,11 @@ DeviationSamples sample_deviations(const ClodHierarchy& h, const TriangleMesh& m
     const ClodNode& node = h.nodes[i];
     for (std::int32_t k = 0; k < node.child_count; ++k)
       parent[static_cast<std::size_t>(node.first_child + k)] = static_cast<std::int32_t>(i);
-    const HullView surface = contact_view(h, static_cast<std::int32_t>(i));
+    const HullView surface = level_surface(h, static_cast<std::int32_t>(i));
     if (node.contact >= 0)
       for (int k = 0; k < 4; ++k)
         samples.add(nearest_distance(original, sample(surface, random), guess),
-                    h.contact_patches[static_cast<std::size_t>(node.contact)].deviation);
+                    h.level_patches[static_cast<std::size_t>(node.contact)].deviation);
     if (node.patch < 0) continue;
     const Vec3 p = sample(surface, random);
     for (std::int32_t up = parent[i]; up >= 0; up = parent[static_cast<std::size_t>(up)]) {
@@ -78,7 +78,7 @@ DeviationSamples sample_deviations(const ClodHierarchy& h, const TriangleMesh& m
       std::int32_t near = 0;
       if (above.contact >= 0)
         samples.add(nearest_distance(levels[static_cast<std::size_t>(above.level)], p, near),
-                    h.contact_patches[static_cast<std::size_t>(above.contact)].deviation);
+                    h.level_patches[static_cast<std::size_t>(above.contact)].deviation);
     }
   }
   return samples;
@@ -91,15 +91,15 @@ double expect_sound_asset(const std::string& name, const TriangleMesh& mesh, boo
   params.threads = 2;
   ClodReport report;
   const ClodHierarchy h = build_clod(mesh, params, &report);
-  const auto& levels = report.simplification.levels;
+  const auto& levels = report.simplification->levels;
   const SimplifiedLevel& last = levels.back();
-  const LevelCheck check = check_levels(report.simplification, decompose_surface(mesh));
+  const LevelCheck check = check_levels(*report.simplification, decompose_surface(mesh));
   EXPECT_EQ(check.misplaced_triangles, 0);
   EXPECT_EQ(check.reflex_edges + check.off_hull, 0);
   EXPECT_EQ(check.protruding_patches, 0);
   EXPECT_EQ(check.total(), 0);
   EXPECT_EQ(check_hierarchy(h, mesh).total(), 0);
-  const DeviationSamples samples = sample_deviations(h, mesh, report.simplification);
+  const DeviationSamples samples = sample_deviations(h, mesh, *report.simplification);
   EXPECT_EQ(samples.beyond, 0) << "of " << samples.count;
   for (std::size_t k = 2; k < levels.size() && is_procedural; ++k)
     EXPECT_LT(levels[k].resolution, levels[k - 1].resolution);
@@ -115,7 +115,7 @@ double expect_sound_asset(const std::string& name, const TriangleMesh& mesh, boo
       last.patch_count, 100.0 * share, r1, last.resolution * h.radius, free, h.levels.size(),
       100.0 * (mass_properties(last.mesh).volume / mass_properties(mesh).volume - 1.0),
       samples.count, samples.worst, static_cast<long long>(report.childless),
-      h.contact_patches.size());
+      h.level_patches.size());
   std::fflush(stdout);
   return share;
 }
@@ -129,10 +129,10 @@ TEST(LevelAssets, ProceduralModels) {
       {"peg", 4000, true},       {"hole", 4000, false}};
   for (const Asset& asset : assets) {
     if (asset.triangles == 0 && !test::is_full()) continue;
-    scenes::ModelRequest request;
+    models::ModelRequest request;
     request.name = asset.name;
     if (!test::is_full()) request.triangles = asset.triangles;
-    const double share = expect_sound_asset(asset.name, scenes::make_model(request), true);
+    const double share = expect_sound_asset(asset.name, models::make_model(request), true);
     if (test::is_full() && asset.reaches_two) {
       EXPECT_LE(share, 0.02) << asset.name;
     }
@@ -152,9 +152,9 @@ TEST(LevelAssets, SharedMeshes) {
   }
 }
 
-/// What a prototype reached on a real mesh (CLOD-NOTES 6), in its own unit: the farthest vertex
-/// from the middle of the box. The mug: 750 there; 758 since new triangles stay within 4.5 % of the
-/// radius instead of 8.
+/// What a prototype reached on a real mesh (docs/journal/simplification.md), in its own unit: the
+/// farthest vertex from the middle of the box. The mug: 750 there; 758 since new triangles stay
+/// within 4.5 % of the radius instead of 8.
 struct Coarsest {
   const char* name;
   std::size_t triangles;

@@ -3,13 +3,13 @@
 
 #include <numeric>
 
-#include "scenes/make_model.h"
 #include "support/level_check.h"
 #include <gtest/gtest.h>
 
 #include "thigma/contact/least_separation.h"
 #include "thigma/math/quantile.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/models/make_model.h"
 
 namespace thigma {
 namespace {
@@ -22,7 +22,7 @@ constexpr double kThresholds[] = {0.0025, 0.01, 0.025, 0.05};
 
 /// triangles 0: as many as the model ships with.
 TriangleMesh model(const char* name, int triangles) {
-  return scenes::make_model({.name = name, .triangles = triangles});
+  return models::make_model({.name = name, .triangles = triangles});
 }
 
 // Every contact is compared with every original triangle near it: a thousand poses want models of

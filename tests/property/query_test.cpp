@@ -2,12 +2,12 @@
 
 #include <limits>
 
-#include "scenes/make_model.h"
 #include "support/pressing.h"
 #include "support/query_path.h"
 #include <gtest/gtest.h>
 
 #include "thigma/mesh/shapes.h"
+#include "thigma/models/make_model.h"
 
 namespace thigma {
 namespace {
@@ -44,8 +44,8 @@ TEST(ExactQuery, BallOnBall) {
 
 TEST(ExactQuery, JawOnJaw) {
   const CheckedPair pair =
-      test::checked("jaw on jaw", scenes::make_model({.name = "jaw_upper", .triangles = 12'000}),
-                    scenes::make_model({.name = "jaw_lower", .triangles = 14'000}));
+      test::checked("jaw on jaw", models::make_model({.name = "jaw_upper", .triangles = 12'000}),
+                    models::make_model({.name = "jaw_lower", .triangles = 14'000}));
   test::check_pair(pair, test::from_above(pair), 0.01 * pair.radius);
 }
 
@@ -62,8 +62,8 @@ TEST(Pressing, BallOnBall) {
 }
 
 TEST(Pressing, JawOnJaw) {
-  const CheckedPair pair = test::checked("jaw on jaw", scenes::make_model({.name = "jaw_upper"}),
-                                         scenes::make_model({.name = "jaw_lower"}));
+  const CheckedPair pair = test::checked("jaw on jaw", models::make_model({.name = "jaw_upper"}),
+                                         models::make_model({.name = "jaw_lower"}));
   test::expect_smooth_pressing(pair, test::from_above(pair));
 }
 

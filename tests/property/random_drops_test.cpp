@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 
-#include "scenes/make_model.h"
 #include "support/full.h"
 #include "support/shared.h"
 #include <gtest/gtest.h>
@@ -17,6 +16,7 @@
 #include "thigma/math/random.h"
 #include "thigma/mesh/load_mesh.h"
 #include "thigma/mesh/measure.h"
+#include "thigma/models/make_model.h"
 #include "thigma/simulation/free_motion.h"
 #include "thigma/simulation/simulate.h"
 
@@ -63,7 +63,7 @@ class Things {
       const bool is_file = name.find(".obj") != std::string::npos;
       TriangleMesh mesh = is_file
                               ? load_usable_mesh((*shared_ / "meshes" / name).string(), 1.0, true)
-                              : scenes::make_model({.name = name, .triangles = 2000});
+                              : models::make_model({.name = name, .triangles = 2000});
       found =
           things_.emplace(key, std::make_unique<Thing>(make_thing(name, std::move(mesh), radius)))
               .first;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "thigma/clod/build_clod.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/clod/clod_asset.h"
 #include "thigma/math/elementary.h"

@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include "thigma/loop/contact_step.h"
 #include "thigma/math/rotation.h"
 #include "thigma/response/texture_contacts.h"
-#include "thigma/runtime/contact_step.h"
 
 namespace thigma {
 namespace {

@@ -131,7 +131,7 @@ TEST(LinearizeContacts, full_stiffness_for_each_cluster_on_request) {
   ContactClusters clusters;
   for (int k = 0; k < 3; ++k) clusters.clusters.push_back(cluster_at(random, state, 1e-3));
   const PenaltyParams each{
-      .stiffness = 500.0, .damping = 2.0, .tolerance = 0.0, .is_shared = false};
+      .stiffness = 500.0, .damping = 2.0, .tolerance = 0.0, .is_divided_among_clusters = false};
   for (const PlaneTerm& term : linearize_contacts(clusters, each, state, 0.0, 1).planes) {
     EXPECT_EQ(term.stiffness, 500.0);
     EXPECT_EQ(term.damping, 2.0);

@@ -2,15 +2,15 @@
 
 #include <iostream>
 
-#include "texture/textured_plates.h"
+#include "depth/textured_plates.h"
+#include "reference/offset_surface.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_hierarchy.h"
+#include "thigma/loop/contact_step.h"
 #include "thigma/math/elementary.h"
 #include "thigma/math/rotation.h"
 #include "thigma/mesh/shapes.h"
-#include "thigma/runtime/contact_step.h"
-#include "thigma/texture/offset_surface.h"
 
 namespace thigma {
 namespace {
@@ -174,7 +174,7 @@ TEST(TextureContacts, GraphicsProcessorGivesTheModelOfTheGrid) {
   BallOnRidges here(params);
   std::vector<std::string> said;
   there.world.textures.warn = [&](const std::string& why) { said.push_back(why); };
-  reserve_texture_scratch(there.world.textures, there.scratch.textures);
+  reserve_contact_scratch(there.world, there.scratch);
   for (int i = 0; i < 10; ++i) {
     const Vec3 at(0.021 + 3e-4 * i, 0.003, kBall + 1e-4);
     const LinearContactModel want = here.at(at), &got = there.at(at);
@@ -231,7 +231,7 @@ TEST(TextureContacts, MixWithPlainOnesAndShareTheStiffness) {
   EXPECT_TRUE(plain.depths.empty());
   ContactWorld bare = scene.world;
   bare.textures = {};
-  bare.is_spread = false;  // nor are contacts spread beside relief
+  bare.distributes_wide_contacts = false;  // nor are contacts spread beside relief
   ContactScratch scratch;
   reserve_contact_scratch(bare, scratch);
   StampedBody body;
@@ -301,8 +301,8 @@ TEST(TextureContacts, LookAtTheTrianglesAroundTheirOwn) {
   scene.world.textures.scene = {make_textured_body(plate, hierarchy)};
   reserve_contact_scratch(scene.world, scene.scratch);
   scene.at({0.003, 0.004, kBall});
-  ASSERT_FALSE(scene.scratch.textures.contacts.empty());
-  for (const DepthContact& contact : scene.scratch.textures.contacts) {
+  ASSERT_FALSE(scene.scratch.textures->contacts.empty());
+  for (const DepthContact& contact : scene.scratch.textures->contacts) {
     TriangleMarks marks{std::vector<std::uint32_t>(plate.coarse.triangles.size(), 0u)};
     marks.begin();
     for (const std::int32_t t : contact.scene.triangles) marks.add(t);

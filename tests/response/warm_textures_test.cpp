@@ -1,13 +1,14 @@
 // A contact step with textures allocates nothing once warm.
+#include "depth/textured_plates.h"
 #include "response/level_relief.h"
 #include "support/audit.h"
-#include "texture/textured_plates.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_hierarchy.h"
+#include "thigma/loop/contact_step.h"
 #include "thigma/math/rotation.h"
 #include "thigma/mesh/shapes.h"
-#include "thigma/runtime/contact_step.h"
+#include "thigma/response/texture_contacts.h"
 
 namespace thigma {
 namespace {

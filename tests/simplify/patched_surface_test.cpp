@@ -51,7 +51,7 @@ TEST(PatchedSurface, MergesWhatIsConvexTogether) {
   PatchedSurface s = patched(mesh, 6);
   const std::int32_t before = s.patch_count;
   s.max_vertices = 32;
-  GrowingHull hull;
+  Quickhull hull;
   std::vector<std::int32_t> successor(s.patches.size(), -1);
   int merged = 0;
   for (std::size_t i = 0; i < s.patches.size(); ++i)
@@ -74,7 +74,7 @@ TEST(PatchedSurface, MergesWhatIsConvexTogether) {
 
 TEST(PatchedSurface, DoesNotMergeOverAReflexEdgeOrIntoTheSurface) {
   PatchedSurface s = patched(flipped(make_ball(1.0, 2)));  // reflex everywhere
-  GrowingHull hull;
+  Quickhull hull;
   std::vector<std::int32_t> successor(s.patches.size(), -1);
   for (std::size_t i = 0; i < s.patches.size(); ++i)
     EXPECT_EQ(merge_patch(s, static_cast<std::int32_t>(i), hull, successor), 0);

@@ -4,16 +4,16 @@
 #include <cstring>
 
 #include "simplify/simplify_support.h"
+#include "support/check_levels.h"
 #include "support/shared.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/surface_deviation.h"
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/quickhull.h"
 #include "thigma/mesh/inspect.h"
 #include "thigma/mesh/load_mesh.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/mesh/self_intersections.h"
-#include "thigma/simplify/check_levels.h"
 
 namespace thigma {
 namespace {

@@ -32,20 +32,20 @@ class PatchSurfaces {
   int node_of(int id) const {
     const auto finest = static_cast<int>(h_.patches.size());
     return id < finest ? h_.patches[static_cast<std::size_t>(id)].node
-                       : h_.contact_patches[static_cast<std::size_t>(id - finest)].patch.node;
+                       : h_.level_patches[static_cast<std::size_t>(id - finest)].patch.node;
   }
 
   /// s + h of a patch.
   double promise(int id) const {
     const auto finest = static_cast<int>(h_.patches.size());
     if (id < finest) return 0.0;
-    const ClodContactPatch& c = h_.contact_patches[static_cast<std::size_t>(id - finest)];
+    const LevelPatch& c = h_.level_patches[static_cast<std::size_t>(id - finest)];
     return c.deviation + c.hausdorff;
   }
 
   double deviation(int id) const {
     const auto finest = static_cast<int>(h_.patches.size());
-    return id < finest ? 0.0 : h_.contact_patches[static_cast<std::size_t>(id - finest)].deviation;
+    return id < finest ? 0.0 : h_.level_patches[static_cast<std::size_t>(id - finest)].deviation;
   }
 
   const TriangleTree& below(int id) {

@@ -9,8 +9,8 @@
 #include "thigma/device/hand.h"
 #include "thigma/math/elementary.h"
 #include "thigma/mesh/shapes.h"
-#include "thigma/runtime/placement.h"
-#include "thigma/runtime/session.h"
+#include "thigma/scene/start_placement.h"
+#include "thigma/session/session.h"
 
 namespace thigma::test {
 

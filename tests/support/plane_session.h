@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "thigma/device/hand.h"
-#include "thigma/runtime/session.h"
+#include "thigma/session/session.h"
 
 namespace thigma::test {
 

@@ -5,7 +5,7 @@
 #include "support/mesh_session.h"
 #include <gtest/gtest.h>
 
-#include "thigma/runtime/replay_session.h"
+#include "thigma/recording/replay_session.h"
 
 namespace thigma {
 namespace {

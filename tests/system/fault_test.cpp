@@ -3,7 +3,7 @@
 #include "support/mesh_session.h"
 #include <gtest/gtest.h>
 
-#include "thigma/runtime/direct_session.h"
+#include "thigma/session/session_config.h"
 
 namespace thigma {
 namespace {

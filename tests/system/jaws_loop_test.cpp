@@ -1,41 +1,42 @@
-// The loop closed on the jaws (Must show 7 of the main job): contact 2 kN/m, coupling 200 and 500
+// The loop closed on the jaws: contact 2 kN/m, coupling 200 and 500
 // N/m, 10 g, dof 6 and 3. Coarser jaws by default, the full ones with THIGMA_FULL set.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "scenes/scene_file.h"
 #include "support/full.h"
 #include "support/mesh_session.h"
 #include <gtest/gtest.h>
+
+#include "thigma/scene/scene_file.h"
 
 namespace thigma {
 namespace {
 
 struct Jaws {
   ClodHierarchy upper, lower;
-  scenes::SceneDescription scene;
-  scenes::LoadedObject object;
+  SceneDescription scene;
+  LoadedObject object;
   SessionConfig config;
   StartPlacement start;
 
-  Jaws() : scene(scenes::read_scene("jaws")) {
+  Jaws() : scene(read_scene("jaws")) {
     if (!test::is_full()) {
       scene.object.model->triangles = 14000;
       scene.statics[0].model->triangles = 12000;
     }
     scene.contact.stiffness = 2000.0;
-    object = scenes::load_object(scene.object);
+    object = load_object(scene.object);
     upper = build_exact_hierarchy(object.mesh);
-    lower = build_exact_hierarchy(scenes::load_object(scene.statics[0]).mesh);
+    lower = build_exact_hierarchy(load_object(scene.statics[0]).mesh);
     set_coupling(300.0);
     start = find_start(config.contact, config.world_from_body);
   }
 
   void set_coupling(double stiffness) {
     scene.coupling.linear_stiffness = stiffness;
-    config = scenes::make_session_config(scene, object);
+    config = make_session_config(scene, object);
     config.contact.object = &upper;
     config.contact.scene = {{&lower, scene.statics[0].world_from_mesh}};
     config.contact_every = 4;  // 250 Hz, as a loaded machine would

@@ -1,6 +1,6 @@
 #include "thigma/texture/haptic_texture.h"
 
-#include "texture/textured_plates.h"
+#include "depth/textured_plates.h"
 #include <gtest/gtest.h>
 
 #include "thigma/core/error.h"

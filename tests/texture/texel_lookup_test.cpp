@@ -1,6 +1,6 @@
 #include "thigma/texture/texel_lookup.h"
 
-#include "texture/textured_plates.h"
+#include "depth/textured_plates.h"
 #include <gtest/gtest.h>
 
 namespace thigma {

@@ -2,8 +2,8 @@
 
 #include <cstring>
 
+#include "depth/textured_plates.h"
 #include "support/full.h"
-#include "texture/textured_plates.h"
 #include <gtest/gtest.h>
 
 #include "thigma/core/error.h"

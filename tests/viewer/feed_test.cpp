@@ -17,9 +17,9 @@ std::unique_ptr<LiveFeed> fed(const SessionConfig& config, HapticDevice& device)
   auto feed = std::make_unique<LiveFeed>(config.haptic.workspace);
   feed->begin_session(config.haptic.workspace);
   run_lockstep(config, device,
-               {[&](const HapticSample& s) { feed->look_at(s); },
-                [&](const ContactSample& s) { feed->look_at(s); },
-                [&](const SessionEvent& e) { feed->look_at(e); }});
+               {[&](const HapticSample& s) { feed->observe(s); },
+                [&](const ContactSample& s) { feed->observe(s); },
+                [&](const SessionEvent& e) { feed->observe(e); }});
   return feed;
 }
 
@@ -43,7 +43,7 @@ TEST(Feed, EveryFrameIsARowUntilThereIsNoRoom) {
   EXPECT_TRUE(events.empty());
 
   HapticSample sample;
-  for (int i = 0; i < 20000; ++i) feed->look_at(sample);  // nobody takes them: nothing waits
+  for (int i = 0; i < 20000; ++i) feed->observe(sample);  // nobody takes them: nothing waits
   EXPECT_EQ(feed->dropped_rows(), 20000u - 8192u);
 }
 
@@ -153,7 +153,7 @@ TEST(Feed, AGhostThatIsFirstSeenInTheMiddleStandsAtTheObject) {
   sample.is_grasped = true;
   sample.body.position = {0.1, -0.2, 0.3};
   sample.handle.pose.position = {0.1, -0.2, 0.32};
-  feed.look_at(sample);
+  feed.observe(sample);
   ASSERT_NE(feed.haptic(), nullptr);
   EXPECT_LT((feed.haptic()->ghost.position - sample.body.position).norm(), 1e-12);
 
@@ -162,20 +162,20 @@ TEST(Feed, AGhostThatIsFirstSeenInTheMiddleStandsAtTheObject) {
   sample.frame = 30;
   sample.body.position = {-0.4, 0.0, 0.0};
   sample.handle.pose.position = {-0.4, 0.0, 0.02};
-  feed.look_at(sample);
+  feed.observe(sample);
   EXPECT_LT((feed.haptic()->ghost.position - sample.body.position).norm(), 1e-12);
 }
 
 TEST(Feed, WhatIsForgottenIsNotShown) {
   LiveFeed feed{Workspace{}};
-  feed.look_at(HapticSample{});
-  feed.look_at(ContactSample{});
+  feed.observe(HapticSample{});
+  feed.observe(ContactSample{});
   ASSERT_NE(feed.haptic(), nullptr);
-  feed.look_at(HapticSample{});  // not fetched yet
+  feed.observe(HapticSample{});  // not fetched yet
   feed.forget();
   EXPECT_EQ(feed.haptic(), nullptr);
   EXPECT_EQ(feed.contact(), nullptr);
-  feed.look_at(HapticSample{});
+  feed.observe(HapticSample{});
   EXPECT_NE(feed.haptic(), nullptr);
 }
 

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "thigma/runtime/recording.h"
+#include "thigma/recording/recording.h"
 
 namespace thigma::test {
 namespace {

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "thigma/clod/build_clod.h"
 #include "thigma/clod/clod_asset.h"
 
 namespace thigma::live {
@@ -28,7 +29,7 @@ double wall() { return 1e-9 * static_cast<double>(monotonic_ns()); }
 struct Bench {
   MeshSession scene;
   TriangleMesh ball = make_ball(0.015, 4), ground = MeshSession::rippled_sheet();
-  WebLink link;
+  WebDeviceChannel link;
   std::unique_ptr<LiveRoom> room;
 
   explicit Bench(const WebLimits& limits = {}) {
@@ -41,9 +42,9 @@ struct Bench {
   }
 
   SessionSinks sinks() {
-    return {[this](const HapticSample& s) { room->look_at(s); },
-            [this](const ContactSample& s) { room->look_at(s); },
-            [this](const SessionEvent& e) { room->look_at(e); }};
+    return {[this](const HapticSample& s) { room->observe(s); },
+            [this](const ContactSample& s) { room->observe(s); },
+            [this](const SessionEvent& e) { room->observe(e); }};
   }
 
   /// A configuration that no late frame of this machine can end.
@@ -298,7 +299,7 @@ TEST(LiveRoom, NothingOfTheSceneBeforeIsShownInTheNext) {
   Bench b;
   b.room->begin_session({.device = "hand:"});
   WebClient client(b.room->port());
-  b.room->look_at(HapticSample{});
+  b.room->observe(HapticSample{});
   ASSERT_NE(next_snapshot(client), "");
   b.room->show(SceneView{"", "", "", {"ball", {&b.ball, 1}, &b.scene.object, {}}, {}},
                b.scene.config, {});
@@ -311,7 +312,7 @@ TEST(LiveRoom, NothingOfTheSceneBeforeIsShownInTheNext) {
     states += !message->is_binary && Json::parse(message->data)["type"] == "state";
   }
   EXPECT_EQ(snapshots, 0);
-  b.room->look_at(HapticSample{});
+  b.room->observe(HapticSample{});
   EXPECT_NE(next_snapshot(client), "");
 }
 

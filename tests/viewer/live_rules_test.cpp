@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "thigma/clod/build_clod.h"
 #include "thigma/clod/clod_asset.h"
 
 namespace thigma::live {
@@ -25,7 +26,7 @@ struct RuleBench {
   MeshSession scene;
   ClodAsset ball = build_clod_asset(make_ball(0.015, 16));
   TriangleMesh ground = MeshSession::rippled_sheet();
-  WebLink link;
+  WebDeviceChannel link;
   std::unique_ptr<LiveRoom> room;
 
   explicit RuleBench(const WebLimits& limits = {}) {
@@ -98,8 +99,8 @@ TEST(LiveRules, TheCauseOfAFaultIsKnownToPagesThatComeLaterUntilTheNextSession) 
   SessionConfig config = b.scene.config;
   b.room->prepare_session(config);
   b.room->begin_session({.device = "hand:"});
-  b.room->look_at(SessionEvent{1.5, 1500, "late", "watchdog", "30.0 ms without a haptic step"});
-  b.room->look_at(SessionEvent{2.0, 2000, "fault", "contact_stale", "a sentence"});
+  b.room->observe(SessionEvent{1.5, 1500, "late", "watchdog", "30.0 ms without a haptic step"});
+  b.room->observe(SessionEvent{2.0, 2000, "fault", "contact_stale", "a sentence"});
   b.room->end_session("fault", 0);
   for (int page = 0; page < 2; ++page) {  // and after a reload
     WebClient client(b.room->port());

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "thigma/clod/build_clod.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/clod/clod_asset.h"
 #include "thigma/mesh/shapes.h"
@@ -192,13 +193,13 @@ TEST(Protocol, LevelCarriesItsPatchesAndTheNodesTheyAreNamedBy) {
   EXPECT_EQ(at<float>(message, 32 + 12), static_cast<float>(mesh.positions[1].x()));
   const std::vector<std::int32_t> patches = patches_of_triangles(asset, 1);
   std::size_t first = 0;  // of the level among all contact patches
-  while (asset.hierarchy.contact_patches[first].level != 1) ++first;
+  while (asset.hierarchy.level_patches[first].level != 1) ++first;
   for (std::size_t i = 0; i < t; ++i) {
     const auto patch = at<std::uint32_t>(message, 32 + 12 * (v + t) + 4 * i);
     ASSERT_EQ(patch == 0xffffffffu ? -1 : static_cast<std::int32_t>(first + patch), patches[i]);
     if (patch == 0xffffffffu) continue;
     ASSERT_EQ(at<std::int32_t>(message, 32 + 12 * v + 16 * t + 4 * patch),
-              asset.hierarchy.contact_patches[first + patch].patch.node);
+              asset.hierarchy.level_patches[first + patch].patch.node);
   }
 }
 

@@ -14,7 +14,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "thigma/runtime/rt_thread.h"
+#include "thigma/session/rt_thread.h"
 
 namespace thigma::live {
 namespace {

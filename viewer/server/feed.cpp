@@ -35,7 +35,7 @@ void LiveFeed::begin_session(const Workspace& workspace) noexcept {
   next_frame_ = 0;
 }
 
-void LiveFeed::look_at(const HapticSample& s) {
+void LiveFeed::observe(const HapticSample& s) {
   // The grasp is taken at the body's state before the step: that of the frame before. Where that
   // frame is not known, as after a seek, a step's way is what the ghost is off by.
   if (s.is_grasped && !was_grasped_) {
@@ -74,13 +74,13 @@ void LiveFeed::look_at(const HapticSample& s) {
   haptic_.publish();
 }
 
-void LiveFeed::look_at(const ContactSample& sample) {
+void LiveFeed::observe(const ContactSample& sample) {
   query_times_.push(sample.query_cpu);
   contact_.publish(sample);
   contact_updates_.fetch_add(1, std::memory_order_relaxed);
 }
 
-void LiveFeed::look_at(const SessionEvent& event) {
+void LiveFeed::observe(const SessionEvent& event) {
   const std::lock_guard lock(events_mutex_);
   if (events_.size() >= kMostEvents) events_.erase(events_.begin());
   events_.push_back(event);

@@ -8,10 +8,10 @@
 
 #include "viewer/server/protocol.h"
 
+#include "thigma/core/latest.h"
+#include "thigma/core/spsc_ring.h"
 #include "thigma/device/workspace.h"
-#include "thigma/runtime/latest.h"
-#include "thigma/runtime/session.h"
-#include "thigma/runtime/spsc_ring.h"
+#include "thigma/session/session.h"
 
 namespace thigma::live {
 
@@ -30,9 +30,9 @@ class LiveFeed {
 
   /// To be called before the samples of a session: nothing is remembered of the one before.
   void begin_session(const Workspace& workspace) noexcept;
-  void look_at(const HapticSample& sample);
-  void look_at(const ContactSample& sample);
-  void look_at(const SessionEvent& event);
+  void observe(const HapticSample& sample);
+  void observe(const ContactSample& sample);
+  void observe(const SessionEvent& event);
 
   /// Moves all rows that wait to the end of `rows`.
   void take_rows(std::vector<ChannelRow>& rows);

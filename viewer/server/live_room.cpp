@@ -10,7 +10,7 @@ namespace thigma::live {
 
 LiveRoom::Impl::Impl(SceneView scene_in, const SessionConfig& config_in, const Pose& start_in,
                      std::vector<std::string> devices, std::vector<WebFile> files,
-                     std::uint16_t port, WebLink& link_in, const WebLimits& limits_in)
+                     std::uint16_t port, WebDeviceChannel& link_in, const WebLimits& limits_in)
     : limits(limits_in),
       ports(std::make_unique<LivePorts>()),
       link(link_in),
@@ -138,7 +138,7 @@ void LiveRoom::Impl::ended(const std::string& reason, std::uint64_t dropped) {
 
 LiveRoom::LiveRoom(SceneView scene, const SessionConfig& config, const Pose& start,
                    std::vector<std::string> devices, std::vector<WebFile> files, std::uint16_t port,
-                   WebLink& link, const WebLimits& limits)
+                   WebDeviceChannel& link, const WebLimits& limits)
     : impl_(std::make_unique<Impl>(std::move(scene), config, start, std::move(devices),
                                    std::move(files), port, link, limits)) {
   Impl* room = impl_.get();
@@ -155,9 +155,9 @@ LiveRoom::~LiveRoom() { impl_->server.stop(); }
 std::string LiveRoom::address() const { return impl_->server.address(); }
 std::uint16_t LiveRoom::port() const { return impl_->server.port(); }
 LivePorts& LiveRoom::ports() { return *impl_->ports; }
-void LiveRoom::look_at(const HapticSample& sample) { impl_->feed.look_at(sample); }
-void LiveRoom::look_at(const ContactSample& sample) { impl_->feed.look_at(sample); }
-void LiveRoom::look_at(const SessionEvent& event) { impl_->feed.look_at(event); }
+void LiveRoom::observe(const HapticSample& sample) { impl_->feed.observe(sample); }
+void LiveRoom::observe(const ContactSample& sample) { impl_->feed.observe(sample); }
+void LiveRoom::observe(const SessionEvent& event) { impl_->feed.observe(event); }
 
 void LiveRoom::prepare_session(SessionConfig& config) {
   const std::lock_guard lock(impl_->mutex);
@@ -166,7 +166,7 @@ void LiveRoom::prepare_session(SessionConfig& config) {
   impl_->ports->is_paused = false;
   impl_->ports->steps = 0;
   impl_->feed.begin_session(config.haptic.workspace);
-  impl_->feed.look_at(SessionEvent{});  // what comes after it is of this session
+  impl_->feed.observe(SessionEvent{});  // what comes after it is of this session
   config.live = impl_->ports.get();
 }
 

@@ -11,9 +11,9 @@
 #include "viewer/server/messages.h"
 #include "viewer/server/web_server.h"
 
-#include "thigma/runtime/live.h"
-#include "thigma/runtime/session.h"
-#include "thigma/runtime/web_device.h"
+#include "thigma/device/web_device.h"
+#include "thigma/session/live_ports.h"
+#include "thigma/session/session.h"
 
 namespace thigma::live {
 
@@ -56,7 +56,7 @@ class LiveRoom {
   /// errors     PortUnavailable
   LiveRoom(SceneView scene, const SessionConfig& config, const Pose& start,
            std::vector<std::string> devices, std::vector<WebFile> files, std::uint16_t port,
-           WebLink& link, const WebLimits& limits = {});
+           WebDeviceChannel& link, const WebLimits& limits = {});
   ~LiveRoom();
   LiveRoom(const LiveRoom&) = delete;
   LiveRoom& operator=(const LiveRoom&) = delete;
@@ -77,9 +77,9 @@ class LiveRoom {
   void rewind();
 
   LivePorts& ports();
-  void look_at(const HapticSample& sample);
-  void look_at(const ContactSample& sample);
-  void look_at(const SessionEvent& event);
+  void observe(const HapticSample& sample);
+  void observe(const ContactSample& sample);
+  void observe(const SessionEvent& event);
 
   /// The parameters as pages have set them, for the session that comes next. Pages cannot change
   /// them from here to begin_session.

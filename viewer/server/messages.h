@@ -12,7 +12,7 @@
 
 #include "thigma/clod/hierarchy.h"
 #include "thigma/mesh/triangle_mesh.h"
-#include "thigma/runtime/session.h"
+#include "thigma/session/session.h"
 
 namespace thigma::live {
 

@@ -172,7 +172,7 @@ std::string encode_level(std::uint32_t mesh_number, std::int32_t level, const Tr
                          const ClodHierarchy& hierarchy) {
   std::vector<std::uint32_t> patch_of(mesh.triangles.size(), 0xffffffffu);
   std::vector<std::int32_t> nodes;
-  for (const ClodContactPatch& contact : hierarchy.contact_patches) {
+  for (const LevelPatch& contact : hierarchy.level_patches) {
     if (contact.level != level) continue;
     mark_patch(hierarchy, contact.patch, static_cast<std::uint32_t>(nodes.size()), patch_of);
     nodes.push_back(contact.patch.node);

@@ -12,7 +12,7 @@
 #include "thigma/clod/hierarchy.h"
 #include "thigma/device/web_motion.h"
 #include "thigma/mesh/triangle_mesh.h"
-#include "thigma/runtime/live.h"
+#include "thigma/session/live_ports.h"
 
 namespace thigma::live {
 

@@ -22,8 +22,9 @@ struct TimingWindow {
 void add(std::span<const ChannelRow> rows, std::span<const double> queries, TimingWindow& window);
 
 /// Timing since the window was closed last; empties it.
-/// now       [s; the same clock]; frame, update: counts so far
-/// has_frame whether there is a frame at all yet
+/// now            [s; the same clock]
+/// frame, update  counts so far
+/// has_frame      whether there is a frame at all yet
 Timing close(double now, bool has_frame, std::uint64_t frame, std::uint64_t update,
              TimingWindow& window);
 

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "thigma/dynamics/gains.h"
-#include "thigma/runtime/session.h"
+#include "thigma/session/live_ports.h"
+#include "thigma/session/session.h"
 
 namespace thigma::live {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "thigma/clod/detail/contact_patches.h"
 #include "thigma/clod/detail/draft_tree.h"
 #include "thigma/clod/detail/level_bounds.h"
+#include "thigma/clod/detail/level_patches.h"
 #include "thigma/clod/detail/parents.h"
 #include "thigma/clod/support_area.h"
 #include "thigma/core/cpu_clock.h"
@@ -65,7 +65,7 @@ void describe_levels(const Simplification& s, ClodHierarchy& h) {
     ++level.node_count;
     level.hausdorff_max = std::max(level.hausdorff_max, node.hausdorff);
   }
-  for (const ClodContactPatch& patch : h.contact_patches) {
+  for (const LevelPatch& patch : h.level_patches) {
     ClodLevel& level = h.levels[at(patch.level)];
     level.deviation_max = std::max(level.deviation_max, patch.deviation);
     level.contact_hausdorff_max = std::max(level.contact_hausdorff_max, patch.hausdorff);
@@ -110,9 +110,9 @@ ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params, Clo
   report->simplify_seconds = simplified - supported;
   report->tree_seconds = placed - simplified;
   report->parameter_seconds = process_cpu_seconds() - placed + supported - decomposed;
-  report->childless = std::count_if(h.contact_patches.begin(), h.contact_patches.end(),
-                                    [](const ClodContactPatch& p) { return p.patch.node < 0; });
-  report->simplification = std::move(s);
+  report->childless = std::count_if(h.level_patches.begin(), h.level_patches.end(),
+                                    [](const LevelPatch& p) { return p.patch.node < 0; });
+  report->simplification = std::make_shared<Simplification>(std::move(s));
   return h;
 }
 

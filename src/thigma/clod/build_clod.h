@@ -1,14 +1,18 @@
 #pragma once
 // From a mesh to contact levels of detail: one tree that is both levels and bounding volumes.
 
-#include <functional>
+#include <cstdint>
+#include <memory>
 
+#include "thigma/clod/clod_asset.h"
 #include "thigma/clod/hierarchy.h"
 #include "thigma/convex/decomposition.h"
 #include "thigma/mesh/triangle_mesh.h"
-#include "thigma/simplify/simplify_surface.h"
+#include "thigma/simplify/simplify_params.h"
 
 namespace thigma {
+
+struct Simplification;
 
 struct ClodParams {
   DecompositionParams decomposition;
@@ -25,8 +29,8 @@ struct ClodParams {
 struct ClodReport {
   std::int64_t childless = 0;  // patches of simplified levels that no finer patch is nearest to
   double decompose_seconds = 0.0, simplify_seconds = 0.0, parameter_seconds = 0.0,
-         tree_seconds = 0.0;  // CPU time
-  Simplification simplification;
+         tree_seconds = 0.0;                       // CPU time
+  std::shared_ptr<Simplification> simplification;  // set by build_clod
 };
 
 /// Levels of detail of a usable mesh under free levels, with r, s, h and D.
@@ -41,5 +45,13 @@ struct ClodReport {
 ///          (docs/deviations.md); both can be switched off.
 ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params = {},
                          ClodReport* report = nullptr);
+
+/// Builds levels of detail of a usable mesh with all that belongs to them.
+///
+/// mesh     as of build_clod [m]
+/// report   null, or filled; the meshes of its simplification are moved out of it
+/// Thread   [offline]; as build_clod.
+ClodAsset build_clod_asset(const TriangleMesh& mesh, const ClodParams& params = {},
+                           ClodReport* report = nullptr);
 
 }  // namespace thigma

@@ -21,8 +21,8 @@ struct BuildReport {
 /// report    null, or filled
 /// returns   the hierarchy; deterministic
 /// Thread    [offline]; throws InputError when no triangle has an area.
-/// Source    Sec. 3.3.1, 3.3.3 (free levels); h over all descendants (ERRATA of Eq. 3.5 in
-/// docs/deviations.md).
+/// Source    Sec. 3.3.1, 3.3.3 (free levels); h over all descendants (see Eq. 3.5 in
+///           docs/deviations.md).
 ClodHierarchy build_exact_hierarchy(const TriangleMesh& mesh,
                                     const DecompositionParams& params = {},
                                     BuildReport* report = nullptr);

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "thigma/clod/build_clod.h"
 #include "thigma/clod/detail/clod_fields.h"
+#include "thigma/convex/decomposition.h"
 #include "thigma/core/index.h"
 #include "thigma/mesh/topology.h"
+#include "thigma/simplify/simplify_surface.h"
 
 namespace thigma {
 namespace {
@@ -101,7 +104,7 @@ void refresh_lanes(ClodHierarchy& h) {
   for (const ClodNode& n : h.nodes)
     refresh_lanes_of(h.vertices, n.first_vertex, n.vertex_count, n.first_lane, n.lane_count,
                      n.center, h.lanes);
-  for (const ClodContactPatch& c : h.contact_patches)
+  for (const LevelPatch& c : h.level_patches)
     refresh_lanes_of(h.vertices, c.first_vertex, c.vertex_count, c.first_lane, c.lane_count,
                      c.center, h.lanes);
 }
@@ -113,7 +116,7 @@ ClodAsset build_clod_asset(const TriangleMesh& mesh, const ClodParams& params, C
   ClodReport& used = report != nullptr ? *report : own;
   ClodAsset asset;
   asset.hierarchy = build_clod(mesh, params, &used);
-  for (SimplifiedLevel& level : used.simplification.levels)
+  for (SimplifiedLevel& level : used.simplification->levels)
     asset.meshes.push_back(std::move(level.mesh));
   asset.mass.is_closed = is_closed_surface(mesh);
   asset.mass.measure = mass_properties(mesh);
@@ -131,8 +134,8 @@ std::vector<std::int32_t> patches_of_triangles(const ClodAsset& asset, std::int3
   if (level == 0)
     for (std::size_t p = 0; p < h.patches.size(); ++p) add(h.patches[p], p);
   else
-    for (std::size_t p = 0; p < h.contact_patches.size(); ++p)
-      if (h.contact_patches[p].level == level) add(h.contact_patches[p].patch, p);
+    for (std::size_t p = 0; p < h.level_patches.size(); ++p)
+      if (h.level_patches[p].level == level) add(h.level_patches[p].patch, p);
   return result;
 }
 

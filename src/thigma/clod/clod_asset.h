@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "thigma/clod/build_clod.h"
 #include "thigma/clod/hierarchy.h"
 #include "thigma/core/checksum.h"
 #include "thigma/mesh/measure.h"
@@ -41,18 +40,10 @@ struct ClodAsset {
   ClodOrigin origin;
 };
 
-/// Builds levels of detail of a usable mesh with all that belongs to them.
-///
-/// mesh     as of build_clod [m]
-/// report   null, or filled; the meshes of its simplification are moved out of it
-/// Thread   [offline]; as build_clod.
-ClodAsset build_clod_asset(const TriangleMesh& mesh, const ClodParams& params = {},
-                           ClodReport* report = nullptr);
-
 /// Of each triangle of a level's mesh: its patch, -1 without one (m). Level 0: into
-/// hierarchy.patches; simplified levels: into hierarchy.contact_patches.
-/// level  with a mesh
-/// Thread [offline].
+/// hierarchy.patches; simplified levels: into hierarchy.level_patches.
+/// level   with a mesh
+/// Thread  [offline].
 std::vector<std::int32_t> patches_of_triangles(const ClodAsset& asset, std::int32_t level);
 
 /// Multiplies all lengths by a factor, as if the mesh had been scaled before: positions, s, h,

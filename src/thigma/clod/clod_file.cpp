@@ -328,4 +328,8 @@ ClodAsset read_clod(const std::string& path, double unit_scale) {
 
 bool is_clod(std::string_view bytes) { return bytes.starts_with(kClodKind.magic); }
 
+void write_clod(const ClodAsset& asset, const std::string& path) {
+  write_file(path, format_clod(asset, path));
+}
+
 }  // namespace thigma

@@ -38,6 +38,9 @@ ClodAsset parse_clod(std::string_view bytes, const std::string& name, double uni
 /// The same of a file. Throws InputError, too, when it cannot be read.
 ClodAsset read_clod(const std::string& path, double unit_scale = 1.0);
 
+/// Writes an asset as a .clod file, whole or not at all. Thread [offline]; IoError.
+void write_clod(const ClodAsset& asset, const std::string& path);
+
 /// scale_asset for a factor that a user gave. Throws InputError naming `name` when it is not
 /// positive and finite or lengths leave the range of read_mesh.
 void scale_clod(ClodAsset& asset, double unit_scale, const std::string& name);

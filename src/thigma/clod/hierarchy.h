@@ -39,7 +39,7 @@ struct ClodPatch {
 
 /// A patch of a simplified level, on its own hull: what a contact at that level is measured on. The
 /// hull of its node bounds the finest patches below instead.
-struct ClodContactPatch {
+struct LevelPatch {
   ClodPatch patch;  // node, -1 where no finer patch is nearest to it; triangle_ids are of the level
   std::int32_t level = 0;
   std::int32_t first_vertex = 0, vertex_count = 0;  // as of ClodNode
@@ -70,10 +70,6 @@ struct ClodLevel {
   double contact_hausdorff_max = 0.0;  // of its contact patches [m]
 };
 
-/// The two readings of the support area D of a vertex (Sec. 3.3.5): of the faces around it alone,
-/// or of all faces connected to it that pass the same test.
-enum class SupportReading : std::uint8_t { one_ring = 0, flood = 1 };
-
 /// Levels of detail and bounding hierarchy of one object. Immutable while running.
 /// Invariant: nodes[0] is the root; first_child > own index; every finest patch is below the root
 /// exactly once. Level 0 is the original surface; simplified levels follow, if any, then free ones
@@ -85,7 +81,7 @@ struct ClodHierarchy {
   std::vector<ClodNode> nodes;
   std::vector<ClodPatch> patches;
   std::vector<ClodLevel> levels;
-  std::vector<ClodContactPatch> contact_patches;  // level by level, from level 1
+  std::vector<LevelPatch> level_patches;  // level by level, from level 1
   // to_below of each vertex and triangle of contact patches alone, 0 of others; empty without
   // simplified levels (vertices, hull_triangles) [m].
   std::vector<float> vertex_to_below, triangle_to_below;
@@ -127,10 +123,10 @@ inline HullView hull_view(const ClodHierarchy& h, std::int32_t node) noexcept {
 /// The surface of a node at its own level of detail: a finest or a contact patch; the bounding hull
 /// of a free node. Valid while the hierarchy lives.
 /// Thread    [haptic] [contact].
-inline HullView contact_view(const ClodHierarchy& h, std::int32_t node) noexcept {
+inline HullView level_surface(const ClodHierarchy& h, std::int32_t node) noexcept {
   const std::int32_t contact = h.nodes[static_cast<std::size_t>(node)].contact;
   if (contact < 0) return hull_view(h, node);
-  const ClodContactPatch& c = h.contact_patches[static_cast<std::size_t>(contact)];
+  const LevelPatch& c = h.level_patches[static_cast<std::size_t>(contact)];
   HullView v;
   v.vertices = h.vertices.data() + c.first_vertex;
   v.vertex_count = c.vertex_count;

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thigma/convex/detail/surface.h"
 #include "thigma/core/index.h"
+#include "thigma/mesh/surface_topology.h"
 
 namespace thigma {
 namespace {
 
 struct Flood {
   const TriangleMesh& mesh;
-  const detail::Surface& surface;
+  const SurfaceTopology& surface;
   const SupportParams& params;
   std::vector<double> area;           // of each face [m^2]
   std::vector<std::int32_t> seen_by;  // last vertex that looked at the face
@@ -55,7 +55,7 @@ bool counts(const Flood& f, std::int32_t face, const Vec3& at_vertex, const Vec3
 
 std::vector<std::array<double, 2>> support_areas(const TriangleMesh& mesh,
                                                  const SupportParams& params) {
-  const detail::Surface surface = detail::describe_surface(mesh);
+  const SurfaceTopology surface = compute_topology(mesh);
   Flood f{mesh, surface, params, {}, std::vector<std::int32_t>(mesh.triangles.size(), -1), {}};
   std::vector<std::vector<std::int32_t>> around(mesh.positions.size());
   std::vector<Vec3> normal(mesh.positions.size(), Vec3::Zero());

@@ -24,9 +24,9 @@ struct SupportParams {
 /// The one-ring is the text to the letter, where tolerance and cone are almost idle and D shrinks
 /// with the tessellation; the flood is what they are for (docs/deviations.md).
 ///
-/// mesh    positions finite, indices in range [m]
-/// returns one pair a vertex [m^2]; 0 for a vertex without faces
-/// Thread  [offline]; deterministic.
+/// mesh     positions finite, indices in range [m]
+/// returns  one pair a vertex [m^2]; 0 for a vertex without faces
+/// Thread   [offline]; deterministic.
 std::vector<std::array<double, 2>> support_areas(const TriangleMesh& mesh,
                                                  const SupportParams& params);
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numeric>
 
-#include "thigma/convex/detail/visit_triangles.h"
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/quickhull.h"
+#include "thigma/convex/visit_triangles.h"
 #include "thigma/core/index.h"
 
 namespace thigma {
@@ -22,13 +22,13 @@ double distance_to(const DeviationTarget& target, const Vec3& p, std::int32_t t)
   return point_triangle_distance(p, x[at(v[0])], x[at(v[1])], x[at(v[2])]);
 }
 
-double box_distance(const detail::TreeBox& box, const Vec3& p) {
+double box_distance(const TreeBox& box, const Vec3& p) {
   return (box.min - p).cwiseMax(p - box.max).cwiseMax(Vec3::Zero()).norm();
 }
 
 void search(const DeviationTarget& target, std::int32_t index, const Vec3& p, double& best,
             std::int32_t& nearest) {
-  const detail::TreeNode& node = target.tree.nodes[at(index)];
+  const TreeNode& node = target.tree.nodes[at(index)];
   if (node.count > 0) {
     for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
       const std::int32_t t = target.tree.order[at(i)];
@@ -103,12 +103,12 @@ SheetBound bound_by_sheet(const DeviationTarget& target, const std::array<Vec3, 
   std::array<Vec3, 3> flat;
   for (std::size_t k = 0; k < 3; ++k) flat[k] = frame * (triangle[k] - triangle[0]);
   const Vec3 reach = sheet_reach * normal.cwiseAbs();
-  const detail::TreeBox box{triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]) - reach,
-                            triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]) + reach};
+  const TreeBox box{triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]) - reach,
+                    triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]) + reach};
   double covered = 0.0;
   SheetBound bound{0.0, -1};
   double largest_part = 0.0;
-  detail::visit_triangles(target.tree, box, [&](std::int32_t t) {
+  visit_triangles(target.tree, box, [&](std::int32_t t) {
     const auto& corner = target.mesh->triangles[at(t)];
     int above = 0, below = 0;
     for (const std::int32_t v : corner) {
@@ -200,7 +200,7 @@ DeviationTarget build_deviation_target(const TriangleMesh& mesh) {
   target.mesh = &mesh;
   std::vector<std::int32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0);
-  target.tree = detail::build_triangle_tree(mesh, std::move(all));
+  target.tree = build_triangle_tree(mesh, std::move(all));
   return target;
 }
 

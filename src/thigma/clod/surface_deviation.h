@@ -5,15 +5,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "thigma/mesh/detail/triangle_tree.h"
 #include "thigma/mesh/triangle_mesh.h"
+#include "thigma/mesh/triangle_tree.h"
 
 namespace thigma {
 
 /// A surface to measure distances to. Keeps a pointer to the mesh.
 struct DeviationTarget {
   const TriangleMesh* mesh = nullptr;
-  detail::TriangleTree tree;
+  TriangleTree tree;
 };
 
 DeviationTarget build_deviation_target(const TriangleMesh& mesh);

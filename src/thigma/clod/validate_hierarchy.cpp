@@ -114,10 +114,10 @@ bool check_node(Flaws& f, std::size_t i) {
                             f.h.patches[at(n.patch)].node == static_cast<std::int64_t>(i)
                       : n.patch == -1,
               "a wrong patch", "each patch at one leaf") &&
-         says(has_contact ? n.contact >= 0 && at(n.contact) < f.h.contact_patches.size() &&
-                                f.h.contact_patches[at(n.contact)].patch.node ==
+         says(has_contact ? n.contact >= 0 && at(n.contact) < f.h.level_patches.size() &&
+                                f.h.level_patches[at(n.contact)].patch.node ==
                                     static_cast<std::int64_t>(i) &&
-                                f.h.contact_patches[at(n.contact)].level == n.level
+                                f.h.level_patches[at(n.contact)].level == n.level
                           : n.contact == -1,
               "a wrong contact patch", "that of its level") &&
          says(n.hausdorff >= 0.0, "a negative distance h", "0 or more");
@@ -246,8 +246,8 @@ bool check_levels(Flaws& f) {
   const std::vector<ClodLevel>& levels = f.h.levels;
   std::vector<std::int32_t> patches(levels.size(), 0);
   std::int32_t last = 1;
-  for (std::size_t i = 0; i < f.h.contact_patches.size(); ++i) {
-    const ClodContactPatch& c = f.h.contact_patches[i];
+  for (std::size_t i = 0; i < f.h.level_patches.size(); ++i) {
+    const LevelPatch& c = f.h.level_patches[i];
     const std::int32_t node = c.patch.node;
     if (!f.check(c.level >= last && at(c.level) < levels.size() && !levels[at(c.level)].is_free,
                  "a wrong level", "contact patch", i, "simplified levels in order"))
@@ -280,13 +280,13 @@ bool check_levels(Flaws& f) {
 
 /// Bounds of levels are there where simplified levels are, and none is negative.
 bool is_as_long(const std::vector<float>& bounds, std::size_t size, const ClodHierarchy& h) {
-  return bounds.size() == (h.contact_patches.empty() ? 0 : size) &&
+  return bounds.size() == (h.level_patches.empty() ? 0 : size) &&
          std::all_of(bounds.begin(), bounds.end(), [](float x) { return x >= 0.0f; });
 }
 
 bool check_sizes(Flaws& f) {
   const ClodHierarchy& h = f.h;
-  const std::size_t largest = std::max({h.nodes.size(), h.patches.size(), h.contact_patches.size(),
+  const std::size_t largest = std::max({h.nodes.size(), h.patches.size(), h.level_patches.size(),
                                         h.vertices.size(), h.lanes.size(), h.faces.size(),
                                         h.edges.size(), h.hull_triangles.size(), h.levels.size()});
   return f.check(largest <= at(std::numeric_limits<std::int32_t>::max()), "too large",
@@ -297,12 +297,12 @@ bool check_sizes(Flaws& f) {
                  "levels", h.levels.size(), "1 to 4096") &&
          f.check(h.triangle_ids.size() == h.hull_triangles.size(), "triangles without a number",
                  "triangle_ids", h.triangle_ids.size(), "one for each hull triangle") &&
-         f.check(h.support.size() == (h.contact_patches.empty() ? 0 : h.vertices.size()),
+         f.check(h.support.size() == (h.level_patches.empty() ? 0 : h.vertices.size()),
                  "support areas of other vertices", "support", h.support.size(),
                  "one for each vertex") &&
          f.check(is_as_long(h.vertex_to_below, h.vertices.size(), h) &&
                      is_as_long(h.triangle_to_below, h.hull_triangles.size(), h),
-                 "bounds of other parts", "contact patches", h.contact_patches.size(),
+                 "bounds of other parts", "contact patches", h.level_patches.size(),
                  "bounds for each vertex and triangle") &&
          f.check(h.radius > 0.0 && h.radius <= kMostLength && h.triangle_count >= 1, "no size",
                  "object", 0, "a radius and triangles");
@@ -317,14 +317,14 @@ std::string find_flaw(const ClodHierarchy& h) {
   if (!f.first.empty() || !check_levels(f) || !check_tree(f)) return f.first;
   for (std::size_t i = 0; i < h.nodes.size(); ++i)
     if (!check_hull(f, h.nodes[i], "node", i)) return f.first;
-  for (std::size_t i = 0; i < h.contact_patches.size(); ++i)
-    if (!check_hull(f, h.contact_patches[i], "contact patch", i)) return f.first;
+  for (std::size_t i = 0; i < h.level_patches.size(); ++i)
+    if (!check_hull(f, h.level_patches[i], "contact patch", i)) return f.first;
   for (std::size_t i = 0; i < h.patches.size(); ++i)
     if (!check_patch(f, h.patches[i], h.nodes[at(h.patches[i].node)].vertex_count, h.triangle_count,
                      "patch", i))
       return f.first;
-  for (std::size_t i = 0; i < h.contact_patches.size(); ++i) {
-    const ClodContactPatch& c = h.contact_patches[i];
+  for (std::size_t i = 0; i < h.level_patches.size(); ++i) {
+    const LevelPatch& c = h.level_patches[i];
     if (!check_patch(f, c.patch, c.vertex_count, h.levels[at(c.level)].triangle_count,
                      "contact patch", i))
       return f.first;

@@ -4,9 +4,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "thigma/math/pose.h"
 #include "thigma/math/types.h"
 
 namespace thigma {
+
+struct ClodHierarchy;
 
 inline constexpr std::int32_t kSceneBody = -1;
 
@@ -32,8 +35,8 @@ struct Contact {
   Vec3 scene_point = Vec3::Zero();  // p_0, on the scene object [m; world]
   Vec3 normal = Vec3::UnitZ();      // unit, out of the grasped object, into the scene [world]
   double depth = 0.0;               // [m]
-  // the separation of the original triangles below the two patches differs by no more, where
-  // penetrating their depth along normal [m]; 0 = exact
+  // |depth - d0| <= bound, where d0 is minus the separation (penetrating: the depth along normal)
+  // of the original triangles below both patches [m]; 0 = exact
   double bound = 0.0;
   // 0..1: of a pair blended with its children, else 1 (Sec. 3.4.4)
   double weight = 1.0;
@@ -63,6 +66,12 @@ struct ContactSet {
   std::vector<Contact> contacts;
   std::int64_t dropped = 0;
   QueryStats stats;
+};
+
+/// A static object of the scene.
+struct SceneBody {
+  const ClodHierarchy* hierarchy = nullptr;
+  Pose world_from_body;
 };
 
 }  // namespace thigma

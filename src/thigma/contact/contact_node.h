@@ -14,8 +14,8 @@ inline std::int32_t contact_node(const ClodHierarchy& hierarchy, std::int32_t pa
   const std::size_t finest = hierarchy.patches.size();
   if (at(patch) < finest) return hierarchy.patches[at(patch)].node;
   const std::size_t contact = at(patch) - finest;
-  return contact < hierarchy.contact_patches.size() ? hierarchy.contact_patches[contact].patch.node
-                                                    : -1;
+  return contact < hierarchy.level_patches.size() ? hierarchy.level_patches[contact].patch.node
+                                                  : -1;
 }
 
 }  // namespace thigma

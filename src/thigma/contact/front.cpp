@@ -59,7 +59,7 @@ void reserve_front(ContactFront& front, const ClodHierarchy& object, const ClodH
     front.work.reserve(2 * n);  // expired nodes and the stack of a descent
   }
   front.pending.reserve(n + static_cast<std::size_t>(front.stack_capacity));
-  if (!object.contact_patches.empty() || !scene.contact_patches.empty()) {
+  if (!object.level_patches.empty() || !scene.level_patches.empty()) {
     front.queue.reserve(n);
     front.found.reserve(std::min(n, kMostFound));
     front.order.reserve(n);

@@ -9,7 +9,7 @@
 
 #include "thigma/clod/hierarchy.h"
 #include "thigma/contact/contact.h"
-#include "thigma/convex/pair.h"
+#include "thigma/convex/gjk.h"
 #include "thigma/convex/patch_separation.h"
 
 namespace thigma {

@@ -77,11 +77,11 @@ double lower_bound(Descent& d, SeparationPair& p, double want) noexcept {
   if (p.gjk.count == 0) start_along(pair, d.pose, p.axis, p.gjk);
   const double stop = std::max(want + outside, kApart * size);
   const Separation s = closest_points(pair.a, pair.b, d.pose, stop, p.gjk);
-  if (s.status == PairStatus::overlapping || !(s.distance > 0.0)) return low;
+  if (s.status == GjkStatus::overlapping || !(s.distance > 0.0)) return low;
   const Vec3 way = s.witness_b - s.witness_a;
   const double length = std::sqrt(way.squaredNorm());
   for (int i = 0; i < 3; ++i) p.axis[i] = static_cast<float>(way[i] / length);
-  const double gap = s.status == PairStatus::gave_up
+  const double gap = s.status == GjkStatus::gave_up
                          ? axis_gap(pair, d.pose, p.axis)
                          : s.distance - pair.rounding - kHullRounding * size;
   return std::max(low, gap - outside);
@@ -134,8 +134,8 @@ void divide(Descent& d, const SeparationPair& p) noexcept {
   }
 }
 
-// Two finest patches that are likely near: down to the child whose ball reaches farthest towards the
-// other's centre.
+// Two finest patches that are likely near: down to the child whose ball reaches farthest towards
+// the other's centre.
 void probe_below(Descent& d, std::int32_t a, std::int32_t b) noexcept {
   while (!is_leaf_pair(d, a, b)) {
     const ClodNode &na = node_a(d, a), &nb = node_b(d, b);

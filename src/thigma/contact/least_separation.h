@@ -6,7 +6,7 @@
 
 #include "thigma/clod/hierarchy.h"
 #include "thigma/contact/contact.h"
-#include "thigma/convex/pair.h"
+#include "thigma/convex/gjk.h"
 #include "thigma/math/infinity.h"
 #include "thigma/math/pose.h"
 
@@ -54,20 +54,23 @@ struct SeparationScratch {
 void reserve_separation(SeparationScratch& scratch, const ClodHierarchy& object,
                         const ClodHierarchy& scene, std::size_t capacity = 1 << 15);
 
-/// Narrows what the contacts of a query say about the least separation: of the pairs that may be the
-/// nearest the one with the lowest bound is divided, until that bound is within the width of a pair
-/// of finest patches that was measured.
+/// Narrows the interval that the contacts of a query give for the least separation: of the pairs
+/// that may be the nearest the one with the lowest bound is divided, until that bound is within the
+/// width of a pair of finest patches that was measured.
 ///
-/// object, scene  hierarchies; alive and unchanged while the scratch is used with them
-/// world_from_object, world_from_scene  poses of the query, |orientation| = 1 to 1e-9
-/// contacts  all that the query found for this pair of bodies, exact or with levels, with a budget or
-///           without. Where some were dropped the search starts from the roots
-/// Thread    [contact]; no failure: a pose that is not finite gives an interval without ends.
-///           Allocates when the scratch has no memory for these hierarchies yet, never after.
-/// returns   a function of the poses and the contacts alone. `high` is proven. `low` is for bodies
-///           that are apart; where patches meet or are through each other it bounds the way that
-///           parts their hulls, and depth, which is measured along normals of faces, may be more
-/// Source    this project's; the bounds are those of Eq. 3.5.
+/// object, scene      hierarchies; alive and unchanged while the scratch is used with them
+/// world_from_object  pose of the query, |orientation| = 1 to 1e-9
+/// world_from_scene   the same of the scene's body
+/// contacts           all that the query found for this pair of bodies, exact or with levels, with
+///                    a budget or without. Where some were dropped the search starts from the roots
+/// returns            a function of the poses and the contacts alone. `high` is proven. `low` is
+///                    for bodies that are apart; where patches meet or are through each other it
+///                    bounds the shift that parts their hulls, and depth, which is measured along
+///                    normals of faces, may be more
+/// Thread             [contact]; no failure: a pose that is not finite gives an interval without
+///                    ends. Allocates when the scratch has no memory for these hierarchies yet,
+///                    never after.
+/// Source             this project's; the bounds are those of Eq. 3.5.
 SeparationInterval least_separation(const ClodHierarchy& object, const Pose& world_from_object,
                                     const ClodHierarchy& scene, const Pose& world_from_scene,
                                     const ContactSet& contacts, const SeparationQuery& query,

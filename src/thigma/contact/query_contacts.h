@@ -24,15 +24,17 @@ struct ContactQuery {
 /// Exact contacts between the grasped object and one object of the scene, appended to a set.
 ///
 /// object, scene       hierarchies; alive and unchanged while the front is used with them
-/// world_from_object, world_from_scene  poses, |orientation| = 1 to 1e-9
+/// world_from_object   pose, |orientation| = 1 to 1e-9
+/// world_from_scene    the same of the scene's body
 /// query               tolerance >= 0 [m]
 /// front               scratch of this pair of bodies
 /// contacts            contacts are appended, ordered by (object_patch, scene_patch). Capacity is
 ///                     never grown: of more contacts than fit the deepest stay and `dropped` counts
 ///                     the others. Counts are added to stats
 /// Thread              [contact]; no failure: a pose that is not finite gives no contact. Allocates
-///                     when the front has no memory for these hierarchies yet, never after.
-/// Without keep_directions the contacts, their order and every bit are a function of the two poses.
+///                     when the front has no memory for these hierarchies yet, never after. Without
+///                     keep_directions the contacts, their order and every bit are a function of
+///                     the two poses.
 /// Source              Sec. 3.4.1-3.4.2, Eq. 3.5. Deviates: front tracking by remaining travel
 ///                     (docs/deviations.md).
 void query_contacts(const ClodHierarchy& object, const Pose& world_from_object,
@@ -45,12 +47,6 @@ void query_contacts(const ClodHierarchy& object, const Pose& world_from_object,
 QueryStats track_front(const ClodHierarchy& object, const Pose& world_from_object,
                        const ClodHierarchy& scene, const Pose& world_from_scene,
                        const ContactQuery& query, ContactFront& front) noexcept;
-
-/// A static object of the scene.
-struct SceneBody {
-  const ClodHierarchy* hierarchy = nullptr;
-  Pose world_from_body;
-};
 
 /// Contacts with every body of a scene, in one set, with body indices; the set is emptied first.
 /// fronts  one a body, as many as bodies. query.body is ignored. Otherwise as query_contacts.

@@ -4,13 +4,16 @@
 #include <cstdint>
 #include <limits>
 
-#include "thigma/clod/hierarchy.h"
 #include "thigma/contact/error_metric.h"
 #include "thigma/math/types.h"
 
 namespace thigma {
 
 inline constexpr double kNoCap = std::numeric_limits<double>::infinity();
+
+/// The two readings of the support area D of a vertex (Sec. 3.3.5): of the faces around it alone,
+/// or of all faces connected to it that pass the same test.
+enum class SupportReading : std::uint8_t { one_ring = 0, flood = 1 };
 
 /// What s0 is compared with. Several may be on: the least of their thresholds counts.
 struct RefinementMetric {

@@ -3,7 +3,7 @@
 // plates.
 
 #include "thigma/clod/hierarchy.h"
-#include "thigma/convex/pair.h"
+#include "thigma/convex/gjk.h"
 #include "thigma/convex/penetration.h"
 
 namespace thigma {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/quickhull.h"
 
 namespace thigma {
 
-void list_half_spaces(const GrowingHull& hull, double inset, std::vector<HalfSpace>& half_spaces) {
+void list_half_spaces(const Quickhull& hull, double inset, std::vector<HalfSpace>& half_spaces) {
   half_spaces.clear();
   for (const GrowingFace& face : hull.faces) {
     if (!face.is_alive || face.normal.isZero(0.0)) continue;

@@ -8,7 +8,7 @@
 
 namespace thigma {
 
-struct GrowingHull;
+struct Quickhull;
 
 /// Half-space normal . p <= offset. Unit normal [any unit].
 struct HalfSpace {
@@ -22,7 +22,7 @@ struct HalfSpace {
 /// hull    of dimension 3
 /// inset   [m]
 /// Thread  [offline]; no failure.
-void list_half_spaces(const GrowingHull& hull, double inset, std::vector<HalfSpace>& half_spaces);
+void list_half_spaces(const Quickhull& hull, double inset, std::vector<HalfSpace>& half_spaces);
 
 /// True when some point of the triangle lies in all half-spaces: Sutherland-Hodgman clipping leaves
 /// something over.

@@ -13,23 +13,20 @@
 
 #include "thigma/convex/clip.h"
 #include "thigma/convex/count_patches.h"
-#include "thigma/convex/detail/surface.h"
-#include "thigma/convex/detail/visit_triangles.h"
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/quickhull.h"
+#include "thigma/convex/visit_triangles.h"
 #include "thigma/core/error.h"
 #include "thigma/core/index.h"
 #include "thigma/mesh/measure.h"
+#include "thigma/mesh/surface_topology.h"
 
 namespace thigma {
 namespace {
 
-using detail::Surface;
-using detail::TriangleTree;
-
 /// Everything one patch after the other is grown with.
 struct Growth {
   const TriangleMesh& mesh;
-  const Surface& surface;
+  const SurfaceTopology& surface;
   const TriangleTree& tree;
   double flat = 0.0;   // height that counts as none [m]
   double inset = 0.0;  // of the hull planes before the clip test [m]
@@ -41,7 +38,7 @@ struct Growth {
   std::vector<std::int32_t> triangles = {}, vertices = {};
   std::vector<Vec3> points = {};  // of the vertices
   bool met_crossing = false, met_protrusion = false, met_size = false;
-  GrowingHull hull = {};  // scratch from here
+  Quickhull hull = {};  // scratch from here
   std::vector<HalfSpace> half_spaces = {};
   std::vector<std::int32_t> intruders = {};
 };
@@ -72,7 +69,7 @@ bool stays_convex(const Growth& g, std::int32_t candidate, const Vec3* added) {
 /// Lists the triangles of the shell that reach into the hull of the patch's points.
 void list_intruders(Growth& g, std::int32_t candidate) {
   g.intruders.clear();
-  detail::TreeBox box{g.points[0], g.points[0]};
+  TreeBox box{g.points[0], g.points[0]};
   for (const Vec3& p : g.points) {
     box.min = box.min.cwiseMin(p);
     box.max = box.max.cwiseMax(p);
@@ -83,7 +80,7 @@ void list_intruders(Growth& g, std::int32_t candidate) {
   complete_hull(g.hull);
   list_half_spaces(g.hull, g.inset, g.half_spaces);
   const std::int32_t shell = g.surface.shell[at(candidate)];
-  detail::visit_triangles(g.tree, box, [&](std::int32_t t) {
+  visit_triangles(g.tree, box, [&](std::int32_t t) {
     if (t == candidate || g.patch_of[at(t)] == g.patch || g.surface.shell[at(t)] != shell) return;
     if (g.surface.height[at(t)] <= 0.0) return;
     std::array<Vec3, 3> triangle = corners(g.mesh, t);
@@ -94,9 +91,9 @@ void list_intruders(Growth& g, std::int32_t candidate) {
 
 bool crosses_patch(const Growth& g, std::int32_t intruder, std::int32_t candidate) {
   const std::array<Vec3, 3> other = corners(g.mesh, intruder);
-  if (detail::triangles_cross(corners(g.mesh, candidate), other)) return true;
+  if (triangles_cross(corners(g.mesh, candidate), other)) return true;
   for (const std::int32_t t : g.triangles)
-    if (detail::triangles_cross(corners(g.mesh, t), other)) return true;
+    if (triangles_cross(corners(g.mesh, t), other)) return true;
   return false;
 }
 
@@ -156,7 +153,7 @@ double half_extent(const TriangleMesh& mesh) { return enclosing_ball(mesh.positi
 
 /// Ninety-five percent of the heights that rounding alone gives to flat edges, or 0 where flat
 /// edges are rare or exact. Scale free, so it finds single precision behind a scale factor too.
-double rounding_height(const TriangleMesh& mesh, const Surface& surface, double radius) {
+double rounding_height(const TriangleMesh& mesh, const SurfaceTopology& surface, double radius) {
   std::vector<double> heights;
   std::size_t edges = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -178,8 +175,8 @@ double rounding_height(const TriangleMesh& mesh, const Surface& surface, double 
   return *rank;
 }
 
-DecompositionParams resolved(const TriangleMesh& mesh, const Surface& surface, double radius,
-                             DecompositionParams params) {
+DecompositionParams resolved(const TriangleMesh& mesh, const SurfaceTopology& surface,
+                             double radius, DecompositionParams params) {
   params.max_vertices = std::clamp(params.max_vertices, 3, kMaxHullVertices);
   if (params.convexity_tolerance < 0.0)
     params.convexity_tolerance =
@@ -193,18 +190,18 @@ DecompositionParams resolved(const TriangleMesh& mesh, const Surface& surface, d
 
 DecompositionParams resolve_tolerances(const TriangleMesh& mesh,
                                        const DecompositionParams& params) {
-  return resolved(mesh, detail::describe_surface(mesh), half_extent(mesh), params);
+  return resolved(mesh, compute_topology(mesh), half_extent(mesh), params);
 }
 
 namespace {
 
-ConvexDecomposition decompose(const TriangleMesh& mesh, const Surface& surface, double radius,
-                              const DecompositionParams& params) {
+ConvexDecomposition decompose(const TriangleMesh& mesh, const SurfaceTopology& surface,
+                              double radius, const DecompositionParams& params) {
   ConvexDecomposition result;
   result.params = params;
   std::vector<std::int32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0);
-  const TriangleTree tree = detail::build_triangle_tree(mesh, std::move(all));
+  const TriangleTree tree = build_triangle_tree(mesh, std::move(all));
   Growth g{mesh, surface, tree};
   g.flat = result.params.convexity_tolerance * radius;
   g.inset = result.params.protrusion_tolerance * radius;
@@ -228,8 +225,8 @@ ConvexDecomposition decompose(const TriangleMesh& mesh, const Surface& surface, 
   return result;
 }
 
-Surface checked_surface(const TriangleMesh& mesh) {
-  Surface surface = detail::describe_surface(mesh);
+SurfaceTopology checked_surface(const TriangleMesh& mesh) {
+  SurfaceTopology surface = compute_topology(mesh);
   if (std::none_of(surface.height.begin(), surface.height.end(), [](double h) { return h > 0.0; }))
     throw InputError("convex decomposition: no triangle has an area, expected at least one");
   return surface;
@@ -238,13 +235,13 @@ Surface checked_surface(const TriangleMesh& mesh) {
 }  // namespace
 
 ConvexDecomposition decompose_surface(const TriangleMesh& mesh, const DecompositionParams& params) {
-  const Surface surface = checked_surface(mesh);
+  const SurfaceTopology surface = checked_surface(mesh);
   const double radius = half_extent(mesh);
   return decompose(mesh, surface, radius, resolved(mesh, surface, radius, params));
 }
 
 std::int32_t count_convex_patches(const TriangleMesh& mesh) {
-  const Surface surface = checked_surface(mesh);
+  const SurfaceTopology surface = checked_surface(mesh);
   const double radius = half_extent(mesh);
   DecompositionParams params = resolved(mesh, surface, radius, {});
   params.max_vertices = std::numeric_limits<int>::max();

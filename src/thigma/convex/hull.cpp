@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/quickhull.h"
 #include "thigma/core/error.h"
 
 namespace thigma {
@@ -12,13 +12,13 @@ ConvexHull build_hull(std::span<const Vec3> points, double relative_tolerance) {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!points[i].allFinite())
       throw InputError("convex hull: point " + std::to_string(i) + " is not finite");
-  GrowingHull grown;
+  Quickhull grown;
   start_hull(grown, points, relative_tolerance);
   complete_hull(grown);
   return to_hull(grown, points);
 }
 
-ConvexHull to_hull(const GrowingHull& grown, std::span<const Vec3> points) {
+ConvexHull to_hull(const Quickhull& grown, std::span<const Vec3> points) {
   ConvexHull hull;
   hull.dimension = grown.dimension;
   std::vector<std::int32_t> place(points.size(), -1);

@@ -23,18 +23,17 @@ struct ConvexHull {
 
 /// Convex hull of points.
 ///
-/// points    at least one, finite [m]
+/// points              at least one, finite [m]
 /// relative_tolerance  points not higher than this times the extent of the set over every face
-/// count as inside;
-///           at least 1e-12
-/// returns   the hull; no input point is higher than the tolerance over a face
-/// Thread    [offline]; throws InputError on an empty or non-finite set.
+///                     count as inside; at least 1e-12
+/// returns             the hull; no input point is higher than the tolerance over a face
+/// Thread              [offline]; throws InputError on an empty or non-finite set.
 ConvexHull build_hull(std::span<const Vec3> points, double relative_tolerance = 1e-10);
 
-struct GrowingHull;
+struct Quickhull;
 
 /// The hull as it has grown so far over the points it was started with.
 /// Thread    [offline]; no failure.
-ConvexHull to_hull(const GrowingHull& grown, std::span<const Vec3> points);
+ConvexHull to_hull(const Quickhull& grown, std::span<const Vec3> points);
 
 }  // namespace thigma

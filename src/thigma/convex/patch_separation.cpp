@@ -357,7 +357,7 @@ PatchSeparation patch_separation(const HullView& a, const HullView& b, const Rel
   const Separation hulls = closest_points(a, b, x, stop, cache);
   out.distance = hulls.distance;
   if (hulls.distance > stop) return out;
-  if (hulls.status == PairStatus::separated) {
+  if (hulls.status == GjkStatus::separated) {
     out.triangle_a = triangle_holding(a, hulls.feature_a);
     out.triangle_b = triangle_holding(b, hulls.feature_b);
     if (out.triangle_a >= 0 && out.triangle_b >= 0) {
@@ -370,7 +370,7 @@ PatchSeparation patch_separation(const HullView& a, const HullView& b, const Rel
   }
   // Triangles of disjoint hulls do not intersect.
   TriangleHint none;
-  out = triangle_separation(a, b, x, stop, hulls.status == PairStatus::separated, none);
+  out = triangle_separation(a, b, x, stop, hulls.status == GjkStatus::separated, none);
   out.distance = out.triangle_a < 0 ? std::max(hulls.distance, out.distance) : out.distance;
   return out;
 }

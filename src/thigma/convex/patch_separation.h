@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "thigma/convex/gjk.h"
 #include "thigma/convex/hull_view.h"
-#include "thigma/convex/pair.h"
 
 namespace thigma {
 

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
+#include "thigma/convex/gjk.h"
 #include "thigma/convex/hull_view.h"
-#include "thigma/convex/pair.h"
 #include "thigma/convex/patch_separation.h"
 
 namespace thigma {
@@ -66,21 +66,22 @@ double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& 
 ///
 /// Penetrating. Original triangles intersect; or a is through b: the closest points see each other
 /// from behind every real face that holds them, and those over convex edges that do (RealEdge), on
-/// both sides, and the probe finds nothing in between. A patch
-/// is thin, so pairs are through at once; a pair is judged by its pose alone and needs no history.
-/// Then depth = max over a of normal .
-/// p         - min over b of normal .
-/// p         (hulls and triangles share the vertices) along the allowed direction of least depth:
-///           normals of real faces of a, minus normals of real faces of b, crosses of a real edge
-///           of each that lie within both edges' cones of real normals. Never along a virtual face,
-///           so never out through the back. At the border of a patch the cone reaches to the normal
-///           of the face beyond (RealEdge), at least 17 degrees outwards. Depth is 0 at touch from
-///           the front, and depth * normal is continuous there. A pair that is through but beside
-///           (the closest points far apart sideways) turns gradually, in proportion to how far the
-///           line between the points opposes that direction: depth goes from minus the separation
-///           to the overlap, normal from the direction between the points to the allowed one,
-///           witnesses lie on both sides of the middle of the points. While depth <= 0 its status
-///           is `beside`.
+/// both sides, and the probe finds nothing in between. A patch is thin, so pairs are through at
+/// once; a pair is judged by its pose alone and needs no history.
+///
+/// Depth of a penetrating pair: the largest normal . p over the vertices p of a, minus the least
+/// over those of b (hulls and triangles share the vertices), along the allowed direction of least
+/// depth. Allowed are normals of real faces of a, minus normals of real faces of b, and crosses of
+/// a real edge of each that lie within both edges' cones of real normals. Never along a virtual
+/// face, so never out through the back. At the border of a patch the cone reaches to the normal of
+/// the face beyond (RealEdge), at least 17 degrees outwards. Depth is 0 at touch from the front,
+/// and depth * normal is continuous there.
+///
+/// Beside. A pair that is through, with its closest points far apart sideways, turns gradually, in
+/// proportion to how far the line between the points opposes that direction: depth goes from minus
+/// the separation to the overlap, normal from the direction between the points to the allowed one,
+/// witnesses lie on both sides of the middle of the points. While depth <= 0 its status is
+/// `beside`.
 ///
 /// Deep. depth exceeds half the thickness of the thinner patch: overlap and direction are reported
 /// as above, but the patch alone no longer bounds the way out; a caller with memory keeps
@@ -91,20 +92,19 @@ double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& 
 /// its front comes within the tolerance of the other's back (about to leave), the pair is separated
 /// and pushes it back in.
 ///
-/// a,
-/// b         views with faces, edges and triangles
-/// a_from_b  relative pose
-/// tolerance d: pairs with a larger separation are `apart` [m]
-/// cache     of the pair, read and written; results do not depend on it beyond rounding last_normal
-///           null, or the normal this pair reported last, frame of a: among directions within 5 %
-///           of the least overlap (itself included) the one nearest to it is kept
-/// probe     asked only for pairs whose backs face each other within the tolerance
-/// returns   witnesses: separated, the closest points; through, the two ends of the overlap along
-///           normal through the middle of the closest points (or of the intersections), on the
-///           supporting planes of a and b
-/// Thread    [contact]; no failure, no allocation. Without last_normal the result is a function of
-///           the pose.
-/// Source    Sec. 3.4.2 asks for the local penetration; the contract is this project's.
+/// a, b         views with faces, edges and triangles
+/// a_from_b     relative pose
+/// tolerance    d: pairs with a larger separation are `apart` [m]
+/// cache        of the pair, read and written; results do not depend on it beyond rounding
+/// last_normal  null, or the normal this pair reported last, frame of a: among directions within
+///              5 % of the least overlap (itself included) the one nearest to it is kept
+/// probe        asked only for pairs whose backs face each other within the tolerance
+/// returns      witnesses: separated, the closest points; through, the two ends of the overlap
+///              along normal through the middle of the closest points (or of the intersections), on
+///              the supporting planes of a and b
+/// Thread       [contact]; no failure, no allocation. Without last_normal the result is a function
+///              of the pose.
+/// Source       Sec. 3.4.2 asks for the local penetration; the contract is this project's.
 PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& a_from_b,
                          double tolerance, GjkCache& cache, const Vec3* last_normal,
                          const SegmentProbe& probe) noexcept;

@@ -2,7 +2,7 @@
 #include <emmintrin.h>
 
 #include "thigma/convex/detail/axis_proof.h"
-#include "thigma/convex/pair.h"
+#include "thigma/convex/gjk.h"
 
 namespace thigma {
 namespace detail {

@@ -15,14 +15,14 @@ namespace thigma {
 
 FileSource::FileSource(const std::string& path, std::size_t window, std::uint64_t most)
     : path_(path), window_(window), most_(most) {
-  detail::Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat info {};
   if (file.is_open() && ::fstat(file.get(), &info) == 0 && S_ISREG(info.st_mode)) {
     file_ = std::move(file);
     size_ = static_cast<std::uint64_t>(info.st_size);
     return;
   }
-  file = detail::Descriptor();
+  file = Descriptor();
   buffer_ = read_file(path);  // says what is wrong, or waits for a pipe
   size_ = buffer_.size();
 }

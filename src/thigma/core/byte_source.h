@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "thigma/core/detail/descriptor.h"
+#include "thigma/core/descriptor.h"
 
 namespace thigma {
 
@@ -49,7 +49,7 @@ class FileSource final : public ByteSource {
   void load(std::uint64_t at, std::size_t count);
 
   std::string path_;
-  detail::Descriptor file_;  // not open for a pipe
+  Descriptor file_;  // not open for a pipe
   std::uint64_t size_ = 0, begin_ = 0;
   std::size_t window_;
   std::uint64_t most_;

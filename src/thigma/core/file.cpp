@@ -12,16 +12,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "thigma/core/detail/descriptor.h"
+#include "thigma/core/descriptor.h"
 #include "thigma/core/error.h"
 
 namespace thigma {
 namespace {
-
-using detail::Descriptor;
-using detail::sync_file;
-using detail::sync_folder;
-using detail::write_all;
 
 constexpr std::size_t kMaxFileBytes = std::size_t{1}
                                       << 32;  // indices are 32 bits; a larger text holds more

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "thigma/core/detail/descriptor.h"
+#include "thigma/core/descriptor.h"
 
 namespace thigma {
 
@@ -12,7 +12,7 @@ namespace thigma {
 /// for writing within two seconds is none that will be.
 ///
 /// Thread    [offline]; throws InputError when it cannot be opened or read: what a user names as
-/// input is input.
+///           input is input.
 std::string read_file(const std::string& path);
 
 /// Replaces or creates `path` with `bytes`: written beside it under a name of its own, on the disk,
@@ -37,7 +37,7 @@ class FileWriter {
   [[noreturn]] void fail();
 
   std::string path_, temporary_;  // "" for a device, which is written directly
-  detail::Descriptor file_;
+  Descriptor file_;
 };
 
 /// A text without the UTF-8 byte order mark that editors may put before it. Every reader of text

@@ -18,7 +18,6 @@ namespace thigma {
 namespace {
 
 namespace fs = std::filesystem;
-using detail::Descriptor;
 
 bool is_same_file(const struct stat& a, const struct stat& b) {
   return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
@@ -37,7 +36,7 @@ GrowingFile::GrowingFile(const std::string& path)
       Descriptor(::open(folder.empty() ? "." : folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   if (!folder_.is_open()) fail(std::strerror(errno));
   open_part();
-  detail::sync_folder(folder_.get());
+  sync_folder(folder_.get());
   syncing_ = std::thread([this] { sync_now_and_then(); });
 }
 
@@ -106,7 +105,7 @@ void GrowingFile::append(std::string_view bytes, std::uint64_t room) {
       (errno == ENOSPC || errno == EDQUOT)) {
     fail(std::strerror(errno));
   }
-  if (::lseek(file_.get(), at, SEEK_SET) != at || !detail::write_all(file_.get(), bytes)) {
+  if (::lseek(file_.get(), at, SEEK_SET) != at || !write_all(file_.get(), bytes)) {
     const std::string why = std::strerror(errno);
     // Part of it may have been taken. A reader stops there as well, should this fail.
     if (::ftruncate(file_.get(), at) != 0) fail(why + ", nor cut to its whole records");
@@ -119,11 +118,11 @@ void GrowingFile::keep() {
   stop_syncing();
   // What was set aside and not used is given back; without that it is only space.
   [[maybe_unused]] const int ignored = ::ftruncate(file_.get(), static_cast<off_t>(size()));
-  if (!detail::sync_file(file_.get())) fail(std::strerror(errno));
+  if (!sync_file(file_.get())) fail(std::strerror(errno));
   if (!is_named()) fail("it or its folder was deleted");
   if (::renameat(folder_.get(), (name_ + ".part").c_str(), folder_.get(), name_.c_str()) != 0)
     fail(std::strerror(errno));
-  detail::sync_folder(folder_.get());
+  sync_folder(folder_.get());
   file_ = Descriptor();
 }
 

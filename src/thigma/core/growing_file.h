@@ -9,7 +9,7 @@
 #include <string_view>
 #include <thread>
 
-#include "thigma/core/detail/descriptor.h"
+#include "thigma/core/descriptor.h"
 
 namespace thigma {
 
@@ -60,7 +60,7 @@ class GrowingFile {
   void stop_syncing() noexcept;
 
   std::string path_, name_, moved_;
-  detail::Descriptor folder_, file_;
+  Descriptor folder_, file_;
   std::atomic<std::uint64_t> size_{0};
   std::atomic<int> sync_error_{0};  // errno
 

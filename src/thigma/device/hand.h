@@ -17,8 +17,8 @@ namespace thigma {
 /// with it and a spring and damper pull both toward a moving target. Linear and angular halves have
 /// the same law.
 struct HandParams {
-  // the device: like a Phantom (PROTOCOLS E3, device B); angular numbers are of that class, not of
-  // one data sheet
+  // the device: like a Phantom (docs/sources.md, E3, device B); angular numbers are of that class,
+  // not of one data sheet
   double mass = 0.075;             // of the handle, felt [kg]
   double damping = 0.005;          // [N s/m]
   double friction = 0.04;          // Coulomb [N]
@@ -41,7 +41,7 @@ struct HandParams {
   bool actuates_rotation = true;       // without it torque is never applied
   std::string device = "phantom";      // name told by name()
 
-  // the arm: PROTOCOLS E3 has 100-1500 N/m and 1-15 N s/m
+  // the arm: docs/sources.md, E3 has 100-1500 N/m and 1-15 N s/m
   double arm_mass = 0.15;              // [kg]
   double arm_stiffness = 400.0;        // [N/m]
   double arm_damping = 8.0;            // relative to the target's velocity [N s/m]
@@ -65,7 +65,7 @@ struct HandParams {
 class HandDevice final : public HapticDevice {
  public:
   /// errors  std::invalid_argument naming the parameter that is out of range (what_is_wrong).
-  /// Thread [offline].
+  /// Thread  [offline].
   explicit HandDevice(const HandParams& params);
   ~HandDevice() override;
 

@@ -8,10 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "thigma/device/hand.h"
 #include "thigma/device/haptic_device.h"
 
 namespace thigma {
+
+struct HandParams;
 
 /// What a scene tells a simulated device. All in device space, that is after the motion scale.
 struct DeviceContext {
@@ -37,8 +38,8 @@ class DeviceUnavailable : public std::runtime_error {
 };
 
 /// Opens "hand:", "script:FILE", "null:", each with parameters as "?name=value&name=value"
-/// (device_schemes lists them). "replay:FILE" and "web:" are opened by runtime/, which knows
-/// recordings and threads.
+/// (device_schemes lists them). "replay:FILE" and "web:" are opened by recording/ and session/,
+/// which know recordings and threads.
 ///
 /// errors   DeviceAddressError, DeviceUnavailable, InputError (a script file); one line each
 /// Thread   [offline].

@@ -1,5 +1,5 @@
 #pragma once
-// Recorded device samples as a device. Reading the recording is the business of runtime/.
+// Recorded device samples as a device. Reading the recording is the business of recording/.
 
 #include <memory>
 #include <vector>

@@ -23,9 +23,8 @@ struct TimedPose {
 ///
 /// name     for messages
 /// errors   InputError "NAME: what, line N, what was expected": wrong header or number of columns,
-/// what is no finite
-///          number, time that does not increase, |q| off 1 by more than 1e-6, no row, more than ten
-///          million rows.
+///          what is no finite number, time that does not increase, |q| off 1 by more than 1e-6, no
+///          row, more than ten million rows.
 /// Thread   [offline].
 std::vector<TimedPose> parse_script(std::istream& text, const std::string& name);
 

@@ -7,8 +7,8 @@
 //   T_virtual.
 // Then P_device = (f / s) P_virtual for force and torque alike, so a passive virtual port stays
 // passive at the handle and the reflected 6 x 6 stiffness stays symmetric. f = 1/s keeps stiffness
-// and gives the torque 1/s^2 of ERRATA 5; f = s keeps power and gives torque scale 1, its
-// alternative.
+// and gives the torque 1/s^2 of docs/sources.md (workspace scaling); f = s keeps power and gives
+// torque scale 1, its alternative.
 
 #include <cstdint>
 
@@ -72,7 +72,7 @@ Motion device_motion(const Workspace& workspace, const WorkspaceAnchor& anchor,
 /// Wrench for the device from the wrench on the hand, about the handle [N, N m; world -> device
 /// frame], scaled. The sign is kept: the caller passes the reaction.
 /// Thread    [haptic].
-/// Source    ERRATA 5, workspace scaling.
+/// Source    docs/sources.md, workspace scaling.
 Wrench device_wrench(const Workspace& workspace, const Wrench& hand_wrench) THIGMA_RT;
 
 /// Advances the anchor by turn buttons held during dt at `rate` about device axes [rad/s], and

@@ -26,7 +26,7 @@ constexpr double kRounding = 1e-9;
 struct Arm {
   double mass, stiffness, damping;
 };
-// PROTOCOLS E3; the last is the simulated hand's.
+// docs/sources.md, E3; the last is the simulated hand's.
 constexpr Arm kLinearArms[] = {
     {0.0, 100.0, 1.0}, {0.0, 500.0, 5.0}, {0.0, 1500.0, 15.0}, {0.15, 400.0, 8.0}};
 constexpr Arm kAngularArms[] = {{0.0, 0.1, 0.002}, {0.0, 0.5, 0.01}, {2e-4, 0.5, 0.01}};
@@ -123,7 +123,7 @@ GainChoice choose(const Half& half, bool is_felt, bool has_frame_limit) {
   if (is_felt) {
     const PortHalf& port = *half.port;
     // b > K (T / 2 + delay): what a device bears at its published period it bears less of later
-    // (PROTOCOLS E3, 4).
+    // (docs/sources.md, E3, check 4).
     const double lateness = kPublishedPeriod / (half.period + 2.0 * half.delay);
     if (port.max_stiffness > 0.0)
       limit(GainLimit::device) = port.max_stiffness * std::min(lateness, 1.0);

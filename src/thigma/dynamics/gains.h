@@ -1,6 +1,6 @@
 #pragma once
 // Gains of coupling and contact from what is known beforehand: device, object, rate and delay.
-// docs/gains.md has the reasons and a table.
+// docs/gains.md has the reasons, docs/journal/gains.md a table.
 
 #include <array>
 #include <cstdint>
@@ -36,7 +36,7 @@ struct GainTask {
 /// What a stiffness is limited by.
 enum class GainLimit : std::uint8_t {
   device,  // published stiffness, less at lower rates and with delay: K T_0 / (T + 2 delay)
-  // encoder steps that Coulomb friction still swallows: 2 f_c / D (PROTOCOLS E3, check 3)
+  // encoder steps that Coulomb friction still swallows: 2 f_c / D (docs/sources.md, E3, check 3)
   friction,
   // the sampled loop with the handle's mass, in the air and against a contact (sampled_loop.h)
   loop,
@@ -71,7 +71,7 @@ struct GainProposal {
 ///
 /// errors   InputError naming what is not positive
 /// Thread   [offline].
-/// Source   Sec. 2.2 and 5.5; PROTOCOLS E3; PEERS (c) 15.
+/// Source   Sec. 2.2 and 5.5; docs/sources.md, E3.
 GainProposal propose_gains(const GainTask& task);
 
 /// One gain that lies outside, or combination that does.
@@ -85,9 +85,10 @@ struct GainWarning {
 /// What is outside in gains that a scene or a person chose; empty when nothing is.
 /// `coupling.linear_saturation` and the angular one are looked at where they are set.
 ///
-/// proposal  propose_gains(task)
-/// contact_stiffness, contact_damping  of all contacts together [N/m, N s/m]
-/// Thread    [offline].
+/// proposal           propose_gains(task)
+/// contact_stiffness  of all contacts together [N/m]
+/// contact_damping    of all contacts together [N s/m]
+/// Thread             [offline].
 std::vector<GainWarning> check_gains(const GainTask& task, const GainProposal& proposal,
                                      const Coupling& coupling, double contact_stiffness,
                                      double contact_damping);

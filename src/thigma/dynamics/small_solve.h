@@ -11,9 +11,9 @@ namespace thigma {
 
 /// Solves a x = b by Gaussian elimination with partial pivoting.
 ///
-/// a  (N x N), destroyed; rows should be of like size, the caller scales
-/// b  (N x M) right-hand sides; on return the solutions, not finite where `a` is singular
-/// Thread [haptic]; no failure: the caller's finiteness check is the one that counts.
+/// a       (N x N), destroyed; rows should be of like size, the caller scales
+/// b       (N x M) right-hand sides; on return the solutions, not finite where `a` is singular
+/// Thread  [haptic]; no failure: the caller's finiteness check is the one that counts.
 template <int N, int M>
 void solve_in_place(
     Eigen::Matrix<double, N, N, Eigen::RowMajor>& a,

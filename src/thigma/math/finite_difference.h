@@ -11,7 +11,7 @@ namespace thigma {
 /// f      callable: Eigen::Matrix<double, Columns, 1> -> Eigen::Matrix<double, Rows, 1>
 /// y      where
 /// steps  step of every component, in its own unit; f must be smooth within +-2 steps
-/// Thread [offline].
+/// Thread  [offline].
 template <int Rows, int Columns, class Function>
 Eigen::Matrix<double, Rows, Columns> finite_difference_jacobian(
     const Function& f, const Eigen::Matrix<double, Columns, 1>& y,

@@ -37,9 +37,9 @@ struct HalfedgeMesh {
 /// Neighbours from shared indices. Any oriented or unoriented triangle soup is accepted: where it
 /// is not a manifold its vertices are locked.
 ///
-/// mesh       no triangle repeats an index
-/// attributes copied; of_corner has 3 m entries, or width is 0
-/// Thread     [offline]; deterministic.
+/// mesh        no triangle repeats an index
+/// attributes  copied; of_corner has 3 m entries, or width is 0
+/// Thread      [offline]; deterministic.
 HalfedgeMesh build_halfedge_mesh(const TriangleMesh& mesh, CornerAttributes attributes = {});
 
 constexpr std::int32_t next_halfedge(std::int32_t h) noexcept { return h % 3 == 2 ? h - 2 : h + 1; }

@@ -19,7 +19,7 @@ enum class MeshVerdict : std::uint8_t { usable, repairable, rejected };
 
 const char* verdict_name(MeshVerdict verdict);
 
-/// Counts and measures of a mesh; the names are those of `thigma inspect --json` (INTERFACE).
+/// Counts and measures of a mesh; the names are those of `thigma inspect --json`.
 struct MeshReport {
   std::string file;  // empty for a mesh from memory
   std::string format;

@@ -18,9 +18,9 @@ void scale_mesh(TriangleMesh& mesh, double scale, const std::string& name);
 ///
 /// scale     metres per unit of the file, > 0
 /// repair    take a repairable mesh and repair it; otherwise it is refused with a message naming
-/// --repair report    null, or filled with the inspection of the mesh as returned (after scaling
-/// and repair),
-///           self-intersections included
+///           --repair
+/// report    null, or filled with the inspection of the mesh as returned (after scaling and
+///           repair), self-intersections included
 /// repairs   null, or filled with what was repaired
 /// returns   a usable mesh [m]
 /// Thread    [offline]; throws InputError with the first reason.

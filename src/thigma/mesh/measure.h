@@ -34,9 +34,9 @@ struct MassProperties {
 ///
 /// mesh      positions finite, indices in range; zero-area triangles add nothing
 /// Thread    [offline].
-/// Source    divergence theorem; tetrahedra from a common origin: integral of x x^T over one with
-/// edges a, b, c
-///           is det(a, b, c) / 120 (a a^T + b b^T + c c^T + s s^T), s = a + b + c.
+/// Source    divergence theorem; tetrahedra from a common origin: the integral of x x^T over one
+///           with edges a, b, c is det(a, b, c) / 120 (a a^T + b b^T + c c^T + s s^T),
+///           s = a + b + c.
 MassProperties mass_properties(const TriangleMesh& mesh);
 
 /// Smallest ball around the points, to 1e-9 of its radius; all of them lie inside it to rounding.
@@ -44,7 +44,7 @@ MassProperties mass_properties(const TriangleMesh& mesh);
 /// points    finite (n); an empty span gives radius 0 at the origin
 /// Thread    [offline]; deterministic.
 /// Source    farthest-point pivoting over support sets of at most four points (after Gaertner
-/// 1999).
+///           1999).
 Ball enclosing_ball(std::span<const Vec3> points);
 
 /// Smallest axis-aligned box of the points.

@@ -40,10 +40,10 @@ struct MeshFile {
 ///
 /// path      any name
 /// returns   the mesh, maybe without a triangle (inspect_mesh rejects that)
-/// Thread    [offline]; throws InputError "FILE: what, where (line, byte or element), what was
-/// expected" for
-///           anything damaged, a coordinate that is not finite or above 1e50, an index out of
-///           range. Memory is bounded by a multiple of the file's size, whatever a header claims.
+/// errors    InputError "FILE: what, where (line, byte or element), what was expected" for anything
+///           damaged, a coordinate that is not finite or above 1e50, an index out of range
+/// Thread    [offline]. Memory is bounded by a multiple of the file's size, whatever a header
+///           claims.
 MeshFile read_mesh(const std::string& path);
 
 /// The same from memory; `name` stands for the file in messages.

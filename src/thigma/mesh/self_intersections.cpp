@@ -2,15 +2,13 @@
 
 #include <algorithm>
 
-#include "thigma/mesh/detail/triangle_tree.h"
 #include "thigma/mesh/predicates.h"
+#include "thigma/mesh/triangle_tree.h"
 #include "thigma/mesh/triangles_meet.h"
 
 namespace thigma {
 namespace {
 
-using detail::TreeNode;
-using detail::TriangleTree;
 using Triangle = std::array<std::int32_t, 3>;
 
 struct Search {
@@ -77,7 +75,7 @@ SelfIntersections find_self_intersections(const TriangleMesh& mesh, bool collect
   }
   if (with_area.empty()) return result;
   const std::int64_t limit = 100'000'000 + 1000 * static_cast<std::int64_t>(with_area.size());
-  const TriangleTree tree = detail::build_triangle_tree(mesh, std::move(with_area));
+  const TriangleTree tree = build_triangle_tree(mesh, std::move(with_area));
   Search search{mesh, tree, result, collect, limit};
   descend(search, 0, 0);
   result.complete = search.tests_left > 0;

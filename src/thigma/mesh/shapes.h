@@ -1,5 +1,5 @@
 #pragma once
-// Basic shapes: for tests, and as parts of the models in scenes/.
+// Basic shapes: for tests, and as parts of the models in models/.
 //
 // Unless a shape says otherwise it is one closed surface with shared vertices, counter-clockwise
 // seen from outside, centred at the origin, sizes in metres. Counts below the least a shape needs
@@ -32,8 +32,7 @@ TriangleMesh make_grid(int rows, int columns, GridEnds ends,
 /// Profile (x = distance from the axis >= 0, y = height) turned about z.
 ///
 /// profile  from bottom to top, >= 2 points; a first or last point on the axis closes the surface
-/// there with
-///          one vertex, otherwise the surface is open at that end
+///          there with one vertex, otherwise the surface is open at that end
 /// around   segments of a turn, >= 3
 TriangleMesh make_revolution(std::span<const Vec2> profile, int around);
 
@@ -42,8 +41,7 @@ TriangleMesh make_revolution(std::span<const Vec2> profile, int around);
 ///
 /// xs, ys, zs  increasing coordinates of the lattice planes [m], >= 2 each
 /// is_solid    of cell (i, j, k), 0..xs.size()-2 and so on. Cells that touch along one edge or at
-/// one corner only
-///             give a non-manifold surface.
+///             one corner only give a non-manifold surface.
 TriangleMesh make_blocks(std::span<const double> xs, std::span<const double> ys,
                          std::span<const double> zs,
                          const std::function<bool(int, int, int)>& is_solid);

@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "thigma/math/random.h"
-#include "thigma/mesh/detail/triangle_tree.h"
 #include "thigma/mesh/predicates.h"
+#include "thigma/mesh/triangle_tree.h"
 
 namespace thigma {
 namespace {
@@ -191,14 +191,13 @@ std::vector<std::int32_t> find_duplicates(const TriangleMesh& mesh) {
 struct InsideTest::Data {
   const TriangleMesh& mesh;
   const Components& components;
-  detail::TriangleTree tree;
+  TriangleTree tree;
 };
 
 InsideTest::InsideTest(const TriangleMesh& mesh, const Components& components) {
   std::vector<std::int32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0);
-  data_ = std::make_unique<Data>(
-      Data{mesh, components, detail::build_triangle_tree(mesh, std::move(all))});
+  data_ = std::make_unique<Data>(Data{mesh, components, build_triangle_tree(mesh, std::move(all))});
 }
 
 InsideTest::~InsideTest() = default;
@@ -227,13 +226,13 @@ Crossing cross(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const
 // Components of the triangles that the segment crosses, unordered; none when it grazes one.
 std::optional<std::vector<std::int32_t>> InsideTest::crossed_between(const Vec3& p, const Vec3& q,
                                                                      std::int32_t own) const {
-  const detail::TriangleTree& tree = data_->tree;
-  const detail::TreeBox way{p.cwiseMin(q), p.cwiseMax(q)};
+  const TriangleTree& tree = data_->tree;
+  const TreeBox way{p.cwiseMin(q), p.cwiseMax(q)};
   std::vector<std::int32_t> crossed;
   std::vector<std::int32_t> stack{0};
   while (!stack.empty()) {
     const std::int32_t self = stack.back();
-    const detail::TreeNode& node = tree.nodes[static_cast<std::size_t>(self)];
+    const TreeNode& node = tree.nodes[static_cast<std::size_t>(self)];
     stack.pop_back();
     if (!node.box.overlaps(way)) continue;
     if (node.count == 0) {
@@ -259,7 +258,7 @@ std::optional<std::vector<std::int32_t>> InsideTest::crossed_between(const Vec3&
 
 std::optional<std::vector<std::int32_t>> InsideTest::components_around(const Vec3& point,
                                                                        std::int32_t own) const {
-  const detail::TreeBox& all = data_->tree.nodes[0].box;
+  const TreeBox& all = data_->tree.nodes[0].box;
   const double reach = (all.max - all.min).sum();
   Random random(1);
   for (int attempt = 0; attempt < 16; ++attempt) {

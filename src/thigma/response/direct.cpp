@@ -9,7 +9,7 @@ PenaltyParams direct_penalty(const DirectDevice& device) noexcept {
   penalty.stiffness = device.max_stiffness / (device.force_scale * device.motion_scale);
   penalty.tolerance = device.max_force / device.force_scale / penalty.stiffness;
   penalty.damping = 0.0;
-  penalty.is_shared = true;
+  penalty.is_divided_among_clusters = true;
   return penalty;
 }
 

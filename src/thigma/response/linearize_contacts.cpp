@@ -25,7 +25,7 @@ double present_reach(const ContactCluster& cluster, double tolerance) noexcept {
 
 }  // namespace
 
-double total_reach(const ContactClusters& clusters, double tolerance) noexcept {
+double total_indentation(const ContactClusters& clusters, double tolerance) noexcept {
   double sum = 0.0;
   for (const ContactCluster& c : clusters.clusters) sum += present_reach(c, tolerance);
   return sum;
@@ -39,7 +39,7 @@ LinearContactModel linearize_contacts(const ContactClusters& clusters, const Pen
   model.time = time;
   model.sequence = sequence;
   const Mat3 body_from_world = rotation_matrix(state.orientation).transpose();
-  const double total = total_reach(clusters, params.tolerance) + other_reach;
+  const double total = total_indentation(clusters, params.tolerance) + other_reach;
   const double equal_share =
       1.0 / static_cast<double>(std::max<std::size_t>(clusters.clusters.size(), 1));
   for (const ContactCluster& cluster : clusters.clusters) {
@@ -47,7 +47,7 @@ LinearContactModel linearize_contacts(const ContactClusters& clusters, const Pen
     // all at -d: none can be preferred
     const double shared = total > 0.0 ? reach / total : equal_share;
     const double alone = presence(cluster, std::max(cluster.depth + params.tolerance, 0.0));
-    const double share = params.is_shared ? shared : alone;
+    const double share = params.is_divided_among_clusters ? shared : alone;
     PlaneTerm term;
     term.arm_body = body_from_world * (cluster.point - state.position);
     term.normal = cluster.normal;

@@ -25,6 +25,6 @@ LinearContactModel linearize_contacts(const ContactClusters& clusters, const Pen
                                       double other_reach = 0.0) noexcept;
 
 /// Sum of depth + tolerance over the clusters that press [m]: what they share the stiffness by.
-double total_reach(const ContactClusters& clusters, double tolerance) noexcept;
+double total_indentation(const ContactClusters& clusters, double tolerance) noexcept;
 
 }  // namespace thigma

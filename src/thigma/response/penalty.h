@@ -11,7 +11,8 @@ struct PenaltyParams {
   double stiffness = 2000.0;  // k of all clusters together [N/m]
   double damping = 0.0;       // b of all clusters together [N s/m]
   double tolerance = 0.0;     // d of the contact query: force starts at depth = -d [m]
-  bool is_shared = true;      // false: every cluster has the full k and b, as in Eq. 5.37
+  bool is_divided_among_clusters =
+      true;  // false: every cluster has the full k and b, as in Eq. 5.37
 };
 
 }  // namespace thigma

@@ -8,9 +8,9 @@
 
 #include "thigma/contact/contact_node.h"
 #include "thigma/core/index.h"
+#include "thigma/depth/depth_hessian.h"
+#include "thigma/depth/gpu_depth.h"
 #include "thigma/response/linearize_contacts.h"
-#include "thigma/texture/depth_hessian.h"
-#include "thigma/texture/gpu_depth.h"
 
 namespace thigma {
 namespace {
@@ -24,7 +24,7 @@ const ClodPatch* patch_at_level(const TexturedBody& body, std::int32_t patch,
   if (node < 0) return nullptr;
   const ClodNode& n = h.nodes[at(node)];
   if (n.patch >= 0) return &h.patches[at(n.patch)];
-  return n.contact >= 0 ? &h.contact_patches[at(n.contact)].patch : nullptr;
+  return n.contact >= 0 ? &h.level_patches[at(n.contact)].patch : nullptr;
 }
 
 /// Adds the triangles of a patch, at a level, that are not there yet.
@@ -315,12 +315,14 @@ LinearContactModel linearize_textured(
   }
   LinearContactModel model =
       linearize_contacts(scratch.plain, penalty, state, time, sequence, total);
-  total += total_reach(scratch.plain, penalty.tolerance);
+  total += total_indentation(scratch.plain, penalty.tolerance);
   const double equal = 1.0 / static_cast<double>(std::max<std::size_t>(
                                  terms.size() + scratch.plain.clusters.size(), 1));
   for (DepthTerm& term : terms) {
     const double reach = std::max(term.depth + term.tolerance, 0.0);
-    const double share = !penalty.is_shared ? 1.0 : total > 0.0 ? reach / total : equal;
+    const double share = !penalty.is_divided_among_clusters ? 1.0
+                         : total > 0.0                      ? reach / total
+                                                            : equal;
     term.stiffness = share * penalty.stiffness;
     term.damping = share * penalty.damping;
     model.depths.push_back(term);

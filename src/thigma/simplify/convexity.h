@@ -9,7 +9,8 @@ namespace thigma {
 
 /// Edge va-vc of triangle (va, v3, vc), counter-clockwise, must be convex or flat towards vd:
 /// ((v3 - va) x (vc - va)) . (vd - va) <= slack. Any four points of a patch make such a condition,
-/// and it is linear in v3; of an edge that ends in v3, that edge is va-v3 (ERRATA of Eq. 3.4).
+/// and it is linear in v3; of an edge that ends in v3, that edge is va-v3 (docs/sources.md, Eq.
+/// 3.4).
 struct ConvexityConstraint {
   Vec3 va = Vec3::Zero(), vc = Vec3::Zero(), vd = Vec3::Zero();  // [m]
   double slack = 0.0;                                            // >= 0 [m^3]

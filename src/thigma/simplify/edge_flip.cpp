@@ -100,7 +100,7 @@ bool is_near_original(const PatchedSurface& s, detail::DeviationGuard& guard, co
 /// Lists the new patch, what is left of the two old ones, and, behind them, the patches beside
 /// these.
 /// returns  false when one of the own ones is entered
-bool list_parts(const PatchedSurface& s, GrowingHull& hull, Flip& f) {
+bool list_parts(const PatchedSurface& s, Quickhull& hull, Flip& f) {
   f.parts.assign(1, {});
   f.parts[0].triangles.assign(f.quad.triangle.begin(), f.quad.triangle.end());
   for (std::size_t i = 0; i < 2; ++i)
@@ -162,7 +162,7 @@ FlipOutcome judge(const PatchedSurface& s, CollapseContext& context, Flip& f, in
   if (!keeps_within(context.volume, f.volume)) return FlipOutcome::volume;
   if (detail::count_crossings(s, f.quad.triangle) > f.old_crossings)
     return FlipOutcome::intersection;
-  GrowingHull& hull = context.scratch.hull;
+  Quickhull& hull = context.scratch.hull;
   if (enters_other_hull(s, f) || !list_parts(s, hull, f)) return FlipOutcome::protrusion;
   const int absorbed = detail::merge_parts(s, s.patches[at(f.patch[0])].shell, f.own_count,
                                            f.quad.triangle, hull, f.parts);

@@ -14,6 +14,7 @@
 #include "thigma/simplify/nearest_feasible.h"
 #include "thigma/simplify/patched_surface.h"
 #include "thigma/simplify/quadric.h"
+#include "thigma/simplify/simplify_params.h"
 
 namespace thigma {
 
@@ -29,18 +30,6 @@ enum class CollapseOutcome : std::uint8_t {
   protrusion,    // a hull would be entered
 };
 inline constexpr std::size_t kCollapseOutcomes = 8;
-
-struct CollapseParams {
-  int bisections = 3;           // K
-  double least_quality = 0.02;  // of a new triangle: 4 sqrt(3) area / sum of squared edges, 1 when
-                                // equilateral; where the worst of the old ones is below, that
-  double free_to_turn = 2e-3;   // a triangle of less quality may turn over
-  bool is_relaxed = true;       // step 3
-  bool keeps_volume = true;     // the relaxed position first tried keeps the volume of the object
-  // where neither quadric nor ends will do, the best convex position
-  bool seeks_convex_start = true;
-  bool guards_original = true;  // the limit on deviation holds from the original's vertices too
-};
 
 /// Where a vertex may lie for the volume under its star to stay what it was: normal . p = offset.
 struct VolumePlane {
@@ -74,14 +63,14 @@ struct CollapseScratch {
   std::vector<LinearConstraint> constraints;
   std::vector<Vec3> new_normal;  // of the triangles of the star, at the position on trial
   std::vector<double> new_height, old_quality;
-  std::vector<detail::TreeBox> new_box;
+  std::vector<TreeBox> new_box;
   std::vector<std::vector<std::int32_t>> patch_vertices;  // of the patches of the star, afterwards
   std::vector<std::vector<HalfSpace>> half_spaces;
-  std::vector<detail::TreeBox> patch_box;
+  std::vector<TreeBox> patch_box;
   std::vector<std::int32_t> mark;  // of each triangle: epoch when in the star, -epoch when removed
   std::vector<std::int32_t> patch_mark;  // of each patch: epoch when it is of the star
   std::int32_t epoch = 0;
-  GrowingHull hull;
+  Quickhull hull;
   Vec3 hulls_at = Vec3::Zero();  // position of the vertex for which half_spaces are
   bool has_all_hulls = false;
   int old_crossings = -1, old_folds = -1;  // of the star before, -1 not yet counted

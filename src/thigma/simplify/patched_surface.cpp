@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thigma/convex/detail/surface.h"
 #include "thigma/core/index.h"
 #include "thigma/mesh/measure.h"
+#include "thigma/mesh/surface_topology.h"
 
 namespace thigma {
 namespace {
@@ -68,7 +68,7 @@ bool lies_below(const PatchedSurface& s, const SurfacePatch& lower, const Surfac
 }
 
 bool is_entered(const PatchedSurface& s, std::int32_t one, std::int32_t other,
-                const std::vector<HalfSpace>& half_spaces, const detail::TreeBox& box) {
+                const std::vector<HalfSpace>& half_spaces, const TreeBox& box) {
   bool entered = false;
   const std::int32_t shell = s.patches[at(one)].shell;
   s.tree.visit(box, [&](std::int32_t patch) {
@@ -115,8 +115,7 @@ void refresh_triangle(PatchedSurface& s, std::int32_t t) {
 }
 
 void list_patch_half_spaces(const PatchedSurface& s, const std::vector<std::int32_t>& vertices,
-                            GrowingHull& hull, std::vector<HalfSpace>& half_spaces,
-                            detail::TreeBox& box) {
+                            Quickhull& hull, std::vector<HalfSpace>& half_spaces, TreeBox& box) {
   std::array<Vec3, kMaxHullVertices> points;
   const std::size_t count = std::min(vertices.size(), points.size());
   points[0] = s.mesh.positions[at(vertices[0])];
@@ -136,14 +135,14 @@ void list_patch_half_spaces(const PatchedSurface& s, const std::vector<std::int3
 }
 
 bool intrudes(const PatchedSurface& s, std::int32_t t, const std::vector<HalfSpace>& half_spaces,
-              const detail::TreeBox& box) {
+              const TreeBox& box) {
   if (half_spaces.empty() || s.height[at(t)] <= 0.0) return false;
   const std::array<Vec3, 3> corners = corners_of(s, t);
   return box_of(corners).overlaps(box) && reaches_into(corners, half_spaces);
 }
 
 void set_patch(PatchedSurface& s, std::int32_t patch, std::vector<std::int32_t>& vertices,
-               std::vector<HalfSpace>& half_spaces, const detail::TreeBox& box) {
+               std::vector<HalfSpace>& half_spaces, const TreeBox& box) {
   SurfacePatch& p = s.patches[at(patch)];
   p.vertices.assign(vertices.begin(), vertices.end());
   p.half_spaces.assign(half_spaces.begin(), half_spaces.end());
@@ -165,7 +164,7 @@ PatchedSurface build_patched_surface(const TriangleMesh& mesh,
   s.height.resize(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     refresh_triangle(s, static_cast<std::int32_t>(t));
-  const std::vector<std::int32_t> shell = detail::describe_surface(mesh).shell;
+  const std::vector<std::int32_t> shell = compute_topology(mesh).shell;
   s.patches.resize(decomposition.patches.size());
   for (std::size_t i = 0; i < s.patches.size(); ++i) {
     s.patches[i].triangles = decomposition.patches[i];
@@ -174,8 +173,8 @@ PatchedSurface build_patched_surface(const TriangleMesh& mesh,
   }
   for (std::size_t t = 0; t < s.patch_of.size(); ++t)
     if (s.patch_of[t] < 0) place_flat_triangle(s, static_cast<std::int32_t>(t), shell[t]);
-  GrowingHull hull;
-  std::vector<detail::TreeBox> boxes;
+  Quickhull hull;
+  std::vector<TreeBox> boxes;
   for (SurfacePatch& patch : s.patches) {
     list_patch_half_spaces(s, patch.vertices, hull, patch.half_spaces, patch.box);
     boxes.push_back(patch.box);
@@ -185,11 +184,11 @@ PatchedSurface build_patched_surface(const TriangleMesh& mesh,
   return s;
 }
 
-int merge_patch(PatchedSurface& s, std::int32_t patch, GrowingHull& hull,
+int merge_patch(PatchedSurface& s, std::int32_t patch, Quickhull& hull,
                 std::vector<std::int32_t>& successor) {
   std::vector<std::int32_t> candidates, vertices;
   std::vector<HalfSpace> half_spaces;
-  detail::TreeBox box;
+  TreeBox box;
   int merged = 0;
   for (bool again = true; again;) {
     again = false;

@@ -7,9 +7,9 @@
 
 #include "thigma/convex/clip.h"
 #include "thigma/convex/decomposition.h"
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/quickhull.h"
+#include "thigma/mesh/box_tree.h"
 #include "thigma/mesh/halfedge_mesh.h"
-#include "thigma/simplify/detail/box_tree.h"
 
 namespace thigma {
 
@@ -18,8 +18,8 @@ struct SurfacePatch {
   std::vector<std::int32_t> triangles;  // empty once merged into another or collapsed away
   std::vector<std::int32_t> vertices;   // of the triangles, each once
   std::vector<HalfSpace> half_spaces;   // the hull moved inwards by the inset; none of a flat hull
-  detail::TreeBox box{Vec3::Zero(), Vec3::Zero()};  // of the vertices [m]
-  std::int32_t shell = -1;                          // patches of other shells are no obstacle
+  TreeBox box{Vec3::Zero(), Vec3::Zero()};  // of the vertices [m]
+  std::int32_t shell = -1;                  // patches of other shells are no obstacle
 };
 
 /// Invariant: every triangle is in one patch; the vertices of a patch are not above the planes of
@@ -31,10 +31,10 @@ struct PatchedSurface {
   std::vector<Vec3> normal;            // unit; zero for triangles without an area (m)
   std::vector<double> height;          // of a triangle over its longest edge: width of a sliver [m]
   std::vector<SurfacePatch> patches;
-  detail::BoxTree tree;  // of the patches that have triangles
-  double radius = 0.0;   // of the smallest ball around the original [m]
-  double flat = 0.0;     // [m]
-  double inset = 0.0;    // [m]
+  BoxTree tree;         // of the patches that have triangles
+  double radius = 0.0;  // of the smallest ball around the original [m]
+  double flat = 0.0;    // [m]
+  double inset = 0.0;   // [m]
   int max_vertices = 32;
   std::int32_t patch_count = 0;  // of those with triangles
 };
@@ -69,7 +69,7 @@ inline std::array<Vec3, 3> corners_of(const PatchedSurface& s, std::int32_t t) {
           x[static_cast<std::size_t>(v[2])]};
 }
 
-inline detail::TreeBox box_of(const std::array<Vec3, 3>& c) {
+inline TreeBox box_of(const std::array<Vec3, 3>& c) {
   return {c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2])};
 }
 
@@ -79,16 +79,15 @@ void refresh_triangle(PatchedSurface& s, std::int32_t t);
 /// Half-spaces of the hull of some vertices moved inwards by the inset, and the box of the
 /// vertices. A hull that is flat to the tolerance has none. hull is scratch.
 void list_patch_half_spaces(const PatchedSurface& s, const std::vector<std::int32_t>& vertices,
-                            GrowingHull& hull, std::vector<HalfSpace>& half_spaces,
-                            detail::TreeBox& box);
+                            Quickhull& hull, std::vector<HalfSpace>& half_spaces, TreeBox& box);
 
 /// Whether the triangle's present position reaches into the half-spaces; none are never reached.
 bool intrudes(const PatchedSurface& s, std::int32_t t, const std::vector<HalfSpace>& half_spaces,
-              const detail::TreeBox& box);
+              const TreeBox& box);
 
 /// Gives a patch its new vertices and hull.
 void set_patch(PatchedSurface& s, std::int32_t patch, std::vector<std::int32_t>& vertices,
-               std::vector<HalfSpace>& half_spaces, const detail::TreeBox& box);
+               std::vector<HalfSpace>& half_spaces, const TreeBox& box);
 
 /// Merges a patch with a neighbour when their union is a convex patch too (Sec. 3.3.3), again and
 /// again.
@@ -96,7 +95,7 @@ void set_patch(PatchedSurface& s, std::int32_t patch, std::vector<std::int32_t>&
 /// successor  of each patch: entries of absorbed patches are set to the patch that took them
 /// returns    how many patches it absorbed
 /// Thread     [offline]; deterministic.
-int merge_patch(PatchedSurface& s, std::int32_t patch, GrowingHull& hull,
+int merge_patch(PatchedSurface& s, std::int32_t patch, Quickhull& hull,
                 std::vector<std::int32_t>& successor);
 
 }  // namespace thigma

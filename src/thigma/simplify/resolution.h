@@ -13,7 +13,7 @@ namespace thigma {
 double projected_length(const Vec3& edge, const Vec3& n);
 
 /// Sampling resolution of the edge from v1 to v2: the inverse of its projected length [1/m];
-/// infinite for an edge along n. Source Eq. 3.1, with n normalised (ERRATA).
+/// infinite for an edge along n. Source Eq. 3.1, with n normalised (docs/sources.md).
 double edge_resolution(const Vec3& v1, const Vec3& v2, const Vec3& n);
 
 }  // namespace thigma

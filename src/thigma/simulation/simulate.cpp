@@ -60,7 +60,7 @@ class Simulation {
     const Pose mesh = world.body_from_mesh;
     reach_ = (transform_point(mesh, world.object->center)).norm() + 1.02 * world.object->radius;
     if (world.body.gravity.norm() > 0.0) up_ = -world.body.gravity.normalized();
-    slow_ = fall_speed(world, detail::kShortestFall * collision_gap(world));
+    bounce_threshold_ = fall_speed(world, detail::kShortestFall * collision_gap(world));
   }
 
   SimulationCounts run(double duration) {
@@ -144,17 +144,17 @@ class Simulation {
     if (state_.moved_at < 0.0 || moved() > 0.5 * world_.tolerance) {
       state_.moved_from = state_.body;
       state_.moved_at = state_.time;
-      state_.carried = 0.0;
+      state_.weight_impulse = 0.0;
     }
     if (state_.is_settling && velocity(world_.body, state_.body).linear.norm() >
                                   fall_speed(world_, kSettled * world_.tolerance))
       state_.is_settling = false;
     const double still = state_.time - state_.moved_at;
     const double weight = world_.body.mass * world_.body.gravity.norm();
-    if (still < kStill || state_.carried < kCarried * weight * still) return;
+    if (still < kStill || state_.weight_impulse < kCarried * weight * still) return;
     if (hovers()) {
       state_.is_settling = true;
-      state_.moved_at = -1.0;  // watched anew: what carried it so far did not
+      state_.moved_at = -1.0;  // watched anew: what weight_impulse it so far did not
       return;
     }
     state_.is_resting = true;
@@ -175,7 +175,8 @@ class Simulation {
         scratch_.touching.push_back(static_cast<std::int32_t>(i));
     }
     scratch_.hits.assign(scratch_.touching.size(), 0);
-    const double least = kAtRest * std::max(slow_, fall_speed(world_, world_.tolerance));
+    const double least =
+        kAtRest * std::max(bounce_threshold_, fall_speed(world_, world_.tolerance));
     int impulses = 0;
     for (; impulses < kMostImpulses; ++impulses) {
       double fastest = least;
@@ -201,7 +202,7 @@ class Simulation {
 
   double restitution(const Touch& t, int hits) const {
     const bool has_sunk = t.gap < 0.5 * collision_gap(world_) && t.gap > -world_.tolerance;
-    const double slow = has_sunk ? 4.0 * slow_ : slow_;
+    const double slow = has_sunk ? 4.0 * bounce_threshold_ : bounce_threshold_;
     const double fast = slow > 0.0 ? std::clamp(t.approach / slow - 1.0, 0.0, 1.0) : 1.0;
     const double kept = fast * world_.law.restitution + (has_sunk ? 1.0 - fast : 0.0);
     return std::ldexp(kept, -std::max(hits - kFullHits, 0));
@@ -215,7 +216,7 @@ class Simulation {
         collision_impulse(matrix, point_velocity(world_.body, state_.body, t.arm), c.normal, law);
     const double before = kinetic_energy(world_.body, state_.body);
     state_.body = with_impulse(state_.body, t.arm, impulse);
-    state_.carried += up_.dot(impulse);
+    state_.weight_impulse += up_.dot(impulse);
     if (!ports_.event) return;
     ports_.event({.time = state_.time,
                   .point = c.point,
@@ -234,12 +235,12 @@ class Simulation {
   void move(const Flight& flight, double part = 1.0) {
     const double time = part * flight.time;
     state_.body = pushed_motion(world_.body, state_.body, flight.push, time);
-    state_.carried += time * up_.dot(flight.push.force);
+    state_.weight_impulse += time * up_.dot(flight.push.force);
     state_.time += time;
     state_.since_query += time;
   }
 
-  bool is_held() const { return !scratch_.touching.empty() && slow_ > 0.0; }
+  bool is_held() const { return !scratch_.touching.empty() && bounce_threshold_ > 0.0; }
 
   // The longest flight that is safe under the forces that hold the body over it.
   Flight plan(double longest, double lift) {
@@ -260,7 +261,7 @@ class Simulation {
   }
 
   // Takes out of the motion what energy is above this; false where motion has not so much.
-  bool pay(double energy) {
+  bool dissipate_excess_energy(double energy) {
     const double excess = mechanical_energy(world_.body, state_.body) - energy;
     if (!(excess > 0.0)) return true;
     const double motion = kinetic_energy(world_.body, state_.body);
@@ -272,7 +273,7 @@ class Simulation {
   }
 
   // Flies on for the longest safe time, held by what touches. Energy does not grow.
-  Flight fly(double longest) {
+  Flight advance_freely(double longest) {
     const SimulationState from = state_;
     scratch_.supports.clear();
     if (!is_held()) {
@@ -286,7 +287,7 @@ class Simulation {
       const Flight flight = plan(longest, lift);
       move(flight);
       const bool is_paid = mechanical_energy(world_.body, state_.body) <= energy;
-      if (is_paid || (lift == 0.0 && pay(energy))) return flight;
+      if (is_paid || (lift == 0.0 && dissipate_excess_energy(energy))) return flight;
       state_ = from;
     }
     const Flight free{std::min(longest, safe_time(world_, state_.body, scratch_.contacts, reach_)),
@@ -300,7 +301,7 @@ class Simulation {
   void advance(double left) {
     const double gap = std::min(world_.tolerance, least_);
     const SimulationState from = state_;
-    const Flight flight = fly(std::min(left, world_.longest_step));
+    const Flight flight = advance_freely(std::min(left, world_.longest_step));
     if (left - flight.time < 1e-12 * (state_.time + left)) state_.time = from.time + left;
     query();
     const double depth = -least_;
@@ -311,7 +312,7 @@ class Simulation {
     const double part = gap / (gap + depth);
     move(flight, part);
     state_.since_query = (1.0 - part) * flight.time;  // the query before was of the flight's end
-    if (pay(energy) && collide(scratch_.contacts)) {
+    if (dissipate_excess_energy(energy) && collide(scratch_.contacts)) {
       ++counts_.interpolated;
       query();
     } else {
@@ -324,9 +325,9 @@ class Simulation {
   SimulationScratch& scratch_;
   const SimulationPorts& ports_;
   SimulationCounts counts_;
-  double reach_ = 0.0;      // of the mesh from the centre of mass
-  Vec3 up_ = Vec3::Zero();  // against gravity
-  double slow_ = 0.0;       // impacts below end without a bounce
+  double reach_ = 0.0;             // of the mesh from the centre of mass
+  Vec3 up_ = Vec3::Zero();         // against gravity
+  double bounce_threshold_ = 0.0;  // impacts below end without a bounce
   double seen_ = 0.0;   // distance that the last query saw, the exact one where it was asked [m]
   double least_ = 0.0;  // the same with what levels may lie off: the least gap [m]
 };

@@ -42,8 +42,14 @@ struct SimulationState {
   bool is_settling = false;
   // Where the body was when it was last seen to move.
   BodyState moved_from;
-  double moved_at = -1.0;  // [s]; < 0: not watched yet
-  double carried = 0.0;    // of its momentum by gravity, contacts have taken since [N s]
+  double moved_at = -1.0;       // [s]; < 0: not watched yet
+  double weight_impulse = 0.0;  // of its momentum by gravity, contacts have taken since [N s]
+};
+
+/// A simulation that can be run.
+struct SimulatedStart {
+  SimulationWorld world;
+  SimulationState state;
 };
 
 /// A contact that holds the body, with the force found for it.

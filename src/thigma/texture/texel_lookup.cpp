@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "thigma/texture/detail/texel_vector.h"
+#include "thigma/texture/texel_vector.h"
 
 namespace thigma {
 namespace {

@@ -35,7 +35,7 @@ struct Borders {
 };
 
 Borders expect_borders(const TriangleMesh& mesh) {
-  const Surface surface = describe_surface(mesh);
+  const SurfaceTopology surface = compute_topology(mesh);
   const ConvexDecomposition parts = decompose_surface(mesh);
   const double flat = 1e-9;
   Borders seen;

@@ -31,7 +31,7 @@ TEST(SupportSets, GiveTheDistanceOfHullsInTheSameBitsFromAnyMemory) {
         va.center + random.uniform(2.0, 5.0) * random.direction() - x.rotation * vb.center;
     GjkCache fresh, memory;
     const Separation s = closest_points(va, vb, x, kInfinity, fresh);
-    if (s.status != PairStatus::separated || s.distance < 1e-3) continue;
+    if (s.status != GjkStatus::separated || s.distance < 1e-3) continue;
     const Placement place(va, vb, x);
     SupportedDistance out, again;
     if (!closest_by_support(place,

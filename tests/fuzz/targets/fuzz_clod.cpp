@@ -32,7 +32,7 @@ void fuzz_clod(Bytes bytes) {
   const std::string written = format_clod(asset, "asset");
   require(format_clod(parse_clod(written, "asset"), "asset") == written,
           "what is read is written the same");
-  if (asset.hierarchy.contact_patches.size() > 200 || !(asset.hierarchy.radius < 1e6)) return;
+  if (asset.hierarchy.level_patches.size() > 200 || !(asset.hierarchy.radius < 1e6)) return;
   query(asset.hierarchy);
 }
 

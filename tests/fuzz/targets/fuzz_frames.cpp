@@ -10,7 +10,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 
-#include "thigma/core/detail/descriptor.h"
+#include "thigma/core/descriptor.h"
 
 namespace thigma::fuzz {
 namespace {
@@ -46,7 +46,7 @@ std::string handshake(std::uint16_t port) {
 
 /// All bytes, a half-closed connection, and what comes back until the server has closed as well.
 void talk(std::uint16_t port, std::string_view bytes) {
-  const detail::Descriptor s(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  const Descriptor s(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(port);

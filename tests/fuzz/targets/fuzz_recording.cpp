@@ -1,8 +1,9 @@
 #include "fuzz/fuzz_target.h"
 
-#include "thigma/runtime/config_json.h"
-#include "thigma/runtime/recording.h"
-#include "thigma/runtime/replay_session.h"
+#include "thigma/core/byte_source.h"
+#include "thigma/recording/config_json.h"
+#include "thigma/recording/recording.h"
+#include "thigma/recording/replay_session.h"
 
 namespace thigma::fuzz {
 namespace {

@@ -1,14 +1,14 @@
 #include <cmath>
 
 #include "fuzz/fuzz_target.h"
-#include "scenes/scene_file.h"
+
+#include "thigma/scene/scene_file.h"
 
 namespace thigma::fuzz {
 
 void fuzz_scene(Bytes bytes) {
-  scenes::SceneDescription scene;
-  if (!is_taken("scene", [&] { scene = scenes::parse_scene(text_of(bytes), "scene", "/nowhere"); }))
-    return;
+  SceneDescription scene;
+  if (!is_taken("scene", [&] { scene = parse_scene(text_of(bytes), "scene", "/nowhere"); })) return;
   const SafetyLimits& s = scene.safety;
   for (const double limit : {s.max_force, s.max_torque, s.force_slew, s.torque_slew, s.max_speed,
                              s.pose_jump, s.max_turn_speed, s.orientation_jump, s.watchdog})

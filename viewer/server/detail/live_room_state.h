@@ -32,7 +32,7 @@ inline constexpr const char* kIsRestarting = "the session is just beginning anew
 struct LiveRoom::Impl {
   Impl(SceneView scene_in, const SessionConfig& config_in, const Pose& start_in,
        std::vector<std::string> devices, std::vector<WebFile> files, std::uint16_t port,
-       WebLink& link_in, const WebLimits& limits_in);
+       WebDeviceChannel& link_in, const WebLimits& limits_in);
 
   // On the server's thread.
   void opened(PageId page);
@@ -89,7 +89,7 @@ struct LiveRoom::Impl {
 
   // Between threads.
   std::unique_ptr<LivePorts> ports;
-  WebLink& link;
+  WebDeviceChannel& link;
   LiveFeed feed;
   std::atomic<std::size_t> open_pages{0};
   mutable std::mutex mutex;  // of what follows; never held for longer than a copy takes

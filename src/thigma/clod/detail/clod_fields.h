@@ -56,7 +56,7 @@ void visit_fields(Like<ClodPatch> auto& p, V&& visit) {
 }
 
 template <class V>
-void visit_fields(Like<ClodContactPatch> auto& c, V&& visit) {
+void visit_fields(Like<LevelPatch> auto& c, V&& visit) {
   visit_fields(c.patch, visit);
   visit("level", c.level);
   visit("first_vertex", c.first_vertex);
@@ -147,7 +147,7 @@ void visit_parts(Like<ClodHierarchy> auto& h, V&& visit) {
   visit.records("levels", h.levels);
   visit.records("nodes", h.nodes);
   visit.records("patches", h.patches);
-  visit.records("contact_patches", h.contact_patches);
+  visit.records("contact_patches", h.level_patches);
   visit.numbers("vertices", h.vertices, Dimension::length);
   visit.numbers("vertex_to_below", h.vertex_to_below, Dimension::length);
   visit.numbers("support", h.support, Dimension::area);

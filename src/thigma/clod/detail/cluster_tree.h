@@ -22,8 +22,8 @@ struct Merge {
 /// n - 1 merges; children come before parents. Deterministic.
 ///
 /// boxes   of the leaves, at least one
-/// Thread  [offline]. Source Meister and Bittner 2018 (parallel locally-ordered clustering), run in
-/// order.
+/// Thread  [offline].
+/// Source  Meister and Bittner 2018 (parallel locally-ordered clustering), run in order.
 std::vector<Merge> merge_clusters(std::span<const ClusterBox> boxes);
 
 }  // namespace thigma::detail

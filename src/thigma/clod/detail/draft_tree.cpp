@@ -130,7 +130,7 @@ PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& h) {
   return hull;
 }
 
-ClodPatch append_features(const TriangleMesh& mesh, const Surface& surface,
+ClodPatch append_features(const TriangleMesh& mesh, const SurfaceTopology& surface,
                           std::span<const std::int32_t> triangles,
                           std::span<const std::int32_t> vertices, double flat, ClodHierarchy& h) {
   const PatchFeatures features = find_features(mesh, surface, triangles, vertices, flat);
@@ -153,7 +153,7 @@ ClodPatch append_features(const TriangleMesh& mesh, const Surface& surface,
 void place_drafts(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
                   const DraftTree& tree, std::int32_t root, ClodHierarchy& h) {
   const double flat = decomposition.params.convexity_tolerance * h.radius;
-  const Surface surface = describe_surface(mesh);
+  const SurfaceTopology surface = compute_topology(mesh);
   std::vector<std::int32_t> order(1, root);
   h.nodes.reserve(tree.drafts.size());
   h.patches.resize(decomposition.patches.size());

@@ -8,8 +8,8 @@
 
 #include "thigma/clod/hierarchy.h"
 #include "thigma/convex/decomposition.h"
-#include "thigma/convex/detail/surface.h"
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/quickhull.h"
+#include "thigma/mesh/surface_topology.h"
 #include "thigma/mesh/triangle_mesh.h"
 
 namespace thigma::detail {
@@ -30,7 +30,7 @@ struct NodeDraft {
 struct DraftTree {
   std::vector<NodeDraft> drafts;
   std::vector<std::vector<std::int32_t>> pools;  // positions of the mesh, ascending
-  GrowingHull hull;                              // scratch
+  Quickhull hull;                                // scratch
 };
 
 /// Leaves: the patches of a decomposition, drafts 0..patches-1.
@@ -63,7 +63,7 @@ struct PlacedHull {
 PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& h);
 
 /// Appends the features of a patch of a mesh. triangles and vertices ascending; flat [m].
-ClodPatch append_features(const TriangleMesh& mesh, const Surface& surface,
+ClodPatch append_features(const TriangleMesh& mesh, const SurfaceTopology& surface,
                           std::span<const std::int32_t> triangles,
                           std::span<const std::int32_t> vertices, double flat, ClodHierarchy& h);
 

@@ -12,7 +12,7 @@
 #include <limits>
 #include <thread>
 
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/quickhull.h"
 #include "thigma/core/index.h"
 #include "thigma/math/infinity.h"
 
@@ -148,10 +148,10 @@ float round_up(double x) {
                                     : f;
 }
 
-void measure_patch(ClodHierarchy& h, ClodContactPatch& c) {
+void measure_patch(ClodHierarchy& h, LevelPatch& c) {
   const double rounding = 1e-12 * h.radius;
   const PatchBounds bounds{h, c.patch.node, c.deviation};
-  const HullView patch = contact_view(h, c.patch.node);
+  const HullView patch = level_surface(h, c.patch.node);
   int guess = 0;
   bounds.from_below(c.patch.node, patch, guess, c.from_below);
   c.from_below += rounding;
@@ -178,14 +178,14 @@ void measure_patch(ClodHierarchy& h, ClodContactPatch& c) {
 }  // namespace
 
 void measure_level_bounds(int threads, ClodHierarchy& h) {
-  if (h.contact_patches.empty()) return;
+  if (h.level_patches.empty()) return;
   h.vertex_to_below.assign(h.vertices.size(), 0.0f);
   h.triangle_to_below.assign(h.hull_triangles.size(), 0.0f);
   // Patches are independent: which thread takes one does not show in the result.
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
-    for (std::size_t i = next++; i < h.contact_patches.size(); i = next++)
-      if (h.contact_patches[i].patch.node >= 0) measure_patch(h, h.contact_patches[i]);
+    for (std::size_t i = next++; i < h.level_patches.size(); i = next++)
+      if (h.level_patches[i].patch.node >= 0) measure_patch(h, h.level_patches[i]);
   };
   std::vector<std::thread> others;
   for (int i = 1; i < threads; ++i) others.emplace_back(work);

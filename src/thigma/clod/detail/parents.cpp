@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/quickhull.h"
 #include "thigma/core/index.h"
-#include "thigma/simplify/detail/box_tree.h"
+#include "thigma/mesh/box_tree.h"
 
 namespace thigma::detail {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "thigma/clod/detail/contact_patches.h"
 #include "thigma/clod/detail/draft_tree.h"
+#include "thigma/clod/detail/level_patches.h"
 
 namespace thigma::detail {
 

@@ -149,7 +149,7 @@ bool ends_facet(const Patch& patch, const RealFace& face, const Vec3& tail, cons
 
 /// Unit normal of the triangle across side k of a triangle of the mesh; zero where there is none,
 /// over a reflex edge, and of slivers, whose normals are mostly rounding.
-Vec3 normal_beyond(const TriangleMesh& mesh, const Surface& surface, std::int32_t triangle,
+Vec3 normal_beyond(const TriangleMesh& mesh, const SurfaceTopology& surface, std::int32_t triangle,
                    std::size_t k, const Vec3& normal, double flat) {
   const std::int32_t other = surface.neighbor[at(triangle)][k];
   if (other < 0 || !(surface.height[at(other)] > flat)) return Vec3::Zero();
@@ -159,7 +159,7 @@ Vec3 normal_beyond(const TriangleMesh& mesh, const Surface& surface, std::int32_
   return surface.normal[at(other)];
 }
 
-void find_edges(const TriangleMesh& mesh, const Surface& surface,
+void find_edges(const TriangleMesh& mesh, const SurfaceTopology& surface,
                 std::span<const std::int32_t> triangles, const Patch& patch, double flat,
                 const std::vector<RealFace>& faces, std::vector<RealEdge>& edges) {
   for (std::size_t t = 0; t < patch.corner.size(); ++t)
@@ -186,7 +186,7 @@ void find_edges(const TriangleMesh& mesh, const Surface& surface,
 
 }  // namespace
 
-PatchFeatures find_features(const TriangleMesh& mesh, const Surface& surface,
+PatchFeatures find_features(const TriangleMesh& mesh, const SurfaceTopology& surface,
                             std::span<const std::int32_t> triangles,
                             std::span<const std::int32_t> vertices, double flat) {
   Patch patch = localize(mesh, triangles, vertices);

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "thigma/convex/detail/surface.h"
 #include "thigma/convex/hull_view.h"
+#include "thigma/mesh/surface_topology.h"
 #include "thigma/mesh/triangle_mesh.h"
 
 namespace thigma::detail {
@@ -25,7 +25,7 @@ struct PatchFeatures {
 /// vertices   every position they use, ascending; local vertex i is vertices[i]; at most 32
 /// flat       height that still counts as in the plane [m]
 /// Thread     [offline]; no failure.
-PatchFeatures find_features(const TriangleMesh& mesh, const Surface& surface,
+PatchFeatures find_features(const TriangleMesh& mesh, const SurfaceTopology& surface,
                             std::span<const std::int32_t> triangles,
                             std::span<const std::int32_t> vertices, double flat);
 

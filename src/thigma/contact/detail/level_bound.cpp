@@ -62,19 +62,19 @@ double hull_distance(LevelQuery& q, FrontNode& n, std::int32_t i, double enough)
   const Placement place(a, b, t.pose);
   ++t.set.stats.pair_queries;
   const Separation s = closest_points(a, b, t.pose, kInfinity, n.gjk);
-  if (s.status != PairStatus::gave_up) {
+  if (s.status != GjkStatus::gave_up) {
     const double slack = reach - s.distance - kDistanceRounding * place.size;
     if (i >= 0 && slack > 0.0) set_timer(f, i, slack);
     if (s.distance <= enough + kDistanceRounding * place.size) return 0.0;
   }
   SupportedDistance found;
   const SupportSets sets = support_sets(place, s.witness_a - a.center, s.witness_b - a.center);
-  if (s.status == PairStatus::separated && closest_by_support(place, sets, Features::any, found))
+  if (s.status == GjkStatus::separated && closest_by_support(place, sets, Features::any, found))
     return found.distance;
   GjkCache fresh;
   ++t.set.stats.pair_queries;
   const Separation again = closest_points(a, b, t.pose, kInfinity, fresh);
-  return again.status == PairStatus::separated ? again.distance : 0.0;
+  return again.status == GjkStatus::separated ? again.distance : 0.0;
 }
 
 // Separation of two finest patches below a pair that are likely the nearest: an upper bound of that

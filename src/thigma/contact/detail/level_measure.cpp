@@ -146,7 +146,7 @@ std::vector<std::array<double, 2>> largest_support(const ClodHierarchy& h) {
   largest.assign(h.nodes.size(), {0.0, 0.0});
   for (std::size_t i = 0; i < h.nodes.size(); ++i) {
     if (is_free(h.nodes[i])) continue;
-    const HullView view = contact_view(h, static_cast<std::int32_t>(i));
+    const HullView view = level_surface(h, static_cast<std::int32_t>(i));
     const std::array<double, 2>* support = h.support.data() + (view.vertices - h.vertices.data());
     for (int v = 0; v < view.vertex_count; ++v) {
       for (std::size_t k = 0; k < 2; ++k) largest[i][k] = std::max(largest[i][k], support[v][k]);
@@ -160,8 +160,8 @@ bool is_always_refined(const LevelQuery& q, const FrontNode& n) noexcept {
   const ClodNode& nb = node_b(q.t, n.b);
   if (is_free(na) || is_free(nb)) return true;
   if (std::max(na.level, nb.level) > q.t.query.resolution.coarsest_level) return true;
-  const double sa = na.contact >= 0 ? q.t.object.contact_patches[at(na.contact)].deviation : 0.0;
-  const double sb = nb.contact >= 0 ? q.t.scene.contact_patches[at(nb.contact)].deviation : 0.0;
+  const double sa = na.contact >= 0 ? q.t.object.level_patches[at(na.contact)].deviation : 0.0;
+  const double sb = nb.contact >= 0 ? q.t.scene.level_patches[at(nb.contact)].deviation : 0.0;
   if (sa + sb > q.deviation_cap) return true;
   if (!q.is_haptic_alone) return false;
   const double area = largest_area(q, n);

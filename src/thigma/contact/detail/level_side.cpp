@@ -25,8 +25,8 @@ Vec3 clamped_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c,
 
 Side side_of(const ClodHierarchy& h, std::int32_t i) noexcept {
   const ClodNode& node = h.nodes[at(i)];
-  return {h, node, contact_view(h, i),
-          node.contact >= 0 ? &h.contact_patches[at(node.contact)] : nullptr};
+  return {h, node, level_surface(h, i),
+          node.contact >= 0 ? &h.level_patches[at(node.contact)] : nullptr};
 }
 
 Place find_place(const HullView& view, std::uint32_t feature, const Vec3& p) noexcept {

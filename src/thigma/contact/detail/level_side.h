@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "thigma/clod/hierarchy.h"
+#include "thigma/contact/resolution.h"
 
 namespace thigma::detail {
 
@@ -11,8 +12,8 @@ namespace thigma::detail {
 struct Side {
   const ClodHierarchy& h;
   const ClodNode& node;
-  HullView view;                  // the patch
-  const ClodContactPatch* patch;  // null: finest
+  HullView view;            // the patch
+  const LevelPatch* patch;  // null: finest
   bool is_finest() const noexcept { return patch == nullptr; }
   double deviation() const noexcept { return patch != nullptr ? patch->deviation : 0.0; }
   double hausdorff() const noexcept { return patch != nullptr ? patch->hausdorff : 0.0; }

@@ -6,7 +6,7 @@
 #include <emmintrin.h>
 
 #include "thigma/contact/front.h"
-#include "thigma/convex/detail/support.h"
+#include "thigma/convex/support.h"
 
 namespace thigma::detail {
 

@@ -92,7 +92,7 @@ PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePo
     const Separation s =
         closest_points(a, b, pose, std::numeric_limits<double>::infinity(), memory.gjk);
     const Vec3 w = s.witness_b - s.witness_a;
-    if (s.status == PairStatus::separated && s.distance > kNear * place.size) {
+    if (s.status == GjkStatus::separated && s.distance > kNear * place.size) {
       disjoint = true;
       const Vec3 n = w / s.distance;
       if (s.distance > tolerance + 1e-9 * (place.size + tolerance)) {

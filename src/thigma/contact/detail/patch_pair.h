@@ -21,11 +21,11 @@ struct PatchPair {
 
 /// Measures two patches.
 ///
-/// memory  of the pair: support vertices, simplex and, with keep_direction, the normal reported
-///         last
-/// stats   pair_queries and triangle_pairs are counted
-/// returns a function of the pose alone unless keep_direction
-/// Thread  [contact]; no failure, no allocation.
+/// memory   of the pair: support vertices, simplex and, with keep_direction, the normal reported
+///          last
+/// stats    pair_queries and triangle_pairs are counted
+/// returns  a function of the pose alone unless keep_direction
+/// Thread   [contact]; no failure, no allocation.
 PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose,
                           double tolerance, bool keep_direction, const SegmentProbe& probe,
                           FrontNode& memory, QueryStats& stats) noexcept;

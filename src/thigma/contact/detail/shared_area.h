@@ -2,8 +2,8 @@
 // Where two patches face each other: the area they share seen along a normal, weighed by how near
 // they are.
 
+#include "thigma/convex/gjk.h"
 #include "thigma/convex/hull_view.h"
-#include "thigma/convex/pair.h"
 
 namespace thigma::detail {
 

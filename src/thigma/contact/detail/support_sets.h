@@ -2,8 +2,8 @@
 // Closest points of two disjoint hulls from the vertices that support them, bit-identical however
 // these were found.
 
+#include "thigma/convex/gjk.h"
 #include "thigma/convex/hull_view.h"
-#include "thigma/convex/pair.h"
 
 namespace thigma::detail {
 

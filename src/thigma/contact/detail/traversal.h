@@ -189,13 +189,13 @@ inline double slack_of(Traversal& t, FrontNode& n) noexcept {
   ++t.set.stats.pair_queries;
   if (n.gjk.count == 0) start_along(pair, t.pose, n.axis, n.gjk);
   const Separation s = closest_points(pair.a, pair.b, t.pose, kInfinity, n.gjk);
-  if (s.status == PairStatus::overlapping || !(s.distance > 0.0)) return std::max(slack, -reach);
+  if (s.status == GjkStatus::overlapping || !(s.distance > 0.0)) return std::max(slack, -reach);
   const Vec3 axis = (s.witness_b - s.witness_a) / s.distance;
   if (!n.has_normal) {
     for (int i = 0; i < 3; ++i) n.axis[i] = static_cast<float>(axis[i]);
   }
   const double rounding = pair.rounding + 1e-11 * (pair.a.radius + pair.b.radius);
-  if (s.status == PairStatus::gave_up) {
+  if (s.status == GjkStatus::gave_up) {
     return std::max(slack, axis_gap(pair, t.pose, n.axis) - reach);
   }
   return std::max(slack, s.distance - rounding - reach);

@@ -1,8 +1,9 @@
 #pragma once
 // The cached separating axis over any width: one dot product a vertex in single precision. Compiled
-// for AVX2 too: as confirm_pairs.h, only templates over the width, no function of another header.
+// for AVX2 too: as verify_cached_simplices.h, only templates over the width, no function of another
+// header.
 
-#include "thigma/convex/pair.h"
+#include "thigma/convex/gjk.h"
 
 namespace thigma::detail {
 

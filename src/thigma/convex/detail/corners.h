@@ -7,7 +7,7 @@
 
 #include <emmintrin.h>
 
-#include "thigma/convex/pair.h"
+#include "thigma/convex/gjk.h"
 
 namespace thigma::detail {
 

@@ -1,5 +1,5 @@
 #pragma once
-// One and two doubles a step for confirm_pairs, on what every x86-64 has.
+// One and two doubles a step for verify_cached_simplices, on what every x86-64 has.
 
 #include <cmath>
 #include <cstdint>

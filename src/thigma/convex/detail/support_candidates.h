@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "thigma/convex/detail/lanes_sse2.h"
-#include "thigma/convex/detail/support.h"
 #include "thigma/convex/hull_view.h"
+#include "thigma/convex/support.h"
 
 namespace thigma::detail {
 

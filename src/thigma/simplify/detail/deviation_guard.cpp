@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "thigma/convex/growing_hull.h"
+#include "thigma/convex/quickhull.h"
 #include "thigma/core/index.h"
 
 namespace thigma::detail {

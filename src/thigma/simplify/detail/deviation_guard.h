@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "thigma/mesh/detail/triangle_tree.h"
 #include "thigma/mesh/triangle_mesh.h"
+#include "thigma/mesh/triangle_tree.h"
 
 namespace thigma::detail {
 

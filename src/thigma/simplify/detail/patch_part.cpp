@@ -50,7 +50,7 @@ void list_vertices(const PatchedSurface& s, PatchPart& part) {
 
 /// Fills the vertices and the hull of both together; false when that is no patch.
 bool join(const PatchedSurface& s, std::int32_t shell, const PatchPart& one, const PatchPart& other,
-          const MovedTriangles& moved, GrowingHull& hull, PatchPart& joint) {
+          const MovedTriangles& moved, Quickhull& hull, PatchPart& joint) {
   if (!share_an_edge(s, one, other)) return false;
   joint.vertices = one.vertices;
   for (const std::int32_t v : other.vertices)
@@ -72,7 +72,7 @@ void absorb(PatchPart& one, PatchPart& other, PatchPart& joint) {
 
 }  // namespace
 
-void describe_part(const PatchedSurface& s, PatchPart& part, GrowingHull& hull) {
+void describe_part(const PatchedSurface& s, PatchPart& part, Quickhull& hull) {
   list_vertices(s, part);
   list_patch_half_spaces(s, part.vertices, hull, part.half_spaces, part.box);
 }
@@ -117,7 +117,7 @@ bool is_hull_clear(const PatchedSurface& s, std::int32_t shell, const PatchPart&
 }
 
 int merge_parts(const PatchedSurface& s, std::int32_t shell, std::size_t count,
-                const MovedTriangles& moved, GrowingHull& hull, std::vector<PatchPart>& parts) {
+                const MovedTriangles& moved, Quickhull& hull, std::vector<PatchPart>& parts) {
   int absorbed = 0;
   PatchPart joint;
   for (std::size_t i = 0; i < count; ++i)

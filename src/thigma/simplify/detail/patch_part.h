@@ -21,7 +21,7 @@ struct PatchPart {
 using MovedTriangles = std::array<std::int32_t, 2>;
 
 /// Fills vertices and hull from the triangles.
-void describe_part(const PatchedSurface& s, PatchPart& part, GrowingHull& hull);
+void describe_part(const PatchedSurface& s, PatchPart& part, Quickhull& hull);
 
 /// Appends what is left of a patch without one of its triangles, connected over edges: nothing, one
 /// part, or several, of which the first has the patch's number.
@@ -41,6 +41,6 @@ bool is_hull_clear(const PatchedSurface& s, std::int32_t shell, const PatchPart&
 /// returns  how many were absorbed
 /// Thread   [offline]; deterministic.
 int merge_parts(const PatchedSurface& s, std::int32_t shell, std::size_t count,
-                const MovedTriangles& moved, GrowingHull& hull, std::vector<PatchPart>& parts);
+                const MovedTriangles& moved, Quickhull& hull, std::vector<PatchPart>& parts);
 
 }  // namespace thigma::detail

@@ -26,7 +26,7 @@ double patch_reach(const ClodHierarchy& h, const Contact& c, const Pose& world_f
     center = node.center;
     radius = node.radius;
   } else {
-    const ClodContactPatch& patch = h.contact_patches[i - h.patches.size()];
+    const LevelPatch& patch = h.level_patches[i - h.patches.size()];
     center = patch.center;
     radius = patch.radius;
   }

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "thigma/mesh/detail/triangle_tree.h"
 #include "thigma/mesh/triangle_mesh.h"
+#include "thigma/mesh/triangle_tree.h"
 
 namespace thigma::detail {
 

@@ -1,0 +1,129 @@
+#include "thigma/contact/level_changes.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace thigma {
+namespace {
+
+constexpr int kMostSteps = 2;  // levels that a pair may move by in a frame and still be found
+
+std::vector<std::int32_t> parents_of(const ClodHierarchy& hierarchy) {
+  std::vector<std::int32_t> parents(hierarchy.nodes.size(), -1);
+  for (std::size_t i = 0; i < hierarchy.nodes.size(); ++i) {
+    const ClodNode& node = hierarchy.nodes[i];
+    for (std::int32_t k = 0; k < node.child_count; ++k) {
+      parents[static_cast<std::size_t>(node.first_child + k)] = static_cast<std::int32_t>(i);
+    }
+  }
+  return parents;
+}
+
+std::vector<std::int32_t> triangles_of_nodes(const ClodHierarchy& hierarchy) {
+  std::vector<std::int32_t> triangles(hierarchy.nodes.size(), 0);
+  for (std::size_t i = hierarchy.nodes.size(); i-- > 0;) {  // children come after their parents
+    const ClodNode& node = hierarchy.nodes[i];
+    if (node.patch >= 0)
+      triangles[i] = hierarchy.patches[static_cast<std::size_t>(node.patch)].triangle_count;
+    for (std::int32_t k = 0; k < node.child_count; ++k)
+      triangles[i] += triangles[static_cast<std::size_t>(node.first_child + k)];
+  }
+  return triangles;
+}
+
+std::int32_t parent(const std::vector<std::int32_t>& parents, std::int32_t node) noexcept {
+  const auto at = static_cast<std::size_t>(node);
+  return node >= 0 && at < parents.size() ? parents[at] : -1;
+}
+
+/// Whether a pair above this one, but not itself, is among sorted pairs.
+bool has_ancestor(const LevelHistory& history, const std::vector<NodePair>& pairs,
+                  const NodePair& pair) noexcept {
+  const std::vector<std::int32_t>& scene_parents =
+      history.scene_parents[static_cast<std::size_t>(pair.body)];
+  std::int32_t object = pair.object;
+  for (int i = 0; i <= kMostSteps && object >= 0; ++i) {
+    std::int32_t scene = pair.scene;
+    for (int j = 0; j <= kMostSteps && scene >= 0; ++j) {
+      if (i + j > 0 &&
+          std::binary_search(pairs.begin(), pairs.end(), NodePair{pair.body, object, scene}))
+        return true;
+      scene = parent(scene_parents, scene);
+    }
+    object = parent(history.object_parents, object);
+  }
+  return false;
+}
+
+/// What `pairs` has and `others` lacks; both sorted.
+void subtract(const std::vector<NodePair>& pairs, const std::vector<NodePair>& others,
+              std::vector<NodePair>& rest) noexcept {
+  rest.clear();
+  std::set_difference(pairs.begin(), pairs.end(), others.begin(), others.end(),
+                      std::back_inserter(rest));
+}
+
+/// How many of `pairs` stand below one of `others`.
+std::int32_t count_below(const LevelHistory& history, const std::vector<NodePair>& pairs,
+                         const std::vector<NodePair>& others) noexcept {
+  if (others.empty()) return 0;
+  std::int32_t count = 0;
+  for (const NodePair& pair : pairs) {
+    if (has_ancestor(history, others, pair)) ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+void reserve_level_history(const ClodHierarchy& object, std::span<const SceneBody> scene,
+                           std::size_t contacts, LevelHistory& history) {
+  history.object_parents = parents_of(object);
+  history.object_triangles = triangles_of_nodes(object);
+  history.scene_parents.clear();
+  history.scene_triangles.clear();
+  for (const SceneBody& body : scene) {
+    history.scene_parents.push_back(parents_of(*body.hierarchy));
+    history.scene_triangles.push_back(triangles_of_nodes(*body.hierarchy));
+  }
+  history.last.clear();
+  history.last.reserve(contacts);
+  history.now.reserve(contacts);
+  history.gone.reserve(contacts);
+}
+
+std::int32_t count_level_changes(const ClodHierarchy& object, std::span<const SceneBody> scene,
+                                 std::span<const Contact> contacts,
+                                 LevelHistory& history) noexcept {
+  history.now.clear();
+  for (const Contact& c : contacts) {
+    if (c.body < 0 || static_cast<std::size_t>(c.body) >= history.scene_parents.size()) continue;
+    const ClodHierarchy& other = *scene[static_cast<std::size_t>(c.body)].hierarchy;
+    const NodePair pair{c.body, contact_node(object, c.object_patch),
+                        contact_node(other, c.scene_patch)};
+    if (pair.object >= 0 && pair.scene >= 0) history.now.push_back(pair);
+  }
+  std::sort(history.now.begin(), history.now.end());
+  subtract(history.last, history.now, history.gone);
+  // Refined: what went stands above something that is there; coarsened: below it. What came and
+  // stands below what was there and stays, as while both are blended, is refined as well.
+  std::int32_t changes = count_below(history, history.now, history.gone) +
+                         count_below(history, history.gone, history.now);
+  std::vector<NodePair>& came = history.gone;
+  subtract(history.now, history.last, came);
+  changes += count_below(history, came, history.last) + count_below(history, history.last, came);
+  std::swap(history.last, history.now);
+  return changes;
+}
+
+double triangles_below(const LevelHistory& history) noexcept {
+  double sum = 0.0;
+  for (const NodePair& pair : history.last) {
+    sum += 0.5 * history.object_triangles[static_cast<std::size_t>(pair.object)];
+    sum += 0.5 * history.scene_triangles[static_cast<std::size_t>(pair.body)]
+                                        [static_cast<std::size_t>(pair.scene)];
+  }
+  return sum;
+}
+
+}  // namespace thigma

@@ -1,0 +1,160 @@
+// The contact thread's frame, Sec. 5.1.2: query, cluster, linearise.
+
+#include "thigma/loop/contact_step.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include "thigma/contact/distribute_contacts.h"
+#include "thigma/response/linearize_contacts.h"
+#include "thigma/response/texture_contacts.h"
+
+namespace thigma {
+namespace {
+
+static_assert(kLevelDeciders == kLevelDecisions);
+
+void count_level(std::int32_t level, LevelCounts& counts) noexcept {
+  ++counts[static_cast<std::size_t>(std::clamp<std::int32_t>(level, 0, kLevelBins - 1))];
+}
+
+/// d of the query: of the response, and what relief reaches beyond coarse surfaces.
+double query_tolerance(const ContactWorld& world) noexcept {
+  return world.tolerance + relief_of(world.textures);
+}
+
+Pose world_from_mesh(const ContactWorld& world, const BodyState& body) noexcept {
+  return Pose{body.position, body.orientation} * world.body_from_mesh;
+}
+
+// Relief tells from a cluster's triangles itself where it presses.
+bool distributes_wide_contacts(const ContactWorld& world) noexcept {
+  return world.distributes_wide_contacts && world.object != nullptr && world.textures.is_empty();
+}
+
+/// What the frame's contacts are like, for telemetry. Thread [contact].
+void describe_contacts(const ContactWorld& world, const ContactScratch& scratch,
+                       ContactSample& sample) noexcept {
+  sample.contacts = static_cast<std::int64_t>(scratch.contacts.contacts.size());
+  sample.dropped = scratch.contacts.dropped;
+  sample.front = scratch.contacts.stats.front;
+  sample.tests = scratch.contacts.stats.tests;
+  sample.clusters = static_cast<std::int32_t>(scratch.clusters.clusters.size());
+  sample.depth_max = -std::numeric_limits<double>::infinity();
+  sample.bound_max = 0.0;
+  sample.object_levels.fill(0);
+  sample.scene_levels.fill(0);
+  sample.decided_by.fill(0);
+  for (const DepthTerm& term : sample.model.depths)
+    sample.depth_max = std::max(sample.depth_max, term.depth);
+  for (const Contact& contact : scratch.contacts.contacts) {
+    // Coarse surfaces under relief may well be through each other.
+    if (world.textures.is_empty() || !is_textured(world.textures, contact.body))
+      sample.depth_max = std::max(sample.depth_max, contact.depth);
+    sample.bound_max = std::max(sample.bound_max, contact.bound);
+    count_level(contact.object_level, sample.object_levels);
+    count_level(contact.scene_level, sample.scene_levels);
+    ++sample.decided_by[static_cast<std::size_t>(contact.decided_by)];
+  }
+  sample.mandatory_tests = scratch.contacts.stats.mandatory_tests;
+  sample.unrefined = scratch.contacts.stats.unrefined;
+  sample.texture_depths = sample.texture_folds = 0;
+  if (world.textures.is_empty()) return;
+  for (std::size_t i = 0; i < scratch.textures->contacts.size(); ++i) {
+    const DepthSamples& depth = scratch.textures->samples[i];
+    if (!depth.is_found) continue;
+    ++sample.texture_depths;
+    sample.texture_folds += depth.is_height_field ? 0 : 1;
+  }
+}
+
+}  // namespace
+
+void reserve_query(const ContactWorld& world, ContactScratch& scratch) {
+  scratch.fronts.resize(world.scene.size());
+  for (std::size_t i = 0; i < world.scene.size(); ++i) {
+    reserve_front(scratch.fronts[i], *world.object, *world.scene[i].hierarchy);
+  }
+  scratch.contacts.contacts.reserve(world.capacity);
+}
+
+void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch) {
+  reserve_query(world, scratch);
+  if (distributes_wide_contacts(world)) scratch.spread.reserve(world.capacity);
+  reserve_clusters(scratch.clustering, world.capacity);
+  if (!world.textures.is_empty()) {
+    if (!scratch.textures) scratch.textures = std::make_shared<TextureScratch>();
+    reserve_texture_scratch(world.textures, *scratch.textures);
+  }
+  if (world.object != nullptr && !world.resolution.is_exact) {
+    reserve_level_history(*world.object, world.scene, world.capacity, scratch.levels);
+  }
+}
+
+void find_contacts(const ContactWorld& world, const StampedBody& at,
+                   ContactScratch& scratch) noexcept {
+  clear(scratch.contacts);
+  const Pose pose = world_from_mesh(world, at.state);
+  if (!world.scene.empty()) {
+    ContactQuery query;
+    query.tolerance = query_tolerance(world);
+    query.keep_directions = true;
+    if (world.textures.is_empty() || has_levels(world.textures))
+      query.resolution = world.resolution;
+    if (scratch.sequence > 0 && at.time > scratch.last_time) {
+      query.resolution.step_time = at.time - scratch.last_time;
+    }
+    scratch.last_time = at.time;
+    query_scene(*world.object, pose, world.scene, query, scratch.fronts, scratch.contacts);
+    if (!world.textures.is_empty())
+      limit_to_relief(world.textures, world.tolerance, scratch.contacts);
+  }
+  if (world.source) world.source(pose, world.tolerance, scratch.contacts);
+}
+
+void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch,
+                ContactSample& sample) noexcept {
+  ClusterParams clustering;
+  clustering.max_clusters = world.max_clusters;
+  clustering.tolerance = query_tolerance(world);
+  std::span<const Contact> pressing = scratch.contacts.contacts;
+  scratch.spread.clear();
+  if (distributes_wide_contacts(world)) {
+    distribute_contacts(*world.object, world_from_mesh(world, at.state), world.scene, pressing,
+                        world.tolerance, scratch.spread);
+    pressing = scratch.spread;
+  }
+  cluster_contacts(pressing, scratch.clusters, clustering, scratch.clustering, scratch.clusters);
+
+  PenaltyParams response = world.response;
+  // one d: what the query starts at is what the force starts at
+  response.tolerance = world.tolerance;
+  ++scratch.sequence;
+  sample.model =
+      world.textures.is_empty()
+          ? linearize_contacts(scratch.clusters, response, at.state, at.time, scratch.sequence)
+          : linearize_textured(world.textures, world_from_mesh(world, at.state), world.scene,
+                               scratch.contacts.contacts, scratch.clusters,
+                               scratch.clustering.assignment, response, at.state, at.time,
+                               scratch.sequence, *scratch.textures);
+
+  sample.time = at.time;
+  describe_contacts(world, scratch, sample);
+  sample.level_changes = 0;
+  sample.triangles_below = 0.0;
+  if (!world.resolution.is_exact) {
+    sample.level_changes =
+        count_level_changes(*world.object, world.scene, scratch.contacts.contacts, scratch.levels);
+    sample.triangles_below = triangles_below(scratch.levels);
+  }
+  sample.model_digest = model_digest(sample.model);
+}
+
+void contact_step(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch,
+                  ContactSample& sample) noexcept {
+  find_contacts(world, at, scratch);
+  make_model(world, at, scratch, sample);
+}
+
+}  // namespace thigma

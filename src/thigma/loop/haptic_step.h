@@ -1,0 +1,96 @@
+#pragma once
+// One haptic frame: from the device's pose to the force in the hand (Sec. 5.1.2).
+
+#include <cstdint>
+
+#include "thigma/core/latest.h"
+#include "thigma/core/rt.h"
+#include "thigma/core/spsc_ring.h"
+#include "thigma/device/haptic_device.h"
+#include "thigma/device/workspace.h"
+#include "thigma/dynamics/coupling.h"
+#include "thigma/dynamics/linear_contact_model.h"
+#include "thigma/loop/haptic_params.h"
+#include "thigma/loop/passivity.h"
+#include "thigma/loop/passivity_control.h"
+#include "thigma/loop/safety.h"
+#include "thigma/loop/samples.h"
+
+namespace thigma {
+
+/// What changes from frame to frame. Copyable: a step is a function of it and of its inputs.
+struct HapticState {
+  std::uint64_t frame = 0;
+  double time = 0.0;  // of the last step [s; session clock]
+  BodyState body;
+  bool is_grasped = false;
+  bool was_pressed = false;  // clutch, last frame
+  Coupling coupling;         // params.coupling with the present grasp
+  WorkspaceAnchor anchor;
+  DeviceState last_device;  // last usable sample
+  SafetyState safety;
+  EnergyObserver energy;
+  PassivityControl passivity;
+  float step_cpu = 0.0f,
+        wake_late = 0.0f;  // of the frame before, filled in by the shell for telemetry [s]
+};
+
+/// What the haptic thread tells the contact thread.
+struct StampedBody {
+  BodyState state;
+  double time = 0.0;  // session clock [s]
+  std::uint64_t frame = 0;
+};
+
+/// The shared things a step touches; all lives longer than the session's threads.
+struct HapticPorts {
+  HapticDevice* device = nullptr;
+  Latest<LinearContactModel>* models = nullptr;  // read
+  Latest<StampedBody>* bodies = nullptr;         // written
+  SpscRing<HapticSample>* telemetry = nullptr;   // written; null: none
+};
+
+/// What a tick is told from outside.
+struct HapticTick {
+  double now = 0.0;       // [s; session clock, or that of a device that owns the clock]
+  double elapsed = 1e-3;  // since the last step, the length of this one [s], > 0; a step without a
+                          // finite time or a length above zero is fault not_finite
+  Fault external_fault = Fault::none;
+};
+
+/// State before the first frame: the body at rest at `world_from_body` (centre of mass), nothing
+/// grasped.
+HapticState initial_state(const HapticParams& params, const Pose& world_from_body) THIGMA_RT;
+
+/// One frame: device, coupling, newest contact model, implicit step, coupling again, limits,
+/// passivity controller where it is on, device, telemetry.
+///
+/// With the direct response the object follows the handle exactly, through anything, and the
+/// contact wrench alone is sent, under the same limits. Damping of the contact terms acts on the
+/// handle's velocity.
+///
+/// A device sample that counts by less than 1 (DeviceState::weight) holds the object by weaker
+/// springs, and the wrench on the hand is weaker by the same factor: at 0 the object comes to rest
+/// where it is.
+///
+/// The clutch button takes hold of the object and lets it go. An object nobody holds stays where it
+/// is, at rest. Grasped inside a contact it follows the hand, but nothing is sent until it has left
+/// the contact once: arming never happens inside a contact. After a fault nothing is held and zero
+/// is sent until clear_fault, or, where params.resumes_lost_device, until a lost device answers
+/// again and its clutch is pressed anew.
+///
+/// With safety.rides_out_gaps a frame that is told of the watchdog, or finds the model too old,
+/// sends zero and goes on instead: what is held stays held, the force comes back over the ramp.
+///
+/// params, ports   constant; ports.device is read once and written once
+/// tick            time and step length; nothing assumes 1 ms
+/// state           read and written
+/// returns         the frame's sample, as pushed to telemetry
+/// Thread          [haptic]: the session's thread, or a device's own. Bounded, no failure; what is
+///                 wrong latches a fault and sends zero force.
+/// Source          Sec. 5.1.2 steps 1-6; the hand gets the reaction about the handle
+///                 (docs/deviations.md).
+HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports,
+                         const HapticTick& tick, HapticState& state) THIGMA_RT;
+
+}  // namespace thigma

@@ -1,0 +1,127 @@
+#include "thigma/loop/samples.h"
+
+#include <bit>
+#include <cmath>
+
+namespace thigma {
+
+void add_bits(StateHash& hash, std::uint64_t bits) THIGMA_RT {
+  // Every step is a bijection of the hash for given bits, so a single changed word always changes
+  // the result.
+  std::uint64_t h = (hash.value ^ bits) * 0x9e3779b97f4a7c15ull;
+  h ^= h >> 29;
+  h *= 0xbf58476d1ce4e5b9ull;
+  hash.value = h ^ (h >> 32);
+}
+
+void add_number(StateHash& hash, double number) THIGMA_RT {
+  add_bits(hash, std::bit_cast<std::uint64_t>(number));
+}
+
+void add_vector(StateHash& hash, const Vec3& v) THIGMA_RT {
+  for (int i = 0; i < 3; ++i) add_number(hash, v[i]);
+}
+
+void add_quaternion(StateHash& hash, const Quat& q) THIGMA_RT {
+  for (int i = 0; i < 4; ++i) add_number(hash, q.coeffs()[i]);
+}
+
+void add_frame(StateHash& hash, const BodyState& body, const Wrench& command) THIGMA_RT {
+  add_vector(hash, body.position);
+  add_quaternion(hash, body.orientation);
+  add_vector(hash, body.linear_momentum);
+  add_vector(hash, body.angular_momentum);
+  add_vector(hash, command.force);
+  add_vector(hash, command.torque);
+}
+
+namespace {
+
+// What is not finite is one value: files keep it as null, so a digest must not tell it apart.
+void add_datum(StateHash& hash, double number) THIGMA_RT {
+  if (std::isfinite(number)) {
+    add_number(hash, number);
+  } else {
+    add_bits(hash, ~std::uint64_t{0});
+  }
+}
+
+void add_data(StateHash& hash, const Vec3& v) THIGMA_RT {
+  for (int i = 0; i < 3; ++i) add_datum(hash, v[i]);
+}
+
+void add_data(StateHash& hash, const Quat& q) THIGMA_RT {
+  for (int i = 0; i < 4; ++i) add_datum(hash, q.coeffs()[i]);
+}
+
+void add_data(StateHash& hash, const PlaneTerm& t) THIGMA_RT {
+  add_data(hash, t.arm_body);
+  add_data(hash, t.normal);
+  add_data(hash, t.scene_point);
+  add_data(hash, t.scene_velocity);
+  add_data(hash, t.tangential_anchor);
+  add_datum(hash, t.stiffness);
+  add_datum(hash, t.damping);
+  add_datum(hash, t.tolerance);
+  add_bits(hash, static_cast<std::uint64_t>(t.id));
+}
+
+void add_data(StateHash& hash, const DepthTerm& t) THIGMA_RT {
+  add_datum(hash, t.depth);
+  add_data(hash, t.linear);
+  add_data(hash, t.angular);
+  add_datum(hash, t.stiffness);
+  add_datum(hash, t.damping);
+  add_datum(hash, t.tolerance);
+  add_bits(hash, static_cast<std::uint64_t>(t.id));
+}
+
+void add_data(StateHash& hash, const TaylorTerm& t) THIGMA_RT {
+  add_data(hash, t.wrench.force);
+  add_data(hash, t.wrench.torque);
+  add_data(hash, t.normal);
+  for (int i = 0; i < t.jacobian.size(); ++i) add_datum(hash, t.jacobian.data()[i]);
+}
+
+}  // namespace
+
+std::uint64_t input_digest(const HapticSample& sample) THIGMA_RT {
+  StateHash hash;
+  add_bits(hash, sample.frame);
+  add_datum(hash, sample.time);
+  add_datum(hash, sample.elapsed);
+  const DeviceState& d = sample.device;
+  add_datum(hash, d.time);
+  add_data(hash, d.motion.pose.position);
+  add_data(hash, d.motion.pose.orientation);
+  add_data(hash, d.motion.twist.linear);
+  add_data(hash, d.motion.twist.angular);
+  add_bits(hash, d.buttons);
+  add_bits(hash, static_cast<std::uint64_t>(d.status));
+  if (d.weight != 1.0) add_datum(hash, d.weight);  // older recordings have none
+  if (d.has_true_handle) {
+    add_data(hash, d.true_handle.position);
+    add_data(hash, d.true_handle.orientation);
+  }
+  add_bits(hash, sample.model_sequence);
+  add_bits(hash, static_cast<std::uint64_t>(sample.external_fault));
+  return hash.value;
+}
+
+std::uint64_t model_digest(const LinearContactModel& model) THIGMA_RT {
+  StateHash hash;
+  add_data(hash, model.state.position);
+  add_data(hash, model.state.orientation);
+  add_data(hash, model.state.linear_momentum);
+  add_data(hash, model.state.angular_momentum);
+  add_datum(hash, model.time);
+  add_bits(hash, model.sequence);
+  for (const PlaneTerm& term : model.planes) add_data(hash, term);
+  for (const DepthTerm& term : model.depths) add_data(hash, term);
+  for (const DepthBend& bend : model.bends)
+    for (int i = 0; i < bend.size(); ++i) add_datum(hash, bend.data()[i]);
+  for (const TaylorTerm& term : model.taylors) add_data(hash, term);
+  return hash.value;
+}
+
+}  // namespace thigma

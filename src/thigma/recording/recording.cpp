@@ -1,0 +1,349 @@
+#include "thigma/recording/recording.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "thigma/core/error.h"
+#include "thigma/recording/detail/json_text.h"
+#include "thigma/recording/mcap_file.h"
+
+namespace thigma {
+namespace {
+
+using detail::JsonObject;
+
+std::uint64_t nanoseconds(double seconds) {
+  return seconds > 0.0 ? static_cast<std::uint64_t>(seconds * 1e9 + 0.5) : 0;
+}
+
+const char* status_name(DeviceStatus status) {
+  switch (status) {
+    case DeviceStatus::ok:
+      return "ok";
+    case DeviceStatus::not_ready:
+      return "not_ready";
+    case DeviceStatus::lost:
+      return "lost";
+    case DeviceStatus::finished:
+      return "finished";
+  }
+  return "lost";
+}
+
+void put_wrench(JsonObject& json, const char* force, const char* torque, const Wrench& wrench) {
+  json.vector(force, wrench.force);
+  json.vector(torque, wrench.torque);
+}
+
+void put_body(JsonObject& json, const BodyState& body) {
+  json.pose({body.position, body.orientation});
+  json.vector("linear_momentum", body.linear_momentum);
+  json.vector("angular_momentum", body.angular_momentum);
+}
+
+void put_device(std::string& out, const HapticSample& s) {
+  JsonObject json(out);
+  json.integer("frame", static_cast<long long>(s.frame));
+  json.number("time", s.time);
+  json.number("elapsed", s.elapsed);
+  json.number("sample_time", s.device.time);
+  json.pose(s.device.motion.pose);
+  json.twist(s.device.motion.twist);
+  json.integer("buttons", s.device.buttons);
+  json.word("status", status_name(s.device.status));
+  if (s.device.weight != 1.0) json.number("weight", s.device.weight);
+  if (s.device.has_true_handle) {
+    json.key("true_handle");
+    JsonObject handle(out);
+    handle.pose(s.device.true_handle);
+    handle.close();
+  }
+  json.integer("model_sequence", static_cast<long long>(s.model_sequence));
+  json.word("external_fault", fault_name(s.external_fault));
+  json.word("input_digest", hex_text(s.input_digest));
+  json.close();
+}
+
+void put_command(std::string& out, const HapticSample& s) {
+  JsonObject json(out);
+  json.integer("frame", static_cast<long long>(s.frame));
+  json.number("time", s.time);
+  put_wrench(json, "force", "torque", s.command);
+  put_wrench(json, "feedback_force", "feedback_torque", s.feedback);
+  json.close();
+}
+
+void put_state(std::string& out, const HapticSample& s) {
+  JsonObject json(out);
+  json.integer("frame", static_cast<long long>(s.frame));
+  json.number("time", s.time);
+  put_body(json, s.body);
+  json.key("handle");
+  JsonObject handle(out);
+  handle.pose(s.handle.pose);
+  handle.twist(s.handle.twist);
+  handle.close();
+  put_wrench(json, "coupling_force", "coupling_torque", s.coupling);
+  put_wrench(json, "contact_force", "contact_torque", s.contact);
+  json.number("model_age", s.model_age);
+  json.number("model_weight", s.model_weight);
+  json.number("penetration", s.penetration);
+  json.number("stretch", s.stretch);
+  json.number("energy", s.energy);
+  json.integer("touching", s.touching);
+  json.flag("is_grasped", s.is_grasped);
+  json.flag("is_armed", s.is_armed);
+  json.word("fault", fault_name(s.fault));
+  json.close();
+}
+
+void put_timing(std::string& out, const HapticSample& s) {
+  JsonObject json(out);
+  json.integer("frame", static_cast<long long>(s.frame));
+  json.number("time", s.time);
+  json.number("step_cpu", static_cast<double>(s.step_cpu));
+  json.number("wake_late", static_cast<double>(s.wake_late));
+  json.close();
+}
+
+void put_plane(std::string& out, const PlaneTerm& p) {
+  JsonObject json(out);
+  json.vector("arm_body", p.arm_body);
+  json.vector("normal", p.normal);
+  json.vector("scene_point", p.scene_point);
+  json.vector("scene_velocity", p.scene_velocity);
+  json.vector("tangential_anchor", p.tangential_anchor);
+  json.number("stiffness", p.stiffness);
+  json.number("damping", p.damping);
+  json.number("tolerance", p.tolerance);
+  json.integer("id", p.id);
+  json.close();
+}
+
+void put_depth(std::string& out, const DepthTerm& t) {
+  JsonObject json(out);
+  json.number("depth", t.depth);
+  json.vector("linear", t.linear);
+  json.vector("angular", t.angular);
+  json.number("stiffness", t.stiffness);
+  json.number("damping", t.damping);
+  json.number("tolerance", t.tolerance);
+  json.integer("id", t.id);
+  json.close();
+}
+
+template <class Matrix>
+void put_rows(std::string& out, const Matrix& matrix) {
+  out += '[';
+  for (int row = 0; row < matrix.rows(); ++row) {
+    for (int column = 0; column < matrix.cols(); ++column) {
+      if (row + column > 0) out += ',';
+      detail::put_number(out, matrix(row, column));
+    }
+  }
+  out += ']';
+}
+
+void put_bend(std::string& out, const DepthBend& bend) {
+  JsonObject json(out);
+  json.key("rows");
+  put_rows(out, bend);
+  json.close();
+}
+
+void put_taylor(std::string& out, const TaylorTerm& t) {
+  JsonObject json(out);
+  put_wrench(json, "force", "torque", t.wrench);
+  json.vector("normal", t.normal);
+  json.key("jacobian");
+  put_rows(out, t.jacobian);
+  json.close();
+}
+
+template <class Items, class Put>
+void put_list(JsonObject& json, std::string& out, const char* key, const Items& items,
+              const Put& put) {
+  json.key(key);
+  out += '[';
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) out += ',';
+    put(out, items[i]);
+  }
+  out += ']';
+}
+
+void put_model(std::string& out, const ContactSample& sample) {
+  const LinearContactModel& model = sample.model;
+  JsonObject json(out);
+  json.integer("sequence", static_cast<long long>(model.sequence));
+  json.number("time", model.time);
+  put_body(json, model.state);
+  put_list(json, out, "planes", model.planes, put_plane);
+  put_list(json, out, "depths", model.depths, put_depth);
+  put_list(json, out, "bends", model.bends, put_bend);
+  put_list(json, out, "taylors", model.taylors, put_taylor);
+  json.word("model_digest", hex_text(sample.model_digest));
+  json.close();
+}
+
+/// Up to the last level that has any.
+void put_counts(std::string& out, JsonObject& json, const char* key, const LevelCounts& counts) {
+  std::size_t used = counts.size();
+  while (used > 0 && counts[used - 1] == 0) --used;
+  json.key(key);
+  out += '[';
+  for (std::size_t i = 0; i < used; ++i) {
+    if (i > 0) out += ',';
+    out += std::to_string(counts[i]);
+  }
+  out += ']';
+}
+
+void put_frame(std::string& out, const ContactSample& c) {
+  JsonObject json(out);
+  json.integer("sequence", static_cast<long long>(c.model.sequence));
+  json.number("time", c.time);
+  json.number("published", c.published);
+  json.number("query_cpu", c.query_cpu);
+  json.number("step_cpu", c.step_cpu);
+  json.integer("contacts", c.contacts);
+  json.integer("dropped", c.dropped);
+  json.integer("front", c.front);
+  json.integer("tests", c.tests);
+  json.integer("clusters", c.clusters);
+  json.number("depth_max", c.depth_max);
+  json.integer("mandatory_tests", c.mandatory_tests);
+  json.integer("unrefined", c.unrefined);
+  json.integer("level_changes", c.level_changes);
+  json.number("bound_max", c.bound_max);
+  put_counts(out, json, "object_levels", c.object_levels);
+  put_counts(out, json, "scene_levels", c.scene_levels);
+  json.close();
+}
+
+}  // namespace
+
+std::string hex_text(std::uint64_t bits) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(bits));
+  return text;
+}
+
+RecordingWriter::RecordingWriter(const std::string& path, const std::string& config)
+    : file_(std::make_unique<McapWriter>(path)),
+      config_(file_->add_channel("/config", "thigma.Config", "")),
+      device_(file_->add_channel("/device/state", "thigma.DeviceState", "")),
+      command_(file_->add_channel("/device/command", "thigma.DeviceCommand", "")),
+      body_(file_->add_channel("/body/state", "thigma.BodyState", "")),
+      timing_(file_->add_channel("/timing", "thigma.Timing", "")),
+      model_(file_->add_channel("/contact/model", "thigma.ContactModel", "")),
+      frame_(file_->add_channel("/contact/frame", "thigma.ContactFrame", "")),
+      events_(file_->add_channel("/events", "thigma.Event", "")) {
+  try {
+    file_->write(config_, 0, 0, config);
+    file_->flush();  // without it nothing that follows can be read
+  } catch (...) {
+    file_->discard();
+    throw;
+  }
+}
+
+const std::string& RecordingWriter::moved() const { return file_->moved(); }
+
+RecordingWriter::~RecordingWriter() {
+  if (!is_open_) return;
+  try {
+    file_->flush();
+    if (has_frames()) file_->close();
+  } catch (...) {  // what was flushed is in the part
+  }
+  if (!has_frames()) file_->discard();
+}
+
+/// More than the configuration has been flushed.
+bool RecordingWriter::has_frames() const { return file_->messages() > 1; }
+
+/// Closes the file after an error; says how much of the session is where.
+std::string RecordingWriter::keep_early() {
+  if (!has_frames()) {
+    file_->discard();
+    return "; nothing was recorded";
+  }
+  const std::string place = file_->close_early();
+  if (std::error_code unknown; !std::filesystem::exists(place, unknown)) return "";
+  char text[64];
+  std::snprintf(text, sizeof text, "; the first %.3f s are in ",
+                1e-9 * static_cast<double>(file_->last_time()));
+  return text + place;
+}
+
+template <class Work>
+void RecordingWriter::attempt(Work work) {
+  if (!is_open_) return;
+  try {
+    work();
+  } catch (const IoError& error) {
+    is_open_ = false;
+    throw IoError(error.what() + keep_early());
+  }
+}
+
+void RecordingWriter::write(const HapticSample& sample) {
+  const std::uint64_t time = nanoseconds(sample.time);
+  const std::uint32_t sequence = static_cast<std::uint32_t>(sample.frame);
+  const auto put = [&](std::uint16_t channel, void (*encode)(std::string&, const HapticSample&)) {
+    text_.clear();
+    encode(text_, sample);
+    file_->write(channel, sequence, time, text_);
+  };
+  attempt([&] {
+    put(device_, put_device);
+    put(command_, put_command);
+    put(body_, put_state);
+    put(timing_, put_timing);
+  });
+  last_time_ = sample.time;
+}
+
+void RecordingWriter::write(const ContactSample& sample) {
+  const std::uint64_t time = nanoseconds(sample.published);
+  const auto put = [&](std::uint16_t channel, void (*encode)(std::string&, const ContactSample&)) {
+    text_.clear();
+    encode(text_, sample);
+    file_->write(channel, contact_count_, time, text_);
+  };
+  attempt([&] {
+    put(model_, put_model);
+    put(frame_, put_frame);
+  });
+  ++contact_count_;
+}
+
+void RecordingWriter::write(const SessionEvent& event) {
+  text_.clear();
+  JsonObject json(text_);
+  json.number("time", event.time);
+  json.integer("frame", static_cast<long long>(event.frame));
+  json.word("event", event.kind);
+  if (!event.detail.empty()) json.word(event.kind == "fault" ? "fault" : "detail", event.detail);
+  json.close();
+  attempt([&] { file_->write(events_, event_count_++, nanoseconds(event.time), text_); });
+}
+
+void RecordingWriter::close(const RecordingEnd& end) {
+  text_.clear();
+  JsonObject json(text_);
+  json.number("time", last_time_);
+  json.word("event", "end");
+  json.integer("frames", static_cast<long long>(end.frames));
+  json.word("state_hash", hex_text(end.state_hash));
+  json.integer("dropped", static_cast<long long>(end.dropped));
+  json.close();
+  attempt([&] {
+    file_->write(events_, event_count_++, nanoseconds(last_time_), text_);
+    file_->close();
+  });
+  is_open_ = false;
+}
+
+}  // namespace thigma

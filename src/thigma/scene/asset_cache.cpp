@@ -1,0 +1,263 @@
+#include "thigma/scene/asset_cache.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include <link.h>
+
+#include "thigma/clod/clod_file.h"
+#include "thigma/core/checksum.h"
+#include "thigma/core/error.h"
+#include "thigma/core/file.h"
+#include "thigma/mesh/load_mesh.h"
+#include "thigma/models/make_model.h"
+
+namespace thigma {
+namespace {
+
+namespace fs = std::filesystem;
+
+// ---- keys
+// ------------------------------------------------------------
+
+/// Every parameter by value; doubles to the last bit.
+std::string params_text(const ClodSource& source) {
+  const ClodParams& p = source.params;
+  const CollapseParams& c = p.simplify.collapse;
+  char text[768];
+  std::snprintf(text, sizeof text,
+                "repair %d max %d %a %a edge %a %a %a %a %a %a %a %a %a %a %a flip %d "
+                "collapse %d %a %a %d %d %d %d tolerance %a %a tree %d %d\n",
+                source.is_repair, p.decomposition.max_vertices, p.decomposition.convexity_tolerance,
+                p.decomposition.protrusion_tolerance, p.simplify.longest_edge,
+                p.simplify.coarsest_share, p.simplify.longest_edge_ever, p.simplify.deviation_limit,
+                p.simplify.deviation_share, p.simplify.deviation_ever, p.simplify.deviation_early,
+                p.simplify.volume_limit, p.simplify.convexity_tolerance,
+                p.simplify.protrusion_tolerance, p.simplify.last_level, p.simplify.flips_edges,
+                c.bisections, c.least_quality, c.free_to_turn, c.is_relaxed, c.keeps_volume,
+                c.seeks_convex_start, c.guards_original, p.contact_tolerance,
+                source.contact_tolerance ? *source.contact_tolerance / source.scale : -1.0,
+                p.is_reparented, p.has_culling_hulls);
+  return text;
+}
+
+int find_build_id(dl_phdr_info* info, std::size_t, void* result) {
+  for (int i = 0; i < info->dlpi_phnum; ++i) {
+    const ElfW(Phdr)& segment = info->dlpi_phdr[i];
+    if (segment.p_type != PT_NOTE) continue;
+    const auto* at = reinterpret_cast<const char*>(info->dlpi_addr + segment.p_vaddr);
+    const char* const end = at + segment.p_memsz;
+    while (end - at >= static_cast<std::ptrdiff_t>(sizeof(ElfW(Nhdr)))) {
+      ElfW(Nhdr) note{};
+      std::memcpy(&note, at, sizeof note);
+      const char* const name = at + sizeof note;
+      const char* const text = name + (note.n_namesz + 3) / 4 * 4;
+      if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4 && std::memcmp(name, "GNU", 4) == 0)
+        static_cast<std::string*>(result)->assign(text, note.n_descsz);
+      at = text + (note.n_descsz + 3) / 4 * 4;
+    }
+  }
+  return 1;  // the first object is the program; no need to see the others
+}
+
+/// What made an asset: another build of the program may build otherwise.
+std::string program_text() {
+  std::string id;
+  dl_iterate_phdr(find_build_id, &id);
+  return std::string("thigma ") + THIGMA_VERSION + " " + id + "\n";
+}
+
+std::string first_digits(const Sha256& digest) { return hex_text(digest).substr(0, 16); }
+
+Sha256 key_of(const Sha256& source, const std::string& params) {
+  return sha256(program_text() + hex_text(source) + "\n" + params);
+}
+
+// ---- places
+// ------------------------------------------------------------
+
+/// The user's cache folder, "" without one.
+std::string user_folder() {
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  if (cache != nullptr && cache[0] == '/') return std::string(cache) + "/thigma";
+  const char* home = std::getenv("HOME");
+  return home != nullptr && home[0] == '/' ? std::string(home) + "/.cache/thigma" : "";
+}
+
+/// Where an asset may be kept, the best place first.
+std::vector<std::string> places(const ClodSource& source, const AssetCache& cache, bool is_model,
+                                const Sha256& digest) {
+  const std::string params = params_text(source);
+  std::vector<std::string> result;
+  if (!is_model && cache.folder.empty())
+    result.push_back(source.name + "." + first_digits(sha256(params)) + ".clod");
+  const std::string folder = cache.folder.empty() ? user_folder() : cache.folder;
+  if (folder.empty()) return result;
+  const std::string name = is_model ? models::parse_model_uri(source.name, source.role).name
+                                    : fs::path(source.name).filename().string();
+  // Meshes of one name from many folders meet here.
+  result.push_back(folder + "/" + name + "." + first_digits(sha256(hex_text(digest) + params)) +
+                   ".clod");
+  return result;
+}
+
+void say(const Log& log, const std::string& text) {
+  if (log) log(text);
+}
+
+/// An asset from its place, or nothing, with a notice when something was there.
+bool read_kept(const std::string& place, const Sha256& key, const Log& log, ClodAsset& asset) {
+  std::error_code unknown;
+  if (!fs::exists(place, unknown)) return false;
+  try {
+    asset = read_clod(place);
+    if (asset.origin.key == key) return true;
+    say(log, place + ": of another mesh, other parameters or another version; built again");
+  } catch (const InputError& error) {
+    say(log, std::string(error.what()) + "; built again");
+  }
+  return false;
+}
+
+/// Keeps an asset at the first place that takes it.
+void keep(const std::vector<std::string>& candidates, const ClodAsset& asset,
+          const std::string& name, const Log& log) {
+  const std::string bytes = format_clod(asset, name);
+  std::string why = "no folder to write to";
+  for (const std::string& place : candidates) {
+    try {
+      std::error_code ignored;  // a folder that cannot be made cannot be written to either
+      if (const fs::path folder = fs::path(place).parent_path(); !folder.empty())
+        fs::create_directories(folder, ignored);
+      write_file(place, bytes);
+      return say(log, name + ": levels of detail kept in " + place);
+    } catch (const IoError& error) {
+      why = error.what();
+    }
+  }
+  say(log, name + ": levels of detail are not kept: " + why);
+}
+
+// ---- building
+// ------------------------------------------------------------
+
+TriangleMesh load_scaled(const ClodSource& source, double scale, bool is_model,
+                         std::vector<std::string>& repairs) {
+  if (!is_model) return load_usable_mesh(source.name, scale, source.is_repair, nullptr, &repairs);
+  TriangleMesh mesh = models::make_model(models::parse_model_uri(source.name, source.role));
+  scale_mesh(mesh, scale, source.name);
+  return mesh;
+}
+
+ClodAsset build_from(const ClodSource& source, double scale, bool is_model, const Log& log,
+                     ClodReport& report) {
+  std::vector<std::string> repairs;
+  const TriangleMesh mesh = load_scaled(source, scale, is_model, repairs);
+  for (const std::string& repair : repairs) say(log, source.name + ": repaired: " + repair);
+  ClodParams params = source.params;
+  if (source.contact_tolerance)
+    params.contact_tolerance =
+        *source.contact_tolerance * scale / source.scale / enclosing_ball(mesh.positions).radius;
+  if (source.progress) {
+    const auto triangles = static_cast<double>(mesh.triangles.size());
+    params.simplify.progress = [&source, triangles](double share) {
+      source.progress(share, triangles);
+    };
+    source.progress(0.0, triangles);
+  }
+  ClodAsset asset = build_clod_asset(mesh, params, &report);
+  asset.origin.unit_scale = scale;
+  asset.origin.is_repaired = !repairs.empty();
+  return asset;
+}
+
+std::string built_text(const ClodAsset& asset, const ClodReport& report) {
+  const ClodHierarchy& h = asset.hierarchy;
+  const double seconds = report.decompose_seconds + report.simplify_seconds + report.tree_seconds +
+                         report.parameter_seconds;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "%d triangles, %zu convex patches, %zu levels built in %.1f s of CPU time",
+                h.triangle_count, h.patches.size(), h.levels.size(), seconds);
+  return text;
+}
+
+/// Of the text that fully names a model, or of a file's bytes.
+Sha256 digest_of(const ClodSource& source, bool is_model) {
+  if (!is_model) return sha256(read_file(source.name));
+  const models::ModelRequest request = models::parse_model_uri(source.name, source.role);
+  return sha256("procedural:" + request.name + "?triangles=" + std::to_string(request.triangles) +
+                "&seed=" + std::to_string(request.seed));
+}
+
+}  // namespace
+
+bool is_clod_file(const std::string& path) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(path, unknown)) return false;  // a pipe would lose what is read of it
+  char start[8] = {};
+  std::ifstream file(path, std::ios::binary);
+  file.read(start, sizeof start);
+  return is_clod({start, static_cast<std::size_t>(file.gcount())});
+}
+
+TriangleMesh load_surface(const ClodSource& source, const Log& log) {
+  std::vector<std::string> repairs;
+  TriangleMesh mesh = load_scaled(source, source.scale, models::is_model_uri(source.name), repairs);
+  for (const std::string& repair : repairs) say(log, source.name + ": repaired: " + repair);
+  return mesh;
+}
+
+double check_source(const ClodSource& source) {
+  const bool is_model = models::is_model_uri(source.name);
+  if (is_model) {  // of a known size; making one takes time
+    models::parse_model_uri(source.name, source.role);
+    return 0.0;
+  }
+  if (is_clod_file(source.name)) return read_clod(source.name, source.scale).hierarchy.radius;
+  return enclosing_ball(load_surface(source).positions).radius;
+}
+
+ClodAsset load_clod(const ClodSource& source, const Log& log) {
+  const bool is_model = models::is_model_uri(source.name);
+  if (!is_model && is_clod_file(source.name)) return read_clod(source.name, source.scale);
+  ClodReport report;
+  ClodAsset asset = build_from(source, source.scale, is_model, log, report);
+  std::error_code unknown;
+  if (is_model || fs::is_regular_file(source.name, unknown))
+    asset.origin.source = digest_of(source, is_model);
+  return asset;
+}
+
+ClodAsset load_clod_cached(const ClodSource& source, const AssetCache& cache, const Log& log) {
+  const bool is_model = models::is_model_uri(source.name);
+  std::error_code unknown;
+  const bool is_kept =
+      cache.is_enabled &&
+      (is_model || (fs::is_regular_file(source.name, unknown) && !is_clod_file(source.name)));
+  if (!is_kept) return load_clod(source, log);
+  const Sha256 digest = digest_of(source, is_model);
+  const Sha256 key = key_of(digest, params_text(source));
+  const std::vector<std::string> candidates = places(source, cache, is_model, digest);
+  ClodAsset asset;
+  bool is_found = false;
+  for (std::size_t i = 0; i < candidates.size() && !is_found; ++i)
+    is_found = read_kept(candidates[i], key, log, asset);
+  if (!is_found) {
+    ClodReport report;
+    asset = build_from(source, 1.0, is_model, log, report);
+    say(log, source.name + ": " + built_text(asset, report));
+    asset.origin.source = digest;
+    asset.origin.key = key;
+    // A mesh that changed in the meantime would be kept under the digest of what it was.
+    if (digest_of(source, is_model) == digest) keep(candidates, asset, source.name, log);
+  }
+  scale_clod(asset, source.scale, source.name);
+  return asset;
+}
+
+}  // namespace thigma

@@ -1,0 +1,102 @@
+#include "thigma/scene/load_scene.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "thigma/clod/build_hierarchy.h"
+#include "thigma/clod/clod_asset.h"
+#include "thigma/core/error.h"
+#include "thigma/scene/asset_cache.h"
+#include "thigma/scene/detail/relief.h"
+#include "thigma/scene/scene_file.h"
+
+namespace thigma {
+namespace {
+
+/// The hierarchy of a mesh at full resolution, as an asset.
+ClodAsset build_exact(const ClodSource& source, const Log& log) {
+  ClodAsset asset;
+  asset.meshes.push_back(load_surface(source, log));
+  asset.hierarchy = build_exact_hierarchy(asset.meshes[0]);
+  asset.mass.measure = mass_properties(asset.meshes[0]);
+  return asset;
+}
+
+/// Surface, hierarchy and mass of an object: levels of detail where the session asks for them.
+ClodAsset load_asset(const SceneObject& object, const char* role, bool is_exact,
+                     const LoadOptions& options) {
+  ClodSource source;
+  source.name = object.mesh;
+  source.role = role;
+  source.scale = object.unit_scale;
+  source.is_repair = options.repairs;
+  const bool is_kept = !object.model && is_clod_file(object.mesh);
+  ClodAsset asset;
+  if (is_exact && !is_kept) {
+    asset = build_exact(source, options.log);
+  } else {
+    if (options.progress) {
+      const std::string what = "building levels of " + object.name;
+      source.progress = [&options, what](double share, double triangles) {
+        options.progress(what, share, triangles);
+      };
+    }
+    asset = load_clod_cached(source, {options.keeps_levels, options.cache_folder}, options.log);
+  }
+  const ClodHierarchy& h = asset.hierarchy;
+  if (options.log) {
+    char line[256];
+    std::snprintf(
+        line, sizeof line, "%s: %d triangles, %zu convex patches, %zu levels, radius %.4g m",
+        object.name.c_str(), h.triangle_count, h.patches.size(), h.levels.size(), h.radius);
+    options.log(line);
+  }
+  return asset;
+}
+
+}  // namespace
+
+Scene load_scene(const std::string& path, const LoadOptions& options) {
+  return load_scene(read_scene(path), options);
+}
+
+Scene load_scene(SceneDescription description, const LoadOptions& options) {
+  Scene scene;
+  scene.description = std::move(description);
+  const SceneDescription& given = scene.description;
+  Resolution resolution = given.contact.resolution;
+  // A texture instead of a mesh lies over patches of the original surface alone.
+  const auto replaces_mesh = [](const SceneObject& o) { return o.is_textured; };
+  if (replaces_mesh(given.object) ||
+      std::any_of(given.statics.begin(), given.statics.end(), replaces_mesh))
+    resolution.is_exact = true;
+  std::int32_t coarsest = resolution.coarsest_level;
+  const auto load = [&](const SceneObject& object, const char* role, BodyTextures& textures) {
+    if (object.is_textured) {
+      textures = detail::load_relief(object, options.log);
+      return std::make_shared<const ClodAsset>(detail::coarse_asset(*textures[0]));
+    }
+    auto asset = std::make_shared<const ClodAsset>(
+        load_asset(object, role, resolution.is_exact && object.level_textures.empty(), options));
+    if (!object.level_textures.empty() && options.has_textures)
+      textures = detail::load_level_relief(object, *asset, options.log, coarsest);
+    return asset;
+  };
+  scene.object = load(given.object, "--object", scene.object_textures);
+  std::vector<SceneBody> bodies;
+  for (const SceneObject& other : given.statics) {
+    scene.static_textures.emplace_back();
+    scene.statics.push_back(load(other, "--against", scene.static_textures.back()));
+    bodies.push_back({&scene.statics.back()->hierarchy, other.world_from_mesh});
+  }
+  const ClodHierarchy& hierarchy = scene.object->hierarchy;
+  scene.config =
+      make_session_config(given, {scene.object->mass.measure, {hierarchy.center, hierarchy.radius}},
+                          hierarchy, std::move(bodies));
+  scene.config.contact.resolution.coarsest_level = coarsest;
+  if (options.has_textures) detail::use_textures(options.log, scene);
+  return scene;
+}
+
+}  // namespace thigma

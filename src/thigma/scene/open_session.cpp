@@ -1,0 +1,183 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "thigma/clod/clod_asset.h"
+#include "thigma/core/error.h"
+#include "thigma/device/open_device.h"
+#include "thigma/device/replay.h"
+#include "thigma/device/web_device.h"
+#include "thigma/recording/config_json.h"
+#include "thigma/recording/recording.h"
+#include "thigma/scene/load_scene.h"
+#include "thigma/session/session_config.h"
+#include "thigma/session/simulated_session.h"
+
+namespace thigma {
+namespace {
+
+/// What find_start did, for people.
+std::string placement_line(const StartPlacement& start, bool has_approach) {
+  if (!start.has_scene) return "nothing to touch is near";
+  char line[240];
+  const char* way = has_approach ? "against its approach" : "along the closest points";
+  const double gap = 1e3 * start.given_gap, clearance = 1e3 * start.clearance;
+  if (!start.is_moved) {
+    std::snprintf(line, sizeof line,
+                  "the objects start as given, %.3g mm apart; %.3g mm to the first touch", gap,
+                  clearance);
+  } else if (gap < 0.0) {
+    std::snprintf(line, sizeof line,
+                  "the objects overlap as given: moved apart %s; %.3g mm to the first touch", way,
+                  clearance);
+  } else {
+    std::snprintf(line, sizeof line,
+                  "the objects touch as given (%.3g mm apart, within twice the tolerance): moved "
+                  "apart %s; %.3g mm to the first touch",
+                  std::abs(gap), way, clearance);
+  }
+  return line;
+}
+
+/// One device of one scene being opened.
+struct Opening {
+  const Scene& scene;
+  const SessionOptions& options;
+  SceneSession session;
+
+  bool is_direct() const { return session.config.haptic.response == ResponseKind::direct; }
+};
+
+/// Only a hand comes to the object by itself; scripts and people start where the scene says.
+void place(Opening& o) {
+  const std::optional<Vec3>& approach = o.scene.description.device.approach;
+  o.session.start = place_at_start(approach, o.session.config);
+  if (o.options.log) o.options.log(placement_line(o.session.start, approach.has_value()));
+}
+
+/// The samples of a recording as a device. Forces come out as recorded only from where that session
+/// started and at its rate, so both are taken over.
+std::unique_ptr<HapticDevice> open_recorded(const std::string& path, Opening& o) {
+  std::vector<DeviceState> samples;
+  const RecordingInfo recording =
+      stream_recording(path, {.frame = [&samples](const HapticSample& frame, const SamplePlace&) {
+                         samples.push_back(frame.device);
+                       }});
+  if (o.options.log) {
+    for (const std::string& line : recording_warnings(path, recording)) o.options.log(line);
+  }
+  try {
+    const RecordedConfig recorded = read_config(recording.config);
+    o.session.config.world_from_body = recorded.world_from_body;
+    if (!o.options.rate) o.session.config.rate = recorded.rate_hz;
+    return make_replay_device(std::move(samples), recorded.params.device);
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
+}
+
+/// Sessions step on the engine's clock; a device that wants to set the pace would be read out of
+/// step with its own servo loop.
+void refuse_device_clock(const HapticDevice& device) {
+  if (device.limits().clock != DeviceClock::device) return;
+  throw DeviceUnavailable(
+      device.name() + ": wants to set the pace by its own clock, which this build cannot follow");
+}
+
+/// The page's mouse, slower than what safety takes for a fault.
+std::unique_ptr<HapticDevice> open_web(const Opening& o) {
+  refuse_web_without_page(o.session.device_uri, o.options.web_channel);
+  WebMotionParams params;
+  const SafetyLimits& safety = o.session.config.haptic.safety;
+  params.max_speed = std::min(params.max_speed, 0.8 * safety.max_speed);
+  params.max_angular_speed = std::min(params.max_angular_speed, 0.8 * safety.max_turn_speed);
+  return make_web_device(*o.options.web_channel, params);
+}
+
+/// Opens the device, and places the object before a hand comes to it. With the direct response the
+/// device decides the contact tolerance, and that the place: a hand is opened once more for its
+/// limits.
+void open_at(Opening& o) {
+  SceneSession& session = o.session;
+  const std::string scheme = device_scheme(session.device_uri);
+  if (scheme == "web") {
+    place(o);
+    session.device = open_web(o);
+    if (o.is_direct()) use_direct_response(session.device->limits(), session.config);
+    return;
+  }
+  if (scheme == "hand") {
+    if (o.is_direct())
+      use_direct_response(open_device(session.device_uri, {})->limits(), session.config);
+    place(o);
+  }
+  session.device =
+      scheme == "replay"
+          ? open_recorded(session.device_uri.substr(scheme.size() + 1), o)
+          : open_device(session.device_uri,
+                        device_context(session.config, session.start,
+                                       o.scene.object->hierarchy.radius, o.options.seed));
+  if (o.is_direct()) use_direct_response(session.device->limits(), session.config);
+}
+
+/// What moves by itself instead of in a hand.
+void start_simulation(const SimulatedBody& body, Opening& o) {
+  const std::string& file = o.scene.description.file;
+  SessionConfig& config = o.session.config;
+  if (device_scheme(o.session.device_uri) != "null")
+    throw DeviceAddressError(
+        file + ": nobody holds the object of a [simulation], expected --device null:");
+  if (o.is_direct() || !config.contact.textures.is_empty())
+    throw InputError(
+        file + ": [simulation] knows neither --response direct nor textures, expected neither");
+  ContactWorld& contact = config.contact;
+  if (!body.has_tolerance) {
+    double radius = contact.object->radius;
+    for (const SceneBody& other : contact.scene) radius = std::min(radius, other.hierarchy->radius);
+    contact.tolerance = contact.response.tolerance = 1e-3 * radius;
+  }
+  contact.resolution.interpolates = false;
+  o.session.simulation = std::make_shared<const SimulatedStart>(SimulatedStart{
+      simulation_world(body, config), simulation_start(body, config, o.options.seed)});
+  const BodyState& start = o.session.simulation->state.body;
+  config.world_from_body = {start.position, start.orientation};
+}
+
+}  // namespace
+
+void refuse_web_without_page(const std::string& uri, const WebDeviceChannel* link) {
+  if (device_scheme(uri) == "web" && link == nullptr)
+    throw DeviceUnavailable("web: needs the page, which --headless and --lockstep leave out");
+}
+
+SceneSession open_session(const Scene& scene, const SessionOptions& options) {
+  Opening o{scene, options, {}};
+  SceneSession& session = o.session;
+  session.device_uri = options.device.empty() ? scene.description.device.uri : options.device;
+  session.scene_file = scene.description.file;
+  session.seed = options.seed;
+  session.config = scene.config;
+  session.config.duration = options.duration;
+  if (options.rate) session.config.rate = *options.rate;
+  if (options.world_from_body) session.config.world_from_body = *options.world_from_body;
+  refuse_web_without_page(session.device_uri, options.web_channel);
+  open_at(o);
+  refuse_device_clock(*session.device);
+  HapticParams& haptic = session.config.haptic;
+  // Faults that are asked for are to be seen as a device would have them.
+  haptic.safety.rides_out_gaps = !scene.description.is_strict && session.config.faults.empty();
+  use_device_limits(session.device->limits(), haptic);
+  if (options.is_passive || scene.description.is_passive)
+    enable_passivity(session.device->limits(), session.config);
+  if (scene.description.simulation) start_simulation(*scene.description.simulation, o);
+  return std::move(o.session);
+}
+
+SessionSummary run_lockstep(SceneSession& session, const SessionSinks& sinks,
+                            const std::atomic<bool>* stop) {
+  if (!session.simulation) return run_lockstep(session.config, *session.device, sinks, stop);
+  const SimulatedStart& start = *session.simulation;
+  return run_simulated(session.config, start.world, start.state, false, sinks, stop).session;
+}
+
+}  // namespace thigma

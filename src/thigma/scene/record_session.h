@@ -1,0 +1,34 @@
+#pragma once
+// Recordings of a scene's sessions.
+
+#include <atomic>
+#include <string>
+
+#include "thigma/scene/load_scene.h"
+
+namespace thigma {
+
+class RecordingWriter;
+struct RecordedConfig;
+
+/// What a recording says of its session, so that it can be run again.
+///
+/// is_lockstep  false: on threads
+/// Thread       [offline]
+RecordedConfig recorded_config(const SceneSession& session, bool is_lockstep);
+
+/// Sinks that write every sample and event. What they throw ends the session.
+///
+/// writer  outlives the session
+SessionSinks recording_sinks(RecordingWriter& writer);
+
+/// run_lockstep into a recording.
+///
+/// path     of the .mcap file; replaced when the session is over
+/// stop     null, or looked at every frame
+/// errors   IoError where the file cannot be written
+/// Thread   [offline]
+SessionSummary record_lockstep(SceneSession& session, const std::string& path,
+                               const std::atomic<bool>* stop = nullptr);
+
+}  // namespace thigma

@@ -1,0 +1,306 @@
+#include "thigma/scene/scene_file.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "thigma/contact/clustering.h"
+#include "thigma/core/error.h"
+#include "thigma/core/file.h"
+#include "thigma/depth/depth_gradient.h"
+#include "thigma/models/make_model.h"
+#include "thigma/models/textured_model.h"
+#include "thigma/scene/detail/toml_table.h"
+
+namespace thigma {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostBytes = 1 << 20;  // a scene file is a page of text
+
+/// The keys every object has; mesh and unit_scale are looked into by resolve_mesh.
+struct ObjectKeys {
+  std::optional<std::string> mesh, texture, name;
+  std::optional<double> unit_scale;
+  Pose pose;
+};
+
+ObjectKeys read_object_keys(TomlTable& table) {
+  return {table.text("mesh"), table.text("texture"), table.text("name"),
+          table.number("unit_scale", Range::positive), table.pose()};
+}
+
+/// A procedural surface, with or without relief.
+void resolve_model(const TomlTable& table, const char* key, const std::string& uri,
+                   SceneObject& object) {
+  try {
+    if (object.is_textured) {
+      object.textured_model = models::parse_textured_uri(uri, key);
+      object.name = object.textured_model->name;
+    } else {
+      object.model = models::parse_model_uri(uri, key);
+      object.name = object.model->name;
+    }
+  } catch (const InputError& error) {
+    // "mesh: what, expected": the line goes in between.
+    const std::string text = error.what();
+    const std::size_t split = text.rfind(", expected"), start = std::string(key).size();
+    table.fail(key, "is wrong" + text.substr(start, split - start), text.substr(split + 2));
+  }
+  object.mesh = uri;
+}
+
+/// A file the scene names, relative to it.
+std::string resolve_file(const TomlTable& table, const char* key, const std::string& given,
+                         const std::string& folder) {
+  const fs::path named(given);
+  const fs::path path = named.is_absolute() || folder.empty() ? named : fs::path(folder) / named;
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) {
+    table.fail(key, "= '" + given + "' is not there",
+               std::string("expected a ") + key + " file (relative to the scene)");
+  }
+  return path.string();
+}
+
+SceneObject resolve_object(const TomlTable& table, const ObjectKeys& keys,
+                           const std::string& folder) {
+  SceneObject object;
+  if (!keys.mesh && !keys.texture)
+    table.fail_here("no mesh", "expected mesh = \"FILE\" or \"procedural:NAME\", or a texture");
+  if (keys.mesh && keys.texture) {
+    if (models::is_model_uri(*keys.texture))
+      table.fail("texture", "stands beside mesh",
+                 "expected a .tex file of its levels there, or one of the two");
+    object.level_textures = resolve_file(table, "texture", *keys.texture, folder);
+  }
+  object.is_textured = !keys.mesh;
+  const char* const key = object.is_textured ? "texture" : "mesh";
+  const std::string& given = object.is_textured ? *keys.texture : *keys.mesh;
+  if (models::is_model_uri(given)) {
+    if (object.is_textured && keys.unit_scale)
+      table.fail("unit_scale", "stands beside a procedural texture", "expected its own size");
+    resolve_model(table, key, given, object);
+  } else {
+    if (!keys.unit_scale) {
+      table.fail(key, "has no unit_scale", "expected unit_scale = metres per unit of the mesh");
+    }
+    object.mesh = resolve_file(table, key, given, folder);
+    object.name = fs::path(object.mesh).stem().string();
+  }
+  object.unit_scale = keys.unit_scale.value_or(1.0);
+  object.name = keys.name.value_or(object.name);
+  object.world_from_mesh = keys.pose;
+  return object;
+}
+
+void read_grasped(TomlTable& table, const std::string& folder, SceneDescription& scene) {
+  const ObjectKeys keys = read_object_keys(table);
+  scene.mass = table.number("mass", Range::positive);
+  scene.density = table.number("density", Range::positive);
+  if (scene.mass && scene.density)
+    table.fail("density", "stands beside mass", "expected one of the two");
+  scene.grasp_point = table.vector("grasp_point");
+  table.finish();
+  scene.object = resolve_object(table, keys, folder);
+}
+
+void read_texture_keys(TomlTable table, TextureParams& texture) {
+  constexpr std::array kSearches = {DepthSearch::grid, DepthSearch::branch, DepthSearch::gpu};
+  if (const auto search = table.choice("depth", {"grid", "branch", "gpu"}))
+    texture.search = kSearches[static_cast<std::size_t>(*search)];
+  texture.resolution = table.whole("resolution", 2, 4096).value_or(texture.resolution);
+  texture.max_nodes = table.whole("nodes", 1, 1'000'000'000).value_or(texture.max_nodes);
+  const std::vector<std::string> kinds = {"central_differences", "envelope", "smoothed_envelope"};
+  if (const auto kind = table.choice("gradient", kinds))
+    gradient_kind(kinds[static_cast<std::size_t>(*kind)], texture.gradient);
+  texture.smoothing = table.number("smoothing", Range::positive).value_or(texture.smoothing);
+  if (const auto kind = table.choice("linearization", {"gauss_newton", "full_hessian"}))
+    texture.has_hessian = *kind == 1;
+  table.finish();
+}
+
+/// Keys of levels of detail: what is left out stays as in `resolution`.
+void read_resolution(TomlTable& table, Resolution& resolution) {
+  resolution.is_exact = table.truth("exact").value_or(resolution.is_exact);
+  resolution.metric.haptic =
+      table.number("threshold", Range::not_negative).value_or(resolution.metric.haptic);
+  resolution.metric.velocity =
+      table.number("velocity_metric", Range::not_negative).value_or(resolution.metric.velocity);
+  if (const std::optional<Vec3> eye = table.vector("eye")) {
+    resolution.metric.has_eye = true;
+    resolution.metric.eye = *eye;
+  }
+  const std::optional<double> cap = table.number("deviation_cap", Range::positive);
+  const std::optional<bool> is_capped = table.truth("capped");
+  resolution.deviation_cap = cap.value_or(resolution.deviation_cap);
+  if (is_capped && !*is_capped) resolution.deviation_cap = kNoCap;
+  resolution.interpolates = table.truth("interpolated").value_or(resolution.interpolates);
+  const std::optional<double> budget_us = table.number("budget_us", Range::not_negative);
+  resolution.budget_cpu = budget_us ? 1e-6 * *budget_us : resolution.budget_cpu;
+  resolution.budget_tests = table.whole("budget_tests", 0, 1'000'000'000)
+                                .value_or(static_cast<int>(resolution.budget_tests));
+}
+
+void read_contact(TomlTable table, ContactGains& contact) {
+  contact.stiffness = table.number("stiffness", Range::positive);
+  contact.damping = table.number("damping", Range::not_negative);
+  contact.damping_ratio = table.number("damping_ratio", Range::not_negative);
+  contact.tolerance = table.number("tolerance", Range::not_negative);
+  contact.max_clusters =
+      table.whole("clusters", 1, kMaxContactClusters).value_or(contact.max_clusters);
+  contact.is_divided_among_clusters =
+      table.truth("shared").value_or(contact.is_divided_among_clusters);
+  contact.distributes_wide_contacts =
+      table.truth("spread").value_or(contact.distributes_wide_contacts);
+  read_resolution(table, contact.resolution);
+  if (const auto response = table.choice("response", {"penalty", "coupled", "direct"})) {
+    contact.response = *response == 2 ? ResponseKind::direct : ResponseKind::coupled;
+  }
+  if (contact.damping && contact.damping_ratio) {
+    table.fail("damping_ratio", "stands beside damping", "expected one of the two");
+  }
+  table.finish();
+}
+
+void read_coupling(TomlTable table, CouplingGains& coupling) {
+  coupling.linear_stiffness = table.number("linear_stiffness", Range::positive);
+  coupling.linear_damping = table.number("linear_damping", Range::not_negative);
+  coupling.angular_stiffness = table.number("angular_stiffness", Range::positive);
+  coupling.angular_damping = table.number("angular_damping", Range::not_negative);
+  coupling.damping_ratio = table.number("damping_ratio", Range::not_negative);
+  coupling.max_force = table.number("max_force", Range::positive);
+  coupling.max_torque = table.number("max_torque", Range::positive);
+  coupling.is_saturated = table.truth("saturated").value_or(coupling.is_saturated);
+  if (coupling.damping_ratio && coupling.linear_damping && coupling.angular_damping) {
+    table.fail("damping_ratio", "stands beside both dampings", "expected no more than it needs");
+  }
+  table.finish();
+}
+
+void read_device(TomlTable table, DeviceChoice& device) {
+  device.uri = table.text("uri").value_or(device.uri);
+  device.motion_scale = table.number("motion_scale", Range::positive);
+  device.force_scale = table.number("force_scale", Range::positive);
+  device.world_from_device = table.pose();
+  device.approach = table.vector("approach");
+  if (device.approach && !(device.approach->squaredNorm() > 0.0)) {
+    table.fail("approach", "has no direction", "expected [x, y, z] of any length above 0");
+  }
+  if (const auto place = table.choice("grasp_at", {"grasp_point", "handle"})) {
+    device.grasp_place = *place == 0 ? GraspPlace::grasp_point : GraspPlace::handle;
+  }
+  device.turn_rate = table.number("turn_rate", Range::positive).value_or(device.turn_rate);
+  table.finish();
+}
+
+void read_safety(TomlTable table, SceneDescription& scene) {
+  SafetyLimits& safety = scene.safety;
+  scene.is_passive = table.truth("passivity").value_or(scene.is_passive);
+  scene.is_strict = table.truth("strict").value_or(scene.is_strict);
+  const auto read = [&](const char* key, double& value) {
+    value = table.number(key, Range::positive).value_or(value);
+  };
+  read("max_force", safety.max_force);
+  read("max_torque", safety.max_torque);
+  read("force_slew", safety.force_slew);
+  read("torque_slew", safety.torque_slew);
+  read("onset_window", safety.onset_window);
+  read("start_ramp", safety.start_ramp);
+  read("clear_before_arming", safety.clear_before_arming);
+  read("max_speed", safety.max_speed);
+  read("pose_jump", safety.pose_jump);
+  read("max_turn_speed", safety.max_turn_speed);
+  read("orientation_jump", safety.orientation_jump);
+  read("silent_device", safety.silent_device);
+  read("model_full_age", safety.model_full_age);
+  read("model_stale_age", safety.model_stale_age);
+  read("watchdog", safety.watchdog);
+  if (!(safety.model_full_age < safety.model_stale_age)) {
+    const char* key = table.has("model_full_age") ? "model_full_age" : "model_stale_age";
+    table.fail(key, "leaves no time to fade", "expected model_full_age below model_stale_age");
+  }
+  table.finish();
+}
+
+void read_solver(TomlTable table, SceneDescription& scene) {
+  table.choice("integrator", {"implicit"});
+  const std::optional<double> rate = table.number("rate", Range::positive);
+  if (rate && !(*rate >= 50.0 && *rate <= 20000.0))
+    table.fail("rate", "is out of range", "expected 50 to 20000 Hz");
+  scene.rate = rate.value_or(scene.rate);
+  scene.contact_every = table.whole("contact_every", 1, 1000).value_or(scene.contact_every);
+  scene.contact_latency = table.whole("contact_latency", 1, 1000).value_or(scene.contact_latency);
+  table.finish();
+}
+
+toml::table parse_toml(std::string_view text, const std::string& file) {
+  check_toml_letters(without_byte_order_mark(text), file);
+  try {
+    return toml::parse(without_byte_order_mark(text), file);
+  } catch (const toml::parse_error& error) {
+    std::string what(error.description());
+    for (char& c : what) {
+      if (c >= 0 && (c < ' ' || c == 127)) c = ' ';
+    }
+    throw InputError(scene_message(file, what, error.source().begin.line, "expected a TOML scene"));
+  }
+}
+
+}  // namespace
+
+SceneDescription parse_scene(std::string_view text, const std::string& file,
+                             const std::string& folder) {
+  if (text.size() > kMostBytes) {
+    throw InputError(file + ": " + std::to_string(text.size()) +
+                     " bytes, expected a scene of at most 1 MiB");
+  }
+  const toml::table root = parse_toml(text, file);
+  TomlTable top(root, file, "");
+  SceneDescription scene;
+  scene.file = file;
+  scene.title = top.text("title").value_or(fs::path(file).stem().string());
+  scene.gravity = top.vector("gravity").value_or(scene.gravity);
+  scene.has_auto_gains = top.choice("gains", {"size", "auto"}).value_or(0) == 1;
+  std::optional<TomlTable> object = top.table("object");
+  std::vector<TomlTable> statics = top.tables("static");
+  if (auto table = top.table("contact")) read_contact(*table, scene.contact);
+  if (auto table = top.table("texture")) read_texture_keys(*table, scene.contact.texture);
+  if (auto table = top.table("coupling")) read_coupling(*table, scene.coupling);
+  if (auto table = top.table("device")) read_device(*table, scene.device);
+  if (auto table = top.table("safety")) read_safety(*table, scene);
+  if (auto table = top.table("solver")) read_solver(*table, scene);
+  top.table("simulation");  // its keys are read below
+  top.finish();             // before what is missing: a misspelt [object] is named as such
+  if (!object) top.fail_here("no [object]", "expected the grasped object as a table [object]");
+  read_grasped(*object, folder, scene);
+  for (TomlTable& table : statics) {
+    const ObjectKeys keys = read_object_keys(table);
+    table.finish();
+    scene.statics.push_back(resolve_object(table, keys, folder));
+  }
+  scene.simulation = parse_simulated_body(text, file);
+  return scene;
+}
+
+SceneDescription read_scene(const std::string& path) {
+  std::error_code error;
+  const std::vector<std::string> names = builtin_scene_names();
+  if (!fs::exists(path, error) || fs::is_directory(path, error)) {
+    if (std::find(names.begin(), names.end(), path) != names.end()) {
+      return parse_scene(builtin_scene(path), path, "");
+    }
+    std::string all;
+    for (const std::string& name : names) all += " " + name;
+    throw InputError(path + (fs::is_directory(path, error) ? ": a folder" : ": no such file") +
+                     ", expected a scene file or one of" + all);
+  }
+  if (fs::is_regular_file(path, error) && fs::file_size(path, error) > kMostBytes) {
+    throw InputError(path + ": " + std::to_string(fs::file_size(path, error)) +
+                     " bytes, expected a scene of at most 1 MiB");
+  }
+  return parse_scene(read_file(path), path, fs::path(path).parent_path().string());
+}
+
+}  // namespace thigma

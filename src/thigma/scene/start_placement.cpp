@@ -1,0 +1,151 @@
+#include "thigma/scene/start_placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "thigma/core/error.h"
+#include "thigma/loop/contact_step.h"
+#include "thigma/loop/haptic_step.h"
+#include "thigma/response/texture_contacts.h"
+
+namespace thigma {
+namespace {
+
+/// Distance queries for a body that is moved about.
+struct Prober {
+  ContactWorld world;  // own tolerance
+  ContactScratch scratch;
+  double radius = 0.0;  // of the object [m]
+  double reach = 0.0;   // farther apart than this nothing is looked for [m]
+
+  /// The deepest contact at a pose, looking farther and farther; nothing within `reach`: no value.
+  std::optional<Contact> closest(const Pose& pose, double look_first) {
+    StampedBody at;
+    at.state.position = pose.position;
+    at.state.orientation = pose.orientation;
+    for (double tolerance = look_first;; tolerance *= 1.5) {
+      world.tolerance = std::min(tolerance, reach);
+      find_contacts(world, at, scratch);
+      const std::vector<Contact>& contacts = scratch.contacts.contacts;
+      if (!contacts.empty()) {
+        return *std::max_element(
+            contacts.begin(), contacts.end(),
+            [](const Contact& a, const Contact& b) { return a.depth < b.depth; });
+      }
+      if (tolerance >= reach) return std::nullopt;
+    }
+  }
+
+  /// Which way is out: the contacts' normals weighted by depth, as a hand would be pushed.
+  Vec3 way_out() const {
+    Vec3 sum = Vec3::Zero();
+    for (const Contact& contact : scratch.contacts.contacts) {
+      sum -= std::max(contact.depth + world.tolerance, 0.0) * contact.normal;
+    }
+    return sum;
+  }
+};
+
+double extent(const ContactWorld& world, double object_radius) {
+  double size = object_radius;
+  for (const SceneBody& body : world.scene) size = std::max(size, body.hierarchy->radius);
+  return size;
+}
+
+Prober make_prober(const ContactWorld& world) {
+  Prober prober{world, {}, 0.0, 0.0};
+  // Analytic scenes have no hierarchy to take a size from; their tolerance is about a hundredth of
+  // it.
+  prober.radius = world.object != nullptr ? world.object->radius : 100.0 * world.tolerance;
+  prober.reach = 4.0 * extent(world, prober.radius);
+  reserve_query(world, prober.scratch);
+  return prober;
+}
+
+/// Moves the object out, by what is missing, until `wanted` is between it and the scene; the way it
+/// went [m].
+double move_out(Prober& prober, const Contact& deepest, double wanted, const Vec3& out,
+                Pose& pose) {
+  const Vec3 given = pose.position;
+  double travel = 0.0;
+  std::optional<Contact> nearest = deepest;
+  while (nearest && -nearest->depth < wanted) {
+    travel += std::max(wanted + nearest->depth, 0.05 * wanted);
+    if (travel > prober.reach + wanted) {
+      throw InputError("the objects overlap as given and cannot be moved apart along (" +
+                       std::to_string(out.x()) + ", " + std::to_string(out.y()) + ", " +
+                       std::to_string(out.z()) + "); expected a pose from which they can");
+    }
+    pose.position = given + travel * out;
+    nearest = prober.closest(pose, wanted);
+  }
+  return travel;
+}
+
+}  // namespace
+
+StartPlacement find_start(const ContactWorld& world, const Pose& world_from_body, double gap,
+                          const Vec3* way_out) {
+  Prober prober = make_prober(world);
+  StartPlacement start;
+  start.world_from_body = world_from_body;
+  start.clearance = 0.2 * prober.radius;
+  const double tolerance = world.tolerance + relief_of(world.textures);
+  const double wanted = std::max(gap > 0.0 ? gap : 0.1 * prober.radius, 3.0 * tolerance);
+
+  std::optional<Contact> nearest = prober.closest(start.world_from_body, wanted);
+  if (!nearest) return start;
+  start.has_scene = true;
+  start.given_gap = -nearest->depth;
+  Vec3 out = -nearest->normal;
+  if (nearest->depth > 0.0) out = prober.way_out();
+  if (way_out != nullptr) out = *way_out;
+  if (!(out.norm() > 0.0)) out = -nearest->normal;
+  out.normalize();
+  start.approach = -out;
+
+  double travel = 0.0;
+  if (start.given_gap < 2.0 * tolerance) {
+    start.is_moved = true;
+    travel = move_out(prober, *nearest, wanted, out, start.world_from_body);
+  }
+
+  // And back, by the distance there is: a surface at that distance or more is not passed.
+  double back = 0.0;
+  Pose pose = start.world_from_body;
+  const double most = travel + prober.reach;
+  while (back < most) {
+    pose.position = start.world_from_body.position + back * start.approach;
+    nearest = prober.closest(pose, wanted);
+    if (!nearest) break;  // moving past: there is nothing that way
+    const double distance = -nearest->depth;
+    if (distance <= tolerance) break;
+    back += std::max(distance - 0.5 * tolerance, 0.5 * tolerance);
+  }
+  start.clearance = back;
+  return start;
+}
+
+StartPlacement place_at_start(const std::optional<Vec3>& approach, SessionConfig& config) {
+  const Vec3 out = approach ? Vec3(-*approach) : Vec3::Zero();
+  const StartPlacement start =
+      find_start(config.contact, config.world_from_body, 0.0, approach ? &out : nullptr);
+  config.world_from_body = start.world_from_body;
+  return start;
+}
+
+DeviceContext device_context(const SessionConfig& config, const StartPlacement& start,
+                             double object_radius, std::uint64_t seed) {
+  const Workspace& workspace = config.haptic.workspace;
+  DeviceContext context;
+  context.approach =
+      workspace.world_from_device.orientation.conjugate()._transformVector(start.approach);
+  context.clearance = start.clearance / workspace.motion_scale;
+  context.object_radius = object_radius / workspace.motion_scale;
+  context.seed = seed;
+  return context;
+}
+
+}  // namespace thigma

@@ -1,0 +1,84 @@
+#pragma once
+// What a running session and those who watch it exchange: contacts to look at, gains that change,
+// pauses. Nothing here makes a real-time thread wait.
+
+#include <atomic>
+#include <cstdint>
+
+#include "thigma/contact/contact.h"
+#include "thigma/core/latest.h"
+#include "thigma/core/static_vector.h"
+#include "thigma/loop/contact_step.h"
+#include "thigma/loop/haptic_step.h"
+
+namespace thigma {
+
+/// Most contacts of a frame that are shown.
+inline constexpr std::size_t kViewedContacts = 128;
+
+/// A contact as it is shown: Contact with nodes in place of patches.
+struct ViewedContact {
+  Vec3 point = Vec3::Zero();                       // on the object [m; world]
+  Vec3 normal = Vec3::UnitZ();                     // out of the object [world]
+  double depth = 0.0;                              // > 0 penetrating [m]
+  double bound = 0.0;                              // [m]
+  std::int32_t body = -1;                          // static object
+  std::int32_t object_node = -1, scene_node = -1;  // of the hierarchies; -1: not of one
+  std::uint8_t object_level = 0, scene_level = 0;
+  ContactStatus status = ContactStatus::separated;
+  LevelDecision decided_by = LevelDecision::finest;
+};
+
+/// The contacts of one frame, or a sample of them where there are too many.
+struct ContactView {
+  double time = 0.0;           // of the body state they were found for [s]
+  std::uint64_t sequence = 0;  // of the model made of them
+  std::int64_t found = 0, dropped = 0, front = 0;
+  StaticVector<ViewedContact, kViewedContacts> contacts;
+};
+static_assert(RtPayload<ContactView>);
+
+/// Fills a view from the contacts that scratch holds: all of them, or every n-th and the deepest
+/// one of each cluster.
+/// Thread    [contact].
+void view_contacts(const ContactWorld& world, const ContactScratch& scratch, double time,
+                   ContactView& view) noexcept;
+
+/// Gains of the haptic thread that may change while it runs.
+struct HapticTuning {
+  RigidBody body;
+  Coupling coupling;  // grasp frame and is_grasped are left as they are
+};
+static_assert(RtPayload<HapticTuning>);
+
+/// Puts a tuning into effect between two steps. Velocities stay, so momenta go with the mass.
+/// Thread    [haptic].
+void apply_tuning(const HapticTuning& tuning, HapticParams& params, HapticState& state) THIGMA_RT;
+
+/// Gains and resolution of the contact thread that may change while it runs.
+struct ContactTuning {
+  PenaltyParams response;
+  Resolution resolution;  // is_exact is left as it is, and exact queries read nothing of it
+};
+static_assert(RtPayload<ContactTuning>);
+
+/// Puts a tuning into effect between two contact frames.
+/// Thread    [contact].
+void apply_tuning(const ContactTuning& tuning, ContactWorld& world) noexcept;
+
+/// The exchanges themselves; they outlive the session. Lockstep sessions publish views and ignore
+/// the rest, as nothing may change what they compute.
+/// Thread: each exchange has one writer and one reader, named beside it.
+struct LivePorts {
+  Latest<ContactView> contacts;          // contact thread -> watcher
+  Latest<HapticTuning> haptic_tuning;    // watcher -> haptic thread
+  Latest<ContactTuning> contact_tuning;  // watcher -> contact thread
+  std::atomic<bool> is_paused{false};    // watcher -> haptic thread: session time stands still
+  std::atomic<int> steps{0};             // watcher -> haptic thread: frames to do while paused
+};
+
+/// Takes one of the frames asked for while paused; false when there is none.
+/// Thread    [haptic].
+bool take_step(LivePorts& live) THIGMA_RT;
+
+}  // namespace thigma

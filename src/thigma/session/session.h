@@ -1,0 +1,181 @@
+#pragma once
+// A session: the two steps run together, on threads or in lockstep on a virtual clock.
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "thigma/loop/contact_world.h"
+#include "thigma/loop/haptic_params.h"
+#include "thigma/loop/samples.h"
+#include "thigma/session/fault_injection.h"
+#include "thigma/session/force_steps.h"
+#include "thigma/session/histogram.h"
+#include "thigma/session/rt_thread.h"
+#include "thigma/session/statistics.h"
+
+namespace thigma {
+
+struct LivePorts;
+
+/// Of the grasped object's radius: deeper contacts on an old model raise the event deep_contact.
+inline constexpr double kDeepShare = 0.05;
+
+/// Everything a session needs but the device. Constant while it runs; hierarchies outlive it.
+struct SessionConfig {
+  HapticParams haptic;  // haptic.device is filled in from the device
+  ContactWorld contact;
+  Pose world_from_body;   // of the centre of mass at the start
+  double rate = 1000.0;   // of the haptic frames; the watchdog waits for three at least [Hz]
+  double duration = 0.0;  // 0: until told to stop or the device has finished [s]
+  std::vector<FaultEvent> faults;
+  double after_fault = 0.020;  // zero force is kept up this long, then the session ends [s]
+  // a contact this deep that the model in use did not know raises an event; 0: kDeepShare of the
+  // grasped object's radius, and never where a source stands for it [m]
+  double deep_contact = 0.0;
+
+  // lockstep
+  int contact_every = 1;  // haptic frames from one contact step to the next
+  // haptic frames from the state a model is taken at to its first use, >= 1
+  int contact_latency = 1;
+
+  // threads
+  RtRequest haptic_thread{80, -1};
+  // polled before each deadline [s]; below 0: as long as wake-ups ask for (clock_of)
+  double spin = -1.0;
+  RtRequest contact_thread{40, -1};
+  std::size_t telemetry_frames = 8192;  // room of the rings; 8 s at 1 kHz
+  std::size_t telemetry_models = 2048;
+
+  // who watches and tunes (live_ports.h); outlives the session; null: nobody
+  LivePorts* live = nullptr;
+};
+
+/// Something worth a line: a fault, grasping, arming, samples lost.
+struct SessionEvent {
+  double time = 0.0;  // session clock [s]
+  std::uint64_t frame = 0;
+  // "fault", "resumed", "late", "grasped", "released", "armed", "disarmed", "not_armed",
+  // "deep_contact"
+  std::string kind;
+  std::string detail;  // for "fault", "resumed" and "late": the fault's name
+  // more, for a person: how long nothing stepped, why nothing arms, how deep; or empty
+  std::string text{};
+};
+
+/// Where samples go. Called from one thread that is not real time (lockstep: the caller's), in
+/// order of frames; every model comes before the first frame that used it. Empty ones are skipped.
+/// What a sink throws ends the session and comes out of run_lockstep or finish().
+struct SessionSinks {
+  std::function<void(const HapticSample&)> haptic;
+  std::function<void(const ContactSample&)> contact;
+  std::function<void(const SessionEvent&)> event;
+};
+
+/// How a session ended.
+enum class SessionEnd : std::uint8_t { duration, device_finished, stopped, fault };
+
+/// Where a haptic frame's time goes, by the clock; nothing in lockstep [s].
+struct StageSummary {
+  DurationSummary device_read, compute, device_write, whole;
+};
+
+/// How punctual the haptic thread was; nothing in lockstep.
+struct DeadlineSummary {
+  // frames that ended after the next deadline
+  std::uint64_t overruns = 0;
+  std::array<std::uint64_t, kLateBounds.size()> late{};  // wake-ups later than each of kLateBounds
+  double polled_share = 0.0;  // of the time: processor spent on being punctual
+};
+
+/// All durations of a stage.
+struct StageHistogram {
+  const char* name;
+  DurationHistogram histogram;
+};
+
+/// What the passivity controller did; nothing where it was off.
+struct PassivitySummary {
+  bool is_on = false;
+  double delay = 0.0;        // it reckoned with [s]
+  double acted_share = 0.0;  // of the frames with a wrench, those it changed
+  double sent_share = 1.0;   // of the wanted wrench, mean over frames with one, before damping
+  double damping_max = 0.0;  // injected [N s/m]
+};
+
+/// What a session was like: the summary of `thigma run` is made of this.
+struct SessionSummary {
+  SessionEnd end = SessionEnd::duration;
+  double seconds = 0.0;  // session clock
+  double rate = 0.0;     // asked for [Hz]
+  std::uint64_t frames = 0, missed = 0;
+  DurationSummary step_cpu, wake_late;  // [s]
+  StageSummary stages;
+  DeadlineSummary deadlines;
+  std::vector<StageHistogram> histograms;  // of every stage that was timed
+  std::uint64_t contact_updates = 0;
+  DurationSummary query_cpu, model_cpu, contact_step_cpu;             // [s]
+  double contacts_mean = 0.0, clusters_mean = 0.0, front_mean = 0.0;  // over updates
+  DurationSummary model_age;                                          // [s]
+  double tests_mean = 0.0, mandatory_tests_mean = 0.0;  // pairs looked at, over updates
+  std::uint64_t unrefined = 0, level_changes = 0;       // contacts, sums over updates
+  // depths by textures; of these where a surface is no height field
+  std::uint64_t texture_depths = 0, texture_folds = 0;
+  double bound_max = 0.0;                                                 // of all contacts [m]
+  std::array<std::uint64_t, kLevelBins> object_levels{}, scene_levels{};  // contacts, sums
+  std::array<std::uint64_t, kLevelDeciders> decided_by{};  // contacts, sums, by LevelDecision
+  // of the original below a contact, over contacts; 0 of exact queries
+  double triangles_below_mean = 0.0;
+  ForceSteps force_steps;
+  double force_max = 0.0, force_rms = 0.0;  // sent; rms over frames [N]
+  double torque_max = 0.0,
+         torque_rms = 0.0;       // felt about the handle, sent or not (device without it) [N m]
+  double penetration_max = 0.0;  // 0: never inside [m]
+  double stretch_max = 0.0;      // of the coupling [m]
+  double energy_min = 0.0;       // at the device's port, <= 0 [J]
+  PassivitySummary passivity;
+  RiddenOut ridden_out;
+  std::uint64_t dropped_samples = 0;  // of either ring
+  std::uint64_t dropped_contacts = 0;
+  std::vector<SessionEvent> safety_events;
+  std::uint64_t state_hash = 0;
+  std::vector<std::string> notes;  // what the system refused; the texts of events
+};
+
+/// Runs a session on a virtual clock in the calling thread: no sleeping, no other thread,
+/// bit-reproducible.
+///
+/// config   see there; device, limits taken from `device`
+/// stop     null, or looked at every frame
+/// errors   std::invalid_argument for a rate, latency or duration that makes no sense
+/// Thread   [offline]. Ends with zero force written, whatever happens.
+SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device,
+                            const SessionSinks& sinks = {},
+                            const std::atomic<bool>* stop = nullptr);
+
+/// A session on threads: haptic, contact, watchdog, and one that drains the telemetry.
+/// Invariant: between start() and the end of finish() the device belongs to the session.
+/// Thread: every member from one thread.
+class Session {
+ public:
+  /// device, and the hierarchies of config, outlive the session.
+  Session(SessionConfig config, HapticDevice& device, SessionSinks sinks = {});
+  ~Session();  // stops, with zero force
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  void start();  // throws std::invalid_argument as run_lockstep, std::system_error without threads
+  void request_stop() noexcept;  // asynchronous; also safe from a signal handler
+  bool is_running() const noexcept;
+  SessionSummary finish();  // waits for the end; call once after start(); throws what a sink threw
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace thigma

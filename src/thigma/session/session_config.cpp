@@ -1,0 +1,54 @@
+#include "thigma/session/session_config.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "thigma/response/direct.h"
+
+namespace thigma {
+namespace {
+
+/// As the hand feels them: a world newton per world metre is f s device newtons per device metre.
+PassivityParams springs_of(const Workspace& workspace, double linear, double angular, double period,
+                           double delay) THIGMA_RT {
+  return passivity_for(linear * workspace.force_scale * workspace.motion_scale,
+                       angular * torque_scale(workspace), period, delay);
+}
+
+}  // namespace
+
+void enable_passivity(const DeviceLimits& device, SessionConfig& config) {
+  HapticParams& params = config.haptic;
+  const double period = 1.0 / config.rate;
+  if (params.response == ResponseKind::direct) {
+    // Contacts are the spring; their torque is that of forces at the object's surface and has none
+    // of its own.
+    params.passivity =
+        springs_of(params.workspace, config.contact.response.stiffness, 0.0, period, device.delay);
+    return;
+  }
+  params.passivity.period = period;
+  params.passivity.delay = device.delay;
+  retune_passivity(params);
+}
+
+void retune_passivity(HapticParams& params) THIGMA_RT {
+  if (params.response == ResponseKind::direct) return;
+  const PassivityParams& now = params.passivity;
+  params.passivity = springs_of(params.workspace, params.coupling.linear_stiffness,
+                                params.coupling.angular_stiffness, now.period, now.delay);
+}
+
+void use_direct_response(const DeviceLimits& device, SessionConfig& config) {
+  const double max_force = std::min(device.max_force, config.haptic.safety.max_force);
+  if (!(max_force > 0.0) || !(device.max_stiffness > 0.0)) {
+    throw std::invalid_argument("direct response: the device renders no force");
+  }
+  const Workspace& workspace = config.haptic.workspace;
+  config.contact.response = direct_penalty(
+      {max_force, device.max_stiffness, workspace.motion_scale, workspace.force_scale});
+  config.contact.tolerance = config.contact.response.tolerance;
+  config.haptic.response = ResponseKind::direct;
+}
+
+}  // namespace thigma

@@ -1,0 +1,31 @@
+#pragma once
+// What of a session's configuration its device decides: passivity, and the direct response.
+
+#include "thigma/device/haptic_device.h"
+#include "thigma/session/session.h"
+
+namespace thigma {
+
+/// Switches the controller on for the springs of this configuration and the delay that the device
+/// tells of.
+///
+/// config  haptic.device filled in, or `device` given; coupling, response, workspace and rate set
+/// Thread  [offline]; after use_direct_response, where that is used
+void enable_passivity(const DeviceLimits& device, SessionConfig& config);
+
+/// Takes over the stiffnesses of the coupling after they have changed; period and delay stay.
+/// Thread  [haptic].
+void retune_passivity(HapticParams& params) THIGMA_RT;
+
+/// Makes a session render contacts straight to the hand: the response of the haptic frames, and
+/// contact stiffness and tolerance by what the device renders best (response/direct.h). Safety
+/// limits below the device's count.
+///
+/// device  limits of the device in use
+/// config  workspace and safety set; contact.tolerance, contact.response and haptic.response are
+///         changed
+/// errors  std::invalid_argument for a device without force or stiffness
+/// Thread  [offline]
+void use_direct_response(const DeviceLimits& device, SessionConfig& config);
+
+}  // namespace thigma

@@ -1,0 +1,141 @@
+#include "thigma/loop/contact_step.h"
+
+#include "support/plane_session.h"
+#include <gtest/gtest.h>
+
+#include "thigma/clod/build_clod.h"
+#include "thigma/clod/build_hierarchy.h"
+#include "thigma/mesh/shapes.h"
+
+namespace thigma {
+namespace {
+
+using test::kCubeHalf;
+using test::plane_session;
+
+StampedBody at_height(double z) {
+  StampedBody at;
+  at.state.position = {0.0, 0.0, z};
+  at.time = 1.25;
+  return at;
+}
+
+TEST(ContactStep, MakesATermAClusterForTheStateItWasGiven) {
+  const SessionConfig config = plane_session();
+  ContactScratch scratch;
+  reserve_contact_scratch(config.contact, scratch);
+  ContactSample sample;
+  contact_step(config.contact, at_height(kCubeHalf + 1.0), scratch, sample);
+  EXPECT_EQ(sample.contacts, 0);
+  EXPECT_EQ(sample.model.sequence, 1u);
+  EXPECT_TRUE(sample.model.planes.empty());
+  contact_step(config.contact, at_height(kCubeHalf - 1e-4), scratch, sample);
+  EXPECT_EQ(sample.contacts, 4);
+  EXPECT_EQ(sample.model.sequence, 2u);
+  EXPECT_EQ(sample.model.time, 1.25);
+  EXPECT_EQ(sample.time, 1.25);
+  EXPECT_EQ(sample.clusters, static_cast<std::int32_t>(sample.model.planes.size()));
+  ASSERT_FALSE(sample.model.planes.empty());
+  double stiffness = 0.0;
+  for (const PlaneTerm& term : sample.model.planes) {
+    stiffness += term.stiffness;
+    EXPECT_NEAR((term.normal + Vec3::UnitZ()).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(term.arm_body.z(), -kCubeHalf, 1e-12);
+    EXPECT_EQ(term.tolerance, config.contact.tolerance);
+  }
+  EXPECT_NEAR(stiffness, 2000.0, 1e-9);  // of the contact as a whole
+  EXPECT_NEAR(sample.depth_max, 1e-4, 1e-15);
+  EXPECT_EQ(sample.model_digest, model_digest(sample.model));
+}
+
+TEST(ContactStep, ClustersKeepTheirIdsOverFrames) {
+  const SessionConfig config = plane_session();
+  ContactScratch scratch;
+  reserve_contact_scratch(config.contact, scratch);
+  ContactSample first, second;
+  contact_step(config.contact, at_height(kCubeHalf - 1e-4), scratch, first);
+  contact_step(config.contact, at_height(kCubeHalf - 1.1e-4), scratch, second);
+  ASSERT_EQ(first.model.planes.size(), second.model.planes.size());
+  for (std::size_t i = 0; i < first.model.planes.size(); ++i) {
+    EXPECT_EQ(first.model.planes[i].id, second.model.planes[i].id);
+  }
+}
+
+TEST(ContactStep, CountsWhatDoesNotFit) {
+  SessionConfig config = plane_session();
+  config.contact.capacity = 3;
+  ContactScratch scratch;
+  reserve_contact_scratch(config.contact, scratch);
+  ContactSample sample;
+  contact_step(config.contact, at_height(kCubeHalf - 1e-4), scratch, sample);
+  EXPECT_EQ(sample.contacts, 3);
+  EXPECT_EQ(sample.dropped, 1);
+}
+
+TEST(ContactStep, QueriesEveryStaticBodyWhereverTheCentreOfMassIs) {
+  // Two boxes side by side under a ball whose mesh frame is off its centre of mass.
+  const ClodHierarchy ball = build_exact_hierarchy(make_ball(0.01, 4));
+  const ClodHierarchy box = build_exact_hierarchy(make_box(Vec3(0.02, 0.02, 0.02)));
+  ContactWorld world;
+  world.object = &ball;
+  world.body_from_mesh.position = {0.0, 0.0, 0.003};
+  world.tolerance = 1e-4;
+  Pose left, right;
+  left.position = {-0.0101, 0.0, -0.01};
+  right.position = {0.0101, 0.0, -0.01};
+  world.scene = {{&box, left}, {&box, right}};
+  ContactScratch scratch;
+  reserve_contact_scratch(world, scratch);
+  ContactSample sample;
+  StampedBody at = at_height(0.0098 - 0.003);  // the ball's bottom 0.2 mm below the boxes' tops
+  at.state.position.x() = 0.010;
+  contact_step(world, at, scratch, sample);
+  EXPECT_GT(sample.contacts, 0);
+  for (const Contact& c : scratch.contacts.contacts) EXPECT_EQ(c.body, 1);
+  EXPECT_NEAR(sample.depth_max, 2e-4, 1e-4);
+  at.state.position.x() = -0.010;
+  contact_step(world, at, scratch, sample);
+  for (const Contact& c : scratch.contacts.contacts) EXPECT_EQ(c.body, 0);
+  EXPECT_GT(sample.contacts, 0);
+}
+
+TEST(ContactStep, QueriesAtTheResolutionAndCountsLevels) {
+  const ClodHierarchy ball = build_clod(make_ball(0.02, 16));
+  const ClodHierarchy box = build_clod(make_box(Vec3(0.1, 0.1, 0.01), {16, 16, 2}));
+  ContactWorld world;
+  world.object = &ball;
+  world.tolerance = 4e-4;
+  Pose below;
+  below.position.z() = -0.005;
+  world.scene = {{&box, below}};
+  world.resolution.is_exact = false;
+  world.resolution.metric.haptic = 0.5;  // coarse
+  world.resolution.deviation_cap = kNoCap;
+  ContactScratch scratch;
+  reserve_contact_scratch(world, scratch);
+  ContactSample coarse, exact;
+  contact_step(world, at_height(0.0202), scratch, coarse);
+  EXPECT_EQ(coarse.level_changes, 0);  // nothing came before
+  std::int64_t counted = 0, above = 0;
+  for (std::size_t i = 0; i < coarse.object_levels.size(); ++i) {
+    counted += coarse.object_levels[i];
+    if (i > 0) above += coarse.object_levels[i] + coarse.scene_levels[i];
+  }
+  EXPECT_EQ(counted, coarse.contacts);
+  EXPECT_GT(above, 0);
+  EXPECT_GT(coarse.bound_max, 0.0);
+  std::int64_t decided = 0;
+  for (const std::int32_t n : coarse.decided_by) decided += n;
+  EXPECT_EQ(decided, coarse.contacts);
+  EXPECT_GT(coarse.decided_by[static_cast<std::size_t>(LevelDecision::haptic)], 0);
+  EXPECT_GT(coarse.triangles_below, static_cast<double>(coarse.contacts));
+  EXPECT_LE(coarse.triangles_below, 0.5 * static_cast<double>(coarse.contacts) *
+                                        (ball.triangle_count + box.triangle_count));
+  world.resolution.is_exact = true;
+  contact_step(world, at_height(0.0202), scratch, exact);
+  EXPECT_EQ(exact.object_levels[0], exact.contacts);
+  EXPECT_EQ(exact.bound_max, 0.0);
+}
+
+}  // namespace
+}  // namespace thigma

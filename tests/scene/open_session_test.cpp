@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include "thigma/clod/clod_asset.h"
+#include "thigma/core/error.h"
+#include "thigma/device/open_device.h"
+#include "thigma/scene/load_scene.h"
+#include "thigma/scene/scene_file.h"
+#include "thigma/simulation/simulate.h"
+
+namespace thigma {
+namespace {
+
+Scene plate_scene() {
+  SceneDescription description = read_scene("jaws");
+  description.object.model->triangles = 4000;
+  description.object.mesh = "procedural:jaw_upper?triangles=4000";
+  description.statics[0].model->triangles = 4000;
+  description.statics[0].mesh = "procedural:jaw_lower?triangles=4000";
+  description.contact.resolution.is_exact = true;
+  return load_scene(std::move(description));
+}
+
+TEST(OpenSession, PlacesAHandApartAndFeelsTheScene) {
+  const Scene scene = plate_scene();
+  SceneSession session = open_session(scene, {.device = "hand:", .duration = 2.0});
+  EXPECT_TRUE(session.start.has_scene);
+  const SessionSummary felt = run_lockstep(session);
+  EXPECT_GT(felt.force_max, 0.1);
+  EXPECT_EQ(felt.end, SessionEnd::duration);
+}
+
+TEST(OpenSession, GivesTheSameBitsTwice) {
+  const Scene scene = plate_scene();
+  std::uint64_t hashes[2];
+  for (std::uint64_t& hash : hashes) {
+    SceneSession session = open_session(scene, {.device = "hand:", .duration = 0.5});
+    hash = run_lockstep(session).state_hash;
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(OpenSession, LeavesTheSceneAsItIs) {
+  const Scene scene = plate_scene();
+  const Pose before = scene.config.world_from_body;
+  const SceneSession session = open_session(scene, {.device = "hand:", .rate = 500.0});
+  EXPECT_EQ(session.config.rate, 500.0);
+  EXPECT_EQ(scene.config.rate, 1000.0);
+  EXPECT_EQ(scene.config.world_from_body.position, before.position);
+}
+
+TEST(OpenSession, StartsOthersWhereTheSceneSays) {
+  const Scene scene = plate_scene();
+  const SceneSession session = open_session(scene, {.device = "null:"});
+  EXPECT_EQ(session.config.world_from_body.position, scene.config.world_from_body.position);
+}
+
+TEST(OpenSession, RefusesThePagesDeviceWithoutAPage) {
+  const Scene scene = plate_scene();
+  EXPECT_THROW(open_session(scene, {.device = "web:"}), DeviceUnavailable);
+}
+
+TEST(OpenSession, RefusesAHandForASimulation) {
+  SceneDescription description = read_scene("spoon_in_cup");
+  description.object.model->triangles = 3000;
+  description.object.mesh = "procedural:spoon?triangles=3000";
+  description.statics[0].model->triangles = 3000;
+  description.statics[0].mesh = "procedural:cup?triangles=3000";
+  description.contact.resolution.is_exact = true;
+  const Scene scene = load_scene(std::move(description));
+  EXPECT_THROW(open_session(scene, {.device = "hand:"}), DeviceAddressError);
+  SceneSession session = open_session(scene, {.device = "null:", .duration = 0.02});
+  ASSERT_NE(session.simulation, nullptr);
+  EXPECT_EQ(run_lockstep(session).frames, 20u);
+}
+
+}  // namespace
+}  // namespace thigma

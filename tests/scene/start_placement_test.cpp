@@ -1,0 +1,101 @@
+#include "thigma/scene/start_placement.h"
+
+#include "support/plane_session.h"
+#include <gtest/gtest.h>
+
+#include "thigma/clod/build_hierarchy.h"
+#include "thigma/mesh/shapes.h"
+#include "thigma/response/texture_contacts.h"
+#include "thigma/texture/haptic_texture.h"
+
+namespace thigma {
+namespace {
+
+using test::kCubeHalf;
+using test::plane_session;
+
+double height(const StartPlacement& start) {
+  return start.world_from_body.position.z() - kCubeHalf;
+}
+
+TEST(FindStart, LeavesSeparatedObjectsWhereTheyAre) {
+  const SessionConfig config = plane_session(0.015);
+  const StartPlacement start = find_start(config.contact, config.world_from_body, 0.01);
+  EXPECT_TRUE(start.has_scene);
+  EXPECT_FALSE(start.is_moved);
+  EXPECT_EQ(start.world_from_body.position, config.world_from_body.position);
+  EXPECT_NEAR((start.approach + Vec3::UnitZ()).norm(), 0.0, 1e-12);
+  // To where contacts begin, within the tolerance.
+  EXPECT_NEAR(start.clearance, 0.015, config.contact.tolerance);
+  EXPECT_LT(start.clearance, 0.015);
+}
+
+TEST(FindStart, MovesOnlyWhatTouches) {
+  const double tolerance = plane_session().contact.tolerance;
+  for (const double gap : {2.01, 3.0, 20.0}) {
+    const SessionConfig config = plane_session(gap * tolerance);
+    const StartPlacement start = find_start(config.contact, config.world_from_body, 0.05);
+    EXPECT_FALSE(start.is_moved) << gap;
+    EXPECT_EQ(start.world_from_body.position, config.world_from_body.position);
+    EXPECT_NEAR(start.given_gap, gap * tolerance, 1e-12);
+    EXPECT_NEAR(start.clearance, gap * tolerance, tolerance);
+    EXPECT_GT(start.clearance, 0.0);
+  }
+}
+
+TEST(FindStart, MovesOverlappingObjectsApart) {
+  for (const double gap : {-0.01, -1e-4, 0.0, 3.9e-4}) {
+    const SessionConfig config = plane_session(gap);
+    const StartPlacement start = find_start(config.contact, config.world_from_body, 0.005);
+    EXPECT_TRUE(start.is_moved);
+    EXPECT_NEAR(start.given_gap, gap, 1e-12);
+    EXPECT_GE(height(start), 0.005 * (1.0 - 1e-9));
+    EXPECT_LT(height(start), 0.02);
+    EXPECT_NEAR(start.world_from_body.position.head<2>().norm(), 0.0, 1e-12);
+    EXPECT_NEAR(start.clearance, height(start), config.contact.tolerance);
+  }
+}
+
+TEST(FindStart, FollowsTheWayOutItIsGiven) {
+  const SessionConfig config = plane_session(-0.005);
+  const Vec3 way(3.0, 0.0, 4.0);
+  const StartPlacement start = find_start(config.contact, config.world_from_body, 0.005, &way);
+  EXPECT_NEAR((start.approach + way / 5.0).norm(), 0.0, 1e-12);
+  EXPECT_GE(height(start), 0.005 * (1.0 - 1e-9));
+  EXPECT_NEAR(start.clearance * 0.8, height(start), 2.0 * config.contact.tolerance);
+  const Vec3 into(0.0, 0.0, -1.0);
+  EXPECT_THROW(find_start(config.contact, config.world_from_body, 0.005, &into),
+               std::runtime_error);
+}
+
+TEST(FindStart, SaysWhenThereIsNothingNear) {
+  SessionConfig config = plane_session(10.0);
+  EXPECT_FALSE(find_start(config.contact, config.world_from_body).has_scene);
+}
+
+// Opening a graphics processor takes its time, and says what it found: the session's own time is
+// the one.
+TEST(FindStart, LeavesTheGraphicsProcessorToTheSession) {
+  const TriangleMesh ball = make_ball(0.01, 8), box = make_box({0.05, 0.05, 0.02});
+  const HapticTexture of_ball = make_plain_texture(ball, "ball"),
+                      of_box = make_plain_texture(box, "box");
+  const ClodHierarchy object = build_exact_hierarchy(ball), scene = build_exact_hierarchy(box);
+  int said = 0;
+  ContactWorld world;
+  world.object = &object;
+  world.scene = {{&scene, Pose{}}};
+  world.tolerance = 1e-4;
+  world.textures.object = make_textured_body(of_ball, object);
+  world.textures.scene = {make_textured_body(of_box, scene)};
+  world.textures.params.search = DepthSearch::gpu;
+  world.textures.warn = [&](const std::string&) { ++said; };
+  Pose above;
+  above.position.z() = 0.03;
+  const StartPlacement start = find_start(world, above, 0.0);
+  EXPECT_TRUE(start.has_scene);
+  EXPECT_NEAR(start.clearance, 0.01, 1e-3);
+  EXPECT_EQ(said, 0);
+}
+
+}  // namespace
+}  // namespace thigma
