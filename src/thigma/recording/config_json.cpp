@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
+#include "thigma/loop/safety_fields.h"
 #include "thigma/recording/detail/json_read.h"
 #include "thigma/recording/detail/json_text.h"
 
@@ -14,27 +15,7 @@ namespace {
 using detail::JsonObject;
 using Json = nlohmann::json;
 
-/// Visits every number of the safety limits with its key; one list for writing and reading.
-template <class Limits, class Visit>
-void each_limit(Limits& s, Visit visit) {
-  visit("max_force", s.max_force);
-  visit("max_torque", s.max_torque);
-  visit("force_slew", s.force_slew);
-  visit("torque_slew", s.torque_slew);
-  visit("onset_window", s.onset_window);
-  visit("start_ramp", s.start_ramp);
-  visit("clear_before_arming", s.clear_before_arming);
-  visit("max_speed", s.max_speed);
-  visit("pose_jump", s.pose_jump);
-  visit("max_turn_speed", s.max_turn_speed);
-  visit("orientation_jump", s.orientation_jump);
-  visit("silent_device", s.silent_device);
-  visit("model_full_age", s.model_full_age);
-  visit("model_stale_age", s.model_stale_age);
-  visit("watchdog", s.watchdog);
-}
-
-/// The same of the passivity controller.
+/// Visits every number of the passivity controller with its key; one list for writing and reading.
 template <class Params, class Visit>
 void each_passivity_number(Params& p, Visit visit) {
   visit("period", p.period);
@@ -220,7 +201,7 @@ void read_params(const Json& json, HapticParams& params) {
   params.workspace.motion_scale = json.at("workspace").at("motion_scale").get<double>();
   params.workspace.force_scale = json.at("workspace").at("force_scale").get<double>();
   const Json& safety = json.at("safety");
-  each_limit(params.safety, [&](const char* key, double& value) {
+  visit_safety_limits(params.safety, [&](const char* key, double& value) {
     // Early recordings of this version lack some; they are run again as they were run.
     const std::string_view name = key;
     constexpr double kNoLimit = 1e9;
@@ -282,7 +263,7 @@ std::string write_config(const RecordedConfig& config) {
   workspace.close();
   json.key("safety");
   JsonObject safety(out);
-  each_limit(p.safety, [&](const char* key, double value) { safety.number(key, value); });
+  visit_safety_limits(p.safety, [&](const char* key, double value) { safety.number(key, value); });
   safety.flag("rides_out_gaps", p.safety.rides_out_gaps);
   safety.close();
   put_device(out, json, p.device);

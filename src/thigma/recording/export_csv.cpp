@@ -1,65 +1,78 @@
+#include <concepts>
+
 #include "thigma/core/file.h"
 #include "thigma/recording/detail/json_text.h"
+#include "thigma/recording/detail/sample_fields.h"
 #include "thigma/recording/recording.h"
 
 namespace thigma {
 namespace {
 
-constexpr const char* kCsvHeader =
-    "frame,time [s],device x [m],device y [m],device z [m],device qx,device qy,device qz,device "
-    "qw,buttons,"
-    "body x [m],body y [m],body z [m],body qx,body qy,body qz,body qw,"
-    "Px [kg m/s],Py [kg m/s],Pz [kg m/s],Lx [kg m^2/s],Ly [kg m^2/s],Lz [kg m^2/s],"
-    "contact fx [N],contact fy [N],contact fz [N],contact tx [N m],contact ty [N m],contact tz [N "
-    "m],"
-    "command fx [N],command fy [N],command fz [N],command tx [N m],command ty [N m],command tz [N "
-    "m],"
-    "feedback fx [N],feedback fy [N],feedback fz [N],feedback tx [N m],feedback ty [N m],feedback "
-    "tz [N m],"
-    "penetration [m],stretch [m],model age [s],energy [J],touching,grasped,armed,fault,step cpu "
-    "[s],wake late [s]\n";
+constexpr const char* kAxes[] = {"x", "y", "z", "w"};
 
-void put(std::string& row, double value) {
-  row += ',';
-  if (value == value) detail::put_number(row, value);  // an unknown stays empty
-}
+/// Names of the columns, of the list in sample_fields.h.
+struct HeaderWriter {
+  std::string& row;
 
-template <class Vector>
-void put_vector(std::string& row, const Vector& v) {
-  for (int i = 0; i < static_cast<int>(v.size()); ++i) put(row, v[i]);
+  template <class Value>
+  void operator()(const char* name, const Value&) const {
+    if (!row.empty()) row += ',';
+    row += name;
+  }
+  template <class Vector>
+  void vector(const char* name, const char* unit, const Vector& v) const {
+    for (int i = 0; i < static_cast<int>(v.size()); ++i)
+      (*this)((name + std::string(kAxes[i]) + unit).c_str(), v[i]);
+  }
+};
+
+/// Their values; an unknown number stays empty.
+struct RowWriter {
+  std::string& row;
+  bool& is_first;
+
+  void begin() const {
+    if (!is_first) row += ',';
+    is_first = false;
+  }
+  void operator()(const char*, double value) const {
+    begin();
+    if (value == value) detail::put_number(row, value);
+  }
+  void operator()(const char* name, float value) const {
+    (*this)(name, static_cast<double>(value));
+  }
+  template <std::integral Integer>
+  void operator()(const char*, Integer value) const {
+    begin();
+    row += std::to_string(value);
+  }
+  void operator()(const char*, Fault fault) const {
+    begin();
+    row += fault_name(fault);
+  }
+  template <class Vector>
+  void vector(const char* name, const char*, const Vector& v) const {
+    for (int i = 0; i < static_cast<int>(v.size()); ++i) (*this)(name, v[i]);
+  }
+};
+
+std::string header() {
+  std::string row;
+  detail::visit_columns(HapticSample{}, HeaderWriter{row});
+  return row + '\n';
 }
 
 void put_row(std::string& row, const HapticSample& s) {
-  row += std::to_string(s.frame);
-  put(row, s.time);
-  put_vector(row, s.device.motion.pose.position);
-  put_vector(row, s.device.motion.pose.orientation.coeffs());
-  row += ',' + std::to_string(s.device.buttons);
-  put_vector(row, s.body.position);
-  put_vector(row, s.body.orientation.coeffs());
-  put_vector(row, s.body.linear_momentum);
-  put_vector(row, s.body.angular_momentum);
-  for (const Wrench* wrench : {&s.contact, &s.command, &s.feedback}) {
-    put_vector(row, wrench->force);
-    put_vector(row, wrench->torque);
-  }
-  put(row, s.penetration);
-  put(row, s.stretch);
-  put(row, s.model_age);
-  put(row, s.energy);
-  row += ',' + std::to_string(s.touching);
-  row += s.is_grasped ? ",1" : ",0";
-  row += s.is_armed ? ",1," : ",0,";
-  row += fault_name(s.fault);
-  put(row, static_cast<double>(s.step_cpu));
-  put(row, static_cast<double>(s.wake_late));
+  bool is_first = true;
+  detail::visit_columns(s, RowWriter{row, is_first});
   row += '\n';
 }
 
 }  // namespace
 
 CsvExport::CsvExport(const std::string& path)
-    : file_(std::make_unique<FileWriter>(path)), rows_(kCsvHeader) {}
+    : file_(std::make_unique<FileWriter>(path)), rows_(header()) {}
 
 CsvExport::~CsvExport() = default;
 

@@ -1,10 +1,12 @@
 #include "thigma/recording/recording.h"
 
+#include <concepts>
 #include <cstdio>
 #include <filesystem>
 
 #include "thigma/core/error.h"
 #include "thigma/recording/detail/json_text.h"
+#include "thigma/recording/detail/sample_fields.h"
 #include "thigma/recording/mcap_file.h"
 
 namespace thigma {
@@ -35,100 +37,105 @@ void put_wrench(JsonObject& json, const char* force, const char* torque, const W
   json.vector(torque, wrench.torque);
 }
 
-void put_body(JsonObject& json, const BodyState& body) {
-  json.pose({body.position, body.orientation});
-  json.vector("linear_momentum", body.linear_momentum);
-  json.vector("angular_momentum", body.angular_momentum);
-}
+/// Writes the fields of a list (sample_fields.h) into an object.
+struct FieldWriter {
+  std::string& out;
+  JsonObject& json;
+
+  void operator()(const char* key, double value) const { json.number(key, value); }
+  void operator()(const char* key, float value) const {
+    json.number(key, static_cast<double>(value));
+  }
+  void operator()(const char* key, bool value) const { json.flag(key, value); }
+  template <std::integral Integer>
+  void operator()(const char* key, Integer value) const {
+    json.integer(key, static_cast<long long>(value));
+  }
+  void operator()(const char* key, Fault value) const { json.word(key, fault_name(value)); }
+  void operator()(const char* key, DeviceStatus value) const { json.word(key, status_name(value)); }
+  template <class Vector>
+  void vector(const char* key, const Vector& v) const {
+    json.vector(key, v);
+  }
+  void pose(const Pose& pose) const { json.pose(pose); }
+  void twist(const Twist& twist) const { json.twist(twist); }
+  void wrench(const char* force, const char* torque, const Wrench& wrench) const {
+    put_wrench(json, force, torque, wrench);
+  }
+  void body(const BodyState& body) const {
+    json.pose({body.position, body.orientation});
+    json.vector("linear_momentum", body.linear_momentum);
+    json.vector("angular_momentum", body.angular_momentum);
+  }
+  void motion(const char* key, const Motion& motion) const {
+    json.key(key);
+    JsonObject inner(out);
+    inner.pose(motion.pose);
+    inner.twist(motion.twist);
+    inner.close();
+  }
+  void unless(const char* key, double value, double usual) const {
+    if (value != usual) json.number(key, value);
+  }
+  void optional_pose(const char* key, bool has, const Pose& pose) const {
+    if (!has) return;
+    json.key(key);
+    JsonObject inner(out);
+    inner.pose(pose);
+    inner.close();
+  }
+  void digest(const char* key, std::uint64_t value) const { json.word(key, hex_text(value)); }
+  /// Up to the last level that has any.
+  void counts(const char* key, const LevelCounts& counts) const {
+    std::size_t used = counts.size();
+    while (used > 0 && counts[used - 1] == 0) --used;
+    json.key(key);
+    out += '[';
+    for (std::size_t i = 0; i < used; ++i) {
+      if (i > 0) out += ',';
+      out += std::to_string(counts[i]);
+    }
+    out += ']';
+  }
+};
 
 void put_device(std::string& out, const HapticSample& s) {
   JsonObject json(out);
+  detail::visit_device_state(s, FieldWriter{out, json});
+  json.close();
+}
+
+/// One of the messages of a frame that begin with its number and time.
+template <class Fields>
+void put_of_frame(std::string& out, const HapticSample& s, Fields fields) {
+  JsonObject json(out);
   json.integer("frame", static_cast<long long>(s.frame));
   json.number("time", s.time);
-  json.number("elapsed", s.elapsed);
-  json.number("sample_time", s.device.time);
-  json.pose(s.device.motion.pose);
-  json.twist(s.device.motion.twist);
-  json.integer("buttons", s.device.buttons);
-  json.word("status", status_name(s.device.status));
-  if (s.device.weight != 1.0) json.number("weight", s.device.weight);
-  if (s.device.has_true_handle) {
-    json.key("true_handle");
-    JsonObject handle(out);
-    handle.pose(s.device.true_handle);
-    handle.close();
-  }
-  json.integer("model_sequence", static_cast<long long>(s.model_sequence));
-  json.word("external_fault", fault_name(s.external_fault));
-  json.word("input_digest", hex_text(s.input_digest));
+  fields(FieldWriter{out, json});
   json.close();
 }
 
 void put_command(std::string& out, const HapticSample& s) {
-  JsonObject json(out);
-  json.integer("frame", static_cast<long long>(s.frame));
-  json.number("time", s.time);
-  put_wrench(json, "force", "torque", s.command);
-  put_wrench(json, "feedback_force", "feedback_torque", s.feedback);
-  json.close();
+  put_of_frame(out, s, [&](const FieldWriter& w) { detail::visit_device_command(s, w); });
 }
 
 void put_state(std::string& out, const HapticSample& s) {
-  JsonObject json(out);
-  json.integer("frame", static_cast<long long>(s.frame));
-  json.number("time", s.time);
-  put_body(json, s.body);
-  json.key("handle");
-  JsonObject handle(out);
-  handle.pose(s.handle.pose);
-  handle.twist(s.handle.twist);
-  handle.close();
-  put_wrench(json, "coupling_force", "coupling_torque", s.coupling);
-  put_wrench(json, "contact_force", "contact_torque", s.contact);
-  json.number("model_age", s.model_age);
-  json.number("model_weight", s.model_weight);
-  json.number("penetration", s.penetration);
-  json.number("stretch", s.stretch);
-  json.number("energy", s.energy);
-  json.integer("touching", s.touching);
-  json.flag("is_grasped", s.is_grasped);
-  json.flag("is_armed", s.is_armed);
-  json.word("fault", fault_name(s.fault));
-  json.close();
+  put_of_frame(out, s, [&](const FieldWriter& w) { detail::visit_body_state(s, w); });
 }
 
 void put_timing(std::string& out, const HapticSample& s) {
-  JsonObject json(out);
-  json.integer("frame", static_cast<long long>(s.frame));
-  json.number("time", s.time);
-  json.number("step_cpu", static_cast<double>(s.step_cpu));
-  json.number("wake_late", static_cast<double>(s.wake_late));
-  json.close();
+  put_of_frame(out, s, [&](const FieldWriter& w) { detail::visit_timing(s, w); });
 }
 
 void put_plane(std::string& out, const PlaneTerm& p) {
   JsonObject json(out);
-  json.vector("arm_body", p.arm_body);
-  json.vector("normal", p.normal);
-  json.vector("scene_point", p.scene_point);
-  json.vector("scene_velocity", p.scene_velocity);
-  json.vector("tangential_anchor", p.tangential_anchor);
-  json.number("stiffness", p.stiffness);
-  json.number("damping", p.damping);
-  json.number("tolerance", p.tolerance);
-  json.integer("id", p.id);
+  detail::visit_plane(p, FieldWriter{out, json});
   json.close();
 }
 
 void put_depth(std::string& out, const DepthTerm& t) {
   JsonObject json(out);
-  json.number("depth", t.depth);
-  json.vector("linear", t.linear);
-  json.vector("angular", t.angular);
-  json.number("stiffness", t.stiffness);
-  json.number("damping", t.damping);
-  json.number("tolerance", t.tolerance);
-  json.integer("id", t.id);
+  detail::visit_depth(t, FieldWriter{out, json});
   json.close();
 }
 
@@ -177,7 +184,7 @@ void put_model(std::string& out, const ContactSample& sample) {
   JsonObject json(out);
   json.integer("sequence", static_cast<long long>(model.sequence));
   json.number("time", model.time);
-  put_body(json, model.state);
+  FieldWriter{out, json}.body(model.state);
   put_list(json, out, "planes", model.planes, put_plane);
   put_list(json, out, "depths", model.depths, put_depth);
   put_list(json, out, "bends", model.bends, put_bend);
@@ -186,38 +193,11 @@ void put_model(std::string& out, const ContactSample& sample) {
   json.close();
 }
 
-/// Up to the last level that has any.
-void put_counts(std::string& out, JsonObject& json, const char* key, const LevelCounts& counts) {
-  std::size_t used = counts.size();
-  while (used > 0 && counts[used - 1] == 0) --used;
-  json.key(key);
-  out += '[';
-  for (std::size_t i = 0; i < used; ++i) {
-    if (i > 0) out += ',';
-    out += std::to_string(counts[i]);
-  }
-  out += ']';
-}
-
 void put_frame(std::string& out, const ContactSample& c) {
   JsonObject json(out);
   json.integer("sequence", static_cast<long long>(c.model.sequence));
-  json.number("time", c.time);
-  json.number("published", c.published);
-  json.number("query_cpu", c.query_cpu);
-  json.number("step_cpu", c.step_cpu);
-  json.integer("contacts", c.contacts);
-  json.integer("dropped", c.dropped);
-  json.integer("front", c.front);
-  json.integer("tests", c.tests);
-  json.integer("clusters", c.clusters);
-  json.number("depth_max", c.depth_max);
-  json.integer("mandatory_tests", c.mandatory_tests);
-  json.integer("unrefined", c.unrefined);
-  json.integer("level_changes", c.level_changes);
-  json.number("bound_max", c.bound_max);
-  put_counts(out, json, "object_levels", c.object_levels);
-  put_counts(out, json, "scene_levels", c.scene_levels);
+  detail::visit_contact_frame(c, FieldWriter{out, json});
+  detail::visit_contact_levels(c, FieldWriter{out, json});
   json.close();
 }
 

@@ -8,6 +8,7 @@
 #include "thigma/core/error.h"
 #include "thigma/core/file.h"
 #include "thigma/depth/depth_gradient.h"
+#include "thigma/loop/safety_fields.h"
 #include "thigma/models/make_model.h"
 #include "thigma/models/textured_model.h"
 #include "thigma/scene/detail/toml_table.h"
@@ -199,24 +200,9 @@ void read_safety(TomlTable table, SceneDescription& scene) {
   SafetyLimits& safety = scene.safety;
   scene.is_passive = table.truth("passivity").value_or(scene.is_passive);
   scene.is_strict = table.truth("strict").value_or(scene.is_strict);
-  const auto read = [&](const char* key, double& value) {
+  visit_safety_limits(safety, [&](const char* key, double& value) {
     value = table.number(key, Range::positive).value_or(value);
-  };
-  read("max_force", safety.max_force);
-  read("max_torque", safety.max_torque);
-  read("force_slew", safety.force_slew);
-  read("torque_slew", safety.torque_slew);
-  read("onset_window", safety.onset_window);
-  read("start_ramp", safety.start_ramp);
-  read("clear_before_arming", safety.clear_before_arming);
-  read("max_speed", safety.max_speed);
-  read("pose_jump", safety.pose_jump);
-  read("max_turn_speed", safety.max_turn_speed);
-  read("orientation_jump", safety.orientation_jump);
-  read("silent_device", safety.silent_device);
-  read("model_full_age", safety.model_full_age);
-  read("model_stale_age", safety.model_stale_age);
-  read("watchdog", safety.watchdog);
+  });
   if (!(safety.model_full_age < safety.model_stale_age)) {
     const char* key = table.has("model_full_age") ? "model_full_age" : "model_stale_age";
     table.fail(key, "leaves no time to fade", "expected model_full_age below model_stale_age");

@@ -1,12 +1,14 @@
 #include "thigma/recording/detail/recorded_messages.h"
 
 #include <charconv>
+#include <concepts>
 
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/byte_source.h"
 #include "thigma/core/error.h"
 #include "thigma/recording/detail/json_read.h"
+#include "thigma/recording/detail/sample_fields.h"
 
 namespace thigma::detail {
 namespace {
@@ -75,63 +77,59 @@ Fault read_fault(const Json& json, const char* key) {
   throw InputError(std::string("'") + key + "' is '" + name + "'");
 }
 
-void read_device(const Json& json, HapticSample& s) {
-  s.frame = json.at("frame").get<std::uint64_t>();
-  s.time = number(json, "time");
-  s.elapsed = number(json, "elapsed");
-  s.device.time = number(json, "sample_time");
-  read_sample_pose(json, s.device.motion.pose);
-  read_twist(json, s.device.motion.twist);
-  s.device.buttons = json.at("buttons").get<std::uint32_t>();
-  s.device.status = read_status(json);
-  if (json.contains("weight")) s.device.weight = number(json, "weight");
-  s.device.has_true_handle = json.contains("true_handle");
-  if (s.device.has_true_handle) read_sample_pose(json.at("true_handle"), s.device.true_handle);
-  s.model_sequence = json.at("model_sequence").get<std::uint64_t>();
-  s.external_fault = read_fault(json, "external_fault");
-  s.input_digest = read_digest(json, "input_digest");
+void read_counts(const Json& json, LevelCounts& counts) {
+  if (!json.is_array() || json.size() > counts.size()) throw InputError("too many levels");
+  for (std::size_t i = 0; i < json.size(); ++i) counts[i] = json[i].get<std::int32_t>();
 }
 
-void read_state(const Json& json, HapticSample& s) {
-  read_body(json, s.body);
-  read_sample_pose(json.at("handle"), s.handle.pose);
-  read_twist(json.at("handle"), s.handle.twist);
-  read_wrench(json, "coupling_force", "coupling_torque", s.coupling);
-  read_wrench(json, "contact_force", "contact_torque", s.contact);
-  s.model_age = number(json, "model_age");
-  s.model_weight = number(json, "model_weight");
-  s.penetration = number(json, "penetration");
-  s.stretch = number(json, "stretch");
-  s.energy = number(json, "energy");
-  s.touching = json.at("touching").get<std::int32_t>();
-  s.is_grasped = json.at("is_grasped").get<bool>();
-  s.is_armed = json.at("is_armed").get<bool>();
-  s.fault = read_fault(json, "fault");
-}
+/// Reads the fields of a list (sample_fields.h) out of an object.
+struct FieldReader {
+  const Json& json;
+
+  void operator()(const char* key, double& value) const { value = number(json, key); }
+  void operator()(const char* key, float& value) const {
+    value = static_cast<float>(number(json, key));
+  }
+  void operator()(const char* key, Fault& value) const { value = read_fault(json, key); }
+  void operator()(const char*, DeviceStatus& value) const { value = read_status(json); }
+  template <std::integral Integer>
+  void operator()(const char* key, Integer& value) const {
+    value = json.at(key).get<Integer>();
+  }
+  template <class Vector>
+  void vector(const char* key, Vector& v) const {
+    read_sample_vector(json, key, v);
+  }
+  void pose(Pose& pose) const { read_sample_pose(json, pose); }
+  void twist(Twist& twist) const { read_twist(json, twist); }
+  void wrench(const char* force, const char* torque, Wrench& wrench) const {
+    read_wrench(json, force, torque, wrench);
+  }
+  void body(BodyState& body) const { read_body(json, body); }
+  void motion(const char* key, Motion& motion) const {
+    read_sample_pose(json.at(key), motion.pose);
+    read_twist(json.at(key), motion.twist);
+  }
+  void unless(const char* key, double& value, double usual) const {
+    value = json.contains(key) ? number(json, key) : usual;
+  }
+  void optional_pose(const char* key, bool& has, Pose& pose) const {
+    has = json.contains(key);
+    if (has) read_sample_pose(json.at(key), pose);
+  }
+  void digest(const char* key, std::uint64_t& value) const { value = read_digest(json, key); }
+  void counts(const char* key, LevelCounts& counts) const { read_counts(json.at(key), counts); }
+};
 
 PlaneTerm read_plane(const Json& json) {
   PlaneTerm p;
-  read_sample_vector(json, "arm_body", p.arm_body);
-  read_sample_vector(json, "normal", p.normal);
-  read_sample_vector(json, "scene_point", p.scene_point);
-  read_sample_vector(json, "scene_velocity", p.scene_velocity);
-  read_sample_vector(json, "tangential_anchor", p.tangential_anchor);
-  p.stiffness = number(json, "stiffness");
-  p.damping = number(json, "damping");
-  p.tolerance = number(json, "tolerance");
-  p.id = json.at("id").get<std::int32_t>();
+  visit_plane(p, FieldReader{json});
   return p;
 }
 
 DepthTerm read_depth(const Json& json) {
   DepthTerm t;
-  t.depth = number(json, "depth");
-  read_sample_vector(json, "linear", t.linear);
-  read_sample_vector(json, "angular", t.angular);
-  t.stiffness = number(json, "stiffness");
-  t.damping = number(json, "damping");
-  t.tolerance = number(json, "tolerance");
-  t.id = json.at("id").get<std::int32_t>();
+  visit_depth(t, FieldReader{json});
   return t;
 }
 
@@ -177,29 +175,10 @@ void read_model(const Json& json, LinearContactModel& model) {
   }
 }
 
-void read_counts(const Json& json, LevelCounts& counts) {
-  if (!json.is_array() || json.size() > counts.size()) throw InputError("too many levels");
-  for (std::size_t i = 0; i < json.size(); ++i) counts[i] = json[i].get<std::int32_t>();
-}
-
 void read_frame(const Json& json, ContactSample& c) {
-  c.time = number(json, "time");
-  c.published = number(json, "published");
-  c.query_cpu = number(json, "query_cpu");
-  c.step_cpu = number(json, "step_cpu");
-  c.contacts = json.at("contacts").get<std::int64_t>();
-  c.dropped = json.at("dropped").get<std::int64_t>();
-  c.front = json.at("front").get<std::int64_t>();
-  c.tests = json.at("tests").get<std::int64_t>();
-  c.clusters = json.at("clusters").get<std::int32_t>();
-  c.depth_max = number(json, "depth_max");
+  visit_contact_frame(c, FieldReader{json});
   if (!json.contains("object_levels")) return;  // recordings of builds without levels of detail
-  c.mandatory_tests = json.at("mandatory_tests").get<std::int64_t>();
-  c.unrefined = json.at("unrefined").get<std::int64_t>();
-  c.level_changes = json.at("level_changes").get<std::int32_t>();
-  c.bound_max = number(json, "bound_max");
-  read_counts(json.at("object_levels"), c.object_levels);
-  read_counts(json.at("scene_levels"), c.scene_levels);
+  visit_contact_levels(c, FieldReader{json});
 }
 
 /// The sample a message of a later topic belongs to: the last one begun.
@@ -237,17 +216,13 @@ void read_message(const std::string& topic, std::string_view data, RecordingInfo
   std::optional<ContactSample>& contact = begun_samples.contact;
   const Json json = Json::parse(data);
   if (topic == "/device/state") {
-    read_device(json, frame.emplace());
+    visit_device_state(frame.emplace(), FieldReader{json});
   } else if (topic == "/device/command") {
-    HapticSample& sample = begun(frame);
-    read_wrench(json, "force", "torque", sample.command);
-    read_wrench(json, "feedback_force", "feedback_torque", sample.feedback);
+    visit_device_command(begun(frame), FieldReader{json});
   } else if (topic == "/body/state") {
-    read_state(json, begun(frame));
+    visit_body_state(begun(frame), FieldReader{json});
   } else if (topic == "/timing") {
-    HapticSample& sample = begun(frame);
-    sample.step_cpu = static_cast<float>(number(json, "step_cpu"));
-    sample.wake_late = static_cast<float>(number(json, "wake_late"));
+    visit_timing(begun(frame), FieldReader{json});
   } else if (topic == "/contact/model") {
     ContactSample& sample = contact.emplace();
     read_model(json, sample.model);
