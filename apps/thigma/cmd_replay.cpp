@@ -78,11 +78,7 @@ struct Rerun {
   std::vector<SimulatedFrame> simulated{};
 
   bool begin(const std::string& text) {
-    try {
-      config = read_config(text);
-    } catch (const InputError& error) {
-      throw InputError(path + ": " + error.what());
-    }
+    config = read_config(text, path);
     if (!config.is_simulated) session.emplace(config.params, config.world_from_body);
     return true;
   }

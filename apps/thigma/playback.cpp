@@ -12,14 +12,6 @@ namespace {
 constexpr double kHistory = 10.0;          // that the plots show [s]
 constexpr std::size_t kMostHistory = 200;  // frames of it; a page takes 250 at once
 
-RecordedConfig config_of(const std::string& path, const RecordingInfo& recording) {
-  try {
-    return read_config(recording.config);
-  } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what());
-  }
-}
-
 /// Opens what is there to read; where only PATH.part is, the error names it.
 FileSource open_recording(const std::string& path) {
   refuse_absent_recording(path);
@@ -38,7 +30,7 @@ Playback::Playback(const std::string& path) : file_(path), source_(open_recordin
                                  [this](const ContactSample& contact, const SamplePlace& place) {
                                    contacts_.push_back({contact.time, place});
                                  }});
-  config_ = config_of(path, recording_);
+  config_ = read_config(recording_.config, path);
   if (frames_.empty())
     throw InputError(path + ": no frame, in the recording, expected one at least");
 }
@@ -111,7 +103,7 @@ void use_recorded_scene(RunOptions& options) {
   if (!options.scene.empty() || !options.object.empty()) return;
   const RecordingInfo recording =
       stream_recording(options.replay, {[](const std::string&) { return false; }, {}, {}});
-  const std::string scene = config_of(options.replay, recording).scene;
+  const std::string scene = read_config(recording.config, options.replay).scene;
   try {
     read_scene(scene);
   } catch (const InputError&) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "support/small_jaws.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/clod_asset.h"
@@ -16,18 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-SceneDescription small_jaws() {
-  SceneDescription scene = read_scene("jaws");
-  scene.object.model->triangles = 4000;
-  scene.object.mesh = "procedural:jaw_upper?triangles=4000";
-  scene.statics[0].model->triangles = 4000;
-  scene.statics[0].mesh = "procedural:jaw_lower?triangles=4000";
-  scene.contact.resolution.is_exact = true;
-  return scene;
-}
-
 TEST(LoadScene, HasEverySurfaceAndNumberOfTheDescription) {
-  const Scene scene = load_scene(small_jaws());
+  const Scene scene = load_scene(test::small_jaws());
   ASSERT_EQ(scene.statics.size(), 1u);
   EXPECT_EQ(scene.config.contact.object, &scene.object->hierarchy);
   ASSERT_EQ(scene.config.contact.scene.size(), 1u);
@@ -38,7 +29,7 @@ TEST(LoadScene, HasEverySurfaceAndNumberOfTheDescription) {
 }
 
 TEST(LoadScene, StaysValidWhenMoved) {
-  Scene first = load_scene(small_jaws());
+  Scene first = load_scene(test::small_jaws());
   const ClodHierarchy* object = first.config.contact.object;
   const Scene second = std::move(first);
   EXPECT_EQ(second.config.contact.object, object);
@@ -59,7 +50,7 @@ TEST(LoadScene, TakesTwoMeshFiles) {
 }
 
 TEST(LoadScene, SaysWhatIsBuiltAndHowFar) {
-  SceneDescription description = small_jaws();
+  SceneDescription description = test::small_jaws();
   description.contact.resolution.is_exact = false;
   LoadOptions options;
   options.keeps_levels = false;
@@ -78,7 +69,7 @@ TEST(LoadScene, SaysWhatIsBuiltAndHowFar) {
 }
 
 TEST(LoadScene, GivesUpWhereItIsToldTo) {
-  SceneDescription description = small_jaws();
+  SceneDescription description = test::small_jaws();
   description.contact.resolution.is_exact = false;
   LoadOptions options;
   options.keeps_levels = false;

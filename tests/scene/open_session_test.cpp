@@ -1,3 +1,4 @@
+#include "support/small_jaws.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/clod_asset.h"
@@ -10,18 +11,8 @@
 namespace thigma {
 namespace {
 
-Scene plate_scene() {
-  SceneDescription description = read_scene("jaws");
-  description.object.model->triangles = 4000;
-  description.object.mesh = "procedural:jaw_upper?triangles=4000";
-  description.statics[0].model->triangles = 4000;
-  description.statics[0].mesh = "procedural:jaw_lower?triangles=4000";
-  description.contact.resolution.is_exact = true;
-  return load_scene(std::move(description));
-}
-
 TEST(OpenSession, PlacesAHandApartAndFeelsTheScene) {
-  const Scene scene = plate_scene();
+  const Scene scene = load_scene(test::small_jaws());
   SceneSession session = open_session(scene, {.device = "hand:", .duration = 2.0});
   EXPECT_TRUE(session.start.has_scene);
   const SessionSummary felt = run_lockstep(session);
@@ -30,7 +21,7 @@ TEST(OpenSession, PlacesAHandApartAndFeelsTheScene) {
 }
 
 TEST(OpenSession, GivesTheSameBitsTwice) {
-  const Scene scene = plate_scene();
+  const Scene scene = load_scene(test::small_jaws());
   std::uint64_t hashes[2];
   for (std::uint64_t& hash : hashes) {
     SceneSession session = open_session(scene, {.device = "hand:", .duration = 0.5});
@@ -40,7 +31,7 @@ TEST(OpenSession, GivesTheSameBitsTwice) {
 }
 
 TEST(OpenSession, LeavesTheSceneAsItIs) {
-  const Scene scene = plate_scene();
+  const Scene scene = load_scene(test::small_jaws());
   const Pose before = scene.config.world_from_body;
   const SceneSession session = open_session(scene, {.device = "hand:", .rate = 500.0});
   EXPECT_EQ(session.config.rate, 500.0);
@@ -49,13 +40,13 @@ TEST(OpenSession, LeavesTheSceneAsItIs) {
 }
 
 TEST(OpenSession, StartsOthersWhereTheSceneSays) {
-  const Scene scene = plate_scene();
+  const Scene scene = load_scene(test::small_jaws());
   const SceneSession session = open_session(scene, {.device = "null:"});
   EXPECT_EQ(session.config.world_from_body.position, scene.config.world_from_body.position);
 }
 
 TEST(OpenSession, RefusesThePagesDeviceWithoutAPage) {
-  const Scene scene = plate_scene();
+  const Scene scene = load_scene(test::small_jaws());
   EXPECT_THROW(open_session(scene, {.device = "web:"}), DeviceUnavailable);
 }
 

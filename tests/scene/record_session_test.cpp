@@ -2,9 +2,11 @@
 
 #include <filesystem>
 
+#include "support/small_jaws.h"
 #include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
+#include "thigma/recording/mcap_file.h"
 #include "thigma/recording/recording.h"
 #include "thigma/recording/replay_session.h"
 #include "thigma/scene/scene_file.h"
@@ -14,19 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Scene small_scene() {
-  SceneDescription scene = read_scene("jaws");
-  scene.object.mesh = "procedural:jaw_upper?triangles=4000";
-  scene.object.model->triangles = 4000;
-  scene.statics[0].mesh = "procedural:jaw_lower?triangles=4000";
-  scene.statics[0].model->triangles = 4000;
-  scene.contact.resolution.is_exact = true;
-  return load_scene(std::move(scene));
-}
-
 TEST(RecordSession, ReplaysBitForBit) {
   const std::string path = (fs::temp_directory_path() / "thigma_record_session.mcap").string();
-  const Scene scene = small_scene();
+  const Scene scene = load_scene(test::small_jaws());
   SceneSession session = open_session(scene, {.device = "hand:", .duration = 1.0, .seed = 7});
   const SessionSummary felt = record_lockstep(session, path);
   const Recording recording = read_recording(path);
@@ -39,9 +31,31 @@ TEST(RecordSession, ReplaysBitForBit) {
 }
 
 TEST(RecordSession, SaysWhereItCannotWrite) {
-  const Scene scene = small_scene();
+  const Scene scene = load_scene(test::small_jaws());
   SceneSession session = open_session(scene, {.device = "hand:", .duration = 0.1});
   EXPECT_THROW(record_lockstep(session, "/no/such/folder/session.mcap"), IoError);
+}
+
+TEST(RecordSession, RefusesToReplayFramesWithoutTheirConfiguration) {
+  const std::string path = (fs::temp_directory_path() / "thigma_record_whole.mcap").string();
+  const std::string without = (fs::temp_directory_path() / "thigma_record_part.mcap").string();
+  const Scene scene = load_scene(test::small_jaws());
+  SceneSession session = open_session(scene, {.device = "hand:", .duration = 0.05});
+  record_lockstep(session, path);
+  const McapFile whole = read_mcap(path);
+  McapWriter part(without);
+  std::vector<std::uint16_t> channels;
+  for (const std::string& topic : whole.topics)
+    channels.push_back(part.add_channel(topic, "thigma.Any", ""));
+  for (const McapMessage& message : whole.messages) {
+    const auto topic = static_cast<std::size_t>(message.channel);
+    if (whole.topics[topic] != "/config")
+      part.write(channels[topic], message.sequence, message.time, message.data);
+  }
+  part.close();
+  EXPECT_THROW(replay_recording(without), InputError);
+  fs::remove(path);
+  fs::remove(without);
 }
 
 TEST(RecordSession, RefusesToReplayWhatIsNoRecording) {

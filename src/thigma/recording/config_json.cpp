@@ -308,4 +308,12 @@ RecordedConfig read_config(const std::string& text) {
   return config;
 }
 
+RecordedConfig read_config(const std::string& text, const std::string& path) {
+  try {
+    return read_config(text);
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
+}
+
 }  // namespace thigma

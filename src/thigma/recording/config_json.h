@@ -29,4 +29,7 @@ std::string write_config(const RecordedConfig& config);
 /// The inverse. Thread [offline]; throws InputError "what is wrong" (the caller adds the file).
 RecordedConfig read_config(const std::string& json);
 
+/// The same of the recording of that name, which messages begin with.
+RecordedConfig read_config(const std::string& json, const std::string& path);
+
 }  // namespace thigma

@@ -161,22 +161,21 @@ ReplayReport replay_recording(const std::string& path) {
   std::optional<SessionReplay> replay;
   RecordingSinks sinks;
   sinks.config = [&](const std::string& text) {
-    RecordedConfig config;
-    try {
-      config = read_config(text);
-    } catch (const InputError& error) {
-      throw InputError(path + ": " + error.what());
-    }
+    const RecordedConfig config = read_config(text, path);
     if (config.is_simulated)
       throw InputError(path + ": of a simulated body, expected a session of a device");
     replay.emplace(config.params, config.world_from_body);
     return true;
   };
-  sinks.frame = [&](const HapticSample& sample, const SamplePlace&) { replay->add(sample); };
-  sinks.contact = [&](const ContactSample& sample, const SamplePlace&) { replay->add(sample); };
+  const auto begun = [&]() -> SessionReplay& {
+    if (!replay)
+      throw InputError(path + ": no /config message before the first frame, expected one");
+    return *replay;
+  };
+  sinks.frame = [&](const HapticSample& sample, const SamplePlace&) { begun().add(sample); };
+  sinks.contact = [&](const ContactSample& sample, const SamplePlace&) { begun().add(sample); };
   stream_recording(path, sinks);
-  if (!replay) throw InputError(path + ": no configuration, expected a recorded session");
-  return replay->finish();
+  return begun().finish();
 }
 
 }  // namespace thigma
