@@ -17,11 +17,6 @@ namespace {
 // larger [m].
 constexpr double kLargestRadius = 1.0;
 
-bool has_relief(const SceneDescription& scene) {
-  const auto is_so = [](const SceneObject& o) { return o.has_relief(); };
-  return is_so(scene.object) || std::any_of(scene.statics.begin(), scene.statics.end(), is_so);
-}
-
 /// What of the options the scene itself can say.
 void apply_options(const RunOptions& options, SceneDescription& scene) {
   // What decides gains = "auto" has to be known before there is a configuration.
@@ -51,7 +46,9 @@ class BuildProgress {
     }
     bar_->update(share, triangles);
     if (hooks_.progress) hooks_.progress(what, share);
-    if (share >= 1.0) bar_.reset(), what_.clear();
+    if (share < 1.0) return;
+    bar_.reset();
+    what_.clear();
   }
 
  private:

@@ -91,10 +91,7 @@ std::vector<live::LiveParameter> choices_of(const Run& run) {
       choice("response", "response",
              "coupled: through a simulated body; direct: contact forces as they are",
              {"coupled", "direct"}, is_direct ? 1 : 0)};
-  const auto has_relief = [](const SceneObject& o) { return o.has_relief(); };
-  if (has_relief(run.scene.description.object) ||
-      std::any_of(run.scene.description.statics.begin(), run.scene.description.statics.end(),
-                  has_relief)) {
+  if (has_relief(run.scene.description)) {
     choices.push_back(choice("texture", "texture", "on: relief is felt; off: coarse surfaces alone",
                              {"on", "off"},
                              run.session.config.contact.textures.is_empty() ? 1 : 0));

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "support/audit.h"
-#include "support/query_path.h"
+#include "support/ring_on_ball.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_clod.h"
@@ -17,9 +17,7 @@
 namespace thigma {
 namespace {
 
-struct Pair {
-  ClodHierarchy object = build_clod(make_torus(1.0, 0.4, 48, 20));
-  ClodHierarchy scene = build_clod(make_ball(1.3, 14));
+struct Pair : test::RingOnBall {
   double d = 0.05;
 };
 
@@ -29,14 +27,6 @@ const Pair& the_pair() {
 }
 
 double smaller_radius() { return std::min(the_pair().object.radius, the_pair().scene.radius); }
-
-// The ring comes down round the ball, meets it at 0.9, and turns a little.
-Pose pose_at(double s) {
-  Pose pose;
-  pose.position = Vec3(0.02 * sine(5.0 * s), 0.0, 1.45 - 0.12 * s);
-  pose.orientation = test::turn(Vec3::UnitX(), 4.0 * sine(3.0 * s));
-  return pose;
-}
 
 ContactSet ask(const Pose& pose, double threshold) {
   ContactQuery query{.tolerance = the_pair().d};
@@ -78,7 +68,7 @@ TEST(LeastSeparation, HoldsTheExactOneWithinTheWidthAskedFor) {
       for (int i = 0; i <= 40; ++i) {
         SCOPED_TRACE("s0 " + std::to_string(threshold) + " width " + std::to_string(width) +
                      " pose " + std::to_string(i));
-        const Pose pose = pose_at(i / 40.0);
+        const Pose pose = test::ring_at(i / 40.0);
         const ContactSet exact = ask(pose, 0.0), levels = ask(pose, threshold);
         if (levels.contacts.empty()) continue;
         const double truth = least_distance(exact), rounding = 1e-9 * smaller_radius();
@@ -103,7 +93,7 @@ TEST(LeastSeparation, HoldsTheExactOneWithinTheWidthAskedFor) {
 
 TEST(LeastSeparation, IsTheExactContactsOwnWhereThereAreNoLevels) {
   SeparationScratch scratch;
-  const Pose pose = pose_at(0.7);
+  const Pose pose = test::ring_at(0.7);
   const ContactSet exact = ask(pose, 0.0);
   const SeparationInterval found = narrow(pose, exact, scratch);
   EXPECT_EQ(found.low, least_distance(exact));
@@ -113,8 +103,9 @@ TEST(LeastSeparation, IsTheExactContactsOwnWhereThereAreNoLevels) {
 
 TEST(LeastSeparation, IsAFunctionOfPoseAndContacts) {
   SeparationScratch used, fresh;
-  for (int i = 0; i <= 20; ++i) narrow(pose_at(i / 20.0), ask(pose_at(i / 20.0), 0.2), used);
-  const Pose pose = pose_at(0.8);
+  for (int i = 0; i <= 20; ++i)
+    narrow(test::ring_at(i / 20.0), ask(test::ring_at(i / 20.0), 0.2), used);
+  const Pose pose = test::ring_at(0.8);
   const ContactSet set = ask(pose, 0.2);
   const SeparationInterval first = narrow(pose, set, used), second = narrow(pose, set, fresh);
   EXPECT_GT(first.expansions, 0);
@@ -123,7 +114,7 @@ TEST(LeastSeparation, IsAFunctionOfPoseAndContacts) {
 
 TEST(LeastSeparation, EndsWithTheBudgetAndStaysHonest) {
   SeparationScratch scratch;
-  const Pose pose = pose_at(0.8);
+  const Pose pose = test::ring_at(0.8);
   const ContactSet set = ask(pose, 0.2);
   const double truth = least_distance(ask(pose, 0.0));
   const std::int64_t all = narrow(pose, set, scratch, 0.0).expansions;
@@ -143,7 +134,7 @@ TEST(LeastSeparation, EndsWithTheBudgetAndStaysHonest) {
 TEST(LeastSeparation, SaysSoWhereThereIsNoRoom) {
   SeparationScratch scratch;
   reserve_separation(scratch, the_pair().object, the_pair().scene, 2);
-  const Pose pose = pose_at(0.8);
+  const Pose pose = test::ring_at(0.8);
   const double truth = least_distance(ask(pose, 0.0));
   const SeparationInterval found = narrow(pose, ask(pose, 0.2), scratch, 0.0);
   EXPECT_FALSE(found.is_narrow);
@@ -153,7 +144,7 @@ TEST(LeastSeparation, SaysSoWhereThereIsNoRoom) {
 
 TEST(LeastSeparation, SearchesFromTheRootsWhereContactsWereDropped) {
   SeparationScratch scratch;
-  const Pose pose = pose_at(0.8);
+  const Pose pose = test::ring_at(0.8);
   ContactSet set = ask(pose, 0.025);
   std::sort(set.contacts.begin(), set.contacts.end(),
             [](const Contact& x, const Contact& y) { return x.depth < y.depth; });
@@ -169,7 +160,7 @@ TEST(LeastSeparation, SearchesFromTheRootsWhereContactsWereDropped) {
 
 TEST(LeastSeparation, SaysNothingOfAPoseThatIsNotFinite) {
   SeparationScratch scratch;
-  Pose pose = pose_at(0.8);
+  Pose pose = test::ring_at(0.8);
   const ContactSet set = ask(pose, 0.2);
   pose.position.x() = std::numeric_limits<double>::quiet_NaN();
   const SeparationInterval found = narrow(pose, set, scratch);
@@ -179,7 +170,7 @@ TEST(LeastSeparation, SaysNothingOfAPoseThatIsNotFinite) {
 
 TEST(LeastSeparation, OfOtherBodiesTakesNoContact) {
   SeparationScratch scratch;
-  const Pose pose = pose_at(0.8);
+  const Pose pose = test::ring_at(0.8);
   const SeparationQuery query{.tolerance = the_pair().d, .body = 1};
   const SeparationInterval found = least_separation(the_pair().object, pose, the_pair().scene,
                                                     Pose{}, ask(pose, 0.2), query, scratch);
@@ -191,7 +182,7 @@ TEST(LeastSeparation, AllocatesNothingOnceWarm) {
   if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
   SeparationScratch scratch;
   reserve_separation(scratch, the_pair().object, the_pair().scene);
-  const Pose pose = pose_at(0.8);
+  const Pose pose = test::ring_at(0.8);
   const ContactSet set = ask(pose, 0.2);
   const test::AuditScope watched;
   const SeparationInterval found = narrow(pose, set, scratch, 0.0);

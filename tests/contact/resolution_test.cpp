@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "support/audit.h"
-#include "support/query_path.h"
+#include "support/ring_on_ball.h"
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_clod.h"
@@ -16,23 +16,13 @@
 namespace thigma {
 namespace {
 
-struct Pair {
-  ClodHierarchy object = build_clod(make_torus(1.0, 0.4, 48, 20));
-  ClodHierarchy scene = build_clod(make_ball(1.3, 14));
+struct Pair : test::RingOnBall {
   double d = 0.03;
 };
 
 const Pair& the_pair() {
   static const Pair pair;
   return pair;
-}
-
-// The ring comes down round the ball until it sits on it, and turns a little.
-Pose pose_at(double s) {
-  Pose pose;
-  pose.position = Vec3(0.02 * sine(5.0 * s), 0.0, 1.45 - 0.12 * s);
-  pose.orientation = test::turn(Vec3::UnitX(), 4.0 * sine(3.0 * s));
-  return pose;
 }
 
 ContactQuery query_at(double threshold, double cap = kNoCap) {
@@ -63,7 +53,7 @@ TEST(Resolution, NoContactIsCoarserThanTheCoarsestLevelAllowed) {
     query.resolution.coarsest_level = limit;
     std::int32_t coarsest = 0;
     for (int i = 0; i <= 20; ++i) {
-      ask(query, pose_at(i / 20.0), front, set);
+      ask(query, test::ring_at(i / 20.0), front, set);
       for (const Contact& c : set.contacts)
         coarsest = std::max({coarsest, c.object_level, c.scene_level});
     }
@@ -80,7 +70,7 @@ TEST(Resolution, TellsWhatDecidedTheLevelOfEachContact) {
     ContactSet set = room();
     std::array<int, kLevelDecisions> count{};
     for (int i = 0; i <= 40; ++i) {
-      ask(query, pose_at(i / 40.0), front, set);
+      ask(query, test::ring_at(i / 40.0), front, set);
       for (const Contact& c : set.contacts) {
         ++count[static_cast<std::size_t>(c.decided_by)];
         EXPECT_EQ(c.decided_by == LevelDecision::finest, c.object_level == 0 && c.scene_level == 0);
@@ -116,8 +106,8 @@ TEST(Resolution, ThresholdZeroIsExactContactForContact) {
   ContactSet set = room(), exact = room();
   std::size_t contacts = 0;
   for (int i = 0; i <= 40; ++i) {
-    ask(query_at(0.0), pose_at(i / 40.0), front, set);
-    ask({.tolerance = the_pair().d}, pose_at(i / 40.0), exact_front, exact);
+    ask(query_at(0.0), test::ring_at(i / 40.0), front, set);
+    ask({.tolerance = the_pair().d}, test::ring_at(i / 40.0), exact_front, exact);
     ASSERT_EQ(test::first_difference(set, exact), -1) << "pose " << i;
     contacts += set.contacts.size();
   }
@@ -132,7 +122,7 @@ TEST(Resolution, CoarserThresholdsMakeSmallerFronts) {
   for (int k = 0; k < 3; ++k) {
     ContactFront front;
     for (int i = 0; i <= 20; ++i) {
-      ask(query_at(thresholds[k]), pose_at(i / 20.0), front, set);
+      ask(query_at(thresholds[k]), test::ring_at(i / 20.0), front, set);
       fronts[k] += set.stats.front;
       for (const Contact& c : set.contacts)
         coarse += c.object_level > 0 || c.scene_level > 0 ? 1u : 0u;
@@ -149,11 +139,11 @@ TEST(Resolution, FasterMotionIsCoarserAndStandstillExact) {
   query.resolution.metric.velocity = 0.1;
   ContactFront front, exact_front;
   ContactSet set = room(), exact = room();
-  ask(query, pose_at(0.8), front, set);
-  ask(query, pose_at(0.8), front, set);
-  ask({.tolerance = the_pair().d}, pose_at(0.8), exact_front, exact);
+  ask(query, test::ring_at(0.8), front, set);
+  ask(query, test::ring_at(0.8), front, set);
+  ask({.tolerance = the_pair().d}, test::ring_at(0.8), exact_front, exact);
   EXPECT_EQ(test::first_difference(set, exact), -1);
-  ask(query, pose_at(0.81), front, set);
+  ask(query, test::ring_at(0.81), front, set);
   std::size_t coarse = 0;
   for (const Contact& c : set.contacts) coarse += c.object_level > 0 ? 1u : 0u;
   EXPECT_GT(coarse, 0u);
@@ -169,12 +159,12 @@ TEST(Resolution, BudgetOfTestsIsNeverPassedAndIsReproducible) {
     ContactQuery query = query_at(0.001);
     query.resolution.budget_tests = budgets[k];
     for (int i = 0; i <= 30; ++i) {
-      ask(query, pose_at(i / 30.0), front, set);
+      ask(query, test::ring_at(i / 30.0), front, set);
       EXPECT_LE(set.stats.tests, std::max(budgets[k], set.stats.mandatory_tests));
       if (k == 2) {
         EXPECT_EQ(set.stats.unrefined, 0);
       }
-      ask(query, pose_at(i / 30.0), second, again);
+      ask(query, test::ring_at(i / 30.0), second, again);
       EXPECT_EQ(test::first_difference(set, again), -1);
       for (const Contact& c : set.contacts)
         errors[k] += c.bound / static_cast<double>(set.contacts.size());
@@ -190,9 +180,9 @@ TEST(Resolution, BudgetThatIsAmpleAnswersAsWithout) {
   ContactQuery query = query_at(0.01);
   for (int i = 0; i <= 20; ++i) {
     query.resolution.budget_tests = 0;
-    ask(query, pose_at(i / 20.0), front, free);
+    ask(query, test::ring_at(i / 20.0), front, free);
     query.resolution.budget_tests = 1'000'000;
-    ask(query, pose_at(i / 20.0), other, set);
+    ask(query, test::ring_at(i / 20.0), other, set);
     EXPECT_EQ(test::first_difference(set, free), -1) << "pose " << i;
   }
 }
@@ -202,8 +192,8 @@ TEST(Resolution, FullFrontAnswersTheSame) {
   reserve_front(tiny, the_pair().object, the_pair().scene, 16);
   ContactSet set = room(), other = room();
   for (int i = 0; i <= 20; ++i) {
-    ask(query_at(0.01), pose_at(i / 20.0), front, set);
-    ask(query_at(0.01), pose_at(i / 20.0), tiny, other);
+    ask(query_at(0.01), test::ring_at(i / 20.0), front, set);
+    ask(query_at(0.01), test::ring_at(i / 20.0), tiny, other);
     EXPECT_EQ(test::first_difference(set, other), -1) << "pose " << i;
   }
 }
@@ -213,11 +203,11 @@ TEST(Resolution, NothingIsAllocatedAfterTheFirstQuery) {
   ContactFront front;
   ContactSet set = room();
   ContactQuery query = query_at(0.01);
-  ask(query, pose_at(0.0), front, set);
+  ask(query, test::ring_at(0.0), front, set);
   const test::AuditScope watched;
   for (int i = 0; i <= 100; ++i) {
     query.resolution.budget_tests = i % 3 == 0 ? 60 : 0;
-    ask(query, pose_at(i / 100.0), front, set);
+    ask(query, test::ring_at(i / 100.0), front, set);
   }
   EXPECT_EQ(watched.counts().allocations, 0);
   EXPECT_EQ(watched.counts().frees, 0);
@@ -233,7 +223,7 @@ double unsteadiness(double threshold, bool interpolates) {
   Vec3 last = Vec3::Zero(), last_step = Vec3::Zero();
   double sum_of_squares = 0.0;
   for (int i = 0; i <= 600; ++i) {
-    ask(query, pose_at(0.4 + 0.6 * i / 600.0), front, set);
+    ask(query, test::ring_at(0.4 + 0.6 * i / 600.0), front, set);
     Vec3 sum = Vec3::Zero();
     for (const Contact& c : set.contacts) {
       sum += c.weight * std::max(c.depth + the_pair().d, 0.0) * c.normal;

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cmath>
 
+#include "thigma/dynamics/contact_model_fields.h"
+
 namespace thigma {
 
 void add_bits(StateHash& hash, std::uint64_t bits) THIGMA_RT {
@@ -54,27 +56,16 @@ void add_data(StateHash& hash, const Quat& q) THIGMA_RT {
   for (int i = 0; i < 4; ++i) add_datum(hash, q.coeffs()[i]);
 }
 
-void add_data(StateHash& hash, const PlaneTerm& t) THIGMA_RT {
-  add_data(hash, t.arm_body);
-  add_data(hash, t.normal);
-  add_data(hash, t.scene_point);
-  add_data(hash, t.scene_velocity);
-  add_data(hash, t.tangential_anchor);
-  add_datum(hash, t.stiffness);
-  add_datum(hash, t.damping);
-  add_datum(hash, t.tolerance);
-  add_bits(hash, static_cast<std::uint64_t>(t.id));
-}
+/// Adds the fields of a list (contact_model_fields.h).
+struct FieldHash {
+  StateHash& hash;
 
-void add_data(StateHash& hash, const DepthTerm& t) THIGMA_RT {
-  add_datum(hash, t.depth);
-  add_data(hash, t.linear);
-  add_data(hash, t.angular);
-  add_datum(hash, t.stiffness);
-  add_datum(hash, t.damping);
-  add_datum(hash, t.tolerance);
-  add_bits(hash, static_cast<std::uint64_t>(t.id));
-}
+  void operator()(const char*, double number) const THIGMA_RT { add_datum(hash, number); }
+  void operator()(const char*, std::int32_t id) const THIGMA_RT {
+    add_bits(hash, static_cast<std::uint64_t>(id));
+  }
+  void vector(const char*, const Vec3& v) const THIGMA_RT { add_data(hash, v); }
+};
 
 void add_data(StateHash& hash, const TaylorTerm& t) THIGMA_RT {
   add_data(hash, t.wrench.force);
@@ -116,8 +107,8 @@ std::uint64_t model_digest(const LinearContactModel& model) THIGMA_RT {
   add_data(hash, model.state.angular_momentum);
   add_datum(hash, model.time);
   add_bits(hash, model.sequence);
-  for (const PlaneTerm& term : model.planes) add_data(hash, term);
-  for (const DepthTerm& term : model.depths) add_data(hash, term);
+  for (const PlaneTerm& term : model.planes) visit_plane(term, FieldHash{hash});
+  for (const DepthTerm& term : model.depths) visit_depth(term, FieldHash{hash});
   for (const DepthBend& bend : model.bends)
     for (int i = 0; i < bend.size(); ++i) add_datum(hash, bend.data()[i]);
   for (const TaylorTerm& term : model.taylors) add_data(hash, term);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "thigma/core/error.h"
+#include "thigma/dynamics/contact_model_fields.h"
 #include "thigma/recording/detail/json_text.h"
 #include "thigma/recording/detail/sample_fields.h"
 #include "thigma/recording/mcap_file.h"
@@ -129,13 +130,13 @@ void put_timing(std::string& out, const HapticSample& s) {
 
 void put_plane(std::string& out, const PlaneTerm& p) {
   JsonObject json(out);
-  detail::visit_plane(p, FieldWriter{out, json});
+  visit_plane(p, FieldWriter{out, json});
   json.close();
 }
 
 void put_depth(std::string& out, const DepthTerm& t) {
   JsonObject json(out);
-  detail::visit_depth(t, FieldWriter{out, json});
+  visit_depth(t, FieldWriter{out, json});
   json.close();
 }
 

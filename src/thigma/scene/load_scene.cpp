@@ -15,11 +15,11 @@ namespace thigma {
 namespace {
 
 /// The hierarchy of a mesh at full resolution, as an asset.
-ClodAsset build_exact(const ClodSource& source, const Log& log) {
+ClodAsset exact_asset(TriangleMesh mesh) {
   ClodAsset asset;
-  asset.meshes.push_back(load_surface(source, log));
-  asset.hierarchy = build_exact_hierarchy(asset.meshes[0]);
-  asset.mass.measure = mass_properties(asset.meshes[0]);
+  asset.hierarchy = build_exact_hierarchy(mesh);
+  asset.mass.measure = mass_properties(mesh);
+  asset.meshes.push_back(std::move(mesh));
   return asset;
 }
 
@@ -34,7 +34,7 @@ ClodAsset load_asset(const SceneObject& object, const char* role, bool is_exact,
   const bool is_kept = !object.model && is_clod_file(object.mesh);
   ClodAsset asset;
   if (is_exact && !is_kept) {
-    asset = build_exact(source, options.log);
+    asset = exact_asset(load_surface(source, options.log));
   } else {
     if (options.progress) {
       const std::string what = "building levels of " + object.name;
@@ -75,7 +75,7 @@ Scene load_scene(SceneDescription description, const LoadOptions& options) {
   const auto load = [&](const SceneObject& object, const char* role, BodyTextures& textures) {
     if (object.is_textured) {
       textures = detail::load_relief(object, options.log);
-      return std::make_shared<const ClodAsset>(detail::coarse_asset(*textures[0]));
+      return std::make_shared<const ClodAsset>(exact_asset(textures[0]->coarse));
     }
     auto asset = std::make_shared<const ClodAsset>(
         load_asset(object, role, resolution.is_exact && object.level_textures.empty(), options));

@@ -64,8 +64,7 @@ struct SessionOptions {
   std::uint64_t seed = 1;
   // haptic frames a second, instead of the scene's and of a replayed recording's [Hz]
   std::optional<double> rate{};
-  std::optional<Pose> world_from_body{};  // of the centre of mass at the start; else the scene's
-  bool is_passive = false;                // with the passivity controller, as if the scene said so
+  std::optional<Pose> world_from_body{};    // of the centre of mass at the start; else the scene's
   WebDeviceChannel* web_channel = nullptr;  // of the page, for web:; outlives the session
   Log log{};                                // lines for people; may be empty
 };
@@ -91,7 +90,7 @@ SceneSession open_session(const Scene& scene, const SessionOptions& options = {}
 
 /// Refuses the page's device where there is no page, before anything takes long to load.
 /// errors  DeviceUnavailable
-void refuse_web_without_page(const std::string& device_uri, const WebDeviceChannel* link);
+void refuse_web_without_page(const std::string& device_uri, const WebDeviceChannel* channel);
 
 /// Runs it on a virtual clock, as run_lockstep of session.h; a simulation as run_simulated.
 /// Thread   [offline]

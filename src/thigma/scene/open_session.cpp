@@ -86,7 +86,6 @@ void refuse_device_clock(const HapticDevice& device) {
 
 /// The page's mouse, slower than what safety takes for a fault.
 std::unique_ptr<HapticDevice> open_web(const Opening& o) {
-  refuse_web_without_page(o.session.device_uri, o.options.web_channel);
   WebMotionParams params;
   const SafetyLimits& safety = o.session.config.haptic.safety;
   params.max_speed = std::min(params.max_speed, 0.8 * safety.max_speed);
@@ -100,23 +99,18 @@ std::unique_ptr<HapticDevice> open_web(const Opening& o) {
 void open_at(Opening& o) {
   SceneSession& session = o.session;
   const std::string scheme = device_scheme(session.device_uri);
+  if (scheme == "hand" && o.is_direct())
+    use_direct_response(open_device(session.device_uri, {})->limits(), session.config);
+  if (scheme == "hand" || scheme == "web") place(o);
   if (scheme == "web") {
-    place(o);
     session.device = open_web(o);
-    if (o.is_direct()) use_direct_response(session.device->limits(), session.config);
-    return;
+  } else if (scheme == "replay") {
+    session.device = open_recorded(session.device_uri.substr(scheme.size() + 1), o);
+  } else {
+    const double radius = o.scene.object->hierarchy.radius;
+    session.device = open_device(
+        session.device_uri, device_context(session.config, session.start, radius, o.options.seed));
   }
-  if (scheme == "hand") {
-    if (o.is_direct())
-      use_direct_response(open_device(session.device_uri, {})->limits(), session.config);
-    place(o);
-  }
-  session.device =
-      scheme == "replay"
-          ? open_recorded(session.device_uri.substr(scheme.size() + 1), o)
-          : open_device(session.device_uri,
-                        device_context(session.config, session.start,
-                                       o.scene.object->hierarchy.radius, o.options.seed));
   if (o.is_direct()) use_direct_response(session.device->limits(), session.config);
 }
 
@@ -145,8 +139,8 @@ void start_simulation(const SimulatedBody& body, Opening& o) {
 
 }  // namespace
 
-void refuse_web_without_page(const std::string& uri, const WebDeviceChannel* link) {
-  if (device_scheme(uri) == "web" && link == nullptr)
+void refuse_web_without_page(const std::string& device_uri, const WebDeviceChannel* channel) {
+  if (device_scheme(device_uri) == "web" && channel == nullptr)
     throw DeviceUnavailable("web: needs the page, which --headless and --lockstep leave out");
 }
 
@@ -167,8 +161,7 @@ SceneSession open_session(const Scene& scene, const SessionOptions& options) {
   // Faults that are asked for are to be seen as a device would have them.
   haptic.safety.rides_out_gaps = !scene.description.is_strict && session.config.faults.empty();
   use_device_limits(session.device->limits(), haptic);
-  if (options.is_passive || scene.description.is_passive)
-    enable_passivity(session.device->limits(), session.config);
+  if (scene.description.is_passive) enable_passivity(session.device->limits(), session.config);
   if (scene.description.simulation) start_simulation(*scene.description.simulation, o);
   return std::move(o.session);
 }

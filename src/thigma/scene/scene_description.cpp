@@ -101,6 +101,11 @@ SceneObject object_from(const std::string& mesh, double scale, const char* optio
 
 }  // namespace
 
+bool has_relief(const SceneDescription& scene) {
+  const auto is_so = [](const SceneObject& o) { return o.has_relief(); };
+  return is_so(scene.object) || std::any_of(scene.statics.begin(), scene.statics.end(), is_so);
+}
+
 HapticTexture load_texture(const SceneObject& object) {
   if (!object.textured_model) return read_texture(object.mesh, object.unit_scale).texture;
   return models::make_textured_model(*object.textured_model);

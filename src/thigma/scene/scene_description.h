@@ -95,6 +95,9 @@ struct SceneDescription {
   int contact_every = 1, contact_latency = 1;  // lockstep, see SessionConfig
 };
 
+/// Whether anything of the scene has a texture.
+bool has_relief(const SceneDescription& scene);
+
 inline constexpr double kDefaultMass = 0.010;  // of a grasped object [kg] (Sec. 5.5)
 
 /// What a session has to know of the grasped object's surface.

@@ -7,6 +7,7 @@
 
 #include "thigma/core/byte_source.h"
 #include "thigma/core/error.h"
+#include "thigma/dynamics/contact_model_fields.h"
 #include "thigma/recording/detail/json_read.h"
 #include "thigma/recording/detail/sample_fields.h"
 

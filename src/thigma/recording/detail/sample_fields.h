@@ -56,32 +56,6 @@ void visit_timing(Sample& s, Visit&& visit) {
   visit("wake_late", s.wake_late);
 }
 
-/// A plane of /contact/model.
-template <class Term, class Visit>
-void visit_plane(Term& p, Visit&& visit) {
-  visit.vector("arm_body", p.arm_body);
-  visit.vector("normal", p.normal);
-  visit.vector("scene_point", p.scene_point);
-  visit.vector("scene_velocity", p.scene_velocity);
-  visit.vector("tangential_anchor", p.tangential_anchor);
-  visit("stiffness", p.stiffness);
-  visit("damping", p.damping);
-  visit("tolerance", p.tolerance);
-  visit("id", p.id);
-}
-
-/// A depth of /contact/model.
-template <class Term, class Visit>
-void visit_depth(Term& t, Visit&& visit) {
-  visit("depth", t.depth);
-  visit.vector("linear", t.linear);
-  visit.vector("angular", t.angular);
-  visit("stiffness", t.stiffness);
-  visit("damping", t.damping);
-  visit("tolerance", t.tolerance);
-  visit("id", t.id);
-}
-
 /// /contact/frame, after the sequence.
 template <class Sample, class Visit>
 void visit_contact_frame(Sample& c, Visit&& visit) {

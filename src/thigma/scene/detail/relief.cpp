@@ -5,7 +5,6 @@
 #include <mutex>
 #include <utility>
 
-#include "thigma/clod/build_hierarchy.h"
 #include "thigma/response/texture_contacts.h"
 #include "thigma/texture/level_textures.h"
 
@@ -63,14 +62,6 @@ TexturedBody textured_body(BodyTextures& textures, const ClodAsset& asset,
 }
 
 }  // namespace
-
-ClodAsset coarse_asset(const HapticTexture& texture) {
-  ClodAsset asset;
-  asset.meshes.push_back(texture.coarse);
-  asset.hierarchy = build_exact_hierarchy(texture.coarse);
-  asset.mass.measure = mass_properties(texture.coarse);
-  return asset;
-}
 
 BodyTextures load_relief(const SceneObject& object, const Log& log) {
   BodyTextures textures;

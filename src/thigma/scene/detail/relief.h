@@ -7,10 +7,6 @@
 
 namespace thigma::detail {
 
-/// The coarse surface of a texture at full resolution, as an asset.
-/// Thread [offline].
-ClodAsset coarse_asset(const HapticTexture& texture);
-
 /// The texture of an object that has one instead of a mesh; logged.
 /// Thread [offline]; InputError as load_texture.
 BodyTextures load_relief(const SceneObject& object, const Log& log);

@@ -1,0 +1,37 @@
+#pragma once
+// The fields of the terms of a contact model: recordings and digests follow these lists.
+
+#include "thigma/dynamics/linear_contact_model.h"
+
+namespace thigma {
+
+/// How hard a term pushes, and which one it is.
+template <class Term, class Visit>
+void visit_push(Term& term, Visit&& visit) {
+  visit("stiffness", term.stiffness);
+  visit("damping", term.damping);
+  visit("tolerance", term.tolerance);
+  visit("id", term.id);
+}
+
+/// Calls visit(key, number) and visit.vector(key, vector) for every field of a PlaneTerm.
+template <class Term, class Visit>
+void visit_plane(Term& p, Visit&& visit) {
+  visit.vector("arm_body", p.arm_body);
+  visit.vector("normal", p.normal);
+  visit.vector("scene_point", p.scene_point);
+  visit.vector("scene_velocity", p.scene_velocity);
+  visit.vector("tangential_anchor", p.tangential_anchor);
+  visit_push(p, visit);
+}
+
+/// The same of a DepthTerm.
+template <class Term, class Visit>
+void visit_depth(Term& t, Visit&& visit) {
+  visit("depth", t.depth);
+  visit.vector("linear", t.linear);
+  visit.vector("angular", t.angular);
+  visit_push(t, visit);
+}
+
+}  // namespace thigma
