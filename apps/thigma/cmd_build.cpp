@@ -17,10 +17,10 @@
 #include <unistd.h>
 
 #include "thigma/clod/clod_file.h"
-#include "thigma/core/checksum.h"
 #include "thigma/core/cpu_clock.h"
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
+#include "thigma/files/checksum.h"
+#include "thigma/files/file.h"
 #include "thigma/models/make_model.h"
 #include "thigma/scene/asset_cache.h"
 

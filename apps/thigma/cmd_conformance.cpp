@@ -7,7 +7,7 @@
 #include "reference/conformance/conformance.h"
 #include "verbs.h"
 
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 
 namespace thigma::app {
 namespace {

@@ -7,8 +7,8 @@
 #include "mesh_report.h"
 #include "verbs.h"
 
-#include "thigma/mesh/inspect.h"
-#include "thigma/mesh/read_mesh.h"
+#include "thigma/import/inspect.h"
+#include "thigma/import/read_mesh.h"
 #include "thigma/models/make_model.h"
 
 namespace thigma::app {

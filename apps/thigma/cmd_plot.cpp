@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 #include "thigma/recording/recording.h"
 
 namespace thigma::app {

@@ -8,11 +8,11 @@
 #include "verbs.h"
 
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
-#include "thigma/mesh/inspect.h"
-#include "thigma/mesh/read_mesh.h"
-#include "thigma/mesh/repair.h"
-#include "thigma/mesh/write_mesh.h"
+#include "thigma/files/file.h"
+#include "thigma/import/inspect.h"
+#include "thigma/import/read_mesh.h"
+#include "thigma/import/repair.h"
+#include "thigma/import/write_mesh.h"
 #include "thigma/models/make_model.h"
 
 namespace thigma::app {

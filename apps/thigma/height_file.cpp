@@ -9,7 +9,7 @@
 #include <png.h>
 
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 #include "thigma/texture/haptic_texture.h"
 
 namespace thigma::app {

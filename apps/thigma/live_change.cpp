@@ -10,8 +10,8 @@
 
 #include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
 #include "thigma/device/open_device.h"
+#include "thigma/files/file.h"
 #include "thigma/recording/recording.h"
 #include "thigma/scene/scene_file.h"
 

@@ -10,9 +10,9 @@
 #include <unistd.h>
 
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
-#include "thigma/core/growing_file.h"
-#include "thigma/mesh/read_mesh.h"
+#include "thigma/files/file.h"
+#include "thigma/files/growing_file.h"
+#include "thigma/import/read_mesh.h"
 #include "thigma/scene/scene_file.h"
 
 namespace thigma::app {

@@ -7,7 +7,7 @@
 
 #include "viewer/server/messages.h"
 
-#include "thigma/mesh/inspect.h"
+#include "thigma/import/inspect.h"
 #include "thigma/scene/scene_description.h"
 
 namespace thigma::app {

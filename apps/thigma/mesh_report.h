@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "thigma/mesh/inspect.h"
+#include "thigma/import/inspect.h"
 
 namespace thigma::app {
 

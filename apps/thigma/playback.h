@@ -6,7 +6,7 @@
 
 #include "run_options.h"
 
-#include "thigma/core/byte_source.h"
+#include "thigma/files/byte_source.h"
 #include "thigma/recording/config_json.h"
 #include "thigma/recording/recording.h"
 #include "thigma/session/session.h"

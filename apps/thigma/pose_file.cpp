@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 
 namespace thigma::app {
 namespace {

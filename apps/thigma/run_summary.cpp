@@ -4,7 +4,7 @@
 #include <cstdarg>
 #include <cstdio>
 
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 #include "thigma/recording/recording.h"
 #include "thigma/session/simulated_session.h"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 
 namespace thigma::experiments {
 namespace {

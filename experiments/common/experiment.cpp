@@ -9,7 +9,7 @@
 
 #include "thigma/core/cpu_clock.h"
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 
 namespace thigma::experiments {
 namespace {

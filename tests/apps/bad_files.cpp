@@ -2,13 +2,13 @@
 
 #include <limits>
 
-#include "mesh/samples.h"
+#include "support/mesh_samples.h"
 
 #include "thigma/clod/build_clod.h"
 #include "thigma/clod/clod_file.h"
+#include "thigma/import/write_mesh.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/shapes.h"
-#include "thigma/mesh/write_mesh.h"
 
 namespace thigma::test {
 namespace {

@@ -7,9 +7,9 @@
 #include "support/wavy_ball.h"
 #include <gtest/gtest.h>
 
-#include "thigma/core/checksum.h"
+#include "thigma/files/checksum.h"
+#include "thigma/import/write_mesh.h"
 #include "thigma/mesh/shapes.h"
-#include "thigma/mesh/write_mesh.h"
 #include "thigma/texture/texture_file.h"
 
 namespace thigma::test {

@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "thigma/clod/clod_file.h"
-#include "thigma/core/checksum.h"
+#include "thigma/files/checksum.h"
+#include "thigma/import/write_mesh.h"
 #include "thigma/mesh/shapes.h"
-#include "thigma/mesh/write_mesh.h"
 
 namespace thigma::test {
 namespace {

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 #include "thigma/recording/recording.h"
 
 namespace thigma::test {

@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "thigma/import/write_mesh.h"
 #include "thigma/mesh/shapes.h"
-#include "thigma/mesh/write_mesh.h"
 
 namespace thigma::test {
 namespace {

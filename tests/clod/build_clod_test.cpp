@@ -15,8 +15,8 @@
 #include "thigma/contact/query_contacts.h"
 #include "thigma/convex/gjk.h"
 #include "thigma/convex/quickhull.h"
+#include "thigma/import/load_mesh.h"
 #include "thigma/math/random.h"
-#include "thigma/mesh/load_mesh.h"
 #include "thigma/mesh/shapes.h"
 
 namespace thigma {

@@ -10,7 +10,7 @@
 
 #include "thigma/contact/query_contacts.h"
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 
 namespace thigma {
 namespace {

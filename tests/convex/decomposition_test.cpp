@@ -10,9 +10,9 @@
 #include "thigma/convex/count_patches.h"
 #include "thigma/convex/quickhull.h"
 #include "thigma/core/error.h"
+#include "thigma/import/read_mesh.h"
 #include "thigma/math/elementary.h"
 #include "thigma/mesh/measure.h"
-#include "thigma/mesh/read_mesh.h"
 #include "thigma/mesh/shapes.h"
 
 namespace thigma {

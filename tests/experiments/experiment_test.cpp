@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 
 namespace thigma::experiments {
 namespace {

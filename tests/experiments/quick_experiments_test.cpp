@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 #include "thigma/scene/asset_cache.h"
 
 namespace thigma::experiments {

@@ -15,9 +15,9 @@
 #include "viewer/server/protocol.h"
 
 #include "thigma/clod/clod_file.h"
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
+#include "thigma/import/write_mesh.h"
 #include "thigma/mesh/shapes.h"
-#include "thigma/mesh/write_mesh.h"
 #include "thigma/recording/config_json.h"
 #include "thigma/scene/scene_file.h"
 #include "thigma/texture/texture_file.h"

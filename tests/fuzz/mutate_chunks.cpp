@@ -4,7 +4,7 @@
 #include "fuzz/fuzz_target.h"
 
 #include "thigma/clod/clod_file.h"
-#include "thigma/core/chunk_file.h"
+#include "thigma/files/chunk_file.h"
 #include "thigma/math/random.h"
 #include "thigma/texture/texture_file.h"
 

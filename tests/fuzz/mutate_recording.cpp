@@ -3,7 +3,7 @@
 
 #include "fuzz/fuzz_target.h"
 
-#include "thigma/core/checksum.h"
+#include "thigma/files/checksum.h"
 #include "thigma/math/random.h"
 #include "thigma/recording/detail/mcap_records.h"
 

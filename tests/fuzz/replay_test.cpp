@@ -5,7 +5,7 @@
 #include "fuzz/fuzz_target.h"
 #include <gtest/gtest.h>
 
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 #include "thigma/math/random.h"
 
 namespace thigma::fuzz {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "thigma/import/inspect.h"
 #include "thigma/math/random.h"
-#include "thigma/mesh/inspect.h"
 #include "thigma/mesh/shapes.h"
 
 namespace thigma {

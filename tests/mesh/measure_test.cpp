@@ -1,6 +1,6 @@
 #include "thigma/mesh/measure.h"
 
-#include "mesh/samples.h"
+#include "support/mesh_samples.h"
 #include <gtest/gtest.h>
 
 #include "thigma/math/elementary.h"

@@ -1,11 +1,11 @@
 #include "thigma/mesh/self_intersections.h"
 
-#include "mesh/samples.h"
+#include "support/mesh_samples.h"
 #include <gtest/gtest.h>
 
+#include "thigma/import/read_mesh.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/predicates.h"
-#include "thigma/mesh/read_mesh.h"
 #include "thigma/mesh/shapes.h"
 
 namespace thigma {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "thigma/convex/count_patches.h"
+#include "thigma/import/inspect.h"
 #include "thigma/math/random.h"
-#include "thigma/mesh/inspect.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/models/ridge_profile.h"
 #include "thigma/models/textured_parts.h"

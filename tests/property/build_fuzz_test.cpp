@@ -12,8 +12,8 @@
 
 #include "thigma/clod/build_clod.h"
 #include "thigma/core/error.h"
-#include "thigma/mesh/inspect.h"
-#include "thigma/mesh/repair.h"
+#include "thigma/import/inspect.h"
+#include "thigma/import/repair.h"
 
 namespace thigma {
 namespace {

@@ -15,7 +15,7 @@
 #include "thigma/clod/build_clod.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/clod/validate_hierarchy.h"
-#include "thigma/mesh/inspect.h"
+#include "thigma/import/inspect.h"
 #include "thigma/mesh/shapes.h"
 #include "thigma/mesh/surface_topology.h"
 

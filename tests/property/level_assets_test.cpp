@@ -15,8 +15,8 @@
 
 #include "thigma/clod/build_clod.h"
 #include "thigma/clod/surface_deviation.h"
+#include "thigma/import/load_mesh.h"
 #include "thigma/math/random.h"
-#include "thigma/mesh/load_mesh.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/models/make_model.h"
 #include "thigma/simplify/simplify_surface.h"

@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_hierarchy.h"
+#include "thigma/import/load_mesh.h"
 #include "thigma/math/random.h"
-#include "thigma/mesh/load_mesh.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/models/make_model.h"
 #include "thigma/simulation/free_motion.h"

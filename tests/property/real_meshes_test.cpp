@@ -6,7 +6,7 @@
 #include "support/shared.h"
 #include <gtest/gtest.h>
 
-#include "thigma/mesh/load_mesh.h"
+#include "thigma/import/load_mesh.h"
 
 namespace thigma {
 namespace {

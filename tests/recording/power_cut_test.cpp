@@ -15,8 +15,8 @@
 #include <unistd.h>
 
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
-#include "thigma/core/growing_file.h"
+#include "thigma/files/file.h"
+#include "thigma/files/growing_file.h"
 #include "thigma/recording/mcap_file.h"
 
 namespace thigma {

@@ -6,9 +6,9 @@
 #include "support/full.h"
 #include <gtest/gtest.h>
 
-#include "thigma/core/checksum.h"
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
+#include "thigma/files/checksum.h"
+#include "thigma/files/file.h"
 #include "thigma/recording/mcap_file.h"
 
 namespace thigma {

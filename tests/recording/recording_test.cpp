@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 
 namespace thigma {
 namespace {

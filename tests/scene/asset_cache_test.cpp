@@ -14,9 +14,9 @@
 #include "thigma/clod/clod_file.h"
 #include "thigma/clod/validate_hierarchy.h"
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
+#include "thigma/import/write_mesh.h"
 #include "thigma/mesh/shapes.h"
-#include "thigma/mesh/write_mesh.h"
 
 namespace thigma {
 namespace {

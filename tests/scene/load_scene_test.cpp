@@ -8,8 +8,8 @@
 
 #include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
+#include "thigma/import/write_mesh.h"
 #include "thigma/mesh/shapes.h"
-#include "thigma/mesh/write_mesh.h"
 #include "thigma/scene/scene_file.h"
 
 namespace thigma {

@@ -10,8 +10,8 @@
 
 #include "thigma/clod/surface_deviation.h"
 #include "thigma/convex/quickhull.h"
-#include "thigma/mesh/inspect.h"
-#include "thigma/mesh/load_mesh.h"
+#include "thigma/import/inspect.h"
+#include "thigma/import/load_mesh.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/mesh/self_intersections.h"
 

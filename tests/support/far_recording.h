@@ -7,8 +7,8 @@
 #include <fstream>
 #include <string>
 
-#include "thigma/core/checksum.h"
-#include "thigma/core/file.h"
+#include "thigma/files/checksum.h"
+#include "thigma/files/file.h"
 
 namespace thigma::test {
 

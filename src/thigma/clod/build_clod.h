@@ -38,7 +38,7 @@ struct ClodReport {
 /// Leaves are the finest patches of the original, as of build_exact_hierarchy: an exact query takes
 /// either. A patch of a simplified level that is nearest to no patch below it has no node.
 ///
-/// mesh     usable in the sense of mesh/inspect.h [m]
+/// mesh     usable in the sense of import/inspect.h [m]
 /// report   null, or filled
 /// Thread   [offline]; deterministic; throws InputError when no triangle has an area.
 /// Source   Sec. 3.2-3.3, Algorithm 3.3.1. Deviates: parents by geometry and culling hulls

@@ -17,7 +17,7 @@ struct BuildReport {
 
 /// Full-resolution hierarchy of a usable mesh: convex surface patches under free levels.
 ///
-/// mesh      usable in the sense of mesh/inspect.h [m]
+/// mesh      usable in the sense of import/inspect.h [m]
 /// report    null, or filled
 /// returns   the hierarchy; deterministic
 /// Thread    [offline]; throws InputError when no triangle has an area.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "thigma/clod/hierarchy.h"
-#include "thigma/core/checksum.h"
+#include "thigma/files/checksum.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/mesh/triangle_mesh.h"
 

@@ -13,8 +13,8 @@
 #include "thigma/clod/detail/clod_fields.h"
 #include "thigma/clod/validate_hierarchy.h"
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
-#include "thigma/mesh/read_mesh.h"
+#include "thigma/files/file.h"
+#include "thigma/import/read_mesh.h"
 
 namespace thigma {
 namespace {

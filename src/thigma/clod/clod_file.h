@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "thigma/clod/clod_asset.h"
-#include "thigma/core/chunk_file.h"
+#include "thigma/files/chunk_file.h"
 
 namespace thigma {
 

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
 #include "thigma/device/detail/address.h"
+#include "thigma/files/file.h"
 #include "thigma/math/rotation.h"
 
 namespace thigma {

@@ -1,6 +1,6 @@
 #include <concepts>
 
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 #include "thigma/recording/detail/json_text.h"
 #include "thigma/recording/detail/sample_fields.h"
 #include "thigma/recording/recording.h"

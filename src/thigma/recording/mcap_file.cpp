@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "thigma/core/checksum.h"
 #include "thigma/core/error.h"
+#include "thigma/files/checksum.h"
 #include "thigma/recording/detail/mcap_records.h"
 
 // After the public MCAP specification: records are opcode, length, content; little-endian; strings

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "thigma/core/byte_source.h"
-#include "thigma/core/growing_file.h"
+#include "thigma/files/byte_source.h"
+#include "thigma/files/growing_file.h"
 
 namespace thigma {
 

@@ -2,9 +2,9 @@
 #include <filesystem>
 #include <map>
 
-#include "thigma/core/checksum.h"
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
+#include "thigma/files/checksum.h"
+#include "thigma/files/file.h"
 #include "thigma/recording/detail/mcap_records.h"
 #include "thigma/recording/mcap_file.h"
 

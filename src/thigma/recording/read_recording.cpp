@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "thigma/core/byte_source.h"
 #include "thigma/core/error.h"
+#include "thigma/files/byte_source.h"
 #include "thigma/recording/detail/recorded_messages.h"
 #include "thigma/recording/mcap_file.h"
 #include "thigma/recording/recording.h"

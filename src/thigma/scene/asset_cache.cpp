@@ -10,10 +10,10 @@
 #include <link.h>
 
 #include "thigma/clod/clod_file.h"
-#include "thigma/core/checksum.h"
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
-#include "thigma/mesh/load_mesh.h"
+#include "thigma/files/checksum.h"
+#include "thigma/files/file.h"
+#include "thigma/import/load_mesh.h"
 #include "thigma/models/make_model.h"
 
 namespace thigma {

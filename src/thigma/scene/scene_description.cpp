@@ -7,7 +7,7 @@
 
 #include "thigma/clod/hierarchy.h"
 #include "thigma/core/error.h"
-#include "thigma/mesh/load_mesh.h"
+#include "thigma/import/load_mesh.h"
 #include "thigma/models/make_model.h"
 #include "thigma/models/textured_model.h"
 #include "thigma/scene/gain_task.h"

@@ -6,8 +6,8 @@
 
 #include "thigma/contact/clustering.h"
 #include "thigma/core/error.h"
-#include "thigma/core/file.h"
 #include "thigma/depth/depth_gradient.h"
+#include "thigma/files/file.h"
 #include "thigma/loop/safety_fields.h"
 #include "thigma/models/make_model.h"
 #include "thigma/models/textured_model.h"

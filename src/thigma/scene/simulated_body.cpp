@@ -2,7 +2,7 @@
 
 #include <toml++/toml.h>
 
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 #include "thigma/math/random.h"
 #include "thigma/math/rotation.h"
 #include "thigma/scene/detail/toml_table.h"

@@ -47,7 +47,7 @@ struct Simplification {
 /// at most half the original's patches. Deviation beyond `deviation_limit`, and such edges, come
 /// last.
 ///
-/// mesh           usable in the sense of mesh/inspect.h [m]
+/// mesh           usable in the sense of import/inspect.h [m]
 /// decomposition  of the mesh; becomes level 0
 /// support        of each vertex, two values that become the least where vertices come together, or
 ///                empty

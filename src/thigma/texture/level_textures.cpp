@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "thigma/core/file.h"
+#include "thigma/files/file.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/texture/detail/texture_error.h"
 

@@ -8,8 +8,8 @@
 #include <cstring>
 #include <limits>
 
-#include "thigma/core/file.h"
-#include "thigma/mesh/read_mesh.h"
+#include "thigma/files/file.h"
+#include "thigma/import/read_mesh.h"
 #include "thigma/texture/detail/texture_error.h"
 
 namespace thigma {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "thigma/core/chunk_file.h"
+#include "thigma/files/chunk_file.h"
 #include "thigma/texture/haptic_texture.h"
 
 namespace thigma {

@@ -1,8 +1,8 @@
 #include "fuzz/targets/any_mesh.h"
 
-#include "thigma/mesh/inspect.h"
-#include "thigma/mesh/repair.h"
-#include "thigma/mesh/write_mesh.h"
+#include "thigma/import/inspect.h"
+#include "thigma/import/repair.h"
+#include "thigma/import/write_mesh.h"
 
 namespace thigma::fuzz {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "fuzz/fuzz_target.h"
 
-#include "thigma/mesh/read_mesh.h"
+#include "thigma/import/read_mesh.h"
 
 namespace thigma::fuzz {
 

@@ -10,7 +10,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 
-#include "thigma/core/descriptor.h"
+#include "thigma/files/descriptor.h"
 
 namespace thigma::fuzz {
 namespace {

@@ -1,6 +1,6 @@
 #include "fuzz/targets/any_mesh.h"
 
-#include "thigma/mesh/read_texture_coordinates.h"
+#include "thigma/import/read_texture_coordinates.h"
 
 namespace thigma::fuzz {
 

@@ -1,6 +1,6 @@
 #include "fuzz/fuzz_target.h"
 
-#include "thigma/core/byte_source.h"
+#include "thigma/files/byte_source.h"
 #include "thigma/recording/config_json.h"
 #include "thigma/recording/recording.h"
 #include "thigma/recording/replay_session.h"

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "thigma/core/byte_source.h"
 #include "thigma/core/error.h"
 #include "thigma/dynamics/contact_model_fields.h"
+#include "thigma/files/byte_source.h"
 #include "thigma/recording/detail/json_read.h"
 #include "thigma/recording/detail/sample_fields.h"
 
