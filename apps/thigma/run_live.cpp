@@ -106,8 +106,8 @@ class LiveRun {
   /// On the thread that drains the session: the session goes on, pages and people are told once.
   void recording_failed(const RecordingFailure& failure) {
     has_lost_recording_ = true;
-    room_.observe(
-        SessionEvent{failure.time, failure.frame, "recording_ended", record_, failure.why});
+    room_.observe(SessionEvent{failure.time, failure.frame, EventKind::recording_ended, record_,
+                               failure.why});
     room_.lose_recording();
     program_.tell_trouble(failure.why + "; the recording ends there, the session goes on");
   }

@@ -119,7 +119,7 @@ std::string check_meshes(const SceneDescription& scene, const RunOptions& option
 SessionSummary simulate_run(Run& run, const SessionConfig& config, bool is_paced,
                             const SessionSinks& sinks, const std::atomic<bool>* stop) {
   const SimulatedStart& start = *run.session.simulation;
-  run.simulated = run_simulated(config, start.world, start.state, is_paced, sinks, stop);
+  run.simulated = run_simulated(config, start, is_paced, sinks, stop);
   return run.simulated.session;
 }
 

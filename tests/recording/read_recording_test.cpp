@@ -133,9 +133,9 @@ TEST(ReadRecording, the_end_is_read_or_known_to_be_missing) {
 TEST(ReadRecording, events_come_back) {
   const Recording r = read_recording(test::write_recording("events.mcap", 450));
   ASSERT_EQ(r.events.size(), 2u);
-  EXPECT_EQ(r.events[0].kind, "armed");
+  EXPECT_EQ(r.events[0].kind, EventKind::armed);
   EXPECT_EQ(r.events[0].frame, 7u);
-  EXPECT_EQ(r.events[1].kind, "fault");
+  EXPECT_EQ(r.events[1].kind, EventKind::fault);
   EXPECT_EQ(r.events[1].detail, "pose_jump");
   EXPECT_EQ(r.events[1].time, 0.401);
 }

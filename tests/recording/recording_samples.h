@@ -119,8 +119,8 @@ inline std::string write_recording(const std::string& name, std::uint64_t frames
   for (std::uint64_t i = 0; i < frames; ++i) {
     if (i % 10 == 0) writer.write(contact_sample(i / 10));
     writer.write(sample(i));
-    if (i == 7) writer.write(SessionEvent{0.007, 7, "armed", ""});
-    if (i == 401) writer.write(SessionEvent{0.401, 401, "fault", "pose_jump"});
+    if (i == 7) writer.write(SessionEvent{0.007, 7, EventKind::armed, ""});
+    if (i == 401) writer.write(SessionEvent{0.401, 401, EventKind::fault, "pose_jump"});
   }
   writer.close({.frames = frames, .state_hash = 0x0123456789abcdefull, .dropped = 2});
   return path;

@@ -99,8 +99,9 @@ TEST(LiveRules, TheCauseOfAFaultIsKnownToPagesThatComeLaterUntilTheNextSession) 
   SessionConfig config = b.scene.config;
   b.room->prepare_session(config);
   b.room->begin_session({.device = "hand:"});
-  b.room->observe(SessionEvent{1.5, 1500, "late", "watchdog", "30.0 ms without a haptic step"});
-  b.room->observe(SessionEvent{2.0, 2000, "fault", "contact_stale", "a sentence"});
+  b.room->observe(
+      SessionEvent{1.5, 1500, EventKind::late, "watchdog", "30.0 ms without a haptic step"});
+  b.room->observe(SessionEvent{2.0, 2000, EventKind::fault, "contact_stale", "a sentence"});
   b.room->end_session("fault", 0);
   for (int page = 0; page < 2; ++page) {  // and after a reload
     WebClient client(b.room->port());

@@ -166,7 +166,9 @@ void LiveRoom::prepare_session(SessionConfig& config) {
   impl_->ports->is_paused = false;
   impl_->ports->steps = 0;
   impl_->feed.begin_session(config.haptic.workspace);
-  impl_->feed.observe(SessionEvent{});  // what comes after it is of this session
+  SessionEvent began;
+  began.kind = EventKind::began;  // what comes after it is of this session
+  impl_->feed.observe(began);
   config.live = impl_->ports.get();
 }
 

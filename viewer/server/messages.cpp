@@ -256,7 +256,7 @@ std::string event_message(const SessionEvent& event) {
   return dumped({{"type", "event"},
                  {"time", finite(event.time)},
                  {"frame", event.frame},
-                 {"kind", event.kind},
+                 {"kind", event_name(event.kind)},
                  {"detail", event.detail},
                  {"text", event.text}});
 }

@@ -305,8 +305,9 @@ void RecordingWriter::write(const SessionEvent& event) {
   JsonObject json(text_);
   json.number("time", event.time);
   json.integer("frame", static_cast<long long>(event.frame));
-  json.word("event", event.kind);
-  if (!event.detail.empty()) json.word(event.kind == "fault" ? "fault" : "detail", event.detail);
+  json.word("event", event_name(event.kind));
+  if (!event.detail.empty())
+    json.word(event.kind == EventKind::fault ? "fault" : "detail", event.detail);
   json.close();
   attempt([&] { file_->write(events_, event_count_++, nanoseconds(event.time), text_); });
 }

@@ -9,8 +9,13 @@
 #include <mutex>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
-#include "thigma/session/detail/session_parts.h"
+#include "thigma/session/detail/check_config.h"
+#include "thigma/session/detail/contact_frames.h"
+#include "thigma/session/detail/event_detector.h"
+#include "thigma/session/detail/frame_driver.h"
+#include "thigma/session/detail/session_summary.h"
 #include "thigma/session/detail/timed_device.h"
 #include "thigma/session/live_ports.h"
 
@@ -46,7 +51,7 @@ struct Session::Impl {
     ports = {device.get(), &models, &bodies, &haptic_ring};
   }
 
-  void prepare();
+  void prepare_memory();
   void start_threads();
   void join_threads();
   void run_haptic();
@@ -55,13 +60,23 @@ struct Session::Impl {
   void run_drain();
   void contact_frame(const StampedBody& at, double now);
   void drain();
-  HapticSample guarded_step(const HapticTick& tick);
   void note_gap();
-  std::int64_t next_tick();
-  void hang_as_asked();
+  std::int64_t behind() const;
   void hold_while_paused();
   void end_with_zero_force();
   void note(const std::string& text);
+
+  // The shell of the frame driver (detail/frame_driver.h).
+  detail::FrameTick next_tick();
+  bool is_stopped() const { return should_stop.load(std::memory_order_relaxed); }
+  bool hang(const FaultEvent& fault, double now);
+  void prepare(const detail::Frame& frame);
+  void step(const detail::Frame& frame);
+  const HapticSample& sample(const detail::Frame&) const { return made; }
+  void publish(const detail::Frame& frame, const HapticSample& sample);
+  bool has_finished(const HapticSample& sample) const {
+    return sample.device.status == DeviceStatus::finished;
+  }
 
   SessionConfig config;  // constant but for .contact, the contact thread's while it runs
   const SessionSinks sinks;
@@ -72,18 +87,18 @@ struct Session::Impl {
 
   // Haptic thread only, while it runs.
   HapticState state;
-  HapticStatistics haptic_tally;
+  HapticSample made;  // by the last step
+  detail::FrameRecord record;
   DeadlineClock clock;
   std::int64_t watchdog_ns = 0;  // constant
-  std::int64_t step_ns = 0;      // length of the last step, which may have hung in the device
-  bool has_hung = false;         // as asked
+  // Of the last step, which may have hung in the device: asked for, begun with the token, over [ns].
+  std::int64_t step_asked = 0, step_taken = 0, step_end = 0;
+  std::int64_t hang_late_ns = 0;  // how late an injected hang made the frame it hit
+  bool has_hung = false;          // as asked
   SessionEnd end = SessionEnd::duration;
-  double seconds = 0.0;
 
   // Contact thread only, while it runs.
-  ContactScratch scratch;
-  ContactSample contact_sample;
-  ContactStatistics contact_tally;
+  detail::ContactFrames contacts;
 
   // Shared.
   Latest<LinearContactModel> models;
@@ -119,40 +134,18 @@ void Session::Impl::note(const std::string& text) {
 void Session::Impl::contact_frame(const StampedBody& at, double now) {
   if (config.live != nullptr && config.live->contact_tuning.fetch())
     apply_tuning(config.live->contact_tuning.value(), config.contact);
-  detail::timed_contact_step(config, at, scratch, contact_sample);
-  contact_sample.published = now;
-  accumulate(contact_tally, contact_sample);
-  contact_ring.push(contact_sample);  // before the model: whoever sees it used finds it here
-  models.publish(contact_sample.model);
-  if (config.live == nullptr) return;
-  view_contacts(config.contact, scratch, at.time, config.live->contacts.draft());
-  config.live->contacts.publish();
+  detail::timed_contact_step(config.contact, at, contacts);
+  detail::record_contacts(now, contacts);
+  contact_ring.push(contacts.sample);  // before the model: whoever sees it used finds it here
+  models.publish(contacts.sample.model);
+  detail::show_contacts(config.live, config.contact, at.time, contacts);
 }
 
 /// Everything that is slow the first time, before a thread depends on it.
-void Session::Impl::prepare() {
-  reserve_contact_scratch(config.contact, scratch);
+void Session::Impl::prepare_memory() {
+  reserve_contact_scratch(config.contact, contacts.scratch);
   contact_frame({state.body, 0.0, 0}, 0.0);
   clock = clock_of(config.rate, config.spin);
-}
-
-HapticSample Session::Impl::guarded_step(const HapticTick& tick) {
-  while (!token.try_take()) sleep_ns(20'000);  // only while the watchdog is sending zero
-  HapticTick told = tick;
-  const std::int64_t begin = monotonic_ns();
-  const std::int64_t gap = begin - last_step_ns.load(std::memory_order_relaxed);
-  note_gap();
-  // Ridden out, a gap is told once, by the one who was late: the watchdog may have been late as
-  // well.
-  const std::int64_t skipped = to_ns(tick.now - state.time);
-  const bool is_late = params.safety.rides_out_gaps
-                           ? std::max({gap, step_ns, skipped}) > watchdog_ns
-                           : watchdog_fired.load(std::memory_order_acquire);
-  if (is_late) told.external_fault = Fault::watchdog;
-  const HapticSample sample = haptic_step(params, ports, told, state);
-  step_ns = monotonic_ns() - begin;
-  token.give_back();
-  return sample;
 }
 
 /// How long the last step is ago, for whoever wants to know why the watchdog acted. Thread
@@ -180,34 +173,77 @@ void Session::Impl::hold_while_paused() {
   last_step_ns.store(resumed, std::memory_order_release);
 }
 
-/// An injected hang, once.
-void Session::Impl::hang_as_asked() {
-  const double now = static_cast<double>(clock.tick - 1) / config.rate;
-  const FaultEvent* hang = active_fault(config.faults, InjectedFault::hang, now);
-  if (hang == nullptr || has_hung) return;
-  has_hung = true;
-  sleep_ns(to_ns(hang->duration));
+/// How long ago the present tick was [ns].
+std::int64_t Session::Impl::behind() const {
+  return monotonic_ns() - (clock.start_ns + (clock.tick - 1) * clock.period_ns);
 }
 
-/// Waits for the next tick; returns how late it was [ns]. One that was slept through for longer
-/// than the watchdog waits is left out: its step would stamp what the watchdog did with a time
-/// before it.
-std::int64_t Session::Impl::next_tick() {
-  const std::int64_t late = wait_for_tick(clock);
+/// Waits for the next tick. One that was slept through for longer than the watchdog waits is left
+/// out: its step would stamp what the watchdog did with a time before it.
+detail::FrameTick Session::Impl::next_tick() {
+  std::int64_t late = wait_for_tick(clock);
   hold_while_paused();
-  hang_as_asked();
-  const auto behind = [this] {
-    return monotonic_ns() - (clock.start_ns + (clock.tick - 1) * clock.period_ns);
-  };
   constexpr int kMostAgain = 10;  // a machine that is always late is to be told of as well
-  std::int64_t latest = behind();
-  if (latest <= watchdog_ns) return late;
   for (int again = 0; again < kMostAgain && behind() > watchdog_ns; ++again) {
-    latest = std::max(latest, behind());
+    late = std::max(late, behind());
     ++clock.missed;
     wait_for_tick(clock);
   }
-  return latest;
+  late = std::max(late, std::exchange(hang_late_ns, 0));
+  return {static_cast<std::uint64_t>(clock.tick - 1), late};
+}
+
+/// Sleeps, once. A frame that the watchdog has acted in is left out, as in next_tick.
+bool Session::Impl::hang(const FaultEvent& fault, double) {
+  if (has_hung) return false;
+  has_hung = true;
+  sleep_ns(to_ns(fault.duration));
+  hang_late_ns = behind();
+  if (hang_late_ns <= watchdog_ns) {
+    hang_late_ns = 0;
+    return false;
+  }
+  ++clock.missed;
+  return true;
+}
+
+void Session::Impl::prepare(const detail::Frame&) {
+  if (config.live != nullptr && config.live->haptic_tuning.fetch())
+    apply_tuning(config.live->haptic_tuning.value(), params, state);
+}
+
+void Session::Impl::step(const detail::Frame& frame) {
+  const std::int64_t asked = monotonic_ns();
+  while (!token.try_take()) sleep_ns(20'000);  // only while the watchdog is sending zero
+  HapticTick tick{frame.now, frame.elapsed, Fault::none};
+  const std::int64_t begin = monotonic_ns();
+  const std::int64_t gap = begin - last_step_ns.load(std::memory_order_relaxed);
+  note_gap();
+  // Ridden out, a gap is reported once, by the one who was late: the watchdog may have been late as
+  // well.
+  const std::int64_t last = step_end - step_taken;
+  const std::int64_t skipped = to_ns(tick.now - state.time);
+  const bool is_late = params.safety.rides_out_gaps
+                           ? std::max({gap, last, skipped}) > watchdog_ns
+                           : watchdog_fired.load(std::memory_order_acquire);
+  if (is_late) tick.external_fault = Fault::watchdog;
+  made = haptic_step(params, ports, tick, state);
+  step_asked = asked;
+  step_taken = begin;
+  step_end = monotonic_ns();
+  token.give_back();
+}
+
+/// Thread [haptic]. The sample is in its ring already.
+void Session::Impl::publish(const detail::Frame& frame, const HapticSample&) {
+  note_gap();  // again: a step may have hung in the device
+  last_step_ns.store(monotonic_ns(), std::memory_order_release);
+  accumulate(record.statistics,
+             {.device_read = device->read_ns,
+              .device_write = device->write_ns,
+              .whole = step_end - step_asked,
+              .is_overrun = step_end > clock.start_ns + clock.tick * clock.period_ns});
+  detail::note_times(frame, state);
 }
 
 void Session::Impl::end_with_zero_force() {
@@ -222,43 +258,7 @@ void Session::Impl::run_haptic() {
   start_clock(clock);
   epoch_ns.store(clock.start_ns, std::memory_order_release);
   last_step_ns.store(monotonic_ns(), std::memory_order_release);  // watched from here on
-  const auto last = static_cast<std::int64_t>(
-      std::min<std::uint64_t>(detail::frame_limit(config), std::uint64_t{1} << 62));
-  std::int64_t previous = -1;
-  double fault_time = -1.0;
-  while (true) {
-    const std::int64_t late = next_tick();
-    const std::int64_t k = clock.tick - 1;
-    const double now = static_cast<double>(k) / config.rate;
-    seconds = now;
-    if (should_stop.load(std::memory_order_relaxed)) end = SessionEnd::stopped;
-    if (k >= last || end == SessionEnd::stopped) break;
-    if (config.live != nullptr && config.live->haptic_tuning.fetch())
-      apply_tuning(config.live->haptic_tuning.value(), params, state);
-    const double elapsed = detail::step_length(config, static_cast<std::uint64_t>(k - previous));
-    const std::int64_t begin = thread_cpu_ns(), began = monotonic_ns();
-    const HapticSample sample = guarded_step({now, elapsed, Fault::none});
-    const std::int64_t ended = monotonic_ns(), cpu = thread_cpu_ns() - begin;
-    accumulate(haptic_tally, {.device_read = device->read_ns,
-                              .device_write = device->write_ns,
-                              .whole = ended - began,
-                              .is_overrun = ended > clock.start_ns + clock.tick * clock.period_ns});
-    note_gap();  // again: a step may have hung in the device
-    last_step_ns.store(monotonic_ns(), std::memory_order_release);
-    accumulate(haptic_tally, sample, cpu, late);
-    state.step_cpu = static_cast<float>(1e-9 * static_cast<double>(cpu));
-    state.wake_late = static_cast<float>(1e-9 * static_cast<double>(late));
-    previous = k;
-    if (sample.fault != Fault::none && !is_resumable(params, sample.fault)) {
-      end = SessionEnd::fault;
-      if (fault_time < 0.0) fault_time = now;
-      if (now - fault_time >= config.after_fault) break;
-    }
-    if (sample.device.status == DeviceStatus::finished) {
-      end = SessionEnd::device_finished;
-      break;
-    }
-  }
+  end = detail::drive_frames(config, *this, record);
   end_with_zero_force();
   haptic_done.store(true, std::memory_order_release);
 }
@@ -379,7 +379,7 @@ void Session::start() {
   Impl& s = *impl_;
   if (s.is_started) throw std::logic_error("session: started twice");
   detail::check_config(s.config);
-  s.prepare();
+  s.prepare_memory();
   s.start_threads();
   s.is_started = true;
 }
@@ -396,10 +396,10 @@ SessionSummary Session::finish() {
   s.is_started = false;
   s.join_threads();
   if (s.sink_error) std::rethrow_exception(s.sink_error);
-  SessionSummary summary = detail::summarize(s.config, s.haptic_tally, s.contact_tally, s.state);
-  const Fault fault = s.state.safety.fault;
-  summary.end = fault != Fault::none && !is_resumable(s.params, fault) ? SessionEnd::fault : s.end;
-  summary.seconds = s.seconds;
+  SessionSummary summary =
+      detail::summarize(s.config, s.record.statistics, s.contacts.statistics, s.state);
+  summary.end = s.end;
+  summary.seconds = s.record.time;
   summary.force_steps = s.force_steps;
   summary.missed = s.clock.missed;
   const std::int64_t whole = std::max<std::int64_t>(1, s.clock.tick * s.clock.period_ns);

@@ -16,6 +16,7 @@
 #include "thigma/session/force_steps.h"
 #include "thigma/session/histogram.h"
 #include "thigma/session/rt_thread.h"
+#include "thigma/session/session_event.h"
 #include "thigma/session/statistics.h"
 
 namespace thigma {
@@ -53,18 +54,6 @@ struct SessionConfig {
 
   // who watches and tunes (live_ports.h); outlives the session; null: nobody
   LivePorts* live = nullptr;
-};
-
-/// Something worth a line: a fault, grasping, arming, samples lost.
-struct SessionEvent {
-  double time = 0.0;  // session clock [s]
-  std::uint64_t frame = 0;
-  // "fault", "resumed", "late", "grasped", "released", "armed", "disarmed", "not_armed",
-  // "deep_contact"
-  std::string kind;
-  std::string detail;  // for "fault", "resumed" and "late": the fault's name
-  // more, for a person: how long nothing stepped, why nothing arms, how deep; or empty
-  std::string text{};
 };
 
 /// Where samples go. Called from one thread that is not real time (lockstep: the caller's), in

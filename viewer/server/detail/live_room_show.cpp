@@ -71,7 +71,7 @@ void LiveRoom::Impl::send_events() {
   events.clear();
   feed.take_events(events);
   for (const SessionEvent& event : events) {
-    if (event.kind.empty()) {  // of prepare_session
+    if (event.kind == EventKind::began) {
       forget_troubles();
       continue;
     }
@@ -83,11 +83,11 @@ void LiveRoom::Impl::send_events() {
 /// What pages that come later have to know of an event.
 void LiveRoom::Impl::remember(const SessionEvent& event) {
   const Trouble trouble{event.detail, event.text, event.time};
-  if (event.kind == "fault") {
+  if (event.kind == EventKind::fault) {
     state.fault = trouble;
-  } else if (event.kind == "resumed") {
+  } else if (event.kind == EventKind::resumed) {
     state.fault = {};
-  } else if (event.kind == "late") {
+  } else if (event.kind == EventKind::late) {
     state.late = trouble;
     ++state.lates;
   } else {

@@ -191,17 +191,20 @@ Sample& begun(std::optional<Sample>& sample) {
 
 void read_event(const Json& json, RecordingInfo& recording) {
   SessionEvent event;
-  event.kind = json.at("event").get<std::string>();
-  if (event.kind == "end") {
+  const std::string name = json.at("event").get<std::string>();
+  if (name == "end") {
     recording.has_end = true;
     recording.end.frames = json.at("frames").get<std::uint64_t>();
     recording.end.state_hash = read_hex(json, "state_hash");
     recording.end.dropped = json.at("dropped").get<std::uint64_t>();
     return;
   }
+  const std::optional<EventKind> kind = event_of_name(name);
+  if (!kind) throw InputError("'event' is '" + name + "'");
+  event.kind = *kind;
   event.time = number(json, "time");
   event.frame = json.value("frame", std::uint64_t{0});
-  event.detail = json.value(event.kind == "fault" ? "fault" : "detail", std::string());
+  event.detail = json.value(event.kind == EventKind::fault ? "fault" : "detail", std::string());
   recording.events.push_back(event);
 }
 
