@@ -105,12 +105,7 @@ TEST(ReadRecording, contact_models_come_back_bit_for_bit) {
     expect_bits(got.model.depths[0].damping, want.model.depths[0].damping);
     expect_bits(got.model.depths[0].tolerance, want.model.depths[0].tolerance);
     EXPECT_EQ(got.model.depths[0].id, 7);
-    ASSERT_EQ(got.model.bends.size(), 1u);
-    expect_bits(got.model.bends[0].reshaped(), want.model.bends[0].reshaped());
     EXPECT_EQ(model_digest(got.model), want.model_digest);
-    ASSERT_EQ(got.model.taylors.size(), 1u);
-    expect_bits(got.model.taylors[0].jacobian.reshaped(),
-                want.model.taylors[0].jacobian.reshaped());
     EXPECT_EQ(got.contacts, want.contacts);
     expect_bits(got.depth_max, want.depth_max);
     EXPECT_EQ(got.mandatory_tests, want.mandatory_tests);

@@ -100,14 +100,6 @@ inline ContactSample contact_sample(std::uint64_t sequence) {
   depth.tolerance = 1e-4;
   depth.id = 7;
   c.model.depths.push_back(depth);
-  DepthBend bend;
-  for (int i = 0; i < 36; ++i) bend(i / 6, i % 6) = random.uniform(-1e3, 1e3);
-  c.model.bends.push_back(bend);
-  TaylorTerm taylor;
-  taylor.wrench = random_wrench(random);
-  for (int i = 0; i < 78; ++i) taylor.jacobian(i / 13, i % 13) = random.uniform(-1e3, 1e3);
-  taylor.normal = random.direction();
-  c.model.taylors.push_back(taylor);
   c.model_digest = model_digest(c.model);
   return c;
 }

@@ -41,7 +41,7 @@ TEST(LinearizeContacts, terms_reproduce_the_clusters_where_they_were_found) {
     EXPECT_EQ(to_vector(model.state), to_vector(state));
     ASSERT_EQ(model.planes.size(), 5u);
     for (int k = 0; k < 5; ++k) {
-      const PlaneForce f = plane_force(model.planes[k], body, state, kinematics(body, state));
+      const PlaneForce f = plane_force(model.planes[k], at_state(body, state));
       EXPECT_NEAR(f.depth, clusters.clusters[k].depth, 1e-15);
       EXPECT_EQ(model.planes[k].id, clusters.clusters[k].id);
       EXPECT_EQ(model.planes[k].normal, clusters.clusters[k].normal);

@@ -1,6 +1,6 @@
-#include "thigma/session/session_event.h"
-
 #include <gtest/gtest.h>
+
+#include "thigma/session/session.h"
 
 namespace thigma {
 namespace {

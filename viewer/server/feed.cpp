@@ -151,9 +151,9 @@ Snapshot make_snapshot(const HapticNow& now, const ContactSample* contact, const
   s.query_cpu = contact != nullptr ? contact->query_cpu : std::numeric_limits<double>::quiet_NaN();
   clusters.clear();
   if (contact != nullptr) {
-    const BodyKinematics at = kinematics(body, h.body);
+    const BodyAtState at = at_state(body, h.body);
     for (const PlaneTerm& term : contact->model.planes) {
-      const PlaneForce force = plane_force(term, body, h.body, at);
+      const PlaneForce force = plane_force(term, at);
       clusters.push_back({transform_point(world_from_body, term.arm_body), term.normal, force.depth,
                           h.model_weight * force.wrench.force, term.id});
     }

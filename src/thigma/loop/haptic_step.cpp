@@ -91,15 +91,13 @@ Touch touch(const LinearContactModel& model, const BodyState& y) THIGMA_RT {
     result.penetration = depth;
     result.sunk = depth - depth_at(t, model.state);
   }
-  for (std::size_t i = 0; i < model.depths.size(); ++i) {
-    const DepthTerm& t = model.depths[i];
-    const double depth = depth_at(t, model.state, y, bend_of(model, i));
+  for (const DepthTerm& t : model.depths) {
+    const double depth = depth_at(t, model.state, y);
     if (depth + t.tolerance > 0.0) ++result.count;
     if (!(depth > result.penetration)) continue;
     result.penetration = depth;
-    result.sunk = depth - depth_at(t, model.state, model.state, bend_of(model, i));
+    result.sunk = depth - depth_at(t, model.state, model.state);
   }
-  result.count += static_cast<std::int32_t>(model.taylors.size());
   return result;
 }
 
@@ -161,14 +159,13 @@ void read_inputs(const HapticParams& params, const HapticPorts& ports, const Hap
 void advance_body(const HapticParams& params, const LinearContactModel& model,
                   const HapticSample& sample, HapticState& state) THIGMA_RT {
   const BodyState before = state.body;
-  const BodyKinematics at = kinematics(params.body, state.body);
+  const BodyAtState at = at_state(params.body, state.body);
   WrenchJacobian by_coupling, by_contact;
   const Wrench pull = coupling_wrench(faded(state.coupling, state.last_device.weight),
-                                      sample.handle, params.body, state.body, at, &by_coupling);
-  const Wrench push =
-      contact_wrench(model, params.body, state.body, sample.model_weight, &by_contact);
+                                      sample.handle, at, &by_coupling);
+  const Wrench push = contact_wrench(model, at, sample.model_weight, &by_contact);
   const WrenchJacobian by_state = by_coupling + by_contact;
-  state.body = implicit_step(params.body, state.body, at, pull + push, by_state, sample.elapsed);
+  state.body = implicit_step(at, pull + push, by_state, sample.elapsed);
   if (is_finite(state.body)) return;
   latch_fault(state.safety, Fault::not_finite, sample.time);
   state.body = before;

@@ -67,13 +67,6 @@ struct FieldHash {
   void vector(const char*, const Vec3& v) const THIGMA_RT { add_data(hash, v); }
 };
 
-void add_data(StateHash& hash, const TaylorTerm& t) THIGMA_RT {
-  add_data(hash, t.wrench.force);
-  add_data(hash, t.wrench.torque);
-  add_data(hash, t.normal);
-  for (int i = 0; i < t.jacobian.size(); ++i) add_datum(hash, t.jacobian.data()[i]);
-}
-
 }  // namespace
 
 std::uint64_t input_digest(const HapticSample& sample) THIGMA_RT {
@@ -109,9 +102,6 @@ std::uint64_t model_digest(const LinearContactModel& model) THIGMA_RT {
   add_bits(hash, model.sequence);
   for (const PlaneTerm& term : model.planes) visit_plane(term, FieldHash{hash});
   for (const DepthTerm& term : model.depths) visit_depth(term, FieldHash{hash});
-  for (const DepthBend& bend : model.bends)
-    for (int i = 0; i < bend.size(); ++i) add_datum(hash, bend.data()[i]);
-  for (const TaylorTerm& term : model.taylors) add_data(hash, term);
   return hash.value;
 }
 

@@ -140,34 +140,6 @@ void put_depth(std::string& out, const DepthTerm& t) {
   json.close();
 }
 
-template <class Matrix>
-void put_rows(std::string& out, const Matrix& matrix) {
-  out += '[';
-  for (int row = 0; row < matrix.rows(); ++row) {
-    for (int column = 0; column < matrix.cols(); ++column) {
-      if (row + column > 0) out += ',';
-      detail::put_number(out, matrix(row, column));
-    }
-  }
-  out += ']';
-}
-
-void put_bend(std::string& out, const DepthBend& bend) {
-  JsonObject json(out);
-  json.key("rows");
-  put_rows(out, bend);
-  json.close();
-}
-
-void put_taylor(std::string& out, const TaylorTerm& t) {
-  JsonObject json(out);
-  put_wrench(json, "force", "torque", t.wrench);
-  json.vector("normal", t.normal);
-  json.key("jacobian");
-  put_rows(out, t.jacobian);
-  json.close();
-}
-
 template <class Items, class Put>
 void put_list(JsonObject& json, std::string& out, const char* key, const Items& items,
               const Put& put) {
@@ -188,8 +160,6 @@ void put_model(std::string& out, const ContactSample& sample) {
   FieldWriter{out, json}.body(model.state);
   put_list(json, out, "planes", model.planes, put_plane);
   put_list(json, out, "depths", model.depths, put_depth);
-  put_list(json, out, "bends", model.bends, put_bend);
-  put_list(json, out, "taylors", model.taylors, put_taylor);
   json.word("model_digest", hex_text(sample.model_digest));
   json.close();
 }

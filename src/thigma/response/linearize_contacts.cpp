@@ -52,7 +52,6 @@ LinearContactModel linearize_contacts(const ContactClusters& clusters, const Pen
     term.arm_body = body_from_world * (cluster.point - state.position);
     term.normal = cluster.normal;
     term.scene_point = cluster.scene_point;
-    term.tangential_anchor = cluster.scene_point;
     term.stiffness = share * params.stiffness;
     term.damping = share * params.damping;
     term.tolerance = params.tolerance;

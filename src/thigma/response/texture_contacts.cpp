@@ -8,7 +8,6 @@
 
 #include "thigma/contact/contact_node.h"
 #include "thigma/core/index.h"
-#include "thigma/depth/depth_hessian.h"
 #include "thigma/depth/gpu_depth.h"
 #include "thigma/response/linearize_contacts.h"
 
@@ -289,7 +288,6 @@ LinearContactModel linearize_textured(
                             depth_request(params.gradient, amplitude, params.smoothing),
                             std::span(scratch.samples).first(count));
   StaticVector<DepthTerm, kMaxClusters> terms;
-  decltype(LinearContactModel::bends) bends;
   double total = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const DepthSamples& sample = scratch.samples[i];
@@ -306,11 +304,6 @@ LinearContactModel linearize_textured(
     term.tolerance = penalty.tolerance;
     term.id = clusters.clusters[at(scratch.cluster[i])].id;
     terms.push_back(term);
-    if (params.has_hessian) {  // terms beyond those there is room for stay of first order
-      const DepthHessian hessian = depth_hessian(scratch.contacts[i], sample, scratch.gradient);
-      const bool is_used = hessian.is_valid && sample.depth[0] <= most;
-      bends.push_back(is_used ? hessian.gradient_by_motion : DepthBend::Zero().eval());
-    }
     total += std::max(term.depth + term.tolerance, 0.0);
   }
   LinearContactModel model =
@@ -327,7 +320,6 @@ LinearContactModel linearize_textured(
     term.damping = share * penalty.damping;
     model.depths.push_back(term);
   }
-  model.bends = bends;
   return model;
 }
 

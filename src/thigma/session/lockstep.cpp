@@ -27,8 +27,8 @@ class ZeroForceOnExit {
   HapticDevice& device_;
 };
 
-/// The shell of a lockstep session (detail/frame_driver.h). A contact step is made now and then, its
-/// model is in use some frames later.
+/// The shell of a lockstep session (detail/frame_driver.h). A contact step is made now and then,
+/// its model is in use some frames later.
 class LockstepShell {
  public:
   LockstepShell(const SessionConfig& config, HapticDevice& device, const SessionSinks& sinks,

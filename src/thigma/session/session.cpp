@@ -91,7 +91,7 @@ struct Session::Impl {
   detail::FrameRecord record;
   DeadlineClock clock;
   std::int64_t watchdog_ns = 0;  // constant
-  // Of the last step, which may have hung in the device: asked for, begun with the token, over [ns].
+  // Of the last step, which may have hung in the device: asked for, begun with the token, over.
   std::int64_t step_asked = 0, step_taken = 0, step_end = 0;
   std::int64_t hang_late_ns = 0;  // how late an injected hang made the frame it hit
   bool has_hung = false;          // as asked

@@ -22,8 +22,8 @@ DeepContactLimits deep_contact_limits(const SessionConfig& config) noexcept;
 /// Turns samples into events, as they change. A fault of the watchdog has a text with the longest
 /// gap. A hand that holds the object for a second and never gets a contact model young enough to
 /// arm raises one event; so does a contact that is deep and became so unseen by a model, for as
-/// long as it lasts, the first of a session with a text. Lateness that is ridden out raises an event
-/// each time; the summary only counts it.
+/// long as it lasts, the first of a session with a text. Lateness that is ridden out raises an
+/// event each time; the summary only counts it.
 class EventDetector {
  public:
   EventDetector(std::function<void(const SessionEvent&)> sink, const DeepContactLimits& limits)
