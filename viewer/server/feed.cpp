@@ -1,6 +1,5 @@
 #include "viewer/server/feed.h"
 
-#include <iterator>
 #include <limits>
 
 namespace thigma::live {
@@ -46,26 +45,11 @@ void LiveFeed::observe(const HapticSample& s) {
   last_body_ = pose_of(s.body);
   next_frame_ = s.frame + 1;
 
-  const Wrench felt = on_hand(workspace_, s);
+  const ChannelSource source{s, on_hand(workspace_, s), static_cast<double>(state_bits(s))};
   ChannelRow row;
   row.time = s.time;
-  const double values[] = {felt.force.x(),
-                           felt.force.y(),
-                           felt.force.z(),
-                           felt.torque.x(),
-                           felt.torque.y(),
-                           felt.torque.z(),
-                           s.penetration,
-                           s.is_grasped ? s.stretch : 0.0,
-                           s.energy,
-                           s.model_age,
-                           static_cast<double>(s.step_cpu),
-                           static_cast<double>(s.wake_late),
-                           s.device.motion.twist.linear.norm(),
-                           static_cast<double>(s.touching),
-                           static_cast<double>(state_bits(s))};
-  static_assert(std::size(values) == kChannels - 1);
-  for (std::size_t i = 0; i < row.values.size(); ++i) row.values[i] = static_cast<float>(values[i]);
+  for (std::size_t i = 0; i < row.values.size(); ++i)
+    row.values[i] = static_cast<float>(kChannelList[i + 1].value(source));
   rows_.push(row);
 
   HapticNow& now = haptic_.draft();

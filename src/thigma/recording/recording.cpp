@@ -6,8 +6,8 @@
 
 #include "thigma/core/error.h"
 #include "thigma/dynamics/contact_model_fields.h"
+#include "thigma/loop/sample_fields.h"
 #include "thigma/recording/detail/json_text.h"
-#include "thigma/recording/detail/sample_fields.h"
 #include "thigma/recording/mcap_file.h"
 
 namespace thigma {
@@ -102,7 +102,7 @@ struct FieldWriter {
 
 void put_device(std::string& out, const HapticSample& s) {
   JsonObject json(out);
-  detail::visit_device_state(s, FieldWriter{out, json});
+  visit_device_state(s, FieldWriter{out, json});
   json.close();
 }
 
@@ -117,15 +117,15 @@ void put_of_frame(std::string& out, const HapticSample& s, Fields fields) {
 }
 
 void put_command(std::string& out, const HapticSample& s) {
-  put_of_frame(out, s, [&](const FieldWriter& w) { detail::visit_device_command(s, w); });
+  put_of_frame(out, s, [&](const FieldWriter& w) { visit_device_command(s, w); });
 }
 
 void put_state(std::string& out, const HapticSample& s) {
-  put_of_frame(out, s, [&](const FieldWriter& w) { detail::visit_body_state(s, w); });
+  put_of_frame(out, s, [&](const FieldWriter& w) { visit_body_state(s, w); });
 }
 
 void put_timing(std::string& out, const HapticSample& s) {
-  put_of_frame(out, s, [&](const FieldWriter& w) { detail::visit_timing(s, w); });
+  put_of_frame(out, s, [&](const FieldWriter& w) { visit_timing(s, w); });
 }
 
 void put_plane(std::string& out, const PlaneTerm& p) {
@@ -167,8 +167,8 @@ void put_model(std::string& out, const ContactSample& sample) {
 void put_frame(std::string& out, const ContactSample& c) {
   JsonObject json(out);
   json.integer("sequence", static_cast<long long>(c.model.sequence));
-  detail::visit_contact_frame(c, FieldWriter{out, json});
-  detail::visit_contact_levels(c, FieldWriter{out, json});
+  visit_contact_frame(c, FieldWriter{out, json});
+  visit_contact_levels(c, FieldWriter{out, json});
   json.close();
 }
 

@@ -8,8 +8,8 @@
 #include "thigma/core/error.h"
 #include "thigma/dynamics/contact_model_fields.h"
 #include "thigma/files/byte_source.h"
+#include "thigma/loop/sample_fields.h"
 #include "thigma/recording/detail/json_read.h"
-#include "thigma/recording/detail/sample_fields.h"
 
 namespace thigma::detail {
 namespace {
