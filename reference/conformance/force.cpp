@@ -43,7 +43,7 @@ void check_coupling(const JsonField& in, CaseCheck& check, const CaseContext&) {
   const CouplingStretch stretch = coupling_stretch(coupling, device.pose, state);
   check.expect("u_c", stretch.angular);
   check.expect("du_dq", stretch.angular_by_q);
-  check.expect("device_wrench", to_vector(device_wrench(coupling, device, body, state)));
+  check.expect("device_wrench", to_vector(coupling_reaction(coupling, device, body, state)));
 }
 
 void check_penalty(const JsonField& in, CaseCheck& check, const CaseContext&) {

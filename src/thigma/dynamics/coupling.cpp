@@ -162,8 +162,8 @@ Wrench coupling_wrench(const Coupling& coupling, const Motion& device, const Rig
   return coupling_wrench(coupling, device, at_state(body, state), jacobian);
 }
 
-Wrench device_wrench(const Coupling& coupling, const Motion& device, const RigidBody& body,
-                     const BodyState& state) THIGMA_RT {
+Wrench coupling_reaction(const Coupling& coupling, const Motion& device, const RigidBody& body,
+                         const BodyState& state) THIGMA_RT {
   if (!coupling.is_grasped) return {};
   const Mat3 R = rotation_matrix(state.orientation);
   const GraspForces g = grasp_forces(coupling, device, state, R, velocity(body, state));

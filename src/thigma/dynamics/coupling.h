@@ -103,7 +103,7 @@ Wrench coupling_wrench(const Coupling& coupling, const Motion& device, const Bod
 /// This is not the negative of coupling_wrench, whose torque is about the centre of mass and holds
 /// the lever arm of the force.
 /// Thread    [haptic].
-Wrench device_wrench(const Coupling& coupling, const Motion& device, const RigidBody& body,
-                     const BodyState& state) THIGMA_RT;
+Wrench coupling_reaction(const Coupling& coupling, const Motion& device, const RigidBody& body,
+                         const BodyState& state) THIGMA_RT;
 
 }  // namespace thigma
