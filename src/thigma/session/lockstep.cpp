@@ -107,10 +107,10 @@ class LockstepShell {
                  frame + static_cast<std::uint64_t>(config_.contact_latency));
   }
 
-  void contact_step(const StampedBody& at, double now, std::uint64_t use_from) {
-    detail::timed_contact_step(config_.contact, at, contacts_);
+  void contact_step(const StampedBody& body, double now, std::uint64_t use_from) {
+    detail::timed_contact_step(config_.contact, body, contacts_);
     detail::record_contacts(now, contacts_);
-    detail::show_contacts(config_.live, config_.contact, at.time, contacts_);
+    detail::show_contacts(config_.live, config_.contact, body.time, contacts_);
     force_steps_.observe(contacts_.sample);
     if (sinks_.contact) sinks_.contact(contacts_.sample);
     pending_.push_back({use_from, contacts_.sample.model});

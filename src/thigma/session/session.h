@@ -103,6 +103,9 @@ struct SessionSinks {
 /// How a session ended.
 enum class SessionEnd : std::uint8_t { duration, device_finished, stopped, fault };
 
+/// Name as it stands in messages to pages.
+const char* end_name(SessionEnd end) noexcept;
+
 /// Where a haptic frame's time goes, by the clock; nothing in lockstep [s].
 struct StageSummary {
   DurationSummary device_read, compute, device_write, whole;

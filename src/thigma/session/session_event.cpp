@@ -20,4 +20,18 @@ std::optional<EventKind> event_of_name(std::string_view name) noexcept {
   return std::nullopt;
 }
 
+const char* end_name(SessionEnd end) noexcept {
+  switch (end) {
+    case SessionEnd::duration:
+      return "duration";
+    case SessionEnd::device_finished:
+      return "device_finished";
+    case SessionEnd::stopped:
+      return "stopped";
+    case SessionEnd::fault:
+      return "fault";
+  }
+  return "";
+}
+
 }  // namespace thigma

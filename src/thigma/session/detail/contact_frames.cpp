@@ -4,12 +4,12 @@
 
 namespace thigma::detail {
 
-void timed_contact_step(const ContactWorld& world, const StampedBody& at,
+void timed_contact_step(const ContactWorld& world, const StampedBody& body,
                         ContactFrames& frames) noexcept {
   const std::int64_t begin = thread_cpu_ns();
-  find_contacts(world, at, frames.scratch);
+  find_contacts(world, body, frames.scratch);
   const std::int64_t found = thread_cpu_ns();
-  make_model(world, at, frames.scratch, frames.sample);
+  make_model(world, body, frames.scratch, frames.sample);
   const std::int64_t end = thread_cpu_ns();
   frames.sample.query_cpu = 1e-9 * static_cast<double>(found - begin);
   frames.sample.step_cpu = 1e-9 * static_cast<double>(end - begin);

@@ -17,7 +17,7 @@ struct ContactFrames {
 
 /// contact_step with its CPU time in the sample.
 /// Thread    [contact].
-void timed_contact_step(const ContactWorld& world, const StampedBody& at,
+void timed_contact_step(const ContactWorld& world, const StampedBody& body,
                         ContactFrames& frames) noexcept;
 
 /// Stamps the sample of a frame and adds it up; published [s; session clock].
