@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "reference/taylor_term.h"
+
 #include "thigma/dynamics/linear_contact_model.h"
 #include "thigma/math/rotation.h"
 
@@ -53,7 +55,7 @@ Wrench texture_wrench(const TexturedPoint& probe, const BodyState& state,
                       TextureJacobian kind = TextureJacobian::gauss_newton,
                       WrenchJacobian* jacobian = nullptr) THIGMA_RT;
 
-/// Taylor term of the haptic thread's model at this state, with the Gauss-Newton Jacobian.
+/// Taylor term at this state, with the Gauss-Newton Jacobian.
 /// Thread    [contact].
 TaylorTerm texture_term(const TexturedPoint& probe, const BodyState& state) THIGMA_RT;
 

@@ -92,11 +92,11 @@ TriangleMesh level_surface(const BakeOptions& options, std::vector<TriangleMesh>
 
 TriangleMesh load(const Common& common, const BakeOptions& options, const std::string& name,
                   const char* role, double scale) {
-  const Log tell = common.quiet ? Log{} : [](const std::string& text) {
+  const Log log = common.quiet ? Log{} : [](const std::string& text) {
     std::cerr << "thigma: " << text << "\n";
   };
   return load_surface({.name = name, .role = role, .scale = scale, .is_repair = options.repair},
-                      tell);
+                      log);
 }
 
 /// A unit forgotten ends in nothing found near anything, after minutes.

@@ -164,10 +164,10 @@ ClodAsset build_asset(const BuildOptions& options, const Common& common) {
   source.contact_tolerance = options.contact_tolerance;
   Progress progress("building " + options.mesh, "triangles", !common.quiet);
   source.progress = [&](double share, double triangles) { progress.update(share, triangles); };
-  const Log tell = common.quiet ? Log{} : [](const std::string& text) {
+  const Log log = common.quiet ? Log{} : [](const std::string& text) {
     std::cerr << "thigma: " << text << "\n";
   };
-  return load_clod(source, tell);
+  return load_clod(source, log);
 }
 
 int build(const Common& common, const BuildOptions& options) {

@@ -41,17 +41,17 @@ struct ContactsOptions {
 
 ClodHierarchy load(const std::string& name, const char* role, const ContactsOptions& options,
                    bool is_exact, const Common& common) {
-  const Log tell = common.quiet ? Log{} : [](const std::string& text) {
+  const Log log = common.quiet ? Log{} : [](const std::string& text) {
     std::cerr << "thigma: " << text << "\n";
   };
   ClodSource source{
       .name = name, .role = role, .scale = options.scale, .is_repair = options.repair};
   const bool is_file = !models::is_model_uri(name) && is_clod_file(name);
-  if (is_exact && !is_file) return build_exact_hierarchy(load_surface(source, tell));
+  if (is_exact && !is_file) return build_exact_hierarchy(load_surface(source, log));
   Progress progress("building " + name, "triangles", !common.quiet);
   source.progress = [&](double share, double triangles) { progress.update(share, triangles); };
   source.params.threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
-  return std::move(load_clod(source, tell).hierarchy);
+  return std::move(load_clod(source, log).hierarchy);
 }
 
 nlohmann::ordered_json to_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }

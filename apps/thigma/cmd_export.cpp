@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include "json_out.h"
-#include "told_recording.h"
 #include "verbs.h"
+#include "warned_recording.h"
 #include <nlohmann/json.hpp>
 
 #include "thigma/recording/recording.h"
@@ -14,7 +14,7 @@ namespace {
 
 int export_recording(const std::string& path, const std::string& out, const Common& common) {
   CsvExport csv(out);
-  const RecordingInfo recording = stream_recording_told(
+  const RecordingInfo recording = stream_recording_warned(
       path, {.frame = [&csv](const HapticSample& frame, const SamplePlace&) { csv.add(frame); }},
       common.quiet);
   csv.keep();

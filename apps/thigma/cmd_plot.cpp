@@ -5,8 +5,8 @@
 
 #include "json_out.h"
 #include "session_figure.h"
-#include "told_recording.h"
 #include "verbs.h"
+#include "warned_recording.h"
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
@@ -20,7 +20,7 @@ int plot_recording(const std::string& path, const std::string& out, const Common
   // Twice over the file, so that no recording is too long for memory. One that is still being
   // written is longer the second time; what is new is left out.
   SessionExtent extent;
-  const RecordingInfo recording = stream_recording_told(
+  const RecordingInfo recording = stream_recording_warned(
       path,
       {{},
        [&](const HapticSample& frame, const SamplePlace&) { extent.add(frame); },

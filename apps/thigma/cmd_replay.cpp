@@ -6,8 +6,8 @@
 
 #include "json_out.h"
 #include "run_session.h"
-#include "told_recording.h"
 #include "verbs.h"
+#include "warned_recording.h"
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
@@ -64,7 +64,8 @@ ReplayReport replay_simulation(const std::vector<SimulatedFrame>& frames,
     if (!same_bits(recorded.body, sample.body)) differs(sample.frame, "body state");
   };
   if (!frames.empty())
-    report.state_hash = simulate_run(*run, run->session.config, false, sinks, nullptr).state_hash;
+    report.state_hash =
+        run_session(*run, run->session.config, {.is_lockstep = true}, sinks).state_hash;
   report.recorded_hash = recorded_hash.value;
   return report;
 }
@@ -99,7 +100,7 @@ struct Rerun {
 Verdict judge(const std::string& path, bool is_quiet) {
   Rerun rerun{path};
   Verdict verdict;
-  verdict.recording = stream_recording_told(
+  verdict.recording = stream_recording_warned(
       path,
       {[&](const std::string& text) { return rerun.begin(text); },
        [&](const HapticSample& frame, const SamplePlace&) { rerun.add(frame); },

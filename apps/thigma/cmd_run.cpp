@@ -116,7 +116,7 @@ std::unique_ptr<RecordingWriter> open_recording(const std::string& path, const R
 }
 
 /// How late this machine wakes a thread that does nothing, so that missed frames can be judged.
-EmptyLoop tell_floor(const SessionConfig& config) {
+EmptyLoop measure_floor(const SessionConfig& config) {
   const EmptyLoop floor = measure_empty_loop(config.haptic_thread, config.rate, 0.5, config.spin);
   const DurationSummary late = summarize(floor.wake_late);
   std::fprintf(stderr,
@@ -131,22 +131,7 @@ EmptyLoop tell_floor(const SessionConfig& config) {
 void prepare_process(Run& run, bool is_quiet) {
   const std::string refused = lock_process_memory();
   if (!refused.empty() && !is_quiet) std::fprintf(stderr, "thigma: %s\n", refused.c_str());
-  if (!is_quiet) run.floor = tell_floor(run.session.config);
-}
-
-SessionSummary run_threads(Run& run, const SessionSinks& sinks, bool is_quiet) {
-  prepare_process(run, is_quiet);
-  Session session(run.session.config, *run.session.device, sinks);
-  session.start();
-  while (session.is_running()) {
-    if (stop_requested.load(std::memory_order_relaxed)) session.request_stop();
-    sleep_ns(10'000'000);
-  }
-  SessionSummary summary = session.finish();
-  for (const std::string& note : summary.notes) {
-    if (!is_quiet) std::fprintf(stderr, "thigma: %s\n", note.c_str());
-  }
-  return summary;
+  if (!is_quiet) run.floor = measure_floor(run.session.config);
 }
 
 /// Without a page: one session, no table. is_whole: of the recording, where one was asked for.
@@ -163,12 +148,15 @@ SessionSummary run_alone(const RunOptions& options, const Common& common, Run& r
              [&](const ContactSample& sample) { recorder.write(sample); },
              [&](const SessionEvent& event) { recorder.write(event); }};
   }
+  const bool has_threads = !options.is_lockstep && !run.session.simulation;
+  if (has_threads) prepare_process(run, common.quiet);
   const SessionSummary summary =
-      run.session.simulation
-          ? simulate_run(run, run.session.config, !options.is_lockstep, sinks, &stop_requested)
-      : options.is_lockstep
-          ? run_lockstep(run.session.config, *run.session.device, sinks, &stop_requested)
-          : run_threads(run, sinks, common.quiet);
+      run_session(run, run.session.config,
+                  {.is_lockstep = options.is_lockstep, .stop = &stop_requested}, sinks);
+  if (has_threads && !common.quiet) {
+    for (const std::string& note : summary.notes)
+      std::fprintf(stderr, "thigma: %s\n", note.c_str());
+  }
   recorder.close({summary.frames, summary.state_hash, summary.dropped_samples});
   return summary;
 }
@@ -188,10 +176,10 @@ SessionSummary run_with_page(const RunOptions& options, const Common& common,
   program.record = [&](const std::string& path) {
     return open_recording(path, options, *run, common);
   };
-  program.tell = [&common](const std::string& line) {
+  program.log = [&common](const std::string& line) {
     if (!common.quiet) std::fprintf(stderr, "thigma: %s\n", line.c_str());
   };
-  program.tell_trouble = print_error;
+  program.print_trouble = print_error;
   if (wants_table) {
     program.observe_haptic = [&table](const HapticSample& sample) { table.observe(sample); };
     program.observe_contact = [&table](const ContactSample& sample) { table.observe(sample); };
@@ -209,9 +197,9 @@ int refuse(int code, const std::string& why) {
 }
 
 int run_verb(const RunOptions& asked, const Common& common) {
-  std::function<void(const std::string&)> tell;  // empty: nothing is told, no progress either
+  Log log;  // empty: no lines, no progress either
   if (!common.quiet) {
-    tell = [](const std::string& line) { std::fprintf(stderr, "thigma: %s\n", line.c_str()); };
+    log = [](const std::string& line) { std::fprintf(stderr, "thigma: %s\n", line.c_str()); };
   }
   RunOptions options = asked;
   if (!options.replay.empty()) use_recorded_scene(options);
@@ -220,7 +208,7 @@ int run_verb(const RunOptions& asked, const Common& common) {
     return refuse(kUsage, "run: " + wrong);
   WebDeviceChannel link;
   std::unique_ptr<Run> run = prepare_run(std::move(scene), options, common.seed,
-                                         {tell, {}, has_page(options) ? &link : nullptr});
+                                         {log, {}, has_page(options) ? &link : nullptr});
   const SignalGuard signals;
   bool is_whole = true;
   const SessionSummary summary = has_page(options) ? run_with_page(options, common, link, run)

@@ -73,8 +73,8 @@ std::string check(const TuneOptions& o) {
 
 LoadedObject load_measures(const SceneObject& object, const Common& common) {
   if (object.model || !is_clod_file(object.mesh)) return load_object(object);
-  const Log tell = common.quiet ? Log{} : [](const std::string& line) { print_error(line); };
-  const ClodAsset asset = load_clod({.name = object.mesh, .scale = object.unit_scale}, tell);
+  const Log log = common.quiet ? Log{} : [](const std::string& line) { print_error(line); };
+  const ClodAsset asset = load_clod({.name = object.mesh, .scale = object.unit_scale}, log);
   LoadedObject loaded;
   loaded.measure = asset.mass.measure;
   loaded.ball = {asset.hierarchy.center, asset.hierarchy.radius};

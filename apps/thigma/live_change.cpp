@@ -125,9 +125,9 @@ void change_recording(const live::LiveRequest& request, const LiveNow& now, Live
 LiveChange change_to_recording(const std::string& path, const LiveNow& now) {
   LiveChange change;
   change.playback = std::make_unique<Playback>(path);
-  if (now.hooks.tell) {
+  if (now.hooks.log) {
     for (const std::string& line : recording_warnings(path, change.playback->recording()))
-      now.hooks.tell(line);
+      now.hooks.log(line);
   }
   const std::string& scene = change.playback->config().scene;
   const bool is_other = scene != now.run.scene.description.file && now.options.replay != path;

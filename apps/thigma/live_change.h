@@ -11,7 +11,7 @@
 #include "playback.h"
 #include "run_options.h"
 #include "run_session.h"
-#include "viewer/server/live_room.h"
+#include "viewer/server/live_server.h"
 
 namespace thigma::app {
 

@@ -13,10 +13,10 @@ constexpr std::int64_t kFrame = 10'000'000;  // between two pictures [ns]
 constexpr std::size_t kMostFrames = 240;     // of a recording, at once
 
 /// What watches without writing anything.
-SessionSinks watchers(live::LiveRoom& room) {
-  return {[&room](const HapticSample& sample) { room.observe(sample); },
-          [&room](const ContactSample& sample) { room.observe(sample); },
-          [&room](const SessionEvent& event) { room.observe(event); }};
+SessionSinks watchers(live::LiveServer& server) {
+  return {[&server](const HapticSample& sample) { server.observe(sample); },
+          [&server](const ContactSample& sample) { server.observe(sample); },
+          [&server](const SessionEvent& event) { server.observe(event); }};
 }
 
 /// Contacts are not part of a recording: they are found again where the object was.
@@ -24,17 +24,17 @@ void find_contacts(const LivePlayback& show, ContactScratch& scratch) {
   const HapticSample& frame = show.playback.frame();
   ContactSample sample;
   contact_step(show.config.contact, {frame.body, frame.time, frame.frame}, scratch, sample);
-  view_contacts(show.config.contact, scratch, frame.time, show.room.ports().contacts.draft());
-  show.room.ports().contacts.publish();
+  view_contacts(show.config.contact, scratch, frame.time, show.server.ports().contacts.draft());
+  show.server.ports().contacts.publish();
 }
 
 /// Does what a page asked for, where that is moving about in the recording; returns whether it was.
 bool move_within(const LivePlayback& show, const live::LiveRequest& request,
                  const SessionSinks& sinks) {
   if (request.kind != Kind::seek && request.kind != Kind::reset) return false;
-  show.room.rewind();
+  show.server.rewind();
   show.playback.jump_to(request.kind == Kind::seek ? request.number : 0.0, sinks);
-  show.room.answer(request, "");
+  show.server.answer(request, "");
   return true;
 }
 
@@ -52,13 +52,13 @@ SessionConfig recorded_config(const SessionConfig& scene, const RecordedConfig& 
 
 void show_playback(LivePlayback show) {
   Playback& playback = show.playback;
-  const SessionSinks sinks = watchers(show.room);
-  show.room.prepare_session(show.config);
+  const SessionSinks sinks = watchers(show.server);
+  show.server.prepare_session(show.config);
   live::LiveStart start;
   start.device = playback.config().device;
   start.replay = playback.file();
   start.replay_seconds = playback.seconds();
-  show.room.begin_session(start);
+  show.server.begin_session(start);
   ContactScratch scratch;
   reserve_contact_scratch(show.config.contact, scratch);
   playback.jump_to(0.0, sinks);
@@ -72,10 +72,10 @@ void show_playback(LivePlayback show) {
       request.reset();
       due = playback.time();
     }
-    if (take_step(show.room.ports())) {
+    if (take_step(show.server.ports())) {
       playback.advance_to(std::numeric_limits<double>::infinity(), 1, sinks);
       due = playback.time();
-    } else if (!show.room.ports().is_paused && !playback.is_over()) {
+    } else if (!show.server.ports().is_paused && !playback.is_over()) {
       due += 1e-9 * static_cast<double>(now - last);
       playback.advance_to(due, kMostFrames, sinks);
     }
@@ -83,7 +83,7 @@ void show_playback(LivePlayback show) {
     if (playback.frame().frame != before || scratch.sequence == 0) find_contacts(show, scratch);
     sleep_ns(kFrame);
   }
-  show.room.end_session("stopped", 0);
+  show.server.end_session(SessionEnd::stopped, 0);
 }
 
 }  // namespace thigma::app

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "playback.h"
-#include "viewer/server/live_room.h"
+#include "viewer/server/live_server.h"
 
 #include "thigma/session/session.h"
 
@@ -13,7 +13,7 @@ namespace thigma::app {
 
 /// What shows a recording, and who may end that.
 struct LivePlayback {
-  live::LiveRoom& room;
+  live::LiveServer& server;
   Playback& playback;
   SessionConfig config;  // what the recording was made with, on the scene as it is loaded here
   // What pages have asked for and nobody has answered yet; asked about every 10 ms.

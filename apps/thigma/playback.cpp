@@ -40,12 +40,12 @@ double Playback::time() const { return frame_.time; }
 
 HapticSample Playback::read(std::size_t index) { return read_frame(source_, frames_[index].place); }
 
-void Playback::tell_frame(std::size_t index, const SessionSinks& sinks) {
+void Playback::send_frame(std::size_t index, const SessionSinks& sinks) {
   frame_ = read(index);
   if (sinks.haptic) sinks.haptic(frame_);
 }
 
-void Playback::tell_contacts(double time, const SessionSinks& sinks) {
+void Playback::send_contacts(double time, const SessionSinks& sinks) {
   for (; next_contact_ < contacts_.size() && contacts_[next_contact_].time <= time; ++next_contact_)
     if (sinks.contact) sinks.contact(read_contact(source_, contacts_[next_contact_].place));
 }
@@ -54,20 +54,20 @@ void Playback::advance_to(double time, std::size_t most, const SessionSinks& sin
   const auto& events = recording_.events;
   for (; most > 0 && next_ < frames_.size() && frames_[next_].time <= time; ++next_, --most) {
     const double now = frames_[next_].time;
-    tell_contacts(now, sinks);
-    tell_frame(next_, sinks);
+    send_contacts(now, sinks);
+    send_frame(next_, sinks);
     for (; next_event_ < events.size() && events[next_event_].time <= now; ++next_event_)
       if (sinks.event) sinks.event(events[next_event_]);
   }
 }
 
-void Playback::tell_history(std::size_t begin, std::size_t end, const SessionSinks& sinks) {
+void Playback::send_history(std::size_t begin, std::size_t end, const SessionSinks& sinks) {
   const std::size_t stride = (end - begin + kMostHistory - 1) / kMostHistory;
   for (std::size_t i = begin; i < end; ++i) {
     // All frames around a change of hold, else the ghost would be drawn from the wrong place.
     const bool changes = i > 0 && frames_[i].is_grasped != frames_[i - 1].is_grasped;
     const bool will_change = i + 1 < end && frames_[i].is_grasped != frames_[i + 1].is_grasped;
-    if ((end - 1 - i) % stride == 0 || changes || will_change) tell_frame(i, sinks);
+    if ((end - 1 - i) % stride == 0 || changes || will_change) send_frame(i, sinks);
   }
 }
 
@@ -92,7 +92,7 @@ void Playback::jump_to(double time, const SessionSinks& sinks) {
   next_contact_ = static_cast<std::size_t>(after - contacts_.begin());
   if (next_contact_ > 0 && sinks.contact)
     sinks.contact(read_contact(source_, contacts_[next_contact_ - 1].place));
-  tell_history(begin, end, sinks);
+  send_history(begin, end, sinks);
   next_ = end;
   const auto& events = recording_.events;
   next_event_ = 0;

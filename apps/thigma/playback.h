@@ -14,7 +14,7 @@
 namespace thigma::app {
 
 /// Where in a recording the page is. Holds some 50 bytes a frame; samples are read from the file
-/// when they are told of. Thread: any one.
+/// when they are sent. Thread: any one.
 class Playback {
  public:
   /// errors   InputError for what is no recording, or one without a frame
@@ -24,14 +24,14 @@ class Playback {
   const RecordingInfo& recording() const { return recording_; }
   const RecordedConfig& config() const { return config_; }
   double seconds() const;  // time of the last frame [s]
-  double time() const;     // of the newest frame that was told [s]
+  double time() const;     // of the newest frame that was sent [s]
   bool is_over() const { return next_ >= frames_.size(); }
-  /// The newest frame that was told; the first before any was.
+  /// The newest frame that was sent; the first before any was.
   const HapticSample& frame() const { return frame_; }
 
-  /// Tells `sinks` of everything up to `time`, at most `most` frames.
+  /// Sends `sinks` everything up to `time`, at most `most` frames.
   void advance_to(double time, std::size_t most, const SessionSinks& sinks);
-  /// The same up to `time`, forgetting what was told: frames of the ten seconds before it, thinned
+  /// The same up to `time`, forgetting what was sent: frames of the ten seconds before it, thinned
   /// to what pages take at once, after those in which the object was last taken hold of.
   void jump_to(double time, const SessionSinks& sinks);
 
@@ -46,9 +46,9 @@ class Playback {
     SamplePlace place;
   };
 
-  void tell_contacts(double time, const SessionSinks& sinks);
-  void tell_frame(std::size_t index, const SessionSinks& sinks);
-  void tell_history(std::size_t begin, std::size_t end, const SessionSinks& sinks);
+  void send_contacts(double time, const SessionSinks& sinks);
+  void send_frame(std::size_t index, const SessionSinks& sinks);
+  void send_history(std::size_t begin, std::size_t end, const SessionSinks& sinks);
   HapticSample read(std::size_t index);
 
   std::string file_;

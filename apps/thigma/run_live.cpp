@@ -4,7 +4,6 @@
 #include <atomic>
 #include <exception>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "live_change.h"
@@ -12,7 +11,7 @@
 #include "live_playback.h"
 #include "run_view.h"
 #include "session_recorder.h"
-#include "viewer/server/live_room.h"
+#include "viewer/server/live_server.h"
 #include "viewer/server/web_files.h"
 
 #include "thigma/clod/clod_asset.h"
@@ -37,18 +36,18 @@ class LiveRun {
         start_(run_->session.config.world_from_body),
         record_(program.options->record),
         recorder_([this](const RecordingFailure& failure) { recording_failed(failure); }),
-        room_(view_of(*run_), run_->session.config,
-              start_ * run_->session.config.contact.body_from_mesh, devices_of(*run_),
-              live::web_files(), program.options->port.value_or(0), *program.web_channel) {}
+        server_(view_of(*run_), run_->session.config,
+                start_ * run_->session.config.contact.body_from_mesh, devices_of(*run_),
+                live::web_files(), program.options->port.value_or(0), *program.web_channel) {}
 
   SessionSummary go() {
-    room_.offer(open_menu());
+    server_.offer(open_menu());
     if (!options_.replay.empty()) commit(change_to_recording(options_.replay, now()));
-    program_.tell("the page is at " + room_.address() +
-                  " - open it in a browser on this machine; Ctrl-C ends it");
+    program_.log("the page is at " + server_.address() +
+                 " - open it in a browser on this machine; Ctrl-C ends it");
     SessionSummary summary;
     do {
-      summary = playback_ ? playback() : options_.is_lockstep ? lockstep() : session();
+      summary = playback_ ? playback() : session();
     } while (begins_again(summary));
     return summary;
   }
@@ -62,7 +61,7 @@ class LiveRun {
       const double least = 1.0 / config.rate;
       config.duration = std::max(*options_.duration - seconds_, least);
     }
-    room_.prepare_session(config);
+    server_.prepare_session(config);
     return config;
   }
 
@@ -73,16 +72,16 @@ class LiveRun {
               last_body_.reset();
               if (sample.touching == 0)
                 last_body_ = Pose{sample.body.position, sample.body.orientation};
-              room_.observe(sample);
+              server_.observe(sample);
             },
             [this](const ContactSample& sample) {
               recorder_.write(sample);
               if (program_.observe_contact) program_.observe_contact(sample);
-              room_.observe(sample);
+              server_.observe(sample);
             },
             [this](const SessionEvent& event) {
               recorder_.write(event);
-              room_.observe(event);
+              server_.observe(event);
             }};
   }
 
@@ -106,10 +105,10 @@ class LiveRun {
   /// On the thread that drains the session: the session goes on, pages and people are told once.
   void recording_failed(const RecordingFailure& failure) {
     has_lost_recording_ = true;
-    room_.observe(
-        SessionEvent{failure.time, failure.frame, "recording_ended", record_, failure.why});
-    room_.lose_recording();
-    program_.tell_trouble(failure.why + "; the recording ends there, the session goes on");
+    server_.observe(SessionEvent{failure.time, failure.frame, EventKind::recording_ended, record_,
+                                 failure.why});
+    server_.lose_recording();
+    program_.print_trouble(failure.why + "; the recording ends there, the session goes on");
   }
 
   void begin() {
@@ -122,71 +121,32 @@ class LiveRun {
     start.gains = gains_of(*run_);
     start.choices = choices_of(*run_);
     holder_ = 0;
-    room_.begin_session(start);
-    if (recorder_.is_open()) room_.offer(open_menu());
+    server_.begin_session(start);
+    if (recorder_.is_open()) server_.offer(open_menu());
   }
 
   void end(const SessionSummary& summary) {
     const bool was_recorded = recorder_.is_open();
     recorder_.close({summary.frames, summary.state_hash, summary.dropped_samples});
     seconds_ += summary.seconds;
-    room_.end_session(end_name(summary.end), summary.dropped_samples);
-    if (was_recorded) room_.offer(open_menu());
-  }
-
-  SessionSummary lockstep() {
-    const SessionConfig config = next_config();
-    open_recording(config);
-    begin();
-    const SessionSummary summary =
-        run_->session.simulation
-            ? simulate_run(*run_, config, false, sinks(), program_.stop)
-            : run_lockstep(config, *run_->session.device, sinks(), program_.stop);
-    end(summary);
-    return summary;
-  }
-
-  /// A simulation at the pace of the clock, in a thread of its own.
-  SessionSummary simulation() {
-    const SessionConfig config = next_config();
-    open_recording(config);
-    std::atomic<bool> stops{false}, is_over{false};
-    std::exception_ptr error;
-    SessionSummary summary;
-    begin();
-    std::thread worker([&] {
-      try {
-        summary = simulate_run(*run_, config, true, sinks(), &stops);
-      } catch (...) {
-        error = std::current_exception();
-      }
-      is_over = true;
-    });
-    while (!is_over) {
-      if (poll_pages() || is_told_to_stop()) stops = true;
-      sleep_ns(kPoll);
-      if (program_.poll) program_.poll();
-    }
-    worker.join();
-    if (error) std::rethrow_exception(error);
-    end(summary);
-    return summary;
+    server_.end_session(summary.end, summary.dropped_samples);
+    if (was_recorded) server_.offer(open_menu());
   }
 
   SessionSummary session() {
-    if (run_->session.simulation) return simulation();
     const SessionConfig config = next_config();
     open_recording(config);
-    Session session(config, *run_->session.device, sinks());
-    session.start();
-    begin();
-    while (session.is_running()) {
-      if (poll_pages() || is_told_to_stop()) session.request_stop();
-      sleep_ns(kPoll);
-      if (program_.poll) program_.poll();
-    }
-    const SessionSummary summary = session.finish();
-    for (const std::string& note : summary.notes) program_.tell(note);
+    const RunControl control{.is_lockstep = options_.is_lockstep,
+                             .stop = program_.stop,
+                             .begun = [this] { begin(); },
+                             .poll =
+                                 [this] {
+                                   if (program_.poll) program_.poll();
+                                   return poll_pages().has_value();
+                                 }};
+    const SessionSummary summary = run_session(*run_, config, control, sinks());
+    if (!options_.is_lockstep)
+      for (const std::string& note : summary.notes) program_.log(note);
     end(summary);
     return summary;
   }
@@ -194,7 +154,7 @@ class LiveRun {
   bool is_told_to_stop() const { return program_.stop->load(std::memory_order_relaxed); }
 
   SessionSummary playback() {
-    show_playback({room_, *playback_, recorded_config(run_->session.config, playback_->config()),
+    show_playback({server_, *playback_, recorded_config(run_->session.config, playback_->config()),
                    [this]() -> std::optional<live::LiveRequest>& { return poll_pages(); },
                    [this] { return is_told_to_stop(); }});
     SessionSummary summary;
@@ -207,7 +167,7 @@ class LiveRun {
   /// meanwhile.
   std::optional<live::LiveRequest>& poll_pages() {
     if (request_) return request_;
-    request_ = room_.take_request();
+    request_ = server_.take_request();
     if (!request_) return request_;
     if (request_->kind == Kind::inspect) {
       look_at_dropped();
@@ -228,9 +188,9 @@ class LiveRun {
     } catch (const std::exception& error) {
       why = error.what();
     }
-    if (std::exchange(has_progress_, false)) room_.tell_progress("", 1.0);
+    if (std::exchange(has_progress_, false)) server_.show_progress("", 1.0);
     if (why.empty()) return;
-    room_.answer(*request_, why);
+    server_.answer(*request_, why);
     request_.reset();
   }
 
@@ -239,32 +199,32 @@ class LiveRun {
     // Who is looking at a fault may begin again, and may load the page anew; without anybody there
     // the program ends.
     constexpr int kPatience = 500;  // polls
-    int alone = room_.page_count() > 0 ? 0 : kPatience;
+    int alone = server_.page_count() > 0 ? 0 : kPatience;
     while (!request_ && summary.end == SessionEnd::fault && alone < kPatience &&
            !is_told_to_stop()) {
       poll_pages();
-      alone = room_.page_count() > 0 ? 0 : alone + 1;
+      alone = server_.page_count() > 0 ? 0 : alone + 1;
       sleep_ns(kPoll);
     }
     if (!request_ || is_told_to_stop()) return false;
     const live::LiveRequest request = *request_;
     request_.reset();
     if (summary.end == SessionEnd::duration || summary.end == SessionEnd::device_finished) {
-      room_.answer(request, "the session is over");
+      server_.answer(request, "the session is over");
       return false;
     }
     commit(std::move(change_));
-    room_.answer(request, "");
+    server_.answer(request, "");
     return true;
   }
 
   LiveNow now() {
     RunHooks hooks;
-    hooks.tell = [this](const std::string& line) { program_.tell(line); };
+    hooks.log = [this](const std::string& line) { program_.log(line); };
     hooks.progress = [this](const std::string& what, double share) {
       if (is_told_to_stop()) throw std::runtime_error("told to stop");
       has_progress_ = true;
-      room_.tell_progress(what, share);
+      server_.show_progress(what, share);
     };
     hooks.web_channel = program_.web_channel;
     const bool is_recorded = !playback_ && !has_lost_recording_;
@@ -278,8 +238,8 @@ class LiveRun {
     playback_ = std::move(change.playback);
     if (change.run) {
       const SessionConfig& config = change.run->session.config;
-      room_.show(view_of(*change.run), config,
-                 config.world_from_body * config.contact.body_from_mesh);
+      server_.show(view_of(*change.run), config,
+                   config.world_from_body * config.contact.body_from_mesh);
       run_ = std::move(change.run);
       options_ = std::move(change.options);
       start_ = run_->session.config.world_from_body;
@@ -288,10 +248,10 @@ class LiveRun {
     }
     if (playback_) {
       const SessionConfig config = recorded_config(run_->session.config, playback_->config());
-      room_.show(view_of(*run_), config, start_ * config.contact.body_from_mesh);
+      server_.show(view_of(*run_), config, start_ * config.contact.body_from_mesh);
     } else if (was_replay) {
-      room_.show(view_of(*run_), run_->session.config,
-                 start_ * run_->session.config.contact.body_from_mesh);
+      server_.show(view_of(*run_), run_->session.config,
+                   start_ * run_->session.config.contact.body_from_mesh);
     }
     if (change.device) run_->session = std::move(*change.device);
     holder_ = change.holder;
@@ -308,11 +268,11 @@ class LiveRun {
     try {
       dropped_.keep(request.text, request.data);
       dropped_.tidy(run_->scene.description);
-      room_.tell(request.page,
-                 model_message(request.id, dropped_, run_->scene.object->hierarchy.radius));
-      room_.answer(request, "");
+      server_.send(request.page,
+                   model_message(request.id, dropped_, run_->scene.object->hierarchy.radius));
+      server_.answer(request, "");
     } catch (const std::exception& error) {
-      room_.answer(request, error.what());
+      server_.answer(request, error.what());
     }
   }
 
@@ -324,7 +284,7 @@ class LiveRun {
   std::atomic<bool> has_lost_recording_{false};  // it ended before its session
   SessionRecorder recorder_;
   DroppedMesh dropped_;
-  live::LiveRoom room_;
+  live::LiveServer server_;
   std::unique_ptr<Playback> playback_;  // null: sessions
   std::optional<live::LiveRequest> request_;
   LiveChange change_;          // what request_ takes

@@ -27,9 +27,9 @@ struct LiveProgram {
   std::function<void(const HapticSample&)> observe_haptic;  // on the draining thread; may be empty
   std::function<void(const ContactSample&)> observe_contact;  // likewise
   std::function<void()> poll;                                 // every 10 ms; may be empty
-  std::function<void(const std::string&)> tell;               // a line for people
+  std::function<void(const std::string&)> log;                // a line for people
   // one that --quiet does not take away; any thread
-  std::function<void(const std::string&)> tell_trouble;
+  std::function<void(const std::string&)> print_trouble;
 };
 
 /// Serves the page and runs sessions until the time is over, the device has finished, a fault has

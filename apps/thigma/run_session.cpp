@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
+#include <thread>
 #include <utility>
 
 #include "progress.h"
@@ -42,7 +44,7 @@ class BuildProgress {
   void update(const std::string& what, double share, double triangles) {
     if (what != what_) {
       what_ = what;
-      bar_.emplace(what, "triangles", static_cast<bool>(hooks_.tell));
+      bar_.emplace(what, "triangles", static_cast<bool>(hooks_.log));
     }
     bar_->update(share, triangles);
     if (hooks_.progress) hooks_.progress(what, share);
@@ -63,7 +65,7 @@ LoadOptions load_options(const RunOptions& options, const RunHooks& hooks,
   load.repairs = options.is_repair;
   load.has_textures = options.texture != "off";
   load.keeps_levels = !options.has_no_cache;
-  load.log = hooks.tell;
+  load.log = hooks.log;
   load.progress = [&progress](const std::string& what, double share, double triangles) {
     progress.update(what, share, triangles);
   };
@@ -79,6 +81,47 @@ SessionOptions session_options(const RunOptions& options, std::uint64_t seed,
   session.web_channel = web_channel;
   session.log = log;
   return session;
+}
+
+constexpr std::int64_t kPoll = 10'000'000;  // [ns]
+
+/// Waits a little; true: the session is to end.
+bool poll(const RunControl& control) {
+  const bool is_polled = control.poll && control.poll();
+  const bool is_stopped = control.stop != nullptr && control.stop->load(std::memory_order_relaxed);
+  sleep_ns(kPoll);
+  return is_polled || is_stopped;
+}
+
+/// A simulation at the pace of the clock, in a thread of its own.
+SessionSummary run_paced(Run& run, const SessionConfig& config, const RunControl& control,
+                         const SessionSinks& sinks) {
+  std::atomic<bool> stops{false}, is_over{false};
+  std::exception_ptr error;
+  if (control.begun) control.begun();
+  std::thread worker([&] {
+    try {
+      run.simulated = run_simulated(config, *run.session.simulation, true, sinks, &stops);
+    } catch (...) {
+      error = std::current_exception();
+    }
+    is_over = true;
+  });
+  while (!is_over)
+    if (poll(control)) stops = true;
+  worker.join();
+  if (error) std::rethrow_exception(error);
+  return run.simulated.session;
+}
+
+SessionSummary run_threads(Run& run, const SessionConfig& config, const RunControl& control,
+                           const SessionSinks& sinks) {
+  Session session(config, *run.session.device, sinks);
+  session.start();
+  if (control.begun) control.begun();
+  while (session.is_running())
+    if (poll(control)) session.request_stop();
+  return session.finish();
 }
 
 }  // namespace
@@ -116,10 +159,15 @@ std::string check_meshes(const SceneDescription& scene, const RunOptions& option
   return line;
 }
 
-SessionSummary simulate_run(Run& run, const SessionConfig& config, bool is_paced,
-                            const SessionSinks& sinks, const std::atomic<bool>* stop) {
-  const SimulatedStart& start = *run.session.simulation;
-  run.simulated = run_simulated(config, start.world, start.state, is_paced, sinks, stop);
+SessionSummary run_session(Run& run, const SessionConfig& config, const RunControl& control,
+                           const SessionSinks& sinks) {
+  if (!control.is_lockstep)
+    return run.session.simulation ? run_paced(run, config, control, sinks)
+                                  : run_threads(run, config, control, sinks);
+  if (control.begun) control.begun();
+  if (!run.session.simulation)
+    return run_lockstep(config, *run.session.device, sinks, control.stop);
+  run.simulated = run_simulated(config, *run.session.simulation, false, sinks, control.stop);
   return run.simulated.session;
 }
 
@@ -135,7 +183,7 @@ std::unique_ptr<Run> prepare_run(SceneDescription scene, const RunOptions& optio
   if (options.spin) run->scene.config.spin = 1e-6 * *options.spin;
   run->scene.config.faults = parse_faults(options.fault_text);
   run->session =
-      open_session(run->scene, session_options(options, seed, hooks.web_channel, hooks.tell));
+      open_session(run->scene, session_options(options, seed, hooks.web_channel, hooks.log));
   return run;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // From the options of `thigma run` to a session that can be started.
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -29,7 +30,7 @@ struct Run {
 
 /// Who is told how a run is prepared, and what it shares with the page.
 struct RunHooks {
-  Log tell;  // lines for people; may be empty
+  Log log;  // lines for people; may be empty
   // What is being built and the share that is done; may be empty, may throw to give it up.
   std::function<void(const std::string& what, double share)> progress;
   WebDeviceChannel* web_channel = nullptr;  // of the page; null without one
@@ -53,11 +54,25 @@ std::string check_meshes(const SceneDescription& scene, const RunOptions& option
 std::unique_ptr<Run> prepare_run(SceneDescription scene, const RunOptions& options,
                                  std::uint64_t seed, const RunHooks& hooks);
 
-/// Runs the simulation of a scene that has one, as run_simulated; how it went stays in
-/// run.simulated.
+/// How the session of a run is run.
+struct RunControl {
+  bool is_lockstep = false;                 // on a virtual clock; false: on the clock of the wall
+  const std::atomic<bool>* stop = nullptr;  // null, or ends the session when set
+  std::function<void()> begun{};            // when it has; may be empty
+  // Every 10 ms of a session on the wall's clock, in the calling thread; true ends it. May be
+  // empty.
+  std::function<bool()> poll{};
+};
+
+/// Runs the session of a run: in lockstep or on threads, with its device or, where the scene has a
+/// simulation, without. How a simulation went stays in run.simulated.
+///
+/// config   the run's, but for what changes from session to session
+/// sinks    called by a thread that is not real time
+/// errors   as run_lockstep, Session and run_simulated; what a sink throws
 /// Thread   [offline]
-SessionSummary simulate_run(Run& run, const SessionConfig& config, bool is_paced,
-                            const SessionSinks& sinks, const std::atomic<bool>* stop);
+SessionSummary run_session(Run& run, const SessionConfig& config, const RunControl& control,
+                           const SessionSinks& sinks);
 
 /// Opens a device anew, or another one, and places the object for it as prepare_run does. The run,
 /// which a session may be using, stays as it is.

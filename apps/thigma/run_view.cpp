@@ -57,20 +57,6 @@ std::vector<std::string> devices_of(const Run& run) {
   return devices;
 }
 
-const char* end_name(SessionEnd end) {
-  switch (end) {
-    case SessionEnd::duration:
-      return "duration";
-    case SessionEnd::device_finished:
-      return "device_finished";
-    case SessionEnd::stopped:
-      return "stopped";
-    case SessionEnd::fault:
-      return "fault";
-  }
-  return "";
-}
-
 std::optional<GainTask> gains_of(const Run& run) {
   const HapticParams& haptic = run.session.config.haptic;
   if (haptic.response == ResponseKind::direct) return std::nullopt;  // no springs to judge

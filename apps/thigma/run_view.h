@@ -25,9 +25,6 @@ std::optional<GainTask> gains_of(const Run& run);
 /// What pages may choose that takes a new session.
 std::vector<live::LiveParameter> choices_of(const Run& run);
 
-/// "duration", "device_finished", "stopped", "fault".
-const char* end_name(SessionEnd end);
-
 /// A name no file has yet, in the folder the program runs in. Throws IoError.
 std::string free_recording();
 

@@ -48,7 +48,8 @@ void mark_events(const RecordingInfo& recording, const SessionExtent& extent,
   const double near = 0.02 * (extent.end - extent.begin);
   std::vector<plot::Guide> guides;
   for (const SessionEvent& event : recording.events) {
-    const std::string name = event.detail.empty() ? event.kind : event.kind + ": " + event.detail;
+    std::string name = event_name(event.kind);
+    if (!event.detail.empty()) name += ": " + event.detail;
     if (!guides.empty() && event.time - guides.back().value <= near) {
       guides.back().label += ", " + name;
     } else if (guides.size() < kMostEvents) {

@@ -9,9 +9,9 @@
 #include "experiments/common/statistics.h"
 #include "experiments/common/texture_experiments.h"
 #include "experiments/e10-depth-accuracy/fine_meshes.h"
+#include "reference/depth_hessian.h"
 
 #include "thigma/depth/depth_gradient.h"
-#include "thigma/depth/depth_hessian.h"
 #include "thigma/math/elementary.h"
 #include "thigma/math/random.h"
 #include "thigma/math/rotation.h"

@@ -76,7 +76,6 @@ std::vector<double> missed_depths(const TexturedSession& session,
 struct Lead {
   std::string scene = "hammer_on_torus";
   GradientKind gradient = GradientKind::smoothed_envelope;
-  bool has_hessian = false;
   int resolution = 50;
   double stiffness = 5000.0;  // [N/m]
   // haptic frames from one contact model to the next, and until it is used
@@ -86,7 +85,6 @@ struct Lead {
 LedRun lead_scene(const Context& context, const Lead& lead, double seconds) {
   const auto session = textured_session(lead.scene, true, [&](SceneDescription& s) {
     s.contact.texture.gradient = lead.gradient;
-    s.contact.texture.has_hessian = lead.has_hessian;
     s.contact.texture.resolution = lead.resolution;
     s.contact.stiffness = lead.stiffness;
   });
@@ -149,16 +147,14 @@ Table led_table() {
 }
 
 LedRun lead_and_note(const Context& context, const Lead& lead, Table& table) {
-  tell(context, lead.scene + (lead.has_hessian ? ", full Hessian" : ""));
+  tell(context, lead.scene);
   const LedRun run = lead_scene(context, lead, context.quick ? 3.0 : 10.0);
   const SessionSummary& s = run.summary;
-  add_row(
-      table,
-      {lead.scene,
-       std::string(gradient_name(lead.gradient)) + (lead.has_hessian ? ", full Hessian" : ""),
-       s.force_max, s.penetration_max, noise(run), s.energy_min,
-       static_cast<double>(s.safety_events.size()), s.contact_step_cpu.p50, s.contact_step_cpu.p99,
-       run.missed.empty() ? std::nan("") : mean(run.missed), quantile_or_nan(run.missed, 0.99)});
+  add_row(table, {lead.scene, std::string(gradient_name(lead.gradient)), s.force_max,
+                  s.penetration_max, noise(run), s.energy_min,
+                  static_cast<double>(s.safety_events.size()), s.contact_step_cpu.p50,
+                  s.contact_step_cpu.p99, run.missed.empty() ? std::nan("") : mean(run.missed),
+                  quantile_or_nan(run.missed, 0.99)});
   return run;
 }
 
@@ -200,14 +196,11 @@ Outcome run_hammer_on_torus(const Context& context) {
   add_strokes(context, outcome);
   Table& led = outcome.tables.front();
   const LedRun hammer = lead_and_note(context, {}, led);
-  Worst bent(lead_and_note(context, {.has_hessian = true}, led)), worst(hammer);
+  Worst worst(hammer);
   std::vector<Claim> stated_last;
   for (const char* scene : {"file_on_cad", "blocks", "plate"}) {
     const LedRun run = lead_and_note(context, {.scene = scene}, led);
     worst.add(run);
-    // On blocks and plate there never is a Hessian: in each other, and with facets.
-    if (!context.quick || scene == std::string("file_on_cad"))
-      bent.add(lead_and_note(context, {.scene = scene, .has_hessian = true}, led));
     stated_last.push_back(stated(
         std::string("missed-") + scene,
         std::string("depth the grid misses, 99 % of contacts below, share of the amplitudes: ") +
@@ -231,11 +224,6 @@ Outcome run_hammer_on_torus(const Context& context) {
              hammer.missed.empty() ? std::nan("") : mean(hammer.missed)),
       stated("depth-error-p99", "the same, 99 % of contacts below",
              quantile_or_nan(hammer.missed, 0.99)),
-      at_most("noise-hessian",
-              "force above 300 Hz over its mean with the full Hessian in the model, the worst of "
-              "four scenes",
-              bent.noise, 0.02),
-      at_most("stable-hessian", "safety events there", bent.events, 0.0),
       at_most("noise-differences",
               "with central differences, where the text's hammer was unstable: force above 300 Hz "
               "over its mean",

@@ -4,6 +4,7 @@
 #include "reference/conformance/conformance.h"
 #include "reference/conformance/values.h"
 #include "reference/offset_surface.h"
+#include "reference/taylor_term.h"
 
 namespace thigma::app {
 namespace {
@@ -42,15 +43,15 @@ void check_coupling(const JsonField& in, CaseCheck& check, const CaseContext&) {
   const CouplingStretch stretch = coupling_stretch(coupling, device.pose, state);
   check.expect("u_c", stretch.angular);
   check.expect("du_dq", stretch.angular_by_q);
-  check.expect("device_wrench", to_vector(device_wrench(coupling, device, body, state)));
+  check.expect("device_wrench", to_vector(coupling_reaction(coupling, device, body, state)));
 }
 
 void check_penalty(const JsonField& in, CaseCheck& check, const CaseContext&) {
   const RigidBody body = read_body(member(in, "body"));
   const BodyState state = read_state(member(in, "y"));
-  const PlaneTerm term = read_plane(member(in, "contact"));
+  const CasePlane plane = read_plane(member(in, "contact"));
   WrenchJacobian jacobian = WrenchJacobian::Zero();
-  const PlaneForce force = plane_force(term, body, state, kinematics(body, state), 1.0, &jacobian);
+  const PlaneForce force = plane_force(plane, at_state(body, state), &jacobian);
   check.expect("delta", force.depth);
   check.expect_flag("active", force.is_active);
   check.expect("FT", to_vector(force.wrench));

@@ -1,5 +1,7 @@
 #include "reference/conformance/values.h"
 
+#include "reference/glued_plane.h"
+
 namespace thigma::app {
 
 Quat read_quaternion(const JsonField& field) { return Quat(vector<4>(field)); }
@@ -46,16 +48,22 @@ Motion read_device(const JsonField& field) {
           {vector<3>(member(field, "v")), vector<3>(member(field, "w"))}};
 }
 
-PlaneTerm read_plane(const JsonField& field) {
-  PlaneTerm t;
+CasePlane read_plane(const JsonField& field) {
+  CasePlane plane;
+  PlaneTerm& t = plane.term;
   t.arm_body = vector<3>(member(field, "r"));
   t.normal = vector<3>(member(field, "n"));
   t.scene_point = vector<3>(member(field, "p0"));
   t.stiffness = number(member(field, "k"));
   t.damping = number(member(field, "b"));
   t.tolerance = number(member(field, "d"));
-  t.is_unilateral = !field.has("unilateral") || flag(member(field, "unilateral"));
-  return t;
+  plane.is_glued = field.has("unilateral") && !flag(member(field, "unilateral"));
+  return plane;
+}
+
+PlaneForce plane_force(const CasePlane& plane, const BodyAtState& at, WrenchJacobian* jacobian) {
+  return plane.is_glued ? glued_plane_force(plane.term, at, jacobian)
+                        : plane_force(plane.term, at, 1.0, jacobian);
 }
 
 TexturedPoint read_textured_point(const JsonField& field) {
@@ -92,12 +100,11 @@ CaseForces read_forces(const JsonField& in) {
 
 Wrench sum_forces(const CaseForces& forces, const Motion& device, const RigidBody& body,
                   const BodyState& state, WrenchJacobian* jacobian) THIGMA_RT {
-  const BodyKinematics at = kinematics(body, state);
+  const BodyAtState at = at_state(body, state);
   Wrench sum;
   if (jacobian) jacobian->setZero();
-  if (forces.coupling) sum = coupling_wrench(*forces.coupling, device, body, state, at, jacobian);
-  for (const PlaneTerm& term : forces.planes)
-    sum = sum + plane_force(term, body, state, at, 1.0, jacobian).wrench;
+  if (forces.coupling) sum = coupling_wrench(*forces.coupling, device, at, jacobian);
+  for (const CasePlane& plane : forces.planes) sum = sum + plane_force(plane, at, jacobian).wrench;
   for (const TexturedPoint& probe : forces.textures) {
     WrenchJacobian of_texture;
     sum = sum +

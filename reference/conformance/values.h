@@ -18,7 +18,15 @@ BodyState read_state(const JsonField& field);
 Saturation read_saturation(const JsonField& field);
 Coupling read_coupling(const JsonField& field);
 Motion read_device(const JsonField& field);
-PlaneTerm read_plane(const JsonField& field);
+
+/// A plane of a case, which may be glued to.
+struct CasePlane {
+  PlaneTerm term;
+  bool is_glued = false;  // pulls as well (reference/glued_plane.h)
+};
+CasePlane read_plane(const JsonField& field);
+PlaneForce plane_force(const CasePlane& plane, const BodyAtState& at, WrenchJacobian* jacobian);
+
 TexturedPoint read_textured_point(const JsonField& field);
 
 inline Vec6 to_vector(const Wrench& wrench) {
@@ -30,7 +38,7 @@ inline Vec6 to_vector(const Wrench& wrench) {
 /// Everything that may act on a body in a case, but gravity.
 struct CaseForces {
   std::optional<Coupling> coupling;
-  std::vector<PlaneTerm> planes;
+  std::vector<CasePlane> planes;
   std::vector<TexturedPoint> textures;
 };
 

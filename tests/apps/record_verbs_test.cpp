@@ -236,7 +236,8 @@ TEST(RecordVerbs, events_are_recorded) {
       run_arguments({"--lockstep", "--duration", "3", "--record", file, "--fault", "unplug@0.8"}));
   EXPECT_EQ(e.code, 6) << e.err;
   std::vector<std::string> kinds;
-  for (const SessionEvent& event : read_recording(file).events) kinds.push_back(event.kind);
+  for (const SessionEvent& event : read_recording(file).events)
+    kinds.push_back(event_name(event.kind));
   for (const char* kind : {"grasped", "armed", "fault", "disarmed"}) {
     EXPECT_NE(std::find(kinds.begin(), kinds.end(), kind), kinds.end()) << kind;
   }

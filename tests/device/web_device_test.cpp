@@ -120,7 +120,7 @@ TEST(WebDevice, LosingThePageIsZeroForceAndANewPressOfTheClutchGoesOn) {
     ASSERT_EQ(told.summary.safety_events.size(), 1u);
     EXPECT_EQ(told.summary.safety_events[0].detail, "device_lost");
     int resumed = 0;
-    for (const SessionEvent& e : told.events) resumed += e.kind == "resumed";
+    for (const SessionEvent& e : told.events) resumed += e.kind == EventKind::resumed;
     EXPECT_EQ(resumed, 1);
   }
 }

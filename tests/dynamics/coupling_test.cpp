@@ -72,7 +72,7 @@ TEST(Coupling, torque_slope_at_alignment_is_the_angular_stiffness) {
     EXPECT_LE((w.torque - c.angular_stiffness * turn * axis).norm(),
               1e-3 * c.angular_stiffness * turn + 1e-13)
         << turn;
-    EXPECT_LE((device_wrench(c, device, body, state).torque + w.torque).norm(), 1e-13);
+    EXPECT_LE((coupling_reaction(c, device, body, state).torque + w.torque).norm(), 1e-13);
   }
 }
 
@@ -121,7 +121,7 @@ TEST(Coupling, released_coupling_gives_nothing_and_a_new_grasp_starts_at_rest) {
   WrenchJacobian J = WrenchJacobian::Ones();
   EXPECT_EQ(coupling_wrench(c, device, body, state, &J).force, Vec3::Zero());
   EXPECT_EQ(J, WrenchJacobian::Zero());
-  EXPECT_EQ(device_wrench(c, device, body, state).torque, Vec3::Zero());
+  EXPECT_EQ(coupling_reaction(c, device, body, state).torque, Vec3::Zero());
   state.linear_momentum.setZero();
   state.angular_momentum.setZero();
   device.twist = {};
@@ -137,7 +137,7 @@ TEST(Coupling, hand_gets_the_reaction_about_the_handle) {
     const Coupling c = any_coupling(random, i % 2 == 0);
     const Motion device = hand_near(random, c, state, 5e-3, 0.2);
     const Wrench on_body = coupling_wrench(c, device, body, state);
-    const Wrench on_hand = device_wrench(c, device, body, state);
+    const Wrench on_hand = coupling_reaction(c, device, body, state);
     const Vec3 arm = state.orientation * c.body_from_grasp.position;
     EXPECT_LE((on_hand.force + on_body.force).norm(), 1e-14 * on_body.force.norm());
     EXPECT_LE((on_hand.torque + on_body.torque - arm.cross(on_body.force)).norm(), 1e-13);
@@ -169,7 +169,7 @@ TEST(Coupling, dampers_take_power_and_springs_store_the_rest) {
     const double stored =
         (8.0 * (energy(h) - energy(-h)) - (energy(2 * h) - energy(-2 * h))) / (12.0 * h);
     const Wrench body_wrench = coupling_wrench(c, device, body, state);
-    const Wrench hand_wrench = device_wrench(c, device, body, state);
+    const Wrench hand_wrench = coupling_reaction(c, device, body, state);
     const double to_body = body_wrench.force.dot(v.linear) + body_wrench.torque.dot(v.angular);
     const double to_hand =
         hand_wrench.force.dot(device.twist.linear) + hand_wrench.torque.dot(device.twist.angular);
@@ -226,13 +226,13 @@ TEST(Coupling, FadedSpringsPullLessByTheWeightAndDampersStay) {
     BodyState at_rest = state;
     at_rest.linear_momentum.setZero();
     at_rest.angular_momentum.setZero();
-    const Wrench whole = device_wrench(c, still, body, at_rest);
+    const Wrench whole = coupling_reaction(c, still, body, at_rest);
     for (const double weight : {1.0, 0.3, 0.0}) {
-      const Wrench part = device_wrench(faded(c, weight), still, body, at_rest);
+      const Wrench part = coupling_reaction(faded(c, weight), still, body, at_rest);
       EXPECT_LE((part.force - weight * whole.force).norm(), 1e-12 * whole.force.norm());
       EXPECT_LE((part.torque - weight * whole.torque).norm(), 1e-12 * whole.torque.norm());
     }
-    const Wrench same = device_wrench(faded(c, 1.0), still, body, at_rest);
+    const Wrench same = coupling_reaction(faded(c, 1.0), still, body, at_rest);
     EXPECT_EQ(same.force, whole.force);
     EXPECT_EQ(same.torque, whole.torque);
     EXPECT_EQ(faded(c, 0.0).linear_damping, c.linear_damping);

@@ -206,7 +206,7 @@ TEST(ImplicitStep, energy_of_a_damped_system_never_grows) {
     model.planes.push_back(wall);
     const auto energy = [&] {
       const CouplingStretch s = coupling_stretch(c, hand.pose, y);
-      const double depth = std::max(0.0, plane_force(wall, body, y, kinematics(body, y)).depth);
+      const double depth = std::max(0.0, plane_force(wall, at_state(body, y)).depth);
       return kinetic_energy(body, y) + 0.5 * c.linear_stiffness * s.linear.squaredNorm() +
              0.5 * c.angular_stiffness * s.angular.squaredNorm() +
              0.5 * wall.stiffness * depth * depth;

@@ -25,7 +25,7 @@ struct Armed {
     state.armed_time = -10.0;
   }
   Wrench limit(const Wrench& wanted, double weight = 1.0, double now = 0.0) {
-    return limit_wrench(limits, device, wanted, weight, now, kTick, state);
+    return limit_wrench(limits, device, {wanted, weight}, {now, kTick}, state);
   }
   /// The limit of a wrench held long enough for the slew to have caught up.
   Wrench settle(const Wrench& wanted) {
@@ -111,7 +111,7 @@ TEST(Safety, NothingThatIsNotFiniteIsSent) {
     EXPECT_FALSE(a.state.is_armed);
   };
   Armed step, weight, device;
-  expect_zero(step, limit_wrench(step.limits, step.device, wanted, 1.0, 0.0, nan, step.state));
+  expect_zero(step, limit_wrench(step.limits, step.device, {wanted, 1.0}, {0.0, nan}, step.state));
   expect_zero(weight, weight.limit(wanted, nan));
   device.device.max_force = nan;
   device.limits.max_force = nan;

@@ -105,12 +105,7 @@ TEST(ReadRecording, contact_models_come_back_bit_for_bit) {
     expect_bits(got.model.depths[0].damping, want.model.depths[0].damping);
     expect_bits(got.model.depths[0].tolerance, want.model.depths[0].tolerance);
     EXPECT_EQ(got.model.depths[0].id, 7);
-    ASSERT_EQ(got.model.bends.size(), 1u);
-    expect_bits(got.model.bends[0].reshaped(), want.model.bends[0].reshaped());
     EXPECT_EQ(model_digest(got.model), want.model_digest);
-    ASSERT_EQ(got.model.taylors.size(), 1u);
-    expect_bits(got.model.taylors[0].jacobian.reshaped(),
-                want.model.taylors[0].jacobian.reshaped());
     EXPECT_EQ(got.contacts, want.contacts);
     expect_bits(got.depth_max, want.depth_max);
     EXPECT_EQ(got.mandatory_tests, want.mandatory_tests);
@@ -133,9 +128,9 @@ TEST(ReadRecording, the_end_is_read_or_known_to_be_missing) {
 TEST(ReadRecording, events_come_back) {
   const Recording r = read_recording(test::write_recording("events.mcap", 450));
   ASSERT_EQ(r.events.size(), 2u);
-  EXPECT_EQ(r.events[0].kind, "armed");
+  EXPECT_EQ(r.events[0].kind, EventKind::armed);
   EXPECT_EQ(r.events[0].frame, 7u);
-  EXPECT_EQ(r.events[1].kind, "fault");
+  EXPECT_EQ(r.events[1].kind, EventKind::fault);
   EXPECT_EQ(r.events[1].detail, "pose_jump");
   EXPECT_EQ(r.events[1].time, 0.401);
 }

@@ -100,14 +100,6 @@ inline ContactSample contact_sample(std::uint64_t sequence) {
   depth.tolerance = 1e-4;
   depth.id = 7;
   c.model.depths.push_back(depth);
-  DepthBend bend;
-  for (int i = 0; i < 36; ++i) bend(i / 6, i % 6) = random.uniform(-1e3, 1e3);
-  c.model.bends.push_back(bend);
-  TaylorTerm taylor;
-  taylor.wrench = random_wrench(random);
-  for (int i = 0; i < 78; ++i) taylor.jacobian(i / 13, i % 13) = random.uniform(-1e3, 1e3);
-  taylor.normal = random.direction();
-  c.model.taylors.push_back(taylor);
   c.model_digest = model_digest(c.model);
   return c;
 }
@@ -119,8 +111,8 @@ inline std::string write_recording(const std::string& name, std::uint64_t frames
   for (std::uint64_t i = 0; i < frames; ++i) {
     if (i % 10 == 0) writer.write(contact_sample(i / 10));
     writer.write(sample(i));
-    if (i == 7) writer.write(SessionEvent{0.007, 7, "armed", ""});
-    if (i == 401) writer.write(SessionEvent{0.401, 401, "fault", "pose_jump"});
+    if (i == 7) writer.write(SessionEvent{0.007, 7, EventKind::armed, ""});
+    if (i == 401) writer.write(SessionEvent{0.401, 401, EventKind::fault, "pose_jump"});
   }
   writer.close({.frames = frames, .state_hash = 0x0123456789abcdefull, .dropped = 2});
   return path;

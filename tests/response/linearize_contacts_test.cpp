@@ -35,13 +35,13 @@ TEST(LinearizeContacts, terms_reproduce_the_clusters_where_they_were_found) {
     for (int k = 0; k < 5; ++k)
       clusters.clusters.push_back(cluster_at(random, state, random.uniform(-1e-3, 2e-3)));
     const LinearContactModel model = linearize_contacts(
-        clusters, {.stiffness = 1000.0, .damping = 3.0, .tolerance = 1e-3}, state, 0.25, 7);
+        clusters, {.stiffness = 1000.0, .damping = 3.0, .tolerance = 1e-3}, {state, 0.25, 7});
     EXPECT_EQ(model.time, 0.25);
     EXPECT_EQ(model.sequence, 7u);
     EXPECT_EQ(to_vector(model.state), to_vector(state));
     ASSERT_EQ(model.planes.size(), 5u);
     for (int k = 0; k < 5; ++k) {
-      const PlaneForce f = plane_force(model.planes[k], body, state, kinematics(body, state));
+      const PlaneForce f = plane_force(model.planes[k], at_state(body, state));
       EXPECT_NEAR(f.depth, clusters.clusters[k].depth, 1e-15);
       EXPECT_EQ(model.planes[k].id, clusters.clusters[k].id);
       EXPECT_EQ(model.planes[k].normal, clusters.clusters[k].normal);
@@ -73,7 +73,7 @@ TEST(LinearizeContacts, ABlendedContactEntersWithItsWeight) {
     ContactClusters clusters;
     cluster_contacts(contacts, {}, {.max_clusters = 5, .tolerance = 1e-3}, scratch, clusters);
     ASSERT_EQ(clusters.clusters.size(), 2u);
-    const LinearContactModel model = linearize_contacts(clusters, params, BodyState{}, 0.0, 1);
+    const LinearContactModel model = linearize_contacts(clusters, params, {BodyState{}, 0.0, 1});
     const double force = contact_wrench(model, body, BodyState{}).force.norm();
     // k (sum p r^2) / (sum p r) with reaches of 1 and 1.5 mm.
     const double expected = 2000.0 * 1e-3 * (1.0 + 2.25 * weight) / (1.0 + 1.5 * weight);
@@ -103,7 +103,7 @@ TEST(LinearizeContacts, force_of_a_flat_contact_does_not_grow_with_pairs_or_clus
       ClusterScratch scratch;
       cluster_contacts(contacts, {}, {.max_clusters = limit, .tolerance = params.tolerance},
                        scratch, clusters);
-      const LinearContactModel model = linearize_contacts(clusters, params, {}, 0.0, 1);
+      const LinearContactModel model = linearize_contacts(clusters, params, {{}, 0.0, 1});
       const Wrench w = contact_wrench(model, body, {});
       EXPECT_NEAR(w.force.z(), params.stiffness * (depth + params.tolerance), 1e-9)
           << pairs << ' ' << limit;
@@ -120,8 +120,10 @@ TEST(LinearizeContacts, new_cluster_enters_without_a_jump) {
   one.clusters.push_back(cluster_at(random, state, 5e-4));
   ContactClusters two = one;
   two.clusters.push_back(cluster_at(random, state, -1e-3 + 1e-9));
-  const Wrench before = contact_wrench(linearize_contacts(one, params, state, 0.0, 1), body, state);
-  const Wrench after = contact_wrench(linearize_contacts(two, params, state, 0.0, 2), body, state);
+  const Wrench before =
+      contact_wrench(linearize_contacts(one, params, {state, 0.0, 1}), body, state);
+  const Wrench after =
+      contact_wrench(linearize_contacts(two, params, {state, 0.0, 2}), body, state);
   EXPECT_LE((before.force - after.force).norm(), 1e-5);
 }
 
@@ -132,7 +134,7 @@ TEST(LinearizeContacts, full_stiffness_for_each_cluster_on_request) {
   for (int k = 0; k < 3; ++k) clusters.clusters.push_back(cluster_at(random, state, 1e-3));
   const PenaltyParams each{
       .stiffness = 500.0, .damping = 2.0, .tolerance = 0.0, .is_divided_among_clusters = false};
-  for (const PlaneTerm& term : linearize_contacts(clusters, each, state, 0.0, 1).planes) {
+  for (const PlaneTerm& term : linearize_contacts(clusters, each, {state, 0.0, 1}).planes) {
     EXPECT_EQ(term.stiffness, 500.0);
     EXPECT_EQ(term.damping, 2.0);
   }
@@ -142,11 +144,12 @@ TEST(LinearizeContacts, no_cluster_no_term_and_no_weight_no_nan) {
   Random random(5);
   const RigidBody body = test::random_body(random);
   const BodyState state = resting_state(random);
-  EXPECT_EQ(linearize_contacts({}, {}, state, 0.0, 1).planes.size(), 0u);
+  EXPECT_EQ(linearize_contacts({}, {}, {state, 0.0, 1}).planes.size(), 0u);
   ContactClusters touching;
   touching.clusters.push_back(cluster_at(random, state, -1e-3));
   touching.clusters.push_back(cluster_at(random, state, -1e-3));
-  const LinearContactModel model = linearize_contacts(touching, {.tolerance = 1e-3}, state, 0.0, 1);
+  const LinearContactModel model =
+      linearize_contacts(touching, {.tolerance = 1e-3}, {state, 0.0, 1});
   EXPECT_LE(contact_wrench(model, body, state).force.norm(), 1e-9);
   EXPECT_EQ(model.planes[0].stiffness, model.planes[1].stiffness);
 }

@@ -107,63 +107,6 @@ TEST(TextureContacts, DepthOfABallIsThatOfTheOffsetSurface) {
   }
 }
 
-/// One hill under another.
-struct HillUnderHill {
-  HillUnderHill(bool has_hessian)
-      : object(build_exact_hierarchy(hills.object.coarse)),
-        scene(build_exact_hierarchy(hills.scene.coarse)) {
-    world.object = &object;
-    world.scene = {{&scene, Pose{}}};
-    world.tolerance = 1e-4;
-    world.max_clusters = 1;
-    world.response = {.stiffness = 5000.0, .damping = 0.0};
-    world.textures.object = make_textured_body(hills.object, object);
-    world.textures.scene = {make_textured_body(hills.scene, scene)};
-    world.textures.params = {.gradient = GradientKind::envelope, .has_hessian = has_hessian};
-    reserve_contact_scratch(world, scratch);
-  }
-  LinearContactModel at(const BodyState& state) {
-    ContactSample sample;
-    StampedBody body;
-    body.state = state;
-    contact_step(world, body, scratch, sample);
-    return sample.model;
-  }
-  test::Hills hills;
-  ClodHierarchy object, scene;
-  ContactWorld world;
-  ContactScratch scratch;
-};
-
-// The haptic thread's wrench away from where the model was taken, against that of a model taken
-// there: the error falls with the square of the way instead of the way itself.
-TEST(TextureContacts, FullHessianFollowsTheGradient) {
-  HillUnderHill first_order(false), second_order(true);
-  RigidBody body;
-  body.mass = 0.01;
-  BodyState state;
-  state.position = {4e-4, -7e-4, 1e-4};
-  state.orientation = rotation_from_vector(Vec3(0.01, 0.02, 0.4));
-  const LinearContactModel without = first_order.at(state), with = second_order.at(state);
-  ASSERT_EQ(with.depths.size(), 1u);
-  ASSERT_EQ(with.bends.size(), 1u);
-  EXPECT_TRUE(without.bends.empty());
-  EXPECT_NEAR(with.bends[0].trace(), -24.0, 1.0);  // of 20 and 30 1/m, each way: 12
-  const auto wrench_at = [&](const LinearContactModel& model, const BodyState& where) {
-    const Wrench w = contact_wrench(model, body, where);
-    Vec6 six;
-    six << w.force, w.torque;
-    return six;
-  };
-  BodyState moved = state;
-  moved.position += Vec3(5e-4, 3e-4, 5e-5);
-  moved.orientation = rotation_from_vector(Vec3(0.0, 0.0, 4e-3)) * moved.orientation;
-  const Vec6 want = wrench_at(second_order.at(moved), moved);
-  EXPECT_GT(want.head<3>().norm(), 0.3);
-  EXPECT_GT((wrench_at(without, moved) - want).norm(), 4e-3);
-  EXPECT_LT((wrench_at(with, moved) - want).norm(), 5e-5);
-}
-
 // On a graphics processor, in a renderer in software, or on this processor: the same force, and a
 // word about which.
 TEST(TextureContacts, GraphicsProcessorGivesTheModelOfTheGrid) {

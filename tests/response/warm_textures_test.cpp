@@ -30,7 +30,6 @@ TEST(WarmTextures, allocate_nothing) {
     world.textures.object = make_textured_body(smooth, ball);
     world.textures.scene = {make_textured_body(plate, below)};
     world.textures.params.search = search;
-    world.textures.params.has_hessian = search == DepthSearch::grid;
     ContactScratch scratch;
     reserve_contact_scratch(world, scratch);
     ContactSample sample;

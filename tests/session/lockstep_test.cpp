@@ -165,7 +165,7 @@ TEST(Lockstep, SaysOnceThatNothingArmsBecauseTheContactModelIsTooOld) {
       [&](const HapticSample& s) { device.state.buttons = s.frame > 100 ? kClutchButton : 0u; },
       {},
       [&](const SessionEvent& e) {
-        if (e.kind == "not_armed") told.push_back(e);
+        if (e.kind == EventKind::not_armed) told.push_back(e);
       }};
   const SessionSummary s = run_lockstep(config, device, sinks);
   ASSERT_EQ(told.size(), 1u);
@@ -193,7 +193,7 @@ std::vector<SessionEvent> deep_contacts(int every, double deep, std::vector<std:
       },
       {},
       [&](const SessionEvent& e) {
-        if (e.kind == "deep_contact") told.push_back(e);
+        if (e.kind == EventKind::deep_contact) told.push_back(e);
       }};
   notes = run_lockstep(config, device, sinks).notes;
   return told;
@@ -234,9 +234,9 @@ TEST(Lockstep, TellsWhatHappened) {
   const SessionSummary s = run(config, plane_hand(HandPath::rest),
                                {{}, {}, [&](const SessionEvent& e) { events.push_back(e); }});
   ASSERT_EQ(events.size(), 5u);
-  EXPECT_EQ(events[0].kind, "grasped");
-  EXPECT_EQ(events[1].kind, "armed");
-  EXPECT_EQ(events[2].kind, "fault");
+  EXPECT_EQ(events[0].kind, EventKind::grasped);
+  EXPECT_EQ(events[1].kind, EventKind::armed);
+  EXPECT_EQ(events[2].kind, EventKind::fault);
   EXPECT_EQ(events[2].detail, "not_finite");
   EXPECT_DOUBLE_EQ(events[2].time, 0.5);
   ASSERT_EQ(s.safety_events.size(), 1u);

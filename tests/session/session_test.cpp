@@ -129,7 +129,7 @@ TEST(Session, AGapIsToldCountedAndReplayedWhereNobodyIsHeld) {
   std::vector<SessionEvent> late;
   SessionSinks sinks = recorder.sinks();
   sinks.event = [&](const SessionEvent& event) {
-    if (event.kind == "late") late.push_back(event);
+    if (event.kind == EventKind::late) late.push_back(event);
   };
   Session session(config, device, sinks);
   session.start();
@@ -211,7 +211,7 @@ std::vector<SessionEvent> deep_contacts(const char* faults) {
   SinkingDevice device;
   std::vector<SessionEvent> told;
   const auto tell = [&](const SessionEvent& e) {
-    if (e.kind == "deep_contact") told.push_back(e);
+    if (e.kind == EventKind::deep_contact) told.push_back(e);
   };
   Session session(config, device, {{}, {}, tell});
   session.start();

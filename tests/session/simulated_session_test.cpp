@@ -65,10 +65,11 @@ TEST(SimulatedSession, EndsWhenTheBodyRestsAndTellsOfIt) {
     last_model = s.model.sequence;
   };
   sinks.event = [&](const SessionEvent& e) {
-    impacts += e.kind == "impact";
-    rests += e.kind == "at_rest";
+    impacts += e.kind == EventKind::impact;
+    rests += e.kind == EventKind::at_rest;
   };
-  const SimulatedSummary summary = run_simulated(drop.config, drop.world, drop.start, false, sinks);
+  const SimulatedSummary summary =
+      run_simulated(drop.config, {drop.world, drop.start}, false, sinks);
   EXPECT_EQ(summary.session.end, SessionEnd::device_finished);
   EXPECT_TRUE(summary.is_resting);
   EXPECT_EQ(frames, summary.session.frames);
@@ -87,14 +88,14 @@ TEST(SimulatedSession, EndsWhenTheBodyRestsAndTellsOfIt) {
 TEST(SimulatedSession, TheClockChangesNothingButTheTime) {
   Drop drop;
   drop.config.duration = 0.15;
-  const SimulatedSummary fast = run_simulated(drop.config, drop.world, drop.start, false);
-  const SimulatedSummary again = run_simulated(drop.config, drop.world, drop.start, false);
-  const SimulatedSummary paced = run_simulated(drop.config, drop.world, drop.start, true);
+  const SimulatedSummary fast = run_simulated(drop.config, {drop.world, drop.start}, false);
+  const SimulatedSummary again = run_simulated(drop.config, {drop.world, drop.start}, false);
+  const SimulatedSummary paced = run_simulated(drop.config, {drop.world, drop.start}, true);
   EXPECT_EQ(fast.session.frames, 150u);
   EXPECT_EQ(fast.session.state_hash, again.session.state_hash);
   EXPECT_EQ(fast.session.state_hash, paced.session.state_hash);
   drop.start.body.position.x() += 1e-9;
-  EXPECT_NE(run_simulated(drop.config, drop.world, drop.start, false).session.state_hash,
+  EXPECT_NE(run_simulated(drop.config, {drop.world, drop.start}, false).session.state_hash,
             fast.session.state_hash);
 }
 
@@ -104,7 +105,7 @@ TEST(SimulatedSession, StopsWhenTold) {
   SessionSinks sinks;
   sinks.haptic = [&](const HapticSample& s) { stop = s.frame == 20; };
   const SimulatedSummary summary =
-      run_simulated(drop.config, drop.world, drop.start, false, sinks, &stop);
+      run_simulated(drop.config, {drop.world, drop.start}, false, sinks, &stop);
   EXPECT_EQ(summary.session.end, SessionEnd::stopped);
   EXPECT_EQ(summary.session.frames, 21u);
 }
@@ -121,8 +122,9 @@ TEST(SimulatedSession, StandsStillWhilePaused) {
   SessionSinks sinks;
   sinks.haptic = [&](const HapticSample&) { ++frames; };
   SimulatedSummary summary;
-  std::thread session(
-      [&] { summary = run_simulated(drop.config, drop.world, drop.start, true, sinks, &stop); });
+  std::thread session([&] {
+    summary = run_simulated(drop.config, {drop.world, drop.start}, true, sinks, &stop);
+  });
   while (frames < 3) std::this_thread::yield();
   stop = true;
   session.join();

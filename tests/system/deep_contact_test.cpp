@@ -33,7 +33,7 @@ Dropped let_down(int every) {
     device.state.motion.pose.position = done * scene.start.approach;
   };
   sinks.event = [&](const SessionEvent& e) {
-    if (e.kind == "deep_contact") dropped.told.push_back(e);
+    if (e.kind == EventKind::deep_contact) dropped.told.push_back(e);
   };
   run_lockstep(config, device, sinks);
   return dropped;

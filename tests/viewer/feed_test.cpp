@@ -37,7 +37,7 @@ TEST(Feed, EveryFrameIsARowUntilThereIsNoRoom) {
   std::vector<SessionEvent> events;
   feed->take_events(events);
   ASSERT_FALSE(events.empty());
-  EXPECT_EQ(events[0].kind, "grasped");
+  EXPECT_EQ(events[0].kind, EventKind::grasped);
   events.clear();
   feed->take_events(events);
   EXPECT_TRUE(events.empty());

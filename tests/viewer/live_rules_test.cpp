@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "support/mesh_session.h"
-#include "viewer/server/live_room.h"
+#include "viewer/server/live_server.h"
 #include "web_client.h"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -21,21 +21,21 @@ using test::MeshSession;
 using test::WebClient;
 using Json = nlohmann::json;
 
-/// A ball with levels of detail over a rippled sheet, in a room without a session.
+/// A ball with levels of detail over a rippled sheet, on a server without a session.
 struct RuleBench {
   MeshSession scene;
   ClodAsset ball = build_clod_asset(make_ball(0.015, 16));
   TriangleMesh ground = MeshSession::rippled_sheet();
   WebDeviceChannel link;
-  std::unique_ptr<LiveRoom> room;
+  std::unique_ptr<LiveServer> server;
 
   explicit RuleBench(const WebLimits& limits = {}) {
     SceneView view{"Ball", "test", "thigma test", {"ball", ball.meshes, &ball.hierarchy, {}}, {}};
     view.statics.push_back({"ground", {&ground, 1}, &scene.ground, {}});
     scene.config.haptic.device = make_web_device(link)->limits();
-    room = std::make_unique<LiveRoom>(view, scene.config, scene.config.world_from_body,
-                                      std::vector<std::string>{"hand:", "web:"},
-                                      std::vector<WebFile>{}, std::uint16_t{0}, link, limits);
+    server = std::make_unique<LiveServer>(view, scene.config, scene.config.world_from_body,
+                                          std::vector<std::string>{"hand:", "web:"},
+                                          std::vector<WebFile>{}, std::uint16_t{0}, link, limits);
   }
 };
 
@@ -56,8 +56,8 @@ Json wait_for_state(WebClient& client, Condition condition) {
 
 TEST(LiveRules, APageThatDoesNotHoldTheDeviceChangesNothingForTheOneThatDoes) {
   RuleBench b;
-  b.room->begin_session({.device = "web:", .is_web = true});
-  WebClient holder(b.room->port()), watcher(b.room->port());
+  b.server->begin_session({.device = "web:", .is_web = true});
+  WebClient holder(b.server->port()), watcher(b.server->port());
   ASSERT_NE(watcher.read_type("state"), "");
   ASSERT_TRUE(answer_to(holder, R"({"type":"hold","id":1,"value":true})")["ok"].get<bool>());
   for (const char* request :
@@ -70,8 +70,8 @@ TEST(LiveRules, APageThatDoesNotHoldTheDeviceChangesNothingForTheOneThatDoes) {
     EXPECT_FALSE(refused["ok"].get<bool>()) << request;
     EXPECT_EQ(refused["reason"], "another page holds the device") << request;
   }
-  EXPECT_FALSE(b.room->ports().is_paused);
-  EXPECT_FALSE(b.room->take_request());
+  EXPECT_FALSE(b.server->ports().is_paused);
+  EXPECT_FALSE(b.server->take_request());
   EXPECT_TRUE(
       answer_to(watcher, R"({"type":"level","id":8,"mesh":0,"value":1})")["ok"].get<bool>());
   EXPECT_TRUE(answer_to(holder, R"({"type":"pause","id":9,"value":true})")["ok"].get<bool>());
@@ -80,30 +80,31 @@ TEST(LiveRules, APageThatDoesNotHoldTheDeviceChangesNothingForTheOneThatDoes) {
 TEST(LiveRules, APauseWhileASessionBeginsAnewLeavesTimeRunning) {
   RuleBench b;
   SessionConfig config = b.scene.config;
-  b.room->prepare_session(config);
-  b.room->begin_session({.device = "hand:"});
-  WebClient client(b.room->port());
+  b.server->prepare_session(config);
+  b.server->begin_session({.device = "hand:"});
+  WebClient client(b.server->port());
   ASSERT_NE(client.read_type("state"), "");
-  b.room->prepare_session(config);  // the next one; pages have not heard of it
+  b.server->prepare_session(config);  // the next one; pages have not heard of it
   const Json refused = answer_to(client, R"({"type":"pause","id":1,"value":true})");
   EXPECT_FALSE(refused["ok"].get<bool>());
-  EXPECT_FALSE(b.room->ports().is_paused);
-  b.room->begin_session({.device = "hand:"});
+  EXPECT_FALSE(b.server->ports().is_paused);
+  b.server->begin_session({.device = "hand:"});
   EXPECT_TRUE(wait_for_state(client, [](const Json& s) { return s["session"] == 2; }).is_object());
   EXPECT_TRUE(answer_to(client, R"({"type":"pause","id":2,"value":true})")["ok"].get<bool>());
-  EXPECT_TRUE(b.room->ports().is_paused);
+  EXPECT_TRUE(b.server->ports().is_paused);
 }
 
 TEST(LiveRules, TheCauseOfAFaultIsKnownToPagesThatComeLaterUntilTheNextSession) {
   RuleBench b;
   SessionConfig config = b.scene.config;
-  b.room->prepare_session(config);
-  b.room->begin_session({.device = "hand:"});
-  b.room->observe(SessionEvent{1.5, 1500, "late", "watchdog", "30.0 ms without a haptic step"});
-  b.room->observe(SessionEvent{2.0, 2000, "fault", "contact_stale", "a sentence"});
-  b.room->end_session("fault", 0);
+  b.server->prepare_session(config);
+  b.server->begin_session({.device = "hand:"});
+  b.server->observe(
+      SessionEvent{1.5, 1500, EventKind::late, "watchdog", "30.0 ms without a haptic step"});
+  b.server->observe(SessionEvent{2.0, 2000, EventKind::fault, "contact_stale", "a sentence"});
+  b.server->end_session(SessionEnd::fault, 0);
   for (int page = 0; page < 2; ++page) {  // and after a reload
-    WebClient client(b.room->port());
+    WebClient client(b.server->port());
     const Json state = wait_for_state(client, [](const Json& s) { return s["run"] == "ended"; });
     ASSERT_TRUE(state.is_object());
     EXPECT_EQ(state["fault"],
@@ -111,9 +112,9 @@ TEST(LiveRules, TheCauseOfAFaultIsKnownToPagesThatComeLaterUntilTheNextSession) 
     EXPECT_EQ(state["late"]["count"], 1);
     EXPECT_EQ(state["late"]["name"], "watchdog");
   }
-  b.room->prepare_session(config);
-  b.room->begin_session({.device = "hand:"});
-  WebClient client(b.room->port());
+  b.server->prepare_session(config);
+  b.server->begin_session({.device = "hand:"});
+  WebClient client(b.server->port());
   const Json state = wait_for_state(client, [](const Json& s) { return s["run"] == "running"; });
   ASSERT_TRUE(state.is_object());
   EXPECT_TRUE(state["fault"].is_null());
@@ -124,8 +125,8 @@ TEST(LiveRules, APageThatAsksAndDoesNotReadIsNotKeptMoreThanAFewAnswersFor) {
   WebLimits limits;
   limits.waiting_bytes = 1u << 16;
   RuleBench b(limits);
-  b.room->begin_session({.device = "hand:"});
-  WebClient client(b.room->port());
+  b.server->begin_session({.device = "hand:"});
+  WebClient client(b.server->port());
   ASSERT_NE(client.read_type("state"), "");
   constexpr int kRequests = 120;
   for (int i = 0; i < kRequests; ++i)

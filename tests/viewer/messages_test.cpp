@@ -73,7 +73,7 @@ TEST(Messages, UnknownNumbersAreNull) {
   const double unknown = std::nan("");
   const Timing timing{unknown, unknown, unknown, unknown, 1e-4, 2e-4, unknown, 480.0, 3};
   RunState state;
-  state.run = "running";
+  state.run = RunPhase::running;
   const Json json = Json::parse(state_message(state, timing, "you", 1, 2, 3));
   EXPECT_TRUE(json["timing"]["step_cpu_us"]["p50"].is_null());
   EXPECT_NEAR(json["timing"]["query_cpu_us"]["p99"].get<double>(), 200.0, 1e-9);

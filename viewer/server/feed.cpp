@@ -1,6 +1,5 @@
 #include "viewer/server/feed.h"
 
-#include <iterator>
 #include <limits>
 
 namespace thigma::live {
@@ -46,26 +45,11 @@ void LiveFeed::observe(const HapticSample& s) {
   last_body_ = pose_of(s.body);
   next_frame_ = s.frame + 1;
 
-  const Wrench felt = on_hand(workspace_, s);
+  const ChannelSource source{s, on_hand(workspace_, s), static_cast<double>(state_bits(s))};
   ChannelRow row;
   row.time = s.time;
-  const double values[] = {felt.force.x(),
-                           felt.force.y(),
-                           felt.force.z(),
-                           felt.torque.x(),
-                           felt.torque.y(),
-                           felt.torque.z(),
-                           s.penetration,
-                           s.is_grasped ? s.stretch : 0.0,
-                           s.energy,
-                           s.model_age,
-                           static_cast<double>(s.step_cpu),
-                           static_cast<double>(s.wake_late),
-                           s.device.motion.twist.linear.norm(),
-                           static_cast<double>(s.touching),
-                           static_cast<double>(state_bits(s))};
-  static_assert(std::size(values) == kChannels - 1);
-  for (std::size_t i = 0; i < row.values.size(); ++i) row.values[i] = static_cast<float>(values[i]);
+  for (std::size_t i = 0; i < row.values.size(); ++i)
+    row.values[i] = static_cast<float>(kChannelList[i + 1].value(source));
   rows_.push(row);
 
   HapticNow& now = haptic_.draft();
@@ -151,9 +135,9 @@ Snapshot make_snapshot(const HapticNow& now, const ContactSample* contact, const
   s.query_cpu = contact != nullptr ? contact->query_cpu : std::numeric_limits<double>::quiet_NaN();
   clusters.clear();
   if (contact != nullptr) {
-    const BodyKinematics at = kinematics(body, h.body);
+    const BodyAtState at = at_state(body, h.body);
     for (const PlaneTerm& term : contact->model.planes) {
-      const PlaneForce force = plane_force(term, body, h.body, at);
+      const PlaneForce force = plane_force(term, at);
       clusters.push_back({transform_point(world_from_body, term.arm_body), term.normal, force.depth,
                           h.model_weight * force.wrench.force, term.id});
     }

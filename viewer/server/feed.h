@@ -22,7 +22,7 @@ struct HapticNow {
 };
 
 /// Between the thread that drains a session's telemetry and the thread that serves pages.
-/// Thread: look_at from the draining thread, everything else from the serving one. Sessions may
+/// Thread: observe from the draining thread, everything else from the serving one. Sessions may
 /// follow each other, one at a time.
 class LiveFeed {
  public:

@@ -87,6 +87,11 @@ const char* kind_name(ParameterKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
+const char* phase_name(RunPhase phase) {
+  constexpr const char* kNames[] = {"running", "paused", "ended"};
+  return kNames[static_cast<std::size_t>(phase)];
+}
+
 Refusal refuse(std::string why) { return {kPolicy, std::move(why)}; }
 
 /// Fills what the form asks for; "" or what is missing.
@@ -212,7 +217,7 @@ std::string state_message(const RunState& s, const Timing& t, std::string_view h
   Json json = {
       {"type", "state"},
       {"session", s.session},
-      {"run", s.run},
+      {"run", phase_name(s.run)},
       {"reason", text_or_null(s.reason)},
       {"time", finite(s.time)},
       {"device", s.device},
@@ -256,7 +261,7 @@ std::string event_message(const SessionEvent& event) {
   return dumped({{"type", "event"},
                  {"time", finite(event.time)},
                  {"frame", event.frame},
-                 {"kind", event.kind},
+                 {"kind", event_name(event.kind)},
                  {"detail", event.detail},
                  {"text", event.text}});
 }

@@ -49,7 +49,7 @@ struct ParsedCommand {
 };
 ParsedCommand parse_command(std::string_view text);
 
-/// A body of the scene as it is shown. Meshes and hierarchy outlive the room.
+/// A body of the scene as it is shown. Meshes and hierarchy outlive the server.
 struct SceneBodyView {
   std::string name;
   // of the levels that are not free, finest first; one at least
@@ -81,11 +81,13 @@ struct Trouble {
   double time = 0.0;  // [s; session clock]
 };
 
+enum class RunPhase : std::uint8_t { running, paused, ended };
+
 /// How the session stands, for `state`.
 struct RunState {
   int session = 0;
-  std::string run = "running";  // running, paused, ended
-  std::string reason;           // "" for null
+  RunPhase run = RunPhase::running;
+  std::string reason;  // "" for null
   double time = 0.0;
   std::string device;
   std::vector<std::string> devices;

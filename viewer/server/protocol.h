@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "viewer/server/channels.h"
+
 #include "thigma/clod/hierarchy.h"
 #include "thigma/device/web_motion.h"
 #include "thigma/mesh/triangle_mesh.h"
@@ -26,28 +28,6 @@ enum class MessageKind : std::uint8_t {
   device = 32,
   upload = 33
 };
-
-/// A column of `channels`.
-struct Channel {
-  std::string_view name, unit;
-};
-inline constexpr std::size_t kChannels = 16;
-inline constexpr std::array<Channel, kChannels> kChannelList = {{{"t", "s"},
-                                                                 {"force_x", "N"},
-                                                                 {"force_y", "N"},
-                                                                 {"force_z", "N"},
-                                                                 {"torque_x", "N m"},
-                                                                 {"torque_y", "N m"},
-                                                                 {"torque_z", "N m"},
-                                                                 {"penetration", "m"},
-                                                                 {"stretch", "m"},
-                                                                 {"energy", "J"},
-                                                                 {"model_age", "s"},
-                                                                 {"step_cpu", "s"},
-                                                                 {"wake_late", "s"},
-                                                                 {"speed", "m/s"},
-                                                                 {"touching", "1"},
-                                                                 {"state", "1"}}};
 
 /// One haptic frame as a row: its time, and every channel after the first.
 struct ChannelRow {

@@ -31,6 +31,13 @@ struct BodyKinematics {
   Mat34 angular_velocity_by_q = Mat34::Zero();  // d omega/dq at fixed L (Eq. 5.13)
 };
 
+/// A body at a state, with what every force law needs of it. Refers to both.
+struct BodyAtState {
+  const RigidBody& body;
+  const BodyState& state;
+  BodyKinematics kinematics;
+};
+
 /// Body of this mass [kg], inertia tensor [kg m^2; body frame] and gravity [m/s^2; world].
 /// Throws InputError unless the mass is positive and the tensor symmetric positive definite.
 /// Thread [offline].
@@ -43,6 +50,9 @@ Twist velocity(const RigidBody& body, const BodyState& state) THIGMA_RT;
 /// The same and its derivatives; R(q) is the homogeneous form, so |q| = 1 matters.
 /// Thread    [haptic].
 BodyKinematics kinematics(const RigidBody& body, const BodyState& state) THIGMA_RT;
+inline BodyAtState at_state(const RigidBody& body, const BodyState& state) THIGMA_RT {
+  return {body, state, kinematics(body, state)};
+}
 
 /// Kinetic energy of translation and rotation [J].
 /// Thread    [haptic].

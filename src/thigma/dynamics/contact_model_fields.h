@@ -21,7 +21,6 @@ void visit_plane(Term& p, Visit&& visit) {
   visit.vector("normal", p.normal);
   visit.vector("scene_point", p.scene_point);
   visit.vector("scene_velocity", p.scene_velocity);
-  visit.vector("tangential_anchor", p.tangential_anchor);
   visit_push(p, visit);
 }
 

@@ -127,42 +127,43 @@ CouplingStretch coupling_stretch(const Coupling& coupling, const Pose& world_fro
   return s;
 }
 
-Wrench coupling_wrench(const Coupling& coupling, const Motion& device, const RigidBody& body,
-                       const BodyState& state, const BodyKinematics& at,
+Wrench coupling_wrench(const Coupling& coupling, const Motion& device, const BodyAtState& at,
                        WrenchJacobian* jacobian) THIGMA_RT {
   if (!coupling.is_grasped) {
     if (jacobian) jacobian->setZero();
     return {};
   }
-  const GraspForces g = grasp_forces(coupling, device, state, at.rotation, at.velocity);
+  const BodyKinematics& kin = at.kinematics;
+  const GraspForces g = grasp_forces(coupling, device, at.state, kin.rotation, kin.velocity);
   const Wrench wrench{g.force, g.arm.cross(g.force) + g.couple};
   if (!jacobian) return wrench;
 
   const double b_c = coupling.linear_damping;
   const double b_t = coupling.angular_damping;
   const Mat3 arm = skew(g.arm);
-  const Mat34 arm_by_q = rotated_derivative(state.orientation, coupling.body_from_grasp.position);
+  const Mat34 arm_by_q =
+      rotated_derivative(at.state.orientation, coupling.body_from_grasp.position);
   WrenchJacobian& J = *jacobian;
   J.block<3, 3>(0, 0) = -g.linear_stiffness;  // Eq. 5.21
   J.block<3, 4>(0, 3) =
-      b_c * arm * at.angular_velocity_by_q -
-      (g.linear_stiffness + b_c * skew(at.velocity.angular)) * arm_by_q;  // Eq. 5.23
-  J.block<3, 3>(0, 7) = (-b_c / body.mass) * Mat3::Identity();            // Eq. 5.26
-  J.block<3, 3>(0, 10) = b_c * arm * at.inverse_inertia;                  // Eq. 5.28
+      b_c * arm * kin.angular_velocity_by_q -
+      (g.linear_stiffness + b_c * skew(kin.velocity.angular)) * arm_by_q;  // Eq. 5.23
+  J.block<3, 3>(0, 7) = (-b_c / at.body.mass) * Mat3::Identity();          // Eq. 5.26
+  J.block<3, 3>(0, 10) = b_c * arm * kin.inverse_inertia;                  // Eq. 5.28
   J.bottomRows<3>() = arm * J.topRows<3>();
-  J.block<3, 4>(3, 3) += g.angular_stiffness * g.angular_by_q - b_t * at.angular_velocity_by_q -
-                         skew(g.force) * arm_by_q;   // Eq. 5.24
-  J.block<3, 3>(3, 10) -= b_t * at.inverse_inertia;  // Eq. 5.29
+  J.block<3, 4>(3, 3) += g.angular_stiffness * g.angular_by_q - b_t * kin.angular_velocity_by_q -
+                         skew(g.force) * arm_by_q;    // Eq. 5.24
+  J.block<3, 3>(3, 10) -= b_t * kin.inverse_inertia;  // Eq. 5.29
   return wrench;
 }
 
 Wrench coupling_wrench(const Coupling& coupling, const Motion& device, const RigidBody& body,
                        const BodyState& state, WrenchJacobian* jacobian) THIGMA_RT {
-  return coupling_wrench(coupling, device, body, state, kinematics(body, state), jacobian);
+  return coupling_wrench(coupling, device, at_state(body, state), jacobian);
 }
 
-Wrench device_wrench(const Coupling& coupling, const Motion& device, const RigidBody& body,
-                     const BodyState& state) THIGMA_RT {
+Wrench coupling_reaction(const Coupling& coupling, const Motion& device, const RigidBody& body,
+                         const BodyState& state) THIGMA_RT {
   if (!coupling.is_grasped) return {};
   const Mat3 R = rotation_matrix(state.orientation);
   const GraspForces g = grasp_forces(coupling, device, state, R, velocity(body, state));

@@ -95,16 +95,15 @@ CouplingStretch coupling_stretch(const Coupling& coupling, const Pose& world_fro
 Wrench coupling_wrench(const Coupling& coupling, const Motion& device, const RigidBody& body,
                        const BodyState& state, WrenchJacobian* jacobian = nullptr) THIGMA_RT;
 
-/// The same, with kinematics(body, state) already at hand.
-Wrench coupling_wrench(const Coupling& coupling, const Motion& device, const RigidBody& body,
-                       const BodyState& state, const BodyKinematics& at,
-                       WrenchJacobian* jacobian) THIGMA_RT;
+/// The same, with the kinematics already at hand.
+Wrench coupling_wrench(const Coupling& coupling, const Motion& device, const BodyAtState& at,
+                       WrenchJacobian* jacobian = nullptr) THIGMA_RT;
 
 /// What the hand feels: the reaction of both springs and dampers about the handle [N, N m; world].
 /// This is not the negative of coupling_wrench, whose torque is about the centre of mass and holds
 /// the lever arm of the force.
 /// Thread    [haptic].
-Wrench device_wrench(const Coupling& coupling, const Motion& device, const RigidBody& body,
-                     const BodyState& state) THIGMA_RT;
+Wrench coupling_reaction(const Coupling& coupling, const Motion& device, const RigidBody& body,
+                         const BodyState& state) THIGMA_RT;
 
 }  // namespace thigma

@@ -177,9 +177,15 @@ void check_stiffness(const char* name, const char* unit, double value, const Gai
        format("%.4g %s is above %.4g %s, %s", value, choice.limit, unit, reason(choice.binds))});
 }
 
-void check_ratio(const char* name, const char* unit, double damping, double stiffness, double mass,
+/// A spring with its damper: [N/m, N s/m] or [N m/rad, N m s/rad].
+struct DampedSpring {
+  double stiffness = 0.0, damping = 0.0;
+};
+
+void check_ratio(const char* name, const char* unit, const DampedSpring& spring, double mass,
                  std::vector<GainWarning>& warnings) {
-  const double critical = critical_damping(stiffness, mass);
+  const double damping = spring.damping;
+  const double critical = critical_damping(spring.stiffness, mass);
   if (!(critical > 0.0)) return;
   const double ratio = damping / critical;
   if (ratio < kLeastRatio * (1.0 - kRounding)) {
@@ -202,8 +208,9 @@ void check_effort(const char* name, const char* unit, const std::optional<Satura
 }
 
 /// Springs that are each within their limits may still swing together with dampings of their own.
-void check_loop(const char* name, const Half& half, double stiffness, double damping,
+void check_loop(const char* name, const Half& half, const DampedSpring& spring,
                 const GainChoice& choice, std::vector<GainWarning>& warnings) {
+  const auto [stiffness, damping] = spring;
   if (!(half.port->mass > 0.0) || stiffness > choice.limit) return;
   if (does_settle(half, stiffness * half.scale, damping * half.scale)) return;
   char text[160];
@@ -249,17 +256,14 @@ std::vector<GainWarning> check_gains(const GainTask& task, const GainProposal& p
   check_stiffness("angular_stiffness", "N m/rad", coupling.angular_stiffness, proposal.angular,
                   warnings);
   check_stiffness("stiffness", "N/m", contact_stiffness, proposal.contact, warnings);
-  check_ratio("linear_damping", "N s/m", coupling.linear_damping, coupling.linear_stiffness, mass,
-              warnings);
-  check_ratio("angular_damping", "N m s/rad", coupling.angular_damping, coupling.angular_stiffness,
-              moment, warnings);
-  check_ratio("damping", "N s/m", contact_damping, contact_stiffness, mass, warnings);
-  check_loop("linear_damping", linear_half(task), coupling.linear_stiffness,
-             coupling.linear_damping, proposal.linear, warnings);
-  if (task.has_device_rotation) {
-    check_loop("angular_damping", angular_half(task), coupling.angular_stiffness,
-               coupling.angular_damping, proposal.angular, warnings);
-  }
+  const DampedSpring linear{coupling.linear_stiffness, coupling.linear_damping},
+      angular{coupling.angular_stiffness, coupling.angular_damping};
+  check_ratio("linear_damping", "N s/m", linear, mass, warnings);
+  check_ratio("angular_damping", "N m s/rad", angular, moment, warnings);
+  check_ratio("damping", "N s/m", {contact_stiffness, contact_damping}, mass, warnings);
+  check_loop("linear_damping", linear_half(task), linear, proposal.linear, warnings);
+  if (task.has_device_rotation)
+    check_loop("angular_damping", angular_half(task), angular, proposal.angular, warnings);
   check_effort("max_force", "N", coupling.linear_saturation, proposal.max_force, warnings);
   check_effort("max_torque", "N m", coupling.angular_saturation, proposal.max_torque, warnings);
   return warnings;

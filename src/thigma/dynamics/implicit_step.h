@@ -21,9 +21,9 @@ namespace thigma {
 BodyState implicit_step(const RigidBody& body, const BodyState& state, const Wrench& wrench,
                         const WrenchJacobian& jacobian, double dt) THIGMA_RT;
 
-/// The same, with kinematics(body, state) already at hand.
-BodyState implicit_step(const RigidBody& body, const BodyState& state, const BodyKinematics& at,
-                        const Wrench& wrench, const WrenchJacobian& jacobian, double dt) THIGMA_RT;
+/// The same, with the kinematics already at hand.
+BodyState implicit_step(const BodyAtState& at, const Wrench& wrench, const WrenchJacobian& jacobian,
+                        double dt) THIGMA_RT;
 
 /// Eq. 5.7 as printed, all 13 unknowns at once: the twin the tests compare with. [haptic]
 BodyState implicit_step_13(const RigidBody& body, const BodyState& state, const Wrench& wrench,

@@ -92,20 +92,20 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
   }
 }
 
-void find_contacts(const ContactWorld& world, const StampedBody& at,
+void find_contacts(const ContactWorld& world, const StampedBody& body,
                    ContactScratch& scratch) noexcept {
   clear(scratch.contacts);
-  const Pose pose = world_from_mesh(world, at.state);
+  const Pose pose = world_from_mesh(world, body.state);
   if (!world.scene.empty()) {
     ContactQuery query;
     query.tolerance = query_tolerance(world);
     query.keep_directions = true;
     if (world.textures.is_empty() || has_levels(world.textures))
       query.resolution = world.resolution;
-    if (scratch.sequence > 0 && at.time > scratch.last_time) {
-      query.resolution.step_time = at.time - scratch.last_time;
+    if (scratch.sequence > 0 && body.time > scratch.last_time) {
+      query.resolution.step_time = body.time - scratch.last_time;
     }
-    scratch.last_time = at.time;
+    scratch.last_time = body.time;
     query_scene(*world.object, pose, world.scene, query, scratch.fronts, scratch.contacts);
     if (!world.textures.is_empty())
       limit_to_relief(world.textures, world.tolerance, scratch.contacts);
@@ -113,7 +113,7 @@ void find_contacts(const ContactWorld& world, const StampedBody& at,
   if (world.source) world.source(pose, world.tolerance, scratch.contacts);
 }
 
-void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch,
+void make_model(const ContactWorld& world, const StampedBody& body, ContactScratch& scratch,
                 ContactSample& sample) noexcept {
   ClusterParams clustering;
   clustering.max_clusters = world.max_clusters;
@@ -121,7 +121,7 @@ void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch
   std::span<const Contact> pressing = scratch.contacts.contacts;
   scratch.spread.clear();
   if (distributes_wide_contacts(world)) {
-    distribute_contacts(*world.object, world_from_mesh(world, at.state), world.scene, pressing,
+    distribute_contacts(*world.object, world_from_mesh(world, body.state), world.scene, pressing,
                         world.tolerance, scratch.spread);
     pressing = scratch.spread;
   }
@@ -131,15 +131,15 @@ void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch
   // one d: what the query starts at is what the force starts at
   response.tolerance = world.tolerance;
   ++scratch.sequence;
-  sample.model =
-      world.textures.is_empty()
-          ? linearize_contacts(scratch.clusters, response, at.state, at.time, scratch.sequence)
-          : linearize_textured(world.textures, world_from_mesh(world, at.state), world.scene,
-                               scratch.contacts.contacts, scratch.clusters,
-                               scratch.clustering.assignment, response, at.state, at.time,
-                               scratch.sequence, *scratch.textures);
+  const ModelStamp stamp{body.state, body.time, scratch.sequence};
+  sample.model = world.textures.is_empty()
+                     ? linearize_contacts(scratch.clusters, response, stamp)
+                     : linearize_textured({world.textures, world_from_mesh(world, body.state),
+                                           world.scene, scratch.contacts.contacts, scratch.clusters,
+                                           scratch.clustering.assignment},
+                                          response, stamp, *scratch.textures);
 
-  sample.time = at.time;
+  sample.time = body.time;
   describe_contacts(world, scratch, sample);
   sample.level_changes = 0;
   sample.triangles_below = 0.0;
@@ -151,10 +151,10 @@ void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch
   sample.model_digest = model_digest(sample.model);
 }
 
-void contact_step(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch,
+void contact_step(const ContactWorld& world, const StampedBody& body, ContactScratch& scratch,
                   ContactSample& sample) noexcept {
-  find_contacts(world, at, scratch);
-  make_model(world, at, scratch, sample);
+  find_contacts(world, body, scratch);
+  make_model(world, body, scratch, sample);
 }
 
 }  // namespace thigma

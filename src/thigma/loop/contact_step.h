@@ -45,24 +45,24 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
 /// First half of a contact frame: queries every static object into scratch.contacts. With textures
 /// the search tolerance grows by the largest displacement.
 /// Thread    [contact]; no failure.
-void find_contacts(const ContactWorld& world, const StampedBody& at,
+void find_contacts(const ContactWorld& world, const StampedBody& body,
                    ContactScratch& scratch) noexcept;
 
 /// Second half: spreads contacts of large patches, clusters all together and linearises them, with
 /// depth and gradient from textures where a cluster touches relief.
 ///
 /// world         constant
-/// at            state and time the model is for, as given to find_contacts
+/// body          state and time the model is for, as given to find_contacts
 /// scratch       clusters are carried over
 /// sample        overwritten, but for the times of CPU use and of publication, which are the
 ///               shell's business; sample.model is what to publish, its sequence counts from 1
 /// Thread        [contact]; no failure.
-void make_model(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch,
+void make_model(const ContactWorld& world, const StampedBody& body, ContactScratch& scratch,
                 ContactSample& sample) noexcept;
 
 /// One frame: both halves.
 /// Source Sec. 5.1.2, contact thread.
-void contact_step(const ContactWorld& world, const StampedBody& at, ContactScratch& scratch,
+void contact_step(const ContactWorld& world, const StampedBody& body, ContactScratch& scratch,
                   ContactSample& sample) noexcept;
 
 }  // namespace thigma

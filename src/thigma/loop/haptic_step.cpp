@@ -71,7 +71,7 @@ void follow_clutch(const HapticParams& params, const DeviceState& device, bool i
 }
 
 /// How the terms of a model stand at a state.
-struct Touch {
+struct ActiveTerms {
   std::int32_t count = 0;                                         // terms within reach
   double penetration = -std::numeric_limits<double>::infinity();  // deepest [m]
   double sunk = 0.0;  // how much deeper that one is than at the state the model was made for [m]
@@ -82,8 +82,8 @@ double depth_at(const PlaneTerm& t, const BodyState& y) THIGMA_RT {
   return t.normal.dot(point - t.scene_point);
 }
 
-Touch touch(const LinearContactModel& model, const BodyState& y) THIGMA_RT {
-  Touch result;
+ActiveTerms active_terms(const LinearContactModel& model, const BodyState& y) THIGMA_RT {
+  ActiveTerms result;
   for (const PlaneTerm& t : model.planes) {
     const double depth = depth_at(t, y);
     if (depth + t.tolerance > 0.0) ++result.count;
@@ -91,15 +91,13 @@ Touch touch(const LinearContactModel& model, const BodyState& y) THIGMA_RT {
     result.penetration = depth;
     result.sunk = depth - depth_at(t, model.state);
   }
-  for (std::size_t i = 0; i < model.depths.size(); ++i) {
-    const DepthTerm& t = model.depths[i];
-    const double depth = depth_at(t, model.state, y, bend_of(model, i));
+  for (const DepthTerm& t : model.depths) {
+    const double depth = depth_at(t, model.state, y);
     if (depth + t.tolerance > 0.0) ++result.count;
     if (!(depth > result.penetration)) continue;
     result.penetration = depth;
-    result.sunk = depth - depth_at(t, model.state, model.state, bend_of(model, i));
+    result.sunk = depth - depth_at(t, model.state, model.state);
   }
-  result.count += static_cast<std::int32_t>(model.taylors.size());
   return result;
 }
 
@@ -161,14 +159,13 @@ void read_inputs(const HapticParams& params, const HapticPorts& ports, const Hap
 void advance_body(const HapticParams& params, const LinearContactModel& model,
                   const HapticSample& sample, HapticState& state) THIGMA_RT {
   const BodyState before = state.body;
-  const BodyKinematics at = kinematics(params.body, state.body);
+  const BodyAtState at = at_state(params.body, state.body);
   WrenchJacobian by_coupling, by_contact;
   const Wrench pull = coupling_wrench(faded(state.coupling, state.last_device.weight),
-                                      sample.handle, params.body, state.body, at, &by_coupling);
-  const Wrench push =
-      contact_wrench(model, params.body, state.body, sample.model_weight, &by_contact);
+                                      sample.handle, at, &by_coupling);
+  const Wrench push = contact_wrench(model, at, sample.model_weight, &by_contact);
   const WrenchJacobian by_state = by_coupling + by_contact;
-  state.body = implicit_step(params.body, state.body, at, pull + push, by_state, sample.elapsed);
+  state.body = implicit_step(at, pull + push, by_state, sample.elapsed);
   if (is_finite(state.body)) return;
   latch_fault(state.safety, Fault::not_finite, sample.time);
   state.body = before;
@@ -214,32 +211,46 @@ void make_passive(const HapticParams& params, HapticState& state, HapticSample& 
   sample.command = sent;
 }
 
+/// What a frame works on.
+struct FrameWork {
+  const HapticParams& params;
+  const HapticPorts& ports;
+  const LinearContactModel& model;
+  HapticState& state;
+  HapticSample& sample;
+};
+
+/// The wrench of coupling or contacts on the hand about the handle, before the limits [world].
+Wrench wrench_on_hand(const FrameWork& frame) THIGMA_RT {
+  const HapticParams& params = frame.params;
+  const HapticState& state = frame.state;
+  HapticSample& sample = frame.sample;
+  if (params.response == ResponseKind::direct)
+    return contact_on_hand(frame.model, params.body, sample.handle, state.body);
+  sample.coupling = coupling_wrench(faded(state.coupling, state.last_device.weight), sample.handle,
+                                    params.body, state.body);
+  return coupling_reaction(state.coupling, sample.handle, params.body, state.body);
+}
+
 /// Steps 5 and 6: what the hand gets, within the limits.
-void send_wrench(const HapticParams& params, const HapticPorts& ports,
-                 const LinearContactModel& model, const Touch& touching, HapticState& state,
-                 HapticSample& sample) THIGMA_RT {
+void send_wrench(const FrameWork& frame, const ActiveTerms& active) THIGMA_RT {
+  const HapticParams& params = frame.params;
+  HapticState& state = frame.state;
+  HapticSample& sample = frame.sample;
   SafetyState& safety = state.safety;
-  const double hand_weight = state.last_device.weight;
   // Nothing arms on a model that does not count fully.
   const bool may_be_armed = state.is_grasped && (safety.is_armed || sample.model_weight >= 1.0);
-  update_arming(params.safety, may_be_armed, touching.count > 0, sample.time, safety);
-  sample.contact = contact_wrench(model, params.body, state.body, sample.model_weight);
-  Wrench on_hand;
-  if (params.response == ResponseKind::direct) {
-    on_hand = contact_on_hand(model, params.body, sample.handle, state.body);
-  } else {
-    sample.coupling =
-        coupling_wrench(faded(state.coupling, hand_weight), sample.handle, params.body, state.body);
-    on_hand = device_wrench(state.coupling, sample.handle, params.body, state.body);
-  }
-  sample.feedback =
-      limit_wrench(params.safety, params.device, device_wrench(params.workspace, on_hand),
-                   sample.model_weight * hand_weight, sample.time, sample.elapsed, safety);
+  update_arming(params.safety, may_be_armed, active.count > 0, sample.time, safety);
+  sample.contact = contact_wrench(frame.model, params.body, state.body, sample.model_weight);
+  const Wrench wanted = device_wrench(params.workspace, wrench_on_hand(frame));
+  const double weight = sample.model_weight * state.last_device.weight;
+  sample.feedback = limit_wrench(params.safety, params.device, {wanted, weight},
+                                 {sample.time, sample.elapsed}, safety);
   sample.command = sample.feedback;
   if (!params.device.actuates_rotation) sample.command.torque.setZero();
   if (!params.device.actuates_translation) sample.command.force.setZero();
   if (params.passivity.is_on) make_passive(params, state, sample);
-  ports.device->write(sample.command);
+  frame.ports.device->write(sample.command);
   observe_wrench(state.energy, sample.command);
 }
 
@@ -273,14 +284,14 @@ HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports,
       advance_body(params, model, sample, state);
     }
   }
-  const Touch touching = touch(model, state.body);
-  send_wrench(params, ports, model, touching, state, sample);
+  const ActiveTerms active = active_terms(model, state.body);
+  send_wrench({params, ports, model, state, sample}, active);
   if (state.safety.fault != Fault::none && state.is_grasped) let_go(state);
 
   sample.body = state.body;
-  sample.penetration = touching.penetration;
-  sample.touching = touching.count;
-  sample.sunk = touching.sunk;
+  sample.penetration = active.penetration;
+  sample.touching = active.count;
+  sample.sunk = active.sunk;
   sample.stretch = coupling_stretch(state.coupling, sample.handle.pose, state.body).linear.norm();
   sample.energy = state.energy.energy;
   sample.is_grasped = state.is_grasped;

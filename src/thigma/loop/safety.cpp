@@ -38,8 +38,9 @@ struct WayLimit {
 
 /// Latches where `moved` since the last look [m or rad] is too far or too fast; `lead` is how far
 /// ahead of the fastest that is allowed.
-void check_way(const WayLimit& limit, double moved, double now, double elapsed, double& lead,
+void check_way(const WayLimit& limit, double moved, const StepTime& step, double& lead,
                SafetyState& safety) THIGMA_RT {
+  const auto [now, elapsed] = step;
   // A tick longer than the usual millisecond may go as far as the speed limit allows in it.
   const double reach = std::max(limit.jump, limit.speed * elapsed);
   if (moved > reach) latch_fault(safety, limit.too_far, now);
@@ -54,13 +55,13 @@ void check_way(const WayLimit& limit, double moved, double now, double elapsed, 
 void check_ways(const SafetyLimits& limits, const Pose& pose, double now, double elapsed,
                 SafetyState& safety) THIGMA_RT {
   const double moved = (pose.position - safety.last_position).norm();
-  check_way({limits.max_speed, limits.pose_jump, Fault::pose_jump, Fault::too_fast}, moved, now,
-            elapsed, safety.lead, safety);
+  check_way({limits.max_speed, limits.pose_jump, Fault::pose_jump, Fault::too_fast}, moved,
+            {now, elapsed}, safety.lead, safety);
   const double turned =
       vector_from_rotation(pose.orientation * safety.last_orientation.conjugate()).norm();
   check_way({limits.max_turn_speed, limits.orientation_jump, Fault::orientation_jump,
              Fault::turned_too_fast},
-            turned, now, elapsed, safety.turn_lead, safety);
+            turned, {now, elapsed}, safety.turn_lead, safety);
 }
 
 /// Where the handle is starts a new history.
@@ -196,8 +197,10 @@ void update_arming(const SafetyLimits& limits, bool is_grasped, bool is_in_conta
   safety.was_in_contact = is_in_contact;
 }
 
-Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device, const Wrench& wanted,
-                    double weight, double now, double elapsed, SafetyState& safety) THIGMA_RT {
+Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device,
+                    const AskedWrench& asked, const StepTime& step, SafetyState& safety) THIGMA_RT {
+  const auto [now, elapsed] = step;
+  const Wrench& wanted = asked.wanted;
   if (!is_finite(wanted)) latch_fault(safety, Fault::not_finite, now);
   if (safety.fault != Fault::none || !safety.is_armed) {
     safety.slewed = Wrench{};
@@ -222,7 +225,7 @@ Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device, cons
   }
   // The slew limit keeps within the ball of the clamp only up to rounding.
   safety.slewed = {clamped(w.force, force_limit), clamped(w.torque, torque_limit)};
-  Wrench sent = weight * safety.slewed;
+  Wrench sent = asked.weight * safety.slewed;
   if (is_slow) {  // the weight changes the wrench as well; the fade to zero is never slowed
     sent.force = grown(safety.sent.force, sent.force, limits.force_slew * elapsed);
     sent.torque = grown(safety.sent.torque, sent.torque, limits.torque_slew * elapsed);

@@ -77,6 +77,18 @@ struct SafetyState {
   double turn_lead = 0.0;  // how far it is ahead of one that turns at max_turn_speed [rad]
 };
 
+/// When a step is made, and how long it is.
+struct StepTime {
+  double now = 0.0;      // [s; session clock]
+  double elapsed = 0.0;  // since the last step [s], > 0
+};
+
+/// A wrench that is asked for.
+struct AskedWrench {
+  Wrench wanted;        // on the hand about the handle [N, N m; device frame]
+  double weight = 1.0;  // of model_weight
+};
+
 /// Shortened to `limit`, direction kept.
 /// Thread    [haptic].
 Vec3 clamped(const Vec3& v, double limit) THIGMA_RT;
@@ -131,13 +143,10 @@ void update_arming(const SafetyLimits& limits, bool is_grasped, bool is_in_conta
 /// The wrench that may be sent: zero unless armed, ramped, weighted, clamped by norm, slowed by the
 /// slew limits.
 ///
-/// wanted   on the hand about the handle [N, N m; device frame]
-/// weight   of model_weight
-/// elapsed  since the last step [s]
 /// returns  axes the device does not actuate are still in it; NaN or infinity, going in or coming
 ///          out, latches a fault and gives zero
 /// Thread   [haptic]
-Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device, const Wrench& wanted,
-                    double weight, double now, double elapsed, SafetyState& safety) THIGMA_RT;
+Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device,
+                    const AskedWrench& asked, const StepTime& step, SafetyState& safety) THIGMA_RT;
 
 }  // namespace thigma

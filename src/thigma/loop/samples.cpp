@@ -2,8 +2,11 @@
 
 #include <bit>
 #include <cmath>
+#include <concepts>
+#include <type_traits>
 
 #include "thigma/dynamics/contact_model_fields.h"
+#include "thigma/loop/sample_fields.h"
 
 namespace thigma {
 
@@ -56,46 +59,39 @@ void add_data(StateHash& hash, const Quat& q) THIGMA_RT {
   for (int i = 0; i < 4; ++i) add_datum(hash, q.coeffs()[i]);
 }
 
-/// Adds the fields of a list (contact_model_fields.h).
+/// Adds the fields of a list (contact_model_fields.h, sample_fields.h).
 struct FieldHash {
   StateHash& hash;
 
   void operator()(const char*, double number) const THIGMA_RT { add_datum(hash, number); }
-  void operator()(const char*, std::int32_t id) const THIGMA_RT {
-    add_bits(hash, static_cast<std::uint64_t>(id));
+  template <class Whole>
+  requires std::integral<Whole> || std::is_enum_v<Whole>
+  void operator()(const char*, Whole value) const THIGMA_RT {
+    add_bits(hash, static_cast<std::uint64_t>(value));
   }
   void vector(const char*, const Vec3& v) const THIGMA_RT { add_data(hash, v); }
+  void pose(const Pose& pose) const THIGMA_RT {
+    add_data(hash, pose.position);
+    add_data(hash, pose.orientation);
+  }
+  void twist(const Twist& twist) const THIGMA_RT {
+    add_data(hash, twist.linear);
+    add_data(hash, twist.angular);
+  }
+  void unless(const char*, double value, double usual) const THIGMA_RT {
+    if (value != usual) add_datum(hash, value);
+  }
+  void optional_pose(const char*, bool has, const Pose& value) const THIGMA_RT {
+    if (has) pose(value);
+  }
+  void digest(const char*, std::uint64_t) const THIGMA_RT {}
 };
-
-void add_data(StateHash& hash, const TaylorTerm& t) THIGMA_RT {
-  add_data(hash, t.wrench.force);
-  add_data(hash, t.wrench.torque);
-  add_data(hash, t.normal);
-  for (int i = 0; i < t.jacobian.size(); ++i) add_datum(hash, t.jacobian.data()[i]);
-}
 
 }  // namespace
 
 std::uint64_t input_digest(const HapticSample& sample) THIGMA_RT {
   StateHash hash;
-  add_bits(hash, sample.frame);
-  add_datum(hash, sample.time);
-  add_datum(hash, sample.elapsed);
-  const DeviceState& d = sample.device;
-  add_datum(hash, d.time);
-  add_data(hash, d.motion.pose.position);
-  add_data(hash, d.motion.pose.orientation);
-  add_data(hash, d.motion.twist.linear);
-  add_data(hash, d.motion.twist.angular);
-  add_bits(hash, d.buttons);
-  add_bits(hash, static_cast<std::uint64_t>(d.status));
-  if (d.weight != 1.0) add_datum(hash, d.weight);  // older recordings have none
-  if (d.has_true_handle) {
-    add_data(hash, d.true_handle.position);
-    add_data(hash, d.true_handle.orientation);
-  }
-  add_bits(hash, sample.model_sequence);
-  add_bits(hash, static_cast<std::uint64_t>(sample.external_fault));
+  visit_device_state(sample, FieldHash{hash});
   return hash.value;
 }
 
@@ -109,9 +105,6 @@ std::uint64_t model_digest(const LinearContactModel& model) THIGMA_RT {
   add_bits(hash, model.sequence);
   for (const PlaneTerm& term : model.planes) visit_plane(term, FieldHash{hash});
   for (const DepthTerm& term : model.depths) visit_depth(term, FieldHash{hash});
-  for (const DepthBend& bend : model.bends)
-    for (int i = 0; i < bend.size(); ++i) add_datum(hash, bend.data()[i]);
-  for (const TaylorTerm& term : model.taylors) add_data(hash, term);
   return hash.value;
 }
 

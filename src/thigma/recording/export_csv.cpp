@@ -1,8 +1,8 @@
 #include <concepts>
 
 #include "thigma/files/file.h"
+#include "thigma/loop/sample_fields.h"
 #include "thigma/recording/detail/json_text.h"
-#include "thigma/recording/detail/sample_fields.h"
 #include "thigma/recording/recording.h"
 
 namespace thigma {
@@ -59,13 +59,13 @@ struct RowWriter {
 
 std::string header() {
   std::string row;
-  detail::visit_columns(HapticSample{}, HeaderWriter{row});
+  visit_columns(HapticSample{}, HeaderWriter{row});
   return row + '\n';
 }
 
 void put_row(std::string& row, const HapticSample& s) {
   bool is_first = true;
-  detail::visit_columns(s, RowWriter{row, is_first});
+  visit_columns(s, RowWriter{row, is_first});
   row += '\n';
 }
 

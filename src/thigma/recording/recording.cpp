@@ -6,8 +6,8 @@
 
 #include "thigma/core/error.h"
 #include "thigma/dynamics/contact_model_fields.h"
+#include "thigma/loop/sample_fields.h"
 #include "thigma/recording/detail/json_text.h"
-#include "thigma/recording/detail/sample_fields.h"
 #include "thigma/recording/mcap_file.h"
 
 namespace thigma {
@@ -102,7 +102,7 @@ struct FieldWriter {
 
 void put_device(std::string& out, const HapticSample& s) {
   JsonObject json(out);
-  detail::visit_device_state(s, FieldWriter{out, json});
+  visit_device_state(s, FieldWriter{out, json});
   json.close();
 }
 
@@ -117,15 +117,15 @@ void put_of_frame(std::string& out, const HapticSample& s, Fields fields) {
 }
 
 void put_command(std::string& out, const HapticSample& s) {
-  put_of_frame(out, s, [&](const FieldWriter& w) { detail::visit_device_command(s, w); });
+  put_of_frame(out, s, [&](const FieldWriter& w) { visit_device_command(s, w); });
 }
 
 void put_state(std::string& out, const HapticSample& s) {
-  put_of_frame(out, s, [&](const FieldWriter& w) { detail::visit_body_state(s, w); });
+  put_of_frame(out, s, [&](const FieldWriter& w) { visit_body_state(s, w); });
 }
 
 void put_timing(std::string& out, const HapticSample& s) {
-  put_of_frame(out, s, [&](const FieldWriter& w) { detail::visit_timing(s, w); });
+  put_of_frame(out, s, [&](const FieldWriter& w) { visit_timing(s, w); });
 }
 
 void put_plane(std::string& out, const PlaneTerm& p) {
@@ -137,34 +137,6 @@ void put_plane(std::string& out, const PlaneTerm& p) {
 void put_depth(std::string& out, const DepthTerm& t) {
   JsonObject json(out);
   visit_depth(t, FieldWriter{out, json});
-  json.close();
-}
-
-template <class Matrix>
-void put_rows(std::string& out, const Matrix& matrix) {
-  out += '[';
-  for (int row = 0; row < matrix.rows(); ++row) {
-    for (int column = 0; column < matrix.cols(); ++column) {
-      if (row + column > 0) out += ',';
-      detail::put_number(out, matrix(row, column));
-    }
-  }
-  out += ']';
-}
-
-void put_bend(std::string& out, const DepthBend& bend) {
-  JsonObject json(out);
-  json.key("rows");
-  put_rows(out, bend);
-  json.close();
-}
-
-void put_taylor(std::string& out, const TaylorTerm& t) {
-  JsonObject json(out);
-  put_wrench(json, "force", "torque", t.wrench);
-  json.vector("normal", t.normal);
-  json.key("jacobian");
-  put_rows(out, t.jacobian);
   json.close();
 }
 
@@ -188,8 +160,6 @@ void put_model(std::string& out, const ContactSample& sample) {
   FieldWriter{out, json}.body(model.state);
   put_list(json, out, "planes", model.planes, put_plane);
   put_list(json, out, "depths", model.depths, put_depth);
-  put_list(json, out, "bends", model.bends, put_bend);
-  put_list(json, out, "taylors", model.taylors, put_taylor);
   json.word("model_digest", hex_text(sample.model_digest));
   json.close();
 }
@@ -197,8 +167,8 @@ void put_model(std::string& out, const ContactSample& sample) {
 void put_frame(std::string& out, const ContactSample& c) {
   JsonObject json(out);
   json.integer("sequence", static_cast<long long>(c.model.sequence));
-  detail::visit_contact_frame(c, FieldWriter{out, json});
-  detail::visit_contact_levels(c, FieldWriter{out, json});
+  visit_contact_frame(c, FieldWriter{out, json});
+  visit_contact_levels(c, FieldWriter{out, json});
   json.close();
 }
 
@@ -305,8 +275,9 @@ void RecordingWriter::write(const SessionEvent& event) {
   JsonObject json(text_);
   json.number("time", event.time);
   json.integer("frame", static_cast<long long>(event.frame));
-  json.word("event", event.kind);
-  if (!event.detail.empty()) json.word(event.kind == "fault" ? "fault" : "detail", event.detail);
+  json.word("event", event_name(event.kind));
+  if (!event.detail.empty())
+    json.word(event.kind == EventKind::fault ? "fault" : "detail", event.detail);
   json.close();
   attempt([&] { file_->write(events_, event_count_++, nanoseconds(event.time), text_); });
 }

@@ -20,7 +20,7 @@ Wrench direct_wrench(const ContactClusters& clusters, const PenaltyParams& param
   BodyState state;
   state.position = about;
   const RigidBody body = make_body(1.0, Mat3::Identity());
-  return contact_wrench(linearize_contacts(clusters, params, state, 0.0, 0), body, state);
+  return contact_wrench(linearize_contacts(clusters, params, {state}), body, state);
 }
 
 }  // namespace thigma

@@ -32,12 +32,12 @@ double total_indentation(const ContactClusters& clusters, double tolerance) noex
 }
 
 LinearContactModel linearize_contacts(const ContactClusters& clusters, const PenaltyParams& params,
-                                      const BodyState& state, double time, std::uint64_t sequence,
-                                      double other_reach) noexcept {
+                                      const ModelStamp& stamp, double other_reach) noexcept {
+  const BodyState& state = stamp.state;
   LinearContactModel model;
   model.state = state;
-  model.time = time;
-  model.sequence = sequence;
+  model.time = stamp.time;
+  model.sequence = stamp.sequence;
   const Mat3 body_from_world = rotation_matrix(state.orientation).transpose();
   const double total = total_indentation(clusters, params.tolerance) + other_reach;
   const double equal_share =
@@ -52,7 +52,6 @@ LinearContactModel linearize_contacts(const ContactClusters& clusters, const Pen
     term.arm_body = body_from_world * (cluster.point - state.position);
     term.normal = cluster.normal;
     term.scene_point = cluster.scene_point;
-    term.tangential_anchor = cluster.scene_point;
     term.stiffness = share * params.stiffness;
     term.damping = share * params.damping;
     term.tolerance = params.tolerance;

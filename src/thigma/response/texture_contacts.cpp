@@ -8,7 +8,6 @@
 
 #include "thigma/contact/contact_node.h"
 #include "thigma/core/index.h"
-#include "thigma/depth/depth_hessian.h"
 #include "thigma/depth/gpu_depth.h"
 #include "thigma/response/linearize_contacts.h"
 
@@ -43,14 +42,23 @@ struct Levels {
   std::int32_t object = 0, scene = 0;
 };
 
+/// A cluster as it touches one body of the scene, by their numbers.
+struct ClusterOnBody {
+  std::int32_t cluster = 0, body = 0;
+};
+
+bool is_member(const TexturedContacts& touching, std::size_t contact,
+               const ClusterOnBody& pair) noexcept {
+  return touching.assignment[contact] == pair.cluster &&
+         touching.contacts[contact].body == pair.body;
+}
+
 /// The coarsest levels among the members of a cluster.
-Levels coarsest_levels(const TexturedWorld& world, std::span<const Contact> contacts,
-                       std::span<const std::int32_t> assignment, std::int32_t cluster,
-                       std::int32_t body) noexcept {
+Levels coarsest_levels(const TexturedContacts& touching, const ClusterOnBody& pair) noexcept {
   Levels levels;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Contact& contact = contacts[i];
-    if (assignment[i] != cluster || contact.body != body) continue;
+  for (std::size_t i = 0; i < touching.contacts.size(); ++i) {
+    if (!is_member(touching, i, pair)) continue;
+    const Contact& contact = touching.contacts[i];
     levels.object = std::max(levels.object, contact.object_level);
     levels.scene = std::max(levels.scene, contact.scene_level);
   }
@@ -58,9 +66,10 @@ Levels coarsest_levels(const TexturedWorld& world, std::span<const Contact> cont
 }
 
 /// The object, and a body of the scene, as one cluster touches them. False without such members.
-bool gather(const TexturedWorld& world, std::span<const Contact> contacts,
-            std::span<const std::int32_t> assignment, std::int32_t cluster, std::int32_t body,
-            const Levels& levels, std::size_t slot, TextureScratch& scratch) noexcept {
+bool gather(const TexturedContacts& touching, const ClusterOnBody& pair, const Levels& levels,
+            std::size_t slot, TextureScratch& scratch) noexcept {
+  const TexturedBody& object = touching.world.object;
+  const TexturedBody& scene = touching.world.scene[at(pair.body)];
   scratch.object_marks.begin();
   scratch.scene_marks.begin();
   std::vector<std::int32_t>&of_object = scratch.object_triangles[slot],
@@ -68,13 +77,11 @@ bool gather(const TexturedWorld& world, std::span<const Contact> contacts,
   of_object.clear();
   of_scene.clear();
   double deepest = kNoDepth;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Contact& contact = contacts[i];
-    if (assignment[i] != cluster || contact.body != body) continue;
-    add_triangles(world.object, contact.object_patch, levels.object, scratch.object_marks,
-                  of_object);
-    add_triangles(world.scene[at(body)], contact.scene_patch, levels.scene, scratch.scene_marks,
-                  of_scene);
+  for (std::size_t i = 0; i < touching.contacts.size(); ++i) {
+    if (!is_member(touching, i, pair)) continue;
+    const Contact& contact = touching.contacts[i];
+    add_triangles(object, contact.object_patch, levels.object, scratch.object_marks, of_object);
+    add_triangles(scene, contact.scene_patch, levels.scene, scratch.scene_marks, of_scene);
     deepest = std::max(deepest, contact.depth + contact.bound);
   }
   // Clusters name their members in the order of contacts, which may change while the triangles do
@@ -86,26 +93,26 @@ bool gather(const TexturedWorld& world, std::span<const Contact> contacts,
     around.clear();
     add_ring(of.textures[at(level)]->coarse, of.at_vertex[at(level)], own, marks, around);
   };
-  look_beside(world.object, levels.object, of_object, scratch.object_marks,
-              scratch.object_around[slot]);
-  look_beside(world.scene[at(body)], levels.scene, of_scene, scratch.scene_marks,
-              scratch.scene_around[slot]);
+  look_beside(object, levels.object, of_object, scratch.object_marks, scratch.object_around[slot]);
+  look_beside(scene, levels.scene, of_scene, scratch.scene_marks, scratch.scene_around[slot]);
   scratch.deepest[slot] = deepest;
   return !of_object.empty() && !of_scene.empty();
 }
 
-bool touches_relief(const TexturedWorld& world, std::span<const Contact> contacts,
-                    std::span<const std::int32_t> assignment, std::int32_t cluster) noexcept {
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    if (assignment[i] == cluster && is_textured(world, contacts[i].body)) return true;
+bool touches_relief(const TexturedContacts& touching, std::int32_t cluster) noexcept {
+  for (std::size_t i = 0; i < touching.contacts.size(); ++i) {
+    if (touching.assignment[i] == cluster && is_textured(touching.world, touching.contacts[i].body))
+      return true;
+  }
   return false;
 }
 
-/// Depth contacts of the clusters that touch relief; the other clusters go to scratch.plain.
-void divide(const TexturedWorld& world, const Pose& world_from_object,
-            std::span<const SceneBody> bodies, std::span<const Contact> contacts,
-            const ContactClusters& clusters, std::span<const std::int32_t> assignment,
-            const Vec3& centre, TextureScratch& scratch) noexcept {
+/// Depth contacts of the clusters that touch relief, about a centre; the other clusters go to
+/// scratch.plain.
+void divide(const TexturedContacts& touching, const Vec3& centre,
+            TextureScratch& scratch) noexcept {
+  const TexturedWorld& world = touching.world;
+  const ContactClusters& clusters = touching.clusters;
   scratch.contacts.clear();
   scratch.cluster.clear();
   scratch.body.clear();
@@ -114,27 +121,27 @@ void divide(const TexturedWorld& world, const Pose& world_from_object,
   for (std::size_t c = 0; c < clusters.clusters.size(); ++c) {
     const ContactCluster& cluster = clusters.clusters[c];
     const std::int32_t index = static_cast<std::int32_t>(c);
-    if (!touches_relief(world, contacts, assignment, index)) {
+    if (!touches_relief(touching, index)) {
       scratch.plain.clusters.push_back(cluster);
       continue;
     }
     for (std::size_t b = 0; b < world.scene.size(); ++b) {
       const std::size_t slot = scratch.contacts.size();
       if (slot == scratch.object_triangles.size()) break;  // as many as the model has room for
-      const std::int32_t body = static_cast<std::int32_t>(b);
-      const Levels levels = coarsest_levels(world, contacts, assignment, index, body);
-      if (!gather(world, contacts, assignment, index, body, levels, slot, scratch)) continue;
+      const ClusterOnBody pair{index, static_cast<std::int32_t>(b)};
+      const Levels levels = coarsest_levels(touching, pair);
+      if (!gather(touching, pair, levels, slot, scratch)) continue;
       DepthContact contact;
       contact.object = {world.object.textures[at(levels.object)], scratch.object_triangles[slot],
-                        world_from_object, scratch.object_around[slot]};
+                        touching.world_from_object, scratch.object_around[slot]};
       contact.scene = {world.scene[b].textures[at(levels.scene)], scratch.scene_triangles[slot],
-                       bodies[b].world_from_body, scratch.scene_around[slot]};
+                       touching.bodies[b].world_from_body, scratch.scene_around[slot]};
       contact.point = cluster.point;
       contact.normal = cluster.normal;
       contact.centre = centre;
       scratch.contacts.push_back(contact);
       scratch.cluster.push_back(index);
-      scratch.body.push_back(body);
+      scratch.body.push_back(pair.body);
     }
   }
 }
@@ -273,12 +280,11 @@ void reserve_texture_scratch(const TexturedWorld& world, TextureScratch& scratch
   scratch.gradient.scene.hidden.reserve(of_scene);
 }
 
-LinearContactModel linearize_textured(
-    const TexturedWorld& world, const Pose& world_from_object, std::span<const SceneBody> bodies,
-    std::span<const Contact> contacts, const ContactClusters& clusters,
-    std::span<const std::int32_t> assignment, const PenaltyParams& penalty, const BodyState& state,
-    double time, std::uint64_t sequence, TextureScratch& scratch) noexcept {
-  divide(world, world_from_object, bodies, contacts, clusters, assignment, state.position, scratch);
+LinearContactModel linearize_textured(const TexturedContacts& touching,
+                                      const PenaltyParams& penalty, const ModelStamp& stamp,
+                                      TextureScratch& scratch) noexcept {
+  const TexturedWorld& world = touching.world;
+  divide(touching, stamp.state.position, scratch);
   double amplitude = 0.0;
   for (const std::int32_t body : scratch.body)
     amplitude = std::max(amplitude, world.object.amplitude + world.scene[at(body)].amplitude);
@@ -289,7 +295,6 @@ LinearContactModel linearize_textured(
                             depth_request(params.gradient, amplitude, params.smoothing),
                             std::span(scratch.samples).first(count));
   StaticVector<DepthTerm, kMaxClusters> terms;
-  decltype(LinearContactModel::bends) bends;
   double total = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const DepthSamples& sample = scratch.samples[i];
@@ -304,17 +309,11 @@ LinearContactModel linearize_textured(
     term.linear = gradient.linear;
     term.angular = gradient.angular;
     term.tolerance = penalty.tolerance;
-    term.id = clusters.clusters[at(scratch.cluster[i])].id;
+    term.id = touching.clusters.clusters[at(scratch.cluster[i])].id;
     terms.push_back(term);
-    if (params.has_hessian) {  // terms beyond those there is room for stay of first order
-      const DepthHessian hessian = depth_hessian(scratch.contacts[i], sample, scratch.gradient);
-      const bool is_used = hessian.is_valid && sample.depth[0] <= most;
-      bends.push_back(is_used ? hessian.gradient_by_motion : DepthBend::Zero().eval());
-    }
     total += std::max(term.depth + term.tolerance, 0.0);
   }
-  LinearContactModel model =
-      linearize_contacts(scratch.plain, penalty, state, time, sequence, total);
+  LinearContactModel model = linearize_contacts(scratch.plain, penalty, stamp, total);
   total += total_indentation(scratch.plain, penalty.tolerance);
   const double equal = 1.0 / static_cast<double>(std::max<std::size_t>(
                                  terms.size() + scratch.plain.clusters.size(), 1));
@@ -327,7 +326,6 @@ LinearContactModel linearize_textured(
     term.damping = share * penalty.damping;
     model.depths.push_back(term);
   }
-  model.bends = bends;
   return model;
 }
 

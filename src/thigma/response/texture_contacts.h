@@ -14,6 +14,7 @@
 #include "thigma/depth/depth_gradient.h"
 #include "thigma/depth/triangle_ring.h"
 #include "thigma/dynamics/linear_contact_model.h"
+#include "thigma/response/linearize_contacts.h"
 #include "thigma/response/penalty.h"
 #include "thigma/response/textured_world.h"
 
@@ -70,27 +71,31 @@ struct TextureScratch {
 /// frame. Thread [offline]; throws std::bad_alloc.
 void reserve_texture_scratch(const TexturedWorld& world, TextureScratch& scratch);
 
+/// The contacts of a frame on a textured world.
+struct TexturedContacts {
+  const TexturedWorld& world;  // not empty
+  Pose world_from_object;      // of the object's mesh
+  std::span<const SceneBody> bodies;
+  // as clustered. The triangles of a cluster are those of the coarsest level among its members,
+  // where the finer ones lie below; what it feels is the fine surface at any level, within the fit
+  // of its texture
+  std::span<const Contact> contacts;
+  const ContactClusters& clusters;
+  std::span<const std::int32_t> assignment;  // of cluster_contacts
+};
+
 /// Contact model of one frame: a depth term for each cluster and textured body it touches, plane
 /// terms for the others; all share the stiffness by depth + tolerance.
 ///
-/// world           not empty; poses of the scene are those of `bodies`, that of the object's mesh
-///                 `world_from_object`
-/// contacts        as clustered. The triangles of a cluster are those of the coarsest level among
-///                 its members, where the finer ones lie below; what it feels is the fine surface
-///                 at any level, within the fit of its texture
-/// clusters, assignment  of cluster_contacts
-/// penalty         as linearize_contacts
-/// state, time, sequence  likewise
+/// penalty, stamp  as linearize_contacts
 /// scratch         results of the last call are looked into by tests and reports
 /// returns         depth terms without depth, because the surfaces share no part of the plane along
 ///                 n, are left out; a depth above what coarse depth, relief and tolerance allow
 ///                 together is cut to it
 /// Thread          [contact]; no failure; allocates only when a contact is larger than any before.
 /// Source          Sec. 4.2.2, 5.4.4, Eq. 5.56. Deviates: D79, D81.
-LinearContactModel linearize_textured(
-    const TexturedWorld& world, const Pose& world_from_object, std::span<const SceneBody> bodies,
-    std::span<const Contact> contacts, const ContactClusters& clusters,
-    std::span<const std::int32_t> assignment, const PenaltyParams& penalty, const BodyState& state,
-    double time, std::uint64_t sequence, TextureScratch& scratch) noexcept;
+LinearContactModel linearize_textured(const TexturedContacts& touching,
+                                      const PenaltyParams& penalty, const ModelStamp& stamp,
+                                      TextureScratch& scratch) noexcept;
 
 }  // namespace thigma

@@ -27,8 +27,6 @@ struct TextureParams {
   GradientKind gradient = GradientKind::smoothed_envelope;
   // of the summed amplitudes: depths this near the maximum count, see depth_request
   double smoothing = 0.1;
-  // the model has the full Hessian of the depth where it has one; false: Gauss-Newton
-  bool has_hessian = false;
 };
 
 /// A body whose surface textures may refine. Immutable; outlives the session.

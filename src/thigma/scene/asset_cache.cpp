@@ -15,6 +15,7 @@
 #include "thigma/files/file.h"
 #include "thigma/import/load_mesh.h"
 #include "thigma/models/make_model.h"
+#include "thigma/scene/detail/build_fields.h"
 
 namespace thigma {
 namespace {
@@ -24,24 +25,20 @@ namespace fs = std::filesystem;
 // ---- keys
 // ------------------------------------------------------------
 
-/// Every parameter by value; doubles to the last bit.
+/// Appends the fields of a list (detail/build_fields.h) by value; doubles to the last bit.
+struct KeyWriter {
+  std::string& text;
+
+  void operator()(const char* name, double value) const {
+    char number[32];
+    std::snprintf(number, sizeof number, "%a", value);
+    text += std::string(name) + ' ' + number + '\n';
+  }
+};
+
 std::string params_text(const ClodSource& source) {
-  const ClodParams& p = source.params;
-  const CollapseParams& c = p.simplify.collapse;
-  char text[768];
-  std::snprintf(text, sizeof text,
-                "repair %d max %d %a %a edge %a %a %a %a %a %a %a %a %a %a %a flip %d "
-                "collapse %d %a %a %d %d %d %d tolerance %a %a tree %d %d\n",
-                source.is_repair, p.decomposition.max_vertices, p.decomposition.convexity_tolerance,
-                p.decomposition.protrusion_tolerance, p.simplify.longest_edge,
-                p.simplify.coarsest_share, p.simplify.longest_edge_ever, p.simplify.deviation_limit,
-                p.simplify.deviation_share, p.simplify.deviation_ever, p.simplify.deviation_early,
-                p.simplify.volume_limit, p.simplify.convexity_tolerance,
-                p.simplify.protrusion_tolerance, p.simplify.last_level, p.simplify.flips_edges,
-                c.bisections, c.least_quality, c.free_to_turn, c.is_relaxed, c.keeps_volume,
-                c.seeks_convex_start, c.guards_original, p.contact_tolerance,
-                source.contact_tolerance ? *source.contact_tolerance / source.scale : -1.0,
-                p.is_reparented, p.has_culling_hulls);
+  std::string text;
+  detail::visit_build_fields(source, KeyWriter{text});
   return text;
 }
 

@@ -169,8 +169,7 @@ SceneSession open_session(const Scene& scene, const SessionOptions& options) {
 SessionSummary run_lockstep(SceneSession& session, const SessionSinks& sinks,
                             const std::atomic<bool>* stop) {
   if (!session.simulation) return run_lockstep(session.config, *session.device, sinks, stop);
-  const SimulatedStart& start = *session.simulation;
-  return run_simulated(session.config, start.world, start.state, false, sinks, stop).session;
+  return run_simulated(session.config, *session.simulation, false, sinks, stop).session;
 }
 
 }  // namespace thigma

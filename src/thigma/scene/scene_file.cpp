@@ -117,8 +117,6 @@ void read_texture_keys(TomlTable table, TextureParams& texture) {
   if (const auto kind = table.choice("gradient", kinds))
     gradient_kind(kinds[static_cast<std::size_t>(*kind)], texture.gradient);
   texture.smoothing = table.number("smoothing", Range::positive).value_or(texture.smoothing);
-  if (const auto kind = table.choice("linearization", {"gauss_newton", "full_hessian"}))
-    texture.has_hessian = *kind == 1;
   table.finish();
 }
 

@@ -1,18 +1,19 @@
 // A session in the calling thread, on a virtual clock: frame k happens at k / rate, whatever the
 // computer does.
 
-#include <algorithm>
-#include <cmath>
 #include <deque>
+#include <memory>
 
-#include "thigma/session/detail/session_parts.h"
+#include "thigma/session/detail/check_config.h"
+#include "thigma/session/detail/contact_frames.h"
+#include "thigma/session/detail/event_detector.h"
+#include "thigma/session/detail/frame_driver.h"
+#include "thigma/session/detail/session_summary.h"
 #include "thigma/session/live_ports.h"
 #include "thigma/session/session.h"
 
 namespace thigma {
 namespace {
-
-using detail::EventDetector;
 
 /// Zero force on every way out, exceptions of sinks included.
 class ZeroForceOnExit {
@@ -26,92 +27,118 @@ class ZeroForceOnExit {
   HapticDevice& device_;
 };
 
-/// The contact thread of a lockstep session: a step now and then, its model in use some frames
-/// later.
-struct LockstepContacts {
-  const SessionConfig& config;
-  const SessionSinks& sinks;
-  ContactScratch scratch;
-  ContactStatistics tally;
-  ContactSample sample;
-  ForceSteps force_steps;
-  struct Pending {
+/// The shell of a lockstep session (detail/frame_driver.h). A contact step is made now and then,
+/// its model is in use some frames later.
+class LockstepShell {
+ public:
+  LockstepShell(const SessionConfig& config, HapticDevice& device, const SessionSinks& sinks,
+                const std::atomic<bool>* stop)
+      : config_(config),
+        device_(device),
+        sinks_(sinks),
+        stop_(stop),
+        params_(config.haptic),
+        events_(sinks.event, detail::deep_contact_limits(config)) {
+    use_device_limits(device.limits(), params_);
+    state_ = initial_state(params_, config.world_from_body);
+    reserve_contact_scratch(config.contact, contacts_.scratch);
+    contact_step({state_.body, 0.0, 0}, 0.0, 0);  // the first frame has a model
+  }
+
+  SessionSummary run() {
+    const SessionEnd end = detail::drive_frames(config_, *this, record_);
+    SessionSummary summary =
+        detail::summarize(config_, record_.statistics, contacts_.statistics, state_);
+    summary.end = end;
+    summary.force_steps = force_steps_;
+    summary.safety_events = events_.take_safety_events();
+    summary.notes = events_.texts();
+    return summary;
+  }
+
+  /// The contact step of the frame before comes first.
+  detail::FrameTick next_tick() {
+    if (has_frame_) follow_contacts();
+    has_frame_ = false;
+    return {next_++};
+  }
+  bool is_stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
+
+  /// What the watchdog of a threaded session does, at the frame where it would.
+  bool hang(const FaultEvent& fault, double now) {
+    if (now - fault.time < detail::effective_watchdog(config_)) return true;
+    device_.write(Wrench{});
+    external_ = Fault::watchdog;
+    return true;
+  }
+
+  void prepare(const detail::Frame& frame) {
+    while (!pending_.empty() && pending_.front().from_frame <= frame.index) {
+      models_.publish(pending_.front().model);
+      pending_.pop_front();
+    }
+  }
+
+  void step(const detail::Frame& frame) {
+    sample_ = haptic_step(params_, {&device_, &models_, &bodies_, nullptr},
+                          {frame.now, frame.elapsed, external_}, state_);
+  }
+  const HapticSample& sample(const detail::Frame&) const { return sample_; }
+
+  void publish(const detail::Frame& frame, const HapticSample& sample) {
+    detail::note_times(frame, state_);
+    if (params_.safety.rides_out_gaps) external_ = Fault::none;  // once a gap
+    force_steps_.observe(sample);
+    if (sinks_.haptic) sinks_.haptic(sample);
+    events_.observe(sample, static_cast<double>(record_.longest_gap) / config_.rate);
+    has_frame_ = true;
+  }
+  bool has_finished(const HapticSample& sample) const {
+    return sample.device.status == DeviceStatus::finished;
+  }
+
+ private:
+  void follow_contacts() {
+    const std::uint64_t frame = record_.previous;
+    if (frame % static_cast<std::uint64_t>(config_.contact_every) != 0) return;
+    if (active_fault(config_.faults, InjectedFault::stall, sample_.time) != nullptr) return;
+    bodies_.fetch();
+    contact_step(bodies_.value(), sample_.time,
+                 frame + static_cast<std::uint64_t>(config_.contact_latency));
+  }
+
+  void contact_step(const StampedBody& body, double now, std::uint64_t use_from) {
+    detail::timed_contact_step(config_.contact, body, contacts_);
+    detail::record_contacts(now, contacts_);
+    detail::show_contacts(config_.live, config_.contact, body.time, contacts_);
+    force_steps_.observe(contacts_.sample);
+    if (sinks_.contact) sinks_.contact(contacts_.sample);
+    pending_.push_back({use_from, contacts_.sample.model});
+  }
+
+  struct PendingModel {
     std::uint64_t from_frame = 0;
     LinearContactModel model;
   };
-  std::deque<Pending> pending;
 
-  void step(const StampedBody& at, double now, std::uint64_t use_from) {
-    detail::timed_contact_step(config, at, scratch, sample);
-    sample.published = now;
-    thigma::accumulate(tally, sample);
-    if (config.live != nullptr) {
-      view_contacts(config.contact, scratch, at.time, config.live->contacts.draft());
-      config.live->contacts.publish();
-    }
-    force_steps.observe(sample);
-    if (sinks.contact) sinks.contact(sample);
-    pending.push_back({use_from, sample.model});
-  }
-
-  void publish_due(std::uint64_t frame, Latest<LinearContactModel>& models) {
-    while (!pending.empty() && pending.front().from_frame <= frame) {
-      models.publish(pending.front().model);
-      pending.pop_front();
-    }
-  }
+  const SessionConfig& config_;
+  HapticDevice& device_;
+  const SessionSinks& sinks_;
+  const std::atomic<bool>* stop_;
+  HapticParams params_;
+  HapticState state_;
+  HapticSample sample_;  // of the last step
+  detail::FrameRecord record_;
+  detail::ContactFrames contacts_;
+  std::deque<PendingModel> pending_;
+  Latest<LinearContactModel> models_;
+  Latest<StampedBody> bodies_;
+  ForceSteps force_steps_;
+  detail::EventDetector events_;
+  std::uint64_t next_ = 0;        // frame
+  bool has_frame_ = false;        // one was made that no contact step has followed yet
+  Fault external_ = Fault::none;  // for the next step
 };
-
-/// Ticks until something ends the session; returns what.
-SessionEnd run_frames(const SessionConfig& config, const HapticParams& params,
-                      const HapticPorts& ports, const SessionSinks& sinks,
-                      const std::atomic<bool>* stop, HapticState& state,
-                      HapticStatistics& haptic_tally, LockstepContacts& contacts,
-                      EventDetector& events) {
-  const std::uint64_t last = detail::frame_limit(config);
-  const auto fault_frames = static_cast<std::uint64_t>(std::ceil(config.after_fault * config.rate));
-  std::uint64_t previous = 0, fault_frame = 0, longest_gap = 0;
-  Fault external = Fault::none;
-  for (std::uint64_t k = 0; k < last; ++k) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return SessionEnd::stopped;
-    const double now = static_cast<double>(k) / config.rate;
-    if (const FaultEvent* hang = active_fault(config.faults, InjectedFault::hang, now)) {
-      // What the watchdog of a threaded session does, at the frame where it would.
-      if (now - hang->time >= detail::effective_watchdog(config)) {
-        ports.device->write(Wrench{});
-        external = Fault::watchdog;
-      }
-      continue;
-    }
-    contacts.publish_due(k, *ports.models);
-    const double elapsed = detail::step_length(config, k - previous);
-    const std::int64_t begin = thread_cpu_ns();
-    const HapticSample sample = haptic_step(params, ports, {now, elapsed, external}, state);
-    const std::int64_t cpu = thread_cpu_ns() - begin;
-    accumulate(haptic_tally, sample, cpu, -1);
-    state.step_cpu = static_cast<float>(1e-9 * static_cast<double>(cpu));
-    if (params.safety.rides_out_gaps) external = Fault::none;  // told once a gap
-    longest_gap = std::max(longest_gap, k - previous);
-    previous = k;
-    contacts.force_steps.observe(sample);
-    if (sinks.haptic) sinks.haptic(sample);
-    events.observe(sample, static_cast<double>(longest_gap) / config.rate);
-    if (sample.fault != Fault::none && !is_resumable(params, sample.fault)) {
-      if (fault_frame == 0) fault_frame = k + 1;
-      if (k + 1 - fault_frame >= fault_frames) return SessionEnd::fault;
-    }
-    if (sample.device.status == DeviceStatus::finished) return SessionEnd::device_finished;
-    const bool is_contact_frame = k % static_cast<std::uint64_t>(config.contact_every) == 0;
-    if (is_contact_frame && active_fault(config.faults, InjectedFault::stall, now) == nullptr) {
-      ports.bodies->fetch();
-      contacts.step(ports.bodies->value(), now,
-                    k + static_cast<std::uint64_t>(config.contact_latency));
-    }
-  }
-  const bool is_fault =
-      state.safety.fault != Fault::none && !is_resumable(params, state.safety.fault);
-  return is_fault ? SessionEnd::fault : SessionEnd::duration;
-}
 
 }  // namespace
 
@@ -120,28 +147,7 @@ SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device,
   detail::check_config(config);
   const std::unique_ptr<HapticDevice> faulty = make_faulty_device(device, config.faults);
   const ZeroForceOnExit zero_force(*faulty);
-  HapticParams params = config.haptic;
-  use_device_limits(device.limits(), params);
-
-  const auto models = std::make_unique<Latest<LinearContactModel>>();
-  const auto bodies = std::make_unique<Latest<StampedBody>>();
-  const HapticPorts ports{faulty.get(), models.get(), bodies.get(), nullptr};
-  HapticState state = initial_state(params, config.world_from_body);
-  const auto haptic_tally = std::make_unique<HapticStatistics>();
-  const auto contacts = std::make_unique<LockstepContacts>(config, sinks);
-  reserve_contact_scratch(config.contact, contacts->scratch);
-  EventDetector events(sinks.event, detail::deep_contact_limits(config));
-
-  contacts->step({state.body, 0.0, 0}, 0.0, 0);  // the first frame has a model
-  const SessionEnd end =
-      run_frames(config, params, ports, sinks, stop, state, *haptic_tally, *contacts, events);
-
-  SessionSummary summary = detail::summarize(config, *haptic_tally, contacts->tally, state);
-  summary.end = end;
-  summary.force_steps = contacts->force_steps;
-  summary.safety_events = events.take_safety_events();
-  summary.notes = events.texts();
-  return summary;
+  return std::make_unique<LockstepShell>(config, *faulty, sinks, stop)->run();
 }
 
 }  // namespace thigma

@@ -5,7 +5,10 @@
 #include <cstdio>
 #include <memory>
 
-#include "thigma/session/detail/session_parts.h"
+#include "thigma/session/detail/check_config.h"
+#include "thigma/session/detail/contact_frames.h"
+#include "thigma/session/detail/frame_driver.h"
+#include "thigma/session/detail/session_summary.h"
 #include "thigma/session/live_ports.h"
 #include "thigma/simulation/free_motion.h"
 
@@ -28,154 +31,167 @@ void add(SimulationCounts& sum, const SimulationCounts& more) {
   sum.beyond_bound = std::max(sum.beyond_bound, more.beyond_bound);
 }
 
-class SimulatedSession {
+/// The shell of a session without a hand (detail/frame_driver.h).
+class SimulatedShell {
  public:
-  SimulatedSession(const SessionConfig& config, const SimulationWorld& world,
-                   const SimulationState& start, const SessionSinks& sinks)
+  SimulatedShell(const SessionConfig& config, const SimulatedStart& start, bool is_paced,
+                 const SessionSinks& sinks, const std::atomic<bool>* stop)
       : config_(config),
-        world_(world),
-        state_(start),
+        world_(start.world),
+        state_(start.state),
+        is_paced_(is_paced),
         sinks_(sinks),
-        scratch_(reserve_simulation(world)) {
-    reserve_contact_scratch(config.contact, contacts_);
-    reported_impact_speed_ = std::sqrt(2.0 * world.body.gravity.norm() * world.tolerance);
+        stop_(stop),
+        scratch_(reserve_simulation(start.world)),
+        clock_(clock_of(config.rate, 0.0)) {  // nobody feels a late frame
+    reserve_contact_scratch(config.contact, contacts_.scratch);
+    reported_impact_speed_ = std::sqrt(2.0 * world_.body.gravity.norm() * world_.tolerance);
     ports_.event = [this](const CollisionEvent& event) { on_collision(event); };
-    summary_.energy_start = mechanical_energy(world.body, start.body);
+    summary_.energy_start = mechanical_energy(world_.body, start.state.body);
   }
 
-  void frame(std::int64_t wake_late_ns) {
-    const BodyState before = state_.body;
-    const double energy = mechanical_energy(world_.body, before);
-    const std::int64_t begin = thread_cpu_ns();
-    const bool was_resting = state_.is_resting;
-    const SimulationCounts counts = simulate(world_, 1.0 / config_.rate, state_, scratch_, ports_);
-    const std::int64_t cpu = thread_cpu_ns() - begin;
-    add(summary_.counts, counts);
-    const double growth = mechanical_energy(world_.body, state_.body) - energy;
-    summary_.growth_max = std::max(summary_.growth_max, growth);
-    tell_contacts(counts.query_cpu);
-    tell_frame(before, cpu, wake_late_ns);
-    if (state_.is_resting && !was_resting && sinks_.event)
-      sinks_.event({time(), frame_, "at_rest", "", {}});
-    ++frame_;
-  }
-
-  bool is_resting() const { return state_.is_resting; }
-
-  SimulatedSummary finish(SessionEnd end, std::uint64_t missed) {
+  SimulatedSummary run() {
+    start_clock(clock_);
+    const SessionEnd end = detail::drive_frames(config_, *this, record_);
     SimulatedSummary summary = summary_;
-    summary.session = detail::summarize(config_, *haptic_, *contact_, HapticState{});
+    summary.session =
+        detail::summarize(config_, record_.statistics, contacts_.statistics, HapticState{});
     summary.session.end = end;
-    summary.session.missed = missed;
+    summary.session.missed = clock_.missed;
     summary.is_resting = state_.is_resting;
     summary.energy_end = mechanical_energy(world_.body, state_.body);
     summary.body = state_.body;
     return summary;
   }
 
- private:
-  double time() const { return static_cast<double>(frame_) / config_.rate; }
+  detail::FrameTick next_tick() {
+    if (!is_paced_) return {next_++};
+    if (hold_while_paused()) start_clock(clock_);
+    const std::int64_t late = is_stopped() ? -1 : wait_for_tick(clock_);
+    return {next_++, late};
+  }
+  bool is_stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
+  bool hang(const FaultEvent&, double) { return false; }
 
+  void prepare(const detail::Frame& frame) {
+    time_ = frame.now;
+    frame_ = frame.index;
+    before_ = state_.body;
+    was_resting_ = state_.is_resting;
+  }
+
+  void step(const detail::Frame& frame) {
+    counts_ = simulate(world_, frame.elapsed, state_, scratch_, ports_);
+  }
+
+  const HapticSample& sample(const detail::Frame& frame) {
+    add(summary_.counts, counts_);
+    const double energy = mechanical_energy(world_.body, before_);
+    const double growth = mechanical_energy(world_.body, state_.body) - energy;
+    summary_.growth_max = std::max(summary_.growth_max, growth);
+    make_contacts();
+    make_sample(frame);
+    return sample_;
+  }
+
+  void publish(const detail::Frame&, const HapticSample& sample) {
+    if (sinks_.haptic) sinks_.haptic(sample);
+    if (state_.is_resting && !was_resting_ && sinks_.event)
+      sinks_.event({time_, frame_, EventKind::at_rest});
+  }
+  /// Without a duration, and with nobody watching.
+  bool has_finished(const HapticSample&) const {
+    return config_.duration <= 0.0 && config_.live == nullptr && state_.is_resting;
+  }
+
+ private:
   void on_collision(const CollisionEvent& event) {
     if (!sinks_.event || !(event.approach > reported_impact_speed_)) return;
     char text[96];
     std::snprintf(text, sizeof text, "impact at %.3f s: %.3g m/s, %.3g N s", event.time,
                   event.approach, event.impulse.norm());
-    sinks_.event({time(), frame_, "impact", "", text});
+    sinks_.event({time_, frame_, EventKind::impact, "", text});
   }
 
-  void tell_contacts(double query_cpu) {
-    contacts_.contacts.contacts.assign(scratch_.contacts.contacts.begin(),
-                                       scratch_.contacts.contacts.end());
-    contacts_.contacts.dropped = scratch_.contacts.dropped;
-    contacts_.contacts.stats = scratch_.contacts.stats;
-    make_model(config_.contact, {state_.body, time(), frame_}, contacts_, sample_);
-    sample_.published = time();
-    sample_.query_cpu = sample_.step_cpu = query_cpu;
-    accumulate(*contact_, sample_);
-    if (config_.live != nullptr) {
-      view_contacts(config_.contact, contacts_, time(), config_.live->contacts.draft());
-      config_.live->contacts.publish();
+  /// Of the simulation's own last query.
+  void make_contacts() {
+    ContactSet& found = contacts_.scratch.contacts;
+    found.contacts.assign(scratch_.contacts.contacts.begin(), scratch_.contacts.contacts.end());
+    found.dropped = scratch_.contacts.dropped;
+    found.stats = scratch_.contacts.stats;
+    ContactSample& sample = contacts_.sample;
+    make_model(config_.contact, {state_.body, time_, frame_}, contacts_.scratch, sample);
+    sample.query_cpu = sample.step_cpu = counts_.query_cpu;
+    detail::record_contacts(time_, contacts_);
+    detail::show_contacts(config_.live, config_.contact, time_, contacts_);
+    if (sinks_.contact) sinks_.contact(sample);
+  }
+
+  void make_sample(const detail::Frame& frame) {
+    sample_ = HapticSample{};
+    sample_.frame = frame.index;
+    sample_.time = sample_.device.time = frame.now;
+    sample_.elapsed = frame.elapsed;
+    sample_.model_sequence = contacts_.scratch.sequence;
+    sample_.body = state_.body;
+    sample_.handle.pose = {state_.body.position, state_.body.orientation};
+    sample_.contact = mean_contact();
+    sample_.penetration = contacts_.sample.depth_max;
+    for (const Contact& c : contacts_.scratch.contacts.contacts)
+      sample_.touching += -c.depth <= 0.25 * world_.tolerance;
+    sample_.step_cpu = 1e-9f * static_cast<float>(frame.cpu_ns);
+    sample_.wake_late = 1e-9f * static_cast<float>(std::max<std::int64_t>(frame.wake_late_ns, 0));
+    sample_.input_digest = input_digest(sample_);
+  }
+
+  /// On the body over the frame.
+  Wrench mean_contact() const {
+    const Vec3 weight = world_.body.mass * world_.body.gravity;
+    if (state_.is_resting) return {-weight, Vec3::Zero()};
+    return {config_.rate * (state_.body.linear_momentum - before_.linear_momentum) - weight,
+            config_.rate * (state_.body.angular_momentum - before_.angular_momentum)};
+  }
+
+  /// Holds but for single frames asked for, or until told to stop. Returns whether the clock stood.
+  bool hold_while_paused() {
+    bool is_held = false;
+    LivePorts* const live = config_.live;
+    while (live != nullptr && live->is_paused.load(std::memory_order_relaxed) &&
+           !take_step(*live) && !is_stopped()) {
+      is_held = true;
+      sleep_ns(kPausePoll);
     }
-    if (sinks_.contact) sinks_.contact(sample_);
-  }
-
-  void tell_frame(const BodyState& before, std::int64_t cpu, std::int64_t wake_late) {
-    HapticSample sample;
-    sample.frame = frame_;
-    sample.time = sample.device.time = time();
-    sample.elapsed = 1.0 / config_.rate;
-    sample.model_sequence = contacts_.sequence;
-    sample.body = state_.body;
-    sample.handle.pose = {state_.body.position, state_.body.orientation};
-    sample.contact.force = config_.rate * (state_.body.linear_momentum - before.linear_momentum) -
-                           world_.body.mass * world_.body.gravity;
-    sample.contact.torque = config_.rate * (state_.body.angular_momentum - before.angular_momentum);
-    if (state_.is_resting) sample.contact = {-world_.body.mass * world_.body.gravity, Vec3::Zero()};
-    sample.penetration = sample_.depth_max;
-    for (const Contact& c : contacts_.contacts.contacts)
-      sample.touching += -c.depth <= 0.25 * world_.tolerance;
-    sample.step_cpu = 1e-9f * static_cast<float>(cpu);
-    sample.wake_late = 1e-9f * static_cast<float>(std::max<std::int64_t>(wake_late, 0));
-    sample.input_digest = input_digest(sample);
-    accumulate(*haptic_, sample, cpu, wake_late);
-    if (sinks_.haptic) sinks_.haptic(sample);
+    return is_held;
   }
 
   const SessionConfig& config_;
   const SimulationWorld& world_;
   SimulationState state_;
+  const bool is_paced_;
   const SessionSinks& sinks_;
+  const std::atomic<bool>* stop_;
   SimulationScratch scratch_;
   SimulationPorts ports_;
-  ContactScratch contacts_;
-  ContactSample sample_;
-  std::unique_ptr<HapticStatistics> haptic_ = std::make_unique<HapticStatistics>();
-  std::unique_ptr<ContactStatistics> contact_ = std::make_unique<ContactStatistics>();
+  SimulationCounts counts_;  // of the last frame
+  BodyState before_;         // it
+  bool was_resting_ = false;
+  double time_ = 0.0;  // of the last frame [s]
+  std::uint64_t frame_ = 0, next_ = 0;
+  HapticSample sample_;
+  detail::ContactFrames contacts_;
+  detail::FrameRecord record_;
+  DeadlineClock clock_;
   SimulatedSummary summary_;
-  std::uint64_t frame_ = 0;
   double reported_impact_speed_ = 0.0;  // speed of an impact worth an event [m/s]
 };
 
-// Holds while paused, but for single frames asked for; false when told to stop meanwhile. is_held:
-// the clock stood.
-bool hold_while_paused(LivePorts* live, const std::atomic<bool>* stop, bool& is_held) {
-  is_held = false;
-  while (live != nullptr && live->is_paused.load(std::memory_order_relaxed) && !take_step(*live)) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return false;
-    is_held = true;
-    sleep_ns(kPausePoll);
-  }
-  return true;
-}
-
 }  // namespace
 
-SimulatedSummary run_simulated(const SessionConfig& config, const SimulationWorld& world,
-                               const SimulationState& start, bool is_paced,
-                               const SessionSinks& sinks, const std::atomic<bool>* stop) {
+SimulatedSummary run_simulated(const SessionConfig& config, const SimulatedStart& start,
+                               bool is_paced, const SessionSinks& sinks,
+                               const std::atomic<bool>* stop) {
   detail::check_config(config);
-  SimulatedSession session(config, world, start, sinks);
-  DeadlineClock clock = clock_of(config.rate, 0.0);  // nobody feels a late frame
-  start_clock(clock);
-  const std::uint64_t last = detail::frame_limit(config);
-  const bool ends_at_rest = config.duration <= 0.0 && config.live == nullptr;
-  for (std::uint64_t k = 0; k < last; ++k) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed))
-      return session.finish(SessionEnd::stopped, clock.missed);
-    std::int64_t late = -1;
-    if (is_paced) {
-      bool is_held = false;
-      if (!hold_while_paused(config.live, stop, is_held))
-        return session.finish(SessionEnd::stopped, clock.missed);
-      if (is_held) start_clock(clock);
-      late = wait_for_tick(clock);
-    }
-    session.frame(late);
-    if (ends_at_rest && session.is_resting())
-      return session.finish(SessionEnd::device_finished, clock.missed);
-  }
-  return session.finish(SessionEnd::duration, clock.missed);
+  return std::make_unique<SimulatedShell>(config, start, is_paced, sinks, stop)->run();
 }
 
 }  // namespace thigma

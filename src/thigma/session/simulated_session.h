@@ -23,22 +23,21 @@ struct SimulatedSummary {
 
 /// Runs a simulation as a session: one frame of 1 / config.rate after the other. Each has a
 /// HapticSample (the body, the mean contact wrench on it over the frame, penetration) and a
-/// ContactSample of the simulation's own last query. Events: "impact" with the name-free detail of
-/// which static body, for impacts faster than a fall over the tolerance; "at_rest".
+/// ContactSample of the simulation's own last query. Events: `impact` for impacts faster than a
+/// fall over the tolerance, and `at_rest`.
 ///
 /// config    contact (world and clusters), rate, duration, live are used; there is no device.
 ///           Without a duration, and with nobody watching, it ends when the body rests
-/// world     as config.contact, which outlives it
+/// start     its world as config.contact; outlives the session
 /// is_paced  false: as fast as it goes, nothing can interfere, bit-reproducible; true: a frame each
 ///           1 / rate, or as soon as it is done, so that slow queries slow the motion down;
-///           live->is_paused holds it
+///           LivePorts::is_paused holds it
 /// sinks     called by this thread
 /// stop      null, or looked at every frame
 /// errors    std::invalid_argument as run_lockstep, InputError as reserve_simulation
 /// Thread    [offline]; any, alone.
-SimulatedSummary run_simulated(const SessionConfig& config, const SimulationWorld& world,
-                               const SimulationState& start, bool is_paced,
-                               const SessionSinks& sinks = {},
+SimulatedSummary run_simulated(const SessionConfig& config, const SimulatedStart& start,
+                               bool is_paced, const SessionSinks& sinks = {},
                                const std::atomic<bool>* stop = nullptr);
 
 }  // namespace thigma

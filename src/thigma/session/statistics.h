@@ -75,9 +75,9 @@ inline bool rode_out_model(const HapticSample& sample, double last_weight) THIGM
 }
 
 /// Adds a frame. Durations [ns]; negative ones (not measured) are left out. Thread [haptic].
-void accumulate(HapticStatistics& tally, const HapticSample& sample, std::int64_t step_cpu_ns,
+void accumulate(HapticStatistics& statistics, const HapticSample& sample, std::int64_t step_cpu_ns,
                 std::int64_t wake_late_ns) THIGMA_RT;
-void accumulate(HapticStatistics& tally, const StageTimes& times) THIGMA_RT;
-void accumulate(ContactStatistics& tally, const ContactSample& sample) THIGMA_RT;
+void accumulate(HapticStatistics& statistics, const StageTimes& times) THIGMA_RT;
+void accumulate(ContactStatistics& statistics, const ContactSample& sample) THIGMA_RT;
 
 }  // namespace thigma

@@ -8,8 +8,8 @@
 #include "thigma/core/error.h"
 #include "thigma/dynamics/contact_model_fields.h"
 #include "thigma/files/byte_source.h"
+#include "thigma/loop/sample_fields.h"
 #include "thigma/recording/detail/json_read.h"
-#include "thigma/recording/detail/sample_fields.h"
 
 namespace thigma::detail {
 namespace {
@@ -54,11 +54,6 @@ std::uint64_t read_hex(const Json& json, const char* key) {
     throw InputError(std::string("'") + key + "' is no hexadecimal number");
   }
   return value;
-}
-
-/// Recordings of earlier builds have none: 0, not compared.
-std::uint64_t read_digest(const Json& json, const char* key) {
-  return json.contains(key) ? read_hex(json, key) : 0;
 }
 
 DeviceStatus read_status(const Json& json) {
@@ -118,7 +113,7 @@ struct FieldReader {
     has = json.contains(key);
     if (has) read_sample_pose(json.at(key), pose);
   }
-  void digest(const char* key, std::uint64_t& value) const { value = read_digest(json, key); }
+  void digest(const char* key, std::uint64_t& value) const { value = read_hex(json, key); }
   void counts(const char* key, LevelCounts& counts) const { read_counts(json.at(key), counts); }
 };
 
@@ -134,24 +129,6 @@ DepthTerm read_depth(const Json& json) {
   return t;
 }
 
-DepthBend read_bend(const Json& json) {
-  Eigen::Matrix<double, 36, 1> flat;
-  read_sample_vector(json, "rows", flat);
-  DepthBend bend;
-  for (int i = 0; i < 36; ++i) bend(i / 6, i % 6) = flat[i];
-  return bend;
-}
-
-TaylorTerm read_taylor(const Json& json) {
-  TaylorTerm t;
-  read_wrench(json, "force", "torque", t.wrench);
-  read_sample_vector(json, "normal", t.normal);
-  Eigen::Matrix<double, 78, 1> flat;
-  read_sample_vector(json, "jacobian", flat);
-  for (int i = 0; i < 78; ++i) t.jacobian(i / 13, i % 13) = flat[i];
-  return t;
-}
-
 void read_model(const Json& json, LinearContactModel& model) {
   model.sequence = json.at("sequence").get<std::uint64_t>();
   model.time = number(json, "time");
@@ -159,26 +136,13 @@ void read_model(const Json& json, LinearContactModel& model) {
   for (const Json& plane : json.at("planes")) {
     if (!model.planes.push_back(read_plane(plane))) throw InputError("too many 'planes'");
   }
-  // Recordings of earlier builds have none.
-  if (json.contains("depths")) {
-    for (const Json& depth : json.at("depths")) {
-      if (!model.depths.push_back(read_depth(depth))) throw InputError("too many 'depths'");
-    }
-  }
-  if (json.contains("bends")) {
-    for (const Json& bend : json.at("bends")) {
-      if (!model.bends.push_back(read_bend(bend))) throw InputError("too many 'bends'");
-    }
-    if (model.bends.size() > model.depths.size()) throw InputError("more 'bends' than 'depths'");
-  }
-  for (const Json& taylor : json.at("taylors")) {
-    if (!model.taylors.push_back(read_taylor(taylor))) throw InputError("too many 'taylors'");
+  for (const Json& depth : json.at("depths")) {
+    if (!model.depths.push_back(read_depth(depth))) throw InputError("too many 'depths'");
   }
 }
 
 void read_frame(const Json& json, ContactSample& c) {
   visit_contact_frame(c, FieldReader{json});
-  if (!json.contains("object_levels")) return;  // recordings of builds without levels of detail
   visit_contact_levels(c, FieldReader{json});
 }
 
@@ -191,17 +155,20 @@ Sample& begun(std::optional<Sample>& sample) {
 
 void read_event(const Json& json, RecordingInfo& recording) {
   SessionEvent event;
-  event.kind = json.at("event").get<std::string>();
-  if (event.kind == "end") {
+  const std::string name = json.at("event").get<std::string>();
+  if (name == "end") {
     recording.has_end = true;
     recording.end.frames = json.at("frames").get<std::uint64_t>();
     recording.end.state_hash = read_hex(json, "state_hash");
     recording.end.dropped = json.at("dropped").get<std::uint64_t>();
     return;
   }
+  const std::optional<EventKind> kind = event_of_name(name);
+  if (!kind) throw InputError("'event' is '" + name + "'");
+  event.kind = *kind;
   event.time = number(json, "time");
   event.frame = json.value("frame", std::uint64_t{0});
-  event.detail = json.value(event.kind == "fault" ? "fault" : "detail", std::string());
+  event.detail = json.value(event.kind == EventKind::fault ? "fault" : "detail", std::string());
   recording.events.push_back(event);
 }
 
@@ -227,7 +194,7 @@ void read_message(const std::string& topic, std::string_view data, RecordingInfo
   } else if (topic == "/contact/model") {
     ContactSample& sample = contact.emplace();
     read_model(json, sample.model);
-    sample.model_digest = read_digest(json, "model_digest");
+    sample.model_digest = read_hex(json, "model_digest");
   } else if (topic == "/contact/frame") {
     read_frame(json, begun(contact));
   } else if (topic == "/events") {

@@ -1,4 +1,4 @@
-#include "viewer/server/live_room.h"
+#include "viewer/server/live_server.h"
 
 #include <atomic>
 #include <cmath>
@@ -25,26 +25,26 @@ using Json = nlohmann::json;
 
 double wall() { return 1e-9 * static_cast<double>(monotonic_ns()); }
 
-/// A ball over a rippled sheet and the room it is shown in.
+/// A ball over a rippled sheet and the server it is shown by.
 struct Bench {
   MeshSession scene;
   TriangleMesh ball = make_ball(0.015, 4), ground = MeshSession::rippled_sheet();
   WebDeviceChannel link;
-  std::unique_ptr<LiveRoom> room;
+  std::unique_ptr<LiveServer> server;
 
   explicit Bench(const WebLimits& limits = {}) {
     SceneView view{"Ball", "test", "thigma test", {"ball", {&ball, 1}, &scene.object, {}}, {}};
     view.statics.push_back({"ground", {&ground, 1}, &scene.ground, {}});
     scene.config.haptic.device = make_web_device(link)->limits();
-    room = std::make_unique<LiveRoom>(view, scene.config, scene.config.world_from_body,
-                                      std::vector<std::string>{"hand:", "web:"},
-                                      std::vector<WebFile>{}, std::uint16_t{0}, link, limits);
+    server = std::make_unique<LiveServer>(view, scene.config, scene.config.world_from_body,
+                                          std::vector<std::string>{"hand:", "web:"},
+                                          std::vector<WebFile>{}, std::uint16_t{0}, link, limits);
   }
 
   SessionSinks sinks() {
-    return {[this](const HapticSample& s) { room->observe(s); },
-            [this](const ContactSample& s) { room->observe(s); },
-            [this](const SessionEvent& e) { room->observe(e); }};
+    return {[this](const HapticSample& s) { server->observe(s); },
+            [this](const ContactSample& s) { server->observe(s); },
+            [this](const SessionEvent& e) { server->observe(e); }};
   }
 
   /// A configuration that no late frame of this machine can end.
@@ -58,7 +58,7 @@ struct Bench {
     config.haptic.safety.pose_jump = 0.1;
     config.haptic.safety.max_speed = 100.0;
     config.haptic.safety.silent_device = 5.0;
-    room->prepare_session(config);
+    server->prepare_session(config);
     return config;
   }
 };
@@ -91,9 +91,9 @@ std::string samples(double time, const Vec3& position, bool is_pressed) {
   return encode_device(time, {&sample, 1});
 }
 
-TEST(LiveRoom, APageIsToldEverythingInTheOrderOfTheProtocol) {
+TEST(LiveServer, APageIsToldEverythingInTheOrderOfTheProtocol) {
   Bench b;
-  WebClient client(b.room->port());
+  WebClient client(b.server->port());
   ASSERT_EQ(client.status(), 101) << client.response();
   std::vector<std::string> types;
   for (int i = 0; i < 7; ++i) {
@@ -107,7 +107,7 @@ TEST(LiveRoom, APageIsToldEverythingInTheOrderOfTheProtocol) {
                                              "menu", "state"}));
 }
 
-TEST(LiveRoom, WatchersChangeNothingOfALockstepSession) {
+TEST(LiveServer, WatchersChangeNothingOfALockstepSession) {
   const MeshSession alone;
   SessionConfig config = alone.config;
   config.duration = 1.0;
@@ -115,13 +115,13 @@ TEST(LiveRoom, WatchersChangeNothingOfALockstepSession) {
   const std::uint64_t hash = run_lockstep(config, *first).state_hash;
 
   Bench b;
-  WebClient deaf(b.room->port());  // never reads
-  WebClient watching(b.room->port());
+  WebClient deaf(b.server->port());  // never reads
+  WebClient watching(b.server->port());
   ASSERT_EQ(watching.status(), 101);
   config = b.scene.config;
   config.duration = 1.0;
-  b.room->prepare_session(config);
-  b.room->begin_session({.device = "hand:", .is_lockstep = true});
+  b.server->prepare_session(config);
+  b.server->begin_session({.device = "hand:", .is_lockstep = true});
   const auto second = make_hand(b.scene.hand(HandPath::press));
   std::atomic<std::size_t> binaries{0};
   std::atomic<bool> is_over{false};
@@ -140,14 +140,14 @@ TEST(LiveRoom, WatchersChangeNothingOfALockstepSession) {
   EXPECT_GE(binaries, 4u);  // two meshes, rows, a snapshot
 }
 
-TEST(LiveRoom, DragPressesTheObjectOntoTheSurfaceAndLosingThePageIsZeroForce) {
+TEST(LiveServer, DragPressesTheObjectOntoTheSurfaceAndLosingThePageIsZeroForce) {
   Bench b;
   const SessionConfig config = b.patient();
   const auto device = make_web_device(b.link);
-  auto client = std::make_unique<WebClient>(b.room->port());
+  auto client = std::make_unique<WebClient>(b.server->port());
   Session session(config, *device, b.sinks());
   session.start();
-  b.room->begin_session({.device = "web:", .is_web = true});
+  b.server->begin_session({.device = "web:", .is_web = true});
   ASSERT_NE(client->read_type("state"), "");
   while (Json::parse(client->read_type("state"))["device"] != "web:") {
   }
@@ -174,7 +174,7 @@ TEST(LiveRoom, DragPressesTheObjectOntoTheSurfaceAndLosingThePageIsZeroForce) {
   EXPECT_GE(at<std::int32_t>(snapshot, 240 + 36), 0);
   EXPECT_LT(std::abs(field(snapshot, 39)), 0.0015f);
 
-  WebClient other(b.room->port());
+  WebClient other(b.server->port());
   client.reset();  // the browser is gone
   bool is_lost = false;
   for (const double deadline = wall() + 10.0; !is_lost && wall() < deadline;) {
@@ -204,10 +204,10 @@ TEST(LiveRoom, DragPressesTheObjectOntoTheSurfaceAndLosingThePageIsZeroForce) {
   EXPECT_EQ(s.safety_events[0].detail, "device_lost");
 }
 
-TEST(LiveRoom, OnePageHoldsTheDeviceAndOthersAreTold) {
+TEST(LiveServer, OnePageHoldsTheDeviceAndOthersAreTold) {
   Bench b;
-  b.room->begin_session({.device = "web:", .is_web = true});
-  WebClient first(b.room->port()), second(b.room->port());
+  b.server->begin_session({.device = "web:", .is_web = true});
+  WebClient first(b.server->port()), second(b.server->port());
   ASSERT_NE(first.read_type("state"), "");
   ASSERT_NE(second.read_type("state"), "");
   EXPECT_TRUE(ack_of(first, R"({"type":"hold","id":1,"value":true})")["ok"].get<bool>());
@@ -222,11 +222,11 @@ TEST(LiveRoom, OnePageHoldsTheDeviceAndOthersAreTold) {
   EXPECT_EQ(Json::parse(second.read_type("state"))["holder"], "you");
 }
 
-TEST(LiveRoom, DamagedMessagesOfAPageCloseIt) {
+TEST(LiveServer, DamagedMessagesOfAPageCloseIt) {
   Bench b;
-  b.room->begin_session({.device = "web:", .is_web = true});
+  b.server->begin_session({.device = "web:", .is_web = true});
   const auto code_of = [&](auto misbehave) {
-    WebClient client(b.room->port());
+    WebClient client(b.server->port());
     EXPECT_NE(client.read_type("state"), "");
     misbehave(client);
     return client.close_code();
@@ -247,10 +247,10 @@ TEST(LiveRoom, DamagedMessagesOfAPageCloseIt) {
   EXPECT_EQ(code_of([](WebClient& c) { c.send_binary(std::string(70000, 'x')); }), 1009);
 }
 
-TEST(LiveRoom, LevelsAreSentWhenAskedForAndUploadsReachTheProgram) {
+TEST(LiveServer, LevelsAreSentWhenAskedForAndUploadsReachTheProgram) {
   Bench b;
-  b.room->begin_session({.device = "hand:"});
-  WebClient client(b.room->port());
+  b.server->begin_session({.device = "hand:"});
+  WebClient client(b.server->port());
   ASSERT_NE(client.read_type("state"), "");
   // The ball of this bench has its original surface alone.
   for (const char* wrong : {R"({"type":"level","id":1,"mesh":0,"value":1})",
@@ -262,8 +262,8 @@ TEST(LiveRoom, LevelsAreSentWhenAskedForAndUploadsReachTheProgram) {
   const ClodAsset asset = build_clod_asset(make_ball(0.015, 4));
   ASSERT_GT(asset.meshes.size(), 1u);
   SceneView view{"Ball", "test", "thigma test", {"ball", asset.meshes, &asset.hierarchy, {}}, {}};
-  b.room->show(view, b.scene.config, {});
-  b.room->begin_session({.device = "hand:"});
+  b.server->show(view, b.scene.config, {});
+  b.server->begin_session({.device = "hand:"});
   ASSERT_NE(client.read_type("scene"), "");
   client.send_text(R"({"type":"level","id":2,"mesh":0,"value":1})");
   std::string level;
@@ -277,32 +277,32 @@ TEST(LiveRoom, LevelsAreSentWhenAskedForAndUploadsReachTheProgram) {
   client.send_binary(std::string("\x21\x01\0\0\2\0\0\0\0\0\0\0\0\0\0\0de", 18));
   std::optional<LiveRequest> request;
   for (int i = 0; i < 5000 && !request; ++i) {
-    request = b.room->take_request();
+    request = b.server->take_request();
     sleep_ns(1'000'000);
   }
   ASSERT_TRUE(request);
   EXPECT_EQ(request->kind, LiveRequest::Kind::inspect);
   EXPECT_EQ(request->text, "ball.stl");
   EXPECT_EQ(request->data, "abcde");
-  b.room->answer(*request, "no mesh");
+  b.server->answer(*request, "no mesh");
   EXPECT_EQ(Json::parse(client.read_type("ack"))["id"], 3);
   EXPECT_FALSE(
       ack_of(client, R"({"type":"upload","id":4,"name":"x","value":1e12})")["ok"].get<bool>());
   EXPECT_FALSE(ack_of(client, R"({"type":"seek","id":5,"value":1})")["ok"].get<bool>());
   client.send_binary(std::string("\x21\x01\0\0\2\0\0\0\0\0\0\0\0\0\0\0de", 18));
   EXPECT_EQ(client.close_code(), 1008);  // nobody asked for it
-  b.room->show(SceneView{"", "", "", {"ball", {&b.ball, 1}, &b.scene.object, {}}, {}},
-               b.scene.config, {});
+  b.server->show(SceneView{"", "", "", {"ball", {&b.ball, 1}, &b.scene.object, {}}, {}},
+                 b.scene.config, {});
 }
 
-TEST(LiveRoom, NothingOfTheSceneBeforeIsShownInTheNext) {
+TEST(LiveServer, NothingOfTheSceneBeforeIsShownInTheNext) {
   Bench b;
-  b.room->begin_session({.device = "hand:"});
-  WebClient client(b.room->port());
-  b.room->observe(HapticSample{});
+  b.server->begin_session({.device = "hand:"});
+  WebClient client(b.server->port());
+  b.server->observe(HapticSample{});
   ASSERT_NE(next_snapshot(client), "");
-  b.room->show(SceneView{"", "", "", {"ball", {&b.ball, 1}, &b.scene.object, {}}, {}},
-               b.scene.config, {});
+  b.server->show(SceneView{"", "", "", {"ball", {&b.ball, 1}, &b.scene.object, {}}, {}},
+                 b.scene.config, {});
   ASSERT_NE(client.read_type("scene"), "");
   int states = 0, snapshots = 0;
   while (states < 3) {  // one a second
@@ -312,18 +312,18 @@ TEST(LiveRoom, NothingOfTheSceneBeforeIsShownInTheNext) {
     states += !message->is_binary && Json::parse(message->data)["type"] == "state";
   }
   EXPECT_EQ(snapshots, 0);
-  b.room->observe(HapticSample{});
+  b.server->observe(HapticSample{});
   EXPECT_NE(next_snapshot(client), "");
 }
 
-TEST(LiveRoom, ChoicesOfTheProgramAreShownAndAskedForThere) {
+TEST(LiveServer, ChoicesOfTheProgramAreShownAndAskedForThere) {
   Bench b;
   LiveParameter response;
   response.name = "response";
   response.kind = ParameterKind::choice;
   response.choices = {"coupled", "direct"};
-  b.room->begin_session({.device = "hand:", .choices = {response}});
-  WebClient client(b.room->port());
+  b.server->begin_session({.device = "hand:", .choices = {response}});
+  WebClient client(b.server->port());
   bool is_told = false;
   for (std::string text = client.read_type("parameters"); !text.empty() && !is_told;
        text = is_told ? text : client.read_type("parameters")) {
@@ -335,7 +335,7 @@ TEST(LiveRoom, ChoicesOfTheProgramAreShownAndAskedForThere) {
   client.send_text(R"({"type":"set","id":9,"name":"response","value":1})");
   std::optional<LiveRequest> request;
   for (int i = 0; i < 5000 && !request; ++i) {
-    request = b.room->take_request();
+    request = b.server->take_request();
     sleep_ns(1'000'000);
   }
   ASSERT_TRUE(request);
@@ -344,11 +344,11 @@ TEST(LiveRoom, ChoicesOfTheProgramAreShownAndAskedForThere) {
   EXPECT_EQ(request->number, 1.0);
 }
 
-TEST(LiveRoom, ParametersAreChangedAnsweredAndToldToAll) {
+TEST(LiveServer, ParametersAreChangedAnsweredAndToldToAll) {
   Bench b;
   const SessionConfig config = b.patient();
-  b.room->begin_session({.device = "hand:"});
-  WebClient first(b.room->port()), second(b.room->port());
+  b.server->begin_session({.device = "hand:"});
+  WebClient first(b.server->port()), second(b.server->port());
   ASSERT_NE(second.read_type("parameters"), "");
   ASSERT_NE(first.read_type("state"), "");
   ASSERT_NE(second.read_type("state"), "");
@@ -370,10 +370,10 @@ TEST(LiveRoom, ParametersAreChangedAnsweredAndToldToAll) {
   EXPECT_NE(unsafe["reason"].get<std::string>().find("at least"), std::string::npos) << unsafe;
 
   SessionConfig next = b.scene.config;
-  b.room->prepare_session(next);
+  b.server->prepare_session(next);
   EXPECT_EQ(next.haptic.body.mass, 0.02);
   EXPECT_FALSE(ack_of(first, R"({"type":"set","id":5,"name":"mass","value":0.03})")["ok"]);
-  b.room->begin_session({.device = "hand:", .recording = "x.mcap"});
+  b.server->begin_session({.device = "hand:", .recording = "x.mcap"});
   while (Json::parse(first.read_type("state"))["recording"] != "x.mcap") {
   }
   EXPECT_FALSE(ack_of(first, R"({"type":"set","id":6,"name":"mass","value":0.03})")["ok"]);
@@ -381,11 +381,11 @@ TEST(LiveRoom, ParametersAreChangedAnsweredAndToldToAll) {
       ack_of(first, R"({"type":"set","id":7,"name":"contact_stiffness","value":1000})")["ok"]);
 }
 
-TEST(LiveRoom, PauseStepAndWhatTheProgramIsAsked) {
+TEST(LiveServer, PauseStepAndWhatTheProgramIsAsked) {
   Bench b;
   SessionConfig config = b.patient();
-  b.room->begin_session({.device = "hand:"});
-  WebClient client(b.room->port());
+  b.server->begin_session({.device = "hand:"});
+  WebClient client(b.server->port());
   ASSERT_NE(client.read_type("state"), "");
   EXPECT_FALSE(ack_of(client, R"({"type":"step","id":1,"value":1})")["ok"]);  // runs
   EXPECT_TRUE(ack_of(client, R"({"type":"pause","id":2,"value":true})")["ok"]);
@@ -401,22 +401,22 @@ TEST(LiveRoom, PauseStepAndWhatTheProgramIsAsked) {
   client.send_text(R"({"type":"use_device","id":8,"value":"web:"})");
   std::optional<LiveRequest> request;
   for (int i = 0; i < 5000 && !request; ++i) {
-    request = b.room->take_request();
+    request = b.server->take_request();
     sleep_ns(1'000'000);
   }
   ASSERT_TRUE(request);
   EXPECT_EQ(request->text, "web:");
-  b.room->answer(*request, "not now");
+  b.server->answer(*request, "not now");
   const Json answer = Json::parse(client.read_type("ack"));
   EXPECT_EQ(answer["id"], 8);
   EXPECT_EQ(answer["reason"], "not now");
-  b.room->begin_session({.device = "web:", .is_web = true, .holder = request->page});
+  b.server->begin_session({.device = "web:", .is_web = true, .holder = request->page});
   for (Json state; state["holder"] != "you";) {
     const std::string text = client.read_type("state");
     ASSERT_NE(text, "");
     state = Json::parse(text);
   }
-  b.room->begin_session({.device = "dhd:", .is_simulated = false});
+  b.server->begin_session({.device = "dhd:", .is_simulated = false});
   while (Json::parse(client.read_type("state"))["device"] != "dhd:") {
   }
   EXPECT_FALSE(ack_of(client, R"({"type":"pause","id":9,"value":true})")["ok"]);

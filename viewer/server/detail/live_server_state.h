@@ -1,6 +1,7 @@
 #pragma once
-// Inside of the room: its state and the steps on it. Commands of pages in live_room_commands.cpp,
-// what pages are told in live_room_show.cpp, sessions and pages that come and go in live_room.cpp.
+// Inside of the live server: its state and the steps on it. Commands of pages are in
+// live_server_commands.cpp, what pages are sent in live_server_show.cpp, sessions and pages that
+// come and go in live_server.cpp.
 
 #include <atomic>
 #include <deque>
@@ -13,7 +14,7 @@
 #include <vector>
 
 #include "viewer/server/feed.h"
-#include "viewer/server/live_room.h"
+#include "viewer/server/live_server.h"
 #include "viewer/server/protocol.h"
 #include "viewer/server/timing_window.h"
 #include "viewer/server/tuning.h"
@@ -29,7 +30,7 @@ inline constexpr const char* kIsReplay =
 inline constexpr const char* kIsHeld = "another page holds the device";
 inline constexpr const char* kIsRestarting = "the session is just beginning anew";
 
-struct LiveRoom::Impl {
+struct LiveServer::Impl {
   Impl(SceneView scene_in, const SessionConfig& config_in, const Pose& start_in,
        std::vector<std::string> devices, std::vector<WebFile> files, std::uint16_t port,
        WebDeviceChannel& link_in, const WebLimits& limits_in);
@@ -49,7 +50,7 @@ struct LiveRoom::Impl {
   Refusal take_chunk(PageId page, std::string_view message);
   void ask_program(LiveRequest request);
   void show_scene(SceneView view, const SessionConfig& config, const Pose& start);
-  void tell_scene(PageId page);
+  void send_scene(PageId page);
   std::vector<LiveParameter> parameters();
   std::string send_level(PageId page, const Command& command);
   bool is_choice(const std::string& name) const;
@@ -58,22 +59,22 @@ struct LiveRoom::Impl {
   void show();
   void send_events();
   void remember(const SessionEvent& event);
-  void tell_state();
-  void tell_state_to(PageId page);
-  void tell_parameters();
-  void tell_all(const std::string& text);
+  void send_state();
+  void send_state_to(PageId page);
+  void send_parameters();
+  void send_to_all(const std::string& text);
   Snapshot snapshot_now(const HapticNow& now);
   void began(const LiveStart& start);
   void forget_troubles();
   void lock_tuner();  // with the mutex held
   void lost_recording();
-  void ended(const std::string& reason, std::uint64_t dropped_samples);
+  void ended(SessionEnd end, std::uint64_t dropped_samples);
 
   const WebLimits limits;
 
   // The server's thread only, but while it is constructed.
   SceneView scene;
-  SessionConfig config;  // what `scene` tells of it
+  SessionConfig config;  // what `scene` says of it
   Pose body_from_mesh;
   Vec3 grasp_point;
   Pose start_pose;

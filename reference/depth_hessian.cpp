@@ -1,4 +1,4 @@
-#include "thigma/depth/depth_hessian.h"
+#include "reference/depth_hessian.h"
 
 #include <cstdint>
 

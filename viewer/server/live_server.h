@@ -1,6 +1,6 @@
 #pragma once
-// The live page's server: a room where pages watch a session, one of them may hold its device, and
-// sessions follow each other.
+// The live page's server: pages watch a session, one of them may hold its device, and sessions
+// follow each other.
 
 #include <cstdint>
 #include <memory>
@@ -44,22 +44,22 @@ struct LiveStart {
   double replay_seconds = 0.0;           // its length [s]
 };
 
-/// Serves one scene. Threads: one of its own for the server; look_at_* are called by the thread
+/// Serves one scene. Threads: one of its own for the server; observe is called by the thread
 /// that drains a session's telemetry, all else by the program's.
 /// Invariant: nothing that a page does or fails to do makes a caller wait.
-class LiveRoom {
+class LiveServer {
  public:
   /// config     of the first session, with the device's limits; start: the object's world_from_mesh
   /// devices    addresses that pages may choose from
   /// files      of the page
-  /// link       of the device web:; outlives the room
+  /// link       of the device web:; outlives the server
   /// errors     PortUnavailable
-  LiveRoom(SceneView scene, const SessionConfig& config, const Pose& start,
-           std::vector<std::string> devices, std::vector<WebFile> files, std::uint16_t port,
-           WebDeviceChannel& link, const WebLimits& limits = {});
-  ~LiveRoom();
-  LiveRoom(const LiveRoom&) = delete;
-  LiveRoom& operator=(const LiveRoom&) = delete;
+  LiveServer(SceneView scene, const SessionConfig& config, const Pose& start,
+             std::vector<std::string> devices, std::vector<WebFile> files, std::uint16_t port,
+             WebDeviceChannel& link, const WebLimits& limits = {});
+  ~LiveServer();
+  LiveServer(const LiveServer&) = delete;
+  LiveServer& operator=(const LiveServer&) = delete;
 
   std::string address() const;
   std::uint16_t port() const;
@@ -70,9 +70,9 @@ class LiveRoom {
   /// What pages may open.
   void offer(const OpenMenu& menu);
   /// What is being done that takes long, and how far it is; "" when it is done.
-  void tell_progress(const std::string& what, double share);
+  void show_progress(const std::string& what, double share);
   /// A text message to one page.
-  void tell(PageId page, const std::string& message);
+  void send(PageId page, const std::string& message);
   /// The samples that come next are of an earlier time.
   void rewind();
 
@@ -88,8 +88,7 @@ class LiveRoom {
   /// The recording has ended before its session: pages may change again what it kept them from. Any
   /// thread.
   void lose_recording();
-  /// reason: "fault", "duration", "device_finished", "stopped".
-  void end_session(const std::string& reason, std::uint64_t dropped_samples);
+  void end_session(SessionEnd end, std::uint64_t dropped_samples);
 
   /// What a page asked for, in order; nothing when nobody did.
   std::optional<LiveRequest> take_request();

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "viewer/server/detail/live_room_state.h"
+#include "viewer/server/detail/live_server_state.h"
 
 namespace thigma::live {
 namespace {
@@ -41,7 +41,7 @@ LiveRequest request_of(PageId page, const Command& command) {
 
 }  // namespace
 
-Refusal LiveRoom::Impl::received(PageId page, std::string_view message, bool is_binary) {
+Refusal LiveServer::Impl::received(PageId page, std::string_view message, bool is_binary) {
   if (is_binary) {
     const bool is_upload = !message.empty() && message[0] == static_cast<char>(MessageKind::upload);
     return is_upload ? take_chunk(page, message) : take_samples(page, message);
@@ -51,7 +51,7 @@ Refusal LiveRoom::Impl::received(PageId page, std::string_view message, bool is_
   return parsed.refusal;
 }
 
-Refusal LiveRoom::Impl::take_samples(PageId page, std::string_view message) {
+Refusal LiveServer::Impl::take_samples(PageId page, std::string_view message) {
   const DeviceMessage device = decode_device(message);
   if (!device.problem.empty()) return {kPolicy, device.problem};
   if (page != holder) return {};  // it may not have heard yet that it has lost the device
@@ -63,7 +63,7 @@ Refusal LiveRoom::Impl::take_samples(PageId page, std::string_view message) {
   return {};
 }
 
-std::string LiveRoom::Impl::hold(PageId page, bool wanted) {
+std::string LiveServer::Impl::hold(PageId page, bool wanted) {
   if (!wanted) {
     if (page != holder) return "this page does not hold the device";
     holder = 0;
@@ -79,39 +79,39 @@ std::string LiveRoom::Impl::hold(PageId page, bool wanted) {
   return {};
 }
 
-bool LiveRoom::Impl::is_choice(const std::string& name) const {
+bool LiveServer::Impl::is_choice(const std::string& name) const {
   return std::any_of(now_running.choices.begin(), now_running.choices.end(),
                      [&](const LiveParameter& p) { return p.name == name; });
 }
 
-bool LiveRoom::Impl::is_held_by_other(PageId page) const { return holder != 0 && holder != page; }
+bool LiveServer::Impl::is_held_by_other(PageId page) const { return holder != 0 && holder != page; }
 
-std::string LiveRoom::Impl::pause(bool wanted) {
+std::string LiveServer::Impl::pause(bool wanted) {
   // A session that is about to begin would stand still unseen: prepare_session sets both of these
   // at once.
   const std::lock_guard lock(mutex);
   if (is_restarting) return kIsRestarting;
   if (now_running.is_lockstep) return kIsLockstep;
-  if (state.run == "ended") return "the session has ended; begin again";
+  if (state.run == RunPhase::ended) return "the session has ended; begin again";
   if (!now_running.is_simulated)
     return "a device with motors cannot be paused: it would keep its force";
   ports->is_paused = wanted;
   ports->steps = 0;
-  state.run = wanted ? "paused" : "running";
+  state.run = wanted ? RunPhase::paused : RunPhase::running;
   return {};
 }
 
-std::string LiveRoom::Impl::step(double frames) {
+std::string LiveServer::Impl::step(double frames) {
   const std::lock_guard lock(mutex);
   if (is_restarting) return kIsRestarting;
-  if (state.run != "paused") return "only a paused session goes step by step";
+  if (state.run != RunPhase::paused) return "only a paused session goes step by step";
   if (!(frames >= 1.0 && frames <= 1000.0) || frames != std::floor(frames))
     return "1 to 1000 frames at a time";
   ports->steps.fetch_add(static_cast<int>(frames));
   return {};
 }
 
-std::string LiveRoom::Impl::change(const Command& command) {
+std::string LiveServer::Impl::change(const Command& command) {
   const std::lock_guard lock(mutex);
   if (is_restarting) return kIsRestarting;
   std::string why = tuner.set(command.text, command.number);
@@ -121,7 +121,7 @@ std::string LiveRoom::Impl::change(const Command& command) {
   return {};
 }
 
-std::string LiveRoom::Impl::send_level(PageId page, const Command& command) {
+std::string LiveServer::Impl::send_level(PageId page, const Command& command) {
   const bool is_there =
       command.mesh >= 0 && command.mesh <= static_cast<std::int64_t>(scene.statics.size());
   if (!is_there) return "there is no mesh of that number";
@@ -142,7 +142,7 @@ std::string LiveRoom::Impl::send_level(PageId page, const Command& command) {
   return {};
 }
 
-void LiveRoom::Impl::ask_program(LiveRequest request) {
+void LiveServer::Impl::ask_program(LiveRequest request) {
   using Kind = LiveRequest::Kind;
   const PageId page = request.page;
   const std::int64_t id = request.id;
@@ -170,7 +170,7 @@ void LiveRoom::Impl::ask_program(LiveRequest request) {
   server.send(page, ack_message(id, why), false);
 }
 
-std::string LiveRoom::Impl::take_upload(PageId page, const Command& command) {
+std::string LiveServer::Impl::take_upload(PageId page, const Command& command) {
   constexpr double kMost = 256.0 * 1024.0 * 1024.0;
   if (!(command.number >= 1.0 && command.number <= kMost)) return "a file may have up to 256 MiB";
   if (uploads.contains(page)) return "another file of this page is still on its way";
@@ -179,7 +179,7 @@ std::string LiveRoom::Impl::take_upload(PageId page, const Command& command) {
   return {};
 }
 
-Refusal LiveRoom::Impl::take_chunk(PageId page, std::string_view message) {
+Refusal LiveServer::Impl::take_chunk(PageId page, std::string_view message) {
   const std::optional<std::string_view> chunk = decode_upload(message);
   if (!chunk) return {kPolicy, "the length does not fit the upload"};
   const auto found = uploads.find(page);
@@ -196,7 +196,7 @@ Refusal LiveRoom::Impl::take_chunk(PageId page, std::string_view message) {
   return {};
 }
 
-void LiveRoom::Impl::take_command(PageId page, const Command& command) {
+void LiveServer::Impl::take_command(PageId page, const Command& command) {
   std::string why;
   std::optional<double> value;
   switch (command.kind) {
@@ -239,9 +239,9 @@ void LiveRoom::Impl::take_command(PageId page, const Command& command) {
   server.send(page, ack_message(command.id, why, value), false);
   if (!why.empty()) return;
   if (command.kind == Command::Kind::set) {
-    tell_parameters();
+    send_parameters();
   } else if (command.kind != Command::Kind::step && command.kind != Command::Kind::level) {
-    tell_state();
+    send_state();
   }
 }
 

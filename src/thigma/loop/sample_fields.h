@@ -1,12 +1,13 @@
 #pragma once
-// The fields of samples, one list for each message and one for tables: writing, reading and the
-// header of a table all follow it. A new number of a haptic sample gets one line here.
+// The fields of samples, one list for each message of a recording and one for tables: digests,
+// writing, reading and the header of a table follow them. A new number of a haptic sample gets a
+// line in the list of its message and one in the table's.
 
 #include "thigma/loop/samples.h"
 
-namespace thigma::detail {
+namespace thigma {
 
-/// /device/state: what a frame was told.
+/// /device/state: what a frame was told; input_digest is of these.
 template <class Sample, class Visit>
 void visit_device_state(Sample& s, Visit&& visit) {
   visit("frame", s.frame);
@@ -71,7 +72,7 @@ void visit_contact_frame(Sample& c, Visit&& visit) {
   visit("depth_max", c.depth_max);
 }
 
-/// The rest of it, which recordings of builds without levels of detail lack.
+/// The rest of it: of levels of detail.
 template <class Sample, class Visit>
 void visit_contact_levels(Sample& c, Visit&& visit) {
   visit("mandatory_tests", c.mandatory_tests);
@@ -112,4 +113,4 @@ void visit_columns(const HapticSample& s, Visit&& visit) {
   visit("wake late [s]", s.wake_late);
 }
 
-}  // namespace thigma::detail
+}  // namespace thigma

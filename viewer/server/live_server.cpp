@@ -1,16 +1,16 @@
-#include "viewer/server/live_room.h"
+#include "viewer/server/live_server.h"
 
 #include <algorithm>
 #include <future>
 #include <utility>
 
-#include "viewer/server/detail/live_room_state.h"
+#include "viewer/server/detail/live_server_state.h"
 
 namespace thigma::live {
 
-LiveRoom::Impl::Impl(SceneView scene_in, const SessionConfig& config_in, const Pose& start_in,
-                     std::vector<std::string> devices, std::vector<WebFile> files,
-                     std::uint16_t port, WebDeviceChannel& link_in, const WebLimits& limits_in)
+LiveServer::Impl::Impl(SceneView scene_in, const SessionConfig& config_in, const Pose& start_in,
+                       std::vector<std::string> devices, std::vector<WebFile> files,
+                       std::uint16_t port, WebDeviceChannel& link_in, const WebLimits& limits_in)
     : limits(limits_in),
       ports(std::make_unique<LivePorts>()),
       link(link_in),
@@ -19,11 +19,11 @@ LiveRoom::Impl::Impl(SceneView scene_in, const SessionConfig& config_in, const P
       rate(config_in.rate),
       server(port, std::move(files), limits_in) {
   state.devices = std::move(devices);
-  state.run = "paused";
+  state.run = RunPhase::paused;
   show_scene(std::move(scene_in), config_in, start_in);
 }
 
-void LiveRoom::Impl::show_scene(SceneView view, const SessionConfig& shown, const Pose& start) {
+void LiveServer::Impl::show_scene(SceneView view, const SessionConfig& shown, const Pose& start) {
   scene = std::move(view);
   body_from_mesh = shown.contact.body_from_mesh;
   grasp_point = shown.haptic.grasp_point;
@@ -39,22 +39,22 @@ void LiveRoom::Impl::show_scene(SceneView view, const SessionConfig& shown, cons
   }
 }
 
-void LiveRoom::Impl::opened(PageId page) {
+void LiveServer::Impl::opened(PageId page) {
   server.send(page, hello_message(scene, page, WebMotionParams{}.lost_after, limits.message_bytes),
               false);
-  tell_scene(page);
+  send_scene(page);
   server.send(page, parameters_message(parameters()), false);
   server.send(page, menu_message(menu), false);
   open_pages = server.pages().size();
-  tell_state();
+  send_state();
 }
 
-void LiveRoom::Impl::tell_scene(PageId page) {
+void LiveServer::Impl::send_scene(PageId page) {
   server.send(page, scene_message(scene, config, start_pose), false);
   for (const std::string& mesh : meshes) server.send(page, mesh, true);
 }
 
-std::vector<LiveParameter> LiveRoom::Impl::parameters() {
+std::vector<LiveParameter> LiveServer::Impl::parameters() {
   std::vector<LiveParameter> all;
   {
     const std::lock_guard lock(mutex);
@@ -64,21 +64,21 @@ std::vector<LiveParameter> LiveRoom::Impl::parameters() {
   return all;
 }
 
-void LiveRoom::Impl::closed(PageId page) {
+void LiveServer::Impl::closed(PageId page) {
   uploads.erase(page);
   open_pages = server.pages().size();
   if (page == holder) {
     holder = 0;
     link.lose();
   }
-  tell_state();
+  send_state();
 }
 
-void LiveRoom::Impl::began(const LiveStart& start) {
+void LiveServer::Impl::began(const LiveStart& start) {
   now_running = start;
   send_events();  // nothing of the session before is told as of this one
   state.session += 1;
-  state.run = "running";
+  state.run = RunPhase::running;
   state.reason = "";
   state.device = start.device;
   state.recording = start.recording;
@@ -101,76 +101,78 @@ void LiveRoom::Impl::began(const LiveStart& start) {
     lock_tuner();
     tuner.judge_for(start.gains);
   }
-  tell_parameters();
-  tell_state();
+  send_parameters();
+  send_state();
 }
 
-void LiveRoom::Impl::forget_troubles() {
+void LiveServer::Impl::forget_troubles() {
   state.fault = state.late = {};
   state.lates = 0;
 }
 
-void LiveRoom::Impl::lock_tuner() {
+void LiveServer::Impl::lock_tuner() {
   const LiveStart& start = now_running;
   tuner.lock(start.recording.empty() ? "" : kIsRecording, start.is_lockstep       ? kIsLockstep
                                                           : !start.replay.empty() ? kIsReplay
                                                                                   : "");
 }
 
-void LiveRoom::Impl::lost_recording() {
+void LiveServer::Impl::lost_recording() {
   state.recording = now_running.recording = "";
   {
     const std::lock_guard lock(mutex);
     lock_tuner();
   }
-  tell_parameters();
-  tell_state();
+  send_parameters();
+  send_state();
 }
 
-void LiveRoom::Impl::ended(const std::string& reason, std::uint64_t dropped) {
+void LiveServer::Impl::ended(SessionEnd end, std::uint64_t dropped) {
   send_events();  // what ended it first
-  state.run = "ended";
-  state.reason = reason;
+  state.run = RunPhase::ended;
+  state.reason = end_name(end);
   dropped_samples += dropped;
   state.recording = now_running.recording = "";
-  tell_state();
+  send_state();
 }
 
-LiveRoom::LiveRoom(SceneView scene, const SessionConfig& config, const Pose& start,
-                   std::vector<std::string> devices, std::vector<WebFile> files, std::uint16_t port,
-                   WebDeviceChannel& link, const WebLimits& limits)
+LiveServer::LiveServer(SceneView scene, const SessionConfig& config, const Pose& start,
+                       std::vector<std::string> devices, std::vector<WebFile> files,
+                       std::uint16_t port, WebDeviceChannel& link, const WebLimits& limits)
     : impl_(std::make_unique<Impl>(std::move(scene), config, start, std::move(devices),
                                    std::move(files), port, link, limits)) {
-  Impl* room = impl_.get();
-  room->server.start({[room](PageId page) { room->opened(page); },
-                      [room](PageId page) { room->closed(page); },
-                      [room](PageId page, std::string_view message, bool is_binary) {
-                        return room->received(page, message, is_binary);
+  Impl* impl = impl_.get();
+  impl->server.start({[impl](PageId page) { impl->opened(page); },
+                      [impl](PageId page) { impl->closed(page); },
+                      [impl](PageId page, std::string_view message, bool is_binary) {
+                        return impl->received(page, message, is_binary);
                       },
-                      [room] { room->tick(); }});
+                      [impl] { impl->tick(); }});
 }
 
-LiveRoom::~LiveRoom() { impl_->server.stop(); }
+LiveServer::~LiveServer() { impl_->server.stop(); }
 
-std::string LiveRoom::address() const { return impl_->server.address(); }
-std::uint16_t LiveRoom::port() const { return impl_->server.port(); }
-LivePorts& LiveRoom::ports() { return *impl_->ports; }
-void LiveRoom::observe(const HapticSample& sample) { impl_->feed.observe(sample); }
-void LiveRoom::observe(const ContactSample& sample) { impl_->feed.observe(sample); }
-void LiveRoom::observe(const SessionEvent& event) { impl_->feed.observe(event); }
+std::string LiveServer::address() const { return impl_->server.address(); }
+std::uint16_t LiveServer::port() const { return impl_->server.port(); }
+LivePorts& LiveServer::ports() { return *impl_->ports; }
+void LiveServer::observe(const HapticSample& sample) { impl_->feed.observe(sample); }
+void LiveServer::observe(const ContactSample& sample) { impl_->feed.observe(sample); }
+void LiveServer::observe(const SessionEvent& event) { impl_->feed.observe(event); }
 
-void LiveRoom::prepare_session(SessionConfig& config) {
+void LiveServer::prepare_session(SessionConfig& config) {
   const std::lock_guard lock(impl_->mutex);
   impl_->is_restarting = true;
   impl_->tuner.apply_to(config);
   impl_->ports->is_paused = false;
   impl_->ports->steps = 0;
   impl_->feed.begin_session(config.haptic.workspace);
-  impl_->feed.observe(SessionEvent{});  // what comes after it is of this session
+  SessionEvent began;
+  began.kind = EventKind::began;  // what comes after it is of this session
+  impl_->feed.observe(began);
   config.live = impl_->ports.get();
 }
 
-void LiveRoom::show(SceneView scene, const SessionConfig& config, const Pose& start) {
+void LiveServer::show(SceneView scene, const SessionConfig& config, const Pose& start) {
   {
     const std::lock_guard lock(impl_->mutex);
     impl_->is_restarting = true;
@@ -178,63 +180,63 @@ void LiveRoom::show(SceneView scene, const SessionConfig& config, const Pose& st
   }
   auto done = std::make_shared<std::promise<void>>();
   std::future<void> shown = done->get_future();
-  impl_->server.post([room = impl_.get(), done, view = std::move(scene), config, start] {
-    room->show_scene(view, config, start);
-    room->feed.forget();  // else the forces of the scene before would be drawn into this one
-    for (const PageId page : room->server.pages()) room->tell_scene(page);
-    room->tell_parameters();
+  impl_->server.post([impl = impl_.get(), done, view = std::move(scene), config, start] {
+    impl->show_scene(view, config, start);
+    impl->feed.forget();  // else the forces of the scene before would be drawn into this one
+    for (const PageId page : impl->server.pages()) impl->send_scene(page);
+    impl->send_parameters();
     done->set_value();
   });
   done.reset();
   shown.wait();  // a server that has stopped drops what is posted, which also ends the wait
 }
 
-void LiveRoom::offer(const OpenMenu& menu) {
-  impl_->server.post([room = impl_.get(), menu] {
-    room->menu = menu;
-    room->tell_all(menu_message(menu));
+void LiveServer::offer(const OpenMenu& menu) {
+  impl_->server.post([impl = impl_.get(), menu] {
+    impl->menu = menu;
+    impl->send_to_all(menu_message(menu));
   });
 }
 
-void LiveRoom::tell_progress(const std::string& what, double share) {
+void LiveServer::show_progress(const std::string& what, double share) {
   impl_->server.post(
-      [room = impl_.get(), what, share] { room->tell_all(progress_message(what, share)); });
+      [impl = impl_.get(), what, share] { impl->send_to_all(progress_message(what, share)); });
 }
 
-void LiveRoom::tell(PageId page, const std::string& message) {
+void LiveServer::send(PageId page, const std::string& message) {
   impl_->server.post(
-      [room = impl_.get(), page, message] { room->server.send(page, message, false); });
+      [impl = impl_.get(), page, message] { impl->server.send(page, message, false); });
 }
 
-void LiveRoom::rewind() {
+void LiveServer::rewind() {
   impl_->feed.begin_session(impl_->config.haptic.workspace);
   auto done = std::make_shared<std::promise<void>>();
   std::future<void> rewound = done->get_future();
-  impl_->server.post([room = impl_.get(), done] {
-    room->collect_rows();  // of the time before
-    room->rows.clear();
-    room->state.session += 1;
-    room->tell_state();
+  impl_->server.post([impl = impl_.get(), done] {
+    impl->collect_rows();  // of the time before
+    impl->rows.clear();
+    impl->state.session += 1;
+    impl->send_state();
     done->set_value();
   });
   done.reset();
   rewound.wait();  // else rows of the time that comes would go with those before
 }
 
-void LiveRoom::begin_session(const LiveStart& start) {
-  impl_->server.post([room = impl_.get(), start] { room->began(start); });
+void LiveServer::begin_session(const LiveStart& start) {
+  impl_->server.post([impl = impl_.get(), start] { impl->began(start); });
 }
 
-void LiveRoom::lose_recording() {
-  impl_->server.post([room = impl_.get()] { room->lost_recording(); });
+void LiveServer::lose_recording() {
+  impl_->server.post([impl = impl_.get()] { impl->lost_recording(); });
 }
 
-void LiveRoom::end_session(const std::string& reason, std::uint64_t dropped_samples) {
+void LiveServer::end_session(SessionEnd end, std::uint64_t dropped_samples) {
   impl_->server.post(
-      [room = impl_.get(), reason, dropped_samples] { room->ended(reason, dropped_samples); });
+      [impl = impl_.get(), end, dropped_samples] { impl->ended(end, dropped_samples); });
 }
 
-std::optional<LiveRequest> LiveRoom::take_request() {
+std::optional<LiveRequest> LiveServer::take_request() {
   const std::lock_guard lock(impl_->mutex);
   if (impl_->requests.empty()) return std::nullopt;
   LiveRequest request = std::move(impl_->requests.front());
@@ -242,12 +244,12 @@ std::optional<LiveRequest> LiveRoom::take_request() {
   return request;
 }
 
-void LiveRoom::answer(const LiveRequest& request, const std::string& reason) {
-  impl_->server.post([room = impl_.get(), request, reason] {
-    room->server.send(request.page, ack_message(request.id, reason), false);
+void LiveServer::answer(const LiveRequest& request, const std::string& reason) {
+  impl_->server.post([impl = impl_.get(), request, reason] {
+    impl->server.send(request.page, ack_message(request.id, reason), false);
   });
 }
 
-std::size_t LiveRoom::page_count() const { return impl_->open_pages; }
+std::size_t LiveServer::page_count() const { return impl_->open_pages; }
 
 }  // namespace thigma::live

@@ -1,4 +1,4 @@
-#include "thigma/depth/depth_hessian.h"
+#include "reference/depth_hessian.h"
 
 #include "depth/textured_plates.h"
 #include <gtest/gtest.h>

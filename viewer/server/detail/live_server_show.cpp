@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viewer/server/detail/live_room_state.h"
+#include "viewer/server/detail/live_server_state.h"
 
 namespace thigma::live {
 namespace {
@@ -16,7 +16,7 @@ double wall_seconds() { return 1e-9 * static_cast<double>(monotonic_ns()); }
 
 }  // namespace
 
-void LiveRoom::Impl::collect_rows() {
+void LiveServer::Impl::collect_rows() {
   rows.clear();
   query_times.clear();
   feed.take_rows(rows);
@@ -27,7 +27,7 @@ void LiveRoom::Impl::collect_rows() {
   rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kMostRows));
 }
 
-Snapshot LiveRoom::Impl::snapshot_now(const HapticNow& now) {
+Snapshot LiveServer::Impl::snapshot_now(const HapticNow& now) {
   RigidBody body;
   {
     const std::lock_guard lock(mutex);
@@ -35,8 +35,8 @@ Snapshot LiveRoom::Impl::snapshot_now(const HapticNow& now) {
   }
   Snapshot s = make_snapshot(now, feed.contact(), body, config.haptic.workspace, body_from_mesh,
                              grasp_point, clusters);
-  if (state.run == "paused") s.bits |= kPaused;
-  if (state.run == "ended") s.bits |= kEnded;
+  if (state.run == RunPhase::paused) s.bits |= kPaused;
+  if (state.run == RunPhase::ended) s.bits |= kEnded;
   s.haptic_hz = timing.haptic_hz;
   s.contact_hz = timing.contact_hz;
   s.newton_length = 0.4 * scene.object.hierarchy->radius;
@@ -49,14 +49,14 @@ Snapshot LiveRoom::Impl::snapshot_now(const HapticNow& now) {
   return s;
 }
 
-void LiveRoom::Impl::show() {
+void LiveServer::Impl::show() {
   const HapticNow* now = feed.haptic();
   if (now == nullptr) return;
   if (now->sample.fault != last_fault) {
     last_fault = now->sample.fault;
-    if (state.run != "ended") {
+    if (state.run != RunPhase::ended) {
       state.reason = last_fault == Fault::none ? "" : fault_name(last_fault);
-      tell_state();
+      send_state();
     }
   }
   const std::vector<PageId> pages = server.pages();
@@ -67,36 +67,36 @@ void LiveRoom::Impl::show() {
   for (const PageId page : pages) server.offer(page, messages);
 }
 
-void LiveRoom::Impl::send_events() {
+void LiveServer::Impl::send_events() {
   events.clear();
   feed.take_events(events);
   for (const SessionEvent& event : events) {
-    if (event.kind.empty()) {  // of prepare_session
+    if (event.kind == EventKind::began) {
       forget_troubles();
       continue;
     }
-    tell_all(event_message(event));
+    send_to_all(event_message(event));
     if (now_running.replay.empty()) remember(event);
   }
 }
 
 /// What pages that come later have to know of an event.
-void LiveRoom::Impl::remember(const SessionEvent& event) {
+void LiveServer::Impl::remember(const SessionEvent& event) {
   const Trouble trouble{event.detail, event.text, event.time};
-  if (event.kind == "fault") {
+  if (event.kind == EventKind::fault) {
     state.fault = trouble;
-  } else if (event.kind == "resumed") {
+  } else if (event.kind == EventKind::resumed) {
     state.fault = {};
-  } else if (event.kind == "late") {
+  } else if (event.kind == EventKind::late) {
     state.late = trouble;
     ++state.lates;
   } else {
     return;
   }
-  tell_state();
+  send_state();
 }
 
-void LiveRoom::Impl::tick() {
+void LiveServer::Impl::tick() {
   ++ticks;
   collect_rows();
   show();
@@ -110,10 +110,10 @@ void LiveRoom::Impl::tick() {
     const double due = std::floor(now->sample.time * rate + 0.5);
     timing.missed = static_cast<std::uint64_t>(std::max(0.0, due - static_cast<double>(frame)));
   }
-  tell_state();
+  send_state();
 }
 
-void LiveRoom::Impl::tell_state_to(PageId page) {
+void LiveServer::Impl::send_state_to(PageId page) {
   const char* holds = holder == 0 ? "none" : holder == page ? "you" : "other";
   server.send(page,
               state_message(state, timing, holds, server.dropped(page),
@@ -121,17 +121,17 @@ void LiveRoom::Impl::tell_state_to(PageId page) {
               false);
 }
 
-void LiveRoom::Impl::tell_state() {
+void LiveServer::Impl::send_state() {
   const std::vector<PageId> pages = server.pages();
   const HapticNow* now = feed.haptic();
   state.time = now != nullptr ? now->sample.time : 0.0;
   state.pages = pages.size();
-  for (const PageId page : pages) tell_state_to(page);
+  for (const PageId page : pages) send_state_to(page);
 }
 
-void LiveRoom::Impl::tell_parameters() { tell_all(parameters_message(parameters())); }
+void LiveServer::Impl::send_parameters() { send_to_all(parameters_message(parameters())); }
 
-void LiveRoom::Impl::tell_all(const std::string& text) {
+void LiveServer::Impl::send_to_all(const std::string& text) {
   for (const PageId page : server.pages()) server.send(page, text, false);
 }
 

@@ -1,0 +1,16 @@
+#pragma once
+// Recordings as the verbs read them.
+
+#include <string>
+
+#include "thigma/recording/recording.h"
+
+namespace thigma::app {
+
+/// Goes through a recording and prints what is wrong with it on standard error, a line each, unless
+/// quiet.
+/// Thread   [offline]; as stream_recording.
+RecordingInfo stream_recording_warned(const std::string& path, const RecordingSinks& sinks,
+                                      bool is_quiet);
+
+}  // namespace thigma::app

@@ -1,0 +1,30 @@
+#include "thigma/session/detail/check_config.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace thigma::detail {
+
+void check_config(const SessionConfig& config) {
+  const auto refuse = [](const char* text) {
+    throw std::invalid_argument(std::string("session: ") + text);
+  };
+  if (!(config.rate >= 1.0 && config.rate <= 1e5)) refuse("rate must be 1 to 100000 Hz");
+  if (!(config.duration >= 0.0 && config.duration < 1e9)) refuse("duration must be 0 s or more");
+  if (!(config.after_fault >= 0.0)) refuse("after_fault must be 0 s or more");
+  if (!(config.deep_contact >= 0.0)) refuse("deep_contact must be 0 m or more");
+  if (config.contact_every < 1) refuse("contact_every must be 1 frame or more");
+  if (config.contact_latency < 1) refuse("contact_latency must be 1 frame or more");
+  if (!(config.haptic.body.mass > 0.0)) refuse("the body has no mass");
+  if (!(config.contact.tolerance >= 0.0)) refuse("the contact tolerance must be 0 m or more");
+  if (!config.contact.scene.empty() && config.contact.object == nullptr)
+    refuse("there is no grasped object");
+}
+
+double effective_watchdog(const SessionConfig& config) noexcept {
+  constexpr double kLeastPeriods = 3.0;
+  return std::max(config.haptic.safety.watchdog, kLeastPeriods / config.rate);
+}
+
+}  // namespace thigma::detail

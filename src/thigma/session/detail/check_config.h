@@ -1,0 +1,15 @@
+#pragma once
+// What every kind of session asks of its configuration.
+
+#include "thigma/session/session.h"
+
+namespace thigma::detail {
+
+/// Throws std::invalid_argument for numbers that make no sense.
+void check_config(const SessionConfig& config);
+
+/// Time without a step that counts as one too many: the limit of the configuration, but never less
+/// than three periods, below which an ordinary late tick would be a fault. [s]
+double effective_watchdog(const SessionConfig& config) noexcept;
+
+}  // namespace thigma::detail

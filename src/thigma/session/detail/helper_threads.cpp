@@ -1,0 +1,100 @@
+// The contact thread, the watchdog and the drain of a session.
+
+#include <algorithm>
+#include <exception>
+
+#include "thigma/session/detail/session_threads.h"
+
+namespace thigma {
+
+void Session::Impl::contact_frame(const StampedBody& body, double now) {
+  if (config.live != nullptr && config.live->contact_tuning.fetch())
+    apply_tuning(config.live->contact_tuning.value(), config.contact);
+  detail::timed_contact_step(config.contact, body, contacts);
+  detail::record_contacts(now, contacts);
+  contact_ring.push(contacts.sample);  // before the model: whoever sees it used finds it here
+  models.publish(contacts.sample.model);
+  detail::show_contacts(config.live, config.contact, body.time, contacts);
+}
+
+void Session::Impl::run_contact() {
+  const RtGrant grant = request_real_time(config.contact_thread);
+  if (config.contact_thread.priority > 0)
+    note(grant.refused.empty() ? "" : "contact thread: " + grant.refused);
+  bool has_stalled = false;
+  while (!haptic_done.load(std::memory_order_acquire)) {
+    if (!bodies.fetch()) {
+      sleep_ns(50'000);
+      continue;
+    }
+    const StampedBody& body = bodies.value();
+    if (const FaultEvent* stall = active_fault(config.faults, InjectedFault::stall, body.time);
+        stall != nullptr && !has_stalled) {
+      has_stalled = true;
+      sleep_ns(to_ns(stall->duration));
+    }
+    const std::int64_t begin = monotonic_ns();
+    contact_frame(body,
+                  1e-9 * static_cast<double>(begin - epoch_ns.load(std::memory_order_acquire)));
+    // A real-time thread that never rests is put to sleep by the kernel for 50 ms each second;
+    // better a little often.
+    if (grant.is_fifo) sleep_ns((monotonic_ns() - begin) / 8);
+  }
+  contact_done.store(true, std::memory_order_release);
+}
+
+void Session::Impl::run_watchdog() {
+  // Above the haptic thread: it must run when that one never gives way.
+  request_real_time(
+      {config.haptic_thread.priority > 0 ? std::min(config.haptic_thread.priority + 1, 99) : 0,
+       -1});
+  const std::int64_t limit = watchdog_ns;
+  while (!haptic_done.load(std::memory_order_acquire)) {
+    sleep_ns(limit / 20);
+    const std::int64_t last = last_step_ns.load(std::memory_order_acquire);
+    if (last == 0 || monotonic_ns() - last <= limit) continue;
+    watchdog_fired.store(true, std::memory_order_release);
+    // Stuck inside a step the haptic thread keeps the token: two threads in one driver would be
+    // worse than one.
+    if (!token.try_take()) continue;
+    // Past the stop-watch, which belongs to the haptic thread.
+    if (last_step_ns.load(std::memory_order_acquire) != 0) faulty->write(Wrench{});
+    token.give_back();
+  }
+}
+
+void Session::Impl::drain() {
+  const auto drain_contacts = [this] {
+    while (const ContactSample* sample = contact_ring.front()) {
+      force_steps.observe(*sample);
+      if (sinks.contact) sinks.contact(*sample);
+      contact_ring.pop();
+    }
+  };
+  while (const HapticSample* sample = haptic_ring.front()) {
+    drain_contacts();
+    force_steps.observe(*sample);
+    if (sinks.haptic) sinks.haptic(*sample);
+    events.observe(*sample,
+                   1e-9 * static_cast<double>(longest_gap_ns.load(std::memory_order_acquire)));
+    haptic_ring.pop();
+  }
+  drain_contacts();
+}
+
+void Session::Impl::run_drain() {
+  try {
+    while (!haptic_done.load(std::memory_order_acquire) ||
+           !contact_done.load(std::memory_order_acquire)) {
+      drain();
+      sleep_ns(2'000'000);
+    }
+    drain();
+  } catch (...) {
+    // A sink failed, as on a full disk: the session ends in order, finish() passes the reason on.
+    sink_error = std::current_exception();
+    should_stop.store(true, std::memory_order_relaxed);
+  }
+}
+
+}  // namespace thigma

@@ -1,0 +1,131 @@
+#pragma once
+// The threads of a session: a haptic thread that keeps time, a contact thread that does what it
+// can, a watchdog that looks after the first, and a drain that hands samples to whoever wants them.
+// Two Latest and two rings are all they share. The haptic thread is in haptic_thread.cpp, the
+// others in helper_threads.cpp.
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "thigma/session/detail/check_config.h"
+#include "thigma/session/detail/contact_frames.h"
+#include "thigma/session/detail/event_detector.h"
+#include "thigma/session/detail/frame_driver.h"
+#include "thigma/session/detail/timed_device.h"
+#include "thigma/session/live_ports.h"
+#include "thigma/session/session.h"
+
+namespace thigma {
+namespace detail {
+
+/// Who may talk to the device. The haptic thread holds it during a step, the watchdog while it
+/// sends zero.
+class DeviceToken {
+ public:
+  bool try_take() noexcept { return !is_taken_.exchange(true, std::memory_order_acquire); }
+  void give_back() noexcept { is_taken_.store(false, std::memory_order_release); }
+
+ private:
+  std::atomic<bool> is_taken_{false};
+};
+
+}  // namespace detail
+
+struct Session::Impl {
+  Impl(SessionConfig config_in, HapticDevice& device_in, SessionSinks sinks_in)
+      : config(std::move(config_in)),
+        sinks(std::move(sinks_in)),
+        faulty(make_faulty_device(device_in, config.faults)),
+        device(std::make_unique<detail::TimedDevice>(*faulty)),
+        params(config.haptic),
+        haptic_ring(std::max<std::size_t>(config.telemetry_frames, 1)),
+        contact_ring(std::max<std::size_t>(config.telemetry_models, 1)),
+        events(sinks.event, detail::deep_contact_limits(config)) {
+    use_device_limits(device_in.limits(), params);
+    watchdog_ns = to_ns(detail::effective_watchdog(config));
+    state = initial_state(params, config.world_from_body);
+    ports = {device.get(), &models, &bodies, &haptic_ring};
+  }
+
+  void prepare_memory();
+  void start_threads();
+  void join_threads();
+  void run_haptic();
+  void run_contact();
+  void run_watchdog();
+  void run_drain();
+  void contact_frame(const StampedBody& body, double now);
+  void drain();
+  void note_gap();
+  std::int64_t behind() const;
+  void hold_while_paused();
+  void end_with_zero_force();
+  void note(const std::string& text);
+
+  // The shell of the frame driver (detail/frame_driver.h).
+  detail::FrameTick next_tick();
+  bool is_stopped() const { return should_stop.load(std::memory_order_relaxed); }
+  bool hang(const FaultEvent& fault, double now);
+  void prepare(const detail::Frame& frame);
+  void step(const detail::Frame& frame);
+  const HapticSample& sample(const detail::Frame&) const { return made; }
+  void publish(const detail::Frame& frame, const HapticSample& sample);
+  bool has_finished(const HapticSample& sample) const {
+    return sample.device.status == DeviceStatus::finished;
+  }
+
+  SessionConfig config;  // constant but for .contact, the contact thread's while it runs
+  const SessionSinks sinks;
+  const std::unique_ptr<HapticDevice> faulty;
+  const std::unique_ptr<detail::TimedDevice> device;
+  HapticParams params;
+  HapticPorts ports;
+
+  // Haptic thread only, while it runs.
+  HapticState state;
+  HapticSample made;  // by the last step
+  detail::FrameRecord record;
+  DeadlineClock clock;
+  std::int64_t watchdog_ns = 0;  // constant
+  // Of the last step, which may have hung in the device: asked for, begun with the token, over.
+  std::int64_t step_asked = 0, step_taken = 0, step_end = 0;
+  std::int64_t hang_late_ns = 0;  // how late an injected hang made the frame it hit
+  bool has_hung = false;          // as asked
+  SessionEnd end = SessionEnd::duration;
+
+  // Contact thread only, while it runs.
+  detail::ContactFrames contacts;
+
+  // Shared.
+  Latest<LinearContactModel> models;
+  Latest<StampedBody> bodies;
+  SpscRing<HapticSample> haptic_ring;
+  SpscRing<ContactSample> contact_ring;
+  detail::DeviceToken token;
+  std::atomic<bool> should_stop{false};
+  std::atomic<bool> haptic_done{false};
+  std::atomic<bool> contact_done{false};
+  std::atomic<bool> watchdog_fired{false};
+  std::atomic<std::int64_t> last_step_ns{0};    // 0: not stepping
+  std::atomic<std::int64_t> longest_gap_ns{0};  // between two steps, or the start and the first
+  std::atomic<std::int64_t> epoch_ns{0};        // of session time 0
+
+  // Drain thread only, while it runs.
+  detail::EventDetector events;
+  ForceSteps force_steps;
+  std::exception_ptr sink_error;
+
+  std::mutex notes_mutex;  // start-up and shut-down only
+  std::vector<std::string> notes;
+  std::thread haptic_thread, contact_thread, watchdog_thread, drain_thread;
+  bool is_started = false;
+};
+
+}  // namespace thigma
