@@ -7,10 +7,11 @@
 #include <set>
 
 #include "experiments/common/statistics.h"
+#include "reference/refinement.h"
 
 #include "thigma/contact/contact_node.h"
-#include "thigma/contact/detail/level_side.h"
 #include "thigma/contact/error_metric.h"
+#include "thigma/contact/multires/patch_at_level.h"
 #include "thigma/core/index.h"
 #include "thigma/math/quantile.h"
 
@@ -48,9 +49,9 @@ Below below_of(const PairSurfaces& s, const std::vector<TouchedPlace>& exact, st
 /// D at a place of a node's patch, as the metric finds it [m^2].
 double support_at(const ClodHierarchy& h, std::int32_t node, const Pose& world_from_mesh,
                   const Vec3& point) {
-  const detail::Side side = detail::side_of(h, node);
+  const detail::PatchAtLevel side = detail::patch_at_level(h, node);
   const Vec3 p = transform_point(inverse(world_from_mesh), point);
-  return detail::support_area(side, detail::find_place(side.view, 0, p), SupportReading::flood);
+  return detail::support_area(side, detail::locate(side.view, 0, p), SupportReading::flood);
 }
 
 std::vector<std::int32_t> parents_of(const ClodHierarchy& h) {
@@ -72,8 +73,8 @@ struct Climber {
   bool may_rise() const {
     const std::int32_t up = parent[at(node)];
     if (up < 0 || h.nodes[at(up)].contact < 0) return false;
-    const detail::Side side = detail::side_of(h, up);
-    const LevelError error{side.deviation(), side.resolution(), area, false};
+    const detail::PatchAtLevel patch = detail::patch_at_level(h, up);
+    const LevelError error{patch.deviation(), patch.resolution(), area, false};
     return !needs_refinement(weighted_deviation(error, error), threshold);
   }
   double resolution() const { return h.levels[at(h.nodes[at(node)].level)].resolution; }

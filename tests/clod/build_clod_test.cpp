@@ -204,7 +204,7 @@ TEST(BuildClod, ExactQueriesAreThoseOfTheExactHierarchy) {
         ContactFront front;
         ContactSet set;
         set.contacts.reserve(20000);
-        query_contacts(a, pose, b, Pose{}, {.tolerance = 0.03}, front, set);
+        query_contacts({a, pose}, {b}, {.tolerance = 0.03}, front, set);
         return pairs_of(set);
       };
       const auto expected = query(exact_one, exact_two);

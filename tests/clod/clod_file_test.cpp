@@ -260,8 +260,8 @@ void use(const ClodAsset& asset) {
       Pose pose;
       pose.position = Vec3(0.3, 1.98 - 0.02 * i, 0.2);
       clear(set);
-      query_contacts(asset.hierarchy, pose, other, Pose{}, query, front, set);
-      query_contacts(other, pose, asset.hierarchy, Pose{}, query, back, set);
+      query_contacts({asset.hierarchy, pose}, {other}, query, front, set);
+      query_contacts({other, pose}, {asset.hierarchy}, query, back, set);
       EXPECT_LE(set.contacts.size(), 64u);
     }
   }

@@ -85,8 +85,7 @@ class Simulation {
     const Pose world_from_mesh =
         Pose{state_.body.position, state_.body.orientation} * world_.body_from_mesh;
     const double start = thread_cpu_seconds();
-    query_scene(*world_.object, world_from_mesh, world_.scene, q, scratch_.fronts,
-                scratch_.contacts);
+    query_scene({*world_.object, world_from_mesh}, world_.scene, q, scratch_.fronts, scratch_.contacts);
     counts_.query_cpu += thread_cpu_seconds() - start;
     counts_.front += static_cast<double>(scratch_.contacts.stats.front);
     ++counts_.steps;
@@ -113,8 +112,7 @@ class Simulation {
   void add_exact_contacts(const Pose& world_from_mesh) {
     ++counts_.doubted;
     const double start = thread_cpu_seconds();
-    query_scene(*world_.object, world_from_mesh, world_.scene, {.tolerance = world_.tolerance},
-                scratch_.exact_fronts, scratch_.exact);
+    query_scene({*world_.object, world_from_mesh}, world_.scene, {.tolerance = world_.tolerance}, scratch_.exact_fronts, scratch_.exact);
     counts_.query_cpu += thread_cpu_seconds() - start;
     auto& all = scratch_.contacts.contacts;
     const auto& exact = scratch_.exact.contacts;
