@@ -18,6 +18,7 @@
 #include "thigma/import/load_mesh.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/measure.h"
+#include "thigma/mesh/surface_topology.h"
 #include "thigma/models/make_model.h"
 #include "thigma/simplify/simplify_surface.h"
 
@@ -189,7 +190,8 @@ TEST(LevelAssets, RealMeshesAreAsCoarseAsAsked) {
     SimplifyParams params;
     params.longest_edge *= unit / enclosing_ball(mesh.positions).radius;
     params.longest_edge_ever = 0.0;  // no level of r < 8
-    const Simplification s = simplify_surface(mesh, decompose_surface(mesh), params);
+    const Simplification s =
+        simplify_surface({mesh, compute_topology(mesh), decompose_surface(mesh)}, params);
     const SimplifiedLevel& last = s.levels.back();
     std::printf("  %-30s %5zu/%4d at r %.2f, volume %+5.1f %%\n", limit.name,
                 last.mesh.triangles.size(), last.patch_count, last.resolution * unit,

@@ -7,6 +7,7 @@
 
 #include "thigma/convex/decomposition.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/mesh/surface_topology.h"
 #include "thigma/simplify/simplify_surface.h"
 
 namespace thigma::test {
@@ -33,7 +34,7 @@ inline SimplifyParams generous() {
 
 inline Simplification simplify(const TriangleMesh& mesh,
                                const SimplifyParams& params = generous()) {
-  return simplify_surface(mesh, decompose_surface(mesh), params);
+  return simplify_surface({mesh, compute_topology(mesh), decompose_surface(mesh)}, params);
 }
 
 /// Whether everything a collapse or a flip may change is the same.
@@ -58,7 +59,8 @@ struct SurfaceBench {
 
   /// limit     of the deviation, by the radius
   explicit SurfaceBench(TriangleMesh m, double limit = 0.02) : mesh(std::move(m)) {
-    surface = build_patched_surface(mesh, decompose_surface(mesh), 1e-6, 1e-5);
+    surface =
+        build_patched_surface({mesh, compute_topology(mesh), decompose_surface(mesh)}, 1e-6, 1e-5);
     context.quadric = vertex_quadrics(surface);
     context.guard = detail::build_deviation_guard(mesh, limit * surface.radius);
     successor.resize(surface.patches.size());

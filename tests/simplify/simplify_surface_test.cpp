@@ -14,6 +14,7 @@
 #include "thigma/import/load_mesh.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/mesh/self_intersections.h"
+#include "thigma/mesh/surface_topology.h"
 
 namespace thigma {
 namespace {
@@ -39,7 +40,7 @@ void expect_sound(const TriangleMesh& mesh, const char* name, const Simplificati
 Simplification expect_simplified(const TriangleMesh& mesh, const char* name,
                                  const SimplifyParams& params = test::generous()) {
   const ConvexDecomposition decomposition = decompose_surface(mesh);
-  Simplification s = simplify_surface(mesh, decomposition, params);
+  Simplification s = simplify_surface({mesh, compute_topology(mesh), decomposition}, params);
   expect_sound(mesh, name, s, decomposition);
   return s;
 }
@@ -261,8 +262,8 @@ TEST(SimplifySurface, CarriesSupportAndCornerValues) {
   for (const Vec3& p : mesh.positions) values.values.push_back(p.x());
   for (const auto& t : mesh.triangles)
     values.of_corner.insert(values.of_corner.end(), t.begin(), t.end());
-  const Simplification s =
-      simplify_surface(mesh, decompose_surface(mesh), test::generous(), support, values);
+  const Simplification s = simplify_surface({mesh, compute_topology(mesh), decompose_surface(mesh)},
+                                            test::generous(), support, values);
   const SimplifiedLevel& last = s.levels.back();
   ASSERT_EQ(last.support.size(), last.mesh.positions.size());
   double least = 1e300, largest = 0.0;

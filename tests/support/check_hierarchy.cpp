@@ -8,6 +8,7 @@
 
 #include "thigma/convex/gjk.h"
 #include "thigma/core/index.h"
+#include "thigma/mesh/surface_topology.h"
 
 namespace thigma {
 namespace {
@@ -162,12 +163,12 @@ void check_cover(Checker& c) {
 
 HierarchyCheck check_hierarchy(const ClodHierarchy& hierarchy, const TriangleMesh& mesh,
                                const DecompositionParams& params) {
-  const DecompositionParams used = resolve_tolerances(mesh, params);
+  const SurfaceTopology topology = compute_topology(mesh);
+  const DecompositionParams used = resolve_tolerances(mesh, topology, params);
   // A rounding more than the builder allows itself.
   const double flat = used.convexity_tolerance * hierarchy.radius * (1.0 + 1e-9);
-  Checker checker{
-      hierarchy, mesh, compute_topology(mesh), flat, used.protrusion_tolerance * hierarchy.radius,
-      {},        {}};
+  Checker checker{hierarchy, mesh, topology, flat, used.protrusion_tolerance * hierarchy.radius,
+                  {},        {}};
   check_tree(checker);
   check_triangles(checker);
   check_hulls(checker);

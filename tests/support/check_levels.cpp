@@ -5,6 +5,7 @@
 #include "support/patch_faults.h"
 
 #include "thigma/core/index.h"
+#include "thigma/mesh/surface_topology.h"
 #include "thigma/mesh/topology.h"
 
 namespace thigma {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "thigma/clod/detail/build_levels.h"
 #include "thigma/clod/detail/draft_tree.h"
 #include "thigma/clod/detail/level_bounds.h"
 #include "thigma/clod/detail/level_patches.h"
@@ -14,6 +15,7 @@
 #include "thigma/core/cpu_clock.h"
 #include "thigma/core/index.h"
 #include "thigma/mesh/measure.h"
+#include "thigma/mesh/surface_topology.h"
 
 namespace thigma {
 namespace {
@@ -74,35 +76,40 @@ void describe_levels(const Simplification& s, ClodHierarchy& h) {
 
 }  // namespace
 
-ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params, ClodReport* report) {
+namespace detail {
+
+ClodHierarchy build_levels(const TriangleMesh& mesh, const ClodParams& params, const TreeForm& form,
+                           ClodReport* report) {
   ClodHierarchy h;
   const Ball ball = enclosing_ball(mesh.positions);
   h.center = ball.center;
   h.radius = ball.radius;
   h.triangle_count = static_cast<std::int32_t>(mesh.triangles.size());
   const double start = process_cpu_seconds();
-  const ConvexDecomposition decomposition = decompose_surface(mesh, params.decomposition);
+  const SurfaceTopology topology = compute_topology(mesh);
+  const ConvexDecomposition decomposition = decompose_surface(mesh, topology, params.decomposition);
+  const DecomposedSurface surface{mesh, topology, decomposition};
   const double decomposed = process_cpu_seconds();
-  auto support = support_areas(mesh, {.tolerance = params.contact_tolerance * h.radius});
+  auto support = support_areas(mesh, topology, {.tolerance = params.contact_tolerance * h.radius});
   const double supported = process_cpu_seconds();
   SimplifyParams simplify = params.simplify;
   const auto& progress = params.simplify.progress;
   if (progress) simplify.progress = [&](double share) { progress(kShareOfLoop * share); };
-  Simplification s = simplify_surface(mesh, decomposition, simplify, std::move(support));
+  Simplification s = simplify_surface(surface, simplify, std::move(support));
   const double simplified = process_cpu_seconds();
-  const std::vector<detail::LevelPatches> patches = detail::list_level_patches(s);
-  detail::DraftTree tree = detail::draft_leaves(mesh, decomposition);
-  std::vector<std::int32_t> tops = draft_levels(mesh, s, patches, params.is_reparented, tree);
-  const std::int32_t root = detail::add_even_levels(mesh, tops, tree);
-  detail::place_drafts(mesh, decomposition, tree, root, h);
-  detail::append_contact_patches(s, patches, h);
-  detail::measure_hausdorff(h);
-  if (!params.has_culling_hulls) detail::bound_by_contact_patches(h);
+  const std::vector<LevelPatches> patches = list_level_patches(s);
+  DraftTree tree = draft_leaves(mesh, decomposition);
+  std::vector<std::int32_t> tops = draft_levels(mesh, s, patches, form.is_reparented, tree);
+  const std::int32_t root = add_even_levels(mesh, tops, tree);
+  place_drafts(surface, tree, root, h);
+  append_contact_patches(s, patches, h);
+  measure_hausdorff(h);
+  if (!form.has_culling_hulls) bound_by_contact_patches(h);
   const double placed = process_cpu_seconds();
   if (progress) progress(kShareOfTree);
-  detail::measure_deviation(mesh, decomposition, s, params.threads, h);
-  detail::measure_level_bounds(params.threads, h);
-  detail::fill_support(decomposition, patches, s, h);
+  measure_deviation(mesh, decomposition, s, params.threads, h);
+  measure_level_bounds(params.threads, h);
+  fill_support(decomposition, patches, s, h);
   describe_levels(s, h);
   if (progress) progress(1.0);
   if (!report) return h;
@@ -113,7 +120,14 @@ ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params, Clo
   report->childless = std::count_if(h.level_patches.begin(), h.level_patches.end(),
                                     [](const LevelPatch& p) { return p.patch.node < 0; });
   report->simplification = std::make_shared<Simplification>(std::move(s));
+  report->decomposition = decomposition.params;
   return h;
+}
+
+}  // namespace detail
+
+ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params, ClodReport* report) {
+  return detail::build_levels(mesh, params, {}, report);
 }
 
 }  // namespace thigma

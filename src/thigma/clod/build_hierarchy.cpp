@@ -12,6 +12,7 @@
 #include "thigma/core/cpu_clock.h"
 #include "thigma/core/index.h"
 #include "thigma/mesh/measure.h"
+#include "thigma/mesh/surface_topology.h"
 
 namespace thigma {
 namespace {
@@ -32,7 +33,8 @@ void describe_levels(ClodHierarchy& h) {
 ClodHierarchy build_exact_hierarchy(const TriangleMesh& mesh, const DecompositionParams& params,
                                     BuildReport* report) {
   const double start = process_cpu_seconds();
-  const ConvexDecomposition decomposition = decompose_surface(mesh, params);
+  const SurfaceTopology topology = compute_topology(mesh);
+  const ConvexDecomposition decomposition = decompose_surface(mesh, topology, params);
   const double middle = process_cpu_seconds();
   ClodHierarchy h;
   const Ball ball = enclosing_ball(mesh.positions);
@@ -43,7 +45,7 @@ ClodHierarchy build_exact_hierarchy(const TriangleMesh& mesh, const Decompositio
   std::vector<std::int32_t> leaves(tree.drafts.size());
   std::iota(leaves.begin(), leaves.end(), 0);
   const std::int32_t root = detail::add_free_levels(mesh, leaves, tree);
-  detail::place_drafts(mesh, decomposition, tree, root, h);
+  detail::place_drafts({mesh, topology, decomposition}, tree, root, h);
   describe_levels(h);
   if (report) {
     report->triangles = h.triangle_count;

@@ -27,7 +27,7 @@ struct ClodOrigin {
   double longest_edge = 0.0, deviation_limit = 0.0;              // as in SimplifyParams
   double convexity_tolerance = 0.0, protrusion_tolerance = 0.0;  // as in DecompositionParams
   std::int32_t max_vertices = 0;
-  bool is_reparented = true, has_culling_hulls = true;
+  bool is_reparented = true, has_culling_hulls = true;  // the form of the tree; false: the text's
 };
 
 /// A hierarchy as it is kept in a file.

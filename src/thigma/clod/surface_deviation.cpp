@@ -161,24 +161,30 @@ double farthest_corner(const DeviationTarget& target, const std::array<Vec3, 3>&
   return farthest;
 }
 
+/// A surface, and how far from a triangle its sheet may be [m].
+struct SheetSearch {
+  const DeviationTarget& target;
+  double reach;
+};
+
 /// Bound over a part; extends range.met. Its bound stays: what a sibling was allowed must not
 /// loosen this one.
-double bound_by_division(const DeviationTarget& target, const std::array<Vec3, 3>& c, double reach,
-                         int divisions, std::int32_t nearest, DeviationRange& range) {
+double bound_by_division(const SheetSearch& search, const std::array<Vec3, 3>& c, int divisions,
+                         std::int32_t nearest, DeviationRange& range) {
+  const DeviationTarget& target = search.target;
   const Vec3 middle = (c[0] + c[1] + c[2]) / 3.0;
   const double at_middle = nearest_distance(target, middle, nearest);
   range.met = std::max(range.met, at_middle);
   double bound = std::min(at_middle + radius_about(middle, c), farthest_corner(target, c, nearest));
   if (bound <= enough(range)) return bound;
-  bound = std::min(bound, bound_by_sheet(target, c, reach).distance);
+  bound = std::min(bound, bound_by_sheet(target, c, search.reach).distance);
   if (divisions == 0 || bound <= enough(range)) return bound;
   const Vec3 ab = 0.5 * (c[0] + c[1]), bc = 0.5 * (c[1] + c[2]), ca = 0.5 * (c[2] + c[0]);
   const std::array<std::array<Vec3, 3>, 4> parts = {
       {{c[0], ab, ca}, {ab, c[1], bc}, {ca, bc, c[2]}, {ab, bc, ca}}};
   double largest = 0.0;
   for (const auto& part : parts)
-    largest =
-        std::max(largest, bound_by_division(target, part, reach, divisions - 1, nearest, range));
+    largest = std::max(largest, bound_by_division(search, part, divisions - 1, nearest, range));
   return std::min(bound, largest);
 }
 
@@ -217,9 +223,10 @@ void extend_deviation(const DeviationTarget& target, const std::array<Vec3, 3>& 
   if (sheet.over >= 0) nearest = sheet.over;
   if (sheet.distance <= range.bound) return;
   meet_samples(target, triangle, nearest, range);
-  const double bound = sheet.distance <= enough(range)
-                           ? sheet.distance
-                           : bound_by_division(target, triangle, reach, kDivisions, nearest, range);
+  const double bound =
+      sheet.distance <= enough(range)
+          ? sheet.distance
+          : bound_by_division({target, reach}, triangle, kDivisions, nearest, range);
   range.bound = std::max(range.bound, bound);
 }
 

@@ -211,31 +211,44 @@ bool check_triangle(const HullTriangle& t, std::int32_t vertex_count) {
   return mask == t.mask;
 }
 
-bool check_patch(Flaws& f, const ClodPatch& p, std::int32_t vertex_count,
-                 std::int64_t level_triangles, const char* kind, std::size_t i) {
+// A patch, and what the message calls it.
+struct NamedPatch {
+  const ClodPatch& patch;
+  std::int32_t vertex_count;
+  std::int64_t level_triangles;  // of its level
+  const char* kind;
+  std::size_t index;
+};
+
+bool check_patch(Flaws& f, const NamedPatch& named) {
   const ClodHierarchy& h = f.h;
+  const ClodPatch& p = named.patch;
+  const std::int32_t vertex_count = named.vertex_count;
   if (!f.check(p.triangle_count >= 1 &&
                    is_in(p.first_triangle, p.triangle_count, h.hull_triangles.size()) &&
                    is_in(p.first_face, p.face_count, h.faces.size()) &&
                    is_in(p.first_edge, p.edge_count, h.edges.size()),
-               "triangles, faces or edges out of range", kind, i, "those there are"))
+               "triangles, faces or edges out of range", named.kind, named.index,
+               "those there are"))
     return false;
   if (!f.check(p.face_count <= std::numeric_limits<std::int16_t>::max() && p.thickness >= 0.0,
-               "a negative thickness or too many faces", kind, i, "0 or more; at most 32767"))
+               "a negative thickness or too many faces", named.kind, named.index,
+               "0 or more; at most 32767"))
     return false;
   bool is_right = true;
   for (std::int32_t k = 0; k < p.face_count && is_right; ++k)
     is_right = check_face(h.faces[at(p.first_face + k)], vertex_count);
   for (std::int32_t k = 0; k < p.edge_count && is_right; ++k)
     is_right = check_edge(h.edges[at(p.first_edge + k)], vertex_count, p.face_count);
-  if (!f.check(is_right, "a wrong face or edge", kind, i, "unit normals and its own vertices"))
+  if (!f.check(is_right, "a wrong face or edge", named.kind, named.index,
+               "unit normals and its own vertices"))
     return false;
   for (std::int32_t k = 0; k < p.triangle_count && is_right; ++k) {
     const std::int32_t id = h.triangle_ids[at(p.first_triangle + k)];
-    is_right = id >= 0 && id < level_triangles &&
+    is_right = id >= 0 && id < named.level_triangles &&
                check_triangle(h.hull_triangles[at(p.first_triangle + k)], vertex_count);
   }
-  return f.check(is_right, "a wrong triangle", kind, i,
+  return f.check(is_right, "a wrong triangle", named.kind, named.index,
                  "its own vertices and a triangle of its level");
 }
 
@@ -320,13 +333,13 @@ std::string find_flaw(const ClodHierarchy& h) {
   for (std::size_t i = 0; i < h.level_patches.size(); ++i)
     if (!check_hull(f, h.level_patches[i], "contact patch", i)) return f.first;
   for (std::size_t i = 0; i < h.patches.size(); ++i)
-    if (!check_patch(f, h.patches[i], h.nodes[at(h.patches[i].node)].vertex_count, h.triangle_count,
-                     "patch", i))
+    if (!check_patch(f, {h.patches[i], h.nodes[at(h.patches[i].node)].vertex_count,
+                         h.triangle_count, "patch", i}))
       return f.first;
   for (std::size_t i = 0; i < h.level_patches.size(); ++i) {
     const LevelPatch& c = h.level_patches[i];
-    if (!check_patch(f, c.patch, c.vertex_count, h.levels[at(c.level)].triangle_count,
-                     "contact patch", i))
+    if (!check_patch(
+            f, {c.patch, c.vertex_count, h.levels[at(c.level)].triangle_count, "contact patch", i}))
       return f.first;
   }
   return f.first;

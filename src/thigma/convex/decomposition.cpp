@@ -188,9 +188,9 @@ DecompositionParams resolved(const TriangleMesh& mesh, const SurfaceTopology& su
 
 }  // namespace
 
-DecompositionParams resolve_tolerances(const TriangleMesh& mesh,
+DecompositionParams resolve_tolerances(const TriangleMesh& mesh, const SurfaceTopology& topology,
                                        const DecompositionParams& params) {
-  return resolved(mesh, compute_topology(mesh), half_extent(mesh), params);
+  return resolved(mesh, topology, half_extent(mesh), params);
 }
 
 namespace {
@@ -225,27 +225,32 @@ ConvexDecomposition decompose(const TriangleMesh& mesh, const SurfaceTopology& s
   return result;
 }
 
-SurfaceTopology checked_surface(const TriangleMesh& mesh) {
-  SurfaceTopology surface = compute_topology(mesh);
-  if (std::none_of(surface.height.begin(), surface.height.end(), [](double h) { return h > 0.0; }))
+void require_area(const SurfaceTopology& topology) {
+  const std::vector<double>& height = topology.height;
+  if (std::none_of(height.begin(), height.end(), [](double h) { return h > 0.0; }))
     throw InputError("convex decomposition: no triangle has an area, expected at least one");
-  return surface;
 }
 
 }  // namespace
 
-ConvexDecomposition decompose_surface(const TriangleMesh& mesh, const DecompositionParams& params) {
-  const SurfaceTopology surface = checked_surface(mesh);
+ConvexDecomposition decompose_surface(const TriangleMesh& mesh, const SurfaceTopology& topology,
+                                      const DecompositionParams& params) {
+  require_area(topology);
   const double radius = half_extent(mesh);
-  return decompose(mesh, surface, radius, resolved(mesh, surface, radius, params));
+  return decompose(mesh, topology, radius, resolved(mesh, topology, radius, params));
+}
+
+ConvexDecomposition decompose_surface(const TriangleMesh& mesh, const DecompositionParams& params) {
+  return decompose_surface(mesh, compute_topology(mesh), params);
 }
 
 std::int32_t count_convex_patches(const TriangleMesh& mesh) {
-  const SurfaceTopology surface = checked_surface(mesh);
+  const SurfaceTopology topology = compute_topology(mesh);
+  require_area(topology);
   const double radius = half_extent(mesh);
-  DecompositionParams params = resolved(mesh, surface, radius, {});
+  DecompositionParams params = resolved(mesh, topology, radius, {});
   params.max_vertices = std::numeric_limits<int>::max();
-  return static_cast<std::int32_t>(decompose(mesh, surface, radius, params).patches.size());
+  return static_cast<std::int32_t>(decompose(mesh, topology, radius, params).patches.size());
 }
 
 }  // namespace thigma

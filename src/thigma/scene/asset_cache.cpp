@@ -31,7 +31,7 @@ std::string params_text(const ClodSource& source) {
   char text[768];
   std::snprintf(text, sizeof text,
                 "repair %d max %d %a %a edge %a %a %a %a %a %a %a %a %a %a %a flip %d "
-                "collapse %d %a %a %d %d %d %d tolerance %a %a tree %d %d\n",
+                "collapse %d %a %a %d %d %d %d tolerance %a %a\n",
                 source.is_repair, p.decomposition.max_vertices, p.decomposition.convexity_tolerance,
                 p.decomposition.protrusion_tolerance, p.simplify.longest_edge,
                 p.simplify.coarsest_share, p.simplify.longest_edge_ever, p.simplify.deviation_limit,
@@ -40,8 +40,7 @@ std::string params_text(const ClodSource& source) {
                 p.simplify.protrusion_tolerance, p.simplify.last_level, p.simplify.flips_edges,
                 c.bisections, c.least_quality, c.free_to_turn, c.is_relaxed, c.keeps_volume,
                 c.seeks_convex_start, c.guards_original, p.contact_tolerance,
-                source.contact_tolerance ? *source.contact_tolerance / source.scale : -1.0,
-                p.is_reparented, p.has_culling_hulls);
+                source.contact_tolerance ? *source.contact_tolerance / source.scale : -1.0);
   return text;
 }
 

@@ -109,8 +109,8 @@ bool list_parts(const PatchedSurface& s, Quickhull& hull, Flip& f) {
   const std::int32_t shell = s.patches[at(f.patch[0])].shell;
   for (detail::PatchPart& part : f.parts) {
     detail::describe_part(s, part, hull);
-    if (!detail::is_hull_clear(s, shell, part, nullptr, part.half_spaces, part.box,
-                               f.quad.triangle))
+    if (!detail::is_hull_clear({s, shell, f.quad.triangle}, part, nullptr, part.half_spaces,
+                               part.box))
       return false;
   }
   std::vector<std::int32_t> beside;
@@ -164,8 +164,8 @@ FlipOutcome judge(const PatchedSurface& s, CollapseContext& context, Flip& f, in
     return FlipOutcome::intersection;
   Quickhull& hull = context.scratch.hull;
   if (enters_other_hull(s, f) || !list_parts(s, hull, f)) return FlipOutcome::protrusion;
-  const int absorbed = detail::merge_parts(s, s.patches[at(f.patch[0])].shell, f.own_count,
-                                           f.quad.triangle, hull, f.parts);
+  const int absorbed = detail::merge_parts({s, s.patches[at(f.patch[0])].shell, f.quad.triangle},
+                                           f.own_count, hull, f.parts);
   gain = absorbed + 2 - static_cast<int>(f.own_count);
   const bool is_worth_it = gain > 0 || (gain == 0 && is_better(s, context.volume, f));
   return is_worth_it ? FlipOutcome::flipped : FlipOutcome::gain;

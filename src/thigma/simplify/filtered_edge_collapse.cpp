@@ -14,52 +14,63 @@ namespace {
 using detail::EdgeStar;
 using detail::StarTriangle;
 
+/// Where the new vertex may go: from the start to the relaxed position.
+struct VertexPath {
+  const Vec3& start;    // v^
+  const Vec3& relaxed;  // v~
+};
+
+/// The part of a path on which patches stay convex.
+struct ConvexPart {
+  const PatchedSurface& surface;
+  VertexPath path;
+  UnitInterval interval{};
+};
+
 /// Narrows by one condition on four points. Its slack is the height that counts as flat over the
 /// larger of the two triangles it may be read as: the trials that follow measure heights over the
 /// right one, and coplanar triangles must not fail here by their rounding.
-void narrow(UnitInterval& interval, const PatchedSurface& s, const Vec3& va, const Vec3& vc,
-            const Vec3& vd, const Vec3& v_hat, const Vec3& v_tilde) {
+void narrow(ConvexPart& part, const Vec3& va, const Vec3& vc, const Vec3& vd) {
   const double fixed = (vd - va).cross(vc - va).norm();
-  const double moving = (vc - va).cross(v_hat - va).norm();
-  constrain(interval, {va, vc, vd, s.flat * std::max(fixed, moving)}, v_hat, v_tilde);
+  const double moving = (vc - va).cross(part.path.start - va).norm();
+  constrain(part.interval, {va, vc, vd, part.surface.flat * std::max(fixed, moving)},
+            part.path.start, part.path.relaxed);
 }
 
 /// The edges inside patches that the collapse changes: spokes, and edges of the ring (Fig. 3.5).
-void narrow_by_edges(UnitInterval& interval, const PatchedSurface& s, const EdgeStar& star,
-                     const std::vector<RingTriangle>& ring, const Vec3& v_hat,
-                     const Vec3& v_tilde) {
-  for (std::size_t i = 0; i < star.triangles.size() && interval.is_feasible; ++i) {
+void narrow_by_edges(ConvexPart& part, const EdgeStar& star,
+                     const std::vector<RingTriangle>& ring) {
+  for (std::size_t i = 0; i < star.triangles.size() && part.interval.is_feasible; ++i) {
     const StarTriangle& t = star.triangles[i];
-    if (t.beyond >= 0 && s.patch_of[at(t.beyond)] == t.patch)
-      narrow(interval, s, ring[i].b, ring[i].a, ring[i].beyond, v_hat, v_tilde);
+    if (t.beyond >= 0 && part.surface.patch_of[at(t.beyond)] == t.patch)
+      narrow(part, ring[i].b, ring[i].a, ring[i].beyond);
     if (t.following >= 0 && star.triangles[at(t.following)].patch == t.patch)
-      narrow(interval, s, ring[i].b, ring[i].a, ring[i].following, v_hat, v_tilde);
+      narrow(part, ring[i].b, ring[i].a, ring[i].following);
   }
 }
 
 /// The rest of what keeps patches convex is linear in the position too: every vertex of a patch
 /// below its new triangles, and the new vertex below its old ones.
-void narrow_by_patches(UnitInterval& interval, const PatchedSurface& s,
-                       const detail::EdgeStar& star, const CollapseScratch& k, const Vec3& v_hat,
-                       const Vec3& v_tilde) {
+void narrow_by_patches(ConvexPart& part, const CollapseScratch& scratch) {
+  const PatchedSurface& s = part.surface;
+  const EdgeStar& star = scratch.star;
   const auto& x = s.mesh.positions;
   for (std::size_t i = 0; i < star.patches.size(); ++i) {
     bool has_vertex = false;
     for (const StarTriangle& t : star.triangles) {
       if (t.patch != star.patches[i]) continue;
       has_vertex = true;
-      for (const std::int32_t v : k.patch_vertices[i])
-        if (v != star.tail && v != t.a && v != t.b)
-          narrow(interval, s, x[at(t.b)], x[at(t.a)], x[at(v)], v_hat, v_tilde);
-      if (!interval.is_feasible) return;
+      for (const std::int32_t v : scratch.patch_vertices[i])
+        if (v != star.tail && v != t.a && v != t.b) narrow(part, x[at(t.b)], x[at(t.a)], x[at(v)]);
+      if (!part.interval.is_feasible) return;
     }
     if (!has_vertex) continue;
     for (const std::int32_t t : s.patches[at(star.patches[i])].triangles) {
-      if (k.mark[at(t)] == k.epoch || k.mark[at(t)] == -k.epoch || !has_plane(s, t)) continue;
+      if (std::abs(scratch.mark[at(t)]) == scratch.epoch || !has_plane(s, t)) continue;
       const auto c = corners_of(s, t);
-      constrain(interval, {c[0], c[1], c[2], s.flat * (c[1] - c[0]).cross(c[2] - c[0]).norm()},
-                v_hat, v_tilde);
-      if (!interval.is_feasible) return;
+      constrain(part.interval, {c[0], c[1], c[2], s.flat * (c[1] - c[0]).cross(c[2] - c[0]).norm()},
+                part.path.start, part.path.relaxed);
+      if (!part.interval.is_feasible) return;
     }
   }
 }
@@ -141,23 +152,24 @@ Vec3 relaxed(const CollapseContext& context, const Vec3& v_hat, double edge) {
 }
 
 /// Tries the positions between a start and its relaxed position; commits the one it takes.
-CollapseOutcome try_start(PatchedSurface& s, CollapseContext& context, const Vec3& v_hat,
-                          const Vec3& v_tilde, bool& has_begun,
-                          std::vector<std::int32_t>& successor) {
-  CollapseScratch& k = context.scratch;
-  UnitInterval interval;
-  narrow_by_edges(interval, s, k.star, k.ring, v_hat, v_tilde);
+CollapseOutcome try_start(PatchedSurface& s, CollapseContext& context, const VertexPath& path,
+                          bool& has_begun, std::vector<std::int32_t>& successor) {
+  CollapseScratch& scratch = context.scratch;
+  ConvexPart part{s, path};
+  UnitInterval& interval = part.interval;
+  narrow_by_edges(part, scratch.star, scratch.ring);
   if (!interval.is_feasible) return CollapseOutcome::convexity;
   if (!has_begun) detail::begin_trials(s, context);
   has_begun = true;
-  narrow_by_patches(interval, s, k.star, k, v_hat, v_tilde);
+  narrow_by_patches(part, scratch);
   if (!interval.is_feasible) return CollapseOutcome::convexity;
-  if (v_tilde == v_hat) interval.low = interval.high;
+  if (path.relaxed == path.start) interval.low = interval.high;
+  const auto place = [&](double u) { return mix(u, path.start, path.relaxed); };
   const BisectionResult found =
       bisect(interval.low, interval.high, context.params.bisections,
-             [&](double u) { return detail::try_position(s, context, mix(u, v_hat, v_tilde)); });
-  if (!found.is_accepted) return k.reason;
-  commit(s, context, mix(found.u, v_hat, v_tilde), successor);
+             [&](double u) { return detail::try_position(s, context, place(u)); });
+  if (!found.is_accepted) return scratch.reason;
+  commit(s, context, place(found.u), successor);
   return CollapseOutcome::collapsed;
 }
 
@@ -198,7 +210,7 @@ CollapseOutcome filtered_edge_collapse(PatchedSurface& s, CollapseContext& conte
   bool has_begun = false;
   CollapseOutcome reason = CollapseOutcome::convexity;
   const auto succeeds = [&](const Vec3& v_hat, const Vec3& v_tilde) {
-    const CollapseOutcome outcome = try_start(s, context, v_hat, v_tilde, has_begun, successor);
+    const CollapseOutcome outcome = try_start(s, context, {v_hat, v_tilde}, has_begun, successor);
     // What stopped a trial tells more than that another start had none.
     if (outcome != CollapseOutcome::convexity) reason = outcome;
     return outcome == CollapseOutcome::collapsed;

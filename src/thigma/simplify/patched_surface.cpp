@@ -150,9 +150,10 @@ void set_patch(PatchedSurface& s, std::int32_t patch, std::vector<std::int32_t>&
   s.tree.update(patch, box);
 }
 
-PatchedSurface build_patched_surface(const TriangleMesh& mesh,
-                                     const ConvexDecomposition& decomposition, double convexity,
+PatchedSurface build_patched_surface(const DecomposedSurface& surface, double convexity,
                                      double protrusion, CornerAttributes attributes) {
+  const TriangleMesh& mesh = surface.mesh;
+  const ConvexDecomposition& decomposition = surface.patches;
   PatchedSurface s;
   s.mesh = build_halfedge_mesh(mesh, std::move(attributes));
   s.radius = enclosing_ball(mesh.positions).radius;
@@ -164,7 +165,7 @@ PatchedSurface build_patched_surface(const TriangleMesh& mesh,
   s.height.resize(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     refresh_triangle(s, static_cast<std::int32_t>(t));
-  const std::vector<std::int32_t> shell = compute_topology(mesh).shell;
+  const std::vector<std::int32_t>& shell = surface.topology.shell;
   s.patches.resize(decomposition.patches.size());
   for (std::size_t i = 0; i < s.patches.size(); ++i) {
     s.patches[i].triangles = decomposition.patches[i];

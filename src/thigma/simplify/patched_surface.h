@@ -45,8 +45,7 @@ struct PatchedSurface {
 /// convexity, protrusion  least tolerances, times the radius; those of the decomposition where
 ///                        larger
 /// Thread  [offline]; deterministic.
-PatchedSurface build_patched_surface(const TriangleMesh& mesh,
-                                     const ConvexDecomposition& decomposition, double convexity,
+PatchedSurface build_patched_surface(const DecomposedSurface& surface, double convexity,
                                      double protrusion, CornerAttributes attributes = {});
 
 /// A triangle thinner than the tolerance has no plane worth the name.

@@ -326,17 +326,17 @@ VolumeGuard guard_volume(const TriangleMesh& mesh, double radius, double limit) 
 
 }  // namespace
 
-Simplification simplify_surface(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
-                                const SimplifyParams& params,
+Simplification simplify_surface(const DecomposedSurface& surface, const SimplifyParams& params,
                                 std::vector<std::array<double, 2>> support,
                                 CornerAttributes attributes) {
-  Loop loop{build_patched_surface(mesh, decomposition, params.convexity_tolerance,
-                                  params.protrusion_tolerance, attributes),
+  const TriangleMesh& mesh = surface.mesh;
+  Loop loop{build_patched_surface(surface, params.convexity_tolerance, params.protrusion_tolerance,
+                                  attributes),
             {},
             params,
             {}};
   PatchedSurface& s = loop.surface;
-  loop.result.levels.push_back(first_level(mesh, decomposition, support, attributes));
+  loop.result.levels.push_back(first_level(mesh, surface.patches, support, attributes));
   loop.result.convexity_tolerance = s.flat;
   loop.result.protrusion_tolerance = s.inset;
   loop.context.params = params.collapse;

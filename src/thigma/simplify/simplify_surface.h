@@ -47,17 +47,15 @@ struct Simplification {
 /// at most half the original's patches. Deviation beyond `deviation_limit`, and such edges, come
 /// last.
 ///
-/// mesh           usable in the sense of import/inspect.h [m]
-/// decomposition  of the mesh; becomes level 0
-/// support        of each vertex, two values that become the least where vertices come together, or
-///                empty
-/// attributes     of the corners, or width 0
-/// returns        at least level 0; resolutions fall, patches or triangles at least halve but into
-///                the last
-/// Thread         [offline]; deterministic.
-/// Source         Sec. 3.3.3, Algorithm 3.3.1. Stops and tolerances: docs.
-Simplification simplify_surface(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
-                                const SimplifyParams& params = {},
+/// surface     usable in the sense of import/inspect.h; its patches become level 0 [m]
+/// support     of each vertex, two values that become the least where vertices come together, or
+///             empty
+/// attributes  of the corners, or width 0
+/// returns     at least level 0; resolutions fall, patches or triangles at least halve but into the
+///             last
+/// Thread      [offline]; deterministic.
+/// Source      Sec. 3.3.3, Algorithm 3.3.1. Stops and tolerances: docs/simplification.md.
+Simplification simplify_surface(const DecomposedSurface& surface, const SimplifyParams& params = {},
                                 std::vector<std::array<double, 2>> support = {},
                                 CornerAttributes attributes = {});
 

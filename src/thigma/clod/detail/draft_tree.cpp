@@ -130,30 +130,28 @@ PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& h) {
   return hull;
 }
 
-ClodPatch append_features(const TriangleMesh& mesh, const SurfaceTopology& surface,
-                          std::span<const std::int32_t> triangles,
-                          std::span<const std::int32_t> vertices, double flat, ClodHierarchy& h) {
-  const PatchFeatures features = find_features(mesh, surface, triangles, vertices, flat);
-  ClodPatch patch;
-  patch.first_triangle = static_cast<std::int32_t>(h.hull_triangles.size());
-  patch.triangle_count = static_cast<std::int32_t>(triangles.size());
-  patch.first_face = static_cast<std::int32_t>(h.faces.size());
-  patch.face_count = static_cast<std::int32_t>(features.faces.size());
-  patch.first_edge = static_cast<std::int32_t>(h.edges.size());
-  patch.edge_count = static_cast<std::int32_t>(features.edges.size());
-  patch.thickness = features.thickness;
+ClodPatch append_features(const PatchOfMesh& patch, double flat, ClodHierarchy& h) {
+  const PatchFeatures features = find_features(patch, flat);
+  ClodPatch result;
+  result.first_triangle = static_cast<std::int32_t>(h.hull_triangles.size());
+  result.triangle_count = static_cast<std::int32_t>(patch.triangles.size());
+  result.first_face = static_cast<std::int32_t>(h.faces.size());
+  result.face_count = static_cast<std::int32_t>(features.faces.size());
+  result.first_edge = static_cast<std::int32_t>(h.edges.size());
+  result.edge_count = static_cast<std::int32_t>(features.edges.size());
+  result.thickness = features.thickness;
   h.hull_triangles.insert(h.hull_triangles.end(), features.triangles.begin(),
                           features.triangles.end());
-  h.triangle_ids.insert(h.triangle_ids.end(), triangles.begin(), triangles.end());
+  h.triangle_ids.insert(h.triangle_ids.end(), patch.triangles.begin(), patch.triangles.end());
   h.faces.insert(h.faces.end(), features.faces.begin(), features.faces.end());
   h.edges.insert(h.edges.end(), features.edges.begin(), features.edges.end());
-  return patch;
+  return result;
 }
 
-void place_drafts(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
-                  const DraftTree& tree, std::int32_t root, ClodHierarchy& h) {
+void place_drafts(const DecomposedSurface& surface, const DraftTree& tree, std::int32_t root,
+                  ClodHierarchy& h) {
+  const ConvexDecomposition& decomposition = surface.patches;
   const double flat = decomposition.params.convexity_tolerance * h.radius;
-  const SurfaceTopology surface = compute_topology(mesh);
   std::vector<std::int32_t> order(1, root);
   h.nodes.reserve(tree.drafts.size());
   h.patches.resize(decomposition.patches.size());
@@ -177,8 +175,9 @@ void place_drafts(const TriangleMesh& mesh, const ConvexDecomposition& decomposi
     } else {
       node.patch = draft.patch;
       h.patches[at(node.patch)] =
-          append_features(mesh, surface, decomposition.patches[at(node.patch)],
-                          decomposition.vertices[at(node.patch)], flat, h);
+          append_features({surface.mesh, surface.topology, decomposition.patches[at(node.patch)],
+                           decomposition.vertices[at(node.patch)]},
+                          flat, h);
       h.patches[at(node.patch)].node = static_cast<std::int32_t>(i);
     }
     h.nodes.push_back(node);

@@ -71,10 +71,18 @@ std::vector<std::vector<std::int32_t>> contact_patches_above(const ClodHierarchy
   return above;
 }
 
+/// The surface from which levels deviate.
+struct FinestSurface {
+  const TriangleMesh& mesh;
+  const ConvexDecomposition& decomposition;
+  DeviationTarget target;
+};
+
 /// Deviations of one level. first: its first contact patch.
-void measure_level(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
-                   const SimplifiedLevel& level, const DeviationTarget& original,
+void measure_level(const FinestSurface& finest, const SimplifiedLevel& level,
                    const std::vector<std::int32_t>& above, std::size_t first, ClodHierarchy& h) {
+  const DeviationTarget& original = finest.target;
+  const std::vector<std::vector<std::int32_t>>& patches = finest.decomposition.patches;
   const double reach = reach_of(original, level.mesh);
   const DeviationTarget target = build_deviation_target(level.mesh);
   const double rounding = 1e-12 * h.radius;  // of what is measured
@@ -86,10 +94,10 @@ void measure_level(const TriangleMesh& mesh, const ConvexDecomposition& decompos
                      range[at(level.patch_of_triangle[t])], guess);
   }
   guess = 0;
-  for (std::size_t p = 0; p < decomposition.patches.size(); ++p) {
+  for (std::size_t p = 0; p < patches.size(); ++p) {
     DeviationRange& of_patch = range[at(above[p]) - first];
-    for (const std::int32_t t : decomposition.patches[p])
-      extend_deviation(target, corners(mesh, t), reach, of_patch, guess);
+    for (const std::int32_t t : patches[p])
+      extend_deviation(target, corners(finest.mesh, t), reach, of_patch, guess);
   }
   for (std::size_t p = 0; p < range.size(); ++p)
     h.level_patches[first + p].deviation = range[p].bound;
@@ -123,7 +131,7 @@ void append_contact_patches(const Simplification& s, const std::vector<LevelPatc
   std::vector<Vec3> points;
   for (std::size_t k = 1; k < s.levels.size(); ++k) {
     const TriangleMesh& mesh = s.levels[k].mesh;
-    const SurfaceTopology surface = compute_topology(mesh);
+    const SurfaceTopology topology = compute_topology(mesh);
     for (std::size_t p = 0; p < patches[k].triangles.size(); ++p) {
       points.clear();
       for (const std::int32_t v : patches[k].vertices[p]) points.push_back(mesh.positions[at(v)]);
@@ -136,8 +144,9 @@ void append_contact_patches(const Simplification& s, const std::vector<LevelPatc
       contact.vertex_count = hull.vertex_count;
       contact.first_lane = hull.first_lane;
       contact.lane_count = hull.lane_count;
-      contact.patch = append_features(mesh, surface, patches[k].triangles[p],
-                                      patches[k].vertices[p], s.convexity_tolerance, h);
+      contact.patch =
+          append_features({mesh, topology, patches[k].triangles[p], patches[k].vertices[p]},
+                          s.convexity_tolerance, h);
       h.level_patches.push_back(contact);
     }
   }
@@ -194,7 +203,7 @@ void bound_by_contact_patches(ClodHierarchy& h) {
 void measure_deviation(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
                        const Simplification& s, int threads, ClodHierarchy& h) {
   if (s.levels.size() < 2) return;
-  const DeviationTarget original = build_deviation_target(mesh);
+  const FinestSurface finest{mesh, decomposition, build_deviation_target(mesh)};
   const auto above = contact_patches_above(h, s.levels.size());
   std::vector<std::size_t> first(1, 0);
   for (const SimplifiedLevel& level : s.levels)
@@ -203,7 +212,7 @@ void measure_deviation(const TriangleMesh& mesh, const ConvexDecomposition& deco
   std::atomic<std::size_t> next{1};
   const auto work = [&] {
     for (std::size_t k = next++; k < s.levels.size(); k = next++)
-      measure_level(mesh, decomposition, s.levels[k], original, above[k], first[k], h);
+      measure_level(finest, s.levels[k], above[k], first[k], h);
   };
   std::vector<std::thread> others;
   for (int i = 1; i < threads; ++i) others.emplace_back(work);

@@ -49,8 +49,9 @@ void list_vertices(const PatchedSurface& s, PatchPart& part) {
 }
 
 /// Fills the vertices and the hull of both together; false when that is no patch.
-bool join(const PatchedSurface& s, std::int32_t shell, const PatchPart& one, const PatchPart& other,
-          const MovedTriangles& moved, Quickhull& hull, PatchPart& joint) {
+bool join(const ShellOnTrial& shell, const PatchPart& one, const PatchPart& other, Quickhull& hull,
+          PatchPart& joint) {
+  const PatchedSurface& s = shell.surface;
   if (!share_an_edge(s, one, other)) return false;
   joint.vertices = one.vertices;
   for (const std::int32_t v : other.vertices)
@@ -58,7 +59,7 @@ bool join(const PatchedSurface& s, std::int32_t shell, const PatchPart& one, con
   if (static_cast<int>(joint.vertices.size()) > s.max_vertices) return false;
   if (!lies_below(s, one, other) || !lies_below(s, other, one)) return false;
   list_patch_half_spaces(s, joint.vertices, hull, joint.half_spaces, joint.box);
-  return is_hull_clear(s, shell, one, &other, joint.half_spaces, joint.box, moved);
+  return is_hull_clear(shell, one, &other, joint.half_spaces, joint.box);
 }
 
 void absorb(PatchPart& one, PatchPart& other, PatchPart& joint) {
@@ -98,9 +99,9 @@ void append_rest(const PatchedSurface& s, std::int32_t patch, std::int32_t witho
   }
 }
 
-bool is_hull_clear(const PatchedSurface& s, std::int32_t shell, const PatchPart& part,
-                   const PatchPart* beside, const std::vector<HalfSpace>& half_spaces,
-                   const TreeBox& box, const MovedTriangles& moved) {
+bool is_hull_clear(const ShellOnTrial& shell, const PatchPart& part, const PatchPart* beside,
+                   const std::vector<HalfSpace>& half_spaces, const TreeBox& box) {
+  const PatchedSurface& s = shell.surface;
   if (half_spaces.empty()) return true;
   bool is_clear = true;
   const auto test = [&](std::int32_t t) {
@@ -109,15 +110,15 @@ bool is_hull_clear(const PatchedSurface& s, std::int32_t shell, const PatchPart&
   };
   s.tree.visit(box, [&](std::int32_t patch) {
     const SurfacePatch& p = s.patches[at(patch)];
-    if (!is_clear || p.shell != shell || !p.box.overlaps(box)) return;
+    if (!is_clear || p.shell != shell.shell || !p.box.overlaps(box)) return;
     for (const std::int32_t t : p.triangles) test(t);
   });
-  for (const std::int32_t t : moved) test(t);
+  for (const std::int32_t t : shell.moved) test(t);
   return is_clear;
 }
 
-int merge_parts(const PatchedSurface& s, std::int32_t shell, std::size_t count,
-                const MovedTriangles& moved, Quickhull& hull, std::vector<PatchPart>& parts) {
+int merge_parts(const ShellOnTrial& shell, std::size_t count, Quickhull& hull,
+                std::vector<PatchPart>& parts) {
   int absorbed = 0;
   PatchPart joint;
   for (std::size_t i = 0; i < count; ++i)
@@ -125,7 +126,7 @@ int merge_parts(const PatchedSurface& s, std::int32_t shell, std::size_t count,
       again = false;
       for (std::size_t j = 0; j < parts.size() && !again; ++j) {
         if (j == i || parts[j].is_absorbed) continue;
-        if (!join(s, shell, parts[i], parts[j], moved, hull, joint)) continue;
+        if (!join(shell, parts[i], parts[j], hull, joint)) continue;
         absorb(parts[i], parts[j], joint);
         ++absorbed;
         again = true;
