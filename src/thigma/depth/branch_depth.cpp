@@ -135,7 +135,8 @@ class BranchDepth final : public DepthBackend {
       const PlaneBox under{fine.low - other.sideways.high, fine.high - other.sideways.low};
       for (const ProjectedTriangle& b : other.triangles) {
         if (touch(under, b.box))
-          pairs_.push_back(detail::make_texel_pair(driver, a, other, b, prepared_.box, is_bounded));
+          pairs_.push_back(
+              detail::make_texel_pair({driver, a}, {other, b}, prepared_.box, is_bounded));
       }
     }
   }

@@ -116,8 +116,8 @@ class GpuBackend final : public DepthBackend {
         std::int64_t map = plain_map(i, false);
         if (is_tilted(k)) {
           project_patch(
-              *contact.object.texture, contact.object.triangles,
-              configuration_motion(result, contact.centre, k) * contact.object.world_from_body,
+              {contact.object.texture, contact.object.triangles,
+               configuration_motion(result, contact.centre, k) * contact.object.world_from_body},
               result.frame, Facing::along, moved_);
           map = next;
           next += map_samples();
@@ -210,12 +210,11 @@ class GpuBackend final : public DepthBackend {
     const MapMaximum best{peak.sum, peak.index % grid.columns, peak.index / grid.columns};
     if (!is_credible(contact, prepared, grid, best)) return fail("gave a depth that is none there");
     result.is_found = true;
-    const DepthRounding rounding = depth_rounding(params_.grid, peak.least, peak.sum);
-    const bool is_climbed = params_.grid.is_polished && !params_.grid.is_16_bit;
-    if ((is_climbed || request.near > 0.0) && (!read_map(plain_map(i, false), grid, object_) ||
-                                               !read_map(plain_map(i, true), grid, scene_)))
+    if ((params_.grid.is_polished || request.near > 0.0) &&
+        (!read_map(plain_map(i, false), grid, object_) ||
+         !read_map(plain_map(i, true), grid, scene_)))
       return fail(maps_->why());
-    finish_depth(params_.grid, prepared, object_, scene_, grid, best, rounding, result);
+    finish_depth(params_.grid, prepared, {object_, scene_, grid}, best, result);
     result.is_height_field = is_upright(prepared, result.at);
     if (request.near > 0.0) {
       collect_near(object_, scene_, grid, request.near, result);
@@ -224,7 +223,8 @@ class GpuBackend final : public DepthBackend {
     }
     for (int k = 1; request.has_differences && k < kConfigurations; ++k) {
       const GpuPeak& moved = peaks_[used.first_sum + static_cast<std::size_t>(k)];
-      if (moved.index >= 0) result.depth[static_cast<std::size_t>(k)] = rounding.rounded(moved.sum);
+      if (moved.index >= 0)
+        result.depth[static_cast<std::size_t>(k)] = static_cast<double>(moved.sum);
     }
     return true;
   }
