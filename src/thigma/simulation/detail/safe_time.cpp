@@ -41,20 +41,22 @@ double least_gap(const SimulationWorld& world, const ContactSet& contacts) {
   return least;
 }
 
-Touch touch_of(const SimulationWorld& world, const BodyState& state, const Contact& c) {
+ApproachingContact approaching(const SimulationWorld& world, const BodyState& state,
+                               const Contact& c) {
   const Vec3 arm = c.point - state.position;
   return {arm, c.normal.dot(point_velocity(world.body, state, arm)), gap_of(world, c)};
 }
 
 double safe_time(const SimulationWorld& world, const BodyState& state, const ContactSet& contacts,
-                 double reach, const Wrench& push, double time) {
+                 double reach, const PushedFlight& flight) {
+  const Wrench& push = flight.push;
   const RigidBody& body = world.body;
   const Twist v = velocity(body, state);
   const Mat3 R = rotation_matrix(state.orientation);
   const Vec3 linear = body.gravity + push.force / body.mass;
   const Vec3 angular = R * (body.inverse_inertia * (R.transpose() * push.torque));
   // The spin of a free body never exceeds |L| over its least moment of inertia.
-  const double most = state.angular_momentum.norm() + time * push.torque.norm();
+  const double most = state.angular_momentum.norm() + flight.time * push.torque.norm();
   const double fastest = std::max(v.angular.norm(), most * body.inverse_inertia.norm());
   const double swing = fastest * fastest * reach;
   double least = time_to_close(world.tolerance, v.linear.norm() + fastest * reach,
@@ -62,7 +64,7 @@ double safe_time(const SimulationWorld& world, const BodyState& state, const Con
   const Pose world_from_mesh = Pose{state.position, state.orientation} * world.body_from_mesh;
   const double near = collision_gap(world);
   for (const Contact& c : contacts.contacts) {
-    const Touch t = touch_of(world, state, c);
+    const ApproachingContact t = approaching(world, state, c);
     const double patch = patch_reach(*world.object, c, world_from_mesh);
     const double turning = c.normal.cross(v.angular).norm() * patch;
     const double falls = std::max(c.normal.dot(linear + angular.cross(t.arm)), 0.0) +
