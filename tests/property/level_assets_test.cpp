@@ -188,8 +188,8 @@ TEST(LevelAssets, RealMeshesAreAsCoarseAsAsked) {
     for (const Vec3& p : mesh.positions)
       unit = std::max(unit, (p - 0.5 * (box.min + box.max)).norm());
     SimplifyParams params;
-    params.longest_edge *= unit / enclosing_ball(mesh.positions).radius;
-    params.longest_edge_ever = 0.0;  // no level of r < 8
+    // no level of r < 8
+    params.stages = simplify_stages(0.125 * (unit / enclosing_ball(mesh.positions).radius), 0.0);
     const Simplification s =
         simplify_surface({mesh, compute_topology(mesh), decompose_surface(mesh)}, params);
     const SimplifiedLevel& last = s.levels.back();

@@ -26,8 +26,7 @@ inline TriangleMesh wavy_ball(int frequency, double radius = 1.0) {
 /// Limits under which meshes of a few hundred triangles have levels.
 inline SimplifyParams generous() {
   SimplifyParams params;
-  params.longest_edge = 0.5;  // as long at the very last
-  params.longest_edge_ever = 0.25;
+  params.stages = simplify_stages(0.5, 0.25);
   params.deviation_limit = 0.08;
   return params;
 }

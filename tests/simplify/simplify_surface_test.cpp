@@ -60,7 +60,7 @@ TEST(SimplifySurface, KeepsItsPromisesOnShapes) {
 TEST(SimplifySurface, MakesABoxOutOfADividedBox) {
   const TriangleMesh mesh = make_box({1, 2, 3}, {5, 5, 5});
   SimplifyParams params;
-  params.longest_edge = 10.0;
+  params.stages = simplify_stages(10.0, 0.5);
   params.deviation_limit = 1e-3;
   params.collapse.is_relaxed = false;  // which rounds edges within the limit
   const Simplification s = test::simplify(mesh, params);
@@ -73,8 +73,7 @@ TEST(SimplifySurface, StaysWithinTheLimits) {
   const TriangleMesh mesh = test::wavy_ball(12);
   const double radius = enclosing_ball(mesh.positions).radius;
   SimplifyParams params = test::generous();
-  params.longest_edge = 0.3;
-  params.longest_edge_ever = params.deviation_share = 0.0;
+  params.stages = simplify_stages(0.3, 0.0, 0.0);
   const Simplification wide = test::simplify(mesh, params);
   params.deviation_limit = 0.004;
   const Simplification tight = test::simplify(mesh, params);
@@ -121,8 +120,7 @@ TEST(SimplifySurface, GoesOnPastTheEdgeWhileManyPatchesAreLeft) {
   const TriangleMesh ball = make_ball(1.0, 16);
   SimplifyParams params;
   const Simplification far = test::simplify(ball, params);
-  params.longest_edge_ever = 0.0;
-  params.deviation_share = 0.0;
+  params.stages = simplify_stages(0.125, 0.0, 0.0);
   const Simplification near = test::simplify(ball, params);
   const auto share = [](const Simplification& s) {
     return static_cast<double>(s.levels.back().patch_count) / s.levels.front().patch_count;
@@ -170,7 +168,7 @@ TEST(SimplifySurface, StaysNearBetweenTheCornersOfLargeTriangles) {
     p.z() += height(p.x() + 0.5) * (std::fabs(p.y()) < 0.3 ? 1.0 : 0.0);
   const double radius = enclosing_ball(mesh.positions).radius;
   SimplifyParams params;
-  params.longest_edge = 1.0;
+  params.stages = simplify_stages(1.0, 0.5);
   const Simplification s = test::simplify(mesh, params);
   const DeviationTarget original = build_deviation_target(mesh);
   double worst = 0.0;
@@ -186,15 +184,15 @@ TEST(SimplifySurface, StaysNearBetweenTheCornersOfLargeTriangles) {
     worst = std::max(worst, range.met);
   }
   EXPECT_GT(s.levels.size(), 2u);
-  EXPECT_LE(worst, 1.9 * std::max(params.deviation_limit, params.deviation_ever) * radius);
+  EXPECT_LE(worst, 1.9 * std::max(params.deviation_limit, params.farthest_deviation) * radius);
 }
 
 TEST(SimplifySurface, LosesNoMoreVolumeThanItMay) {
   const TriangleMesh mesh = test::wavy_ball(10);
   const double volume = mass_properties(mesh).volume;
   SimplifyParams params = test::generous();
-  params.deviation_ever = params.deviation_limit = 0.5;
-  params.longest_edge = 1.0;
+  params.farthest_deviation = params.deviation_limit = 0.5;
+  params.stages = simplify_stages(1.0, 0.25);
   params.volume_limit = 0.004;
   params.collapse.keeps_volume = false;
   const Simplification s = test::simplify(mesh, params);
@@ -206,7 +204,7 @@ TEST(SimplifySurface, LosesNoMoreVolumeThanItMay) {
 TEST(SimplifySurface, IsCoarserWithAConvexStartAndALaterDeviation) {
   const TriangleMesh mesh = make_torus(1.0, 0.4, 64, 32);
   SimplifyParams params;
-  params.longest_edge_ever = 0.0;
+  params.stages = simplify_stages(0.125, 0.0);
   const auto triangles = [&] {
     return test::simplify(mesh, params).levels.back().mesh.triangles.size();
   };
@@ -214,14 +212,14 @@ TEST(SimplifySurface, IsCoarserWithAConvexStartAndALaterDeviation) {
   params.collapse.seeks_convex_start = false;
   EXPECT_LT(both, triangles());
   params.collapse.seeks_convex_start = true;
-  params.deviation_share = 0.0;
+  params.stages = simplify_stages(0.125, 0.0, 0.0);
   EXPECT_LT(both, triangles());
 }
 
 TEST(SimplifySurface, HasFewerPatchesWhereEdgesFlip) {
   for (const TriangleMesh& mesh : {make_torus(1.0, 0.4, 40, 20), test::wavy_ball(8)}) {
     SimplifyParams params;
-    params.longest_edge_ever = 0.0;
+    params.stages = simplify_stages(0.125, 0.0);
     const Simplification with = expect_simplified(mesh, "flipped", params);
     EXPECT_GT(with.flips[static_cast<std::size_t>(FlipOutcome::flipped)], 5);
     params.flips_edges = false;

@@ -86,7 +86,7 @@ bool is_closed_surface(const TriangleMesh& mesh) {
 ClodOrigin describe_origin(const ClodParams& params, const DecompositionParams& resolved) {
   ClodOrigin origin;
   origin.contact_tolerance = params.contact_tolerance;
-  origin.longest_edge = params.simplify.longest_edge;
+  origin.longest_edge = params.simplify.stages[kFine].longest_edge;
   origin.deviation_limit = params.simplify.deviation_limit;
   origin.convexity_tolerance = resolved.convexity_tolerance;
   origin.protrusion_tolerance = resolved.protrusion_tolerance;

@@ -44,25 +44,20 @@ struct Loop {
   double longest = 0.0;        // projected edge collapsed so far [m]
   std::int32_t kept = 0;       // patches of the level kept last
   std::int32_t kept_triangles = 0;
+  double shown_progress = 0.0;
 };
 
-/// What may be collapsed once nothing more could be at the stage before.
+/// A stage, and whether its levels are drafts for space_levels to choose from. Others run only
+/// while more than `coarsest_share` of the patches is left.
 struct Stage {
-  double longest;          // projected edge, times the radius
-  double deviation_share;  // of the projected edge, where that is more than the limit,
-  double deviation_ever;   // up to this times the radius
-  bool is_for_many;        // only while more than `coarsest_share` of the patches is left
-  bool is_draft;           // levels are kept for space_levels to choose from
+  SimplifyStage limits;
+  bool is_draft = false;
 };
 
-/// Before edges grow longer than `longest_edge` a level is kept for each of these shares of the one
-/// before, for space_levels to choose from.
-constexpr double kDraftShare = 0.84;
+/// A level is kept for each of these shares of the patches before: of drafts, and of others.
+constexpr double kDraftShare = 0.84, kLevelShare = 0.5;
 constexpr int kFlipRounds = 8;
-constexpr int kOctaves = 5;  // of projected length below `longest_edge`, each a pass of its own
-/// How much longer than `longest_edge_ever` edges may be at the very last: for rings and plates
-/// that begin with few patches.
-constexpr double kLastEdge = 2.0;
+constexpr int kOctaves = 5;  // of projected length below the fine stage's, each a pass of its own
 
 std::int32_t find_live(std::vector<std::int32_t>& successor, std::int32_t patch) {
   while (successor[at(patch)] != patch) {
@@ -187,8 +182,8 @@ detail::DeviationLimit deviation_limit(const Loop& loop, const Stage& stage, dou
   const SimplifyParams& p = loop.params;
   const double radius = loop.surface.radius;
   const double early = p.deviation_early * std::max(length, loop.longest);
-  return {std::min(p.deviation_limit * radius, early), stage.deviation_share,
-          stage.deviation_ever * radius};
+  return {std::min(p.deviation_limit * radius, early), stage.limits.deviation_share,
+          p.farthest_deviation * radius};
 }
 
 void attempt(Loop& loop, const Stage& stage, const Candidate& candidate) {
@@ -216,12 +211,12 @@ void attempt(Loop& loop, const Stage& stage, const Candidate& candidate) {
 }
 
 /// Every collapse takes about the same time: the share of the triangles gone, by hundredths.
-void report_progress(const Loop& loop, double& shown) {
+void report_progress(Loop& loop) {
   if (!loop.params.progress) return;
   const auto all = static_cast<double>(loop.result.levels[0].mesh.triangles.size());
   const double share = 1.0 - loop.surface.mesh.triangle_count / all;
-  if (share < shown + 0.01) return;
-  shown = share;
+  if (share < loop.shown_progress + 0.01) return;
+  loop.shown_progress = share;
   loop.params.progress(share);
 }
 
@@ -243,21 +238,22 @@ SimplifiedLevel first_level(const TriangleMesh& mesh, const ConvexDecomposition&
 bool has_many_patches(const Loop& loop) {
   const double few = loop.params.coarsest_share * loop.result.levels[0].patch_count;
   return loop.kept > few &&
-         loop.surface.patch_count > std::min(few, loop.params.last_level * loop.kept);
+         loop.surface.patch_count > std::min(few, loop.params.last_level_share * loop.kept);
 }
 
-/// Collapses what the stage allows; a level is kept whenever at most `share` of the patches of the
-/// last is left.
-void run_stage(Loop& loop, const Stage& stage, double share, double& shown) {
-  loop.longest_tried = stage.longest * loop.surface.radius;
+/// Collapses what the stage allows; a level is kept whenever few enough of the patches of the last
+/// are left.
+void run_stage(Loop& loop, const Stage& stage) {
+  const double share = stage.is_draft ? kDraftShare : kLevelShare;
+  loop.longest_tried = stage.limits.longest_edge * loop.surface.radius;
   push_all(loop);
-  while (!loop.queue.empty() && !(stage.is_for_many && !has_many_patches(loop))) {
+  while (!loop.queue.empty() && (stage.is_draft || has_many_patches(loop))) {
     const Candidate candidate = loop.queue.top();
     loop.queue.pop();
     if (candidate.version != loop.version[at(candidate.a)] + loop.version[at(candidate.b)])
       continue;
     attempt(loop, stage, candidate);
-    report_progress(loop, shown);
+    report_progress(loop);
     if (loop.surface.patch_count <= share * loop.kept ||
         (stage.is_draft && loop.surface.mesh.triangle_count <= share * loop.kept_triangles))
       keep_level(loop);
@@ -266,7 +262,7 @@ void run_stage(Loop& loop, const Stage& stage, double share, double& shown) {
 }
 
 /// Where nothing more can collapse, flips edges and tries again, as long as that changes something.
-void flip_and_go_on(Loop& loop, const Stage& stage, double share, double& shown) {
+void flip_and_go_on(Loop& loop, const Stage& stage) {
   PatchedSurface& s = loop.surface;
   for (int round = 0; loop.params.flips_edges && round < kFlipRounds; ++round) {
     const std::int32_t before = s.patch_count;
@@ -280,35 +276,34 @@ void flip_and_go_on(Loop& loop, const Stage& stage, double share, double& shown)
         update_normal(loop, v);
         ++loop.version[at(v)];
       }
-    run_stage(loop, stage, share, shown);
+    run_stage(loop, stage);
   }
 }
 
 void run_stages(Loop& loop) {
-  const SimplifyParams& p = loop.params;
-  double shown = 0.0;
+  const SimplifyStages& stages = loop.params.stages;
   // Every octave of length anew: what was too far from the original among shorter edges may now be
   // near enough.
-  for (int octave = kOctaves; octave >= 0; --octave)
-    run_stage(loop, {std::ldexp(p.longest_edge, -octave), 0.0, 0.0, false, true}, kDraftShare,
-              shown);
-  const Stage wide{p.longest_edge, p.deviation_share, p.deviation_ever, false, true};
-  run_stage(loop, wide, kDraftShare, shown);
-  flip_and_go_on(loop, wide, kDraftShare, shown);
+  for (int octave = kOctaves; octave >= 0; --octave) {
+    SimplifyStage shorter = stages[kFine];
+    shorter.longest_edge = std::ldexp(shorter.longest_edge, -octave);
+    run_stage(loop, {shorter, true});
+  }
+  const Stage far{stages[kFineFar], true};
+  run_stage(loop, far);
+  flip_and_go_on(loop, far);
   auto& levels = loop.result.levels;
   if (loop.surface.patch_count < loop.kept) keep_level(loop);
   space_levels(levels);
   loop.kept = levels.back().patch_count;
   if (levels.size() == 1) loop.last_level = loop.first_patches;
-  run_stage(loop, {p.longest_edge_ever, 0.0, 0.0, true, false}, 0.5, shown);
-  const Stage late{p.longest_edge_ever, p.deviation_share, p.deviation_ever, true, false};
-  const Stage last{kLastEdge * p.longest_edge_ever, p.deviation_share, p.deviation_ever, true,
-                   false};
-  for (const Stage& stage : {late, last}) {
-    run_stage(loop, stage, 0.5, shown);
-    if (has_many_patches(loop)) flip_and_go_on(loop, stage, 0.5, shown);
+  run_stage(loop, {stages[kCoarse]});
+  for (const SimplifyStageName name : {kCoarseFar, kLast}) {
+    const Stage stage{stages[name]};
+    run_stage(loop, stage);
+    if (has_many_patches(loop)) flip_and_go_on(loop, stage);
   }
-  if (loop.surface.patch_count <= p.last_level * loop.kept) keep_level(loop);
+  if (loop.surface.patch_count <= loop.params.last_level_share * loop.kept) keep_level(loop);
   drop_equal_resolutions(levels);
 }
 

@@ -43,9 +43,8 @@ struct Simplification {
 /// merge when their union is convex, levels are kept so that the number of patches halves, or of
 /// triangles (space_levels).
 ///
-/// The last level before edges longer than `longest_edge` collapse is one of those kept, if it has
-/// at most half the original's patches. Deviation beyond `deviation_limit`, and such edges, come
-/// last.
+/// The last level of the fine stages is one of those kept, if it has at most half the original's
+/// patches. Longer edges, and deviation beyond `deviation_limit` at them, come last.
 ///
 /// surface     usable in the sense of import/inspect.h; its patches become level 0 [m]
 /// support     of each vertex, two values that become the least where vertices come together, or

@@ -85,8 +85,7 @@ inline void free_node(ContactFront& front, std::int32_t i) noexcept {
 // Gives a pair its children; false, and nothing changes, when there is no room for all.
 inline bool split(QueryFrame& frame, std::int32_t i, bool of_a) noexcept {
   ContactFront& front = frame.front;
-  const ClodNode& parent =
-      of_a ? node_a(frame, front.nodes[i].a) : node_b(frame, front.nodes[i].b);
+  const ClodNode& parent = of_a ? node_a(frame, front.nodes[i].a) : node_b(frame, front.nodes[i].b);
   if (front.capacity - front.alive < parent.child_count) return false;
   std::int32_t previous = -1;
   for (std::int32_t c = 0; c < parent.child_count; ++c) {
@@ -123,8 +122,7 @@ inline FrontState advance_front(QueryFrame& frame, bool has_levels) noexcept {
     }
   }
   const double smaller = std::min(frame.object.radius, frame.scene.radius);
-  const bool is_known =
-      front.tolerance == frame.query.tolerance && front.has_levels == has_levels;
+  const bool is_known = front.tolerance == frame.query.tolerance && front.has_levels == has_levels;
   if (is_known) {
     front.last_step = relative_motion(frame);
     front.travel += front.last_step;

@@ -78,9 +78,9 @@ void measure_active(const ExactQuery& exact) noexcept {
   lists.next_active.clear();
   std::size_t old = 0, fresh = 0;
   while (old < lists.active.size() || fresh < lists.incoming.size()) {
-    const bool take_old =
-        fresh == lists.incoming.size() ||
-        (old < lists.active.size() && key_of(frame, lists.active[old]) < key_of(frame, lists.incoming[fresh]));
+    const bool take_old = fresh == lists.incoming.size() ||
+                          (old < lists.active.size() &&
+                           key_of(frame, lists.active[old]) < key_of(frame, lists.incoming[fresh]));
     const std::int32_t i = take_old ? lists.active[old++] : lists.incoming[fresh++];
     const double slack = measure_leaf(exact, front.nodes[i]);
     if (slack > 0.0) {

@@ -67,7 +67,7 @@ TriangleMesh ring_solid(int triangles, const RingSolid& ring) {
       nearest_counts(triangles, ratio, ring.around_step, 3 * ring.around_step, total);
   // Small counts are met only without the symmetry.
   if (std::llabs(total(counts.around, counts.along) - triangles) * 100 > triangles) {
-    counts = nearest_counts(triangles, ratio, 1, 2 * around_step, total);
+    counts = nearest_counts(triangles, ratio, 1, 2 * ring.around_step, total);
   }
   const int rows = std::max(counts.along, 4);
   // Shares of the rows: outside and inside by height, top and bottom by width, at least one each.

@@ -33,7 +33,7 @@ bool has_good_shape(const PatchedSurface& s, CollapseContext& context, const Vec
     k.new_normal[i] = has_area ? Vec3(cross / area2) : Vec3(Vec3::Zero());
     k.new_height[i] = has_area ? area2 / std::sqrt(longest2) : 0.0;
     k.new_box[i] = box_of({p, a, b});
-    if (k.old_quality[i] >= context.params.free_to_turn &&
+    if (k.old_quality[i] >= context.params.sliver_quality &&
         k.new_normal[i].dot(s.normal[at(t.triangle)]) < 0.1)
       return false;
   }
