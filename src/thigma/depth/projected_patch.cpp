@@ -357,8 +357,8 @@ Corners corners_of(const ProjectedPatch& patch, const Vec3& shift, std::int32_t 
 
 // Whether a triangle lies over a box, or its fine surface may.
 bool may_reach(const ProjectedPatch& patch, const PlaneBox& box, const PlaneBox& over) noexcept {
-  return touch(box, over) ||
-         touch(box, {over.low - patch.sideways.high, over.high - patch.sideways.low});
+  return overlap(box, over) ||
+         overlap(box, {over.low - patch.sideways.high, over.high - patch.sideways.low});
 }
 
 Vec3 area_of(const Corners& c) noexcept { return (c.at[1] - c.at[0]).cross(c.at[2] - c.at[0]); }
@@ -442,14 +442,14 @@ void project_patch(const TexturedPatch& side, const ContactFrame& frame, Facing 
   for (const std::int32_t index : side.around) {
     const Corners corners = corners_of(patch, shift, index);
     if (!may_reach(patch, corners.box, own) || is_hidden(patch, corners)) continue;
-    if (project_triangle(patch, corners, index, projected) && touch(projected.fine, own))
+    if (project_triangle(patch, corners, index, projected) && overlap(projected.fine, own))
       patch.around.push_back(projected);
   }
 }
 
 bool is_height_field(const ProjectedPatch& patch, const PlaneBox& over) noexcept {
   return std::none_of(patch.hidden.begin(), patch.hidden.end(),
-                      [&](const HiddenTriangle& hidden) { return touch(hidden.box, over); });
+                      [&](const HiddenTriangle& hidden) { return overlap(hidden.box, over); });
 }
 
 bool is_overhung(const ProjectedPatch& patch, const Vec2& at, double height,
@@ -457,7 +457,7 @@ bool is_overhung(const ProjectedPatch& patch, const Vec2& at, double height,
   const Vec2 around = Vec2::Constant(within);
   const PlaneBox over{at - around, at + around};
   return std::any_of(patch.hidden.begin(), patch.hidden.end(), [&](const HiddenTriangle& hidden) {
-    return hidden.highest > height + within && touch(hidden.box, over);
+    return hidden.highest > height + within && overlap(hidden.box, over);
   });
 }
 

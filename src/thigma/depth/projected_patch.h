@@ -44,7 +44,7 @@ inline PlaneBox intersection(const PlaneBox& a, const PlaneBox& b) noexcept {
 }
 
 /// Whether two closed boxes share a point.
-inline bool touch(const PlaneBox& a, const PlaneBox& b) noexcept {
+inline bool overlap(const PlaneBox& a, const PlaneBox& b) noexcept {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thigma/depth/detail/grid_steps.h"
+#include "thigma/depth/detail/grid_refinement.h"
 #include "thigma/depth/detail/map_motion.h"
 #include "thigma/depth/detail/near_maxima.h"
 #include "thigma/depth/detail/triangle_span.h"
@@ -81,7 +81,7 @@ class GpuBackend final : public DepthBackend {
       const int resolution = params_.grid.resolution;
       used_.push_back({i, {prepared.box, resolution, resolution}, 0});
       if (request.has_differences)
-        choose_steps(contacts[i], used_.back().grid, request, results[i]);
+        choose_difference_steps(contacts[i], used_.back().grid, request, results[i]);
       for (const HapticTexture* texture : {contacts[i].object.texture, contacts[i].scene.texture})
         if (std::find(textures_.begin(), textures_.end(), texture) == textures_.end())
           textures_.push_back(texture);
@@ -214,7 +214,7 @@ class GpuBackend final : public DepthBackend {
         (!read_map(plain_map(i, false), grid, object_) ||
          !read_map(plain_map(i, true), grid, scene_)))
       return fail(maps_->why());
-    finish_depth(params_.grid, prepared, {object_, scene_, grid}, best, result);
+    climb_to_maximum(params_.grid, prepared, {object_, scene_, grid}, best, result);
     result.is_height_field = is_upright(prepared, result.at);
     if (request.near > 0.0) {
       collect_near(object_, scene_, grid, request.near, result);

@@ -1,4 +1,4 @@
-#include "thigma/depth/detail/grid_steps.h"
+#include "thigma/depth/detail/grid_refinement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,8 +108,8 @@ void look_closer(PreparedContact& prepared, const MapGrid& grid, SpanWidth width
 
 }  // namespace
 
-void choose_steps(const DepthContact& contact, const MapGrid& grid, const DepthRequest& request,
-                  DepthSamples& result) noexcept {
+void choose_difference_steps(const DepthContact& contact, const MapGrid& grid,
+                             const DepthRequest& request, DepthSamples& result) noexcept {
   const Vec2 spacing = grid.spacing();
   result.shift = request.step > 0.0 ? request.step : spacing.minCoeff();
   const double arm = std::max((contact.point - contact.centre).norm(), spacing.maxCoeff());
@@ -129,8 +129,9 @@ PlaneMotion plane_motion(const DepthContact& contact, const DepthSamples& result
   return motion;
 }
 
-void finish_depth(const GridDepthParams& params, PreparedContact& prepared,
-                  const RenderedMaps& maps, const MapMaximum& best, DepthSamples& result) noexcept {
+void climb_to_maximum(const GridDepthParams& params, PreparedContact& prepared,
+                      const RenderedMaps& maps, const MapMaximum& best,
+                      DepthSamples& result) noexcept {
   const MapGrid& grid = maps.grid;
   result.at = grid.at(best.column, best.row);
   result.depth[0] = static_cast<double>(best.sum);

@@ -6,8 +6,8 @@
 namespace thigma::detail {
 
 /// Sets the steps of the moved configurations.
-void choose_steps(const DepthContact& contact, const MapGrid& grid, const DepthRequest& request,
-                  DepthSamples& result) noexcept;
+void choose_difference_steps(const DepthContact& contact, const MapGrid& grid,
+                             const DepthRequest& request, DepthSamples& result) noexcept;
 
 /// Whether a configuration leaves the plane, so that the object's map has to be rendered anew.
 constexpr bool is_tilted(int configuration) noexcept {
@@ -32,7 +32,8 @@ struct RenderedMaps {
 ///
 /// maps  heights are not looked at where nothing is climbed to
 /// best  sample of the sum of the maps
-void finish_depth(const GridDepthParams& params, PreparedContact& prepared,
-                  const RenderedMaps& maps, const MapMaximum& best, DepthSamples& result) noexcept;
+void climb_to_maximum(const GridDepthParams& params, PreparedContact& prepared,
+                      const RenderedMaps& maps, const MapMaximum& best,
+                      DepthSamples& result) noexcept;
 
 }  // namespace thigma::detail
