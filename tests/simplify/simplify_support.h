@@ -31,9 +31,10 @@ inline SimplifyParams generous() {
   return params;
 }
 
-inline Simplification simplify(const TriangleMesh& mesh,
-                               const SimplifyParams& params = generous()) {
-  return simplify_surface({mesh, compute_topology(mesh), decompose_surface(mesh)}, params);
+inline Simplification simplify(const TriangleMesh& mesh, const SimplifyParams& params = generous(),
+                               const detail::SimplifyForm& form = {}) {
+  return detail::simplify_in_form({mesh, compute_topology(mesh), decompose_surface(mesh)}, params,
+                                  form);
 }
 
 /// Whether everything a collapse or a flip may change is the same.

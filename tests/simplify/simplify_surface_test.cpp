@@ -38,9 +38,11 @@ void expect_sound(const TriangleMesh& mesh, const char* name, const Simplificati
 }
 
 Simplification expect_simplified(const TriangleMesh& mesh, const char* name,
-                                 const SimplifyParams& params = test::generous()) {
+                                 const SimplifyParams& params = test::generous(),
+                                 const detail::SimplifyForm& form = {}) {
   const ConvexDecomposition decomposition = decompose_surface(mesh);
-  Simplification s = simplify_surface({mesh, compute_topology(mesh), decomposition}, params);
+  Simplification s =
+      detail::simplify_in_form({mesh, compute_topology(mesh), decomposition}, params, form);
   expect_sound(mesh, name, s, decomposition);
   return s;
 }
@@ -62,8 +64,8 @@ TEST(SimplifySurface, MakesABoxOutOfADividedBox) {
   SimplifyParams params;
   params.stages = simplify_stages(10.0, 0.5);
   params.deviation_limit = 1e-3;
-  params.collapse.is_relaxed = false;  // which rounds edges within the limit
-  const Simplification s = test::simplify(mesh, params);
+  // relaxation rounds edges within the limit
+  const Simplification s = test::simplify(mesh, params, {.is_relaxed = false});
   EXPECT_LE(s.levels.back().patch_count, 3);
   EXPECT_NEAR(mass_properties(s.levels.back().mesh).volume, 6.0, 0.05);
   EXPECT_LT(s.levels.back().mesh.triangles.size(), 60u);
@@ -107,9 +109,7 @@ TEST(SimplifySurface, KeepsTheVolumeOfLongThings) {
   const TriangleMesh mesh = make_capsule(1.0, 20.0, 24, 30);
   const double volume = mass_properties(mesh).volume;
   const auto lost = [&](bool keeps_volume) {
-    SimplifyParams params;
-    params.collapse.keeps_volume = keeps_volume;
-    const Simplification s = test::simplify(mesh, params);
+    const Simplification s = test::simplify(mesh, {}, {.keeps_volume = keeps_volume});
     return 1.0 - mass_properties(s.levels.back().mesh).volume / volume;
   };
   EXPECT_LT(std::fabs(lost(true)), 0.12);
@@ -194,8 +194,7 @@ TEST(SimplifySurface, LosesNoMoreVolumeThanItMay) {
   params.farthest_deviation = params.deviation_limit = 0.5;
   params.stages = simplify_stages(1.0, 0.25);
   params.volume_limit = 0.004;
-  params.collapse.keeps_volume = false;
-  const Simplification s = test::simplify(mesh, params);
+  const Simplification s = test::simplify(mesh, params, {.keeps_volume = false});
   EXPECT_GT(s.outcomes[static_cast<std::size_t>(CollapseOutcome::volume)], 0);
   for (const SimplifiedLevel& level : s.levels)
     EXPECT_NEAR(mass_properties(level.mesh).volume, volume, 0.004 * volume * (1.0 + 1e-9));
@@ -205,15 +204,13 @@ TEST(SimplifySurface, IsCoarserWithAConvexStartAndALaterDeviation) {
   const TriangleMesh mesh = make_torus(1.0, 0.4, 64, 32);
   SimplifyParams params;
   params.stages = simplify_stages(0.125, 0.0);
-  const auto triangles = [&] {
-    return test::simplify(mesh, params).levels.back().mesh.triangles.size();
+  const auto triangles = [&](const detail::SimplifyForm& form) {
+    return test::simplify(mesh, params, form).levels.back().mesh.triangles.size();
   };
-  const std::size_t both = triangles();
-  params.collapse.seeks_convex_start = false;
-  EXPECT_LT(both, triangles());
-  params.collapse.seeks_convex_start = true;
+  const std::size_t both = triangles({});
+  EXPECT_LT(both, triangles({.seeks_convex_start = false}));
   params.stages = simplify_stages(0.125, 0.0, 0.0);
-  EXPECT_LT(both, triangles());
+  EXPECT_LT(both, triangles({}));
 }
 
 TEST(SimplifySurface, HasFewerPatchesWhereEdgesFlip) {
@@ -222,8 +219,8 @@ TEST(SimplifySurface, HasFewerPatchesWhereEdgesFlip) {
     params.stages = simplify_stages(0.125, 0.0);
     const Simplification with = expect_simplified(mesh, "flipped", params);
     EXPECT_GT(with.flips[static_cast<std::size_t>(FlipOutcome::flipped)], 5);
-    params.flips_edges = false;
-    const Simplification without = expect_simplified(mesh, "not flipped", params);
+    const Simplification without =
+        expect_simplified(mesh, "not flipped", params, {.flips_edges = false});
     EXPECT_EQ(without.flips[static_cast<std::size_t>(FlipOutcome::flipped)], 0);
     EXPECT_LT(10 * with.levels.back().patch_count, 9 * without.levels.back().patch_count);
   }

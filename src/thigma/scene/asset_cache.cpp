@@ -29,17 +29,16 @@ std::string params_text(const ClodSource& source) {
   const ClodParams& p = source.params;
   const CollapseParams& c = p.simplify.collapse;
   char text[768];
-  std::snprintf(
-      text, sizeof text,
-      "repair %d max %d %a %a edge %a %a %a %a %a %a %a %a flip %d "
-      "collapse %d %a %a %d %d %d %d tolerance %a %a stages",
-      source.is_repair, p.decomposition.max_vertices, p.decomposition.convexity_tolerance,
-      p.decomposition.protrusion_tolerance, p.simplify.coarsest_share, p.simplify.deviation_limit,
-      p.simplify.farthest_deviation, p.simplify.deviation_early, p.simplify.volume_limit,
-      p.simplify.convexity_tolerance, p.simplify.protrusion_tolerance, p.simplify.last_level_share,
-      p.simplify.flips_edges, c.bisections, c.least_quality, c.sliver_quality, c.is_relaxed,
-      c.keeps_volume, c.seeks_convex_start, c.guards_original, p.contact_tolerance,
-      source.contact_tolerance ? *source.contact_tolerance / source.scale : -1.0);
+  std::snprintf(text, sizeof text,
+                "repair %d max %d %a %a edge %a %a %a %a %a %a %a %a collapse %d %a %a tolerance "
+                "%a %a stages",
+                source.is_repair, p.decomposition.max_vertices, p.decomposition.convexity_tolerance,
+                p.decomposition.protrusion_tolerance, p.simplify.coarsest_share,
+                p.simplify.deviation_limit, p.simplify.farthest_deviation,
+                p.simplify.deviation_early, p.simplify.volume_limit, p.simplify.convexity_tolerance,
+                p.simplify.protrusion_tolerance, p.simplify.last_level_share, c.bisections,
+                c.least_quality, c.sliver_quality, p.contact_tolerance,
+                source.contact_tolerance ? *source.contact_tolerance / source.scale : -1.0);
   std::string all = text;
   for (const SimplifyStage& stage : p.simplify.stages) {
     std::snprintf(text, sizeof text, " %a %a", stage.longest_edge, stage.deviation_share);

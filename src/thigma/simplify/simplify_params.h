@@ -13,11 +13,6 @@ struct CollapseParams {
   double least_quality = 0.02;   // of a new triangle: 4 sqrt(3) area / sum of squared edges, 1 when
                                  // equilateral; where the worst of the old ones is below, that
   double sliver_quality = 2e-3;  // a triangle of less quality may turn over
-  bool is_relaxed = true;        // step 3
-  bool keeps_volume = true;      // the relaxed position first tried keeps the volume of the object
-  // where neither quadric nor ends will do, the best convex position
-  bool seeks_convex_start = true;
-  bool guards_original = true;  // the limit on deviation holds from the original's vertices too
 };
 
 /// What may collapse in one stage of the loop.
@@ -58,7 +53,6 @@ struct SimplifyParams {
   double convexity_tolerance = 1e-6;   // least, times the radius; see DecompositionParams
   double protrusion_tolerance = 1e-5;  // least, times the radius
   double last_level_share = 0.8;  // the last level has at most this share of the patches before it
-  bool flips_edges = true;        // reflex edges flip where no more can collapse
   CollapseParams collapse;
   std::function<void(double)> progress;  // called with the share of the work done, 0..1, rising; by
                                          // build_clod for all of its work

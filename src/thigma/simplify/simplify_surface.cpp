@@ -120,21 +120,21 @@ void renew_candidates(Loop& loop, std::int32_t v) {
   for (const std::int32_t w : ring) push_around(w);
 }
 
-bool has_area(const PatchedSurface& s, std::int32_t t) { return s.height[at(t)] > 0.0; }
+bool has_area(const PatchedSurface& surface, std::int32_t t) { return surface.height[at(t)] > 0.0; }
 
 /// Place of the patch, or of the nearest over edges that has one; the first where none is
 /// connected.
-std::int32_t nearest_place(const PatchedSurface& s, const std::vector<std::int32_t>& place,
+std::int32_t nearest_place(const PatchedSurface& surface, const std::vector<std::int32_t>& place,
                            std::int32_t patch) {
   if (place[at(patch)] >= 0) return place[at(patch)];
-  std::vector<std::int32_t> reached = s.patches[at(patch)].triangles;
-  std::vector<bool> is_reached(s.mesh.triangles.size(), false);
+  std::vector<std::int32_t> reached = surface.patches[at(patch)].triangles;
+  std::vector<bool> is_reached(surface.mesh.triangles.size(), false);
   for (const std::int32_t t : reached) is_reached[at(t)] = true;
   for (std::size_t i = 0; i < reached.size(); ++i)
     for (std::int32_t k = 0; k < 3; ++k) {
-      const std::int32_t beside = s.mesh.twin[at(3 * reached[i] + k)];
+      const std::int32_t beside = surface.mesh.twin[at(3 * reached[i] + k)];
       if (beside < 0 || is_reached[at(beside / 3)]) continue;
-      const std::int32_t other = s.patch_of[at(beside / 3)];
+      const std::int32_t other = surface.patch_of[at(beside / 3)];
       if (other >= 0 && place[at(other)] >= 0) return place[at(other)];
       is_reached[at(beside / 3)] = true;
       reached.push_back(beside / 3);
@@ -146,11 +146,11 @@ std::int32_t nearest_place(const PatchedSurface& s, const std::vector<std::int32
 /// by. A patch of which nothing else is left is none, and what it stood for goes with its
 /// neighbour.
 void keep_level(Loop& loop) {
-  const PatchedSurface& s = loop.surface;
-  std::vector<std::int32_t> place(s.patches.size(), -1), live;
-  for (std::size_t i = 0; i < s.patches.size(); ++i) {
-    const auto& own = s.patches[i].triangles;
-    if (std::none_of(own.begin(), own.end(), [&](std::int32_t t) { return has_area(s, t); }))
+  const PatchedSurface& surface = loop.surface;
+  std::vector<std::int32_t> place(surface.patches.size(), -1), live;
+  for (std::size_t i = 0; i < surface.patches.size(); ++i) {
+    const auto& own = surface.patches[i].triangles;
+    if (std::none_of(own.begin(), own.end(), [&](std::int32_t t) { return has_area(surface, t); }))
       continue;
     place[i] = static_cast<std::int32_t>(live.size());
     live.push_back(static_cast<std::int32_t>(i));
@@ -158,13 +158,14 @@ void keep_level(Loop& loop) {
   if (live.empty()) return;
   auto& before = loop.result.levels.back();
   for (const std::int32_t patch : loop.last_level)
-    before.parent.push_back(nearest_place(s, place, find_live(loop.successor, patch)));
-  CompactMesh small = compact(s.mesh);
+    before.parent.push_back(nearest_place(surface, place, find_live(loop.successor, patch)));
+  CompactMesh small = compact(surface.mesh);
   SimplifiedLevel level;
   level.mesh = std::move(small.mesh);
   level.attributes = std::move(small.attributes);
   for (const std::int32_t t : small.triangles)
-    level.patch_of_triangle.push_back(has_area(s, t) ? place[at(s.patch_of[at(t)])] : -1);
+    level.patch_of_triangle.push_back(has_area(surface, t) ? place[at(surface.patch_of[at(t)])]
+                                                           : -1);
   if (!loop.support.empty())
     for (const std::int32_t v : small.vertices) level.support.push_back(loop.support[at(v)]);
   level.patch_count = static_cast<std::int32_t>(live.size());
@@ -172,7 +173,7 @@ void keep_level(Loop& loop) {
   loop.kept = level.patch_count;
   loop.result.levels.push_back(std::move(level));
   loop.last_level = std::move(live);
-  loop.kept_triangles = s.mesh.triangle_count;
+  loop.kept_triangles = surface.mesh.triangle_count;
 }
 
 /// Short edges may deviate by a share of their length alone, so that a level is as near the
@@ -187,16 +188,17 @@ detail::DeviationLimit deviation_limit(const Loop& loop, const Stage& stage, dou
 }
 
 void attempt(Loop& loop, const Stage& stage, const Candidate& candidate) {
-  PatchedSurface& s = loop.surface;
+  PatchedSurface& surface = loop.surface;
   loop.context.guard.limit = deviation_limit(loop, stage, candidate.length).of(candidate.length);
-  const std::int32_t halfedge = find_halfedge(s.mesh, candidate.a, candidate.b);
+  const std::int32_t halfedge = find_halfedge(surface.mesh, candidate.a, candidate.b);
   if (halfedge < 0) return;
-  const std::int32_t patches = s.patch_count;
-  const CollapseOutcome outcome = filtered_edge_collapse(s, loop.context, halfedge, loop.successor);
+  const std::int32_t patches = surface.patch_count;
+  const CollapseOutcome outcome =
+      filtered_edge_collapse(surface, loop.context, halfedge, loop.successor);
   ++loop.result.outcomes[static_cast<std::size_t>(outcome)];
   if (outcome != CollapseOutcome::collapsed) return;
   loop.longest = std::max(loop.longest, candidate.length);
-  loop.result.vanished += patches - s.patch_count;
+  loop.result.vanished += patches - surface.patch_count;
   const detail::EdgeStar& star = loop.context.scratch.star;
   if (!loop.support.empty()) {
     auto& kept = loop.support[at(star.tail)];
@@ -206,8 +208,8 @@ void attempt(Loop& loop, const Stage& stage, const Candidate& candidate) {
   ++loop.version[at(star.head)];
   renew_candidates(loop, star.tail);
   for (const std::int32_t patch : star.patches)
-    if (!s.patches[at(patch)].triangles.empty())
-      loop.result.merges += merge_patch(s, patch, loop.context.scratch.hull, loop.successor);
+    if (!surface.patches[at(patch)].triangles.empty())
+      loop.result.merges += merge_patch(surface, patch, loop.context.scratch.hull, loop.successor);
 }
 
 /// Every collapse takes about the same time: the share of the triangles gone, by hundredths.
@@ -263,16 +265,16 @@ void run_stage(Loop& loop, const Stage& stage) {
 
 /// Where nothing more can collapse, flips edges and tries again, as long as that changes something.
 void flip_and_go_on(Loop& loop, const Stage& stage) {
-  PatchedSurface& s = loop.surface;
-  for (int round = 0; loop.params.flips_edges && round < kFlipRounds; ++round) {
-    const std::int32_t before = s.patch_count;
+  PatchedSurface& surface = loop.surface;
+  for (int round = 0; loop.context.form.flips_edges && round < kFlipRounds; ++round) {
+    const std::int32_t before = surface.patch_count;
     const std::int64_t flipped =
-        flip_reflex_edges(s, loop.context, deviation_limit(loop, stage, loop.longest),
+        flip_reflex_edges(surface, loop.context, deviation_limit(loop, stage, loop.longest),
                           loop.successor, loop.result.flips);
-    loop.result.merges += before - s.patch_count;
+    loop.result.merges += before - surface.patch_count;
     if (flipped == 0) return;
     for (std::int32_t v = 0; v < static_cast<std::int32_t>(loop.version.size()); ++v)
-      if (s.mesh.outgoing[at(v)] >= 0) {
+      if (surface.mesh.outgoing[at(v)] >= 0) {
         update_normal(loop, v);
         ++loop.version[at(v)];
       }
@@ -321,37 +323,50 @@ VolumeGuard guard_volume(const TriangleMesh& mesh, double radius, double limit) 
 
 }  // namespace
 
-Simplification simplify_surface(const DecomposedSurface& surface, const SimplifyParams& params,
+namespace detail {
+
+Simplification simplify_in_form(const DecomposedSurface& decomposed, const SimplifyParams& params,
+                                const SimplifyForm& form,
                                 std::vector<std::array<double, 2>> support,
                                 CornerAttributes attributes) {
-  const TriangleMesh& mesh = surface.mesh;
-  Loop loop{build_patched_surface(surface, params.convexity_tolerance, params.protrusion_tolerance,
-                                  attributes),
+  const TriangleMesh& mesh = decomposed.mesh;
+  Loop loop{build_patched_surface(decomposed, params.convexity_tolerance,
+                                  params.protrusion_tolerance, attributes),
             {},
             params,
             {}};
-  PatchedSurface& s = loop.surface;
-  loop.result.levels.push_back(first_level(mesh, surface.patches, support, attributes));
-  loop.result.convexity_tolerance = s.flat;
-  loop.result.protrusion_tolerance = s.inset;
+  PatchedSurface& surface = loop.surface;
+  loop.result.levels.push_back(first_level(mesh, decomposed.patches, support, attributes));
+  loop.result.convexity_tolerance = surface.flat;
+  loop.result.protrusion_tolerance = surface.inset;
   loop.context.params = params.collapse;
-  loop.context.quadric = vertex_quadrics(s);
-  loop.context.guard = detail::build_deviation_guard(mesh, params.deviation_limit * s.radius);
-  loop.context.volume = guard_volume(mesh, s.radius, params.volume_limit);
+  loop.context.form = form;
+  loop.context.quadric = vertex_quadrics(surface);
+  loop.context.guard = build_deviation_guard(mesh, params.deviation_limit * surface.radius);
+  loop.context.volume = guard_volume(mesh, surface.radius, params.volume_limit);
   loop.support = std::move(support);
   loop.version.assign(mesh.positions.size(), 0);
   loop.vertex_normal.resize(mesh.positions.size());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-    if (s.mesh.outgoing[v] >= 0) update_normal(loop, static_cast<std::int32_t>(v));
-  for (std::size_t i = 0; i < s.patches.size(); ++i)
+    if (surface.mesh.outgoing[v] >= 0) update_normal(loop, static_cast<std::int32_t>(v));
+  for (std::size_t i = 0; i < surface.patches.size(); ++i)
     loop.successor.push_back(static_cast<std::int32_t>(i));
   loop.kept = loop.result.levels[0].patch_count;
-  loop.kept_triangles = s.mesh.triangle_count;
+  loop.kept_triangles = surface.mesh.triangle_count;
   loop.first_patches.assign(loop.successor.begin(), loop.successor.begin() + loop.kept);
   loop.last_level = loop.first_patches;
   run_stages(loop);
   if (params.progress) params.progress(1.0);
   return std::move(loop.result);
+}
+
+}  // namespace detail
+
+Simplification simplify_surface(const DecomposedSurface& decomposed, const SimplifyParams& params,
+                                std::vector<std::array<double, 2>> support,
+                                CornerAttributes attributes) {
+  return detail::simplify_in_form(decomposed, params, {}, std::move(support),
+                                  std::move(attributes));
 }
 
 }  // namespace thigma

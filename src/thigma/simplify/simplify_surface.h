@@ -46,7 +46,7 @@ struct Simplification {
 /// The last level of the fine stages is one of those kept, if it has at most half the original's
 /// patches. Longer edges, and deviation beyond `deviation_limit` at them, come last.
 ///
-/// surface     usable in the sense of import/inspect.h; its patches become level 0 [m]
+/// decomposed  usable in the sense of import/inspect.h; its patches become level 0 [m]
 /// support     of each vertex, two values that become the least where vertices come together, or
 ///             empty
 /// attributes  of the corners, or width 0
@@ -54,7 +54,8 @@ struct Simplification {
 ///             last
 /// Thread      [offline]; deterministic.
 /// Source      Sec. 3.3.3, Algorithm 3.3.1. Stops and tolerances: docs/simplification.md.
-Simplification simplify_surface(const DecomposedSurface& surface, const SimplifyParams& params = {},
+Simplification simplify_surface(const DecomposedSurface& decomposed,
+                                const SimplifyParams& params = {},
                                 std::vector<std::array<double, 2>> support = {},
                                 CornerAttributes attributes = {});
 

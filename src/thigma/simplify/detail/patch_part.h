@@ -21,11 +21,11 @@ struct PatchPart {
 using MovedTriangles = std::array<std::int32_t, 2>;
 
 /// Fills vertices and hull from the triangles.
-void describe_part(const PatchedSurface& s, PatchPart& part, Quickhull& hull);
+void describe_part(const PatchedSurface& surface, PatchPart& part, Quickhull& hull);
 
 /// Appends what is left of a patch without one of its triangles, connected over edges: nothing, one
 /// part, or several, of which the first has the patch's number.
-void append_rest(const PatchedSurface& s, std::int32_t patch, std::int32_t without,
+void append_rest(const PatchedSurface& surface, std::int32_t patch, std::int32_t without,
                  std::vector<PatchPart>& parts);
 
 /// A shell of a surface with triangles on trial.
