@@ -98,9 +98,11 @@ ClodOrigin describe_origin(const ClodParams& params, const DecompositionParams& 
 
 namespace detail {
 
-void refresh_lanes(ClodHierarchy& h) {
-  for (const ClodNode& node : h.nodes) refresh_lanes_of(node, h.vertices, h.lanes);
-  for (const LevelPatch& patch : h.level_patches) refresh_lanes_of(patch, h.vertices, h.lanes);
+void refresh_lanes(ClodHierarchy& hierarchy) {
+  for (const ClodNode& node : hierarchy.nodes)
+    refresh_lanes_of(node, hierarchy.vertices, hierarchy.lanes);
+  for (const LevelPatch& patch : hierarchy.level_patches)
+    refresh_lanes_of(patch, hierarchy.vertices, hierarchy.lanes);
 }
 
 }  // namespace detail
@@ -119,17 +121,18 @@ ClodAsset build_clod_asset(const TriangleMesh& mesh, const ClodParams& params, C
 }
 
 std::vector<std::int32_t> patches_of_triangles(const ClodAsset& asset, std::int32_t level) {
-  const ClodHierarchy& h = asset.hierarchy;
+  const ClodHierarchy& hierarchy = asset.hierarchy;
   std::vector<std::int32_t> result(asset.meshes[at(level)].triangles.size(), -1);
   const auto add = [&](const ClodPatch& patch, std::size_t index) {
     for (std::int32_t i = 0; i < patch.triangle_count; ++i)
-      result[at(h.triangle_ids[at(patch.first_triangle + i)])] = static_cast<std::int32_t>(index);
+      result[at(hierarchy.triangle_ids[at(patch.first_triangle + i)])] =
+          static_cast<std::int32_t>(index);
   };
   if (level == 0)
-    for (std::size_t p = 0; p < h.patches.size(); ++p) add(h.patches[p], p);
+    for (std::size_t p = 0; p < hierarchy.patches.size(); ++p) add(hierarchy.patches[p], p);
   else
-    for (std::size_t p = 0; p < h.level_patches.size(); ++p)
-      if (h.level_patches[p].level == level) add(h.level_patches[p].patch, p);
+    for (std::size_t p = 0; p < hierarchy.level_patches.size(); ++p)
+      if (hierarchy.level_patches[p].level == level) add(hierarchy.level_patches[p].patch, p);
   return result;
 }
 

@@ -114,54 +114,55 @@ std::int32_t add_even_levels(const TriangleMesh& mesh, std::span<std::int32_t> t
   return add_inner(mesh, {left, right}, level, tree);
 }
 
-PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& h) {
+PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& hierarchy) {
   PlacedHull hull;
-  hull.first_vertex = static_cast<std::int32_t>(h.vertices.size());
+  hull.first_vertex = static_cast<std::int32_t>(hierarchy.vertices.size());
   hull.vertex_count = static_cast<std::int32_t>(points.size());
-  h.vertices.insert(h.vertices.end(), points.begin(), points.end());
+  hierarchy.vertices.insert(hierarchy.vertices.end(), points.begin(), points.end());
   hull.center = enclosing_ball(points).center;
   for (const Vec3& p : points) hull.radius = std::max(hull.radius, (p - hull.center).norm());
-  hull.first_lane = static_cast<std::int32_t>(h.lanes.size());
+  hull.first_lane = static_cast<std::int32_t>(hierarchy.lanes.size());
   hull.lane_count = (hull.vertex_count + 7) / 8 * 8;
   for (int axis = 0; axis < 3; ++axis)
     for (std::int32_t i = 0; i < hull.lane_count; ++i)
-      h.lanes.push_back(static_cast<float>(points[at(std::min(i, hull.vertex_count - 1))][axis] -
-                                           hull.center[axis]));
+      hierarchy.lanes.push_back(static_cast<float>(
+          points[at(std::min(i, hull.vertex_count - 1))][axis] - hull.center[axis]));
   return hull;
 }
 
-ClodPatch append_features(const PatchOfMesh& patch, double flat, ClodHierarchy& h) {
+ClodPatch append_features(const PatchOfMesh& patch, double flat, ClodHierarchy& hierarchy) {
   const PatchFeatures features = find_features(patch, flat);
   ClodPatch result;
-  result.first_triangle = static_cast<std::int32_t>(h.hull_triangles.size());
+  result.first_triangle = static_cast<std::int32_t>(hierarchy.hull_triangles.size());
   result.triangle_count = static_cast<std::int32_t>(patch.triangles.size());
-  result.first_face = static_cast<std::int32_t>(h.faces.size());
+  result.first_face = static_cast<std::int32_t>(hierarchy.faces.size());
   result.face_count = static_cast<std::int32_t>(features.faces.size());
-  result.first_edge = static_cast<std::int32_t>(h.edges.size());
+  result.first_edge = static_cast<std::int32_t>(hierarchy.edges.size());
   result.edge_count = static_cast<std::int32_t>(features.edges.size());
   result.thickness = features.thickness;
-  h.hull_triangles.insert(h.hull_triangles.end(), features.triangles.begin(),
-                          features.triangles.end());
-  h.triangle_ids.insert(h.triangle_ids.end(), patch.triangles.begin(), patch.triangles.end());
-  h.faces.insert(h.faces.end(), features.faces.begin(), features.faces.end());
-  h.edges.insert(h.edges.end(), features.edges.begin(), features.edges.end());
+  hierarchy.hull_triangles.insert(hierarchy.hull_triangles.end(), features.triangles.begin(),
+                                  features.triangles.end());
+  hierarchy.triangle_ids.insert(hierarchy.triangle_ids.end(), patch.triangles.begin(),
+                                patch.triangles.end());
+  hierarchy.faces.insert(hierarchy.faces.end(), features.faces.begin(), features.faces.end());
+  hierarchy.edges.insert(hierarchy.edges.end(), features.edges.begin(), features.edges.end());
   return result;
 }
 
 void place_drafts(const DecomposedSurface& surface, const DraftTree& tree, std::int32_t root,
-                  ClodHierarchy& h) {
+                  ClodHierarchy& hierarchy) {
   const ConvexDecomposition& decomposition = surface.patches;
-  const double flat = decomposition.params.convexity_tolerance * h.radius;
+  const double flat = decomposition.params.convexity_tolerance * hierarchy.radius;
   std::vector<std::int32_t> order(1, root);
-  h.nodes.reserve(tree.drafts.size());
-  h.patches.resize(decomposition.patches.size());
+  hierarchy.nodes.reserve(tree.drafts.size());
+  hierarchy.patches.resize(decomposition.patches.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const NodeDraft& draft = tree.drafts[at(order[i])];
     ClodNode node;
     node.hausdorff = draft.hausdorff;
     node.level = draft.level;
     node.contact = draft.contact;
-    const PlacedHull hull = append_hull(draft.points, h);
+    const PlacedHull hull = append_hull(draft.points, hierarchy);
     node.center = hull.center;
     node.radius = hull.radius;
     node.first_vertex = hull.first_vertex;
@@ -174,13 +175,13 @@ void place_drafts(const DecomposedSurface& surface, const DraftTree& tree, std::
       order.insert(order.end(), draft.children.begin(), draft.children.end());
     } else {
       node.patch = draft.patch;
-      h.patches[at(node.patch)] =
+      hierarchy.patches[at(node.patch)] =
           append_features({surface.mesh, surface.topology, decomposition.patches[at(node.patch)],
                            decomposition.vertices[at(node.patch)]},
-                          flat, h);
-      h.patches[at(node.patch)].node = static_cast<std::int32_t>(i);
+                          flat, hierarchy);
+      hierarchy.patches[at(node.patch)].node = static_cast<std::int32_t>(i);
     }
-    h.nodes.push_back(node);
+    hierarchy.nodes.push_back(node);
   }
 }
 

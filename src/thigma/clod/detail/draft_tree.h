@@ -61,14 +61,14 @@ struct PlacedHull {
   double radius = 0.0;
   std::int32_t first_vertex = 0, vertex_count = 0, first_lane = 0, lane_count = 0;
 };
-PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& h);
+PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& hierarchy);
 
 /// Appends the features of a patch, and the numbers of its triangles.
-ClodPatch append_features(const PatchOfMesh& patch, double flat, ClodHierarchy& h);
+ClodPatch append_features(const PatchOfMesh& patch, double flat, ClodHierarchy& hierarchy);
 
 /// Places the drafts below the root breadth first, so that children lie together and parents before
 /// them; fills nodes, patches and the geometry of both.
 void place_drafts(const DecomposedSurface& surface, const DraftTree& tree, std::int32_t root,
-                  ClodHierarchy& h);
+                  ClodHierarchy& hierarchy);
 
 }  // namespace thigma::detail

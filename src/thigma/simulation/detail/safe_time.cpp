@@ -17,16 +17,16 @@ double time_to_close(double gap, double speed, double acceleration) {
 }
 
 // Size of a patch about the place of a contact: points of it may approach faster than that place.
-double patch_reach(const ClodHierarchy& h, const Contact& c, const Pose& world_from_mesh) {
+double patch_reach(const ClodHierarchy& hierarchy, const Contact& c, const Pose& world_from_mesh) {
   const auto i = static_cast<std::size_t>(c.object_patch);
   Vec3 center;
   double radius = 0.0;
-  if (i < h.patches.size()) {
-    const ClodNode& node = h.nodes[static_cast<std::size_t>(h.patches[i].node)];
+  if (i < hierarchy.patches.size()) {
+    const ClodNode& node = hierarchy.nodes[static_cast<std::size_t>(hierarchy.patches[i].node)];
     center = node.center;
     radius = node.radius;
   } else {
-    const LevelPatch& patch = h.level_patches[i - h.patches.size()];
+    const LevelPatch& patch = hierarchy.level_patches[i - hierarchy.patches.size()];
     center = patch.center;
     radius = patch.radius;
   }
