@@ -38,9 +38,9 @@ std::vector<std::int32_t> draft_levels(const TriangleMesh& mesh,
             ? detail::nearest_parents(tree, draft_of_patch, simplification.levels[k - 1].parent,
                                       simplification.levels[k].mesh, patches[k])
             : simplification.levels[k - 1].parent;
-    std::vector<std::vector<std::int32_t>> children(at(simplification.levels[k].patch_count));
+    std::vector<std::vector<std::int32_t>> children(idx(simplification.levels[k].patch_count));
     for (std::size_t i = 0; i < parent.size(); ++i)
-      if (draft_of_patch[i] >= 0) children[at(parent[i])].push_back(draft_of_patch[i]);
+      if (draft_of_patch[i] >= 0) children[idx(parent[i])].push_back(draft_of_patch[i]);
     draft_of_patch.assign(children.size(), -1);
     for (std::size_t p = 0; p < children.size(); ++p) {
       if (children[p].empty()) continue;
@@ -55,7 +55,7 @@ std::vector<std::int32_t> draft_levels(const TriangleMesh& mesh,
 }
 
 void describe_levels(const Simplification& simplification, ClodHierarchy& hierarchy) {
-  hierarchy.levels.assign(std::max(simplification.levels.size(), at(hierarchy.nodes[0].level) + 1),
+  hierarchy.levels.assign(std::max(simplification.levels.size(), idx(hierarchy.nodes[0].level) + 1),
                           {});
   for (std::size_t k = 0; k < hierarchy.levels.size(); ++k) {
     ClodLevel& level = hierarchy.levels[k];
@@ -67,12 +67,12 @@ void describe_levels(const Simplification& simplification, ClodHierarchy& hierar
     level.resolution = simplification.levels[k].resolution;
   }
   for (const ClodNode& node : hierarchy.nodes) {
-    ClodLevel& level = hierarchy.levels[at(node.level)];
+    ClodLevel& level = hierarchy.levels[idx(node.level)];
     ++level.node_count;
     level.hausdorff_max = std::max(level.hausdorff_max, node.hausdorff);
   }
   for (const LevelPatch& patch : hierarchy.level_patches) {
-    ClodLevel& level = hierarchy.levels[at(patch.level)];
+    ClodLevel& level = hierarchy.levels[idx(patch.level)];
     level.deviation_max = std::max(level.deviation_max, patch.deviation);
     level.contact_hausdorff_max = std::max(level.contact_hausdorff_max, patch.hausdorff);
   }

@@ -18,10 +18,10 @@ namespace thigma {
 namespace {
 
 void describe_levels(ClodHierarchy& hierarchy) {
-  hierarchy.levels.resize(at(hierarchy.nodes[0].level) + 1);
+  hierarchy.levels.resize(idx(hierarchy.nodes[0].level) + 1);
   hierarchy.levels[0].resolution = std::numeric_limits<double>::infinity();
   for (const ClodNode& node : hierarchy.nodes) {
-    ClodLevel& level = hierarchy.levels[at(node.level)];
+    ClodLevel& level = hierarchy.levels[idx(node.level)];
     level.is_free = node.level > 0;
     ++level.node_count;
     level.hausdorff_max = std::max(level.hausdorff_max, node.hausdorff);

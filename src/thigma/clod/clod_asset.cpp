@@ -71,8 +71,8 @@ template <typename Part>
 void refresh_lanes_of(const Part& part, const std::vector<Vec3>& vertices, AlignedFloats& lanes) {
   for (int axis = 0; axis < 3; ++axis)
     for (std::int32_t i = 0; i < part.lane_count; ++i) {
-      const Vec3& p = vertices[at(part.first_vertex + std::min(i, part.vertex_count - 1))];
-      lanes[at(part.first_lane + axis * part.lane_count + i)] =
+      const Vec3& p = vertices[idx(part.first_vertex + std::min(i, part.vertex_count - 1))];
+      lanes[idx(part.first_lane + axis * part.lane_count + i)] =
           static_cast<float>(p[axis] - part.center[axis]);
     }
 }
@@ -122,10 +122,10 @@ ClodAsset build_clod_asset(const TriangleMesh& mesh, const ClodParams& params, C
 
 std::vector<std::int32_t> patches_of_triangles(const ClodAsset& asset, std::int32_t level) {
   const ClodHierarchy& hierarchy = asset.hierarchy;
-  std::vector<std::int32_t> result(asset.meshes[at(level)].triangles.size(), -1);
+  std::vector<std::int32_t> result(asset.meshes[idx(level)].triangles.size(), -1);
   const auto add = [&](const ClodPatch& patch, std::size_t index) {
     for (std::int32_t i = 0; i < patch.triangle_count; ++i)
-      result[at(hierarchy.triangle_ids[at(patch.first_triangle + i)])] =
+      result[idx(hierarchy.triangle_ids[idx(patch.first_triangle + i)])] =
           static_cast<std::int32_t>(index);
   };
   if (level == 0)

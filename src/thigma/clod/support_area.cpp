@@ -18,7 +18,7 @@ struct Flood {
 };
 
 bool is_in_cone(const Flood& flood, std::int32_t face, const Vec3& normal) {
-  return flood.topology.normal[at(face)].dot(normal) >= flood.params.cone_cosine;
+  return flood.topology.normal[idx(face)].dot(normal) >= flood.params.cone_cosine;
 }
 
 /// Share of a triangle with these heights that is not above a height, if its lowest corner is not.
@@ -37,7 +37,8 @@ double share_within(const Flood& flood, std::int32_t face, const Vec3& at_vertex
                     const Vec3& normal) {
   std::array<double, 3> height, depth;
   for (std::size_t k = 0; k < 3; ++k) {
-    height[k] = normal.dot(flood.mesh.positions[at(flood.mesh.triangles[at(face)][k])] - at_vertex);
+    height[k] =
+        normal.dot(flood.mesh.positions[idx(flood.mesh.triangles[idx(face)][k])] - at_vertex);
     depth[k] = -height[k];
   }
   return share_below(height, flood.params.tolerance) + share_below(depth, flood.params.tolerance) -
@@ -46,8 +47,8 @@ double share_within(const Flood& flood, std::int32_t face, const Vec3& at_vertex
 
 bool counts(const Flood& flood, std::int32_t face, const Vec3& at_vertex, const Vec3& normal) {
   if (!is_in_cone(flood, face, normal)) return false;
-  for (const std::int32_t v : flood.mesh.triangles[at(face)])
-    if (std::fabs(normal.dot(flood.mesh.positions[at(v)] - at_vertex)) > flood.params.tolerance)
+  for (const std::int32_t v : flood.mesh.triangles[idx(face)])
+    if (std::fabs(normal.dot(flood.mesh.positions[idx(v)] - at_vertex)) > flood.params.tolerance)
       return false;
   return true;
 }
@@ -62,12 +63,12 @@ std::vector<std::array<double, 2>> support_areas(const TriangleMesh& mesh,
   std::vector<Vec3> normal(mesh.positions.size(), Vec3::Zero());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& v = mesh.triangles[t];
-    const Vec3& a = mesh.positions[at(v[0])];
-    const Vec3 cross = (mesh.positions[at(v[1])] - a).cross(mesh.positions[at(v[2])] - a);
+    const Vec3& a = mesh.positions[idx(v[0])];
+    const Vec3 cross = (mesh.positions[idx(v[1])] - a).cross(mesh.positions[idx(v[2])] - a);
     flood.area.push_back(0.5 * cross.norm());
     for (const std::int32_t corner : v) {
-      around[at(corner)].push_back(static_cast<std::int32_t>(t));
-      normal[at(corner)] += cross;
+      around[idx(corner)].push_back(static_cast<std::int32_t>(t));
+      normal[idx(corner)] += cross;
     }
   }
   std::vector<std::array<double, 2>> areas(mesh.positions.size(), {0.0, 0.0});
@@ -76,12 +77,12 @@ std::vector<std::array<double, 2>> support_areas(const TriangleMesh& mesh,
     const Vec3 n = normal[v].normalized();
     const auto id = static_cast<std::int32_t>(v);
     const auto projected = [&](std::int32_t face) {
-      return flood.area[at(face)] * topology.normal[at(face)].dot(n);
+      return flood.area[idx(face)] * topology.normal[idx(face)].dot(n);
     };
     flood.faces.clear();
     const auto offer = [&](std::int32_t face) {
-      if (flood.seen_by[at(face)] == id) return;
-      flood.seen_by[at(face)] = id;
+      if (flood.seen_by[idx(face)] == id) return;
+      flood.seen_by[idx(face)] = id;
       if (counts(flood, face, mesh.positions[v], n)) flood.faces.push_back(face);
     };
     double in_part = 0.0;
@@ -96,7 +97,7 @@ std::vector<std::array<double, 2>> support_areas(const TriangleMesh& mesh,
     for (std::size_t i = 0; i < flood.faces.size(); ++i) {
       areas[v][1] += projected(flood.faces[i]);
       if (static_cast<int>(flood.faces.size()) >= params.most_faces) continue;
-      const auto& beside = topology.neighbor[at(flood.faces[i])];
+      const auto& beside = topology.neighbor[idx(flood.faces[i])];
       for (const std::int32_t face : beside)
         if (face >= 0) offer(face);
     }

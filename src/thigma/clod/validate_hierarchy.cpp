@@ -98,7 +98,7 @@ bool check_node(Flaws& flaws, std::size_t i) {
   const auto says = [&](bool holds, const char* what, const char* expected) {
     return flaws.check(holds, what, "node", i, expected);
   };
-  if (!says(n.level >= 0 && at(n.level) < flaws.h.levels.size(), "a level out of range",
+  if (!says(n.level >= 0 && idx(n.level) < flaws.h.levels.size(), "a level out of range",
             "a level there is"))
     return false;
   const bool is_leaf = n.child_count == 0;
@@ -107,17 +107,17 @@ bool check_node(Flaws& flaws, std::size_t i) {
                              is_in(n.first_child, n.child_count, flaws.h.nodes.size()))),
             "children out of range", "children behind their parent"))
     return false;
-  const bool has_contact = n.level > 0 && !flaws.h.levels[at(n.level)].is_free;
+  const bool has_contact = n.level > 0 && !flaws.h.levels[idx(n.level)].is_free;
   return says(is_leaf == (n.level == 0), "a leaf above level 0, or none in it",
               "leaves in level 0") &&
-         says(is_leaf ? n.patch >= 0 && at(n.patch) < flaws.h.patches.size() &&
-                            flaws.h.patches[at(n.patch)].node == static_cast<std::int64_t>(i)
+         says(is_leaf ? n.patch >= 0 && idx(n.patch) < flaws.h.patches.size() &&
+                            flaws.h.patches[idx(n.patch)].node == static_cast<std::int64_t>(i)
                       : n.patch == -1,
               "a wrong patch", "each patch at one leaf") &&
-         says(has_contact ? n.contact >= 0 && at(n.contact) < flaws.h.level_patches.size() &&
-                                flaws.h.level_patches[at(n.contact)].patch.node ==
+         says(has_contact ? n.contact >= 0 && idx(n.contact) < flaws.h.level_patches.size() &&
+                                flaws.h.level_patches[idx(n.contact)].patch.node ==
                                     static_cast<std::int64_t>(i) &&
-                                flaws.h.level_patches[at(n.contact)].level == n.level
+                                flaws.h.level_patches[idx(n.contact)].level == n.level
                           : n.contact == -1,
               "a wrong contact patch", "that of its level") &&
          says(n.hausdorff >= 0.0, "a negative distance h", "0 or more");
@@ -132,18 +132,18 @@ bool check_tree(Flaws& flaws) {
     if (!check_node(flaws, i)) return false;
     if (!flaws.check(depth[i] >= 0, "a node without a parent", "node", i, "one below the root"))
       return false;
-    ++count[at(nodes[i].level)];
+    ++count[idx(nodes[i].level)];
     leaves += nodes[i].child_count == 0;
     deepest = std::max<std::int64_t>(deepest, depth[i]);
     widest = std::max<std::int64_t>(widest, nodes[i].child_count);
     for (std::int32_t k = nodes[i].first_child; k < nodes[i].first_child + nodes[i].child_count;
          ++k) {
-      if (!flaws.check(depth[at(k)] < 0, "a node with two parents", "node", at(k), "one"))
+      if (!flaws.check(depth[idx(k)] < 0, "a node with two parents", "node", idx(k), "one"))
         return false;
-      if (!flaws.check(nodes[at(k)].level < nodes[i].level, "a level above its parent's", "node",
-                       at(k), "levels that rise to the root"))
+      if (!flaws.check(nodes[idx(k)].level < nodes[i].level, "a level above its parent's", "node",
+                       idx(k), "levels that rise to the root"))
         return false;
-      depth[at(k)] = depth[i] + 1;
+      depth[idx(k)] = depth[i] + 1;
     }
   }
   if (!flaws.check(leaves == static_cast<std::int64_t>(flaws.h.patches.size()),
@@ -178,10 +178,10 @@ bool check_hull(Flaws& flaws, const Hull& n, const char* kind, std::size_t i) {
   double farthest = 0.0;
   bool is_same = true;
   for (std::int32_t k = 0; k < n.lane_count; ++k) {
-    const Vec3& p = flaws.h.vertices[at(n.first_vertex + std::min(k, n.vertex_count - 1))];
+    const Vec3& p = flaws.h.vertices[idx(n.first_vertex + std::min(k, n.vertex_count - 1))];
     farthest = std::max(farthest, (p - n.center).squaredNorm());
     for (int axis = 0; axis < 3; ++axis)
-      is_same = is_same && flaws.h.lanes[at(n.first_lane + axis * n.lane_count + k)] ==
+      is_same = is_same && flaws.h.lanes[idx(n.first_lane + axis * n.lane_count + k)] ==
                                static_cast<float>(p[axis] - n.center[axis]);
   }
   const double slack = kRounding * n.radius + 1e-14 * n.center.template lpNorm<1>();
@@ -239,16 +239,16 @@ bool check_patch(Flaws& flaws, const NamedPatch& named) {
     return false;
   bool is_right = true;
   for (std::int32_t k = 0; k < p.face_count && is_right; ++k)
-    is_right = check_face(hierarchy.faces[at(p.first_face + k)], vertex_count);
+    is_right = check_face(hierarchy.faces[idx(p.first_face + k)], vertex_count);
   for (std::int32_t k = 0; k < p.edge_count && is_right; ++k)
-    is_right = check_edge(hierarchy.edges[at(p.first_edge + k)], vertex_count, p.face_count);
+    is_right = check_edge(hierarchy.edges[idx(p.first_edge + k)], vertex_count, p.face_count);
   if (!flaws.check(is_right, "a wrong face or edge", named.kind, named.index,
                    "unit normals and its own vertices"))
     return false;
   for (std::int32_t k = 0; k < p.triangle_count && is_right; ++k) {
-    const std::int32_t id = hierarchy.triangle_ids[at(p.first_triangle + k)];
+    const std::int32_t id = hierarchy.triangle_ids[idx(p.first_triangle + k)];
     is_right = id >= 0 && id < named.level_triangles &&
-               check_triangle(hierarchy.hull_triangles[at(p.first_triangle + k)], vertex_count);
+               check_triangle(hierarchy.hull_triangles[idx(p.first_triangle + k)], vertex_count);
   }
   return flaws.check(is_right, "a wrong triangle", named.kind, named.index,
                      "its own vertices and a triangle of its level");
@@ -264,13 +264,13 @@ bool check_levels(Flaws& flaws) {
   for (std::size_t i = 0; i < flaws.h.level_patches.size(); ++i) {
     const LevelPatch& patch = flaws.h.level_patches[i];
     const std::int32_t node = patch.patch.node;
-    if (!flaws.check(patch.level >= last && at(patch.level) < levels.size() &&
-                         !levels[at(patch.level)].is_free,
+    if (!flaws.check(patch.level >= last && idx(patch.level) < levels.size() &&
+                         !levels[idx(patch.level)].is_free,
                      "a wrong level", "contact patch", i, "simplified levels in order"))
       return false;
     if (!flaws.check(
-            node == -1 || (node >= 0 && at(node) < flaws.h.nodes.size() &&
-                           flaws.h.nodes[at(node)].contact == static_cast<std::int64_t>(i)),
+            node == -1 || (node >= 0 && idx(node) < flaws.h.nodes.size() &&
+                           flaws.h.nodes[idx(node)].contact == static_cast<std::int64_t>(i)),
             "a wrong node", "contact patch", i, "the node it belongs to"))
       return false;
     if (!flaws.check(patch.deviation >= 0.0 && patch.hausdorff >= 0.0 && patch.from_below >= 0.0 &&
@@ -278,7 +278,7 @@ bool check_levels(Flaws& flaws) {
                      "a negative distance", "contact patch", i, "0 or more"))
       return false;
     last = patch.level;
-    ++patches[at(patch.level)];
+    ++patches[idx(patch.level)];
   }
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const ClodLevel& l = levels[k];
@@ -309,11 +309,11 @@ bool check_sizes(Flaws& flaws) {
       std::max({hierarchy.nodes.size(), hierarchy.patches.size(), hierarchy.level_patches.size(),
                 hierarchy.vertices.size(), hierarchy.lanes.size(), hierarchy.faces.size(),
                 hierarchy.edges.size(), hierarchy.hull_triangles.size(), hierarchy.levels.size()});
-  return flaws.check(largest <= at(std::numeric_limits<std::int32_t>::max()), "too large",
+  return flaws.check(largest <= idx(std::numeric_limits<std::int32_t>::max()), "too large",
                      "an array of", largest, "32-bit indices") &&
          flaws.check(!hierarchy.nodes.empty() && !hierarchy.patches.empty(), "nothing", "nodes",
                      hierarchy.nodes.size(), "a root and patches") &&
-         flaws.check(!hierarchy.levels.empty() && hierarchy.levels.size() <= at(kMostLevels),
+         flaws.check(!hierarchy.levels.empty() && hierarchy.levels.size() <= idx(kMostLevels),
                      "too many or no levels", "levels", hierarchy.levels.size(), "1 to 4096") &&
          flaws.check(hierarchy.triangle_ids.size() == hierarchy.hull_triangles.size(),
                      "triangles without a number", "triangle_ids", hierarchy.triangle_ids.size(),
@@ -345,13 +345,14 @@ std::string find_flaw(const ClodHierarchy& hierarchy) {
     if (!check_hull(flaws, hierarchy.level_patches[i], "contact patch", i)) return flaws.first;
   for (std::size_t i = 0; i < hierarchy.patches.size(); ++i)
     if (!check_patch(flaws, {hierarchy.patches[i],
-                             hierarchy.nodes[at(hierarchy.patches[i].node)].vertex_count,
+                             hierarchy.nodes[idx(hierarchy.patches[i].node)].vertex_count,
                              hierarchy.triangle_count, "patch", i}))
       return flaws.first;
   for (std::size_t i = 0; i < hierarchy.level_patches.size(); ++i) {
     const LevelPatch& patch = hierarchy.level_patches[i];
-    if (!check_patch(flaws, {patch.patch, patch.vertex_count,
-                             hierarchy.levels[at(patch.level)].triangle_count, "contact patch", i}))
+    if (!check_patch(flaws,
+                     {patch.patch, patch.vertex_count,
+                      hierarchy.levels[idx(patch.level)].triangle_count, "contact patch", i}))
       return flaws.first;
   }
   return flaws.first;

@@ -67,11 +67,11 @@ void distribute_contacts(const PlacedHierarchy& object, std::span<const SceneBod
   spread.clear();
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
-    const bool is_of_scene = contact.body >= 0 && at(contact.body) < scene.size();
+    const bool is_of_scene = contact.body >= 0 && idx(contact.body) < scene.size();
     const bool has_room =
         spread.size() + kMostParts + (contacts.size() - i - 1) <= spread.capacity();
     if (is_of_scene && has_room) {
-      const SceneBody& body = scene[at(contact.body)];
+      const SceneBody& body = scene[idx(contact.body)];
       const HullView a = view_of_patch(object.hierarchy, contact.object_patch);
       const HullView b = view_of_patch(*body.hierarchy, contact.scene_patch);
       if (can_spread(contact, a, b, tolerance)) {

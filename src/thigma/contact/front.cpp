@@ -26,7 +26,7 @@ TreeExtent extent_of(const ClodHierarchy& hierarchy) {
     extent.depth = std::max(extent.depth, depths[i]);
     for (std::int32_t c = 0; c < node.child_count; ++c) {
       // children follow their parent
-      depths[at(node.first_child + c)] = depths[i] + 1;
+      depths[idx(node.first_child + c)] = depths[i] + 1;
     }
   }
   return extent;
@@ -46,7 +46,7 @@ void reserve_front(ContactFront& front, const ClodHierarchy& object, const ClodH
                    std::int32_t capacity) {
   if (capacity <= 0) capacity = default_front_capacity(object, scene);
   const TreeExtent a = extent_of(object), b = extent_of(scene);
-  const std::size_t stack = at(a.depth + b.depth + 2) * at(std::max(a.fan, b.fan));
+  const std::size_t stack = idx(a.depth + b.depth + 2) * idx(std::max(a.fan, b.fan));
   ExactFront& exact = front.exact;
   MultiresFront& multires = front.multires;
   exact.stack.reserve(stack);

@@ -45,10 +45,10 @@ struct Search {
 };
 
 const ClodNode& node_a(const Search& search, std::int32_t i) noexcept {
-  return search.object.nodes[at(i)];
+  return search.object.nodes[idx(i)];
 }
 const ClodNode& node_b(const Search& search, std::int32_t i) noexcept {
-  return search.scene.nodes[at(i)];
+  return search.scene.nodes[idx(i)];
 }
 
 bool is_leaf_pair(const Search& search, std::int32_t a, std::int32_t b) noexcept {
@@ -157,7 +157,7 @@ void probe_below(Search& search, std::int32_t a, std::int32_t b) noexcept {
     double least = kInfinity;
     std::int32_t next = parent.first_child;
     for (std::int32_t c = parent.first_child; c < parent.first_child + parent.child_count; ++c) {
-      const ClodNode& child = nodes[at(c)];
+      const ClodNode& child = nodes[idx(c)];
       const double gap = std::sqrt((child.center - other).squaredNorm()) - child.radius;
       if (!(gap < least)) continue;
       least = gap;

@@ -44,19 +44,19 @@ struct Growth {
 };
 
 std::array<Vec3, 3> corners(const TriangleMesh& mesh, std::int32_t t) {
-  const auto& v = mesh.triangles[at(t)];
-  return {mesh.positions[at(v[0])], mesh.positions[at(v[1])], mesh.positions[at(v[2])]};
+  const auto& v = mesh.triangles[idx(t)];
+  return {mesh.positions[idx(v[0])], mesh.positions[idx(v[1])], mesh.positions[idx(v[2])]};
 }
 
 /// A triangle thinner than the tolerance has no plane worth the name: it lies on its neighbours'
 /// planes.
 bool has_plane(const Growth& growth, std::int32_t t) {
-  return growth.surface.height[at(t)] > growth.flat;
+  return growth.surface.height[idx(t)] > growth.flat;
 }
 
 double height_over(const Growth& growth, std::int32_t t, const Vec3& p) {
-  return growth.surface.normal[at(t)].dot(
-      p - growth.mesh.positions[at(growth.mesh.triangles[at(t)][0])]);
+  return growth.surface.normal[idx(t)].dot(
+      p - growth.mesh.positions[idx(growth.mesh.triangles[idx(t)][0])]);
 }
 
 bool stays_convex(const Growth& growth, std::int32_t candidate, const Vec3* added) {
@@ -82,12 +82,12 @@ void list_intruders(Growth& growth, std::int32_t candidate) {
   if (growth.hull.dimension < 3) return;
   complete_hull(growth.hull);
   list_half_spaces(growth.hull, growth.inset, growth.half_spaces);
-  const std::int32_t shell = growth.surface.shell[at(candidate)];
+  const std::int32_t shell = growth.surface.shell[idx(candidate)];
   visit_triangles(growth.tree, box, [&](std::int32_t t) {
-    if (t == candidate || growth.patch_of[at(t)] == growth.patch ||
-        growth.surface.shell[at(t)] != shell)
+    if (t == candidate || growth.patch_of[idx(t)] == growth.patch ||
+        growth.surface.shell[idx(t)] != shell)
       return;
-    if (growth.surface.height[at(t)] <= 0.0) return;
+    if (growth.surface.height[idx(t)] <= 0.0) return;
     std::array<Vec3, 3> triangle = corners(growth.mesh, t);
     for (Vec3& p : triangle) p = (p - growth.hull.origin) * growth.hull.scale;
     if (reaches_into(triangle, growth.half_spaces)) growth.intruders.push_back(t);
@@ -106,10 +106,10 @@ bool crosses_patch(const Growth& growth, std::int32_t intruder, std::int32_t can
 bool try_to_join(Growth& growth, std::int32_t candidate) {
   std::array<std::int32_t, 3> added{};
   std::size_t count = 0;
-  for (const std::int32_t v : growth.mesh.triangles[at(candidate)])
-    if (growth.last_patch_at[at(v)] != growth.patch) added[count++] = v;
+  for (const std::int32_t v : growth.mesh.triangles[idx(candidate)])
+    if (growth.last_patch_at[idx(v)] != growth.patch) added[count++] = v;
   // A neighbour over an edge brings one vertex at most.
-  const Vec3* point = count > 0 ? &growth.mesh.positions[at(added[0])] : nullptr;
+  const Vec3* point = count > 0 ? &growth.mesh.positions[idx(added[0])] : nullptr;
   if (!stays_convex(growth, candidate, point)) return false;
   if (point) {
     if (static_cast<int>(growth.vertices.size()) >= growth.max_vertices) {
@@ -127,30 +127,30 @@ bool try_to_join(Growth& growth, std::int32_t candidate) {
       return false;
     }
     growth.vertices.push_back(added[0]);
-    growth.last_patch_at[at(added[0])] = growth.patch;
+    growth.last_patch_at[idx(added[0])] = growth.patch;
   }
   growth.triangles.push_back(candidate);
-  growth.patch_of[at(candidate)] = growth.patch;
+  growth.patch_of[idx(candidate)] = growth.patch;
   return true;
 }
 
 void grow_patch(Growth& growth, std::int32_t seed) {
   growth.triangles.assign(1, seed);
-  growth.patch_of[at(seed)] = growth.patch;
+  growth.patch_of[idx(seed)] = growth.patch;
   growth.vertices.clear();
   growth.points.clear();
   growth.met_crossing = growth.met_protrusion = growth.met_size = false;
-  for (const std::int32_t v : growth.mesh.triangles[at(seed)]) {
+  for (const std::int32_t v : growth.mesh.triangles[idx(seed)]) {
     growth.vertices.push_back(v);
-    growth.points.push_back(growth.mesh.positions[at(v)]);
-    growth.last_patch_at[at(v)] = growth.patch;
+    growth.points.push_back(growth.mesh.positions[idx(v)]);
+    growth.last_patch_at[idx(v)] = growth.patch;
   }
   for (std::size_t i = 0; i < growth.triangles.size(); ++i)
-    for (const std::int32_t t : growth.surface.neighbor[at(growth.triangles[i])]) {
-      if (t < 0 || growth.patch_of[at(t)] >= 0 || growth.refused_by[at(t)] == growth.patch)
+    for (const std::int32_t t : growth.surface.neighbor[idx(growth.triangles[i])]) {
+      if (t < 0 || growth.patch_of[idx(t)] >= 0 || growth.refused_by[idx(t)] == growth.patch)
         continue;
-      if (growth.surface.height[at(t)] <= 0.0) continue;
-      if (!try_to_join(growth, t)) growth.refused_by[at(t)] = growth.patch;
+      if (growth.surface.height[idx(t)] <= 0.0) continue;
+      if (!try_to_join(growth, t)) growth.refused_by[idx(t)] = growth.patch;
     }
 }
 
@@ -168,10 +168,10 @@ double rounding_height(const TriangleMesh& mesh, const SurfaceTopology& surface,
         continue;
       ++edges;
       double height = 0.0;
-      for (const std::int32_t v : mesh.triangles[at(other)])
+      for (const std::int32_t v : mesh.triangles[idx(other)])
         height = std::max(
-            height, std::fabs(surface.normal[t].dot(mesh.positions[at(v)] -
-                                                    mesh.positions[at(mesh.triangles[t][0])])));
+            height, std::fabs(surface.normal[t].dot(mesh.positions[idx(v)] -
+                                                    mesh.positions[idx(mesh.triangles[t][0])])));
       if (height < 1e-6 * radius && height > 1e-13 * radius) heights.push_back(height);
     }
   }

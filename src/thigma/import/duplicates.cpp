@@ -37,7 +37,7 @@ struct Sheets {
   std::vector<std::vector<std::int32_t>> sheets_at;        // of each edge: those with a seam there
 
   std::span<const Seam> seams_of(std::int32_t sheet) const {
-    return {seams.data() + first[at(sheet)], seams.data() + first[at(sheet) + 1]};
+    return {seams.data() + first[idx(sheet)], seams.data() + first[idx(sheet) + 1]};
   }
 };
 
@@ -51,11 +51,11 @@ void number_sheets(const DistinctFaces& faces, Sheets& sheets) {
     sheets.of_face[seed] = sheet;
     members.assign(1, static_cast<std::int32_t>(seed));
     for (std::size_t i = 0; i < members.size(); ++i)
-      for (const std::int32_t e : sheets.table.of_triangle[at(members[i])]) {
-        if (sheets.table.edges[at(e)].use_count != 2) continue;
-        for (const EdgeUse& use : sheets.table.uses_of(sheets.table.edges[at(e)])) {
-          if (faces.net[at(use.triangle)] != 0 || sheets.of_face[at(use.triangle)] >= 0) continue;
-          sheets.of_face[at(use.triangle)] = sheet;
+      for (const std::int32_t e : sheets.table.of_triangle[idx(members[i])]) {
+        if (sheets.table.edges[idx(e)].use_count != 2) continue;
+        for (const EdgeUse& use : sheets.table.uses_of(sheets.table.edges[idx(e)])) {
+          if (faces.net[idx(use.triangle)] != 0 || sheets.of_face[idx(use.triangle)] >= 0) continue;
+          sheets.of_face[idx(use.triangle)] = sheet;
           members.push_back(use.triangle);
         }
       }
@@ -70,14 +70,14 @@ void list_seams(Sheets& sheets) {
     here.clear();
     const std::span<const EdgeUse> uses = sheets.table.uses_of(sheets.table.edges[e]);
     for (const EdgeUse& use : uses)
-      if (sheets.of_face[at(use.triangle)] >= 0) here.push_back(sheets.of_face[at(use.triangle)]);
+      if (sheets.of_face[idx(use.triangle)] >= 0) here.push_back(sheets.of_face[idx(use.triangle)]);
     std::sort(here.begin(), here.end());
     for (auto it = here.begin(); it != here.end();) {
       const auto end = std::upper_bound(it, here.end(), *it);
       const auto own = static_cast<std::int32_t>(end - it);
       if (own < static_cast<std::int32_t>(uses.size())) {
         sheets.seams.push_back({*it, static_cast<std::int32_t>(e), own});
-        if (own % 2 == 1) sheets.part[at(*it)] = Part::unknown;
+        if (own % 2 == 1) sheets.part[idx(*it)] = Part::unknown;
       }
       it = end;
     }
@@ -87,16 +87,16 @@ void list_seams(Sheets& sheets) {
   sheets.first.assign(sheets.part.size() + 1, 0);
   sheets.sheets_at.resize(sheets.table.edges.size());
   for (const Seam& seam : sheets.seams) {
-    ++sheets.first[at(seam.sheet) + 1];
-    sheets.sheets_at[at(seam.edge)].push_back(seam.sheet);
+    ++sheets.first[idx(seam.sheet) + 1];
+    sheets.sheets_at[idx(seam.edge)].push_back(seam.sheet);
   }
   for (std::size_t i = 1; i < sheets.first.size(); ++i) sheets.first[i] += sheets.first[i - 1];
   sheets.faces_at.assign(sheets.table.edges.size(), {});
   for (std::size_t e = 0; e < sheets.table.edges.size(); ++e)
     for (const EdgeUse& use : sheets.table.uses_of(sheets.table.edges[e])) {
-      const std::int32_t sheet = sheets.of_face[at(use.triangle)];
+      const std::int32_t sheet = sheets.of_face[idx(use.triangle)];
       ++sheets.faces_at[e][static_cast<std::size_t>(sheet < 0 ? Part::certain
-                                                              : sheets.part[at(sheet)])];
+                                                              : sheets.part[idx(sheet)])];
     }
 }
 
@@ -106,7 +106,7 @@ struct Others {
 };
 
 Others others_at(const Sheets& sheets, const Seam& seam) {
-  const auto& faces = sheets.faces_at[at(seam.edge)];
+  const auto& faces = sheets.faces_at[idx(seam.edge)];
   const auto of = [&](Part part) { return faces[static_cast<std::size_t>(part)]; };
   return {of(Part::certain), of(Part::unknown) - seam.own, of(Part::fin)};
 }
@@ -139,14 +139,14 @@ void decide(Sheets& sheets, Part part, bool (*rule)(const Sheets&, std::int32_t)
   while (!waiting.empty()) {
     const std::int32_t sheet = waiting.back();
     waiting.pop_back();
-    if (sheets.part[at(sheet)] != Part::unknown || !rule(sheets, sheet)) continue;
-    sheets.part[at(sheet)] = part;
+    if (sheets.part[idx(sheet)] != Part::unknown || !rule(sheets, sheet)) continue;
+    sheets.part[idx(sheet)] = part;
     for (const Seam& seam : sheets.seams_of(sheet)) {
-      auto& faces = sheets.faces_at[at(seam.edge)];
+      auto& faces = sheets.faces_at[idx(seam.edge)];
       faces[static_cast<std::size_t>(Part::unknown)] -= seam.own;
       faces[static_cast<std::size_t>(part)] += seam.own;
-      for (const std::int32_t other : sheets.sheets_at[at(seam.edge)])
-        if (sheets.part[at(other)] == Part::unknown) waiting.push_back(other);
+      for (const std::int32_t other : sheets.sheets_at[idx(seam.edge)])
+        if (sheets.part[idx(other)] == Part::unknown) waiting.push_back(other);
     }
   }
 }
@@ -165,9 +165,9 @@ DistinctFaces list_distinct_faces(const TriangleMesh& mesh) {
       faces.net.push_back(1);
       continue;
     }
-    const std::size_t face = at(place[at(first[t])]);
+    const std::size_t face = idx(place[idx(first[t])]);
     ++faces.copies[face];
-    faces.net[face] += turns_as(mesh.triangles[at(first[t])], mesh.triangles[t]) ? 1 : -1;
+    faces.net[face] += turns_as(mesh.triangles[idx(first[t])], mesh.triangles[t]) ? 1 : -1;
   }
   return faces;
 }
@@ -176,7 +176,7 @@ std::vector<bool> find_fins(const TriangleMesh& mesh, const DistinctFaces& faces
   std::vector<bool> result(faces.triangle.size(), false);
   if (std::find(faces.net.begin(), faces.net.end(), 0) == faces.net.end()) return result;
   TriangleMesh distinct;
-  for (const std::int32_t t : faces.triangle) distinct.triangles.push_back(mesh.triangles[at(t)]);
+  for (const std::int32_t t : faces.triangle) distinct.triangles.push_back(mesh.triangles[idx(t)]);
   Sheets sheets;
   sheets.table = build_edge_table(distinct);
   number_sheets(faces, sheets);
@@ -184,7 +184,7 @@ std::vector<bool> find_fins(const TriangleMesh& mesh, const DistinctFaces& faces
   decide(sheets, Part::certain, is_needed);
   decide(sheets, Part::fin, is_fin);
   for (std::size_t i = 0; i < result.size(); ++i)
-    result[i] = sheets.of_face[i] >= 0 && sheets.part[at(sheets.of_face[i])] == Part::fin;
+    result[i] = sheets.of_face[i] >= 0 && sheets.part[idx(sheets.of_face[i])] == Part::fin;
   return result;
 }
 

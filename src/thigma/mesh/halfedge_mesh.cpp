@@ -15,10 +15,10 @@ void lock_and_link(HalfedgeMesh& mesh, const EdgeTable& table) {
     if (uses.size() == 2 && uses[0].is_forward != uses[1].is_forward) {
       const std::int32_t a = 3 * uses[0].triangle + uses[0].corner;
       const std::int32_t b = 3 * uses[1].triangle + uses[1].corner;
-      mesh.twin[at(a)] = b;
-      mesh.twin[at(b)] = a;
+      mesh.twin[idx(a)] = b;
+      mesh.twin[idx(b)] = a;
     } else if (uses.size() != 1) {
-      mesh.is_locked[at(edge.a)] = mesh.is_locked[at(edge.b)] = 1;
+      mesh.is_locked[idx(edge.a)] = mesh.is_locked[idx(edge.b)] = 1;
     }
   }
 }
@@ -27,35 +27,35 @@ struct Sides {  // of an edge that collapses: the triangle on either side, or -1
   std::int32_t left, right;
 };
 
-Sides sides_of(const HalfedgeMesh& mesh, std::int32_t h) { return {h, mesh.twin[at(h)]}; }
+Sides sides_of(const HalfedgeMesh& mesh, std::int32_t h) { return {h, mesh.twin[idx(h)]}; }
 
 /// Joins what was beside the two edges of a triangle that goes.
 void close_gap(HalfedgeMesh& mesh, std::int32_t h) {
-  const std::int32_t one = mesh.twin[at(next_halfedge(h))];
-  const std::int32_t other = mesh.twin[at(previous_halfedge(h))];
-  if (one >= 0) mesh.twin[at(one)] = other;
-  if (other >= 0) mesh.twin[at(other)] = one;
+  const std::int32_t one = mesh.twin[idx(next_halfedge(h))];
+  const std::int32_t other = mesh.twin[idx(previous_halfedge(h))];
+  if (one >= 0) mesh.twin[idx(one)] = other;
+  if (other >= 0) mesh.twin[idx(other)] = one;
 }
 
 /// A half-edge from the corner across the edge that survives the collapse.
 std::int32_t surviving_from_apex(const HalfedgeMesh& mesh, std::int32_t h) {
-  const std::int32_t one = mesh.twin[at(next_halfedge(h))];  // runs apex -> head
+  const std::int32_t one = mesh.twin[idx(next_halfedge(h))];  // runs apex -> head
   if (one >= 0) return one;
-  return next_halfedge(mesh.twin[at(previous_halfedge(h))]);  // from the twin tail -> apex
+  return next_halfedge(mesh.twin[idx(previous_halfedge(h))]);  // from the twin tail -> apex
 }
 
 /// A half-edge from the vertex that stays.
 std::int32_t surviving_from_tail(const HalfedgeMesh& mesh, std::int32_t h) {
-  const std::int32_t one = mesh.twin[at(previous_halfedge(h))];  // runs tail -> apex
+  const std::int32_t one = mesh.twin[idx(previous_halfedge(h))];  // runs tail -> apex
   if (one >= 0) return one;
-  return next_halfedge(mesh.twin[at(next_halfedge(h))]);  // from the twin apex -> head
+  return next_halfedge(mesh.twin[idx(next_halfedge(h))]);  // from the twin apex -> head
 }
 
 /// The values at the two ends of the edge on one of its sides become one.
 void merge_values(HalfedgeMesh& mesh, std::int32_t at_tail, std::int32_t at_head, double share) {
   const auto width = static_cast<std::size_t>(mesh.attributes.width);
-  double* kept = mesh.attributes.values.data() + at(at_tail) * width;
-  const double* other = mesh.attributes.values.data() + at(at_head) * width;
+  double* kept = mesh.attributes.values.data() + idx(at_tail) * width;
+  const double* other = mesh.attributes.values.data() + idx(at_head) * width;
   for (std::size_t i = 0; i < width; ++i) kept[i] += share * (other[i] - kept[i]);
 }
 
@@ -66,10 +66,10 @@ struct ValuePair {
 void carry_attributes(HalfedgeMesh& mesh, std::int32_t h, double share,
                       const std::vector<std::int32_t>& corners) {
   auto& of_corner = mesh.attributes.of_corner;
-  const std::int32_t opposite = mesh.twin[at(h)];
-  const ValuePair left{of_corner[at(h)], of_corner[at(next_halfedge(h))]};
+  const std::int32_t opposite = mesh.twin[idx(h)];
+  const ValuePair left{of_corner[idx(h)], of_corner[idx(next_halfedge(h))]};
   ValuePair right;
-  if (opposite >= 0) right = {of_corner[at(next_halfedge(opposite))], of_corner[at(opposite)]};
+  if (opposite >= 0) right = {of_corner[idx(next_halfedge(opposite))], of_corner[idx(opposite)]};
   // A seam that begins at the tail has one value there for both sides: the right side then keeps
   // the index of its head.
   const bool begins_at_tail = right.at_tail == left.at_tail && right.at_head != left.at_head;
@@ -79,10 +79,10 @@ void carry_attributes(HalfedgeMesh& mesh, std::int32_t h, double share,
     merge_values(mesh, right.at_tail, right.at_head, share);
   merge_values(mesh, left.at_tail, left.at_head, share);
   for (const std::int32_t c : corners) {
-    if (of_corner[at(c)] == left.at_head)
-      of_corner[at(c)] = left.at_tail;
-    else if (!begins_at_tail && right.at_head >= 0 && of_corner[at(c)] == right.at_head)
-      of_corner[at(c)] = right.at_tail;
+    if (of_corner[idx(c)] == left.at_head)
+      of_corner[idx(c)] = left.at_tail;
+    else if (!begins_at_tail && right.at_head >= 0 && of_corner[idx(c)] == right.at_head)
+      of_corner[idx(c)] = right.at_tail;
   }
 }
 
@@ -90,7 +90,7 @@ void carry_attributes(HalfedgeMesh& mesh, std::int32_t h, double share,
 
 std::int32_t first_of_fan(const HalfedgeMesh& mesh, std::int32_t h) noexcept {
   for (std::int32_t i = h;;) {
-    const std::int32_t beside = mesh.twin[at(i)];
+    const std::int32_t beside = mesh.twin[idx(i)];
     if (beside < 0) return i;
     i = next_halfedge(beside);
     if (i == h) return h;
@@ -109,8 +109,8 @@ HalfedgeMesh build_halfedge_mesh(const TriangleMesh& mesh, CornerAttributes attr
   lock_and_link(m, build_edge_table(mesh));
   std::vector<std::int32_t> corners(mesh.positions.size(), 0), reached(mesh.positions.size(), 0);
   for (std::int32_t h = 0; h < 3 * m.triangle_count; ++h) {
-    ++corners[at(tail_of(m, h))];
-    m.outgoing[at(tail_of(m, h))] = h;
+    ++corners[idx(tail_of(m, h))];
+    m.outgoing[idx(tail_of(m, h))] = h;
   }
   for (std::size_t v = 0; v < m.outgoing.size(); ++v) {
     if (m.outgoing[v] < 0) continue;
@@ -126,7 +126,7 @@ std::int32_t find_halfedge(const HalfedgeMesh& mesh, std::int32_t a, std::int32_
   visit_fan(mesh, a, [&](std::int32_t h) {
     if (head_of(mesh, h) == b) found = h;
   });
-  if (found >= 0 || mesh.outgoing[at(a)] < 0) return found;
+  if (found >= 0 || mesh.outgoing[idx(a)] < 0) return found;
   // On a boundary the last edge of the fan runs towards a alone.
   visit_fan(mesh, b, [&](std::int32_t h) {
     if (head_of(mesh, h) == a) found = h;
@@ -136,7 +136,7 @@ std::int32_t find_halfedge(const HalfedgeMesh& mesh, std::int32_t a, std::int32_
 
 bool can_collapse(const HalfedgeMesh& mesh, std::int32_t halfedge) {
   const std::int32_t a = tail_of(mesh, halfedge), b = head_of(mesh, halfedge);
-  if (mesh.is_locked[at(a)] || mesh.is_locked[at(b)]) return false;
+  if (mesh.is_locked[idx(a)] || mesh.is_locked[idx(b)]) return false;
   const auto [left, right] = sides_of(mesh, halfedge);
   if (right >= 0 && is_boundary(mesh, a) && is_boundary(mesh, b)) return false;
   const std::int32_t apex_left = tail_of(mesh, previous_halfedge(left));
@@ -187,21 +187,21 @@ std::array<std::int32_t, 2> collapse_edge(HalfedgeMesh& mesh, std::int32_t halfe
     apexes[i] = tail_of(mesh, previous_halfedge(edges[i]));
     apex_edges[i] = surviving_from_apex(mesh, edges[i]);
   }
-  for (const std::int32_t h : at_head) mesh.triangles[at(h / 3)][at(h % 3)] = a;
+  for (const std::int32_t h : at_head) mesh.triangles[idx(h / 3)][idx(h % 3)] = a;
   for (const std::int32_t h : edges)
     if (h >= 0) close_gap(mesh, h);
   std::array<std::int32_t, 2> removed = {-1, -1};
   for (std::size_t i = 0; i < 2; ++i) {
     if (edges[i] < 0) continue;
     removed[i] = edges[i] / 3;
-    mesh.triangles[at(removed[i])] = {-1, -1, -1};
-    for (std::int32_t k = 0; k < 3; ++k) mesh.twin[at(3 * removed[i] + k)] = -1;
+    mesh.triangles[idx(removed[i])] = {-1, -1, -1};
+    for (std::int32_t k = 0; k < 3; ++k) mesh.twin[idx(3 * removed[i] + k)] = -1;
     --mesh.triangle_count;
-    mesh.outgoing[at(apexes[i])] = first_of_fan(mesh, apex_edges[i]);
+    mesh.outgoing[idx(apexes[i])] = first_of_fan(mesh, apex_edges[i]);
   }
-  mesh.outgoing[at(b)] = -1;
-  mesh.outgoing[at(a)] = first_of_fan(mesh, start);
-  mesh.positions[at(a)] = position;
+  mesh.outgoing[idx(b)] = -1;
+  mesh.outgoing[idx(a)] = first_of_fan(mesh, start);
+  mesh.positions[idx(a)] = position;
   return removed;
 }
 
@@ -215,10 +215,10 @@ std::int64_t count_halfedge_faults(const HalfedgeMesh& mesh) {
     ++alive;
     faults += v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
     for (std::int32_t k = 0; k < 3; ++k) {
-      const std::int32_t h = static_cast<std::int32_t>(3 * t) + k, other = mesh.twin[at(h)];
-      ++corners[at(tail_of(mesh, h))];
+      const std::int32_t h = static_cast<std::int32_t>(3 * t) + k, other = mesh.twin[idx(h)];
+      ++corners[idx(tail_of(mesh, h))];
       if (other < 0) continue;
-      faults += mesh.twin[at(other)] != h || mesh.triangles[at(other / 3)][0] < 0 ||
+      faults += mesh.twin[idx(other)] != h || mesh.triangles[idx(other / 3)][0] < 0 ||
                 tail_of(mesh, other) != head_of(mesh, h) ||
                 head_of(mesh, other) != tail_of(mesh, h);
     }
@@ -245,7 +245,7 @@ CompactMesh compact(const HalfedgeMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.triangles[t][0] < 0) continue;
     result.triangles.push_back(static_cast<std::int32_t>(t));
-    for (const std::int32_t v : mesh.triangles[t]) place[at(v)] = 0;
+    for (const std::int32_t v : mesh.triangles[t]) place[idx(v)] = 0;
   }
   for (std::size_t v = 0; v < place.size(); ++v) {
     if (place[v] < 0) continue;
@@ -256,10 +256,10 @@ CompactMesh compact(const HalfedgeMesh& mesh) {
   result.attributes.width = mesh.attributes.width;
   result.attributes.values = mesh.attributes.values;
   for (const std::int32_t t : result.triangles) {
-    const auto& v = mesh.triangles[at(t)];
-    result.mesh.triangles.push_back({place[at(v[0])], place[at(v[1])], place[at(v[2])]});
+    const auto& v = mesh.triangles[idx(t)];
+    result.mesh.triangles.push_back({place[idx(v[0])], place[idx(v[1])], place[idx(v[2])]});
     for (std::int32_t k = 0; has_values && k < 3; ++k)
-      result.attributes.of_corner.push_back(mesh.attributes.of_corner[at(3 * t + k)]);
+      result.attributes.of_corner.push_back(mesh.attributes.of_corner[idx(3 * t + k)]);
   }
   return result;
 }

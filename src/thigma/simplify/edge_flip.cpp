@@ -30,7 +30,7 @@ struct Flip {
 
 bool is_reflex(const PatchedSurface& surface, std::int32_t triangle, std::int32_t apex) {
   return has_plane(surface, triangle) &&
-         height_over(surface, triangle, surface.mesh.positions[at(apex)]) > surface.flat;
+         height_over(surface, triangle, surface.mesh.positions[idx(apex)]) > surface.flat;
 }
 
 /// Of the edges around the quadrilateral, with its triangles as they are now.
@@ -46,24 +46,24 @@ int count_reflex(const PatchedSurface& surface, const Flip& flip,
 
 Flip describe(const PatchedSurface& surface, std::int32_t halfedge) {
   const HalfedgeMesh& mesh = surface.mesh;
-  const std::int32_t twin = mesh.twin[at(halfedge)];
+  const std::int32_t twin = mesh.twin[idx(halfedge)];
   Flip flip;
   flip.halfedge = halfedge;
   flip.quad = quad_of(mesh, halfedge);
   const auto [one, two] = flip.quad.triangle;
-  flip.patch = {surface.patch_of[at(one)], surface.patch_of[at(two)]};
-  flip.outside = {mesh.twin[at(next_halfedge(halfedge))],
-                  mesh.twin[at(previous_halfedge(halfedge))], mesh.twin[at(next_halfedge(twin))],
-                  mesh.twin[at(previous_halfedge(twin))]};
-  flip.old_normal = {surface.normal[at(one)], surface.normal[at(two)]};
+  flip.patch = {surface.patch_of[idx(one)], surface.patch_of[idx(two)]};
+  flip.outside = {mesh.twin[idx(next_halfedge(halfedge))],
+                  mesh.twin[idx(previous_halfedge(halfedge))], mesh.twin[idx(next_halfedge(twin))],
+                  mesh.twin[idx(previous_halfedge(twin))]};
+  flip.old_normal = {surface.normal[idx(one)], surface.normal[idx(two)]};
   flip.old_quality = std::min(detail::triangle_quality(corners_of(surface, one)),
                               detail::triangle_quality(corners_of(surface, two)));
   flip.old_reflex = 1 + count_reflex(surface, flip, {one, one, two, two});
   flip.old_crossings = detail::count_crossings(surface, flip.quad.triangle);
   const auto& x = mesh.positions;
-  const Vec3& a = x[at(flip.quad.a)];
+  const Vec3& a = x[idx(flip.quad.a)];
   flip.volume =
-      (x[at(flip.quad.b)] - a).cross(x[at(flip.quad.c)] - a).dot(x[at(flip.quad.d)] - a) / 6.0;
+      (x[idx(flip.quad.b)] - a).cross(x[idx(flip.quad.c)] - a).dot(x[idx(flip.quad.d)] - a) / 6.0;
   return flip;
 }
 
@@ -72,13 +72,13 @@ bool has_good_shape(const PatchedSurface& surface, const CollapseParams& params,
   for (const std::int32_t t : flip.quad.triangle) {
     if (!(detail::triangle_quality(corners_of(surface, t)) >= least)) return false;
     for (const Vec3& normal : flip.old_normal)
-      if (!(surface.normal[at(t)].dot(normal) >= 0.1)) return false;
+      if (!(surface.normal[idx(t)].dot(normal) >= 0.1)) return false;
   }
   const std::array<std::int32_t, 4> inside = {flip.quad.triangle[1], flip.quad.triangle[0],
                                               flip.quad.triangle[0], flip.quad.triangle[1]};
   for (std::size_t i = 0; i < 4; ++i)
-    if (flip.outside[i] >= 0 && surface.normal[at(inside[i])].dot(
-                                    surface.normal[at(flip.outside[i] / 3)]) < detail::kFoldCosine)
+    if (flip.outside[i] >= 0 && surface.normal[idx(inside[i])].dot(
+                                    surface.normal[idx(flip.outside[i] / 3)]) < detail::kFoldCosine)
       return false;
   return true;
 }
@@ -86,8 +86,8 @@ bool has_good_shape(const PatchedSurface& surface, const CollapseParams& params,
 bool is_near_original(const PatchedSurface& surface, detail::DeviationGuard& guard,
                       const Flip& flip) {
   const auto& x = surface.mesh.positions;
-  const Vec3 &a = x[at(flip.quad.a)], &b = x[at(flip.quad.b)], &c = x[at(flip.quad.c)],
-             &d = x[at(flip.quad.d)];
+  const Vec3 &a = x[idx(flip.quad.a)], &b = x[idx(flip.quad.b)], &c = x[idx(flip.quad.c)],
+             &d = x[idx(flip.quad.d)];
   const std::array<std::int32_t, 3> near = {flip.quad.a, flip.quad.b, flip.quad.c};
   if (!detail::is_within_limit(guard, {a, c, d}, near) ||
       !detail::is_within_limit(guard, {b, c, d}, near))
@@ -95,8 +95,8 @@ bool is_near_original(const PatchedSurface& surface, detail::DeviationGuard& gua
   const auto one = corners_of(surface, flip.quad.triangle[0]),
              two = corners_of(surface, flip.quad.triangle[1]);
   for (const std::int32_t t : flip.quad.triangle)
-    for (std::int32_t v = guard.first_sample[at(t)]; v >= 0; v = guard.next_sample[at(v)]) {
-      const Vec3& p = guard.original->positions[at(v)];
+    for (std::int32_t v = guard.first_sample[idx(t)]; v >= 0; v = guard.next_sample[idx(v)]) {
+      const Vec3& p = guard.original->positions[idx(v)];
       if (point_triangle_distance(p, one[0], one[1], one[2]) > guard.limit &&
           point_triangle_distance(p, two[0], two[1], two[2]) > guard.limit)
         return false;
@@ -113,7 +113,7 @@ bool list_parts(const PatchedSurface& surface, Quickhull& hull, Flip& flip) {
   for (std::size_t i = 0; i < 2; ++i)
     detail::append_rest(surface, flip.patch[i], flip.quad.triangle[i], flip.parts);
   flip.own_count = flip.parts.size();
-  const std::int32_t shell = surface.patches[at(flip.patch[0])].shell;
+  const std::int32_t shell = surface.patches[idx(flip.patch[0])].shell;
   for (detail::PatchPart& part : flip.parts) {
     detail::describe_part(surface, part, hull);
     if (!detail::is_hull_clear({surface, shell, flip.quad.triangle}, part, nullptr,
@@ -123,7 +123,7 @@ bool list_parts(const PatchedSurface& surface, Quickhull& hull, Flip& flip) {
   std::vector<std::int32_t> beside;
   const auto note = [&](std::int32_t halfedge) {
     if (halfedge < 0) return;
-    const std::int32_t patch = surface.patch_of[at(halfedge / 3)];
+    const std::int32_t patch = surface.patch_of[idx(halfedge / 3)];
     if (patch != flip.patch[0] && patch != flip.patch[1] &&
         std::find(beside.begin(), beside.end(), patch) == beside.end())
       beside.push_back(patch);
@@ -131,11 +131,11 @@ bool list_parts(const PatchedSurface& surface, Quickhull& hull, Flip& flip) {
   for (const std::int32_t h : flip.outside) note(h);
   for (std::size_t i = 1; i < flip.own_count; ++i)
     for (const std::int32_t t : flip.parts[i].triangles)
-      for (std::int32_t k = 0; k < 3; ++k) note(surface.mesh.twin[at(3 * t + k)]);
+      for (std::int32_t k = 0; k < 3; ++k) note(surface.mesh.twin[idx(3 * t + k)]);
   for (const std::int32_t patch : beside) {
     detail::PatchPart part;
-    part.triangles = surface.patches[at(patch)].triangles;
-    part.vertices = surface.patches[at(patch)].vertices;
+    part.triangles = surface.patches[idx(patch)].triangles;
+    part.vertices = surface.patches[idx(patch)].vertices;
     part.patch = patch;
     flip.parts.push_back(std::move(part));
   }
@@ -143,11 +143,11 @@ bool list_parts(const PatchedSurface& surface, Quickhull& hull, Flip& flip) {
 }
 
 bool enters_other_hull(const PatchedSurface& surface, const Flip& flip) {
-  const std::int32_t shell = surface.patches[at(flip.patch[0])].shell;
+  const std::int32_t shell = surface.patches[idx(flip.patch[0])].shell;
   bool entered = false;
   for (const std::int32_t t : flip.quad.triangle)
     surface.tree.visit(box_of(corners_of(surface, t)), [&](std::int32_t patch) {
-      const SurfacePatch& p = surface.patches[at(patch)];
+      const SurfacePatch& p = surface.patches[idx(patch)];
       if (entered || patch == flip.patch[0] || patch == flip.patch[1] || p.shell != shell) return;
       entered = intrudes(surface, t, p.half_spaces, p.box);
     });
@@ -173,7 +173,7 @@ FlipOutcome judge(const PatchedSurface& surface, CollapseContext& context, Flip&
   if (enters_other_hull(surface, flip) || !list_parts(surface, hull, flip))
     return FlipOutcome::protrusion;
   const int absorbed =
-      detail::merge_parts({surface, surface.patches[at(flip.patch[0])].shell, flip.quad.triangle},
+      detail::merge_parts({surface, surface.patches[idx(flip.patch[0])].shell, flip.quad.triangle},
                           flip.own_count, hull, flip.parts);
   gain = absorbed + 2 - static_cast<int>(flip.own_count);
   const bool is_worth_it = gain > 0 || (gain == 0 && is_better(surface, context.volume, flip));
@@ -185,19 +185,19 @@ void hand_over_samples(const PatchedSurface& surface, const FlipQuad& quad,
                        detail::DeviationGuard& guard) {
   std::vector<std::int32_t> samples;
   for (const std::int32_t t : quad.triangle) {
-    for (std::int32_t v = guard.first_sample[at(t)]; v >= 0; v = guard.next_sample[at(v)])
+    for (std::int32_t v = guard.first_sample[idx(t)]; v >= 0; v = guard.next_sample[idx(v)])
       samples.push_back(v);
-    guard.first_sample[at(t)] = -1;
+    guard.first_sample[idx(t)] = -1;
   }
   const auto one = corners_of(surface, quad.triangle[0]),
              two = corners_of(surface, quad.triangle[1]);
   for (const std::int32_t v : samples) {
-    const Vec3& p = guard.original->positions[at(v)];
+    const Vec3& p = guard.original->positions[idx(v)];
     const bool is_nearer_one = point_triangle_distance(p, one[0], one[1], one[2]) <=
                                point_triangle_distance(p, two[0], two[1], two[2]);
     const std::int32_t t = quad.triangle[is_nearer_one ? 0 : 1];
-    guard.next_sample[at(v)] = guard.first_sample[at(t)];
-    guard.first_sample[at(t)] = v;
+    guard.next_sample[idx(v)] = guard.first_sample[idx(t)];
+    guard.first_sample[idx(t)] = v;
   }
 }
 
@@ -216,7 +216,7 @@ void commit(PatchedSurface& surface, CollapseContext& context, Flip& flip,
             std::vector<std::int32_t>& successor) {
   hand_over_samples(surface, flip.quad, context.guard);
   context.volume.now += flip.volume;
-  const std::int32_t shell = surface.patches[at(flip.patch[0])].shell;
+  const std::int32_t shell = surface.patches[idx(flip.patch[0])].shell;
   std::vector<std::int32_t> numbers = free_numbers(flip);
   const std::span<detail::PatchPart> own(flip.parts.data(), flip.own_count);
   for (detail::PatchPart& part : own) {
@@ -225,18 +225,18 @@ void commit(PatchedSurface& surface, CollapseContext& context, Flip& flip,
       part.patch = numbers.front();
       numbers.erase(numbers.begin());
     }
-    for (const std::int32_t t : part.triangles) surface.patch_of[at(t)] = part.patch;
+    for (const std::int32_t t : part.triangles) surface.patch_of[idx(t)] = part.patch;
   }
   for (const std::int32_t patch : numbers) {
-    successor[at(patch)] = surface.patch_of[at(surface.patches[at(patch)].triangles[0])];
-    surface.patches[at(patch)] = {};
+    successor[idx(patch)] = surface.patch_of[idx(surface.patches[idx(patch)].triangles[0])];
+    surface.patches[idx(patch)] = {};
     surface.tree.remove(patch);
     --surface.patch_count;
   }
   for (detail::PatchPart& part : own) {
     if (part.is_absorbed) continue;
-    surface.patches[at(part.patch)].shell = shell;
-    surface.patches[at(part.patch)].triangles = part.triangles;
+    surface.patches[idx(part.patch)].shell = shell;
+    surface.patches[idx(part.patch)].triangles = part.triangles;
     set_patch(surface, part.patch, part.vertices, part.half_spaces, part.box);
   }
 }
@@ -245,11 +245,11 @@ void commit(PatchedSurface& surface, CollapseContext& context, Flip& flip,
 
 FlipOutcome flip_reflex_edge(PatchedSurface& surface, CollapseContext& context,
                              std::int32_t halfedge, std::vector<std::int32_t>& successor) {
-  const std::int32_t twin = surface.mesh.twin[at(halfedge)];
+  const std::int32_t twin = surface.mesh.twin[idx(halfedge)];
   if (twin < 0) return FlipOutcome::convex;
   const FlipQuad quad = quad_of(surface.mesh, halfedge);
   const auto [one, two] = quad.triangle;
-  if (surface.patch_of[at(one)] == surface.patch_of[at(two)] ||
+  if (surface.patch_of[idx(one)] == surface.patch_of[idx(two)] ||
       (!is_reflex(surface, one, quad.d) && !is_reflex(surface, two, quad.c)))
     return FlipOutcome::convex;
   if (!can_flip(surface.mesh, halfedge)) return FlipOutcome::topology;
@@ -278,10 +278,10 @@ std::int64_t flip_reflex_edges(PatchedSurface& surface, CollapseContext& context
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     const std::int64_t before = flipped;
     for (std::int32_t h = 0; h < count; ++h) {
-      if (surface.mesh.twin[at(h)] < h) continue;
+      if (surface.mesh.twin[idx(h)] < h) continue;
       const FlipQuad quad = quad_of(surface.mesh, h);
       const auto& x = surface.mesh.positions;
-      context.guard.limit = limit.of((x[at(quad.c)] - x[at(quad.d)]).norm());
+      context.guard.limit = limit.of((x[idx(quad.c)] - x[idx(quad.d)]).norm());
       const FlipOutcome outcome = flip_reflex_edge(surface, context, h, successor);
       ++outcomes[static_cast<std::size_t>(outcome)];
       flipped += outcome == FlipOutcome::flipped;

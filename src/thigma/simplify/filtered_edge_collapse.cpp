@@ -42,9 +42,9 @@ void narrow_by_edges(ConvexPart& part, const EdgeStar& star,
                      const std::vector<RingTriangle>& ring) {
   for (std::size_t i = 0; i < star.triangles.size() && part.interval.is_feasible; ++i) {
     const StarTriangle& t = star.triangles[i];
-    if (t.beyond >= 0 && part.surface.patch_of[at(t.beyond)] == t.patch)
+    if (t.beyond >= 0 && part.surface.patch_of[idx(t.beyond)] == t.patch)
       narrow(part, ring[i].b, ring[i].a, ring[i].beyond);
-    if (t.following >= 0 && star.triangles[at(t.following)].patch == t.patch)
+    if (t.following >= 0 && star.triangles[idx(t.following)].patch == t.patch)
       narrow(part, ring[i].b, ring[i].a, ring[i].following);
   }
 }
@@ -61,12 +61,13 @@ void narrow_by_patches(ConvexPart& part, const CollapseScratch& scratch) {
       if (t.patch != star.patches[i]) continue;
       has_vertex = true;
       for (const std::int32_t v : scratch.patch_vertices[i])
-        if (v != star.tail && v != t.a && v != t.b) narrow(part, x[at(t.b)], x[at(t.a)], x[at(v)]);
+        if (v != star.tail && v != t.a && v != t.b)
+          narrow(part, x[idx(t.b)], x[idx(t.a)], x[idx(v)]);
       if (!part.interval.is_feasible) return;
     }
     if (!has_vertex) continue;
-    for (const std::int32_t t : surface.patches[at(star.patches[i])].triangles) {
-      if (std::abs(scratch.mark[at(t)]) == scratch.epoch || !has_plane(surface, t)) continue;
+    for (const std::int32_t t : surface.patches[idx(star.patches[i])].triangles) {
+      if (std::abs(scratch.mark[idx(t)]) == scratch.epoch || !has_plane(surface, t)) continue;
       const auto c = corners_of(surface, t);
       constrain(part.interval,
                 {c[0], c[1], c[2], surface.flat * (c[1] - c[0]).cross(c[2] - c[0]).norm()},
@@ -81,11 +82,11 @@ void hand_over_samples(const PatchedSurface& surface, const EdgeStar& star,
                        detail::DeviationGuard& guard) {
   std::int32_t list = -1;  // of all of them
   const auto take = [&](std::int32_t triangle) {
-    std::int32_t& first = guard.first_sample[at(triangle)];
+    std::int32_t& first = guard.first_sample[idx(triangle)];
     while (first >= 0) {
       const std::int32_t v = first;
-      first = guard.next_sample[at(v)];
-      guard.next_sample[at(v)] = list;
+      first = guard.next_sample[idx(v)];
+      guard.next_sample[idx(v)] = list;
       list = v;
     }
   };
@@ -94,19 +95,19 @@ void hand_over_samples(const PatchedSurface& surface, const EdgeStar& star,
     if (t >= 0) take(t);
   while (list >= 0) {
     const std::int32_t v = list;
-    list = guard.next_sample[at(v)];
+    list = guard.next_sample[idx(v)];
     double least = std::numeric_limits<double>::infinity();
     std::int32_t nearest = star.triangles[0].triangle;
     for (const StarTriangle& t : star.triangles) {
       const auto c = corners_of(surface, t.triangle);
       const double distance =
-          point_triangle_distance(guard.original->positions[at(v)], c[0], c[1], c[2]);
+          point_triangle_distance(guard.original->positions[idx(v)], c[0], c[1], c[2]);
       if (distance >= least) continue;
       least = distance;
       nearest = t.triangle;
     }
-    guard.next_sample[at(v)] = guard.first_sample[at(nearest)];
-    guard.first_sample[at(nearest)] = v;
+    guard.next_sample[idx(v)] = guard.first_sample[idx(nearest)];
+    guard.first_sample[idx(nearest)] = v;
   }
 }
 
@@ -114,30 +115,30 @@ void commit(PatchedSurface& surface, CollapseContext& context, const Vec3& p,
             std::vector<std::int32_t>& successor) {
   CollapseScratch& scratch = context.scratch;
   const EdgeStar& star = scratch.star;
-  const Vec3 tail = surface.mesh.positions[at(star.tail)];
-  const Vec3 edge = surface.mesh.positions[at(star.head)] - tail;
+  const Vec3 tail = surface.mesh.positions[idx(star.tail)];
+  const Vec3 edge = surface.mesh.positions[idx(star.head)] - tail;
   const double share =
       std::clamp(edge.dot(p - tail) / std::max(edge.squaredNorm(), 1e-300), 0.0, 1.0);
   context.volume.now += volume_change(scratch.volume, p);
   collapse_edge(surface.mesh, star.halfedge, p, share);
-  context.quadric[at(star.tail)] += context.quadric[at(star.head)];
+  context.quadric[idx(star.tail)] += context.quadric[idx(star.head)];
   const std::int32_t near =
       detail::find_within_limit(context.guard, p, {star.tail, star.head, star.tail});
-  if (near >= 0) context.guard.near[at(star.tail)] = near;
+  if (near >= 0) context.guard.near[idx(star.tail)] = near;
   for (const StarTriangle& t : star.triangles) refresh_triangle(surface, t.triangle);
   hand_over_samples(surface, star, context.guard);
   for (const std::int32_t t : star.removed) {
     if (t < 0) continue;
-    std::erase(surface.patches[at(surface.patch_of[at(t)])].triangles, t);
-    surface.patch_of[at(t)] = -1;
+    std::erase(surface.patches[idx(surface.patch_of[idx(t)])].triangles, t);
+    surface.patch_of[idx(t)] = -1;
   }
   const bool are_current = scratch.has_all_hulls && scratch.hulls_at == p;
   for (std::size_t i = 0; i < star.patches.size(); ++i) {
     const std::int32_t patch = star.patches[i];
-    if (surface.patches[at(patch)].triangles.empty()) {
-      surface.patches[at(patch)] = {};
+    if (surface.patches[idx(patch)].triangles.empty()) {
+      surface.patches[idx(patch)] = {};
       surface.tree.remove(patch);
-      successor[at(patch)] = star.triangles[0].patch;
+      successor[idx(patch)] = star.triangles[0].patch;
       --surface.patch_count;
       continue;
     }
@@ -185,15 +186,15 @@ std::vector<Quadric> vertex_quadrics(const PatchedSurface& surface) {
     const Vec3& normal = surface.normal[t];
     const double area = 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm();
     const Quadric q = plane_quadric(normal, c[0], area);
-    for (const std::int32_t v : surface.mesh.triangles[t]) quadrics[at(v)] += q;
+    for (const std::int32_t v : surface.mesh.triangles[t]) quadrics[idx(v)] += q;
     for (std::size_t k = 0; k < 3; ++k) {
       if (surface.mesh.twin[3 * t + k] >= 0) continue;
       const Vec3 edge = c[(k + 1) % 3] - c[k];
       const Vec3 upright = edge.cross(normal);
       if (!(upright.squaredNorm() > 0.0)) continue;
       const Quadric rim = plane_quadric(upright.normalized(), c[k], edge.squaredNorm());
-      quadrics[at(surface.mesh.triangles[t][k])] += rim;
-      quadrics[at(surface.mesh.triangles[t][(k + 1) % 3])] += rim;
+      quadrics[idx(surface.mesh.triangles[t][k])] += rim;
+      quadrics[idx(surface.mesh.triangles[t][(k + 1) % 3])] += rim;
     }
   }
   return quadrics;
@@ -208,8 +209,8 @@ CollapseOutcome filtered_edge_collapse(PatchedSurface& surface, CollapseContext&
   detail::list_ring(surface, scratch.star, scratch.ring);
   scratch.volume = detail::volume_plane(surface, scratch.star);
   const detail::Starts starts = detail::choose_starts(surface, context);
-  const double edge = (surface.mesh.positions[at(scratch.star.head)] -
-                       surface.mesh.positions[at(scratch.star.tail)])
+  const double edge = (surface.mesh.positions[idx(scratch.star.head)] -
+                       surface.mesh.positions[idx(scratch.star.tail)])
                           .norm();
   bool has_begun = false;
   CollapseOutcome reason = CollapseOutcome::convexity;

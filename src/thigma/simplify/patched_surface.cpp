@@ -17,12 +17,12 @@ bool contains(const std::vector<std::int32_t>& list, std::int32_t value) {
 /// Whether the patch stays convex with the triangle, which has no area.
 bool takes_flat_triangle(const PatchedSurface& surface, const SurfacePatch& patch, std::int32_t t) {
   auto count = static_cast<int>(patch.vertices.size());
-  for (const std::int32_t v : surface.mesh.triangles[at(t)]) {
+  for (const std::int32_t v : surface.mesh.triangles[idx(t)]) {
     if (contains(patch.vertices, v)) continue;
     ++count;
     for (const std::int32_t other : patch.triangles)
       if (has_plane(surface, other) &&
-          height_over(surface, other, surface.mesh.positions[at(v)]) > surface.flat)
+          height_over(surface, other, surface.mesh.positions[idx(v)]) > surface.flat)
         return false;
   }
   return count <= surface.max_vertices;
@@ -33,29 +33,29 @@ std::int32_t longest_edge(const PatchedSurface& surface, std::int32_t t) {
   const std::array<Vec3, 3> c = corners_of(surface, t);
   std::int32_t longest = 0;
   for (std::int32_t k = 1; k < 3; ++k)
-    if ((c[at((k + 1) % 3)] - c[at(k)]).squaredNorm() >
-        (c[at((longest + 1) % 3)] - c[at(longest)]).squaredNorm())
+    if ((c[idx((k + 1) % 3)] - c[idx(k)]).squaredNorm() >
+        (c[idx((longest + 1) % 3)] - c[idx(longest)]).squaredNorm())
       longest = k;
   return 3 * t + longest;
 }
 
 void place_flat_triangle(PatchedSurface& surface, std::int32_t t, std::int32_t shell) {
   std::int32_t home = -1;
-  const std::int32_t beside = surface.mesh.twin[at(longest_edge(surface, t))];
+  const std::int32_t beside = surface.mesh.twin[idx(longest_edge(surface, t))];
   if (beside >= 0) {
-    const std::int32_t patch = surface.patch_of[at(beside / 3)];
-    if (patch >= 0 && takes_flat_triangle(surface, surface.patches[at(patch)], t)) home = patch;
+    const std::int32_t patch = surface.patch_of[idx(beside / 3)];
+    if (patch >= 0 && takes_flat_triangle(surface, surface.patches[idx(patch)], t)) home = patch;
   }
   if (home < 0) {
     home = static_cast<std::int32_t>(surface.patches.size());
     surface.patches.emplace_back();
     surface.patches.back().shell = shell;
   }
-  SurfacePatch& patch = surface.patches[at(home)];
+  SurfacePatch& patch = surface.patches[idx(home)];
   patch.triangles.push_back(t);
-  for (const std::int32_t v : surface.mesh.triangles[at(t)])
+  for (const std::int32_t v : surface.mesh.triangles[idx(t)])
     if (!contains(patch.vertices, v)) patch.vertices.push_back(v);
-  surface.patch_of[at(t)] = home;
+  surface.patch_of[idx(t)] = home;
 }
 
 /// Whether every vertex of one patch is below every plane of the other.
@@ -64,7 +64,7 @@ bool lies_below(const PatchedSurface& surface, const SurfacePatch& lower,
   for (const std::int32_t t : upper.triangles) {
     if (!has_plane(surface, t)) continue;
     for (const std::int32_t v : lower.vertices)
-      if (height_over(surface, t, surface.mesh.positions[at(v)]) > surface.flat) return false;
+      if (height_over(surface, t, surface.mesh.positions[idx(v)]) > surface.flat) return false;
   }
   return true;
 }
@@ -72,12 +72,12 @@ bool lies_below(const PatchedSurface& surface, const SurfacePatch& lower,
 bool is_entered(const PatchedSurface& surface, std::int32_t one, std::int32_t other,
                 const std::vector<HalfSpace>& half_spaces, const TreeBox& box) {
   bool entered = false;
-  const std::int32_t shell = surface.patches[at(one)].shell;
+  const std::int32_t shell = surface.patches[idx(one)].shell;
   surface.tree.visit(box, [&](std::int32_t patch) {
-    if (entered || patch == one || patch == other || surface.patches[at(patch)].shell != shell ||
-        !surface.patches[at(patch)].box.overlaps(box))
+    if (entered || patch == one || patch == other || surface.patches[idx(patch)].shell != shell ||
+        !surface.patches[idx(patch)].box.overlaps(box))
       return;
-    for (const std::int32_t t : surface.patches[at(patch)].triangles)
+    for (const std::int32_t t : surface.patches[idx(patch)].triangles)
       if (!entered && intrudes(surface, t, half_spaces, box)) entered = true;
   });
   return entered;
@@ -88,15 +88,15 @@ void list_mergeable(const PatchedSurface& surface, std::int32_t patch,
                     std::vector<std::int32_t>& found) {
   std::vector<std::int32_t> reflex;
   found.clear();
-  for (const std::int32_t t : surface.patches[at(patch)].triangles)
+  for (const std::int32_t t : surface.patches[idx(patch)].triangles)
     for (std::int32_t k = 0; k < 3; ++k) {
-      const std::int32_t beside = surface.mesh.twin[at(3 * t + k)];
+      const std::int32_t beside = surface.mesh.twin[idx(3 * t + k)];
       if (beside < 0) continue;
-      const std::int32_t other = surface.patch_of[at(beside / 3)];
+      const std::int32_t other = surface.patch_of[idx(beside / 3)];
       if (other == patch) continue;
       const std::int32_t apex = tail_of(surface.mesh, previous_halfedge(beside));
       if (has_plane(surface, t) &&
-          height_over(surface, t, surface.mesh.positions[at(apex)]) > surface.flat)
+          height_over(surface, t, surface.mesh.positions[idx(apex)]) > surface.flat)
         reflex.push_back(other);
       else if (!contains(found, other))
         found.push_back(other);
@@ -114,8 +114,8 @@ void refresh_triangle(PatchedSurface& surface, std::int32_t t) {
   const double length = cross.norm();
   // As in the decomposition: below this the direction of the normal is rounding alone.
   const bool has_area = length > 1e-15 * longest2;
-  surface.normal[at(t)] = has_area ? Vec3(cross / length) : Vec3(Vec3::Zero());
-  surface.height[at(t)] = has_area ? length / std::sqrt(longest2) : 0.0;
+  surface.normal[idx(t)] = has_area ? Vec3(cross / length) : Vec3(Vec3::Zero());
+  surface.height[idx(t)] = has_area ? length / std::sqrt(longest2) : 0.0;
 }
 
 void list_patch_half_spaces(const PatchedSurface& surface,
@@ -123,8 +123,8 @@ void list_patch_half_spaces(const PatchedSurface& surface,
                             std::vector<HalfSpace>& half_spaces, TreeBox& box) {
   std::array<Vec3, kMaxHullVertices> points;
   const std::size_t count = std::min(vertices.size(), points.size());
-  points[0] = surface.mesh.positions[at(vertices[0])];
-  for (std::size_t i = 0; i < count; ++i) points[i] = surface.mesh.positions[at(vertices[i])];
+  points[0] = surface.mesh.positions[idx(vertices[0])];
+  for (std::size_t i = 0; i < count; ++i) points[i] = surface.mesh.positions[idx(vertices[i])];
   box = {points[0], points[0]};
   for (std::size_t i = 1; i < count; ++i) {
     box.min = box.min.cwiseMin(points[i]);
@@ -142,14 +142,14 @@ void list_patch_half_spaces(const PatchedSurface& surface,
 
 bool intrudes(const PatchedSurface& surface, std::int32_t t,
               const std::vector<HalfSpace>& half_spaces, const TreeBox& box) {
-  if (half_spaces.empty() || surface.height[at(t)] <= 0.0) return false;
+  if (half_spaces.empty() || surface.height[idx(t)] <= 0.0) return false;
   const std::array<Vec3, 3> corners = corners_of(surface, t);
   return box_of(corners).overlaps(box) && reaches_into(corners, half_spaces);
 }
 
 void set_patch(PatchedSurface& surface, std::int32_t patch, std::vector<std::int32_t>& vertices,
                std::vector<HalfSpace>& half_spaces, const TreeBox& box) {
-  SurfacePatch& p = surface.patches[at(patch)];
+  SurfacePatch& p = surface.patches[idx(patch)];
   p.vertices.assign(vertices.begin(), vertices.end());
   p.half_spaces.assign(half_spaces.begin(), half_spaces.end());
   p.box = box;
@@ -176,7 +176,7 @@ PatchedSurface build_patched_surface(const DecomposedSurface& decomposed, double
   for (std::size_t i = 0; i < surface.patches.size(); ++i) {
     surface.patches[i].triangles = decomposition.patches[i];
     surface.patches[i].vertices = decomposition.vertices[i];
-    surface.patches[i].shell = shell[at(decomposition.patches[i][0])];
+    surface.patches[i].shell = shell[idx(decomposition.patches[i][0])];
   }
   for (std::size_t t = 0; t < surface.patch_of.size(); ++t)
     if (surface.patch_of[t] < 0)
@@ -202,7 +202,7 @@ int merge_patch(PatchedSurface& surface, std::int32_t patch, Quickhull& hull,
     again = false;
     list_mergeable(surface, patch, candidates);
     for (const std::int32_t other : candidates) {
-      SurfacePatch &one = surface.patches[at(patch)], &two = surface.patches[at(other)];
+      SurfacePatch &one = surface.patches[idx(patch)], &two = surface.patches[idx(other)];
       vertices = one.vertices;
       for (const std::int32_t v : two.vertices)
         if (!contains(one.vertices, v)) vertices.push_back(v);
@@ -210,12 +210,12 @@ int merge_patch(PatchedSurface& surface, std::int32_t patch, Quickhull& hull,
       if (!lies_below(surface, two, one) || !lies_below(surface, one, two)) continue;
       list_patch_half_spaces(surface, vertices, hull, half_spaces, box);
       if (!half_spaces.empty() && is_entered(surface, patch, other, half_spaces, box)) continue;
-      for (const std::int32_t t : two.triangles) surface.patch_of[at(t)] = patch;
+      for (const std::int32_t t : two.triangles) surface.patch_of[idx(t)] = patch;
       one.triangles.insert(one.triangles.end(), two.triangles.begin(), two.triangles.end());
       two = {};
       surface.tree.remove(other);
       set_patch(surface, patch, vertices, half_spaces, box);
-      successor[at(other)] = patch;
+      successor[idx(other)] = patch;
       --surface.patch_count;
       ++merged;
       again = true;

@@ -60,9 +60,9 @@ constexpr int kFlipRounds = 8;
 constexpr int kOctaves = 5;  // of projected length below the fine stage's, each a pass of its own
 
 std::int32_t find_live(std::vector<std::int32_t>& successor, std::int32_t patch) {
-  while (successor[at(patch)] != patch) {
-    std::int32_t& up = successor[at(patch)];
-    up = successor[at(up)];
+  while (successor[idx(patch)] != patch) {
+    std::int32_t& up = successor[idx(patch)];
+    up = successor[idx(up)];
     patch = up;
   }
   return patch;
@@ -70,24 +70,24 @@ std::int32_t find_live(std::vector<std::int32_t>& successor, std::int32_t patch)
 
 void update_normal(Loop& loop, std::int32_t v) {
   Vec3 sum = Vec3::Zero();
-  visit_fan(loop.surface.mesh, v, [&](std::int32_t h) { sum += loop.surface.normal[at(h / 3)]; });
-  loop.vertex_normal[at(v)] = sum;
+  visit_fan(loop.surface.mesh, v, [&](std::int32_t h) { sum += loop.surface.normal[idx(h / 3)]; });
+  loop.vertex_normal[idx(v)] = sum;
 }
 
 void push(Loop& loop, std::int32_t a, std::int32_t b) {
   const auto& m = loop.surface.mesh;
-  if (m.is_locked[at(a)] || m.is_locked[at(b)]) return;
-  const double length = projected_length(m.positions[at(b)] - m.positions[at(a)],
-                                         loop.vertex_normal[at(a)] + loop.vertex_normal[at(b)]);
+  if (m.is_locked[idx(a)] || m.is_locked[idx(b)]) return;
+  const double length = projected_length(m.positions[idx(b)] - m.positions[idx(a)],
+                                         loop.vertex_normal[idx(a)] + loop.vertex_normal[idx(b)]);
   if (length > loop.longest_tried) return;
   loop.queue.push(
-      {length, std::min(a, b), std::max(a, b), loop.version[at(a)] + loop.version[at(b)]});
+      {length, std::min(a, b), std::max(a, b), loop.version[idx(a)] + loop.version[idx(b)]});
 }
 
 void push_all(Loop& loop) {
   const auto& m = loop.surface.mesh;
   for (std::int32_t h = 0; h < static_cast<std::int32_t>(m.twin.size()); ++h)
-    if (m.twin[at(h)] < h && loop.surface.patch_of[at(h / 3)] >= 0)
+    if (m.twin[idx(h)] < h && loop.surface.patch_of[idx(h / 3)] >= 0)
       push(loop, tail_of(m, h), head_of(m, h));
 }
 
@@ -99,13 +99,13 @@ void renew_candidates(Loop& loop, std::int32_t v) {
   visit_fan(m, v, [&](std::int32_t h) {
     ring.push_back(head_of(m, h));
     const std::int32_t last = previous_halfedge(h);
-    if (m.twin[at(last)] < 0) ring.push_back(tail_of(m, last));
+    if (m.twin[idx(last)] < 0) ring.push_back(tail_of(m, last));
   });
   update_normal(loop, v);
-  ++loop.version[at(v)];
+  ++loop.version[idx(v)];
   for (const std::int32_t w : ring) {
     update_normal(loop, w);
-    ++loop.version[at(w)];
+    ++loop.version[idx(w)];
   }
   const auto push_once = [&](std::int32_t w, std::int32_t other) {  // not from both ends
     if (other > w || std::find(ring.begin(), ring.end(), other) == ring.end()) push(loop, w, other);
@@ -114,29 +114,31 @@ void renew_candidates(Loop& loop, std::int32_t v) {
     visit_fan(m, w, [&](std::int32_t h) {
       push_once(w, head_of(m, h));
       const std::int32_t last = previous_halfedge(h);
-      if (m.twin[at(last)] < 0) push_once(w, tail_of(m, last));
+      if (m.twin[idx(last)] < 0) push_once(w, tail_of(m, last));
     });
   };
   for (const std::int32_t w : ring) push_around(w);
 }
 
-bool has_area(const PatchedSurface& surface, std::int32_t t) { return surface.height[at(t)] > 0.0; }
+bool has_area(const PatchedSurface& surface, std::int32_t t) {
+  return surface.height[idx(t)] > 0.0;
+}
 
 /// Place of the patch, or of the nearest over edges that has one; the first where none is
 /// connected.
 std::int32_t nearest_place(const PatchedSurface& surface, const std::vector<std::int32_t>& place,
                            std::int32_t patch) {
-  if (place[at(patch)] >= 0) return place[at(patch)];
-  std::vector<std::int32_t> reached = surface.patches[at(patch)].triangles;
+  if (place[idx(patch)] >= 0) return place[idx(patch)];
+  std::vector<std::int32_t> reached = surface.patches[idx(patch)].triangles;
   std::vector<bool> is_reached(surface.mesh.triangles.size(), false);
-  for (const std::int32_t t : reached) is_reached[at(t)] = true;
+  for (const std::int32_t t : reached) is_reached[idx(t)] = true;
   for (std::size_t i = 0; i < reached.size(); ++i)
     for (std::int32_t k = 0; k < 3; ++k) {
-      const std::int32_t beside = surface.mesh.twin[at(3 * reached[i] + k)];
-      if (beside < 0 || is_reached[at(beside / 3)]) continue;
-      const std::int32_t other = surface.patch_of[at(beside / 3)];
-      if (other >= 0 && place[at(other)] >= 0) return place[at(other)];
-      is_reached[at(beside / 3)] = true;
+      const std::int32_t beside = surface.mesh.twin[idx(3 * reached[i] + k)];
+      if (beside < 0 || is_reached[idx(beside / 3)]) continue;
+      const std::int32_t other = surface.patch_of[idx(beside / 3)];
+      if (other >= 0 && place[idx(other)] >= 0) return place[idx(other)];
+      is_reached[idx(beside / 3)] = true;
       reached.push_back(beside / 3);
     }
   return 0;
@@ -164,10 +166,10 @@ void keep_level(Loop& loop) {
   level.mesh = std::move(small.mesh);
   level.attributes = std::move(small.attributes);
   for (const std::int32_t t : small.triangles)
-    level.patch_of_triangle.push_back(has_area(surface, t) ? place[at(surface.patch_of[at(t)])]
+    level.patch_of_triangle.push_back(has_area(surface, t) ? place[idx(surface.patch_of[idx(t)])]
                                                            : -1);
   if (!loop.support.empty())
-    for (const std::int32_t v : small.vertices) level.support.push_back(loop.support[at(v)]);
+    for (const std::int32_t v : small.vertices) level.support.push_back(loop.support[idx(v)]);
   level.patch_count = static_cast<std::int32_t>(live.size());
   level.resolution = edge_resolution(Vec3(loop.longest, 0, 0), Vec3::Zero(), Vec3::Zero());
   loop.kept = level.patch_count;
@@ -201,14 +203,14 @@ void attempt(Loop& loop, const Stage& stage, const Candidate& candidate) {
   loop.result.vanished += patches - surface.patch_count;
   const detail::EdgeStar& star = loop.context.scratch.star;
   if (!loop.support.empty()) {
-    auto& kept = loop.support[at(star.tail)];
-    const auto& gone = loop.support[at(star.head)];
+    auto& kept = loop.support[idx(star.tail)];
+    const auto& gone = loop.support[idx(star.head)];
     kept = {std::min(kept[0], gone[0]), std::min(kept[1], gone[1])};
   }
-  ++loop.version[at(star.head)];
+  ++loop.version[idx(star.head)];
   renew_candidates(loop, star.tail);
   for (const std::int32_t patch : star.patches)
-    if (!surface.patches[at(patch)].triangles.empty())
+    if (!surface.patches[idx(patch)].triangles.empty())
       loop.result.merges += merge_patch(surface, patch, loop.context.scratch.hull, loop.successor);
 }
 
@@ -252,7 +254,7 @@ void run_stage(Loop& loop, const Stage& stage) {
   while (!loop.queue.empty() && (stage.is_draft || has_many_patches(loop))) {
     const Candidate candidate = loop.queue.top();
     loop.queue.pop();
-    if (candidate.version != loop.version[at(candidate.a)] + loop.version[at(candidate.b)])
+    if (candidate.version != loop.version[idx(candidate.a)] + loop.version[idx(candidate.b)])
       continue;
     attempt(loop, stage, candidate);
     report_progress(loop);
@@ -274,9 +276,9 @@ void flip_and_go_on(Loop& loop, const Stage& stage) {
     loop.result.merges += before - surface.patch_count;
     if (flipped == 0) return;
     for (std::int32_t v = 0; v < static_cast<std::int32_t>(loop.version.size()); ++v)
-      if (surface.mesh.outgoing[at(v)] >= 0) {
+      if (surface.mesh.outgoing[idx(v)] >= 0) {
         update_normal(loop, v);
-        ++loop.version[at(v)];
+        ++loop.version[idx(v)];
       }
     run_stage(loop, stage);
   }
@@ -315,7 +317,7 @@ VolumeGuard guard_volume(const TriangleMesh& mesh, double radius, double limit) 
   const auto& x = mesh.positions;
   Vec3 vector_area = Vec3::Zero();
   for (const auto& t : mesh.triangles)
-    vector_area += 0.5 * (x[at(t[1])] - x[at(t[0])]).cross(x[at(t[2])] - x[at(t[0])]);
+    vector_area += 0.5 * (x[idx(t[1])] - x[idx(t[0])]).cross(x[idx(t[2])] - x[idx(t[0])]);
   const double volume = mass_properties(mesh).volume, largest = limit * std::fabs(volume);
   if (vector_area.norm() * radius > largest) return {};
   return {volume, volume, largest};

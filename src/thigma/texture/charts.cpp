@@ -31,8 +31,8 @@ Surface prepare(const TriangleMesh& mesh, const std::string& name) {
   Surface surface{mesh, build_edge_table(mesh), {}};
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& v = mesh.triangles[t];
-    const Vec3 a = mesh.positions[at(v[1])] - mesh.positions[at(v[0])];
-    const Vec3 b = mesh.positions[at(v[2])] - mesh.positions[at(v[0])];
+    const Vec3 a = mesh.positions[idx(v[1])] - mesh.positions[idx(v[0])];
+    const Vec3 b = mesh.positions[idx(v[2])] - mesh.positions[idx(v[0])];
     surface.normals.push_back(a.cross(b));
     constexpr double kFlat = 1e-8;  // of the edges' product: below, a chart of it has no shape
     if (!(surface.normals.back().norm() > kFlat * a.norm() * b.norm()))
@@ -44,8 +44,8 @@ Surface prepare(const TriangleMesh& mesh, const std::string& name) {
 
 template <class Visit>
 void visit_neighbours(const Surface& surface, std::int32_t t, const Visit& visit) {
-  for (const std::int32_t e : surface.edges.of_triangle[at(t)]) {
-    const MeshEdge& edge = surface.edges.edges[at(e)];
+  for (const std::int32_t e : surface.edges.of_triangle[idx(t)]) {
+    const MeshEdge& edge = surface.edges.edges[idx(e)];
     if (edge.use_count != 2) continue;
     for (const EdgeUse& use : surface.edges.uses_of(edge))
       if (use.triangle != t) visit(use.triangle);
@@ -70,15 +70,15 @@ std::vector<std::int32_t> grow(const Surface& surface, std::int32_t seed, double
   while (!queue.empty()) {
     const std::int32_t t = queue.top().triangle;
     queue.pop();
-    if (!is_free[at(t)]) continue;
-    const Vec3& normal = surface.normals[at(t)];
+    if (!is_free[idx(t)]) continue;
+    const Vec3& normal = surface.normals[idx(t)];
     if (!chart.empty() && normal.dot(mean) < cone * normal.norm() * mean.norm()) continue;
-    is_free[at(t)] = 0;
+    is_free[idx(t)] = 0;
     chart.push_back(t);
     mean += normal;
     visit_neighbours(surface, t, [&](std::int32_t other) {
-      if (!is_free[at(other)]) return;
-      const Vec3& n = surface.normals[at(other)];
+      if (!is_free[idx(other)]) return;
+      const Vec3& n = surface.normals[idx(other)];
       const double size = n.norm() * mean.norm();
       queue.push({size > 0.0 ? 1.0 - n.dot(mean) / size : 1.0, other});
     });
@@ -87,9 +87,9 @@ std::vector<std::int32_t> grow(const Surface& surface, std::int32_t seed, double
 }
 
 Vec3 middle(const Surface& surface, std::int32_t t) {
-  const auto& v = surface.mesh.triangles[at(t)];
-  return (surface.mesh.positions[at(v[0])] + surface.mesh.positions[at(v[1])] +
-          surface.mesh.positions[at(v[2])]) /
+  const auto& v = surface.mesh.triangles[idx(t)];
+  return (surface.mesh.positions[idx(v[0])] + surface.mesh.positions[idx(v[1])] +
+          surface.mesh.positions[idx(v[2])]) /
          3.0;
 }
 
@@ -128,9 +128,9 @@ void add_charts(const Surface& surface, const ChartParams& params,
   }
   std::vector<char> is_free(surface.mesh.triangles.size(), 0);
   for (const std::vector<std::int32_t>& half : halve(surface, triangles)) {
-    for (const std::int32_t t : half) is_free[at(t)] = 1;
+    for (const std::int32_t t : half) is_free[idx(t)] = 1;
     for (const std::int32_t t : half)
-      if (is_free[at(t)]) add_charts(surface, params, grow(surface, t, -1.0, is_free), charts);
+      if (is_free[idx(t)]) add_charts(surface, params, grow(surface, t, -1.0, is_free), charts);
   }
 }
 
@@ -138,13 +138,14 @@ std::vector<Chart> segment(const Surface& surface, const ChartParams& params) {
   std::vector<std::int32_t> by_area(surface.mesh.triangles.size());
   std::iota(by_area.begin(), by_area.end(), 0);
   std::sort(by_area.begin(), by_area.end(), [&](std::int32_t a, std::int32_t b) {
-    const double x = surface.normals[at(a)].squaredNorm(), y = surface.normals[at(b)].squaredNorm();
+    const double x = surface.normals[idx(a)].squaredNorm(),
+                 y = surface.normals[idx(b)].squaredNorm();
     return x != y ? x > y : a < b;
   });
   std::vector<char> is_free(surface.mesh.triangles.size(), 1);
   std::vector<Chart> charts;
   for (const std::int32_t seed : by_area) {
-    if (!is_free[at(seed)]) continue;
+    if (!is_free[idx(seed)]) continue;
     add_charts(surface, params, grow(surface, seed, params.widest_cone, is_free), charts);
   }
   return charts;
@@ -194,15 +195,15 @@ Packing pack(const std::vector<Vec2>& sizes, const std::vector<std::int32_t>& or
   double x = 0.0, y = 0.0, shelf = 0.0;
   const double border = 2.0 * params.gutter + 1.0, side = params.texels;
   for (const std::int32_t i : order) {
-    const double width = std::ceil(scale * sizes[at(i)].x()) + border;
-    const double height = std::ceil(scale * sizes[at(i)].y()) + border;
+    const double width = std::ceil(scale * sizes[idx(i)].x()) + border;
+    const double height = std::ceil(scale * sizes[idx(i)].y()) + border;
     if (x + width > side) {
       x = 0.0;
       y += shelf;
       shelf = 0.0;
     }
     if (width > side || y + height > side) return packing;
-    packing.place[at(i)] = Vec2(x + params.gutter, y + params.gutter);
+    packing.place[idx(i)] = Vec2(x + params.gutter, y + params.gutter);
     x += width;
     shelf = std::max(shelf, height);
   }
@@ -222,7 +223,7 @@ ChartMap make_charts(const TriangleMesh& mesh, const ChartParams& params, const 
   std::vector<std::int32_t> order(charts.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    return sizes[at(a)].y() > sizes[at(b)].y();
+    return sizes[idx(a)].y() > sizes[idx(b)].y();
   });
   double low = 0.0, high = params.texels / std::sqrt(area);
   if (!pack(sizes, order, low, params).is_fitting)
@@ -243,7 +244,7 @@ ChartMap make_charts(const TriangleMesh& mesh, const ChartParams& params, const 
   for (std::size_t i = 0; i < charts.size(); ++i) {
     map.distortion_max = std::max(map.distortion_max, charts[i].flat.stretch);
     for (std::size_t k = 0; k < charts[i].triangles.size(); ++k) {
-      const std::size_t t = at(charts[i].triangles[k]);
+      const std::size_t t = idx(charts[i].triangles[k]);
       map.chart[t] = static_cast<std::int32_t>(i);
       for (std::size_t c = 0; c < 3; ++c)
         map.corners[t][c] = packing.place[i] + low * charts[i].flat.at[k][c];

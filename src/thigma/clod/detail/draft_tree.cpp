@@ -30,7 +30,7 @@ ClusterBox box_of(const NodeDraft& draft) {
 std::vector<std::int32_t> united_pools(const std::vector<std::int32_t>& children, DraftTree& tree) {
   std::vector<std::int32_t> pool, sum;
   for (const std::int32_t child : children) {
-    auto& own = tree.pools[at(child)];
+    auto& own = tree.pools[idx(child)];
     sum.clear();
     std::set_union(pool.begin(), pool.end(), own.begin(), own.end(), std::back_inserter(sum));
     pool.swap(sum);
@@ -48,7 +48,7 @@ DraftTree draft_leaves(const TriangleMesh& mesh, const ConvexDecomposition& deco
   for (std::size_t i = 0; i < tree.drafts.size(); ++i) {
     tree.drafts[i].patch = static_cast<std::int32_t>(i);
     for (const std::int32_t v : decomposition.vertices[i])
-      tree.drafts[i].points.push_back(mesh.positions[at(v)]);
+      tree.drafts[i].points.push_back(mesh.positions[idx(v)]);
   }
   return tree;
 }
@@ -57,7 +57,7 @@ std::int32_t add_inner(const TriangleMesh& mesh, std::vector<std::int32_t> child
                        std::int32_t level, DraftTree& tree) {
   const std::vector<std::int32_t> pool = united_pools(children, tree);
   std::vector<Vec3> points;
-  for (const std::int32_t v : pool) points.push_back(mesh.positions[at(v)]);
+  for (const std::int32_t v : pool) points.push_back(mesh.positions[idx(v)]);
   start_hull(tree.hull, points, kInnerTolerance);
   grow_hull(tree.hull, kInnerVertices);
   NodeDraft draft;
@@ -65,11 +65,11 @@ std::int32_t add_inner(const TriangleMesh& mesh, std::vector<std::int32_t> child
   draft.level = level;
   draft.hausdorff = outside_distance(tree.hull) + kInnerSlack / tree.hull.scale;
   std::vector<std::int32_t> kept, outside;
-  for (const std::int32_t i : tree.hull.vertices) kept.push_back(pool[at(i)]);
+  for (const std::int32_t i : tree.hull.vertices) kept.push_back(pool[idx(i)]);
   std::sort(kept.begin(), kept.end());
-  for (const std::int32_t v : kept) draft.points.push_back(mesh.positions[at(v)]);
+  for (const std::int32_t v : kept) draft.points.push_back(mesh.positions[idx(v)]);
   list_outside(tree.hull, outside);
-  for (const std::int32_t i : outside) kept.push_back(pool[at(i)]);
+  for (const std::int32_t i : outside) kept.push_back(pool[idx(i)]);
   std::sort(kept.begin(), kept.end());
   tree.pools.push_back(std::move(kept));
   tree.drafts.push_back(std::move(draft));
@@ -79,12 +79,12 @@ std::int32_t add_inner(const TriangleMesh& mesh, std::vector<std::int32_t> child
 std::int32_t add_free_levels(const TriangleMesh& mesh, const std::vector<std::int32_t>& tops,
                              DraftTree& tree) {
   std::vector<ClusterBox> boxes;
-  for (const std::int32_t top : tops) boxes.push_back(box_of(tree.drafts[at(top)]));
+  for (const std::int32_t top : tops) boxes.push_back(box_of(tree.drafts[idx(top)]));
   std::vector<std::int32_t> cluster = tops;
   for (const Merge& merge : merge_clusters(boxes)) {
-    const std::int32_t left = cluster[at(merge.left)], right = cluster[at(merge.right)];
+    const std::int32_t left = cluster[idx(merge.left)], right = cluster[idx(merge.right)];
     const std::int32_t level =
-        1 + std::max(tree.drafts[at(left)].level, tree.drafts[at(right)].level);
+        1 + std::max(tree.drafts[idx(left)].level, tree.drafts[idx(right)].level);
     cluster.push_back(add_inner(mesh, {left, right}, level, tree));
   }
   return cluster.back();
@@ -93,15 +93,15 @@ std::int32_t add_free_levels(const TriangleMesh& mesh, const std::vector<std::in
 std::int32_t add_even_levels(const TriangleMesh& mesh, std::span<std::int32_t> tops,
                              DraftTree& tree) {
   if (tops.size() == 1) return tops[0];
-  ClusterBox box = box_of(tree.drafts[at(tops[0])]);
+  ClusterBox box = box_of(tree.drafts[idx(tops[0])]);
   for (const std::int32_t top : tops) {
-    const ClusterBox other = box_of(tree.drafts[at(top)]);
+    const ClusterBox other = box_of(tree.drafts[idx(top)]);
     box = {box.low.cwiseMin(other.low), box.high.cwiseMax(other.high)};
   }
   Eigen::Index axis = 0;
   (box.high - box.low).maxCoeff(&axis);
   const auto place = [&](std::int32_t top) {
-    const ClusterBox own = box_of(tree.drafts[at(top)]);
+    const ClusterBox own = box_of(tree.drafts[idx(top)]);
     return std::pair(own.low[axis] + own.high[axis], top);
   };
   std::sort(tops.begin(), tops.end(),
@@ -110,7 +110,7 @@ std::int32_t add_even_levels(const TriangleMesh& mesh, std::span<std::int32_t> t
   const std::int32_t left = add_even_levels(mesh, tops.first(half), tree);
   const std::int32_t right = add_even_levels(mesh, tops.subspan(half), tree);
   const std::int32_t level =
-      1 + std::max(tree.drafts[at(left)].level, tree.drafts[at(right)].level);
+      1 + std::max(tree.drafts[idx(left)].level, tree.drafts[idx(right)].level);
   return add_inner(mesh, {left, right}, level, tree);
 }
 
@@ -126,7 +126,7 @@ PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& hierarchy) {
   for (int axis = 0; axis < 3; ++axis)
     for (std::int32_t i = 0; i < hull.lane_count; ++i)
       hierarchy.lanes.push_back(static_cast<float>(
-          points[at(std::min(i, hull.vertex_count - 1))][axis] - hull.center[axis]));
+          points[idx(std::min(i, hull.vertex_count - 1))][axis] - hull.center[axis]));
   return hull;
 }
 
@@ -157,7 +157,7 @@ void place_drafts(const DecomposedSurface& surface, const DraftTree& tree, std::
   hierarchy.nodes.reserve(tree.drafts.size());
   hierarchy.patches.resize(decomposition.patches.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const NodeDraft& draft = tree.drafts[at(order[i])];
+    const NodeDraft& draft = tree.drafts[idx(order[i])];
     ClodNode node;
     node.hausdorff = draft.hausdorff;
     node.level = draft.level;
@@ -175,11 +175,11 @@ void place_drafts(const DecomposedSurface& surface, const DraftTree& tree, std::
       order.insert(order.end(), draft.children.begin(), draft.children.end());
     } else {
       node.patch = draft.patch;
-      hierarchy.patches[at(node.patch)] =
-          append_features({surface.mesh, surface.topology, decomposition.patches[at(node.patch)],
-                           decomposition.vertices[at(node.patch)]},
+      hierarchy.patches[idx(node.patch)] =
+          append_features({surface.mesh, surface.topology, decomposition.patches[idx(node.patch)],
+                           decomposition.vertices[idx(node.patch)]},
                           flat, hierarchy);
-      hierarchy.patches[at(node.patch)].node = static_cast<std::int32_t>(i);
+      hierarchy.patches[idx(node.patch)].node = static_cast<std::int32_t>(i);
     }
     hierarchy.nodes.push_back(node);
   }

@@ -61,7 +61,7 @@ double least_distance(const ClodNode& n, const Vec3& p) {
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the tree.
 void search_below(const ClodHierarchy& hierarchy, std::int32_t index, const Vec3& p,
                   Nearest& best) {
-  const ClodNode& n = hierarchy.nodes[at(index)];
+  const ClodNode& n = hierarchy.nodes[idx(index)];
   if (n.child_count == 0) {
     search_leaf(hierarchy, index, p, best);
     return;
@@ -69,7 +69,7 @@ void search_below(const ClodHierarchy& hierarchy, std::int32_t index, const Vec3
   std::int32_t first = n.first_child;
   double least = kInfinity;
   for (std::int32_t c = n.first_child; c < n.first_child + n.child_count; ++c) {
-    const double d = least_distance(hierarchy.nodes[at(c)], p);
+    const double d = least_distance(hierarchy.nodes[idx(c)], p);
     if (d < least) {
       least = d;
       first = c;
@@ -77,7 +77,7 @@ void search_below(const ClodHierarchy& hierarchy, std::int32_t index, const Vec3
   }
   if (least < best.distance) search_below(hierarchy, first, p, best);
   for (std::int32_t c = n.first_child; c < n.first_child + n.child_count; ++c)
-    if (c != first && least_distance(hierarchy.nodes[at(c)], p) < best.distance)
+    if (c != first && least_distance(hierarchy.nodes[idx(c)], p) < best.distance)
       search_below(hierarchy, c, p, best);
 }
 
@@ -124,7 +124,7 @@ struct PatchBounds {
   /// Raises `largest` to the distance of everything below to the triangles of the patch.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the tree.
   void from_below(std::int32_t index, const HullView& patch, int& guess, double& largest) const {
-    const ClodNode& n = h.nodes[at(index)];
+    const ClodNode& n = h.nodes[idx(index)];
     for (std::int32_t c = n.first_child; c < n.first_child + n.child_count; ++c)
       from_below(c, patch, guess, largest);
     if (n.child_count > 0) return;
@@ -160,20 +160,20 @@ void measure_patch(ClodHierarchy& hierarchy, LevelPatch& c) {
   for (int v = 0; v < patch.vertex_count; ++v) {
     near = nearest_below(hierarchy, c.patch.node, patch.vertices[v], near);
     const double d = near.distance + rounding;
-    hierarchy.vertex_to_below[at(c.first_vertex + v)] = round_up(d);
+    hierarchy.vertex_to_below[idx(c.first_vertex + v)] = round_up(d);
     c.to_below = std::max(c.to_below, d);
   }
   for (int t = 0; t < patch.triangle_count; ++t) {
     double met = 0.0;
     for (const std::uint8_t v : patch.triangles[t].corner)
-      met = std::max(met, static_cast<double>(hierarchy.vertex_to_below[at(c.first_vertex) + v]));
+      met = std::max(met, static_cast<double>(hierarchy.vertex_to_below[idx(c.first_vertex) + v]));
     const double d =
         std::max(met, bounds.to_below(corners(patch, t), kDivisions, near, met) + rounding);
-    hierarchy.triangle_to_below[at(c.patch.first_triangle + t)] = round_up(d);
+    hierarchy.triangle_to_below[idx(c.patch.first_triangle + t)] = round_up(d);
     c.to_below = std::max(c.to_below, static_cast<double>(round_up(d)));
   }
   c.hausdorff = std::max({c.hausdorff, c.from_below - c.deviation, c.to_below - c.deviation,
-                          hierarchy.nodes[at(c.patch.node)].hausdorff - c.deviation});
+                          hierarchy.nodes[idx(c.patch.node)].hausdorff - c.deviation});
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ double reach_outside(const HullView& inner, const HullView& outer) {
 }
 
 std::array<Vec3, 3> corners(const TriangleMesh& mesh, std::int32_t t) {
-  const auto& v = mesh.triangles[at(t)];
-  return {mesh.positions[at(v[0])], mesh.positions[at(v[1])], mesh.positions[at(v[2])]};
+  const auto& v = mesh.triangles[idx(t)];
+  return {mesh.positions[idx(v[0])], mesh.positions[idx(v[1])], mesh.positions[idx(v[2])]};
 }
 
 /// Where a level's surface may be, seen from the original's: three times as far as its farthest
@@ -59,14 +59,14 @@ std::vector<std::vector<std::int32_t>> contact_patches_above(const ClodHierarchy
   std::vector<std::int32_t> parent(hierarchy.nodes.size(), -1);
   for (std::size_t i = 0; i < hierarchy.nodes.size(); ++i)
     for (std::int32_t k = 0; k < hierarchy.nodes[i].child_count; ++k)
-      parent[at(hierarchy.nodes[i].first_child + k)] = static_cast<std::int32_t>(i);
+      parent[idx(hierarchy.nodes[i].first_child + k)] = static_cast<std::int32_t>(i);
   std::vector<std::vector<std::int32_t>> above(levels);
   std::vector<std::int32_t> node;
   for (const ClodPatch& patch : hierarchy.patches) node.push_back(patch.node);
   for (std::size_t k = 1; k < levels; ++k)
     for (std::int32_t& i : node) {
-      i = parent[at(i)];
-      above[k].push_back(hierarchy.nodes[at(i)].contact);
+      i = parent[idx(i)];
+      above[k].push_back(hierarchy.nodes[idx(i)].contact);
     }
   return above;
 }
@@ -87,16 +87,16 @@ void measure_level(const FinestSurface& finest, const SimplifiedLevel& level,
   const double reach = reach_of(original, level.mesh);
   const DeviationTarget target = build_deviation_target(level.mesh);
   const double rounding = 1e-12 * hierarchy.radius;  // of what is measured
-  std::vector<DeviationRange> range(at(level.patch_count), DeviationRange{0.0, rounding});
+  std::vector<DeviationRange> range(idx(level.patch_count), DeviationRange{0.0, rounding});
   std::int32_t guess = 0;
   for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
     if (level.patch_of_triangle[t] < 0) continue;
     extend_deviation(original, corners(level.mesh, static_cast<std::int32_t>(t)), reach,
-                     range[at(level.patch_of_triangle[t])], guess);
+                     range[idx(level.patch_of_triangle[t])], guess);
   }
   guess = 0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    DeviationRange& of_patch = range[at(above[p]) - first];
+    DeviationRange& of_patch = range[idx(above[p]) - first];
     for (const std::int32_t t : patches[p])
       extend_deviation(target, corners(finest.mesh, t), reach, of_patch, guess);
   }
@@ -111,11 +111,11 @@ std::vector<LevelPatches> list_level_patches(const Simplification& simplificatio
   for (std::size_t k = 1; k < simplification.levels.size(); ++k) {
     const SimplifiedLevel& level = simplification.levels[k];
     LevelPatches& patches = result[k];
-    patches.triangles.resize(at(level.patch_count));
-    patches.vertices.resize(at(level.patch_count));
+    patches.triangles.resize(idx(level.patch_count));
+    patches.vertices.resize(idx(level.patch_count));
     for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
       if (level.patch_of_triangle[t] < 0) continue;
-      const std::size_t patch = at(level.patch_of_triangle[t]);
+      const std::size_t patch = idx(level.patch_of_triangle[t]);
       patches.triangles[patch].push_back(static_cast<std::int32_t>(t));
       for (const std::int32_t v : level.mesh.triangles[t]) patches.vertices[patch].push_back(v);
     }
@@ -135,7 +135,7 @@ void append_contact_patches(const Simplification& simplification,
     const SurfaceTopology topology = compute_topology(mesh);
     for (std::size_t p = 0; p < patches[k].triangles.size(); ++p) {
       points.clear();
-      for (const std::int32_t v : patches[k].vertices[p]) points.push_back(mesh.positions[at(v)]);
+      for (const std::int32_t v : patches[k].vertices[p]) points.push_back(mesh.positions[idx(v)]);
       LevelPatch contact;
       contact.level = static_cast<std::int32_t>(k);
       const PlacedHull hull = append_hull(points, hierarchy);
@@ -153,7 +153,7 @@ void append_contact_patches(const Simplification& simplification,
   }
   for (std::size_t i = 0; i < hierarchy.nodes.size(); ++i)
     if (hierarchy.nodes[i].contact >= 0)
-      hierarchy.level_patches[at(hierarchy.nodes[i].contact)].patch.node =
+      hierarchy.level_patches[idx(hierarchy.nodes[i].contact)].patch.node =
           static_cast<std::int32_t>(i);
 }
 
@@ -163,14 +163,14 @@ void measure_hausdorff(ClodHierarchy& hierarchy) {
     const ClodNode& node = hierarchy.nodes[i];
     const bool is_free = node.child_count > 0 && node.contact < 0;
     for (std::int32_t k = 0; k < node.child_count; ++k) {
-      auto& child = below[at(node.first_child + k)];
+      auto& child = below[idx(node.first_child + k)];
       if (!is_free) below[i].insert(below[i].end(), child.begin(), child.end());
       std::vector<std::int32_t>().swap(child);
     }
     if (is_free) continue;
     if (node.contact >= 0) {
       const HullView hull = level_surface(hierarchy, static_cast<std::int32_t>(i));
-      double& largest = hierarchy.level_patches[at(node.contact)].hausdorff;
+      double& largest = hierarchy.level_patches[idx(node.contact)].hausdorff;
       for (const std::int32_t other : below[i])
         largest = std::max(largest, reach_outside(level_surface(hierarchy, other), hull));
       largest += 1e-12 * hierarchy.radius;  // rounding of the distances
@@ -183,7 +183,7 @@ void bound_by_contact_patches(ClodHierarchy& hierarchy) {
   for (std::size_t i = hierarchy.nodes.size(); i-- > 0;) {
     ClodNode& node = hierarchy.nodes[i];
     if (node.contact >= 0) {
-      const LevelPatch& patch = hierarchy.level_patches[at(node.contact)];
+      const LevelPatch& patch = hierarchy.level_patches[idx(node.contact)];
       node.center = patch.center;
       node.radius = patch.radius;
       node.hausdorff = patch.hausdorff;
@@ -196,7 +196,7 @@ void bound_by_contact_patches(ClodHierarchy& hierarchy) {
       double largest = 0.0;
       for (std::int32_t k = node.first_child; k < node.first_child + node.child_count; ++k)
         largest = std::max(largest, reach_outside(hull_view(hierarchy, k), hull) +
-                                        hierarchy.nodes[at(k)].hausdorff);
+                                        hierarchy.nodes[idx(k)].hausdorff);
       node.hausdorff = largest + 1e-12 * hierarchy.radius;
     }
   }
@@ -210,7 +210,7 @@ void measure_deviation(const TriangleMesh& mesh, const ConvexDecomposition& deco
   const auto above = contact_patches_above(hierarchy, simplification.levels.size());
   std::vector<std::size_t> first(1, 0);
   for (const SimplifiedLevel& level : simplification.levels)
-    first.push_back(first.back() + (first.size() > 1 ? at(level.patch_count) : 0));
+    first.push_back(first.back() + (first.size() > 1 ? idx(level.patch_count) : 0));
   // Levels are independent: which thread takes one does not show in the result.
   std::atomic<std::size_t> next{1};
   const auto work = [&] {
@@ -229,16 +229,16 @@ void fill_support(const ConvexDecomposition& decomposition,
   if (simplification.levels.size() < 2) return;
   hierarchy.support.assign(hierarchy.vertices.size(), {0.0, 0.0});
   for (std::size_t p = 0; p < hierarchy.patches.size(); ++p) {
-    std::size_t place = at(hierarchy.nodes[at(hierarchy.patches[p].node)].first_vertex);
+    std::size_t place = idx(hierarchy.nodes[idx(hierarchy.patches[p].node)].first_vertex);
     for (const std::int32_t v : decomposition.vertices[p])
-      hierarchy.support[place++] = simplification.levels[0].support[at(v)];
+      hierarchy.support[place++] = simplification.levels[0].support[idx(v)];
   }
   std::size_t contact = 0;
   for (std::size_t k = 1; k < simplification.levels.size(); ++k)
     for (const auto& vertices : patches[k].vertices) {
-      std::size_t place = at(hierarchy.level_patches[contact++].first_vertex);
+      std::size_t place = idx(hierarchy.level_patches[contact++].first_vertex);
       for (const std::int32_t v : vertices)
-        hierarchy.support[place++] = simplification.levels[k].support[at(v)];
+        hierarchy.support[place++] = simplification.levels[k].support[idx(v)];
     }
 }
 

@@ -153,12 +153,12 @@ bool ends_facet(const LocalPatch& patch, const RealFace& face, const Vec3& tail,
 Vec3 normal_beyond(const PatchOfMesh& patch, std::int32_t triangle, std::size_t k,
                    const Vec3& normal, double flat) {
   const TriangleMesh& mesh = patch.mesh;
-  const std::int32_t other = patch.topology.neighbor[at(triangle)][k];
-  if (other < 0 || !(patch.topology.height[at(other)] > flat)) return Vec3::Zero();
-  const Vec3& tail = mesh.positions[at(mesh.triangles[at(triangle)][k])];
-  for (const std::int32_t v : mesh.triangles[at(other)])
-    if (normal.dot(mesh.positions[at(v)] - tail) > flat) return Vec3::Zero();
-  return patch.topology.normal[at(other)];
+  const std::int32_t other = patch.topology.neighbor[idx(triangle)][k];
+  if (other < 0 || !(patch.topology.height[idx(other)] > flat)) return Vec3::Zero();
+  const Vec3& tail = mesh.positions[idx(mesh.triangles[idx(triangle)][k])];
+  for (const std::int32_t v : mesh.triangles[idx(other)])
+    if (normal.dot(mesh.positions[idx(v)] - tail) > flat) return Vec3::Zero();
+  return patch.topology.normal[idx(other)];
 }
 
 void find_edges(const PatchOfMesh& of, const LocalPatch& patch, double flat,
@@ -179,7 +179,7 @@ void find_edges(const PatchOfMesh& of, const LocalPatch& patch, double flat,
                              patch.points[edge.tail], patch.points[edge.head], flat)) {
         continue;
       } else {
-        edge.beyond = normal_beyond(of, of.triangles[t], k, faces[at(patch.face[t])].normal, flat);
+        edge.beyond = normal_beyond(of, of.triangles[t], k, faces[idx(patch.face[t])].normal, flat);
       }
       features.edges.push_back(edge);
     }

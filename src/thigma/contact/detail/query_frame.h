@@ -42,10 +42,10 @@ inline QueryFrame make_frame(const PlacedHierarchy& object, const PlacedHierarch
 }
 
 inline const ClodNode& node_a(const QueryFrame& frame, std::int32_t i) noexcept {
-  return frame.object.nodes[at(i)];
+  return frame.object.nodes[idx(i)];
 }
 inline const ClodNode& node_b(const QueryFrame& frame, std::int32_t i) noexcept {
-  return frame.scene.nodes[at(i)];
+  return frame.scene.nodes[idx(i)];
 }
 
 inline bool is_leaf_pair(const QueryFrame& frame, std::int32_t a, std::int32_t b) noexcept {

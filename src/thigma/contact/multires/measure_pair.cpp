@@ -91,8 +91,8 @@ double largest_area(const MultiresQuery& query, const FrontNode& node) noexcept 
   const MultiresFront& front = query.frame.front.multires;
   const Resolution& r = query.resolution;
   const auto reading = static_cast<std::size_t>(r.reading);
-  const double a = front.object_support.empty() ? 0.0 : front.object_support[at(node.a)][reading];
-  const double b = front.scene_support.empty() ? 0.0 : front.scene_support[at(node.b)][reading];
+  const double a = front.object_support.empty() ? 0.0 : front.object_support[idx(node.a)][reading];
+  const double b = front.scene_support.empty() ? 0.0 : front.scene_support[idx(node.b)][reading];
   return r.area == SupportArea::larger ? std::max(a, b) : std::min(a, b);
 }
 
@@ -164,15 +164,15 @@ bool is_always_refined(const MultiresQuery& query, const FrontNode& node) noexce
   if (is_free(na) || is_free(nb)) return true;
   if (std::max(na.level, nb.level) > query.resolution.coarsest_level) return true;
   const double sa =
-      na.contact >= 0 ? query.frame.object.level_patches[at(na.contact)].deviation : 0.0;
+      na.contact >= 0 ? query.frame.object.level_patches[idx(na.contact)].deviation : 0.0;
   const double sb =
-      nb.contact >= 0 ? query.frame.scene.level_patches[at(nb.contact)].deviation : 0.0;
+      nb.contact >= 0 ? query.frame.scene.level_patches[idx(nb.contact)].deviation : 0.0;
   if (sa + sb > query.deviation_cap) return true;
   if (!query.is_haptic_alone) return false;
   const double area = largest_area(query, node);
   const SupportArea either = SupportArea::larger;
-  return weighted_deviation({sa, query.frame.object.levels[at(na.level)].resolution, area, false},
-                            {sb, query.frame.scene.levels[at(nb.level)].resolution, area, false},
+  return weighted_deviation({sa, query.frame.object.levels[idx(na.level)].resolution, area, false},
+                            {sb, query.frame.scene.levels[idx(nb.level)].resolution, area, false},
                             either) > query.threshold;
 }
 

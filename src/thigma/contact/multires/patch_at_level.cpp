@@ -24,9 +24,9 @@ Vec3 clamped_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c,
 }  // namespace
 
 PatchAtLevel patch_at_level(const ClodHierarchy& hierarchy, std::int32_t i) noexcept {
-  const ClodNode& node = hierarchy.nodes[at(i)];
+  const ClodNode& node = hierarchy.nodes[idx(i)];
   return {hierarchy, node, level_surface(hierarchy, i),
-          node.contact >= 0 ? &hierarchy.level_patches[at(node.contact)] : nullptr};
+          node.contact >= 0 ? &hierarchy.level_patches[idx(node.contact)] : nullptr};
 }
 
 SurfaceLocation locate(const HullView& view, std::uint32_t feature, const Vec3& p) noexcept {
@@ -83,8 +83,9 @@ double distance_to_below(const PatchAtLevel& patch, const SurfaceLocation& locat
   if (location.weight.x() == 1.0) return vertex[location.corner[0]];
   double least = patch.level_patch->to_below;
   if (location.triangle >= 0) {
-    least = patch.hierarchy
-                .triangle_to_below[at(patch.level_patch->patch.first_triangle + location.triangle)];
+    least =
+        patch.hierarchy
+            .triangle_to_below[idx(patch.level_patch->patch.first_triangle + location.triangle)];
   }
   for (int k = 0; k < 3; ++k) {  // distances change no faster than the location
     if (!(location.weight[k] > 0.0)) continue;

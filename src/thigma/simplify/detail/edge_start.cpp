@@ -15,15 +15,15 @@ constexpr double kLeastStep = 0.01, kLargestStep = 0.5;
 constexpr double kPull = 0.01;
 
 Quadric edge_quadric(const CollapseContext& context) {
-  Quadric sum = context.quadric[at(context.scratch.star.tail)];
-  sum += context.quadric[at(context.scratch.star.head)];
+  Quadric sum = context.quadric[idx(context.scratch.star.tail)];
+  sum += context.quadric[idx(context.scratch.star.head)];
   return sum;
 }
 
 Vec3 quadric_start(const PatchedSurface& surface, const CollapseContext& context) {
   const EdgeStar& star = context.scratch.star;
-  const Vec3 &tail = surface.mesh.positions[at(star.tail)],
-             &head = surface.mesh.positions[at(star.head)];
+  const Vec3 &tail = surface.mesh.positions[idx(star.tail)],
+             &head = surface.mesh.positions[idx(star.head)];
   const Vec3 middle = 0.5 * tail + 0.5 * head;
   return clamped(minimize(edge_quadric(context), middle), middle, kReach * (head - tail).norm());
 }
@@ -48,11 +48,11 @@ void list_constraints(const PatchedSurface& surface, CollapseScratch& scratch) {
       has_vertex = true;
       for (const std::int32_t v : scratch.patch_vertices[i])
         if (v != scratch.star.tail && v != t.a && v != t.b)
-          add_plane(surface, x[at(t.b)], x[at(t.a)], x[at(v)], scratch.constraints);
+          add_plane(surface, x[idx(t.b)], x[idx(t.a)], x[idx(v)], scratch.constraints);
     }
     if (!has_vertex) continue;
-    for (const std::int32_t t : surface.patches[at(scratch.star.patches[i])].triangles) {
-      if (scratch.mark[at(t)] == scratch.epoch || scratch.mark[at(t)] == -scratch.epoch ||
+    for (const std::int32_t t : surface.patches[idx(scratch.star.patches[i])].triangles) {
+      if (scratch.mark[idx(t)] == scratch.epoch || scratch.mark[idx(t)] == -scratch.epoch ||
           !has_plane(surface, t))
         continue;
       const auto c = corners_of(surface, t);
@@ -71,14 +71,15 @@ Vec3 clamped(const Vec3& p, const Vec3& from, double reach) {
 
 VolumePlane volume_plane(const PatchedSurface& surface, const EdgeStar& star) {
   const auto& x = surface.mesh.positions;
-  const Vec3 origin = x[at(star.tail)];
+  const Vec3 origin = x[idx(star.tail)];
   VolumePlane plane;
   const auto add_old = [&](std::int32_t t) {
-    const auto& v = surface.mesh.triangles[at(t)];
-    plane.offset += (x[at(v[0])] - origin).dot((x[at(v[1])] - origin).cross(x[at(v[2])] - origin));
+    const auto& v = surface.mesh.triangles[idx(t)];
+    plane.offset +=
+        (x[idx(v[0])] - origin).dot((x[idx(v[1])] - origin).cross(x[idx(v[2])] - origin));
   };
   for (const StarTriangle& t : star.triangles) {
-    plane.normal += (x[at(t.a)] - origin).cross(x[at(t.b)] - origin);
+    plane.normal += (x[idx(t.a)] - origin).cross(x[idx(t.b)] - origin);
     add_old(t.triangle);
   }
   for (const std::int32_t t : star.removed)
@@ -97,8 +98,8 @@ Vec3 with_volume(const VolumePlane& plane, const Vec3& p, double edge) {
 
 Starts choose_starts(const PatchedSurface& surface, const CollapseContext& context) {
   const EdgeStar& star = context.scratch.star;
-  const Vec3 &tail = surface.mesh.positions[at(star.tail)],
-             &head = surface.mesh.positions[at(star.head)];
+  const Vec3 &tail = surface.mesh.positions[idx(star.tail)],
+             &head = surface.mesh.positions[idx(star.head)];
   const Quadric sum = edge_quadric(context);
   Starts starts;
   starts.may_move = !star.is_tail_on_boundary && !star.is_head_on_boundary;
@@ -119,8 +120,8 @@ Starts choose_starts(const PatchedSurface& surface, const CollapseContext& conte
 
 std::optional<Vec3> best_convex_start(const PatchedSurface& surface, CollapseContext& context) {
   CollapseScratch& scratch = context.scratch;
-  const Vec3 &tail = surface.mesh.positions[at(scratch.star.tail)],
-             &head = surface.mesh.positions[at(scratch.star.head)];
+  const Vec3 &tail = surface.mesh.positions[idx(scratch.star.tail)],
+             &head = surface.mesh.positions[idx(scratch.star.head)];
   const Quadric sum = edge_quadric(context);
   if (!(sum.a.trace() > 0.0)) return std::nullopt;
   list_constraints(surface, scratch);

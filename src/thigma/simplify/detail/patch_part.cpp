@@ -14,7 +14,7 @@ bool contains(const std::vector<std::int32_t>& list, std::int32_t value) {
 bool has_edge(const PatchedSurface& surface, const PatchPart& part, std::int32_t from,
               std::int32_t to) {
   for (const std::int32_t t : part.triangles) {
-    const auto& v = surface.mesh.triangles[at(t)];
+    const auto& v = surface.mesh.triangles[idx(t)];
     for (std::size_t k = 0; k < 3; ++k)
       if (v[k] == from && v[(k + 1) % 3] == to) return true;
   }
@@ -24,7 +24,7 @@ bool has_edge(const PatchedSurface& surface, const PatchPart& part, std::int32_t
 /// By their corners: the neighbours of triangles on trial are not yet linked.
 bool share_an_edge(const PatchedSurface& surface, const PatchPart& one, const PatchPart& other) {
   for (const std::int32_t t : one.triangles) {
-    const auto& v = surface.mesh.triangles[at(t)];
+    const auto& v = surface.mesh.triangles[idx(t)];
     for (std::size_t k = 0; k < 3; ++k)
       if (contains(other.vertices, v[k]) && contains(other.vertices, v[(k + 1) % 3]) &&
           has_edge(surface, other, v[(k + 1) % 3], v[k]))
@@ -37,7 +37,7 @@ bool lies_below(const PatchedSurface& surface, const PatchPart& lower, const Pat
   for (const std::int32_t t : upper.triangles) {
     if (!has_plane(surface, t)) continue;
     for (const std::int32_t v : lower.vertices)
-      if (height_over(surface, t, surface.mesh.positions[at(v)]) > surface.flat) return false;
+      if (height_over(surface, t, surface.mesh.positions[idx(v)]) > surface.flat) return false;
   }
   return true;
 }
@@ -45,7 +45,7 @@ bool lies_below(const PatchedSurface& surface, const PatchPart& lower, const Pat
 void list_vertices(const PatchedSurface& surface, PatchPart& part) {
   part.vertices.clear();
   for (const std::int32_t t : part.triangles)
-    for (const std::int32_t v : surface.mesh.triangles[at(t)])
+    for (const std::int32_t v : surface.mesh.triangles[idx(t)])
       if (!contains(part.vertices, v)) part.vertices.push_back(v);
 }
 
@@ -81,7 +81,7 @@ void describe_part(const PatchedSurface& surface, PatchPart& part, Quickhull& hu
 
 void append_rest(const PatchedSurface& surface, std::int32_t patch, std::int32_t without,
                  std::vector<PatchPart>& parts) {
-  std::vector<std::int32_t> left = surface.patches[at(patch)].triangles;
+  std::vector<std::int32_t> left = surface.patches[idx(patch)].triangles;
   std::erase(left, without);
   for (std::int32_t number = patch; !left.empty(); number = -1) {
     PatchPart part;
@@ -90,7 +90,7 @@ void append_rest(const PatchedSurface& surface, std::int32_t patch, std::int32_t
     left.erase(left.begin());
     for (std::size_t i = 0; i < part.triangles.size(); ++i)
       for (std::int32_t k = 0; k < 3; ++k) {
-        const std::int32_t beside = surface.mesh.twin[at(3 * part.triangles[i] + k)];
+        const std::int32_t beside = surface.mesh.twin[idx(3 * part.triangles[i] + k)];
         const auto found = std::find(left.begin(), left.end(), beside < 0 ? -1 : beside / 3);
         if (found == left.end()) continue;
         part.triangles.push_back(*found);
@@ -110,7 +110,7 @@ bool is_hull_clear(const ShellOnTrial& shell, const PatchPart& part, const Patch
       is_clear = contains(part.triangles, t) || (beside && contains(beside->triangles, t));
   };
   surface.tree.visit(box, [&](std::int32_t patch) {
-    const SurfacePatch& p = surface.patches[at(patch)];
+    const SurfacePatch& p = surface.patches[idx(patch)];
     if (!is_clear || p.shell != shell.shell || !p.box.overlaps(box)) return;
     for (const std::int32_t t : p.triangles) test(t);
   });

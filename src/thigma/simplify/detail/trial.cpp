@@ -11,10 +11,10 @@ namespace thigma::detail {
 namespace {
 
 bool is_in_star(const CollapseScratch& scratch, std::int32_t t) {
-  return scratch.mark[at(t)] == scratch.epoch;
+  return scratch.mark[idx(t)] == scratch.epoch;
 }
 bool is_removed(const CollapseScratch& scratch, std::int32_t t) {
-  return scratch.mark[at(t)] == -scratch.epoch;
+  return scratch.mark[idx(t)] == -scratch.epoch;
 }
 
 std::array<std::int32_t, 3> new_corners(const CollapseScratch& scratch, std::size_t i) {
@@ -27,7 +27,7 @@ bool has_good_shape(const PatchedSurface& surface, CollapseContext& context, con
   const double least = std::min(context.params.least_quality, scratch.worst_old_quality);
   for (std::size_t i = 0; i < scratch.star.triangles.size(); ++i) {
     const StarTriangle& t = scratch.star.triangles[i];
-    const Vec3 &a = surface.mesh.positions[at(t.a)], &b = surface.mesh.positions[at(t.b)];
+    const Vec3 &a = surface.mesh.positions[idx(t.a)], &b = surface.mesh.positions[idx(t.b)];
     const Vec3 cross = (a - p).cross(b - p);
     const double area2 = cross.norm();
     const double pa = (a - p).squaredNorm(), pb = (b - p).squaredNorm(), ab = (b - a).squaredNorm();
@@ -38,7 +38,7 @@ bool has_good_shape(const PatchedSurface& surface, CollapseContext& context, con
     scratch.new_height[i] = has_area ? area2 / std::sqrt(longest2) : 0.0;
     scratch.new_box[i] = box_of({p, a, b});
     if (scratch.old_quality[i] >= context.params.sliver_quality &&
-        scratch.new_normal[i].dot(surface.normal[at(t.triangle)]) < 0.1)
+        scratch.new_normal[i].dot(surface.normal[idx(t.triangle)]) < 0.1)
       return false;
   }
   return true;
@@ -49,9 +49,9 @@ int count_new_folds(const PatchedSurface& surface, const CollapseScratch& scratc
   for (std::size_t i = 0; i < scratch.star.triangles.size(); ++i) {
     const StarTriangle& t = scratch.star.triangles[i];
     if (t.beyond >= 0)
-      folds += scratch.new_normal[i].dot(surface.normal[at(t.beyond)]) < kFoldCosine;
+      folds += scratch.new_normal[i].dot(surface.normal[idx(t.beyond)]) < kFoldCosine;
     if (t.following >= 0)
-      folds += scratch.new_normal[i].dot(scratch.new_normal[at(t.following)]) < kFoldCosine;
+      folds += scratch.new_normal[i].dot(scratch.new_normal[idx(t.following)]) < kFoldCosine;
   }
   return folds;
 }
@@ -60,11 +60,11 @@ int count_old_folds(const PatchedSurface& surface, const CollapseScratch& scratc
   int folds = 0;
   const auto count = [&](std::int32_t t) {
     for (std::int32_t side = 0; side < 3; ++side) {
-      const std::int32_t h = 3 * t + side, other = surface.mesh.twin[at(h)];
+      const std::int32_t h = 3 * t + side, other = surface.mesh.twin[idx(h)];
       if (other < 0) continue;
       const bool is_inside = is_in_star(scratch, other / 3) || is_removed(scratch, other / 3);
       if (is_inside && other < h) continue;
-      folds += surface.normal[at(t)].dot(surface.normal[at(other / 3)]) < kFoldCosine;
+      folds += surface.normal[idx(t)].dot(surface.normal[idx(other / 3)]) < kFoldCosine;
     }
   };
   for (const StarTriangle& t : scratch.star.triangles) count(t.triangle);
@@ -78,7 +78,7 @@ bool is_near_original(const PatchedSurface& surface, CollapseContext& context, c
   if (find_within_limit(context.guard, p, {star.tail, star.head, star.tail}) < 0) return false;
   return std::all_of(star.triangles.begin(), star.triangles.end(), [&](const StarTriangle& t) {
     return is_within_limit(context.guard,
-                           {p, surface.mesh.positions[at(t.a)], surface.mesh.positions[at(t.b)]},
+                           {p, surface.mesh.positions[idx(t.a)], surface.mesh.positions[idx(t.b)]},
                            {star.tail, t.a, t.b});
   });
 }
@@ -89,12 +89,13 @@ bool is_original_near(const PatchedSurface& surface, const CollapseContext& cont
   const CollapseScratch& scratch = context.scratch;
   const DeviationGuard& guard = context.guard;
   const auto distance = [&](const Vec3& x, const StarTriangle& t) {
-    return point_triangle_distance(x, p, surface.mesh.positions[at(t.a)],
-                                   surface.mesh.positions[at(t.b)]);
+    return point_triangle_distance(x, p, surface.mesh.positions[idx(t.a)],
+                                   surface.mesh.positions[idx(t.b)]);
   };
   const auto are_near = [&](std::int32_t triangle, const StarTriangle* own) {
-    for (std::int32_t v = guard.first_sample[at(triangle)]; v >= 0; v = guard.next_sample[at(v)]) {
-      const Vec3& x = guard.original->positions[at(v)];
+    for (std::int32_t v = guard.first_sample[idx(triangle)]; v >= 0;
+         v = guard.next_sample[idx(v)]) {
+      const Vec3& x = guard.original->positions[idx(v)];
       if (own && distance(x, *own) <= guard.limit) continue;
       if (std::none_of(scratch.star.triangles.begin(), scratch.star.triangles.end(),
                        [&](const StarTriangle& t) { return distance(x, t) <= guard.limit; }))
@@ -119,11 +120,11 @@ bool are_patches_convex(const PatchedSurface& surface, const CollapseScratch& sc
       has_vertex = true;
       if (!(scratch.new_height[j] > surface.flat)) continue;
       for (const std::int32_t v : scratch.patch_vertices[i])
-        if (scratch.new_normal[j].dot(surface.mesh.positions[at(v)] - p) > surface.flat)
+        if (scratch.new_normal[j].dot(surface.mesh.positions[idx(v)] - p) > surface.flat)
           return false;
     }
     if (!has_vertex) continue;
-    for (const std::int32_t t : surface.patches[at(patch)].triangles)
+    for (const std::int32_t t : surface.patches[idx(patch)].triangles)
       if (!is_in_star(scratch, t) && !is_removed(scratch, t) && has_plane(surface, t) &&
           height_over(surface, t, p) > surface.flat)
         return false;
@@ -144,9 +145,9 @@ TreeBox star_box(const CollapseScratch& scratch) {
 template <class Visit>
 void visit_patches(const PatchedSurface& surface, const CollapseScratch& scratch,
                    const TreeBox& box, Visit visit) {
-  const std::int32_t shell = surface.patches[at(scratch.star.patches[0])].shell;
+  const std::int32_t shell = surface.patches[idx(scratch.star.patches[0])].shell;
   surface.tree.visit(box, [&](std::int32_t patch) {
-    const SurfacePatch& p = surface.patches[at(patch)];
+    const SurfacePatch& p = surface.patches[idx(patch)];
     if (p.shell == shell && p.box.overlaps(box)) visit(patch, p);
   });
 }
@@ -162,14 +163,14 @@ int count_new_crossings(const PatchedSurface& surface, const CollapseScratch& sc
   const TreeBox all = star_box(scratch);
   visit_patches(surface, scratch, all, [&](std::int32_t, const SurfacePatch& patch) {
     for (const std::int32_t t : patch.triangles) {
-      if (is_in_star(scratch, t) || is_removed(scratch, t) || surface.height[at(t)] <= 0.0)
+      if (is_in_star(scratch, t) || is_removed(scratch, t) || surface.height[idx(t)] <= 0.0)
         continue;
       const TreeBox box = box_of(corners_of(surface, t));
       if (!box.overlaps(all)) continue;
       for (std::size_t i = 0; i < count; ++i)
         crossings +=
             scratch.new_box[i].overlaps(box) && scratch.new_height[i] > 0.0 &&
-            triangles_meet(positions, new_corners(scratch, i), surface.mesh.triangles[at(t)]);
+            triangles_meet(positions, new_corners(scratch, i), surface.mesh.triangles[idx(t)]);
     }
   });
   return crossings;
@@ -181,21 +182,21 @@ int count_old_crossings(const PatchedSurface& surface, const CollapseScratch& sc
   for (const StarTriangle& t : scratch.star.triangles) own.push_back(t.triangle);
   for (const std::int32_t t : scratch.star.removed)
     if (t >= 0) own.push_back(t);
-  std::erase_if(own, [&](std::int32_t t) { return surface.height[at(t)] <= 0.0; });
+  std::erase_if(own, [&](std::int32_t t) { return surface.height[idx(t)] <= 0.0; });
   int crossings = 0;
   for (std::size_t i = 0; i < own.size(); ++i) {
-    const auto& triangle = surface.mesh.triangles[at(own[i])];
+    const auto& triangle = surface.mesh.triangles[idx(own[i])];
     for (std::size_t j = i + 1; j < own.size(); ++j)
       crossings +=
-          triangles_meet(surface.mesh.positions, triangle, surface.mesh.triangles[at(own[j])]);
+          triangles_meet(surface.mesh.positions, triangle, surface.mesh.triangles[idx(own[j])]);
     const TreeBox box = box_of(corners_of(surface, own[i]));
     visit_patches(surface, scratch, box, [&](std::int32_t, const SurfacePatch& patch) {
       for (const std::int32_t t : patch.triangles) {
-        if (is_in_star(scratch, t) || is_removed(scratch, t) || surface.height[at(t)] <= 0.0)
+        if (is_in_star(scratch, t) || is_removed(scratch, t) || surface.height[idx(t)] <= 0.0)
           continue;
         crossings +=
             box_of(corners_of(surface, t)).overlaps(box) &&
-            triangles_meet(surface.mesh.positions, triangle, surface.mesh.triangles[at(t)]);
+            triangles_meet(surface.mesh.positions, triangle, surface.mesh.triangles[idx(t)]);
       }
     });
   }
@@ -208,13 +209,13 @@ bool enters_other_hull(const PatchedSurface& surface, const CollapseScratch& scr
   bool entered = false;
   visit_patches(
       surface, scratch, star_box(scratch), [&](std::int32_t patch, const SurfacePatch& other) {
-        if (entered || scratch.patch_mark[at(patch)] == scratch.epoch || other.half_spaces.empty())
+        if (entered || scratch.patch_mark[idx(patch)] == scratch.epoch || other.half_spaces.empty())
           return;
         for (std::size_t i = 0; i < scratch.star.triangles.size() && !entered; ++i) {
           if (!scratch.new_box[i].overlaps(other.box) || scratch.new_height[i] <= 0.0) continue;
           const StarTriangle& t = scratch.star.triangles[i];
           entered =
-              reaches_into({p, surface.mesh.positions[at(t.a)], surface.mesh.positions[at(t.b)]},
+              reaches_into({p, surface.mesh.positions[idx(t.a)], surface.mesh.positions[idx(t.b)]},
                            other.half_spaces);
         }
       });
@@ -224,7 +225,7 @@ bool enters_other_hull(const PatchedSurface& surface, const CollapseScratch& scr
 /// A hull that lost the edge and took a vertex it held already has only shrunk: no triangle can
 /// have come into it but those of the star.
 bool has_shrunk(const PatchedSurface& surface, std::int32_t patch, const Vec3& p) {
-  const auto& half_spaces = surface.patches[at(patch)].half_spaces;
+  const auto& half_spaces = surface.patches[idx(patch)].half_spaces;
   for (const HalfSpace& h : half_spaces)
     if (h.normal.dot(p) > h.offset + surface.inset) return false;
   return !half_spaces.empty();
@@ -237,11 +238,11 @@ bool is_hull_entered(const PatchedSurface& surface, const CollapseScratch& scrat
   const auto meets = [&](const std::array<Vec3, 3>& corners, const TreeBox& box) {
     return box.overlaps(scratch.patch_box[i]) && reaches_into(corners, half_spaces);
   };
-  const Vec3& p = surface.mesh.positions[at(scratch.star.tail)];
+  const Vec3& p = surface.mesh.positions[idx(scratch.star.tail)];
   for (std::size_t j = 0; j < scratch.star.triangles.size(); ++j) {
     const StarTriangle& t = scratch.star.triangles[j];
     if (t.patch != own && scratch.new_height[j] > 0.0 &&
-        meets({p, surface.mesh.positions[at(t.a)], surface.mesh.positions[at(t.b)]},
+        meets({p, surface.mesh.positions[idx(t.a)], surface.mesh.positions[idx(t.b)]},
               scratch.new_box[j]))
       return true;
   }
@@ -252,7 +253,7 @@ bool is_hull_entered(const PatchedSurface& surface, const CollapseScratch& scrat
                   if (entered || patch == own) return;
                   for (const std::int32_t t : other.triangles) {
                     if (entered || is_in_star(scratch, t) || is_removed(scratch, t) ||
-                        surface.height[at(t)] <= 0.0)
+                        surface.height[idx(t)] <= 0.0)
                       continue;
                     const std::array<Vec3, 3> corners = corners_of(surface, t);
                     entered = meets(corners, box_of(corners));
@@ -285,10 +286,11 @@ void begin_trials(const PatchedSurface& surface, CollapseContext& context) {
   ++scratch.epoch;
   scratch.mark.resize(surface.mesh.triangles.size(), 0);
   scratch.patch_mark.resize(surface.patches.size(), 0);
-  for (const StarTriangle& t : scratch.star.triangles) scratch.mark[at(t.triangle)] = scratch.epoch;
+  for (const StarTriangle& t : scratch.star.triangles)
+    scratch.mark[idx(t.triangle)] = scratch.epoch;
   for (const std::int32_t t : scratch.star.removed)
-    if (t >= 0) scratch.mark[at(t)] = -scratch.epoch;
-  for (const std::int32_t p : scratch.star.patches) scratch.patch_mark[at(p)] = scratch.epoch;
+    if (t >= 0) scratch.mark[idx(t)] = -scratch.epoch;
+  for (const std::int32_t p : scratch.star.patches) scratch.patch_mark[idx(p)] = scratch.epoch;
   scratch.new_normal.resize(triangles);
   scratch.new_height.resize(triangles);
   scratch.old_quality.resize(triangles);
@@ -317,8 +319,8 @@ bool try_position(PatchedSurface& surface, CollapseContext& context, const Vec3&
   CollapseScratch& scratch = context.scratch;
   scratch.reason = CollapseOutcome::quality;
   if (!has_good_shape(surface, context, p)) return false;
-  Vec3 &tail = surface.mesh.positions[at(scratch.star.tail)],
-       &head = surface.mesh.positions[at(scratch.star.head)];
+  Vec3 &tail = surface.mesh.positions[idx(scratch.star.tail)],
+       &head = surface.mesh.positions[idx(scratch.star.head)];
   const Vec3 old_tail = tail, old_head = head;
   const auto with_both_at_p = [&](auto test) {
     tail = head = p;
