@@ -24,7 +24,7 @@ void query_contacts(const PlacedHierarchy& object, const PlacedHierarchy& scene,
   if (query.resolution.is_exact)
     detail::query_exact(frame);
   else
-    detail::query_levels(frame);
+    detail::query_multires(frame);
 }
 
 void query_scene(const PlacedHierarchy& object, std::span<const SceneBody> bodies,

@@ -23,8 +23,8 @@ void activate(QueryFrame& frame, std::int32_t i) noexcept {
   front.exact.incoming.push_back(i);
 }
 
-// Looks at pair i of the front and everything below it that has to be. front.work above `base` is the
-// stack.
+// Looks at pair i of the front and everything below it that has to be. front.work above `base` is
+// the stack.
 void descend(QueryFrame& frame, std::int32_t i) noexcept {
   ContactFront& front = frame.front;
   const std::size_t base = front.work.size();

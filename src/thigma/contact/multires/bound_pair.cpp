@@ -10,13 +10,13 @@
 //
 // Let e bound the distance of T from P (from_below), c that of a place of P from T (to_below), h'
 // the reach of T outside the culling hull C of its node; all 0 for a finest patch. delta is the
-// separation of T and U, delta' of P and Q, node the normal of the contact.
+// separation of T and U, delta' of P and Q, n the normal of the contact.
 //   delta' <= delta + e_P + e_Q     the closest points of T and U have neighbours on P and Q within
 //   e;
 //   delta  >= gap_n(C, D) - h'_P - h'_Q     a gap along any axis bounds the distance from below;
-//   delta  <= delta' + c(p) + c(query)     T has a point within c(p) of the closest point p of P, U one
-//          within c(query) of query.
-// In penetration the depth of T and U along node is sup_T node.x - inf_U node.x. The corners of a culling
+//   delta  <= delta' + c(p) + c(q)     T has a point within c(p) of the closest point p of P, U one
+//          within c(q) of q.
+// In penetration the depth of T and U along n is sup_T n.x - inf_U n.x. The corners of a culling
 // hull are points of T, so sup_T lies between that of C and that plus h'; where a node is bounded
 // by its own patch instead, c takes the place of the lower end.
 //

@@ -70,7 +70,7 @@ void sort_contacts(QueryFrame& frame) noexcept {
 
 }  // namespace
 
-void query_levels(QueryFrame& frame) noexcept {
+void query_multires(QueryFrame& frame) noexcept {
   ContactFront& front = frame.front;
   const FrontState state = advance_front(frame, true);
   if (state == FrontState::no_memory) return;

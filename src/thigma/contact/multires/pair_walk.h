@@ -25,8 +25,8 @@ inline bool is_due(const MultiresQuery& query, std::int32_t i) noexcept {
   return query.frame.front.expires[i] <= query.now;
 }
 
-/// Classifies a pair, place i of the front or -1, counts it as part of the front, and measures finest
-/// patches.
+/// Classifies a pair, place i of the front or -1, counts it as part of the front, and measures
+/// finest patches.
 Found classify_pair(MultiresQuery& query, FrontNode& node, std::int32_t i,
                     PatchPair& finest) noexcept;
 
