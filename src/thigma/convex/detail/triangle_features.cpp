@@ -23,8 +23,7 @@ struct Edge {
 
 // Closest points of two edges. Offers the interior pair; pairs with an end of an edge come from
 // offer_corner, so nothing is clamped here.
-[[gnu::always_inline]] inline void offer_interior(const Edge& a, const Edge& b,
-                                                  ClosestFeatures& best) {
+void offer_interior(const Edge& a, const Edge& b, ClosestFeatures& best) {
   const Vec3 &p = a.start, &u = a.along, &q = b.start, &v = b.along;
   const Vec3 n = u.cross(v), r = q - p;
   const double nn = n.squaredNorm(), along = r.dot(n);
