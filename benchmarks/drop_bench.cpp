@@ -76,7 +76,7 @@ DropTiming measure(const DropCase& drop, const std::vector<std::vector<Pose>>& f
     for (const Pose& pose : frame) {
       clear(set);
       const double start = thread_cpu();
-      query_contacts(drop.spoon, pose, drop.cup, cup.world_from_body, query, front, set);
+      query_contacts({drop.spoon, pose}, {drop.cup, cup.world_from_body}, query, front, set);
       seconds += thread_cpu() - start;
       timing.front += static_cast<double>(set.stats.front);
       timing.contacts += static_cast<double>(set.contacts.size());

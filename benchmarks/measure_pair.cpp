@@ -89,7 +89,7 @@ Truth find_truth(const BenchPair& pair, const Pose& pose) {
   ContactFront front;
   ContactSet set;
   set.contacts.reserve(kRoom);
-  query_contacts(pair.object, pose, pair.scene, Pose{}, {.tolerance = pair.tolerance}, front, set);
+  query_contacts({pair.object, pose}, {pair.scene}, {.tolerance = pair.tolerance}, front, set);
   Truth truth;
   truth.report = report_of(set);
   std::vector<Vec3>& points = truth.report.points;
@@ -157,7 +157,7 @@ LevelTiming measure_levels(const BenchPair& pair, const std::vector<Pose>& path,
     for (std::size_t i = 0; i < path.size(); ++i) {
       clear(set);
       const double start = thread_cpu();
-      query_contacts(pair.object, path[i], pair.scene, Pose{}, query, front, set);
+      query_contacts({pair.object, path[i]}, {pair.scene}, query, front, set);
       best[i] = std::min(best[i], thread_cpu() - start);
       if (run > 0) continue;
       is_meeting[i] = least_distance(set) <= 0.0 ? 1 : 0;

@@ -12,6 +12,7 @@
 #include "tests/support/triangle_search.h"
 
 #include "thigma/clod/build_hierarchy.h"
+#include "thigma/contact/exact/exact_front.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/math/elementary.h"
 #include "thigma/math/quantile.h"
@@ -39,8 +40,7 @@ Pose find_touch(const Jaws& jaws) {
     clear(set);
     Pose pose;
     pose.position.z() = center + height;
-    query_contacts(jaws.upper, pose, jaws.lower, Pose{}, {.tolerance = 1e-4 * jaws.radius}, front,
-                   set);
+    query_contacts({jaws.upper, pose}, {jaws.lower}, {.tolerance = 1e-4 * jaws.radius}, front, set);
     return !set.contacts.empty();
   };
   for (int i = 0; i < 40 && high - low > 1e-5 * jaws.radius; ++i) {
@@ -90,9 +90,12 @@ QueryTiming run_path(const Jaws& jaws, int frames, double tolerance, double step
     const ContactQuery query{.tolerance = tolerance};
     // The query after it finds the front in place, so the two parts add up to a query.
     const double start = thread_cpu();
-    const QueryStats tracked = track_front(jaws.upper, pose, jaws.lower, Pose{}, query, front);
+    ContactSet none;
+    detail::QueryFrame frame =
+        detail::make_frame({jaws.upper, pose}, {jaws.lower}, query, front, none);
+    detail::track_exact(frame);
     const double middle = thread_cpu();
-    query_contacts(jaws.upper, pose, jaws.lower, Pose{}, query, front, set);
+    query_contacts({jaws.upper, pose}, {jaws.lower}, query, front, set);
     const double spent = thread_cpu() - start;
     if (i == 0) {
       timing.cold_us = 1e6 * spent;
@@ -102,9 +105,9 @@ QueryTiming run_path(const Jaws& jaws, int frames, double tolerance, double step
     tracking.push_back(middle - start);
     fronts.push_back(static_cast<double>(set.stats.front));
     timing.contacts += static_cast<double>(set.contacts.size()) / (frames - 1);
-    timing.tests += static_cast<double>(set.stats.tests + tracked.tests) / (frames - 1);
+    timing.tests += static_cast<double>(set.stats.tests + none.stats.tests) / (frames - 1);
     timing.pair_queries +=
-        static_cast<double>(set.stats.pair_queries + tracked.pair_queries) / (frames - 1);
+        static_cast<double>(set.stats.pair_queries + none.stats.pair_queries) / (frames - 1);
     timing.front += fronts.back() / (frames - 1);
   }
   timing.us = figure_of(seconds, 1e6);
@@ -119,7 +122,7 @@ double largest_front(const Jaws& jaws, double tolerance, double step) {
   double largest = 0.0;
   for (int i = 10; i < 100; i += 10) {
     clear(set);
-    query_contacts(jaws.upper, pose_at(jaws, i, 100, step), jaws.lower, Pose{},
+    query_contacts({jaws.upper, pose_at(jaws, i, 100, step)}, {jaws.lower},
                    {.tolerance = tolerance}, front, set);
     largest = std::max(largest, static_cast<double>(set.stats.front));
   }
@@ -173,7 +176,7 @@ void check_frame(const Jaws& jaws, const Pose& pose, double d, FclPair* fcl,
   ContactFront front;
   ContactSet set;
   set.contacts.reserve(200'000);
-  query_contacts(jaws.upper, pose, jaws.lower, Pose{}, {.tolerance = d}, front, set);
+  query_contacts({jaws.upper, pose}, {jaws.lower}, {.tolerance = d}, front, set);
   double deepest = -1e300;
   for (const Contact& contact : set.contacts) {
     found[1] += truth.within.count({contact.object_patch, contact.scene_patch}) != 0 ? 1.0 : 0.0;

@@ -16,7 +16,7 @@ int main() {
   for (int i = 0; i <= 4; ++i) {
     const Pose pose{{0.0, 0.0, 0.027 - 0.001 * i}};
     clear(found);
-    query_contacts(ball, pose, plate, Pose{}, {.tolerance = 0.002}, front, found);
+    query_contacts({ball, pose}, {plate}, {.tolerance = 0.002}, front, found);
     double deepest = -0.002;
     for (const Contact& contact : found.contacts) deepest = std::max(deepest, contact.depth);
     std::printf("z %.3f m: %zu contacts, deepest %+.3f mm\n", pose.position.z(),

@@ -124,7 +124,7 @@ int contacts(const Common& common, const ContactsOptions& options) {
       clear(set);
       if (options.fresh) clear_front(front);
       const double start = thread_cpu_seconds();
-      query_contacts(object, poses[i], scene, Pose{}, query, front, set);
+      query_contacts({object, poses[i]}, {scene}, query, front, set);
       spent = 1e6 * (thread_cpu_seconds() - start);
       complete = set.dropped == 0;
       const std::size_t wanted = set.contacts.size() + static_cast<std::size_t>(set.dropped);

@@ -191,7 +191,7 @@ std::vector<double> exact_depths(const ContactWorld& world, std::span<const Coup
     clear(set);
     const Pose pose =
         Pose{frames[k].body.position, frames[k].body.orientation} * world.body_from_mesh;
-    query_scene(*world.object, pose, world.scene, query, fronts, set);
+    query_scene({*world.object, pose}, world.scene, query, fronts, set);
     depths.push_back(set.contacts.empty() ? 0.0 : std::max(0.0, -least_distance(set)));
   }
   return depths;

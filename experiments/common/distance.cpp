@@ -33,7 +33,7 @@ double least_distance(const ClodHierarchy& object, const Pose& world_from_object
     const HullView va = hull_view(object, a), vb = hull_view(scene, b);
     GjkCache cache;
     if (na.child_count == 0 && nb.child_count == 0) {
-      const PatchSeparation s = patch_separation(va, vb, pose, best, cache);
+      const PatchSeparation s = patch_separation({va, vb, pose}, best, cache);
       best = std::min(best, s.intersecting ? 0.0 : s.distance);
       return;
     }

@@ -67,11 +67,12 @@ std::vector<Facet> project(const TriangleMesh& mesh, std::span<const std::int32_
   if (is_all)
     for (const Vec3& p : mesh.positions) points.push_back(turn * p + shift);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto& corners = mesh.triangles[is_all ? i : at(chosen[i])];
+    const auto& corners = mesh.triangles[is_all ? i : idx(chosen[i])];
     std::array<Vec3, 3> p;
     Facet f;
     for (std::size_t k = 0; k < 3; ++k) {
-      p[k] = is_all ? points[at(corners[k])] : Vec3(turn * mesh.positions[at(corners[k])] + shift);
+      p[k] =
+          is_all ? points[idx(corners[k])] : Vec3(turn * mesh.positions[idx(corners[k])] + shift);
       f.at[k] = p[k].head<2>();
       f.height[k] = sign * p[k].z();
     }
@@ -88,7 +89,7 @@ struct Cells {
   static constexpr int kSide = 96;
   Box box;
   std::vector<std::vector<std::int32_t>> lists =
-      std::vector<std::vector<std::int32_t>>(at(kSide * kSide));
+      std::vector<std::vector<std::int32_t>>(idx(kSide * kSide));
 
   Vec2 size() const { return (box.high - box.low) / kSide; }
   int along(double x, int axis) const {
@@ -96,14 +97,14 @@ struct Cells {
                       kSide - 1);
   }
   const std::vector<std::int32_t>& over(const Vec2& p) const {
-    return lists[at(along(p.y(), 1) * kSide + along(p.x(), 0))];
+    return lists[idx(along(p.y(), 1) * kSide + along(p.x(), 0))];
   }
   void add(const std::vector<Facet>& facets) {
     for (std::size_t i = 0; i < facets.size(); ++i) {
       const Box own = box_of(facets[i]);
       for (int j = along(own.low.y(), 1); j <= along(own.high.y(), 1); ++j)
         for (int k = along(own.low.x(), 0); k <= along(own.high.x(), 0); ++k)
-          lists[at(j * kSide + k)].push_back(static_cast<std::int32_t>(i));
+          lists[idx(j * kSide + k)].push_back(static_cast<std::int32_t>(i));
     }
   }
 };
@@ -112,7 +113,7 @@ double outermost(const std::vector<Facet>& facets, const Cells& cells, const Vec
                  double high) {
   double best = kNothing;
   for (const std::int32_t i : cells.over(p)) {
-    const double h = height_over(facets[at(i)], p);
+    const double h = height_over(facets[idx(i)], p);
     if (h >= low && h <= high) best = std::max(best, h);
   }
   return best;
@@ -136,11 +137,11 @@ struct Side {
     double most = kNothing;
     for (const std::int32_t i : fine_cells.lists[cell])
       most =
-          std::max(most, *std::max_element(fine[at(i)].height.begin(), fine[at(i)].height.end()));
+          std::max(most, *std::max_element(fine[idx(i)].height.begin(), fine[idx(i)].height.end()));
     double ground = kNothing;
     for (const std::int32_t i : coarse_cells.lists[cell])
       ground = std::max(
-          ground, *std::max_element(coarse[at(i)].height.begin(), coarse[at(i)].height.end()));
+          ground, *std::max_element(coarse[idx(i)].height.begin(), coarse[idx(i)].height.end()));
     return std::min(most, ground + band);
   }
 };
@@ -154,7 +155,7 @@ void add_segments(const std::vector<Facet>& facets, const std::vector<std::int32
                   int family, std::vector<Segment>& segments) {
   for (const std::int32_t i : list)
     for (std::size_t k = 0; k < 3; ++k)
-      segments.push_back({facets[at(i)].at[k], facets[at(i)].at[(k + 1) % 3], family});
+      segments.push_back({facets[idx(i)].at[k], facets[idx(i)].at[(k + 1) % 3], family});
 }
 
 class Search {

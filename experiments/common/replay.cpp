@@ -39,7 +39,7 @@ struct Renderer {
   Wrench render(const Pose& world_from_object) {
     clear(contacts);
     const double before = bench::thread_cpu();
-    query_contacts(*pair.object, world_from_object, *pair.scene, pair.world_from_scene, query,
+    query_contacts({*pair.object, world_from_object}, {*pair.scene, pair.world_from_scene}, query,
                    front, contacts);
     cpu = bench::thread_cpu() - before;
     if (start == ClusterStart::afresh) clusters = {};

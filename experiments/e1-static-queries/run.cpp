@@ -72,7 +72,7 @@ void ask(const ClodHierarchy& h, const Pose& pose, double tolerance, double size
     clear(set);
     clear_front(fronts[w]);
     const double start = bench::thread_cpu();
-    query_contacts(h, pose, h, Pose{}, {.tolerance = tolerance, .resolution = all[w].resolution},
+    query_contacts({h, pose}, {h}, {.tolerance = tolerance, .resolution = all[w].resolution},
                    fronts[w], set);
     out.seconds[w].push_back(bench::thread_cpu() - start);
     out.contacts[w].push_back(static_cast<double>(set.contacts.size()));

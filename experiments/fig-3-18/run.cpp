@@ -79,7 +79,7 @@ class Witness {
   double depth(const SimulationState& state) {
     const Pose world_from_mesh =
         Pose{state.body.position, state.body.orientation} * world_.body_from_mesh;
-    query_scene(*world_.object, world_from_mesh, world_.scene, {.tolerance = world_.tolerance},
+    query_scene({*world_.object, world_from_mesh}, world_.scene, {.tolerance = world_.tolerance},
                 fronts_, set_);
     return -least_distance(set_);
   }

@@ -67,14 +67,14 @@ Method measure(const SpoonDrop& drop, const Frames& frames, const Resolution& re
     ContactSet set;
     set.contacts.reserve(20'000);
     // The first query of all starts from the root, far away: not part of any frame.
-    query_contacts(spoon, frames[0].front(), *cup.hierarchy, cup.world_from_body,
+    query_contacts({spoon, frames[0].front()}, {*cup.hierarchy, cup.world_from_body},
                    {.tolerance = tolerance, .resolution = resolution}, front, set);
     for (std::size_t f = 0; f < frames.size(); ++f) {
       double seconds = 0.0, held = 0.0;
       for (const Pose& pose : frames[f]) {
         clear(set);
         const double start = bench::thread_cpu();
-        query_contacts(spoon, pose, *cup.hierarchy, cup.world_from_body,
+        query_contacts({spoon, pose}, {*cup.hierarchy, cup.world_from_body},
                        {.tolerance = tolerance, .resolution = resolution}, front, set);
         seconds += bench::thread_cpu() - start;
         held += static_cast<double>(set.stats.front);

@@ -7,10 +7,11 @@
 #include <set>
 
 #include "experiments/common/statistics.h"
+#include "reference/refinement.h"
 
 #include "thigma/contact/contact_node.h"
-#include "thigma/contact/detail/level_side.h"
 #include "thigma/contact/error_metric.h"
+#include "thigma/contact/multires/patch_at_level.h"
 #include "thigma/core/index.h"
 #include "thigma/math/quantile.h"
 
@@ -19,7 +20,7 @@ namespace {
 
 double sum_of(const TreeRanges& tree, const std::set<std::int32_t>& patches) {
   double area = 0.0;
-  for (const std::int32_t p : patches) area += tree.area[at(p)];
+  for (const std::int32_t p : patches) area += tree.area[idx(p)];
   return area;
 }
 
@@ -31,12 +32,13 @@ struct Below {
 Below below_of(const PairSurfaces& s, const std::vector<TouchedPlace>& exact, std::int32_t a,
                std::int32_t b) {
   const auto is_before = [](const TouchedPlace& p, std::int32_t patch) { return p.object < patch; };
-  const auto first = std::lower_bound(exact.begin(), exact.end(), s.object.first[at(a)], is_before);
-  const auto last = std::lower_bound(first, exact.end(), s.object.last[at(a)], is_before);
+  const auto first =
+      std::lower_bound(exact.begin(), exact.end(), s.object.first[idx(a)], is_before);
+  const auto last = std::lower_bound(first, exact.end(), s.object.last[idx(a)], is_before);
   std::set<std::int32_t> on_object, on_scene;
   Below below;
   for (auto e = first; e != last; ++e) {
-    if (e->scene < s.scene.first[at(b)] || e->scene >= s.scene.last[at(b)]) continue;
+    if (e->scene < s.scene.first[idx(b)] || e->scene >= s.scene.last[idx(b)]) continue;
     on_object.insert(e->object);
     on_scene.insert(e->scene);
     below.region = std::max(below.region, e->region);
@@ -48,16 +50,16 @@ Below below_of(const PairSurfaces& s, const std::vector<TouchedPlace>& exact, st
 /// D at a place of a node's patch, as the metric finds it [m^2].
 double support_at(const ClodHierarchy& h, std::int32_t node, const Pose& world_from_mesh,
                   const Vec3& point) {
-  const detail::Side side = detail::side_of(h, node);
+  const detail::PatchAtLevel side = detail::patch_at_level(h, node);
   const Vec3 p = transform_point(inverse(world_from_mesh), point);
-  return detail::support_area(side, detail::find_place(side.view, 0, p), SupportReading::flood);
+  return detail::support_area(side, detail::locate(side.view, 0, p), SupportReading::flood);
 }
 
 std::vector<std::int32_t> parents_of(const ClodHierarchy& h) {
   std::vector<std::int32_t> parent(h.nodes.size(), -1);
   for (std::size_t i = 0; i < h.nodes.size(); ++i)
     for (std::int32_t c = 0; c < h.nodes[i].child_count; ++c)
-      parent[at(h.nodes[i].first_child + c)] = static_cast<std::int32_t>(i);
+      parent[idx(h.nodes[i].first_child + c)] = static_cast<std::int32_t>(i);
   return parent;
 }
 
@@ -70,14 +72,14 @@ struct Climber {
 
   /// Whether the node above may stand for a contact of this area.
   bool may_rise() const {
-    const std::int32_t up = parent[at(node)];
-    if (up < 0 || h.nodes[at(up)].contact < 0) return false;
-    const detail::Side side = detail::side_of(h, up);
-    const LevelError error{side.deviation(), side.resolution(), area, false};
+    const std::int32_t up = parent[idx(node)];
+    if (up < 0 || h.nodes[idx(up)].contact < 0) return false;
+    const detail::PatchAtLevel patch = detail::patch_at_level(h, up);
+    const LevelError error{patch.deviation(), patch.resolution(), area, false};
     return !needs_refinement(weighted_deviation(error, error), threshold);
   }
-  double resolution() const { return h.levels[at(h.nodes[at(node)].level)].resolution; }
-  void rise() { node = parent[at(node)]; }
+  double resolution() const { return h.levels[idx(h.nodes[idx(node)].level)].resolution; }
+  void rise() { node = parent[idx(node)]; }
 };
 
 void climb(Climber& a, Climber& b) {
@@ -101,8 +103,8 @@ std::vector<TouchedPlace> touched_places(const PairSurfaces& surfaces, const Clo
                                          const ClodHierarchy& scene, const PoseFrame& exact) {
   std::vector<std::int32_t> on_object, on_scene;
   for (const Contact& e : exact.contacts) {
-    on_object.push_back(surfaces.object.first[at(contact_node(object, e.object_patch))]);
-    on_scene.push_back(surfaces.scene.first[at(contact_node(scene, e.scene_patch))]);
+    on_object.push_back(surfaces.object.first[idx(contact_node(object, e.object_patch))]);
+    on_scene.push_back(surfaces.scene.first[idx(contact_node(scene, e.scene_patch))]);
   }
   const std::vector<double> a = region_areas(surfaces.object_corners, surfaces.object, on_object);
   const std::vector<double> b = region_areas(surfaces.scene_corners, surfaces.scene, on_scene);
@@ -149,13 +151,13 @@ void add_contacts_by_region(AreaSamples& samples, const TouchedPair& pair,
   for (const Contact& e : exact.contacts) {
     const std::int32_t a = contact_node(object, e.object_patch),
                        b = contact_node(scene, e.scene_patch);
-    const double area = region.at({surfaces.object.first[at(a)], surfaces.scene.first[at(b)]});
+    const double area = region.at({surfaces.object.first[idx(a)], surfaces.scene.first[idx(b)]});
     Climber up_a{object, object_parents, area, threshold, a},
         up_b{scene, scene_parents, area, threshold, b};
     climb(up_a, up_b);
     if (!reported.insert({up_a.node, up_b.node}).second) continue;
-    samples.level.push_back(0.5 *
-                            (object.nodes[at(up_a.node)].level + scene.nodes[at(up_b.node)].level));
+    samples.level.push_back(
+        0.5 * (object.nodes[idx(up_a.node)].level + scene.nodes[idx(up_b.node)].level));
     samples.weight.push_back(1.0);
     samples.region.push_back(area);
   }

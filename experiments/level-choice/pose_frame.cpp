@@ -65,9 +65,9 @@ void add_narrowed(const TouchedPair& pair, std::size_t sample, QueryMemory& memo
   const SceneBody& body = world.scene.front();
   const SeparationQuery query{.tolerance = world.tolerance};
   const double start = bench::thread_cpu();
-  frame.narrowed =
-      thigma::least_separation(*world.object, pair.touching[sample], *body.hierarchy,
-                               body.world_from_body, memory.set, query, memory.separation);
+  frame.narrowed = thigma::least_separation({*world.object, pair.touching[sample]},
+                                            {*body.hierarchy, body.world_from_body}, memory.set,
+                                            query, memory.separation);
   frame.narrowing = bench::thread_cpu() - start;
 }
 
@@ -98,8 +98,8 @@ PoseFrame query_at(const TouchedPair& pair, std::size_t sample, const Resolution
   clear_front(memory.front);
   frame.query = time_burst(pair, sample, [&](const Pose& pose) {
     clear(memory.set);
-    query_contacts(*world.object, pose, *body.hierarchy, body.world_from_body, query, memory.front,
-                   memory.set);
+    query_contacts({*world.object, pose}, {*body.hierarchy, body.world_from_body}, query,
+                   memory.front, memory.set);
   });
   frame.contacts = memory.set.contacts;
   frame.front = static_cast<double>(memory.set.stats.front);

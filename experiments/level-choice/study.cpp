@@ -44,7 +44,7 @@ void add_triangles(Collector& c, const Comparison& with, const PoseFrame& frame)
     const std::int32_t a = contact_node(with.object, contact.object_patch);
     const std::int32_t b = contact_node(with.scene, contact.scene_patch);
     if (a < 0 || b < 0) continue;
-    sum += 0.5 * (with.surfaces.object.triangles[at(a)] + with.surfaces.scene.triangles[at(b)]);
+    sum += 0.5 * (with.surfaces.object.triangles[idx(a)] + with.surfaces.scene.triangles[idx(b)]);
     count += 1.0;
   }
   c.below.over.push_back(sum);

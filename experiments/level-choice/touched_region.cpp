@@ -9,7 +9,7 @@ namespace thigma::experiments::level_choice {
 namespace {
 
 std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) {
-  while (parent[at(i)] != i) i = parent[at(i)] = parent[at(parent[at(i)])];
+  while (parent[idx(i)] != i) i = parent[idx(i)] = parent[idx(parent[idx(i)])];
   return i;
 }
 
@@ -21,7 +21,7 @@ PatchCorners patch_corners(const ClodHierarchy& h, const TreeRanges& tree) {
   std::map<std::tuple<double, double, double>, std::int32_t> known;
   for (const ClodPatch& patch : h.patches) {
     const HullView view = hull_view(h, patch.node);
-    std::vector<std::int32_t>& corners = surface.corners[at(tree.first[at(patch.node)])];
+    std::vector<std::int32_t>& corners = surface.corners[idx(tree.first[idx(patch.node)])];
     for (int v = 0; v < view.vertex_count; ++v) {
       const Vec3& p = view.vertices[v];
       const auto place = known.try_emplace({p.x(), p.y(), p.z()}, surface.count);
@@ -35,23 +35,23 @@ PatchCorners patch_corners(const ClodHierarchy& h, const TreeRanges& tree) {
 std::vector<double> region_areas(const PatchCorners& surface, const TreeRanges& tree,
                                  const std::vector<std::int32_t>& touched) {
   // Corners are joined by the patches between them.
-  std::vector<std::int32_t> parent(at(surface.count));
-  for (std::int32_t i = 0; i < surface.count; ++i) parent[at(i)] = i;
+  std::vector<std::int32_t> parent(idx(surface.count));
+  for (std::int32_t i = 0; i < surface.count; ++i) parent[idx(i)] = i;
   std::vector<bool> is_touched(tree.area.size(), false);
   for (const std::int32_t patch : touched) {
-    is_touched[at(patch)] = true;
-    const std::vector<std::int32_t>& corners = surface.corners[at(patch)];
+    is_touched[idx(patch)] = true;
+    const std::vector<std::int32_t>& corners = surface.corners[idx(patch)];
     for (const std::int32_t corner : corners)
-      parent[at(root_of(parent, corner))] = root_of(parent, corners.front());
+      parent[idx(root_of(parent, corner))] = root_of(parent, corners.front());
   }
-  std::vector<double> area(at(surface.count), 0.0);
+  std::vector<double> area(idx(surface.count), 0.0);
   const auto region = [&](std::size_t patch) {
-    return at(root_of(parent, surface.corners[patch].front()));
+    return idx(root_of(parent, surface.corners[patch].front()));
   };
   for (std::size_t p = 0; p < is_touched.size(); ++p)
     if (is_touched[p]) area[region(p)] += tree.area[p];
   std::vector<double> areas;
-  for (const std::int32_t patch : touched) areas.push_back(area[region(at(patch))]);
+  for (const std::int32_t patch : touched) areas.push_back(area[region(idx(patch))]);
   return areas;
 }
 

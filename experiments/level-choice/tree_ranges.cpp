@@ -26,18 +26,18 @@ TreeRanges tree_ranges(const ClodHierarchy& h) {
   std::vector<std::int32_t> stack{0};
   while (!stack.empty()) {
     const std::int32_t i = stack.back();
-    const ClodNode& node = h.nodes[at(i)];
-    if (ranges.first[at(i)] < 0) {  // on the way down
-      ranges.first[at(i)] = static_cast<std::int32_t>(ranges.area.size());
+    const ClodNode& node = h.nodes[idx(i)];
+    if (ranges.first[idx(i)] < 0) {  // on the way down
+      ranges.first[idx(i)] = static_cast<std::int32_t>(ranges.area.size());
       for (std::int32_t c = 0; c < node.child_count; ++c) stack.push_back(node.first_child + c);
       if (node.child_count > 0) continue;
       const HullView view = hull_view(h, i);
       ranges.area.push_back(area_of(view));
-      ranges.triangles[at(i)] = view.triangle_count;
+      ranges.triangles[idx(i)] = view.triangle_count;
     }
     for (std::int32_t c = 0; c < node.child_count; ++c)
-      ranges.triangles[at(i)] += ranges.triangles[at(node.first_child + c)];
-    ranges.last[at(i)] = static_cast<std::int32_t>(ranges.area.size());
+      ranges.triangles[idx(i)] += ranges.triangles[idx(node.first_child + c)];
+    ranges.last[idx(i)] = static_cast<std::int32_t>(ranges.area.size());
     stack.pop_back();
   }
   return ranges;

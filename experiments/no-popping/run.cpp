@@ -71,7 +71,7 @@ std::vector<double> time_exact(const SessionPair& session, const std::vector<Pos
   for (std::size_t i = first; i < std::min(touching.size(), first + kExactFrames + 1); ++i) {
     clear(set);
     const double start = bench::thread_cpu();
-    query_contacts(*world.object, touching[i], *body.hierarchy, body.world_from_body,
+    query_contacts({*world.object, touching[i]}, {*body.hierarchy, body.world_from_body},
                    {.tolerance = world.tolerance}, front, set);
     if (i > first) seconds.push_back(bench::thread_cpu() - start);
   }

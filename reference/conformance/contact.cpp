@@ -1,4 +1,5 @@
 #include "reference/conformance/conformance.h"
+#include "reference/refinement.h"
 
 #include "thigma/contact/clustering.h"
 #include "thigma/contact/error_metric.h"

@@ -16,8 +16,7 @@ inline TriangleMesh wavy_ball(int frequency) { return wavy_ball_of(frequency, 1.
 
 inline ClodParams generous() {
   ClodParams params;
-  params.simplify.longest_edge = 0.5;  // as long at the very last
-  params.simplify.longest_edge_ever = 0.25;
+  params.simplify.stages = simplify_stages(0.5, 0.25);
   params.simplify.deviation_limit = 0.08;
   return params;
 }

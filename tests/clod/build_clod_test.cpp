@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_hierarchy.h"
+#include "thigma/clod/detail/build_levels.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/convex/gjk.h"
 #include "thigma/convex/quickhull.h"
@@ -25,9 +26,12 @@ namespace {
 using test::generous;
 using test::wavy_ball;
 
-void expect_sound(const TriangleMesh& mesh, const ClodParams& params, const char* name) {
+constexpr detail::TreeForm kOfTheText{.is_reparented = false, .has_culling_hulls = false};
+
+void expect_sound(const TriangleMesh& mesh, const ClodParams& params, const char* name,
+                  const detail::TreeForm& form = {}) {
   ClodReport report;
-  const ClodHierarchy h = build_clod(mesh, params, &report);
+  const ClodHierarchy h = detail::build_levels(mesh, params, form, &report);
   EXPECT_EQ(check_hierarchy(h, mesh).total(), 0) << name;
   EXPECT_EQ(check_levels(*report.simplification, decompose_surface(mesh)).total(), 0) << name;
   const auto& levels = report.simplification->levels;
@@ -54,9 +58,7 @@ TEST(BuildClod, IsSoundOnShapes) {
   expect_sound(make_torus(1.0, 0.4, 32, 20), generous(), "torus");
   expect_sound(make_dome(1.0, 24, 10), generous(), "dome");
   expect_sound(make_box({1, 2, 3}), {}, "box");
-  ClodParams of_the_text = generous();
-  of_the_text.is_reparented = of_the_text.has_culling_hulls = false;
-  expect_sound(wavy_ball(10), of_the_text, "wavy ball, as in the text");
+  expect_sound(wavy_ball(10), generous(), "wavy ball, as in the text", kOfTheText);
 }
 
 TEST(BuildClod, IsSoundOnRealMeshes) {
@@ -70,9 +72,8 @@ TEST(BuildClod, IsSoundOnRealMeshes) {
 /// Every contact patch and the hulls of all nodes below its node.
 TEST(BuildClod, HausdorffDistancesReachEveryDescendant) {
   for (const bool reparented : {false, true}) {
-    ClodParams params = generous();
-    params.is_reparented = reparented;
-    const ClodHierarchy h = build_clod(wavy_ball(8), params);
+    const ClodHierarchy h =
+        detail::build_levels(wavy_ball(8), generous(), {.is_reparented = reparented}, nullptr);
     std::vector<std::int32_t> parent(h.nodes.size(), -1);
     for (std::size_t i = 0; i < h.nodes.size(); ++i)
       for (std::int32_t k = 0; k < h.nodes[i].child_count; ++k)
@@ -192,10 +193,9 @@ TEST(BuildClod, ExactQueriesAreThoseOfTheExactHierarchy) {
   const TriangleMesh one = wavy_ball(8), two = make_torus(1.0, 0.4, 32, 20);
   const ClodHierarchy exact_one = build_exact_hierarchy(one),
                       exact_two = build_exact_hierarchy(two);
-  ClodParams of_the_text = generous();
-  of_the_text.is_reparented = of_the_text.has_culling_hulls = false;
-  for (const ClodParams& params : {generous(), of_the_text}) {
-    const ClodHierarchy clod_one = build_clod(one, params), clod_two = build_clod(two, params);
+  for (const detail::TreeForm& form : {detail::TreeForm{}, kOfTheText}) {
+    const ClodHierarchy clod_one = detail::build_levels(one, generous(), form, nullptr),
+                        clod_two = detail::build_levels(two, generous(), form, nullptr);
     Random random(61);
     std::size_t found = 0;
     for (int round = 0; round < 20; ++round) {
@@ -204,7 +204,7 @@ TEST(BuildClod, ExactQueriesAreThoseOfTheExactHierarchy) {
         ContactFront front;
         ContactSet set;
         set.contacts.reserve(20000);
-        query_contacts(a, pose, b, Pose{}, {.tolerance = 0.03}, front, set);
+        query_contacts({a, pose}, {b}, {.tolerance = 0.03}, front, set);
         return pairs_of(set);
       };
       const auto expected = query(exact_one, exact_two);

@@ -8,6 +8,7 @@
 #include "support/full.h"
 #include <gtest/gtest.h>
 
+#include "thigma/clod/detail/build_levels.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/core/error.h"
 #include "thigma/files/file.h"
@@ -94,9 +95,12 @@ TEST(ClodFile, TakesExactHierarchiesAndTheFormOfTheText) {
   ClodAsset exact;
   exact.hierarchy = build_exact_hierarchy(test::wavy_ball(4));
   EXPECT_EQ(format_clod(parse_clod(format_clod(exact), "exact")), format_clod(exact));
-  ClodParams params = test::generous();
-  params.is_reparented = params.has_culling_hulls = false;
-  const std::string bytes = format_clod(build_clod_asset(test::wavy_ball(4), params));
+  ClodAsset of_the_text;
+  of_the_text.hierarchy =
+      detail::build_levels(test::wavy_ball(4), test::generous(),
+                           {.is_reparented = false, .has_culling_hulls = false}, nullptr);
+  of_the_text.origin.is_reparented = of_the_text.origin.has_culling_hulls = false;
+  const std::string bytes = format_clod(of_the_text);
   EXPECT_EQ(format_clod(parse_clod(bytes, "text")), bytes);
 }
 
@@ -260,8 +264,8 @@ void use(const ClodAsset& asset) {
       Pose pose;
       pose.position = Vec3(0.3, 1.98 - 0.02 * i, 0.2);
       clear(set);
-      query_contacts(asset.hierarchy, pose, other, Pose{}, query, front, set);
-      query_contacts(other, pose, asset.hierarchy, Pose{}, query, back, set);
+      query_contacts({asset.hierarchy, pose}, {other}, query, front, set);
+      query_contacts({other, pose}, {asset.hierarchy}, query, back, set);
       EXPECT_LE(set.contacts.size(), 64u);
     }
   }

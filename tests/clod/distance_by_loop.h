@@ -14,8 +14,8 @@ inline double distance_by_loop(const TriangleMesh& mesh, const Vec3& p) {
   double nearest = 1e300;
   for (const auto& t : mesh.triangles)
     nearest = std::min(
-        nearest, point_triangle_distance(p, mesh.positions[at(t[0])], mesh.positions[at(t[1])],
-                                         mesh.positions[at(t[2])]));
+        nearest, point_triangle_distance(p, mesh.positions[idx(t[0])], mesh.positions[idx(t[1])],
+                                         mesh.positions[idx(t[2])]));
   return nearest;
 }
 

@@ -5,21 +5,26 @@
 #include "thigma/contact/resolution.h"
 #include "thigma/math/elementary.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/mesh/surface_topology.h"
 
 namespace thigma {
 namespace {
+
+std::vector<std::array<double, 2>> areas_of(const TriangleMesh& mesh, const SupportParams& params) {
+  return support_areas(mesh, compute_topology(mesh), params);
+}
 
 constexpr auto kRing = static_cast<std::size_t>(SupportReading::one_ring);
 constexpr auto kFlood = static_cast<std::size_t>(SupportReading::flood);
 
 TEST(SupportAreas, FloodAFlatSheetAndNoFartherThanItsRing) {
   const TriangleMesh sheet = make_sheet(2, 1, 8, 4);
-  for (const auto& d : support_areas(sheet, {.tolerance = 0.01})) {
+  for (const auto& d : areas_of(sheet, {.tolerance = 0.01})) {
     EXPECT_NEAR(d[kFlood], 2.0, 1e-12);
     EXPECT_GE(d[kRing], 0.5 * 0.0625);  // one triangle at a corner
     EXPECT_LE(d[kRing], 4.0 * 0.0625);  // eight triangles at most
   }
-  for (const auto& d : support_areas(sheet, {.tolerance = 0.01, .most_faces = 10}))
+  for (const auto& d : areas_of(sheet, {.tolerance = 0.01, .most_faces = 10}))
     EXPECT_LT(d[kFlood], 1.0) << "stopped early: a lower bound";
 }
 
@@ -28,7 +33,7 @@ TEST(SupportAreas, OfABallIsItsCap) {
   const double h = 0.1, expected = kPi * (2.0 * h - h * h);
   const TriangleMesh ball = make_ball(1.0, 24);
   double sum = 0.0;
-  const auto areas = support_areas(ball, {.tolerance = h});
+  const auto areas = areas_of(ball, {.tolerance = h});
   for (const auto& d : areas) {
     EXPECT_LE(d[kFlood], expected * 1.001) << "whole faces only";
     EXPECT_LT(d[kRing], 0.1 * d[kFlood]);
@@ -39,8 +44,8 @@ TEST(SupportAreas, OfABallIsItsCap) {
 
 TEST(SupportAreas, EndAtEdgesAndScaleAsAnArea) {
   const TriangleMesh box = make_box({1, 1, 1}, {4, 4, 4});
-  const auto areas = support_areas(box, {.tolerance = 0.01});
-  const auto large = support_areas(make_box({8, 8, 8}, {4, 4, 4}), {.tolerance = 0.08});
+  const auto areas = areas_of(box, {.tolerance = 0.01});
+  const auto large = areas_of(make_box({8, 8, 8}, {4, 4, 4}), {.tolerance = 0.08});
   for (std::size_t v = 0; v < areas.size(); ++v) {
     EXPECT_LE(areas[v][kFlood], 1.0 + 1e-12);
     EXPECT_EQ(large[v][kRing], 64.0 * areas[v][kRing]);
@@ -63,12 +68,12 @@ TEST(SupportAreas, CountTheTipOfAPyramid) {
   pyramid.positions = {{0, 0, 0}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, -1}, {1, -1, -1}};
   pyramid.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
   for (const double t : {0.01, 0.3}) {
-    const auto tip = support_areas(pyramid, {.tolerance = t})[0];
+    const auto tip = areas_of(pyramid, {.tolerance = t})[0];
     EXPECT_NEAR(tip[kRing], 4.0 * t * t, 1e-12);
     EXPECT_EQ(tip[kFlood], tip[kRing]);
   }
-  EXPECT_NEAR(support_areas(pyramid, {.tolerance = 1.0})[0][kRing], 4.0, 1e-12);
-  EXPECT_EQ(support_areas(pyramid, {.tolerance = 0.3, .cone_cosine = 0.8})[0][kRing], 0.0);
+  EXPECT_NEAR(areas_of(pyramid, {.tolerance = 1.0})[0][kRing], 4.0, 1e-12);
+  EXPECT_EQ(areas_of(pyramid, {.tolerance = 0.3, .cone_cosine = 0.8})[0][kRing], 0.0);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include "clod/asset_samples.h"
 #include <gtest/gtest.h>
 
+#include "thigma/clod/detail/build_levels.h"
+
 namespace thigma {
 namespace {
 
@@ -21,9 +23,10 @@ TEST(ValidateHierarchy, FindsNothingInWhatIsBuilt) {
     for (Vec3& p : mesh.positions) p += Vec3(1e4, -1e5, 1e3) * scale;
     EXPECT_EQ(find_flaw(build_clod(mesh, test::generous())), "") << scale;
   }
-  ClodParams params = test::generous();
-  params.is_reparented = params.has_culling_hulls = false;
-  EXPECT_EQ(find_flaw(build_clod(test::sample_mesh(), params)), "");
+  const detail::TreeForm of_the_text{.is_reparented = false, .has_culling_hulls = false};
+  EXPECT_EQ(
+      find_flaw(detail::build_levels(test::sample_mesh(), test::generous(), of_the_text, nullptr)),
+      "");
 }
 
 /// One lie, and the word its message has to hold.

@@ -78,8 +78,8 @@ TEST(SharedArea, two_squares_share_a_rectangle) {
   ASSERT_EQ(up.patches.size(), 1u);
   const Pose a_from_b{Vec3(0.5, -0.25, 0.01), Quat::Identity()};
   const auto share = [&](const Pose& pose) {
-    return detail::shared_area(hull_view(up, up.patches[0].node),
-                               hull_view(down, down.patches[0].node), relative_pose({}, pose),
+    return detail::shared_area({hull_view(up, up.patches[0].node),
+                                hull_view(down, down.patches[0].node), relative_pose({}, pose)},
                                Vec3::UnitZ(), 0.1);
   };
   const detail::SharedArea area = share(a_from_b);
@@ -121,7 +121,7 @@ TEST(SharedArea, agrees_with_samples_of_curved_patches) {
     const Pose a_from_b{target - lowest, turn};
     constexpr double kTolerance = 0.1;
     const detail::SharedArea got =
-        detail::shared_area(a, b, relative_pose({}, a_from_b), normal, kTolerance);
+        detail::shared_area({a, b, relative_pose({}, a_from_b)}, normal, kTolerance);
     constexpr int kPerSide = 100;
     const SampledArea want = area_by_samples(a, b, a_from_b, normal, kTolerance, kPerSide);
     const double cell = 2.0 * a.radius / kPerSide;
@@ -170,12 +170,12 @@ struct CubeOnFloor {
     ContactFront front;
     ContactSet set;
     set.contacts.reserve(1000);
-    query_contacts(cube, at, floor, {}, {.tolerance = tolerance}, front, set);
+    query_contacts({cube, at}, {floor}, {.tolerance = tolerance}, front, set);
     if (!distributes_wide_contacts) return set.contacts;
     std::vector<Contact> spread;
     spread.reserve(1000);
     const SceneBody bodies[] = {{&floor, Pose{}}};
-    distribute_contacts(cube, at, bodies, set.contacts, tolerance, spread);
+    distribute_contacts({cube, at}, bodies, set.contacts, tolerance, spread);
     return spread;
   }
 };
@@ -264,7 +264,7 @@ TEST(SpreadContacts, small_patches_and_other_states_stay_as_they_are) {
   const SceneBody bodies[] = {{&scene.floor, Pose{}}};
   std::vector<Contact> spread;
   const auto expect_untouched = [&](double tolerance) {
-    distribute_contacts(scene.cube, at, bodies, found, tolerance, spread);
+    distribute_contacts({scene.cube, at}, bodies, found, tolerance, spread);
     ASSERT_EQ(spread.size(), found.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
       EXPECT_EQ(spread[i].point, found[i].point);
@@ -273,7 +273,7 @@ TEST(SpreadContacts, small_patches_and_other_states_stay_as_they_are) {
   };
   spread.reserve(1000);
   expect_untouched(scene.size);  // larger than the patch
-  for (Contact& c : found) c.status = ContactStatus::beside;
+  for (Contact& c : found) c.status = ContactStatus::grazing;
   expect_untouched(scene.tolerance);
   // not of a mesh
   for (Contact& c : found) c.status = ContactStatus::separated, c.object_patch = -1;

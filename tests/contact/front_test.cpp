@@ -19,13 +19,13 @@ TEST(Front, TakesMemoryOnceAndForgetsOnRequest) {
   set.contacts.reserve(10'000);
   Pose pose;
   pose.position = Vec3(2.01, 0, 0);
-  query_contacts(ball, pose, ball, {}, {.tolerance = 0.05}, front, set);
+  query_contacts({ball, pose}, {ball}, {.tolerance = 0.05}, front, set);
   EXPECT_GT(front.alive, 1);
   clear_front(front);
   EXPECT_EQ(front.alive, 0);
   EXPECT_EQ(front.nodes.get(), nodes);
   const std::size_t before = set.contacts.size();
-  query_contacts(ball, pose, ball, {}, {.tolerance = 0.05}, front, set);
+  query_contacts({ball, pose}, {ball}, {.tolerance = 0.05}, front, set);
   EXPECT_EQ(set.contacts.size(), 2 * before);
   EXPECT_EQ(front.nodes.get(), nodes);
 }
@@ -39,10 +39,10 @@ TEST(Front, OfOtherBodiesIsStartedAfresh) {
   want.contacts.reserve(1000);
   Pose pose;
   pose.position = Vec3(2.01, 0, 0);
-  query_contacts(ball, pose, ball, {}, {.tolerance = 0.05}, used, set);
+  query_contacts({ball, pose}, {ball}, {.tolerance = 0.05}, used, set);
   clear(set);
-  query_contacts(ball, pose, box, {}, {.tolerance = 0.05}, used, set);
-  query_contacts(ball, pose, box, {}, {.tolerance = 0.05}, fresh, want);
+  query_contacts({ball, pose}, {box}, {.tolerance = 0.05}, used, set);
+  query_contacts({ball, pose}, {box}, {.tolerance = 0.05}, fresh, want);
   ASSERT_EQ(set.contacts.size(), want.contacts.size());
   for (std::size_t i = 0; i < set.contacts.size(); ++i) {
     EXPECT_EQ(set.contacts[i].depth, want.contacts[i].depth);

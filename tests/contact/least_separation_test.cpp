@@ -35,14 +35,14 @@ ContactSet ask(const Pose& pose, double threshold) {
   ContactFront front;
   ContactSet set;
   set.contacts.reserve(100'000);
-  query_contacts(the_pair().object, pose, the_pair().scene, Pose{}, query, front, set);
+  query_contacts({the_pair().object, pose}, {the_pair().scene}, query, front, set);
   return set;
 }
 
 SeparationInterval narrow(const Pose& pose, const ContactSet& set, SeparationScratch& scratch,
                           double width = 0.01, std::int64_t budget = 100'000) {
   const SeparationQuery query{.tolerance = the_pair().d, .width = width, .budget = budget};
-  return least_separation(the_pair().object, pose, the_pair().scene, Pose{}, set, query, scratch);
+  return least_separation({the_pair().object, pose}, {the_pair().scene}, set, query, scratch);
 }
 
 /// Of the contacts' own bounds [m].
@@ -172,8 +172,8 @@ TEST(LeastSeparation, OfOtherBodiesTakesNoContact) {
   SeparationScratch scratch;
   const Pose pose = test::ring_at(0.8);
   const SeparationQuery query{.tolerance = the_pair().d, .body = 1};
-  const SeparationInterval found = least_separation(the_pair().object, pose, the_pair().scene,
-                                                    Pose{}, ask(pose, 0.2), query, scratch);
+  const SeparationInterval found = least_separation({the_pair().object, pose}, {the_pair().scene},
+                                                    ask(pose, 0.2), query, scratch);
   EXPECT_EQ(found.low, the_pair().d);
   EXPECT_EQ(found.high, kInfinity);
 }

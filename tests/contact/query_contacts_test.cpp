@@ -32,7 +32,7 @@ TEST(QueryContacts, FarApartFindsNothingFromOnePair) {
   const Balls balls;
   ContactFront front;
   ContactSet set = room(100);
-  query_contacts(balls.small, at(Vec3(100, 0, 0)), balls.large, {}, {.tolerance = 0.1}, front, set);
+  query_contacts({balls.small, at(Vec3(100, 0, 0))}, {balls.large}, {.tolerance = 0.1}, front, set);
   EXPECT_TRUE(set.contacts.empty());
   EXPECT_EQ(set.stats.front, 1);
   EXPECT_EQ(least_distance(set), std::numeric_limits<double>::infinity());
@@ -52,7 +52,7 @@ TEST(QueryContacts, PlatesThatPassedThroughEachOtherPenetrate) {
   // of the lowest corner; the last two have passed
   for (const double height : {0.02, -0.12, -0.14}) {
     clear(set);
-    query_contacts(object, at(Vec3(0, 0, height)), scene, {}, {.tolerance = 0.2}, front, set);
+    query_contacts({object, at(Vec3(0, 0, height))}, {scene}, {.tolerance = 0.2}, front, set);
     ASSERT_EQ(set.contacts.size(), 1u);
     EXPECT_LT(set.contacts[0].normal.z(), -0.9) << height;
     EXPECT_EQ(set.contacts[0].status,
@@ -109,7 +109,7 @@ TEST(QueryContacts, OnlySurfacesThatCrossPenetrate) {
       const Pose pose{over - corner, turn};
       ContactFront front;
       ContactSet set = room(4000);
-      query_contacts(object, pose, scene, {}, {.tolerance = 0.02}, front, set);
+      query_contacts({object, pose}, {scene}, {.tolerance = 0.02}, front, set);
       ASSERT_FALSE(set.contacts.empty());
       const double deepest = -least_distance(set);
       const bool is_crossed = deepest > 0.0 && surfaces_cross(transformed(box, pose), plate);
@@ -131,7 +131,7 @@ TEST(QueryContacts, ContactIsWhatItsDefinitionSaysInTheWorldFrame) {
   scene.orientation = test::turn(Vec3::UnitY(), 90.0);
   scene.position = Vec3(5, -3, 2);
   const Pose object = at(scene.position + Vec3(0.5 + 1.0 + 0.02, 0, 0));
-  query_contacts(ball, object, box, scene, {.tolerance = 0.05, .body = 7}, front, set);
+  query_contacts({ball, object}, {box, scene}, {.tolerance = 0.05, .body = 7}, front, set);
   ASSERT_FALSE(set.contacts.empty());
   for (const Contact& c : set.contacts) {
     EXPECT_EQ(c.body, 7);
@@ -150,7 +150,7 @@ TEST(QueryContacts, AppendsAndKeepsWhatIsThere) {
                               {&balls.large, at(Vec3(0, 0, 3.01))}};
   ContactFront fronts[2];
   ContactSet set = room(1000);
-  query_scene(balls.small, {}, bodies, {.tolerance = 0.05}, fronts, set);
+  query_scene({balls.small}, bodies, {.tolerance = 0.05}, fronts, set);
   int of_body[2] = {0, 0};
   for (const Contact& c : set.contacts) {
     ASSERT_TRUE(c.body == 0 || c.body == 1);
@@ -166,8 +166,8 @@ TEST(QueryContacts, DropsTheShallowestAndCountsThem) {
   ContactFront front, small_front;
   ContactSet all = room(100'000), few = room(20);
   const Pose pose = at(Vec3(0, 0, 2.99));
-  query_contacts(balls.small, pose, balls.large, {}, {.tolerance = 0.9}, front, all);
-  query_contacts(balls.small, pose, balls.large, {}, {.tolerance = 0.9}, small_front, few);
+  query_contacts({balls.small, pose}, {balls.large}, {.tolerance = 0.9}, front, all);
+  query_contacts({balls.small, pose}, {balls.large}, {.tolerance = 0.9}, small_front, few);
   ASSERT_GT(all.contacts.size(), 100u);
   EXPECT_EQ(few.contacts.size(), 20u);
   EXPECT_EQ(few.contacts.capacity(), 20u);
@@ -187,7 +187,7 @@ TEST(QueryContacts, EverythingWithinAHugeTolerance) {
   const ClodHierarchy ball = build_exact_hierarchy(make_ball(1.0, 3));
   ContactFront front;
   ContactSet set = room(1'000'000);
-  query_contacts(ball, at(Vec3(3, 0, 0)), ball, {}, {.tolerance = 1e6}, front, set);
+  query_contacts({ball, at(Vec3(3, 0, 0))}, {ball}, {.tolerance = 1e6}, front, set);
   EXPECT_EQ(set.contacts.size(), ball.patches.size() * ball.patches.size());
 }
 
@@ -195,9 +195,9 @@ TEST(QueryContacts, ToleranceZeroReportsOnlyTouching) {
   const Balls balls;
   ContactFront front;
   ContactSet set = room(10'000);
-  query_contacts(balls.small, at(Vec3(0, 0, 3.2)), balls.large, {}, {.tolerance = 0.0}, front, set);
+  query_contacts({balls.small, at(Vec3(0, 0, 3.2))}, {balls.large}, {.tolerance = 0.0}, front, set);
   EXPECT_TRUE(set.contacts.empty());
-  query_contacts(balls.small, at(Vec3(0, 0, 2.9)), balls.large, {}, {.tolerance = 0.0}, front, set);
+  query_contacts({balls.small, at(Vec3(0, 0, 2.9))}, {balls.large}, {.tolerance = 0.0}, front, set);
   EXPECT_FALSE(set.contacts.empty());
   for (const Contact& c : set.contacts) EXPECT_TRUE(c.normal.allFinite() && c.point.allFinite());
 }
@@ -206,7 +206,7 @@ TEST(QueryContacts, IdenticalBodiesInOnePlaceStayFinite) {
   const ClodHierarchy ball = build_exact_hierarchy(make_ball(1.0, 5));
   ContactFront front;
   ContactSet set = room(100'000);
-  query_contacts(ball, {}, ball, {}, {.tolerance = 0.01}, front, set);
+  query_contacts({ball}, {ball}, {.tolerance = 0.01}, front, set);
   EXPECT_GE(set.contacts.size(), ball.patches.size());
   for (const Contact& c : set.contacts) {
     EXPECT_TRUE(c.normal.allFinite() && c.point.allFinite() && std::isfinite(c.depth));
@@ -218,12 +218,12 @@ TEST(QueryContacts, ImpossiblePosesGiveNoContact) {
   ContactFront front;
   ContactSet set = room(100);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  query_contacts(balls.small, at(Vec3(nan, 0, 0)), balls.large, {}, {.tolerance = 0.1}, front, set);
-  query_contacts(balls.small, at(Vec3(1e300, 0, 0)), balls.large, {}, {.tolerance = 0.1}, front,
+  query_contacts({balls.small, at(Vec3(nan, 0, 0))}, {balls.large}, {.tolerance = 0.1}, front, set);
+  query_contacts({balls.small, at(Vec3(1e300, 0, 0))}, {balls.large}, {.tolerance = 0.1}, front,
                  set);
-  query_contacts(balls.small, at(Vec3(0, 0, 3.0)), balls.large, {}, {.tolerance = nan}, front, set);
+  query_contacts({balls.small, at(Vec3(0, 0, 3.0))}, {balls.large}, {.tolerance = nan}, front, set);
   EXPECT_TRUE(set.contacts.empty());
-  query_contacts(balls.small, at(Vec3(0, 0, 3.01)), balls.large, {}, {.tolerance = 0.1}, front,
+  query_contacts({balls.small, at(Vec3(0, 0, 3.01))}, {balls.large}, {.tolerance = 0.1}, front,
                  set);
   EXPECT_FALSE(set.contacts.empty()) << "and the front works on";
 }
@@ -238,8 +238,8 @@ TEST(QueryContacts, AFullFrontChangesNothing) {
     const Pose pose = at(Vec3(0.3 * sine(0.1 * i), 0, 3.0 + 0.05 * cosine(0.2 * i)));
     clear(got);
     clear(want);
-    query_contacts(balls.small, pose, balls.large, {}, {.tolerance = 0.1}, tiny, got);
-    query_contacts(balls.small, pose, balls.large, {}, {.tolerance = 0.1}, normal, want);
+    query_contacts({balls.small, pose}, {balls.large}, {.tolerance = 0.1}, tiny, got);
+    query_contacts({balls.small, pose}, {balls.large}, {.tolerance = 0.1}, normal, want);
     ASSERT_EQ(test::first_difference(got, want), -1) << "frame " << i;
     ASSERT_LE(tiny.alive, 30);
   }
@@ -251,7 +251,7 @@ TEST(QueryContacts, TheFrontFollowsAndReturns) {
   ContactSet set = room(10'000);
   auto front_at = [&](double gap) {
     clear(set);
-    query_contacts(balls.small, at(Vec3(0, 0, 3.0 + gap)), balls.large, {}, {.tolerance = 0.05},
+    query_contacts({balls.small, at(Vec3(0, 0, 3.0 + gap))}, {balls.large}, {.tolerance = 0.05},
                    front, set);
     return set.stats.front;
   };
@@ -265,10 +265,10 @@ TEST(QueryContacts, TheFrontFollowsAndReturns) {
   EXPECT_LT(back, close / 4) << "nodes that separated were not given back";
   // Motionless frames look at nothing but contacts.
   clear(set);
-  query_contacts(balls.small, at(Vec3(0, 0, 4.0)), balls.large, {}, {.tolerance = 0.05}, front,
+  query_contacts({balls.small, at(Vec3(0, 0, 4.0))}, {balls.large}, {.tolerance = 0.05}, front,
                  set);
   clear(set);
-  query_contacts(balls.small, at(Vec3(0, 0, 4.0)), balls.large, {}, {.tolerance = 0.05}, front,
+  query_contacts({balls.small, at(Vec3(0, 0, 4.0))}, {balls.large}, {.tolerance = 0.05}, front,
                  set);
   EXPECT_EQ(set.stats.tests, 0);
 }

@@ -35,7 +35,7 @@ ContactQuery query_at(double threshold, double cap = kNoCap) {
 
 void ask(const ContactQuery& query, const Pose& pose, ContactFront& front, ContactSet& set) {
   clear(set);
-  query_contacts(the_pair().object, pose, the_pair().scene, Pose{}, query, front, set);
+  query_contacts({the_pair().object, pose}, {the_pair().scene}, query, front, set);
 }
 
 ContactSet room() {

@@ -14,6 +14,7 @@
 #include "thigma/math/elementary.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/mesh/surface_topology.h"
 
 namespace thigma {
 namespace {
@@ -145,7 +146,7 @@ TEST(DecomposeSurface, SinglePrecisionFacesDoNotShatter) {
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond(0.8, 0.3, -0.4, 0.33).normalized().toRotationMatrix();
   for (Vec3& p : mesh.positions) p = (turn * p).cast<float>().cast<double>() * 0.00024;
-  const DecompositionParams chosen = resolve_tolerances(mesh, {});
+  const DecompositionParams chosen = resolve_tolerances(mesh, compute_topology(mesh), {});
   EXPECT_GT(chosen.convexity_tolerance, 5e-8);
   const ConvexDecomposition d = decompose_surface(mesh);
   EXPECT_LT(d.patches.size(), mesh.triangles.size() / 12);

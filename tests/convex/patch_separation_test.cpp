@@ -26,7 +26,7 @@ TEST(PatchSeparation, IsThatOfTheTrianglesNotOfTheHull) {
   // b above a's opening: the lid is nearer than any triangle, so triangles must be measured.
   x.translation = Vec3(0.2, 0.1, 1.05);
   const PatchSeparation above =
-      patch_separation(bowl.patch.view(), ball.patch.view(), x, kInfinity, cache);
+      patch_separation({bowl.patch.view(), ball.patch.view(), x}, kInfinity, cache);
   double least = kInfinity;
   for (const auto& ta : bowl.t) {
     for (const auto& tb : ball.t) {
@@ -45,18 +45,18 @@ TEST(PatchSeparation, IsThatOfTheTrianglesNotOfTheHull) {
   // Side by side the closest features are real: no triangle needs to be measured.
   x.translation = Vec3(2.5, 0, 0);
   const PatchSeparation beside =
-      patch_separation(bowl.patch.view(), ball.patch.view(), x, kInfinity, cache);
+      patch_separation({bowl.patch.view(), ball.patch.view(), x}, kInfinity, cache);
   EXPECT_NEAR(beside.distance, 0.5, 1e-12);
   EXPECT_EQ(beside.triangle_pairs, 0);
   // Nested a little apart: hulls overlap, triangles do not.
   x.translation = Vec3(0, 0, 0.3);
   const PatchSeparation nested =
-      patch_separation(bowl.patch.view(), ball.patch.view(), x, kInfinity, cache);
+      patch_separation({bowl.patch.view(), ball.patch.view(), x}, kInfinity, cache);
   EXPECT_FALSE(nested.intersecting);
   EXPECT_NEAR(nested.distance, 0.3 / std::sqrt(3.0), 1e-14);
   x.translation = Vec3(0.5, 0, 0);
   EXPECT_TRUE(
-      patch_separation(bowl.patch.view(), ball.patch.view(), x, kInfinity, cache).intersecting);
+      patch_separation({bowl.patch.view(), ball.patch.view(), x}, kInfinity, cache).intersecting);
 }
 
 TEST(PatchSeparation, StopsWithABoundAtOrAboveStop) {
@@ -66,10 +66,10 @@ TEST(PatchSeparation, StopsWithABoundAtOrAboveStop) {
     x.translation = Vec3(0.2, 0.1, height);
     GjkCache cache;
     const double exact =
-        patch_separation(bowl.patch.view(), other.patch.view(), x, kInfinity, cache).distance;
+        patch_separation({bowl.patch.view(), other.patch.view(), x}, kInfinity, cache).distance;
     for (const double part : {0.2, 0.9, 1.0, 1.1}) {
       const PatchSeparation s =
-          patch_separation(bowl.patch.view(), other.patch.view(), x, part * exact, cache);
+          patch_separation({bowl.patch.view(), other.patch.view(), x}, part * exact, cache);
       if (part >= 1.0) {
         EXPECT_NEAR(s.distance, exact, 1e-12);
       } else {
@@ -127,7 +127,7 @@ TEST(TriangleSeparation, EqualsAllPairsWhateverTheHint) {
     if (trial % 10 == 0) x.rotation = Mat3::Identity();  // parallel faces
     const Truth truth = all_pairs(a, b, x);
     TriangleHint none;
-    const PatchSeparation s = triangle_separation(a.view(), b.view(), x, kInfinity, false, none);
+    const PatchSeparation s = triangle_separation({a.view(), b.view(), x}, kInfinity, false, none);
     ASSERT_EQ(s.intersecting, truth.intersecting > 0) << trial;
     ASSERT_NEAR(s.distance, truth.distance, 1e-14) << trial;
     if (s.intersecting) {
@@ -142,17 +142,17 @@ TEST(TriangleSeparation, EqualsAllPairsWhateverTheHint) {
     EXPECT_EQ(none.meet, s.intersecting);
     PatchSeparation pierced;
     TriangleHint other;
-    ASSERT_EQ(triangles_pierce(a.view(), b.view(), x, other, pierced), s.intersecting) << trial;
+    ASSERT_EQ(triangles_pierce({a.view(), b.view(), x}, other, pierced), s.intersecting) << trial;
     ASSERT_TRUE(!s.intersecting || same_bits(s, pierced)) << trial;
     for (const TriangleHint& hint :
          {none, TriangleHint{0, 0}, TriangleHint{9, 3}, TriangleHint{200, 1}}) {
       TriangleHint used = hint;
       const PatchSeparation hinted =
-          triangle_separation(a.view(), b.view(), x, kInfinity, false, used);
+          triangle_separation({a.view(), b.view(), x}, kInfinity, false, used);
       ASSERT_TRUE(same_bits(s, hinted)) << trial;
       used = hint;
-      ASSERT_TRUE(same_bits(triangle_separation(a.view(), b.view(), x, 0.3, false, none),
-                            triangle_separation(a.view(), b.view(), x, 0.3, false, used)))
+      ASSERT_TRUE(same_bits(triangle_separation({a.view(), b.view(), x}, 0.3, false, none),
+                            triangle_separation({a.view(), b.view(), x}, 0.3, false, used)))
           << trial;
     }
   }
@@ -165,12 +165,12 @@ TEST(TriangleSeparation, KnowsTouchingTrianglesAndEmptyPatches) {
   TriangleHint hint;
   // The same patch twice: every triangle lies in its twin.
   const PatchSeparation twin =
-      triangle_separation(patch.view(), patch.view(), {}, kInfinity, false, hint);
+      triangle_separation({patch.view(), patch.view(), {}}, kInfinity, false, hint);
   EXPECT_TRUE(twin.intersecting);
   EXPECT_EQ(twin.distance, 0.0);
   HullView bare = patch.view();
   bare.triangle_count = 0;
-  const PatchSeparation none = triangle_separation(patch.view(), bare, {}, 1.0, false, hint);
+  const PatchSeparation none = triangle_separation({patch.view(), bare, {}}, 1.0, false, hint);
   EXPECT_GT(none.distance, 1.0);
   EXPECT_EQ(none.triangle_a, -1);
 }

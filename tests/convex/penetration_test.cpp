@@ -28,7 +28,7 @@ PairContact contact(const MeshPatch& a, const MeshPatch& b, const Vec3& shift,
   RelativePose x;
   x.translation = shift;
   GjkCache cache;
-  return pair_contact(a.view(), b.view(), x, 10.0, cache, nullptr, probe);
+  return pair_contact({a.view(), b.view(), x}, 10.0, cache, nullptr, probe);
 }
 
 TEST(PairContact, PlatesPassThroughEachOtherContinuously) {
@@ -76,7 +76,7 @@ TEST(PairContact, TurnsContinuouslyFromBesideToThrough) {
       EXPECT_LE((vector - last).norm(), 4.0 * kStep) << i;
     }
     last = vector;
-    besides += c.status == PairContactStatus::beside;
+    besides += c.status == PairContactStatus::grazing;
     deeps += c.status == PairContactStatus::deep;
   }
   EXPECT_GT(besides, 10);
@@ -88,10 +88,10 @@ TEST(BacksFacing, TellsTheSidesOfSurfacesApart) {
   const MeshPatch up = plate(1.0, 0.0, true), down = plate(1.0, 0.0, false);
   const RelativePose x;
   const Vec3 z = Vec3::UnitZ();
-  EXPECT_DOUBLE_EQ(backs_facing(down.view(), 1, up.view(), 1, x, z), 1.0);
-  EXPECT_DOUBLE_EQ(backs_facing(up.view(), 1, down.view(), 1, x, z), -1.0);
-  EXPECT_LE(backs_facing(up.view(), 1, up.view(), 1, x, z), 0.0);
-  EXPECT_LE(backs_facing(down.view(), 1, down.view(), 1, x, z), 0.0);
+  EXPECT_DOUBLE_EQ(backs_facing({down.view(), up.view(), x}, 1, 1, z), 1.0);
+  EXPECT_DOUBLE_EQ(backs_facing({up.view(), down.view(), x}, 1, 1, z), -1.0);
+  EXPECT_LE(backs_facing({up.view(), up.view(), x}, 1, 1, z), 0.0);
+  EXPECT_LE(backs_facing({down.view(), down.view(), x}, 1, 1, z), 0.0);
 }
 
 TEST(PairContact, FartherThanTheToleranceIsApart) {
@@ -99,9 +99,9 @@ TEST(PairContact, FartherThanTheToleranceIsApart) {
   RelativePose x;
   x.translation = Vec3(0, 0, 0.5);
   GjkCache cache;
-  EXPECT_EQ(pair_contact(lower.view(), upper.view(), x, 0.499, cache, nullptr, {}).status,
+  EXPECT_EQ(pair_contact({lower.view(), upper.view(), x}, 0.499, cache, nullptr, {}).status,
             PairContactStatus::apart);
-  EXPECT_EQ(pair_contact(lower.view(), upper.view(), x, 0.501, cache, nullptr, {}).status,
+  EXPECT_EQ(pair_contact({lower.view(), upper.view(), x}, 0.501, cache, nullptr, {}).status,
             PairContactStatus::separated);
 }
 
@@ -114,7 +114,7 @@ TEST(PairContact, ACornerInAPlateAndCrossedEdgesLeaveByTheShortWay) {
   GjkCache cache;
   RelativePose x;
   x.translation = Vec3(0.1, 0.05, 0.98);
-  const PairContact face = pair_contact(patch.view(), patch.view(), x, 1.0, cache, nullptr, {});
+  const PairContact face = pair_contact({patch.view(), patch.view(), x}, 1.0, cache, nullptr, {});
   EXPECT_EQ(face.status, PairContactStatus::penetrating);
   EXPECT_NEAR(face.depth, 0.02, 1e-12);
   EXPECT_NEAR(face.normal.z(), 1.0, 1e-12);
@@ -129,7 +129,7 @@ TEST(PairContact, ACornerInAPlateAndCrossedEdgesLeaveByTheShortWay) {
   b = test::make_patch(pb, box.triangles, all);
   for (const double depth : {-1e-3, 1e-9, 1e-3, 0.05}) {
     x.translation = Vec3(0.02, 0.03, 2.0 * r - depth);
-    const PairContact edges = pair_contact(a.view(), b.view(), x, 1.0, cache, nullptr, {});
+    const PairContact edges = pair_contact({a.view(), b.view(), x}, 1.0, cache, nullptr, {});
     EXPECT_NEAR(edges.depth, depth, 1e-12);
     EXPECT_NEAR(edges.normal.z(), 1.0, 1e-6);
   }
@@ -163,13 +163,15 @@ TEST(PairContact, AmongNearEqualDirectionsTheLastOneIsKept) {
   x.translation = Vec3(0.9, 0, 0.903);  // 0.1 out along x, 0.097 along z
   GjkCache cache;
   const Vec3 last = Vec3::UnitX(), other = Vec3::UnitZ();
-  EXPECT_GT(pair_contact(patch.view(), patch.view(), x, 1.0, cache, nullptr, {}).normal.z(), 0.999);
-  EXPECT_GT(pair_contact(patch.view(), patch.view(), x, 1.0, cache, &other, {}).normal.z(), 0.999);
-  const PairContact kept = pair_contact(patch.view(), patch.view(), x, 1.0, cache, &last, {});
+  EXPECT_GT(pair_contact({patch.view(), patch.view(), x}, 1.0, cache, nullptr, {}).normal.z(),
+            0.999);
+  EXPECT_GT(pair_contact({patch.view(), patch.view(), x}, 1.0, cache, &other, {}).normal.z(),
+            0.999);
+  const PairContact kept = pair_contact({patch.view(), patch.view(), x}, 1.0, cache, &last, {});
   EXPECT_GT(kept.normal.x(), 0.999);
   EXPECT_NEAR(kept.depth, 0.1, 1e-12);
   x.translation = Vec3(0.9, 0, 0.92);  // 0.08: no longer near-equal
-  EXPECT_GT(pair_contact(patch.view(), patch.view(), x, 1.0, cache, &last, {}).normal.z(), 0.999);
+  EXPECT_GT(pair_contact({patch.view(), patch.view(), x}, 1.0, cache, &last, {}).normal.z(), 0.999);
 }
 
 // --- Pressing two bodies into each other
@@ -218,7 +220,7 @@ Pressing press(const Body& a, const Body& b, const Mat3& rotation, const Vec3& d
       for (const MeshPatch& pb : b.patches) {
         GjkCache cache;
         if (near(pa.view(), pb.view(), x) &&
-            patch_separation(pa.view(), pb.view(), x, 0.0, cache).intersecting)
+            patch_separation({pa.view(), pb.view(), x}, 0.0, cache).intersecting)
           return true;
       }
     }
@@ -239,7 +241,7 @@ Pressing press(const Body& a, const Body& b, const Mat3& rotation, const Vec3& d
         continue;
       }
       const PairContact c =
-          pair_contact(va, vb, x, kTolerance, m.cache, memory && m.known ? &m.last : nullptr, {});
+          pair_contact({va, vb, x}, kTolerance, m.cache, memory && m.known ? &m.last : nullptr, {});
       if (c.status == PairContactStatus::apart) {
         m.known = false;
         continue;

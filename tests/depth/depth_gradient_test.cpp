@@ -70,8 +70,9 @@ TEST(DepthGradient, at_a_fixed_place_agrees_with_differences_to_rounding) {
     const Vec2 at(random.uniform(-0.004, 0.004), random.uniform(-0.004, 0.004));
     const auto jet_of = [&](const DepthContact& contact) {
       ProjectedPatch patch;
-      project_patch(*contact.object.texture, contact.object.triangles,
-                    contact.object.world_from_body, frame, Facing::along, patch);
+      project_patch(
+          {contact.object.texture, contact.object.triangles, contact.object.world_from_body}, frame,
+          Facing::along, patch);
       return surface_jet(patch, at);
     };
     const SurfaceJet here = jet_of(p.contact);

@@ -106,22 +106,6 @@ TEST_F(OnGpu, grids_wider_than_a_group_and_gradients_agree) {
   }
 }
 
-TEST_F(OnGpu, sixteen_bits_round_alike) {
-  Random random(4);
-  const GridDepthParams grid{.is_16_bit = true};
-  const GpuDepth rounded = make_gpu_depth({.grid = grid, .timeout = kPatience});
-  ASSERT_TRUE(rounded.is_on_gpu) << rounded.reason;
-  const auto processor = make_grid_depth(grid);
-  test::PlateContact p(random, {.bend = 10.0});
-  for (int i = 0; i < 5; ++i) {
-    test::shuffle_contact(random, p, 0.02);
-    const DepthSamples want = test::depth_of(*processor, p.contact, {.has_differences = true});
-    const DepthSamples got = test::depth_of(*rounded.backend, p.contact, {.has_differences = true});
-    for (std::size_t k = 0; k < kConfigurations; ++k)
-      EXPECT_NEAR(got.depth[k], want.depth[k], 6e-4 * kGpuPrecision);
-  }
-}
-
 TEST_F(OnGpu, contacts_without_depth_and_other_threads_are_fine) {
   Random random(5);
   test::PlateContact p(random, {});

@@ -11,7 +11,7 @@ namespace {
 ProjectedPatch projected(const test::PlateContact& p, Facing facing) {
   const TexturedPatch& side = facing == Facing::along ? p.contact.object : p.contact.scene;
   ProjectedPatch patch;
-  project_patch(*side.texture, side.triangles, side.world_from_body,
+  project_patch({side.texture, side.triangles, side.world_from_body},
                 contact_frame(p.contact.point, p.contact.normal), facing, patch);
   return patch;
 }

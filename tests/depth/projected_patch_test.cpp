@@ -30,7 +30,7 @@ TEST(ProjectedPatch, height_is_that_of_the_fine_surface_over_the_point) {
       const TexturedPatch& side = facing == Facing::along ? p.contact.object : p.contact.scene;
       const Vec3 direction = facing == Facing::along ? p.contact.normal : Vec3(-p.contact.normal);
       ProjectedPatch patch;
-      project_patch(*side.texture, side.triangles, side.world_from_body, frame, facing, patch);
+      project_patch({side.texture, side.triangles, side.world_from_body}, frame, facing, patch);
       std::int32_t near = -1;
       for (int k = 0; k < 50; ++k) {
         const Vec2 at(random.uniform(-0.015, 0.015), random.uniform(-0.015, 0.015));
@@ -62,7 +62,7 @@ TEST(ProjectedPatch, facet_slope_is_the_derivative_of_the_height) {
   const test::PlateContact p(random, {.texels = 16, .bend = 3.0, .noise = 1e-4});
   const ContactFrame frame = contact_frame(p.contact.point, p.contact.normal);
   ProjectedPatch patch;
-  project_patch(p.object, p.object_triangles, p.contact.object.world_from_body, frame,
+  project_patch({&p.object, p.object_triangles, p.contact.object.world_from_body}, frame,
                 Facing::along, patch);
   int good = 0, covered = 0;
   for (int k = 0; k < 300; ++k) {
@@ -114,8 +114,8 @@ TEST(ProjectedPatch, fine_surface_is_the_same_however_its_points_are_paired) {
         (rotation_from_vector(0.3 * random.in_cube(1.0)) * Vec3::UnitZ()).normalized();
     const ContactFrame frame = contact_frame(Vec3::Zero(), normal);
     ProjectedPatch a, b;
-    project_patch(straight, all, Pose{}, frame, Facing::along, a);
-    project_patch(aside, all, Pose{}, frame, Facing::along, b);
+    project_patch({&straight, all, Pose{}}, frame, Facing::along, a);
+    project_patch({&aside, all, Pose{}}, frame, Facing::along, b);
     for (int k = 0; k < 100; ++k) {
       const Vec2 at(random.uniform(-0.006, 0.006), random.uniform(-0.006, 0.006));
       const SurfaceJet want = surface_jet(a, at), got = surface_jet(b, at);
@@ -145,7 +145,7 @@ TEST(ProjectedPatch, follows_across_triangles) {
   for (int i = 0; i < 10; ++i) {
     const test::PlateContact p(random, {.cells = 6, .texels = 128, .bend = 8.0});
     ProjectedPatch patch;
-    project_patch(p.object, p.object_triangles, p.contact.object.world_from_body,
+    project_patch({&p.object, p.object_triangles, p.contact.object.world_from_body},
                   contact_frame(p.contact.point, p.contact.normal), Facing::along, patch);
     for (int k = 0; k < 100; ++k) {
       const Vec2 at(random.uniform(-0.005, 0.005), random.uniform(-0.005, 0.005));
@@ -179,12 +179,12 @@ TEST(ProjectedPatch, says_where_it_is_no_height_field) {
   };
   const PlaneBox middle = around(Vec3::Zero()), edge = around(Vec3(0.01, 0.0, 0.0));
   ProjectedPatch patch;
-  project_patch(box, top, Pose{}, frame, Facing::along, patch);
+  project_patch({&box, top, Pose{}}, frame, Facing::along, patch);
   EXPECT_TRUE(is_height_field(patch, middle));
-  project_patch(box, all, Pose{}, frame, Facing::along, patch);
+  project_patch({&box, all, Pose{}}, frame, Facing::along, patch);
   EXPECT_EQ(patch.triangles.size(), 2u);
   EXPECT_FALSE(is_height_field(patch, middle));  // the bottom faces away
-  project_patch(box, top, Pose{}, frame, Facing::against, patch);
+  project_patch({&box, top, Pose{}}, frame, Facing::against, patch);
   EXPECT_TRUE(patch.triangles.empty());
   EXPECT_FALSE(is_height_field(patch, middle));
   // One wall beside the top: edge-on at its own place, no matter elsewhere.
@@ -196,7 +196,7 @@ TEST(ProjectedPatch, says_where_it_is_no_height_field) {
     });
     if (is_wall) with_wall.push_back(t);
   }
-  project_patch(box, with_wall, Pose{}, frame, Facing::along, patch);
+  project_patch({&box, with_wall, Pose{}}, frame, Facing::along, patch);
   EXPECT_TRUE(is_height_field(patch, middle));
   EXPECT_FALSE(is_height_field(patch, edge));
 }
@@ -215,7 +215,7 @@ TEST(ProjectedPatch, fine_surface_that_turns_over_is_no_height_field) {
   const HapticTexture texture = make_texture(source, "t");
   ProjectedPatch patch;
   const std::vector<std::int32_t> all = test::all_triangles(texture);
-  project_patch(texture, all, Pose{}, contact_frame(Vec3::Zero(), Vec3::UnitZ()), Facing::along,
+  project_patch({&texture, all, Pose{}}, contact_frame(Vec3::Zero(), Vec3::UnitZ()), Facing::along,
                 patch);
   // contact_frame puts u and v where it likes: ask at world points.
   const Mat3 m = contact_frame(Vec3::Zero(), Vec3::UnitZ()).world_from_contact;
@@ -242,9 +242,9 @@ TEST(ProjectedPatch, sees_the_fine_surface_of_triangles_around) {
   }
   const ContactFrame frame = contact_frame(Vec3::Zero(), Vec3::UnitZ());
   ProjectedPatch whole, cut, seen;
-  project_patch(texture, all, Pose{}, frame, Facing::along, whole);
-  project_patch(texture, left, Pose{}, frame, Facing::along, cut);
-  project_patch(texture, left, Pose{}, frame, Facing::along, seen, kWholePlane, right);
+  project_patch({&texture, all, Pose{}}, frame, Facing::along, whole);
+  project_patch({&texture, left, Pose{}}, frame, Facing::along, cut);
+  project_patch({&texture, left, Pose{}, right}, frame, Facing::along, seen);
   ASSERT_FALSE(seen.around.empty());
   EXPECT_EQ(seen.box.high, cut.box.high) << "no ground to stand on";
   double worst_cut = 0.0;

@@ -13,7 +13,7 @@ TEST(WarmDepth, allocates_nothing) {
   test::PlateContact p(random, {.cells = 3, .texels = 128});
   const Pose start = p.contact.object.world_from_body;
   const std::unique_ptr<DepthBackend> backends[] = {
-      make_grid_depth({}), make_grid_depth({.is_16_bit = true}), make_branch_depth({})};
+      make_grid_depth({}), make_grid_depth({.is_polished = false}), make_branch_depth({})};
   GradientScratch scratch;
   Vec3 sum = Vec3::Zero();
   const auto slide = [&] {

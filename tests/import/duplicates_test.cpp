@@ -26,7 +26,7 @@ std::vector<std::array<std::array<double, 3>, 3>> faces_of(const TriangleMesh& m
   for (const Triangle& t : mesh.triangles) {
     std::array<std::array<double, 3>, 3> face{};
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3& p = mesh.positions[at(t[k])];
+      const Vec3& p = mesh.positions[idx(t[k])];
       face[k] = {p.x(), p.y(), p.z()};
     }
     std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
@@ -79,10 +79,10 @@ std::vector<std::size_t> neighbours(const TriangleMesh& mesh, std::size_t first,
   is_reached[first] = true;
   for (std::size_t i = 0; i < reached.size() && reached.size() < count; ++i)
     for (const std::int32_t e : table.of_triangle[reached[i]])
-      for (const EdgeUse& use : table.uses_of(table.edges[at(e)]))
-        if (!is_reached[at(use.triangle)]) {
-          is_reached[at(use.triangle)] = true;
-          reached.push_back(at(use.triangle));
+      for (const EdgeUse& use : table.uses_of(table.edges[idx(e)]))
+        if (!is_reached[idx(use.triangle)]) {
+          is_reached[idx(use.triangle)] = true;
+          reached.push_back(idx(use.triangle));
         }
   reached.resize(std::min(reached.size(), count));
   return reached;
@@ -182,7 +182,7 @@ TriangleMesh fin_of(const TriangleMesh& box, std::size_t triangle, std::size_t s
   const std::int32_t b = box.triangles[triangle][(side + 1) % 3];
   const auto base = static_cast<std::int32_t>(fin.positions.size());
   for (const std::int32_t v : {a, b})
-    fin.positions.push_back(box.positions[at(v)] * (1.0 + height));
+    fin.positions.push_back(box.positions[idx(v)] * (1.0 + height));
   fin.triangles = {{a, b, base}, {b, base + 1, base}};
   return fin;
 }

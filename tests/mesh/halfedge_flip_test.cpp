@@ -41,8 +41,8 @@ TEST(HalfedgeFlip, TurnsOneEdgeAndNothingElse) {
       EXPECT_TRUE(expected.insert(std::minmax(q.c, q.d)).second);
       const double before = volume_of(m);
       const auto& x = m.positions;
-      const Vec3& a = x[at(q.a)];
-      const double gained = (x[at(q.b)] - a).cross(x[at(q.c)] - a).dot(x[at(q.d)] - a) / 6.0;
+      const Vec3& a = x[idx(q.a)];
+      const double gained = (x[idx(q.b)] - a).cross(x[idx(q.c)] - a).dot(x[idx(q.d)] - a) / 6.0;
       flip_edge(m, h);
       EXPECT_EQ(edges_of(m), expected);
       EXPECT_EQ(count_halfedge_faults(m), 0);
@@ -85,7 +85,7 @@ TEST(HalfedgeFlip, RefusesWhatWouldChangeTheSurface) {
   int inner = 0;
   for (std::int32_t h = 0; h < static_cast<std::int32_t>(sheet.twin.size()); ++h) {
     inner += can_flip(sheet, h);
-    if (sheet.twin[at(h)] < 0) {
+    if (sheet.twin[idx(h)] < 0) {
       EXPECT_FALSE(can_flip(sheet, h)) << "a rim has one triangle";
     }
   }
@@ -101,9 +101,9 @@ CornerAttributes numbered(const TriangleMesh& mesh, bool has_seam) {
   CornerAttributes values;
   values.width = 1;
   for (const auto& t : mesh.triangles) {
-    const bool is_left =
-        mesh.positions[at(t[0])].x() + mesh.positions[at(t[1])].x() + mesh.positions[at(t[2])].x() <
-        0.0;
+    const bool is_left = mesh.positions[idx(t[0])].x() + mesh.positions[idx(t[1])].x() +
+                             mesh.positions[idx(t[2])].x() <
+                         0.0;
     for (const std::int32_t v : t) {
       const auto n = static_cast<std::int32_t>(mesh.positions.size());
       values.of_corner.push_back(has_seam && is_left ? v + n : v);
@@ -132,11 +132,11 @@ TEST(HalfedgeFlip, LeavesSeamsAlone) {
   const HalfedgeMesh m = build_halfedge_mesh(mesh, numbered(mesh, true)),
                      plain = build_halfedge_mesh(mesh);
   const auto side = [&](std::int32_t h) {
-    return m.attributes.of_corner[at(h)] >= static_cast<std::int32_t>(mesh.positions.size());
+    return m.attributes.of_corner[idx(h)] >= static_cast<std::int32_t>(mesh.positions.size());
   };
   int seams = 0;
   for (std::int32_t h = 0; h < static_cast<std::int32_t>(m.twin.size()); ++h) {
-    const bool is_seam = side(h) != side(m.twin[at(h)]);
+    const bool is_seam = side(h) != side(m.twin[idx(h)]);
     seams += is_seam;
     EXPECT_EQ(can_flip(m, h), can_flip(plain, h) && !is_seam);
   }

@@ -19,7 +19,7 @@ double gap_between(const TriangleMesh& a, const TriangleMesh& b, double toleranc
   contacts.contacts.reserve(1 << 20);
   ContactQuery query;
   query.tolerance = tolerance;
-  query_contacts(object, Pose{}, scene, Pose{}, query, front, contacts);
+  query_contacts({object}, {scene}, query, front, contacts);
   return least_distance(contacts);
 }
 

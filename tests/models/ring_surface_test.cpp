@@ -11,7 +11,7 @@ namespace {
 
 TEST(RingSurface, MeetsAnyEvenCountWithNearlyEquilateralTriangles) {
   std::vector<ProfilePoint> profile;
-  add_arc(profile, Vec2::Zero(), 1.0, -0.5 * kPi, 0.5 * kPi, true);
+  add_arc(profile, {Vec2::Zero(), 1.0, -0.5 * kPi, 0.5 * kPi, true});
   for (const int wished : {500, 2000, 12'346, 40'000}) {
     SCOPED_TRACE(wished);
     const TriangleMesh ball = make_ring_surface(
@@ -37,8 +37,8 @@ TEST(RingSurface, MeetsAnyEvenCountWithNearlyEquilateralTriangles) {
 TEST(RingSurface, DensityPutsTrianglesWhereTheyAreWanted) {
   // The upper half of a ball has twice the edges per length: four fifths of the triangles.
   std::vector<ProfilePoint> profile;
-  add_arc(profile, Vec2::Zero(), 1.0, -0.5 * kPi, 0.0, true, 1.0);
-  add_arc(profile, Vec2::Zero(), 1.0, 0.0, 0.5 * kPi, true, 2.0);
+  add_arc(profile, {Vec2::Zero(), 1.0, -0.5 * kPi, 0.0, true, 1.0});
+  add_arc(profile, {Vec2::Zero(), 1.0, 0.0, 0.5 * kPi, true, 2.0});
   const TriangleMesh ball = make_ring_surface(
       profile, 20'000, [](const ProfilePoint& at, const SinCos& a) { return turned_place(at, a); });
   int above = 0;

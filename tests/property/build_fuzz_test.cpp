@@ -27,7 +27,7 @@ struct Outcomes {
 ClodParams params_of(int number) {
   ClodParams params;
   if (number % 2 == 0) return params;
-  params.simplify.longest_edge = 0.5;
+  params.simplify.stages = simplify_stages(0.5, 0.5);
   params.simplify.deviation_limit = 0.08;
   return params;
 }

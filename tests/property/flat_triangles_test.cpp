@@ -163,12 +163,12 @@ TEST(FlatTriangles, queries_find_what_a_search_finds) {
       const Pose pose = test::random_pose_near(pair.exact, random);
       clear(set);
       clear_front(front);
-      query_contacts(pair.exact.object, pose, pair.exact.scene, Pose{}, exact, front, set);
+      query_contacts({pair.exact.object, pose}, {pair.exact.scene}, exact, front, set);
       ASSERT_EQ(set.dropped, 0);
       test::check_against_search(pair.exact, pose, d, set, counts);
       clear(set);
       clear_front(front);
-      query_contacts(pair.exact.object, pose, pair.exact.scene, Pose{}, coarse, front, set);
+      query_contacts({pair.exact.object, pose}, {pair.exact.scene}, coarse, front, set);
       EXPECT_EQ(test::count_missed(pair, objects, scenes, pose, d - 1e-9 * pair.exact.radius, set,
                                    true_pairs),
                 0);

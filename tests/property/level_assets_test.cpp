@@ -18,6 +18,7 @@
 #include "thigma/import/load_mesh.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/measure.h"
+#include "thigma/mesh/surface_topology.h"
 #include "thigma/models/make_model.h"
 #include "thigma/simplify/simplify_surface.h"
 
@@ -187,9 +188,10 @@ TEST(LevelAssets, RealMeshesAreAsCoarseAsAsked) {
     for (const Vec3& p : mesh.positions)
       unit = std::max(unit, (p - 0.5 * (box.min + box.max)).norm());
     SimplifyParams params;
-    params.longest_edge *= unit / enclosing_ball(mesh.positions).radius;
-    params.longest_edge_ever = 0.0;  // no level of r < 8
-    const Simplification s = simplify_surface(mesh, decompose_surface(mesh), params);
+    // no level of r < 8
+    params.stages = simplify_stages(0.125 * (unit / enclosing_ball(mesh.positions).radius), 0.0);
+    const Simplification s =
+        simplify_surface({mesh, compute_topology(mesh), decompose_surface(mesh)}, params);
     const SimplifiedLevel& last = s.levels.back();
     std::printf("  %-30s %5zu/%4d at r %.2f, volume %+5.1f %%\n", limit.name,
                 last.mesh.triangles.size(), last.patch_count, last.resolution * unit,

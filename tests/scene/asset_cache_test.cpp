@@ -33,7 +33,7 @@ class AssetCacheFiles : public ::testing::Test {
     fs::create_directories(folder_ / "meshes");
     ::setenv("XDG_CACHE_HOME", (folder_ / "home").c_str(), 1);
     source_.name = (folder_ / "meshes" / "torus.obj").string();
-    source_.params.simplify.longest_edge = 0.5;
+    source_.params.simplify.stages = simplify_stages(0.5, 0.5);
     source_.params.simplify.deviation_limit = 0.05;
     write_mesh(make_torus(1.0, 0.4, 16, 12));
   }

@@ -29,10 +29,10 @@ struct FlipBench : test::SurfaceBench {
 std::int32_t count_reflex(const PatchedSurface& s) {
   std::int32_t reflex = 0;
   for (std::int32_t h = 0; h < static_cast<std::int32_t>(s.mesh.twin.size()); ++h) {
-    const std::int32_t twin = s.mesh.twin[at(h)];
+    const std::int32_t twin = s.mesh.twin[idx(h)];
     if (twin < h) continue;
     const std::int32_t apex = tail_of(s.mesh, previous_halfedge(twin));
-    reflex += height_over(s, h / 3, s.mesh.positions[at(apex)]) > s.flat;
+    reflex += height_over(s, h / 3, s.mesh.positions[idx(apex)]) > s.flat;
   }
   return reflex;
 }
@@ -45,18 +45,18 @@ void expect_sound(const PatchedSurface& s) {
     alive += !patch.triangles.empty();
     std::vector<std::int32_t> used, listed = patch.vertices;
     for (const std::int32_t t : patch.triangles) {
-      EXPECT_EQ(s.patch_of[at(t)], static_cast<std::int32_t>(i));
-      const auto& v = s.mesh.triangles[at(t)];
+      EXPECT_EQ(s.patch_of[idx(t)], static_cast<std::int32_t>(i));
+      const auto& v = s.mesh.triangles[idx(t)];
       used.insert(used.end(), v.begin(), v.end());
       for (const std::int32_t w : patch.vertices)
-        EXPECT_LE(height_over(s, t, s.mesh.positions[at(w)]), s.flat);
+        EXPECT_LE(height_over(s, t, s.mesh.positions[idx(w)]), s.flat);
     }
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
     std::sort(listed.begin(), listed.end());
     EXPECT_EQ(used, listed);
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(s.patch_of.size()); ++t)
-      if (s.patch_of[at(t)] != static_cast<std::int32_t>(i)) {
+      if (s.patch_of[idx(t)] != static_cast<std::int32_t>(i)) {
         EXPECT_FALSE(intrudes(s, t, patch.half_spaces, patch.box)) << i;
       }
   }
@@ -70,8 +70,8 @@ TriangleMesh dented_ball(int frequency) {
   for (std::int32_t h = 0; h < static_cast<std::int32_t>(m.twin.size()); h += 7) {
     if (!can_flip(m, h)) continue;
     const auto [one, two] = quad_of(m, h).triangle;
-    if (is_turned[at(one)] || is_turned[at(two)]) continue;
-    is_turned[at(one)] = is_turned[at(two)] = 1;
+    if (is_turned[idx(one)] || is_turned[idx(two)]) continue;
+    is_turned[idx(one)] = is_turned[idx(two)] = 1;
     flip_edge(m, h);
   }
   return compact(m).mesh;
@@ -147,7 +147,8 @@ TEST(EdgeFlip, HandsTheOriginalsVerticesOver) {
   ASSERT_GT(bench.flip_all(), 0);
   std::vector<int> times(bench.mesh.positions.size(), 0);
   for (const std::int32_t first : bench.context.guard.first_sample)
-    for (std::int32_t v = first; v >= 0; v = bench.context.guard.next_sample[at(v)]) ++times[at(v)];
+    for (std::int32_t v = first; v >= 0; v = bench.context.guard.next_sample[idx(v)])
+      ++times[idx(v)];
   EXPECT_EQ(std::count(times.begin(), times.end(), 1), static_cast<std::ptrdiff_t>(times.size()));
 }
 

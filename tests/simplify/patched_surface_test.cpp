@@ -5,13 +5,16 @@
 #include "simplify/simplify_support.h"
 #include <gtest/gtest.h>
 
+#include "thigma/mesh/surface_topology.h"
+
 namespace thigma {
 namespace {
 
 PatchedSurface patched(const TriangleMesh& mesh, int max_vertices = 32) {
   DecompositionParams params;
   params.max_vertices = max_vertices;
-  return build_patched_surface(mesh, decompose_surface(mesh, params), 1e-6, 1e-5);
+  return build_patched_surface({mesh, compute_topology(mesh), decompose_surface(mesh, params)},
+                               1e-6, 1e-5);
 }
 
 TEST(PatchedSurface, StartsAsTheDecomposition) {

@@ -7,6 +7,7 @@
 
 #include "thigma/convex/decomposition.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/mesh/surface_topology.h"
 #include "thigma/simplify/simplify_surface.h"
 
 namespace thigma::test {
@@ -25,15 +26,15 @@ inline TriangleMesh wavy_ball(int frequency, double radius = 1.0) {
 /// Limits under which meshes of a few hundred triangles have levels.
 inline SimplifyParams generous() {
   SimplifyParams params;
-  params.longest_edge = 0.5;  // as long at the very last
-  params.longest_edge_ever = 0.25;
+  params.stages = simplify_stages(0.5, 0.25);
   params.deviation_limit = 0.08;
   return params;
 }
 
-inline Simplification simplify(const TriangleMesh& mesh,
-                               const SimplifyParams& params = generous()) {
-  return simplify_surface(mesh, decompose_surface(mesh), params);
+inline Simplification simplify(const TriangleMesh& mesh, const SimplifyParams& params = generous(),
+                               const detail::SimplifyForm& form = {}) {
+  return detail::simplify_in_form({mesh, compute_topology(mesh), decompose_surface(mesh)}, params,
+                                  form);
 }
 
 /// Whether everything a collapse or a flip may change is the same.
@@ -58,7 +59,8 @@ struct SurfaceBench {
 
   /// limit     of the deviation, by the radius
   explicit SurfaceBench(TriangleMesh m, double limit = 0.02) : mesh(std::move(m)) {
-    surface = build_patched_surface(mesh, decompose_surface(mesh), 1e-6, 1e-5);
+    surface =
+        build_patched_surface({mesh, compute_topology(mesh), decompose_surface(mesh)}, 1e-6, 1e-5);
     context.quadric = vertex_quadrics(surface);
     context.guard = detail::build_deviation_guard(mesh, limit * surface.radius);
     successor.resize(surface.patches.size());

@@ -14,6 +14,7 @@
 #include "thigma/import/load_mesh.h"
 #include "thigma/mesh/measure.h"
 #include "thigma/mesh/self_intersections.h"
+#include "thigma/mesh/surface_topology.h"
 
 namespace thigma {
 namespace {
@@ -37,9 +38,11 @@ void expect_sound(const TriangleMesh& mesh, const char* name, const Simplificati
 }
 
 Simplification expect_simplified(const TriangleMesh& mesh, const char* name,
-                                 const SimplifyParams& params = test::generous()) {
+                                 const SimplifyParams& params = test::generous(),
+                                 const detail::SimplifyForm& form = {}) {
   const ConvexDecomposition decomposition = decompose_surface(mesh);
-  Simplification s = simplify_surface(mesh, decomposition, params);
+  Simplification s =
+      detail::simplify_in_form({mesh, compute_topology(mesh), decomposition}, params, form);
   expect_sound(mesh, name, s, decomposition);
   return s;
 }
@@ -59,10 +62,10 @@ TEST(SimplifySurface, KeepsItsPromisesOnShapes) {
 TEST(SimplifySurface, MakesABoxOutOfADividedBox) {
   const TriangleMesh mesh = make_box({1, 2, 3}, {5, 5, 5});
   SimplifyParams params;
-  params.longest_edge = 10.0;
+  params.stages = simplify_stages(10.0, 0.5);
   params.deviation_limit = 1e-3;
-  params.collapse.is_relaxed = false;  // which rounds edges within the limit
-  const Simplification s = test::simplify(mesh, params);
+  // relaxation rounds edges within the limit
+  const Simplification s = test::simplify(mesh, params, {.is_relaxed = false});
   EXPECT_LE(s.levels.back().patch_count, 3);
   EXPECT_NEAR(mass_properties(s.levels.back().mesh).volume, 6.0, 0.05);
   EXPECT_LT(s.levels.back().mesh.triangles.size(), 60u);
@@ -72,8 +75,7 @@ TEST(SimplifySurface, StaysWithinTheLimits) {
   const TriangleMesh mesh = test::wavy_ball(12);
   const double radius = enclosing_ball(mesh.positions).radius;
   SimplifyParams params = test::generous();
-  params.longest_edge = 0.3;
-  params.longest_edge_ever = params.deviation_share = 0.0;
+  params.stages = simplify_stages(0.3, 0.0, 0.0);
   const Simplification wide = test::simplify(mesh, params);
   params.deviation_limit = 0.004;
   const Simplification tight = test::simplify(mesh, params);
@@ -107,9 +109,7 @@ TEST(SimplifySurface, KeepsTheVolumeOfLongThings) {
   const TriangleMesh mesh = make_capsule(1.0, 20.0, 24, 30);
   const double volume = mass_properties(mesh).volume;
   const auto lost = [&](bool keeps_volume) {
-    SimplifyParams params;
-    params.collapse.keeps_volume = keeps_volume;
-    const Simplification s = test::simplify(mesh, params);
+    const Simplification s = test::simplify(mesh, {}, {.keeps_volume = keeps_volume});
     return 1.0 - mass_properties(s.levels.back().mesh).volume / volume;
   };
   EXPECT_LT(std::fabs(lost(true)), 0.12);
@@ -120,8 +120,7 @@ TEST(SimplifySurface, GoesOnPastTheEdgeWhileManyPatchesAreLeft) {
   const TriangleMesh ball = make_ball(1.0, 16);
   SimplifyParams params;
   const Simplification far = test::simplify(ball, params);
-  params.longest_edge_ever = 0.0;
-  params.deviation_share = 0.0;
+  params.stages = simplify_stages(0.125, 0.0, 0.0);
   const Simplification near = test::simplify(ball, params);
   const auto share = [](const Simplification& s) {
     return static_cast<double>(s.levels.back().patch_count) / s.levels.front().patch_count;
@@ -169,7 +168,7 @@ TEST(SimplifySurface, StaysNearBetweenTheCornersOfLargeTriangles) {
     p.z() += height(p.x() + 0.5) * (std::fabs(p.y()) < 0.3 ? 1.0 : 0.0);
   const double radius = enclosing_ball(mesh.positions).radius;
   SimplifyParams params;
-  params.longest_edge = 1.0;
+  params.stages = simplify_stages(1.0, 0.5);
   const Simplification s = test::simplify(mesh, params);
   const DeviationTarget original = build_deviation_target(mesh);
   double worst = 0.0;
@@ -185,18 +184,17 @@ TEST(SimplifySurface, StaysNearBetweenTheCornersOfLargeTriangles) {
     worst = std::max(worst, range.met);
   }
   EXPECT_GT(s.levels.size(), 2u);
-  EXPECT_LE(worst, 1.9 * std::max(params.deviation_limit, params.deviation_ever) * radius);
+  EXPECT_LE(worst, 1.9 * std::max(params.deviation_limit, params.farthest_deviation) * radius);
 }
 
 TEST(SimplifySurface, LosesNoMoreVolumeThanItMay) {
   const TriangleMesh mesh = test::wavy_ball(10);
   const double volume = mass_properties(mesh).volume;
   SimplifyParams params = test::generous();
-  params.deviation_ever = params.deviation_limit = 0.5;
-  params.longest_edge = 1.0;
+  params.farthest_deviation = params.deviation_limit = 0.5;
+  params.stages = simplify_stages(1.0, 0.25);
   params.volume_limit = 0.004;
-  params.collapse.keeps_volume = false;
-  const Simplification s = test::simplify(mesh, params);
+  const Simplification s = test::simplify(mesh, params, {.keeps_volume = false});
   EXPECT_GT(s.outcomes[static_cast<std::size_t>(CollapseOutcome::volume)], 0);
   for (const SimplifiedLevel& level : s.levels)
     EXPECT_NEAR(mass_properties(level.mesh).volume, volume, 0.004 * volume * (1.0 + 1e-9));
@@ -205,26 +203,24 @@ TEST(SimplifySurface, LosesNoMoreVolumeThanItMay) {
 TEST(SimplifySurface, IsCoarserWithAConvexStartAndALaterDeviation) {
   const TriangleMesh mesh = make_torus(1.0, 0.4, 64, 32);
   SimplifyParams params;
-  params.longest_edge_ever = 0.0;
-  const auto triangles = [&] {
-    return test::simplify(mesh, params).levels.back().mesh.triangles.size();
+  params.stages = simplify_stages(0.125, 0.0);
+  const auto triangles = [&](const detail::SimplifyForm& form) {
+    return test::simplify(mesh, params, form).levels.back().mesh.triangles.size();
   };
-  const std::size_t both = triangles();
-  params.collapse.seeks_convex_start = false;
-  EXPECT_LT(both, triangles());
-  params.collapse.seeks_convex_start = true;
-  params.deviation_share = 0.0;
-  EXPECT_LT(both, triangles());
+  const std::size_t both = triangles({});
+  EXPECT_LT(both, triangles({.seeks_convex_start = false}));
+  params.stages = simplify_stages(0.125, 0.0, 0.0);
+  EXPECT_LT(both, triangles({}));
 }
 
 TEST(SimplifySurface, HasFewerPatchesWhereEdgesFlip) {
   for (const TriangleMesh& mesh : {make_torus(1.0, 0.4, 40, 20), test::wavy_ball(8)}) {
     SimplifyParams params;
-    params.longest_edge_ever = 0.0;
+    params.stages = simplify_stages(0.125, 0.0);
     const Simplification with = expect_simplified(mesh, "flipped", params);
     EXPECT_GT(with.flips[static_cast<std::size_t>(FlipOutcome::flipped)], 5);
-    params.flips_edges = false;
-    const Simplification without = expect_simplified(mesh, "not flipped", params);
+    const Simplification without =
+        expect_simplified(mesh, "not flipped", params, {.flips_edges = false});
     EXPECT_EQ(without.flips[static_cast<std::size_t>(FlipOutcome::flipped)], 0);
     EXPECT_LT(10 * with.levels.back().patch_count, 9 * without.levels.back().patch_count);
   }
@@ -261,8 +257,8 @@ TEST(SimplifySurface, CarriesSupportAndCornerValues) {
   for (const Vec3& p : mesh.positions) values.values.push_back(p.x());
   for (const auto& t : mesh.triangles)
     values.of_corner.insert(values.of_corner.end(), t.begin(), t.end());
-  const Simplification s =
-      simplify_surface(mesh, decompose_surface(mesh), test::generous(), support, values);
+  const Simplification s = simplify_surface({mesh, compute_topology(mesh), decompose_surface(mesh)},
+                                            test::generous(), support, values);
   const SimplifiedLevel& last = s.levels.back();
   ASSERT_EQ(last.support.size(), last.mesh.positions.size());
   double least = 1e300, largest = 0.0;

@@ -209,7 +209,7 @@ double fall_on_levels(bool allows_for_bounds, double alpha, LevelFall& fall) {
   watch.ports.query = [&](const SimulationState& s, const ContactSet& set) {
     hear(s, set);
     const Pose at = Pose{s.body.position, s.body.orientation} * stage.world.body_from_mesh;
-    query_scene(stage.object, at, stage.world.scene, {.tolerance = stage.world.tolerance}, fronts,
+    query_scene({stage.object, at}, stage.world.scene, {.tolerance = stage.world.tolerance}, fronts,
                 exact);
     last = least_distance(exact) / stage.world.tolerance;
     deepest = std::max(deepest, -last);

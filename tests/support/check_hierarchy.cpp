@@ -8,6 +8,7 @@
 
 #include "thigma/convex/gjk.h"
 #include "thigma/core/index.h"
+#include "thigma/mesh/surface_topology.h"
 
 namespace thigma {
 namespace {
@@ -22,7 +23,7 @@ struct Checker {
 };
 
 const Vec3& corner(const Checker& c, std::int32_t t, std::size_t k) {
-  return c.mesh.positions[at(c.mesh.triangles[at(t)][k])];
+  return c.mesh.positions[idx(c.mesh.triangles[idx(t)][k])];
 }
 
 void check_tree(Checker& c) {
@@ -30,21 +31,21 @@ void check_tree(Checker& c) {
   std::vector<int> parents(c.h.nodes.size(), 0);
   std::vector<int> leaves(c.h.patches.size(), 0);
   for (std::int32_t i = 0; i < count; ++i) {
-    const ClodNode& node = c.h.nodes[at(i)];
+    const ClodNode& node = c.h.nodes[idx(i)];
     if (node.child_count == 0) {
-      const bool is_patch = node.patch >= 0 && at(node.patch) < c.h.patches.size() &&
-                            c.h.patches[at(node.patch)].node == i && node.hausdorff == 0.0;
+      const bool is_patch = node.patch >= 0 && idx(node.patch) < c.h.patches.size() &&
+                            c.h.patches[idx(node.patch)].node == i && node.hausdorff == 0.0;
       if (!is_patch)
         ++c.result.misplaced_nodes;
       else
-        ++leaves[at(node.patch)];
+        ++leaves[idx(node.patch)];
       continue;
     }
     if (node.first_child <= i || node.first_child + node.child_count > count || node.patch >= 0) {
       ++c.result.misplaced_nodes;
       continue;
     }
-    for (std::int32_t k = 0; k < node.child_count; ++k) ++parents[at(node.first_child + k)];
+    for (std::int32_t k = 0; k < node.child_count; ++k) ++parents[idx(node.first_child + k)];
   }
   for (std::size_t i = 0; i < parents.size(); ++i)
     c.result.misplaced_nodes += parents[i] != (i > 0 ? 1 : 0);
@@ -57,9 +58,9 @@ void check_triangles(Checker& c) {
     const ClodPatch& patch = c.h.patches[p];
     const HullView hull = hull_view(c.h, patch.node);
     for (std::int32_t i = 0; i < patch.triangle_count; ++i) {
-      const std::int32_t t = c.h.triangle_ids[at(patch.first_triangle + i)];
-      if (c.patch_of[at(t)] >= 0) ++c.result.misplaced_triangles;
-      c.patch_of[at(t)] = static_cast<std::int32_t>(p);
+      const std::int32_t t = c.h.triangle_ids[idx(patch.first_triangle + i)];
+      if (c.patch_of[idx(t)] >= 0) ++c.result.misplaced_triangles;
+      c.patch_of[idx(t)] = static_cast<std::int32_t>(p);
       const HullTriangle& local = hull.triangles[i];
       for (std::size_t k = 0; k < 3; ++k)
         if (local.corner[k] >= hull.vertex_count ||
@@ -140,7 +141,7 @@ void check_cover(Checker& c) {
       below[i].push_back(static_cast<std::int32_t>(i));
     } else {
       for (std::int32_t k = 0; k < node.child_count; ++k) {
-        auto& child = below[at(node.first_child + k)];
+        auto& child = below[idx(node.first_child + k)];
         below[i].insert(below[i].end(), child.begin(), child.end());
         std::vector<std::int32_t>().swap(child);
       }
@@ -162,12 +163,12 @@ void check_cover(Checker& c) {
 
 HierarchyCheck check_hierarchy(const ClodHierarchy& hierarchy, const TriangleMesh& mesh,
                                const DecompositionParams& params) {
-  const DecompositionParams used = resolve_tolerances(mesh, params);
+  const SurfaceTopology topology = compute_topology(mesh);
+  const DecompositionParams used = resolve_tolerances(mesh, topology, params);
   // A rounding more than the builder allows itself.
   const double flat = used.convexity_tolerance * hierarchy.radius * (1.0 + 1e-9);
-  Checker checker{
-      hierarchy, mesh, compute_topology(mesh), flat, used.protrusion_tolerance * hierarchy.radius,
-      {},        {}};
+  Checker checker{hierarchy, mesh, topology, flat, used.protrusion_tolerance * hierarchy.radius,
+                  {},        {}};
   check_tree(checker);
   check_triangles(checker);
   check_hulls(checker);

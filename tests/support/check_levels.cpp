@@ -5,6 +5,7 @@
 #include "support/patch_faults.h"
 
 #include "thigma/core/index.h"
+#include "thigma/mesh/surface_topology.h"
 #include "thigma/mesh/topology.h"
 
 namespace thigma {
@@ -32,7 +33,7 @@ void check_patches(const LevelView& v, int max_vertices, LevelCheck& result) {
 void check_hulls(const LevelView& v, LevelCheck& result) {
   std::vector<std::vector<Vec3>> points(v.vertices.size());
   for (std::size_t p = 0; p < points.size(); ++p)
-    for (const std::int32_t w : v.vertices[p]) points[p].push_back(v.level.mesh.positions[at(w)]);
+    for (const std::int32_t w : v.vertices[p]) points[p].push_back(v.level.mesh.positions[idx(w)]);
   std::vector<std::int32_t> patch_of = v.level.patch_of_triangle;
   for (std::int32_t& patch : patch_of)
     if (patch >= v.level.patch_count) patch = -1;
@@ -45,13 +46,13 @@ void check_hulls(const LevelView& v, LevelCheck& result) {
 
 LevelView view(const SimplifiedLevel& level, double flat, double inset) {
   LevelView v{level, compute_topology(level.mesh), {}, {}, flat, inset};
-  v.triangles.resize(at(level.patch_count));
-  v.vertices.resize(at(level.patch_count));
+  v.triangles.resize(idx(level.patch_count));
+  v.vertices.resize(idx(level.patch_count));
   for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
     const std::int32_t patch = level.patch_of_triangle[t];
     if (patch < 0 || patch >= level.patch_count) continue;
-    v.triangles[at(patch)].push_back(static_cast<std::int32_t>(t));
-    auto& own = v.vertices[at(patch)];
+    v.triangles[idx(patch)].push_back(static_cast<std::int32_t>(t));
+    auto& own = v.vertices[idx(patch)];
     own.insert(own.end(), level.mesh.triangles[t].begin(), level.mesh.triangles[t].end());
   }
   for (auto& own : v.vertices) {
@@ -64,7 +65,7 @@ LevelView view(const SimplifiedLevel& level, double flat, double inset) {
 std::int64_t euler_characteristic(const TriangleMesh& mesh) {
   std::vector<char> is_used(mesh.positions.size(), 0);
   for (const auto& t : mesh.triangles)
-    for (const std::int32_t v : t) is_used[at(v)] = 1;
+    for (const std::int32_t v : t) is_used[idx(v)] = 1;
   return std::count(is_used.begin(), is_used.end(), 1) +
          static_cast<std::int64_t>(mesh.triangles.size()) -
          static_cast<std::int64_t>(build_edge_table(mesh).edges.size());
@@ -78,11 +79,11 @@ void check_step(const Simplification& s, std::size_t i, LevelCheck& result) {
   result.unhalved_levels += !is_last && 2 * level.patch_count > before.patch_count &&
                             2 * level.mesh.triangles.size() > before.mesh.triangles.size();
   result.unhalved_levels += level.patch_count >= before.patch_count;
-  std::vector<char> has_child(at(level.patch_count), 0);
-  result.wrong_parents += before.parent.size() != at(before.patch_count);
+  std::vector<char> has_child(idx(level.patch_count), 0);
+  result.wrong_parents += before.parent.size() != idx(before.patch_count);
   for (const std::int32_t parent : before.parent) {
     if (parent >= 0 && parent < level.patch_count)
-      has_child[at(parent)] = 1;
+      has_child[idx(parent)] = 1;
     else
       ++result.wrong_parents;
   }

@@ -3,13 +3,16 @@
 #include "simplify/simplify_support.h"
 #include <gtest/gtest.h>
 
+#include "thigma/mesh/surface_topology.h"
+
 namespace thigma {
 namespace {
 
 TEST(CheckLevels, SeesWhatIsBroken) {
   const TriangleMesh mesh = test::wavy_ball(8);
   const ConvexDecomposition decomposition = decompose_surface(mesh);
-  const Simplification right = simplify_surface(mesh, decomposition, test::generous());
+  const Simplification right =
+      simplify_surface({mesh, compute_topology(mesh), decomposition}, test::generous());
   ASSERT_GE(right.levels.size(), 4u);
   ASSERT_EQ(check_levels(right, decomposition).total(), 0);
   const auto broken = [&](auto change) {

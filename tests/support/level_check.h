@@ -120,7 +120,7 @@ inline double top_along(const TriangleTree& tree, const Vec3& n) {
 /// How far one contact is from what the original triangles below it say.
 inline double contact_error(const Contact& c, const TriangleTree& object,
                             const TriangleTree& scene) {
-  if (c.status == ContactStatus::separated || c.status == ContactStatus::beside) {
+  if (c.status == ContactStatus::separated || c.status == ContactStatus::grazing) {
     return std::fabs(-c.depth - least_triangle_distance(object, scene));
   }
   return std::fabs(c.depth - (top_along(object, c.normal) + top_along(scene, -c.normal)));

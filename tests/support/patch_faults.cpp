@@ -12,7 +12,7 @@ namespace thigma::detail {
 namespace {
 
 const Vec3& corner(const PatchView& v, std::int32_t t, std::size_t k) {
-  return v.mesh.positions[at(v.mesh.triangles[at(t)][k])];
+  return v.mesh.positions[idx(v.mesh.triangles[idx(t)][k])];
 }
 
 void count_in_planes(const PatchView& v, PatchFaults& faults) {
@@ -26,10 +26,10 @@ void count_in_planes(const PatchView& v, PatchFaults& faults) {
              p != corner(v, t, 2);
     };
     for (const std::int32_t other : v.surface.neighbor[i])
-      faults.reflex_edges += other >= 0 && v.patch_of[at(other)] == patch &&
+      faults.reflex_edges += other >= 0 && v.patch_of[idx(other)] == patch &&
                              (is_over(corner(v, other, 0)) || is_over(corner(v, other, 1)) ||
                               is_over(corner(v, other, 2)));
-    const auto& points = v.points[at(patch)];
+    const auto& points = v.points[idx(patch)];
     faults.off_hull += std::any_of(points.begin(), points.end(), is_over);
   }
 }
@@ -38,7 +38,7 @@ void count_in_planes(const PatchView& v, PatchFaults& faults) {
 std::vector<std::int32_t> shells_of(const PatchView& v) {
   std::vector<std::int32_t> shells(v.points.size(), -1);
   for (std::size_t t = 0; t < v.patch_of.size(); ++t)
-    if (v.patch_of[t] >= 0) shells[at(v.patch_of[t])] = v.surface.shell[t];
+    if (v.patch_of[t] >= 0) shells[idx(v.patch_of[t])] = v.surface.shell[t];
   return shells;
 }
 
@@ -66,8 +66,8 @@ PatchFaults count_patch_faults(const PatchView& v) {
     list_half_spaces(hull, v.inset, half_spaces);
     bool is_entered = false;
     visit_triangles(tree, box, [&](std::int32_t t) {
-      if (is_entered || v.patch_of[at(t)] == static_cast<std::int32_t>(p) ||
-          v.surface.shell[at(t)] != shells[p] || v.surface.height[at(t)] <= 0.0)
+      if (is_entered || v.patch_of[idx(t)] == static_cast<std::int32_t>(p) ||
+          v.surface.shell[idx(t)] != shells[p] || v.surface.height[idx(t)] <= 0.0)
         return;
       std::array<Vec3, 3> c;
       for (std::size_t k = 0; k < 3; ++k) c[k] = (corner(v, t, k) - hull.origin) * hull.scale;

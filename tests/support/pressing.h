@@ -55,7 +55,7 @@ inline PressingReport press(const CheckedPair& pair, const Approach& approach, d
   const int steps = 20 + static_cast<int>(depth / 1e-4);
   for (int i = 0; i <= steps; ++i, pose.position += step * approach.direction) {
     clear(set);
-    query_contacts(pair.object, pose, pair.scene, Pose{},
+    query_contacts({pair.object, pose}, {pair.scene},
                    {.tolerance = 0.01 * pair.radius, .keep_directions = keep_directions}, front,
                    set);
     now.clear();

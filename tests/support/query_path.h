@@ -55,7 +55,7 @@ inline Pose random_pose_near(const CheckedPair& pair, Random& random) {
 inline void query_pose(const CheckedPair& pair, const Pose& pose, double d, ContactFront& front,
                        ContactSet& set) {
   clear(set);
-  query_contacts(pair.object, pose, pair.scene, Pose{}, {.tolerance = d}, front, set);
+  query_contacts({pair.object, pose}, {pair.scene}, {.tolerance = d}, front, set);
   ASSERT_EQ(set.dropped, 0);
 }
 

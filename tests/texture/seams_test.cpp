@@ -24,7 +24,7 @@ struct Box {
 
 Vec2 place_on(const Box& box, const Seam::Side& side, double share) {
   const Vec3 w = seam_weights(side, share);
-  const std::array<Vec2, 3>& c = box.charts.corners[at(side.triangle)];
+  const std::array<Vec2, 3>& c = box.charts.corners[idx(side.triangle)];
   return w[0] * c[0] + w[1] * c[1] + w[2] * c[2];
 }
 
@@ -58,7 +58,7 @@ TEST(Seams, AreTheEdgesBetweenCharts) {
   for (const Seam& seam : box.seams) {
     for (std::size_t end = 0; end < 2; ++end) {  // both sides name the same vertices
       const auto vertex = [&](const Seam::Side& side) {
-        return box.mesh.triangles[at(side.triangle)][static_cast<std::size_t>(side.corner[end])];
+        return box.mesh.triangles[idx(side.triangle)][static_cast<std::size_t>(side.corner[end])];
       };
       EXPECT_EQ(vertex(seam.sides[0]), vertex(seam.sides[1]));
     }

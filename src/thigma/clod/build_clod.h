@@ -20,7 +20,6 @@ struct ClodParams {
   // within which faces count as support of a vertex (Sec. 3.3.5); times the radius
   double contact_tolerance = 0.004;
   int threads = 1;                // for the parameters; the loop of simplification is serial
-  bool is_reparented = true;      // parents by geometry; false: by merging, as in the text
   bool has_culling_hulls = true;  // nodes bounded by hulls of the finest surface below them; false:
                                   // by their own patch and h, as in the text
 };
@@ -31,6 +30,7 @@ struct ClodReport {
   double decompose_seconds = 0.0, simplify_seconds = 0.0, parameter_seconds = 0.0,
          tree_seconds = 0.0;                       // CPU time
   std::shared_ptr<Simplification> simplification;  // set by build_clod
+  DecompositionParams decomposition;               // with the tolerances that were used
 };
 
 /// Levels of detail of a usable mesh under free levels, with r, s, h and D.
@@ -42,7 +42,7 @@ struct ClodReport {
 /// report   null, or filled
 /// Thread   [offline]; deterministic; throws InputError when no triangle has an area.
 /// Source   Sec. 3.2-3.3, Algorithm 3.3.1. Deviates: parents by geometry and culling hulls
-///          (docs/deviations.md); both can be switched off.
+///          (docs/deviations.md).
 ClodHierarchy build_clod(const TriangleMesh& mesh, const ClodParams& params = {},
                          ClodReport* report = nullptr);
 

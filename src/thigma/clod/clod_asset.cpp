@@ -66,13 +66,14 @@ struct Scaler {
   void scale(T&, Dimension) const {}  // counts and indices
 };
 
-void refresh_lanes_of(const std::vector<Vec3>& vertices, std::int32_t first_vertex,
-                      std::int32_t vertex_count, std::int32_t first_lane, std::int32_t lane_count,
-                      const Vec3& center, AlignedFloats& lanes) {
+// part: node or level patch
+template <typename Part>
+void refresh_lanes_of(const Part& part, const std::vector<Vec3>& vertices, AlignedFloats& lanes) {
   for (int axis = 0; axis < 3; ++axis)
-    for (std::int32_t i = 0; i < lane_count; ++i) {
-      const Vec3& p = vertices[at(first_vertex + std::min(i, vertex_count - 1))];
-      lanes[at(first_lane + axis * lane_count + i)] = static_cast<float>(p[axis] - center[axis]);
+    for (std::int32_t i = 0; i < part.lane_count; ++i) {
+      const Vec3& p = vertices[idx(part.first_vertex + std::min(i, part.vertex_count - 1))];
+      lanes[idx(part.first_lane + axis * part.lane_count + i)] =
+          static_cast<float>(p[axis] - part.center[axis]);
     }
 }
 
@@ -82,17 +83,14 @@ bool is_closed_surface(const TriangleMesh& mesh) {
                      [](const MeshEdge& edge) { return edge.use_count == 2; });
 }
 
-ClodOrigin describe_origin(const TriangleMesh& mesh, const ClodParams& params) {
+ClodOrigin describe_origin(const ClodParams& params, const DecompositionParams& resolved) {
   ClodOrigin origin;
-  const DecompositionParams resolved = resolve_tolerances(mesh, params.decomposition);
   origin.contact_tolerance = params.contact_tolerance;
-  origin.longest_edge = params.simplify.longest_edge;
+  origin.longest_edge = params.simplify.stages[kFine].longest_edge;
   origin.deviation_limit = params.simplify.deviation_limit;
   origin.convexity_tolerance = resolved.convexity_tolerance;
   origin.protrusion_tolerance = resolved.protrusion_tolerance;
   origin.max_vertices = resolved.max_vertices;
-  origin.is_reparented = params.is_reparented;
-  origin.has_culling_hulls = params.has_culling_hulls;
   return origin;
 }
 
@@ -100,13 +98,11 @@ ClodOrigin describe_origin(const TriangleMesh& mesh, const ClodParams& params) {
 
 namespace detail {
 
-void refresh_lanes(ClodHierarchy& h) {
-  for (const ClodNode& n : h.nodes)
-    refresh_lanes_of(h.vertices, n.first_vertex, n.vertex_count, n.first_lane, n.lane_count,
-                     n.center, h.lanes);
-  for (const LevelPatch& c : h.level_patches)
-    refresh_lanes_of(h.vertices, c.first_vertex, c.vertex_count, c.first_lane, c.lane_count,
-                     c.center, h.lanes);
+void refresh_lanes(ClodHierarchy& hierarchy) {
+  for (const ClodNode& node : hierarchy.nodes)
+    refresh_lanes_of(node, hierarchy.vertices, hierarchy.lanes);
+  for (const LevelPatch& patch : hierarchy.level_patches)
+    refresh_lanes_of(patch, hierarchy.vertices, hierarchy.lanes);
 }
 
 }  // namespace detail
@@ -120,22 +116,23 @@ ClodAsset build_clod_asset(const TriangleMesh& mesh, const ClodParams& params, C
     asset.meshes.push_back(std::move(level.mesh));
   asset.mass.is_closed = is_closed_surface(mesh);
   asset.mass.measure = mass_properties(mesh);
-  asset.origin = describe_origin(mesh, params);
+  asset.origin = describe_origin(params, used.decomposition);
   return asset;
 }
 
 std::vector<std::int32_t> patches_of_triangles(const ClodAsset& asset, std::int32_t level) {
-  const ClodHierarchy& h = asset.hierarchy;
-  std::vector<std::int32_t> result(asset.meshes[at(level)].triangles.size(), -1);
+  const ClodHierarchy& hierarchy = asset.hierarchy;
+  std::vector<std::int32_t> result(asset.meshes[idx(level)].triangles.size(), -1);
   const auto add = [&](const ClodPatch& patch, std::size_t index) {
     for (std::int32_t i = 0; i < patch.triangle_count; ++i)
-      result[at(h.triangle_ids[at(patch.first_triangle + i)])] = static_cast<std::int32_t>(index);
+      result[idx(hierarchy.triangle_ids[idx(patch.first_triangle + i)])] =
+          static_cast<std::int32_t>(index);
   };
   if (level == 0)
-    for (std::size_t p = 0; p < h.patches.size(); ++p) add(h.patches[p], p);
+    for (std::size_t p = 0; p < hierarchy.patches.size(); ++p) add(hierarchy.patches[p], p);
   else
-    for (std::size_t p = 0; p < h.level_patches.size(); ++p)
-      if (h.level_patches[p].level == level) add(h.level_patches[p].patch, p);
+    for (std::size_t p = 0; p < hierarchy.level_patches.size(); ++p)
+      if (hierarchy.level_patches[p].level == level) add(hierarchy.level_patches[p].patch, p);
   return result;
 }
 

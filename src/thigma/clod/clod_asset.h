@@ -23,11 +23,11 @@ struct ClodOrigin {
   Sha256 key{};             // of everything the asset depends on, as a cache has it; zeros: none
   double unit_scale = 1.0;  // metres per unit of the source
   bool is_repaired = false;
-  double contact_tolerance = 0.0;                                // as in ClodParams
-  double longest_edge = 0.0, deviation_limit = 0.0;              // as in SimplifyParams
+  double contact_tolerance = 0.0;                    // as in ClodParams
+  double longest_edge = 0.0, deviation_limit = 0.0;  // of SimplifyParams, the fine stage
   double convexity_tolerance = 0.0, protrusion_tolerance = 0.0;  // as in DecompositionParams
   std::int32_t max_vertices = 0;
-  bool is_reparented = true, has_culling_hulls = true;
+  bool is_reparented = true, has_culling_hulls = true;  // the form of the tree; false: the text's
 };
 
 /// A hierarchy as it is kept in a file.

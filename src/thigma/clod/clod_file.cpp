@@ -230,15 +230,16 @@ std::map<std::string, Chunk> known_chunks(std::string_view bytes, const std::str
 }
 
 /// Takes meshes apart again. returns what is wrong with them, or "".
-std::string split(const JoinedMeshes& all, const ClodHierarchy& h,
+std::string split(const JoinedMeshes& all, const ClodHierarchy& hierarchy,
                   std::vector<TriangleMesh>& meshes) {
   std::size_t position = 0, triangle = 0;
   for (std::size_t k = 0; k < all.entries.size(); ++k) {
     const MeshEntry& e = all.entries[k];
     const auto positions = static_cast<std::size_t>(e.positions),
                triangles = static_cast<std::size_t>(e.triangles);
-    const bool is_level = k < h.levels.size() && !h.levels[k].is_free &&
-                          e.triangles == (k == 0 ? h.triangle_count : h.levels[k].triangle_count);
+    const bool is_level =
+        k < hierarchy.levels.size() && !hierarchy.levels[k].is_free &&
+        e.triangles == (k == 0 ? hierarchy.triangle_count : hierarchy.levels[k].triangle_count);
     if (!is_level || e.positions < 0 || positions > all.positions.size() - position ||
         e.triangles < 0 || triangles > all.triangles.size() - triangle)
       return "a mesh of no level, mesh " + std::to_string(k) +
@@ -312,10 +313,10 @@ ClodAsset parse_clod(std::string_view bytes, const std::string& name, double uni
 }
 
 void scale_clod(ClodAsset& asset, double unit_scale, const std::string& name) {
-  const ClodHierarchy& h = asset.hierarchy;
+  const ClodHierarchy& hierarchy = asset.hierarchy;
   const bool is_in_range = unit_scale > 0.0 && std::isfinite(unit_scale) &&
-                           unit_scale * h.radius <= kMaxCoordinate &&
-                           unit_scale * h.center.cwiseAbs().maxCoeff() <= kMaxCoordinate;
+                           unit_scale * hierarchy.radius <= kMaxCoordinate &&
+                           unit_scale * hierarchy.center.cwiseAbs().maxCoeff() <= kMaxCoordinate;
   if (!is_in_range)
     throw InputError(name + ": the scale is " + std::to_string(unit_scale) +
                      ", as given, expected a positive number of metres per unit");

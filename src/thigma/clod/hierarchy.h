@@ -98,22 +98,22 @@ struct ClodHierarchy {
 
 /// The hull of a node as the pair queries read it. Valid while the hierarchy lives.
 /// Thread    [haptic] [contact].
-inline HullView hull_view(const ClodHierarchy& h, std::int32_t node) noexcept {
-  const ClodNode& n = h.nodes[static_cast<std::size_t>(node)];
+inline HullView hull_view(const ClodHierarchy& hierarchy, std::int32_t node) noexcept {
+  const ClodNode& n = hierarchy.nodes[static_cast<std::size_t>(node)];
   HullView v;
-  v.vertices = h.vertices.data() + n.first_vertex;
+  v.vertices = hierarchy.vertices.data() + n.first_vertex;
   v.vertex_count = n.vertex_count;
-  v.lanes = h.lanes.data() + n.first_lane;
+  v.lanes = hierarchy.lanes.data() + n.first_lane;
   v.lane_count = n.lane_count;
   v.center = n.center;
   v.radius = n.radius;
   if (n.patch >= 0) {
-    const ClodPatch& p = h.patches[static_cast<std::size_t>(n.patch)];
-    v.faces = h.faces.data() + p.first_face;
+    const ClodPatch& p = hierarchy.patches[static_cast<std::size_t>(n.patch)];
+    v.faces = hierarchy.faces.data() + p.first_face;
     v.face_count = p.face_count;
-    v.edges = h.edges.data() + p.first_edge;
+    v.edges = hierarchy.edges.data() + p.first_edge;
     v.edge_count = p.edge_count;
-    v.triangles = h.hull_triangles.data() + p.first_triangle;
+    v.triangles = hierarchy.hull_triangles.data() + p.first_triangle;
     v.triangle_count = p.triangle_count;
     v.thickness = p.thickness;
   }
@@ -123,24 +123,24 @@ inline HullView hull_view(const ClodHierarchy& h, std::int32_t node) noexcept {
 /// The surface of a node at its own level of detail: a finest or a contact patch; the bounding hull
 /// of a free node. Valid while the hierarchy lives.
 /// Thread    [haptic] [contact].
-inline HullView level_surface(const ClodHierarchy& h, std::int32_t node) noexcept {
-  const std::int32_t contact = h.nodes[static_cast<std::size_t>(node)].contact;
-  if (contact < 0) return hull_view(h, node);
-  const LevelPatch& c = h.level_patches[static_cast<std::size_t>(contact)];
+inline HullView level_surface(const ClodHierarchy& hierarchy, std::int32_t node) noexcept {
+  const std::int32_t contact = hierarchy.nodes[static_cast<std::size_t>(node)].contact;
+  if (contact < 0) return hull_view(hierarchy, node);
+  const LevelPatch& patch = hierarchy.level_patches[static_cast<std::size_t>(contact)];
   HullView v;
-  v.vertices = h.vertices.data() + c.first_vertex;
-  v.vertex_count = c.vertex_count;
-  v.lanes = h.lanes.data() + c.first_lane;
-  v.lane_count = c.lane_count;
-  v.center = c.center;
-  v.radius = c.radius;
-  v.faces = h.faces.data() + c.patch.first_face;
-  v.face_count = c.patch.face_count;
-  v.edges = h.edges.data() + c.patch.first_edge;
-  v.edge_count = c.patch.edge_count;
-  v.triangles = h.hull_triangles.data() + c.patch.first_triangle;
-  v.triangle_count = c.patch.triangle_count;
-  v.thickness = c.patch.thickness;
+  v.vertices = hierarchy.vertices.data() + patch.first_vertex;
+  v.vertex_count = patch.vertex_count;
+  v.lanes = hierarchy.lanes.data() + patch.first_lane;
+  v.lane_count = patch.lane_count;
+  v.center = patch.center;
+  v.radius = patch.radius;
+  v.faces = hierarchy.faces.data() + patch.patch.first_face;
+  v.face_count = patch.patch.face_count;
+  v.edges = hierarchy.edges.data() + patch.patch.first_edge;
+  v.edge_count = patch.patch.edge_count;
+  v.triangles = hierarchy.hull_triangles.data() + patch.patch.first_triangle;
+  v.triangle_count = patch.patch.triangle_count;
+  v.thickness = patch.patch.thickness;
   return v;
 }
 

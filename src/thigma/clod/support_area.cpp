@@ -4,22 +4,21 @@
 #include <cmath>
 
 #include "thigma/core/index.h"
-#include "thigma/mesh/surface_topology.h"
 
 namespace thigma {
 namespace {
 
 struct Flood {
   const TriangleMesh& mesh;
-  const SurfaceTopology& surface;
+  const SurfaceTopology& topology;
   const SupportParams& params;
   std::vector<double> area;           // of each face [m^2]
   std::vector<std::int32_t> seen_by;  // last vertex that looked at the face
   std::vector<std::int32_t> faces;    // reached
 };
 
-bool is_in_cone(const Flood& f, std::int32_t face, const Vec3& normal) {
-  return f.surface.normal[at(face)].dot(normal) >= f.params.cone_cosine;
+bool is_in_cone(const Flood& flood, std::int32_t face, const Vec3& normal) {
+  return flood.topology.normal[idx(face)].dot(normal) >= flood.params.cone_cosine;
 }
 
 /// Share of a triangle with these heights that is not above a height, if its lowest corner is not.
@@ -34,19 +33,22 @@ double share_below(std::array<double, 3> height, double limit) {
 }
 
 /// Share of a face within the tolerance of the tangent plane.
-double share_within(const Flood& f, std::int32_t face, const Vec3& at_vertex, const Vec3& normal) {
+double share_within(const Flood& flood, std::int32_t face, const Vec3& at_vertex,
+                    const Vec3& normal) {
   std::array<double, 3> height, depth;
   for (std::size_t k = 0; k < 3; ++k) {
-    height[k] = normal.dot(f.mesh.positions[at(f.mesh.triangles[at(face)][k])] - at_vertex);
+    height[k] =
+        normal.dot(flood.mesh.positions[idx(flood.mesh.triangles[idx(face)][k])] - at_vertex);
     depth[k] = -height[k];
   }
-  return share_below(height, f.params.tolerance) + share_below(depth, f.params.tolerance) - 1.0;
+  return share_below(height, flood.params.tolerance) + share_below(depth, flood.params.tolerance) -
+         1.0;
 }
 
-bool counts(const Flood& f, std::int32_t face, const Vec3& at_vertex, const Vec3& normal) {
-  if (!is_in_cone(f, face, normal)) return false;
-  for (const std::int32_t v : f.mesh.triangles[at(face)])
-    if (std::fabs(normal.dot(f.mesh.positions[at(v)] - at_vertex)) > f.params.tolerance)
+bool counts(const Flood& flood, std::int32_t face, const Vec3& at_vertex, const Vec3& normal) {
+  if (!is_in_cone(flood, face, normal)) return false;
+  for (const std::int32_t v : flood.mesh.triangles[idx(face)])
+    if (std::fabs(normal.dot(flood.mesh.positions[idx(v)] - at_vertex)) > flood.params.tolerance)
       return false;
   return true;
 }
@@ -54,19 +56,19 @@ bool counts(const Flood& f, std::int32_t face, const Vec3& at_vertex, const Vec3
 }  // namespace
 
 std::vector<std::array<double, 2>> support_areas(const TriangleMesh& mesh,
+                                                 const SurfaceTopology& topology,
                                                  const SupportParams& params) {
-  const SurfaceTopology surface = compute_topology(mesh);
-  Flood f{mesh, surface, params, {}, std::vector<std::int32_t>(mesh.triangles.size(), -1), {}};
+  Flood flood{mesh, topology, params, {}, std::vector<std::int32_t>(mesh.triangles.size(), -1), {}};
   std::vector<std::vector<std::int32_t>> around(mesh.positions.size());
   std::vector<Vec3> normal(mesh.positions.size(), Vec3::Zero());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& v = mesh.triangles[t];
-    const Vec3& a = mesh.positions[at(v[0])];
-    const Vec3 cross = (mesh.positions[at(v[1])] - a).cross(mesh.positions[at(v[2])] - a);
-    f.area.push_back(0.5 * cross.norm());
+    const Vec3& a = mesh.positions[idx(v[0])];
+    const Vec3 cross = (mesh.positions[idx(v[1])] - a).cross(mesh.positions[idx(v[2])] - a);
+    flood.area.push_back(0.5 * cross.norm());
     for (const std::int32_t corner : v) {
-      around[at(corner)].push_back(static_cast<std::int32_t>(t));
-      normal[at(corner)] += cross;
+      around[idx(corner)].push_back(static_cast<std::int32_t>(t));
+      normal[idx(corner)] += cross;
     }
   }
   std::vector<std::array<double, 2>> areas(mesh.positions.size(), {0.0, 0.0});
@@ -75,29 +77,29 @@ std::vector<std::array<double, 2>> support_areas(const TriangleMesh& mesh,
     const Vec3 n = normal[v].normalized();
     const auto id = static_cast<std::int32_t>(v);
     const auto projected = [&](std::int32_t face) {
-      return f.area[at(face)] * surface.normal[at(face)].dot(n);
+      return flood.area[idx(face)] * topology.normal[idx(face)].dot(n);
     };
-    f.faces.clear();
-    const auto look_at = [&](std::int32_t face) {
-      if (f.seen_by[at(face)] == id) return;
-      f.seen_by[at(face)] = id;
-      if (counts(f, face, mesh.positions[v], n)) f.faces.push_back(face);
+    flood.faces.clear();
+    const auto offer = [&](std::int32_t face) {
+      if (flood.seen_by[idx(face)] == id) return;
+      flood.seen_by[idx(face)] = id;
+      if (counts(flood, face, mesh.positions[v], n)) flood.faces.push_back(face);
     };
     double in_part = 0.0;
     for (const std::int32_t face : around[v]) {
-      const std::size_t whole = f.faces.size();
-      look_at(face);
-      if (f.faces.size() == whole && is_in_cone(f, face, n))
-        in_part += share_within(f, face, mesh.positions[v], n) * projected(face);
+      const std::size_t whole = flood.faces.size();
+      offer(face);
+      if (flood.faces.size() == whole && is_in_cone(flood, face, n))
+        in_part += share_within(flood, face, mesh.positions[v], n) * projected(face);
     }
     areas[v] = {in_part, in_part};
-    for (const std::int32_t face : f.faces) areas[v][0] += projected(face);
-    for (std::size_t i = 0; i < f.faces.size(); ++i) {
-      areas[v][1] += projected(f.faces[i]);
-      if (static_cast<int>(f.faces.size()) >= params.most_faces) continue;
-      const auto& beside = surface.neighbor[at(f.faces[i])];
+    for (const std::int32_t face : flood.faces) areas[v][0] += projected(face);
+    for (std::size_t i = 0; i < flood.faces.size(); ++i) {
+      areas[v][1] += projected(flood.faces[i]);
+      if (static_cast<int>(flood.faces.size()) >= params.most_faces) continue;
+      const auto& beside = topology.neighbor[idx(flood.faces[i])];
       for (const std::int32_t face : beside)
-        if (face >= 0) look_at(face);
+        if (face >= 0) offer(face);
     }
   }
   return areas;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "thigma/clod/hierarchy.h"
+#include "thigma/mesh/surface_topology.h"
 #include "thigma/mesh/triangle_mesh.h"
 
 namespace thigma {
@@ -28,6 +29,7 @@ struct SupportParams {
 /// returns  one pair a vertex [m^2]; 0 for a vertex without faces
 /// Thread   [offline]; deterministic.
 std::vector<std::array<double, 2>> support_areas(const TriangleMesh& mesh,
+                                                 const SurfaceTopology& topology,
                                                  const SupportParams& params);
 
 }  // namespace thigma

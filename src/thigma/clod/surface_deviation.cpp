@@ -17,9 +17,9 @@ constexpr int kFirstSamples = 4;    // of an edge of a triangle that has to be d
 constexpr double kTightness = 1.1;  // of the bound over the largest distance met
 
 double distance_to(const DeviationTarget& target, const Vec3& p, std::int32_t t) {
-  const auto& v = target.mesh->triangles[at(t)];
+  const auto& v = target.mesh->triangles[idx(t)];
   const auto& x = target.mesh->positions;
-  return point_triangle_distance(p, x[at(v[0])], x[at(v[1])], x[at(v[2])]);
+  return point_triangle_distance(p, x[idx(v[0])], x[idx(v[1])], x[idx(v[2])]);
 }
 
 double box_distance(const TreeBox& box, const Vec3& p) {
@@ -28,11 +28,11 @@ double box_distance(const TreeBox& box, const Vec3& p) {
 
 void search(const DeviationTarget& target, std::int32_t index, const Vec3& p, double& best,
             std::int32_t& nearest) {
-  const TreeNode& node = target.tree.nodes[at(index)];
+  const TreeNode& node = target.tree.nodes[idx(index)];
   if (node.count > 0) {
     for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-      const std::int32_t t = target.tree.order[at(i)];
-      if (box_distance(target.tree.boxes[at(t)], p) >= best) continue;
+      const std::int32_t t = target.tree.order[idx(i)];
+      if (box_distance(target.tree.boxes[idx(t)], p) >= best) continue;
       const double distance = distance_to(target, p, t);
       if (distance >= best) continue;
       best = distance;
@@ -41,8 +41,8 @@ void search(const DeviationTarget& target, std::int32_t index, const Vec3& p, do
     return;
   }
   std::int32_t one = index + 1, other = node.right;
-  double to_one = box_distance(target.tree.nodes[at(one)].box, p);
-  double to_other = box_distance(target.tree.nodes[at(other)].box, p);
+  double to_one = box_distance(target.tree.nodes[idx(one)].box, p);
+  double to_other = box_distance(target.tree.nodes[idx(other)].box, p);
   if (to_other < to_one) {
     std::swap(one, other);
     std::swap(to_one, to_other);
@@ -109,17 +109,17 @@ SheetBound bound_by_sheet(const DeviationTarget& target, const std::array<Vec3, 
   SheetBound bound{0.0, -1};
   double largest_part = 0.0;
   visit_triangles(target.tree, box, [&](std::int32_t t) {
-    const auto& corner = target.mesh->triangles[at(t)];
+    const auto& corner = target.mesh->triangles[idx(t)];
     int above = 0, below = 0;
     for (const std::int32_t v : corner) {
-      const double height = normal.dot(target.mesh->positions[at(v)] - triangle[0]);
+      const double height = normal.dot(target.mesh->positions[idx(v)] - triangle[0]);
       above += height > sheet_reach;
       below += height < -sheet_reach;
     }
     if (above == 3 || below == 3) return;  // another sheet, or the far end of this one
     Polygon piece;
     for (const std::int32_t v : corner)
-      piece.add(frame * (target.mesh->positions[at(v)] - triangle[0]));
+      piece.add(frame * (target.mesh->positions[idx(v)] - triangle[0]));
     const Vec3 turned =
         (piece.corner[1] - piece.corner[0]).cross(piece.corner[2] - piece.corner[0]);
     if (!(turned.z() > 0.0)) return;  // seen from behind, or edge on
@@ -161,24 +161,30 @@ double farthest_corner(const DeviationTarget& target, const std::array<Vec3, 3>&
   return farthest;
 }
 
+/// A surface, and how far from a triangle its sheet may be [m].
+struct SheetSearch {
+  const DeviationTarget& target;
+  double reach;
+};
+
 /// Bound over a part; extends range.met. Its bound stays: what a sibling was allowed must not
 /// loosen this one.
-double bound_by_division(const DeviationTarget& target, const std::array<Vec3, 3>& c, double reach,
-                         int divisions, std::int32_t nearest, DeviationRange& range) {
+double bound_by_division(const SheetSearch& search, const std::array<Vec3, 3>& c, int divisions,
+                         std::int32_t nearest, DeviationRange& range) {
+  const DeviationTarget& target = search.target;
   const Vec3 middle = (c[0] + c[1] + c[2]) / 3.0;
   const double at_middle = nearest_distance(target, middle, nearest);
   range.met = std::max(range.met, at_middle);
   double bound = std::min(at_middle + radius_about(middle, c), farthest_corner(target, c, nearest));
   if (bound <= enough(range)) return bound;
-  bound = std::min(bound, bound_by_sheet(target, c, reach).distance);
+  bound = std::min(bound, bound_by_sheet(target, c, search.reach).distance);
   if (divisions == 0 || bound <= enough(range)) return bound;
   const Vec3 ab = 0.5 * (c[0] + c[1]), bc = 0.5 * (c[1] + c[2]), ca = 0.5 * (c[2] + c[0]);
   const std::array<std::array<Vec3, 3>, 4> parts = {
       {{c[0], ab, ca}, {ab, c[1], bc}, {ca, bc, c[2]}, {ab, bc, ca}}};
   double largest = 0.0;
   for (const auto& part : parts)
-    largest =
-        std::max(largest, bound_by_division(target, part, reach, divisions - 1, nearest, range));
+    largest = std::max(largest, bound_by_division(search, part, divisions - 1, nearest, range));
   return std::min(bound, largest);
 }
 
@@ -217,9 +223,10 @@ void extend_deviation(const DeviationTarget& target, const std::array<Vec3, 3>& 
   if (sheet.over >= 0) nearest = sheet.over;
   if (sheet.distance <= range.bound) return;
   meet_samples(target, triangle, nearest, range);
-  const double bound = sheet.distance <= enough(range)
-                           ? sheet.distance
-                           : bound_by_division(target, triangle, reach, kDivisions, nearest, range);
+  const double bound =
+      sheet.distance <= enough(range)
+          ? sheet.distance
+          : bound_by_division({target, reach}, triangle, kDivisions, nearest, range);
   range.bound = std::max(range.bound, bound);
 }
 

@@ -93,69 +93,71 @@ struct FiniteCheck {
 // ---- tree
 // ------------------------------------------------------------
 
-bool check_node(Flaws& f, std::size_t i) {
-  const ClodNode& n = f.h.nodes[i];
+bool check_node(Flaws& flaws, std::size_t i) {
+  const ClodNode& n = flaws.h.nodes[i];
   const auto says = [&](bool holds, const char* what, const char* expected) {
-    return f.check(holds, what, "node", i, expected);
+    return flaws.check(holds, what, "node", i, expected);
   };
-  if (!says(n.level >= 0 && at(n.level) < f.h.levels.size(), "a level out of range",
+  if (!says(n.level >= 0 && idx(n.level) < flaws.h.levels.size(), "a level out of range",
             "a level there is"))
     return false;
   const bool is_leaf = n.child_count == 0;
   if (!says(n.child_count >= 0 &&
                 (is_leaf || (n.first_child > static_cast<std::int64_t>(i) &&
-                             is_in(n.first_child, n.child_count, f.h.nodes.size()))),
+                             is_in(n.first_child, n.child_count, flaws.h.nodes.size()))),
             "children out of range", "children behind their parent"))
     return false;
-  const bool has_contact = n.level > 0 && !f.h.levels[at(n.level)].is_free;
+  const bool has_contact = n.level > 0 && !flaws.h.levels[idx(n.level)].is_free;
   return says(is_leaf == (n.level == 0), "a leaf above level 0, or none in it",
               "leaves in level 0") &&
-         says(is_leaf ? n.patch >= 0 && at(n.patch) < f.h.patches.size() &&
-                            f.h.patches[at(n.patch)].node == static_cast<std::int64_t>(i)
+         says(is_leaf ? n.patch >= 0 && idx(n.patch) < flaws.h.patches.size() &&
+                            flaws.h.patches[idx(n.patch)].node == static_cast<std::int64_t>(i)
                       : n.patch == -1,
               "a wrong patch", "each patch at one leaf") &&
-         says(has_contact ? n.contact >= 0 && at(n.contact) < f.h.level_patches.size() &&
-                                f.h.level_patches[at(n.contact)].patch.node ==
+         says(has_contact ? n.contact >= 0 && idx(n.contact) < flaws.h.level_patches.size() &&
+                                flaws.h.level_patches[idx(n.contact)].patch.node ==
                                     static_cast<std::int64_t>(i) &&
-                                f.h.level_patches[at(n.contact)].level == n.level
+                                flaws.h.level_patches[idx(n.contact)].level == n.level
                           : n.contact == -1,
               "a wrong contact patch", "that of its level") &&
          says(n.hausdorff >= 0.0, "a negative distance h", "0 or more");
 }
 
-bool check_tree(Flaws& f) {
-  const std::vector<ClodNode>& nodes = f.h.nodes;
-  std::vector<std::int32_t> depth(nodes.size(), -1), count(f.h.levels.size(), 0);
+bool check_tree(Flaws& flaws) {
+  const std::vector<ClodNode>& nodes = flaws.h.nodes;
+  std::vector<std::int32_t> depth(nodes.size(), -1), count(flaws.h.levels.size(), 0);
   depth[0] = 0;
   std::int64_t deepest = 0, widest = 1, leaves = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!check_node(f, i)) return false;
-    if (!f.check(depth[i] >= 0, "a node without a parent", "node", i, "one below the root"))
+    if (!check_node(flaws, i)) return false;
+    if (!flaws.check(depth[i] >= 0, "a node without a parent", "node", i, "one below the root"))
       return false;
-    ++count[at(nodes[i].level)];
+    ++count[idx(nodes[i].level)];
     leaves += nodes[i].child_count == 0;
     deepest = std::max<std::int64_t>(deepest, depth[i]);
     widest = std::max<std::int64_t>(widest, nodes[i].child_count);
     for (std::int32_t k = nodes[i].first_child; k < nodes[i].first_child + nodes[i].child_count;
          ++k) {
-      if (!f.check(depth[at(k)] < 0, "a node with two parents", "node", at(k), "one")) return false;
-      if (!f.check(nodes[at(k)].level < nodes[i].level, "a level above its parent's", "node", at(k),
-                   "levels that rise to the root"))
+      if (!flaws.check(depth[idx(k)] < 0, "a node with two parents", "node", idx(k), "one"))
         return false;
-      depth[at(k)] = depth[i] + 1;
+      if (!flaws.check(nodes[idx(k)].level < nodes[i].level, "a level above its parent's", "node",
+                       idx(k), "levels that rise to the root"))
+        return false;
+      depth[idx(k)] = depth[i] + 1;
     }
   }
-  if (!f.check(leaves == static_cast<std::int64_t>(f.h.patches.size()), "patches without a leaf",
-               "leaves", static_cast<std::size_t>(leaves), "one for each patch"))
+  if (!flaws.check(leaves == static_cast<std::int64_t>(flaws.h.patches.size()),
+                   "patches without a leaf", "leaves", static_cast<std::size_t>(leaves),
+                   "one for each patch"))
     return false;
   for (std::size_t k = 0; k < count.size(); ++k)
-    if (!f.check(count[k] == f.h.levels[k].node_count, "a wrong count of nodes", "level", k,
-                 "those of the level"))
+    if (!flaws.check(count[k] == flaws.h.levels[k].node_count, "a wrong count of nodes", "level", k,
+                     "those of the level"))
       return false;
-  return f.check((deepest + 2) * widest <=
-                     kMostWaiting * static_cast<std::int64_t>(nodes.size()) + kLeastWaiting,
-                 "a tree too deep for its width", "depth", static_cast<std::size_t>(deepest),
-                 "few siblings on a way down");
+  return flaws.check((deepest + 2) * widest <=
+                         kMostWaiting * static_cast<std::int64_t>(nodes.size()) + kLeastWaiting,
+                     "a tree too deep for its width", "depth", static_cast<std::size_t>(deepest),
+                     "few siblings on a way down");
 }
 
 // ---- hulls
@@ -163,30 +165,30 @@ bool check_tree(Flaws& f) {
 
 /// Vertices, lanes and sphere of a node or contact patch.
 template <class Hull>
-bool check_hull(Flaws& f, const Hull& n, const char* kind, std::size_t i) {
-  if (!f.check(n.vertex_count >= 1 && n.vertex_count <= kMaxHullVertices &&
-                   is_in(n.first_vertex, n.vertex_count, f.h.vertices.size()),
-               "vertices out of range", kind, i, "1 to 32 there are"))
+bool check_hull(Flaws& flaws, const Hull& n, const char* kind, std::size_t i) {
+  if (!flaws.check(n.vertex_count >= 1 && n.vertex_count <= kMaxHullVertices &&
+                       is_in(n.first_vertex, n.vertex_count, flaws.h.vertices.size()),
+                   "vertices out of range", kind, i, "1 to 32 there are"))
     return false;
   const std::int64_t lanes = 3 * std::int64_t{n.lane_count};
-  if (!f.check(n.lane_count == (n.vertex_count + 7) / 8 * 8 && n.first_lane % 8 == 0 &&
-                   is_in(n.first_lane, lanes, f.h.lanes.size()),
-               "lanes out of range", kind, i, "whole eights there are"))
+  if (!flaws.check(n.lane_count == (n.vertex_count + 7) / 8 * 8 && n.first_lane % 8 == 0 &&
+                       is_in(n.first_lane, lanes, flaws.h.lanes.size()),
+                   "lanes out of range", kind, i, "whole eights there are"))
     return false;
   double farthest = 0.0;
   bool is_same = true;
   for (std::int32_t k = 0; k < n.lane_count; ++k) {
-    const Vec3& p = f.h.vertices[at(n.first_vertex + std::min(k, n.vertex_count - 1))];
+    const Vec3& p = flaws.h.vertices[idx(n.first_vertex + std::min(k, n.vertex_count - 1))];
     farthest = std::max(farthest, (p - n.center).squaredNorm());
     for (int axis = 0; axis < 3; ++axis)
-      is_same = is_same && f.h.lanes[at(n.first_lane + axis * n.lane_count + k)] ==
+      is_same = is_same && flaws.h.lanes[idx(n.first_lane + axis * n.lane_count + k)] ==
                                static_cast<float>(p[axis] - n.center[axis]);
   }
   const double slack = kRounding * n.radius + 1e-14 * n.center.template lpNorm<1>();
-  return f.check(is_same, "lanes that are not its vertices", kind, i,
-                 "the vertices about the centre") &&
-         f.check(n.radius >= 0.0 && std::sqrt(farthest) <= n.radius + slack,
-                 "a vertex outside its sphere", kind, i, "a sphere around all");
+  return flaws.check(is_same, "lanes that are not its vertices", kind, i,
+                     "the vertices about the centre") &&
+         flaws.check(n.radius >= 0.0 && std::sqrt(farthest) <= n.radius + slack,
+                     "a vertex outside its sphere", kind, i, "a sphere around all");
 }
 
 bool is_unit(const Vec3& v) { return std::fabs(v.squaredNorm() - 1.0) <= kRounding; }
@@ -211,125 +213,149 @@ bool check_triangle(const HullTriangle& t, std::int32_t vertex_count) {
   return mask == t.mask;
 }
 
-bool check_patch(Flaws& f, const ClodPatch& p, std::int32_t vertex_count,
-                 std::int64_t level_triangles, const char* kind, std::size_t i) {
-  const ClodHierarchy& h = f.h;
-  if (!f.check(p.triangle_count >= 1 &&
-                   is_in(p.first_triangle, p.triangle_count, h.hull_triangles.size()) &&
-                   is_in(p.first_face, p.face_count, h.faces.size()) &&
-                   is_in(p.first_edge, p.edge_count, h.edges.size()),
-               "triangles, faces or edges out of range", kind, i, "those there are"))
+// A patch, and what the message calls it.
+struct NamedPatch {
+  const ClodPatch& patch;
+  std::int32_t vertex_count;
+  std::int64_t level_triangles;  // of its level
+  const char* kind;
+  std::size_t index;
+};
+
+bool check_patch(Flaws& flaws, const NamedPatch& named) {
+  const ClodHierarchy& hierarchy = flaws.h;
+  const ClodPatch& p = named.patch;
+  const std::int32_t vertex_count = named.vertex_count;
+  if (!flaws.check(p.triangle_count >= 1 &&
+                       is_in(p.first_triangle, p.triangle_count, hierarchy.hull_triangles.size()) &&
+                       is_in(p.first_face, p.face_count, hierarchy.faces.size()) &&
+                       is_in(p.first_edge, p.edge_count, hierarchy.edges.size()),
+                   "triangles, faces or edges out of range", named.kind, named.index,
+                   "those there are"))
     return false;
-  if (!f.check(p.face_count <= std::numeric_limits<std::int16_t>::max() && p.thickness >= 0.0,
-               "a negative thickness or too many faces", kind, i, "0 or more; at most 32767"))
+  if (!flaws.check(p.face_count <= std::numeric_limits<std::int16_t>::max() && p.thickness >= 0.0,
+                   "a negative thickness or too many faces", named.kind, named.index,
+                   "0 or more; at most 32767"))
     return false;
   bool is_right = true;
   for (std::int32_t k = 0; k < p.face_count && is_right; ++k)
-    is_right = check_face(h.faces[at(p.first_face + k)], vertex_count);
+    is_right = check_face(hierarchy.faces[idx(p.first_face + k)], vertex_count);
   for (std::int32_t k = 0; k < p.edge_count && is_right; ++k)
-    is_right = check_edge(h.edges[at(p.first_edge + k)], vertex_count, p.face_count);
-  if (!f.check(is_right, "a wrong face or edge", kind, i, "unit normals and its own vertices"))
+    is_right = check_edge(hierarchy.edges[idx(p.first_edge + k)], vertex_count, p.face_count);
+  if (!flaws.check(is_right, "a wrong face or edge", named.kind, named.index,
+                   "unit normals and its own vertices"))
     return false;
   for (std::int32_t k = 0; k < p.triangle_count && is_right; ++k) {
-    const std::int32_t id = h.triangle_ids[at(p.first_triangle + k)];
-    is_right = id >= 0 && id < level_triangles &&
-               check_triangle(h.hull_triangles[at(p.first_triangle + k)], vertex_count);
+    const std::int32_t id = hierarchy.triangle_ids[idx(p.first_triangle + k)];
+    is_right = id >= 0 && id < named.level_triangles &&
+               check_triangle(hierarchy.hull_triangles[idx(p.first_triangle + k)], vertex_count);
   }
-  return f.check(is_right, "a wrong triangle", kind, i,
-                 "its own vertices and a triangle of its level");
+  return flaws.check(is_right, "a wrong triangle", named.kind, named.index,
+                     "its own vertices and a triangle of its level");
 }
 
 // ---- levels
 // ------------------------------------------------------------
 
-bool check_levels(Flaws& f) {
-  const std::vector<ClodLevel>& levels = f.h.levels;
+bool check_levels(Flaws& flaws) {
+  const std::vector<ClodLevel>& levels = flaws.h.levels;
   std::vector<std::int32_t> patches(levels.size(), 0);
   std::int32_t last = 1;
-  for (std::size_t i = 0; i < f.h.level_patches.size(); ++i) {
-    const LevelPatch& c = f.h.level_patches[i];
-    const std::int32_t node = c.patch.node;
-    if (!f.check(c.level >= last && at(c.level) < levels.size() && !levels[at(c.level)].is_free,
-                 "a wrong level", "contact patch", i, "simplified levels in order"))
+  for (std::size_t i = 0; i < flaws.h.level_patches.size(); ++i) {
+    const LevelPatch& patch = flaws.h.level_patches[i];
+    const std::int32_t node = patch.patch.node;
+    if (!flaws.check(patch.level >= last && idx(patch.level) < levels.size() &&
+                         !levels[idx(patch.level)].is_free,
+                     "a wrong level", "contact patch", i, "simplified levels in order"))
       return false;
-    if (!f.check(node == -1 || (node >= 0 && at(node) < f.h.nodes.size() &&
-                                f.h.nodes[at(node)].contact == static_cast<std::int64_t>(i)),
-                 "a wrong node", "contact patch", i, "the node it belongs to"))
+    if (!flaws.check(
+            node == -1 || (node >= 0 && idx(node) < flaws.h.nodes.size() &&
+                           flaws.h.nodes[idx(node)].contact == static_cast<std::int64_t>(i)),
+            "a wrong node", "contact patch", i, "the node it belongs to"))
       return false;
-    if (!f.check(
-            c.deviation >= 0.0 && c.hausdorff >= 0.0 && c.from_below >= 0.0 && c.to_below >= 0.0,
-            "a negative distance", "contact patch", i, "0 or more"))
+    if (!flaws.check(patch.deviation >= 0.0 && patch.hausdorff >= 0.0 && patch.from_below >= 0.0 &&
+                         patch.to_below >= 0.0,
+                     "a negative distance", "contact patch", i, "0 or more"))
       return false;
-    last = c.level;
-    ++patches[at(c.level)];
+    last = patch.level;
+    ++patches[idx(patch.level)];
   }
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const ClodLevel& l = levels[k];
     const bool is_simplified = k > 0 && !l.is_free;
-    if (!f.check(k > 0 ? l.is_free || !levels[k - 1].is_free : !l.is_free, "a level out of order",
-                 "level", k, "the original, simplified levels, free levels"))
+    if (!flaws.check(k > 0 ? l.is_free || !levels[k - 1].is_free : !l.is_free,
+                     "a level out of order", "level", k,
+                     "the original, simplified levels, free levels"))
       return false;
-    if (!f.check(!is_simplified ||
-                     (l.resolution > 0.0 && l.patch_count == patches[k] && l.triangle_count >= 0),
-                 "a wrong resolution or count", "level", k,
-                 "a resolution above 0 and the patches of the level"))
+    if (!flaws.check(!is_simplified || (l.resolution > 0.0 && l.patch_count == patches[k] &&
+                                        l.triangle_count >= 0),
+                     "a wrong resolution or count", "level", k,
+                     "a resolution above 0 and the patches of the level"))
       return false;
   }
   return true;
 }
 
 /// Bounds of levels are there where simplified levels are, and none is negative.
-bool is_as_long(const std::vector<float>& bounds, std::size_t size, const ClodHierarchy& h) {
-  return bounds.size() == (h.level_patches.empty() ? 0 : size) &&
+bool is_as_long(const std::vector<float>& bounds, std::size_t size,
+                const ClodHierarchy& hierarchy) {
+  return bounds.size() == (hierarchy.level_patches.empty() ? 0 : size) &&
          std::all_of(bounds.begin(), bounds.end(), [](float x) { return x >= 0.0f; });
 }
 
-bool check_sizes(Flaws& f) {
-  const ClodHierarchy& h = f.h;
-  const std::size_t largest = std::max({h.nodes.size(), h.patches.size(), h.level_patches.size(),
-                                        h.vertices.size(), h.lanes.size(), h.faces.size(),
-                                        h.edges.size(), h.hull_triangles.size(), h.levels.size()});
-  return f.check(largest <= at(std::numeric_limits<std::int32_t>::max()), "too large",
-                 "an array of", largest, "32-bit indices") &&
-         f.check(!h.nodes.empty() && !h.patches.empty(), "nothing", "nodes", h.nodes.size(),
-                 "a root and patches") &&
-         f.check(!h.levels.empty() && h.levels.size() <= at(kMostLevels), "too many or no levels",
-                 "levels", h.levels.size(), "1 to 4096") &&
-         f.check(h.triangle_ids.size() == h.hull_triangles.size(), "triangles without a number",
-                 "triangle_ids", h.triangle_ids.size(), "one for each hull triangle") &&
-         f.check(h.support.size() == (h.level_patches.empty() ? 0 : h.vertices.size()),
-                 "support areas of other vertices", "support", h.support.size(),
-                 "one for each vertex") &&
-         f.check(is_as_long(h.vertex_to_below, h.vertices.size(), h) &&
-                     is_as_long(h.triangle_to_below, h.hull_triangles.size(), h),
-                 "bounds of other parts", "contact patches", h.level_patches.size(),
-                 "bounds for each vertex and triangle") &&
-         f.check(h.radius > 0.0 && h.radius <= kMostLength && h.triangle_count >= 1, "no size",
-                 "object", 0, "a radius and triangles");
+bool check_sizes(Flaws& flaws) {
+  const ClodHierarchy& hierarchy = flaws.h;
+  const std::size_t largest =
+      std::max({hierarchy.nodes.size(), hierarchy.patches.size(), hierarchy.level_patches.size(),
+                hierarchy.vertices.size(), hierarchy.lanes.size(), hierarchy.faces.size(),
+                hierarchy.edges.size(), hierarchy.hull_triangles.size(), hierarchy.levels.size()});
+  return flaws.check(largest <= idx(std::numeric_limits<std::int32_t>::max()), "too large",
+                     "an array of", largest, "32-bit indices") &&
+         flaws.check(!hierarchy.nodes.empty() && !hierarchy.patches.empty(), "nothing", "nodes",
+                     hierarchy.nodes.size(), "a root and patches") &&
+         flaws.check(!hierarchy.levels.empty() && hierarchy.levels.size() <= idx(kMostLevels),
+                     "too many or no levels", "levels", hierarchy.levels.size(), "1 to 4096") &&
+         flaws.check(hierarchy.triangle_ids.size() == hierarchy.hull_triangles.size(),
+                     "triangles without a number", "triangle_ids", hierarchy.triangle_ids.size(),
+                     "one for each hull triangle") &&
+         flaws.check(hierarchy.support.size() ==
+                         (hierarchy.level_patches.empty() ? 0 : hierarchy.vertices.size()),
+                     "support areas of other vertices", "support", hierarchy.support.size(),
+                     "one for each vertex") &&
+         flaws.check(is_as_long(hierarchy.vertex_to_below, hierarchy.vertices.size(), hierarchy) &&
+                         is_as_long(hierarchy.triangle_to_below, hierarchy.hull_triangles.size(),
+                                    hierarchy),
+                     "bounds of other parts", "contact patches", hierarchy.level_patches.size(),
+                     "bounds for each vertex and triangle") &&
+         flaws.check(hierarchy.radius > 0.0 && hierarchy.radius <= kMostLength &&
+                         hierarchy.triangle_count >= 1,
+                     "no size", "object", 0, "a radius and triangles");
 }
 
 }  // namespace
 
-std::string find_flaw(const ClodHierarchy& h) {
-  Flaws f{h, {}};
-  if (!check_sizes(f)) return f.first;
-  detail::visit_parts(h, FiniteCheck{f});
-  if (!f.first.empty() || !check_levels(f) || !check_tree(f)) return f.first;
-  for (std::size_t i = 0; i < h.nodes.size(); ++i)
-    if (!check_hull(f, h.nodes[i], "node", i)) return f.first;
-  for (std::size_t i = 0; i < h.level_patches.size(); ++i)
-    if (!check_hull(f, h.level_patches[i], "contact patch", i)) return f.first;
-  for (std::size_t i = 0; i < h.patches.size(); ++i)
-    if (!check_patch(f, h.patches[i], h.nodes[at(h.patches[i].node)].vertex_count, h.triangle_count,
-                     "patch", i))
-      return f.first;
-  for (std::size_t i = 0; i < h.level_patches.size(); ++i) {
-    const LevelPatch& c = h.level_patches[i];
-    if (!check_patch(f, c.patch, c.vertex_count, h.levels[at(c.level)].triangle_count,
-                     "contact patch", i))
-      return f.first;
+std::string find_flaw(const ClodHierarchy& hierarchy) {
+  Flaws flaws{hierarchy, {}};
+  if (!check_sizes(flaws)) return flaws.first;
+  detail::visit_parts(hierarchy, FiniteCheck{flaws});
+  if (!flaws.first.empty() || !check_levels(flaws) || !check_tree(flaws)) return flaws.first;
+  for (std::size_t i = 0; i < hierarchy.nodes.size(); ++i)
+    if (!check_hull(flaws, hierarchy.nodes[i], "node", i)) return flaws.first;
+  for (std::size_t i = 0; i < hierarchy.level_patches.size(); ++i)
+    if (!check_hull(flaws, hierarchy.level_patches[i], "contact patch", i)) return flaws.first;
+  for (std::size_t i = 0; i < hierarchy.patches.size(); ++i)
+    if (!check_patch(flaws, {hierarchy.patches[i],
+                             hierarchy.nodes[idx(hierarchy.patches[i].node)].vertex_count,
+                             hierarchy.triangle_count, "patch", i}))
+      return flaws.first;
+  for (std::size_t i = 0; i < hierarchy.level_patches.size(); ++i) {
+    const LevelPatch& patch = hierarchy.level_patches[i];
+    if (!check_patch(flaws,
+                     {patch.patch, patch.vertex_count,
+                      hierarchy.levels[idx(patch.level)].triangle_count, "contact patch", i}))
+      return flaws.first;
   }
-  return f.first;
+  return flaws.first;
 }
 
 }  // namespace thigma

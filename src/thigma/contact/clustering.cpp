@@ -15,6 +15,8 @@
 namespace thigma {
 namespace {
 
+constexpr int kMaxIterations = 100;  // of Lloyd's method; a warm start needs a few
+
 // Length of a mean of unit normals below which they oppose each other: rounding of the mean, no
 // direction left.
 constexpr double kOpposing = 1e-9;
@@ -24,28 +26,28 @@ struct Seeds {
   int count = 0;
 };
 
-double squared_distance(const ClusterScratch& s, std::size_t i, const Vec3& p) noexcept {
-  const double dx = s.x[i] - p.x();
-  const double dy = s.y[i] - p.y();
-  const double dz = s.z[i] - p.z();
+double squared_distance(const ClusterScratch& scratch, std::size_t i, const Vec3& p) noexcept {
+  const double dx = scratch.x[i] - p.x();
+  const double dy = scratch.y[i] - p.y();
+  const double dz = scratch.z[i] - p.z();
   return dx * dx + dy * dy + dz * dz;
 }
 
-void load(std::span<const Contact> contacts, double tolerance, ClusterScratch& s) noexcept {
+void load(std::span<const Contact> contacts, double tolerance, ClusterScratch& scratch) noexcept {
   const std::size_t n = contacts.size();
-  if (s.x.size() < n) reserve_clusters(s, n);
-  s.assignment.resize(n);
-  s.candidate.resize(n);
-  s.seeds.clear();
-  s.seed_ids.clear();
+  if (scratch.x.size() < n) reserve_clusters(scratch, n);
+  scratch.assignment.resize(n);
+  scratch.candidate.resize(n);
+  scratch.seeds.clear();
+  scratch.seed_ids.clear();
   for (std::size_t i = 0; i < n; ++i) {
     const Contact& c = contacts[i];
-    s.x[i] = c.point.x();
-    s.y[i] = c.point.y();
-    s.z[i] = c.point.z();
-    s.weight[i] = c.weight * std::max(c.depth + tolerance, 0.0);
-    s.taken[i] = 0;
-    s.nearest[i] = kInfinity;
+    scratch.x[i] = c.point.x();
+    scratch.y[i] = c.point.y();
+    scratch.z[i] = c.point.z();
+    scratch.weight[i] = c.weight * std::max(c.depth + tolerance, 0.0);
+    scratch.taken[i] = 0;
+    scratch.nearest[i] = kInfinity;
   }
 }
 
@@ -54,31 +56,31 @@ struct Nearest {
   std::int32_t contact = -1;
 };
 
-Nearest nearest_free_contact(const ClusterScratch& s, std::size_t n, const Vec3& p) noexcept {
+Nearest nearest_free_contact(const ClusterScratch& scratch, std::size_t n, const Vec3& p) noexcept {
   Nearest best;
   for (std::size_t i = 0; i < n; ++i) {
-    const double d2 = squared_distance(s, i, p);
-    if (d2 < best.squared && !s.taken[i]) best = {d2, static_cast<std::int32_t>(i)};
+    const double d2 = squared_distance(scratch, i, p);
+    if (d2 < best.squared && !scratch.taken[i]) best = {d2, static_cast<std::int32_t>(i)};
   }
   return best;
 }
 
-void take(ClusterScratch& s, std::int32_t contact, std::int32_t id, Seeds& seeds) noexcept {
+void take(ClusterScratch& scratch, std::int32_t contact, std::int32_t id, Seeds& seeds) noexcept {
   const auto c = static_cast<std::size_t>(contact);
-  s.taken[c] = 1;
-  s.seeds.push_back(contact);
-  s.seed_ids.push_back(id);
+  scratch.taken[c] = 1;
+  scratch.seeds.push_back(contact);
+  scratch.seed_ids.push_back(id);
   const auto k = static_cast<std::size_t>(seeds.count++);
-  seeds.x[k] = s.x[c];
-  seeds.y[k] = s.y[c];
-  seeds.z[k] = s.z[c];
+  seeds.x[k] = scratch.x[c];
+  seeds.y[k] = scratch.y[c];
+  seeds.z[k] = scratch.z[c];
 }
 
 // First half of Alg. 5.4.2: the closest (contact, old cluster) pair, again and again. Ties go to
 // the lowest contact, then to the lowest (deepest) old cluster. An old cluster's nearest contact
 // changes only when it is taken.
 void seed_from_previous(const ContactClusters& previous, std::size_t n, std::size_t m,
-                        ClusterScratch& s, Seeds& seeds) noexcept {
+                        ClusterScratch& scratch, Seeds& seeds) noexcept {
   std::array<const ContactCluster*, kMaxContactClusters> old{};
   std::size_t l = 0;
   for (const ContactCluster& c : previous.clusters) old[l++] = &c;
@@ -89,7 +91,7 @@ void seed_from_previous(const ContactClusters& previous, std::size_t n, std::siz
   }
   l = std::min(l, m);
   std::array<Nearest, kMaxContactClusters> nearest;
-  for (std::size_t k = 0; k < l; ++k) nearest[k] = nearest_free_contact(s, n, old[k]->point);
+  for (std::size_t k = 0; k < l; ++k) nearest[k] = nearest_free_contact(scratch, n, old[k]->point);
   std::array<bool, kMaxContactClusters> used{};
   for (std::size_t round = 0; round < l; ++round) {
     std::size_t best = l;
@@ -103,46 +105,47 @@ void seed_from_previous(const ContactClusters& previous, std::size_t n, std::siz
     if (best == l) return;  // only non-finite points are left
     used[best] = true;
     const std::int32_t contact = nearest[best].contact;
-    take(s, contact, old[best]->id, seeds);
+    take(scratch, contact, old[best]->id, seeds);
     for (std::size_t k = 0; k < l; ++k) {
       if (!used[k] && nearest[k].contact == contact)
-        nearest[k] = nearest_free_contact(s, n, old[k]->point);
+        nearest[k] = nearest_free_contact(scratch, n, old[k]->point);
     }
   }
 }
 
-void lower_nearest(ClusterScratch& s, std::size_t n, std::size_t seed) noexcept {
-  const Vec3 p(s.x[seed], s.y[seed], s.z[seed]);
+void lower_nearest(ClusterScratch& scratch, std::size_t n, std::size_t seed) noexcept {
+  const Vec3 p(scratch.x[seed], scratch.y[seed], scratch.z[seed]);
   for (std::size_t i = 0; i < n; ++i)
-    s.nearest[i] = std::min(s.nearest[i], squared_distance(s, i, p));
+    scratch.nearest[i] = std::min(scratch.nearest[i], squared_distance(scratch, i, p));
 }
 
 // Second half: the contact furthest from all seeds; the deepest when there is none yet. Ties: the
 // lowest index.
-void seed_furthest(std::span<const Contact> contacts, std::size_t m, ClusterScratch& s,
+void seed_furthest(std::span<const Contact> contacts, std::size_t m, ClusterScratch& scratch,
                    Seeds& seeds) noexcept {
   const std::size_t n = contacts.size();
-  if (s.seeds.size() == m) return;
-  for (const std::int32_t seed : s.seeds) lower_nearest(s, n, static_cast<std::size_t>(seed));
-  while (s.seeds.size() < m) {
+  if (scratch.seeds.size() == m) return;
+  for (const std::int32_t seed : scratch.seeds)
+    lower_nearest(scratch, n, static_cast<std::size_t>(seed));
+  while (scratch.seeds.size() < m) {
     std::size_t best = n;
-    const bool first = s.seeds.empty();
+    const bool first = scratch.seeds.empty();
     for (std::size_t i = 0; i < n; ++i) {
-      if (s.taken[i]) continue;
+      if (scratch.taken[i]) continue;
       const bool better = best == n || (first ? contacts[i].depth > contacts[best].depth
-                                              : s.nearest[i] > s.nearest[best]);
+                                              : scratch.nearest[i] > scratch.nearest[best]);
       if (better) best = i;
     }
-    take(s, static_cast<std::int32_t>(best), -1, seeds);
-    lower_nearest(s, n, best);
+    take(scratch, static_cast<std::int32_t>(best), -1, seeds);
+    lower_nearest(scratch, n, best);
   }
 }
 
 // Alg. 5.4.3 into s.candidate. Ties: the lowest cluster.
-void assign_clusters(const Seeds& seeds, std::size_t n, ClusterScratch& s) noexcept {
+void assign_clusters(const Seeds& seeds, std::size_t n, ClusterScratch& scratch) noexcept {
   const auto count = static_cast<std::size_t>(seeds.count);
   for (std::size_t i = 0; i < n; ++i) {
-    const double x = s.x[i], y = s.y[i], z = s.z[i];
+    const double x = scratch.x[i], y = scratch.y[i], z = scratch.z[i];
     double best = kInfinity;
     std::int32_t cluster = 0;
     for (std::size_t k = 0; k < count; ++k) {
@@ -151,7 +154,7 @@ void assign_clusters(const Seeds& seeds, std::size_t n, ClusterScratch& s) noexc
       cluster = d2 < best ? static_cast<std::int32_t>(k) : cluster;
       best = d2 < best ? d2 : best;
     }
-    s.candidate[i] = cluster;
+    scratch.candidate[i] = cluster;
   }
 }
 
@@ -163,14 +166,14 @@ struct Sums {
 
 // Alg. 5.4.4. A cluster without members keeps its place; one whose members all weigh nothing takes
 // their mean.
-void compute_representatives(const ClusterScratch& s, std::size_t n, Seeds& seeds) noexcept {
+void compute_representatives(const ClusterScratch& scratch, std::size_t n, Seeds& seeds) noexcept {
   std::array<Sums, kMaxContactClusters> sums;
   for (std::size_t i = 0; i < n; ++i) {
-    Sums& t = sums[static_cast<std::size_t>(s.assignment[i])];
-    const Vec3 p(s.x[i], s.y[i], s.z[i]);
-    t.weighted += s.weight[i] * p;
+    Sums& t = sums[static_cast<std::size_t>(scratch.assignment[i])];
+    const Vec3 p(scratch.x[i], scratch.y[i], scratch.z[i]);
+    t.weighted += scratch.weight[i] * p;
     t.plain += p;
-    t.weight += s.weight[i];
+    t.weight += scratch.weight[i];
     ++t.count;
   }
   for (std::size_t k = 0; k < static_cast<std::size_t>(seeds.count); ++k) {
@@ -184,7 +187,7 @@ void compute_representatives(const ClusterScratch& s, std::size_t n, Seeds& seed
 }
 
 // Eqs. 5.34-5.36 of every cluster that kept a member; clusters by seed.
-void summarize(std::span<const Contact> contacts, const Seeds& seeds, const ClusterScratch& s,
+void summarize(std::span<const Contact> contacts, const Seeds& seeds, const ClusterScratch& scratch,
                std::array<ContactCluster, kMaxContactClusters>& out) noexcept {
   struct Moments {
     double depth = 0.0, plain_depth = 0.0;
@@ -193,8 +196,8 @@ void summarize(std::span<const Contact> contacts, const Seeds& seeds, const Clus
   std::array<Moments, kMaxContactClusters> moments;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& c = contacts[i];
-    const auto k = static_cast<std::size_t>(s.assignment[i]);
-    const double w = s.weight[i];
+    const auto k = static_cast<std::size_t>(scratch.assignment[i]);
+    const double w = scratch.weight[i];
     moments[k].depth += w * c.depth;
     moments[k].plain_depth += c.depth;
     moments[k].normal += w * c.normal;
@@ -220,14 +223,14 @@ void summarize(std::span<const Contact> contacts, const Seeds& seeds, const Clus
     cluster.normal = length > kOpposing ? Vec3(mean / length) : deepest.normal;
     cluster.scene_point = cluster.point - cluster.depth * cluster.normal;
     cluster.body = deepest.body;
-    cluster.id = s.seed_ids[k];
+    cluster.id = scratch.seed_ids[k];
   }
 }
 
 // Orders clusters by decreasing depth (ties: lowest member), names new ones, renumbers the
 // assignment.
 void publish(const std::array<ContactCluster, kMaxContactClusters>& by_seed, std::size_t count,
-             ClusterScratch& s, ContactClusters& result) noexcept {
+             ClusterScratch& scratch, ContactClusters& result) noexcept {
   std::array<std::size_t, kMaxContactClusters> order{};
   std::size_t kept = 0;
   for (std::size_t k = 0; k < count; ++k) {
@@ -249,15 +252,17 @@ void publish(const std::array<ContactCluster, kMaxContactClusters>& by_seed, std
     }
     result.clusters.push_back(cluster);
   }
-  for (std::int32_t& cluster : s.assignment) cluster = rank[static_cast<std::size_t>(cluster)];
+  for (std::int32_t& cluster : scratch.assignment)
+    cluster = rank[static_cast<std::size_t>(cluster)];
 }
 
-double cost(const ClusterScratch& s, const ContactClusters& result) noexcept {
+double cost(const ClusterScratch& scratch, const ContactClusters& result) noexcept {
   double sum = 0.0, total = 0.0;
-  for (std::size_t i = 0; i < s.assignment.size(); ++i) {
-    const ContactCluster& cluster = result.clusters[static_cast<std::size_t>(s.assignment[i])];
-    sum += s.weight[i] * squared_distance(s, i, cluster.point);
-    total += s.weight[i];
+  for (std::size_t i = 0; i < scratch.assignment.size(); ++i) {
+    const ContactCluster& cluster =
+        result.clusters[static_cast<std::size_t>(scratch.assignment[i])];
+    sum += scratch.weight[i] * squared_distance(scratch, i, cluster.point);
+    total += scratch.weight[i];
   }
   return total > 0.0 ? sum / total : 0.0;
 }
@@ -293,7 +298,7 @@ void cluster_contacts(std::span<const Contact> contacts, const ContactClusters& 
   Seeds seeds;
   seed_from_previous(previous, n, m, scratch, seeds);
   seed_furthest(contacts, m, scratch, seeds);
-  for (int i = 0; i < std::max(params.max_iterations, 1); ++i) {
+  for (int i = 0; i < kMaxIterations; ++i) {
     assign_clusters(seeds, n, scratch);
     if (i > 0 && scratch.candidate == scratch.assignment) break;
     scratch.assignment.swap(scratch.candidate);

@@ -17,7 +17,6 @@ struct ClusterParams {
   int max_clusters = 5;  // K, 1..kMaxContactClusters; values outside are clamped
   // d of the query: a contact weighs max(depth + d, 0), times its own weight [m]
   double tolerance = 0.0;
-  int max_iterations = 100;  // of Lloyd's method; a warm start needs a few
 };
 
 /// One cluster S and its representative contact.

@@ -11,15 +11,13 @@ namespace thigma {
 
 struct ClodHierarchy;
 
-inline constexpr std::int32_t kSceneBody = -1;
-
 enum class ContactStatus : std::uint8_t {
   separated,    // depth <= 0 is minus the distance of the original triangles
   penetrating,  // depth >= 0 along normal, at most half the patch thickness
   deep,         // depth > 0 beyond that: the direction is kept, or a thicker ancestor's
-  // through each other, but still mostly beside: depth <= 0, above minus the distance of the
-  // original triangles and below their overlap, on the way from one to the other (see pair_contact)
-  beside,
+  // through each other, but still mostly side by side: depth <= 0, above minus the distance of the
+  // original triangles and below their overlap, turning from one to the other (see pair_contact)
+  grazing,
 };
 
 /// What decided how fine a contact is: of the criteria that are on the one nearest to its limit,
@@ -72,6 +70,12 @@ struct ContactSet {
 struct SceneBody {
   const ClodHierarchy* hierarchy = nullptr;
   Pose world_from_body;
+};
+
+/// A hierarchy where it is in the world: one side of a query.
+struct PlacedHierarchy {
+  const ClodHierarchy& hierarchy;
+  Pose world_from_body{};  // |orientation| = 1 to 1e-9
 };
 
 }  // namespace thigma

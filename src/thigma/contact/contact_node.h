@@ -12,8 +12,8 @@ namespace thigma {
 inline std::int32_t contact_node(const ClodHierarchy& hierarchy, std::int32_t patch) noexcept {
   if (patch < 0) return -1;
   const std::size_t finest = hierarchy.patches.size();
-  if (at(patch) < finest) return hierarchy.patches[at(patch)].node;
-  const std::size_t contact = at(patch) - finest;
+  if (idx(patch) < finest) return hierarchy.patches[idx(patch)].node;
+  const std::size_t contact = idx(patch) - finest;
   return contact < hierarchy.level_patches.size() ? hierarchy.level_patches[contact].patch.node
                                                   : -1;
 }

@@ -17,13 +17,13 @@ HullView view_of_patch(const ClodHierarchy& hierarchy, std::int32_t patch) noexc
   return node < 0 ? HullView{} : level_surface(hierarchy, node);
 }
 
-// While mostly beside each other, the way out is no matter of where the surfaces face each other. A
+// While grazing, the way out does not depend on where the surfaces face each other. A
 // patch smaller than the least width shares no wider area.
 bool can_spread(const Contact& contact, const HullView& a, const HullView& b,
                 double tolerance) noexcept {
   return a.triangle_count > 0 && b.triangle_count > 0 && contact.depth + tolerance > 0.0 &&
          std::min(a.radius, b.radius) >= kSpreadFrom * tolerance &&
-         contact.status != ContactStatus::beside;
+         contact.status != ContactStatus::grazing;
 }
 
 // How much of a contact is divided: none where the area is no wider than a few tolerances, all
@@ -61,25 +61,25 @@ bool divide(const Contact& contact, const detail::SharedArea& area, const Pose& 
 
 }  // namespace
 
-void distribute_contacts(const ClodHierarchy& object, const Pose& world_from_object,
-                         std::span<const SceneBody> scene, std::span<const Contact> contacts,
-                         double tolerance, std::vector<Contact>& spread) noexcept {
+void distribute_contacts(const PlacedHierarchy& object, std::span<const SceneBody> scene,
+                         std::span<const Contact> contacts, double tolerance,
+                         std::vector<Contact>& spread) noexcept {
   spread.clear();
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
-    const bool is_of_scene = contact.body >= 0 && at(contact.body) < scene.size();
+    const bool is_of_scene = contact.body >= 0 && idx(contact.body) < scene.size();
     const bool has_room =
         spread.size() + kMostParts + (contacts.size() - i - 1) <= spread.capacity();
     if (is_of_scene && has_room) {
-      const SceneBody& body = scene[at(contact.body)];
-      const HullView a = view_of_patch(object, contact.object_patch);
+      const SceneBody& body = scene[idx(contact.body)];
+      const HullView a = view_of_patch(object.hierarchy, contact.object_patch);
       const HullView b = view_of_patch(*body.hierarchy, contact.scene_patch);
       if (can_spread(contact, a, b, tolerance)) {
-        const RelativePose pose = relative_pose(world_from_object, body.world_from_body);
-        const Vec3 normal = world_from_object.orientation.conjugate() * contact.normal;
+        const RelativePose pose = relative_pose(object.world_from_body, body.world_from_body);
+        const Vec3 normal = object.world_from_body.orientation.conjugate() * contact.normal;
         const detail::SharedArea area =
-            detail::shared_area(a, b, pose, normal, tolerance, kSpreadFrom * tolerance);
-        if (divide(contact, area, world_from_object, tolerance, spread)) continue;
+            detail::shared_area({a, b, pose}, normal, tolerance, kSpreadFrom * tolerance);
+        if (divide(contact, area, object.world_from_body, tolerance, spread)) continue;
       }
     }
     if (spread.size() < spread.capacity()) spread.push_back(contact);

@@ -22,15 +22,15 @@ inline constexpr double kSpreadFrom = 4.0;
 /// and normal stay those of the pair. So the force stays, where it acts moves gradually while faces
 /// tilt and slide, and it turns against a rotation as the area does.
 ///
-/// object, scene, world_from_object  as queried
-/// contacts   of the query, all bodies
-/// tolerance  d of the query [m]
-/// spread     overwritten; ordered as contacts. Never grown: where the room does not suffice
-///            contacts stay as they are
-/// Thread     [contact]; no failure, no allocation. A function of its arguments, bit for bit.
-/// Source     none; Sec. 5.4.1 has one contact a pair (docs/deviations.md, D35).
-void distribute_contacts(const ClodHierarchy& object, const Pose& world_from_object,
-                         std::span<const SceneBody> scene, std::span<const Contact> contacts,
-                         double tolerance, std::vector<Contact>& spread) noexcept;
+/// object, scene  as queried
+/// contacts       of the query, all bodies
+/// tolerance      d of the query [m]
+/// spread         overwritten; ordered as contacts. Never grown: where the room does not suffice
+///                contacts stay as they are
+/// Thread         [contact]; no failure, no allocation. A function of its arguments, bit for bit.
+/// Source         none; Sec. 5.4.1 has one contact a pair (docs/deviations.md, D35).
+void distribute_contacts(const PlacedHierarchy& object, std::span<const SceneBody> scene,
+                         std::span<const Contact> contacts, double tolerance,
+                         std::vector<Contact>& spread) noexcept;
 
 }  // namespace thigma

@@ -18,12 +18,6 @@ double weighted_deviation(const LevelError& object, const LevelError& scene,
   return feature == 0.0 ? 0.0 : kInfinity;
 }
 
-bool needs_refinement(double weighted, double threshold) noexcept { return weighted > threshold; }
-
-double pair_tolerance(double tolerance, double hausdorff_object, double hausdorff_scene) noexcept {
-  return tolerance + hausdorff_object + hausdorff_scene;
-}
-
 double view_threshold(const ViewThreshold& view) noexcept {
   return view.pixels * view.distance * view.frustum_size / (view.near_distance * view.image_size);
 }

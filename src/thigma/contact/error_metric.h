@@ -24,14 +24,6 @@ enum class SupportArea {
 double weighted_deviation(const LevelError& object, const LevelError& scene,
                           SupportArea area = SupportArea::larger) noexcept;
 
-/// Refine a pair whose weighted deviation exceeds the threshold, strictly.
-/// Thread    [contact].
-bool needs_refinement(double weighted, double threshold) noexcept;
-
-/// Distance within which two nodes must be kept for contacts within `tolerance` of their surfaces
-/// (Eq. 3.5) [m].
-double pair_tolerance(double tolerance, double hausdorff_object, double hausdorff_scene) noexcept;
-
 /// Surface deviation that is not seen: some pixels on screen, at the distance of the contact (Eq.
 /// 3.8).
 struct ViewThreshold {

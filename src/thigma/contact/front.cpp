@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "thigma/contact/detail/level_measure.h"
+#include "thigma/contact/multires/measure_pair.h"
 #include "thigma/contact/surface_crossing.h"
+#include "thigma/core/index.h"
 
 namespace thigma {
 namespace {
@@ -11,20 +12,24 @@ namespace {
 // Contacts a query with a budget can hold; refinement stops there.
 constexpr std::size_t kMostFound = 1 << 16;
 
-// Longest way from the root, and the most children of a node.
-void measure(const ClodHierarchy& h, std::int32_t& depth, std::int32_t& fan) {
-  std::vector<std::int32_t> depths(h.nodes.size(), 0);
-  depth = 0;
-  fan = 1;
-  for (std::size_t i = 0; i < h.nodes.size(); ++i) {
-    const ClodNode& n = h.nodes[i];
-    fan = std::max(fan, n.child_count);
-    depth = std::max(depth, depths[i]);
-    for (std::int32_t c = 0; c < n.child_count; ++c) {
+// Longest path from the root, and the most children of a node.
+struct TreeExtent {
+  std::int32_t depth = 0, fan = 1;
+};
+
+TreeExtent extent_of(const ClodHierarchy& hierarchy) {
+  std::vector<std::int32_t> depths(hierarchy.nodes.size(), 0);
+  TreeExtent extent;
+  for (std::size_t i = 0; i < hierarchy.nodes.size(); ++i) {
+    const ClodNode& node = hierarchy.nodes[i];
+    extent.fan = std::max(extent.fan, node.child_count);
+    extent.depth = std::max(extent.depth, depths[i]);
+    for (std::int32_t c = 0; c < node.child_count; ++c) {
       // children follow their parent
-      depths[static_cast<std::size_t>(n.first_child + c)] = depths[i] + 1;
+      depths[idx(node.first_child + c)] = depths[i] + 1;
     }
   }
+  return extent;
 }
 
 }  // namespace
@@ -40,31 +45,30 @@ std::int32_t default_front_capacity(const ClodHierarchy& object,
 void reserve_front(ContactFront& front, const ClodHierarchy& object, const ClodHierarchy& scene,
                    std::int32_t capacity) {
   if (capacity <= 0) capacity = default_front_capacity(object, scene);
-  std::int32_t fan_a = 1, fan_b = 1;
-  measure(object, front.object_depth, fan_a);
-  measure(scene, front.scene_depth, fan_b);
-  front.stack_capacity =
-      std::int64_t{front.object_depth + front.scene_depth + 2} * std::max(fan_a, fan_b);
-  front.stack.reserve(static_cast<std::size_t>(front.stack_capacity));
+  const TreeExtent a = extent_of(object), b = extent_of(scene);
+  const std::size_t stack = idx(a.depth + b.depth + 2) * idx(std::max(a.fan, b.fan));
+  ExactFront& exact = front.exact;
+  MultiresFront& multires = front.multires;
+  exact.stack.reserve(stack);
   const auto n = static_cast<std::size_t>(capacity);
   if (capacity != front.capacity) {
     front.nodes = std::make_unique_for_overwrite<FrontNode[]>(n);
     front.expires = std::make_unique_for_overwrite<float[]>(n);
     front.capacity = capacity;
     for (std::vector<std::int32_t>* list :
-         {&front.active, &front.next_active, &front.incoming, &front.work, &front.saturated}) {
+         {&exact.active, &exact.next_active, &exact.incoming, &front.work, &exact.saturated}) {
       *list = {};
       list->reserve(n);
     }
     front.work.reserve(2 * n);  // expired nodes and the stack of a descent
   }
-  front.pending.reserve(n + static_cast<std::size_t>(front.stack_capacity));
+  multires.pending.reserve(n + stack);
   if (!object.level_patches.empty() || !scene.level_patches.empty()) {
-    front.queue.reserve(n);
-    front.found.reserve(std::min(n, kMostFound));
-    front.order.reserve(n);
-    front.object_support = detail::largest_support(object);
-    front.scene_support = detail::largest_support(scene);
+    multires.queue.reserve(n);
+    multires.found.reserve(std::min(n, kMostFound));
+    multires.order.reserve(n);
+    multires.object_support = detail::largest_support(object);
+    multires.scene_support = detail::largest_support(scene);
   }
   front.object_closed = is_closed(object);
   front.scene_closed = is_closed(scene);
@@ -81,11 +85,11 @@ void clear_front(ContactFront& front) noexcept {
   front.travel = 0.0;
   front.last_step = 0.0;
   front.tolerance = -1.0;
-  front.active.clear();
-  front.next_active.clear();
-  front.incoming.clear();
+  front.exact.active.clear();
+  front.exact.next_active.clear();
+  front.exact.incoming.clear();
   front.work.clear();
-  front.saturated.clear();
+  front.exact.saturated.clear();
 }
 
 }  // namespace thigma

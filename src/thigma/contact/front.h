@@ -1,6 +1,6 @@
 #pragma once
 // The front of the tandem traversal: which pairs of nodes were decided last time, and for how long
-// that holds.
+// that holds. Nodes are common; the exact and the multires query each keep lists of their own.
 
 #include <array>
 #include <cstdint>
@@ -15,7 +15,7 @@
 namespace thigma {
 
 /// A node of the bounding volume test tree: a pair of hierarchy nodes. 64 bytes.
-struct FrontNode {
+struct alignas(64) FrontNode {
   std::int32_t a = 0, b = 0;      // nodes of object and scene
   std::int32_t parent = -1;       // into ContactFront::nodes
   std::int32_t first_child = -1;  // -1: the pair is in the front
@@ -27,15 +27,23 @@ struct FrontNode {
   float axis[3] = {0.0f, 0.0f, 0.0f};
   TriangleHint triangles;   // of patches whose triangles were measured
   bool has_normal = false;  // axis holds a contact normal (hysteresis)
-  bool is_active = false;   // leaf pair evaluated every frame
-  // could not be split for want of room: traversed below without memory
-  bool is_saturated = false;
-  // Of a query with levels: what holds until the node's travel; apart covers culled and too far to
+  // Exact query: a leaf pair evaluated every frame, or a pair that could not be split for want of
+  // room and is traversed below without memory.
+  bool is_active = false, is_saturated = false;
+  // Query with levels: what holds until the node's travel; apart covers culled and too far to
   // matter.
   enum class Decision : std::uint8_t { unknown, open, apart } decision = Decision::unknown;
 };
 
-static_assert(sizeof(FrontNode) <= 64);
+static_assert(sizeof(FrontNode) == 64);
+
+/// What the exact query keeps: places in ContactFront::nodes.
+struct ExactFront {
+  // leaf pairs measured every frame, by (object patch, scene patch)
+  std::vector<std::int32_t> active, next_active, incoming;
+  std::vector<std::int32_t> saturated;  // nodes traversed without memory
+  std::vector<std::int64_t> stack;      // of that traversal
+};
 
 /// A pair of nodes a query with levels still has to look at, or may refine.
 struct PendingPair {
@@ -44,7 +52,20 @@ struct PendingPair {
   // into ContactFront::nodes; -1: a and b tell the pair, without memory
   std::int32_t node = -1;
   std::int32_t a = 0, b = 0;
-  std::int32_t contact = -1;  // its own in ContactFront::found
+  std::int32_t contact = -1;  // its own in MultiresFront::found
+};
+
+/// What the query with levels of detail keeps beside the decisions of the nodes.
+struct MultiresFront {
+  std::vector<PendingPair> pending;  // stack of the traversal
+  std::vector<PendingPair> queue;    // by priority, with a budget
+  std::vector<Contact> found;        // contacts that may still be refined, with a budget
+  std::vector<std::int32_t> order;   // of contacts
+  // by node: largest D of the vertices of its patch, by SupportReading [m^2]
+  std::vector<std::array<double, 2>> object_support, scene_support;
+  // CPU time of handing over one contact, measured; with a budget of time [s]
+  double finish_cost = 0.0;
+  double refine_cost = 0.0;  // the same of refining one pair, at most, of recent frames [s]
 };
 
 /// Scratch of one pair of bodies. Owned by the caller, one a pair; any content is valid input.
@@ -69,27 +90,11 @@ struct ContactFront {
   RelativePose last;             // of the last query
   const void* object = nullptr;  // hierarchies of the last query, for comparison only
   const void* scene = nullptr;
-  // active leaf pairs by (object patch, scene patch)
-  std::vector<std::int32_t> active, next_active, incoming;
-  std::vector<std::int32_t> work;       // nodes to look at
-  std::vector<std::int32_t> saturated;  // nodes traversed without memory
-  std::vector<std::int64_t> stack;      // of that traversal
-  std::int64_t stack_capacity = 0;
   bool object_closed = true, scene_closed = true;  // see surface_crossing.h
-  std::int32_t object_depth = 0, scene_depth = 0;  // of the two trees
-
-  // Of queries with levels.
-  // the last query was one: its decisions are others than of an exact one
-  bool has_levels = false;
-  std::vector<PendingPair> pending;  // stack of the traversal
-  std::vector<PendingPair> queue;    // by priority, with a budget
-  std::vector<Contact> found;        // contacts that may still be refined, with a budget
-  std::vector<std::int32_t> order;   // of contacts
-  // by node: largest D of the vertices of its patch, by SupportReading [m^2]
-  std::vector<std::array<double, 2>> object_support, scene_support;
-  // CPU time of handing over one contact, measured; with a budget of time [s]
-  double finish_cost = 0.0;
-  double refine_cost = 0.0;  // the same of refining one pair, of late and at most [s]
+  bool has_levels = false;         // the last query was one with levels: its decisions are others
+  std::vector<std::int32_t> work;  // nodes to look at
+  ExactFront exact;
+  MultiresFront multires;
 };
 
 /// Nodes a front is given room for when the caller does not say.

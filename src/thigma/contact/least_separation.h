@@ -31,7 +31,7 @@ struct SeparationInterval {
   std::int64_t pair_queries = 0;  // convex pairs solved
 };
 
-/// A pair of nodes whose patches may still be the nearest. 48 bytes.
+/// A pair of nodes whose patches may still be the nearest. 40 bytes.
 struct SeparationPair {
   double low = -kInfinity;  // no two patches below are nearer [m]
   std::int32_t a = 0, b = 0;
@@ -49,7 +49,7 @@ struct SeparationScratch {
 };
 
 /// Takes the memory for a pair of hierarchies.
-/// capacity  pairs that may wait at once; 48 bytes each
+/// capacity  pairs that may wait at once; 40 bytes each
 /// Thread    [offline] or warm-up; throws std::bad_alloc.
 void reserve_separation(SeparationScratch& scratch, const ClodHierarchy& object,
                         const ClodHierarchy& scene, std::size_t capacity = 1 << 15);
@@ -58,21 +58,18 @@ void reserve_separation(SeparationScratch& scratch, const ClodHierarchy& object,
 /// that may be the nearest the one with the lowest bound is divided, until that bound is within the
 /// width of a pair of finest patches that was measured.
 ///
-/// object, scene      hierarchies; alive and unchanged while the scratch is used with them
-/// world_from_object  pose of the query, |orientation| = 1 to 1e-9
-/// world_from_scene   the same of the scene's body
-/// contacts           all that the query found for this pair of bodies, exact or with levels, with
-///                    a budget or without. Where some were dropped the search starts from the roots
-/// returns            a function of the poses and the contacts alone. `high` is proven. `low` is
-///                    for bodies that are apart; where patches meet or are through each other it
-///                    bounds the shift that parts their hulls, and depth, which is measured along
-///                    normals of faces, may be more
-/// Thread             [contact]; no failure: a pose that is not finite gives an interval without
-///                    ends. Allocates when the scratch has no memory for these hierarchies yet,
-///                    never after.
-/// Source             this project's; the bounds are those of Eq. 3.5.
-SeparationInterval least_separation(const ClodHierarchy& object, const Pose& world_from_object,
-                                    const ClodHierarchy& scene, const Pose& world_from_scene,
+/// object, scene  hierarchies and poses of the query; alive and unchanged while the scratch is used
+///                with them
+/// contacts       all that the query found for this pair of bodies, exact or with levels, with a
+///                budget or without. Where some were dropped the search starts from the roots
+/// returns        a function of the poses and the contacts alone. `high` is proven. `low` is for
+///                bodies that are apart; where patches meet or are through each other it bounds the
+///                shift that parts their hulls, and depth, which is measured along normals of
+///                faces, may be more
+/// Thread         [contact]; no failure: a pose that is not finite gives an interval without ends.
+///                Allocates when the scratch has no memory for these hierarchies yet, never after.
+/// Source         this project's; the bounds are those of Eq. 3.5.
+SeparationInterval least_separation(const PlacedHierarchy& object, const PlacedHierarchy& scene,
                                     const ContactSet& contacts, const SeparationQuery& query,
                                     SeparationScratch& scratch) noexcept;
 

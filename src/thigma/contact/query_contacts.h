@@ -1,5 +1,6 @@
 #pragma once
-// The exact contact query Q(A, B, d): every pair of finest patches whose triangles come within d.
+// The contact query Q(A, B, d): every pair of patches whose triangles come within d, finest or at
+// the resolution that is asked.
 
 #include <cstdint>
 #include <span>
@@ -21,38 +22,28 @@ struct ContactQuery {
   Resolution resolution{};  // exact unless asked otherwise
 };
 
-/// Exact contacts between the grasped object and one object of the scene, appended to a set.
+/// Contacts between the grasped object and one object of the scene, appended to a set.
 ///
-/// object, scene       hierarchies; alive and unchanged while the front is used with them
-/// world_from_object   pose, |orientation| = 1 to 1e-9
-/// world_from_scene    the same of the scene's body
-/// query               tolerance >= 0 [m]
-/// front               scratch of this pair of bodies
-/// contacts            contacts are appended, ordered by (object_patch, scene_patch). Capacity is
-///                     never grown: of more contacts than fit the deepest stay and `dropped` counts
-///                     the others. Counts are added to stats
-/// Thread              [contact]; no failure: a pose that is not finite gives no contact. Allocates
-///                     when the front has no memory for these hierarchies yet, never after. Without
-///                     keep_directions the contacts, their order and every bit are a function of
-///                     the two poses.
-/// Source              Sec. 3.4.1-3.4.2, Eq. 3.5. Deviates: front tracking by remaining travel
-///                     (docs/deviations.md).
-void query_contacts(const ClodHierarchy& object, const Pose& world_from_object,
-                    const ClodHierarchy& scene, const Pose& world_from_scene,
+/// object, scene  hierarchies and poses; alive and unchanged while the front is used with them
+/// query          tolerance >= 0 [m]
+/// front          scratch of this pair of bodies
+/// contacts       contacts are appended, ordered by (object_patch, scene_patch). Capacity is never
+///                grown: of more contacts than fit the deepest stay and `dropped` counts the
+///                others. Counts are added to stats
+/// Thread         [contact]; no failure: a pose that is not finite gives no contact. Allocates when
+///                the front has no memory for these hierarchies yet, never after. Exact and without
+///                keep_directions the contacts, their order and every bit are a function of the two
+///                poses.
+/// Source         Sec. 3.4.1-3.4.4, Eq. 3.5. Deviates: front tracking by remaining travel
+///                (docs/deviations.md).
+void query_contacts(const PlacedHierarchy& object, const PlacedHierarchy& scene,
                     const ContactQuery& query, ContactFront& front, ContactSet& contacts) noexcept;
-
-/// The traversal alone: brings the front to these poses and measures no contact. query_contacts
-/// does so itself; this is for those who want to know or time the two parts apart. returns counts
-/// of this call.
-QueryStats track_front(const ClodHierarchy& object, const Pose& world_from_object,
-                       const ClodHierarchy& scene, const Pose& world_from_scene,
-                       const ContactQuery& query, ContactFront& front) noexcept;
 
 /// Contacts with every body of a scene, in one set, with body indices; the set is emptied first.
 /// fronts  one a body, as many as bodies. query.body is ignored. Otherwise as query_contacts.
-void query_scene(const ClodHierarchy& object, const Pose& world_from_object,
-                 std::span<const SceneBody> bodies, const ContactQuery& query,
-                 std::span<ContactFront> fronts, ContactSet& contacts) noexcept;
+void query_scene(const PlacedHierarchy& object, std::span<const SceneBody> bodies,
+                 const ContactQuery& query, std::span<ContactFront> fronts,
+                 ContactSet& contacts) noexcept;
 
 /// Empties a set, keeping its capacity.
 /// Thread    [contact].

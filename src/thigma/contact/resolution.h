@@ -41,9 +41,6 @@ struct Resolution {
   SupportArea area = SupportArea::larger;
   // contacts of a pair near its threshold are blended with its children's (Sec. 3.4.4)
   bool interpolates = true;
-  // look for a near pair of finest patches below each contact: bounds come out smaller, for about a
-  // microsecond a contact
-  bool tightens_bounds = false;
   double step_time = 0.001;       // from the query before, for speeds [s]
   std::int64_t budget_tests = 0;  // pairs looked at, at most; 0: no limit. Reproducible
   double budget_cpu = 0.0;        // CPU time of the thread, at most; 0: no limit [s]

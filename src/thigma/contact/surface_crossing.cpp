@@ -24,21 +24,21 @@ struct Projected {
 };
 
 Segment make_segment(const Vec3& from, const Vec3& to) noexcept {
-  Segment s{from, to - from, {}, {}, 0.0, 0.0};
-  s.length = std::sqrt(s.direction.squaredNorm());
-  s.inverse_length2 = 1.0 / s.direction.squaredNorm();
+  Segment segment{from, to - from, {}, {}, 0.0, 0.0};
+  segment.length = std::sqrt(segment.direction.squaredNorm());
+  segment.inverse_length2 = 1.0 / segment.direction.squaredNorm();
   int least = 0;
   for (int i = 1; i < 3; ++i) {
-    if (std::fabs(s.direction[i]) < std::fabs(s.direction[least])) least = i;
+    if (std::fabs(segment.direction[i]) < std::fabs(segment.direction[least])) least = i;
   }
-  s.u = s.direction.cross(Vec3::Unit(least)) / s.length;
-  s.v = s.direction.cross(s.u) / s.length;
-  return s;
+  segment.u = segment.direction.cross(Vec3::Unit(least)) / segment.length;
+  segment.v = segment.direction.cross(segment.u) / segment.length;
+  return segment;
 }
 
-Projected project(const Segment& s, const Vec3& p) noexcept {
-  const Vec3 r = p - s.origin;
-  return {s.u.dot(r), s.v.dot(r), s.direction.dot(r)};
+Projected project(const Segment& segment, const Vec3& p) noexcept {
+  const Vec3 r = p - segment.origin;
+  return {segment.u.dot(r), segment.v.dot(r), segment.direction.dot(r)};
 }
 
 // Side of the origin on which the edge p -> q lies; never zero, and of opposite sign for q -> p.
@@ -51,13 +51,13 @@ double side(const Projected& p, const Projected& q) noexcept {
 }
 
 // Adds the crossing of one triangle, if there is one.
-void cross(const Segment& s, const Vec3& a, const Vec3& b, const Vec3& c,
+void cross(const Segment& segment, const Vec3& a, const Vec3& b, const Vec3& c,
            Crossings& count) noexcept {
-  const Projected p = project(s, a), q = project(s, b), r = project(s, c);
+  const Projected p = project(segment, a), q = project(segment, b), r = project(segment, c);
   const double pq = side(p, q), qr = side(q, r), rp = side(r, p);
   if ((pq > 0.0) != (qr > 0.0) || (qr > 0.0) != (rp > 0.0)) return;
-  const double t =
-      (qr * p.along + rp * q.along + pq * r.along) / ((pq + qr + rp) * s.length * s.length);
+  const double t = (qr * p.along + rp * q.along + pq * r.along) /
+                   ((pq + qr + rp) * segment.length * segment.length);
   if (t <= kEnds || (t >= 1.0 - kEnds && t <= 1.0 + kEnds)) return;
   // counter-clockwise seen along the ray: its normal points along it
   const int exits = pq > 0.0 ? 1 : -1;
@@ -68,24 +68,25 @@ void cross(const Segment& s, const Vec3& a, const Vec3& b, const Vec3& c,
   count.exits_after_from += exits;
 }
 
-bool near_ray(const Segment& s, const ClodNode& node) noexcept {
-  const Vec3 r = node.center - s.origin;
-  const double t = std::fmax(r.dot(s.direction) * s.inverse_length2, 0.0);
-  const double reach =
-      (node.radius + node.hausdorff) * (1.0 + 1e-9) + 1e-12 * (node.center.lpNorm<1>() + s.length);
-  return (r - t * s.direction).squaredNorm() <= reach * reach;
+bool near_ray(const Segment& segment, const ClodNode& node) noexcept {
+  const Vec3 r = node.center - segment.origin;
+  const double t = std::fmax(r.dot(segment.direction) * segment.inverse_length2, 0.0);
+  const double reach = (node.radius + node.hausdorff) * (1.0 + 1e-9) +
+                       1e-12 * (node.center.lpNorm<1>() + segment.length);
+  return (r - t * segment.direction).squaredNorm() <= reach * reach;
 }
 
-void cross_patch(const Segment& s, const HullView& hull, Crossings& count) noexcept {
+void cross_patch(const Segment& segment, const HullView& hull, Crossings& count) noexcept {
   for (int t = 0; t < hull.triangle_count; ++t) {
     const std::uint8_t* corner = hull.triangles[t].corner;
-    cross(s, hull.vertices[corner[0]], hull.vertices[corner[1]], hull.vertices[corner[2]], count);
+    cross(segment, hull.vertices[corner[0]], hull.vertices[corner[1]], hull.vertices[corner[2]],
+          count);
   }
 }
 
 // Depth first. The stack holds a node's waiting siblings as one range, so its size is the depth of
 // the tree; what would not fit is searched by recursion.
-void descend(const ClodHierarchy& h, const Segment& s, std::int32_t start,
+void descend(const ClodHierarchy& hierarchy, const Segment& segment, std::int32_t start,
              Crossings& count) noexcept {
   struct Range {
     std::int32_t next, end;
@@ -100,39 +101,41 @@ void descend(const ClodHierarchy& h, const Segment& s, std::int32_t start,
       continue;
     }
     const std::int32_t index = range.next++;
-    const ClodNode& node = h.nodes[static_cast<std::size_t>(index)];
-    if (!near_ray(s, node)) continue;
+    const ClodNode& node = hierarchy.nodes[static_cast<std::size_t>(index)];
+    if (!near_ray(segment, node)) continue;
     if (node.child_count == 0) {
-      cross_patch(s, hull_view(h, index), count);
+      cross_patch(segment, hull_view(hierarchy, index), count);
     } else if (top < stack.size()) {
       stack[top++] = {node.first_child, node.first_child + node.child_count};
     } else {
       for (std::int32_t c = 0; c < node.child_count; ++c)
-        descend(h, s, node.first_child + c, count);
+        descend(hierarchy, segment, node.first_child + c, count);
     }
   }
 }
 
-bool near_segment(const Segment& s, const ClodNode& node) noexcept {
-  const Vec3 r = node.center - s.origin;
-  const double t = std::fmin(std::fmax(r.dot(s.direction) * s.inverse_length2, 0.0), 1.0);
-  const double reach =
-      (node.radius + node.hausdorff) * (1.0 + 1e-9) + 1e-12 * (node.center.lpNorm<1>() + s.length);
-  return (r - t * s.direction).squaredNorm() <= reach * reach;
+bool near_segment(const Segment& segment, const ClodNode& node) noexcept {
+  const Vec3 r = node.center - segment.origin;
+  const double t =
+      std::fmin(std::fmax(r.dot(segment.direction) * segment.inverse_length2, 0.0), 1.0);
+  const double reach = (node.radius + node.hausdorff) * (1.0 + 1e-9) +
+                       1e-12 * (node.center.lpNorm<1>() + segment.length);
+  return (r - t * segment.direction).squaredNorm() <= reach * reach;
 }
 
 // Whether any surface lies between the ends. Far cheaper than counting along the ray: what is near
 // a short segment is a handful of patches.
-bool is_crossed(const ClodHierarchy& h, const Segment& s, std::int32_t index) noexcept {
-  const ClodNode& node = h.nodes[static_cast<std::size_t>(index)];
-  if (!near_segment(s, node)) return false;
+bool is_crossed(const ClodHierarchy& hierarchy, const Segment& segment,
+                std::int32_t index) noexcept {
+  const ClodNode& node = hierarchy.nodes[static_cast<std::size_t>(index)];
+  if (!near_segment(segment, node)) return false;
   if (node.child_count == 0) {
     Crossings count;
-    cross_patch(s, hull_view(h, index), count);
+    cross_patch(segment, hull_view(hierarchy, index), count);
     return count.between > 0;
   }
   for (std::int32_t c = 0; c < node.child_count; ++c) {
-    if (is_crossed(h, s, node.first_child + c)) return true;
+    if (is_crossed(hierarchy, segment, node.first_child + c)) return true;
   }
   return false;
 }
@@ -140,10 +143,11 @@ bool is_crossed(const ClodHierarchy& h, const Segment& s, std::int32_t index) no
 // Whether the material of an object reaches along the ray from `from`, on its surface, to `to`. The
 // ray enters material at `from` (the caller has seen the back of the surface there), so without a
 // surface in between it does.
-bool reaches(const ClodHierarchy& h, bool closed, const Vec3& from, const Vec3& to) noexcept {
-  const Segment s = make_segment(from, to);
-  if (!(s.length > 0.0) || !is_crossed(h, s, 0)) return true;
-  const Crossings c = count_crossings(h, from, to);
+bool reaches(const ClodHierarchy& hierarchy, bool closed, const Vec3& from,
+             const Vec3& to) noexcept {
+  const Segment segment = make_segment(from, to);
+  if (!(segment.length > 0.0) || !is_crossed(hierarchy, segment, 0)) return true;
+  const Crossings c = count_crossings(hierarchy, from, to);
   return closed ? c.exits_after_from > 0 && c.exits_after_to > 0 : c.between % 2 == 0;
 }
 
@@ -161,8 +165,8 @@ bool separates(const void* context, const Vec3& from, const Vec3& to) noexcept {
 Crossings count_crossings(const ClodHierarchy& hierarchy, const Vec3& from,
                           const Vec3& to) noexcept {
   Crossings count;
-  const Segment s = make_segment(from, to);
-  if (s.length > 0.0 && !hierarchy.nodes.empty()) descend(hierarchy, s, 0, count);
+  const Segment segment = make_segment(from, to);
+  if (segment.length > 0.0 && !hierarchy.nodes.empty()) descend(hierarchy, segment, 0, count);
   return count;
 }
 

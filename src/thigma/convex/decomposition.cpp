@@ -44,107 +44,113 @@ struct Growth {
 };
 
 std::array<Vec3, 3> corners(const TriangleMesh& mesh, std::int32_t t) {
-  const auto& v = mesh.triangles[at(t)];
-  return {mesh.positions[at(v[0])], mesh.positions[at(v[1])], mesh.positions[at(v[2])]};
+  const auto& v = mesh.triangles[idx(t)];
+  return {mesh.positions[idx(v[0])], mesh.positions[idx(v[1])], mesh.positions[idx(v[2])]};
 }
 
 /// A triangle thinner than the tolerance has no plane worth the name: it lies on its neighbours'
 /// planes.
-bool has_plane(const Growth& g, std::int32_t t) { return g.surface.height[at(t)] > g.flat; }
-
-double height_over(const Growth& g, std::int32_t t, const Vec3& p) {
-  return g.surface.normal[at(t)].dot(p - g.mesh.positions[at(g.mesh.triangles[at(t)][0])]);
+bool has_plane(const Growth& growth, std::int32_t t) {
+  return growth.surface.height[idx(t)] > growth.flat;
 }
 
-bool stays_convex(const Growth& g, std::int32_t candidate, const Vec3* added) {
-  if (has_plane(g, candidate))
-    for (const Vec3& p : g.points)
-      if (height_over(g, candidate, p) > g.flat) return false;
+double height_over(const Growth& growth, std::int32_t t, const Vec3& p) {
+  return growth.surface.normal[idx(t)].dot(
+      p - growth.mesh.positions[idx(growth.mesh.triangles[idx(t)][0])]);
+}
+
+bool stays_convex(const Growth& growth, std::int32_t candidate, const Vec3* added) {
+  if (has_plane(growth, candidate))
+    for (const Vec3& p : growth.points)
+      if (height_over(growth, candidate, p) > growth.flat) return false;
   if (added)
-    for (const std::int32_t t : g.triangles)
-      if (has_plane(g, t) && height_over(g, t, *added) > g.flat) return false;
+    for (const std::int32_t t : growth.triangles)
+      if (has_plane(growth, t) && height_over(growth, t, *added) > growth.flat) return false;
   return true;
 }
 
 /// Lists the triangles of the shell that reach into the hull of the patch's points.
-void list_intruders(Growth& g, std::int32_t candidate) {
-  g.intruders.clear();
-  TreeBox box{g.points[0], g.points[0]};
-  for (const Vec3& p : g.points) {
+void list_intruders(Growth& growth, std::int32_t candidate) {
+  growth.intruders.clear();
+  TreeBox box{growth.points[0], growth.points[0]};
+  for (const Vec3& p : growth.points) {
     box.min = box.min.cwiseMin(p);
     box.max = box.max.cwiseMax(p);
   }
   const double extent = (box.max - box.min).norm();
-  start_hull(g.hull, g.points, std::max(1e-10, g.flat / extent));
-  if (g.hull.dimension < 3) return;
-  complete_hull(g.hull);
-  list_half_spaces(g.hull, g.inset, g.half_spaces);
-  const std::int32_t shell = g.surface.shell[at(candidate)];
-  visit_triangles(g.tree, box, [&](std::int32_t t) {
-    if (t == candidate || g.patch_of[at(t)] == g.patch || g.surface.shell[at(t)] != shell) return;
-    if (g.surface.height[at(t)] <= 0.0) return;
-    std::array<Vec3, 3> triangle = corners(g.mesh, t);
-    for (Vec3& p : triangle) p = (p - g.hull.origin) * g.hull.scale;
-    if (reaches_into(triangle, g.half_spaces)) g.intruders.push_back(t);
+  start_hull(growth.hull, growth.points, std::max(1e-10, growth.flat / extent));
+  if (growth.hull.dimension < 3) return;
+  complete_hull(growth.hull);
+  list_half_spaces(growth.hull, growth.inset, growth.half_spaces);
+  const std::int32_t shell = growth.surface.shell[idx(candidate)];
+  visit_triangles(growth.tree, box, [&](std::int32_t t) {
+    if (t == candidate || growth.patch_of[idx(t)] == growth.patch ||
+        growth.surface.shell[idx(t)] != shell)
+      return;
+    if (growth.surface.height[idx(t)] <= 0.0) return;
+    std::array<Vec3, 3> triangle = corners(growth.mesh, t);
+    for (Vec3& p : triangle) p = (p - growth.hull.origin) * growth.hull.scale;
+    if (reaches_into(triangle, growth.half_spaces)) growth.intruders.push_back(t);
   });
 }
 
-bool crosses_patch(const Growth& g, std::int32_t intruder, std::int32_t candidate) {
-  const std::array<Vec3, 3> other = corners(g.mesh, intruder);
-  if (triangles_cross(corners(g.mesh, candidate), other)) return true;
-  for (const std::int32_t t : g.triangles)
-    if (triangles_cross(corners(g.mesh, t), other)) return true;
+bool crosses_patch(const Growth& growth, std::int32_t intruder, std::int32_t candidate) {
+  const std::array<Vec3, 3> other = corners(growth.mesh, intruder);
+  if (triangles_cross(corners(growth.mesh, candidate), other)) return true;
+  for (const std::int32_t t : growth.triangles)
+    if (triangles_cross(corners(growth.mesh, t), other)) return true;
   return false;
 }
 
 /// Adds the triangle if the patch stays a patch.
-bool try_to_join(Growth& g, std::int32_t candidate) {
+bool try_to_join(Growth& growth, std::int32_t candidate) {
   std::array<std::int32_t, 3> added{};
   std::size_t count = 0;
-  for (const std::int32_t v : g.mesh.triangles[at(candidate)])
-    if (g.last_patch_at[at(v)] != g.patch) added[count++] = v;
+  for (const std::int32_t v : growth.mesh.triangles[idx(candidate)])
+    if (growth.last_patch_at[idx(v)] != growth.patch) added[count++] = v;
   // A neighbour over an edge brings one vertex at most.
-  const Vec3* point = count > 0 ? &g.mesh.positions[at(added[0])] : nullptr;
-  if (!stays_convex(g, candidate, point)) return false;
+  const Vec3* point = count > 0 ? &growth.mesh.positions[idx(added[0])] : nullptr;
+  if (!stays_convex(growth, candidate, point)) return false;
   if (point) {
-    if (static_cast<int>(g.vertices.size()) >= g.max_vertices) {
-      g.met_size = true;
+    if (static_cast<int>(growth.vertices.size()) >= growth.max_vertices) {
+      growth.met_size = true;
       return false;
     }
-    g.points.push_back(*point);
-    list_intruders(g, candidate);
-    if (!g.intruders.empty()) {
-      g.points.pop_back();
+    growth.points.push_back(*point);
+    list_intruders(growth, candidate);
+    if (!growth.intruders.empty()) {
+      growth.points.pop_back();
       const bool crossing =
-          std::any_of(g.intruders.begin(), g.intruders.end(),
-                      [&](std::int32_t t) { return crosses_patch(g, t, candidate); });
-      (crossing ? g.met_crossing : g.met_protrusion) = true;
+          std::any_of(growth.intruders.begin(), growth.intruders.end(),
+                      [&](std::int32_t t) { return crosses_patch(growth, t, candidate); });
+      (crossing ? growth.met_crossing : growth.met_protrusion) = true;
       return false;
     }
-    g.vertices.push_back(added[0]);
-    g.last_patch_at[at(added[0])] = g.patch;
+    growth.vertices.push_back(added[0]);
+    growth.last_patch_at[idx(added[0])] = growth.patch;
   }
-  g.triangles.push_back(candidate);
-  g.patch_of[at(candidate)] = g.patch;
+  growth.triangles.push_back(candidate);
+  growth.patch_of[idx(candidate)] = growth.patch;
   return true;
 }
 
-void grow_patch(Growth& g, std::int32_t seed) {
-  g.triangles.assign(1, seed);
-  g.patch_of[at(seed)] = g.patch;
-  g.vertices.clear();
-  g.points.clear();
-  g.met_crossing = g.met_protrusion = g.met_size = false;
-  for (const std::int32_t v : g.mesh.triangles[at(seed)]) {
-    g.vertices.push_back(v);
-    g.points.push_back(g.mesh.positions[at(v)]);
-    g.last_patch_at[at(v)] = g.patch;
+void grow_patch(Growth& growth, std::int32_t seed) {
+  growth.triangles.assign(1, seed);
+  growth.patch_of[idx(seed)] = growth.patch;
+  growth.vertices.clear();
+  growth.points.clear();
+  growth.met_crossing = growth.met_protrusion = growth.met_size = false;
+  for (const std::int32_t v : growth.mesh.triangles[idx(seed)]) {
+    growth.vertices.push_back(v);
+    growth.points.push_back(growth.mesh.positions[idx(v)]);
+    growth.last_patch_at[idx(v)] = growth.patch;
   }
-  for (std::size_t i = 0; i < g.triangles.size(); ++i)
-    for (const std::int32_t t : g.surface.neighbor[at(g.triangles[i])]) {
-      if (t < 0 || g.patch_of[at(t)] >= 0 || g.refused_by[at(t)] == g.patch) continue;
-      if (g.surface.height[at(t)] <= 0.0) continue;
-      if (!try_to_join(g, t)) g.refused_by[at(t)] = g.patch;
+  for (std::size_t i = 0; i < growth.triangles.size(); ++i)
+    for (const std::int32_t t : growth.surface.neighbor[idx(growth.triangles[i])]) {
+      if (t < 0 || growth.patch_of[idx(t)] >= 0 || growth.refused_by[idx(t)] == growth.patch)
+        continue;
+      if (growth.surface.height[idx(t)] <= 0.0) continue;
+      if (!try_to_join(growth, t)) growth.refused_by[idx(t)] = growth.patch;
     }
 }
 
@@ -162,10 +168,10 @@ double rounding_height(const TriangleMesh& mesh, const SurfaceTopology& surface,
         continue;
       ++edges;
       double height = 0.0;
-      for (const std::int32_t v : mesh.triangles[at(other)])
+      for (const std::int32_t v : mesh.triangles[idx(other)])
         height = std::max(
-            height, std::fabs(surface.normal[t].dot(mesh.positions[at(v)] -
-                                                    mesh.positions[at(mesh.triangles[t][0])])));
+            height, std::fabs(surface.normal[t].dot(mesh.positions[idx(v)] -
+                                                    mesh.positions[idx(mesh.triangles[t][0])])));
       if (height < 1e-6 * radius && height > 1e-13 * radius) heights.push_back(height);
     }
   }
@@ -188,9 +194,9 @@ DecompositionParams resolved(const TriangleMesh& mesh, const SurfaceTopology& su
 
 }  // namespace
 
-DecompositionParams resolve_tolerances(const TriangleMesh& mesh,
+DecompositionParams resolve_tolerances(const TriangleMesh& mesh, const SurfaceTopology& topology,
                                        const DecompositionParams& params) {
-  return resolved(mesh, compute_topology(mesh), half_extent(mesh), params);
+  return resolved(mesh, topology, half_extent(mesh), params);
 }
 
 namespace {
@@ -202,50 +208,55 @@ ConvexDecomposition decompose(const TriangleMesh& mesh, const SurfaceTopology& s
   std::vector<std::int32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0);
   const TriangleTree tree = build_triangle_tree(mesh, std::move(all));
-  Growth g{mesh, surface, tree};
-  g.flat = result.params.convexity_tolerance * radius;
-  g.inset = result.params.protrusion_tolerance * radius;
-  g.max_vertices = result.params.max_vertices;
-  g.patch_of.assign(mesh.triangles.size(), -1);
-  g.refused_by.assign(mesh.triangles.size(), -1);
-  g.last_patch_at.assign(mesh.positions.size(), -1);
+  Growth growth{mesh, surface, tree};
+  growth.flat = result.params.convexity_tolerance * radius;
+  growth.inset = result.params.protrusion_tolerance * radius;
+  growth.max_vertices = result.params.max_vertices;
+  growth.patch_of.assign(mesh.triangles.size(), -1);
+  growth.refused_by.assign(mesh.triangles.size(), -1);
+  growth.last_patch_at.assign(mesh.positions.size(), -1);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (g.patch_of[t] >= 0 || surface.height[t] <= 0.0) continue;
-    g.patch = static_cast<std::int32_t>(result.patches.size());
-    grow_patch(g, static_cast<std::int32_t>(t));
-    std::sort(g.triangles.begin(), g.triangles.end());
-    std::sort(g.vertices.begin(), g.vertices.end());
-    result.patches.push_back(g.triangles);
-    result.vertices.push_back(g.vertices);
-    result.cut_by_self_intersection += g.met_crossing;
-    result.cut_by_protrusion += g.met_protrusion && !g.met_crossing;
-    result.cut_by_size += g.met_size && !g.met_crossing && !g.met_protrusion;
+    if (growth.patch_of[t] >= 0 || surface.height[t] <= 0.0) continue;
+    growth.patch = static_cast<std::int32_t>(result.patches.size());
+    grow_patch(growth, static_cast<std::int32_t>(t));
+    std::sort(growth.triangles.begin(), growth.triangles.end());
+    std::sort(growth.vertices.begin(), growth.vertices.end());
+    result.patches.push_back(growth.triangles);
+    result.vertices.push_back(growth.vertices);
+    result.cut_by_self_intersection += growth.met_crossing;
+    result.cut_by_protrusion += growth.met_protrusion && !growth.met_crossing;
+    result.cut_by_size += growth.met_size && !growth.met_crossing && !growth.met_protrusion;
   }
-  result.patch_of_triangle = std::move(g.patch_of);
+  result.patch_of_triangle = std::move(growth.patch_of);
   return result;
 }
 
-SurfaceTopology checked_surface(const TriangleMesh& mesh) {
-  SurfaceTopology surface = compute_topology(mesh);
-  if (std::none_of(surface.height.begin(), surface.height.end(), [](double h) { return h > 0.0; }))
+void require_area(const SurfaceTopology& topology) {
+  const std::vector<double>& height = topology.height;
+  if (std::none_of(height.begin(), height.end(), [](double h) { return h > 0.0; }))
     throw InputError("convex decomposition: no triangle has an area, expected at least one");
-  return surface;
 }
 
 }  // namespace
 
-ConvexDecomposition decompose_surface(const TriangleMesh& mesh, const DecompositionParams& params) {
-  const SurfaceTopology surface = checked_surface(mesh);
+ConvexDecomposition decompose_surface(const TriangleMesh& mesh, const SurfaceTopology& topology,
+                                      const DecompositionParams& params) {
+  require_area(topology);
   const double radius = half_extent(mesh);
-  return decompose(mesh, surface, radius, resolved(mesh, surface, radius, params));
+  return decompose(mesh, topology, radius, resolved(mesh, topology, radius, params));
+}
+
+ConvexDecomposition decompose_surface(const TriangleMesh& mesh, const DecompositionParams& params) {
+  return decompose_surface(mesh, compute_topology(mesh), params);
 }
 
 std::int32_t count_convex_patches(const TriangleMesh& mesh) {
-  const SurfaceTopology surface = checked_surface(mesh);
+  const SurfaceTopology topology = compute_topology(mesh);
+  require_area(topology);
   const double radius = half_extent(mesh);
-  DecompositionParams params = resolved(mesh, surface, radius, {});
+  DecompositionParams params = resolved(mesh, topology, radius, {});
   params.max_vertices = std::numeric_limits<int>::max();
-  return static_cast<std::int32_t>(decompose(mesh, surface, radius, params).patches.size());
+  return static_cast<std::int32_t>(decompose(mesh, topology, radius, params).patches.size());
 }
 
 }  // namespace thigma

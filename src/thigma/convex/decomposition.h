@@ -9,6 +9,8 @@
 
 namespace thigma {
 
+struct SurfaceTopology;  // mesh/surface_topology.h
+
 /// Limits of a decomposition. A negative tolerance is chosen from the data: coordinates that were
 /// rounded to single precision, or written with few digits, make coplanar faces reflex by that
 /// rounding, and faces must not part for it.
@@ -24,7 +26,8 @@ struct DecompositionParams {
 
 /// The tolerances that decompose_surface uses for a mesh: params with negative ones replaced.
 /// Thread [offline].
-DecompositionParams resolve_tolerances(const TriangleMesh& mesh, const DecompositionParams& params);
+DecompositionParams resolve_tolerances(const TriangleMesh& mesh, const SurfaceTopology& topology,
+                                       const DecompositionParams& params);
 
 /// A decomposition of the triangles of one mesh.
 /// Invariant: patches partition the triangles that have an area; interior edges are convex or flat;
@@ -50,5 +53,16 @@ struct ConvexDecomposition {
 /// Source    Sec. 3.3.1; protrusion by exact clipping instead of sampling (docs/deviations.md).
 ConvexDecomposition decompose_surface(const TriangleMesh& mesh,
                                       const DecompositionParams& params = {});
+
+/// The same with the topology of the mesh, for a caller that has it.
+ConvexDecomposition decompose_surface(const TriangleMesh& mesh, const SurfaceTopology& topology,
+                                      const DecompositionParams& params);
+
+/// A mesh with its topology and its convex patches.
+struct DecomposedSurface {
+  const TriangleMesh& mesh;
+  const SurfaceTopology& topology;
+  const ConvexDecomposition& patches;
+};
 
 }  // namespace thigma

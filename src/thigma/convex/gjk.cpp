@@ -30,26 +30,27 @@ constexpr double kStalledGap = 1e-11;
 // up to 20.
 constexpr int kMaxIterations = 64;
 
-void set_point(const HullView& a, const HullView& b, const RelativePose& x, int ia, int ib, int k,
-               Simplex& s) {
+void set_point(const HullPair& pair, int ia, int ib, int k, Simplex& s) {
+  const RelativePose& x = pair.a_from_b;
   s.a[k] = static_cast<std::uint8_t>(ia);
   s.b[k] = static_cast<std::uint8_t>(ib);
-  s.w[k] = a.vertices[ia] - (x.rotation * b.vertices[ib] + x.translation);
+  s.w[k] = pair.a.vertices[ia] - (x.rotation * pair.b.vertices[ib] + x.translation);
 }
 
-void start(const HullView& a, const HullView& b, const RelativePose& x, const GjkCache& cache,
-           Simplex& s) {
+void start(const HullPair& pair, const GjkCache& cache, Simplex& s) {
+  const HullView &a = pair.a, &b = pair.b;
+  const RelativePose& x = pair.a_from_b;
   s.n = 0;
   // A cache may come from a front that was rebuilt: indices that do not exist here are not an
   // error.
   for (int i = 0; i < cache.count && i < 4; ++i) {
     if (cache.a[i] < a.vertex_count && cache.b[i] < b.vertex_count)
-      set_point(a, b, x, cache.a[i], cache.b[i], s.n++, s);
+      set_point(pair, cache.a[i], cache.b[i], s.n++, s);
   }
   if (s.n > 0) return;
   const Vec3 toward = x.rotation * b.center + x.translation - a.center;
-  set_point(a, b, x, support_vertex(a, toward),
-            support_vertex(b, -(x.rotation.transpose() * toward)), 0, s);
+  set_point(pair, support_vertex(a, toward), support_vertex(b, -(x.rotation.transpose() * toward)),
+            0, s);
   s.n = 1;
 }
 
@@ -99,7 +100,9 @@ void finish(const HullView& a, const Simplex& s, const Vec3& v, Separation& out,
 }
 
 // Rounding of a point of the difference; below it the sign of the separation means nothing.
-double rounding_noise(const HullView& a, const HullView& b, const RelativePose& x) {
+double rounding_noise(const HullPair& pair) {
+  const HullView &a = pair.a, &b = pair.b;
+  const RelativePose& x = pair.a_from_b;
   return 0x1.0p-51 * (a.center.lpNorm<1>() + b.center.lpNorm<1>() + x.translation.lpNorm<1>() +
                       a.radius + b.radius);
 }
@@ -128,10 +131,17 @@ struct Limits {
 
 enum class Verdict : std::uint8_t { goes_on, optimal, stalled, overlapping, far_enough };
 
+// Bounds of the distance, times v's length.
+struct Bounds {
+  double low = 0.0;  // v . w of the support point w
+  double gap = 0.0;  // upper minus lower
+};
+
 // One turn: nearest point, proofs that it is the answer, else the support point as a candidate
-// (already in turn.simplex.w[n], not counted). gap is upper minus lower bound, times v's length.
-Verdict take_turn(const HullView& a, const HullView& b, const RelativePose& x, const Limits& limits,
-                  const Turn& previous, Turn& turn, double& vw, double& gap) {
+// (already in turn.simplex.w[n], not counted).
+Verdict take_turn(const HullPair& pair, const Limits& limits, const Turn& previous, Turn& turn,
+                  Bounds& bounds) {
+  const HullView &a = pair.a, &b = pair.b;
   Simplex& s = turn.simplex;
   turn.v = detail::reduce_to_nearest(s);
   turn.vv = turn.v.squaredNorm();
@@ -141,7 +151,7 @@ Verdict take_turn(const HullView& a, const HullView& b, const RelativePose& x, c
     return Verdict::stalled;
   }
   const double vv = turn.vv;
-  const Vec3 v_b = x.rotation.transpose() * turn.v;
+  const Vec3 v_b = pair.a_from_b.rotation.transpose() * turn.v;
   const Feature f = feature_of(s);
   const std::uint32_t maybe_a = detail::support_candidates(a, s.a[0], -turn.v);
   const std::uint32_t maybe_b = detail::support_candidates(b, s.b[0], v_b);
@@ -149,9 +159,9 @@ Verdict take_turn(const HullView& a, const HullView& b, const RelativePose& x, c
   const int ia = detail::support_vertex_among(a, maybe_a, -turn.v);
   const int ib = detail::support_vertex_among(b, maybe_b, v_b);
   const int k = s.n;
-  set_point(a, b, x, ia, ib, k, s);
-  vw = turn.v.dot(s.w[k]);
-  gap = vv - vw;
+  set_point(pair, ia, ib, k, s);
+  const double vw = turn.v.dot(s.w[k]), gap = vv - vw;
+  bounds = {vw, gap};
   if (vw > 0.0 && vw * vw > limits.stop2 * vv) return Verdict::far_enough;
   if (gap <= 0.0 ||
       gap * gap <= kRelativeGap * kRelativeGap * vv * std::max(vv, limits.size * limits.size))
@@ -166,31 +176,34 @@ namespace detail {
 Separation search_closest_points(const HullView& a, const HullView& b, const RelativePose& x,
                                  double stop, GjkCache& cache) noexcept {
   Separation out;
-  const double noise = rounding_noise(a, b, x);
+  const HullPair pair{a, b, x};
+  const double noise = rounding_noise(pair);
   const Limits limits{a.radius + b.radius, noise * noise, stop > 0.0 ? stop * stop : 0.0};
   Turn turn, previous;
-  start(a, b, x, cache, turn.simplex);
-  double vw = 0.0, gap = 0.0, lower = 0.0;
+  start(pair, cache, turn.simplex);
+  Bounds bounds;
+  double lower = 0.0;
   Verdict verdict = Verdict::goes_on;
   for (out.iterations = 1;; ++out.iterations) {
-    verdict = take_turn(a, b, x, limits, previous, turn, vw, gap);
+    verdict = take_turn(pair, limits, previous, turn, bounds);
     if (verdict == Verdict::goes_on && out.iterations >= kMaxIterations) verdict = Verdict::stalled;
     if (verdict != Verdict::goes_on) break;
-    if (vw > 0.0) lower = std::max(lower, vw / std::sqrt(turn.vv));
+    if (bounds.low > 0.0) lower = std::max(lower, bounds.low / std::sqrt(turn.vv));
     previous = turn;
     ++turn.simplex.n;
   }
   finish(a, turn.simplex, turn.v, out, cache);
   const double distance = std::sqrt(turn.vv);
-  const bool open =
-      verdict == Verdict::stalled && gap > kStalledGap * distance * std::max(distance, limits.size);
+  const bool open = verdict == Verdict::stalled &&
+                    bounds.gap > kStalledGap * distance * std::max(distance, limits.size);
   out.status = open ? GjkStatus::gave_up : GjkStatus::separated;
   out.distance = open ? lower : distance;
   if (verdict == Verdict::overlapping) {
     out.status = GjkStatus::overlapping;
     out.distance = 0.0;
   }
-  if (verdict == Verdict::far_enough && gap > kRelativeGap * turn.vv) out.distance = vw / distance;
+  if (verdict == Verdict::far_enough && bounds.gap > kRelativeGap * turn.vv)
+    out.distance = bounds.low / distance;
   return out;
 }
 

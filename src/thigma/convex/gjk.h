@@ -18,18 +18,23 @@ struct RelativePose {
 
 RelativePose relative_pose(const Pose& world_from_a, const Pose& world_from_b) noexcept;
 
+/// Two hulls and where the second is [frame of a].
+struct HullPair {
+  const HullView& a;
+  const HullView& b;
+  const RelativePose& a_from_b;
+};
+
 /// What a pair remembers between calls. Makes calls fast; results of separation queries do not
-/// depend on it (beyond rounding). Zero-initialised means "nothing known". 16 bytes: fronts hold
-/// one a node pair.
-struct GjkCache {
+/// depend on it (beyond rounding). Zero-initialised means "nothing known". Fronts hold one a node
+/// pair.
+struct alignas(4) GjkCache {
   std::uint8_t a[4] = {0, 0, 0, 0};  // support vertices of the last simplex
   std::uint8_t b[4] = {0, 0, 0, 0};
   std::uint8_t count = 0;  // of the simplex, 0..4
   // count if hull vertices that support both hulls can only combine to points of the simplex, else
   // 0: such a simplex is proven to be the answer by the vertices outside it alone.
   std::uint8_t provable = 0;
-  std::uint8_t pad[2] = {0, 0};
-  float axis_scale = 0.0f;  // reserved for a cached separating axis of the front
 };
 
 enum class GjkStatus : std::uint8_t {

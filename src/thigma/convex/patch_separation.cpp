@@ -138,8 +138,9 @@ double plane_gap(const PlacedTriangle& t, const PlacedTriangle& other) {
 // All triangle pairs of two patches.
 class TrianglePairs {
  public:
-  TrianglePairs(const HullView& a, const HullView& b, const RelativePose& x)
-      : a_(a), b_(b), origin_(a.center) {
+  explicit TrianglePairs(const HullPair& pair) : a_(pair.a), b_(pair.b), origin_(pair.a.center) {
+    const HullView &a = pair.a, &b = pair.b;
+    const RelativePose& x = pair.a_from_b;
     place_corners(a, origin_, a_.corners);
     place_corners(b, x, origin_, b_.corners);
     size_ = a.radius + b.radius + (x.rotation * b.center + x.translation - origin_).lpNorm<1>();
@@ -330,11 +331,11 @@ void remember(const PatchSeparation& found, TriangleHint& hint) {
 
 }  // namespace
 
-PatchSeparation triangle_separation(const HullView& a, const HullView& b, const RelativePose& x,
-                                    double stop, bool disjoint, TriangleHint& hint) noexcept {
+PatchSeparation triangle_separation(const HullPair& pair, double stop, bool disjoint,
+                                    TriangleHint& hint) noexcept {
   PatchSeparation out;
   out.distance = std::nextafter(stop, kInfinity);
-  TrianglePairs pairs(a, b, x);
+  TrianglePairs pairs(pair);
   if (!pairs.has_triangles()) return out;
   if (disjoint || !pairs.intersect(out)) pairs.measure(stop, hint, out);
   remember(out, hint);
@@ -342,24 +343,22 @@ PatchSeparation triangle_separation(const HullView& a, const HullView& b, const 
   return out;
 }
 
-bool triangles_pierce(const HullView& a, const HullView& b, const RelativePose& x,
-                      TriangleHint& hint, PatchSeparation& out) noexcept {
+bool triangles_pierce(const HullPair& pair, TriangleHint& hint, PatchSeparation& out) noexcept {
   out = {};
-  TrianglePairs pairs(a, b, x);
+  TrianglePairs pairs(pair);
   hint.meet = pairs.has_triangles() && pairs.intersect(out);
   if (hint.meet) remember(out, hint);
   return hint.meet;
 }
 
-PatchSeparation patch_separation(const HullView& a, const HullView& b, const RelativePose& x,
-                                 double stop, GjkCache& cache) noexcept {
+PatchSeparation patch_separation(const HullPair& pair, double stop, GjkCache& cache) noexcept {
   PatchSeparation out;
-  const Separation hulls = closest_points(a, b, x, stop, cache);
+  const Separation hulls = closest_points(pair.a, pair.b, pair.a_from_b, stop, cache);
   out.distance = hulls.distance;
   if (hulls.distance > stop) return out;
   if (hulls.status == GjkStatus::separated) {
-    out.triangle_a = triangle_holding(a, hulls.feature_a);
-    out.triangle_b = triangle_holding(b, hulls.feature_b);
+    out.triangle_a = triangle_holding(pair.a, hulls.feature_a);
+    out.triangle_b = triangle_holding(pair.b, hulls.feature_b);
     if (out.triangle_a >= 0 && out.triangle_b >= 0) {
       out.point_a = hulls.witness_a;
       out.point_b = hulls.witness_b;
@@ -370,7 +369,7 @@ PatchSeparation patch_separation(const HullView& a, const HullView& b, const Rel
   }
   // Triangles of disjoint hulls do not intersect.
   TriangleHint none;
-  out = triangle_separation(a, b, x, stop, hulls.status == GjkStatus::separated, none);
+  out = triangle_separation(pair, stop, hulls.status == GjkStatus::separated, none);
   out.distance = out.triangle_a < 0 ? std::max(hulls.distance, out.distance) : out.distance;
   return out;
 }

@@ -30,8 +30,7 @@ struct PatchSeparation {
 ///           [m]
 /// cache     of the hull pair
 /// Thread    [contact]; no failure, no allocation.
-PatchSeparation patch_separation(const HullView& a, const HullView& b, const RelativePose& a_from_b,
-                                 double stop, GjkCache& cache) noexcept;
+PatchSeparation patch_separation(const HullPair& pair, double stop, GjkCache& cache) noexcept;
 
 /// Two triangles, one of each patch, that may be the nearest, and whether triangles met; anything
 /// is valid.
@@ -47,14 +46,12 @@ struct TriangleHint {
 /// disjoint  the hulls are known not to overlap: triangles are not asked whether they pierce each
 ///           other
 /// hint      read to leave out pairs sooner, and set to the pair found
-PatchSeparation triangle_separation(const HullView& a, const HullView& b,
-                                    const RelativePose& a_from_b, double stop, bool disjoint,
+PatchSeparation triangle_separation(const HullPair& pair, double stop, bool disjoint,
                                     TriangleHint& hint) noexcept;
 
 /// Only whether triangles of the two pierce each other: true exactly where triangle_separation, for
 /// hulls not known to be disjoint, finds that, and then `out` is its answer. For a caller who
 /// expects it and saves the look at the hulls.
-bool triangles_pierce(const HullView& a, const HullView& b, const RelativePose& a_from_b,
-                      TriangleHint& hint, PatchSeparation& out) noexcept;
+bool triangles_pierce(const HullPair& pair, TriangleHint& hint, PatchSeparation& out) noexcept;
 
 }  // namespace thigma

@@ -15,7 +15,7 @@ namespace {
 
 // Sine of the angle by which both backs must face each other, and cosine of that between the line
 // of the closest points and the way out, for the overlap to count fully. Smaller makes the turn
-// from "beside" to "through" faster than the motion: depth * normal then changes by more than 4
+// from grazing to through faster than the motion: depth * normal then changes by more than 4
 // times the step.
 constexpr double kFullyThrough = 0.9;
 
@@ -57,9 +57,9 @@ void report_overlap(const PlacedPair& p, const Vec3& n, const Vec3& middle, Pair
   out.status = status_of(p, out.depth);
 }
 
-// A pair whose backs face each other turns from beside to through: from minus the separation along
+// A pair whose backs face each other turns from grazing to through: from minus the separation along
 // the direction between the closest points to the overlap, as far as that direction opposes the way
-// out. Beside each other the first is right, one above the other the second; where one took over,
+// out. Side by side the first is right, one above the other the second; where one took over,
 // depth times normal would jump by the distance of the patches.
 void report_turning(const PlacedPair& p, const PatchSeparation& gap, double back,
                     const WayOut& way_out, PairContact& out) {
@@ -75,13 +75,12 @@ void report_turning(const PlacedPair& p, const PatchSeparation& gap, double back
   out.depth = through * way_out.overlap - (1.0 - through) * gap.distance;
   out.witness_a = middle + 0.5 * out.depth * out.normal;
   out.witness_b = middle - 0.5 * out.depth * out.normal;
-  out.status = out.depth > 0.0 ? status_of(p, out.depth) : PairContactStatus::beside;
+  out.status = out.depth > 0.0 ? status_of(p, out.depth) : PairContactStatus::grazing;
 }
 
-void report_penetration(const HullView& a, const HullView& b, const RelativePose& x,
-                        const PatchSeparation& gap, double back, const Vec3* last,
-                        PairContact& out) {
-  const PlacedPair p(a, b, x);
+void report_penetration(const HullPair& pair, const PatchSeparation& gap, double back,
+                        const Vec3* last, PairContact& out) {
+  const PlacedPair p(pair);
   if (gap.intersecting) return report_overlap(p, least_overlap(p, last).normal, gap.point_a, out);
   // A remembered direction is one of overlap; while turning it would drift with the closest points.
   report_turning(p, gap, back, least_overlap(p, nullptr), out);
@@ -89,32 +88,29 @@ void report_penetration(const HullView& a, const HullView& b, const RelativePose
 
 }  // namespace
 
-double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& b,
-                    std::uint32_t feature_b, const RelativePose& x,
+double backs_facing(const HullPair& pair, std::uint32_t feature_a, std::uint32_t feature_b,
                     const Vec3& direction) noexcept {
-  const double of_a = back_facing(a, feature_a, direction);
-  return of_a > 0.0
-             ? std::min(of_a, back_facing(b, feature_b, -(x.rotation.transpose() * direction)))
-             : of_a;
+  const double of_a = back_facing(pair.a, feature_a, direction);
+  if (!(of_a > 0.0)) return of_a;
+  const Vec3 back = -(pair.a_from_b.rotation.transpose() * direction);
+  return std::min(of_a, back_facing(pair.b, feature_b, back));
 }
 
-PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& x,
-                         double tolerance, GjkCache& cache, const Vec3* last_normal,
-                         const SegmentProbe& probe) noexcept {
-  return pair_contact(a, b, x, tolerance, patch_separation(a, b, x, tolerance, cache), last_normal,
+PairContact pair_contact(const HullPair& pair, double tolerance, GjkCache& cache,
+                         const Vec3* last_normal, const SegmentProbe& probe) noexcept {
+  return pair_contact(pair, tolerance, patch_separation(pair, tolerance, cache), last_normal,
                       probe);
 }
 
-PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& x,
-                         double tolerance, const PatchSeparation& gap, const Vec3* last_normal,
-                         const SegmentProbe& probe) noexcept {
+PairContact pair_contact(const HullPair& pair, double tolerance, const PatchSeparation& gap,
+                         const Vec3* last_normal, const SegmentProbe& probe) noexcept {
   PairContact out;
   out.triangle_pairs = static_cast<std::int16_t>(gap.triangle_pairs);
   out.separation = gap.distance;
   out.depth = -gap.distance;
   if (gap.distance > tolerance) return out;
   if (gap.intersecting) {
-    report_penetration(a, b, x, gap, 1.0, last_normal, out);
+    report_penetration(pair, gap, 1.0, last_normal, out);
     return out;
   }
   out.status = PairContactStatus::separated;
@@ -123,12 +119,12 @@ PairContact pair_contact(const HullView& a, const HullView& b, const RelativePos
   out.feature_a = gap.feature_a;
   out.feature_b = gap.feature_b;
   out.normal = (gap.point_b - gap.point_a) / gap.distance;
-  const double back = backs_facing(a, gap.feature_a, b, gap.feature_b, x, out.normal);
+  const double back = backs_facing(pair, gap.feature_a, gap.feature_b, out.normal);
   if (!(back > 0.0)) return out;
   out.backs_facing = true;
   if (probe.separates != nullptr && probe.separates(probe.context, gap.point_a, gap.point_b))
     return out;
-  report_penetration(a, b, x, gap, back, last_normal, out);
+  report_penetration(pair, gap, back, last_normal, out);
   return out;
 }
 

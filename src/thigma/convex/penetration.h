@@ -29,7 +29,7 @@ enum class PairContactStatus : std::uint8_t {
   penetrating,  // depth is the overlap along normal, at most half the thickness of the thinner
                 // patch
   deep,         // the same, beyond that: see pair_contact
-  beside,       // through, but still mostly beside each other: depth <= 0, between minus the
+  grazing,      // through, but still mostly side by side: depth <= 0, between minus the
                 // separation and the overlap
 };
 
@@ -49,14 +49,13 @@ struct PairContact {
 
 /// How far the backs of two patches face each other: the least sine by which the direction from the
 /// closest point of a to that of b lies behind the real faces that hold the points. > 0: only
-/// pair_contact, with its probe, can tell through from beside. A caller with a faster way to
+/// pair_contact, with its probe, can tell through from side by side. A caller with a faster way to
 /// closest points asks this before it calls a pair separated.
 ///
 /// feature_a, feature_b  masks of the hull vertices that span the closest features
 /// direction             unit, from the closest point of a to that of b [frame of a]
 /// Thread                [contact]; no failure, no allocation.
-double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& b,
-                    std::uint32_t feature_b, const RelativePose& a_from_b,
+double backs_facing(const HullPair& pair, std::uint32_t feature_a, std::uint32_t feature_b,
                     const Vec3& direction) noexcept;
 
 /// Contact of two finest patches: original triangles, not hulls, decide.
@@ -77,11 +76,11 @@ double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& 
 /// the face beyond (RealEdge), at least 17 degrees outwards. Depth is 0 at touch from the front,
 /// and depth * normal is continuous there.
 ///
-/// Beside. A pair that is through, with its closest points far apart sideways, turns gradually, in
+/// Grazing. A pair that is through, with its closest points far apart sideways, turns gradually, in
 /// proportion to how far the line between the points opposes that direction: depth goes from minus
 /// the separation to the overlap, normal from the direction between the points to the allowed one,
 /// witnesses lie on both sides of the middle of the points. While depth <= 0 its status is
-/// `beside`.
+/// `grazing`.
 ///
 /// Deep. depth exceeds half the thickness of the thinner patch: overlap and direction are reported
 /// as above, but the patch alone no longer bounds the way out; a caller with memory keeps
@@ -92,8 +91,7 @@ double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& 
 /// its front comes within the tolerance of the other's back (about to leave), the pair is separated
 /// and pushes it back in.
 ///
-/// a, b         views with faces, edges and triangles
-/// a_from_b     relative pose
+/// pair         views with faces, edges and triangles
 /// tolerance    d: pairs with a larger separation are `apart` [m]
 /// cache        of the pair, read and written; results do not depend on it beyond rounding
 /// last_normal  null, or the normal this pair reported last, frame of a: among directions within
@@ -105,14 +103,12 @@ double backs_facing(const HullView& a, std::uint32_t feature_a, const HullView& 
 /// Thread       [contact]; no failure, no allocation. Without last_normal the result is a function
 ///              of the pose.
 /// Source       Sec. 3.4.2 asks for the local penetration; the contract is this project's.
-PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& a_from_b,
-                         double tolerance, GjkCache& cache, const Vec3* last_normal,
-                         const SegmentProbe& probe) noexcept;
+PairContact pair_contact(const HullPair& pair, double tolerance, GjkCache& cache,
+                         const Vec3* last_normal, const SegmentProbe& probe) noexcept;
 
 /// The same for a caller that has measured the triangles: `gap` is patch_separation of the two with
 /// `tolerance` as its stop.
-PairContact pair_contact(const HullView& a, const HullView& b, const RelativePose& a_from_b,
-                         double tolerance, const PatchSeparation& gap, const Vec3* last_normal,
-                         const SegmentProbe& probe) noexcept;
+PairContact pair_contact(const HullPair& pair, double tolerance, const PatchSeparation& gap,
+                         const Vec3* last_normal, const SegmentProbe& probe) noexcept;
 
 }  // namespace thigma

@@ -16,9 +16,9 @@ namespace thigma {
 namespace {
 
 void set_plane(const Quickhull& hull, GrowingFace& face) {
-  const Vec3& a = hull.points[at(face.corner[0])];
-  const Vec3& b = hull.points[at(face.corner[1])];
-  const Vec3& c = hull.points[at(face.corner[2])];
+  const Vec3& a = hull.points[idx(face.corner[0])];
+  const Vec3& b = hull.points[idx(face.corner[1])];
+  const Vec3& c = hull.points[idx(face.corner[2])];
   const Vec3 cross = (b - a).cross(c - a);
   const double length = cross.norm();
   face.normal = Vec3::Zero();
@@ -31,7 +31,7 @@ double height_over(const GrowingFace& face, const Vec3& p) {
 }
 
 void keep_outside(Quickhull& hull, GrowingFace& face, std::int32_t point, double height) {
-  hull.next[at(point)] = face.first_outside;
+  hull.next[idx(point)] = face.first_outside;
   face.first_outside = point;
   if (height > face.farthest_height) {
     face.farthest_height = height;
@@ -45,14 +45,14 @@ bool assign(Quickhull& hull, std::int32_t point, std::span<const std::int32_t> f
   double best_height = hull.tolerance;
   std::int32_t best = -1;
   for (const std::int32_t i : faces) {
-    const double height = height_over(hull.faces[at(i)], hull.points[at(point)]);
+    const double height = height_over(hull.faces[idx(i)], hull.points[idx(point)]);
     if (height > best_height) {
       best_height = height;
       best = i;
     }
   }
   if (best < 0) return false;
-  keep_outside(hull, hull.faces[at(best)], point, best_height);
+  keep_outside(hull, hull.faces[idx(best)], point, best_height);
   return true;
 }
 
@@ -61,7 +61,7 @@ bool assign(Quickhull& hull, std::int32_t point, std::span<const std::int32_t> f
 void assign_anywhere(Quickhull& hull, std::int32_t point) {
   for (std::size_t i = 0; i < hull.faces.size(); ++i) {
     if (!hull.faces[i].is_alive) continue;
-    const double height = height_over(hull.faces[i], hull.points[at(point)]);
+    const double height = height_over(hull.faces[i], hull.points[idx(point)]);
     if (height <= hull.tolerance) continue;
     keep_outside(hull, hull.faces[i], point, height);
     return;
@@ -70,25 +70,26 @@ void assign_anywhere(Quickhull& hull, std::int32_t point) {
 
 /// For a point that is over its face by rounding alone.
 void release_farthest(Quickhull& hull, std::int32_t index) {
-  GrowingFace& face = hull.faces[at(index)];
+  GrowingFace& face = hull.faces[idx(index)];
   const std::int32_t released = face.farthest;
   std::int32_t point = face.first_outside;
   face.first_outside = -1;
   face.farthest = -1;
   face.farthest_height = 0.0;
   while (point >= 0) {
-    const std::int32_t following = hull.next[at(point)];
+    const std::int32_t following = hull.next[idx(point)];
     if (point != released)
-      keep_outside(hull, face, point, height_over(face, hull.points[at(point)]));
+      keep_outside(hull, face, point, height_over(face, hull.points[idx(point)]));
     point = following;
   }
   // Only to faces that see it exactly, lest it wander between slivers for ever.
   for (std::size_t i = 0; i < hull.faces.size(); ++i) {
     const auto& v = hull.faces[i].corner;
     if (!hull.faces[i].is_alive || static_cast<std::int32_t>(i) == index) continue;
-    const double height = height_over(hull.faces[i], hull.points[at(released)]);
-    if (height <= hull.tolerance || orient3d(hull.points[at(v[0])], hull.points[at(v[1])],
-                                             hull.points[at(v[2])], hull.points[at(released)]) <= 0)
+    const double height = height_over(hull.faces[i], hull.points[idx(released)]);
+    if (height <= hull.tolerance ||
+        orient3d(hull.points[idx(v[0])], hull.points[idx(v[1])], hull.points[idx(v[2])],
+                 hull.points[idx(released)]) <= 0)
       continue;
     keep_outside(hull, hull.faces[i], released, height);
     return;
@@ -98,13 +99,13 @@ void release_farthest(Quickhull& hull, std::int32_t index) {
 /// Marks the faces that the point sees, from one of them, as not alive and lists them.
 void collect_visible(Quickhull& hull, std::int32_t seed, const Vec3& p) {
   hull.visible.assign(1, seed);
-  hull.faces[at(seed)].is_alive = false;
+  hull.faces[idx(seed)].is_alive = false;
   for (std::size_t i = 0; i < hull.visible.size(); ++i) {
-    for (const std::int32_t other : hull.faces[at(hull.visible[i])].neighbor) {
-      GrowingFace& face = hull.faces[at(other)];
+    for (const std::int32_t other : hull.faces[idx(hull.visible[i])].neighbor) {
+      GrowingFace& face = hull.faces[idx(other)];
       if (!face.is_alive) continue;
       const auto& v = face.corner;
-      if (orient3d(hull.points[at(v[0])], hull.points[at(v[1])], hull.points[at(v[2])], p) <= 0)
+      if (orient3d(hull.points[idx(v[0])], hull.points[idx(v[1])], hull.points[idx(v[2])], p) <= 0)
         continue;
       face.is_alive = false;
       hull.visible.push_back(other);
@@ -117,20 +118,20 @@ void close_hole(Quickhull& hull, std::int32_t point) {
   hull.fresh.clear();
   for (const std::int32_t seen : hull.visible) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::int32_t outer = hull.faces[at(seen)].neighbor[i];
-      if (!hull.faces[at(outer)].is_alive) continue;
+      const std::int32_t outer = hull.faces[idx(seen)].neighbor[i];
+      if (!hull.faces[idx(outer)].is_alive) continue;
       const auto index = static_cast<std::int32_t>(hull.faces.size());
       GrowingFace face;
-      face.corner = {hull.faces[at(seen)].corner[i], hull.faces[at(seen)].corner[(i + 1) % 3],
+      face.corner = {hull.faces[idx(seen)].corner[i], hull.faces[idx(seen)].corner[(i + 1) % 3],
                      point};
       face.neighbor[0] = outer;
       face.is_alive = true;
       set_plane(hull, face);
-      GrowingFace& beyond = hull.faces[at(outer)];
+      GrowingFace& beyond = hull.faces[idx(outer)];
       for (std::size_t k = 0; k < 3; ++k)
         if (beyond.corner[k] == face.corner[1] && beyond.corner[(k + 1) % 3] == face.corner[0])
           beyond.neighbor[k] = index;
-      hull.face_behind[at(face.corner[0])] = index;
+      hull.face_behind[idx(face.corner[0])] = index;
       hull.fresh.push_back(index);
       hull.faces.push_back(face);
     }
@@ -138,32 +139,32 @@ void close_hole(Quickhull& hull, std::int32_t point) {
   // The new faces are marked alive above, yet none of them is a neighbour of a seen face: the rim
   // is complete.
   for (const std::int32_t index : hull.fresh) {
-    const std::int32_t following = hull.face_behind[at(hull.faces[at(index)].corner[1])];
-    hull.faces[at(index)].neighbor[1] = following;
-    hull.faces[at(following)].neighbor[2] = index;
+    const std::int32_t following = hull.face_behind[idx(hull.faces[idx(index)].corner[1])];
+    hull.faces[idx(index)].neighbor[1] = following;
+    hull.faces[idx(following)].neighbor[2] = index;
   }
 }
 
 void add_farthest(Quickhull& hull, std::int32_t index) {
-  const std::int32_t point = hull.faces[at(index)].farthest;
-  const auto v = hull.faces[at(index)].corner;
-  if (orient3d(hull.points[at(v[0])], hull.points[at(v[1])], hull.points[at(v[2])],
-               hull.points[at(point)]) <= 0) {
+  const std::int32_t point = hull.faces[idx(index)].farthest;
+  const auto v = hull.faces[idx(index)].corner;
+  if (orient3d(hull.points[idx(v[0])], hull.points[idx(v[1])], hull.points[idx(v[2])],
+               hull.points[idx(point)]) <= 0) {
     release_farthest(hull, index);
     return;
   }
-  collect_visible(hull, index, hull.points[at(point)]);
+  collect_visible(hull, index, hull.points[idx(point)]);
   close_hole(hull, point);
   hull.vertices.push_back(point);
   for (const std::int32_t seen : hull.visible) {
-    std::int32_t orphan = hull.faces[at(seen)].first_outside;
+    std::int32_t orphan = hull.faces[idx(seen)].first_outside;
     while (orphan >= 0) {
-      const std::int32_t following = hull.next[at(orphan)];
+      const std::int32_t following = hull.next[idx(orphan)];
       if (orphan != point && !assign(hull, orphan, hull.fresh)) assign_anywhere(hull, orphan);
       orphan = following;
     }
-    hull.faces[at(seen)].first_outside = -1;
-    hull.faces[at(seen)].farthest = -1;
+    hull.faces[idx(seen)].first_outside = -1;
+    hull.faces[idx(seen)].farthest = -1;
   }
 }
 
@@ -192,12 +193,12 @@ void order_rim(Quickhull& hull, const Vec3& normal) {
     order[i] = static_cast<std::int32_t>(i);
   }
   std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    const Vec2 &p = flat[at(a)], &q = flat[at(b)];
+    const Vec2 &p = flat[idx(a)], &q = flat[idx(b)];
     if (p.x() != q.x()) return p.x() < q.x();
     return p.y() != q.y() ? p.y() < q.y() : a < b;
   });
   const auto turns_left = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
-    const Vec2 ab = flat[at(b)] - flat[at(a)], ac = flat[at(c)] - flat[at(a)];
+    const Vec2 ab = flat[idx(b)] - flat[idx(a)], ac = flat[idx(c)] - flat[idx(a)];
     return cross(ab, ac) > 0.0;
   };
   hull.rim.clear();
@@ -234,8 +235,8 @@ void grow_polygon(Quickhull& hull, int max_vertices) {
       while (stop < n && !is_used[stop]) ++stop;
       for (std::size_t i = start + 1; i < stop; ++i) {
         const double height =
-            height_over_segment(hull.points[at(hull.rim[i])], hull.points[at(hull.rim[start])],
-                                hull.points[at(hull.rim[stop % n])]);
+            height_over_segment(hull.points[idx(hull.rim[i])], hull.points[idx(hull.rim[start])],
+                                hull.points[idx(hull.rim[stop % n])]);
         if (height > best_height) {
           best_height = height;
           best = i;
@@ -253,15 +254,15 @@ void grow_polygon(Quickhull& hull, int max_vertices) {
 }
 
 void set_simplex(Quickhull& hull, std::array<std::int32_t, 4> v) {
-  const auto side = orient3d(hull.points[at(v[0])], hull.points[at(v[1])], hull.points[at(v[2])],
-                             hull.points[at(v[3])]);
+  const auto side = orient3d(hull.points[idx(v[0])], hull.points[idx(v[1])], hull.points[idx(v[2])],
+                             hull.points[idx(v[3])]);
   if (side > 0) std::swap(v[1], v[2]);
   // Face i leaves out corner i; with v[3] below v[0] v[1] v[2] all four turn outwards.
   constexpr std::int32_t corners[4][3] = {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
   for (const auto& c : corners) {
     GrowingFace face;
     for (std::size_t k = 0; k < 3; ++k) {
-      face.corner[k] = v[at(c[k])];
+      face.corner[k] = v[idx(c[k])];
       face.neighbor[k] = c[(k + 2) % 3];  // the face that leaves out the corner opposite this edge
     }
     face.is_alive = true;
@@ -300,21 +301,21 @@ void start_hull(Quickhull& hull, std::span<const Vec3> points, double relative_t
   (high - low).maxCoeff(&axis);
   const std::int32_t a = argmax(hull, [&](const Vec3& p) { return -p[axis]; });
   const std::int32_t b =
-      argmax(hull, [&](const Vec3& p) { return (p - hull.points[at(a)]).squaredNorm(); });
-  const Vec3 pa = hull.points[at(a)], ab = hull.points[at(b)] - pa;
+      argmax(hull, [&](const Vec3& p) { return (p - hull.points[idx(a)]).squaredNorm(); });
+  const Vec3 pa = hull.points[idx(a)], ab = hull.points[idx(b)] - pa;
   const double length = ab.norm();
   hull.dimension = 0;
   hull.vertices.assign(1, a);
   if (!(length > hull.tolerance)) return;
   const std::int32_t c =
       argmax(hull, [&](const Vec3& p) { return ab.cross(p - pa).squaredNorm(); });
-  const Vec3 across = ab.cross(hull.points[at(c)] - pa);
+  const Vec3 across = ab.cross(hull.points[idx(c)] - pa);
   hull.dimension = 1;
   hull.vertices.push_back(b);
   if (!(across.norm() > hull.tolerance * length)) return;
   const Vec3 normal = across.normalized();
   const std::int32_t d = argmax(hull, [&](const Vec3& p) { return std::fabs(normal.dot(p - pa)); });
-  const double thickness = std::fabs(normal.dot(hull.points[at(d)] - pa));
+  const double thickness = std::fabs(normal.dot(hull.points[idx(d)] - pa));
   hull.dimension = 2;
   if (!(thickness > hull.tolerance)) {
     order_rim(hull, normal);
@@ -366,25 +367,26 @@ double outside_distance(const Quickhull& hull) {
   const auto& points = hull.points;
   double largest = 0.0;
   const auto distance_to = [&](const Vec3& p, const GrowingFace& face) {
-    return point_triangle_distance(p, points[at(face.corner[0])], points[at(face.corner[1])],
-                                   points[at(face.corner[2])]);
+    return point_triangle_distance(p, points[idx(face.corner[0])], points[idx(face.corner[1])],
+                                   points[idx(face.corner[2])]);
   };
   for (const GrowingFace& face : hull.faces) {
     if (!face.is_alive) continue;
-    for (std::int32_t i = face.first_outside; i >= 0; i = hull.next[at(i)]) {
-      double distance = distance_to(points[at(i)], face);
+    for (std::int32_t i = face.first_outside; i >= 0; i = hull.next[idx(i)]) {
+      double distance = distance_to(points[idx(i)], face);
       for (std::size_t k = 0; k < hull.faces.size() && distance > largest; ++k)
-        if (hull.faces[k].is_alive && height_over(hull.faces[k], points[at(i)]) > 0.0)
-          distance = std::min(distance, distance_to(points[at(i)], hull.faces[k]));
+        if (hull.faces[k].is_alive && height_over(hull.faces[k], points[idx(i)]) > 0.0)
+          distance = std::min(distance, distance_to(points[idx(i)], hull.faces[k]));
       largest = std::max(largest, distance);
     }
   }
   for (const std::int32_t i : hull.rim) {  // dimension 2
     double distance = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < hull.vertices.size(); ++k)
-      distance = std::min(
-          distance, height_over_segment(points[at(i)], points[at(hull.vertices[k])],
-                                        points[at(hull.vertices[(k + 1) % hull.vertices.size()])]));
+      distance =
+          std::min(distance,
+                   height_over_segment(points[idx(i)], points[idx(hull.vertices[k])],
+                                       points[idx(hull.vertices[(k + 1) % hull.vertices.size()])]));
     largest = std::max(largest, distance);
   }
   return largest / hull.scale;
@@ -394,7 +396,7 @@ void list_outside(const Quickhull& hull, std::vector<std::int32_t>& points) {
   points.clear();
   for (const GrowingFace& face : hull.faces)
     if (face.is_alive)
-      for (std::int32_t i = face.first_outside; i >= 0; i = hull.next[at(i)]) points.push_back(i);
+      for (std::int32_t i = face.first_outside; i >= 0; i = hull.next[idx(i)]) points.push_back(i);
   for (const std::int32_t i : hull.rim)
     if (std::find(hull.vertices.begin(), hull.vertices.end(), i) == hull.vertices.end())
       points.push_back(i);

@@ -8,7 +8,7 @@
 namespace thigma {
 
 /// i as an index of a container. i must not be negative.
-[[nodiscard]] constexpr std::size_t at(std::int32_t i) noexcept {
+[[nodiscard]] constexpr std::size_t idx(std::int32_t i) noexcept {
   return static_cast<std::size_t>(i);
 }
 

@@ -131,11 +131,12 @@ class BranchDepth final : public DepthBackend {
                  bool is_bounded) noexcept {
     for (const ProjectedTriangle& a : driver.triangles) {
       const PlaneBox fine{a.box.low + driver.sideways.low, a.box.high + driver.sideways.high};
-      if (!touch(fine, prepared_.box)) continue;
+      if (!overlap(fine, prepared_.box)) continue;
       const PlaneBox under{fine.low - other.sideways.high, fine.high - other.sideways.low};
       for (const ProjectedTriangle& b : other.triangles) {
-        if (touch(under, b.box))
-          pairs_.push_back(detail::make_texel_pair(driver, a, other, b, prepared_.box, is_bounded));
+        if (overlap(under, b.box))
+          pairs_.push_back(
+              detail::make_texel_pair({driver, a}, {other, b}, prepared_.box, is_bounded));
       }
     }
   }

@@ -13,15 +13,6 @@
 
 namespace thigma {
 
-/// One side of a contact: part of the coarse surface of a texture, in its place.
-struct TexturedPatch {
-  const HapticTexture* texture = nullptr;
-  std::span<const std::int32_t> triangles;  // of texture->coarse; belongs to the caller
-  Pose world_from_body;
-  std::span<const std::int32_t> around{};  // the triangles beside them: no part of the contact, but
-                                           // their fine surface may lie over `triangles`
-};
-
 /// A contact to refine, as collision detection between the coarse surfaces found it.
 struct DepthContact {
   TexturedPatch object, scene;
@@ -106,8 +97,6 @@ struct GridDepthParams {
   int resolution = 50;                  // samples along each axis of the common domain, 2..4096
   SpanWidth width = SpanWidth::widest;  // scalar is the reference; all give the same bits
   bool is_polished = true;  // climb from the best sample to the maximum near it, below texel size
-  // round depths to 16 bits over their range and do not polish, as the text's depth buffer does
-  bool is_16_bit = false;
 };
 
 /// At configurations moved within the plane the object's map is read shifted or turned instead of

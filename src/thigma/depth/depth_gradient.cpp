@@ -34,17 +34,25 @@ DepthGradient by_differences(const DepthSamples& s) noexcept {
   return gradient;
 }
 
+// A place of the maximum, with the surfaces there.
+struct MaximumPlace {
+  const SurfaceJet& object;
+  const SurfaceJet& scene;
+  const Vec2& at;
+  detail::NearTriangles near;  // where it was found
+};
+
 // Whether the maximum is held at a point by the end of a side's domain: the depth would still rise
 // beyond it.
-int edge_at(const GradientScratch& scratch, const SurfaceJet& object, const SurfaceJet& scene,
-            const Vec2& at, double texel, detail::NearTriangles near) noexcept {
+int edge_at(const GradientScratch& scratch, const MaximumPlace& place, double texel) noexcept {
   // Of the depth along the plane, as the search saw it: differences of texels take in what lies
   // beside a chart.
-  const Vec2 rising = object.facet_slope + scene.facet_slope;
+  const Vec2 rising = place.object.facet_slope + place.scene.facet_slope;
   const double length = rising.norm();
   if (!(length > 0.0)) return 0;
   constexpr double kBeyond = 0.25;  // of a texel: twice what the climb to the maximum leaves
-  const Vec2 beyond = at + (kBeyond * texel / length) * rising;
+  const Vec2 beyond = place.at + (kBeyond * texel / length) * rising;
+  detail::NearTriangles near = place.near;
   if (height_at(scratch.object, beyond, near.object) == kNoSurface) return -1;
   return height_at(scratch.scene, beyond, near.scene) == kNoSurface ? 1 : 0;
 }
@@ -52,20 +60,19 @@ int edge_at(const GradientScratch& scratch, const SurfaceJet& object, const Surf
 // At a maximum held by a crease of one side, such as the edge of a box, the slope that counts is
 // the other's: the one that changes less across the point. A side that ends within the step, as the
 // top of a box beside its wall, is the crease. Signs as of edge_at.
-int crease_at(const GradientScratch& scratch, const SurfaceJet& object, const SurfaceJet& scene,
-              const Vec2& at, double texel, detail::NearTriangles near) noexcept {
-  const Vec2 rising = object.slope + scene.slope;
+int crease_at(const GradientScratch& scratch, const MaximumPlace& place, double texel) noexcept {
+  const Vec2 rising = place.object.slope + place.scene.slope;
   const double length = rising.norm();
   if (!(length > 0.0)) return 0;
   const Vec2 step = (texel / length) * rising;
   const auto change = [&](const ProjectedPatch& patch, std::int32_t triangle) {
-    const SurfaceJet before = surface_jet(patch, at - step, triangle),
-                     after = surface_jet(patch, at + step, triangle);
+    const SurfaceJet before = surface_jet(patch, place.at - step, triangle),
+                     after = surface_jet(patch, place.at + step, triangle);
     return before.is_covered && after.is_covered ? (after.slope - before.slope).norm()
                                                  : std::numeric_limits<double>::infinity();
   };
-  const double of_object = change(scratch.object, near.object),
-               of_scene = change(scratch.scene, near.scene);
+  const double of_object = change(scratch.object, place.near.object),
+               of_scene = change(scratch.scene, place.near.scene);
   constexpr double kClearly = 2.0;  // less apart, neither is the crease
   if (of_object > kClearly * of_scene) return -1;
   return of_scene > kClearly * of_object ? 1 : 0;
@@ -91,10 +98,10 @@ DepthGradient by_envelope(const DepthContact& contact, const DepthSamples& sampl
     const SurfaceJet object = surface_jet(scratch.object, near->at, triangles.object);
     const SurfaceJet scene = surface_jet(scratch.scene, near->at, triangles.scene);
     if (!object.is_covered || !scene.is_covered) continue;
-    int edge = edge_at(scratch, object, scene, near->at, texel, triangles);
+    const MaximumPlace place{object, scene, near->at, triangles};
+    int edge = edge_at(scratch, place, texel);
     const SmoothPeak peak = smooth_peak(object, scene, texel);
-    if (edge == 0 && !peak.is_near)
-      edge = crease_at(scratch, object, scene, near->at, texel, triangles);
+    if (edge == 0 && !peak.is_near) edge = crease_at(scratch, place, texel);
     const DepthGradient here =
         gradient_at(edge == 0 && peak.is_near ? carried(object, peak.step) : object, sample.frame,
                     contact.centre, envelope_slope(object, scene, peak, edge));

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "thigma/depth/depth.h"
-#include "thigma/depth/detail/grid_steps.h"
+#include "thigma/depth/detail/grid_refinement.h"
 #include "thigma/depth/detail/near_maxima.h"
 
 namespace thigma {
@@ -36,9 +36,7 @@ class GridDepth final : public DepthBackend {
     const MapMaximum best = largest_sum(object_, scene_);
     if (best.column < 0) return;
     result.is_found = true;
-    const detail::DepthRounding rounding =
-        detail::depth_rounding(params_, params_.is_16_bit ? least_sum(best.sum) : 0.0f, best.sum);
-    detail::finish_depth(params_, prepared_, object_, scene_, grid, best, rounding, result);
+    detail::climb_to_maximum(params_, prepared_, {object_, scene_, grid}, best, result);
     result.is_height_field = detail::is_upright(prepared_, result.at);
     if (request.near > 0.0) {
       detail::collect_near(object_, scene_, grid, request.near, result);
@@ -46,21 +44,11 @@ class GridDepth final : public DepthBackend {
       result.near.push_back({result.at, 1.0});
     }
     if (!request.has_differences) return;
-    detail::choose_steps(contact, grid, request, result);
+    detail::choose_difference_steps(contact, grid, request, result);
     for (int i = 1; i < kConfigurations; ++i) {
       const float sum = moved_sum(contact, grid, i, result);
-      if (sum > kEmptySample) result.depth[static_cast<std::size_t>(i)] = rounding.rounded(sum);
+      if (sum > kEmptySample) result.depth[static_cast<std::size_t>(i)] = static_cast<double>(sum);
     }
-  }
-
-  // The least sum where both sides lie.
-  float least_sum(float largest) const noexcept {
-    float least = largest;
-    for (std::size_t i = 0; i < object_.heights.size(); ++i) {
-      const float sum = object_.heights[i] + scene_.heights[i];
-      if (sum > kEmptySample) least = std::min(least, sum);
-    }
-    return least;
   }
 
   float moved_sum(const DepthContact& contact, const MapGrid& grid, int configuration,

@@ -73,7 +73,7 @@ int last_index(double cells) noexcept {
 
 void render_triangle(const ProjectedPatch& patch, const ProjectedTriangle& t, const MapGrid& grid,
                      RaiseSpan raise, HeightMap& map) noexcept {
-  if (!touch(t.box, grid.box)) return;
+  if (!overlap(t.box, grid.box)) return;
   const Vec2 spacing = grid.spacing();
   const Vec2 first = grid.at(0, 0);
   const auto [bottom, top] = std::minmax({t.at[0].y(), t.at[1].y(), t.at[2].y()});

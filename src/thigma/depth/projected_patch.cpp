@@ -357,8 +357,8 @@ Corners corners_of(const ProjectedPatch& patch, const Vec3& shift, std::int32_t 
 
 // Whether a triangle lies over a box, or its fine surface may.
 bool may_reach(const ProjectedPatch& patch, const PlaneBox& box, const PlaneBox& over) noexcept {
-  return touch(box, over) ||
-         touch(box, {over.low - patch.sideways.high, over.high - patch.sideways.low});
+  return overlap(box, over) ||
+         overlap(box, {over.low - patch.sideways.high, over.high - patch.sideways.low});
 }
 
 Vec3 area_of(const Corners& c) noexcept { return (c.at[1] - c.at[0]).cross(c.at[2] - c.at[0]); }
@@ -411,11 +411,10 @@ ContactFrame contact_frame(const Vec3& origin, const Vec3& normal) noexcept {
   return frame;
 }
 
-void project_patch(const HapticTexture& texture, std::span<const std::int32_t> triangles,
-                   const Pose& world_from_body, const ContactFrame& frame, Facing facing,
-                   ProjectedPatch& patch, const PlaneBox& over,
-                   std::span<const std::int32_t> around) noexcept {
-  patch.texture = &texture;
+void project_patch(const TexturedPatch& side, const ContactFrame& frame, Facing facing,
+                   ProjectedPatch& patch, const PlaneBox& over) noexcept {
+  const Pose& world_from_body = side.world_from_body;
+  patch.texture = side.texture;
   patch.facing = facing;
   patch.triangles.clear();
   patch.around.clear();
@@ -424,11 +423,11 @@ void project_patch(const HapticTexture& texture, std::span<const std::int32_t> t
   const Mat3 world_from_axes = world_from_body.orientation.toRotationMatrix();
   patch.contact_from_body = frame.world_from_contact.transpose() * world_from_axes;
   patch.direction_body = sign_of(facing) * patch.contact_from_body.row(2).transpose();
-  patch.sideways = sideways_of(texture.pyramid.back().cells.front(), patch.contact_from_body);
+  patch.sideways = sideways_of(side.texture->pyramid.back().cells.front(), patch.contact_from_body);
   const Vec3 shift =
       frame.world_from_contact.transpose() * (world_from_body.position - frame.origin);
   ProjectedTriangle projected;
-  for (const std::int32_t index : triangles) {
+  for (const std::int32_t index : side.triangles) {
     const Corners corners = corners_of(patch, shift, index);
     if (!may_reach(patch, corners.box, over)) continue;
     if (is_hidden(patch, corners)) {
@@ -440,17 +439,17 @@ void project_patch(const HapticTexture& texture, std::span<const std::int32_t> t
     }
   }
   const PlaneBox own = intersection(patch.box, over);
-  for (const std::int32_t index : around) {
+  for (const std::int32_t index : side.around) {
     const Corners corners = corners_of(patch, shift, index);
     if (!may_reach(patch, corners.box, own) || is_hidden(patch, corners)) continue;
-    if (project_triangle(patch, corners, index, projected) && touch(projected.fine, own))
+    if (project_triangle(patch, corners, index, projected) && overlap(projected.fine, own))
       patch.around.push_back(projected);
   }
 }
 
 bool is_height_field(const ProjectedPatch& patch, const PlaneBox& over) noexcept {
   return std::none_of(patch.hidden.begin(), patch.hidden.end(),
-                      [&](const HiddenTriangle& hidden) { return touch(hidden.box, over); });
+                      [&](const HiddenTriangle& hidden) { return overlap(hidden.box, over); });
 }
 
 bool is_overhung(const ProjectedPatch& patch, const Vec2& at, double height,
@@ -458,7 +457,7 @@ bool is_overhung(const ProjectedPatch& patch, const Vec2& at, double height,
   const Vec2 around = Vec2::Constant(within);
   const PlaneBox over{at - around, at + around};
   return std::any_of(patch.hidden.begin(), patch.hidden.end(), [&](const HiddenTriangle& hidden) {
-    return hidden.highest > height + within && touch(hidden.box, over);
+    return hidden.highest > height + within && overlap(hidden.box, over);
   });
 }
 

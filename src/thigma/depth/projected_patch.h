@@ -44,7 +44,7 @@ inline PlaneBox intersection(const PlaneBox& a, const PlaneBox& b) noexcept {
 }
 
 /// Whether two closed boxes share a point.
-inline bool touch(const PlaneBox& a, const PlaneBox& b) noexcept {
+inline bool overlap(const PlaneBox& a, const PlaneBox& b) noexcept {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 
@@ -93,21 +93,26 @@ struct ProjectedPatch {
   PlaneBox box;       // of `triangles`
 };
 
-/// Projects triangles of a textured surface along the normal of a contact.
+/// One side of a contact: part of the coarse surface of a texture, in its place.
+struct TexturedPatch {
+  const HapticTexture* texture = nullptr;
+  std::span<const std::int32_t> triangles;  // of texture->coarse; belongs to the caller
+  Pose world_from_body;
+  std::span<const std::int32_t> around{};  // the triangles beside them: no part of the contact, but
+                                           // their fine surface may lie over `triangles`
+};
+
+/// Projects triangles of a textured surface along the normal of a contact; those without area are
+/// left out.
 ///
-/// triangles        indices into texture.coarse.triangles; triangles without area are left out
-/// world_from_body  pose of the surface
-/// over             triangles whose fine surface does not reach it are left out; `box` of the patch
-///                  is of the others
-/// patch            overwritten
-/// around           the triangles beside those, see ProjectedPatch
-/// Thread           [contact]; no failure; allocates when there are more triangles than ever
-///                  before.
-/// Source           Sec. 4.4.1, the mapping g^ of Eq. 4.9.
-void project_patch(const HapticTexture& texture, std::span<const std::int32_t> triangles,
-                   const Pose& world_from_body, const ContactFrame& frame, Facing facing,
-                   ProjectedPatch& patch, const PlaneBox& over = kWholePlane,
-                   std::span<const std::int32_t> around = {}) noexcept;
+/// side    the triangles, and those around them, see ProjectedPatch
+/// patch   overwritten
+/// over    triangles whose fine surface does not reach it are left out; `box` of the patch is of
+///         the others
+/// Thread  [contact]; no failure; allocates when there are more triangles than ever before.
+/// Source  Sec. 4.4.1, the mapping g^ of Eq. 4.9.
+void project_patch(const TexturedPatch& side, const ContactFrame& frame, Facing facing,
+                   ProjectedPatch& patch, const PlaneBox& over = kWholePlane) noexcept;
 
 /// A triangle of a patch by the index that height_at finds: of `triangles`, then of `around`.
 inline const ProjectedTriangle& projected_triangle(const ProjectedPatch& patch,

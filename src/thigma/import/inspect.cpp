@@ -45,10 +45,10 @@ struct Inspection {
 };
 
 Inspection begin_inspection(const TriangleMesh& mesh, MeshReport& report) {
-  Inspection in{mesh, report, build_edge_table(mesh), {}, {}};
-  in.components = connect_over_edges(mesh, in.table);
-  in.orientation = orient_sheets(mesh, in.table);
-  return in;
+  Inspection inspection{mesh, report, build_edge_table(mesh), {}, {}};
+  inspection.components = connect_over_edges(mesh, inspection.table);
+  inspection.orientation = orient_sheets(mesh, inspection.table);
+  return inspection;
 }
 
 struct ComponentState {
@@ -61,37 +61,37 @@ struct ComponentState {
   Vec3 min = Vec3::Zero(), max = Vec3::Zero();
 };
 
-std::vector<ComponentState> measure_components(const Inspection& in) {
-  std::vector<ComponentState> states(static_cast<std::size_t>(in.components.count));
-  for (std::size_t t = 0; t < in.mesh.triangles.size(); ++t) {
-    ComponentState& s = states[static_cast<std::size_t>(in.components.of_triangle[t])];
-    const Triangle& v = in.mesh.triangles[t];
+std::vector<ComponentState> measure_components(const Inspection& inspection) {
+  std::vector<ComponentState> states(static_cast<std::size_t>(inspection.components.count));
+  for (std::size_t t = 0; t < inspection.mesh.triangles.size(); ++t) {
+    ComponentState& s = states[static_cast<std::size_t>(inspection.components.of_triangle[t])];
+    const Triangle& v = inspection.mesh.triangles[t];
     const auto at = [&](std::size_t k) -> const Vec3& {
-      return in.mesh.positions[static_cast<std::size_t>(v[k])];
+      return inspection.mesh.positions[static_cast<std::size_t>(v[k])];
     };
     if (s.first_triangle < 0) {
       s.first_triangle = static_cast<std::int32_t>(t);
       s.min = s.max = at(0);
     }
     // About a vertex of the component itself: a small part far from the rest keeps its digits.
-    const Vec3& origin = in.mesh.positions[static_cast<std::size_t>(
-        in.mesh.triangles[static_cast<std::size_t>(s.first_triangle)][0])];
+    const Vec3& origin = inspection.mesh.positions[static_cast<std::size_t>(
+        inspection.mesh.triangles[static_cast<std::size_t>(s.first_triangle)][0])];
     const Vec3 twice_area = (at(1) - at(0)).cross(at(2) - at(0));
-    const double sign = in.orientation.is_flipped[t] ? -1.0 : 1.0;
+    const double sign = inspection.orientation.is_flipped[t] ? -1.0 : 1.0;
     s.volume += sign * (at(0) - origin).dot(twice_area) / 6.0;
     s.area += 0.5 * twice_area.norm();
-    s.is_consistent = s.is_consistent && !in.orientation.is_flipped[t];
-    const std::size_t sheet = static_cast<std::size_t>(in.orientation.sheet_of_triangle[t]);
-    s.is_orientable = s.is_orientable && in.orientation.is_orientable[sheet];
+    s.is_consistent = s.is_consistent && !inspection.orientation.is_flipped[t];
+    const std::size_t sheet = static_cast<std::size_t>(inspection.orientation.sheet_of_triangle[t]);
+    s.is_orientable = s.is_orientable && inspection.orientation.is_orientable[sheet];
     for (std::size_t k = 0; k < 3; ++k) {
       s.min = s.min.cwiseMin(at(k));
       s.max = s.max.cwiseMax(at(k));
     }
   }
-  for (const MeshEdge& e : in.table.edges) {
+  for (const MeshEdge& e : inspection.table.edges) {
     if (e.use_count != 1) continue;
-    const std::size_t t = static_cast<std::size_t>(in.table.uses_of(e)[0].triangle);
-    states[static_cast<std::size_t>(in.components.of_triangle[t])].is_closed = false;
+    const std::size_t t = static_cast<std::size_t>(inspection.table.uses_of(e)[0].triangle);
+    states[static_cast<std::size_t>(inspection.components.of_triangle[t])].is_closed = false;
   }
   return states;
 }
@@ -104,16 +104,16 @@ bool has_zero_volume(const ComponentState& s) {
 
 // Whether the component lies in another closed one: decided at the middle of a triangle that lies
 // on no other surface.
-bool lies_in_another(const Inspection& in, const InsideTest& test,
+bool lies_in_another(const Inspection& inspection, const InsideTest& test,
                      const std::vector<ComponentState>& states, std::int32_t component) {
   constexpr int kTries = 64;
   int tries = 0;
-  for (std::size_t t = 0; t < in.mesh.triangles.size() && tries < kTries; ++t) {
-    if (in.components.of_triangle[t] != component) continue;
+  for (std::size_t t = 0; t < inspection.mesh.triangles.size() && tries < kTries; ++t) {
+    if (inspection.components.of_triangle[t] != component) continue;
     ++tries;
     Vec3 middle = Vec3::Zero();
-    for (const std::int32_t v : in.mesh.triangles[t])
-      middle += in.mesh.positions[static_cast<std::size_t>(v)] / 3.0;
+    for (const std::int32_t v : inspection.mesh.triangles[t])
+      middle += inspection.mesh.positions[static_cast<std::size_t>(v)] / 3.0;
     const std::optional<std::vector<std::int32_t>> around =
         test.components_around(middle, component);
     if (!around) continue;
@@ -124,29 +124,31 @@ bool lies_in_another(const Inspection& in, const InsideTest& test,
   return false;
 }
 
-std::vector<std::int32_t> inside_out_components(const Inspection& in,
+std::vector<std::int32_t> inside_out_components(const Inspection& inspection,
                                                 const std::vector<ComponentState>& states) {
   std::vector<std::int32_t> negative;
-  for (std::int32_t c = 0; c < in.components.count; ++c) {
+  for (std::int32_t c = 0; c < inspection.components.count; ++c) {
     const ComponentState& s = states[static_cast<std::size_t>(c)];
     if (s.is_closed && s.is_orientable && s.is_consistent && s.volume < 0.0 &&
         !has_zero_volume(s)) {
       negative.push_back(c);
     }
   }
-  if (negative.empty() || in.components.count == 1) return negative;
-  const InsideTest test(in.mesh, in.components);
-  std::erase_if(negative, [&](std::int32_t c) { return lies_in_another(in, test, states, c); });
+  if (negative.empty() || inspection.components.count == 1) return negative;
+  const InsideTest test(inspection.mesh, inspection.components);
+  std::erase_if(negative,
+                [&](std::int32_t c) { return lies_in_another(inspection, test, states, c); });
   return negative;
 }
 
-void count_components(const Inspection& in, const std::vector<ComponentState>& states) {
+void count_components(const Inspection& inspection, const std::vector<ComponentState>& states) {
   for (const ComponentState& s : states) {
-    in.report.nonorientable_components += !s.is_orientable;
-    in.report.zero_volume_components += s.is_closed && s.is_orientable && has_zero_volume(s);
+    inspection.report.nonorientable_components += !s.is_orientable;
+    inspection.report.zero_volume_components +=
+        s.is_closed && s.is_orientable && has_zero_volume(s);
   }
-  in.report.inside_out_components =
-      static_cast<std::int64_t>(inside_out_components(in, states).size());
+  inspection.report.inside_out_components =
+      static_cast<std::int64_t>(inside_out_components(inspection, states).size());
 }
 
 // Components as repair will leave them, each face once and no fin. One that is closed only because
@@ -161,192 +163,197 @@ void count_distinct_components(const TriangleMesh& mesh, MeshReport& report) {
     distinct.triangles.push_back(mesh.triangles[static_cast<std::size_t>(faces.triangle[i])]);
     is_folded.push_back(faces.net[i] == 0);
   }
-  const Inspection in = begin_inspection(distinct, report);
-  std::vector<ComponentState> states = measure_components(in);
+  const Inspection inspection = begin_inspection(distinct, report);
+  std::vector<ComponentState> states = measure_components(inspection);
   std::vector<bool> is_all_folded(states.size(), true);
   for (std::size_t t = 0; t < is_folded.size(); ++t)
     if (!is_folded[t])
-      is_all_folded[static_cast<std::size_t>(in.components.of_triangle[t])] = false;
+      is_all_folded[static_cast<std::size_t>(inspection.components.of_triangle[t])] = false;
   for (std::size_t c = 0; c < states.size(); ++c) {
     if (!is_all_folded[c] || states[c].is_closed) continue;
     states[c].is_closed = true;
     states[c].volume = 0.0;
   }
-  count_components(in, states);
+  count_components(inspection, states);
 }
 
-void count_topology(Inspection& in) {
-  MeshReport& r = in.report;
-  for (const MeshEdge& e : in.table.edges) {
-    const std::span<const EdgeUse> uses = in.table.uses_of(e);
-    r.boundary_edges += uses.size() == 1;
-    r.nonmanifold_edges += uses.size() > 2;
-    r.misoriented_edges += uses.size() == 2 && uses[0].is_forward == uses[1].is_forward;
+void count_topology(Inspection& inspection) {
+  MeshReport& report = inspection.report;
+  for (const MeshEdge& e : inspection.table.edges) {
+    const std::span<const EdgeUse> uses = inspection.table.uses_of(e);
+    report.boundary_edges += uses.size() == 1;
+    report.nonmanifold_edges += uses.size() > 2;
+    report.misoriented_edges += uses.size() == 2 && uses[0].is_forward == uses[1].is_forward;
   }
-  const Fans fans = build_fans(in.mesh, in.table);
-  std::vector<std::int32_t> fan_of_vertex(in.mesh.positions.size(), -1);
-  std::vector<bool> is_pinched(in.mesh.positions.size(), false);
+  const Fans fans = build_fans(inspection.mesh, inspection.table);
+  std::vector<std::int32_t> fan_of_vertex(inspection.mesh.positions.size(), -1);
+  std::vector<bool> is_pinched(inspection.mesh.positions.size(), false);
   for (std::size_t c = 0; c < fans.of_corner.size(); ++c) {
-    const std::size_t v = static_cast<std::size_t>(in.mesh.triangles[c / 3][c % 3]);
+    const std::size_t v = static_cast<std::size_t>(inspection.mesh.triangles[c / 3][c % 3]);
     if (fan_of_vertex[v] < 0) fan_of_vertex[v] = fans.of_corner[c];
     if (fan_of_vertex[v] != fans.of_corner[c]) is_pinched[v] = true;
   }
-  r.nonmanifold_vertices = std::count(is_pinched.begin(), is_pinched.end(), true);
-  for (const std::int32_t first : find_duplicates(in.mesh)) r.duplicate_triangles += first >= 0;
-  for (const Triangle& t : in.mesh.triangles) {
+  report.nonmanifold_vertices = std::count(is_pinched.begin(), is_pinched.end(), true);
+  for (const std::int32_t first : find_duplicates(inspection.mesh))
+    report.duplicate_triangles += first >= 0;
+  for (const Triangle& t : inspection.mesh.triangles) {
     const auto at = [&](std::size_t k) -> const Vec3& {
-      return in.mesh.positions[static_cast<std::size_t>(t[k])];
+      return inspection.mesh.positions[static_cast<std::size_t>(t[k])];
     };
-    r.degenerate_triangles += are_collinear(at(0), at(1), at(2));
+    report.degenerate_triangles += are_collinear(at(0), at(1), at(2));
   }
-  r.closed = r.boundary_edges == 0;
-  r.manifold = r.nonmanifold_edges == 0 && r.nonmanifold_vertices == 0;
-  r.oriented = r.misoriented_edges == 0;
+  report.closed = report.boundary_edges == 0;
+  report.manifold = report.nonmanifold_edges == 0 && report.nonmanifold_vertices == 0;
+  report.oriented = report.misoriented_edges == 0;
 }
 
-void measure(Inspection& in) {
-  MeshReport& r = in.report;
-  const MassProperties mass = mass_properties(in.mesh);
-  r.area = mass.area;
-  if (r.closed && r.manifold && r.oriented) {
-    r.volume = mass.volume;
-    r.center_of_mass = mass.center_of_mass;
-    r.inertia = mass.inertia;
+void measure(Inspection& inspection) {
+  MeshReport& report = inspection.report;
+  const MassProperties mass = mass_properties(inspection.mesh);
+  report.area = mass.area;
+  if (report.closed && report.manifold && report.oriented) {
+    report.volume = mass.volume;
+    report.center_of_mass = mass.center_of_mass;
+    report.inertia = mass.inertia;
   }
 }
 
-void add_reasons(MeshReport& r) {
+void add_reasons(MeshReport& report) {
   const auto reject = [&](std::int64_t n, const char* tail_one, const char* tail_many) {
-    if (n > 0) r.reasons.push_back(counted(n, "component", "components", tail_one, tail_many));
+    if (n > 0) report.reasons.push_back(counted(n, "component", "components", tail_one, tail_many));
   };
-  reject(r.nonorientable_components, "cannot be oriented", "cannot be oriented");
-  reject(r.zero_volume_components, "is closed but has no volume", "are closed but have no volume");
-  const bool is_rejected = !r.reasons.empty();
+  reject(report.nonorientable_components, "cannot be oriented", "cannot be oriented");
+  reject(report.zero_volume_components, "is closed but has no volume",
+         "are closed but have no volume");
+  const bool is_rejected = !report.reasons.empty();
   const auto add = [&](std::int64_t n, const char* one, const char* many, const char* tail_one,
                        const char* tail_many) {
-    if (n > 0) r.reasons.push_back(counted(n, one, many, tail_one, tail_many));
+    if (n > 0) report.reasons.push_back(counted(n, one, many, tail_one, tail_many));
   };
-  add(r.duplicate_triangles, "triangle", "triangles", "repeats another", "repeat others");
-  add(r.nonmanifold_edges, "edge", "edges", "has three or more faces", "have three or more faces");
-  add(r.nonmanifold_vertices, "vertex", "vertices", "joins more than one fan of faces",
+  add(report.duplicate_triangles, "triangle", "triangles", "repeats another", "repeat others");
+  add(report.nonmanifold_edges, "edge", "edges", "has three or more faces",
+      "have three or more faces");
+  add(report.nonmanifold_vertices, "vertex", "vertices", "joins more than one fan of faces",
       "join more than one fan of faces");
-  add(r.misoriented_edges, "edge", "edges", "lies between faces of opposite orientation",
+  add(report.misoriented_edges, "edge", "edges", "lies between faces of opposite orientation",
       "lie between faces of opposite orientation");
-  add(r.inside_out_components, "closed component", "closed components", "is inside out",
+  add(report.inside_out_components, "closed component", "closed components", "is inside out",
       "are inside out");
-  add(r.unwelded_vertices, "vertex", "vertices", "nearly equals another along a crack",
+  add(report.unwelded_vertices, "vertex", "vertices", "nearly equals another along a crack",
       "nearly equal others along cracks");
-  r.verdict = is_rejected         ? MeshVerdict::rejected
-              : r.reasons.empty() ? MeshVerdict::usable
-                                  : MeshVerdict::repairable;
+  report.verdict = is_rejected              ? MeshVerdict::rejected
+                   : report.reasons.empty() ? MeshVerdict::usable
+                                            : MeshVerdict::repairable;
 }
 
-double shortest_edge(const Inspection& in) {
+double shortest_edge(const Inspection& inspection) {
   double shortest = std::numeric_limits<double>::infinity();
-  for (const MeshEdge& e : in.table.edges) {
-    const Vec3 d = in.mesh.positions[static_cast<std::size_t>(e.a)] -
-                   in.mesh.positions[static_cast<std::size_t>(e.b)];
+  for (const MeshEdge& e : inspection.table.edges) {
+    const Vec3 d = inspection.mesh.positions[static_cast<std::size_t>(e.a)] -
+                   inspection.mesh.positions[static_cast<std::size_t>(e.b)];
     shortest = std::min(shortest, d.norm());
   }
   return shortest;
 }
 
-void add_warnings(const Inspection& in) {
-  MeshReport& r = in.report;
-  if (!r.closed) {
-    r.warnings.push_back(
+void add_warnings(const Inspection& inspection) {
+  MeshReport& report = inspection.report;
+  if (!report.closed) {
+    report.warnings.push_back(
         "the surface is open: it has no volume, and its sides are those of its normals");
   }
-  if (r.self_intersections > 0) {
-    const char* at_least = r.self_intersections_counted ? "" : "at least ";
-    r.warnings.push_back(at_least +
-                         counted(r.self_intersections, "pair", "pairs",
-                                 "of triangles meets other than at shared vertices or edges",
-                                 "of triangles meet other than at shared vertices or edges"));
-    if (r.components > 1 && r.volume) {
-      r.warnings.push_back("where components overlap, volume and inertia count twice");
+  if (report.self_intersections > 0) {
+    const char* at_least = report.self_intersections_counted ? "" : "at least ";
+    report.warnings.push_back(at_least +
+                              counted(report.self_intersections, "pair", "pairs",
+                                      "of triangles meets other than at shared vertices or edges",
+                                      "of triangles meet other than at shared vertices or edges"));
+    if (report.components > 1 && report.volume) {
+      report.warnings.push_back("where components overlap, volume and inertia count twice");
     }
   }
-  if (r.degenerate_triangles > 0) {
-    r.warnings.push_back(
-        counted(r.degenerate_triangles, "triangle", "triangles", "has no area", "have no area") +
-        ", " + std::to_string(r.triangles_left_out) + " left out");
+  if (report.degenerate_triangles > 0) {
+    report.warnings.push_back(counted(report.degenerate_triangles, "triangle", "triangles",
+                                      "has no area", "have no area") +
+                              ", " + std::to_string(report.triangles_left_out) + " left out");
   }
-  const double shortest = shortest_edge(in);
-  if (shortest < 1e-6 * r.radius) {
-    r.warnings.push_back("the shortest edge is " + shown(shortest / r.radius) + " of the radius");
+  const double shortest = shortest_edge(inspection);
+  if (shortest < 1e-6 * report.radius) {
+    report.warnings.push_back("the shortest edge is " + shown(shortest / report.radius) +
+                              " of the radius");
   }
-  if (r.center.norm() > 1e4 * r.radius) {
-    r.warnings.push_back("the origin is " + shown(r.center.norm() / r.radius) +
-                         " radii away: positions have lost as many digits");
+  if (report.center.norm() > 1e4 * report.radius) {
+    report.warnings.push_back("the origin is " + shown(report.center.norm() / report.radius) +
+                              " radii away: positions have lost as many digits");
   }
-  const double extent = (r.bounds.max - r.bounds.min).maxCoeff();
+  const double extent = (report.bounds.max - report.bounds.min).maxCoeff();
   if (extent > 10.0) {
-    r.warnings.push_back("the extent is " + shown(extent) + " m: a file in mm needs --scale 0.001");
+    report.warnings.push_back("the extent is " + shown(extent) +
+                              " m: a file in mm needs --scale 0.001");
   } else if (extent < 1e-3) {
-    r.warnings.push_back("the extent is " + shown(extent) + " m: is the unit right?");
+    report.warnings.push_back("the extent is " + shown(extent) + " m: is the unit right?");
   }
 }
 
 // What must hold before anything can be computed; false with its reason otherwise.
-bool check_values(const TriangleMesh& mesh, MeshReport& r) {
+bool check_values(const TriangleMesh& mesh, MeshReport& report) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     if (mesh.positions[i].cwiseAbs().maxCoeff() <= kMaxCoordinate && mesh.positions[i].allFinite())
       continue;
-    r.reasons.push_back("vertex " + std::to_string(i) + " is not finite or out of range");
+    report.reasons.push_back("vertex " + std::to_string(i) + " is not finite or out of range");
     return false;
   }
   const std::int64_t n = static_cast<std::int64_t>(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (const std::int32_t v : mesh.triangles[i]) {
       if (v >= 0 && v < n) continue;
-      r.reasons.push_back("triangle " + std::to_string(i) + " names vertex " + std::to_string(v) +
-                          ", which does not exist");
+      report.reasons.push_back("triangle " + std::to_string(i) + " names vertex " +
+                               std::to_string(v) + ", which does not exist");
       return false;
     }
   }
   return true;
 }
 
-void inspect_merged(const TriangleMesh& mesh, const InspectOptions& options, MeshReport& r) {
+void inspect_merged(const TriangleMesh& mesh, const InspectOptions& options, MeshReport& report) {
   const Ball ball = enclosing_ball(mesh.positions);
-  r.radius = ball.radius;
-  r.center = ball.center;
-  r.bounds = bounds_of(mesh.positions);
-  if (mesh.triangles.empty() || !(r.radius > kMinRadius)) {
-    if (mesh.triangles.empty()) r.bounds = {Vec3::Zero(), Vec3::Zero()};
-    r.reasons.push_back(mesh.triangles.empty() ? "it has no triangle"
-                                               : "it is smaller than 1e-50 m");
+  report.radius = ball.radius;
+  report.center = ball.center;
+  report.bounds = bounds_of(mesh.positions);
+  if (mesh.triangles.empty() || !(report.radius > kMinRadius)) {
+    if (mesh.triangles.empty()) report.bounds = {Vec3::Zero(), Vec3::Zero()};
+    report.reasons.push_back(mesh.triangles.empty() ? "it has no triangle"
+                                                    : "it is smaller than 1e-50 m");
     return;
   }
-  Inspection in = begin_inspection(mesh, r);
-  r.components = in.components.count;
-  count_topology(in);
-  if (r.duplicate_triangles == 0)
-    count_components(in, measure_components(in));
+  Inspection inspection = begin_inspection(mesh, report);
+  report.components = inspection.components.count;
+  count_topology(inspection);
+  if (report.duplicate_triangles == 0)
+    count_components(inspection, measure_components(inspection));
   else
-    count_distinct_components(mesh, r);
-  r.unwelded_vertices = find_welds(mesh, in.table, r.radius).count;
-  measure(in);
+    count_distinct_components(mesh, report);
+  report.unwelded_vertices = find_welds(mesh, inspection.table, report.radius).count;
+  measure(inspection);
   if (options.self_intersections) {
     const SelfIntersections found = find_self_intersections(mesh);
-    r.self_intersections = found.pairs;
-    r.self_intersections_counted = found.complete;
+    report.self_intersections = found.pairs;
+    report.self_intersections_counted = found.complete;
   }
-  if (!(r.area > 0.0)) {
-    r.reasons.push_back("it has no triangle with an area");
+  if (!(report.area > 0.0)) {
+    report.reasons.push_back("it has no triangle with an area");
   } else {
-    add_reasons(r);
+    add_reasons(report);
   }
-  add_warnings(in);
+  add_warnings(inspection);
 }
 
 }  // namespace
 
 std::vector<std::int32_t> find_inside_out_components(const TriangleMesh& mesh) {
   MeshReport unused;
-  const Inspection in = begin_inspection(mesh, unused);
-  return inside_out_components(in, measure_components(in));
+  const Inspection inspection = begin_inspection(mesh, unused);
+  return inside_out_components(inspection, measure_components(inspection));
 }
 
 const char* verdict_name(MeshVerdict verdict) {
@@ -363,31 +370,31 @@ const char* verdict_name(MeshVerdict verdict) {
 
 MeshReport inspect_mesh(const MeshFile& file, const std::string& name,
                         const InspectOptions& options) {
-  MeshReport r;
-  r.file = name;
-  r.format = format_name(file.format);
-  r.triangles = file.triangles_in_file;
-  r.vertices = static_cast<std::int64_t>(file.mesh.positions.size());
-  r.vertices_in_file = file.vertices_in_file;
-  r.triangles_left_out = file.triangles_left_out;
-  r.degenerate_triangles = file.triangles_left_out;
-  inspect_merged(file.mesh, options, r);
+  MeshReport report;
+  report.file = name;
+  report.format = format_name(file.format);
+  report.triangles = file.triangles_in_file;
+  report.vertices = static_cast<std::int64_t>(file.mesh.positions.size());
+  report.vertices_in_file = file.vertices_in_file;
+  report.triangles_left_out = file.triangles_left_out;
+  report.degenerate_triangles = file.triangles_left_out;
+  inspect_merged(file.mesh, options, report);
   if (file.vertices_unused > 0) {
-    r.warnings.push_back(counted(file.vertices_unused, "vertex", "vertices",
-                                 "belongs to no triangle", "belong to no triangle"));
+    report.warnings.push_back(counted(file.vertices_unused, "vertex", "vertices",
+                                      "belongs to no triangle", "belong to no triangle"));
   }
-  return r;
+  return report;
 }
 
 MeshReport inspect_mesh(const TriangleMesh& mesh, const InspectOptions& options) {
-  MeshReport r;
-  r.triangles = static_cast<std::int64_t>(mesh.triangles.size());
-  r.vertices = r.vertices_in_file = static_cast<std::int64_t>(mesh.positions.size());
-  r.bounds = {Vec3::Zero(), Vec3::Zero()};
-  if (!check_values(mesh, r)) return r;
-  r = inspect_mesh(merge_equal_positions(mesh), "", options);
-  r.format.clear();
-  return r;
+  MeshReport report;
+  report.triangles = static_cast<std::int64_t>(mesh.triangles.size());
+  report.vertices = report.vertices_in_file = static_cast<std::int64_t>(mesh.positions.size());
+  report.bounds = {Vec3::Zero(), Vec3::Zero()};
+  if (!check_values(mesh, report)) return report;
+  report = inspect_mesh(merge_equal_positions(mesh), "", options);
+  report.format.clear();
+  return report;
 }
 
 }  // namespace thigma

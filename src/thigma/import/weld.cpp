@@ -51,42 +51,42 @@ struct WeldSearch {
   }
 };
 
-void measure_reach(WeldSearch& s, double tolerance) {
-  const std::vector<Vec3>& at = s.mesh.positions;
+void measure_reach(WeldSearch& search, double tolerance) {
+  const std::vector<Vec3>& at = search.mesh.positions;
   std::vector<double> shortest(at.size(), std::numeric_limits<double>::infinity());
   std::vector<bool> is_boundary(at.size(), false);
-  for (const MeshEdge& e : s.table.edges) {
+  for (const MeshEdge& e : search.table.edges) {
     const std::size_t a = static_cast<std::size_t>(e.a), b = static_cast<std::size_t>(e.b);
     const double length = (at[a] - at[b]).norm();
     shortest[a] = std::min(shortest[a], length);
     shortest[b] = std::min(shortest[b], length);
     if (e.use_count == 1) is_boundary[a] = is_boundary[b] = true;
   }
-  s.reach.assign(at.size(), 0.0);
+  search.reach.assign(at.size(), 0.0);
   for (std::size_t v = 0; v < at.size(); ++v) {
-    if (is_boundary[v]) s.reach[v] = std::min(tolerance, kWeldEdgeFraction * shortest[v]);
+    if (is_boundary[v]) search.reach[v] = std::min(tolerance, kWeldEdgeFraction * shortest[v]);
   }
 }
 
-void find_near(WeldSearch& s, double tolerance) {
-  const std::vector<Vec3>& at = s.mesh.positions;
+void find_near(WeldSearch& search, double tolerance) {
+  const std::vector<Vec3>& at = search.mesh.positions;
   Grid grid{Vec3::Zero(), tolerance, {}};
   bool is_first = true;
   for (std::size_t v = 0; v < at.size(); ++v) {
-    if (s.reach[v] <= 0.0) continue;
+    if (search.reach[v] <= 0.0) continue;
     grid.origin = is_first ? at[v] : Vec3(grid.origin.cwiseMin(at[v]));
     is_first = false;
   }
   for (std::size_t v = 0; v < at.size(); ++v) {
-    if (s.reach[v] > 0.0)
+    if (search.reach[v] > 0.0)
       grid.entries.push_back({grid.cell_of(at[v]), static_cast<std::int32_t>(v)});
   }
   std::sort(grid.entries.begin(), grid.entries.end());
-  s.near.resize(at.size());
+  search.near.resize(at.size());
   // a vertex with more has lost its place anyway, and time stays bounded
   constexpr std::size_t kMaxNear = 16;
   for (const Grid::Entry& entry : grid.entries) {
-    std::vector<std::int32_t>& near = s.near[static_cast<std::size_t>(entry.vertex)];
+    std::vector<std::int32_t>& near = search.near[static_cast<std::size_t>(entry.vertex)];
     const Vec3& p = at[static_cast<std::size_t>(entry.vertex)];
     for (int i = 0; i < 9; ++i) {
       const Grid::Cell first{entry.cell[0] + i / 3 - 1, entry.cell[1] + i % 3 - 1,
@@ -96,8 +96,8 @@ void find_near(WeldSearch& s, double tolerance) {
              it->cell[1] == first[1] && it->cell[2] <= first[2] + 2;
            ++it) {
         if (it->vertex == entry.vertex) continue;
-        const double reach = std::min(s.reach[static_cast<std::size_t>(entry.vertex)],
-                                      s.reach[static_cast<std::size_t>(it->vertex)]);
+        const double reach = std::min(search.reach[static_cast<std::size_t>(entry.vertex)],
+                                      search.reach[static_cast<std::size_t>(it->vertex)]);
         if ((at[static_cast<std::size_t>(it->vertex)] - p).norm() <= reach)
           near.push_back(it->vertex);
       }
@@ -125,21 +125,21 @@ Welds find_welds(const TriangleMesh& mesh, const EdgeTable& table, double radius
   const bool is_closed = std::none_of(table.edges.begin(), table.edges.end(),
                                       [](const MeshEdge& e) { return e.use_count == 1; });
   if (is_closed || !(radius > 0.0)) return welds;
-  WeldSearch s{mesh, table, {}, {}, welds.target};
-  measure_reach(s, kWeldTolerance * radius);
-  find_near(s, kWeldTolerance * radius);
+  WeldSearch search{mesh, table, {}, {}, welds.target};
+  measure_reach(search, kWeldTolerance * radius);
+  find_near(search, kWeldTolerance * radius);
   for (const MeshEdge& e : table.edges) {
     if (e.use_count != 1) continue;
-    for (const std::int32_t c : s.near[static_cast<std::size_t>(e.a)]) {
-      for (const std::int32_t d : s.near[static_cast<std::size_t>(e.b)]) {
+    for (const std::int32_t c : search.near[static_cast<std::size_t>(e.a)]) {
+      for (const std::int32_t d : search.near[static_cast<std::size_t>(e.b)]) {
         if ((c == e.a && d == e.b) || c == d || boundary_edge_between(table, c, d) < 0) continue;
-        s.join(e.a, c);
-        s.join(e.b, d);
+        search.join(e.a, c);
+        search.join(e.b, d);
       }
     }
   }
   for (std::size_t v = 0; v < welds.target.size(); ++v) {
-    welds.target[v] = s.find(static_cast<std::int32_t>(v));
+    welds.target[v] = search.find(static_cast<std::int32_t>(v));
     welds.count += welds.target[v] != static_cast<std::int32_t>(v);
   }
   return welds;

@@ -106,7 +106,7 @@ void find_contacts(const ContactWorld& world, const StampedBody& body,
       query.resolution.step_time = body.time - scratch.last_time;
     }
     scratch.last_time = body.time;
-    query_scene(*world.object, pose, world.scene, query, scratch.fronts, scratch.contacts);
+    query_scene({*world.object, pose}, world.scene, query, scratch.fronts, scratch.contacts);
     if (!world.textures.is_empty())
       limit_to_relief(world.textures, world.tolerance, scratch.contacts);
   }
@@ -121,7 +121,7 @@ void make_model(const ContactWorld& world, const StampedBody& body, ContactScrat
   std::span<const Contact> pressing = scratch.contacts.contacts;
   scratch.spread.clear();
   if (distributes_wide_contacts(world)) {
-    distribute_contacts(*world.object, world_from_mesh(world, body.state), world.scene, pressing,
+    distribute_contacts({*world.object, world_from_mesh(world, body.state)}, world.scene, pressing,
                         world.tolerance, scratch.spread);
     pressing = scratch.spread;
   }

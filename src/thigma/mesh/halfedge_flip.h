@@ -16,19 +16,19 @@ struct FlipQuad {
 };
 
 /// halfedge  one with a twin
-FlipQuad quad_of(const HalfedgeMesh& m, std::int32_t halfedge);
+FlipQuad quad_of(const HalfedgeMesh& mesh, std::int32_t halfedge);
 
 /// Whether flipping leaves the same surface and every corner its value: none of the four vertices
 /// locked, the new edge not there yet, no seam along the old one.
 /// Thread    [offline].
-bool can_flip(const HalfedgeMesh& m, std::int32_t halfedge);
+bool can_flip(const HalfedgeMesh& mesh, std::int32_t halfedge);
 
 /// Writes the corners of the two triangles as they will be, or again as they were; neighbours stay
 /// as they are, so that a position can be tried before flip_edge, which wants them as they were.
-void set_flipped_corners(HalfedgeMesh& m, std::int32_t halfedge, const FlipQuad& quad,
+void set_flipped_corners(HalfedgeMesh& mesh, std::int32_t halfedge, const FlipQuad& quad,
                          bool is_flipped);
 
 /// Flips an edge for which can_flip holds. The half-edge becomes a d, its twin b c; positions stay.
-void flip_edge(HalfedgeMesh& m, std::int32_t halfedge);
+void flip_edge(HalfedgeMesh& mesh, std::int32_t halfedge);
 
 }  // namespace thigma

@@ -46,41 +46,41 @@ constexpr std::int32_t next_halfedge(std::int32_t h) noexcept { return h % 3 == 
 constexpr std::int32_t previous_halfedge(std::int32_t h) noexcept {
   return h % 3 == 0 ? h + 2 : h - 1;
 }
-inline std::int32_t tail_of(const HalfedgeMesh& m, std::int32_t h) noexcept {
-  return m.triangles[static_cast<std::size_t>(h / 3)][static_cast<std::size_t>(h % 3)];
+inline std::int32_t tail_of(const HalfedgeMesh& mesh, std::int32_t h) noexcept {
+  return mesh.triangles[static_cast<std::size_t>(h / 3)][static_cast<std::size_t>(h % 3)];
 }
-inline std::int32_t head_of(const HalfedgeMesh& m, std::int32_t h) noexcept {
-  return tail_of(m, next_halfedge(h));
+inline std::int32_t head_of(const HalfedgeMesh& mesh, std::int32_t h) noexcept {
+  return tail_of(mesh, next_halfedge(h));
 }
 /// Where the fan of a vertex begins, from any half-edge that starts at it; h itself where the fan
 /// is closed.
-std::int32_t first_of_fan(const HalfedgeMesh& m, std::int32_t h) noexcept;
+std::int32_t first_of_fan(const HalfedgeMesh& mesh, std::int32_t h) noexcept;
 /// On a boundary, by a vertex that is not locked and has a triangle.
-inline bool is_boundary(const HalfedgeMesh& m, std::int32_t v) noexcept {
-  return m.twin[static_cast<std::size_t>(m.outgoing[static_cast<std::size_t>(v)])] < 0;
+inline bool is_boundary(const HalfedgeMesh& mesh, std::int32_t v) noexcept {
+  return mesh.twin[static_cast<std::size_t>(mesh.outgoing[static_cast<std::size_t>(v)])] < 0;
 }
 
 /// Calls visit(h) for each half-edge that starts at the vertex, counter-clockwise; at a locked
 /// vertex for one fan only.
 template <class Visit>
-void visit_fan(const HalfedgeMesh& m, std::int32_t v, Visit visit) {
-  const std::int32_t first = m.outgoing[static_cast<std::size_t>(v)];
+void visit_fan(const HalfedgeMesh& mesh, std::int32_t v, Visit visit) {
+  const std::int32_t first = mesh.outgoing[static_cast<std::size_t>(v)];
   std::int32_t h = first;
   while (h >= 0) {
     visit(h);
-    h = m.twin[static_cast<std::size_t>(previous_halfedge(h))];
+    h = mesh.twin[static_cast<std::size_t>(previous_halfedge(h))];
     if (h == first) return;
   }
 }
 
 /// Half-edge from a to b, -1 when there is none; a is not locked.
-std::int32_t find_halfedge(const HalfedgeMesh& m, std::int32_t a, std::int32_t b);
+std::int32_t find_halfedge(const HalfedgeMesh& mesh, std::int32_t a, std::int32_t b);
 
 /// Whether collapsing the edge leaves the same surface: neither end locked, no boundary pinched or
 /// closed, and the ends share no neighbour but the corners across the edge (link condition, Dey et
 /// al. 1999).
 /// Thread    [offline].
-bool can_collapse(const HalfedgeMesh& m, std::int32_t halfedge);
+bool can_collapse(const HalfedgeMesh& mesh, std::int32_t halfedge);
 
 /// Collapses an edge for which can_collapse holds. Its tail stays, at `position`; its head and the
 /// triangles along it go.
@@ -89,12 +89,12 @@ bool can_collapse(const HalfedgeMesh& m, std::int32_t halfedge);
 /// share      how far the vertex has gone from tail to head, 0..1: mixes the corner values of both
 ///            sides; the corners of other seams at the two ends keep theirs
 /// returns    the triangles that went, -1 for none
-std::array<std::int32_t, 2> collapse_edge(HalfedgeMesh& m, std::int32_t halfedge,
+std::array<std::int32_t, 2> collapse_edge(HalfedgeMesh& mesh, std::int32_t halfedge,
                                           const Vec3& position, double share = 0.5);
 
 /// Breaches of the invariant; 0 for a right mesh.
 /// Thread    [offline].
-std::int64_t count_halfedge_faults(const HalfedgeMesh& m);
+std::int64_t count_halfedge_faults(const HalfedgeMesh& mesh);
 
 /// The triangles that are left, renumbered; kept lists their old numbers, vertices the old numbers
 /// of the positions.
@@ -103,6 +103,6 @@ struct CompactMesh {
   std::vector<std::int32_t> triangles, vertices;
   CornerAttributes attributes;
 };
-CompactMesh compact(const HalfedgeMesh& m);
+CompactMesh compact(const HalfedgeMesh& mesh);
 
 }  // namespace thigma

@@ -54,11 +54,11 @@ TriangleMesh make_joint_ball(int triangles, std::uint64_t seed) {
   const double height = std::sqrt(reach * reach - out * out);
   const double neck = arc_tangent2(height, out);
   std::vector<ProfilePoint> profile;
-  add_arc(profile, Vec2::Zero(), kJointRadius, -0.5 * kPi, neck, true);
-  add_arc(profile, {out, height}, kNeckFillet, neck + kPi, kPi, false);
+  add_arc(profile, {Vec2::Zero(), kJointRadius, -0.5 * kPi, neck, true});
+  add_arc(profile, {{out, height}, kNeckFillet, neck + kPi, kPi, false});
   add_line(profile, {kStemRadius, height}, {kStemRadius, kStemTop - kEdgeFillet});
-  add_arc(profile, {kStemRadius - kEdgeFillet, kStemTop - kEdgeFillet}, kEdgeFillet, 0.0, 0.5 * kPi,
-          true);
+  add_arc(profile,
+          {{kStemRadius - kEdgeFillet, kStemTop - kEdgeFillet}, kEdgeFillet, 0.0, 0.5 * kPi, true});
   add_line(profile, {kStemRadius - kEdgeFillet, kStemTop}, {0.0, kStemTop});
   const WaveRelief relief = joint_relief(2 * seed);
   return make_ring_surface(profile, triangles, [&](const ProfilePoint& at, const SinCos& turn) {
@@ -72,10 +72,10 @@ TriangleMesh make_joint_socket(int triangles, std::uint64_t seed) {
   const double middle = 0.5 * (kSocketInner + kSocketOuter);
   const SinCos at_rim = sin_cos(rim);
   std::vector<ProfilePoint> profile;
-  add_arc(profile, Vec2::Zero(), kSocketOuter, -0.5 * kPi, rim, true, kOutside);
-  add_arc(profile, middle * Vec2(at_rim.cos, at_rim.sin), 0.5 * (kSocketOuter - kSocketInner), rim,
-          rim + kPi, true);
-  add_arc(profile, Vec2::Zero(), kSocketInner, rim, -0.5 * kPi, false);
+  add_arc(profile, {Vec2::Zero(), kSocketOuter, -0.5 * kPi, rim, true, kOutside});
+  add_arc(profile, {middle * Vec2(at_rim.cos, at_rim.sin), 0.5 * (kSocketOuter - kSocketInner), rim,
+                    rim + kPi, true});
+  add_arc(profile, {Vec2::Zero(), kSocketInner, rim, -0.5 * kPi, false});
   const WaveRelief relief = joint_relief(2 * seed + 1);
   return make_ring_surface(profile, triangles, [&](const ProfilePoint& at, const SinCos& turn) {
     return turned_place(at, turn, relief.at(turned_place(at, turn)));
@@ -87,9 +87,9 @@ TriangleMesh make_conforming_lower(int triangles, std::uint64_t seed) {
   const double flat = kDiscRadius - kDiscRim;
   std::vector<ProfilePoint> profile;
   add_line(profile, {0.0, kBottom}, {flat, kBottom}, kPlainDensity);
-  add_arc(profile, {flat, kBottom + kDiscRim}, kDiscRim, -0.5 * kPi, 0.0, true, kPlainDensity);
+  add_arc(profile, {{flat, kBottom + kDiscRim}, kDiscRim, -0.5 * kPi, 0.0, true, kPlainDensity});
   add_line(profile, {kDiscRadius, kBottom + kDiscRim}, {kDiscRadius, -kDiscRim}, kPlainDensity);
-  add_arc(profile, {flat, -kDiscRim}, kDiscRim, 0.0, 0.5 * kPi, true);
+  add_arc(profile, {{flat, -kDiscRim}, kDiscRim, 0.0, 0.5 * kPi, true});
   add_line(profile, {flat, 0.0}, {0.0, 0.0});
   const WavyHeight waves = wavy_height(seed);
   return make_ring_surface(profile, triangles, [&](const ProfilePoint& at, const SinCos& turn) {
@@ -105,9 +105,9 @@ TriangleMesh make_conforming_upper(int triangles, std::uint64_t seed) {
   const double base = kConformingGap;
   std::vector<ProfilePoint> profile;
   add_line(profile, {0.0, base}, {flat, base});
-  add_arc(profile, {flat, base + kDiscRim}, kDiscRim, -0.5 * kPi, 0.0, true);
+  add_arc(profile, {{flat, base + kDiscRim}, kDiscRim, -0.5 * kPi, 0.0, true});
   add_line(profile, {kDiscRadius, base + kDiscRim}, {kDiscRadius, kTop - kDiscRim}, kPlainDensity);
-  add_arc(profile, {flat, kTop - kDiscRim}, kDiscRim, 0.0, 0.5 * kPi, true, kPlainDensity);
+  add_arc(profile, {{flat, kTop - kDiscRim}, kDiscRim, 0.0, 0.5 * kPi, true, kPlainDensity});
   add_line(profile, {flat, kTop}, {0.0, kTop}, kPlainDensity);
   const WavyHeight waves = wavy_height(seed);
   return make_ring_surface(profile, triangles, [&](const ProfilePoint& at, const SinCos& turn) {

@@ -82,7 +82,7 @@ struct ClubShape {
 
 TriangleMesh make_golf_ball(int triangles) {
   std::vector<ProfilePoint> profile;
-  add_arc(profile, Vec2::Zero(), kBallRadius, -0.5 * kPi, 0.5 * kPi, true);
+  add_arc(profile, {Vec2::Zero(), kBallRadius, -0.5 * kPi, 0.5 * kPi, true});
   const std::vector<Vec3> centres = dimple_centres();
   // 2 (1 - cos) is the squared angle, near enough on a dimple.
   constexpr double kReach = kDimpleRadius * kDimpleRadius;
@@ -98,7 +98,7 @@ TriangleMesh make_golf_ball(int triangles) {
 TriangleMesh make_golf_club(int triangles, std::uint64_t seed) {
   // Turned about the axis from heel to toe, in unit balls; the axes are put in order afterwards.
   std::vector<ProfilePoint> profile;
-  add_arc(profile, Vec2::Zero(), 1.0, -0.5 * kPi, 0.5 * kPi, true);
+  add_arc(profile, {Vec2::Zero(), 1.0, -0.5 * kPi, 0.5 * kPi, true});
   ClubShape shape{make_waves(2 * seed, 8e-5, 0.002, 0.006, 24),
                   make_waves(2 * seed + 1, 2.5e-5, 0.0016, 0.004, 24)};
   return make_ring_surface(profile, triangles, [&](const ProfilePoint& at, const SinCos& turn) {

@@ -106,15 +106,15 @@ std::int32_t add_vertex(TriangleMesh& mesh, const Vec3& p) {
 
 }  // namespace
 
-void add_arc(std::vector<ProfilePoint>& profile, const Vec2& centre, double radius, double from,
-             double to, bool is_outer, double density) {
-  const int steps = std::max(8, static_cast<int>(std::fabs(to - from) / (2.0 * kPi) * kArcSteps));
+void add_arc(std::vector<ProfilePoint>& profile, const ProfileArc& arc) {
+  const double turn = arc.to - arc.from;
+  const int steps = std::max(8, static_cast<int>(std::fabs(turn) / (2.0 * kPi) * kArcSteps));
   for (int i = 0; i <= steps; ++i) {
-    const SinCos a = sin_cos(from + (to - from) * i / steps);
+    const SinCos a = sin_cos(arc.from + turn * i / steps);
     const Vec2 out(a.cos, a.sin);
-    Vec2 place = centre + radius * out;
+    Vec2 place = arc.centre + arc.radius * out;
     place.x() = std::max(place.x(), 0.0);
-    profile.push_back({place, is_outer ? out : Vec2(-out), density});
+    profile.push_back({place, arc.is_outer ? out : Vec2(-out), arc.density});
   }
 }
 

@@ -16,13 +16,17 @@ struct ProfilePoint {
   double density = 1.0;        // of triangle edges per length against other points
 };
 
-/// Points along a circular arc of the profile, both ends included.
-///
-/// centre, radius  of the arc [m]
-/// from, to        angles from the axis of distance towards that of height [rad]
-/// is_outer        the solid is on the side of the centre
-void add_arc(std::vector<ProfilePoint>& profile, const Vec2& centre, double radius, double from,
-             double to, bool is_outer, double density = 1.0);
+/// A circular arc of a profile.
+struct ProfileArc {
+  Vec2 centre = Vec2::Zero();   // [m]
+  double radius = 0.0;          // [m]
+  double from = 0.0, to = 0.0;  // angles from the axis of distance towards that of height [rad]
+  bool is_outer = true;         // the solid is on the side of the centre
+  double density = 1.0;
+};
+
+/// Points along an arc, both ends included.
+void add_arc(std::vector<ProfilePoint>& profile, const ProfileArc& arc);
 
 /// Points along a straight piece, both ends included; the solid is on its left.
 void add_line(std::vector<ProfilePoint>& profile, const Vec2& from, const Vec2& to,

@@ -19,11 +19,11 @@ const ClodPatch* patch_at_level(const TexturedBody& body, std::int32_t patch,
                                 std::int32_t level) noexcept {
   const ClodHierarchy& h = *body.hierarchy;
   std::int32_t node = contact_node(h, patch);
-  while (node >= 0 && h.nodes[at(node)].level < level) node = body.parent[at(node)];
+  while (node >= 0 && h.nodes[idx(node)].level < level) node = body.parent[idx(node)];
   if (node < 0) return nullptr;
-  const ClodNode& n = h.nodes[at(node)];
-  if (n.patch >= 0) return &h.patches[at(n.patch)];
-  return n.contact >= 0 ? &h.level_patches[at(n.contact)].patch : nullptr;
+  const ClodNode& n = h.nodes[idx(node)];
+  if (n.patch >= 0) return &h.patches[idx(n.patch)];
+  return n.contact >= 0 ? &h.level_patches[idx(n.contact)].patch : nullptr;
 }
 
 /// Adds the triangles of a patch, at a level, that are not there yet.
@@ -32,7 +32,7 @@ void add_triangles(const TexturedBody& body, std::int32_t patch, std::int32_t le
   const ClodPatch* const p = patch_at_level(body, patch, level);
   if (p == nullptr) return;
   for (std::int32_t i = p->first_triangle; i < p->first_triangle + p->triangle_count; ++i) {
-    const std::int32_t t = body.hierarchy->triangle_ids[at(i)];
+    const std::int32_t t = body.hierarchy->triangle_ids[idx(i)];
     if (marks.add(t)) triangles.push_back(t);
   }
 }
@@ -69,7 +69,7 @@ Levels coarsest_levels(const TexturedContacts& touching, const ClusterOnBody& pa
 bool gather(const TexturedContacts& touching, const ClusterOnBody& pair, const Levels& levels,
             std::size_t slot, TextureScratch& scratch) noexcept {
   const TexturedBody& object = touching.world.object;
-  const TexturedBody& scene = touching.world.scene[at(pair.body)];
+  const TexturedBody& scene = touching.world.scene[idx(pair.body)];
   scratch.object_marks.begin();
   scratch.scene_marks.begin();
   std::vector<std::int32_t>&of_object = scratch.object_triangles[slot],
@@ -91,7 +91,7 @@ bool gather(const TexturedContacts& touching, const ClusterOnBody& pair, const L
   const auto look_beside = [](const TexturedBody& of, std::int32_t level, const auto& own,
                               TriangleMarks& marks, std::vector<std::int32_t>& around) {
     around.clear();
-    add_ring(of.textures[at(level)]->coarse, of.at_vertex[at(level)], own, marks, around);
+    add_ring(of.textures[idx(level)]->coarse, of.at_vertex[idx(level)], own, marks, around);
   };
   look_beside(object, levels.object, of_object, scratch.object_marks, scratch.object_around[slot]);
   look_beside(scene, levels.scene, of_scene, scratch.scene_marks, scratch.scene_around[slot]);
@@ -132,9 +132,9 @@ void divide(const TexturedContacts& touching, const Vec3& centre,
       const Levels levels = coarsest_levels(touching, pair);
       if (!gather(touching, pair, levels, slot, scratch)) continue;
       DepthContact contact;
-      contact.object = {world.object.textures[at(levels.object)], scratch.object_triangles[slot],
+      contact.object = {world.object.textures[idx(levels.object)], scratch.object_triangles[slot],
                         touching.world_from_object, scratch.object_around[slot]};
-      contact.scene = {world.scene[b].textures[at(levels.scene)], scratch.scene_triangles[slot],
+      contact.scene = {world.scene[b].textures[idx(levels.scene)], scratch.scene_triangles[slot],
                        touching.bodies[b].world_from_body, scratch.scene_around[slot]};
       contact.point = cluster.point;
       contact.normal = cluster.normal;
@@ -213,7 +213,7 @@ TexturedBody make_textured_levels(std::vector<const HapticTexture*> textures,
   for (std::size_t i = 0; i < hierarchy.nodes.size(); ++i) {
     const ClodNode& node = hierarchy.nodes[i];
     for (std::int32_t c = node.first_child; c < node.first_child + node.child_count; ++c)
-      body.parent[at(c)] = static_cast<std::int32_t>(i);
+      body.parent[idx(c)] = static_cast<std::int32_t>(i);
   }
   return body;
 }
@@ -233,7 +233,7 @@ double relief_of(const TexturedWorld& world) noexcept {
 void limit_to_relief(const TexturedWorld& world, double tolerance, ContactSet& contacts) noexcept {
   const double most = tolerance + relief_of(world);
   const auto own_reach = [&](const Contact& contact) {
-    const double relief = contact.body >= 0 ? world.scene[at(contact.body)].relief : 0.0;
+    const double relief = contact.body >= 0 ? world.scene[idx(contact.body)].relief : 0.0;
     const double open = is_textured(world, contact.body) ? contact.bound : 0.0;
     return contact.depth + tolerance + world.object.relief + relief + open;
   };
@@ -287,7 +287,7 @@ LinearContactModel linearize_textured(const TexturedContacts& touching,
   divide(touching, stamp.state.position, scratch);
   double amplitude = 0.0;
   for (const std::int32_t body : scratch.body)
-    amplitude = std::max(amplitude, world.object.amplitude + world.scene[at(body)].amplitude);
+    amplitude = std::max(amplitude, world.object.amplitude + world.scene[idx(body)].amplitude);
   const TextureParams& params = world.params;
   const std::size_t count = scratch.contacts.size();
   if (count > 0)
@@ -302,14 +302,14 @@ LinearContactModel linearize_textured(const TexturedContacts& touching,
         depth_gradient(scratch.contacts[i], sample, params.gradient, scratch.gradient);
     if (!gradient.is_valid) continue;
     // Sheets that only lie over each other along n, far behind the contact, are not in contact.
-    const double relief = world.object.relief + world.scene[at(scratch.body[i])].relief;
+    const double relief = world.object.relief + world.scene[idx(scratch.body[i])].relief;
     const double most = std::max(scratch.deepest[i], 0.0) + 2.0 * relief + penalty.tolerance;
     DepthTerm term;
     term.depth = std::min(sample.depth[0], most);
     term.linear = gradient.linear;
     term.angular = gradient.angular;
     term.tolerance = penalty.tolerance;
-    term.id = touching.clusters.clusters[at(scratch.cluster[i])].id;
+    term.id = touching.clusters.clusters[idx(scratch.cluster[i])].id;
     terms.push_back(term);
     total += std::max(term.depth + term.tolerance, 0.0);
   }

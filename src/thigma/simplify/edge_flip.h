@@ -37,8 +37,8 @@ inline constexpr std::size_t kFlipOutcomes = 9;
 ///                      their place
 /// returns              flipped, or why not
 /// Thread               [offline]; deterministic.
-FlipOutcome flip_reflex_edge(PatchedSurface& s, CollapseContext& context, std::int32_t halfedge,
-                             std::vector<std::int32_t>& successor);
+FlipOutcome flip_reflex_edge(PatchedSurface& surface, CollapseContext& context,
+                             std::int32_t halfedge, std::vector<std::int32_t>& successor);
 
 /// Goes over all edges, a few times at most, until none flips any more.
 ///
@@ -46,7 +46,7 @@ FlipOutcome flip_reflex_edge(PatchedSurface& s, CollapseContext& context, std::i
 /// outcomes   counts are added
 /// returns    how many edges flipped
 /// Thread     [offline]; deterministic. Source: none (docs/deviations.md).
-std::int64_t flip_reflex_edges(PatchedSurface& s, CollapseContext& context,
+std::int64_t flip_reflex_edges(PatchedSurface& surface, CollapseContext& context,
                                const detail::DeviationLimit& limit,
                                std::vector<std::int32_t>& successor,
                                std::array<std::int64_t, kFlipOutcomes>& outcomes);

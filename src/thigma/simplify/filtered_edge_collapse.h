@@ -11,6 +11,7 @@
 #include "thigma/simplify/convexity.h"
 #include "thigma/simplify/detail/deviation_guard.h"
 #include "thigma/simplify/detail/edge_star.h"
+#include "thigma/simplify/detail/simplify_form.h"
 #include "thigma/simplify/nearest_feasible.h"
 #include "thigma/simplify/patched_surface.h"
 #include "thigma/simplify/quadric.h"
@@ -81,6 +82,7 @@ struct CollapseScratch {
 /// What the operation works on beside the surface.
 struct CollapseContext {
   CollapseParams params;
+  detail::SimplifyForm form;
   std::vector<Quadric> quadric;  // of each vertex
   detail::DeviationGuard guard;
   VolumeGuard volume;
@@ -90,7 +92,7 @@ struct CollapseContext {
 /// Quadrics of the triangles around each vertex, weighted by area; along a boundary also of planes
 /// that stand upright on it.
 /// Thread    [offline].
-std::vector<Quadric> vertex_quadrics(const PatchedSurface& s);
+std::vector<Quadric> vertex_quadrics(const PatchedSurface& surface);
 
 /// Tries to collapse an edge; a refused attempt leaves everything as it was.
 ///
@@ -105,7 +107,7 @@ std::vector<Quadric> vertex_quadrics(const PatchedSurface& s);
 /// successor  of each patch: entries of patches that vanish are set to a patch beside them
 /// returns    collapsed, or the last reason; after a collapse context.scratch.star is what it was
 /// Thread     [offline]; deterministic. Source Sec. 3.3.4, Eqs. 3.2-3.4.
-CollapseOutcome filtered_edge_collapse(PatchedSurface& s, CollapseContext& context,
+CollapseOutcome filtered_edge_collapse(PatchedSurface& surface, CollapseContext& context,
                                        std::int32_t halfedge, std::vector<std::int32_t>& successor);
 
 }  // namespace thigma

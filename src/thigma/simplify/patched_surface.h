@@ -45,26 +45,25 @@ struct PatchedSurface {
 /// convexity, protrusion  least tolerances, times the radius; those of the decomposition where
 ///                        larger
 /// Thread  [offline]; deterministic.
-PatchedSurface build_patched_surface(const TriangleMesh& mesh,
-                                     const ConvexDecomposition& decomposition, double convexity,
+PatchedSurface build_patched_surface(const DecomposedSurface& decomposed, double convexity,
                                      double protrusion, CornerAttributes attributes = {});
 
 /// A triangle thinner than the tolerance has no plane worth the name.
-inline bool has_plane(const PatchedSurface& s, std::int32_t t) noexcept {
-  return s.height[static_cast<std::size_t>(t)] > s.flat;
+inline bool has_plane(const PatchedSurface& surface, std::int32_t t) noexcept {
+  return surface.height[static_cast<std::size_t>(t)] > surface.flat;
 }
 
 /// Height of p over the triangle's plane [m].
-inline double height_over(const PatchedSurface& s, std::int32_t t, const Vec3& p) {
+inline double height_over(const PatchedSurface& surface, std::int32_t t, const Vec3& p) {
   const auto i = static_cast<std::size_t>(t);
-  const auto first = static_cast<std::size_t>(s.mesh.triangles[i][0]);
-  return s.normal[i].dot(p - s.mesh.positions[first]);
+  const auto first = static_cast<std::size_t>(surface.mesh.triangles[i][0]);
+  return surface.normal[i].dot(p - surface.mesh.positions[first]);
 }
 
 /// Corners of a triangle at the present positions [m].
-inline std::array<Vec3, 3> corners_of(const PatchedSurface& s, std::int32_t t) {
-  const auto& v = s.mesh.triangles[static_cast<std::size_t>(t)];
-  const auto& x = s.mesh.positions;
+inline std::array<Vec3, 3> corners_of(const PatchedSurface& surface, std::int32_t t) {
+  const auto& v = surface.mesh.triangles[static_cast<std::size_t>(t)];
+  const auto& x = surface.mesh.positions;
   return {x[static_cast<std::size_t>(v[0])], x[static_cast<std::size_t>(v[1])],
           x[static_cast<std::size_t>(v[2])]};
 }
@@ -74,19 +73,20 @@ inline TreeBox box_of(const std::array<Vec3, 3>& c) {
 }
 
 /// Recomputes normal and height from the positions.
-void refresh_triangle(PatchedSurface& s, std::int32_t t);
+void refresh_triangle(PatchedSurface& surface, std::int32_t t);
 
 /// Half-spaces of the hull of some vertices moved inwards by the inset, and the box of the
 /// vertices. A hull that is flat to the tolerance has none. hull is scratch.
-void list_patch_half_spaces(const PatchedSurface& s, const std::vector<std::int32_t>& vertices,
-                            Quickhull& hull, std::vector<HalfSpace>& half_spaces, TreeBox& box);
+void list_patch_half_spaces(const PatchedSurface& surface,
+                            const std::vector<std::int32_t>& vertices, Quickhull& hull,
+                            std::vector<HalfSpace>& half_spaces, TreeBox& box);
 
 /// Whether the triangle's present position reaches into the half-spaces; none are never reached.
-bool intrudes(const PatchedSurface& s, std::int32_t t, const std::vector<HalfSpace>& half_spaces,
-              const TreeBox& box);
+bool intrudes(const PatchedSurface& surface, std::int32_t t,
+              const std::vector<HalfSpace>& half_spaces, const TreeBox& box);
 
 /// Gives a patch its new vertices and hull.
-void set_patch(PatchedSurface& s, std::int32_t patch, std::vector<std::int32_t>& vertices,
+void set_patch(PatchedSurface& surface, std::int32_t patch, std::vector<std::int32_t>& vertices,
                std::vector<HalfSpace>& half_spaces, const TreeBox& box);
 
 /// Merges a patch with a neighbour when their union is a convex patch too (Sec. 3.3.3), again and
@@ -95,7 +95,7 @@ void set_patch(PatchedSurface& s, std::int32_t patch, std::vector<std::int32_t>&
 /// successor  of each patch: entries of absorbed patches are set to the patch that took them
 /// returns    how many patches it absorbed
 /// Thread     [offline]; deterministic.
-int merge_patch(PatchedSurface& s, std::int32_t patch, Quickhull& hull,
+int merge_patch(PatchedSurface& surface, std::int32_t patch, Quickhull& hull,
                 std::vector<std::int32_t>& successor);
 
 }  // namespace thigma

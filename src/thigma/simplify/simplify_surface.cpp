@@ -44,30 +44,25 @@ struct Loop {
   double longest = 0.0;        // projected edge collapsed so far [m]
   std::int32_t kept = 0;       // patches of the level kept last
   std::int32_t kept_triangles = 0;
+  double shown_progress = 0.0;
 };
 
-/// What may be collapsed once nothing more could be at the stage before.
+/// A stage, and whether its levels are drafts for space_levels to choose from. Others run only
+/// while more than `coarsest_share` of the patches is left.
 struct Stage {
-  double longest;          // projected edge, times the radius
-  double deviation_share;  // of the projected edge, where that is more than the limit,
-  double deviation_ever;   // up to this times the radius
-  bool is_for_many;        // only while more than `coarsest_share` of the patches is left
-  bool is_draft;           // levels are kept for space_levels to choose from
+  SimplifyStage limits;
+  bool is_draft = false;
 };
 
-/// Before edges grow longer than `longest_edge` a level is kept for each of these shares of the one
-/// before, for space_levels to choose from.
-constexpr double kDraftShare = 0.84;
+/// A level is kept for each of these shares of the patches before: of drafts, and of others.
+constexpr double kDraftShare = 0.84, kLevelShare = 0.5;
 constexpr int kFlipRounds = 8;
-constexpr int kOctaves = 5;  // of projected length below `longest_edge`, each a pass of its own
-/// How much longer than `longest_edge_ever` edges may be at the very last: for rings and plates
-/// that begin with few patches.
-constexpr double kLastEdge = 2.0;
+constexpr int kOctaves = 5;  // of projected length below the fine stage's, each a pass of its own
 
 std::int32_t find_live(std::vector<std::int32_t>& successor, std::int32_t patch) {
-  while (successor[at(patch)] != patch) {
-    std::int32_t& up = successor[at(patch)];
-    up = successor[at(up)];
+  while (successor[idx(patch)] != patch) {
+    std::int32_t& up = successor[idx(patch)];
+    up = successor[idx(up)];
     patch = up;
   }
   return patch;
@@ -75,24 +70,24 @@ std::int32_t find_live(std::vector<std::int32_t>& successor, std::int32_t patch)
 
 void update_normal(Loop& loop, std::int32_t v) {
   Vec3 sum = Vec3::Zero();
-  visit_fan(loop.surface.mesh, v, [&](std::int32_t h) { sum += loop.surface.normal[at(h / 3)]; });
-  loop.vertex_normal[at(v)] = sum;
+  visit_fan(loop.surface.mesh, v, [&](std::int32_t h) { sum += loop.surface.normal[idx(h / 3)]; });
+  loop.vertex_normal[idx(v)] = sum;
 }
 
 void push(Loop& loop, std::int32_t a, std::int32_t b) {
   const auto& m = loop.surface.mesh;
-  if (m.is_locked[at(a)] || m.is_locked[at(b)]) return;
-  const double length = projected_length(m.positions[at(b)] - m.positions[at(a)],
-                                         loop.vertex_normal[at(a)] + loop.vertex_normal[at(b)]);
+  if (m.is_locked[idx(a)] || m.is_locked[idx(b)]) return;
+  const double length = projected_length(m.positions[idx(b)] - m.positions[idx(a)],
+                                         loop.vertex_normal[idx(a)] + loop.vertex_normal[idx(b)]);
   if (length > loop.longest_tried) return;
   loop.queue.push(
-      {length, std::min(a, b), std::max(a, b), loop.version[at(a)] + loop.version[at(b)]});
+      {length, std::min(a, b), std::max(a, b), loop.version[idx(a)] + loop.version[idx(b)]});
 }
 
 void push_all(Loop& loop) {
   const auto& m = loop.surface.mesh;
   for (std::int32_t h = 0; h < static_cast<std::int32_t>(m.twin.size()); ++h)
-    if (m.twin[at(h)] < h && loop.surface.patch_of[at(h / 3)] >= 0)
+    if (m.twin[idx(h)] < h && loop.surface.patch_of[idx(h / 3)] >= 0)
       push(loop, tail_of(m, h), head_of(m, h));
 }
 
@@ -104,13 +99,13 @@ void renew_candidates(Loop& loop, std::int32_t v) {
   visit_fan(m, v, [&](std::int32_t h) {
     ring.push_back(head_of(m, h));
     const std::int32_t last = previous_halfedge(h);
-    if (m.twin[at(last)] < 0) ring.push_back(tail_of(m, last));
+    if (m.twin[idx(last)] < 0) ring.push_back(tail_of(m, last));
   });
   update_normal(loop, v);
-  ++loop.version[at(v)];
+  ++loop.version[idx(v)];
   for (const std::int32_t w : ring) {
     update_normal(loop, w);
-    ++loop.version[at(w)];
+    ++loop.version[idx(w)];
   }
   const auto push_once = [&](std::int32_t w, std::int32_t other) {  // not from both ends
     if (other > w || std::find(ring.begin(), ring.end(), other) == ring.end()) push(loop, w, other);
@@ -119,29 +114,31 @@ void renew_candidates(Loop& loop, std::int32_t v) {
     visit_fan(m, w, [&](std::int32_t h) {
       push_once(w, head_of(m, h));
       const std::int32_t last = previous_halfedge(h);
-      if (m.twin[at(last)] < 0) push_once(w, tail_of(m, last));
+      if (m.twin[idx(last)] < 0) push_once(w, tail_of(m, last));
     });
   };
   for (const std::int32_t w : ring) push_around(w);
 }
 
-bool has_area(const PatchedSurface& s, std::int32_t t) { return s.height[at(t)] > 0.0; }
+bool has_area(const PatchedSurface& surface, std::int32_t t) {
+  return surface.height[idx(t)] > 0.0;
+}
 
 /// Place of the patch, or of the nearest over edges that has one; the first where none is
 /// connected.
-std::int32_t nearest_place(const PatchedSurface& s, const std::vector<std::int32_t>& place,
+std::int32_t nearest_place(const PatchedSurface& surface, const std::vector<std::int32_t>& place,
                            std::int32_t patch) {
-  if (place[at(patch)] >= 0) return place[at(patch)];
-  std::vector<std::int32_t> reached = s.patches[at(patch)].triangles;
-  std::vector<bool> is_reached(s.mesh.triangles.size(), false);
-  for (const std::int32_t t : reached) is_reached[at(t)] = true;
+  if (place[idx(patch)] >= 0) return place[idx(patch)];
+  std::vector<std::int32_t> reached = surface.patches[idx(patch)].triangles;
+  std::vector<bool> is_reached(surface.mesh.triangles.size(), false);
+  for (const std::int32_t t : reached) is_reached[idx(t)] = true;
   for (std::size_t i = 0; i < reached.size(); ++i)
     for (std::int32_t k = 0; k < 3; ++k) {
-      const std::int32_t beside = s.mesh.twin[at(3 * reached[i] + k)];
-      if (beside < 0 || is_reached[at(beside / 3)]) continue;
-      const std::int32_t other = s.patch_of[at(beside / 3)];
-      if (other >= 0 && place[at(other)] >= 0) return place[at(other)];
-      is_reached[at(beside / 3)] = true;
+      const std::int32_t beside = surface.mesh.twin[idx(3 * reached[i] + k)];
+      if (beside < 0 || is_reached[idx(beside / 3)]) continue;
+      const std::int32_t other = surface.patch_of[idx(beside / 3)];
+      if (other >= 0 && place[idx(other)] >= 0) return place[idx(other)];
+      is_reached[idx(beside / 3)] = true;
       reached.push_back(beside / 3);
     }
   return 0;
@@ -151,11 +148,11 @@ std::int32_t nearest_place(const PatchedSurface& s, const std::vector<std::int32
 /// by. A patch of which nothing else is left is none, and what it stood for goes with its
 /// neighbour.
 void keep_level(Loop& loop) {
-  const PatchedSurface& s = loop.surface;
-  std::vector<std::int32_t> place(s.patches.size(), -1), live;
-  for (std::size_t i = 0; i < s.patches.size(); ++i) {
-    const auto& own = s.patches[i].triangles;
-    if (std::none_of(own.begin(), own.end(), [&](std::int32_t t) { return has_area(s, t); }))
+  const PatchedSurface& surface = loop.surface;
+  std::vector<std::int32_t> place(surface.patches.size(), -1), live;
+  for (std::size_t i = 0; i < surface.patches.size(); ++i) {
+    const auto& own = surface.patches[i].triangles;
+    if (std::none_of(own.begin(), own.end(), [&](std::int32_t t) { return has_area(surface, t); }))
       continue;
     place[i] = static_cast<std::int32_t>(live.size());
     live.push_back(static_cast<std::int32_t>(i));
@@ -163,21 +160,22 @@ void keep_level(Loop& loop) {
   if (live.empty()) return;
   auto& before = loop.result.levels.back();
   for (const std::int32_t patch : loop.last_level)
-    before.parent.push_back(nearest_place(s, place, find_live(loop.successor, patch)));
-  CompactMesh small = compact(s.mesh);
+    before.parent.push_back(nearest_place(surface, place, find_live(loop.successor, patch)));
+  CompactMesh small = compact(surface.mesh);
   SimplifiedLevel level;
   level.mesh = std::move(small.mesh);
   level.attributes = std::move(small.attributes);
   for (const std::int32_t t : small.triangles)
-    level.patch_of_triangle.push_back(has_area(s, t) ? place[at(s.patch_of[at(t)])] : -1);
+    level.patch_of_triangle.push_back(has_area(surface, t) ? place[idx(surface.patch_of[idx(t)])]
+                                                           : -1);
   if (!loop.support.empty())
-    for (const std::int32_t v : small.vertices) level.support.push_back(loop.support[at(v)]);
+    for (const std::int32_t v : small.vertices) level.support.push_back(loop.support[idx(v)]);
   level.patch_count = static_cast<std::int32_t>(live.size());
   level.resolution = edge_resolution(Vec3(loop.longest, 0, 0), Vec3::Zero(), Vec3::Zero());
   loop.kept = level.patch_count;
   loop.result.levels.push_back(std::move(level));
   loop.last_level = std::move(live);
-  loop.kept_triangles = s.mesh.triangle_count;
+  loop.kept_triangles = surface.mesh.triangle_count;
 }
 
 /// Short edges may deviate by a share of their length alone, so that a level is as near the
@@ -187,41 +185,42 @@ detail::DeviationLimit deviation_limit(const Loop& loop, const Stage& stage, dou
   const SimplifyParams& p = loop.params;
   const double radius = loop.surface.radius;
   const double early = p.deviation_early * std::max(length, loop.longest);
-  return {std::min(p.deviation_limit * radius, early), stage.deviation_share,
-          stage.deviation_ever * radius};
+  return {std::min(p.deviation_limit * radius, early), stage.limits.deviation_share,
+          p.farthest_deviation * radius};
 }
 
 void attempt(Loop& loop, const Stage& stage, const Candidate& candidate) {
-  PatchedSurface& s = loop.surface;
+  PatchedSurface& surface = loop.surface;
   loop.context.guard.limit = deviation_limit(loop, stage, candidate.length).of(candidate.length);
-  const std::int32_t halfedge = find_halfedge(s.mesh, candidate.a, candidate.b);
+  const std::int32_t halfedge = find_halfedge(surface.mesh, candidate.a, candidate.b);
   if (halfedge < 0) return;
-  const std::int32_t patches = s.patch_count;
-  const CollapseOutcome outcome = filtered_edge_collapse(s, loop.context, halfedge, loop.successor);
+  const std::int32_t patches = surface.patch_count;
+  const CollapseOutcome outcome =
+      filtered_edge_collapse(surface, loop.context, halfedge, loop.successor);
   ++loop.result.outcomes[static_cast<std::size_t>(outcome)];
   if (outcome != CollapseOutcome::collapsed) return;
   loop.longest = std::max(loop.longest, candidate.length);
-  loop.result.vanished += patches - s.patch_count;
+  loop.result.vanished += patches - surface.patch_count;
   const detail::EdgeStar& star = loop.context.scratch.star;
   if (!loop.support.empty()) {
-    auto& kept = loop.support[at(star.tail)];
-    const auto& gone = loop.support[at(star.head)];
+    auto& kept = loop.support[idx(star.tail)];
+    const auto& gone = loop.support[idx(star.head)];
     kept = {std::min(kept[0], gone[0]), std::min(kept[1], gone[1])};
   }
-  ++loop.version[at(star.head)];
+  ++loop.version[idx(star.head)];
   renew_candidates(loop, star.tail);
   for (const std::int32_t patch : star.patches)
-    if (!s.patches[at(patch)].triangles.empty())
-      loop.result.merges += merge_patch(s, patch, loop.context.scratch.hull, loop.successor);
+    if (!surface.patches[idx(patch)].triangles.empty())
+      loop.result.merges += merge_patch(surface, patch, loop.context.scratch.hull, loop.successor);
 }
 
 /// Every collapse takes about the same time: the share of the triangles gone, by hundredths.
-void report_progress(const Loop& loop, double& shown) {
+void report_progress(Loop& loop) {
   if (!loop.params.progress) return;
   const auto all = static_cast<double>(loop.result.levels[0].mesh.triangles.size());
   const double share = 1.0 - loop.surface.mesh.triangle_count / all;
-  if (share < shown + 0.01) return;
-  shown = share;
+  if (share < loop.shown_progress + 0.01) return;
+  loop.shown_progress = share;
   loop.params.progress(share);
 }
 
@@ -243,21 +242,22 @@ SimplifiedLevel first_level(const TriangleMesh& mesh, const ConvexDecomposition&
 bool has_many_patches(const Loop& loop) {
   const double few = loop.params.coarsest_share * loop.result.levels[0].patch_count;
   return loop.kept > few &&
-         loop.surface.patch_count > std::min(few, loop.params.last_level * loop.kept);
+         loop.surface.patch_count > std::min(few, loop.params.last_level_share * loop.kept);
 }
 
-/// Collapses what the stage allows; a level is kept whenever at most `share` of the patches of the
-/// last is left.
-void run_stage(Loop& loop, const Stage& stage, double share, double& shown) {
-  loop.longest_tried = stage.longest * loop.surface.radius;
+/// Collapses what the stage allows; a level is kept whenever few enough of the patches of the last
+/// are left.
+void run_stage(Loop& loop, const Stage& stage) {
+  const double share = stage.is_draft ? kDraftShare : kLevelShare;
+  loop.longest_tried = stage.limits.longest_edge * loop.surface.radius;
   push_all(loop);
-  while (!loop.queue.empty() && !(stage.is_for_many && !has_many_patches(loop))) {
+  while (!loop.queue.empty() && (stage.is_draft || has_many_patches(loop))) {
     const Candidate candidate = loop.queue.top();
     loop.queue.pop();
-    if (candidate.version != loop.version[at(candidate.a)] + loop.version[at(candidate.b)])
+    if (candidate.version != loop.version[idx(candidate.a)] + loop.version[idx(candidate.b)])
       continue;
     attempt(loop, stage, candidate);
-    report_progress(loop, shown);
+    report_progress(loop);
     if (loop.surface.patch_count <= share * loop.kept ||
         (stage.is_draft && loop.surface.mesh.triangle_count <= share * loop.kept_triangles))
       keep_level(loop);
@@ -266,49 +266,48 @@ void run_stage(Loop& loop, const Stage& stage, double share, double& shown) {
 }
 
 /// Where nothing more can collapse, flips edges and tries again, as long as that changes something.
-void flip_and_go_on(Loop& loop, const Stage& stage, double share, double& shown) {
-  PatchedSurface& s = loop.surface;
-  for (int round = 0; loop.params.flips_edges && round < kFlipRounds; ++round) {
-    const std::int32_t before = s.patch_count;
+void flip_and_go_on(Loop& loop, const Stage& stage) {
+  PatchedSurface& surface = loop.surface;
+  for (int round = 0; loop.context.form.flips_edges && round < kFlipRounds; ++round) {
+    const std::int32_t before = surface.patch_count;
     const std::int64_t flipped =
-        flip_reflex_edges(s, loop.context, deviation_limit(loop, stage, loop.longest),
+        flip_reflex_edges(surface, loop.context, deviation_limit(loop, stage, loop.longest),
                           loop.successor, loop.result.flips);
-    loop.result.merges += before - s.patch_count;
+    loop.result.merges += before - surface.patch_count;
     if (flipped == 0) return;
     for (std::int32_t v = 0; v < static_cast<std::int32_t>(loop.version.size()); ++v)
-      if (s.mesh.outgoing[at(v)] >= 0) {
+      if (surface.mesh.outgoing[idx(v)] >= 0) {
         update_normal(loop, v);
-        ++loop.version[at(v)];
+        ++loop.version[idx(v)];
       }
-    run_stage(loop, stage, share, shown);
+    run_stage(loop, stage);
   }
 }
 
 void run_stages(Loop& loop) {
-  const SimplifyParams& p = loop.params;
-  double shown = 0.0;
+  const SimplifyStages& stages = loop.params.stages;
   // Every octave of length anew: what was too far from the original among shorter edges may now be
   // near enough.
-  for (int octave = kOctaves; octave >= 0; --octave)
-    run_stage(loop, {std::ldexp(p.longest_edge, -octave), 0.0, 0.0, false, true}, kDraftShare,
-              shown);
-  const Stage wide{p.longest_edge, p.deviation_share, p.deviation_ever, false, true};
-  run_stage(loop, wide, kDraftShare, shown);
-  flip_and_go_on(loop, wide, kDraftShare, shown);
+  for (int octave = kOctaves; octave >= 0; --octave) {
+    SimplifyStage shorter = stages[kFine];
+    shorter.longest_edge = std::ldexp(shorter.longest_edge, -octave);
+    run_stage(loop, {shorter, true});
+  }
+  const Stage far{stages[kFineFar], true};
+  run_stage(loop, far);
+  flip_and_go_on(loop, far);
   auto& levels = loop.result.levels;
   if (loop.surface.patch_count < loop.kept) keep_level(loop);
   space_levels(levels);
   loop.kept = levels.back().patch_count;
   if (levels.size() == 1) loop.last_level = loop.first_patches;
-  run_stage(loop, {p.longest_edge_ever, 0.0, 0.0, true, false}, 0.5, shown);
-  const Stage late{p.longest_edge_ever, p.deviation_share, p.deviation_ever, true, false};
-  const Stage last{kLastEdge * p.longest_edge_ever, p.deviation_share, p.deviation_ever, true,
-                   false};
-  for (const Stage& stage : {late, last}) {
-    run_stage(loop, stage, 0.5, shown);
-    if (has_many_patches(loop)) flip_and_go_on(loop, stage, 0.5, shown);
+  run_stage(loop, {stages[kCoarse]});
+  for (const SimplifyStageName name : {kCoarseFar, kLast}) {
+    const Stage stage{stages[name]};
+    run_stage(loop, stage);
+    if (has_many_patches(loop)) flip_and_go_on(loop, stage);
   }
-  if (loop.surface.patch_count <= p.last_level * loop.kept) keep_level(loop);
+  if (loop.surface.patch_count <= loop.params.last_level_share * loop.kept) keep_level(loop);
   drop_equal_resolutions(levels);
 }
 
@@ -318,7 +317,7 @@ VolumeGuard guard_volume(const TriangleMesh& mesh, double radius, double limit) 
   const auto& x = mesh.positions;
   Vec3 vector_area = Vec3::Zero();
   for (const auto& t : mesh.triangles)
-    vector_area += 0.5 * (x[at(t[1])] - x[at(t[0])]).cross(x[at(t[2])] - x[at(t[0])]);
+    vector_area += 0.5 * (x[idx(t[1])] - x[idx(t[0])]).cross(x[idx(t[2])] - x[idx(t[0])]);
   const double volume = mass_properties(mesh).volume, largest = limit * std::fabs(volume);
   if (vector_area.norm() * radius > largest) return {};
   return {volume, volume, largest};
@@ -326,37 +325,50 @@ VolumeGuard guard_volume(const TriangleMesh& mesh, double radius, double limit) 
 
 }  // namespace
 
-Simplification simplify_surface(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
-                                const SimplifyParams& params,
+namespace detail {
+
+Simplification simplify_in_form(const DecomposedSurface& decomposed, const SimplifyParams& params,
+                                const SimplifyForm& form,
                                 std::vector<std::array<double, 2>> support,
                                 CornerAttributes attributes) {
-  Loop loop{build_patched_surface(mesh, decomposition, params.convexity_tolerance,
+  const TriangleMesh& mesh = decomposed.mesh;
+  Loop loop{build_patched_surface(decomposed, params.convexity_tolerance,
                                   params.protrusion_tolerance, attributes),
             {},
             params,
             {}};
-  PatchedSurface& s = loop.surface;
-  loop.result.levels.push_back(first_level(mesh, decomposition, support, attributes));
-  loop.result.convexity_tolerance = s.flat;
-  loop.result.protrusion_tolerance = s.inset;
+  PatchedSurface& surface = loop.surface;
+  loop.result.levels.push_back(first_level(mesh, decomposed.patches, support, attributes));
+  loop.result.convexity_tolerance = surface.flat;
+  loop.result.protrusion_tolerance = surface.inset;
   loop.context.params = params.collapse;
-  loop.context.quadric = vertex_quadrics(s);
-  loop.context.guard = detail::build_deviation_guard(mesh, params.deviation_limit * s.radius);
-  loop.context.volume = guard_volume(mesh, s.radius, params.volume_limit);
+  loop.context.form = form;
+  loop.context.quadric = vertex_quadrics(surface);
+  loop.context.guard = build_deviation_guard(mesh, params.deviation_limit * surface.radius);
+  loop.context.volume = guard_volume(mesh, surface.radius, params.volume_limit);
   loop.support = std::move(support);
   loop.version.assign(mesh.positions.size(), 0);
   loop.vertex_normal.resize(mesh.positions.size());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-    if (s.mesh.outgoing[v] >= 0) update_normal(loop, static_cast<std::int32_t>(v));
-  for (std::size_t i = 0; i < s.patches.size(); ++i)
+    if (surface.mesh.outgoing[v] >= 0) update_normal(loop, static_cast<std::int32_t>(v));
+  for (std::size_t i = 0; i < surface.patches.size(); ++i)
     loop.successor.push_back(static_cast<std::int32_t>(i));
   loop.kept = loop.result.levels[0].patch_count;
-  loop.kept_triangles = s.mesh.triangle_count;
+  loop.kept_triangles = surface.mesh.triangle_count;
   loop.first_patches.assign(loop.successor.begin(), loop.successor.begin() + loop.kept);
   loop.last_level = loop.first_patches;
   run_stages(loop);
   if (params.progress) params.progress(1.0);
   return std::move(loop.result);
+}
+
+}  // namespace detail
+
+Simplification simplify_surface(const DecomposedSurface& decomposed, const SimplifyParams& params,
+                                std::vector<std::array<double, 2>> support,
+                                CornerAttributes attributes) {
+  return detail::simplify_in_form(decomposed, params, {}, std::move(support),
+                                  std::move(attributes));
 }
 
 }  // namespace thigma

@@ -43,20 +43,18 @@ struct Simplification {
 /// merge when their union is convex, levels are kept so that the number of patches halves, or of
 /// triangles (space_levels).
 ///
-/// The last level before edges longer than `longest_edge` collapse is one of those kept, if it has
-/// at most half the original's patches. Deviation beyond `deviation_limit`, and such edges, come
-/// last.
+/// The last level of the fine stages is one of those kept, if it has at most half the original's
+/// patches. Longer edges, and deviation beyond `deviation_limit` at them, come last.
 ///
-/// mesh           usable in the sense of import/inspect.h [m]
-/// decomposition  of the mesh; becomes level 0
-/// support        of each vertex, two values that become the least where vertices come together, or
-///                empty
-/// attributes     of the corners, or width 0
-/// returns        at least level 0; resolutions fall, patches or triangles at least halve but into
-///                the last
-/// Thread         [offline]; deterministic.
-/// Source         Sec. 3.3.3, Algorithm 3.3.1. Stops and tolerances: docs.
-Simplification simplify_surface(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
+/// decomposed  usable in the sense of import/inspect.h; its patches become level 0 [m]
+/// support     of each vertex, two values that become the least where vertices come together, or
+///             empty
+/// attributes  of the corners, or width 0
+/// returns     at least level 0; resolutions fall, patches or triangles at least halve but into the
+///             last
+/// Thread      [offline]; deterministic.
+/// Source      Sec. 3.3.3, Algorithm 3.3.1. Stops and tolerances: docs/simplification.md.
+Simplification simplify_surface(const DecomposedSurface& decomposed,
                                 const SimplifyParams& params = {},
                                 std::vector<std::array<double, 2>> support = {},
                                 CornerAttributes attributes = {});

@@ -12,18 +12,13 @@
 namespace thigma {
 namespace {
 
+using detail::approaching;
+using detail::ApproachingContact;
 using detail::collision_gap;
 using detail::gap_of;
 using detail::least_gap;
+using detail::PushedFlight;
 using detail::safe_time;
-using detail::Touch;
-using detail::touch_of;
-
-/// A way to the next query.
-struct Flight {
-  double time = 0.0;
-  Wrench push;  // of the contacts that hold the body
-};
 
 constexpr int kMostImpulses = 400;  // of one event
 // least flight, of the longest, where a change of levels has left surfaces deep in others
@@ -85,7 +80,7 @@ class Simulation {
     const Pose world_from_mesh =
         Pose{state_.body.position, state_.body.orientation} * world_.body_from_mesh;
     const double start = thread_cpu_seconds();
-    query_scene(*world_.object, world_from_mesh, world_.scene, q, scratch_.fronts,
+    query_scene({*world_.object, world_from_mesh}, world_.scene, q, scratch_.fronts,
                 scratch_.contacts);
     counts_.query_cpu += thread_cpu_seconds() - start;
     counts_.front += static_cast<double>(scratch_.contacts.stats.front);
@@ -113,7 +108,7 @@ class Simulation {
   void add_exact_contacts(const Pose& world_from_mesh) {
     ++counts_.doubted;
     const double start = thread_cpu_seconds();
-    query_scene(*world_.object, world_from_mesh, world_.scene, {.tolerance = world_.tolerance},
+    query_scene({*world_.object, world_from_mesh}, world_.scene, {.tolerance = world_.tolerance},
                 scratch_.exact_fronts, scratch_.exact);
     counts_.query_cpu += thread_cpu_seconds() - start;
     auto& all = scratch_.contacts.contacts;
@@ -183,8 +178,8 @@ class Simulation {
       std::size_t which = scratch_.touching.size();
       for (std::size_t k = 0; k < scratch_.touching.size(); ++k) {
         const double approach =
-            touch_of(world_, state_.body,
-                     set.contacts[static_cast<std::size_t>(scratch_.touching[k])])
+            approaching(world_, state_.body,
+                        set.contacts[static_cast<std::size_t>(scratch_.touching[k])])
                 .approach;
         if (approach > fastest) {
           fastest = approach;
@@ -200,7 +195,7 @@ class Simulation {
     return impulses > 0;
   }
 
-  double restitution(const Touch& t, int hits) const {
+  double restitution(const ApproachingContact& t, int hits) const {
     const bool has_sunk = t.gap < 0.5 * collision_gap(world_) && t.gap > -world_.tolerance;
     const double slow = has_sunk ? 4.0 * bounce_threshold_ : bounce_threshold_;
     const double fast = slow > 0.0 ? std::clamp(t.approach / slow - 1.0, 0.0, 1.0) : 1.0;
@@ -209,7 +204,7 @@ class Simulation {
   }
 
   void hit(const Contact& c, int hits) {
-    const Touch t = touch_of(world_, state_.body, c);
+    const ApproachingContact t = approaching(world_, state_.body, c);
     const CollisionLaw law{restitution(t, hits), world_.law.friction};
     const Mat3 matrix = collision_matrix(world_.body, state_.body, t.arm);
     const Vec3 impulse =
@@ -232,7 +227,7 @@ class Simulation {
   // ---- time
   // ------------------------------------------------------------
 
-  void move(const Flight& flight, double part = 1.0) {
+  void move(const PushedFlight& flight, double part = 1.0) {
     const double time = part * flight.time;
     state_.body = pushed_motion(world_.body, state_.body, flight.push, time);
     state_.weight_impulse += time * up_.dot(flight.push.force);
@@ -243,17 +238,16 @@ class Simulation {
   bool is_held() const { return !scratch_.touching.empty() && bounce_threshold_ > 0.0; }
 
   // The longest flight that is safe under the forces that hold the body over it.
-  Flight plan(double longest, double lift) {
-    Flight flight{longest, {}};
+  PushedFlight plan(double longest, double lift) {
+    PushedFlight flight{longest, {}};
     const bool is_lost = -seen_ > world_.tolerance;
     for (int i = 0; i < kMostPlans; ++i) {
       if (is_held()) {
         flight.push =
-            detail::support_wrench(world_, state_.body, scratch_.contacts, scratch_.touching,
-                                   flight.time, lift, scratch_.supports);
+            detail::support_wrench(world_, state_.body, {scratch_.contacts, scratch_.touching},
+                                   {flight.time, lift}, scratch_.supports);
       }
-      const double safe =
-          safe_time(world_, state_.body, scratch_.contacts, reach_, flight.push, flight.time);
+      const double safe = safe_time(world_, state_.body, scratch_.contacts, reach_, flight);
       if (safe >= flight.time) break;
       flight.time = std::max(safe, is_lost ? kLostStep * longest : 0.0);
     }
@@ -273,25 +267,25 @@ class Simulation {
   }
 
   // Flies on for the longest safe time, held by what touches. Energy does not grow.
-  Flight advance_freely(double longest) {
+  PushedFlight advance_freely(double longest) {
     const SimulationState from = state_;
     scratch_.supports.clear();
     if (!is_held()) {
-      const Flight flight = plan(longest, 0.0);
+      const PushedFlight flight = plan(longest, 0.0);
       move(flight);
       return flight;
     }
     ++counts_.supported;
     const double energy = mechanical_energy(world_.body, state_.body);
     for (const double lift : kLifts) {
-      const Flight flight = plan(longest, lift);
+      const PushedFlight flight = plan(longest, lift);
       move(flight);
       const bool is_paid = mechanical_energy(world_.body, state_.body) <= energy;
       if (is_paid || (lift == 0.0 && dissipate_excess_energy(energy))) return flight;
       state_ = from;
     }
-    const Flight free{std::min(longest, safe_time(world_, state_.body, scratch_.contacts, reach_)),
-                      {}};
+    const PushedFlight free{
+        std::min(longest, safe_time(world_, state_.body, scratch_.contacts, reach_)), {}};
     move(free);
     return free;
   }
@@ -301,7 +295,7 @@ class Simulation {
   void advance(double left) {
     const double gap = std::min(world_.tolerance, least_);
     const SimulationState from = state_;
-    const Flight flight = advance_freely(std::min(left, world_.longest_step));
+    const PushedFlight flight = advance_freely(std::min(left, world_.longest_step));
     if (left - flight.time < 1e-12 * (state_.time + left)) state_.time = from.time + left;
     query();
     const double depth = -least_;

@@ -25,8 +25,8 @@ using CornerNormals = std::vector<std::array<Vec3, 3>>;
 
 Vec3 face_normal(const TriangleMesh& mesh, std::size_t t) {
   const auto& v = mesh.triangles[t];
-  const Vec3& a = mesh.positions[at(v[0])];
-  return (mesh.positions[at(v[1])] - a).cross(mesh.positions[at(v[2])] - a);
+  const Vec3& a = mesh.positions[idx(v[0])];
+  return (mesh.positions[idx(v[1])] - a).cross(mesh.positions[idx(v[2])] - a);
 }
 
 /// Normals at the corners: of all faces around the vertex, by area, that turn away from the
@@ -35,14 +35,14 @@ CornerNormals corner_normals(const TriangleMesh& mesh, double crease) {
   std::vector<std::vector<std::int32_t>> around(mesh.positions.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (const std::int32_t v : mesh.triangles[t])
-      around[at(v)].push_back(static_cast<std::int32_t>(t));
+      around[idx(v)].push_back(static_cast<std::int32_t>(t));
   CornerNormals normals(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 own = face_normal(mesh, t);
     for (std::size_t k = 0; k < 3; ++k) {
       Vec3 sum = Vec3::Zero();
-      for (const std::int32_t other : around[at(mesh.triangles[t][k])]) {
-        const Vec3 n = face_normal(mesh, at(other));
+      for (const std::int32_t other : around[idx(mesh.triangles[t][k])]) {
+        const Vec3 n = face_normal(mesh, idx(other));
         if (n.dot(own) >= crease * n.norm() * own.norm()) sum += n;
       }
       normals[t][k] = sum.norm() > 0.0 ? sum.normalized() : own.normalized();
@@ -58,8 +58,8 @@ auto blend(const Values& of_corners, const Vec3& weights) {
 }
 
 std::array<Vec3, 3> corners_of(const TriangleMesh& mesh, std::int32_t t) {
-  const auto& v = mesh.triangles[at(t)];
-  return {mesh.positions[at(v[0])], mesh.positions[at(v[1])], mesh.positions[at(v[2])]};
+  const auto& v = mesh.triangles[idx(t)];
+  return {mesh.positions[idx(v[0])], mesh.positions[idx(v[1])], mesh.positions[idx(v[2])]};
 }
 
 /// A surface on the way from the fine one to coarser ones.
@@ -87,7 +87,7 @@ struct Sight {
   detail::SurfacePoint next(std::size_t i, const detail::SurfacePoint& from) const {
     const Stage& stage = stages[i];
     const detail::SurfaceSearch& finer = stages[i - 1].search;
-    const Vec3 normal = blend(stage.normals[at(from.triangle)], from.weights);
+    const Vec3 normal = blend(stage.normals[idx(from.triangle)], from.weights);
     const double length = normal.norm();
     if (length > 0.0) {
       const detail::SurfacePoint hit =
@@ -152,7 +152,7 @@ void fill_texels(const Sight& sight, TextureSource& source) {
     const std::int32_t t = owners.triangle[i];
     if (t < 0) continue;
     const Vec2 texel(static_cast<double>(i % width), static_cast<double>(i / width));
-    const Vec3 weights = detail::corner_weights(source.corners[at(t)], texel);
+    const Vec3 weights = detail::corner_weights(source.corners[idx(t)], texel);
     const Vec3 place = blend(corners_of(*sight.coarse().mesh, t), weights);
     const bool is_inside = weights.minCoeff() >= 0.0;
     if (is_inside) map.ease[i] = kEaseInside;
@@ -251,7 +251,7 @@ std::int32_t count_charts(const std::vector<std::array<Vec2, 3>>& corners) {
   std::vector<std::int32_t> root(corners.size());
   std::iota(root.begin(), root.end(), 0);
   const auto find = [&](std::int32_t t) {
-    while (root[at(t)] != t) t = root[at(t)] = root[at(root[at(t)])];
+    while (root[idx(t)] != t) t = root[idx(t)] = root[idx(root[idx(t)])];
     return t;
   };
   std::map<std::array<double, 2>, std::int32_t> first;
@@ -259,7 +259,7 @@ std::int32_t count_charts(const std::vector<std::array<Vec2, 3>>& corners) {
     for (const Vec2& c : corners[t]) {
       const auto [known, is_new] =
           first.emplace(std::array{c.x(), c.y()}, static_cast<std::int32_t>(t));
-      if (!is_new) root[at(find(static_cast<std::int32_t>(t)))] = find(known->second);
+      if (!is_new) root[idx(find(static_cast<std::int32_t>(t)))] = find(known->second);
     }
   }
   std::int32_t count = 0;
@@ -298,8 +298,8 @@ TextureAsset bake_heights(TriangleMesh coarse, const std::vector<std::array<Vec2
     const std::size_t width = static_cast<std::size_t>(source.width);
     const Vec2 texel(static_cast<double>(i % width), static_cast<double>(i / width));
     const Vec3 weights =
-        detail::corner_weights(source.corners[at(t)], texel).cwiseMax(0.0).cwiseMin(1.0);
-    const Vec3 normal = blend(normals[at(t)], weights);
+        detail::corner_weights(source.corners[idx(t)], texel).cwiseMax(0.0).cwiseMin(1.0);
+    const Vec3 normal = blend(normals[idx(t)], weights);
     const double height = amplitude * (2.0 * static_cast<double>(image.values[i]) - 1.0);
     if (normal.norm() > 0.0) source.texels[i] = texel_of(height * normal.normalized());
   }

@@ -28,33 +28,33 @@ struct Surface {
 };
 
 Surface prepare(const TriangleMesh& mesh, const std::string& name) {
-  Surface s{mesh, build_edge_table(mesh), {}};
+  Surface surface{mesh, build_edge_table(mesh), {}};
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& v = mesh.triangles[t];
-    const Vec3 a = mesh.positions[at(v[1])] - mesh.positions[at(v[0])];
-    const Vec3 b = mesh.positions[at(v[2])] - mesh.positions[at(v[0])];
-    s.normals.push_back(a.cross(b));
+    const Vec3 a = mesh.positions[idx(v[1])] - mesh.positions[idx(v[0])];
+    const Vec3 b = mesh.positions[idx(v[2])] - mesh.positions[idx(v[0])];
+    surface.normals.push_back(a.cross(b));
     constexpr double kFlat = 1e-8;  // of the edges' product: below, a chart of it has no shape
-    if (!(s.normals.back().norm() > kFlat * a.norm() * b.norm()))
+    if (!(surface.normals.back().norm() > kFlat * a.norm() * b.norm()))
       throw InputError(name + ": no area, triangle " + std::to_string(t) +
                        ", expected a coarse surface without needles");
   }
-  return s;
+  return surface;
 }
 
 template <class Visit>
-void visit_neighbours(const Surface& s, std::int32_t t, const Visit& visit) {
-  for (const std::int32_t e : s.edges.of_triangle[at(t)]) {
-    const MeshEdge& edge = s.edges.edges[at(e)];
+void visit_neighbours(const Surface& surface, std::int32_t t, const Visit& visit) {
+  for (const std::int32_t e : surface.edges.of_triangle[idx(t)]) {
+    const MeshEdge& edge = surface.edges.edges[idx(e)];
     if (edge.use_count != 2) continue;
-    for (const EdgeUse& use : s.edges.uses_of(edge))
+    for (const EdgeUse& use : surface.edges.uses_of(edge))
       if (use.triangle != t) visit(use.triangle);
   }
 }
 
 /// Connected triangles among those that `is_free` allows, from a seed, within a cone of normals.
 /// They are taken.
-std::vector<std::int32_t> grow(const Surface& s, std::int32_t seed, double cone,
+std::vector<std::int32_t> grow(const Surface& surface, std::int32_t seed, double cone,
                                std::vector<char>& is_free) {
   struct Candidate {
     double off = 0.0;
@@ -70,15 +70,15 @@ std::vector<std::int32_t> grow(const Surface& s, std::int32_t seed, double cone,
   while (!queue.empty()) {
     const std::int32_t t = queue.top().triangle;
     queue.pop();
-    if (!is_free[at(t)]) continue;
-    const Vec3& normal = s.normals[at(t)];
+    if (!is_free[idx(t)]) continue;
+    const Vec3& normal = surface.normals[idx(t)];
     if (!chart.empty() && normal.dot(mean) < cone * normal.norm() * mean.norm()) continue;
-    is_free[at(t)] = 0;
+    is_free[idx(t)] = 0;
     chart.push_back(t);
     mean += normal;
-    visit_neighbours(s, t, [&](std::int32_t other) {
-      if (!is_free[at(other)]) return;
-      const Vec3& n = s.normals[at(other)];
+    visit_neighbours(surface, t, [&](std::int32_t other) {
+      if (!is_free[idx(other)]) return;
+      const Vec3& n = surface.normals[idx(other)];
       const double size = n.norm() * mean.norm();
       queue.push({size > 0.0 ? 1.0 - n.dot(mean) / size : 1.0, other});
     });
@@ -86,25 +86,26 @@ std::vector<std::int32_t> grow(const Surface& s, std::int32_t seed, double cone,
   return chart;
 }
 
-Vec3 middle(const Surface& s, std::int32_t t) {
-  const auto& v = s.mesh.triangles[at(t)];
-  return (s.mesh.positions[at(v[0])] + s.mesh.positions[at(v[1])] + s.mesh.positions[at(v[2])]) /
+Vec3 middle(const Surface& surface, std::int32_t t) {
+  const auto& v = surface.mesh.triangles[idx(t)];
+  return (surface.mesh.positions[idx(v[0])] + surface.mesh.positions[idx(v[1])] +
+          surface.mesh.positions[idx(v[2])]) /
          3.0;
 }
 
 /// Both sides of the plane through the middle of a chart, across its longest extent.
-std::array<std::vector<std::int32_t>, 2> halve(const Surface& s,
+std::array<std::vector<std::int32_t>, 2> halve(const Surface& surface,
                                                const std::vector<std::int32_t>& chart) {
-  Vec3 low = middle(s, chart[0]), high = low;
+  Vec3 low = middle(surface, chart[0]), high = low;
   for (const std::int32_t t : chart) {
-    low = low.cwiseMin(middle(s, t));
-    high = high.cwiseMax(middle(s, t));
+    low = low.cwiseMin(middle(surface, t));
+    high = high.cwiseMax(middle(surface, t));
   }
   int axis = 0;
   (high - low).maxCoeff(&axis);
   std::vector<std::int32_t> sorted = chart;
   std::sort(sorted.begin(), sorted.end(), [&](std::int32_t a, std::int32_t b) {
-    const double x = middle(s, a)[axis], y = middle(s, b)[axis];
+    const double x = middle(surface, a)[axis], y = middle(surface, b)[axis];
     return x != y ? x < y : a < b;
   });
   const auto cut = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
@@ -118,33 +119,34 @@ struct Chart {
 };
 
 /// Flattens a chart, or its connected halves.
-void add_charts(const Surface& s, const ChartParams& params, std::vector<std::int32_t> triangles,
-                std::vector<Chart>& charts) {
-  FlatChart flat = detail::flatten_chart(s.mesh, triangles);
+void add_charts(const Surface& surface, const ChartParams& params,
+                std::vector<std::int32_t> triangles, std::vector<Chart>& charts) {
+  FlatChart flat = detail::flatten_chart(surface.mesh, triangles);
   if (flat.is_usable && (flat.stretch <= params.most_stretch || triangles.size() == 1)) {
     charts.push_back({std::move(triangles), std::move(flat)});
     return;
   }
-  std::vector<char> is_free(s.mesh.triangles.size(), 0);
-  for (const std::vector<std::int32_t>& half : halve(s, triangles)) {
-    for (const std::int32_t t : half) is_free[at(t)] = 1;
+  std::vector<char> is_free(surface.mesh.triangles.size(), 0);
+  for (const std::vector<std::int32_t>& half : halve(surface, triangles)) {
+    for (const std::int32_t t : half) is_free[idx(t)] = 1;
     for (const std::int32_t t : half)
-      if (is_free[at(t)]) add_charts(s, params, grow(s, t, -1.0, is_free), charts);
+      if (is_free[idx(t)]) add_charts(surface, params, grow(surface, t, -1.0, is_free), charts);
   }
 }
 
-std::vector<Chart> segment(const Surface& s, const ChartParams& params) {
-  std::vector<std::int32_t> by_area(s.mesh.triangles.size());
+std::vector<Chart> segment(const Surface& surface, const ChartParams& params) {
+  std::vector<std::int32_t> by_area(surface.mesh.triangles.size());
   std::iota(by_area.begin(), by_area.end(), 0);
   std::sort(by_area.begin(), by_area.end(), [&](std::int32_t a, std::int32_t b) {
-    const double x = s.normals[at(a)].squaredNorm(), y = s.normals[at(b)].squaredNorm();
+    const double x = surface.normals[idx(a)].squaredNorm(),
+                 y = surface.normals[idx(b)].squaredNorm();
     return x != y ? x > y : a < b;
   });
-  std::vector<char> is_free(s.mesh.triangles.size(), 1);
+  std::vector<char> is_free(surface.mesh.triangles.size(), 1);
   std::vector<Chart> charts;
   for (const std::int32_t seed : by_area) {
-    if (!is_free[at(seed)]) continue;
-    add_charts(s, params, grow(s, seed, params.widest_cone, is_free), charts);
+    if (!is_free[idx(seed)]) continue;
+    add_charts(surface, params, grow(surface, seed, params.widest_cone, is_free), charts);
   }
   return charts;
 }
@@ -193,15 +195,15 @@ Packing pack(const std::vector<Vec2>& sizes, const std::vector<std::int32_t>& or
   double x = 0.0, y = 0.0, shelf = 0.0;
   const double border = 2.0 * params.gutter + 1.0, side = params.texels;
   for (const std::int32_t i : order) {
-    const double width = std::ceil(scale * sizes[at(i)].x()) + border;
-    const double height = std::ceil(scale * sizes[at(i)].y()) + border;
+    const double width = std::ceil(scale * sizes[idx(i)].x()) + border;
+    const double height = std::ceil(scale * sizes[idx(i)].y()) + border;
     if (x + width > side) {
       x = 0.0;
       y += shelf;
       shelf = 0.0;
     }
     if (width > side || y + height > side) return packing;
-    packing.place[at(i)] = Vec2(x + params.gutter, y + params.gutter);
+    packing.place[idx(i)] = Vec2(x + params.gutter, y + params.gutter);
     x += width;
     shelf = std::max(shelf, height);
   }
@@ -221,7 +223,7 @@ ChartMap make_charts(const TriangleMesh& mesh, const ChartParams& params, const 
   std::vector<std::int32_t> order(charts.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    return sizes[at(a)].y() > sizes[at(b)].y();
+    return sizes[idx(a)].y() > sizes[idx(b)].y();
   });
   double low = 0.0, high = params.texels / std::sqrt(area);
   if (!pack(sizes, order, low, params).is_fitting)
@@ -242,7 +244,7 @@ ChartMap make_charts(const TriangleMesh& mesh, const ChartParams& params, const 
   for (std::size_t i = 0; i < charts.size(); ++i) {
     map.distortion_max = std::max(map.distortion_max, charts[i].flat.stretch);
     for (std::size_t k = 0; k < charts[i].triangles.size(); ++k) {
-      const std::size_t t = at(charts[i].triangles[k]);
+      const std::size_t t = idx(charts[i].triangles[k]);
       map.chart[t] = static_cast<std::int32_t>(i);
       for (std::size_t c = 0; c < 3; ++c)
         map.corners[t][c] = packing.place[i] + low * charts[i].flat.at[k][c];

@@ -6,6 +6,7 @@
 
 #include "thigma/convex/decomposition.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/mesh/surface_topology.h"
 
 namespace thigma::detail {
 namespace {
@@ -41,7 +42,7 @@ Borders expect_borders(const TriangleMesh& mesh) {
   Borders seen;
   for (std::size_t i = 0; i < parts.patches.size(); ++i) {
     const PatchFeatures features =
-        find_features(mesh, surface, parts.patches[i], parts.vertices[i], flat);
+        find_features({mesh, surface, parts.patches[i], parts.vertices[i]}, flat);
     for (const RealEdge& e : features.edges) {
       if (e.face_right >= 0) {
         EXPECT_EQ(e.beyond, Vec3(Vec3::Zero()));  // the patch goes on

@@ -31,7 +31,7 @@ bool is_allowed(const test::MeshPatch& patch, const RealEdge& e, const Vec3& n) 
 double search_all(const test::MeshPatch& a, const test::MeshPatch& b, const RelativePose& x,
                   bool checks_arcs) {
   const HullView va = a.view(), vb = b.view();
-  const PlacedPair pair(va, vb, x);
+  const PlacedPair pair({va, vb, x});
   double least = kInfinity;
   const auto offer = [&](const Vec3& n) {
     double top = -kInfinity, bottom = kInfinity;
@@ -67,7 +67,7 @@ TEST(LeastOverlap, OfClosedHullsIsTheLeastOfAllSeparatingAxes) {
     const test::MeshPatch &a = trial % 2 == 0 ? ball : box, &b = trial % 3 == 0 ? ball : box;
     const RelativePose x = test::random_pose(0.8, random);
     const HullView va = a.view(), vb = b.view();
-    const WayOut out = least_overlap(PlacedPair(va, vb, x), nullptr);
+    const WayOut out = least_overlap(PlacedPair({va, vb, x}), nullptr);
     ASSERT_NEAR(out.overlap, search_all(a, b, x, false), 1e-9) << trial;
     ASSERT_NEAR(out.normal.norm(), 1.0, 1e-12);
   }
@@ -83,7 +83,7 @@ TEST(LeastOverlap, OfOpenPatchesIsTheLeastOfTheAllowedDirections) {
     RelativePose x = test::random_pose(0.3, random);
     x.translation += Vec3(0.0, 0.0, trial % 2 == 0 ? 1.5 : 0.0);
     const HullView va = a.view(), vb = b.view();
-    const PlacedPair pair(va, vb, x);
+    const PlacedPair pair({va, vb, x});
     const WayOut out = least_overlap(pair, nullptr);
     ASSERT_NEAR(out.overlap, search_all(a, b, x, true), 1e-9) << trial;
     bool is_face = false;
@@ -101,7 +101,7 @@ TEST(LeastOverlap, StaysNearARememberedDirection) {
   for (int trial = 0; trial < 100; ++trial) {
     const RelativePose x = test::random_pose(0.5, random);
     const HullView va = a.view(), vb = b.view();
-    const PlacedPair pair(va, vb, x);
+    const PlacedPair pair({va, vb, x});
     const WayOut least = least_overlap(pair, nullptr);
     const Vec3 last = (least.normal + 0.05 * random.direction()).normalized();
     const WayOut kept = least_overlap(pair, &last);

@@ -18,7 +18,7 @@ void query(const ClodHierarchy& h) {
       asked.resolution.is_exact = is_exact;
       Pose other;
       other.position = Vec3(apart * h.radius, 0.0, 0.0);
-      query_contacts(h, Pose{}, h, other, asked, front, contacts);
+      query_contacts({h}, {h, other}, asked, front, contacts);
       require(contacts.contacts.size() <= 64, "contacts fit");
     }
   }

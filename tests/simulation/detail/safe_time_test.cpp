@@ -47,7 +47,7 @@ TEST(SafeTime, NothingMeetsWithinIt) {
     s.angular_momentum = world.body.inertia * random.in_cube(10.0);
     const double gap = lowest(s);
     clear(set);
-    query_contacts(object, Pose{s.position, s.orientation} * world.body_from_mesh, floor, Pose{},
+    query_contacts({object, Pose{s.position, s.orientation} * world.body_from_mesh}, {floor},
                    {.tolerance = world.tolerance}, front, set);
     const double reach = (-solid.center_of_mass + object.center).norm() + 1.02 * object.radius;
     const double time = detail::safe_time(world, s, set, reach);

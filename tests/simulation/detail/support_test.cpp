@@ -36,7 +36,7 @@ struct Held {
     set.contacts.push_back(c);
   }
   Wrench support(double time, double lift) {
-    return detail::support_wrench(world, state, set, all, time, lift, points);
+    return detail::support_wrench(world, state, {set, all}, {time, lift}, points);
   }
   Vec3 mean_velocity(const Wrench& push, const Vec3& arm, double time) const {
     const Twist v = velocity(world.body, state);

@@ -30,7 +30,7 @@ ClusterBox box_of(const NodeDraft& draft) {
 std::vector<std::int32_t> united_pools(const std::vector<std::int32_t>& children, DraftTree& tree) {
   std::vector<std::int32_t> pool, sum;
   for (const std::int32_t child : children) {
-    auto& own = tree.pools[at(child)];
+    auto& own = tree.pools[idx(child)];
     sum.clear();
     std::set_union(pool.begin(), pool.end(), own.begin(), own.end(), std::back_inserter(sum));
     pool.swap(sum);
@@ -48,7 +48,7 @@ DraftTree draft_leaves(const TriangleMesh& mesh, const ConvexDecomposition& deco
   for (std::size_t i = 0; i < tree.drafts.size(); ++i) {
     tree.drafts[i].patch = static_cast<std::int32_t>(i);
     for (const std::int32_t v : decomposition.vertices[i])
-      tree.drafts[i].points.push_back(mesh.positions[at(v)]);
+      tree.drafts[i].points.push_back(mesh.positions[idx(v)]);
   }
   return tree;
 }
@@ -57,7 +57,7 @@ std::int32_t add_inner(const TriangleMesh& mesh, std::vector<std::int32_t> child
                        std::int32_t level, DraftTree& tree) {
   const std::vector<std::int32_t> pool = united_pools(children, tree);
   std::vector<Vec3> points;
-  for (const std::int32_t v : pool) points.push_back(mesh.positions[at(v)]);
+  for (const std::int32_t v : pool) points.push_back(mesh.positions[idx(v)]);
   start_hull(tree.hull, points, kInnerTolerance);
   grow_hull(tree.hull, kInnerVertices);
   NodeDraft draft;
@@ -65,11 +65,11 @@ std::int32_t add_inner(const TriangleMesh& mesh, std::vector<std::int32_t> child
   draft.level = level;
   draft.hausdorff = outside_distance(tree.hull) + kInnerSlack / tree.hull.scale;
   std::vector<std::int32_t> kept, outside;
-  for (const std::int32_t i : tree.hull.vertices) kept.push_back(pool[at(i)]);
+  for (const std::int32_t i : tree.hull.vertices) kept.push_back(pool[idx(i)]);
   std::sort(kept.begin(), kept.end());
-  for (const std::int32_t v : kept) draft.points.push_back(mesh.positions[at(v)]);
+  for (const std::int32_t v : kept) draft.points.push_back(mesh.positions[idx(v)]);
   list_outside(tree.hull, outside);
-  for (const std::int32_t i : outside) kept.push_back(pool[at(i)]);
+  for (const std::int32_t i : outside) kept.push_back(pool[idx(i)]);
   std::sort(kept.begin(), kept.end());
   tree.pools.push_back(std::move(kept));
   tree.drafts.push_back(std::move(draft));
@@ -79,12 +79,12 @@ std::int32_t add_inner(const TriangleMesh& mesh, std::vector<std::int32_t> child
 std::int32_t add_free_levels(const TriangleMesh& mesh, const std::vector<std::int32_t>& tops,
                              DraftTree& tree) {
   std::vector<ClusterBox> boxes;
-  for (const std::int32_t top : tops) boxes.push_back(box_of(tree.drafts[at(top)]));
+  for (const std::int32_t top : tops) boxes.push_back(box_of(tree.drafts[idx(top)]));
   std::vector<std::int32_t> cluster = tops;
   for (const Merge& merge : merge_clusters(boxes)) {
-    const std::int32_t left = cluster[at(merge.left)], right = cluster[at(merge.right)];
+    const std::int32_t left = cluster[idx(merge.left)], right = cluster[idx(merge.right)];
     const std::int32_t level =
-        1 + std::max(tree.drafts[at(left)].level, tree.drafts[at(right)].level);
+        1 + std::max(tree.drafts[idx(left)].level, tree.drafts[idx(right)].level);
     cluster.push_back(add_inner(mesh, {left, right}, level, tree));
   }
   return cluster.back();
@@ -93,15 +93,15 @@ std::int32_t add_free_levels(const TriangleMesh& mesh, const std::vector<std::in
 std::int32_t add_even_levels(const TriangleMesh& mesh, std::span<std::int32_t> tops,
                              DraftTree& tree) {
   if (tops.size() == 1) return tops[0];
-  ClusterBox box = box_of(tree.drafts[at(tops[0])]);
+  ClusterBox box = box_of(tree.drafts[idx(tops[0])]);
   for (const std::int32_t top : tops) {
-    const ClusterBox other = box_of(tree.drafts[at(top)]);
+    const ClusterBox other = box_of(tree.drafts[idx(top)]);
     box = {box.low.cwiseMin(other.low), box.high.cwiseMax(other.high)};
   }
   Eigen::Index axis = 0;
   (box.high - box.low).maxCoeff(&axis);
   const auto place = [&](std::int32_t top) {
-    const ClusterBox own = box_of(tree.drafts[at(top)]);
+    const ClusterBox own = box_of(tree.drafts[idx(top)]);
     return std::pair(own.low[axis] + own.high[axis], top);
   };
   std::sort(tops.begin(), tops.end(),
@@ -110,60 +110,59 @@ std::int32_t add_even_levels(const TriangleMesh& mesh, std::span<std::int32_t> t
   const std::int32_t left = add_even_levels(mesh, tops.first(half), tree);
   const std::int32_t right = add_even_levels(mesh, tops.subspan(half), tree);
   const std::int32_t level =
-      1 + std::max(tree.drafts[at(left)].level, tree.drafts[at(right)].level);
+      1 + std::max(tree.drafts[idx(left)].level, tree.drafts[idx(right)].level);
   return add_inner(mesh, {left, right}, level, tree);
 }
 
-PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& h) {
+PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& hierarchy) {
   PlacedHull hull;
-  hull.first_vertex = static_cast<std::int32_t>(h.vertices.size());
+  hull.first_vertex = static_cast<std::int32_t>(hierarchy.vertices.size());
   hull.vertex_count = static_cast<std::int32_t>(points.size());
-  h.vertices.insert(h.vertices.end(), points.begin(), points.end());
+  hierarchy.vertices.insert(hierarchy.vertices.end(), points.begin(), points.end());
   hull.center = enclosing_ball(points).center;
   for (const Vec3& p : points) hull.radius = std::max(hull.radius, (p - hull.center).norm());
-  hull.first_lane = static_cast<std::int32_t>(h.lanes.size());
+  hull.first_lane = static_cast<std::int32_t>(hierarchy.lanes.size());
   hull.lane_count = (hull.vertex_count + 7) / 8 * 8;
   for (int axis = 0; axis < 3; ++axis)
     for (std::int32_t i = 0; i < hull.lane_count; ++i)
-      h.lanes.push_back(static_cast<float>(points[at(std::min(i, hull.vertex_count - 1))][axis] -
-                                           hull.center[axis]));
+      hierarchy.lanes.push_back(static_cast<float>(
+          points[idx(std::min(i, hull.vertex_count - 1))][axis] - hull.center[axis]));
   return hull;
 }
 
-ClodPatch append_features(const TriangleMesh& mesh, const SurfaceTopology& surface,
-                          std::span<const std::int32_t> triangles,
-                          std::span<const std::int32_t> vertices, double flat, ClodHierarchy& h) {
-  const PatchFeatures features = find_features(mesh, surface, triangles, vertices, flat);
-  ClodPatch patch;
-  patch.first_triangle = static_cast<std::int32_t>(h.hull_triangles.size());
-  patch.triangle_count = static_cast<std::int32_t>(triangles.size());
-  patch.first_face = static_cast<std::int32_t>(h.faces.size());
-  patch.face_count = static_cast<std::int32_t>(features.faces.size());
-  patch.first_edge = static_cast<std::int32_t>(h.edges.size());
-  patch.edge_count = static_cast<std::int32_t>(features.edges.size());
-  patch.thickness = features.thickness;
-  h.hull_triangles.insert(h.hull_triangles.end(), features.triangles.begin(),
-                          features.triangles.end());
-  h.triangle_ids.insert(h.triangle_ids.end(), triangles.begin(), triangles.end());
-  h.faces.insert(h.faces.end(), features.faces.begin(), features.faces.end());
-  h.edges.insert(h.edges.end(), features.edges.begin(), features.edges.end());
-  return patch;
+ClodPatch append_features(const PatchOfMesh& patch, double flat, ClodHierarchy& hierarchy) {
+  const PatchFeatures features = find_features(patch, flat);
+  ClodPatch result;
+  result.first_triangle = static_cast<std::int32_t>(hierarchy.hull_triangles.size());
+  result.triangle_count = static_cast<std::int32_t>(patch.triangles.size());
+  result.first_face = static_cast<std::int32_t>(hierarchy.faces.size());
+  result.face_count = static_cast<std::int32_t>(features.faces.size());
+  result.first_edge = static_cast<std::int32_t>(hierarchy.edges.size());
+  result.edge_count = static_cast<std::int32_t>(features.edges.size());
+  result.thickness = features.thickness;
+  hierarchy.hull_triangles.insert(hierarchy.hull_triangles.end(), features.triangles.begin(),
+                                  features.triangles.end());
+  hierarchy.triangle_ids.insert(hierarchy.triangle_ids.end(), patch.triangles.begin(),
+                                patch.triangles.end());
+  hierarchy.faces.insert(hierarchy.faces.end(), features.faces.begin(), features.faces.end());
+  hierarchy.edges.insert(hierarchy.edges.end(), features.edges.begin(), features.edges.end());
+  return result;
 }
 
-void place_drafts(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
-                  const DraftTree& tree, std::int32_t root, ClodHierarchy& h) {
-  const double flat = decomposition.params.convexity_tolerance * h.radius;
-  const SurfaceTopology surface = compute_topology(mesh);
+void place_drafts(const DecomposedSurface& surface, const DraftTree& tree, std::int32_t root,
+                  ClodHierarchy& hierarchy) {
+  const ConvexDecomposition& decomposition = surface.patches;
+  const double flat = decomposition.params.convexity_tolerance * hierarchy.radius;
   std::vector<std::int32_t> order(1, root);
-  h.nodes.reserve(tree.drafts.size());
-  h.patches.resize(decomposition.patches.size());
+  hierarchy.nodes.reserve(tree.drafts.size());
+  hierarchy.patches.resize(decomposition.patches.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const NodeDraft& draft = tree.drafts[at(order[i])];
+    const NodeDraft& draft = tree.drafts[idx(order[i])];
     ClodNode node;
     node.hausdorff = draft.hausdorff;
     node.level = draft.level;
     node.contact = draft.contact;
-    const PlacedHull hull = append_hull(draft.points, h);
+    const PlacedHull hull = append_hull(draft.points, hierarchy);
     node.center = hull.center;
     node.radius = hull.radius;
     node.first_vertex = hull.first_vertex;
@@ -176,12 +175,13 @@ void place_drafts(const TriangleMesh& mesh, const ConvexDecomposition& decomposi
       order.insert(order.end(), draft.children.begin(), draft.children.end());
     } else {
       node.patch = draft.patch;
-      h.patches[at(node.patch)] =
-          append_features(mesh, surface, decomposition.patches[at(node.patch)],
-                          decomposition.vertices[at(node.patch)], flat, h);
-      h.patches[at(node.patch)].node = static_cast<std::int32_t>(i);
+      hierarchy.patches[idx(node.patch)] =
+          append_features({surface.mesh, surface.topology, decomposition.patches[idx(node.patch)],
+                           decomposition.vertices[idx(node.patch)]},
+                          flat, hierarchy);
+      hierarchy.patches[idx(node.patch)].node = static_cast<std::int32_t>(i);
     }
-    h.nodes.push_back(node);
+    hierarchy.nodes.push_back(node);
   }
 }
 

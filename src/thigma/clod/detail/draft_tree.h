@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "thigma/clod/detail/patch_features.h"
 #include "thigma/clod/hierarchy.h"
 #include "thigma/convex/decomposition.h"
 #include "thigma/convex/quickhull.h"
@@ -60,16 +61,14 @@ struct PlacedHull {
   double radius = 0.0;
   std::int32_t first_vertex = 0, vertex_count = 0, first_lane = 0, lane_count = 0;
 };
-PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& h);
+PlacedHull append_hull(std::span<const Vec3> points, ClodHierarchy& hierarchy);
 
-/// Appends the features of a patch of a mesh. triangles and vertices ascending; flat [m].
-ClodPatch append_features(const TriangleMesh& mesh, const SurfaceTopology& surface,
-                          std::span<const std::int32_t> triangles,
-                          std::span<const std::int32_t> vertices, double flat, ClodHierarchy& h);
+/// Appends the features of a patch, and the numbers of its triangles.
+ClodPatch append_features(const PatchOfMesh& patch, double flat, ClodHierarchy& hierarchy);
 
 /// Places the drafts below the root breadth first, so that children lie together and parents before
 /// them; fills nodes, patches and the geometry of both.
-void place_drafts(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
-                  const DraftTree& tree, std::int32_t root, ClodHierarchy& h);
+void place_drafts(const DecomposedSurface& surface, const DraftTree& tree, std::int32_t root,
+                  ClodHierarchy& hierarchy);
 
 }  // namespace thigma::detail

@@ -45,8 +45,8 @@ struct Nearest {
   double distance = kInfinity;
 };
 
-void search_leaf(const ClodHierarchy& h, std::int32_t node, const Vec3& p, Nearest& best) {
-  const HullView leaf = hull_view(h, node);
+void search_leaf(const ClodHierarchy& hierarchy, std::int32_t node, const Vec3& p, Nearest& best) {
+  const HullView leaf = hull_view(hierarchy, node);
   for (int t = 0; t < leaf.triangle_count; ++t) {
     const double d = distance(p, corners(leaf, t));
     if (d < best.distance) best = {node, t, d};
@@ -59,36 +59,37 @@ double least_distance(const ClodNode& n, const Vec3& p) {
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the tree.
-void search_below(const ClodHierarchy& h, std::int32_t index, const Vec3& p, Nearest& best) {
-  const ClodNode& n = h.nodes[at(index)];
+void search_below(const ClodHierarchy& hierarchy, std::int32_t index, const Vec3& p,
+                  Nearest& best) {
+  const ClodNode& n = hierarchy.nodes[idx(index)];
   if (n.child_count == 0) {
-    search_leaf(h, index, p, best);
+    search_leaf(hierarchy, index, p, best);
     return;
   }
   std::int32_t first = n.first_child;
   double least = kInfinity;
   for (std::int32_t c = n.first_child; c < n.first_child + n.child_count; ++c) {
-    const double d = least_distance(h.nodes[at(c)], p);
+    const double d = least_distance(hierarchy.nodes[idx(c)], p);
     if (d < least) {
       least = d;
       first = c;
     }
   }
-  if (least < best.distance) search_below(h, first, p, best);
+  if (least < best.distance) search_below(hierarchy, first, p, best);
   for (std::int32_t c = n.first_child; c < n.first_child + n.child_count; ++c)
-    if (c != first && least_distance(h.nodes[at(c)], p) < best.distance)
-      search_below(h, c, p, best);
+    if (c != first && least_distance(hierarchy.nodes[idx(c)], p) < best.distance)
+      search_below(hierarchy, c, p, best);
 }
 
 /// Nearest original triangle below a node. guess: one that may be near.
-Nearest nearest_below(const ClodHierarchy& h, std::int32_t node, const Vec3& p,
+Nearest nearest_below(const ClodHierarchy& hierarchy, std::int32_t node, const Vec3& p,
                       const Nearest& guess) {
   Nearest best;
   if (guess.node >= 0) {
     best = guess;
-    best.distance = distance(p, corners(hull_view(h, guess.node), guess.triangle));
+    best.distance = distance(p, corners(hull_view(hierarchy, guess.node), guess.triangle));
   }
-  search_below(h, node, p, best);
+  search_below(hierarchy, node, p, best);
   return best;
 }
 
@@ -123,7 +124,7 @@ struct PatchBounds {
   /// Raises `largest` to the distance of everything below to the triangles of the patch.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the tree.
   void from_below(std::int32_t index, const HullView& patch, int& guess, double& largest) const {
-    const ClodNode& n = h.nodes[at(index)];
+    const ClodNode& n = h.nodes[idx(index)];
     for (std::int32_t c = n.first_child; c < n.first_child + n.child_count; ++c)
       from_below(c, patch, guess, largest);
     if (n.child_count > 0) return;
@@ -148,44 +149,45 @@ float round_up(double x) {
                                     : f;
 }
 
-void measure_patch(ClodHierarchy& h, LevelPatch& c) {
-  const double rounding = 1e-12 * h.radius;
-  const PatchBounds bounds{h, c.patch.node, c.deviation};
-  const HullView patch = level_surface(h, c.patch.node);
+void measure_patch(ClodHierarchy& hierarchy, LevelPatch& c) {
+  const double rounding = 1e-12 * hierarchy.radius;
+  const PatchBounds bounds{hierarchy, c.patch.node, c.deviation};
+  const HullView patch = level_surface(hierarchy, c.patch.node);
   int guess = 0;
   bounds.from_below(c.patch.node, patch, guess, c.from_below);
   c.from_below += rounding;
   Nearest near;
   for (int v = 0; v < patch.vertex_count; ++v) {
-    near = nearest_below(h, c.patch.node, patch.vertices[v], near);
+    near = nearest_below(hierarchy, c.patch.node, patch.vertices[v], near);
     const double d = near.distance + rounding;
-    h.vertex_to_below[at(c.first_vertex + v)] = round_up(d);
+    hierarchy.vertex_to_below[idx(c.first_vertex + v)] = round_up(d);
     c.to_below = std::max(c.to_below, d);
   }
   for (int t = 0; t < patch.triangle_count; ++t) {
     double met = 0.0;
     for (const std::uint8_t v : patch.triangles[t].corner)
-      met = std::max(met, static_cast<double>(h.vertex_to_below[at(c.first_vertex) + v]));
+      met = std::max(met, static_cast<double>(hierarchy.vertex_to_below[idx(c.first_vertex) + v]));
     const double d =
         std::max(met, bounds.to_below(corners(patch, t), kDivisions, near, met) + rounding);
-    h.triangle_to_below[at(c.patch.first_triangle + t)] = round_up(d);
+    hierarchy.triangle_to_below[idx(c.patch.first_triangle + t)] = round_up(d);
     c.to_below = std::max(c.to_below, static_cast<double>(round_up(d)));
   }
   c.hausdorff = std::max({c.hausdorff, c.from_below - c.deviation, c.to_below - c.deviation,
-                          h.nodes[at(c.patch.node)].hausdorff - c.deviation});
+                          hierarchy.nodes[idx(c.patch.node)].hausdorff - c.deviation});
 }
 
 }  // namespace
 
-void measure_level_bounds(int threads, ClodHierarchy& h) {
-  if (h.level_patches.empty()) return;
-  h.vertex_to_below.assign(h.vertices.size(), 0.0f);
-  h.triangle_to_below.assign(h.hull_triangles.size(), 0.0f);
+void measure_level_bounds(int threads, ClodHierarchy& hierarchy) {
+  if (hierarchy.level_patches.empty()) return;
+  hierarchy.vertex_to_below.assign(hierarchy.vertices.size(), 0.0f);
+  hierarchy.triangle_to_below.assign(hierarchy.hull_triangles.size(), 0.0f);
   // Patches are independent: which thread takes one does not show in the result.
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
-    for (std::size_t i = next++; i < h.level_patches.size(); i = next++)
-      if (h.level_patches[i].patch.node >= 0) measure_patch(h, h.level_patches[i]);
+    for (std::size_t i = next++; i < hierarchy.level_patches.size(); i = next++)
+      if (hierarchy.level_patches[i].patch.node >= 0)
+        measure_patch(hierarchy, hierarchy.level_patches[i]);
   };
   std::vector<std::thread> others;
   for (int i = 1; i < threads; ++i) others.emplace_back(work);

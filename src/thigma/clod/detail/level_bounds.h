@@ -11,6 +11,6 @@ namespace thigma::detail {
 /// raises h of contact patches until s + h covers from_below, to_below and h of the node.
 /// All are upper bounds, rounding included. After s, h and the nodes' hulls; does nothing without
 /// contact patches. The result does not depend on the number of threads.
-void measure_level_bounds(int threads, ClodHierarchy& h);
+void measure_level_bounds(int threads, ClodHierarchy& hierarchy);
 
 }  // namespace thigma::detail

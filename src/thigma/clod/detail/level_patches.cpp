@@ -39,8 +39,8 @@ double reach_outside(const HullView& inner, const HullView& outer) {
 }
 
 std::array<Vec3, 3> corners(const TriangleMesh& mesh, std::int32_t t) {
-  const auto& v = mesh.triangles[at(t)];
-  return {mesh.positions[at(v[0])], mesh.positions[at(v[1])], mesh.positions[at(v[2])]};
+  const auto& v = mesh.triangles[idx(t)];
+  return {mesh.positions[idx(v[0])], mesh.positions[idx(v[1])], mesh.positions[idx(v[2])]};
 }
 
 /// Where a level's surface may be, seen from the original's: three times as far as its farthest
@@ -54,59 +54,68 @@ double reach_of(const DeviationTarget& original, const TriangleMesh& level) {
 }
 
 /// Of each level and finest patch: the contact patch above it.
-std::vector<std::vector<std::int32_t>> contact_patches_above(const ClodHierarchy& h,
+std::vector<std::vector<std::int32_t>> contact_patches_above(const ClodHierarchy& hierarchy,
                                                              std::size_t levels) {
-  std::vector<std::int32_t> parent(h.nodes.size(), -1);
-  for (std::size_t i = 0; i < h.nodes.size(); ++i)
-    for (std::int32_t k = 0; k < h.nodes[i].child_count; ++k)
-      parent[at(h.nodes[i].first_child + k)] = static_cast<std::int32_t>(i);
+  std::vector<std::int32_t> parent(hierarchy.nodes.size(), -1);
+  for (std::size_t i = 0; i < hierarchy.nodes.size(); ++i)
+    for (std::int32_t k = 0; k < hierarchy.nodes[i].child_count; ++k)
+      parent[idx(hierarchy.nodes[i].first_child + k)] = static_cast<std::int32_t>(i);
   std::vector<std::vector<std::int32_t>> above(levels);
   std::vector<std::int32_t> node;
-  for (const ClodPatch& patch : h.patches) node.push_back(patch.node);
+  for (const ClodPatch& patch : hierarchy.patches) node.push_back(patch.node);
   for (std::size_t k = 1; k < levels; ++k)
     for (std::int32_t& i : node) {
-      i = parent[at(i)];
-      above[k].push_back(h.nodes[at(i)].contact);
+      i = parent[idx(i)];
+      above[k].push_back(hierarchy.nodes[idx(i)].contact);
     }
   return above;
 }
 
+/// The surface from which levels deviate.
+struct FinestSurface {
+  const TriangleMesh& mesh;
+  const ConvexDecomposition& decomposition;
+  DeviationTarget target;
+};
+
 /// Deviations of one level. first: its first contact patch.
-void measure_level(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
-                   const SimplifiedLevel& level, const DeviationTarget& original,
-                   const std::vector<std::int32_t>& above, std::size_t first, ClodHierarchy& h) {
+void measure_level(const FinestSurface& finest, const SimplifiedLevel& level,
+                   const std::vector<std::int32_t>& above, std::size_t first,
+                   ClodHierarchy& hierarchy) {
+  const DeviationTarget& original = finest.target;
+  const std::vector<std::vector<std::int32_t>>& patches = finest.decomposition.patches;
   const double reach = reach_of(original, level.mesh);
   const DeviationTarget target = build_deviation_target(level.mesh);
-  const double rounding = 1e-12 * h.radius;  // of what is measured
-  std::vector<DeviationRange> range(at(level.patch_count), DeviationRange{0.0, rounding});
+  const double rounding = 1e-12 * hierarchy.radius;  // of what is measured
+  std::vector<DeviationRange> range(idx(level.patch_count), DeviationRange{0.0, rounding});
   std::int32_t guess = 0;
   for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
     if (level.patch_of_triangle[t] < 0) continue;
     extend_deviation(original, corners(level.mesh, static_cast<std::int32_t>(t)), reach,
-                     range[at(level.patch_of_triangle[t])], guess);
+                     range[idx(level.patch_of_triangle[t])], guess);
   }
   guess = 0;
-  for (std::size_t p = 0; p < decomposition.patches.size(); ++p) {
-    DeviationRange& of_patch = range[at(above[p]) - first];
-    for (const std::int32_t t : decomposition.patches[p])
-      extend_deviation(target, corners(mesh, t), reach, of_patch, guess);
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    DeviationRange& of_patch = range[idx(above[p]) - first];
+    for (const std::int32_t t : patches[p])
+      extend_deviation(target, corners(finest.mesh, t), reach, of_patch, guess);
   }
   for (std::size_t p = 0; p < range.size(); ++p)
-    h.level_patches[first + p].deviation = range[p].bound;
+    hierarchy.level_patches[first + p].deviation = range[p].bound;
 }
 
 }  // namespace
 
-std::vector<LevelPatches> list_level_patches(const Simplification& s) {
-  std::vector<LevelPatches> result(s.levels.size());
-  for (std::size_t k = 1; k < s.levels.size(); ++k) {
-    const SimplifiedLevel& level = s.levels[k];
+std::vector<LevelPatches> list_level_patches(const Simplification& simplification) {
+  std::vector<LevelPatches> result(simplification.levels.size());
+  for (std::size_t k = 1; k < simplification.levels.size(); ++k) {
+    const SimplifiedLevel& level = simplification.levels[k];
     LevelPatches& patches = result[k];
-    patches.triangles.resize(at(level.patch_count));
-    patches.vertices.resize(at(level.patch_count));
+    patches.triangles.resize(idx(level.patch_count));
+    patches.vertices.resize(idx(level.patch_count));
     for (std::size_t t = 0; t < level.mesh.triangles.size(); ++t) {
       if (level.patch_of_triangle[t] < 0) continue;
-      const std::size_t patch = at(level.patch_of_triangle[t]);
+      const std::size_t patch = idx(level.patch_of_triangle[t]);
       patches.triangles[patch].push_back(static_cast<std::int32_t>(t));
       for (const std::int32_t v : level.mesh.triangles[t]) patches.vertices[patch].push_back(v);
     }
@@ -118,92 +127,95 @@ std::vector<LevelPatches> list_level_patches(const Simplification& s) {
   return result;
 }
 
-void append_contact_patches(const Simplification& s, const std::vector<LevelPatches>& patches,
-                            ClodHierarchy& h) {
+void append_contact_patches(const Simplification& simplification,
+                            const std::vector<LevelPatches>& patches, ClodHierarchy& hierarchy) {
   std::vector<Vec3> points;
-  for (std::size_t k = 1; k < s.levels.size(); ++k) {
-    const TriangleMesh& mesh = s.levels[k].mesh;
-    const SurfaceTopology surface = compute_topology(mesh);
+  for (std::size_t k = 1; k < simplification.levels.size(); ++k) {
+    const TriangleMesh& mesh = simplification.levels[k].mesh;
+    const SurfaceTopology topology = compute_topology(mesh);
     for (std::size_t p = 0; p < patches[k].triangles.size(); ++p) {
       points.clear();
-      for (const std::int32_t v : patches[k].vertices[p]) points.push_back(mesh.positions[at(v)]);
+      for (const std::int32_t v : patches[k].vertices[p]) points.push_back(mesh.positions[idx(v)]);
       LevelPatch contact;
       contact.level = static_cast<std::int32_t>(k);
-      const PlacedHull hull = append_hull(points, h);
+      const PlacedHull hull = append_hull(points, hierarchy);
       contact.center = hull.center;
       contact.radius = hull.radius;
       contact.first_vertex = hull.first_vertex;
       contact.vertex_count = hull.vertex_count;
       contact.first_lane = hull.first_lane;
       contact.lane_count = hull.lane_count;
-      contact.patch = append_features(mesh, surface, patches[k].triangles[p],
-                                      patches[k].vertices[p], s.convexity_tolerance, h);
-      h.level_patches.push_back(contact);
+      contact.patch =
+          append_features({mesh, topology, patches[k].triangles[p], patches[k].vertices[p]},
+                          simplification.convexity_tolerance, hierarchy);
+      hierarchy.level_patches.push_back(contact);
     }
   }
-  for (std::size_t i = 0; i < h.nodes.size(); ++i)
-    if (h.nodes[i].contact >= 0)
-      h.level_patches[at(h.nodes[i].contact)].patch.node = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < hierarchy.nodes.size(); ++i)
+    if (hierarchy.nodes[i].contact >= 0)
+      hierarchy.level_patches[idx(hierarchy.nodes[i].contact)].patch.node =
+          static_cast<std::int32_t>(i);
 }
 
-void measure_hausdorff(ClodHierarchy& h) {
-  std::vector<std::vector<std::int32_t>> below(h.nodes.size());  // nodes with a patch
-  for (std::size_t i = h.nodes.size(); i-- > 0;) {
-    const ClodNode& node = h.nodes[i];
+void measure_hausdorff(ClodHierarchy& hierarchy) {
+  std::vector<std::vector<std::int32_t>> below(hierarchy.nodes.size());  // nodes with a patch
+  for (std::size_t i = hierarchy.nodes.size(); i-- > 0;) {
+    const ClodNode& node = hierarchy.nodes[i];
     const bool is_free = node.child_count > 0 && node.contact < 0;
     for (std::int32_t k = 0; k < node.child_count; ++k) {
-      auto& child = below[at(node.first_child + k)];
+      auto& child = below[idx(node.first_child + k)];
       if (!is_free) below[i].insert(below[i].end(), child.begin(), child.end());
       std::vector<std::int32_t>().swap(child);
     }
     if (is_free) continue;
     if (node.contact >= 0) {
-      const HullView hull = level_surface(h, static_cast<std::int32_t>(i));
-      double& largest = h.level_patches[at(node.contact)].hausdorff;
+      const HullView hull = level_surface(hierarchy, static_cast<std::int32_t>(i));
+      double& largest = hierarchy.level_patches[idx(node.contact)].hausdorff;
       for (const std::int32_t other : below[i])
-        largest = std::max(largest, reach_outside(level_surface(h, other), hull));
-      largest += 1e-12 * h.radius;  // rounding of the distances
+        largest = std::max(largest, reach_outside(level_surface(hierarchy, other), hull));
+      largest += 1e-12 * hierarchy.radius;  // rounding of the distances
     }
     below[i].push_back(static_cast<std::int32_t>(i));
   }
 }
 
-void bound_by_contact_patches(ClodHierarchy& h) {
-  for (std::size_t i = h.nodes.size(); i-- > 0;) {
-    ClodNode& node = h.nodes[i];
+void bound_by_contact_patches(ClodHierarchy& hierarchy) {
+  for (std::size_t i = hierarchy.nodes.size(); i-- > 0;) {
+    ClodNode& node = hierarchy.nodes[i];
     if (node.contact >= 0) {
-      const LevelPatch& c = h.level_patches[at(node.contact)];
-      node.center = c.center;
-      node.radius = c.radius;
-      node.hausdorff = c.hausdorff;
-      node.first_vertex = c.first_vertex;
-      node.vertex_count = c.vertex_count;
-      node.first_lane = c.first_lane;
-      node.lane_count = c.lane_count;
+      const LevelPatch& patch = hierarchy.level_patches[idx(node.contact)];
+      node.center = patch.center;
+      node.radius = patch.radius;
+      node.hausdorff = patch.hausdorff;
+      node.first_vertex = patch.first_vertex;
+      node.vertex_count = patch.vertex_count;
+      node.first_lane = patch.first_lane;
+      node.lane_count = patch.lane_count;
     } else if (node.child_count > 0) {
-      const HullView hull = hull_view(h, static_cast<std::int32_t>(i));
+      const HullView hull = hull_view(hierarchy, static_cast<std::int32_t>(i));
       double largest = 0.0;
       for (std::int32_t k = node.first_child; k < node.first_child + node.child_count; ++k)
-        largest =
-            std::max(largest, reach_outside(hull_view(h, k), hull) + h.nodes[at(k)].hausdorff);
-      node.hausdorff = largest + 1e-12 * h.radius;
+        largest = std::max(largest, reach_outside(hull_view(hierarchy, k), hull) +
+                                        hierarchy.nodes[idx(k)].hausdorff);
+      node.hausdorff = largest + 1e-12 * hierarchy.radius;
     }
   }
 }
 
 void measure_deviation(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
-                       const Simplification& s, int threads, ClodHierarchy& h) {
-  if (s.levels.size() < 2) return;
-  const DeviationTarget original = build_deviation_target(mesh);
-  const auto above = contact_patches_above(h, s.levels.size());
+                       const Simplification& simplification, int threads,
+                       ClodHierarchy& hierarchy) {
+  if (simplification.levels.size() < 2) return;
+  const FinestSurface finest{mesh, decomposition, build_deviation_target(mesh)};
+  const auto above = contact_patches_above(hierarchy, simplification.levels.size());
   std::vector<std::size_t> first(1, 0);
-  for (const SimplifiedLevel& level : s.levels)
-    first.push_back(first.back() + (first.size() > 1 ? at(level.patch_count) : 0));
+  for (const SimplifiedLevel& level : simplification.levels)
+    first.push_back(first.back() + (first.size() > 1 ? idx(level.patch_count) : 0));
   // Levels are independent: which thread takes one does not show in the result.
   std::atomic<std::size_t> next{1};
   const auto work = [&] {
-    for (std::size_t k = next++; k < s.levels.size(); k = next++)
-      measure_level(mesh, decomposition, s.levels[k], original, above[k], first[k], h);
+    for (std::size_t k = next++; k < simplification.levels.size(); k = next++)
+      measure_level(finest, simplification.levels[k], above[k], first[k], hierarchy);
   };
   std::vector<std::thread> others;
   for (int i = 1; i < threads; ++i) others.emplace_back(work);
@@ -212,20 +224,21 @@ void measure_deviation(const TriangleMesh& mesh, const ConvexDecomposition& deco
 }
 
 void fill_support(const ConvexDecomposition& decomposition,
-                  const std::vector<LevelPatches>& patches, const Simplification& s,
-                  ClodHierarchy& h) {
-  if (s.levels.size() < 2) return;
-  h.support.assign(h.vertices.size(), {0.0, 0.0});
-  for (std::size_t p = 0; p < h.patches.size(); ++p) {
-    std::size_t place = at(h.nodes[at(h.patches[p].node)].first_vertex);
+                  const std::vector<LevelPatches>& patches, const Simplification& simplification,
+                  ClodHierarchy& hierarchy) {
+  if (simplification.levels.size() < 2) return;
+  hierarchy.support.assign(hierarchy.vertices.size(), {0.0, 0.0});
+  for (std::size_t p = 0; p < hierarchy.patches.size(); ++p) {
+    std::size_t place = idx(hierarchy.nodes[idx(hierarchy.patches[p].node)].first_vertex);
     for (const std::int32_t v : decomposition.vertices[p])
-      h.support[place++] = s.levels[0].support[at(v)];
+      hierarchy.support[place++] = simplification.levels[0].support[idx(v)];
   }
   std::size_t contact = 0;
-  for (std::size_t k = 1; k < s.levels.size(); ++k)
+  for (std::size_t k = 1; k < simplification.levels.size(); ++k)
     for (const auto& vertices : patches[k].vertices) {
-      std::size_t place = at(h.level_patches[contact++].first_vertex);
-      for (const std::int32_t v : vertices) h.support[place++] = s.levels[k].support[at(v)];
+      std::size_t place = idx(hierarchy.level_patches[contact++].first_vertex);
+      for (const std::int32_t v : vertices)
+        hierarchy.support[place++] = simplification.levels[k].support[idx(v)];
     }
 }
 

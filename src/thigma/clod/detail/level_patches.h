@@ -17,26 +17,26 @@ struct LevelPatches {
 };
 
 /// Of every level; those of level 0 stay empty, the decomposition has them.
-std::vector<LevelPatches> list_level_patches(const Simplification& s);
+std::vector<LevelPatches> list_level_patches(const Simplification& simplification);
 
 /// Appends the contact patches of levels 1.. with hulls and features, and ties them to their nodes.
-void append_contact_patches(const Simplification& s, const std::vector<LevelPatches>& patches,
-                            ClodHierarchy& h);
+void append_contact_patches(const Simplification& simplification,
+                            const std::vector<LevelPatches>& patches, ClodHierarchy& hierarchy);
 
 /// Fills h of the contact patches: exact, over the hulls of all patches below their nodes.
-void measure_hausdorff(ClodHierarchy& h);
+void measure_hausdorff(ClodHierarchy& hierarchy);
 
 /// Gives the nodes of simplified levels their contact patch as bounding hull, and free nodes h to
 /// match: the form of the text.
-void bound_by_contact_patches(ClodHierarchy& h);
+void bound_by_contact_patches(ClodHierarchy& hierarchy);
 
 /// Fills s of the contact patches. The result does not depend on the number of threads.
 void measure_deviation(const TriangleMesh& mesh, const ConvexDecomposition& decomposition,
-                       const Simplification& s, int threads, ClodHierarchy& h);
+                       const Simplification& simplification, int threads, ClodHierarchy& hierarchy);
 
 /// Fills D of the vertices of finest and contact patches.
 void fill_support(const ConvexDecomposition& decomposition,
-                  const std::vector<LevelPatches>& patches, const Simplification& s,
-                  ClodHierarchy& h);
+                  const std::vector<LevelPatches>& patches, const Simplification& simplification,
+                  ClodHierarchy& hierarchy);
 
 }  // namespace thigma::detail

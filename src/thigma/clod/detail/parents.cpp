@@ -17,10 +17,10 @@ double distance_from(const std::vector<Vec3>& points, const TriangleMesh& level,
   for (const Vec3& p : points) {
     double distance = std::numeric_limits<double>::infinity();
     for (const std::int32_t t : triangles) {
-      const auto& v = level.triangles[at(t)];
-      distance = std::min(
-          distance, point_triangle_distance(p, level.positions[at(v[0])], level.positions[at(v[1])],
-                                            level.positions[at(v[2])]));
+      const auto& v = level.triangles[idx(t)];
+      distance = std::min(distance, point_triangle_distance(p, level.positions[idx(v[0])],
+                                                            level.positions[idx(v[1])],
+                                                            level.positions[idx(v[2])]));
     }
     largest = std::max(largest, distance);
     if (largest > limit) break;
@@ -31,10 +31,10 @@ double distance_from(const std::vector<Vec3>& points, const TriangleMesh& level,
 std::vector<TreeBox> boxes_of(const TriangleMesh& level, const LevelPatches& patches) {
   std::vector<TreeBox> boxes;
   for (const auto& vertices : patches.vertices) {
-    TreeBox box{level.positions[at(vertices[0])], level.positions[at(vertices[0])]};
+    TreeBox box{level.positions[idx(vertices[0])], level.positions[idx(vertices[0])]};
     for (const std::int32_t v : vertices) {
-      box.min = box.min.cwiseMin(level.positions[at(v)]);
-      box.max = box.max.cwiseMax(level.positions[at(v)]);
+      box.min = box.min.cwiseMin(level.positions[idx(v)]);
+      box.max = box.max.cwiseMax(level.positions[idx(v)]);
     }
     boxes.push_back(box);
   }
@@ -53,14 +53,14 @@ std::vector<std::int32_t> nearest_parents(const DraftTree& tree,
   std::vector<std::int32_t> parent(draft_of_patch.size(), -1);
   for (std::size_t i = 0; i < parent.size(); ++i) {
     if (draft_of_patch[i] < 0) continue;
-    const std::vector<Vec3>& points = tree.drafts[at(draft_of_patch[i])].points;
+    const std::vector<Vec3>& points = tree.drafts[idx(draft_of_patch[i])].points;
     std::int32_t best = successor[i];
-    double least = distance_from(points, level, patches.triangles[at(best)],
+    double least = distance_from(points, level, patches.triangles[idx(best)],
                                  std::numeric_limits<double>::infinity());
     // Nearer patches reach within `least` of every point, so of the first.
     const Vec3 reach = Vec3::Constant(least);
     near.visit({points[0] - reach, points[0] + reach}, [&](std::int32_t patch) {
-      const double distance = distance_from(points, level, patches.triangles[at(patch)], least);
+      const double distance = distance_from(points, level, patches.triangles[idx(patch)], least);
       if (distance > least || (distance == least && patch >= best)) return;
       least = distance;
       best = patch;

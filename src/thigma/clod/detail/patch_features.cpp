@@ -10,7 +10,7 @@
 namespace thigma::detail {
 namespace {
 
-struct Patch {
+struct LocalPatch {
   std::vector<Vec3> points;                         // by local vertex
   std::vector<std::array<std::uint8_t, 3>> corner;  // of each triangle
   std::vector<Vec3> cross;                          // twice the area times the normal
@@ -19,15 +19,15 @@ struct Patch {
   std::vector<int> face;  // of each triangle
 };
 
-Patch localize(const TriangleMesh& mesh, std::span<const std::int32_t> triangles,
-               std::span<const std::int32_t> vertices) {
-  Patch patch;
+LocalPatch localize(const PatchOfMesh& of) {
+  const std::span<const std::int32_t> vertices = of.vertices;
+  LocalPatch patch;
   for (const std::int32_t v : vertices)
-    patch.points.push_back(mesh.positions[static_cast<std::size_t>(v)]);
-  for (const std::int32_t t : triangles) {
+    patch.points.push_back(of.mesh.positions[static_cast<std::size_t>(v)]);
+  for (const std::int32_t t : of.triangles) {
     std::array<std::uint8_t, 3> corner{};
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::int32_t v = mesh.triangles[static_cast<std::size_t>(t)][k];
+      const std::int32_t v = of.mesh.triangles[static_cast<std::size_t>(t)][k];
       corner[k] = static_cast<std::uint8_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
                                             vertices.begin());
     }
@@ -51,7 +51,7 @@ Patch localize(const TriangleMesh& mesh, std::span<const std::int32_t> triangles
 
 /// Unit normal of a triangle. That of a sliver is mostly rounding, and its own ends may lie over
 /// the plane: then turned to be normal to its longest edge, so that they do not.
-Vec3 seed_normal(const Patch& patch, std::size_t t, double flat) {
+Vec3 seed_normal(const LocalPatch& patch, std::size_t t, double flat) {
   const auto corner = [&](std::size_t k) -> const Vec3& {
     return patch.points[patch.corner[t][k % 3]];
   };
@@ -71,7 +71,7 @@ Vec3 seed_normal(const Patch& patch, std::size_t t, double flat) {
 }
 
 /// Gives the triangle's face to every triangle that can be reached in its plane.
-void flood_face(Patch& patch, std::size_t seed, int face, double flat) {
+void flood_face(LocalPatch& patch, std::size_t seed, int face, double flat) {
   const Vec3 normal = seed_normal(patch, seed, flat);
   const Vec3 on_plane = patch.points[patch.corner[seed][0]];
   std::vector<std::size_t> reached(1, seed);
@@ -90,7 +90,8 @@ void flood_face(Patch& patch, std::size_t seed, int face, double flat) {
 }
 
 /// Heights of the face's vertices along a normal, least and largest.
-std::array<double, 2> height_range(const Patch& patch, std::uint32_t vertices, const Vec3& normal) {
+std::array<double, 2> height_range(const LocalPatch& patch, std::uint32_t vertices,
+                                   const Vec3& normal) {
   std::array<double, 2> range{std::numeric_limits<double>::infinity(),
                               -std::numeric_limits<double>::infinity()};
   for (std::size_t v = 0; v < patch.points.size(); ++v) {
@@ -102,7 +103,7 @@ std::array<double, 2> height_range(const Patch& patch, std::uint32_t vertices, c
 }
 
 /// The plane of the triangles that were given the face.
-RealFace describe_face(const Patch& patch, std::size_t seed, int index, double flat) {
+RealFace describe_face(const LocalPatch& patch, std::size_t seed, int index, double flat) {
   RealFace face;
   Vec3 sum = Vec3::Zero();
   for (std::size_t t = 0; t < patch.corner.size(); ++t) {
@@ -122,7 +123,7 @@ RealFace describe_face(const Patch& patch, std::size_t seed, int index, double f
   return face;
 }
 
-void find_faces(Patch& patch, double flat, std::vector<RealFace>& faces) {
+void find_faces(LocalPatch& patch, double flat, std::vector<RealFace>& faces) {
   // From the largest triangle down, so that slivers take the plane of what they lie in.
   std::vector<std::size_t> order(patch.corner.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -139,7 +140,7 @@ void find_faces(Patch& patch, double flat, std::vector<RealFace>& faces) {
 
 /// Whether an edge where the patch ends is also where the hull's facet ends: nothing in the plane
 /// lies beyond it.
-bool ends_facet(const Patch& patch, const RealFace& face, const Vec3& tail, const Vec3& head,
+bool ends_facet(const LocalPatch& patch, const RealFace& face, const Vec3& tail, const Vec3& head,
                 double flat) {
   const Vec3 inward = face.normal.cross(head - tail).normalized();
   for (const Vec3& p : patch.points)
@@ -147,21 +148,22 @@ bool ends_facet(const Patch& patch, const RealFace& face, const Vec3& tail, cons
   return true;
 }
 
-/// Unit normal of the triangle across side k of a triangle of the mesh; zero where there is none,
+/// Unit normal of the triangle across side k of a triangle of the patch; zero where there is none,
 /// over a reflex edge, and of slivers, whose normals are mostly rounding.
-Vec3 normal_beyond(const TriangleMesh& mesh, const SurfaceTopology& surface, std::int32_t triangle,
-                   std::size_t k, const Vec3& normal, double flat) {
-  const std::int32_t other = surface.neighbor[at(triangle)][k];
-  if (other < 0 || !(surface.height[at(other)] > flat)) return Vec3::Zero();
-  const Vec3& tail = mesh.positions[at(mesh.triangles[at(triangle)][k])];
-  for (const std::int32_t v : mesh.triangles[at(other)])
-    if (normal.dot(mesh.positions[at(v)] - tail) > flat) return Vec3::Zero();
-  return surface.normal[at(other)];
+Vec3 normal_beyond(const PatchOfMesh& patch, std::int32_t triangle, std::size_t k,
+                   const Vec3& normal, double flat) {
+  const TriangleMesh& mesh = patch.mesh;
+  const std::int32_t other = patch.topology.neighbor[idx(triangle)][k];
+  if (other < 0 || !(patch.topology.height[idx(other)] > flat)) return Vec3::Zero();
+  const Vec3& tail = mesh.positions[idx(mesh.triangles[idx(triangle)][k])];
+  for (const std::int32_t v : mesh.triangles[idx(other)])
+    if (normal.dot(mesh.positions[idx(v)] - tail) > flat) return Vec3::Zero();
+  return patch.topology.normal[idx(other)];
 }
 
-void find_edges(const TriangleMesh& mesh, const SurfaceTopology& surface,
-                std::span<const std::int32_t> triangles, const Patch& patch, double flat,
-                const std::vector<RealFace>& faces, std::vector<RealEdge>& edges) {
+void find_edges(const PatchOfMesh& of, const LocalPatch& patch, double flat,
+                PatchFeatures& features) {
+  const std::vector<RealFace>& faces = features.faces;
   for (std::size_t t = 0; t < patch.corner.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       const int other = patch.neighbor[t][k];
@@ -177,22 +179,19 @@ void find_edges(const TriangleMesh& mesh, const SurfaceTopology& surface,
                              patch.points[edge.tail], patch.points[edge.head], flat)) {
         continue;
       } else {
-        edge.beyond =
-            normal_beyond(mesh, surface, triangles[t], k, faces[at(patch.face[t])].normal, flat);
+        edge.beyond = normal_beyond(of, of.triangles[t], k, faces[idx(patch.face[t])].normal, flat);
       }
-      edges.push_back(edge);
+      features.edges.push_back(edge);
     }
 }
 
 }  // namespace
 
-PatchFeatures find_features(const TriangleMesh& mesh, const SurfaceTopology& surface,
-                            std::span<const std::int32_t> triangles,
-                            std::span<const std::int32_t> vertices, double flat) {
-  Patch patch = localize(mesh, triangles, vertices);
+PatchFeatures find_features(const PatchOfMesh& of, double flat) {
+  LocalPatch patch = localize(of);
   PatchFeatures features;
   find_faces(patch, flat, features.faces);
-  find_edges(mesh, surface, triangles, patch, flat, features.faces, features.edges);
+  find_edges(of, patch, flat, features);
   for (const auto& c : patch.corner)
     features.triangles.push_back({{c[0], c[1], c[2]}, 1u << c[0] | 1u << c[1] | 1u << c[2]});
   features.thickness = std::numeric_limits<double>::infinity();

@@ -18,15 +18,18 @@ struct PatchFeatures {
   double thickness = 0.0;               // [m]
 };
 
+/// One patch of a mesh.
+struct PatchOfMesh {
+  const TriangleMesh& mesh;
+  const SurfaceTopology& topology;          // what lies across the edges where the patch ends
+  std::span<const std::int32_t> triangles;  // indices into the mesh, ascending
+  // every position they use, ascending; local vertex i is vertices[i]; at most 32
+  std::span<const std::int32_t> vertices;
+};
+
 /// Features of one patch.
-///
-/// surface    of the mesh: what lies across the edges where the patch ends
-/// triangles  of the patch, indices into the mesh
-/// vertices   every position they use, ascending; local vertex i is vertices[i]; at most 32
-/// flat       height that still counts as in the plane [m]
-/// Thread     [offline]; no failure.
-PatchFeatures find_features(const TriangleMesh& mesh, const SurfaceTopology& surface,
-                            std::span<const std::int32_t> triangles,
-                            std::span<const std::int32_t> vertices, double flat);
+/// flat    height that still counts as in the plane [m]
+/// Thread  [offline]; no failure.
+PatchFeatures find_features(const PatchOfMesh& patch, double flat);
 
 }  // namespace thigma::detail

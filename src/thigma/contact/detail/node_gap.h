@@ -18,21 +18,21 @@ inline constexpr double kLaneRounding = 2e-6;
 inline constexpr double kPlacementRounding = 1e-14;
 
 /// Places of two nodes against each other, shared by all tests of the pair.
-struct NodePair {
+struct PlacedHulls {
   HullView a, b;
   Vec3 offset = Vec3::Zero();  // from the centre of a to that of b [m; frame of a]
   double rounding = 0.0;       // of offset and everything measured along it [m]
 };
 
-inline NodePair place(const HullView& a, const HullView& b, const RelativePose& pose) noexcept {
-  NodePair pair{a, b, pose.rotation * b.center + pose.translation - a.center, 0.0};
-  pair.rounding = kPlacementRounding * (a.center.lpNorm<1>() + b.center.lpNorm<1>() +
-                                        pose.translation.lpNorm<1>() + a.radius + b.radius);
-  return pair;
+inline PlacedHulls place(const HullView& a, const HullView& b, const RelativePose& pose) noexcept {
+  PlacedHulls hulls{a, b, pose.rotation * b.center + pose.translation - a.center, 0.0};
+  hulls.rounding = kPlacementRounding * (a.center.lpNorm<1>() + b.center.lpNorm<1>() +
+                                         pose.translation.lpNorm<1>() + a.radius + b.radius);
+  return hulls;
 }
 
-inline double sphere_gap(const NodePair& pair) noexcept {
-  return std::sqrt(pair.offset.squaredNorm()) - pair.a.radius - pair.b.radius - pair.rounding;
+inline double sphere_gap(const PlacedHulls& hulls) noexcept {
+  return std::sqrt(hulls.offset.squaredNorm()) - hulls.a.radius - hulls.b.radius - hulls.rounding;
 }
 
 /// Largest value of axis . v over the lanes of a hull, v relative to its centre.
@@ -55,26 +55,26 @@ inline float lane_support(const HullView& hull, float x, float y, float z) noexc
 
 /// Gap along an axis (unit to single precision, from a to b; frame of a): a lower bound of the
 /// distance.
-inline double axis_gap(const NodePair& pair, const RelativePose& pose,
+inline double axis_gap(const PlacedHulls& hulls, const RelativePose& pose,
                        const float axis[3]) noexcept {
   const Vec3 n(axis[0], axis[1], axis[2]);
   const Vec3 in_b = pose.rotation.transpose() * n;
-  const float top = lane_support(pair.a, axis[0], axis[1], axis[2]);
-  const float bottom = lane_support(pair.b, static_cast<float>(-in_b.x()),
+  const float top = lane_support(hulls.a, axis[0], axis[1], axis[2]);
+  const float bottom = lane_support(hulls.b, static_cast<float>(-in_b.x()),
                                     static_cast<float>(-in_b.y()), static_cast<float>(-in_b.z()));
-  const double gap = n.dot(pair.offset) - static_cast<double>(top) - static_cast<double>(bottom);
+  const double gap = n.dot(hulls.offset) - static_cast<double>(top) - static_cast<double>(bottom);
   // The axis is a unit vector only to 1e-7: shorter makes the gap smaller, longer is made up for.
-  return gap - 1e-6 * std::fabs(gap) - kLaneRounding * (pair.a.radius + pair.b.radius) -
-         pair.rounding;
+  return gap - 1e-6 * std::fabs(gap) - kLaneRounding * (hulls.a.radius + hulls.b.radius) -
+         hulls.rounding;
 }
 
 /// Lets a search start where an axis from a to b (frame of a), such as that of the parents, says.
-inline void start_along(const NodePair& pair, const RelativePose& pose, const float axis[3],
+inline void start_along(const PlacedHulls& hulls, const RelativePose& pose, const float axis[3],
                         GjkCache& cache) noexcept {
   const Vec3 n(axis[0], axis[1], axis[2]);
   if (!(n.squaredNorm() > 0.0)) return;
-  cache.a[0] = static_cast<std::uint8_t>(support_vertex(pair.a, n));
-  cache.b[0] = static_cast<std::uint8_t>(support_vertex(pair.b, -(pose.rotation.transpose() * n)));
+  cache.a[0] = static_cast<std::uint8_t>(support_vertex(hulls.a, n));
+  cache.b[0] = static_cast<std::uint8_t>(support_vertex(hulls.b, -(pose.rotation.transpose() * n)));
   cache.count = 1;
 }
 

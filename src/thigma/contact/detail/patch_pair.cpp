@@ -22,7 +22,8 @@ bool verify(const Placement& place, const SupportSets& sets, PatchPair& result) 
   SupportedDistance found;
   if (!closest_by_support(place, sets, Features::real, found)) return false;
   // Back to back, the pair may be through.
-  if (backs_facing(place.a, sets.a, place.b, sets.b, place.pose, found.normal) > 0.0) return false;
+  if (backs_facing({place.a, place.b, place.pose}, sets.a, sets.b, found.normal) > 0.0)
+    return false;
   result.status = PairContactStatus::separated;
   result.depth = -found.distance;
   result.separation = found.distance;
@@ -40,23 +41,22 @@ void remember(FrontNode& memory, const Vec3& normal, bool is_normal) noexcept {
 }
 
 // The contact of two patches whose triangles were measured.
-PatchPair contact_of(const HullView& a, const HullView& b, const RelativePose& pose,
-                     double tolerance, const PatchSeparation& gap, bool keep_direction,
-                     const SegmentProbe& probe, const EarlyDecision& early, FrontNode& memory,
+PatchPair contact_of(const PatchQuery& query, const PatchSeparation& gap, FrontNode& memory,
                      QueryStats& stats) noexcept {
+  const EarlyDecision& early = query.early;
   Vec3 last(memory.axis[0], memory.axis[1], memory.axis[2]);
-  const bool has_last = keep_direction && memory.has_normal && last.squaredNorm() > 0.5;
+  const bool has_last = query.keeps_direction && memory.has_normal && last.squaredNorm() > 0.5;
   if (has_last) last.normalize();
   stats.triangle_pairs += gap.triangle_pairs;
-  if (early.decide != nullptr && !(gap.distance > tolerance) &&
+  if (early.decide != nullptr && !(gap.distance > query.tolerance) &&
       !early.decide(early.context, gap.feature_a, gap.feature_b, gap.point_a, gap.point_b)) {
     memory.support_a = memory.support_b = 0;
     PatchPair part;
     part.status = PairContactStatus::separated;
     return part;
   }
-  const PairContact pair =
-      pair_contact(a, b, pose, tolerance, gap, has_last ? &last : nullptr, probe);
+  const PairContact pair = pair_contact({query.a, query.b, query.a_from_b}, query.tolerance, gap,
+                                        has_last ? &last : nullptr, query.probe);
   memory.support_a = memory.support_b = 0;
   const bool touches = pair.status != PairContactStatus::apart;
   if (touches)
@@ -69,22 +69,16 @@ PatchPair contact_of(const HullView& a, const HullView& b, const RelativePose& p
 
 }  // namespace
 
-PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose,
-                          double tolerance, bool keep_direction, const SegmentProbe& probe,
-                          FrontNode& memory, QueryStats& stats) noexcept {
-  return measure_patches(a, b, pose, tolerance, keep_direction, probe, {}, memory, stats);
-}
-
-PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose,
-                          double tolerance, bool keep_direction, const SegmentProbe& probe,
-                          const EarlyDecision& early, FrontNode& memory,
-                          QueryStats& stats) noexcept {
+PatchPair measure_patches(const PatchQuery& query, FrontNode& memory, QueryStats& stats) noexcept {
+  const HullView &a = query.a, &b = query.b;
+  const RelativePose& pose = query.a_from_b;
+  const double tolerance = query.tolerance;
   const Placement place(a, b, pose);
   PatchPair result;
   PatchSeparation gap;
   // Triangles that meet need no look at the hulls, and those that met are likely to.
-  if (memory.triangles.meet && triangles_pierce(a, b, pose, memory.triangles, gap))
-    return contact_of(a, b, pose, tolerance, gap, keep_direction, probe, early, memory, stats);
+  if (memory.triangles.meet && triangles_pierce({a, b, pose}, memory.triangles, gap))
+    return contact_of(query, gap, memory, stats);
   bool disjoint = false;
   bool found = memory.support_a != 0 && verify(place, {memory.support_a, memory.support_b}, result);
   if (!found) {
@@ -107,16 +101,16 @@ PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePo
     }
   }
   if (!found) {
-    gap = triangle_separation(a, b, pose, tolerance, disjoint, memory.triangles);
-    return contact_of(a, b, pose, tolerance, gap, keep_direction, probe, early, memory, stats);
+    gap = triangle_separation({a, b, pose}, tolerance, disjoint, memory.triangles);
+    return contact_of(query, gap, memory, stats);
   }
   const bool touches = -result.depth <= tolerance;
   remember(memory, result.normal, touches);
   if (!touches)
     result.status = PairContactStatus::apart;
-  else if (early.decide != nullptr) {
-    early.decide(early.context, result.feature_a, result.feature_b, result.witness_a,
-                 result.witness_b);
+  else if (query.early.decide != nullptr) {
+    query.early.decide(query.early.context, result.feature_a, result.feature_b, result.witness_a,
+                       result.witness_b);
   }
   return result;
 }

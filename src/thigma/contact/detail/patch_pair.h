@@ -1,5 +1,5 @@
 #pragma once
-// Contact of one pair of finest patches, bit-identical whatever is remembered of the pair.
+// Contact of one pair of patches, bit-identical whatever is remembered of the pair.
 
 #include "thigma/contact/contact.h"
 #include "thigma/contact/front.h"
@@ -19,31 +19,32 @@ struct PatchPair {
   std::uint32_t feature_a = 0, feature_b = 0;
 };
 
-/// Measures two patches.
-///
-/// memory   of the pair: support vertices, simplex and, with keep_direction, the normal reported
-///          last
-/// stats    pair_queries and triangle_pairs are counted
-/// returns  a function of the pose alone unless keep_direction
-/// Thread   [contact]; no failure, no allocation.
-PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose,
-                          double tolerance, bool keep_direction, const SegmentProbe& probe,
-                          FrontNode& memory, QueryStats& stats) noexcept;
-
 /// Decides whether a pair is measured to the end: `decide(context, feature_a, feature_b, point_a,
 /// point_b)`, points in the frame of a, sees where the triangles are closest or meet. False: the
-/// result holds these alone, its depth 0 and its normal any.
+/// result holds these alone, its depth 0 and its normal any. Null: every pair is.
 struct EarlyDecision {
   bool (*decide)(void* context, std::uint32_t feature_a, std::uint32_t feature_b,
                  const Vec3& point_a, const Vec3& point_b) noexcept = nullptr;
   void* context = nullptr;
 };
 
-/// As measure_patches, for a caller who may need less than a contact: asked of every pair that is
-/// not apart.
-PatchPair measure_patches(const HullView& a, const HullView& b, const RelativePose& pose,
-                          double tolerance, bool keep_direction, const SegmentProbe& probe,
-                          const EarlyDecision& early, FrontNode& memory,
-                          QueryStats& stats) noexcept;
+/// Two patches to be measured.
+struct PatchQuery {
+  HullView a, b;
+  const RelativePose& a_from_b;
+  double tolerance = 0.0;        // pairs with a larger separation are `apart` [m]
+  bool keeps_direction = false;  // that of the contact reported last, if it is nearly as good
+  SegmentProbe probe{};
+  EarlyDecision early{};  // asked of every pair that is not apart
+};
+
+/// Measures two patches.
+///
+/// memory   of the pair: support vertices, simplex and, with keeps_direction, the normal reported
+///          last
+/// stats    pair_queries and triangle_pairs are counted
+/// returns  a function of the pose alone unless keeps_direction
+/// Thread   [contact]; no failure, no allocation.
+PatchPair measure_patches(const PatchQuery& query, FrontNode& memory, QueryStats& stats) noexcept;
 
 }  // namespace thigma::detail

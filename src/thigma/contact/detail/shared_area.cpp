@@ -220,8 +220,10 @@ SharedArea area_of(const Moments& sum, const Mat3& frame, const Vec3& origin) no
 
 }  // namespace
 
-SharedArea shared_area(const HullView& a, const HullView& b, const RelativePose& a_from_b,
-                       const Vec3& normal, double tolerance, double least_width) noexcept {
+SharedArea shared_area(const HullPair& pair, const Vec3& normal, double tolerance,
+                       double least_width) noexcept {
+  const HullView &a = pair.a, &b = pair.b;
+  const RelativePose& a_from_b = pair.a_from_b;
   const Mat3 frame = plane_frame(normal);
   const Placed in_a = place(a, frame, frame * -a.center);
   const Placed in_b =

@@ -27,7 +27,7 @@ struct SharedArea {
 /// least_width  areas whose points deviate from their middle by no more, root mean square, need not
 ///              be found [m]
 /// Thread  [contact]; no failure, no allocation.
-SharedArea shared_area(const HullView& a, const HullView& b, const RelativePose& a_from_b,
-                       const Vec3& normal, double tolerance, double least_width = 0.0) noexcept;
+SharedArea shared_area(const HullPair& pair, const Vec3& normal, double tolerance,
+                       double least_width = 0.0) noexcept;
 
 }  // namespace thigma::detail

@@ -66,11 +66,19 @@ bool between_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3
   return true;
 }
 
+// Vertices that span an edge or a face of a hull.
+struct HullFeature {
+  const HullView& hull;
+  std::uint32_t mask;
+  Features features;  // that count
+};
+
 // Point p against an edge or a face of a hull whose vertices `at` gives.
 template <class At>
-bool below_point(const HullView& hull, std::uint32_t mask, Features features, const Vec3& p, At at,
-                 Vec3& q) noexcept {
-  const bool is_real = features == Features::real;
+bool below_point(const HullFeature& feature, const Vec3& p, At at, Vec3& q) noexcept {
+  const HullView& hull = feature.hull;
+  std::uint32_t mask = feature.mask;
+  const bool is_real = feature.features == Features::real;
   if (std::popcount(mask) == 2) {
     return (!is_real || is_original_edge(hull, mask)) &&
            on_segment(p, at(lowest(mask)), at(highest(mask)), q);
@@ -107,8 +115,8 @@ bool closest_of_sets(const Placement& place, std::uint32_t ma, std::uint32_t mb,
   if (na == 1) c.p = place.of_a(lowest(ma));
   if (nb == 1) c.q = place.of_b(lowest(mb));
   if (na == 1 && nb == 1) return true;
-  if (na == 1) return below_point(place.b, mb, features, c.p, of_b, c.q);
-  if (nb == 1) return below_point(place.a, ma, features, c.q, of_a, c.p);
+  if (na == 1) return below_point({place.b, mb, features}, c.p, of_b, c.q);
+  if (nb == 1) return below_point({place.a, ma, features}, c.q, of_a, c.p);
   if (na != 2 || nb != 2) return false;
   if (features == Features::real &&
       !(is_original_edge(place.a, ma) && is_original_edge(place.b, mb)))

@@ -16,10 +16,10 @@ struct PlacedPair {
   Vec3 origin;
   Corners pa, pb;
 
-  PlacedPair(const HullView& hull_a, const HullView& hull_b, const RelativePose& x)
-      : a(hull_a), b(hull_b), pose(x), origin(a.center) {
+  explicit PlacedPair(const HullPair& pair)
+      : a(pair.a), b(pair.b), pose(pair.a_from_b), origin(a.center) {
     place_corners(a, origin, pa);
-    place_corners(b, x, origin, pb);
+    place_corners(b, pose, origin, pb);
   }
 };
 

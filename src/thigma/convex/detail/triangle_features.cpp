@@ -14,10 +14,17 @@ namespace {
 // equal.
 constexpr double kMargin = 1.0 + 1e-12;
 
-// Closest points of segments (p, p + u) and (q, q + v), of any length. Offers the interior pair;
-// pairs with an end of a segment come from offer_corner, so nothing is clamped here.
-void offer_interior(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3& v, int ca, int cb,
-                    ClosestFeatures& best) {
+// An edge of a triangle, of any length.
+struct Edge {
+  const Vec3& start;
+  const Vec3& along;  // to its end
+  int corners;        // mask of the two
+};
+
+// Closest points of two edges. Offers the interior pair; pairs with an end of an edge come from
+// offer_corner, so nothing is clamped here.
+void offer_interior(const Edge& a, const Edge& b, ClosestFeatures& best) {
+  const Vec3 &p = a.start, &u = a.along, &q = b.start, &v = b.along;
   const Vec3 n = u.cross(v), r = q - p;
   const double nn = n.squaredNorm(), along = r.dot(n);
   // The lines' distance bounds that of the segments; most pairs end here.
@@ -33,8 +40,8 @@ void offer_interior(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3& v, 
   best.squared = d;
   best.a = p + s * u;
   best.b = best.a + offset;
-  best.corners_a = static_cast<std::uint8_t>(ca);
-  best.corners_b = static_cast<std::uint8_t>(cb);
+  best.corners_a = static_cast<std::uint8_t>(a.corners);
+  best.corners_b = static_cast<std::uint8_t>(b.corners);
 }
 
 // Corner p against triangle t: interior and edges. swapped: p is of b.
@@ -80,7 +87,8 @@ void offer_features(const PlacedTriangle& a, const PlacedTriangle& b, const Corn
     for (int j = 0; j < 3; ++j) {
       const int j2 = j == 2 ? 0 : j + 1;
       if (std::min(at_b[j], at_b[j2]) - top_of_edge > along.most) continue;
-      offer_interior(a.p[i], along_a, b.p[j], along_b[j], 1 << i | 1 << i2, 1 << j | 1 << j2, best);
+      offer_interior({a.p[i], along_a, 1 << i | 1 << i2}, {b.p[j], along_b[j], 1 << j | 1 << j2},
+                     best);
     }
   }
 }

@@ -127,14 +127,14 @@ struct Sum {
   int object, scene, kind, unused, whole[2], begin[2], end[2];
   float way[2];
 };
-struct Peak { float sum; int index; float least; int frame; };
+struct Peak { float sum; int index; int frame; };
 layout(std430, binding = 3) readonly buffer Heights { float heights[]; };
 layout(std430, binding = 4) readonly buffer Sums { Sum sums[]; };
 layout(std430, binding = 5) writeonly buffer Peaks { Peak peaks[]; };
 
 const float empty = -1e30, mixed_sample = -1e20, nothing = -2e30;
 
-shared float best_sum[64], best_least[64];
+shared float best_sum[64];
 shared int best_index[64];
 
 float interpolate(int at, int next, int next_row, float x, float y) {
@@ -204,7 +204,7 @@ float object_height(Sum s, Line line, int row, int column) {
 void main() {
   int lane = int(gl_LocalInvocationID.x);
   Sum s = sums[gl_WorkGroupID.x];
-  float best = nothing, least = -nothing;
+  float best = nothing;
   int index = -1;
   for (int row = lane; row < size.y; row += 64) {
     Line line = line_of(s, row);
@@ -212,12 +212,10 @@ void main() {
       int at = row * size.x + column;
       precise float sum = object_height(s, line, row, column) + heights[s.scene + at];
       if (sum > best) { best = sum; index = at; }
-      if (sum > empty) least = min(least, sum);
     }
   }
   best_sum[lane] = best;
   best_index[lane] = index;
-  best_least[lane] = least;
   barrier();
   for (int half_way = 32; half_way > 0; half_way /= 2) {
     if (lane < half_way) {
@@ -228,14 +226,12 @@ void main() {
         best_sum[lane] = best_sum[other];
         best_index[lane] = best_index[other];
       }
-      best_least[lane] = min(best_least[lane], best_least[other]);
     }
     barrier();
   }
   if (lane == 0) {
     bool is_found = best_sum[0] > 0.5 * empty;
-    peaks[gl_WorkGroupID.x] = Peak(best_sum[0], is_found ? best_index[0] : -1,
-                                  best_least[0], size.z);
+    peaks[gl_WorkGroupID.x] = Peak(best_sum[0], is_found ? best_index[0] : -1, size.z);
   }
 }
 )";

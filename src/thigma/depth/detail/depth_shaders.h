@@ -47,10 +47,9 @@ static_assert(sizeof(GpuSum) == 176);
 struct GpuPeak {
   float sum = 0.0f;         // the largest
   std::int32_t index = -1;  // of the sample; -1: the maps share nothing
-  float least = 0.0f;       // the least where both lie
   std::int32_t frame = 0;   // number of the frame that wrote this
 };
-static_assert(sizeof(GpuPeak) == 16);
+static_assert(sizeof(GpuPeak) == 12);
 
 /// Bindings of the buffers, of both programs.
 enum class GpuBinding : std::uint32_t { texels, triangles, maps, heights, sums, peaks };

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thigma/depth/detail/grid_steps.h"
+#include "thigma/depth/detail/grid_refinement.h"
 #include "thigma/depth/detail/map_motion.h"
 #include "thigma/depth/detail/near_maxima.h"
 #include "thigma/depth/detail/triangle_span.h"
@@ -81,7 +81,7 @@ class GpuBackend final : public DepthBackend {
       const int resolution = params_.grid.resolution;
       used_.push_back({i, {prepared.box, resolution, resolution}, 0});
       if (request.has_differences)
-        choose_steps(contacts[i], used_.back().grid, request, results[i]);
+        choose_difference_steps(contacts[i], used_.back().grid, request, results[i]);
       for (const HapticTexture* texture : {contacts[i].object.texture, contacts[i].scene.texture})
         if (std::find(textures_.begin(), textures_.end(), texture) == textures_.end())
           textures_.push_back(texture);
@@ -116,8 +116,8 @@ class GpuBackend final : public DepthBackend {
         std::int64_t map = plain_map(i, false);
         if (is_tilted(k)) {
           project_patch(
-              *contact.object.texture, contact.object.triangles,
-              configuration_motion(result, contact.centre, k) * contact.object.world_from_body,
+              {contact.object.texture, contact.object.triangles,
+               configuration_motion(result, contact.centre, k) * contact.object.world_from_body},
               result.frame, Facing::along, moved_);
           map = next;
           next += map_samples();
@@ -210,12 +210,11 @@ class GpuBackend final : public DepthBackend {
     const MapMaximum best{peak.sum, peak.index % grid.columns, peak.index / grid.columns};
     if (!is_credible(contact, prepared, grid, best)) return fail("gave a depth that is none there");
     result.is_found = true;
-    const DepthRounding rounding = depth_rounding(params_.grid, peak.least, peak.sum);
-    const bool is_climbed = params_.grid.is_polished && !params_.grid.is_16_bit;
-    if ((is_climbed || request.near > 0.0) && (!read_map(plain_map(i, false), grid, object_) ||
-                                               !read_map(plain_map(i, true), grid, scene_)))
+    if ((params_.grid.is_polished || request.near > 0.0) &&
+        (!read_map(plain_map(i, false), grid, object_) ||
+         !read_map(plain_map(i, true), grid, scene_)))
       return fail(maps_->why());
-    finish_depth(params_.grid, prepared, object_, scene_, grid, best, rounding, result);
+    climb_to_maximum(params_.grid, prepared, {object_, scene_, grid}, best, result);
     result.is_height_field = is_upright(prepared, result.at);
     if (request.near > 0.0) {
       collect_near(object_, scene_, grid, request.near, result);
@@ -224,7 +223,8 @@ class GpuBackend final : public DepthBackend {
     }
     for (int k = 1; request.has_differences && k < kConfigurations; ++k) {
       const GpuPeak& moved = peaks_[used.first_sum + static_cast<std::size_t>(k)];
-      if (moved.index >= 0) result.depth[static_cast<std::size_t>(k)] = rounding.rounded(moved.sum);
+      if (moved.index >= 0)
+        result.depth[static_cast<std::size_t>(k)] = static_cast<double>(moved.sum);
     }
     return true;
   }

@@ -6,29 +6,30 @@ namespace thigma::detail {
 namespace {
 
 // Samples of `span` from first to last - 1, by the scalar definition.
-void raise_samples(const HeightSpan& s, int first, int last) noexcept {
+void raise_samples(const HeightSpan& span, int first, int last) noexcept {
   for (int k = first; k < last; ++k) {
     const float step = static_cast<float>(k);
-    float x = s.x + step * s.by_x;
-    float y = s.y + step * s.by_y;
+    float x = span.x + step * span.by_x;
+    float y = span.y + step * span.by_y;
     x = x > 0.0f ? x : 0.0f;
-    x = x < s.high_x ? x : s.high_x;
+    x = x < span.high_x ? x : span.high_x;
     y = y > 0.0f ? y : 0.0f;
-    y = y < s.high_y ? y : s.high_y;
+    y = y < span.high_y ? y : span.high_y;
     const float column = static_cast<float>(static_cast<std::int32_t>(x));
     const float row = static_cast<float>(static_cast<std::int32_t>(y));
     const float ax = x - column, ay = y - row;
-    const float* top = s.texels + 4 * (static_cast<std::int64_t>(row) * s.texel_row +
-                                       static_cast<std::int64_t>(column));
-    const float* bottom = top + 4 * s.texel_row;
+    const float* top = span.texels + 4 * (static_cast<std::int64_t>(row) * span.texel_row +
+                                          static_cast<std::int64_t>(column));
+    const float* bottom = top + 4 * span.texel_row;
     float d[3];
     for (int c = 0; c < 3; ++c) {
       const float left = top[c] + ay * (bottom[c] - top[c]);
       const float right = top[c + 4] + ay * (bottom[c + 4] - top[c + 4]);
       d[c] = left + ax * (right - left);
     }
-    const float height = (s.h + step * s.by_h) + ((s.m[0] * d[0] + s.m[1] * d[1]) + s.m[2] * d[2]);
-    s.out[k] = height > s.out[k] ? height : s.out[k];
+    const float height =
+        (span.h + step * span.by_h) + ((span.m[0] * d[0] + span.m[1] * d[1]) + span.m[2] * d[2]);
+    span.out[k] = height > span.out[k] ? height : span.out[k];
   }
 }
 
@@ -50,13 +51,13 @@ struct SpanLanes {
   float* out;
 };
 
-SpanLanes lanes_of(const HeightSpan& s) noexcept {
+SpanLanes lanes_of(const HeightSpan& span) noexcept {
   const auto all = [](float value) { return _mm_set1_ps(value); };
-  return {all(s.x),    all(s.by_x),     all(s.high_x),
-          all(s.y),    all(s.by_y),     all(s.high_y),
-          all(s.h),    all(s.by_h),     all(s.m[0]),
-          all(s.m[1]), all(s.m[2]),     _mm_set1_epi32(static_cast<int>(s.texel_row)),
-          s.texels,    4 * s.texel_row, s.out};
+  return {all(span.x),    all(span.by_x),     all(span.high_x),
+          all(span.y),    all(span.by_y),     all(span.high_y),
+          all(span.h),    all(span.by_h),     all(span.m[0]),
+          all(span.m[1]), all(span.m[2]),     _mm_set1_epi32(static_cast<int>(span.texel_row)),
+          span.texels,    4 * span.texel_row, span.out};
 }
 
 // Four samples from k on.

@@ -17,23 +17,24 @@ struct Lanes {
   float* out;
 };
 
-Lanes lanes_of(const HeightSpan& s) {
+Lanes lanes_of(const HeightSpan& span) {
   const auto all = [](float value) { return _mm256_set1_ps(value); };
   // The fourth float of a texel is 0, and adding -0 to the sum over three changes no bit of it.
-  const __m256 m = _mm256_setr_ps(s.m[0], s.m[1], s.m[2], -0.0f, s.m[0], s.m[1], s.m[2], -0.0f);
-  return {all(s.x),
-          all(s.by_x),
-          all(s.high_x),
-          all(s.y),
-          all(s.by_y),
-          all(s.high_y),
-          all(s.h),
-          all(s.by_h),
+  const __m256 m = _mm256_setr_ps(span.m[0], span.m[1], span.m[2], -0.0f, span.m[0], span.m[1],
+                                  span.m[2], -0.0f);
+  return {all(span.x),
+          all(span.by_x),
+          all(span.high_x),
+          all(span.y),
+          all(span.by_y),
+          all(span.high_y),
+          all(span.h),
+          all(span.by_h),
           m,
-          _mm256_set1_epi32(static_cast<int>(s.texel_row)),
-          s.texels,
-          4 * s.texel_row,
-          s.out};
+          _mm256_set1_epi32(static_cast<int>(span.texel_row)),
+          span.texels,
+          4 * span.texel_row,
+          span.out};
 }
 
 // Weights and places of eight samples; bytes stay within 32 bits for as many texels as there may

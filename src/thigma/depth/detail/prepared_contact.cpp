@@ -86,10 +86,8 @@ Place look_along_edges(const PreparedContact& prepared, const Place& from, doubl
 
 void project_sides(const DepthContact& contact, const ContactFrame& frame, const PlaneBox& over,
                    ProjectedPatch& object, ProjectedPatch& scene) noexcept {
-  project_patch(*contact.object.texture, contact.object.triangles, contact.object.world_from_body,
-                frame, Facing::along, object, over, contact.object.around);
-  project_patch(*contact.scene.texture, contact.scene.triangles, contact.scene.world_from_body,
-                frame, Facing::against, scene, over, contact.scene.around);
+  project_patch(contact.object, frame, Facing::along, object, over);
+  project_patch(contact.scene, frame, Facing::against, scene, over);
 }
 
 double finer_texel(const DepthContact& contact) noexcept {
@@ -115,9 +113,9 @@ bool prepare_contact(const DepthContact& contact, PreparedContact& prepared) noe
 
 void project_moved(const DepthContact& contact, const Pose& motion,
                    PreparedContact& prepared) noexcept {
-  project_patch(*contact.object.texture, contact.object.triangles,
-                motion * contact.object.world_from_body, prepared.frame, Facing::along,
-                prepared.object);
+  project_patch(
+      {contact.object.texture, contact.object.triangles, motion * contact.object.world_from_body},
+      prepared.frame, Facing::along, prepared.object);
 }
 
 double depth_at(const PreparedContact& prepared, const Vec2& at, NearTriangles& near) noexcept {

@@ -122,9 +122,10 @@ bool is_within(const TexelPair& pair, const Vec2& t) noexcept {
 
 }  // namespace
 
-TexelPair make_texel_pair(const ProjectedPatch& driver, const ProjectedTriangle& a,
-                          const ProjectedPatch& other, const ProjectedTriangle& b,
+TexelPair make_texel_pair(const PatchTriangle& driver_side, const PatchTriangle& other_side,
                           const PlaneBox& box, bool is_bounded) noexcept {
+  const ProjectedPatch &driver = driver_side.patch, &other = other_side.patch;
+  const ProjectedTriangle &a = driver_side.triangle, &b = other_side.triangle;
   TexelPair pair;
   pair.driver = &driver;
   pair.other = &other;

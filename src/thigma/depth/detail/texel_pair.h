@@ -50,9 +50,14 @@ struct TexelPair {
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();  // box of texels [texels]; empty when low > high
 };
 
+/// A triangle of a patch.
+struct PatchTriangle {
+  const ProjectedPatch& patch;
+  const ProjectedTriangle& triangle;
+};
+
 /// Couples two triangles. is_bounded: the box of the contact cuts the patches.
-TexelPair make_texel_pair(const ProjectedPatch& driver, const ProjectedTriangle& a,
-                          const ProjectedPatch& other, const ProjectedTriangle& b,
+TexelPair make_texel_pair(const PatchTriangle& driver, const PatchTriangle& other,
                           const PlaneBox& box, bool is_bounded) noexcept;
 
 /// Bound of the depths in a cell [m].

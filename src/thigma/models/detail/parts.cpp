@@ -53,15 +53,21 @@ TriangleMesh turned_near(const std::vector<Vec2>& corners, int triangles, double
 
 /// Solid between an outer and an inner outline (radius over the turn), its section a rectangle of
 /// four sides.
-TriangleMesh ring_solid(int triangles, double height, double width, double mean_radius,
-                        const std::function<double(double)>& outer,
-                        const std::function<double(double)>& inner, int around_step) {
-  const double ratio = 2.0 * (height + width) / (2.0 * kPi * mean_radius);
+struct RingSolid {
+  double height, width, mean_radius;  // [m]
+  std::function<double(double)> outer, inner;
+  int around_step;  // that suits the outline's symmetry
+};
+
+TriangleMesh ring_solid(int triangles, const RingSolid& ring) {
+  const double height = ring.height, width = ring.width;
+  const double ratio = 2.0 * (height + width) / (2.0 * kPi * ring.mean_radius);
   const auto total = [](int around, int along) { return 2ll * around * std::max(along, 4); };
-  GridCounts counts = nearest_counts(triangles, ratio, around_step, 3 * around_step, total);
-  // The step suits the outline's symmetry; small counts are met only without it.
+  GridCounts counts =
+      nearest_counts(triangles, ratio, ring.around_step, 3 * ring.around_step, total);
+  // Small counts are met only without the symmetry.
   if (std::llabs(total(counts.around, counts.along) - triangles) * 100 > triangles) {
-    counts = nearest_counts(triangles, ratio, 1, 2 * around_step, total);
+    counts = nearest_counts(triangles, ratio, 1, 2 * ring.around_step, total);
   }
   const int rows = std::max(counts.along, 4);
   // Shares of the rows: outside and inside by height, top and bottom by width, at least one each.
@@ -72,8 +78,8 @@ TriangleMesh ring_solid(int triangles, double height, double width, double mean_
   return make_grid(rows, counts.around, GridEnds::both_joined, [&](int i, int j) {
     const double turn = 2.0 * kPi * j / counts.around;
     const SinCos a = sin_cos(turn);
-    const double out = outer(turn);
-    const double in = inner(turn);
+    const double out = ring.outer(turn);
+    const double in = ring.inner(turn);
     double r = out;
     double z = -0.5 * height;
     if (i < upright) {
@@ -164,8 +170,8 @@ TriangleMesh make_gear(int triangles) {
     const double steep = 3.0 * wave / std::sqrt(1.0 + 8.0 * wave * wave);
     return 0.0225 + 0.0025 * steep;
   };
-  return ring_solid(
-      triangles, 0.008, 0.0175, 0.014, outline, [](double) { return 0.005; }, kTeeth);
+  const auto bore = [](double) { return 0.005; };
+  return ring_solid(triangles, {0.008, 0.0175, 0.014, outline, bore, kTeeth});
 }
 
 TriangleMesh make_peg(int triangles) {
@@ -179,8 +185,8 @@ TriangleMesh make_hole(int triangles) {
     const SinCos a = sin_cos(turn);
     return 0.025 / std::max(std::fabs(a.sin), std::fabs(a.cos));
   };
-  return ring_solid(
-      triangles, 0.020, 0.0168, 0.0166, square, [](double) { return 0.0082; }, 4);
+  const auto bore = [](double) { return 0.0082; };
+  return ring_solid(triangles, {0.020, 0.0168, 0.0166, square, bore, 4});
 }
 
 }  // namespace thigma::models

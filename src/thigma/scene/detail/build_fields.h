@@ -16,43 +16,39 @@ void visit_decomposition(const DecompositionParams& params, Visit&& visit) {
 
 template <class Visit>
 void visit_collapse(const CollapseParams& params, Visit&& visit) {
-  const auto& [bisections, least_quality, free_to_turn, is_relaxed, keeps_volume,
-               seeks_convex_start, guards_original] = params;
+  const auto& [bisections, least_quality, sliver_quality] = params;
   visit("bisections", bisections);
   visit("least_quality", least_quality);
-  visit("free_to_turn", free_to_turn);
-  visit("is_relaxed", is_relaxed);
-  visit("keeps_volume", keeps_volume);
-  visit("seeks_convex_start", seeks_convex_start);
-  visit("guards_original", guards_original);
+  visit("sliver_quality", sliver_quality);
 }
 
 template <class Visit>
 void visit_simplify(const SimplifyParams& params, Visit&& visit) {
-  const auto& [longest_edge, coarsest_share, longest_edge_ever, deviation_limit, deviation_early,
-               deviation_share, deviation_ever, volume_limit, convexity_tolerance,
-               protrusion_tolerance, last_level, flips_edges, collapse, progress] = params;
+  const auto& [stages, coarsest_share, deviation_limit, deviation_early, farthest_deviation,
+               volume_limit, convexity_tolerance, protrusion_tolerance, last_level_share, collapse,
+               progress] = params;
   static_cast<void>(progress);  // changes nothing of what is built
-  visit("longest_edge", longest_edge);
+  for (const SimplifyStage& stage : stages) {
+    const auto& [longest_edge, deviation_share] = stage;
+    visit("longest_edge", longest_edge);
+    visit("deviation_share", deviation_share);
+  }
   visit("coarsest_share", coarsest_share);
-  visit("longest_edge_ever", longest_edge_ever);
   visit("deviation_limit", deviation_limit);
   visit("deviation_early", deviation_early);
-  visit("deviation_share", deviation_share);
-  visit("deviation_ever", deviation_ever);
+  visit("farthest_deviation", farthest_deviation);
   visit("volume_limit", volume_limit);
   visit("convexity_tolerance of levels", convexity_tolerance);
   visit("protrusion_tolerance of levels", protrusion_tolerance);
-  visit("last_level", last_level);
-  visit("flips_edges", flips_edges);
+  visit("last_level_share", last_level_share);
   visit_collapse(collapse, visit);
 }
 
 /// Calls visit(name, number) for all of it.
 template <class Visit>
 void visit_build_fields(const ClodSource& source, Visit&& visit) {
-  const auto& [decomposition, simplify, contact_tolerance, threads, is_reparented,
-               has_culling_hulls] = source.params;
+  const auto& [decomposition, simplify, contact_tolerance, threads, has_culling_hulls] =
+      source.params;
   static_cast<void>(threads);  // the same bits on any number
   visit("repair", source.is_repair);
   visit_decomposition(decomposition, visit);
@@ -60,7 +56,6 @@ void visit_build_fields(const ClodSource& source, Visit&& visit) {
   visit("contact_tolerance", contact_tolerance);
   visit("contact_tolerance in units",
         source.contact_tolerance ? *source.contact_tolerance / source.scale : -1.0);
-  visit("is_reparented", is_reparented);
   visit("has_culling_hulls", has_culling_hulls);
 }
 

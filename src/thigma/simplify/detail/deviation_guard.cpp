@@ -10,11 +10,11 @@ namespace thigma::detail {
 namespace {
 
 bool is_within(const DeviationGuard& guard, const Vec3& p, std::int32_t t) {
-  const auto& v = guard.original->triangles[at(t)];
+  const auto& v = guard.original->triangles[idx(t)];
   const auto& x = guard.original->positions;
   // Fine triangles are smaller than the limit: where a corner is near enough, so is the triangle.
-  if ((p - x[at(v[0])]).squaredNorm() <= guard.limit * guard.limit) return true;
-  return point_triangle_distance(p, x[at(v[0])], x[at(v[1])], x[at(v[2])]) <= guard.limit;
+  if ((p - x[idx(v[0])]).squaredNorm() <= guard.limit * guard.limit) return true;
+  return point_triangle_distance(p, x[idx(v[0])], x[idx(v[1])], x[idx(v[2])]) <= guard.limit;
 }
 
 // of an edge: where the limit is far below the triangle, samples are sparser
@@ -32,15 +32,15 @@ DeviationGuard build_deviation_guard(const TriangleMesh& original, double limit)
   guard.near.assign(original.positions.size(), 0);
   for (std::size_t t = 0; t < original.triangles.size(); ++t)
     for (const std::int32_t v : original.triangles[t])
-      guard.near[at(v)] = static_cast<std::int32_t>(t);
+      guard.near[idx(v)] = static_cast<std::int32_t>(t);
   guard.first_sample.assign(original.triangles.size(), -1);
   guard.next_sample.assign(original.positions.size(), -1);
   std::vector<char> is_placed(original.positions.size(), 0);
   for (std::size_t t = 0; t < original.triangles.size(); ++t)
     for (const std::int32_t v : original.triangles[t]) {
-      if (is_placed[at(v)]) continue;
-      is_placed[at(v)] = 1;
-      guard.next_sample[at(v)] = guard.first_sample[t];
+      if (is_placed[idx(v)]) continue;
+      is_placed[idx(v)] = 1;
+      guard.next_sample[idx(v)] = guard.first_sample[t];
       guard.first_sample[t] = v;
     }
   return guard;
@@ -49,13 +49,13 @@ DeviationGuard build_deviation_guard(const TriangleMesh& original, double limit)
 std::int32_t find_within_limit(DeviationGuard& guard, const Vec3& p,
                                const std::array<std::int32_t, 3>& vertices) {
   for (const std::int32_t v : vertices)
-    if (is_within(guard, p, guard.near[at(v)])) return guard.near[at(v)];
+    if (is_within(guard, p, guard.near[idx(v)])) return guard.near[idx(v)];
   const TreeBox box{p - Vec3::Constant(guard.limit), p + Vec3::Constant(guard.limit)};
   guard.stack.assign(1, 0);
   while (!guard.stack.empty()) {
     const std::int32_t index = guard.stack.back();
     guard.stack.pop_back();
-    const TreeNode& node = guard.tree.nodes[at(index)];
+    const TreeNode& node = guard.tree.nodes[idx(index)];
     if (!node.box.overlaps(box)) continue;
     if (node.count == 0) {
       guard.stack.push_back(node.right);
@@ -63,7 +63,7 @@ std::int32_t find_within_limit(DeviationGuard& guard, const Vec3& p,
       continue;
     }
     for (std::int32_t i = node.first; i < node.first + node.count; ++i)
-      if (is_within(guard, p, guard.tree.order[at(i)])) return guard.tree.order[at(i)];
+      if (is_within(guard, p, guard.tree.order[idx(i)])) return guard.tree.order[idx(i)];
   }
   return -1;
 }

@@ -29,14 +29,15 @@ struct EdgeStar {
 };
 
 /// Fills the star of an edge that can be collapsed.
-void gather_star(const PatchedSurface& s, std::int32_t halfedge, EdgeStar& star);
+void gather_star(const PatchedSurface& surface, std::int32_t halfedge, EdgeStar& star);
 
 /// Its ring as the relaxation wants it.
-void list_ring(const PatchedSurface& s, const EdgeStar& star, std::vector<RingTriangle>& ring);
+void list_ring(const PatchedSurface& surface, const EdgeStar& star,
+               std::vector<RingTriangle>& ring);
 
 /// Vertices of a patch after the collapse, the tail standing for the new vertex; empty when the
 /// patch goes with the edge.
-void list_patch_vertices(const PatchedSurface& s, const EdgeStar& star, std::int32_t patch,
+void list_patch_vertices(const PatchedSurface& surface, const EdgeStar& star, std::int32_t patch,
                          std::vector<std::int32_t>& vertices);
 
 }  // namespace thigma::detail

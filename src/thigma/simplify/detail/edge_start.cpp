@@ -15,45 +15,48 @@ constexpr double kLeastStep = 0.01, kLargestStep = 0.5;
 constexpr double kPull = 0.01;
 
 Quadric edge_quadric(const CollapseContext& context) {
-  Quadric sum = context.quadric[at(context.scratch.star.tail)];
-  sum += context.quadric[at(context.scratch.star.head)];
+  Quadric sum = context.quadric[idx(context.scratch.star.tail)];
+  sum += context.quadric[idx(context.scratch.star.head)];
   return sum;
 }
 
-Vec3 quadric_start(const PatchedSurface& s, const CollapseContext& context) {
+Vec3 quadric_start(const PatchedSurface& surface, const CollapseContext& context) {
   const EdgeStar& star = context.scratch.star;
-  const Vec3 &tail = s.mesh.positions[at(star.tail)], &head = s.mesh.positions[at(star.head)];
+  const Vec3 &tail = surface.mesh.positions[idx(star.tail)],
+             &head = surface.mesh.positions[idx(star.head)];
   const Vec3 middle = 0.5 * tail + 0.5 * head;
   return clamped(minimize(edge_quadric(context), middle), middle, kReach * (head - tail).norm());
 }
 
 /// That the vertex stays on the side of the triangle (va, vc, vd) on which a patch with both is
 /// convex. Half of the height that counts as flat is left to the rounding of the trials.
-void add_plane(const PatchedSurface& s, const Vec3& va, const Vec3& vc, const Vec3& vd,
+void add_plane(const PatchedSurface& surface, const Vec3& va, const Vec3& vc, const Vec3& vd,
                std::vector<LinearConstraint>& list) {
   const Vec3 normal = (vc - va).cross(vd - va);
   const double size = normal.norm();
-  if (size > 0.0) list.push_back({normal / size, normal.dot(va) / size + 0.5 * s.flat});
+  if (size > 0.0) list.push_back({normal / size, normal.dot(va) / size + 0.5 * surface.flat});
 }
 
 /// The conditions of narrow_by_edges and narrow_by_patches as half-spaces.
-void list_constraints(const PatchedSurface& s, CollapseScratch& k) {
-  const auto& x = s.mesh.positions;
-  k.constraints.clear();
-  for (std::size_t i = 0; i < k.star.patches.size(); ++i) {
+void list_constraints(const PatchedSurface& surface, CollapseScratch& scratch) {
+  const auto& x = surface.mesh.positions;
+  scratch.constraints.clear();
+  for (std::size_t i = 0; i < scratch.star.patches.size(); ++i) {
     bool has_vertex = false;
-    for (const StarTriangle& t : k.star.triangles) {
-      if (t.patch != k.star.patches[i]) continue;
+    for (const StarTriangle& t : scratch.star.triangles) {
+      if (t.patch != scratch.star.patches[i]) continue;
       has_vertex = true;
-      for (const std::int32_t v : k.patch_vertices[i])
-        if (v != k.star.tail && v != t.a && v != t.b)
-          add_plane(s, x[at(t.b)], x[at(t.a)], x[at(v)], k.constraints);
+      for (const std::int32_t v : scratch.patch_vertices[i])
+        if (v != scratch.star.tail && v != t.a && v != t.b)
+          add_plane(surface, x[idx(t.b)], x[idx(t.a)], x[idx(v)], scratch.constraints);
     }
     if (!has_vertex) continue;
-    for (const std::int32_t t : s.patches[at(k.star.patches[i])].triangles) {
-      if (k.mark[at(t)] == k.epoch || k.mark[at(t)] == -k.epoch || !has_plane(s, t)) continue;
-      const auto c = corners_of(s, t);
-      add_plane(s, c[0], c[1], c[2], k.constraints);
+    for (const std::int32_t t : surface.patches[idx(scratch.star.patches[i])].triangles) {
+      if (scratch.mark[idx(t)] == scratch.epoch || scratch.mark[idx(t)] == -scratch.epoch ||
+          !has_plane(surface, t))
+        continue;
+      const auto c = corners_of(surface, t);
+      add_plane(surface, c[0], c[1], c[2], scratch.constraints);
     }
   }
 }
@@ -66,16 +69,17 @@ Vec3 clamped(const Vec3& p, const Vec3& from, double reach) {
   return length <= reach ? p : Vec3(from + (reach / length) * step);
 }
 
-VolumePlane volume_plane(const PatchedSurface& s, const EdgeStar& star) {
-  const auto& x = s.mesh.positions;
-  const Vec3 origin = x[at(star.tail)];
+VolumePlane volume_plane(const PatchedSurface& surface, const EdgeStar& star) {
+  const auto& x = surface.mesh.positions;
+  const Vec3 origin = x[idx(star.tail)];
   VolumePlane plane;
   const auto add_old = [&](std::int32_t t) {
-    const auto& v = s.mesh.triangles[at(t)];
-    plane.offset += (x[at(v[0])] - origin).dot((x[at(v[1])] - origin).cross(x[at(v[2])] - origin));
+    const auto& v = surface.mesh.triangles[idx(t)];
+    plane.offset +=
+        (x[idx(v[0])] - origin).dot((x[idx(v[1])] - origin).cross(x[idx(v[2])] - origin));
   };
   for (const StarTriangle& t : star.triangles) {
-    plane.normal += (x[at(t.a)] - origin).cross(x[at(t.b)] - origin);
+    plane.normal += (x[idx(t.a)] - origin).cross(x[idx(t.b)] - origin);
     add_old(t.triangle);
   }
   for (const std::int32_t t : star.removed)
@@ -92,14 +96,15 @@ Vec3 with_volume(const VolumePlane& plane, const Vec3& p, double edge) {
   return p + (step / size) * plane.normal;
 }
 
-Starts choose_starts(const PatchedSurface& s, const CollapseContext& context) {
+Starts choose_starts(const PatchedSurface& surface, const CollapseContext& context) {
   const EdgeStar& star = context.scratch.star;
-  const Vec3 &tail = s.mesh.positions[at(star.tail)], &head = s.mesh.positions[at(star.head)];
+  const Vec3 &tail = surface.mesh.positions[idx(star.tail)],
+             &head = surface.mesh.positions[idx(star.head)];
   const Quadric sum = edge_quadric(context);
   Starts starts;
   starts.may_move = !star.is_tail_on_boundary && !star.is_head_on_boundary;
   if (starts.may_move) {
-    starts.position[0] = quadric_start(s, context);
+    starts.position[0] = quadric_start(surface, context);
     starts.count = 1;
   }
   const bool head_first = star.is_head_on_boundary &&
@@ -113,15 +118,16 @@ Starts choose_starts(const PatchedSurface& s, const CollapseContext& context) {
   return starts;
 }
 
-std::optional<Vec3> best_convex_start(const PatchedSurface& s, CollapseContext& context) {
-  CollapseScratch& k = context.scratch;
-  const Vec3 &tail = s.mesh.positions[at(k.star.tail)], &head = s.mesh.positions[at(k.star.head)];
+std::optional<Vec3> best_convex_start(const PatchedSurface& surface, CollapseContext& context) {
+  CollapseScratch& scratch = context.scratch;
+  const Vec3 &tail = surface.mesh.positions[idx(scratch.star.tail)],
+             &head = surface.mesh.positions[idx(scratch.star.head)];
   const Quadric sum = edge_quadric(context);
   if (!(sum.a.trace() > 0.0)) return std::nullopt;
-  list_constraints(s, k);
-  const std::optional<Vec3> p =
-      nearest_feasible(quadric_start(s, context), sum.a + kPull * sum.a.trace() * Mat3::Identity(),
-                       k.constraints, 0.1 * s.flat);
+  list_constraints(surface, scratch);
+  const std::optional<Vec3> p = nearest_feasible(quadric_start(surface, context),
+                                                 sum.a + kPull * sum.a.trace() * Mat3::Identity(),
+                                                 scratch.constraints, 0.1 * surface.flat);
   if (!p || !((*p - 0.5 * (tail + head)).norm() <= kReach * (head - tail).norm()))
     return std::nullopt;
   return p;

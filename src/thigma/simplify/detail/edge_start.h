@@ -15,7 +15,7 @@ inline constexpr double kReach = 2.0;
 Vec3 clamped(const Vec3& p, const Vec3& from, double reach);
 
 /// Where the new vertex may lie for the volume under the star to stay what it was.
-VolumePlane volume_plane(const PatchedSurface& s, const EdgeStar& star);
+VolumePlane volume_plane(const PatchedSurface& surface, const EdgeStar& star);
 
 /// p moved onto the plane along its normal, if that is a step worth taking and no leap.
 ///
@@ -29,10 +29,10 @@ struct Starts {
 };
 
 /// The point of least quadric error and the ends; of an edge with an end on a boundary, that end.
-Starts choose_starts(const PatchedSurface& s, const CollapseContext& context);
+Starts choose_starts(const PatchedSurface& surface, const CollapseContext& context);
 
 /// Of all positions that keep the patches of the star convex, that of least quadric error; nothing
 /// when there is none, or none near the edge. To be called after begin_trials.
-std::optional<Vec3> best_convex_start(const PatchedSurface& s, CollapseContext& context);
+std::optional<Vec3> best_convex_start(const PatchedSurface& surface, CollapseContext& context);
 
 }  // namespace thigma::detail

@@ -14,20 +14,20 @@ double triangle_quality(const std::array<Vec3, 3>& c) {
   return sum > 0.0 ? 2.0 * std::sqrt(3.0) * ab.cross(ac).norm() / sum : 0.0;
 }
 
-int count_crossings(const PatchedSurface& s, const std::array<std::int32_t, 2>& triangles) {
+int count_crossings(const PatchedSurface& surface, const std::array<std::int32_t, 2>& triangles) {
   int crossings = 0;
   for (const std::int32_t own : triangles) {
-    if (s.height[at(own)] <= 0.0) continue;
-    const std::int32_t shell = s.patches[at(s.patch_of[at(own)])].shell;
-    const TreeBox box = box_of(corners_of(s, own));
-    s.tree.visit(box, [&](std::int32_t patch) {
-      const SurfacePatch& p = s.patches[at(patch)];
+    if (surface.height[idx(own)] <= 0.0) continue;
+    const std::int32_t shell = surface.patches[idx(surface.patch_of[idx(own)])].shell;
+    const TreeBox box = box_of(corners_of(surface, own));
+    surface.tree.visit(box, [&](std::int32_t patch) {
+      const SurfacePatch& p = surface.patches[idx(patch)];
       if (p.shell != shell || !p.box.overlaps(box)) return;
       for (const std::int32_t t : p.triangles) {
-        if (t == triangles[0] || t == triangles[1] || s.height[at(t)] <= 0.0) continue;
-        crossings +=
-            box_of(corners_of(s, t)).overlaps(box) &&
-            triangles_meet(s.mesh.positions, s.mesh.triangles[at(own)], s.mesh.triangles[at(t)]);
+        if (t == triangles[0] || t == triangles[1] || surface.height[idx(t)] <= 0.0) continue;
+        crossings += box_of(corners_of(surface, t)).overlaps(box) &&
+                     triangles_meet(surface.mesh.positions, surface.mesh.triangles[idx(own)],
+                                    surface.mesh.triangles[idx(t)]);
       }
     });
   }

@@ -16,6 +16,6 @@ double triangle_quality(const std::array<Vec3, 3>& corners);
 
 /// How many triangles of the shell two triangles meet where they should not, not counting each
 /// other.
-int count_crossings(const PatchedSurface& s, const std::array<std::int32_t, 2>& triangles);
+int count_crossings(const PatchedSurface& surface, const std::array<std::int32_t, 2>& triangles);
 
 }  // namespace thigma::detail

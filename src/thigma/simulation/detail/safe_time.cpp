@@ -17,16 +17,16 @@ double time_to_close(double gap, double speed, double acceleration) {
 }
 
 // Size of a patch about the place of a contact: points of it may approach faster than that place.
-double patch_reach(const ClodHierarchy& h, const Contact& c, const Pose& world_from_mesh) {
+double patch_reach(const ClodHierarchy& hierarchy, const Contact& c, const Pose& world_from_mesh) {
   const auto i = static_cast<std::size_t>(c.object_patch);
   Vec3 center;
   double radius = 0.0;
-  if (i < h.patches.size()) {
-    const ClodNode& node = h.nodes[static_cast<std::size_t>(h.patches[i].node)];
+  if (i < hierarchy.patches.size()) {
+    const ClodNode& node = hierarchy.nodes[static_cast<std::size_t>(hierarchy.patches[i].node)];
     center = node.center;
     radius = node.radius;
   } else {
-    const LevelPatch& patch = h.level_patches[i - h.patches.size()];
+    const LevelPatch& patch = hierarchy.level_patches[i - hierarchy.patches.size()];
     center = patch.center;
     radius = patch.radius;
   }
@@ -41,20 +41,22 @@ double least_gap(const SimulationWorld& world, const ContactSet& contacts) {
   return least;
 }
 
-Touch touch_of(const SimulationWorld& world, const BodyState& state, const Contact& c) {
+ApproachingContact approaching(const SimulationWorld& world, const BodyState& state,
+                               const Contact& c) {
   const Vec3 arm = c.point - state.position;
   return {arm, c.normal.dot(point_velocity(world.body, state, arm)), gap_of(world, c)};
 }
 
 double safe_time(const SimulationWorld& world, const BodyState& state, const ContactSet& contacts,
-                 double reach, const Wrench& push, double time) {
+                 double reach, const PushedFlight& flight) {
+  const Wrench& push = flight.push;
   const RigidBody& body = world.body;
   const Twist v = velocity(body, state);
   const Mat3 R = rotation_matrix(state.orientation);
   const Vec3 linear = body.gravity + push.force / body.mass;
   const Vec3 angular = R * (body.inverse_inertia * (R.transpose() * push.torque));
   // The spin of a free body never exceeds |L| over its least moment of inertia.
-  const double most = state.angular_momentum.norm() + time * push.torque.norm();
+  const double most = state.angular_momentum.norm() + flight.time * push.torque.norm();
   const double fastest = std::max(v.angular.norm(), most * body.inverse_inertia.norm());
   const double swing = fastest * fastest * reach;
   double least = time_to_close(world.tolerance, v.linear.norm() + fastest * reach,
@@ -62,7 +64,7 @@ double safe_time(const SimulationWorld& world, const BodyState& state, const Con
   const Pose world_from_mesh = Pose{state.position, state.orientation} * world.body_from_mesh;
   const double near = collision_gap(world);
   for (const Contact& c : contacts.contacts) {
-    const Touch t = touch_of(world, state, c);
+    const ApproachingContact t = approaching(world, state, c);
     const double patch = patch_reach(*world.object, c, world_from_mesh);
     const double turning = c.normal.cross(v.angular).norm() * patch;
     const double falls = std::max(c.normal.dot(linear + angular.cross(t.arm)), 0.0) +

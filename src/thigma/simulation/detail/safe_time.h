@@ -20,22 +20,29 @@ inline double gap_of(const SimulationWorld& world, const Contact& c) {
 double least_gap(const SimulationWorld& world, const ContactSet& contacts);
 
 /// One contact as the motion sees it.
-struct Touch {
+struct ApproachingContact {
   Vec3 arm;         // from the centre of mass to the point on the body [m; world]
   double approach;  // speed along the normal, into the obstacle [m/s]
   double gap;       // gap_of the contact [m]
 };
 
-Touch touch_of(const SimulationWorld& world, const BodyState& state, const Contact& contact);
+ApproachingContact approaching(const SimulationWorld& world, const BodyState& state,
+                               const Contact& contact);
+
+/// A flight under a constant wrench about the centre of mass.
+struct PushedFlight {
+  double time = 0.0;  // at most [s]
+  Wrench push{};
+};
 
 /// A time in which nothing that is farther apart than the tolerance comes together, no contact
 /// beyond the collision distance comes nearer than half of it, and one within closes by an eighth
 /// of it at most, as the patches in contact are convex: the plane between them keeps them apart.
 /// contacts  all within the tolerance, at this state
 /// reach     of the mesh from the centre of mass [m]
-/// push      constant wrench about the centre of mass on the way, and no longer than `time`
+/// flight    the wrench on the way, and for how long at most
 /// returns   > 0 [s]
 double safe_time(const SimulationWorld& world, const BodyState& state, const ContactSet& contacts,
-                 double reach, const Wrench& push = {}, double time = 0.0);
+                 double reach, const PushedFlight& flight = {});
 
 }  // namespace thigma::detail

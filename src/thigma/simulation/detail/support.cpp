@@ -62,9 +62,10 @@ void relax(SupportPoint& p, const CollisionLaw& law, MeanMotion& mean) {
 }
 
 // The same contacts in the same order keep their forces from one time to another.
-void set_up(const SimulationWorld& world, const BodyState& state, const ContactSet& set,
-            std::span<const std::int32_t> contacts, double time, double lift,
-            std::vector<SupportPoint>& points) {
+void set_up(const SimulationWorld& world, const BodyState& state, const HeldContacts& held,
+            const SupportedFlight& flight, std::vector<SupportPoint>& points) {
+  const std::span<const std::int32_t> contacts = held.contacts;
+  const double time = flight.time;
   const bool is_known = points.size() == contacts.size();
   points.resize(contacts.size());
   const double target = 0.5 * collision_gap(world);
@@ -72,15 +73,15 @@ void set_up(const SimulationWorld& world, const BodyState& state, const ContactS
       std::sqrt(2.0 * world.body.gravity.norm() * kShortestFall * collision_gap(world));
   const double per_turn = 1.0 / (0.5 * time * world.body.inverse_inertia.trace());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Contact& c = set.contacts[static_cast<std::size_t>(contacts[i])];
+    const Contact& c = held.set.contacts[static_cast<std::size_t>(contacts[i])];
     SupportPoint& p = points[i];
-    const Touch touch = touch_of(world, state, c);
+    const ApproachingContact touch = approaching(world, state, c);
     const Mat3 matrix = 0.5 * time * collision_matrix(world.body, state, touch.arm);
     p.out = -c.normal;
     p.arm = touch.arm;
     p.per_speed = 1.0 / p.out.dot(matrix * p.out);
     p.per_slide = 1.0 / (matrix.trace() - p.out.dot(matrix * p.out));
-    p.speed = std::min(lift * std::max(target - touch.gap, 0.0) / time, fastest);
+    p.speed = std::min(flight.lift * std::max(target - touch.gap, 0.0) / time, fastest);
     p.per_turn = per_turn;
     if (is_known) continue;
     p.force.setZero();
@@ -90,11 +91,11 @@ void set_up(const SimulationWorld& world, const BodyState& state, const ContactS
 
 }  // namespace
 
-Wrench support_wrench(const SimulationWorld& world, const BodyState& state, const ContactSet& set,
-                      std::span<const std::int32_t> contacts, double time, double lift,
+Wrench support_wrench(const SimulationWorld& world, const BodyState& state,
+                      const HeldContacts& held, const SupportedFlight& flight,
                       std::vector<SupportPoint>& points) {
-  set_up(world, state, set, contacts, time, lift, points);
-  MeanMotion mean = free_mean(world.body, state, time);
+  set_up(world, state, held, flight, points);
+  MeanMotion mean = free_mean(world.body, state, flight.time);
   for (const SupportPoint& p : points) {
     mean.push(p.arm, p.force);
     mean.turn(p.couple);

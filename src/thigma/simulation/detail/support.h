@@ -10,6 +10,17 @@
 
 namespace thigma::detail {
 
+/// Some contacts of a set, by index.
+struct HeldContacts {
+  const ContactSet& set;
+  std::span<const std::int32_t> contacts;
+};
+
+struct SupportedFlight {
+  double time = 0.0;  // [s]
+  double lift = 0.0;  // share of the missing distance that contacts are moved out by
+};
+
 /// Forces of contacts that hold a body while it flies on for a time.
 ///
 /// Each contact pushes outward, with friction in Coulomb's cone against the sliding and a couple of
@@ -19,16 +30,15 @@ namespace thigma::detail {
 /// some, exactly for translation and to second order for rotation. A contact nearer than half the
 /// collision distance is moved out towards it, by `lift` of what is missing at most: that is the
 /// only work given, and the caller sees that something else pays for it.
-/// contacts   those to hold, by index into set; none may approach
-/// time       of the flight, > 0 [s]
-/// lift       0..1
+/// held       those to hold; none may approach
+/// flight     time > 0, lift 0..1
 /// points     scratch; forces found before are where the search begins, as long as the contacts are
 ///            the same
 /// returns    wrench about the centre of mass, constant over the flight [N, N m; world]
 /// Thread     any; no failure. Sweeps until velocities change no more, or 200 times; fewer where
 ///            more than 20 touch.
-Wrench support_wrench(const SimulationWorld& world, const BodyState& state, const ContactSet& set,
-                      std::span<const std::int32_t> contacts, double time, double lift,
+Wrench support_wrench(const SimulationWorld& world, const BodyState& state,
+                      const HeldContacts& held, const SupportedFlight& flight,
                       std::vector<SupportPoint>& points);
 
 }  // namespace thigma::detail

@@ -12,8 +12,8 @@ namespace thigma::detail {
 namespace {
 
 std::array<Vec3, 3> corners_of(const TriangleMesh& mesh, std::int32_t t) {
-  const auto& v = mesh.triangles[at(t)];
-  return {mesh.positions[at(v[0])], mesh.positions[at(v[1])], mesh.positions[at(v[2])]};
+  const auto& v = mesh.triangles[idx(t)];
+  return {mesh.positions[idx(v[0])], mesh.positions[idx(v[1])], mesh.positions[idx(v[2])]};
 }
 
 /// Calls visit(triangle, weights) for points spread evenly over a surface: by area, one in each of
@@ -91,11 +91,11 @@ SurfacePoint base_of(const HapticTexture& texture, const Facets& facets,
                      const SurfaceSearch& on_facets, const Vec3& p) {
   const SurfacePoint near = nearest_point(on_facets, p);
   SurfacePoint base;
-  base.triangle = facets.triangle[at(near.triangle)];
+  base.triangle = facets.triangle[idx(near.triangle)];
   for (int k = 0; k < 3; ++k)
     base.weights +=
         near.weights[k] *
-        facets.weights[at(facets.mesh.triangles[at(near.triangle)][static_cast<std::size_t>(k)])];
+        facets.weights[idx(facets.mesh.triangles[idx(near.triangle)][static_cast<std::size_t>(k)])];
   base.at = blend(corners_of(texture.coarse, base.triangle), base.weights);
   return base;
 }
@@ -146,7 +146,7 @@ double largest_crack(const HapticTexture& texture) {
 }  // namespace
 
 Vec3 textured_point(const HapticTexture& texture, std::int32_t triangle, const Vec3& weights) {
-  const std::array<Vec2, 3>& c = texture.corners[at(triangle)];
+  const std::array<Vec2, 3>& c = texture.corners[idx(triangle)];
   const Vec2 texel = weights[0] * c[0] + weights[1] * c[1] + weights[2] * c[2];
   return blend(corners_of(texture.coarse, triangle), weights) + displacement_at(texture, texel);
 }

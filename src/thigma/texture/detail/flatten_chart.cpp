@@ -19,12 +19,12 @@ namespace {
 
 // Corners in axes of the triangle's own.
 std::array<Vec2, 3> own_corners(const TriangleMesh& mesh, std::int32_t t) {
-  const auto& v = mesh.triangles[at(t)];
-  const Vec3& a = mesh.positions[at(v[0])];
-  const Vec3 x = (mesh.positions[at(v[1])] - a).normalized();
-  const Vec3 c = mesh.positions[at(v[2])] - a;
+  const auto& v = mesh.triangles[idx(t)];
+  const Vec3& a = mesh.positions[idx(v[0])];
+  const Vec3 x = (mesh.positions[idx(v[1])] - a).normalized();
+  const Vec3 c = mesh.positions[idx(v[2])] - a;
   const double along = x.dot(c);
-  return {Vec2(0.0, 0.0), Vec2((mesh.positions[at(v[1])] - a).norm(), 0.0),
+  return {Vec2(0.0, 0.0), Vec2((mesh.positions[idx(v[1])] - a).norm(), 0.0),
           Vec2(along, (c - along * x).norm())};
 }
 
@@ -39,7 +39,7 @@ Vertices collect(const TriangleMesh& mesh, std::span<const std::int32_t> triangl
   for (const std::int32_t t : triangles) {
     std::array<std::int32_t, 3> mine{};
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::int32_t v = mesh.triangles[at(t)][k];
+      const std::int32_t v = mesh.triangles[idx(t)][k];
       const auto [found, is_new] = index.emplace(v, static_cast<std::int32_t>(vertices.all.size()));
       if (is_new) vertices.all.push_back(v);
       mine[k] = found->second;
@@ -52,9 +52,9 @@ Vertices collect(const TriangleMesh& mesh, std::span<const std::int32_t> triangl
 std::int32_t farthest_from(const TriangleMesh& mesh, const Vertices& vertices, std::int32_t from) {
   std::int32_t best = 0;
   double most = -1.0;
-  const Vec3& p = mesh.positions[at(vertices.all[at(from)])];
+  const Vec3& p = mesh.positions[idx(vertices.all[idx(from)])];
   for (std::size_t i = 0; i < vertices.all.size(); ++i) {
-    const double distance = (mesh.positions[at(vertices.all[i])] - p).squaredNorm();
+    const double distance = (mesh.positions[idx(vertices.all[i])] - p).squaredNorm();
     if (distance > most) {
       most = distance;
       best = static_cast<std::int32_t>(i);
@@ -70,12 +70,12 @@ std::vector<Vec2> solve(const TriangleMesh& mesh, std::span<const std::int32_t> 
   const std::int32_t one = farthest_from(mesh, vertices, 0);
   const std::int32_t other = farthest_from(mesh, vertices, one);
   const double apart =
-      (mesh.positions[at(vertices.all[at(one)])] - mesh.positions[at(vertices.all[at(other)])])
+      (mesh.positions[idx(vertices.all[idx(one)])] - mesh.positions[idx(vertices.all[idx(other)])])
           .norm();
-  std::vector<std::int32_t> column(at(count), -1);
+  std::vector<std::int32_t> column(idx(count), -1);
   std::int32_t unknowns = 0;
   for (std::int32_t i = 0; i < count; ++i)
-    if (i != one && i != other) column[at(i)] = unknowns++;
+    if (i != one && i != other) column[idx(i)] = unknowns++;
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(triangles.size()));
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -86,7 +86,7 @@ std::vector<Vec2> solve(const TriangleMesh& mesh, std::span<const std::int32_t> 
       const Vec2 w = weight * (z[(k + 2) % 3] - z[(k + 1) % 3]);
       const std::int32_t vertex = vertices.triangles[i][k];
       if (vertex == other) right.segment<2>(row) -= apart * w;  // it is held at (apart, 0)
-      const std::int32_t u = column[at(vertex)];
+      const std::int32_t u = column[idx(vertex)];
       if (u < 0) continue;
       entries.emplace_back(row, u, w.x());
       entries.emplace_back(row, unknowns + u, -w.y());
@@ -101,10 +101,10 @@ std::vector<Vec2> solve(const TriangleMesh& mesh, std::span<const std::int32_t> 
   if (solver.info() != Eigen::Success) return {};
   const Eigen::VectorXd found = solver.solve(matrix.transpose() * right);
   if (!found.allFinite()) return {};
-  std::vector<Vec2> places(at(count));
+  std::vector<Vec2> places(idx(count));
   for (std::int32_t i = 0; i < count; ++i) {
-    const std::int32_t u = column[at(i)];
-    places[at(i)] =
+    const std::int32_t u = column[idx(i)];
+    places[idx(i)] =
         u >= 0 ? Vec2(found[u], found[unknowns + u]) : Vec2(i == other ? apart : 0.0, 0.0);
   }
   return places;
@@ -163,7 +163,7 @@ FlatChart flatten_chart(const TriangleMesh& mesh, std::span<const std::int32_t> 
     const std::array<Vec2, 3> z = own_corners(mesh, triangles[i]);
     const auto& t = vertices.triangles[i];
     const double area =
-        cross(places[at(t[1])] - places[at(t[0])], places[at(t[2])] - places[at(t[0])]);
+        cross(places[idx(t[1])] - places[idx(t[0])], places[idx(t[2])] - places[idx(t[0])]);
     if (!(area > 0.0)) return flat;
     on_surface += cross(z[1] - z[0], z[2] - z[0]);
     in_plane += area;
@@ -173,7 +173,7 @@ FlatChart flatten_chart(const TriangleMesh& mesh, std::span<const std::int32_t> 
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const std::array<Vec2, 3> z = own_corners(mesh, triangles[i]);
     std::array<Vec2, 3> c;
-    for (std::size_t k = 0; k < 3; ++k) c[k] = places[at(vertices.triangles[i][k])];
+    for (std::size_t k = 0; k < 3; ++k) c[k] = places[idx(vertices.triangles[i][k])];
     Eigen::Matrix2d from, to;
     from << z[1] - z[0], z[2] - z[0];
     to << c[1] - c[0], c[2] - c[0];

@@ -50,7 +50,7 @@ std::vector<Meeting> meetings_of(std::span<const Seam> seams,
   std::vector<Meeting> meetings;
   for (const Seam& seam : seams) {
     const auto end = [&](const Seam::Side& side, std::size_t k) {
-      return corners[at(side.triangle)][static_cast<std::size_t>(side.corner[k])];
+      return corners[idx(side.triangle)][static_cast<std::size_t>(side.corner[k])];
     };
     double length = 0.0;
     for (const Seam::Side& side : seam.sides)
@@ -90,7 +90,7 @@ std::vector<Seam> find_seams(const TriangleMesh& coarse,
     }
     const auto place = [&](std::size_t s, std::size_t k) {
       const Seam::Side& side = seam.sides[s];
-      return corners[at(side.triangle)][static_cast<std::size_t>(side.corner[k])];
+      return corners[idx(side.triangle)][static_cast<std::size_t>(side.corner[k])];
     };
     if (place(0, 0) != place(1, 0) || place(0, 1) != place(1, 1)) seams.push_back(seam);
   }

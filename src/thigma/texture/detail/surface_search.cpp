@@ -21,26 +21,27 @@ double share_along(const Vec3& a, const Vec3& b, const Vec3& p) {
   return size > 0.0 ? std::clamp(way.dot(p - a) / size, 0.0, 1.0) : 0.0;
 }
 
-void search_near(const SurfaceSearch& s, std::int32_t index, const Vec3& p, SurfacePoint& best) {
-  const TreeNode& node = s.tree.nodes[at(index)];
+void search_near(const SurfaceSearch& search, std::int32_t index, const Vec3& p,
+                 SurfacePoint& best) {
+  const TreeNode& node = search.tree.nodes[idx(index)];
   if (node.count > 0) {
     for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-      const std::int32_t t = s.tree.order[at(i)];
-      if (box_distance(s.tree.boxes[at(t)], p) >= best.distance) continue;
-      const SurfacePoint here = nearest_of_triangle(*s.mesh, t, p);
+      const std::int32_t t = search.tree.order[idx(i)];
+      if (box_distance(search.tree.boxes[idx(t)], p) >= best.distance) continue;
+      const SurfacePoint here = nearest_of_triangle(*search.mesh, t, p);
       if (here.distance < best.distance) best = here;
     }
     return;
   }
   std::int32_t one = index + 1, other = node.right;
-  double to_one = box_distance(s.tree.nodes[at(one)].box, p);
-  double to_other = box_distance(s.tree.nodes[at(other)].box, p);
+  double to_one = box_distance(search.tree.nodes[idx(one)].box, p);
+  double to_other = box_distance(search.tree.nodes[idx(other)].box, p);
   if (to_other < to_one) {
     std::swap(one, other);
     std::swap(to_one, to_other);
   }
-  if (to_one < best.distance) search_near(s, one, p, best);
-  if (to_other < best.distance) search_near(s, other, p, best);
+  if (to_one < best.distance) search_near(search, one, p, best);
+  if (to_other < best.distance) search_near(search, other, p, best);
 }
 
 struct Line {
@@ -64,11 +65,11 @@ bool passes(const Line& line, const TreeBox& box, double reach) {
 }
 
 /// The crossing of one triangle, if nearer than `best`.
-void cross_triangle(const SurfaceSearch& s, std::int32_t t, const Line& line, double reach,
+void cross_triangle(const SurfaceSearch& search, std::int32_t t, const Line& line, double reach,
                     SurfacePoint& best) {
-  const auto& v = s.mesh->triangles[at(t)];
-  const Vec3 &a = s.mesh->positions[at(v[0])], &b = s.mesh->positions[at(v[1])],
-             &c = s.mesh->positions[at(v[2])];
+  const auto& v = search.mesh->triangles[idx(t)];
+  const Vec3 &a = search.mesh->positions[idx(v[0])], &b = search.mesh->positions[idx(v[1])],
+             &c = search.mesh->positions[idx(v[2])];
   const Vec3 normal = (b - a).cross(c - a);
   const double along = normal.dot(line.direction);
   constexpr double kEdgeOn = 1e-6;  // cosine: below, the crossing is anywhere on the triangle
@@ -98,9 +99,9 @@ SurfaceSearch build_surface_search(const TriangleMesh& mesh) {
 }
 
 SurfacePoint nearest_of_triangle(const TriangleMesh& mesh, std::int32_t triangle, const Vec3& p) {
-  const auto& v = mesh.triangles[at(triangle)];
-  const std::array<Vec3, 3> c = {mesh.positions[at(v[0])], mesh.positions[at(v[1])],
-                                 mesh.positions[at(v[2])]};
+  const auto& v = mesh.triangles[idx(triangle)];
+  const std::array<Vec3, 3> c = {mesh.positions[idx(v[0])], mesh.positions[idx(v[1])],
+                                 mesh.positions[idx(v[2])]};
   SurfacePoint best;
   best.triangle = triangle;
   const Vec3 normal = (c[1] - c[0]).cross(c[2] - c[0]);
@@ -146,7 +147,7 @@ SurfacePoint crossing_point(const SurfaceSearch& search, const Vec3& p, const Ve
   if (!search.tree.nodes.empty()) stack[top++] = 0;
   while (top > 0) {
     const std::int32_t index = stack[--top];
-    const TreeNode& node = search.tree.nodes[at(index)];
+    const TreeNode& node = search.tree.nodes[idx(index)];
     const double within = best.triangle >= 0 ? std::fabs(best.distance) : reach;
     if (!passes(line, node.box, within)) continue;
     if (node.count == 0) {
@@ -155,7 +156,7 @@ SurfacePoint crossing_point(const SurfaceSearch& search, const Vec3& p, const Ve
       continue;
     }
     for (std::int32_t i = node.first; i < node.first + node.count; ++i)
-      cross_triangle(search, search.tree.order[at(i)], line, reach, best);
+      cross_triangle(search, search.tree.order[idx(i)], line, reach, best);
   }
   return best;
 }

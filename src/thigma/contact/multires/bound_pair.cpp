@@ -1,10 +1,9 @@
-#include "thigma/contact/detail/level_bound.h"
+#include "thigma/contact/multires/bound_pair.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "thigma/contact/detail/support_sets.h"
-#include "thigma/convex/patch_separation.h"
 
 // What a contact of two patches P and Q of any levels says about the finest triangles T and U below
 // their nodes.
@@ -40,31 +39,35 @@ struct Range {
 };
 
 // Gap of the nodes' hulls along a unit axis, less and more than the rounding of single precision.
-Range hull_gap(const Traversal& t, const FrontNode& n, const Vec3& normal) noexcept {
-  const NodePair pair = place(hull_view(t.object, n.a), hull_view(t.scene, n.b), t.pose);
+Range hull_gap(const QueryFrame& frame, const FrontNode& node, const Vec3& normal) noexcept {
+  const PlacedHulls hulls =
+      place(hull_view(frame.object, node.a), hull_view(frame.scene, node.b), frame.pose);
   const float axis[3] = {static_cast<float>(normal.x()), static_cast<float>(normal.y()),
                          static_cast<float>(normal.z())};
-  const double low = axis_gap(pair, t.pose, axis);
+  const double low = axis_gap(hulls, frame.pose, axis);
   const double rounding =
-      1e-6 * std::fabs(low) + kLaneRounding * (pair.a.radius + pair.b.radius) + pair.rounding;
+      1e-6 * std::fabs(low) + kLaneRounding * (hulls.a.radius + hulls.b.radius) + hulls.rounding;
   return {low, low + 3.0 * rounding};
 }
 
 // The nodes' hulls are no nearer than this, where it is more than `enough`, else 0: a contact of
 // coarse patches is moved out to it. Its bits do not depend on what is remembered, which only tells
 // when it need not be known.
-double hull_distance(LevelQuery& q, FrontNode& n, std::int32_t i, double enough) noexcept {
-  Traversal& t = q.t;
-  const double reach = t.query.tolerance + node_a(t, n.a).hausdorff + node_b(t, n.b).hausdorff;
-  ContactFront& f = t.front;
-  if (i >= 0 && reach - (static_cast<double>(f.expires[i]) - f.travel) <= enough) return 0.0;
-  const HullView a = hull_view(t.object, n.a), b = hull_view(t.scene, n.b);
-  const Placement place(a, b, t.pose);
-  ++t.set.stats.pair_queries;
-  const Separation s = closest_points(a, b, t.pose, kInfinity, n.gjk);
+double hull_distance(MultiresQuery& query, FrontNode& node, std::int32_t i,
+                     double enough) noexcept {
+  QueryFrame& frame = query.frame;
+  const double reach =
+      frame.query.tolerance + node_a(frame, node.a).hausdorff + node_b(frame, node.b).hausdorff;
+  ContactFront& front = frame.front;
+  if (i >= 0 && reach - (static_cast<double>(front.expires[i]) - front.travel) <= enough)
+    return 0.0;
+  const HullView a = hull_view(frame.object, node.a), b = hull_view(frame.scene, node.b);
+  const Placement place(a, b, frame.pose);
+  ++frame.set.stats.pair_queries;
+  const Separation s = closest_points(a, b, frame.pose, kInfinity, node.gjk);
   if (s.status != GjkStatus::gave_up) {
     const double slack = reach - s.distance - kDistanceRounding * place.size;
-    if (i >= 0 && slack > 0.0) set_timer(f, i, slack);
+    if (i >= 0 && slack > 0.0) set_timer(front, i, slack);
     if (s.distance <= enough + kDistanceRounding * place.size) return 0.0;
   }
   SupportedDistance found;
@@ -72,36 +75,9 @@ double hull_distance(LevelQuery& q, FrontNode& n, std::int32_t i, double enough)
   if (s.status == GjkStatus::separated && closest_by_support(place, sets, Features::any, found))
     return found.distance;
   GjkCache fresh;
-  ++t.set.stats.pair_queries;
-  const Separation again = closest_points(a, b, t.pose, kInfinity, fresh);
+  ++frame.set.stats.pair_queries;
+  const Separation again = closest_points(a, b, frame.pose, kInfinity, fresh);
   return again.status == GjkStatus::separated ? again.distance : 0.0;
-}
-
-// Separation of two finest patches below a pair that are likely the nearest: an upper bound of that
-// of all. Goes down to the child whose ball reaches farthest towards the other's centre.
-double near_pair_distance(const Traversal& t, std::int32_t a, std::int32_t b,
-                          double limit) noexcept {
-  while (!is_leaf_pair(t, a, b)) {
-    const ClodNode& na = node_a(t, a);
-    const ClodNode& nb = node_b(t, b);
-    const bool of_a = na.child_count > 0 && (nb.child_count == 0 || na.radius >= nb.radius);
-    const Vec3 other = of_a ? Vec3(t.pose.rotation * nb.center + t.pose.translation)
-                            : Vec3(t.pose.rotation.transpose() * (na.center - t.pose.translation));
-    const ClodNode& parent = of_a ? na : nb;
-    double least = kInfinity;
-    std::int32_t next = parent.first_child;
-    for (std::int32_t c = parent.first_child; c < parent.first_child + parent.child_count; ++c) {
-      const ClodNode& child = of_a ? node_a(t, c) : node_b(t, c);
-      const double gap = std::sqrt((child.center - other).squaredNorm()) - child.radius;
-      if (!(gap < least)) continue;
-      least = gap;
-      next = c;
-    }
-    (of_a ? a : b) = next;
-  }
-  GjkCache fresh;
-  return patch_separation(hull_view(t.object, a), hull_view(t.scene, b), t.pose, limit, fresh)
-      .distance;
 }
 
 void move_apart(PatchPair& pair, double separation) noexcept {
@@ -113,20 +89,21 @@ void move_apart(PatchPair& pair, double separation) noexcept {
 
 }  // namespace
 
-void bound_separated(LevelQuery& q, const Side& a, const Side& b, double below, FrontNode& n,
+void bound_separated(MultiresQuery& query, const PairAtLevel& at_level, FrontNode& node,
                      std::int32_t i, LevelPair& out) noexcept {
+  const PatchAtLevel &a = at_level.a, &b = at_level.b;
   PatchPair& pair = out.pair;
-  double farthest = pair.separation + below;
-  if (q.t.query.resolution.tightens_bounds) {
-    farthest = std::min(farthest, near_pair_distance(q.t, n.a, n.b, farthest));
-  }
+  // How far the original triangles may be behind the closest points, both together.
+  const double below = distance_to_below(a, at_level.on_a, at_level.point_a) +
+                       distance_to_below(b, at_level.on_b, at_level.point_b);
+  const double farthest = pair.separation + below;
   const double out_of_hull = a.node.hausdorff + b.node.hausdorff;
   double nearest = std::max(pair.separation - a.from_below() - b.from_below(),
-                            hull_gap(q.t, n, pair.normal).low - out_of_hull);
+                            hull_gap(query.frame, node, pair.normal).low - out_of_hull);
   if (pair.status == PairContactStatus::separated && a.is_culling_hull() && b.is_culling_hull()) {
     // Beyond rounding, which must not show whether it was measured.
     const double least = pair.separation + 1e-9 * (a.node.radius + b.node.radius);
-    const double apart = hull_distance(q, n, i, pair.separation);
+    const double apart = hull_distance(query, node, i, pair.separation);
     if (apart > least) {
       nearest = std::max(nearest, apart - out_of_hull);
       move_apart(pair, apart);
@@ -137,12 +114,13 @@ void bound_separated(LevelQuery& q, const Side& a, const Side& b, double below, 
   out.bound = std::max(-pair.depth - nearest, farthest + pair.depth) + rounding;
 }
 
-void bound_penetrating(const LevelQuery& q, const Side& a, const Side& b, const FrontNode& n,
-                       LevelPair& out) noexcept {
-  const Range gap = hull_gap(q.t, n, out.pair.normal);
+void bound_penetrating(const MultiresQuery& query, const PairAtLevel& at_level,
+                       const FrontNode& node, LevelPair& out) noexcept {
+  const PatchAtLevel &a = at_level.a, &b = at_level.b;
+  const Range gap = hull_gap(query.frame, node, out.pair.normal);
   const double most = a.node.hausdorff + b.node.hausdorff - gap.low;
-  const double less = (a.is_culling_hull() ? 0.0 : a.patch->to_below) +
-                      (b.is_culling_hull() ? 0.0 : b.patch->to_below);
+  const double less = (a.is_culling_hull() ? 0.0 : a.level_patch->to_below) +
+                      (b.is_culling_hull() ? 0.0 : b.level_patch->to_below);
   const double least = -gap.high - less;
   const double rounding =
       kBoundRounding * (a.node.radius + b.node.radius + std::fabs(out.pair.depth));

@@ -1,4 +1,4 @@
-#include "thigma/depth/detail/grid_steps.h"
+#include "thigma/depth/detail/grid_refinement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,19 +108,8 @@ void look_closer(PreparedContact& prepared, const MapGrid& grid, SpanWidth width
 
 }  // namespace
 
-double DepthRounding::rounded(float sum) const noexcept {
-  const double depth = static_cast<double>(sum);
-  return quantum > 0.0 ? least + quantum * std::round((depth - least) / quantum) : depth;
-}
-
-DepthRounding depth_rounding(const GridDepthParams& params, float least, float largest) noexcept {
-  if (!params.is_16_bit) return {};
-  const double low = static_cast<double>(least);
-  return {low, (static_cast<double>(largest) - low) / 65535.0};
-}
-
-void choose_steps(const DepthContact& contact, const MapGrid& grid, const DepthRequest& request,
-                  DepthSamples& result) noexcept {
+void choose_difference_steps(const DepthContact& contact, const MapGrid& grid,
+                             const DepthRequest& request, DepthSamples& result) noexcept {
   const Vec2 spacing = grid.spacing();
   result.shift = request.step > 0.0 ? request.step : spacing.minCoeff();
   const double arm = std::max((contact.point - contact.centre).norm(), spacing.maxCoeff());
@@ -140,13 +129,14 @@ PlaneMotion plane_motion(const DepthContact& contact, const DepthSamples& result
   return motion;
 }
 
-void finish_depth(const GridDepthParams& params, PreparedContact& prepared, const HeightMap& object,
-                  const HeightMap& scene, const MapGrid& grid, const MapMaximum& best,
-                  const DepthRounding& rounding, DepthSamples& result) noexcept {
+void climb_to_maximum(const GridDepthParams& params, PreparedContact& prepared,
+                      const RenderedMaps& maps, const MapMaximum& best,
+                      DepthSamples& result) noexcept {
+  const MapGrid& grid = maps.grid;
   result.at = grid.at(best.column, best.row);
-  result.depth[0] = rounding.rounded(best.sum);
-  if (!params.is_polished || params.is_16_bit) return;
-  Rivals rivals = rivals_of(object, scene, grid, best);
+  result.depth[0] = static_cast<double>(best.sum);
+  if (!params.is_polished) return;
+  Rivals rivals = rivals_of(maps.object, maps.scene, grid, best);
   for (Rival& rival : rivals) look_closer(prepared, grid, params.width, rival);
   double deepest = kNoDepth;
   for (int k = 0; k < kClimbs; ++k) {

@@ -2,14 +2,15 @@
 // One pair of patches of any levels: the contact between them, how much detail it deserves, and
 // what it says about the original triangles below.
 
-#include "thigma/contact/detail/traversal.h"
+#include "thigma/contact/detail/front_nodes.h"
 #include "thigma/contact/surface_crossing.h"
 
 namespace thigma::detail {
 
 /// What a query with levels keeps for all its pairs.
-struct LevelQuery {
-  Traversal& t;
+struct MultiresQuery {
+  QueryFrame& frame;
+  const Resolution& resolution;
   CrossingContext crossing;  // of the query, for probes
   RelativePose last;         // the pose before [frame of the object]
   bool has_last = false;
@@ -19,7 +20,7 @@ struct LevelQuery {
   float now = 0.0f;              // travel, rounded so that nothing expires too late
 };
 
-LevelQuery make_level_query(Traversal& t) noexcept;
+MultiresQuery make_multires_query(QueryFrame& frame) noexcept;
 
 /// A node of merged hulls alone: nothing to measure a contact on.
 inline bool is_free(const ClodNode& node) noexcept {
@@ -28,11 +29,11 @@ inline bool is_free(const ClodNode& node) noexcept {
 
 /// Largest support areas of the vertices of each node's patch, by reading; empty without simplified
 /// levels. Thread [offline].
-std::vector<std::array<double, 2>> largest_support(const ClodHierarchy& h);
+std::vector<std::array<double, 2>> largest_support(const ClodHierarchy& hierarchy);
 
 /// A pair that no measurement can keep from being split: free nodes, deviations above the cap,
 /// features too large for any support area its patches have.
-bool is_always_refined(const LevelQuery& q, const FrontNode& n) noexcept;
+bool is_always_refined(const MultiresQuery& query, const FrontNode& node) noexcept;
 
 /// A measured pair, not both finest.
 struct LevelPair {
@@ -47,8 +48,8 @@ struct LevelPair {
 };
 
 /// Measures a pair that is open, counts it, and bounds the original triangles below.
-/// n  memory of the pair
-/// i  its place in the front, whose timer may be refreshed; -1: none
-LevelPair measure_level_pair(LevelQuery& q, FrontNode& n, std::int32_t i) noexcept;
+/// node  memory of the pair
+/// i     its place in the front, whose timer may be refreshed; -1: none
+LevelPair measure_level_pair(MultiresQuery& query, FrontNode& node, std::int32_t i) noexcept;
 
 }  // namespace thigma::detail

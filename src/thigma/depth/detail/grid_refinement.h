@@ -5,18 +5,9 @@
 
 namespace thigma::detail {
 
-/// Depths rounded to 16 bits over their range, or not at all.
-struct DepthRounding {
-  double least = 0.0, quantum = 0.0;  // [m]; quantum 0: not rounded
-  double rounded(float sum) const noexcept;
-};
-
-/// The rounding of depths between the least and the largest sum of a contact's maps.
-DepthRounding depth_rounding(const GridDepthParams& params, float least, float largest) noexcept;
-
 /// Sets the steps of the moved configurations.
-void choose_steps(const DepthContact& contact, const MapGrid& grid, const DepthRequest& request,
-                  DepthSamples& result) noexcept;
+void choose_difference_steps(const DepthContact& contact, const MapGrid& grid,
+                             const DepthRequest& request, DepthSamples& result) noexcept;
 
 /// Whether a configuration leaves the plane, so that the object's map has to be rendered anew.
 constexpr bool is_tilted(int configuration) noexcept {
@@ -27,15 +18,22 @@ constexpr bool is_tilted(int configuration) noexcept {
 PlaneMotion plane_motion(const DepthContact& contact, const DepthSamples& result,
                          int configuration) noexcept;
 
+/// The maps of both sides of a contact, as they are.
+struct RenderedMaps {
+  const HeightMap& object;
+  const HeightMap& scene;
+  const MapGrid& grid;
+};
+
 /// Sets depth[0] and where it is: the best sample, or if asked for the deepest place that is
 /// climbed to. The highest peak may lie between samples that are not the highest: the most
 /// promising summits are sampled more finely, and climbed from while they may be higher than what
 /// is found.
 ///
-/// object, scene  the maps as they are; not looked at where nothing is climbed to
-/// rounding       of a depth that is not climbed to
-void finish_depth(const GridDepthParams& params, PreparedContact& prepared, const HeightMap& object,
-                  const HeightMap& scene, const MapGrid& grid, const MapMaximum& best,
-                  const DepthRounding& rounding, DepthSamples& result) noexcept;
+/// maps  heights are not looked at where nothing is climbed to
+/// best  sample of the sum of the maps
+void climb_to_maximum(const GridDepthParams& params, PreparedContact& prepared,
+                      const RenderedMaps& maps, const MapMaximum& best,
+                      DepthSamples& result) noexcept;
 
 }  // namespace thigma::detail

@@ -1,0 +1,95 @@
+#include "thigma/contact/multires/multires_query.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "thigma/contact/multires/budget.h"
+#include "thigma/contact/multires/pair_walk.h"
+
+// Sec. 3.4.2. The tree of pairs is walked from the root each frame. Where a pair was culled, or
+// proved open, the walk goes by that until the bodies may have moved far enough to change it, so it
+// costs a look at one number; what is measured each frame are the pairs near a contact, from
+// nothing but the pose. Every decision is thus a function of the pose alone, and a walk that
+// remembers ends where a fresh one does.
+//
+// A pair is split by a rule that sees the pair alone (free nodes first, then the node with the
+// coarser children), so each pair of patches is reached in one way.
+
+namespace thigma::detail {
+namespace {
+
+void visit(MultiresQuery& query, const PendingPair& entry) noexcept {
+  QueryFrame& frame = query.frame;
+  const std::int32_t i = entry.node;
+  FrontNode none;
+  FrontNode& node = node_of(frame.front, entry, none);
+  PatchPair finest;
+  const Found found = classify_pair(query, node, i, finest);
+  if (found == Found::nothing) return;
+  if (found == Found::finest)
+    return report(frame, level_contact(query, node, {.pair = finest}, entry.weight));
+  if (is_always_refined(query, node)) return push_children(query, node, i, entry.weight);
+  const LevelPair measured = measure_level_pair(query, node, i);
+  if (measured.pair.status == PairContactStatus::apart)
+    return end_apart(query, node, i, -measured.pair.depth - measured.reach);
+  const Blend share = blend(query, measured.priority);
+  if (share.own > 0.0 && measured.nearest <= frame.query.tolerance)
+    report(frame, level_contact(query, node, measured, entry.weight * share.own));
+  if (share.below > 0.0) return push_children(query, node, i, entry.weight * share.below);
+  if (i >= 0) drop_children(frame.front, i);
+}
+
+// In the order of their patches. Contacts are large: places are sorted, then each contact moves
+// once.
+void sort_contacts(QueryFrame& frame) noexcept {
+  Contact* contacts = frame.set.contacts.data() + frame.first;
+  const std::size_t count = frame.set.contacts.size() - frame.first;
+  std::vector<std::int32_t>& order = frame.front.multires.order;
+  if (count > order.capacity()) {
+    std::sort(contacts, contacts + count, is_before);
+    return;
+  }
+  order.resize(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](std::int32_t x, std::int32_t y) { return is_before(contacts[x], contacts[y]); });
+  for (std::size_t i = 0; i < count; ++i) {
+    if (order[i] == static_cast<std::int32_t>(i)) continue;
+    const Contact first = contacts[i];
+    std::size_t to = i;
+    while (order[to] != static_cast<std::int32_t>(i)) {
+      const auto from = static_cast<std::size_t>(order[to]);
+      contacts[to] = contacts[from];
+      order[to] = static_cast<std::int32_t>(to);
+      to = from;
+    }
+    contacts[to] = first;
+    order[to] = static_cast<std::int32_t>(to);
+  }
+}
+
+}  // namespace
+
+void query_multires(QueryFrame& frame) noexcept {
+  ContactFront& front = frame.front;
+  const FrontState state = advance_front(frame, true);
+  if (state == FrontState::no_memory) return;
+  MultiresQuery query = make_multires_query(frame);
+  query.has_last = state == FrontState::kept;
+  if (state == FrontState::empty) {
+    take_node(front);
+    front.nodes[0].a = front.nodes[0].b = 0;
+  }
+  front.multires.pending.clear();
+  front.work.clear();
+  front.multires.pending.push_back({.node = 0});
+  const Resolution& r = query.resolution;
+  if (r.budget_tests > 0 || r.budget_cpu > 0.0)
+    walk_within_budget(query);
+  else
+    walk(query, visit);
+  front.last = frame.pose;
+  sort_contacts(frame);
+}
+
+}  // namespace thigma::detail
