@@ -1,9 +1,12 @@
 #include "thigma/contact/front.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/contact/query_contacts.h"
+#include "thigma/math/rotation.h"
 #include "thigma/mesh/shapes.h"
 
 namespace thigma {
@@ -47,6 +50,58 @@ TEST(Front, OfOtherBodiesIsStartedAfresh) {
   for (std::size_t i = 0; i < set.contacts.size(); ++i) {
     EXPECT_EQ(set.contacts[i].depth, want.contacts[i].depth);
     EXPECT_EQ(set.contacts[i].scene_patch, want.contacts[i].scene_patch);
+  }
+}
+
+/// A ball about a ring: near on one side, never the same pose twice.
+Pose on_the_way(int k) {
+  const double t = 0.05 * k;
+  return {{2.0 + 0.05 * std::sin(3.0 * t), 0.3 * std::sin(t), 0.1 * t},
+          rotation_from_vector({0.1 * t, 0.2 * std::sin(t), 0.0})};
+}
+
+TEST(Front, OutlivesAChangeOfTolerance) {
+  const ClodHierarchy ball = build_exact_hierarchy(make_ball(1.0, 8));
+  const ClodHierarchy ring = build_exact_hierarchy(make_torus(1.2, 0.4, 48, 24));
+  ContactFront kept;
+  ContactSet set, want;
+  set.contacts.reserve(10'000);
+  want.contacts.reserve(10'000);
+  std::int64_t tests = 0, fresh_tests = 0;
+  const double tolerances[] = {0.02, 0.04, 0.04, 0.08, 0.01, 0.16, 0.02};
+  for (int k = 0; k < 140; ++k) {
+    const ContactQuery query{.tolerance = tolerances[k % 7]};
+    const Pose pose = on_the_way(k);
+    clear(set);
+    clear(want);
+    query_contacts({ball, pose}, {ring}, query, kept, set);
+    ContactFront fresh;
+    query_contacts({ball, pose}, {ring}, query, fresh, want);
+    tests += set.stats.tests;
+    fresh_tests += want.stats.tests;
+    ASSERT_EQ(set.contacts.size(), want.contacts.size()) << k;
+    for (std::size_t i = 0; i < set.contacts.size(); ++i) {
+      EXPECT_EQ(set.contacts[i].depth, want.contacts[i].depth);
+      EXPECT_EQ(set.contacts[i].point, want.contacts[i].point);
+    }
+  }
+  EXPECT_LT(tests, fresh_tests / 2);  // and it pays
+}
+
+TEST(Front, KnowsHowFarWhatItDidNotReportIs) {
+  const ClodHierarchy ball = build_exact_hierarchy(make_ball(1.0, 8));
+  ContactFront front;
+  ContactSet set;
+  set.contacts.reserve(10'000);
+  for (const double gap : {5.0, 0.5, 0.06}) {
+    const Pose pose{{2.0 + gap, 0.0, 0.0}};
+    clear(set);
+    query_contacts({ball, pose}, {ball}, {.tolerance = 0.05}, front, set);
+    ASSERT_TRUE(set.contacts.empty());
+    const double proven = unreported_separation(front);
+    EXPECT_GE(proven, 0.05);
+    EXPECT_LE(proven, gap + 0.03);  // facets
+    EXPECT_GE(proven, gap > 1.0 ? 0.8 * gap : 0.05);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "thigma/contact/query_contacts.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "thigma/contact/exact/exact_query.h"
 #include "thigma/contact/multires/multires_query.h"
@@ -39,6 +40,18 @@ void query_scene(const PlacedHierarchy& object, std::span<const SceneBody> bodie
     query_contacts(object, {*bodies[i].hierarchy, bodies[i].world_from_body}, one, fronts[i],
                    contacts);
   }
+}
+
+double unreported_separation(const ContactFront& front) noexcept {
+  if (front.tolerance < 0.0 || front.has_levels) return front.tolerance < 0.0 ? kInfinity : 0.0;
+  if (!front.exact.saturated.empty()) return front.tolerance;
+  float first = std::numeric_limits<float>::infinity();
+  for (std::int32_t i = 0; i < front.used; ++i) {
+    if (!(front.expires[i] < first)) continue;
+    const FrontNode& node = front.nodes[i];
+    if (node.a >= 0 && node.first_child < 0) first = front.expires[i];
+  }
+  return front.tolerance + std::max(static_cast<double>(first) - front.travel, 0.0);
 }
 
 double least_distance(const ContactSet& contacts) noexcept {
