@@ -1,6 +1,7 @@
 #include "live_change.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
@@ -75,10 +76,15 @@ void change_device(const live::LiveRequest& request, const LiveNow& now, LiveCha
 /// Response and texture decide the contact tolerance and how surfaces are loaded: the run is
 /// prepared anew.
 void choose(const live::LiveRequest& request, const LiveNow& now, LiveChange& change) {
+  const std::vector<std::string> responses = response_choices();
   const bool is_first = request.number == 0.0;
-  if (!is_first && request.number != 1.0) refuse_request("there is no such choice");
+  const bool is_response = request.text == "response";
+  const double most = is_response ? static_cast<double>(responses.size()) - 1.0 : 1.0;
+  if (!(request.number >= 0.0 && request.number <= most) ||
+      request.number != std::floor(request.number))
+    refuse_request("there is no such choice");
   RunOptions options = now.options;
-  if (request.text == "response") options.response = is_first ? "coupled" : "direct";
+  if (is_response) options.response = responses[static_cast<std::size_t>(request.number)];
   if (request.text == "texture") options.texture = is_first ? "on" : "off";
   prepare(now.run.given, std::move(options), now, change);
 }

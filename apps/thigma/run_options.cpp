@@ -34,7 +34,8 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
   verb.add_option("--response", o.response,
                   "penalty: clusters push like springs, felt through a simulated body and its "
                   "coupling (default; coupled is "
-                  "its older name); direct: contact forces as they are");
+                  "its older name); constraint: the object never enters, felt through the same "
+                  "coupling; direct: contact forces as they are");
   verb.add_flag(
       "--passivity", o.is_passive,
       "let late samples give no energy away: damps the handle, softens what is not backed");
@@ -73,8 +74,8 @@ std::string check_run_options(const RunOptions& o) {
   if (o.rate && !(*o.rate >= 50.0 && *o.rate <= 20000.0)) return "--rate must be 50 to 20000 Hz";
   if (o.spin && !(*o.spin >= 0.0 && *o.spin <= 20000.0)) return "--spin must be 0 to 20000 us";
   if (!o.response.empty() && o.response != "penalty" && o.response != "coupled" &&
-      o.response != "direct")
-    return "--response is penalty (or coupled, its older name) or direct";
+      o.response != "direct" && o.response != "constraint")
+    return "--response is penalty (or coupled, its older name), constraint or direct";
   Resolution resolution;
   const std::string wrong = apply(o.resolution, resolution);
   if (!wrong.empty()) return wrong;

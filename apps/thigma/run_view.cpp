@@ -71,12 +71,15 @@ std::optional<GainTask> gains_of(const Run& run) {
   return gain_task(port, haptic.body, haptic.workspace, run.session.config.rate);
 }
 
+std::vector<std::string> response_choices() { return {"coupled", "direct", "constraint"}; }
+
 std::vector<live::LiveParameter> choices_of(const Run& run) {
-  const bool is_direct = run.session.config.haptic.response == ResponseKind::direct;
+  const auto response = static_cast<int>(run.session.config.haptic.response);
   std::vector<live::LiveParameter> choices = {
       choice("response", "response",
-             "coupled: through a simulated body; direct: contact forces as they are",
-             {"coupled", "direct"}, is_direct ? 1 : 0)};
+             "coupled: through a simulated body; direct: contact forces as they are; constraint: "
+             "through a simulated body that never enters",
+             response_choices(), response)};
   if (has_relief(run.scene.description)) {
     choices.push_back(choice("texture", "texture", "on: relief is felt; off: coarse surfaces alone",
                              {"on", "off"},

@@ -22,6 +22,9 @@ std::vector<std::string> devices_of(const Run& run);
 /// response, which has none. Thread [offline].
 std::optional<GainTask> gains_of(const Run& run);
 
+/// Responses by the names of --response, in the order of ResponseKind.
+std::vector<std::string> response_choices();
+
 /// What pages may choose that takes a new session.
 std::vector<live::LiveParameter> choices_of(const Run& run);
 

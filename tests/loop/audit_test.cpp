@@ -23,6 +23,7 @@
 #include "thigma/mesh/shapes.h"
 #include "thigma/recording/recording.h"
 #include "thigma/session/session.h"
+#include "thigma/session/session_config.h"
 
 namespace thigma {
 namespace {
@@ -94,8 +95,9 @@ struct Scene {
 
 /// Warms up, then watches `haptic_frames` haptic steps and a contact step every tenth, all in one
 /// thread, while this thread writes the recording.
-AuditResult audit(PlantingDevice::Plant plant, int haptic_frames) {
+AuditResult audit(PlantingDevice::Plant plant, int haptic_frames, bool is_constrained = false) {
   Scene scene;
+  if (is_constrained) use_constraints(0.3, scene.config);
   HandParams hand;
   hand.program.path = HandPath::slide;
   hand.program.clearance = 0.001;
@@ -114,7 +116,8 @@ AuditResult audit(PlantingDevice::Plant plant, int haptic_frames) {
   std::atomic<bool> done{false};
 
   const auto contact_frame = [&](double now) {
-    contact_step(scene.config.contact, {state.body, now, state.frame}, scratch, contact);
+    contact_step(scene.config.contact, {state.body, now, state.frame, state.wanted_speed}, scratch,
+                 contact);
     models->publish(contact.model);
   };
   const auto frames = [&](int count, bool is_watched) {
@@ -194,6 +197,14 @@ TEST(Audit, TenThousandHapticAndAThousandContactStepsTouchNeitherMemoryNorLocksN
   EXPECT_GT(r.touching_frames, 8000);
   EXPECT_GT(r.cluster_ids.size(), 5u);
   EXPECT_EQ(r.dropped, 0u);
+}
+
+TEST(Audit, NorDoTheyUnderConstraints) {
+  if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
+  const AuditResult r = audit(PlantingDevice::Plant::nothing, 5000, true);
+  EXPECT_EQ(r.haptic.total(), 0);
+  EXPECT_EQ(r.contact.total(), 0) << "allocations " << r.contact.allocations;
+  EXPECT_GT(r.touching_frames, 3000);
 }
 
 TEST(Audit, CatchesAPlantedAllocation) {

@@ -126,6 +126,7 @@ interpolated = false
 budget_us = 200.0
 budget_tests = 300
 response = "direct"
+friction = 0.25
 [coupling]
 linear_stiffness = 250
 linear_damping = 3
@@ -197,6 +198,7 @@ contact_latency = 2
   EXPECT_DOUBLE_EQ(s.contact.resolution.budget_cpu, 2e-4);
   EXPECT_EQ(s.contact.resolution.budget_tests, 300);
   EXPECT_EQ(s.contact.response, ResponseKind::direct);
+  EXPECT_EQ(s.contact.friction, 0.25);
   EXPECT_EQ(s.coupling.linear_stiffness, 250.0);
   EXPECT_EQ(s.coupling.linear_damping, 3.0);
   EXPECT_EQ(s.coupling.angular_stiffness, 0.5);

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "thigma/contact/error_metric.h"
 #include "thigma/math/types.h"
 
 namespace thigma {
@@ -14,6 +13,19 @@ inline constexpr double kNoCap = std::numeric_limits<double>::infinity();
 /// The two readings of the support area D of a vertex (Sec. 3.3.5): of the faces around it alone,
 /// or of all faces connected to it that pass the same test.
 enum class SupportReading : std::uint8_t { one_ring = 0, flood = 1 };
+
+/// Which of the two D of a contact counts; the text takes the larger (Eq. 3.7).
+enum class SupportArea : std::uint8_t { larger, smaller };
+
+/// Surface deviation that is not seen: some pixels on screen, at the distance of the contact (Eq.
+/// 3.8).
+struct ViewThreshold {
+  double pixels = 1.0;         // N
+  double distance = 0.0;       // l, from the eye [m]
+  double frustum_size = 0.0;   // f, of the near plane [m]
+  double near_distance = 0.0;  // n [m]
+  double image_size = 0.0;     // i [pixels]
+};
 
 /// What s0 is compared with. Several may be on: the least of their thresholds counts.
 struct RefinementMetric {

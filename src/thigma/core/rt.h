@@ -20,6 +20,6 @@ namespace thigma {
 
 /// What may cross between threads by value: owns nothing, and is small enough to copy in a tick.
 template <class T>
-concept RtPayload = std::is_trivially_destructible_v<T> && sizeof(T) <= 16 * 1024;
+concept RtPayload = std::is_trivially_destructible_v<T> && sizeof(T) <= 64 * 1024;
 
 }  // namespace thigma

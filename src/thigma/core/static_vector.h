@@ -1,6 +1,7 @@
 #pragma once
 // A vector with fixed capacity that never allocates.
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -10,12 +11,19 @@
 namespace thigma {
 
 /// Up to N values of a default-constructible T, in place.
-/// Invariant: size() <= N; elements beyond size() are unspecified.
+/// Invariant: size() <= N; elements beyond size() are unspecified, and not copied.
 /// Thread: as its elements; every member is [haptic].
 template <class T, std::size_t N>
 class StaticVector {
  public:
   using value_type = T;
+  StaticVector() THIGMA_RT {}
+  StaticVector(const StaticVector& other) THIGMA_RT { *this = other; }
+  StaticVector& operator=(const StaticVector& other) THIGMA_RT {
+    std::copy_n(other.items_.begin(), other.size_, items_.begin());
+    size_ = other.size_;
+    return *this;
+  }
   static constexpr std::size_t capacity() THIGMA_RT { return N; }
   std::size_t size() const THIGMA_RT { return size_; }
   bool empty() const THIGMA_RT { return size_ == 0; }
@@ -42,7 +50,7 @@ class StaticVector {
   const T& back() const THIGMA_RT { return items_[size_ - 1]; }
 
  private:
-  std::array<T, N> items_{};
+  std::array<T, N> items_;
   std::size_t size_ = 0;
 };
 

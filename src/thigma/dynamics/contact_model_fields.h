@@ -33,4 +33,16 @@ void visit_depth(Term& t, Visit&& visit) {
   visit_push(t, visit);
 }
 
+/// The same of a ContactRow.
+template <class Row, class Visit>
+void visit_row(Row& r, Visit&& visit) {
+  visit("kind", r.kind);
+  visit.digest("id", r.id);
+  visit.vector("object_point", r.object_point);
+  visit.vector("scene_point", r.scene_point);
+  visit.vector("object_direction", r.object_direction);
+  visit.vector("scene_direction", r.scene_direction);
+  visit("friction", r.friction);
+}
+
 }  // namespace thigma

@@ -5,6 +5,7 @@
 
 #include "thigma/core/static_vector.h"
 #include "thigma/dynamics/body.h"
+#include "thigma/dynamics/constraint_model.h"
 
 namespace thigma {
 
@@ -43,6 +44,8 @@ struct LinearContactModel {
   std::uint64_t sequence = 0;  // counts publications; 0 = none yet
   StaticVector<PlaneTerm, kMaxClusters> planes;
   StaticVector<DepthTerm, kMaxClusters> depths;
+  // instead of planes and depths, where the object must not enter
+  ConstraintModel constraints;
 };
 static_assert(RtPayload<LinearContactModel>);
 

@@ -6,7 +6,9 @@
 #include <limits>
 #include <span>
 
+#include "thigma/constraint/build_constraints.h"
 #include "thigma/contact/distribute_contacts.h"
+#include "thigma/math/infinity.h"
 #include "thigma/response/linearize_contacts.h"
 #include "thigma/response/texture_contacts.h"
 
@@ -81,6 +83,11 @@ void reserve_query(const ContactWorld& world, ContactScratch& scratch) {
 
 void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch) {
   reserve_query(world, scratch);
+  if (world.constraints) {
+    if (!scratch.constraints) scratch.constraints = std::make_shared<ConstraintScratch>();
+    reserve_constraints(*world.constraints, world.capacity, *scratch.constraints);
+    return;
+  }
   if (distributes_wide_contacts(world)) scratch.spread.reserve(world.capacity);
   reserve_clusters(scratch.clustering, world.capacity);
   if (!world.textures.is_empty()) {
@@ -92,9 +99,60 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
   }
 }
 
+namespace {
+
+/// How far rows have to look ahead: what the object would go until the model after the next, in
+/// steps of two, within what a query may cost.
+double look_ahead(const ConstraintWorld& world, double wanted_speed, double step_time) noexcept {
+  constexpr double kModels = 2.0;
+  const double wanted = kModels * wanted_speed * step_time;
+  double ahead = world.least_look_ahead;
+  while (ahead < wanted && ahead < world.most_look_ahead) ahead *= 2.0;
+  return std::min(ahead, world.most_look_ahead);
+}
+
+/// Exact contacts for rows.
+void find_near(const ContactWorld& world, const StampedBody& body,
+               ContactScratch& scratch) noexcept {
+  constexpr double kUsualStep = 1e-3;  // of the first frame, which has none before it [s]
+  const double step_time = scratch.sequence > 0 && body.time > scratch.last_time
+                               ? body.time - scratch.last_time
+                               : kUsualStep;
+  scratch.last_time = body.time;
+  ContactQuery query;
+  query.tolerance = look_ahead(*world.constraints, body.wanted_speed, step_time);
+  query_scene({*world.object, world_from_mesh(world, body.state)}, world.scene, query,
+              scratch.fronts, scratch.contacts);
+  scratch.separation = query.tolerance;
+  if (!scratch.contacts.contacts.empty()) return;
+  // Nothing is near: the object may go as far as the traversal has proven.
+  scratch.separation = kInfinity;
+  for (const ContactFront& front : scratch.fronts)
+    scratch.separation = std::min(scratch.separation, unreported_separation(front));
+}
+
+/// Rows instead of clusters.
+void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratch& scratch,
+               ContactSample& sample) noexcept {
+  LinearContactModel& model = sample.model;
+  model.state = body.state;
+  model.time = body.time;
+  model.sequence = ++scratch.sequence;
+  model.planes.clear();
+  model.depths.clear();
+  build_constraints(*world.constraints, body.state, {scratch.contacts, scratch.separation},
+                    *scratch.constraints, model.constraints);
+}
+
+}  // namespace
+
 void find_contacts(const ContactWorld& world, const StampedBody& body,
                    ContactScratch& scratch) noexcept {
   clear(scratch.contacts);
+  if (world.constraints) {
+    find_near(world, body, scratch);
+    return;
+  }
   const Pose pose = world_from_mesh(world, body.state);
   if (!world.scene.empty()) {
     ContactQuery query;
@@ -113,7 +171,10 @@ void find_contacts(const ContactWorld& world, const StampedBody& body,
   if (world.source) world.source(pose, world.tolerance, scratch.contacts);
 }
 
-void make_model(const ContactWorld& world, const StampedBody& body, ContactScratch& scratch,
+namespace {
+
+/// Clusters of the contacts, and the terms they make.
+void make_terms(const ContactWorld& world, const StampedBody& body, ContactScratch& scratch,
                 ContactSample& sample) noexcept {
   ClusterParams clustering;
   clustering.max_clusters = world.max_clusters;
@@ -138,12 +199,21 @@ void make_model(const ContactWorld& world, const StampedBody& body, ContactScrat
                                            world.scene, scratch.contacts.contacts, scratch.clusters,
                                            scratch.clustering.assignment},
                                           response, stamp, *scratch.textures);
+}
 
+}  // namespace
+
+void make_model(const ContactWorld& world, const StampedBody& body, ContactScratch& scratch,
+                ContactSample& sample) noexcept {
+  if (world.constraints)
+    make_rows(world, body, scratch, sample);
+  else
+    make_terms(world, body, scratch, sample);
   sample.time = body.time;
   describe_contacts(world, scratch, sample);
   sample.level_changes = 0;
   sample.triangles_below = 0.0;
-  if (!world.resolution.is_exact) {
+  if (!world.resolution.is_exact && !world.constraints) {
     sample.level_changes =
         count_level_changes(*world.object, world.scene, scratch.contacts.contacts, scratch.levels);
     sample.triangles_below = triangles_below(scratch.levels);

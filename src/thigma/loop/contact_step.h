@@ -17,6 +17,7 @@
 
 namespace thigma {
 
+struct ConstraintScratch;
 struct TextureScratch;
 
 /// Working memory of contact_step. Grows while warming up, never after.
@@ -30,7 +31,9 @@ struct ContactScratch {
   std::uint64_t sequence = 0;  // models made
   double last_time = 0.0;      // of the last query, for speeds [s]
   LevelHistory levels;         // which contacts changed their level since the last frame
-  std::shared_ptr<TextureScratch> textures;  // where the world has textures, else null
+  std::shared_ptr<TextureScratch> textures;        // where the world has textures, else null
+  std::shared_ptr<ConstraintScratch> constraints;  // where the world has constraints, else null
+  double separation = 0.0;  // of what the last query for rows did not report, at least [m]
 };
 
 /// Room for world.capacity contacts and a front a static object: all that find_contacts needs.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "thigma/contact/contact.h"
@@ -12,6 +13,8 @@
 #include "thigma/response/textured_world.h"
 
 namespace thigma {
+
+struct ConstraintWorld;
 
 /// Contacts of the grasped object at a pose of its mesh, for scenes that are not meshes; appends to
 /// `contacts`, which it must not let grow, and counts what it finds there. Called by the contact
@@ -33,7 +36,9 @@ struct ContactWorld {
   int max_clusters = 5;    // K
   // contacts of large patches over the area these share; not with textures
   bool distributes_wide_contacts = true;
-  PenaltyParams response;        // how clusters push; its tolerance is set to the one above
+  PenaltyParams response;  // how clusters push; its tolerance is set to the one above
+  // of the constrained response, made by use_constraints: rows instead of clusters; null: none
+  std::shared_ptr<const ConstraintWorld> constraints;
   std::size_t capacity = 16384;  // contacts a frame; what does not fit is counted
 };
 

@@ -7,6 +7,7 @@
 #include "thigma/device/haptic_device.h"
 #include "thigma/device/workspace.h"
 #include "thigma/dynamics/body.h"
+#include "thigma/dynamics/constraint_model.h"
 #include "thigma/dynamics/coupling.h"
 #include "thigma/loop/passivity_control.h"
 #include "thigma/loop/safety.h"
@@ -25,6 +26,8 @@ enum class ResponseKind : std::uint8_t {
   coupled,  // simulated body and virtual coupling (Chapter 5)
   // the object is where the handle has it; contact forces go straight to the hand (Sec. 3.5.3)
   direct,
+  // simulated body and virtual coupling; contacts are inequalities: the object never enters
+  constrained,
 };
 
 /// Constant while a session runs.
@@ -39,7 +42,8 @@ struct HapticParams {
   // of the turn buttons, for devices without sensed rotation [rad/s]
   double turn_rate = kButtonTurnRate;
   ResponseKind response = ResponseKind::coupled;
-  PassivityParams passivity;  // off by default
+  ConstraintParams constraint;  // of the constrained response
+  PassivityParams passivity;    // off by default
   // a device that was lost and answers again may be taken up by a new press of the clutch; else the
   // fault stays until cleared
   bool resumes_lost_device = false;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "thigma/dynamics/constrained_step.h"
 #include "thigma/dynamics/implicit_step.h"
 #include "thigma/math/rotation.h"
 
@@ -172,6 +173,32 @@ void advance_body(const HapticParams& params, const LinearContactModel& model,
   let_go(state);
 }
 
+/// Steps 2-4 of the constrained response: the coupling alone, then what the rows allow. Returns how
+/// the rows stand.
+ActiveTerms advance_constrained(const HapticParams& params, const LinearContactModel& model,
+                                HapticSample& sample, HapticState& state) THIGMA_RT {
+  ActiveTerms active;
+  const BodyState before = state.body;
+  const BodyAtState at = at_state(params.body, before);
+  StepForces forces;
+  forces.wrench = coupling_wrench(faded(state.coupling, state.last_device.weight), sample.handle,
+                                  at, &forces.jacobian);
+  const ConstrainedStep step = constrained_step(
+      at, forces, {model.constraints, params.constraint, sample.elapsed}, state.rows);
+  state.wanted_speed = step.wanted_speed;
+  sample.contact = step.contact;
+  active.count = step.solution.active;
+  active.penetration = -step.least_gap;
+  state.body = step.state;
+  if (is_finite(state.body)) return active;
+  latch_fault(state.safety, Fault::not_finite, sample.time);
+  state.body = before;
+  state.rows = {};
+  state.wanted_speed = 0.0;
+  let_go(state);
+  return active;
+}
+
 /// Instead of steps 2-4 of the direct response: the body is where the handle holds it, and moves as
 /// the handle does.
 void follow_handle(const HapticParams& params, const HapticSample& sample,
@@ -191,6 +218,23 @@ void follow_handle(const HapticParams& params, const HapticSample& sample,
   latch_fault(state.safety, Fault::not_finite, sample.time);
   state.body = before;
   let_go(state);
+}
+
+/// Steps 2-4 of any response; returns how the contacts stand after them.
+ActiveTerms move_body(const HapticParams& params, const LinearContactModel& model,
+                      HapticSample& sample, HapticState& state) THIGMA_RT {
+  if (params.response == ResponseKind::constrained) {
+    if (state.is_grasped) return advance_constrained(params, model, sample, state);
+    state.wanted_speed = 0.0;
+    return {};
+  }
+  if (state.is_grasped) {
+    if (params.response == ResponseKind::direct)
+      follow_handle(params, sample, state);
+    else
+      advance_body(params, model, sample, state);
+  }
+  return active_terms(model, state.body);
 }
 
 /// The wrench of the contacts on the body as the hand feels it, about the handle. What a stale
@@ -240,8 +284,12 @@ void send_wrench(const FrameWork& frame, const ActiveTerms& active) THIGMA_RT {
   SafetyState& safety = state.safety;
   // Nothing arms on a model that does not count fully.
   const bool may_be_armed = state.is_grasped && (safety.is_armed || sample.model_weight >= 1.0);
-  update_arming(params.safety, may_be_armed, active.count > 0, sample.time, safety);
-  sample.contact = contact_wrench(frame.model, params.body, state.body, sample.model_weight);
+  // Rows keep the object outside: taken hold of in contact, its springs are at rest.
+  const bool is_constrained = params.response == ResponseKind::constrained;
+  const bool is_inside = !is_constrained && active.count > 0;
+  update_arming(params.safety, may_be_armed, is_inside, sample.time, safety);
+  if (!is_constrained)
+    sample.contact = contact_wrench(frame.model, params.body, state.body, sample.model_weight);
   const Wrench wanted = device_wrench(params.workspace, wrench_on_hand(frame));
   const double weight = sample.model_weight * state.last_device.weight;
   sample.feedback = limit_wrench(params.safety, params.device, {wanted, weight},
@@ -277,14 +325,7 @@ HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports,
   HapticSample sample;
   read_inputs(params, ports, tick, state, sample);
   const LinearContactModel& model = ports.models->value();
-  if (state.is_grasped) {
-    if (params.response == ResponseKind::direct) {
-      follow_handle(params, sample, state);
-    } else {
-      advance_body(params, model, sample, state);
-    }
-  }
-  const ActiveTerms active = active_terms(model, state.body);
+  const ActiveTerms active = move_body(params, model, sample, state);
   send_wrench({params, ports, model, state, sample}, active);
   if (state.safety.fault != Fault::none && state.is_grasped) let_go(state);
 
@@ -298,7 +339,8 @@ HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports,
   sample.is_armed = state.safety.is_armed;
   sample.fault = state.safety.fault;
   // 7. What the others see.
-  if (ports.bodies != nullptr) ports.bodies->publish({state.body, tick.now, sample.frame});
+  if (ports.bodies != nullptr)
+    ports.bodies->publish({state.body, tick.now, sample.frame, state.wanted_speed});
   if (ports.telemetry != nullptr) ports.telemetry->push(sample);
   return sample;
 }

@@ -31,6 +31,8 @@ struct HapticState {
   SafetyState safety;
   EnergyObserver energy;
   PassivityControl passivity;
+  RowMemory rows;             // of the constrained response
+  double wanted_speed = 0.0;  // of the last step, were nothing to hold it back [m/s]
   float step_cpu = 0.0f,
         wake_late = 0.0f;  // of the frame before, filled in by the shell for telemetry [s]
 };
@@ -40,6 +42,9 @@ struct StampedBody {
   BodyState state;
   double time = 0.0;  // session clock [s]
   std::uint64_t frame = 0;
+  // of any point of the object, were the travel of the last model not to end; 0 but with the
+  // constrained response [m/s]
+  double wanted_speed = 0.0;
 };
 
 /// The shared things a step touches; all lives longer than the session's threads.
@@ -68,6 +73,11 @@ HapticState initial_state(const HapticParams& params, const Pose& world_from_bod
 /// With the direct response the object follows the handle exactly, through anything, and the
 /// contact wrench alone is sent, under the same limits. Damping of the contact terms acts on the
 /// handle's velocity.
+///
+/// With the constrained response the body is simulated as with the penalty, but contacts are
+/// inequalities (dynamics/constrained_step.h): it stays outside, and the hand feels the coupling.
+/// A model that is old keeps its rows; the body waits at the end of their travel, and the wrench on
+/// the hand fades.
 ///
 /// A device sample that counts by less than 1 (DeviceState::weight) holds the object by weaker
 /// springs, and the wrench on the hand is weaker by the same factor: at 0 the object comes to rest

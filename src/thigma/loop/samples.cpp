@@ -105,6 +105,12 @@ std::uint64_t model_digest(const LinearContactModel& model) THIGMA_RT {
   add_bits(hash, model.sequence);
   for (const PlaneTerm& term : model.planes) visit_plane(term, FieldHash{hash});
   for (const DepthTerm& term : model.depths) visit_depth(term, FieldHash{hash});
+  const ConstraintModel& constraints = model.constraints;
+  if (constraints.reach > 0.0) {
+    add_datum(hash, constraints.travel);
+    add_datum(hash, constraints.reach);
+    for (const ContactRow& row : constraints.rows) visit_row(row, FieldHash{hash});
+  }
   return hash.value;
 }
 

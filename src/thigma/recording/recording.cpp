@@ -54,6 +54,9 @@ struct FieldWriter {
   }
   void operator()(const char* key, Fault value) const { json.word(key, fault_name(value)); }
   void operator()(const char* key, DeviceStatus value) const { json.word(key, status_name(value)); }
+  void operator()(const char* key, RowKind value) const {
+    json.integer(key, static_cast<long long>(value));
+  }
   template <class Vector>
   void vector(const char* key, const Vector& v) const {
     json.vector(key, v);
@@ -152,6 +155,21 @@ void put_list(JsonObject& json, std::string& out, const char* key, const Items& 
   out += ']';
 }
 
+void put_row(std::string& out, const ContactRow& r) {
+  JsonObject json(out);
+  visit_row(r, FieldWriter{out, json});
+  json.close();
+}
+
+void put_constraints(JsonObject& json, std::string& out, const ConstraintModel& constraints) {
+  json.key("constraints");
+  JsonObject inner(out);
+  inner.number("travel", constraints.travel);
+  inner.number("reach", constraints.reach);
+  put_list(inner, out, "rows", constraints.rows, put_row);
+  inner.close();
+}
+
 void put_model(std::string& out, const ContactSample& sample) {
   const LinearContactModel& model = sample.model;
   JsonObject json(out);
@@ -160,6 +178,7 @@ void put_model(std::string& out, const ContactSample& sample) {
   FieldWriter{out, json}.body(model.state);
   put_list(json, out, "planes", model.planes, put_plane);
   put_list(json, out, "depths", model.depths, put_depth);
+  if (model.constraints.reach > 0.0) put_constraints(json, out, model.constraints);
   json.word("model_digest", hex_text(sample.model_digest));
   json.close();
 }

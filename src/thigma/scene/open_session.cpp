@@ -46,6 +46,9 @@ struct Opening {
   SceneSession session;
 
   bool is_direct() const { return session.config.haptic.response == ResponseKind::direct; }
+  bool is_constrained() const {
+    return session.config.haptic.response == ResponseKind::constrained;
+  }
 };
 
 /// Only a hand comes to the object by itself; scripts and people start where the scene says.
@@ -93,6 +96,15 @@ std::unique_ptr<HapticDevice> open_web(const Opening& o) {
   return make_web_device(*o.options.web_channel, params);
 }
 
+void use_constraints(Opening& o) {
+  const SceneDescription& scene = o.scene.description;
+  if (!o.session.config.contact.textures.is_empty())
+    throw InputError(scene.file +
+                     ": relief and the constraint response, expected smooth surfaces (texture "
+                     "off) or the penalty response");
+  use_constraints(scene.contact.friction, o.session.config);
+}
+
 /// Opens the device, and places the object before a hand comes to it. With the direct response the
 /// device decides the contact tolerance, and that the place: a hand is opened once more for its
 /// limits.
@@ -101,6 +113,7 @@ void open_at(Opening& o) {
   const std::string scheme = device_scheme(session.device_uri);
   if (scheme == "hand" && o.is_direct())
     use_direct_response(open_device(session.device_uri, {})->limits(), session.config);
+  if (o.is_constrained()) use_constraints(o);
   if (scheme == "hand" || scheme == "web") place(o);
   if (scheme == "web") {
     session.device = open_web(o);
@@ -121,9 +134,10 @@ void start_simulation(const SimulatedBody& body, Opening& o) {
   if (device_scheme(o.session.device_uri) != "null")
     throw DeviceAddressError(
         file + ": nobody holds the object of a [simulation], expected --device null:");
-  if (o.is_direct() || !config.contact.textures.is_empty())
-    throw InputError(
-        file + ": [simulation] knows neither --response direct nor textures, expected neither");
+  if (o.is_direct() || o.is_constrained() || !config.contact.textures.is_empty())
+    throw InputError(file +
+                     ": [simulation] knows neither --response direct or constraint nor textures, "
+                     "expected none of them");
   ContactWorld& contact = config.contact;
   if (!body.has_tolerance) {
     double radius = contact.object->radius;

@@ -44,6 +44,7 @@ struct ContactGains {
   bool distributes_wide_contacts = true;
   Resolution resolution{.is_exact = false};  // levels of detail at s0 = 2.5 %
   ResponseKind response = ResponseKind::coupled;
+  double friction = 0.0;  // Coulomb's coefficient, of the constrained response
   TextureParams texture;  // how relief is looked for
 };
 

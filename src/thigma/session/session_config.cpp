@@ -1,8 +1,12 @@
 #include "thigma/session/session_config.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <stdexcept>
+#include <string>
 
+#include "thigma/constraint/build_constraints.h"
 #include "thigma/response/direct.h"
 
 namespace thigma {
@@ -49,6 +53,22 @@ void use_direct_response(const DeviceLimits& device, SessionConfig& config) {
       {max_force, device.max_stiffness, workspace.motion_scale, workspace.force_scale});
   config.contact.tolerance = config.contact.response.tolerance;
   config.haptic.response = ResponseKind::direct;
+}
+
+void use_constraints(double friction, SessionConfig& config) {
+  const auto refuse = [](const char* text) {
+    throw std::invalid_argument(std::string("constrained response: ") + text);
+  };
+  ContactWorld& contact = config.contact;
+  if (contact.object == nullptr || contact.scene.empty()) refuse("there are no surfaces");
+  if (!contact.textures.is_empty()) refuse("relief is not known to it; expected smooth surfaces");
+  if (contact.source) refuse("contacts of a source are not known to it");
+  if (!(friction >= 0.0 && std::isfinite(friction))) refuse("friction must be 0 or more");
+  contact.constraints = std::make_shared<const ConstraintWorld>(
+      make_constraint_world(*contact.object, contact.body_from_mesh, contact.scene, friction));
+  constexpr double kSlop = 5e-5;  // of the reach: a micrometre of an object of 4 cm
+  config.haptic.constraint.slop = kSlop * contact.constraints->reach;
+  config.haptic.response = ResponseKind::constrained;
 }
 
 }  // namespace thigma

@@ -1,5 +1,6 @@
 #pragma once
-// What of a session's configuration its device decides: passivity, and the direct response.
+// Parts of a session's configuration that are set together: passivity, the direct and the
+// constrained response.
 
 #include "thigma/device/haptic_device.h"
 #include "thigma/session/session.h"
@@ -27,5 +28,15 @@ void retune_passivity(HapticParams& params) THIGMA_RT;
 /// errors  std::invalid_argument for a device without force or stiffness
 /// Thread  [offline]
 void use_direct_response(const DeviceLimits& device, SessionConfig& config);
+
+/// Makes a session's contacts inequalities: the object stays outside (docs/constraints.md). Contacts
+/// are exact whatever resolution is set.
+///
+/// friction  Coulomb's coefficient of every contact, >= 0
+/// config    contact.object and contact.scene set; contact.constraints, haptic.constraint and
+///           haptic.response are changed
+/// errors    std::invalid_argument without surfaces, for relief and for contacts of another source
+/// Thread    [offline]
+void use_constraints(double friction, SessionConfig& config);
 
 }  // namespace thigma

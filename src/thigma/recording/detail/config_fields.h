@@ -96,6 +96,13 @@ void visit_resolution(Params& r, Visit&& visit) {
 }
 
 template <class Params, class Visit>
+void visit_constraint(Params& p, Visit&& visit) {
+  visit("slop", p.slop);
+  visit("recovery", p.recovery);
+  visit("recovery_speed", p.recovery_speed);
+}
+
+template <class Params, class Visit>
 void visit_haptic_params(Params& p, Visit&& visit) {
   visit.object("body", p.body, [](auto& b, auto& v) { visit_body_fields(b, v); });
   visit.object("coupling", p.coupling, [](auto& c, auto& v) { visit_coupling(c, v); });
@@ -105,7 +112,8 @@ void visit_haptic_params(Params& p, Visit&& visit) {
   visit.word("grasp_place", p.grasp_place, {"grasp_point", "handle"});
   visit.vector("grasp_point", p.grasp_point);
   visit("turn_rate", p.turn_rate);
-  visit.word("response", p.response, {"coupled", "direct"});
+  visit.word("response", p.response, {"coupled", "direct", "constrained"});
+  visit.object("constraint", p.constraint, [](auto& c, auto& v) { visit_constraint(c, v); });
   visit("resumes_lost_device", p.resumes_lost_device);
   visit.object_if("passivity", p.passivity.is_on, p.passivity,
                   [](auto& s, auto& v) { visit_passivity(s, v); });

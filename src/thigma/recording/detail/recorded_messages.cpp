@@ -88,6 +88,12 @@ struct FieldReader {
   }
   void operator()(const char* key, Fault& value) const { value = read_fault(json, key); }
   void operator()(const char*, DeviceStatus& value) const { value = read_status(json); }
+  void operator()(const char* key, RowKind& value) const {
+    const int kind = json.at(key).get<int>();
+    if (kind < 0 || kind > static_cast<int>(RowKind::edges))
+      throw InputError(std::string("'") + key + "' is " + std::to_string(kind));
+    value = static_cast<RowKind>(kind);
+  }
   template <std::integral Integer>
   void operator()(const char* key, Integer& value) const {
     value = json.at(key).get<Integer>();
@@ -129,6 +135,17 @@ DepthTerm read_depth(const Json& json) {
   return t;
 }
 
+void read_constraints(const Json& json, const BodyState& state, ConstraintModel& constraints) {
+  constraints.state = state;
+  constraints.travel = number(json, "travel");
+  constraints.reach = number(json, "reach");
+  for (const Json& row : json.at("rows")) {
+    ContactRow r = make_row(RowKind::scene_plane);
+    visit_row(r, FieldReader{row});
+    if (!constraints.rows.push_back(r)) throw InputError("too many 'rows'");
+  }
+}
+
 void read_model(const Json& json, LinearContactModel& model) {
   model.sequence = json.at("sequence").get<std::uint64_t>();
   model.time = number(json, "time");
@@ -139,6 +156,8 @@ void read_model(const Json& json, LinearContactModel& model) {
   for (const Json& depth : json.at("depths")) {
     if (!model.depths.push_back(read_depth(depth))) throw InputError("too many 'depths'");
   }
+  if (json.contains("constraints"))
+    read_constraints(json.at("constraints"), model.state, model.constraints);
 }
 
 void read_frame(const Json& json, ContactSample& c) {

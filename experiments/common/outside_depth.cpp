@@ -1,0 +1,219 @@
+#include "experiments/common/outside_depth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace thigma::experiments {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+const Vec3& corner(const DepthSurface& s, std::int32_t triangle, int k) {
+  const auto& t = s.mesh.triangles[static_cast<std::size_t>(triangle)];
+  return s.mesh.positions[static_cast<std::size_t>(t[k])];
+}
+
+void set_box(const DepthSurface& s, DepthSurface::Node& node) {
+  node.low = Vec3::Constant(kFar);
+  node.high = Vec3::Constant(-kFar);
+  for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const Vec3& p = corner(s, s.order[static_cast<std::size_t>(i)], k);
+      node.low = node.low.cwiseMin(p);
+      node.high = node.high.cwiseMax(p);
+    }
+  }
+}
+
+void split(DepthSurface& s, std::int32_t index) {
+  constexpr std::int32_t kLeaf = 4;
+  set_box(s, s.nodes[static_cast<std::size_t>(index)]);
+  const DepthSurface::Node node = s.nodes[static_cast<std::size_t>(index)];
+  if (node.count <= kLeaf) return;
+  int axis = 0;
+  (node.high - node.low).maxCoeff(&axis);
+  const auto middle_of = [&](std::int32_t t) {
+    return corner(s, t, 0)[axis] + corner(s, t, 1)[axis] + corner(s, t, 2)[axis];
+  };
+  const auto begin = s.order.begin() + node.first;
+  const std::int32_t half = node.count / 2;
+  std::nth_element(begin, begin + half, begin + node.count,
+                   [&](std::int32_t x, std::int32_t y) { return middle_of(x) < middle_of(y); });
+  for (const bool is_left : {true, false}) {
+    DepthSurface::Node child;
+    child.first = is_left ? node.first : node.first + half;
+    child.count = is_left ? half : node.count - half;
+    const auto place = static_cast<std::int32_t>(s.nodes.size());
+    s.nodes.push_back(child);
+    auto& parent = s.nodes[static_cast<std::size_t>(index)];
+    (is_left ? parent.left : parent.right) = place;
+    split(s, place);
+  }
+}
+
+void find_normals(DepthSurface& s) {
+  std::map<std::pair<std::int32_t, std::int32_t>, Vec3> edges;
+  const auto key = [](std::int32_t a, std::int32_t b) {
+    return std::pair{std::min(a, b), std::max(a, b)};
+  };
+  s.vertex_normals.assign(s.mesh.positions.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < s.mesh.triangles.size(); ++i) {
+    const auto t = static_cast<std::int32_t>(i);
+    const auto& v = s.mesh.triangles[i];
+    const Vec3 normal =
+        (corner(s, t, 1) - corner(s, t, 0)).cross(corner(s, t, 2) - corner(s, t, 0)).normalized();
+    s.face_normals.push_back(normal);
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 to_next = corner(s, t, (k + 1) % 3) - corner(s, t, k);
+      const Vec3 to_last = corner(s, t, (k + 2) % 3) - corner(s, t, k);
+      const double angle = std::atan2(to_next.cross(to_last).norm(), to_next.dot(to_last));
+      s.vertex_normals[static_cast<std::size_t>(v[k])] += angle * normal;
+      edges.try_emplace(key(v[k], v[(k + 1) % 3]), Vec3::Zero()).first->second += normal;
+    }
+  }
+  for (const auto& v : s.mesh.triangles)
+    s.edge_normals.push_back(
+        {edges.at(key(v[0], v[1])), edges.at(key(v[1], v[2])), edges.at(key(v[2], v[0]))});
+}
+
+/// Nearest point of a triangle and the normal of the feature it is on.
+struct Nearest {
+  double square = kFar;
+  Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
+};
+
+void offer(const Vec3& p, const Vec3& at, const Vec3& normal, Nearest& best) {
+  const double square = (p - at).squaredNorm();
+  if (square < best.square) best = {square, at, normal};
+}
+
+void look_at_triangle(const DepthSurface& s, std::int32_t t, const Vec3& p, Nearest& best) {
+  const auto i = static_cast<std::size_t>(t);
+  const Vec3& n = s.face_normals[i];
+  bool is_over = true;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 &a = corner(s, t, k), &b = corner(s, t, (k + 1) % 3);
+    const Vec3 edge = b - a;
+    if (n.cross(edge).dot(p - a) < 0.0) is_over = false;
+    const double share = (p - a).dot(edge) / edge.squaredNorm();
+    if (share <= 0.0) {
+      const auto v = static_cast<std::size_t>(s.mesh.triangles[i][k]);
+      offer(p, a, s.vertex_normals[v], best);
+    } else if (share < 1.0) {
+      offer(p, a + share * edge, s.edge_normals[i][static_cast<std::size_t>(k)], best);
+    }
+  }
+  if (is_over) offer(p, p - n.dot(p - corner(s, t, 0)) * n, n, best);
+}
+
+double box_square(const DepthSurface::Node& node, const Vec3& p) {
+  return (node.low - p).cwiseMax(p - node.high).cwiseMax(Vec3::Zero()).squaredNorm();
+}
+
+bool boxes_meet(const DepthSurface::Node& node, const Vec3& low, const Vec3& high) {
+  return (node.low.array() <= high.array()).all() && (node.high.array() >= low.array()).all();
+}
+
+/// Whether a segment passes through some triangle.
+bool passes(const DepthSurface& s, const Vec3& from, const Vec3& to) {
+  const Vec3 low = from.cwiseMin(to), high = from.cwiseMax(to);
+  std::vector<std::int32_t> stack{0};
+  while (!stack.empty()) {
+    const DepthSurface::Node& node = s.nodes[static_cast<std::size_t>(stack.back())];
+    stack.pop_back();
+    if (!boxes_meet(node, low, high)) continue;
+    if (node.left >= 0) {
+      stack.push_back(node.left);
+      stack.push_back(node.right);
+      continue;
+    }
+    for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+      const std::int32_t t = s.order[static_cast<std::size_t>(i)];
+      const Vec3& n = s.face_normals[static_cast<std::size_t>(t)];
+      const double a = n.dot(from - corner(s, t, 0)), b = n.dot(to - corner(s, t, 0));
+      if ((a > 0.0) == (b > 0.0)) continue;
+      const Vec3 at = from + a / (a - b) * (to - from);
+      bool is_inside = true;
+      for (int k = 0; k < 3; ++k) {
+        const Vec3 edge = corner(s, t, (k + 1) % 3) - corner(s, t, k);
+        is_inside = is_inside && n.cross(edge).dot(at - corner(s, t, k)) >= 0.0;
+      }
+      if (is_inside) return true;
+    }
+  }
+  return false;
+}
+
+/// Depth of the points of one surface in the other.
+double depth_of(const DepthSurface& a, const Pose& b_from_a, const DepthSurface& b, int samples) {
+  double deepest = 0.0;
+  const DepthSurface::Node& all = b.nodes.front();
+  std::vector<Vec3> points(a.mesh.positions.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = transform_point(b_from_a, a.mesh.positions[i]);
+    if (box_square(all, points[i]) > 0.0) continue;
+    deepest = std::max(deepest, -signed_distance(b, points[i]));
+  }
+  for (const auto& v : a.mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      if (v[k] > v[(k + 1) % 3]) continue;  // the other triangle's turn
+      const Vec3& from = points[static_cast<std::size_t>(v[k])];
+      const Vec3& to = points[static_cast<std::size_t>(v[(k + 1) % 3])];
+      if (!boxes_meet(all, from.cwiseMin(to), from.cwiseMax(to)) || !passes(b, from, to)) continue;
+      for (int i = 1; i < samples; ++i) {
+        const double share = static_cast<double>(i) / samples;
+        deepest = std::max(deepest, -signed_distance(b, from + share * (to - from)));
+      }
+    }
+  }
+  return deepest;
+}
+
+}  // namespace
+
+DepthSurface make_depth_surface(const TriangleMesh& mesh) {
+  DepthSurface s;
+  s.mesh = mesh;
+  s.order.resize(mesh.triangles.size());
+  std::iota(s.order.begin(), s.order.end(), 0);
+  s.nodes.push_back({});
+  s.nodes.front().count = static_cast<std::int32_t>(s.order.size());
+  split(s, 0);
+  find_normals(s);
+  return s;
+}
+
+double signed_distance(const DepthSurface& s, const Vec3& p) {
+  Nearest best;
+  std::vector<std::int32_t> stack{0};
+  while (!stack.empty()) {
+    const DepthSurface::Node& node = s.nodes[static_cast<std::size_t>(stack.back())];
+    stack.pop_back();
+    if (box_square(node, p) >= best.square) continue;
+    if (node.left < 0) {
+      for (std::int32_t i = node.first; i < node.first + node.count; ++i)
+        look_at_triangle(s, s.order[static_cast<std::size_t>(i)], p, best);
+      continue;
+    }
+    std::int32_t near = node.left, far = node.right;
+    if (box_square(s.nodes[static_cast<std::size_t>(far)], p) <
+        box_square(s.nodes[static_cast<std::size_t>(near)], p))
+      std::swap(near, far);
+    stack.push_back(far);
+    stack.push_back(near);
+  }
+  const double distance = std::sqrt(best.square);
+  return best.normal.dot(p - best.point) < 0.0 ? -distance : distance;
+}
+
+double outside_depth(const DepthSurface& a, const Pose& world_from_a, const DepthSurface& b,
+                     int samples) {
+  return std::max(depth_of(a, world_from_a, b, samples),
+                  depth_of(b, inverse(world_from_a), a, samples));
+}
+
+}  // namespace thigma::experiments

@@ -1,0 +1,104 @@
+#include "thigma/constraint/build_constraints.h"
+
+#include <algorithm>
+#include <map>
+
+namespace thigma {
+namespace {
+
+// Of the separation: nothing comes as near as that.
+constexpr double kShare = 0.95;
+// A travel that is free in all but name, times the reach.
+constexpr double kFar = 10.0;
+
+std::int64_t find_all(const ConstraintWorld& world, const Pose& world_from_object,
+                      std::span<const Contact> contacts, const RowReach& reach,
+                      ConstraintScratch& scratch) noexcept {
+  std::int64_t left_out = 0;
+  scratch.found.clear();
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const std::size_t before = scratch.found.size();
+    const BodyPair pair{{&world.object, world_from_object},
+                        {world.scene[i].get(), world.bodies[i].world_from_body},
+                        static_cast<std::int32_t>(i)};
+    left_out += find_rows(pair, contacts, reach, scratch.rows, scratch.found);
+    for (std::size_t k = before; k < scratch.found.size(); ++k)
+      scratch.found[k].row.friction = world.friction[i];
+  }
+  return left_out;
+}
+
+/// The nearest rows that fit; the travel ends where the first of the others begins.
+void keep_nearest(ConstraintScratch& scratch, ConstraintModel& model,
+                  ConstraintStats& stats) noexcept {
+  auto& found = scratch.found;
+  if (found.size() <= kMaxRows) return;
+  const auto by_gap = [](const FoundRow& a, const FoundRow& b) {
+    return a.gap < b.gap || (a.gap == b.gap && a.row.id < b.row.id);
+  };
+  std::nth_element(found.begin(), found.begin() + kMaxRows, found.end(), by_gap);
+  model.travel = std::min(model.travel, std::max(found[kMaxRows].gap, 0.0));
+  stats.is_cut = true;
+  found.resize(kMaxRows);
+}
+
+/// Points and directions of the object from its mesh frame into that of the body.
+ContactRow in_body(ContactRow row, const Pose& body_from_mesh) noexcept {
+  row.object_point = transform_point(body_from_mesh, row.object_point);
+  row.object_direction = body_from_mesh.orientation._transformVector(row.object_direction);
+  return row;
+}
+
+}  // namespace
+
+ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& body_from_mesh,
+                                      std::span<const SceneBody> bodies, double friction) {
+  ConstraintWorld world;
+  world.object = find_features(object);
+  world.body_from_mesh = body_from_mesh;
+  world.bodies.assign(bodies.begin(), bodies.end());
+  world.friction.assign(bodies.size(), friction);
+  for (const Vec3& v : world.object.vertices)
+    world.reach = std::max(world.reach, transform_point(body_from_mesh, v).norm());
+  constexpr double kLeast = 5e-3, kMost = 2.5e-2;  // of the reach: what a query may cost
+  world.least_look_ahead = kLeast * world.reach;
+  world.most_look_ahead = kMost * world.reach;
+  std::map<const ClodHierarchy*, std::shared_ptr<const SurfaceFeatures>> known;
+  for (const SceneBody& body : bodies) {
+    auto& features = known[body.hierarchy];
+    if (!features)
+      features = std::make_shared<const SurfaceFeatures>(find_features(*body.hierarchy));
+    world.scene.push_back(features);
+  }
+  return world;
+}
+
+void reserve_constraints(const ConstraintWorld& world, std::size_t capacity,
+                         ConstraintScratch& scratch) {
+  for (const auto& features : world.scene)
+    reserve_rows(scratch.rows, world.object, *features, capacity);
+  scratch.found.reserve(capacity);
+}
+
+ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState& state,
+                                  const NearContacts& near, ConstraintScratch& scratch,
+                                  ConstraintModel& model) noexcept {
+  ConstraintStats stats;
+  const Pose world_from_object = Pose{state.position, state.orientation} * world.body_from_mesh;
+  model.state = state;
+  model.reach = world.reach;
+  model.travel = kShare * std::min(near.separation, kFar * world.reach);
+  constexpr double kChord = 1.1;  // of an angle of less than a right one over its chord
+  const RowReach reach{model.travel, kChord * model.travel / world.reach};
+  stats.left_out = near.contacts.dropped +
+                   find_all(world, world_from_object, near.contacts.contacts, reach, scratch);
+  stats.rows = static_cast<std::int64_t>(scratch.found.size());
+  keep_nearest(scratch, model, stats);
+  if (stats.left_out > 0) model.travel = 0.0;
+  model.rows.clear();
+  for (const FoundRow& found : scratch.found)
+    model.rows.push_back(in_body(found.row, world.body_from_mesh));
+  return stats;
+}
+
+}  // namespace thigma

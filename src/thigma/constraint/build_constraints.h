@@ -1,0 +1,68 @@
+#pragma once
+// One frame of the contact side under constraints: from a pose to the rows of the haptic thread.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "thigma/constraint/feature_rows.h"
+#include "thigma/constraint/surface_features.h"
+#include "thigma/contact/contact.h"
+#include "thigma/dynamics/constraint_model.h"
+
+namespace thigma {
+
+/// What rows are made from. Constant while a session runs; hierarchies outlive it.
+struct ConstraintWorld {
+  SurfaceFeatures object;
+  Pose body_from_mesh;
+  std::vector<SceneBody> bodies;
+  std::vector<std::shared_ptr<const SurfaceFeatures>> scene;  // one a body
+  std::vector<double> friction;  // Coulomb's coefficient against the object, one a body
+  double reach = 0.0;            // of the object's farthest vertex from its centre of mass [m]
+  // tolerance of the query: at rest, and at most, whatever the speed [m]
+  double least_look_ahead = 0.0, most_look_ahead = 0.0;
+};
+
+/// Features of an object and of the bodies of a scene; bodies of one hierarchy share theirs.
+///
+/// body_from_mesh  of the object, its body frame at the centre of mass
+/// friction        Coulomb's coefficient of every contact, >= 0
+/// Thread          [offline]; throws std::bad_alloc
+ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& body_from_mesh,
+                                      std::span<const SceneBody> bodies, double friction);
+
+/// Working memory. Grows while warming up, never after.
+struct ConstraintScratch {
+  RowScratch rows;
+  std::vector<FoundRow> found;
+};
+
+/// What a query has found.
+struct NearContacts {
+  const ContactSet& contacts;  // of the exact query at the state
+  // of all it did not report, at least: its tolerance, or, where nothing is near, what its traversal
+  // has proven (unreported_separation), > 0 [m]
+  double separation = 0.0;
+};
+
+/// Counts of one frame.
+struct ConstraintStats {
+  std::int64_t rows = 0;      // found
+  std::int64_t left_out = 0;  // candidates and contacts for want of room: nothing may move then
+  bool is_cut = false;        // more rows than a model holds: the travel is shorter
+};
+
+/// Room for so many contacts, candidates and rows a frame.
+/// Thread [offline]; throws std::bad_alloc.
+void reserve_constraints(const ConstraintWorld& world, std::size_t capacity,
+                         ConstraintScratch& scratch);
+
+/// Rows for a body at a state, good for nearly as much travel as the query has looked ahead.
+/// model      overwritten
+/// Thread     [contact]; no failure
+ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState& state,
+                                  const NearContacts& near, ConstraintScratch& scratch,
+                                  ConstraintModel& model) noexcept;
+
+}  // namespace thigma

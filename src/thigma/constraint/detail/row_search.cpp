@@ -1,0 +1,138 @@
+#include "thigma/constraint/detail/row_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "thigma/core/index.h"
+
+namespace thigma::detail {
+namespace {
+
+/// Corners of a patch at least so far along an axis.
+void keep_near(const SurfaceFeatures& features, std::int32_t patch, const Vec3& axis, double least,
+               std::vector<std::int32_t>& near) noexcept {
+  near.clear();
+  for (const std::int32_t v : part_of(features.patch_vertices, features.first_vertex, patch)) {
+    if (features.is_corner[idx(v)] != 0 && axis.dot(features.vertices[idx(v)]) >= least &&
+        near.size() < near.capacity())
+      near.push_back(v);
+  }
+}
+
+double farthest_along(const SurfaceFeatures& features, std::int32_t patch,
+                      const Vec3& axis) noexcept {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const std::int32_t v : part_of(features.patch_vertices, features.first_vertex, patch))
+    most = std::max(most, axis.dot(features.vertices[idx(v)]));
+  return most;
+}
+
+double size_of(const PlacedFeatures& placed) noexcept {
+  return placed.features->size + placed.world_from_mesh.position.norm();
+}
+
+}  // namespace
+
+RowSearch make_search(const BodyPair& pair, const RowReach& reach) noexcept {
+  const PlacedFeatures &object = pair.object, &scene = pair.scene;
+  RowSearch search{object, scene, pair.body, reach, {}, {}, 0.0, 0.0, 0};
+  search.scene_from_object = inverse(scene.world_from_mesh) * object.world_from_mesh;
+  search.object_from_scene = inverse(search.scene_from_object);
+  // Coordinates are exact to 2^-52 of their size; products of a few lose a little more.
+  constexpr double kRounding = 1e-12;
+  search.rounding = kRounding * (size_of(object) + size_of(scene));
+  constexpr double kWide = 1.5;  // of an angle that leaves nothing of a cone [rad]
+  search.cone_slack = std::sin(std::min(reach.turn, kWide)) + 1e-9;
+  return search;
+}
+
+Slab find_slab(const RowSearch& search, const Contact& contact, RowScratch& scratch) noexcept {
+  const SurfaceFeatures& a = *search.object.features;
+  const SurfaceFeatures& b = *search.scene.features;
+  const Quat scene_from_world = search.scene.world_from_mesh.orientation.conjugate();
+  Slab slab;
+  slab.scene_axis = scene_from_world._transformVector(contact.normal);
+  slab.object_axis = search.object_from_scene.orientation._transformVector(slab.scene_axis);
+  const double shift = slab.scene_axis.dot(search.scene_from_object.position);
+  const double object_front = farthest_along(a, contact.object_patch, slab.object_axis) + shift;
+  const double scene_front = -farthest_along(b, contact.scene_patch, -slab.scene_axis);
+  slab.object_least = scene_front - search.reach.travel - shift;
+  slab.scene_most = object_front + search.reach.travel;
+  keep_near(a, contact.object_patch, slab.object_axis, slab.object_least, scratch.near_object);
+  keep_near(b, contact.scene_patch, -slab.scene_axis, -slab.scene_most, scratch.near_scene);
+  return slab;
+}
+
+void add_row(RowSearch& search, std::vector<FoundRow>& rows, const FoundRow& row) noexcept {
+  if (rows.size() == rows.capacity()) {
+    ++search.left_out;
+    return;
+  }
+  rows.push_back(row);
+}
+
+std::uint64_t id_of(const RowSearch& search, RowKind kind, std::int32_t a,
+                    std::int32_t b) noexcept {
+  std::uint64_t h = 0x9e3779b97f4a7c15u * (static_cast<std::uint64_t>(search.body) + 1);
+  for (const std::uint64_t part : {static_cast<std::uint64_t>(kind), static_cast<std::uint64_t>(a),
+                                   static_cast<std::uint64_t>(b)}) {
+    h ^= part + 0x9e3779b97f4a7c15u + (h << 6) + (h >> 2);
+    h *= 0xff51afd7ed558ccdu;
+  }
+  return h;
+}
+
+FoundRow plane_row(const RowSearch& search, PointsOf side, std::int32_t vertex,
+                   const GuardPlane& plane) noexcept {
+  FoundRow found;
+  ContactRow& row = found.row;
+  const Pose& world_from_scene = search.scene.world_from_mesh;
+  const Vec3 foot = plane.offset * plane.normal;
+  found.body = search.body;
+  if (side == PointsOf::object) {
+    row.kind = RowKind::scene_plane;
+    row.object_point = search.object.features->vertices[idx(vertex)];
+    row.scene_direction = -world_from_scene.orientation._transformVector(plane.normal);
+    row.scene_point = transform_point(world_from_scene, foot);
+    row.id = id_of(search, row.kind, vertex, plane.feature);
+    const Vec3 point = transform_point(search.scene_from_object, row.object_point);
+    found.gap = plane.normal.dot(point) - plane.offset;
+  } else {
+    const Vec3& point = search.scene.features->vertices[idx(vertex)];
+    row.kind = RowKind::object_plane;
+    row.object_direction = plane.normal;
+    row.object_point = foot;
+    row.scene_point = transform_point(world_from_scene, point);
+    row.id = id_of(search, row.kind, plane.feature, vertex);
+    found.gap = plane.normal.dot(transform_point(search.object_from_scene, point)) - plane.offset;
+  }
+  return found;
+}
+
+bool is_member(const VertexSide& side, std::int32_t vertex, std::int32_t plane) noexcept {
+  for (std::int32_t m = side.first_member[idx(vertex)]; m >= 0; m = side.members[idx(m)].next)
+    if (side.members[idx(m)].plane == plane) return true;
+  return false;
+}
+
+void add_member(RowSearch& search, PointsOf points, std::int32_t vertex, std::int32_t plane,
+                VertexSide& side, std::vector<FoundRow>& rows) noexcept {
+  if (side.members.size() == side.members.capacity()) {
+    ++search.left_out;
+    return;
+  }
+  std::int32_t& first = side.first_member[idx(vertex)];
+  if (first < 0) side.touched.push_back(vertex);
+  side.members.push_back({plane, first});
+  first = static_cast<std::int32_t>(side.members.size()) - 1;
+  add_row(search, rows, plane_row(search, points, vertex, side.planes[idx(plane)]));
+}
+
+bool leaves_enough(const RowSearch& search, double height, double distance) noexcept {
+  constexpr double kTouching = 0.02;  // of the travel: nearer than this a plane has to be exact
+  const double spare = std::max(distance - kTouching * search.reach.travel, 0.0);
+  return height >= distance - 0.5 * spare - search.rounding;
+}
+
+}  // namespace thigma::detail

@@ -1,0 +1,75 @@
+#pragma once
+// The steps of find_rows: vertices first, nearest first, then the edges that no plane guards.
+
+#include <cstdint>
+#include <vector>
+
+#include "thigma/constraint/feature_rows.h"
+
+namespace thigma::detail {
+
+/// Features may be through each other by this times the travel: an error of steps, no more.
+inline constexpr double kError = 2e-3;
+
+/// One call of find_rows.
+struct RowSearch {
+  PlacedFeatures object, scene;
+  std::int32_t body = 0;
+  RowReach reach;
+  Pose scene_from_object, object_from_scene;  // mesh frames
+  double rounding = 0.0;                      // lengths below it are none [m]
+  double cone_slack = 0.0;                    // sine by which turning may widen a cone of normals
+  std::int64_t left_out = 0;
+};
+
+RowSearch make_search(const BodyPair& pair, const RowReach& reach) noexcept;
+
+/// What lies within reach between two patches: of the object from object_least on along
+/// object_axis, of the scene up to scene_most along scene_axis [each mesh frame].
+struct Slab {
+  Vec3 object_axis = Vec3::Zero();
+  double object_least = 0.0;
+  Vec3 scene_axis = Vec3::Zero();
+  double scene_most = 0.0;
+};
+
+/// The slab of a contact along its normal; corners within it are put in the scratch.
+Slab find_slab(const RowSearch& search, const Contact& contact, RowScratch& scratch) noexcept;
+
+/// Adds vertices of either patch within reach of triangles of the other that they may touch.
+void gather_vertices(RowSearch& search, const Contact& contact, const Slab& slab,
+                     RowScratch& scratch) noexcept;
+
+/// Rows of all that was gathered.
+void search_vertices(RowSearch& search, RowScratch& scratch, std::vector<FoundRow>& rows) noexcept;
+
+/// Rows of convex edges of two patches that no plane keeps apart.
+void search_edges(RowSearch& search, const Contact& contact, const Slab& slab, RowScratch& scratch,
+                  std::vector<FoundRow>& rows) noexcept;
+
+/// Appends where there is room, else counts.
+void add_row(RowSearch& search, std::vector<FoundRow>& rows, const FoundRow& row) noexcept;
+
+/// Which of the two has the vertices; the other has the planes.
+enum class PointsOf : std::uint8_t { object, scene };
+
+/// Row of a vertex in front of a plane.
+FoundRow plane_row(const RowSearch& search, PointsOf side, std::int32_t vertex,
+                   const GuardPlane& plane) noexcept;
+
+/// Number of a pair of features, the same in every frame.
+std::uint64_t id_of(const RowSearch& search, RowKind kind, std::int32_t object_feature,
+                    std::int32_t scene_feature) noexcept;
+
+/// Whether a vertex has a row with a plane.
+bool is_member(const VertexSide& side, std::int32_t vertex, std::int32_t plane) noexcept;
+
+/// Gives a vertex a row with a plane.
+void add_member(RowSearch& search, PointsOf points, std::int32_t vertex, std::int32_t plane,
+                VertexSide& side, std::vector<FoundRow>& rows) noexcept;
+
+/// Whether a plane at this height below a vertex leaves it enough of its distance to what lies
+/// behind the plane: all of it where they touch, half where they are far.
+bool leaves_enough(const RowSearch& search, double height, double distance) noexcept;
+
+}  // namespace thigma::detail

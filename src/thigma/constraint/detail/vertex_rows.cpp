@@ -1,0 +1,182 @@
+// Vertices against triangles, of the object against the scene and the other way round.
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "thigma/constraint/detail/feature_distance.h"
+#include "thigma/constraint/detail/row_search.h"
+#include "thigma/core/index.h"
+
+namespace thigma::detail {
+namespace {
+
+/// The surface with the vertices and the one with the planes.
+struct Sides {
+  const SurfaceFeatures& points;
+  const SurfaceFeatures& planes;
+  Pose planes_from_points;
+  PointsOf points_of;
+
+  Vec3 point(std::int32_t vertex) const noexcept {
+    return transform_point(planes_from_points, points.vertices[idx(vertex)]);
+  }
+};
+
+Sides sides_of(const RowSearch& s, PointsOf points_of) noexcept {
+  if (points_of == PointsOf::object)
+    return {*s.object.features, *s.scene.features, s.scene_from_object, points_of};
+  return {*s.scene.features, *s.object.features, s.object_from_scene, points_of};
+}
+
+/// Whether the surface about a vertex stays in front of a plane through it, but for what turning
+/// may do: only then may the vertex be the first to touch a face of that normal.
+bool may_touch(const SurfaceFeatures& points, std::int32_t vertex, const Vec3& normal,
+               double slack) noexcept {
+  const std::int32_t last = points.first_direction[idx(vertex) + 1];
+  for (std::int32_t i = points.first_direction[idx(vertex)]; i < last; ++i)
+    if (points.directions[idx(i)].dot(normal) < -slack) return false;
+  return true;
+}
+
+/// A half space: beyond `most` along an axis.
+struct Beyond {
+  Vec3 axis = Vec3::Zero();
+  double most = 0.0;
+};
+
+bool is_beyond(const SurfaceFeatures& features, const SurfaceTriangle& triangle,
+               const Beyond& beyond) noexcept {
+  for (const std::int32_t v : triangle.vertex)
+    if (beyond.axis.dot(features.vertices[idx(v)]) <= beyond.most) return false;
+  return true;
+}
+
+void gather_side(RowSearch& search, const Sides& sides, std::int32_t patch,
+                 std::span<const std::int32_t> vertices, const Beyond& beyond,
+                 std::vector<VertexSide::Candidate>& out) noexcept {
+  const double travel = search.reach.travel;
+  const SurfaceFeatures& planes = sides.planes;
+  const Mat3 rotation = sides.planes_from_points.orientation.toRotationMatrix();
+  const Mat3 points_from_planes = rotation.transpose();
+  const Vec3& shift = sides.planes_from_points.position;
+  if (vertices.empty()) return;
+  for (const std::int32_t t : part_of(planes.patch_triangles, planes.first_triangle, patch)) {
+    const SurfaceTriangle& triangle = planes.triangles[idx(t)];
+    if (is_beyond(planes, triangle, beyond)) continue;
+    const Vec3& a = planes.vertices[idx(triangle.vertex[0])];
+    const Vec3 normal_of_points = points_from_planes * triangle.normal;
+    for (const std::int32_t v : vertices) {
+      const Vec3 p = rotation * sides.points.vertices[idx(v)] + shift;
+      const double ball = triangle.radius + travel;
+      if ((p - triangle.center).squaredNorm() > ball * ball) continue;
+      if (std::fabs(triangle.normal.dot(p - a)) > travel) continue;
+      if (!may_touch(sides.points, v, normal_of_points, search.cone_slack)) continue;
+      const Vec3 nearest = nearest_on_triangle(p, a, planes.vertices[idx(triangle.vertex[1])],
+                                               planes.vertices[idx(triangle.vertex[2])]);
+      const double distance = (p - nearest).norm();
+      if (!(distance <= travel)) continue;
+      if (out.size() == out.capacity()) {
+        ++search.left_out;
+        continue;
+      }
+      out.push_back({distance, v, t, nearest});
+    }
+  }
+}
+
+bool is_behind(const SurfaceFeatures& features, const SurfaceTriangle& triangle,
+               const GuardPlane& plane, double rounding) noexcept {
+  for (const std::int32_t v : triangle.vertex)
+    if (plane.normal.dot(features.vertices[idx(v)]) - plane.offset > rounding) return false;
+  return true;
+}
+
+/// Whether some plane keeps the vertex from the triangle; a plane that would do and leaves the
+/// vertex enough becomes its own.
+bool is_guarded(RowSearch& search, const Sides& sides, const VertexSide::Candidate& c,
+                VertexSide& side, std::vector<FoundRow>& rows) noexcept {
+  const SurfaceTriangle& triangle = sides.planes.triangles[idx(c.triangle)];
+  const Vec3 p = sides.point(c.vertex);
+  std::int32_t best = -1;
+  double most = 0.0;
+  for (std::size_t i = 0; i < side.planes.size(); ++i) {
+    const GuardPlane& plane = side.planes[i];
+    const double height = plane.normal.dot(p) - plane.offset;
+    const auto index = static_cast<std::int32_t>(i);
+    const bool is_own = is_member(side, c.vertex, index);
+    const bool would_do = is_own || leaves_enough(search, height, c.distance);
+    if (!would_do || (!is_own && best >= 0 && height <= most)) continue;
+    if (!is_behind(sides.planes, triangle, plane, search.rounding)) continue;
+    if (is_own || height > search.reach.travel) return true;
+    best = index;
+    most = height;
+  }
+  if (best < 0) return false;
+  add_member(search, sides.points_of, c.vertex, best, side, rows);
+  return true;
+}
+
+/// The plane that keeps a vertex from a triangle: the triangle's own where the vertex is over it,
+/// else the one through the nearest point of its border, which the whole triangle lies behind.
+bool make_plane(const RowSearch& search, const Sides& sides, const VertexSide::Candidate& c,
+                bool is_first, GuardPlane& plane) noexcept {
+  const SurfaceTriangle& triangle = sides.planes.triangles[idx(c.triangle)];
+  const Vec3 p = sides.point(c.vertex);
+  const Vec3& a = sides.planes.vertices[idx(triangle.vertex[0])];
+  const double height = triangle.normal.dot(p - a);
+  const bool is_over = std::fabs(std::fabs(height) - c.distance) <= search.rounding;
+  plane.feature = c.triangle;
+  if (is_over || c.distance <= search.rounding) {
+    // Behind a triangle: through it by an error of the last steps, or on the far side of a thin
+    // object, whose near side keeps the vertex.
+    const double error = is_first ? kError * search.reach.travel : search.rounding;
+    if (height < -error) return false;
+    plane.normal = triangle.normal;
+    plane.offset = triangle.normal.dot(a);
+  } else {
+    plane.normal = (p - c.nearest) / c.distance;
+    plane.offset = plane.normal.dot(c.nearest);
+  }
+  return true;
+}
+
+void search_side(RowSearch& search, const Sides& sides, VertexSide& side,
+                 std::vector<FoundRow>& rows) noexcept {
+  const auto key = [](const auto& c) { return std::tie(c.distance, c.vertex, c.triangle); };
+  std::sort(side.candidates.begin(), side.candidates.end(),
+            [&](const auto& x, const auto& y) { return key(x) < key(y); });
+  std::int32_t vertex = -1, triangle = -1;
+  for (const VertexSide::Candidate& c : side.candidates) {
+    if (c.vertex == vertex && c.triangle == triangle) continue;  // met in two pairs of patches
+    vertex = c.vertex;
+    triangle = c.triangle;
+    if (is_guarded(search, sides, c, side, rows)) continue;
+    GuardPlane plane;
+    if (!make_plane(search, sides, c, side.first_member[idx(c.vertex)] < 0, plane)) continue;
+    if (side.planes.size() == side.planes.capacity()) {
+      ++search.left_out;
+      continue;
+    }
+    side.planes.push_back(plane);
+    add_member(search, sides.points_of, c.vertex, static_cast<std::int32_t>(side.planes.size()) - 1,
+               side, rows);
+  }
+}
+
+}  // namespace
+
+void gather_vertices(RowSearch& search, const Contact& contact, const Slab& slab,
+                     RowScratch& scratch) noexcept {
+  gather_side(search, sides_of(search, PointsOf::object), contact.scene_patch, scratch.near_object,
+              {slab.scene_axis, slab.scene_most}, scratch.object.candidates);
+  gather_side(search, sides_of(search, PointsOf::scene), contact.object_patch, scratch.near_scene,
+              {-slab.object_axis, -slab.object_least}, scratch.scene.candidates);
+}
+
+void search_vertices(RowSearch& search, RowScratch& scratch, std::vector<FoundRow>& rows) noexcept {
+  search_side(search, sides_of(search, PointsOf::object), scratch.object, rows);
+  search_side(search, sides_of(search, PointsOf::scene), scratch.scene, rows);
+}
+
+}  // namespace thigma::detail

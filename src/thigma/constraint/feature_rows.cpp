@@ -1,0 +1,71 @@
+#include "thigma/constraint/feature_rows.h"
+
+#include <algorithm>
+
+#include "thigma/constraint/detail/row_search.h"
+#include "thigma/core/index.h"
+
+namespace thigma {
+namespace {
+
+/// A contact of this body at the finest level; others have no features.
+bool has_features(const BodyPair& pair, const Contact& contact) noexcept {
+  const auto is_finest = [](const SurfaceFeatures& features, std::int32_t patch) {
+    return patch >= 0 && idx(patch) + 1 < features.first_vertex.size();
+  };
+  return contact.body == pair.body && is_finest(*pair.object.features, contact.object_patch) &&
+         is_finest(*pair.scene.features, contact.scene_patch);
+}
+
+void empty(VertexSide& side) noexcept {
+  for (const std::int32_t vertex : side.touched) side.first_member[idx(vertex)] = -1;
+  side.touched.clear();
+  side.candidates.clear();
+  side.planes.clear();
+  side.members.clear();
+}
+
+void reserve_side(VertexSide& side, std::size_t vertices, std::size_t capacity) {
+  if (side.first_member.size() < vertices) side.first_member.resize(vertices, -1);
+  side.touched.reserve(std::max(side.touched.capacity(), vertices));
+  side.candidates.reserve(capacity);
+  side.planes.reserve(capacity);
+  side.members.reserve(capacity);
+}
+
+}  // namespace
+
+void reserve_rows(RowScratch& scratch, const SurfaceFeatures& object, const SurfaceFeatures& scene,
+                  std::size_t capacity) {
+  reserve_side(scratch.object, object.vertices.size(), capacity);
+  reserve_side(scratch.scene, scene.vertices.size(), capacity);
+  scratch.met.reserve(capacity);
+  scratch.planes.reserve(capacity);
+  scratch.near_edges.reserve(capacity);
+  constexpr std::size_t kPatch = 64;  // vertices of a patch: at most 32
+  scratch.near_object.reserve(kPatch);
+  scratch.near_scene.reserve(kPatch);
+}
+
+std::int64_t find_rows(const BodyPair& pair, std::span<const Contact> contacts,
+                       const RowReach& reach, RowScratch& scratch,
+                       std::vector<FoundRow>& rows) noexcept {
+  detail::RowSearch search = detail::make_search(pair, reach);
+  empty(scratch.object);
+  empty(scratch.scene);
+  scratch.met.clear();
+  for (const Contact& contact : contacts) {
+    if (!has_features(pair, contact)) continue;
+    const detail::Slab slab = detail::find_slab(search, contact, scratch);
+    detail::gather_vertices(search, contact, slab, scratch);
+  }
+  detail::search_vertices(search, scratch, rows);
+  for (const Contact& contact : contacts) {
+    if (!has_features(pair, contact)) continue;
+    const detail::Slab slab = detail::find_slab(search, contact, scratch);
+    detail::search_edges(search, contact, slab, scratch, rows);
+  }
+  return search.left_out;
+}
+
+}  // namespace thigma

@@ -1,0 +1,104 @@
+#pragma once
+// From exact contacts to rows: inequalities that keep two surfaces apart wherever the object goes
+// within a reach, and forbid as little else as can be.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "thigma/constraint/surface_features.h"
+#include "thigma/contact/contact.h"
+#include "thigma/dynamics/constraint_model.h"
+#include "thigma/math/pose.h"
+
+namespace thigma {
+
+/// One body's surface where it is.
+struct PlacedFeatures {
+  const SurfaceFeatures* features = nullptr;
+  Pose world_from_mesh;
+};
+
+/// The object and one body of the scene, apart or touching, where the query was made.
+struct BodyPair {
+  PlacedFeatures object, scene;
+  std::int32_t body = 0;  // the scene's, as contacts name it
+};
+
+/// What the rows are asked for.
+struct RowReach {
+  double travel = 0.0;  // no point of the object moves farther [m]
+  double turn = 0.0;    // nor does it turn by more [rad]
+};
+
+/// A row with what finding it has learned.
+struct FoundRow {
+  ContactRow row = make_row(
+      RowKind::scene_plane);  // object_point and object_direction in the object's mesh frame
+  double gap = 0.0;           // at the pose of the query [m]
+  std::int32_t body = 0;
+};
+
+/// A plane that a surface lies behind, as far as it matters, and that vertices of the other surface
+/// are kept in front of.
+struct GuardPlane {
+  Vec3 normal = Vec3::Zero();  // out of the surface behind it [its mesh frame]
+  double offset = 0.0;         // [m]
+  std::int32_t feature = -1;   // what it is the plane of: a triangle, or ~edge
+};
+
+/// Vertices of one surface against planes of the other.
+struct VertexSide {
+  struct Candidate {  // a vertex and a triangle of the other surface
+    double distance = 0.0;
+    std::int32_t vertex = -1, triangle = -1;
+    Vec3 nearest = Vec3::Zero();  // on the triangle
+  };
+  struct Member {  // a vertex has a row with this plane
+    std::int32_t plane = -1, next = -1;
+  };
+  std::vector<Candidate> candidates;
+  std::vector<GuardPlane> planes;
+  std::vector<Member> members;
+  std::vector<std::int32_t> first_member;  // by vertex, -1: none
+  std::vector<std::int32_t> touched;       // vertices with members
+};
+
+/// Working memory of find_rows: grows while warming up, never after.
+struct RowScratch {
+  struct EdgePair {
+    std::int32_t object = -1, scene = -1;
+    friend auto operator<=>(const EdgePair&, const EdgePair&) = default;
+  };
+  VertexSide object, scene;                           // vertices of the object, and of the scene
+  std::vector<EdgePair> met;                          // pairs with a row of their own, sorted
+  std::vector<std::int32_t> near_object, near_scene;  // vertices of a pair of patches
+  std::vector<std::int32_t> near_edges;               // of the scene's
+  std::vector<std::int32_t> planes;  // that the scene's patch of a pair lies behind
+};
+
+/// Room for vertices of either surface and so many candidates.
+/// Thread [offline]; throws std::bad_alloc.
+void reserve_rows(RowScratch& scratch, const SurfaceFeatures& object, const SurfaceFeatures& scene,
+                  std::size_t capacity);
+
+/// Rows between the object and one body of the scene, appended to `rows`.
+///
+/// pair            the two bodies
+/// contacts        of the exact query, all pairs of patches nearer than reach.travel; those with
+///                 other bodies are passed over
+/// reach           how far the rows have to hold
+/// scratch, rows   capacity is never grown; what does not fit is counted
+/// returns         candidates and rows that did not fit: the rows do not say all then
+/// Thread          [contact]; no failure
+/// Source          The first touch of two surfaces is a vertex on a face or an edge on an edge,
+///                 both locally convex towards each other. Each such pair within reach is either
+///                 kept apart by a row of its own or lies behind a plane that a row keeps its
+///                 partner in front of: coplanar and convex neighbours of a face add no row.
+///                 Of several planes that would do the vertex keeps one that leaves it at least
+///                 half its distance.
+std::int64_t find_rows(const BodyPair& pair, std::span<const Contact> contacts,
+                       const RowReach& reach, RowScratch& scratch,
+                       std::vector<FoundRow>& rows) noexcept;
+
+}  // namespace thigma

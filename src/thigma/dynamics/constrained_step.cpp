@@ -1,0 +1,213 @@
+#include "thigma/dynamics/constrained_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "thigma/dynamics/implicit_step.h"
+#include "thigma/math/rotation.h"
+
+namespace thigma {
+namespace {
+
+/// A unit vector across another.
+Vec3 across(const Vec3& n) THIGMA_RT {
+  const Vec3 axis = std::fabs(n.x()) < 0.6 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
+  return n.cross(axis).normalized();
+}
+
+/// Speed at which a gap may close, or has to open, in a step.
+double limit_of(double gap, const ConstraintParams& params, double dt) THIGMA_RT {
+  const double room = gap - params.slop;
+  if (room >= 0.0) return room / dt;
+  return -std::min(params.recovery * -room / dt, params.recovery_speed);
+}
+
+/// The rows at a state, as inequalities on the velocity; returns the least gap.
+double evaluate(const StepBounds& bounds, const BodyState& state, const Mat3& rotation,
+                VelocityRows& rows) THIGMA_RT {
+  const ConstraintModel& model = bounds.model;
+  double least = std::numeric_limits<double>::infinity();
+  rows.count = static_cast<int>(model.rows.size());
+  for (std::size_t i = 0; i < model.rows.size(); ++i) {
+    const RowAtState at = row_at(model.rows[i], state.position, rotation);
+    const Vec3 moment = at.arm.cross(at.normal);
+    for (std::size_t k = 0; k < 3; ++k) {
+      rows.gradient[k][i] = at.normal[static_cast<Eigen::Index>(k)];
+      rows.gradient[k + 3][i] = moment[static_cast<Eigen::Index>(k)];
+    }
+    rows.limit[i] = limit_of(at.gap, bounds.params, bounds.dt);
+    rows.friction[i] = model.rows[i].friction;
+    rows.arm[i] = at.arm;
+    rows.tangent[i] = across(at.normal);
+    least = std::min(least, at.gap);
+  }
+  return least;
+}
+
+Mat3 world_inertia(const BodyAtState& at) THIGMA_RT {
+  const Mat3& rotation = at.kinematics.rotation;
+  return rotation * at.body.inertia * rotation.transpose();
+}
+
+BodyState moved(const BodyState& state, const Mat3& inertia, double mass, const Vec6& velocity,
+                double dt) THIGMA_RT {
+  BodyState next;
+  const Vec3 linear = velocity.head<3>(), angular = velocity.tail<3>();
+  next.linear_momentum = mass * linear;
+  next.angular_momentum = inertia * angular;
+  next.position = state.position + dt * linear;
+  next.orientation = unit(rotation_from_vector(dt * angular) * state.orientation);
+  return next;
+}
+
+}  // namespace
+
+Mat6 step_metric(const BodyAtState& at, const WrenchJacobian& jacobian, double dt) THIGMA_RT {
+  const RigidBody& body = at.body;
+  const Mat3 inertia = world_inertia(at);
+  Mat6 metric = Mat6::Zero();
+  metric.topLeftCorner<3, 3>() = body.mass * Mat3::Identity();
+  metric.bottomRightCorner<3, 3>() = inertia;
+  metric.leftCols<3>() -= dt * body.mass * jacobian.middleCols<3>(7);
+  metric.rightCols<3>() -= dt * jacobian.rightCols<3>() * inertia;
+  metric.leftCols<3>() -= dt * dt * jacobian.leftCols<3>();
+  metric.rightCols<3>() -= dt * dt * jacobian.middleCols<4>(3) * rate_matrix(at.state.orientation);
+  const Mat6 transposed = metric.transpose();
+  return 0.5 * (metric + transposed);
+}
+
+namespace {
+
+/// What a step works on.
+struct StepWork {
+  const RigidBody& body;
+  const BodyState& state;  // before
+  const ConstraintModel& model;
+  const ConstraintParams& params;
+  Mat3 inertia;  // [world]
+  double dt;
+
+  BodyState after(const Vec6& velocity) const THIGMA_RT {
+    return moved(state, inertia, body.mass, velocity, dt);
+  }
+};
+
+void recall(const ConstraintModel& model, const RowMemory& memory,
+            RowImpulses& impulses) THIGMA_RT {
+  for (const RowMemory::Entry& entry : memory.entries) {
+    for (std::size_t i = 0; i < model.rows.size(); ++i) {
+      if (model.rows[i].id != entry.id) continue;
+      impulses.normal[i] = entry.normal;
+      impulses.tangential[i] = entry.tangential;
+      if (entry.is_active && impulses.active_count < kMaxActive)
+        impulses.active[static_cast<std::size_t>(impulses.active_count++)] =
+            static_cast<std::int32_t>(i);
+      break;
+    }
+  }
+}
+
+void keep(const ConstraintModel& model, const RowImpulses& impulses, RowMemory& memory) THIGMA_RT {
+  memory.entries.clear();
+  const auto end = impulses.active.begin() + impulses.active_count;
+  for (std::size_t i = 0; i < model.rows.size(); ++i) {
+    const bool is_active =
+        std::find(impulses.active.begin(), end, static_cast<std::int32_t>(i)) != end;
+    if (!is_active && !(impulses.normal[i] > 0.0)) continue;
+    memory.entries.push_back(
+        {model.rows[i].id, impulses.normal[i], impulses.tangential[i], is_active});
+  }
+}
+
+double least_gap(const ConstraintModel& model, const BodyState& state) THIGMA_RT {
+  double least = std::numeric_limits<double>::infinity();
+  const Mat3 rotation = rotation_matrix(state.orientation);
+  for (const ContactRow& row : model.rows)
+    least = std::min(least, row_at(row, state.position, rotation).gap);
+  return least;
+}
+
+/// Limits lower by what turning made of the gaps beyond their linear change. Returns whether some
+/// gap comes to less than half of what is kept.
+bool correct_limits(const StepWork& work, const BodyState& after, VelocityRows& rows) THIGMA_RT {
+  const Mat3 rotation = rotation_matrix(after.orientation);
+  const double slop = work.params.slop;
+  bool is_short = false;
+  for (std::size_t i = 0; i < work.model.rows.size(); ++i) {
+    const double gap = row_at(work.model.rows[i], after.position, rotation).gap;
+    if (gap >= slop || rows.limit[i] <= 0.0) continue;
+    is_short = is_short || gap < 0.5 * slop;
+    rows.limit[i] = std::max(rows.limit[i] - (slop - gap) / work.dt, 0.0);
+  }
+  return is_short;
+}
+
+/// Solves; where rows to recover along contradict each other, again with those at rest.
+Vec6 solve(const Mat6& metric, const Vec6& free, VelocityRows& rows, RowImpulses& impulses,
+           ConstrainedStep& result) THIGMA_RT {
+  result.solution = solve_rows(metric, free, rows, impulses);
+  if (!result.solution.is_whole) {
+    for (int i = 0; i < rows.count; ++i) {
+      double& limit = rows.limit[static_cast<std::size_t>(i)];
+      limit = std::max(limit, 0.0);
+    }
+    result.solution = solve_rows(metric, free, rows, impulses);
+  }
+  if (!result.solution.is_whole) return Vec6::Zero();
+  return result.solution.active == 0 ? free : result.solution.velocity;
+}
+
+/// The largest share of a step, to 2^-12, that ends within the travel and with no gap closed.
+double share_within(const StepWork& work, const Vec6& velocity, double least_before) THIGMA_RT {
+  const double least = std::min(least_before, 0.0);
+  double inside = 0.0, outside = 1.0;
+  for (int turn = 0; turn < 12; ++turn) {
+    const double middle = 0.5 * (inside + outside);
+    const BodyState y = work.after(middle * velocity);
+    const bool is_within =
+        travel_between(work.model.state, y, work.model.reach) <= work.model.travel &&
+        least_gap(work.model, y) >= least;
+    (is_within ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+}  // namespace
+
+ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces,
+                                 const StepBounds& bounds, RowMemory& memory) THIGMA_RT {
+  ConstrainedStep result;
+  const auto& [model, params, dt] = bounds;
+  const BodyState& state = at.state;
+  const StepWork work{at.body, state, model, params, world_inertia(at), dt};
+  const BodyState unbound = implicit_step(at, forces.wrench, forces.jacobian, dt);
+  Vec6 free;
+  free << unbound.linear_momentum / at.body.mass,
+      at.kinematics.inverse_inertia * unbound.angular_momentum;
+
+  VelocityRows rows;
+  RowImpulses impulses;
+  recall(model, memory, impulses);
+  result.least_gap = evaluate(bounds, state, at.kinematics.rotation, rows);
+  const Mat6 metric = step_metric(at, forces.jacobian, dt);
+  Vec6 velocity = solve(metric, free, rows, impulses, result);
+  result.state = velocity == free ? unbound : work.after(velocity);
+  if (correct_limits(work, result.state, rows)) {
+    velocity = solve(metric, free, rows, impulses, result);
+    result.state = work.after(velocity);
+  }
+  keep(model, impulses, memory);
+  result.contact = {result.solution.impulse.head<3>() / dt, result.solution.impulse.tail<3>() / dt};
+  result.wanted_speed = travel_between(state, result.state, model.reach) / dt;
+
+  const bool is_beyond = travel_between(model.state, result.state, model.reach) > model.travel;
+  const double least = std::min(result.least_gap, 0.0);
+  if (is_beyond || (!model.rows.empty() && least_gap(model, result.state) < least)) {
+    result.is_held_back = is_beyond;
+    result.state = work.after(share_within(work, velocity, result.least_gap) * velocity);
+  }
+  return result;
+}
+
+}  // namespace thigma

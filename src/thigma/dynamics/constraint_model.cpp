@@ -1,0 +1,56 @@
+#include "thigma/dynamics/constraint_model.h"
+
+#include <cmath>
+#include <limits>
+
+#include "thigma/math/rotation.h"
+
+namespace thigma {
+namespace {
+
+/// Two lines: the normal is that of the plane along both, the arm ends on the object's.
+RowAtState edges_at(const ContactRow& row, const Vec3& position, const Mat3& rotation) THIGMA_RT {
+  RowAtState at;
+  const Vec3 u = rotation * row.object_direction;
+  const Vec3& w = row.scene_direction;
+  const Vec3 cross = u.cross(w);
+  const double square = cross.squaredNorm();
+  const Vec3 arm = rotation * row.object_point;
+  at.arm = arm;
+  if (!(square > 0.0)) {
+    at.gap = std::numeric_limits<double>::infinity();
+    return at;
+  }
+  at.normal = cross / std::sqrt(square);
+  const Vec3 between = row.scene_point - (position + arm);
+  at.gap = at.normal.dot(between);
+  // Where the object's line is nearest to the scene's: (between - s u) . (w x cross) = 0.
+  const double along = between.dot(w.cross(cross)) / u.dot(w.cross(cross));
+  at.arm = arm + along * u;
+  return at;
+}
+
+}  // namespace
+
+RowAtState row_at(const ContactRow& row, const Vec3& position, const Mat3& rotation) THIGMA_RT {
+  if (row.kind == RowKind::edges) return edges_at(row, position, rotation);
+  RowAtState at;
+  if (row.kind == RowKind::scene_plane) {
+    at.normal = row.scene_direction;
+    at.arm = rotation * row.object_point;
+    at.gap = at.normal.dot(row.scene_point - position - at.arm);
+  } else {
+    at.normal = rotation * row.object_direction;
+    at.arm = row.scene_point - position;
+    at.gap = at.normal.dot(at.arm) - row.object_direction.dot(row.object_point);
+  }
+  return at;
+}
+
+double travel_between(const BodyState& a, const BodyState& b, double reach) THIGMA_RT {
+  const Quat turn = b.orientation * a.orientation.conjugate();
+  // A point at r from the centre goes 2 r sin(angle / 2) at most; |vec(q)| is that sine.
+  return (b.position - a.position).norm() + 2.0 * reach * turn.vec().norm();
+}
+
+}  // namespace thigma

@@ -1,0 +1,97 @@
+#pragma once
+// What the haptic thread knows of a contact world that its body must not enter: inequalities, and
+// how far they reach.
+
+#include <array>
+#include <cstdint>
+
+#include "thigma/core/rt.h"
+#include "thigma/core/static_vector.h"
+#include "thigma/dynamics/body.h"
+
+namespace thigma {
+
+/// Rows a model has room for: 64 are usual, wide conforming contact has more.
+inline constexpr int kMaxRows = 256;
+
+/// Which features of the two surfaces a row keeps apart.
+enum class RowKind : std::uint8_t {
+  scene_plane,   // a point of the object, a plane of the scene
+  object_plane,  // a plane of the object, a point of the scene
+  edges,         // an edge of each
+};
+
+/// One inequality: two features stay apart. Evaluated anew at every state, so that only the change
+/// within a step is taken as linear.
+/// Every member is set where a row is made: models have room for many.
+struct ContactRow {
+  RowKind kind;
+  std::uint64_t id;   // of the pair of features, the same in every model
+  Vec3 object_point;  // the point, of the plane or of the edge [m; body frame]
+  Vec3 scene_point;   // likewise of the scene [m; world]
+  // object_plane: unit normal out of the object; edges: unit, along the object's; else zero
+  // [body frame]
+  Vec3 object_direction;
+  // scene_plane: unit normal out of the object, into the scene; edges: unit, along the scene's, so
+  // that object x scene points into the scene; else zero [world]
+  Vec3 scene_direction;
+  double friction;  // Coulomb's coefficient of the two materials
+};
+
+/// A row of which nothing is known but its kind.
+inline ContactRow make_row(RowKind kind) THIGMA_RT {
+  const Vec3 zero = Vec3::Zero();
+  return {kind, 0, zero, zero, zero, zero, 0.0};
+}
+
+/// What keeps the body from entering. Part of the contact model.
+struct ConstraintModel {
+  BodyState state;  // the rows were found at
+  // The rows say all as long as no point of the object is farther than this from where it was at
+  // `state` [m]. 0, as before the first query: nothing may move.
+  double travel = 0.0;
+  double reach = 0.0;  // of the object's farthest point from its centre of mass [m]
+  StaticVector<ContactRow, kMaxRows> rows;
+};
+static_assert(RtPayload<ConstraintModel>);
+
+/// Numbers of the constraint response. Constant while a session runs.
+struct ConstraintParams {
+  double slop = 0.0;  // the gap that is kept, > 0 [m]
+  // A gap below slop grows by this share a step, and no faster than this.
+  double recovery = 0.2;
+  double recovery_speed = 2e-3;  // [m/s]
+};
+
+/// Impulses of the rows that pressed in the last step, by the features they are of: the warm start
+/// of the next, whatever model it has.
+struct RowMemory {
+  struct Entry {
+    std::uint64_t id;
+    double normal;                     // [N s]
+    std::array<double, 2> tangential;  // [N s]
+    bool is_active;                    // in the exact solution
+  };
+  StaticVector<Entry, 64> entries;
+};
+
+/// A row at one state.
+struct RowAtState {
+  double gap = 0.0;             // between the two features, negative through each other [m]
+  Vec3 normal = Vec3::UnitZ();  // unit, out of the object, into the scene [world]
+  Vec3 arm = Vec3::Zero();      // of where they touch, from the centre of mass [m; world]
+};
+
+/// Gap and gradient of a row. The gap's rate is -(normal . v + (arm x normal) . omega).
+///
+/// row       of a model
+/// position  of the centre of mass [m; world]
+/// rotation  world from body, orthonormal
+/// Thread    [haptic]; no failure. Parallel edges have no normal: gap infinite.
+RowAtState row_at(const ContactRow& row, const Vec3& position, const Mat3& rotation) THIGMA_RT;
+
+/// Bound on how far any point of a body of this reach is moved between two states [m].
+/// Thread    [haptic].
+double travel_between(const BodyState& a, const BodyState& b, double reach) THIGMA_RT;
+
+}  // namespace thigma

@@ -1,0 +1,156 @@
+#include "thigma/constraint/feature_rows.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "support/apart.h"
+#include "support/row_query.h"
+#include <gtest/gtest.h>
+
+#include "thigma/math/random.h"
+#include "thigma/math/rotation.h"
+#include "thigma/mesh/shapes.h"
+
+namespace thigma {
+namespace {
+
+using Two = test::RowQuery;
+
+BodyState at_pose(const Pose& pose) {
+  BodyState state;
+  state.position = pose.position;
+  state.orientation = pose.orientation;
+  return state;
+}
+
+Vec3 random_direction(Random& random) {
+  return Vec3(random.normal(), random.normal(), random.normal()).normalized();
+}
+
+bool obeys(const ConstraintModel& model, const BodyState& state) {
+  const Mat3 rotation = rotation_matrix(state.orientation);
+  for (const ContactRow& row : model.rows)
+    if (row_at(row, state.position, rotation).gap < 0.0) return false;
+  return true;
+}
+
+/// Motions of at most the travel of the model, pushed against what is near.
+BodyState moved(const ConstraintModel& model, Random& random, const Vec3& towards) {
+  const double share = random.uniform(), angle = (1.0 - share) * model.travel / model.reach;
+  BodyState state = model.state;
+  const Vec3 along = (random_direction(random) + 0.7 * towards).normalized();
+  state.position += share * model.travel * along;
+  state.orientation =
+      rotation_from_vector(angle * random_direction(random)) * model.state.orientation;
+  return state;
+}
+
+struct Counts {
+  int obeyed = 0, met = 0, met_though_obeyed = 0;
+};
+
+/// Random places near the scene, random motions from there.
+Counts try_motions(Two& two, Random& random, int places, int motions, double tolerance) {
+  const test::TriangleTree scene = test::build_triangle_tree(two.scene);
+  Counts counts;
+  for (int place = 0; place < places; ++place) {
+    const Vec3 from = random_direction(random);
+    Pose far{0.2 * from, rotation_from_vector(3.0 * random_direction(random))};
+    const Vec3 towards = (Vec3(0.006 * random_direction(random)) - far.position).normalized();
+    const double gap = (place % 3 == 0 ? 0.01 : random.uniform(0.05, 0.8)) * tolerance;
+    const Pose near = test::brought_near(two.object, far, towards, scene, gap);
+    const ConstraintStats stats = two.ask(at_pose(near), tolerance);
+    EXPECT_EQ(stats.left_out, 0);
+    EXPECT_TRUE(obeys(*two.model, two.model->state)) << "at rest, place " << place;
+    for (int k = 0; k < motions; ++k) {
+      const BodyState state = moved(*two.model, random, towards);
+      const bool obeyed = obeys(*two.model, state);
+      const bool met = test::meet(two.object, {state.position, state.orientation}, scene);
+      counts.obeyed += obeyed;
+      counts.met += met;
+      counts.met_though_obeyed += obeyed && met;
+    }
+  }
+  return counts;
+}
+
+struct Pair {
+  std::string name;
+  std::function<TriangleMesh()> object, scene;
+};
+
+std::vector<Pair> pairs() {
+  const auto box = [] { return make_box({0.02, 0.015, 0.01}, {2, 2, 2}); };
+  const auto plate = [] { return make_box({0.03, 0.03, 0.002}, {5, 5, 1}); };
+  const auto ball = [] { return make_ball(0.01, 4); };
+  const auto ring = [] { return make_torus(0.012, 0.004, 18, 9); };
+  const auto angle = [] { return make_l_shape(0.02, 0.01); };
+  const auto peg = [] { return make_cylinder(0.004, 0.03, 12); };
+  return {{"box on plate", box, plate}, {"box on box", box, box},
+          {"ball on box", ball, box},   {"ball on ball", ball, ball},
+          {"ring on ring", ring, ring}, {"angle on angle", angle, angle},
+          {"peg on ring", peg, ring},   {"box on angle", box, angle},
+          {"plate on peg", plate, peg}, {"angle on ring", angle, ring}};
+}
+
+TEST(FeatureRows, WhoObeysThemMeetsNothing) {
+  Random random(2026);
+  for (const Pair& pair : pairs()) {
+    Two two(pair.object(), pair.scene());
+    const Counts counts = try_motions(two, random, 25, 60, 1e-3);
+    EXPECT_EQ(counts.met_though_obeyed, 0) << pair.name;
+    // The test can fail: motions that nothing forbids, and motions that would have entered.
+    EXPECT_GT(counts.obeyed, 200) << pair.name;
+    EXPECT_GT(counts.met, 50) << pair.name;
+  }
+}
+
+TEST(FeatureRows, ANanometreAndAKilometreGiveTheSameRows) {
+  std::size_t expected = 0;
+  for (const double scale : {1.0, 1e-6, 1e5}) {
+    const Vec3 size = scale * Vec3(0.02, 0.02, 0.02);
+    Two two(make_box(size, {2, 2, 2}), make_box(3.0 * size, {3, 3, 3}));
+    BodyState state;
+    state.position = {0.0013 * scale, 0.0007 * scale, 0.04001 * scale};
+    two.ask(state, 2e-4 * scale);
+    if (expected == 0) expected = two.model->rows.size();
+    EXPECT_EQ(two.model->rows.size(), expected) << scale;
+  }
+  EXPECT_EQ(expected, 4u);
+}
+
+TEST(FeatureRows, FlatTilesGiveARowACornerAndNoneAtTheirBorders) {
+  for (const int tiles : {1, 8, 64}) {
+    TriangleMesh plate = make_box({0.1, 0.1, 0.01}, {tiles, tiles, 1});
+    Two two(make_box({0.02, 0.02, 0.02}, {3, 3, 3}), plate);
+    for (const double x : {0.0, 0.00125, 0.0031, 0.01}) {
+      BodyState state;
+      state.position = {x, 0.3 * x, 0.015 + 1e-6};
+      two.ask(state, 2e-4);
+      ASSERT_EQ(two.model->rows.size(), 4u) << tiles << " tiles at " << x;
+      for (const ContactRow& row : two.model->rows)
+        EXPECT_LE((row.scene_direction + Vec3::UnitZ()).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(FeatureRows, FarFromEverythingThereAreNone) {
+  Two two(make_ball(0.01, 4), make_ball(0.01, 4));
+  BodyState state;
+  state.position = {0.0, 0.0, 0.1};
+  const ConstraintStats stats = two.ask(state, 1e-3);
+  EXPECT_EQ(stats.rows, 0);
+  EXPECT_GT(two.model->travel, 0.0);
+}
+
+TEST(FeatureRows, WhatDoesNotFitStopsTheMotion) {
+  Two two(make_ball(0.01, 8), make_ball(0.01, 8), 0.0, 4);
+  BodyState state;
+  state.position = {0.0, 0.0, 0.0201};
+  EXPECT_GT(two.ask(state, 1e-3).left_out, 0);
+  EXPECT_EQ(two.model->travel, 0.0);
+}
+
+}  // namespace
+}  // namespace thigma

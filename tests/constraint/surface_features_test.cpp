@@ -1,0 +1,73 @@
+#include "thigma/constraint/surface_features.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "thigma/clod/build_hierarchy.h"
+#include "thigma/mesh/shapes.h"
+
+namespace thigma {
+namespace {
+
+SurfaceFeatures features_of(const TriangleMesh& mesh) {
+  return find_features(build_exact_hierarchy(mesh));
+}
+
+std::ptrdiff_t corners(const SurfaceFeatures& features) {
+  return std::count(features.is_corner.begin(), features.is_corner.end(), 1);
+}
+
+TEST(SurfaceFeatures, ABoxHasEightCornersAndTwelveEdgesHoweverItIsDivided) {
+  for (const int n : {1, 2, 5, 8}) {
+    const SurfaceFeatures box = features_of(make_box({0.02, 0.03, 0.04}, {n, n, n}));
+    EXPECT_EQ(corners(box), 8) << n;
+    EXPECT_EQ(box.edges.size(), 12u) << n;
+  }
+}
+
+TEST(SurfaceFeatures, SizeDoesNotMatter) {
+  for (const double scale : {1e-9, 1e-3, 1e3}) {
+    const SurfaceFeatures ring = features_of(make_torus(scale, 0.3 * scale, 24, 12));
+    const SurfaceFeatures one = features_of(make_torus(1.0, 0.3, 24, 12));
+    EXPECT_EQ(corners(ring), corners(one)) << scale;
+    EXPECT_EQ(ring.edges.size(), one.edges.size()) << scale;
+  }
+}
+
+TEST(SurfaceFeatures, InsideOfARingNothingIsACorner) {
+  const SurfaceFeatures ring = features_of(make_torus(0.02, 0.005, 24, 12));
+  for (std::size_t v = 0; v < ring.vertices.size(); ++v) {
+    const Vec3& p = ring.vertices[v];
+    const double from_axis = std::hypot(p.x(), p.y());
+    if (from_axis > 0.018 && from_axis < 0.022) continue;
+    EXPECT_EQ(ring.is_corner[v] != 0, from_axis > 0.022) << from_axis;
+  }
+}
+
+TEST(SurfaceFeatures, AnOpenSheetEndsInEdges) {
+  const SurfaceFeatures sheet = features_of(make_sheet(0.1, 0.1, 4, 4));
+  EXPECT_EQ(corners(sheet), 4);
+  EXPECT_EQ(sheet.edges.size(), 4u);
+}
+
+TEST(SurfaceFeatures, EveryPatchListsItsOwn) {
+  const ClodHierarchy h = build_exact_hierarchy(make_l_shape(0.02, 0.01));
+  const SurfaceFeatures f = find_features(h);
+  ASSERT_EQ(f.first_triangle.size(), h.patches.size() + 1);
+  EXPECT_EQ(f.patch_triangles.size(), f.triangles.size());
+  std::vector<int> edge_seen(f.edges.size(), 0), vertex_seen(f.vertices.size(), 0);
+  for (std::size_t p = 0; p < h.patches.size(); ++p) {
+    const auto patch = static_cast<std::int32_t>(p);
+    for (const std::int32_t e : part_of(f.patch_edges, f.first_edge, patch))
+      ++edge_seen[static_cast<std::size_t>(e)];
+    for (const std::int32_t v : part_of(f.patch_vertices, f.first_vertex, patch))
+      ++vertex_seen[static_cast<std::size_t>(v)];
+  }
+  EXPECT_EQ(std::count(edge_seen.begin(), edge_seen.end(), 0), 0);
+  EXPECT_EQ(std::count(vertex_seen.begin(), vertex_seen.end(), 0), 0);
+}
+
+}  // namespace
+}  // namespace thigma

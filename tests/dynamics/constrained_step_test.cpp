@@ -1,0 +1,135 @@
+#include "thigma/dynamics/constrained_step.h"
+
+#include <limits>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "thigma/dynamics/coupling.h"
+#include "thigma/dynamics/implicit_step.h"
+#include "thigma/math/rotation.h"
+
+namespace thigma {
+namespace {
+
+constexpr double kStep = 1e-3;
+
+/// A body of 50 g on a coupling, over the plane z = 0, held at its corner.
+struct Held {
+  RigidBody body = make_body(0.05, Mat3(1e-5 * Mat3::Identity()));
+  Coupling coupling;
+  BodyState state;
+  ConstraintParams params{1e-6, 0.2, 2e-3};
+  std::unique_ptr<ConstraintModel> model = std::make_unique<ConstraintModel>();
+  RowMemory memory;
+
+  Held() {
+    coupling.linear_stiffness = 1000.0;
+    coupling.linear_damping = 5.0;
+    coupling.angular_stiffness = 0.5;
+    coupling.angular_damping = 2e-3;
+    state.position = {0.0, 0.0, 0.02};
+    grasp(coupling, state, {state.position, Quat::Identity()});
+    model->travel = std::numeric_limits<double>::infinity();
+    model->reach = 0.02;
+    model->state = state;
+  }
+
+  void add_corner(const Vec3& arm) {
+    ContactRow row = make_row(RowKind::scene_plane);
+    row.object_point = arm;
+    row.scene_direction = -Vec3::UnitZ();
+    model->rows.push_back(row);
+  }
+
+  StepForces pull(const Vec3& hand, const Quat& turn = Quat::Identity()) const {
+    StepForces forces;
+    const Motion motion{{hand, turn}, {}};
+    forces.wrench = coupling_wrench(coupling, motion, body, state, &forces.jacobian);
+    return forces;
+  }
+
+  ConstrainedStep step(const Vec3& hand, const Quat& turn = Quat::Identity()) {
+    const ConstrainedStep result =
+        constrained_step(at_state(body, state), pull(hand, turn), {*model, params, kStep}, memory);
+    state = result.state;
+    return result;
+  }
+};
+
+TEST(ConstrainedStep, IsTheImplicitStepWhereNothingPresses) {
+  Held held;
+  const StepForces forces = held.pull({0.001, 0.0, 0.021});
+  const BodyState expected =
+      implicit_step(held.body, held.state, forces.wrench, forces.jacobian, kStep);
+  held.step({0.001, 0.0, 0.021});
+  EXPECT_EQ(to_vector(held.state), to_vector(expected));
+}
+
+TEST(ConstrainedStep, StaysOutAndHandsTheCouplingToTheHand) {
+  Held held;
+  for (const double x : {-0.01, 0.01})
+    for (const double y : {-0.01, 0.01}) held.add_corner({x, y, -0.01});
+  ConstrainedStep last;
+  double deepest = 0.0;
+  for (int k = 0; k < 1000; ++k) {
+    const double turn = k < 500 ? 0.2 : 0.0;  // rocked on an edge, then put down
+    last = held.step({0.0, 0.0, 0.006}, rotation_from_vector({turn, 0.5 * turn, 0.0}));
+    deepest = std::min(deepest, last.least_gap);
+  }
+  EXPECT_GE(deepest, 0.0);
+  EXPECT_NEAR(held.state.position.z(), 0.01 + held.params.slop, 1e-9);
+  EXPECT_NEAR(last.contact.force.z(), 1000.0 * (0.01 + held.params.slop - 0.006), 1e-6);
+  EXPECT_LE(held.state.linear_momentum.norm(), 1e-9);
+}
+
+TEST(ConstrainedStep, WaitsAtTheEndOfItsTravel) {
+  Held held;
+  held.model->travel = 1e-3;
+  ConstrainedStep last;
+  for (int k = 0; k < 200; ++k) {
+    last = held.step({0.05, 0.0, 0.02});
+    EXPECT_LE(travel_between(held.model->state, held.state, held.model->reach), 1e-3);
+  }
+  EXPECT_TRUE(last.is_held_back);
+  EXPECT_GT(last.wanted_speed, 0.0);  // what a query should look ahead for
+}
+
+TEST(ConstrainedStep, LeavesAGapThatClosedByItself) {
+  Held held;
+  held.add_corner({0.0, 0.0, -0.02 - 1e-5});  // 10 um in
+  ConstrainedStep first = held.step({0.0, 0.0, 0.0});
+  EXPECT_NEAR(first.least_gap, -1e-5, 1e-12);
+  for (int k = 0; k < 100; ++k) first = held.step({0.0, 0.0, 0.0});
+  EXPECT_NEAR(first.least_gap, held.params.slop, 1e-7);
+}
+
+TEST(ConstrainedStep, RestsWhereRowsContradictEachOther) {
+  Held held;
+  ContactRow floor = make_row(RowKind::scene_plane), ceiling = floor;
+  floor.object_point = {0.0, 0.0, -0.02 - 1e-5};
+  floor.scene_direction = -Vec3::UnitZ();
+  ceiling.object_point = {0.0, 0.0, 0.02 + 1e-5};
+  ceiling.scene_point = {0.0, 0.0, 0.04};
+  ceiling.scene_direction = Vec3::UnitZ();
+  held.model->rows.push_back(floor);
+  held.model->rows.push_back(ceiling);
+  for (int k = 0; k < 100; ++k) held.step({0.0, 0.0, 0.05});
+  EXPECT_NEAR(held.state.position.z(), 0.02, 1e-4);
+  EXPECT_LE(held.state.linear_momentum.norm(), 1e-3);
+}
+
+TEST(ConstrainedStep, MetricIsMassAndWhatTheCouplingAdds) {
+  Held held;
+  const StepForces forces = held.pull(held.state.position);
+  const Mat6 metric = step_metric(at_state(held.body, held.state), forces.jacobian, kStep);
+  const double linear = 0.05 + kStep * 5.0 + kStep * kStep * 1000.0;
+  const double angular = 1e-5 + kStep * 2e-3 + kStep * kStep * 0.5;
+  Mat6 expected = Mat6::Zero();
+  expected.topLeftCorner<3, 3>() = linear * Mat3::Identity();
+  expected.bottomRightCorner<3, 3>() = angular * Mat3::Identity();
+  EXPECT_LE((metric - expected).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace thigma

@@ -1,0 +1,69 @@
+#include "thigma/dynamics/constraint_model.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "thigma/math/random.h"
+#include "thigma/math/rotation.h"
+
+namespace thigma {
+namespace {
+
+Vec3 random_vector(Random& random) { return {random.normal(), random.normal(), random.normal()}; }
+
+ContactRow random_row(Random& random, RowKind kind) {
+  ContactRow row = make_row(kind);
+  row.object_point = random_vector(random);
+  row.scene_point = random_vector(random);
+  row.object_direction = random_vector(random).normalized();
+  row.scene_direction = random_vector(random).normalized();
+  return row;
+}
+
+TEST(ConstraintModel, GradientsAreThoseOfTheGap) {
+  Random random(5);
+  for (const RowKind kind : {RowKind::scene_plane, RowKind::object_plane, RowKind::edges}) {
+    for (int trial = 0; trial < 50; ++trial) {
+      const ContactRow row = random_row(random, kind);
+      const Vec3 x = random_vector(random);
+      const Mat3 rotation = rotation_matrix(rotation_from_vector(random_vector(random)));
+      const RowAtState at = row_at(row, x, rotation);
+      EXPECT_NEAR(at.normal.norm(), 1.0, 1e-12);
+      const Vec3 v = random_vector(random), omega = random_vector(random);
+      const double h = 1e-6;
+      const auto gap = [&](double t) {
+        const Mat3 turn = rotation_matrix(rotation_from_vector(t * omega));
+        return row_at(row, x + t * v, turn * rotation).gap;
+      };
+      const double rate = (gap(h) - gap(-h)) / (2.0 * h);
+      const double expected = -(at.normal.dot(v) + at.arm.cross(at.normal).dot(omega));
+      EXPECT_NEAR(rate, expected, 1e-6 * (1.0 + std::fabs(expected) + std::fabs(at.gap)))
+          << static_cast<int>(kind) << " " << trial;
+    }
+  }
+}
+
+TEST(ConstraintModel, ParallelEdgesForbidNothing) {
+  ContactRow row = make_row(RowKind::edges);
+  row.object_direction = row.scene_direction = Vec3::UnitX();
+  EXPECT_TRUE(std::isinf(row_at(row, Vec3::Zero(), Mat3::Identity()).gap));
+}
+
+TEST(ConstraintModel, TravelBoundsTheWayOfEveryPoint) {
+  Random random(9);
+  for (int trial = 0; trial < 200; ++trial) {
+    BodyState a, b;
+    a.position = random_vector(random);
+    b.position = a.position + 0.1 * random_vector(random);
+    a.orientation = rotation_from_vector(random_vector(random));
+    b.orientation = rotation_from_vector(0.5 * random_vector(random)) * a.orientation;
+    const double reach = 0.7;
+    const Vec3 point = reach * random_vector(random).normalized();
+    const Vec3 from = a.position + a.orientation * point, to = b.position + b.orientation * point;
+    EXPECT_LE((to - from).norm(), travel_between(a, b, reach) * (1.0 + 1e-12));
+  }
+}
+
+}  // namespace
+}  // namespace thigma
