@@ -21,6 +21,7 @@
 #include "thigma/core/error.h"
 #include "thigma/files/checksum.h"
 #include "thigma/files/file.h"
+#include "thigma/import/read_mesh.h"
 #include "thigma/models/make_model.h"
 #include "thigma/scene/asset_cache.h"
 
@@ -176,9 +177,8 @@ int build(const Common& common, const BuildOptions& options) {
     return kUsage;
   }
   if (is_clod_file(options.mesh))
-    throw InputError(
-        options.mesh +
-        ": is levels of detail already, byte 0, expected a mesh: OBJ, PLY, STL or OFF");
+    throw InputError(options.mesh +
+                     ": is levels of detail already, byte 0, expected a mesh: " + kMeshFormats);
   refuse_closed_place(options.out);
   const auto start = std::chrono::steady_clock::now();
   const ClodAsset asset = build_asset(options, common);
@@ -202,7 +202,7 @@ void add_build(CLI::App& app, Common& common) {
   CLI::App* verb = add_verb(app, common, "build", "Build contact levels of detail of a mesh",
                             [&common, options] { return build(common, *options); });
   verb->add_option("MESH", options->mesh,
-                   "OBJ, PLY, STL or OFF, recognised by content, or procedural:NAME")
+                   std::string(kMeshFormats) + ", recognised by content, or procedural:NAME")
       ->required();
   verb->add_option("-o,--output", options->out, ".clod file to write")->required();
   verb->add_option("--scale", options->scale, "metres per unit of the mesh");

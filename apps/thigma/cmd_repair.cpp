@@ -57,7 +57,7 @@ void add_repair(CLI::App& app, Common& common) {
   CLI::App* verb = add_verb(app, common, "repair", "Make a repairable mesh usable",
                             [&common, paths] { return repair(common, *paths); });
   verb->add_option("MESH", paths->in,
-                   "OBJ, PLY, STL or OFF, recognised by content, or procedural:NAME")
+                   std::string(kMeshFormats) + ", recognised by content, or procedural:NAME")
       ->required();
   verb->add_option("-o,--output", paths->out, "file to write: .ply, .stl, .off, else OBJ")
       ->required();

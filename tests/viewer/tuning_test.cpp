@@ -6,6 +6,8 @@
 #include "support/plane_session.h"
 #include <gtest/gtest.h>
 
+#include "thigma/contact/error_metric.h"
+
 namespace thigma::live {
 namespace {
 

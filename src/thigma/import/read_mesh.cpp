@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <iterator>
 
 #include "thigma/files/file.h"
 #include "thigma/import/detail/raw_mesh.h"
@@ -39,14 +40,15 @@ bool has_binary_stl_size(std::string_view bytes) {
 
 RawMesh parse_raw(std::string_view bytes, const std::string& name) {
   if (!has_binary_stl_size(bytes)) bytes = without_byte_order_mark(bytes);
-  if (bytes.empty()) detail::fail_input(name, "is empty", "byte 0", "a mesh: OBJ, PLY, STL or OFF");
+  if (bytes.empty())
+    detail::fail_input(name, "is empty", "byte 0", std::string("a mesh: ") + kMeshFormats);
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r\n"))
     return detail::read_ply(bytes, name);
   // Before "solid": many binary files begin with that word too.
   if (has_binary_stl_size(bytes)) return detail::read_stl_binary(bytes, name);
   if (!is_text(bytes)) {
     if (bytes.size() >= 84) return detail::read_stl_binary(bytes, name);  // throws, with both sizes
-    detail::fail_input(name, "is no mesh", "byte 0", "OBJ, PLY, STL or OFF");
+    detail::fail_input(name, "is no mesh", "byte 0", kMeshFormats);
   }
   const std::string_view word = first_word(bytes);
   if (detail::is_off_keyword(word)) return detail::read_off(bytes, name);
@@ -127,23 +129,11 @@ MeshFile merge_equal_positions(TriangleMesh raw) {
 }
 
 const char* format_name(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::obj:
-      return "obj";
-    case MeshFormat::ply_ascii:
-      return "ply (ascii)";
-    case MeshFormat::ply_little:
-      return "ply (little-endian)";
-    case MeshFormat::ply_big:
-      return "ply (big-endian)";
-    case MeshFormat::stl_ascii:
-      return "stl (ascii)";
-    case MeshFormat::stl_binary:
-      return "stl (binary)";
-    case MeshFormat::off:
-      return "off";
-  }
-  return "";
+  constexpr const char* kNames[] = {
+      "obj",          "ply (ascii)", "ply (little-endian)", "ply (big-endian)", "stl (ascii)",
+      "stl (binary)", "off"};
+  static_assert(std::size(kNames) == static_cast<std::size_t>(MeshFormat::off) + 1);
+  return kNames[static_cast<std::size_t>(format)];
 }
 
 MeshFile parse_mesh(std::string_view bytes, const std::string& name) {

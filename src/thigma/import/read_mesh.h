@@ -19,6 +19,9 @@ enum class MeshFormat : std::uint8_t {
   off
 };
 
+/// The formats by name, for messages and help.
+inline constexpr const char* kMeshFormats = "OBJ, PLY, STL or OFF";
+
 /// "obj", "ply (ascii)", "ply (little-endian)", ... as reports print it.
 const char* format_name(MeshFormat format);
 

@@ -168,8 +168,6 @@ MeshFormat format_for_name(const std::string& path) {
 
 std::string format_mesh(const TriangleMesh& mesh, MeshFormat format, const std::string& name) {
   switch (format) {
-    case MeshFormat::obj:
-      return format_obj(mesh);
     case MeshFormat::off:
       return format_off(mesh);
     case MeshFormat::ply_ascii:
@@ -183,8 +181,9 @@ std::string format_mesh(const TriangleMesh& mesh, MeshFormat format, const std::
     case MeshFormat::stl_binary:
       check_single_precision(mesh, name);
       return format_stl_binary(mesh);
+    default:  // also of formats that are read alone
+      return format_obj(mesh);
   }
-  return {};
 }
 
 void write_mesh(const TriangleMesh& mesh, const std::string& path) {

@@ -126,7 +126,8 @@ RawMesh read_obj(std::string_view bytes, const std::string& name) {
                at_line(obj.largest_line), "1 to " + std::to_string(obj.mesh.positions.size()));
   }
   if (obj.mesh.positions.empty()) {
-    fail_input(name, "has no vertices", at_line(lines.number()), "a mesh: OBJ, PLY, STL or OFF");
+    fail_input(name, "has no vertices", at_line(lines.number()),
+               std::string("a mesh: ") + kMeshFormats);
   }
   return std::move(obj.mesh);
 }
