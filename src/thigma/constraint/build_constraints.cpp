@@ -60,7 +60,7 @@ ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& b
   world.friction.assign(bodies.size(), friction);
   for (const Vec3& v : world.object.vertices)
     world.reach = std::max(world.reach, transform_point(body_from_mesh, v).norm());
-  constexpr double kLeast = 2.5e-3, kMost = 2.5e-2;  // of the reach: what a query may cost
+  constexpr double kLeast = 2.5e-3, kMost = 0.1;  // of the reach: what a query may cost
   world.least_look_ahead = kLeast * world.reach;
   world.most_look_ahead = kMost * world.reach;
   std::map<const ClodHierarchy*, std::shared_ptr<const SurfaceFeatures>> known;

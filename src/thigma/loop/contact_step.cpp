@@ -102,12 +102,17 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
 namespace {
 
 /// How far rows have to look ahead: what the object would go until the model after the next, in
-/// steps of two, within what a query may cost.
-double look_ahead(const ConstraintWorld& world, double wanted_speed, double step_time) noexcept {
-  constexpr double kModels = 2.0;
-  const double wanted = kModels * wanted_speed * step_time;
+/// steps of two, as far as the query stays cheap. Pairs grow with the square of it.
+double look_ahead(const ConstraintWorld& world, double wanted,
+                  const ContactScratch& last) noexcept {
+  constexpr double kPairs = 1500.0;
+  const double pairs = static_cast<double>(last.contacts.contacts.size());
   double ahead = world.least_look_ahead;
-  while (ahead < wanted && ahead < world.most_look_ahead) ahead *= 2.0;
+  while (ahead < wanted && ahead < world.most_look_ahead) {
+    const double growth = 2.0 * ahead / std::max(last.looked_ahead, world.least_look_ahead);
+    if (pairs * growth * growth > kPairs) break;
+    ahead *= 2.0;
+  }
   return std::min(ahead, world.most_look_ahead);
 }
 
@@ -120,7 +125,10 @@ void find_near(const ContactWorld& world, const StampedBody& body,
                                : kUsualStep;
   scratch.last_time = body.time;
   ContactQuery query;
-  query.tolerance = look_ahead(*world.constraints, body.wanted_speed, step_time);
+  constexpr double kModels = 2.0;  // until the next but one
+  query.tolerance =
+      look_ahead(*world.constraints, kModels * body.wanted_speed * step_time, scratch);
+  scratch.looked_ahead = query.tolerance;
   query_scene({*world.object, world_from_mesh(world, body.state)}, world.scene, query,
               scratch.fronts, scratch.contacts);
   scratch.separation = query.tolerance;
@@ -148,11 +156,11 @@ void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratc
 
 void find_contacts(const ContactWorld& world, const StampedBody& body,
                    ContactScratch& scratch) noexcept {
-  clear(scratch.contacts);
   if (world.constraints) {
     find_near(world, body, scratch);
     return;
   }
+  clear(scratch.contacts);
   const Pose pose = world_from_mesh(world, body.state);
   if (!world.scene.empty()) {
     ContactQuery query;

@@ -33,7 +33,8 @@ struct ContactScratch {
   LevelHistory levels;         // which contacts changed their level since the last frame
   std::shared_ptr<TextureScratch> textures;        // where the world has textures, else null
   std::shared_ptr<ConstraintScratch> constraints;  // where the world has constraints, else null
-  double separation = 0.0;  // of what the last query for rows did not report, at least [m]
+  double looked_ahead = 0.0;                       // tolerance of the last query for rows [m]
+  double separation = 0.0;  // of what that query did not report, at least [m]
 };
 
 /// Room for world.capacity contacts and a front a static object: all that find_contacts needs.
