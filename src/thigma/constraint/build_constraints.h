@@ -41,8 +41,8 @@ struct ConstraintScratch {
 /// What a query has found.
 struct NearContacts {
   const ContactSet& contacts;  // of the exact query at the state
-  // of all it did not report, at least: its tolerance, or, where nothing is near, what its traversal
-  // has proven (unreported_separation), > 0 [m]
+  // of all it did not report, at least: its tolerance, or, where nothing is near, what its
+  // traversal has proven (unreported_separation), > 0 [m]
   double separation = 0.0;
 };
 

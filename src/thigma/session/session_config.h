@@ -29,8 +29,8 @@ void retune_passivity(HapticParams& params) THIGMA_RT;
 /// Thread  [offline]
 void use_direct_response(const DeviceLimits& device, SessionConfig& config);
 
-/// Makes a session's contacts inequalities: the object stays outside (docs/constraints.md). Contacts
-/// are exact whatever resolution is set.
+/// Makes a session's contacts inequalities: the object stays outside (docs/constraints.md).
+/// Contacts are exact whatever resolution is set.
 ///
 /// friction  Coulomb's coefficient of every contact, >= 0
 /// config    contact.object and contact.scene set; contact.constraints, haptic.constraint and
