@@ -22,8 +22,8 @@ TEST(OutsideDepth, SeesEdgesThatCross) {
   const Pose turned{
       {0.0, 0.0, 2.0 * 0.01 * std::sqrt(2.0) - 1e-4},
       rotation_from_vector({0.0, 0.0, M_PI / 2}) * rotation_from_vector({M_PI / 4, 0.0, 0.0})};
-  const DepthSurface ridge = make_depth_surface(
-      transformed(make_box(Vec3::Constant(0.02)), {{}, rotation_from_vector({M_PI / 4, 0, 0})}));
+  const DepthSurface ridge = make_depth_surface(transformed(
+      make_box(Vec3::Constant(0.02)), {Vec3::Zero(), rotation_from_vector({M_PI / 4, 0.0, 0.0})}));
   const double depth = outside_depth(box, turned, ridge, 64);
   EXPECT_NEAR(depth, 1e-4 / std::sqrt(2.0), 0.1e-4);
 }
@@ -31,7 +31,7 @@ TEST(OutsideDepth, SeesEdgesThatCross) {
 TEST(OutsideDepth, SeesABallWhollyInside) {
   const DepthSurface large = make_depth_surface(make_ball(0.02, 6));
   const DepthSurface small = make_depth_surface(make_ball(0.002, 2));
-  EXPECT_NEAR(outside_depth(small, Pose{}, large), 0.0215, 0.001);
+  EXPECT_NEAR(outside_depth(small, Pose{}, large), 0.018, 3e-4);  // facets
 }
 
 }  // namespace
