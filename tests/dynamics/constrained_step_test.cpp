@@ -1,5 +1,6 @@
 #include "thigma/dynamics/constrained_step.h"
 
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -93,6 +94,18 @@ TEST(ConstrainedStep, WaitsAtTheEndOfItsTravel) {
   }
   EXPECT_TRUE(last.is_held_back);
   EXPECT_GT(last.wanted_speed, 0.0);  // what a query should look ahead for
+}
+
+TEST(ConstrainedStep, WaitsWhereAModelCameTooLate) {
+  Held held;
+  held.add_corner({0.0, 0.0, -0.02 - 1e-4});  // by a row that means nothing out here
+  held.model->travel = 1e-3;
+  held.model->state.position.x() = 0.01;
+  const Vec3 before = held.state.position;
+  const ConstrainedStep late = held.step({0.005, 0.0, 0.0});
+  EXPECT_TRUE(late.is_held_back);
+  EXPECT_EQ(held.state.position, before);
+  EXPECT_TRUE(std::isinf(late.least_gap));
 }
 
 TEST(ConstrainedStep, LeavesAGapThatClosedByItself) {

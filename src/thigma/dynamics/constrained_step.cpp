@@ -190,6 +190,10 @@ ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces
   RowImpulses impulses;
   recall(model, memory, impulses);
   result.least_gap = evaluate(bounds, state, at.kinematics.rotation, rows);
+  // A model that came after the object had left its travel: its rows say nothing here, and the
+  // object waits for the next.
+  if (travel_between(model.state, state, model.reach) > model.travel)
+    result.least_gap = std::numeric_limits<double>::infinity();
   const Mat6 metric = step_metric(at, forces.jacobian, dt);
   Vec6 velocity = solve(metric, free, rows, impulses, result);
   result.state = velocity == free ? unbound : work.after(velocity);
