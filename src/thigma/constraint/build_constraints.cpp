@@ -17,33 +17,29 @@ std::int64_t find_all(const ConstraintWorld& world, const Pose& world_from_objec
   std::int64_t left_out = 0;
   scratch.found.clear();
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    const std::size_t before = scratch.found.size();
     const BodyPair pair{{&world.object, world_from_object},
                         {world.scene[i].get(), world.bodies[i].world_from_body},
                         static_cast<std::int32_t>(i)};
     left_out += find_rows(pair, contacts, reach, scratch.rows, scratch.found);
-    for (std::size_t k = before; k < scratch.found.size(); ++k)
-      scratch.found[k].row.friction = world.friction[i];
   }
   return left_out;
 }
 
 /// The nearest rows that fit; the travel ends where the first of the others begins.
-void keep_nearest(ConstraintScratch& scratch, ConstraintModel& model,
-                  ConstraintStats& stats) noexcept {
-  auto& found = scratch.found;
+void keep_nearest(std::vector<FoundRow>& found, ConstraintModel& model) noexcept {
   if (found.size() <= kMaxRows) return;
   const auto by_gap = [](const FoundRow& a, const FoundRow& b) {
     return a.gap < b.gap || (a.gap == b.gap && a.row.id < b.row.id);
   };
   std::nth_element(found.begin(), found.begin() + kMaxRows, found.end(), by_gap);
   model.travel = std::min(model.travel, std::max(found[kMaxRows].gap, 0.0));
-  stats.is_cut = true;
   found.resize(kMaxRows);
 }
 
-/// Points and directions of the object from its mesh frame into that of the body.
-ContactRow in_body(ContactRow row, const Pose& body_from_mesh) noexcept {
+/// A row of the world's friction, points and directions of the object in the frame of its body.
+ContactRow in_body(ContactRow row, const ConstraintWorld& world) noexcept {
+  const Pose& body_from_mesh = world.body_from_mesh;
+  row.friction = world.friction;
   row.object_point = transform_point(body_from_mesh, row.object_point);
   row.object_direction = body_from_mesh.orientation._transformVector(row.object_direction);
   return row;
@@ -57,7 +53,7 @@ ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& b
   world.object = find_features(object);
   world.body_from_mesh = body_from_mesh;
   world.bodies.assign(bodies.begin(), bodies.end());
-  world.friction.assign(bodies.size(), friction);
+  world.friction = friction;
   for (const Vec3& v : world.object.vertices)
     world.reach = std::max(world.reach, transform_point(body_from_mesh, v).norm());
   constexpr double kLeast = 2.5e-3, kMost = 0.1;  // of the reach: what a query may cost
@@ -93,11 +89,10 @@ ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState&
   stats.left_out = near.contacts.dropped +
                    find_all(world, world_from_object, near.contacts.contacts, reach, scratch);
   stats.rows = static_cast<std::int64_t>(scratch.found.size());
-  keep_nearest(scratch, model, stats);
+  keep_nearest(scratch.found, model);
   if (stats.left_out > 0) model.travel = 0.0;
   model.rows.clear();
-  for (const FoundRow& found : scratch.found)
-    model.rows.push_back(in_body(found.row, world.body_from_mesh));
+  for (const FoundRow& found : scratch.found) model.rows.push_back(in_body(found.row, world));
   return stats;
 }
 

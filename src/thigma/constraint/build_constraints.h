@@ -18,8 +18,8 @@ struct ConstraintWorld {
   Pose body_from_mesh;
   std::vector<SceneBody> bodies;
   std::vector<std::shared_ptr<const SurfaceFeatures>> scene;  // one a body
-  std::vector<double> friction;  // Coulomb's coefficient against the object, one a body
-  double reach = 0.0;            // of the object's farthest vertex from its centre of mass [m]
+  double friction = 0.0;  // Coulomb's coefficient of every contact
+  double reach = 0.0;     // of the object's farthest vertex from its centre of mass [m]
   // tolerance of the query: at rest, and at most, whatever the speed [m]
   double least_look_ahead = 0.0, most_look_ahead = 0.0;
 };
@@ -50,7 +50,6 @@ struct NearContacts {
 struct ConstraintStats {
   std::int64_t rows = 0;      // found
   std::int64_t left_out = 0;  // candidates and contacts for want of room: nothing may move then
-  bool is_cut = false;        // more rows than a model holds: the travel is shorter
 };
 
 /// Room for so many contacts, candidates and rows a frame.

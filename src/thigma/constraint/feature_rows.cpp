@@ -40,6 +40,7 @@ void reserve_rows(RowScratch& scratch, const SurfaceFeatures& object, const Surf
   reserve_side(scratch.object, object.vertices.size(), capacity);
   reserve_side(scratch.scene, scene.vertices.size(), capacity);
   scratch.met.reserve(capacity);
+  scratch.slabs.reserve(capacity);
   scratch.planes.reserve(capacity);
   scratch.near_edges.reserve(capacity);
   constexpr std::size_t kPatch = 64;  // vertices of a patch: at most 32
@@ -54,16 +55,22 @@ std::int64_t find_rows(const BodyPair& pair, std::span<const Contact> contacts,
   empty(scratch.object);
   empty(scratch.scene);
   scratch.met.clear();
+  scratch.slabs.clear();
   for (const Contact& contact : contacts) {
     if (!has_features(pair, contact)) continue;
-    const detail::Slab slab = detail::find_slab(search, contact, scratch);
-    detail::gather_vertices(search, contact, slab, scratch);
+    if (scratch.slabs.size() == scratch.slabs.capacity()) {
+      ++search.left_out;
+      break;
+    }
+    scratch.slabs.push_back(detail::find_slab(search, contact));
+    detail::gather_vertices(search, contact, scratch.slabs.back(), scratch);
   }
   detail::search_vertices(search, scratch, rows);
+  std::size_t next = 0;
   for (const Contact& contact : contacts) {
+    if (next == scratch.slabs.size()) break;
     if (!has_features(pair, contact)) continue;
-    const detail::Slab slab = detail::find_slab(search, contact, scratch);
-    detail::search_edges(search, contact, slab, scratch, rows);
+    detail::search_edges(search, contact, scratch.slabs[next++], scratch, rows);
   }
   return search.left_out;
 }

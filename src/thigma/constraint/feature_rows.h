@@ -33,10 +33,9 @@ struct RowReach {
 
 /// A row with what finding it has learned.
 struct FoundRow {
-  ContactRow row = make_row(
-      RowKind::scene_plane);  // object_point and object_direction in the object's mesh frame
-  double gap = 0.0;           // at the pose of the query [m]
-  std::int32_t body = 0;
+  // object_point and object_direction in the object's mesh frame; without friction
+  ContactRow row = make_row(RowKind::scene_plane);
+  double gap = 0.0;  // at the pose of the query [m]
 };
 
 /// A plane that a surface lies behind, as far as it matters, and that vertices of the other surface
@@ -45,6 +44,17 @@ struct GuardPlane {
   Vec3 normal = Vec3::Zero();  // out of the surface behind it [its mesh frame]
   double offset = 0.0;         // [m]
   std::int32_t feature = -1;   // what it is the plane of: a triangle, or ~edge
+
+  double height(const Vec3& point) const noexcept { return normal.dot(point) - offset; }
+};
+
+/// What lies within reach between two patches: of the object from object_least on along
+/// object_axis, of the scene up to scene_most along scene_axis [each mesh frame].
+struct Slab {
+  Vec3 object_axis = Vec3::Zero();
+  double object_least = 0.0;
+  Vec3 scene_axis = Vec3::Zero();
+  double scene_most = 0.0;
 };
 
 /// Vertices of one surface against planes of the other.
@@ -71,6 +81,7 @@ struct RowScratch {
     friend auto operator<=>(const EdgePair&, const EdgePair&) = default;
   };
   VertexSide object, scene;                           // vertices of the object, and of the scene
+  std::vector<Slab> slabs;                            // of the contacts, in their order
   std::vector<EdgePair> met;                          // pairs with a row of their own, sorted
   std::vector<std::int32_t> near_object, near_scene;  // vertices of a pair of patches
   std::vector<std::int32_t> near_edges;               // of the scene's

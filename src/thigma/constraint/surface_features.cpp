@@ -1,88 +1,61 @@
 #include "thigma/constraint/surface_features.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <map>
-#include <unordered_map>
 #include <utility>
 
 #include "thigma/core/index.h"
+#include "thigma/import/read_mesh.h"
+#include "thigma/mesh/topology.h"
 
 namespace thigma {
 namespace {
 
-struct PositionHash {
-  std::size_t operator()(const std::array<std::uint64_t, 3>& p) const {
-    std::uint64_t h = 0x9e3779b97f4a7c15u;
-    for (const std::uint64_t part : p) h = (h ^ part) * 0xff51afd7ed558ccdu + (h >> 29);
-    return static_cast<std::size_t>(h);
+/// Triangles of the finest patches that have an area, patch by patch, each with corners of its own.
+TriangleMesh collect_triangles(const ClodHierarchy& h, SurfaceFeatures& features) {
+  TriangleMesh mesh;
+  features.first_triangle.push_back(0);
+  for (const ClodPatch& patch : h.patches) {
+    const HullView hull = hull_view(h, patch.node);
+    for (int t = 0; t < hull.triangle_count; ++t) {
+      std::array<Vec3, 3> p;
+      for (std::size_t k = 0; k < 3; ++k) p[k] = hull.vertices[hull.triangles[t].corner[k]];
+      // the edges of one without an area are those of its neighbours
+      if (!((p[1] - p[0]).cross(p[2] - p[0]).norm() > 0.0)) continue;
+      const auto first = static_cast<std::int32_t>(mesh.positions.size());
+      mesh.positions.insert(mesh.positions.end(), p.begin(), p.end());
+      mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    features.first_triangle.push_back(static_cast<std::int32_t>(mesh.triangles.size()));
   }
-};
-
-std::array<std::uint64_t, 3> bits_of(const Vec3& p) {
-  // -0 and 0 are one position
-  return {std::bit_cast<std::uint64_t>(p.x() + 0.0), std::bit_cast<std::uint64_t>(p.y() + 0.0),
-          std::bit_cast<std::uint64_t>(p.z() + 0.0)};
+  return mesh;
 }
 
-/// Triangles by vertices that are one where positions are equal.
-class Welded {
- public:
-  explicit Welded(SurfaceFeatures& features) : features_(features) {}
-
-  std::int32_t vertex(const Vec3& position) {
-    const auto next = static_cast<std::int32_t>(features_.vertices.size());
-    const auto [found, is_new] = known_.emplace(bits_of(position), next);
-    if (is_new) features_.vertices.push_back(position);
-    return found->second;
-  }
-
- private:
-  SurfaceFeatures& features_;
-  std::unordered_map<std::array<std::uint64_t, 3>, std::int32_t, PositionHash> known_;
-};
-
-void add_patch(const ClodHierarchy& h, const ClodPatch& patch, Welded& weld,
-               SurfaceFeatures& features) {
-  const HullView hull = hull_view(h, patch.node);
-  for (int t = 0; t < hull.triangle_count; ++t) {
+void add_triangles(const TriangleMesh& mesh, SurfaceFeatures& features) {
+  for (const auto& t : mesh.triangles) {
     SurfaceTriangle triangle;
-    std::array<Vec3, 3> p;
-    for (std::size_t k = 0; k < 3; ++k) {
-      p[k] = hull.vertices[hull.triangles[t].corner[k]];
-      triangle.vertex[k] = weld.vertex(p[k]);
-    }
-    const Vec3 area = (p[1] - p[0]).cross(p[2] - p[0]);
-    const double size = area.norm();
-    if (!(size > 0.0)) continue;  // its edges are those of its neighbours
-    triangle.normal = area / size;
-    triangle.center = (p[0] + p[1] + p[2]) / 3.0;
-    for (const Vec3& corner : p)
+    triangle.vertex = t;
+    const Vec3 &a = mesh.positions[idx(t[0])], &b = mesh.positions[idx(t[1])],
+               &c = mesh.positions[idx(t[2])];
+    const Vec3 area = (b - a).cross(c - a);
+    triangle.normal = area / area.norm();
+    triangle.center = (a + b + c) / 3.0;
+    for (const Vec3& corner : {a, b, c})
       triangle.radius = std::max(triangle.radius, (corner - triangle.center).norm());
     features.patch_triangles.push_back(static_cast<std::int32_t>(features.triangles.size()));
     features.triangles.push_back(triangle);
   }
-  features.first_triangle.push_back(static_cast<std::int32_t>(features.patch_triangles.size()));
 }
 
-/// Triangles left and right of an edge from the lower vertex to the higher.
+/// Triangles left and right of an edge from its lower vertex to the higher.
 struct Sides {
   std::int32_t left = -1, right = -1;
 };
-using EdgeMap = std::map<std::pair<std::int32_t, std::int32_t>, Sides>;
 
-EdgeMap find_edges(const SurfaceFeatures& features) {
-  EdgeMap edges;
-  for (std::size_t t = 0; t < features.triangles.size(); ++t) {
-    const auto& v = features.triangles[t].vertex;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::int32_t a = v[k], b = v[(k + 1) % 3];
-      Sides& sides = edges[{std::min(a, b), std::max(a, b)}];
-      (a < b ? sides.left : sides.right) = static_cast<std::int32_t>(t);
-    }
-  }
-  return edges;
+Sides sides_of(const EdgeTable& table, const MeshEdge& edge) {
+  Sides sides;
+  for (const EdgeUse& use : table.uses_of(edge))
+    (use.is_forward ? sides.left : sides.right) = use.triangle;
+  return sides;
 }
 
 Vec3 into(const SurfaceFeatures& features, std::int32_t triangle, const Vec3& along) {
@@ -98,11 +71,11 @@ bool may_touch(const SurfaceFeatures& features, const Sides& sides, const Convex
   return features.triangles[idx(sides.left)].normal.dot(edge.into_right) < -kRounding;
 }
 
-void add_directions(const EdgeMap& edges, SurfaceFeatures& features) {
+void add_directions(const EdgeTable& table, SurfaceFeatures& features) {
   std::vector<std::vector<std::int32_t>> neighbours(features.vertices.size());
-  for (const auto& [ends, sides] : edges) {
-    neighbours[idx(ends.first)].push_back(ends.second);
-    neighbours[idx(ends.second)].push_back(ends.first);
+  for (const MeshEdge& edge : table.edges) {
+    neighbours[idx(edge.a)].push_back(edge.b);
+    neighbours[idx(edge.b)].push_back(edge.a);
   }
   features.first_direction.push_back(0);
   for (std::size_t v = 0; v < neighbours.size(); ++v) {
@@ -155,13 +128,14 @@ struct FoundEdge {
   std::vector<std::int32_t> triangles;
 };
 
-std::vector<FoundEdge> convex_edges(const EdgeMap& edges, const SurfaceFeatures& features) {
+std::vector<FoundEdge> convex_edges(const EdgeTable& table, const SurfaceFeatures& features) {
   std::vector<FoundEdge> found;
-  for (const auto& [ends, sides] : edges) {
+  for (const MeshEdge& of_mesh : table.edges) {
+    const Sides sides = sides_of(table, of_mesh);
     FoundEdge one;
     ConvexEdge& edge = one.edge;
-    edge.tail = ends.first;
-    edge.head = ends.second;
+    edge.tail = of_mesh.a;
+    edge.head = of_mesh.b;
     edge.direction =
         (features.vertices[idx(edge.head)] - features.vertices[idx(edge.tail)]).normalized();
     // Left of an edge that its triangle has in this direction is across it to the left.
@@ -226,15 +200,6 @@ void measure(const SurfaceFeatures& features, ConvexEdge& edge) {
   edge.half = 0.5 * span.norm();
 }
 
-PatchBall ball_about(const SurfaceFeatures& features, const std::vector<std::int32_t>& vertices) {
-  PatchBall ball;
-  for (const std::int32_t v : vertices) ball.center += features.vertices[idx(v)];
-  ball.center /= std::max(static_cast<double>(vertices.size()), 1.0);
-  for (const std::int32_t v : vertices)
-    ball.radius = std::max(ball.radius, (features.vertices[idx(v)] - ball.center).norm());
-  return ball;
-}
-
 /// Patches by triangle.
 std::vector<std::int32_t> patches_of(const ClodHierarchy& h, const SurfaceFeatures& features) {
   std::vector<std::int32_t> patch_of(features.triangles.size());
@@ -271,7 +236,8 @@ void add_patch_lists(const ClodHierarchy& h, const std::vector<FoundEdge>& found
     features.first_vertex.push_back(static_cast<std::int32_t>(all.size()));
     features.patch_edges.insert(features.patch_edges.end(), edges[p].begin(), edges[p].end());
     features.first_edge.push_back(static_cast<std::int32_t>(features.patch_edges.size()));
-    features.patch_balls.push_back(ball_about(features, vertices));
+    const ClodNode& node = h.nodes[idx(h.patches[p].node)];
+    features.patch_balls.push_back({node.center, node.radius});
   }
 }
 
@@ -279,10 +245,10 @@ void add_patch_lists(const ClodHierarchy& h, const std::vector<FoundEdge>& found
 
 SurfaceFeatures find_features(const ClodHierarchy& hierarchy) {
   SurfaceFeatures features;
-  Welded weld(features);
-  features.first_triangle.push_back(0);
-  for (const ClodPatch& patch : hierarchy.patches) add_patch(hierarchy, patch, weld, features);
-  const EdgeMap edges = find_edges(features);
+  const TriangleMesh mesh = merge_equal_positions(collect_triangles(hierarchy, features)).mesh;
+  features.vertices = mesh.positions;
+  add_triangles(mesh, features);
+  const EdgeTable edges = build_edge_table(mesh);
   add_directions(edges, features);
   find_corners(features);
   std::vector<FoundEdge> found = convex_edges(edges, features);

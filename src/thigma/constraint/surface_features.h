@@ -31,7 +31,7 @@ struct ConvexEdge {
   Vec3 outward = Vec3::Zero();  // sum of the normals of the faces
 };
 
-/// A ball about the vertices of a patch.
+/// A ball about a patch: that of its node.
 struct PatchBall {
   Vec3 center = Vec3::Zero();  // [m]
   double radius = 0.0;         // [m]

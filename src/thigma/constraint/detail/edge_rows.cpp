@@ -84,14 +84,14 @@ bool is_guarded(RowSearch& search, const Ends& ends, double distance, VertexSide
                 std::vector<FoundRow>& rows) noexcept {
   for (std::size_t i = 0; i < side.planes.size(); ++i) {
     const GuardPlane plane = side.planes[i];
-    const auto height = [&](const Vec3& p) { return plane.normal.dot(p) - plane.offset; };
-    const double tail = height(ends.at_tail), head = height(ends.at_head);
+    const double tail = plane.height(ends.at_tail), head = plane.height(ends.at_head);
     const auto index = static_cast<std::int32_t>(i);
     const bool keeps_tail = is_kept(search, side, ends.tail, index, tail);
     const bool keeps_head = is_kept(search, side, ends.head, index, head);
     if (!keeps_tail && !leaves_enough(search, tail, distance)) continue;
     if (!keeps_head && !leaves_enough(search, head, distance)) continue;
-    if (height(ends.other_tail) > search.rounding || height(ends.other_head) > search.rounding)
+    if (plane.height(ends.other_tail) > search.rounding ||
+        plane.height(ends.other_head) > search.rounding)
       continue;
     if (!keeps_tail) add_member(search, ends.points_of, ends.tail, index, side, rows);
     if (!keeps_head) add_member(search, ends.points_of, ends.head, index, side, rows);
@@ -132,7 +132,6 @@ FoundRow edge_row(const RowSearch& search, const PlacedPair& pair) noexcept {
   row.id = id_of(search, row.kind, pair.object, pair.scene);
   const Vec3 u = search.scene_from_object.orientation._transformVector(row.object_direction);
   found.gap = u.cross(f.direction).normalized().dot(pair.scene_tail - pair.object_tail);
-  found.body = search.body;
   return found;
 }
 
@@ -161,9 +160,9 @@ void add_end_plane(RowSearch& search, const PlacedPair& pair, RowScratch& scratc
   side.planes.push_back(plane);
   const auto index = static_cast<std::int32_t>(side.planes.size()) - 1;
   const Ends ends = is_scene_end ? scene_ends(search, pair) : object_ends(search, pair);
-  if (plane.normal.dot(ends.at_tail) - plane.offset <= search.reach.travel)
+  if (plane.height(ends.at_tail) <= search.reach.travel)
     add_member(search, ends.points_of, ends.tail, index, side, rows);
-  if (plane.normal.dot(ends.at_head) - plane.offset <= search.reach.travel)
+  if (plane.height(ends.at_head) <= search.reach.travel)
     add_member(search, ends.points_of, ends.head, index, side, rows);
 }
 
@@ -209,7 +208,7 @@ void find_planes(const RowSearch& search, std::int32_t patch, RowScratch& scratc
       if (std::find(planes.begin(), planes.end(), i) != planes.end()) continue;
       const GuardPlane& plane = side.planes[idx(i)];
       const bool is_behind = std::all_of(vertices.begin(), vertices.end(), [&](std::int32_t v) {
-        return plane.normal.dot(features.vertices[idx(v)]) - plane.offset <= search.rounding;
+        return plane.height(features.vertices[idx(v)]) <= search.rounding;
       });
       if (is_behind && planes.size() < planes.capacity()) planes.push_back(i);
     }
@@ -222,8 +221,8 @@ bool is_guarded_from_patch(const RowSearch& search, const VertexSide& side,
                            const Vec3& tail, const Vec3& head) noexcept {
   for (const std::int32_t i : planes) {
     const GuardPlane& plane = side.planes[idx(i)];
-    if (is_kept(search, side, edge.tail, i, plane.normal.dot(tail) - plane.offset) &&
-        is_kept(search, side, edge.head, i, plane.normal.dot(head) - plane.offset))
+    if (is_kept(search, side, edge.tail, i, plane.height(tail)) &&
+        is_kept(search, side, edge.head, i, plane.height(head)))
       return true;
   }
   return false;
@@ -257,6 +256,7 @@ void search_edges(RowSearch& search, const Contact& contact, const Slab& slab, R
       near_edges.push_back(k);
   }
   if (near_edges.empty()) return;
+  keep_near(a, contact.object_patch, slab.object_axis, slab.object_least, scratch.near_object);
   find_planes(search, contact.scene_patch, scratch);
   for (const std::int32_t i : part_of(a.patch_edges, a.first_edge, contact.object_patch)) {
     const ConvexEdge& e = a.edges[idx(i)];

@@ -2,27 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "thigma/core/index.h"
+#include "thigma/math/infinity.h"
 
 namespace thigma::detail {
 namespace {
 
-/// Corners of a patch at least so far along an axis.
-void keep_near(const SurfaceFeatures& features, std::int32_t patch, const Vec3& axis, double least,
-               std::vector<std::int32_t>& near) noexcept {
-  near.clear();
-  for (const std::int32_t v : part_of(features.patch_vertices, features.first_vertex, patch)) {
-    if (features.is_corner[idx(v)] != 0 && axis.dot(features.vertices[idx(v)]) >= least &&
-        near.size() < near.capacity())
-      near.push_back(v);
-  }
-}
-
 double farthest_along(const SurfaceFeatures& features, std::int32_t patch,
                       const Vec3& axis) noexcept {
-  double most = -std::numeric_limits<double>::infinity();
+  double most = -kInfinity;
   for (const std::int32_t v : part_of(features.patch_vertices, features.first_vertex, patch))
     most = std::max(most, axis.dot(features.vertices[idx(v)]));
   return most;
@@ -36,7 +25,7 @@ double size_of(const PlacedFeatures& placed) noexcept {
 
 RowSearch make_search(const BodyPair& pair, const RowReach& reach) noexcept {
   const PlacedFeatures &object = pair.object, &scene = pair.scene;
-  RowSearch search{object, scene, pair.body, reach, {}, {}, 0.0, 0.0, 0};
+  RowSearch search{.object = object, .scene = scene, .body = pair.body, .reach = reach};
   search.scene_from_object = inverse(scene.world_from_mesh) * object.world_from_mesh;
   search.object_from_scene = inverse(search.scene_from_object);
   // Coordinates are exact to 2^-52 of their size; products of a few lose a little more.
@@ -47,7 +36,7 @@ RowSearch make_search(const BodyPair& pair, const RowReach& reach) noexcept {
   return search;
 }
 
-Slab find_slab(const RowSearch& search, const Contact& contact, RowScratch& scratch) noexcept {
+Slab find_slab(const RowSearch& search, const Contact& contact) noexcept {
   const SurfaceFeatures& a = *search.object.features;
   const SurfaceFeatures& b = *search.scene.features;
   const Quat scene_from_world = search.scene.world_from_mesh.orientation.conjugate();
@@ -59,9 +48,17 @@ Slab find_slab(const RowSearch& search, const Contact& contact, RowScratch& scra
   const double scene_front = -farthest_along(b, contact.scene_patch, -slab.scene_axis);
   slab.object_least = scene_front - search.reach.travel - shift;
   slab.scene_most = object_front + search.reach.travel;
-  keep_near(a, contact.object_patch, slab.object_axis, slab.object_least, scratch.near_object);
-  keep_near(b, contact.scene_patch, -slab.scene_axis, -slab.scene_most, scratch.near_scene);
   return slab;
+}
+
+void keep_near(const SurfaceFeatures& features, std::int32_t patch, const Vec3& axis, double least,
+               std::vector<std::int32_t>& near) noexcept {
+  near.clear();
+  for (const std::int32_t v : part_of(features.patch_vertices, features.first_vertex, patch)) {
+    if (features.is_corner[idx(v)] != 0 && axis.dot(features.vertices[idx(v)]) >= least &&
+        near.size() < near.capacity())
+      near.push_back(v);
+  }
 }
 
 void add_row(RowSearch& search, std::vector<FoundRow>& rows, const FoundRow& row) noexcept {
@@ -89,7 +86,6 @@ FoundRow plane_row(const RowSearch& search, PointsOf side, std::int32_t vertex,
   ContactRow& row = found.row;
   const Pose& world_from_scene = search.scene.world_from_mesh;
   const Vec3 foot = plane.offset * plane.normal;
-  found.body = search.body;
   if (side == PointsOf::object) {
     row.kind = RowKind::scene_plane;
     row.object_point = search.object.features->vertices[idx(vertex)];
@@ -97,7 +93,7 @@ FoundRow plane_row(const RowSearch& search, PointsOf side, std::int32_t vertex,
     row.scene_point = transform_point(world_from_scene, foot);
     row.id = id_of(search, row.kind, vertex, plane.feature);
     const Vec3 point = transform_point(search.scene_from_object, row.object_point);
-    found.gap = plane.normal.dot(point) - plane.offset;
+    found.gap = plane.height(point);
   } else {
     const Vec3& point = search.scene.features->vertices[idx(vertex)];
     row.kind = RowKind::object_plane;
@@ -105,7 +101,7 @@ FoundRow plane_row(const RowSearch& search, PointsOf side, std::int32_t vertex,
     row.object_point = foot;
     row.scene_point = transform_point(world_from_scene, point);
     row.id = id_of(search, row.kind, plane.feature, vertex);
-    found.gap = plane.normal.dot(transform_point(search.object_from_scene, point)) - plane.offset;
+    found.gap = plane.height(transform_point(search.object_from_scene, point));
   }
   return found;
 }

@@ -24,17 +24,12 @@ struct RowSearch {
 
 RowSearch make_search(const BodyPair& pair, const RowReach& reach) noexcept;
 
-/// What lies within reach between two patches: of the object from object_least on along
-/// object_axis, of the scene up to scene_most along scene_axis [each mesh frame].
-struct Slab {
-  Vec3 object_axis = Vec3::Zero();
-  double object_least = 0.0;
-  Vec3 scene_axis = Vec3::Zero();
-  double scene_most = 0.0;
-};
+/// The slab of a contact along its normal.
+Slab find_slab(const RowSearch& search, const Contact& contact) noexcept;
 
-/// The slab of a contact along its normal; corners within it are put in the scratch.
-Slab find_slab(const RowSearch& search, const Contact& contact, RowScratch& scratch) noexcept;
+/// Corners of a patch at least so far along an axis.
+void keep_near(const SurfaceFeatures& features, std::int32_t patch, const Vec3& axis, double least,
+               std::vector<std::int32_t>& near) noexcept;
 
 /// Adds vertices of either patch within reach of triangles of the other that they may touch.
 void gather_vertices(RowSearch& search, const Contact& contact, const Slab& slab,

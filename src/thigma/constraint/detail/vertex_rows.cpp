@@ -57,10 +57,10 @@ void gather_side(RowSearch& search, const Sides& sides, std::int32_t patch,
                  std::vector<VertexSide::Candidate>& out) noexcept {
   const double travel = search.reach.travel;
   const SurfaceFeatures& planes = sides.planes;
+  if (vertices.empty()) return;
   const Mat3 rotation = sides.planes_from_points.orientation.toRotationMatrix();
   const Mat3 points_from_planes = rotation.transpose();
   const Vec3& shift = sides.planes_from_points.position;
-  if (vertices.empty()) return;
   for (const std::int32_t t : part_of(planes.patch_triangles, planes.first_triangle, patch)) {
     const SurfaceTriangle& triangle = planes.triangles[idx(t)];
     if (is_beyond(planes, triangle, beyond)) continue;
@@ -88,7 +88,7 @@ void gather_side(RowSearch& search, const Sides& sides, std::int32_t patch,
 bool is_behind(const SurfaceFeatures& features, const SurfaceTriangle& triangle,
                const GuardPlane& plane, double rounding) noexcept {
   for (const std::int32_t v : triangle.vertex)
-    if (plane.normal.dot(features.vertices[idx(v)]) - plane.offset > rounding) return false;
+    if (plane.height(features.vertices[idx(v)]) > rounding) return false;
   return true;
 }
 
@@ -102,7 +102,7 @@ bool is_guarded(RowSearch& search, const Sides& sides, const VertexSide::Candida
   double most = 0.0;
   for (std::size_t i = 0; i < side.planes.size(); ++i) {
     const GuardPlane& plane = side.planes[i];
-    const double height = plane.normal.dot(p) - plane.offset;
+    const double height = plane.height(p);
     const auto index = static_cast<std::int32_t>(i);
     const bool is_own = is_member(side, c.vertex, index);
     const bool would_do = is_own || leaves_enough(search, height, c.distance);
@@ -168,6 +168,10 @@ void search_side(RowSearch& search, const Sides& sides, VertexSide& side,
 
 void gather_vertices(RowSearch& search, const Contact& contact, const Slab& slab,
                      RowScratch& scratch) noexcept {
+  keep_near(*search.object.features, contact.object_patch, slab.object_axis, slab.object_least,
+            scratch.near_object);
+  keep_near(*search.scene.features, contact.scene_patch, -slab.scene_axis, -slab.scene_most,
+            scratch.near_scene);
   gather_side(search, sides_of(search, PointsOf::object), contact.scene_patch, scratch.near_object,
               {slab.scene_axis, slab.scene_most}, scratch.object.candidates);
   gather_side(search, sides_of(search, PointsOf::scene), contact.object_patch, scratch.near_scene,
