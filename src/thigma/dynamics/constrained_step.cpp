@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "thigma/dynamics/implicit_step.h"
+#include "thigma/math/infinity.h"
 #include "thigma/math/rotation.h"
 
 namespace thigma {
@@ -27,7 +27,7 @@ double limit_of(double gap, const ConstraintParams& params, double dt) THIGMA_RT
 double evaluate(const StepBounds& bounds, const BodyState& state, const Mat3& rotation,
                 VelocityRows& rows) THIGMA_RT {
   const ConstraintModel& model = bounds.model;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   rows.count = static_cast<int>(model.rows.size());
   for (std::size_t i = 0; i < model.rows.size(); ++i) {
     const RowAtState at = row_at(model.rows[i], state.position, rotation);
@@ -50,48 +50,26 @@ Mat3 world_inertia(const BodyAtState& at) THIGMA_RT {
   return rotation * at.body.inertia * rotation.transpose();
 }
 
-BodyState moved(const BodyState& state, const Mat3& inertia, double mass, const Vec6& velocity,
-                double dt) THIGMA_RT {
-  BodyState next;
-  const Vec3 linear = velocity.head<3>(), angular = velocity.tail<3>();
-  next.linear_momentum = mass * linear;
-  next.angular_momentum = inertia * angular;
-  next.position = state.position + dt * linear;
-  next.orientation = unit(rotation_from_vector(dt * angular) * state.orientation);
-  return next;
-}
-
-}  // namespace
-
-Mat6 step_metric(const BodyAtState& at, const WrenchJacobian& jacobian, double dt) THIGMA_RT {
-  const RigidBody& body = at.body;
-  const Mat3 inertia = world_inertia(at);
-  Mat6 metric = Mat6::Zero();
-  metric.topLeftCorner<3, 3>() = body.mass * Mat3::Identity();
-  metric.bottomRightCorner<3, 3>() = inertia;
-  metric.leftCols<3>() -= dt * body.mass * jacobian.middleCols<3>(7);
-  metric.rightCols<3>() -= dt * jacobian.rightCols<3>() * inertia;
-  metric.leftCols<3>() -= dt * dt * jacobian.leftCols<3>();
-  metric.rightCols<3>() -= dt * dt * jacobian.middleCols<4>(3) * rate_matrix(at.state.orientation);
-  const Mat6 transposed = metric.transpose();
-  return 0.5 * (metric + transposed);
-}
-
-namespace {
-
 /// What a step works on.
 struct StepWork {
-  const RigidBody& body;
-  const BodyState& state;  // before
-  const ConstraintModel& model;
-  const ConstraintParams& params;
+  const BodyAtState& at;  // before
+  const StepBounds& bounds;
   Mat3 inertia;  // [world]
-  double dt;
 
   BodyState after(const Vec6& velocity) const THIGMA_RT {
-    return moved(state, inertia, body.mass, velocity, dt);
+    BodyState next;
+    const Vec3 linear = velocity.head<3>(), angular = velocity.tail<3>();
+    next.linear_momentum = at.body.mass * linear;
+    next.angular_momentum = inertia * angular;
+    next.position = at.state.position + bounds.dt * linear;
+    next.orientation = unit(rotation_from_vector(bounds.dt * angular) * at.state.orientation);
+    return next;
   }
 };
+
+bool is_beyond(const ConstraintModel& model, const BodyState& state) THIGMA_RT {
+  return travel_between(model.state, state, model.reach) > model.travel;
+}
 
 void recall(const ConstraintModel& model, const RowMemory& memory,
             RowImpulses& impulses) THIGMA_RT {
@@ -121,26 +99,33 @@ void keep(const ConstraintModel& model, const RowImpulses& impulses, RowMemory& 
 }
 
 double least_gap(const ConstraintModel& model, const BodyState& state) THIGMA_RT {
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   const Mat3 rotation = rotation_matrix(state.orientation);
   for (const ContactRow& row : model.rows)
     least = std::min(least, row_at(row, state.position, rotation).gap);
   return least;
 }
 
-/// Limits lower by what turning made of the gaps beyond their linear change. Returns whether some
-/// gap comes to less than half of what is kept.
-bool correct_limits(const StepWork& work, const BodyState& after, VelocityRows& rows) THIGMA_RT {
+/// How the rows stand after a step.
+struct GapsAfter {
+  double least = kInfinity;  // [m]
+  bool is_short = false;     // a gap that was kept comes to less than half of what is kept
+};
+
+/// Gaps after a step; limits are lowered by what turning made of them beyond their linear change.
+GapsAfter correct_limits(const StepBounds& bounds, const BodyState& after,
+                         VelocityRows& rows) THIGMA_RT {
+  GapsAfter gaps;
   const Mat3 rotation = rotation_matrix(after.orientation);
-  const double slop = work.params.slop;
-  bool is_short = false;
-  for (std::size_t i = 0; i < work.model.rows.size(); ++i) {
-    const double gap = row_at(work.model.rows[i], after.position, rotation).gap;
+  const double slop = bounds.params.slop;
+  for (std::size_t i = 0; i < bounds.model.rows.size(); ++i) {
+    const double gap = row_at(bounds.model.rows[i], after.position, rotation).gap;
+    gaps.least = std::min(gaps.least, gap);
     if (gap >= slop || rows.limit[i] <= 0.0) continue;
-    is_short = is_short || gap < 0.5 * slop;
-    rows.limit[i] = std::max(rows.limit[i] - (slop - gap) / work.dt, 0.0);
+    gaps.is_short = gaps.is_short || gap < 0.5 * slop;
+    rows.limit[i] = std::max(rows.limit[i] - (slop - gap) / bounds.dt, 0.0);
   }
-  return is_short;
+  return gaps;
 }
 
 /// Solves; where rows to recover along contradict each other, again with those at rest.
@@ -158,29 +143,40 @@ Vec6 solve(const Mat6& metric, const Vec6& free, VelocityRows& rows, RowImpulses
   return result.solution.active == 0 ? free : result.solution.velocity;
 }
 
-/// The largest share of a step, to 2^-12, that ends within the travel and with no gap closed.
-double share_within(const StepWork& work, const Vec6& velocity, double least_before) THIGMA_RT {
-  const double least = std::min(least_before, 0.0);
+/// The largest share of a step, to 2^-12, that ends within the travel and with no gap below `least`.
+double share_within(const StepWork& work, const Vec6& velocity, double least) THIGMA_RT {
+  const ConstraintModel& model = work.bounds.model;
   double inside = 0.0, outside = 1.0;
   for (int turn = 0; turn < 12; ++turn) {
     const double middle = 0.5 * (inside + outside);
     const BodyState y = work.after(middle * velocity);
-    const bool is_within =
-        travel_between(work.model.state, y, work.model.reach) <= work.model.travel &&
-        least_gap(work.model, y) >= least;
-    (is_within ? inside : outside) = middle;
+    (!is_beyond(model, y) && least_gap(model, y) >= least ? inside : outside) = middle;
   }
   return inside;
 }
 
 }  // namespace
 
+Mat6 step_metric(const BodyAtState& at, const WrenchJacobian& jacobian, double dt) THIGMA_RT {
+  const RigidBody& body = at.body;
+  const Mat3 inertia = world_inertia(at);
+  Mat6 metric = Mat6::Zero();
+  metric.topLeftCorner<3, 3>() = body.mass * Mat3::Identity();
+  metric.bottomRightCorner<3, 3>() = inertia;
+  metric.leftCols<3>() -= dt * body.mass * jacobian.middleCols<3>(7);
+  metric.rightCols<3>() -= dt * jacobian.rightCols<3>() * inertia;
+  metric.leftCols<3>() -= dt * dt * jacobian.leftCols<3>();
+  metric.rightCols<3>() -= dt * dt * jacobian.middleCols<4>(3) * rate_matrix(at.state.orientation);
+  const Mat6 transposed = metric.transpose();
+  return 0.5 * (metric + transposed);
+}
+
 ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces,
                                  const StepBounds& bounds, RowMemory& memory) THIGMA_RT {
   ConstrainedStep result;
-  const auto& [model, params, dt] = bounds;
-  const BodyState& state = at.state;
-  const StepWork work{at.body, state, model, params, world_inertia(at), dt};
+  const ConstraintModel& model = bounds.model;
+  const double dt = bounds.dt;
+  const StepWork work{at, bounds, world_inertia(at)};
   const BodyState unbound = implicit_step(at, forces.wrench, forces.jacobian, dt);
   Vec6 free;
   free << unbound.linear_momentum / at.body.mass,
@@ -189,28 +185,27 @@ ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces
   VelocityRows rows;
   RowImpulses impulses;
   recall(model, memory, impulses);
-  result.least_gap = evaluate(bounds, state, at.kinematics.rotation, rows);
+  result.least_gap = evaluate(bounds, at.state, at.kinematics.rotation, rows);
   // A model that came after the object had left its travel: its rows say nothing here, and the
   // object waits for the next.
-  if (travel_between(model.state, state, model.reach) > model.travel)
-    result.least_gap = std::numeric_limits<double>::infinity();
+  if (is_beyond(model, at.state)) result.least_gap = kInfinity;
   const Mat6 metric = step_metric(at, forces.jacobian, dt);
   Vec6 velocity = solve(metric, free, rows, impulses, result);
   result.state = velocity == free ? unbound : work.after(velocity);
-  if (correct_limits(work, result.state, rows)) {
+  GapsAfter gaps = correct_limits(bounds, result.state, rows);
+  if (gaps.is_short) {
     velocity = solve(metric, free, rows, impulses, result);
     result.state = work.after(velocity);
+    gaps.least = least_gap(model, result.state);
   }
   keep(model, impulses, memory);
   result.contact = {result.solution.impulse.head<3>() / dt, result.solution.impulse.tail<3>() / dt};
-  result.wanted_speed = travel_between(state, result.state, model.reach) / dt;
+  result.wanted_speed = travel_between(at.state, result.state, model.reach) / dt;
 
-  const bool is_beyond = travel_between(model.state, result.state, model.reach) > model.travel;
+  result.is_held_back = is_beyond(model, result.state);
   const double least = std::min(result.least_gap, 0.0);
-  if (is_beyond || (!model.rows.empty() && least_gap(model, result.state) < least)) {
-    result.is_held_back = is_beyond;
-    result.state = work.after(share_within(work, velocity, result.least_gap) * velocity);
-  }
+  if (result.is_held_back || gaps.least < least)
+    result.state = work.after(share_within(work, velocity, least) * velocity);
   return result;
 }
 

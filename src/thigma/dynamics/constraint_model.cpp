@@ -1,9 +1,8 @@
 #include "thigma/dynamics/constraint_model.h"
 
 #include <cmath>
-#include <limits>
 
-#include "thigma/math/rotation.h"
+#include "thigma/math/infinity.h"
 
 namespace thigma {
 namespace {
@@ -18,7 +17,7 @@ RowAtState edges_at(const ContactRow& row, const Vec3& position, const Mat3& rot
   const Vec3 arm = rotation * row.object_point;
   at.arm = arm;
   if (!(square > 0.0)) {
-    at.gap = std::numeric_limits<double>::infinity();
+    at.gap = kInfinity;
     return at;
   }
   at.normal = cross / std::sqrt(square);

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "thigma/core/index.h"
+#include "thigma/math/infinity.h"
+
 namespace thigma {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMaxRounds = 100;      // rows taken in; a few are usual
 constexpr int kMaxSweeps = 60;       // over the cones
 constexpr double kAccuracy = 1e-10;  // of the free speed
@@ -50,22 +52,21 @@ struct WhiteRows {
 
   Vec6 row(int i) const THIGMA_RT {
     Vec6 g;
-    for (int k = 0; k < 6; ++k) g[k] = gradient[static_cast<std::size_t>(k)][idx(i)];
+    for (int k = 0; k < 6; ++k) g[k] = gradient[idx(k)][idx(i)];
     return g;
   }
   double excess(int i, const Vec6& y) const THIGMA_RT { return row(i).dot(y) - limit[idx(i)]; }
-  static std::size_t idx(int i) THIGMA_RT { return static_cast<std::size_t>(i); }
 };
 
 void whiten(const VelocityRows& rows, const Mat6& inverse, WhiteRows& white) THIGMA_RT {
   white.count = rows.count;
   for (int i = 0; i < rows.count; ++i) {
-    const std::size_t r = WhiteRows::idx(i);
+    const std::size_t r = idx(i);
     double square = 0.0;
     for (int k = 0; k < 6; ++k) {
       double sum = 0.0;
-      for (int m = 0; m <= k; ++m) sum += inverse(k, m) * rows.gradient[WhiteRows::idx(m)][r];
-      white.gradient[WhiteRows::idx(k)][r] = sum;
+      for (int m = 0; m <= k; ++m) sum += inverse(k, m) * rows.gradient[idx(m)][r];
+      white.gradient[idx(k)][r] = sum;
       square += sum * sum;
     }
     const double length = std::sqrt(square);
@@ -85,7 +86,7 @@ Violation most_violated(const WhiteRows& rows, const Vec6& y, double accuracy) T
   Violation worst{-1, accuracy};
   const auto& g = rows.gradient;
   for (int i = 0; i < rows.count; ++i) {
-    const std::size_t r = WhiteRows::idx(i);
+    const std::size_t r = idx(i);
     const double excess = g[0][r] * y[0] + g[1][r] * y[1] + g[2][r] * y[2] + g[3][r] * y[3] +
                           g[4][r] * y[4] + g[5][r] * y[5] - rows.limit[r];
     if (excess > worst.excess) worst = {i, excess};
@@ -102,7 +103,7 @@ struct ActiveRows {
   std::array<std::array<double, kMaxActive>, kMaxActive> upper{};
 
   void orthonormalize() THIGMA_RT {
-    for (std::size_t j = 0; j < WhiteRows::idx(count); ++j) {
+    for (std::size_t j = 0; j < idx(count); ++j) {
       Vec6 rest = direction[j];
       std::array<double, kMaxActive> along{};
       for (int pass = 0; pass < 2; ++pass) {  // twice is enough
@@ -119,7 +120,7 @@ struct ActiveRows {
   }
 
   void add(int index, const Vec6& gradient, double by) THIGMA_RT {
-    const std::size_t n = WhiteRows::idx(count++);
+    const std::size_t n = idx(count++);
     row[n] = index;
     direction[n] = gradient;
     multiplier[n] = by;
@@ -129,7 +130,7 @@ struct ActiveRows {
   void remove(int at) THIGMA_RT {
     --count;
     for (int i = at; i < count; ++i) {
-      const std::size_t to = WhiteRows::idx(i);
+      const std::size_t to = idx(i);
       row[to] = row[to + 1];
       direction[to] = direction[to + 1];
       multiplier[to] = multiplier[to + 1];
@@ -149,7 +150,7 @@ Direction direction_of(const ActiveRows& active, const Vec6& gradient) THIGMA_RT
   Direction d;
   d.step = gradient;
   std::array<double, kMaxActive> along{};
-  const std::size_t n = WhiteRows::idx(active.count);
+  const std::size_t n = idx(active.count);
   for (int pass = 0; pass < 2; ++pass) {
     for (std::size_t i = 0; i < n; ++i) {
       const double part = active.basis[i].dot(d.step);
@@ -173,20 +174,20 @@ bool take_in(const WhiteRows& rows, int row, Vec6& y, ActiveRows& active) THIGMA
   double multiplier = 0.0;
   for (int turn = 0; turn <= 2 * kMaxActive; ++turn) {
     const Direction d = direction_of(active, gradient);
-    const double excess = gradient.dot(y) - rows.limit[WhiteRows::idx(row)];
+    const double excess = gradient.dot(y) - rows.limit[idx(row)];
     const double whole = d.square > 0.0 ? std::max(excess, 0.0) / d.square : kInfinity;
     double partial = kInfinity;
     int leaves = -1;
     for (int i = 0; i < active.count; ++i) {
-      const double relief = d.relief[WhiteRows::idx(i)];
+      const double relief = d.relief[idx(i)];
       if (!(relief > 0.0)) continue;
-      const double until = active.multiplier[WhiteRows::idx(i)] / relief;
+      const double until = active.multiplier[idx(i)] / relief;
       if (until < partial) partial = until, leaves = i;
     }
     const double length = std::min(whole, partial);
     if (!(length < kInfinity)) return false;
     for (int i = 0; i < active.count; ++i) {
-      const std::size_t k = WhiteRows::idx(i);
+      const std::size_t k = idx(i);
       active.multiplier[k] = std::max(active.multiplier[k] - length * d.relief[k], 0.0);
     }
     multiplier += length;
@@ -215,7 +216,7 @@ Nearest nearest_point(const WhiteRows& rows, const Vec6& target, const RowImpuls
   for (; result.rounds < kMaxRounds; ++result.rounds) {
     Violation next{-1, accuracy};
     for (int i = 0; i < warm.active_count; ++i) {
-      const int row = warm.active[WhiteRows::idx(i)];
+      const int row = warm.active[idx(i)];
       if (row >= rows.count) continue;
       const double excess = rows.excess(row, result.y);
       if (excess > next.excess) next = {row, excess};
@@ -253,10 +254,10 @@ Vec6 generalized(const Mat6& inverse, const Vec3& arm, const Vec3& direction) TH
 void add_cone(const VelocityRows& rows, const WhiteRows& white, const Mat6& inverse, int row,
               const RowImpulses& warm, Cones& cones) THIGMA_RT {
   for (int i = 0; i < cones.count; ++i)
-    if (cones.cone[WhiteRows::idx(i)].row == row) return;
+    if (cones.cone[idx(i)].row == row) return;
   if (cones.count == static_cast<int>(cones.cone.size())) return;
-  Cone& c = cones.cone[WhiteRows::idx(cones.count++)];
-  const std::size_t r = WhiteRows::idx(row);
+  Cone& c = cones.cone[idx(cones.count++)];
+  const std::size_t r = idx(row);
   c.row = row;
   c.friction = rows.friction[r];
   c.normal = white.row(row);
@@ -275,15 +276,14 @@ void add_cone(const VelocityRows& rows, const WhiteRows& white, const Mat6& inve
 /// One cone brought to where its row neither gives way nor leaves Coulomb's law; returns how far y
 /// moved.
 double project(const WhiteRows& white, Cone& c, Vec6& y) THIGMA_RT {
-  const double press =
-      std::max(0.0, c.press + c.normal.dot(y) - white.limit[WhiteRows::idx(c.row)]);
+  const double press = std::max(0.0, c.press + c.normal.dot(y) - white.limit[idx(c.row)]);
   double moved = std::fabs(press - c.press);
   y -= (press - c.press) * c.normal;
   c.press = press;
   if (!(c.friction > 0.0)) return moved;
   double first = c.hold_first + c.first.dot(y) / c.tangent_square;
   double second = c.hold_second + c.second.dot(y) / c.tangent_square;
-  const double most = c.friction * press / white.length[WhiteRows::idx(c.row)];
+  const double most = c.friction * press / white.length[idx(c.row)];
   const double size = std::sqrt(first * first + second * second);
   if (size > most) {
     first *= most / size;
@@ -302,7 +302,7 @@ int solve_cones(const VelocityRows& rows, const WhiteRows& white, const Mat6& in
                 Cones& cones) THIGMA_RT {
   Vec6 y = target;
   for (int i = 0; i < cones.count; ++i) {
-    const Cone& c = cones.cone[WhiteRows::idx(i)];
+    const Cone& c = cones.cone[idx(i)];
     y -= c.press * c.normal + c.hold_first * c.first + c.hold_second * c.second;
   }
   int sweeps = 0;
@@ -311,7 +311,7 @@ int solve_cones(const VelocityRows& rows, const WhiteRows& white, const Mat6& in
     while (moved > accuracy && sweeps < kMaxSweeps) {
       moved = 0.0;
       for (int i = 0; i < cones.count; ++i)
-        moved = std::max(moved, project(white, cones.cone[WhiteRows::idx(i)], y));
+        moved = std::max(moved, project(white, cones.cone[idx(i)], y));
       ++sweeps;
     }
     const Violation next = most_violated(white, y, 100.0 * accuracy);
@@ -319,7 +319,7 @@ int solve_cones(const VelocityRows& rows, const WhiteRows& white, const Mat6& in
     const int before = cones.count;
     add_cone(rows, white, inverse, next.row, warm, cones);
     if (cones.count == before) break;
-    Cone& c = cones.cone[WhiteRows::idx(before)];
+    Cone& c = cones.cone[idx(before)];
     c.press = c.hold_first = c.hold_second = 0.0;  // y does not hold them
   }
   return sweeps;
@@ -330,7 +330,7 @@ int solve_cones(const VelocityRows& rows, const WhiteRows& white, const Mat6& in
 Vec6 friction_pull(const Cones& cones, double scale) THIGMA_RT {
   Vec6 pull = Vec6::Zero();
   for (int i = 0; i < cones.count; ++i) {
-    const Cone& c = cones.cone[WhiteRows::idx(i)];
+    const Cone& c = cones.cone[idx(i)];
     pull += scale * (c.hold_first * c.first + c.hold_second * c.second);
   }
   return pull;
@@ -340,11 +340,11 @@ double allowed_share(const VelocityRows& rows, const WhiteRows& white, const Nea
                      const Cones& cones) THIGMA_RT {
   double held = 0.0, allowed = 0.0;
   for (int i = 0; i < cones.count; ++i) {
-    const Cone& c = cones.cone[WhiteRows::idx(i)];
+    const Cone& c = cones.cone[idx(i)];
     held += std::sqrt(c.hold_first * c.hold_first + c.hold_second * c.hold_second);
   }
   for (int i = 0; i < nearest.active.count; ++i) {
-    const std::size_t k = WhiteRows::idx(i), r = WhiteRows::idx(nearest.active.row[k]);
+    const std::size_t k = idx(i), r = idx(nearest.active.row[k]);
     allowed += rows.friction[r] * nearest.active.multiplier[k] / white.length[r];
   }
   constexpr double kRounding = 1e-6;
@@ -353,24 +353,23 @@ double allowed_share(const VelocityRows& rows, const WhiteRows& white, const Nea
 
 bool has_friction(const VelocityRows& rows) THIGMA_RT {
   for (int i = 0; i < rows.count; ++i)
-    if (rows.friction[WhiteRows::idx(i)] > 0.0) return true;
+    if (rows.friction[idx(i)] > 0.0) return true;
   return false;
 }
 
 void keep_impulses(const WhiteRows& white, const Nearest& nearest, const Cones& cones, double scale,
                    RowImpulses& impulses) THIGMA_RT {
-  std::fill_n(impulses.normal.begin(), WhiteRows::idx(white.count), 0.0);
-  std::fill_n(impulses.tangential.begin(), WhiteRows::idx(white.count),
-              std::array<double, 2>{0.0, 0.0});
+  std::fill_n(impulses.normal.begin(), idx(white.count), 0.0);
+  std::fill_n(impulses.tangential.begin(), idx(white.count), std::array<double, 2>{0.0, 0.0});
   impulses.active_count = nearest.active.count;
   for (int i = 0; i < nearest.active.count; ++i) {
-    const std::size_t k = WhiteRows::idx(i), r = WhiteRows::idx(nearest.active.row[k]);
+    const std::size_t k = idx(i), r = idx(nearest.active.row[k]);
     impulses.active[k] = nearest.active.row[k];
     if (cones.count == 0) impulses.normal[r] = nearest.active.multiplier[k] / white.length[r];
   }
   for (int i = 0; i < cones.count; ++i) {
-    const Cone& c = cones.cone[WhiteRows::idx(i)];
-    const std::size_t r = WhiteRows::idx(c.row);
+    const Cone& c = cones.cone[idx(i)];
+    const std::size_t r = idx(c.row);
     impulses.normal[r] = c.press / white.length[r];
     impulses.tangential[r] = {scale * c.hold_first, scale * c.hold_second};
   }
@@ -392,10 +391,9 @@ RowSolution solve_rows(const Mat6& metric, const Vec6& free, const VelocityRows&
   double scale = 1.0;
   if (nearest.active.count > 0 && has_friction(rows)) {
     for (int i = 0; i < rows.count; ++i)
-      if (impulses.normal[WhiteRows::idx(i)] > 0.0)
-        add_cone(rows, white, f.inverse, i, impulses, cones);
+      if (impulses.normal[idx(i)] > 0.0) add_cone(rows, white, f.inverse, i, impulses, cones);
     for (int i = 0; i < nearest.active.count; ++i)
-      add_cone(rows, white, f.inverse, nearest.active.row[WhiteRows::idx(i)], impulses, cones);
+      add_cone(rows, white, f.inverse, nearest.active.row[idx(i)], impulses, cones);
     solution.sweeps = solve_cones(rows, white, f.inverse, target, impulses, accuracy, cones);
     solution.rounds = nearest.rounds;
     nearest = nearest_point(white, target - friction_pull(cones, 1.0), impulses, accuracy);
@@ -410,7 +408,7 @@ RowSolution solve_rows(const Mat6& metric, const Vec6& free, const VelocityRows&
   solution.velocity = f.inverse.transpose() * nearest.y;
   solution.impulse = f.lower * (nearest.y - target);
   for (int i = 0; i < rows.count; ++i) {
-    const double excess = white.excess(i, nearest.y) * white.length[WhiteRows::idx(i)];
+    const double excess = white.excess(i, nearest.y) * white.length[idx(i)];
     if (std::isfinite(excess)) solution.residual = std::max(solution.residual, excess);
   }
   return solution;
