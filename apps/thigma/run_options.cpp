@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "thigma/core/error.h"
+#include "thigma/scene/scene_description.h"
 
 namespace thigma::app {
 
@@ -73,8 +74,7 @@ std::string check_run_options(const RunOptions& o) {
   // As of solver.rate in a scene: more slowly, a contact model is too old before the next frame.
   if (o.rate && !(*o.rate >= 50.0 && *o.rate <= 20000.0)) return "--rate must be 50 to 20000 Hz";
   if (o.spin && !(*o.spin >= 0.0 && *o.spin <= 20000.0)) return "--spin must be 0 to 20000 us";
-  if (!o.response.empty() && o.response != "penalty" && o.response != "coupled" &&
-      o.response != "direct" && o.response != "constraint")
+  if (!o.response.empty() && !response_of(o.response))
     return "--response is penalty (or coupled, its older name), constraint or direct";
   Resolution resolution;
   const std::string wrong = apply(o.resolution, resolution);

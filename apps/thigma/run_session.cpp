@@ -26,10 +26,7 @@ void apply_options(const RunOptions& options, SceneDescription& scene) {
   if (options.rate) scene.rate = *options.rate;
   apply(options.resolution, scene.contact.resolution);
   if (options.has_no_blend) scene.contact.resolution.interpolates = false;
-  if (!options.response.empty())
-    scene.contact.response = options.response == "direct"       ? ResponseKind::direct
-                             : options.response == "constraint" ? ResponseKind::constrained
-                                                                : ResponseKind::coupled;
+  if (const auto response = response_of(options.response)) scene.contact.response = *response;
   if (options.is_passive) scene.is_passive = true;
   if (options.scene.empty()) scene.simulation.reset();  // somebody holds it
   if (options.texture == "on" && !has_relief(scene))

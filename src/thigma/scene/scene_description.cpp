@@ -140,6 +140,12 @@ DefaultGains default_gains(double radius) {
   return gains;
 }
 
+std::optional<ResponseKind> response_of(const std::string& name) {
+  for (const ResponseName& known : kResponseNames)
+    if (name == known.name) return known.kind;
+  return std::nullopt;
+}
+
 SessionConfig make_session_config(const SceneDescription& given, const ObjectMeasure& object) {
   const Solid solid = solid_of(object);
   const DefaultGains gains = default_gains(object.ball.radius);

@@ -31,6 +31,21 @@ struct SceneObject {
   bool has_relief() const { return is_textured || !level_textures.empty(); }
 };
 
+/// A response by the name that scenes and --response have for it.
+struct ResponseName {
+  const char* name;
+  ResponseKind kind;
+};
+inline constexpr ResponseName kResponseNames[] = {
+    {"penalty", ResponseKind::coupled},
+    {"coupled", ResponseKind::coupled},  // its older name
+    {"direct", ResponseKind::direct},
+    {"constraint", ResponseKind::constrained},
+};
+
+/// Response of a name, none for another word. Thread [offline].
+std::optional<ResponseKind> response_of(const std::string& name);
+
 /// Contact response. What is not set follows from the object's size, default_gains.
 struct ContactGains {
   std::optional<double> stiffness;      // k [N/m]

@@ -154,12 +154,10 @@ void read_contact(TomlTable table, ContactGains& contact) {
   contact.distributes_wide_contacts =
       table.truth("spread").value_or(contact.distributes_wide_contacts);
   read_resolution(table, contact.resolution);
-  if (const auto response =
-          table.choice("response", {"penalty", "coupled", "direct", "constraint"})) {
-    constexpr ResponseKind kKinds[] = {ResponseKind::coupled, ResponseKind::coupled,
-                                       ResponseKind::direct, ResponseKind::constrained};
-    contact.response = kKinds[*response];
-  }
+  std::vector<std::string> responses;
+  for (const ResponseName& known : kResponseNames) responses.emplace_back(known.name);
+  if (const auto response = table.choice("response", responses))
+    contact.response = kResponseNames[*response].kind;
   contact.friction = table.number("friction", Range::not_negative).value_or(contact.friction);
   if (contact.damping && contact.damping_ratio) {
     table.fail("damping_ratio", "stands beside damping", "expected one of the two");
