@@ -43,7 +43,8 @@ void query_scene(const PlacedHierarchy& object, std::span<const SceneBody> bodie
 }
 
 double unreported_separation(const ContactFront& front) noexcept {
-  if (front.tolerance < 0.0 || front.has_levels) return front.tolerance < 0.0 ? kInfinity : 0.0;
+  if (front.tolerance < 0.0) return kInfinity;
+  if (front.has_levels) return 0.0;
   if (!front.exact.saturated.empty()) return front.tolerance;
   float first = std::numeric_limits<float>::infinity();
   for (std::int32_t i = 0; i < front.used; ++i) {
