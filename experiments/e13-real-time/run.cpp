@@ -120,7 +120,7 @@ Outcome run_e13_real_time(const Context& context) {
   for (const char* of : {"late", "empty loop late", "frame", "compute", "step CPU"}) {
     for (const std::string& name : quantile_columns(of)) outcome.tables[1].columns.push_back(name);
   }
-  outcome.figure = {.title = "Haptic rates from 500 Hz to 10 kHz (PROTOCOLS E13)",
+  outcome.figure = {.title = "Haptic rates from 500 Hz to 10 kHz (protocol E13)",
                     .note = "on this machine, with whatever else ran on it",
                     .panels = {{.title = "virtual clock",
                                 .x = {.label = "log10 rate [Hz]"},

@@ -144,7 +144,7 @@ Outcome run_e2_force_quality(const Context& context) {
   Outcome outcome;
   outcome.tables = {{.columns = {"scene", "magnitude error", "direction error [deg]",
                                  "largest torque error", "largest step", "scale"}}};
-  outcome.figure = {.title = "Force on analytic scenes (PROTOCOLS E2)",
+  outcome.figure = {.title = "Force on analytic scenes (protocol E2)",
                     .note = "for stiffness 1: force as a length",
                     .panels = {{.x = {.label = "frame"}, .y = {.label = "force [mm]"}}},
                     .panel_height = 420};

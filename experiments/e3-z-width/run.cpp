@@ -213,7 +213,7 @@ Outcome run_e3_z_width(const Context& context) {
   outcome.tables = {{.columns = {"device", "period [s]", "delay [s]", "held", "B [N s/m]",
                                  "largest stable K [N/m]"}}};
   outcome.figure = {
-      .title = "Z-width (PROTOCOLS E3)",
+      .title = "Z-width (protocol E3)",
       .note =
           "two-sided wall on 0.1 kg; one-sided walls under 2 N at 1 kHz; coupling of the "
           "engine in the simulated hand",

@@ -96,7 +96,7 @@ Outcome run_e4_passivity(const Context& context) {
                    "least energy as sensed [J]", "energy at the end [J]", "share of frames changed",
                    "share of the wrench sent", "largest damping [N s/m]", "largest force [N]",
                    "rms force [N]", "penetration [m]", "fault"}}};
-  outcome.figure = {.title = "Energy put in at the device's port (PROTOCOLS E4)",
+  outcome.figure = {.title = "Energy put in at the device's port (protocol E4)",
                     .note = "true motion of the simulated handle; gains as `tune` proposes them"};
   double least = 0.0, least_own = 0.0, least_controlled = 0.0,
          least_gain = std::numeric_limits<double>::infinity();

@@ -148,7 +148,7 @@ Outcome run_e5_free_space(const Context&) {
                    "largest force [N]"}},
       {.name = "apparent_mass",
        .columns = {"mass [kg]", "frequency [Hz]", "apparent mass [kg]", "analytic [kg]"}}};
-  outcome.figure = {.title = "Free space (PROTOCOLS E5)",
+  outcome.figure = {.title = "Free space (protocol E5)",
                     .panels = {{.x = {.label = "mass [g]", .is_log = true},
                                 .y = {.label = "largest deviation [mm]", .is_log = true}},
                                {.x = {.label = "frequency [Hz]", .is_log = true},

@@ -132,7 +132,7 @@ Outcome run_e6_impact(const Context& context) {
                                  "overshoot", "settling [s]", "penetration [m]",
                                  "rate-hardness [N/m]", "restitution", "latency [frames]"}},
                     {.name = "taps", .columns = {"tap", "largest force [N]"}}};
-  outcome.figure = {.title = "Steps into a wall (PROTOCOLS E6)",
+  outcome.figure = {.title = "Steps into a wall (protocol E6)",
                     .note = "10 g, k_c = 480 N/m, k = 6 kN/m, 1 kHz; handle moved, not held",
                     .panels = {{.x = {.label = "time since the tolerance [ms]"},
                                 .y = {.label = "coupling force [N]"}},
