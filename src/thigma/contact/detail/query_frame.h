@@ -82,6 +82,19 @@ inline double slack_of(QueryFrame& frame, FrontNode& node) noexcept {
   return std::max(slack, s.distance - rounding - reach);
 }
 
+/// Measures the finest patches of a leaf pair.
+inline PatchPair measure_leaf_pair(QueryFrame& frame, FrontNode& node,
+                                   const SegmentProbe& probe) noexcept {
+  ++frame.set.stats.tests;
+  return measure_patches({.a = hull_view(frame.object, node.a),
+                          .b = hull_view(frame.scene, node.b),
+                          .a_from_b = frame.pose,
+                          .tolerance = frame.query.tolerance,
+                          .keeps_direction = frame.query.keep_directions,
+                          .probe = probe},
+                         node, frame.set.stats);
+}
+
 inline bool is_before(const Contact& x, const Contact& y) noexcept {
   return x.object_patch != y.object_patch ? x.object_patch < y.object_patch
                                           : x.scene_patch < y.scene_patch;

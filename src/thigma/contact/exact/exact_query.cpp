@@ -19,14 +19,7 @@ struct ExactQuery {
 // Measures a leaf pair, reports it when it is a contact, returns its slack (<= 0 for a contact).
 double measure_leaf(const ExactQuery& exact, FrontNode& node) noexcept {
   QueryFrame& frame = exact.frame;
-  ++frame.set.stats.tests;
-  const PatchPair pair = measure_patches({.a = hull_view(frame.object, node.a),
-                                          .b = hull_view(frame.scene, node.b),
-                                          .a_from_b = frame.pose,
-                                          .tolerance = frame.query.tolerance,
-                                          .keeps_direction = frame.query.keep_directions,
-                                          .probe = exact.probe},
-                                         node, frame.set.stats);
+  const PatchPair pair = measure_leaf_pair(frame, node, exact.probe);
   if (pair.status == PairContactStatus::apart) return -pair.depth - frame.query.tolerance;
   report(frame, make_contact(frame, node, pair));
   return 0.0;

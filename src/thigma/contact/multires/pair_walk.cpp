@@ -30,14 +30,7 @@ bool is_open(MultiresQuery& query, FrontNode& node, std::int32_t i) noexcept {
 
 PatchPair measure_finest(MultiresQuery& query, FrontNode& node, std::int32_t i) noexcept {
   QueryFrame& frame = query.frame;
-  ++frame.set.stats.tests;
-  const PatchPair pair = measure_patches({.a = hull_view(frame.object, node.a),
-                                          .b = hull_view(frame.scene, node.b),
-                                          .a_from_b = frame.pose,
-                                          .tolerance = frame.query.tolerance,
-                                          .keeps_direction = frame.query.keep_directions,
-                                          .probe = crossing_probe(query.crossing)},
-                                         node, frame.set.stats);
+  const PatchPair pair = measure_leaf_pair(frame, node, crossing_probe(query.crossing));
   node.decision = FrontNode::Decision::unknown;
   if (pair.status == PairContactStatus::apart)
     end_apart(query, node, i, -pair.depth - frame.query.tolerance);
