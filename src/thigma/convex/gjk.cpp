@@ -132,7 +132,7 @@ struct Limits {
 enum class Verdict : std::uint8_t { goes_on, optimal, stalled, overlapping, far_enough };
 
 // Bounds of the distance, times v's length.
-struct Bounds {
+struct DistanceBounds {
   double low = 0.0;  // v . w of the support point w
   double gap = 0.0;  // upper minus lower
 };
@@ -140,7 +140,7 @@ struct Bounds {
 // One turn: nearest point, proofs that it is the answer, else the support point as a candidate
 // (already in turn.simplex.w[n], not counted).
 Verdict take_turn(const HullPair& pair, const Limits& limits, const Turn& previous, Turn& turn,
-                  Bounds& bounds) {
+                  DistanceBounds& bounds) {
   const HullView &a = pair.a, &b = pair.b;
   Simplex& s = turn.simplex;
   turn.v = detail::reduce_to_nearest(s);
@@ -181,7 +181,7 @@ Separation search_closest_points(const HullView& a, const HullView& b, const Rel
   const Limits limits{a.radius + b.radius, noise * noise, stop > 0.0 ? stop * stop : 0.0};
   Turn turn, previous;
   start(pair, cache, turn.simplex);
-  Bounds bounds;
+  DistanceBounds bounds;
   double lower = 0.0;
   Verdict verdict = Verdict::goes_on;
   for (out.iterations = 1;; ++out.iterations) {

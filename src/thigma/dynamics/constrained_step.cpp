@@ -143,7 +143,7 @@ Vec6 solve(const Mat6& metric, const Vec6& free, VelocityRows& rows, RowImpulses
   return result.solution.active == 0 ? free : result.solution.velocity;
 }
 
-/// The largest share of a step, to 2^-12, that ends within the travel and with no gap below a least.
+/// The largest share of a step, to 2^-12, that ends within the travel, no gap below a least.
 double share_within(const StepWork& work, const Vec6& velocity, double least) THIGMA_RT {
   const ConstraintModel& model = work.bounds.model;
   double inside = 0.0, outside = 1.0;
