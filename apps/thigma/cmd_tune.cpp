@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct TuneOptions {
-  std::string scene, device, inertia;
+  std::string scene, device, inertia, response;
   std::optional<double> mass, rate, delay, motion_scale;
 };
 
@@ -65,6 +65,8 @@ std::string check(const TuneOptions& o) {
   if (!is_above(o.mass)) return "--mass must be a number above 0 [kg]";
   if (!o.inertia.empty() && !parse_inertia(o.inertia))
     return "--inertia must be one moment above 0, or three as I,I,I [kg m^2]";
+  if (!o.response.empty() && !response_of(o.response))
+    return "--response is penalty (or coupled, its older name), constraint or direct";
   if (o.rate && !(*o.rate >= 50.0 && *o.rate <= 20000.0)) return "--rate must be 50 to 20000 Hz";
   if (o.delay && !(*o.delay >= 0.0 && *o.delay <= 1.0)) return "--delay must be 0 to 1 s";
   if (!is_above(o.motion_scale)) return "--motion-scale must be a number above 0";
@@ -87,12 +89,14 @@ Tuned tune_scene(const TuneOptions& options, const Common& common) {
   if (!options.device.empty()) scene.device.uri = options.device;
   scene.rate = options.rate.value_or(scene.rate);
   if (options.motion_scale) scene.device.motion_scale = options.motion_scale;
+  scene.contact.response = response_of(options.response).value_or(scene.contact.response);
   const DevicePort port = describe_device(scene.device.uri);
   tuned.chosen = make_session_config(scene, load_measures(scene.object, common));
   const HapticParams& haptic = tuned.chosen->haptic;
   tuned.title = scene.file;
   tuned.device = scene.device.uri;
   tuned.task = gain_task(port, haptic.body, haptic.workspace, scene.rate);
+  tuned.task.is_constrained = haptic.response == ResponseKind::constrained;
   return tuned;
 }
 
@@ -105,6 +109,9 @@ Tuned tune_body(const TuneOptions& options) {
   tuned.device = options.device;
   tuned.task =
       gain_task(port, make_body(*options.mass, inertia), workspace, options.rate.value_or(1000.0));
+  const ResponseKind response =
+      response_of(options.response).value_or(SceneDescription{}.contact.response);
+  tuned.task.is_constrained = response == ResponseKind::constrained;
   return tuned;
 }
 
@@ -124,6 +131,11 @@ Json choice_json(const GainChoice& choice) {
   return json;
 }
 
+/// Contacts that are constraints have neither stiffness nor damping.
+Json contact_number(const SessionConfig& config, double value) {
+  return config.haptic.response == ResponseKind::constrained ? Json(nullptr) : Json(value);
+}
+
 Json chosen_json(const SessionConfig& config) {
   const Coupling& c = config.haptic.coupling;
   Json json;
@@ -131,8 +143,8 @@ Json chosen_json(const SessionConfig& config) {
   json["linear_damping"] = c.linear_damping;
   json["angular_stiffness"] = c.angular_stiffness;
   json["angular_damping"] = c.angular_damping;
-  json["contact_stiffness"] = config.contact.response.stiffness;
-  json["contact_damping"] = config.contact.response.damping;
+  json["contact_stiffness"] = contact_number(config, config.contact.response.stiffness);
+  json["contact_damping"] = contact_number(config, config.contact.response.damping);
   json["max_force"] = c.linear_saturation ? Json(c.linear_saturation->max_force) : Json(nullptr);
   json["max_torque"] = c.angular_saturation ? Json(c.angular_saturation->max_force) : Json(nullptr);
   return json;
@@ -155,7 +167,7 @@ Json to_json(const Tuned& tuned, const GainProposal& proposal,
   json["force_scale"] = tuned.task.force_scale;
   json["linear"] = choice_json(proposal.linear);
   json["angular"] = choice_json(proposal.angular);
-  json["contact"] = choice_json(proposal.contact);
+  json["contact"] = tuned.task.is_constrained ? Json(nullptr) : choice_json(proposal.contact);
   json["max_force"] = known(proposal.max_force);
   json["max_torque"] = known(proposal.max_torque);
   json["scene_gains"] = tuned.chosen ? chosen_json(*tuned.chosen) : Json(nullptr);
@@ -182,10 +194,17 @@ void print_text(const Tuned& tuned, const GainProposal& proposal,
               tuned.task.motion_scale);
   print_choice("[coupling]", "linear_stiffness", "linear_damping", "N/m", proposal.linear);
   print_choice("", "angular_stiffness", "angular_damping", "N m/rad", proposal.angular);
-  print_choice("[contact]", "stiffness", "damping", "N/m", proposal.contact);
+  if (!tuned.task.is_constrained)
+    print_choice("[contact]", "stiffness", "damping", "N/m", proposal.contact);
   if (proposal.max_force > 0.0) std::printf("  %-11s max_force = %.4g\n", "", proposal.max_force);
   if (proposal.max_torque > 0.0)
     std::printf("  %-11s max_torque = %.4g\n", "", proposal.max_torque);
+  if (tuned.task.is_constrained) {
+    std::printf(
+        "  %-11s constraint: no stiffness; the object stays outside, and the hand feels the "
+        "coupling alone\n",
+        "[contact]");
+  }
   for (const GainWarning& w : warnings)
     std::printf("outside: %s, %s\n", w.gain.c_str(), w.text.c_str());
   if (tuned.chosen && warnings.empty()) std::printf("the scene's gains are within the limits\n");
@@ -238,6 +257,8 @@ void add_tune(CLI::App& app, Common& common) {
   verb->add_option("--mass", options->mass, "of the object, without a scene [kg]");
   verb->add_option("--inertia", options->inertia,
                    "I, or I,I,I about its principal axes, without a scene [kg m^2]");
+  verb->add_option("--response", options->response,
+                   "penalty, constraint or direct, otherwise the scene's");
   verb->add_option("--rate", options->rate, "haptic frames a second, otherwise the scene's");
   verb->add_option("--delay", options->delay, "of device samples [s], otherwise the device's");
   verb->add_option("--motion-scale", options->motion_scale,

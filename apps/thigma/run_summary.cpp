@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <type_traits>
 
 #include "thigma/files/file.h"
 #include "thigma/recording/recording.h"
@@ -113,6 +114,19 @@ Json passivity(const PassivitySummary& p) {
           {"damping_max", p.damping_max}};
 }
 
+/// What the constrained response did, null without it.
+Json constraint(const ConstraintSummary& s) {
+  if (!s.is_on) return nullptr;
+  Json json;
+  visit_constraint_summary(s, [&](const char* key, auto value) {
+    if constexpr (std::is_floating_point_v<decltype(value)>)
+      json[key] = finite(value);
+    else
+      json[key] = value;
+  });
+  return json;
+}
+
 void append(std::string& text, const char* format, ...) __attribute__((format(printf, 2, 3)));
 void append(std::string& text, const char* format, ...) {
   char line[256];
@@ -121,6 +135,30 @@ void append(std::string& text, const char* format, ...) {
   std::vsnprintf(line, sizeof line, format, arguments);
   va_end(arguments);
   text += line;
+}
+
+void append_constraint(std::string& text, const ConstraintSummary& s) {
+  if (!s.is_on) return;
+  append(text,
+         "rows             p50 %lld, at most %lld in a model; at most %lld pressed at once, solved "
+         "to %.2g m/s\n",
+         static_cast<long long>(s.rows_p50), static_cast<long long>(s.rows_max),
+         static_cast<long long>(s.active_max), s.residual_max);
+  append(text,
+         "held back        %.2f %% of the frames with the object in the hand, as its model's "
+         "travel had ended; squeezed %.2f %%\n",
+         100.0 * s.held_back_share, 100.0 * s.squeezed_share);
+  if (std::isfinite(s.travel_min))
+    append(text,
+           "travel           at least %.3g mm near contact; looked ahead at most %.3g mm; at most "
+           "%.3g m/s wanted\n",
+           1e3 * s.travel_min, 1e3 * s.look_ahead_max, s.wanted_speed_max);
+  append(text,
+         "left out         at most %lld rows (%llu models, less travel), %lld contacts (%llu "
+         "models, no travel)\n",
+         static_cast<long long>(s.cut_max), static_cast<unsigned long long>(s.cut_models),
+         static_cast<long long>(s.left_out_max),
+         static_cast<unsigned long long>(s.left_out_models));
 }
 
 }  // namespace
@@ -173,6 +211,7 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene, const s
   json["penetration_max"] = s.penetration_max;
   json["coupling_stretch_max"] = s.stretch_max;
   json["energy_min"] = s.energy_min;
+  json["constraint"] = constraint(s.constraint);
   json["passivity"] = passivity(s.passivity);
   json["ridden_out"] = {{"gaps", s.ridden_out.gaps},
                         {"longest_gap_ms", 1e3 * s.ridden_out.longest_gap},
@@ -263,6 +302,7 @@ std::string run_summary_text(const SessionSummary& s) {
   }
   append(text, "penetration      max %.3g mm; coupling stretch max %.3g mm\n",
          1e3 * s.penetration_max, 1e3 * s.stretch_max);
+  append_constraint(text, s.constraint);
   append(text, "energy           min %.3g J; samples dropped %llu\n", s.energy_min,
          static_cast<unsigned long long>(s.dropped_samples));
   if (s.passivity.is_on) {

@@ -10,7 +10,7 @@ using nlohmann::json;
 
 TEST(TuneVerb, ProposesForAnObjectInADevice) {
   const Ended e = run_program({"tune", "--device", "hand:?device=touch&dof=3", "--mass", "0.01",
-                               "--inertia", "1e-6,2e-6,2e-6", "--json"});
+                               "--inertia", "1e-6,2e-6,2e-6", "--response", "penalty", "--json"});
   ASSERT_EQ(e.code, 0) << e.err;
   const json j = json_line(e);
   EXPECT_TRUE(j.at("scene").is_null());
@@ -33,7 +33,7 @@ TEST(TuneVerb, WarnsWhereASceneIsOutside) {
     const std::string scene = write_text(
         "tuned.toml", "[object]\nmesh = \"procedural:ball?triangles=320\"\nmass = 0.01\n" + gains +
                           "\n[[static]]\nmesh = \"procedural:ball?triangles=320\"\n");
-    const Ended e = run_program({"tune", scene, "--json"});
+    const Ended e = run_program({"tune", scene, "--response", "penalty", "--json"});
     EXPECT_EQ(e.code, 0) << e.err;
     std::vector<std::string> names;
     const json said = json_line(e);
@@ -51,13 +51,29 @@ TEST(TuneVerb, AScenesAutoGainsAreItsProposal) {
       "auto.toml",
       "gains = \"auto\"\n[object]\nmesh = \"procedural:ball?triangles=320\"\n[[static]]\nmesh = "
       "\"procedural:ball?triangles=320\"\n[device]\nuri = \"hand:?device=falcon&dof=3\"\n");
-  const json j = json_line(run_program({"tune", scene, "--json"}));
+  const json j = json_line(run_program({"tune", scene, "--response", "penalty", "--json"}));
   EXPECT_EQ(j.at("scene_gains").at("linear_stiffness"), j.at("linear").at("stiffness"));
   EXPECT_EQ(j.at("scene_gains").at("contact_stiffness"), j.at("contact").at("stiffness"));
   EXPECT_TRUE(j.at("warnings").empty());
   const json run = json_line(run_program(
       {"run", scene, "--headless", "--lockstep", "--duration", "1", "--exact", "--json"}));
   EXPECT_TRUE(run.at("safety_events").empty());
+}
+
+TEST(TuneVerb, UnderConstraintsTheCouplingAloneIsJudged) {
+  const std::string scene = write_text(
+      "kept_out.toml",
+      "[object]\nmesh = \"procedural:ball?triangles=320\"\nmass = 0.01\n[contact]\nresponse = "
+      "\"constraint\"\nstiffness = 20000\n[coupling]\nlinear_stiffness = 5000\n[[static]]\nmesh = "
+      "\"procedural:ball?triangles=320\"\n");
+  const json j = json_line(run_program({"tune", scene, "--json"}));
+  EXPECT_TRUE(j.at("contact").is_null());
+  EXPECT_TRUE(j.at("scene_gains").at("contact_stiffness").is_null());
+  ASSERT_EQ(j.at("warnings").size(), 1u) << j;  // none of the contact stiffness, which is not used
+  EXPECT_EQ(j.at("warnings")[0].at("gain"), "linear_stiffness");
+  const Ended said = run_program({"tune", scene});
+  EXPECT_NE(said.out.find("the hand feels the coupling alone"), std::string::npos) << said.out;
+  EXPECT_EQ(said.out.find("stiffness = 2"), std::string::npos) << said.out;  // of a contact
 }
 
 TEST(TuneVerb, RefusesWithOneSentence) {
@@ -70,6 +86,7 @@ TEST(TuneVerb, RefusesWithOneSentence) {
       {"tune", "--device", "hand:?mas=1", "--mass", "0.01", "--inertia", "1e-6"},
       {"tune", "jaws", "--mass", "0.01"},
       {"tune", "jaws", "--rate", "1"},
+      {"tune", "jaws", "--response", "soft"},
       {"tune", "jaws", "--delay", "-1"}};
   for (const auto& arguments : wrong) {
     const Ended e = run_program(arguments);

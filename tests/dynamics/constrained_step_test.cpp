@@ -36,8 +36,10 @@ struct Held {
     model->state = state;
   }
 
-  void add_corner(const Vec3& arm) {
+  void add_corner(const Vec3& arm, double friction = 0.0) {
     ContactRow row = make_row(RowKind::scene_plane);
+    row.id = 100 + model->rows.size();
+    row.friction = friction;
     row.object_point = arm;
     row.scene_direction = -Vec3::UnitZ();
     model->rows.push_back(row);
@@ -84,6 +86,62 @@ TEST(ConstrainedStep, StaysOutAndHandsTheCouplingToTheHand) {
   EXPECT_LE(held.state.linear_momentum.norm(), 1e-9);
 }
 
+TEST(ConstrainedStep, TheRowsThatPressAddUpToTheContact) {
+  for (const double friction : {0.0, 0.4}) {
+    Held held;
+    for (const double x : {-0.01, 0.01})
+      for (const double y : {-0.01, 0.01}) held.add_corner({x, y, -0.01}, friction);
+    int most = 0, slid = 0;
+    for (int k = 0; k < 600; ++k) {
+      const Vec3 hand(1e-5 * k, 0.0, 0.007);
+      const ConstrainedStep step = held.step(hand, rotation_from_vector({0.1, 0.0, 0.02}));
+      EXPECT_FALSE(step.is_squeezed);
+      EXPECT_EQ(step.pressing.empty(), step.solution.active == 0);
+      Vec3 sum = Vec3::Zero();
+      double last = std::numeric_limits<double>::infinity();
+      for (const PressingRow& row : step.pressing) {
+        EXPECT_GE(row.id, 100u);
+        EXPECT_LE(row.id, 103u);
+        EXPECT_LE(row.force.norm(), last);  // the strongest first
+        last = row.force.norm();
+        const double across = row.force.head<2>().norm();
+        EXPECT_GT(row.force.z(), 0.0);  // it pushes the object off
+        EXPECT_LE(across, friction * row.force.z() * (1.0 + 1e-6) + 1e-9);
+        if (across > 1e-3) ++slid;
+        sum += row.force;
+      }
+      most = std::max(most, static_cast<int>(step.pressing.size()));
+      const double size = std::max(step.contact.force.norm(), 1e-3);
+      EXPECT_LE((sum - step.contact.force).norm(), (friction > 0.0 ? 1e-3 : 1e-9) * size) << k;
+    }
+    EXPECT_GE(most, 2);
+    EXPECT_EQ(slid > 0, friction > 0.0);
+  }
+}
+
+TEST(ConstrainedStep, OfManyRowsThatPressTheStrongestAreTold) {
+  Held held;
+  constexpr int kMany = 40;
+  for (int i = 0; i < kMany; ++i) {
+    const double angle = 2.0 * 3.141592653589793 * i / kMany;
+    held.add_corner({0.01 * std::cos(angle), 0.01 * std::sin(angle), -0.01}, 0.3);
+  }
+  for (int i = 0; i < kMany; ++i)  // all pressed in the step before
+    held.memory.entries.push_back({100 + static_cast<std::uint64_t>(i), 1e-4, {0.0, 0.0}, false});
+  held.state.position.z() = 0.01 + held.params.slop;
+  const ConstrainedStep step = held.step({0.0, 0.0, 0.005});
+  EXPECT_GT(held.memory.entries.size(), static_cast<std::size_t>(kMaxPressing));
+  ASSERT_EQ(step.pressing.size(), static_cast<std::size_t>(kMaxPressing));
+  double least = std::numeric_limits<double>::infinity();
+  for (const PressingRow& row : step.pressing) least = std::min(least, row.force.norm());
+  int stronger = 0;
+  for (const RowMemory::Entry& entry : held.memory.entries)
+    stronger += entry.normal / kStep > least * (1.0 + 1e-9) ? 1 : 0;
+  EXPECT_LE(stronger, kMaxPressing);
+  for (std::size_t i = 1; i < step.pressing.size(); ++i)
+    EXPECT_LE(step.pressing[i].force.norm(), step.pressing[i - 1].force.norm());
+}
+
 TEST(ConstrainedStep, WaitsAtTheEndOfItsTravel) {
   Held held;
   held.model->travel = 1e-3;
@@ -127,7 +185,7 @@ TEST(ConstrainedStep, RestsWhereRowsContradictEachOther) {
   ceiling.scene_direction = Vec3::UnitZ();
   held.model->rows.push_back(floor);
   held.model->rows.push_back(ceiling);
-  for (int k = 0; k < 100; ++k) held.step({0.0, 0.0, 0.05});
+  for (int k = 0; k < 100; ++k) EXPECT_TRUE(held.step({0.0, 0.0, 0.05}).is_squeezed) << k;
   EXPECT_NEAR(held.state.position.z(), 0.02, 1e-4);
   EXPECT_LE(held.state.linear_momentum.norm(), 1e-3);
 }

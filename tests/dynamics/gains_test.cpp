@@ -122,6 +122,58 @@ TEST(Gains, TheLoopLimitIsWhereTheLoopBeginsToSwing) {
   }
 }
 
+TEST(Gains, UnderConstraintsTheCouplingAloneIsLimitedByTheLoopWithTheObjectHeldStill) {
+  GainTask task = plain_task();
+  task.linear = {.max_effort = 8.5, .mass = 0.075, .damping = 0.005};
+  task.delay = 0.003;
+  task.is_constrained = true;
+  const GainProposal p = propose_gains(task);
+  EXPECT_EQ(p.contact.stiffness, 0.0);
+  EXPECT_TRUE(std::isinf(p.contact.limit));
+  ASSERT_EQ(p.linear.binds, GainLimit::loop);
+  const auto worst = [&](double stiffness) {
+    double growth = 0.0;
+    for (const double body : {0.010, std::numeric_limits<double>::infinity()}) {
+      for (const auto& arm : {std::array{0.0, 100.0, 1.0},
+                              {0.0, 500.0, 5.0},
+                              {0.0, 1500.0, 15.0},
+                              {0.15, 400.0, 8.0}})
+        growth =
+            std::max(growth, loop_growth({.delay = 0.003,
+                                          .handle_mass = 0.075,
+                                          .handle_damping = 0.005,
+                                          .arm_mass = arm[0],
+                                          .arm_stiffness = arm[1],
+                                          .arm_damping = arm[2],
+                                          .body_mass = body,
+                                          .coupling_stiffness = stiffness,
+                                          .coupling_damping = 2.0 * std::sqrt(stiffness * 0.010)}));
+    }
+    return growth;
+  };
+  EXPECT_LT(worst(0.95 * p.linear.limit), 1.0);
+  EXPECT_GT(worst(1.05 * p.linear.limit), 1.0);
+  // More delay and lower rates, less stiffness.
+  double before = p.linear.limit;
+  for (const double delay : {0.005, 0.010, 0.015}) {
+    task.delay = delay;
+    const double now = propose_gains(task).linear.limit;
+    EXPECT_LT(now, before) << delay;
+    before = now;
+  }
+}
+
+TEST(Gains, UnderConstraintsNothingIsSaidOfContactGainsThatAreNotThere) {
+  GainTask task = plain_task();
+  const GainProposal penalty = propose_gains(task);
+  const double soft = 1e9, undamped = 0.0;  // no contact law could have these
+  EXPECT_FALSE(check_gains(task, penalty, coupling_of(penalty, 1.0), soft, undamped).empty());
+  task.is_constrained = true;
+  const GainProposal p = propose_gains(task);
+  EXPECT_TRUE(check_gains(task, p, coupling_of(p, 1.0), soft, undamped).empty());
+  EXPECT_FALSE(check_gains(task, p, coupling_of(p, 2.0), soft, undamped).empty());
+}
+
 TEST(Gains, ScalesMoveBetweenDeviceAndVirtualStiffness) {
   GainTask task = plain_task();
   const GainProposal plain = propose_gains(task);

@@ -5,7 +5,9 @@
 
 #include "thigma/clod/build_clod.h"
 #include "thigma/clod/build_hierarchy.h"
+#include "thigma/constraint/build_constraints.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/session/session_config.h"
 
 namespace thigma {
 namespace {
@@ -59,6 +61,38 @@ TEST(ContactStep, ClustersKeepTheirIdsOverFrames) {
   for (std::size_t i = 0; i < first.model.planes.size(); ++i) {
     EXPECT_EQ(first.model.planes[i].id, second.model.planes[i].id);
   }
+}
+
+TEST(ContactStep, TellsOfTheRowsOfItsModelAndOfWhatHadNoRoom) {
+  const ClodHierarchy cube = build_exact_hierarchy(make_box({0.02, 0.02, 0.02}));
+  const ClodHierarchy sheet = build_exact_hierarchy(make_sheet(0.08, 0.08, 4, 4));
+  SessionConfig config;
+  config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
+  config.contact.object = &cube;
+  config.contact.scene = {{&sheet, Pose{}}};
+  use_constraints(0.0, config);
+  ContactScratch scratch;
+  reserve_contact_scratch(config.contact, scratch);
+  ContactSample sample;
+  contact_step(config.contact, at_height(0.02), scratch, sample);
+  EXPECT_EQ(sample.rows, 0);
+  EXPECT_GT(sample.travel, 1e-3);  // free as far as the traversal has proven
+  contact_step(config.contact, at_height(0.01 + 1e-5), scratch, sample);
+  EXPECT_EQ(sample.rows, 4);
+  EXPECT_EQ(sample.model.constraints.rows.size(), 4u);
+  EXPECT_EQ(sample.rows_cut, 0);
+  EXPECT_EQ(sample.left_out, 0);
+  EXPECT_EQ(sample.travel, sample.model.constraints.travel);
+  EXPECT_EQ(sample.look_ahead, config.contact.constraints->least_look_ahead);
+  EXPECT_GT(sample.travel, 0.5 * sample.look_ahead);
+
+  SessionConfig narrow = config;
+  narrow.contact.capacity = 1;
+  ContactScratch little;
+  reserve_contact_scratch(narrow.contact, little);
+  contact_step(narrow.contact, at_height(0.01 + 1e-5), little, sample);
+  EXPECT_GT(sample.left_out, 0);
+  EXPECT_EQ(sample.travel, 0.0);
 }
 
 TEST(ContactStep, CountsWhatDoesNotFit) {

@@ -7,6 +7,10 @@
 #include "support/plane_session.h"
 #include <gtest/gtest.h>
 
+#include "thigma/clod/build_hierarchy.h"
+#include "thigma/mesh/shapes.h"
+#include "thigma/session/session_config.h"
+
 #if defined(__has_feature)
 #if __has_feature(realtime_sanitizer)
 #define THIGMA_HAS_RTSAN 1
@@ -42,6 +46,25 @@ TEST(Rtsan, TenThousandHapticStepsPass) {
   EXPECT_EQ(s.frames, 10000u);
   EXPECT_EQ(s.end, SessionEnd::duration);
   EXPECT_GT(s.force_max, 0.5);
+}
+
+TEST(Rtsan, NorDoTenThousandUnderConstraintsWithFriction) {
+  if (kWhyNot != nullptr) GTEST_SKIP() << kWhyNot;
+  const ClodHierarchy cube = build_exact_hierarchy(make_box(Vec3::Constant(2.0 * test::kCubeHalf)));
+  const ClodHierarchy sheet = build_exact_hierarchy(make_sheet(0.2, 0.2, 8, 8));
+  SessionConfig config = test::plane_session();
+  config.contact.source = nullptr;
+  config.contact.object = &cube;
+  config.contact.scene = {{&sheet, Pose{}}};
+  use_constraints(0.3, config);
+  config.duration = 10.0;
+  HandDevice device(test::plane_hand(HandPath::demo));
+  const SessionSummary s = run_lockstep(config, device);
+  EXPECT_EQ(s.frames, 10000u);
+  EXPECT_EQ(s.end, SessionEnd::duration);
+  EXPECT_GT(s.force_max, 0.5);
+  EXPECT_GE(s.constraint.active_max, 3);  // and it was the real thing
+  EXPECT_GT(s.constraint.rows_max, 3);
 }
 
 TEST(RtsanDeathTest, CatchesAPlantedAllocation) {

@@ -70,6 +70,15 @@ TEST(ReadRecording, haptic_frames_come_back_bit_for_bit) {
     EXPECT_EQ(got.fault, want.fault);
     EXPECT_EQ(got.step_cpu, want.step_cpu);
     EXPECT_EQ(got.wake_late, want.wake_late);
+    expect_bits(got.wanted_speed, want.wanted_speed);
+    expect_bits(got.solve_residual, want.solve_residual);
+    EXPECT_EQ(got.is_held_back, want.is_held_back);
+    EXPECT_EQ(got.is_squeezed, want.is_squeezed);
+    ASSERT_EQ(got.pressing.size(), want.pressing.size());
+    for (std::size_t k = 0; k < want.pressing.size(); ++k) {
+      EXPECT_EQ(got.pressing[k].id, want.pressing[k].id);
+      expect_bits(got.pressing[k].force, want.pressing[k].force);
+    }
   }
 }
 
@@ -114,6 +123,11 @@ TEST(ReadRecording, contact_models_come_back_bit_for_bit) {
     expect_bits(got.bound_max, want.bound_max);
     EXPECT_EQ(got.object_levels, want.object_levels);
     EXPECT_EQ(got.scene_levels, want.scene_levels);
+    EXPECT_EQ(got.rows, want.rows);
+    EXPECT_EQ(got.rows_cut, want.rows_cut);
+    EXPECT_EQ(got.left_out, want.left_out);
+    expect_bits(got.travel, want.travel);
+    expect_bits(got.look_ahead, want.look_ahead);
   }
 }
 

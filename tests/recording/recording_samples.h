@@ -53,6 +53,14 @@ inline HapticSample sample(std::uint64_t frame) {
   s.device.has_true_handle = frame % 2 == 1;
   if (s.device.has_true_handle) s.device.true_handle = {random.in_cube(0.1), random.orientation()};
   if (frame % 5 == 0) s.device.weight = random.uniform();
+  if (frame % 4 == 1) {  // the others are of a penalty session
+    s.wanted_speed = random.uniform();
+    s.solve_residual = random.uniform(0.0, 1e-9);
+    s.is_held_back = frame % 8 == 1;
+    s.is_squeezed = frame % 8 == 5;
+    for (std::uint64_t i = 0; i < 3; ++i)
+      s.pressing.push_back({random.below(1u << 30) << 33, random.in_cube(3.0)});
+  }
   s.input_digest = input_digest(s);
   return s;
 }
@@ -76,6 +84,13 @@ inline ContactSample contact_sample(std::uint64_t sequence) {
   for (std::size_t i = 0; i < 5; ++i) {
     c.object_levels[i] = static_cast<std::int32_t>(random.below(50));
     c.scene_levels[i] = static_cast<std::int32_t>(random.below(50));
+  }
+  if (sequence % 2 == 1) {
+    c.rows = static_cast<std::int64_t>(300 + random.below(100));
+    c.rows_cut = c.rows - 256;
+    c.left_out = static_cast<std::int64_t>(random.below(10));
+    c.travel = random.uniform(0.0, 1e-3);
+    c.look_ahead = random.uniform(0.0, 1e-3);
   }
   c.model.sequence = sequence;
   c.model.time = c.time;

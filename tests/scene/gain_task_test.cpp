@@ -1,10 +1,18 @@
 #include "thigma/scene/gain_task.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include "thigma/clod/build_hierarchy.h"
 #include "thigma/core/error.h"
+#include "thigma/device/hand.h"
 #include "thigma/device/open_device.h"
+#include "thigma/mesh/shapes.h"
 #include "thigma/scene/scene_file.h"
+#include "thigma/scene/start_placement.h"
+#include "thigma/session/session_config.h"
 
 namespace thigma {
 namespace {
@@ -61,6 +69,71 @@ TEST(GainTask, AutoGainsAreThoseThatTuneProposes) {
             c.linear_stiffness);
   scene.rate = 500.0;
   EXPECT_LT(make_session_config(scene, object).contact.response.stiffness, p.contact.stiffness);
+}
+
+/// A cube over a sheet under constraints, pressed by a simulated hand whose samples are late.
+struct PressedCube {
+  ClodHierarchy cube = build_exact_hierarchy(make_box(Vec3::Constant(0.03)));
+  ClodHierarchy sheet = build_exact_hierarchy(make_sheet(0.2, 0.12, 6, 4));
+  SceneDescription scene = parse_scene(
+      "gains = \"auto\"\n[object]\nmesh = \"procedural:box\"\nmass = 0.01\n[contact]\n"
+      "response = \"constraint\"\n[device]\nuri = \"" +
+          std::string(kHand) + "\"\n",
+      "S.toml", "");
+  LoadedObject loaded;
+  static constexpr const char* kHand = "hand:?path=press&force=1&delay=0.004&encoder=1e-6";
+
+  PressedCube() {
+    loaded.mesh = make_box(Vec3::Constant(0.03));
+    loaded.measure = mass_properties(loaded.mesh);
+    loaded.ball = enclosing_ball(loaded.mesh.positions);
+    scene.object.world_from_mesh.position.z() = 0.018;
+  }
+
+  GainTask task(const SessionConfig& config) const {
+    GainTask task =
+        gain_task(describe_device(kHand), config.haptic.body, config.haptic.workspace, config.rate);
+    task.is_constrained = true;
+    return task;
+  }
+
+  /// How far the handle goes up and down in the last of three seconds at a coupling stiffness of
+  /// this, critically damped [m].
+  double sway(double stiffness) const {
+    SessionConfig config = make_session_config(scene, loaded, cube, {{&sheet, Pose{}}});
+    Coupling& c = config.haptic.coupling;
+    c.linear_stiffness = stiffness;
+    c.linear_damping = 2.0 * std::sqrt(stiffness * 0.01);
+    c.linear_saturation.reset();
+    use_constraints(0.0, config);
+    const StartPlacement start = place_at_start({}, config);
+    HandDevice hand(parse_hand(std::string(kHand).substr(6),
+                               device_context(config, start, loaded.ball.radius)));
+    config.haptic.device = hand.limits();
+    config.duration = 3.0;
+    double low = 1.0, high = -1.0;
+    run_lockstep(config, hand,
+                 {[&](const HapticSample& s) {
+                    if (s.time < 2.0) return;
+                    low = std::min(low, hand.true_motion().pose.position.z());
+                    high = std::max(high, hand.true_motion().pose.position.z());
+                  },
+                  {},
+                  {}});
+    return high - low;
+  }
+};
+
+TEST(GainTask, UnderConstraintsTheWholeLoopRestsBelowTheLimitAndSwingsFarBeyondIt) {
+  const PressedCube pressed;
+  const SessionConfig config =
+      make_session_config(pressed.scene, pressed.loaded, pressed.cube, {{&pressed.sheet, Pose{}}});
+  const GainProposal p = propose_gains(pressed.task(config));
+  EXPECT_EQ(config.haptic.coupling.linear_stiffness, p.linear.stiffness);
+  const double limit = p.linear.limits[static_cast<std::size_t>(GainLimit::loop)];
+  ASSERT_TRUE(std::isfinite(limit));
+  EXPECT_LT(pressed.sway(0.9 * limit), 2e-6);
+  EXPECT_GT(pressed.sway(8.0 * limit), 1e-4);
 }
 
 TEST(GainTask, WhatTheSceneSaysStays) {

@@ -1,6 +1,9 @@
 #include "thigma/session/statistics.h"
 
+#include <cmath>
 #include <memory>
+#include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -74,6 +77,87 @@ TEST(ContactStatistics, AddsUp) {
   EXPECT_NEAR(quantile(t->query_cpu, 0.5), 1e-3, 2e-5);
   EXPECT_NEAR(quantile(t->step_cpu, 0.5), 2e-3, 4e-5);
   EXPECT_NEAR(quantile(t->model_cpu, 0.5), 1e-3, 2e-5);
+}
+
+HapticSample grasped(std::uint64_t frame) {
+  HapticSample s;
+  s.frame = frame;
+  s.time = 1e-3 * static_cast<double>(frame);
+  s.elapsed = 1e-3;
+  s.is_grasped = true;
+  return s;
+}
+
+ContactSample with_rows(std::size_t count) {
+  ContactSample c;
+  for (std::size_t i = 0; i < count; ++i)
+    c.model.constraints.rows.push_back(make_row(RowKind::scene_plane));
+  c.rows = static_cast<std::int64_t>(count);
+  return c;
+}
+
+TEST(ConstraintStatistics, CountOnlyFramesWithTheObjectInTheHand) {
+  HeldCounts counts;
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    HapticSample s = grasped(i);
+    s.is_grasped = i >= 20;
+    s.is_held_back = i % 4 == 0;
+    s.is_squeezed = i == 25;
+    s.touching = i == 30 ? 5 : 1;
+    s.solve_residual = i == 31 ? 1e-9 : 1e-12;
+    s.wanted_speed = i < 20 ? 9.0 : 0.25;
+    accumulate(counts, s);
+  }
+  const ConstraintSummary summary = summarize(counts, RowCounts{});
+  EXPECT_EQ(counts.frames, 20u);
+  EXPECT_DOUBLE_EQ(summary.held_back_share, 0.25);
+  EXPECT_DOUBLE_EQ(summary.squeezed_share, 0.05);
+  EXPECT_EQ(summary.active_max, 5);
+  EXPECT_EQ(summary.residual_max, 1e-9);
+  EXPECT_EQ(summary.wanted_speed_max, 0.25);
+}
+
+TEST(ConstraintStatistics, RowsAreThoseOfModelsThatHaveAny) {
+  RowCounts counts;
+  for (const std::size_t n : {0, 0, 0, 0, 3, 5, 5, 40, 256}) {
+    ContactSample c = with_rows(n);
+    c.travel = n == 40 ? 1e-4 : 3e-4;
+    c.look_ahead = 2e-4 * static_cast<double>(n);
+    if (n == 256) {
+      c.rows = 700;
+      c.rows_cut = 444;
+      c.left_out = 2;
+    }
+    accumulate(counts, c);
+  }
+  const ConstraintSummary s = summarize(HeldCounts{}, counts);
+  EXPECT_EQ(s.rows_p50, 5);
+  EXPECT_EQ(s.rows_max, 256);
+  EXPECT_EQ(s.found_max, 700);
+  EXPECT_EQ(s.cut_max, 444);
+  EXPECT_EQ(s.cut_models, 1u);
+  EXPECT_EQ(s.left_out_max, 2);
+  EXPECT_EQ(s.left_out_models, 1u);
+  EXPECT_EQ(s.travel_min, 1e-4);
+  EXPECT_EQ(s.look_ahead_max, 2e-4 * 256.0);
+}
+
+TEST(ConstraintStatistics, WithoutAFrameNothingIsMadeUp) {
+  const ConstraintSummary s = summarize(HeldCounts{}, RowCounts{});
+  EXPECT_EQ(s.held_back_share, 0.0);
+  EXPECT_EQ(s.rows_p50, 0);
+  EXPECT_FALSE(std::isfinite(s.travel_min));
+}
+
+TEST(ConstraintStatistics, EveryFieldOfTheSummaryHasAKeyOfItsOwn) {
+  std::set<std::string> keys;
+  int count = 0;
+  visit_constraint_summary(ConstraintSummary{}, [&](const char* key, auto) {
+    keys.insert(key);
+    ++count;
+  });
+  EXPECT_EQ(keys.size(), static_cast<std::size_t>(count));
+  EXPECT_EQ(count, 14);
 }
 
 }  // namespace

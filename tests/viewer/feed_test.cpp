@@ -5,7 +5,10 @@
 #include "support/plane_session.h"
 #include <gtest/gtest.h>
 
+#include "thigma/clod/build_hierarchy.h"
 #include "thigma/math/rotation.h"
+#include "thigma/mesh/shapes.h"
+#include "thigma/session/session_config.h"
 
 namespace thigma::live {
 namespace {
@@ -128,6 +131,97 @@ TEST(Feed, SnapshotTellsForcesInTheWorldAtTheHand) {
   for (const ViewedCluster& c : s.clusters) sum += c.force;
   EXPECT_NEAR((sum - s.contact.force).norm(), 0.0, 1e-9 * sum.norm());
   EXPECT_NEAR(s.stretch, 0.0055, 0.001);
+}
+
+/// A cube of 40 mm over a sheet, with friction, pulled 5 mm into it and on along x.
+struct RestingCube {
+  ClodHierarchy cube = build_exact_hierarchy(make_box(Vec3::Constant(2.0 * test::kCubeHalf)));
+  ClodHierarchy sheet = build_exact_hierarchy(make_sheet(0.2, 0.2, 8, 8));
+  SessionConfig config = pulled();
+
+  RestingCube() {
+    config.contact.source = nullptr;
+    config.contact.object = &cube;
+    config.contact.scene = {{&sheet, Pose{}}};
+    use_constraints(0.2, config);
+  }
+};
+
+TEST(Feed, RowsStandWhereTheObjectIsAndTheirForcesAddUp) {
+  const RestingCube scene;
+  Puller device;
+  const auto feed = fed(scene.config, device);
+  const HapticSample& h = feed->haptic()->sample;
+  ASSERT_TRUE(h.is_grasped);
+  std::vector<ViewedRow> rows;
+  view_rows(h, feed->contact(), rows);
+  ASSERT_GE(rows.size(), 4u);
+  Vec3 sum = Vec3::Zero();
+  std::size_t pressing = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const ViewedRow& r = rows[i];
+    EXPECT_EQ(r.friction, 0.2);
+    EXPECT_NEAR(r.normal.norm(), 1.0, 1e-12);
+    // The cube's corners over the sheet z = 0: where the row says both features are, they are.
+    if (r.kind == RowKind::scene_plane) EXPECT_NEAR((r.point + r.gap * r.normal).z(), 0.0, 1e-9);
+    EXPECT_GT(r.gap, -1e-6);
+    if (r.presses) {
+      ++pressing;
+      EXPECT_EQ(pressing, i + 1);  // these first
+      EXPECT_LT(r.gap, 1e-5);
+      EXPECT_GT(r.force.z(), 0.0);
+      const double across = r.force.head<2>().norm();
+      EXPECT_LE(across, 0.2 * r.force.z() * (1.0 + 1e-6));
+      sum += r.force;
+    } else {
+      EXPECT_EQ(r.force, Vec3(Vec3::Zero()));
+    }
+    if (i > pressing) EXPECT_GE(r.gap, rows[i - 1].gap);
+  }
+  EXPECT_GE(pressing, 1u);
+  EXPECT_NEAR((sum - h.contact.force).norm(), 0.0, 1e-3 * sum.norm());
+  view_rows(h, nullptr, rows);
+  EXPECT_TRUE(rows.empty());
+}
+
+TEST(Feed, NoMoreRowsAreShownThanTheProtocolHolds) {
+  const RestingCube scene;
+  ContactSample contact;
+  for (int i = 0; i < 200; ++i) {
+    ContactRow row = make_row(RowKind::scene_plane);
+    row.id = static_cast<std::uint64_t>(i);
+    row.object_point = {0.0, 0.0, 1e-4 * i};
+    row.scene_direction = -Vec3::UnitZ();
+    contact.model.constraints.rows.push_back(row);
+  }
+  ContactRow parallel = make_row(RowKind::edges);  // has no normal
+  parallel.object_direction = parallel.scene_direction = Vec3::UnitX();
+  contact.model.constraints.rows.push_back(parallel);
+  HapticSample h;
+  h.body.position.z() = 0.01;
+  h.pressing.push_back({150, {0.0, 0.0, 2.0}});
+  std::vector<ViewedRow> rows;
+  view_rows(h, &contact, rows);
+  ASSERT_EQ(rows.size(), kViewedRows);
+  EXPECT_TRUE(rows[0].presses);
+  EXPECT_NEAR(rows[0].gap, 0.01 + 0.015, 1e-12);
+  EXPECT_NEAR(rows[1].gap, 0.01, 1e-12);
+  EXPECT_FALSE(rows[1].presses);
+}
+
+TEST(Feed, RowsOfAFrameTellOfWaitingInTheStateChannel) {
+  LiveFeed feed{Workspace{}};
+  HapticSample s;
+  s.is_grasped = s.is_held_back = true;
+  feed.observe(s);
+  s.is_held_back = false;
+  s.is_squeezed = true;
+  feed.observe(s);
+  std::vector<ChannelRow> rows;
+  feed.take_rows(rows);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].values.back(), static_cast<float>(kGrasped | kHeldBack));
+  EXPECT_EQ(rows[1].values.back(), static_cast<float>(kGrasped | kSqueezed));
 }
 
 TEST(Feed, ReleasedObjectsHaveNoGhostOfTheirOwn) {

@@ -1,6 +1,7 @@
 #include "viewer/server/messages.h"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -82,6 +83,23 @@ TEST(Messages, UnknownNumbersAreNull) {
   EXPECT_TRUE(json["reason"].is_null());
   EXPECT_EQ(json["holder"], "you");
   EXPECT_EQ(json["dropped"]["yours"], 1);
+  EXPECT_TRUE(json["constraint"].is_null());
+}
+
+TEST(Messages, StateCountsTheRowsOfASessionUnderConstraints) {
+  Timing timing{};
+  timing.held_back = 0.25;
+  RunState state;
+  state.rows = RowsNow{300, 256, 44, 2, std::numeric_limits<double>::infinity(), 2e-4};
+  const Json json = Json::parse(state_message(state, timing, "you", 0, 0, 0))["constraint"];
+  EXPECT_EQ(json["rows"], 300);
+  EXPECT_EQ(json["in_model"], 256);
+  EXPECT_EQ(json["cut"], 44);
+  EXPECT_EQ(json["left_out"], 2);
+  EXPECT_TRUE(json["travel"].is_null());
+  EXPECT_EQ(json["look_ahead"], 2e-4);
+  EXPECT_EQ(json["held_back"], 0.25);
+  EXPECT_EQ(json["squeezed"], 0.0);
 }
 
 TEST(Messages, HelloNamesEveryFaultAndChannel) {

@@ -104,10 +104,13 @@ TEST(Protocol, SnapshotLiesAsTheTableSays) {
   const ViewedContact contacts[] = {contact, contact};
   const ViewedCluster cluster{{1, 0, 0}, {0, 0, 1}, 0.75, {0, 0, -8}, 9};
   const ViewedCluster clusters[] = {cluster};
+  ViewedRow row{{1, 2, 3}, {0, 1, 0}, 0.25, {4, 5, 6}, 0.5, RowKind::edges, true};
+  const ViewedRow rows[] = {row, {.kind = RowKind::object_plane}};
   s.contacts = contacts;
   s.clusters = clusters;
+  s.rows = rows;
   const std::string m = encode_snapshot(s);
-  ASSERT_EQ(m.size(), 240u + 2u * 48u + 48u);
+  ASSERT_EQ(m.size(), 240u + 2u * 48u + 48u + 2u * 48u);
   EXPECT_EQ(hex(m.substr(0, 8)), "0301030002000000");
   EXPECT_EQ(at<double>(m, 8), 2.25);
   EXPECT_EQ(at<double>(m, 16), 2250.0);
@@ -139,6 +142,17 @@ TEST(Protocol, SnapshotLiesAsTheTableSays) {
   EXPECT_EQ(at<float>(m, last + 24), 0.75f);
   EXPECT_EQ(at<float>(m, last + 36), -8.0f);
   EXPECT_EQ(at<std::int32_t>(m, last + 40), 9);
+  EXPECT_EQ(at<std::uint32_t>(m, 236), 2u);
+  const std::size_t of_rows = last + 48;
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(at<float>(m, of_rows + 4 * i), static_cast<float>(i + 1));
+    EXPECT_EQ(at<float>(m, of_rows + 28 + 4 * i), static_cast<float>(i + 4));
+  }
+  EXPECT_EQ(at<float>(m, of_rows + 16), 1.0f);
+  EXPECT_EQ(at<float>(m, of_rows + 24), 0.25f);
+  EXPECT_EQ(at<float>(m, of_rows + 40), 0.5f);
+  EXPECT_EQ(at<std::uint32_t>(m, of_rows + 44), 2u | 4u);
+  EXPECT_EQ(at<std::uint32_t>(m, of_rows + 48 + 44), 1u);
 }
 
 TEST(Protocol, SnapshotHoldsNoMoreThanTheProtocolAllows) {
@@ -148,6 +162,9 @@ TEST(Protocol, SnapshotHoldsNoMoreThanTheProtocolAllows) {
   s.contacts = contacts;
   s.clusters = clusters;
   EXPECT_EQ(encode_snapshot(s).size(), 240u + 128u * 48u + 16u * 48u);
+  const std::vector<ViewedRow> rows(256);
+  s.rows = rows;
+  EXPECT_EQ(encode_snapshot(s).size(), 240u + (128u + 16u + 64u) * 48u);
 }
 
 TEST(Protocol, MeshCarriesItsPatchesAndTheTreeAboveThem) {

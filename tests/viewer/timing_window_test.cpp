@@ -14,6 +14,8 @@ TEST(TimingWindow, TellsQuantilesAndRatesOfTheLastSecond) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].values[10] = static_cast<float>(i) * 1e-6f;
     rows[i].values[11] = 2e-6f;
+    rows[i].values[14] =
+        static_cast<float>(kGrasped | (i % 4 == 0 ? kHeldBack : 0) | (i % 10 == 0 ? kSqueezed : 0));
   }
   const std::vector<double> queries = {3e-4, 1e-4, 2e-4};
   add(rows, queries, window);
@@ -22,6 +24,9 @@ TEST(TimingWindow, TellsQuantilesAndRatesOfTheLastSecond) {
   EXPECT_NEAR(t.step_p99, 989e-6, 2e-6);
   EXPECT_NEAR(t.late_p99, 2e-6, 1e-12);
   EXPECT_EQ(t.query_p50, 2e-4);
+  EXPECT_DOUBLE_EQ(t.held_back, 0.25);
+  EXPECT_DOUBLE_EQ(t.squeezed, 0.1);
+  EXPECT_EQ(close(13.0, true, 7000, 500, window).held_back, 0.0);
   EXPECT_DOUBLE_EQ(t.haptic_hz, 1000.0);
   EXPECT_DOUBLE_EQ(t.contact_hz, 200.0);
 }

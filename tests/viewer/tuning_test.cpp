@@ -58,6 +58,20 @@ TEST(Tuning, DampingRatiosStay) {
               damping_ratio(c.contact.response.damping, 2000.0, 0.01), 1e-12);
 }
 
+TEST(Tuning, UnderConstraintsTheCouplingIsSetAndThereIsNoContactStiffness) {
+  SessionConfig c = config();
+  c.haptic.response = ResponseKind::constrained;
+  Tuner tuner(c);
+  EXPECT_EQ(tuner.find("contact_stiffness"), nullptr);
+  EXPECT_NE(tuner.set("contact_stiffness", 900.0), "");
+  EXPECT_EQ(tuner.set("coupling_stiffness", 600.0), "");
+  EXPECT_EQ(tuner.set("mass", 0.02), "");
+  EXPECT_EQ(tuner.haptic().coupling.linear_stiffness, 600.0);
+  EXPECT_EQ(tuner.contact().response.damping, c.contact.response.damping);  // as it was
+  // 600 N/m on 0.4 g would swing faster than the frames; the contact law's 2000 N/m bind nothing.
+  EXPECT_EQ(tuner.set("mass", 0.0011), "");
+}
+
 TEST(Tuning, UnsafeValuesAreRefusedWithWhatWouldBeAllowed) {
   Tuner tuner(config());
   // 2000 N/m on less than 2 g swings faster than 1 kHz frames follow.

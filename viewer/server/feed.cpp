@@ -1,6 +1,10 @@
 #include "viewer/server/feed.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "thigma/math/rotation.h"
 
 namespace thigma::live {
 namespace {
@@ -16,9 +20,10 @@ Wrench in_world(const Workspace& workspace, const Wrench& device) {
 }
 
 std::uint16_t state_bits(const HapticSample& s) {
-  return static_cast<std::uint16_t>((s.is_grasped ? kGrasped : 0) | (s.is_armed ? kArmed : 0) |
-                                    (s.fault != Fault::none ? kFaulty : 0) |
-                                    (s.device.weight < 1.0 ? kFading : 0));
+  return static_cast<std::uint16_t>(
+      (s.is_grasped ? kGrasped : 0) | (s.is_armed ? kArmed : 0) |
+      (s.fault != Fault::none ? kFaulty : 0) | (s.device.weight < 1.0 ? kFading : 0) |
+      (s.is_held_back ? kHeldBack : 0) | (s.is_squeezed ? kSqueezed : 0));
 }
 
 /// What is felt: the force sent, and the torque whether the device can give it or not.
@@ -144,6 +149,36 @@ Snapshot make_snapshot(const HapticNow& now, const ContactSample* contact, const
   }
   s.clusters = clusters;
   return s;
+}
+
+void view_rows(const HapticSample& haptic, const ContactSample* contact,
+               std::vector<ViewedRow>& rows) {
+  rows.clear();
+  if (contact == nullptr) return;
+  const Mat3 rotation = rotation_matrix(haptic.body.orientation);
+  for (const ContactRow& row : contact->model.constraints.rows) {
+    const RowAtState at = row_at(row, haptic.body.position, rotation);
+    if (!std::isfinite(at.gap)) continue;
+    ViewedRow viewed;
+    // The arm ends on the object's feature but for its planes, where it ends on the scene's point.
+    viewed.point = haptic.body.position + at.arm;
+    if (row.kind == RowKind::object_plane) viewed.point -= at.gap * at.normal;
+    viewed.normal = at.normal;
+    viewed.gap = at.gap;
+    viewed.friction = row.friction;
+    viewed.kind = row.kind;
+    for (const PressingRow& pressing : haptic.pressing) {
+      if (pressing.id != row.id) continue;
+      viewed.presses = true;
+      viewed.force = pressing.force;
+    }
+    rows.push_back(viewed);
+  }
+  const auto before = [](const ViewedRow& a, const ViewedRow& b) {
+    return a.presses != b.presses ? a.presses : a.gap < b.gap;
+  };
+  std::stable_sort(rows.begin(), rows.end(), before);
+  if (rows.size() > kViewedRows) rows.resize(kViewedRows);
 }
 
 }  // namespace thigma::live

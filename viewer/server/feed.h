@@ -78,4 +78,12 @@ Snapshot make_snapshot(const HapticNow& now, const ContactSample* contact, const
                        const Workspace& workspace, const Pose& body_from_mesh,
                        const Vec3& grasp_point, std::vector<ViewedCluster>& clusters);
 
+/// The rows of the newest model as they stand at the frame, those that press in it first, then the
+/// nearest; at most kViewedRows. Rows without a normal, of parallel edges, are left out.
+///
+/// contact  null: none
+/// rows     overwritten
+void view_rows(const HapticSample& haptic, const ContactSample* contact,
+               std::vector<ViewedRow>& rows);
+
 }  // namespace thigma::live

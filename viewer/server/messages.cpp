@@ -82,6 +82,18 @@ Json trouble_json(const Trouble& trouble) {
       {"name", trouble.name}, {"time", finite(trouble.time)}, {"text", text_or_null(trouble.text)}};
 }
 
+Json constraint_json(const std::optional<RowsNow>& rows, const Timing& t) {
+  if (!rows) return nullptr;
+  return {{"rows", rows->rows},
+          {"in_model", rows->in_model},
+          {"cut", rows->cut},
+          {"left_out", rows->left_out},
+          {"travel", finite(rows->travel)},
+          {"look_ahead", finite(rows->look_ahead)},
+          {"held_back", finite(t.held_back)},
+          {"squeezed", finite(t.squeezed)}};
+}
+
 const char* kind_name(ParameterKind kind) {
   constexpr const char* kNames[] = {"number", "optional", "choice"};
   return kNames[static_cast<std::size_t>(kind)];
@@ -231,6 +243,7 @@ std::string state_message(const RunState& s, const Timing& t, std::string_view h
   json["fault"] = s.fault.name.empty() ? Json(nullptr) : trouble_json(s.fault);
   json["late"] = s.lates == 0 ? Json(nullptr) : trouble_json(s.late);
   if (s.lates > 0) json["late"]["count"] = s.lates;
+  json["constraint"] = constraint_json(s.rows, t);
   json["timing"] = {{"step_cpu_us", micro(t.step_p50, t.step_p99)},
                     {"wake_late_us", micro(t.late_p50, t.late_p99)},
                     {"query_cpu_us", micro(t.query_p50, t.query_p99)},

@@ -83,6 +83,13 @@ struct Trouble {
 
 enum class RunPhase : std::uint8_t { running, paused, ended };
 
+/// Of the constrained response, for `state`: the newest contact model, and shares of the frames of
+/// the last second.
+struct RowsNow {
+  std::int64_t rows = 0, in_model = 0, cut = 0, left_out = 0;  // see ContactSample
+  double travel = 0.0, look_ahead = 0.0;                       // [m]
+};
+
 /// How the session stands, for `state`.
 struct RunState {
   int session = 0;
@@ -99,6 +106,7 @@ struct RunState {
   Trouble fault;            // latched, or what ended the session
   Trouble late;             // the last one ...
   std::uint64_t lates = 0;  // ... of so many
+  std::optional<RowsNow> rows;
 };
 
 /// Over the last second; NaN: nothing was measured.
@@ -106,6 +114,7 @@ struct Timing {
   double step_p50, step_p99, late_p50, late_p99, query_p50, query_p99;  // [s]
   double haptic_hz, contact_hz;
   std::uint64_t missed = 0;
+  double held_back = 0.0, squeezed = 0.0;  // of the frames, shares
 };
 
 std::string hello_message(const SceneView& scene, PageId page, double lost_after,

@@ -136,6 +136,15 @@ void put_cluster(std::string& out, const ViewedCluster& c) {
   put(out, std::uint32_t{0});
 }
 
+void put_row(std::string& out, const ViewedRow& r) {
+  put_vector(out, r.point);
+  put_vector(out, r.normal);
+  put_float(out, r.gap);
+  put_vector(out, r.force);
+  put_float(out, r.friction);
+  put(out, static_cast<std::uint32_t>(r.kind) | (r.presses ? 4u : 0u));
+}
+
 /// "" or what is wrong with a sample.
 std::string wrong_with(const WebSample& sample) {
   constexpr double kFarthest = 10.0;  // [m]
@@ -204,6 +213,7 @@ std::string encode_snapshot(const Snapshot& s) {
   std::string out;
   const std::size_t contacts = std::min(s.contacts.size(), kViewedContacts);
   const std::size_t clusters = std::min(s.clusters.size(), kMostClusters);
+  const std::size_t rows = std::min(s.rows.size(), kViewedRows);
   put_header(out, MessageKind::snapshot, s.bits, contacts, s.time);
   put(out, static_cast<double>(s.frame));
   put_fields(out, s);
@@ -212,9 +222,10 @@ std::string encode_snapshot(const Snapshot& s) {
   put(out, counted(s.dropped));
   put(out, counted(s.front));
   put(out, static_cast<std::uint32_t>(s.fault));
-  put(out, std::uint32_t{0});
+  put(out, static_cast<std::uint32_t>(rows));
   for (const ViewedContact& c : s.contacts.first(contacts)) put_contact(out, c);
   for (const ViewedCluster& c : s.clusters.first(clusters)) put_cluster(out, c);
+  for (const ViewedRow& r : s.rows.first(rows)) put_row(out, r);
   return out;
 }
 

@@ -41,7 +41,10 @@ enum StateBit : std::uint16_t {
   kFaulty = 4,
   kPaused = 8,
   kEnded = 16,
-  kFading = 32
+  kFading = 32,
+  kHeldBack = 64,
+  kSqueezed = 128,
+  kConstrained = 256  // of snapshots alone
 };
 
 /// A cluster as it is shown.
@@ -51,6 +54,20 @@ struct ViewedCluster {
   double depth = 0.0;           // now [m]
   Vec3 force = Vec3::Zero();    // on the object [N; world, virtual size]
   std::int32_t id = -1;
+};
+
+/// Most rows of a model that are shown: those that press, then the nearest.
+inline constexpr std::size_t kViewedRows = 64;
+
+/// A row of the constrained response as it is shown.
+struct ViewedRow {
+  Vec3 point = Vec3::Zero();    // of the object, where the two features are nearest [m; world]
+  Vec3 normal = Vec3::UnitZ();  // out of the object; point + gap normal is of the scene [world]
+  double gap = 0.0;             // [m]
+  Vec3 force = Vec3::Zero();    // on the object, friction included [N; world, virtual size]
+  double friction = 0.0;        // Coulomb's coefficient
+  RowKind kind = RowKind::scene_plane;
+  bool presses = false;
 };
 
 /// Everything of a `snapshot`; what each field means stands in docs/protocol.md.
@@ -68,6 +85,7 @@ struct Snapshot {
   std::int64_t found = 0, dropped = 0, front = 0;
   std::span<const ViewedContact> contacts;
   std::span<const ViewedCluster> clusters;
+  std::span<const ViewedRow> rows;
 };
 
 /// `mesh`, number `mesh_number`. The hierarchy is that of the mesh, or null: then one patch of all.
@@ -84,8 +102,8 @@ std::string encode_level(std::uint32_t mesh_number, std::int32_t level, const Tr
 /// `channels`, of at least one row.
 std::string encode_channels(std::span<const ChannelRow> rows);
 
-/// `snapshot`. What is not finite goes as NaN; contacts and clusters beyond the protocol's number
-/// are left out.
+/// `snapshot`. What is not finite goes as NaN; contacts, clusters and rows beyond the
+/// protocol's number are left out.
 std::string encode_snapshot(const Snapshot& snapshot);
 
 /// The samples of a `device` message, or why it is none: one line for the page.

@@ -1,5 +1,6 @@
 #include "viewer/server/timing_window.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "thigma/math/quantile.h"
@@ -7,7 +8,7 @@
 namespace thigma::live {
 namespace {
 
-constexpr std::size_t kStepCpu = 10, kWakeLate = 11;  // in ChannelRow::values
+constexpr std::size_t kStepCpu = 10, kWakeLate = 11, kState = 14;  // in ChannelRow::values
 constexpr double kNoRate = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -16,6 +17,9 @@ void add(std::span<const ChannelRow> rows, std::span<const double> queries, Timi
   for (const ChannelRow& row : rows) {
     window.step_cpu.push_back(static_cast<double>(row.values[kStepCpu]));
     window.wake_late.push_back(static_cast<double>(row.values[kWakeLate]));
+    const auto state = static_cast<unsigned>(row.values[kState]);
+    window.held_back += (state & kHeldBack) != 0 ? 1 : 0;
+    window.squeezed += (state & kSqueezed) != 0 ? 1 : 0;
   }
   window.query_cpu.insert(window.query_cpu.end(), queries.begin(), queries.end());
 }
@@ -29,6 +33,9 @@ Timing close(double now, bool has_frame, std::uint64_t frame, std::uint64_t upda
   t.late_p99 = sample_quantile(window.wake_late, 0.99);
   t.query_p50 = sample_quantile(window.query_cpu, 0.5);
   t.query_p99 = sample_quantile(window.query_cpu, 0.99);
+  const double frames = static_cast<double>(std::max<std::size_t>(window.step_cpu.size(), 1));
+  t.held_back = static_cast<double>(window.held_back) / frames;
+  t.squeezed = static_cast<double>(window.squeezed) / frames;
   t.haptic_hz = t.contact_hz = kNoRate;
   const double elapsed = now - window.since;
   // A session that began anew counts from 0 again.
@@ -40,6 +47,7 @@ Timing close(double now, bool has_frame, std::uint64_t frame, std::uint64_t upda
   window.first_frame = frame;
   window.first_update = update;
   window.has_first = has_frame;
+  window.held_back = window.squeezed = 0;
   window.step_cpu.clear();
   window.wake_late.clear();
   window.query_cpu.clear();

@@ -16,6 +16,7 @@ struct TimingWindow {
   std::uint64_t first_frame = 0, first_update = 0;
   bool has_first = false;
   std::vector<double> step_cpu, wake_late, query_cpu;  // [s]
+  std::size_t held_back = 0, squeezed = 0;             // frames
 };
 
 /// Adds rows and what has been measured of queries.

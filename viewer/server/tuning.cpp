@@ -64,15 +64,18 @@ Tuner::Tuner(const SessionConfig& config) {
   base_.contact.response = config.contact.response;
   base_.contact.resolution = config.contact.resolution;
   const Coupling& c = config.haptic.coupling;
-  list_.push_back(span("contact_stiffness", "contact stiffness", "N/m",
-                       "how hard the surfaces are, all contacts together",
-                       config.contact.response.stiffness, 20.0, 4.0));
-  list_.back().is_replayed = false;  // recordings hold the contact models themselves
-  if (config.haptic.response == ResponseKind::coupled && c.linear_stiffness > 0.0) {
+  if (config.haptic.response != ResponseKind::constrained) {  // which has none
+    list_.push_back(span("contact_stiffness", "contact stiffness", "N/m",
+                         "how hard the surfaces are, all contacts together",
+                         config.contact.response.stiffness, 20.0, 4.0));
+    list_.back().is_replayed = false;  // recordings hold the contact models themselves
+  }
+  const bool has_coupling = config.haptic.response != ResponseKind::direct;
+  if (has_coupling && c.linear_stiffness > 0.0) {
     list_.push_back(span("coupling_stiffness", "coupling stiffness", "N/m",
                          "how firmly the hand holds the object", c.linear_stiffness, 20.0, 4.0));
   }
-  if (config.haptic.response == ResponseKind::coupled && c.angular_stiffness > 0.0) {
+  if (has_coupling && c.angular_stiffness > 0.0) {
     list_.push_back(span("coupling_angular_stiffness", "coupling stiffness, turning", "N m/rad",
                          "how firmly the hand turns the object", c.angular_stiffness, 20.0, 4.0));
   }
@@ -130,10 +133,11 @@ std::string Tuner::unsafe(const std::string& name, double wanted) const {
   const Coupling& before = base_.haptic.coupling;
   const double mass = with("mass");
   // Above a radian a frame the spring of a contact swings faster than the frames can follow.
+  const double contact =
+      find("contact_stiffness") != nullptr ? base_.contact.response.stiffness : 0.0;
   const double stiffest =
       std::max(mass * base_.rate * base_.rate,
-               std::max(base_.contact.response.stiffness, before.linear_stiffness) * mass /
-                   base_.haptic.body.mass);
+               std::max(contact, before.linear_stiffness) * mass / base_.haptic.body.mass);
   for (const char* spring : {"contact_stiffness", "coupling_stiffness"}) {
     const double k = with(spring);
     if (k <= stiffest * (1.0 + 1e-9)) continue;
@@ -242,6 +246,7 @@ ContactTuning Tuner::contact() const {
     r.deviation_cap = value("deviation_cap") > 0.0 ? value("deviation_cap") : kNoCap;
     if (value("budget_us") != 1e6 * r.budget_cpu) r.budget_cpu = 1e-6 * value("budget_us");
   }
+  if (find("contact_stiffness") == nullptr) return tuning;
   const double k = value("contact_stiffness");
   tuning.response.damping *=
       std::sqrt(k * value("mass") / (tuning.response.stiffness * base_.haptic.body.mass));

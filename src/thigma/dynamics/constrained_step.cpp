@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "thigma/dynamics/implicit_step.h"
 #include "thigma/math/infinity.h"
@@ -128,11 +129,29 @@ GapsAfter correct_limits(const StepBounds& bounds, const BodyState& after,
   return gaps;
 }
 
+/// The rows that press, with their forces; those beyond the room are the weakest.
+void list_pressing(const ConstraintModel& model, const VelocityRows& rows,
+                   const RowImpulses& impulses, double dt, PressingRows& pressing) THIGMA_RT {
+  pressing.clear();
+  for (std::size_t i = 0; i < model.rows.size(); ++i) {
+    if (!(impulses.normal[i] > 0.0)) continue;
+    const Vec3 normal(rows.gradient[0][i], rows.gradient[1][i], rows.gradient[2][i]);
+    const auto& [first, second] = impulses.tangential[i];
+    const Vec3 impulse = impulses.normal[i] * normal + first * rows.tangent[i] +
+                         second * normal.cross(rows.tangent[i]);
+    PressingRow next{model.rows[i].id, impulse / -dt};
+    for (PressingRow& other : pressing)
+      if (next.force.squaredNorm() > other.force.squaredNorm()) std::swap(next, other);
+    pressing.push_back(next);
+  }
+}
+
 /// Solves; where rows to recover along contradict each other, again with those at rest.
 Vec6 solve(const Mat6& metric, const Vec6& free, VelocityRows& rows, RowImpulses& impulses,
            ConstrainedStep& result) THIGMA_RT {
   result.solution = solve_rows(metric, free, rows, impulses);
   if (!result.solution.is_whole) {
+    result.is_squeezed = true;
     for (int i = 0; i < rows.count; ++i) {
       double& limit = rows.limit[static_cast<std::size_t>(i)];
       limit = std::max(limit, 0.0);
@@ -199,6 +218,7 @@ ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces
     gaps.least = least_gap(model, result.state);
   }
   keep(model, impulses, memory);
+  list_pressing(model, rows, impulses, dt, result.pressing);
   result.contact = {result.solution.impulse.head<3>() / dt, result.solution.impulse.tail<3>() / dt};
   result.wanted_speed = travel_between(at.state, result.state, model.reach) / dt;
 

@@ -21,6 +21,9 @@ struct ConstrainedStep {
   RowSolution solution;
   double least_gap = 0.0;     // of the rows before the step; infinite without [m]
   bool is_held_back = false;  // the travel of the model ended the motion early
+  // rows nearer than the slop asked to be left in ways that contradict each other: they only hold
+  bool is_squeezed = false;
+  PressingRows pressing;  // the strongest first
   // how far a step goes that nothing holds back, over its length: what a query has to look ahead
   // for [m/s]
   double wanted_speed = 0.0;

@@ -75,6 +75,14 @@ struct RowMemory {
   StaticVector<Entry, 64> entries;
 };
 
+/// A row that pressed in a step. Every member is set where one is made.
+struct PressingRow {
+  std::uint64_t id;  // of the row
+  Vec3 force;        // on the object, mean over the step, friction included [N; world]
+};
+inline constexpr int kMaxPressing = 8;  // that are told of: as a rule six at most press
+using PressingRows = StaticVector<PressingRow, kMaxPressing>;
+
 /// A row at one state.
 struct RowAtState {
   double gap = 0.0;             // between the two features, negative through each other [m]

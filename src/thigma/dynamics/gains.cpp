@@ -39,6 +39,7 @@ struct Half {
   double body_mass = 0.0;  // as the handle feels it
   double scale = 1.0;      // device stiffness per virtual stiffness
   double period = 0.0, delay = 0.0;
+  bool is_held = false;  // a contact holds the object where it is, instead of a spring
 };
 
 Half linear_half(const GainTask& task) {
@@ -49,7 +50,8 @@ Half linear_half(const GainTask& task) {
           task.body.mass * scale,
           scale,
           1.0 / task.rate,
-          task.delay};
+          task.delay,
+          task.is_constrained};
 }
 
 double largest_moment(const RigidBody& body) {
@@ -65,7 +67,8 @@ Half angular_half(const GainTask& task) {
           largest_moment(task.body) * scale,
           scale,
           1.0 / task.rate,
-          task.delay};
+          task.delay,
+          task.is_constrained};
 }
 
 double critical_damping(double stiffness, double mass) { return 2.0 * std::sqrt(stiffness * mass); }
@@ -85,9 +88,11 @@ bool does_settle(const Half& half, double stiffness, double damping) {
     loop.arm_mass = half.arms[i].mass;
     loop.arm_stiffness = half.arms[i].stiffness;
     loop.arm_damping = half.arms[i].damping;
-    for (const double k : {0.0, contact}) {
+    for (const bool is_in_contact : {false, true}) {
+      const double k = is_in_contact && !half.is_held ? contact : 0.0;
       loop.contact_stiffness = k;
       loop.contact_damping = critical_damping(k, half.body_mass);
+      loop.body_mass = is_in_contact && half.is_held ? kNoLimit : half.body_mass;
       if (!(loop_growth(loop) < 1.0)) return false;
     }
   }
@@ -240,7 +245,10 @@ GainProposal propose_gains(const GainTask& task) {
   const Half linear = linear_half(task), angular = angular_half(task);
   proposal.linear = choose(linear, true, true);
   proposal.angular = choose(angular, task.has_device_rotation, true);
-  proposal.contact = choose(linear, false, true);
+  if (task.is_constrained)
+    proposal.contact = {.limit = kNoLimit, .limits = {kNoLimit, kNoLimit, kNoLimit, kNoLimit}};
+  else
+    proposal.contact = choose(linear, false, true);
   proposal.max_force = task.linear.max_effort / task.force_scale;
   if (task.has_device_rotation)
     proposal.max_torque = task.angular.max_effort * task.motion_scale / task.force_scale;
@@ -255,12 +263,14 @@ std::vector<GainWarning> check_gains(const GainTask& task, const GainProposal& p
   check_stiffness("linear_stiffness", "N/m", coupling.linear_stiffness, proposal.linear, warnings);
   check_stiffness("angular_stiffness", "N m/rad", coupling.angular_stiffness, proposal.angular,
                   warnings);
-  check_stiffness("stiffness", "N/m", contact_stiffness, proposal.contact, warnings);
+  if (!task.is_constrained)
+    check_stiffness("stiffness", "N/m", contact_stiffness, proposal.contact, warnings);
   const DampedSpring linear{coupling.linear_stiffness, coupling.linear_damping},
       angular{coupling.angular_stiffness, coupling.angular_damping};
   check_ratio("linear_damping", "N s/m", linear, mass, warnings);
   check_ratio("angular_damping", "N m s/rad", angular, moment, warnings);
-  check_ratio("damping", "N s/m", {contact_stiffness, contact_damping}, mass, warnings);
+  if (!task.is_constrained)
+    check_ratio("damping", "N s/m", {contact_stiffness, contact_damping}, mass, warnings);
   check_loop("linear_damping", linear_half(task), linear, proposal.linear, warnings);
   if (task.has_device_rotation)
     check_loop("angular_damping", angular_half(task), angular, proposal.angular, warnings);

@@ -31,6 +31,9 @@ struct GainTask {
   double force_scale = 1.0;         // f [device N / virtual N]
   PortHalf linear, angular;         // of the device
   bool has_device_rotation = true;  // rotation is sensed and actuated: the angular spring is felt
+  // contacts are inequalities (docs/constraints.md): no contact stiffness, and against a contact the
+  // object stays where it is
+  bool is_constrained = false;
 };
 
 /// What a stiffness is limited by.
@@ -60,8 +63,9 @@ struct GainChoice {
 inline constexpr double kGainMargin = 0.6;
 
 struct GainProposal {
-  GainChoice linear, angular, contact;  // k_c b_c, k_theta b_theta, k b
-  double max_force = 0.0;   // where the linear spring levels off [N; virtual]; 0: device unknown
+  GainChoice linear, angular;  // k_c b_c, k_theta b_theta
+  GainChoice contact;          // k b; stiffness 0 and no limit where contacts are constraints
+  double max_force = 0.0;      // where the linear spring levels off [N; virtual]; 0: device unknown
   double max_torque = 0.0;  // the angular one [N m; virtual]; 0: device unknown or without torque
 };
 
@@ -86,8 +90,8 @@ struct GainWarning {
 /// `coupling.linear_saturation` and the angular one are looked at where they are set.
 ///
 /// proposal           propose_gains(task)
-/// contact_stiffness  of all contacts together [N/m]
-/// contact_damping    of all contacts together [N s/m]
+/// contact_stiffness  of all contacts together [N/m]; not looked at where they are constraints
+/// contact_damping    of all contacts together [N s/m]; likewise
 /// Thread             [offline].
 std::vector<GainWarning> check_gains(const GainTask& task, const GainProposal& proposal,
                                      const Coupling& coupling, double contact_stiffness,

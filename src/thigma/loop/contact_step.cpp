@@ -151,8 +151,14 @@ void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratc
   model.sequence = ++scratch.sequence;
   model.planes.clear();
   model.depths.clear();
-  build_constraints(*world.constraints, body.state, {scratch.contacts, scratch.separation},
-                    *scratch.constraints, model.constraints);
+  const ConstraintStats stats =
+      build_constraints(*world.constraints, body.state, {scratch.contacts, scratch.separation},
+                        *scratch.constraints, model.constraints);
+  sample.rows = stats.rows;
+  sample.rows_cut = stats.rows - static_cast<std::int64_t>(model.constraints.rows.size());
+  sample.left_out = stats.left_out;
+  sample.travel = model.constraints.travel;
+  sample.look_ahead = scratch.looked_ahead;
 }
 
 }  // namespace

@@ -185,7 +185,11 @@ ActiveTerms advance_constrained(const HapticParams& params, const LinearContactM
                                   at, &forces.jacobian);
   const ConstrainedStep step = constrained_step(
       at, forces, {model.constraints, params.constraint, sample.elapsed}, state.rows);
-  state.wanted_speed = step.wanted_speed;
+  state.wanted_speed = sample.wanted_speed = step.wanted_speed;
+  sample.solve_residual = step.solution.residual;
+  sample.is_held_back = step.is_held_back;
+  sample.is_squeezed = step.is_squeezed;
+  sample.pressing = step.pressing;
   sample.contact = step.contact;
   active.count = step.solution.active;
   active.penetration = -step.least_gap;

@@ -48,6 +48,11 @@ void visit_body_state(Sample& s, Visit&& visit) {
   visit("is_grasped", s.is_grasped);
   visit("is_armed", s.is_armed);
   visit("fault", s.fault);
+  visit.unless("wanted_speed", s.wanted_speed, 0.0);
+  visit.unless("solve_residual", s.solve_residual, 0.0);
+  visit.unless("is_held_back", s.is_held_back, false);
+  visit.unless("is_squeezed", s.is_squeezed, false);
+  visit.pressing("pressing", s.pressing);
 }
 
 /// /timing, after frame and time.
@@ -83,6 +88,16 @@ void visit_contact_levels(Sample& c, Visit&& visit) {
   visit.counts("scene_levels", c.scene_levels);
 }
 
+/// The rest of it: of the constrained response, left out where all is 0.
+template <class Sample, class Visit>
+void visit_contact_rows(Sample& c, Visit&& visit) {
+  visit.unless("rows", c.rows, std::int64_t{0});
+  visit.unless("rows_cut", c.rows_cut, std::int64_t{0});
+  visit.unless("left_out", c.left_out, std::int64_t{0});
+  visit.unless("travel", c.travel, 0.0);
+  visit.unless("look_ahead", c.look_ahead, 0.0);
+}
+
 /// Columns of a table of haptic samples. A vector's columns are `name` + x, y, z(, w) + `unit`.
 template <class Visit>
 void visit_columns(const HapticSample& s, Visit&& visit) {
@@ -111,6 +126,10 @@ void visit_columns(const HapticSample& s, Visit&& visit) {
   visit("fault", s.fault);
   visit("step cpu [s]", s.step_cpu);
   visit("wake late [s]", s.wake_late);
+  visit("wanted speed [m/s]", s.wanted_speed);
+  visit("solve residual [m/s]", s.solve_residual);
+  visit("held back", s.is_held_back);
+  visit("squeezed", s.is_squeezed);
 }
 
 }  // namespace thigma

@@ -78,8 +78,9 @@ struct FieldHash {
     add_data(hash, twist.linear);
     add_data(hash, twist.angular);
   }
-  void unless(const char*, double value, double usual) const THIGMA_RT {
-    if (value != usual) add_datum(hash, value);
+  template <class Value>
+  void unless(const char* key, Value value, Value usual) const THIGMA_RT {
+    if (value != usual) (*this)(key, value);
   }
   void optional_pose(const char*, bool has, const Pose& value) const THIGMA_RT {
     if (has) pose(value);

@@ -42,6 +42,13 @@ struct HapticSample {
   double stretch = 0.0;       // of the coupling: handle to grasp point [m; world]
   double energy = 0.0;        // the hand has put in so far at the device's port [J]
   std::int32_t touching = 0;  // contact terms that push
+  // Of the constrained response.
+  double wanted_speed = 0.0;    // of the object's fastest point, were its travel not to end [m/s]
+  double solve_residual = 0.0;  // largest speed at which a row is violated [m/s]
+  bool is_held_back = false;    // the travel of the model has ended the motion early
+  // rows nearer than the slop asked to be left in ways that contradict each other
+  bool is_squeezed = false;
+  PressingRows pressing;  // the strongest first
   bool is_grasped = false;
   bool is_armed = false;
   Fault fault = Fault::none;  // latched
@@ -79,6 +86,13 @@ struct ContactSample {
   std::int32_t level_changes = 0;    // contacts that were refined or coarsened since the last frame
   double bound_max = 0.0;            // of the contacts [m]
   LevelCounts object_levels{}, scene_levels{};
+  // Of the constrained response.
+  std::int64_t rows = 0;  // found; those of the model are in `model`
+  std::int64_t rows_cut =
+      0;  // of these, not in the model for want of room: they shorten its travel
+  std::int64_t left_out = 0;  // contacts and candidates for want of room: nothing may move then
+  double travel = 0.0;        // of the object's points, as far as the rows say all [m]
+  double look_ahead = 0.0;    // tolerance of the query [m]
   // contacts, by LevelDecision; not recorded
   std::array<std::int32_t, kLevelDeciders> decided_by{};
   // of the original, below a contact, mean of both sides, sum over contacts; 0 of an exact query;

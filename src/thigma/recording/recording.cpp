@@ -78,8 +78,21 @@ struct FieldWriter {
     inner.twist(motion.twist);
     inner.close();
   }
-  void unless(const char* key, double value, double usual) const {
-    if (value != usual) json.number(key, value);
+  template <class Value>
+  void unless(const char* key, Value value, Value usual) const {
+    if (value != usual) (*this)(key, value);
+  }
+  void pressing(const char* key, const PressingRows& rows) const {
+    if (rows.empty()) return;
+    json.key(key);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      out += i == 0 ? '[' : ',';
+      JsonObject row(out);
+      row.word("id", hex_text(rows[i].id));
+      row.vector("force", rows[i].force);
+      row.close();
+    }
+    out += ']';
   }
   void optional_pose(const char* key, bool has, const Pose& pose) const {
     if (!has) return;
@@ -188,6 +201,7 @@ void put_frame(std::string& out, const ContactSample& c) {
   json.integer("sequence", static_cast<long long>(c.model.sequence));
   visit_contact_frame(c, FieldWriter{out, json});
   visit_contact_levels(c, FieldWriter{out, json});
+  visit_contact_rows(c, FieldWriter{out, json});
   json.close();
 }
 

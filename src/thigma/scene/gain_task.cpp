@@ -80,8 +80,9 @@ void fill_gains(const GainProposal& proposal, SceneDescription& scene) {
   };
   fill(proposal.linear, has_ratio, coupling.linear_stiffness, coupling.linear_damping);
   fill(proposal.angular, has_ratio, coupling.angular_stiffness, coupling.angular_damping);
-  fill(proposal.contact, scene.contact.damping_ratio.has_value(), scene.contact.stiffness,
-       scene.contact.damping);
+  if (proposal.contact.stiffness > 0.0)
+    fill(proposal.contact, scene.contact.damping_ratio.has_value(), scene.contact.stiffness,
+         scene.contact.damping);
   if (!coupling.max_force && proposal.max_force > 0.0) coupling.max_force = proposal.max_force;
   if (!coupling.max_torque && proposal.max_torque > 0.0) coupling.max_torque = proposal.max_torque;
 }

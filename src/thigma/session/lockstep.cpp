@@ -112,6 +112,7 @@ class LockstepShell {
     detail::record_contacts(now, contacts_);
     detail::show_contacts(config_.live, config_.contact, body.time, contacts_);
     force_steps_.observe(contacts_.sample);
+    events_.observe(contacts_.sample);
     if (sinks_.contact) sinks_.contact(contacts_.sample);
     pending_.push_back({use_from, contacts_.sample.model});
   }

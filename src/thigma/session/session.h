@@ -69,11 +69,13 @@ enum class EventKind : std::uint8_t {
   disarmed,         // and off
   not_armed,        // a hand holds the object and nothing arms; detail: why
   deep_contact,     // deeper than a model knew; detail: why
+  held_back,        // the object waits at the end of what its models allow; detail: why
+  squeezed,         // rows that contradict each other hold the object
   impact,           // of a simulated body; text: how hard
   at_rest,          // a simulated body
   recording_ended,  // before its session; detail: the file
 };
-inline constexpr int kEventKinds = 13;
+inline constexpr int kEventKinds = 15;
 
 /// Name as it stands in recordings, in messages to pages and in figures.
 const char* event_name(EventKind kind) noexcept;
@@ -164,6 +166,7 @@ struct SessionSummary {
   double penetration_max = 0.0;  // 0: never inside [m]
   double stretch_max = 0.0;      // of the coupling [m]
   double energy_min = 0.0;       // at the device's port, <= 0 [J]
+  ConstraintSummary constraint;
   PassivitySummary passivity;
   RiddenOut ridden_out;
   std::uint64_t dropped_samples = 0;  // of either ring

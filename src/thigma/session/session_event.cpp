@@ -6,8 +6,9 @@ namespace thigma {
 namespace {
 
 constexpr std::array<const char*, kEventKinds> kNames = {
-    "began",    "fault",     "resumed",      "late",   "grasped", "released",       "armed",
-    "disarmed", "not_armed", "deep_contact", "impact", "at_rest", "recording_ended"};
+    "began",     "fault",    "resumed",  "late",      "grasped",
+    "released",  "armed",    "disarmed", "not_armed", "deep_contact",
+    "held_back", "squeezed", "impact",   "at_rest",   "recording_ended"};
 static_assert(static_cast<int>(EventKind::recording_ended) + 1 == kEventKinds);
 
 }  // namespace

@@ -4,6 +4,56 @@
 #include <cmath>
 
 namespace thigma {
+
+void accumulate(HeldCounts& counts, const HapticSample& sample) THIGMA_RT {
+  if (!sample.is_grasped) return;
+  ++counts.frames;
+  counts.held_back += sample.is_held_back ? 1 : 0;
+  counts.squeezed += sample.is_squeezed ? 1 : 0;
+  counts.active_max = std::max(counts.active_max, sample.touching);
+  counts.residual_max = std::max(counts.residual_max, sample.solve_residual);
+  counts.wanted_speed_max = std::max(counts.wanted_speed_max, sample.wanted_speed);
+}
+
+void accumulate(RowCounts& counts, const ContactSample& sample) THIGMA_RT {
+  const std::size_t rows = sample.model.constraints.rows.size();
+  ++counts.models[rows];
+  counts.found_max = std::max(counts.found_max, sample.rows);
+  counts.cut_max = std::max(counts.cut_max, sample.rows_cut);
+  counts.left_out_max = std::max(counts.left_out_max, sample.left_out);
+  counts.cut_models += sample.rows_cut > 0 ? 1 : 0;
+  counts.left_out_models += sample.left_out > 0 ? 1 : 0;
+  counts.look_ahead_max = std::max(counts.look_ahead_max, sample.look_ahead);
+  if (rows > 0) counts.travel_min = std::min(counts.travel_min, sample.travel);
+}
+
+ConstraintSummary summarize(const HeldCounts& held, const RowCounts& rows) noexcept {
+  ConstraintSummary s;
+  s.is_on = true;
+  const double frames = static_cast<double>(std::max<std::uint64_t>(held.frames, 1));
+  s.held_back_share = static_cast<double>(held.held_back) / frames;
+  s.squeezed_share = static_cast<double>(held.squeezed) / frames;
+  s.active_max = held.active_max;
+  s.residual_max = held.residual_max;
+  s.wanted_speed_max = held.wanted_speed_max;
+  s.found_max = rows.found_max;
+  s.cut_max = rows.cut_max;
+  s.cut_models = rows.cut_models;
+  s.left_out_max = rows.left_out_max;
+  s.left_out_models = rows.left_out_models;
+  s.travel_min = rows.travel_min;
+  s.look_ahead_max = rows.look_ahead_max;
+  std::uint64_t all = 0, so_far = 0;
+  for (std::size_t n = 1; n < rows.models.size(); ++n) all += rows.models[n];
+  for (std::size_t n = 1; n < rows.models.size(); ++n) {
+    if (rows.models[n] == 0) continue;
+    s.rows_max = static_cast<std::int64_t>(n);
+    if (2 * so_far < all) s.rows_p50 = s.rows_max;
+    so_far += rows.models[n];
+  }
+  return s;
+}
+
 void accumulate(HapticStatistics& statistics, const HapticSample& sample, std::int64_t step_cpu_ns,
                 std::int64_t wake_late_ns) THIGMA_RT {
   ++statistics.frames;
@@ -27,6 +77,7 @@ void accumulate(HapticStatistics& statistics, const HapticSample& sample, std::i
         std::max(statistics.ridden_out.longest_gap, sample.time - statistics.last_time);
   }
   statistics.ridden_out.stale_models += rode_out_model(sample, statistics.last_weight) ? 1 : 0;
+  accumulate(statistics.held, sample);
   statistics.last_time = sample.time;
   statistics.last_weight = rode_out_gap(sample) ? 0.0 : sample.model_weight;
 }
@@ -59,6 +110,7 @@ void accumulate(ContactStatistics& statistics, const ContactSample& sample) THIG
   for (std::size_t i = 0; i < statistics.decided_by.size(); ++i)
     statistics.decided_by[i] += static_cast<std::uint64_t>(sample.decided_by[i]);
   statistics.triangles_below += sample.triangles_below;
+  accumulate(statistics.rows, sample);
   record(statistics.query_cpu, to_ns(sample.query_cpu));
   record(statistics.model_cpu, to_ns(sample.step_cpu - sample.query_cpu));
   record(statistics.step_cpu, to_ns(sample.step_cpu));

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "thigma/core/rt.h"
 #include "thigma/loop/samples.h"
@@ -31,6 +32,22 @@ struct RiddenOut {
   double longest_gap = 0.0;  // from the frame before to the one that was late [s]
 };
 
+/// Of the haptic frames in which the object was in the hand. Thread: one writer.
+struct HeldCounts {
+  std::uint64_t frames = 0, held_back = 0, squeezed = 0;
+  std::int32_t active_max = 0;
+  double residual_max = 0.0, wanted_speed_max = 0.0;  // [m/s]
+};
+
+/// Of the contact frames. Thread: one writer.
+struct RowCounts {
+  std::array<std::uint32_t, kMaxRows + 1> models{};  // by rows in the model
+  std::int64_t found_max = 0, cut_max = 0, left_out_max = 0;
+  std::uint64_t cut_models = 0, left_out_models = 0;  // models that lack rows, that stop the object
+  double travel_min = std::numeric_limits<double>::infinity();  // of models with rows [m]
+  double look_ahead_max = 0.0;                                  // [m]
+};
+
 /// Of the haptic frames. Thread: one writer; read after it has stopped.
 struct HapticStatistics {
   std::uint64_t frames = 0;
@@ -45,6 +62,7 @@ struct HapticStatistics {
   double penetration_max = 0.0;                          // [m]
   double stretch_max = 0.0;                              // while grasped [m]
   RiddenOut ridden_out;
+  HeldCounts held;                            // of the constrained response
   double last_time = 0.0, last_weight = 1.0;  // of the frame before
 };
 
@@ -60,6 +78,7 @@ struct ContactStatistics {
   std::array<std::uint64_t, kLevelBins> object_levels{}, scene_levels{};  // contacts, sums
   std::array<std::uint64_t, kLevelDeciders> decided_by{};                 // contacts, sums
   double triangles_below = 0.0;                                           // sum over contacts
+  RowCounts rows;  // of the constrained response
 };
 
 /// Whether a frame was late, and whether its model had become too old, without a fault of it.
@@ -79,5 +98,45 @@ void accumulate(HapticStatistics& statistics, const HapticSample& sample, std::i
                 std::int64_t wake_late_ns) THIGMA_RT;
 void accumulate(HapticStatistics& statistics, const StageTimes& times) THIGMA_RT;
 void accumulate(ContactStatistics& statistics, const ContactSample& sample) THIGMA_RT;
+void accumulate(HeldCounts& counts, const HapticSample& sample) THIGMA_RT;
+void accumulate(RowCounts& counts, const ContactSample& sample) THIGMA_RT;
+
+/// What the constrained response did; nothing of the others.
+struct ConstraintSummary {
+  bool is_on = false;
+  double held_back_share = 0.0;   // of the frames with the object in the hand: its travel had ended
+  double squeezed_share = 0.0;    // of these: rows contradicted each other
+  std::int64_t active_max = 0;    // rows that pressed at once
+  double residual_max = 0.0;      // of a solve: speed at which a row is violated [m/s]
+  double wanted_speed_max = 0.0;  // of the object's fastest point [m/s]
+  // in a model that has any, and found for one
+  std::int64_t rows_p50 = 0, rows_max = 0, found_max = 0;
+  std::int64_t cut_max = 0, left_out_max = 0;  // see ContactSample
+  std::uint64_t cut_models = 0, left_out_models = 0;
+  // least of models with rows, infinite without; tolerance of queries [m]
+  double travel_min = std::numeric_limits<double>::infinity(), look_ahead_max = 0.0;
+};
+
+/// Thread [offline].
+ConstraintSummary summarize(const HeldCounts& held, const RowCounts& rows) noexcept;
+
+/// Calls visit(key, number) for every field but is_on.
+template <class Visit>
+void visit_constraint_summary(const ConstraintSummary& s, Visit&& visit) {
+  visit("held_back_share", s.held_back_share);
+  visit("squeezed_share", s.squeezed_share);
+  visit("active_max", s.active_max);
+  visit("residual_max", s.residual_max);
+  visit("wanted_speed_max", s.wanted_speed_max);
+  visit("rows_p50", s.rows_p50);
+  visit("rows_max", s.rows_max);
+  visit("found_max", s.found_max);
+  visit("cut_max", s.cut_max);
+  visit("cut_models", s.cut_models);
+  visit("left_out_max", s.left_out_max);
+  visit("left_out_models", s.left_out_models);
+  visit("travel_min", s.travel_min);
+  visit("look_ahead_max", s.look_ahead_max);
+}
 
 }  // namespace thigma

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "viewer/server/detail/live_server_state.h"
 
@@ -11,6 +12,22 @@ namespace {
 constexpr std::size_t kMostRows = 250;     // of a batch
 constexpr std::uint64_t kIdleTicks = 15;   // a snapshot four times a second where nothing moves
 constexpr std::uint64_t kStateTicks = 60;  // `state` once a second
+
+bool is_constrained(const ContactSample* contact) {
+  return contact != nullptr && contact->model.constraints.reach > 0.0;
+}
+
+std::optional<RowsNow> rows_now(const ContactSample* contact) {
+  if (!is_constrained(contact)) return std::nullopt;
+  RowsNow now;
+  now.rows = contact->rows;
+  now.in_model = static_cast<std::int64_t>(contact->model.constraints.rows.size());
+  now.cut = contact->rows_cut;
+  now.left_out = contact->left_out;
+  now.travel = contact->travel;
+  now.look_ahead = contact->look_ahead;
+  return now;
+}
 
 double wall_seconds() { return 1e-9 * static_cast<double>(monotonic_ns()); }
 
@@ -37,6 +54,11 @@ Snapshot LiveServer::Impl::snapshot_now(const HapticNow& now) {
                              grasp_point, clusters);
   if (state.run == RunPhase::paused) s.bits |= kPaused;
   if (state.run == RunPhase::ended) s.bits |= kEnded;
+  if (const ContactSample* contact = feed.contact(); is_constrained(contact)) {
+    s.bits |= kConstrained;
+    view_rows(now.sample, contact, viewed_rows);
+    s.rows = viewed_rows;
+  }
   s.haptic_hz = timing.haptic_hz;
   s.contact_hz = timing.contact_hz;
   s.newton_length = 0.4 * scene.object.hierarchy->radius;
@@ -126,6 +148,7 @@ void LiveServer::Impl::send_state() {
   const HapticNow* now = feed.haptic();
   state.time = now != nullptr ? now->sample.time : 0.0;
   state.pages = pages.size();
+  state.rows = rows_now(feed.contact());
   for (const PageId page : pages) send_state_to(page);
 }
 

@@ -103,12 +103,14 @@ struct LiveServer::Impl {
   LiveStart now_running;
   PageId holder = 0;
   double last_sample = -std::numeric_limits<double>::infinity();  // of the holder's clock
-  Timing timing{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, 0};
+  Timing timing{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown,
+                kUnknown, kUnknown, 0,        0.0,      0.0};
   TimingWindow window;
   std::vector<ChannelRow> rows;
   std::vector<double> query_times;
   std::vector<SessionEvent> events;
   std::vector<ViewedCluster> clusters;
+  std::vector<ViewedRow> viewed_rows;
   std::uint64_t ticks = 0, left_out = 0, dropped_samples = 0;
   Fault last_fault = Fault::none;
   double rate;

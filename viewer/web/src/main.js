@@ -8,7 +8,7 @@ import { readGamepad, startInput } from "./input.js";
 import { ask, letGo, makeLink, sendAll, sendHand, waitingBytes } from "./link.js";
 import { addEvent, fillHelp, makeParameters, showParameters } from "./panels.js";
 import { addMark, addRates, addRows, clearPlots, drawPlots, makePlots, plotPicture, plotTable, rebuildPlots, setFloors } from "./plots.js";
-import { makeReadouts, showLegend, showReadouts } from "./readouts.js";
+import { makeReadouts, showLegend, showReadouts, showRowLegend } from "./readouts.js";
 import { fillLevelBrowser, browsedWords, makeLevelBrowser } from "./levels.js";
 import { makeOpener, openMenu, takeMenu, takeModel } from "./open.js";
 import { makeReplayBar, showReplayBar } from "./replay.js";
@@ -101,7 +101,7 @@ const on = {
     session.counts.event += 1;
     addEvent(at("events"), message);
     addMark(plots, message.time, message.kind);
-    if (message.kind === "recording_ended") session.refusal = { text: `${eventWords(message)}.`, until: performance.now() / 1000 + 10 };
+    if (["recording_ended", "held_back", "squeezed"].includes(message.kind)) session.refusal = { text: `${eventWords(message)}.`, until: performance.now() / 1000 + 10 };
   },
   channels: (message) => {
     session.counts.channels += 1;
@@ -282,7 +282,8 @@ function fullForce() {
 
 function showWords(now, newtons) {
   showState(bar, session);
-  showReadouts(readouts, session.snapshot, session.state, session.scene);
+  showReadouts(readouts, session.snapshot, session.state, session.scene, session.parameters);
+  showRowLegend(at("row-legend"), session.snapshot);
   showLegend(at("legend"), session.snapshot, session.scene, browsedWords(levels));
   showReplayBar(replayBar, session.state, session.snapshot);
   showHint(at("hint"), guideLine(guide, session, { now, newtons, holding: session.holding && hand.clutch, turned: session.turned }, act));

@@ -8,10 +8,10 @@ export const MAX_CLUSTERS = 16;
 const Z = new Vector3(0, 0, 1);
 
 /// A material for marks. A second, faint pass without depth test shows them through the objects.
-function markMaterial(options = {}) {
+export function markMaterial(options = {}) {
   return new MeshStandardMaterial({ roughness: 0.5, metalness: 0, ...options });
 }
-function seenThrough(options = {}) {
+export function seenThrough(options = {}) {
   return new MeshBasicMaterial({ transparent: true, opacity: 0.42, depthTest: false, depthWrite: false, ...options });
 }
 
@@ -114,21 +114,24 @@ export function paintTwist(twist, colour) {
   for (const { material } of twist.parts) material.color.set(colour);
 }
 
+/// Room for copies of one shape, none shown yet.
+export function addInstances(group, geometry, material, most, order) {
+  const mesh = new InstancedMesh(geometry, material, most);
+  mesh.frustumCulled = false;
+  mesh.renderOrder = order;
+  mesh.count = 0;
+  mesh.setColorAt(0, new Color());
+  group.add(mesh);
+  return mesh;
+}
+
 /// Contacts as dots with normals, clusters as rings; both also faintly through the objects.
 export function makeContactMarks() {
   const group = new Group();
   const dot = new SphereGeometry(1, 12, 8);
   const needle = new CylinderGeometry(0.22, 0.22, 1, 8).rotateX(Math.PI / 2).translate(0, 0, 0.5);
   const ring = new TorusGeometry(1, 0.12, 8, 40);
-  const instanced = (geometry, material, most, order) => {
-    const mesh = new InstancedMesh(geometry, material, most);
-    mesh.frustumCulled = false;
-    mesh.renderOrder = order;
-    mesh.count = 0;
-    mesh.setColorAt(0, new Color());
-    group.add(mesh);
-    return mesh;
-  };
+  const instanced = (...what) => addInstances(group, ...what);
   const marks = { group, dots: [], needles: [], rings: [] };
   for (const [material, order] of [[markMaterial(), 1], [seenThrough({ opacity: 0.45 }), 21]]) {
     marks.dots.push(instanced(dot, material, MAX_CONTACTS, order));
@@ -174,7 +177,7 @@ function write(meshes, k, wide, long) {
   }
 }
 
-function finish(meshes, shown) {
+export function finish(meshes, shown) {
   for (const mesh of meshes) {
     mesh.count = shown;
     mesh.instanceMatrix.needsUpdate = true;

@@ -173,7 +173,9 @@ export function fillHelp(dialog) {
   const marks = element("p", "note");
   marks.append(swatch("force", "force on the hand"), swatch("torque", "torque, turning along the arc"),
     swatch("ring", "clusters of contacts"),
-    swatch("levels", "dots: contacts with their normals, in the colour of their level of detail"));
+    swatch("levels", "dots: contacts with their normals, in the colour of their level of detail"),
+    swatch("contact", "under constraints, discs: planes that the object keeps off, with the points they keep off"),
+    swatch("press", "those that press, with their force and the cone it may lie in"));
   const close = Object.assign(element("button", "primary", "Close"), { type: "button" });
   close.addEventListener("click", () => dialog.close());
   dialog.addEventListener("click", (event) => { if (event.target === dialog) dialog.close(); });

@@ -6,9 +6,10 @@ export const VERSION = 1;
 export const MESH = 1, CHANNELS = 2, SNAPSHOT = 3, LEVEL = 4, DEVICE = 32, UPLOAD = 33;
 export const NOTHING = 0xffffffff;
 export const CLUTCH = 1;
-export const STATE = { grasped: 1, armed: 2, fault: 4, paused: 8, ended: 16, fading: 32 };
+export const STATE = { grasped: 1, armed: 2, fault: 4, paused: 8, ended: 16, fading: 32, heldBack: 64, squeezed: 128, constrained: 256 };
 export const STATUS = ["apart", "inside", "deep inside", "side by side"];
 export const MAX_SAMPLES = 64;
+export const ROW_KINDS = ["a corner of the object, a face", "a face of the object, a corner", "two edges"];
 const HEADER = 16, FIELDS = 48, CONTACT = 48, SAMPLE = 40;
 
 export class ProtocolError extends Error {}
@@ -86,8 +87,8 @@ function decodeChannels(buffer, words, { bits: columns, count: rows, time }) {
 
 function decodeSnapshot(buffer, words, { bits, count, time }) {
   must(buffer.byteLength >= 240, `snapshot of ${buffer.byteLength} bytes, 240 at least`);
-  const clusters = words.getUint32(216, true);
-  exactly(buffer, 240 + CONTACT * (count + clusters), "snapshot");
+  const clusters = words.getUint32(216, true), rows = words.getUint32(236, true);
+  exactly(buffer, 240 + CONTACT * (count + clusters + rows), "snapshot");
   const f = new Float32Array(buffer, 24, FIELDS);
   const triple = (k) => [f[k], f[k + 1], f[k + 2]];
   const pose = (k) => ({ position: triple(k), quaternion: [f[k + 3], f[k + 4], f[k + 5], f[k + 6]] });
@@ -98,11 +99,12 @@ function decodeSnapshot(buffer, words, { bits, count, time }) {
     penetration: f[39], stretch: f[40], energy: f[41], modelAge: f[42], modelWeight: f[43],
     hapticRate: f[44], contactRate: f[45], queryCpu: f[46], metresPerNewton: f[47],
     contactsFound: words.getUint32(220, true), contactsDropped: words.getUint32(224, true),
-    front: words.getUint32(228, true), fault: words.getUint32(232, true), contacts: [], clusters: [],
+    front: words.getUint32(228, true), fault: words.getUint32(232, true), contacts: [], clusters: [], rows: [],
   };
   must(f.subarray(0, 24).every(Number.isFinite), "snapshot with a pose that is no number");
   for (let k = 0; k < count; k++) snapshot.contacts.push(contactAt(words, 240 + CONTACT * k));
   for (let k = 0; k < clusters; k++) snapshot.clusters.push(clusterAt(words, 240 + CONTACT * (count + k)));
+  for (let k = 0; k < rows; k++) snapshot.rows.push(rowAt(words, 240 + CONTACT * (count + clusters + k)));
   return snapshot;
 }
 
@@ -119,6 +121,12 @@ function contactAt(words, at) {
 function clusterAt(words, at) {
   return { point: floats(words, at, 3), normal: floats(words, at + 12, 3), depth: words.getFloat32(at + 24, true),
     force: floats(words, at + 28, 3), id: words.getInt32(at + 40, true) };
+}
+
+function rowAt(words, at) {
+  const bits = words.getUint32(at + 44, true);
+  return { point: floats(words, at, 3), normal: floats(words, at + 12, 3), gap: words.getFloat32(at + 24, true),
+    force: floats(words, at + 28, 3), friction: words.getFloat32(at + 40, true), kind: bits & 3, presses: (bits & 4) !== 0 };
 }
 
 /// One text frame: an object with a type, or ProtocolError.

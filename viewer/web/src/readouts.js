@@ -1,6 +1,7 @@
 // The numbers that matter, in words and with units.
 import { count, digits, say, split } from "./format.js";
-import { deciderWords, levelCounts, situation } from "./words.js";
+import { STATE } from "./protocol.js";
+import { atConeEdge, deciderWords, levelCounts, limitWords, rowSituation, situation } from "./words.js";
 import { LEVEL_COLOURS, levelColour } from "./theme.js";
 
 const TILES = [
@@ -25,7 +26,7 @@ export function makeReadouts(parent) {
   }
   const said = element("p", "situation");
   const lines = element("ul", "lines");
-  for (const id of ["level", "loop", "contact", "energy"]) {
+  for (const id of ["limit", "rows", "level", "loop", "contact", "energy"]) {
     const line = element("li", `line ${id}`), dot = element("i", "dot"), text = element("span");
     line.append(dot, text);
     lines.append(line);
@@ -42,8 +43,8 @@ function element(kind, className = "", text = "") {
 
 const norm = (v) => Math.hypot(...v);
 
-/// snapshot, state, scene   the newest messages; any may be null
-export function showReadouts(board, snapshot, state, scene) {
+/// snapshot, state, scene, parameters   the newest messages; any but the last may be null
+export function showReadouts(board, snapshot, state, scene, parameters) {
   if (!snapshot || !scene) return;
   const inside = snapshot.penetration > 0;
   const values = { force: norm(snapshot.force), torque: norm(snapshot.torque), stretch: snapshot.stretch,
@@ -55,12 +56,39 @@ export function showReadouts(board, snapshot, state, scene) {
   }
   board.tiles.penetration.title.textContent = snapshot.penetration < 0 ? "Gap" : "Depth";
   const touching = inside || norm(snapshot.contactForce) > 0;
-  board.said.textContent = situation({ object: scene.object.name, statics: scene.statics.map((one) => one.name),
-    grasped: (snapshot.bits & 1) !== 0, armed: (snapshot.bits & 6) === 2, contacts: snapshot.contactsFound, clusters: snapshot.clusters.length, touching });
+  const facts = { object: scene.object.name, statics: scene.statics.map((one) => one.name), grasped: (snapshot.bits & 1) !== 0,
+    armed: (snapshot.bits & 6) === 2, contacts: snapshot.contactsFound, clusters: snapshot.clusters.length, touching };
+  const constrained = (snapshot.bits & STATE.constrained) !== 0;
+  board.said.textContent = constrained ? constrainedSituation(board, facts, { snapshot, state, scene, parameters }) : situation(facts);
+  for (const id of ["limit", "rows"]) board.lines[id].line.hidden = !constrained;
   showLevel(board.lines.level, snapshot, scene);
   showLoop(board.lines.loop, snapshot, state, scene);
   showContact(board.lines.contact, snapshot, state);
   line(board.lines.energy, "", `The hand has put in ${say(snapshot.energy, "J", 1e-9)}.`);
+}
+
+/// The sentence of a session under constraints; the lines of what limits what and of the rows too.
+function constrainedSituation(board, facts, { snapshot, state, scene, parameters }) {
+  const pressing = snapshot.rows.filter(({ presses }) => presses).length;
+  const stiffness = parameters.find(({ name }) => name === "coupling_stiffness")?.value ?? null;
+  const counts = state?.constraint ?? null;
+  const about = { pressing, stiffness, stretch: snapshot.stretch, force: norm(snapshot.force) / scene.workspace.force_scale,
+    heldBack: counts?.held_back ?? 0, squeezed: counts?.squeezed ?? 0, say };
+  line(board.lines.limit, about.heldBack > 0.01 || about.squeezed > 0.1 ? "warn" : "good", limitWords(about));
+  line(board.lines.rows, counts?.left_out > 0 || counts?.cut > 0 ? "warn" : "", rowWords(snapshot, counts));
+  return rowSituation({ ...facts, rows: counts?.rows ?? snapshot.rows.length, pressing, newtons: say(norm(snapshot.force), "N", 1e-3),
+    stiffness: stiffness === null ? null : say(stiffness, "N/m", 1) });
+}
+
+function rowWords({ rows }, counts) {
+  if (!counts) return "Rows: not counted yet.";
+  const parts = [`${count(counts.in_model, "row")} in the contact model`];
+  if (counts.cut > 0) parts.push(`${counts.cut} more had no room and shorten its travel`);
+  if (counts.left_out > 0) parts.push(`${count(counts.left_out, "contact")} had no room: nothing may move`);
+  if (Number.isFinite(counts.travel) && counts.travel !== null) parts.push(`free for ${say(counts.travel, "m", 1e-6)} around`);
+  const edge = atConeEdge(rows);
+  if (edge > 0) parts.push(`${edge} at the edge of ${edge === 1 ? "its cone" : "their cones"}`);
+  return `${parts.join("; ")}.`;
 }
 
 function line(target, mood, text) {
@@ -104,6 +132,34 @@ function showContact(target, snapshot, state) {
   const dropped = snapshot.contactsDropped > 0 ? `; ${snapshot.contactsDropped} did not fit` : "";
   return line(target, mood,
     `Contacts found ${digits(snapshot.contactRate)} times a second, ${say(snapshot.queryCpu, "s", 1e-6)} each${age}${dropped}.`);
+}
+
+const ROW_KEYS = [["object", "the object"], ["hand", "where the hand holds it"], ["coupling", "coupling"], ["near", "rows near"], ["press", "rows that press"],
+  ["cone", "friction cone"]];
+
+/// What is drawn of constraints, with counts; hidden where there are none.
+export function showRowLegend(parent, snapshot) {
+  const constrained = Boolean(snapshot) && (snapshot.bits & STATE.constrained) !== 0;
+  parent.hidden = !constrained;
+  document.body.classList.toggle("constrained", constrained);
+  if (!constrained) return;
+  if (parent.childElementCount === 0) {
+    parent.replaceChildren(...ROW_KEYS.map(([id, words]) => {
+      const item = element("span", `swatch row-key ${id}`);
+      item.append(element("i"), element("b", "", words), element("em"));
+      return item;
+    }));
+  }
+  const pressing = snapshot.rows.filter(({ presses }) => presses);
+  const grasped = (snapshot.bits & 1) !== 0;
+  const counts = { object: null, hand: grasped ? null : 0, coupling: grasped ? null : 0, near: snapshot.rows.length - pressing.length,
+    press: pressing.length, cone: pressing.filter(({ friction }) => friction > 0).length };
+  ROW_KEYS.forEach(([id], k) => {
+    const item = parent.children[k];
+    item.classList.toggle("active", counts[id] !== 0);
+    const text = counts[id] ? `×${counts[id]}` : "";
+    if (item.lastChild.textContent !== text) item.lastChild.textContent = text;
+  });
 }
 
 /// The colours of the levels, with how many contacts each has now.

@@ -7,6 +7,8 @@ import { depthOf, makeView, placeCamera } from "./camera.js";
 import { boundsOf } from "./geometry.js";
 import { makeArrow, makeContactMarks, makeRod, makeTwist, paintArrow, paintRod, paintTwist, setArrow, setContactMarks,
   setRod, setTwist } from "./marks.js";
+import { makeRowMarks, setRowMarks } from "./rowmarks.js";
+import { STATE } from "./protocol.js";
 import { addLevel, disposeBody, lacksLevel, makeBody, markContacts, paintBody, showBody } from "./body.js";
 import { makePace, notePicture, restAfter, STEPS } from "./pace.js";
 import { colour } from "./theme.js";
@@ -40,11 +42,11 @@ export function makeScene(canvas, asked = null) {
   const stage = {
     canvas, renderer, scene, root, view: makeView(), plain, lights: addLights(scene, plain), ground: addGround(scene), radius: 1,
     size: 1, object: null, statics: [], ghost: null, force: makeArrow(), twist: makeTwist(), marks: makeContactMarks(),
-    spring: makeRod(), dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true },
+    rows: makeRowMarks(), spring: makeRod(), dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true },
     wants: () => {}, wanted: new Set(), last: null, moved: true, resized: true, fence: null, begun: 0, rested: 0,
     pace: makePace({ step: plain ? PLAIN_STEP : 0, fixed: asked === "full" }),
   };
-  root.add(stage.force.group, stage.twist.group, stage.marks.group, stage.spring.group);
+  root.add(stage.force.group, stage.twist.group, stage.marks.group, stage.rows.group, stage.spring.group);
   stage.spring.group.visible = false;
   return stage;
 }
@@ -85,6 +87,7 @@ export function setObjects(stage, description, meshes) {
   stage.last = null;
   for (const { group } of [stage.force, stage.twist, stage.spring]) group.visible = false; // until there is something to show
   setContactMarks(stage.marks, [], [], 1, colour("ring"));
+  setRowMarks(stage.rows, [], { size: 1, longest: 1 }, { near: colour("contact"), press: colour("press") });
   stage.object = makeBody(meshes.get(description.object.mesh), description.object);
   stage.statics = description.statics.map((entry) => {
     const body = makeBody(meshes.get(entry.mesh), entry);
@@ -232,7 +235,10 @@ function showForces(stage, snapshot, at) {
 }
 
 function showContacts(stage, snapshot) {
-  const shown = stage.options.contacts ? snapshot.contacts : [];
+  const constrained = (snapshot.bits & STATE.constrained) !== 0; // rows stand for contacts then
+  const shown = stage.options.contacts && !constrained ? snapshot.contacts : [];
+  setRowMarks(stage.rows, stage.options.contacts ? snapshot.rows : [], { size: 0.028 * stage.size, longest: 0.3 * stage.size },
+    { near: colour("contact"), press: colour("press") });
   const largest = Math.max(1e-30, ...snapshot.clusters.map((cluster) => Math.hypot(...cluster.force)));
   setContactMarks(stage.marks,
     shown.map((contact) => ({ point: contact.point, normal: contact.normal, level: contact.objectLevel })),

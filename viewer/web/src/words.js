@@ -8,6 +8,7 @@ export const FAULT_WORDS = {
 const EVENT_WORDS = {
   grasped: "The hand took hold of the object", released: "The hand let the object go", armed: "Forces are on",
   disarmed: "Forces are off", late: "Late", recording_ended: "The recording has ended", not_armed: "Forces stay off", resumed: "Goes on", parameter: "Parameter changed", fault: "Fault",
+  held_back: "Held back", squeezed: "Squeezed",
 };
 export const END_WORDS = { fault: "ended by a fault", duration: "reached its duration", device_finished: "the hand has finished",
   stopped: "was stopped" };
@@ -39,7 +40,8 @@ export function lateWords(late, time) {
 
 export function eventWords({ kind, detail, text }) {
   const head = EVENT_WORDS[kind] ?? String(kind).replaceAll("_", " ");
-  const tail = [kind === "fault" || kind === "late" ? faultWords(detail) : detail, text].filter(Boolean).join("; ");
+  const cause = kind === "fault" || kind === "late" ? faultWords(detail) : kind === "held_back" ? "" : detail; // its text says it whole
+  const tail = [cause, text].filter(Boolean).join("; ");
   return tail ? `${head}: ${tail}` : head;
 }
 
@@ -55,6 +57,42 @@ export function situation(facts) {
   if (facts.touching && facts.armed === false) return `${subject} touches ${where} at ${count} in ${groups}; forces are off.`;
   if (facts.touching) return `${subject} presses on ${where} at ${count} in ${groups}.`;
   return `${subject} is close to ${where}: ${count} in ${groups}.`;
+}
+
+/// The same where contacts are constraints: how many rows press, and what the hand does.
+/// facts   as above, with rows, pressing [numbers], newtons [text], stiffness [text, or null: not known]
+export function rowSituation(facts) {
+  const { object, statics, rows, pressing } = facts;
+  const where = statics.length === 1 ? `the ${statics[0]}` : "the scene";
+  if (rows === 0) return `The ${object} ${facts.grasped ? "is in the hand and" : "rests and"} touches nothing.`;
+  if (pressing === 0) return `The ${object} is close to ${where}: ${rows === 1 ? "1 row" : `${rows} rows`} near, none presses.`;
+  const rests = `The ${object} rests on ${pressing === 1 ? "1 row" : `${pressing} rows`} of ${where}`;
+  if (facts.armed === false) return `${rests}; forces are off.`;
+  return `${rests}; the hand pulls ${facts.newtons}${facts.stiffness ? `; coupling ${facts.stiffness}` : ""}.`;
+}
+
+/// What limits what is felt under constraints, in a sentence.
+/// facts   {pressing, stiffness [N/m, or null], stretch [m], force: felt [N; virtual size], heldBack, squeezed: shares of the last second,
+///         say: of a number with its unit}
+export function limitWords({ pressing, stiffness, stretch, force, heldBack, squeezed, say }) {
+  if (squeezed > 0.1) return "Squeezed: surfaces all around are nearer than the gap that is kept; move it back the way it came.";
+  if (heldBack > 0.01) {
+    return `Held back in ${Math.round(100 * heldBack)} % of the last second: the object waits where its contact model ends; move it more slowly.`;
+  }
+  if (!(pressing > 0) || !(stiffness > 0)) return "Nothing limits the object but the coupling.";
+  const spring = stiffness * stretch;
+  const product = `${say(stiffness, "N/m")} × ${say(stretch, "m")}`;
+  if (force < 0.9 * spring) return `The coupling alone limits the force: ${product} would be ${say(spring, "N")}; it has levelled off, or the device is at its limit.`;
+  return `The coupling alone limits the force: ${product}. The surfaces do not give.`;
+}
+
+/// Rows that press at the edge of their friction cone: they slide, or are about to.
+export function atConeEdge(rows) {
+  return rows.filter(({ presses, friction, force, normal }) => {
+    const along = force.reduce((sum, value, k) => sum + value * normal[k], 0);
+    const across = Math.hypot(...force.map((value, k) => value - along * normal[k]));
+    return presses && friction > 0 && across > 0.98 * friction * Math.abs(along);
+  }).length;
 }
 
 const DECIDERS = ["what a hand feels", "speed", "what the eye sees", "the cap on deviation", "the budget"];

@@ -112,8 +112,19 @@ struct FieldReader {
     read_sample_pose(json.at(key), motion.pose);
     read_twist(json.at(key), motion.twist);
   }
-  void unless(const char* key, double& value, double usual) const {
-    value = json.contains(key) ? number(json, key) : usual;
+  template <class Value>
+  void unless(const char* key, Value& value, Value usual) const {
+    value = usual;
+    if (json.contains(key)) (*this)(key, value);
+  }
+  void pressing(const char* key, PressingRows& rows) const {
+    rows.clear();
+    if (!json.contains(key)) return;
+    for (const Json& row : json.at(key)) {
+      PressingRow pressing{read_hex(row, "id"), Vec3::Zero()};
+      read_sample_vector(row, "force", pressing.force);
+      if (!rows.push_back(pressing)) throw InputError("too many rows in 'pressing'");
+    }
   }
   void optional_pose(const char* key, bool& has, Pose& pose) const {
     has = json.contains(key);
@@ -163,6 +174,7 @@ void read_model(const Json& json, LinearContactModel& model) {
 void read_frame(const Json& json, ContactSample& c) {
   visit_contact_frame(c, FieldReader{json});
   visit_contact_levels(c, FieldReader{json});
+  visit_contact_rows(c, FieldReader{json});
 }
 
 /// The sample a message of a later topic belongs to: the last one begun.

@@ -19,6 +19,21 @@ DeepContactLimits deep_contact_limits(const SessionConfig& config) noexcept {
   return {deep, config.contact.tolerance};
 }
 
+bool Lasting::begins(bool is_there, double elapsed) noexcept {
+  seconds = std::max(0.0, seconds + (is_there ? elapsed : -elapsed));
+  if (is_told || seconds < kPatience) return false;
+  is_told = true;
+  return true;
+}
+
+void EventDetector::observe(const ContactSample& sample) {
+  contact_period_ = sample.time - contact_time_;
+  contact_time_ = sample.time;
+  travel_ = sample.travel;
+  rows_cut_ = sample.rows_cut;
+  left_out_ = sample.left_out;
+}
+
 void EventDetector::add(const SessionEvent& event) {
   if (event.kind == EventKind::fault) safety_events_.push_back(event);
   if (!event.text.empty()) texts_.push_back(event.text);
@@ -70,6 +85,34 @@ void EventDetector::look_for_deep_contacts(const HapticSample& sample) {
   add({sample.time, sample.frame, EventKind::deep_contact, "contact_model_too_old", text});
 }
 
+void EventDetector::look_for_waiting(const HapticSample& sample) {
+  char text[240];
+  if (held_back_.begins(sample.is_grasped && sample.is_held_back, sample.elapsed)) {
+    const char* detail = "contacts_too_slow";
+    int length =
+        std::snprintf(text, sizeof text,
+                      "the object waits for its contacts: it is to go %.2g m/s, and models "
+                      "%.1f ms apart let it go %.2g mm each; ",
+                      sample.wanted_speed, 1e3 * contact_period_, 1e3 * travel_);
+    const char* what_to_do = "move it more slowly, or make contacts faster";
+    if (rows_cut_ > 0) {
+      detail = "rows_cut";
+      what_to_do = "rows have no room in a model: coarser meshes, or move it more slowly";
+    }
+    if (left_out_ > 0) {
+      detail = "contacts_left_out";
+      what_to_do = "contacts have no room, so nothing is free: lift it off, or use coarser meshes";
+    }
+    std::snprintf(text + length, sizeof text - static_cast<std::size_t>(length), "%s", what_to_do);
+    add({sample.time, sample.frame, EventKind::held_back, detail, text});
+  }
+  if (squeezed_.begins(sample.is_grasped && sample.is_squeezed, sample.elapsed)) {
+    add({sample.time, sample.frame, EventKind::squeezed, "",
+         "the object is squeezed: surfaces all around are nearer than the gap that is kept, so it "
+         "only holds still or slides along them; move it back the way it came"});
+  }
+}
+
 void EventDetector::look_for_late(const HapticSample& sample) {
   char text[120];
   if (rode_out_gap(sample)) {
@@ -107,6 +150,7 @@ void EventDetector::observe(const HapticSample& sample, double longest_gap) {
   look_for_late(sample);
   look_for_old_models(sample);
   look_for_deep_contacts(sample);
+  look_for_waiting(sample);
   if (sample.is_grasped != was_grasped_)
     add_event(sample.is_grasped ? EventKind::grasped : EventKind::released, "");
   if (sample.is_armed != was_armed_)

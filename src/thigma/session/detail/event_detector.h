@@ -19,17 +19,31 @@ struct DeepContactLimits {
 };
 DeepContactLimits deep_contact_limits(const SessionConfig& config) noexcept;
 
+/// Something that comes and goes from frame to frame. It lasts once it has been there for kPatience
+/// longer than not.
+struct Lasting {
+  static constexpr double kPatience = 0.1;  // [s]
+  double seconds = 0.0;
+  bool is_told = false;
+
+  /// Whether this is the frame to tell of it, once.
+  bool begins(bool is_there, double elapsed) noexcept;
+};
+
 /// Turns samples into events, as they change. A fault of the watchdog has a text with the longest
 /// gap. A hand that holds the object for a second and never gets a contact model young enough to
 /// arm raises one event; so does a contact that is deep and became so unseen by a model, for as
 /// long as it lasts, the first of a session with a text. Lateness that is ridden out raises an
-/// event each time; the summary only counts it.
+/// event each time; the summary only counts it. An object that the constrained response lets wait or
+/// that is squeezed raises one event a session each, with what to do.
 class EventDetector {
  public:
   EventDetector(std::function<void(const SessionEvent&)> sink, const DeepContactLimits& limits)
       : sink_(std::move(sink)), deep_limits_(limits) {}
   /// longest_gap: longest time without a step so far [s]
   void observe(const HapticSample& sample, double longest_gap);
+  /// Of the model that comes into use next.
+  void observe(const ContactSample& sample);
   void add(const SessionEvent& event);
   std::vector<SessionEvent> take_safety_events() { return std::move(safety_events_); }
   const std::vector<std::string>& texts() const { return texts_; }
@@ -38,6 +52,7 @@ class EventDetector {
   std::function<void(const SessionEvent&)> sink_;
   void look_for_old_models(const HapticSample& sample);
   void look_for_deep_contacts(const HapticSample& sample);
+  void look_for_waiting(const HapticSample& sample);
   void look_for_late(const HapticSample& sample);
   void add_late(const HapticSample& sample, Fault cause, const char* text);
 
@@ -52,6 +67,10 @@ class EventDetector {
   double youngest_model_ = 0.0;               // since then, while unarmed: age [s]
   double last_time_ = 0.0;                    // of the frame before [s; session clock]
   double last_weight_ = 1.0;                  // of its model
+  Lasting held_back_, squeezed_;
+  // Of the last contact frame: from the one before, its model's travel, what had no room.
+  double contact_time_ = 0.0, contact_period_ = 0.0, travel_ = 0.0;  // [s, s, m]
+  std::int64_t rows_cut_ = 0, left_out_ = 0;
   Fault last_fault_ = Fault::none;
 };
 

@@ -67,6 +67,7 @@ void Session::Impl::drain() {
   const auto drain_contacts = [this] {
     while (const ContactSample* sample = contact_ring.front()) {
       force_steps.observe(*sample);
+      events.observe(*sample);
       if (sinks.contact) sinks.contact(*sample);
       contact_ring.pop();
     }

@@ -78,6 +78,8 @@ SessionSummary summarize(const SessionConfig& config, const HapticStatistics& ha
   s.penetration_max = haptic.penetration_max;
   s.stretch_max = haptic.stretch_max;
   s.energy_min = state.energy.energy_min;
+  if (config.haptic.response == ResponseKind::constrained)
+    s.constraint = thigma::summarize(haptic.held, contact.rows);
   s.ridden_out = haptic.ridden_out;
   s.passivity = summarize(config.haptic.passivity, state.passivity);
   s.dropped_contacts = contact.dropped;

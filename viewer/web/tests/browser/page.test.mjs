@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { startMock } from "../mock/server.mjs";
+import { snapshotOf } from "../mock/world.mjs";
 import { openPage, startBrowser } from "./browser.mjs";
 
 const PATIENCE = { timeout: 400000 }; // software rendering on a busy machine
@@ -19,7 +20,7 @@ function pageTest(name, options, body) {
   test(name, PATIENCE, async (t) => {
     if (reason) { t.skip(reason); return; }
     if (!browser.isConnected()) ({ browser } = await startBrowser()); // one that died fails its own test only
-    const mock = await startMock({ device: options.device ?? "web:" });
+    const mock = await startMock({ device: options.device ?? "web:", constrained: options.constrained ?? false });
     const { page, errors, context } = await openPage(browser, "about:blank", options.context);
     page.setDefaultTimeout(150000);
     try {
@@ -98,6 +99,55 @@ pageTest("shows both objects, light and dark, wide and narrow", { device: "hand:
     assert.equal(bright, scheme === "light");
     if (process.env.THIGMA_SHOTS) await page.screenshot({ path: join(process.env.THIGMA_SHOTS, `page-${scheme}-${width}.png`) });
   }
+});
+
+/// What is drawn of rows, and what is said of them.
+const rowsShown = (page) => page.evaluate(() => { const { stage, session: s } = window.thigma, count = (name) => stage.rows[name].map((mesh) => mesh.count);
+  return { planes: count("planes"), points: count("points"), forces: count("forces"), cones: count("cones"), dots: stage.marks.dots[0].count,
+    rows: stage.last.rows, same: stage.last === s.snapshot, ghost: stage.ghost.group.visible, rod: stage.spring.group.visible,
+    legend: document.getElementById("row-legend").hidden ? null : document.getElementById("row-legend").textContent,
+    words: document.getElementById("readouts").textContent }; });
+
+pageTest("under constraints rows, those that press and their cones are drawn and said, light and dark", { device: "hand:", constrained: true }, async ({ page, mock }) => {
+  await until(() => {
+    if (mock.world.lift > 0.0015 && snapshotOf(mock.world, false).rows.length === 12) mock.run = "paused";
+    return mock.run === "paused";
+  }, "twelve rows");
+  await page.waitForFunction(() => (window.thigma.session.snapshot.bits & 8) !== 0);
+  for (const [scheme, width, height] of [["light", 1280, 720], ["dark", 1280, 720], ["light", 390, 844]]) {
+    await page.emulateMedia({ colorScheme: scheme });
+    await page.setViewportSize({ width, height });
+    await drawnSince(page, 3);
+    await page.waitForFunction(() => /rests on 3 rows/.test(document.getElementById("readouts").textContent));
+    const seen = await rowsShown(page);
+    const edges = seen.rows.filter(({ kind }) => kind === 2).length, n = seen.rows.length;
+    assert.deepEqual([seen.planes, seen.points, seen.forces, seen.cones], [[n - edges, n - edges], [n + edges, n + edges], [3, 3], [3, 3]]);
+    assert.ok(seen.dots === 0 && seen.ghost && seen.rod, "rows stand for contacts; object, hand and coupling are there");
+    assert.match(seen.words, /The upper block rests on 3 rows of the lower block; the hand pulls [\d.]+ m?N; coupling 500 N\/m\./);
+    assert.match(seen.words, /The coupling alone limits the force: 500 N\/m × [\d.]+ mm\. The surfaces do not give\./);
+    assert.match(seen.words, /12 rows in the contact model; free for 300 µm around; 1 at the edge of its cone\./);
+    assert.match(seen.legend, new RegExp(`the objectwhere the hand holds itcouplingrows near×${n - 3}rows that press×3friction cone×3`));
+    const room = await page.evaluate(() => [...document.querySelectorAll(".legends > :not([hidden])")].map((one) => one.getBoundingClientRect())
+      .every((box) => box.left >= 0 && box.right <= document.getElementById("stage").getBoundingClientRect().right));
+    assert.ok(room, "the legend fits");
+    if (process.env.THIGMA_SHOTS) await page.screenshot({ path: join(process.env.THIGMA_SHOTS, `rows-${scheme}-${width}.png`) });
+  }
+  await page.keyboard.press("c");
+  await drawnSince(page);
+  assert.deepEqual((await rowsShown(page)).planes, [0, 0], "as contacts are, rows are switched off");
+  mock.world.bits = 64;
+  await page.waitForFunction(() => /Held back in 20 % of the last second/.test(document.getElementById("readouts").textContent));
+  mock.event("held_back", "contacts_too_slow", "the object waits for its contacts: move it more slowly");
+  await page.getByText("Held back: the object waits for its contacts").first().waitFor();
+});
+
+pageTest("without constraints there is no row and nothing is said of any", { device: "hand:" }, async ({ page }) => {
+  await page.waitForFunction(() => window.thigma.session.snapshot.stretch > 0.002);
+  await drawnSince(page, 2);
+  const seen = await rowsShown(page);
+  assert.deepEqual([seen.planes, seen.points, seen.forces, seen.cones, seen.legend], [[0, 0], [0, 0], [0, 0], [0, 0], null]);
+  assert.ok(seen.dots > 0);
+  assert.doesNotMatch(await page.evaluate(() => document.querySelector(".situation").textContent), /row/);
 });
 
 pageTest("plots and words get what is sent", { device: "hand:" }, async ({ page, mock }) => {

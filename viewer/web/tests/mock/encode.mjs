@@ -51,12 +51,13 @@ export function encodeChannels(time, rows) {
   return buffer;
 }
 
-/// s   {time, bits, frame, fields: 48 numbers, found, dropped, front, fault, contacts, clusters}
+/// s   {time, bits, frame, fields: 48 numbers, found, dropped, front, fault, contacts, clusters, rows: none where left out}
 export function encodeSnapshot(s) {
-  const buffer = header(240 + 48 * (s.contacts.length + s.clusters.length), 3, s.bits, s.contacts.length, s.time);
+  const rows = s.rows ?? [];
+  const buffer = header(240 + 48 * (s.contacts.length + s.clusters.length + rows.length), 3, s.bits, s.contacts.length, s.time);
   buffer.writeDoubleLE(s.frame, 16);
   s.fields.forEach((value, k) => buffer.writeFloatLE(value, 24 + 4 * k));
-  [s.clusters.length, s.found, s.dropped, s.front, s.fault, 0].forEach((value, k) => buffer.writeUInt32LE(value, 216 + 4 * k));
+  [s.clusters.length, s.found, s.dropped, s.front, s.fault, rows.length].forEach((value, k) => buffer.writeUInt32LE(value, 216 + 4 * k));
   let at = 240;
   for (const c of s.contacts) {
     [...c.point, ...c.normal, c.depth, c.bound].forEach((value, k) => buffer.writeFloatLE(value, at + 4 * k));
@@ -67,6 +68,11 @@ export function encodeSnapshot(s) {
   for (const c of s.clusters) {
     [...c.point, ...c.normal, c.depth, ...c.force].forEach((value, k) => buffer.writeFloatLE(value, at + 4 * k));
     buffer.writeInt32LE(c.id, at + 40);
+    at += 48;
+  }
+  for (const r of rows) {
+    [...r.point, ...r.normal, r.gap, ...r.force, r.friction].forEach((value, k) => buffer.writeFloatLE(value, at + 4 * k));
+    buffer.writeUInt32LE(r.kind | (r.presses ? 4 : 0), at + 44);
     at += 48;
   }
   return buffer;

@@ -6,7 +6,7 @@ import { dirname, extname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { acceptSocket } from "./websocket.mjs";
 import { CHANNELS, encodeChannels, encodeLevel, encodeMesh, encodeSnapshot, FAULTS, readDevice } from "./encode.mjs";
-import { levelList, makeBlock, makeWorld, rowOf, scriptedHand, snapshotOf, START, stepWorld } from "./world.mjs";
+import { constraintOf, levelList, makeBlock, makeWorld, rowOf, scriptedHand, snapshotOf, START, stepWorld } from "./world.mjs";
 
 const dist = join(dirname(fileURLToPath(import.meta.url)), "../../dist");
 const MIME = { ".js": "text/javascript", ".css": "text/css", ".html": "text/html; charset=utf-8", ".svg": "image/svg+xml", ".txt": "text/plain" };
@@ -15,11 +15,12 @@ const policy = (host) => "default-src 'none'; script-src 'self'; style-src 'self
 
 const LOST_AFTER = 10000; // [ms]; the program says 5000, but a test machine may be busy
 
-/// options   {port 0: any, device "web:" | "hand:"}
+/// options   {port 0: any, device "web:" | "hand:", constrained: contacts are constraints}
 /// returns   {port, world, received: {device, samples, text, refused}, silence(bool), drop(), close()}
-export async function startMock({ port = 0, device = "web:" } = {}) {
+export async function startMock({ port = 0, device = "web:", constrained = false } = {}) {
   const mock = { world: makeWorld(), device, pages: new Set(), run: "running", session: 1, holder: null, lastDevice: 0, nextPage: 1,
     received: { device: 0, samples: 0, newest: null, text: [], refused: [] }, quiet: false, rows: [], started: 0 };
+  mock.world.constrained = constrained;
   mock.meshes = [makeBlock(true), makeBlock(false)].map((mesh, number) => encodeMesh(number, mesh));
   mock.parameters = [parameter("contact_stiffness", "contact stiffness", "N/m", 5000, 200, 20000, "how hard the surfaces are"),
     parameter("coupling_stiffness", "coupling stiffness", "N/m", 500, 50, 1000, "how firmly the hand holds the object"),
@@ -35,6 +36,7 @@ export async function startMock({ port = 0, device = "web:" } = {}) {
   Object.assign(mock, {
     port: server.address().port,
     silence: (quiet) => { mock.quiet = quiet; },
+    event: (kind, detail, text) => event(mock, kind, detail, text),
     progress: (what, share) => { for (const page of mock.pages) page.say({ type: "progress", what, share }); },
     show: () => { for (const page of mock.pages) tellScene(mock, page, page.say); },
     drop: () => { for (const page of [...mock.pages]) page.destroy(); },
@@ -89,7 +91,7 @@ function tellState(mock) {
   for (const page of mock.pages) {
     page.say({ type: "state", session: mock.session, run: mock.run, reason: null, time: mock.world.time, device: mock.device,
       devices: ["hand:", "web:"], holder: mock.holder === page ? "you" : mock.holder ? "other" : "none", recording: mock.recording ?? null,
-      replay: mock.replay ?? null,
+      replay: mock.replay ?? null, constraint: constraintOf(mock.world),
       pages: mock.pages.size, simulated: true, timing: { step_cpu_us: { p50: 2.1, p99: 4 }, wake_late_us: { p50: 60, p99: 400 },
         query_cpu_us: { p50: 1180, p99: 2100 }, haptic_hz: 1000, contact_hz: 420, missed: 0 }, dropped: { yours: 0, rows: 0, samples: 0 } });
   }
@@ -136,7 +138,7 @@ function obey(mock, page, { type, value, name, mesh, id, repair }) {
     mock.lastDevice = Date.now();
   } else if (type === "pause") mock.run = value ? "paused" : "running";
   else if (type === "step") for (let k = 0; k < value; k++) advance(mock);
-  else if (type === "reset") { mock.world = makeWorld(); mock.session += 1; mock.rows = []; }
+  else if (type === "reset") { mock.world = { ...makeWorld(), constrained: mock.world.constrained }; mock.session += 1; mock.rows = []; }
   else if (type === "record") mock.recording = value ? "session.mcap" : null;
   else if (type === "set") {
     const found = mock.parameters.find((one) => one.name === name);

@@ -68,7 +68,8 @@ const GRASP = [0, 0, THICK]; // of the mesh frame
 
 export function makeWorld() {
   return { time: 0, frame: 0, hand: null, grasped: false, armed: false, fault: 0, energy: 0, anchor: null, object: [...START.position],
-    turn: [...START.quat_xyzw], ghost: [...START.position], ghostTurn: [...START.quat_xyzw], lift: 0, spring: SPRING };
+    turn: [...START.quat_xyzw], ghost: [...START.position], ghostTurn: [...START.quat_xyzw], lift: 0, spring: SPRING,
+    constrained: false, bits: 0 };
 }
 
 function rotate([x, y, z, w], [a, b, c]) {
@@ -106,7 +107,7 @@ export function stepWorld(world) {
     world.ghostTurn = times(times(hand.quaternion, [-x, -y, -z, w]), world.anchor.own);
     const before = world.lift;
     const deepest = findContacts(world, world.ghost, world.ghostTurn).reduce((most, c) => Math.max(most, c.depth), -1);
-    world.lift = Math.max(0, (deepest * CONTACT) / (CONTACT + world.spring));
+    world.lift = Math.max(0, world.constrained ? deepest : (deepest * CONTACT) / (CONTACT + world.spring));
     world.energy += world.spring * world.lift * (world.lift - before);
     world.object = [world.ghost[0], world.ghost[1], world.ghost[2] + world.lift];
     world.turn = world.ghostTurn;
@@ -154,14 +155,28 @@ export function snapshotOf(world, paused) {
   const grasp = rotate(world.turn, GRASP).map((value, k) => value + world.object[k]);
   const handle = rotate(world.ghostTurn, GRASP).map((value, k) => value + world.ghost[k]);
   const torque = torqueOf(world, contacts, force);
-  const bits = (world.grasped ? 1 : 0) | (world.armed ? 2 : 0) | (world.fault ? 4 : 0) | (paused ? 8 : 0);
+  const bits = (world.grasped ? 1 : 0) | (world.armed ? 2 : 0) | (world.fault ? 4 : 0) | (paused ? 8 : 0) | (world.constrained ? 256 : 0) | world.bits;
   const penetration = contacts.length > 0 ? contacts[0].depth : NaN;
   const fields = [...world.object, ...world.turn, ...world.ghost, ...world.ghostTurn, ...handle, ...world.ghostTurn, ...grasp,
     0, 0, force, ...torque, 0, 0, force, ...torque, ...world.object, penetration, world.lift, world.energy, 0.0021, 1, 1000,
     420 + 30 * Math.sin(world.time), 0.00118, 0.03];
   return { time: world.time, bits, frame: world.frame, fields, found: contacts.length, dropped: 0, front: 900 + contacts.length,
-    fault: world.fault, contacts, clusters };
+    fault: world.fault, contacts, clusters: world.constrained ? [] : clusters, rows: world.constrained ? rowsOf(contacts, force) : [] };
 }
+
+/// The nearest contacts as rows, of every kind, the first three pressing within their cones, the first at its edge.
+function rowsOf(contacts, force) {
+  const pressing = force > 0 ? Math.min(3, contacts.length) : 0;
+  return contacts.slice(0, 12).map((c, k) => {
+    const share = force / Math.max(1, pressing), across = k === 0 ? 0.3 * share : 0.1 * share;
+    return { point: c.point, normal: c.normal, gap: Math.max(0, -c.depth), force: k < pressing ? [across, 0, share] : [0, 0, 0], friction: 0.3,
+      kind: k % 3, presses: k < pressing };
+  });
+}
+
+/// Of `state`, over the last second.
+export const constraintOf = (world) => (world.constrained ? { rows: 12, in_model: 12, cut: 0, left_out: 0, travel: 0.0003, look_ahead: 0.00032,
+  held_back: world.bits & 64 ? 0.2 : 0, squeezed: world.bits & 128 ? 0.5 : 0 } : null);
 
 function torqueOf(world, contacts, force) {
   if (contacts.length === 0) return [0, 0, 0];

@@ -9,8 +9,9 @@ const MESH = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], triangles: [0, 2
 const CONTACT = { point: [1, 2, 3], normal: [0, 0, -1], depth: 0.5, bound: 0.25, body: 2, objectNode: 7, sceneNode: 9, objectLevel: 3,
   sceneLevel: 4, status: 1, decidedBy: 2 };
 const CLUSTER = { point: [4, 5, 6], normal: [1, 0, 0], depth: -0.5, force: [7, 8, 9], id: 11 };
+const ROW = { point: [1, 2, 3], normal: [0, 1, 0], gap: 0.25, force: [4, 5, 6], friction: 0.5, kind: 2, presses: true };
 const SNAPSHOT = { time: 1.5, bits: 3, frame: 1500, fields: Array.from({ length: 48 }, (_, k) => k), found: 40, dropped: 1, front: 77,
-  fault: 1, contacts: [CONTACT], clusters: [CLUSTER] };
+  fault: 1, contacts: [CONTACT], clusters: [CLUSTER], rows: [ROW, { ...ROW, kind: 1, presses: false }] };
 
 test("a mesh comes through whole", () => {
   const mesh = decode(bytes(encodeMesh(5, MESH)));
@@ -46,6 +47,7 @@ test("a snapshot comes through field by field", () => {
     s.metresPerNewton], [39, 40, 41, 42, 43, 44, 45, 46, 47]);
   assert.deepEqual(s.contacts, [CONTACT]);
   assert.deepEqual(s.clusters, [CLUSTER]);
+  assert.deepEqual(s.rows, SNAPSHOT.rows);
 });
 
 test("channels come through row by row", () => {
@@ -75,9 +77,11 @@ test("counts that promise more than memory are refused without allocating", () =
     mesh.writeUInt32LE(0xffffffff, at);
     assert.throws(() => decode(bytes(mesh)), ProtocolError);
   }
-  const snapshot = encodeSnapshot(SNAPSHOT);
-  snapshot.writeUInt32LE(0xfffffff0, 216);
-  assert.throws(() => decode(bytes(snapshot)), ProtocolError);
+  for (const at of [216, 236]) {
+    const snapshot = encodeSnapshot(SNAPSHOT);
+    snapshot.writeUInt32LE(0xfffffff0, at);
+    assert.throws(() => decode(bytes(snapshot)), ProtocolError);
+  }
 });
 
 test("another type, another layout and poses that are no numbers are refused", () => {

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { digits, duration, say, split } from "../../src/format.js";
-import { deciderWords, endWords, eventWords, lateWords, levelCounts, situation } from "../../src/words.js";
+import { atConeEdge, deciderWords, endWords, eventWords, lateWords, levelCounts, limitWords, rowSituation, situation } from "../../src/words.js";
 
 test("three digits and the right prefix", () => {
   const cases = [[1.3245, "N", "1.32 N"], [0.0123, "N m", "12.3 mN m"], [4.2e-5, "m", "42.0 µm"], [999.6, "Hz", "1.00 kHz"], [412, "Hz", "412 Hz"],
@@ -35,8 +35,33 @@ test("the situation in a sentence", () => {
   assert.equal(situation({ ...facts, contacts: 7, clusters: 2, statics: ["a", "b"] }), "The upper jaw is close to the scene: 7 contacts in 2 clusters.");
 });
 
+test("under constraints the sentence says what it rests on and what pulls", () => {
+  const facts = { object: "block", statics: ["plate"], grasped: true, armed: true, rows: 0, pressing: 0, newtons: "2.10 N", stiffness: "500 N/m" };
+  assert.equal(rowSituation(facts), "The block is in the hand and touches nothing.");
+  assert.equal(rowSituation({ ...facts, rows: 12 }), "The block is close to the plate: 12 rows near, none presses.");
+  assert.equal(rowSituation({ ...facts, rows: 12, pressing: 3 }), "The block rests on 3 rows of the plate; the hand pulls 2.10 N; coupling 500 N/m.");
+  assert.equal(rowSituation({ ...facts, rows: 1, pressing: 1, stiffness: null }), "The block rests on 1 row of the plate; the hand pulls 2.10 N.");
+  assert.equal(rowSituation({ ...facts, rows: 1, pressing: 1, armed: false }), "The block rests on 1 row of the plate; forces are off.");
+});
+
+test("what limits what is said by what happens", () => {
+  const facts = { pressing: 2, stiffness: 500, stretch: 0.004, force: 2.0, heldBack: 0, squeezed: 0, say };
+  assert.equal(limitWords(facts), "The coupling alone limits the force: 500 N/m × 4.00 mm. The surfaces do not give.");
+  assert.match(limitWords({ ...facts, force: 1.2 }), /500 N\/m × 4\.00 mm would be 2\.00 N; it has levelled off/);
+  assert.match(limitWords({ ...facts, heldBack: 0.2 }), /^Held back in 20 % .* move it more slowly\.$/);
+  assert.match(limitWords({ ...facts, squeezed: 0.5, heldBack: 0.2 }), /^Squeezed: .* move it back/);
+  assert.equal(limitWords({ ...facts, pressing: 0 }), "Nothing limits the object but the coupling.");
+});
+
+test("a row slides at the edge of its cone, and one that does not press has none", () => {
+  const row = { normal: [0, 0, -1], friction: 0.5, presses: true, force: [0.5, 0, 1] };
+  assert.equal(atConeEdge([row, { ...row, force: [0.3, 0, 1] }, { ...row, friction: 0, force: [0, 0, 1] }, { ...row, presses: false }]), 1);
+});
+
 test("events and levels", () => {
   assert.equal(eventWords({ kind: "fault", detail: "device_lost", text: "" }), "Fault: the hand was lost");
+  assert.equal(eventWords({ kind: "held_back", detail: "contacts_too_slow", text: "move it more slowly" }), "Held back: move it more slowly");
+  assert.equal(eventWords({ kind: "squeezed", detail: "", text: "move it back" }), "Squeezed: move it back");
   assert.equal(eventWords({ kind: "armed", detail: "", text: "" }), "Forces are on");
   assert.equal(deciderWords([{ decidedBy: 5 }]), "");
   assert.equal(deciderWords([{ decidedBy: 0 }, { decidedBy: 5 }, { decidedBy: 0 }, { decidedBy: 3 }]),

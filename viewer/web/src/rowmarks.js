@@ -1,0 +1,69 @@
+// Contacts that are constraints: each row as the point of one surface and the plane of the other, those that press with
+// their force, friction as its cone.
+import { ConeGeometry, Color, CylinderGeometry, Group, Matrix4, Quaternion, SphereGeometry, Vector3 } from "three";
+import { addInstances, finish, markMaterial, seenThrough } from "./marks.js";
+
+export const MAX_ROWS = 64;
+const Z = new Vector3(0, 0, 1);
+
+export function makeRowMarks() {
+  const group = new Group();
+  const shapes = {
+    planes: new CylinderGeometry(1, 1, 0.06, 28).rotateX(Math.PI / 2),
+    points: new SphereGeometry(0.36, 12, 8),
+    forces: new CylinderGeometry(0.16, 0.16, 1, 8).rotateX(Math.PI / 2).translate(0, 0, 0.5),
+    heads: new ConeGeometry(0.42, 1, 16).rotateX(Math.PI / 2).translate(0, 0, 0.5),
+    cones: new ConeGeometry(1, 1, 28, 1, true).translate(0, -0.5, 0).rotateX(-Math.PI / 2), // from its tip along +z
+  };
+  const marks = { group };
+  for (const [name, shape] of Object.entries(shapes)) {
+    const glass = name === "cones" || name === "planes";
+    const front = glass ? markMaterial({ transparent: true, opacity: name === "cones" ? 0.34 : 0.72, depthWrite: false, side: 2 }) : markMaterial();
+    const through = seenThrough({ opacity: glass ? 0.16 : 0.5, side: glass ? 2 : 0 });
+    marks[name] = [addInstances(group, shape, front, MAX_ROWS, glass ? 3 : 2), addInstances(group, shape, through, MAX_ROWS, 22)];
+  }
+  return marks;
+}
+
+const matrix = new Matrix4(), turn = new Quaternion(), place = new Vector3(), axis = new Vector3(), scale = new Vector3(), tint = new Color();
+
+/// rows     of a snapshot; size of a plane's radius; longest: of a force [all in the parent's units]
+/// colours  {near, press}
+export function setRowMarks(marks, rows, { size, longest }, colours) {
+  const shown = rows.slice(0, MAX_ROWS);
+  const strongest = Math.max(1e-30, ...shown.map(({ force }) => Math.hypot(...force)));
+  const used = { planes: 0, points: 0, forces: 0, heads: 0, cones: 0 };
+  const put = (name, wide, long) => {
+    matrix.compose(place, turn, scale.set(wide, wide, long));
+    for (const mesh of marks[name]) {
+      mesh.setMatrixAt(used[name], matrix);
+      mesh.setColorAt(used[name], tint);
+    }
+    used[name] += 1;
+  };
+  for (const { point, normal, gap, force, friction, kind, presses } of shown) {
+    tint.set(presses ? colours.press : colours.near);
+    const foot = point.map((value, k) => value + gap * normal[k]); // on the scene's side
+    const wide = presses ? size : 0.62 * size;
+    turn.setFromUnitVectors(Z, axis.set(...normal).normalize());
+    place.set(...(kind === 1 ? foot : point));
+    put("points", wide, wide);
+    place.set(...(kind === 1 ? point : foot));
+    if (kind === 2) put("points", wide, wide); // two edges: no plane but the one along both
+    else put("planes", wide, wide);
+    if (!presses) continue;
+    place.set(...point);
+    if (friction > 0) {
+      turn.setFromUnitVectors(Z, axis.set(...normal).multiplyScalar(-1).normalize()); // the way it pushes the object
+      put("cones", 0.8 * longest * friction, 0.8 * longest);
+    }
+    const newtons = Math.hypot(...force);
+    if (!(newtons > 0)) continue;
+    turn.setFromUnitVectors(Z, axis.set(...force).divideScalar(newtons));
+    const length = longest * (0.25 + (0.75 * newtons) / strongest), head = Math.min(1.1 * size, 0.5 * length);
+    put("forces", size, length - head);
+    place.addScaledVector(axis, length - head);
+    put("heads", size, head);
+  }
+  for (const [name, n] of Object.entries(used)) finish(marks[name], n);
+}
