@@ -66,8 +66,7 @@ void open_again(const std::string& uri, const LiveNow& now, LiveChange& change) 
 
 void change_device(const live::LiveRequest& request, const LiveNow& now, LiveChange& change) {
   if (now.run.session.config.haptic.response == ResponseKind::direct)
-    refuse_request(
-        "the direct response is set up for its device; choose the coupled response first");
+    refuse_request("the direct response is set up for its device; choose another response first");
   open_again(request.text, now, change);
   if (device_scheme(request.text) == "web") change.holder = request.page;
   if (!now.record.empty()) change.record = next_recording();  // one file a session

@@ -154,11 +154,10 @@ void append_constraint(std::string& text, const ConstraintSummary& s) {
            "%.3g m/s wanted\n",
            1e3 * s.travel_min, 1e3 * s.look_ahead_max, s.wanted_speed_max);
   append(text,
-         "left out         at most %lld rows (%llu models, less travel), %lld contacts (%llu "
-         "models, no travel)\n",
-         static_cast<long long>(s.cut_max), static_cast<unsigned long long>(s.cut_models),
-         static_cast<long long>(s.left_out_max),
-         static_cast<unsigned long long>(s.left_out_models));
+         "left out         %lld contacts at most, in %llu models, which allow no motion; travel "
+         "halved %lld times at most, in %llu models, for want of room for rows\n",
+         static_cast<long long>(s.left_out_max), static_cast<unsigned long long>(s.left_out_models),
+         static_cast<long long>(s.halvings_max), static_cast<unsigned long long>(s.halved_models));
 }
 
 }  // namespace

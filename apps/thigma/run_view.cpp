@@ -73,14 +73,14 @@ std::optional<GainTask> gains_of(const Run& run) {
   return task;
 }
 
-std::vector<std::string> response_choices() { return {"coupled", "direct", "constraint"}; }
+std::vector<std::string> response_choices() { return {"penalty", "direct", "constraint"}; }
 
 std::vector<live::LiveParameter> choices_of(const Run& run) {
   const auto response = static_cast<int>(run.session.config.haptic.response);
   std::vector<live::LiveParameter> choices = {
       choice("response", "response",
-             "coupled: through a simulated body; direct: contact forces as they are; constraint: "
-             "through a simulated body that never enters",
+             "constraint: through a simulated body that never enters; penalty: through one that "
+             "contacts push out like springs; direct: contact forces as they are",
              response_choices(), response)};
   if (has_relief(run.scene.description)) {
     choices.push_back(choice("texture", "texture", "on: relief is felt; off: coarse surfaces alone",

@@ -80,7 +80,7 @@ TEST(ContactStep, TellsOfTheRowsOfItsModelAndOfWhatHadNoRoom) {
   contact_step(config.contact, at_height(0.01 + 1e-5), scratch, sample);
   EXPECT_EQ(sample.rows, 4);
   EXPECT_EQ(sample.model.constraints.rows.size(), 4u);
-  EXPECT_EQ(sample.rows_cut, 0);
+  EXPECT_EQ(sample.travel_halvings, 0);
   EXPECT_EQ(sample.left_out, 0);
   EXPECT_EQ(sample.travel, sample.model.constraints.travel);
   EXPECT_EQ(sample.look_ahead, config.contact.constraints->least_look_ahead);

@@ -124,7 +124,7 @@ TEST(ReadRecording, contact_models_come_back_bit_for_bit) {
     EXPECT_EQ(got.object_levels, want.object_levels);
     EXPECT_EQ(got.scene_levels, want.scene_levels);
     EXPECT_EQ(got.rows, want.rows);
-    EXPECT_EQ(got.rows_cut, want.rows_cut);
+    EXPECT_EQ(got.travel_halvings, want.travel_halvings);
     EXPECT_EQ(got.left_out, want.left_out);
     expect_bits(got.travel, want.travel);
     expect_bits(got.look_ahead, want.look_ahead);

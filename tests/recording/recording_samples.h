@@ -87,7 +87,7 @@ inline ContactSample contact_sample(std::uint64_t sequence) {
   }
   if (sequence % 2 == 1) {
     c.rows = static_cast<std::int64_t>(300 + random.below(100));
-    c.rows_cut = c.rows - 256;
+    c.travel_halvings = static_cast<std::int32_t>(random.below(7));
     c.left_out = static_cast<std::int64_t>(random.below(10));
     c.travel = random.uniform(0.0, 1e-3);
     c.look_ahead = random.uniform(0.0, 1e-3);

@@ -125,7 +125,7 @@ TEST(ConstraintStatistics, RowsAreThoseOfModelsThatHaveAny) {
     c.look_ahead = 2e-4 * static_cast<double>(n);
     if (n == 256) {
       c.rows = 700;
-      c.rows_cut = 444;
+      c.travel_halvings = 3;
       c.left_out = 2;
     }
     accumulate(counts, c);
@@ -134,8 +134,8 @@ TEST(ConstraintStatistics, RowsAreThoseOfModelsThatHaveAny) {
   EXPECT_EQ(s.rows_p50, 5);
   EXPECT_EQ(s.rows_max, 256);
   EXPECT_EQ(s.found_max, 700);
-  EXPECT_EQ(s.cut_max, 444);
-  EXPECT_EQ(s.cut_models, 1u);
+  EXPECT_EQ(s.halvings_max, 3);
+  EXPECT_EQ(s.halved_models, 1u);
   EXPECT_EQ(s.left_out_max, 2);
   EXPECT_EQ(s.left_out_models, 1u);
   EXPECT_EQ(s.travel_min, 1e-4);

@@ -83,14 +83,21 @@ struct RunningProgram {
   std::uint16_t port = 0;
 
   /// files   that lie in the folder before the program starts: names and what is in them
+  /// scene   one of these, in place of two balls
   RunningProgram(const std::string& name, const std::vector<std::string>& more,
-                 const std::vector<std::pair<std::string, std::string>>& files = {})
+                 const std::vector<std::pair<std::string, std::string>>& files = {},
+                 const std::string& scene = "")
       : folder(work_folder() / name) {
     std::filesystem::create_directories(folder);
     for (const auto& [file, bytes] : files) write_text(name + "/" + file, bytes);
     const std::filesystem::path here = std::filesystem::current_path();
     std::filesystem::current_path(folder);
-    program = std::make_unique<Program>(run_arguments(more));
+    std::vector<std::string> arguments = run_arguments(more);
+    if (!scene.empty()) {
+      arguments = {"run", scene, "--exact"};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+    }
+    program = std::make_unique<Program>(arguments);
     std::filesystem::current_path(here);
     port = port_of(*program);
     if (port != 0) client = std::make_unique<WebClient>(port);

@@ -55,6 +55,46 @@ TEST(LiveRequests, AnotherDeviceIsRefusedUnderTheDirectResponseBeforeAnythingSto
   EXPECT_EQ(run.end().code, 130);
 }
 
+TEST(LiveRequests, AResponseThatTheSceneCannotHaveIsRefusedAndTheSessionGoesOn) {
+  // Nobody holds a simulated body: it has neither constraints nor the direct response.
+  const std::string scene =
+      "[object]\nmesh = \"procedural:ball?triangles=320\"\nposition = [0, 0, 0.2]\nmass = 0.01\n"
+      "[[static]]\nmesh = \"procedural:ball?triangles=320\"\n[simulation]\n";
+  RunningProgram run("refused_response", {"--device", "null:"}, {{"falls.toml", scene}},
+                     "falls.toml");
+  ASSERT_TRUE(run.client);
+  run.expect_refused({R"({"type":"set","id":1,"name":"response","value":2})",
+                      R"({"type":"set","id":2,"name":"response","value":1})"});
+  EXPECT_EQ(run.end().code, 130);
+}
+
+TEST(LiveRequests, TheResponseIsChangedToConstraintsAndBack) {
+  RunningProgram run("constrained", {"--device", "hand:?path=press", "--response", "penalty"});
+  ASSERT_TRUE(run.client);
+  EXPECT_TRUE(run.running()["constraint"].is_null());
+  const auto has = [](const Json& parameters, const char* name) {
+    for (const Json& p : parameters["list"])
+      if (p["name"] == name) return true;
+    return false;
+  };
+  for (const int wanted : {2, 0}) {
+    const bool is_constrained = wanted == 2;
+    const std::string message = R"({"type":"set","id":1,"name":"response","value":)";
+    EXPECT_TRUE(ask(*run.client, message + std::to_string(wanted) + "}")["ok"].get<bool>());
+    const Json parameters = message_where(*run.client, "parameters", [&](const Json& m) {
+      return has(m, "contact_stiffness") != is_constrained && has(m, "response");
+    });
+    ASSERT_FALSE(parameters.is_null()) << wanted;
+    EXPECT_TRUE(has(parameters, "coupling_stiffness"));
+    const Json state = state_where(*run.client, [&](const Json& s) {
+      return s["run"] == "running" && s["constraint"].is_null() != is_constrained;
+    });
+    ASSERT_FALSE(state.is_null()) << wanted;
+    if (is_constrained) EXPECT_EQ(state["constraint"]["left_out"], 0);
+  }
+  EXPECT_EQ(run.end().code, 130);
+}
+
 TEST(LiveRequests, ADeviceThatCannotBeOpenedAgainLeavesTheSession) {
   std::string rows = "t,x,y,z,qx,qy,qz,qw,buttons\n";
   rows += "0,0,0,0,0,0,0,1,0\n600,0,0,0,0,0,0,1,0\n";

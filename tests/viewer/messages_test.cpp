@@ -90,11 +90,11 @@ TEST(Messages, StateCountsTheRowsOfASessionUnderConstraints) {
   Timing timing{};
   timing.held_back = 0.25;
   RunState state;
-  state.rows = RowsNow{300, 256, 44, 2, std::numeric_limits<double>::infinity(), 2e-4};
+  state.rows = RowsNow{300, 256, 3, 2, std::numeric_limits<double>::infinity(), 2e-4};
   const Json json = Json::parse(state_message(state, timing, "you", 0, 0, 0))["constraint"];
   EXPECT_EQ(json["rows"], 300);
   EXPECT_EQ(json["in_model"], 256);
-  EXPECT_EQ(json["cut"], 44);
+  EXPECT_EQ(json["halvings"], 3);
   EXPECT_EQ(json["left_out"], 2);
   EXPECT_TRUE(json["travel"].is_null());
   EXPECT_EQ(json["look_ahead"], 2e-4);

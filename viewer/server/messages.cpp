@@ -86,7 +86,7 @@ Json constraint_json(const std::optional<RowsNow>& rows, const Timing& t) {
   if (!rows) return nullptr;
   return {{"rows", rows->rows},
           {"in_model", rows->in_model},
-          {"cut", rows->cut},
+          {"halvings", rows->halvings},
           {"left_out", rows->left_out},
           {"travel", finite(rows->travel)},
           {"look_ahead", finite(rows->look_ahead)},

@@ -86,8 +86,8 @@ enum class RunPhase : std::uint8_t { running, paused, ended };
 /// Of the constrained response, for `state`: the newest contact model, and shares of the frames of
 /// the last second.
 struct RowsNow {
-  std::int64_t rows = 0, in_model = 0, cut = 0, left_out = 0;  // see ContactSample
-  double travel = 0.0, look_ahead = 0.0;                       // [m]
+  std::int64_t rows = 0, in_model = 0, halvings = 0, left_out = 0;  // see ContactSample
+  double travel = 0.0, look_ahead = 0.0;                            // [m]
 };
 
 /// How the session stands, for `state`.

@@ -35,14 +35,16 @@ void move_into_body(const ConstraintWorld& world, ContactRow& row) noexcept {
   row.object_direction = body_from_mesh.orientation._transformVector(row.object_direction);
 }
 
-/// The rows that are needed; where there are too many, for less travel.
-void hand_over(const ConstraintWorld& world, ConstraintScratch& scratch,
-               ConstraintModel& model) noexcept {
+/// The rows that are needed; where there are too many, for less travel. Returns how often it was
+/// halved.
+std::int32_t hand_over(const ConstraintWorld& world, ConstraintScratch& scratch,
+                       ConstraintModel& model) noexcept {
   constexpr double kKept = 0.5;  // of the gap that is kept: what a step may leave of it
   constexpr int kHalvings = 6;
   model.rows.clear();
   std::span<const std::int32_t> needed;
-  for (int i = 0; i <= kHalvings; ++i) {
+  std::int32_t halvings = 0;
+  for (; halvings <= kHalvings; ++halvings) {
     const RowBounds bounds{model.travel, world.reach, kKept * world.slop};
     needed = needed_rows(scratch.found, model.state, bounds, kMaxRows, scratch.implied);
     if (needed.size() <= kMaxRows) break;
@@ -55,6 +57,7 @@ void hand_over(const ConstraintWorld& world, ConstraintScratch& scratch,
     if (model.rows.size() == kMaxRows) break;
     model.rows.push_back(scratch.found[idx(row)].row);
   }
+  return halvings;
 }
 
 }  // namespace
@@ -105,7 +108,7 @@ ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState&
                    find_all(world, world_from_object, near.contacts.contacts, reach, scratch);
   stats.rows = static_cast<std::int64_t>(scratch.found.size());
   for (FoundRow& found : scratch.found) move_into_body(world, found.row);
-  hand_over(world, scratch, model);
+  stats.halvings = hand_over(world, scratch, model);
   if (stats.left_out > 0) model.travel = 0.0;
   return stats;
 }

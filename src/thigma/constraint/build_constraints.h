@@ -53,6 +53,8 @@ struct NearContacts {
 struct ConstraintStats {
   std::int64_t rows = 0;      // found
   std::int64_t left_out = 0;  // candidates and contacts for want of room: nothing may move then
+  // times the travel was halved, as more rows were needed than fit; one more: nothing may move
+  std::int32_t halvings = 0;
 };
 
 /// Room for so many contacts, candidates and rows a frame.

@@ -155,7 +155,7 @@ void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratc
       build_constraints(*world.constraints, body.state, {scratch.contacts, scratch.separation},
                         *scratch.constraints, model.constraints);
   sample.rows = stats.rows;
-  sample.rows_cut = stats.rows - static_cast<std::int64_t>(model.constraints.rows.size());
+  sample.travel_halvings = stats.halvings;
   sample.left_out = stats.left_out;
   sample.travel = model.constraints.travel;
   sample.look_ahead = scratch.looked_ahead;

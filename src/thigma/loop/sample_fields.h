@@ -92,7 +92,7 @@ void visit_contact_levels(Sample& c, Visit&& visit) {
 template <class Sample, class Visit>
 void visit_contact_rows(Sample& c, Visit&& visit) {
   visit.unless("rows", c.rows, std::int64_t{0});
-  visit.unless("rows_cut", c.rows_cut, std::int64_t{0});
+  visit.unless("travel_halvings", c.travel_halvings, std::int32_t{0});
   visit.unless("left_out", c.left_out, std::int64_t{0});
   visit.unless("travel", c.travel, 0.0);
   visit.unless("look_ahead", c.look_ahead, 0.0);

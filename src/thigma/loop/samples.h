@@ -88,8 +88,8 @@ struct ContactSample {
   LevelCounts object_levels{}, scene_levels{};
   // Of the constrained response.
   std::int64_t rows = 0;  // found; those of the model are in `model`
-  std::int64_t rows_cut =
-      0;  // of these, not in the model for want of room: they shorten its travel
+  // times the travel was halved, as more rows were needed than a model holds
+  std::int32_t travel_halvings = 0;
   std::int64_t left_out = 0;  // contacts and candidates for want of room: nothing may move then
   double travel = 0.0;        // of the object's points, as far as the rows say all [m]
   double look_ahead = 0.0;    // tolerance of the query [m]

@@ -19,9 +19,9 @@ void accumulate(RowCounts& counts, const ContactSample& sample) THIGMA_RT {
   const std::size_t rows = sample.model.constraints.rows.size();
   ++counts.models[rows];
   counts.found_max = std::max(counts.found_max, sample.rows);
-  counts.cut_max = std::max(counts.cut_max, sample.rows_cut);
+  counts.halvings_max = std::max(counts.halvings_max, sample.travel_halvings);
   counts.left_out_max = std::max(counts.left_out_max, sample.left_out);
-  counts.cut_models += sample.rows_cut > 0 ? 1 : 0;
+  counts.halved_models += sample.travel_halvings > 0 ? 1 : 0;
   counts.left_out_models += sample.left_out > 0 ? 1 : 0;
   counts.look_ahead_max = std::max(counts.look_ahead_max, sample.look_ahead);
   if (rows > 0) counts.travel_min = std::min(counts.travel_min, sample.travel);
@@ -37,8 +37,8 @@ ConstraintSummary summarize(const HeldCounts& held, const RowCounts& rows) noexc
   s.residual_max = held.residual_max;
   s.wanted_speed_max = held.wanted_speed_max;
   s.found_max = rows.found_max;
-  s.cut_max = rows.cut_max;
-  s.cut_models = rows.cut_models;
+  s.halvings_max = rows.halvings_max;
+  s.halved_models = rows.halved_models;
   s.left_out_max = rows.left_out_max;
   s.left_out_models = rows.left_out_models;
   s.travel_min = rows.travel_min;

@@ -42,8 +42,9 @@ struct HeldCounts {
 /// Of the contact frames. Thread: one writer.
 struct RowCounts {
   std::array<std::uint32_t, kMaxRows + 1> models{};  // by rows in the model
-  std::int64_t found_max = 0, cut_max = 0, left_out_max = 0;
-  std::uint64_t cut_models = 0, left_out_models = 0;  // models that lack rows, that stop the object
+  std::int32_t halvings_max = 0;
+  std::int64_t found_max = 0, left_out_max = 0;
+  std::uint64_t halved_models = 0, left_out_models = 0;         // with less travel, with none
   double travel_min = std::numeric_limits<double>::infinity();  // of models with rows [m]
   double look_ahead_max = 0.0;                                  // [m]
 };
@@ -111,8 +112,9 @@ struct ConstraintSummary {
   double wanted_speed_max = 0.0;  // of the object's fastest point [m/s]
   // in a model that has any, and found for one
   std::int64_t rows_p50 = 0, rows_max = 0, found_max = 0;
-  std::int64_t cut_max = 0, left_out_max = 0;  // see ContactSample
-  std::uint64_t cut_models = 0, left_out_models = 0;
+  // see ContactSample
+  std::int64_t halvings_max = 0, left_out_max = 0;
+  std::uint64_t halved_models = 0, left_out_models = 0;
   // least of models with rows, infinite without; tolerance of queries [m]
   double travel_min = std::numeric_limits<double>::infinity(), look_ahead_max = 0.0;
 };
@@ -131,8 +133,8 @@ void visit_constraint_summary(const ConstraintSummary& s, Visit&& visit) {
   visit("rows_p50", s.rows_p50);
   visit("rows_max", s.rows_max);
   visit("found_max", s.found_max);
-  visit("cut_max", s.cut_max);
-  visit("cut_models", s.cut_models);
+  visit("halvings_max", s.halvings_max);
+  visit("halved_models", s.halved_models);
   visit("left_out_max", s.left_out_max);
   visit("left_out_models", s.left_out_models);
   visit("travel_min", s.travel_min);

@@ -26,12 +26,11 @@ ContactSample with_rows(std::size_t count) {
 
 struct Told {
   std::vector<SessionEvent> events;
-  detail::EventDetector detector{[this](const SessionEvent& e) {
-                                   if (e.kind == EventKind::held_back ||
-                                       e.kind == EventKind::squeezed)
-                                     events.push_back(e);
-                                 },
-                                 detail::DeepContactLimits{1.0, 1.0}};
+  detail::EventDetector detector{
+      [this](const SessionEvent& e) {
+        if (e.kind == EventKind::held_back || e.kind == EventKind::squeezed) events.push_back(e);
+      },
+      detail::DeepContactLimits{1.0, 1.0}};
 };
 
 TEST(WaitingEvents, AreToldOnceAndOnlyWhenTheyLast) {
@@ -69,7 +68,8 @@ TEST(WaitingEvents, NameWhatHadNoRoom) {
   for (const bool is_cut : {true, false}) {
     Told told;
     ContactSample c = with_rows(256);
-    (is_cut ? c.rows_cut : c.left_out) = 12;
+    c.travel_halvings = is_cut ? 3 : 0;
+    c.left_out = is_cut ? 0 : 12;
     told.detector.observe(c);
     for (std::uint64_t i = 0; i < 200; ++i) {
       HapticSample s = grasped(i);
@@ -77,7 +77,7 @@ TEST(WaitingEvents, NameWhatHadNoRoom) {
       told.detector.observe(s, 0.0);
     }
     ASSERT_EQ(told.events.size(), 1u);
-    EXPECT_EQ(told.events[0].detail, is_cut ? "rows_cut" : "contacts_left_out");
+    EXPECT_EQ(told.events[0].detail, is_cut ? "too_many_rows" : "contacts_left_out");
   }
 }
 

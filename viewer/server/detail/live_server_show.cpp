@@ -22,7 +22,7 @@ std::optional<RowsNow> rows_now(const ContactSample* contact) {
   RowsNow now;
   now.rows = contact->rows;
   now.in_model = static_cast<std::int64_t>(contact->model.constraints.rows.size());
-  now.cut = contact->rows_cut;
+  now.halvings = contact->travel_halvings;
   now.left_out = contact->left_out;
   now.travel = contact->travel;
   now.look_ahead = contact->look_ahead;

@@ -75,7 +75,7 @@ function constrainedSituation(board, facts, { snapshot, state, scene, parameters
   const about = { pressing, stiffness, stretch: snapshot.stretch, force: norm(snapshot.force) / scene.workspace.force_scale,
     heldBack: counts?.held_back ?? 0, squeezed: counts?.squeezed ?? 0, say };
   line(board.lines.limit, about.heldBack > 0.01 || about.squeezed > 0.1 ? "warn" : "good", limitWords(about));
-  line(board.lines.rows, counts?.left_out > 0 || counts?.cut > 0 ? "warn" : "", rowWords(snapshot, counts));
+  line(board.lines.rows, counts?.left_out > 0 || counts?.halvings > 0 ? "warn" : "", rowWords(snapshot, counts));
   return rowSituation({ ...facts, rows: counts?.rows ?? snapshot.rows.length, pressing, newtons: say(norm(snapshot.force), "N", 1e-3),
     stiffness: stiffness === null ? null : say(stiffness, "N/m", 1) });
 }
@@ -83,7 +83,7 @@ function constrainedSituation(board, facts, { snapshot, state, scene, parameters
 function rowWords({ rows }, counts) {
   if (!counts) return "Rows: not counted yet.";
   const parts = [`${count(counts.in_model, "row")} in the contact model`];
-  if (counts.cut > 0) parts.push(`${counts.cut} more had no room and shorten its travel`);
+  if (counts.halvings > 0) parts.push(`more were needed than fit, so its travel was halved ${counts.halvings === 1 ? "once" : `${counts.halvings} times`}`);
   if (counts.left_out > 0) parts.push(`${count(counts.left_out, "contact")} had no room: nothing may move`);
   if (Number.isFinite(counts.travel) && counts.travel !== null) parts.push(`free for ${say(counts.travel, "m", 1e-6)} around`);
   const edge = atConeEdge(rows);

@@ -237,7 +237,7 @@ function showForces(stage, snapshot, at) {
 function showContacts(stage, snapshot) {
   const constrained = (snapshot.bits & STATE.constrained) !== 0; // rows stand for contacts then
   const shown = stage.options.contacts && !constrained ? snapshot.contacts : [];
-  setRowMarks(stage.rows, stage.options.contacts ? snapshot.rows : [], { size: 0.028 * stage.size, longest: 0.3 * stage.size },
+  setRowMarks(stage.rows, stage.options.contacts ? snapshot.rows : [], { size: 0.045 * stage.size, longest: 0.34 * stage.size },
     { near: colour("contact"), press: colour("press") });
   const largest = Math.max(1e-30, ...snapshot.clusters.map((cluster) => Math.hypot(...cluster.force)));
   setContactMarks(stage.marks,

@@ -30,7 +30,7 @@ void EventDetector::observe(const ContactSample& sample) {
   contact_period_ = sample.time - contact_time_;
   contact_time_ = sample.time;
   travel_ = sample.travel;
-  rows_cut_ = sample.rows_cut;
+  halvings_ = sample.travel_halvings;
   left_out_ = sample.left_out;
 }
 
@@ -95,9 +95,9 @@ void EventDetector::look_for_waiting(const HapticSample& sample) {
                       "%.1f ms apart let it go %.2g mm each; ",
                       sample.wanted_speed, 1e3 * contact_period_, 1e3 * travel_);
     const char* what_to_do = "move it more slowly, or make contacts faster";
-    if (rows_cut_ > 0) {
-      detail = "rows_cut";
-      what_to_do = "rows have no room in a model: coarser meshes, or move it more slowly";
+    if (halvings_ > 0) {
+      detail = "too_many_rows";
+      what_to_do = "more rows are needed than a model holds: coarser meshes, or move it slowly";
     }
     if (left_out_ > 0) {
       detail = "contacts_left_out";

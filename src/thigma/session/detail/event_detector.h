@@ -70,7 +70,8 @@ class EventDetector {
   Lasting held_back_, squeezed_;
   // Of the last contact frame: from the one before, its model's travel, what had no room.
   double contact_time_ = 0.0, contact_period_ = 0.0, travel_ = 0.0;  // [s, s, m]
-  std::int64_t rows_cut_ = 0, left_out_ = 0;
+  std::int32_t halvings_ = 0;
+  std::int64_t left_out_ = 0;
   Fault last_fault_ = Fault::none;
 };
 

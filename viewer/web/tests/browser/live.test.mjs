@@ -265,6 +265,53 @@ liveTest("levels of the engine: in contact, by themselves, light and dark", "han
   await shot(page, "live-browser");
 }, recorded, SHOTS ? "?picture=full" : "");
 
+/// A session under constraints with friction, to be shown again.
+function recordedRows() {
+  const folder = mkdtempSync(join(tmpdir(), "thigma-recorded-"));
+  const file = join(folder, "session.mcap");
+  execFileSync(program, ["run", join(here, "rows.toml"), "--exact", "--headless", "--lockstep", "--duration", "3", "--device", "hand:", "--record", file,
+    "--quiet"], { stdio: "ignore" });
+  return { args: ["--replay", file], done: () => rmSync(folder, { recursive: true, force: true }) };
+}
+
+liveTest("under constraints the rows of the engine are drawn, add up, and keep the object out, light and dark", "hand:", async ({ page }) => {
+  await page.waitForFunction(() => window.thigma.session.state?.replay);
+  await page.evaluate(() => window.thigma.act.pause());
+  await page.waitForFunction(() => window.thigma.session.state.run === "paused");
+  const end = await session(page, "s.state.replay.seconds");
+  let pressed = false;
+  for (let time = 0.9 * end; !pressed && time > 0; time -= 0.1) {
+    await page.evaluate((t) => window.thigma.act.seek(t), time);
+    await page.waitForFunction((t) => { const s = window.thigma.session.snapshot; return s && Math.abs(s.time - t) < 0.0021; }, time);
+    pressed = await session(page, "s.snapshot.rows.filter((r) => r.presses).length > 2 && Math.hypot(...s.snapshot.force) > 0.3");
+  }
+  assert.ok(pressed, "the recording presses");
+  for (const scheme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme: scheme });
+    await drawnAgain(page);
+    await page.waitForFunction(() => /rests on \d+ rows/.test(document.querySelector(".situation").textContent));
+    const seen = await page.evaluate(() => { const { stage, session: s } = window.thigma, count = (name) => stage.rows[name][0].count;
+      return { rows: s.snapshot.rows, contact: s.snapshot.contactForce, size: stage.size, bits: s.snapshot.bits, constraint: s.state.constraint,
+        object: s.snapshot.object.position, ghost: s.snapshot.ghost.position, planes: count("planes"), forces: count("forces"), cones: count("cones"),
+        words: document.getElementById("readouts").textContent, legend: document.getElementById("row-legend").textContent }; });
+    const pressing = seen.rows.filter(({ presses }) => presses);
+    assert.ok(seen.bits & 256 && seen.constraint.left_out === 0 && seen.constraint.in_model >= seen.rows.length, JSON.stringify(seen.constraint));
+    assert.ok(seen.rows.every(({ gap }) => gap > -1e-6 * seen.size), "nothing is inside");
+    assert.ok(pressing.every(({ gap }) => gap < 1e-3 * seen.size), "what presses touches");
+    const sum = [0, 1, 2].map((k) => pressing.reduce((total, { force }) => total + force[k], 0));
+    assert.ok(Math.hypot(...sum.map((value, k) => value - seen.contact[k])) < 0.01 * Math.hypot(...seen.contact), `${sum} ${seen.contact}`);
+    for (const { force, normal, friction } of pressing) {
+      const along = force.reduce((total, value, k) => total + value * normal[k], 0), size = Math.hypot(...force);
+      assert.ok(along < 0 && Math.sqrt(Math.max(0, size * size - along * along)) < 1.001 * friction * -along, "within its cone");
+    }
+    assert.deepEqual([seen.forces, seen.cones], [pressing.length, pressing.length]);
+    assert.ok(seen.planes > 0 && seen.ghost[2] < seen.object[2], "the hand is inside, the object is not");
+    assert.match(seen.words, new RegExp(`rests on ${pressing.length} rows of the plate; the hand pulls`));
+    assert.match(seen.legend, new RegExp(`rows that press×${pressing.length}friction cone×${pressing.length}`));
+    await shot(page, scheme === "light" ? "live-constraint" : "live-constraint-dark");
+  }
+}, recordedRows, SHOTS ? "?picture=full" : "");
+
 /// Another page of the same session that watches and draws nothing, so that it takes no processor from the one that holds.
 async function openWatcher(address) {
   const watcher = await openPage(browser, "about:blank");

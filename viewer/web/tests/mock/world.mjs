@@ -175,7 +175,7 @@ function rowsOf(contacts, force) {
 }
 
 /// Of `state`, over the last second.
-export const constraintOf = (world) => (world.constrained ? { rows: 12, in_model: 12, cut: 0, left_out: 0, travel: 0.0003, look_ahead: 0.00032,
+export const constraintOf = (world) => (world.constrained ? { rows: 12, in_model: 12, halvings: 0, left_out: 0, travel: 0.0003, look_ahead: 0.00032,
   held_back: world.bits & 64 ? 0.2 : 0, squeezed: world.bits & 128 ? 0.5 : 0 } : null);
 
 function torqueOf(world, contacts, force) {
