@@ -163,7 +163,9 @@ TEST(Feed, RowsStandWhereTheObjectIsAndTheirForcesAddUp) {
     EXPECT_EQ(r.friction, 0.2);
     EXPECT_NEAR(r.normal.norm(), 1.0, 1e-12);
     // The cube's corners over the sheet z = 0: where the row says both features are, they are.
-    if (r.kind == RowKind::scene_plane) EXPECT_NEAR((r.point + r.gap * r.normal).z(), 0.0, 1e-9);
+    if (r.kind == RowKind::scene_plane) {
+      EXPECT_NEAR((r.point + r.gap * r.normal).z(), 0.0, 1e-9);
+    }
     EXPECT_GT(r.gap, -1e-6);
     if (r.presses) {
       ++pressing;
@@ -176,7 +178,9 @@ TEST(Feed, RowsStandWhereTheObjectIsAndTheirForcesAddUp) {
     } else {
       EXPECT_EQ(r.force, Vec3(Vec3::Zero()));
     }
-    if (i > pressing) EXPECT_GE(r.gap, rows[i - 1].gap);
+    if (i > pressing) {
+      EXPECT_GE(r.gap, rows[i - 1].gap);
+    }
   }
   EXPECT_GE(pressing, 1u);
   EXPECT_NEAR((sum - h.contact.force).norm(), 0.0, 1e-3 * sum.norm());

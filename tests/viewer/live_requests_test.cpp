@@ -90,7 +90,9 @@ TEST(LiveRequests, TheResponseIsChangedToConstraintsAndBack) {
       return s["run"] == "running" && s["constraint"].is_null() != is_constrained;
     });
     ASSERT_FALSE(state.is_null()) << wanted;
-    if (is_constrained) EXPECT_EQ(state["constraint"]["left_out"], 0);
+    if (is_constrained) {
+      EXPECT_EQ(state["constraint"]["left_out"], 0);
+    }
   }
   EXPECT_EQ(run.end().code, 130);
 }

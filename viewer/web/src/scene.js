@@ -248,8 +248,9 @@ function showContacts(stage, snapshot) {
     markContacts(body, of.map(({ point, node, level }) => ({ point: toMesh(body.group, point), node, level })), stage.size);
     if (body.wireframe) for (const { level } of of) want(stage, body, level);
   };
-  mark(stage.object, snapshot.contacts.map((c) => ({ point: c.point, node: c.objectNode, level: c.objectLevel })));
-  stage.statics.forEach((body, number) => mark(body, snapshot.contacts.filter((contact) => contact.body === number)
+  const coloured = constrained && stage.object.about.levels <= 1 ? [] : snapshot.contacts; // one level tells nothing, and hides the rows
+  mark(stage.object, coloured.map((c) => ({ point: c.point, node: c.objectNode, level: c.objectLevel })));
+  stage.statics.forEach((body, number) => mark(body, coloured.filter((contact) => contact.body === number)
     .map((c) => ({ point: c.point, node: c.sceneNode, level: c.sceneLevel }))));
 }
 
