@@ -31,7 +31,7 @@ struct GainTask {
   double force_scale = 1.0;         // f [device N / virtual N]
   PortHalf linear, angular;         // of the device
   bool has_device_rotation = true;  // rotation is sensed and actuated: the angular spring is felt
-  // contacts are inequalities (docs/constraints.md): no contact stiffness, and against a contact the
+  // contacts are inequalities (docs/constraints.md): no contact stiffness; against a contact the
   // object stays where it is
   bool is_constrained = false;
 };

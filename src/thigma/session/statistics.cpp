@@ -10,6 +10,8 @@ void accumulate(HeldCounts& counts, const HapticSample& sample) THIGMA_RT {
   ++counts.frames;
   counts.held_back += sample.is_held_back ? 1 : 0;
   counts.squeezed += sample.is_squeezed ? 1 : 0;
+  counts.touching += sample.touching > 0 ? 1 : 0;
+  counts.active += static_cast<std::uint64_t>(std::max(sample.touching, 0));
   counts.active_max = std::max(counts.active_max, sample.touching);
   counts.residual_max = std::max(counts.residual_max, sample.solve_residual);
   counts.wanted_speed_max = std::max(counts.wanted_speed_max, sample.wanted_speed);
@@ -33,6 +35,9 @@ ConstraintSummary summarize(const HeldCounts& held, const RowCounts& rows) noexc
   const double frames = static_cast<double>(std::max<std::uint64_t>(held.frames, 1));
   s.held_back_share = static_cast<double>(held.held_back) / frames;
   s.squeezed_share = static_cast<double>(held.squeezed) / frames;
+  s.held_back_frames = held.held_back;
+  s.active_mean = static_cast<double>(held.active) /
+                  static_cast<double>(std::max<std::uint64_t>(held.touching, 1));
   s.active_max = held.active_max;
   s.residual_max = held.residual_max;
   s.wanted_speed_max = held.wanted_speed_max;
@@ -43,8 +48,12 @@ ConstraintSummary summarize(const HeldCounts& held, const RowCounts& rows) noexc
   s.left_out_models = rows.left_out_models;
   s.travel_min = rows.travel_min;
   s.look_ahead_max = rows.look_ahead_max;
-  std::uint64_t all = 0, so_far = 0;
-  for (std::size_t n = 1; n < rows.models.size(); ++n) all += rows.models[n];
+  std::uint64_t all = 0, so_far = 0, sum = 0;
+  for (std::size_t n = 1; n < rows.models.size(); ++n) {
+    all += rows.models[n];
+    sum += n * rows.models[n];
+  }
+  s.rows_mean = static_cast<double>(sum) / static_cast<double>(std::max<std::uint64_t>(all, 1));
   for (std::size_t n = 1; n < rows.models.size(); ++n) {
     if (rows.models[n] == 0) continue;
     s.rows_max = static_cast<std::int64_t>(n);

@@ -35,6 +35,7 @@ struct RiddenOut {
 /// Of the haptic frames in which the object was in the hand. Thread: one writer.
 struct HeldCounts {
   std::uint64_t frames = 0, held_back = 0, squeezed = 0;
+  std::uint64_t touching = 0, active = 0;  // frames in which rows pressed, and how many in all
   std::int32_t active_max = 0;
   double residual_max = 0.0, wanted_speed_max = 0.0;  // [m/s]
 };
@@ -105,12 +106,15 @@ void accumulate(RowCounts& counts, const ContactSample& sample) THIGMA_RT;
 /// What the constrained response did; nothing of the others.
 struct ConstraintSummary {
   bool is_on = false;
-  double held_back_share = 0.0;   // of the frames with the object in the hand: its travel had ended
-  double squeezed_share = 0.0;    // of these: rows contradicted each other
+  double held_back_share = 0.0;  // of the frames with the object in the hand: its travel had ended
+  double squeezed_share = 0.0;   // of these: rows contradicted each other
+  std::uint64_t held_back_frames = 0;
+  double active_mean = 0.0;       // rows that pressed, where any did
   std::int64_t active_max = 0;    // rows that pressed at once
   double residual_max = 0.0;      // of a solve: speed at which a row is violated [m/s]
   double wanted_speed_max = 0.0;  // of the object's fastest point [m/s]
   // in a model that has any, and found for one
+  double rows_mean = 0.0;
   std::int64_t rows_p50 = 0, rows_max = 0, found_max = 0;
   // see ContactSample
   std::int64_t halvings_max = 0, left_out_max = 0;
@@ -126,10 +130,13 @@ ConstraintSummary summarize(const HeldCounts& held, const RowCounts& rows) noexc
 template <class Visit>
 void visit_constraint_summary(const ConstraintSummary& s, Visit&& visit) {
   visit("held_back_share", s.held_back_share);
+  visit("held_back_frames", s.held_back_frames);
   visit("squeezed_share", s.squeezed_share);
+  visit("active_mean", s.active_mean);
   visit("active_max", s.active_max);
   visit("residual_max", s.residual_max);
   visit("wanted_speed_max", s.wanted_speed_max);
+  visit("rows_mean", s.rows_mean);
   visit("rows_p50", s.rows_p50);
   visit("rows_max", s.rows_max);
   visit("found_max", s.found_max);
@@ -138,7 +145,7 @@ void visit_constraint_summary(const ConstraintSummary& s, Visit&& visit) {
   visit("left_out_max", s.left_out_max);
   visit("left_out_models", s.left_out_models);
   visit("travel_min", s.travel_min);
-  visit("look_ahead_max", s.look_ahead_max);
+  visit("near_radius", s.look_ahead_max);
 }
 
 }  // namespace thigma

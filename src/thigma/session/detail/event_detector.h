@@ -34,8 +34,8 @@ struct Lasting {
 /// gap. A hand that holds the object for a second and never gets a contact model young enough to
 /// arm raises one event; so does a contact that is deep and became so unseen by a model, for as
 /// long as it lasts, the first of a session with a text. Lateness that is ridden out raises an
-/// event each time; the summary only counts it. An object that the constrained response lets wait or
-/// that is squeezed raises one event a session each, with what to do.
+/// event each time; the summary only counts it. An object that the constrained response lets wait
+/// or that is squeezed raises one event a session each, with what to do.
 class EventDetector {
  public:
   EventDetector(std::function<void(const SessionEvent&)> sink, const DeepContactLimits& limits)
