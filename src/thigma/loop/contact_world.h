@@ -1,13 +1,16 @@
 #pragma once
 // What the contact thread knows: the surfaces and every number of contact.
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "thigma/contact/contact.h"
 #include "thigma/contact/resolution.h"
+#include "thigma/dynamics/friction.h"
 #include "thigma/math/pose.h"
 #include "thigma/response/penalty.h"
 #include "thigma/response/textured_world.h"
@@ -37,9 +40,27 @@ struct ContactWorld {
   // contacts of large patches over the area these share; not with textures
   bool distributes_wide_contacts = true;
   PenaltyParams response;  // how clusters push; its tolerance is set to the one above
+  // of the object on each static body, in the order of `scene`; none beyond the end
+  std::vector<Friction> friction;
+  // what the largest kinetic coefficient is made, the others in proportion, all alike where all
+  // are 0; nothing: as they are
+  std::optional<double> most_friction;
   // of the constrained response, made by use_constraints: rows instead of clusters; null: none
   std::shared_ptr<const ConstraintWorld> constraints;
   std::size_t capacity = 16384;  // contacts a frame; what does not fit is counted
 };
+
+/// Friction of the object on a static body, as it is tuned.
+/// Thread    [contact]; no failure.
+inline Friction friction_on(const ContactWorld& world, std::int32_t body) noexcept {
+  const auto b = static_cast<std::size_t>(body);
+  const Friction given = body >= 0 && b < world.friction.size() ? world.friction[b] : Friction{};
+  if (!world.most_friction) return given;
+  double most = 0.0;
+  for (const Friction& f : world.friction) most = std::max(most, f.kinetic);
+  if (!(most > 0.0)) return {*world.most_friction, *world.most_friction};
+  const double scale = *world.most_friction / most;
+  return {scale * given.kinetic, scale * given.at_rest};
+}
 
 }  // namespace thigma
