@@ -134,6 +134,10 @@ TEST(Bristle, NoNewModelGivesItEnergy) {
   }
 }
 
+struct Coefficients {
+  double kinetic = 0.0, at_rest = 0.0;
+};
+
 /// A block of 50 g on the plane z = 0, on its corners or on its middle; 2000 N/m together.
 struct Block {
   RigidBody body;
@@ -141,7 +145,7 @@ struct Block {
   LinearContactModel model;
   BristleMemory memory;
 
-  Block(const Friction& friction, const Vec3& gravity, bool is_point = false) {
+  Block(const Coefficients& friction, const Vec3& gravity, bool is_point = false) {
     body = make_body(0.05, Mat3(1e-5 * Mat3::Identity()), gravity);
     const double half = is_point ? 0.0 : 0.01;
     for (const double x : {-half, half})
@@ -213,7 +217,7 @@ TEST(Bristle, BreaksAwayAtTheStaticForceAndSlidesWithTheKineticOne) {
 }
 
 TEST(Bristle, NeverGivesMoreThanItWasGiven) {
-  for (const Friction friction : {Friction{0.5, 0.5}, Friction{0.2, 0.8}}) {
+  for (const Coefficients friction : {Coefficients{0.5, 0.5}, Coefficients{0.2, 0.8}}) {
     Random random(9);
     Block block(friction, {0.0, 0.0, -9.81}, true);
     double worst = 0.0, scale = 0.0;

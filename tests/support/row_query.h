@@ -6,7 +6,6 @@
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/constraint/build_constraints.h"
 #include "thigma/contact/query_contacts.h"
-#include "thigma/dynamics/friction.h"
 #include "thigma/mesh/triangle_mesh.h"
 
 namespace thigma::test {
@@ -15,7 +14,7 @@ namespace thigma::test {
 struct RowQuery {
   TriangleMesh object, scene;
   ClodHierarchy object_tree, scene_tree;
-  Friction friction;
+  double friction = 0.0, static_friction = 0.0;
   ConstraintWorld world;
   std::vector<ContactFront> fronts;
   ContactSet contacts;
@@ -28,7 +27,8 @@ struct RowQuery {
         scene(b),
         object_tree(build_exact_hierarchy(a)),
         scene_tree(build_exact_hierarchy(b)),
-        friction{friction_of_all, friction_of_all} {
+        friction(friction_of_all),
+        static_friction(friction_of_all) {
     const SceneBody body{&scene_tree, Pose{}};
     world = make_constraint_world(object_tree, Pose{}, {&body, 1});
     fronts.resize(1);
@@ -49,8 +49,8 @@ struct RowQuery {
     const ConstraintStats stats =
         build_constraints(world, state, {contacts, separation}, scratch, into);
     for (ContactRow& row : into.rows) {
-      row.friction = friction.kinetic;
-      row.static_friction = friction.at_rest;
+      row.friction = friction;
+      row.static_friction = static_friction;
     }
     return stats;
   }

@@ -99,7 +99,8 @@ void add_bristle(const Term& term, const Vec3& normal, Bristle bristle, const Bo
   bristle.entry = {term.id, term.body,   bristle.depth != nullptr, false, stiffness,
                    normal,  Vec3::Zero()};
   bristle.damping = bristle.scale * term.damping;
-  bristle.friction = {term.friction, term.static_friction};
+  bristle.friction = term.friction;
+  bristle.static_friction = term.static_friction;
   bristle.arm_body = term.arm_body;
   bristle.start = at.state.position + at.kinematics.rotation * term.arm_body;
   recall(memory, bristle);
@@ -107,7 +108,7 @@ void add_bristle(const Term& term, const Vec3& normal, Bristle bristle, const Bo
 }
 
 double coefficient(const Bristle& b) THIGMA_RT {
-  return b.slides || b.entry.is_sliding ? b.friction.kinetic : b.friction.at_rest;
+  return b.slides || b.entry.is_sliding ? b.friction : b.static_friction;
 }
 
 /// Lets those slide that end beyond their cone; returns whether there are any.
@@ -183,13 +184,13 @@ Wrench bristle_wrench(const Bristle& b, const BodyAtState& at, WrenchJacobian* j
   Press press;
   if (b.slides) press = press_of(b, at, jacobian != nullptr);
   const Vec3 force =
-      b.slides ? Vec3(-b.friction.kinetic * press.force * b.direction) : Vec3(-hold_of(b, p));
+      b.slides ? Vec3(-b.friction * press.force * b.direction) : Vec3(-hold_of(b, p));
   const Wrench wrench{force, p.arm.cross(force)};
   if (!jacobian) return wrench;
   const Mat34 arm_by_q = rotated_derivative(at.state.orientation, b.arm_body);
   Mat3x13 by_y;
   if (b.slides) {
-    by_y = -b.friction.kinetic * b.direction * press.by_y.transpose();
+    by_y = -b.friction * b.direction * press.by_y.transpose();
   } else {
     const double k = b.entry.stiffness, d = b.damping;
     const Mat3 across = Mat3::Identity() - b.entry.normal * b.entry.normal.transpose();

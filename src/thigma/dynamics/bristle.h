@@ -7,29 +7,9 @@
 #include "thigma/core/static_vector.h"
 #include "thigma/dynamics/body.h"
 #include "thigma/dynamics/constrained_step.h"
-#include "thigma/dynamics/friction.h"
 #include "thigma/dynamics/linear_contact_model.h"
 
 namespace thigma {
-
-inline constexpr int kMaxBristles = 2 * kMaxClusters;
-
-/// Bristles as a step has left them, by the terms they are of: the next step takes them up,
-/// whatever model it has.
-struct BristleMemory {
-  struct Entry {
-    std::int32_t id = -1, body = 0;  // of the term
-    bool is_relief = false;          // it is a depth term
-    bool is_sliding = false;         // else the static coefficient holds
-    double stiffness = 0.0;          // k_t when it was bent [N/m]
-    Vec3 normal = Vec3::UnitZ();     // it lies across this, unit [world]
-    // e: how far the object is from where the bristle was straight [m; world]
-    Vec3 bend = Vec3::Zero();
-  };
-  StaticVector<Entry, kMaxBristles> entries;
-  Wrench wrench;  // on the body at the end of the step, about the centre of mass [N, N m; world]
-};
-static_assert(RtPayload<BristleMemory>);
 
 /// A bristle in a step.
 struct Bristle {
@@ -39,8 +19,9 @@ struct Bristle {
   double scale = 1.0;                   // of the model
   // as the step finds it, with stiffness and normal of the present term
   BristleMemory::Entry entry{};
-  double damping = 0.0;           // b_t [N s/m]
-  Friction friction;              // of the term
+  double damping = 0.0;  // b_t [N s/m]
+  // of the term
+  double friction = 0.0, static_friction = 0.0;
   Vec3 arm_body = Vec3::Zero();   // of the point it holds, from the centre of mass [m; body frame]
   Vec3 start = Vec3::Zero();      // where that is before the step [m; world]
   bool slides = false;            // the step ends beyond the cone: Coulomb's force acts instead

@@ -57,6 +57,25 @@ struct LinearContactModel {
 };
 static_assert(RtPayload<LinearContactModel>);
 
+inline constexpr int kMaxBristles = 2 * kMaxClusters;
+
+/// Bristles as a step has left them, by the terms they are of: the next step takes them up,
+/// whatever model it has.
+struct BristleMemory {
+  struct Entry {
+    std::int32_t id = -1, body = 0;  // of the term
+    bool is_relief = false;          // it is a depth term
+    bool is_sliding = false;         // else the static coefficient holds
+    double stiffness = 0.0;          // k_t when it was bent [N/m]
+    Vec3 normal = Vec3::UnitZ();     // it lies across this, unit [world]
+    // e: how far the object is from where the bristle was straight [m; world]
+    Vec3 bend = Vec3::Zero();
+  };
+  StaticVector<Entry, kMaxBristles> entries;
+  Wrench wrench;  // on the body at the end of the step, about the centre of mass [N, N m; world]
+};
+static_assert(RtPayload<BristleMemory>);
+
 /// One plane or depth term at one state.
 struct PlaneForce {
   double depth = 0.0;      // n . (x + R r - p_0), or of the textures [m]; positive = penetrating

@@ -2,6 +2,7 @@
 // What the contact thread knows: the surfaces and every number of contact.
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -10,7 +11,6 @@
 
 #include "thigma/contact/contact.h"
 #include "thigma/contact/resolution.h"
-#include "thigma/dynamics/friction.h"
 #include "thigma/math/pose.h"
 #include "thigma/response/penalty.h"
 #include "thigma/response/textured_world.h"
@@ -24,6 +24,18 @@ struct ConstraintWorld;
 /// thread; must not throw or allocate.
 using ContactSource =
     std::function<void(const Pose& world_from_mesh, double tolerance, ContactSet& contacts)>;
+
+/// Coulomb's coefficients of a material, or of two surfaces that touch. Dimensionless.
+struct Friction {
+  double kinetic = 0.0;  // while they slide, >= 0
+  double at_rest = 0.0;  // until they do, >= kinetic
+  friend bool operator==(const Friction&, const Friction&) = default;
+};
+
+/// Whether both are finite and in order. Thread: any.
+inline bool is_valid(const Friction& f) noexcept {
+  return f.kinetic >= 0.0 && f.at_rest >= f.kinetic && std::isfinite(f.at_rest);
+}
 
 /// What the contact thread knows. Constant while a session runs; hierarchies outlive it.
 struct ContactWorld {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "thigma/dynamics/bristle.h"
 #include "thigma/dynamics/constrained_step.h"
 #include "thigma/math/rotation.h"
 

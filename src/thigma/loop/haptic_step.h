@@ -8,7 +8,6 @@
 #include "thigma/core/spsc_ring.h"
 #include "thigma/device/haptic_device.h"
 #include "thigma/device/workspace.h"
-#include "thigma/dynamics/bristle.h"
 #include "thigma/dynamics/coupling.h"
 #include "thigma/dynamics/linear_contact_model.h"
 #include "thigma/loop/haptic_params.h"

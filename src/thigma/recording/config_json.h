@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "thigma/contact/resolution.h"
-#include "thigma/dynamics/friction.h"
+#include "thigma/loop/contact_world.h"
 #include "thigma/loop/haptic_step.h"
 
 namespace thigma {

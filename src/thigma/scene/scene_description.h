@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "thigma/contact/resolution.h"
-#include "thigma/dynamics/friction.h"
 #include "thigma/loop/haptic_params.h"
 #include "thigma/math/pose.h"
 #include "thigma/mesh/measure.h"
@@ -18,6 +17,14 @@
 namespace thigma {
 
 struct HapticTexture;
+
+/// What coefficients two materials make together.
+enum class CombineRule : std::uint8_t { geometric, average, minimum, maximum };
+
+/// Coefficients of two surfaces. By the geometric mean a surface without friction slides on
+/// everything, and two of one material have what the material has.
+/// Thread    [offline]; valid where both are.
+Friction combined(const Friction& a, const Friction& b, CombineRule rule);
 
 /// What an object is made of.
 struct Material {
