@@ -159,7 +159,7 @@ TEST(ConstrainedResponse, EveryPairOfBodiesHasItsOwnFriction) {
   const std::string text = R"(
 [object]
 mesh = "procedural:box"
-position = [0, 0, 0.021]
+position = [0, 0, 0.041]
 [object.material]
 friction = 0.2
 static_friction = 0.32
@@ -170,7 +170,7 @@ friction = 0.8
 static_friction = 1.28
 [[static]]
 mesh = "procedural:box"
-position = [0, 0, 0.042]
+position = [0, 0, 0.082]
 [contact]
 response = "constraint"
 exact = true

@@ -145,6 +145,27 @@ TEST(Friction, ByPenaltyABlockBreaksAwayAtItsStaticForce) {
   EXPECT_NEAR(pull, friction.at_rest * weight, 0.02 * friction.at_rest * weight);
 }
 
+TEST(Friction, ByPenaltyAndDirectContactsStayInTheirConeAndReachIt) {
+  for (const ResponseKind response : {ResponseKind::coupled, ResponseKind::direct}) {
+    SessionConfig config = test::plane_session();
+    config.haptic.response = response;
+    config.contact.friction = {{0.3, 0.3}};
+    config.duration = 3.0;
+    HandDevice hand(test::plane_hand(HandPath::slide));
+    double most = 0.0;
+    const SessionSinks sinks{[&](const HapticSample& s) {
+                               const Vec3& f = s.contact.force;
+                               const double along = std::hypot(f.x(), f.y());
+                               EXPECT_LE(along, 0.3 * f.z() * (1.0 + 1e-9));
+                               if (f.z() > 0.0) most = std::max(most, along / f.z());
+                             },
+                             {},
+                             {}};
+    run_lockstep(config, hand, sinks);
+    EXPECT_NEAR(most, 0.3, 0.003);
+  }
+}
+
 SessionSummary rub_jaws(ResponseKind response, const Friction& friction) {
   SceneDescription description = test::small_jaws();
   description.contact.response = response;

@@ -11,7 +11,8 @@ namespace thigma {
 namespace {
 
 constexpr int kMaxRounds = 100;      // rows taken in; a few are usual
-constexpr int kMaxSweeps = 60;       // over the cones
+constexpr int kMaxSweeps = 60;       // over the cones, and of few cones as many as cost no more
+constexpr int kMaxProjections = 1000;  // than so many of one
 constexpr double kAccuracy = 1e-10;  // of the free speed
 // A row whose direction lies this near to the span of those that press adds nothing to them.
 constexpr double kDependent = 1e-11;
@@ -327,6 +328,10 @@ bool break_away(const VelocityRows& rows, const WhiteRows& white, const Vec6& y,
   return is_any;
 }
 
+int most_sweeps(const Cones& cones) THIGMA_RT {
+  return std::max(kMaxSweeps, kMaxProjections / std::max(cones.count, 1));
+}
+
 /// Gauss-Seidel over the cones from the warm start, rows that turn out to be violated taken in.
 int solve_cones(const VelocityRows& rows, const WhiteRows& white, const Mat6& inverse,
                 const Vec6& target, const RowImpulses& warm, double accuracy,
@@ -337,9 +342,9 @@ int solve_cones(const VelocityRows& rows, const WhiteRows& white, const Mat6& in
     y -= c.press * c.normal + c.hold_first * c.first + c.hold_second * c.second;
   }
   int sweeps = 0;
-  while (sweeps < kMaxSweeps) {
+  while (sweeps < most_sweeps(cones)) {
     double moved = kInfinity;
-    while (moved > accuracy && sweeps < kMaxSweeps) {
+    while (moved > accuracy && sweeps < most_sweeps(cones)) {
       moved = 0.0;
       for (int i = 0; i < cones.count; ++i)
         moved = std::max(moved, project(white, cones.cone[idx(i)], y));

@@ -302,8 +302,11 @@ void send_wrench(const FrameWork& frame, const ActiveTerms& active) THIGMA_RT {
   const bool is_constrained = params.response == ResponseKind::constrained;
   const bool is_inside = !is_constrained && active.count > 0;
   update_arming(params.safety, may_be_armed, is_inside, sample.time, safety);
-  if (!is_constrained)
+  if (params.response == ResponseKind::coupled) {
     sample.contact = all_contact(frame.model, params.body, sample.model_weight, state);
+  } else if (!is_constrained) {  // whose bristles do not fade
+    sample.contact = sample.model_weight * all_contact(frame.model, params.body, 1.0, state);
+  }
   const Wrench wanted = device_wrench(params.workspace, wrench_on_hand(frame));
   const double weight = sample.model_weight * state.last_device.weight;
   sample.feedback = limit_wrench(params.safety, params.device, {wanted, weight},
