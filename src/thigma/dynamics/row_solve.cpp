@@ -10,10 +10,10 @@
 namespace thigma {
 namespace {
 
-constexpr int kMaxRounds = 100;      // rows taken in; a few are usual
-constexpr int kMaxSweeps = 60;       // over the cones, and of few cones as many as cost no more
+constexpr int kMaxRounds = 100;        // rows taken in; a few are usual
+constexpr int kMaxSweeps = 60;         // over the cones, and of few cones as many as cost no more
 constexpr int kMaxProjections = 1000;  // than so many of one
-constexpr double kAccuracy = 1e-10;  // of the free speed
+constexpr double kAccuracy = 1e-10;    // of the free speed
 // A row whose direction lies this near to the span of those that press adds nothing to them.
 constexpr double kDependent = 1e-11;
 
@@ -314,14 +314,18 @@ double hold_of(const Cone& c) THIGMA_RT {
 /// whose coefficient that changes.
 bool break_away(const VelocityRows& rows, const WhiteRows& white, const Vec6& y,
                 Cones& cones) THIGMA_RT {
-  constexpr double kMoving = 1e-3;  // of the speed that the whole cone stops
+  constexpr double kMoving = 1e-3;  // of the speed that a whole cone stops, the largest
+  double stopped = 0.0;
+  for (int i = 0; i < cones.count; ++i)
+    stopped =
+        std::max(stopped, most_hold(white, cones.cone[idx(i)]) * cones.cone[idx(i)].tangent_square);
   bool is_any = false;
   for (int i = 0; i < cones.count; ++i) {
     Cone& c = cones.cone[idx(i)];
     const double kinetic = rows.friction[idx(c.row)];
     if (c.is_sliding || !(kinetic < c.friction)) continue;
     const double speed = std::hypot(c.first.dot(y), c.second.dot(y));
-    if (!(speed > kMoving * most_hold(white, c) * c.tangent_square)) continue;
+    if (!(speed > kMoving * stopped)) continue;
     c.is_sliding = is_any = true;
     c.friction = kinetic;
   }
