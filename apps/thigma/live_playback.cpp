@@ -45,6 +45,7 @@ SessionConfig recorded_config(const SessionConfig& scene, const RecordedConfig& 
   config.haptic = recorded.params;
   config.rate = recorded.rate_hz;
   config.contact.resolution = recorded.resolution;
+  config.contact.friction = recorded.friction;
   // there are no levels then
   config.contact.resolution.is_exact |= scene.contact.resolution.is_exact;
   return config;

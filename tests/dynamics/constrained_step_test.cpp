@@ -202,5 +202,60 @@ TEST(ConstrainedStep, MetricIsMassAndWhatTheCouplingAdds) {
   EXPECT_LE((metric - expected).norm(), 1e-12);
 }
 
+/// The same body by itself, on four corners of a block under a tilted gravity.
+struct OnSlope : Held {
+  OnSlope(double angle, double kinetic, double at_rest) {
+    const double g = 9.81;
+    body = make_body(0.05, Mat3(1e-5 * Mat3::Identity()),
+                     Vec3(g * std::sin(angle), 0.0, -g * std::cos(angle)));
+    state.position.z() = 0.01 + params.slop;
+    for (const double x : {-0.01, 0.01})
+      for (const double y : {-0.01, 0.01}) {
+        add_corner({x, y, -0.01});
+        ContactRow& row = model->rows.back();
+        row.id = model->rows.size();
+        row.friction = kinetic;
+        row.static_friction = at_rest;
+      }
+  }
+  ConstrainedStep slide() {
+    const ConstrainedStep result =
+        constrained_step(at_state(body, state), {}, {*model, params, kStep}, memory);
+    state = result.state;
+    return result;
+  }
+};
+
+TEST(ConstrainedStep, OnASlopeItSticksBelowTheConeAndSlidesAsCoulombSays) {
+  for (const double mu : {0.2, 0.5, 0.8}) {
+    OnSlope below(0.97 * std::atan(mu), mu, mu), above(1.2 * std::atan(mu), mu, mu);
+    const Vec3 start = below.state.position;
+    for (int k = 0; k < 10000; ++k) {
+      below.slide();
+      ASSERT_LE((below.state.position - start).norm(), 1e-6) << mu << ", frame " << k;
+    }
+    for (int k = 0; k < 1000; ++k) above.slide();
+    const double angle = 1.2 * std::atan(mu);
+    const double expected = 9.81 * (std::sin(angle) - mu * std::cos(angle));
+    EXPECT_NEAR(above.state.linear_momentum.x() / 0.05, expected, 1e-3 * expected) << mu;
+    EXPECT_NEAR(above.state.position.x(), 0.5 * expected, 2e-3 * expected) << mu;
+  }
+}
+
+TEST(ConstrainedStep, RowsThatComeInTheWayOfWhatSlidesSlideToo) {
+  // Tan of the angle lies between the coefficients, and every row is new every 3 mm.
+  const double angle = 0.45, kinetic = 0.3;
+  OnSlope tiles(angle, kinetic, 0.6);
+  tiles.state.linear_momentum.x() = 0.05 * 0.02;
+  for (int k = 0; k < 500; ++k) {
+    const auto tile = static_cast<std::uint64_t>(tiles.state.position.x() / 3e-3);
+    std::uint64_t corner = 0;
+    for (ContactRow& row : tiles.model->rows) row.id = 10 * tile + ++corner;
+    tiles.slide();
+  }
+  const double expected = 0.02 + 0.5 * 9.81 * (std::sin(angle) - kinetic * std::cos(angle));
+  EXPECT_NEAR(tiles.state.linear_momentum.x() / 0.05, expected, 5e-3 * expected);
+}
+
 }  // namespace
 }  // namespace thigma

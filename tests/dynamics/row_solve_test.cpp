@@ -24,7 +24,7 @@ void set_row(VelocityRows& rows, int i, const Vec6& gradient, double limit) {
   const auto r = static_cast<std::size_t>(i);
   for (std::size_t k = 0; k < 6; ++k) rows.gradient[k][r] = gradient[static_cast<Eigen::Index>(k)];
   rows.limit[r] = limit;
-  rows.friction[r] = 0.0;
+  rows.friction[r] = rows.static_friction[r] = 0.0;
 }
 
 Vec6 random_vector(Random& random) {
@@ -162,7 +162,8 @@ struct Slope {
   RowImpulses impulses;
   Vec6 velocity = Vec6::Zero();
 
-  explicit Slope(double friction) {
+  explicit Slope(double friction) : Slope(friction, friction) {}
+  Slope(double friction, double at_rest) {
     metric.bottomRightCorner<3, 3>() *= 1e-3;
     for (const double x : {-0.05, 0.05}) {
       for (const double y : {-0.05, 0.05}) {
@@ -172,6 +173,7 @@ struct Slope {
         g << normal, arm.cross(normal);
         set_row(*rows, rows->count++, g, 0.0);
         rows->friction[r] = friction;
+        rows->static_friction[r] = at_rest;
         rows->arm[r] = arm;
         rows->tangent[r] = Vec3::UnitX();
       }
@@ -202,9 +204,45 @@ TEST(RowSolve, SticksBelowTheConeAndSlidesAsCoulombSays) {
   EXPECT_LE(std::fabs(above.velocity[2]), 1e-9);
 }
 
+TEST(RowSolve, HoldsWithTheStaticAndSlidesWithTheKineticCoefficient) {
+  const double kinetic = 0.3, at_rest = 0.6, h = 1e-3, g = 9.81, angle = 0.45;  // tan: 0.483
+  Slope held(kinetic, at_rest), pushed(kinetic, at_rest);
+  pushed.velocity[0] = 0.1;
+  double crept = 0.0;
+  for (int k = 0; k < 2000; ++k) {
+    held.step(angle, h);
+    crept += h * held.velocity.head<3>().norm();
+    pushed.step(angle, h);
+  }
+  EXPECT_LE(crept, 1e-7);
+  const double expected = 0.1 + 2.0 * g * (std::sin(angle) - kinetic * std::cos(angle));
+  EXPECT_NEAR(pushed.velocity[0], expected, 1e-3 * expected);
+}
+
+TEST(RowSolve, BreaksAwayAtTheStaticForceAndSticksAgainWhereItStops) {
+  const double kinetic = 0.3, at_rest = 0.6, h = 1e-3, g = 9.81;
+  Slope block(kinetic, at_rest);
+  const auto pull = [&](double force) {  // on 1 kg
+    Vec6 free = block.velocity;
+    free[0] += h * force;
+    free[2] -= h * g;
+    block.velocity = solve_rows(block.metric, free, *block.rows, block.impulses).velocity;
+  };
+  double force = 0.0;
+  while (force < g && block.velocity[0] < 1e-3) pull(force += 1e-3 * g);
+  EXPECT_NEAR(force, at_rest * g, 0.01 * at_rest * g);
+  const double before = block.velocity[0];
+  for (int k = 0; k < 100; ++k) pull(0.45 * g);  // too little to break it away
+  EXPECT_NEAR(block.velocity[0] - before, 0.1 * (0.45 - kinetic) * g, 1e-3 * 0.1 * 0.15 * g);
+  for (int k = 0; k < 1000; ++k) pull(0.0);
+  EXPECT_LE(block.velocity.norm(), 1e-9);
+  for (int k = 0; k < 100; ++k) pull(0.55 * g);
+  EXPECT_LE(block.velocity.norm(), 1e-9);
+}
+
 TEST(RowSolve, FrictionNeverDrives) {
   Random random(11);
-  Slope block(0.8);
+  Slope block(0.3, 0.8);
   for (int k = 0; k < 2000; ++k) {
     Vec6 free = 0.1 * random_vector(random);
     free[2] -= 0.2;

@@ -97,7 +97,8 @@ struct Scene {
 /// thread, while this thread writes the recording.
 AuditResult audit(PlantingDevice::Plant plant, int haptic_frames, bool is_constrained = false) {
   Scene scene;
-  if (is_constrained) use_constraints(0.3, scene.config);
+  scene.config.contact.friction.assign(scene.config.contact.scene.size(), {0.3, 0.4});
+  if (is_constrained) use_constraints(scene.config);
   HandParams hand;
   hand.program.path = HandPath::slide;
   hand.program.clearance = 0.001;

@@ -1,8 +1,10 @@
 // The constrained response through the whole loop: the hand presses, the object stays outside.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 
 #include "support/apart.h"
 #include "support/small_jaws.h"
@@ -10,6 +12,7 @@
 
 #include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
+#include "thigma/loop/contact_step.h"
 #include "thigma/recording/replay_session.h"
 #include "thigma/scene/load_scene.h"
 #include "thigma/scene/record_session.h"
@@ -150,6 +153,67 @@ TEST(ConstrainedResponse, NeedsNoLevels) {
   EXPECT_TRUE(loaded.config.contact.resolution.is_exact);
   ASSERT_GT(loaded.object->hierarchy.levels.size(), 1u);
   EXPECT_TRUE(loaded.object->hierarchy.levels[1].is_free);
+}
+
+TEST(ConstrainedResponse, EveryPairOfBodiesHasItsOwnFriction) {
+  const std::string text = R"(
+[object]
+mesh = "procedural:box"
+position = [0, 0, 0.041]
+[object.material]
+friction = 0.2
+static_friction = 0.32
+[[static]]
+mesh = "procedural:box"
+[static.material]
+friction = 0.8
+static_friction = 1.28
+[[static]]
+mesh = "procedural:box"
+position = [0, 0, 0.082]
+[contact]
+response = "constraint"
+exact = true
+friction = 0.05
+)";
+  const Scene scene = load_scene(parse_scene(text, "S.toml", ""));
+  const SceneSession session = open_session(scene, {.device = "null:"});
+  const std::vector<Friction>& pairs = session.config.contact.friction;
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_NEAR(pairs[0].kinetic, 0.4, 1e-15);
+  EXPECT_NEAR(pairs[0].at_rest, 0.64, 1e-15);
+  EXPECT_NEAR(pairs[1].kinetic, 0.1, 1e-15);
+  // The rows of a model and the terms of the penalty have them, each of its body.
+  for (const bool is_constrained : {true, false}) {
+    ContactWorld world = session.config.contact;
+    if (!is_constrained) world.constraints = nullptr;
+    const double reach = scene.object->hierarchy.radius;
+    world.tolerance = world.response.tolerance = 0.5 * reach;
+    ContactScratch scratch;
+    reserve_contact_scratch(world, scratch);
+    StampedBody body;
+    body.state.position = session.config.world_from_body.position;
+    body.wanted_speed = 1e3 * reach;
+    auto sample = std::make_unique<ContactSample>();
+    for (int k = 0; k < 8; ++k) {  // looks farther ahead each time
+      body.time += 1e-3;
+      contact_step(world, body, scratch, *sample);
+    }
+    std::array<int, 2> found{};
+    const auto look = [&](const auto& terms) {
+      for (const auto& term : terms) {
+        const auto b = static_cast<std::size_t>(term.body);
+        ASSERT_LT(b, 2u);
+        ++found[b];
+        EXPECT_EQ(term.friction, pairs[b].kinetic);
+        EXPECT_EQ(term.static_friction, pairs[b].at_rest);
+      }
+    };
+    look(sample->model.constraints.rows);
+    look(sample->model.planes);
+    EXPECT_GT(found[0], 0) << is_constrained;
+    EXPECT_GT(found[1], 0) << is_constrained;
+  }
 }
 
 TEST(ConstrainedResponse, RefusesNegativeFriction) {

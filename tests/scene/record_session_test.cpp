@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
+#include "thigma/recording/config_json.h"
 #include "thigma/recording/mcap_file.h"
 #include "thigma/recording/recording.h"
 #include "thigma/recording/replay_session.h"
@@ -28,6 +29,26 @@ TEST(RecordSession, ReplaysBitForBit) {
   EXPECT_EQ(again.state_hash, felt.state_hash);
   EXPECT_GT(felt.force_max, 0.1);
   fs::remove(path);
+}
+
+TEST(RecordSession, FrictionReplaysBitForBit) {
+  const std::string path = (fs::temp_directory_path() / "thigma_record_friction.mcap").string();
+  for (const ResponseKind response :
+       {ResponseKind::coupled, ResponseKind::direct, ResponseKind::constrained}) {
+    SceneDescription description = test::small_jaws();
+    description.contact.response = response;
+    description.object.material = Material{{0.3, 0.5}};
+    description.statics[0].material = Material{{0.4, 0.4}};
+    const Scene scene = load_scene(std::move(description));
+    SceneSession session = open_session(scene, {.device = "hand:", .duration = 1.0, .seed = 7});
+    const SessionSummary felt = record_lockstep(session, path);
+    const ReplayReport again = replay_recording(path);
+    EXPECT_TRUE(again.identical) << again.reason;
+    EXPECT_EQ(again.state_hash, felt.state_hash);
+    EXPECT_EQ(read_config(read_recording(path).config).friction, session.config.contact.friction);
+    EXPECT_GT(felt.force_max, 0.1);
+    fs::remove(path);
+  }
 }
 
 TEST(RecordSession, SaysWhereItCannotWrite) {

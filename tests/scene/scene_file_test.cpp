@@ -104,9 +104,14 @@ position = [1, 2, 3]
 quat_xyzw = [0.5, -0.5, 0.5, 0.5]
 density = 1100
 grasp_point = [4, 5, 6]
+[object.material]
+friction = 0.3
+static_friction = 0.45
 [[static]]
 mesh = "procedural:ball"
 position = [0, 0, 1]
+[static.material]
+friction = 0.7
 [[static]]
 name = "second"
 mesh = "procedural:box"
@@ -127,6 +132,8 @@ budget_us = 200.0
 budget_tests = 300
 response = "direct"
 friction = 0.25
+static_friction = 0.5
+combine = "minimum"
 [coupling]
 linear_stiffness = 250
 linear_damping = 3
@@ -199,6 +206,13 @@ contact_latency = 2
   EXPECT_EQ(s.contact.resolution.budget_tests, 300);
   EXPECT_EQ(s.contact.response, ResponseKind::direct);
   EXPECT_EQ(s.contact.friction, 0.25);
+  EXPECT_EQ(s.contact.static_friction, 0.5);
+  EXPECT_EQ(s.contact.combine, CombineRule::minimum);
+  EXPECT_EQ(s.object.material->friction, (Friction{0.3, 0.45}));
+  EXPECT_EQ(s.statics[0].material->friction, (Friction{0.7, 0.7}));
+  EXPECT_FALSE(s.statics[1].material.has_value());
+  const std::vector<Friction> pairs = {{0.3, 0.45}, {0.25, 0.45}};  // by the minimum
+  EXPECT_EQ(pair_friction(s), pairs);
   EXPECT_EQ(s.coupling.linear_stiffness, 250.0);
   EXPECT_EQ(s.coupling.linear_damping, 3.0);
   EXPECT_EQ(s.coupling.angular_stiffness, 0.5);
@@ -300,6 +314,36 @@ TEST(SceneFile, WrongScenesNamePlaceAndExpectation) {
       {"[object]\nmesh = \"procedural:ball\"\n[contact]\ndamping = 1\ndamping_ratio = 1\n",
        5,
        {"one of the two"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[contact]\nfriction = inf\n", 4, {"not finite"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[contact]\nfriction = 0.5\nstatic_friction = 0.4\n",
+       5,
+       {"contact.static_friction", "below friction", "expected"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[contact]\nstatic_friction = 0.4\n",
+       4,
+       {"contact.static_friction", "without friction", "expected"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[contact]\ncombine = \"mean\"\n",
+       4,
+       {"contact.combine", "one of geometric average minimum maximum"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[object.material]\nfriction = -0.1\n",
+       4,
+       {"object.material.friction", "-0.1", "0 or more"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[object.material]\nfriction = nan\n",
+       4,
+       {"object.material.friction", "not finite"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[object.material]\nfriction = \"high\"\n",
+       4,
+       {"object.material.friction", "expected a number"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[object.material]\nfricton = 0.1\n",
+       4,
+       {"object.material.fricton", "'friction'"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[object.material]\n", 3, {"no friction", "expected"}},
+      {"[object]\nmesh = \"procedural:ball\"\nmaterial = 0.3\n",
+       3,
+       {"object.material", "expected a table"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[[static]]\nmesh = \"procedural:ball\"\n"
+       "[static.material]\nfriction = 0.5\nstatic_friction = 0.2\n",
+       7,
+       {"static.material.static_friction", "below friction", "expected"}},
       {"[object]\nmesh = \"procedural:ball\"\n[coupling]\nlinear_stiffness = 0\n", 4, {"above 0"}},
       {"[object]\nmesh = \"procedural:ball\"\n[coupling]\nsaturated = 1\n", 4, {"true or false"}},
       {"[object]\nmesh = \"procedural:ball\"\n[device]\ngrasp_at = \"hndle\"\n",

@@ -122,6 +122,8 @@ TEST(Lockstep, RefusesNumbersThatMakeNoSense) {
   refuses([](SessionConfig& c) { c.rate = std::numeric_limits<double>::quiet_NaN(); });
   refuses([](SessionConfig& c) { c.duration = -1.0; });
   refuses([](SessionConfig& c) { c.contact_every = 0; });
+  refuses([](SessionConfig& c) { c.contact.friction = {{0.3, 0.3}, {-0.1, 0.2}}; });
+  refuses([](SessionConfig& c) { c.contact.friction = {{0.3, 0.2}}; });
   refuses([](SessionConfig& c) { c.contact_latency = 0; });
   refuses([](SessionConfig& c) { c.haptic.body.mass = 0.0; });
   refuses([](SessionConfig& c) { c.deep_contact = -1e-3; });

@@ -14,20 +14,23 @@ namespace thigma::test {
 struct RowQuery {
   TriangleMesh object, scene;
   ClodHierarchy object_tree, scene_tree;
+  double friction = 0.0, static_friction = 0.0;
   ConstraintWorld world;
   std::vector<ContactFront> fronts;
   ContactSet contacts;
   ConstraintScratch scratch;
   std::unique_ptr<ConstraintModel> model = std::make_unique<ConstraintModel>();
 
-  RowQuery(const TriangleMesh& a, const TriangleMesh& b, double friction = 0.0,
+  RowQuery(const TriangleMesh& a, const TriangleMesh& b, double friction_of_all = 0.0,
            std::size_t capacity = 16384)
       : object(a),
         scene(b),
         object_tree(build_exact_hierarchy(a)),
-        scene_tree(build_exact_hierarchy(b)) {
+        scene_tree(build_exact_hierarchy(b)),
+        friction(friction_of_all),
+        static_friction(friction_of_all) {
     const SceneBody body{&scene_tree, Pose{}};
-    world = make_constraint_world(object_tree, Pose{}, {&body, 1}, friction);
+    world = make_constraint_world(object_tree, Pose{}, {&body, 1});
     fronts.resize(1);
     reserve_front(fronts[0], object_tree, scene_tree);
     contacts.contacts.reserve(16384);
@@ -43,7 +46,13 @@ struct RowQuery {
                 contacts);
     const bool is_free = contacts.contacts.empty();
     const double separation = is_free ? unreported_separation(fronts[0]) : tolerance;
-    return build_constraints(world, state, {contacts, separation}, scratch, into);
+    const ConstraintStats stats =
+        build_constraints(world, state, {contacts, separation}, scratch, into);
+    for (ContactRow& row : into.rows) {
+      row.friction = friction;
+      row.static_friction = static_friction;
+    }
+    return stats;
   }
   ConstraintStats ask(const BodyState& state, double tolerance) {
     return ask(state, tolerance, *model);

@@ -145,6 +145,33 @@ TEST(Tuning, MetricsCapAndBudgetReachTheQueryAndMayBeOff) {
   EXPECT_NE(tuner.set("mass", 0.0), "");  // is never off
 }
 
+TEST(Tuning, FrictionIsSetWhereItIsLargestAndTheOthersKeepTheirShare) {
+  SessionConfig c = config();
+  c.contact.friction = {{0.2, 0.3}, {0.4, 0.6}};
+  Tuner tuner(c);
+  EXPECT_EQ(tuner.find("friction")->value, 0.4);
+  EXPECT_FALSE(tuner.contact().most_friction.has_value());
+  EXPECT_EQ(friction_on(c.contact, 1), (Friction{0.4, 0.6}));
+  EXPECT_EQ(tuner.set("friction", 0.8), "");
+  tuner.apply_to(c);
+  EXPECT_NEAR(friction_on(c.contact, 0).kinetic, 0.4, 1e-15);
+  EXPECT_NEAR(friction_on(c.contact, 1).at_rest, 1.2, 1e-15);
+  EXPECT_EQ(Tuner(c).find("friction")->value, 0.8);  // begun again
+  EXPECT_EQ(tuner.set("friction", 0.0), "");         // off
+  tuner.apply_to(c);
+  EXPECT_EQ(friction_on(c.contact, 1), Friction{});
+  EXPECT_NE(tuner.set("friction", -0.1), "");
+  EXPECT_NE(tuner.set("friction", std::nan("")), "");
+  EXPECT_NE(tuner.set("friction", 50.0), "");
+
+  SessionConfig plain = config();  // none anywhere: all get the same
+  Tuner first(plain);
+  EXPECT_EQ(first.find("friction")->value, 0.0);
+  EXPECT_EQ(first.set("friction", 0.5), "");
+  first.apply_to(plain);
+  EXPECT_EQ(friction_on(plain.contact, 0), (Friction{0.5, 0.5}));
+}
+
 TEST(Tuning, WhatIsOutsideTheLimitsOfTheDeviceGetsAWarning) {
   Tuner tuner(config());
   EXPECT_EQ(tuner.set("coupling_stiffness", 600.0), "");

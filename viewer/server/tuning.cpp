@@ -63,6 +63,11 @@ Tuner::Tuner(const SessionConfig& config) {
   base_.rate = config.rate;
   base_.contact.response = config.contact.response;
   base_.contact.resolution = config.contact.resolution;
+  base_.contact.most_friction = config.contact.most_friction;
+  most_friction_ = config.contact.most_friction.value_or(0.0);
+  if (!config.contact.most_friction)
+    for (const Friction& f : config.contact.friction)
+      most_friction_ = std::max(most_friction_, f.kinetic);
   const Coupling& c = config.haptic.coupling;
   if (config.haptic.response != ResponseKind::constrained) {  // which has none
     list_.push_back(span("contact_stiffness", "contact stiffness", "N/m",
@@ -79,6 +84,10 @@ Tuner::Tuner(const SessionConfig& config) {
     list_.push_back(span("coupling_angular_stiffness", "coupling stiffness, turning", "N m/rad",
                          "how firmly the hand turns the object", c.angular_stiffness, 20.0, 4.0));
   }
+  list_.push_back(switchable("friction", "friction", "",
+                             "Coulomb's coefficient of sliding, where it is largest; the others "
+                             "keep their share of it",
+                             most_friction_, 0.01, 2.0));
   list_.push_back(span("mass", "mass", "kg", "of the object; its inertia goes with it",
                        config.haptic.body.mass, 10.0, 10.0));
   if (!config.contact.resolution.is_exact) add_resolution(config);
@@ -236,7 +245,9 @@ HapticTuning Tuner::haptic() const {
 }
 
 ContactTuning Tuner::contact() const {
-  ContactTuning tuning{base_.contact.response, base_.contact.resolution};
+  ContactTuning tuning{base_.contact.response, base_.contact.resolution,
+                       base_.contact.most_friction};
+  if (value("friction") != most_friction_) tuning.most_friction = value("friction");
   Resolution& r = tuning.resolution;
   if (!r.is_exact) {
     r.metric.haptic = value("threshold");

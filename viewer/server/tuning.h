@@ -63,7 +63,8 @@ class Tuner {
   SessionConfig base_;  // without faults, hierarchies and all that is not a gain
   std::vector<LiveParameter> list_;
   std::optional<GainTask> task_;
-  ViewThreshold from_afar_;  // of the view metric, where the scene has none
+  double most_friction_ = 0.0;  // largest kinetic coefficient, as the session began
+  ViewThreshold from_afar_;     // of the view metric, where the scene has none
 };
 
 }  // namespace thigma::live

@@ -22,15 +22,17 @@ std::int64_t find_all(const ConstraintWorld& world, const Pose& world_from_objec
     const BodyPair pair{{&world.object, world_from_object},
                         {world.scene[i].get(), world.bodies[i].world_from_body},
                         static_cast<std::int32_t>(i)};
+    const std::size_t others = scratch.found.size();
     left_out += find_rows(pair, contacts, reach, scratch.rows, scratch.found);
+    for (std::size_t k = others; k < scratch.found.size(); ++k)
+      scratch.found[k].row.body = static_cast<std::int32_t>(i);
   }
   return left_out;
 }
 
-/// A row of the world's friction, points and directions of the object in the frame of its body.
+/// Points and directions of the object in the frame of its body.
 void move_into_body(const ConstraintWorld& world, ContactRow& row) noexcept {
   const Pose& body_from_mesh = world.body_from_mesh;
-  row.friction = world.friction;
   row.object_point = transform_point(body_from_mesh, row.object_point);
   row.object_direction = body_from_mesh.orientation._transformVector(row.object_direction);
 }
@@ -63,12 +65,11 @@ std::int32_t hand_over(const ConstraintWorld& world, ConstraintScratch& scratch,
 }  // namespace
 
 ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& body_from_mesh,
-                                      std::span<const SceneBody> bodies, double friction) {
+                                      std::span<const SceneBody> bodies) {
   ConstraintWorld world;
   world.object = find_features(object);
   world.body_from_mesh = body_from_mesh;
   world.bodies.assign(bodies.begin(), bodies.end());
-  world.friction = friction;
   for (const Vec3& v : world.object.vertices)
     world.reach = std::max(world.reach, transform_point(body_from_mesh, v).norm());
   constexpr double kSlop = 5e-5;  // of the reach: a micrometre of an object of 4 cm

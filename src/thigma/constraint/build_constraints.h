@@ -19,9 +19,8 @@ struct ConstraintWorld {
   Pose body_from_mesh;
   std::vector<SceneBody> bodies;
   std::vector<std::shared_ptr<const SurfaceFeatures>> scene;  // one a body
-  double friction = 0.0;  // Coulomb's coefficient of every contact
-  double reach = 0.0;     // of the object's farthest vertex from its centre of mass [m]
-  double slop = 0.0;      // the gap that is kept [m]
+  double reach = 0.0;  // of the object's farthest vertex from its centre of mass [m]
+  double slop = 0.0;   // the gap that is kept [m]
   // tolerance of the query: at rest, and at most, whatever the speed [m]
   double least_look_ahead = 0.0, most_look_ahead = 0.0;
 };
@@ -29,10 +28,9 @@ struct ConstraintWorld {
 /// Features of an object and of the bodies of a scene; bodies of one hierarchy share theirs.
 ///
 /// body_from_mesh  of the object, its body frame at the centre of mass
-/// friction        Coulomb's coefficient of every contact, >= 0
 /// Thread          [offline]; throws std::bad_alloc
 ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& body_from_mesh,
-                                      std::span<const SceneBody> bodies, double friction);
+                                      std::span<const SceneBody> bodies);
 
 /// Working memory. Grows while warming up, never after.
 struct ConstraintScratch {
@@ -63,7 +61,7 @@ void reserve_constraints(const ConstraintWorld& world, std::size_t capacity,
                          ConstraintScratch& scratch);
 
 /// Rows for a body at a state, good for nearly as much travel as the query has looked ahead.
-/// model      overwritten
+/// model      overwritten; rows know their body and have no friction
 /// Thread     [contact]; no failure
 ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState& state,
                                   const NearContacts& near, ConstraintScratch& scratch,

@@ -39,6 +39,7 @@ double evaluate(const StepBounds& bounds, const BodyState& state, const Mat3& ro
     }
     rows.limit[i] = limit_of(at.gap, bounds.params, bounds.dt);
     rows.friction[i] = model.rows[i].friction;
+    rows.static_friction[i] = model.rows[i].static_friction;
     rows.arm[i] = at.arm;
     rows.tangent[i] = across(at.normal);
     least = std::min(least, at.gap);
@@ -74,11 +75,17 @@ bool is_beyond(const ConstraintModel& model, const BodyState& state) THIGMA_RT {
 
 void recall(const ConstraintModel& model, const RowMemory& memory,
             RowImpulses& impulses) THIGMA_RT {
+  // Where all that presses slides, so does what comes in its way: a surface cut into many triangles
+  // brings new rows all the time.
+  bool is_sliding = !memory.entries.empty();
+  for (const RowMemory::Entry& entry : memory.entries) is_sliding = is_sliding && entry.is_sliding;
+  if (is_sliding) impulses.is_sliding.fill(true);
   for (const RowMemory::Entry& entry : memory.entries) {
     for (std::size_t i = 0; i < model.rows.size(); ++i) {
       if (model.rows[i].id != entry.id) continue;
       impulses.normal[i] = entry.normal;
       impulses.tangential[i] = entry.tangential;
+      impulses.is_sliding[i] = entry.is_sliding;
       if (entry.is_active && impulses.active_count < kMaxActive)
         impulses.active[static_cast<std::size_t>(impulses.active_count++)] =
             static_cast<std::int32_t>(i);
@@ -94,8 +101,8 @@ void keep(const ConstraintModel& model, const RowImpulses& impulses, RowMemory& 
     const bool is_active =
         std::find(impulses.active.begin(), end, static_cast<std::int32_t>(i)) != end;
     if (!is_active && !(impulses.normal[i] > 0.0)) continue;
-    memory.entries.push_back(
-        {model.rows[i].id, impulses.normal[i], impulses.tangential[i], is_active});
+    memory.entries.push_back({model.rows[i].id, impulses.normal[i], impulses.tangential[i],
+                              is_active, impulses.is_sliding[i]});
   }
 }
 

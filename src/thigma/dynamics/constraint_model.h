@@ -35,13 +35,15 @@ struct ContactRow {
   // scene_plane: unit normal out of the object, into the scene; edges: unit, along the scene's, so
   // that object x scene points into the scene; else zero [world]
   Vec3 scene_direction;
-  double friction;  // Coulomb's coefficient of the two materials
+  double friction;         // Coulomb's coefficient of the two materials, while they slide
+  double static_friction;  // and until they do, >= friction
+  std::int32_t body;       // static object of the scene; not recorded
 };
 
 /// A row of which nothing is known but its kind.
 inline ContactRow make_row(RowKind kind) THIGMA_RT {
   const Vec3 zero = Vec3::Zero();
-  return {kind, 0, zero, zero, zero, zero, 0.0};
+  return {kind, 0, zero, zero, zero, zero, 0.0, 0.0, 0};
 }
 
 /// What keeps the body from entering. Part of the contact model.
@@ -71,6 +73,7 @@ struct RowMemory {
     double normal;                     // [N s]
     std::array<double, 2> tangential;  // [N s]
     bool is_active;                    // in the exact solution
+    bool is_sliding;                   // at the end of it
   };
   StaticVector<Entry, 64> entries;
 };

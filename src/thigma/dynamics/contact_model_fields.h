@@ -14,6 +14,15 @@ void visit_push(Term& term, Visit&& visit) {
   visit("id", term.id);
 }
 
+/// Its friction, where it has any.
+template <class Term, class Visit>
+void visit_friction(Term& term, Visit&& visit) {
+  visit.unless("static_friction", term.static_friction, 0.0);
+  if (!(term.static_friction > 0.0)) return;
+  visit("friction", term.friction);
+  visit("body", term.body);
+}
+
 /// Calls visit(key, number) and visit.vector(key, vector) for every field of a PlaneTerm.
 template <class Term, class Visit>
 void visit_plane(Term& p, Visit&& visit) {
@@ -22,6 +31,7 @@ void visit_plane(Term& p, Visit&& visit) {
   visit.vector("scene_point", p.scene_point);
   visit.vector("scene_velocity", p.scene_velocity);
   visit_push(p, visit);
+  visit_friction(p, visit);
 }
 
 /// The same of a DepthTerm.
@@ -31,6 +41,8 @@ void visit_depth(Term& t, Visit&& visit) {
   visit.vector("linear", t.linear);
   visit.vector("angular", t.angular);
   visit_push(t, visit);
+  visit_friction(t, visit);
+  if (t.static_friction > 0.0) visit.vector("arm_body", t.arm_body);
 }
 
 /// The same of a ContactRow.
@@ -43,6 +55,7 @@ void visit_row(Row& r, Visit&& visit) {
   visit.vector("object_direction", r.object_direction);
   visit.vector("scene_direction", r.scene_direction);
   visit("friction", r.friction);
+  visit.unless("static_friction", r.static_friction, r.friction);
 }
 
 }  // namespace thigma

@@ -22,19 +22,27 @@ struct PlaneTerm {
   double damping = 0.0;                // b [N s/m]
   double tolerance = 0.0;              // d: force starts at depth = -d [m]
   std::int32_t id = -1;                // of the cluster, persistent over frames
+  std::int32_t body = 0;               // static object of the scene
+  double friction = 0.0;               // Coulomb's coefficient while the surfaces slide
+  double static_friction = 0.0;        // and until they do, >= friction; 0: no friction
 };
 
 /// Depth of textured surfaces to first order in the object's motion, with its viscoelastic force
 /// along the gradient. The depth is evaluated at the current state, so that the clamp against
 /// pulling is natural; the gradient is that of the model's state (Gauss-Newton).
 struct DepthTerm {
-  double depth = 0.0;           // at the model's state [m]; positive = penetrating
-  Vec3 linear = Vec3::Zero();   // gradient by the position of the centre of mass [-; world]
-  Vec3 angular = Vec3::Zero();  // and by a rotation vector about it [m/rad; world]
-  double stiffness = 0.0;       // k [N/m]
-  double damping = 0.0;         // b [N s/m]
-  double tolerance = 0.0;       // d: force starts at depth = -d [m]
-  std::int32_t id = -1;         // of the cluster, persistent over frames
+  double depth = 0.0;            // at the model's state [m]; positive = penetrating
+  Vec3 linear = Vec3::Zero();    // gradient by the position of the centre of mass [-; world]
+  Vec3 angular = Vec3::Zero();   // and by a rotation vector about it [m/rad; world]
+  double stiffness = 0.0;        // k [N/m]
+  double damping = 0.0;          // b [N s/m]
+  double tolerance = 0.0;        // d: force starts at depth = -d [m]
+  std::int32_t id = -1;          // of the cluster, persistent over frames
+  std::int32_t body = 0;         // static object of the scene
+  double friction = 0.0;         // Coulomb's coefficient while the surfaces slide
+  double static_friction = 0.0;  // and until they do, >= friction; 0: no friction
+  // where friction acts: from the centre of mass [m; body frame]
+  Vec3 arm_body = Vec3::Zero();
 };
 
 /// Payload from the contact thread to the haptic thread.
@@ -48,6 +56,25 @@ struct LinearContactModel {
   ConstraintModel constraints;
 };
 static_assert(RtPayload<LinearContactModel>);
+
+inline constexpr int kMaxBristles = 2 * kMaxClusters;
+
+/// Bristles as a step has left them, by the terms they are of: the next step takes them up,
+/// whatever model it has.
+struct BristleMemory {
+  struct Entry {
+    std::int32_t id = -1, body = 0;  // of the term
+    bool is_relief = false;          // it is a depth term
+    bool is_sliding = false;         // else the static coefficient holds
+    double stiffness = 0.0;          // k_t when it was bent [N/m]
+    Vec3 normal = Vec3::UnitZ();     // it lies across this, unit [world]
+    // e: how far the object is from where the bristle was straight [m; world]
+    Vec3 bend = Vec3::Zero();
+  };
+  StaticVector<Entry, kMaxBristles> entries;
+  Wrench wrench;  // on the body at the end of the step, about the centre of mass [N, N m; world]
+};
+static_assert(RtPayload<BristleMemory>);
 
 /// One plane or depth term at one state.
 struct PlaneForce {

@@ -10,9 +10,10 @@
 namespace thigma {
 namespace {
 
-constexpr int kMaxRounds = 100;      // rows taken in; a few are usual
-constexpr int kMaxSweeps = 60;       // over the cones
-constexpr double kAccuracy = 1e-10;  // of the free speed
+constexpr int kMaxRounds = 100;        // rows taken in; a few are usual
+constexpr int kMaxSweeps = 60;         // over the cones, and of few cones as many as cost no more
+constexpr int kMaxProjections = 1000;  // than so many of one
+constexpr double kAccuracy = 1e-10;    // of the free speed
 // A row whose direction lies this near to the span of those that press adds nothing to them.
 constexpr double kDependent = 1e-11;
 
@@ -232,7 +233,9 @@ Nearest nearest_point(const WhiteRows& rows, const Vec6& target, const RowImpuls
 /// A row that may press, with its two tangents, in white coordinates.
 struct Cone {
   int row = -1;
-  double friction = 0.0;
+  bool has_friction = false;
+  bool is_sliding = false;
+  double friction = 0.0;  // its coefficient now
   Vec6 normal = Vec6::Zero(), first = Vec6::Zero(), second = Vec6::Zero();
   double tangent_square = 0.0;  // the larger of the two tangents' squares
   // multipliers: of the unit normal, and of the tangents [N s]
@@ -259,11 +262,13 @@ void add_cone(const VelocityRows& rows, const WhiteRows& white, const Mat6& inve
   Cone& c = cones.cone[idx(cones.count++)];
   const std::size_t r = idx(row);
   c.row = row;
-  c.friction = rows.friction[r];
+  c.has_friction = rows.static_friction[r] > 0.0;
+  c.is_sliding = warm.is_sliding[r] || !c.has_friction;
+  c.friction = c.is_sliding ? rows.friction[r] : rows.static_friction[r];
   c.normal = white.row(row);
   c.press = warm.normal[r] * white.length[r];
   c.hold_first = c.hold_second = c.tangent_square = 0.0;
-  if (!(c.friction > 0.0)) return;
+  if (!c.has_friction) return;
   const Vec3 normal(rows.gradient[0][r], rows.gradient[1][r], rows.gradient[2][r]);
   const Vec3 tangent = rows.tangent[r];
   c.first = generalized(inverse, rows.arm[r], tangent);
@@ -280,7 +285,7 @@ double project(const WhiteRows& white, Cone& c, Vec6& y) THIGMA_RT {
   double moved = std::fabs(press - c.press);
   y -= (press - c.press) * c.normal;
   c.press = press;
-  if (!(c.friction > 0.0)) return moved;
+  if (!c.has_friction) return moved;
   double first = c.hold_first + c.first.dot(y) / c.tangent_square;
   double second = c.hold_second + c.second.dot(y) / c.tangent_square;
   const double most = c.friction * press / white.length[idx(c.row)];
@@ -296,6 +301,41 @@ double project(const WhiteRows& white, Cone& c, Vec6& y) THIGMA_RT {
   return std::max(moved, by.norm());
 }
 
+/// Largest friction impulse of a row [N s].
+double most_hold(const WhiteRows& white, const Cone& c) THIGMA_RT {
+  return c.friction * c.press / white.length[idx(c.row)];
+}
+
+double hold_of(const Cone& c) THIGMA_RT {
+  return std::sqrt(c.hold_first * c.hold_first + c.hold_second * c.hold_second);
+}
+
+/// Rows on their static cone that still move slide from here on; returns whether there are any
+/// whose coefficient that changes.
+bool break_away(const VelocityRows& rows, const WhiteRows& white, const Vec6& y,
+                Cones& cones) THIGMA_RT {
+  constexpr double kMoving = 1e-3;  // of the speed that a whole cone stops, the largest
+  double stopped = 0.0;
+  for (int i = 0; i < cones.count; ++i)
+    stopped =
+        std::max(stopped, most_hold(white, cones.cone[idx(i)]) * cones.cone[idx(i)].tangent_square);
+  bool is_any = false;
+  for (int i = 0; i < cones.count; ++i) {
+    Cone& c = cones.cone[idx(i)];
+    const double kinetic = rows.friction[idx(c.row)];
+    if (c.is_sliding || !(kinetic < c.friction)) continue;
+    const double speed = std::hypot(c.first.dot(y), c.second.dot(y));
+    if (!(speed > kMoving * stopped)) continue;
+    c.is_sliding = is_any = true;
+    c.friction = kinetic;
+  }
+  return is_any;
+}
+
+int most_sweeps(const Cones& cones) THIGMA_RT {
+  return std::max(kMaxSweeps, kMaxProjections / std::max(cones.count, 1));
+}
+
 /// Gauss-Seidel over the cones from the warm start, rows that turn out to be violated taken in.
 int solve_cones(const VelocityRows& rows, const WhiteRows& white, const Mat6& inverse,
                 const Vec6& target, const RowImpulses& warm, double accuracy,
@@ -306,15 +346,16 @@ int solve_cones(const VelocityRows& rows, const WhiteRows& white, const Mat6& in
     y -= c.press * c.normal + c.hold_first * c.first + c.hold_second * c.second;
   }
   int sweeps = 0;
-  while (sweeps < kMaxSweeps) {
+  while (sweeps < most_sweeps(cones)) {
     double moved = kInfinity;
-    while (moved > accuracy && sweeps < kMaxSweeps) {
+    while (moved > accuracy && sweeps < most_sweeps(cones)) {
       moved = 0.0;
       for (int i = 0; i < cones.count; ++i)
         moved = std::max(moved, project(white, cones.cone[idx(i)], y));
       ++sweeps;
     }
     const Violation next = most_violated(white, y, 100.0 * accuracy);
+    if (next.row < 0 && break_away(rows, white, y, cones)) continue;
     if (next.row < 0) break;
     const int before = cones.count;
     add_cone(rows, white, inverse, next.row, warm, cones);
@@ -336,16 +377,22 @@ Vec6 friction_pull(const Cones& cones, double scale) THIGMA_RT {
   return pull;
 }
 
+double coefficient_of(int row, const VelocityRows& rows, const Cones& cones) THIGMA_RT {
+  for (int i = 0; i < cones.count; ++i)
+    if (cones.cone[idx(i)].row == row) return cones.cone[idx(i)].friction;
+  return rows.friction[idx(row)];
+}
+
 double allowed_share(const VelocityRows& rows, const WhiteRows& white, const Nearest& nearest,
                      const Cones& cones) THIGMA_RT {
   double held = 0.0, allowed = 0.0;
   for (int i = 0; i < cones.count; ++i) {
-    const Cone& c = cones.cone[idx(i)];
-    held += std::sqrt(c.hold_first * c.hold_first + c.hold_second * c.hold_second);
+    held += hold_of(cones.cone[idx(i)]);
   }
   for (int i = 0; i < nearest.active.count; ++i) {
     const std::size_t k = idx(i), r = idx(nearest.active.row[k]);
-    allowed += rows.friction[r] * nearest.active.multiplier[k] / white.length[r];
+    allowed += coefficient_of(nearest.active.row[k], rows, cones) * nearest.active.multiplier[k] /
+               white.length[r];
   }
   constexpr double kRounding = 1e-6;
   return held <= allowed * (1.0 + kRounding) ? 1.0 : allowed / held;
@@ -353,7 +400,7 @@ double allowed_share(const VelocityRows& rows, const WhiteRows& white, const Nea
 
 bool has_friction(const VelocityRows& rows) THIGMA_RT {
   for (int i = 0; i < rows.count; ++i)
-    if (rows.friction[idx(i)] > 0.0) return true;
+    if (rows.static_friction[idx(i)] > 0.0) return true;
   return false;
 }
 
@@ -372,6 +419,10 @@ void keep_impulses(const WhiteRows& white, const Nearest& nearest, const Cones& 
     const std::size_t r = idx(c.row);
     impulses.normal[r] = c.press / white.length[r];
     impulses.tangential[r] = {scale * c.hold_first, scale * c.hold_second};
+    // Held within the cone of what slides, it sticks again.
+    constexpr double kRounding = 1e-9;
+    const bool is_held = c.has_friction && hold_of(c) < (1.0 - kRounding) * most_hold(white, c);
+    impulses.is_sliding[r] = c.is_sliding && !is_held;
   }
 }
 

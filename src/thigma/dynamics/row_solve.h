@@ -20,16 +20,19 @@ struct VelocityRows {
   int count = 0;
   std::array<std::array<double, kMaxRows>, 6> gradient;  // by unknown, then by row
   std::array<double, kMaxRows> limit;                    // >= 0: rest is always allowed [m/s]
-  std::array<double, kMaxRows> friction;                 // Coulomb's coefficient, >= 0
+  std::array<double, kMaxRows> friction;                 // Coulomb's, while sliding, >= 0
+  std::array<double, kMaxRows> static_friction;          // and until then, >= friction
   // two unit directions across the row's normal and the arm they act at [world]; read where
-  // friction is above zero
+  // static_friction is above zero
   std::array<Vec3, kMaxRows> tangent, arm;
 };
 
-/// Impulses of the rows, kept from step to step: the warm start. By row, in the order of the rows.
+/// Impulses of the rows, kept from step to step: the warm start, and which of them slid. By row, in
+/// the order of the rows.
 struct RowImpulses {
   std::array<double, kMaxRows> normal{};                     // [N s]
   std::array<std::array<double, 2>, kMaxRows> tangential{};  // [N s]
+  std::array<bool, kMaxRows> is_sliding{};                   // else the static coefficient holds
   std::array<std::int32_t, kMaxActive> active{};             // rows of the last solution
   int active_count = 0;
 };
@@ -58,7 +61,9 @@ struct RowSolution {
 /// Thread    [haptic]; no failure, nothing allocated. The same bits for the same input.
 /// Source    min 1/2 |u - free|_A^2 subject to the rows, by the dual method of Goldfarb and Idnani
 ///           (1983): exact, at most six rows press. Friction: projected Gauss-Seidel on the cones
-///           of the rows that press, then the normals exactly with the friction impulses held.
+///           of the rows that press, then the normals exactly with the friction impulses held. A
+///           row that sticks has the cone of the static coefficient; one that still moves on it
+///           slides from there on with the kinetic one, until its impulse lies inside that cone.
 RowSolution solve_rows(const Mat6& metric, const Vec6& free, const VelocityRows& rows,
                        RowImpulses& impulses) THIGMA_RT;
 

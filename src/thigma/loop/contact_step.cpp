@@ -101,6 +101,15 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
 
 namespace {
 
+template <class Terms>
+void set_friction(const ContactWorld& world, Terms& terms) noexcept {
+  for (auto& term : terms) {
+    const Friction f = friction_on(world, term.body);
+    term.friction = f.kinetic;
+    term.static_friction = f.at_rest;
+  }
+}
+
 /// How far rows have to look ahead: what the object would go until the model after the next, in
 /// steps of two, as far as the query stays cheap. Pairs grow with the square of it. Where surfaces
 /// lie on each other that may be less than the usual least: then the object goes in small steps.
@@ -159,6 +168,7 @@ void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratc
   sample.left_out = stats.left_out;
   sample.travel = model.constraints.travel;
   sample.look_ahead = scratch.looked_ahead;
+  set_friction(world, model.constraints.rows);
 }
 
 }  // namespace
@@ -216,6 +226,8 @@ void make_terms(const ContactWorld& world, const StampedBody& body, ContactScrat
                                            world.scene, scratch.contacts.contacts, scratch.clusters,
                                            scratch.clustering.assignment},
                                           response, stamp, *scratch.textures);
+  set_friction(world, sample.model.planes);
+  set_friction(world, sample.model.depths);
 }
 
 }  // namespace

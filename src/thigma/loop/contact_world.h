@@ -1,9 +1,12 @@
 #pragma once
 // What the contact thread knows: the surfaces and every number of contact.
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "thigma/contact/contact.h"
@@ -22,6 +25,18 @@ struct ConstraintWorld;
 using ContactSource =
     std::function<void(const Pose& world_from_mesh, double tolerance, ContactSet& contacts)>;
 
+/// Coulomb's coefficients of a material, or of two surfaces that touch. Dimensionless.
+struct Friction {
+  double kinetic = 0.0;  // while they slide, >= 0
+  double at_rest = 0.0;  // until they do, >= kinetic
+  friend bool operator==(const Friction&, const Friction&) = default;
+};
+
+/// Whether both are finite and in order. Thread: any.
+inline bool is_valid(const Friction& f) noexcept {
+  return f.kinetic >= 0.0 && f.at_rest >= f.kinetic && std::isfinite(f.at_rest);
+}
+
 /// What the contact thread knows. Constant while a session runs; hierarchies outlive it.
 struct ContactWorld {
   const ClodHierarchy* object = nullptr;
@@ -37,9 +52,27 @@ struct ContactWorld {
   // contacts of large patches over the area these share; not with textures
   bool distributes_wide_contacts = true;
   PenaltyParams response;  // how clusters push; its tolerance is set to the one above
+  // of the object on each static body, in the order of `scene`; none beyond the end
+  std::vector<Friction> friction;
+  // what the largest kinetic coefficient is made, the others in proportion, all alike where all
+  // are 0; nothing: as they are
+  std::optional<double> most_friction;
   // of the constrained response, made by use_constraints: rows instead of clusters; null: none
   std::shared_ptr<const ConstraintWorld> constraints;
   std::size_t capacity = 16384;  // contacts a frame; what does not fit is counted
 };
+
+/// Friction of the object on a static body, as it is tuned.
+/// Thread    [contact]; no failure.
+inline Friction friction_on(const ContactWorld& world, std::int32_t body) noexcept {
+  const auto b = static_cast<std::size_t>(body);
+  const Friction given = body >= 0 && b < world.friction.size() ? world.friction[b] : Friction{};
+  if (!world.most_friction) return given;
+  double most = 0.0;
+  for (const Friction& f : world.friction) most = std::max(most, f.kinetic);
+  if (!(most > 0.0)) return {*world.most_friction, *world.most_friction};
+  const double scale = *world.most_friction / most;
+  return {scale * given.kinetic, scale * given.at_rest};
+}
 
 }  // namespace thigma

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "thigma/dynamics/bristle.h"
 #include "thigma/dynamics/constrained_step.h"
-#include "thigma/dynamics/implicit_step.h"
 #include "thigma/math/rotation.h"
 
 namespace thigma {
@@ -43,6 +43,7 @@ void let_go(HapticState& state) THIGMA_RT {
   release(state.coupling);
   hold_still(state.body);
   state.is_grasped = false;
+  state.bristles = {};
 }
 
 /// A device that was lost and answers again: a new press of the clutch clears the fault, the next
@@ -165,8 +166,9 @@ void advance_body(const HapticParams& params, const LinearContactModel& model,
   const Wrench pull = coupling_wrench(faded(state.coupling, state.last_device.weight),
                                       sample.handle, at, &by_coupling);
   const Wrench push = contact_wrench(model, at, sample.model_weight, &by_contact);
-  const WrenchJacobian by_state = by_coupling + by_contact;
-  state.body = implicit_step(at, pull + push, by_state, sample.elapsed);
+  const StepForces forces{pull + push, by_coupling + by_contact};
+  state.body =
+      bristle_step(at, forces, {model, sample.model_weight, sample.elapsed}, state.bristles);
   if (is_finite(state.body)) return;
   latch_fault(state.safety, Fault::not_finite, sample.time);
   state.body = before;
@@ -205,8 +207,8 @@ ActiveTerms advance_constrained(const HapticParams& params, const LinearContactM
 
 /// Instead of steps 2-4 of the direct response: the body is where the handle holds it, and moves as
 /// the handle does.
-void follow_handle(const HapticParams& params, const HapticSample& sample,
-                   HapticState& state) THIGMA_RT {
+void follow_handle(const HapticParams& params, const LinearContactModel& model,
+                   const HapticSample& sample, HapticState& state) THIGMA_RT {
   const BodyState before = state.body;
   const Motion& hand = sample.handle;
   const Pose world_from_body = hand.pose * inverse(state.coupling.body_from_grasp);
@@ -218,7 +220,12 @@ void follow_handle(const HapticParams& params, const HapticSample& sample,
       params.body.mass * (hand.twist.linear + hand.twist.angular.cross(to_body));
   state.body.angular_momentum =
       rotation * (params.body.inertia * (rotation.transpose() * hand.twist.angular));
-  if (is_finite(state.body)) return;
+  if (is_finite(state.body)) {
+    // What a stale model fades by comes with the limits.
+    bend_bristles(at_state(params.body, before), at_state(params.body, state.body),
+                  {model, 1.0, sample.elapsed}, state.bristles);
+    return;
+  }
   latch_fault(state.safety, Fault::not_finite, sample.time);
   state.body = before;
   let_go(state);
@@ -234,19 +241,26 @@ ActiveTerms move_body(const HapticParams& params, const LinearContactModel& mode
   }
   if (state.is_grasped) {
     if (params.response == ResponseKind::direct)
-      follow_handle(params, sample, state);
+      follow_handle(params, model, sample, state);
     else
       advance_body(params, model, sample, state);
   }
   return active_terms(model, state.body);
 }
 
+/// Wrench of the contacts on the body about its centre of mass, with friction.
+Wrench all_contact(const LinearContactModel& model, const RigidBody& body, double scale,
+                   const HapticState& state) THIGMA_RT {
+  const Wrench push = contact_wrench(model, body, state.body, scale);
+  return state.bristles.entries.empty() ? push : push + state.bristles.wrench;
+}
+
 /// The wrench of the contacts on the body as the hand feels it, about the handle. What a stale
 /// model fades by comes with the limits.
 Wrench contact_on_hand(const LinearContactModel& model, const RigidBody& body, const Motion& hand,
-                       const BodyState& state) THIGMA_RT {
-  const Wrench push = contact_wrench(model, body, state);
-  return {push.force, push.torque + (state.position - hand.pose.position).cross(push.force)};
+                       const HapticState& state) THIGMA_RT {
+  const Wrench push = all_contact(model, body, 1.0, state);
+  return {push.force, push.torque + (state.body.position - hand.pose.position).cross(push.force)};
 }
 
 /// The command made passive. The device's maxima hold behind the damping as they did before it.
@@ -274,7 +288,7 @@ Wrench wrench_on_hand(const FrameWork& frame) THIGMA_RT {
   const HapticState& state = frame.state;
   HapticSample& sample = frame.sample;
   if (params.response == ResponseKind::direct)
-    return contact_on_hand(frame.model, params.body, sample.handle, state.body);
+    return contact_on_hand(frame.model, params.body, sample.handle, state);
   sample.coupling = coupling_wrench(faded(state.coupling, state.last_device.weight), sample.handle,
                                     params.body, state.body);
   return coupling_reaction(state.coupling, sample.handle, params.body, state.body);
@@ -292,8 +306,11 @@ void send_wrench(const FrameWork& frame, const ActiveTerms& active) THIGMA_RT {
   const bool is_constrained = params.response == ResponseKind::constrained;
   const bool is_inside = !is_constrained && active.count > 0;
   update_arming(params.safety, may_be_armed, is_inside, sample.time, safety);
-  if (!is_constrained)
-    sample.contact = contact_wrench(frame.model, params.body, state.body, sample.model_weight);
+  if (params.response == ResponseKind::coupled) {
+    sample.contact = all_contact(frame.model, params.body, sample.model_weight, state);
+  } else if (!is_constrained) {  // whose bristles do not fade
+    sample.contact = sample.model_weight * all_contact(frame.model, params.body, 1.0, state);
+  }
   const Wrench wanted = device_wrench(params.workspace, wrench_on_hand(frame));
   const double weight = sample.model_weight * state.last_device.weight;
   sample.feedback = limit_wrench(params.safety, params.device, {wanted, weight},

@@ -32,6 +32,7 @@ struct HapticState {
   EnergyObserver energy;
   PassivityControl passivity;
   RowMemory rows;             // of the constrained response
+  BristleMemory bristles;     // friction of the others
   double wanted_speed = 0.0;  // of the last step, were nothing to hold it back [m/s]
   float step_cpu = 0.0f,
         wake_late = 0.0f;  // of the frame before, filled in by the shell for telemetry [s]
@@ -78,6 +79,9 @@ HapticState initial_state(const HapticParams& params, const Pose& world_from_bod
 /// inequalities (dynamics/constrained_step.h): it stays outside, and the hand feels the coupling.
 /// A model that is old keeps its rows; the body waits at the end of their travel, and the wrench on
 /// the hand fades.
+///
+/// Contacts with friction: rows by Coulomb's cones, terms by a bristle each (dynamics/bristle.h),
+/// with either of the other responses; what is let go of forgets its bristles.
 ///
 /// A device sample that counts by less than 1 (DeviceState::weight) holds the object by weaker
 /// springs, and the wrench on the hand is weaker by the same factor: at 0 the object comes to rest

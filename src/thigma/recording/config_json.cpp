@@ -1,5 +1,6 @@
 #include "thigma/recording/config_json.h"
 
+#include <algorithm>
 #include <concepts>
 #include <cstring>
 #include <initializer_list>
@@ -62,6 +63,22 @@ struct ConfigWriter {
   void cap(const char* key, double value) const { json.number(key, value); }
   void view(const char* key, const ViewThreshold& v) const {
     json.vector(key, View(v.pixels, v.distance, v.frustum_size, v.near_distance, v.image_size));
+  }
+  /// Left out where there is none.
+  void frictions(const char* key, const std::vector<Friction>& list) const {
+    const auto is_any = [](const Friction& f) { return f.at_rest > 0.0; };
+    if (std::none_of(list.begin(), list.end(), is_any)) return;
+    json.key(key);
+    const char* separator = "[";
+    for (const Friction& f : list) {
+      out += separator;
+      JsonObject inner(out);
+      inner.number("kinetic", f.kinetic);
+      inner.number("at_rest", f.at_rest);
+      inner.close();
+      separator = ",";
+    }
+    out += ']';
   }
   void digits(const char* key, std::uint64_t value) const { json.word(key, std::to_string(value)); }
   void text(const char* key, const std::string& text) const {
@@ -126,6 +143,14 @@ struct ConfigReader {
     View view;
     vector(key, view);
     v = {view[0], view[1], view[2], view[3], view[4]};
+  }
+  void frictions(const char* key, std::vector<Friction>& list) const {
+    list.clear();
+    if (!json.contains(key)) return;
+    for (const Json& pair : json.at(key)) {
+      list.push_back({pair.at("kinetic").get<double>(), pair.at("at_rest").get<double>()});
+      if (!is_valid(list.back())) throw InputError(std::string("'") + key + "' is out of range");
+    }
   }
   void digits(const char* key, std::uint64_t& value) const {
     value = std::stoull(json.at(key).get<std::string>());

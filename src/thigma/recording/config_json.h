@@ -3,8 +3,10 @@
 // scene's meshes.
 
 #include <string>
+#include <vector>
 
 #include "thigma/contact/resolution.h"
+#include "thigma/loop/contact_world.h"
 #include "thigma/loop/haptic_step.h"
 
 namespace thigma {
@@ -17,7 +19,8 @@ struct RecordedConfig {
   bool is_lockstep = false;
   // nobody held the object: frames are those of the simulation of the scene
   bool is_simulated = false;
-  Resolution resolution;  // of the contact query; the haptic frames do not depend on it
+  Resolution resolution;           // of the contact query; the haptic frames do not depend on it
+  std::vector<Friction> friction;  // on each static body; the models have it, too
   std::uint64_t seed = 1;
   std::string scene;   // as given on the command line; printable
   std::string device;  // its name

@@ -56,6 +56,7 @@ LinearContactModel linearize_contacts(const ContactClusters& clusters, const Pen
     term.damping = share * params.damping;
     term.tolerance = params.tolerance;
     term.id = cluster.id;
+    term.body = cluster.body;
     model.planes.push_back(term);
   }
   return model;

@@ -309,7 +309,10 @@ LinearContactModel linearize_textured(const TexturedContacts& touching,
     term.linear = gradient.linear;
     term.angular = gradient.angular;
     term.tolerance = penalty.tolerance;
-    term.id = touching.clusters.clusters[idx(scratch.cluster[i])].id;
+    const ContactCluster& cluster = touching.clusters.clusters[idx(scratch.cluster[i])];
+    term.id = cluster.id;
+    term.body = scratch.body[i];
+    term.arm_body = stamp.state.orientation.conjugate() * (cluster.point - stamp.state.position);
     terms.push_back(term);
     total += std::max(term.depth + term.tolerance, 0.0);
   }

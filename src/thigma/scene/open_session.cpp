@@ -115,7 +115,7 @@ void use_constraints(Opening& o) {
     throw InputError(scene.file +
                      ": relief and the constraint response, expected smooth surfaces (texture "
                      "off) or the penalty response");
-  use_constraints(scene.contact.friction, o.session.config);
+  use_constraints(o.session.config);
 }
 
 /// Opens the device, and places the object before a hand comes to it. With the direct response the

@@ -14,6 +14,8 @@ RecordedConfig recorded_config(const SceneSession& session, bool is_lockstep) {
   recorded.is_lockstep = is_lockstep;
   recorded.is_simulated = session.simulation != nullptr;
   recorded.resolution = config.contact.resolution;
+  for (std::size_t i = 0; i < config.contact.friction.size(); ++i)
+    recorded.friction.push_back(friction_on(config.contact, static_cast<std::int32_t>(i)));
   recorded.seed = session.seed;
   recorded.scene = session.scene_file;
   recorded.device = session.device_uri;

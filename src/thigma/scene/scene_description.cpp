@@ -99,7 +99,45 @@ SceneObject object_from(const std::string& mesh, double scale, const char* optio
   return object;
 }
 
+double combined(double a, double b, CombineRule rule) {
+  switch (rule) {
+    case CombineRule::geometric:
+      return std::sqrt(a) * std::sqrt(b);  // a b may be out of range
+    case CombineRule::average:
+      return 0.5 * a + 0.5 * b;
+    case CombineRule::minimum:
+      return std::min(a, b);
+    case CombineRule::maximum:
+      break;
+  }
+  return std::max(a, b);
+}
+
 }  // namespace
+
+Friction combined(const Friction& a, const Friction& b, CombineRule rule) {
+  if (a == b) return a;  // to the last bit
+  return {combined(a.kinetic, b.kinetic, rule), combined(a.at_rest, b.at_rest, rule)};
+}
+
+std::vector<Friction> pair_friction(const SceneDescription& scene) {
+  const ContactGains& contact = scene.contact;
+  const Friction usual{contact.friction, contact.static_friction.value_or(contact.friction)};
+  const auto of = [&](const SceneObject& object) {
+    const Friction f = object.material ? object.material->friction : usual;
+    if (!is_valid(f)) {
+      throw InputError(scene.file + ": friction " + std::to_string(f.kinetic) + ", at rest " +
+                       std::to_string(f.at_rest) + " of " + object.name +
+                       ", expected numbers of 0 or more, at rest no less");
+    }
+    return f;
+  };
+  std::vector<Friction> pairs;
+  const Friction held = of(scene.object);
+  for (const SceneObject& other : scene.statics)
+    pairs.push_back(combined(held, of(other), contact.combine));
+  return pairs;
+}
 
 bool has_relief(const SceneDescription& scene) {
   const auto is_so = [](const SceneObject& o) { return o.has_relief(); };
@@ -183,6 +221,7 @@ SessionConfig make_session_config(const SceneDescription& given, const ObjectMea
   config.contact.response.is_divided_among_clusters = scene.contact.is_divided_among_clusters;
   config.contact.distributes_wide_contacts = scene.contact.distributes_wide_contacts;
   config.contact.resolution = scene.contact.resolution;
+  config.contact.friction = pair_friction(scene);
   config.contact.textures.params = scene.contact.texture;
   const double ratio = scene.contact.damping_ratio.value_or(gains.contact_damping_ratio);
   config.contact.response.damping = scene.contact.damping.value_or(

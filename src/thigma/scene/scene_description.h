@@ -18,6 +18,19 @@ namespace thigma {
 
 struct HapticTexture;
 
+/// What coefficients two materials make together.
+enum class CombineRule : std::uint8_t { geometric, average, minimum, maximum };
+
+/// Coefficients of two surfaces. By the geometric mean a surface without friction slides on
+/// everything, and two of one material have what the material has.
+/// Thread    [offline]; valid where both are.
+Friction combined(const Friction& a, const Friction& b, CombineRule rule);
+
+/// What an object is made of.
+struct Material {
+  Friction friction;
+};
+
 /// One object of a scene: where its surface comes from and where it stands.
 struct SceneObject {
   std::string name;  // for reports; the mesh's own when the scene gives none
@@ -25,9 +38,10 @@ struct SceneObject {
   std::optional<models::ModelRequest> model;  // set: procedural, `mesh` is no file
   bool is_textured = false;                   // `mesh` is a .tex file or, with the next, procedural
   std::optional<models::TexturedRequest> textured_model;
-  std::string level_textures;  // path of the .tex file over the levels of `mesh`; empty: none
-  double unit_scale = 1.0;     // metres per unit of the mesh, > 0
-  Pose world_from_mesh;        // of the scaled mesh
+  std::string level_textures;        // path of the .tex file over the levels of `mesh`; empty: none
+  double unit_scale = 1.0;           // metres per unit of the mesh, > 0
+  Pose world_from_mesh;              // of the scaled mesh
+  std::optional<Material> material;  // otherwise the friction of ContactGains
   bool has_relief() const { return is_textured || !level_textures.empty(); }
 };
 
@@ -60,8 +74,10 @@ struct ContactGains {
   Resolution resolution{.is_exact = false};  // levels of detail at s0 = 2.5 %
   // not set: default_response. The constrained one is exact, whatever the resolution
   std::optional<ResponseKind> response;
-  double friction = 0.0;  // Coulomb's coefficient, of the constrained response
-  TextureParams texture;  // how relief is looked for
+  double friction = 0.0;                  // Coulomb's coefficient of objects without a material
+  std::optional<double> static_friction;  // and until they slide; otherwise the same
+  CombineRule combine = CombineRule::geometric;  // of two materials
+  TextureParams texture;                         // how relief is looked for
 };
 
 /// Virtual coupling. What is not set follows from the object's size, default_gains.
@@ -111,6 +127,11 @@ struct SceneDescription {
   double rate = 1000.0;                        // of haptic frames [Hz]
   int contact_every = 1, contact_latency = 1;  // lockstep, see SessionConfig
 };
+
+/// Friction of the object on each static body of a scene, in their order.
+/// errors    InputError for coefficients that are negative, not finite or in the wrong order
+/// Thread    [offline]
+std::vector<Friction> pair_friction(const SceneDescription& scene);
 
 /// Whether anything of the scene has a texture.
 bool has_relief(const SceneDescription& scene);

@@ -25,11 +25,35 @@ struct ObjectKeys {
   std::optional<std::string> mesh, texture, name;
   std::optional<double> unit_scale;
   Pose pose;
+  std::optional<Material> material;
 };
 
+/// friction and static_friction of a table, nothing where it has none.
+std::optional<Friction> read_friction(TomlTable& table) {
+  const std::optional<double> kinetic = table.number("friction", Range::not_negative);
+  const std::optional<double> at_rest = table.number("static_friction", Range::not_negative);
+  if (!kinetic && at_rest)
+    table.fail("static_friction", "stands without friction", "expected friction beside it");
+  if (!kinetic) return std::nullopt;
+  const Friction friction{*kinetic, at_rest.value_or(*kinetic)};
+  if (!is_valid(friction))
+    table.fail("static_friction", "is below friction", "expected friction or more");
+  return friction;
+}
+
+std::optional<Material> read_material(TomlTable& object) {
+  std::optional<TomlTable> table = object.table("material");
+  if (!table) return std::nullopt;
+  const std::optional<Friction> friction = read_friction(*table);
+  table->finish();
+  if (!friction) table->fail_here("no friction", "expected friction = Coulomb's coefficient");
+  return Material{*friction};
+}
+
 ObjectKeys read_object_keys(TomlTable& table) {
-  return {table.text("mesh"), table.text("texture"), table.text("name"),
-          table.number("unit_scale", Range::positive), table.pose()};
+  return {table.text("mesh"), table.text("texture"),
+          table.text("name"), table.number("unit_scale", Range::positive),
+          table.pose(),       read_material(table)};
 }
 
 /// A procedural surface, with or without relief.
@@ -93,6 +117,7 @@ SceneObject resolve_object(const TomlTable& table, const ObjectKeys& keys,
   object.unit_scale = keys.unit_scale.value_or(1.0);
   object.name = keys.name.value_or(object.name);
   object.world_from_mesh = keys.pose;
+  object.material = keys.material;
   return object;
 }
 
@@ -158,7 +183,12 @@ void read_contact(TomlTable table, ContactGains& contact) {
   for (const ResponseName& known : kResponseNames) responses.emplace_back(known.name);
   if (const auto response = table.choice("response", responses))
     contact.response = kResponseNames[*response].kind;
-  contact.friction = table.number("friction", Range::not_negative).value_or(contact.friction);
+  if (const std::optional<Friction> friction = read_friction(table)) {
+    contact.friction = friction->kinetic;
+    if (table.has("static_friction")) contact.static_friction = friction->at_rest;
+  }
+  if (const auto rule = table.choice("combine", {"geometric", "average", "minimum", "maximum"}))
+    contact.combine = static_cast<CombineRule>(*rule);
   if (contact.damping && contact.damping_ratio) {
     table.fail("damping_ratio", "stands beside damping", "expected one of the two");
   }

@@ -73,6 +73,7 @@ void apply_tuning(const HapticTuning& tuning, HapticParams& params, HapticState&
 
 void apply_tuning(const ContactTuning& tuning, ContactWorld& world) noexcept {
   world.response = tuning.response;
+  world.most_friction = tuning.most_friction;
   const bool is_exact = world.resolution.is_exact;
   world.resolution = tuning.resolution;
   world.resolution.is_exact = is_exact;

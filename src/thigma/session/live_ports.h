@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 
 #include "thigma/contact/contact.h"
 #include "thigma/core/latest.h"
@@ -59,6 +60,7 @@ void apply_tuning(const HapticTuning& tuning, HapticParams& params, HapticState&
 struct ContactTuning {
   PenaltyParams response;
   Resolution resolution;  // is_exact is left as it is, and exact queries read nothing of it
+  std::optional<double> most_friction{};  // as of ContactWorld
 };
 static_assert(RtPayload<ContactTuning>);
 

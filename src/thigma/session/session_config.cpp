@@ -55,7 +55,7 @@ void use_direct_response(const DeviceLimits& device, SessionConfig& config) {
   config.haptic.response = ResponseKind::direct;
 }
 
-void use_constraints(double friction, SessionConfig& config) {
+void use_constraints(SessionConfig& config) {
   const auto refuse = [](const char* text) {
     throw std::invalid_argument(std::string("constrained response: ") + text);
   };
@@ -63,9 +63,8 @@ void use_constraints(double friction, SessionConfig& config) {
   if (contact.object == nullptr || contact.scene.empty()) refuse("there are no surfaces");
   if (!contact.textures.is_empty()) refuse("relief is not known to it; expected smooth surfaces");
   if (contact.source) refuse("contacts of a source are not known to it");
-  if (!(friction >= 0.0 && std::isfinite(friction))) refuse("friction must be 0 or more");
   contact.constraints = std::make_shared<const ConstraintWorld>(
-      make_constraint_world(*contact.object, contact.body_from_mesh, contact.scene, friction));
+      make_constraint_world(*contact.object, contact.body_from_mesh, contact.scene));
   config.haptic.constraint.slop = contact.constraints->slop;
   config.haptic.response = ResponseKind::constrained;
 }

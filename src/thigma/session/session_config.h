@@ -32,11 +32,10 @@ void use_direct_response(const DeviceLimits& device, SessionConfig& config);
 /// Makes a session's contacts inequalities: the object stays outside (docs/constraints.md).
 /// Contacts are exact whatever resolution is set.
 ///
-/// friction  Coulomb's coefficient of every contact, >= 0
 /// config    contact.object and contact.scene set; contact.constraints, haptic.constraint and
 ///           haptic.response are changed
 /// errors    std::invalid_argument without surfaces, for relief and for contacts of another source
 /// Thread    [offline]
-void use_constraints(double friction, SessionConfig& config);
+void use_constraints(SessionConfig& config);
 
 }  // namespace thigma

@@ -131,6 +131,7 @@ void visit_config(Config& c, Visit&& visit) {
   visit.pose("world_from_body", c.world_from_body);
   visit_haptic_params(c.params, visit);
   visit.object("resolution", c.resolution, [](auto& r, auto& v) { visit_resolution(r, v); });
+  visit.frictions("friction", c.friction);
 }
 
 }  // namespace thigma::detail

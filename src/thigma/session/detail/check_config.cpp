@@ -20,6 +20,9 @@ void check_config(const SessionConfig& config) {
   if (!(config.contact.tolerance >= 0.0)) refuse("the contact tolerance must be 0 m or more");
   if (!config.contact.scene.empty() && config.contact.object == nullptr)
     refuse("there is no grasped object");
+  const auto& friction = config.contact.friction;
+  if (!std::all_of(friction.begin(), friction.end(), [](const Friction& f) { return is_valid(f); }))
+    refuse("friction must be 0 or more, and no less at rest than sliding");
 }
 
 double effective_watchdog(const SessionConfig& config) noexcept {
