@@ -62,9 +62,9 @@ Wrench bristle_wrench(const Bristle& bristle, const BodyAtState& at,
 /// memory   bristles before and after; empty is a valid start
 /// returns  y_n; without friction implicit_step, bit for bit
 /// Thread   [haptic]; no failure, nothing allocated.
-/// Source   A bristle for each contact, its force returned to Coulomb's cone at the end of the step.
-///          What stays bent is its elastic part alone, so that it never stores more than the motion
-///          has put in.
+/// Source   A bristle for each contact, its force returned to Coulomb's cone at the end of the
+///          step. What stays bent is its elastic part alone, so that it never stores more than the
+///          motion has put in.
 BodyState bristle_step(const BodyAtState& at, const StepForces& forces,
                        const BristleContact& contact, BristleMemory& memory) THIGMA_RT;
 
