@@ -10,13 +10,12 @@ namespace thigma::test {
 
 struct ReliefBench {
   static HapticTexture hill(double curvature) {
-    return make_texture(
-        models::make_textured_slab({{0.02, 0.02, 0.01},
-                                    257,
-                                    [=](double x, double y) {
-                                      return -0.5 * curvature * (x * x + y * y);
-                                    }}),
-        "hill");
+    return make_texture(models::make_textured_slab({{0.02, 0.02, 0.01},
+                                                    257,
+                                                    [=](double x, double y) {
+                                                      return -0.5 * curvature * (x * x + y * y);
+                                                    }}),
+                        "hill");
   }
 
   HapticTexture object = hill(20.0), scene = hill(30.0);

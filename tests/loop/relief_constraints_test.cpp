@@ -62,8 +62,8 @@ struct Bench {
 
 /// What a run has shown.
 struct Slid {
-  double deepest = -1.0;         // of any looked-at frame [m]
-  double least = 0.0;            // energy of the hand: put in [J], least
+  double deepest = -1.0;  // of any looked-at frame [m]
+  double least = 0.0;     // energy of the hand: put in [J], least
   int held_back = 0, frames = 0;
   std::vector<Vec3> place, force;  // of the body, and by the coupling on the hand
 };
@@ -103,10 +103,10 @@ Slid slide(Bench& bench, const SlidePath& run) {
     if (k % run.every == 0)
       contact_step(world, {state, (k + 1) * kStep, 0, wanted}, bench.scratch, *made);
     const Pose now = run.hand(k * kStep);
-    const Motion motion{now,
-                        {(now.position - last.position) / kStep,
-                         vector_from_rotation(now.orientation * last.orientation.conjugate()) /
-                             kStep}};
+    const Motion motion{
+        now,
+        {(now.position - last.position) / kStep,
+         vector_from_rotation(now.orientation * last.orientation.conjugate()) / kStep}};
     spent -= felt.force.dot(now.position - last.position) +
              felt.torque.dot(kStep * motion.twist.angular);
     slid.least = std::min(slid.least, spent);
@@ -129,9 +129,10 @@ Slid slide(Bench& bench, const SlidePath& run) {
 }
 
 void print(const char* name, int every, const Bench& bench, const Slid& slid) {
-  std::printf("%s every %d: deepest %.2f um (%.2f %% of amplitude), held back %d of %d, energy %.3g mJ\n",
-              name, every, 1e6 * slid.deepest, 100.0 * slid.deepest / bench.amplitude,
-              slid.held_back, slid.frames, 1e3 * slid.least);
+  std::printf(
+      "%s every %d: deepest %.2f um (%.2f %% of amplitude), held back %d of %d, energy %.3g mJ\n",
+      name, every, 1e6 * slid.deepest, 100.0 * slid.deepest / bench.amplitude, slid.held_back,
+      slid.frames, 1e3 * slid.least);
 }
 
 TEST(ReliefConstraints, ABallSlidOverRidgesStaysOutside) {
@@ -188,12 +189,10 @@ TEST(ReliefConstraints, TheHandFeelsTheRidges) {
   std::vector<double> rests;
   for (int i = 0; i < 80; ++i) {
     const Vec3 at(0.001 + pitch * i / 80.0, start.y(), start.z());
-    rests.push_back(
-        test::depth_of_points(ball.positions, {at, Quat::Identity()}, fine));
+    rests.push_back(test::depth_of_points(ball.positions, {at, Quat::Identity()}, fine));
   }
-  const double rise =
-      0.5 * (*std::max_element(rests.begin(), rests.end()) -
-             *std::min_element(rests.begin(), rests.end()));
+  const double rise = 0.5 * (*std::max_element(rests.begin(), rests.end()) -
+                             *std::min_element(rests.begin(), rests.end()));
   for (const int every : {1, 3, 10, 33}) {
     Bench bench(make_plain_texture(ball, "ball"), slab(ridges), 0.0);
     SlidePath run;
@@ -217,8 +216,9 @@ TEST(ReliefConstraints, TheHandFeelsTheRidges) {
     const double force_rate = rate_of(force, &force_swing) / kStep;
     const double height_rate = rate_of(height, &height_swing) / kStep;
     const double decibel = 20.0 * std::log10(force_swing / (stiffness * rise));
-    std::printf("felt every %d: force %.3f Hz, height %.3f Hz, of %.3f; force %.2f dB, held back %d\n",
-                every, force_rate, height_rate, speed / pitch, decibel, slid.held_back);
+    std::printf(
+        "felt every %d: force %.3f Hz, height %.3f Hz, of %.3f; force %.2f dB, held back %d\n",
+        every, force_rate, height_rate, speed / pitch, decibel, slid.held_back);
     if (every > 3) continue;  // at lower rates the object waits at the end of its travel
     EXPECT_NEAR(force_rate, speed / pitch, 0.02 * speed / pitch) << every;
     EXPECT_NEAR(height_rate, speed / pitch, 0.02 * speed / pitch) << every;
@@ -275,9 +275,9 @@ TEST(ReliefConstraints, RidgedPlatesStayOutsideEachOther) {
           rotation_from_vector({0.0, 0.0, yaw}) * rotation_from_vector({0.0, M_PI, 0.0});
       run.hand = [&](double t) {
         const double in = std::clamp(t / 0.2, 0.0, 1.0), by = std::clamp((t - 0.2) / 0.7, 0.0, 1.0);
-        return Pose{run.start.position + Vec3(0.007 * by, 0.004 * by, -0.004 * in),
-                    rotation_from_vector(0.1 * std::sin(6.0 * by) * Vec3::UnitZ()) *
-                        run.start.orientation};
+        return Pose{
+            run.start.position + Vec3(0.007 * by, 0.004 * by, -0.004 * in),
+            rotation_from_vector(0.1 * std::sin(6.0 * by) * Vec3::UnitZ()) * run.start.orientation};
       };
       run.depth = [&](const Pose& pose) {
         return std::max(test::depth_of_points(points, pose, fine),

@@ -24,7 +24,8 @@ struct FinePlate {
   double height(double x, double y) const {
     const double u = (x / side + 0.5) * (count - 1), v = (y / side + 0.5) * (count - 1);
     if (!(u >= 0.0 && v >= 0.0 && u <= count - 1 && v <= count - 1)) return -1.0;
-    const int i = std::min(static_cast<int>(u), count - 2), j = std::min(static_cast<int>(v), count - 2);
+    const int i = std::min(static_cast<int>(u), count - 2),
+              j = std::min(static_cast<int>(v), count - 2);
     const double s = u - i, t = v - j;
     return top + (1.0 - t) * ((1.0 - s) * at(i, j) + s * at(i + 1, j)) +
            t * ((1.0 - s) * at(i, j + 1) + s * at(i + 1, j + 1));

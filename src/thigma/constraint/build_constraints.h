@@ -21,7 +21,7 @@ struct ConstraintWorld {
   Pose body_from_mesh;
   std::vector<SceneBody> bodies;
   std::vector<std::shared_ptr<const SurfaceFeatures>> scene;  // one a body
-  ReliefPatches relief;   // of a textured world, else empty
+  ReliefPatches relief;                                       // of a textured world, else empty
   double friction = 0.0;  // Coulomb's coefficient of every contact
   double reach = 0.0;     // of the object's farthest vertex from its centre of mass [m]
   double slop = 0.0;      // the gap that is kept [m]

@@ -60,7 +60,8 @@ void part(const ReliefContacts& all, ReliefScratch& scratch) noexcept {
 }
 
 /// The known row of the same place on either surface, else a new one.
-std::uint64_t id_at(const ReliefScratch::Known& here, double near, ReliefScratch& scratch) noexcept {
+std::uint64_t id_at(const ReliefScratch::Known& here, double near,
+                    ReliefScratch& scratch) noexcept {
   ReliefScratch::Known* best = nullptr;
   double least = near;
   for (ReliefScratch::Known& known : scratch.known) {
@@ -96,39 +97,43 @@ FoundRow row_of(const DepthPeak& peak, const ContactFrame& frame, const Pose& wo
   return found;
 }
 
-/// What the rows of one contact need.
+/// A contact that was searched.
 struct ReliefContact {
-  const DepthContact& contact;
-  std::int32_t body;
-  double amplitude;
-  double travel;
+  ContactFrame frame;
+  std::int32_t body = 0;
+  const PeakRequest& request;
+  const PeakStats& found;
 };
 
-void add_rows(const ReliefContact& c, const PeakStats& found, const PeakRequest& request,
-              const Pose& world_from_object, ReliefScratch& scratch) noexcept {
-  const ContactFrame frame = contact_frame(c.contact.point, c.contact.normal);
+/// How far the rows of a contact hold, for this frame and to begin the next with.
+void bound_travel(const ReliefContact& c, ReliefScratch& scratch) noexcept {
+  const double error = c.request.error, excess = c.found.excess;
+  scratch.travel = std::min(scratch.travel, c.found.travel);
+  scratch.stats.bent += excess > error ? 1 : 0;
+  // What is left out grows with the cube of the way.
+  const double growth = std::cbrt(error / std::max(excess, 0.1 * error));
+  scratch.next_travel =
+      std::min(scratch.next_travel, std::clamp(0.95 * growth, 0.5, 2.0) * c.found.travel);
+  // What did not fit lies below the last.
+  if (c.found.left_out > 0)
+    scratch.travel = std::min(scratch.travel, std::max(-scratch.peaks.back().depth, 0.0) / kMargin);
+  scratch.stats.left_out += c.found.left_out;
+}
+
+void add_rows(const ReliefContact& c, const Pose& world_from_object,
+              ReliefScratch& scratch) noexcept {
   for (const DepthPeak& peak : scratch.peaks) {
     scratch.stats.deepest = std::max(scratch.stats.deepest, peak.depth);
     if (scratch.rows.size() == scratch.rows.capacity()) {
       ++scratch.stats.left_out;
       continue;
     }
-    FoundRow row = row_of(peak, frame, world_from_object);
+    FoundRow row = row_of(peak, c.frame, world_from_object);
     ReliefScratch::Known here{0, c.body, row.row.object_point, row.row.scene_point, false};
-    here.id = row.row.id = id_at(here, 2.0 * request.travel, scratch);
+    here.id = row.row.id = id_at(here, 2.0 * c.request.travel, scratch);
     scratch.rows.push_back(row);
     scratch.next.push_back(here);
   }
-  scratch.travel = std::min(scratch.travel, found.travel);
-  scratch.stats.bent += found.excess > request.error ? 1 : 0;
-  // Where the next frame begins: what is left out grows with the cube of the way.
-  const double growth = std::cbrt(request.error / std::max(found.excess, 0.1 * request.error));
-  scratch.next_travel =
-      std::min(scratch.next_travel, std::clamp(0.95 * growth, 0.5, 2.0) * found.travel);
-  // What did not fit lies below the last.
-  if (found.left_out > 0)
-    scratch.travel = std::min(scratch.travel, std::max(-scratch.peaks.back().depth, 0.0) / kMargin);
-  scratch.stats.left_out += found.left_out;
 }
 
 /// The nearest rows, as many as there is room for beside those of features: the others end the
@@ -202,8 +207,11 @@ void find_relief_rows(const ReliefContacts& touching, const Pose& world_from_obj
     scratch.stats.depths += found.is_found ? 1 : 0;
     scratch.stats.folds += found.is_found && !found.is_height_field ? 1 : 0;
     scratch.stats.coarse += found.is_coarse ? 1 : 0;
-    if (!scratch.peaks.empty())
-      add_rows({contact, body, amplitude, wanted}, found, request, world_from_object, scratch);
+    if (scratch.peaks.empty()) continue;
+    const ReliefContact searched{contact_frame(contact.point, contact.normal), body, request,
+                                 found};
+    bound_travel(searched, scratch);
+    add_rows(searched, world_from_object, scratch);
   }
   keep_nearest(scratch);
   std::swap(scratch.known, scratch.next);

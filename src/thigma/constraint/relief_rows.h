@@ -34,12 +34,12 @@ struct ReliefReach {
 
 /// What a frame found.
 struct ReliefStats {
-  std::int32_t depths = 0;  // contacts of a cluster with a body that were looked at
-  std::int32_t folds = 0;   // of these, where a surface is no height field at the deepest peak
-  std::int32_t coarse = 0;  // where samples lay farther apart than two texels
-  std::int32_t bent = 0;    // where rows leave out more than 1 % of the amplitude
-  std::int64_t left_out = 0;   // peaks for want of room
-  double deepest = kNoDepth;   // of all peaks [m]
+  std::int32_t depths = 0;    // contacts of a cluster with a body that were looked at
+  std::int32_t folds = 0;     // of these, where a surface is no height field at the deepest peak
+  std::int32_t coarse = 0;    // where samples lay farther apart than two texels
+  std::int32_t bent = 0;      // where rows leave out more than 1 % of the amplitude
+  std::int64_t left_out = 0;  // peaks for want of room
+  double deepest = kNoDepth;  // of all peaks [m]
 };
 
 /// Working memory: grows while warming up, never after.
@@ -61,7 +61,7 @@ struct ReliefScratch {
   std::vector<FoundRow> rows;      // of the frame
   std::vector<Known> known, next;  // to tell rows again
   std::uint64_t new_id = 1;
-  double travel = 0.0;  // of the rows, at most what was asked for [m]
+  double travel = 0.0;       // of the rows, at most what was asked for [m]
   double next_travel = 0.0;  // to begin the next frame with [m]
   ReliefStats stats;
 };

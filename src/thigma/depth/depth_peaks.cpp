@@ -18,7 +18,7 @@ constexpr int kLooks = 4;     // until the part that counts is found
 constexpr int kFinest = 128;  // samples each way of the last
 constexpr int kBlocks = 8;    // each way: every block of samples has a peak at most
 static_assert(kBlocks * kBlocks <= static_cast<int>(kMaxPeaks));
-constexpr int kRing = 8;      // ways that a shape is fitted to
+constexpr int kRing = 8;  // ways that a shape is fitted to
 // Of a texel, the last steps of a climb: depths of short ways are told apart.
 constexpr double kLastStep = 0.03;
 
@@ -98,9 +98,14 @@ void find_summits(const Maps& maps, double least, double turn,
 
 Vec2 on_ring(int i) noexcept {
   constexpr double kSlant = 0.70710678118654752;
-  constexpr std::array<std::array<double, 2>, kRing> kWays = {
-      {{1, 0}, {kSlant, kSlant}, {0, 1}, {-kSlant, kSlant}, {-1, 0}, {-kSlant, -kSlant}, {0, -1},
-       {kSlant, -kSlant}}};
+  constexpr std::array<std::array<double, 2>, kRing> kWays = {{{1, 0},
+                                                               {kSlant, kSlant},
+                                                               {0, 1},
+                                                               {-kSlant, kSlant},
+                                                               {-1, 0},
+                                                               {-kSlant, -kSlant},
+                                                               {0, -1},
+                                                               {kSlant, -kSlant}}};
   return {kWays[idx(i)][0], kWays[idx(i)][1]};
 }
 
@@ -221,9 +226,9 @@ class GridPeaks final : public PeakSearch {
     constexpr double kWander = 3.0;  // of the way: farther a peak is another
     const Vec2 around = Vec2::Constant(kWander * way.norm() + 2.0 * prepared_.texel);
     const PlaneBox object{prepared_.object.box.low + way, prepared_.object.box.high + way};
-    prepared_.box = intersection(
-        intersection(intersection(object, prepared_.scene.box), {-reach_, reach_}),
-        {peak.at - around, peak.at + around});
+    prepared_.box =
+        intersection(intersection(intersection(object, prepared_.scene.box), {-reach_, reach_}),
+                     {peak.at - around, peak.at + around});
     double depth = kNoDepth;
     if (!prepared_.box.is_empty()) {
       prepared_.shift = way;
@@ -257,8 +262,8 @@ class GridPeaks final : public PeakSearch {
       for (int i = 0; i < kRing; ++i)
         excess = std::max(excess, above(peaks, travel * on_ring(i), around_[k].ring[idx(i)]));
       for (int i = 0; i < kRing; i += 2)
-        excess = std::max(
-            excess, above(peaks, 0.5 * travel * on_ring(i), around_[k].half[idx(i / 2)]));
+        excess =
+            std::max(excess, above(peaks, 0.5 * travel * on_ring(i), around_[k].half[idx(i / 2)]));
     }
     return excess;
   }

@@ -110,7 +110,7 @@ bool touches_relief(const TexturedContacts& touching, std::int32_t cluster) noex
 }  // namespace
 
 void find_depth_contacts(const TexturedContacts& touching, const Vec3& centre,
-            TextureScratch& scratch) noexcept {
+                         TextureScratch& scratch) noexcept {
   const TexturedWorld& world = touching.world;
   const ContactClusters& clusters = touching.clusters;
   scratch.contacts.clear();

@@ -56,7 +56,6 @@ double extent(const ContactWorld& world, double object_radius) {
 
 Prober make_prober(const ContactWorld& world) {
   Prober prober{world, {}, 0.0, 0.0};
-  prober.world.constraints = nullptr;  // distances, not rows
   // Analytic scenes have no hierarchy to take a size from; their tolerance is about a hundredth of
   // it.
   prober.radius = world.object != nullptr ? world.object->radius : 100.0 * world.tolerance;

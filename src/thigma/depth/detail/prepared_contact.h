@@ -12,7 +12,7 @@ struct PreparedContact {
   PlaneBox box;                       // the patches' boxes and the reach, intersected
   double texel = 0.0;                 // side of a texel of the finer side that has relief [m]
   HeightMap fine_object, fine_scene;  // memory of a closer look
-  Vec2 shift = Vec2::Zero();  // of the object along the plane since it was projected [m]
+  Vec2 shift = Vec2::Zero();          // of the object along the plane since it was projected [m]
   // of a texel, that a climb goes down to: finer tells facets of the interpolation, not the surface
   double finest = 0.125;
 };
