@@ -109,15 +109,6 @@ std::unique_ptr<HapticDevice> open_web(const Opening& o) {
   return make_web_device(*o.options.web_channel, params);
 }
 
-void use_constraints(Opening& o) {
-  const SceneDescription& scene = o.scene.description;
-  if (!o.session.config.contact.textures.is_empty())
-    throw InputError(scene.file +
-                     ": relief and the constraint response, expected smooth surfaces (texture "
-                     "off) or the penalty response");
-  use_constraints(o.session.config);
-}
-
 /// Opens the device, and places the object before a hand comes to it. With the direct response the
 /// device decides the contact tolerance, and that the place: a hand is opened once more for its
 /// limits.
@@ -130,7 +121,7 @@ void open_at(Opening& o) {
     place(o);
   else if (o.is_constrained() && scheme != "replay")
     lead_out(o);
-  if (o.is_constrained()) use_constraints(o);
+  if (o.is_constrained()) use_constraints(session.config);
   if (scheme == "web") {
     session.device = open_web(o);
   } else if (scheme == "replay") {

@@ -34,7 +34,7 @@ void use_direct_response(const DeviceLimits& device, SessionConfig& config);
 ///
 /// config    contact.object and contact.scene set; contact.constraints, haptic.constraint and
 ///           haptic.response are changed
-/// errors    std::invalid_argument without surfaces, for relief and for contacts of another source
+/// errors    std::invalid_argument without surfaces and for contacts of another source
 /// Thread    [offline]
 void use_constraints(SessionConfig& config);
 

@@ -12,6 +12,9 @@ struct PreparedContact {
   PlaneBox box;                       // the patches' boxes and the reach, intersected
   double texel = 0.0;                 // side of a texel of the finer side that has relief [m]
   HeightMap fine_object, fine_scene;  // memory of a closer look
+  Vec2 shift = Vec2::Zero();          // of the object along the plane since it was projected [m]
+  // of a texel, that a climb goes down to: finer tells facets of the interpolation, not the surface
+  double finest = 0.125;
 };
 
 /// Projects both sides of a contact, the object along n and the scene against it; over: as of
@@ -37,7 +40,7 @@ struct NearTriangles {
 double depth_at(const PreparedContact& prepared, const Vec2& at, NearTriangles& near) noexcept;
 
 /// Climbs from a point to a local maximum of the depth within the box: steps along both axes and
-/// diagonals, from `spacing` halved down to an eighth of a texel; where triangles end or change
+/// diagonals, from `spacing` halved down to `finest`; where triangles end or change
 /// also along their edges. at: start and result. returns the depth there, of the start if it is no
 /// number.
 double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at) noexcept;
