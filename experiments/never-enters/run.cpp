@@ -1,0 +1,207 @@
+// Whether objects enter each other: pressed, slid, twisted and tapped at four contact rates, with
+// the constrained response and beside it with the penalty, looked at by code outside the engine.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "experiments/common/all_experiments.h"
+#include "experiments/common/outside_depth.h"
+#include "experiments/common/statistics.h"
+#include "experiments/never-enters/scenes.h"
+
+#include "thigma/math/quantile.h"
+
+namespace thigma::experiments {
+namespace never_enters {
+namespace {
+
+constexpr double kPress = 0.009;  // of the hand beyond the first touch [m]
+constexpr int kEvery[] = {1, 3, 10, 33};
+constexpr double kMicro = 1e-6;
+
+/// How one scene is played.
+struct Play {
+  bool is_constrained;
+  int every;
+  int look;  // frames from one look of the outside to the next
+};
+
+struct Ran {
+  LedRun run;
+  double ever = 0.0, at_rest = 0.0;  // [m]
+  double force = 0.0;                // at the end [N]
+  double buzz = 0.0;                 // of the force above 50 Hz at rest, rms [N]
+  double drift = 0.0;                // of the object at rest [m/s]
+};
+
+/// A pair with its surfaces as the outside sees them.
+struct Seen {
+  LedPair pair;
+  DepthSurface object, scene;
+};
+
+Ran play(const Seen& seen, const PressedScene& scene, const Play& how) {
+  LedGains gains;
+  gains.is_constrained = how.is_constrained;
+  gains.every = how.every;
+  Ran ran;
+  int frame = 0;
+  std::vector<double> forces[3];
+  Vec3 first = Vec3::Zero(), last = Vec3::Zero();
+  const auto look = [&](const HapticSample& sample, const LedStep&) {
+    ran.force = sample.command.force.norm();
+    if (sample.time >= kAtRest) {
+      if (forces[0].empty()) first = sample.body.position;
+      last = sample.body.position;
+      for (int k = 0; k < 3; ++k) forces[k].push_back(sample.command.force[k]);
+    }
+    if (frame++ % how.look != 0) return;
+    const double depth =
+        outside_depth(seen.object, {sample.body.position, sample.body.orientation}, seen.scene);
+    ran.ever = std::max(ran.ever, depth);
+    if (sample.time >= kAtRest) ran.at_rest = std::max(ran.at_rest, depth);
+  };
+  ran.run = run_led(led_config(seen.pair, gains, kPressedSeconds),
+                    pressed_hand(seen.pair, scene, kPress), look);
+  for (const std::vector<double>& f : forces)
+    ran.buzz = std::hypot(ran.buzz, band_level(f, 1e-3, 50.0, 500.0));
+  ran.drift = (last - first).norm() / (kPressedSeconds - kAtRest);
+  return ran;
+}
+
+double share(const std::vector<double>& values, double at) {
+  return values.empty() ? 0.0 : sample_quantile(values, at);
+}
+
+void add(const LedPair& pair, const Play& how, const Ran& ran, Outcome& outcome) {
+  const LedRun& run = ran.run;
+  add_row(outcome.tables[0],
+          {pair.name, how.is_constrained ? "constraint" : "penalty", 1000.0 / how.every,
+           ran.at_rest / kMicro, ran.ever / kMicro, static_cast<double>(run.held_back),
+           static_cast<double>(run.frames), run.energy_min, run.energy_end, ran.force, 1e3 * ran.buzz, 1e6 * ran.drift,
+           share(run.query, 0.5) / kMicro, share(run.query, 0.99) / kMicro,
+           share(run.solve, 0.5) / kMicro, share(run.solve, 0.99) / kMicro,
+           run.summary.step_cpu.p50 / kMicro, share(run.rows, 0.5), share(run.rows, 1.0),
+           run.summary.end == SessionEnd::fault ? 1.0 : 0.0});
+}
+
+/// Deepest of a scene's runs, in micrometres.
+struct Deepest {
+  double rest = 0.0, fast = 0.0, slow = 0.0, penalty = 0.0, energy = 0.0;
+  double buzz = 0.0, drift = 0.0;  // [N, m/s]
+  int unlike = 0, faults = 0;
+};
+
+void note(const Play& how, const Ran& ran, Deepest& deepest) {
+  const double ever = ran.ever / kMicro;
+  if (!how.is_constrained) {
+    deepest.penalty = std::max(deepest.penalty, ever);
+    return;
+  }
+  deepest.rest = std::max(deepest.rest, ran.at_rest / kMicro);
+  double& rate = how.every <= 3 ? deepest.fast : deepest.slow;
+  rate = std::max(rate, ever);
+  deepest.energy = std::min(deepest.energy, ran.run.energy_min);
+  deepest.buzz = std::max(deepest.buzz, ran.buzz);
+  deepest.drift = std::max(deepest.drift, ran.drift);
+  deepest.unlike += ran.run.unlike;
+  deepest.faults += ran.run.summary.end == SessionEnd::fault;
+}
+
+void claim(const LedPair& pair, const Deepest& deepest, Outcome& outcome) {
+  const std::string& name = pair.name;
+  std::string id = name;
+  std::replace(id.begin(), id.end(), ' ', '-');
+  id.erase(std::remove(id.begin(), id.end(), ','), id.end());
+  const double rest = std::max(1.0, 10.0 * pair.reach);  // 1e-5 of it, in micrometres
+  outcome.claims.push_back(at_most("rest-" + id,
+                                   name + ": deepest at rest, at any contact rate (1 um, or 1e-5 "
+                                          "of the object's radius)",
+                                   deepest.rest, rest, "um"));
+  outcome.claims.push_back(at_most("fast-" + id,
+                                   name + ": deepest ever with contacts at 1000 and 333 Hz",
+                                   deepest.fast, 20.0, "um"));
+  outcome.claims.push_back(
+      at_most("slow-" + id, name + ": the same at 100 and 30 Hz", deepest.slow, 50.0, "um"));
+}
+
+}  // namespace
+}  // namespace never_enters
+
+Outcome run_never_enters(const Context& context) {
+  using namespace never_enters;
+  Outcome outcome;
+  outcome.tables = {{.columns = {"scene", "response", "contact rate [Hz]", "depth at rest [um]",
+                                 "depth ever [um]", "frames held back", "frames",
+                                 "least energy [J]", "energy at the end [J]",
+                                 "force at the end [N]", "above 50 Hz at rest [mN rms]",
+                                 "drift at rest [um/s]", "contact step p50 [us]",
+                                 "contact step p99 [us]", "solve p50 [us]", "solve p99 [us]",
+                                 "haptic step p50 [us]", "rows p50", "rows most", "fault"}}};
+  outcome.figure = {
+      .title = "How deep objects enter each other, pressed by 9 mm of hand travel at 1 kN/m",
+      .note = "the larger of depths at four contact rates; looked at from outside the engine; what "
+              "is less than 0.01 um is drawn there",
+      .panels = {{.x = {.label = "scene"}, .y = {.label = "depth [um]", .is_log = true}}},
+      .panel_height = 420};
+  std::vector<PressedScene> scenes = built_in_scenes(context.quick ? 2000 : 0);
+  const std::vector<PressedScene> real = real_scenes();
+  if (real.empty()) tell(context, "real meshes: left out, THIGMA_SHARED names no folder with them");
+  if (!context.quick) scenes.insert(scenes.end(), real.begin(), real.end());
+  plot::Series constraint{.label = "constraint", .mark = plot::Mark::points};
+  plot::Series penalty{.label = "penalty", .mark = plot::Mark::points};
+  double least_penalty = 1e300, energy = 0.0, buzz = 0.0, drift = 0.0;
+  int unlike = 0, faults = 0;
+  for (const PressedScene& scene : scenes) {
+    Seen seen{.pair = scene.make(), .object = {}, .scene = {}};
+    tell(context, seen.pair.name);
+    seen.object = make_depth_surface(seen.pair.object);
+    seen.scene = make_depth_surface(seen.pair.scene);
+    Deepest deepest;
+    for (const bool is_constrained : {true, false}) {
+      for (const int every : kEvery) {
+        // The penalty is only there to be seen beside it.
+        if (context.quick && !is_constrained && every != 10) continue;
+        const Play how{is_constrained, every, context.quick ? 19 : 5};
+        const Ran ran = play(seen, scene, how);
+        add(seen.pair, how, ran, outcome);
+        note(how, ran, deepest);
+      }
+    }
+    claim(seen.pair, deepest, outcome);
+    constraint.x.push_back(static_cast<double>(constraint.x.size()));
+    constraint.y.push_back(std::max({deepest.fast, deepest.slow, 0.01}));
+    penalty.x.push_back(constraint.x.back());
+    penalty.y.push_back(std::max(deepest.penalty, 0.01));
+    outcome.figure.panels[0].x.categories.push_back(seen.pair.name);
+    least_penalty = std::min(least_penalty, deepest.penalty);
+    energy = std::min(energy, deepest.energy);
+    buzz = std::max(buzz, deepest.buzz);
+    drift = std::max(drift, deepest.drift);
+    unlike += deepest.unlike;
+    faults += deepest.faults;
+  }
+  outcome.figure.panels[0].series = {constraint, penalty};
+  outcome.figure.panels[0].guides = {{"333 Hz and more", 20.0}, {"30 Hz and more", 50.0}};
+  outcome.claims.push_back(at_least(
+      "penalty", "deepest with the penalty, in the scene where that is least", least_penalty, 50.0,
+      "um"));
+  outcome.claims.push_back(
+      at_least("energy", "least energy at the port of any scene and rate, constraint", energy,
+               -1e-6, "J"));
+  outcome.claims.push_back(at_most("buzz",
+                                   "force above 50 Hz under a hand at rest, rms, the worst scene "
+                                   "and rate, constraint",
+                                   1e3 * buzz, 1.0, "mN"));
+  outcome.claims.push_back(
+      at_most("drift", "drift of the object there", 1e6 * drift, 1.0, "um/s"));
+  outcome.claims.push_back(at_most("faults", "runs that a fault ended, constraint", faults, 0.0));
+  outcome.claims.push_back(at_most("counted",
+                                   "frames that come out otherwise when they are computed again "
+                                   "to count those held back",
+                                   unlike, 0.0));
+  return outcome;
+}
+
+}  // namespace thigma::experiments
