@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "thigma/core/index.h"
+
 namespace thigma {
 namespace {
 
@@ -25,24 +27,32 @@ std::int64_t find_all(const ConstraintWorld& world, const Pose& world_from_objec
   return left_out;
 }
 
-/// The nearest rows that fit; the travel ends where the first of the others begins.
-void keep_nearest(std::vector<FoundRow>& found, ConstraintModel& model) noexcept {
-  if (found.size() <= kMaxRows) return;
-  const auto by_gap = [](const FoundRow& a, const FoundRow& b) {
-    return a.gap < b.gap || (a.gap == b.gap && a.row.id < b.row.id);
-  };
-  std::nth_element(found.begin(), found.begin() + kMaxRows, found.end(), by_gap);
-  model.travel = std::min(model.travel, std::max(found[kMaxRows].gap, 0.0));
-  found.resize(kMaxRows);
-}
-
 /// A row of the world's friction, points and directions of the object in the frame of its body.
-ContactRow in_body(ContactRow row, const ConstraintWorld& world) noexcept {
+void move_into_body(const ConstraintWorld& world, ContactRow& row) noexcept {
   const Pose& body_from_mesh = world.body_from_mesh;
   row.friction = world.friction;
   row.object_point = transform_point(body_from_mesh, row.object_point);
   row.object_direction = body_from_mesh.orientation._transformVector(row.object_direction);
-  return row;
+}
+
+/// The rows that are needed; where there are too many, for less travel.
+void hand_over(const ConstraintWorld& world, ConstraintScratch& scratch,
+               ConstraintModel& model) noexcept {
+  constexpr double kKept = 0.5;  // of the gap that is kept: what a step may leave of it
+  constexpr int kHalvings = 6;
+  model.rows.clear();
+  std::span<const std::int32_t> needed;
+  for (int i = 0; i <= kHalvings; ++i) {
+    const RowBounds bounds{model.travel, world.reach, kKept * world.slop};
+    needed = needed_rows(scratch.found, model.state, bounds, kMaxRows, scratch.implied);
+    if (needed.size() <= kMaxRows) break;
+    model.travel *= 0.5;
+  }
+  if (needed.size() > kMaxRows) model.travel = 0.0;
+  for (const std::int32_t row : needed) {
+    if (model.rows.size() == kMaxRows) break;
+    model.rows.push_back(scratch.found[idx(row)].row);
+  }
 }
 
 }  // namespace
@@ -56,6 +66,8 @@ ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& b
   world.friction = friction;
   for (const Vec3& v : world.object.vertices)
     world.reach = std::max(world.reach, transform_point(body_from_mesh, v).norm());
+  constexpr double kSlop = 5e-5;  // of the reach: a micrometre of an object of 4 cm
+  world.slop = kSlop * world.reach;
   constexpr double kLeast = 2.5e-3, kMost = 0.1;  // of the reach: what a query may cost
   world.least_look_ahead = kLeast * world.reach;
   world.most_look_ahead = kMost * world.reach;
@@ -74,6 +86,7 @@ void reserve_constraints(const ConstraintWorld& world, std::size_t capacity,
   for (const auto& features : world.scene)
     reserve_rows(scratch.rows, world.object, *features, capacity);
   scratch.found.reserve(capacity);
+  reserve_implied(scratch.implied, capacity);
 }
 
 ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState& state,
@@ -89,10 +102,9 @@ ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState&
   stats.left_out = near.contacts.dropped +
                    find_all(world, world_from_object, near.contacts.contacts, reach, scratch);
   stats.rows = static_cast<std::int64_t>(scratch.found.size());
-  keep_nearest(scratch.found, model);
+  for (FoundRow& found : scratch.found) move_into_body(world, found.row);
+  hand_over(world, scratch, model);
   if (stats.left_out > 0) model.travel = 0.0;
-  model.rows.clear();
-  for (const FoundRow& found : scratch.found) model.rows.push_back(in_body(found.row, world));
   return stats;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "thigma/constraint/feature_rows.h"
+#include "thigma/constraint/implied_rows.h"
 #include "thigma/constraint/surface_features.h"
 #include "thigma/contact/contact.h"
 #include "thigma/dynamics/constraint_model.h"
@@ -20,6 +21,7 @@ struct ConstraintWorld {
   std::vector<std::shared_ptr<const SurfaceFeatures>> scene;  // one a body
   double friction = 0.0;  // Coulomb's coefficient of every contact
   double reach = 0.0;     // of the object's farthest vertex from its centre of mass [m]
+  double slop = 0.0;      // the gap that is kept [m]
   // tolerance of the query: at rest, and at most, whatever the speed [m]
   double least_look_ahead = 0.0, most_look_ahead = 0.0;
 };
@@ -36,6 +38,7 @@ ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& b
 struct ConstraintScratch {
   RowScratch rows;
   std::vector<FoundRow> found;
+  ImpliedScratch implied;
 };
 
 /// What a query has found.

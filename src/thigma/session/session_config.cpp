@@ -66,8 +66,7 @@ void use_constraints(double friction, SessionConfig& config) {
   if (!(friction >= 0.0 && std::isfinite(friction))) refuse("friction must be 0 or more");
   contact.constraints = std::make_shared<const ConstraintWorld>(
       make_constraint_world(*contact.object, contact.body_from_mesh, contact.scene, friction));
-  constexpr double kSlop = 5e-5;  // of the reach: a micrometre of an object of 4 cm
-  config.haptic.constraint.slop = kSlop * contact.constraints->reach;
+  config.haptic.constraint.slop = contact.constraints->slop;
   config.haptic.response = ResponseKind::constrained;
 }
 

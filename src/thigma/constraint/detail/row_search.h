@@ -16,9 +16,9 @@ struct RowSearch {
   PlacedFeatures object, scene;
   std::int32_t body = 0;
   RowReach reach;
-  Pose scene_from_object, object_from_scene;  // mesh frames
-  double rounding = 0.0;                      // lengths below it are none [m]
-  double cone_slack = 0.0;                    // sine by which turning may widen a cone of normals
+  Pose scene_from_object{}, object_from_scene{};  // mesh frames
+  double rounding = 0.0;                          // lengths below it are none [m]
+  double cone_slack = 0.0;  // sine by which turning may widen a cone of normals
   std::int64_t left_out = 0;
 };
 
