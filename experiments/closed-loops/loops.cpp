@@ -36,7 +36,8 @@ TriangleMesh two_feet() {
 
 Loop rocked_feet() {
   Loop loop{.name = "two feet rocked"};
-  loop.pair = make_led_pair(loop.name, two_feet(), plate({4, 4, 1}), {{0.0, 0.0, 1e-3}, Quat::Identity()});
+  loop.pair =
+      make_led_pair(loop.name, two_feet(), plate({4, 4, 1}), {{0.0, 0.0, 1e-3}, Quat::Identity()});
   const Pose start = loop.pair.start;
   loop.pressed = [start](double phase) {
     const SinCos a = sin_cos(kTwoPi * phase);
@@ -62,8 +63,8 @@ Loop wobbled_cube() {
 
 Loop coarse_and_fine() {
   Loop loop{.name = "coarse and fine"};
-  loop.pair =
-      make_led_pair(loop.name, make_ball(0.008, 6), half_fine_plate(), {{-0.02, 0.003, 0.009}, Quat::Identity()});
+  loop.pair = make_led_pair(loop.name, make_ball(0.008, 6), half_fine_plate(),
+                            {{-0.02, 0.003, 0.009}, Quat::Identity()});
   const Pose start = loop.pair.start;
   loop.pressed = [start](double phase) {
     const SinCos a = sin_cos(kTwoPi * phase);
@@ -76,15 +77,14 @@ Loop coarse_and_fine() {
 
 Loop circled_jaws(int triangles) {
   Loop loop{.name = "jaws circled", .contact_stiffness = 5000.0};
-  loop.pair = placed_apart(
-      make_led_pair(loop.name, make_mesh(model_uri("jaw_upper", triangles)),
-                    make_mesh(model_uri("jaw_lower", triangles)), {{0.0, 0.0, 0.001}, Quat::Identity()}),
-      -Vec3::UnitZ(), 1e-3);
+  loop.pair = placed_apart(make_led_pair(loop.name, make_mesh(model_uri("jaw_upper", triangles)),
+                                         make_mesh(model_uri("jaw_lower", triangles)),
+                                         {{0.0, 0.0, 0.001}, Quat::Identity()}),
+                           -Vec3::UnitZ(), 1e-3);
   const Pose start = loop.pair.start;
   loop.pressed = [start](double phase) {
     const SinCos a = sin_cos(kTwoPi * phase);
-    return Pose{start.position + Vec3(0.0005 * a.cos, 0.0005 * a.sin, -0.003),
-                start.orientation};
+    return Pose{start.position + Vec3(0.0005 * a.cos, 0.0005 * a.sin, -0.003), start.orientation};
   };
   return loop;
 }
@@ -104,7 +104,8 @@ LoopRun run_loop(const Loop& loop, const LedGains& gains, bool is_reversed, int 
   const Pose start = loop.pair.start;
   const HandPath hand = [&](double t) {
     const double turns = (t - kIn) / loop.cycle;
-    const double phase = t < kIn ? 0.0 : (is_reversed ? -turns : turns) - std::floor(is_reversed ? -turns : turns);
+    const double phase =
+        t < kIn ? 0.0 : (is_reversed ? -turns : turns) - std::floor(is_reversed ? -turns : turns);
     Pose pose = loop.pressed(phase);
     if (t >= kIn) return pose;
     const double in = t / kIn;

@@ -12,8 +12,8 @@ namespace thigma::experiments {
 struct Loop {
   std::string name{};
   LedPair pair{};
-  HandPath pressed{};            // phase 0..1 of a cycle to the handle's pose; begins and ends alike
-  double cycle = 4.0;          // [s]
+  HandPath pressed{};  // phase 0..1 of a cycle to the handle's pose; begins and ends alike
+  double cycle = 4.0;  // [s]
   double contact_stiffness = 2000.0;  // of the penalty [N/m]
 };
 

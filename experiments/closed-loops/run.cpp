@@ -25,11 +25,10 @@ double handed_out(const LoopRun& run, int cycles) {
 void add(const Loop& loop, const LedGains& gains, bool is_reversed, const LoopRun& run,
          Outcome& outcome) {
   for (std::size_t i = 0; i < run.put_in.size(); ++i) {
-    add_row(outcome.tables[0],
-            {loop.name, gains.is_constrained ? "constraint" : "penalty", 1000.0 / gains.every,
-             is_reversed ? "backwards" : "forwards", static_cast<double>(i + 2),
-             run.put_in[i] / kMicro, run.force, run.energy_min / kMicro,
-             static_cast<double>(run.held_back)});
+    add_row(outcome.tables[0], {loop.name, gains.is_constrained ? "constraint" : "penalty",
+                                1000.0 / gains.every, is_reversed ? "backwards" : "forwards",
+                                static_cast<double>(i + 2), run.put_in[i] / kMicro, run.force,
+                                run.energy_min / kMicro, static_cast<double>(run.held_back)});
   }
 }
 
@@ -71,8 +70,8 @@ Outcome run_closed_loops(const Context& context) {
     }
     std::string id = loop.name;
     std::replace(id.begin(), id.end(), ' ', '-');
-    outcome.claims.push_back(at_most(
-        id, loop.name + ": most that a cycle hands out, constraint", most[true], 1.0, "uJ"));
+    outcome.claims.push_back(at_most(id, loop.name + ": most that a cycle hands out, constraint",
+                                     most[true], 1.0, "uJ"));
     outcome.claims.push_back(
         stated("penalty-" + id, "the same with the penalty", most[false], "uJ"));
     penalty_most = std::max(penalty_most, most[false]);
@@ -84,9 +83,9 @@ Outcome run_closed_loops(const Context& context) {
   }
   panel.series = {constraint, penalty};
   panel.guides = {{"1 uJ", 1.0}};
-  outcome.claims.push_back(at_least(
-      "penalty", "most that any of the loops hands out with the penalty", penalty_most, 10.0,
-      "uJ"));
+  outcome.claims.push_back(at_least("penalty",
+                                    "most that any of the loops hands out with the penalty",
+                                    penalty_most, 10.0, "uJ"));
   return outcome;
 }
 

@@ -84,10 +84,10 @@ class Shadow {
     const double from = thread_cpu_seconds();
     const BodyAtState at = at_state(config_.haptic.body, body_);
     StepForces forces;
-    forces.wrench =
-        coupling_wrench(faded(coupling_, sample.device.weight), sample.handle, at, &forces.jacobian);
-    const ConstrainedStep done = constrained_step(
-        at, forces, {model, config_.haptic.constraint, sample.elapsed}, memory_);
+    forces.wrench = coupling_wrench(faded(coupling_, sample.device.weight), sample.handle, at,
+                                    &forces.jacobian);
+    const ConstrainedStep done =
+        constrained_step(at, forces, {model, config_.haptic.constraint, sample.elapsed}, memory_);
     step.cpu = thread_cpu_seconds() - from;
     step.is_known = true;
     step.is_held_back = done.is_held_back;

@@ -38,7 +38,7 @@ struct LedGains {
   bool is_constrained = true;
   int every = 1;  // haptic frames from one contact frame to the next
   double friction = 0.0;
-  double stiffness = 1000.0, damping = 2.0;              // of the coupling [N/m, N s/m]
+  double stiffness = 1000.0, damping = 2.0;               // of the coupling [N/m, N s/m]
   double angular_stiffness = 0.5, angular_damping = 0.0;  // 0: ratio 0.7 [N m/rad, N m s/rad]
   double contact_stiffness = 5000.0;                      // of the penalty [N/m]
 };
@@ -57,9 +57,9 @@ struct LedStep {
   bool is_held_back = false;
   int rows = 0, active = 0;
   std::uint64_t active_set = 0;  // of the rows that press in the exact solution: which they are
-  double cpu = 0.0;      // of the whole step [s]
-  double travel = 0.0;   // of the model [m]
-  bool is_same = false;  // the body comes out bit for bit as in the session
+  double cpu = 0.0;              // of the whole step [s]
+  double travel = 0.0;           // of the model [m]
+  bool is_same = false;          // the body comes out bit for bit as in the session
 };
 
 /// Called every frame.
@@ -70,8 +70,8 @@ struct LedRun {
   SessionSummary summary;
   int frames = 0, held_back = 0;
   int unlike = 0;  // frames that come out otherwise when they are computed again
-  std::vector<double> query, solve, rows;  // CPU of contact steps and of steps [s]; rows a model
-  std::vector<double> travel;              // of the models [m]
+  std::vector<double> query, solve, rows;     // CPU of contact steps and of steps [s]; rows a model
+  std::vector<double> travel;                 // of the models [m]
   double energy_end = 0.0, energy_min = 0.0;  // [J]
 };
 

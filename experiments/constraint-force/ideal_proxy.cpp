@@ -95,14 +95,17 @@ std::vector<ProxyScene> proxy_scenes(int poses, const ProxySprings& springs) {
 }
 
 ProxyScene finer_balls(int poses, double finer, const ProxySprings& springs) {
-  QualityScene scene = quality_scenes(poses)[1];
+  QualityScene scene = quality_scenes(8 * poses)[1];
+  scene.path.resize(static_cast<std::size_t>(poses));
   scene.object = make_ball(0.020, static_cast<int>(std::lround(12.0 * finer)));
   scene.scene = make_ball(0.030, static_cast<int>(std::lround(16.0 * finer)));
   return balls(std::move(scene), springs);
 }
 
-ProxyQuality judge_proxy(const ProxyScene& proxy, const ProxySprings& springs, double seconds) {
+ProxyQuality judge_proxy(const ProxyScene& proxy, const ProxySprings& springs,
+                         const ProxyPace& pace) {
   const QualityScene& scene = proxy.scene;
+  const double seconds = pace.seconds;
   const auto last = static_cast<double>(scene.path.size() - 1);
   const auto path_at = [&](double t) {
     const double place = std::clamp((t - kIn) / seconds, 0.0, 1.0) * last;
@@ -126,18 +129,17 @@ ProxyQuality judge_proxy(const ProxyScene& proxy, const ProxySprings& springs, d
   LedGains gains;
   gains.stiffness = springs.linear;
   gains.angular_stiffness = springs.angular;
-  // Slow enough for models to come seldom, and dampers small beside the springs.
-  gains.every = 10;
+  gains.every = pace.every;
   gains.angular_damping = 5e-4;
   const HandPath hand = [&](double t) { return mesh_at(t) * mesh_from_body; };
   std::vector<Vec3> felt, ideal;
-  const LedRun run = run_led(led_config(pair, gains, kIn + seconds), hand,
-                             [&](const HapticSample& sample, const LedStep&) {
-                               if (sample.time < kIn + 0.05 * seconds) return;
-                               felt.push_back(scene.has_torque ? sample.command.torque
-                                                               : sample.command.force);
-                               ideal.push_back(proxy.ideal(path_at(sample.time)));
-                             });
+  const LedRun run =
+      run_led(led_config(pair, gains, kIn + seconds), hand,
+              [&](const HapticSample& sample, const LedStep&) {
+                if (sample.time < kIn + 0.05 * seconds) return;
+                felt.push_back(scene.has_torque ? sample.command.torque : sample.command.force);
+                ideal.push_back(proxy.ideal(path_at(sample.time)));
+              });
   ProxyQuality q;
   double off = 0.0, size = 0.0;
   int angles = 0;

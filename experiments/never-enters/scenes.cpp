@@ -42,7 +42,7 @@ LedPair peg_in_hole(double clearance) {
   constexpr double kRadius = 0.005, kLength = 0.030;
   const double gap = 0.5 * clearance;
   char name[32];
-  std::snprintf(name, sizeof name, "peg, %g mm", 1e3 * clearance);
+  std::snprintf(name, sizeof name, "peg %g mm", 1e3 * clearance);
   LedPair pair = make_led_pair(name, make_cylinder(kRadius, kLength, 64, 6, 2),
                                ring(kRadius + gap, 0.012, kLength, 64), {});
   pair.tolerance = 0.2 * gap;
@@ -124,8 +124,8 @@ LedPair casts() {
   const Quat turn = rotation_from_vector(Vec3(-4.0 * kPi / 180.0, 0.0, 0.0));
   for (Vec3& p : lower.positions)
     p = turn * (p - hinge) + hinge + kUnit * Vec3(12.04, 24.09, 27.87);
-  return placed_apart(make_led_pair("casts", std::move(lower), std::move(upper), {}),
-                      Vec3::UnitZ(), kClearance);
+  return placed_apart(make_led_pair("casts", std::move(lower), std::move(upper), {}), Vec3::UnitZ(),
+                      kClearance);
 }
 
 LedPair real_gears() {
@@ -150,50 +150,47 @@ LedPair spoon_in_mug() {
 
 std::vector<PressedScene> built_in_scenes(int triangles) {
   std::vector<PressedScene> scenes;
-  scenes.push_back(simple(
-      "cube on plate",
-      [] {
-        return make_led_pair("cube on plate", make_box(Vec3::Constant(0.02), {4, 4, 4}),
-                             transformed(make_box({0.1, 0.1, 0.01}, {4, 4, 1}),
-                                         at({0.0, 0.0, -0.005})),
-                             at({0.0005, 0.0007, 0.01 + kClearance}));
-      },
-      {0.01, 0.0, 0.0}, {0.03, 0.05, 0.2}));
+  scenes.push_back(simple("cube on plate",
+                          [] {
+                            return make_led_pair("cube on plate",
+                                                 make_box(Vec3::Constant(0.02), {4, 4, 4}),
+                                                 transformed(make_box({0.1, 0.1, 0.01}, {4, 4, 1}),
+                                                             at({0.0, 0.0, -0.005})),
+                                                 at({0.0005, 0.0007, 0.01 + kClearance}));
+                          },
+                          {0.01, 0.0, 0.0}, {0.03, 0.05, 0.2}));
   for (const double clearance : {2e-5, 1e-4, 5e-4}) {
-    scenes.push_back(simple(
-        "peg", [clearance] { return peg_in_hole(clearance); }, {0.0, 0.003, 0.005},
-        {0.05, 0.08, 0.3}));
+    scenes.push_back(simple("peg", [clearance] { return peg_in_hole(clearance); },
+                            {0.0, 0.003, 0.005}, {0.05, 0.08, 0.3}));
     scenes.back().towards = Vec3::UnitX();
   }
-  scenes.push_back(simple(
-      "bowl and fork",
-      [] {
-        return placed_apart(make_led_pair("bowl and fork", fork(), bowl(),
-                                          at({0.004, 0.002, -0.02}, {0.0, 0.3, 0.2})),
-                            -Vec3::UnitZ(), kClearance);
-      },
-      {0.006, 0.004, 0.0}, {0.1, 0.1, 0.3}));
-  scenes.push_back(
-      simple("gears", [triangles] { return gears(triangles); }, {0.0, 0.001, 0.002},
-             {0.01, 0.01, 0.1}));
+  scenes.push_back(simple("bowl and fork",
+                          [] {
+                            return placed_apart(
+                                make_led_pair("bowl and fork", fork(), bowl(),
+                                              at({0.004, 0.002, -0.02}, {0.0, 0.3, 0.2})),
+                                -Vec3::UnitZ(), kClearance);
+                          },
+                          {0.006, 0.004, 0.0}, {0.1, 0.1, 0.3}));
+  scenes.push_back(simple("gears", [triangles] { return gears(triangles); }, {0.0, 0.001, 0.002},
+                          {0.01, 0.01, 0.1}));
   scenes.back().towards = -Vec3::UnitX();
-  scenes.push_back(simple(
-      "ball joint",
-      [triangles] {
-        LedPair pair = of_models("ball joint", "joint_ball", "joint_socket", triangles, {});
-        pair.tolerance = 1e-4;
-        pair.clearance = 5e-4;
-        return pair;
-      },
-      {0.003, 0.002, 0.0}, {0.3, 0.2, 0.3}));
-  scenes.push_back(simple(
-      "jaws",
-      [triangles] {
-        return placed_apart(
-            of_models("jaws", "jaw_upper", "jaw_lower", triangles, {0.0, 0.0, 0.001}),
-            -Vec3::UnitZ(), kClearance);
-      },
-      {0.003, 0.002, 0.0}, {0.03, 0.03, 0.03}));
+  scenes.push_back(simple("ball joint",
+                          [triangles] {
+                            LedPair pair = of_models("ball joint", "joint_ball", "joint_socket",
+                                                     triangles, {});
+                            pair.tolerance = 1e-4;
+                            pair.clearance = 5e-4;
+                            return pair;
+                          },
+                          {0.003, 0.002, 0.0}, {0.3, 0.2, 0.3}));
+  scenes.push_back(simple("jaws",
+                          [triangles] {
+                            return placed_apart(of_models("jaws", "jaw_upper", "jaw_lower",
+                                                          triangles, {0.0, 0.0, 0.001}),
+                                                -Vec3::UnitZ(), kClearance);
+                          },
+                          {0.003, 0.002, 0.0}, {0.03, 0.03, 0.03}));
   return scenes;
 }
 
@@ -214,19 +211,20 @@ std::vector<PressedScene> real_scenes() {
 HandPath pressed_hand(const LedPair& pair, const PressedScene& scene, double press) {
   const Pose start = pair.start;
   const double deep = pair.clearance + press;
-  return [start, deep, towards = scene.towards, slide = scene.slide, twist = scene.twist](double t) {
-    constexpr double kTap = 0.1, kOut = 0.008;
-    const double in = std::clamp((t - 0.1) / 0.3, 0.0, 1.0);
-    const double by = std::clamp((t - 0.5) / 0.6, 0.0, 1.0);
-    const double swing = std::sin(2.0 * kPi * by);
-    double out = 0.0;
-    if (t > 1.2 && t < 1.5) {
-      const double phase = std::fmod(t - 1.2, kTap) / kTap;
-      out = kOut * (1.0 - std::fabs(2.0 * phase - 1.0));
-    }
-    return Pose{start.position + (in * deep - out) * towards + swing * slide,
-                rotation_from_vector(swing * twist) * start.orientation};
-  };
+  return
+      [start, deep, towards = scene.towards, slide = scene.slide, twist = scene.twist](double t) {
+        constexpr double kTap = 0.1, kOut = 0.008;
+        const double in = std::clamp((t - 0.1) / 0.3, 0.0, 1.0);
+        const double by = std::clamp((t - 0.5) / 0.6, 0.0, 1.0);
+        const double swing = std::sin(2.0 * kPi * by);
+        double out = 0.0;
+        if (t > 1.2 && t < 1.5) {
+          const double phase = std::fmod(t - 1.2, kTap) / kTap;
+          out = kOut * (1.0 - std::fabs(2.0 * phase - 1.0));
+        }
+        return Pose{start.position + (in * deep - out) * towards + swing * slide,
+                    rotation_from_vector(swing * twist) * start.orientation};
+      };
 }
 
 }  // namespace thigma::experiments

@@ -13,14 +13,14 @@ namespace thigma::experiments {
 struct PressedScene {
   std::string name;
   std::function<LedPair()> make;
-  Vec3 towards = -Vec3::UnitZ();   // unit: the way the hand presses
-  Vec3 slide{0.003, 0.002, 0.0};   // half the way to and fro [m]
-  Vec3 twist{0.03, 0.03, 0.03};    // half the turn to and fro [rad]
-  bool is_real = false;            // of the shared meshes
+  Vec3 towards = -Vec3::UnitZ();  // unit: the way the hand presses
+  Vec3 slide{0.003, 0.002, 0.0};  // half the way to and fro [m]
+  Vec3 twist{0.03, 0.03, 0.03};   // half the turn to and fro [rad]
+  bool is_real = false;           // of the shared meshes
 };
 
 /// Seconds of pressed_hand, and from when on the hand is at rest, pressing.
-inline constexpr double kPressedSeconds = 2.2, kAtRest = 1.7;
+inline constexpr double kPressedSeconds = 3.0, kAtRest = 2.6;
 
 /// Those that stand in the program.
 /// triangles  of each surface of jaws, ball joint and gears; 0: their own count

@@ -18,7 +18,7 @@ namespace {
 
 struct State {
   std::uint64_t seed = 1, next = 0;
-  ThrowCount count;
+  ThrowCount count{};
 };
 
 template <class Visit>
@@ -60,12 +60,13 @@ int run(std::uint64_t count, const std::string& path, std::uint64_t seed) {
     if (state.next % 500 == 0 || state.next == count) write_state(path, state);
   }
   const ThrowCount& c = state.count;
-  std::printf("%llu throws: %lld pass, %lld enter (deepest %.3g um), %lld end by a fault, "
-              "%lld touch, %.3g of the frames held back\n",
-              static_cast<unsigned long long>(state.next), static_cast<long long>(total(c.passed)),
-              static_cast<long long>(total(c.entered)), 1e6 * c.depth,
-              static_cast<long long>(total(c.faults)), static_cast<long long>(c.touched),
-              static_cast<double>(c.held_back) / static_cast<double>(c.frames));
+  std::printf(
+      "%llu throws: %lld pass, %lld enter (deepest %.3g um), %lld end by a fault, "
+      "%lld touch, %.3g of the frames held back\n",
+      static_cast<unsigned long long>(state.next), static_cast<long long>(total(c.passed)),
+      static_cast<long long>(total(c.entered)), 1e6 * c.depth,
+      static_cast<long long>(total(c.faults)), static_cast<long long>(c.touched),
+      static_cast<double>(c.held_back) / static_cast<double>(c.frames));
   return total(c.passed) == 0 && total(c.entered) == 0 ? 0 : 1;
 }
 

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "experiments/common/assets.h"
 #include "experiments/common/led_session.h"
 #include "experiments/common/outside_depth.h"
 
+#include "thigma/constraint/build_constraints.h"
 #include "thigma/mesh/shapes.h"
 
 namespace thigma::experiments {
@@ -45,13 +48,24 @@ HandPath to_and_fro(const Pose& touching, double speed) {
   };
 }
 
-std::vector<HapticSample> samples_of(const LedPair& pair, const HandPath& hand, double speed,
-                                     int every, std::vector<LedStep>& steps) {
+/// What is led, and how.
+struct AirSetup {
+  double speed;
+  int every;
+  double ahead;
+};
+
+std::vector<HapticSample> samples_of(const LedPair& pair, const HandPath& hand,
+                                     const AirSetup& setup, std::vector<LedStep>& steps) {
   LedGains gains;
-  gains.every = every;
-  const double seconds = 0.02 + 2.0 * 2.0 * (kAway + kDeep) / speed;
+  gains.every = setup.every;
+  const double seconds = 0.02 + 2.0 * 2.0 * (kAway + kDeep) / setup.speed;
   std::vector<HapticSample> samples;
-  run_led(led_config(pair, gains, seconds), hand, [&](const HapticSample& s, const LedStep& step) {
+  SessionConfig config = led_config(pair, gains, seconds);
+  ConstraintWorld world = *config.contact.constraints;
+  world.most_look_ahead *= setup.ahead;
+  config.contact.constraints = std::make_shared<const ConstraintWorld>(std::move(world));
+  run_led(config, hand, [&](const HapticSample& s, const LedStep& step) {
     samples.push_back(s);
     steps.push_back(step);
   });
@@ -60,14 +74,15 @@ std::vector<HapticSample> samples_of(const LedPair& pair, const HandPath& hand, 
 
 }  // namespace
 
-AirRun run_in_the_air(int index, double speed, int every) {
+AirRun run_in_the_air(int index, double speed, int every, double ahead) {
   LedPair pair = air_pair(index);
   Pose touching = pair.start;
   touching.position.z() -= pair.clearance;
   const HandPath hand = to_and_fro(touching, speed);
   pair.start = hand(0.0);
+  const AirSetup setup{speed, every, ahead};
   std::vector<LedStep> steps, free_steps;
-  const std::vector<HapticSample> with = samples_of(pair, hand, speed, every, steps);
+  const std::vector<HapticSample> with = samples_of(pair, hand, setup, steps);
   // The same without a scene: the hand a hundred metres up.
   const Vec3 up(0.0, 0.0, 100.0);
   LedPair alone = pair;
@@ -77,7 +92,7 @@ AirRun run_in_the_air(int index, double speed, int every) {
     pose.position += up;
     return pose;
   };
-  const std::vector<HapticSample> without = samples_of(alone, high, speed, every, free_steps);
+  const std::vector<HapticSample> without = samples_of(alone, high, setup, free_steps);
   AirRun run;
   bool has_touched = false;
   for (std::size_t i = 0; i < with.size(); ++i) {
@@ -93,8 +108,8 @@ AirRun run_in_the_air(int index, double speed, int every) {
     }
     // After a touch the two differ by what the touch did; they are compared up to it.
     if (!is_air || has_touched) continue;
-    run.lag = std::max(
-        run.lag, (with[i].body.position + up - without[i].body.position).norm() / speed);
+    run.lag =
+        std::max(run.lag, (with[i].body.position + up - without[i].body.position).norm() / speed);
     run.phantom = std::max(run.phantom, (with[i].command.force - without[i].command.force).norm());
   }
   return run;

@@ -15,7 +15,8 @@ struct AirRun {
 
 /// pair    0: cube over a plate, 1: ball over a ball, 2: jaws of 4,000 triangles
 /// every   haptic frames from one contact frame to the next
-AirRun run_in_the_air(int pair, double speed, int every);
+/// ahead   how far a query looks at most, over what the engine allows
+AirRun run_in_the_air(int pair, double speed, int every, double ahead = 1.0);
 
 inline constexpr const char* kAirPairs[] = {"cube over plate", "ball over ball", "jaws"};
 

@@ -13,10 +13,10 @@ inline constexpr double kThrowPlate = 1e-4;  // thick [m]
 
 /// One throw. All of it follows from its number.
 struct Throw {
-  int shape = 0;              // of ThrowWorld::pairs
-  int every = 1;              // haptic frames from one contact frame to the next
-  double speed = 0.0;         // of the hand [m/s]
-  Vec3 spin = Vec3::Zero();   // of the hand, up to 50 [rad/s]
+  int shape = 0;             // of ThrowWorld::pairs
+  int every = 1;             // haptic frames from one contact frame to the next
+  double speed = 0.0;        // of the hand [m/s]
+  Vec3 spin = Vec3::Zero();  // of the hand, up to 50 [rad/s]
   Vec3 towards = -Vec3::UnitZ();
   Quat turned = Quat::Identity();  // of the object at the start
   double mass = 0.0;               // [kg]
