@@ -93,8 +93,12 @@ class Shadow {
     step.is_held_back = done.is_held_back;
     step.rows = static_cast<int>(model.rows.size());
     step.active = done.solution.active;
-    for (const RowMemory::Entry& entry : memory_.entries)
-      if (entry.is_active) step.active_set += (entry.id + 1) * 0x9e3779b97f4a7c15ull;
+    for (const RowMemory::Entry& entry : memory_.entries) {
+      if (!entry.is_active) continue;
+      step.active_set += (entry.id + 1) * 0x9e3779b97f4a7c15ull;
+      for (const ContactRow& row : model.rows)
+        step.active_edges += row.id == entry.id && row.kind == RowKind::edges;
+    }
     step.travel = model.travel;
     step.is_same = is_same(done.state, sample.body);
   }

@@ -56,6 +56,7 @@ struct LedStep {
   bool is_known = false;  // of a grasped object under constraints
   bool is_held_back = false;
   int rows = 0, active = 0;
+  int active_edges = 0;          // of those that press, rows of two edges
   std::uint64_t active_set = 0;  // of the rows that press in the exact solution: which they are
   double cpu = 0.0;              // of the whole step [s]
   double travel = 0.0;           // of the model [m]

@@ -133,13 +133,13 @@ ProxyQuality judge_proxy(const ProxyScene& proxy, const ProxySprings& springs,
   gains.angular_damping = 5e-4;
   const HandPath hand = [&](double t) { return mesh_at(t) * mesh_from_body; };
   std::vector<Vec3> felt, ideal;
-  const LedRun run =
-      run_led(led_config(pair, gains, kIn + seconds), hand,
-              [&](const HapticSample& sample, const LedStep&) {
-                if (sample.time < kIn + 0.05 * seconds) return;
-                felt.push_back(scene.has_torque ? sample.command.torque : sample.command.force);
-                ideal.push_back(proxy.ideal(path_at(sample.time)));
-              });
+  SessionConfig config = led_config(pair, gains, kIn + seconds);
+  config.haptic.constraint.slop *= pace.slop;
+  const LedRun run = run_led(config, hand, [&](const HapticSample& sample, const LedStep&) {
+    if (sample.time < kIn + 0.05 * seconds) return;
+    felt.push_back(scene.has_torque ? sample.command.torque : sample.command.force);
+    ideal.push_back(proxy.ideal(path_at(sample.time)));
+  });
   ProxyQuality q;
   double off = 0.0, size = 0.0;
   int angles = 0;
