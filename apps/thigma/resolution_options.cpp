@@ -88,9 +88,13 @@ std::string parse_metric(const std::string& text, RefinementMetric& metric) {
   return {};
 }
 
+bool asks_for_levels(const ResolutionOptions& o) {
+  return o.threshold || !o.deviation_cap.empty() || o.budget_us || o.budget_tests ||
+         !o.metric.empty();
+}
+
 std::string apply(const ResolutionOptions& o, Resolution& resolution) {
-  const bool has_levels =
-      o.threshold || !o.deviation_cap.empty() || o.budget_us || o.budget_tests || !o.metric.empty();
+  const bool has_levels = asks_for_levels(o);
   if (o.is_exact && has_levels) {
     return "--exact stands beside --threshold, --deviation-cap, --budget-us, --budget-tests or "
            "--metric, expected one of the two";

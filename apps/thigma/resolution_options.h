@@ -21,6 +21,9 @@ struct ResolutionOptions {
   std::string metric;  // of haptic, velocity=ALPHA, view=N,l,n,f,i; several joined by +
 };
 
+/// Whether anything but --exact was given.
+bool asks_for_levels(const ResolutionOptions& options);
+
 void add_resolution_options(CLI::App& verb, ResolutionOptions& options);
 
 /// Puts what was given into a resolution. Anything but --exact asks for levels of detail.

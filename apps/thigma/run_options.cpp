@@ -33,10 +33,10 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
   verb.add_flag("--no-blend", o.has_no_blend,
                 "contacts change their level of detail at once, not gradually");
   verb.add_option("--response", o.response,
-                  "penalty: clusters push like springs, felt through a simulated body and its "
-                  "coupling (default; coupled is "
-                  "its older name); constraint: the object never enters, felt through the same "
-                  "coupling; direct: contact forces as they are");
+                  "constraint: the object never enters, felt through a simulated body and its "
+                  "coupling (default, but where something has relief or levels are asked for); "
+                  "penalty: clusters push like springs, felt through the same coupling (coupled is "
+                  "its older name); direct: contact forces as they are");
   verb.add_flag(
       "--passivity", o.is_passive,
       "let late samples give no energy away: damps the handle, softens what is not backed");

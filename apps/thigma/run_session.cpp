@@ -26,7 +26,12 @@ void apply_options(const RunOptions& options, SceneDescription& scene) {
   if (options.rate) scene.rate = *options.rate;
   apply(options.resolution, scene.contact.resolution);
   if (options.has_no_blend) scene.contact.resolution.interpolates = false;
-  if (const auto response = response_of(options.response)) scene.contact.response = *response;
+  if (const auto response = response_of(options.response)) {
+    scene.contact.response = *response;
+  } else if (asks_for_levels(options.resolution) && !scene.contact.response) {
+    // Rows are of the finest surfaces: who asks for levels asks for the law that has them.
+    scene.contact.response = ResponseKind::coupled;
+  }
   if (options.is_passive) scene.is_passive = true;
   if (options.scene.empty()) scene.simulation.reset();  // somebody holds it
   if (options.texture == "on" && !has_relief(scene))

@@ -206,28 +206,33 @@ TEST(RecordVerbs, one_changed_digit_is_found_at_its_frame) {
   }
 }
 
-TEST(RecordVerbs, a_changed_contact_model_is_found_at_its_frame) {
+/// Changes a number of the contact model that a frame is the first to use: its replay says so.
+void expect_changed_model_is_found(const std::string& response, const std::string& field) {
   const std::string file = out_file("model.mcap");
-  run_ball({"--lockstep", "--duration", "0.8", "--record", file});
+  run_ball({"--lockstep", "--duration", "0.8", "--response", response, "--record", file});
   const std::string whole = read_text(file);
   const Recording recording = read_recording(file);
-  for (const std::string field : {"\"stiffness\":", "\"scene_point\":["}) {
-    const HapticSample& user = recording.frames.at(750);
-    const HapticSample& before = recording.frames.at(749);
-    ASSERT_NE(user.model_sequence, before.model_sequence);
-    std::string bytes = whole;
-    const std::size_t model =
-        bytes.find("{\"sequence\":" + std::to_string(user.model_sequence) + ",");
-    ASSERT_NE(model, std::string::npos);
-    const std::size_t at = bytes.find(field, model);
-    ASSERT_LT(at, bytes.find("\"model_digest\"", model)) << "nothing touches there";
-    change_number(bytes, at + field.size());
-    const nlohmann::json report =
-        json_line(run_program({"replay", write_text("changed.mcap", bytes), "--json"}));
-    EXPECT_EQ(report["identical"], false);
-    EXPECT_EQ(report["first_difference"], 750) << report;
-    EXPECT_NE(report["reason"].get<std::string>().find("contact model"), std::string::npos);
-  }
+  const HapticSample& user = recording.frames.at(750);
+  ASSERT_NE(user.model_sequence, recording.frames.at(749).model_sequence);
+  std::string bytes = whole;
+  const std::size_t model =
+      bytes.find("{\"sequence\":" + std::to_string(user.model_sequence) + ",");
+  ASSERT_NE(model, std::string::npos);
+  const std::size_t at = bytes.find(field, model);
+  ASSERT_LT(at, bytes.find("\"model_digest\"", model)) << "nothing touches there";
+  change_number(bytes, at + field.size());
+  const nlohmann::json report =
+      json_line(run_program({"replay", write_text("changed.mcap", bytes), "--json"}));
+  EXPECT_EQ(report["identical"], false);
+  EXPECT_EQ(report["first_difference"], 750) << report;
+  EXPECT_NE(report["reason"].get<std::string>().find("contact model"), std::string::npos);
+}
+
+TEST(RecordVerbs, a_changed_contact_model_is_found_at_its_frame) {
+  for (const char* field : {"\"stiffness\":", "\"scene_point\":["})
+    expect_changed_model_is_found("penalty", field);
+  for (const char* field : {"\"travel\":", "\"scene_point\":["})
+    expect_changed_model_is_found("constraint", field);
 }
 
 TEST(RecordVerbs, events_are_recorded) {

@@ -99,7 +99,8 @@ double least_of_all(const BallInSocket& ball, std::span<const std::int32_t> kept
              least_gap(ball.found(), kept, to) >= kMargin * ball.radius;
     };
     while (!is_allowed() && share > 1e-6) share *= 0.98;
-    if (is_allowed()) least = std::min(least, least_gap(ball.found(), all, moved(ball.state, share * by)));
+    if (is_allowed())
+      least = std::min(least, least_gap(ball.found(), all, moved(ball.state, share * by)));
   }
   return least;
 }
@@ -114,7 +115,8 @@ TEST(ImpliedRows, WhereTheOthersAreKeptWhatIsLeftOutIsApart) {
   ImpliedScratch scratch;
   reserve_implied(scratch, ball.found().size());
   for (const double travel : {1e-4, 2e-5, 5e-6}) {
-    const auto kept = needed_rows(ball.found(), ball.state, bounds_of(ball, travel), kMaxRows, scratch);
+    const auto kept =
+        needed_rows(ball.found(), ball.state, bounds_of(ball, travel), kMaxRows, scratch);
     ASSERT_LE(kept.size(), static_cast<std::size_t>(kMaxRows));
     EXPECT_LT(2 * kept.size(), ball.found().size());
     EXPECT_GE(least_of_all(ball, kept, travel), 0.0) << travel << ", " << kept.size() << " kept";
@@ -136,8 +138,10 @@ TEST(ImpliedRows, SizeDoesNotMatter) {
   ImpliedScratch a, b;
   reserve_implied(a, small.found().size());
   reserve_implied(b, large.found().size());
-  const auto of_small = needed_rows(small.found(), small.state, bounds_of(small, 0.01 * 1e-9), kMaxRows, a);
-  const auto of_large = needed_rows(large.found(), large.state, bounds_of(large, 0.01 * 1e3), kMaxRows, b);
+  const auto of_small =
+      needed_rows(small.found(), small.state, bounds_of(small, 0.01 * 1e-9), kMaxRows, a);
+  const auto of_large =
+      needed_rows(large.found(), large.state, bounds_of(large, 0.01 * 1e3), kMaxRows, b);
   EXPECT_TRUE(std::equal(of_small.begin(), of_small.end(), of_large.begin(), of_large.end()));
 }
 

@@ -67,7 +67,9 @@ TEST(ConstrainedResponse, PressedByAHandTheJawsDoNotEnterEachOther) {
 
 TEST(ConstrainedResponse, ThePenaltyLetsThemIn) {
   // What the test above looks at is there to be seen.
-  const Felt felt = run(load_scene(test::small_jaws()), 10, 41);
+  SceneDescription scene = test::small_jaws();
+  scene.contact.response = ResponseKind::coupled;
+  const Felt felt = run(load_scene(std::move(scene)), 10, 41);
   EXPECT_GT(felt.met, 0);
 }
 
@@ -95,6 +97,59 @@ friction = 0.4
   const SceneDescription scene = parse_scene(text, "S.toml", "");
   EXPECT_EQ(scene.contact.response, ResponseKind::constrained);
   EXPECT_EQ(scene.contact.friction, 0.4);
+}
+
+TEST(ConstrainedResponse, IsTheDefaultOfSmoothScenesInAHand) {
+  EXPECT_EQ(load_scene(test::small_jaws()).config.haptic.response, ResponseKind::constrained);
+  SceneDescription scene = test::small_jaws();
+  scene.contact.response = ResponseKind::direct;
+  EXPECT_EQ(load_scene(scene).config.haptic.response, ResponseKind::direct);
+  const SceneDescription relief = read_scene("plate"), dropped = read_scene("spoon_in_cup");
+  EXPECT_EQ(default_response(relief, true), ResponseKind::coupled);
+  EXPECT_EQ(default_response(relief, false), ResponseKind::constrained);
+  EXPECT_EQ(default_response(dropped, true), ResponseKind::coupled);
+}
+
+/// A ball of 10 mm at a height over one like it, in the hand of nobody.
+void start_ball(double height, std::string& said, SessionConfig& config) {
+  SceneDescription scene =
+      scene_from_pair("procedural:ball?triangles=320", "procedural:ball?triangles=320");
+  const Scene loaded = load_scene(scene);
+  SessionOptions options{.device = "null:", .duration = 0.05};
+  options.world_from_body = Pose{{0.0, 0.0, height}, Quat::Identity()};
+  options.log = [&](const std::string& line) { said += line; };
+  SceneSession session = open_session(loaded, options);
+  config = session.config;
+}
+
+TEST(ConstrainedResponse, AnObjectThatStartsInsideIsLedOut) {
+  const double radius =
+      load_scene(scene_from_pair("procedural:ball?triangles=320", "procedural:ball?triangles=320"))
+          .object->hierarchy.radius;
+  std::string said;
+  SessionConfig config;
+  start_ball(1.5 * radius, said, config);
+  EXPECT_NE(said.find("moved apart"), std::string::npos) << said;
+  EXPECT_GT(config.world_from_body.position.norm(), 2.0 * radius);
+  said.clear();
+  start_ball(2.001 * radius, said, config);  // near, but apart: as given
+  EXPECT_EQ(said, "");
+  EXPECT_DOUBLE_EQ(config.world_from_body.position.z(), 2.001 * radius);
+}
+
+TEST(ConstrainedResponse, TheHandKnowsHowFarTheSceneIs) {
+  const Scene scene = load_scene(test::small_jaws());
+  const SceneSession session = open_session(scene, {.device = "hand:", .duration = 0.1});
+  EXPECT_TRUE(session.start.has_scene);
+}
+
+TEST(ConstrainedResponse, NeedsNoLevels) {
+  SceneDescription scene = test::small_jaws();
+  scene.contact.resolution.is_exact = false;
+  const Scene loaded = load_scene(std::move(scene), {.keeps_levels = false});
+  EXPECT_TRUE(loaded.config.contact.resolution.is_exact);
+  ASSERT_GT(loaded.object->hierarchy.levels.size(), 1u);
+  EXPECT_TRUE(loaded.object->hierarchy.levels[1].is_free);
 }
 
 TEST(ConstrainedResponse, RefusesNegativeFriction) {

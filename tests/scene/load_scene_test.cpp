@@ -52,6 +52,7 @@ TEST(LoadScene, TakesTwoMeshFiles) {
 TEST(LoadScene, SaysWhatIsBuiltAndHowFar) {
   SceneDescription description = test::small_jaws();
   description.contact.resolution.is_exact = false;
+  description.contact.response = ResponseKind::coupled;
   LoadOptions options;
   options.keeps_levels = false;
   int lines = 0;
@@ -71,6 +72,7 @@ TEST(LoadScene, SaysWhatIsBuiltAndHowFar) {
 TEST(LoadScene, GivesUpWhereItIsToldTo) {
   SceneDescription description = test::small_jaws();
   description.contact.resolution.is_exact = false;
+  description.contact.response = ResponseKind::coupled;
   LoadOptions options;
   options.keeps_levels = false;
   options.progress = [](const std::string&, double, double) {

@@ -48,7 +48,9 @@ void hand_over(const ConstraintWorld& world, ConstraintScratch& scratch,
     if (needed.size() <= kMaxRows) break;
     model.travel *= 0.5;
   }
-  if (needed.size() > kMaxRows) model.travel = 0.0;
+  // Too many even so: nearest first, none of the others is met before the first of them.
+  if (needed.size() > kMaxRows)
+    model.travel = std::min(model.travel, std::max(scratch.found[idx(needed.back())].gap, 0.0));
   for (const std::int32_t row : needed) {
     if (model.rows.size() == kMaxRows) break;
     model.rows.push_back(scratch.found[idx(row)].row);

@@ -43,9 +43,9 @@ void reserve_rows(RowScratch& scratch, const SurfaceFeatures& object, const Surf
   scratch.slabs.reserve(capacity);
   scratch.planes.reserve(capacity);
   scratch.near_edges.reserve(capacity);
-  constexpr std::size_t kPatch = 64;  // vertices of a patch: at most 32
-  scratch.near_object.reserve(kPatch);
-  scratch.near_scene.reserve(kPatch);
+  scratch.near_cones.reserve(capacity);
+  scratch.near_object.reserve(detail::kMostNear);
+  scratch.near_scene.reserve(detail::kMostNear);
 }
 
 std::int64_t find_rows(const BodyPair& pair, std::span<const Contact> contacts,

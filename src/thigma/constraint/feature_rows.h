@@ -80,11 +80,21 @@ struct RowScratch {
     std::int32_t object = -1, scene = -1;
     friend auto operator<=>(const EdgePair&, const EdgePair&) = default;
   };
+  struct NearEdge {              // of the scene
+    Vec3 middle = Vec3::Zero();  // [m; scene's mesh frame]
+    double half = 0.0;           // of its length [m]
+    double least = 0.0;          // along the slab's axis [m; scene's mesh frame]
+  };
+  struct EdgeCone {  // of a near edge, as of ConvexEdge [object's mesh frame]
+    std::int32_t edge = -1;
+    Vec3 direction = Vec3::Zero(), into_left = Vec3::Zero(), into_right = Vec3::Zero();
+  };
   VertexSide object, scene;                           // vertices of the object, and of the scene
   std::vector<Slab> slabs;                            // of the contacts, in their order
   std::vector<EdgePair> met;                          // pairs with a row of their own, sorted
   std::vector<std::int32_t> near_object, near_scene;  // vertices of a pair of patches
-  std::vector<std::int32_t> near_edges;               // of the scene's
+  std::vector<NearEdge> near_edges;                   // of the scene's
+  std::vector<EdgeCone> near_cones;                   // of the same
   std::vector<std::int32_t> planes;  // that the scene's patch of a pair lies behind
 };
 

@@ -29,8 +29,7 @@ Six minus(const Six& a, const Six& b) noexcept {
 
 /// Square of what is left of a gradient: its travel at most.
 double square(const Six& r) noexcept {
-  return std::max(r[0] * r[0] + r[1] * r[1] + r[2] * r[2],
-                  r[3] * r[3] + r[4] * r[4] + r[5] * r[5]);
+  return std::max(r[0] * r[0] + r[1] * r[1] + r[2] * r[2], r[3] * r[3] + r[4] * r[4] + r[5] * r[5]);
 }
 
 RowGradient gradient_of(const FoundRow& found, const BodyState& state, const Mat3& rotation,

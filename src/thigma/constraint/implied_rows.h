@@ -28,7 +28,7 @@ struct RowGradient {
   double gap = 0.0;           // [m]
   double cost = 0.0;          // of the gap, what the row may lose [m]
   std::uint64_t id = 0;
-  std::int32_t row = -1;      // of the list
+  std::int32_t row = -1;  // of the list
   RowKind kind = RowKind::edges;
 };
 

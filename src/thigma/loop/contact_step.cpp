@@ -102,17 +102,20 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
 namespace {
 
 /// How far rows have to look ahead: what the object would go until the model after the next, in
-/// steps of two, as far as the query stays cheap. Pairs grow with the square of it.
+/// steps of two, as far as the query stays cheap. Pairs grow with the square of it. Where surfaces
+/// lie on each other that may be less than the usual least: then the object goes in small steps.
 double look_ahead(const ConstraintWorld& world, double wanted,
                   const ContactScratch& last) noexcept {
   constexpr double kPairs = 1500.0;
+  constexpr int kHalvings = 5;
   const double pairs = static_cast<double>(last.contacts.contacts.size());
+  const auto is_cheap = [&](double ahead) {
+    const double growth = ahead / std::max(last.looked_ahead, world.slop);
+    return pairs * growth * growth <= kPairs;
+  };
   double ahead = world.least_look_ahead;
-  while (ahead < wanted && ahead < world.most_look_ahead) {
-    const double growth = 2.0 * ahead / std::max(last.looked_ahead, world.least_look_ahead);
-    if (pairs * growth * growth > kPairs) break;
-    ahead *= 2.0;
-  }
+  for (int i = 0; i < kHalvings && !is_cheap(ahead); ++i) ahead *= 0.5;
+  while (ahead < wanted && ahead < world.most_look_ahead && is_cheap(2.0 * ahead)) ahead *= 2.0;
   return std::min(ahead, world.most_look_ahead);
 }
 

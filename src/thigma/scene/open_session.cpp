@@ -58,6 +58,19 @@ void place(Opening& o) {
   if (o.options.log) o.options.log(placement_line(o.session.start, approach.has_value()));
 }
 
+/// Rows keep outside what is outside: an object that overlaps the scene as given is moved out, and
+/// that is said.
+void lead_out(Opening& o) {
+  const std::optional<Vec3>& approach = o.scene.description.device.approach;
+  const Pose given = o.session.config.world_from_body;
+  const StartPlacement start = place_at_start(approach, o.session.config);
+  if (start.has_scene && start.given_gap < 0.0) {
+    if (o.options.log) o.options.log(placement_line(start, approach.has_value()));
+  } else {
+    o.session.config.world_from_body = given;
+  }
+}
+
 /// The samples of a recording as a device. Forces come out as recorded only from where that session
 /// started and at its rate, so both are taken over.
 std::unique_ptr<HapticDevice> open_recorded(const std::string& path, Opening& o) {
@@ -113,8 +126,11 @@ void open_at(Opening& o) {
   const std::string scheme = device_scheme(session.device_uri);
   if (scheme == "hand" && o.is_direct())
     use_direct_response(open_device(session.device_uri, {})->limits(), session.config);
+  if (scheme == "hand" || scheme == "web")
+    place(o);
+  else if (o.is_constrained() && scheme != "replay")
+    lead_out(o);
   if (o.is_constrained()) use_constraints(o);
-  if (scheme == "hand" || scheme == "web") place(o);
   if (scheme == "web") {
     session.device = open_web(o);
   } else if (scheme == "replay") {

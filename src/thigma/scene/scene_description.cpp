@@ -106,6 +106,11 @@ bool has_relief(const SceneDescription& scene) {
   return is_so(scene.object) || std::any_of(scene.statics.begin(), scene.statics.end(), is_so);
 }
 
+ResponseKind default_response(const SceneDescription& scene, bool uses_relief) {
+  const bool is_smooth = !uses_relief || !has_relief(scene);
+  return is_smooth && !scene.simulation ? ResponseKind::constrained : ResponseKind::coupled;
+}
+
 HapticTexture load_texture(const SceneObject& object) {
   if (!object.textured_model) return read_texture(object.mesh, object.unit_scale).texture;
   return models::make_textured_model(*object.textured_model);
@@ -163,7 +168,7 @@ SessionConfig make_session_config(const SceneDescription& given, const ObjectMea
   }
   config.haptic.coupling = make_coupling(scene, gains, config.haptic.body);
   config.haptic.safety = scene.safety;
-  config.haptic.response = scene.contact.response;
+  config.haptic.response = scene.contact.response.value_or(ResponseKind::coupled);
   config.haptic.grasp_place = scene.device.grasp_place;
   config.haptic.grasp_point =
       scene.grasp_point.value_or(solid.center_of_mass) - solid.center_of_mass;

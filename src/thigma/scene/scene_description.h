@@ -58,7 +58,8 @@ struct ContactGains {
   // contacts of large patches over the area these share; false: one point a pair
   bool distributes_wide_contacts = true;
   Resolution resolution{.is_exact = false};  // levels of detail at s0 = 2.5 %
-  ResponseKind response = ResponseKind::coupled;
+  // not set: default_response. The constrained one is exact, whatever the resolution
+  std::optional<ResponseKind> response;
   double friction = 0.0;  // Coulomb's coefficient, of the constrained response
   TextureParams texture;  // how relief is looked for
 };
@@ -113,6 +114,10 @@ struct SceneDescription {
 
 /// Whether anything of the scene has a texture.
 bool has_relief(const SceneDescription& scene);
+
+/// The response of a scene that names none: constrained, but coupled where that cannot be: relief
+/// that is used, and what moves by itself. Thread [offline].
+ResponseKind default_response(const SceneDescription& scene, bool uses_relief);
 
 inline constexpr double kDefaultMass = 0.010;  // of a grasped object [kg] (Sec. 5.5)
 

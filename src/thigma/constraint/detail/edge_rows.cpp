@@ -15,11 +15,6 @@ using EdgePair = RowScratch::EdgePair;
 // Edges more nearly parallel than this touch along a line: its ends are vertices on faces.
 constexpr double kParallel = 1e-6;
 
-/// Whether a direction lies in the cone of normals of an edge, but for what turning may do.
-bool is_in_cone(const ConvexEdge& edge, const Vec3& direction, double slack) noexcept {
-  return direction.dot(edge.into_left) <= slack && direction.dot(edge.into_right) <= slack;
-}
-
 /// Two edges where they are, in the frame of the scene's mesh.
 struct PlacedPair {
   std::int32_t object = -1, scene = -1;  // edges
@@ -34,36 +29,41 @@ struct PlacedPair {
   Vec3 on_scene() const noexcept { return scene_tail + nearest.second * (scene_head - scene_tail); }
 };
 
-/// Whether the edges may be the first to touch, and where they are.
-bool may_touch(const RowSearch& search, PlacedPair& pair) noexcept {
-  const SurfaceFeatures& a = *search.object.features;
-  const SurfaceFeatures& b = *search.scene.features;
-  const ConvexEdge& e = a.edges[idx(pair.object)];
-  const ConvexEdge& f = b.edges[idx(pair.scene)];
-  const Vec3 w = search.object_from_scene.orientation._transformVector(f.direction);
-  const Vec3 cross = e.direction.cross(w);  // in the object's frame
+/// Whether the edges may be the first to touch, by their cones of normals but for what turning may
+/// do; then the sign of the object's direction x the scene's.
+bool may_touch(const RowSearch& search, const ConvexEdge& e, const RowScratch::EdgeCone& f,
+               int& sign) noexcept {
+  const Vec3 cross = e.direction.cross(f.direction);
   const double sine = cross.norm();
   if (sine < kParallel) return false;
-  const double slack = search.cone_slack * (1.0 + 1.0 / sine);
-  const Vec3 normal = cross / sine;
-  const Vec3 in_scene = search.scene_from_object.orientation._transformVector(normal);
-  const auto is_possible = [&](int sign) {
-    return is_in_cone(e, sign * normal, slack) && is_in_cone(f, -sign * in_scene, slack);
+  // Turning by an angle turns the normal by that and by as much over the sine.
+  const double slack = search.cone_slack * (1.0 + sine);
+  const double out_left = cross.dot(e.into_left), out_right = cross.dot(e.into_right);
+  const double in_left = cross.dot(f.into_left), in_right = cross.dot(f.into_right);
+  const bool plus =
+      out_left <= slack && out_right <= slack && in_left >= -slack && in_right >= -slack;
+  const bool minus =
+      out_left >= -slack && out_right >= -slack && in_left <= slack && in_right <= slack;
+  // Where turning may make either true: the sign that points out of the one and into the other.
+  const auto points_out = [&] {
+    const Vec3& outward = search.scene.features->edges[idx(f.edge)].outward;
+    return cross.dot(e.outward - search.object_from_scene.orientation._transformVector(outward)) >=
+           0.0;
   };
-  const bool plus = is_possible(1), minus = is_possible(-1);
-  if (!plus && !minus) return false;
-  pair.object_tail = transform_point(search.scene_from_object, a.vertices[idx(e.tail)]);
-  pair.object_head = transform_point(search.scene_from_object, a.vertices[idx(e.head)]);
+  sign = plus && (!minus || points_out()) ? 1 : -1;
+  return plus || minus;
+}
+
+/// Places the edges; whether they are within reach of each other.
+bool place(const RowSearch& search, PlacedPair& pair) noexcept {
+  const SurfaceFeatures& b = *search.scene.features;
+  const ConvexEdge& f = b.edges[idx(pair.scene)];
   pair.scene_tail = b.vertices[idx(f.tail)];
   pair.scene_head = b.vertices[idx(f.head)];
   pair.nearest = nearest_on_segments(pair.object_tail, pair.object_head - pair.object_tail,
                                      pair.scene_tail, pair.scene_head - pair.scene_tail);
   pair.distance = (pair.on_scene() - pair.on_object()).norm();
-  if (pair.distance > search.reach.travel) return false;
-  // Where turning may make either true: the sign that points out of the one and into the other.
-  const double out = normal.dot(e.outward) - in_scene.dot(f.outward);
-  pair.sign = plus && (out >= 0.0 || !minus) ? 1 : -1;
-  return true;
+  return pair.distance <= search.reach.travel;
 }
 
 /// One edge's ends with the planes that keep them, and the other edge in the frame of the planes.
@@ -173,15 +173,16 @@ bool is_met(RowScratch& scratch, const EdgePair& pair) noexcept {
   return false;
 }
 
-void consider(RowSearch& search, std::int32_t object_edge, std::int32_t scene_edge,
+/// Rows of two edges of which `pair` has the object's where it is.
+void consider(RowSearch& search, PlacedPair pair, const RowScratch::EdgeCone& f,
               RowScratch& scratch, std::vector<FoundRow>& rows) noexcept {
-  PlacedPair pair;
-  pair.object = object_edge;
-  pair.scene = scene_edge;
-  if (!may_touch(search, pair)) return;
+  const ConvexEdge& e = search.object.features->edges[idx(pair.object)];
+  if (!may_touch(search, e, f, pair.sign)) return;
+  pair.scene = f.edge;
+  if (!place(search, pair)) return;
   if (is_guarded(search, object_ends(search, pair), pair.distance, scratch.object, rows)) return;
   if (is_guarded(search, scene_ends(search, pair), pair.distance, scratch.scene, rows)) return;
-  if (is_met(scratch, {object_edge, scene_edge})) return;  // in another pair of patches
+  if (is_met(scratch, {pair.object, pair.scene})) return;  // in another pair of patches
   const auto is_inside = [](double share) { return share > 0.0 && share < 1.0; };
   if (is_inside(pair.nearest.first) && is_inside(pair.nearest.second)) {
     const FoundRow row = edge_row(search, pair);
@@ -215,6 +216,12 @@ void find_planes(const RowSearch& search, std::int32_t patch, RowScratch& scratc
   }
 }
 
+/// Whether an edge is within reach of a ball.
+bool is_in_reach(const Vec3& middle, double half, const PatchBall& ball, double travel) noexcept {
+  const double balls = half + ball.radius + travel;
+  return (middle - ball.center).squaredNorm() <= balls * balls;
+}
+
 /// Whether one plane that the whole other patch lies behind keeps both ends of an edge.
 bool is_guarded_from_patch(const RowSearch& search, const VertexSide& side,
                            std::span<const std::int32_t> planes, const ConvexEdge& edge,
@@ -228,47 +235,65 @@ bool is_guarded_from_patch(const RowSearch& search, const VertexSide& side,
   return false;
 }
 
+/// Edges of the scene's patch that the object's may reach.
+void gather_edges(const RowSearch& search, const Contact& contact, const Slab& slab,
+                  RowScratch& scratch) noexcept {
+  const SurfaceFeatures& b = *search.scene.features;
+  PatchBall of_a = search.object.features->patch_balls[idx(contact.object_patch)];
+  of_a.center = transform_point(search.scene_from_object, of_a.center);
+  const Mat3 rotation = search.object_from_scene.orientation.toRotationMatrix();
+  scratch.near_edges.clear();
+  scratch.near_cones.clear();
+  for (const std::int32_t k : part_of(b.patch_edges, b.first_edge, contact.scene_patch)) {
+    const ConvexEdge& f = b.edges[idx(k)];
+    if (!is_in_reach(f.middle, f.half, of_a, search.reach.travel)) continue;
+    const double least = std::min(slab.scene_axis.dot(b.vertices[idx(f.tail)]),
+                                  slab.scene_axis.dot(b.vertices[idx(f.head)]));
+    if (least > slab.scene_most || scratch.near_edges.size() == scratch.near_edges.capacity())
+      continue;
+    scratch.near_edges.push_back({f.middle, f.half, least});
+    scratch.near_cones.push_back(
+        {k, rotation * f.direction, rotation * f.into_left, rotation * f.into_right});
+  }
+}
+
 }  // namespace
 
 void search_edges(RowSearch& search, const Contact& contact, const Slab& slab, RowScratch& scratch,
                   std::vector<FoundRow>& rows) noexcept {
   const SurfaceFeatures& a = *search.object.features;
-  const SurfaceFeatures& b = *search.scene.features;
-  const auto is_near = [](const SurfaceFeatures& features, const ConvexEdge& edge, const Vec3& axis,
-                          double least) {
-    return axis.dot(features.vertices[idx(edge.tail)]) >= least ||
-           axis.dot(features.vertices[idx(edge.head)]) >= least;
-  };
-  const double travel = search.reach.travel;
-  const PatchBall& of_b = b.patch_balls[idx(contact.scene_patch)];
-  PatchBall of_a = a.patch_balls[idx(contact.object_patch)];
-  of_a.center = transform_point(search.scene_from_object, of_a.center);
-  const auto is_in_reach = [&](const Vec3& middle, double half, const PatchBall& ball) {
-    const double balls = half + ball.radius + travel;
-    return (middle - ball.center).squaredNorm() <= balls * balls;
-  };
-  auto& near_edges = scratch.near_edges;
-  near_edges.clear();
-  for (const std::int32_t k : part_of(b.patch_edges, b.first_edge, contact.scene_patch)) {
-    const ConvexEdge& f = b.edges[idx(k)];
-    if (is_in_reach(f.middle, f.half, of_a) && is_near(b, f, -slab.scene_axis, -slab.scene_most) &&
-        near_edges.size() < near_edges.capacity())
-      near_edges.push_back(k);
-  }
-  if (near_edges.empty()) return;
+  gather_edges(search, contact, slab, scratch);
+  if (scratch.near_edges.empty()) return;
   keep_near(a, contact.object_patch, slab.object_axis, slab.object_least, scratch.near_object);
   find_planes(search, contact.scene_patch, scratch);
+  const double travel = search.reach.travel;
+  const PatchBall& of_b = search.scene.features->patch_balls[idx(contact.scene_patch)];
+  const Mat3 rotation = search.scene_from_object.orientation.toRotationMatrix();
+  const double object_least =
+      slab.object_least + slab.scene_axis.dot(search.scene_from_object.position);
+  const auto placed = [&](const Vec3& point) -> Vec3 {
+    return rotation * point + search.scene_from_object.position;
+  };
   for (const std::int32_t i : part_of(a.patch_edges, a.first_edge, contact.object_patch)) {
     const ConvexEdge& e = a.edges[idx(i)];
-    if (!is_near(a, e, slab.object_axis, slab.object_least)) continue;
-    const Vec3 tail = transform_point(search.scene_from_object, a.vertices[idx(e.tail)]);
-    const Vec3 head = transform_point(search.scene_from_object, a.vertices[idx(e.head)]);
-    const Vec3 middle = 0.5 * (tail + head);
-    if (!is_in_reach(middle, e.half, of_b)) continue;
-    if (is_guarded_from_patch(search, scratch.object, scratch.planes, e, tail, head)) continue;
-    for (const std::int32_t k : near_edges) {
-      const ConvexEdge& f = b.edges[idx(k)];
-      if (is_in_reach(middle, e.half, {f.middle, f.half})) consider(search, i, k, scratch, rows);
+    const Vec3 middle = placed(e.middle);
+    if (!is_in_reach(middle, e.half, of_b, travel)) continue;
+    PlacedPair pair;
+    pair.object = i;
+    pair.object_tail = placed(a.vertices[idx(e.tail)]);
+    pair.object_head = placed(a.vertices[idx(e.head)]);
+    const double front =
+        std::max(slab.scene_axis.dot(pair.object_tail), slab.scene_axis.dot(pair.object_head));
+    if (front < object_least) continue;
+    if (is_guarded_from_patch(search, scratch.object, scratch.planes, e, pair.object_tail,
+                              pair.object_head))
+      continue;
+    const double reach = e.half + travel;
+    for (std::size_t k = 0; k < scratch.near_edges.size(); ++k) {
+      const RowScratch::NearEdge& f = scratch.near_edges[k];
+      const double balls = reach + f.half;
+      if (f.least > front + travel || (middle - f.middle).squaredNorm() > balls * balls) continue;
+      consider(search, pair, scratch.near_cones[k], scratch, rows);
     }
   }
 }

@@ -56,7 +56,7 @@ void keep_near(const SurfaceFeatures& features, std::int32_t patch, const Vec3& 
   near.clear();
   for (const std::int32_t v : part_of(features.patch_vertices, features.first_vertex, patch)) {
     if (features.is_corner[idx(v)] != 0 && axis.dot(features.vertices[idx(v)]) >= least &&
-        near.size() < near.capacity())
+        near.size() < kMostNear)
       near.push_back(v);
   }
 }

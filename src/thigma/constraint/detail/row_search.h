@@ -11,6 +11,9 @@ namespace thigma::detail {
 /// Features may be through each other by this times the travel: an error of steps, no more.
 inline constexpr double kError = 2e-3;
 
+/// Corners of a patch: it has at most half as many vertices.
+inline constexpr std::size_t kMostNear = 64;
+
 /// One call of find_rows.
 struct RowSearch {
   PlacedFeatures object, scene;
@@ -27,7 +30,7 @@ RowSearch make_search(const BodyPair& pair, const RowReach& reach) noexcept;
 /// The slab of a contact along its normal.
 Slab find_slab(const RowSearch& search, const Contact& contact) noexcept;
 
-/// Corners of a patch at least so far along an axis.
+/// Corners of a patch at least so far along an axis; at most kMostNear.
 void keep_near(const SurfaceFeatures& features, std::int32_t patch, const Vec3& axis, double least,
                std::vector<std::int32_t>& near) noexcept;
 

@@ -1,6 +1,7 @@
 // Vertices against triangles, of the object against the scene and the other way round.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -60,14 +61,18 @@ void gather_side(RowSearch& search, const Sides& sides, std::int32_t patch,
   if (vertices.empty()) return;
   const Mat3 rotation = sides.planes_from_points.orientation.toRotationMatrix();
   const Mat3 points_from_planes = rotation.transpose();
-  const Vec3& shift = sides.planes_from_points.position;
+  std::array<Vec3, kMostNear> points;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    points[i] =
+        rotation * sides.points.vertices[idx(vertices[i])] + sides.planes_from_points.position;
   for (const std::int32_t t : part_of(planes.patch_triangles, planes.first_triangle, patch)) {
     const SurfaceTriangle& triangle = planes.triangles[idx(t)];
     if (is_beyond(planes, triangle, beyond)) continue;
     const Vec3& a = planes.vertices[idx(triangle.vertex[0])];
     const Vec3 normal_of_points = points_from_planes * triangle.normal;
-    for (const std::int32_t v : vertices) {
-      const Vec3 p = rotation * sides.points.vertices[idx(v)] + shift;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const std::int32_t v = vertices[i];
+      const Vec3& p = points[i];
       const double ball = triangle.radius + travel;
       if ((p - triangle.center).squaredNorm() > ball * ball) continue;
       if (std::fabs(triangle.normal.dot(p - a)) > travel) continue;
