@@ -6,9 +6,7 @@
 #include <string>
 
 #include "experiments/common/all_experiments.h"
-#include "experiments/common/outside_depth.h"
-#include "experiments/common/statistics.h"
-#include "experiments/never-enters/scenes.h"
+#include "experiments/never-enters/play.h"
 
 #include "thigma/math/quantile.h"
 
@@ -16,59 +14,9 @@ namespace thigma::experiments {
 namespace never_enters {
 namespace {
 
-constexpr double kPress = 0.009;  // of the hand beyond the first touch [m]
 constexpr int kEvery[] = {1, 3, 10, 33};
 constexpr double kMicro = 1e-6;
-
-/// How one scene is played.
-struct Play {
-  bool is_constrained;
-  int every;
-  int look;  // frames from one look of the outside to the next
-};
-
-struct Ran {
-  LedRun run;
-  double ever = 0.0, at_rest = 0.0;  // [m]
-  double force = 0.0;                // at the end [N]
-  double buzz = 0.0;                 // of the force above 50 Hz at rest, rms [N]
-  double drift = 0.0;                // of the object at rest [m/s]
-};
-
-/// A pair with its surfaces as the outside sees them.
-struct Seen {
-  LedPair pair;
-  DepthSurface object, scene;
-};
-
-Ran play(const Seen& seen, const PressedScene& scene, const Play& how) {
-  LedGains gains;
-  gains.is_constrained = how.is_constrained;
-  gains.every = how.every;
-  Ran ran;
-  int frame = 0;
-  std::vector<double> forces[3];
-  Vec3 first = Vec3::Zero(), last = Vec3::Zero();
-  const auto look = [&](const HapticSample& sample, const LedStep&) {
-    ran.force = sample.command.force.norm();
-    if (sample.time >= kAtRest) {
-      if (forces[0].empty()) first = sample.body.position;
-      last = sample.body.position;
-      for (int k = 0; k < 3; ++k) forces[k].push_back(sample.command.force[k]);
-    }
-    if (frame++ % how.look != 0) return;
-    const double depth =
-        outside_depth(seen.object, {sample.body.position, sample.body.orientation}, seen.scene);
-    ran.ever = std::max(ran.ever, depth);
-    if (sample.time >= kAtRest) ran.at_rest = std::max(ran.at_rest, depth);
-  };
-  ran.run = run_led(led_config(seen.pair, gains, kPressedSeconds),
-                    pressed_hand(seen.pair, scene, kPress), look);
-  for (const std::vector<double>& f : forces)
-    ran.buzz = std::hypot(ran.buzz, band_level(f, 1e-3, 50.0, 500.0));
-  ran.drift = (last - first).norm() / (kPressedSeconds - kAtRest);
-  return ran;
-}
+constexpr double kEntered = 50.0;  // [um]
 
 double share(const std::vector<double>& values, double at) {
   return values.empty() ? 0.0 : sample_quantile(values, at);
@@ -138,23 +86,6 @@ void claim(const LedPair& pair, const Deepest& deepest, Outcome& outcome) {
       at_most("slow-" + id, name + ": the same at 100 and 30 Hz", deepest.slow, 50.0, "um"));
 }
 
-/// Force above 50 Hz of a cube at rest with contacts at 30 Hz, over the age up to which a model
-/// counts fully [N].
-double buzz_of_age(double full_age) {
-  const PressedScene scene = built_in_scenes(2000).front();
-  const LedPair pair = scene.make();
-  LedGains gains;
-  gains.every = 33;
-  SessionConfig config = led_config(pair, gains, kPressedSeconds);
-  config.haptic.safety.model_full_age = full_age;
-  std::vector<double> force;
-  run_led(config, pressed_hand(pair, scene, kPress),
-          [&](const HapticSample& sample, const LedStep&) {
-            if (sample.time >= kAtRest) force.push_back(sample.command.force.z());
-          });
-  return band_level(force, 1e-3, 50.0, 500.0);
-}
-
 /// Claims on an object at rest under a hand at rest.
 void claim_rest(const Deepest& worst, Outcome& outcome) {
   outcome.claims.push_back(at_most("buzz",
@@ -175,11 +106,8 @@ void claim_rest(const Deepest& worst, Outcome& outcome) {
       at_most("drift", "drift of the object there, any rate", 1e6 * worst.drift, 1.0, "um/s"));
 }
 
-}  // namespace
-}  // namespace never_enters
-
-Outcome run_never_enters(const Context& context) {
-  using namespace never_enters;
+/// Tables and the figure, empty.
+Outcome blank() {
   Outcome outcome;
   outcome.tables = {
       {.columns = {"scene",
@@ -211,58 +139,74 @@ Outcome run_never_enters(const Context& context) {
           "is less than 0.01 um is drawn there",
       .panels = {{.x = {.label = "scene"}, .y = {.label = "depth [um]", .is_log = true}}},
       .panel_height = 420};
+  outcome.figure.panels[0].series = {{.label = "constraint", .mark = plot::Mark::points},
+                                     {.label = "penalty", .mark = plot::Mark::points}};
+  outcome.figure.panels[0].guides = {{"333 Hz and more", 20.0}, {"30 Hz and more", 50.0}};
+  return outcome;
+}
+
+/// Plays one scene in all ways.
+Deepest run_scene(const Context& context, const PressedScene& scene, Outcome& outcome) {
+  Seen seen{.pair = scene.make(), .object = {}, .scene = {}};
+  tell(context, seen.pair.name);
+  seen.object = make_depth_surface(seen.pair.object);
+  seen.scene = make_depth_surface(seen.pair.scene);
+  Deepest deepest;
+  for (const bool is_constrained : {true, false}) {
+    for (const int every : kEvery) {
+      // The penalty is only there to be seen beside it.
+      if (context.quick && !is_constrained && every != 10) continue;
+      const Play how{is_constrained, every, context.quick ? 29 : 5};
+      const Ran ran = play(seen, scene, how);
+      add(seen.pair, how, ran, outcome);
+      note(how, ran, deepest);
+    }
+  }
+  claim(seen.pair, deepest, outcome);
+  plot::Panel& panel = outcome.figure.panels[0];
+  for (plot::Series& series : panel.series)
+    series.x.push_back(static_cast<double>(panel.x.categories.size()));
+  panel.series[0].y.push_back(std::max({deepest.fast, deepest.slow, 0.01}));
+  panel.series[1].y.push_back(std::max(deepest.penalty, 0.01));
+  panel.x.categories.push_back(seen.pair.name);
+  return deepest;
+}
+
+}  // namespace
+}  // namespace never_enters
+
+Outcome run_never_enters(const Context& context) {
+  using namespace never_enters;
+  Outcome outcome = blank();
   std::vector<PressedScene> scenes = built_in_scenes(context.quick ? 2000 : 0);
   const std::vector<PressedScene> real = real_scenes();
   if (real.empty()) tell(context, "real meshes: left out, THIGMA_SHARED names no folder with them");
   if (!context.quick) scenes.insert(scenes.end(), real.begin(), real.end());
-  plot::Series constraint{.label = "constraint", .mark = plot::Mark::points};
-  plot::Series penalty{.label = "penalty", .mark = plot::Mark::points};
-  double least_penalty = 1e300, energy = 0.0;
+  int entered_by_penalty = 0;
   Deepest worst;
-  int unlike = 0, faults = 0;
   for (const PressedScene& scene : scenes) {
-    Seen seen{.pair = scene.make(), .object = {}, .scene = {}};
-    tell(context, seen.pair.name);
-    seen.object = make_depth_surface(seen.pair.object);
-    seen.scene = make_depth_surface(seen.pair.scene);
-    Deepest deepest;
-    for (const bool is_constrained : {true, false}) {
-      for (const int every : kEvery) {
-        // The penalty is only there to be seen beside it.
-        if (context.quick && !is_constrained && every != 10) continue;
-        const Play how{is_constrained, every, context.quick ? 29 : 5};
-        const Ran ran = play(seen, scene, how);
-        add(seen.pair, how, ran, outcome);
-        note(how, ran, deepest);
-      }
-    }
-    claim(seen.pair, deepest, outcome);
-    constraint.x.push_back(static_cast<double>(constraint.x.size()));
-    constraint.y.push_back(std::max({deepest.fast, deepest.slow, 0.01}));
-    penalty.x.push_back(constraint.x.back());
-    penalty.y.push_back(std::max(deepest.penalty, 0.01));
-    outcome.figure.panels[0].x.categories.push_back(seen.pair.name);
-    least_penalty = std::min(least_penalty, deepest.penalty);
-    energy = std::min(energy, deepest.energy);
+    const Deepest deepest = run_scene(context, scene, outcome);
+    entered_by_penalty += deepest.penalty > kEntered;
+    worst.energy = std::min(worst.energy, deepest.energy);
     worst.buzz = std::max(worst.buzz, deepest.buzz);
     worst.buzz_30 = std::max(worst.buzz_30, deepest.buzz_30);
     worst.drift = std::max(worst.drift, deepest.drift);
-    unlike += deepest.unlike;
-    faults += deepest.faults;
+    worst.unlike += deepest.unlike;
+    worst.faults += deepest.faults;
   }
-  outcome.figure.panels[0].series = {constraint, penalty};
-  outcome.figure.panels[0].guides = {{"333 Hz and more", 20.0}, {"30 Hz and more", 50.0}};
-  outcome.claims.push_back(at_least("penalty",
-                                    "deepest with the penalty, in the scene where that is least",
-                                    least_penalty, 50.0, "um"));
-  outcome.claims.push_back(at_least(
-      "energy", "least energy at the port of any scene and rate, constraint", energy, -1e-6, "J"));
+  outcome.claims.push_back(
+      at_least("penalty", "share of the scenes that the penalty lets in by more than 50 um",
+               static_cast<double>(entered_by_penalty) / static_cast<double>(scenes.size()), 0.8));
+  outcome.claims.push_back(at_least("energy",
+                                    "least energy at the port of any scene and rate, constraint",
+                                    worst.energy, -1e-6, "J"));
   claim_rest(worst, outcome);
-  outcome.claims.push_back(at_most("faults", "runs that a fault ended, constraint", faults, 0.0));
+  outcome.claims.push_back(
+      at_most("faults", "runs that a fault ended, constraint", worst.faults, 0.0));
   outcome.claims.push_back(at_most("counted",
                                    "frames that come out otherwise when they are computed again "
                                    "to count those held back",
-                                   unlike, 0.0));
+                                   worst.unlike, 0.0));
   return outcome;
 }
 
