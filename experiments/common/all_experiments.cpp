@@ -59,6 +59,16 @@ const std::vector<Experiment>& all_experiments() {
       {"e14-degradation", "protocol E14", "queries that stop early: budgets kept, error left",
        run_e14_degradation},
       {"e16-scaling", "protocol E16", "growth with the number of triangles", run_e16_scaling},
+      {"never-enters", "protocol E12", "depth under pressing, constraints beside the penalty",
+       run_never_enters},
+      {"throws", "protocol E12", "objects thrown at a thin plate; what it costs in the air",
+       run_throws},
+      {"constraint-force", "protocol E2", "force under constraints against the ideal proxy",
+       run_constraint_force},
+      {"tiles", "protocol E5", "sliding over tiles, the first force, force steps", run_tiles},
+      {"friction", "protocol E5", "slopes, a pushed block, jaws that stick and slip", run_friction},
+      {"closed-loops", "protocol E4", "energy of slow closed loops, constraints beside the penalty",
+       run_closed_loops},
       {"gains", "Sec. 5.5", "what `thigma tune` proposes, in the closed loop", run_gains},
   };
   return list;

@@ -10,6 +10,7 @@
 
 #include "thigma/contact/query_contacts.h"
 #include "thigma/device/open_device.h"
+#include "thigma/dynamics/constrained_step.h"
 #include "thigma/math/rotation.h"
 
 namespace thigma::experiments {
@@ -42,6 +43,8 @@ struct Contacts {
   ContactScratch scratch{};
   ContactSample sample{}, next{};
   Wrench held{};
+  RowMemory rows{};           // of the constrained response
+  double wanted_speed = 0.0;  // as StampedBody has it [m/s]
 
   explicit Contacts(const CoupledSetup& s)
       : setup(s), is_empty(s.contact.scene.empty() && !s.contact.source) {
@@ -55,9 +58,22 @@ struct Contacts {
       if (!setup.is_linearized) held = contact_wrench(sample.model, setup.body, sample.model.state);
     }
     if (k % every == 0) {
-      contact_step(setup.contact, {state, static_cast<double>(k) * setup.period, k}, scratch, next);
+      contact_step(setup.contact, {state, static_cast<double>(k) * setup.period, k, wanted_speed},
+                   scratch, next);
       if (every == 1 && k == 0) sample = next;
     }
+  }
+  bool is_constrained() const { return setup.contact.constraints != nullptr; }
+  /// A step of the constrained response; returns the wrench of the rows.
+  Wrench advance(const Motion& handle, BodyState& state) {
+    const BodyAtState at = at_state(setup.body, state);
+    StepForces forces;
+    forces.wrench = coupling_wrench(setup.coupling, handle, at, &forces.jacobian);
+    const ConstrainedStep step = constrained_step(
+        at, forces, {sample.model.constraints, setup.constraint, setup.period}, rows);
+    state = step.state;
+    wanted_speed = step.wanted_speed;
+    return step.contact;
   }
   const LinearContactModel* model() const {
     return !is_empty && setup.is_linearized && sample.model.sequence > 0 ? &sample.model : nullptr;
@@ -96,12 +112,17 @@ std::vector<CoupledFrame> run_coupled(const CoupledSetup& setup, std::span<const
   for (std::size_t k = 0; k < handle.size(); ++k) {
     contacts.frame(k, state);
     const Forces forces{setup, handle[k], contacts.model(), contacts.held};
-    state = step_body(setup.integrator, setup.body, state, forces, setup.period);
+    Wrench of_rows;
+    if (contacts.is_constrained())
+      of_rows = contacts.advance(handle[k], state);
+    else
+      state = step_body(setup.integrator, setup.body, state, forces, setup.period);
     if (!is_here(state, handle[k].pose)) break;
     CoupledFrame frame;
     frame.body = state;
     frame.coupling = coupling_wrench(setup.coupling, handle[k], setup.body, state);
-    frame.contact = contacts.model() != nullptr
+    frame.contact = contacts.is_constrained() ? of_rows
+                    : contacts.model() != nullptr
                         ? contact_wrench(*contacts.model(), setup.body, state)
                         : contacts.held;
     const CouplingStretch stretch = coupling_stretch(setup.coupling, handle[k].pose, state);

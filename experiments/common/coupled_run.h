@@ -7,6 +7,7 @@
 
 #include "experiments/common/session_pair.h"
 
+#include "thigma/dynamics/constraint_model.h"
 #include "thigma/dynamics/explicit_step.h"
 #include "thigma/loop/contact_step.h"
 
@@ -22,6 +23,9 @@ struct CoupledSetup {
   ContactWorld contact;  // neither scene nor source: free space
   // haptic frames from one contact frame to the next, a new model being used a frame later
   int contact_every = 1;
+  // of the constrained response, which is played where `contact` has constraints, whatever
+  // integrator is named; its steps are implicit
+  ConstraintParams constraint{};
   // false: contact forces are held from one model to the next, without a Jacobian
   bool is_linearized = true;
 };

@@ -11,6 +11,7 @@
 #include "thigma/device/hand.h"
 #include "thigma/loop/passivity.h"
 #include "thigma/scene/gain_task.h"
+#include "thigma/scene/scene_file.h"
 #include "thigma/session/session_config.h"
 
 namespace thigma::experiments {
@@ -71,14 +72,34 @@ Ran run(const SessionPair& session, double delay, bool is_controlled) {
   return ran;
 }
 
-void add(const std::string& scene, double delay, bool is_controlled, const Ran& ran,
-         plot::Panel& panel, Outcome& outcome) {
+/// The same session with constraints instead of springs.
+SessionPair constrained(SessionPair session) {
+  use_constraints(session.config);
+  return session;
+}
+
+/// Discs that touch everywhere at once keep the penalty.
+bool is_constrained_by_default(const std::string& scene) {
+  return !parse_scene(builtin_scene(scene), scene, "").contact.response;
+}
+
+/// How a run was played.
+struct Played {
+  std::string scene;
+  double delay = 0.0;  // [s]
+  bool is_controlled = false, is_constrained = false;
+};
+
+void add(const Played& played, const Ran& ran, plot::Panel& panel, Outcome& outcome) {
+  const auto& [scene, delay, is_controlled, is_constrained] = played;
   add_row(outcome.tables[0],
-          {scene, delay, is_controlled ? 1.0 : 0.0, ran.summary.energy_min, ran.sensed_min,
-           ran.energy_end, ran.summary.passivity.acted_share, ran.summary.passivity.sent_share,
+          {scene, is_constrained ? "constraint" : "penalty", delay, is_controlled ? 1.0 : 0.0,
+           ran.summary.energy_min, ran.sensed_min, ran.energy_end,
+           ran.summary.passivity.acted_share, ran.summary.passivity.sent_share,
            ran.summary.passivity.damping_max, ran.summary.force_max, ran.summary.force_rms,
            ran.summary.penetration_max, ran.summary.end == SessionEnd::fault ? 1.0 : 0.0});
-  panel.series.push_back({.label = delay == 0.0    ? "no delay"
+  panel.series.push_back({.label = is_constrained  ? "constraints, no delay"
+                                   : delay == 0.0  ? "no delay"
                                    : is_controlled ? "15 ms, controlled"
                                                    : "15 ms",
                           .x = ran.time,
@@ -92,7 +113,7 @@ Outcome run_e4_passivity(const Context& context) {
   using namespace e4_passivity;
   Outcome outcome;
   outcome.tables = {
-      {.columns = {"scene", "delay [s]", "controlled", "least energy [J]",
+      {.columns = {"scene", "response", "delay [s]", "controlled", "least energy [J]",
                    "least energy as sensed [J]", "energy at the end [J]", "share of frames changed",
                    "share of the wrench sent", "largest damping [N s/m]", "largest force [N]",
                    "rms force [N]", "penetration [m]", "fault"}}};
@@ -101,7 +122,8 @@ Outcome run_e4_passivity(const Context& context) {
   double least = 0.0, least_own = 0.0, least_controlled = 0.0,
          least_gain = std::numeric_limits<double>::infinity();
   double cost = 0.0, damping = 0.0;
-  int scenes_late = 0;
+  double least_constrained = 0.0;
+  int scenes_late = 0, faults = 0;
   for (const char* scene : kScenes) {
     tell(context, scene);
     SessionPair session = session_pair(*context.assets, scene, context.quick ? 3.0 : 10.0,
@@ -112,10 +134,16 @@ Outcome run_e4_passivity(const Context& context) {
     const Ran prompt = run(session, 0.0, false);
     const Ran late = run(session, kDelay, false);
     const Ran controlled = run(session, kDelay, true);
-    add(std::string(scene) + " (its own gains)", 0.0, false, own, panel, outcome);
-    add(scene, 0.0, false, prompt, panel, outcome);
-    add(scene, kDelay, false, late, panel, outcome);
-    add(scene, kDelay, true, controlled, panel, outcome);
+    add({std::string(scene) + " (its own gains)"}, own, panel, outcome);
+    add({scene}, prompt, panel, outcome);
+    add({scene, kDelay}, late, panel, outcome);
+    add({scene, kDelay, true}, controlled, panel, outcome);
+    if (is_constrained_by_default(scene)) {
+      const Ran kept_out = run(constrained(session), 0.0, false);
+      add({scene, 0.0, false, true}, kept_out, panel, outcome);
+      least_constrained = std::min(least_constrained, kept_out.summary.energy_min);
+      faults += kept_out.summary.end == SessionEnd::fault;
+    }
     outcome.figure.panels.push_back(panel);
     least = std::min(least, prompt.summary.energy_min);
     least_own = std::min(least_own, own.summary.energy_min);
@@ -144,6 +172,12 @@ Outcome run_e4_passivity(const Context& context) {
           "late",
           "scenes that give away more than 20 times 1e-6 J without the controller: those judged",
           scenes_late, 1.0),
+      at_least("constraint",
+               "least energy over the scenes that have constraints by default, with them, no added "
+               "delay; recommended gains of "
+               "the coupling",
+               least_constrained, -1e-6, "J"),
+      at_most("constraint-faults", "of these, sessions that a fault ended", faults, 0.0),
       stated("cost",
              "most that the controller leaves out of the wanted wrench, mean over a session", cost),
       stated("damping", "largest damping it adds to the handle", damping, "N s/m")};

@@ -10,6 +10,7 @@
 #include "experiments/common/all_experiments.h"
 #include "experiments/common/coupled_run.h"
 #include "experiments/common/statistics.h"
+#include "experiments/fig-5-10/ways.h"
 
 #include "thigma/math/quantile.h"
 
@@ -18,31 +19,10 @@ namespace fig_5_10 {
 namespace {
 
 constexpr double kTolerance = 2e-5;  // of the response [m]
-constexpr double kStiffness = 5000.0, kCoupling = 500.0, kMass = 0.010;
-constexpr double kSettled = 0.15;  // after the first touch [s]
+constexpr double kCoupling = 500.0, kMass = 0.010;
 // On the deviation of coarse surfaces, of the radius: what still lets contacts above the finest
 // level in.
 constexpr double kFineCap = 0.002, kQuickFineCap = 0.01;
-constexpr double kCalm = 0.1;  // ripple of the coupling force that is no instability [N]
-
-/// A way to play the motion.
-struct Way {
-  const char* series;  // of rows in data.csv
-  double threshold;
-  int every;  // contact frames a haptic frame
-  bool is_linearized;
-  int clusters = 5;
-  double cap = 0.02;              // on the deviation of coarse surfaces, of the radius
-  double stiffness = kStiffness;  // [N/m]
-};
-
-struct Ran {
-  std::vector<CoupledFrame> frames;
-  std::vector<double> coupling;
-  double ripple = 0.0, peak = 0.0;
-  double level = 0.0;                   // mean of the frames
-  double deepest = 0.0, settled = 0.0;  // between exact meshes: largest, median [m]
-};
 
 /// One point on a plane, pressed by a handle 2 mm below: std of the coupling force over the second
 /// half of a second.
@@ -94,49 +74,6 @@ std::string percent(double share) {
   return text;
 }
 
-Ran play(const CoupledSetup& base, const LedMotion& motion, const Way& way) {
-  CoupledSetup setup = base;
-  setup.contact.resolution.metric.haptic = way.threshold;
-  setup.contact.resolution.is_exact = way.threshold == 0.0;
-  setup.contact.resolution.deviation_cap = way.cap;
-  setup.contact.max_clusters = way.clusters;
-  setup.contact.response.stiffness = way.stiffness;
-  setup.contact.response.damping *= std::sqrt(way.stiffness / kStiffness);
-  setup.contact_every = way.every;
-  setup.is_linearized = way.is_linearized;
-  Ran ran;
-  ran.frames = run_coupled(setup, motion.handle);
-  ran.coupling = coupling_force(ran.frames);
-  const auto from = static_cast<std::size_t>((motion.first_touch + kSettled) / setup.period);
-  const bool is_whole = ran.frames.size() == motion.handle.size();
-  ran.ripple = is_whole ? ripple(ran.coupling, from, ran.coupling.size(), setup.period)
-                        : std::numeric_limits<double>::infinity();
-  for (const double f : ran.coupling) ran.peak = std::max(ran.peak, f);
-  for (const CoupledFrame& f : ran.frames)
-    ran.level += f.level / static_cast<double>(ran.frames.size());
-  return ran;
-}
-
-void add(const Way& way, const Ran& ran, Outcome& outcome) {
-  add_row(outcome.tables[0],
-          {way.series, way.threshold, 1000.0 / way.every, way.is_linearized ? 1.0 : 0.0,
-           static_cast<double>(way.clusters), way.cap, way.stiffness, ran.ripple, ran.peak,
-           ran.level, ran.deepest, ran.settled, static_cast<double>(ran.frames.size())});
-  char label[64];
-  std::snprintf(label, sizeof label, "%.1f %%, %.0f Hz%s", 100.0 * way.threshold,
-                1000.0 / way.every, way.is_linearized ? "" : ", held");
-  plot::Series force{.label = label}, stretch;
-  for (std::size_t i = 0; i < ran.frames.size(); i += 2) {
-    force.x.push_back(1e-3 * static_cast<double>(i));
-    force.y.push_back(std::min(ran.coupling[i], 20.0));
-    stretch.x.push_back(force.x.back());
-    stretch.y.push_back(std::min(1e3 * ran.frames[i].stretch, 20.0));
-  }
-  plot::Figure& figure = outcome.figure;
-  figure.panels[way.is_linearized ? 0 : 1].series.push_back(force);
-  if (way.is_linearized) figure.panels[2].series.push_back(stretch);
-}
-
 }  // namespace
 }  // namespace fig_5_10
 
@@ -153,9 +90,13 @@ Outcome run_fig_5_10(const Context& context) {
       .panels = {
           {.title = "linearized", .x = {.label = "time [s]"}, .y = {.label = "coupling force [N]"}},
           {.title = "held", .x = {.label = "time [s]"}, .y = {.label = "coupling force [N]"}},
-          {.title = "linearized", .x = {.label = "time [s]"}, .y = {.label = "deviation [mm]"}}}};
+          {.title = "linearized", .x = {.label = "time [s]"}, .y = {.label = "deviation [mm]"}},
+          {.title = "constraints",
+           .x = {.label = "time [s]"},
+           .y = {.label = "coupling force [N]"}}}};
   run_control(outcome);
-  SessionPair session = session_pair(*context.assets, "jaws", 3.0, context.quick ? 4000 : 0);
+  SessionPair session =
+      session_pair(*context.assets, "jaws", 3.0, context.quick ? kQuickTriangles : 0);
   SessionConfig& config = session.config;
   config.contact.tolerance = kTolerance;
   config.contact.response.stiffness = kStiffness;
@@ -253,6 +194,7 @@ Outcome run_fig_5_10(const Context& context) {
       stated("depth-exact", "the same with contacts at full resolution", 1e3 * deepest_exact, "mm"),
       at_least("peak", "largest coupling force of that run", first_peak, 1.0, "N")};
   for (Claim& claim : claims) outcome.claims.push_back(std::move(claim));
+  run_constrained(context, session, motion, outcome);
   return outcome;
 }
 

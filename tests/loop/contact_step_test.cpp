@@ -70,7 +70,7 @@ TEST(ContactStep, TellsOfTheRowsOfItsModelAndOfWhatHadNoRoom) {
   config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
   config.contact.object = &cube;
   config.contact.scene = {{&sheet, Pose{}}};
-  use_constraints(0.0, config);
+  use_constraints(config);
   ContactScratch scratch;
   reserve_contact_scratch(config.contact, scratch);
   ContactSample sample;

@@ -53,7 +53,8 @@ struct Bench {
     world.textures.object = make_textured_body(object_texture, object);
     world.textures.scene = {make_textured_body(plate_texture, plate)};
     amplitude = object_texture.amplitude + plate_texture.amplitude;
-    use_constraints(friction, config);
+    config.contact.friction.assign(config.contact.scene.size(), {friction, friction});
+    use_constraints(config);
     reserve_contact_scratch(world, scratch);
   }
   Bench(const Bench&) = delete;

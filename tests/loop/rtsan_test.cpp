@@ -56,7 +56,8 @@ TEST(Rtsan, NorDoTenThousandUnderConstraintsWithFriction) {
   config.contact.source = nullptr;
   config.contact.object = &cube;
   config.contact.scene = {{&sheet, Pose{}}};
-  use_constraints(0.3, config);
+  config.contact.friction.assign(config.contact.scene.size(), {0.3, 0.3});
+  use_constraints(config);
   config.duration = 10.0;
   HandDevice device(test::plane_hand(HandPath::demo));
   const SessionSummary s = run_lockstep(config, device);

@@ -105,7 +105,7 @@ struct PressedCube {
     c.linear_stiffness = stiffness;
     c.linear_damping = 2.0 * std::sqrt(stiffness * 0.01);
     c.linear_saturation.reset();
-    use_constraints(0.0, config);
+    use_constraints(config);
     const StartPlacement start = place_at_start({}, config);
     HandDevice hand(parse_hand(std::string(kHand).substr(6),
                                device_context(config, start, loaded.ball.radius)));

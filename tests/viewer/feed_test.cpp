@@ -143,7 +143,8 @@ struct RestingCube {
     config.contact.source = nullptr;
     config.contact.object = &cube;
     config.contact.scene = {{&sheet, Pose{}}};
-    use_constraints(0.2, config);
+    config.contact.friction.assign(config.contact.scene.size(), {0.2, 0.2});
+    use_constraints(config);
   }
 };
 

@@ -56,8 +56,8 @@ class PeakSearch {
 
   /// Peaks of a contact, deepest first: both fine surfaces as height maps over the part of the
   /// domain where they may be as near as `least`; maxima among neighbouring samples, or what a
-  /// turn may make one, the outermost of each block of them; from each the climb of the directional depth. Shapes are fitted to
-  /// eight climbs about the peak with the object moved along the plane.
+  /// turn may make one, the outermost of each block of them; from each the climb of the directional
+  /// depth. Shapes are fitted to eight climbs about the peak with the object moved along the plane.
   ///
   /// contact   normal of unit length to 1e-9; textures alive and unchanged
   /// peaks     overwritten

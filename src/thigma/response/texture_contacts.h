@@ -88,7 +88,7 @@ struct TexturedContacts {
 };
 
 /// Depth contacts of the clusters that touch relief, one a body, about a centre [m; world]: into
-/// scratch.contacts, with cluster, body and deepest of each. The other clusters go to scratch.plain.
+/// scratch.contacts, with cluster, body and deepest of each. Other clusters go to scratch.plain.
 /// Thread  [contact]; no failure.
 void find_depth_contacts(const TexturedContacts& touching, const Vec3& centre,
                          TextureScratch& scratch) noexcept;

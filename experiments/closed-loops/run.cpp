@@ -1,0 +1,92 @@
+// Energy that slow closed loops hand out, with constraints and beside them with the penalty.
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "experiments/closed-loops/loops.h"
+#include "experiments/common/all_experiments.h"
+
+namespace thigma::experiments {
+namespace closed_loops_study {
+namespace {
+
+constexpr double kMicro = 1e-6;
+
+/// Most that a cycle hands out; 0: none does; infinite where not all of them were made [J].
+double handed_out(const LoopRun& run, int cycles) {
+  double most = static_cast<int>(run.put_in.size()) == cycles - 1
+                    ? 0.0
+                    : std::numeric_limits<double>::infinity();
+  for (const double e : run.put_in) most = std::max(most, -e);
+  return most;
+}
+
+void add(const Loop& loop, const LedGains& gains, bool is_reversed, const LoopRun& run,
+         Outcome& outcome) {
+  for (std::size_t i = 0; i < run.put_in.size(); ++i) {
+    add_row(outcome.tables[0], {loop.name, gains.is_constrained ? "constraint" : "penalty",
+                                1000.0 / gains.every, is_reversed ? "backwards" : "forwards",
+                                static_cast<double>(i + 2), run.put_in[i] / kMicro, run.force,
+                                run.energy_min / kMicro, static_cast<double>(run.held_back)});
+  }
+}
+
+}  // namespace
+}  // namespace closed_loops_study
+
+Outcome run_closed_loops(const Context& context) {
+  using namespace closed_loops_study;
+  Outcome outcome;
+  outcome.tables = {{.columns = {"loop", "response", "contact rate [Hz]", "direction", "cycle",
+                                 "energy put in [uJ]", "largest force [N]", "least energy [uJ]",
+                                 "frames held back"}}};
+  outcome.figure = {.title = "Energy that a slow closed loop hands out",
+                    .note = "the worst cycle, either direction; below 0.001 uJ drawn there",
+                    .panels = {{.x = {.label = "loop"},
+                                .y = {.label = "handed out a cycle [uJ]", .is_log = true}}},
+                    .panel_height = 380};
+  plot::Panel& panel = outcome.figure.panels[0];
+  plot::Series constraint{.label = "constraint", .mark = plot::Mark::points};
+  plot::Series penalty{.label = "penalty", .mark = plot::Mark::points};
+  double penalty_most = 0.0;
+  const int cycles = context.quick ? 3 : 5;
+  for (const Loop& loop : closed_loops(context.quick ? 4000 : 40'000)) {
+    tell(context, loop.name);
+    double most[2] = {0.0, 0.0};
+    for (const bool is_constrained : {true, false}) {
+      for (const int every : {1, 10}) {
+        if (context.quick && !is_constrained && every != 1) continue;
+        LedGains gains;
+        gains.is_constrained = is_constrained;
+        gains.every = every;
+        gains.contact_stiffness = loop.contact_stiffness;
+        for (const bool is_reversed : {false, true}) {
+          const LoopRun run = run_loop(loop, gains, is_reversed, cycles);
+          add(loop, gains, is_reversed, run, outcome);
+          most[is_constrained] = std::max(handed_out(run, cycles) / kMicro, most[is_constrained]);
+        }
+      }
+    }
+    std::string id = loop.name;
+    std::replace(id.begin(), id.end(), ' ', '-');
+    outcome.claims.push_back(at_most(id, loop.name + ": most that a cycle hands out, constraint",
+                                     most[true], 1.0, "uJ"));
+    outcome.claims.push_back(
+        stated("penalty-" + id, "the same with the penalty", most[false], "uJ"));
+    penalty_most = std::max(penalty_most, most[false]);
+    constraint.x.push_back(static_cast<double>(constraint.x.size()));
+    constraint.y.push_back(std::max(most[true], 1e-3));
+    penalty.x.push_back(constraint.x.back());
+    penalty.y.push_back(std::max(most[false], 1e-3));
+    panel.x.categories.push_back(loop.name);
+  }
+  panel.series = {constraint, penalty};
+  panel.guides = {{"1 uJ", 1.0}};
+  outcome.claims.push_back(at_least("penalty",
+                                    "most that any of the loops hands out with the penalty",
+                                    penalty_most, 10.0, "uJ"));
+  return outcome;
+}
+
+}  // namespace thigma::experiments

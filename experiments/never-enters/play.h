@@ -1,0 +1,36 @@
+#pragma once
+// One run of a pressed pair, looked at from outside.
+
+#include "experiments/common/outside_depth.h"
+#include "experiments/never-enters/scenes.h"
+
+namespace thigma::experiments::never_enters {
+
+/// How one scene is played.
+struct Play {
+  bool is_constrained;
+  int every;
+  int look;  // frames from one look of the outside to the next
+};
+
+struct Ran {
+  LedRun run;
+  double ever = 0.0, at_rest = 0.0;  // [m]
+  double force = 0.0;                // at the end [N]
+  double buzz = 0.0;                 // of the force above 50 Hz at rest, rms [N]
+  double drift = 0.0;                // of the object at rest [m/s]
+};
+
+/// A pair with its surfaces as the outside sees them.
+struct Seen {
+  LedPair pair;
+  DepthSurface object, scene;
+};
+
+Ran play(const Seen& seen, const PressedScene& scene, const Play& how);
+
+/// Force above 50 Hz of a cube at rest with contacts at 30 Hz, over the age up to which a model
+/// counts fully, rms [N].
+double buzz_of_age(double full_age);
+
+}  // namespace thigma::experiments::never_enters

@@ -1,0 +1,23 @@
+#pragma once
+// What bounding the motion between contact models costs a hand that moves fast where nothing is.
+
+#include "experiments/common/table.h"
+
+namespace thigma::experiments {
+
+/// A hand that comes down from 60 mm at a speed, touches, goes back, twice.
+struct AirRun {
+  int air_frames = 0, air_held = 0;    // farther than 5 mm from touching
+  int near_frames = 0, near_held = 0;  // within 5 mm, nothing pressing yet
+  double lag = 0.0;      // in the air, behind the same hand without a scene, over its speed [s]
+  double phantom = 0.0;  // largest difference of the force from that hand's, in the air [N]
+};
+
+/// pair    0: cube over a plate, 1: ball over a ball, 2: jaws of 4,000 triangles
+/// every   haptic frames from one contact frame to the next
+/// ahead   how far a query looks at most, over what the engine allows
+AirRun run_in_the_air(int pair, double speed, int every, double ahead = 1.0);
+
+inline constexpr const char* kAirPairs[] = {"cube over plate", "ball over ball", "jaws"};
+
+}  // namespace thigma::experiments
