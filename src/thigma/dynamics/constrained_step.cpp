@@ -73,6 +73,12 @@ bool is_beyond(const ConstraintModel& model, const BodyState& state) THIGMA_RT {
   return travel_between(model.state, state, model.reach) > model.travel;
 }
 
+/// Bound on the speed of any point of the body [m/s].
+double speed_bound(const BodyAtState& at, double reach) THIGMA_RT {
+  const Vec3 turn = at.kinematics.inverse_inertia * at.state.angular_momentum;
+  return at.state.linear_momentum.norm() / at.body.mass + reach * turn.norm();
+}
+
 void recall(const ConstraintModel& model, const RowMemory& memory,
             RowImpulses& impulses) THIGMA_RT {
   // Where all that presses slides, so does what comes in its way: a surface cut into many triangles
@@ -228,6 +234,7 @@ ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces
   list_pressing(model, rows, impulses, dt, result.pressing);
   result.contact = {result.solution.impulse.head<3>() / dt, result.solution.impulse.tail<3>() / dt};
   result.wanted_speed = travel_between(at.state, result.state, model.reach) / dt;
+  result.wanted_gain = std::max(result.wanted_speed - speed_bound(at, model.reach), 0.0) / dt;
 
   result.is_held_back = is_beyond(model, result.state);
   const double least = std::min(result.least_gap, 0.0);

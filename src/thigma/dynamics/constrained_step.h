@@ -27,6 +27,7 @@ struct ConstrainedStep {
   // how far a step goes that nothing holds back, over its length: what a query has to look ahead
   // for [m/s]
   double wanted_speed = 0.0;
+  double wanted_gain = 0.0;  // and by how much faster that is than before, >= 0 [m/s^2]
 };
 
 /// What bounds a step.

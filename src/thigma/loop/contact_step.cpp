@@ -120,16 +120,21 @@ void set_friction(const ContactWorld& world, Terms& terms) noexcept {
 }
 
 /// How far rows have to look ahead: what the object would go until the model after the next, in
-/// steps of two, as far as the query stays cheap. Pairs grow with the square of it. Where surfaces
-/// lie on each other that may be less than the usual least: then the object goes in small steps.
+/// steps of two, as far as the query stays cheap. Pairs grow with the square of it; where none were
+/// found nothing is known of how, so that it grows step by step, or as far as was free. Where
+/// surfaces lie on each other that may be less than the usual least: then the object goes in small
+/// steps.
 double look_ahead(const ConstraintWorld& world, double wanted,
                   const ContactScratch& last) noexcept {
   constexpr double kPairs = 1500.0;
   constexpr int kHalvings = 5;
   const double pairs = static_cast<double>(last.contacts.contacts.size());
+  constexpr double kStep = 4.0;
+  const double known =
+      std::max({kStep * last.looked_ahead, last.separation, world.least_look_ahead});
   const auto is_cheap = [&](double ahead) {
     const double growth = ahead / std::max(last.looked_ahead, world.slop);
-    return pairs * growth * growth <= kPairs;
+    return pairs * growth * growth <= kPairs && ahead <= known;
   };
   double ahead = world.least_look_ahead;
   for (int i = 0; i < kHalvings && !is_cheap(ahead); ++i) ahead *= 0.5;
@@ -149,8 +154,9 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   // Until the model after the next. Coarse patches under relief are few and the way over it is
   // uneven: twice as far.
   const double models = world.textures.is_empty() ? 2.0 : 4.0;
-  scratch.looked_ahead =
-      look_ahead(*world.constraints, models * body.wanted_speed * step_time, scratch);
+  const double ahead_time = models * step_time;
+  const double wanted = (body.wanted_speed + 0.5 * body.wanted_gain * ahead_time) * ahead_time;
+  scratch.looked_ahead = look_ahead(*world.constraints, wanted, scratch);
   // Fine surfaces may meet where coarse ones are still apart by their relief.
   const double relief = relief_of(world.textures);
   query.tolerance = scratch.looked_ahead + relief;

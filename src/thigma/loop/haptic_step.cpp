@@ -188,6 +188,7 @@ ActiveTerms advance_constrained(const HapticParams& params, const LinearContactM
   const ConstrainedStep step = constrained_step(
       at, forces, {model.constraints, params.constraint, sample.elapsed}, state.rows);
   state.wanted_speed = sample.wanted_speed = step.wanted_speed;
+  state.wanted_gain = step.wanted_gain;
   sample.solve_residual = step.solution.residual;
   sample.is_held_back = step.is_held_back;
   sample.is_squeezed = step.is_squeezed;
@@ -200,7 +201,7 @@ ActiveTerms advance_constrained(const HapticParams& params, const LinearContactM
   latch_fault(state.safety, Fault::not_finite, sample.time);
   state.body = before;
   state.rows = {};
-  state.wanted_speed = 0.0;
+  state.wanted_speed = state.wanted_gain = 0.0;
   let_go(state);
   return active;
 }
@@ -236,7 +237,7 @@ ActiveTerms move_body(const HapticParams& params, const LinearContactModel& mode
                       HapticSample& sample, HapticState& state) THIGMA_RT {
   if (params.response == ResponseKind::constrained) {
     if (state.is_grasped) return advance_constrained(params, model, sample, state);
-    state.wanted_speed = 0.0;
+    state.wanted_speed = state.wanted_gain = 0.0;
     return {};
   }
   if (state.is_grasped) {
@@ -361,7 +362,8 @@ HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports,
   sample.fault = state.safety.fault;
   // 7. What the others see.
   if (ports.bodies != nullptr)
-    ports.bodies->publish({state.body, tick.now, sample.frame, state.wanted_speed});
+    ports.bodies->publish(
+        {state.body, tick.now, sample.frame, state.wanted_speed, state.wanted_gain});
   if (ports.telemetry != nullptr) ports.telemetry->push(sample);
   return sample;
 }

@@ -34,6 +34,7 @@ struct HapticState {
   RowMemory rows;             // of the constrained response
   BristleMemory bristles;     // friction of the others
   double wanted_speed = 0.0;  // of the last step, were nothing to hold it back [m/s]
+  double wanted_gain = 0.0;   // and how fast that grows [m/s^2]
   float step_cpu = 0.0f,
         wake_late = 0.0f;  // of the frame before, filled in by the shell for telemetry [s]
 };
@@ -46,6 +47,7 @@ struct StampedBody {
   // of any point of the object, were the travel of the last model not to end; 0 but with the
   // constrained response [m/s]
   double wanted_speed = 0.0;
+  double wanted_gain = 0.0;  // how fast that grows [m/s^2]
 };
 
 /// The shared things a step touches; all lives longer than the session's threads.
