@@ -89,7 +89,9 @@ Tuned tune_scene(const TuneOptions& options, const Common& common) {
   if (!options.device.empty()) scene.device.uri = options.device;
   scene.rate = options.rate.value_or(scene.rate);
   if (options.motion_scale) scene.device.motion_scale = options.motion_scale;
-  scene.contact.response = response_of(options.response).value_or(scene.contact.response);
+  const auto asked = response_of(options.response);
+  if (asked || !scene.contact.response)
+    scene.contact.response = asked.value_or(default_response(scene, true));
   const DevicePort port = describe_device(scene.device.uri);
   tuned.chosen = make_session_config(scene, load_measures(scene.object, common));
   const HapticParams& haptic = tuned.chosen->haptic;
@@ -110,7 +112,7 @@ Tuned tune_body(const TuneOptions& options) {
   tuned.task =
       gain_task(port, make_body(*options.mass, inertia), workspace, options.rate.value_or(1000.0));
   const ResponseKind response =
-      response_of(options.response).value_or(SceneDescription{}.contact.response);
+      response_of(options.response).value_or(default_response(SceneDescription{}, false));
   tuned.task.is_constrained = response == ResponseKind::constrained;
   return tuned;
 }

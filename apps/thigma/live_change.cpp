@@ -135,8 +135,15 @@ LiveChange change_to_recording(const std::string& path, const LiveNow& now) {
       now.hooks.log(line);
   }
   const std::string& scene = change.playback->config().scene;
-  const bool is_other = scene != now.run.scene.description.file && now.options.replay != path;
-  if (is_other) prepare(read_scene(scene), scene_options(now.options), now, change);
+  const ResponseKind response = change.playback->config().params.response;
+  const bool is_there = now.options.replay == path;  // what it takes was made ready for it
+  const bool is_other_scene = scene != now.run.scene.description.file;
+  const bool is_other_response =
+      response != ResponseKind::direct && response != now.run.session.config.haptic.response;
+  if (is_there || !(is_other_scene || is_other_response)) return change;
+  RunOptions options = scene_options(now.options);
+  use_recorded_response(response, options);
+  prepare(is_other_scene ? read_scene(scene) : now.run.given, std::move(options), now, change);
   return change;
 }
 

@@ -103,7 +103,8 @@ void use_recorded_scene(RunOptions& options) {
   if (!options.scene.empty() || !options.object.empty()) return;
   const RecordingInfo recording =
       stream_recording(options.replay, {[](const std::string&) { return false; }, {}, {}});
-  const std::string scene = read_config(recording.config, options.replay).scene;
+  const RecordedConfig config = read_config(recording.config, options.replay);
+  const std::string& scene = config.scene;
   try {
     read_scene(scene);
   } catch (const InputError&) {
@@ -111,6 +112,16 @@ void use_recorded_scene(RunOptions& options) {
                      "' is not here, expected --object and --against, or a scene, beside --replay");
   }
   options.scene = scene;
+  use_recorded_response(config.params.response, options);
+}
+
+void use_recorded_response(ResponseKind recorded, RunOptions& options) {
+  if (!options.response.empty() || recorded == ResponseKind::direct) return;
+  for (const ResponseName& known : kResponseNames) {
+    if (known.kind != recorded) continue;
+    options.response = known.name;
+    return;
+  }
 }
 
 }  // namespace thigma::app

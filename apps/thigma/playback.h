@@ -64,6 +64,11 @@ class Playback {
 /// Names the scene of options.replay where the options name none.
 /// Thread [offline]; InputError for what is no recording, or one of two meshes given on the command
 /// line.
+/// and its response, see use_recorded_response.
 void use_recorded_scene(RunOptions& options);
+
+/// Whether contacts are constraints decides what surfaces are loaded: a recording is shown with the
+/// response it was made with, where the options name none. The direct one belongs to its device.
+void use_recorded_response(ResponseKind recorded, RunOptions& options);
 
 }  // namespace thigma::app

@@ -28,7 +28,7 @@ const SMALL = [join(here, "small.toml"), "--exact"];
 function recorded() {
   const folder = mkdtempSync(join(tmpdir(), "thigma-recorded-"));
   const file = join(folder, "session.mcap");
-  execFileSync(program, ["run", SHOTS ? "jaws" : join(here, "../../../../scenes/ellipsoid.toml"), "--headless", "--lockstep", "--duration", SHOTS ? "6" : "3",
+  execFileSync(program, ["run", SHOTS ? "jaws" : join(here, "../../../../scenes/ellipsoid.toml"), "--response", "penalty", "--headless", "--lockstep", "--duration", SHOTS ? "6" : "3",
     "--record", file, "--quiet"], { stdio: "ignore" });
   return { args: ["--replay", file], done: () => rmSync(folder, { recursive: true, force: true }) };
 }
