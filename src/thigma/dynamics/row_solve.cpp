@@ -10,10 +10,10 @@
 namespace thigma {
 namespace {
 
-constexpr int kMaxRounds = 100;        // rows taken in; a few are usual
-constexpr int kMaxSweeps = 60;         // over the cones, and of few cones as many as cost no more
-constexpr int kMaxProjections = 1000;  // than so many of one
-constexpr double kAccuracy = 1e-10;    // of the free speed
+constexpr int kMaxRounds = 100;       // rows taken in; a few are usual
+constexpr int kMaxSweeps = 60;        // over the cones, and of few cones as many as cost no more
+constexpr int kMaxProjections = 500;  // than so many of one
+constexpr double kAccuracy = 1e-10;   // of the free speed
 // A row whose direction lies this near to the span of those that press adds nothing to them.
 constexpr double kDependent = 1e-11;
 
