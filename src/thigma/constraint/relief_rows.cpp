@@ -113,7 +113,7 @@ void bound_travel(const ReliefContact& c, ReliefScratch& scratch) noexcept {
   // What is left out grows with the cube of the way.
   const double growth = std::cbrt(error / std::max(excess, 0.1 * error));
   scratch.next_travel =
-      std::min(scratch.next_travel, std::clamp(0.95 * growth, 0.5, 2.0) * c.found.travel);
+      std::min(scratch.next_travel, std::clamp(0.85 * growth, 0.5, 2.0) * c.found.travel);
   // What did not fit lies below the last.
   if (c.found.left_out > 0)
     scratch.travel = std::min(scratch.travel, std::max(-scratch.peaks.back().depth, 0.0) / kMargin);
@@ -194,8 +194,10 @@ void find_relief_rows(const ReliefContacts& touching, const Pose& world_from_obj
   for (ReliefScratch::Known& known : scratch.known) known.is_taken = false;
   for (std::size_t i = 0; i < scratch.textures.contacts.size(); ++i) {
     const std::int32_t body = scratch.textures.body[i];
+    const TexturedBody &object = touching.world.object, &scene = touching.world.scene[idx(body)];
+    // Displacements may all be along the surface.
     const double amplitude =
-        touching.world.object.amplitude + touching.world.scene[idx(body)].amplitude;
+        std::max(object.amplitude + scene.amplitude, 0.1 * (object.relief + scene.relief));
     PeakRequest request;
     request.travel = wanted;
     request.turn = reach.turn * wanted / reach.travel;

@@ -13,14 +13,14 @@ namespace {
 
 using detail::PreparedContact;
 
-constexpr int kLook = 40;     // samples each way of a look at the whole domain
-constexpr int kLooks = 4;     // until the part that counts is found
-constexpr int kFinest = 128;  // samples each way of the last
-constexpr int kBlocks = 8;    // each way: every block of samples has a peak at most
+constexpr int kLook = 40;    // samples each way of a look at the whole domain
+constexpr int kLooks = 4;    // until the part that counts is found
+constexpr int kFinest = 96;  // samples each way of the last
+constexpr int kBlocks = 8;   // each way: every block of samples has a peak at most
 static_assert(kBlocks * kBlocks <= static_cast<int>(kMaxPeaks));
 constexpr int kRing = 8;  // ways that a shape is fitted to
 // Of a texel, the last steps of a climb: depths of short ways are told apart.
-constexpr double kLastStep = 0.03;
+constexpr double kLastStep = 0.06;
 
 /// Both sides as maps.
 struct Maps {
@@ -154,6 +154,7 @@ double above(const DepthPeaks& peaks, const Vec2& way, double depth) noexcept {
 
 /// Depths of a peak with the object moved.
 struct Around {
+  detail::NearTriangles near;  // at the peak
   Ring ring{};
   std::array<double, kRing / 2> half{};
 };
@@ -217,12 +218,14 @@ class GridPeaks final : public PeakSearch {
       peak.object_point << peak.at, height_at(prepared_.object, peak.at, near);
       stats.left_out += peaks.push_back(peak) ? 0 : 1;
     }
-    std::stable_sort(peaks.begin(), peaks.end(),
-                     [](const DepthPeak& a, const DepthPeak& b) { return a.depth > b.depth; });
+    std::sort(peaks.begin(), peaks.end(), [](const DepthPeak& a, const DepthPeak& b) {
+      if (a.depth != b.depth) return a.depth > b.depth;
+      return a.at.y() != b.at.y() ? a.at.y() < b.at.y() : a.at.x() < b.at.x();
+    });
   }
 
   /// Depth of a peak with the object moved along the plane.
-  double moved(const DepthPeak& peak, const Vec2& way) noexcept {
+  double moved(const Around& place, const DepthPeak& peak, const Vec2& way) noexcept {
     constexpr double kWander = 3.0;  // of the way: farther a peak is another
     const Vec2 around = Vec2::Constant(kWander * way.norm() + 2.0 * prepared_.texel);
     const PlaneBox object{prepared_.object.box.low + way, prepared_.object.box.high + way};
@@ -232,28 +235,51 @@ class GridPeaks final : public PeakSearch {
     double depth = kNoDepth;
     if (!prepared_.box.is_empty()) {
       prepared_.shift = way;
-      for (const Vec2& start : {peak.at, Vec2(peak.at + way)}) {
-        Vec2 at = start.cwiseMax(prepared_.box.low).cwiseMin(prepared_.box.high);
-        depth = std::max(depth, detail::climb(prepared_, Vec2::Constant(way.norm()), at));
-      }
+      // The place stays with the scene, or goes with the object: the climb is from the deeper.
+      detail::NearTriangles near = place.near;
+      Vec2 at = within(peak.at), with_object = within(peak.at + way);
+      const double stays = detail::depth_at(prepared_, at, near);
+      near = place.near;
+      if (detail::depth_at(prepared_, with_object, near) > stays) at = with_object;
+      prepared_.start = place.near;
+      depth = detail::climb(prepared_, Vec2::Constant(way.norm()), at);
     }
     prepared_.shift.setZero();
+    prepared_.start = {};
     prepared_.box = domain_;
     return depth;
   }
 
+  Vec2 within(const Vec2& at) const noexcept {
+    return at.cwiseMax(prepared_.box.low).cwiseMin(prepared_.box.high);
+  }
+
+  /// Slope of a peak that is too far to be met, from the surfaces at its place.
+  void slope_of_far(DepthPeak& peak) const noexcept {
+    const SurfaceJet object = surface_jet(prepared_.object, peak.at),
+                     scene = surface_jet(prepared_.scene, peak.at);
+    peak.slope = 0.5 * (scene.slope - object.slope);
+    peak.bend.setZero();
+  }
+
   /// Depths of a peak with the object moved, on a ring and half of every other way.
   void look_about(const DepthPeak& peak, double travel, Around& around) noexcept {
-    for (int i = 0; i < kRing; ++i) around.ring[idx(i)] = moved(peak, travel * on_ring(i));
+    for (int i = 0; i < kRing; ++i) around.ring[idx(i)] = moved(around, peak, travel * on_ring(i));
     for (int i = 0; i < kRing; i += 2)
-      around.half[idx(i / 2)] = moved(peak, 0.5 * travel * on_ring(i));
+      around.half[idx(i / 2)] = moved(around, peak, 0.5 * travel * on_ring(i));
   }
 
   /// Fits all shapes to one travel; returns by how much a depth that was found is above them all.
   double shape_all(const PeakRequest& request, double travel, DepthPeaks& peaks) noexcept {
     for (std::size_t k = 0; k < peaks.size(); ++k) {
-      look_about(peaks[k], travel, around_[k]);
       peaks[k].travel = travel;
+      if (peaks[k].depth < request.near) {
+        slope_of_far(peaks[k]);
+        continue;
+      }
+      around_[k].near = {};
+      detail::depth_at(prepared_, peaks[k].at, around_[k].near);
+      look_about(peaks[k], travel, around_[k]);
       fit(closed(around_[k].ring, peaks[k].depth), travel, peaks[k]);
     }
     double excess = 0.0;

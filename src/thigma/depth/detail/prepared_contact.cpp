@@ -100,6 +100,7 @@ bool prepare_contact(const DepthContact& contact, PreparedContact& prepared) noe
   if (!is_direction(contact.normal)) return false;
   prepared.frame = contact_frame(contact.point, contact.normal);
   prepared.shift.setZero();
+  prepared.start = {};
   project_sides(contact, prepared.frame, kWholePlane, prepared.object, prepared.scene);
   const Vec2 reach = Vec2::Constant(contact.reach);
   prepared.box =
@@ -128,7 +129,7 @@ double depth_at(const PreparedContact& prepared, const Vec2& at, NearTriangles& 
 double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at) noexcept {
   constexpr int kMostHalvings = 24;
   constexpr int kMostMoves = 32;  // along edges, all together
-  Place here{at, kNoDepth, {}};
+  Place here{at, kNoDepth, prepared.start};
   here.depth = depth_at(prepared, at, here.triangles);
   Vec2 step = spacing;
   int moves = 0;
