@@ -1,5 +1,5 @@
-// Friction through query, model and step: a block on a slope, a block pushed by the hand, teeth that
-// stick and slip.
+// Friction through query, model and step: a block on a slope, a block pushed by the hand, teeth
+// that stick and slip.
 
 #include <algorithm>
 #include <cmath>
