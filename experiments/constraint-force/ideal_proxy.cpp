@@ -13,7 +13,7 @@ namespace {
 constexpr double kSide = 0.020, kRadius = 0.005, kLength = 0.030;  // of E2's cube and peg [m]
 constexpr double kIn = 0.2;  // before the path, from apart to its first pose [s]
 
-/// Where a function of one number falls from positive to negative, or the other way, in [low, high].
+/// Where a function of one number changes its sign in [low, high].
 double root(const std::function<double(double)>& f, double low, double high) {
   const bool rises = f(high) > 0.0;
   for (int i = 0; i < 200; ++i) {
