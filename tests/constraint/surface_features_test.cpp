@@ -69,5 +69,29 @@ TEST(SurfaceFeatures, EveryPatchListsItsOwn) {
   EXPECT_EQ(std::count(vertex_seen.begin(), vertex_seen.end(), 0), 0);
 }
 
+TEST(SurfaceFeatures, ATriangleThatRoundingFoldedOverHidesNoEdge) {
+  // A vertex in the middle of a box's edge, off it by a billionth to the wrong side: the triangle
+  // between it and the edge faces inwards.
+  for (const double off : {-1e-9, 0.0, 1e-9}) {
+    TriangleMesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},      {0, 0, 1},
+                      {1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {0.5, off, 1.0}};
+    mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 8}, {0, 8, 4},
+                      {4, 8, 5}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+    const SurfaceFeatures features = find_features(build_exact_hierarchy(mesh));
+    const Vec3 middle(0.3, 0.0, 1.0);  // of half of the edge
+    const bool is_there =
+        std::any_of(features.edges.begin(), features.edges.end(), [&](const ConvexEdge& edge) {
+          const Vec3& tail = features.vertices[static_cast<std::size_t>(edge.tail)];
+          const Vec3& head = features.vertices[static_cast<std::size_t>(edge.head)];
+          const Vec3 along = (head - tail).normalized();
+          const double at = (middle - tail).dot(along);
+          return at > 0.0 && at < (head - tail).norm() &&
+                 (middle - tail - at * along).norm() < 1e-6;
+        });
+    EXPECT_TRUE(is_there) << off;
+  }
+}
+
 }  // namespace
 }  // namespace thigma

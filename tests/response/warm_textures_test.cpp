@@ -66,7 +66,8 @@ TEST(WarmTextures, rows_allocate_nothing) {
   config.contact.scene = {{&below, Pose{}}};
   config.contact.textures.object = make_textured_body(smooth, ball);
   config.contact.textures.scene = {make_textured_body(plate, below)};
-  use_constraints(0.2, config);
+  config.contact.friction.assign(1, {0.2, 0.2});
+  use_constraints(config);
   ContactScratch scratch;
   reserve_contact_scratch(config.contact, scratch);
   ContactSample sample;
