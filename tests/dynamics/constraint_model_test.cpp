@@ -44,6 +44,45 @@ TEST(ConstraintModel, GradientsAreThoseOfTheGap) {
   }
 }
 
+TEST(ConstraintModel, GradientsOfReliefAreThoseOfTheGapWhereItIsZero) {
+  Random random(6);
+  for (int trial = 0; trial < 50; ++trial) {
+    ContactRow row = random_row(random, RowKind::relief);
+    row.object_direction = 0.1 * random_vector(random);
+    const Mat3 rotation = rotation_matrix(rotation_from_vector(random_vector(random)));
+    Vec3 x = row.scene_point - rotation * row.object_point;
+    x += 0.5 * tangents_of(row.scene_direction).first;
+    for (int k = 0; k < 30; ++k) {
+      const RowAtState at = row_at(row, x, rotation);
+      x += at.gap * at.normal;
+    }
+    const RowAtState at = row_at(row, x, rotation);
+    EXPECT_NEAR(at.gap, 0.0, 1e-9);
+    EXPECT_NEAR(at.normal.norm(), 1.0, 1e-12);
+    const Vec3 v = random_vector(random), omega = random_vector(random);
+    const double h = 1e-6;
+    const auto gap = [&](double t) {
+      const Mat3 turn = rotation_matrix(rotation_from_vector(t * omega));
+      return row_at(row, x + t * v, turn * rotation).gap;
+    };
+    const double expected = -(at.normal.dot(v) + at.arm.cross(at.normal).dot(omega));
+    EXPECT_NEAR((gap(h) - gap(-h)) / (2.0 * h), expected, 1e-6 * (1.0 + std::fabs(expected)));
+  }
+}
+
+TEST(ConstraintModel, ReliefWithoutBendIsAPlane) {
+  Random random(8);
+  for (int trial = 0; trial < 50; ++trial) {
+    ContactRow plane = random_row(random, RowKind::scene_plane);
+    ContactRow relief = plane;
+    relief.kind = RowKind::relief;
+    relief.object_direction.setZero();
+    const Vec3 x = random_vector(random);
+    const Mat3 rotation = rotation_matrix(rotation_from_vector(random_vector(random)));
+    EXPECT_NEAR(row_at(plane, x, rotation).gap, row_at(relief, x, rotation).gap, 1e-12);
+  }
+}
+
 TEST(ConstraintModel, ParallelEdgesForbidNothing) {
   ContactRow row = make_row(RowKind::edges);
   row.object_direction = row.scene_direction = Vec3::UnitX();

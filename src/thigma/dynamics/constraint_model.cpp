@@ -29,10 +29,35 @@ RowAtState edges_at(const ContactRow& row, const Vec3& position, const Mat3& rot
   return at;
 }
 
+/// A surface of second order about the place where relief was found deepest.
+RowAtState relief_at(const ContactRow& row, const Vec3& position, const Mat3& rotation) THIGMA_RT {
+  RowAtState at;
+  at.arm = rotation * row.object_point;
+  const Vec3& n = row.scene_direction;
+  const Vec3& bend = row.object_direction;
+  const Vec3 left = row.scene_point - position - at.arm;
+  const TangentPair tangent = tangents_of(n);
+  const double first = -tangent.first.dot(left), second = -tangent.second.dot(left);
+  const double by_first = bend.x() * first + bend.y() * second;
+  const double by_second = bend.y() * first + bend.z() * second;
+  const Vec3 slope = n + by_first * tangent.first + by_second * tangent.second;
+  const double length = slope.norm();  // at least 1
+  at.normal = slope / length;
+  at.gap = (n.dot(left) - 0.5 * (by_first * first + by_second * second)) / length;
+  return at;
+}
+
 }  // namespace
+
+TangentPair tangents_of(const Vec3& normal) THIGMA_RT {
+  const Vec3 axis = std::fabs(normal.x()) < 0.6 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
+  const Vec3 first = normal.cross(axis).normalized();
+  return {first, normal.cross(first)};
+}
 
 RowAtState row_at(const ContactRow& row, const Vec3& position, const Mat3& rotation) THIGMA_RT {
   if (row.kind == RowKind::edges) return edges_at(row, position, rotation);
+  if (row.kind == RowKind::relief) return relief_at(row, position, rotation);
   RowAtState at;
   if (row.kind == RowKind::scene_plane) {
     at.normal = row.scene_direction;

@@ -19,6 +19,7 @@ enum class RowKind : std::uint8_t {
   scene_plane,   // a point of the object, a plane of the scene
   object_plane,  // a plane of the object, a point of the scene
   edges,         // an edge of each
+  relief,        // a point of the object, a bent surface of the scene about one place
 };
 
 /// One inequality: two features stay apart. Evaluated anew at every state, so that only the change
@@ -29,14 +30,24 @@ struct ContactRow {
   std::uint64_t id;   // of the pair of features, the same in every model
   Vec3 object_point;  // the point, of the plane or of the edge [m; body frame]
   Vec3 scene_point;   // likewise of the scene [m; world]
-  // object_plane: unit normal out of the object; edges: unit, along the object's; else zero
-  // [body frame]
+  // object_plane: unit normal out of the object; edges: unit, along the object's [body frame];
+  // relief: how the gap bends, see `tangents_of` [1/m]; else zero
   Vec3 object_direction;
-  // scene_plane: unit normal out of the object, into the scene; edges: unit, along the scene's, so
-  // that object x scene points into the scene; else zero [world]
+  // scene_plane, relief: unit normal out of the object, into the scene; edges: unit, along the
+  // scene's, so that object x scene points into the scene; else zero [world]
   Vec3 scene_direction;
   double friction;  // Coulomb's coefficient of the two materials
 };
+
+/// Two unit vectors across a normal, a function of it alone: what the bend of a relief row is
+/// told in. With t the way of the object's point along them since `state`, its gap there is
+/// normal . (scene_point - object's point) - 1/2 (bend.x t_1^2 + 2 bend.y t_1 t_2 + bend.z t_2^2),
+/// over the length of its gradient: in metres, to first order in the gap.
+/// Thread    [haptic]; |normal| = 1.
+struct TangentPair {
+  Vec3 first, second;
+};
+TangentPair tangents_of(const Vec3& normal) THIGMA_RT;
 
 /// A row of which nothing is known but its kind.
 inline ContactRow make_row(RowKind kind) THIGMA_RT {

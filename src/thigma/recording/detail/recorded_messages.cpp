@@ -90,7 +90,7 @@ struct FieldReader {
   void operator()(const char*, DeviceStatus& value) const { value = read_status(json); }
   void operator()(const char* key, RowKind& value) const {
     const int kind = json.at(key).get<int>();
-    if (kind < 0 || kind > static_cast<int>(RowKind::edges))
+    if (kind < 0 || kind > static_cast<int>(RowKind::relief))
       throw InputError(std::string("'") + key + "' is " + std::to_string(kind));
     value = static_cast<RowKind>(kind);
   }
