@@ -64,21 +64,21 @@ Surroundings look_around(const PreparedContact& prepared, const Place& from,
 // Steps to and fro parallel to the edges of the triangles it lies on, those that a step may reach.
 Place look_along_edges(const PreparedContact& prepared, const Place& from, double length) noexcept {
   Surroundings around{from, false};
-  const auto try_edges = [&](const ProjectedPatch& patch, std::int32_t triangle) {
+  const auto try_edges = [&](const ProjectedPatch& patch, std::int32_t triangle, const Vec2& at) {
     if (triangle < 0) return;
     const ProjectedTriangle& t = projected_triangle(patch, triangle);
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec2& edge = t.edges[k];
       // By as much as its points move sideways the fine surface may end beside the edge.
-      const double far = cross(edge, from.at - t.at[k]) + t.least[k];
+      const double far = cross(edge, at - t.at[k]) + t.least[k];
       if (far > kNearEdge * length * edge.norm()) continue;
       const Vec2 step = length * edge.normalized();
       try_point(prepared, from, from.at + step, around);
       try_point(prepared, from, from.at - step, around);
     }
   };
-  try_edges(prepared.object, from.triangles.object);
-  try_edges(prepared.scene, from.triangles.scene);
+  try_edges(prepared.object, from.triangles.object, from.at - prepared.shift);
+  try_edges(prepared.scene, from.triangles.scene, from.at);
   return around.best;
 }
 
@@ -99,6 +99,8 @@ bool prepare_contact(const DepthContact& contact, PreparedContact& prepared) noe
   if (!contact.point.allFinite() || !contact.centre.allFinite()) return false;
   if (!is_direction(contact.normal)) return false;
   prepared.frame = contact_frame(contact.point, contact.normal);
+  prepared.shift.setZero();
+  prepared.start = {};
   project_sides(contact, prepared.frame, kWholePlane, prepared.object, prepared.scene);
   const Vec2 reach = Vec2::Constant(contact.reach);
   prepared.box =
@@ -119,21 +121,19 @@ void project_moved(const DepthContact& contact, const Pose& motion,
 }
 
 double depth_at(const PreparedContact& prepared, const Vec2& at, NearTriangles& near) noexcept {
-  const double object = height_at(prepared.object, at, near.object);
+  const double object = height_at(prepared.object, at - prepared.shift, near.object);
   if (object == kNoSurface) return kNoDepth;
   return object + height_at(prepared.scene, at, near.scene);
 }
 
 double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at) noexcept {
   constexpr int kMostHalvings = 24;
-  // of a texel: finer tells facets of the interpolation, not the surface
-  constexpr double kFinest = 0.125;
   constexpr int kMostMoves = 32;  // along edges, all together
-  Place here{at, kNoDepth, {}};
+  Place here{at, kNoDepth, prepared.start};
   here.depth = depth_at(prepared, at, here.triangles);
   Vec2 step = spacing;
   int moves = 0;
-  for (int k = 0; k < kMostHalvings && step.minCoeff() > kFinest * prepared.texel; ++k) {
+  for (int k = 0; k < kMostHalvings && step.minCoeff() > prepared.finest * prepared.texel; ++k) {
     step *= 0.5;
     const Surroundings around = look_around(prepared, here, step);
     here = around.best;

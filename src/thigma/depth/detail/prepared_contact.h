@@ -5,6 +5,11 @@
 
 namespace thigma::detail {
 
+/// Where the last point was found.
+struct NearTriangles {
+  std::int32_t object = -1, scene = -1;
+};
+
 /// A contact in its own frame: both sides projected, and where they may meet.
 struct PreparedContact {
   ContactFrame frame;
@@ -12,6 +17,10 @@ struct PreparedContact {
   PlaneBox box;                       // the patches' boxes and the reach, intersected
   double texel = 0.0;                 // side of a texel of the finer side that has relief [m]
   HeightMap fine_object, fine_scene;  // memory of a closer look
+  Vec2 shift = Vec2::Zero();          // of the object along the plane since it was projected [m]
+  // of a texel, that a climb goes down to: finer tells facets of the interpolation, not the surface
+  double finest = 0.125;
+  NearTriangles start;  // where a climb looks first
 };
 
 /// Projects both sides of a contact, the object along n and the scene against it; over: as of
@@ -31,13 +40,10 @@ void project_moved(const DepthContact& contact, const Pose& motion,
                    PreparedContact& prepared) noexcept;
 
 /// Depth at a point of the plane [m]; kNoDepth where one of the sides does not lie.
-struct NearTriangles {
-  std::int32_t object = -1, scene = -1;  // where the last point was found
-};
 double depth_at(const PreparedContact& prepared, const Vec2& at, NearTriangles& near) noexcept;
 
 /// Climbs from a point to a local maximum of the depth within the box: steps along both axes and
-/// diagonals, from `spacing` halved down to an eighth of a texel; where triangles end or change
+/// diagonals, from `spacing` halved down to `finest`; where triangles end or change
 /// also along their edges. at: start and result. returns the depth there, of the start if it is no
 /// number.
 double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at) noexcept;
