@@ -9,6 +9,7 @@
 #include "thigma/math/rotation.h"
 #include "thigma/mesh/shapes.h"
 #include "thigma/response/texture_contacts.h"
+#include "thigma/session/session_config.h"
 
 namespace thigma {
 namespace {
@@ -49,6 +50,42 @@ TEST(WarmTextures, allocate_nothing) {
     slide();
     EXPECT_EQ(watched.counts().total(), 0);
   }
+}
+
+TEST(WarmTextures, rows_allocate_nothing) {
+  if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
+  Random random(1);
+  const test::PlateShape shape{.size = 0.02, .cells = 4, .texels = 128};
+  const HapticTexture plate = make_texture(test::plate_source(random, shape), "plate");
+  const TriangleMesh mesh = make_ball(0.004, 8);
+  const HapticTexture smooth = make_plain_texture(mesh, "ball");
+  const ClodHierarchy ball = build_exact_hierarchy(mesh),
+                      below = build_exact_hierarchy(plate.coarse);
+  SessionConfig config;
+  config.contact.object = &ball;
+  config.contact.scene = {{&below, Pose{}}};
+  config.contact.textures.object = make_textured_body(smooth, ball);
+  config.contact.textures.scene = {make_textured_body(plate, below)};
+  use_constraints(0.2, config);
+  ContactScratch scratch;
+  reserve_contact_scratch(config.contact, scratch);
+  ContactSample sample;
+  std::size_t rows = 0;
+  const auto slide = [&] {
+    for (int i = 0; i < 60; ++i) {
+      StampedBody at;
+      at.time = 1e-3 * i;
+      at.wanted_speed = 0.05;
+      at.state.position = {1e-4 * (i - 30), 2e-5 * i, 0.004 + 4e-4};
+      contact_step(config.contact, at, scratch, sample);
+      rows += sample.model.constraints.rows.size();
+    }
+  };
+  slide();
+  ASSERT_GT(rows, 60u);
+  const test::AuditScope watched;
+  slide();
+  EXPECT_EQ(watched.counts().total(), 0);
 }
 
 TEST(WarmTextures, levels_allocate_nothing) {

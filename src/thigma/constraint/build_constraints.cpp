@@ -32,7 +32,8 @@ void move_into_body(const ConstraintWorld& world, ContactRow& row) noexcept {
   const Pose& body_from_mesh = world.body_from_mesh;
   row.friction = world.friction;
   row.object_point = transform_point(body_from_mesh, row.object_point);
-  row.object_direction = body_from_mesh.orientation._transformVector(row.object_direction);
+  if (row.kind != RowKind::relief)
+    row.object_direction = body_from_mesh.orientation._transformVector(row.object_direction);
 }
 
 /// The rows that are needed; where there are too many, for less travel.
@@ -99,10 +100,15 @@ ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState&
   model.state = state;
   model.reach = world.reach;
   model.travel = kShare * std::min(near.separation, kFar * world.reach);
+  model.travel = std::min(model.travel, near.relief_travel);
   constexpr double kChord = 1.1;  // of an angle of less than a right one over its chord
   const RowReach reach{model.travel, kChord * model.travel / world.reach};
   stats.left_out = near.contacts.dropped +
                    find_all(world, world_from_object, near.contacts.contacts, reach, scratch);
+  const std::size_t room = scratch.found.capacity() - scratch.found.size();
+  const auto relief = near.relief.first(std::min(near.relief.size(), room));
+  scratch.found.insert(scratch.found.end(), relief.begin(), relief.end());
+  stats.left_out += static_cast<std::int64_t>(near.relief.size() - relief.size());
   stats.rows = static_cast<std::int64_t>(scratch.found.size());
   for (FoundRow& found : scratch.found) move_into_body(world, found.row);
   hand_over(world, scratch, model);

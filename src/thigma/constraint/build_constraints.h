@@ -7,9 +7,11 @@
 
 #include "thigma/constraint/feature_rows.h"
 #include "thigma/constraint/implied_rows.h"
+#include "thigma/constraint/relief_rows.h"
 #include "thigma/constraint/surface_features.h"
 #include "thigma/contact/contact.h"
 #include "thigma/dynamics/constraint_model.h"
+#include "thigma/math/infinity.h"
 
 namespace thigma {
 
@@ -19,6 +21,7 @@ struct ConstraintWorld {
   Pose body_from_mesh;
   std::vector<SceneBody> bodies;
   std::vector<std::shared_ptr<const SurfaceFeatures>> scene;  // one a body
+  ReliefPatches relief;                                       // of a textured world, else empty
   double friction = 0.0;  // Coulomb's coefficient of every contact
   double reach = 0.0;     // of the object's farthest vertex from its centre of mass [m]
   double slop = 0.0;      // the gap that is kept [m]
@@ -39,6 +42,7 @@ struct ConstraintScratch {
   RowScratch rows;
   std::vector<FoundRow> found;
   ImpliedScratch implied;
+  ReliefScratch relief;  // where the world is textured
 };
 
 /// What a query has found.
@@ -47,6 +51,9 @@ struct NearContacts {
   // of all it did not report, at least: its tolerance, or, where nothing is near, what its
   // traversal has proven (unreported_separation), > 0 [m]
   double separation = 0.0;
+  // rows of contacts that touch relief, which `contacts` is without, and how far they hold [m]
+  std::span<const FoundRow> relief{};
+  double relief_travel = kInfinity;
 };
 
 /// Counts of one frame.

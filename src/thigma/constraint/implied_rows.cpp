@@ -158,7 +158,7 @@ std::span<const std::int32_t> needed_rows(std::span<const FoundRow> rows, const 
   });
   for (const RowGradient& row : all) {
     if (scratch.needed.size() > most) break;
-    if (row.kind != RowKind::edges) {
+    if (row.kind == RowKind::scene_plane || row.kind == RowKind::object_plane) {
       auto& kept = scratch.kept[row.kind == RowKind::scene_plane ? 0 : 1];
       if (row.gap > bounds.margin && is_implied(row, kept, bounds)) continue;
       kept.push_back(row);

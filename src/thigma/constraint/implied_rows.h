@@ -53,7 +53,7 @@ void reserve_implied(ImpliedScratch& scratch, std::size_t rows);
 /// Source   Farkas: gradient_j = sum lambda_i gradient_i with lambda >= 0 gives
 ///          gap_j >= gap_j0 - sum lambda_i (gap_i0 - gap_i). What is left of the gradient, times
 ///          the travel, and what turning adds in second order, have to be less than that. Edges
-///          are not compared: their normals turn.
+///          and relief are not compared: their normals turn.
 std::span<const std::int32_t> needed_rows(std::span<const FoundRow> rows, const BodyState& state,
                                           const RowBounds& bounds, std::size_t most,
                                           ImpliedScratch& scratch) noexcept;

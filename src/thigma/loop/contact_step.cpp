@@ -63,6 +63,13 @@ void describe_contacts(const ContactWorld& world, const ContactScratch& scratch,
   sample.unrefined = scratch.contacts.stats.unrefined;
   sample.texture_depths = sample.texture_folds = 0;
   if (world.textures.is_empty()) return;
+  if (world.constraints) {
+    const ReliefStats& relief = scratch.constraints->relief.stats;
+    sample.depth_max = std::max(sample.depth_max, relief.deepest);
+    sample.texture_depths = relief.depths;
+    sample.texture_folds = relief.folds;
+    return;
+  }
   for (std::size_t i = 0; i < scratch.textures->contacts.size(); ++i) {
     const DepthSamples& depth = scratch.textures->samples[i];
     if (!depth.is_found) continue;
@@ -86,6 +93,8 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
   if (world.constraints) {
     if (!scratch.constraints) scratch.constraints = std::make_shared<ConstraintScratch>();
     reserve_constraints(*world.constraints, world.capacity, *scratch.constraints);
+    if (!world.textures.is_empty())
+      reserve_relief(world.textures, world.capacity, scratch.constraints->relief);
     return;
   }
   if (distributes_wide_contacts(world)) scratch.spread.reserve(world.capacity);
@@ -128,18 +137,36 @@ void find_near(const ContactWorld& world, const StampedBody& body,
                                : kUsualStep;
   scratch.last_time = body.time;
   ContactQuery query;
-  constexpr double kModels = 2.0;  // until the next but one
-  query.tolerance =
-      look_ahead(*world.constraints, kModels * body.wanted_speed * step_time, scratch);
-  scratch.looked_ahead = query.tolerance;
+  // Until the model after the next. Coarse patches under relief are few and the way over it is
+  // uneven: twice as far.
+  const double models = world.textures.is_empty() ? 2.0 : 4.0;
+  scratch.looked_ahead =
+      look_ahead(*world.constraints, models * body.wanted_speed * step_time, scratch);
+  // Fine surfaces may meet where coarse ones are still apart by their relief.
+  const double relief = relief_of(world.textures);
+  query.tolerance = scratch.looked_ahead + relief;
   query_scene({*world.object, world_from_mesh(world, body.state)}, world.scene, query,
               scratch.fronts, scratch.contacts);
-  scratch.separation = query.tolerance;
-  if (!scratch.contacts.contacts.empty()) return;
+  scratch.separation = scratch.looked_ahead;
+  const bool is_far = scratch.contacts.contacts.empty();
+  if (!world.textures.is_empty())
+    limit_to_relief(world.textures, scratch.looked_ahead, scratch.contacts);
+  if (!is_far) return;
   // Nothing is near: the object may go as far as the traversal has proven.
   scratch.separation = kInfinity;
   for (const ContactFront& front : scratch.fronts)
-    scratch.separation = std::min(scratch.separation, unreported_separation(front));
+    scratch.separation = std::min(scratch.separation, unreported_separation(front) - relief);
+}
+
+/// The rows of contacts that touch relief, and all contacts but those.
+NearContacts find_relief(const ContactWorld& world, const StampedBody& body,
+                         const ContactScratch& scratch, ReliefScratch& relief) noexcept {
+  const ReliefReach reach{scratch.separation, scratch.separation / world.constraints->reach,
+                          world.constraints->least_look_ahead};
+  find_relief_rows({world.textures, world.constraints->relief, world.scene, scratch.contacts,
+                    world.max_clusters, scratch.looked_ahead},
+                   world_from_mesh(world, body.state), body.state.position, reach, relief);
+  return {relief.plain, scratch.separation, relief.rows, relief.travel};
 }
 
 /// Rows instead of clusters.
@@ -151,8 +178,11 @@ void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratc
   model.sequence = ++scratch.sequence;
   model.planes.clear();
   model.depths.clear();
-  build_constraints(*world.constraints, body.state, {scratch.contacts, scratch.separation},
-                    *scratch.constraints, model.constraints);
+  ConstraintScratch& work = *scratch.constraints;
+  const bool has_relief = !world.textures.is_empty();
+  const NearContacts near = has_relief ? find_relief(world, body, scratch, work.relief)
+                                       : NearContacts{scratch.contacts, scratch.separation};
+  build_constraints(*world.constraints, body.state, near, work, model.constraints);
 }
 
 }  // namespace

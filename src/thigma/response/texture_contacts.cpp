@@ -107,10 +107,10 @@ bool touches_relief(const TexturedContacts& touching, std::int32_t cluster) noex
   return false;
 }
 
-/// Depth contacts of the clusters that touch relief, about a centre; the other clusters go to
-/// scratch.plain.
-void divide(const TexturedContacts& touching, const Vec3& centre,
-            TextureScratch& scratch) noexcept {
+}  // namespace
+
+void find_depth_contacts(const TexturedContacts& touching, const Vec3& centre,
+                         TextureScratch& scratch) noexcept {
   const TexturedWorld& world = touching.world;
   const ContactClusters& clusters = touching.clusters;
   scratch.contacts.clear();
@@ -145,6 +145,8 @@ void divide(const TexturedContacts& touching, const Vec3& centre,
     }
   }
 }
+
+namespace {
 
 std::unique_ptr<DepthBackend> open_gpu_search(const TexturedWorld& world) {
   GpuDepthParams params;
@@ -254,6 +256,10 @@ void limit_to_relief(const TexturedWorld& world, double tolerance, ContactSet& c
 
 void reserve_texture_scratch(const TexturedWorld& world, TextureScratch& scratch) {
   scratch.backend = open_search(world);
+  reserve_depth_contacts(world, scratch);
+}
+
+void reserve_depth_contacts(const TexturedWorld& world, TextureScratch& scratch) {
   const std::size_t of_object = most_triangles(world.object);
   std::size_t of_scene = 0;
   for (const TexturedBody& body : world.scene) of_scene = std::max(of_scene, most_triangles(body));
@@ -284,7 +290,7 @@ LinearContactModel linearize_textured(const TexturedContacts& touching,
                                       const PenaltyParams& penalty, const ModelStamp& stamp,
                                       TextureScratch& scratch) noexcept {
   const TexturedWorld& world = touching.world;
-  divide(touching, stamp.state.position, scratch);
+  find_depth_contacts(touching, stamp.state.position, scratch);
   double amplitude = 0.0;
   for (const std::int32_t body : scratch.body)
     amplitude = std::max(amplitude, world.object.amplitude + world.scene[idx(body)].amplitude);

@@ -71,6 +71,9 @@ struct TextureScratch {
 /// frame. Thread [offline]; throws std::bad_alloc.
 void reserve_texture_scratch(const TexturedWorld& world, TextureScratch& scratch);
 
+/// The same without what looks for depths.
+void reserve_depth_contacts(const TexturedWorld& world, TextureScratch& scratch);
+
 /// The contacts of a frame on a textured world.
 struct TexturedContacts {
   const TexturedWorld& world;  // not empty
@@ -83,6 +86,12 @@ struct TexturedContacts {
   const ContactClusters& clusters;
   std::span<const std::int32_t> assignment;  // of cluster_contacts
 };
+
+/// Depth contacts of the clusters that touch relief, one a body, about a centre [m; world]: into
+/// scratch.contacts, with cluster, body and deepest of each. The other clusters go to scratch.plain.
+/// Thread  [contact]; no failure.
+void find_depth_contacts(const TexturedContacts& touching, const Vec3& centre,
+                         TextureScratch& scratch) noexcept;
 
 /// Contact model of one frame: a depth term for each cluster and textured body it touches, plane
 /// terms for the others; all share the stiffness by depth + tolerance.

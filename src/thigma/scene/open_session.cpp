@@ -111,10 +111,6 @@ std::unique_ptr<HapticDevice> open_web(const Opening& o) {
 
 void use_constraints(Opening& o) {
   const SceneDescription& scene = o.scene.description;
-  if (!o.session.config.contact.textures.is_empty())
-    throw InputError(scene.file +
-                     ": relief and the constraint response, expected smooth surfaces (texture "
-                     "off) or the penalty response");
   use_constraints(scene.contact.friction, o.session.config);
 }
 

@@ -61,11 +61,12 @@ void use_constraints(double friction, SessionConfig& config) {
   };
   ContactWorld& contact = config.contact;
   if (contact.object == nullptr || contact.scene.empty()) refuse("there are no surfaces");
-  if (!contact.textures.is_empty()) refuse("relief is not known to it; expected smooth surfaces");
   if (contact.source) refuse("contacts of a source are not known to it");
   if (!(friction >= 0.0 && std::isfinite(friction))) refuse("friction must be 0 or more");
-  contact.constraints = std::make_shared<const ConstraintWorld>(
-      make_constraint_world(*contact.object, contact.body_from_mesh, contact.scene, friction));
+  ConstraintWorld world =
+      make_constraint_world(*contact.object, contact.body_from_mesh, contact.scene, friction);
+  world.relief = find_relief_patches(contact.textures);
+  contact.constraints = std::make_shared<const ConstraintWorld>(std::move(world));
   config.haptic.constraint.slop = contact.constraints->slop;
   config.haptic.response = ResponseKind::constrained;
 }

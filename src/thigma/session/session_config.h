@@ -35,7 +35,7 @@ void use_direct_response(const DeviceLimits& device, SessionConfig& config);
 /// friction  Coulomb's coefficient of every contact, >= 0
 /// config    contact.object and contact.scene set; contact.constraints, haptic.constraint and
 ///           haptic.response are changed
-/// errors    std::invalid_argument without surfaces, for relief and for contacts of another source
+/// errors    std::invalid_argument without surfaces and for contacts of another source
 /// Thread    [offline]
 void use_constraints(double friction, SessionConfig& config);
 
