@@ -88,6 +88,33 @@ TEST(Front, OutlivesAChangeOfTolerance) {
   EXPECT_LT(tests, fresh_tests / 2);  // and it pays
 }
 
+TEST(Front, OutlivesWantOfRoomAndAChangeOfTolerance) {
+  // Pairs that the front had no room for are split when there is room again; where the tolerance
+  // became smaller in between they are not taken for far ones.
+  const ClodHierarchy ball = build_exact_hierarchy(make_ball(1.0, 8));
+  const ClodHierarchy ring = build_exact_hierarchy(make_torus(1.2, 0.4, 48, 24));
+  ContactSet set, want;
+  set.contacts.reserve(10'000);
+  want.contacts.reserve(10'000);
+  for (const std::int32_t capacity : {40, 80, 160, 320}) {
+    ContactFront kept;
+    reserve_front(kept, ball, ring, capacity);
+    const double tolerances[] = {0.02, 0.8, 0.3, 0.1, 0.05, 0.03, 0.4, 0.02};
+    for (int k = 0; k < 160; ++k) {
+      const ContactQuery query{.tolerance = tolerances[k % 8]};
+      const Pose pose = on_the_way(k);
+      clear(set);
+      clear(want);
+      query_contacts({ball, pose}, {ring}, query, kept, set);
+      ContactFront fresh;
+      query_contacts({ball, pose}, {ring}, query, fresh, want);
+      ASSERT_EQ(set.contacts.size(), want.contacts.size()) << k << ", " << capacity;
+      for (std::size_t i = 0; i < set.contacts.size(); ++i)
+        ASSERT_EQ(set.contacts[i].depth, want.contacts[i].depth) << k;
+    }
+  }
+}
+
 TEST(Front, KnowsHowFarWhatItDidNotReportIs) {
   const ClodHierarchy ball = build_exact_hierarchy(make_ball(1.0, 8));
   ContactFront front;

@@ -39,7 +39,7 @@ struct Held {
   void add_corner(const Vec3& arm, double friction = 0.0) {
     ContactRow row = make_row(RowKind::scene_plane);
     row.id = 100 + model->rows.size();
-    row.friction = friction;
+    row.friction = row.static_friction = friction;
     row.object_point = arm;
     row.scene_direction = -Vec3::UnitZ();
     model->rows.push_back(row);

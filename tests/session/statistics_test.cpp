@@ -157,7 +157,7 @@ TEST(ConstraintStatistics, EveryFieldOfTheSummaryHasAKeyOfItsOwn) {
     ++count;
   });
   EXPECT_EQ(keys.size(), static_cast<std::size_t>(count));
-  EXPECT_EQ(count, 14);
+  EXPECT_EQ(count, 17);
 }
 
 }  // namespace

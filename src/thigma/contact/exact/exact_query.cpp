@@ -103,7 +103,8 @@ void traverse_saturated(ExactQuery& exact) noexcept {
     exact.is_unordered = true;
     if (front.alive < front.capacity / 2) {  // room again: split it next frame
       node.is_saturated = false;
-      set_timer(front, i, 0.0);
+      // by what it is too near: with a smaller tolerance it may be far enough
+      set_timer(front, i, slack);
     } else {
       front.exact.saturated[kept++] = i;
     }

@@ -28,7 +28,7 @@ const timings = (states) => {
 
 test("three pages, one of them deaf in the middle", { timeout: 400000 }, async (t) => {
   if (!program || !existsSync(program)) { t.skip("no program to run (THIGMA_PROGRAM is not set or not there)"); return; }
-  const run = await startProgram(program, ["SCENES/ellipsoid.toml", "--device", "hand:"]);
+  const run = await startProgram(program, ["SCENES/ellipsoid.toml", "--response", "penalty", "--device", "hand:"]);
   try {
     const first = await openClient(run.port);
     await until(() => first.states.length >= SECONDS, "states of one page");
