@@ -75,23 +75,15 @@ void claim(const LedPair& pair, const Deepest& deepest, Outcome& outcome) {
   std::string id = name;
   std::replace(id.begin(), id.end(), ' ', '-');
   const double rest = std::max(1.0, 10.0 * pair.reach);  // 1e-5 of it, in micrometres
-  const auto known = [&](Claim claim) {
-    if (claim.holds || name != "real gears") return claim;
-    return known_not_to(claim,
-                        {"with contacts at 30 Hz the object goes a tenth of a millimetre "
-                         "obeying all rows there are, and one is missing; at 100 Hz and more "
-                         "it does not come there",
-                         "data.csv:scene=real gears", 75.0});
-  };
-  outcome.claims.push_back(known(at_most("rest-" + id,
-                                         name + ": deepest at rest, at any contact rate (1 um, or "
-                                                "1e-5 of the object's radius)",
-                                         deepest.rest, rest, "um")));
+  outcome.claims.push_back(at_most("rest-" + id,
+                                   name + ": deepest at rest, at any contact rate (1 um, or "
+                                          "1e-5 of the object's radius)",
+                                   deepest.rest, rest, "um"));
   outcome.claims.push_back(at_most("fast-" + id,
                                    name + ": deepest ever with contacts at 1000 and 333 Hz",
                                    deepest.fast, 20.0, "um"));
   outcome.claims.push_back(
-      known(at_most("slow-" + id, name + ": the same at 100 and 30 Hz", deepest.slow, 50.0, "um")));
+      at_most("slow-" + id, name + ": the same at 100 and 30 Hz", deepest.slow, 50.0, "um"));
 }
 
 /// Claims on an object at rest under a hand at rest.
