@@ -5,7 +5,7 @@
 
 #include <Eigen/LU>
 
-#include "thigma/dynamics/small_solve.h"
+#include "thigma/dynamics/detail/small_solve.h"
 #include "thigma/math/rotation.h"
 
 namespace thigma {
