@@ -37,6 +37,8 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
                   "coupling (default, but where something has relief or levels are asked for); "
                   "penalty: clusters push like springs, felt through the same coupling (coupled is "
                   "its older name); direct: contact forces as they are");
+  verb.add_option("--friction", o.friction,
+                  "Coulomb's coefficient of every contact, whatever the materials say");
   verb.add_flag(
       "--passivity", o.is_passive,
       "let late samples give no energy away: damps the handle, softens what is not backed");
@@ -76,6 +78,8 @@ std::string check_run_options(const RunOptions& o) {
   if (o.spin && !(*o.spin >= 0.0 && *o.spin <= 20000.0)) return "--spin must be 0 to 20000 us";
   if (!o.response.empty() && !response_of(o.response))
     return "--response is penalty (or coupled, its older name), constraint or direct";
+  if (o.friction && !(*o.friction >= 0.0 && std::isfinite(*o.friction)))
+    return "--friction must be a number, 0 or more";
   Resolution resolution;
   const std::string wrong = apply(o.resolution, resolution);
   if (!wrong.empty()) return wrong;

@@ -30,10 +30,11 @@ struct RunOptions {
   std::string histograms;  // file for the durations of every stage
   std::optional<double> spin;  // polled before each deadline [us]; otherwise as wake-ups ask for
   ResolutionOptions resolution;
-  bool has_no_blend = false;  // contacts change level at once
-  std::string response;       // otherwise the scene's
-  bool is_passive = false;    // passivity controller; otherwise as the scene says
-  bool has_no_cache = false;  // levels of detail are built and forgotten
+  bool has_no_blend = false;       // contacts change level at once
+  std::string response;            // otherwise the scene's
+  std::optional<double> friction;  // of every contact, over all materials
+  bool is_passive = false;         // passivity controller; otherwise as the scene says
+  bool has_no_cache = false;       // levels of detail are built and forgotten
   bool is_repair = false;
   std::string fault_text;
   std::string texture;                // "on", "off"; otherwise on where the scene has some

@@ -19,6 +19,13 @@ namespace {
 // larger [m].
 constexpr double kLargestRadius = 1.0;
 
+void set_friction(double friction, SceneDescription& scene) {
+  scene.contact.friction = friction;
+  scene.contact.static_friction.reset();
+  scene.object.material.reset();
+  for (SceneObject& other : scene.statics) other.material.reset();
+}
+
 /// What of the options the scene itself can say.
 void apply_options(const RunOptions& options, SceneDescription& scene) {
   // What decides gains = "auto" has to be known before there is a configuration.
@@ -32,6 +39,7 @@ void apply_options(const RunOptions& options, SceneDescription& scene) {
     // Rows are of the finest surfaces: who asks for levels asks for the law that has them.
     scene.contact.response = ResponseKind::coupled;
   }
+  if (options.friction) set_friction(*options.friction, scene);
   if (options.is_passive) scene.is_passive = true;
   if (options.scene.empty()) scene.simulation.reset();  // somebody holds it
   if (options.texture == "on" && !has_relief(scene))

@@ -235,6 +235,25 @@ TEST(RecordVerbs, a_changed_contact_model_is_found_at_its_frame) {
     expect_changed_model_is_found("constraint", field);
 }
 
+TEST(RecordVerbs, friction_is_for_every_contact) {
+  const std::string file = out_file("friction.mcap");
+  run_ball({"--lockstep", "--duration", "0.8", "--friction", "0.25", "--record", file});
+  int rows = 0;
+  for (const ContactSample& contact : read_recording(file).contacts) {
+    for (const ContactRow& row : contact.model.constraints.rows) {
+      EXPECT_EQ(row.friction, 0.25);
+      EXPECT_EQ(row.static_friction, 0.25);
+      ++rows;
+    }
+  }
+  EXPECT_GT(rows, 0);
+  for (const char* wrong : {"-0.1", "nan", "inf"}) {
+    const Ended e = run_program(run_arguments({"--lockstep", "--friction", wrong}));
+    EXPECT_EQ(e.code, 2) << wrong;
+    EXPECT_NE(e.err.find("--friction must be a number, 0 or more"), std::string::npos) << e.err;
+  }
+}
+
 TEST(RecordVerbs, events_are_recorded) {
   const std::string file = out_file("events.mcap");
   const Ended e = run_program(

@@ -31,7 +31,7 @@ std::vector<std::string> names() {
   return list;
 }
 
-const TexturedInfo& find_model(std::string_view name, const std::string& where) {
+const TexturedInfo& find_textured(std::string_view name, const std::string& where) {
   for (const TexturedInfo& info : textured_models())
     if (name == info.name) return info;
   const std::string nearest = nearest_word(name, names());
@@ -81,7 +81,7 @@ const std::vector<TexturedInfo>& textured_models() {
 }
 
 HapticTexture make_textured_model(const TexturedRequest& request) {
-  const TexturedInfo& info = find_model(request.name, "texture");
+  const TexturedInfo& info = find_textured(request.name, "texture");
   const int texels = request.texels == 0 ? info.texels : request.texels;
   check_texels(texels, "texture");
   if (request.name == "ridged_plate") return make_ridged_plate(texels);
@@ -101,7 +101,7 @@ TexturedRequest parse_textured_uri(std::string_view uri, const std::string& wher
   std::string_view rest = uri.substr(uri.find(':') + 1);
   const std::size_t mark = rest.find('?');
   TexturedRequest request;
-  request.name = find_model(rest.substr(0, mark), where).name;
+  request.name = find_textured(rest.substr(0, mark), where).name;
   if (mark == std::string_view::npos) return request;
   rest = rest.substr(mark + 1);
   constexpr std::string_view kKey = "texels=";

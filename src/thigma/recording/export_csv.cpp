@@ -63,7 +63,7 @@ std::string header() {
   return row + '\n';
 }
 
-void put_row(std::string& row, const HapticSample& s) {
+void append_row(std::string& row, const HapticSample& s) {
   bool is_first = true;
   visit_columns(s, RowWriter{row, is_first});
   row += '\n';
@@ -78,7 +78,7 @@ CsvExport::~CsvExport() = default;
 
 void CsvExport::add(const HapticSample& sample) {
   constexpr std::size_t kMost = 1 << 20;
-  put_row(rows_, sample);
+  append_row(rows_, sample);
   if (rows_.size() < kMost) return;
   file_->append(rows_);
   rows_.clear();

@@ -41,7 +41,7 @@ struct Range {
 // Gap of the nodes' hulls along a unit axis, less and more than the rounding of single precision.
 Range hull_gap(const QueryFrame& frame, const FrontNode& node, const Vec3& normal) noexcept {
   const PlacedHulls hulls =
-      place(hull_view(frame.object, node.a), hull_view(frame.scene, node.b), frame.pose);
+      detail::place(hull_view(frame.object, node.a), hull_view(frame.scene, node.b), frame.pose);
   const float axis[3] = {static_cast<float>(normal.x()), static_cast<float>(normal.y()),
                          static_cast<float>(normal.z())};
   const double low = axis_gap(hulls, frame.pose, axis);

@@ -23,7 +23,7 @@ constexpr double kEndHalfWidth = 0.0095;
 constexpr double kEndRounding = 0.010;  // length of the handle's round end
 constexpr double kHandleRise = 0.016;
 
-double square(double x) { return x * x; }
+double squared(double x) { return x * x; }
 
 double smooth_step(double x) {
   const double c = std::clamp(x, 0.0, 1.0);
@@ -32,7 +32,7 @@ double smooth_step(double x) {
 
 double half_width(double x) {
   if (x < kBowlMiddle)
-    return kBowlHalfWidth * std::sqrt(std::max(0.0, 1.0 - square(1.0 - x / kBowlMiddle)));
+    return kBowlHalfWidth * std::sqrt(std::max(0.0, 1.0 - squared(1.0 - x / kBowlMiddle)));
   if (x < kNeck) {
     return kBowlHalfWidth + (kNeckHalfWidth - kBowlHalfWidth) *
                                 smooth_step((x - kBowlMiddle) / (kNeck - kBowlMiddle));
@@ -40,17 +40,17 @@ double half_width(double x) {
   const double w = kNeckHalfWidth + (kEndHalfWidth - kNeckHalfWidth) *
                                         smooth_step((x - kNeck) / (0.9 * kLength - kNeck));
   const double past = std::max(0.0, (x - (kLength - kEndRounding)) / kEndRounding);
-  return w * std::sqrt(std::max(0.0, 1.0 - square(past)));
+  return w * std::sqrt(std::max(0.0, 1.0 - squared(past)));
 }
 
 double half_thickness(double x) {
-  const double neck = std::max(0.0, 1.0 - square((x - kNeck) / 0.045));
-  return 0.0009 + 0.0010 * square(neck) + 0.0004 * smooth_step((x - kNeck) / 0.05);
+  const double neck = std::max(0.0, 1.0 - squared((x - kNeck) / 0.045));
+  return 0.0009 + 0.0010 * squared(neck) + 0.0004 * smooth_step((x - kNeck) / 0.05);
 }
 
 /// Height of the sheet's middle at x and u = y / half_width.
 double middle(double x, double u) {
-  const double inside = std::max(0.0, 1.0 - square((x - kBowlMiddle) / 0.038));
+  const double inside = std::max(0.0, 1.0 - squared((x - kBowlMiddle) / 0.038));
   const double bowl = kBowlDepth * inside * (1.0 - u * u);
   const double rise = kHandleRise * smooth_step((x - 0.055) / 0.075) -
                       0.10 * std::max(0.0, x - 0.12) * smooth_step((x - 0.12) / 0.05);
