@@ -24,6 +24,7 @@ function(thigma_test_program name)
   target_compile_definitions(${name} PRIVATE THIGMA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE ${P_DEPENDS} GTest::gtest GTest::gtest_main thigma_warnings)
   thigma_precompile(${name} tests <gtest/gtest.h>)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # files of tests share names
 endfunction()
 
 # thigma_test(NAME [THREADS] [REALTIME] SOURCES ... DEPENDS ...): tests/<room>/<file>_test.cpp of one room in one executable.

@@ -94,13 +94,13 @@ SessionOptions session_options(const RunOptions& options, std::uint64_t seed,
   return session;
 }
 
-constexpr std::int64_t kPoll = 10'000'000;  // [ns]
+constexpr std::int64_t kPollPeriod = 10'000'000;  // [ns]
 
 /// Waits a little; true: the session is to end.
 bool poll(const RunControl& control) {
   const bool is_polled = control.poll && control.poll();
   const bool is_stopped = control.stop != nullptr && control.stop->load(std::memory_order_relaxed);
-  sleep_ns(kPoll);
+  sleep_ns(kPollPeriod);
   return is_polled || is_stopped;
 }
 
