@@ -22,10 +22,7 @@ std::int64_t find_all(const ConstraintWorld& world, const Pose& world_from_objec
     const BodyPair pair{{&world.object, world_from_object},
                         {world.scene[i].get(), world.bodies[i].world_from_body},
                         static_cast<std::int32_t>(i)};
-    const std::size_t others = scratch.found.size();
     left_out += find_rows(pair, contacts, reach, scratch.rows, scratch.found);
-    for (std::size_t k = others; k < scratch.found.size(); ++k)
-      scratch.found[k].row.body = static_cast<std::int32_t>(i);
   }
   return left_out;
 }
@@ -49,7 +46,9 @@ std::int32_t hand_over(const ConstraintWorld& world, ConstraintScratch& scratch,
   std::int32_t halvings = 0;
   for (; halvings <= kHalvings; ++halvings) {
     const RowBounds bounds{model.travel, world.reach, kKept * world.slop};
-    needed = needed_rows(scratch.found, model.state, bounds, kMaxRows, scratch.implied);
+    needed = halvings == 0
+                 ? needed_rows(scratch.found, model.state, bounds, kMaxRows, scratch.implied)
+                 : needed_again(bounds, kMaxRows, scratch.implied);
     if (needed.size() <= kMaxRows) break;
     model.travel *= 0.5;
   }

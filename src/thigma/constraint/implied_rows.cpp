@@ -146,8 +146,6 @@ std::span<const std::int32_t> needed_rows(std::span<const FoundRow> rows, const 
                                           ImpliedScratch& scratch) noexcept {
   auto& all = scratch.all;
   all.clear();
-  for (auto& kept : scratch.kept) kept.clear();
-  scratch.needed.clear();
   const Mat3 rotation = rotation_matrix(state.orientation);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     all.push_back(gradient_of(rows[i], state, rotation, bounds));
@@ -156,7 +154,14 @@ std::span<const std::int32_t> needed_rows(std::span<const FoundRow> rows, const 
   std::sort(all.begin(), all.end(), [](const RowGradient& a, const RowGradient& b) {
     return std::tie(a.gap, a.id, a.row) < std::tie(b.gap, b.id, b.row);
   });
-  for (const RowGradient& row : all) {
+  return needed_again(bounds, most, scratch);
+}
+
+std::span<const std::int32_t> needed_again(const RowBounds& bounds, std::size_t most,
+                                           ImpliedScratch& scratch) noexcept {
+  for (auto& kept : scratch.kept) kept.clear();
+  scratch.needed.clear();
+  for (const RowGradient& row : scratch.all) {
     if (scratch.needed.size() > most) break;
     if (row.kind == RowKind::scene_plane || row.kind == RowKind::object_plane) {
       auto& kept = scratch.kept[row.kind == RowKind::scene_plane ? 0 : 1];

@@ -58,4 +58,10 @@ std::span<const std::int32_t> needed_rows(std::span<const FoundRow> rows, const 
                                           const RowBounds& bounds, std::size_t most,
                                           ImpliedScratch& scratch) noexcept;
 
+/// The same of the rows of the last call of needed_rows, for another travel: their gradients and
+/// their order stay.
+/// Thread   [contact]; no failure
+std::span<const std::int32_t> needed_again(const RowBounds& bounds, std::size_t most,
+                                           ImpliedScratch& scratch) noexcept;
+
 }  // namespace thigma

@@ -11,12 +11,6 @@
 namespace thigma {
 namespace {
 
-/// A unit vector across another.
-Vec3 across(const Vec3& n) THIGMA_RT {
-  const Vec3 axis = std::fabs(n.x()) < 0.6 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
-  return n.cross(axis).normalized();
-}
-
 /// Speed at which a gap may close, or has to open, in a step.
 double limit_of(double gap, const ConstraintParams& params, double dt) THIGMA_RT {
   const double room = gap - params.slop;
@@ -41,7 +35,7 @@ double evaluate(const StepBounds& bounds, const BodyState& state, const Mat3& ro
     rows.friction[i] = model.rows[i].friction;
     rows.static_friction[i] = model.rows[i].static_friction;
     rows.arm[i] = at.arm;
-    rows.tangent[i] = across(at.normal);
+    rows.tangent[i] = tangents_of(at.normal).first;
     least = std::min(least, at.gap);
   }
   return least;

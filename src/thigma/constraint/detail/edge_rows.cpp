@@ -125,6 +125,7 @@ FoundRow edge_row(const RowSearch& search, const PlacedPair& pair) noexcept {
   FoundRow found;
   ContactRow& row = found.row;
   row.kind = RowKind::edges;
+  row.body = search.body;
   row.object_point = search.object.features->vertices[idx(e.tail)];
   row.object_direction = pair.sign * e.direction;
   row.scene_point = transform_point(search.scene.world_from_mesh, pair.scene_tail);

@@ -84,6 +84,7 @@ FoundRow plane_row(const RowSearch& search, PointsOf side, std::int32_t vertex,
                    const GuardPlane& plane) noexcept {
   FoundRow found;
   ContactRow& row = found.row;
+  row.body = search.body;
   const Pose& world_from_scene = search.scene.world_from_mesh;
   const Vec3 foot = plane.offset * plane.normal;
   if (side == PointsOf::object) {
