@@ -33,6 +33,18 @@ const char* status_name(DeviceStatus status) {
   return "lost";
 }
 
+template <class Items, class Put>
+void put_list(JsonObject& json, std::string& out, const char* key, const Items& items,
+              const Put& put) {
+  json.key(key);
+  out += '[';
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) out += ',';
+    put(out, items[i]);
+  }
+  out += ']';
+}
+
 void put_wrench(JsonObject& json, const char* force, const char* torque, const Wrench& wrench) {
   json.vector(force, wrench.force);
   json.vector(torque, wrench.torque);
@@ -84,15 +96,12 @@ struct FieldWriter {
   }
   void pressing(const char* key, const PressingRows& rows) const {
     if (rows.empty()) return;
-    json.key(key);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      out += i == 0 ? '[' : ',';
-      JsonObject row(out);
-      row.word("id", hex_text(rows[i].id));
-      row.vector("force", rows[i].force);
+    put_list(json, out, key, rows, [](std::string& text, const PressingRow& pressing) {
+      JsonObject row(text);
+      row.word("id", hex_text(pressing.id));
+      row.vector("force", pressing.force);
       row.close();
-    }
-    out += ']';
+    });
   }
   void optional_pose(const char* key, bool has, const Pose& pose) const {
     if (!has) return;
@@ -154,18 +163,6 @@ void put_depth(std::string& out, const DepthTerm& t) {
   JsonObject json(out);
   visit_depth(t, FieldWriter{out, json});
   json.close();
-}
-
-template <class Items, class Put>
-void put_list(JsonObject& json, std::string& out, const char* key, const Items& items,
-              const Put& put) {
-  json.key(key);
-  out += '[';
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (i > 0) out += ',';
-    put(out, items[i]);
-  }
-  out += ']';
 }
 
 void put_row(std::string& out, const ContactRow& r) {
