@@ -8,6 +8,7 @@
 #include <string>
 
 #include "json_out.h"
+#include "run_options.h"
 #include "verbs.h"
 
 #include "thigma/core/error.h"
@@ -65,8 +66,7 @@ std::string check(const TuneOptions& o) {
   if (!is_above(o.mass)) return "--mass must be a number above 0 [kg]";
   if (!o.inertia.empty() && !parse_inertia(o.inertia))
     return "--inertia must be one moment above 0, or three as I,I,I [kg m^2]";
-  if (!o.response.empty() && !response_of(o.response))
-    return "--response is penalty (or coupled, its older name), constraint or direct";
+  if (!o.response.empty() && !response_of(o.response)) return kWrongResponse;
   if (o.rate && !(*o.rate >= 50.0 && *o.rate <= 20000.0)) return "--rate must be 50 to 20000 Hz";
   if (o.delay && !(*o.delay >= 0.0 && *o.delay <= 1.0)) return "--delay must be 0 to 1 s";
   if (!is_above(o.motion_scale)) return "--motion-scale must be a number above 0";
@@ -97,8 +97,7 @@ Tuned tune_scene(const TuneOptions& options, const Common& common) {
   const HapticParams& haptic = tuned.chosen->haptic;
   tuned.title = scene.file;
   tuned.device = scene.device.uri;
-  tuned.task = gain_task(port, haptic.body, haptic.workspace, scene.rate);
-  tuned.task.is_constrained = haptic.response == ResponseKind::constrained;
+  tuned.task = gain_task(port, haptic.body, haptic.workspace, scene.rate, haptic.response);
   return tuned;
 }
 
@@ -109,11 +108,10 @@ Tuned tune_body(const TuneOptions& options) {
   const Workspace workspace =
       stiffness_keeping_workspace(Pose{}, options.motion_scale.value_or(1.0));
   tuned.device = options.device;
-  tuned.task =
-      gain_task(port, make_body(*options.mass, inertia), workspace, options.rate.value_or(1000.0));
   const ResponseKind response =
       response_of(options.response).value_or(default_response(SceneDescription{}, false));
-  tuned.task.is_constrained = response == ResponseKind::constrained;
+  tuned.task = gain_task(port, make_body(*options.mass, inertia), workspace,
+                         options.rate.value_or(1000.0), response);
   return tuned;
 }
 

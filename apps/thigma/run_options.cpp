@@ -76,8 +76,7 @@ std::string check_run_options(const RunOptions& o) {
   // As of solver.rate in a scene: more slowly, a contact model is too old before the next frame.
   if (o.rate && !(*o.rate >= 50.0 && *o.rate <= 20000.0)) return "--rate must be 50 to 20000 Hz";
   if (o.spin && !(*o.spin >= 0.0 && *o.spin <= 20000.0)) return "--spin must be 0 to 20000 us";
-  if (!o.response.empty() && !response_of(o.response))
-    return "--response is penalty (or coupled, its older name), constraint or direct";
+  if (!o.response.empty() && !response_of(o.response)) return kWrongResponse;
   if (o.friction && !(*o.friction >= 0.0 && std::isfinite(*o.friction)))
     return "--friction must be a number, 0 or more";
   Resolution resolution;

@@ -68,9 +68,7 @@ std::optional<GainTask> gains_of(const Run& run) {
     port.linear = {port.limits.max_force, port.limits.max_stiffness};
     port.angular = {port.limits.max_torque, port.limits.max_angular_stiffness};
   }
-  GainTask task = gain_task(port, haptic.body, haptic.workspace, run.session.config.rate);
-  task.is_constrained = haptic.response == ResponseKind::constrained;
-  return task;
+  return gain_task(port, haptic.body, haptic.workspace, run.session.config.rate, haptic.response);
 }
 
 std::vector<std::string> response_choices() { return {"penalty", "direct", "constraint"}; }

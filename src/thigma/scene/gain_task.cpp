@@ -56,8 +56,9 @@ DevicePort describe_device(const std::string& uri) {
 }
 
 GainTask gain_task(const DevicePort& port, const RigidBody& body, const Workspace& workspace,
-                   double rate) {
+                   double rate, ResponseKind response) {
   GainTask task;
+  task.is_constrained = response == ResponseKind::constrained;
   task.body = body;
   task.rate = rate;
   task.delay = port.delay;

@@ -21,9 +21,9 @@ struct DevicePort {
 /// Thread   [offline].
 DevicePort describe_device(const std::string& uri);
 
-/// Gains of this body in that device.
+/// Gains of this body in that device, with that response.
 GainTask gain_task(const DevicePort& port, const RigidBody& body, const Workspace& workspace,
-                   double rate);
+                   double rate, ResponseKind response = ResponseKind::coupled);
 
 /// Fills in what a scene leaves open of coupling and contact: proposed stiffnesses with their
 /// critical dampings, and where the springs level off. What the scene says stays.

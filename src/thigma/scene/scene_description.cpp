@@ -200,10 +200,10 @@ SessionConfig make_session_config(const SceneDescription& given, const ObjectMea
                              given.device.force_scale.value_or(1.0 / motion_scale)};
   SceneDescription scene = given;
   if (scene.has_auto_gains) {
-    GainTask task = gain_task(describe_device(scene.device.uri), config.haptic.body,
-                              config.haptic.workspace, scene.rate);
-    task.is_constrained = scene.contact.response == ResponseKind::constrained;
-    fill_gains(propose_gains(task), scene);
+    fill_gains(propose_gains(gain_task(describe_device(scene.device.uri), config.haptic.body,
+                                       config.haptic.workspace, scene.rate,
+                                       scene.contact.response.value_or(ResponseKind::coupled))),
+               scene);
   }
   config.haptic.coupling = make_coupling(scene, gains, config.haptic.body);
   config.haptic.safety = scene.safety;
