@@ -14,15 +14,24 @@
 namespace thigma {
 namespace {
 
+/// A smooth ball, and a textured plate below it.
+struct BallOnPlate {
+  HapticTexture plate = [] {
+    Random random(1);
+    const test::PlateShape shape{.size = 0.02, .cells = 4, .texels = 128};
+    return make_texture(test::plate_source(random, shape), "plate");
+  }();
+  TriangleMesh mesh = make_ball(0.004, 8);
+  HapticTexture smooth = make_plain_texture(mesh, "ball");
+  ClodHierarchy ball = build_exact_hierarchy(mesh);
+  ClodHierarchy below = build_exact_hierarchy(plate.coarse);
+};
+
 TEST(WarmTextures, allocate_nothing) {
   if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
-  Random random(1);
-  const test::PlateShape shape{.size = 0.02, .cells = 4, .texels = 128};
-  const HapticTexture plate = make_texture(test::plate_source(random, shape), "plate");
-  const TriangleMesh mesh = make_ball(0.004, 8);
-  const HapticTexture smooth = make_plain_texture(mesh, "ball");
-  const ClodHierarchy ball = build_exact_hierarchy(mesh),
-                      below = build_exact_hierarchy(plate.coarse);
+  const BallOnPlate given;
+  const HapticTexture &plate = given.plate, &smooth = given.smooth;
+  const ClodHierarchy &ball = given.ball, &below = given.below;
   for (const DepthSearch search : {DepthSearch::grid, DepthSearch::branch}) {
     ContactWorld world;
     world.object = &ball;
@@ -54,13 +63,9 @@ TEST(WarmTextures, allocate_nothing) {
 
 TEST(WarmTextures, rows_allocate_nothing) {
   if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
-  Random random(1);
-  const test::PlateShape shape{.size = 0.02, .cells = 4, .texels = 128};
-  const HapticTexture plate = make_texture(test::plate_source(random, shape), "plate");
-  const TriangleMesh mesh = make_ball(0.004, 8);
-  const HapticTexture smooth = make_plain_texture(mesh, "ball");
-  const ClodHierarchy ball = build_exact_hierarchy(mesh),
-                      below = build_exact_hierarchy(plate.coarse);
+  const BallOnPlate given;
+  const HapticTexture &plate = given.plate, &smooth = given.smooth;
+  const ClodHierarchy &ball = given.ball, &below = given.below;
   SessionConfig config;
   config.contact.object = &ball;
   config.contact.scene = {{&below, Pose{}}};

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "support/row_samples.h"
 #include <gtest/gtest.h>
 
 namespace thigma {
@@ -79,22 +80,8 @@ TEST(ContactStatistics, AddsUp) {
   EXPECT_NEAR(quantile(t->model_cpu, 0.5), 1e-3, 2e-5);
 }
 
-HapticSample grasped(std::uint64_t frame) {
-  HapticSample s;
-  s.frame = frame;
-  s.time = 1e-3 * static_cast<double>(frame);
-  s.elapsed = 1e-3;
-  s.is_grasped = true;
-  return s;
-}
-
-ContactSample with_rows(std::size_t count) {
-  ContactSample c;
-  for (std::size_t i = 0; i < count; ++i)
-    c.model.constraints.rows.push_back(make_row(RowKind::scene_plane));
-  c.rows = static_cast<std::int64_t>(count);
-  return c;
-}
+using test::grasped;
+using test::with_rows;
 
 TEST(ConstraintStatistics, CountOnlyFramesWithTheObjectInTheHand) {
   HeldCounts counts;

@@ -2,27 +2,14 @@
 
 #include <string>
 
+#include "support/row_samples.h"
 #include <gtest/gtest.h>
 
 namespace thigma {
 namespace {
 
-HapticSample grasped(std::uint64_t frame) {
-  HapticSample s;
-  s.frame = frame;
-  s.time = 1e-3 * static_cast<double>(frame);
-  s.elapsed = 1e-3;
-  s.is_grasped = true;
-  return s;
-}
-
-ContactSample with_rows(std::size_t count) {
-  ContactSample c;
-  for (std::size_t i = 0; i < count; ++i)
-    c.model.constraints.rows.push_back(make_row(RowKind::scene_plane));
-  c.rows = static_cast<std::int64_t>(count);
-  return c;
-}
+using test::grasped;
+using test::with_rows;
 
 struct Told {
   std::vector<SessionEvent> events;
