@@ -121,6 +121,40 @@ TEST(Front, OutlivesWantOfRoomAndAChangeOfTolerance) {
   }
 }
 
+TEST(Front, TooManyPairsShrinkTheToleranceAndLeaveOutNoneWithinIt) {
+  // A ball in a hollow one: nothing is near at one tolerance, nearly everything at twice that.
+  const ClodHierarchy ball = build_exact_hierarchy(make_ball(1.0, 16));
+  const ClodHierarchy hollow = build_exact_hierarchy(make_ball(1.05, 16));
+  ContactFront kept;
+  ContactSet set, want;
+  set.contacts.reserve(1'000'000);
+  want.contacts.reserve(1'000'000);
+  int shrunk = 0;
+  std::int64_t most = 0, most_without = 0;
+  for (int k = 0; k < 40; ++k) {
+    const Pose pose{{0.04 * std::sin(0.3 * k), 0.0, 0.0},
+                    rotation_from_vector({0.0, 0.1 * k, 0.0})};
+    const ContactQuery query{.tolerance = k % 3 == 0 ? 0.02 : 0.4, .most_pairs = 500};
+    clear(set);
+    clear(want);
+    query_contacts({ball, pose}, {hollow}, query, kept, set);
+    ASSERT_LE(kept.tolerance, query.tolerance);
+    ASSERT_GE(kept.tolerance, query.tolerance / 64.0);
+    ContactFront fresh;
+    query_contacts({ball, pose}, {hollow}, {.tolerance = kept.tolerance}, fresh, want);
+    SCOPED_TRACE(k);
+    expect_same(set, want);
+    ASSERT_FALSE(testing::Test::HasFailure());
+    if (kept.tolerance < query.tolerance) ++shrunk;
+    most = std::max(most, set.stats.tests);
+    clear(want);
+    query_contacts({ball, pose}, {hollow}, {.tolerance = query.tolerance}, fresh, want);
+    most_without = std::max(most_without, want.stats.tests);
+  }
+  EXPECT_GE(shrunk, 20);
+  EXPECT_LT(2 * most, most_without);
+}
+
 TEST(Front, KnowsHowFarWhatItDidNotReportIs) {
   const ClodHierarchy ball = build_exact_hierarchy(make_ball(1.0, 8));
   ContactFront front;

@@ -337,21 +337,47 @@ TEST(Safety, ADeviceThatRepeatsItselfIsSilent) {
 
 TEST(Safety, OldModelsFadeTogetherWithTheWrenchAndLatchAtTheEnd) {
   Armed a;
-  EXPECT_EQ(model_weight(a.limits, 0.025, 0.0, kTick, a.state), 1.0);
-  EXPECT_NEAR(model_weight(a.limits, 0.0375, 0.0, kTick, a.state), 0.5, 1e-12);
-  EXPECT_NEAR(model_weight(a.limits, 0.04999, 0.0, kTick, a.state), 0.0, 1e-3);
+  EXPECT_EQ(model_weight(a.limits, {0.025}, 0.0, kTick, a.state), 1.0);
+  EXPECT_NEAR(model_weight(a.limits, {0.0375}, 0.0, kTick, a.state), 0.5, 1e-12);
+  EXPECT_NEAR(model_weight(a.limits, {0.04999}, 0.0, kTick, a.state), 0.0, 1e-3);
   EXPECT_EQ(a.state.fault, Fault::none);
   const double full = a.settle({Vec3(0, 0, 2), Vec3(0.05, 0, 0)}).force.z();
   const Wrench faded = a.limit({Vec3(0, 0, 2), Vec3(0.05, 0, 0)}, 0.25);
   EXPECT_NEAR(faded.force.z(), 0.25 * full, 1e-12);
   EXPECT_NEAR(faded.torque.x(), 0.25 * 0.05, 1e-12);
-  EXPECT_EQ(model_weight(a.limits, 0.050, 7.0, kTick, a.state), 0.0);
+  EXPECT_EQ(model_weight(a.limits, {0.050}, 7.0, kTick, a.state), 0.0);
   EXPECT_EQ(a.state.fault, Fault::contact_stale);
   EXPECT_EQ(a.state.fault_time, 7.0);
   EXPECT_EQ(a.limit({Vec3(0, 0, 2), Vec3::Zero()}).force, Vec3::Zero());
   SafetyState idle;  // an unarmed session waits for its first model without a fault
-  EXPECT_EQ(model_weight(a.limits, std::numeric_limits<double>::infinity(), 0.0, kTick, idle), 0.0);
+  EXPECT_EQ(model_weight(a.limits, {std::numeric_limits<double>::infinity()}, 0.0, kTick, idle),
+            0.0);
   EXPECT_EQ(idle.fault, Fault::none);
+}
+
+// Models every `interval` for a second, then none for `pause`: the weight at the end of it.
+double weight_after_pause(bool has_rows, double interval, double pause) {
+  Armed a;
+  double now = 0.0, made = 0.0, weight = 0.0;
+  std::uint64_t sequence = 1;
+  for (; now < 1.0 + pause; now += kTick) {
+    if (now < 1.0 && now - made >= interval) {
+      made = now;
+      ++sequence;
+    }
+    weight = model_weight(a.limits, {now - made, made, sequence, has_rows}, now, kTick, a.state);
+    if (has_rows && now > 0.2 && now < 1.0) {  // the first late one is not expected
+      EXPECT_EQ(weight, 1.0) << now;
+    }
+  }
+  return weight;
+}
+
+TEST(Safety, RowsThatComeSlowlyCountLonger) {
+  EXPECT_EQ(weight_after_pause(true, 0.001, 0.060), 0.0);  // a thread that hangs is a fault as ever
+  EXPECT_EQ(weight_after_pause(true, 0.033, 0.060), 1.0);  // one that is slow is not
+  EXPECT_EQ(weight_after_pause(true, 0.033, 0.250), 0.0);  // but then it hangs
+  EXPECT_EQ(weight_after_pause(false, 0.020, 0.060), 0.0);  // springs of old contacts are wrong
 }
 
 TEST(Safety, AFreshModelBringsTheWrenchBackAsGentlyAsItLeft) {
@@ -361,12 +387,12 @@ TEST(Safety, AFreshModelBringsTheWrenchBackAsGentlyAsItLeft) {
   const Wrench wanted{Vec3(0, 0, 20), Vec3(0.8, 0, 0)};
   const Wrench full = a.settle(wanted);
   const double fade = kTick / (a.limits.model_stale_age - a.limits.model_full_age);
-  double weight = model_weight(a.limits, 0.049, 0.0, kTick, a.state);
+  double weight = model_weight(a.limits, {0.049}, 0.0, kTick, a.state);
   EXPECT_NEAR(weight, fade, 1e-12);  // down at once
   Wrench last = a.limit(wanted, weight);
   EXPECT_NEAR(last.force.z(), fade * full.force.z(), 1e-12);
   for (int i = 0; i < 200; ++i) {
-    const double now_weight = model_weight(a.limits, 0.001, 0.0, kTick, a.state);
+    const double now_weight = model_weight(a.limits, {0.001}, 0.0, kTick, a.state);
     EXPECT_LE(now_weight, weight + fade * (1.0 + 1e-9));
     const Wrench w = a.limit(wanted, now_weight);
     EXPECT_LE((w.force - last.force).norm(), a.limits.force_slew * kTick * (1.0 + 1e-9));
@@ -379,7 +405,7 @@ TEST(Safety, AFreshModelBringsTheWrenchBackAsGentlyAsItLeft) {
   EXPECT_EQ(last.force, full.force);
   a.state.is_armed = false;  // unarmed there is nothing to feel
   a.state.weight = 0.0;
-  EXPECT_EQ(model_weight(a.limits, 0.001, 0.0, kTick, a.state), 1.0);
+  EXPECT_EQ(model_weight(a.limits, {0.001}, 0.0, kTick, a.state), 1.0);
 }
 
 TEST(Safety, TorqueOfADeviceWithoutItIsStillComputed) {

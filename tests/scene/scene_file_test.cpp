@@ -165,6 +165,8 @@ orientation_jump = 0.2
 silent_device = 0.06
 model_full_age = 0.02
 model_stale_age = 0.04
+rows_full_age = 0.3
+rows_stale_age = 0.4
 watchdog = 0.03
 strict = true
 [solver]
@@ -241,6 +243,8 @@ contact_latency = 2
   EXPECT_EQ(s.safety.silent_device, 0.06);
   EXPECT_EQ(s.safety.model_full_age, 0.02);
   EXPECT_EQ(s.safety.model_stale_age, 0.04);
+  EXPECT_EQ(s.safety.rows_full_age, 0.3);
+  EXPECT_EQ(s.safety.rows_stale_age, 0.4);
   EXPECT_EQ(s.safety.watchdog, 0.03);
   EXPECT_TRUE(s.is_strict);
   EXPECT_FALSE(SceneDescription{}.is_strict);
@@ -354,6 +358,9 @@ TEST(SceneFile, WrongScenesNamePlaceAndExpectation) {
       {"[object]\nmesh = \"procedural:ball\"\n[safety]\nmodel_full_age = 0.06\n",
        4,
        {"below model_stale_age"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[safety]\nrows_stale_age = 0.06\n",
+       4,
+       {"rows_full_age below rows_stale_age"}},
       {"[object]\nmesh = \"procedural:ball\"\n[solver]\nrate = 1\n", 4, {"50 to 20000"}},
       {"[object]\nmesh = \"procedural:ball\"\n[solver]\nintegrator = \"euler\"\n",
        4,

@@ -119,6 +119,10 @@ void set_friction(const ContactWorld& world, Terms& terms) noexcept {
   }
 }
 
+/// Pairs within the look-ahead that are cheap to measure, and how many of them a frame bears.
+constexpr double kPairs = 1500.0;
+constexpr std::size_t kMostPairs = 6000;
+
 /// How far rows have to look ahead: what the object would go until the model after the next, in
 /// steps of two, as far as the query stays cheap. Pairs grow with the square of it; where none were
 /// found nothing is known of how, so that it grows step by step, or as far as was free. Where
@@ -126,12 +130,12 @@ void set_friction(const ContactWorld& world, Terms& terms) noexcept {
 /// steps.
 double look_ahead(const ConstraintWorld& world, double wanted,
                   const ContactScratch& last) noexcept {
-  constexpr double kPairs = 1500.0;
   constexpr int kHalvings = 5;
   const double pairs = static_cast<double>(last.contacts.contacts.size());
   constexpr double kStep = 4.0;
   const double known =
-      std::max({kStep * last.looked_ahead, last.separation, world.least_look_ahead});
+      std::min(std::max({kStep * last.looked_ahead, last.separation, world.least_look_ahead}),
+               last.crowded_ahead);
   const auto is_cheap = [&](double ahead) {
     const double growth = ahead / std::max(last.looked_ahead, world.slop);
     return pairs * growth * growth <= kPairs && ahead <= known;
@@ -140,6 +144,14 @@ double look_ahead(const ConstraintWorld& world, double wanted,
   for (int i = 0; i < kHalvings && !is_cheap(ahead); ++i) ahead *= 0.5;
   while (ahead < wanted && ahead < world.most_look_ahead && is_cheap(2.0 * ahead)) ahead *= 2.0;
   return std::min(ahead, world.most_look_ahead);
+}
+
+/// What is left of the tolerance after the query: surfaces that conform may have had too many pairs
+/// within it.
+double found_tolerance(const std::vector<ContactFront>& fronts, double asked) noexcept {
+  for (const ContactFront& front : fronts)
+    if (front.tolerance >= 0.0) asked = std::min(asked, front.tolerance);
+  return asked;
 }
 
 /// Exact contacts for rows.
@@ -160,8 +172,15 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   // Fine surfaces may meet where coarse ones are still apart by their relief.
   const double relief = relief_of(world.textures);
   query.tolerance = scratch.looked_ahead + relief;
+  query.most_pairs = kMostPairs;
   query_scene({*world.object, world_from_mesh(world, body.state)}, world.scene, query,
               scratch.fronts, scratch.contacts);
+  const double found = found_tolerance(scratch.fronts, query.tolerance);
+  const bool is_crowded = found < query.tolerance;
+  if (is_crowded) scratch.looked_ahead = found - relief;
+  // What was too far is tried again, a little nearer, some frames later.
+  constexpr double kReturn = 1.02;
+  scratch.crowded_ahead = is_crowded ? scratch.looked_ahead : kReturn * scratch.crowded_ahead;
   scratch.separation = scratch.looked_ahead;
   const bool is_far = scratch.contacts.contacts.empty();
   if (!world.textures.is_empty())

@@ -34,7 +34,8 @@ struct ContactScratch {
   std::shared_ptr<TextureScratch> textures;        // where the world has textures, else null
   std::shared_ptr<ConstraintScratch> constraints;  // where the world has constraints, else null
   double looked_ahead = 0.0;                       // tolerance of the last query for rows [m]
-  double separation = 0.0;  // of what that query did not report, at least [m]
+  double separation = 0.0;       // of what that query did not report, at least [m]
+  double crowded_ahead = 1e300;  // look-ahead that had too many pairs; grows again [m]
 };
 
 /// Room for world.capacity contacts and a front a static object: all that find_contacts needs.

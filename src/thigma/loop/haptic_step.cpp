@@ -144,8 +144,9 @@ void read_inputs(const HapticParams& params, const HapticPorts& ports, const Hap
   sample.model_sequence = model.sequence;
   sample.model_age =
       model.sequence == 0 ? std::numeric_limits<double>::infinity() : tick.now - model.time;
-  sample.model_weight =
-      model_weight(params.safety, sample.model_age, tick.now, tick.elapsed, safety);
+  const ModelAge age{sample.model_age, model.time, model.sequence,
+                     params.response == ResponseKind::constrained};
+  sample.model_weight = model_weight(params.safety, age, tick.now, tick.elapsed, safety);
   sample.input_digest = input_digest(sample);
   follow_clutch(params, sample.device, is_usable, state);
   if (!params.device.senses_rotation && state.is_grasped) {

@@ -160,20 +160,57 @@ bool check_device(const SafetyLimits& limits, const DeviceState& device, double 
   return safety.fault == Fault::none;
 }
 
-double model_weight(const SafetyLimits& limits, double age, double now, double elapsed,
+namespace {
+
+constexpr double kIntervalMemory = 1.0;  // [s]
+constexpr double kIntervals = 3.0;       // a model may be old; two pass where none is late
+
+void note_interval(const ModelAge& age, double elapsed, SafetyState& safety) THIGMA_RT {
+  safety.model_interval -= safety.model_interval * std::min(elapsed / kIntervalMemory, 1.0);
+  if (age.sequence == safety.model_sequence) return;
+  if (safety.model_sequence != 0)
+    safety.model_interval = std::max(safety.model_interval, age.time - safety.model_time);
+  safety.model_sequence = age.sequence;
+  safety.model_time = age.time;
+}
+
+struct AgeLimits {
+  double full, stale;  // [s]
+};
+
+AgeLimits age_limits(const SafetyLimits& limits, const ModelAge& age,
+                     const SafetyState& safety) THIGMA_RT {
+  const AgeLimits usual{limits.model_full_age, limits.model_stale_age};
+  if (!age.has_rows) return usual;
+  const double wanted = kIntervals * safety.model_interval;
+  const AgeLimits most{std::max(limits.rows_full_age, usual.full),
+                       std::max(limits.rows_stale_age, usual.stale)};
+  if (!(wanted > usual.full)) return usual;
+  const double share = most.full > usual.full
+                           ? std::min((wanted - usual.full) / (most.full - usual.full), 1.0)
+                           : 0.0;
+  return {usual.full + share * (most.full - usual.full),
+          usual.stale + share * (most.stale - usual.stale)};
+}
+
+}  // namespace
+
+double model_weight(const SafetyLimits& limits, const ModelAge& age, double now, double elapsed,
                     SafetyState& safety) THIGMA_RT {
-  const double fade = limits.model_stale_age - limits.model_full_age;
+  note_interval(age, elapsed, safety);
+  const AgeLimits may = age_limits(limits, age, safety);
+  const double fade = may.stale - may.full;
   double weight = 0.0;
-  if (!(age < limits.model_stale_age)) {  // NaN counts as stale
+  if (!(age.seconds < may.stale)) {  // NaN counts as stale
     if (safety.is_armed && limits.rides_out_gaps) {
       ramp_anew(safety, now);
     } else if (safety.is_armed) {
       latch_fault(safety, Fault::contact_stale, now);
     }
-  } else if (age <= limits.model_full_age) {
+  } else if (age.seconds <= may.full) {
     weight = 1.0;
   } else {
-    weight = (limits.model_stale_age - age) / fade;
+    weight = (may.stale - age.seconds) / fade;
   }
   // Unarmed nothing is felt, and nothing arms below 1: no need to wait.
   if (safety.is_armed && fade > 0.0) weight = std::min(weight, safety.weight + elapsed / fade);

@@ -29,7 +29,12 @@ struct SafetyLimits {
   double silent_device = 0.050;    // without a new device sample: a fault [s]
   double model_full_age = 0.025;   // a contact model up to this age counts fully [s]
   double model_stale_age = 0.050;  // and not at all from here on, where contact_stale latches [s]
-  double watchdog = 0.020;         // without a haptic step the second thread sends zero force [s]
+  // Models of rows that come slowly are not wrong, the object waits where they hold, and a force
+  // that fades and comes back is felt: they count fully up to three times the longest interval of
+  // late, at least as above and at most up to here [s]
+  double rows_full_age = 0.1;
+  double rows_stale_age = 0.2;
+  double watchdog = 0.020;  // without a haptic step the second thread sends zero force [s]
   // a late frame or model is no fault: zero force, then start_ramp anew; only where the device
   // holds nobody (use_device_limits)
   bool rides_out_gaps = false;
@@ -65,6 +70,9 @@ struct SafetyState {
   double contact_time = -1e300;  // last in contact [s]
   double onset_time = -1e300;    // of the last first touch [s]
   double weight = 1.0;           // last of model_weight
+  double model_time = 0.0;       // of the last contact model [s; session clock]
+  std::uint64_t model_sequence = 0;
+  double model_interval = 0.0;  // the longest between two models of late [s]
   Wrench slewed;  // after ramp, clamp and slew, before fading; about the handle [device frame]
   Wrench sent;    // slewed times the weight of the contact model; growing no faster than the slew
   bool has_device = false;            // a good sample has been seen
@@ -81,6 +89,14 @@ struct SafetyState {
 struct StepTime {
   double now = 0.0;      // [s; session clock]
   double elapsed = 0.0;  // since the last step [s], > 0
+};
+
+/// How old a contact model is, and of which kind.
+struct ModelAge {
+  double seconds = 0.0;        // NaN counts as stale
+  double time = 0.0;           // of the state it was made for [s; session clock]
+  std::uint64_t sequence = 0;  // 0: none yet
+  bool has_rows = false;       // of the constraint response
 };
 
 /// A wrench that is asked for.
@@ -128,10 +144,10 @@ bool check_device(const SafetyLimits& limits, const DeviceState& device, double 
 /// it rises no faster than it fades, so that a late model brings the force back as gently as it
 /// left.
 ///
-/// age      of the model [s]; NaN counts as stale
+/// age      of rows: the limits follow how often models come, see SafetyLimits::rows_full_age
 /// elapsed  since the last step [s]
 /// Thread   [haptic]
-double model_weight(const SafetyLimits& limits, double age, double now, double elapsed,
+double model_weight(const SafetyLimits& limits, const ModelAge& age, double now, double elapsed,
                     SafetyState& safety) THIGMA_RT;
 
 /// Arms when the hand holds the object and nothing has touched it for a while; disarms when it lets

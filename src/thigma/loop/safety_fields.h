@@ -22,6 +22,8 @@ void visit_safety_limits(Limits& s, Visit&& visit) {
   visit("silent_device", s.silent_device);
   visit("model_full_age", s.model_full_age);
   visit("model_stale_age", s.model_stale_age);
+  visit("rows_full_age", s.rows_full_age);
+  visit("rows_stale_age", s.rows_stale_age);
   visit("watchdog", s.watchdog);
 }
 

@@ -226,6 +226,12 @@ void read_device(TomlTable table, DeviceChoice& device) {
   table.finish();
 }
 
+void require_fade(TomlTable& table, const char* full, const char* stale, bool has_time) {
+  if (has_time) return;
+  table.fail(table.has(full) ? full : stale, "leaves no time to fade",
+             std::string("expected ") + full + " below " + stale);
+}
+
 void read_safety(TomlTable table, SceneDescription& scene) {
   SafetyLimits& safety = scene.safety;
   scene.is_passive = table.truth("passivity").value_or(scene.is_passive);
@@ -233,10 +239,10 @@ void read_safety(TomlTable table, SceneDescription& scene) {
   visit_safety_limits(safety, [&](const char* key, double& value) {
     value = table.number(key, Range::positive).value_or(value);
   });
-  if (!(safety.model_full_age < safety.model_stale_age)) {
-    const char* key = table.has("model_full_age") ? "model_full_age" : "model_stale_age";
-    table.fail(key, "leaves no time to fade", "expected model_full_age below model_stale_age");
-  }
+  require_fade(table, "model_full_age", "model_stale_age",
+               safety.model_full_age < safety.model_stale_age);
+  require_fade(table, "rows_full_age", "rows_stale_age",
+               safety.rows_full_age < safety.rows_stale_age);
   table.finish();
 }
 

@@ -14,6 +14,7 @@ void fuzz_scene(Bytes bytes) {
                              s.pose_jump, s.max_turn_speed, s.orientation_jump, s.watchdog})
     require(limit > 0.0 && std::isfinite(limit), "limits are positive");
   require(s.model_full_age < s.model_stale_age, "models have time to fade");
+  require(s.rows_full_age < s.rows_stale_age, "rows have time to fade");
   require(scene.rate >= 50.0 && scene.rate <= 20000.0, "the rate is in range");
 }
 

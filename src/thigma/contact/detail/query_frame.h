@@ -17,7 +17,7 @@ namespace thigma::detail {
 struct QueryFrame {
   const ClodHierarchy& object;
   const ClodHierarchy& scene;
-  const ContactQuery& query;
+  ContactQuery query;   // its tolerance shrinks where there are too many pairs
   RelativePose pose;    // object_from_scene
   Mat3 world_rotation;  // of the object
   Vec3 world_position;

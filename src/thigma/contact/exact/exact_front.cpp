@@ -23,9 +23,42 @@ void activate(QueryFrame& frame, std::int32_t i) noexcept {
   front.exact.incoming.push_back(i);
 }
 
+// What is near is counted while it is found: surfaces that conform have no pair at one tolerance and
+// a million at twice that, and nobody has the time to measure them first.
+class PairLimit {
+ public:
+  /// is_first  nothing is known yet: what is looked at on the way down comes once and is not counted
+  PairLimit(const QueryFrame& frame, bool is_first) noexcept
+      : step_(static_cast<std::int64_t>(frame.query.most_pairs)),
+        limit_(step_ + frame.set.stats.tests),
+        is_first_(is_first) {}
+
+  /// Halves the tolerance where there are too many. What was found so far is measured with the
+  /// smaller one, and sleeps where it is farther.
+  void hold(QueryFrame& frame) noexcept {
+    if (step_ == 0 || halvings_ == kHalvings) return;
+    const ExactFront& lists = frame.front.exact;
+    const std::size_t waiting =
+        lists.active.size() + lists.incoming.size() + lists.saturated.size();
+    const std::int64_t looked_at = is_first_ ? 0 : frame.set.stats.tests;
+    const std::int64_t pairs = looked_at + static_cast<std::int64_t>(waiting);
+    if (pairs <= limit_) return;
+    ++halvings_;
+    limit_ = pairs + step_;
+    frame.query.tolerance *= 0.5;
+    retarget(frame.front, frame.query.tolerance);
+  }
+
+ private:
+  static constexpr int kHalvings = 6;
+  std::int64_t step_, limit_;
+  bool is_first_;
+  int halvings_ = 0;
+};
+
 // Looks at pair i of the front and everything below it that has to be. front.work above `base` is
 // the stack.
-void descend(QueryFrame& frame, std::int32_t i) noexcept {
+void descend(QueryFrame& frame, std::int32_t i, PairLimit& most) noexcept {
   ContactFront& front = frame.front;
   const std::size_t base = front.work.size();
   front.work.push_back(i);
@@ -33,6 +66,7 @@ void descend(QueryFrame& frame, std::int32_t i) noexcept {
     const std::int32_t k = front.work.back();
     front.work.pop_back();
     FrontNode& node = front.nodes[k];
+    most.hold(frame);
     const double slack = slack_of(frame, node);
     if (slack > 0.0) {
       set_timer(front, k, slack);
@@ -92,7 +126,7 @@ void collect_expired(ContactFront& front) noexcept {
   }
 }
 
-void update_front(QueryFrame& frame) noexcept {
+void update_front(QueryFrame& frame, PairLimit& most) noexcept {
   ContactFront& front = frame.front;
   front.work.clear();
   collect_expired(front);
@@ -104,7 +138,7 @@ void update_front(QueryFrame& frame) noexcept {
     if (front.nodes[i].first_child >= 0)
       try_to_rise(frame, i);
     else
-      descend(frame, i);
+      descend(frame, i, most);
   }
 }
 
@@ -121,10 +155,11 @@ bool splits_a(const QueryFrame& frame, std::int32_t a, std::int32_t b) noexcept 
 bool track_exact(QueryFrame& frame) noexcept {
   const FrontState state = advance_front(frame, false);
   if (state == FrontState::no_memory) return false;
+  PairLimit most(frame, state == FrontState::empty);
   if (state == FrontState::empty) {
-    descend(frame, take_node(frame.front));
+    descend(frame, take_node(frame.front), most);
   } else {
-    update_front(frame);
+    update_front(frame, most);
   }
   frame.front.last = frame.pose;
   return true;
