@@ -41,7 +41,8 @@ void apply_options(const RunOptions& options, SceneDescription& scene) {
   }
   ContactGains& contact = scene.contact;
   if (options.resolution.is_exact) contact.has_levels_far = false;
-  if (contact.response == ResponseKind::constrained && asks_for_levels(options.resolution))
+  if (contact.response == ResponseKind::constrained &&
+      (options.resolution.threshold || !options.resolution.deviation_cap.empty()))
     contact.has_levels_far = true;
   if (options.friction) set_friction(*options.friction, scene);
   if (options.is_passive) scene.is_passive = true;

@@ -32,16 +32,16 @@ FoundRow row_of(const PlacedHierarchy& object, const SceneBody& body, const Cont
                 double turn) noexcept {
   const ClodNode& a =
       object.hierarchy.nodes[idx(contact_node(object.hierarchy, contact.object_patch))];
-  const ClodNode& b = body.hierarchy->nodes[idx(contact_node(*body.hierarchy, contact.scene_patch))];
+  const ClodNode& b =
+      body.hierarchy->nodes[idx(contact_node(*body.hierarchy, contact.scene_patch))];
   const Vec3& n = contact.normal;
   const auto in_body = [&](const Pose& pose) -> Vec3 {
     return pose.orientation.conjugate()._transformVector(n);
   };
   const Vec3 middle = transform_point(object.world_from_body, a.center);
   const Vec3 axis = in_body(object.world_from_body);
-  const double object_most = n.dot(middle) +
-                             most_along(object.hierarchy, a, axis) - axis.dot(a.center) +
-                             a.hausdorff + turn * (a.radius + a.hausdorff);
+  const double object_most = n.dot(middle) + most_along(object.hierarchy, a, axis) -
+                             axis.dot(a.center) + a.hausdorff + turn * (a.radius + a.hausdorff);
   const double scene_least = n.dot(body.world_from_body.position) -
                              most_along(*body.hierarchy, b, -in_body(body.world_from_body)) -
                              b.hausdorff;

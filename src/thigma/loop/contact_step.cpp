@@ -162,6 +162,7 @@ Resolution levels_far(const ContactWorld& world, double ahead, double wanted) no
   constexpr double kLeast = 0.25;  // of the least look-ahead
   const ConstraintWorld& constraints = *world.constraints;
   Resolution resolution = world.resolution;
+  resolution.metric = {.haptic = world.resolution.metric.haptic};
   resolution.exact_within =
       std::min(std::max(kNext * wanted, kLeast * constraints.least_look_ahead), kMost * ahead);
   resolution.turn = row_reach(constraints, ahead).turn;

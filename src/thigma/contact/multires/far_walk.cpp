@@ -77,11 +77,10 @@ Contact far_contact(const MultiresQuery& query, const FrontNode& node,
   level.pair.witness_b = found.q + a.center;
   const RelativePose& x = frame.pose;
   const Vec3 on_b = x.rotation.transpose() * (level.pair.witness_b - x.translation);
-  const double out_of_hull =
-      node_a(frame, node.a).hausdorff + node_b(frame, node.b).hausdorff;
-  level.bound = std::max(out_of_hull, surface_near(patch_at_level(frame.object, node.a), a,
-                                                   level.pair.witness_a) +
-                                          surface_near(patch_at_level(frame.scene, node.b), b, on_b));
+  const double out_of_hull = node_a(frame, node.a).hausdorff + node_b(frame, node.b).hausdorff;
+  level.bound = std::max(
+      out_of_hull, surface_near(patch_at_level(frame.object, node.a), a, level.pair.witness_a) +
+                       surface_near(patch_at_level(frame.scene, node.b), b, on_b));
   level.bound += kRounding * (a.radius + b.radius + found.distance);
   level.decided_by = LevelDecision::haptic;
   return level_contact(query, node, level, 1.0);
@@ -104,14 +103,16 @@ void visit_far(MultiresQuery& query, const PendingPair& entry) noexcept {
   PatchPair finest;
   const Found found = classify_pair(query, node, i, finest);
   if (found == Found::nothing) return;
-  if (found == Found::finest) return report(frame, level_contact(query, node, {.pair = finest}, 1.0));
+  if (found == Found::finest)
+    return report(frame, level_contact(query, node, {.pair = finest}, 1.0));
   if (is_always_refined(query, node)) return push_children(query, node, i, 1.0);
   const FarLimits limits = limits_of(query, node);
   if (is_known_near(query, limits, i)) return push_children(query, node, i, 1.0);
   ++frame.set.stats.tests;
   const SupportedDistance hulls = closest_hulls(frame, node, i, limits);
   if (!(hulls.distance > 0.0)) return push_children(query, node, i, 1.0);
-  if (hulls.distance > limits.apart) return end_apart(query, node, i, hulls.distance - limits.apart);
+  if (hulls.distance > limits.apart)
+    return end_apart(query, node, i, hulls.distance - limits.apart);
   report(frame, far_contact(query, node, hulls));
   if (i >= 0) drop_children(frame.front, i);
 }
