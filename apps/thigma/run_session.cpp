@@ -36,9 +36,14 @@ void apply_options(const RunOptions& options, SceneDescription& scene) {
   if (const auto response = response_of(options.response)) {
     scene.contact.response = *response;
   } else if (asks_for_levels(options.resolution) && !scene.contact.response) {
-    // Rows are of the finest surfaces: who asks for levels asks for the law that has them.
+    // Who asks for levels asks for the law that has them everywhere.
     scene.contact.response = ResponseKind::coupled;
   }
+  ContactGains& contact = scene.contact;
+  if (options.resolution.is_exact) contact.has_levels_far = false;
+  if (contact.response == ResponseKind::constrained &&
+      (options.resolution.threshold || !options.resolution.deviation_cap.empty()))
+    contact.has_levels_far = true;
   if (options.friction) set_friction(*options.friction, scene);
   if (options.is_passive) scene.is_passive = true;
   if (options.scene.empty()) scene.simulation.reset();  // somebody holds it

@@ -153,6 +153,9 @@ void append_constraint(std::string& text, const ConstraintSummary& s) {
            "travel           at least %.3g mm near contact; looked ahead at most %.3g mm; at most "
            "%.3g m/s wanted\n",
            1e3 * s.travel_min, 1e3 * s.look_ahead_max, s.wanted_speed_max);
+  if (s.coarse_max > 0)
+    append(text, "coarse           at most %lld pairs in a model, far away\n",
+           static_cast<long long>(s.coarse_max));
   append(text,
          "left out         %lld contacts at most, in %llu models, which allow no motion; travel "
          "halved %lld times at most, in %llu models, for want of room for rows\n",

@@ -8,6 +8,7 @@
 #include "experiments/common/assets.h"
 #include "experiments/common/replay.h"
 
+#include "thigma/clod/build_clod.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/core/cpu_clock.h"
 #include "thigma/dynamics/constrained_step.h"
@@ -145,6 +146,13 @@ LedPair placed_apart(LedPair pair, const Vec3& towards, double clearance) {
   return pair;
 }
 
+LedPair with_levels(LedPair pair) {
+  const ClodParams params{.threads = 2};
+  pair.object_levels = std::make_shared<ClodHierarchy>(build_clod(pair.object, params));
+  pair.scene_levels = std::make_shared<ClodHierarchy>(build_clod(pair.scene, params));
+  return pair;
+}
+
 SessionConfig led_config(const LedPair& pair, const LedGains& gains, double seconds) {
   SessionConfig config;
   const double moment = 0.4 * pair.mass * pair.reach * pair.reach;
@@ -171,6 +179,8 @@ SessionConfig led_config(const LedPair& pair, const LedGains& gains, double seco
   config.contact_every = gains.every;
   if (gains.is_constrained) {
     config.contact.friction.assign(1, {gains.friction, gains.friction});
+    config.contact.resolution.is_exact = !(gains.threshold > 0.0);
+    config.contact.resolution.metric.haptic = gains.threshold;
     use_constraints(config);
   }
   return config;
@@ -195,6 +205,7 @@ LedRun run_led(const SessionConfig& config, const HandPath& hand, const LedLook&
     run.query.push_back(sample.step_cpu);
     run.rows.push_back(static_cast<double>(sample.model.constraints.rows.size()));
     run.travel.push_back(sample.model.constraints.travel);
+    run.coarse.push_back(static_cast<double>(sample.coarse));
   };
   run.summary = run_lockstep(config, device, {.haptic = frame, .contact = contact, .event = {}});
   return run;

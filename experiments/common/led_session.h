@@ -41,7 +41,11 @@ struct LedGains {
   double stiffness = 1000.0, damping = 2.0;               // of the coupling [N/m, N s/m]
   double angular_stiffness = 0.5, angular_damping = 0.0;  // 0: ratio 0.7 [N m/rad, N m s/rad]
   double contact_stiffness = 5000.0;                      // of the penalty [N/m]
+  double threshold = 0.0;  // s0 of levels far away, under constraints; 0: exact
 };
+
+/// The same pair with levels of detail of both surfaces, which take their time to build.
+LedPair with_levels(LedPair pair);
 
 /// The session of a pair: springs linear, no limit on speeds and forces, armed in the first frame
 /// that nothing touches.
@@ -73,6 +77,7 @@ struct LedRun {
   int unlike = 0;  // frames that come out otherwise when they are computed again
   std::vector<double> query, solve, rows;     // CPU of contact steps and of steps [s]; rows a model
   std::vector<double> travel;                 // of the models [m]
+  std::vector<double> coarse;                 // pairs a model that stay coarse
   double energy_end = 0.0, energy_min = 0.0;  // [J]
 };
 

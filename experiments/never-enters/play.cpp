@@ -17,6 +17,7 @@ Ran play(const Seen& seen, const PressedScene& scene, const Play& how) {
   LedGains gains;
   gains.is_constrained = how.is_constrained;
   gains.every = how.every;
+  gains.threshold = how.threshold;
   Ran ran;
   int frame = 0;
   std::vector<double> forces[3];

@@ -10,7 +10,8 @@ namespace thigma::experiments::never_enters {
 struct Play {
   bool is_constrained;
   int every;
-  int look;  // frames from one look of the outside to the next
+  int look;                // frames from one look of the outside to the next
+  double threshold = 0.0;  // s0 of levels far away; 0: exact
 };
 
 struct Ran {

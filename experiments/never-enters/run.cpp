@@ -6,6 +6,7 @@
 #include <string>
 
 #include "experiments/common/all_experiments.h"
+#include "experiments/never-enters/levels.h"
 #include "experiments/never-enters/play.h"
 
 #include "thigma/math/quantile.h"
@@ -201,6 +202,7 @@ Outcome run_never_enters(const Context& context) {
                                     "least energy at the port of any scene and rate, constraint",
                                     worst.energy, -1e-6, "J"));
   claim_rest(worst, outcome);
+  play_levels(context, outcome);
   outcome.claims.push_back(
       at_most("faults", "runs that a fault ended, constraint", worst.faults, 0.0));
   outcome.claims.push_back(at_most("counted",

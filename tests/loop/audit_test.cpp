@@ -13,6 +13,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include "thigma/clod/build_clod.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/core/latest.h"
 #include "thigma/core/spsc_ring.h"
@@ -60,7 +61,7 @@ class PlantingDevice final : public HapticDevice {
 struct AuditResult {
   bool sees_system_calls = false;
   AuditCounts haptic, contact;
-  int touching_frames = 0;
+  int touching_frames = 0, coarse_frames = 0;
   std::set<std::int32_t> cluster_ids;
   std::uint64_t dropped = 0;
 };
@@ -95,8 +96,14 @@ struct Scene {
 
 /// Warms up, then watches `haptic_frames` haptic steps and a contact step every tenth, all in one
 /// thread, while this thread writes the recording.
-AuditResult audit(PlantingDevice::Plant plant, int haptic_frames, bool is_constrained = false) {
+AuditResult audit(PlantingDevice::Plant plant, int haptic_frames, bool is_constrained = false,
+                  bool has_levels = false) {
   Scene scene;
+  if (has_levels) {
+    scene.ball = build_clod(make_ball(0.01, 10));
+    scene.sheet = build_clod(Scene::rippled_sheet());
+    scene.config.contact.resolution.is_exact = false;
+  }
   scene.config.contact.friction.assign(scene.config.contact.scene.size(), {0.3, 0.4});
   if (is_constrained) use_constraints(scene.config);
   HandParams hand;
@@ -148,6 +155,7 @@ AuditResult audit(PlantingDevice::Plant plant, int haptic_frames, bool is_constr
                              {now, 1e-3, Fault::none}, state);
       }
       if (sample.touching > 0) ++result.touching_frames;
+      if (contact.coarse > 0) ++result.coarse_frames;
       for (const PlaneTerm& term : contact.model.planes) {
         if (id_count < ids.size()) ids[id_count++] = term.id;
       }
@@ -206,6 +214,15 @@ TEST(Audit, NorDoTheyUnderConstraints) {
   EXPECT_EQ(r.haptic.total(), 0);
   EXPECT_EQ(r.contact.total(), 0) << "allocations " << r.contact.allocations;
   EXPECT_GT(r.touching_frames, 3000);
+}
+
+TEST(Audit, NorDoTheyWhereFarPairsStayCoarse) {
+  if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
+  const AuditResult r = audit(PlantingDevice::Plant::nothing, 5000, true, true);
+  EXPECT_EQ(r.haptic.total(), 0);
+  EXPECT_EQ(r.contact.total(), 0) << "allocations " << r.contact.allocations;
+  EXPECT_GT(r.touching_frames, 3000);
+  EXPECT_GT(r.coarse_frames, 100);
 }
 
 TEST(Audit, CatchesAPlantedAllocation) {

@@ -128,6 +128,7 @@ TEST(ReadRecording, contact_models_come_back_bit_for_bit) {
     EXPECT_EQ(got.left_out, want.left_out);
     expect_bits(got.travel, want.travel);
     expect_bits(got.look_ahead, want.look_ahead);
+    EXPECT_EQ(got.coarse, want.coarse);
   }
 }
 

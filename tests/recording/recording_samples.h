@@ -91,6 +91,7 @@ inline ContactSample contact_sample(std::uint64_t sequence) {
     c.left_out = static_cast<std::int64_t>(random.below(10));
     c.travel = random.uniform(0.0, 1e-3);
     c.look_ahead = random.uniform(0.0, 1e-3);
+    c.coarse = static_cast<std::int64_t>(random.below(100));
   }
   c.model.sequence = sequence;
   c.model.time = c.time;

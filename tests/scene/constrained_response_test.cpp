@@ -68,6 +68,47 @@ TEST(ConstrainedResponse, PressedByAHandTheJawsDoNotEnterEachOther) {
   }
 }
 
+Scene jaws_with_levels(double threshold) {
+  SceneDescription scene = test::small_jaws();
+  scene.contact.response = ResponseKind::constrained;
+  scene.contact.has_levels_far = true;
+  scene.contact.resolution.is_exact = false;
+  scene.contact.resolution.metric.haptic = threshold;
+  return load_scene(std::move(scene), {.keeps_levels = false});
+}
+
+TEST(ConstrainedResponse, NorDoTheyWhereFarPairsStayCoarse) {
+  for (const double threshold : {0.0025, 0.05}) {
+    const Scene scene = jaws_with_levels(threshold);
+    ASSERT_FALSE(scene.config.contact.resolution.is_exact);
+    for (const int every : {1, 10}) {
+      const Felt felt = run(scene, every, 41);
+      EXPECT_EQ(felt.summary.end, SessionEnd::duration) << every;
+      EXPECT_EQ(felt.met, 0) << every;
+      EXPECT_LE(felt.deepest, 0.0) << every;
+      EXPECT_GT(felt.force, 0.3) << every;
+      EXPECT_GT(felt.summary.constraint.coarse_max, 0) << every;
+      EXPECT_EQ(felt.summary.state_hash, run(scene, every, 41).summary.state_hash) << every;
+    }
+  }
+}
+
+TEST(ConstrainedResponse, FarPairsStayCoarseOnlyWhereAskedFor) {
+  const auto response = [](const std::string& keys) {
+    return parse_scene(
+        "[object]\nmesh = \"procedural:ball\"\n[[static]]\nmesh = \"procedural:ball\"\n"
+        "[contact]\n" +
+            keys,
+        "S.toml", "");
+  };
+  EXPECT_TRUE(response("response = \"constraint\"\nthreshold = 0.01\n").contact.has_levels_far);
+  EXPECT_FALSE(response("response = \"constraint\"\n").contact.has_levels_far);
+  EXPECT_FALSE(response("threshold = 0.01\n").contact.has_levels_far);
+  EXPECT_FALSE(response("response = \"constraint\"\nthreshold = 0.01\nexact = true\n")
+                   .contact.has_levels_far);
+  EXPECT_FALSE(response("response = \"penalty\"\nthreshold = 0.01\n").contact.has_levels_far);
+}
+
 TEST(ConstrainedResponse, ThePenaltyLetsThemIn) {
   // What the test above looks at is there to be seen.
   SceneDescription scene = test::small_jaws();
@@ -84,6 +125,18 @@ TEST(ConstrainedResponse, ReplaysBitForBit) {
   const ReplayReport replay = replay_recording(path);
   EXPECT_EQ(replay.state_hash, felt.state_hash);
   EXPECT_GT(felt.force_max, 0.3);
+  fs::remove(path);
+}
+
+TEST(ConstrainedResponse, ReplaysBitForBitWhereFarPairsStayCoarse) {
+  const std::string path = (fs::temp_directory_path() / "thigma_constrained_levels.mcap").string();
+  const Scene scene = jaws_with_levels(0.025);
+  SceneSession session = open_session(scene, {.device = "hand:", .duration = 1.2, .seed = 7});
+  const SessionSummary felt = record_lockstep(session, path);
+  const ReplayReport replay = replay_recording(path);
+  EXPECT_EQ(replay.state_hash, felt.state_hash);
+  EXPECT_GT(felt.force_max, 0.3);
+  EXPECT_GT(felt.constraint.coarse_max, 0);
   fs::remove(path);
 }
 

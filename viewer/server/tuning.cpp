@@ -103,21 +103,26 @@ void Tuner::add_resolution(const SessionConfig& config) {
       switchable("threshold", "error threshold", "",
                  "of the levels of detail, as a share of the smaller radius: larger is coarser",
                  r.metric.haptic, 0.001, 0.2));
-  list_.push_back(switchable("velocity_metric", "speed metric", "s",
-                             "coarser where surfaces pass fast: error allowed for each m/s",
-                             r.metric.velocity, 0.001, 0.2));
-  list_.push_back(switchable("view_metric", "view metric", "px",
-                             "errors no larger than this on a picture 720 pixels high from some "
-                             "four radii away are allowed",
-                             r.metric.view.pixels, 0.25, 50.0));
+  // Under constraints the others do not count.
+  const bool has_all = config.contact.constraints == nullptr;
+  if (has_all) {
+    list_.push_back(switchable("velocity_metric", "speed metric", "s",
+                               "coarser where surfaces pass fast: error allowed for each m/s",
+                               r.metric.velocity, 0.001, 0.2));
+    list_.push_back(switchable("view_metric", "view metric", "px",
+                               "errors no larger than this on a picture 720 pixels high from some "
+                               "four radii away are allowed",
+                               r.metric.view.pixels, 0.25, 50.0));
+  }
   list_.push_back(switchable("deviation_cap", "deviation cap", "",
                              "most surface deviation of a contact, as a share of the smaller "
                              "radius, whatever the metrics allow",
                              std::isfinite(r.deviation_cap) ? r.deviation_cap : 0.0, 0.002, 0.2));
-  list_.push_back(
-      switchable("budget_us", "time budget", "\u00b5s",
-                 "CPU time of a contact query; what is left coarse for it shows in the bounds",
-                 1e6 * r.budget_cpu, 20.0, 20000.0));
+  if (has_all)
+    list_.push_back(
+        switchable("budget_us", "time budget", "\u00b5s",
+                   "CPU time of a contact query; what is left coarse for it shows in the bounds",
+                   1e6 * r.budget_cpu, 20.0, 20000.0));
 }
 
 const LiveParameter* Tuner::find(const std::string& name) const {

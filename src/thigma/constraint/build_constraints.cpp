@@ -95,6 +95,11 @@ void reserve_constraints(const ConstraintWorld& world, std::size_t capacity,
   reserve_implied(scratch.implied, capacity);
 }
 
+RowReach row_reach(const ConstraintWorld& world, double travel) noexcept {
+  constexpr double kChord = 1.1;  // of an angle of less than a right one over its chord
+  return {travel, kChord * travel / world.reach};
+}
+
 ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState& state,
                                   const NearContacts& near, ConstraintScratch& scratch,
                                   ConstraintModel& model) noexcept {
@@ -104,8 +109,7 @@ ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState&
   model.reach = world.reach;
   model.travel = kShare * std::min(near.separation, kFar * world.reach);
   model.travel = std::min(model.travel, near.relief_travel);
-  constexpr double kChord = 1.1;  // of an angle of less than a right one over its chord
-  const RowReach reach{model.travel, kChord * model.travel / world.reach};
+  const RowReach reach = row_reach(world, model.travel);
   stats.left_out = near.contacts.dropped +
                    find_all(world, world_from_object, near.contacts.contacts, reach, scratch);
   const std::size_t room = scratch.found.capacity() - scratch.found.size();

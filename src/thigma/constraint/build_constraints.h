@@ -40,7 +40,8 @@ struct ConstraintScratch {
   RowScratch rows;
   std::vector<FoundRow> found;
   ImpliedScratch implied;
-  ReliefScratch relief;  // where the world is textured
+  ReliefScratch relief;          // where the world is textured
+  std::vector<FoundRow> coarse;  // of pairs far away, with levels of detail
 };
 
 /// What a query has found.
@@ -49,7 +50,8 @@ struct NearContacts {
   // of all it did not report, at least: its tolerance, or, where nothing is near, what its
   // traversal has proven (unreported_separation), > 0 [m]
   double separation = 0.0;
-  // rows of contacts that touch relief, which `contacts` is without, and how far they hold [m]
+  // rows of contacts that touch relief, which `contacts` is without, and how far they hold [m]; or
+  // those of coarse contacts, which have no others
   std::span<const FoundRow> relief{};
   double relief_travel = kInfinity;
 };
@@ -66,6 +68,10 @@ struct ConstraintStats {
 /// Thread [offline]; throws std::bad_alloc.
 void reserve_constraints(const ConstraintWorld& world, std::size_t capacity,
                          ConstraintScratch& scratch);
+
+/// What rows have to hold for when no point of the object moves farther than a travel [m].
+/// Thread [contact].
+RowReach row_reach(const ConstraintWorld& world, double travel) noexcept;
 
 /// Rows for a body at a state, good for nearly as much travel as the query has looked ahead.
 /// model      overwritten; rows know their body and have no friction

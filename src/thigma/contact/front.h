@@ -66,6 +66,9 @@ struct MultiresFront {
   // CPU time of handing over one contact, measured; with a budget of time [s]
   double finish_cost = 0.0;
   double refine_cost = 0.0;  // the same of refining one pair, at most, of recent frames [s]
+  // What the last query neither reported nor remembers as apart is no nearer than this; 0 unless
+  // Resolution::exact_within was asked [m].
+  double unremembered = 0.0;
 };
 
 /// Scratch of one pair of bodies. Owned by the caller, one a pair; any content is valid input.

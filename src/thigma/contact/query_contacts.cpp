@@ -44,15 +44,16 @@ void query_scene(const PlacedHierarchy& object, std::span<const SceneBody> bodie
 
 double unreported_separation(const ContactFront& front) noexcept {
   if (front.tolerance < 0.0) return kInfinity;
-  if (front.has_levels) return 0.0;
-  if (!front.exact.saturated.empty()) return front.tolerance;
+  if (!front.has_levels && !front.exact.saturated.empty()) return front.tolerance;
   float first = std::numeric_limits<float>::infinity();
   for (std::int32_t i = 0; i < front.used; ++i) {
     if (!(front.expires[i] < first)) continue;
     const FrontNode& node = front.nodes[i];
-    if (node.a >= 0 && node.first_child < 0) first = front.expires[i];
+    const bool is_culled = !front.has_levels || node.decision == FrontNode::Decision::apart;
+    if (node.a >= 0 && node.first_child < 0 && is_culled) first = front.expires[i];
   }
-  return front.tolerance + std::max(static_cast<double>(first) - front.travel, 0.0);
+  const double proven = front.tolerance + std::max(static_cast<double>(first) - front.travel, 0.0);
+  return front.has_levels ? std::min(proven, front.multires.unremembered) : proven;
 }
 
 double least_distance(const ContactSet& contacts) noexcept {

@@ -48,8 +48,8 @@ void query_scene(const PlacedHierarchy& object, std::span<const SceneBody> bodie
                  const ContactQuery& query, std::span<ContactFront> fronts,
                  ContactSet& contacts) noexcept;
 
-/// How near what the last exact query did not report may be, at least: the tolerance, and more
-/// where its traversal has proven more [m].
+/// How near what the last query did not report may be, at least: the tolerance, and more where its
+/// traversal has proven more [m].
 ///
 /// front     as that query left it; infinity before the first
 /// Thread    [contact].

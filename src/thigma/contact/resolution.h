@@ -56,6 +56,11 @@ struct Resolution {
   double step_time = 0.001;       // from the query before, for speeds [s]
   std::int64_t budget_tests = 0;  // pairs looked at, at most; 0: no limit. Reproducible
   double budget_cpu = 0.0;        // CPU time of the thread, at most; 0: no limit [s]
+  // Finest near, coarse far: a pair stays coarse where all below it is proven apart by more than
+  // `exact_within` along its normal, in whatever way the object turns by `turn`, and s* can be
+  // within s0 of the haptic metric and its deviations within the cap. All others are refined.
+  // Nothing is blended, no other metric and no budget counts. 0: off [m, rad]
+  double exact_within = 0.0, turn = 0.0;
 };
 
 }  // namespace thigma

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "thigma/constraint/build_constraints.h"
+#include "thigma/constraint/coarse_rows.h"
 #include "thigma/contact/distribute_contacts.h"
 #include "thigma/math/infinity.h"
 #include "thigma/response/linearize_contacts.h"
@@ -35,6 +36,11 @@ bool distributes_wide_contacts(const ContactWorld& world) noexcept {
   return world.distributes_wide_contacts && world.object != nullptr && world.textures.is_empty();
 }
 
+// Rows of coarse surfaces where they are far apart. Relief lies on the finest.
+bool has_levels_far(const ContactWorld& world) noexcept {
+  return world.constraints && !world.resolution.is_exact && world.textures.is_empty();
+}
+
 /// What the frame's contacts are like, for telemetry. Thread [contact].
 void describe_contacts(const ContactWorld& world, const ContactScratch& scratch,
                        ContactSample& sample) noexcept {
@@ -48,11 +54,15 @@ void describe_contacts(const ContactWorld& world, const ContactScratch& scratch,
   sample.object_levels.fill(0);
   sample.scene_levels.fill(0);
   sample.decided_by.fill(0);
+  sample.coarse = 0;
   for (const DepthTerm& term : sample.model.depths)
     sample.depth_max = std::max(sample.depth_max, term.depth);
   for (const Contact& contact : scratch.contacts.contacts) {
-    // Coarse surfaces under relief may well be through each other.
-    if (world.textures.is_empty() || !is_textured(world.textures, contact.body))
+    // Coarse surfaces under relief may well be through each other, and those that rows have proven
+    // apart.
+    const bool is_row = world.constraints && is_coarse(contact);
+    sample.coarse += is_row ? 1 : 0;
+    if (!is_row && (world.textures.is_empty() || !is_textured(world.textures, contact.body)))
       sample.depth_max = std::max(sample.depth_max, contact.depth);
     sample.bound_max = std::max(sample.bound_max, contact.bound);
     count_level(contact.object_level, sample.object_levels);
@@ -93,6 +103,7 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
   if (world.constraints) {
     if (!scratch.constraints) scratch.constraints = std::make_shared<ConstraintScratch>();
     reserve_constraints(*world.constraints, world.capacity, *scratch.constraints);
+    if (has_levels_far(world)) scratch.constraints->coarse.reserve(world.capacity);
     if (!world.textures.is_empty())
       reserve_relief(world.textures, world.capacity, scratch.constraints->relief);
     return;
@@ -113,6 +124,7 @@ namespace {
 template <class Terms>
 void set_friction(const ContactWorld& world, Terms& terms) noexcept {
   for (auto& term : terms) {
+    if (term.body < 0) continue;  // of a coarse row
     const Friction f = friction_on(world, term.body);
     term.friction = f.kinetic;
     term.static_friction = f.at_rest;
@@ -154,7 +166,22 @@ double found_tolerance(const std::vector<ContactFront>& fronts, double asked) no
   return asked;
 }
 
-/// Exact contacts for rows.
+/// Finest patches as near as the object wants to come until the next model, so that no coarse row
+/// presses before it is made; coarse ones beyond.
+Resolution levels_far(const ContactWorld& world, double ahead, double wanted) noexcept {
+  constexpr double kNext = 0.5;    // of what is wanted until the model after
+  constexpr double kMost = 0.5;    // of what is looked ahead
+  constexpr double kLeast = 0.25;  // of the least look-ahead
+  const ConstraintWorld& constraints = *world.constraints;
+  Resolution resolution = world.resolution;
+  resolution.metric = {.haptic = world.resolution.metric.haptic};
+  resolution.exact_within =
+      std::min(std::max(kNext * wanted, kLeast * constraints.least_look_ahead), kMost * ahead);
+  resolution.turn = row_reach(constraints, ahead).turn;
+  return resolution;
+}
+
+/// Contacts for rows: exact, or so where they are near.
 void find_near(const ContactWorld& world, const StampedBody& body,
                ContactScratch& scratch) noexcept {
   constexpr double kUsualStep = 1e-3;  // of the first frame, which has none before it [s]
@@ -173,6 +200,7 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   const double relief = relief_of(world.textures);
   query.tolerance = scratch.looked_ahead + relief;
   query.most_pairs = kMostPairs;
+  if (has_levels_far(world)) query.resolution = levels_far(world, scratch.looked_ahead, wanted);
   query_scene({*world.object, world_from_mesh(world, body.state)}, world.scene, query,
               scratch.fronts, scratch.contacts);
   const double found = found_tolerance(scratch.fronts, query.tolerance);
@@ -203,6 +231,16 @@ NearContacts find_relief(const ContactWorld& world, const StampedBody& body,
   return {relief.plain, scratch.separation, relief.rows, relief.travel};
 }
 
+/// All contacts, with the rows of those that are coarse.
+NearContacts find_coarse(const ContactWorld& world, const StampedBody& body,
+                         const ContactScratch& scratch, std::vector<FoundRow>& rows) noexcept {
+  rows.clear();
+  find_coarse_rows({*world.object, world_from_mesh(world, body.state)}, world.scene,
+                   scratch.contacts.contacts, row_reach(*world.constraints, scratch.separation),
+                   rows);
+  return {scratch.contacts, scratch.separation, rows};
+}
+
 /// Rows instead of clusters.
 void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratch& scratch,
                ContactSample& sample) noexcept {
@@ -215,7 +253,9 @@ void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratc
   ConstraintScratch& work = *scratch.constraints;
   const bool has_relief = !world.textures.is_empty();
   const NearContacts near = has_relief ? find_relief(world, body, scratch, work.relief)
-                                       : NearContacts{scratch.contacts, scratch.separation};
+                            : has_levels_far(world)
+                                ? find_coarse(world, body, scratch, work.coarse)
+                                : NearContacts{scratch.contacts, scratch.separation};
   const ConstraintStats stats =
       build_constraints(*world.constraints, body.state, near, work, model.constraints);
   sample.rows = stats.rows;

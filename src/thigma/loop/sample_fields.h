@@ -96,6 +96,7 @@ void visit_contact_rows(Sample& c, Visit&& visit) {
   visit.unless("left_out", c.left_out, std::int64_t{0});
   visit.unless("travel", c.travel, 0.0);
   visit.unless("look_ahead", c.look_ahead, 0.0);
+  visit.unless("coarse", c.coarse, std::int64_t{0});
 }
 
 /// Columns of a table of haptic samples. A vector's columns are `name` + x, y, z(, w) + `unit`.

@@ -93,6 +93,7 @@ struct ContactSample {
   std::int64_t left_out = 0;  // contacts and candidates for want of room: nothing may move then
   double travel = 0.0;        // of the object's points, as far as the rows say all [m]
   double look_ahead = 0.0;    // tolerance of the query [m]
+  std::int64_t coarse = 0;    // of the contacts, those not of two finest patches: far away
   // contacts, by LevelDecision; not recorded
   std::array<std::int32_t, kLevelDeciders> decided_by{};
   // of the original, below a contact, mean of both sides, sum over contacts; 0 of an exact query;

@@ -72,8 +72,9 @@ struct ContactGains {
   // contacts of large patches over the area these share; false: one point a pair
   bool distributes_wide_contacts = true;
   Resolution resolution{.is_exact = false};  // levels of detail at s0 = 2.5 %
-  // not set: default_response. The constrained one is exact, whatever the resolution
-  std::optional<ResponseKind> response;
+  std::optional<ResponseKind> response;      // not set: default_response
+  // The constrained response is exact unless this asks for levels far away, at `resolution`.
+  bool has_levels_far = false;
   double friction = 0.0;                  // Coulomb's coefficient of objects without a material
   std::optional<double> static_friction;  // and until they slide; otherwise the same
   CombineRule combine = CombineRule::geometric;  // of two materials

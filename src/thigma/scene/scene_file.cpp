@@ -183,6 +183,8 @@ void read_contact(TomlTable table, ContactGains& contact) {
   for (const ResponseName& known : kResponseNames) responses.emplace_back(known.name);
   if (const auto response = table.choice("response", responses))
     contact.response = kResponseNames[*response].kind;
+  contact.has_levels_far = contact.response == ResponseKind::constrained &&
+                           table.has("threshold") && !contact.resolution.is_exact;
   if (const std::optional<Friction> friction = read_friction(table)) {
     contact.friction = friction->kinetic;
     if (table.has("static_friction")) contact.static_friction = friction->at_rest;

@@ -30,7 +30,7 @@ void retune_passivity(HapticParams& params) THIGMA_RT;
 void use_direct_response(const DeviceLimits& device, SessionConfig& config);
 
 /// Makes a session's contacts inequalities: the object stays outside (docs/constraints.md).
-/// Contacts are exact whatever resolution is set.
+/// Contacts are exact unless contact.resolution is not: then far ones may be coarse.
 ///
 /// config    contact.object and contact.scene set; contact.constraints, haptic.constraint and
 ///           haptic.response are changed

@@ -26,6 +26,7 @@ void accumulate(RowCounts& counts, const ContactSample& sample) THIGMA_RT {
   counts.halved_models += sample.travel_halvings > 0 ? 1 : 0;
   counts.left_out_models += sample.left_out > 0 ? 1 : 0;
   counts.look_ahead_max = std::max(counts.look_ahead_max, sample.look_ahead);
+  counts.coarse_max = std::max(counts.coarse_max, sample.coarse);
   if (rows > 0) counts.travel_min = std::min(counts.travel_min, sample.travel);
 }
 
@@ -48,6 +49,7 @@ ConstraintSummary summarize(const HeldCounts& held, const RowCounts& rows) noexc
   s.left_out_models = rows.left_out_models;
   s.travel_min = rows.travel_min;
   s.look_ahead_max = rows.look_ahead_max;
+  s.coarse_max = rows.coarse_max;
   std::uint64_t all = 0, so_far = 0, sum = 0;
   for (std::size_t n = 1; n < rows.models.size(); ++n) {
     all += rows.models[n];

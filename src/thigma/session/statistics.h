@@ -48,6 +48,7 @@ struct RowCounts {
   std::uint64_t halved_models = 0, left_out_models = 0;         // with less travel, with none
   double travel_min = std::numeric_limits<double>::infinity();  // of models with rows [m]
   double look_ahead_max = 0.0;                                  // [m]
+  std::int64_t coarse_max = 0;
 };
 
 /// Of the haptic frames. Thread: one writer; read after it has stopped.
@@ -121,6 +122,7 @@ struct ConstraintSummary {
   std::uint64_t halved_models = 0, left_out_models = 0;
   // least of models with rows, infinite without; tolerance of queries [m]
   double travel_min = std::numeric_limits<double>::infinity(), look_ahead_max = 0.0;
+  std::int64_t coarse_max = 0;  // see ContactSample
 };
 
 /// Thread [offline].
@@ -146,6 +148,7 @@ void visit_constraint_summary(const ConstraintSummary& s, Visit&& visit) {
   visit("left_out_models", s.left_out_models);
   visit("travel_min", s.travel_min);
   visit("near_radius", s.look_ahead_max);
+  visit("coarse_max", s.coarse_max);
 }
 
 }  // namespace thigma

@@ -109,22 +109,24 @@ inline bool split(QueryFrame& frame, std::int32_t i, bool of_a) noexcept {
 // What a frame starts from.
 enum class FrontState : std::uint8_t { kept, empty, no_memory };
 
-// Timers of the exact query for another tolerance. What was culled by s is culled by less where the
-// tolerance is larger, and the other way round; when a split pair may rise is only a question of
-// cost.
+// Timers for another tolerance. What was culled by s is culled by less where the tolerance is
+// larger, and the other way round. With levels the same is so of what was open; in an exact query
+// that is a split pair, and when it may rise is only a question of cost.
 inline void retarget(ContactFront& front, double tolerance) noexcept {
   const double change = tolerance - front.tolerance;
   for (std::int32_t i = 0; i < front.used; ++i) {
     const FrontNode& node = front.nodes[i];
-    const bool is_culled = node.a >= 0 && node.first_child < 0 && front.expires[i] != kNever;
-    if (is_culled) front.expires[i] = round_down(static_cast<double>(front.expires[i]) - change);
+    if (node.a < 0 || front.expires[i] == kNever) continue;
+    const bool is_open = front.has_levels && node.decision == FrontNode::Decision::open;
+    if (!is_open && node.first_child >= 0) continue;
+    const double by = is_open ? change : -change;
+    front.expires[i] = round_down(static_cast<double>(front.expires[i]) + by);
   }
   front.tolerance = tolerance;
 }
 
-// Brings travel up to this pose, or forgets everything: other bodies, another kind of query,
-// another tolerance of a query with levels, or a jump, after which descending from the root is
-// cheaper than looking at everything.
+// Brings travel up to this pose, or forgets everything: other bodies, another kind of query, or a
+// jump, after which descending from the root is cheaper than looking at everything.
 inline FrontState advance_front(QueryFrame& frame, bool has_levels) noexcept {
   ContactFront& front = frame.front;
   if (front.object != &frame.object || front.scene != &frame.scene || front.capacity == 0) {
@@ -135,7 +137,7 @@ inline FrontState advance_front(QueryFrame& frame, bool has_levels) noexcept {
     }
   }
   const double smaller = std::min(frame.object.radius, frame.scene.radius);
-  if (front.tolerance >= 0.0 && !front.has_levels && !has_levels &&
+  if (front.tolerance >= 0.0 && front.has_levels == has_levels &&
       front.tolerance != frame.query.tolerance)
     retarget(front, frame.query.tolerance);
   const bool is_known = front.tolerance == frame.query.tolerance && front.has_levels == has_levels;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "thigma/contact/multires/budget.h"
+#include "thigma/contact/multires/far_walk.h"
 #include "thigma/contact/multires/pair_walk.h"
 
 // Sec. 3.4.2. The tree of pairs is walked from the root each frame. Where a pair was culled, or
@@ -81,10 +82,13 @@ void query_multires(QueryFrame& frame) noexcept {
     front.nodes[0].a = front.nodes[0].b = 0;
   }
   front.multires.pending.clear();
+  front.multires.unremembered = query.resolution.exact_within > 0.0 ? kInfinity : 0.0;
   front.work.clear();
   front.multires.pending.push_back({.node = 0});
   const Resolution& r = query.resolution;
-  if (r.budget_tests > 0 || r.budget_cpu > 0.0)
+  if (r.exact_within > 0.0)
+    walk_far(query);
+  else if (r.budget_tests > 0 || r.budget_cpu > 0.0)
     walk_within_budget(query);
   else
     walk(query, visit);

@@ -111,6 +111,7 @@ void push_children(MultiresQuery& query, FrontNode& node, std::int32_t i, double
     }
     return;
   }
+  front.multires.unremembered = std::min(front.multires.unremembered, frame.query.tolerance);
   const ClodNode& parent = of_a ? node_a(frame, node.a) : node_b(frame, node.b);
   for (std::int32_t c = parent.first_child; c < parent.first_child + parent.child_count; ++c) {
     front.multires.pending.push_back(
