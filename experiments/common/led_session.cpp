@@ -169,7 +169,10 @@ SessionConfig led_config(const LedPair& pair, const LedGains& gains, double seco
   config.world_from_body = pair.start;
   config.duration = seconds;
   config.contact_every = gains.every;
-  if (gains.is_constrained) {
+  config.contact.potential_law.area = 0.0625 * pair.reach * pair.reach;
+  if (gains.is_potential) {
+    use_potential(config);
+  } else if (gains.is_constrained) {
     config.contact.friction.assign(1, {gains.friction, gains.friction});
     use_constraints(config);
   }

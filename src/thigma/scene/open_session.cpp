@@ -49,6 +49,7 @@ struct Opening {
   bool is_constrained() const {
     return session.config.haptic.response == ResponseKind::constrained;
   }
+  bool is_potential() const { return session.config.haptic.response == ResponseKind::potential; }
 };
 
 /// Only a hand comes to the object by itself; scripts and people start where the scene says.
@@ -122,6 +123,14 @@ void open_at(Opening& o) {
   else if (o.is_constrained() && scheme != "replay")
     lead_out(o);
   if (o.is_constrained()) use_constraints(session.config);
+  if (o.is_potential()) {
+    if (!session.config.contact.textures.is_empty())
+      throw InputError(
+          session.scene_file +
+          ": response \"potential\" does not know relief, expected another response or "
+          "--texture off");
+    use_potential(session.config);
+  }
   if (scheme == "web") {
     session.device = open_web(o);
   } else if (scheme == "replay") {
@@ -141,9 +150,10 @@ void start_simulation(const SimulatedBody& body, Opening& o) {
   if (device_scheme(o.session.device_uri) != "null")
     throw DeviceAddressError(
         file + ": nobody holds the object of a [simulation], expected --device null:");
-  if (o.is_direct() || o.is_constrained() || !config.contact.textures.is_empty())
+  if (o.is_direct() || o.is_constrained() || o.is_potential() ||
+      !config.contact.textures.is_empty())
     throw InputError(file +
-                     ": [simulation] knows neither --response direct or constraint nor textures, "
+                     ": [simulation] knows no --response but penalty, and no textures, "
                      "expected none of them");
   ContactWorld& contact = config.contact;
   if (!body.has_tolerance) {

@@ -1,0 +1,46 @@
+#pragma once
+// How deep a point lies inside a surface: the distance to its nearest point, with a sign.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "thigma/clod/hierarchy.h"
+#include "thigma/mesh/triangle_mesh.h"
+#include "thigma/mesh/triangle_tree.h"
+
+namespace thigma {
+
+/// The finest surface of a hierarchy, in its frame. Immutable while running.
+struct SolidSurface {
+  TriangleMesh mesh;  // equal positions made one
+  TriangleTree tree;
+  // Normals that tell the side of a point by the part of the surface nearest to it; zero at
+  // borders, beside which nothing is inside.
+  std::vector<Vec3> face;                 // unit
+  std::vector<std::array<Vec3, 3>> edge;  // from corner k to k + 1: sum of both faces
+  std::vector<Vec3> vertex;               // sum of the faces, by their angles
+};
+
+/// Thread    [offline]; throws std::bad_alloc.
+SolidSurface make_solid_surface(const ClodHierarchy& hierarchy);
+
+/// Where a point lies.
+struct PointDepth {
+  double depth = 0.0;  // from the surface, > 0 inside [m]
+  // unit; along it the depth falls by one a metre
+  Vec3 outward = Vec3::UnitZ();
+  std::int32_t triangle = -1;  // the nearest
+};
+
+/// Depth of a point. Of a closed surface that does not meet itself it is continuous.
+///
+/// point   [m; frame of the surface]
+/// guess   a triangle that may be near, -1: none; which of equally near ones is found may depend on
+///         it
+/// Thread  [contact]; no failure.
+/// Source  Signs by angle-weighted normals: Baerentzen and Aanaes 2005.
+PointDepth depth_inside(const SolidSurface& surface, const Vec3& point,
+                        std::int32_t guess) noexcept;
+
+}  // namespace thigma
