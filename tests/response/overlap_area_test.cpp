@@ -22,8 +22,8 @@ SolidSurface solid(const TriangleMesh& mesh) {
 }
 
 SolidSurface plate(std::array<int, 3> segments = {1, 1, 1}) {
-  return solid(transformed(make_box({0.1, 0.1, 0.02}, segments),
-                           {{0.0, 0.0, -0.01}, Quat::Identity()}));
+  return solid(
+      transformed(make_box({0.1, 0.1, 0.02}, segments), {{0.0, 0.0, -0.01}, Quat::Identity()}));
 }
 
 /// Integral of w^p over `from` inside `into`, the object standing at a pose.
@@ -78,7 +78,8 @@ TEST(OverlapArea, OfACubeOnAPlate) {
         const double round = std::max(out, 0.0);
         return p * std::pow(w, p - 1) * (side * side + 4.0 * side * round + kPi * round * round);
       };
-      const double other = integral(0.0, kTolerance, at_least) + integral(kTolerance, kAll, at_least);
+      const double other =
+          integral(0.0, kTolerance, at_least) + integral(kTolerance, kAll, at_least);
       EXPECT_NEAR(area_of(cube, plate(), pose, p, false).sum, other, 5e-3 * other)
           << n << ", p " << p;
     }
@@ -87,7 +88,7 @@ TEST(OverlapArea, OfACubeOnAPlate) {
 
 TEST(OverlapArea, OfABallOnAPlate) {
   constexpr double kRadius = 0.01;
-  const SolidSurface ball = solid(make_ball(kRadius, 100));
+  const SolidSurface ball = solid(make_ball(kRadius, 60));
   const Pose pose{{0.003, -0.002, kRadius - kDepth}, rotation_from_vector({0.2, 0.1, 0.3})};
   for (const int p : {2, 4}) {
     // Of a sphere as much lies between two planes as of the cylinder about it.
@@ -95,9 +96,9 @@ TEST(OverlapArea, OfABallOnAPlate) {
     const Area found = area_of(ball, plate(), pose, p, true);
     EXPECT_NEAR(found.sum, own, 0.01 * own) << "p " << p;
     EXPECT_NEAR(found.force.z(), -own * (p + 1) / (p * kAll), -0.01 * found.force.z());
-    const double other =
-        2.0 * kPi * ((kRadius + kTolerance) * std::pow(kAll, p + 1) / (p + 1) -
-                     std::pow(kAll, p + 2) / (p + 2));
+    const double other = 2.0 * kPi *
+                         ((kRadius + kTolerance) * std::pow(kAll, p + 1) / (p + 1) -
+                          std::pow(kAll, p + 2) / (p + 2));
     EXPECT_NEAR(area_of(ball, plate(), pose, p, false).sum, other, 0.015 * other) << "p " << p;
   }
 }

@@ -4,11 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include <gtest/gtest.h>
-
-#include <Eigen/Eigenvalues>
-
 #include "tests/support/jacobian.h"
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
 
 #include "thigma/math/random.h"
 #include "thigma/math/rotation.h"
@@ -39,8 +37,7 @@ std::vector<AreaPoint> some_points(Random& random) {
 PotentialMoments moments_after(const std::vector<AreaPoint>& points, const Vec6& motion, int p) {
   PotentialMoments m;
   for (AreaPoint point : points) {
-    const double by_motion =
-        point.push.dot(motion.head<3>()) + point.turn.dot(motion.tail<3>());
+    const double by_motion = point.push.dot(motion.head<3>()) + point.turn.dot(motion.tail<3>());
     point.depth += by_motion;
     add_point(point, p, m);
   }
@@ -73,8 +70,7 @@ TEST(PotentialLaw, ForceAndJacobianAreDerivativesOfTheEnergy) {
           << "p " << p << ", " << j;
       const Vec6 column = (both(more.wrench) - both(less.wrench)) / (2.0 * h);
       for (int i = 0; i < 6; ++i) {
-        EXPECT_NEAR(column[i], jacobian(i, j),
-                    1e-6 * std::sqrt(jacobian(i, i) * jacobian(j, j)))
+        EXPECT_NEAR(column[i], jacobian(i, j), 1e-6 * std::sqrt(jacobian(i, i) * jacobian(j, j)))
             << "p " << p << ", " << i << " by " << j;
       }
     }
@@ -176,7 +172,11 @@ TEST(PotentialLaw, ASpringModelNeverPulls) {
 
 TEST(PotentialLaw, AreasAddUpAndASecondContactNeverLowersTheForce) {
   for (const int p : {2, 4}) {
-    AreaPoint foot{.area = 1.6e-5, .depth = 1e-3, .push = -Vec3::UnitZ(), .turn = {0.0, 0.01, 0.0}, .arm = {0.01, 0.0, 0.0}};
+    AreaPoint foot{.area = 1.6e-5,
+                   .depth = 1e-3,
+                   .push = -Vec3::UnitZ(),
+                   .turn = {0.0, 0.01, 0.0},
+                   .arm = {0.01, 0.0, 0.0}};
     PotentialMoments one;
     add_point(foot, p, one);
     const double alone = potential_force(one, kStiffness, law_of(p)).wrench.force.z();

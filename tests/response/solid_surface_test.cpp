@@ -9,6 +9,7 @@
 #include "thigma/math/random.h"
 #include "thigma/mesh/shapes.h"
 #include "thigma/mesh/topology.h"
+#include "thigma/texture/haptic_texture.h"
 
 namespace thigma {
 namespace {
@@ -78,6 +79,56 @@ TEST(SolidSurface, BesideTheBorderOfASheetNothingIsInside) {
   const double up = sheet.face[0].z() > 0.0 ? 1.0 : -1.0;
   EXPECT_NEAR(depth_inside(sheet, {0.01, 0.02, -up * 1e-3}, -1).depth, 1e-3, 1e-15);
   EXPECT_LT(depth_inside(sheet, {0.06, 0.02, -up * 1e-3}, -1).depth, 0.0);
+}
+
+/// A sheet of two triangles with ridges along y of this height, a texture of n x n texels.
+HapticTexture ridged(double side, double height, int n) {
+  TextureSource source;
+  source.coarse = make_sheet(side, side, 1, 1);
+  for (const auto& t : source.coarse.triangles) {
+    std::array<Vec2, 3> uv;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& p = source.coarse.positions[static_cast<std::size_t>(t[k])];
+      uv[k] = Vec2((p.x() / side + 0.5) * (n - 1), (p.y() / side + 0.5) * (n - 1));
+    }
+    source.corners.push_back(uv);
+  }
+  source.width = source.height = n;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      Texel texel;
+      texel.z = static_cast<float>(i % 2 == 0 ? height : -height);
+      source.texels.push_back(texel);
+    }
+  }
+  return make_texture(std::move(source), "ridges");
+}
+
+TEST(SolidSurface, OfATextureIsItsFineSurface) {
+  constexpr double kSide = 0.02, kHeight = 2e-4;
+  constexpr int kTexels = 21;
+  const SolidSurface fine = make_solid_surface(ridged(kSide, kHeight, kTexels));
+  EXPECT_GE(fine.mesh.triangles.size(), 2u * 20u * 20u);
+  const double up = fine.face[0].z() > 0.0 ? 1.0 : -1.0;
+  const double pitch = kSide / (kTexels - 1);
+  // Above a summit and a valley; the flanks lean by 2 height a pitch.
+  for (int i = 1; i < kTexels - 1; ++i) {
+    const double x = -0.5 * kSide + i * pitch, h = i % 2 == 0 ? kHeight : -kHeight;
+    const Vec3 p(x, 1e-3, h + up * 1e-4);
+    const double lean = 1e-4 * pitch / std::hypot(pitch, 2.0 * kHeight);
+    const bool is_summit = h * up > 0.0;
+    EXPECT_NEAR(depth_inside(fine, p, -1).depth, is_summit ? -1e-4 : -lean, 2e-9) << i;
+    const Vec3 below(x, 1e-3, h - up * 1e-4);
+    EXPECT_NEAR(depth_inside(fine, below, -1).depth, is_summit ? lean : 1e-4, 2e-9) << i;
+  }
+  // Nothing gapes along the diagonal that the two triangles share, and the rim is one.
+  Random random(31);
+  for (int i = 0; i < 500; ++i) {
+    const double x = random.uniform(-0.009, 0.009);
+    EXPECT_GT(depth_inside(fine, {x, x, -up * 1e-3}, -1).depth, 0.0);
+    EXPECT_GT(depth_inside(fine, {x, -x, -up * 1e-3}, -1).depth, 0.0);
+  }
+  EXPECT_LT(depth_inside(fine, {0.012, 0.0, -up * 1e-3}, -1).depth, 0.0);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ void describe_contacts(const ContactWorld& world, const ContactScratch& scratch,
   sample.mandatory_tests = scratch.contacts.stats.mandatory_tests;
   sample.unrefined = scratch.contacts.stats.unrefined;
   sample.texture_depths = sample.texture_folds = 0;
-  if (world.textures.is_empty()) return;
+  if (world.textures.is_empty() || world.potential) return;
   if (world.constraints) {
     const ReliefStats& relief = scratch.constraints->relief.stats;
     sample.depth_max = std::max(sample.depth_max, relief.deepest);

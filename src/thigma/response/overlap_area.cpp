@@ -12,7 +12,7 @@ namespace {
 constexpr double kBent = 0.02;            // of the deepest: what w may be off a linear function
 constexpr double kSmallest = 1.0 / 96.0;  // of the size: radius of the smallest part
 constexpr double kLargest = 1.0 / 24.0;   // and of the largest that is not divided
-constexpr int kDivisions = 24;             // of a triangle, at most
+constexpr int kDivisions = 24;            // of a triangle, at most
 
 using Corners = std::array<OverlapSample, 3>;
 
@@ -122,8 +122,8 @@ void walk_part(Walk& walk, const Corners& corners, std::int32_t guess, int divis
 void walk_triangle(Walk& walk, std::int32_t triangle, std::int32_t guess) noexcept {
   const auto& t = walk.task.from.mesh.triangles[idx(triangle)];
   const std::vector<Vec3>& p = walk.task.from.mesh.positions;
-  const double reach = std::max((p[idx(t[1])] - p[idx(t[0])]).norm(),
-                                (p[idx(t[2])] - p[idx(t[0])]).norm());
+  const double reach =
+      std::max((p[idx(t[1])] - p[idx(t[0])]).norm(), (p[idx(t[2])] - p[idx(t[0])]).norm());
   Corners corners;
   corners[0] = sample_vertex(walk, t[0], guess);
   if (!(corners[0].w + reach > 0.0)) return;

@@ -7,17 +7,31 @@
 
 namespace thigma {
 
+namespace {
+
+SolidSurface surface_of(const ClodHierarchy& hierarchy, const TexturedBody* textured) {
+  return textured != nullptr && textured->has_relief ? make_solid_surface(*textured->textures[0])
+                                                     : make_solid_surface(hierarchy);
+}
+
+}  // namespace
+
 PotentialWorld make_potential_world(const ClodHierarchy& object, const Pose& body_from_mesh,
-                                    std::span<const SceneBody> bodies) {
+                                    std::span<const SceneBody> bodies,
+                                    const TexturedWorld& textures) {
+  const bool has_textures = !textures.is_empty();
   PotentialWorld world;
-  world.object = make_solid_surface(object);
+  world.object = surface_of(object, has_textures ? &textures.object : nullptr);
   world.body_from_mesh = body_from_mesh;
   std::map<const ClodHierarchy*, std::shared_ptr<const SolidSurface>> known;
-  for (const SceneBody& body : bodies) {
-    std::shared_ptr<const SolidSurface>& surface = known[body.hierarchy];
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const TexturedBody* textured = has_textures ? &textures.scene[i] : nullptr;
+    std::shared_ptr<const SolidSurface> surface;
+    if (!textured || !textured->has_relief) surface = known[bodies[i].hierarchy];
     if (!surface)
-      surface = std::make_shared<const SolidSurface>(make_solid_surface(*body.hierarchy));
-    world.bodies.push_back(body);
+      surface = std::make_shared<const SolidSurface>(surface_of(*bodies[i].hierarchy, textured));
+    if (!textured || !textured->has_relief) known[bodies[i].hierarchy] = surface;
+    world.bodies.push_back(bodies[i]);
     world.scene.push_back(surface);
   }
   for (const Vec3& p : world.object.mesh.positions)

@@ -10,6 +10,7 @@
 #include "thigma/contact/contact.h"
 #include "thigma/response/linearize_contacts.h"
 #include "thigma/response/overlap_area.h"
+#include "thigma/response/textured_world.h"
 
 namespace thigma {
 
@@ -22,12 +23,16 @@ struct PotentialWorld {
   double reach = 0.0;  // of the object's farthest vertex from its centre of mass [m]
 };
 
-/// Surfaces of an object and of the bodies of a scene; bodies of one hierarchy share theirs.
+/// Surfaces of an object and of the bodies of a scene; bodies of one hierarchy without relief share
+/// theirs.
 ///
 /// body_from_mesh  of the object, its body frame at the centre of mass
+/// textures        of the surfaces: where one has relief its fine surface is measured; empty: none
+/// errors          std::invalid_argument for relief of more texels than make_solid_surface takes
 /// Thread          [offline]; throws std::bad_alloc
 PotentialWorld make_potential_world(const ClodHierarchy& object, const Pose& body_from_mesh,
-                                    std::span<const SceneBody> bodies);
+                                    std::span<const SceneBody> bodies,
+                                    const TexturedWorld& textures = {});
 
 /// Working memory.
 struct PotentialScratch {

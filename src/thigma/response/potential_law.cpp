@@ -138,8 +138,7 @@ void add_springs(const PotentialMoments& moments, const PenaltyParams& penalty,
   for (int i = 0; i < count; ++i) {
     DepthTerm term;
     Vec6 gradient = mean;
-    if (factor.count > 0)
-      gradient += (i % 2 == 0 ? apart : -apart) * factor.columns.col(i / 2);
+    if (factor.count > 0) gradient += (i % 2 == 0 ? apart : -apart) * factor.columns.col(i / 2);
     term.linear = gradient.head<3>();
     term.angular = gradient.tail<3>();
     term.depth = w - penalty.tolerance;

@@ -41,10 +41,10 @@ void add_moments(const PotentialMoments& other, PotentialMoments& moments) noexc
 
 /// The law at a state.
 struct PotentialForce {
-  double energy = 0.0;             // [J]
-  Wrench wrench;                   // on the object about its centre of mass [N, N m; world]
-  Mat6 jacobian = Mat6::Zero();    // d(force, torque) by (way, rotation vector), w being linear
-  Mat6 curvature = Mat6::Zero();   // -jacobian - F F^T / (2 energy), positive semidefinite
+  double energy = 0.0;            // [J]
+  Wrench wrench;                  // on the object about its centre of mass [N, N m; world]
+  Mat6 jacobian = Mat6::Zero();   // d(force, torque) by (way, rotation vector), w being linear
+  Mat6 curvature = Mat6::Zero();  // -jacobian - F F^T / (2 energy), positive semidefinite
 };
 
 /// stiffness  k [N/m]

@@ -1,37 +1,76 @@
 #include "thigma/response/solid_surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
+#include <stdexcept>
+#include <string>
+#include <tuple>
 
 #include "thigma/core/index.h"
 #include "thigma/math/elementary.h"
+#include "thigma/texture/texel_lookup.h"
 
 namespace thigma {
 namespace {
 
-/// Triangles that have an area, with the corners they share.
-TriangleMesh finest_mesh(const ClodHierarchy& h) {
+/// Triangles before their equal corners are made one.
+struct Gathering {
   TriangleMesh mesh;
-  std::map<std::array<double, 3>, std::int32_t> known;
-  const auto vertex_of = [&](const Vec3& p) {
-    const auto [at, is_new] = known.try_emplace(
-        {p.x(), p.y(), p.z()}, static_cast<std::int32_t>(mesh.positions.size()));
-    if (is_new) mesh.positions.push_back(p);
-    return at->second;
+  // which edges, from corner k on, a border of the surface is known to run along; empty: those of
+  // one triangle
+  std::vector<std::array<bool, 3>> is_rim;
+
+  std::int32_t vertex(const Vec3& p) {
+    mesh.positions.push_back(p);
+    return static_cast<std::int32_t>(mesh.positions.size()) - 1;
+  }
+};
+
+/// Makes equal positions one and takes out triangles without an area.
+void merge_corners(Gathering& all) {
+  const std::vector<Vec3> given = std::move(all.mesh.positions);
+  std::vector<std::int32_t> order(given.size()), merged(given.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](std::int32_t v) {
+    const Vec3& p = given[idx(v)];
+    return std::make_tuple(p.x(), p.y(), p.z(), v);
   };
+  std::sort(order.begin(), order.end(),
+            [&](std::int32_t a, std::int32_t b) { return key(a) < key(b); });
+  std::vector<Vec3>& kept = all.mesh.positions;
+  kept.clear();
+  for (const std::int32_t v : order) {
+    if (kept.empty() || kept.back() != given[idx(v)]) kept.push_back(given[idx(v)]);
+    merged[idx(v)] = static_cast<std::int32_t>(kept.size()) - 1;
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < all.mesh.triangles.size(); ++i) {
+    std::array<std::int32_t, 3> t = all.mesh.triangles[i];
+    for (std::int32_t& v : t) v = merged[idx(v)];
+    const Vec3 &a = kept[idx(t[0])], &b = kept[idx(t[1])], &c = kept[idx(t[2])];
+    if (!((b - a).cross(c - a).norm() > 0.0)) continue;
+    all.mesh.triangles[count] = t;
+    if (!all.is_rim.empty()) all.is_rim[count] = all.is_rim[i];
+    ++count;
+  }
+  all.mesh.triangles.resize(count);
+  if (!all.is_rim.empty()) all.is_rim.resize(count);
+}
+
+Gathering finest_mesh(const ClodHierarchy& h) {
+  Gathering all;
   for (const ClodPatch& patch : h.patches) {
     const HullView hull = hull_view(h, patch.node);
     for (int t = 0; t < hull.triangle_count; ++t) {
       std::array<std::int32_t, 3> corners{};
       for (std::size_t k = 0; k < 3; ++k)
-        corners[k] = vertex_of(hull.vertices[hull.triangles[t].corner[k]]);
-      const Vec3 &a = mesh.positions[idx(corners[0])], &b = mesh.positions[idx(corners[1])],
-                 &c = mesh.positions[idx(corners[2])];
-      if ((b - a).cross(c - a).norm() > 0.0) mesh.triangles.push_back(corners);
+        corners[k] = all.vertex(hull.vertices[hull.triangles[t].corner[k]]);
+      all.mesh.triangles.push_back(corners);
     }
   }
-  return mesh;
+  return all;
 }
 
 using EdgeKey = std::array<std::int32_t, 2>;
@@ -44,34 +83,102 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return arc_tangent2(a.cross(b).norm(), a.dot(b));
 }
 
-void find_normals(SolidSurface& s) {
+/// An edge of a triangle.
+struct Side {
+  EdgeKey key;
+  std::int32_t triangle;
+  std::int32_t corner;  // it runs on from
+};
+
+void find_normals(const std::vector<std::array<bool, 3>>& is_rim, SolidSurface& s) {
   const TriangleMesh& mesh = s.mesh;
-  struct Sides {
-    Vec3 sum = Vec3::Zero();
-    int count = 0;
-  };
-  std::map<EdgeKey, Sides> edges;
+  std::vector<Side> sides;
   s.vertex.assign(mesh.positions.size(), Vec3::Zero());
-  for (const auto& t : mesh.triangles) {
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles[i];
     std::array<Vec3, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.positions[idx(t[k])];
     s.face.push_back((p[1] - p[0]).cross(p[2] - p[0]).normalized());
     for (std::size_t k = 0; k < 3; ++k) {
-      Sides& sides = edges[edge_key(t, k)];
-      sides.sum += s.face.back();
-      ++sides.count;
+      sides.push_back({edge_key(t, k), static_cast<std::int32_t>(i), static_cast<std::int32_t>(k)});
       s.vertex[idx(t[k])] +=
           angle_between(p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]) * s.face.back();
     }
   }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.key, a.triangle, a.corner) < std::tie(b.key, b.triangle, b.corner);
+  });
   s.edge.resize(mesh.triangles.size());
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Sides& sides = edges[edge_key(mesh.triangles[i], k)];
-      s.edge[i][k] = sides.count > 1 ? sides.sum : Vec3::Zero();
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+    Vec3 sum = Vec3::Zero();
+    for (last = first; last < sides.size() && sides[last].key == sides[first].key; ++last)
+      sum += s.face[idx(sides[last].triangle)];
+    const Side& one = sides[first];
+    // Where the rim is not told, what one triangle has alone; seams of textures gape.
+    const bool is_border =
+        is_rim.empty() ? last == first + 1 : is_rim[idx(one.triangle)][idx(one.corner)];
+    if (is_border) {
+      sum.setZero();
+      s.vertex[idx(one.key[0])] = s.vertex[idx(one.key[1])] = sum;
     }
-  for (const auto& [key, sides] : edges)
-    if (sides.count == 1) s.vertex[idx(key[0])] = s.vertex[idx(key[1])] = Vec3::Zero();
+    for (std::size_t i = first; i < last; ++i)
+      s.edge[idx(sides[i].triangle)][idx(sides[i].corner)] = sum;
+  }
+}
+
+SolidSurface finished(Gathering all) {
+  merge_corners(all);
+  SolidSurface s;
+  s.mesh = std::move(all.mesh);
+  std::vector<std::int32_t> order(s.mesh.triangles.size());
+  std::iota(order.begin(), order.end(), 0);
+  s.tree = build_triangle_tree(s.mesh, std::move(order));
+  find_normals(all.is_rim, s);
+  return s;
+}
+
+/// How often the edges of a coarse triangle are divided: to a texel either way.
+int divisions_of(const std::array<Vec2, 3>& corners) {
+  double longest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+    longest = std::max(longest, (corners[(k + 1) % 3] - corners[k]).cwiseAbs().maxCoeff());
+  return std::max(1, static_cast<int>(std::ceil(longest)));
+}
+
+/// A coarse triangle's part of the fine surface.
+void add_fine(const HapticTexture& texture, std::size_t triangle, const std::array<bool, 3>& is_rim,
+              Gathering& all) {
+  const auto& t = texture.coarse.triangles[triangle];
+  const auto& uv = texture.corners[triangle];
+  const int n = divisions_of(uv);
+  std::vector<std::int32_t> rows;  // of i = 0 .. n, j = 0 .. n - i
+  const auto place = [n](int i, int j) {
+    return static_cast<std::size_t>(i * (n + 1) - i * (i - 1) / 2 + j);
+  };
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= n - i; ++j) {
+      const double s = static_cast<double>(i) / n, r = static_cast<double>(j) / n, q = 1.0 - s - r;
+      const auto mixed = [&](const auto& a, const auto& b, const auto& c) {
+        return (q * a + s * b + r * c).eval();
+      };
+      const Vec3 coarse =
+          mixed(texture.coarse.positions[idx(t[0])], texture.coarse.positions[idx(t[1])],
+                texture.coarse.positions[idx(t[2])]);
+      rows.push_back(all.vertex(coarse + displacement_at(texture, mixed(uv[0], uv[1], uv[2]))));
+    }
+  }
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c, std::array<bool, 3> rim) {
+    all.mesh.triangles.push_back({rows[a], rows[b], rows[c]});
+    all.is_rim.push_back(rim);
+  };
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n - i; ++j) {
+      // Edges of the coarse triangle: j = 0, i + j = n, i = 0.
+      add(place(i, j), place(i + 1, j), place(i, j + 1),
+          {j == 0 && is_rim[0], i + j + 1 == n && is_rim[1], i == 0 && is_rim[2]});
+      if (i + j + 1 < n) add(place(i + 1, j), place(i + 1, j + 1), place(i, j + 1), {});
+    }
+  }
 }
 
 /// The point of a triangle nearest to another, and the part it lies on: 0 the face, 1 to 3 an edge
@@ -155,13 +262,31 @@ void descend(Search& search) noexcept {
 }  // namespace
 
 SolidSurface make_solid_surface(const ClodHierarchy& hierarchy) {
-  SolidSurface s;
-  s.mesh = finest_mesh(hierarchy);
-  std::vector<std::int32_t> all(s.mesh.triangles.size());
-  std::iota(all.begin(), all.end(), 0);
-  s.tree = build_triangle_tree(s.mesh, std::move(all));
-  find_normals(s);
-  return s;
+  return finished(finest_mesh(hierarchy));
+}
+
+SolidSurface make_solid_surface(const HapticTexture& texture) {
+  constexpr double kMost = 4e6;
+  double triangles = 0.0;
+  for (const auto& corners : texture.corners) {
+    const double n = divisions_of(corners);
+    triangles += n * n;
+  }
+  if (triangles > kMost)
+    throw std::invalid_argument("potential response: relief of " +
+                                std::to_string(static_cast<std::int64_t>(triangles)) +
+                                " triangles of a texel, expected at most 4000000");
+  std::map<EdgeKey, int> uses;
+  for (const auto& t : texture.coarse.triangles)
+    for (std::size_t k = 0; k < 3; ++k) ++uses[edge_key(t, k)];
+  Gathering all;
+  for (std::size_t i = 0; i < texture.coarse.triangles.size(); ++i) {
+    std::array<bool, 3> is_rim{};
+    for (std::size_t k = 0; k < 3; ++k)
+      is_rim[k] = uses[edge_key(texture.coarse.triangles[i], k)] == 1;
+    add_fine(texture, i, is_rim, all);
+  }
+  return finished(std::move(all));
 }
 
 PointDepth depth_inside(const SolidSurface& surface, const Vec3& point,

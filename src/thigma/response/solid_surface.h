@@ -11,6 +11,8 @@
 
 namespace thigma {
 
+struct HapticTexture;
+
 /// The finest surface of a hierarchy, in its frame. Immutable while running.
 struct SolidSurface {
   TriangleMesh mesh;  // equal positions made one
@@ -24,6 +26,11 @@ struct SolidSurface {
 
 /// Thread    [offline]; throws std::bad_alloc.
 SolidSurface make_solid_surface(const ClodHierarchy& hierarchy);
+
+/// The fine surface of a texture: its coarse triangles divided to a texel and displaced.
+/// errors    std::invalid_argument for more than 4 million triangles
+/// Thread    [offline]; throws std::bad_alloc.
+SolidSurface make_solid_surface(const HapticTexture& texture);
 
 /// Where a point lies.
 struct PointDepth {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
@@ -110,6 +111,14 @@ std::unique_ptr<HapticDevice> open_web(const Opening& o) {
   return make_web_device(*o.options.web_channel, params);
 }
 
+void measure_areas(Opening& o) {
+  try {
+    use_potential(o.session.config);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(o.session.scene_file + ": " + error.what());
+  }
+}
+
 /// Opens the device, and places the object before a hand comes to it. With the direct response the
 /// device decides the contact tolerance, and that the place: a hand is opened once more for its
 /// limits.
@@ -123,14 +132,7 @@ void open_at(Opening& o) {
   else if (o.is_constrained() && scheme != "replay")
     lead_out(o);
   if (o.is_constrained()) use_constraints(session.config);
-  if (o.is_potential()) {
-    if (!session.config.contact.textures.is_empty())
-      throw InputError(
-          session.scene_file +
-          ": response \"potential\" does not know relief, expected another response or "
-          "--texture off");
-    use_potential(session.config);
-  }
+  if (o.is_potential()) measure_areas(o);
   if (scheme == "web") {
     session.device = open_web(o);
   } else if (scheme == "replay") {

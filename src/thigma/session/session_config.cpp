@@ -80,7 +80,6 @@ void use_potential(SessionConfig& config) {
   const auto is_above = [](double value) { return value > 0.0 && std::isfinite(value); };
   if (contact.object == nullptr || contact.scene.empty()) refuse("there are no surfaces");
   if (contact.source) refuse("contacts of a source are not known to it");
-  if (!contact.textures.is_empty()) refuse("relief is not known to it");
   if (!is_above(contact.response.stiffness))
     refuse("stiffness " + std::to_string(contact.response.stiffness) +
            ", expected a number above 0 [N/m]");
@@ -88,8 +87,8 @@ void use_potential(SessionConfig& config) {
     refuse("area " + std::to_string(law.area) + ", expected a number above 0 [m^2]");
   if (law.exponent != 2 && law.exponent != 4)
     refuse("exponent " + std::to_string(law.exponent) + ", expected 2 or 4");
-  contact.potential = std::make_shared<const PotentialWorld>(
-      make_potential_world(*contact.object, contact.body_from_mesh, contact.scene));
+  contact.potential = std::make_shared<const PotentialWorld>(make_potential_world(
+      *contact.object, contact.body_from_mesh, contact.scene, contact.textures));
   config.haptic.response = ResponseKind::potential;
 }
 
