@@ -133,7 +133,7 @@ TEST(PotentialContacts, ABallOnAPlateFollowsTheClosedForm) {
     for (const double depth : {1e-4, 5e-4, 1e-3, 2e-3}) {
       const PotentialLaw law = law_of(p);
       const double all = depth + kTolerance;
-      // Half of either surface; docs/constraints.md.
+      // Half of either surface; docs/potential.md.
       const auto sum = [&](double w) {
         return kPi *
                (kRadius * std::pow(w, p + 1) / (p + 1) +

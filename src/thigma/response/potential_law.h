@@ -50,7 +50,7 @@ struct PotentialForce {
 /// stiffness  k [N/m]
 /// law        area > 0
 /// Thread     [contact]; no failure.
-/// Source     Phi = k/2 S^(2/p); docs/constraints.md.
+/// Source     Phi = k/2 S^(2/p); docs/potential.md.
 PotentialForce potential_force(const PotentialMoments& moments, double stiffness,
                                const PotentialLaw& law) noexcept;
 

@@ -38,7 +38,7 @@ void use_direct_response(const DeviceLimits& device, SessionConfig& config);
 /// Thread    [offline]
 void use_constraints(SessionConfig& config);
 
-/// Makes a session's contacts the gradient of one energy (docs/constraints.md): depths are those of
+/// Makes a session's contacts the gradient of one energy (docs/potential.md): depths are those of
 /// the exact surfaces, whatever resolution is set.
 ///
 /// config    contact.object, contact.scene, contact.potential_law and contact.response set;
