@@ -67,7 +67,7 @@ Most run_responses(const Context& context, const Loop& loop, int cycles, Outcome
 double run_alone(const Context& context, const Loop& loop, Outcome& outcome) {
   double most = 0.0;
   for (const bool is_reversed : {false, true}) {
-    const LawLoop run = run_law(loop, is_reversed, context.quick ? 500 : 4000);
+    const LawLoop run = run_law(loop, is_reversed, context.quick ? 1000 : 4000);
     add_row(outcome.tables[1], {loop.name, is_reversed ? "backwards" : "forwards",
                                 run.handed_out / kMicro, run.put_in / kMicro, run.force});
     most = std::max(most, run.handed_out / kMicro);

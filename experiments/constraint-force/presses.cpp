@@ -121,7 +121,7 @@ void run_divisions(bool is_quick, Outcome& outcome) {
   const TriangleMesh plates[] = {plate(1, 1), plate(8, 8), plate(8, 8, true), plate(37, 11)};
   const char* names[] = {"2 triangles", "8 x 8", "8 x 8, diagonals turned", "37 x 11"};
   for (int i = 0; i < 4; ++i)
-    add_stand("triangulations", names[i], {ball, plates[i], place, {}}, outcome);
+    add_stand("triangulations", names[i], {ball, plates[i], place, Vec3::Zero()}, outcome);
   const TriangleMesh cube = make_box(Vec3::Constant(2.0 * kHalf), {3, 3, 3});
   for (int i = 0; i < 40; ++i) {
     // Spread over a tile and a quarter turn.

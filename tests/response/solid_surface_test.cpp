@@ -76,7 +76,7 @@ TEST(SolidSurface, TellsInsideFromOutsideWhereASurfaceIsNotConvex) {
 TEST(SolidSurface, BesideTheBorderOfASheetNothingIsInside) {
   TriangleMesh mesh = make_sheet(0.1, 0.1, 4, 4);
   SolidSurface sheet = make_solid_surface(build_exact_hierarchy(mesh));
-  const double up = sheet.face[0].z() > 0.0 ? 1.0 : -1.0;
+  const double up = sheet.vertex[static_cast<std::size_t>(12)].z() > 0.0 ? 1.0 : -1.0;
   EXPECT_NEAR(depth_inside(sheet, {0.01, 0.02, -up * 1e-3}, -1).depth, 1e-3, 1e-15);
   EXPECT_LT(depth_inside(sheet, {0.06, 0.02, -up * 1e-3}, -1).depth, 0.0);
 }
@@ -109,7 +109,7 @@ TEST(SolidSurface, OfATextureIsItsFineSurface) {
   constexpr int kTexels = 21;
   const SolidSurface fine = make_solid_surface(ridged(kSide, kHeight, kTexels));
   EXPECT_GE(fine.mesh.triangles.size(), 2u * 20u * 20u);
-  const double up = fine.face[0].z() > 0.0 ? 1.0 : -1.0;
+  const double up = fine.vertex[fine.vertex.size() / 2].z() > 0.0 ? 1.0 : -1.0;
   const double pitch = kSide / (kTexels - 1);
   // Above a summit and a valley; the flanks lean by 2 height a pitch.
   for (int i = 1; i < kTexels - 1; ++i) {

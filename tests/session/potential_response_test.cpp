@@ -68,7 +68,7 @@ TEST(PotentialSession, AHandFeelsIt) {
                                             },
                                             {},
                                             {}});
-  EXPECT_EQ(felt.end, SessionEnd::completed);
+  EXPECT_EQ(felt.end, SessionEnd::duration);
   EXPECT_GT(felt.force_max, 0.2);
   EXPECT_GT(touching, 500);
   EXPECT_LT(deepest, 5e-3);

@@ -9,7 +9,7 @@
 namespace thigma {
 namespace {
 
-constexpr double kBent = 0.02;            // of the deepest: what w may be off a linear function
+constexpr double kBent = 0.01;            // of the deepest: what w may be off a linear function
 constexpr double kSmallest = 1.0 / 96.0;  // of the size: radius of the smallest part
 constexpr double kLargest = 1.0 / 24.0;   // and of the largest that is not divided
 constexpr int kDivisions = 24;            // of a triangle, at most

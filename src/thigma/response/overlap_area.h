@@ -49,10 +49,10 @@ struct OverlapStats {
 };
 
 /// Integrates where depth + tolerance > 0. Triangles are divided until the depth is linear over
-/// each part within 1 % of what it is there, or the part smaller than 1/128 of the size. Over a
+/// each part within 1 % of the deepest, or the part smaller than 1/96 of the size. Over a
 /// part it is what its corners say, linear between them and cut off where it ends, and integrated
 /// without error; so are its gradients, which makes them those of the sum, however coarse it is.
-/// What a triangle hides between a 32nd of the size is not seen from this side.
+/// What a triangle hides between a 24th of the size is not seen from this side.
 ///
 /// scratch  reserved for task.from
 /// moments  added to

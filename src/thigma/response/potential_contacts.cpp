@@ -98,7 +98,9 @@ LinearContactModel potential_model(const PotentialContact& contact, const Penalt
   model.sequence = stamp.sequence;
   add_springs(contact.moments, penalty, law, rotation_matrix(stamp.state.orientation).transpose(),
               model.depths);
-  for (DepthTerm& term : model.depths) term.body = contact.body;
+  // What only turns the object has no normal for friction to lie across.
+  constexpr double kPush = 1e-9;
+  for (DepthTerm& term : model.depths) term.body = term.linear.norm() > kPush ? contact.body : -1;
   return model;
 }
 

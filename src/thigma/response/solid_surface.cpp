@@ -90,40 +90,61 @@ struct Side {
   std::int32_t corner;  // it runs on from
 };
 
-void find_normals(const std::vector<std::array<bool, 3>>& is_rim, SolidSurface& s) {
-  const TriangleMesh& mesh = s.mesh;
+Vec3 normal_of(const TriangleMesh& mesh, std::int32_t triangle) noexcept {
+  const auto& t = mesh.triangles[idx(triangle)];
+  const Vec3& a = mesh.positions[idx(t[0])];
+  return (mesh.positions[idx(t[1])] - a).cross(mesh.positions[idx(t[2])] - a).normalized();
+}
+
+void find_neighbours(const std::vector<std::array<bool, 3>>& is_rim, SolidSurface& s) {
   std::vector<Side> sides;
-  s.vertex.assign(mesh.positions.size(), Vec3::Zero());
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto& t = mesh.triangles[i];
-    std::array<Vec3, 3> p;
-    for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.positions[idx(t[k])];
-    s.face.push_back((p[1] - p[0]).cross(p[2] - p[0]).normalized());
-    for (std::size_t k = 0; k < 3; ++k) {
-      sides.push_back({edge_key(t, k), static_cast<std::int32_t>(i), static_cast<std::int32_t>(k)});
-      s.vertex[idx(t[k])] +=
-          angle_between(p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]) * s.face.back();
-    }
-  }
+  sides.reserve(3 * s.mesh.triangles.size());
+  for (std::size_t i = 0; i < s.mesh.triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      sides.push_back({edge_key(s.mesh.triangles[i], k), static_cast<std::int32_t>(i),
+                       static_cast<std::int32_t>(k)});
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
     return std::tie(a.key, a.triangle, a.corner) < std::tie(b.key, b.triangle, b.corner);
   });
-  s.edge.resize(mesh.triangles.size());
+  s.across.resize(s.mesh.triangles.size());
   for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
-    Vec3 sum = Vec3::Zero();
-    for (last = first; last < sides.size() && sides[last].key == sides[first].key; ++last)
-      sum += s.face[idx(sides[last].triangle)];
+    for (last = first; last < sides.size() && sides[last].key == sides[first].key;) ++last;
     const Side& one = sides[first];
     // Where the rim is not told, what one triangle has alone; seams of textures gape.
     const bool is_border =
         is_rim.empty() ? last == first + 1 : is_rim[idx(one.triangle)][idx(one.corner)];
-    if (is_border) {
-      sum.setZero();
-      s.vertex[idx(one.key[0])] = s.vertex[idx(one.key[1])] = sum;
+    if (is_border) s.vertex[idx(one.key[0])] = s.vertex[idx(one.key[1])] = Vec3::Zero();
+    for (std::size_t i = first; i < last; ++i) {
+      const Side& next = sides[i + 1 < last ? i + 1 : first];
+      s.across[idx(sides[i].triangle)][idx(sides[i].corner)] = is_border ? -1 : next.triangle;
     }
-    for (std::size_t i = first; i < last; ++i)
-      s.edge[idx(sides[i].triangle)][idx(sides[i].corner)] = sum;
   }
+}
+
+void find_normals(const std::vector<std::array<bool, 3>>& is_rim, SolidSurface& s) {
+  const TriangleMesh& mesh = s.mesh;
+  s.vertex.assign(mesh.positions.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles[i];
+    const Vec3 normal = normal_of(mesh, static_cast<std::int32_t>(i));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& p = mesh.positions[idx(t[k])];
+      s.vertex[idx(t[k])] += angle_between(mesh.positions[idx(t[(k + 1) % 3])] - p,
+                                           mesh.positions[idx(t[(k + 2) % 3])] - p) *
+                             normal;
+    }
+  }
+  find_neighbours(is_rim, s);
+}
+
+/// Which way is outside at a part of a triangle, of any length; zero at borders.
+Vec3 outside_at(const SolidSurface& s, std::int32_t triangle, int part) noexcept {
+  if (part == 0) return normal_of(s.mesh, triangle);
+  const auto k = static_cast<std::size_t>(part);
+  if (part > 3) return s.vertex[idx(s.mesh.triangles[idx(triangle)][k - 4])];
+  const std::int32_t other = s.across[idx(triangle)][k - 1];
+  if (other < 0) return Vec3::Zero();
+  return normal_of(s.mesh, triangle) + normal_of(s.mesh, other);
 }
 
 SolidSurface finished(Gathering all) {
@@ -133,6 +154,7 @@ SolidSurface finished(Gathering all) {
   std::vector<std::int32_t> order(s.mesh.triangles.size());
   std::iota(order.begin(), order.end(), 0);
   s.tree = build_triangle_tree(s.mesh, std::move(order));
+  s.tree.boxes = {};
   find_normals(all.is_rim, s);
   return s;
 }
@@ -266,7 +288,7 @@ SolidSurface make_solid_surface(const ClodHierarchy& hierarchy) {
 }
 
 SolidSurface make_solid_surface(const HapticTexture& texture) {
-  constexpr double kMost = 4e6;
+  constexpr double kMost = 8e6;
   double triangles = 0.0;
   for (const auto& corners : texture.corners) {
     const double n = divisions_of(corners);
@@ -275,7 +297,7 @@ SolidSurface make_solid_surface(const HapticTexture& texture) {
   if (triangles > kMost)
     throw std::invalid_argument("potential response: relief of " +
                                 std::to_string(static_cast<std::int64_t>(triangles)) +
-                                " triangles of a texel, expected at most 4000000");
+                                " triangles of a texel, expected at most 8000000");
   std::map<EdgeKey, int> uses;
   for (const auto& t : texture.coarse.triangles)
     for (std::size_t k = 0; k < 3; ++k) ++uses[edge_key(t, k)];
@@ -294,11 +316,7 @@ PointDepth depth_inside(const SolidSurface& surface, const Vec3& point,
   Search search{surface, point, {}, -1};
   if (guess >= 0) search.look_at(guess);
   descend(search);
-  const auto t = idx(search.triangle);
-  const auto part = static_cast<std::size_t>(search.best.part);
-  const Vec3 side = part == 0  ? surface.face[t]
-                    : part < 4 ? surface.edge[t][part - 1]
-                               : surface.vertex[idx(surface.mesh.triangles[t][part - 4])];
+  const Vec3 side = outside_at(surface, search.triangle, search.best.part);
   const Vec3 away = point - search.best.at;
   const double distance = away.norm();
   const double over = away.dot(side);

@@ -16,19 +16,19 @@ struct HapticTexture;
 /// The finest surface of a hierarchy, in its frame. Immutable while running.
 struct SolidSurface {
   TriangleMesh mesh;  // equal positions made one
-  TriangleTree tree;
-  // Normals that tell the side of a point by the part of the surface nearest to it; zero at
-  // borders, beside which nothing is inside.
-  std::vector<Vec3> face;                 // unit
-  std::vector<std::array<Vec3, 3>> edge;  // from corner k to k + 1: sum of both faces
-  std::vector<Vec3> vertex;               // sum of the faces, by their angles
+  TriangleTree tree;  // without the boxes of single triangles
+  // What tells the side of a point by the part of the surface nearest to it: of each triangle the
+  // one across the edge from corner k on, itself at a seam of a texture, -1 at a border, beside
+  // which nothing is inside;
+  std::vector<std::array<std::int32_t, 3>> across;
+  std::vector<Vec3> vertex;  // sum of the faces' normals, by their angles; zero at borders
 };
 
 /// Thread    [offline]; throws std::bad_alloc.
 SolidSurface make_solid_surface(const ClodHierarchy& hierarchy);
 
 /// The fine surface of a texture: its coarse triangles divided to a texel and displaced.
-/// errors    std::invalid_argument for more than 4 million triangles
+/// errors    std::invalid_argument for more than 8 million triangles
 /// Thread    [offline]; throws std::bad_alloc.
 SolidSurface make_solid_surface(const HapticTexture& texture);
 
