@@ -12,6 +12,7 @@
 
 #include "thigma/math/rotation.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/response/potential_contacts.h"
 
 namespace thigma::experiments {
 namespace {
@@ -67,22 +68,43 @@ Felt press(LedPair pair, double depth, const std::optional<Saturation>& saturati
   return felt;
 }
 
-Felt press(const Stand& stand, double depth, bool is_potential) {
+LedPair pair_of(const Stand& stand) {
   Pose start{{0.0, 0.0, 0.0}, rotation_from_vector(stand.turn)};
   LedPair pair = make_led_pair("stand", stand.object, stand.scene, start);
   double low = 0.0;
   for (const Vec3& p : pair.object.positions) low = std::min(low, (pair.start.orientation * p).z());
   pair.start.position = stand.place + Vec3(0.0, 0.0, kGap - low);
   pair.clearance = kGap;
+  return pair;
+}
+
+Felt press(const Stand& stand, double depth, bool is_potential) {
   // An area takes milliseconds, and nothing moves at rest.
-  return press(std::move(pair), depth, {}, is_potential ? 10 : 1, is_potential);
+  return press(pair_of(stand), depth, {}, is_potential ? 10 : 1, is_potential);
+}
+
+/// The potential law alone, no coupling beside it, so deep: upwards [N].
+double law_force(const Stand& stand, double depth) {
+  const LedPair pair = pair_of(stand);
+  LedGains gains;
+  gains.is_potential = true;
+  const ContactWorld world = led_config(pair, gains, 1.0).contact;
+  PotentialScratch scratch;
+  reserve_potential(*world.potential, scratch);
+  BodyState state;
+  state.position = pair.start.position - Vec3(0.0, 0.0, kGap + depth);
+  state.orientation = pair.start.orientation;
+  const PotentialContact contact =
+      measure_potential(*world.potential, state, world.potential_law, world.tolerance, scratch);
+  return potential_force(contact.moments, world.response.stiffness, world.potential_law)
+      .wrench.force.z();
 }
 
 /// A stand's force by either response, into a row.
 void add_stand(const char* series, const std::string& what, const Stand& stand, Outcome& outcome) {
   constexpr double kDeep = 1e-3;
   add_row(outcome.tables[1], {series, what, press(stand, kDeep, false).force.z(),
-                              press(stand, kDeep, true).force.z()});
+                              press(stand, kDeep, true).force.z(), law_force(stand, 2e-4)});
 }
 
 /// Largest less least over the mean of what stands in a column of the rows of a series.
@@ -104,6 +126,9 @@ void claim_spread(const char* id, const char* series, const std::string& what, O
   outcome.claims.push_back(at_most(id, what, spread(series, 2, outcome), 1.0, "%"));
   outcome.claims.push_back(at_most(std::string("potential-") + id, "with the potential: " + what,
                                    spread(series, 3, outcome), 1.0, "%"));
+  outcome.claims.push_back(at_most(std::string("law-") + id,
+                                   "by the potential law alone, 0.2 mm deep: " + what,
+                                   spread(series, 4, outcome), 1.0, "%"));
 }
 
 void run_divisions(bool is_quick, Outcome& outcome) {
