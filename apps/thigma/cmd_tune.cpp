@@ -32,6 +32,7 @@ struct Tuned {
   std::string title, device;
   GainTask task;
   std::optional<SessionConfig> chosen;
+  bool is_potential = false;  // the contact stiffness is of an area
 };
 
 /// One moment or three principal ones, "I" or "I,I,I" [kg m^2]; none where the text is something
@@ -98,6 +99,7 @@ Tuned tune_scene(const TuneOptions& options, const Common& common) {
   tuned.title = scene.file;
   tuned.device = scene.device.uri;
   tuned.task = gain_task(port, haptic.body, haptic.workspace, scene.rate, haptic.response);
+  tuned.is_potential = haptic.response == ResponseKind::potential;
   return tuned;
 }
 
@@ -112,6 +114,7 @@ Tuned tune_body(const TuneOptions& options) {
       response_of(options.response).value_or(default_response(SceneDescription{}, false));
   tuned.task = gain_task(port, make_body(*options.mass, inertia), workspace,
                          options.rate.value_or(1000.0), response);
+  tuned.is_potential = response == ResponseKind::potential;
   return tuned;
 }
 
@@ -145,6 +148,10 @@ Json chosen_json(const SessionConfig& config) {
   json["angular_damping"] = c.angular_damping;
   json["contact_stiffness"] = contact_number(config, config.contact.response.stiffness);
   json["contact_damping"] = contact_number(config, config.contact.response.damping);
+  const bool is_potential = config.haptic.response == ResponseKind::potential;
+  const PotentialLaw& law = config.contact.potential_law;
+  json["contact_area"] = is_potential ? Json(law.area) : Json(nullptr);
+  json["contact_exponent"] = is_potential ? Json(law.exponent) : Json(nullptr);
   json["max_force"] = c.linear_saturation ? Json(c.linear_saturation->max_force) : Json(nullptr);
   json["max_torque"] = c.angular_saturation ? Json(c.angular_saturation->max_force) : Json(nullptr);
   return json;
@@ -205,6 +212,18 @@ void print_text(const Tuned& tuned, const GainProposal& proposal,
         "coupling alone\n",
         "[contact]");
   }
+  if (tuned.is_potential) {
+    std::printf(
+        "  %-11s potential: the stiffness is that of an area A0 in even contact; of an area A it "
+        "is (A/A0)^(2/p) times as much\n",
+        "[contact]");
+  }
+  if (tuned.is_potential && tuned.chosen) {
+    const PotentialLaw& law = tuned.chosen->contact.potential_law;
+    const double k = tuned.chosen->contact.response.stiffness;
+    std::printf("  %-11s A0 = %.4g mm^2, p = %d: k = %.4g N/m, k/A0 = %.4g Pa/m\n", "",
+                1e6 * law.area, law.exponent, k, k / law.area);
+  }
   for (const GainWarning& w : warnings)
     std::printf("outside: %s, %s\n", w.gain.c_str(), w.text.c_str());
   if (tuned.chosen && warnings.empty()) std::printf("the scene's gains are within the limits\n");
@@ -258,7 +277,7 @@ void add_tune(CLI::App& app, Common& common) {
   verb->add_option("--inertia", options->inertia,
                    "I, or I,I,I about its principal axes, without a scene [kg m^2]");
   verb->add_option("--response", options->response,
-                   "penalty, constraint or direct, otherwise the scene's");
+                   "penalty, constraint, potential or direct, otherwise the scene's");
   verb->add_option("--rate", options->rate, "haptic frames a second, otherwise the scene's");
   verb->add_option("--delay", options->delay, "of device samples [s], otherwise the device's");
   verb->add_option("--motion-scale", options->motion_scale,

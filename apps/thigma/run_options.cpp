@@ -32,11 +32,13 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
   add_resolution_options(verb, o.resolution);
   verb.add_flag("--no-blend", o.has_no_blend,
                 "contacts change their level of detail at once, not gradually");
-  verb.add_option("--response", o.response,
-                  "constraint: the object never enters, felt through a simulated body and its "
-                  "coupling (default, but where something has relief or levels are asked for); "
-                  "penalty: clusters push like springs, felt through the same coupling (coupled is "
-                  "its older name); direct: contact forces as they are");
+  verb.add_option(
+      "--response", o.response,
+      "constraint: the object never enters, felt through a simulated body and its "
+      "coupling (default, but where something has relief or levels are asked for); "
+      "potential: springs over the area of contact, whose force is the gradient of one "
+      "energy; penalty: clusters push like springs, felt through the same coupling (coupled is "
+      "its older name); direct: contact forces as they are");
   verb.add_option("--friction", o.friction,
                   "Coulomb's coefficient of every contact, whatever the materials say");
   verb.add_flag(

@@ -16,7 +16,7 @@ namespace thigma::app {
 
 /// What is said of a --response that response_of does not know.
 inline constexpr const char* kWrongResponse =
-    "--response is penalty (or coupled, its older name), constraint or direct";
+    "--response is penalty (or coupled, its older name), constraint, potential or direct";
 
 /// As given on the command line; what is empty is the scene's business.
 struct RunOptions {

@@ -71,15 +71,18 @@ std::optional<GainTask> gains_of(const Run& run) {
   return gain_task(port, haptic.body, haptic.workspace, run.session.config.rate, haptic.response);
 }
 
-std::vector<std::string> response_choices() { return {"penalty", "direct", "constraint"}; }
+std::vector<std::string> response_choices() {
+  return {"penalty", "direct", "constraint", "potential"};
+}
 
 std::vector<live::LiveParameter> choices_of(const Run& run) {
   const auto response = static_cast<int>(run.session.config.haptic.response);
-  std::vector<live::LiveParameter> choices = {
-      choice("response", "response",
-             "constraint: through a simulated body that never enters; penalty: through one that "
-             "contacts push out like springs; direct: contact forces as they are",
-             response_choices(), response)};
+  std::vector<live::LiveParameter> choices = {choice(
+      "response", "response",
+      "constraint: through a simulated body that never enters; penalty: through one that "
+      "contacts push out like springs; direct: contact forces as they are; potential: springs "
+      "over the area of contact",
+      response_choices(), response)};
   if (has_relief(run.scene.description)) {
     choices.push_back(choice("texture", "texture", "on: relief is felt; off: coarse surfaces alone",
                              {"on", "off"},

@@ -8,6 +8,7 @@
 #include "thigma/math/elementary.h"
 #include "thigma/math/rotation.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/response/potential_contacts.h"
 
 namespace thigma::experiments {
 namespace {
@@ -131,6 +132,57 @@ LoopRun run_loop(const Loop& loop, const LedGains& gains, bool is_reversed, int 
   result.energy_min = run.energy_min;
   result.held_back = run.held_back;
   result.frames = run.frames;
+  return result;
+}
+
+LawLoop run_law(const Loop& loop, bool is_reversed, int steps) {
+  constexpr double kForce = 2.0, kMostLift = 4e-3;
+  constexpr int kHalvings = 14;
+  const LedPair& pair = loop.pair;
+  const std::vector<SceneBody> bodies = {{pair.scene_levels.get(), Pose{}}};
+  const PotentialWorld world = make_potential_world(*pair.object_levels, Pose{}, bodies);
+  const PotentialLaw law{.exponent = 4, .area = 0.0625 * pair.reach * pair.reach};
+  PotentialScratch scratch;
+  reserve_potential(world, scratch);
+  const auto push = [&](const Pose& pose) {
+    BodyState state;
+    state.position = pose.position;
+    state.orientation = pose.orientation;
+    return potential_force(measure_potential(world, state, law, pair.tolerance, scratch).moments,
+                           loop.contact_stiffness, law)
+        .wrench;
+  };
+  const auto lifted = [&](double phase, double lift) {
+    Pose pose = loop.pressed(phase - std::floor(phase));
+    pose.position.z() += lift;
+    return pose;
+  };
+  double low = 0.0, high = kMostLift;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double lift = 0.5 * (low + high);
+    double most = 0.0;
+    for (const double phase : {0.0, 0.25, 0.5, 0.75})
+      most = std::max(most, push(lifted(phase, lift)).force.norm());
+    (most > kForce ? low : high) = lift;
+  }
+  LawLoop result;
+  Pose before;
+  Wrench pushed;
+  for (int i = 0; i <= steps; ++i) {
+    const double share = static_cast<double>(i) / steps;
+    const Pose pose = lifted(is_reversed ? -share : share, low);
+    const Wrench wrench = push(pose);
+    result.force = std::max(result.force, wrench.force.norm());
+    if (i > 0) {
+      const Vec3 turn = vector_from_rotation(pose.orientation * before.orientation.conjugate());
+      const double out = 0.5 * ((wrench.force + pushed.force).dot(pose.position - before.position) +
+                                (wrench.torque + pushed.torque).dot(turn));
+      result.handed_out += out;
+      result.put_in += std::max(-out, 0.0);
+    }
+    before = pose;
+    pushed = wrench;
+  }
   return result;
 }
 

@@ -34,4 +34,15 @@ struct LoopRun {
 /// cycles       of which the first is not counted
 LoopRun run_loop(const Loop& loop, const LedGains& gains, bool is_reversed, int cycles);
 
+/// A loop on the potential law alone, without bodies, couplings, dampers and time.
+struct LawLoop {
+  double handed_out = 0.0;  // over the closed path, of either sign [J]
+  double put_in = 0.0;      // where it was pressed [J]
+  double force = 0.0;       // largest [N]
+};
+
+/// The path of a loop at so many poses, lifted until the law pushes with 2 N; force times way.
+/// Thread [offline]
+LawLoop run_law(const Loop& loop, bool is_reversed, int steps);
+
 }  // namespace thigma::experiments

@@ -177,7 +177,10 @@ SessionConfig led_config(const LedPair& pair, const LedGains& gains, double seco
   config.world_from_body = pair.start;
   config.duration = seconds;
   config.contact_every = gains.every;
-  if (gains.is_constrained) {
+  config.contact.potential_law.area = 0.0625 * pair.reach * pair.reach;
+  if (gains.is_potential) {
+    use_potential(config);
+  } else if (gains.is_constrained) {
     config.contact.friction.assign(1, {gains.friction, gains.friction});
     config.contact.resolution.is_exact = !(gains.threshold > 0.0);
     config.contact.resolution.metric.haptic = gains.threshold;

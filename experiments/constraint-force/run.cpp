@@ -117,7 +117,9 @@ Outcome run_constraint_force(const Context& context) {
       {.columns = {"series", "scene", "time of the path [s]", "contact rate [Hz]", "stand-off",
                    "magnitude error [%]", "direction error, mean [deg]", "largest [deg]",
                    "largest ideal [N or N m]", "stray [N or N m]", "frames held back [%]"}},
-      {.name = "spread", .columns = {"series", "what", "force [N]"}},
+      {.name = "spread",
+       .columns = {"series", "what", "force [N]", "force, potential [N]",
+                   "potential law alone [N]"}},
       {.name = "law",
        .columns = {"series", "what", "travel [mm]", "force [N]", "law [N]", "off [%]",
                    "contacts"}}};

@@ -76,6 +76,22 @@ TEST(TuneVerb, UnderConstraintsTheCouplingAloneIsJudged) {
   EXPECT_EQ(said.out.find("stiffness = 2"), std::string::npos) << said.out;  // of a contact
 }
 
+TEST(TuneVerb, UnderThePotentialTheStiffnessIsThatOfAnArea) {
+  const std::string scene = write_text(
+      "over_an_area.toml",
+      "[object]\nmesh = \"procedural:ball?triangles=320\"\nmass = 0.01\n[contact]\nresponse = "
+      "\"potential\"\nstiffness = 3000\narea = 2e-5\nexponent = 2\n[[static]]\nmesh = "
+      "\"procedural:ball?triangles=320\"\n");
+  const json j = json_line(run_program({"tune", scene, "--json"}));
+  EXPECT_EQ(j.at("scene_gains").at("contact_stiffness"), 3000.0);
+  EXPECT_EQ(j.at("scene_gains").at("contact_area"), 2e-5);
+  EXPECT_EQ(j.at("scene_gains").at("contact_exponent"), 2);
+  const Ended said = run_program({"tune", scene});
+  EXPECT_NE(said.out.find("A0 = 20 mm^2, p = 2: k = 3000 N/m, k/A0 = 1.5e+08 Pa/m"),
+            std::string::npos)
+      << said.out;
+}
+
 TEST(TuneVerb, RefusesWithOneSentence) {
   const std::vector<std::vector<std::string>> wrong = {
       {"tune"},

@@ -96,8 +96,8 @@ struct Scene {
 
 /// Warms up, then watches `haptic_frames` haptic steps and a contact step every tenth, all in one
 /// thread, while this thread writes the recording.
-AuditResult audit(PlantingDevice::Plant plant, int haptic_frames, bool is_constrained = false,
-                  bool has_levels = false) {
+AuditResult audit(PlantingDevice::Plant plant, int haptic_frames,
+                  ResponseKind response = ResponseKind::coupled, bool has_levels = false) {
   Scene scene;
   if (has_levels) {
     scene.ball = build_clod(make_ball(0.01, 10));
@@ -105,7 +105,9 @@ AuditResult audit(PlantingDevice::Plant plant, int haptic_frames, bool is_constr
     scene.config.contact.resolution.is_exact = false;
   }
   scene.config.contact.friction.assign(scene.config.contact.scene.size(), {0.3, 0.4});
-  if (is_constrained) use_constraints(scene.config);
+  if (response == ResponseKind::constrained) use_constraints(scene.config);
+  scene.config.contact.potential_law.area = 2e-5;
+  if (response == ResponseKind::potential) use_potential(scene.config);
   HandParams hand;
   hand.program.path = HandPath::slide;
   hand.program.clearance = 0.001;
@@ -210,7 +212,15 @@ TEST(Audit, TenThousandHapticAndAThousandContactStepsTouchNeitherMemoryNorLocksN
 
 TEST(Audit, NorDoTheyUnderConstraints) {
   if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
-  const AuditResult r = audit(PlantingDevice::Plant::nothing, 5000, true);
+  const AuditResult r = audit(PlantingDevice::Plant::nothing, 5000, ResponseKind::constrained);
+  EXPECT_EQ(r.haptic.total(), 0);
+  EXPECT_EQ(r.contact.total(), 0) << "allocations " << r.contact.allocations;
+  EXPECT_GT(r.touching_frames, 3000);
+}
+
+TEST(Audit, NorDoTheyUnderThePotential) {
+  if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
+  const AuditResult r = audit(PlantingDevice::Plant::nothing, 5000, ResponseKind::potential);
   EXPECT_EQ(r.haptic.total(), 0);
   EXPECT_EQ(r.contact.total(), 0) << "allocations " << r.contact.allocations;
   EXPECT_GT(r.touching_frames, 3000);
@@ -218,7 +228,7 @@ TEST(Audit, NorDoTheyUnderConstraints) {
 
 TEST(Audit, NorDoTheyWhereFarPairsStayCoarse) {
   if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
-  const AuditResult r = audit(PlantingDevice::Plant::nothing, 5000, true, true);
+  const AuditResult r = audit(PlantingDevice::Plant::nothing, 5000, ResponseKind::constrained, true);
   EXPECT_EQ(r.haptic.total(), 0);
   EXPECT_EQ(r.contact.total(), 0) << "allocations " << r.contact.allocations;
   EXPECT_GT(r.touching_frames, 3000);

@@ -14,6 +14,7 @@
 #include "thigma/core/error.h"
 #include "thigma/loop/contact_step.h"
 #include "thigma/recording/replay_session.h"
+#include "thigma/response/potential_contacts.h"
 #include "thigma/scene/load_scene.h"
 #include "thigma/scene/record_session.h"
 
@@ -164,6 +165,47 @@ TEST(ConstrainedResponse, IsTheDefaultOfSmoothScenesInAHand) {
   EXPECT_EQ(default_response(relief, true), ResponseKind::coupled);
   EXPECT_EQ(default_response(relief, false), ResponseKind::constrained);
   EXPECT_EQ(default_response(dropped, true), ResponseKind::coupled);
+}
+
+TEST(PotentialResponse, IsOpenedByNameAndRefusesWhatTheLawHasNot) {
+  SceneDescription scene = test::small_jaws();
+  scene.contact.response = ResponseKind::potential;
+  scene.contact.exponent = 2;
+  const Scene jaws = load_scene(scene);
+  const SceneSession session = open_session(jaws, {.device = "null:", .duration = 0.01});
+  EXPECT_EQ(session.config.haptic.response, ResponseKind::potential);
+  EXPECT_TRUE(session.config.contact.potential != nullptr);
+  EXPECT_EQ(session.config.contact.potential_law.exponent, 2);
+  const double radius = jaws.object->hierarchy.radius;
+  EXPECT_DOUBLE_EQ(session.config.contact.potential_law.area, 0.0625 * radius * radius);
+
+  // What only code can say is refused in one line with its place, too.
+  scene.contact.area = -1.0;
+  const Scene wrong = load_scene(scene);
+  try {
+    open_session(wrong, {.device = "null:"});
+    FAIL() << "an area below 0";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("potential response: area -1"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(PotentialResponse, FeelsRelief) {
+  SceneDescription scene = read_scene("plate");
+  scene.contact.response = ResponseKind::potential;
+  const Scene plate = load_scene(scene);
+  SceneSession session = open_session(plate, {.device = "hand:", .duration = 2.0});
+  session.config.contact_every = 4;
+  int touching = 0;
+  const SessionSummary felt =
+      run_lockstep(session, {[&](const HapticSample& s) { touching += s.touching > 0; }, {}, {}});
+  EXPECT_EQ(felt.end, SessionEnd::duration);
+  EXPECT_GT(touching, 100);
+  // The surfaces are the fine ones.
+  EXPECT_GT(session.config.contact.potential->scene[0]->mesh.triangles.size() +
+                session.config.contact.potential->object.mesh.triangles.size(),
+            100'000u);
 }
 
 /// A ball of 10 mm at a height over one like it, in the hand of nobody.

@@ -33,8 +33,8 @@ TEST(RecordSession, ReplaysBitForBit) {
 
 TEST(RecordSession, FrictionReplaysBitForBit) {
   const std::string path = (fs::temp_directory_path() / "thigma_record_friction.mcap").string();
-  for (const ResponseKind response :
-       {ResponseKind::coupled, ResponseKind::direct, ResponseKind::constrained}) {
+  for (const ResponseKind response : {ResponseKind::coupled, ResponseKind::direct,
+                                      ResponseKind::constrained, ResponseKind::potential}) {
     SceneDescription description = test::small_jaws();
     description.contact.response = response;
     description.object.material = Material{{0.3, 0.5}};

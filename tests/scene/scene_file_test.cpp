@@ -93,6 +93,15 @@ TEST(SceneFile, PenaltyAndCoupledAreOneResponse) {
   }
 }
 
+TEST(SceneFile, PotentialHasAnExponentAndAnArea) {
+  const std::string text =
+      std::string(kLeast) + "[contact]\nresponse = \"potential\"\nexponent = 2\narea = 3e-5\n";
+  const SceneDescription s = parse_scene(text, "S.toml", "");
+  EXPECT_EQ(s.contact.response, ResponseKind::potential);
+  EXPECT_EQ(s.contact.exponent, 2);
+  EXPECT_EQ(s.contact.area, 3e-5);
+}
+
 TEST(SceneFile, EveryKeyArrives) {
   const SceneDescription s = parse_scene(R"(title = "t"
 gravity = [1, 2.5, -9.81]
@@ -300,6 +309,17 @@ TEST(SceneFile, WrongScenesNamePlaceAndExpectation) {
       {"[object]\nmesh = \"procedural:ball\"\n[contact]\nstiffness = 0\n",
        4,
        {"contact.stiffness", "above 0"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[contact]\narea = 0\n",
+       4,
+       {"contact.area", "above 0"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[contact]\narea = inf\n", 4, {"not finite"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[contact]\nstiffness = -5\n",
+       4,
+       {"contact.stiffness", "above 0"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[contact]\nexponent = 3\n",
+       4,
+       {"contact.exponent", "is 3", "2 or 4"}},
+      {"[object]\nmesh = \"procedural:ball\"\n[contact]\nexponent = 8\n", 4, {"contact.exponent"}},
       {"[object]\nmesh = \"procedural:ball\"\n[contact]\nclusters = 17\n",
        4,
        {"contact.clusters", "1 to 16"}},

@@ -11,6 +11,7 @@
 #include "thigma/contact/distribute_contacts.h"
 #include "thigma/math/infinity.h"
 #include "thigma/response/linearize_contacts.h"
+#include "thigma/response/potential_contacts.h"
 #include "thigma/response/texture_contacts.h"
 
 namespace thigma {
@@ -72,7 +73,7 @@ void describe_contacts(const ContactWorld& world, const ContactScratch& scratch,
   sample.mandatory_tests = scratch.contacts.stats.mandatory_tests;
   sample.unrefined = scratch.contacts.stats.unrefined;
   sample.texture_depths = sample.texture_folds = 0;
-  if (world.textures.is_empty()) return;
+  if (world.textures.is_empty() || world.potential) return;
   if (world.constraints) {
     const ReliefStats& relief = scratch.constraints->relief.stats;
     sample.depth_max = std::max(sample.depth_max, relief.deepest);
@@ -106,6 +107,11 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
     if (has_levels_far(world)) scratch.constraints->coarse.reserve(world.capacity);
     if (!world.textures.is_empty())
       reserve_relief(world.textures, world.capacity, scratch.constraints->relief);
+    return;
+  }
+  if (world.potential) {
+    if (!scratch.potential) scratch.potential = std::make_shared<PotentialScratch>();
+    reserve_potential(*world.potential, *scratch.potential);
     return;
   }
   if (distributes_wide_contacts(world)) scratch.spread.reserve(world.capacity);
@@ -275,6 +281,7 @@ void find_contacts(const ContactWorld& world, const StampedBody& body,
     return;
   }
   clear(scratch.contacts);
+  if (world.potential) return;  // measures areas instead
   const Pose pose = world_from_mesh(world, body.state);
   if (!world.scene.empty()) {
     ContactQuery query;
@@ -325,19 +332,36 @@ void make_terms(const ContactWorld& world, const StampedBody& body, ContactScrat
   set_friction(world, sample.model.depths);
 }
 
+/// Springs of the potential law. Returns over how many parts of the surfaces it was summed.
+std::int64_t make_springs(const ContactWorld& world, const StampedBody& body,
+                          ContactScratch& scratch, ContactSample& sample) noexcept {
+  PenaltyParams response = world.response;
+  response.tolerance = world.tolerance;
+  const PotentialContact contact = measure_potential(
+      *world.potential, body.state, world.potential_law, world.tolerance, *scratch.potential);
+  sample.model = potential_model(contact, response, world.potential_law,
+                                 {body.state, body.time, ++scratch.sequence});
+  set_friction(world, sample.model.depths);
+  return contact.stats.cells;
+}
+
 }  // namespace
 
 void make_model(const ContactWorld& world, const StampedBody& body, ContactScratch& scratch,
                 ContactSample& sample) noexcept {
+  std::int64_t areas = 0;
   if (world.constraints)
     make_rows(world, body, scratch, sample);
+  else if (world.potential)
+    areas = make_springs(world, body, scratch, sample);
   else
     make_terms(world, body, scratch, sample);
   sample.time = body.time;
   describe_contacts(world, scratch, sample);
+  if (world.potential) sample.contacts = areas;
   sample.level_changes = 0;
   sample.triangles_below = 0.0;
-  if (!world.resolution.is_exact && !world.constraints) {
+  if (!world.resolution.is_exact && !world.constraints && !world.potential) {
     sample.level_changes =
         count_level_changes(*world.object, world.scene, scratch.contacts.contacts, scratch.levels);
     sample.triangles_below = triangles_below(scratch.levels);

@@ -18,6 +18,7 @@
 namespace thigma {
 
 struct ConstraintScratch;
+struct PotentialScratch;
 struct TextureScratch;
 
 /// Working memory of contact_step. Grows while warming up, never after.
@@ -33,6 +34,7 @@ struct ContactScratch {
   LevelHistory levels;         // which contacts changed their level since the last frame
   std::shared_ptr<TextureScratch> textures;        // where the world has textures, else null
   std::shared_ptr<ConstraintScratch> constraints;  // where the world has constraints, else null
+  std::shared_ptr<PotentialScratch> potential;     // where the world has a potential, else null
   double looked_ahead = 0.0;                       // tolerance of the last query for rows [m]
   double separation = 0.0;       // of what that query did not report, at least [m]
   double crowded_ahead = 1e300;  // look-ahead that had too many pairs; grows again [m]

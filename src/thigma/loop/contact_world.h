@@ -18,6 +18,7 @@
 namespace thigma {
 
 struct ConstraintWorld;
+struct PotentialWorld;
 
 /// Contacts of the grasped object at a pose of its mesh, for scenes that are not meshes; appends to
 /// `contacts`, which it must not let grow, and counts what it finds there. Called by the contact
@@ -59,6 +60,9 @@ struct ContactWorld {
   std::optional<double> most_friction;
   // of the constrained response, made by use_constraints: rows instead of clusters; null: none
   std::shared_ptr<const ConstraintWorld> constraints;
+  PotentialLaw potential_law;  // of the next
+  // of the potential response, made by use_potential: areas instead of clusters; null: none
+  std::shared_ptr<const PotentialWorld> potential;
   std::size_t capacity = 16384;  // contacts a frame; what does not fit is counted
 };
 

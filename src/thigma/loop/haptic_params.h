@@ -28,6 +28,8 @@ enum class ResponseKind : std::uint8_t {
   direct,
   // simulated body and virtual coupling; contacts are inequalities: the object never enters
   constrained,
+  // as coupled, but the contacts' force is the gradient of one energy (PotentialLaw)
+  potential,
 };
 
 /// Constant while a session runs.

@@ -308,7 +308,7 @@ void send_wrench(const FrameWork& frame, const ActiveTerms& active) THIGMA_RT {
   const bool is_constrained = params.response == ResponseKind::constrained;
   const bool is_inside = !is_constrained && active.count > 0;
   update_arming(params.safety, may_be_armed, is_inside, sample.time, safety);
-  if (params.response == ResponseKind::coupled) {
+  if (params.response == ResponseKind::coupled || params.response == ResponseKind::potential) {
     sample.contact = all_contact(frame.model, params.body, sample.model_weight, state);
   } else if (!is_constrained) {  // whose bristles do not fade
     sample.contact = sample.model_weight * all_contact(frame.model, params.body, 1.0, state);

@@ -15,4 +15,12 @@ struct PenaltyParams {
       true;  // false: every cluster has the full k and b, as in Eq. 5.37
 };
 
+/// A response that is the gradient of one energy, k/2 S^(2/p), S = (1/A0) integral of w^p over the
+/// area of contact, w = depth + tolerance. Stiffness k and damping b are those of PenaltyParams, of
+/// an area A0 in even contact: of an area A they are (A/A0)^(2/p) times as much.
+struct PotentialLaw {
+  int exponent = 4;   // p: 2 (an elastic foundation of k/A0 [N/m^3]) or 4
+  double area = 0.0;  // A0, > 0 [m^2]
+};
+
 }  // namespace thigma

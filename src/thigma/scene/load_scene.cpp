@@ -68,10 +68,12 @@ Scene load_scene(SceneDescription description, const LoadOptions& options) {
     scene.description.contact.response = default_response(scene.description, options.has_textures);
   const SceneDescription& given = scene.description;
   Resolution resolution = given.contact.resolution;
-  // Rows are of the finest surfaces: levels need not be built but where they are asked for.
-  const bool is_exact_by_response =
+  // Rows and areas are of the finest surfaces: levels need not be built but where rows ask for them.
+  const bool has_rows_alone =
       given.contact.response == ResponseKind::constrained && !given.contact.has_levels_far;
-  if (is_exact_by_response) resolution.is_exact = true;
+  const bool is_finest =
+      has_rows_alone || given.contact.response == ResponseKind::potential;
+  if (is_finest) resolution.is_exact = true;
   // A texture instead of a mesh lies over patches of the original surface alone.
   const auto replaces_mesh = [](const SceneObject& o) { return o.is_textured; };
   if (replaces_mesh(given.object) ||
@@ -101,7 +103,7 @@ Scene load_scene(SceneDescription description, const LoadOptions& options) {
       make_session_config(given, {scene.object->mass.measure, {hierarchy.center, hierarchy.radius}},
                           hierarchy, std::move(bodies));
   scene.config.contact.resolution.coarsest_level = coarsest;
-  if (is_exact_by_response) scene.config.contact.resolution.is_exact = true;
+  if (is_finest) scene.config.contact.resolution.is_exact = true;
   if (options.has_textures) detail::use_textures(options.log, scene);
   return scene;
 }

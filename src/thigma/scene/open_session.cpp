@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
@@ -49,6 +50,7 @@ struct Opening {
   bool is_constrained() const {
     return session.config.haptic.response == ResponseKind::constrained;
   }
+  bool is_potential() const { return session.config.haptic.response == ResponseKind::potential; }
 };
 
 /// Only a hand comes to the object by itself; scripts and people start where the scene says.
@@ -109,6 +111,14 @@ std::unique_ptr<HapticDevice> open_web(const Opening& o) {
   return make_web_device(*o.options.web_channel, params);
 }
 
+void measure_areas(Opening& o) {
+  try {
+    use_potential(o.session.config);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(o.session.scene_file + ": " + error.what());
+  }
+}
+
 /// Opens the device, and places the object before a hand comes to it. With the direct response the
 /// device decides the contact tolerance, and that the place: a hand is opened once more for its
 /// limits.
@@ -122,6 +132,7 @@ void open_at(Opening& o) {
   else if (o.is_constrained() && scheme != "replay")
     lead_out(o);
   if (o.is_constrained()) use_constraints(session.config);
+  if (o.is_potential()) measure_areas(o);
   if (scheme == "web") {
     session.device = open_web(o);
   } else if (scheme == "replay") {
@@ -141,9 +152,10 @@ void start_simulation(const SimulatedBody& body, Opening& o) {
   if (device_scheme(o.session.device_uri) != "null")
     throw DeviceAddressError(
         file + ": nobody holds the object of a [simulation], expected --device null:");
-  if (o.is_direct() || o.is_constrained() || !config.contact.textures.is_empty())
+  if (o.is_direct() || o.is_constrained() || o.is_potential() ||
+      !config.contact.textures.is_empty())
     throw InputError(file +
-                     ": [simulation] knows neither --response direct or constraint nor textures, "
+                     ": [simulation] knows no --response but penalty, and no textures, "
                      "expected none of them");
   ContactWorld& contact = config.contact;
   if (!body.has_tolerance) {

@@ -176,6 +176,7 @@ DefaultGains default_gains(double radius) {
                                                 : 1.0;
   const double s = gains.motion_scale;
   gains.tolerance = 0.01 * radius;
+  gains.contact_area = 0.0625 * radius * radius;
   gains.contact_stiffness = std::clamp(kHeldPress * s / gains.tolerance, 2000.0, 5000.0);
   gains.angular_stiffness = std::min(0.3 * gains.linear_stiffness * radius * radius, 0.6 * s * s);
   gains.max_force *= s;
@@ -218,6 +219,9 @@ SessionConfig make_session_config(const SceneDescription& given, const ObjectMea
   config.contact.max_clusters = scene.contact.max_clusters;
   config.contact.response.stiffness = scene.contact.stiffness.value_or(gains.contact_stiffness);
   config.contact.response.tolerance = config.contact.tolerance;
+  config.contact.potential_law.exponent =
+      scene.contact.exponent.value_or(config.contact.potential_law.exponent);
+  config.contact.potential_law.area = scene.contact.area.value_or(gains.contact_area);
   config.contact.response.is_divided_among_clusters = scene.contact.is_divided_among_clusters;
   config.contact.distributes_wide_contacts = scene.contact.distributes_wide_contacts;
   config.contact.resolution = scene.contact.resolution;

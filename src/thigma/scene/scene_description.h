@@ -51,10 +51,9 @@ struct ResponseName {
   ResponseKind kind;
 };
 inline constexpr ResponseName kResponseNames[] = {
-    {"penalty", ResponseKind::coupled},
-    {"coupled", ResponseKind::coupled},  // its older name
-    {"direct", ResponseKind::direct},
-    {"constraint", ResponseKind::constrained},
+    {"penalty", ResponseKind::coupled},     {"coupled", ResponseKind::coupled},  // its older name
+    {"direct", ResponseKind::direct},       {"constraint", ResponseKind::constrained},
+    {"potential", ResponseKind::potential},
 };
 
 /// Response of a name, none for another word. Thread [offline].
@@ -78,7 +77,10 @@ struct ContactGains {
   double friction = 0.0;                  // Coulomb's coefficient of objects without a material
   std::optional<double> static_friction;  // and until they slide; otherwise the same
   CombineRule combine = CombineRule::geometric;  // of two materials
-  TextureParams texture;                         // how relief is looked for
+  // of the potential response, see PotentialLaw; the area otherwise follows from the object's size
+  std::optional<int> exponent;  // p
+  std::optional<double> area;   // A0 [m^2]
+  TextureParams texture;        // how relief is looked for
 };
 
 /// Virtual coupling. What is not set follows from the object's size, default_gains.
@@ -175,6 +177,7 @@ struct DefaultGains {
   double motion_scale = 1.0;  // s
   double contact_stiffness = 2000.0, contact_damping_ratio = 0.7;
   double tolerance = 0.0;           // [m]
+  double contact_area = 0.0;        // A0 of the potential response [m^2]
   double linear_stiffness = 300.0;  // [N/m]
   double angular_stiffness = 0.0;   // [N m/rad]
   double damping_ratio = 0.7;       // of both coupling springs

@@ -194,6 +194,9 @@ void read_contact(TomlTable table, ContactGains& contact) {
   if (contact.damping && contact.damping_ratio) {
     table.fail("damping_ratio", "stands beside damping", "expected one of the two");
   }
+  contact.exponent = table.whole("exponent", 2, 4);
+  if (contact.exponent == 3) table.fail("exponent", "is 3", "expected 2 or 4");
+  contact.area = table.number("area", Range::positive);
   table.finish();
 }
 

@@ -8,6 +8,7 @@
 
 #include "thigma/constraint/build_constraints.h"
 #include "thigma/response/direct.h"
+#include "thigma/response/potential_contacts.h"
 
 namespace thigma {
 namespace {
@@ -68,6 +69,27 @@ void use_constraints(SessionConfig& config) {
   contact.constraints = std::make_shared<const ConstraintWorld>(std::move(world));
   config.haptic.constraint.slop = contact.constraints->slop;
   config.haptic.response = ResponseKind::constrained;
+}
+
+void use_potential(SessionConfig& config) {
+  const auto refuse = [](const std::string& text) {
+    throw std::invalid_argument("potential response: " + text);
+  };
+  ContactWorld& contact = config.contact;
+  const PotentialLaw& law = contact.potential_law;
+  const auto is_above = [](double value) { return value > 0.0 && std::isfinite(value); };
+  if (contact.object == nullptr || contact.scene.empty()) refuse("there are no surfaces");
+  if (contact.source) refuse("contacts of a source are not known to it");
+  if (!is_above(contact.response.stiffness))
+    refuse("stiffness " + std::to_string(contact.response.stiffness) +
+           ", expected a number above 0 [N/m]");
+  if (!is_above(law.area))
+    refuse("area " + std::to_string(law.area) + ", expected a number above 0 [m^2]");
+  if (law.exponent != 2 && law.exponent != 4)
+    refuse("exponent " + std::to_string(law.exponent) + ", expected 2 or 4");
+  contact.potential = std::make_shared<const PotentialWorld>(make_potential_world(
+      *contact.object, contact.body_from_mesh, contact.scene, contact.textures));
+  config.haptic.response = ResponseKind::potential;
 }
 
 }  // namespace thigma

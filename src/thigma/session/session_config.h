@@ -1,6 +1,6 @@
 #pragma once
-// Parts of a session's configuration that are set together: passivity, the direct and the
-// constrained response.
+// Parts of a session's configuration that are set together: passivity, the direct, the constrained
+// and the potential response.
 
 #include "thigma/device/haptic_device.h"
 #include "thigma/session/session.h"
@@ -37,5 +37,15 @@ void use_direct_response(const DeviceLimits& device, SessionConfig& config);
 /// errors    std::invalid_argument without surfaces and for contacts of another source
 /// Thread    [offline]
 void use_constraints(SessionConfig& config);
+
+/// Makes a session's contacts the gradient of one energy (docs/potential.md): depths are those of
+/// the exact surfaces, whatever resolution is set.
+///
+/// config    contact.object, contact.scene, contact.potential_law and contact.response set;
+///           contact.potential and haptic.response are changed
+/// errors    std::invalid_argument without surfaces, for contacts of another source, for relief, and
+///           for a stiffness, exponent or area the law has not
+/// Thread    [offline]
+void use_potential(SessionConfig& config);
 
 }  // namespace thigma

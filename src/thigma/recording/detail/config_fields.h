@@ -112,7 +112,7 @@ void visit_haptic_params(Params& p, Visit&& visit) {
   visit.word("grasp_place", p.grasp_place, {"grasp_point", "handle"});
   visit.vector("grasp_point", p.grasp_point);
   visit("turn_rate", p.turn_rate);
-  visit.word("response", p.response, {"coupled", "direct", "constrained"});
+  visit.word("response", p.response, {"coupled", "direct", "constrained", "potential"});
   visit.object("constraint", p.constraint, [](auto& c, auto& v) { visit_constraint(c, v); });
   visit("resumes_lost_device", p.resumes_lost_device);
   visit.object_if("passivity", p.passivity.is_on, p.passivity,
