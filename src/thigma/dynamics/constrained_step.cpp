@@ -153,20 +153,34 @@ void list_pressing(const ConstraintModel& model, const VelocityRows& rows,
   }
 }
 
+/// What a step is solved for: the metric and the velocity without rows.
+struct FreeMotion {
+  const Mat6& metric;
+  const Vec6& velocity;
+};
+
+void timed_solve(const FreeMotion& free, const VelocityRows& rows, std::int64_t (*clock)() noexcept,
+                 RowImpulses& impulses, ConstrainedStep& result) THIGMA_RT {
+  const bool is_timed = clock != nullptr && rows.count > 0;
+  const std::int64_t begin = is_timed ? clock() : 0;
+  result.solution = solve_rows(free.metric, free.velocity, rows, impulses);
+  if (is_timed) result.solve_ns += clock() - begin;
+}
+
 /// Solves; where rows to recover along contradict each other, again with those at rest.
-Vec6 solve(const Mat6& metric, const Vec6& free, VelocityRows& rows, RowImpulses& impulses,
-           ConstrainedStep& result) THIGMA_RT {
-  result.solution = solve_rows(metric, free, rows, impulses);
+Vec6 solve(const FreeMotion& free, VelocityRows& rows, std::int64_t (*clock)() noexcept,
+           RowImpulses& impulses, ConstrainedStep& result) THIGMA_RT {
+  timed_solve(free, rows, clock, impulses, result);
   if (!result.solution.is_whole) {
     result.is_squeezed = true;
     for (int i = 0; i < rows.count; ++i) {
       double& limit = rows.limit[static_cast<std::size_t>(i)];
       limit = std::max(limit, 0.0);
     }
-    result.solution = solve_rows(metric, free, rows, impulses);
+    timed_solve(free, rows, clock, impulses, result);
   }
   if (!result.solution.is_whole) return Vec6::Zero();
-  return result.solution.active == 0 ? free : result.solution.velocity;
+  return result.solution.active == 0 ? free.velocity : result.solution.velocity;
 }
 
 /// The largest share of a step, to 2^-12, that ends within the travel, no gap below a least.
@@ -216,24 +230,29 @@ ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces
   // object waits for the next.
   if (is_beyond(model, at.state)) result.least_gap = kInfinity;
   const Mat6 metric = step_metric(at, forces.jacobian, dt);
-  Vec6 velocity = solve(metric, free, rows, impulses, result);
+  const FreeMotion unheld{metric, free};
+  Vec6 velocity = solve(unheld, rows, bounds.clock, impulses, result);
   result.state = velocity == free ? unbound : work.after(velocity);
   GapsAfter gaps = correct_limits(bounds, result.state, rows);
   if (gaps.is_short) {
-    velocity = solve(metric, free, rows, impulses, result);
+    velocity = solve(unheld, rows, bounds.clock, impulses, result);
     result.state = work.after(velocity);
     gaps.least = least_gap(model, result.state);
   }
   keep(model, impulses, memory);
   list_pressing(model, rows, impulses, dt, result.pressing);
+  if (result.solution.is_whole) result.slip = result.solution.slip;
   result.contact = {result.solution.impulse.head<3>() / dt, result.solution.impulse.tail<3>() / dt};
   result.wanted_speed = travel_between(at.state, result.state, model.reach) / dt;
   result.wanted_gain = std::max(result.wanted_speed - speed_bound(at, model.reach), 0.0) / dt;
 
   result.is_held_back = is_beyond(model, result.state);
   const double least = std::min(result.least_gap, 0.0);
-  if (result.is_held_back || gaps.least < least)
-    result.state = work.after(share_within(work, velocity, least) * velocity);
+  if (result.is_held_back || gaps.least < least) {
+    const double share = share_within(work, velocity, least);
+    result.state = work.after(share * velocity);
+    result.slip.work *= share;
+  }
   return result;
 }
 

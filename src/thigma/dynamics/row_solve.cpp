@@ -404,6 +404,29 @@ bool has_friction(const VelocityRows& rows) THIGMA_RT {
   return false;
 }
 
+/// Whether friction is within the cone: nothing slides.
+bool is_held(const WhiteRows& white, const Cone& c) THIGMA_RT {
+  constexpr double kRounding = 1e-9;
+  return c.has_friction && hold_of(c) < (1.0 - kRounding) * most_hold(white, c);
+}
+
+/// How friction held, at the end of a solve.
+SlipCount count_slip(const WhiteRows& white, const Cones& cones, double scale,
+                     const Vec6& y) THIGMA_RT {
+  SlipCount slip;
+  for (int i = 0; i < cones.count; ++i) {
+    const Cone& c = cones.cone[idx(i)];
+    if (!c.has_friction || !(c.press > 0.0)) continue;
+    if (is_held(white, c)) {
+      ++slip.sticking;
+      continue;
+    }
+    ++slip.sliding;
+    slip.work += scale * (c.hold_first * c.first.dot(y) + c.hold_second * c.second.dot(y));
+  }
+  return slip;
+}
+
 void keep_impulses(const WhiteRows& white, const Nearest& nearest, const Cones& cones, double scale,
                    RowImpulses& impulses) THIGMA_RT {
   std::fill_n(impulses.normal.begin(), idx(white.count), 0.0);
@@ -420,9 +443,7 @@ void keep_impulses(const WhiteRows& white, const Nearest& nearest, const Cones& 
     impulses.normal[r] = c.press / white.length[r];
     impulses.tangential[r] = {scale * c.hold_first, scale * c.hold_second};
     // Held within the cone of what slides, it sticks again.
-    constexpr double kRounding = 1e-9;
-    const bool is_held = c.has_friction && hold_of(c) < (1.0 - kRounding) * most_hold(white, c);
-    impulses.is_sliding[r] = c.is_sliding && !is_held;
+    impulses.is_sliding[r] = c.is_sliding && !is_held(white, c);
   }
 }
 
@@ -456,6 +477,7 @@ RowSolution solve_rows(const Mat6& metric, const Vec6& free, const VelocityRows&
   solution.rounds += nearest.rounds;
   solution.active = nearest.active.count;
   solution.is_whole = nearest.is_whole;
+  solution.slip = count_slip(white, cones, scale, nearest.y);
   solution.velocity = f.inverse.transpose() * nearest.y;
   solution.impulse = f.lower * (nearest.y - target);
   for (int i = 0; i < rows.count; ++i) {

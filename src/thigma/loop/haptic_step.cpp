@@ -178,7 +178,8 @@ void advance_body(const HapticParams& params, const LinearContactModel& model,
 /// Steps 2-4 of the constrained response: the coupling alone, then what the rows allow. Returns how
 /// the rows stand.
 ActiveTerms advance_constrained(const HapticParams& params, const LinearContactModel& model,
-                                HapticSample& sample, HapticState& state) THIGMA_RT {
+                                std::int64_t (*clock)() noexcept, HapticSample& sample,
+                                HapticState& state) THIGMA_RT {
   ActiveTerms active;
   const BodyState before = state.body;
   const BodyAtState at = at_state(params.body, before);
@@ -186,7 +187,8 @@ ActiveTerms advance_constrained(const HapticParams& params, const LinearContactM
   forces.wrench = coupling_wrench(faded(state.coupling, state.last_device.weight), sample.handle,
                                   at, &forces.jacobian);
   const ConstrainedStep step = constrained_step(
-      at, forces, {model.constraints, params.constraint, sample.elapsed}, state.rows);
+      at, forces, {model.constraints, params.constraint, sample.elapsed, params.impacts, clock},
+      state.rows);
   state.wanted_speed = sample.wanted_speed = step.wanted_speed;
   state.wanted_gain = step.wanted_gain;
   sample.solve_residual = step.solution.residual;
@@ -194,6 +196,8 @@ ActiveTerms advance_constrained(const HapticParams& params, const LinearContactM
   sample.is_squeezed = step.is_squeezed;
   sample.pressing = step.pressing;
   sample.contact = step.contact;
+  sample.slip = step.slip;
+  sample.solve_ns = step.solve_ns;
   active.count = step.solution.active;
   active.penetration = -step.least_gap;
   state.body = step.state;
@@ -233,10 +237,11 @@ void follow_handle(const HapticParams& params, const LinearContactModel& model,
 }
 
 /// Steps 2-4 of any response; returns how the contacts stand after them.
-ActiveTerms move_body(const HapticParams& params, const LinearContactModel& model,
-                      HapticSample& sample, HapticState& state) THIGMA_RT {
+ActiveTerms move_body(const HapticParams& params, const HapticPorts& ports, HapticSample& sample,
+                      HapticState& state) THIGMA_RT {
+  const LinearContactModel& model = ports.models->value();
   if (params.response == ResponseKind::constrained) {
-    if (state.is_grasped) return advance_constrained(params, model, sample, state);
+    if (state.is_grasped) return advance_constrained(params, model, ports.clock, sample, state);
     state.wanted_speed = state.wanted_gain = 0.0;
     return {};
   }
@@ -245,6 +250,7 @@ ActiveTerms move_body(const HapticParams& params, const LinearContactModel& mode
       follow_handle(params, model, sample, state);
     else
       advance_body(params, model, sample, state);
+    sample.slip = state.bristles.slip;
   }
   return active_terms(model, state.body);
 }
@@ -347,7 +353,7 @@ HapticSample haptic_step(const HapticParams& params, const HapticPorts& ports,
   HapticSample sample;
   read_inputs(params, ports, tick, state, sample);
   const LinearContactModel& model = ports.models->value();
-  const ActiveTerms active = move_body(params, model, sample, state);
+  const ActiveTerms active = move_body(params, ports, sample, state);
   send_wrench({params, ports, model, state, sample}, active);
   if (state.safety.fault != Fault::none && state.is_grasped) let_go(state);
 
