@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "thigma/dynamics/detail/impacts.h"
 #include "thigma/dynamics/implicit_step.h"
 #include "thigma/math/infinity.h"
 #include "thigma/math/rotation.h"
@@ -65,6 +66,13 @@ struct StepWork {
 
 bool is_beyond(const ConstraintModel& model, const BodyState& state) THIGMA_RT {
   return travel_between(model.state, state, model.reach) > model.travel;
+}
+
+Vec6 velocity_of(const BodyAtState& at) THIGMA_RT {
+  Vec6 velocity;
+  velocity << at.state.linear_momentum / at.body.mass,
+      at.kinematics.inverse_inertia * at.state.angular_momentum;
+  return velocity;
 }
 
 /// Bound on the speed of any point of the body [m/s].
@@ -167,10 +175,17 @@ void timed_solve(const FreeMotion& free, const VelocityRows& rows, std::int64_t 
   if (is_timed) result.solve_ns += clock() - begin;
 }
 
-/// Solves; where rows to recover along contradict each other, again with those at rest.
-Vec6 solve(const FreeMotion& free, VelocityRows& rows, std::int64_t (*clock)() noexcept,
+/// Solves; where rows contradict each other, again without those that throw the body back, then
+/// with those to recover along at rest.
+Vec6 solve(const FreeMotion& free, const StepBounds& bounds, VelocityRows& rows,
            RowImpulses& impulses, ConstrainedStep& result) THIGMA_RT {
+  const auto clock = bounds.clock;
+  const std::size_t own = bounds.model.rows.size();
   timed_solve(free, rows, clock, impulses, result);
+  if (!result.solution.is_whole && rows.count > static_cast<int>(own)) {
+    rows.count = static_cast<int>(own);
+    timed_solve(free, rows, clock, impulses, result);
+  }
   if (!result.solution.is_whole) {
     result.is_squeezed = true;
     for (int i = 0; i < rows.count; ++i) {
@@ -231,13 +246,19 @@ ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces
   if (is_beyond(model, at.state)) result.least_gap = kInfinity;
   const Mat6 metric = step_metric(at, forces.jacobian, dt);
   const FreeMotion unheld{metric, free};
-  Vec6 velocity = solve(unheld, rows, bounds.clock, impulses, result);
+  detail::add_bounces(memory, rows);
+  Vec6 velocity = solve(unheld, bounds, rows, impulses, result);
   result.state = velocity == free ? unbound : work.after(velocity);
   GapsAfter gaps = correct_limits(bounds, result.state, rows);
   if (gaps.is_short) {
-    velocity = solve(unheld, rows, bounds.clock, impulses, result);
+    velocity = solve(unheld, bounds, rows, impulses, result);
     result.state = work.after(velocity);
     gaps.least = least_gap(model, result.state);
+  }
+  if (!bounds.pairs.empty()) {
+    const Vec6 before = velocity_of(at);
+    result.impacts = detail::find_impacts({bounds, rows, impulses, before, free}, memory);
+    detail::note_bounces(result.impacts, bounds, memory);
   }
   keep(model, impulses, memory);
   list_pressing(model, rows, impulses, dt, result.pressing);
