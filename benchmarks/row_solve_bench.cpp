@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <memory>
 
-#include <time.h>
-
 #include "benchmarks/probe.h"
+#include <time.h>
 
 #include "thigma/device/haptic_device.h"
 #include "thigma/loop/haptic_step.h"

@@ -83,8 +83,8 @@ TEST(Taps, RingAsAsked) {
   struct Case {
     double amplitude, frequency, decay, speed;
   };
-  for (const Case& c : {Case{5.0, 150.0, 0.015, 0.1}, Case{2.0, 80.0, 0.03, 0.05},
-                        Case{8.0, 300.0, 0.008, 0.2}}) {
+  for (const Case& c :
+       {Case{5.0, 150.0, 0.015, 0.1}, Case{2.0, 80.0, 0.03, 0.05}, Case{8.0, 300.0, 0.008, 0.2}}) {
     Held held(steel(c.amplitude, c.frequency, c.decay));
     std::vector<double> force;
     double speed = 0.0;
@@ -174,10 +174,10 @@ TEST(Taps, NothingRingsAfterAFaultNorOnAReleasedObject) {
 
 /// Energy of taps that a hand of this mass, pushed down, is handed [J].
 struct HandedOut {
-  double most = 0.0;      // by taps alone, since the first impact
-  double impacts = 0.0;   // that the body has lost in impacts
-  double at_port = 0.0;   // what the observer missed of the outside account
-  double step = 0.0;      // the most that a tap handed out in one step
+  double most = 0.0;     // by taps alone, since the first impact
+  double impacts = 0.0;  // that the body has lost in impacts
+  double at_port = 0.0;  // what the observer missed of the outside account
+  double step = 0.0;     // the most that a tap handed out in one step
   int taps = 0;
 };
 

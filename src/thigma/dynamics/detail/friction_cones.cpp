@@ -52,8 +52,7 @@ bool break_away(const ConeWork& work, const Vec6& y, Cones& cones) THIGMA_RT {
   constexpr double kMoving = 1e-3;  // of the speed that a whole cone stops, the largest
   double stopped = 0.0;
   for (int i = 0; i < cones.count; ++i)
-    stopped =
-        std::max(stopped, most_hold(cones.cone[idx(i)]) * cones.cone[idx(i)].tangent_square);
+    stopped = std::max(stopped, most_hold(cones.cone[idx(i)]) * cones.cone[idx(i)].tangent_square);
   bool is_any = false;
   for (int i = 0; i < cones.count; ++i) {
     Cone& c = cones.cone[idx(i)];
@@ -152,8 +151,8 @@ double allowed_share(const ConeWork& work, const Nearest& nearest, const Cones& 
   }
   for (int i = 0; i < nearest.active.count; ++i) {
     const std::size_t k = idx(i), r = idx(nearest.active.row[k]);
-    allowed += coefficient_of(nearest.active.row[k], work.rows, cones) * nearest.active.multiplier[k] /
-               work.white.length[r];
+    allowed += coefficient_of(nearest.active.row[k], work.rows, cones) *
+               nearest.active.multiplier[k] / work.white.length[r];
   }
   constexpr double kRounding = 1e-6;
   return held <= allowed * (1.0 + kRounding) ? 1.0 : allowed / held;

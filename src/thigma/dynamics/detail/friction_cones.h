@@ -12,12 +12,12 @@ struct Cone {
   int row = -1;
   bool has_friction = false;
   bool is_sliding = false;
-  double friction = 0.0;  // its coefficient now
-  double limit = 0.0;     // of the row
+  double friction = 0.0;   // its coefficient now
+  double limit = 0.0;      // of the row
   double per_press = 0.0;  // impulse for a unit of the normal's multiplier
   Vec6 normal = Vec6::Zero(), first = Vec6::Zero(), second = Vec6::Zero();
-  double tangent_square = 0.0;  // the larger of the two tangents' squares
-  double by_tangent = 0.0;      // one over it
+  double tangent_square = 0.0;                     // the larger of the two tangents' squares
+  double by_tangent = 0.0;                         // one over it
   double normal_first = 0.0, normal_second = 0.0;  // products with the normal
   // multipliers: of the unit normal, and of the tangents [N s]
   double press = 0.0, hold_first = 0.0, hold_second = 0.0;

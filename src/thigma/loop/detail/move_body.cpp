@@ -67,14 +67,12 @@ void tap_impacts(const HapticParams& params, const Impacts& impacts, const Vec3&
     const std::size_t body = idx(impact.body);
     if (impact.body < 0 || body >= params.impacts.size()) continue;
     const Tap& tap = params.impacts[body].tap;
-    if (strongest != nullptr &&
-        tap.amplitude * impact.speed <= rings->amplitude * strongest->speed)
+    if (strongest != nullptr && tap.amplitude * impact.speed <= rings->amplitude * strongest->speed)
       continue;
     strongest = &impact;
     rings = &tap;
   }
-  if (strongest != nullptr)
-    start_tap(*strongest, *rings, state.body.position, handle, state.taps);
+  if (strongest != nullptr) start_tap(*strongest, *rings, state.body.position, handle, state.taps);
 }
 
 /// Steps 2-4 of the constrained response: the coupling alone, then what the rows allow. Returns how

@@ -61,8 +61,8 @@ void add_taps(const FrameWork& frame, AskedWrench& asked) THIGMA_RT {
   const Wrench before = state.taps.asked;
   const Wrench tap = frame.sample.tap = next_taps(moved, frame.sample.elapsed, state.taps);
   const Workspace& workspace = frame.params.workspace;
-  const Wrench change = device_wrench(
-      workspace, {tap.force - before.force, tap.torque - before.torque});
+  const Wrench change =
+      device_wrench(workspace, {tap.force - before.force, tap.torque - before.torque});
   asked.wanted = asked.wanted + device_wrench(workspace, tap);
   asked.force_change = change.force.norm();
   asked.torque_change = change.torque.norm();
@@ -100,8 +100,8 @@ void send_wrench(const FrameWork& frame, const ActiveTerms& active) THIGMA_RT {
   asked.wanted = device_wrench(params.workspace, wrench_on_hand(frame));
   asked.weight = sample.model_weight * state.last_device.weight;
   if (is_tapped(params)) add_taps(frame, asked);
-  sample.feedback = limit_wrench(params.safety, params.device, asked,
-                                 {sample.time, sample.elapsed}, safety);
+  sample.feedback =
+      limit_wrench(params.safety, params.device, asked, {sample.time, sample.elapsed}, safety);
   if (is_tapped(params)) hold_taps(asked, sample.feedback, state.taps);
   sample.command = sample.feedback;
   if (!params.device.actuates_rotation) sample.command.torque.setZero();

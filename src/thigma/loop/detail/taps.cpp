@@ -41,7 +41,9 @@ void start_tap(const Impact& impact, const Tap& tap, const Vec3& centre, const V
   voice.decay_rate = 1.0 / tap.decay;
   taps.store += 0.5 * impact.impulse * impact.speed;
   if (taps.voices.push_back(voice)) return;
-  const auto size_now = [](const TapVoice& v) { return v.size * exponential(-v.age * v.decay_rate); };
+  const auto size_now = [](const TapVoice& v) {
+    return v.size * exponential(-v.age * v.decay_rate);
+  };
   TapVoice* weakest = taps.voices.begin();
   for (TapVoice& v : taps.voices)
     if (size_now(v) < size_now(*weakest)) weakest = &v;
@@ -66,8 +68,7 @@ Wrench next_taps(const Vec6& moved, double elapsed, TapState& taps) THIGMA_RT {
   }
   // The hand will go on about as it went.
   const double handed_out = work_on_hand(sum, moved);
-  if (handed_out > 0.0 && handed_out > taps.store)
-    sum = (taps.store / handed_out) * sum;
+  if (handed_out > 0.0 && handed_out > taps.store) sum = (taps.store / handed_out) * sum;
   taps.asked = taps.held = sum;
   return sum;
 }
