@@ -29,7 +29,7 @@ class LedDevice final : public HapticDevice {
   DeviceState read(double now) THIGMA_RT override {
     DeviceState state;
     state.time = now;
-    const double size = 2e-3 * (1.2 + sine(1.7 * now));
+    const double size = 1e-3 * (1.0 + 0.9 * sine(1.7 * now));
     const SinCos turn = sin_cos(6.0 * now);
     const double down = std::min(now, 0.1) * 0.03;
     state.motion.pose.position = Vec3(size * turn.cos, size * turn.sin, -down);

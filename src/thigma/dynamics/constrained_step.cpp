@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "thigma/dynamics/detail/impacts.h"
+#include "thigma/dynamics/detail/row_memory.h"
 #include "thigma/dynamics/implicit_step.h"
 #include "thigma/math/infinity.h"
 #include "thigma/math/rotation.h"
@@ -81,39 +81,6 @@ double speed_bound(const BodyAtState& at, double reach) THIGMA_RT {
   return at.state.linear_momentum.norm() / at.body.mass + reach * turn.norm();
 }
 
-void recall(const ConstraintModel& model, const RowMemory& memory,
-            RowImpulses& impulses) THIGMA_RT {
-  // Where all that presses slides, so does what comes in its way: a surface cut into many triangles
-  // brings new rows all the time.
-  bool is_sliding = !memory.entries.empty();
-  for (const RowMemory::Entry& entry : memory.entries) is_sliding = is_sliding && entry.is_sliding;
-  if (is_sliding) impulses.is_sliding.fill(true);
-  for (const RowMemory::Entry& entry : memory.entries) {
-    for (std::size_t i = 0; i < model.rows.size(); ++i) {
-      if (model.rows[i].id != entry.id) continue;
-      impulses.normal[i] = entry.normal;
-      impulses.tangential[i] = entry.tangential;
-      impulses.is_sliding[i] = entry.is_sliding;
-      if (entry.is_active && impulses.active_count < kMaxActive)
-        impulses.active[static_cast<std::size_t>(impulses.active_count++)] =
-            static_cast<std::int32_t>(i);
-      break;
-    }
-  }
-}
-
-void keep(const ConstraintModel& model, const RowImpulses& impulses, RowMemory& memory) THIGMA_RT {
-  memory.entries.clear();
-  const auto end = impulses.active.begin() + impulses.active_count;
-  for (std::size_t i = 0; i < model.rows.size(); ++i) {
-    const bool is_active =
-        std::find(impulses.active.begin(), end, static_cast<std::int32_t>(i)) != end;
-    if (!is_active && !(impulses.normal[i] > 0.0)) continue;
-    memory.entries.push_back({model.rows[i].id, impulses.normal[i], impulses.tangential[i],
-                              is_active, impulses.is_sliding[i]});
-  }
-}
-
 double least_gap(const ConstraintModel& model, const BodyState& state) THIGMA_RT {
   double least = kInfinity;
   const Mat3 rotation = rotation_matrix(state.orientation);
@@ -142,23 +109,6 @@ GapsAfter correct_limits(const StepBounds& bounds, const BodyState& after,
     rows.limit[i] = std::max(rows.limit[i] - (slop - gap) / bounds.dt, 0.0);
   }
   return gaps;
-}
-
-/// The rows that press, with their forces; those beyond the room are the weakest.
-void list_pressing(const ConstraintModel& model, const VelocityRows& rows,
-                   const RowImpulses& impulses, double dt, PressingRows& pressing) THIGMA_RT {
-  pressing.clear();
-  for (std::size_t i = 0; i < model.rows.size(); ++i) {
-    if (!(impulses.normal[i] > 0.0)) continue;
-    const Vec3 normal(rows.gradient[0][i], rows.gradient[1][i], rows.gradient[2][i]);
-    const auto& [first, second] = impulses.tangential[i];
-    const Vec3 impulse = impulses.normal[i] * normal + first * rows.tangent[i] +
-                         second * normal.cross(rows.tangent[i]);
-    PressingRow next{model.rows[i].id, impulse / -dt};
-    for (PressingRow& other : pressing)
-      if (next.force.squaredNorm() > other.force.squaredNorm()) std::swap(next, other);
-    pressing.push_back(next);
-  }
 }
 
 /// What a step is solved for: the metric and the velocity without rows.
@@ -239,7 +189,7 @@ ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces
 
   VelocityRows rows;
   RowImpulses impulses;
-  recall(model, memory, impulses);
+  detail::recall(model, memory, impulses);
   result.least_gap = evaluate(bounds, at.state, at.kinematics.rotation, rows);
   // A model that came after the object had left its travel: its rows say nothing here, and the
   // object waits for the next.
@@ -260,8 +210,8 @@ ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces
     result.impacts = detail::find_impacts({bounds, rows, impulses, before, free}, memory);
     detail::note_bounces(result.impacts, bounds, memory);
   }
-  keep(model, impulses, memory);
-  list_pressing(model, rows, impulses, dt, result.pressing);
+  detail::keep(model, impulses, memory);
+  detail::list_pressing(model, rows, impulses, dt, result.pressing);
   if (result.solution.is_whole) result.slip = result.solution.slip;
   result.contact = {result.solution.impulse.head<3>() / dt, result.solution.impulse.tail<3>() / dt};
   result.wanted_speed = travel_between(at.state, result.state, model.reach) / dt;

@@ -31,7 +31,7 @@ struct Material {
   Friction friction;
   double restitution = 0.0;  // share of an approach speed that comes back, 0..1
   // how it rings when it is met; what is not set is that of TapChoice
-  std::optional<double> tap_amplitude, tap_frequency, tap_decay;
+  std::optional<double> tap_amplitude{}, tap_frequency{}, tap_decay{};
 };
 
 /// One object of a scene: where its surface comes from and where it stands.
