@@ -242,6 +242,30 @@ TEST(ConstrainedStep, OnASlopeItSticksBelowTheConeAndSlidesAsCoulombSays) {
   }
 }
 
+TEST(ConstrainedStep, ManyRowsStickAndSlideAsFewDo) {
+  for (const bool is_loaded : {false, true}) {
+    OnSlope below(0.97 * std::atan(0.5), 0.5, 0.5), above(1.2 * std::atan(0.5), 0.5, 0.5);
+    for (OnSlope* block : {&below, &above}) {
+      for (int i = 0; i < 60; ++i) {
+        block->add_corner({5e-3 * (i % 8 - 3.5) / 2.0, 5e-3 * (i / 8 - 3.5) / 2.0, -0.01}, 0.5);
+        block->model->rows.back().id = 1000 + static_cast<std::uint64_t>(i);
+      }
+      if (!is_loaded) continue;  // the load on all of them from the beginning
+      for (const ContactRow& row : block->model->rows)
+        block->memory.entries.push_back({row.id, 7e-6, {0.0, 0.0}, false, false});
+    }
+    const Vec3 start = below.state.position;
+    for (int k = 0; k < 10000; ++k) {
+      below.slide();
+      ASSERT_LE((below.state.position - start).norm(), 1e-6) << is_loaded << ", frame " << k;
+    }
+    for (int k = 0; k < 1000; ++k) above.slide();
+    const double angle = 1.2 * std::atan(0.5);
+    const double expected = 9.81 * (std::sin(angle) - 0.5 * std::cos(angle));
+    EXPECT_NEAR(above.state.linear_momentum.x() / 0.05, expected, 1e-3 * expected) << is_loaded;
+  }
+}
+
 TEST(ConstrainedStep, RowsThatComeInTheWayOfWhatSlidesSlideToo) {
   // Tan of the angle lies between the coefficients, and every row is new every 3 mm.
   const double angle = 0.45, kinetic = 0.3;
