@@ -218,13 +218,13 @@ TEST(Friction, RulesAreWhatTheirNamesSay) {
 }
 
 TEST(Friction, KnowsWhatMakesNoSense) {
-  EXPECT_TRUE(is_valid({0.0, 0.0}));
-  EXPECT_TRUE(is_valid({0.0, 0.5}));
-  EXPECT_FALSE(is_valid({-0.1, 0.5}));
-  EXPECT_FALSE(is_valid({0.5, 0.4}));
-  EXPECT_FALSE(is_valid({std::nan(""), 0.5}));
-  EXPECT_FALSE(is_valid({0.5, std::nan("")}));
-  EXPECT_FALSE(is_valid({0.5, std::numeric_limits<double>::infinity()}));
+  EXPECT_TRUE(is_valid(Friction{0.0, 0.0}));
+  EXPECT_TRUE(is_valid(Friction{0.0, 0.5}));
+  EXPECT_FALSE(is_valid(Friction{-0.1, 0.5}));
+  EXPECT_FALSE(is_valid(Friction{0.5, 0.4}));
+  EXPECT_FALSE(is_valid(Friction{std::nan(""), 0.5}));
+  EXPECT_FALSE(is_valid(Friction{0.5, std::nan("")}));
+  EXPECT_FALSE(is_valid(Friction{0.5, std::numeric_limits<double>::infinity()}));
 }
 
 TEST(Friction, OfASceneMadeInCodeIsRefusedWhereItMakesNoSense) {
