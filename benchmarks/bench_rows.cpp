@@ -10,6 +10,7 @@
 #include "benchmarks/pair_bench.h"
 #include "benchmarks/probe.h"
 #include "benchmarks/query_bench.h"
+#include "benchmarks/row_solve_bench.h"
 #include "benchmarks/texture_rows.h"
 
 #include "thigma/clod/build_hierarchy.h"
@@ -31,6 +32,26 @@ std::vector<Row> haptic_rows(bool quick) {
       "block means of 16 ticks; ours is the whole tick with device, limits, observer, telemetry "
       "sample";
   return {row};
+}
+
+std::vector<Row> solve_rows_of(bool quick) {
+  const RowSolveTiming timing = time_row_solve(8, quick ? 600 : 20000);
+  Row solve;
+  solve.name = "row solve, 64 rows that press, friction 0.3";
+  solve.unit = "us";
+  solve.ours = figure_of(timing.solve, 1e6);
+  solve.baseline = "reading the clock of the thread";
+  solve.theirs = figure_of(timing.clock, 1e6);
+  solve.note = number("%.0f rows pressed at the beginning of a solve, ", timing.rows_pressed) +
+               number("%.0f %% slid at its end; ", 100.0 * timing.sliding_share) +
+               number("residual at most %.2g m/s", timing.residual_max);
+  Row step = solve;
+  step.name = "haptic step around it";
+  step.ours = figure_of(timing.step, 1e6);
+  const HapticTiming penalty = time_haptic_step(5, quick ? 1600 : 160000);
+  step.baseline = "haptic step, coupling and 5 clusters of the penalty, block means of 16 ticks";
+  step.theirs = figure_of(penalty.step, 1e6);
+  return {solve, step};
 }
 
 std::vector<Row> pair_rows(bool quick) {
@@ -133,6 +154,7 @@ std::string number(const char* format, double value) {
 std::vector<Measurement> measurements(bool quick) {
   std::vector<Measurement> all = {
       {"haptic-step", [=] { return haptic_rows(quick); }},
+      {"row-solve", [=] { return solve_rows_of(quick); }},
       {"convex-pair", [=] { return pair_rows(quick); }},
       {"build", [=] { return build_rows(quick); }},
       {"front-small",

@@ -124,7 +124,23 @@ Json constraint(const ConstraintSummary& s) {
     else
       json[key] = value;
   });
+  json["solve_us"] = quantiles(s.solve, 1e-6, false);
   return json;
+}
+
+/// How friction held, null where nothing with friction has pressed.
+Json friction(const FrictionSummary& s) {
+  if (!s.is_on) return nullptr;
+  return {{"sticking_share", s.sticking_share}, {"slip_work", s.slip_work}};
+}
+
+/// What textures told, and what they could not.
+Json texture(const SessionSummary& s) {
+  return {{"depths", s.texture_depths},
+          {"not_height_field", s.texture_folds},
+          {"coarse", s.texture_coarse},
+          {"bent", s.texture_bent},
+          {"left_out", s.texture_left_out}};
 }
 
 void append(std::string& text, const char* format, ...) __attribute__((format(printf, 2, 3)));
@@ -148,6 +164,10 @@ void append_constraint(std::string& text, const ConstraintSummary& s) {
          "held back        %.2f %% of the frames with the object in the hand, as its model's "
          "travel had ended; squeezed %.2f %%\n",
          100.0 * s.held_back_share, 100.0 * s.squeezed_share);
+  if (s.solve.count > 0)
+    append(text,
+           "row solve        p50 %.2f us, p99 %.2f us, max %.1f us; least gap of a row %.3g mm\n",
+           1e6 * s.solve.p50, 1e6 * s.solve.p99, 1e6 * s.solve.max, 1e3 * s.row_gap_min);
   if (std::isfinite(s.travel_min))
     append(text,
            "travel           at least %.3g mm near contact; looked ahead at most %.3g mm; at most "
@@ -199,7 +219,7 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene, const s
       {"bound_max", s.bound_max},
       {"unrefined", s.unrefined},
       {"level_changes", s.level_changes},
-      {"texture", {{"depths", s.texture_depths}, {"not_height_field", s.texture_folds}}},
+      {"texture", texture(s)},
       {"levels",
        {{"object", level_shares(s.object_levels)}, {"scene", level_shares(s.scene_levels)}}}};
   json["levels"] = {{"decided_by", deciders(s)},
@@ -214,6 +234,7 @@ Json run_summary_json(const SessionSummary& s, const std::string& scene, const s
   json["coupling_stretch_max"] = s.stretch_max;
   json["energy_min"] = s.energy_min;
   json["constraint"] = constraint(s.constraint);
+  json["friction"] = friction(s.friction);
   json["passivity"] = passivity(s.passivity);
   json["ridden_out"] = {{"gaps", s.ridden_out.gaps},
                         {"longest_gap_ms", 1e3 * s.ridden_out.longest_gap},
@@ -305,6 +326,9 @@ std::string run_summary_text(const SessionSummary& s) {
   append(text, "penetration      max %.3g mm; coupling stretch max %.3g mm\n",
          1e3 * s.penetration_max, 1e3 * s.stretch_max);
   append_constraint(text, s.constraint);
+  if (s.friction.is_on)
+    append(text, "friction         %.1f %% of the contacts stuck; sliding has taken %.3g J\n",
+           100.0 * s.friction.sticking_share, s.friction.slip_work);
   append(text, "energy           min %.3g J; samples dropped %llu\n", s.energy_min,
          static_cast<unsigned long long>(s.dropped_samples));
   if (s.passivity.is_on) {

@@ -242,6 +242,30 @@ TEST(ConstrainedStep, OnASlopeItSticksBelowTheConeAndSlidesAsCoulombSays) {
   }
 }
 
+TEST(ConstrainedStep, ManyRowsStickAndSlideAsFewDo) {
+  for (const bool is_loaded : {false, true}) {
+    OnSlope below(0.97 * std::atan(0.5), 0.5, 0.5), above(1.2 * std::atan(0.5), 0.5, 0.5);
+    for (OnSlope* block : {&below, &above}) {
+      for (int i = 0; i < 60; ++i) {
+        block->add_corner({5e-3 * (i % 8 - 3.5) / 2.0, 5e-3 * (i / 8 - 3.5) / 2.0, -0.01}, 0.5);
+        block->model->rows.back().id = 1000 + static_cast<std::uint64_t>(i);
+      }
+      if (!is_loaded) continue;  // the load on all of them from the beginning
+      for (const ContactRow& row : block->model->rows)
+        block->memory.entries.push_back({row.id, 7e-6, {0.0, 0.0}, false, false});
+    }
+    const Vec3 start = below.state.position;
+    for (int k = 0; k < 10000; ++k) {
+      below.slide();
+      ASSERT_LE((below.state.position - start).norm(), 1e-6) << is_loaded << ", frame " << k;
+    }
+    for (int k = 0; k < 1000; ++k) above.slide();
+    const double angle = 1.2 * std::atan(0.5);
+    const double expected = 9.81 * (std::sin(angle) - 0.5 * std::cos(angle));
+    EXPECT_NEAR(above.state.linear_momentum.x() / 0.05, expected, 1e-3 * expected) << is_loaded;
+  }
+}
+
 TEST(ConstrainedStep, RowsThatComeInTheWayOfWhatSlidesSlideToo) {
   // Tan of the angle lies between the coefficients, and every row is new every 3 mm.
   const double angle = 0.45, kinetic = 0.3;
@@ -255,6 +279,101 @@ TEST(ConstrainedStep, RowsThatComeInTheWayOfWhatSlidesSlideToo) {
   }
   const double expected = 0.02 + 0.5 * 9.81 * (std::sin(angle) - kinetic * std::cos(angle));
   EXPECT_NEAR(tiles.state.linear_momentum.x() / 0.05, expected, 5e-3 * expected);
+}
+
+TEST(ConstrainedStep, SlidingTakesTheWorkOfItsFriction) {
+  const double angle = 1.3 * std::atan(0.4);
+  OnSlope block(angle, 0.4, 0.4);
+  double told = 0.0, taken = 0.0;
+  int sticking = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const double x = block.state.position.x();
+    const ConstrainedStep step = block.slide();
+    told += step.slip.work;
+    taken -= step.contact.force.x() * (block.state.position.x() - x);
+    sticking += step.slip.sticking;
+  }
+  const double normal = 0.05 * 9.81 * std::cos(angle);
+  EXPECT_NEAR(told, taken, 1e-6 * taken);
+  EXPECT_NEAR(told, 0.4 * normal * block.state.position.x(), 1e-3 * told);
+  EXPECT_EQ(sticking, 0);
+  OnSlope held(0.5 * std::atan(0.4), 0.4, 0.4);
+  ConstrainedStep last;
+  for (int k = 0; k < 100; ++k) last = held.slide();
+  EXPECT_GT(last.slip.sticking, 0);
+  EXPECT_EQ(last.slip.sliding, 0);
+  EXPECT_EQ(last.slip.work, 0.0);
+}
+
+/// A ball of 10 mm that falls on the plane z = 0.
+struct Falling : OnSlope {
+  ImpactPair pair;
+
+  explicit Falling(double restitution) : OnSlope(0.0, 0.0, 0.0) {
+    pair.restitution = restitution;
+    model->rows.clear();
+    add_corner({0.0, 0.0, -0.01});
+  }
+  ConstrainedStep fall() {
+    const ConstrainedStep result = constrained_step(
+        at_state(body, state), {}, {*model, params, kStep, std::span(&pair, 1)}, memory);
+    state = result.state;
+    return result;
+  }
+};
+
+TEST(ConstrainedStep, ABallThatFallsComesBackAsItsRestitutionSays) {
+  constexpr double kHeight = 0.5;
+  for (const double e : {0.3, 0.5, 0.8, 1.0}) {
+    Falling ball(e);
+    ball.state.position.z() = 0.01 + kHeight;
+    double least = 1.0, highest = 0.0, deepest = 0.0;
+    for (int k = 0; k < 2000 && least - ball.params.slop < 0.01 + 1.0; ++k) {
+      const ConstrainedStep step = ball.fall();
+      deepest = std::min(deepest, step.least_gap);
+      const double z = ball.state.position.z() - 0.01;
+      const bool has_bounced = least < 1e-5;
+      if (has_bounced && ball.state.linear_momentum.z() < 0.0 && highest > 0.0) break;
+      least = std::min(least, z);
+      if (has_bounced) highest = std::max(highest, z);
+    }
+    EXPECT_NEAR(std::sqrt(highest / kHeight), e, 0.01 * e) << e;
+    EXPECT_GE(deepest, 0.0);
+  }
+}
+
+TEST(ConstrainedStep, WithoutRestitutionAndAtRestNothingComesBack) {
+  Falling dead(0.0), resting(1.0);
+  dead.state.position.z() = 0.01 + 0.2;
+  double speed = 0.0;
+  for (int k = 0; k < 1000; ++k) {
+    dead.fall();
+    speed = std::max(speed, dead.state.linear_momentum.z());
+  }
+  EXPECT_LE(speed, 0.05 * dead.params.recovery_speed);
+  EXPECT_NEAR(dead.state.position.z(), 0.01 + dead.params.slop, 1e-9);
+  const Vec3 start = resting.state.position;
+  for (int k = 0; k < 1000; ++k) EXPECT_TRUE(resting.fall().impacts.empty());
+  EXPECT_NEAR((resting.state.position - start).norm(), 0.0, 1e-9);
+}
+
+TEST(ConstrainedStep, ABlockThatLandsFlatLeavesFlat) {
+  OnSlope block(0.0, 0.3, 0.3);
+  const ImpactPair pair{0.6, {}};
+  block.state.position.z() += 1e-4;
+  block.state.linear_momentum.z() = -0.05 * 0.5;
+  std::size_t most = 0;
+  for (int k = 0; k < 5; ++k) {
+    const ConstrainedStep step =
+        constrained_step(at_state(block.body, block.state), {},
+                         {*block.model, block.params, kStep, std::span(&pair, 1)}, block.memory);
+    block.state = step.state;
+    most = std::max(most, step.impacts.size());
+    for (const Impact& impact : step.impacts) EXPECT_NEAR(impact.speed, 0.502, 1e-3);
+  }
+  EXPECT_GE(most, 1u);
+  EXPECT_NEAR(block.state.linear_momentum.z() / 0.05, 0.3 - 3.0 * 9.81e-3, 0.012);
+  EXPECT_LE(block.state.angular_momentum.norm(), 1e-9);
 }
 
 }  // namespace

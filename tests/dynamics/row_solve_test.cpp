@@ -268,5 +268,49 @@ TEST(RowSolve, FrictionIsTheSameInEveryDirection) {
   }
 }
 
+/// 64 places of a flat foot that all press, pulled aside.
+std::unique_ptr<VelocityRows> flat_foot() {
+  auto rows = std::make_unique<VelocityRows>();
+  rows->count = 64;
+  for (int i = 0; i < rows->count; ++i) {
+    const Vec3 arm(5e-3 * (i % 8 - 3.5), 5e-3 * (i / 8 - 3.5), -0.01), down = -Vec3::UnitZ();
+    Vec6 gradient;
+    gradient << down, arm.cross(down);
+    set_row(*rows, i, gradient, 0.0);
+    const auto r = static_cast<std::size_t>(i);
+    rows->friction[r] = rows->static_friction[r] = 0.3;
+    rows->arm[r] = arm;
+    rows->tangent[r] = Vec3::UnitX();
+  }
+  return rows;
+}
+
+TEST(RowSolve, SixtyFourRowsWithFrictionTakeFewSweeps) {
+  Mat6 metric = Mat6::Zero();
+  metric.diagonal() << 0.056, 0.056, 0.056, 1.25e-5, 1.25e-5, 1.25e-5;
+  const auto rows = flat_foot();
+  RowImpulses impulses;
+  impulses.normal.fill(1e-5);
+  for (const double aside : {2e-3, 2e-2}) {  // within the cone, and beyond it
+    Vec6 free = Vec6::Zero();
+    free.x() = aside;
+    free.z() = -0.02;
+    RowSolution found;
+    for (int k = 0; k < 20; ++k) {
+      found = solve_rows(metric, free, *rows, impulses);
+      EXPECT_LE(found.sweeps * 64, 400) << k;
+    }
+    ASSERT_TRUE(found.is_whole);
+    EXPECT_LE(found.residual, 1e-12);
+    // Coulomb's law for the foot as a whole: it holds up to 0.3 of the press.
+    const double expected = std::max(aside - 0.3 * 0.02, 0.0);
+    EXPECT_NEAR(found.velocity.x(), expected, 1e-4 * aside);
+    EXPECT_EQ(found.slip.sticking > 0, expected == 0.0);
+    EXPECT_EQ(found.slip.sliding > 0, expected > 0.0);
+    const double pressed = 0.056 * 0.02;
+    EXPECT_NEAR(found.slip.work, 0.3 * pressed * expected, 1e-3 * 0.3 * pressed * aside);
+  }
+}
+
 }  // namespace
 }  // namespace thigma

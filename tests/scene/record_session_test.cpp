@@ -51,6 +51,26 @@ TEST(RecordSession, FrictionReplaysBitForBit) {
   }
 }
 
+TEST(RecordSession, ImpactsReplayBitForBitAndChangeNothingWhereTheyAreOff) {
+  const std::string path = (fs::temp_directory_path() / "thigma_record_taps.mcap").string();
+  std::uint64_t quiet = 0;
+  for (const bool is_on : {false, true}) {
+    SceneDescription description = test::small_jaws();
+    description.contact.response = ResponseKind::constrained;
+    description.taps.is_on = is_on;
+    const Scene scene = load_scene(std::move(description));
+    SceneSession session = open_session(scene, {.device = "hand:", .duration = 1.0, .seed = 7});
+    EXPECT_EQ(session.config.haptic.impacts.empty(), !is_on);
+    const SessionSummary felt = record_lockstep(session, path);
+    const ReplayReport again = replay_recording(path);
+    EXPECT_TRUE(again.identical) << again.reason;
+    EXPECT_EQ(again.state_hash, felt.state_hash);
+    if (is_on) EXPECT_NE(felt.state_hash, quiet);
+    quiet = felt.state_hash;
+    fs::remove(path);
+  }
+}
+
 TEST(RecordSession, SaysWhereItCannotWrite) {
   const Scene scene = load_scene(test::small_jaws());
   SceneSession session = open_session(scene, {.device = "hand:", .duration = 0.1});

@@ -218,13 +218,13 @@ TEST(Friction, RulesAreWhatTheirNamesSay) {
 }
 
 TEST(Friction, KnowsWhatMakesNoSense) {
-  EXPECT_TRUE(is_valid({0.0, 0.0}));
-  EXPECT_TRUE(is_valid({0.0, 0.5}));
-  EXPECT_FALSE(is_valid({-0.1, 0.5}));
-  EXPECT_FALSE(is_valid({0.5, 0.4}));
-  EXPECT_FALSE(is_valid({std::nan(""), 0.5}));
-  EXPECT_FALSE(is_valid({0.5, std::nan("")}));
-  EXPECT_FALSE(is_valid({0.5, std::numeric_limits<double>::infinity()}));
+  EXPECT_TRUE(is_valid(Friction{0.0, 0.0}));
+  EXPECT_TRUE(is_valid(Friction{0.0, 0.5}));
+  EXPECT_FALSE(is_valid(Friction{-0.1, 0.5}));
+  EXPECT_FALSE(is_valid(Friction{0.5, 0.4}));
+  EXPECT_FALSE(is_valid(Friction{std::nan(""), 0.5}));
+  EXPECT_FALSE(is_valid(Friction{0.5, std::nan("")}));
+  EXPECT_FALSE(is_valid(Friction{0.5, std::numeric_limits<double>::infinity()}));
 }
 
 TEST(Friction, OfASceneMadeInCodeIsRefusedWhereItMakesNoSense) {
@@ -240,6 +240,27 @@ TEST(Friction, OfASceneMadeInCodeIsRefusedWhereItMakesNoSense) {
       EXPECT_NE(std::string(error.what()).find("of ball, expected"), std::string::npos);
     }
   }
+}
+
+TEST(PairImpacts, LargerRestitutionAndTheMeanOfTaps) {
+  SceneDescription scene = ball_scene("[[static]]\nmesh = \"procedural:ball?triangles=2000\"\n");
+  scene.taps.usual = {4.0, 200.0, 0.01};
+  EXPECT_TRUE(pair_impacts(scene).empty());
+  scene.object.material = Material{{0.0, 0.0}, 0.2, 9.0, 100.0, 0.02};
+  scene.statics[0].material = Material{{0.0, 0.0}, 0.5, {}, {}, {}};
+  ASSERT_EQ(pair_impacts(scene).size(), 1u);
+  EXPECT_EQ(pair_impacts(scene)[0], (ImpactPair{0.5, Tap{}}));  // taps are off
+  scene.taps.is_on = true;
+  const ImpactPair pair = pair_impacts(scene)[0];
+  EXPECT_NEAR(pair.tap.amplitude, 6.0, 1e-12);
+  EXPECT_NEAR(pair.tap.frequency, std::sqrt(2e4), 1e-9);
+  EXPECT_NEAR(pair.tap.decay, std::sqrt(2e-4), 1e-12);
+  EXPECT_EQ(make_session_config(scene, load_object(scene.object)).haptic.impacts,
+            pair_impacts(scene));
+  scene.statics[0].material->tap_amplitude = 0.0;  // it rings with nothing
+  EXPECT_EQ(pair_impacts(scene)[0].tap.amplitude, 0.0);
+  scene.statics[0].material->restitution = 1.5;
+  EXPECT_THROW(pair_impacts(scene), InputError);
 }
 
 }  // namespace

@@ -222,6 +222,9 @@ contact_latency = 2
   EXPECT_EQ(s.object.material->friction, (Friction{0.3, 0.45}));
   EXPECT_EQ(s.statics[0].material->friction, (Friction{0.7, 0.7}));
   EXPECT_FALSE(s.statics[1].material.has_value());
+  EXPECT_EQ(s.object.material->restitution, 0.0);
+  EXPECT_FALSE(s.object.material->tap_amplitude.has_value());
+  EXPECT_FALSE(s.taps.is_on);
   const std::vector<Friction> pairs = {{0.3, 0.45}, {0.25, 0.45}};  // by the minimum
   EXPECT_EQ(pair_friction(s), pairs);
   EXPECT_EQ(s.coupling.linear_stiffness, 250.0);

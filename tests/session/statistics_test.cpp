@@ -68,8 +68,17 @@ TEST(ContactStatistics, AddsUp) {
   s.dropped = 1;
   s.query_cpu = 1e-3;
   s.step_cpu = 2e-3;
+  s.depth_max = -1e-4;
+  s.texture_coarse = 3;
+  s.texture_bent = 2;
+  s.texture_left_out = 1;
   accumulate(*t, s);
+  s.depth_max = -2e-4;
   accumulate(*t, s);
+  EXPECT_EQ(t->depth_max, -1e-4);
+  EXPECT_EQ(t->texture_coarse, 6u);
+  EXPECT_EQ(t->texture_bent, 4u);
+  EXPECT_EQ(t->texture_left_out, 2u);
   EXPECT_EQ(t->updates, 2u);
   EXPECT_EQ(t->contacts, 20u);
   EXPECT_EQ(t->clusters, 6u);
@@ -146,7 +155,44 @@ TEST(ConstraintStatistics, EveryFieldOfTheSummaryHasAKeyOfItsOwn) {
     ++count;
   });
   EXPECT_EQ(keys.size(), static_cast<std::size_t>(count));
-  EXPECT_EQ(count, 18);
+  EXPECT_EQ(count, 19);
+}
+
+TEST(ConstraintStatistics, TheLeastGapIsThatOfFramesInTheHand) {
+  HeldCounts counts;
+  for (const double penetration : {-2e-5, 3e-6, -1e-6}) {
+    HapticSample s = grasped(0);
+    s.penetration = penetration;
+    accumulate(counts, s);
+    s.is_grasped = false;
+    s.penetration = 1.0;
+    accumulate(counts, s);
+  }
+  EXPECT_EQ(summarize(counts, RowCounts{}).row_gap_min, -3e-6);
+}
+
+TEST(FrictionStatistics, ShareOfContactsThatStickAndWorkOfTheOthers) {
+  const auto t = std::make_unique<HapticStatistics>();
+  EXPECT_FALSE(summarize(t->slip).is_on);
+  HapticSample s = grasped(0);
+  s.slip = {3, 1, 2e-6};
+  accumulate(*t, s, -1, -1);
+  s.slip = {0, 4, 5e-6};
+  accumulate(*t, s, -1, -1);
+  const FrictionSummary f = summarize(t->slip);
+  EXPECT_TRUE(f.is_on);
+  EXPECT_DOUBLE_EQ(f.sticking_share, 3.0 / 8.0);
+  EXPECT_DOUBLE_EQ(f.slip_work, 7e-6);
+}
+
+TEST(HapticStatistics, TimesSolvesWhereThereWereRows) {
+  const auto t = std::make_unique<HapticStatistics>();
+  HapticSample s = grasped(0);
+  accumulate(*t, s, -1, -1);
+  s.solve_ns = 5000;
+  accumulate(*t, s, -1, -1);
+  EXPECT_EQ(t->solve.total, 1u);
+  EXPECT_NEAR(quantile(t->solve, 0.5), 5e-6, 1e-7);
 }
 
 }  // namespace

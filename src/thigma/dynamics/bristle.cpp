@@ -128,6 +128,7 @@ bool let_slide(const BodyAtState& after, Bristles& bristles) THIGMA_RT {
 void forget(BristleMemory& memory) THIGMA_RT {
   memory.entries.clear();
   memory.wrench = {};
+  memory.slip = {};
 }
 
 /// Bristles at the end of a step, their elastic part returned to the cone.
@@ -140,7 +141,11 @@ void keep(const BodyAtState& after, const Bristles& bristles, BristleMemory& mem
     entry.bend = point_at(b, after).bend;
     entry.is_sliding = b.slides;
     const double most = coefficient(b) * press / entry.stiffness, size = entry.bend.norm();
-    if (size > most) entry.bend *= most / size;
+    ++(b.slides ? memory.slip.sliding : memory.slip.sticking);
+    if (size > most) {
+      entry.bend *= most / size;
+      if (b.slides) memory.slip.work += coefficient(b) * press * (size - most);
+    }
     memory.entries.push_back(entry);
     memory.wrench = memory.wrench + bristle_wrench(b, after);
   }

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
+#include "thigma/dynamics/detail/impacts.h"
+#include "thigma/dynamics/detail/row_memory.h"
 #include "thigma/dynamics/implicit_step.h"
 #include "thigma/math/infinity.h"
 #include "thigma/math/rotation.h"
@@ -67,43 +68,17 @@ bool is_beyond(const ConstraintModel& model, const BodyState& state) THIGMA_RT {
   return travel_between(model.state, state, model.reach) > model.travel;
 }
 
+Vec6 velocity_of(const BodyAtState& at) THIGMA_RT {
+  Vec6 velocity;
+  velocity << at.state.linear_momentum / at.body.mass,
+      at.kinematics.inverse_inertia * at.state.angular_momentum;
+  return velocity;
+}
+
 /// Bound on the speed of any point of the body [m/s].
 double speed_bound(const BodyAtState& at, double reach) THIGMA_RT {
   const Vec3 turn = at.kinematics.inverse_inertia * at.state.angular_momentum;
   return at.state.linear_momentum.norm() / at.body.mass + reach * turn.norm();
-}
-
-void recall(const ConstraintModel& model, const RowMemory& memory,
-            RowImpulses& impulses) THIGMA_RT {
-  // Where all that presses slides, so does what comes in its way: a surface cut into many triangles
-  // brings new rows all the time.
-  bool is_sliding = !memory.entries.empty();
-  for (const RowMemory::Entry& entry : memory.entries) is_sliding = is_sliding && entry.is_sliding;
-  if (is_sliding) impulses.is_sliding.fill(true);
-  for (const RowMemory::Entry& entry : memory.entries) {
-    for (std::size_t i = 0; i < model.rows.size(); ++i) {
-      if (model.rows[i].id != entry.id) continue;
-      impulses.normal[i] = entry.normal;
-      impulses.tangential[i] = entry.tangential;
-      impulses.is_sliding[i] = entry.is_sliding;
-      if (entry.is_active && impulses.active_count < kMaxActive)
-        impulses.active[static_cast<std::size_t>(impulses.active_count++)] =
-            static_cast<std::int32_t>(i);
-      break;
-    }
-  }
-}
-
-void keep(const ConstraintModel& model, const RowImpulses& impulses, RowMemory& memory) THIGMA_RT {
-  memory.entries.clear();
-  const auto end = impulses.active.begin() + impulses.active_count;
-  for (std::size_t i = 0; i < model.rows.size(); ++i) {
-    const bool is_active =
-        std::find(impulses.active.begin(), end, static_cast<std::int32_t>(i)) != end;
-    if (!is_active && !(impulses.normal[i] > 0.0)) continue;
-    memory.entries.push_back({model.rows[i].id, impulses.normal[i], impulses.tangential[i],
-                              is_active, impulses.is_sliding[i]});
-  }
 }
 
 double least_gap(const ConstraintModel& model, const BodyState& state) THIGMA_RT {
@@ -136,37 +111,41 @@ GapsAfter correct_limits(const StepBounds& bounds, const BodyState& after,
   return gaps;
 }
 
-/// The rows that press, with their forces; those beyond the room are the weakest.
-void list_pressing(const ConstraintModel& model, const VelocityRows& rows,
-                   const RowImpulses& impulses, double dt, PressingRows& pressing) THIGMA_RT {
-  pressing.clear();
-  for (std::size_t i = 0; i < model.rows.size(); ++i) {
-    if (!(impulses.normal[i] > 0.0)) continue;
-    const Vec3 normal(rows.gradient[0][i], rows.gradient[1][i], rows.gradient[2][i]);
-    const auto& [first, second] = impulses.tangential[i];
-    const Vec3 impulse = impulses.normal[i] * normal + first * rows.tangent[i] +
-                         second * normal.cross(rows.tangent[i]);
-    PressingRow next{model.rows[i].id, impulse / -dt};
-    for (PressingRow& other : pressing)
-      if (next.force.squaredNorm() > other.force.squaredNorm()) std::swap(next, other);
-    pressing.push_back(next);
-  }
+/// What a step is solved for: the metric and the velocity without rows.
+struct FreeMotion {
+  const Mat6& metric;
+  const Vec6& velocity;
+};
+
+void timed_solve(const FreeMotion& free, const VelocityRows& rows, std::int64_t (*clock)() noexcept,
+                 RowImpulses& impulses, ConstrainedStep& result) THIGMA_RT {
+  const bool is_timed = clock != nullptr && rows.count > 0;
+  const std::int64_t begin = is_timed ? clock() : 0;
+  result.solution = solve_rows(free.metric, free.velocity, rows, impulses);
+  if (is_timed) result.solve_ns += clock() - begin;
 }
 
-/// Solves; where rows to recover along contradict each other, again with those at rest.
-Vec6 solve(const Mat6& metric, const Vec6& free, VelocityRows& rows, RowImpulses& impulses,
-           ConstrainedStep& result) THIGMA_RT {
-  result.solution = solve_rows(metric, free, rows, impulses);
+/// Solves; where rows contradict each other, again without those that throw the body back, then
+/// with those to recover along at rest.
+Vec6 solve(const FreeMotion& free, const StepBounds& bounds, VelocityRows& rows,
+           RowImpulses& impulses, ConstrainedStep& result) THIGMA_RT {
+  const auto clock = bounds.clock;
+  const std::size_t own = bounds.model.rows.size();
+  timed_solve(free, rows, clock, impulses, result);
+  if (!result.solution.is_whole && rows.count > static_cast<int>(own)) {
+    rows.count = static_cast<int>(own);
+    timed_solve(free, rows, clock, impulses, result);
+  }
   if (!result.solution.is_whole) {
     result.is_squeezed = true;
     for (int i = 0; i < rows.count; ++i) {
       double& limit = rows.limit[static_cast<std::size_t>(i)];
       limit = std::max(limit, 0.0);
     }
-    result.solution = solve_rows(metric, free, rows, impulses);
+    timed_solve(free, rows, clock, impulses, result);
   }
   if (!result.solution.is_whole) return Vec6::Zero();
-  return result.solution.active == 0 ? free : result.solution.velocity;
+  return result.solution.active == 0 ? free.velocity : result.solution.velocity;
 }
 
 /// The largest share of a step, to 2^-12, that ends within the travel, no gap below a least.
@@ -210,30 +189,41 @@ ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces
 
   VelocityRows rows;
   RowImpulses impulses;
-  recall(model, memory, impulses);
+  detail::recall(model, memory, impulses);
   result.least_gap = evaluate(bounds, at.state, at.kinematics.rotation, rows);
   // A model that came after the object had left its travel: its rows say nothing here, and the
   // object waits for the next.
   if (is_beyond(model, at.state)) result.least_gap = kInfinity;
   const Mat6 metric = step_metric(at, forces.jacobian, dt);
-  Vec6 velocity = solve(metric, free, rows, impulses, result);
+  const FreeMotion unheld{metric, free};
+  detail::add_bounces(memory, rows);
+  Vec6 velocity = solve(unheld, bounds, rows, impulses, result);
   result.state = velocity == free ? unbound : work.after(velocity);
   GapsAfter gaps = correct_limits(bounds, result.state, rows);
   if (gaps.is_short) {
-    velocity = solve(metric, free, rows, impulses, result);
+    velocity = solve(unheld, bounds, rows, impulses, result);
     result.state = work.after(velocity);
     gaps.least = least_gap(model, result.state);
   }
-  keep(model, impulses, memory);
-  list_pressing(model, rows, impulses, dt, result.pressing);
+  if (!bounds.pairs.empty()) {
+    const Vec6 before = velocity_of(at);
+    result.impacts = detail::find_impacts({bounds, rows, impulses, before, free}, memory);
+    detail::note_bounces(result.impacts, bounds, memory);
+  }
+  detail::keep(model, impulses, memory);
+  detail::list_pressing(model, rows, impulses, dt, result.pressing);
+  if (result.solution.is_whole) result.slip = result.solution.slip;
   result.contact = {result.solution.impulse.head<3>() / dt, result.solution.impulse.tail<3>() / dt};
   result.wanted_speed = travel_between(at.state, result.state, model.reach) / dt;
   result.wanted_gain = std::max(result.wanted_speed - speed_bound(at, model.reach), 0.0) / dt;
 
   result.is_held_back = is_beyond(model, result.state);
   const double least = std::min(result.least_gap, 0.0);
-  if (result.is_held_back || gaps.least < least)
-    result.state = work.after(share_within(work, velocity, least) * velocity);
+  if (result.is_held_back || gaps.least < least) {
+    const double share = share_within(work, velocity, least);
+    result.state = work.after(share * velocity);
+    result.slip.work *= share;
+  }
   return result;
 }
 

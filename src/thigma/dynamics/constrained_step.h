@@ -2,6 +2,9 @@
 // One step of a body that must not enter: the implicit step of the coupling, then the velocity
 // nearest to it that no row forbids.
 
+#include <cstdint>
+#include <span>
+
 #include "thigma/dynamics/body.h"
 #include "thigma/dynamics/constraint_model.h"
 #include "thigma/dynamics/row_solve.h"
@@ -27,7 +30,10 @@ struct ConstrainedStep {
   // how far a step goes that nothing holds back, over its length: what a query has to look ahead
   // for [m/s]
   double wanted_speed = 0.0;
-  double wanted_gain = 0.0;  // and by how much faster that is than before, >= 0 [m/s^2]
+  double wanted_gain = 0.0;   // and by how much faster that is than before, >= 0 [m/s^2]
+  SlipCount slip;             // how friction held
+  Impacts impacts;            // contacts that began
+  std::int64_t solve_ns = 0;  // that the row solves took, by StepBounds::clock
 };
 
 /// What bounds a step.
@@ -35,6 +41,9 @@ struct StepBounds {
   const ConstraintModel& model;  // rows and how far they hold
   const ConstraintParams& params;
   double dt = 0.0;  // > 0 [s]
+  // of the static objects, by their number; none beyond the end
+  std::span<const ImpactPair> pairs{};
+  std::int64_t (*clock)() noexcept = nullptr;  // [ns]; null: solves are not timed
 };
 
 /// One step under constraints.

@@ -3,6 +3,7 @@
 // how far they reach.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "thigma/core/rt.h"
@@ -38,7 +39,7 @@ struct ContactRow {
   Vec3 scene_direction;
   double friction;         // Coulomb's coefficient of the two materials, while they slide
   double static_friction;  // and until they do, >= friction
-  std::int32_t body;       // static object of the scene; not recorded
+  std::int32_t body;       // static object of the scene
 };
 
 /// Two unit vectors across a normal, a function of it alone: what the bend of a relief row is
@@ -76,6 +77,46 @@ struct ConstraintParams {
   double recovery_speed = 2e-3;  // [m/s]
 };
 
+/// How a pair of surfaces rings when they meet: a sinusoid that dies away.
+struct Tap {
+  double amplitude = 0.0;    // at its beginning, of the approach speed, >= 0; 0: none [N s/m]
+  double frequency = 150.0;  // > 0 [Hz]
+  double decay = 0.015;      // until 1/e is left, > 0 [s]
+  friend bool operator==(const Tap&, const Tap&) = default;
+};
+
+/// Two surfaces that may meet.
+struct ImpactPair {
+  double restitution = 0.0;  // share of the approach speed that comes back, 0..1
+  Tap tap;
+  friend bool operator==(const ImpactPair&, const ImpactPair&) = default;
+};
+
+/// Whether all is finite and in range. Thread: any.
+inline bool is_valid(const ImpactPair& pair) noexcept {
+  const Tap& t = pair.tap;
+  return pair.restitution >= 0.0 && pair.restitution <= 1.0 && t.amplitude >= 0.0 &&
+         std::isfinite(t.amplitude) && t.frequency > 0.0 && std::isfinite(t.frequency) &&
+         t.decay > 0.0 && std::isfinite(t.decay);
+}
+
+/// A contact that began in a step. Every member is set where one is made.
+struct Impact {
+  std::int32_t body;  // static object of the scene
+  Vec3 normal;        // unit, out of the object, into the scene [world]
+  Vec3 arm;           // of where they meet, from the centre of mass [m; world]
+  double speed;       // at which they came together, > 0 [m/s]
+  double impulse;     // of the contact in the step, along the normal, > 0 [N s]
+};
+inline constexpr int kMaxImpacts = 8;  // that are told of in a step: as a rule six rows press
+using Impacts = StaticVector<Impact, kMaxImpacts>;
+
+/// How friction held over a step.
+struct SlipCount {
+  std::int32_t sticking = 0, sliding = 0;  // contacts with friction that press
+  double work = 0.0;                       // taken by those that slide [J]
+};
+
 /// Impulses of the rows that pressed in the last step, by the features they are of: the warm start
 /// of the next, whatever model it has.
 struct RowMemory {
@@ -87,6 +128,12 @@ struct RowMemory {
     bool is_sliding;                   // at the end of it
   };
   StaticVector<Entry, 64> entries;
+  // A contact that began in the last step and is to throw the body back in the next.
+  struct Bounce {
+    Vec3 normal, arm;  // as of Impact
+    double speed;      // at which it leaves, > 0 [m/s]
+  };
+  StaticVector<Bounce, kMaxImpacts> bounces;
 };
 
 /// A row that pressed in a step. Every member is set where one is made.

@@ -56,6 +56,7 @@ void visit_row(Row& r, Visit&& visit) {
   visit.vector("scene_direction", r.scene_direction);
   visit("friction", r.friction);
   visit.unless("static_friction", r.static_friction, r.friction);
+  visit.unless("body", r.body, std::int32_t{0});
 }
 
 }  // namespace thigma

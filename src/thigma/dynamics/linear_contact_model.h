@@ -72,7 +72,8 @@ struct BristleMemory {
     Vec3 bend = Vec3::Zero();
   };
   StaticVector<Entry, kMaxBristles> entries;
-  Wrench wrench;  // on the body at the end of the step, about the centre of mass [N, N m; world]
+  Wrench wrench;   // on the body at the end of the step, about the centre of mass [N, N m; world]
+  SlipCount slip;  // of the step
 };
 static_assert(RtPayload<BristleMemory>);
 

@@ -46,6 +46,7 @@ struct RowSolution {
   int sweeps = 0;                // over the cones
   // largest speed at which a row is violated [m/s]; rounding where the solve was whole
   double residual = 0.0;
+  SlipCount slip;        // of the rows that press
   bool is_whole = true;  // false: rounds ran out, or rows contradict each other
 };
 

@@ -73,12 +73,17 @@ void describe_contacts(const ContactWorld& world, const ContactScratch& scratch,
   sample.mandatory_tests = scratch.contacts.stats.mandatory_tests;
   sample.unrefined = scratch.contacts.stats.unrefined;
   sample.texture_depths = sample.texture_folds = 0;
+  sample.texture_coarse = sample.texture_bent = 0;
+  sample.texture_left_out = 0;
   if (world.textures.is_empty() || world.potential) return;
   if (world.constraints) {
     const ReliefStats& relief = scratch.constraints->relief.stats;
     sample.depth_max = std::max(sample.depth_max, relief.deepest);
     sample.texture_depths = relief.depths;
     sample.texture_folds = relief.folds;
+    sample.texture_coarse = relief.coarse;
+    sample.texture_bent = relief.bent;
+    sample.texture_left_out = relief.left_out;
     return;
   }
   for (std::size_t i = 0; i < scratch.textures->contacts.size(); ++i) {

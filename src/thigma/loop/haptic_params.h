@@ -2,6 +2,7 @@
 // Every number of the haptic step, constant while a session runs.
 
 #include <cstdint>
+#include <vector>
 
 #include "thigma/core/rt.h"
 #include "thigma/device/haptic_device.h"
@@ -45,7 +46,9 @@ struct HapticParams {
   double turn_rate = kButtonTurnRate;
   ResponseKind response = ResponseKind::coupled;
   ConstraintParams constraint;  // of the constrained response
-  PassivityParams passivity;    // off by default
+  // and what the object does where it meets the static objects, by their number; none beyond the end
+  std::vector<ImpactPair> impacts;
+  PassivityParams passivity;  // off by default
   // a device that was lost and answers again may be taken up by a new press of the clutch; else the
   // fault stays until cleared
   bool resumes_lost_device = false;

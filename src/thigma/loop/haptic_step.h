@@ -18,6 +18,26 @@
 
 namespace thigma {
 
+/// One impact that still rings. Every member is set where one is made.
+struct TapVoice {
+  Wrench unit;        // of a newton of it on the hand about the handle when it began [-, m; world]
+  double size;        // force it would have now at the top of its sine [N]
+  double age;         // [s]
+  double frequency;   // [Hz]
+  double decay_rate;  // [1/s]
+};
+inline constexpr int kMaxVoices = 4;  // at once; a stronger one takes the place of the weakest
+
+/// Taps between two steps. Empty is silence.
+struct TapState {
+  StaticVector<TapVoice, kMaxVoices> voices;
+  Wrench asked;  // by the last step, about the handle [world]
+  Wrench held;   // as far as that was sent
+  // What taps may still hand out: the energy that impacts have taken from the body and what the
+  // hand has put in against the taps since [J]
+  double store = 0.0;
+};
+
 /// What changes from frame to frame. Copyable: a step is a function of it and of its inputs.
 struct HapticState {
   std::uint64_t frame = 0;
@@ -33,6 +53,8 @@ struct HapticState {
   PassivityControl passivity;
   RowMemory rows;             // of the constrained response
   BristleMemory bristles;     // friction of the others
+  TapState taps;              // of the constrained response
+  Pose handle;                // of the last step [world]
   double wanted_speed = 0.0;  // of the last step, were nothing to hold it back [m/s]
   double wanted_gain = 0.0;   // and how fast that grows [m/s^2]
   float step_cpu = 0.0f,
@@ -56,6 +78,8 @@ struct HapticPorts {
   Latest<LinearContactModel>* models = nullptr;  // read
   Latest<StampedBody>* bodies = nullptr;         // written
   SpscRing<HapticSample>* telemetry = nullptr;   // written; null: none
+  // that row solves are timed by, without a call of the system [ns]; null: not timed
+  std::int64_t (*clock)() noexcept = nullptr;
 };
 
 /// What a tick is told from outside.

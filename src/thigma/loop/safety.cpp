@@ -254,18 +254,20 @@ Wrench limit_wrench(const SafetyLimits& limits, const DeviceLimits& device,
       device.actuates_rotation ? std::min(limits.max_torque, device.max_torque) : limits.max_torque;
   // Clamp first, then ramp: a saturated wrench ramps as well.
   Wrench w{ramp * clamped(wanted.force, force_limit), ramp * clamped(wanted.torque, torque_limit)};
+  const double force_step = limits.force_slew * elapsed + asked.force_change;
+  const double torque_step = limits.torque_slew * elapsed + asked.torque_change;
   const bool is_slow = now - safety.onset_time > limits.onset_window;
   if (is_slow) {
     const Wrench& last = safety.slewed;
-    w.force = last.force + clamped(w.force - last.force, limits.force_slew * elapsed);
-    w.torque = last.torque + clamped(w.torque - last.torque, limits.torque_slew * elapsed);
+    w.force = last.force + clamped(w.force - last.force, force_step);
+    w.torque = last.torque + clamped(w.torque - last.torque, torque_step);
   }
   // The slew limit keeps within the ball of the clamp only up to rounding.
   safety.slewed = {clamped(w.force, force_limit), clamped(w.torque, torque_limit)};
   Wrench sent = asked.weight * safety.slewed;
   if (is_slow) {  // the weight changes the wrench as well; the fade to zero is never slowed
-    sent.force = grown(safety.sent.force, sent.force, limits.force_slew * elapsed);
-    sent.torque = grown(safety.sent.torque, sent.torque, limits.torque_slew * elapsed);
+    sent.force = grown(safety.sent.force, sent.force, force_step);
+    sent.torque = grown(safety.sent.torque, sent.torque, torque_step);
   }
   if (!is_finite(sent)) {  // numbers of a caller's: elapsed, the limits of a device
     latch_fault(safety, Fault::not_finite, now);

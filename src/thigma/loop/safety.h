@@ -103,6 +103,8 @@ struct ModelAge {
 struct AskedWrench {
   Wrench wanted;        // on the hand about the handle [N, N m; device frame]
   double weight = 1.0;  // of model_weight
+  // change since the last step that is not slowed down, as it is of a transient of known slope
+  double force_change = 0.0, torque_change = 0.0;  // >= 0 [N, N m]
 };
 
 /// Shortened to `limit`, direction kept.

@@ -35,7 +35,9 @@ struct HapticSample {
   Wrench command;
   double model_age = 0.0;     // infinity: no model yet [s]
   double model_weight = 0.0;  // 1 fresh .. 0 stale
-  // deepest contact of the model at the new state; -infinity: none near [m]
+  // deepest contact of the model at the new state; -infinity: none near [m]. With the constrained
+  // response minus the least gap of a row before the step: how far a feature lies behind a plane
+  // that it is kept in front of, which beside the surface is no depth
   double penetration = 0.0;
   // how much deeper that contact is than when the model was made; not recorded [m]
   double sunk = 0.0;
@@ -49,12 +51,17 @@ struct HapticSample {
   // rows nearer than the slop asked to be left in ways that contradict each other
   bool is_squeezed = false;
   PressingRows pressing;  // the strongest first
+  // Not recorded: what replays recompute.
+  SlipCount slip;  // how friction held, of any response
+  Wrench tap;      // of taps on the hand about the handle, before the limits [world]
   bool is_grasped = false;
   bool is_armed = false;
   Fault fault = Fault::none;  // latched
   // Timing, not reproduced. Of the frame before, as a step cannot time itself.
   float step_cpu = 0.0f;   // [s]
   float wake_late = 0.0f;  // [s]
+  // of the row solves of this frame, by HapticPorts::clock; 0: there were none; not recorded [ns]
+  std::int64_t solve_ns = 0;
 };
 static_assert(RtPayload<HapticSample>);
 
@@ -103,6 +110,10 @@ struct ContactSample {
   std::int32_t texture_depths = 0;  // that textures gave
   // of these, where a fine surface is no height field at the deepest place
   std::int32_t texture_folds = 0;
+  // where textures were sampled too coarsely, where a bent row leaves out more than 1 % of the
+  // relief, and peaks for want of room (ReliefStats)
+  std::int32_t texture_coarse = 0, texture_bent = 0;
+  std::int64_t texture_left_out = 0;
   LinearContactModel model;
 };
 static_assert(RtPayload<ContactSample>);

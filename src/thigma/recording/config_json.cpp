@@ -80,6 +80,23 @@ struct ConfigWriter {
     }
     out += ']';
   }
+  /// Left out where there is none.
+  void impacts(const char* key, const std::vector<ImpactPair>& list) const {
+    if (list.empty()) return;
+    json.key(key);
+    const char* separator = "[";
+    for (const ImpactPair& pair : list) {
+      out += separator;
+      JsonObject inner(out);
+      inner.number("restitution", pair.restitution);
+      inner.number("tap_amplitude", pair.tap.amplitude);
+      inner.number("tap_frequency", pair.tap.frequency);
+      inner.number("tap_decay", pair.tap.decay);
+      inner.close();
+      separator = ",";
+    }
+    out += ']';
+  }
   void digits(const char* key, std::uint64_t value) const { json.word(key, std::to_string(value)); }
   void text(const char* key, const std::string& text) const {
     json.key(key);
@@ -149,6 +166,16 @@ struct ConfigReader {
     if (!json.contains(key)) return;
     for (const Json& pair : json.at(key)) {
       list.push_back({pair.at("kinetic").get<double>(), pair.at("at_rest").get<double>()});
+      if (!is_valid(list.back())) throw InputError(std::string("'") + key + "' is out of range");
+    }
+  }
+  void impacts(const char* key, std::vector<ImpactPair>& list) const {
+    list.clear();
+    if (!json.contains(key)) return;
+    for (const Json& pair : json.at(key)) {
+      const auto number = [&](const char* name) { return pair.at(name).get<double>(); };
+      list.push_back({number("restitution"),
+                      {number("tap_amplitude"), number("tap_frequency"), number("tap_decay")}});
       if (!is_valid(list.back())) throw InputError(std::string("'") + key + "' is out of range");
     }
   }

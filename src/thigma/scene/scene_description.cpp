@@ -139,6 +139,41 @@ std::vector<Friction> pair_friction(const SceneDescription& scene) {
   return pairs;
 }
 
+std::vector<ImpactPair> pair_impacts(const SceneDescription& scene) {
+  const auto of = [&](const SceneObject& object) {
+    ImpactPair own{0.0, scene.taps.usual};
+    if (object.material) {
+      const Material& m = *object.material;
+      own.restitution = m.restitution;
+      own.tap = {m.tap_amplitude.value_or(own.tap.amplitude),
+                 m.tap_frequency.value_or(own.tap.frequency), m.tap_decay.value_or(own.tap.decay)};
+    }
+    if (!is_valid(own)) {
+      throw InputError(scene.file + ": restitution or tap of " + object.name +
+                       " out of range, expected 0 to 1, an amplitude of 0 or more, frequency and "
+                       "decay above 0");
+    }
+    if (!scene.taps.is_on) own.tap = Tap{};
+    return own;
+  };
+  const auto mean = [](double a, double b) {
+    return a == b ? a : combined(a, b, CombineRule::geometric);
+  };
+  std::vector<ImpactPair> pairs;
+  bool is_any = false;
+  const ImpactPair held = of(scene.object);
+  for (const SceneObject& object : scene.statics) {
+    const ImpactPair other = of(object);
+    const Tap &a = held.tap, &b = other.tap;
+    pairs.push_back(
+        {std::max(held.restitution, other.restitution),
+         {mean(a.amplitude, b.amplitude), mean(a.frequency, b.frequency), mean(a.decay, b.decay)}});
+    is_any = is_any || pairs.back().restitution > 0.0 || pairs.back().tap.amplitude > 0.0;
+  }
+  if (!is_any) pairs.clear();
+  return pairs;
+}
+
 bool has_relief(const SceneDescription& scene) {
   const auto is_so = [](const SceneObject& o) { return o.has_relief(); };
   return is_so(scene.object) || std::any_of(scene.statics.begin(), scene.statics.end(), is_so);
@@ -213,6 +248,7 @@ SessionConfig make_session_config(const SceneDescription& given, const ObjectMea
   config.haptic.grasp_point =
       scene.grasp_point.value_or(solid.center_of_mass) - solid.center_of_mass;
   config.haptic.turn_rate = scene.device.turn_rate;
+  config.haptic.impacts = pair_impacts(scene);
 
   config.contact.body_from_mesh.position = -solid.center_of_mass;
   config.contact.tolerance = scene.contact.tolerance.value_or(gains.tolerance);

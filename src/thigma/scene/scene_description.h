@@ -29,6 +29,9 @@ Friction combined(const Friction& a, const Friction& b, CombineRule rule);
 /// What an object is made of.
 struct Material {
   Friction friction;
+  double restitution = 0.0;  // share of an approach speed that comes back, 0..1
+  // how it rings when it is met; what is not set is that of TapChoice
+  std::optional<double> tap_amplitude{}, tap_frequency{}, tap_decay{};
 };
 
 /// One object of a scene: where its surface comes from and where it stands.
@@ -108,6 +111,12 @@ struct DeviceChoice {
   double turn_rate = kButtonTurnRate;  // [rad/s]
 };
 
+/// Taps: what of impacts is felt beyond the coupling. Off, nobody feels any.
+struct TapChoice {
+  bool is_on = false;
+  Tap usual{.amplitude = 5.0};  // of objects whose material does not tell
+};
+
 /// A whole scene, as a file or the command line gives it.
 struct SceneDescription {
   std::string file;                  // where it was read, for reports
@@ -123,6 +132,7 @@ struct SceneDescription {
   ContactGains contact;
   CouplingGains coupling;
   DeviceChoice device;
+  TapChoice taps;
   SafetyLimits safety;
   bool is_strict = false;   // late frames are faults even where the device holds nobody
   bool is_passive = false;  // with the passivity controller
@@ -135,6 +145,12 @@ struct SceneDescription {
 /// errors    InputError for coefficients that are negative, not finite or in the wrong order
 /// Thread    [offline]
 std::vector<Friction> pair_friction(const SceneDescription& scene);
+
+/// What the object does where it meets each static body: the larger restitution of the two, their
+/// taps by the geometric mean. Empty where nothing throws back and nothing taps.
+/// errors    InputError for numbers out of range
+/// Thread    [offline]
+std::vector<ImpactPair> pair_impacts(const SceneDescription& scene);
 
 /// Whether anything of the scene has a texture.
 bool has_relief(const SceneDescription& scene);

@@ -45,9 +45,15 @@ std::optional<Material> read_material(TomlTable& object) {
   std::optional<TomlTable> table = object.table("material");
   if (!table) return std::nullopt;
   const std::optional<Friction> friction = read_friction(*table);
+  const double restitution = table->number("restitution", Range::not_negative).value_or(0.0);
+  if (restitution > 1.0) table->fail("restitution", "is above 1", "expected 0 to 1");
+  const Material material{friction.value_or(Friction{}), restitution,
+                          table->number("tap_amplitude", Range::not_negative),
+                          table->number("tap_frequency", Range::positive),
+                          table->number("tap_decay", Range::positive)};
   table->finish();
   if (!friction) table->fail_here("no friction", "expected friction = Coulomb's coefficient");
-  return Material{*friction};
+  return material;
 }
 
 ObjectKeys read_object_keys(TomlTable& table) {
@@ -262,6 +268,15 @@ void read_solver(TomlTable table, SceneDescription& scene) {
   table.finish();
 }
 
+void read_taps(TomlTable table, TapChoice& taps) {
+  taps.is_on = table.truth("enabled").value_or(taps.is_on);
+  Tap& usual = taps.usual;
+  usual.amplitude = table.number("amplitude", Range::not_negative).value_or(usual.amplitude);
+  usual.frequency = table.number("frequency", Range::positive).value_or(usual.frequency);
+  usual.decay = table.number("decay", Range::positive).value_or(usual.decay);
+  table.finish();
+}
+
 toml::table parse_toml(std::string_view text, const std::string& file) {
   check_toml_letters(without_byte_order_mark(text), file);
   try {
@@ -296,6 +311,7 @@ SceneDescription parse_scene(std::string_view text, const std::string& file,
   if (auto table = top.table("texture")) read_texture_keys(*table, scene.contact.texture);
   if (auto table = top.table("coupling")) read_coupling(*table, scene.coupling);
   if (auto table = top.table("device")) read_device(*table, scene.device);
+  if (auto table = top.table("taps")) read_taps(*table, scene.taps);
   if (auto table = top.table("safety")) read_safety(*table, scene);
   if (auto table = top.table("solver")) read_solver(*table, scene);
   top.table("simulation");  // its keys are read below

@@ -10,6 +10,7 @@
 #include "thigma/session/detail/frame_driver.h"
 #include "thigma/session/detail/session_summary.h"
 #include "thigma/session/live_ports.h"
+#include "thigma/session/rt_thread.h"
 #include "thigma/session/session.h"
 
 namespace thigma {
@@ -80,7 +81,7 @@ class LockstepShell {
   }
 
   void step(const detail::Frame& frame) {
-    sample_ = haptic_step(params_, {&device_, &models_, &bodies_, nullptr},
+    sample_ = haptic_step(params_, {&device_, &models_, &bodies_, nullptr, monotonic_ns},
                           {frame.now, frame.elapsed, external_}, state_);
   }
   const HapticSample& sample(const detail::Frame&) const { return sample_; }

@@ -154,6 +154,8 @@ struct SessionSummary {
   std::uint64_t unrefined = 0, level_changes = 0;       // contacts, sums over updates
   // depths by textures; of these where a surface is no height field
   std::uint64_t texture_depths = 0, texture_folds = 0;
+  // see ContactSample
+  std::uint64_t texture_coarse = 0, texture_bent = 0, texture_left_out = 0;
   double bound_max = 0.0;                                                 // of all contacts [m]
   std::array<std::uint64_t, kLevelBins> object_levels{}, scene_levels{};  // contacts, sums
   std::array<std::uint64_t, kLevelDeciders> decided_by{};  // contacts, sums, by LevelDecision
@@ -162,11 +164,13 @@ struct SessionSummary {
   ForceSteps force_steps;
   double force_max = 0.0, force_rms = 0.0;  // sent; rms over frames [N]
   double torque_max = 0.0,
-         torque_rms = 0.0;       // felt about the handle, sent or not (device without it) [N m]
-  double penetration_max = 0.0;  // 0: never inside [m]
-  double stretch_max = 0.0;      // of the coupling [m]
-  double energy_min = 0.0;       // at the device's port, <= 0 [J]
+         torque_rms = 0.0;  // felt about the handle, sent or not (device without it) [N m]
+  // largest depth at the poses of the contact queries; 0: never inside [m]
+  double penetration_max = 0.0;
+  double stretch_max = 0.0;  // of the coupling [m]
+  double energy_min = 0.0;   // at the device's port, <= 0 [J]
   ConstraintSummary constraint;
+  FrictionSummary friction;
   PassivitySummary passivity;
   RiddenOut ridden_out;
   std::uint64_t dropped_samples = 0;  // of either ring

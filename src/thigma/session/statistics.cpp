@@ -15,6 +15,22 @@ void accumulate(HeldCounts& counts, const HapticSample& sample) THIGMA_RT {
   counts.active_max = std::max(counts.active_max, sample.touching);
   counts.residual_max = std::max(counts.residual_max, sample.solve_residual);
   counts.wanted_speed_max = std::max(counts.wanted_speed_max, sample.wanted_speed);
+  counts.row_gap_min = std::min(counts.row_gap_min, -sample.penetration);
+}
+
+void accumulate(SlipTotals& totals, const SlipCount& slip) THIGMA_RT {
+  totals.sticking += static_cast<std::uint64_t>(slip.sticking);
+  totals.sliding += static_cast<std::uint64_t>(slip.sliding);
+  totals.work += slip.work;
+}
+
+FrictionSummary summarize(const SlipTotals& slip) noexcept {
+  FrictionSummary s;
+  const std::uint64_t all = slip.sticking + slip.sliding;
+  s.is_on = all > 0;
+  if (all > 0) s.sticking_share = static_cast<double>(slip.sticking) / static_cast<double>(all);
+  s.slip_work = slip.work;
+  return s;
 }
 
 void accumulate(RowCounts& counts, const ContactSample& sample) THIGMA_RT {
@@ -42,6 +58,7 @@ ConstraintSummary summarize(const HeldCounts& held, const RowCounts& rows) noexc
   s.active_max = held.active_max;
   s.residual_max = held.residual_max;
   s.wanted_speed_max = held.wanted_speed_max;
+  s.row_gap_min = held.row_gap_min;
   s.found_max = rows.found_max;
   s.halvings_max = rows.halvings_max;
   s.halved_models = rows.halved_models;
@@ -89,6 +106,8 @@ void accumulate(HapticStatistics& statistics, const HapticSample& sample, std::i
   }
   statistics.ridden_out.stale_models += rode_out_model(sample, statistics.last_weight) ? 1 : 0;
   accumulate(statistics.held, sample);
+  accumulate(statistics.slip, sample.slip);
+  if (sample.solve_ns > 0) record(statistics.solve, sample.solve_ns);
   statistics.last_time = sample.time;
   statistics.last_weight = rode_out_gap(sample) ? 0.0 : sample.model_weight;
 }
@@ -113,6 +132,10 @@ void accumulate(ContactStatistics& statistics, const ContactSample& sample) THIG
   statistics.level_changes += static_cast<std::uint64_t>(sample.level_changes);
   statistics.texture_depths += static_cast<std::uint64_t>(sample.texture_depths);
   statistics.texture_folds += static_cast<std::uint64_t>(sample.texture_folds);
+  statistics.texture_coarse += static_cast<std::uint64_t>(sample.texture_coarse);
+  statistics.texture_bent += static_cast<std::uint64_t>(sample.texture_bent);
+  statistics.texture_left_out += static_cast<std::uint64_t>(sample.texture_left_out);
+  statistics.depth_max = std::max(statistics.depth_max, sample.depth_max);
   statistics.bound_max = std::max(statistics.bound_max, sample.bound_max);
   for (std::size_t i = 0; i < statistics.object_levels.size(); ++i) {
     statistics.object_levels[i] += static_cast<std::uint64_t>(sample.object_levels[i]);

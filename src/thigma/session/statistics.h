@@ -37,7 +37,14 @@ struct HeldCounts {
   std::uint64_t frames = 0, held_back = 0, squeezed = 0;
   std::uint64_t touching = 0, active = 0;  // frames in which rows pressed, and how many in all
   std::int32_t active_max = 0;
-  double residual_max = 0.0, wanted_speed_max = 0.0;  // [m/s]
+  double residual_max = 0.0, wanted_speed_max = 0.0;             // [m/s]
+  double row_gap_min = std::numeric_limits<double>::infinity();  // [m]
+};
+
+/// How friction held, over frames. Thread: one writer.
+struct SlipTotals {
+  std::uint64_t sticking = 0, sliding = 0;  // contacts that pressed, over frames
+  double work = 0.0;                        // [J]
 };
 
 /// Of the contact frames. Thread: one writer.
@@ -55,17 +62,18 @@ struct RowCounts {
 struct HapticStatistics {
   std::uint64_t frames = 0;
   StateHash hash;
-  DurationHistogram step_cpu, wake_late, model_age;
+  DurationHistogram step_cpu, wake_late, model_age, solve;
   DurationHistogram device_read, compute, device_write, whole;  // of a frame, by the clock
   // frames that ended after the next deadline
   std::uint64_t overruns = 0;
   std::array<std::uint64_t, kLateBounds.size()> late{};  // wake-ups later than each bound
   double force_max = 0.0, force_square_sum = 0.0;        // sent [N, N^2]
   double torque_max = 0.0, torque_square_sum = 0.0;      // felt, sent or not [N m, N^2 m^2]
-  double penetration_max = 0.0;                          // [m]
+  double penetration_max = 0.0;                          // see HapticSample [m]
   double stretch_max = 0.0;                              // while grasped [m]
   RiddenOut ridden_out;
-  HeldCounts held;                            // of the constrained response
+  HeldCounts held;  // of the constrained response
+  SlipTotals slip;
   double last_time = 0.0, last_weight = 1.0;  // of the frame before
 };
 
@@ -75,8 +83,10 @@ struct ContactStatistics {
   std::uint64_t contacts = 0, clusters = 0, front = 0;  // sums over updates
   DurationHistogram query_cpu, model_cpu, step_cpu;     // model: clusters and their linearization
   std::uint64_t tests = 0, mandatory_tests = 0, unrefined = 0,
-                level_changes = 0;                                        // sums over updates
-  std::uint64_t texture_depths = 0, texture_folds = 0;                    // likewise
+                level_changes = 0;                      // sums over updates
+  std::uint64_t texture_depths = 0, texture_folds = 0;  // likewise
+  std::uint64_t texture_coarse = 0, texture_bent = 0, texture_left_out = 0;
+  double depth_max = -std::numeric_limits<double>::infinity();            // of the contacts [m]
   double bound_max = 0.0;                                                 // [m]
   std::array<std::uint64_t, kLevelBins> object_levels{}, scene_levels{};  // contacts, sums
   std::array<std::uint64_t, kLevelDeciders> decided_by{};                 // contacts, sums
@@ -102,6 +112,7 @@ void accumulate(HapticStatistics& statistics, const HapticSample& sample, std::i
 void accumulate(HapticStatistics& statistics, const StageTimes& times) THIGMA_RT;
 void accumulate(ContactStatistics& statistics, const ContactSample& sample) THIGMA_RT;
 void accumulate(HeldCounts& counts, const HapticSample& sample) THIGMA_RT;
+void accumulate(SlipTotals& totals, const SlipCount& slip) THIGMA_RT;
 void accumulate(RowCounts& counts, const ContactSample& sample) THIGMA_RT;
 
 /// What the constrained response did; nothing of the others.
@@ -114,6 +125,10 @@ struct ConstraintSummary {
   std::int64_t active_max = 0;    // rows that pressed at once
   double residual_max = 0.0;      // of a solve: speed at which a row is violated [m/s]
   double wanted_speed_max = 0.0;  // of the object's fastest point [m/s]
+  // least gap of a row, infinite without one: below 0 a feature has been behind a plane that it is
+  // kept in front of, which beside the surface is no depth [m]
+  double row_gap_min = std::numeric_limits<double>::infinity();
+  DurationSummary solve;  // of the row solves of a frame, where there were rows [s]
   // in a model that has any, and found for one
   double rows_mean = 0.0;
   std::int64_t rows_p50 = 0, rows_max = 0, found_max = 0;
@@ -127,6 +142,16 @@ struct ConstraintSummary {
 
 /// Thread [offline].
 ConstraintSummary summarize(const HeldCounts& held, const RowCounts& rows) noexcept;
+
+/// How friction held over a session, of any response.
+struct FrictionSummary {
+  bool is_on = false;           // a contact with friction has pressed
+  double sticking_share = 0.0;  // of the contacts with friction that pressed, over frames
+  double slip_work = 0.0;       // that sliding has taken [J]
+};
+
+/// Thread [offline].
+FrictionSummary summarize(const SlipTotals& slip) noexcept;
 
 /// Calls visit(key, number) for every field but is_on.
 template <class Visit>
@@ -149,6 +174,7 @@ void visit_constraint_summary(const ConstraintSummary& s, Visit&& visit) {
   visit("travel_min", s.travel_min);
   visit("near_radius", s.look_ahead_max);
   visit("coarse_max", s.coarse_max);
+  visit("row_gap_min", s.row_gap_min);
 }
 
 }  // namespace thigma

@@ -114,6 +114,7 @@ void visit_haptic_params(Params& p, Visit&& visit) {
   visit("turn_rate", p.turn_rate);
   visit.word("response", p.response, {"coupled", "direct", "constrained", "potential"});
   visit.object("constraint", p.constraint, [](auto& c, auto& v) { visit_constraint(c, v); });
+  visit.impacts("impacts", p.impacts);
   visit("resumes_lost_device", p.resumes_lost_device);
   visit.object_if("passivity", p.passivity.is_on, p.passivity,
                   [](auto& s, auto& v) { visit_passivity(s, v); });

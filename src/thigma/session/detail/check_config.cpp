@@ -23,6 +23,9 @@ void check_config(const SessionConfig& config) {
   const auto& friction = config.contact.friction;
   if (!std::all_of(friction.begin(), friction.end(), [](const Friction& f) { return is_valid(f); }))
     refuse("friction must be 0 or more, and no less at rest than sliding");
+  const auto& impacts = config.haptic.impacts;
+  if (!std::all_of(impacts.begin(), impacts.end(), [](const ImpactPair& p) { return is_valid(p); }))
+    refuse("restitution must be 0 to 1, a tap's amplitude 0 or more, frequency and decay above 0");
 }
 
 double effective_watchdog(const SessionConfig& config) noexcept {

@@ -14,7 +14,8 @@ std::vector<StageHistogram> timed_stages(const HapticStatistics& haptic,
       {"haptic_compute", &haptic.compute},       {"haptic_device_write", &haptic.device_write},
       {"haptic_whole", &haptic.whole},           {"haptic_step_cpu", &haptic.step_cpu},
       {"contact_query_cpu", &contact.query_cpu}, {"contact_model_cpu", &contact.model_cpu},
-      {"contact_step_cpu", &contact.step_cpu},   {"contact_model_age", &haptic.model_age}};
+      {"contact_step_cpu", &contact.step_cpu},   {"contact_model_age", &haptic.model_age},
+      {"haptic_row_solve", &haptic.solve}};
   std::vector<StageHistogram> timed;
   for (const auto& [name, histogram] : all) {
     if (histogram->total > 0) timed.push_back({name, *histogram});
@@ -64,6 +65,9 @@ SessionSummary summarize(const SessionConfig& config, const HapticStatistics& ha
   s.level_changes = contact.level_changes;
   s.texture_depths = contact.texture_depths;
   s.texture_folds = contact.texture_folds;
+  s.texture_coarse = contact.texture_coarse;
+  s.texture_bent = contact.texture_bent;
+  s.texture_left_out = contact.texture_left_out;
   s.bound_max = contact.bound_max;
   s.object_levels = contact.object_levels;
   s.scene_levels = contact.scene_levels;
@@ -75,11 +79,16 @@ SessionSummary summarize(const SessionConfig& config, const HapticStatistics& ha
   s.force_rms = std::sqrt(haptic.force_square_sum / frames);
   s.torque_max = haptic.torque_max;
   s.torque_rms = std::sqrt(haptic.torque_square_sum / frames);
-  s.penetration_max = haptic.penetration_max;
+  // Of simulated bodies the frames' own, of which there may be no contact frame.
+  s.penetration_max =
+      std::max(0.0, contact.updates > 0 ? contact.depth_max : haptic.penetration_max);
   s.stretch_max = haptic.stretch_max;
   s.energy_min = state.energy.energy_min;
-  if (config.haptic.response == ResponseKind::constrained)
+  if (config.haptic.response == ResponseKind::constrained) {
     s.constraint = thigma::summarize(haptic.held, contact.rows);
+    s.constraint.solve = summarize(haptic.solve);
+  }
+  s.friction = thigma::summarize(haptic.slip);
   s.ridden_out = haptic.ridden_out;
   s.passivity = summarize(config.haptic.passivity, state.passivity);
   s.dropped_contacts = contact.dropped;

@@ -51,7 +51,7 @@ struct Session::Impl {
     use_device_limits(device_in.limits(), params);
     watchdog_ns = to_ns(detail::effective_watchdog(config));
     state = initial_state(params, config.world_from_body);
-    ports = {device.get(), &models, &bodies, &haptic_ring};
+    ports = {device.get(), &models, &bodies, &haptic_ring, monotonic_ns};
   }
 
   void prepare_memory();
