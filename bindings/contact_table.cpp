@@ -16,23 +16,6 @@ constexpr std::size_t kMostContacts = 20'000'000;  // of a pose, as of `thigma c
 constexpr std::size_t kFirstCapacity = 16'384;
 constexpr auto kPollPeriod = std::chrono::milliseconds(100);
 
-void check(const ContactQuery& query) {
-  const Resolution& r = query.resolution;
-  const auto refuse = [](const char* what) { throw InputError(std::string("contacts: ") + what); };
-  if (!(query.tolerance >= 0.0) || !std::isfinite(query.tolerance))
-    refuse("tolerance must be a finite length >= 0 [m]");
-  if (!(r.step_time > 0.0) || !std::isfinite(r.step_time))
-    refuse("step_time must be a finite time above 0 [s]");
-  if (!(r.metric.haptic >= 0.0) || !std::isfinite(r.metric.haptic))
-    refuse("threshold must be a fraction of the radius, 0 or more (0.025 is 2.5 %)");
-  if (!(r.metric.velocity >= 0.0) || !std::isfinite(r.metric.velocity))
-    refuse("velocity must be a time, 0 or more [s]");
-  if (!(r.deviation_cap > 0.0)) refuse("deviation_cap must be a fraction of the radius above 0");
-  if (r.budget_tests < 0) refuse("budget_tests must be 0 or more");
-  if (!(r.budget_cpu >= 0.0 && r.budget_cpu < 1e3))
-    refuse("budget_cpu must be at least 0 and below 1000 s");
-}
-
 void append(const ContactSet& set, double cpu, ContactTable& table) {
   table.distance.push_back(least_distance(set));
   table.cpu.push_back(cpu);
@@ -49,7 +32,25 @@ void append(const ContactSet& set, double cpu, ContactTable& table) {
   table.start.push_back(static_cast<std::int64_t>(table.depth.size()));
 }
 
-/// Once more with room for all, where some were dropped.
+}  // namespace
+
+void check_query(const ContactQuery& query) {
+  const Resolution& r = query.resolution;
+  const auto refuse = [](const char* what) { throw InputError(std::string("contacts: ") + what); };
+  if (!(query.tolerance >= 0.0) || !std::isfinite(query.tolerance))
+    refuse("tolerance must be a finite length >= 0 [m]");
+  if (!(r.step_time > 0.0) || !std::isfinite(r.step_time))
+    refuse("step_time must be a finite time above 0 [s]");
+  if (!(r.metric.haptic >= 0.0) || !std::isfinite(r.metric.haptic))
+    refuse("threshold must be a fraction of the radius, 0 or more (0.025 is 2.5 %)");
+  if (!(r.metric.velocity >= 0.0) || !std::isfinite(r.metric.velocity))
+    refuse("velocity must be a time, 0 or more [s]");
+  if (!(r.deviation_cap > 0.0)) refuse("deviation_cap must be a fraction of the radius above 0");
+  if (r.budget_tests < 0) refuse("budget_tests must be 0 or more");
+  if (!(r.budget_cpu >= 0.0 && r.budget_cpu < 1e3))
+    refuse("budget_cpu must be at least 0 and below 1000 s");
+}
+
 bool needs_room(ContactSet& set, std::size_t pose) {
   if (set.dropped == 0) return false;
   const std::size_t wanted = set.contacts.size() + static_cast<std::size_t>(set.dropped);
@@ -62,12 +63,10 @@ bool needs_room(ContactSet& set, std::size_t pose) {
   return true;
 }
 
-}  // namespace
-
 ContactTable contacts_at_poses(const ClodHierarchy& object, const PlacedHierarchy& scene,
                                std::span<const Pose> poses, const TableQuery& query,
                                const Poll& poll) {
-  check(query.contact);
+  check_query(query.contact);
   ContactTable table;
   table.distance.reserve(poses.size());
   table.start.reserve(poses.size() + 1);

@@ -31,6 +31,14 @@ struct TableQuery {
   bool is_fresh = false;  // forget the pose before, as after clear_front
 };
 
+/// Throws InputError for a query that is not one.
+void check_query(const ContactQuery& query);
+
+/// Whether contacts were dropped; then there is room for all, and the query is to be made again.
+/// pose    for messages
+/// throws  InputError for more than can be listed
+bool needs_room(ContactSet& set, std::size_t pose);
+
 /// Called now and then; what it throws ends the work.
 using Poll = std::function<void()>;
 

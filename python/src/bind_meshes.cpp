@@ -5,15 +5,13 @@
 #include <thread>
 
 #include "bind.h"
+#include "mesh_arrays.h"
 
 #include "thigma/clod/build_clod.h"
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/clod/clod_file.h"
 #include "thigma/core/error.h"
-#include "thigma/import/load_mesh.h"
-#include "thigma/import/repair.h"
 #include "thigma/import/write_mesh.h"
-#include "thigma/models/make_model.h"
 #include "thigma/scene/asset_cache.h"
 
 namespace thigma::python {
@@ -25,59 +23,11 @@ struct Mesh {
   std::vector<std::string> repairs;
 };
 
-TriangleMesh copied(const Doubles& vertices, const Ints& triangles) {
-  TriangleMesh mesh;
-  const auto* v = reinterpret_cast<const std::array<double, 3>*>(vertices.data());
-  const auto* t = reinterpret_cast<const std::array<std::int32_t, 3>*>(triangles.data());
-  for (py::ssize_t i = 0; i < vertices.shape(0); ++i)
-    mesh.positions.emplace_back(v[i][0], v[i][1], v[i][2]);
-  mesh.triangles.assign(t, t + triangles.shape(0));
-  return mesh;
-}
-
-void refuse_wild(const TriangleMesh& mesh) {
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    if (mesh.positions[i].cwiseAbs().maxCoeff() <= kMaxCoordinate && mesh.positions[i].allFinite())
-      continue;
-    throw InputError("mesh: a coordinate that is not finite or above 1e50, vertex " +
-                     std::to_string(i) + ", expected finite numbers");
-  }
-  const auto count = static_cast<std::int64_t>(mesh.positions.size());
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    for (const std::int32_t index : mesh.triangles[i]) {
-      if (index >= 0 && index < count) continue;
-      throw InputError("mesh: vertex " + std::to_string(index) + ", triangle " + std::to_string(i) +
-                       ", expected 0 to " + std::to_string(count - 1));
-    }
-}
-
-/// As load_usable_mesh of a file.
-Mesh make_mesh(TriangleMesh given, double scale, bool repair) {
-  refuse_wild(given);
-  MeshFile file = merge_equal_positions(std::move(given));
-  scale_mesh(file.mesh, scale, "mesh");
-  const MeshReport report = inspect_mesh(file, "mesh", {.self_intersections = false});
-  if (report.verdict == MeshVerdict::usable)
-    return {std::make_shared<const TriangleMesh>(std::move(file.mesh)), {}};
-  if (report.verdict == MeshVerdict::rejected || !repair) {
-    throw InputError(
-        "mesh: " + report.reasons.front() + ", in the mesh as a whole, expected a usable mesh" +
-        (report.verdict == MeshVerdict::repairable ? "; repair=True takes it repaired" : ""));
-  }
-  RepairResult repaired = repair_mesh(file.mesh, "mesh");
-  return {std::make_shared<const TriangleMesh>(std::move(repaired.mesh)),
-          std::move(repaired.repairs)};
-}
-
-Mesh mesh_of_file(const std::string& path, double scale, bool repair) {
-  if (models::is_model_uri(path)) {
-    TriangleMesh mesh = models::make_model(models::parse_model_uri(path, "Mesh.from_file"));
-    scale_mesh(mesh, scale, path);
-    return {std::make_shared<const TriangleMesh>(std::move(mesh)), {}};
-  }
+template <class Source>
+Mesh made(const Source& source, double scale, bool repair) {
   Mesh mesh;
   mesh.surface = std::make_shared<const TriangleMesh>(
-      load_usable_mesh(path, scale, repair, nullptr, &mesh.repairs));
+      bindings::usable_mesh(source, {scale, repair, &mesh.repairs}));
   return mesh;
 }
 
@@ -143,12 +93,13 @@ Mesh level_mesh(const ClodPointer& asset, std::size_t level) {
 void bind_mesh(py::module_& module) {
   py::class_<Mesh>(module, "Mesh")
       .def(py::init([](const Doubles& vertices, const Ints& triangles, double scale, bool repair) {
-             TriangleMesh mesh = copied(vertices, triangles);
+             const bindings::MeshArrays arrays{vertices.data(), vertices.shape(0), triangles.data(),
+                                               triangles.shape(0)};
              const py::gil_scoped_release unlocked;
-             return make_mesh(std::move(mesh), scale, repair);
+             return made(arrays, scale, repair);
            }),
            py::arg("vertices"), py::arg("triangles"), py::arg("scale"), py::arg("repair"))
-      .def_static("from_file", &mesh_of_file, WithoutGil())
+      .def_static("from_file", &made<std::string>, WithoutGil())
       .def_property_readonly("vertices",
                              [](const py::object& self) {
                                const auto& p = self.cast<const Mesh&>().surface->positions;

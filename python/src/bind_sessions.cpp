@@ -1,5 +1,7 @@
 // Sessions: a frame at a call, or on threads that Python cannot hold up.
 
+#include <cstdio>
+
 #include "bind.h"
 #include "scene_run.h"
 
@@ -104,6 +106,13 @@ void bind_sample(py::module_& module) {
     sample.def_property_readonly(name, get, meaning);
   };
   using S = const RunSample&;
+  sample.def("__repr__", [](S s) {
+    char text[120];
+    std::snprintf(text, sizeof text, "<thigma.Sample frame %llu, %.3f s, force %.3g N>",
+                  static_cast<unsigned long long>(s.haptic.frame), s.haptic.time,
+                  s.haptic.command.force.norm());
+    return std::string(text);
+  });
   add(
       "frame", [](S s) { return s.haptic.frame; }, "Counts from 0.");
   add(

@@ -16,8 +16,6 @@ examples = pathlib.Path(__file__).resolve().parents[2] / "examples"
 @pytest.mark.parametrize("path", sorted(examples.glob("*.py")), ids=lambda path: path.stem)
 def test_example(path, tmp_path):
     pytest.importorskip("matplotlib")
-    if path.stem == "press_env":
-        pytest.importorskip("gymnasium")
     thigma.Mesh(*box_arrays((40, 40, 40))).save(tmp_path / "upper.obj")
     thigma.Mesh(*box_arrays((200, 200, 20))).save(tmp_path / "lower.obj")
     done = subprocess.run(

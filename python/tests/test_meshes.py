@@ -86,7 +86,7 @@ def test_the_libraries_themselves():
         (lambda v, t: (v, t - 1), thigma.InputError, "vertex -1"),
         (lambda v, t: (v, t.astype(np.int64) + 2**40), thigma.InputError, "beyond 32 bits"),
         (lambda v, t: (v, t[:0]), thigma.InputError, "no triangle"),
-        (lambda v, t: (v, np.vstack((t, t[:1, ::-1]))), thigma.InputError, "repair=True"),
+        (lambda v, t: (v, np.vstack((t, t[:1, ::-1]))), thigma.InputError, "repair takes it repaired"),
     ],
 )
 def test_what_cannot_be_used_is_refused_in_one_line(change, error, text):

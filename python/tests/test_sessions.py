@@ -68,6 +68,7 @@ def test_velocity_of_a_handle(scene):
 def test_arrays_of_a_sample_are_documented(scene):
     with thigma.Session(scene, device="null:") as session:
         sample = session.step()
+        assert repr(sample).startswith("<thigma.Sample frame 0, 0.000 s, force ")
         names = [n for n in dir(sample) if not n.startswith("_")]
         assert len(names) == 19
         for name in names:
