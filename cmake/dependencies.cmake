@@ -12,8 +12,8 @@ if(NOT Eigen3_FOUND)
 endif()
 find_package(Threads REQUIRED)
 thigma_need(nlohmann-json3-dev THIGMA_JSON_INCLUDE nlohmann/json.hpp)  # recordings; in sources only, never in headers
+thigma_need(libtomlplusplus-dev THIGMA_TOML_INCLUDE toml++/toml.h)  # scenes; likewise
 if(THIGMA_BUILD_APPS)
-  thigma_need(libtomlplusplus-dev THIGMA_TOML_INCLUDE toml++/toml.h)
   thigma_need(libboost-dev THIGMA_BOOST_INCLUDE boost/beast.hpp)  # the live page's server
   thigma_need(libcli11-dev THIGMA_CLI11_INCLUDE CLI/CLI.hpp)
   thigma_need(libcairo2-dev THIGMA_CAIRO_INCLUDE cairo/cairo.h)  # plots of experiments

@@ -228,7 +228,8 @@ TEST(Audit, NorDoTheyUnderThePotential) {
 
 TEST(Audit, NorDoTheyWhereFarPairsStayCoarse) {
   if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
-  const AuditResult r = audit(PlantingDevice::Plant::nothing, 5000, ResponseKind::constrained, true);
+  const AuditResult r =
+      audit(PlantingDevice::Plant::nothing, 5000, ResponseKind::constrained, true);
   EXPECT_EQ(r.haptic.total(), 0);
   EXPECT_EQ(r.contact.total(), 0) << "allocations " << r.contact.allocations;
   EXPECT_GT(r.touching_frames, 3000);

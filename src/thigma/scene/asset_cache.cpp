@@ -42,7 +42,19 @@ std::string params_text(const ClodSource& source) {
   return text;
 }
 
+/// Whether this code lies in the object: the program, or a module that holds the library.
+bool holds_this_code(const dl_phdr_info& info) {
+  const auto here = reinterpret_cast<ElfW(Addr)>(&holds_this_code);
+  for (int i = 0; i < info.dlpi_phnum; ++i) {
+    const ElfW(Phdr)& segment = info.dlpi_phdr[i];
+    const ElfW(Addr) begin = info.dlpi_addr + segment.p_vaddr;
+    if (segment.p_type == PT_LOAD && here >= begin && here - begin < segment.p_memsz) return true;
+  }
+  return false;
+}
+
 int find_build_id(dl_phdr_info* info, std::size_t, void* result) {
+  if (!holds_this_code(*info)) return 0;
   for (int i = 0; i < info->dlpi_phnum; ++i) {
     const ElfW(Phdr)& segment = info->dlpi_phdr[i];
     if (segment.p_type != PT_NOTE) continue;
@@ -58,7 +70,7 @@ int find_build_id(dl_phdr_info* info, std::size_t, void* result) {
       at = text + (note.n_descsz + 3) / 4 * 4;
     }
   }
-  return 1;  // the first object is the program; no need to see the others
+  return 1;  // no need to see the others
 }
 
 /// What made an asset: another build of the program may build otherwise.

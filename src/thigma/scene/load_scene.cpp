@@ -71,8 +71,7 @@ Scene load_scene(SceneDescription description, const LoadOptions& options) {
   // Rows and areas are of the finest surfaces: levels need not be built but where rows ask for them.
   const bool has_rows_alone =
       given.contact.response == ResponseKind::constrained && !given.contact.has_levels_far;
-  const bool is_finest =
-      has_rows_alone || given.contact.response == ResponseKind::potential;
+  const bool is_finest = has_rows_alone || given.contact.response == ResponseKind::potential;
   if (is_finest) resolution.is_exact = true;
   // A texture instead of a mesh lies over patches of the original surface alone.
   const auto replaces_mesh = [](const SceneObject& o) { return o.is_textured; };
