@@ -16,8 +16,8 @@ struct RowSolveTiming {
 };
 
 /// A foot of rows x rows places on a plate, all of which press when a solve begins, with friction
-/// 0.3: pressed down, tilted and led in a circle, where most slide at the end of a tick. Every tick starts
-/// from a load that is spread over all of them: as many as there can be.
+/// 0.3: pressed down, tilted and led in a circle, where most slide at the end of a tick. Every tick
+/// starts from a load that is spread over all of them: as many as there can be.
 RowSolveTiming time_row_solve(int rows, int frames);
 
 }  // namespace thigma::bench

@@ -19,8 +19,8 @@ struct ContactQuery {
   // (hysteresis for a simulation; off, a result depends on the pose alone)
   bool keep_directions = false;
   std::int32_t body = 0;  // written to the contacts
-  // exact only: where more pairs than this have to be looked at, the tolerance is halved on the way,
-  // six times at most; ContactFront::tolerance is what is left. 0: as many as there are
+  // exact only: where more pairs than this have to be looked at, the tolerance is halved on the
+  // way, six times at most; ContactFront::tolerance is what is left. 0: as many as there are
   std::size_t most_pairs = 0;
   Resolution resolution{};  // exact unless asked otherwise
 };

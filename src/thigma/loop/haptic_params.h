@@ -46,7 +46,7 @@ struct HapticParams {
   double turn_rate = kButtonTurnRate;
   ResponseKind response = ResponseKind::coupled;
   ConstraintParams constraint;  // of the constrained response
-  // and what the object does where it meets the static objects, by their number; none beyond the end
+  // what the object does where it meets the static objects, by their number; none beyond the end
   std::vector<ImpactPair> impacts;
   PassivityParams passivity;  // off by default
   // a device that was lost and answers again may be taken up by a new press of the clutch; else the

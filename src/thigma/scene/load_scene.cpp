@@ -68,7 +68,7 @@ Scene load_scene(SceneDescription description, const LoadOptions& options) {
     scene.description.contact.response = default_response(scene.description, options.has_textures);
   const SceneDescription& given = scene.description;
   Resolution resolution = given.contact.resolution;
-  // Rows and areas are of the finest surfaces: levels need not be built but where rows ask for them.
+  // Rows and areas are of the finest surfaces: levels are built only where rows ask for them.
   const bool has_rows_alone =
       given.contact.response == ResponseKind::constrained && !given.contact.has_levels_far;
   const bool is_finest = has_rows_alone || given.contact.response == ResponseKind::potential;

@@ -43,8 +43,8 @@ void use_constraints(SessionConfig& config);
 ///
 /// config    contact.object, contact.scene, contact.potential_law and contact.response set;
 ///           contact.potential and haptic.response are changed
-/// errors    std::invalid_argument without surfaces, for contacts of another source, for relief, and
-///           for a stiffness, exponent or area the law has not
+/// errors    std::invalid_argument without surfaces, for contacts of another source, for relief,
+///           and for a stiffness, exponent or area the law has not
 /// Thread    [offline]
 void use_potential(SessionConfig& config);
 

@@ -23,11 +23,11 @@ void activate(QueryFrame& frame, std::int32_t i) noexcept {
   front.exact.incoming.push_back(i);
 }
 
-// What is near is counted while it is found: surfaces that conform have no pair at one tolerance and
-// a million at twice that, and nobody has the time to measure them first.
+// What is near is counted while it is found: surfaces that conform have no pair at one tolerance
+// and a million at twice that, and nobody has the time to measure them first.
 class PairLimit {
  public:
-  /// is_first  nothing is known yet: what is looked at on the way down comes once and is not counted
+  /// is_first  nothing is known yet: what is looked at on the way down comes once, not counted
   PairLimit(const QueryFrame& frame, bool is_first) noexcept
       : step_(static_cast<std::int64_t>(frame.query.most_pairs)),
         limit_(step_ + frame.set.stats.tests),

@@ -22,8 +22,8 @@ void start_tap(const Impact& impact, const Tap& tap, const Vec3& centre, const V
 /// returns   force and torque about the handle [N, N m; world]. Silence once the hand has been
 ///           handed more than the store had
 /// Thread    [haptic]; no failure, nothing allocated.
-/// Source    Kuchenbecker, Fiene and Niemeyer (2006): event-based haptics, decaying sinusoids scaled
-///           by the speed of the impact.
+/// Source    Kuchenbecker, Fiene and Niemeyer (2006): event-based haptics, decaying sinusoids
+///           scaled by the speed of the impact.
 Wrench next_taps(const Vec6& moved, double elapsed, TapState& taps) THIGMA_RT;
 
 }  // namespace thigma::detail
