@@ -18,6 +18,12 @@ std::string percent(double share) {
 
 std::string name_of(double threshold) { return "s0 = " + percent(threshold); }
 
+constexpr double kCurvatureBand = 50.0;  // what is compared of the second derivative [Hz]
+
+std::vector<double> curvature(const Profile& p, double step) {
+  return second_derivative(low_pass(p.force_size, step, kCurvatureBand), step);
+}
+
 bool is_of_text(const Setting& s) { return s.name.find("; ") == std::string::npos; }
 
 void cut_profile(Profile& p, const Span& span) {
@@ -184,8 +190,9 @@ std::vector<Setting> profile_settings(const std::vector<double>& thresholds, dou
 Likeness compare(const Profile& profile, const Profile& reference, double step) {
   Likeness like;
   like.correlation = correlation(profile.force_size, reference.force_size);
-  like.curvature = correlation(second_derivative(low_pass(profile.force_size, step, 50.0), step),
-                               second_derivative(low_pass(reference.force_size, step, 50.0), step));
+  like.curvature = 2.0 * kCurvatureBand * step < 1.0
+                       ? correlation(curvature(profile, step), curvature(reference, step))
+                       : std::nan("");
   like.force_error = relative_error(components(profile.force), components(reference.force));
   like.torque_error = relative_error(components(profile.torque), components(reference.torque));
   like.shape_error = fitted_error(profile.force, reference.force);

@@ -24,7 +24,8 @@ std::vector<Setting> profile_settings(const std::vector<double>& thresholds, dou
 /// How alike two force profiles are.
 struct Likeness {
   double correlation = 0.0;  // of the force
-  // correlation of the second derivatives of the force, low-passed at 50 Hz
+  // correlation of the second derivatives of the force, low-passed at 50 Hz; NaN where the poses
+  // are too far apart in time for that
   double curvature = 0.0;
   // root mean square of the difference of the force vectors over that of the reference
   double force_error = 0.0;
