@@ -55,7 +55,7 @@ LinearContactModel foot(int rows) {
     const double pitch = 0.04 / (rows - 1);
     row.object_point = Vec3(pitch * (i % rows) - 0.02, pitch * (i / rows) - 0.02, -kHeight);
     row.scene_direction = -Vec3::UnitZ();
-    row.friction = row.static_friction = kFriction;
+    row.friction = {kFriction, kFriction};
     model.constraints.rows.push_back(row);
   }
   return model;

@@ -57,6 +57,7 @@ void show_playback(LivePlayback show) {
   show.server.prepare_session(show.config);
   live::LiveStart start;
   start.device = playback.config().device;
+  start.is_simulated = true;
   start.replay = playback.file();
   start.replay_seconds = playback.seconds();
   show.server.begin_session(start);

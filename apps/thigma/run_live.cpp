@@ -115,6 +115,7 @@ class LiveRun {
     live::LiveStart start;
     start.device = run_->session.device_uri;
     start.is_web = device_scheme(run_->session.device_uri) == "web";
+    start.is_simulated = !run_->session.device->limits().holds_person;
     start.recording = recorder_.is_open() ? record_ : "";
     start.is_lockstep = options_.is_lockstep;
     start.holder = holder_;

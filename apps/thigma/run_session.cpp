@@ -20,8 +20,7 @@ namespace {
 constexpr double kLargestRadius = 1.0;
 
 void set_friction(double friction, SceneDescription& scene) {
-  scene.contact.friction = friction;
-  scene.contact.static_friction.reset();
+  scene.contact.friction = {friction, friction};
   scene.object.material.reset();
   for (SceneObject& other : scene.statics) other.material.reset();
 }

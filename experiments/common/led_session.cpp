@@ -147,7 +147,8 @@ LedPair placed_apart(LedPair pair, const Vec3& towards, double clearance) {
 }
 
 LedPair with_levels(LedPair pair) {
-  const ClodParams params{.threads = 2};
+  ClodParams params;
+  params.threads = 2;
   pair.object_levels = std::make_shared<ClodHierarchy>(build_clod(pair.object, params));
   pair.scene_levels = std::make_shared<ClodHierarchy>(build_clod(pair.scene, params));
   return pair;

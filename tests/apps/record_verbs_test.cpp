@@ -241,8 +241,7 @@ TEST(RecordVerbs, friction_is_for_every_contact) {
   int rows = 0;
   for (const ContactSample& contact : read_recording(file).contacts) {
     for (const ContactRow& row : contact.model.constraints.rows) {
-      EXPECT_EQ(row.friction, 0.25);
-      EXPECT_EQ(row.static_friction, 0.25);
+      EXPECT_EQ(row.friction, (Friction{0.25, 0.25}));
       ++rows;
     }
   }

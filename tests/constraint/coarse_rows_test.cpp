@@ -192,7 +192,7 @@ TEST(CoarseRows, RowsBeyondReachAreLeftOutAndFinestContactsPassedOver) {
   for (const FoundRow& row : all_rows) {
     ids.insert(row.row.id);
     EXPECT_LT(row.row.body, 0);
-    EXPECT_EQ(row.row.friction, 0.0);
+    EXPECT_EQ(row.row.friction, Friction{});
     EXPECT_EQ(row.row.kind, RowKind::scene_plane);
   }
   EXPECT_EQ(ids.size(), all_rows.size());

@@ -53,7 +53,7 @@ Vec6 within(const BallInSocket& ball, std::span<const std::int32_t> kept, const 
       rows->gradient[idx(k + 3)][i] = moment[k];
     }
     rows->limit[i] = std::max(at.gap - kMargin * ball.radius, 0.0);
-    rows->friction[i] = 0.0;
+    rows->friction[i] = {};
   }
   Mat6 metric = Mat6::Identity();
   metric.bottomRightCorner<3, 3>() *= ball.radius * ball.radius;

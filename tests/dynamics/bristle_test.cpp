@@ -25,8 +25,7 @@ PlaneTerm plane_at(Random& random, const BodyState& state, double depth) {
   t.damping = random.uniform(0.0, 5.0);
   t.tolerance = 10e-3;  // far from the clamp's kink
   t.id = 3;
-  t.friction = 0.3;
-  t.static_friction = 0.5;
+  t.friction = {0.3, 0.5};
   return t;
 }
 
@@ -57,7 +56,7 @@ TEST(Bristle, JacobiansAgreeWithDifferences) {
       depth.stiffness = 2000.0;
       depth.damping = 2.0;
       depth.tolerance = 10e-3;
-      depth.friction = depth.static_friction = 0.4;
+      depth.friction = {0.4, 0.4};
       model.depths.push_back(depth);
       Bristles bristles = bent(random, model, at_state(body, at.state));
       ASSERT_EQ(bristles.size(), 2u);
@@ -82,7 +81,7 @@ TEST(Bristle, WithoutFrictionTheStepIsTheImplicitStepToTheLastBit) {
   const BodyState state = test::random_state(random, body, random.orientation());
   LinearContactModel model;
   model.planes.push_back(plane_at(random, state, 1e-3));
-  model.planes[0].friction = model.planes[0].static_friction = 0.0;
+  model.planes[0].friction = {};
   const BodyAtState at = at_state(body, state);
   StepForces forces;
   forces.wrench = contact_wrench(model, at, 1.0, &forces.jacobian);
@@ -134,10 +133,6 @@ TEST(Bristle, NoNewModelGivesItEnergy) {
   }
 }
 
-struct Coefficients {
-  double kinetic = 0.0, at_rest = 0.0;
-};
-
 /// A block of 50 g on the plane z = 0, on its corners or on its middle; 2000 N/m together.
 struct Block {
   RigidBody body;
@@ -145,7 +140,7 @@ struct Block {
   LinearContactModel model;
   BristleMemory memory;
 
-  Block(const Coefficients& friction, const Vec3& gravity, bool is_point = false) {
+  Block(const Friction& friction, const Vec3& gravity, bool is_point = false) {
     body = make_body(0.05, Mat3(1e-5 * Mat3::Identity()), gravity);
     const double half = is_point ? 0.0 : 0.01;
     for (const double x : {-half, half})
@@ -157,8 +152,7 @@ struct Block {
         t.stiffness = is_point ? 2000.0 : 500.0;
         t.damping = 2.0 * 0.7 * std::sqrt(2000.0 * 0.05) * t.stiffness / 2000.0;
         t.id = static_cast<std::int32_t>(model.planes.size());
-        t.friction = friction.kinetic;
-        t.static_friction = friction.at_rest;
+        t.friction = friction;
         model.planes.push_back(t);
       }
     state.position.z() = half + 0.05 * gravity.z() / 2000.0;
@@ -217,7 +211,7 @@ TEST(Bristle, BreaksAwayAtTheStaticForceAndSlidesWithTheKineticOne) {
 }
 
 TEST(Bristle, NeverGivesMoreThanItWasGiven) {
-  for (const Coefficients friction : {Coefficients{0.5, 0.5}, Coefficients{0.2, 0.8}}) {
+  for (const Friction friction : {Friction{0.5, 0.5}, Friction{0.2, 0.8}}) {
     Random random(9);
     Block block(friction, {0.0, 0.0, -9.81}, true);
     double worst = 0.0, scale = 0.0;

@@ -39,7 +39,7 @@ struct Held {
   void add_corner(const Vec3& arm, double friction = 0.0) {
     ContactRow row = make_row(RowKind::scene_plane);
     row.id = 100 + model->rows.size();
-    row.friction = row.static_friction = friction;
+    row.friction = {friction, friction};
     row.object_point = arm;
     row.scene_direction = -Vec3::UnitZ();
     model->rows.push_back(row);
@@ -214,8 +214,7 @@ struct OnSlope : Held {
         add_corner({x, y, -0.01});
         ContactRow& row = model->rows.back();
         row.id = model->rows.size();
-        row.friction = kinetic;
-        row.static_friction = at_rest;
+        row.friction = {kinetic, at_rest};
       }
   }
   ConstrainedStep slide() {

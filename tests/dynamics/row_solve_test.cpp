@@ -24,7 +24,7 @@ void set_row(VelocityRows& rows, int i, const Vec6& gradient, double limit) {
   const auto r = static_cast<std::size_t>(i);
   for (std::size_t k = 0; k < 6; ++k) rows.gradient[k][r] = gradient[static_cast<Eigen::Index>(k)];
   rows.limit[r] = limit;
-  rows.friction[r] = rows.static_friction[r] = 0.0;
+  rows.friction[r] = {};
 }
 
 Vec6 random_vector(Random& random) {
@@ -172,8 +172,7 @@ struct Slope {
         Vec6 g;
         g << normal, arm.cross(normal);
         set_row(*rows, rows->count++, g, 0.0);
-        rows->friction[r] = friction;
-        rows->static_friction[r] = at_rest;
+        rows->friction[r] = {friction, at_rest};
         rows->arm[r] = arm;
         rows->tangent[r] = Vec3::UnitX();
       }
@@ -278,7 +277,7 @@ std::unique_ptr<VelocityRows> flat_foot() {
     gradient << down, arm.cross(down);
     set_row(*rows, i, gradient, 0.0);
     const auto r = static_cast<std::size_t>(i);
-    rows->friction[r] = rows->static_friction[r] = 0.3;
+    rows->friction[r] = {0.3, 0.3};
     rows->arm[r] = arm;
     rows->tangent[r] = Vec3::UnitX();
   }

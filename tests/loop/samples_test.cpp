@@ -112,10 +112,11 @@ TEST(ModelDigest, SeesEveryTerm) {
   flip_last_bit(model.planes[0].tolerance);
   EXPECT_NE(model_digest(model), one);
   const std::uint64_t plain = model_digest(model);
-  model.planes[0].friction = 0.5;  // means nothing without the static coefficient
-  EXPECT_EQ(model_digest(model), plain);
-  model.planes[0].static_friction = 0.5;
-  EXPECT_NE(model_digest(model), plain);
+  model.planes[0].friction.at_rest = 0.5;
+  const std::uint64_t rough = model_digest(model);
+  EXPECT_NE(rough, plain);
+  model.planes[0].friction.kinetic = 0.5;
+  EXPECT_NE(model_digest(model), rough);
   model.depths.push_back(DepthTerm{});
   const std::uint64_t deep = model_digest(model);
   EXPECT_NE(deep, one);

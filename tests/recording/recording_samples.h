@@ -106,8 +106,7 @@ inline ContactSample contact_sample(std::uint64_t sequence) {
     plane.tolerance = 1e-3;
     plane.id = i;
     plane.body = i == 1 ? 2 : 0;
-    plane.friction = i == 1 ? 0.3 : 0.0;  // else without
-    plane.static_friction = i == 1 ? 0.4 : 0.0;
+    if (i == 1) plane.friction = {0.3, 0.4};
     c.model.planes.push_back(plane);
   }
   DepthTerm depth;
@@ -119,7 +118,7 @@ inline ContactSample contact_sample(std::uint64_t sequence) {
   depth.tolerance = 1e-4;
   depth.id = 7;
   depth.body = 1;
-  depth.static_friction = 0.2;
+  depth.friction.at_rest = 0.2;
   depth.arm_body = random.in_cube(0.05);
   c.model.depths.push_back(depth);
   c.model_digest = model_digest(c.model);

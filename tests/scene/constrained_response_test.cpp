@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 Scene constrained_jaws(double friction = 0.0) {
   SceneDescription scene = test::small_jaws();
   scene.contact.response = ResponseKind::constrained;
-  scene.contact.friction = friction;
+  scene.contact.friction = {friction, friction};
   return load_scene(std::move(scene));
 }
 
@@ -153,7 +153,7 @@ friction = 0.4
 )";
   const SceneDescription scene = parse_scene(text, "S.toml", "");
   EXPECT_EQ(scene.contact.response, ResponseKind::constrained);
-  EXPECT_EQ(scene.contact.friction, 0.4);
+  EXPECT_EQ(scene.contact.friction, (Friction{0.4, 0.4}));
 }
 
 TEST(ConstrainedResponse, IsTheDefaultOfSmoothScenesInAHand) {
@@ -300,8 +300,7 @@ friction = 0.05
         const auto b = static_cast<std::size_t>(term.body);
         ASSERT_LT(b, 2u);
         ++found[b];
-        EXPECT_EQ(term.friction, pairs[b].kinetic);
-        EXPECT_EQ(term.static_friction, pairs[b].at_rest);
+        EXPECT_EQ(term.friction, pairs[b]);
       }
     };
     look(sample->model.constraints.rows);

@@ -216,8 +216,7 @@ contact_latency = 2
   EXPECT_DOUBLE_EQ(s.contact.resolution.budget_cpu, 2e-4);
   EXPECT_EQ(s.contact.resolution.budget_tests, 300);
   EXPECT_EQ(s.contact.response, ResponseKind::direct);
-  EXPECT_EQ(s.contact.friction, 0.25);
-  EXPECT_EQ(s.contact.static_friction, 0.5);
+  EXPECT_EQ(s.contact.friction, (Friction{0.25, 0.5}));
   EXPECT_EQ(s.contact.combine, CombineRule::minimum);
   EXPECT_EQ(s.object.material->friction, (Friction{0.3, 0.45}));
   EXPECT_EQ(s.statics[0].material->friction, (Friction{0.7, 0.7}));

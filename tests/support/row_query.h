@@ -14,7 +14,7 @@ namespace thigma::test {
 struct RowQuery {
   TriangleMesh object, scene;
   ClodHierarchy object_tree, scene_tree;
-  double friction = 0.0, static_friction = 0.0;
+  Friction friction{};
   ConstraintWorld world;
   std::vector<ContactFront> fronts;
   ContactSet contacts;
@@ -27,8 +27,7 @@ struct RowQuery {
         scene(b),
         object_tree(build_exact_hierarchy(a)),
         scene_tree(build_exact_hierarchy(b)),
-        friction(friction_of_all),
-        static_friction(friction_of_all) {
+        friction{friction_of_all, friction_of_all} {
     const SceneBody body{&scene_tree, Pose{}};
     world = make_constraint_world(object_tree, Pose{}, {&body, 1});
     fronts.resize(1);
@@ -48,10 +47,7 @@ struct RowQuery {
     const double separation = is_free ? unreported_separation(fronts[0]) : tolerance;
     const ConstraintStats stats =
         build_constraints(world, state, {contacts, separation}, scratch, into);
-    for (ContactRow& row : into.rows) {
-      row.friction = friction;
-      row.static_friction = static_friction;
-    }
+    for (ContactRow& row : into.rows) row.friction = friction;
     return stats;
   }
   ConstraintStats ask(const BodyState& state, double tolerance) {

@@ -34,8 +34,7 @@ struct OnPlate {
 
   OnPlate(const Friction& friction, const Vec3& gravity)
       : rows(make_box({0.02, 0.02, 0.02}, {2, 2, 2}), make_box({0.3, 0.06, 0.01}, {30, 6, 1})) {
-    rows.friction = friction.kinetic;
-    rows.static_friction = friction.at_rest;
+    rows.friction = friction;
     body = make_body(0.05, Mat3(0.05 * 4e-4 / 6.0 * Mat3::Identity()), gravity);
     params.slop = 5e-5 * rows.world.reach;
     state.position = {-0.1, 0.0007, 0.015 + params.slop};
@@ -170,8 +169,7 @@ TEST(Friction, ByPenaltyAndDirectContactsStayInTheirConeAndReachIt) {
 SessionSummary rub_jaws(ResponseKind response, const Friction& friction) {
   SceneDescription description = test::small_jaws();
   description.contact.response = response;
-  description.contact.friction = friction.kinetic;
-  description.contact.static_friction = friction.at_rest;
+  description.contact.friction = friction;
   const Scene scene = load_scene(std::move(description));
   // Without encoders, which leak energy of their own.
   SceneSession session = open_session(

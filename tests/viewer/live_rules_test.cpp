@@ -56,7 +56,7 @@ Json wait_for_state(WebClient& client, Condition condition) {
 
 TEST(LiveRules, APageThatDoesNotHoldTheDeviceChangesNothingForTheOneThatDoes) {
   RuleBench b;
-  b.server->begin_session({.device = "web:", .is_web = true});
+  b.server->begin_session({.device = "web:", .is_web = true, .is_simulated = true});
   WebClient holder(b.server->port()), watcher(b.server->port());
   ASSERT_NE(watcher.read_type("state"), "");
   ASSERT_TRUE(answer_to(holder, R"({"type":"hold","id":1,"value":true})")["ok"].get<bool>());
@@ -81,14 +81,14 @@ TEST(LiveRules, APauseWhileASessionBeginsAnewLeavesTimeRunning) {
   RuleBench b;
   SessionConfig config = b.scene.config;
   b.server->prepare_session(config);
-  b.server->begin_session({.device = "hand:"});
+  b.server->begin_session({.device = "hand:", .is_simulated = true});
   WebClient client(b.server->port());
   ASSERT_NE(client.read_type("state"), "");
   b.server->prepare_session(config);  // the next one; pages have not heard of it
   const Json refused = answer_to(client, R"({"type":"pause","id":1,"value":true})");
   EXPECT_FALSE(refused["ok"].get<bool>());
   EXPECT_FALSE(b.server->ports().is_paused);
-  b.server->begin_session({.device = "hand:"});
+  b.server->begin_session({.device = "hand:", .is_simulated = true});
   EXPECT_TRUE(wait_for_state(client, [](const Json& s) { return s["session"] == 2; }).is_object());
   EXPECT_TRUE(answer_to(client, R"({"type":"pause","id":2,"value":true})")["ok"].get<bool>());
   EXPECT_TRUE(b.server->ports().is_paused);
@@ -98,7 +98,7 @@ TEST(LiveRules, TheCauseOfAFaultIsKnownToPagesThatComeLaterUntilTheNextSession) 
   RuleBench b;
   SessionConfig config = b.scene.config;
   b.server->prepare_session(config);
-  b.server->begin_session({.device = "hand:"});
+  b.server->begin_session({.device = "hand:", .is_simulated = true});
   b.server->observe(
       SessionEvent{1.5, 1500, EventKind::late, "watchdog", "30.0 ms without a haptic step"});
   b.server->observe(SessionEvent{2.0, 2000, EventKind::fault, "contact_stale", "a sentence"});
@@ -113,7 +113,7 @@ TEST(LiveRules, TheCauseOfAFaultIsKnownToPagesThatComeLaterUntilTheNextSession) 
     EXPECT_EQ(state["late"]["name"], "watchdog");
   }
   b.server->prepare_session(config);
-  b.server->begin_session({.device = "hand:"});
+  b.server->begin_session({.device = "hand:", .is_simulated = true});
   WebClient client(b.server->port());
   const Json state = wait_for_state(client, [](const Json& s) { return s["run"] == "running"; });
   ASSERT_TRUE(state.is_object());
@@ -125,7 +125,7 @@ TEST(LiveRules, APageThatAsksAndDoesNotReadIsNotKeptMoreThanAFewAnswersFor) {
   WebLimits limits;
   limits.waiting_bytes = 1u << 16;
   RuleBench b(limits);
-  b.server->begin_session({.device = "hand:"});
+  b.server->begin_session({.device = "hand:", .is_simulated = true});
   WebClient client(b.server->port());
   ASSERT_NE(client.read_type("state"), "");
   constexpr int kRequests = 120;

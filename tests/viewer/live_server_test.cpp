@@ -121,7 +121,7 @@ TEST(LiveServer, WatchersChangeNothingOfALockstepSession) {
   config = b.scene.config;
   config.duration = 1.0;
   b.server->prepare_session(config);
-  b.server->begin_session({.device = "hand:", .is_lockstep = true});
+  b.server->begin_session({.device = "hand:", .is_simulated = true, .is_lockstep = true});
   const auto second = make_hand(b.scene.hand(HandPath::press));
   std::atomic<std::size_t> binaries{0};
   std::atomic<bool> is_over{false};
@@ -147,7 +147,7 @@ TEST(LiveServer, DragPressesTheObjectOntoTheSurfaceAndLosingThePageIsZeroForce) 
   auto client = std::make_unique<WebClient>(b.server->port());
   Session session(config, *device, b.sinks());
   session.start();
-  b.server->begin_session({.device = "web:", .is_web = true});
+  b.server->begin_session({.device = "web:", .is_web = true, .is_simulated = true});
   ASSERT_NE(client->read_type("state"), "");
   while (Json::parse(client->read_type("state"))["device"] != "web:") {
   }
@@ -206,7 +206,7 @@ TEST(LiveServer, DragPressesTheObjectOntoTheSurfaceAndLosingThePageIsZeroForce) 
 
 TEST(LiveServer, OnePageHoldsTheDeviceAndOthersAreTold) {
   Bench b;
-  b.server->begin_session({.device = "web:", .is_web = true});
+  b.server->begin_session({.device = "web:", .is_web = true, .is_simulated = true});
   WebClient first(b.server->port()), second(b.server->port());
   ASSERT_NE(first.read_type("state"), "");
   ASSERT_NE(second.read_type("state"), "");
@@ -224,7 +224,7 @@ TEST(LiveServer, OnePageHoldsTheDeviceAndOthersAreTold) {
 
 TEST(LiveServer, DamagedMessagesOfAPageCloseIt) {
   Bench b;
-  b.server->begin_session({.device = "web:", .is_web = true});
+  b.server->begin_session({.device = "web:", .is_web = true, .is_simulated = true});
   const auto code_of = [&](auto misbehave) {
     WebClient client(b.server->port());
     EXPECT_NE(client.read_type("state"), "");
@@ -249,7 +249,7 @@ TEST(LiveServer, DamagedMessagesOfAPageCloseIt) {
 
 TEST(LiveServer, LevelsAreSentWhenAskedForAndUploadsReachTheProgram) {
   Bench b;
-  b.server->begin_session({.device = "hand:"});
+  b.server->begin_session({.device = "hand:", .is_simulated = true});
   WebClient client(b.server->port());
   ASSERT_NE(client.read_type("state"), "");
   // The ball of this bench has its original surface alone.
@@ -263,7 +263,7 @@ TEST(LiveServer, LevelsAreSentWhenAskedForAndUploadsReachTheProgram) {
   ASSERT_GT(asset.meshes.size(), 1u);
   SceneView view{"Ball", "test", "thigma test", {"ball", asset.meshes, &asset.hierarchy, {}}, {}};
   b.server->show(view, b.scene.config, {});
-  b.server->begin_session({.device = "hand:"});
+  b.server->begin_session({.device = "hand:", .is_simulated = true});
   ASSERT_NE(client.read_type("scene"), "");
   client.send_text(R"({"type":"level","id":2,"mesh":0,"value":1})");
   std::string level;
@@ -297,7 +297,7 @@ TEST(LiveServer, LevelsAreSentWhenAskedForAndUploadsReachTheProgram) {
 
 TEST(LiveServer, NothingOfTheSceneBeforeIsShownInTheNext) {
   Bench b;
-  b.server->begin_session({.device = "hand:"});
+  b.server->begin_session({.device = "hand:", .is_simulated = true});
   WebClient client(b.server->port());
   b.server->observe(HapticSample{});
   ASSERT_NE(next_snapshot(client), "");
@@ -322,7 +322,7 @@ TEST(LiveServer, ChoicesOfTheProgramAreShownAndAskedForThere) {
   response.name = "response";
   response.kind = ParameterKind::choice;
   response.choices = {"coupled", "direct"};
-  b.server->begin_session({.device = "hand:", .choices = {response}});
+  b.server->begin_session({.device = "hand:", .is_simulated = true, .choices = {response}});
   WebClient client(b.server->port());
   bool is_told = false;
   for (std::string text = client.read_type("parameters"); !text.empty() && !is_told;
@@ -347,7 +347,7 @@ TEST(LiveServer, ChoicesOfTheProgramAreShownAndAskedForThere) {
 TEST(LiveServer, ParametersAreChangedAnsweredAndToldToAll) {
   Bench b;
   const SessionConfig config = b.patient();
-  b.server->begin_session({.device = "hand:"});
+  b.server->begin_session({.device = "hand:", .is_simulated = true});
   WebClient first(b.server->port()), second(b.server->port());
   ASSERT_NE(second.read_type("parameters"), "");
   ASSERT_NE(first.read_type("state"), "");
@@ -373,7 +373,7 @@ TEST(LiveServer, ParametersAreChangedAnsweredAndToldToAll) {
   b.server->prepare_session(next);
   EXPECT_EQ(next.haptic.body.mass, 0.02);
   EXPECT_FALSE(ack_of(first, R"({"type":"set","id":5,"name":"mass","value":0.03})")["ok"]);
-  b.server->begin_session({.device = "hand:", .recording = "x.mcap"});
+  b.server->begin_session({.device = "hand:", .is_simulated = true, .recording = "x.mcap"});
   while (Json::parse(first.read_type("state"))["recording"] != "x.mcap") {
   }
   EXPECT_FALSE(ack_of(first, R"({"type":"set","id":6,"name":"mass","value":0.03})")["ok"]);
@@ -384,7 +384,7 @@ TEST(LiveServer, ParametersAreChangedAnsweredAndToldToAll) {
 TEST(LiveServer, PauseStepAndWhatTheProgramIsAsked) {
   Bench b;
   SessionConfig config = b.patient();
-  b.server->begin_session({.device = "hand:"});
+  b.server->begin_session({.device = "hand:", .is_simulated = true});
   WebClient client(b.server->port());
   ASSERT_NE(client.read_type("state"), "");
   EXPECT_FALSE(ack_of(client, R"({"type":"step","id":1,"value":1})")["ok"]);  // runs
@@ -410,13 +410,14 @@ TEST(LiveServer, PauseStepAndWhatTheProgramIsAsked) {
   const Json answer = Json::parse(client.read_type("ack"));
   EXPECT_EQ(answer["id"], 8);
   EXPECT_EQ(answer["reason"], "not now");
-  b.server->begin_session({.device = "web:", .is_web = true, .holder = request->page});
+  b.server->begin_session(
+      {.device = "web:", .is_web = true, .is_simulated = true, .holder = request->page});
   for (Json state; state["holder"] != "you";) {
     const std::string text = client.read_type("state");
     ASSERT_NE(text, "");
     state = Json::parse(text);
   }
-  b.server->begin_session({.device = "dhd:", .is_simulated = false});
+  b.server->begin_session({.device = "dhd:"});
   while (Json::parse(client.read_type("state"))["device"] != "dhd:") {
   }
   EXPECT_FALSE(ack_of(client, R"({"type":"pause","id":9,"value":true})")["ok"]);

@@ -165,7 +165,7 @@ void view_rows(const HapticSample& haptic, const ContactSample* contact,
     if (row.kind == RowKind::object_plane) viewed.point -= at.gap * at.normal;
     viewed.normal = at.normal;
     viewed.gap = at.gap;
-    viewed.friction = row.friction;
+    viewed.friction = row.friction.kinetic;
     viewed.kind = row.kind;
     for (const PressingRow& pressing : haptic.pressing) {
       if (pressing.id != row.id) continue;

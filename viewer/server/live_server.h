@@ -32,10 +32,10 @@ struct LiveRequest {
 
 /// A session that begins.
 struct LiveStart {
-  std::string device;        // its address
-  bool is_web = false;       // `web:`
-  bool is_simulated = true;  // may be paused: there is no motor
-  std::string recording{};   // file being written; "" none
+  std::string device;         // its address
+  bool is_web = false;        // `web:`
+  bool is_simulated = false;  // no motors: may be paused
+  std::string recording{};    // file being written; "" none
   bool is_lockstep = false;
   PageId holder = 0;                     // page that holds `web:` from the start; 0 none
   std::optional<GainTask> gains{};       // what stiffnesses are judged for; nothing: no warnings

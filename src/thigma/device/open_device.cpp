@@ -1,177 +1,95 @@
 #include "thigma/device/open_device.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
-#include "thigma/core/error.h"
 #include "thigma/device/detail/address.h"
-#include "thigma/device/detail/hand_table.h"
-#include "thigma/device/device_limits.h"
+#include "thigma/device/detail/hand_address.h"
 #include "thigma/device/null_device.h"
 #include "thigma/device/script.h"
 
 namespace thigma {
 namespace {
 
-using detail::parse_value;
 using detail::quoted;
-using detail::shortest;
 
-// Of clearance and reach, as the table has it [m]: scenes of any size open, though a hand takes its
-// time there.
-constexpr double kFarthest = 1e3;
+using Device = std::unique_ptr<HapticDevice>;
+using Parameters = std::vector<DeviceParameter>;
 
-// Of the demo, unless the address has its own [m]: a third of an encoder step, as a calm hand
-// shakes, so that runs of different seeds differ. Paths for measurements are still.
-constexpr double kDemoTremor = 1e-5;
-
-struct PathName {
-  std::string_view name;
-  HandPath path;
-};
-
-constexpr PathName kPaths[] = {{"demo", HandPath::demo},   {"rest", HandPath::rest},
-                               {"press", HandPath::press}, {"slide", HandPath::slide},
-                               {"tap", HandPath::tap},     {"circle", HandPath::circle}};
-
-struct VendorScheme {
-  const char* scheme;
-  const char* meaning;
-};
-
-constexpr VendorScheme kVendors[] = {
-    {"openhaptics:", "3D Systems Touch and Phantom (libHD.so)"},
-    {"dhd:", "Force Dimension omega, delta, sigma, lambda; Novint Falcon (libdrd.so)"},
-    {"haply:", "Haply Inverse3 (Inverse Service on this machine)"},
-    {"vrpn:", "a VRPN server"}};
-
-std::vector<std::string_view> hand_names() {
-  std::vector<std::string_view> names = {
-      "device", "path", "dof", "senses_rotation", "actuates_rotation", "seed"};
-  for (const detail::HandNumber& number : detail::hand_numbers()) names.push_back(number.name);
-  return names;
+/// What follows the colon, which is a query or nothing.
+std::string_view query_of(const std::string& scheme, std::string_view rest) {
+  if (rest.empty()) return rest;
+  if (rest.front() != '?')
+    throw DeviceAddressError(scheme + " " + quoted(rest) + ", expected ?name=value&name=value");
+  return rest.substr(1);
 }
 
-[[noreturn]] void unknown_name(const std::string& scheme, const std::string& name,
-                               const std::vector<std::string_view>& names) {
-  throw DeviceAddressError(scheme + " no parameter " + quoted(name) + ", nearest is " +
-                           quoted(detail::nearest_name(name, names)));
+Device open_hand(const std::string& rest, const DeviceContext& context) {
+  return make_hand(parse_hand(query_of("hand:", rest), context));
 }
 
-bool parse_flag(const std::string& scheme, const std::string& name, const std::string& value) {
-  if (value == "1") return true;
-  if (value == "0") return false;
-  throw DeviceAddressError(scheme + " " + name + " = " + quoted(value) + ", expected 0 or 1");
-}
-
-std::uint64_t parse_seed(const std::string& scheme, const std::string& value) {
-  const double seed = parse_value(scheme, "seed", value);
-  if (seed < 0.0 || seed > 9007199254740992.0 || seed != std::floor(seed)) {
-    throw DeviceAddressError(scheme + " seed = " + quoted(value) +
-                             ", expected an integer from 0 to 2^53");
-  }
-  return static_cast<std::uint64_t>(seed);
-}
-
-void apply_model(const std::string& name, HandParams& params) {
-  const DeviceModel* model = find_device_model(name);
-  if (model == nullptr) {
-    std::vector<std::string_view> names;
-    for (const DeviceModel& known : device_models()) names.push_back(known.name);
-    throw DeviceAddressError("hand: no device " + quoted(name) + ", nearest is " +
-                             quoted(detail::nearest_name(name, names)));
-  }
-  params.device = model->name;
-  if (model->max_force > 0.0) params.max_force = model->max_force;
-  if (model->max_torque > 0.0) params.max_torque = model->max_torque;
-  if (model->max_stiffness > 0.0) params.max_stiffness = model->max_stiffness;
-  if (model->max_angular_stiffness > 0.0) {
-    params.max_angular_stiffness = model->max_angular_stiffness;
-  }
-  params.senses_rotation = model->senses_rotation;
-  params.actuates_rotation = model->actuates_rotation;
-}
-
-void apply_path(const std::string& value, HandParams& params) {
-  for (const PathName& known : kPaths) {
-    if (value == known.name) {
-      params.program.path = known.path;
-      return;
-    }
-  }
-  if (value.empty()) {
-    throw DeviceAddressError(
-        "hand: path is empty, expected demo, rest, press, slide, tap, circle or a file");
-  }
-  params.script = read_script(value);
-}
-
-void apply_dof(const std::string& value, HandParams& params) {
-  if (value != "6" && value != "3") {
-    throw DeviceAddressError("hand: dof = " + quoted(value) + ", expected 6 or 3");
-  }
-  params.senses_rotation = params.actuates_rotation = value == "6";
-}
-
-// True when `name` is one of the numbers; program lengths given here win over those of the context.
-bool apply_number(const std::string& name, const std::string& value, HandParams& params) {
-  for (const detail::HandNumber& number : detail::hand_numbers()) {
-    if (number.name != name) continue;
-    number.field(params) = parse_value("hand:", name, value);
-    return true;
-  }
-  return false;
-}
-
-HandParams hand_in_context(const DeviceContext& context) {
-  HandParams params;
-  params.seed = context.seed;
-  params.program.start = context.start;
-  const double length = std::sqrt(context.approach.squaredNorm());
-  if (length > 0.0 && std::isfinite(length)) params.program.approach = context.approach / length;
-  // Across the approach: the axis most nearly across, made exactly so.
-  int axis = 0;
-  params.program.approach.cwiseAbs().minCoeff(&axis);
-  const Vec3 across = Vec3::Unit(axis);
-  const Vec3& n = params.program.approach;
-  params.program.slide = (across - n.dot(across) * n).normalized();
-  params.program.clearance = std::min(context.clearance, kFarthest);
-  params.program = scale_to_object(params.program, context.object_radius);
-  params.program.reach = std::min(params.program.reach, kFarthest);
-  params.tremor = kDemoTremor;
-  return params;
-}
-
-std::unique_ptr<HapticDevice> open_null(std::string_view query) {
-  bool clutch = true;
-  for (const auto& [name, value] : detail::split_query(query, "null:")) {
-    if (name != "clutch") unknown_name("null:", name, {"clutch"});
-    clutch = parse_flag("null:", name, value);
-  }
-  return make_null_device(clutch);
-}
-
-std::unique_ptr<HapticDevice> open_script(const std::string& rest) {
+Device open_script(const std::string& rest, const DeviceContext&) {
   if (rest.empty()) throw DeviceAddressError("script: no file, expected script:FILE");
   return make_script_device(read_script(rest));
 }
 
+Device open_web(const std::string&, const DeviceContext&) {
+  throw DeviceUnavailable("web: is opened with its page, use `thigma run`");
+}
+
+Device open_replay(const std::string&, const DeviceContext&) {
+  throw DeviceUnavailable("replay: is opened with its recording, use `thigma replay FILE`");
+}
+
+Device open_null(const std::string& rest, const DeviceContext&) {
+  bool clutch = true;
+  for (const auto& [name, value] : detail::split_query(query_of("null:", rest), "null:")) {
+    if (name != "clutch") detail::unknown_name("null:", name, {"clutch"});
+    clutch = detail::parse_flag("null:", name, value);
+  }
+  return make_null_device(clutch);
+}
+
+Parameters no_parameters() { return {}; }
+Parameters null_parameters() { return {{"clutch", "", "1", "0 or 1: held or not"}}; }
+
+/// A kind of address: all that is known of it here.
+struct Scheme {
+  std::string_view name;  // with the colon
+  const char* meaning;
+  // what follows the colon, and the scene; throws as open_device. Null: there is no driver yet
+  Device (*open)(const std::string& rest, const DeviceContext& context);
+  Parameters (*parameters)() = no_parameters;
+  std::string_view form{};  // of the address, where it is more than the name
+};
+
+/// Those without a driver last.
+constexpr Scheme kSchemes[] = {
+    {"hand:", "simulated hand holding a simulated device", open_hand, detail::hand_parameters},
+    {"script:", "timed poses from a file: script:FILE with columns t,x,y,z,qx,qy,qz,qw[,buttons]",
+     open_script, no_parameters, "script:FILE"},
+    {"web:", "mouse or gamepad in the browser page", open_web},
+    {"replay:", "the device samples of a recording: replay:FILE", open_replay, no_parameters,
+     "replay:FILE"},
+    {"null:", "a handle that never moves", open_null, null_parameters},
+    {"openhaptics:", "3D Systems Touch and Phantom (libHD.so)", nullptr},
+    {"dhd:", "Force Dimension omega, delta, sigma, lambda; Novint Falcon (libdrd.so)", nullptr},
+    {"haply:", "Haply Inverse3 (Inverse Service on this machine)", nullptr},
+    {"vrpn:", "a VRPN server", nullptr}};
+
 [[noreturn]] void refuse(const std::string& address, const std::string& scheme) {
-  for (const VendorScheme& vendor : kVendors) {
-    if (scheme + ":" == vendor.scheme) {
-      throw DeviceUnavailable(scheme +
-                              ": is not available in this build, use hand: for a simulated device");
-    }
+  std::vector<std::string_view> names;
+  std::string forms;
+  for (const Scheme& known : kSchemes) {
+    if (known.open == nullptr) continue;
+    names.push_back(known.name);
+    forms += forms.empty() ? "" : ", ";
+    forms += known.form.empty() ? known.name : known.form;
   }
-  std::vector<std::string_view> names = {"hand", "web", "script", "replay", "null"};
-  if (scheme.empty()) {
-    throw DeviceAddressError(
-        "device " + quoted(address) +
-        " has no scheme, expected hand:, web:, script:FILE, replay:FILE or null:");
-  }
-  throw DeviceAddressError("no device " + quoted(scheme + ":") + ", nearest is " +
-                           quoted(std::string(detail::nearest_name(scheme, names)) + ":"));
+  if (scheme.empty())
+    throw DeviceAddressError("device " + quoted(address) + " has no scheme, expected one of " +
+                             forms);
+  throw DeviceAddressError("no device " + quoted(scheme) + ", nearest is " +
+                           quoted(detail::nearest_name(scheme, names)));
 }
 
 }  // namespace
@@ -181,92 +99,25 @@ std::string device_scheme(std::string_view address) {
   return colon == std::string_view::npos ? std::string() : std::string(address.substr(0, colon));
 }
 
-HandParams parse_hand(std::string_view query, const DeviceContext& context) {
-  const auto parts = detail::split_query(query, "hand:");
-  HandParams params = hand_in_context(context);
-  // A model first, whatever its place, so that single numbers win over it.
-  for (const auto& [name, value] : parts) {
-    if (name == "device") apply_model(value, params);
-  }
-  bool has_reach = false, has_tremor = false;
-  for (const auto& [name, value] : parts) {
-    if (name == "path") {
-      apply_path(value, params);
-    } else if (name == "dof") {
-      apply_dof(value, params);
-    } else if (name == "seed") {
-      params.seed = parse_seed("hand:", value);
-    } else if (name != "device" && name != "senses_rotation" && name != "actuates_rotation" &&
-               !apply_number(name, value, params)) {
-      unknown_name("hand:", name, hand_names());
-    }
-    has_reach = has_reach || name == "reach";
-    has_tremor = has_tremor || name == "tremor";
-  }
-  for (const auto& [name, value] : parts) {
-    if (name == "senses_rotation") params.senses_rotation = parse_flag("hand:", name, value);
-    if (name == "actuates_rotation") params.actuates_rotation = parse_flag("hand:", name, value);
-  }
-  const bool is_demo = params.script.empty() && params.program.path == HandPath::demo;
-  if (!has_tremor && !is_demo) params.tremor = 0.0;
-  if (!has_reach) {
-    params.program.reach =
-        std::min(1.5 * params.program.clearance + context.object_radius, kFarthest);
-  }
-  const std::string problem = what_is_wrong(params);
-  if (!problem.empty()) throw DeviceAddressError("hand: " + problem);
-  return params;
-}
-
 std::unique_ptr<HapticDevice> open_device(const std::string& address,
                                           const DeviceContext& context) {
-  const std::string scheme = device_scheme(address);
-  const std::string rest = scheme.empty() ? address : address.substr(scheme.size() + 1);
-  if (scheme == "script") return open_script(rest);
-  if (scheme == "replay") {
-    throw DeviceUnavailable("replay: is opened with its recording, use `thigma replay FILE`");
+  const std::size_t colon = address.find(':');
+  const std::string name = colon == std::string::npos ? "" : address.substr(0, colon + 1);
+  for (const Scheme& scheme : kSchemes) {
+    if (name != scheme.name) continue;
+    if (scheme.open == nullptr)
+      throw DeviceUnavailable(name +
+                              " is not available in this build, use hand: for a simulated device");
+    return scheme.open(address.substr(colon + 1), context);
   }
-  if (scheme == "web") throw DeviceUnavailable("web: is opened with its page, use `thigma run`");
-  if (scheme != "hand" && scheme != "null") refuse(address, scheme);
-  if (!rest.empty() && rest.front() != '?') {
-    throw DeviceAddressError(scheme + ": " + quoted(rest) + ", expected ?name=value&name=value");
-  }
-  const std::string_view query =
-      rest.empty() ? std::string_view() : std::string_view(rest).substr(1);
-  if (scheme == "null") return open_null(query);
-  return make_hand(parse_hand(query, context));
+  refuse(address, name);
 }
 
 std::vector<DeviceScheme> device_schemes() {
-  DeviceScheme hand{"hand:", "simulated hand holding a simulated device", true, {}};
-  std::string models;
-  for (const DeviceModel& model : device_models()) {
-    models += (models.empty() ? "" : ", ") + std::string(model.name);
-  }
-  hand.parameters = {
-      {"device", "", "", "published limits of a product: " + models},
-      {"path", "", "demo", "demo, rest, press, slide, tap, circle, or a file as for script:"},
-      {"dof", "", "6", "6, or 3: rotation neither sensed nor actuated"},
-      {"senses_rotation", "", "1", "0 or 1, instead of dof"},
-      {"actuates_rotation", "", "1", "0 or 1, instead of dof"},
-      {"seed", "", "of the session", "of tremor and jitter"}};
-  HandParams defaults = hand_in_context({});
-  for (const detail::HandNumber& number : detail::hand_numbers()) {
-    hand.parameters.push_back({std::string(number.name), std::string(number.unit),
-                               shortest(number.field(defaults)), std::string(number.meaning)});
-  }
-  std::vector<DeviceScheme> schemes = {
-      std::move(hand),
-      {"script:",
-       "timed poses from a file: script:FILE with columns t,x,y,z,qx,qy,qz,qw[,buttons]",
-       true,
-       {}},
-      {"web:", "mouse or gamepad in the browser page", true, {}},
-      {"replay:", "the device samples of a recording: replay:FILE", true, {}},
-      {"null:", "a handle that never moves", true, {{"clutch", "", "1", "0 or 1: held or not"}}}};
-  for (const VendorScheme& vendor : kVendors) {
-    schemes.push_back({vendor.scheme, vendor.meaning, false, {}});
-  }
+  std::vector<DeviceScheme> schemes;
+  for (const Scheme& scheme : kSchemes)
+    schemes.push_back(
+        {std::string(scheme.name), scheme.meaning, scheme.open != nullptr, scheme.parameters()});
   return schemes;
 }
 

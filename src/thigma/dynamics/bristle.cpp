@@ -95,12 +95,11 @@ template <class Term>
 void add_bristle(const Term& term, const Vec3& normal, Bristle bristle, const BodyAtState& at,
                  const BristleMemory& memory, Bristles& bristles) THIGMA_RT {
   const double stiffness = bristle.scale * term.stiffness;
-  if (!(term.static_friction > 0.0) || !(stiffness > 0.0)) return;
+  if (!(term.friction.at_rest > 0.0) || !(stiffness > 0.0)) return;
   bristle.entry = {term.id, term.body,   bristle.depth != nullptr, false, stiffness,
                    normal,  Vec3::Zero()};
   bristle.damping = bristle.scale * term.damping;
   bristle.friction = term.friction;
-  bristle.static_friction = term.static_friction;
   bristle.arm_body = term.arm_body;
   bristle.start = at.state.position + at.kinematics.rotation * term.arm_body;
   recall(memory, bristle);
@@ -108,7 +107,7 @@ void add_bristle(const Term& term, const Vec3& normal, Bristle bristle, const Bo
 }
 
 double coefficient(const Bristle& b) THIGMA_RT {
-  return b.slides || b.entry.is_sliding ? b.friction : b.static_friction;
+  return b.slides || b.entry.is_sliding ? b.friction.kinetic : b.friction.at_rest;
 }
 
 /// Lets those slide that end beyond their cone; returns whether there are any.
@@ -152,7 +151,7 @@ void keep(const BodyAtState& after, const Bristles& bristles, BristleMemory& mem
 }
 
 bool has_friction(const LinearContactModel& model) THIGMA_RT {
-  const auto has = [](const auto& term) { return term.static_friction > 0.0; };
+  const auto has = [](const auto& term) { return term.friction.at_rest > 0.0; };
   return std::any_of(model.planes.begin(), model.planes.end(), has) ||
          std::any_of(model.depths.begin(), model.depths.end(), has);
 }
@@ -163,7 +162,7 @@ Bristles bristles_of(const BristleContact& contact, const BodyAtState& at,
                      const BristleMemory& memory) THIGMA_RT {
   Bristles bristles;
   for (const PlaneTerm& term : contact.model.planes) {
-    if (!(term.static_friction > 0.0)) continue;
+    if (!(term.friction.at_rest > 0.0)) continue;
     if (!(plane_force(term, at).depth + term.tolerance > 0.0)) continue;
     Bristle b;
     b.plane = &term;
@@ -172,7 +171,7 @@ Bristles bristles_of(const BristleContact& contact, const BodyAtState& at,
   }
   for (const DepthTerm& term : contact.model.depths) {
     const double length = term.linear.norm();
-    if (!(term.static_friction > 0.0) || !(length > 0.0)) continue;
+    if (!(term.friction.at_rest > 0.0) || !(length > 0.0)) continue;
     if (!(depth_at(term, contact.model.state, at.state) + term.tolerance > 0.0)) continue;
     Bristle b;
     b.depth = &term;
@@ -189,13 +188,13 @@ Wrench bristle_wrench(const Bristle& b, const BodyAtState& at, WrenchJacobian* j
   Press press;
   if (b.slides) press = press_of(b, at, jacobian != nullptr);
   const Vec3 force =
-      b.slides ? Vec3(-b.friction * press.force * b.direction) : Vec3(-hold_of(b, p));
+      b.slides ? Vec3(-b.friction.kinetic * press.force * b.direction) : Vec3(-hold_of(b, p));
   const Wrench wrench{force, p.arm.cross(force)};
   if (!jacobian) return wrench;
   const Mat34 arm_by_q = rotated_derivative(at.state.orientation, b.arm_body);
   Mat3x13 by_y;
   if (b.slides) {
-    by_y = -b.friction * b.direction * press.by_y.transpose();
+    by_y = -b.friction.kinetic * b.direction * press.by_y.transpose();
   } else {
     const double k = b.entry.stiffness, d = b.damping;
     const Mat3 across = Mat3::Identity() - b.entry.normal * b.entry.normal.transpose();

@@ -19,9 +19,8 @@ struct Bristle {
   double scale = 1.0;                   // of the model
   // as the step finds it, with stiffness and normal of the present term
   BristleMemory::Entry entry{};
-  double damping = 0.0;  // b_t [N s/m]
-  // of the term
-  double friction = 0.0, static_friction = 0.0;
+  double damping = 0.0;           // b_t [N s/m]
+  Friction friction{};            // of the term
   Vec3 arm_body = Vec3::Zero();   // of the point it holds, from the centre of mass [m; body frame]
   Vec3 start = Vec3::Zero();      // where that is before the step [m; world]
   bool slides = false;            // the step ends beyond the cone: Coulomb's force acts instead

@@ -34,7 +34,6 @@ double evaluate(const StepBounds& bounds, const BodyState& state, const Mat3& ro
     }
     rows.limit[i] = limit_of(at.gap, bounds.params, bounds.dt);
     rows.friction[i] = model.rows[i].friction;
-    rows.static_friction[i] = model.rows[i].static_friction;
     rows.arm[i] = at.arm;
     rows.tangent[i] = tangents_of(at.normal).first;
     least = std::min(least, at.gap);

@@ -23,6 +23,29 @@ enum class RowKind : std::uint8_t {
   relief,        // a point of the object, a bent surface of the scene about one place
 };
 
+/// Coulomb's numbers of a material, or of two surfaces that touch. Dimensionless. No initializers:
+/// models have room for many rows; Friction{} is none.
+struct Friction {
+  double kinetic;  // while they slide, >= 0
+  double at_rest;  // until they do, >= kinetic; 0: no friction
+  friend bool operator==(const Friction&, const Friction&) = default;
+};
+
+/// A number of Friction, as scenes and recordings call it.
+struct FrictionNumber {
+  const char* key;
+  double Friction::*number;
+};
+
+/// All of them: what reads, writes and combines friction follows this list.
+inline constexpr FrictionNumber kFrictionNumbers[] = {{"friction", &Friction::kinetic},
+                                                      {"static_friction", &Friction::at_rest}};
+
+/// Whether both are finite and in order. Thread: any.
+inline bool is_valid(const Friction& f) noexcept {
+  return f.kinetic >= 0.0 && f.at_rest >= f.kinetic && std::isfinite(f.at_rest);
+}
+
 /// One inequality: two features stay apart. Evaluated anew at every state, so that only the change
 /// within a step is taken as linear.
 /// Every member is set where a row is made: models have room for many.
@@ -37,9 +60,8 @@ struct ContactRow {
   // scene_plane, relief: unit normal out of the object, into the scene; edges: unit, along the
   // scene's, so that object x scene points into the scene; else zero [world]
   Vec3 scene_direction;
-  double friction;         // Coulomb's coefficient of the two materials, while they slide
-  double static_friction;  // and until they do, >= friction
-  std::int32_t body;       // static object of the scene
+  Friction friction;  // of the two materials
+  std::int32_t body;  // static object of the scene
 };
 
 /// Two unit vectors across a normal, a function of it alone: what the bend of a relief row is
@@ -55,7 +77,7 @@ TangentPair tangents_of(const Vec3& normal) THIGMA_RT;
 /// A row of which nothing is known but its kind.
 inline ContactRow make_row(RowKind kind) THIGMA_RT {
   const Vec3 zero = Vec3::Zero();
-  return {kind, 0, zero, zero, zero, zero, 0.0, 0.0, 0};
+  return {kind, 0, zero, zero, zero, zero, Friction{}, 0};
 }
 
 /// What keeps the body from entering. Part of the contact model.

@@ -14,13 +14,11 @@ void visit_push(Term& term, Visit&& visit) {
   visit("id", term.id);
 }
 
-/// Its friction, where it has any.
+/// The numbers of its friction, each where it is not zero.
 template <class Term, class Visit>
 void visit_friction(Term& term, Visit&& visit) {
-  visit.unless("static_friction", term.static_friction, 0.0);
-  if (!(term.static_friction > 0.0)) return;
-  visit("friction", term.friction);
-  visit("body", term.body);
+  for (const FrictionNumber& f : kFrictionNumbers)
+    visit.unless(f.key, term.friction.*f.number, 0.0);
 }
 
 /// Calls visit(key, number) and visit.vector(key, vector) for every field of a PlaneTerm.
@@ -32,6 +30,7 @@ void visit_plane(Term& p, Visit&& visit) {
   visit.vector("scene_velocity", p.scene_velocity);
   visit_push(p, visit);
   visit_friction(p, visit);
+  if (p.friction.at_rest > 0.0) visit("body", p.body);
 }
 
 /// The same of a DepthTerm.
@@ -42,7 +41,9 @@ void visit_depth(Term& t, Visit&& visit) {
   visit.vector("angular", t.angular);
   visit_push(t, visit);
   visit_friction(t, visit);
-  if (t.static_friction > 0.0) visit.vector("arm_body", t.arm_body);
+  if (!(t.friction.at_rest > 0.0)) return;
+  visit("body", t.body);
+  visit.vector("arm_body", t.arm_body);
 }
 
 /// The same of a ContactRow.
@@ -54,8 +55,7 @@ void visit_row(Row& r, Visit&& visit) {
   visit.vector("scene_point", r.scene_point);
   visit.vector("object_direction", r.object_direction);
   visit.vector("scene_direction", r.scene_direction);
-  visit("friction", r.friction);
-  visit.unless("static_friction", r.static_friction, r.friction);
+  visit_friction(r, visit);
   visit.unless("body", r.body, std::int32_t{0});
 }
 

@@ -23,24 +23,22 @@ struct PlaneTerm {
   double tolerance = 0.0;              // d: force starts at depth = -d [m]
   std::int32_t id = -1;                // of the cluster, persistent over frames
   std::int32_t body = 0;               // static object of the scene
-  double friction = 0.0;               // Coulomb's coefficient while the surfaces slide
-  double static_friction = 0.0;        // and until they do, >= friction; 0: no friction
+  Friction friction{};                 // of the two materials
 };
 
 /// Depth of textured surfaces to first order in the object's motion, with its viscoelastic force
 /// along the gradient. The depth is evaluated at the current state, so that the clamp against
 /// pulling is natural; the gradient is that of the model's state (Gauss-Newton).
 struct DepthTerm {
-  double depth = 0.0;            // at the model's state [m]; positive = penetrating
-  Vec3 linear = Vec3::Zero();    // gradient by the position of the centre of mass [-; world]
-  Vec3 angular = Vec3::Zero();   // and by a rotation vector about it [m/rad; world]
-  double stiffness = 0.0;        // k [N/m]
-  double damping = 0.0;          // b [N s/m]
-  double tolerance = 0.0;        // d: force starts at depth = -d [m]
-  std::int32_t id = -1;          // of the cluster, persistent over frames
-  std::int32_t body = 0;         // static object of the scene
-  double friction = 0.0;         // Coulomb's coefficient while the surfaces slide
-  double static_friction = 0.0;  // and until they do, >= friction; 0: no friction
+  double depth = 0.0;           // at the model's state [m]; positive = penetrating
+  Vec3 linear = Vec3::Zero();   // gradient by the position of the centre of mass [-; world]
+  Vec3 angular = Vec3::Zero();  // and by a rotation vector about it [m/rad; world]
+  double stiffness = 0.0;       // k [N/m]
+  double damping = 0.0;         // b [N s/m]
+  double tolerance = 0.0;       // d: force starts at depth = -d [m]
+  std::int32_t id = -1;         // of the cluster, persistent over frames
+  std::int32_t body = 0;        // static object of the scene
+  Friction friction{};          // of the two materials
   // where friction acts: from the centre of mass [m; body frame]
   Vec3 arm_body = Vec3::Zero();
 };

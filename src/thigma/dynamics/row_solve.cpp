@@ -14,7 +14,7 @@ constexpr double kAccuracy = 1e-10;  // of the free speed
 
 bool has_friction(const VelocityRows& rows) THIGMA_RT {
   for (int i = 0; i < rows.count; ++i)
-    if (rows.static_friction[idx(i)] > 0.0) return true;
+    if (rows.friction[idx(i)].at_rest > 0.0) return true;
   return false;
 }
 

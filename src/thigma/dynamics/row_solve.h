@@ -20,10 +20,9 @@ struct VelocityRows {
   int count = 0;
   std::array<std::array<double, kMaxRows>, 6> gradient;  // by unknown, then by row
   std::array<double, kMaxRows> limit;                    // >= 0: rest is always allowed [m/s]
-  std::array<double, kMaxRows> friction;                 // Coulomb's, while sliding, >= 0
-  std::array<double, kMaxRows> static_friction;          // and until then, >= friction
-  // two unit directions across the row's normal and the arm they act at [world]; read where
-  // static_friction is above zero
+  std::array<Friction, kMaxRows> friction;
+  // two unit directions across the row's normal and the arm they act at [world]; read where there
+  // is friction
   std::array<Vec3, kMaxRows> tangent, arm;
 };
 

@@ -136,9 +136,7 @@ template <class Terms>
 void set_friction(const ContactWorld& world, Terms& terms) noexcept {
   for (auto& term : terms) {
     if (term.body < 0) continue;  // of a coarse row
-    const Friction f = friction_on(world, term.body);
-    term.friction = f.kinetic;
-    term.static_friction = f.at_rest;
+    term.friction = friction_on(world, term.body);
   }
 }
 

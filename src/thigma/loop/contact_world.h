@@ -11,6 +11,7 @@
 
 #include "thigma/contact/contact.h"
 #include "thigma/contact/resolution.h"
+#include "thigma/dynamics/constraint_model.h"
 #include "thigma/math/pose.h"
 #include "thigma/response/penalty.h"
 #include "thigma/response/textured_world.h"
@@ -25,18 +26,6 @@ struct PotentialWorld;
 /// thread; must not throw or allocate.
 using ContactSource =
     std::function<void(const Pose& world_from_mesh, double tolerance, ContactSet& contacts)>;
-
-/// Coulomb's coefficients of a material, or of two surfaces that touch. Dimensionless.
-struct Friction {
-  double kinetic = 0.0;  // while they slide, >= 0
-  double at_rest = 0.0;  // until they do, >= kinetic
-  friend bool operator==(const Friction&, const Friction&) = default;
-};
-
-/// Whether both are finite and in order. Thread: any.
-inline bool is_valid(const Friction& f) noexcept {
-  return f.kinetic >= 0.0 && f.at_rest >= f.kinetic && std::isfinite(f.at_rest);
-}
 
 /// What the contact thread knows. Constant while a session runs; hierarchies outlive it.
 struct ContactWorld {
@@ -70,13 +59,14 @@ struct ContactWorld {
 /// Thread    [contact]; no failure.
 inline Friction friction_on(const ContactWorld& world, std::int32_t body) noexcept {
   const auto b = static_cast<std::size_t>(body);
-  const Friction given = body >= 0 && b < world.friction.size() ? world.friction[b] : Friction{};
-  if (!world.most_friction) return given;
+  Friction friction = body >= 0 && b < world.friction.size() ? world.friction[b] : Friction{};
+  if (!world.most_friction) return friction;
   double most = 0.0;
   for (const Friction& f : world.friction) most = std::max(most, f.kinetic);
-  if (!(most > 0.0)) return {*world.most_friction, *world.most_friction};
-  const double scale = *world.most_friction / most;
-  return {scale * given.kinetic, scale * given.at_rest};
+  const double scale = most > 0.0 ? *world.most_friction / most : 0.0;
+  friction.kinetic = most > 0.0 ? scale * friction.kinetic : *world.most_friction;
+  friction.at_rest = most > 0.0 ? scale * friction.at_rest : *world.most_friction;
+  return friction;
 }
 
 }  // namespace thigma

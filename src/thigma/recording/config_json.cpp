@@ -73,8 +73,7 @@ struct ConfigWriter {
     for (const Friction& f : list) {
       out += separator;
       JsonObject inner(out);
-      inner.number("kinetic", f.kinetic);
-      inner.number("at_rest", f.at_rest);
+      for (const FrictionNumber& n : kFrictionNumbers) inner.number(n.key, f.*n.number);
       inner.close();
       separator = ",";
     }
@@ -165,7 +164,9 @@ struct ConfigReader {
     list.clear();
     if (!json.contains(key)) return;
     for (const Json& pair : json.at(key)) {
-      list.push_back({pair.at("kinetic").get<double>(), pair.at("at_rest").get<double>()});
+      Friction& friction = list.emplace_back();
+      for (const FrictionNumber& n : kFrictionNumbers)
+        friction.*n.number = pair.at(n.key).get<double>();
       if (!is_valid(list.back())) throw InputError(std::string("'") + key + "' is out of range");
     }
   }

@@ -117,14 +117,16 @@ double combined(double a, double b, CombineRule rule) {
 
 Friction combined(const Friction& a, const Friction& b, CombineRule rule) {
   if (a == b) return a;  // to the last bit
-  return {combined(a.kinetic, b.kinetic, rule), combined(a.at_rest, b.at_rest, rule)};
+  Friction both{};
+  for (const FrictionNumber& f : kFrictionNumbers)
+    both.*f.number = combined(a.*f.number, b.*f.number, rule);
+  return both;
 }
 
 std::vector<Friction> pair_friction(const SceneDescription& scene) {
   const ContactGains& contact = scene.contact;
-  const Friction usual{contact.friction, contact.static_friction.value_or(contact.friction)};
   const auto of = [&](const SceneObject& object) {
-    const Friction f = object.material ? object.material->friction : usual;
+    const Friction f = object.material ? object.material->friction : contact.friction;
     if (!is_valid(f)) {
       throw InputError(scene.file + ": friction " + std::to_string(f.kinetic) + ", at rest " +
                        std::to_string(f.at_rest) + " of " + object.name +

@@ -77,8 +77,7 @@ struct ContactGains {
   std::optional<ResponseKind> response;      // not set: default_response
   // The constrained response is exact unless this asks for levels far away, at `resolution`.
   bool has_levels_far = false;
-  double friction = 0.0;                  // Coulomb's coefficient of objects without a material
-  std::optional<double> static_friction;  // and until they slide; otherwise the same
+  Friction friction{};                           // of objects without a material
   CombineRule combine = CombineRule::geometric;  // of two materials
   // of the potential response, see PotentialLaw; the area otherwise follows from the object's size
   std::optional<int> exponent;  // p

@@ -28,14 +28,17 @@ struct ObjectKeys {
   std::optional<Material> material;
 };
 
-/// friction and static_friction of a table, nothing where it has none.
+/// The numbers of friction of a table, nothing where it has none; what is left out is zero, but
+/// static_friction friction.
 std::optional<Friction> read_friction(TomlTable& table) {
-  const std::optional<double> kinetic = table.number("friction", Range::not_negative);
-  const std::optional<double> at_rest = table.number("static_friction", Range::not_negative);
-  if (!kinetic && at_rest)
+  const bool has_kinetic = table.has("friction"), has_at_rest = table.has("static_friction");
+  Friction friction{};
+  for (const FrictionNumber& f : kFrictionNumbers)
+    friction.*f.number = table.number(f.key, Range::not_negative).value_or(0.0);
+  if (!has_kinetic && has_at_rest)
     table.fail("static_friction", "stands without friction", "expected friction beside it");
-  if (!kinetic) return std::nullopt;
-  const Friction friction{*kinetic, at_rest.value_or(*kinetic)};
+  if (!has_kinetic) return std::nullopt;
+  if (!has_at_rest) friction.at_rest = friction.kinetic;
   if (!is_valid(friction))
     table.fail("static_friction", "is below friction", "expected friction or more");
   return friction;
@@ -191,10 +194,7 @@ void read_contact(TomlTable table, ContactGains& contact) {
     contact.response = kResponseNames[*response].kind;
   contact.has_levels_far = contact.response == ResponseKind::constrained &&
                            table.has("threshold") && !contact.resolution.is_exact;
-  if (const std::optional<Friction> friction = read_friction(table)) {
-    contact.friction = friction->kinetic;
-    if (table.has("static_friction")) contact.static_friction = friction->at_rest;
-  }
+  contact.friction = read_friction(table).value_or(contact.friction);
   if (const auto rule = table.choice("combine", {"geometric", "average", "minimum", "maximum"}))
     contact.combine = static_cast<CombineRule>(*rule);
   if (contact.damping && contact.damping_ratio) {

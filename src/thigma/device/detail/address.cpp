@@ -86,4 +86,16 @@ std::string_view nearest_name(std::string_view text, const std::vector<std::stri
   return nearest;
 }
 
+bool parse_flag(const std::string& scheme, const std::string& name, const std::string& value) {
+  if (value == "1") return true;
+  if (value == "0") return false;
+  throw DeviceAddressError(scheme + " " + name + " = " + quoted(value) + ", expected 0 or 1");
+}
+
+void unknown_name(const std::string& scheme, const std::string& name,
+                  const std::vector<std::string_view>& names) {
+  throw DeviceAddressError(scheme + " no parameter " + quoted(name) + ", nearest is " +
+                           quoted(nearest_name(name, names)));
+}
+
 }  // namespace thigma::detail

@@ -16,6 +16,13 @@ std::vector<std::pair<std::string, std::string>> split_query(std::string_view qu
 /// The finite number `text` is, wholly; throws DeviceAddressError naming `name` otherwise.
 double parse_value(const std::string& scheme, const std::string& name, const std::string& text);
 
+/// "1" or "0"; throws DeviceAddressError otherwise.
+bool parse_flag(const std::string& scheme, const std::string& name, const std::string& value);
+
+/// Throws DeviceAddressError that says which of `names` is nearest to `name`.
+[[noreturn]] void unknown_name(const std::string& scheme, const std::string& name,
+                               const std::vector<std::string_view>& names);
+
 /// 'text', at most the first 60 characters of it.
 std::string quoted(std::string_view text);
 

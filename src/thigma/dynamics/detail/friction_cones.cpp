@@ -56,7 +56,7 @@ bool break_away(const ConeWork& work, const Vec6& y, Cones& cones) THIGMA_RT {
   bool is_any = false;
   for (int i = 0; i < cones.count; ++i) {
     Cone& c = cones.cone[idx(i)];
-    const double kinetic = work.rows.friction[idx(c.row)];
+    const double kinetic = work.rows.friction[idx(c.row)].kinetic;
     if (c.is_sliding || !(kinetic < c.friction)) continue;
     const double speed = std::hypot(c.first.dot(y), c.second.dot(y));
     if (!(speed > kMoving * stopped)) continue;
@@ -73,7 +73,7 @@ int most_sweeps(const Cones& cones) THIGMA_RT {
 double coefficient_of(int row, const VelocityRows& rows, const Cones& cones) THIGMA_RT {
   for (int i = 0; i < cones.count; ++i)
     if (cones.cone[idx(i)].row == row) return cones.cone[idx(i)].friction;
-  return rows.friction[idx(row)];
+  return rows.friction[idx(row)].kinetic;
 }
 
 }  // namespace
@@ -86,9 +86,9 @@ void add_cone(const ConeWork& work, int row, Cones& cones) THIGMA_RT {
   Cone& c = cones.cone[idx(cones.count++)];
   const std::size_t r = idx(row);
   c.row = row;
-  c.has_friction = rows.static_friction[r] > 0.0;
+  c.has_friction = rows.friction[r].at_rest > 0.0;
   c.is_sliding = warm.is_sliding[r] || !c.has_friction;
-  c.friction = c.is_sliding ? rows.friction[r] : rows.static_friction[r];
+  c.friction = c.is_sliding ? rows.friction[r].kinetic : rows.friction[r].at_rest;
   c.normal = white.row(row);
   c.limit = white.limit[r];
   c.per_press = white.length[r] > 0.0 ? 1.0 / white.length[r] : 0.0;

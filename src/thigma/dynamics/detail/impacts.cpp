@@ -71,7 +71,7 @@ void add_bounces(const RowMemory& memory, VelocityRows& rows) THIGMA_RT {
       rows.gradient[k + 3][r] = moment[static_cast<Eigen::Index>(k)];
     }
     rows.limit[r] = -bounce.speed;
-    rows.friction[r] = rows.static_friction[r] = 0.0;
+    rows.friction[r] = {};
     rows.arm[r] = bounce.arm;
   }
 }

@@ -24,7 +24,15 @@ struct RawMesh {
   std::vector<std::array<std::int32_t, 3>> triangles;
 };
 
-RawMesh read_obj(std::string_view bytes, const std::string& name);
+/// Texture coordinates of an OBJ and, for each triangle, which are at its corners, counted from 0.
+struct ObjTexture {
+  std::vector<Vec2> coordinates;  // as the file has them
+  std::vector<std::array<std::int64_t, 3>> triangles;
+  std::vector<std::int64_t> lines;  // of the triangles
+};
+
+/// texture   null, or where texture coordinates go: every corner must have some then
+RawMesh read_obj(std::string_view bytes, const std::string& name, ObjTexture* texture = nullptr);
 RawMesh read_ply(std::string_view bytes, const std::string& name);
 RawMesh read_stl_ascii(std::string_view bytes, const std::string& name);
 RawMesh read_stl_binary(std::string_view bytes, const std::string& name);
