@@ -114,9 +114,15 @@ Outcome run_fig_5_10(const Context& context) {
                            {"figure", 0.004, 10, false},   {"throttled", 0.025, 5, true},
                            {"throttled", 0.025, 10, true}, {"throttled", 0.025, 20, true},
                            {"throttled", 0.025, 5, false}, {"throttled", 0.025, 10, false}};
+  // What ripples at 100 Hz: few springs on coarse levels, not the rate.
+  ways.push_back({"ripple", 0.01, 10, true});
+  ways.push_back({"ripple", 0.0, 10, true});
+  ways.push_back({"ripple", 0.025, 10, true, 16});
+  ways.push_back({"ripple", 0.025, 10, true, 5, 0.005});
   const double fine_cap = context.quick ? kQuickFineCap : kFineCap;
   // What keeps it deep, one cause after the other: springs, coarse surfaces, impact.
-  constexpr std::size_t kFew = 12, kFine = 15, kEven = 16, kStiff = 17;
+  constexpr std::size_t kFew = 12, kSlow = 13, kMany = 14, kCapped = 15, kSprings = 16, kFine = 19,
+                        kEven = 20, kStiff = 21;
   ways.push_back({"springs", 0.025, 2, true, 16});
   ways.push_back({"springs", 0.0, 2, true, 16});
   ways.push_back({"springs", 0.0, 2, true, 5, 0.02, 5.0 * kStiffness});
@@ -160,15 +166,27 @@ Outcome run_fig_5_10(const Context& context) {
                 "mm: what is left are coarse "
                 "surfaces and models of two frames. The source does not say which meshes its depth "
                 "is between",
-                1e3 * deepest_exact, 1e3 * causes[kFew].deepest, 1e3 * even.deepest);
+                1e3 * deepest_exact, 1e3 * causes[kSprings].deepest, 1e3 * even.deepest);
+  const Claim calm_claim =
+      at_most("stable", "ripple of the coupling force, linearized, at 100 Hz and above",
+              worst_linearized, kCalm, "N");
+  char why_ripples[400];
+  std::snprintf(
+      why_ripples, sizeof why_ripples,
+      "at 2.5 %% and 100 Hz five springs stand for coarse contacts while the jaw slides half a "
+      "millimetre, and leap with the next model: 16 leave %.3f N, a deviation cap of "
+      "0.5 %% %.3f, full resolution %.3f; at 1 %% there are %.3f. The force stays "
+      "bounded; the text has 0.4 %% at 100 Hz",
+      causes[kMany].ripple, causes[kCapped].ripple, causes[kSlow].ripple, causes[kFew].ripple);
   const double calm = std::min(worst_linearized, kCalm);
   const Claim depth_fine = at_most("depth-fine",
                                    "the same at 2.5 % with a deviation cap of " +
                                        percent(fine_cap) + " and 16 clusters, each millisecond",
                                    1e3 * fine.deepest, 0.1, "mm");
   std::vector<Claim> claims = {
-      at_most("stable", "ripple of the coupling force, linearized, at 100 Hz and above",
-              worst_linearized, kCalm, "N"),
+      worst_linearized > kCalm && !context.quick
+          ? known_not_to(calm_claim, {why_ripples, "data.csv:series=ripple", 0.15})
+          : calm_claim,
       above("diverges", "the same with forces held at 100 Hz and 0.4 %, over it; infinite: gone",
             std::isfinite(held_late) ? held_late / calm : 1e6, 10.0),
       above("early", "the same with forces held at 500 Hz and 2.5 %",
