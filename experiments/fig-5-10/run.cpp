@@ -74,6 +74,153 @@ std::string percent(double share) {
   return text;
 }
 
+/// Where the ways stand that claims ask for, in the order of ways_of.
+enum Place : std::size_t {
+  kExact = 0,
+  kFigure = 1,     // 2.5 % at 500 Hz
+  kHeldEarly = 4,  // the same with forces held
+  kHeldLate = 6,   // 0.4 % at 100 Hz with forces held
+  kOfFigure = 12,  // what the figure draws ends here
+  kRippleCoarse = 12,
+  kRippleFull = 13,
+  kRippleMany = 14,
+  kRippleCapped = 15,
+  kSprings = 16,
+  kFine = 19,
+  kEven = 20,
+  kStiff = 21
+};
+
+/// Exact contacts; the six of the source, at its rates; then 2.5 % throttled further. What ripples
+/// at 100 Hz: few springs on coarse levels, not the rate. What keeps it deep, one cause after the
+/// other: springs, coarse surfaces, impact.
+std::vector<Way> ways_of(double fine_cap) {
+  std::vector<Way> ways = {{"exact", 0.0, 2, true},
+                           {"figure", 0.025, 2, true},
+                           {"figure", 0.010, 4, true},
+                           {"figure", 0.004, 10, true},
+                           {"figure", 0.025, 2, false},
+                           {"figure", 0.010, 4, false},
+                           {"figure", 0.004, 10, false},
+                           {"throttled", 0.025, 5, true},
+                           {"throttled", 0.025, 10, true},
+                           {"throttled", 0.025, 20, true},
+                           {"throttled", 0.025, 5, false},
+                           {"throttled", 0.025, 10, false},
+                           {"ripple", 0.01, 10, true},
+                           {"ripple", 0.0, 10, true},
+                           {"ripple", 0.025, 10, true, 16},
+                           {"ripple", 0.025, 10, true, 5, 0.005},
+                           {"springs", 0.025, 2, true, 16},
+                           {"springs", 0.0, 2, true, 16},
+                           {"springs", 0.0, 2, true, 5, 0.02, 5.0 * kStiffness},
+                           {"fine", 0.025, 1, true, 16, fine_cap},
+                           {"springs", 0.0, 1, true, 16},
+                           {"springs", 0.0, 1, true, 16, 0.02, 5.0 * kStiffness}};
+  for (const double cap : {0.002, 0.005, 0.010, 0.02})
+    ways.push_back({"cap", 0.025, 1, true, 16, cap});
+  return ways;
+}
+
+/// The jaws with springs of the text.
+SessionPair jaws_with_springs(const Context& context) {
+  SessionPair session =
+      session_pair(*context.assets, "jaws", 3.0, context.quick ? kQuickTriangles : 0);
+  SessionConfig& config = session.config;
+  config.contact.tolerance = kTolerance;
+  config.contact.response.stiffness = kStiffness;
+  config.contact.response.is_divided_among_clusters = false;  // Eq. 5.37: k for each cluster
+  config.contact.resolution.is_exact = false;
+  config.haptic.coupling.linear_stiffness = kCoupling;
+  config.haptic.coupling.linear_saturation.reset();
+  return session;
+}
+
+/// Plays the motion in every way.
+std::vector<Ran> play_all(const Context& context, const CoupledSetup& base, const LedMotion& motion,
+                          const std::vector<Way>& ways, Outcome& outcome) {
+  std::vector<Ran> all;
+  for (const Way& way : ways) {
+    tell(context, std::to_string(way.threshold) + " at every " + std::to_string(way.every));
+    Ran& ran = all.emplace_back(play(base, motion, way));
+    if (way.is_linearized) {
+      const std::vector<double> depth =
+          exact_depths(base.contact, ran.frames, context.quick ? 20 : 5, kTolerance);
+      ran.deepest = *std::max_element(depth.begin(), depth.end());
+      ran.settled = sample_quantile(depth, 0.5);
+    }
+    add(way, ran, outcome);
+  }
+  return all;
+}
+
+/// Ripple with the model and without.
+std::vector<Claim> ripple_claims(bool is_quick, const std::vector<Way>& ways,
+                                 const std::vector<Ran>& ran) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < kOfFigure; ++i)
+    if (ways[i].is_linearized && ways[i].every <= 10) worst = std::max(worst, ran[i].ripple);
+  const Claim stable = at_most(
+      "stable", "ripple of the coupling force, linearized, at 100 Hz and above", worst, kCalm, "N");
+  char why[400];
+  std::snprintf(why, sizeof why,
+                "at 2.5 %% and 100 Hz five springs stand for coarse contacts while the jaw slides "
+                "half a millimetre, and leap with the next model: 16 leave %.3f N, a deviation cap "
+                "of 0.5 %% %.3f, full resolution %.3f; at 1 %% there are %.3f. The force stays "
+                "bounded; the text has 0.4 %% at 100 Hz",
+                ran[kRippleMany].ripple, ran[kRippleCapped].ripple, ran[kRippleFull].ripple,
+                ran[kRippleCoarse].ripple);
+  const auto over_calm = [&](double ripple) {
+    return std::isfinite(ripple) ? ripple / std::min(worst, kCalm) : 1e6;
+  };
+  return {
+      worst > kCalm && !is_quick ? known_not_to(stable, {why, "data.csv:series=ripple", 0.15})
+                                 : stable,
+      above("diverges", "the same with forces held at 100 Hz and 0.4 %, over it; infinite: gone",
+            over_calm(ran[kHeldLate].ripple), 10.0),
+      above("early", "the same with forces held at 500 Hz and 2.5 %",
+            over_calm(ran[kHeldEarly].ripple), 10.0)};
+}
+
+/// How deep, and what keeps it there.
+std::vector<Claim> depth_claims(bool is_quick, double fine_cap, const std::vector<Ran>& ran) {
+  const Ran &fine = ran[kFine], &even = ran[kEven];
+  char why[400];
+  std::snprintf(
+      why, sizeof why,
+      "each cluster is a spring of 5 kN/m, and five stand for all the teeth that touch: "
+      "five at full resolution leave %.3f mm, 16 at 2.5 %% %.3f mm, 16 at full resolution "
+      "each millisecond %.3f mm: what is left are coarse surfaces and models of two "
+      "frames. The source does not say which meshes its depth is between",
+      1e3 * ran[kExact].deepest, 1e3 * ran[kSprings].deepest, 1e3 * even.deepest);
+  const Claim depth_fine = at_most("depth-fine",
+                                   "the same at 2.5 % with a deviation cap of " +
+                                       percent(fine_cap) + " and 16 clusters, each millisecond",
+                                   1e3 * fine.deepest, 0.1, "mm");
+  return {
+      known_not_to(at_most("depth", "deepest between exact meshes, linearized, 2.5 % at 500 Hz",
+                           1e3 * ran[kFigure].deepest, 0.1, "mm"),
+                   // Coarse levels of small models lie off by more.
+                   {why, "data.csv:series=springs", is_quick ? 0.5 : 0.2}),
+      is_quick ? known_not_to(depth_fine,
+                              {"the first level of models as small as these lies off the surface "
+                               "by more than the tolerance; a cap of 0.5 % leaves no level, and "
+                               "0.061 mm",
+                               "data.csv:series=cap", 0.15})
+               : depth_fine,
+      above("fine-levels", "mean level of the contacts of that run, 0 the finest", fine.level, 0.0),
+      at_least("peak-fine", "largest coupling force of that run", fine.peak, 1.0, "N"),
+      stated("depth-clusters",
+             "its median at full resolution with 16 clusters: what springs of 5 kN/m leave",
+             1e3 * even.settled, "mm"),
+      stated("depth-stiff", "the same with 25 kN/m", 1e3 * ran[kStiff].settled, "mm"),
+      stated("depth-impact", "deepest of that run: the first touch, v sqrt(m / k)",
+             1e3 * ran[kStiff].deepest, "mm"),
+      stated("depth-exact", "the same with contacts at full resolution", 1e3 * ran[kExact].deepest,
+             "mm"),
+      at_least("peak", "largest coupling force of that run", ran[kFigure].peak, 1.0, "N")};
+}
+
 }  // namespace
 }  // namespace fig_5_10
 
@@ -95,123 +242,16 @@ Outcome run_fig_5_10(const Context& context) {
            .x = {.label = "time [s]"},
            .y = {.label = "coupling force [N]"}}}};
   run_control(outcome);
-  SessionPair session =
-      session_pair(*context.assets, "jaws", 3.0, context.quick ? kQuickTriangles : 0);
-  SessionConfig& config = session.config;
-  config.contact.tolerance = kTolerance;
-  config.contact.response.stiffness = kStiffness;
-  config.contact.response.is_divided_among_clusters = false;  // Eq. 5.37: k for each cluster
-  config.contact.resolution.is_exact = false;
-  config.haptic.coupling.linear_stiffness = kCoupling;
-  config.haptic.coupling.linear_saturation.reset();
+  const SessionPair session = jaws_with_springs(context);
   tell(context, "leading the jaw");
   const LedMotion motion = lead(session, "hand:?path=slide&force=1.2", 0.1, 0.9);
-  const CoupledSetup base = setup_of(session, motion);
-  // Exact contacts; the six of the source, at its rates; then 2.5 % throttled further.
-  std::vector<Way> ways = {{"exact", 0.0, 2, true},        {"figure", 0.025, 2, true},
-                           {"figure", 0.010, 4, true},     {"figure", 0.004, 10, true},
-                           {"figure", 0.025, 2, false},    {"figure", 0.010, 4, false},
-                           {"figure", 0.004, 10, false},   {"throttled", 0.025, 5, true},
-                           {"throttled", 0.025, 10, true}, {"throttled", 0.025, 20, true},
-                           {"throttled", 0.025, 5, false}, {"throttled", 0.025, 10, false}};
-  // What ripples at 100 Hz: few springs on coarse levels, not the rate.
-  ways.push_back({"ripple", 0.01, 10, true});
-  ways.push_back({"ripple", 0.0, 10, true});
-  ways.push_back({"ripple", 0.025, 10, true, 16});
-  ways.push_back({"ripple", 0.025, 10, true, 5, 0.005});
   const double fine_cap = context.quick ? kQuickFineCap : kFineCap;
-  // What keeps it deep, one cause after the other: springs, coarse surfaces, impact.
-  constexpr std::size_t kFew = 12, kSlow = 13, kMany = 14, kCapped = 15, kSprings = 16, kFine = 19,
-                        kEven = 20, kStiff = 21;
-  ways.push_back({"springs", 0.025, 2, true, 16});
-  ways.push_back({"springs", 0.0, 2, true, 16});
-  ways.push_back({"springs", 0.0, 2, true, 5, 0.02, 5.0 * kStiffness});
-  ways.push_back({"fine", 0.025, 1, true, 16, fine_cap});
-  ways.push_back({"springs", 0.0, 1, true, 16});
-  ways.push_back({"springs", 0.0, 1, true, 16, 0.02, 5.0 * kStiffness});
-  for (const double cap : {0.002, 0.005, 0.010, 0.02})
-    ways.push_back({"cap", 0.025, 1, true, 16, cap});
-  std::vector<Ran> causes(ways.size());
-  double worst_linearized = 0.0, held_late = 0.0, held_early = 0.0, first_peak = 0.0;
-  double deepest = 0.0, deepest_exact = 0.0;
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    const Way& way = ways[i];
-    tell(context, std::to_string(way.threshold) + " at every " + std::to_string(way.every));
-    Ran ran = play(base, motion, way);
-    if (way.is_linearized) {
-      const std::vector<double> depth =
-          exact_depths(base.contact, ran.frames, context.quick ? 20 : 5, kTolerance);
-      ran.deepest = *std::max_element(depth.begin(), depth.end());
-      ran.settled = sample_quantile(depth, 0.5);
-      if (i == 0) deepest_exact = ran.deepest;
-      if (i < kFew && way.every <= 10) worst_linearized = std::max(worst_linearized, ran.ripple);
-      if (way.threshold == 0.025 && way.every == 2 && i < kFew) {
-        deepest = ran.deepest;
-        first_peak = ran.peak;
-      }
-    } else if (way.threshold == 0.004) {
-      held_late = ran.ripple;
-    } else if (way.threshold == 0.025 && way.every == 2) {
-      held_early = ran.ripple;
-    }
-    add(way, ran, outcome);
-    if (i >= kFew) causes[i] = std::move(ran);
-  }
-  const Ran &fine = causes[kFine], &even = causes[kEven], &stiff = causes[kStiff];
-  char why_deep[400];
-  std::snprintf(why_deep, sizeof why_deep,
-                "each cluster is a spring of 5 kN/m, and five stand for all the teeth that touch: "
-                "five at full resolution "
-                "leave %.3f mm, 16 at 2.5 %% %.3f mm, 16 at full resolution each millisecond %.3f "
-                "mm: what is left are coarse "
-                "surfaces and models of two frames. The source does not say which meshes its depth "
-                "is between",
-                1e3 * deepest_exact, 1e3 * causes[kSprings].deepest, 1e3 * even.deepest);
-  const Claim calm_claim =
-      at_most("stable", "ripple of the coupling force, linearized, at 100 Hz and above",
-              worst_linearized, kCalm, "N");
-  char why_ripples[400];
-  std::snprintf(
-      why_ripples, sizeof why_ripples,
-      "at 2.5 %% and 100 Hz five springs stand for coarse contacts while the jaw slides half a "
-      "millimetre, and leap with the next model: 16 leave %.3f N, a deviation cap of "
-      "0.5 %% %.3f, full resolution %.3f; at 1 %% there are %.3f. The force stays "
-      "bounded; the text has 0.4 %% at 100 Hz",
-      causes[kMany].ripple, causes[kCapped].ripple, causes[kSlow].ripple, causes[kFew].ripple);
-  const double calm = std::min(worst_linearized, kCalm);
-  const Claim depth_fine = at_most("depth-fine",
-                                   "the same at 2.5 % with a deviation cap of " +
-                                       percent(fine_cap) + " and 16 clusters, each millisecond",
-                                   1e3 * fine.deepest, 0.1, "mm");
-  std::vector<Claim> claims = {
-      worst_linearized > kCalm && !context.quick
-          ? known_not_to(calm_claim, {why_ripples, "data.csv:series=ripple", 0.15})
-          : calm_claim,
-      above("diverges", "the same with forces held at 100 Hz and 0.4 %, over it; infinite: gone",
-            std::isfinite(held_late) ? held_late / calm : 1e6, 10.0),
-      above("early", "the same with forces held at 500 Hz and 2.5 %",
-            std::isfinite(held_early) ? held_early / calm : 1e6, 10.0),
-      known_not_to(at_most("depth", "deepest between exact meshes, linearized, 2.5 % at 500 Hz",
-                           1e3 * deepest, 0.1, "mm"),
-                   // Coarse levels of small models lie off by more.
-                   {why_deep, "data.csv:series=springs", context.quick ? 0.5 : 0.2}),
-      context.quick
-          ? known_not_to(depth_fine, {"the first level of models as small as these lies off the "
-                                      "surface by more than the "
-                                      "tolerance; a cap of 0.5 % leaves no level, and 0.061 mm",
-                                      "data.csv:series=cap", 0.15})
-          : depth_fine,
-      above("fine-levels", "mean level of the contacts of that run, 0 the finest", fine.level, 0.0),
-      at_least("peak-fine", "largest coupling force of that run", fine.peak, 1.0, "N"),
-      stated("depth-clusters",
-             "its median at full resolution with 16 clusters: what springs of 5 kN/m leave",
-             1e3 * even.settled, "mm"),
-      stated("depth-stiff", "the same with 25 kN/m", 1e3 * stiff.settled, "mm"),
-      stated("depth-impact", "deepest of that run: the first touch, v sqrt(m / k)",
-             1e3 * stiff.deepest, "mm"),
-      stated("depth-exact", "the same with contacts at full resolution", 1e3 * deepest_exact, "mm"),
-      at_least("peak", "largest coupling force of that run", first_peak, 1.0, "N")};
-  for (Claim& claim : claims) outcome.claims.push_back(std::move(claim));
+  const std::vector<Way> ways = ways_of(fine_cap);
+  const std::vector<Ran> ran = play_all(context, setup_of(session, motion), motion, ways, outcome);
+  for (Claim& claim : ripple_claims(context.quick, ways, ran))
+    outcome.claims.push_back(std::move(claim));
+  for (Claim& claim : depth_claims(context.quick, fine_cap, ran))
+    outcome.claims.push_back(std::move(claim));
   run_constrained(context, session, motion, outcome);
   return outcome;
 }
