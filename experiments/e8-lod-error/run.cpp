@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "experiments/common/all_experiments.h"
 #include "experiments/common/contact_profile.h"
@@ -62,9 +63,14 @@ double largest_fall(const std::vector<double>& errors) {
   return highest > 0.0 ? fall / highest : std::nan("");
 }
 
-/// The errors of one scene into table and plot; the raw force errors without a cap.
-std::vector<double> add_scene(const char* scene, const ProfileStudy& study, Outcome& outcome) {
-  std::vector<double> errors;
+/// Raw force errors of one scene by threshold, without and with a cap.
+struct Errors {
+  std::vector<double> free, capped;
+};
+
+/// The errors of one scene into table and plot.
+Errors add_scene(const char* scene, const ProfileStudy& study, Outcome& outcome) {
+  Errors errors;
   plot::Series series[2];
   for (std::size_t k = 1; k < study.settings.size(); ++k) {
     const Setting& s = study.settings[k];
@@ -73,8 +79,8 @@ std::vector<double> add_scene(const char* scene, const ProfileStudy& study, Outc
             {scene, s.name, s.threshold, like.force_error, like.shape_error, like.torque_error,
              like.torque_shape_error, like.correlation, like.curvature,
              mean(study.profiles[k].front), mean(study.profiles[k].cpu)});
+    (s.name == "no cap" ? errors.free : errors.capped).push_back(like.force_error);
     if (s.name != "no cap") continue;
-    errors.push_back(like.force_error);
     for (plot::Series& one : series) one.x.push_back(100.0 * s.threshold);
     series[0].y.push_back(like.force_error);
     series[1].y.push_back(like.torque_error);
@@ -112,7 +118,8 @@ Outcome run_e8_lod_error(const Context& context) {
       .panel_height = 360};
   const std::vector<double>& thresholds = context.quick ? kFewThresholds : kThresholds;
   const auto main = std::find(thresholds.begin(), thresholds.end(), kMain) - thresholds.begin();
-  double fall = 0.0, least_rank = 1.0;
+  double fall = 0.0, capped_fall = 0.0, least_rank = 1.0;
+  std::string falls;
   for (const Replay& entry : kReplays) {
     const Pair pair =
         scene_pair(*context.assets, entry.scene, context.quick ? entry.quick_triangles : 0);
@@ -122,13 +129,23 @@ Outcome run_e8_lod_error(const Context& context) {
     const Path path = thinned(record_path(pair, as_in_text(kMain), gains, hand),
                               context.quick ? 1 : entry.stride);
     const ProfileStudy study = study_profile(context, pair, path, gains, settings(thresholds), 1);
-    const std::vector<double> errors = add_scene(entry.scene, study, outcome);
-    fall = std::max(fall, largest_fall(errors));
-    least_rank = std::min(least_rank, rank_correlation(thresholds, errors));
+    const Errors errors = add_scene(entry.scene, study, outcome);
+    if (largest_fall(errors.free) > fall) {
+      fall = largest_fall(errors.free);
+      capped_fall = largest_fall(errors.capped);
+      falls = entry.scene;
+    }
+    least_rank = std::min(least_rank, rank_correlation(thresholds, errors.free));
     outcome.claims.push_back(stated(std::string("force-") + entry.scene,
                                     "force error at 2.5 %, RMS over RMS exact",
-                                    errors[static_cast<std::size_t>(main)]));
+                                    errors.free[static_cast<std::size_t>(main)]));
   }
+  char why[300];
+  std::snprintf(why, sizeof why,
+                "at the few coarsest levels chance decides which of them lies nearer the surface: "
+                "it is %s's fall; with a cap of 2 %% on the deviation, which keeps them out, its "
+                "largest is %.2f",
+                falls.c_str(), capped_fall);
   outcome.claims.insert(
       outcome.claims.begin(),
       {known_not_to(
@@ -136,10 +153,7 @@ Outcome run_e8_lod_error(const Context& context) {
                    "the force error rises with s0: largest fall from one threshold to a coarser "
                    "one, of the scene's largest error",
                    fall, kNoise),
-           {"above 5 % spoon and cup are felt at the same few coarsest levels, and which of them "
-            "happens to lie "
-            "nearer decides: 0.40 at 5 %, 0.36 at 10 and 20 %; elsewhere falls stay below a tenth",
-            "data.csv", 0.4}),
+           {why, "data.csv", 0.4}),
        stated("rank", "rank correlation of error and threshold, least over the scenes",
               least_rank)});
   return outcome;
