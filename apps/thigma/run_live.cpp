@@ -12,6 +12,7 @@
 #include "run_view.h"
 #include "session_recorder.h"
 #include "viewer/server/live_server.h"
+#include "viewer/server/origin.h"
 #include "viewer/server/web_files.h"
 
 #include "thigma/clod/clod_asset.h"
@@ -26,6 +27,15 @@ constexpr std::int64_t kPoll = 10'000'000;  // [ns]
 
 using Kind = live::LiveRequest::Kind;
 
+/// Where the page is; beyond this machine it asks for a token.
+live::WebAddress address_of(const RunOptions& options) {
+  live::WebAddress address{.port = options.port.value_or(0)};
+  if (options.bind.empty()) return address;
+  address.bind = options.bind;
+  if (!live::is_loopback_address(options.bind)) address.token = live::make_token();
+  return address;
+}
+
 /// The sessions of one run and what carries over from one to the next.
 class LiveRun {
  public:
@@ -38,13 +48,16 @@ class LiveRun {
         recorder_([this](const RecordingFailure& failure) { recording_failed(failure); }),
         server_(view_of(*run_), run_->session.config,
                 start_ * run_->session.config.contact.body_from_mesh, devices_of(*run_),
-                live::web_files(), program.options->port.value_or(0), *program.web_channel) {}
+                live::web_files(), address_of(*program.options), *program.web_channel) {}
 
   SessionSummary go() {
     server_.offer(open_menu());
     if (!options_.replay.empty()) commit(change_to_recording(options_.replay, now()));
+    const bool is_open = !options_.bind.empty() && !live::is_loopback_address(options_.bind);
     program_.log("the page is at " + server_.address() +
-                 " - open it in a browser on this machine; Ctrl-C ends it");
+                 (is_open ? " - without the token others may only watch; nothing is encrypted"
+                          : " - open it in a browser on this machine") +
+                 "; Ctrl-C ends it");
     SessionSummary summary;
     do {
       summary = playback_ ? playback() : session();

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "viewer/server/origin.h"
+
 #include "thigma/core/error.h"
 #include "thigma/scene/scene_description.h"
 
@@ -50,6 +52,9 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
   verb.add_option("--texture", o.texture,
                   "on: refuse a scene without textures; off: coarse surfaces alone");
   verb.add_option("--port", o.port, "of the page on this machine; 0 or none: any free one");
+  verb.add_option("--bind", o.bind,
+                  "address of this machine at which other machines reach the page, 0.0.0.0 for all "
+                  "of them: they watch, and control with the token of the address printed");
 }
 
 bool has_page(const RunOptions& o) { return !o.is_headless && (!o.is_lockstep || o.port); }
@@ -87,6 +92,10 @@ std::string check_run_options(const RunOptions& o) {
   if (!o.texture.empty() && o.texture != "on" && o.texture != "off")
     return "--texture is on or off";
   if (o.port && o.is_headless) return "--port belongs to the page, which --headless leaves out";
+  if (!o.bind.empty() && !has_page(o))
+    return "--bind belongs to the page, which --headless and --lockstep leave out";
+  if (!o.bind.empty() && !live::is_address(o.bind))
+    return "--bind must be a numeric address of this machine, such as 192.168.0.2 or 0.0.0.0";
   if (!o.pose_text.empty() && !parse_pose(o.pose_text))
     return "--pose must be seven numbers: x,y,z,qx,qy,qz,qw";
   return {};

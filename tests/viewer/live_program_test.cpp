@@ -5,6 +5,8 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <regex>
+#include <string>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -212,6 +214,26 @@ TEST(LiveProgram, WithInjectedFaultsALateFrameIsAFaultThatAReloadedPageKnows) {
   EXPECT_TRUE(name == "watchdog" || name == "contact_stale") << state;
   run.client.reset();
   EXPECT_EQ(run.program->finish().code, 6);  // nobody looks any more
+}
+
+TEST(LiveProgram, BeyondThisMachineAPageControlsWithTheTokenOnly) {
+  Program program(run_arguments({"--device", "hand:?path=rest", "--bind", "0.0.0.0"}));
+  ASSERT_TRUE(program.waits_for("Ctrl-C ends it"));
+  std::smatch said;
+  const std::string text = program.said();
+  ASSERT_TRUE(
+      std::regex_search(text, said, std::regex("http://[^/ ]*:([0-9]+)/#token=([0-9a-f]{32})")))
+      << text;
+  EXPECT_NE(text.find("nothing is encrypted"), std::string::npos);
+  const auto port = static_cast<std::uint16_t>(std::stoi(said[1]));
+  const std::string pause = R"({"type":"pause","id":1,"value":true})";
+  WebClient watcher(port), holder(port, {.token = said[2]});
+  ASSERT_FALSE(state_where(holder, [](const Json& s) { return s["run"] == "running"; }).is_null());
+  EXPECT_FALSE(ask(watcher, pause)["ok"].get<bool>());
+  const Json answer = ask(holder, pause);
+  EXPECT_TRUE(answer["ok"].get<bool>()) << answer;
+  program.send(SIGINT);
+  EXPECT_EQ(program.finish().code, 130);
 }
 
 TEST(LiveProgram, AFaultThatIsLookedAtMayBeBegunAgainFrom) {

@@ -29,13 +29,13 @@ struct RuleBench {
   WebDeviceChannel link;
   std::unique_ptr<LiveServer> server;
 
-  explicit RuleBench(const WebLimits& limits = {}) {
+  explicit RuleBench(const WebLimits& limits = {}, const WebAddress& address = {}) {
     SceneView view{"Ball", "test", "thigma test", {"ball", ball.meshes, &ball.hierarchy, {}}, {}};
     view.statics.push_back({"ground", {&ground, 1}, &scene.ground, {}});
     scene.config.haptic.device = make_web_device(link)->limits();
     server = std::make_unique<LiveServer>(view, scene.config, scene.config.world_from_body,
                                           std::vector<std::string>{"hand:", "web:"},
-                                          std::vector<WebFile>{}, std::uint16_t{0}, link, limits);
+                                          std::vector<WebFile>{}, address, link, limits);
   }
 };
 
@@ -75,6 +75,32 @@ TEST(LiveRules, APageThatDoesNotHoldTheDeviceChangesNothingForTheOneThatDoes) {
   EXPECT_TRUE(
       answer_to(watcher, R"({"type":"level","id":8,"mesh":0,"value":1})")["ok"].get<bool>());
   EXPECT_TRUE(answer_to(holder, R"({"type":"pause","id":9,"value":true})")["ok"].get<bool>());
+}
+
+TEST(LiveRules, APageWithoutTheTokenSeesEverythingAndChangesNothing) {
+  RuleBench b({}, {.token = "5ec12e7"});
+  b.server->begin_session({.device = "web:", .is_web = true, .is_simulated = true});
+  WebClient watcher(b.server->port()), holder(b.server->port(), {.token = "5ec12e7"});
+  EXPECT_FALSE(Json::parse(watcher.read_type("hello"))["may_control"].get<bool>());
+  EXPECT_TRUE(Json::parse(holder.read_type("hello"))["may_control"].get<bool>());
+  int id = 10;
+  for (const char* rest :
+       {R"("type":"hold","value":true})", R"("type":"pause","value":true})",
+        R"("type":"step","value":1})", R"("type":"reset"})",
+        R"("type":"set","name":"tolerance","value":1e-4})",
+        R"("type":"use_device","value":"hand:"})", R"("type":"record","value":true})",
+        R"("type":"open","value":"jaws"})", R"("type":"seek","value":0})",
+        R"("type":"upload","name":"a.obj","value":10})"}) {
+    const Json answer =
+        answer_to(watcher, "{\"id\":" + std::to_string(++id) + "," + std::string(rest));
+    EXPECT_EQ(answer["id"], id) << rest;
+    EXPECT_FALSE(answer["ok"].get<bool>()) << rest;
+    EXPECT_NE(answer["reason"].get<std::string>().find("watches"), std::string::npos) << answer;
+  }
+  EXPECT_FALSE(b.server->take_request());
+  EXPECT_TRUE(
+      answer_to(watcher, R"({"type":"level","id":2,"mesh":0,"value":1})")["ok"].get<bool>());
+  EXPECT_TRUE(answer_to(holder, R"({"type":"hold","id":3,"value":true})")["ok"].get<bool>());
 }
 
 TEST(LiveRules, APauseWhileASessionBeginsAnewLeavesTimeRunning) {

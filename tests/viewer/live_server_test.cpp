@@ -38,7 +38,7 @@ struct Bench {
     scene.config.haptic.device = make_web_device(link)->limits();
     server = std::make_unique<LiveServer>(view, scene.config, scene.config.world_from_body,
                                           std::vector<std::string>{"hand:", "web:"},
-                                          std::vector<WebFile>{}, std::uint16_t{0}, link, limits);
+                                          std::vector<WebFile>{}, WebAddress{}, link, limits);
   }
 
   SessionSinks sinks() {

@@ -104,7 +104,7 @@ TEST(Messages, StateCountsTheRowsOfASessionUnderConstraints) {
 
 TEST(Messages, HelloNamesEveryFaultAndChannel) {
   const SceneView view{"", "", "thigma 9", {}, {}};
-  const Json json = Json::parse(hello_message(view, 3, 0.2, 4096));
+  const Json json = Json::parse(hello_message(view, {3, false}, 0.2, 4096));
   EXPECT_EQ(json["protocol"], 1);
   EXPECT_EQ(json["page"], 3);
   EXPECT_EQ(json["channels"].size(), 16u);

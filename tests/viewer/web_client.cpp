@@ -64,7 +64,8 @@ WebClient::WebClient(std::uint16_t port, const WebGreeting& greeting) : socket_(
   const std::string host = greeting.host == "own" ? own : greeting.host;
   const std::string origin = greeting.origin == "own" ? "http://" + own : greeting.origin;
   std::string request =
-      "GET /live HTTP/1.1\r\nHost: " + host +
+      "GET /live" + (greeting.token.empty() ? "" : "?token=" + greeting.token) +
+      " HTTP/1.1\r\nHost: " + host +
       "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
       "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
   if (!origin.empty()) request += "Origin: " + origin + "\r\n";

@@ -17,6 +17,7 @@ struct WebGreeting {
   std::string origin = "own";  // "own": that of the server; "": none
   std::string host = "own";
   std::string subprotocol = "thigma.live.1";
+  std::string token{};  // shown where it is not empty
 };
 
 struct WebMessage {

@@ -1,6 +1,7 @@
 #include "viewer/server/web_server.h"
 
 #include <atomic>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -32,10 +33,11 @@ struct Bench {
   std::atomic<std::size_t> ticks{0};
   std::unique_ptr<WebServer> server;
 
-  explicit Bench(std::size_t load_in = 0, const WebLimits& limits = {}) : load(load_in) {
+  explicit Bench(std::size_t load_in = 0, const WebLimits& limits = {},
+                 const WebAddress& address = {})
+      : load(load_in) {
     server = std::make_unique<WebServer>(
-        std::uint16_t{0}, std::vector<WebFile>{{"/index.html", "text/html", "<p>page</p>"}},
-        limits);
+        address, std::vector<WebFile>{{"/index.html", "text/html", "<p>page</p>"}}, limits);
     server->start({[this](PageId) { ++opened; }, [this](PageId) { ++closed; },
                    [this](PageId page, std::string_view message, bool is_binary) -> Refusal {
                      ++heard;
@@ -267,10 +269,54 @@ TEST(WebServer, StopTellsThePages) {
   b->server->stop();  // again
 }
 
+TEST(WebServer, AWrongTokenIsRefusedAndNoneWatches) {
+  const Bench b(0, {}, {.bind = "127.0.0.1", .token = "0123abcd"});
+  EXPECT_TRUE(b.server->address().ends_with("/#token=0123abcd"));
+  EXPECT_EQ(WebClient(b.port(), {.token = "0123abce"}).status(), 403);
+  EXPECT_EQ(WebClient(b.port(), {.token = "0123abcd0"}).status(), 403);
+  const WebClient watcher(b.port()), holder(b.port(), {.token = "0123abcd"});
+  ASSERT_EQ(watcher.status(), 101);
+  ASSERT_EQ(holder.status(), 101);
+  ASSERT_TRUE(comes_true([&] { return b.opened == 2; }));
+  std::promise<std::vector<bool>> rights;
+  b.server->post([&] {
+    std::vector<bool> found;
+    for (const PageId page : b.server->pages()) found.push_back(b.server->may_control(page));
+    rights.set_value(found);
+  });
+  EXPECT_EQ(rights.get_future().get(), (std::vector<bool>{false, true}));
+}
+
+TEST(WebServer, BeyondThisMachineItAnswersToItsNumbersOnly) {
+  const Bench b(0, {}, {.bind = "0.0.0.0", .token = "0123abcd"});
+  const std::string port = ":" + std::to_string(b.port());
+  const auto status_for = [&](const std::string& host) {
+    return http_exchange(b.port(),
+                         "GET / HTTP/1.1\r\nHost: " + host + "\r\nConnection: close\r\n\r\n")
+        .substr(9, 3);
+  };
+  EXPECT_EQ(status_for("192.168.0.2" + port), "200");
+  EXPECT_EQ(status_for("localhost" + port), "200");
+  EXPECT_EQ(status_for("evil.example" + port), "403");
+  EXPECT_EQ(WebClient(b.port(), {.origin = "http://evil.example", .token = "0123abcd"}).status(),
+            403);
+}
+
+TEST(WebServer, WhatIsNoAddressOfThisMachineIsRefusedInASentence) {
+  for (const char* bind : {"203.0.113.1", "nonsense"}) {
+    try {
+      const WebServer server({.bind = bind}, {});
+      ADD_FAILURE() << bind;
+    } catch (const PortUnavailable& error) {
+      EXPECT_NE(std::string(error.what()).find(bind), std::string::npos);
+    }
+  }
+}
+
 TEST(WebServer, APortInUseIsRefusedInASentence) {
   const Bench b;
   try {
-    const WebServer second(b.port(), {});
+    const WebServer second({.port = b.port()}, {});
     ADD_FAILURE();
   } catch (const PortUnavailable& error) {
     EXPECT_NE(std::string(error.what()).find(std::to_string(b.port())), std::string::npos);

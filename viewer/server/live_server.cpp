@@ -10,14 +10,15 @@ namespace thigma::live {
 
 LiveServer::Impl::Impl(SceneView scene_in, const SessionConfig& config_in, const Pose& start_in,
                        std::vector<std::string> devices, std::vector<WebFile> files,
-                       std::uint16_t port, WebDeviceChannel& link_in, const WebLimits& limits_in)
+                       const WebAddress& address, WebDeviceChannel& link_in,
+                       const WebLimits& limits_in)
     : limits(limits_in),
       ports(std::make_unique<LivePorts>()),
       link(link_in),
       feed(config_in.haptic.workspace),
       tuner(config_in),
       rate(config_in.rate),
-      server(port, std::move(files), limits_in) {
+      server(address, std::move(files), limits_in) {
   state.devices = std::move(devices);
   state.run = RunPhase::paused;
   show_scene(std::move(scene_in), config_in, start_in);
@@ -40,7 +41,9 @@ void LiveServer::Impl::show_scene(SceneView view, const SessionConfig& shown, co
 }
 
 void LiveServer::Impl::opened(PageId page) {
-  server.send(page, hello_message(scene, page, WebMotionParams{}.lost_after, limits.message_bytes),
+  server.send(page,
+              hello_message(scene, {page, server.may_control(page)}, WebMotionParams{}.lost_after,
+                            limits.message_bytes),
               false);
   send_scene(page);
   server.send(page, parameters_message(parameters()), false);
@@ -138,9 +141,9 @@ void LiveServer::Impl::ended(SessionEnd end, std::uint64_t dropped) {
 
 LiveServer::LiveServer(SceneView scene, const SessionConfig& config, const Pose& start,
                        std::vector<std::string> devices, std::vector<WebFile> files,
-                       std::uint16_t port, WebDeviceChannel& link, const WebLimits& limits)
+                       const WebAddress& address, WebDeviceChannel& link, const WebLimits& limits)
     : impl_(std::make_unique<Impl>(std::move(scene), config, start, std::move(devices),
-                                   std::move(files), port, link, limits)) {
+                                   std::move(files), address, link, limits)) {
   Impl* impl = impl_.get();
   impl->server.start({[impl](PageId page) { impl->opened(page); },
                       [impl](PageId page) { impl->closed(page); },

@@ -52,11 +52,12 @@ class LiveServer {
   /// config     of the first session, with the device's limits; start: the object's world_from_mesh
   /// devices    addresses that pages may choose from
   /// files      of the page
+  /// address    where it listens, and the token of pages that may do more than watch
   /// link       of the device web:; outlives the server
   /// errors     PortUnavailable
   LiveServer(SceneView scene, const SessionConfig& config, const Pose& start,
-             std::vector<std::string> devices, std::vector<WebFile> files, std::uint16_t port,
-             WebDeviceChannel& link, const WebLimits& limits = {});
+             std::vector<std::string> devices, std::vector<WebFile> files,
+             const WebAddress& address, WebDeviceChannel& link, const WebLimits& limits = {});
   ~LiveServer();
   LiveServer(const LiveServer&) = delete;
   LiveServer& operator=(const LiveServer&) = delete;

@@ -171,10 +171,12 @@ ParsedCommand parse_command(std::string_view text) {
   return result;
 }
 
-std::string hello_message(const SceneView& scene, PageId page, double lost_after,
+std::string hello_message(const SceneView& scene, const PageRights& page, double lost_after,
                           std::size_t max_message) {
-  Json json = {{"type", "hello"}, {"protocol", kProtocol},    {"program", scene.program},
-               {"page", page},    {"lost_after", lost_after}, {"max_message", max_message}};
+  Json json = {
+      {"type", "hello"},           {"protocol", kProtocol},           {"program", scene.program},
+      {"page", page.id},           {"may_control", page.may_control}, {"lost_after", lost_after},
+      {"max_message", max_message}};
   json["channels"] = Json::array();
   for (const Channel& c : kChannelList)
     json["channels"].push_back({{"name", std::string(c.name)}, {"unit", std::string(c.unit)}});

@@ -117,7 +117,13 @@ struct Timing {
   double held_back = 0.0, squeezed = 0.0;  // of the frames, shares
 };
 
-std::string hello_message(const SceneView& scene, PageId page, double lost_after,
+/// A page, and whether it may do more than watch.
+struct PageRights {
+  PageId id = 0;
+  bool may_control = true;
+};
+
+std::string hello_message(const SceneView& scene, const PageRights& page, double lost_after,
                           std::size_t max_message);
 /// start: the object's world_from_mesh where the session begins.
 std::string scene_message(const SceneView& scene, const SessionConfig& config, const Pose& start);

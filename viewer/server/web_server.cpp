@@ -4,6 +4,7 @@
 
 #include "viewer/server/detail/page.h"
 #include "viewer/server/detail/web_core.h"
+#include "viewer/server/origin.h"
 #include <boost/asio/post.hpp>
 
 namespace thigma::live {
@@ -12,8 +13,8 @@ struct WebServer::Impl {
   Core core;
 };
 
-WebServer::WebServer(std::uint16_t port, std::vector<WebFile> files, const WebLimits& limits)
-    : impl_(new Impl{{port, std::move(files), limits}}) {}
+WebServer::WebServer(const WebAddress& address, std::vector<WebFile> files, const WebLimits& limits)
+    : impl_(new Impl{{address, std::move(files), limits}}) {}
 
 WebServer::~WebServer() {
   stop();
@@ -23,7 +24,9 @@ WebServer::~WebServer() {
 std::uint16_t WebServer::port() const noexcept { return impl_->core.port; }
 
 std::string WebServer::address() const {
-  return "http://127.0.0.1:" + std::to_string(impl_->core.port);
+  const WebAddress& at = impl_->core.address;
+  return "http://" + host_of(at.bind) + ":" + std::to_string(impl_->core.port) +
+         (at.token.empty() ? "" : "/#token=" + at.token);
 }
 
 void WebServer::start(WebHandlers handlers) {
@@ -67,6 +70,11 @@ std::vector<PageId> WebServer::pages() const {
   std::vector<PageId> ids;
   for (const auto& [id, page] : impl_->core.pages) ids.push_back(id);
   return ids;
+}
+
+bool WebServer::may_control(PageId page) const {
+  const auto found = impl_->core.pages.find(page);
+  return found != impl_->core.pages.end() && found->second->may_control();
 }
 
 }  // namespace thigma::live

@@ -1,6 +1,6 @@
 #pragma once
-// HTTP and WebSocket on one loopback port: files that are part of the program, and messages to and
-// from pages. What the messages mean is not known here.
+// HTTP and WebSocket on one port, of this machine alone unless asked otherwise: files that are part
+// of the program, and messages to and from pages. What the messages mean is not known here.
 
 #include <cstdint>
 #include <functional>
@@ -49,6 +49,14 @@ struct WebHandlers {
   std::function<void()> tick;
 };
 
+/// Where the server listens.
+struct WebAddress {
+  std::uint16_t port = 0;          // 0: any free one
+  std::string bind = "127.0.0.1";  // IPv4 or IPv6 address of this machine; "0.0.0.0": all of them
+  // what a page has to show for more than watching: `/live?token=...`. "": nothing
+  std::string token{};
+};
+
 struct WebLimits {
   std::size_t pages = 8;
   std::size_t connections = 64;          // pages and HTTP together
@@ -68,19 +76,20 @@ class PortUnavailable : public std::runtime_error {
 
 /// The server and its one thread, which never waits for a page: what a page does not take is
 /// dropped or ends the page.
-/// Invariant: bound to a loopback address only; from construction to stop() the port is open.
+/// Invariant: bound to the address it was given; from construction to stop() the port is open.
 /// Thread: constructor, start, stop, destructor and post from any; everything else from handlers
 /// and posted work.
 class WebServer {
  public:
-  /// port 0: any free one. Throws PortUnavailable.
-  WebServer(std::uint16_t port, std::vector<WebFile> files, const WebLimits& limits = {});
+  /// Throws PortUnavailable; also for what is no address.
+  WebServer(const WebAddress& address, std::vector<WebFile> files, const WebLimits& limits = {});
   ~WebServer();
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;
 
   std::uint16_t port() const noexcept;
-  std::string address() const;  // as a browser takes it
+  /// As a browser takes it, with the token in its fragment, which browsers do not send or log.
+  std::string address() const;
 
   void start(WebHandlers handlers);
   /// Tells all pages that it goes, and ends; at most a fifth of a second. Again: does nothing.
@@ -97,6 +106,8 @@ class WebServer {
   std::size_t waiting_bytes(PageId page) const;  // of what it has not taken yet
   std::uint64_t dropped(PageId page) const;      // offers that were not taken
   std::vector<PageId> pages() const;             // open ones
+  /// Whether the page may do more than watch: it came with the token, or there is none.
+  bool may_control(PageId page) const;
 
  private:
   struct Impl;

@@ -24,6 +24,14 @@ bool asks_for_subprotocol(const Request& request) {
   return false;
 }
 
+/// What a target shows as its token; nothing where it shows none.
+std::optional<std::string_view> token_of(std::string_view target) {
+  constexpr std::string_view kKey = "?token=";
+  const std::size_t at = target.find(kKey);
+  if (at == std::string_view::npos) return std::nullopt;
+  return target.substr(at + kKey.size());
+}
+
 }  // namespace
 
 HttpConnection::HttpConnection(Core& server, tcp::socket socket)
@@ -75,8 +83,12 @@ void HttpConnection::take(beast::error_code error) {
 
 void HttpConnection::handle(const Request& request) {
   const std::string_view host = view(request[http::field::host]);
-  if (!is_loopback_host(host)) {
-    answer(http::status::forbidden, "this server answers to 127.0.0.1 and localhost only", false);
+  const bool is_open = !is_loopback_address(server_.address.bind);
+  if (!is_loopback_host(host) && !(is_open && is_own_host(host))) {
+    answer(http::status::forbidden,
+           is_open ? "this server answers to its addresses and to its machine's name only"
+                   : "this server answers to 127.0.0.1 and localhost only",
+           false);
     return;
   }
   host_ = host;
@@ -96,14 +108,25 @@ void HttpConnection::upgrade(const Request& request) {
   if (!websocket::is_upgrade(request) || !asks_for_subprotocol(request)) {
     answer(http::status::upgrade_required,
            "WebSocket with subprotocol " + std::string(kSubprotocol) + " is spoken here", false);
-  } else if (!is_own_origin(view(request[http::field::origin]), host_)) {
-    answer(http::status::forbidden, "only the page of this server may connect", false);
-  } else if (server_.pages.size() + server_.upgrading >= server_.limits.pages) {
-    answer(http::status::service_unavailable, "too many pages are open", false);
-  } else {
-    stream_.expires_never();
-    std::make_shared<Page>(server_, std::move(stream_), ++server_.last_id)->accept(request);
+    return;
   }
+  if (!is_own_origin(view(request[http::field::origin]), host_)) {
+    answer(http::status::forbidden, "only the page of this server may connect", false);
+    return;
+  }
+  if (server_.pages.size() + server_.upgrading >= server_.limits.pages) {
+    answer(http::status::service_unavailable, "too many pages are open", false);
+    return;
+  }
+  const std::string& token = server_.address.token;
+  const std::optional<std::string_view> shown = token_of(view(request.target()));
+  if (!token.empty() && shown && !is_same_secret(*shown, token)) {
+    answer(http::status::forbidden, "the token is not that of this session", false);
+    return;
+  }
+  stream_.expires_never();
+  std::make_shared<Page>(server_, std::move(stream_), ++server_.last_id, token.empty() || shown)
+      ->accept(request);
 }
 
 void HttpConnection::serve(std::string_view path, bool keeps_alive) {

@@ -197,6 +197,11 @@ Refusal LiveServer::Impl::take_chunk(PageId page, std::string_view message) {
 }
 
 void LiveServer::Impl::take_command(PageId page, const Command& command) {
+  // Who watches may ask for what is drawn.
+  if (command.kind != Command::Kind::level && !server.may_control(page)) {
+    server.send(page, ack_message(command.id, kIsWatching), false);
+    return;
+  }
   std::string why;
   std::optional<double> value;
   switch (command.kind) {

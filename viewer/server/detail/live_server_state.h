@@ -28,11 +28,13 @@ inline constexpr const char* kIsRecording =
 inline constexpr const char* kIsReplay =
     "a recording is shown as it was; begin a session to change this";
 inline constexpr const char* kIsHeld = "another page holds the device";
+inline constexpr const char* kIsWatching =
+    "this page only watches: open the address with its token, as the program has printed it";
 inline constexpr const char* kIsRestarting = "the session is just beginning anew";
 
 struct LiveServer::Impl {
   Impl(SceneView scene_in, const SessionConfig& config_in, const Pose& start_in,
-       std::vector<std::string> devices, std::vector<WebFile> files, std::uint16_t port,
+       std::vector<std::string> devices, std::vector<WebFile> files, const WebAddress& address,
        WebDeviceChannel& link_in, const WebLimits& limits_in);
 
   // On the server's thread.

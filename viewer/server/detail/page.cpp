@@ -11,8 +11,8 @@ constexpr int kSendBuffer = 256 * 1024;  // of the system: what lies there is ol
 
 }  // namespace
 
-Page::Page(Core& server, beast::tcp_stream stream, PageId id)
-    : server_(server), socket_(std::move(stream)), id_(id) {
+Page::Page(Core& server, beast::tcp_stream stream, PageId id, bool may_control)
+    : server_(server), socket_(std::move(stream)), id_(id), may_control_(may_control) {
   ++server_.connections;
   ++server_.upgrading;
 }

@@ -17,7 +17,7 @@ namespace websocket = beast::websocket;
 /// One WebSocket. In Core::pages from the end of its handshake until it is gone.
 class Page : public std::enable_shared_from_this<Page> {
  public:
-  Page(Core& server, beast::tcp_stream stream, PageId id);
+  Page(Core& server, beast::tcp_stream stream, PageId id, bool may_control);
   ~Page();
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
@@ -29,6 +29,7 @@ class Page : public std::enable_shared_from_this<Page> {
   void hang_up();
 
   std::size_t waiting_bytes() const;
+  bool may_control() const { return may_control_; }
 
   std::uint64_t dropped = 0;  // offers that were not taken
 
@@ -48,6 +49,7 @@ class Page : public std::enable_shared_from_this<Page> {
   Core& server_;
   websocket::stream<beast::tcp_stream> socket_;
   const PageId id_;
+  const bool may_control_;
   beast::flat_buffer incoming_;
   std::deque<Waiting> waiting_;  // the front is being written
   bool is_writing_ = false, is_closing_ = false, is_open_ = false, was_open_ = false;

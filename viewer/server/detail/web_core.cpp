@@ -5,18 +5,23 @@
 
 namespace thigma::live {
 
-Core::Core(std::uint16_t wanted, std::vector<WebFile> files_in, const WebLimits& limits_in)
-    : files(std::move(files_in)), limits(limits_in), acceptor(io), ticker(io), farewell(io) {
+Core::Core(const WebAddress& wanted, std::vector<WebFile> files_in, const WebLimits& limits_in)
+    : address(wanted),
+      files(std::move(files_in)),
+      limits(limits_in),
+      acceptor(io),
+      ticker(io),
+      farewell(io) {
   try {
-    const tcp::endpoint here(asio::ip::make_address("127.0.0.1"), wanted);
+    const tcp::endpoint here(asio::ip::make_address(address.bind), address.port);
     acceptor.open(here.protocol());
     acceptor.set_option(asio::socket_base::reuse_address(true));
     acceptor.bind(here);
     acceptor.listen();
     port = acceptor.local_endpoint().port();
   } catch (const boost::system::system_error& error) {
-    throw PortUnavailable("port " + std::to_string(wanted) +
-                          " on 127.0.0.1: " + error.code().message());
+    throw PortUnavailable("port " + std::to_string(address.port) + " on " + address.bind + ": " +
+                          error.code().message());
   }
 }
 

@@ -40,13 +40,14 @@ inline Clock::duration duration_of(double seconds) {
 /// What all connections share.
 struct Core {
   /// Listens at once. Throws PortUnavailable.
-  Core(std::uint16_t wanted, std::vector<WebFile> files, const WebLimits& limits);
+  Core(const WebAddress& address, std::vector<WebFile> files, const WebLimits& limits);
 
   void accept();
   void arm_tick();
   void begin_stop();
   void erase(PageId id);
 
+  WebAddress address;
   std::vector<WebFile> files;
   WebLimits limits;
   WebHandlers handlers;

@@ -13,10 +13,12 @@ export function guideLine(guide, session, facts, act) {
   const object = scene.object.name;
   const fading = (snapshot.bits & 32) !== 0, grasped = (snapshot.bits & 1) !== 0, armed = (snapshot.bits & 2) !== 0, fault = (snapshot.bits & 4) !== 0;
   if (session.progress) return null;
+  const watches = session.hello?.may_control === false;
   if (state.run === "ended") {
-    return { text: `The session ${endWords(state) ?? "has ended"}.`, button: "Begin again", act: act.reset, mood: "stop" };
+    return { text: `The session ${endWords(state) ?? "has ended"}.`, button: watches ? undefined : "Begin again", act: act.reset, mood: "stop" };
   }
   if (session.refusal && facts.now < session.refusal.until) return { text: session.refusal.text, mood: "stop" };
+  if (watches) return { text: "This page watches. To do more, open the address with its token, as the program has printed it." };
   if (state.replay) {
     return { text: `A recording: ${state.replay.file.split("/").pop()}`, button: state.devices.includes("web:") ? "Take it yourself" : undefined,
       act: () => act.device("web:") };

@@ -156,7 +156,7 @@ const player = {
   hand,
   workspace: () => session.scene.workspace,
   grasp: () => session.snapshot?.grasp ?? [0, 0, 0],
-  mayMove: () => session.connected && Boolean(session.state?.device.startsWith("web:")) && session.state.holder !== "other" &&
+  mayMove: () => session.connected && session.hello?.may_control !== false && Boolean(session.state?.device.startsWith("web:")) && session.state.holder !== "other" &&
     session.state.run !== "ended" && !session.state.replay && Boolean(session.snapshot),
   async press() {
     if ((hand.clutch && session.holding) || session.asking) return;
@@ -254,7 +254,8 @@ startTabs(at("tabs"), [["plots", "Plots"], ["parameters", "Parameters"], ["level
 ]);
 rebuildPlots(plots);
 veil("Connecting …");
-link = makeLink(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live`, {
+const token = /^#token=([0-9a-f]+)$/.exec(location.hash)?.[1];
+link = makeLink(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live${token ? `?token=${token}` : ""}`, {
   message: (message) => on[message.type ?? message.kind]?.(message), opened, lost,
 });
 setInterval(confirmHand, CONFIRM);

@@ -1,0 +1,23 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { guideLine, makeGuide } from "../../src/guide.js";
+
+const session = (may_control, run) => ({
+  connected: true, hello: { may_control }, scene: { object: { name: "ball" }, statics: [{ name: "plate" }] },
+  state: { run, reason: "stopped", device: "hand:", devices: ["hand:", "web:"], holder: null }, snapshot: { bits: 0, time: 1 },
+});
+const facts = { now: 1, holding: false, newtons: 0, turned: false };
+const act = { device: () => {}, reset: () => {} };
+
+test("a page without the token is told how to do more, and offered nothing", () => {
+  const line = guideLine(makeGuide(), session(false, "running"), facts, act);
+  assert.match(line.text, /only|watches/);
+  assert.match(line.text, /token/);
+  assert.equal(line.button, undefined);
+  assert.equal(guideLine(makeGuide(), session(false, "ended"), facts, act).button, undefined);
+});
+
+test("a page with it is offered the hand, and to begin again", () => {
+  assert.equal(guideLine(makeGuide(), session(true, "running"), facts, act).button, "Take it yourself");
+  assert.equal(guideLine(makeGuide(), session(true, "ended"), facts, act).button, "Begin again");
+});
