@@ -56,6 +56,41 @@ TEST(FindStart, MovesOverlappingObjectsApart) {
   }
 }
 
+/// A ball of 1 cm about the origin and another object about it.
+struct TwoSurfaces {
+  ClodHierarchy object, ground;
+  ContactWorld world;
+  TwoSurfaces(const TriangleMesh& a, const TriangleMesh& b)
+      : object(build_exact_hierarchy(a)), ground(build_exact_hierarchy(b)) {
+    world.object = &object;
+    world.scene = {{&ground, Pose{}}};
+    world.tolerance = 1e-4;
+    world.resolution.is_exact = true;
+  }
+};
+
+TEST(FindStart, MovesOutWhatIsInsideWithoutTouching) {
+  const TwoSurfaces inside(make_ball(0.01, 4), make_box({0.2, 0.2, 0.06}, {6, 6, 2}));
+  const StartPlacement start = find_start(inside.world, {{0.0, 0.0, 0.005}, Quat::Identity()});
+  EXPECT_TRUE(start.is_moved);
+  EXPECT_NEAR(start.given_gap, -0.015, 1e-4);  // up to the top
+  EXPECT_GT(start.world_from_body.position.z(), 0.03 + 0.01);
+  EXPECT_NEAR(start.approach.z(), -1.0, 1e-3);
+  EXPECT_NEAR(start.clearance, start.world_from_body.position.z() - 0.04, 1e-3);
+  // The same about each other the other way round.
+  const TwoSurfaces around(make_box({0.2, 0.2, 0.06}, {6, 6, 2}), make_ball(0.01, 4));
+  EXPECT_LT(find_start(around.world, {{0.0, 0.0, 0.005}, Quat::Identity()}).given_gap, -0.01);
+}
+
+TEST(FindStart, LeavesWhatIsInACavityOrACup) {
+  const TwoSurfaces cavity(make_ball(0.01, 4), make_hollow_ball(0.06, 0.04, 6));
+  const StartPlacement in_cavity = find_start(cavity.world, {{0.0, 0.0, 0.02}, Quat::Identity()});
+  EXPECT_FALSE(in_cavity.is_moved);
+  EXPECT_NEAR(in_cavity.given_gap, 0.01, 1e-3);
+  const TwoSurfaces dome(make_ball(0.01, 4), make_dome(0.05, 24, 6));  // open below
+  EXPECT_FALSE(find_start(dome.world, {{0.0, 0.0, 0.01}, Quat::Identity()}).is_moved);
+}
+
 TEST(FindStart, FollowsTheWayOutItIsGiven) {
   const SessionConfig config = plane_session(-0.005);
   const Vec3 way(3.0, 0.0, 4.0);

@@ -9,6 +9,7 @@
 #include "thigma/loop/contact_step.h"
 #include "thigma/loop/haptic_step.h"
 #include "thigma/response/texture_contacts.h"
+#include "thigma/scene/detail/winding_number.h"
 
 namespace thigma {
 namespace {
@@ -19,6 +20,28 @@ struct Prober {
   ContactScratch scratch;
   double radius = 0.0;  // of the object [m]
   double reach = 0.0;   // farther apart than this nothing is looked for [m]
+
+  /// Whether one of the two lies in the solid of the other though their surfaces are apart.
+  bool is_swallowed(const Pose& pose, const Contact& nearest) const {
+    if (world.object == nullptr || nearest.body < 0 ||
+        static_cast<std::size_t>(nearest.body) >= world.scene.size())
+      return false;
+    const SceneBody& body = world.scene[static_cast<std::size_t>(nearest.body)];
+    const Pose world_from_mesh = pose * world.body_from_mesh;
+    return detail::is_inside(*body.hierarchy,
+                             transform_point(inverse(body.world_from_body), nearest.point)) ||
+           detail::is_inside(*world.object,
+                             transform_point(inverse(world_from_mesh), nearest.scene_point));
+  }
+
+  /// closest, where an object inside another is as deep as its way to the surface is long.
+  std::optional<Contact> deepest(const Pose& pose, double look_first) {
+    std::optional<Contact> nearest = closest(pose, look_first);
+    if (!nearest || nearest->depth >= 0.0 || !is_swallowed(pose, *nearest)) return nearest;
+    nearest->depth = -nearest->depth;
+    nearest->normal = -nearest->normal;
+    return nearest;
+  }
 
   /// The deepest contact at a pose, looking farther and farther; nothing within `reach`: no value.
   std::optional<Contact> closest(const Pose& pose, double look_first) {
@@ -79,7 +102,7 @@ double move_out(Prober& prober, const Contact& deepest, double wanted, const Vec
                        std::to_string(out.z()) + "); expected a pose from which they can");
     }
     pose.position = given + travel * out;
-    nearest = prober.closest(pose, wanted);
+    nearest = prober.deepest(pose, wanted);
   }
   return travel;
 }
@@ -97,10 +120,12 @@ StartPlacement find_start(const ContactWorld& world, const Pose& world_from_body
 
   std::optional<Contact> nearest = prober.closest(start.world_from_body, wanted);
   if (!nearest) return start;
+  const bool is_through = nearest->depth > 0.0;
+  nearest = prober.deepest(start.world_from_body, wanted);
   start.has_scene = true;
   start.given_gap = -nearest->depth;
   Vec3 out = -nearest->normal;
-  if (nearest->depth > 0.0) out = prober.way_out();
+  if (is_through) out = prober.way_out();
   if (way_out != nullptr) out = *way_out;
   if (!(out.norm() > 0.0)) out = -nearest->normal;
   out.normalize();
