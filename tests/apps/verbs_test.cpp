@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <set>
 
 #include "apps/program.h"
@@ -21,7 +23,7 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> kVerbs = {"run",    "build",  "contacts",    "inspect", "repair",
                                          "replay", "export", "conformance", "bench",   "devices",
-                                         "doctor", "tune",   "bake"};
+                                         "doctor", "tune",   "bake",        "cache"};
 
 std::string poses_file() {
   return write_text("poses.csv",
@@ -429,6 +431,33 @@ TEST(Verbs, write_a_whole_file_or_none) {
   for (const auto& entry : fs::directory_iterator(work_folder())) {
     EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
   }
+}
+
+TEST(Verbs, the_cache_is_listed_and_cleared) {
+  const fs::path home = fs::path(testing::TempDir()) / "thigma_verb_cache";
+  fs::create_directories(home / "thigma");
+  std::ofstream(home / "thigma" / "part.obj.0123456789abcdef.clod") << "12345";
+  const std::string old = std::getenv("XDG_CACHE_HOME") ? std::getenv("XDG_CACHE_HOME") : "";
+  ::setenv("XDG_CACHE_HOME", home.c_str(), 1);
+  const Ended list = run_program({"cache", "list"});
+  EXPECT_EQ(list.code, 0) << list.err;
+  EXPECT_NE(list.out.find("part.obj."), std::string::npos) << list.out;
+  EXPECT_NE(list.out.find("in 1 files in"), std::string::npos) << list.out;
+  const Ended kept = run_program({"cache", "clear", "--older", "1", "--json"});
+  EXPECT_EQ(json_line(kept)["removed"], 0);
+  const Ended cleared = run_program({"cache", "clear", "--json"});
+  EXPECT_EQ(json_line(cleared)["removed"], 1);
+  EXPECT_EQ(json_line(cleared)["bytes"], 5);
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"cache"},
+                                                {"cache", "lsit"},
+                                                {"cache", "list", "--older", "1"},
+                                                {"cache", "clear", "--older", "-1"}})
+    EXPECT_EQ(run_program(wrong).code, 2) << wrong.back();
+  if (old.empty())
+    ::unsetenv("XDG_CACHE_HOME");
+  else
+    ::setenv("XDG_CACHE_HOME", old.c_str(), 1);
+  fs::remove_all(home);
 }
 
 }  // namespace

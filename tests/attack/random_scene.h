@@ -1,6 +1,6 @@
 #pragma once
-// Random scenes: two closed surfaces of any shape and size, materials, response, device and rate, all
-// drawn by a number.
+// Random scenes: two closed surfaces of any shape and size, materials, response, device and rate,
+// all drawn by a number.
 
 #include <cstdint>
 #include <string>
@@ -19,8 +19,8 @@ struct RandomScene {
   double radius = 0.0;          // of the object, about [m]
 };
 
-/// The scene of a number. Surfaces are closed and not flat, but may pass through themselves: what is
-/// built of them may be refused.
+/// The scene of a number. Surfaces are closed and not flat, but may pass through themselves: what
+/// is built of them may be refused.
 RandomScene random_scene(std::uint64_t number);
 
 }  // namespace thigma::test

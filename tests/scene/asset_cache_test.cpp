@@ -1,8 +1,9 @@
-// Levels of detail beside their mesh: found again, built again when anything is different, whole at
+// Levels of detail in the cache: found again, built again when anything is different, whole at
 // any moment.
 
 #include "thigma/scene/asset_cache.h"
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +15,7 @@
 #include "thigma/clod/clod_file.h"
 #include "thigma/clod/validate_hierarchy.h"
 #include "thigma/core/error.h"
+#include "thigma/files/checksum.h"
 #include "thigma/files/file.h"
 #include "thigma/import/write_mesh.h"
 #include "thigma/mesh/shapes.h"
@@ -65,9 +67,10 @@ TEST_F(AssetCacheFiles, AreBuiltOnce) {
   const std::string built = format_clod(load());
   EXPECT_TRUE(says("built in"));
   EXPECT_TRUE(says("kept in"));
-  ASSERT_EQ(kept("meshes").size(), 1u);
-  EXPECT_EQ(kept("meshes")[0].string().rfind(source_.name + ".", 0), 0u);
-  EXPECT_EQ(kept("meshes")[0].extension(), ".clod");
+  EXPECT_EQ(kept("meshes").size(), 0u);  // a user's folder stays as it is
+  ASSERT_EQ(kept("home").size(), 1u);
+  EXPECT_EQ(kept("home")[0].filename().string().rfind("torus.obj.", 0), 0u);
+  EXPECT_EQ(kept("home")[0].extension(), ".clod");
   EXPECT_EQ(format_clod(load()), built);
   EXPECT_EQ(told_, "");
 }
@@ -76,9 +79,9 @@ TEST_F(AssetCacheFiles, FollowTheMesh) {
   load();
   write_mesh(make_torus(1.0, 0.3, 16, 12));
   const ClodAsset second = load();
-  EXPECT_TRUE(says("another mesh"));
+  EXPECT_TRUE(says("built in"));
   EXPECT_NEAR(second.mass.measure.volume, 2.0 * 9.87 * 0.09, 0.2);
-  EXPECT_EQ(kept("meshes").size(), 1u);
+  EXPECT_EQ(kept("home").size(), 2u);
   load();
   EXPECT_EQ(told_, "");
 }
@@ -87,7 +90,7 @@ TEST_F(AssetCacheFiles, FollowTheParameters) {
   const std::string first = format_clod(load());
   source_.params.simplify.deviation_limit = 0.03;
   EXPECT_NE(format_clod(load()), first);
-  EXPECT_EQ(kept("meshes").size(), 2u);
+  EXPECT_EQ(kept("home").size(), 2u);
   source_.params.simplify.deviation_limit = 0.05;
   EXPECT_EQ(format_clod(load()), first);
   EXPECT_EQ(told_, "");
@@ -111,7 +114,7 @@ TEST_F(AssetCacheFiles, ServeEveryScale) {
 
 TEST_F(AssetCacheFiles, AreBuiltAgainWhenDamaged) {
   const std::string whole = format_clod(load());
-  const std::string path = kept("meshes").at(0).string();
+  const std::string path = kept("home").at(0).string();
   for (const std::string& damaged :
        {std::string(), whole.substr(0, whole.size() / 2), std::string("v 0 0 0\n"), whole + "x"}) {
     write_file(path, damaged);
@@ -121,22 +124,50 @@ TEST_F(AssetCacheFiles, AreBuiltAgainWhenDamaged) {
   }
 }
 
-TEST_F(AssetCacheFiles, GoToTheUsersFolderWhereTheMeshsIsClosed) {
-  if (::geteuid() == 0) {
-    // Nothing is closed to root: a folder in the way of the file is.
-    load();
-    const fs::path beside = kept("meshes").at(0);
-    fs::remove(beside);
-    fs::create_directories(beside / "in_the_way");
-  } else {
-    fs::permissions(folder_ / "meshes", fs::perms::owner_read | fs::perms::owner_exec);
+TEST_F(AssetCacheFiles, AreBuiltAgainByAProgramThatBuildsOtherwise) {
+  ClodAsset other = load();
+  const std::string wanted = format_clod(other);
+  other.origin.key[0] ^= 1;
+  write_file(kept("home").at(0).string(), format_clod(other));
+  EXPECT_EQ(format_clod(load()), wanted);
+  EXPECT_TRUE(says("another version")) << told_;
+}
+
+TEST_F(AssetCacheFiles, AreListedAndCleared) {
+  EXPECT_TRUE(list_cache(cache_folder()).empty());
+  load();
+  source_.name = "procedural:ball?triangles=320";
+  load();
+  const fs::path stranger = folder_ / "home" / "thigma" / "notes.txt";
+  write_file(stranger.string(), "mine");
+  const std::vector<KeptAsset> all = list_cache(cache_folder());
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_NE(all[0].path.find("ball."), std::string::npos);
+  EXPECT_EQ(all[0].bytes, fs::file_size(all[0].path));
+  // One that has not been used for ten days.
+  fs::last_write_time(all[0].path, fs::file_time_type::clock::now() - std::chrono::hours(240));
+  EXPECT_NEAR(list_cache(cache_folder())[0].age, 864000.0, 60.0);
+  EXPECT_EQ(clear_cache(cache_folder(), 11.0 * 86400.0).size(), 0u);
+  load();  // uses it
+  EXPECT_LT(list_cache(cache_folder())[0].age, 60.0);
+  fs::last_write_time(all[0].path, fs::file_time_type::clock::now() - std::chrono::hours(240));
+  EXPECT_EQ(clear_cache(cache_folder(), 9.0 * 86400.0).size(), 1u);
+  EXPECT_EQ(clear_cache(cache_folder()).size(), 1u);
+  EXPECT_TRUE(list_cache(cache_folder()).empty());
+  EXPECT_TRUE(fs::exists(stranger));
+}
+
+// Levels that were kept outlive a rebuild of the program, so the number has to change with the
+// bytes, and only then: raise kBuildRevision and write both here.
+TEST_F(AssetCacheFiles, HaveANumberForTheirBytes) {
+  std::string bytes;
+  for (const char* name : {"procedural:ball?triangles=2000", "procedural:torus?triangles=2000"}) {
+    source_.name = name;
+    ClodAsset asset = load({.is_enabled = false, .folder = ""});
+    bytes += format_clod(asset);
   }
-  load();
-  EXPECT_TRUE(says("home/thigma/torus.obj.")) << told_;
-  EXPECT_EQ(kept("home").size(), 1u);
-  load();
-  EXPECT_FALSE(says("built in")) << told_;
-  fs::permissions(folder_ / "meshes", fs::perms::owner_all);
+  EXPECT_EQ(kBuildRevision, 1);
+  EXPECT_EQ(hex_text(sha256(bytes)).substr(0, 16), "998092bebdc4d25e");
 }
 
 TEST_F(AssetCacheFiles, AreNotNeeded) {
@@ -177,7 +208,7 @@ TEST_F(AssetCacheFiles, TakeClodFilesAsTheyAre) {
 
 TEST_F(AssetCacheFiles, AreWholeWhoeverWritesThem) {
   const std::string wanted = format_clod(load());
-  const fs::path path = kept("meshes").at(0);
+  const fs::path path = kept("home").at(0);
   std::vector<std::thread> others;
   std::atomic<int> wrong{0};
   for (int t = 0; t < 4; ++t)
@@ -190,7 +221,7 @@ TEST_F(AssetCacheFiles, AreWholeWhoeverWritesThem) {
   for (std::thread& other : others) other.join();
   EXPECT_EQ(wrong, 0);
   load();
-  EXPECT_EQ(kept("meshes").size(), 1u);
+  EXPECT_EQ(kept("home").size(), 1u);
 }
 
 }  // namespace

@@ -1,13 +1,11 @@
 #include "thigma/scene/asset_cache.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <vector>
-
-#include <link.h>
 
 #include "thigma/clod/clod_file.h"
 #include "thigma/core/error.h"
@@ -42,43 +40,9 @@ std::string params_text(const ClodSource& source) {
   return text;
 }
 
-/// Whether this code lies in the object: the program, or a module that holds the library.
-bool holds_this_code(const dl_phdr_info& info) {
-  const auto here = reinterpret_cast<ElfW(Addr)>(&holds_this_code);
-  for (int i = 0; i < info.dlpi_phnum; ++i) {
-    const ElfW(Phdr)& segment = info.dlpi_phdr[i];
-    const ElfW(Addr) begin = info.dlpi_addr + segment.p_vaddr;
-    if (segment.p_type == PT_LOAD && here >= begin && here - begin < segment.p_memsz) return true;
-  }
-  return false;
-}
-
-int find_build_id(dl_phdr_info* info, std::size_t, void* result) {
-  if (!holds_this_code(*info)) return 0;
-  for (int i = 0; i < info->dlpi_phnum; ++i) {
-    const ElfW(Phdr)& segment = info->dlpi_phdr[i];
-    if (segment.p_type != PT_NOTE) continue;
-    const auto* at = reinterpret_cast<const char*>(info->dlpi_addr + segment.p_vaddr);
-    const char* const end = at + segment.p_memsz;
-    while (end - at >= static_cast<std::ptrdiff_t>(sizeof(ElfW(Nhdr)))) {
-      ElfW(Nhdr) note{};
-      std::memcpy(&note, at, sizeof note);
-      const char* const name = at + sizeof note;
-      const char* const text = name + (note.n_namesz + 3) / 4 * 4;
-      if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4 && std::memcmp(name, "GNU", 4) == 0)
-        static_cast<std::string*>(result)->assign(text, note.n_descsz);
-      at = text + (note.n_descsz + 3) / 4 * 4;
-    }
-  }
-  return 1;  // no need to see the others
-}
-
-/// What made an asset: another build of the program may build otherwise.
-std::string program_text() {
-  std::string id;
-  dl_iterate_phdr(find_build_id, &id);
-  return std::string("thigma ") + THIGMA_VERSION + " " + id + "\n";
-}
+/// What made an asset: raised whenever the same mesh and parameters give other bytes, which a test
+/// of the bytes asks for. Levels kept by a program of another number are built again.
+std::string program_text() { return "levels " + std::to_string(kBuildRevision) + "\n"; }
 
 std::string first_digits(const Sha256& digest) { return hex_text(digest).substr(0, 16); }
 
@@ -89,29 +53,16 @@ Sha256 key_of(const Sha256& source, const std::string& params) {
 // ---- places
 // ------------------------------------------------------------
 
-/// The user's cache folder, "" without one.
-std::string user_folder() {
-  const char* cache = std::getenv("XDG_CACHE_HOME");
-  if (cache != nullptr && cache[0] == '/') return std::string(cache) + "/thigma";
-  const char* home = std::getenv("HOME");
-  return home != nullptr && home[0] == '/' ? std::string(home) + "/.cache/thigma" : "";
-}
-
-/// Where an asset may be kept, the best place first.
-std::vector<std::string> places(const ClodSource& source, const AssetCache& cache, bool is_model,
-                                const Sha256& digest) {
-  const std::string params = params_text(source);
-  std::vector<std::string> result;
-  if (!is_model && cache.folder.empty())
-    result.push_back(source.name + "." + first_digits(sha256(params)) + ".clod");
-  const std::string folder = cache.folder.empty() ? user_folder() : cache.folder;
-  if (folder.empty()) return result;
+/// Where an asset is kept, "" without a folder.
+std::string place_of(const ClodSource& source, const AssetCache& cache, bool is_model,
+                     const Sha256& digest) {
+  const std::string folder = cache.folder.empty() ? cache_folder() : cache.folder;
+  if (folder.empty()) return "";
   const std::string name = is_model ? models::parse_model_uri(source.name, source.role).name
                                     : fs::path(source.name).filename().string();
   // Meshes of one name from many folders meet here.
-  result.push_back(folder + "/" + name + "." + first_digits(sha256(hex_text(digest) + params)) +
-                   ".clod");
-  return result;
+  return folder + "/" + name + "." + first_digits(sha256(hex_text(digest) + params_text(source))) +
+         ".clod";
 }
 
 void say(const Log& log, const std::string& text) {
@@ -121,32 +72,33 @@ void say(const Log& log, const std::string& text) {
 /// An asset from its place, or nothing, with a notice when something was there.
 bool read_kept(const std::string& place, const Sha256& key, const Log& log, ClodAsset& asset) {
   std::error_code unknown;
-  if (!fs::exists(place, unknown)) return false;
+  if (place.empty() || !fs::exists(place, unknown)) return false;
   try {
     asset = read_clod(place);
-    if (asset.origin.key == key) return true;
-    say(log, place + ": of another mesh, other parameters or another version; built again");
+    if (asset.origin.key != key) {
+      say(log, place + ": of another mesh, other parameters or another version; built again");
+      return false;
+    }
+    fs::last_write_time(place, fs::file_time_type::clock::now(), unknown);  // used: not old
+    return true;
   } catch (const InputError& error) {
     say(log, std::string(error.what()) + "; built again");
   }
   return false;
 }
 
-/// Keeps an asset at the first place that takes it.
-void keep(const std::vector<std::string>& candidates, const ClodAsset& asset,
-          const std::string& name, const Log& log) {
-  const std::string bytes = format_clod(asset, name);
+/// Keeps an asset at its place.
+void keep(const std::string& place, const ClodAsset& asset, const std::string& name,
+          const Log& log) {
   std::string why = "no folder to write to";
-  for (const std::string& place : candidates) {
-    try {
-      std::error_code ignored;  // a folder that cannot be made cannot be written to either
-      if (const fs::path folder = fs::path(place).parent_path(); !folder.empty())
-        fs::create_directories(folder, ignored);
-      write_file(place, bytes);
-      return say(log, name + ": levels of detail kept in " + place);
-    } catch (const IoError& error) {
-      why = error.what();
-    }
+  try {
+    if (place.empty()) throw IoError(why);
+    std::error_code ignored;  // a folder that cannot be made cannot be written to either
+    fs::create_directories(fs::path(place).parent_path(), ignored);
+    write_file(place, format_clod(asset, name));
+    return say(log, name + ": levels of detail kept in " + place);
+  } catch (const IoError& error) {
+    why = error.what();
   }
   say(log, name + ": levels of detail are not kept: " + why);
 }
@@ -205,6 +157,42 @@ Sha256 digest_of(const ClodSource& source, bool is_model) {
 
 }  // namespace
 
+std::string cache_folder() {
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  if (cache != nullptr && cache[0] == '/') return std::string(cache) + "/thigma";
+  const char* home = std::getenv("HOME");
+  return home != nullptr && home[0] == '/' ? std::string(home) + "/.cache/thigma" : "";
+}
+
+std::vector<KeptAsset> list_cache(const std::string& folder) {
+  std::vector<KeptAsset> found;
+  std::error_code none;
+  const auto now = fs::file_time_type::clock::now();
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+    std::error_code gone;  // by another process
+    if (entry.path().extension() != ".clod" || !entry.is_regular_file(gone)) continue;
+    const std::uintmax_t bytes = entry.file_size(gone);
+    const auto used = entry.last_write_time(gone);
+    if (gone) continue;
+    found.push_back(
+        {entry.path().string(), bytes, std::chrono::duration<double>(now - used).count()});
+  }
+  std::sort(found.begin(), found.end(),
+            [](const KeptAsset& a, const KeptAsset& b) { return a.path < b.path; });
+  return found;
+}
+
+std::vector<KeptAsset> clear_cache(const std::string& folder, double least_age) {
+  std::vector<KeptAsset> removed;
+  for (const KeptAsset& kept : list_cache(folder)) {
+    if (kept.age < least_age) continue;
+    std::error_code failed;
+    if (fs::remove(kept.path, failed)) removed.push_back(kept);
+    if (failed) throw IoError(kept.path + ": cannot be removed (" + failed.message() + ")");
+  }
+  return removed;
+}
+
 bool is_clod_file(const std::string& path) {
   std::error_code unknown;
   if (!fs::is_regular_file(path, unknown)) return false;  // a pipe would lose what is read of it
@@ -251,19 +239,16 @@ ClodAsset load_clod_cached(const ClodSource& source, const AssetCache& cache, co
   if (!is_kept) return load_clod(source, log);
   const Sha256 digest = digest_of(source, is_model);
   const Sha256 key = key_of(digest, params_text(source));
-  const std::vector<std::string> candidates = places(source, cache, is_model, digest);
+  const std::string place = place_of(source, cache, is_model, digest);
   ClodAsset asset;
-  bool is_found = false;
-  for (std::size_t i = 0; i < candidates.size() && !is_found; ++i)
-    is_found = read_kept(candidates[i], key, log, asset);
-  if (!is_found) {
+  if (!read_kept(place, key, log, asset)) {
     ClodReport report;
     asset = build_from(source, 1.0, is_model, log, report);
     say(log, source.name + ": " + built_text(asset, report));
     asset.origin.source = digest;
     asset.origin.key = key;
     // A mesh that changed in the meantime would be kept under the digest of what it was.
-    if (digest_of(source, is_model) == digest) keep(candidates, asset, source.name, log);
+    if (digest_of(source, is_model) == digest) keep(place, asset, source.name, log);
   }
   scale_clod(asset, source.scale, source.name);
   return asset;

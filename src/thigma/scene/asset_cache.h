@@ -1,9 +1,11 @@
 #pragma once
 // Levels of detail of any surface a user names: read where they are kept, built and kept where not.
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "thigma/clod/build_clod.h"
 #include "thigma/clod/clod_asset.h"
@@ -26,9 +28,34 @@ struct ClodSource {
 /// Where they are kept.
 struct AssetCache {
   bool is_enabled = true;
-  // "": beside the mesh, else (and for procedural models) the user's cache folder
-  std::string folder;
+  std::string folder;  // "": cache_folder()
 };
+
+/// Raised whenever the same mesh and parameters are built to other bytes: levels that were kept
+/// before are built again.
+inline constexpr int kBuildRevision = 1;
+
+/// The user's cache folder: $XDG_CACHE_HOME/thigma, or ~/.cache/thigma; "" without either.
+/// Thread [offline].
+std::string cache_folder();
+
+/// An asset in the cache.
+struct KeptAsset {
+  std::string path;
+  std::uint64_t bytes = 0;
+  double age = 0.0;  // since it was used last [s]
+};
+
+/// The assets that a cache folder holds, by path; none of a folder that is not there.
+/// Thread [offline].
+std::vector<KeptAsset> list_cache(const std::string& folder);
+
+/// Removes those that have not been used for so long; returns them.
+///
+/// least_age  0: all [s]
+/// errors     IoError for one that cannot be removed
+/// Thread     [offline]
+std::vector<KeptAsset> clear_cache(const std::string& folder, double least_age = 0.0);
 
 /// The usable surface of a mesh file or model, scaled; repairs are told.
 /// Thread [offline]; throws InputError for anything that cannot be used, a .clod file among it.
@@ -45,10 +72,9 @@ double check_source(const ClodSource& source);
 /// Thread  [offline]; throws InputError for anything that cannot be used.
 ClodAsset load_clod(const ClodSource& source, const Log& log = {});
 
-/// The same through a cache. An asset is kept as NAME.<16 digits of the parameters>.clod beside the
-/// mesh, or in $XDG_CACHE_HOME/thigma or ~/.cache/thigma where that cannot be written or there is
-/// no file. It is used when its key, a digest of the mesh's bytes, all parameters, the format and
-/// this build of the program, is the one wanted; a stale or damaged one is built again with a
+/// The same through a cache. An asset is kept as NAME.<16 digits of mesh and parameters>.clod in
+/// the user's cache folder. It is used when its key, a digest of the mesh's bytes, all parameters,
+/// the format and kBuildRevision, is the one wanted; a stale or damaged one is built again with a
 /// notice. Where nothing can be written nothing is kept, with a notice. Any number of processes and
 /// threads may do this at once: files appear whole, under their final name.
 ///

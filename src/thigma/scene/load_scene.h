@@ -28,7 +28,7 @@ struct LoadOptions {
   bool repairs = false;      // meshes that need it are repaired, otherwise refused
   bool has_textures = true;  // false: coarse surfaces alone
   bool keeps_levels = true;  // levels of detail that were built, for the next time
-  // where; empty: beside the mesh, else (and for procedural models) the user's cache folder
+  // where; empty: the user's cache folder
   std::string cache_folder;
   Log log;  // lines for people; may be empty
   // what is being built, the share that is done, 0 to 1, and the triangles of the whole; may be

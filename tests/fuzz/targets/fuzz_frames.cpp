@@ -22,7 +22,7 @@ live::WebServer& server() {
   static live::WebServer* const running = [] {
     live::WebLimits limits;
     limits.messages_per_second = 1 << 30;
-    auto* const made = new live::WebServer(0, {{"/index.html", "text/html", "page"}}, limits);
+    auto* const made = new live::WebServer({}, {{"/index.html", "text/html", "page"}}, limits);
     live::WebHandlers handlers;
     handlers.received = [](live::PageId, std::string_view message, bool is_binary) {
       if (!is_binary) return live::parse_command(message).refusal;

@@ -10,7 +10,8 @@ namespace thigma::detail {
 ///
 /// point     not on the surface [m; frame of the hierarchy]
 /// Thread    [offline]
-/// Source    Van Oosterom and Strackee (1983): the solid angle of a triangle; Jacobson et al. (2013)
+/// Source    Van Oosterom and Strackee (1983): the solid angle of a triangle; Jacobson et al.
+///           (2013): winding numbers of any triangles
 double winding_number(const ClodHierarchy& surface, const Vec3& point);
 
 /// Whether a point lies in the solid that a surface bounds: the winding number is nearer to 1 than
