@@ -42,15 +42,17 @@ int list(const Common& common, const CacheOptions& options) {
   const std::vector<KeptAsset> assets = list_cache(folder);
   if (common.json) {
     for (const KeptAsset& a : assets)
-      print_json({{"file", a.path}, {"bytes", a.bytes}, {"days_unused", std::max(0.0, a.age) / kDay}});
+      print_json(
+          {{"file", a.path}, {"bytes", a.bytes}, {"days_unused", std::max(0.0, a.age) / kDay}});
     print_json({{"folder", folder}, {"files", assets.size()}, {"bytes", total_bytes(assets)}});
     return kDone;
   }
   for (const KeptAsset& a : assets)
     std::printf("%8.2f MB  unused for %5.1f days  %s\n", megabytes(a.bytes),
                 std::max(0.0, a.age) / kDay, a.path.c_str());
-  std::printf("%8.2f MB in %zu files in %s\n", megabytes(total_bytes(assets)), assets.size(),
-              folder.empty() ? "no folder: neither XDG_CACHE_HOME nor HOME is set" : folder.c_str());
+  std::printf(
+      "%8.2f MB in %zu files in %s\n", megabytes(total_bytes(assets)), assets.size(),
+      folder.empty() ? "no folder: neither XDG_CACHE_HOME nor HOME is set" : folder.c_str());
   return kDone;
 }
 
@@ -72,11 +74,11 @@ int clear(const Common& common, const CacheOptions& options) {
 
 void add_cache(CLI::App& app, Common& common) {
   auto options = std::make_shared<CacheOptions>();
-  CLI::App* verb = add_verb(app, common, "cache", "list or clear the levels of detail that run keeps",
-                            [&common, options] {
-                              return options->what == "clear" ? clear(common, *options)
-                                                              : list(common, *options);
-                            });
+  CLI::App* verb =
+      add_verb(app, common, "cache", "list or clear the levels of detail that run keeps",
+               [&common, options] {
+                 return options->what == "clear" ? clear(common, *options) : list(common, *options);
+               });
   verb->add_option("what", options->what,
                    "list: files, sizes, and for how long they have not been used; clear: remove "
                    "them, they are built again when they are needed")

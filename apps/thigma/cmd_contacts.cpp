@@ -1,5 +1,5 @@
 // thigma contacts OBJECT SCENE: the contacts of an object along a path of poses, one JSON object a
-// pose.
+// pose, a table where a person reads, a row each in a CSV file.
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +16,13 @@
 #include "resolution_options.h"
 #include "verbs.h"
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/core/cpu_clock.h"
 #include "thigma/core/error.h"
+#include "thigma/files/file.h"
 #include "thigma/models/make_model.h"
 #include "thigma/scene/asset_cache.h"
 
@@ -36,6 +38,7 @@ struct ContactsOptions {
   double scale = 1.0;
   double step_time = 0.001;  // between poses [s]
   bool fresh = false, repair = false;
+  std::string csv;  // file; "" none
   ResolutionOptions resolution;
 };
 
@@ -86,6 +89,49 @@ nlohmann::ordered_json to_json(std::size_t index, const ContactSet& set, double 
   return j;
 }
 
+/// The contacts as a person reads them, a table a pose, or a program, rows of a CSV file.
+struct ContactRows {
+  std::string csv;  // of all poses; "" where no file is wanted
+  bool is_table = false;
+
+  static constexpr const char* kHeader =
+      "pose,point_x [m],point_y [m],point_z [m],scene_x [m],scene_y [m],scene_z [m],normal_x,"
+      "normal_y,normal_z,depth [m],bound [m],object_level,scene_level\n";
+
+  void add(std::size_t pose, const ContactSet& set) {
+    if (is_table) print_table(pose, set);
+    if (csv.empty()) return;
+    char line[512];
+    for (const Contact& c : set.contacts) {
+      std::snprintf(line, sizeof line,
+                    "%zu,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%d,%d\n",
+                    pose, c.point.x(), c.point.y(), c.point.z(), c.scene_point.x(),
+                    c.scene_point.y(), c.scene_point.z(), c.normal.x(), c.normal.y(), c.normal.z(),
+                    c.depth, c.bound, c.object_level, c.scene_level);
+      csv += line;
+    }
+  }
+
+ private:
+  static void print_table(std::size_t pose, const ContactSet& set) {
+    constexpr double kMilli = 1e3;
+    if (set.contacts.empty()) {
+      std::printf("pose %zu: no contact within the tolerance\n", pose);
+      return;
+    }
+    const double least = kMilli * least_distance(set);
+    std::printf("pose %zu: %zu contacts, %.4g mm %s\n", pose, set.contacts.size(), std::fabs(least),
+                least < 0.0 ? "deep where deepest" : "apart where nearest");
+    std::printf("  %28s  %24s  %10s  %10s  %s\n", "point [mm]", "normal", "depth [mm]",
+                "bound [mm]", "levels");
+    for (const Contact& c : set.contacts)
+      std::printf("  %9.3f %9.3f %9.3f  %7.3f %7.3f %7.3f   %10.4g  %10.4g  %d, %d\n",
+                  kMilli * c.point.x(), kMilli * c.point.y(), kMilli * c.point.z(), c.normal.x(),
+                  c.normal.y(), c.normal.z(), kMilli * c.depth, kMilli * c.bound, c.object_level,
+                  c.scene_level);
+  }
+};
+
 /// What is wrong with the options, "" when nothing; otherwise the query they ask for.
 std::string make_query(const ContactsOptions& options, ContactQuery& query) {
   if (!(options.tolerance >= 0.0) || !std::isfinite(options.tolerance))
@@ -118,6 +164,9 @@ int contacts(const Common& common, const ContactsOptions& options) {
   reserve_front(front, object, scene);
   ContactSet set;
   set.contacts.reserve(16'384);
+  ContactRows rows;
+  if (!options.csv.empty()) rows.csv = ContactRows::kHeader;
+  rows.is_table = !common.json && ::isatty(STDOUT_FILENO) == 1;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     double spent = 0.0;
     for (bool complete = false; !complete;) {
@@ -138,8 +187,10 @@ int contacts(const Common& common, const ContactsOptions& options) {
       }
       if (!complete) set.contacts.reserve(wanted + wanted / 4);
     }
-    print_json(to_json(i, set, spent));
+    rows.add(i, set);
+    if (!rows.is_table) print_json(to_json(i, set, spent));
   }
+  if (!options.csv.empty()) write_file(options.csv, rows.csv);
   return kDone;
 }
 
@@ -161,6 +212,8 @@ void add_contacts(CLI::App& app, Common& common) {
                    "contacts are pairs at most this far apart [m]")
       ->required();
   verb->add_option("--scale", options->scale, "metres per unit of both meshes");
+  verb->add_option("-o,--output", options->csv,
+                   "CSV file to write as well, a row a contact, units in the header");
   verb->add_flag("--fresh", options->fresh, "forget the pose before at every line");
   verb->add_flag("--repair", options->repair, "take repairable meshes and repair them");
   verb->add_option("--dt", options->step_time,

@@ -1,7 +1,8 @@
-// `thigma plot F.mcap -o F.png`: a recorded session against time.
+// `thigma plot F.mcap -o F.png`, .svg or .pdf: a recorded session against time.
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "json_out.h"
 #include "session_figure.h"
@@ -17,6 +18,11 @@ namespace thigma::app {
 namespace {
 
 int plot_recording(const std::string& path, const std::string& out, const Common& common) {
+  const std::optional<plot::PageFormat> format = plot::page_format(out);
+  if (!format) {
+    print_error("plot: -o " + out + ": expected a file that ends in .png, .svg or .pdf");
+    return kUsage;
+  }
   // Twice over the file, so that no recording is too long for memory. One that is still being
   // written is longer the second time; what is new is left out.
   SessionExtent extent;
@@ -40,7 +46,7 @@ int plot_recording(const std::string& path, const std::string& out, const Common
                           }});
   const std::string name = std::filesystem::path(path).filename().string();
   const plot::Figure figure = curves.figure(recording, name);
-  write_file(out, plot::png_bytes(figure));
+  write_file(out, plot::figure_bytes(figure, *format));
   if (common.json) {
     nlohmann::ordered_json json;
     json["file"] = out;
@@ -61,7 +67,7 @@ void add_plot(CLI::App& app, Common& common) {
                             "draw a recording: force, torque, penetration, stretch, rates, energy",
                             [&common] { return plot_recording(path, out, common); });
   verb->add_option("FILE", path, "recording (.mcap)")->required();
-  verb->add_option("-o,--output", out, "PNG file to write")->required();
+  verb->add_option("-o,--output", out, "file to write: .png, .svg or .pdf")->required();
 }
 
 }  // namespace thigma::app

@@ -1,5 +1,10 @@
 #include "experiments/common/canvas.h"
 
+#include <utility>
+
+#include <cairo/cairo-pdf.h>
+#include <cairo/cairo-svg.h>
+
 #include "thigma/core/error.h"
 
 namespace thigma::plot {
@@ -12,18 +17,36 @@ cairo_status_t append(void* to, const unsigned char* bytes, unsigned int count) 
   return CAIRO_STATUS_SUCCESS;
 }
 
+cairo_surface_t* make_surface(int width, int height, PageFormat format, std::string& bytes) {
+  switch (format) {
+    case PageFormat::svg:
+      return cairo_svg_surface_create_for_stream(append, &bytes, width, height);
+    case PageFormat::pdf: {
+      cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(append, &bytes, width, height);
+      // The same figure has the same bytes, whenever it is drawn.
+      cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE,
+                                     "2000-01-01T00:00:00Z");
+      return surface;
+    }
+    case PageFormat::png:
+      break;
+  }
+  return cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(kPixels * width),
+                                    static_cast<int>(kPixels * height));
+}
+
 }  // namespace
 
-Canvas::Canvas(int width, int height)
-    : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(kPixels * width),
-                                          static_cast<int>(kPixels * height)),
-               cairo_surface_destroy),
+Canvas::Canvas(int width, int height, PageFormat format)
+    : format_(format),
+      lines_(std::make_unique<std::string>()),
+      surface_(make_surface(width, height, format, *lines_), cairo_surface_destroy),
       context_(cairo_create(surface_.get()), cairo_destroy) {
   if (cairo_status(context_.get()) != CAIRO_STATUS_SUCCESS) {
     throw IoError(std::string("plot: no page to draw on: ") +
                   cairo_status_to_string(cairo_status(context_.get())));
   }
-  cairo_scale(context_.get(), kPixels, kPixels);
+  if (format == PageFormat::png) cairo_scale(context_.get(), kPixels, kPixels);
   // The same letters whatever the settings of a desktop.
   cairo_font_options_t* options = cairo_font_options_create();
   cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
@@ -104,9 +127,17 @@ void Canvas::text_upwards(double x, double y, const std::string& text) {
   cairo_restore(context_.get());
 }
 
-std::string Canvas::png() const {
+std::string Canvas::take_bytes() {
   std::string bytes;
-  const cairo_status_t status = cairo_surface_write_to_png_stream(surface_.get(), append, &bytes);
+  cairo_status_t status = CAIRO_STATUS_SUCCESS;
+  if (format_ == PageFormat::png) {
+    status = cairo_surface_write_to_png_stream(surface_.get(), append, &bytes);
+  } else {
+    cairo_show_page(context_.get());
+    cairo_surface_finish(surface_.get());
+    status = cairo_surface_status(surface_.get());
+    bytes = std::move(*lines_);
+  }
   if (status != CAIRO_STATUS_SUCCESS) {
     throw IoError(std::string("plot: cannot be drawn: ") + cairo_status_to_string(status));
   }

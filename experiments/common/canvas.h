@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "experiments/common/plot.h"
 #include <cairo/cairo.h>
 
 namespace thigma::plot {
@@ -14,12 +15,12 @@ struct Color {
 
 enum class Align : unsigned char { start, middle, end };
 
-/// A page, drawn in points of which there are two pixels each way.
+/// A page, drawn in points, of which a PNG has two pixels each way.
 /// Invariant: surface and context live as long as the page. Thread: of the caller.
 class Canvas {
  public:
   /// Throws IoError when there is no memory for it.
-  Canvas(int width, int height);
+  Canvas(int width, int height, PageFormat format);
 
   void set_color(const Color& color);
   void set_width(double width, bool is_dashed = false);
@@ -40,10 +41,13 @@ class Canvas {
   /// Reading upwards, centred at (x, y).
   void text_upwards(double x, double y, const std::string& text);
 
-  /// Throws IoError.
-  std::string png() const;
+  /// The file; nothing can be drawn afterwards. Throws IoError.
+  std::string take_bytes();
 
  private:
+  PageFormat format_;
+  // of a page of lines, written as they are drawn; where it lies is known to the surface
+  std::unique_ptr<std::string> lines_;
   std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface_;
   std::unique_ptr<cairo_t, void (*)(cairo_t*)> context_;
 };

@@ -111,7 +111,7 @@ Outcome run_experiment(const Experiment& experiment, const Context& context,
   for (const Table& table : outcome.tables)
     write_file((own / (table.name + ".csv")).string(), csv_text(table));
   write_file((own / (std::string(experiment.name) + ".png")).string(),
-             plot::png_bytes(outcome.figure));
+             plot::figure_bytes(outcome.figure));
   write_file((own / "run.json").string(),
              run_json(experiment, context, process_cpu_seconds() - start));
   write_file((own / "claims.json").string(), claims_json(experiment, outcome.claims));

@@ -274,11 +274,19 @@ Series histogram(std::string label, std::span<const double> values, int bins, bo
   return series;
 }
 
-std::string png_bytes(const Figure& figure) {
+std::optional<PageFormat> page_format(const std::string& path) {
+  for (const auto& [ending, format] :
+       {std::pair{".png", PageFormat::png}, {".svg", PageFormat::svg}, {".pdf", PageFormat::pdf}})
+    if (path.ends_with(ending)) return format;
+  const bool has_ending = path.find('.', path.rfind('/') + 1) != std::string::npos;
+  return has_ending ? std::nullopt : std::optional(PageFormat::png);
+}
+
+std::string figure_bytes(const Figure& figure, PageFormat format) {
   const int columns = std::max(figure.columns, 1);
   const int rows = (static_cast<int>(figure.panels.size()) + columns - 1) / columns;
   const double top = (figure.title.empty() ? 8.0 : 30.0) + (figure.note.empty() ? 0.0 : 16.0);
-  Canvas canvas(figure.width, static_cast<int>(top) + rows * figure.panel_height + 6);
+  Canvas canvas(figure.width, static_cast<int>(top) + rows * figure.panel_height + 6, format);
   canvas.set_color(kInk);
   canvas.set_font(14.0, true);
   canvas.text(12.0, 22.0, figure.title);
@@ -296,7 +304,7 @@ std::string png_bytes(const Figure& figure) {
     draw_panel(canvas, figure.panels[i], width * column, top + row * figure.panel_height, width,
                figure.panel_height, legends[static_cast<std::size_t>(row)]);
   }
-  return canvas.png();
+  return canvas.take_bytes();
 }
 
 }  // namespace thigma::plot

@@ -59,8 +59,14 @@ struct Figure {
 /// Counts of values in bins of equal width, or of equal ratio when is_log, as a steps series.
 Series histogram(std::string label, std::span<const double> values, int bins, bool is_log = false);
 
-/// PNG of a figure. Same figure and same fonts, same bytes.
+enum class PageFormat : unsigned char { png, svg, pdf };
+
+/// The format that a file's ending asks for, PNG without one; nothing for another ending. Thread
+/// [offline].
+std::optional<PageFormat> page_format(const std::string& path);
+
+/// A figure as a file. Same figure and same fonts, same bytes, but for names inside an SVG.
 /// Thread   [offline]; IoError when drawing fails.
-std::string png_bytes(const Figure& figure);
+std::string figure_bytes(const Figure& figure, PageFormat format = PageFormat::png);
 
 }  // namespace thigma::plot

@@ -149,5 +149,25 @@ TEST(ContactsVerb, scales_both_meshes) {
   EXPECT_EQ(one[0]["contacts"].size(), ten[0]["contacts"].size());
 }
 
+TEST(ContactsVerb, writes_a_row_a_contact) {
+  const std::string file = out_file("contacts.csv");
+  const std::string poses =
+      write_text("rows.csv", kHeader + "0,0,0.1002,0,0,0,1\n0,0,0.5,0,0,0,1\n0,0,0.0999,0,0,0,1\n");
+  const auto lines = json_lines(contacts(poses, {"-o", file}));
+  ASSERT_EQ(lines.size(), 3u);
+  std::size_t wanted = 0;
+  for (const auto& line : lines) wanted += line["contacts"].size();
+  std::istringstream text(read_text(file));
+  std::string row;
+  std::getline(text, row);
+  EXPECT_EQ(row.rfind("pose,point_x [m],", 0), 0u) << row;
+  const auto columns = std::count(row.begin(), row.end(), ',');
+  std::size_t found = 0;
+  for (; std::getline(text, row); ++found)
+    EXPECT_EQ(std::count(row.begin(), row.end(), ','), columns) << row;
+  EXPECT_GT(found, 0u);
+  EXPECT_EQ(found, wanted);
+}
+
 }  // namespace
 }  // namespace thigma::test

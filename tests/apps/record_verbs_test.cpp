@@ -319,6 +319,14 @@ TEST(RecordVerbs, plot_draws_what_was_recorded) {
   const std::string drawn = read_text(png);
   EXPECT_EQ(drawn.substr(1, 3), "PNG");
   EXPECT_GT(drawn.size(), 10000u);
+  for (const std::string ending : {".svg", ".pdf"}) {
+    const std::string lines = out_file("drawn" + ending);
+    EXPECT_EQ(run_program({"plot", file, "-o", lines}).code, 0);
+    EXPECT_GT(fs::file_size(lines), 10000u) << lines;
+  }
+  const Ended jpg = run_program({"plot", file, "-o", out_file("drawn.jpg")});
+  EXPECT_EQ(jpg.code, 2);
+  EXPECT_NE(jpg.err.find(".png, .svg or .pdf"), std::string::npos) << jpg.err;
   const Ended folder = run_program({"plot", file, "-o", work_folder().string()});
   EXPECT_EQ(folder.code, 1);
   expect_one_line(folder, work_folder().string() + ": ");

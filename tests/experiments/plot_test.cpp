@@ -73,39 +73,40 @@ Figure one_curve(const std::vector<double>& x, const std::vector<double>& y, boo
 }
 
 TEST(Plot, HasTheSizeThatWasAskedForAtTwoPixelsAPoint) {
-  const Picture picture = decode(png_bytes(one_curve({0.0, 1.0}, {0.0, 1.0})));
+  const Picture picture = decode(figure_bytes(one_curve({0.0, 1.0}, {0.0, 1.0})));
   EXPECT_EQ(picture.width, 800);
   EXPECT_GE(picture.height, 400);
 }
 
 TEST(Plot, DrawsTheCurveInItsColour) {
-  const int drawn = count(decode(png_bytes(one_curve({0.0, 1.0}, {0.0, 1.0}))), kBlue);
+  const int drawn = count(decode(figure_bytes(one_curve({0.0, 1.0}, {0.0, 1.0}))), kBlue);
   // its line in the legend alone
-  const int nothing = count(decode(png_bytes(one_curve({}, {}))), kBlue);
+  const int nothing = count(decode(figure_bytes(one_curve({}, {}))), kBlue);
   EXPECT_GT(drawn, nothing + 500);
 }
 
 TEST(Plot, IsTheSameEachTime) {
   const Figure figure = one_curve({0.0, 1.0, 2.0}, {0.0, 3.0, 1.0});
-  EXPECT_EQ(png_bytes(figure), png_bytes(figure));
+  EXPECT_EQ(figure_bytes(figure), figure_bytes(figure));
 }
 
 TEST(Plot, TakesDataThatHaveNoPlace) {
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   for (const bool is_log : {false, true}) {
-    EXPECT_FALSE(png_bytes(one_curve({0.0, 1.0, 2.0}, {nan, infinity, -infinity}, is_log)).empty());
-    EXPECT_FALSE(png_bytes(one_curve({0.0, 1.0, 2.0}, {0.0, -1.0, 0.0}, is_log)).empty());
-    EXPECT_FALSE(png_bytes(one_curve({5.0}, {5.0}, is_log)).empty());
+    EXPECT_FALSE(
+        figure_bytes(one_curve({0.0, 1.0, 2.0}, {nan, infinity, -infinity}, is_log)).empty());
+    EXPECT_FALSE(figure_bytes(one_curve({0.0, 1.0, 2.0}, {0.0, -1.0, 0.0}, is_log)).empty());
+    EXPECT_FALSE(figure_bytes(one_curve({5.0}, {5.0}, is_log)).empty());
   }
-  EXPECT_FALSE(png_bytes(Figure{}).empty());
+  EXPECT_FALSE(figure_bytes(Figure{}).empty());
 }
 
 TEST(Plot, LeavesAGapWhereAValueIsMissing) {
   const double nan = std::nan("");
   const int whole =
-      count(decode(png_bytes(one_curve({0.0, 1.0, 2.0, 3.0}, {1.0, 1.0, 1.0, 1.0}))), kBlue);
+      count(decode(figure_bytes(one_curve({0.0, 1.0, 2.0, 3.0}, {1.0, 1.0, 1.0, 1.0}))), kBlue);
   const int broken =
-      count(decode(png_bytes(one_curve({0.0, 1.0, 2.0, 3.0}, {1.0, nan, 1.0, 1.0}))), kBlue);
+      count(decode(figure_bytes(one_curve({0.0, 1.0, 2.0, 3.0}, {1.0, nan, 1.0, 1.0}))), kBlue);
   EXPECT_LT(broken, whole / 2 + 200);
 }
 
@@ -132,6 +133,27 @@ TEST(Histogram, TakesEqualValues) {
   double total = 0.0;
   for (std::size_t i = 0; i + 1 < s.y.size(); ++i) total += s.y[i];
   EXPECT_EQ(total, 2.0);
+}
+
+TEST(Plot, LinesAreLinesInSvgAndPdf) {
+  const Figure figure = one_curve({0.0, 1.0, 2.0}, {0.0, 1.0, 0.5});
+  const std::string svg = figure_bytes(figure, PageFormat::svg);
+  EXPECT_NE(svg.find("<svg"), std::string::npos);
+  EXPECT_NE(svg.find("<path"), std::string::npos);
+  EXPECT_NE(svg.find("</svg>"), std::string::npos);
+  const std::string pdf = figure_bytes(figure, PageFormat::pdf);
+  EXPECT_TRUE(pdf.starts_with("%PDF-"));
+  EXPECT_NE(pdf.find("%%EOF"), std::string::npos);
+  EXPECT_EQ(pdf, figure_bytes(figure, PageFormat::pdf));
+}
+
+TEST(Plot, TheEndingOfAFileSaysItsFormat) {
+  EXPECT_EQ(page_format("a.png"), PageFormat::png);
+  EXPECT_EQ(page_format("a.b/c.svg"), PageFormat::svg);
+  EXPECT_EQ(page_format("c.pdf"), PageFormat::pdf);
+  EXPECT_EQ(page_format("/tmp.x/drawn"), PageFormat::png);
+  for (const char* other : {"a.jpg", "a.pdf.mcap", "/tmp/.hidden"})
+    EXPECT_FALSE(page_format(other)) << other;
 }
 
 }  // namespace
