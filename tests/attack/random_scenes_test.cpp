@@ -139,6 +139,21 @@ std::uint64_t first_number(const char* state) {
   return next;
 }
 
+/// What failed once: 9 began wholly inside another object; 1170 and 1394 overlapped where their
+/// levels of detail stood apart.
+TEST(RandomScenes, ThatFailedOnceDoNot) {
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("thigma_found_scenes" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  Tally tally;
+  for (const std::uint64_t number : {9, 1170, 1394}) {
+    SCOPED_TRACE("scene " + std::to_string(number));
+    attack(number, folder, tally);
+  }
+  EXPECT_EQ(tally.run, 3);
+  fs::remove_all(folder);
+}
+
 TEST(RandomScenes, AreRefusedInALineOrRight) {
   const char* wanted = std::getenv("THIGMA_SCENES");
   const char* state = std::getenv("THIGMA_SCENES_STATE");

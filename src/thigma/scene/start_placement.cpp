@@ -155,8 +155,11 @@ StartPlacement find_start(const ContactWorld& world, const Pose& world_from_body
 
 StartPlacement place_at_start(const std::optional<Vec3>& approach, SessionConfig& config) {
   const Vec3 out = approach ? Vec3(-*approach) : Vec3::Zero();
+  ContactWorld world = config.contact;
+  // What rows keep outside has to start outside: levels may stand apart where surfaces overlap.
+  if (config.haptic.response == ResponseKind::constrained) world.resolution.is_exact = true;
   const StartPlacement start =
-      find_start(config.contact, config.world_from_body, 0.0, approach ? &out : nullptr);
+      find_start(world, config.world_from_body, 0.0, approach ? &out : nullptr);
   config.world_from_body = start.world_from_body;
   return start;
 }
