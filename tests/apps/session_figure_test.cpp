@@ -93,7 +93,7 @@ TEST_F(SessionFigure, marks_events_in_every_panel) {
 }
 
 TEST_F(SessionFigure, is_drawn) {
-  const std::string png = plot::png_bytes(figure);
+  const std::string png = plot::figure_bytes(figure);
   EXPECT_EQ(png.substr(1, 3), "PNG");
 }
 
@@ -105,7 +105,7 @@ TEST(SessionFigureOfLittle, one_frame_without_a_model_is_drawn) {
   recording.frames.push_back(sample);
   const plot::Figure figure = session_figure(recording, "one");
   EXPECT_NE(figure.note.find("no end"), std::string::npos) << figure.note;
-  EXPECT_EQ(plot::png_bytes(figure).substr(1, 3), "PNG");
+  EXPECT_EQ(plot::figure_bytes(figure).substr(1, 3), "PNG");
 }
 
 }  // namespace
