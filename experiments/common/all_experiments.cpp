@@ -61,6 +61,8 @@ const std::vector<Experiment>& all_experiments() {
       {"e16-scaling", "protocol E16", "growth with the number of triangles", run_e16_scaling},
       {"never-enters", "protocol E12", "depth under pressing, constraints beside the penalty",
        run_never_enters},
+      {"relief", "Sec. 4.2.2",
+       "textured scenes under constraints: depth by fine meshes, ridges felt", run_relief},
       {"throws", "protocol E12", "objects thrown at a thin plate; what it costs in the air",
        run_throws},
       {"constraint-force", "protocol E2", "force under constraints against the ideal proxy",

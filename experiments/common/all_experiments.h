@@ -37,6 +37,7 @@ Outcome run_fig_5_10(const Context& context);
 Outcome run_gains(const Context& context);
 Outcome run_level_choice(const Context& context);
 Outcome run_never_enters(const Context& context);
+Outcome run_relief(const Context& context);
 Outcome run_throws(const Context& context);
 Outcome run_constraint_force(const Context& context);
 Outcome run_closed_loops(const Context& context);

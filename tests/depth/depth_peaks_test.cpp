@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "depth/textured_plates.h"
 #include <gtest/gtest.h>
@@ -32,14 +33,15 @@ DepthContact moved_along(const test::Hills& hills, const Vec3& way) {
 
 TEST(DepthPeaks, TwoHillsHaveOneWhoseShapeHoldsWhereTheObjectGoes) {
   const test::Hills hills;
-  const auto search = make_peak_search();
+  const auto search = std::make_unique<PeakScratch>();
   DepthPeaks peaks;
-  const PeakStats stats = search->find(hills.contact, request_for(2e-4), peaks);
+  const PeakStats stats = find_peaks(hills.contact, request_for(2e-4), *search, peaks);
   EXPECT_TRUE(stats.is_found && stats.is_height_field);
   ASSERT_EQ(peaks.size(), 1u);
   // The hills bend by 20 and 30 1/m: where both give way the depth bends by 20 30 / (20 + 30).
-  EXPECT_NEAR(peaks[0].bend(0, 0), -12.0, 0.3);
-  EXPECT_NEAR(peaks[0].bend(1, 1), -12.0, 0.3);
+  // A peak lies on a corner of facets, the depths beside it mostly not: 0.8 is 16 nm of way.
+  EXPECT_NEAR(peaks[0].bend(0, 0), -12.0, 0.8);
+  EXPECT_NEAR(peaks[0].bend(1, 1), -12.0, 0.8);
   EXPECT_NEAR(peaks[0].bend(0, 1), 0.0, 0.3);
   const auto branch = make_branch_depth({});
   Random random(3);
@@ -52,13 +54,13 @@ TEST(DepthPeaks, TwoHillsHaveOneWhoseShapeHoldsWhereTheObjectGoes) {
 
 TEST(DepthPeaks, TheDeepestIsTheDepthOverAllTexels) {
   Random random(7);
-  const auto search = make_peak_search();
+  const auto search = std::make_unique<PeakScratch>();
   for (int trial = 0; trial < 6; ++trial) {
     const test::PlateContact plates(random, {.cells = 1, .texels = 33, .waves = 2.0});
     DepthPeaks peaks;
     PeakRequest request = request_for(2e-5);
     request.least = request.near = -0.1;
-    search->find(plates.contact, request, peaks);
+    find_peaks(plates.contact, request, *search, peaks);
     const double depth = test::slow_depth(plates.contact);
     if (depth == kNoDepth) continue;
     ASSERT_FALSE(peaks.empty()) << trial;
@@ -71,15 +73,15 @@ TEST(DepthPeaks, TheDeepestIsTheDepthOverAllTexels) {
   }
 }
 
-/// A plate with ridges along y, every 5 mm.
-HapticTexture ridged(bool is_reversed) {
+/// A plate of 20 mm with ridges along y, every 5 mm; reversed it lies on the other everywhere.
+HapticTexture ridged(bool is_reversed, double texels = 50.0) {
   Random random(1);
   TextureSource source = test::plate_source(
       random, {.cells = 1, .texels = 201, .bend = 0.0, .is_reversed = is_reversed});
   for (int j = 0; j < 201; ++j)
     for (int i = 0; i < 201; ++i)
       source.texels[static_cast<std::size_t>(201 * j + i)] = {
-          0.0f, 0.0f, static_cast<float>(1e-4 * std::cos(2.0 * M_PI * i / 50.0))};
+          0.0f, 0.0f, static_cast<float>(1e-4 * std::cos(2.0 * M_PI * i / texels))};
   return make_texture(std::move(source), "ridged");
 }
 
@@ -97,7 +99,7 @@ TEST(DepthPeaks, RidgesThatLieOnAPlateHavePeaksNearBothEnds) {
   request.least = request.near = -3e-5;
   request.turn = 1e-3;
   DepthPeaks peaks;
-  make_peak_search()->find(contact, request, peaks);
+  find_peaks(contact, request, *std::make_unique<PeakScratch>(), peaks);
   double low = 0.0, high = 0.0;
   for (const DepthPeak& peak : peaks) {
     EXPECT_NEAR(peak.depth, -1e-5, 1e-8);
@@ -113,6 +115,41 @@ TEST(DepthPeaks, RidgesThatLieOnAPlateHavePeaksNearBothEnds) {
   EXPECT_GT(high, 9.5e-3);
 }
 
+TEST(DepthPeaks, SurfacesThatConformTouchOnTheOtherFlankAfterAWay) {
+  // Ridges in grooves, 20 um off to one side: they touch on that flank of every ridge, and on the
+  // other one after a way to the other side. Ridges as far apart as blocks of samples: each block
+  // has both.
+  const HapticTexture object = ridged(false, 25.0), scene = ridged(true, 25.0);
+  const std::vector<std::int32_t> triangles = test::all_triangles(object);
+  const auto contact_at = [&](double x) {
+    DepthContact contact;
+    contact.object = {&object, triangles, Pose{Vec3(x, 0.0, 0.0), Quat::Identity()}};
+    contact.scene = {&scene, triangles, Pose{Vec3(0.0, 0.0, 1e-5), Quat::Identity()}};
+    return contact;
+  };
+  constexpr double kTravel = 1.5e-4;
+  PeakRequest request = request_for(kTravel);
+  request.least = -3.0 * kTravel - 2e-4;
+  request.near = request.least;
+  request.error = 1e-6;
+  DepthPeaks peaks;
+  const DepthContact contact = contact_at(2e-5);
+  const Mat3 axes = contact_frame(contact.point, contact.normal).world_from_contact;
+  const auto search = std::make_unique<PeakScratch>();
+  const PeakStats stats = find_peaks(contact, request, *search, peaks);
+  EXPECT_EQ(stats.left_out, 0);
+  EXPECT_LE(stats.excess, request.error);
+  const auto branch = make_branch_depth({});
+  for (const double way : {-0.9, -0.5, 0.5, 0.9}) {
+    const Vec3 by = axes.transpose() * Vec3(way * kTravel, 0.0, 0.0);
+    double shape = kNoDepth;
+    for (const DepthPeak& peak : peaks) shape = std::max(shape, shape_at(peak, by.head<2>()));
+    const double depth = test::depth_of(*branch, contact_at(2e-5 + way * kTravel)).depth[0];
+    EXPECT_GE(shape, depth - request.error) << way;
+    EXPECT_LE(shape, depth + 5e-6) << way;
+  }
+}
+
 TEST(DepthPeaks, TravelEndsWhereTheShapeDoes) {
   const HapticTexture object = ridged(false);
   const HapticTexture scene = make_texture(test::hill(30.0, true), "scene");
@@ -122,8 +159,8 @@ TEST(DepthPeaks, TravelEndsWhereTheShapeDoes) {
   contact.scene = {&scene, triangles, Pose{}};
   DepthPeaks peaks;
   PeakRequest request = request_for(1e-3);
-  request.error = 2e-8;
-  const PeakStats stats = make_peak_search()->find(contact, request, peaks);
+  request.error = 5e-8;
+  const PeakStats stats = find_peaks(contact, request, *std::make_unique<PeakScratch>(), peaks);
   EXPECT_LT(stats.travel, 1e-3);
   EXPECT_GT(stats.travel, 3e-5);
   EXPECT_LE(stats.excess, request.error);
@@ -137,7 +174,7 @@ TEST(DepthPeaks, TravelEndsWhereTheShapeDoes) {
         contact_frame(contact.point, contact.normal).world_from_contact *
         Vec3(way.x(), way.y(), 0.0);
     // Of texel centres alone.
-    EXPECT_LE(test::depth_of(*branch, there).depth[0], shape + 1e-7) << i;
+    EXPECT_LE(test::depth_of(*branch, there).depth[0], shape + request.error + 1e-7) << i;
   }
 }
 
@@ -145,17 +182,18 @@ TEST(DepthPeaks, PatchesWithoutACommonDomainHaveNone) {
   test::Hills hills;
   hills.contact.object.world_from_body.position.x() += 0.1;
   DepthPeaks peaks;
-  EXPECT_FALSE(make_peak_search()->find(hills.contact, request_for(1e-4), peaks).is_found);
+  EXPECT_FALSE(find_peaks(hills.contact, request_for(1e-4), *std::make_unique<PeakScratch>(), peaks)
+                   .is_found);
   EXPECT_TRUE(peaks.empty());
 }
 
 TEST(DepthPeaks, SameContactSamePeaks) {
   const test::Hills hills;
-  const auto a = make_peak_search(), b = make_peak_search();
+  const auto a = std::make_unique<PeakScratch>(), b = std::make_unique<PeakScratch>();
   DepthPeaks first, second;
-  a->find(hills.contact, request_for(2e-4), first);
-  b->find(moved_along(hills, Vec3(1e-3, 0.0, 0.0)), request_for(1e-4), second);
-  b->find(hills.contact, request_for(2e-4), second);
+  find_peaks(hills.contact, request_for(2e-4), *a, first);
+  find_peaks(moved_along(hills, Vec3(1e-3, 0.0, 0.0)), request_for(1e-4), *b, second);
+  find_peaks(hills.contact, request_for(2e-4), *b, second);
   ASSERT_EQ(first.size(), second.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_EQ(first[i].at, second[i].at);

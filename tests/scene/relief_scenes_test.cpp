@@ -75,6 +75,10 @@ TEST_P(ReliefScenes, AHandFeelsThem) {
   EXPECT_GT(felt.depths, 0);
   EXPECT_GT(felt.touching, 100);
   EXPECT_GT(felt.force, 0.2);
+  const TexturedWorld& textures = session.config.contact.textures;
+  const double amplitude = textures.object.amplitude + textures.scene[0].amplitude;
+  EXPECT_LE(felt.summary.penetration_max, 0.02 * amplitude);
+  EXPECT_EQ(felt.summary.constraint.left_out_models, 0);
 }
 
 TEST_P(ReliefScenes, RunOnThreads) {
@@ -104,7 +108,8 @@ TEST_P(ReliefScenes, ReplayBitForBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ReliefScenes,
-                         testing::Values("file_on_cad", "block_on_gear", "hammer_on_torus"));
+                         testing::Values("blocks", "file_on_cad", "block_on_gear",
+                                         "hammer_on_torus"));
 
 }  // namespace
 }  // namespace thigma

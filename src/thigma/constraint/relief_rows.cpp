@@ -120,15 +120,25 @@ void bound_travel(const ReliefContact& c, ReliefScratch& scratch) noexcept {
   scratch.stats.left_out += c.found.left_out;
 }
 
+/// Whether a way of the travel may close a row's gap.
+bool may_meet(const FoundRow& found, double travel) noexcept {
+  constexpr double kMet = 1.25;  // of the travel: what its first order may leave out
+  const Vec3& bend = found.row.object_direction;
+  const double rises =
+      std::max({bend.x() + std::fabs(bend.y()), bend.z() + std::fabs(bend.y()), 0.0});
+  return found.gap <= kMet * travel + 0.5 * rises * travel * travel;
+}
+
 void add_rows(const ReliefContact& c, const Pose& world_from_object,
               ReliefScratch& scratch) noexcept {
   for (const DepthPeak& peak : scratch.peaks) {
     scratch.stats.deepest = std::max(scratch.stats.deepest, peak.depth);
+    FoundRow row = row_of(peak, c.frame, world_from_object);
+    if (!may_meet(row, c.found.travel)) continue;
     if (scratch.rows.size() == scratch.rows.capacity()) {
       ++scratch.stats.left_out;
       continue;
     }
-    FoundRow row = row_of(peak, c.frame, world_from_object);
     ReliefScratch::Known here{0, c.body, row.row.object_point, row.row.scene_point, false};
     row.row.body = c.body;
     here.id = row.row.id = id_at(here, 2.0 * c.request.travel, scratch);
@@ -161,7 +171,7 @@ ReliefPatches find_relief_patches(const TexturedWorld& world) {
 }
 
 void reserve_relief(const TexturedWorld& world, std::size_t capacity, ReliefScratch& scratch) {
-  scratch.search = make_peak_search();
+  reserve_peaks(scratch.search);
   reserve_depth_contacts(world, scratch.textures);
   scratch.plain.contacts.reserve(capacity);
   scratch.touching.reserve(capacity);
@@ -206,7 +216,7 @@ void find_relief_rows(const ReliefContacts& touching, const Pose& world_from_obj
     request.error = kError * amplitude;
     request.least_travel = std::min(reach.least_travel, wanted);
     const DepthContact& contact = scratch.textures.contacts[i];
-    const PeakStats found = scratch.search->find(contact, request, scratch.peaks);
+    const PeakStats found = find_peaks(contact, request, scratch.search, scratch.peaks);
     scratch.stats.depths += found.is_found ? 1 : 0;
     scratch.stats.folds += found.is_found && !found.is_height_field ? 1 : 0;
     scratch.stats.coarse += found.is_coarse ? 1 : 0;

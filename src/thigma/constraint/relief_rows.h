@@ -3,7 +3,6 @@
 // instead of rows of the coarse features.
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -51,7 +50,7 @@ struct ReliefScratch {
     Vec3 on_scene = Vec3::Zero();   // [m; world]
     bool is_taken = false;
   };
-  std::unique_ptr<PeakSearch> search;
+  PeakScratch search;
   TextureScratch textures;
   ContactSet plain;  // the contacts that touch no relief
   std::vector<Contact> touching;

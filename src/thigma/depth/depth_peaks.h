@@ -2,27 +2,14 @@
 // Where two textured patches are nearest to each other, place by place, and how the depth there
 // changes as the object moves: what inequalities are made of.
 
-#include <memory>
+#include <array>
+#include <vector>
 
-#include "thigma/core/static_vector.h"
-#include "thigma/depth/depth.h"
+#include "thigma/depth/depth_peak.h"
+#include "thigma/depth/detail/peak_maps.h"
+#include "thigma/depth/detail/peak_shape.h"
 
 namespace thigma {
-
-/// Peaks of one contact: the deepest of more.
-inline constexpr std::size_t kMaxPeaks = 64;
-
-/// A local maximum of the depth over the plane of a contact. For a way w of the object along the
-/// plane (u, v) and a way h along n, neither turning, the depth of the place it moves to is
-/// depth + h + slope . w + 1/2 w . bend w, as far as `travel`.
-struct DepthPeak {
-  Vec2 at = Vec2::Zero();  // [m; contact plane]
-  double depth = kNoDepth;
-  Vec3 object_point = Vec3::Zero();  // of its fine surface there [m; contact frame]
-  Vec2 slope = Vec2::Zero();         // [-]
-  Mat2 bend = Mat2::Zero();          // [1/m]
-  double travel = 0.0;               // ways the shape was fitted to, half a texel at least [m]
-};
 
 struct PeakRequest {
   double least = 0.0;   // depth below which no peak counts [m]
@@ -44,30 +31,29 @@ struct PeakStats {
   double excess = 0.0;
 };
 
-using DepthPeaks = StaticVector<DepthPeak, kMaxPeaks>;
-
-/// Searches one contact after the other. Thread: one at a time; holds scratch memory.
-class PeakSearch {
- public:
-  PeakSearch() = default;
-  PeakSearch(const PeakSearch&) = delete;
-  PeakSearch& operator=(const PeakSearch&) = delete;
-  virtual ~PeakSearch() = default;
-
-  /// Peaks of a contact, deepest first: both fine surfaces as height maps over the part of the
-  /// domain where they may be as near as `least`; maxima among neighbouring samples, or what a
-  /// turn may make one, the outermost of each block of them; from each the climb of the directional
-  /// depth. Shapes are fitted to eight climbs about the peak with the object moved along the plane.
-  ///
-  /// contact   normal of unit length to 1e-9; textures alive and unchanged
-  /// peaks     overwritten
-  /// Thread    [contact]; no failure; allocates where a contact is larger than any before.
-  /// Source    Eq. 4.10, the maximum taken place by place.
-  virtual PeakStats find(const DepthContact& contact, const PeakRequest& request,
-                         DepthPeaks& peaks) noexcept = 0;
+/// Working memory: grows while warming up, never after. Any content is valid.
+struct PeakScratch {
+  detail::PreparedContact prepared;
+  detail::PeakMaps maps;
+  detail::PeakField field;
+  std::vector<detail::Summit> summits;
+  std::array<detail::Around, kMaxPeaks> around;
 };
 
-/// Thread    [offline]; throws std::bad_alloc.
-std::unique_ptr<PeakSearch> make_peak_search();
+/// Room for any number of samples and summits. Thread [offline]; throws std::bad_alloc.
+void reserve_peaks(PeakScratch& scratch);
+
+/// Peaks of a contact, deepest first: both fine surfaces as height maps over the part of the domain
+/// where they may be as near as `least`; maxima among neighbouring samples, or what a turn or a way
+/// along the plane may make one, the outermost of each block of them; from each the climb of the
+/// directional depth. Shapes are fitted to the depths beside the peak with the object moved along
+/// the plane.
+///
+/// contact   normal of unit length to 1e-9; textures alive and unchanged
+/// peaks     overwritten
+/// Thread    [contact]; no failure; allocates where a contact is larger than any before.
+/// Source    Eq. 4.10, the maximum taken place by place.
+PeakStats find_peaks(const DepthContact& contact, const PeakRequest& request, PeakScratch& scratch,
+                     DepthPeaks& peaks) noexcept;
 
 }  // namespace thigma

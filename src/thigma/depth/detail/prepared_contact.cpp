@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thigma/math/plane_cross.h"
+#include "thigma/depth/detail/climb.h"
 
 namespace thigma::detail {
 namespace {
@@ -25,63 +25,6 @@ double relief_texel(const HapticTexture& texture) noexcept {
   return texture.amplitude > 0.0 ? texture.texel_size : std::numeric_limits<double>::infinity();
 }
 
-constexpr double kNearEdge = 2.0;  // of a step: edges farther away do not cut what lies around
-
-// A point of the plane, how deep it is there, and on which triangles.
-struct Place {
-  Vec2 at = Vec2::Zero();
-  double depth = kNoDepth;
-  NearTriangles triangles;
-};
-
-// The deepest place found around one, and whether some of them lay on other triangles or on none.
-struct Surroundings {
-  Place best;
-  bool is_cut = false;
-};
-
-void try_point(const PreparedContact& prepared, const Place& from, const Vec2& point,
-               Surroundings& around) noexcept {
-  Place to{point.cwiseMax(prepared.box.low).cwiseMin(prepared.box.high), kNoDepth, from.triangles};
-  to.depth = depth_at(prepared, to.at, to.triangles);
-  around.is_cut = around.is_cut || to.depth == kNoDepth ||
-                  to.triangles.object != from.triangles.object ||
-                  to.triangles.scene != from.triangles.scene;
-  if (to.depth > around.best.depth) around.best = to;
-}
-
-// Eight steps along the axes and diagonals.
-Surroundings look_around(const PreparedContact& prepared, const Place& from,
-                         const Vec2& step) noexcept {
-  Surroundings around{from, false};
-  for (int i = 0; i < 9; ++i) {
-    if (i == 4) continue;
-    try_point(prepared, from, from.at + step.cwiseProduct(Vec2(i % 3 - 1, i / 3 - 1)), around);
-  }
-  return around;
-}
-
-// Steps to and fro parallel to the edges of the triangles it lies on, those that a step may reach.
-Place look_along_edges(const PreparedContact& prepared, const Place& from, double length) noexcept {
-  Surroundings around{from, false};
-  const auto try_edges = [&](const ProjectedPatch& patch, std::int32_t triangle, const Vec2& at) {
-    if (triangle < 0) return;
-    const ProjectedTriangle& t = projected_triangle(patch, triangle);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec2& edge = t.edges[k];
-      // By as much as its points move sideways the fine surface may end beside the edge.
-      const double far = cross(edge, at - t.at[k]) + t.least[k];
-      if (far > kNearEdge * length * edge.norm()) continue;
-      const Vec2 step = length * edge.normalized();
-      try_point(prepared, from, from.at + step, around);
-      try_point(prepared, from, from.at - step, around);
-    }
-  };
-  try_edges(prepared.object, from.triangles.object, from.at - prepared.shift);
-  try_edges(prepared.scene, from.triangles.scene, from.at);
-  return around.best;
-}
-
 }  // namespace
 
 void project_sides(const DepthContact& contact, const ContactFrame& frame, const PlaneBox& over,
@@ -99,8 +42,6 @@ bool prepare_contact(const DepthContact& contact, PreparedContact& prepared) noe
   if (!contact.point.allFinite() || !contact.centre.allFinite()) return false;
   if (!is_direction(contact.normal)) return false;
   prepared.frame = contact_frame(contact.point, contact.normal);
-  prepared.shift.setZero();
-  prepared.start = {};
   project_sides(contact, prepared.frame, kWholePlane, prepared.object, prepared.scene);
   const Vec2 reach = Vec2::Constant(contact.reach);
   prepared.box =
@@ -121,33 +62,19 @@ void project_moved(const DepthContact& contact, const Pose& motion,
 }
 
 double depth_at(const PreparedContact& prepared, const Vec2& at, NearTriangles& near) noexcept {
-  const double object = height_at(prepared.object, at - prepared.shift, near.object);
+  const double object = height_at(prepared.object, at, near.object);
   if (object == kNoSurface) return kNoDepth;
   return object + height_at(prepared.scene, at, near.scene);
 }
 
 double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at) noexcept {
-  constexpr int kMostHalvings = 24;
-  constexpr int kMostMoves = 32;  // along edges, all together
-  Place here{at, kNoDepth, prepared.start};
-  here.depth = depth_at(prepared, at, here.triangles);
-  Vec2 step = spacing;
-  int moves = 0;
-  for (int k = 0; k < kMostHalvings && step.minCoeff() > prepared.finest * prepared.texel; ++k) {
-    step *= 0.5;
-    const Surroundings around = look_around(prepared, here, step);
-    here = around.best;
-    // On a slanting edge, of the domain or of a fold, steps along the axes lose more than they gain
-    // along it.
-    while (around.is_cut && moves < kMostMoves) {
-      const Place along = look_along_edges(prepared, here, step.norm());
-      if (!(along.depth > here.depth)) break;
-      here = along;
-      ++moves;
-    }
-  }
-  at = here.at;
-  return here.depth;
+  constexpr double kFinest = 0.125;  // of a texel: finer tells facets of the interpolation
+  const ClimbField field{prepared.object, prepared.scene,           prepared.box,
+                         Vec2::Zero(),    kFinest * prepared.texel, -1.0};
+  const auto depth = [&](const Vec2& there, NearTriangles& near) {
+    return depth_at(prepared, there, near);
+  };
+  return Climb<NearTriangles, decltype(depth)>(field, depth).run(spacing, {}, at);
 }
 
 bool is_upright(const PreparedContact& prepared, const Vec2& at) noexcept {

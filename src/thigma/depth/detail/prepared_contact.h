@@ -17,10 +17,6 @@ struct PreparedContact {
   PlaneBox box;                       // the patches' boxes and the reach, intersected
   double texel = 0.0;                 // side of a texel of the finer side that has relief [m]
   HeightMap fine_object, fine_scene;  // memory of a closer look
-  Vec2 shift = Vec2::Zero();          // of the object along the plane since it was projected [m]
-  // of a texel, that a climb goes down to: finer tells facets of the interpolation, not the surface
-  double finest = 0.125;
-  NearTriangles start;  // where a climb looks first
 };
 
 /// Projects both sides of a contact, the object along n and the scene against it; over: as of
@@ -43,9 +39,11 @@ void project_moved(const DepthContact& contact, const Pose& motion,
 double depth_at(const PreparedContact& prepared, const Vec2& at, NearTriangles& near) noexcept;
 
 /// Climbs from a point to a local maximum of the depth within the box: steps along both axes and
-/// diagonals, from `spacing` halved down to `finest`; where triangles end or change
-/// also along their edges. at: start and result. returns the depth there, of the start if it is no
-/// number.
+/// diagonals, from `spacing` halved down to an eighth of a texel; where triangles end or change
+/// also along their edges.
+///
+/// at       start and result
+/// returns  the depth there, of the start if it is no number
 double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at) noexcept;
 
 /// Whether both fine surfaces are height fields at a point: each one sheet that does not turn over,

@@ -1,0 +1,177 @@
+#include "thigma/depth/detail/near_surface.h"
+
+#include <algorithm>
+
+#include "thigma/core/index.h"
+#include "thigma/math/plane_cross.h"
+#include "thigma/texture/texel_lookup.h"
+
+namespace thigma::detail {
+namespace {
+
+// Of a texel: a fine point this far beside the place is corrected along its facet.
+constexpr double kClose = 1e-3;
+
+constexpr double kTurnsOver = 0.05;  // of the area: nearly edge-on, left to find_below
+
+// How far inside a triangle a point is: the least of its barycentric coordinates.
+double insideness(const ProjectedTriangle& t, const Vec2& at) noexcept {
+  return std::min({cross(t.edges[0], at - t.at[0]), cross(t.edges[1], at - t.at[1]),
+                   cross(t.edges[2], at - t.at[2])});
+}
+
+bool may_cover(const ProjectedTriangle& t, const Vec2& at) noexcept {
+  return (at.array() >= t.fine.low.array()).all() && (at.array() <= t.fine.high.array()).all() &&
+         cross(t.edges[0], at - t.at[0]) >= t.least[0] &&
+         cross(t.edges[1], at - t.at[1]) >= t.least[1] &&
+         cross(t.edges[2], at - t.at[2]) >= t.least[2];
+}
+
+/// A displacement in the contact frame and its derivatives by the texel: along u, v and the facing
+/// direction [m, m/texel].
+struct TurnedFacet {
+  Eigen::Vector4f value, by_x, by_y;
+};
+
+TurnedFacet facet_at(const NearSurface& s, const Vec2& texel) noexcept {
+  const HapticTexture& texture = *s.patch->texture;
+  const double x = texel.x() > 0.0 ? std::min(texel.x(), texture.width - 1.0) : 0.0;
+  const double y = texel.y() > 0.0 ? std::min(texel.y(), texture.height - 1.0) : 0.0;
+  const int column = static_cast<int>(x), row = static_cast<int>(y);
+  const float ax = static_cast<float>(x - column), ay = static_cast<float>(y - row);
+  const auto load = [](const Texel& t) {
+    return Eigen::Vector4f(Eigen::Map<const Eigen::Vector4f, Eigen::Aligned16>(&t.x));
+  };
+  const Texel* const top = &texel_at(texture, column, row);
+  const Texel* const bottom = top + texture.width + 1;
+  const Eigen::Vector4f first = load(top[0]), right = load(top[1]) - first,
+                        down = load(bottom[0]) - first,
+                        twist = load(bottom[1]) - load(top[1]) - down;
+  const Eigen::Vector4f by_x = right + ay * twist, by_y = down + ax * twist;
+  const Eigen::Vector4f value = first + ay * down + ax * by_x;
+  const auto turned = [&](const Eigen::Vector4f& v) {
+    return Eigen::Vector4f(v[0] * s.turn[0] + v[1] * s.turn[1] + v[2] * s.turn[2]);
+  };
+  return {turned(value), turned(by_x), turned(by_y)};
+}
+
+double height_of(const NearSurface& s, const ProjectedTriangle& t, const Vec2& place) noexcept {
+  const Vec2 texel = t.texel_origin + t.texel_by_at * place;
+  return t.height_origin + t.height_by_at.dot(place) +
+         s.patch->direction_body.dot(displacement_at(*s.patch->texture, texel));
+}
+
+/// A point of a triangle near one beside it.
+Vec2 clamped(const ProjectedTriangle& t, const Vec2& at) noexcept {
+  double share[3], sum = 0.0;  // of the corner across each edge
+  for (std::size_t k = 0; k < 3; ++k)
+    sum += share[k] = std::max(cross(t.edges[k], at - t.at[k]), 0.0);
+  return (share[0] * t.at[2] + share[1] * t.at[0] + share[2] * t.at[1]) / sum;
+}
+
+/// Barycentric coordinates that a way may change, at most.
+double coordinates_of(const ProjectedTriangle& t, double way) noexcept {
+  return way * std::max({t.edges[0].lpNorm<1>(), t.edges[1].lpNorm<1>(), t.edges[2].lpNorm<1>()});
+}
+
+double height_by_find(const NearSurface& s, const ProjectedTriangle& t, const Vec2& at,
+                      NearFoot& foot) noexcept {
+  Vec2 place;
+  if (!find_below(*s.patch, t, at, place)) return kNoSurface;
+  foot.aside = place - at;
+  return height_of(s, t, place);
+}
+
+/// Height of a triangle's fine surface over a place; kNoSurface where it does not lie. Where that
+/// is hard to tell find_below does.
+double height_over(const NearSurface& s, const ProjectedTriangle& t, const Vec2& at,
+                   NearFoot& foot) noexcept {
+  constexpr int kSteps = 6;
+  Vec2 place = at + foot.aside;
+  for (int k = 0; k < kSteps; ++k) {
+    const double inside = insideness(t, place);
+    const bool is_on = inside >= 0.0;
+    const TurnedFacet f =
+        facet_at(s, t.texel_origin + t.texel_by_at * (is_on ? place : clamped(t, place)));
+    const Vec2 lack = at - place - f.value.head<2>().cast<double>();
+    if (!is_on) {
+      if (lack.lpNorm<1>() <= s.close && inside < -coordinates_of(t, 2.0 * s.close))
+        return kNoSurface;
+      place += lack;
+      continue;
+    }
+    Mat2 by_texel;
+    by_texel << f.by_x.head<2>().cast<double>(), f.by_y.head<2>().cast<double>();
+    const Mat2 moves = Mat2::Identity() + by_texel * t.texel_by_at;
+    const double turn = moves.determinant();
+    if (!(turn > kTurnsOver)) break;
+    const Vec2 step = Vec2(cross(lack, moves.col(1)), cross(moves.col(0), lack)) / turn;
+    place += step;
+    if (!(step.lpNorm<1>() <= s.close)) continue;
+    if (insideness(t, place) < 0.0) break;
+    foot.aside = place - at;
+    const Vec2 texels = t.texel_by_at * step;
+    return t.height_origin + t.height_by_at.dot(place) + static_cast<double>(f.value[2]) +
+           static_cast<double>(f.by_x[2]) * texels.x() +
+           static_cast<double>(f.by_y[2]) * texels.y();
+  }
+  return height_by_find(s, t, at, foot);
+}
+
+bool covers(const ProjectedTriangle& t, const Vec2& at) noexcept {
+  constexpr double kEdgeSlack = 1e-9;  // as of height_at
+  return insideness(t, at) >= -kEdgeSlack;
+}
+
+}  // namespace
+
+void bind_surface(const ProjectedPatch& patch, NearSurface& surface) noexcept {
+  surface.patch = &patch;
+  surface.triangles.clear();
+  surface.triangles.reserve(patch.triangles.size());
+  surface.close = kClose * patch.texture->texel_size;
+  const float sign = patch.facing == Facing::along ? 1.0f : -1.0f;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3f column = patch.contact_from_body.col(k).cast<float>();
+    surface.turn[idx(k)] = {column[0], column[1], sign * column[2], 0.0f};
+  }
+}
+
+void look_over(const PlaneBox& box, NearSurface& surface) noexcept {
+  surface.triangles.clear();
+  const auto& all = surface.patch->triangles;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (overlap(all[i].fine, box) || overlap(all[i].box, box))
+      surface.triangles.push_back(static_cast<std::int32_t>(i));
+}
+
+double height_near(const NearSurface& surface, const Vec2& at, NearFoot& foot) noexcept {
+  const ProjectedPatch& patch = *surface.patch;
+  const std::int32_t known = foot.triangle;
+  if (known >= 0 && idx(known) < patch.triangles.size() &&
+      may_cover(patch.triangles[idx(known)], at)) {
+    const double height = height_over(surface, patch.triangles[idx(known)], at, foot);
+    if (height != kNoSurface) return height;
+  }
+  double highest = kNoSurface;
+  NearFoot best;
+  for (const std::int32_t i : surface.triangles) {
+    if (i == known || !may_cover(patch.triangles[idx(i)], at)) continue;
+    NearFoot here{i, foot.aside};
+    const double height = height_over(surface, patch.triangles[idx(i)], at, here);
+    if (height > highest) highest = height, best = here;
+  }
+  if (highest == kNoSurface) {
+    const bool is_covered =
+        std::any_of(surface.triangles.begin(), surface.triangles.end(),
+                    [&](std::int32_t i) { return covers(patch.triangles[idx(i)], at); });
+    if (!is_covered) return kNoSurface;
+    // Of a neighbour of the patch, or beside its end.
+    foot.aside.setZero();
+    return height_at(patch, at, foot.triangle);
+  }
+  foot = best;
+  return highest;
+}
+
+}  // namespace thigma::detail
