@@ -1,9 +1,14 @@
-// thigma devices: what `run --device` can open here, and which vendor's library is missing.
+// thigma devices: what `run --device` can open here, what is plugged in, and which vendor's library
+// is missing; a device looked at (check) and set up (calibrate).
 
+#include <atomic>
+#include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <memory>
 #include <string>
 
+#include "check_text.h"
 #include "json_out.h"
 #include "verbs.h"
 #include <nlohmann/json.hpp>
@@ -20,6 +25,8 @@ const char* state_name(LibraryState state) {
       return "loadable";
     case LibraryState::incomplete:
       return "incomplete";
+    case LibraryState::unusable:
+      return "unusable";
     case LibraryState::missing:
       return "missing";
   }
@@ -34,6 +41,7 @@ void print_schemes_json() {
   for (const DeviceScheme& scheme : device_schemes()) {
     nlohmann::ordered_json line = {
         {"device", scheme.scheme}, {"available", scheme.available}, {"meaning", scheme.meaning}};
+    line["plugged_in"] = plugged_devices(scheme.scheme);
     line["parameters"] = nlohmann::ordered_json::array();
     for (const DeviceParameter& p : scheme.parameters) {
       line["parameters"].push_back({{"name", p.name},
@@ -55,7 +63,7 @@ void print_libraries_json() {
                                          {"state", state_name(probe.state)},
                                          {"found", text_or_null(probe.name)},
                                          {"reason", text_or_null(probe.reason)},
-                                         {"fix", text_or_null(is_there ? "" : library.fix)}};
+                                         {"fix", text_or_null(is_there ? "" : probe.fix)}};
     print_json(line);
   }
 }
@@ -65,6 +73,8 @@ void print_schemes_text() {
   for (const DeviceScheme& scheme : device_schemes()) {
     std::printf("\n%-13s %s%s\n", scheme.scheme.c_str(), scheme.meaning.c_str(),
                 scheme.available ? "" : " - not in this build");
+    for (const std::string& address : plugged_devices(scheme.scheme))
+      std::printf("  plugged in: %s\n", address.c_str());
     for (const DeviceParameter& p : scheme.parameters) {
       std::printf("  %-22s %-12s %-10s %s\n", p.name.c_str(), p.default_value.c_str(),
                   p.unit.c_str(), p.meaning.c_str());
@@ -81,7 +91,9 @@ void print_libraries_text() {
                 std::string(library.product).c_str(),
                 probe.name.empty() ? "" : (", " + probe.name).c_str());
     if (probe.state == LibraryState::loadable) continue;
-    std::printf("              %s\n", std::string(library.fix).c_str());
+    if (probe.state != LibraryState::missing)
+      std::printf("              %s\n", probe.reason.c_str());
+    std::printf("              %s\n", probe.fix.c_str());
   }
 }
 
@@ -97,11 +109,100 @@ int list_devices(const Common& common) {
   return kDone;
 }
 
+std::atomic<bool> stop_requested{false};
+
+/// Runs what may find a device or an address wanting.
+template <class Body>
+int with_device(const Body& body) {
+  try {
+    return body();
+  } catch (const DeviceAddressError& error) {
+    print_error(error.what());
+    return kUsage;
+  } catch (const DeviceUnavailable& error) {
+    print_error(error.what());
+    return kUnavailable;
+  }
+}
+
+struct CheckOptions {
+  std::string uri;
+  DeviceCheckParams params;
+  bool is_strict = false;
+};
+
+int check(const CheckOptions& options, const Common& common) {
+  return with_device([&] {
+    const std::unique_ptr<HapticDevice> device = open_device(options.uri);
+    if (!common.quiet)
+      std::fprintf(stderr, "%.0f s: nothing is sent but zero; move the handle, press its buttons\n",
+                   options.params.seconds);
+    std::signal(SIGINT, [](int) { stop_requested = true; });
+    const DeviceReport report = check_device(*device, options.params, &stop_requested);
+    if (common.json) {
+      print_json(check_json(options.uri, device->limits(), report));
+    } else {
+      std::printf("%s", check_text(device->limits(), report, options.is_strict).c_str());
+    }
+    flush_output();
+    if (stop_requested) return kInterrupted;
+    return options.is_strict && !report.is_conforming() ? kClaimFails : kDone;
+  });
+}
+
+int calibrate(const std::string& uri, bool says_yes, const Common& common) {
+  return with_device([&]() -> int {
+    calibrate_device(uri, {[&](const std::string& text) {
+                             if (!common.quiet) std::fprintf(stderr, "%s\n", text.c_str());
+                           },
+                           [&](const std::string& question) {
+                             std::fprintf(stderr, "%s [y/N] ", question.c_str());
+                             if (says_yes) return std::fprintf(stderr, "yes\n") > 0;
+                             std::string answer;
+                             return std::getline(std::cin, answer) && !answer.empty() &&
+                                    (answer[0] == 'y' || answer[0] == 'Y');
+                           }});
+    return kDone;
+  });
+}
+
+void add_check(CLI::App& devices, Common& common) {
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App* verb =
+      add_verb(devices, common, "check", "Rates, noise, axes and buttons of a device; sends zero",
+               [options, &common] { return check(*options, common); });
+  verb->add_option("URI", options->uri, "device address, as of run --device")->required();
+  verb->add_option("--duration", options->params.seconds, "how long [s]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.05, 3600.0));
+  verb->add_option("--rate", options->params.rate, "frames a second [Hz]")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 1e5));
+  verb->add_flag("--strict", options->is_strict, "exit 5 where a rule of drivers does not hold");
+}
+
+void add_calibrate(CLI::App& devices, Common& common) {
+  const auto uri = std::make_shared<std::string>();
+  const auto says_yes = std::make_shared<bool>(false);
+  CLI::App* verb = add_verb(devices, common, "calibrate",
+                            "The vendor's own procedure, and the unit of a Phantom's torque",
+                            [=, &common] { return calibrate(*uri, *says_yes, common); });
+  verb->add_option("URI", *uri, "device address, as of run --device")->required();
+  verb->add_flag("--yes", *says_yes, "answer every question with yes");
+}
+
 }  // namespace
 
 void add_devices(CLI::App& app, Common& common) {
-  add_verb(app, common, "devices", "List devices, their parameters, and vendors' libraries",
-           [&common] { return list_devices(common); });
+  CLI::App* verb =
+      add_verb(app, common, "devices", "List, check and calibrate devices; vendors' libraries",
+               [&app, &common] {
+                 const bool is_list = app.get_subcommand("devices")->get_subcommands().empty();
+                 return is_list ? list_devices(common) : common.exit_code;
+               });
+  verb->require_subcommand(0, 1);
+  add_check(*verb, common);
+  add_calibrate(*verb, common);
 }
 
 }  // namespace thigma::app

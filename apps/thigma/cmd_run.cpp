@@ -226,8 +226,10 @@ int run_verb(const RunOptions& asked, const Common& common) {
   flush_output();
   if (!options.histograms.empty()) write_histograms(options.histograms, summary.histograms);
   for (const SessionEvent& event : summary.safety_events) {
-    std::fprintf(stderr, "thigma: safety fault %s at %.3f s: zero force%s\n", event.detail.c_str(),
-                 event.time, summary.end == SessionEnd::fault ? " since" : " until taken up again");
+    std::fprintf(stderr, "thigma: safety fault %s at %.3f s: zero force%s%s\n",
+                 event.detail.c_str(), event.time,
+                 summary.end == SessionEnd::fault ? " since" : " until taken up again",
+                 event.text.empty() ? "" : ("; " + event.text).c_str());
   }
   if (was_suspended) {
     print_error(

@@ -125,7 +125,8 @@ TEST(OpenDevice, MistakesAreNamedWithTheNearestRightOne) {
   EXPECT_EQ(refusal("hnad:"), "no device 'hnad:', nearest is 'hand:'");
   EXPECT_EQ(
       refusal("touch"),
-      "device 'touch' has no scheme, expected one of hand:, script:FILE, web:, replay:FILE, null:");
+      "device 'touch' has no scheme, expected one of hand:, script:FILE, web:, replay:FILE, null:, "
+      "openhaptics:NAME, dhd:NUMBER");
   EXPECT_EQ(refusal("script:"), "script: no file, expected script:FILE");
 }
 

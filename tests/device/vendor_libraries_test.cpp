@@ -1,5 +1,9 @@
 #include "thigma/device/vendor_libraries.h"
 
+#include <cstdio>
+#include <fstream>
+#include <string>
+
 #include <gtest/gtest.h>
 
 namespace thigma {
@@ -23,6 +27,18 @@ TEST(VendorLibraries, ProbeTellsLoadableIncompleteAndMissingApart) {
   const LibraryProbe incomplete = probe_library({"", "", math, more, ""});
   EXPECT_EQ(incomplete.state, LibraryState::incomplete);
   EXPECT_EQ(incomplete.reason, "lacks the symbol hdBeginFrame");
+}
+
+TEST(VendorLibraries, WhatIsThereAndDoesNotOpenIsNotCalledMissing) {
+  const std::string file = testing::TempDir() + "libthigma_garbage.so";
+  std::ofstream(file) << std::string(4096, 'x');
+  const char* const names[] = {file.c_str()};
+  const char* const none[] = {"floor"};
+  const LibraryProbe probe = probe_library({"", "", names, none, ""});
+  EXPECT_EQ(probe.state, LibraryState::unusable);
+  EXPECT_NE(probe.reason.find("invalid ELF header"), std::string::npos) << probe.reason;
+  EXPECT_NE(probe.fix.find("64-bit"), std::string::npos) << probe.fix;
+  std::remove(file.c_str());
 }
 
 TEST(VendorLibraries, EveryRowSaysWhatToDo) {

@@ -19,6 +19,7 @@ struct ListedFrames {
   HapticSample made{};
 
   detail::FrameTick next_tick() { return {ticks.at(next++), 7}; }
+  std::int64_t cpu_ns() const { return -1; }
   bool is_stopped() const { return ticks[next - 1] >= stop_at; }
   bool hang(const FaultEvent&, double) {
     hung.push_back(ticks[next - 1]);

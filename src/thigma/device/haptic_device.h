@@ -2,6 +2,7 @@
 // The device a person holds. One of the two virtual interfaces of the project.
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 
 #include "thigma/core/rt.h"
@@ -60,9 +61,18 @@ inline constexpr std::uint32_t kClutchButton = 1u;
 inline constexpr std::uint32_t kTurnButtons[6] = {1u << 1, 1u << 2, 1u << 3,
                                                   1u << 4, 1u << 5, 1u << 6};
 
+/// What a device that owns the clock calls once a frame of its servo loop.
+/// Thread [haptic]: the device's own.
+struct DeviceTick {
+  void (*call)(void* context) noexcept = nullptr;
+  void* context = nullptr;
+};
+
 /// A device or something that stands for one.
 /// Thread: open and close are [offline]; read and write are [haptic], called in turn from one
-/// thread.
+/// thread. A device that owns the clock (DeviceLimits::clock) is read and written within a tick of
+/// its own thread. Outside of ticks, and never at the same time as one, read says lost and write
+/// turns its forces off, whatever the wrench.
 class HapticDevice {
  public:
   virtual ~HapticDevice() = default;
@@ -77,6 +87,27 @@ class HapticDevice {
   /// What the device cannot actuate (limits) is left out, what is too much is cut at the limits by
   /// norm.
   virtual void write(const Wrench& wrench) THIGMA_RT = 0;
+
+  /// Lets a device that owns the clock call `tick` once a frame, until stop_ticks.
+  ///
+  /// rate     frames wanted [Hz]
+  /// errors   DeviceUnavailable where the device cannot keep that rate; std::logic_error from a
+  ///          device whose clock is the engine's
+  /// Thread   [offline].
+  virtual void start_ticks(double rate, DeviceTick tick) {
+    static_cast<void>(rate), static_cast<void>(tick);
+    throw std::logic_error(name() + ": does not own the clock");
+  }
+
+  /// Ends what start_ticks began: forces off in the vendor's order, and no call of the tick from
+  /// here on. Does nothing where nothing was started.
+  /// Thread   [offline].
+  virtual void stop_ticks() noexcept {}
+
+  /// Why the device is lost, or what it warns of (hot motors): one line for a person; "" is
+  /// nothing. Lives as long as the device.
+  /// Thread   [any].
+  virtual const char* trouble() const THIGMA_RT { return ""; }
 };
 
 }  // namespace thigma

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "thigma/device/detail/address.h"
+#include "thigma/device/detail/dhd_device.h"
 #include "thigma/device/detail/hand_address.h"
+#include "thigma/device/detail/openhaptics_device.h"
 #include "thigma/device/null_device.h"
 #include "thigma/device/script.h"
 
@@ -60,6 +62,9 @@ struct Scheme {
   Device (*open)(const std::string& rest, const DeviceContext& context);
   Parameters (*parameters)() = no_parameters;
   std::string_view form{};  // of the address, where it is more than the name
+  std::vector<std::string> (*plugged)() = nullptr;  // addresses; throws as open. Null: nobody knows
+  // null: nothing to do
+  void (*calibrate)(const std::string& rest, const CalibrationTalk& talk) = nullptr;
 };
 
 /// Those without a driver last.
@@ -71,8 +76,11 @@ constexpr Scheme kSchemes[] = {
     {"replay:", "the device samples of a recording: replay:FILE", open_replay, no_parameters,
      "replay:FILE"},
     {"null:", "a handle that never moves", open_null, null_parameters},
-    {"openhaptics:", "3D Systems Touch and Phantom (libHD.so)", nullptr},
-    {"dhd:", "Force Dimension omega, delta, sigma, lambda; Novint Falcon (libdrd.so)", nullptr},
+    {"openhaptics:", "3D Systems Touch and Phantom (libHD.so): openhaptics:NAME",
+     detail::open_openhaptics, no_parameters, "openhaptics:NAME", detail::plugged_openhaptics,
+     detail::calibrate_openhaptics},
+    {"dhd:", "Force Dimension omega, delta, sigma, lambda; Novint Falcon (libdrd.so): dhd:NUMBER",
+     detail::open_dhd, no_parameters, "dhd:NUMBER", detail::plugged_dhd, detail::calibrate_dhd},
     {"haply:", "Haply Inverse3 (Inverse Service on this machine)", nullptr},
     {"vrpn:", "a VRPN server", nullptr}};
 
@@ -92,6 +100,18 @@ constexpr Scheme kSchemes[] = {
                            quoted(detail::nearest_name(scheme, names)));
 }
 
+/// The row of an address; refuses it where there is none.
+const Scheme& scheme_of(const std::string& address) {
+  const std::size_t colon = address.find(':');
+  const std::string name = colon == std::string::npos ? "" : address.substr(0, colon + 1);
+  for (const Scheme& scheme : kSchemes) {
+    if (scheme.name == name) return scheme;
+  }
+  refuse(address, name);
+}
+
+std::string rest_of(const std::string& address) { return address.substr(address.find(':') + 1); }
+
 }  // namespace
 
 std::string device_scheme(std::string_view address) {
@@ -101,16 +121,30 @@ std::string device_scheme(std::string_view address) {
 
 std::unique_ptr<HapticDevice> open_device(const std::string& address,
                                           const DeviceContext& context) {
-  const std::size_t colon = address.find(':');
-  const std::string name = colon == std::string::npos ? "" : address.substr(0, colon + 1);
-  for (const Scheme& scheme : kSchemes) {
-    if (name != scheme.name) continue;
-    if (scheme.open == nullptr)
-      throw DeviceUnavailable(name +
-                              " is not available in this build, use hand: for a simulated device");
-    return scheme.open(address.substr(colon + 1), context);
+  const Scheme& scheme = scheme_of(address);
+  if (scheme.open == nullptr)
+    throw DeviceUnavailable(std::string(scheme.name) +
+                            " is not available in this build, use hand: for a simulated device");
+  return scheme.open(rest_of(address), context);
+}
+
+std::vector<std::string> plugged_devices(const std::string& scheme) {
+  for (const Scheme& known : kSchemes) {
+    if (known.name != scheme || known.plugged == nullptr) continue;
+    try {
+      return known.plugged();
+    } catch (const DeviceUnavailable&) {  // no library: the list of libraries tells
+      return {};
+    }
   }
-  refuse(address, name);
+  return {};
+}
+
+void calibrate_device(const std::string& address, const CalibrationTalk& talk) {
+  const Scheme& scheme = scheme_of(address);
+  if (scheme.calibrate == nullptr)
+    throw DeviceUnavailable(std::string(scheme.name) + " has nothing to calibrate");
+  scheme.calibrate(rest_of(address), talk);
 }
 
 std::vector<DeviceScheme> device_schemes() {

@@ -2,6 +2,7 @@
 // A device from its address, as `thigma run --device` takes it.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -70,5 +71,23 @@ struct DeviceScheme {
 /// Every scheme known, available ones first.
 /// Thread    [offline].
 std::vector<DeviceScheme> device_schemes();
+
+/// Addresses of what is plugged in, of a scheme with the colon; none where its library is missing
+/// or nobody can tell.
+/// Thread    [offline]; may open a device and close it again.
+std::vector<std::string> plugged_devices(const std::string& scheme);
+
+/// What a person is told and says while a device is calibrated.
+struct CalibrationTalk {
+  std::function<void(const std::string&)> say;
+  std::function<bool(const std::string&)> confirm;  // a question; true: yes
+};
+
+/// The vendor's own procedure, then what only a person can confirm. What was confirmed is kept in
+/// the user's configuration folder.
+///
+/// errors   DeviceAddressError, DeviceUnavailable: also where nothing is to be calibrated; IoError
+/// Thread   [offline]; takes up to half a minute, and the device may move by itself.
+void calibrate_device(const std::string& address, const CalibrationTalk& talk);
 
 }  // namespace thigma

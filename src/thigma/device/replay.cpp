@@ -9,7 +9,8 @@ class ReplayDevice final : public HapticDevice {
  public:
   ReplayDevice(std::vector<DeviceState> samples, const DeviceLimits& limits)
       : samples_(std::move(samples)), limits_(limits) {
-    limits_.holds_person = false;  // whoever was held when it was recorded
+    limits_.holds_person = false;         // whoever was held when it was recorded
+    limits_.clock = DeviceClock::engine;  // whoever set the pace then
   }
 
   const DeviceLimits& limits() const override { return limits_; }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "thigma/core/rt.h"
+#include "thigma/core/shared_library.h"
 
 namespace thigma {
 
@@ -20,13 +21,19 @@ struct VendorLibrary {
   std::string_view fix;                  // one sentence for who lacks it
 };
 
-enum class LibraryState : std::uint8_t { loadable, incomplete, missing };
+enum class LibraryState : std::uint8_t {
+  loadable,
+  incomplete,  // lacks a symbol
+  unusable,    // there, and does not open: for another processor, not readable, lacks another one
+  missing,
+};
 
 /// What looking for one gave.
 struct LibraryProbe {
   LibraryState state = LibraryState::missing;
   std::string name;    // that opened; "" when missing
   std::string reason;  // why not loadable, one line; "" otherwise
+  std::string fix;     // the one step that mends it; "" otherwise
 };
 
 /// The table. Source: the vendors' public headers, names and symbols only.
@@ -36,5 +43,12 @@ std::span<const VendorLibrary> vendor_libraries() THIGMA_RT;
 /// Opens, looks for the symbols, closes.
 /// Thread    [offline].
 LibraryProbe probe_library(const VendorLibrary& library);
+
+/// The opened library of a scheme.
+///
+/// scheme   with the colon; a row of the table
+/// errors   DeviceUnavailable: why, and what mends it, one line
+/// Thread   [offline].
+SharedLibrary open_vendor_library(std::string_view scheme);
 
 }  // namespace thigma

@@ -94,14 +94,6 @@ std::unique_ptr<HapticDevice> open_recorded(const std::string& path, Opening& o)
   }
 }
 
-/// Sessions step on the engine's clock; a device that wants to set the pace would be read out of
-/// step with its own servo loop.
-void refuse_device_clock(const HapticDevice& device) {
-  if (device.limits().clock != DeviceClock::device) return;
-  throw DeviceUnavailable(
-      device.name() + ": wants to set the pace by its own clock, which this build cannot follow");
-}
-
 /// The page's mouse, slower than what safety takes for a fault.
 std::unique_ptr<HapticDevice> open_web(const Opening& o) {
   WebMotionParams params;
@@ -189,7 +181,6 @@ SceneSession open_session(const Scene& scene, const SessionOptions& options) {
   if (options.world_from_body) session.config.world_from_body = *options.world_from_body;
   refuse_web_without_page(session.device_uri, options.web_channel);
   open_at(o);
-  refuse_device_clock(*session.device);
   HapticParams& haptic = session.config.haptic;
   // Faults that are asked for are to be seen as a device would have them.
   haptic.safety.rides_out_gaps = !scene.description.is_strict && session.config.faults.empty();

@@ -61,6 +61,7 @@ class FaultyDevice final : public HapticDevice {
 
   const DeviceLimits& limits() const override { return inner_.limits(); }
   std::string name() const override { return inner_.name(); }
+  const char* trouble() const THIGMA_RT override { return inner_.trouble(); }
 
   DeviceState read(double now) THIGMA_RT override {
     DeviceState state = inner_.read(now);

@@ -4,6 +4,7 @@
 #include <deque>
 #include <memory>
 
+#include "thigma/device/open_device.h"
 #include "thigma/session/detail/check_config.h"
 #include "thigma/session/detail/contact_frames.h"
 #include "thigma/session/detail/event_detector.h"
@@ -54,6 +55,8 @@ class LockstepShell {
     summary.force_steps = force_steps_;
     summary.safety_events = events_.take_safety_events();
     summary.notes = events_.texts();
+    if (const std::string trouble = device_.trouble(); !trouble.empty())
+      detail::add_note(device_.name() + ": " + trouble, trouble, summary.notes);
     return summary;
   }
 
@@ -63,6 +66,7 @@ class LockstepShell {
     has_frame_ = false;
     return {next_++};
   }
+  std::int64_t cpu_ns() const { return thread_cpu_ns(); }
   bool is_stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
 
   /// What the watchdog of a threaded session does, at the frame where it would.
@@ -91,7 +95,8 @@ class LockstepShell {
     if (params_.safety.rides_out_gaps) external_ = Fault::none;  // once a gap
     force_steps_.observe(sample);
     if (sinks_.haptic) sinks_.haptic(sample);
-    events_.observe(sample, static_cast<double>(record_.longest_gap) / config_.rate);
+    events_.observe(sample, static_cast<double>(record_.longest_gap) / config_.rate,
+                    device_.trouble());
     has_frame_ = true;
   }
   bool has_finished(const HapticSample& sample) const {
@@ -147,6 +152,9 @@ class LockstepShell {
 SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device,
                             const SessionSinks& sinks, const std::atomic<bool>* stop) {
   detail::check_config(config);
+  if (device.limits().clock == DeviceClock::device)
+    throw DeviceUnavailable(device.name() + ": sets the pace by its own clock, which --lockstep " +
+                            "cannot follow, expected a run without it");
   const std::unique_ptr<HapticDevice> faulty = make_faulty_device(device, config.faults);
   const ZeroForceOnExit zero_force(*faulty);
   return std::make_unique<LockstepShell>(config, *faulty, sinks, stop)->run();

@@ -28,8 +28,10 @@ void Session::Impl::start_threads() {
     drain_thread = std::thread([this] { run_drain(); });
     watchdog_thread = std::thread([this] { run_watchdog(); });
     contact_thread = std::thread([this] { run_contact(); });
+    if (is_device_paced) start_device();
     haptic_thread = std::thread([this] { run_haptic(); });
   } catch (...) {
+    driver.stop_ticks();
     haptic_done.store(true, std::memory_order_release);
     contact_done.store(true, std::memory_order_release);
     join_threads();
@@ -89,6 +91,8 @@ SessionSummary Session::finish() {
   summary.safety_events = s.events.take_safety_events();
   summary.notes = s.notes;
   summary.notes.insert(summary.notes.end(), s.events.texts().begin(), s.events.texts().end());
+  if (const std::string trouble = s.driver.trouble(); !trouble.empty())
+    detail::add_note(s.driver.name() + ": " + trouble, trouble, summary.notes);
   return summary;
 }
 

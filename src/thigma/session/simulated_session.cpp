@@ -70,6 +70,7 @@ class SimulatedShell {
     const std::int64_t late = is_stopped() ? -1 : wait_for_tick(clock_);
     return {next_++, late};
   }
+  std::int64_t cpu_ns() const { return thread_cpu_ns(); }
   bool is_stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
   bool hang(const FaultEvent&, double) { return false; }
 

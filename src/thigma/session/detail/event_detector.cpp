@@ -134,7 +134,7 @@ void EventDetector::add_late(const HapticSample& sample, Fault cause, const char
   if (sink_) sink_({sample.time, sample.frame, EventKind::late, fault_name(cause), text});
 }
 
-void EventDetector::observe(const HapticSample& sample, double longest_gap) {
+void EventDetector::observe(const HapticSample& sample, double longest_gap, const char* trouble) {
   const auto add_event = [&](EventKind kind, const char* detail) {
     add({sample.time, sample.frame, kind, detail, {}});
   };
@@ -142,6 +142,8 @@ void EventDetector::observe(const HapticSample& sample, double longest_gap) {
     char text[80];
     std::snprintf(text, sizeof text, "watchdog: %.1f ms without a haptic step", 1e3 * longest_gap);
     add({sample.time, sample.frame, EventKind::fault, fault_name(sample.fault), text});
+  } else if (sample.fault == Fault::device_lost && last_fault_ != Fault::device_lost) {
+    add({sample.time, sample.frame, EventKind::fault, fault_name(sample.fault), trouble});
   } else if (sample.fault != last_fault_ && sample.fault != Fault::none) {
     add_event(EventKind::fault, fault_name(sample.fault));
   }
@@ -158,6 +160,12 @@ void EventDetector::observe(const HapticSample& sample, double longest_gap) {
   last_fault_ = sample.fault;
   was_grasped_ = sample.is_grasped;
   was_armed_ = sample.is_armed;
+}
+
+void add_note(const std::string& text, const std::string& known, std::vector<std::string>& notes) {
+  const auto found = std::find(notes.begin(), notes.end(), known);
+  if (found != notes.end()) notes.erase(found);
+  notes.push_back(text);
 }
 
 }  // namespace thigma::detail

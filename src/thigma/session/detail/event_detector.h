@@ -40,8 +40,8 @@ class EventDetector {
  public:
   EventDetector(std::function<void(const SessionEvent&)> sink, const DeepContactLimits& limits)
       : sink_(std::move(sink)), deep_limits_(limits) {}
-  /// longest_gap: longest time without a step so far [s]
-  void observe(const HapticSample& sample, double longest_gap);
+  /// longest_gap: longest time without a step so far [s]; trouble: of the device, as it says it
+  void observe(const HapticSample& sample, double longest_gap, const char* trouble = "");
   /// Of the model that comes into use next.
   void observe(const ContactSample& sample);
   void add(const SessionEvent& event);
@@ -74,5 +74,8 @@ class EventDetector {
   std::int64_t left_out_ = 0;
   Fault last_fault_ = Fault::none;
 };
+
+/// Replaces the note that says only `known` by `text`, or adds it.
+void add_note(const std::string& text, const std::string& known, std::vector<std::string>& notes);
 
 }  // namespace thigma::detail

@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <optional>
 
 #include "thigma/loop/haptic_step.h"
 #include "thigma/session/session.h"
@@ -45,7 +46,9 @@ concept FrameShell = requires(S& shell, const Frame& frame, const HapticSample& 
   { shell.is_stopped() } -> std::convertible_to<bool>;
   { shell.hang(fault, now) } -> std::convertible_to<bool>;  // injected; true: there is no step
   shell.prepare(frame);  // what changes between two steps: gains, contact models
-  shell.step(frame);     // its CPU time is the frame's
+  // of the processor spent so far; the frame's is that of its step. Below 0: not measured
+  { shell.cpu_ns() } -> std::same_as<std::int64_t>;
+  shell.step(frame);
   { shell.sample(frame) } -> std::convertible_to<const HapticSample&>;  // of that step
   shell.publish(frame, sample);
   { shell.has_finished(sample) } -> std::convertible_to<bool>;  // nothing more will come
@@ -81,34 +84,41 @@ inline void note_times(const Frame& frame, HapticState& state) THIGMA_RT {
     state.wake_late = static_cast<float>(1e-9 * static_cast<double>(frame.wake_late_ns));
 }
 
-/// Makes frames until something ends the session.
+/// Makes the frame of the shell's next tick, or leaves it out; what ended the session, or nothing.
 ///
 /// config   constant, but for what only the contact thread reads
 /// shell    is called by this thread alone; what its members throw comes out
 /// Thread   [haptic] where the shell's members are: nothing in here allocates, locks or logs
 template <FrameShell Shell>
-SessionEnd drive_frames(const SessionConfig& config, Shell& shell, FrameRecord& record) {
-  const std::uint64_t last = frame_limit(config);
+std::optional<SessionEnd> drive_frame(const SessionConfig& config, Shell& shell,
+                                      FrameRecord& record) {
   const auto ended = [&](SessionEnd reason) { return end_of_frames(config, record, reason); };
+  const FrameTick tick = shell.next_tick();
+  record.time = static_cast<double>(tick.index) / config.rate;
+  if (tick.index >= frame_limit(config)) return ended(SessionEnd::duration);
+  if (shell.is_stopped()) return ended(SessionEnd::stopped);
+  const FaultEvent* hang = active_fault(config.faults, InjectedFault::hang, record.time);
+  if (hang != nullptr && shell.hang(*hang, record.time)) return std::nullopt;
+
+  Frame frame = begin_frame(config, tick, record);
+  shell.prepare(frame);
+  const std::int64_t begin = shell.cpu_ns();
+  shell.step(frame);
+  frame.cpu_ns = begin < 0 ? -1 : shell.cpu_ns() - begin;
+  const HapticSample& sample = shell.sample(frame);
+  end_frame(config, frame, sample, record);
+  shell.publish(frame, sample);
+
+  if (is_fault_over(config, record)) return SessionEnd::fault;
+  if (shell.has_finished(sample)) return ended(SessionEnd::device_finished);
+  return std::nullopt;
+}
+
+/// Makes frames until something ends the session. Parameters and thread as of drive_frame.
+template <FrameShell Shell>
+SessionEnd drive_frames(const SessionConfig& config, Shell& shell, FrameRecord& record) {
   while (true) {
-    const FrameTick tick = shell.next_tick();
-    record.time = static_cast<double>(tick.index) / config.rate;
-    if (tick.index >= last) return ended(SessionEnd::duration);
-    if (shell.is_stopped()) return ended(SessionEnd::stopped);
-    const FaultEvent* hang = active_fault(config.faults, InjectedFault::hang, record.time);
-    if (hang != nullptr && shell.hang(*hang, record.time)) continue;
-
-    Frame frame = begin_frame(config, tick, record);
-    shell.prepare(frame);
-    const std::int64_t begin = thread_cpu_ns();
-    shell.step(frame);
-    frame.cpu_ns = thread_cpu_ns() - begin;
-    const HapticSample& sample = shell.sample(frame);
-    end_frame(config, frame, sample, record);
-    shell.publish(frame, sample);
-
-    if (is_fault_over(config, record)) return SessionEnd::fault;
-    if (shell.has_finished(sample)) return ended(SessionEnd::device_finished);
+    if (const std::optional<SessionEnd> end = drive_frame(config, shell, record)) return *end;
   }
 }
 

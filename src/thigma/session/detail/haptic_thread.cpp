@@ -40,6 +40,7 @@ std::int64_t Session::Impl::behind() const {
 /// Waits for the next tick. One that was slept through for longer than the watchdog waits is left
 /// out: its step would stamp what the watchdog did with a time before it.
 detail::FrameTick Session::Impl::next_tick() {
+  if (is_device_paced) return next_device_tick();
   std::int64_t late = wait_for_tick(clock);
   hold_while_paused();
   constexpr int kMostAgain = 10;  // a machine that is always late is to be told of as well
@@ -56,7 +57,12 @@ detail::FrameTick Session::Impl::next_tick() {
 bool Session::Impl::hang(const FaultEvent& fault, double) {
   if (has_hung) return false;
   has_hung = true;
+  if (is_device_paced) token.give_back();  // as a tick that does not come
   sleep_ns(to_ns(fault.duration));
+  if (is_device_paced) {
+    while (!token.try_take()) sleep_ns(20'000);
+    return true;
+  }
   hang_late_ns = behind();
   if (hang_late_ns <= watchdog_ns) {
     hang_late_ns = 0;
@@ -73,7 +79,9 @@ void Session::Impl::prepare(const detail::Frame&) {
 
 void Session::Impl::step(const detail::Frame& frame) {
   const std::int64_t asked = monotonic_ns();
-  while (!token.try_take()) sleep_ns(20'000);  // only while the watchdog is sending zero
+  if (!is_device_paced) {
+    while (!token.try_take()) sleep_ns(20'000);  // only while the watchdog is sending zero
+  }
   HapticTick tick{frame.now, frame.elapsed, Fault::none};
   const std::int64_t begin = monotonic_ns();
   const std::int64_t gap = begin - last_step_ns.load(std::memory_order_relaxed);
@@ -90,7 +98,7 @@ void Session::Impl::step(const detail::Frame& frame) {
   step_asked = asked;
   step_taken = begin;
   step_end = monotonic_ns();
-  token.give_back();
+  if (!is_device_paced) token.give_back();
 }
 
 /// Thread [haptic]. The sample is in its ring already.
@@ -113,6 +121,7 @@ void Session::Impl::end_with_zero_force() {
 }
 
 void Session::Impl::run_haptic() {
+  if (is_device_paced) return run_beside_device();
   note(request_real_time(config.haptic_thread).refused);
   start_clock(clock);
   epoch_ns.store(clock.start_ns, std::memory_order_release);

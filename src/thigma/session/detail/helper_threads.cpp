@@ -77,7 +77,8 @@ void Session::Impl::drain() {
     force_steps.observe(*sample);
     if (sinks.haptic) sinks.haptic(*sample);
     events.observe(*sample,
-                   1e-9 * static_cast<double>(longest_gap_ns.load(std::memory_order_acquire)));
+                   1e-9 * static_cast<double>(longest_gap_ns.load(std::memory_order_acquire)),
+                   driver.trouble());
     haptic_ring.pop();
   }
   drain_contacts();

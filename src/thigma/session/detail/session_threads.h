@@ -1,8 +1,8 @@
 #pragma once
 // The threads of a session: a haptic thread that keeps time, a contact thread that does what it
 // can, a watchdog that looks after the first, and a drain that hands samples to whoever wants them.
-// Two Latest and two rings are all they share. The haptic thread is in haptic_thread.cpp, the
-// others in helper_threads.cpp.
+// Two Latest and two rings are all they share. The haptic thread is in haptic_thread.cpp, or,
+// where a device owns the clock, in device_ticks.cpp; the others are in helper_threads.cpp.
 
 #include <algorithm>
 #include <atomic>
@@ -42,6 +42,7 @@ struct Session::Impl {
   Impl(SessionConfig config_in, HapticDevice& device_in, SessionSinks sinks_in)
       : config(std::move(config_in)),
         sinks(std::move(sinks_in)),
+        driver(device_in),
         faulty(make_faulty_device(device_in, config.faults)),
         device(std::make_unique<detail::TimedDevice>(*faulty)),
         params(config.haptic),
@@ -49,6 +50,7 @@ struct Session::Impl {
         contact_ring(std::max<std::size_t>(config.telemetry_models, 1)),
         events(sinks.event, detail::deep_contact_limits(config)) {
     use_device_limits(device_in.limits(), params);
+    is_device_paced = device_in.limits().clock == DeviceClock::device;
     watchdog_ns = to_ns(detail::effective_watchdog(config));
     state = initial_state(params, config.world_from_body);
     ports = {device.get(), &models, &bodies, &haptic_ring, monotonic_ns};
@@ -58,6 +60,11 @@ struct Session::Impl {
   void start_threads();
   void join_threads();
   void run_haptic();
+  void run_beside_device();
+  void start_device();
+  void device_tick() noexcept;
+  void take_over();
+  detail::FrameTick next_device_tick();
   void run_contact();
   void run_watchdog();
   void run_drain();
@@ -71,6 +78,8 @@ struct Session::Impl {
 
   // The shell of the frame driver (detail/frame_driver.h).
   detail::FrameTick next_tick();
+  // A system call, which nothing of ours makes in the vendor's thread.
+  std::int64_t cpu_ns() const { return is_device_paced ? -1 : thread_cpu_ns(); }
   bool is_stopped() const { return should_stop.load(std::memory_order_relaxed); }
   bool hang(const FaultEvent& fault, double now);
   void prepare(const detail::Frame& frame);
@@ -83,12 +92,18 @@ struct Session::Impl {
 
   SessionConfig config;  // constant but for .contact, the contact thread's while it runs
   const SessionSinks sinks;
+  HapticDevice& driver;  // the device itself; the others stand before it
   const std::unique_ptr<HapticDevice> faulty;
   const std::unique_ptr<detail::TimedDevice> device;
   HapticParams params;
   HapticPorts ports;
 
-  // Haptic thread only, while it runs.
+  // Haptic thread only, while it runs. Where the device owns the clock that is its own thread,
+  // within the token; once the ticks are over, the session's.
+  bool is_device_paced = false;  // frames are made in ticks of the device
+  bool are_ticks_over = false;   // what still ticks sends zero
+  std::int64_t first_tick_ns = 0, last_tick_ns = 0;
+  std::uint64_t ticks = 0;
   HapticState state;
   HapticSample made;  // by the last step
   detail::FrameRecord record;
@@ -111,6 +126,7 @@ struct Session::Impl {
   detail::DeviceToken token;
   std::atomic<bool> should_stop{false};
   std::atomic<bool> haptic_done{false};
+  std::atomic<bool> have_ticks_ended{false};
   std::atomic<bool> contact_done{false};
   std::atomic<bool> watchdog_fired{false};
   std::atomic<std::int64_t> last_step_ns{0};    // 0: not stepping

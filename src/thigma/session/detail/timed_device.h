@@ -12,6 +12,7 @@ class TimedDevice final : public HapticDevice {
   explicit TimedDevice(HapticDevice& inner) : inner_(inner) {}
   const DeviceLimits& limits() const override { return inner_.limits(); }
   std::string name() const override { return inner_.name(); }
+  const char* trouble() const THIGMA_RT override { return inner_.trouble(); }
   DeviceState read(double now) THIGMA_RT override {
     const std::int64_t begin = monotonic_ns();
     const DeviceState state = inner_.read(now);

@@ -1,0 +1,64 @@
+#pragma once
+// A session of a driver in contact: its stand-in's hand presses the handle down onto a plane.
+
+#include <functional>
+#include <string>
+
+#include "standins/client.h"
+#include "support/plane_session.h"
+
+#include "thigma/session/session.h"
+
+namespace thigma::test {
+
+/// Limits of time that a loaded machine keeps, too; those of the device's faults stay.
+inline SessionConfig pressing_session() {
+  SessionConfig config = plane_session();
+  config.duration = 30.0;
+  config.haptic.safety.watchdog = 0.2;
+  config.haptic.safety.model_full_age = 2.0;
+  config.haptic.safety.model_stale_age = 4.0;
+  config.haptic.safety.max_speed = 5.0;
+  config.haptic.safety.pose_jump = 0.010;
+  return config;
+}
+
+/// What a session in contact came to.
+struct PressedSession {
+  SessionSummary summary;
+  double pressed = 0.0;      // force sent when the fault was made [N]
+  double zero_after = -1.0;  // from the fault to a sent force of zero; below 0: never [s]
+};
+
+/// Runs until the device is pushed back by about 2 N, then `fault`, and waits for the end.
+/// press   moves the stand-in's target down; `sent` is the norm of the last force it was sent [N]
+inline PressedSession press_and_fail(HapticDevice& device, const std::function<void(double)>& press,
+                                     const std::function<double()>& sent,
+                                     const std::function<void()>& fault) {
+  PressedSession result;
+  Session session(pressing_session(), device);
+  session.start();
+  usleep(800'000);  // armed, ramped up
+  double depth = 0.0;
+  for (int i = 0; i < 400 && sent() < 2.0; ++i) {
+    press(depth += 2e-4);
+    usleep(10'000);
+  }
+  usleep(100'000);
+  result.pressed = sent();
+  const std::int64_t begin = monotonic_ns();
+  fault();
+  while (monotonic_ns() - begin < 3'000'000'000) {
+    if (sent() == 0.0) {
+      result.zero_after = 1e-9 * static_cast<double>(monotonic_ns() - begin);
+      break;
+    }
+    usleep(200);
+  }
+  for (int i = 0; i < 3000 && session.is_running(); ++i) usleep(1000);
+  session.request_stop();
+  result.summary = session.finish();
+  return result;
+}
+
+}  // namespace thigma::test

@@ -1,0 +1,101 @@
+// What the haptic step does in the thread of a device that owns the clock.
+#include <functional>
+
+#include "support/audit.h"
+#include "support/plane_session.h"
+#include "support/ticking_hand.h"
+#include <gtest/gtest.h>
+
+#include "thigma/device/open_device.h"
+#include "thigma/session/session.h"
+
+namespace thigma {
+namespace {
+
+/// Adds up what ticks do.
+struct TickAudit {
+  test::AuditCounts counts;
+  int ticks = 0;
+  void make(DeviceTick tick) {
+    const test::AuditScope scope;
+    tick.call(tick.context);
+    const test::AuditCounts now = scope.counts();
+    counts.allocations += now.allocations;
+    counts.frees += now.frees;
+    counts.locks += now.locks;
+    counts.system_calls += now.system_calls;
+    ++ticks;
+  }
+  std::string text() const {
+    return std::to_string(ticks) + " ticks, " + std::to_string(counts.allocations) +
+           " allocations, " + std::to_string(counts.locks) + " locks, " +
+           std::to_string(counts.system_calls) + " system calls, last " +
+           std::to_string(counts.last_system_call);
+  }
+};
+
+SessionConfig patient_session() {
+  SessionConfig config = test::plane_session();
+  config.duration = 1.0;
+  config.haptic.safety.watchdog = 5.0;
+  config.haptic.safety.model_full_age = 5.0;
+  config.haptic.safety.model_stale_age = 10.0;
+  config.haptic.safety.pose_jump = 1.0;
+  return config;
+}
+
+/// A device whose ticks are watched.
+class AuditedDevice final : public HapticDevice {
+ public:
+  AuditedDevice(HapticDevice& inner, TickAudit& audit) : inner_(inner), audit_(audit) {}
+  const DeviceLimits& limits() const override { return inner_.limits(); }
+  std::string name() const override { return inner_.name(); }
+  const char* trouble() const THIGMA_RT override { return inner_.trouble(); }
+  DeviceState read(double now) THIGMA_RT override { return inner_.read(now); }
+  void write(const Wrench& wrench) THIGMA_RT override { inner_.write(wrench); }
+  void start_ticks(double rate, DeviceTick tick) override {
+    tick_ = tick;
+    inner_.start_ticks(rate, {[](void* self) noexcept {
+                                auto& device = *static_cast<AuditedDevice*>(self);
+                                device.audit_.make(device.tick_);
+                              },
+                              this});
+  }
+  void stop_ticks() noexcept override { inner_.stop_ticks(); }
+
+ private:
+  HapticDevice& inner_;
+  TickAudit& audit_;
+  DeviceTick tick_;
+};
+
+TEST(DeviceAudit, a_tick_neither_allocates_nor_locks_nor_calls_the_system) {
+  if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
+  test::TickingHand device(test::plane_hand(HandPath::press, 0.005));
+  TickAudit audit;
+  bool is_seen = false;
+  device.begins = [&] { is_seen = test::forbid_system_calls(); };
+  device.around = [&](DeviceTick tick) { audit.make(tick); };
+  Session session(patient_session(), device);
+  session.start();
+  session.finish();
+  EXPECT_TRUE(is_seen);
+  EXPECT_GT(audit.ticks, 100);
+  EXPECT_GT(device.most_force, 0.0);
+  EXPECT_EQ(audit.counts.total(), 0) << audit.text();
+}
+
+TEST(DeviceAudit, nor_does_the_step_in_the_callback_of_openhaptics) {
+  if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
+  const auto device = open_device("openhaptics:");
+  TickAudit audit;
+  AuditedDevice audited(*device, audit);
+  Session session(patient_session(), audited);
+  session.start();
+  EXPECT_EQ(session.finish().end, SessionEnd::duration) << device->trouble();
+  EXPECT_GT(audit.ticks, 100);
+  EXPECT_EQ(audit.counts.total(), 0) << audit.text();
+}
+
+}  // namespace
+}  // namespace thigma

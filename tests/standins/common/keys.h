@@ -1,0 +1,67 @@
+// Every number of a stand-in that can be set or read, with its value at the start. README.md says
+// what each is.
+#pragma once
+
+namespace standin {
+
+// clang-format off
+#define STANDIN_KEYS(X) \
+  /* the device that is pretended */ \
+  X(count, 1) X(type, 104) X(model, 0) X(serial, 1001) X(buttons, 0) X(gripper_gap, 0) \
+  X(up_axis, 2) \
+  X(sdk_major, 3) X(sdk_minor, 17) X(sdk_release, 5) X(sdk_revision, 0) X(status_count, 17) \
+  X(max_force, 0) X(max_continuous, 0) X(max_torque, 0) X(torque_unit, 0.001) \
+  /* time */ \
+  X(rate, 1000) X(jitter_us, 0) X(blocking, 1) X(loop_us, 250) X(timeguard_us, 250) \
+  X(init_ms, 50) \
+  X(process, 0) X(linger_s, 5) X(comm_timeout_ms, 0) \
+  /* safety of the device */ \
+  X(watchdog, 255) X(velocity_threshold, 1.5) X(velocity_limit, 1.0) X(impulse_limit, 1.0) \
+  X(ramp_rate, 20) X(heating, 0) X(motor_temperature, 0) X(gravity, 1) \
+  /* faults, 0: none; fail_*: the vendor's number of the error */ \
+  X(unplug, 0) X(cut, 0) X(silent, 0) X(hang, 0) X(nan_pose, 0) X(nan_velocity, 0) \
+  X(jump_x, 0) X(jump_y, 0) X(jump_z, 0) X(jump_rx, 0) X(jump_ry, 0) X(jump_rz, 0) \
+  X(fail_open, 0) X(fail_init, 0) X(fail_read, 0) X(fail_set, 0) X(fail_stop, 0) \
+  X(fail_scheduler, 0) \
+  X(saturate, 0) X(names, 7) X(strict_frames, 1) X(scheduler_slots, 64) \
+  /* calibration */ \
+  X(initialized, 1) X(calibration, 0x5000) X(calibration_style, 4) X(inkwell, 0) \
+  X(safety_switch, 1) \
+  X(uncalibrated_offset, 0.02) X(skew, 2e-4) \
+  /* the hand that holds the handle; SI, axes of the vendor */ \
+  X(mass, 0.2) X(spring, 200) X(damping, 9) X(brake_damping, 40) X(weight, 0) X(hold, 0) \
+  X(inertia, 2e-4) X(rot_spring, 0.2) X(rot_damping, 0.01) \
+  X(target_x, 0) X(target_y, 0) X(target_z, 0) X(target_rx, 0) X(target_ry, 0) X(target_rz, 0) \
+  X(push_x, 0) X(push_y, 0) X(push_z, 0) X(sweep_amplitude, 0) X(sweep_hz, 1) X(sweep_axis, 0) \
+  /* state of the handle */ \
+  X(px, 0) X(py, 0) X(pz, 0) X(vx, 0) X(vy, 0) X(vz, 0) X(qw, 1) X(qx, 0) X(qy, 0) X(qz, 0) \
+  X(wx, 0) X(wy, 0) X(wz, 0) X(step_time, 0) X(start_time, 0) \
+  /* state of the device: mode 0 idle, 1 force, 2 brake */ \
+  X(mode, 0) X(opened, 0) X(plugged, 1) X(regulated, 0) X(expert, 0) X(force_off_cause, 0) \
+  X(limit_force, -1) X(limit_torque, -1) \
+  X(force_output, 0) X(clamping, 0) X(ramping, 1) X(force_check, 1) X(velocity_check, 1) \
+  X(impulse_check, 1) X(one_frame, 1) X(status_light, 0) \
+  /* what was sent: the numbers as they came */ \
+  X(last_fx, 0) X(last_fy, 0) X(last_fz, 0) X(last_tx, 0) X(last_ty, 0) X(last_tz, 0) \
+  X(last_fg, 0) \
+  X(applied_fx, 0) X(applied_fy, 0) X(applied_fz, 0) X(applied_tx, 0) X(applied_ty, 0) \
+  X(applied_tz, 0) \
+  X(last_set_time, 0) X(force_off_time, 0) X(torque_pname, 0) \
+  /* counters */ \
+  X(reads, 0) X(sets, 0) X(errors, 0) X(frames, 0) X(ticks, 0) X(late_ticks, 0) X(callbacks, 0) \
+  X(outside_frame, 0) X(after_close, 0) X(non_finite, 0) X(set_while_off, 0) \
+  X(set_while_regulated, 0) \
+  X(off_scheduler, 0) X(torque_sets, 0) X(torque_ignored, 0) X(torque_nonzero, 0) \
+  X(watchdog_trips, 0) \
+  X(velocity_trips, 0) X(saturations, 0) X(timeguards, 0) X(force_max, 0) X(torque_max, 0) \
+  X(expert_calls, 0) X(sdk_calls, 0)
+// clang-format on
+
+enum Key : int {
+#define STANDIN_KEY(name, value) k_##name,
+  STANDIN_KEYS(STANDIN_KEY)
+#undef STANDIN_KEY
+      kKeyCount
+};
+
+}  // namespace standin
