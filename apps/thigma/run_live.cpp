@@ -48,7 +48,8 @@ class LiveRun {
         recorder_([this](const RecordingFailure& failure) { recording_failed(failure); }),
         server_(view_of(*run_), run_->session.config,
                 start_ * run_->session.config.contact.body_from_mesh, devices_of(*run_),
-                live::web_files(), address_of(*program.options), *program.web_channel) {}
+                live::web_files(), address_of(*program.options), *program.web_channel,
+                {.may_be_framed = program.options->is_embedded}) {}
 
   SessionSummary go() {
     server_.offer(open_menu());

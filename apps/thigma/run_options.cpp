@@ -55,6 +55,8 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
   verb.add_option("--bind", o.bind,
                   "address of this machine at which other machines reach the page, 0.0.0.0 for all "
                   "of them: they watch, and control with the token of the address printed");
+  verb.add_flag("--embed", o.is_embedded,
+                "pages of this machine, such as a notebook, may show the page in a frame");
 }
 
 bool has_page(const RunOptions& o) { return !o.is_headless && (!o.is_lockstep || o.port); }
@@ -96,6 +98,8 @@ std::string check_run_options(const RunOptions& o) {
     return "--bind belongs to the page, which --headless and --lockstep leave out";
   if (!o.bind.empty() && !live::is_address(o.bind))
     return "--bind must be a numeric address of this machine, such as 192.168.0.2 or 0.0.0.0";
+  if (o.is_embedded && !has_page(o))
+    return "--embed belongs to the page, which --headless and --lockstep leave out";
   if (!o.pose_text.empty() && !parse_pose(o.pose_text))
     return "--pose must be seven numbers: x,y,z,qx,qy,qz,qw";
   return {};

@@ -44,6 +44,7 @@ struct RunOptions {
   std::string texture;                // "on", "off"; otherwise on where the scene has some
   std::optional<std::uint16_t> port;  // of the page; otherwise any free one
   std::string bind;                   // address of the page; otherwise this machine alone
+  bool is_embedded = false;           // pages of this machine may show the page in a frame
 };
 
 /// Whether the run has a page: not headless, and in lockstep only where a port is named.

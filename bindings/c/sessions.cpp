@@ -2,6 +2,7 @@
 
 #include "guard.h"
 #include "handles.h"
+#include "scene_of_meshes.h"
 
 #include "thigma/core/error.h"
 
@@ -96,6 +97,18 @@ thigma_result thigma_scene_pair(const char* object, const char* against, double 
     SceneDescription pair =
         scene_from_pair(&c::needed(object, "object"), &c::needed(against, "against"), scale, place);
     *scene = new thigma_scene{std::make_shared<const Scene>(load_scene(std::move(pair)))};
+  });
+}
+
+thigma_result thigma_scene_of_meshes(const thigma_mesh* object, const thigma_mesh* against,
+                                     const double* pose, thigma_scene** scene) {
+  return c::guarded([&] {
+    c::needed(scene, "scene");
+    const TriangleMesh& held = c::needed(object, "object").surface;
+    const TriangleMesh& standing = c::needed(against, "against").surface;
+    const Pose place = pose == nullptr ? Pose{} : c::pose_from(pose, "pose");
+    *scene = new thigma_scene{
+        std::make_shared<const Scene>(bindings::scene_of_meshes(held, standing, place))};
   });
 }
 

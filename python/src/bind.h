@@ -25,6 +25,11 @@ using Ints = py::array_t<std::int32_t, py::array::c_style>;
 using WithoutGil = py::call_guard<py::gil_scoped_release>;
 
 using MeshPointer = std::shared_ptr<const TriangleMesh>;
+/// A mesh as Python holds it. Never changed: views of it are handed out.
+struct Mesh {
+  MeshPointer surface;
+  std::vector<std::string> repairs;
+};
 /// Levels of detail, or a surface at its finest alone (`meshes` has one, `levels` free ones).
 using ClodPointer = std::shared_ptr<const ClodAsset>;
 
@@ -33,6 +38,7 @@ void bind_contacts(py::module_& module);
 void bind_scenes(py::module_& module);
 void bind_sessions(py::module_& module);
 void bind_recordings(py::module_& module);
+void bind_textures(py::module_& module);
 void bind_tune(py::module_& module);
 
 /// Read-only view of numbers that `owner` keeps alive.

@@ -17,12 +17,6 @@
 namespace thigma::python {
 namespace {
 
-/// A mesh as Python holds it. Never changed: views of it are handed out.
-struct Mesh {
-  MeshPointer surface;
-  std::vector<std::string> repairs;
-};
-
 template <class Source>
 Mesh made(const Source& source, double scale, bool repair) {
   Mesh mesh;

@@ -1,6 +1,7 @@
 // Scenes: from files, built-in, or of two meshes.
 
 #include "bind.h"
+#include "scene_of_meshes.h"
 
 #include "thigma/scene/load_scene.h"
 #include "thigma/scene/scene_file.h"
@@ -51,6 +52,20 @@ ScenePointer load_pair(const std::string& object, const std::string& against, do
   return std::make_shared<Scene>(load_scene(std::move(description), loading));
 }
 
+ScenePointer mesh_pair(const Mesh& object, const Mesh& against, const Doubles& pose,
+                       const std::string& response) {
+  const Pose world_from_mesh = pose_from(pose, "pose");
+  const py::gil_scoped_release unlocked;
+  std::optional<ResponseKind> kind;
+  if (!response.empty()) {
+    kind = response_of(response);
+    if (!kind)
+      throw py::value_error("response: '" + response + "', expected penalty, constraint or direct");
+  }
+  return std::make_shared<Scene>(
+      bindings::scene_of_meshes(*object.surface, *against.surface, world_from_mesh, kind));
+}
+
 const char* response_name(ResponseKind kind) {
   for (const ResponseName& response : kResponseNames)
     if (response.kind == kind) return response.name;
@@ -94,6 +109,7 @@ void bind_scenes(py::module_& module) {
       .def_property_readonly("static_poses", &poses);
   module.def("load_scene", &load);
   module.def("load_pair", &load_pair);
+  module.def("mesh_pair", &mesh_pair);
   module.def("builtin_scene_names", &builtin_scene_names);
 }
 

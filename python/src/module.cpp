@@ -67,5 +67,6 @@ PYBIND11_MODULE(_core, module) {
   bind_scenes(module);
   bind_sessions(module);
   bind_recordings(module);
+  bind_textures(module);
   bind_tune(module);
 }

@@ -17,9 +17,11 @@ from ._core import (
     __version__,
 )
 from ._meshes import Clod, Level, Mesh, build_clod, exact, load_clod
+from ._page import Page
 from ._recordings import Recording, Replay, export_csv, read_recording, replay
 from ._scenes import Scene, builtin_scenes, load_scene, scene_from_pair
 from ._sessions import Event, Session, Summary
+from ._textures import Texture, bake, depth, load_texture
 from ._tune import Gain, Gains, GainWarning, tune, tune_body
 
 __all__ = [
@@ -37,6 +39,7 @@ __all__ = [
     "IoError",
     "Level",
     "Mesh",
+    "Page",
     "Recording",
     "Replay",
     "Rotations",
@@ -44,14 +47,18 @@ __all__ = [
     "Scene",
     "Session",
     "Summary",
+    "Texture",
     "__version__",
+    "bake",
     "build_clod",
     "builtin_scenes",
     "contacts",
+    "depth",
     "exact",
     "export_csv",
     "load_clod",
     "load_scene",
+    "load_texture",
     "read_recording",
     "replay",
     "scene_from_pair",

@@ -7,7 +7,8 @@ from typing import Any, Callable
 
 from . import _core
 from ._arrays import Floats, Poses, pose as one_pose
-from ._meshes import Clod
+from ._core import InputError
+from ._meshes import Clod, _mesh
 
 
 class Scene:
@@ -123,8 +124,8 @@ def load_scene(
 
 
 def scene_from_pair(
-    object: str | os.PathLike[str],
-    against: str | os.PathLike[str],
+    object: Any,
+    against: Any,
     scale: float = 1.0,
     *,
     pose: Poses = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0),
@@ -134,14 +135,26 @@ def scene_from_pair(
     cache_folder: str | os.PathLike[str] = "",
     log: Callable[[str], None] | None = None,
 ) -> Scene:
-    """A scene of two mesh files, or of models such as "procedural:ball": gains by their size.
+    """A scene of two meshes: gains by their size.
+
+    Mesh files, models such as "procedural:ball", or meshes in memory: Mesh, or what Mesh takes. Of
+    these contacts are exact, and the response is the constraint where none is named.
 
     object    is grasped, its mesh at `pose` [m; world]
     against   stands at the identity
     scale     metres per unit of both
     response  penalty, direct or constraint; "": as fits
-    others    as of load_scene
+    others    as of load_scene, for files
     """
+    if not isinstance(object, (str, os.PathLike)):
+        if isinstance(against, (str, os.PathLike)):
+            raise InputError("against: a file, expected a mesh in memory as the object is")
+        if scale != 1.0:
+            raise InputError("scale: of files, expected 1 for meshes in memory, which are in metres")
+        held, standing = _mesh(object)._mesh, _mesh(against)._mesh
+        return Scene(_core.mesh_pair(held, standing, one_pose(pose, "pose"), response))
+    if not isinstance(against, (str, os.PathLike)):
+        raise InputError("against: a mesh in memory, expected a file as the object is")
     options = _options(repair, True, keep_levels, cache_folder, log)
     return Scene(
         _core.load_pair(

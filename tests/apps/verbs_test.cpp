@@ -188,6 +188,9 @@ TEST(Verbs, say_what_is_not_built_yet) {
     EXPECT_EQ(e.code, 2) << e.err;
     expect_one_line(e, option);
   }
+  const Ended embedded = run_program({"run", "jaws", "--headless", "--embed"});
+  EXPECT_EQ(embedded.code, 2) << embedded.err;
+  expect_one_line(embedded, "--embed belongs to the page");
   for (const char* port : {"x", "65536"}) {
     const Ended e = run_program({"run", "jaws", "--port", port});
     EXPECT_EQ(e.code, 2) << e.err;

@@ -107,6 +107,16 @@ TEST(WebServer, ServesItsFilesWithTheHeadersThatKeepThemSafe) {
   EXPECT_EQ(head.find("<p>"), std::string::npos);
 }
 
+TEST(WebServer, PagesOfThisMachineFrameItWhereTheyMay) {
+  WebLimits limits;
+  limits.may_be_framed = true;
+  const Bench b(0, limits);
+  const std::string answer = get(b.port(), "/");
+  EXPECT_NE(answer.find("frame-ancestors http://127.0.0.1:* http://localhost:*\r\n"),
+            std::string::npos)
+      << answer;
+}
+
 TEST(WebServer, RefusesWhatIsNotItsBusiness) {
   const Bench b;
   const auto status = [](const std::string& answer) { return answer.substr(9, 3); };

@@ -66,6 +66,7 @@ struct WebLimits {
   std::size_t waiting_bytes = 1u << 20;  // of these, with which a page is not sent a level more
   double silence = 10.0;                 // without an answer to pings a page is gone [s]
   double tick = 1.0 / 60.0;              // [s]
+  bool may_be_framed = false;            // by pages of any port of this machine, such as notebooks
 };
 
 /// The port cannot be had.

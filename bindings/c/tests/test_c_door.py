@@ -208,6 +208,29 @@ class Door(unittest.TestCase):
         self.assertEqual(summary.end, 2)
         door.thigma_session_free(session)
 
+    def test_a_scene_of_meshes_in_memory(self):
+        """Its frames are those of the same meshes from files; the meshes may go."""
+        hashes = []
+        for from_memory in (True, False):
+            scene, session, options = c.c_void_p(), c.c_void_p(), Options()
+            summary, above = Summary(c.sizeof(Summary)), Seven(0, 0, 0.03, 0, 0, 0, 1)
+            if from_memory:
+                box, plate = (make_mesh(size)[1] for size in ((0.02, 0.02, 0.02), (0.1, 0.1, 0.02)))
+                self.refused(BAD_ARGUMENT, door.thigma_scene_of_meshes(box, None, above, c.byref(scene)), "against: NULL")
+                self.assertEqual(door.thigma_scene_of_meshes(box, plate, above, c.byref(scene)), OK, last())
+                door.thigma_mesh_free(box), door.thigma_mesh_free(plate)
+            else:
+                names = [str(folder / name).encode() for name in ("box.obj", "plate.obj")]
+                self.assertEqual(door.thigma_scene_pair(*names, c.c_double(1), above, c.byref(scene)), OK, last())
+            door.thigma_session_options_init(c.byref(options))
+            options.device, options.duration = b"hand:", 0.3
+            self.assertEqual(door.thigma_session_open(scene, c.byref(options), c.byref(session)), OK, last())
+            self.assertEqual(door.thigma_session_step(session, c.c_uint64(1000), None, None), ENDED)
+            self.assertEqual(door.thigma_session_finish(session, c.byref(summary)), OK)
+            hashes.append(summary.state_hash)
+            door.thigma_session_free(session), door.thigma_scene_free(scene)
+        self.assertEqual(*hashes)
+
     def test_what_opens_no_session(self):
         for code, values, word in ((BAD_ARGUMENT, {"device": b"hond:"}, "hond"), (UNAVAILABLE, {"device": b"web:"}, "web"),
                                    (BAD_INPUT, {"duration": -1.0}, "duration"), (FAILED, {"recording": b"/none/x"}, "/none"),

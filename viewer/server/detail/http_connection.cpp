@@ -11,10 +11,11 @@ namespace {
 
 constexpr auto kHttpPatience = std::chrono::seconds(10);
 
-std::string content_policy(std::string_view host) {
+std::string content_policy(std::string_view host, bool may_be_framed) {
+  const std::string frames = may_be_framed ? "http://127.0.0.1:* http://localhost:*" : "'none'";
   return "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' "
          "data: blob:; font-src 'self'; connect-src 'self' ws://" +
-         std::string(host) + "; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+         std::string(host) + "; base-uri 'none'; form-action 'none'; frame-ancestors " + frames;
 }
 
 bool asks_for_subprotocol(const Request& request) {
@@ -149,7 +150,7 @@ void HttpConnection::write(http::status status, std::string_view type, std::stri
   response_.version(11);
   response_.result(status);
   response_.set(http::field::content_type, std::string(type));
-  response_.set("Content-Security-Policy", content_policy(host_));
+  response_.set("Content-Security-Policy", content_policy(host_, server_.limits.may_be_framed));
   response_.set(http::field::cache_control, "no-cache");
   response_.set("X-Content-Type-Options", "nosniff");
   response_.set("Referrer-Policy", "no-referrer");

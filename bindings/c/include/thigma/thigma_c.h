@@ -122,6 +122,11 @@ THIGMA_API thigma_result thigma_scene_load(const char* path, thigma_scene** scen
 /* Two mesh files, the second at the identity. pose: of the first; NULL: the identity. */
 THIGMA_API thigma_result thigma_scene_pair(const char* object, const char* against, double scale,
                                            const double* pose, thigma_scene** scene);
+/* Two meshes from memory, the second at the identity; kept by the scene. Contacts are exact, the
+ * object never enters. pose: of the first; NULL: the identity. */
+THIGMA_API thigma_result thigma_scene_of_meshes(const thigma_mesh* object,
+                                                const thigma_mesh* against, const double* pose,
+                                                thigma_scene** scene);
 THIGMA_API void thigma_scene_free(thigma_scene* scene); /* sessions of it go on */
 
 typedef struct thigma_session_options {
