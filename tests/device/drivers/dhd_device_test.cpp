@@ -196,14 +196,17 @@ TEST_F(DhdDevice, faults_in_contact_end_in_zero_force) {
                              {"dead man's switch", "cut", 6}};
   std::printf("fault in contact     force before   zero after   end    cause\n");
   for (const FaultCase& c : cases) {
-    drd().reset();
-    drd().set("velocity_threshold", 0);
-    drd().set("watchdog", 0);  // a loaded machine is late
-    drd().set("buttons", 1);
-    const auto device = open_device("dhd:");
+    const auto open = [] {
+      drd().reset();
+      drd().set("velocity_threshold", 0);
+      drd().set("watchdog", 0);  // a loaded machine is late
+      drd().set("buttons", 1);
+      return open_device("dhd:");
+    };
+    std::unique_ptr<HapticDevice> device;
     const test::PressedSession s = test::press_and_fail(
-        *device, [](double depth) { drd().set("target_z", -depth); }, sent_force,
-        [&c] { drd().set(c.key, c.value); });
+        open, [](double depth) { drd().set("target_z", -depth); }, sent_force,
+        [&c] { drd().set(c.key, c.value); }, device);
     EXPECT_GT(s.pressed, 1.5) << c.name;
     EXPECT_EQ(s.summary.end, SessionEnd::fault) << c.name;
     const bool is_deaf = std::string(c.key) == "unplug" || std::string(c.key) == "fail_set";

@@ -193,13 +193,16 @@ TEST_F(OpenHapticsDevice, faults_in_contact_end_in_zero_force) {
                              {"jump", "jump_x", 0.03}};
   std::printf("fault in contact     force before   zero after   end    cause\n");
   for (const FaultCase& c : cases) {
-    hd().reset();
-    hd().set("buttons", 1);
-    hd().set("velocity_check", 0);
-    const auto device = open_device("openhaptics:");
+    const auto open = [] {
+      hd().reset();
+      hd().set("buttons", 1);
+      hd().set("velocity_check", 0);
+      return open_device("openhaptics:");
+    };
+    std::unique_ptr<HapticDevice> device;
     const test::PressedSession s = test::press_and_fail(
-        *device, [](double depth) { hd().set("target_y", -depth); }, motor_force,
-        [&c] { hd().set(c.key, c.value); });
+        open, [](double depth) { hd().set("target_y", -depth); }, motor_force,
+        [&c] { hd().set(c.key, c.value); }, device);
     EXPECT_GT(s.pressed, 1.5) << c.name;
     EXPECT_EQ(s.summary.end, SessionEnd::fault) << c.name;
     const std::string cause =
