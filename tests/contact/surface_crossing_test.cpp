@@ -62,10 +62,10 @@ TEST(SurfaceCrossing, ProbeSeesTheGapBetweenPlates) {
   context.object_from_scene.translation = Vec3(0, 0, 0.3);
   const SegmentProbe probe = crossing_probe(context);
   // Lower face of the lower plate, upper face of the upper one.
-  EXPECT_TRUE(probe.separates(probe.context, Vec3(0.1, 0.2, -0.1), Vec3(0.1, 0.2, 0.4)));
+  EXPECT_TRUE(probe.separates(probe.context, {Vec3(0.1, 0.2, -0.1), Vec3(0.1, 0.2, 0.4)}));
   // Pushed into each other they share material, from the bottom of b to the top of a.
   context.object_from_scene.translation = Vec3(0, 0, 0.15);
-  EXPECT_FALSE(probe.separates(probe.context, Vec3(0.1, 0.2, 0.1), Vec3(0.1, 0.2, 0.05)));
+  EXPECT_FALSE(probe.separates(probe.context, {Vec3(0.1, 0.2, 0.1), Vec3(0.1, 0.2, 0.05)}));
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(PairContact, PlatesPassThroughEachOtherContinuously) {
 
 TEST(PairContact, BackToBackPlatesArePenetratingUnlessTheProbeFindsSurfaceBetween) {
   const MeshPatch down = plate(1.0, 0.0, false), up = plate(1.0, 0.0, true);
-  const SegmentProbe between{[](const void*, const Vec3&, const Vec3&) noexcept { return true; },
+  const SegmentProbe between{[](const void*, const ProbeSegment&) noexcept { return true; },
                              nullptr};
   const PairContact apart = contact(down, up, Vec3(0, 0, 0.1), between);
   EXPECT_EQ(apart.status, PairContactStatus::separated);

@@ -141,23 +141,25 @@ bool is_crossed(const ClodHierarchy& hierarchy, const Segment& segment,
 }
 
 // Whether the material of an object reaches along the ray from `from`, on its surface, to `to`. The
-// ray enters material at `from` (the caller has seen the back of the surface there), so without a
-// surface in between it does.
-bool reaches(const ClodHierarchy& hierarchy, bool closed, const Vec3& from,
-             const Vec3& to) noexcept {
+// ray enters material at `from`, within a face or an edge (the caller has seen the back of the
+// surface there), so without a surface in between it does. At a vertex it may leave into the open:
+// there, what the ray meets on its way to infinity decides.
+bool reaches(const ClodHierarchy& hierarchy, bool closed, const Vec3& from, const Vec3& to,
+             bool from_vertex) noexcept {
   const Segment segment = make_segment(from, to);
-  if (!(segment.length > 0.0) || !is_crossed(hierarchy, segment, 0)) return true;
+  if (!(segment.length > 0.0)) return true;
+  if (!(closed && from_vertex) && !is_crossed(hierarchy, segment, 0)) return true;
   const Crossings c = count_crossings(hierarchy, from, to);
   return closed ? c.exits_after_from > 0 && c.exits_after_to > 0 : c.between % 2 == 0;
 }
 
-bool separates(const void* context, const Vec3& from, const Vec3& to) noexcept {
+bool separates(const void* context, const ProbeSegment& s) noexcept {
   const auto& objects = *static_cast<const CrossingContext*>(context);
-  if (!reaches(*objects.object, objects.object_closed, from, to)) return true;
+  if (!reaches(*objects.object, objects.object_closed, s.from, s.to, s.from_vertex)) return true;
   const RelativePose& pose = objects.object_from_scene;
-  const Vec3 from_b = pose.rotation.transpose() * (from - pose.translation);
-  const Vec3 to_b = pose.rotation.transpose() * (to - pose.translation);
-  return !reaches(*objects.scene, objects.scene_closed, to_b, from_b);
+  const Vec3 from_b = pose.rotation.transpose() * (s.from - pose.translation);
+  const Vec3 to_b = pose.rotation.transpose() * (s.to - pose.translation);
+  return !reaches(*objects.scene, objects.scene_closed, to_b, from_b, s.to_vertex);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "thigma/convex/penetration.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "thigma/convex/detail/least_overlap.h"
@@ -122,8 +123,9 @@ PairContact pair_contact(const HullPair& pair, double tolerance, const PatchSepa
   const double back = backs_facing(pair, gap.feature_a, gap.feature_b, out.normal);
   if (!(back > 0.0)) return out;
   out.backs_facing = true;
-  if (probe.separates != nullptr && probe.separates(probe.context, gap.point_a, gap.point_b))
-    return out;
+  const ProbeSegment segment{gap.point_a, gap.point_b, std::has_single_bit(gap.feature_a),
+                             std::has_single_bit(gap.feature_b)};
+  if (probe.separates != nullptr && probe.separates(probe.context, segment)) return out;
   report_penetration(pair, gap, back, last_normal, out);
   return out;
 }

@@ -10,16 +10,24 @@
 
 namespace thigma {
 
+/// From the closest point of one patch to that of another, whose backs face each other.
+struct ProbeSegment {
+  Vec3 from, to;  // on a, on b [m; frame of a]
+  // The end is a vertex of its patch. Faces of other patches may meet there, which nobody has
+  // looked at: whether the segment leaves into material is still to be seen.
+  bool from_vertex = false, to_vertex = false;
+};
+
 /// Answers, for two patches whose backs face each other, whether other surface lies between them.
-/// separates(context, from, to): `from` on a, `to` on b [m; frame of a]; the open segment leaves a
-/// into its material and reaches b through its material. True when it crosses the surface of a, or
-/// that of b, an odd number of times: then the material ends in between (two plates lying side by
-/// side) and nothing penetrates. The ends lie on the surfaces, often on edges shared with
-/// neighbours: only crossings inside the segment count. A null function means that no other surface
-/// exists. Called at most once a pair.
+/// separates(context, segment): the open segment leaves a into its material and reaches b through
+/// its material. True when it crosses the surface of a, or that of b, an odd number of times: then
+/// the material ends in between (two plates lying side by side) and nothing penetrates; true as
+/// well where it leaves a vertex into the open. The ends lie on the surfaces, often on edges shared
+/// with neighbours: only crossings inside the segment count. A null function means that no other
+/// surface exists. Called at most once a pair.
 /// Thread    [contact].
 struct SegmentProbe {
-  bool (*separates)(const void* context, const Vec3& from, const Vec3& to) noexcept = nullptr;
+  bool (*separates)(const void* context, const ProbeSegment& segment) noexcept = nullptr;
   const void* context = nullptr;
 };
 

@@ -76,14 +76,15 @@ struct LevelProbe {
   double margin_a, margin_b;
 };
 
-bool separates(const void* context, const Vec3& from, const Vec3& to) noexcept {
+bool separates(const void* context, const ProbeSegment& whole) noexcept {
   const auto& probe = *static_cast<const LevelProbe*>(context);
-  const Vec3 segment = to - from;
+  const Vec3 segment = whole.to - whole.from;
   const double length = std::sqrt(segment.squaredNorm());
   if (!(length > probe.margin_a + probe.margin_b)) return false;
   const SegmentProbe exact = crossing_probe(*probe.crossing);
-  return exact.separates(exact.context, from + (probe.margin_a / length) * segment,
-                         to - (probe.margin_b / length) * segment);
+  const ProbeSegment inner{whole.from + (probe.margin_a / length) * segment,
+                           whole.to - (probe.margin_b / length) * segment};
+  return exact.separates(exact.context, inner);
 }
 
 // D of the pair, at most: by the largest areas of its patches.
