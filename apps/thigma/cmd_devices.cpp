@@ -1,15 +1,16 @@
 // thigma devices: what `run --device` can open here, what is plugged in, and which vendor's library
 // is missing; a device looked at (check) and set up (calibrate).
 
-#include <atomic>
-#include <csignal>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "check_text.h"
 #include "json_out.h"
+#include "signal_guard.h"
 #include "verbs.h"
 #include <nlohmann/json.hpp>
 
@@ -109,8 +110,6 @@ int list_devices(const Common& common) {
   return kDone;
 }
 
-std::atomic<bool> stop_requested{false};
-
 /// Runs what may find a device or an address wanting.
 template <class Body>
 int with_device(const Body& body) {
@@ -132,12 +131,16 @@ struct CheckOptions {
 };
 
 int check(const CheckOptions& options, const Common& common) {
+  if (std::isnan(options.params.seconds) || std::isnan(options.params.rate)) {
+    print_error("devices check: --duration and --rate must be numbers");
+    return kUsage;
+  }
   return with_device([&] {
     const std::unique_ptr<HapticDevice> device = open_device(options.uri);
     if (!common.quiet)
-      std::fprintf(stderr, "%.0f s: nothing is sent but zero; move the handle, press its buttons\n",
+      std::fprintf(stderr, "%.3g s: nothing is sent but zero; move the handle, press its buttons\n",
                    options.params.seconds);
-    std::signal(SIGINT, [](int) { stop_requested = true; });
+    const SignalGuard signals;
     const DeviceReport report = check_device(*device, options.params, &stop_requested);
     if (common.json) {
       print_json(check_json(options.uri, device->limits(), report));
@@ -150,19 +153,32 @@ int check(const CheckOptions& options, const Common& common) {
   });
 }
 
+bool answers_yes(const std::string& question, bool says_yes) {
+  std::fprintf(stderr, "%s [y/N] ", question.c_str());
+  if (says_yes) return std::fprintf(stderr, "yes\n") > 0;
+  std::string answer;
+  return std::getline(std::cin, answer) && !answer.empty() &&
+         (answer[0] == 'y' || answer[0] == 'Y');
+}
+
 int calibrate(const std::string& uri, bool says_yes, const Common& common) {
   return with_device([&]() -> int {
-    calibrate_device(uri, {[&](const std::string& text) {
-                             if (!common.quiet) std::fprintf(stderr, "%s\n", text.c_str());
-                           },
-                           [&](const std::string& question) {
-                             std::fprintf(stderr, "%s [y/N] ", question.c_str());
-                             if (says_yes) return std::fprintf(stderr, "yes\n") > 0;
-                             std::string answer;
-                             return std::getline(std::cin, answer) && !answer.empty() &&
-                                    (answer[0] == 'y' || answer[0] == 'Y');
-                           }});
-    return kDone;
+    // What a yes lets move is ended by Ctrl-C in order; the program, where it asks.
+    std::optional<SignalGuard> signals;
+    CalibrationTalk talk;
+    talk.say = [&](const std::string& text) {
+      if (!common.quiet) std::fprintf(stderr, "%s\n", text.c_str());
+    };
+    talk.confirm = [&](const std::string& question) {
+      if (stop_requested) return false;
+      signals.reset();
+      const bool is_yes = answers_yes(question, says_yes);
+      if (is_yes) signals.emplace();
+      return is_yes;
+    };
+    talk.is_stopped = [] { return stop_requested.load(); };
+    calibrate_device(uri, talk);
+    return stop_requested ? kInterrupted : kDone;
   });
 }
 

@@ -1,7 +1,5 @@
 // thigma run: a hand moves an object against others and feels what it touches.
 
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <mutex>
@@ -14,6 +12,7 @@
 #include "run_session.h"
 #include "run_summary.h"
 #include "session_recorder.h"
+#include "signal_guard.h"
 #include "verbs.h"
 #include "viewer/server/web_server.h"
 #include <unistd.h>
@@ -27,38 +26,6 @@
 
 namespace thigma::app {
 namespace {
-
-std::atomic<bool> stop_requested{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
-
-std::atomic<bool> was_suspended{false};
-
-void on_signal(int signal) {
-  if (signal == SIGTSTP) was_suspended.store(true, std::memory_order_relaxed);
-  stop_requested.store(true, std::memory_order_relaxed);
-}
-
-/// Ctrl-C and its kin end the session in order while this lives; twice Ctrl-C does not hurry it: it
-/// takes milliseconds. So does Ctrl-Z: a suspended process would leave its last force on the
-/// device.
-class SignalGuard {
- public:
-  SignalGuard() {
-    stop_requested = false;
-    was_suspended = false;
-    for (int i = 0; i < kCount; ++i) previous_[i] = std::signal(kSignals[i], on_signal);
-  }
-  ~SignalGuard() {
-    for (int i = 0; i < kCount; ++i) std::signal(kSignals[i], previous_[i]);
-  }
-  SignalGuard(const SignalGuard&) = delete;
-  SignalGuard& operator=(const SignalGuard&) = delete;
-
- private:
-  static constexpr int kCount = 5;
-  static constexpr int kSignals[kCount] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP};
-  void (*previous_[kCount])(int) = {};
-};
 
 /// The newest frame for the live table, handed over by the session's drain thread.
 class LiveTable {

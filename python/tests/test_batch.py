@@ -1,9 +1,12 @@
 """thigma-batch: killed workers, killed runs, two runs at once; the results are those of one process."""
 
+import contextlib
+import io
 import json
 import logging
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -18,6 +21,8 @@ import thigma
 
 pytest.importorskip("distributed")
 from thigma import batch  # noqa: E402
+from thigma.batch._cli import main as batch_main  # noqa: E402
+from thigma.batch._store import row_of  # noqa: E402
 
 SMALL = [f"procedural:{model}?triangles={n}" for model in ("ball", "torus") for n in (320, 500, 720)]
 
@@ -219,6 +224,105 @@ def test_what_cannot_be_used(tmp_path):
     half.write_text('{"key":')
     assert batch.run(slow, tmp_path / "out", serial=True).count("done") == 1, "a torn row is made again"
     assert json.loads(half.read_text())["status"] == "done"
+
+
+def test_arguments_that_decide_nothing_good(box, tmp_path):
+    """One line and the exit code of bad input, before anything is worked on."""
+    box.save(tmp_path / "box.obj")
+    (tmp_path / "words.csv").write_text("x,y,z,qx,qy,qz,qw\n1,2,3,a,b,c,d\n")
+    (tmp_path / "none.csv").write_text("x,y,z,qx,qy,qz,qw\n")
+    (tmp_path / "torn.npy").write_bytes(b"\x93NUMPY")
+    np.savez(tmp_path / "many.npy.npz", a=np.zeros((1, 7)))
+    os.rename(tmp_path / "many.npy.npz", tmp_path / "many.npy")
+    np.save(tmp_path / "six.npy", np.zeros((3, 6)))
+    np.save(tmp_path / "complex.npy", np.zeros((3, 7), dtype=complex))
+    (tmp_path / "latin.toml").write_bytes(b"title = \"\xe9\"\n")
+    pair = ("contacts", tmp_path / "box.obj", "--against", tmp_path / "box.obj")
+    for arguments, wanted in (
+        (("assets", tmp_path / "box.obj", "--scale", "nan"), "expected finite numbers"),
+        ((*pair, "--tolerance", "inf"), "expected finite numbers"),
+        ((*pair, "--poses", "0"), "above 0"),
+        *(((*pair, "--poses", tmp_path / f"{name}.csv"), name) for name in ("words", "none")),
+        *(((*pair, "--poses", tmp_path / f"{name}.npy"), name) for name in ("torn", "many", "six", "complex")),
+        (("throws", "ellipsoid", "--chunk", "0"), "above 0"),
+        (("throws", "ellipsoid", "--count", "0"), "above 0"),
+        (("sweep", "ellipsoid", "--set", "coupling.linear_stiffness=NaN"), "expected finite numbers"),
+        (("gains", "ellipsoid", "--delay", "nan"), "expected finite numbers"),
+    ):  # fmt: skip
+        with contextlib.redirect_stderr(io.StringIO()) as said:
+            code = batch_main([*map(str, arguments), "-o", str(tmp_path / "out"), "--serial", "--quiet"])
+        assert code == 4 and wanted in said.getvalue(), (arguments, code, said.getvalue())
+        assert said.getvalue().count("\n") == 1, said.getvalue()
+    row = batch.run(batch.gains_tasks([str(tmp_path / "latin.toml")]), tmp_path / "out", serial=True).rows[0]
+    assert row["status"] == "failed" and row["reason"].startswith("latin.toml: "), row
+
+
+def test_a_tolerance_of_zero_is_one(box, tmp_path):
+    box.save(tmp_path / "box.obj")
+    parts = batch.parts_of([tmp_path / "box.obj"])
+    tasks = batch.contacts_tasks(parts, str(tmp_path / "box.obj"), count=10, tolerance=0.0)
+    assert batch.run(tasks, tmp_path / "out", serial=True).rows[0]["values"]["tolerance_m"] == 0.0
+
+
+def test_inputs_that_change_under_a_run_are_no_result(box, tmp_path):
+    """The key says what is read; a row of another content under it would be wrong for good."""
+    path = tmp_path / "box.obj"
+    box.save(path)
+    tasks = batch.assets_tasks({"box.obj": str(path)})
+    path.write_text(path.read_text() + "# changed\n")
+    row = batch.run(tasks, tmp_path / "out", serial=True).rows[0]
+    assert row["status"] == "lost" and "box.obj: changed since the run began" in row["reason"]
+    assert not list((tmp_path / "out" / "files").iterdir())
+
+
+def test_a_script_decides_as_a_scene_does(tmp_path):
+    script = tmp_path / "motion.csv"
+    keys = set()
+    for x in ("0", "0.001"):
+        script.write_text(f"t,x,y,z,qx,qy,qz,qw\n0,0,0,0.05,0,0,0,1\n1,{x},0,0.05,0,0,0,1\n")
+        tasks = batch.sweep_tasks(["ellipsoid"], {}, device=f"script:{script}", duration=0.1)
+        row = batch.run(tasks, tmp_path / "out", serial=True).rows[0]
+        assert row["status"] == "done", row["reason"]
+        keys.add(row["key"])
+    assert len(keys) == 2
+
+
+def test_of_two_writers_the_better_row_stays(box, tmp_path, monkeypatch):
+    """One finishes a row just when the other gives it up as lost."""
+    box.save(tmp_path / "box.obj")
+    task = batch.assets_tasks({"box.obj": str(tmp_path / "box.obj")})[0]
+    store = batch.Store(tmp_path / "out")
+    link = os.link
+
+    def late(*arguments):
+        store.add_row(row_of(task, "done"))
+        link(*arguments)
+
+    monkeypatch.setattr(os, "link", late)
+    assert store.add_row(row_of(task, "lost", "the time limit"))["status"] == "done"
+    assert store.read("assets", task.key)["status"] == "done"
+    monkeypatch.undo()
+    other = batch.assets_tasks({"box.obj": str(tmp_path / "box.obj")}, scale=2.0)[0]
+    for reason in ("first", "second"):
+        assert store.add_row(row_of(other, "lost", reason))["reason"] == reason
+        assert store.read("assets", other.key)["reason"] == reason
+    assert store.add_row(row_of(other, "done"))["status"] == "done"
+    assert not list((tmp_path / "out" / "tmp").iterdir())
+
+
+def test_a_report_adds_up_one_piece_of_work_at_a_time(box, tmp_path):
+    """Not the poses of two versions of a part, nor chunks that overlap."""
+    path, names = tmp_path / "$_x$.obj", batch.parts_of
+    for text in ("# one\n", "# two\n"):
+        box.save(path)
+        path.write_text(path.read_text() + text)
+        for chunk in (40, 60):
+            tasks = batch.contacts_tasks(names([path]), str(path), count=100, chunk=chunk)
+            batch.run(tasks, tmp_path / "out", serial=True)
+    page = batch.write_report(batch.Store(tmp_path / "out")).read_text()
+    rows = re.findall(r"<tr><td>\$_x\$\.obj</td><td>\$_x\$\.obj</td><td>([^<]*)</td><td class=n>([\d,]+)</td>", page)
+    assert [poses for _, poses in rows] == ["100"] * 4, rows
+    assert len({said for said, _ in rows}) == 2 and all("part " in said for said, _ in rows), rows
 
 
 @pytest.mark.skipif(not os.environ.get("THIGMA_FULL"), reason="60 parts: with scripts/test --full")

@@ -29,6 +29,12 @@ def listed():
     return rows
 
 
+def test_every_page_has_its_place():
+    order = (root / "mkdocs.yml").read_text("utf-8")
+    for path in (root / "docs").glob("*.md"):
+        assert re.search(rf": {path.name}$", order, re.M), path.name
+
+
 def pages():
     paths = [root / "README.md", *sorted((root / "docs").glob("*.md"))]
     return {path.relative_to(root).as_posix(): blocks_of(path) for path in paths}

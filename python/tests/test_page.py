@@ -2,6 +2,10 @@
 
 import os
 import pathlib
+import signal
+import subprocess
+import sys
+import time
 import urllib.request
 
 import pytest
@@ -30,6 +34,32 @@ def test_a_cell_shows_the_page(page):
     assert not page.is_open and process.returncode is not None
     assert repr(page) == "<thigma.Page closed>"
     page.close()
+
+
+def has_ended(process):
+    try:
+        stat = pathlib.Path(f"/proc/{process}/stat").read_text()
+    except OSError:
+        return True
+    return stat.rpartition(")")[2].split()[0] == "Z"  # nobody has asked for its exit code
+
+
+@pytest.mark.parametrize("end", ["pass", "del page", "raise SystemExit(3)"])
+def test_it_ends_with_python(end):
+    """Without a close: the name goes, or Python does."""
+    if not pathlib.Path(os.environ.get("THIGMA_PROGRAM", "")).is_file():
+        pytest.skip("THIGMA_PROGRAM names no program")
+    code = f"import sys, thigma\npage = thigma.Page('ellipsoid', device='hand:')\nprint(page._process.pid)\n{end}\n"
+    if end == "del page":
+        code += "sys.stdout.flush()\nimport time\ntime.sleep(0.5)\nimport os\nos._exit(0)\n"
+    done = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True, timeout=120)
+    process = int(done.stdout)
+    for _ in range(300):
+        if has_ended(process):
+            return
+        time.sleep(0.1)
+    os.kill(process, signal.SIGTERM)
+    pytest.fail("the program goes on")
 
 
 def test_what_cannot_be_shown(tmp_path):

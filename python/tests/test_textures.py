@@ -82,6 +82,8 @@ def test_what_cannot_be_used(ridged, tmp_path):
     pose = (0, 0, 0, 0, 0, 0, 1)
     with pytest.raises(thigma.InputError, match="method 'gpu', expected grid or branch"):
         thigma.depth(ridged, ridged, pose, method="gpu")
+    with pytest.raises(TypeError, match="scene: Mesh, expected Texture"):
+        thigma.depth(ridged, ridged.coarse, pose)
     with pytest.raises(thigma.InputError, match="direction: no length"):
         thigma.depth(ridged, ridged, pose, (0, 0, 0))
     with pytest.raises(thigma.InputError, match="texels must be 16"):

@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import threading
+import weakref
 from types import TracebackType
 
 from ._core import Error, InputError
@@ -21,6 +22,33 @@ def _program(program: str | os.PathLike[str]) -> str:
             "THIGMA_PROGRAM"
         )
     return found
+
+
+def _end(process: subprocess.Popen[str]) -> None:
+    if process.poll() is None:
+        process.terminate()
+
+
+class _Reader:
+    """What the program says on standard error. Its thread holds this and no Page, which may go."""
+
+    def __init__(self, process: subprocess.Popen[str]) -> None:
+        self.said: list[str] = []
+        self.known = threading.Event()
+        self.address = ""
+        self._process = process
+        self.thread = threading.Thread(target=self._read, daemon=True)
+        self.thread.start()
+
+    def _read(self) -> None:
+        assert self._process.stderr is not None
+        for line in self._process.stderr:
+            self.said = [*self.said[-99:], line.strip()]
+            found = re.search(r"the page is at (http://127\.0\.0\.1:\d+)", line)
+            if found:
+                self.address = found.group(1) + "/"
+                self.known.set()
+        self.known.set()
 
 
 class Page:
@@ -53,32 +81,22 @@ class Page:
         if os.fspath(recording):
             command += ["--replay", os.fspath(recording)]
         self._height = height
-        self._said: list[str] = []
-        self._known = threading.Event()
-        self._address = ""
         self._process = subprocess.Popen(
             [*command, *options],
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
-            text=True,
+            encoding="utf-8",
+            errors="replace",
         )
-        self._reader = threading.Thread(target=self._read, daemon=True)
-        self._reader.start()
-        self._known.wait(600.0)
+        weakref.finalize(self, _end, self._process)  # also where Python ends
+        self._reader = _Reader(self._process)
+        self._reader.known.wait(600.0)
+        self._address = self._reader.address
         if not self._address:
             self.close()
-            raise Error(f"page: {self._said[-1] if self._said else 'the program said nothing'}")
-
-    def _read(self) -> None:
-        assert self._process.stderr is not None
-        for line in self._process.stderr:
-            self._said = [*self._said[-99:], line.strip()]
-            found = re.search(r"the page is at (http://127\.0\.0\.1:\d+)", line)
-            if found:
-                self._address = found.group(1) + "/"
-                self._known.set()
-        self._known.set()
+            said = self._reader.said
+            raise Error(f"page: {said[-1] if said else 'the program said nothing'}")
 
     @property
     def address(self) -> str:
@@ -99,7 +117,7 @@ class Page:
             except subprocess.TimeoutExpired:
                 self._process.kill()
                 self._process.wait()
-        self._reader.join(10.0)
+        self._reader.thread.join(10.0)
         if self._process.stderr is not None:
             self._process.stderr.close()
 
@@ -119,11 +137,6 @@ class Page:
         trace: TracebackType | None,
     ) -> None:
         self.close()
-
-    def __del__(self) -> None:
-        process = getattr(self, "_process", None)
-        if process is not None and process.poll() is None:
-            process.terminate()
 
     def __repr__(self) -> str:
         return f"<thigma.Page {self._address if self.is_open else 'closed'}>"

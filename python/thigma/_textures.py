@@ -116,6 +116,9 @@ def depth(
     """
     if method not in ("grid", "branch"):
         raise InputError(f"depth: method {method!r}, expected grid or branch")
+    for name, side in (("object", object), ("scene", scene)):
+        if not isinstance(side, Texture):
+            raise TypeError(f"{name}: {type(side).__name__}, expected Texture")
     if not 2 <= resolution <= 4096:
         raise InputError("depth: resolution must be 2 to 4096")
     towards = floats(direction, "direction", "(3,)", 3)

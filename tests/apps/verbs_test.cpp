@@ -346,6 +346,36 @@ TEST(Verbs, print_the_fields_of_the_interface) {
   }
 }
 
+TEST(Verbs, look_at_a_device) {
+  const Ended seen = run_program({"devices", "check", "hand:", "--duration", "0.3", "--json"});
+  EXPECT_EQ(seen.code, 0) << seen.err;
+  const auto report = json_lines(seen).at(0);
+  EXPECT_GT(report["frames"].get<int>(), 10);
+  EXPECT_GT(report["rules"].size(), 8u);
+  const struct {
+    std::vector<std::string> words;
+    int code;
+  } refused[] = {{{"check", "hand:", "--duration", "nan"}, 2},
+                 {{"check", "hand:", "--rate", "nan"}, 2},
+                 {{"check", "hand:", "--duration", "0"}, 2},
+                 {{"check", "hand:", "--rate", "1e9"}, 2},
+                 {{"check"}, 2},
+                 {{"check", "hond:"}, 2},
+                 {{"check", "dhd:x"}, 2},
+                 {{"check", "script:none.csv"}, 4},
+                 {{"check", "web:"}, 3},
+                 {{"calibrate", "hand:"}, 3},
+                 {{"calibrate", "dhd:x"}, 2}};
+  for (const auto& [words, code] : refused) {
+    std::vector<std::string> all = {"devices"};
+    all.insert(all.end(), words.begin(), words.end());
+    const Ended e = run_program(all, 10.0);
+    EXPECT_EQ(e.code, code) << words.front() << ' ' << words.back() << ": " << e.err;
+    EXPECT_TRUE(e.out.empty()) << e.out;
+    EXPECT_NE(e.err.find("thigma: "), std::string::npos) << e.err;
+  }
+}
+
 TEST(Verbs, judge_real_meshes) {
   THIGMA_NEEDS_SHARED(folder);
   const struct {

@@ -5,6 +5,7 @@
 
 #include "thigma/device/open_device.h"
 #include "thigma/recording/replay_session.h"
+#include "thigma/session/fault_injection.h"
 #include "thigma/session/session.h"
 
 namespace thigma {
@@ -62,6 +63,51 @@ TEST(DeviceClock, ticks_that_stay_away_are_a_fault_and_the_device_is_switched_of
   EXPECT_EQ(samples.back().command.force, Vec3::Zero());
   ASSERT_FALSE(s.notes.empty());
   EXPECT_NE(s.notes.back().find("it stopped ticking"), std::string::npos) << s.notes.back();
+}
+
+/// Of a session that another thread has taken over: its samples, in their order.
+void expect_one_thread_at_a_time(const std::vector<HapticSample>& samples) {
+  for (std::size_t i = 1; i < samples.size(); ++i)
+    ASSERT_GT(samples[i].time, samples[i - 1].time) << i;
+}
+
+TEST(DeviceClock, ticks_that_come_back_find_the_session_taken_over) {
+  SessionConfig config = patient_session();
+  config.duration = 20.0;
+  config.after_fault = 1.0;  // still at its end when they come back
+  config.haptic.safety.watchdog = 0.3;
+  TickingHand device(plane_hand(HandPath::press, 0.005));
+  device.stays_away_from = 0.5;
+  device.comes_back_at = 1.2;
+  std::vector<HapticSample> samples;
+  Session session(config, device, {[&](const HapticSample& s) { samples.push_back(s); }, {}, {}});
+  session.start();
+  const SessionSummary s = session.finish();
+  EXPECT_EQ(s.end, SessionEnd::fault);
+  EXPECT_GT(device.ticks_after_break, 0);
+  EXPECT_EQ(device.last_force, 0.0);
+  expect_one_thread_at_a_time(samples);
+  ASSERT_EQ(s.safety_events.size(), 1u);
+  double gap = 0.0;  // [ms]; not the age of the machine
+  if (std::sscanf(s.safety_events[0].text.c_str(), "watchdog: %lf ms", &gap) == 1) {
+    EXPECT_LT(gap, 1e5) << s.safety_events[0].text;
+  }
+}
+
+TEST(DeviceClock, a_tick_that_hangs_does_not_go_on_beside_the_thread_that_took_over) {
+  SessionConfig config = patient_session();
+  config.duration = 20.0;
+  config.after_fault = 1.0;
+  config.haptic.safety.watchdog = 0.3;
+  config.faults = parse_faults("hang=0.9@0.5");
+  TickingHand device(plane_hand(HandPath::press, 0.005));
+  std::vector<HapticSample> samples;
+  Session session(config, device, {[&](const HapticSample& s) { samples.push_back(s); }, {}, {}});
+  session.start();
+  const SessionSummary s = session.finish();
+  EXPECT_EQ(s.end, SessionEnd::fault);
+  EXPECT_EQ(device.last_force, 0.0);
+  expect_one_thread_at_a_time(samples);
 }
 
 TEST(DeviceClock, a_session_without_ticks_can_be_stopped) {

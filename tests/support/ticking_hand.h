@@ -46,9 +46,10 @@ class TickingHand final : public HapticDevice {
     if (thread_.joinable()) thread_.join();
   }
 
-  double stays_away_from = 1e9;  // no tick after this [s]
+  double stays_away_from = 1e9, comes_back_at = 1e9;  // no tick in between [s]
   double last_force = 0.0, most_force = 0.0;
   std::atomic<bool> is_switched_off{false}, is_out{false};
+  std::atomic<int> ticks_made{0}, ticks_after_break{0};
   std::function<void(DeviceTick)> around;  // calls a tick, in its thread; empty: nothing around it
   std::function<void()> begins;            // called in its thread, once
 
@@ -62,11 +63,14 @@ class TickingHand final : public HapticDevice {
     if (begins) begins();
     while (!stops_) {
       wait_for_tick(clock);
-      if (1e-9 * static_cast<double>(monotonic_ns() - begin) > stays_away_from) {
+      const double now = 1e-9 * static_cast<double>(monotonic_ns() - begin);
+      if (now > stays_away_from && now < comes_back_at) {
         is_out = true;
         continue;
       }
       around ? around(tick) : tick.call(tick.context);
+      ++ticks_made;
+      ticks_after_break += is_out ? 1 : 0;
     }
     thread_id_ = std::thread::id();
   }

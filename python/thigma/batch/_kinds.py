@@ -6,6 +6,7 @@ import functools
 import pathlib
 import tempfile
 import time
+import warnings
 from dataclasses import dataclass
 from typing import Any, Callable
 
@@ -15,7 +16,7 @@ import thigma
 
 from .._arrays import Floats
 from . import _scenes
-from ._store import Store, Task
+from ._store import Store, Task, known_digest
 
 
 class TimeLimit(Exception):
@@ -36,9 +37,23 @@ class Work:
             raise TimeLimit("longer than the time limit")
 
     def add(self, name: str, write: Callable[[pathlib.Path], None]) -> dict[str, str]:
+        self.check_inputs()
         return {name: self.store.add_file(self.task.key, name, write)}
 
+    def check_inputs(self) -> None:
+        """What is read is what the key says, on every machine and to the end."""
+        for role, digest in self.task.digests.items():
+            path = self.task.inputs[role]
+            if digest.startswith("absent"):
+                raise thigma.IoError(f"{path}: {digest}")
+            if known_digest(path) != digest:
+                raise thigma.IoError(f"{path}: changed since the run began, expected one content")
 
+    @property
+    def device(self) -> str:
+        """Its address; a script where it lies."""
+        file = self.task.inputs.get("device")
+        return self.task.parameters["device"] if file is None else f"script:{file}"
 
 
 def _load(path: str, scale: float, repair: bool) -> thigma.Mesh:
@@ -108,14 +123,22 @@ def random_poses(seed: int, chunk: int, count: int, least: float, most: float) -
 
 def read_poses(path: str, first: int = 0, count: int | None = None) -> Floats:
     """Rows x, y, z, qx, qy, qz, qw of a .npy file, or of text with commas and one line of names."""
-    if path.endswith(".npy"):
-        rows = np.load(path, mmap_mode="r")
-        if rows.ndim != 2 or rows.shape[1] != 7:
-            raise thigma.InputError(f"{path}: shape {rows.shape}, expected (n, 7)")
-    else:
-        rows = np.atleast_2d(np.loadtxt(path, delimiter=",", skiprows=1))
-        if rows.shape[1] != 7:
-            raise thigma.InputError(f"{path}: {rows.shape[1]} columns, expected 7")
+    try:
+        if path.endswith(".npy"):
+            rows = np.load(path, mmap_mode="r")
+            if not isinstance(rows, np.ndarray):
+                raise ValueError("an archive of arrays")
+        else:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # of a file without rows
+                rows = np.loadtxt(path, delimiter=",", skiprows=1, ndmin=2)
+    except (ValueError, EOFError) as error:
+        said = str(error).splitlines()[0]
+        raise thigma.InputError(f"{path}: {said}, expected rows of seven numbers") from None
+    if rows.size and (rows.ndim != 2 or rows.shape[1] != 7 or rows.dtype.kind not in "fiu"):
+        raise thigma.InputError(
+            f"{path}: shape {rows.shape} of {rows.dtype}, expected (n, 7) numbers"
+        )
     last = None if count is None else first + count
     return np.array(rows[first:last], dtype=np.float64)
 
@@ -125,7 +148,9 @@ def contacts(work: Work) -> tuple[dict[str, Any], dict[str, str]]:
     p = work.task.parameters
     part = _side(work, "part", work.task.part)
     other = _side(work, "against", p["against"])
-    tolerance = p["tolerance"] or 0.01 * min(part.radius, other.radius)
+    tolerance = p["tolerance"]
+    if tolerance is None:
+        tolerance = 0.01 * min(part.radius, other.radius)
     if "poses" in work.task.inputs:
         rows = read_poses(work.task.inputs["poses"], p["first"], p["count"])
     else:
@@ -181,7 +206,7 @@ def gains(work: Work) -> tuple[dict[str, Any], dict[str, str]]:
     """What `thigma tune` proposes."""
     p = work.task.parameters
     with tempfile.TemporaryDirectory() as folder:
-        found = thigma.tune(_loaded(work, folder), device=p["device"], delay=p["delay"])
+        found = thigma.tune(_loaded(work, folder), device=work.device, delay=p["delay"])
     values: dict[str, Any] = {"max_force_N": found.max_force, "max_torque_Nm": found.max_torque}
     for name in ("linear", "angular", "contact"):
         gain = getattr(found, name)
@@ -220,7 +245,7 @@ def sweep(work: Work) -> tuple[dict[str, Any], dict[str, str]]:
     with tempfile.TemporaryDirectory() as folder:
         scene = _loaded(work, folder)
         session = thigma.Session(
-            scene, device=p["device"], duration=p["duration"], seed=p["seed"]
+            scene, device=work.device, duration=p["duration"], seed=p["seed"]
         )
         with session:
             while (sample := session.step(frames=10)) is not None:

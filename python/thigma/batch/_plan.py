@@ -12,7 +12,7 @@ import thigma
 
 from . import _scenes
 from ._kinds import read_poses
-from ._store import Task, digest_of_file
+from ._store import Task, canonical, known_digest
 
 MESH_ENDINGS = (".obj", ".ply", ".stl", ".off")
 
@@ -50,25 +50,17 @@ def parts_of(paths: Iterable[str | os.PathLike[str]]) -> dict[str, str]:
 
 def _task(kind: str, part: str, parameters: dict[str, Any], files: dict[str, str]) -> Task:
     inputs = {role: path for role, path in files.items() if not path.startswith("procedural:")}
+    try:
+        canonical(parameters)
+    except ValueError:
+        raise thigma.InputError(f"{kind}: {parameters}: expected finite numbers") from None
     digests = {}
     for role, path in inputs.items():
         try:
-            digests[role] = _digest(path)
+            digests[role] = known_digest(path)
         except OSError as error:
             digests[role] = f"absent: {error.strerror}"
     return Task(kind, part, parameters, inputs, digests)
-
-
-_digests: dict[tuple[str, int, int], str] = {}
-
-
-def _digest(path: str) -> str:
-    """Kept while size and time of change stay."""
-    known = os.stat(path)
-    mark = (path, known.st_size, known.st_mtime_ns)
-    if mark not in _digests:
-        _digests[mark] = digest_of_file(path)
-    return _digests[mark]
 
 
 def assets_tasks(parts: dict[str, str], *, scale: float = 1.0, repair: bool = False) -> list[Task]:
@@ -103,6 +95,8 @@ def contacts_tasks(
     if not 0.0 <= reach[0] <= reach[1] < float("inf"):
         raise thigma.InputError("contacts: reach must be two numbers of 0 or more, the least first")
     total = count if poses is None else len(read_poses(os.fspath(poses)))
+    if total == 0:
+        raise thigma.InputError(f"{poses}: no pose, expected one or more")
     model = against.startswith("procedural:")
     files = {"against": against if model else os.fspath(pathlib.Path(against).resolve())}
     if poses is not None:
@@ -137,6 +131,12 @@ def _scene(path: str) -> tuple[str, dict[str, str]]:
     return full.name, _scenes.files_of(full) if full.is_file() else {"scene": os.fspath(full)}
 
 
+def _device(address: str) -> dict[str, str]:
+    """The file of a script, which decides as much as the scene."""
+    scheme, _, file = address.partition(":")
+    return {"device": os.fspath(pathlib.Path(file).resolve())} if scheme == "script" else {}
+
+
 def gains_tasks(
     scenes: Iterable[str],
     *,
@@ -147,7 +147,7 @@ def gains_tasks(
     tasks = []
     for path, device, delay in itertools.product(scenes, devices, delays):
         name, files = _scene(path)
-        tasks.append(_task("gains", name, {"device": device, "delay": delay}, files))
+        tasks.append(_task("gains", name, {"device": device, "delay": delay}, {**files, **_device(device)}))
     return tasks
 
 
@@ -172,7 +172,7 @@ def sweep_tasks(
             "seed": seed,
             "set": dict(zip(changes, values)),
         }
-        tasks.append(_task("sweep", name, parameters, files))
+        tasks.append(_task("sweep", name, parameters, {**files, **_device(device)}))
     return tasks
 
 
@@ -190,6 +190,8 @@ def throws_tasks(
     speeds   least and most [m/s]
     changes  keys of the scene, one value each
     """
+    if chunk < 1 or count < 1:
+        raise thigma.InputError("throws: count and chunk must be whole numbers above 0")
     if not 0.0 < speeds[0] <= speeds[1] < float("inf"):
         raise thigma.InputError("throws: speeds must be two numbers above 0, the least first")
     tasks = []

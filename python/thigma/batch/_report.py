@@ -9,7 +9,7 @@ from typing import Any, Callable
 
 import numpy as np
 
-from ._store import DONE, Row, Store, library
+from ._store import DONE, Row, Store, canonical, library
 
 _STYLE = """
 body{font:15px/1.45 system-ui,sans-serif;max-width:64rem;margin:2rem auto;padding:0 1rem;color:#222}
@@ -56,8 +56,57 @@ def _set_of(row: Row) -> dict[str, Any]:
     return {k: v for k, v in shown.items() if v is not None and v != ""}
 
 
+_CHUNK = ("first", "count", "chunk")
+"""Parameters of a row that say which part of a piece of work it is."""
+
+
+def _others_of(row: Row) -> dict[str, Any]:
+    """What else decides a row: parameters that _set_of leaves out, inputs, library."""
+    p = {k: v for k, v in row["parameters"].items() if k not in ("against", "set", *_CHUNK)}
+    inputs = {role: digest[:8] for role, digest in row["inputs"].items()}
+    others = {**p, **inputs, "library": row["library"]}
+    return {k: v for k, v in others.items() if k not in _set_of(row)}
+
+
+def _mark(rows: list[Row]) -> None:
+    """Gives each row what tells it apart from others of its kind and part, under "mark"."""
+    values: dict[tuple[str, str, str], set[str]] = {}
+    for row in rows:
+        for name, value in _others_of(row).items():
+            values.setdefault((row["kind"], row["part"], name), set()).add(canonical(value))
+    for row in rows:
+        row["mark"] = {
+            name: value
+            for name, value in _others_of(row).items()
+            if len(values[row["kind"], row["part"], name]) > 1
+        }
+
+
 def _said(row: Row) -> str:
-    return ", ".join(f"{k} {v}" for k, v in _set_of(row).items())
+    return ", ".join(f"{k} {v}" for k, v in {**_set_of(row), **row["mark"]}.items())
+
+
+def _pieces(rows: list[Row]) -> list[list[Row]]:
+    """Rows of one piece of work each: the same but for their chunks, which do not overlap."""
+    found: dict[str, list[list[Row]]] = {}
+    for row in sorted(rows, key=lambda r: [r["parameters"][n] for n in ("first", "count")]):
+        p = {k: v for k, v in row["parameters"].items() if k not in _CHUNK}
+        same = found.setdefault(canonical([row["part"], p, row["inputs"], row["library"]]), [])
+        for piece in same:
+            last = piece[-1]["parameters"]
+            if last["first"] + last["count"] <= row["parameters"]["first"]:
+                piece.append(row)
+                break
+        else:
+            same.append([row])
+    pieces = [piece for same in found.values() for piece in same]
+    return sorted(pieces, key=lambda piece: (piece[0]["part"], _said(piece[0])))
+
+
+def _label(text: str) -> str:
+    """For a plot, where "$" begins a formula and "_" hides an entry."""
+    plain = text.replace("$", r"\$")
+    return f" {plain}" if plain.startswith("_") else plain
 
 
 def _assets(rows: list[Row], _store: Store) -> str:
@@ -67,37 +116,40 @@ def _assets(rows: list[Row], _store: Store) -> str:
         axes.set(xlabel="triangles", ylabel="size of the .clod file [MB]")
 
     names = ["triangles", "radius_m", "levels", "coarsest_triangles", "deviation_max_m", "bytes"]
-    table = [[r["part"], *(r["values"][n] for n in names), len(r["values"]["repairs"])] for r in rows]
-    return _plot(draw) + _table(["part", *names, "repairs"], table)
+    table = [
+        [r["part"], _said(r), *(r["values"][n] for n in names), len(r["values"]["repairs"])]
+        for r in rows
+    ]
+    return _plot(draw) + _table(["part", "of", *names, "repairs"], table)
 
 
 def _contacts(rows: list[Row], store: Store) -> str:
-    parts: dict[tuple[str, str], list[Row]] = {}
-    for row in rows:
-        parts.setdefault((row["part"], row["parameters"]["against"]), []).append(row)
-    distances: dict[str, Any] = {}
+    distances: list[tuple[str, Any]] = []
     table = []
-    for (part, against), chunks in parts.items():
+    for chunks in _pieces(rows):
+        part, said = chunks[0]["part"], _said(chunks[0])
+        against = chunks[0]["parameters"]["against"]
         held = []
         for row in chunks:
             with np.load(store.file_path(row["key"], "npz")) as arrays:
                 held.append(arrays["distance"])
         distance = np.concatenate(held)
-        distances[f"{part} on {against}"] = distance[np.isfinite(distance)]
+        name = ", ".join(filter(None, (f"{part} on {against}", said)))
+        distances.append((name, distance[np.isfinite(distance)]))
         values = [row["values"] for row in chunks]
         sums = [sum(v[n] for v in values) for n in ("poses", "near", "overlapping", "contacts")]
         least = min((v["least_m"] for v in values if v["least_m"] is not None), default=None)
-        table.append([part, against, *sums, least, max(v["bound_max_m"] for v in values)])
+        table.append([part, against, said, *sums, least, max(v["bound_max_m"] for v in values)])
 
     def draw(axes: Any) -> None:
-        for name, distance in list(distances.items())[:8]:
+        for name, distance in distances[:8]:
             if len(distance):
-                axes.hist(1e3 * distance, bins=60, histtype="step", label=name)
+                axes.hist(1e3 * distance, bins=60, histtype="step", label=_label(name))
         axes.set(xlabel="least distance [mm]", ylabel="poses")
         if axes.has_data():
             axes.legend(fontsize=7)
 
-    names = ["part", "against", "poses", "near", "overlapping", "contacts", "least [m]", "bound [m]"]
+    names = ["part", "against", "of", "poses", "near", "overlapping", "contacts", "least [m]", "bound [m]"]
     return _plot(draw) + _table(names, table)
 
 
@@ -114,16 +166,18 @@ def _curves(rows: list[Row], value: str, label: str) -> str:
     axis = _axis(rows)
     curves: dict[str, list[tuple[Any, float]]] = {}
     for row in rows:
-        shown = _set_of(row)
+        shown = {**_set_of(row), **row["mark"]}
         x = shown.pop(axis, 0)
         name = ", ".join([row["part"], *(f"{k} {v}" for k, v in shown.items())])
         curves.setdefault(name, []).append((x, row["values"][value]))
 
     def draw(axes: Any) -> None:
         for name, points in list(curves.items())[:12]:
-            points.sort(key=lambda point: (isinstance(point[0], str), point[0]))
-            axes.plot([x for x, _ in points], [y for _, y in points], "o-", label=name)
-        axes.set(xlabel=axis, ylabel=label)
+            is_text = not all(isinstance(x, (int, float)) for x, _ in points)
+            points.sort(key=lambda point: str(point[0]) if is_text else point[0])
+            x = [_label(str(x)) if is_text else x for x, _ in points]
+            axes.plot(x, [y for _, y in points], "o-", label=_label(name))
+        axes.set(xlabel=_label(axis), ylabel=label)
         if axes.has_data():
             axes.legend(fontsize=7)
 
@@ -152,23 +206,18 @@ def _throws(rows: list[Row], store: Store) -> str:
         with np.load(store.file_path(row["key"], "npz")) as arrays:
             speed.append(arrays["speed"])
             force.append(arrays["force"])
-    scenes: dict[str, list[dict[str, Any]]] = {}
-    for row in rows:
-        scenes.setdefault(row["part"], []).append(row["values"])
-    table = [
-        [
-            name,
-            *(sum(v[n] for v in values) for n in ("throws", "entered", "faults")),
-            *(max(v[n] for v in values) for n in ("penetration_max_m", "force_max_N")),
-        ]
-        for name, values in scenes.items()
-    ]
+    table = []
+    for chunks in _pieces(rows):
+        values = [row["values"] for row in chunks]
+        sums = (sum(v[n] for v in values) for n in ("throws", "entered", "faults"))
+        most = (max(v[n] for v in values) for n in ("penetration_max_m", "force_max_N"))
+        table.append([chunks[0]["part"], _said(chunks[0]), *sums, *most])
 
     def draw(axes: Any) -> None:
         axes.plot(np.concatenate(speed), np.concatenate(force), ".")
         axes.set(xlabel="speed [m/s]", ylabel="largest force [N]")
 
-    names = ["scene", "throws", "entered", "faults", "penetration_max_m", "force_max_N"]
+    names = ["scene", "of", "throws", "entered", "faults", "penetration_max_m", "force_max_N"]
     return _plot(draw) + _table(names, table)
 
 
@@ -196,13 +245,15 @@ def _runs(store: Store) -> str:
 def write_report(store: Store) -> pathlib.Path:
     """Writes report.html of all rows of a folder; its path."""
     rows = store.rows()
+    _mark(rows)
     bad = [row for row in rows if row["status"] != DONE]
     text = [
         "<!doctype html><html lang=en><meta charset=utf-8><title>Thigma batch</title>",
         '<meta name="viewport" content="width=device-width">',
         f"<style>{_STYLE}</style>\n<h1>Thigma batch</h1>\n",
         f"<p>{len(rows)} rows, {len(rows) - len(bad)} good, {len(bad)} not. ",
-        f"Library {html.escape(library())}.</p>\n",
+        f"Library {html.escape(', '.join(sorted({row['library'] for row in rows} or {library()})))}.",
+        "</p>\n",
     ]
     if bad:
         table = [[r["kind"], r["part"], _said(r), r["status"], r["reason"]] for r in bad]

@@ -61,10 +61,10 @@ def work(task: Task, folder: str, limit: float) -> Row:
     if row is not None and row["status"] != LOST:
         return row
     try:
-        for role, said in task.digests.items():
-            if said.startswith("absent"):
-                raise thigma.IoError(f"{task.inputs[role]}: {said}")
-        values, files = KINDS[task.kind](Work(task, store, time.monotonic() + limit))
+        at_work = Work(task, store, time.monotonic() + limit)
+        at_work.check_inputs()
+        values, files = KINDS[task.kind](at_work)
+        at_work.check_inputs()
         row = row_of(task, DONE) | {"values": values, "files": files}
     except TimeLimit as error:
         row = row_of(task, LOST, _reason(error, task))

@@ -35,6 +35,18 @@ def digest_of_file(path: str | os.PathLike[str]) -> str:
     return digest.hexdigest()
 
 
+_digests: dict[tuple[str, int, int], str] = {}
+
+
+def known_digest(path: str) -> str:
+    """Kept while size and time of change stay."""
+    known = os.stat(path)
+    mark = (path, known.st_size, known.st_mtime_ns)
+    if mark not in _digests:
+        _digests[mark] = digest_of_file(path)
+    return _digests[mark]
+
+
 _library: list[str] = []
 
 
@@ -138,13 +150,29 @@ class Store:
     def add_row(self, row: Row) -> Row:
         """The row that now stands; a lost one never takes the place of another."""
         target = self.row_path(row["kind"], row["key"])
+        text = json.dumps(row, indent=1, sort_keys=True) + "\n"
         if row["status"] == LOST:
+            return self._add_lost(row, text, target)
+        with self.writing(target) as path:
+            path.write_text(text, "utf-8")
+        return row
+
+    def _add_lost(self, row: Row, text: str, target: pathlib.Path) -> Row:
+        """Linked, not moved: of two writers at once the one with a better row wins."""
+        target.parent.mkdir(parents=True, exist_ok=True)
+        path = self.folder / "tmp" / f"{uuid.uuid4().hex}.json"
+        try:
+            path.write_text(text, "utf-8")
+            with contextlib.suppress(FileExistsError, PermissionError):
+                os.link(path, target)
+                return row
             standing = self.read(row["kind"], row["key"])
             if standing is not None and standing["status"] != LOST:
                 return standing
-        with self.writing(target) as path:
-            path.write_text(json.dumps(row, indent=1, sort_keys=True) + "\n", "utf-8")
-        return row
+            os.replace(path, target)  # one that was lost before, or torn
+            return row
+        finally:
+            path.unlink(missing_ok=True)
 
     def add_run(self, run: dict[str, Any]) -> None:
         name = time.strftime("%Y%m%dT%H%M%S", time.gmtime()) + f"-{uuid.uuid4().hex[:8]}.json"

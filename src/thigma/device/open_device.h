@@ -81,10 +81,11 @@ std::vector<std::string> plugged_devices(const std::string& scheme);
 struct CalibrationTalk {
   std::function<void(const std::string&)> say;
   std::function<bool(const std::string&)> confirm;  // a question; true: yes
+  std::function<bool()> is_stopped{};  // asked while something moves; true: off at once
 };
 
 /// The vendor's own procedure, then what only a person can confirm. What was confirmed is kept in
-/// the user's configuration folder.
+/// the user's configuration folder. Where it is stopped forces go off, and nothing is kept.
 ///
 /// errors   DeviceAddressError, DeviceUnavailable: also where nothing is to be calibrated; IoError
 /// Thread   [offline]; takes up to half a minute, and the device may move by itself.

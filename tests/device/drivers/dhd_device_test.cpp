@@ -123,6 +123,32 @@ TEST_F(DhdDevice, its_watchdog_that_cuts_the_forces_is_a_loss_with_a_reason) {
   EXPECT_EQ(sent_force(), 0.0);
 }
 
+TEST_F(DhdDevice, forces_that_a_button_brings_back_grow) {
+  const auto device = open_device("dhd:");
+  double now = 0.0;
+  const auto frames = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      EXPECT_EQ(device->read(now += 1e-3).status, DeviceStatus::ok);
+      device->write({{0.0, 0.0, 4.0}, Vec3::Zero()});
+    }
+  };
+  frames(40);
+  EXPECT_NEAR(sent_force(), 4.0, 1e-9);
+  drd().set("cut", 1);
+  usleep(50'000);
+  frames(40);
+  EXPECT_EQ(sent_force(), 0.0);
+  EXPECT_NE(std::string(device->trouble()).find("button"), std::string::npos);
+  drd().set("cut", 0);
+  usleep(50'000);
+  EXPECT_EQ(drd().call<int>("dhdEnableForce", static_cast<unsigned char>(1), '\0'), 0);
+  frames(120);
+  EXPECT_GT(sent_force(), 0.3);
+  EXPECT_LT(sent_force(), 1.2);
+  frames(500);
+  EXPECT_NEAR(sent_force(), 4.0, 1e-9);
+}
+
 TEST_F(DhdDevice, timeguard_and_saturation_are_successes) {
   const auto device = open_device("dhd:");
   drd().set("saturate", 1);
@@ -165,6 +191,21 @@ TEST_F(DhdDevice, calibrates_after_a_word_of_the_person) {
   EXPECT_EQ(questions, 2);
 }
 
+TEST_F(DhdDevice, what_moves_by_itself_stops_when_told_to) {
+  drd().set("initialized", 0);
+  drd().set("init_ms", 400);
+  std::string said;
+  int looks = 0;
+  calibrate_device("dhd:",
+                   {[&said](const std::string& text) { said = text; },
+                    [](const std::string&) { return true; }, [&looks] { return ++looks > 2; }});
+  EXPECT_NE(said.find("stopped"), std::string::npos) << said;
+  EXPECT_GT(looks, 2);
+  EXPECT_NE(drd().get("mode"), 1.0);
+  EXPECT_EQ(drd().get("opened"), 0.0);
+  EXPECT_EQ(drd().get("after_close"), 0.0);
+}
+
 TEST_F(DhdDevice, factory_safety_is_kept_and_the_end_is_in_order) {
   {
     const auto device = open_device("dhd:");
@@ -192,7 +233,7 @@ TEST_F(DhdDevice, faults_in_contact_end_in_zero_force) {
                              {"error of a force", "fail_set", 2},
                              {"NaN", "nan_pose", 1},
                              {"NaN of a velocity", "nan_velocity", 1},
-                             {"jump", "jump_x", 0.03},
+                             {"jump", "jump_x", 0.06},
                              {"dead man's switch", "cut", 6}};
   std::printf("fault in contact     force before   zero after   end    cause\n");
   for (const FaultCase& c : cases) {

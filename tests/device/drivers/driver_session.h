@@ -20,7 +20,7 @@ inline SessionConfig pressing_session() {
   config.haptic.safety.model_full_age = 2.0;
   config.haptic.safety.model_stale_age = 4.0;
   config.haptic.safety.max_speed = 5.0;
-  config.haptic.safety.pose_jump = 0.010;
+  config.haptic.safety.pose_jump = 0.030;
   return config;
 }
 

@@ -157,6 +157,20 @@ TEST_F(OpenHapticsDevice, torque_is_sent_in_newton_metres_once_its_unit_is_confi
   device->stop_ticks();
 }
 
+TEST_F(OpenHapticsDevice, a_torque_that_is_stopped_is_off_and_its_unit_not_kept) {
+  hd().set("model", 2);
+  hd().set("hold", 1);  // the stylus does not turn
+  int looks = 0;
+  calibrate_device("openhaptics:",
+                   {[](const std::string&) {}, [](const std::string&) { return true; },
+                    [&looks] { return ++looks > 30; }});
+  EXPECT_GT(hd().get("torque_nonzero"), 0.0);
+  EXPECT_EQ(hd().get("last_tx"), 0.0);
+  EXPECT_EQ(hd().get("force_output"), 0.0);
+  EXPECT_EQ(hd().get("opened"), 0.0);
+  EXPECT_FALSE(open_device("openhaptics:")->limits().actuates_rotation);
+}
+
 TEST_F(OpenHapticsDevice, says_what_to_do_where_it_does_not_open) {
   hd().set("calibration", 0x5002);
   EXPECT_NE(refusal("openhaptics:").find("put the stylus into its inkwell, then run"),
@@ -190,7 +204,7 @@ TEST_F(OpenHapticsDevice, faults_in_contact_end_in_zero_force) {
                              {"error returned", "fail_read", 0x0302},
                              {"silent", "silent", 1},
                              {"NaN", "nan_pose", 1},
-                             {"jump", "jump_x", 0.03}};
+                             {"jump", "jump_x", 0.06}};
   std::printf("fault in contact     force before   zero after   end    cause\n");
   for (const FaultCase& c : cases) {
     const auto open = [] {

@@ -1,13 +1,14 @@
 #include "thigma/device/detail/dhd_device.h"
 
 #include <algorithm>
-#include <charconv>
+#include <chrono>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <thread>
 
-#include "thigma/device/detail/address.h"
 #include "thigma/device/detail/dhd_library.h"
+#include "thigma/device/detail/dhd_open.h"
 #include "thigma/device/detail/trouble_line.h"
 #include "thigma/device/detail/vendor_frames.h"
 #include "thigma/device/open_device.h"
@@ -101,7 +102,9 @@ class DhdDevice final : public HapticDevice {
       if (is_dhd_error(dhd_.enable_force(1, id_)))
         trouble_.lose("turning the forces on failed", last_dhd_error(dhd_));
     }
-    const Wrench w = trouble_.is_lost() ? Wrench{} : sendable(wrench, limits_);
+    Wrench w = trouble_.is_lost() ? Wrench{} : sendable(wrench, limits_);
+    w.force *= share();
+    w.torque *= share();
     const int result = dhd_.set_wrench(w.force.x(), w.force.y(), w.force.z(), w.torque.x(),
                                        w.torque.y(), w.torque.z(), 0.0, id_);
     if (is_dhd_error(result)) trouble_.lose("sending a force failed", last_dhd_error(dhd_));
@@ -126,16 +129,28 @@ class DhdDevice final : public HapticDevice {
     return dhd_.last_error_number != nullptr && dhd_.last_error_number() == kDhdTimeout;
   }
 
+  /// Of the wrench, after the person's button: 0 while forces are off by it, then growing.
+  double share() const THIGMA_RT {
+    constexpr double kRamp = 0.5;  // [s], as of the safety layer, which does not see the button
+    return is_off_ ? 0.0 : std::clamp((last_.time - on_since_) / kRamp, 0.0, 1.0);
+  }
+
   /// Whether the device has turned its forces off by itself.
   void look_at_status() THIGMA_RT {
     int status[kDhdStatusRoom] = {};
     if (dhd_.get_status == nullptr || trouble_.is_lost()) return;
-    if (is_dhd_error(dhd_.get_status(status, id_)) || status[kDhdStatusForce] != 0) return;
+    if (is_dhd_error(dhd_.get_status(status, id_))) return;
+    if (status[kDhdStatusForce] != 0) {
+      if (is_off_) on_since_ = last_.time;
+      is_off_ = false;
+      return;
+    }
     const int cause = status[kDhdStatusForceOffCause];
     const bool is_known = cause >= 0 && cause < static_cast<int>(std::size(kForceOff));
     const char* const what = kForceOff[is_known ? cause : 0];
     if (cause == kForceOffButton) {
       trouble_.warn(what);
+      is_off_ = true;
     } else {
       trouble_.lose(what);
     }
@@ -147,62 +162,18 @@ class DhdDevice final : public HapticDevice {
   const DeviceLimits limits_;
   DeviceState last_;  // good one
   TroubleLine trouble_;
-  bool is_on_ = false;
+  bool is_on_ = false;                                          // forces, by us
+  bool is_off_ = false;                                         // by the button of the device
+  double on_since_ = -std::numeric_limits<double>::infinity();  // that button [s; as of read]
   int writes_ = 0;
 };
-
-constexpr const char* kPlug =
-    "Plug it in and switch it on; if it is, let your user open it (docs/devices.md, udev rule).";
-
-/// Number of a device in an address, 0 where it is "".
-long parse_number(const std::string& rest) {
-  if (rest.empty()) return 0;
-  long number = -1;
-  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
-  if (error != std::errc{} || end != rest.data() + rest.size() || number < 0 || number > 1'000'000)
-    throw DeviceAddressError("dhd: " + quoted(rest) + ", expected dhd:, dhd:NUMBER or dhd:SERIAL");
-  return number;
-}
-
-long serial_of(const DhdLibrary& dhd, char id) {
-  std::uint16_t serial[4] = {};  // room for versions that write more
-  if (dhd.get_serial == nullptr || is_dhd_error(dhd.get_serial(serial, id))) return -1;
-  return serial[0];
-}
-
-[[noreturn]] void refuse(const DhdLibrary& dhd, const std::string& what) {
-  const std::string why = last_dhd_error(dhd);
-  throw DeviceUnavailable("dhd: " + what + (why.empty() ? "" : " (" + why + ")") + ". " + kPlug);
-}
-
-/// Opens the device of a number or serial number; its id.
-char open_number(const DhdLibrary& dhd, long number) {
-  const int count = dhd.count();
-  if (count < 0) refuse(dhd, "the devices cannot be counted");
-  if (count == 0) throw DeviceUnavailable(std::string("dhd: no device is plugged in. ") + kPlug);
-  if (number < count) {
-    const int id = dhd.open(static_cast<char>(number));
-    if (id < 0) refuse(dhd, "device " + std::to_string(number) + " does not open");
-    return static_cast<char>(id);
-  }
-  for (int i = 0; i < count; ++i) {
-    const int id = dhd.open(static_cast<char>(i));
-    if (id < 0) continue;  // another's
-    if (serial_of(dhd, static_cast<char>(id)) == number) return static_cast<char>(id);
-    dhd.close(static_cast<char>(id));
-  }
-  throw DeviceUnavailable("dhd: no device has the number or serial number " +
-                          std::to_string(number) + ", and " + std::to_string(count) +
-                          (count == 1 ? " is" : " are") +
-                          " plugged in. `thigma devices` lists them.");
-}
 
 }  // namespace
 
 std::unique_ptr<HapticDevice> open_dhd(const std::string& rest, const DeviceContext&) {
-  const long number = parse_number(rest);
+  const long number = parse_dhd_number(rest);
   DhdLibrary dhd = open_dhd_library();
-  const char id = open_number(dhd, number);
+  const char id = open_dhd_number(dhd, number);
   if (dhd.is_initialized != nullptr && !dhd.is_initialized(id)) {
     dhd.close(id);
     throw DeviceUnavailable(
@@ -215,40 +186,8 @@ std::unique_ptr<HapticDevice> open_dhd(const std::string& rest, const DeviceCont
   const DeviceLimits limits = limits_of(dhd, id, model);
   const char* own_name = dhd.get_name != nullptr ? dhd.get_name(id) : nullptr;
   std::string name = std::string("dhd: ") + (own_name != nullptr ? own_name : model.name);
-  if (const long serial = serial_of(dhd, id); serial > 0) name += " " + std::to_string(serial);
+  if (const long serial = dhd_serial(dhd, id); serial > 0) name += " " + std::to_string(serial);
   return std::make_unique<DhdDevice>(std::move(dhd), id, std::move(name), limits);
-}
-
-void calibrate_dhd(const std::string& rest, const CalibrationTalk& talk) {
-  const long number = parse_number(rest);
-  const DhdLibrary dhd = open_dhd_library();
-  const char id = open_number(dhd, number);
-  const bool is_done = dhd.is_initialized != nullptr && dhd.is_initialized(id);
-  const bool can = dhd.auto_init != nullptr;
-  const bool may = !is_done && can &&
-                   talk.confirm(
-                       "The device will move by itself to its reference. Nobody holds it, "
-                       "nothing is in its way?");
-  const int result = may ? dhd.auto_init(id) : 0;
-  const std::string why = is_dhd_error(result) ? last_dhd_error(dhd) : "";
-  if (dhd.stop_regulation != nullptr) dhd.stop_regulation(false, id);
-  dhd.stop(id);
-  dhd.close(id);
-  if (!is_done && !can)
-    throw DeviceUnavailable("dhd: " + dhd.library.name() +
-                            " cannot initialise. Use the vendor's own program, or libdrd.");
-  if (is_dhd_error(result))
-    throw DeviceUnavailable("dhd: the device did not find its reference (" + why +
-                            "). Let it move freely and try again.");
-  talk.say(is_done || may ? "The device knows its reference." : "Nothing was done.");
-}
-
-std::vector<std::string> plugged_dhd() {
-  const DhdLibrary dhd = open_dhd_library();
-  std::vector<std::string> addresses;
-  for (int i = 0, count = dhd.count(); i < count; ++i)
-    addresses.push_back("dhd:" + std::to_string(i));
-  return addresses;
 }
 
 }  // namespace thigma::detail

@@ -36,8 +36,6 @@ DhdLibrary open_dhd_library() {
   find(library, "dhdGetSystemType", dhd.get_type);
   find(library, "dhdGetSystemName", dhd.get_name);
   find(library, "dhdGetSerialNumber", dhd.get_serial);
-  find(library, "dhdHasWrist", dhd.has_wrist);
-  find(library, "dhdHasActiveWrist", dhd.has_active_wrist);
   find(library, "dhdHasGripper", dhd.has_gripper);
   find(library, "dhdEmulateButton", dhd.emulate_button);
   find(library, "dhdGetMaxForce", dhd.get_max_force);

@@ -40,8 +40,6 @@ struct DhdLibrary {
   int (*get_type)(char) = nullptr;
   const char* (*get_name)(char) = nullptr;
   int (*get_serial)(std::uint16_t*, char) = nullptr;
-  bool (*has_wrist)(char) = nullptr;
-  bool (*has_active_wrist)(char) = nullptr;
   bool (*has_gripper)(char) = nullptr;
   int (*emulate_button)(unsigned char, char) = nullptr;
   double (*get_max_force)(char) = nullptr;

@@ -96,9 +96,9 @@ class OpenHapticsDevice final : public HapticDevice {
   const char* trouble() const THIGMA_RT override { return servo_.trouble().text(); }
 
   DeviceState read(double now) THIGMA_RT override {
-    if (!servo_.is_in_tick())
-      servo_.trouble().lose("the vendor's scheduler does not call any more");
-    if (servo_.trouble().is_lost()) {
+    const bool is_in_tick = servo_.is_in_tick();
+    if (!is_in_tick) servo_.trouble().lose("the vendor's scheduler does not call any more");
+    if (!is_in_tick || servo_.trouble().is_lost()) {
       DeviceState lost = last_;
       lost.status = DeviceStatus::lost;
       return lost;
@@ -175,8 +175,10 @@ double find_torque_unit(OpenedHd& hd, const CalibrationTalk& talk) {
   ramp.servo = &servo;
   servo.start(1000.0, {ramp_frame, &ramp});
   constexpr int kMostWaits = 3000;
-  for (int i = 0; i < kMostWaits && !ramp.is_over; ++i) wait_ms(10);
+  const auto is_stopped = [&] { return talk.is_stopped && talk.is_stopped(); };
+  for (int i = 0; i < kMostWaits && !ramp.is_over && !is_stopped(); ++i) wait_ms(10);
   servo.stop();
+  if (is_stopped()) return 0.0;
   if (servo.trouble().is_lost())
     throw DeviceUnavailable(std::string("openhaptics: ") + servo.trouble().text());
   if (!ramp.is_felt) return 0.0;

@@ -8,25 +8,26 @@
 
 namespace thigma::detail {
 
-/// One line; the first of each kind stays, and a loss takes the place of a warning.
-/// Invariant: a text is written once, before its flag.
+/// One line; the first of each kind stays, and a loss takes the place of a warning. Two threads
+/// write where ticks stay away and come back: the device's own, and the one that took over.
+/// Invariant: a text is written once, by who claimed it, before its flag.
 class TroubleLine {
  public:
   /// The device is lost. `why` is the vendor's own word, or null.
-  /// Thread   [haptic], one writer.
+  /// Thread   [haptic], any number of writers.
   void lose(const char* what, const char* why = nullptr) THIGMA_RT { set(loss_, what, why); }
 
   /// The device goes on.
-  /// Thread   [haptic], one writer.
+  /// Thread   [haptic], any number of writers.
   void warn(const char* what, const char* why = nullptr) THIGMA_RT { set(warning_, what, why); }
 
   /// Thread   [any].
-  bool is_lost() const THIGMA_RT { return loss_.is_set.load(std::memory_order_acquire); }
+  bool is_lost() const THIGMA_RT { return loss_.is_claimed.load(std::memory_order_acquire); }
 
   /// "" where nothing is wrong; lives as long as this.
   /// Thread   [any].
   const char* text() const THIGMA_RT {
-    if (is_lost()) return loss_.text;
+    if (loss_.is_set.load(std::memory_order_acquire)) return loss_.text;
     return warning_.is_set.load(std::memory_order_acquire) ? warning_.text : "";
   }
 
@@ -34,11 +35,11 @@ class TroubleLine {
   static constexpr std::size_t kMost = 160;
   struct Line {
     char text[kMost] = "";
-    std::atomic<bool> is_set{false};
+    std::atomic<bool> is_claimed{false}, is_set{false};
   };
 
   static void set(Line& line, const char* what, const char* why) THIGMA_RT {
-    if (line.is_set.load(std::memory_order_relaxed)) return;
+    if (line.is_claimed.exchange(true, std::memory_order_acq_rel)) return;
     std::size_t length = 0;
     const auto add = [&](const char* text) {
       for (; text != nullptr && *text != '\0' && length + 1 < kMost; ++text) {

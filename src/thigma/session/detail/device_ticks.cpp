@@ -53,10 +53,12 @@ void Session::Impl::device_tick() noexcept {
       are_ticks_over = true;
     }
   }
-  if (are_ticks_over) {
+  if (are_ticks_over && is_device_paced) {
     device->write(Wrench{});
     last_step_ns.store(0, std::memory_order_release);  // nothing to watch any more
     have_ticks_ended.store(true, std::memory_order_release);
+  } else if (are_ticks_over) {
+    faulty->write(Wrench{});  // past the stop-watch: the frames are another thread's
   }
   token.give_back();
 }
@@ -69,13 +71,14 @@ void Session::Impl::start_device() {
 /// The ticks stay away: the session goes on by the engine's clock, without the device, until it has
 /// ended in order.
 void Session::Impl::take_over() {
-  is_device_paced = false;
   const std::int64_t tick = clock.tick;
   const std::uint64_t missed = clock.missed;
   start_clock(clock);
   clock.start_ns -= tick * clock.period_ns;
   clock.tick = tick;
   clock.missed = missed;
+  if (last_step_ns.load(std::memory_order_relaxed) == 0)  // no tick has ever come
+    last_step_ns.store(monotonic_ns(), std::memory_order_release);
   end = detail::drive_frames(config, *this, record);
   end_with_zero_force();
 }
@@ -92,6 +95,7 @@ void Session::Impl::run_beside_device() {
     if (!token.try_take()) continue;  // stuck inside a step, or just ticking
     const bool is_mine = !are_ticks_over;
     are_ticks_over = true;
+    if (is_mine) is_device_paced = false;
     token.give_back();
     if (is_mine) {
       take_over();

@@ -57,12 +57,13 @@ detail::FrameTick Session::Impl::next_tick() {
 bool Session::Impl::hang(const FaultEvent& fault, double) {
   if (has_hung) return false;
   has_hung = true;
-  if (is_device_paced) token.give_back();  // as a tick that does not come
-  sleep_ns(to_ns(fault.duration));
-  if (is_device_paced) {
+  if (is_device_paced) {  // as a tick that does not come; the session may take over meanwhile
+    token.give_back();
+    sleep_ns(to_ns(fault.duration));
     while (!token.try_take()) sleep_ns(20'000);
     return true;
   }
+  sleep_ns(to_ns(fault.duration));
   hang_late_ns = behind();
   if (hang_late_ns <= watchdog_ns) {
     hang_late_ns = 0;

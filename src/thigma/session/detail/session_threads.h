@@ -100,7 +100,7 @@ struct Session::Impl {
 
   // Haptic thread only, while it runs. Where the device owns the clock that is its own thread,
   // within the token; once the ticks are over, the session's.
-  bool is_device_paced = false;  // frames are made in ticks of the device
+  bool is_device_paced = false;  // frames are made in ticks of the device; read within the token
   bool are_ticks_over = false;   // what still ticks sends zero
   std::int64_t first_tick_ns = 0, last_tick_ns = 0;
   std::uint64_t ticks = 0;
