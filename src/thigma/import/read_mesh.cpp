@@ -129,11 +129,23 @@ MeshFile merge_equal_positions(TriangleMesh raw) {
 }
 
 const char* format_name(MeshFormat format) {
-  constexpr const char* kNames[] = {
-      "obj",          "ply (ascii)", "ply (little-endian)", "ply (big-endian)", "stl (ascii)",
-      "stl (binary)", "off"};
-  static_assert(std::size(kNames) == static_cast<std::size_t>(MeshFormat::off) + 1);
-  return kNames[static_cast<std::size_t>(format)];
+  switch (format) {
+    case MeshFormat::obj:
+      return "obj";
+    case MeshFormat::ply_ascii:
+      return "ply (ascii)";
+    case MeshFormat::ply_little:
+      return "ply (little-endian)";
+    case MeshFormat::ply_big:
+      return "ply (big-endian)";
+    case MeshFormat::stl_ascii:
+      return "stl (ascii)";
+    case MeshFormat::stl_binary:
+      return "stl (binary)";
+    case MeshFormat::off:
+      return "off";
+  }
+  return "unknown";
 }
 
 MeshFile parse_mesh(std::string_view bytes, const std::string& name) {

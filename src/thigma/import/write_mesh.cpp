@@ -181,9 +181,10 @@ std::string format_mesh(const TriangleMesh& mesh, MeshFormat format, const std::
     case MeshFormat::stl_binary:
       check_single_precision(mesh, name);
       return format_stl_binary(mesh);
-    default:  // also of formats that are read alone
+    case MeshFormat::obj:
       return format_obj(mesh);
   }
+  throw InputError(name + ": meshes of this format are read, not written");
 }
 
 void write_mesh(const TriangleMesh& mesh, const std::string& path) {
