@@ -1,8 +1,10 @@
 #include "thigma/device/open_device.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "thigma/device/detail/address.h"
+#include "thigma/device/detail/bubble_device.h"
 #include "thigma/device/detail/dhd_device.h"
 #include "thigma/device/detail/gamepad_device.h"
 #include "thigma/device/detail/hand_address.h"
@@ -123,6 +125,40 @@ const Scheme& scheme_of(const std::string& address) {
   refuse(address, name);
 }
 
+/// An address before and behind "rotation="; the second is "" where there is none.
+std::pair<std::string, std::string> split_rotation(const std::string& address) {
+  constexpr std::string_view kName = "rotation=";
+  const std::size_t at = address.find(kName);
+  if (at == std::string::npos || at == 0 || (address[at - 1] != '?' && address[at - 1] != '&'))
+    return {address, ""};
+  return {address.substr(0, at - 1), address.substr(at + kName.size())};
+}
+
+/// Takes one parameter out of an address; its value, "" where there is none.
+std::string take_parameter(const std::string& name, std::string& address) {
+  for (std::size_t at = address.find('?'); at != std::string::npos;
+       at = address.find('&', at + 1)) {
+    if (address.compare(at + 1, name.size() + 1, name + "=") != 0) continue;
+    const std::size_t begin = at + name.size() + 2;
+    const std::size_t end = std::min(address.find('&', begin), address.size());
+    const std::string value = address.substr(begin, end - begin);
+    if (value.empty()) throw DeviceAddressError(name + "= has no value");
+    // Of the marks before and behind it, one stays where more follow.
+    const bool is_last = end == address.size();
+    address.erase(is_last ? at : at + 1, end - at);
+    return value;
+  }
+  return "";
+}
+
+double parse_bubble(const std::string& text) {
+  const double radius = detail::parse_value("device", "bubble", text);
+  if (radius >= detail::kLeastBubble && radius <= detail::kMostBubble) return radius;
+  throw DeviceAddressError("bubble = " + quoted(text) + ", expected " +
+                           detail::shortest(detail::kLeastBubble) + " to " +
+                           detail::shortest(detail::kMostBubble) + " m");
+}
+
 std::string rest_of(const std::string& address) { return address.substr(address.find(':') + 1); }
 
 }  // namespace
@@ -134,16 +170,16 @@ std::string device_scheme(std::string_view address) {
 
 std::unique_ptr<HapticDevice> open_device(const std::string& address,
                                           const DeviceContext& context) {
-  const Scheme& scheme = scheme_of(address);
   // The last parameter, because the address behind it may have its own.
-  constexpr std::string_view kRotation = "rotation=";
-  const std::size_t at = address.find(kRotation);
-  const bool is_turned =
-      at != std::string::npos && at > 0 && (address[at - 1] == '?' || address[at - 1] == '&');
-  if (!is_turned) return scheme.open(rest_of(address), context);
-  Device place = scheme.open(rest_of(address.substr(0, at - 1)), context);
-  return detail::make_rotated_device(std::move(place),
-                                     open_device(address.substr(at + kRotation.size()), context));
+  const auto [whole, turner] = split_rotation(address);
+  std::string place = whole;
+  const std::string bubble = take_parameter("bubble", place);
+  const Scheme& scheme = scheme_of(place);
+  const double radius = bubble.empty() ? 0.0 : parse_bubble(bubble);
+  Device device = scheme.open(rest_of(place), context);
+  if (!bubble.empty()) device = detail::make_bubble_device(std::move(device), radius);
+  if (turner.empty()) return device;
+  return detail::make_rotated_device(std::move(device), open_device(turner, context));
 }
 
 std::vector<std::string> plugged_devices(const std::string& scheme, std::string* why) {

@@ -40,8 +40,10 @@ class DeviceUnavailable : public std::runtime_error {
 
 /// Opens a device, with parameters as "?name=value&name=value" (device_schemes lists them).
 /// "replay:FILE" and "web:" are opened by recording/ and session/, which know recordings and
-/// threads. Where a device senses no rotation, the last parameter "rotation=ADDRESS" names a
-/// second one for it, without motors, as "dhd:0?rotation=spacenav:".
+/// threads. Every address takes two more: "bubble=RADIUS" [m] has the handle stand for a velocity
+/// outside a bubble about where the hand took hold; "rotation=ADDRESS", the last one, names a
+/// second device without motors for the rotation of one that senses none, as
+/// "dhd:0?rotation=spacenav:".
 ///
 /// errors   DeviceAddressError, DeviceUnavailable, InputError (a script file); one line each
 /// Thread   [offline].

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "thigma/device/detail/bubble_device.h"
 #include "thigma/device/detail/rotated_device.h"
 #include "thigma/device/detail/stream_socket.h"
 #include "thigma/device/null_device.h"
@@ -221,6 +222,84 @@ TEST(RotatedDevice, a_turner_that_is_lost_turns_no_more_and_is_told_of) {
   EXPECT_NEAR(state.motion.pose.orientation.z(), std::sin(0.15), 1e-12);
   EXPECT_EQ(state.motion.twist.angular.z(), 0.0);
   EXPECT_STREQ(device->trouble(), "the turner is gone");
+}
+
+/// A handle that goes along x as it is told.
+struct Pushed final : HapticDevice {
+  DeviceLimits own;
+  double x = 0.0, v = 0.0;
+  std::uint32_t buttons = kClutchButton;
+  Wrench sent;
+  const DeviceLimits& limits() const override { return own; }
+  std::string name() const override { return "pushed"; }
+  DeviceState read(double now) THIGMA_RT override {
+    DeviceState state;
+    state.time = now;
+    state.motion.pose.position.x() = x;
+    state.motion.twist.linear.x() = v;
+    state.buttons = buttons;
+    return state;
+  }
+  void write(const Wrench& wrench) THIGMA_RT override { sent = wrench; }
+};
+
+TEST(BubbleDevice, inside_nothing_changes_and_outside_the_place_drifts) {
+  auto made = std::make_unique<Pushed>();
+  Pushed& hand = *made;
+  hand.x = 0.1;
+  const auto device = make_bubble_device(std::move(made), 0.04);
+  EXPECT_EQ(device->read(0.0).motion.pose.position.x(), 0.1);  // the centre from here on
+  hand.x = 0.1399;
+  EXPECT_EQ(device->read(0.001).motion.pose.position.x(), 0.1399);
+  hand.x = 0.15;  // 10 mm outside: 50 mm/s
+  double last = device->read(0.002).motion.pose.position.x();
+  for (int i = 3; i < 1003; ++i) {
+    const DeviceState state = device->read(1e-3 * i);
+    EXPECT_NEAR(state.motion.pose.position.x() - last, 0.05e-3, 1e-12);
+    EXPECT_NEAR(state.motion.twist.linear.x(), 0.05, 1e-12);
+    last = state.motion.pose.position.x();
+  }
+  EXPECT_NEAR(last, 0.15 + 0.05 * 1.001, 1e-9);
+  hand.x = 0.1;  // back inside: it stays where it drifted to
+  EXPECT_NEAR(device->read(1.003).motion.pose.position.x(), last - 0.05, 1e-12);
+  EXPECT_EQ(device->read(1.004).motion.twist.linear.x(), 0.0);
+  hand.x = 9.0;
+  EXPECT_NEAR(device->read(1.005).motion.twist.linear.x(), 0.2, 1e-12);  // at most
+  device->write({Vec3::UnitZ(), Vec3::Zero()});
+  EXPECT_EQ(hand.sent.force, Vec3(Vec3::UnitZ()));  // the border adds no force
+}
+
+TEST(BubbleDevice, an_open_hand_does_not_drift_and_takes_the_bubble_along) {
+  auto made = std::make_unique<Pushed>();
+  Pushed& hand = *made;
+  const auto device = make_bubble_device(std::move(made), 0.02);
+  device->read(0.0);
+  hand.buttons = 0;
+  hand.x = 0.08;
+  for (int i = 1; i < 100; ++i) EXPECT_EQ(device->read(1e-3 * i).motion.pose.position.x(), 0.08);
+  hand.buttons = kClutchButton;
+  for (int i = 100; i < 200; ++i) EXPECT_EQ(device->read(1e-3 * i).motion.pose.position.x(), 0.08);
+  hand.x = 0.11;  // 10 mm outside of where it took hold
+  device->read(0.2);
+  EXPECT_NEAR(device->read(0.201).motion.twist.linear.x(), 0.05, 1e-12);
+}
+
+TEST(OpenDevice, bubble_and_rotation_stand_in_any_address) {
+  const auto refusal = [](const char* address) {
+    try {
+      open_device(address);
+    } catch (const DeviceAddressError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal("null:?bubble=0.04"), "");
+  EXPECT_EQ(refusal("hand:?bubble=0.04&dof=3&seed=2&rotation=null:?clutch=0"), "");
+  EXPECT_EQ(refusal("hand:?dof=3&bubble=0.04&seed=2"), "");
+  EXPECT_EQ(refusal("null:?bubble=4"), "bubble = '4', expected 0.005 to 0.5 m");
+  EXPECT_EQ(refusal("null:?bubble="), "bubble= has no value");
+  EXPECT_EQ(refusal("null:?buble=0.1"), "null: no parameter 'buble', nearest is 'clutch'");
+  EXPECT_EQ(open_device("hand:?dof=3&bubble=0.04&rotation=null:")->name().find("hand"), 0u);
 }
 
 }  // namespace
