@@ -96,6 +96,7 @@ TEST(HaplyMessage, the_version_says_how_a_force_is_named) {
     return fault.empty() ? name : fault;
   };
   EXPECT_EQ(form(R"({"version":"3.1.2"})"), "values");
+  EXPECT_EQ(form(R"({"project_version":"3.1.2.0"})"), "values");
   EXPECT_EQ(form(R"({"version":"3.4.0","build_time":"2025"})"), "values");
   EXPECT_EQ(form(R"({"version":"3.5.0"})"), "vector");
   EXPECT_EQ(form("3.12.1\n"), "vector");

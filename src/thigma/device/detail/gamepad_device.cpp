@@ -97,7 +97,8 @@ FoundPads find_pads() {
 }
 
 constexpr const char* kPermit =
-    "Let your user read it: a udev rule (docs/devices.md), or sudo usermod -aG input $USER and log "
+    "Let your user read it: a udev rule (docs/device_services.md), or sudo usermod -aG input $USER "
+    "and log "
     "in again.";
 
 /// The event device of an address.
@@ -111,12 +112,13 @@ std::string file_of(const std::string& place) {
                              ", expected gamepad:, gamepad:NUMBER or gamepad:/dev/input/eventN");
   const FoundPads found = find_pads();
   if (number < found.files.size()) return found.files[number];
-  std::string what = found.files.empty() ? "gamepad: none is plugged in"
-                                         : "gamepad: no number " + std::to_string(number) + ", " +
-                                               std::to_string(found.files.size()) + " plugged in";
+  const std::string what = found.files.empty()
+                               ? "gamepad: none is plugged in"
+                               : "gamepad: no number " + std::to_string(number) + ", " +
+                                     std::to_string(found.files.size()) + " plugged in";
   if (found.denied > 0)
-    throw DeviceUnavailable(what + " that your user may read, and " + std::to_string(found.denied) +
-                            " devices are not his. " + kPermit);
+    throw DeviceUnavailable(what + " as far as your user may look, which is not into " +
+                            std::to_string(found.denied) + " event devices. " + kPermit);
   throw DeviceUnavailable(what + ". Plug it in, or pair it.");
 }
 

@@ -6,6 +6,7 @@
 #include "thigma/core/error.h"
 #include "thigma/device/detail/address.h"
 #include "thigma/device/detail/haply_link.h"
+#include "thigma/device/detail/stream_socket.h"
 #include "thigma/device/open_device.h"
 
 namespace thigma::detail {
@@ -89,7 +90,20 @@ void wait_until_ready(HaplyLink& link, const HaplyAddress& address) {
   }
 }
 
-DeviceLimits limits_of(const HaplyArm& arm, const HaplyAddress& address, bool turns) {
+/// Mean time from a message to its answer [s].
+double measure_round_trip(HaplyLink& link, const HaplyAddress& address) {
+  constexpr int kTrips = 20;
+  const std::int64_t begin = driver_time_ns();
+  for (int i = 0; i < kTrips; ++i) {
+    link.send(address.id, Vec3::Zero());
+    if (!link.wait(1.0)) throw IoError("the service does not answer");
+  }
+  return 1e-9 * static_cast<double>(driver_time_ns() - begin) / kTrips;
+}
+
+/// round_trip  as measured [s]: what a read returns is that old, and the time between two messages
+DeviceLimits limits_of(const HaplyArm& arm, const HaplyAddress& address, bool turns,
+                       double round_trip) {
   DeviceLimits limits;
   const bool is_small = arm.type == "minverse";
   limits.max_force = std::min(address.max_force, is_small ? 2.0 : 10.0);
@@ -99,7 +113,7 @@ DeviceLimits limits_of(const HaplyArm& arm, const HaplyAddress& address, bool tu
   limits.workspace_radius = is_small ? 0.04 : 0.10;
   limits.senses_rotation = turns;
   limits.actuates_rotation = false;
-  limits.delay = 1.0 / address.rate;
+  limits.delay = round_trip + std::max(round_trip, 1.0 / address.rate);
   return limits;
 }
 
@@ -117,14 +131,16 @@ std::unique_ptr<HapticDevice> open_haply(const std::string& rest, const DeviceCo
   const bool turns = grip != nullptr && grip->has_orientation;
   if (address.hold < 0) address.hold = grip != nullptr && grip->has_buttons ? 0 : 1;
   address.grip = grip != nullptr ? grip->id : "none";
+  double round_trip = 0.0;
   try {
     wait_until_ready(*link, address);
+    round_trip = measure_round_trip(*link, address);
   } catch (const IoError& error) {
     throw DeviceUnavailable(std::string("haply: ") + error.what() + ". Restart the service.");
   }
   return std::make_unique<LinkDevice>(
       "haply: " + (arm.type.empty() ? "inverse3" : arm.type) + " " + arm.id,
-      limits_of(arm, address, turns), false,
+      limits_of(arm, address, turns, round_trip), false,
       [link, address](LinkEnds& ends) { speak_with_haply(*link, address, ends); });
 }
 

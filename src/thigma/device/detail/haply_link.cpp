@@ -100,8 +100,7 @@ void HaplyLink::ask_for_version(const HaplyAddress& address) {
   const std::size_t body = answer.find("\r\n\r\n");
   const std::string text = body == std::string::npos ? "" : answer.substr(body + 4);
   const std::string fault = haply_form_of(text, form_);
-  if (!fault.empty())
-    refuse(address, fault + ". Install an Inverse Service of version 3.1 or later.");
+  if (!fault.empty()) refuse(address, fault + ". Install an Inverse Service of version 3.");
 }
 
 void HaplyLink::shake_hands(const HaplyAddress& address) {

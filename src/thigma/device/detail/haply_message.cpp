@@ -151,8 +151,10 @@ std::string haply_form_of(std::string_view answer, HaplyForm& form) {
   std::string version(answer.substr(0, 40));
   json root = json::parse(answer, nullptr, false);
   if (root.is_discarded()) root = nullptr;
-  const json& named = member_or_null(root, "version");
-  if (named.is_string()) version = named.get<std::string>();
+  for (const char* name : {"project_version", "version"}) {
+    const json& named = member_or_null(root, name);
+    if (named.is_string()) version = named.get<std::string>();
+  }
   if (root.is_string()) version = root.get<std::string>();
   if (!version.empty() && version[0] == 'v') version.erase(0, 1);
   int major = 0, minor = 0;

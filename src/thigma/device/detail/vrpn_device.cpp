@@ -1,6 +1,6 @@
 #include "thigma/device/detail/vrpn_device.h"
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 
 #include "thigma/core/error.h"
@@ -62,14 +62,26 @@ VrpnAddress parse_address(const std::string& rest) {
   return address;
 }
 
-DeviceLimits limits_of(const VrpnAddress& address) {
+/// Mean time between poses; as long as was waited where no second one came [s].
+double measure_interval(VrpnLink& link) {
+  constexpr std::int64_t kMost = 300'000'000;
+  constexpr std::uint64_t kPoses = 50;
+  const std::int64_t begin = driver_time_ns();
+  const std::uint64_t first = link.poses();
+  while (link.poses() - first < kPoses && driver_time_ns() - begin < kMost) link.hear_poses(0.02);
+  const double seconds = 1e-9 * static_cast<double>(driver_time_ns() - begin);
+  return seconds / static_cast<double>(std::max<std::uint64_t>(1, link.poses() - first));
+}
+
+/// interval  between poses [s]: what a read returns is one old, and what smooths it as much
+DeviceLimits limits_of(const VrpnAddress& address, double interval) {
   DeviceLimits limits;
   limits.max_force = address.max_force;
   limits.max_torque = 0.1;  // shown, never sent: there is no such message
   limits.max_stiffness = 500.0;
   limits.actuates_translation = limits.holds_person = address.has_force;
   limits.actuates_rotation = false;
-  limits.delay = 0.002;
+  limits.delay = 0.001 + 2.0 * interval;
   return limits;
 }
 
@@ -122,8 +134,15 @@ std::unique_ptr<HapticDevice> open_vrpn(const std::string& rest, const DeviceCon
   const VrpnAddress address = parse_address(rest);
   const auto link = std::make_shared<VrpnLink>(address);
   wait_for_pose(*link, address);
+  double interval = 0.0;
+  try {
+    interval = measure_interval(*link);
+  } catch (const IoError& error) {
+    throw DeviceUnavailable("vrpn: " + address.host + ": " + error.what() + ". Restart it.");
+  }
   return std::make_unique<LinkDevice>(
-      "vrpn: " + address.name + "@" + address.host, limits_of(address), !address.has_force,
+      "vrpn: " + address.name + "@" + address.host, limits_of(address, interval),
+      !address.has_force,
       [link, address](LinkEnds& ends) { speak_with_vrpn(*link, address, ends); });
 }
 
