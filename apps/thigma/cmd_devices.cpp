@@ -40,9 +40,10 @@ nlohmann::ordered_json text_or_null(std::string_view text) {
 
 void print_schemes_json() {
   for (const DeviceScheme& scheme : device_schemes()) {
-    nlohmann::ordered_json line = {
-        {"device", scheme.scheme}, {"available", scheme.available}, {"meaning", scheme.meaning}};
-    line["plugged_in"] = plugged_devices(scheme.scheme);
+    std::string why;
+    nlohmann::ordered_json line = {{"device", scheme.scheme}, {"meaning", scheme.meaning}};
+    line["plugged_in"] = plugged_devices(scheme.scheme, &why);
+    line["missing"] = text_or_null(why);
     line["parameters"] = nlohmann::ordered_json::array();
     for (const DeviceParameter& p : scheme.parameters) {
       line["parameters"].push_back({{"name", p.name},
@@ -72,10 +73,11 @@ void print_libraries_json() {
 void print_schemes_text() {
   std::printf("Devices for `thigma run --device`:\n");
   for (const DeviceScheme& scheme : device_schemes()) {
-    std::printf("\n%-13s %s%s\n", scheme.scheme.c_str(), scheme.meaning.c_str(),
-                scheme.available ? "" : " - not in this build");
-    for (const std::string& address : plugged_devices(scheme.scheme))
+    std::printf("\n%-13s %s\n", scheme.scheme.c_str(), scheme.meaning.c_str());
+    std::string why;
+    for (const std::string& address : plugged_devices(scheme.scheme, &why))
       std::printf("  plugged in: %s\n", address.c_str());
+    if (!why.empty()) std::printf("  none: %s\n", why.c_str());
     for (const DeviceParameter& p : scheme.parameters) {
       std::printf("  %-22s %-12s %-10s %s\n", p.name.c_str(), p.default_value.c_str(),
                   p.unit.c_str(), p.meaning.c_str());

@@ -126,12 +126,14 @@ TEST(OpenDevice, MistakesAreNamedWithTheNearestRightOne) {
   EXPECT_EQ(
       refusal("touch"),
       "device 'touch' has no scheme, expected one of hand:, script:FILE, web:, replay:FILE, null:, "
-      "openhaptics:NAME, dhd:NUMBER");
+      "openhaptics:NAME, dhd:NUMBER, haply:ID, vrpn:NAME@HOST, spacenav:, gamepad:NUMBER");
   EXPECT_EQ(refusal("script:"), "script: no file, expected script:FILE");
 }
 
-TEST(OpenDevice, WhatThisBuildLacksIsUnavailable) {
-  for (const char* address : {"openhaptics:", "dhd:0", "haply:", "vrpn:Tracker0@host", "web:"}) {
+TEST(OpenDevice, WhatThisMachineLacksIsUnavailable) {
+  // The port of loopback that nobody listens on; the name that nobody has.
+  for (const char* address :
+       {"openhaptics:", "dhd:0", "haply:?port=1", "vrpn:Tracker0@localhost:1", "web:"}) {
     EXPECT_THROW(open_device(address), DeviceUnavailable) << address;
   }
 }
@@ -165,15 +167,14 @@ TEST(OpenDevice, WhatIsSimulatedHoldsNobody) {
   EXPECT_FALSE(make_script_device({TimedPose{}}, {})->limits().holds_person);
 }
 
-TEST(OpenDevice, SchemesListWhatOpens) {
+TEST(OpenDevice, HandsParametersAreListedAsTheyAre) {
   for (const DeviceScheme& scheme : device_schemes()) {
+    if (scheme.scheme != "hand:") continue;
+    EXPECT_FALSE(scheme.parameters.empty());
     for (const DeviceParameter& parameter : scheme.parameters) {
       if (parameter.unit.empty()) continue;
       // A default as listed is accepted and changes nothing.
       EXPECT_NO_THROW(parse_hand(parameter.name + "=" + parameter.default_value)) << parameter.name;
-    }
-    if (!scheme.available) {
-      EXPECT_THROW(open_device(scheme.scheme), DeviceUnavailable);
     }
   }
 }

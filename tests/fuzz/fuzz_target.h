@@ -59,6 +59,8 @@ void fuzz_poses(Bytes bytes);
 void fuzz_uri(Bytes bytes);
 void fuzz_frames(Bytes bytes);
 void fuzz_message(Bytes bytes);
+void fuzz_haply(Bytes bytes);
+void fuzz_vrpn(Bytes bytes);
 
 /// Mutators of formats with checksums: they change what is inside and mend what guards it.
 void mutate_clod(std::string& bytes, std::size_t most, std::uint32_t seed, Mutate mutate);
@@ -79,7 +81,8 @@ inline constexpr Target kTargets[] = {
     {"scene", fuzz_scene, nullptr},     {"recording", fuzz_recording, mutate_recording},
     {"script", fuzz_script, nullptr},   {"poses", fuzz_poses, nullptr},
     {"uri", fuzz_uri, nullptr},         {"frames", fuzz_frames, nullptr},
-    {"message", fuzz_message, nullptr},
+    {"message", fuzz_message, nullptr}, {"haply", fuzz_haply, nullptr},
+    {"vrpn", fuzz_vrpn, nullptr},
 };
 
 }  // namespace thigma::fuzz

@@ -15,6 +15,7 @@
 #include "viewer/server/protocol.h"
 
 #include "thigma/clod/clod_file.h"
+#include "thigma/device/detail/vrpn_message.h"
 #include "thigma/files/file.h"
 #include "thigma/import/write_mesh.h"
 #include "thigma/mesh/shapes.h"
@@ -34,6 +35,35 @@ struct Seeds {
     write_file((folder / target / name).string(), bytes);
   }
 };
+
+/// What the services of devices send.
+void put_devices(const Seeds& seeds) {
+  const std::string state =
+      R"({"session_id":7,"inverse3":[{"device_id":"049D","config":{"type":"inverse3","basis":)"
+      R"({"permutation":"XYZ"}},"state":{"cursor_position":{"x":0.01,"y":-0.12,"z":0.15},)"
+      R"("cursor_velocity":{"x":0,"y":0,"z":0}},"status":{"calibrated":true,"ready":true}}],)"
+      R"("wireless_verse_grip":[{"device_id":"61","state":{"orientation":{"w":1,"x":0,"y":0,)"
+      R"("z":0},"buttons":{"a":true,"b":false,"c":false}}}]})";
+  seeds.put("haply", "json", "j" + state);
+  seeds.put("haply", "version", "v{\"version\":\"3.5.0\"}");
+  seeds.put("haply", "answer",
+            "vHTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nSec-WebSocket-Accept: "
+            "s3pPLMBiTxaQ9kYGzzhZRbK+xOo=\r\n");
+  std::string frame = "\x81\x7e";
+  frame += static_cast<char>(state.size() >> 8);
+  frame += static_cast<char>(state.size());
+  seeds.put("haply", "frame", frame + state + "\x89\x02hi" + frame + state);
+  std::string talk;
+  detail::append_vrpn_message(
+      {detail::kVrpnSenderIs, 0, 1.5, detail::vrpn_name_payload("Phantom0")}, talk);
+  detail::append_vrpn_message(
+      {detail::kVrpnTypeIs, 3, 1.5, detail::vrpn_name_payload("vrpn_Tracker Pos_Quat")}, talk);
+  detail::append_vrpn_message({3, 0, 1.5, std::string(63, '\0') + "\x01"}, talk);
+  detail::append_vrpn_message({4, 0, 1.5, std::string("\0\0\0\1\0\0\0\1", 8)}, talk);
+  seeds.put("vrpn", "talk", talk);
+  seeds.put("vrpn", "cookie", detail::vrpn_cookie());
+  seeds.put("vrpn", "spacenav", std::string("s\0\0\0\0\x50\1", 7) + std::string(26, '\0'));
+}
 
 void put_meshes(const Seeds& seeds) {
   const TriangleMesh ball = make_ball(0.02, 1), box = make_box(Vec3(0.01, 0.02, 0.03));
@@ -178,6 +208,7 @@ int main(int count, char** words) {
   }
   const thigma::fuzz::Seeds seeds{words[1]};
   thigma::fuzz::put_meshes(seeds);
+  thigma::fuzz::put_devices(seeds);
   thigma::fuzz::put_pictures(seeds);
   thigma::fuzz::put_assets(seeds);
   thigma::fuzz::put_recordings(seeds);

@@ -1,11 +1,16 @@
 // What the haptic step does in the thread of a device that owns the clock.
 #include <functional>
+#include <memory>
+#include <thread>
 
 #include "support/audit.h"
 #include "support/plane_session.h"
 #include "support/ticking_hand.h"
 #include <gtest/gtest.h>
 
+#include "thigma/device/detail/link_device.h"
+#include "thigma/device/detail/rate_device.h"
+#include "thigma/device/detail/stream_socket.h"
 #include "thigma/device/open_device.h"
 #include "thigma/session/session.h"
 
@@ -95,6 +100,46 @@ TEST(DeviceAudit, nor_does_the_step_in_the_callback_of_openhaptics) {
   EXPECT_EQ(session.finish().end, SessionEnd::duration) << device->trouble();
   EXPECT_GT(audit.ticks, 100);
   EXPECT_EQ(audit.counts.total(), 0) << audit.text();
+}
+
+/// The service of a link: tells a moving handle twice a millisecond, takes forces.
+void pretend_service(detail::LinkEnds& ends) {
+  detail::LinkSample sample;
+  detail::LinkForce force;
+  while (!ends.is_over) {
+    ++sample.count;
+    sample.motion.pose.position.x() = 1e-5 * static_cast<double>(sample.count % 100);
+    sample.interval = sample.count % 200 < 100 ? 0.5e-3 : 8e-3;  // seldom as well
+    ends.samples.publish(sample);
+    force.newest(ends, detail::driver_time_ns());
+    if (sample.count == 2000) ends.trouble.lose("the service", "has gone");
+    usleep(500);
+  }
+}
+
+TEST(DeviceAudit, nor_do_drivers_over_a_link_however_they_are_wrapped) {
+  if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
+  std::unique_ptr<HapticDevice> devices[] = {
+      std::make_unique<detail::LinkDevice>("link", DeviceLimits{}, false, pretend_service),
+      std::make_unique<detail::RateDevice>("rate", detail::RateParams{}, pretend_service),
+      open_device("hand:?dof=3&bubble=0.005&rotation=null:")};
+  test::AuditCounts counts;
+  bool is_seen = false;
+  std::thread haptic([&] {
+    is_seen = test::forbid_system_calls();
+    const test::AuditScope scope;
+    for (int i = 0; i < 200'000; ++i) {
+      for (const auto& device : devices) {
+        const DeviceState state = device->read(1e-5 * i);
+        device->write({state.motion.pose.position, Vec3::UnitX()});
+      }
+    }
+    counts = scope.counts();
+  });
+  haptic.join();
+  EXPECT_TRUE(is_seen);
+  EXPECT_EQ(counts.total(), 0) << counts.allocations << ' ' << counts.locks << ' '
+                               << counts.last_system_call;
 }
 
 }  // namespace

@@ -1,11 +1,18 @@
 #include "thigma/device/open_device.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "thigma/device/detail/address.h"
+#include "thigma/device/detail/bubble_device.h"
 #include "thigma/device/detail/dhd_device.h"
+#include "thigma/device/detail/gamepad_device.h"
 #include "thigma/device/detail/hand_address.h"
+#include "thigma/device/detail/haply_device.h"
 #include "thigma/device/detail/openhaptics_device.h"
+#include "thigma/device/detail/rotated_device.h"
+#include "thigma/device/detail/spacenav_device.h"
+#include "thigma/device/detail/vrpn_device.h"
 #include "thigma/device/null_device.h"
 #include "thigma/device/script.h"
 
@@ -58,7 +65,7 @@ Parameters null_parameters() { return {{"clutch", "", "1", "0 or 1: held or not"
 struct Scheme {
   std::string_view name;  // with the colon
   const char* meaning;
-  // what follows the colon, and the scene; throws as open_device. Null: there is no driver yet
+  // what follows the colon, and the scene; throws as open_device
   Device (*open)(const std::string& rest, const DeviceContext& context);
   Parameters (*parameters)() = no_parameters;
   std::string_view form{};  // of the address, where it is more than the name
@@ -67,7 +74,6 @@ struct Scheme {
   void (*calibrate)(const std::string& rest, const CalibrationTalk& talk) = nullptr;
 };
 
-/// Those without a driver last.
 constexpr Scheme kSchemes[] = {
     {"hand:", "simulated hand holding a simulated device", open_hand, detail::hand_parameters},
     {"script:", "timed poses from a file: script:FILE with columns t,x,y,z,qx,qy,qz,qw[,buttons]",
@@ -81,14 +87,23 @@ constexpr Scheme kSchemes[] = {
      detail::calibrate_openhaptics},
     {"dhd:", "Force Dimension omega, delta, sigma, lambda; Novint Falcon (libdrd.so): dhd:NUMBER",
      detail::open_dhd, no_parameters, "dhd:NUMBER", detail::plugged_dhd, detail::calibrate_dhd},
-    {"haply:", "Haply Inverse3 (Inverse Service on this machine)", nullptr},
-    {"vrpn:", "a VRPN server", nullptr}};
+    {"haply:", "Haply Inverse3, Inverse3x, Minverse (Inverse Service): haply:ID",
+     detail::open_haply, detail::haply_parameters, "haply:ID", detail::plugged_haply},
+    {"vrpn:", "tracker and force device of a VRPN server: vrpn:NAME@HOST", detail::open_vrpn,
+     detail::vrpn_parameters, "vrpn:NAME@HOST"},
+    {"spacenav:",
+     "SpaceMouse without force (spacenavd)",
+     detail::open_spacenav,
+     detail::spacenav_parameters,
+     {},
+     detail::plugged_spacenav},
+    {"gamepad:", "gamepad without force: gamepad:NUMBER", detail::open_gamepad,
+     detail::gamepad_parameters, "gamepad:NUMBER", detail::plugged_gamepads}};
 
 [[noreturn]] void refuse(const std::string& address, const std::string& scheme) {
   std::vector<std::string_view> names;
   std::string forms;
   for (const Scheme& known : kSchemes) {
-    if (known.open == nullptr) continue;
     names.push_back(known.name);
     forms += forms.empty() ? "" : ", ";
     forms += known.form.empty() ? known.name : known.form;
@@ -110,6 +125,40 @@ const Scheme& scheme_of(const std::string& address) {
   refuse(address, name);
 }
 
+/// An address before and behind "rotation="; the second is "" where there is none.
+std::pair<std::string, std::string> split_rotation(const std::string& address) {
+  constexpr std::string_view kName = "rotation=";
+  const std::size_t at = address.find(kName);
+  if (at == std::string::npos || at == 0 || (address[at - 1] != '?' && address[at - 1] != '&'))
+    return {address, ""};
+  return {address.substr(0, at - 1), address.substr(at + kName.size())};
+}
+
+/// Takes one parameter out of an address; its value, "" where there is none.
+std::string take_parameter(const std::string& name, std::string& address) {
+  for (std::size_t at = address.find('?'); at != std::string::npos;
+       at = address.find('&', at + 1)) {
+    if (address.compare(at + 1, name.size() + 1, name + "=") != 0) continue;
+    const std::size_t begin = at + name.size() + 2;
+    const std::size_t end = std::min(address.find('&', begin), address.size());
+    const std::string value = address.substr(begin, end - begin);
+    if (value.empty()) throw DeviceAddressError(name + "= has no value");
+    // Of the marks before and behind it, one stays where more follow.
+    const bool is_last = end == address.size();
+    address.erase(is_last ? at : at + 1, end - at);
+    return value;
+  }
+  return "";
+}
+
+double parse_bubble(const std::string& text) {
+  const double radius = detail::parse_value("device", "bubble", text);
+  if (radius >= detail::kLeastBubble && radius <= detail::kMostBubble) return radius;
+  throw DeviceAddressError("bubble = " + quoted(text) + ", expected " +
+                           detail::shortest(detail::kLeastBubble) + " to " +
+                           detail::shortest(detail::kMostBubble) + " m");
+}
+
 std::string rest_of(const std::string& address) { return address.substr(address.find(':') + 1); }
 
 }  // namespace
@@ -121,19 +170,25 @@ std::string device_scheme(std::string_view address) {
 
 std::unique_ptr<HapticDevice> open_device(const std::string& address,
                                           const DeviceContext& context) {
-  const Scheme& scheme = scheme_of(address);
-  if (scheme.open == nullptr)
-    throw DeviceUnavailable(std::string(scheme.name) +
-                            " is not available in this build, use hand: for a simulated device");
-  return scheme.open(rest_of(address), context);
+  // The last parameter, because the address behind it may have its own.
+  const auto [whole, turner] = split_rotation(address);
+  std::string place = whole;
+  const std::string bubble = take_parameter("bubble", place);
+  const Scheme& scheme = scheme_of(place);
+  const double radius = bubble.empty() ? 0.0 : parse_bubble(bubble);
+  Device device = scheme.open(rest_of(place), context);
+  if (!bubble.empty()) device = detail::make_bubble_device(std::move(device), radius);
+  if (turner.empty()) return device;
+  return detail::make_rotated_device(std::move(device), open_device(turner, context));
 }
 
-std::vector<std::string> plugged_devices(const std::string& scheme) {
+std::vector<std::string> plugged_devices(const std::string& scheme, std::string* why) {
   for (const Scheme& known : kSchemes) {
     if (known.name != scheme || known.plugged == nullptr) continue;
     try {
       return known.plugged();
-    } catch (const DeviceUnavailable&) {  // no library: the list of libraries tells
+    } catch (const DeviceUnavailable& error) {
+      if (why != nullptr) *why = error.what();
       return {};
     }
   }
@@ -150,8 +205,7 @@ void calibrate_device(const std::string& address, const CalibrationTalk& talk) {
 std::vector<DeviceScheme> device_schemes() {
   std::vector<DeviceScheme> schemes;
   for (const Scheme& scheme : kSchemes)
-    schemes.push_back(
-        {std::string(scheme.name), scheme.meaning, scheme.open != nullptr, scheme.parameters()});
+    schemes.push_back({std::string(scheme.name), scheme.meaning, scheme.parameters()});
   return schemes;
 }
 

@@ -38,9 +38,12 @@ class DeviceUnavailable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Opens "hand:", "script:FILE", "null:", each with parameters as "?name=value&name=value"
-/// (device_schemes lists them). "replay:FILE" and "web:" are opened by recording/ and session/,
-/// which know recordings and threads.
+/// Opens a device, with parameters as "?name=value&name=value" (device_schemes lists them).
+/// "replay:FILE" and "web:" are opened by recording/ and session/, which know recordings and
+/// threads. Every address takes two more: "bubble=RADIUS" [m] has the handle stand for a velocity
+/// outside a bubble about where the hand took hold; "rotation=ADDRESS", the last one, names a
+/// second device without motors for the rotation of one that senses none, as
+/// "dhd:0?rotation=spacenav:".
 ///
 /// errors   DeviceAddressError, DeviceUnavailable, InputError (a script file); one line each
 /// Thread   [offline].
@@ -64,18 +67,19 @@ struct DeviceParameter {
 struct DeviceScheme {
   std::string scheme;  // with the colon
   std::string meaning;
-  bool available = true;  // in this build
   std::vector<DeviceParameter> parameters;
 };
 
-/// Every scheme known, available ones first.
+/// Every scheme known.
 /// Thread    [offline].
 std::vector<DeviceScheme> device_schemes();
 
-/// Addresses of what is plugged in, of a scheme with the colon; none where its library is missing
-/// or nobody can tell.
+/// Addresses of what is plugged in, of a scheme with the colon; none where its library or service
+/// is missing or nobody can tell.
+///
+/// why       null, or receives what is missing and what mends it, one line
 /// Thread    [offline]; may open a device and close it again.
-std::vector<std::string> plugged_devices(const std::string& scheme);
+std::vector<std::string> plugged_devices(const std::string& scheme, std::string* why = nullptr);
 
 /// What a person is told and says while a device is calibrated.
 struct CalibrationTalk {

@@ -33,17 +33,12 @@ constexpr const char* kDhdSymbols[] = {
     "dhdGetButtonMask",     "dhdSetForceAndTorqueAndGripperForce",
     "dhdEnableForce",       "dhdStop"};
 
-constexpr const char* kSpacenavNames[] = {"libspnav.so.0", "libspnav.so"};
-constexpr const char* kSpacenavSymbols[] = {"spnav_open", "spnav_close", "spnav_poll_event"};
-
 constexpr VendorLibrary kLibraries[] = {
     {"openhaptics:", "3D Systems Touch, Phantom (OpenHaptics)", kHdNames, kHdSymbols,
      "Install the Touch driver and OpenHaptics for Linux from 3D Systems, then run ldconfig."},
     {"dhd:", "Force Dimension omega, delta, sigma, lambda; Novint Falcon", kDhdNames, kDhdSymbols,
      "Install the Force Dimension SDK and copy its shared libraries to /usr/local/lib, then run "
      "ldconfig."},
-    {"spacenav:", "3Dconnexion SpaceMouse (no force)", kSpacenavNames, kSpacenavSymbols,
-     "Install the Debian packages libspnav0 and spacenavd."},
 };
 
 /// Folders the loader looks into, as far as they matter for a better word than "no such file".

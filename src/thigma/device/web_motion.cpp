@@ -3,27 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thigma/math/elementary.h"
+#include "thigma/device/detail/pose_follower.h"
 #include "thigma/math/rotation.h"
 
 namespace thigma {
+
+using namespace detail;
+
 namespace {
-
-/// Critically damped motion of an offset from rest, exact over a step.
-struct Decay {
-  Vec3 offset, rate;
-};
-Decay decayed(const Vec3& offset, const Vec3& rate, double omega, double h) THIGMA_RT {
-  const double e = exponential(-omega * h);
-  const Vec3 c = rate + omega * offset;
-  return {e * (offset + h * c), e * (rate - omega * h * c)};
-}
-
-Vec3 at_most(const Vec3& v, double limit) THIGMA_RT {
-  const double n = v.norm();
-  if (n <= limit) return v;
-  return (limit / n) * v;
-}
 
 /// From a to b, beyond b where u > 1; the shorter way round.
 Pose between(const Pose& a, const Pose& b, double u) THIGMA_RT {
@@ -31,9 +18,6 @@ Pose between(const Pose& a, const Pose& b, double u) THIGMA_RT {
   return {a.position + u * (b.position - a.position),
           (rotation_from_vector(u * turn) * a.orientation).normalized()};
 }
-
-/// A late tick makes neither the handle nor its weight leap.
-double step_of(double elapsed) THIGMA_RT { return std::clamp(elapsed, 0.0, 0.010); }
 
 }  // namespace
 
@@ -141,21 +125,8 @@ Pose WebMotion::target(double now) const THIGMA_RT {
 void WebMotion::follow(const Pose& target, double elapsed) THIGMA_RT {
   const double h = step_of(elapsed);
   if (h <= 0.0) return;
-  Pose& pose = motion_.pose;
-  const Vec3 away = pose.position - target.position;
-  const Decay way = decayed(away, motion_.twist.linear, params_.stiffness, h);
-  const Vec3 step = way.offset - away;
-  const Vec3 moved = at_most(step, params_.max_speed * h);
-  pose.position += moved;
-  motion_.twist.linear = at_most(moved == step ? way.rate : Vec3(moved / h), params_.max_speed);
-
-  const Vec3 turned_away = vector_from_rotation(pose.orientation * target.orientation.conjugate());
-  const Decay turn = decayed(turned_away, motion_.twist.angular, params_.stiffness, h);
-  const Vec3 turn_step = turn.offset - turned_away;
-  const Vec3 turned = at_most(turn_step, params_.max_angular_speed * h);
-  pose.orientation = (rotation_from_vector(turned) * pose.orientation).normalized();
-  motion_.twist.angular =
-      at_most(turned == turn_step ? turn.rate : Vec3(turned / h), params_.max_angular_speed);
+  follow_position(target.position, params_.stiffness, params_.max_speed, h, motion_);
+  follow_orientation(target.orientation, params_.stiffness, params_.max_angular_speed, h, motion_);
 }
 
 void WebMotion::weigh(double now, double elapsed) THIGMA_RT {

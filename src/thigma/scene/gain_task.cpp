@@ -38,7 +38,11 @@ DevicePort open_port(const std::string& uri) {
     const auto link = std::make_unique<WebDeviceChannel>();
     return port_of_limits(*make_web_device(*link, {}));
   }
-  if (scheme != "replay") return port_of_limits(*open_device(uri));
+  if (scheme != "replay") {
+    DevicePort port = port_of_limits(*open_device(uri));
+    port.delay = port.limits.delay;  // as its driver measured it
+    return port;
+  }
   DevicePort port;  // its forces are felt by nobody
   port.name = "replay";
   return port;

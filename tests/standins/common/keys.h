@@ -54,7 +54,28 @@ namespace standin {
   X(off_scheduler, 0) X(torque_sets, 0) X(torque_ignored, 0) X(torque_nonzero, 0) \
   X(watchdog_trips, 0) \
   X(velocity_trips, 0) X(saturations, 0) X(timeguards, 0) X(force_max, 0) X(torque_max, 0) \
-  X(expert_calls, 0) X(sdk_calls, 0)
+  X(expert_calls, 0) X(sdk_calls, 0) \
+  /* services: where they listen, how they answer */ \
+  X(port, 0) X(events_port, 0) X(form, 0) X(protocol, 1) X(delay_ms, 0) X(repeat_ms, -1) \
+  X(dead_zone, 2) X(counts_max, 350) X(udp, 1) X(velocity_reports, 1) X(force_reports, 1) \
+  X(drop_resets, 1) X(calibrated, 1) X(ready, 1) X(powered, 1) X(started, 1) X(in_use_by_other, 0) \
+  X(verse_grip, 2) X(grip_ready, 1) X(grip_battery, 0.8) X(no_version, 0) X(pad_type, 0) \
+  X(no_permission, 0) X(not_a_pad, 0) X(rumble, 1) \
+  /* faults of what is sent: the kind, until 0 */ \
+  X(garbage, 0) X(half, 0) X(drop, 0) X(refuse, 0) X(die, 0) X(wrong_cookie, 0) X(lie_length, 0) \
+  X(null_pose, 0) X(overrun, 0) \
+  /* axes of mice and pads, as the device tells them */ \
+  X(axis_x, 0) X(axis_y, 0) X(axis_z, 0) X(axis_rx, 0) X(axis_ry, 0) X(axis_rz, 0) \
+  X(hat_x, 0) X(hat_y, 0) \
+  /* what services were sent */ \
+  X(clients, 0) X(connections, 0) X(messages, 0) X(answers, 0) X(bad_messages, 0) X(wrong_form, 0) \
+  X(probes, 0) X(configures, 0) X(positions, 0) X(keepalives, 0) X(fields, 0) X(field_active, 0) \
+  X(field_fx, 0) X(field_fy, 0) X(field_fz, 0) X(field_ox, 0) X(field_oy, 0) X(field_oz, 0) \
+  X(field_jxx, 0) X(field_jxy, 0) X(field_jxz, 0) X(field_jyx, 0) X(field_jyy, 0) \
+  X(field_jyz, 0) X(field_jzx, 0) X(field_jzy, 0) X(field_jzz, 0) X(field_radius, 0) \
+  X(outside_field, 0) X(reports, 0) X(udp_reports, 0) X(udp_messages, 0) X(lobs, 0) X(sensitivity, 1) X(grabbed, 0) \
+  X(clock_id, 0) X(effects, 0) X(effect_uploads, 0) X(effect_erases, 0) X(effect_plays, 0) \
+  X(rumble_strong, 0) X(rumble_weak, 0) X(rumble_ms, 0) X(rumble_on, 0) X(rumble_off_time, 0)
 // clang-format on
 
 enum Key : int {
