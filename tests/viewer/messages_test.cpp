@@ -86,6 +86,22 @@ TEST(Messages, UnknownNumbersAreNull) {
   EXPECT_TRUE(json["constraint"].is_null());
 }
 
+TEST(Messages, StateTellsTheStricterLimitOfDeviceAndSafety) {
+  HapticParams params;
+  params.device.max_force = 3.3;
+  params.safety.max_force = 2.0;
+  params.device.max_torque = 0.1;
+  RunState state;
+  state.limits = wrench_limits(params);
+  const Json json = Json::parse(state_message(state, Timing{}, "you", 0, 0, 0))["limits"];
+  EXPECT_EQ(json["force"], 2.0);
+  EXPECT_EQ(json["torque"], 0.1);
+  params.device.actuates_rotation = false;
+  state.limits = wrench_limits(params);
+  EXPECT_TRUE(
+      Json::parse(state_message(state, Timing{}, "you", 0, 0, 0))["limits"]["torque"].is_null());
+}
+
 TEST(Messages, StateCountsTheRowsOfASessionUnderConstraints) {
   Timing timing{};
   timing.held_back = 0.25;

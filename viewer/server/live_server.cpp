@@ -101,6 +101,7 @@ void LiveServer::Impl::began(const LiveStart& start) {
   {
     const std::lock_guard lock(mutex);
     is_restarting = false;
+    state.limits = next_limits;
     lock_tuner();
     tuner.judge_for(start.gains);
   }
@@ -166,6 +167,7 @@ void LiveServer::prepare_session(SessionConfig& config) {
   const std::lock_guard lock(impl_->mutex);
   impl_->is_restarting = true;
   impl_->tuner.apply_to(config);
+  impl_->next_limits = wrench_limits(config.haptic);
   impl_->ports->is_paused = false;
   impl_->ports->steps = 0;
   impl_->feed.begin_session(config.haptic.workspace);

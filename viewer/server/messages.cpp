@@ -1,5 +1,6 @@
 #include "viewer/server/messages.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "viewer/server/protocol.h"
@@ -225,6 +226,14 @@ std::string parameters_message(const std::vector<LiveParameter>& list) {
   return dumped(json);
 }
 
+WrenchLimits wrench_limits(const HapticParams& params) {
+  WrenchLimits limits;
+  limits.force = std::min(params.safety.max_force, params.device.max_force);
+  if (params.device.actuates_rotation)
+    limits.torque = std::min(params.safety.max_torque, params.device.max_torque);
+  return limits;
+}
+
 std::string state_message(const RunState& s, const Timing& t, std::string_view holder,
                           std::uint64_t dropped_yours, std::uint64_t dropped_rows,
                           std::uint64_t dropped_samples) {
@@ -245,6 +254,7 @@ std::string state_message(const RunState& s, const Timing& t, std::string_view h
   json["fault"] = s.fault.name.empty() ? Json(nullptr) : trouble_json(s.fault);
   json["late"] = s.lates == 0 ? Json(nullptr) : trouble_json(s.late);
   if (s.lates > 0) json["late"]["count"] = s.lates;
+  json["limits"] = {{"force", finite(s.limits.force)}, {"torque", finite(s.limits.torque)}};
   json["constraint"] = constraint_json(s.rows, t);
   json["timing"] = {{"step_cpu_us", micro(t.step_p50, t.step_p99)},
                     {"wake_late_us", micro(t.late_p50, t.late_p99)},

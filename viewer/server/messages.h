@@ -1,6 +1,7 @@
 #pragma once
 // The text messages of docs/protocol.md: what pages ask for, and what they are told.
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -90,6 +91,16 @@ struct RowsNow {
   double travel = 0.0, look_ahead = 0.0;                            // [m]
 };
 
+/// What the hand can be made to feel at most, device size; NaN: not known, or nothing turns it.
+struct WrenchLimits {
+  double force = std::numeric_limits<double>::quiet_NaN();   // [N]
+  double torque = std::numeric_limits<double>::quiet_NaN();  // [N m]
+};
+
+/// By the safety limits and those of the device.
+/// Thread    any
+WrenchLimits wrench_limits(const HapticParams& params);
+
 /// How the session stands, for `state`.
 struct RunState {
   int session = 0;
@@ -107,6 +118,7 @@ struct RunState {
   Trouble late;             // the last one ...
   std::uint64_t lates = 0;  // ... of so many
   std::optional<RowsNow> rows;
+  WrenchLimits limits;
 };
 
 /// Over the last second; NaN: nothing was measured.

@@ -98,6 +98,7 @@ struct LiveServer::Impl {
   mutable std::mutex mutex;  // of what follows; never held for longer than a copy takes
   Tuner tuner;
   bool is_restarting = true;
+  WrenchLimits next_limits;  // of the session that is being prepared
   std::deque<LiveRequest> requests;
 
   // The server's thread only.

@@ -25,7 +25,7 @@ function pageTest(name, options, body) {
     page.setDefaultTimeout(150000);
     try {
       if (options.prepare) await page.addInitScript(options.prepare);
-      await page.goto(`http://127.0.0.1:${mock.port}/`);
+      await page.goto(`http://127.0.0.1:${mock.port}/${options.query ?? ""}`);
       await page.waitForFunction(() => window.thigma?.session.counts.snapshot > 5 && window.thigma.session.counts.mesh === 2);
       await body({ mock, page, errors });
       assert.deepEqual(errors.filter((text) => !(options.mayReport ?? /^$/).test(text)), []);
@@ -178,14 +178,14 @@ pageTest("a drag moves the hand until the object touches, and not through", {}, 
     const { stage, session } = window.thigma, at = stage.object.group.position, ghost = stage.ghost.group.position;
     return { object: at.toArray(), ghost: ghost.toArray(), arrow: stage.force.group.visible, length: stage.force.group.children[0].scale.z,
       ghostSeen: stage.ghost.group.visible, dots: stage.marks.dots[0].count, force: Math.hypot(...session.snapshot.force),
-      sent: session.sent, active: stage.object.finest.bytes.filter((level) => level > 0).length,
-      spots: stage.object.finest.uniforms.spotCount.value };
+      sent: session.sent, ...[stage.object.finest, ...stage.object.levels.values()].filter(({ solid }) => solid.visible).map((one) =>
+        ({ spots: one.uniforms.spotCount.value }))[0] };
   });
   seen.object.forEach((value, k) => assert.ok(Math.abs(value - mock.world.object[k]) < 2e-4, "drawn where the engine has it"));
   assert.ok(seen.ghost[2] < seen.object[2] - 0.001 && seen.ghostSeen, "the ghost goes on, the object does not");
   assert.ok(mock.world.object[2] < start[2] && seen.object[2] > -0.0025, "down, but not through");
   assert.ok(seen.arrow && seen.length > 0 && seen.force > 0.3);
-  assert.ok(seen.dots > 0 && seen.active > 0 && seen.spots > 0, "contacts are marked and coloured");
+  assert.ok(seen.dots > 0 && seen.spots > 0, "contacts are marked and coloured");
   assert.deepEqual(mock.received.refused, []);
   await page.getByRole("tab", { name: "Events" }).click();
   await page.getByText("The hand took hold of the object").first().waitFor();
@@ -229,7 +229,7 @@ pageTest("hovering neither takes the hand nor loses it", {}, async ({ page, mock
 pageTest("another scene begins without the arrow, the ghost and the contacts of the one before", { device: "hand:" }, async ({ page, mock }) => {
   const marks = () => page.evaluate(() => { const { stage } = window.thigma;
     return [stage.force.group, stage.twist.group, stage.spring.group, stage.ghost.group].map(({ visible }) => visible)
-      .concat(stage.marks.dots[0].count > 0, stage.object.finest.bytes.some((level) => level > 0)); });
+      .concat(stage.marks.dots[0].count > 0, [stage.object.finest, ...stage.object.levels.values()].some(({ bytes }) => bytes.some((level) => level > 0))); });
   await page.waitForFunction(() => window.thigma.stage.force.group.visible && window.thigma.stage.marks.dots[0].count > 0);
   mock.silence(true); // a session that takes its time to begin
   const meshes = await page.evaluate(() => window.thigma.session.counts.mesh);
@@ -303,7 +303,7 @@ pageTest("parameters change, and a refusal says why", {}, async ({ page, mock })
   await page.waitForFunction(() => document.querySelector(".words [aria-checked=true]").textContent === "direct");
 });
 
-pageTest("levels: patches of any, and the active ones where the finest is only lines", { device: "hand:" }, async ({ page, mock }) => {
+pageTest("levels: patches of any, and the active ones where the finest is only lines", { device: "hand:", query: "?picture=full" }, async ({ page, mock }) => {
   await page.getByRole("tab", { name: "Levels" }).click();
   await page.getByRole("radio", { name: "lower block, level 2" }).click();
   await page.getByText("672 triangles in 36 convex patches; nowhere more than 320 µm off the original.").waitFor();
@@ -324,6 +324,29 @@ pageTest("levels: patches of any, and the active ones where the finest is only l
   });
   assert.deepEqual([...new Set(asked())].sort(), ["0 1", "0 2", "1 1", "1 2"]);
   assert.equal(asked().length, 4, "each is asked for once");
+});
+
+pageTest("where the processor draws, the view keeps its size and levels of detail are drawn", { device: "hand:" }, async ({ page, mock }) => {
+  const seen = () => page.evaluate(() => { const { stage } = window.thigma, { canvas } = stage;
+    return { pixels: [canvas.width, canvas.height], view: [canvas.clientWidth, canvas.clientHeight], plain: stage.plain,
+      drawn: [stage.object, ...stage.statics].map((body) => body.drawn),
+      shown: [stage.object, ...stage.statics].map((body) => [[0, body.finest], ...body.levels].filter(([, one]) => one.solid.visible).map(([level]) => level)),
+      ghost: stage.ghost.glass.geometry === (stage.object.levels.get(stage.object.drawn) ?? stage.object.finest).geometry }; });
+  await drawnSince(page);
+  await page.evaluate(() => Object.assign(window.thigma.stage, { resized: true, dirty: true }) && Object.assign(window.thigma.stage.pace, { step: 6, fixed: true }));
+  await page.waitForFunction(() => window.thigma.stage.object.drawn > 0 && window.thigma.stage.statics[0].drawn > 0);
+  const coarse = await seen();
+  assert.ok(coarse.plain && coarse.ghost, JSON.stringify(coarse));
+  assert.deepEqual(coarse.pixels, coarse.view, "at the slowest as large as the view");
+  assert.deepEqual(coarse.shown, coarse.drawn.map((level) => [level]), "one surface an object");
+  assert.ok(mock.received.text.some(({ type, mesh, value }) => type === "level" && mesh === 0 && value === coarse.drawn[0]));
+  await page.waitForFunction(() => { // contacts of all levels are marked on what is drawn
+    const { object } = window.thigma.stage;
+    return object.levels.get(object.drawn).uniforms.spotCount.value > 0;
+  });
+  await page.mouse.move(300, 300);
+  await page.mouse.wheel(0, -4000); // so near that nothing but the original is fine enough
+  await page.waitForFunction(() => window.thigma.stage.object.drawn === 0);
 });
 
 pageTest("a scene, a recording and a mesh of one's own are opened from the menu", { device: "hand:" }, async ({ page, mock }) => {
