@@ -118,6 +118,23 @@ TEST(Messages, StateCountsTheRowsOfASessionUnderConstraints) {
   EXPECT_EQ(json["squeezed"], 0.0);
 }
 
+TEST(Messages, AStripIsShortAndNamesWhatIsNotKnown) {
+  const Json json = Json::parse(strip_message(12.5, {0.0f, 1.23456f, std::nanf("")}));
+  EXPECT_EQ(json["type"], "strip");
+  EXPECT_EQ(json["seconds"], 12.5);
+  EXPECT_EQ(json["force"][0], 0.0);
+  EXPECT_NEAR(json["force"][1].get<double>(), 1.2346, 1e-9);
+  EXPECT_TRUE(json["force"][2].is_null());
+}
+
+TEST(Messages, CancelAndSpeedAreUnderstood) {
+  EXPECT_EQ(parse_command(R"({"type":"cancel","id":1})").command.kind, Command::Kind::cancel);
+  const ParsedCommand speed = parse_command(R"({"type":"speed","id":2,"value":0.25})");
+  EXPECT_EQ(speed.refusal.code, 0);
+  EXPECT_EQ(speed.command.number, 0.25);
+  EXPECT_NE(parse_command(R"({"type":"speed","id":2})").refusal.code, 0);
+}
+
 TEST(Messages, HelloNamesEveryFaultAndChannel) {
   const SceneView view{"", "", "thigma 9", {}, {}};
   const Json json = Json::parse(hello_message(view, {3, false}, 0.2, 4096));

@@ -5,7 +5,7 @@ import { disposeSurface, makeSurface, markSurface, paintSurface, shadeSurface, s
 /// mesh    decoded `mesh`; about   its entry in `scene`
 export function makeBody(mesh, about) {
   const finest = makeSurface(mesh);
-  return { group: finest.group, geometry: finest.geometry, finest, about, levels: new Map(), browsed: null, wireframe: false,
+  return { group: finest.group, geometry: finest.geometry, finest, about, levels: new Map(), relief: null, browsed: null, wireframe: false,
     drawn: 0, rich: true, colours: null };
 }
 
@@ -30,6 +30,17 @@ export function addLevel(body, message) {
   arrange(body);
 }
 
+/// What level 0 is felt as: its triangles divided and displaced, by the patches of level 0. `message` decoded `relief`.
+export function addRelief(body, message) {
+  const { nodeOfPatch, parents, levels } = body.finest.mesh;
+  if (body.relief || message.patches !== nodeOfPatch.length) return;
+  body.relief = makeSurface({ ...message, nodeOfPatch, parents, levels }, body.finest.ranges);
+  body.group.add(body.relief.group);
+  if (body.colours) paintSurface(body.relief, body.colours);
+  shadeSurface(body.relief, body.rich);
+  arrange(body);
+}
+
 /// colours   {base, line, sky}
 export function paintBody(body, colours) {
   body.colours = colours;
@@ -41,7 +52,7 @@ export function shadeBody(body, rich) {
   for (const surface of surfaces(body)) shadeSurface(surface, rich);
 }
 
-const surfaces = (body) => [body.finest, ...body.levels.values()];
+const surfaces = (body) => [body.finest, ...body.levels.values(), ...(body.relief ? [body.relief] : [])];
 const surfaceOf = (body, level) => body.levels.get(level) ?? body.finest;
 
 /// wireframe   the finest resolution as lines and only what is active as surface (Fig. 3.1)
@@ -60,8 +71,11 @@ export function drawLevel(body, wanted) {
   return true;
 }
 
+/// The surface of the level that is drawn, without relief.
+export const smoothSurface = (body) => surfaceOf(body, body.drawn);
+
 /// The surface that shows the object as it is.
-export const shownSurface = (body) => surfaceOf(body, body.drawn);
+const shownSurface = (body) => (body.drawn === 0 && body.relief ? body.relief : smoothSurface(body));
 
 /// Of the surfaces one is whole, or each is where its level is active.
 function arrange(body) {
@@ -70,7 +84,7 @@ function arrange(body) {
   for (const surface of surfaces(body)) {
     const isBrowsed = browsed !== null && surface === whole;
     tintPatches(surface, isBrowsed ? browsed : null);
-    const solid = surface === whole ? "whole" : whole === null ? "active" : "none";
+    const solid = surface === whole ? "whole" : whole === null && surface !== body.relief ? "active" : "none";
     showParts(surface, solid, isBrowsed ? 0.3 : wireframe && browsed === null && surface === body.finest ? 0.16 : 0);
   }
 }

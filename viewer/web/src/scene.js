@@ -10,7 +10,7 @@ import { makeArrow, makeContactMarks, makeRod, makeTwist, paintArrow, paintRod, 
   setRod, setTwist } from "./marks.js";
 import { makeRowMarks, setRowMarks } from "./rowmarks.js";
 import { STATE } from "./protocol.js";
-import { addLevel, disposeBody, drawLevel, lacksLevel, makeBody, markContacts, paintBody, shadeBody, showBody, shownSurface } from "./body.js";
+import { addLevel, addRelief, disposeBody, drawLevel, lacksLevel, makeBody, markContacts, paintBody, shadeBody, showBody, smoothSurface } from "./body.js";
 import { makePace, notePicture, PLAIN_STEP, restAfter, STEPS } from "./pace.js";
 import { colour } from "./theme.js";
 
@@ -92,6 +92,13 @@ export function takeLevel(stage, message) {
   stage.dirty = stage.moved = true;
 }
 
+/// A `relief` message has come.
+export function takeRelief(stage, message) {
+  for (const body of bodies(stage)) if (body.about.mesh === message.number) addRelief(body, message);
+  if (stage.last) showContacts(stage, stage.last);
+  stage.dirty = stage.moved = true;
+}
+
 /// Shows the patches of a level of one body, or with null the body as it is.
 export function browseLevel(stage, body, level) {
   showBody(body, { browsed: level });
@@ -117,15 +124,15 @@ function chooseLevels(stage) {
   const at = new Vector3();
   let changed = false;
   for (const body of bodies(stage)) {
-    const { center, radius, level_list: list } = body.about;
+    const { center, radius, level_list: list, relief } = body.about;
     stage.root.localToWorld(at.set(...center).applyQuaternion(body.group.quaternion).add(body.group.position));
     const nearest = Math.max(stage.view.camera.near, depthOf(stage.view, at) - radius / stage.radius);
     const metres = unitsPerPixel(stage.view, nearest, stage.canvas.clientHeight) * stage.radius;
-    const level = levelToDraw(list, metres, off);
+    const level = levelToDraw(list, metres, off - (relief ?? 0) / metres); // a level has none of it
     want(stage, body, level);
     if (!drawLevel(body, level)) continue;
     changed = true;
-    if (body === stage.object) shapeGhost(stage.ghost, shownSurface(body).geometry);
+    if (body === stage.object) shapeGhost(stage.ghost, smoothSurface(body).geometry); // glass shows no relief
   }
   if (changed && stage.last) showContacts(stage, stage.last);
 }
@@ -254,10 +261,10 @@ function setQuality(stage) {
   stage.moved = true;
 }
 
-/// Draws when something has changed and the last picture is done; true when it did. Handing over more pictures than the
-/// graphics can make would in the end hold up this thread, and with it the hand. Where a picture takes long, pictures get
-/// half of the time, as the engine and the page need the rest, and the next ones are simpler.
-export function draw(stage) {
+/// Whether the last picture is done and the machine has had its rest. Handing over more pictures than the graphics can make
+/// would in the end hold up this thread, and with it the hand. Where a picture takes long, pictures get half of the time, as
+/// the engine and the page need the rest, and the next ones are simpler.
+export function isReady(stage) {
   const gl = stage.renderer.getContext(), now = performance.now();
   if (stage.fence && !gl.isContextLost()) {
     if (gl.getSyncParameter(stage.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
@@ -267,13 +274,19 @@ export function draw(stage) {
     stage.rested = now + 1e3 * restAfter(took, stage.plain);
     stage.resized ||= notePicture(stage.pace, took);
   }
-  if (now < stage.rested || !(stage.dirty || stage.view.changed)) return false;
+  return now >= stage.rested;
+}
+
+/// Draws when something has changed; true when it did. Only where isReady.
+export function draw(stage) {
+  if (!(stage.dirty || stage.view.changed)) return false;
+  const gl = stage.renderer.getContext();
   if (stage.resized) setQuality(stage);
   chooseLevels(stage);
   stage.dirty = stage.view.changed = false;
   stage.renderer.shadowMap.needsUpdate = stage.moved;
   stage.moved = false;
-  stage.begun = now;
+  stage.begun = performance.now();
   stage.renderer.render(stage.scene, stage.view.camera);
   stage.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
   gl.flush();

@@ -103,7 +103,10 @@ void main() {
   vec3 n = normalize(facing);
   vec3 light = mix(vec3(0.25, 0.22, 0.19), vec3(1.0), 0.5 + 0.5 * n.z) * sky + ${KEY.strength.toFixed(3)} * ${glsl(KEY.tone)} * max(0.0, dot(n, ${direction(KEY)}))
     + ${RIM.strength.toFixed(3)} * ${glsl(RIM.tone)} * max(0.0, dot(n, ${direction(RIM)})) + 0.28;
-  gl_FragColor = vec4(min(markedColour(base) * light * 0.31831, vec3(1.0)), 1.0);
+  vec3 lit = markedColour(base) * light * 0.31831;
+  float peak = max(lit.r, max(lit.g, lit.b)), over = peak - 0.76; // bright ones flatten out, as by NeutralToneMapping
+  if (over > 0.0) lit *= (1.0 - 0.0576 / (over + 0.24)) / peak;
+  gl_FragColor = vec4(lit, 1.0);
   #include <colorspace_fragment>
 }`,
   });

@@ -5,7 +5,7 @@ const PREFIXES = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-
 /// The unit of a number that is at most about `full`: 3.3, "N" -> newtons with two decimals; 0.1, "N m" -> mN m with one.
 /// returns   {scale, unit, decimals}
 export function steadyUnit(full, unit) {
-  const known = Number.isFinite(full) && full > 0 ? full : 1;
+  const known = Number.isFinite(full) && full > 0 ? full : 2; // of SI units
   const [scale, prefix] = PREFIXES.find(([at]) => known >= 2 * at) ?? PREFIXES[PREFIXES.length - 1];
   return { scale, unit: prefix + unit, decimals: Math.max(1, 2 - Math.floor(Math.log10(known / scale))) };
 }
