@@ -1,6 +1,7 @@
 // Another scene, a recording, or a mesh of one's own: from a menu, or dropped on the page.
 import { count, digits } from "./format.js";
 import { encodeUpload } from "./protocol.js";
+import { whatToTry } from "./scenes.js";
 
 function element(kind, className = "", text = "") {
   return Object.assign(document.createElement(kind), { className, textContent: text });
@@ -55,7 +56,8 @@ function showMenu(opener) {
     group.append(...items.map(({ name, title }) => {
       const item = button("", () => choose(opener, name), "open-item");
       item.append(element("b", "", title || name));
-      if (title && title !== name) item.append(element("span", "note", name));
+      const words = whatToTry(name) || (title && title !== name ? name : "");
+      if (words) item.append(element("span", "note", words));
       item.setAttribute("aria-current", String(name === opener.name));
       return item;
     }));
