@@ -105,7 +105,7 @@ DroppedMesh::~DroppedMesh() {
   if (!folder_.empty()) fs::remove_all(folder_, ignored);
 }
 
-const MeshReport& DroppedMesh::keep(const std::string& name, const std::string& bytes) {
+std::string DroppedMesh::new_place() {
   std::error_code error;
   if (folder_.empty()) {
     std::string made = (fs::temp_directory_path(error) / "thigma-XXXXXX").string();
@@ -115,6 +115,28 @@ const MeshReport& DroppedMesh::keep(const std::string& name, const std::string& 
   }
   const fs::path place = fs::path(folder_) / std::to_string(++count_);
   fs::create_directory(place, error);
+  return place.string();
+}
+
+std::string DroppedMesh::keep_recording(const std::string& name, const std::string& bytes) {
+  const fs::path place = new_place();
+  const std::string path = (place / harmless(name)).string();
+  std::error_code ignored;
+  try {
+    write_file(path, bytes);
+  } catch (const IoError&) {
+    fs::remove_all(place, ignored);
+    throw;
+  }
+  // The one before may still be shown: its open file outlives its name.
+  if (!recording_.empty()) fs::remove_all(fs::path(recording_).parent_path(), ignored);
+  recording_ = path;
+  return path;
+}
+
+const MeshReport& DroppedMesh::keep(const std::string& name, const std::string& bytes) {
+  const fs::path place = new_place();
+  std::error_code error;
   const std::string path = (place / harmless(name)).string();
   MeshReport report;
   try {
@@ -145,6 +167,8 @@ void DroppedMesh::tidy(const SceneDescription& now) {
     return true;
   });
 }
+
+bool is_recording_name(const std::string& name) { return fs::path(name).extension() == ".mcap"; }
 
 std::string model_message(std::int64_t id, const DroppedMesh& mesh, double radius) {
   nlohmann::ordered_json json = {{"type", "model"}, {"id", id}, {"name", mesh.name()}};

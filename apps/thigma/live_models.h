@@ -29,6 +29,9 @@ class DroppedMesh {
   /// tidy(), as a session may stand on it.
   /// Throws IoError, and InputError for what is no mesh, of which nothing is kept.
   const MeshReport& keep(const std::string& name, const std::string& bytes);
+  /// Keeps a recording in place of the one before, which nothing reads any more then.
+  /// returns its path; throws IoError
+  std::string keep_recording(const std::string& name, const std::string& bytes);
   /// Removes what was kept, but for the last and what the scene that runs is made of.
   void tidy(const SceneDescription& now);
   bool is_there() const { return !path_.empty(); }
@@ -37,11 +40,16 @@ class DroppedMesh {
   const MeshReport& report() const { return report_; }
 
  private:
-  std::string folder_, path_, name_;
+  std::string new_place();  // a folder for one file; throws IoError
+
+  std::string folder_, path_, name_, recording_;
   MeshReport report_;
   std::vector<std::string> kept_;  // paths, the last included
   int count_ = 0;
 };
+
+/// Whether a file that a page has sent is a recording by its name.
+bool is_recording_name(const std::string& name);
 
 /// `model`: what the program thinks of a mesh, and what one unit of it might be.
 /// radius  of the object in the hand now, which a likely unit makes it most like [m]

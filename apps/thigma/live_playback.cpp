@@ -11,6 +11,7 @@ using Kind = live::LiveRequest::Kind;
 
 constexpr std::int64_t kFrame = 10'000'000;  // between two pictures [ns]
 constexpr std::size_t kMostFrames = 240;     // of a recording, at once
+constexpr std::size_t kStripParts = 300;     // of the strip of force beside its slider
 
 /// What watches without writing anything.
 SessionSinks watchers(live::LiveServer& server) {
@@ -60,6 +61,7 @@ void show_playback(LivePlayback show) {
   start.is_simulated = true;
   start.replay = playback.file();
   start.replay_seconds = playback.seconds();
+  start.replay_force = playback.force_strip(kStripParts);
   show.server.begin_session(start);
   ContactScratch scratch;
   reserve_contact_scratch(show.config.contact, scratch);
@@ -78,7 +80,7 @@ void show_playback(LivePlayback show) {
       playback.advance_to(std::numeric_limits<double>::infinity(), 1, sinks);
       due = playback.time();
     } else if (!show.server.ports().is_paused && !playback.is_over()) {
-      due += 1e-9 * static_cast<double>(now - last);
+      due += 1e-9 * static_cast<double>(now - last) * show.server.replay_speed();
       playback.advance_to(due, kMostFrames, sinks);
     }
     last = now;

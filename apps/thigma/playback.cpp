@@ -21,15 +21,17 @@ FileSource open_recording(const std::string& path) {
 }  // namespace
 
 Playback::Playback(const std::string& path) : file_(path), source_(open_recording(path)) {
-  recording_ = stream_recording(source_, path,
-                                {{},
-                                 [this](const HapticSample& frame, const SamplePlace& place) {
-                                   if (frames_.empty()) frame_ = frame;
-                                   frames_.push_back({frame.time, frame.is_grasped, place});
-                                 },
-                                 [this](const ContactSample& contact, const SamplePlace& place) {
-                                   contacts_.push_back({contact.time, place});
-                                 }});
+  recording_ = stream_recording(
+      source_, path,
+      {{},
+       [this](const HapticSample& frame, const SamplePlace& place) {
+         if (frames_.empty()) frame_ = frame;
+         const double newtons = frame.feedback.force.norm();
+         frames_.push_back({frame.time, static_cast<float>(newtons), frame.is_grasped, place});
+       },
+       [this](const ContactSample& contact, const SamplePlace& place) {
+         contacts_.push_back({contact.time, place});
+       }});
   config_ = read_config(recording_.config, path);
   if (frames_.empty())
     throw InputError(path + ": no frame, in the recording, expected one at least");
@@ -37,6 +39,18 @@ Playback::Playback(const std::string& path) : file_(path), source_(open_recordin
 
 double Playback::seconds() const { return frames_.back().time; }
 double Playback::time() const { return frame_.time; }
+
+std::vector<float> Playback::force_strip(std::size_t parts) const {
+  std::vector<float> strip(parts, 0.0f);
+  const double begin = frames_.front().time, length = seconds() - begin;
+  for (const FrameEntry& frame : frames_) {
+    const double share = length > 0.0 ? (frame.time - begin) / length : 0.0;
+    const auto part =
+        std::min(parts - 1, static_cast<std::size_t>(share * static_cast<double>(parts)));
+    strip[part] = std::max(strip[part], frame.force);
+  }
+  return strip;
+}
 
 HapticSample Playback::read(std::size_t index) { return read_frame(source_, frames_[index].place); }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "run_options.h"
 
@@ -25,6 +26,8 @@ class Playback {
   const RecordedConfig& config() const { return config_; }
   double seconds() const;  // time of the last frame [s]
   double time() const;     // of the newest frame that was sent [s]
+  /// The largest force on the hand in each of so many equally long parts [N].
+  std::vector<float> force_strip(std::size_t parts) const;
   bool is_over() const { return next_ >= frames_.size(); }
   /// The newest frame that was sent; the first before any was.
   const HapticSample& frame() const { return frame_; }
@@ -38,6 +41,7 @@ class Playback {
  private:
   struct FrameEntry {
     double time;  // [s]
+    float force;  // on the hand [N]
     bool is_grasped;
     SamplePlace place;
   };

@@ -184,7 +184,7 @@ class LiveRun {
     if (request_) return request_;
     request_ = server_.take_request();
     if (!request_) return request_;
-    if (request_->kind == Kind::inspect) {
+    if (request_->kind == Kind::inspect && !is_recording_name(request_->text)) {
       look_at_dropped();
     } else if (!moves_within_recording(*request_)) {
       judge();
@@ -198,11 +198,17 @@ class LiveRun {
 
   void judge() {
     std::string why;
+    server_.set_preparing(true);
     try {
-      change_ = make_change(*request_, now());
+      // A recording that was dropped on the page is kept and shown.
+      change_ =
+          request_->kind == Kind::inspect
+              ? change_to_recording(dropped_.keep_recording(request_->text, request_->data), now())
+              : make_change(*request_, now());
     } catch (const std::exception& error) {
       why = error.what();
     }
+    server_.set_preparing(false);
     if (std::exchange(has_progress_, false)) server_.show_progress("", 1.0);
     if (why.empty()) return;
     server_.answer(*request_, why);
@@ -238,6 +244,7 @@ class LiveRun {
     hooks.log = [this](const std::string& line) { program_.log(line); };
     hooks.progress = [this](const std::string& what, double share) {
       if (is_told_to_stop()) throw std::runtime_error("told to stop");
+      if (server_.is_cancelled()) throw std::runtime_error("cancelled");
       has_progress_ = true;
       server_.show_progress(what, share);
     };

@@ -29,6 +29,11 @@ live::LiveParameter choice(const char* name, const char* label, const char* help
   return p;
 }
 
+/// What is felt in place of level 0; null where that is smooth.
+const HapticTexture* relief_of(const TexturedBody& body) {
+  return body.has_relief && !body.textures.empty() ? body.textures.front() : nullptr;
+}
+
 }  // namespace
 
 live::SceneView view_of(const Run& run) {
@@ -37,10 +42,16 @@ live::SceneView view_of(const Run& run) {
   view.title = scene.title.empty() ? scene.object.name : scene.title;
   view.name = scene.file;
   view.program = std::string("thigma ") + kVersion;
-  view.object = {scene.object.name, run.scene.object->meshes, &run.scene.object->hierarchy, {}};
+  const TexturedWorld& textures = run.session.config.contact.textures;
+  view.object = {scene.object.name,
+                 run.scene.object->meshes,
+                 &run.scene.object->hierarchy,
+                 {},
+                 relief_of(textures.object)};
   for (std::size_t i = 0; i < scene.statics.size(); ++i) {
     view.statics.push_back({scene.statics[i].name, run.scene.statics[i]->meshes,
-                            &run.scene.statics[i]->hierarchy, scene.statics[i].world_from_mesh});
+                            &run.scene.statics[i]->hierarchy, scene.statics[i].world_from_mesh,
+                            i < textures.scene.size() ? relief_of(textures.scene[i]) : nullptr});
   }
   return view;
 }

@@ -1,5 +1,6 @@
 // Recordings that a page asks for where the folder cannot hold them.
 
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -7,6 +8,8 @@
 #include "support/file_limit.h"
 #include "viewer/live_program.h"
 #include <gtest/gtest.h>
+
+#include "thigma/files/file.h"
 
 namespace thigma::test {
 namespace {
@@ -44,6 +47,50 @@ TEST(LiveRecordings, TheMenuTellsCutRecordingsFromThoseThatGrow) {
   EXPECT_EQ(found.at("old.mcap.part"), "old.mcap, cut off");
   EXPECT_EQ(found.at("older.mcap.part.2"), "older.mcap, cut off");
   EXPECT_EQ(found.size(), 3u);
+  EXPECT_EQ(run.end().code, 130);
+}
+
+/// A file in pieces that a message may hold.
+void upload_in_pieces(WebClient& client, int id, const std::string& name,
+                      const std::string& bytes) {
+  constexpr std::size_t kPiece = 60000;
+  client.send_text(
+      Json{{"type", "upload"}, {"id", id}, {"name", name}, {"value", bytes.size()}}.dump());
+  for (std::size_t at = 0; at < bytes.size(); at += kPiece) {
+    const std::string piece = bytes.substr(at, kPiece);
+    std::string head("\x21\x01\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 16);
+    const auto size = static_cast<std::uint32_t>(piece.size());
+    std::memcpy(head.data() + 4, &size, 4);
+    client.send_binary(head + piece);
+  }
+}
+
+TEST(LiveRecordings, ADroppedRecordingIsShownWithItsForceAndInSlowMotion) {
+  const std::string file = out_file("dropped.mcap");
+  const Ended made =
+      run_program({"run", "ellipsoid", "--exact", "--headless", "--lockstep", "--duration", "1",
+                   "--device", "hand:", "--record", file, "--quiet"});
+  ASSERT_EQ(made.code, 0) << made.err;
+  RunningProgram run("record_dropped", {"--device", "null:"}, {}, "ellipsoid");
+  ASSERT_TRUE(run.client);
+  upload_in_pieces(*run.client, 5, "mine.mcap", read_file(file));
+  const Json strip = message_where(*run.client, "strip", [](const Json&) { return true; });
+  ASSERT_FALSE(strip.is_null()) << run.program->said();
+  EXPECT_EQ(strip["force"].size(), 300u);
+  EXPECT_NEAR(strip["seconds"].get<double>(), 1.0, 0.01);
+  const Json shown = state_where(*run.client, [](const Json& s) { return !s["replay"].is_null(); });
+  ASSERT_FALSE(shown.is_null());
+  EXPECT_TRUE(shown["replay"]["file"].get<std::string>().ends_with("mine.mcap"));
+  EXPECT_EQ(shown["replay"]["speed"], 1.0);
+  EXPECT_TRUE(ask(*run.client, R"({"type":"speed","id":6,"value":0.25})")["ok"].get<bool>());
+  const Json slow =
+      state_where(*run.client, [](const Json& s) { return s["replay"]["speed"] == 0.25; });
+  EXPECT_FALSE(slow.is_null());
+  EXPECT_FALSE(ask(*run.client, R"({"type":"speed","id":7,"value":5})")["ok"].get<bool>());
+  upload_in_pieces(*run.client, 8, "broken.mcap", "not a recording");
+  const Json refused =
+      message_where(*run.client, "ack", [](const Json& a) { return a["id"] == 8; });
+  EXPECT_FALSE(refused["ok"].get<bool>());
   EXPECT_EQ(run.end().code, 130);
 }
 

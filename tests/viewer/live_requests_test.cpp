@@ -23,7 +23,9 @@ const std::vector<std::string> kRefused = {
     R"({"type":"record","id":8,"value":false})",
     R"({"type":"set","id":9,"name":"response","value":7})",
     R"({"type":"set","id":10,"name":"response","value":-1})",
-    R"({"type":"set","id":11,"name":"response","value":0.5})"};
+    R"({"type":"set","id":11,"name":"response","value":0.5})",
+    R"({"type":"cancel","id":12})",
+    R"({"type":"speed","id":13,"value":0.5})"};
 
 TEST(LiveRequests, ARefusedRequestLeavesTheSessionOfAPageThatHoldsTheDevice) {
   RunningProgram run("refused_web", {"--device", "web:"}, {{"damaged.mcap", "not a recording"}});

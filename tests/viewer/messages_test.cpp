@@ -86,6 +86,22 @@ TEST(Messages, UnknownNumbersAreNull) {
   EXPECT_TRUE(json["constraint"].is_null());
 }
 
+TEST(Messages, StateTellsTheStricterLimitOfDeviceAndSafety) {
+  HapticParams params;
+  params.device.max_force = 3.3;
+  params.safety.max_force = 2.0;
+  params.device.max_torque = 0.1;
+  RunState state;
+  state.limits = wrench_limits(params);
+  const Json json = Json::parse(state_message(state, Timing{}, "you", 0, 0, 0))["limits"];
+  EXPECT_EQ(json["force"], 2.0);
+  EXPECT_EQ(json["torque"], 0.1);
+  params.device.actuates_rotation = false;
+  state.limits = wrench_limits(params);
+  EXPECT_TRUE(
+      Json::parse(state_message(state, Timing{}, "you", 0, 0, 0))["limits"]["torque"].is_null());
+}
+
 TEST(Messages, StateCountsTheRowsOfASessionUnderConstraints) {
   Timing timing{};
   timing.held_back = 0.25;
@@ -100,6 +116,23 @@ TEST(Messages, StateCountsTheRowsOfASessionUnderConstraints) {
   EXPECT_EQ(json["look_ahead"], 2e-4);
   EXPECT_EQ(json["held_back"], 0.25);
   EXPECT_EQ(json["squeezed"], 0.0);
+}
+
+TEST(Messages, AStripIsShortAndNamesWhatIsNotKnown) {
+  const Json json = Json::parse(strip_message(12.5, {0.0f, 1.23456f, std::nanf("")}));
+  EXPECT_EQ(json["type"], "strip");
+  EXPECT_EQ(json["seconds"], 12.5);
+  EXPECT_EQ(json["force"][0], 0.0);
+  EXPECT_NEAR(json["force"][1].get<double>(), 1.2346, 1e-9);
+  EXPECT_TRUE(json["force"][2].is_null());
+}
+
+TEST(Messages, CancelAndSpeedAreUnderstood) {
+  EXPECT_EQ(parse_command(R"({"type":"cancel","id":1})").command.kind, Command::Kind::cancel);
+  const ParsedCommand speed = parse_command(R"({"type":"speed","id":2,"value":0.25})");
+  EXPECT_EQ(speed.refusal.code, 0);
+  EXPECT_EQ(speed.command.number, 0.25);
+  EXPECT_NE(parse_command(R"({"type":"speed","id":2})").refusal.code, 0);
 }
 
 TEST(Messages, HelloNamesEveryFaultAndChannel) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "viewer/server/detail/live_server_state.h"
+#include "viewer/server/relief.h"
 
 namespace thigma::live {
 
@@ -38,6 +39,13 @@ void LiveServer::Impl::show_scene(SceneView view, const SessionConfig& shown, co
     meshes.push_back(encode_mesh(static_cast<std::uint32_t>(i + 1), scene.statics[i].meshes.front(),
                                  scene.statics[i].hierarchy));
   }
+  const auto add_relief = [this](std::size_t number, const SceneBodyView& body) {
+    if (body.relief == nullptr) return;
+    meshes.push_back(
+        encode_relief(static_cast<std::uint32_t>(number), *body.relief, *body.hierarchy));
+  };
+  add_relief(0, scene.object);
+  for (std::size_t i = 0; i < scene.statics.size(); ++i) add_relief(i + 1, scene.statics[i]);
 }
 
 void LiveServer::Impl::opened(PageId page) {
@@ -48,6 +56,8 @@ void LiveServer::Impl::opened(PageId page) {
   send_scene(page);
   server.send(page, parameters_message(parameters()), false);
   server.send(page, menu_message(menu), false);
+  if (!now_running.replay.empty())
+    server.send(page, strip_message(now_running.replay_seconds, now_running.replay_force), false);
   open_pages = server.pages().size();
   send_state();
 }
@@ -88,6 +98,8 @@ void LiveServer::Impl::began(const LiveStart& start) {
   state.is_simulated = start.is_simulated;
   state.replay = start.replay;
   state.replay_seconds = start.replay_seconds;
+  state.replay_speed = 1.0;
+  replay_speed = 1.0;
   last_fault = Fault::none;
   if (!start.is_web && holder != 0) {
     holder = 0;
@@ -101,10 +113,12 @@ void LiveServer::Impl::began(const LiveStart& start) {
   {
     const std::lock_guard lock(mutex);
     is_restarting = false;
+    state.limits = next_limits;
     lock_tuner();
     tuner.judge_for(start.gains);
   }
   send_parameters();
+  if (!start.replay.empty()) send_to_all(strip_message(start.replay_seconds, start.replay_force));
   send_state();
 }
 
@@ -166,6 +180,7 @@ void LiveServer::prepare_session(SessionConfig& config) {
   const std::lock_guard lock(impl_->mutex);
   impl_->is_restarting = true;
   impl_->tuner.apply_to(config);
+  impl_->next_limits = wrench_limits(config.haptic);
   impl_->ports->is_paused = false;
   impl_->ports->steps = 0;
   impl_->feed.begin_session(config.haptic.workspace);
@@ -205,6 +220,14 @@ void LiveServer::show_progress(const std::string& what, double share) {
   impl_->server.post(
       [impl = impl_.get(), what, share] { impl->send_to_all(progress_message(what, share)); });
 }
+
+void LiveServer::set_preparing(bool is_preparing) {
+  impl_->is_cancelled = false;
+  impl_->is_preparing = is_preparing;
+}
+
+bool LiveServer::is_cancelled() const { return impl_->is_cancelled; }
+double LiveServer::replay_speed() const { return impl_->replay_speed; }
 
 void LiveServer::send(PageId page, const std::string& message) {
   impl_->server.post(

@@ -42,6 +42,7 @@ struct LiveStart {
   std::vector<LiveParameter> choices{};  // parameters that are the program's business
   std::string replay{};                  // recording that is shown instead of a session; "" none
   double replay_seconds = 0.0;           // its length [s]
+  std::vector<float> replay_force{};     // largest of each of equally long parts of it [N]
 };
 
 /// Serves one scene. Threads: one of its own for the server; observe is called by the thread
@@ -72,6 +73,12 @@ class LiveServer {
   void offer(const OpenMenu& menu);
   /// What is being done that takes long, and how far it is; "" when it is done.
   void show_progress(const std::string& what, double share);
+  /// From true to false what a page has asked for is being made ready, and pages may cancel that.
+  void set_preparing(bool is_preparing);
+  /// Whether one of them has since; throw, then.
+  bool is_cancelled() const;
+  /// How fast pages want a recording to be shown; 1 at the begin of each [s of it a second].
+  double replay_speed() const;
   /// A text message to one page.
   void send(PageId page, const std::string& message);
   /// The samples that come next are of an earlier time.

@@ -1,9 +1,12 @@
 #include "viewer/server/messages.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "viewer/server/protocol.h"
 #include <nlohmann/json.hpp>
+
+#include "thigma/texture/haptic_texture.h"
 
 namespace thigma::live {
 namespace {
@@ -28,7 +31,9 @@ constexpr CommandForm kForms[] = {{"hold", Command::Kind::hold, true, false, ""}
                                   {"open", Command::Kind::open, false, false, "value"},
                                   {"seek", Command::Kind::seek, false, true, ""},
                                   {"upload", Command::Kind::upload, false, true, "name"},
-                                  {"place", Command::Kind::place, false, true, "name"}};
+                                  {"place", Command::Kind::place, false, true, "name"},
+                                  {"cancel", Command::Kind::cancel, false, false, ""},
+                                  {"speed", Command::Kind::speed, false, true, ""}};
 
 constexpr std::size_t kLongestText = 256;
 
@@ -66,10 +71,15 @@ Json level_list_json(const SceneBodyView& body) {
 
 Json body_json(const SceneBodyView& body, std::size_t mesh) {
   const ClodHierarchy& h = *body.hierarchy;
-  return {{"name", body.name},           {"mesh", mesh},
-          {"radius", h.radius},          {"center", vector(h.center)},
-          {"levels", h.levels.size()},   {"triangles", body.meshes.front().triangles.size()},
-          {"patches", h.patches.size()}, {"level_list", level_list_json(body)}};
+  return {{"name", body.name},
+          {"mesh", mesh},
+          {"radius", h.radius},
+          {"center", vector(h.center)},
+          {"levels", h.levels.size()},
+          {"triangles", body.meshes.front().triangles.size()},
+          {"relief", body.relief == nullptr ? Json(nullptr) : finite(2.0 * body.relief->amplitude)},
+          {"patches", h.patches.size()},
+          {"level_list", level_list_json(body)}};
 }
 
 Json micro(double p50, double p99) {
@@ -225,26 +235,36 @@ std::string parameters_message(const std::vector<LiveParameter>& list) {
   return dumped(json);
 }
 
+WrenchLimits wrench_limits(const HapticParams& params) {
+  WrenchLimits limits;
+  limits.force = std::min(params.safety.max_force, params.device.max_force);
+  if (params.device.actuates_rotation)
+    limits.torque = std::min(params.safety.max_torque, params.device.max_torque);
+  return limits;
+}
+
 std::string state_message(const RunState& s, const Timing& t, std::string_view holder,
                           std::uint64_t dropped_yours, std::uint64_t dropped_rows,
                           std::uint64_t dropped_samples) {
-  Json json = {
-      {"type", "state"},
-      {"session", s.session},
-      {"run", phase_name(s.run)},
-      {"reason", text_or_null(s.reason)},
-      {"time", finite(s.time)},
-      {"device", s.device},
-      {"devices", s.devices},
-      {"holder", std::string(holder)},
-      {"recording", text_or_null(s.recording)},
-      {"replay",
-       s.replay.empty() ? Json(nullptr) : Json{{"file", s.replay}, {"seconds", s.replay_seconds}}},
-      {"pages", s.pages},
-      {"simulated", s.is_simulated}};
+  Json json = {{"type", "state"},
+               {"session", s.session},
+               {"run", phase_name(s.run)},
+               {"reason", text_or_null(s.reason)},
+               {"time", finite(s.time)},
+               {"device", s.device},
+               {"devices", s.devices},
+               {"holder", std::string(holder)},
+               {"recording", text_or_null(s.recording)},
+               {"replay", s.replay.empty() ? Json(nullptr)
+                                           : Json{{"file", s.replay},
+                                                  {"seconds", s.replay_seconds},
+                                                  {"speed", s.replay_speed}}},
+               {"pages", s.pages},
+               {"simulated", s.is_simulated}};
   json["fault"] = s.fault.name.empty() ? Json(nullptr) : trouble_json(s.fault);
   json["late"] = s.lates == 0 ? Json(nullptr) : trouble_json(s.late);
   if (s.lates > 0) json["late"]["count"] = s.lates;
+  json["limits"] = {{"force", finite(s.limits.force)}, {"torque", finite(s.limits.torque)}};
   json["constraint"] = constraint_json(s.rows, t);
   json["timing"] = {{"step_cpu_us", micro(t.step_p50, t.step_p99)},
                     {"wake_late_us", micro(t.late_p50, t.late_p99)},
@@ -270,6 +290,12 @@ std::string menu_message(const OpenMenu& menu) {
 
 std::string progress_message(const std::string& what, double share) {
   return dumped({{"type", "progress"}, {"what", text_or_null(what)}, {"share", finite(share)}});
+}
+
+std::string strip_message(double seconds, const std::vector<float>& force) {
+  Json list = Json::array();
+  for (const float newtons : force) list.push_back(finite(std::round(1e4 * newtons) / 1e4));
+  return dumped({{"type", "strip"}, {"seconds", finite(seconds)}, {"force", std::move(list)}});
 }
 
 std::string event_message(const SessionEvent& event) {

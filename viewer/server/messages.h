@@ -1,6 +1,7 @@
 #pragma once
 // The text messages of docs/protocol.md: what pages ask for, and what they are told.
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,10 @@
 #include "thigma/clod/hierarchy.h"
 #include "thigma/mesh/triangle_mesh.h"
 #include "thigma/session/session.h"
+
+namespace thigma {
+struct HapticTexture;
+}
 
 namespace thigma::live {
 
@@ -30,12 +35,15 @@ struct Command {
     open,
     seek,
     upload,
-    place
+    place,
+    cancel,
+    speed
   };
   Kind kind = Kind::reset;
   std::int64_t id = 0;
-  bool flag = false;      // of hold, pause, record; of place: repair
-  double number = 0.0;    // of step, set, level, seek; of upload: bytes; of place: metres per unit
+  bool flag = false;  // of hold, pause, record; of place: repair
+  // of step, set, level, seek, speed; of upload: bytes; of place: metres per unit
+  double number = 0.0;
   std::int64_t mesh = 0;  // of level: the mesh's number
   // of use_device: the device; of set: the parameter; of open: what; of upload: a file's name; of
   // place: "hold" or "touch"
@@ -55,7 +63,8 @@ struct SceneBodyView {
   // of the levels that are not free, finest first; one at least
   std::span<const TriangleMesh> meshes;
   const ClodHierarchy* hierarchy = nullptr;
-  Pose world_from_mesh;  // of static ones
+  Pose world_from_mesh;                   // of static ones
+  const HapticTexture* relief = nullptr;  // over the surface of level 0; null: none is felt
 };
 
 /// What is shown, and does not change.
@@ -90,6 +99,16 @@ struct RowsNow {
   double travel = 0.0, look_ahead = 0.0;                            // [m]
 };
 
+/// What the hand can be made to feel at most, device size; NaN: not known, or nothing turns it.
+struct WrenchLimits {
+  double force = std::numeric_limits<double>::quiet_NaN();   // [N]
+  double torque = std::numeric_limits<double>::quiet_NaN();  // [N m]
+};
+
+/// By the safety limits and those of the device.
+/// Thread    any
+WrenchLimits wrench_limits(const HapticParams& params);
+
 /// How the session stands, for `state`.
 struct RunState {
   int session = 0;
@@ -101,12 +120,14 @@ struct RunState {
   std::string recording;        // being written; "" for null
   std::string replay;           // being shown instead of a session; "" for null
   double replay_seconds = 0.0;  // its length [s]
+  double replay_speed = 1.0;    // seconds of it a second
   bool is_simulated = true;
   std::size_t pages = 0;
   Trouble fault;            // latched, or what ended the session
   Trouble late;             // the last one ...
   std::uint64_t lates = 0;  // ... of so many
   std::optional<RowsNow> rows;
+  WrenchLimits limits;
 };
 
 /// Over the last second; NaN: nothing was measured.
@@ -134,6 +155,9 @@ std::string state_message(const RunState& state, const Timing& timing, std::stri
 std::string menu_message(const OpenMenu& menu);
 /// what: being done, "" when it is; share 0..1
 std::string progress_message(const std::string& what, double share);
+/// `strip`: the largest force of each of equally long parts of a recording [N].
+std::string strip_message(double seconds, const std::vector<float>& force);
+
 std::string event_message(const SessionEvent& event);
 /// reason: "" when it was done.
 std::string ack_message(std::int64_t id, const std::string& reason,

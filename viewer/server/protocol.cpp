@@ -198,6 +198,22 @@ std::string encode_level(std::uint32_t mesh_number, std::int32_t level, const Tr
   return out;
 }
 
+std::string encode_divided(std::uint32_t mesh_number, const TriangleMesh& fine,
+                           const TriangleMesh& coarse, int divisions,
+                           const ClodHierarchy& hierarchy) {
+  const std::vector<std::uint32_t> patch_of = patch_of_triangles(coarse, &hierarchy);
+  std::string out;
+  put_header(out, MessageKind::relief, 0, mesh_number, 0.0);
+  put(out, static_cast<std::uint32_t>(fine.positions.size()));
+  put(out, static_cast<std::uint32_t>(fine.triangles.size()));
+  put(out, static_cast<std::uint32_t>(hierarchy.patches.size()));
+  put(out, std::uint32_t{0});
+  put_surface(out, fine);
+  for (const std::uint32_t patch : patch_of)
+    for (int k = 0; k < divisions * divisions; ++k) put(out, patch);
+  return out;
+}
+
 std::string encode_channels(std::span<const ChannelRow> rows) {
   std::string out;
   const double begin = rows.empty() ? 0.0 : rows.front().time;

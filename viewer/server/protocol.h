@@ -25,6 +25,7 @@ enum class MessageKind : std::uint8_t {
   channels = 2,
   snapshot = 3,
   level = 4,
+  relief = 5,
   device = 32,
   upload = 33
 };
@@ -98,6 +99,13 @@ std::string encode_mesh(std::uint32_t mesh_number, const TriangleMesh& mesh,
 /// Thread    any; throws std::bad_alloc.
 std::string encode_level(std::uint32_t mesh_number, std::int32_t level, const TriangleMesh& mesh,
                          const ClodHierarchy& hierarchy);
+
+/// `relief`: a surface each of whose coarse triangles is divided into divisions^2, in their order.
+/// Its points are not shared between coarse triangles. Hierarchy: of the coarse mesh.
+/// Thread    any; throws std::bad_alloc.
+std::string encode_divided(std::uint32_t mesh_number, const TriangleMesh& fine,
+                           const TriangleMesh& coarse, int divisions,
+                           const ClodHierarchy& hierarchy);
 
 /// `channels`, of at least one row.
 std::string encode_channels(std::span<const ChannelRow> rows);

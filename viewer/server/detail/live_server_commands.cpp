@@ -111,6 +111,19 @@ std::string LiveServer::Impl::step(double frames) {
   return {};
 }
 
+std::string LiveServer::Impl::cancel() {
+  if (!is_preparing) return "nothing is being prepared";
+  is_cancelled = true;
+  return {};
+}
+
+std::string LiveServer::Impl::set_speed(double value) {
+  if (now_running.replay.empty()) return "only a recording is shown faster or slower";
+  if (!(value >= 0.01 && value <= 4.0)) return "a speed is from 0.01 to 4";
+  replay_speed = state.replay_speed = value;
+  return {};
+}
+
 std::string LiveServer::Impl::change(const Command& command) {
   const std::lock_guard lock(mutex);
   if (is_restarting) return kIsRestarting;
@@ -226,6 +239,12 @@ void LiveServer::Impl::take_command(PageId page, const Command& command) {
       break;
     case Command::Kind::level:
       why = send_level(page, command);
+      break;
+    case Command::Kind::cancel:
+      why = cancel();
+      break;
+    case Command::Kind::speed:
+      why = is_held_by_other(page) ? kIsHeld : set_speed(command.number);
       break;
     case Command::Kind::upload:
       // Answered once it is here and was looked at.

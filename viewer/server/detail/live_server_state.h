@@ -43,6 +43,8 @@ struct LiveServer::Impl {
   Refusal received(PageId page, std::string_view message, bool is_binary);
   Refusal take_samples(PageId page, std::string_view message);
   void take_command(PageId page, const Command& command);
+  std::string cancel();
+  std::string set_speed(double value);
   std::string hold(PageId page, bool wanted);
   bool is_held_by_other(PageId page) const;
   std::string pause(bool wanted);
@@ -95,9 +97,12 @@ struct LiveServer::Impl {
   WebDeviceChannel& link;
   LiveFeed feed;
   std::atomic<std::size_t> open_pages{0};
+  std::atomic<bool> is_preparing{false}, is_cancelled{false};
+  std::atomic<double> replay_speed{1.0};
   mutable std::mutex mutex;  // of what follows; never held for longer than a copy takes
   Tuner tuner;
   bool is_restarting = true;
+  WrenchLimits next_limits;  // of the session that is being prepared
   std::deque<LiveRequest> requests;
 
   // The server's thread only.

@@ -3,7 +3,7 @@ import { icon, iconButton, nameButton, setIcon } from "./icons.js";
 import { duration } from "./format.js";
 import { deviceWords, END_WORDS, endWords, faultWords } from "./words.js";
 
-/// act   {open, pause, step, reset, record, theme, help, device(uri), letGo, view(option), fit}
+/// act   {open, pause, step, reset, record, theme, help, device(uri), letGo, view(option), sound, fit}
 export function makeBar(act) {
   const controls = document.getElementById("controls"), tools = document.getElementById("view-tools");
   const bar = {
@@ -23,13 +23,20 @@ export function makeBar(act) {
   };
   controls.append(group(bar.open), group(bar.device), group(bar.pause, bar.step, bar.reset, bar.record), group(bar.theme, bar.help));
   const views = [["levels", "Levels of detail: finest as wireframe", "L", "wireframe"], ["ghost", "Ghost of the hand", "G", "ghost"],
-    ["contacts", "Contacts and clusters", "C", "contacts"], ["forces", "Force and torque", "A", "forces"]];
+    ["contacts", "Contacts and clusters", "C", "contacts"], ["forces", "Force and torque", "A", "forces"],
+    ["names", "Names of the objects", "N", "names"]];
   for (const [name, label, key, option] of views) {
     bar.views[option] = iconButton(name, label, key, () => act.view(option));
     tools.append(bar.views[option]);
   }
-  tools.append(iconButton("fit", "Fit the view", "F", act.fit));
+  bar.sound = iconButton("sound", "Sound of contact", "S", act.sound);
+  showSound(bar, false);
+  tools.append(bar.sound, iconButton("fit", "Fit the view", "F", act.fit));
   return bar;
+}
+
+export function showSound(bar, on) {
+  bar.sound.setAttribute("aria-pressed", String(on));
 }
 
 export function showViews(bar, options) {
@@ -40,7 +47,7 @@ export function showViews(bar, options) {
 
 /// What runs, in a word with its time. `connected` false: nothing else is known any more.
 export function showState(bar, session) {
-  const { state, scene, snapshot, connected } = session;
+  const { state, scene, shown: snapshot, connected } = session;
   bar.title.textContent = scene?.title ?? "";
   document.title = scene ? `${scene.title} · Thigma` : "Thigma";
   const run = !connected ? "lost" : state?.run ?? "connecting";

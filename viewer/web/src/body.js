@@ -1,11 +1,12 @@
 // One object with the surfaces of its levels: which of them is drawn, and where contacts colour it.
-import { disposeSurface, makeSurface, paintSurface, setActive, setSpots, showParts, thinSpots, tintPatches } from "./surface.js";
+import { levelAtHand } from "./detail.js";
+import { disposeSurface, makeSurface, markSurface, paintSurface, shadeSurface, showParts, thinSpots, tintPatches } from "./surface.js";
 
 /// mesh    decoded `mesh`; about   its entry in `scene`
 export function makeBody(mesh, about) {
   const finest = makeSurface(mesh);
-  return { group: finest.group, geometry: finest.geometry, finest, about, levels: new Map(), browsed: null, wireframe: false,
-    colours: null };
+  return { group: finest.group, geometry: finest.geometry, finest, about, levels: new Map(), relief: null, browsed: null, wireframe: false,
+    drawn: 0, rich: true, colours: null };
 }
 
 /// Whether a level has a surface of its own that is not here yet.
@@ -21,19 +22,38 @@ export function hasSurface({ about }, level) {
 /// message   decoded `level`
 export function addLevel(body, message) {
   if (body.levels.has(message.level)) return;
-  const surface = makeSurface(message);
+  const surface = makeSurface(message, body.finest.ranges);
   body.levels.set(message.level, surface);
   body.group.add(surface.group);
-  if (body.colours) paintSurface(surface, ...body.colours);
+  if (body.colours) paintSurface(surface, body.colours);
+  shadeSurface(surface, body.rich);
   arrange(body);
 }
 
-export function paintBody(body, base, line) {
-  body.colours = [base, line];
-  for (const surface of surfaces(body)) paintSurface(surface, base, line);
+/// What level 0 is felt as: its triangles divided and displaced, by the patches of level 0. `message` decoded `relief`.
+export function addRelief(body, message) {
+  const { nodeOfPatch, parents, levels } = body.finest.mesh;
+  if (body.relief || message.patches !== nodeOfPatch.length) return;
+  body.relief = makeSurface({ ...message, nodeOfPatch, parents, levels }, body.finest.ranges);
+  body.group.add(body.relief.group);
+  if (body.colours) paintSurface(body.relief, body.colours);
+  shadeSurface(body.relief, body.rich);
+  arrange(body);
 }
 
-const surfaces = (body) => [body.finest, ...body.levels.values()];
+/// colours   {base, line, sky}
+export function paintBody(body, colours) {
+  body.colours = colours;
+  for (const surface of surfaces(body)) paintSurface(surface, colours);
+}
+
+export function shadeBody(body, rich) {
+  body.rich = rich;
+  for (const surface of surfaces(body)) shadeSurface(surface, rich);
+}
+
+const surfaces = (body) => [body.finest, ...body.levels.values(), ...(body.relief ? [body.relief] : [])];
+const surfaceOf = (body, level) => body.levels.get(level) ?? body.finest;
 
 /// wireframe   the finest resolution as lines and only what is active as surface (Fig. 3.1)
 /// browsed     level whose patches are shown, null: none
@@ -42,14 +62,29 @@ export function showBody(body, { wireframe = body.wireframe, browsed = body.brow
   arrange(body);
 }
 
+/// Draws the object by the surface of a level, or by the nearest finer one that is here; true when that changed.
+export function drawLevel(body, wanted) {
+  const level = levelAtHand(wanted, (one) => body.levels.has(one));
+  if (level === body.drawn) return false;
+  body.drawn = level;
+  arrange(body);
+  return true;
+}
+
+/// The surface of the level that is drawn, without relief.
+export const smoothSurface = (body) => surfaceOf(body, body.drawn);
+
+/// The surface that shows the object as it is.
+const shownSurface = (body) => (body.drawn === 0 && body.relief ? body.relief : smoothSurface(body));
+
 /// Of the surfaces one is whole, or each is where its level is active.
 function arrange(body) {
   const { browsed, wireframe } = body;
-  const whole = browsed === null ? (wireframe ? null : body.finest) : body.levels.get(browsed) ?? body.finest;
+  const whole = browsed === null ? (wireframe ? null : shownSurface(body)) : surfaceOf(body, browsed);
   for (const surface of surfaces(body)) {
     const isBrowsed = browsed !== null && surface === whole;
     tintPatches(surface, isBrowsed ? browsed : null);
-    const solid = surface === whole ? "whole" : whole === null ? "active" : "none";
+    const solid = surface === whole ? "whole" : whole === null && surface !== body.relief ? "active" : "none";
     showParts(surface, solid, isBrowsed ? 0.3 : wireframe && browsed === null && surface === body.finest ? 0.16 : 0);
   }
 }
@@ -59,12 +94,13 @@ function arrange(body) {
 export function markContacts(body, contacts, size) {
   const apart = 0.03 * size, reach = 0.075 * size;
   const own = (level) => body.levels.get(level);
-  // Where the surface of a level is there, it shows its contacts itself; the finest shows all while it is whole.
-  const isWhole = !body.wireframe || body.browsed !== null;
+  const isOne = body.browsed === null && !body.wireframe; // a single surface shows the contacts of all levels
+  // Else each level shows its own where its surface is there, and the finest the others.
   for (const surface of surfaces(body)) {
-    const mine = contacts.filter(({ level }) => (surface === body.finest ? isWhole || !own(level) : surface === own(level)));
-    setActive(surface, mine);
-    setSpots(surface, thinSpots(mine, apart), reach);
+    const isMine = ({ level }) => (isOne ? surface === shownSurface(body)
+      : surface === body.finest ? !own(level) || body.browsed !== null : surface === own(level));
+    const mine = contacts.filter(isMine);
+    markSurface(surface, mine, thinSpots(mine, apart), reach, isOne ? 2 * reach : Infinity);
   }
 }
 

@@ -27,6 +27,13 @@ export function orbit(view, dx, dy) {
   placeCamera(view);
 }
 
+/// Looks at the target from a direction of the world, as far away as before.
+export function lookFrom(view, [x, y, z]) {
+  view.azimuth = x === 0 && y === 0 ? -Math.PI / 2 : Math.atan2(y, x); // from above x goes right and y up
+  view.elevation = Math.max(-1.5, Math.min(1.5, Math.atan2(z, Math.hypot(x, y))));
+  placeCamera(view);
+}
+
 /// factor   above 1: farther away
 export function zoom(view, factor) {
   view.distance = Math.max(0.3, Math.min(30, view.distance * factor));

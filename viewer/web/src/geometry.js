@@ -79,6 +79,12 @@ export function uniqueEdges(triangles) {
   return Uint32Array.from(edges);
 }
 
+/// The longest length of 1, 2 or 5 times a power of ten that is not above `most`.
+export function roundLength(most) {
+  const power = 10 ** Math.floor(Math.log10(most));
+  return power * [5, 2, 1].find((digit) => digit * power <= most * (1 + 1e-9));
+}
+
 /// Box around points: {min, max, center, radius}; radius is half its diagonal.
 export function boundsOf(positions) {
   const min = [Infinity, Infinity, Infinity], max = [-Infinity, -Infinity, -Infinity];

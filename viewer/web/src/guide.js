@@ -5,7 +5,7 @@ export function makeGuide() {
   return { step: 0, turned: false, unarmedSince: null, touchedAt: null };
 }
 
-/// session   as in main; facts {mayMove, holding, clutch, now [s], newtons, turned}
+/// session   as in main; facts {mayMove, holding, clutch, now [s], newtons, turned, touch: the hand is a finger}
 /// returns   {text, button, act, mood} or null
 export function guideLine(guide, session, facts, act) {
   const { state, scene, snapshot } = session;
@@ -54,9 +54,12 @@ function ownHand(guide, facts) {
   if (newtons > 0) guide.touchedAt ??= now;
   if (guide.touchedAt === null) {
     const target = facts.scene.statics[0]?.name ?? "scene";
-    return { text: `Press it against the ${target}: Shift-drag or the wheel moves it deeper. The arrow will be the force in your hand.` };
+    const deeper = facts.touch ? "spread two fingers to move it away" : "Shift-drag or the wheel moves it deeper";
+    return { text: `Press it against the ${target}: ${deeper}. The arrow will be the force in your hand.` };
   }
   if (!guide.turned && facts.turned) guide.turned = true;
-  if (!guide.turned && now - guide.touchedAt < 12) return { text: "Ctrl-drag turns it. Space lets go. Right-drag turns the view." };
+  if (!guide.turned && now - guide.touchedAt < 12) {
+    return { text: facts.touch ? "Two fingers turn it. A finger beside it turns the view." : "Ctrl-drag turns it. Space lets go. Right-drag turns the view." };
+  }
   return null;
 }

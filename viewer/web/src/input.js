@@ -10,12 +10,15 @@ const TURN_PER_PIXEL = 0.008; // [rad]
 ///           press(): take hold, moved(turned), give(): what was noted, at the end of an event, letGo()}
 export function startInput(player) {
   const { canvas } = player.stage;
-  const input = { player, pointers: new Map(), mode: null };
+  const input = { player, pointers: new Map(), mode: null, keys: new Set(), touch: matchMedia("(pointer: coarse)").matches };
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
   canvas.addEventListener("pointerdown", (event) => down(input, event));
   canvas.addEventListener("pointermove", (event) => move(input, event));
   for (const kind of ["pointerup", "pointercancel"]) canvas.addEventListener(kind, (event) => up(input, event));
   canvas.addEventListener("wheel", (event) => wheel(input, event), { passive: false });
+  addEventListener("keydown", (event) => pressKey(input, event));
+  addEventListener("keyup", ({ key }) => input.keys.delete(key));
+  addEventListener("blur", () => input.keys.clear());
   canvas.addEventListener("dblclick", (event) => { if (event.button === 2) goHome(player.stage.view); });
   return input;
 }
@@ -25,7 +28,8 @@ function down(input, event) {
   canvas.focus({ preventScroll: true });
   canvas.setPointerCapture(event.pointerId);
   input.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-  if (event.pointerType === "touch") {
+  input.touch = event.pointerType === "touch";
+  if (input.touch) {
     if (input.pointers.size === 1) input.mode = touchesObject(input, event) && input.player.mayMove() ? "hand" : "view";
   } else if (event.button === 0) {
     input.mode = input.player.mayMove() ? "hand" : "view";
@@ -129,6 +133,33 @@ function wheel(input, event) {
     shift(input, 0, 0, -0.4 * pixels, event.timeStamp);
     input.player.give();
   } else zoom(input.player.stage.view, Math.exp(0.0012 * pixels));
+}
+
+const KEYS = { ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, -1, 0], ArrowDown: [0, 1, 0], PageUp: [0, 0, 1], PageDown: [0, 0, -1] };
+const KEY_SPEED = 160; // [px/s]
+
+/// Keys that move are those of the picture, not of a list or a slider that has the keyboard.
+function pressKey(input, event) {
+  const isPicture = event.target === input.player.stage.canvas || event.target === document.body;
+  if (!KEYS[event.key] || !isPicture) return;
+  event.preventDefault();
+  Object.assign(input, { turns: event.ctrlKey || event.altKey || event.metaKey, views: event.shiftKey });
+  input.keys.add(event.key);
+}
+
+/// Once a frame: the keys that are down move the hand that holds, or turn it, or else the view.
+/// seconds   since the last call
+export function readKeys(input, seconds) {
+  if (input.keys.size === 0) return;
+  const { hand, stage } = input.player;
+  const pixels = KEY_SPEED * Math.min(0.1, seconds);
+  const [dx, dy, deep] = [0, 1, 2].map((k) => pixels * [...input.keys].reduce((sum, key) => sum + KEYS[key][k], 0));
+  if (!hand.clutch || input.views) {
+    orbit(stage.view, dx, dy);
+    if (deep !== 0) zoom(stage.view, Math.exp(-0.004 * deep));
+  } else if (input.turns) turnBy(input, dx, dy, 0.01 * deep, performance.now());
+  else shift(input, dx, dy, deep, performance.now());
+  input.player.give();
 }
 
 const DEAD = 0.12; // of a stick

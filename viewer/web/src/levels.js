@@ -27,7 +27,7 @@ function makeRow(browser, about, body) {
   const box = element("section", "level-row");
   const head = element("div", "level-head");
   const dot = element("i", body === 0 ? "held" : "fixed");
-  head.append(dot, element("h3", "", about.name), element("span", "note", count(about.levels, "level")));
+  head.append(dot, element("h2", "", about.name), element("span", "note", count(about.levels, "level")));
   const chips = element("div", "chips");
   chips.setAttribute("role", "radiogroup");
   chips.setAttribute("aria-label", `Level of the ${about.name}`);

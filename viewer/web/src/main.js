@@ -1,18 +1,20 @@
 // The live page: what the program says goes to the picture, the plots and the words; what the hand does goes back.
-import { goHome } from "./camera.js";
-import { makeBar, showHint, showState, showViews } from "./bar.js";
+import { goHome, lookFrom, zoom } from "./camera.js";
+import { makeBar, showHint, showSound, showState, showViews } from "./bar.js";
 import { guideLine, makeGuide } from "./guide.js";
 import { STATE } from "./protocol.js";
 import { makeHand, noteSample, poseOf, takeSamples } from "./hand.js";
-import { readGamepad, startInput } from "./input.js";
+import { readGamepad, readKeys, startInput } from "./input.js";
 import { ask, letGo, makeLink, sendAll, sendHand, waitingBytes } from "./link.js";
 import { addEvent, fillHelp, makeParameters, showParameters } from "./panels.js";
 import { addMark, addRates, addRows, clearPlots, drawPlots, makePlots, plotPicture, plotTable, rebuildPlots, setFloors } from "./plots.js";
 import { makeReadouts, showLegend, showReadouts, showRowLegend } from "./readouts.js";
 import { fillLevelBrowser, browsedWords, makeLevelBrowser } from "./levels.js";
 import { makeOpener, openMenu, takeMenu, takeModel } from "./open.js";
-import { makeReplayBar, showReplayBar } from "./replay.js";
-import { bodies, browseLevel, draw, makeScene, repaint, resize, setObjects, setOptions, showSnapshot, takeLevel } from "./scene.js";
+import { makeReplayBar, showReplayBar, takeStrip } from "./replay.js";
+import { makeRulers, PRESETS, showRulers } from "./rulers.js";
+import { bodies, browseLevel, draw, isReady, makeScene, repaint, resize, setObjects, setOptions, showSnapshot, takeLevel, takeRelief } from "./scene.js";
+import { makeSound, playRows, toggleSound } from "./sound.js";
 import { startTheme } from "./theme.js";
 import { startTabs } from "./tabs.js";
 import { eventWords } from "./words.js";
@@ -20,7 +22,7 @@ import { eventWords } from "./words.js";
 const at = (id) => document.getElementById(id);
 const CONFIRM = 50; // the worker is told so often that the hand is still where it was: the force fades with the age of that [ms]
 
-const session = { connected: false, hello: null, scene: null, meshes: new Map(), state: null, parameters: [], snapshot: null,
+const session = { connected: false, hello: null, scene: null, meshes: new Map(), state: null, parameters: [], snapshot: null, shown: null,
   refusal: null, counts: { snapshot: 0, channels: 0, mesh: 0, event: 0 }, holding: false,
   turned: false, trouble: null, progress: null, fresh: false, asking: false, sent: 0,
   faultName: () => session.hello?.faults?.[session.snapshot?.fault ?? 0] ?? "fault" };
@@ -28,8 +30,12 @@ const hand = makeHand();
 const guide = makeGuide();
 let stage = null, link = null;
 
-const plots = makePlots(at("plots"));
+const plots = makePlots(at("plots"), [
+  ["PNG", "Save the plots as a picture", () => plotPicture(plots, caption()).toBlob((blob) => save(fileName("png"), blob))],
+  ["CSV", "Save the plots as a table", () => save(fileName("csv"), new Blob([plotTable(plots)], { type: "text/csv" }))],
+], (time) => session.state?.replay && act.seek(time));
 const readouts = makeReadouts(at("readouts"));
+const sound = makeSound();
 const levels = makeLevelBrowser(at("levels"), (body, level) => stage && bodies(stage)[body] && browseLevel(stage, bodies(stage)[body], level));
 const opener = makeOpener(at("opener"), { ask: (message) => ask(link, message), send: (bytes) => sendAll(link, bytes),
   room: () => waitingBytes(link), limit: () => session.hello?.max_message ?? 4096 });
@@ -50,7 +56,7 @@ const act = {
   reset: () => request({ type: "reset" }),
   record: () => request({ type: "record", value: !session.state?.recording }),
   device: (uri) => request({ type: "use_device", value: uri }).then((ack) => hold(ack.ok && uri.startsWith("web:"))),
-  help: () => (at("help").open ? at("help").close() : at("help").showModal()),
+  help: () => (at("help").open ? at("help").close() : showHelp()),
   theme: () => toggleTheme(),
   view: (option) => {
     if (!stage) return;
@@ -58,8 +64,17 @@ const act = {
     showViews(bar, stage.options);
   },
   fit: () => stage && goHome(stage.view),
+  speed: (value) => request({ type: "speed", value }),
+  sound: () => showSound(bar, toggleSound(sound)),
+  look: (way) => stage && lookFrom(stage.view, way),
+  zoom: (factor) => stage && zoom(stage.view, factor),
 };
+function showHelp() {
+  at("help").showModal();
+  at("help").scrollTop = 0; // the button that has the keyboard stands at its end
+}
 const bar = makeBar(act);
+const rulers = makeRulers(at("rulers"), at("names"), act.look);
 const replayBar = makeReplayBar(at("replay"), act);
 const toggleTheme = startTheme(() => { if (stage) repaint(stage); rebuildPlots(plots); });
 
@@ -69,7 +84,7 @@ const on = {
   hello: (message) => { session.hello = message; },
   scene: (message) => {
     session.scene = message;
-    session.snapshot = null;
+    session.snapshot = session.shown = null;
     session.fresh = false;
     session.meshes.clear();
     fillLevelBrowser(levels, message);
@@ -84,11 +99,16 @@ const on = {
     veil(session.trouble);
   },
   level: (message) => { if (stage) takeLevel(stage, message); },
+  relief: (message) => { if (stage) takeRelief(stage, message); },
+  strip: (message) => takeStrip(replayBar, message),
   menu: (message) => takeMenu(opener, message),
   model: (message) => takeModel(opener, message),
   progress: ({ what, share }) => {
     session.progress = what;
-    if (what) veil(`${what[0].toUpperCase()}${what.slice(1)} …`, share);
+    if (what) { // what runs goes on behind it
+      at("opener").close();
+      veil(`${what[0].toUpperCase()}${what.slice(1)} …`, share, () => request({ type: "cancel" }));
+    }
     else veil(session.trouble);
   },
   parameters: (message) => { session.parameters = message.list; showParameters(parameters, message.list); },
@@ -105,7 +125,9 @@ const on = {
   },
   channels: (message) => {
     session.counts.channels += 1;
-    addRows(plots, message, ["t", ...session.hello.channels.map((one) => one.name).filter((name) => name !== "t")]);
+    const names = ["t", ...session.hello.channels.map((one) => one.name).filter((name) => name !== "t")];
+    addRows(plots, message, names);
+    playRows(sound, message, Object.fromEntries(names.map((name, k) => [name, k])), session.state?.limits?.force ?? fullForce());
   },
   snapshot: (message) => {
     session.counts.snapshot += 1;
@@ -124,13 +146,23 @@ function begunAgain() {
   at("events").replaceChildren();
 }
 
-/// A sentence over the picture, perhaps with how far something is; null takes it away.
-function veil(sentence, share = null) {
-  at("veil").hidden = !sentence;
-  if (!sentence) return;
+/// A sentence over the picture, perhaps with how far something is and a way to give it up; null takes it away.
+function veil(sentence, share = null, cancel = null) {
+  const box = at("veil");
+  box.hidden = !sentence;
+  box.classList.toggle("working", share !== null);
+  if (!sentence) { box.replaceChildren(); return; }
+  if (share !== null && box.querySelector("progress")) { // the button that has the keyboard stays
+    box.querySelector("p").textContent = sentence;
+    box.querySelector("progress").value = share;
+    return;
+  }
   const text = Object.assign(document.createElement("p"), { textContent: sentence });
   const bar = Object.assign(document.createElement("progress"), { max: 1, value: share ?? 0 });
-  at("veil").replaceChildren(text, ...(share === null ? [] : [bar]));
+  bar.setAttribute("aria-label", "How far it is");
+  const stop = Object.assign(document.createElement("button"), { type: "button", className: "primary", textContent: "Cancel" });
+  stop.addEventListener("click", cancel ?? (() => {}));
+  box.replaceChildren(text, ...(share === null ? [] : [bar]), ...(cancel ? [stop] : []));
 }
 
 function lost(sentence) {
@@ -211,7 +243,8 @@ addEventListener("keydown", (event) => {
   if (event.target.closest?.("input, select, textarea") || event.ctrlKey || event.metaKey || event.altKey) return;
   const toggle = () => (hand.clutch ? player.letGo() : player.mayMove() && player.press());
   const keys = { " ": toggle, p: act.pause, ".": act.step, r: act.reset, f: act.fit, o: act.open, "?": act.help, h: act.help,
-    l: () => act.view("wireframe"), g: () => act.view("ghost"), c: () => act.view("contacts"), a: () => act.view("forces") };
+    l: () => act.view("wireframe"), g: () => act.view("ghost"), c: () => act.view("contacts"), a: () => act.view("forces"), n: () => act.view("names"), s: act.sound,
+    "+": () => act.zoom(0.87), "-": () => act.zoom(1.15), ...Object.fromEntries(PRESETS.map(([key, , way]) => [key, () => act.look(way)])) };
   const does = keys[event.key.length === 1 ? event.key.toLowerCase() : ""];
   if (!does || (event.key === " " && event.target.closest?.("button"))) return;
   event.preventDefault();
@@ -248,10 +281,7 @@ const fileName = (ending) => `thigma-${(session.snapshot?.time ?? 0).toFixed(1)}
 const input = startStage();
 fillHelp(at("help"));
 const caption = () => `${session.scene?.title ?? ""}, to ${(session.snapshot?.time ?? 0).toFixed(1)} s`;
-startTabs(at("tabs"), [["plots", "Plots"], ["parameters", "Parameters"], ["levels", "Levels"], ["events", "Events"]], [
-  ["PNG", "Save the plots as a picture", () => plotPicture(plots, caption()).toBlob((blob) => save(fileName("png"), blob))],
-  ["CSV", "Save the plots as a table", () => save(fileName("csv"), new Blob([plotTable(plots)], { type: "text/csv" }))],
-]);
+startTabs(at("tabs"), [["plots", "Plots"], ["parameters", "Parameters"], ["levels", "Levels"], ["events", "Events"]]);
 rebuildPlots(plots);
 veil("Connecting …");
 const token = /^#token=([0-9a-f]+)$/.exec(location.hash)?.[1];
@@ -260,19 +290,36 @@ link = makeLink(`${location.protocol === "https:" ? "wss" : "ws"}://${location.h
 });
 setInterval(confirmHand, CONFIRM);
 
-let last = performance.now(), tick = 0, drawn = 0;
+let last = performance.now(), tick = 0, drawn = 0, wordsAt = 0;
+
+/// Picture, tiles, sentences and plots show one moment: that of the newest snapshot when a picture is begun.
+function showMoment() {
+  if (stage && !isReady(stage)) return false;
+  if (session.fresh) {
+    session.shown = session.snapshot;
+    if (stage) showSnapshot(stage, session.shown);
+    session.fresh = false;
+  }
+  if (!stage || !draw(stage)) return false;
+  drawn += 1;
+  showRulers(rulers, stage, session.shown);
+  return true;
+}
+
 function frame(now) {
   requestAnimationFrame(frame);
   const newtons = session.snapshot ? Math.hypot(...session.snapshot.force) : 0;
   if (input) readGamepad(input, (now - last) / 1000, newtons, fullForce());
+  if (input) readKeys(input, (now - last) / 1000);
   last = now;
   confirmHand();
-  if (stage && session.fresh) showSnapshot(stage, session.snapshot);
-  session.fresh = false;
-  if (stage && draw(stage)) drawn += 1;
+  const isNew = showMoment();
   tick += 1;
-  drawPlots(plots);
-  if (tick % 6 === 0) showWords(now / 1000, newtons);
+  drawPlots(plots, session.shown?.time ?? 0);
+  const begin = performance.now();
+  if (tick % 6 !== 0 && !(isNew && begin >= wordsAt)) return;
+  showWords(now / 1000, newtons);
+  wordsAt = 10 * performance.now() - 9 * begin; // a tenth of the time at most
 }
 
 /// The force whose arrow is as long as the object: where rumble is strongest.
@@ -283,14 +330,14 @@ function fullForce() {
 
 function showWords(now, newtons) {
   showState(bar, session);
-  showReadouts(readouts, session.snapshot, session.state, session.scene, session.parameters);
-  showRowLegend(at("row-legend"), session.snapshot);
-  showLegend(at("legend"), session.snapshot, session.scene, browsedWords(levels));
-  showReplayBar(replayBar, session.state, session.snapshot);
-  showHint(at("hint"), guideLine(guide, session, { now, newtons, holding: session.holding && hand.clutch, turned: session.turned }, act));
+  showReadouts(readouts, session.shown, session.state, session.scene, session.parameters, plots.pointed);
+  showRowLegend(at("row-legend"), session.shown);
+  showLegend(at("legend"), session.shown, session.scene, browsedWords(levels));
+  showReplayBar(replayBar, session.state, session.shown);
+  showHint(at("hint"), guideLine(guide, session, { now, newtons, holding: session.holding && hand.clutch, turned: session.turned, touch: input?.touch ?? matchMedia("(pointer: coarse)").matches }, act));
 }
 requestAnimationFrame(frame);
 
 /// For tests and the curious: everything the page knows.
-window.thigma = { session, hand, plots, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; },
+window.thigma = { session, hand, plots, sound, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; },
   get drawn() { return drawn; } };

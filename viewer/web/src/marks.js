@@ -1,6 +1,6 @@
 // What is drawn over the objects: force and torque arrows, contacts with their normals, clusters, the felt spring.
 import { BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh,
-  MeshBasicMaterial, MeshStandardMaterial, Quaternion, SphereGeometry, TorusGeometry, Vector3 } from "three";
+  MeshBasicMaterial, MeshLambertMaterial, Quaternion, SphereGeometry, TorusGeometry, Vector3 } from "three";
 import { levelColour } from "./theme.js";
 
 export const MAX_CONTACTS = 512;
@@ -9,7 +9,7 @@ const Z = new Vector3(0, 0, 1);
 
 /// A material for marks. A second, faint pass without depth test shows them through the objects.
 export function markMaterial(options = {}) {
-  return new MeshStandardMaterial({ roughness: 0.5, metalness: 0, ...options });
+  return new MeshLambertMaterial(options);
 }
 export function seenThrough(options = {}) {
   return new MeshBasicMaterial({ transparent: true, opacity: 0.42, depthTest: false, depthWrite: false, ...options });

@@ -1,6 +1,7 @@
 // Another scene, a recording, or a mesh of one's own: from a menu, or dropped on the page.
 import { count, digits } from "./format.js";
 import { encodeUpload } from "./protocol.js";
+import { whatToTry } from "./scenes.js";
 
 function element(kind, className = "", text = "") {
   return Object.assign(document.createElement(kind), { className, textContent: text });
@@ -55,17 +56,18 @@ function showMenu(opener) {
     group.append(...items.map(({ name, title }) => {
       const item = button("", () => choose(opener, name), "open-item");
       item.append(element("b", "", title || name));
-      if (title && title !== name) item.append(element("span", "note", name));
+      const words = whatToTry(name) || (title && title !== name ? name : "");
+      if (words) item.append(element("span", "note", words));
       item.setAttribute("aria-current", String(name === opener.name));
       return item;
     }));
     return group;
   };
-  const file = Object.assign(element("input"), { type: "file", accept: ".obj,.stl,.ply,.off", id: "mesh-file" });
+  const file = Object.assign(element("input"), { type: "file", accept: ".obj,.stl,.ply,.off,.mcap", id: "mesh-file" });
   file.addEventListener("change", () => { if (file.files[0]) takeFile(opener, file.files[0]); });
   const pick = element("label", "drop-zone");
   pick.htmlFor = file.id;
-  pick.append(element("b", "", "A mesh of your own"), element("span", "note", "Drop an OBJ, STL or PLY file anywhere on the page, or click to choose one."), file);
+  pick.append(element("b", "", "A mesh or a recording of your own"), element("span", "note", "Drop an OBJ, STL or PLY file, or a recording (.mcap), anywhere on the page, or click to choose one."), file);
   const parts = [element("h2", "", "Open"), pick, element("h3", "", "Scenes"), list(scenes)];
   if (recordings.length > 0) parts.push(element("h3", "", "Recordings"), list(recordings));
   opener.dialog.replaceChildren(...parts, foot(opener, [button("Cancel", () => opener.dialog.close())]));
@@ -109,7 +111,8 @@ async function takeFile(opener, file) {
   const bytes = new Uint8Array(await file.arrayBuffer());
   const answer = attempt(opener, { type: "upload", name: file.name.slice(-120), value: bytes.length });
   await sendBytes(opener, bytes, bar);
-  await answer;
+  const ack = await answer;
+  if (ack.ok && file.name.endsWith(".mcap")) opener.dialog.close(); // a recording is shown at once
 }
 
 /// In pieces, no more at a time than the connection takes.

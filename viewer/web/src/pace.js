@@ -1,11 +1,22 @@
 // How much of a picture this machine can afford while things move, from how long the last ones took. The processor of a
 // computer without graphics hardware draws, too, and has an engine and a hand to serve beside it.
 
-/// From all of it to the least: pixels along a side, of those the screen has, and whether there are shadows.
-export const STEPS = [{ ratio: 1, shadows: true }, { ratio: 0.7, shadows: true }, { ratio: 0.5, shadows: false }, { ratio: 0.35, shadows: false }];
+/// From all of it to the least: pixels of the screen for one of the page, shadows, highlights, and how many pixels of the
+/// page a surface, and so its outline, may be off the original. The view always has its full size.
+export const STEPS = [
+  { pixels: 2, shadows: true, rich: true, off: 0 },
+  { pixels: 1, shadows: true, rich: true, off: 0 },
+  { pixels: 1, shadows: false, rich: true, off: 0.5 },
+  { pixels: 1, shadows: false, rich: false, off: 0.5 },
+  { pixels: 1, shadows: false, rich: false, off: 1 },
+  { pixels: 1, shadows: false, rich: false, off: 2 },
+  { pixels: 1, shadows: false, rich: false, off: 4 },
+];
+export const PLAIN_STEP = 3; // to begin with where the processor draws: it may turn out a fast one
+export const LONGEST = 1 / 15; // from one picture to the next, where that can be had [s]
 
-export const SLOW = 0.1; // a hand feels this much lag [s]
-export const FAST = 0.04; // two frames of a screen: more cannot be told from the drawing itself [s]
+export const SLOW = 0.045; // leaves time for the others within LONGEST [s]
+export const FAST = 0.012; // there is room for more [s]
 const SETTLE = 2; // pictures that pay for a change: new shaders, new buffers
 const FEW = 3; // pictures that show one is too slow
 const MANY = 60; // pictures that show there is room for more
@@ -38,5 +49,10 @@ function change(pace, by) {
   Object.assign(pace, { step: pace.step + by, seen: 0, mean: 0, climbed: by < 0 });
 }
 
-/// How long to leave the machine to others after a picture [s]: as long as it took, where that is felt.
-export const restAfter = (seconds, plain) => (plain || seconds > FAST ? seconds : 0);
+/// How long to leave the machine to others after a picture [s]: as long as it took where the processor draws, but no longer
+/// than LONGEST allows; a picture that takes longer than that leaves a quarter of its time.
+/// plain   the processor draws
+export function restAfter(seconds, plain) {
+  if (!plain && seconds < SLOW) return 0;
+  return Math.max(0.25 * seconds, Math.min(seconds, LONGEST - seconds - 0.01));
+}

@@ -157,11 +157,14 @@ const HELP = [
   ["Wheel while dragging, or Shift + drag", "moves it away from you and back"],
   ["Ctrl or Alt + drag", "turns it"],
   ["Space", "lets go, or takes hold"],
+  ["Arrow keys, Page up and down", "move the hand that holds, on the picture; with Ctrl or Alt they turn it, with Shift the view"],
   ["Right drag, wheel", "turns and zooms the view; middle drag shifts it"],
   ["Touch", "one finger on the object moves it, a second turns and lifts it; beside it fingers move the view"],
   ["Gamepad", "sticks move and turn, triggers push and pull, A holds, B lets go; it rumbles with the force"],
   ["P . R O", "pause, one step, begin again, open a scene"],
-  ["F L G C A", "fit the view; levels of detail, ghost, contacts, arrows on and off"],
+  ["F L G C A N", "fit the view; levels of detail, ghost, contacts, arrows, names on and off"],
+  ["S", "sound of contact on and off: changes of the force"],
+  ["1 to 6, + -", "look along the axes, as the buttons of the compass do; nearer and farther"],
 ];
 
 export function fillHelp(dialog) {
@@ -169,7 +172,10 @@ export function fillHelp(dialog) {
   const sentence = element("p", "lead", "Drag the blue object: the ghost shows where your hand is, the object where it " +
     "may be, and the line between them, as long as the force is strong, is what a haptic device would let you feel.");
   const table = element("dl");
-  for (const [keys, does] of HELP) table.append(element("dt", "", keys), element("dd", "", does));
+  for (const [keys, does] of HELP) {
+    const kind = /^(Drag|Touch|Gamepad)$/.test(keys) ? "" : "for-mouse";
+    table.append(element("dt", kind, keys), element("dd", kind, does));
+  }
   const marks = element("p", "note");
   marks.append(swatch("force", "force on the hand"), swatch("torque", "torque, turning along the arc"),
     swatch("ring", "clusters of contacts"),

@@ -72,12 +72,18 @@ export function groupsAtLevel(nodeOfPatch, parents, levels, level) {
   });
 }
 
-/// As markPatches, for the patches of a simplified level: those whose node is in contact.
-export function markNodes(nodeOfPatch, active, into) {
-  const nodes = new Map(active.map(({ node, level }) => [node, level]));
+/// The same for the patches of a simplified level, drawn for contacts of any level: those that lie whole below a contact's node.
+/// ranges   of the tree; nodeOfPatch names the nodes of the level's patches in it, -1 for none
+export function markCovered(ranges, nodeOfPatch, active, into) {
+  into.fill(0);
+  const known = active.filter(({ node }) => node >= 0 && node < ranges.begin.length);
   for (let patch = 0; patch < nodeOfPatch.length; patch++) {
-    const level = nodes.get(nodeOfPatch[patch]);
-    into[patch] = level === undefined || nodeOfPatch[patch] < 0 ? 0 : Math.min(255, level + 1);
+    const own = nodeOfPatch[patch];
+    if (own < 0 || own >= ranges.begin.length) continue;
+    for (const { node, level } of known) {
+      const isBelow = ranges.begin[node] <= ranges.begin[own] && ranges.end[own] <= ranges.end[node];
+      if (isBelow && (into[patch] === 0 || into[patch] > level + 1)) into[patch] = Math.min(255, level + 1);
+    }
   }
 }
 

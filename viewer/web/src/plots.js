@@ -27,9 +27,21 @@ const PLOTS = [
   { id: "energy", title: "Energy put in by the hand", unit: "J", least: 1e-9, lines: ["energy"], names: ["energy"], colours: ["torque"] },
 ];
 
-export function makePlots(parent) {
-  const board = { parent, fast: makeHistory(FAST, SECONDS), slow: makeHistory(SLOW, SECONDS, 600), plots: [], rows: 0,
+/// saves   [[name, help, act]]: buttons above the plots; pick(time): a time was chosen
+export function makePlots(parent, saves, pick) {
+  const board = { pick, pointed: null, parent, fast: makeHistory(FAST, SECONDS), slow: makeHistory(SLOW, SECONDS, 600), plots: [], rows: 0,
     now: 0, marks: [], theme: null, floors: { Hz: 1000, s: 1e-3 }, rested: 0 };
+  const top = Object.assign(document.createElement("div"), { className: "plots-head" });
+  board.moment = Object.assign(document.createElement("span"), { className: "grow moment" });
+  top.append(board.moment);
+  for (const [name, help, act] of saves) {
+    const button = Object.assign(document.createElement("button"), { type: "button", textContent: name, title: help });
+    button.setAttribute("aria-label", `${name}: ${help}`);
+    button.addEventListener("click", act);
+    top.append(button);
+  }
+  parent.append(top);
+  parent.addEventListener("keydown", (event) => moveCursor(board, event));
   for (const spec of PLOTS) {
     const box = document.createElement("figure");
     box.className = "plot";
@@ -54,11 +66,12 @@ export function rebuildPlots(board) {
     plot.chart?.destroy();
     plot.keys.replaceChildren(...(plot.spec.lines.length > 1 ? plot.spec.names.map((name, k) => {
       const key = Object.assign(document.createElement("i"), { textContent: name });
-      key.style.color = colour(plot.spec.colours[k]);
+      key.style.setProperty("--tone", colour(plot.spec.colours[k]));
       return key;
     }) : []));
     const width = plot.area.clientWidth || 300;
     plot.chart = new uPlot(options(board, plot, width), view(historyOf(board, plot), plot.spec.lines), plot.area);
+    plot.chart.over.addEventListener("click", () => { if (board.pointed) board.pick(board.pointed.time); });
   }
 }
 
@@ -148,7 +161,6 @@ export function addRows(board, message, names) {
     sample.torque = Math.hypot(sample.torque_x, sample.torque_y, sample.torque_z);
     const time = message.time + cell("t");
     push(board.fast, time, sample);
-    board.now = time;
   }
   board.rows += message.rows;
 }
@@ -163,26 +175,61 @@ export function clearPlots(board) {
   board.marks = [];
 }
 
+const CURSOR_STEP = 1 / 40; // of the width, of an arrow key
+
+/// The time cursor by keys: it stays where it is put until Escape.
+function moveCursor(board, event) {
+  const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+  if ((!way && event.key !== "Escape" && event.key !== "Enter") || event.target !== board.parent) return;
+  if (event.key === "Enter") { if (board.pointed) board.pick(board.pointed.time); return; }
+  event.preventDefault();
+  for (const { chart } of board.plots) {
+    const width = chart.over.clientWidth, at = chart.cursor.left >= 0 ? chart.cursor.left : width;
+    const left = way ? Math.max(0, Math.min(width - 1, at + way * CURSOR_STEP * width)) : -10;
+    chart.setCursor({ left, top: left < 0 ? -10 : 0.5 * HEIGHT }, false, false);
+  }
+  board.rested = 0;
+}
+
+/// What was felt where the time cursor is, null where it is nowhere.
+function pointedAt(board) {
+  const { chart } = board.plots[0], { idx, left } = chart.cursor;
+  if (idx === null || idx === undefined || !(left >= 0) || !(idx < board.fast.used)) return null;
+  const value = (name) => board.fast.values[name][idx];
+  return { time: board.fast.times[idx], force: value("force"), torque: value("torque"), penetration: value("penetration"), stretch: value("stretch") };
+}
+
 /// Twenty times a second at most, and for a tenth of the time at most.
-export function drawPlots(board) {
+/// now   of what else is shown [s]: nothing after it is
+export function drawPlots(board, now) {
   const begin = performance.now();
   if (begin < board.rested || board.parent.hidden || board.parent.offsetParent === null) return;
+  Object.assign(board, { now, pointed: pointedAt(board) });
+  const words = board.pointed ? `At ${board.pointed.time.toFixed(2)} s, ${(now - board.pointed.time).toFixed(2)} s ago`
+    : `The last ${SECONDS} s; point at a time to read it`;
+  if (board.moment.textContent !== words) board.moment.textContent = words;
   if (board.theme !== currentTheme()) rebuildPlots(board);
   for (const plot of board.plots) {
     const data = view(historyOf(board, plot), plot.spec.lines);
     const width = plot.area.clientWidth;
     if (width > 0 && width !== plot.chart.width) plot.chart.setSize({ width, height: HEIGHT });
     plot.chart.setData(data);
-    plot.value.textContent = say(shown(plot, data), plot.spec.unit, plot.spec.least);
+    const at = readAt(board, plot, data);
+    plot.value.textContent = say(at(0), plot.spec.unit, plot.spec.least);
+    [...plot.keys.children].forEach((key, k) => {
+      const text = board.pointed ? `${plot.spec.names[k]} ${say(at(k), plot.spec.unit, plot.spec.least)}` : plot.spec.names[k];
+      if (key.textContent !== text) key.textContent = text;
+    });
   }
   const end = performance.now();
   board.rested = end + Math.max(BETWEEN, 9 * (end - begin));
 }
 
-/// The value under the cursor, or the newest.
-function shown({ chart }, data) {
-  const at = chart.cursor.idx ?? data[1].length - 1;
-  return at >= 0 ? data[1][at] : NaN;
+/// (line) -> its value under the cursor, or at the time that is shown.
+function readAt(board, { chart }, data) {
+  let at = chart.cursor.left >= 0 ? chart.cursor.idx : null;
+  if (at === null || at === undefined) for (at = data[0].length - 1; at > 0 && data[0][at] > board.now;) at -= 1;
+  return (line) => (at >= 0 ? data[1 + line][at] ?? NaN : NaN);
 }
 
 /// All plots as one picture.

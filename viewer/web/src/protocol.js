@@ -3,7 +3,7 @@
 
 export const SUBPROTOCOL = "thigma.live.1";
 export const VERSION = 1;
-export const MESH = 1, CHANNELS = 2, SNAPSHOT = 3, LEVEL = 4, DEVICE = 32, UPLOAD = 33;
+export const MESH = 1, CHANNELS = 2, SNAPSHOT = 3, LEVEL = 4, RELIEF = 5, DEVICE = 32, UPLOAD = 33;
 export const NOTHING = 0xffffffff;
 export const CLUTCH = 1;
 export const STATE = { grasped: 1, armed: 2, fault: 4, paused: 8, ended: 16, fading: 32, heldBack: 64, squeezed: 128, constrained: 256 };
@@ -17,14 +17,14 @@ export class ProtocolError extends Error {}
 const must = (holds, sentence) => { if (!holds) throw new ProtocolError(sentence); };
 
 /// buffer   one binary frame
-/// returns  {kind: "mesh" | "level" | "channels" | "snapshot", ...}
+/// returns  {kind: "mesh" | "level" | "relief" | "channels" | "snapshot", ...}
 /// errors   ProtocolError
 export function decode(buffer) {
   must(buffer.byteLength >= HEADER, `a message of ${buffer.byteLength} bytes has no header`);
   const words = new DataView(buffer);
   const type = words.getUint8(0), version = words.getUint8(1);
   const head = { bits: words.getUint16(2, true), count: words.getUint32(4, true), time: words.getFloat64(8, true) };
-  const decoders = { [MESH]: decodeMesh, [CHANNELS]: decodeChannels, [SNAPSHOT]: decodeSnapshot, [LEVEL]: decodeLevel };
+  const decoders = { [MESH]: decodeMesh, [CHANNELS]: decodeChannels, [SNAPSHOT]: decodeSnapshot, [LEVEL]: decodeLevel, [RELIEF]: decodeRelief };
   must(decoders[type], `message type ${type} is not known`);
   must(version === 1, `layout ${version} of message type ${type} is not known`);
   return decoders[type](buffer, words, head);
@@ -75,6 +75,17 @@ function decodeLevel(buffer, words, { bits: level, count: number }) {
   must(level > 0, "level 0 comes as a mesh");
   checkSurface(mesh, V, P, "level");
   must(mesh.nodeOfPatch.every((n) => n >= -1), "level with a patch of no node that could be");
+  return mesh;
+}
+
+function decodeRelief(buffer, words, { count: number }) {
+  must(buffer.byteLength >= 32, `relief of ${buffer.byteLength} bytes, 32 at least`);
+  const [V, T, P] = [16, 20, 24].map((at) => words.getUint32(at, true));
+  exactly(buffer, 32 + 12 * V + 16 * T, "relief");
+  const take = taker(buffer, 32);
+  const mesh = { kind: "relief", number, patches: P, positions: take(Float32Array, 3 * V), triangles: take(Uint32Array, 3 * T),
+    patchOfTriangle: take(Uint32Array, T) };
+  checkSurface(mesh, V, P, "relief");
   return mesh;
 }
 

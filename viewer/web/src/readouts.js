@@ -1,28 +1,30 @@
 // The numbers that matter, in words and with units.
-import { count, digits, say, split } from "./format.js";
+import { count, digits, say } from "./format.js";
 import { STATE } from "./protocol.js";
 import { atConeEdge, deciderWords, levelCounts, limitWords, rowSituation, situation } from "./words.js";
+import { fullScales, sayIn, shareOf, steadyUnit } from "./steady.js";
 import { LEVEL_COLOURS, levelColour } from "./theme.js";
 
 const TILES = [
-  { id: "force", name: "Force", unit: "N", least: 1e-3, help: "on the hand, as sent to the device" },
-  { id: "torque", name: "Torque", unit: "N m", least: 1e-6, help: "on the hand, about the handle" },
-  { id: "penetration", name: "Depth", unit: "m", least: 1e-9,
-    help: "of the deepest contact: how far the surfaces pass into each other, or the gap between them; forces begin before they touch" },
-  { id: "stretch", name: "Stretch", unit: "m", least: 1e-9, help: "from the hand to where it holds the object: the spring that is felt" },
+  { id: "force", name: "Force", unit: "N", help: "on the hand, as sent to the device; the bar ends at the limit of device and safety" },
+  { id: "torque", name: "Torque", unit: "N m", help: "on the hand, about the handle; the bar ends at the limit of device and safety" },
+  { id: "penetration", name: "Depth", unit: "m",
+    help: "of the deepest contact: how far the surfaces pass into each other, or the gap between them; forces begin before they touch; " +
+      "the bar ends where the contact gives the largest force, or the tolerance" },
+  { id: "stretch", name: "Stretch", unit: "m", help: "from the hand to where it holds the object: the spring that is felt; the bar ends at the limit of the force" },
 ];
 
 export function makeReadouts(parent) {
-  const board = { tiles: {}, lines: {} };
+  const board = { parent, tiles: {}, lines: {} };
   const tiles = element("div", "tiles");
   for (const { id, name, help } of TILES) {
     const tile = element("div", `tile ${id}`);
     tile.title = help;
     const number = element("span", "number"), unit = element("span", "unit");
-    const title = element("span", "name", name);
-    tile.append(title, number, unit);
+    const title = element("span", "name", name), gauge = element("i", "gauge"), limit = element("span", "limit");
+    tile.append(title, number, unit, gauge, limit);
     tiles.append(tile);
-    board.tiles[id] = { title, number, unit };
+    board.tiles[id] = { tile, title, number, unit, gauge, limit };
   }
   const said = element("p", "situation");
   const lines = element("ul", "lines");
@@ -43,18 +45,31 @@ function element(kind, className = "", text = "") {
 
 const norm = (v) => Math.hypot(...v);
 
+/// values   {force, torque, penetration, stretch} in SI units
+function showTiles(board, values, full) {
+  for (const { id, unit } of TILES) {
+    const tile = board.tiles[id], steady = steadyUnit(full[id], unit), share = shareOf(values[id], full[id]);
+    setText(tile.number, sayIn(id === "penetration" ? Math.abs(values[id]) : values[id], steady));
+    setText(tile.unit, steady.unit);
+    setText(tile.limit, `of ${Number((full[id] / steady.scale).toPrecision(2))}`);
+    tile.gauge.style.setProperty("--share", share.toFixed(3));
+    tile.tile.classList.toggle("full", share > 0.9);
+  }
+  setText(board.tiles.penetration.title, values.penetration < 0 ? "Gap" : "Depth");
+}
+
+function setText(target, text) {
+  if (target.textContent !== text) target.textContent = text;
+}
+
 /// snapshot, state, scene, parameters   the newest messages; any but the last may be null
-export function showReadouts(board, snapshot, state, scene, parameters) {
+/// pointed   {time, force, torque, penetration, stretch} where the time cursor of the plots is, null: nowhere
+export function showReadouts(board, snapshot, state, scene, parameters, pointed = null) {
   if (!snapshot || !scene) return;
   const inside = snapshot.penetration > 0;
-  const values = { force: norm(snapshot.force), torque: norm(snapshot.torque), stretch: snapshot.stretch,
-    penetration: Math.abs(snapshot.penetration) };
-  for (const { id, unit, least } of TILES) {
-    const shown = split(values[id], unit, least);
-    board.tiles[id].number.textContent = shown.number;
-    board.tiles[id].unit.textContent = shown.unit;
-  }
-  board.tiles.penetration.title.textContent = snapshot.penetration < 0 ? "Gap" : "Depth";
+  showTiles(board, pointed ?? { force: norm(snapshot.force), torque: norm(snapshot.torque), stretch: snapshot.stretch,
+    penetration: snapshot.penetration }, fullScales(state?.limits, parameters, scene));
+  board.parent.classList.toggle("pointed", Boolean(pointed));
   const touching = inside || norm(snapshot.contactForce) > 0;
   const facts = { object: scene.object.name, statics: scene.statics.map((one) => one.name), grasped: (snapshot.bits & 1) !== 0,
     armed: (snapshot.bits & 6) === 2, contacts: snapshot.contactsFound, clusters: snapshot.clusters.length, touching };

@@ -1,20 +1,20 @@
 // The picture: both objects, ground and shadow, the ghost of the hand, contacts, arrows. Everything lies in `root`, in
 // metres; root is scaled so that the scene has radius 1 whatever its size, nanometres or kilometres.
-import { AmbientLight, Color, DirectionalLight, Group, HemisphereLight, Mesh, MeshBasicMaterial,
-  NeutralToneMapping, PCFShadowMap, PlaneGeometry, Quaternion, Scene, ShaderMaterial, ShadowMaterial, SRGBColorSpace, Vector3,
-  WebGLRenderer } from "three";
-import { depthOf, makeView, placeCamera } from "./camera.js";
+import { Group, NeutralToneMapping, PCFShadowMap, Scene, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
+import { depthOf, makeView, placeCamera, unitsPerPixel } from "./camera.js";
+import { levelToDraw } from "./detail.js";
 import { boundsOf } from "./geometry.js";
+import { apart, makeGhost, shapeGhost } from "./ghost.js";
+import { addGround, addLights } from "./lights.js";
 import { makeArrow, makeContactMarks, makeRod, makeTwist, paintArrow, paintRod, paintTwist, setArrow, setContactMarks,
   setRod, setTwist } from "./marks.js";
 import { makeRowMarks, setRowMarks } from "./rowmarks.js";
 import { STATE } from "./protocol.js";
-import { addLevel, disposeBody, lacksLevel, makeBody, markContacts, paintBody, showBody } from "./body.js";
-import { makePace, notePicture, restAfter, STEPS } from "./pace.js";
+import { addLevel, addRelief, disposeBody, drawLevel, lacksLevel, makeBody, markContacts, paintBody, shadeBody, showBody, smoothSurface } from "./body.js";
+import { makePace, notePicture, PLAIN_STEP, restAfter, STEPS } from "./pace.js";
 import { colour } from "./theme.js";
 
-const PLAIN_STEP = 2; // of pace.js, where the processor draws: it may turn out a fast one
-const EMPHASIS = 1.6; // the arrow has to come out of the object it starts in
+export const EMPHASIS = 1.6; // the arrow has to come out of the object it starts in
 
 /// Whether pictures are made by the processor, which the engine needs as well.
 function drawsInSoftware() {
@@ -40,41 +40,15 @@ export function makeScene(canvas, asked = null) {
   const root = new Group();
   scene.add(root);
   const stage = {
-    canvas, renderer, scene, root, view: makeView(), plain, lights: addLights(scene, plain), ground: addGround(scene), radius: 1,
+    canvas, renderer, scene, root, view: makeView(), plain, lights: addLights(scene), ground: addGround(scene), radius: 1,
     size: 1, object: null, statics: [], ghost: null, force: makeArrow(), twist: makeTwist(), marks: makeContactMarks(),
-    rows: makeRowMarks(), spring: makeRod(), dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true },
+    rows: makeRowMarks(), spring: makeRod(), dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true, names: true },
     wants: () => {}, wanted: new Set(), last: null, moved: true, resized: true, fence: null, begun: 0, rested: 0,
     pace: makePace({ step: plain ? PLAIN_STEP : 0, fixed: asked === "full" }),
   };
   root.add(stage.force.group, stage.twist.group, stage.marks.group, stage.rows.group, stage.spring.group);
   stage.spring.group.visible = false;
   return stage;
-}
-
-function addLights(scene, plain) {
-  const sky = new HemisphereLight(0xffffff, 0x8a8378, 1.5);
-  sky.position.set(0, 0, 1);
-  const key = new DirectionalLight(0xfff4e4, 2.6);
-  key.position.set(2.3, -1.5, 3.6); // over the left shoulder of who looks from the home of the view
-  key.castShadow = true;
-  key.shadow.mapSize.setScalar(plain ? 768 : 1536);
-  Object.assign(key.shadow.camera, { left: -1.5, right: 1.5, top: 1.5, bottom: -1.5, near: 0.5, far: 9 });
-  key.shadow.radius = 4;
-  key.shadow.bias = -0.0006;
-  key.shadow.normalBias = 0.006;
-  const rim = new DirectionalLight(0xcfe3ff, 0.9);
-  rim.position.set(-2.2, 2.2, 1.2);
-  const fill = new AmbientLight(0xffffff, 0.18);
-  scene.add(sky, key, rim, fill);
-  return { sky, key, rim, fill };
-}
-
-function addGround(scene) {
-  const shade = new Mesh(new PlaneGeometry(12, 12), new ShadowMaterial({ opacity: 0.2 }));
-  shade.receiveShadow = true;
-  shade.renderOrder = -1;
-  scene.add(shade);
-  return shade;
 }
 
 /// The objects of a `scene` message with their meshes by number.
@@ -94,8 +68,11 @@ export function setObjects(stage, description, meshes) {
     place(body.group, { position: entry.position, quaternion: entry.quat_xyzw });
     return body;
   });
-  for (const body of bodies(stage)) showBody(body, { wireframe: stage.options.wireframe });
-  stage.ghost = makeGhost(stage.object);
+  for (const body of bodies(stage)) {
+    showBody(body, { wireframe: stage.options.wireframe });
+    shadeBody(body, STEPS[stage.pace.step].rich);
+  }
+  stage.ghost = makeGhost(stage.object.geometry);
   place(stage.object.group, { position: description.start.position, quaternion: description.start.quat_xyzw });
   stage.root.add(stage.object.group, ...stage.statics.map((surface) => surface.group), stage.ghost.group);
   stage.size = description.object.radius;
@@ -115,6 +92,13 @@ export function takeLevel(stage, message) {
   stage.dirty = stage.moved = true;
 }
 
+/// A `relief` message has come.
+export function takeRelief(stage, message) {
+  for (const body of bodies(stage)) if (body.about.mesh === message.number) addRelief(body, message);
+  if (stage.last) showContacts(stage, stage.last);
+  stage.dirty = stage.moved = true;
+}
+
 /// Shows the patches of a level of one body, or with null the body as it is.
 export function browseLevel(stage, body, level) {
   showBody(body, { browsed: level });
@@ -123,40 +107,34 @@ export function browseLevel(stage, body, level) {
   stage.dirty = stage.moved = true;
 }
 
-/// Asks for the surface of a level, once.
-function want(stage, body, level) {
-  const key = `${body.about.mesh} ${level}`;
-  if (!lacksLevel(body, level) || stage.wanted.has(key)) return;
-  stage.wanted.add(key);
-  stage.wants(body.about.mesh, level);
+const AGAIN = 1000; // after which a refused level is asked for again [ms]
+
+/// Asks for the surface of a level, once; again where the program had no room for it.
+async function want(stage, body, level) {
+  const key = `${body.about.mesh} ${level}`, { wanted } = stage;
+  if (!lacksLevel(body, level) || wanted.has(key)) return;
+  wanted.add(key);
+  const ack = await stage.wants(body.about.mesh, level);
+  if (!ack.ok) setTimeout(() => wanted.delete(key), AGAIN);
 }
 
-/// A twin of glass, brighter at its rim: first its depth alone, then its nearest surface, so that nothing of its inside
-/// shows. It is drawn over all else, as it mostly hides in what it presses against.
-function makeGhost(object) {
-  const group = new Group();
-  const hidden = new Mesh(object.geometry, new MeshBasicMaterial({ colorWrite: false, transparent: true }));
-  hidden.onBeforeRender = (renderer) => renderer.clearDepth();
-  const glass = new Mesh(object.geometry, new ShaderMaterial({
-    transparent: true, depthWrite: false, uniforms: { tone: { value: new Color() } },
-    vertexShader: `varying vec3 facing; varying vec3 toEye;
-void main() {
-  vec4 seen = modelViewMatrix * vec4(position, 1.0);
-  facing = normalize(normalMatrix * normal);
-  toEye = -seen.xyz;
-  gl_Position = projectionMatrix * seen;
-}`,
-    fragmentShader: `varying vec3 facing; varying vec3 toEye; uniform vec3 tone;
-void main() {
-  float rim = 1.0 - abs(dot(normalize(facing), normalize(toEye)));
-  gl_FragColor = vec4(tone, 0.10 + 0.55 * rim * rim * rim);
-  #include <colorspace_fragment>
-}` }));
-  hidden.renderOrder = 10;
-  glass.renderOrder = 11;
-  group.add(hidden, glass);
-  group.visible = false;
-  return { group, glass };
+/// Each object as finely as the step of the pace asks, from where one looks.
+function chooseLevels(stage) {
+  const { off } = STEPS[stage.pace.step];
+  const at = new Vector3();
+  let changed = false;
+  for (const body of bodies(stage)) {
+    const { center, radius, level_list: list, relief } = body.about;
+    stage.root.localToWorld(at.set(...center).applyQuaternion(body.group.quaternion).add(body.group.position));
+    const nearest = Math.max(stage.view.camera.near, depthOf(stage.view, at) - radius / stage.radius);
+    const metres = unitsPerPixel(stage.view, nearest, stage.canvas.clientHeight) * stage.radius;
+    const level = levelToDraw(list, metres, off - (relief ?? 0) / metres); // a level has none of it
+    want(stage, body, level);
+    if (!drawLevel(body, level)) continue;
+    changed = true;
+    if (body === stage.object) shapeGhost(stage.ghost, smoothSurface(body).geometry); // glass shows no relief
+  }
+  if (changed && stage.last) showContacts(stage, stage.last);
 }
 
 function place(group, pose) {
@@ -184,16 +162,17 @@ function fit(stage) {
 }
 
 export function repaint(stage) {
+  const sky = Number(colour("sky"));
   if (stage.object) {
-    paintBody(stage.object, colour("held"), colour("held-line"));
-    for (const body of stage.statics) paintBody(body, colour("fixed"), colour("fixed-line"));
+    paintBody(stage.object, { base: colour("held"), line: colour("held-line"), sky });
+    for (const body of stage.statics) paintBody(body, { base: colour("fixed"), line: colour("fixed-line"), sky });
     stage.ghost.glass.material.uniforms.tone.value.set(colour("ghost"));
   }
   paintArrow(stage.force, colour("force"));
   paintTwist(stage.twist, colour("torque"));
   paintRod(stage.spring, colour("hand"));
   stage.ground.material.opacity = Number(colour("shadow"));
-  stage.lights.sky.intensity = Number(colour("sky"));
+  stage.lights.sky.intensity = sky;
   stage.dirty = true;
 }
 
@@ -211,13 +190,6 @@ export function showSnapshot(stage, snapshot) {
   showForces(stage, snapshot, at);
   showContacts(stage, snapshot);
   stage.dirty = stage.moved = true;
-}
-
-/// How far the ghost stands from the object: the way, in radii, and the turn.
-function apart({ object, ghost }, size) {
-  const way = Math.hypot(...object.position.map((value, k) => value - ghost.position[k]));
-  const a = new Quaternion(...object.quaternion), b = new Quaternion(...ghost.quaternion);
-  return way / size + a.angleTo(b);
 }
 
 function showForces(stage, snapshot, at) {
@@ -258,7 +230,7 @@ function toMesh(group, point) {
   return new Vector3(...point).sub(group.position).applyQuaternion(group.quaternion.clone().conjugate()).toArray();
 }
 
-/// options   any of {wireframe, ghost, contacts, forces}
+/// options   any of {wireframe, ghost, contacts, forces, names}
 export function setOptions(stage, options) {
   Object.assign(stage.options, options);
   for (const body of bodies(stage)) showBody(body, { wireframe: stage.options.wireframe });
@@ -277,21 +249,22 @@ export function resize(stage) {
   placeCamera(stage.view);
 }
 
-/// As many pixels as the page has room for and the machine can afford; where there are no shadows, nothing to catch them.
+/// The picture is as large as the view, however slow; where there are no shadows, nothing to catch them.
 function setQuality(stage) {
   const { clientWidth: width, clientHeight: height } = stage.canvas;
-  const { ratio, shadows } = STEPS[stage.pace.step];
-  stage.renderer.setPixelRatio(ratio * (stage.plain ? 1 : Math.min(2, devicePixelRatio)));
+  const { pixels, shadows, rich } = STEPS[stage.pace.step];
+  stage.renderer.setPixelRatio(stage.plain ? 1 : Math.min(pixels, devicePixelRatio));
   if (width > 0 && height > 0) stage.renderer.setSize(width, height, false);
   stage.lights.key.castShadow = stage.ground.visible = shadows;
+  for (const body of bodies(stage)) shadeBody(body, rich);
   stage.resized = false;
   stage.moved = true;
 }
 
-/// Draws when something has changed and the last picture is done; true when it did. Handing over more pictures than the
-/// graphics can make would in the end hold up this thread, and with it the hand. Where a picture takes long, pictures get
-/// half of the time at most, as the engine and the page need the rest, and the next ones are simpler.
-export function draw(stage) {
+/// Whether the last picture is done and the machine has had its rest. Handing over more pictures than the graphics can make
+/// would in the end hold up this thread, and with it the hand. Where a picture takes long, pictures get half of the time, as
+/// the engine and the page need the rest, and the next ones are simpler.
+export function isReady(stage) {
   const gl = stage.renderer.getContext(), now = performance.now();
   if (stage.fence && !gl.isContextLost()) {
     if (gl.getSyncParameter(stage.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
@@ -301,12 +274,19 @@ export function draw(stage) {
     stage.rested = now + 1e3 * restAfter(took, stage.plain);
     stage.resized ||= notePicture(stage.pace, took);
   }
-  if (now < stage.rested || !(stage.dirty || stage.view.changed)) return false;
+  return now >= stage.rested;
+}
+
+/// Draws when something has changed; true when it did. Only where isReady.
+export function draw(stage) {
+  if (!(stage.dirty || stage.view.changed)) return false;
+  const gl = stage.renderer.getContext();
   if (stage.resized) setQuality(stage);
+  chooseLevels(stage);
   stage.dirty = stage.view.changed = false;
   stage.renderer.shadowMap.needsUpdate = stage.moved;
   stage.moved = false;
-  stage.begun = now;
+  stage.begun = performance.now();
   stage.renderer.render(stage.scene, stage.view.camera);
   stage.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
   gl.flush();

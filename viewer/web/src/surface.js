@@ -1,78 +1,15 @@
-// One object as drawn: its surface, coloured near the contacts by their level of detail, and its finest triangles as lines.
-import { BufferAttribute, BufferGeometry, Color, DataTexture, Group, LineBasicMaterial, LineSegments, Mesh,
-  MeshStandardMaterial, RedFormat, RGBAFormat, UnsignedByteType, Vector4 } from "three";
+// One surface as drawn: coloured near the contacts by their level of detail, its triangles perhaps as lines.
+import { BufferAttribute, BufferGeometry, Color, DataTexture, Group, LineBasicMaterial, LineSegments, Mesh, RedFormat,
+  RGBAFormat, RGFormat, UnsignedByteType } from "three";
+import { patchBalls, reachPatches } from "./detail.js";
 import { splitAtCreases, uniqueEdges } from "./geometry.js";
-import { groupsAtLevel, markNodes, markPatches, patchOf, patchRanges, tint } from "./patches.js";
-import { LEVEL_COLOURS, levelColour } from "./theme.js";
+import { groupsAtLevel, markCovered, markPatches, patchOf, patchRanges, tint } from "./patches.js";
+import { MAX_SPOTS, plainMaterial, richMaterial, surfaceUniforms, TEXTURE_WIDTH } from "./shading.js";
 
-export const MAX_SPOTS = 24;
-const TEXTURE_WIDTH = 1024;
-
-/// What the shader of one object reads.
-function surfaceUniforms(patchLevels) {
-  return {
-    patchLevels: { value: patchLevels }, // a byte a patch: active level + 1, 0 for none
-    spotCount: { value: 0 },
-    spotRadius: { value: 1 },
-    spots: { value: Array.from({ length: MAX_SPOTS }, () => new Vector4()) }, // point [mesh frame], level
-    levelColours: { value: LEVEL_COLOURS.map((_, level) => new Color(levelColour(level))) },
-    onlyActive: { value: 0 }, // 1: nothing but the coloured parts is drawn
-    patchTints: { value: null }, // a colour a patch, of the level browser
-    tinted: { value: 0 }, // 1: every patch in its colour of patchTints
-  };
-}
-
-/// A standard material; patches in contact take the colour of their level, their surroundings within spotRadius a hue of it.
-function surfaceMaterial(uniforms) {
-  const material = new MeshStandardMaterial({ roughness: 0.62, metalness: 0.0 });
-  material.onBeforeCompile = (shader) => {
-    Object.assign(shader.uniforms, uniforms);
-    shader.vertexShader = shader.vertexShader
-      .replace("#include <common>", "#include <common>\nattribute float patchNumber;\nvarying vec3 meshPoint;\nflat varying float onPatch;")
-      .replace("#include <begin_vertex>", "#include <begin_vertex>\nmeshPoint = position;\nonPatch = patchNumber;");
-    shader.fragmentShader = shader.fragmentShader
-      .replace("#include <common>", `#include <common>
-varying vec3 meshPoint;
-flat varying float onPatch;
-uniform sampler2D patchLevels;
-uniform int spotCount;
-uniform float spotRadius;
-uniform float onlyActive;
-uniform sampler2D patchTints;
-uniform float tinted;
-uniform vec4 spots[${MAX_SPOTS}];
-uniform vec3 levelColours[${LEVEL_COLOURS.length}];`)
-      .replace("#include <color_fragment>", `#include <color_fragment>
-{
-  float nearest = 1.0;
-  int level = 0;
-  for (int k = 0; k < ${MAX_SPOTS}; k++) {
-    if (k >= spotCount) break;
-    float d = distance(meshPoint, spots[k].xyz) / spotRadius;
-    if (d < nearest) { nearest = d; level = int(spots[k].w); }
-  }
-  float share = 0.5 * (1.0 - smoothstep(0.35, 1.0, nearest));
-  int patchIndex = int(onPatch + 0.5);
-  if (onPatch >= 0.0) {
-    float stored = texelFetch(patchLevels, ivec2(patchIndex % ${TEXTURE_WIDTH}, patchIndex / ${TEXTURE_WIDTH}), 0).r;
-    int levelPlusOne = int(stored * 255.0 + 0.5);
-    if (levelPlusOne > 0) { share = 0.92; level = levelPlusOne - 1; }
-  }
-  if (onlyActive > 0.5 && share < 0.02) discard;
-  level = min(level, ${LEVEL_COLOURS.length - 1});
-  diffuseColor.rgb = mix(diffuseColor.rgb, levelColours[level], share);
-  if (tinted > 0.5 && onPatch >= 0.0) {
-    vec3 own = texelFetch(patchTints, ivec2(patchIndex % ${TEXTURE_WIDTH}, patchIndex / ${TEXTURE_WIDTH}), 0).rgb;
-    diffuseColor.rgb = mix(own, levelColours[level], 0.75 * step(0.9, share));
-  }
-}`);
-  };
-  return material;
-}
-
-/// mesh   as in the `mesh` message
-export function makeSurface(mesh) {
-  const triangles = mesh.triangles.length / 3;
+/// mesh     as in the `mesh` or `level` message
+/// ranges   of the tree that the level's nodes are in (patchRanges); left out: the mesh's own
+export function makeSurface(mesh, ranges = patchRanges(mesh.nodeOfPatch, mesh.parents)) {
+  const triangles = mesh.triangles.length / 3, patches = mesh.nodeOfPatch.length;
   const labels = Float32Array.from({ length: triangles }, (_, t) => patchOf(mesh, t));
   const split = splitAtCreases(mesh.positions, mesh.triangles, labels);
   const geometry = new BufferGeometry();
@@ -80,29 +17,28 @@ export function makeSurface(mesh) {
   geometry.setAttribute("normal", new BufferAttribute(split.normals, 3));
   geometry.setAttribute("patchNumber", new BufferAttribute(split.labels, 1));
   geometry.setIndex(new BufferAttribute(split.index, 1));
-  const lineGeometry = new BufferGeometry();
-  lineGeometry.setAttribute("position", new BufferAttribute(mesh.positions, 3));
-  lineGeometry.setIndex(new BufferAttribute(uniqueEdges(mesh.triangles), 1));
 
-  const bytes = new Uint8Array(TEXTURE_WIDTH * textureRows(mesh));
-  const patchLevels = patchTexture(bytes, RedFormat);
+  const state = new Uint8Array(2 * TEXTURE_WIDTH * textureRows(mesh));
+  const patchLevels = patchTexture(state, RGFormat);
   const uniforms = surfaceUniforms(patchLevels);
-  const solid = new Mesh(geometry, surfaceMaterial(uniforms));
+  const colour = { value: new Color() }, sky = { value: 1 };
+  const materials = { rich: richMaterial(uniforms), plain: plainMaterial(uniforms, colour, sky) };
+  materials.rich.color = colour.value;
+  const solid = new Mesh(geometry, materials.rich);
   solid.castShadow = solid.receiveShadow = true;
-  const lines = new LineSegments(lineGeometry, new LineBasicMaterial({ transparent: true, opacity: 0.16 }));
+  const lines = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.16 }));
   lines.visible = false;
   const group = new Group();
   group.add(solid, lines);
-  // A simplified level comes without a tree: its patches are named by their nodes.
-  const ranges = mesh.parents ? patchRanges(mesh.nodeOfPatch, mesh.parents) : null;
-  return { group, solid, lines, uniforms, geometry, mesh, ranges, bytes, patchLevels };
+  return { group, solid, lines, uniforms, geometry, mesh, ranges, materials, colour, sky, state, patchLevels,
+    bytes: new Uint8Array(patches), near: new Uint8Array(patches), balls: patchBalls(split.positions, split.labels, patches) };
 }
 
 const textureRows = (mesh) => Math.max(1, Math.ceil(mesh.nodeOfPatch.length / TEXTURE_WIDTH));
+const CHANNELS = new Map([[RedFormat, 1], [RGFormat, 2], [RGBAFormat, 4]]);
 
 function patchTexture(bytes, format) {
-  const texture = new DataTexture(bytes, TEXTURE_WIDTH, bytes.length / (TEXTURE_WIDTH * (format === RGBAFormat ? 4 : 1)), format,
-    UnsignedByteType);
+  const texture = new DataTexture(bytes, TEXTURE_WIDTH, bytes.length / (TEXTURE_WIDTH * CHANNELS.get(format)), format, UnsignedByteType);
   texture.unpackAlignment = 1;
   texture.needsUpdate = true;
   return texture;
@@ -121,9 +57,16 @@ export function tintPatches(surface, level) {
   surface.tintedAt = level;
 }
 
-export function paintSurface(surface, base, line) {
-  surface.solid.material.color.set(base);
+/// sky   strength of the light from above, as of the scene's
+export function paintSurface(surface, { base, line, sky }) {
+  surface.colour.value.set(base);
+  surface.sky.value = sky;
   surface.lines.material.color.set(line);
+}
+
+/// rich   as MeshStandardMaterial does, else plainly
+export function shadeSurface(surface, rich) {
+  surface.solid.material = rich ? surface.materials.rich : surface.materials.plain;
 }
 
 /// solid   "whole", "active": only near contacts, or "none"; lines 0 to 1: how strong edges are drawn
@@ -132,22 +75,31 @@ export function showParts(surface, solid, lines) {
   surface.uniforms.onlyActive.value = solid === "active" ? 1 : 0;
   surface.lines.visible = lines > 0;
   surface.lines.material.opacity = lines;
+  if (lines > 0 && !surface.lines.geometry.index) { // only who looks at lines waits for them
+    surface.lines.geometry.setAttribute("position", new BufferAttribute(surface.mesh.positions, 3));
+    surface.lines.geometry.setIndex(new BufferAttribute(uniqueEdges(surface.mesh.triangles), 1));
+  }
 }
 
-/// active   [{node, level}] of the contacts on this object
-export function setActive(surface, active) {
-  if (surface.ranges) markPatches(surface.ranges, active, surface.bytes);
-  else markNodes(surface.mesh.nodeOfPatch, active, surface.bytes);
-  surface.patchLevels.needsUpdate = true;
-}
-
-/// spots    [{point: [x, y, z] in the mesh frame, level}]
+/// Colours the patches below the nodes of contacts, and where spots are what lies around them.
+/// active   [{node, level}] of the contacts on this object; spots [{point: [x, y, z] in the mesh frame, level}] of them
 /// radius   how far around a contact the colour reaches [m]
-export function setSpots(surface, spots, radius) {
-  const { uniforms } = surface;
-  uniforms.spotCount.value = Math.min(MAX_SPOTS, spots.length);
+/// largest  radius of a patch that is coloured whole [m]: where a larger one is touched a spot says
+export function markSurface(surface, active, spots, radius, largest) {
+  const { bytes, near, balls, state, uniforms } = surface;
+  if (surface.mesh.parents) markPatches(surface.ranges, active, bytes);
+  else markCovered(surface.ranges, surface.mesh.nodeOfPatch, active, bytes);
+  const kept = spots.slice(0, MAX_SPOTS);
+  reachPatches(balls, kept, radius, near);
+  for (let patch = 0; patch < bytes.length; patch++) {
+    if (balls[4 * patch + 3] > largest) bytes[patch] = 0;
+    state[2 * patch] = bytes[patch];
+    state[2 * patch + 1] = near[patch];
+  }
+  surface.patchLevels.needsUpdate = true;
+  uniforms.spotCount.value = kept.length;
   uniforms.spotRadius.value = radius;
-  for (let k = 0; k < uniforms.spotCount.value; k++) uniforms.spots.value[k].set(...spots[k].point, spots[k].level);
+  kept.forEach(({ point, level }, k) => uniforms.spots.value[k].set(...point, level));
 }
 
 /// At most MAX_SPOTS of many contacts: one for all that lie within `apart` of each other and have one level.
@@ -168,6 +120,6 @@ export function disposeSurface(surface) {
   surface.patchLevels.dispose();
   surface.uniforms.patchTints.value?.dispose();
   surface.lines.geometry.dispose();
-  surface.solid.material.dispose();
+  for (const material of Object.values(surface.materials)) material.dispose();
   surface.lines.material.dispose();
 }

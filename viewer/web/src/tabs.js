@@ -1,7 +1,7 @@
-// Tabs of the panel, with buttons that belong to the first.
+// Tabs of the panel: by mouse, or by arrow keys while one of them has the keyboard.
 
-/// tabs      [[id of the page, name]]; buttons [[name, help, act]] shown beside them
-export function startTabs(parent, tabs, buttons) {
+/// tabs      [[id of the page, name]]
+export function startTabs(parent, tabs) {
   const made = tabs.map(([id, name]) => {
     const tab = Object.assign(document.createElement("button"), { type: "button", textContent: name });
     tab.setAttribute("role", "tab");
@@ -9,21 +9,22 @@ export function startTabs(parent, tabs, buttons) {
     tab.addEventListener("click", () => choose(id));
     return { id, tab };
   });
-  const space = Object.assign(document.createElement("span"), { className: "grow" });
-  const extras = buttons.map(([name, help, act]) => {
-    const button = Object.assign(document.createElement("button"), { type: "button", textContent: name, title: help, className: "quiet" });
-    button.setAttribute("aria-label", help);
-    button.addEventListener("click", act);
-    return button;
-  });
   function choose(chosen) {
     for (const { id, tab } of made) {
       tab.setAttribute("aria-selected", String(id === chosen));
+      tab.tabIndex = id === chosen ? 0 : -1;
       document.getElementById(id).hidden = id !== chosen;
     }
-    for (const button of extras) button.hidden = chosen !== tabs[0][0];
   }
-  parent.append(...made.map(({ tab }) => tab), space, ...extras);
+  parent.addEventListener("keydown", ({ key }) => {
+    const way = { ArrowRight: 1, ArrowLeft: -1 }[key];
+    const at = made.findIndex(({ tab }) => tab === document.activeElement);
+    if (!way || at < 0) return;
+    const next = made[(at + way + made.length) % made.length];
+    choose(next.id);
+    next.tab.focus();
+  });
+  parent.append(...made.map(({ tab }) => tab));
   choose(tabs[0][0]);
   return choose;
 }

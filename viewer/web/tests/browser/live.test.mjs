@@ -265,6 +265,59 @@ liveTest("levels of the engine: in contact, by themselves, light and dark", "han
   await shot(page, "live-browser");
 }, recorded, SHOTS ? "?picture=full" : "");
 
+/// How far the outlines of what is drawn lie off those of the original, in pixels; with how many pixels they cover.
+function outlineOff() {
+  const REACH = 8; // farther is not looked for [px]
+  const { stage } = window.thigma, { renderer, scene, view, object, statics } = stage, gl = renderer.getContext();
+  const width = gl.drawingBufferWidth, height = gl.drawingBufferHeight, bodies = [object, ...statics];
+  const mask = () => {
+    renderer.render(scene, view.camera);
+    const data = new Uint8Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data);
+    return Uint8Array.from({ length: width * height }, (_, k) => (data[4 * k + 3] > 0 ? 1 : 0));
+  };
+  for (const { group } of [stage.ghost, stage.marks, stage.force, stage.twist, stage.spring, stage.rows]) group.visible = false;
+  const drawn = mask();
+  const shown = bodies.flatMap((body) => [body.finest, ...body.levels.values()].map((one) => [one, one.solid.visible, one === body.finest]));
+  for (const [one, , isFinest] of shown) one.solid.visible = isFinest;
+  const whole = mask();
+  for (const [one, visible] of shown) one.solid.visible = visible;
+  let farthest = 0, covered = 0;
+  for (let y = REACH; y < height - REACH; y++) {
+    for (let x = REACH; x < width - REACH; x++) {
+      const at = y * width + x;
+      covered += whole[at];
+      if (whole[at] === drawn[at]) continue;
+      let nearest = REACH + 1;
+      for (let dy = -REACH; dy <= REACH; dy++) for (let dx = -REACH; dx <= REACH; dx++) {
+        if (whole[at + dy * width + dx] === drawn[at]) nearest = Math.min(nearest, Math.hypot(dx, dy));
+      }
+      farthest = Math.max(farthest, nearest);
+    }
+  }
+  return { levels: bodies.map((body) => body.drawn), farthest, covered };
+}
+
+liveTest("where pictures are slow, the asset's own levels are drawn, outlines no farther off than allowed", "hand:", async ({ page }) => {
+  await page.evaluate(() => window.thigma.act.pause());
+  await page.waitForFunction(() => window.thigma.session.state.run === "paused");
+  let coarsest = 0;
+  for (const [step, allowed] of [[4, 1], [5, 2], [6, 4]]) {
+    await page.evaluate((k) => { const { stage } = window.thigma;
+      Object.assign(stage.pace, { step: k, fixed: true });
+      Object.assign(stage, { resized: true, dirty: true }); }, step);
+    await drawnAgain(page); // asks for what it lacks
+    await page.waitForFunction(() => window.thigma.stage.wanted.size === [window.thigma.stage.object, ...window.thigma.stage.statics]
+      .reduce((sum, { levels }) => sum + levels.size, 0));
+    await page.evaluate(() => { window.thigma.stage.dirty = true; });
+    await drawnAgain(page);
+    const seen = await page.evaluate(outlineOff);
+    assert.ok(seen.covered > 20000 && seen.farthest <= allowed + 1, JSON.stringify(seen)); // of pixels, not of points
+    coarsest = Math.max(coarsest, ...seen.levels);
+  }
+  assert.ok(coarsest > 1, `level ${coarsest} at the most`);
+}, ["ellipsoid", "--response", "penalty"]);
+
 const JAWS = `title = "Upper jaw on lower jaw, contacts as constraints"
 [object]
 name = "upper jaw"

@@ -1,6 +1,8 @@
 // The page in Chromium against the stand-in server: what it shows, what it sends. Never how fast.
 //   node --test tests/browser        THIGMA_SHOTS=DIR keeps the screenshots
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { startMock } from "../mock/server.mjs";
@@ -25,7 +27,7 @@ function pageTest(name, options, body) {
     page.setDefaultTimeout(150000);
     try {
       if (options.prepare) await page.addInitScript(options.prepare);
-      await page.goto(`http://127.0.0.1:${mock.port}/`);
+      await page.goto(`http://127.0.0.1:${mock.port}/${options.query ?? ""}`);
       await page.waitForFunction(() => window.thigma?.session.counts.snapshot > 5 && window.thigma.session.counts.mesh === 2);
       await body({ mock, page, errors });
       assert.deepEqual(errors.filter((text) => !(options.mayReport ?? /^$/).test(text)), []);
@@ -99,6 +101,109 @@ pageTest("shows both objects, light and dark, wide and narrow", { device: "hand:
     assert.equal(bright, scheme === "light");
     if (process.env.THIGMA_SHOTS) await page.screenshot({ path: join(process.env.THIGMA_SHOTS, `page-${scheme}-${width}.png`) });
   }
+});
+
+/// What overflows the page, or an element that hides it.
+const overflowing = (page) => page.evaluate(() => [...document.querySelectorAll("body *")].filter((one) => {
+  const box = one.getBoundingClientRect(), style = getComputedStyle(one);
+  if (box.width === 0 || box.height === 0 || style.visibility === "hidden" || one.closest(".uplot, .name-tags")) return false;
+  const isCut = one.scrollWidth > one.clientWidth + 1 && style.overflowX !== "visible" && !one.matches(".title, .moment, .plot-area, .plot-title, #stage, input, select");
+  return box.right > innerWidth + 1 || box.left < -1 || isCut;
+}).map((one) => `${one.tagName}.${one.className}#${one.id}`));
+
+pageTest("every tab and dialog fits and passes an audit at three sizes, light and dark", { device: "hand:" }, async ({ page }) => {
+  const audit = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+  await page.evaluate(audit);
+  const found = new Set();
+  const look = async (place) => {
+    for (const name of await overflowing(page)) found.add(`${place}: ${name} does not fit`);
+    const { violations } = await page.evaluate(() => window.axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"] }));
+    for (const { id, nodes } of violations) found.add(`${place}: ${id} at ${nodes[0].target}: ${nodes[0].failureSummary}`);
+    if (process.env.THIGMA_SHOTS) await page.screenshot({ path: join(process.env.THIGMA_SHOTS, `audit-${place.replaceAll(" ", "-")}.png`) });
+  };
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme });
+    for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]]) {
+      await page.setViewportSize({ width, height });
+      await drawnSince(page);
+      const place = `${colorScheme} ${width}`;
+      for (const name of ["Plots", "Parameters", "Levels", "Events"]) {
+        await page.getByRole("tab", { name }).click();
+        await page.waitForTimeout(150); // colours and sizes have settled
+        await look(`${place} ${name}`);
+      }
+      for (const key of ["o", "?"]) {
+        await page.keyboard.press(key);
+        await page.locator("dialog[open]").waitFor();
+        await look(`${place} dialog ${key === "o" ? "open" : "help"}`);
+        await page.keyboard.press("Escape");
+      }
+    }
+  }
+  assert.deepEqual([...found], []);
+});
+
+pageTest("the keyboard alone holds, moves and turns the hand, turns the view, and chooses", {}, async ({ page, mock }) => {
+  const hand = () => page.evaluate(() => ({ position: [...window.thigma.hand.position], quaternion: [...window.thigma.hand.quaternion] }));
+  await page.locator("#scene").focus();
+  await page.keyboard.press("5"); // from above: right in the picture is +x, up is +y
+  await page.keyboard.press("Space");
+  await page.waitForFunction(() => window.thigma.session.holding && window.thigma.hand.clutch);
+  const hold = async (keys, until) => {
+    for (const key of keys) await page.keyboard.down(key);
+    await page.waitForFunction(until, await hand());
+    for (const key of keys.reverse()) await page.keyboard.up(key);
+  };
+  await hold(["ArrowRight"], (from) => window.thigma.hand.position[0] > from.position[0] + 2e-4);
+  await hold(["ArrowUp"], (from) => window.thigma.hand.position[1] > from.position[1] + 2e-4);
+  await hold(["PageUp"], (from) => window.thigma.hand.position[2] < from.position[2] - 2e-4);
+  await hold(["Control", "ArrowRight"], (from) => window.thigma.hand.quaternion.some((value, k) => Math.abs(value - from.quaternion[k]) > 0.02));
+  const azimuth = await page.evaluate(() => window.thigma.stage.view.azimuth), held = await hand();
+  await page.keyboard.down("Shift");
+  await page.keyboard.down("ArrowLeft");
+  await page.waitForFunction((old) => Math.abs(window.thigma.stage.view.azimuth - old) > 0.05, azimuth);
+  for (const key of ["ArrowLeft", "Shift"]) await page.keyboard.up(key);
+  assert.deepEqual(await hand(), held, "the view turns alone");
+  await until(() => mock.received.device > 3 && mock.world.grasped, "what the keys did was sent");
+  assert.deepEqual(mock.received.refused, []);
+  await page.keyboard.press("Space");
+  await until(() => !mock.world.grasped, "let go");
+  await page.getByRole("tab", { name: "Plots" }).focus();
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await page.getByRole("tab", { name: "Parameters" }).getAttribute("aria-selected"), "true");
+  await page.keyboard.press("3");
+  assert.ok(await page.evaluate(() => { const e = window.thigma.stage.view.camera.matrixWorld.elements; return e[9] > 0.99; }), "looks from +y");
+});
+
+pageTest("picture, tiles, sentences and plots show one moment, and values where the time cursor is", { device: "hand:" }, async ({ page, mock }) => {
+  await page.waitForFunction(() => window.thigma.plots.rows > 3000);
+  const moments = () => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => { const { stage, session: s, plots } = window.thigma;
+    resolve({ picture: stage.last?.time, shown: s.shown?.time, plots: plots.now, newest: s.snapshot.time }); })));
+  for (let k = 0; k < 5; k++) {
+    const seen = await moments();
+    assert.ok(seen.picture === seen.shown && seen.shown <= seen.newest && seen.plots <= seen.shown, JSON.stringify(seen));
+    await page.waitForTimeout(100);
+  }
+  await until(() => { if (mock.world.lift > 0.001) mock.run = "paused"; return mock.run === "paused"; }, "a contact");
+  await page.waitForFunction(() => (window.thigma.session.shown.bits & 8) !== 0 && window.thigma.plots.now === window.thigma.session.shown.time);
+  const force = await page.evaluate(() => Math.hypot(...window.thigma.session.shown.force).toFixed(2));
+  await page.waitForFunction((text) => document.querySelector(".tile.force .number").textContent === text, force);
+  assert.equal(await page.locator(".tile.force .unit").textContent(), "N");
+  const box = await page.locator(".plot .u-over").first().boundingBox();
+  await page.mouse.move(box.x + 0.9 * box.width, box.y + 10);
+  await page.waitForFunction(() => window.thigma.plots.pointed && /^At [\d.]+ s, [\d.]+ s ago/.test(document.querySelector(".moment").textContent));
+  const read = await page.evaluate(() => { const { pointed, plots, now } = window.thigma.plots;
+    return { ago: now - pointed.time, force: pointed.force, tile: Number(document.querySelector(".tile.force .number").textContent),
+      keys: plots[0].keys.textContent }; });
+  assert.ok(Math.abs(read.ago - 1) < 0.1 && Math.abs(read.tile - read.force) < 0.006, JSON.stringify(read));
+  assert.match(read.keys, /size [\d.]+ m?Nx [\d.-]+ [mµ]?N/);
+  await page.mouse.move(100, 300);
+  await page.waitForFunction(() => /^The last 10 s/.test(document.querySelector(".moment").textContent));
+  await page.locator("#plots").focus();
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForFunction(() => window.thigma.plots.pointed !== null);
+  await page.keyboard.press("Escape");
+  await page.waitForFunction(() => window.thigma.plots.pointed === null);
 });
 
 /// What is drawn of rows, and what is said of them.
@@ -178,14 +283,14 @@ pageTest("a drag moves the hand until the object touches, and not through", {}, 
     const { stage, session } = window.thigma, at = stage.object.group.position, ghost = stage.ghost.group.position;
     return { object: at.toArray(), ghost: ghost.toArray(), arrow: stage.force.group.visible, length: stage.force.group.children[0].scale.z,
       ghostSeen: stage.ghost.group.visible, dots: stage.marks.dots[0].count, force: Math.hypot(...session.snapshot.force),
-      sent: session.sent, active: stage.object.finest.bytes.filter((level) => level > 0).length,
-      spots: stage.object.finest.uniforms.spotCount.value };
+      sent: session.sent, ...[stage.object.finest, ...stage.object.levels.values()].filter(({ solid }) => solid.visible).map((one) =>
+        ({ spots: one.uniforms.spotCount.value }))[0] };
   });
   seen.object.forEach((value, k) => assert.ok(Math.abs(value - mock.world.object[k]) < 2e-4, "drawn where the engine has it"));
   assert.ok(seen.ghost[2] < seen.object[2] - 0.001 && seen.ghostSeen, "the ghost goes on, the object does not");
   assert.ok(mock.world.object[2] < start[2] && seen.object[2] > -0.0025, "down, but not through");
   assert.ok(seen.arrow && seen.length > 0 && seen.force > 0.3);
-  assert.ok(seen.dots > 0 && seen.active > 0 && seen.spots > 0, "contacts are marked and coloured");
+  assert.ok(seen.dots > 0 && seen.spots > 0, "contacts are marked and coloured");
   assert.deepEqual(mock.received.refused, []);
   await page.getByRole("tab", { name: "Events" }).click();
   await page.getByText("The hand took hold of the object").first().waitFor();
@@ -229,7 +334,7 @@ pageTest("hovering neither takes the hand nor loses it", {}, async ({ page, mock
 pageTest("another scene begins without the arrow, the ghost and the contacts of the one before", { device: "hand:" }, async ({ page, mock }) => {
   const marks = () => page.evaluate(() => { const { stage } = window.thigma;
     return [stage.force.group, stage.twist.group, stage.spring.group, stage.ghost.group].map(({ visible }) => visible)
-      .concat(stage.marks.dots[0].count > 0, stage.object.finest.bytes.some((level) => level > 0)); });
+      .concat(stage.marks.dots[0].count > 0, [stage.object.finest, ...stage.object.levels.values()].some(({ bytes }) => bytes.some((level) => level > 0))); });
   await page.waitForFunction(() => window.thigma.stage.force.group.visible && window.thigma.stage.marks.dots[0].count > 0);
   mock.silence(true); // a session that takes its time to begin
   const meshes = await page.evaluate(() => window.thigma.session.counts.mesh);
@@ -303,7 +408,7 @@ pageTest("parameters change, and a refusal says why", {}, async ({ page, mock })
   await page.waitForFunction(() => document.querySelector(".words [aria-checked=true]").textContent === "direct");
 });
 
-pageTest("levels: patches of any, and the active ones where the finest is only lines", { device: "hand:" }, async ({ page, mock }) => {
+pageTest("levels: patches of any, and the active ones where the finest is only lines", { device: "hand:", query: "?picture=full" }, async ({ page, mock }) => {
   await page.getByRole("tab", { name: "Levels" }).click();
   await page.getByRole("radio", { name: "lower block, level 2" }).click();
   await page.getByText("672 triangles in 36 convex patches; nowhere more than 320 µm off the original.").waitFor();
@@ -326,12 +431,58 @@ pageTest("levels: patches of any, and the active ones where the finest is only l
   assert.equal(asked().length, 4, "each is asked for once");
 });
 
+pageTest("where the processor draws, the view keeps its size and levels of detail are drawn", { device: "hand:" }, async ({ page, mock }) => {
+  const seen = () => page.evaluate(() => { const { stage } = window.thigma, { canvas } = stage;
+    return { pixels: [canvas.width, canvas.height], view: [canvas.clientWidth, canvas.clientHeight], plain: stage.plain,
+      drawn: [stage.object, ...stage.statics].map((body) => body.drawn),
+      shown: [stage.object, ...stage.statics].map((body) => [[0, body.finest], ...body.levels].filter(([, one]) => one.solid.visible).map(([level]) => level)),
+      ghost: stage.ghost.glass.geometry === (stage.object.levels.get(stage.object.drawn) ?? stage.object.finest).geometry }; });
+  await drawnSince(page);
+  await page.evaluate(() => Object.assign(window.thigma.stage, { resized: true, dirty: true }) && Object.assign(window.thigma.stage.pace, { step: 6, fixed: true }));
+  await page.waitForFunction(() => window.thigma.stage.object.drawn > 0 && window.thigma.stage.statics[0].drawn > 0);
+  const coarse = await seen();
+  assert.ok(coarse.plain && coarse.ghost, JSON.stringify(coarse));
+  assert.deepEqual(coarse.pixels, coarse.view, "at the slowest as large as the view");
+  assert.deepEqual(coarse.shown, coarse.drawn.map((level) => [level]), "one surface an object");
+  assert.ok(mock.received.text.some(({ type, mesh, value }) => type === "level" && mesh === 0 && value === coarse.drawn[0]));
+  await page.waitForFunction(() => { // contacts of all levels are marked on what is drawn
+    const { object } = window.thigma.stage;
+    return object.levels.get(object.drawn).uniforms.spotCount.value > 0;
+  });
+  await page.mouse.move(300, 300);
+  await page.mouse.wheel(0, -4000); // so near that nothing but the original is fine enough
+  await page.waitForFunction(() => window.thigma.stage.object.drawn === 0);
+});
+
+pageTest("relief is drawn in place of the smooth surface, and sound follows the force", { device: "hand:", query: "?picture=full" }, async ({ page, mock }) => {
+  await drawnSince(page);
+  mock.relief(1);
+  await page.waitForFunction(() => window.thigma.stage.statics[0].relief?.solid.visible);
+  const seen = await page.evaluate(() => { const { statics: [body], object } = window.thigma.stage;
+    return { smooth: body.finest.solid.visible, object: object.finest.solid.visible && object.relief === null }; });
+  assert.deepEqual(seen, { smooth: false, object: true });
+  await page.waitForFunction(() => window.thigma.stage.statics[0].relief.bytes.some((level) => level > 0)); // contacts mark it
+  await page.keyboard.press("l");
+  await page.waitForFunction(() => !window.thigma.stage.statics[0].relief.solid.visible);
+  await page.keyboard.press("l");
+  assert.ok(await page.evaluate(() => window.thigma.sound.context === null), "silent until asked");
+  await page.getByRole("button", { name: "Sound of contact" }).click();
+  await page.waitForFunction(() => window.thigma.sound.played > 3);
+  await page.keyboard.press("s");
+  const played = await page.evaluate(() => window.thigma.sound.played);
+  await drawnSince(page);
+  assert.equal(await page.evaluate(() => window.thigma.sound.played), played);
+});
+
 pageTest("a scene, a recording and a mesh of one's own are opened from the menu", { device: "hand:" }, async ({ page, mock }) => {
   await page.getByRole("button", { name: "Open a scene" }).click();
   await page.getByRole("button", { name: "Cup and spoon" }).click();
   await page.getByText("Building levels of cup …").waitFor();
   assert.equal(mock.opened, "cups");
-  mock.progress(null, 1);
+  assert.ok(!await page.evaluate(() => document.getElementById("opener").open), "nothing stands before the progress");
+  assert.ok(await page.evaluate(() => Math.abs(document.querySelector("#veil progress").value - 0.4) < 1e-6));
+  await page.getByRole("button", { name: "Cancel" }).click();
+  await until(() => mock.cancelled, "given up");
   await page.waitForFunction(() => document.getElementById("veil").hidden);
   await page.keyboard.press("o");
   await page.locator("#opener").getByRole("button", { name: "session-001.mcap" }).click();
@@ -340,6 +491,11 @@ pageTest("a scene, a recording and a mesh of one's own are opened from the menu"
   await slider.fill("12.5");
   await until(() => mock.received.text.some(({ type, value }) => type === "seek" && value === 12.5), "the slider's time");
   await page.getByText("A recording: session-001.mcap").waitFor();
+  await page.getByLabel("How fast it is shown").selectOption("0.25");
+  await until(() => mock.replay.speed === 0.25, "slow motion");
+  assert.ok(await page.evaluate(() => { const strip = document.querySelector(".track canvas"), { width, height } = strip;
+    const { data } = strip.getContext("2d").getImageData(0, 0, width, height);
+    return width > 100 && data.some((value, k) => k % 4 === 3 && value > 0) && data.some((value, k) => k % 4 === 3 && value === 0); }), "the force over the recording");
   await page.getByRole("button", { name: "Take it yourself" }).click();
   await slider.waitFor({ state: "hidden" });
   const bytes = Buffer.from(Array.from({ length: 150000 }, (_, k) => (k * k) % 251));

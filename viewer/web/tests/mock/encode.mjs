@@ -44,6 +44,16 @@ export function encodeLevel(number, level, { positions, triangles, patchOfTriang
   return buffer;
 }
 
+/// A mesh that stands for what its own level 0 is felt as.
+export function encodeRelief(number, { positions, triangles, patchOfTriangle, nodeOfPatch }) {
+  const buffer = header(32 + 4 * (positions.length + triangles.length + patchOfTriangle.length), 5, 0, number, 0);
+  [positions.length / 3, triangles.length / 3, nodeOfPatch.length, 0].forEach((size, k) => buffer.writeUInt32LE(size, 16 + 4 * k));
+  let at = 32;
+  for (const value of positions) { buffer.writeFloatLE(value, at); at += 4; }
+  for (const value of [...triangles, ...patchOfTriangle]) { buffer.writeUInt32LE(value, at); at += 4; }
+  return buffer;
+}
+
 /// rows   arrays of numbers in the order of CHANNELS
 export function encodeChannels(time, rows) {
   const buffer = header(16 + 4 * CHANNELS.length * rows.length, 2, CHANNELS.length, rows.length, time);

@@ -5,7 +5,7 @@ import { readFile } from "node:fs/promises";
 import { dirname, extname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { acceptSocket } from "./websocket.mjs";
-import { CHANNELS, encodeChannels, encodeLevel, encodeMesh, encodeSnapshot, FAULTS, readDevice } from "./encode.mjs";
+import { CHANNELS, encodeChannels, encodeLevel, encodeMesh, encodeRelief, encodeSnapshot, FAULTS, readDevice } from "./encode.mjs";
 import { constraintOf, levelList, makeBlock, makeWorld, rowOf, scriptedHand, snapshotOf, START, stepWorld } from "./world.mjs";
 
 const dist = join(dirname(fileURLToPath(import.meta.url)), "../../dist");
@@ -37,6 +37,7 @@ export async function startMock({ port = 0, device = "web:", constrained = false
     port: server.address().port,
     silence: (quiet) => { mock.quiet = quiet; },
     event: (kind, detail, text) => event(mock, kind, detail, text),
+    relief: (number) => { for (const page of mock.pages) page.sendBinary(encodeRelief(number, makeBlock(number === 0))); },
     progress: (what, share) => { for (const page of mock.pages) page.say({ type: "progress", what, share }); },
     show: () => { for (const page of mock.pages) tellScene(mock, page, page.say); },
     drop: () => { for (const page of [...mock.pages]) page.destroy(); },
@@ -91,7 +92,7 @@ function tellState(mock) {
   for (const page of mock.pages) {
     page.say({ type: "state", session: mock.session, run: mock.run, reason: null, time: mock.world.time, device: mock.device,
       devices: ["hand:", "web:"], holder: mock.holder === page ? "you" : mock.holder ? "other" : "none", recording: mock.recording ?? null,
-      replay: mock.replay ?? null, constraint: constraintOf(mock.world),
+      replay: mock.replay ?? null, limits: { force: 3.3, torque: 0.1 }, constraint: constraintOf(mock.world),
       pages: mock.pages.size, simulated: true, timing: { step_cpu_us: { p50: 2.1, p99: 4 }, wake_late_us: { p50: 60, p99: 400 },
         query_cpu_us: { p50: 1180, p99: 2100 }, haptic_hz: 1000, contact_hz: 420, missed: 0 }, dropped: { yours: 0, rows: 0, samples: 0 } });
   }
@@ -122,6 +123,8 @@ function obey(mock, page, { type, value, name, mesh, id, repair }) {
   if (type === "level") page.sendBinary(encodeLevel(mesh, value, makeBlock(mesh === 0, value)));
   else if (type === "open") return open(mock, value);
   else if (type === "seek") mock.world.time = value;
+  else if (type === "speed") mock.replay.speed = value;
+  else if (type === "cancel") { mock.cancelled = true; mock.progress(null, 1); }
   else if (type === "upload") { mock.upload = { id, page, name, left: value, bytes: [] }; return undefined; }
   else if (type === "place") mock.placed = { how: name, unit: value, repair };
   else if (type === "hold") {
@@ -157,7 +160,8 @@ function obey(mock, page, { type, value, name, mesh, id, repair }) {
 /// A recording, or a scene that takes a moment to prepare.
 function open(mock, name) {
   if (name.endsWith(".mcap")) {
-    mock.replay = { file: name, seconds: 20 };
+    mock.replay = { file: name, seconds: 20, speed: 1 };
+    for (const page of mock.pages) page.say({ type: "strip", seconds: 20, force: Array.from({ length: 300 }, (_, k) => Math.max(0, Math.sin(k / 20))) });
     return null;
   }
   if (name !== "cups") return `there is no '${name}' here`;

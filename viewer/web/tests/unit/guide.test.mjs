@@ -21,3 +21,17 @@ test("a page with it is offered the hand, and to begin again", () => {
   assert.equal(guideLine(makeGuide(), session(true, "running"), facts, act).button, "Take it yourself");
   assert.equal(guideLine(makeGuide(), session(true, "ended"), facts, act).button, "Begin again");
 });
+
+test("fingers are told of fingers, a mouse of keys", () => {
+  const held = { ...session(true, "running"), snapshot: { bits: 3, time: 1 } };
+  held.state = { ...held.state, device: "web:", holder: "you" };
+  const say = (touch, newtons) => {
+    const guide = makeGuide();
+    return guideLine(guide, held, { ...facts, holding: true, newtons, touch }, act).text;
+  };
+  for (const newtons of [0, 1]) {
+    assert.match(say(true, newtons), /finger/);
+    assert.doesNotMatch(say(true, newtons), /Shift|Ctrl|wheel|Space|Right-drag/);
+    assert.match(say(false, newtons), /Shift|Ctrl/);
+  }
+});

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { groupsAtLevel, markNodes, markPatches, patchRanges, tint } from "../../src/patches.js";
+import { groupsAtLevel, markCovered, markPatches, patchRanges, tint } from "../../src/patches.js";
 
 // 6 is the root of 4 and 5; 4 has leaves 0 and 1, 5 has 2 and 3. Patches lie on leaves in another order.
 const PARENTS = Int32Array.from([4, 4, 5, 5, 6, 6, -1]);
@@ -63,10 +63,12 @@ test("patches of a level go by the coarsest node that is not coarser", () => {
   assert.deepEqual([...groupsAtLevel([0, 1, 2, 3], parents, levels, 7)], [6, 6, 6, 6]);
 });
 
-test("a level's own patches are marked by their nodes", () => {
-  const into = new Uint8Array(4);
-  markNodes([4, 5, -1], [{ node: 5, level: 1 }, { node: -1, level: 0 }], into);
+test("a level's patches are marked where they lie whole below a contact's node", () => {
+  const ranges = patchRanges(NODES, PARENTS), into = new Uint8Array(4);
+  markCovered(ranges, [4, 5, -1, 0], [{ node: 5, level: 1 }, { node: -1, level: 0 }, { node: 99, level: 0 }], into);
   assert.deepEqual([...into], [0, 2, 0, 0]);
+  markCovered(ranges, [4, 5, -1, 0], [{ node: 6, level: 2 }, { node: 0, level: 0 }], into);
+  assert.deepEqual([...into], [3, 3, 0, 1], "a coarser contact covers it, a finer one only itself");
 });
 
 test("neighbouring numbers have colours that can be told apart", () => {

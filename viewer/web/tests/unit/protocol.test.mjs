@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { decode, encodeDevice, encodeUpload, parseText, ProtocolError } from "../../src/protocol.js";
-import { CHANNELS, encodeChannels, encodeLevel, encodeMesh, encodeSnapshot, readDevice } from "../mock/encode.mjs";
+import { CHANNELS, encodeChannels, encodeLevel, encodeMesh, encodeRelief, encodeSnapshot, readDevice } from "../mock/encode.mjs";
 
 const bytes = (buffer) => buffer.buffer.slice(buffer.byteOffset, buffer.byteOffset + buffer.length);
 const MESH = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], triangles: [0, 2, 1, 0, 1, 3], patchOfTriangle: [0, 0xffffffff],
@@ -28,6 +28,18 @@ test("a level comes through whole, and wrong ones are refused", () => {
   for (const wrong of [{ triangles: [0, 2, 1, 0, 1, 4] }, { patchOfTriangle: [0, 2] }, { nodeOfPatch: [2, -2] }]) {
     assert.throws(() => decode(bytes(encodeLevel(5, 3, { ...LEVEL, ...wrong }))), ProtocolError);
   }
+});
+
+test("relief comes through whole, and wrong ones are refused", () => {
+  const RELIEF = { positions: MESH.positions, triangles: MESH.triangles, patchOfTriangle: [1, 0], nodeOfPatch: [0, 1] };
+  const relief = decode(bytes(encodeRelief(2, RELIEF)));
+  assert.deepEqual([relief.kind, relief.number, relief.patches], ["relief", 2, 2]);
+  for (const name of ["positions", "triangles", "patchOfTriangle"]) assert.deepEqual([...relief[name]], RELIEF[name], name);
+  for (const wrong of [{ triangles: [0, 2, 1, 0, 1, 4] }, { patchOfTriangle: [0, 2] }, { positions: [...MESH.positions.slice(1), NaN] }]) {
+    assert.throws(() => decode(bytes(encodeRelief(2, { ...RELIEF, ...wrong }))), ProtocolError);
+  }
+  const whole = bytes(encodeRelief(2, RELIEF));
+  for (let n = 0; n < whole.byteLength; n += 4) assert.throws(() => decode(whole.slice(0, n)), ProtocolError, `${n} bytes`);
 });
 
 test("an upload says how many bytes it has", () => {

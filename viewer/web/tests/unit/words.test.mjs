@@ -1,5 +1,7 @@
 import assert from "node:assert/strict";
+import { readdirSync } from "node:fs";
 import { test } from "node:test";
+import { SCENES_WITH_WORDS, whatToTry } from "../../src/scenes.js";
 import { digits, duration, say, split } from "../../src/format.js";
 import { atConeEdge, deciderWords, endWords, eventWords, lateWords, levelCounts, limitWords, rowSituation, situation } from "../../src/words.js";
 
@@ -82,4 +84,10 @@ test("what was late is told for a while", () => {
   assert.equal(lateWords(late, 9), null);
   assert.equal(lateWords(null, 3), null);
   assert.equal(eventWords({ kind: "late", detail: "watchdog", text: "45.0 ms" }), "Late: the haptic loop stood still; 45.0 ms");
+});
+
+test("every scene of the program says what to try, and none that is not there", () => {
+  const scenes = readdirSync(new URL("../../../../scenes", import.meta.url)).filter((name) => name.endsWith(".toml")).map((name) => name.slice(0, -5));
+  assert.deepEqual([...SCENES_WITH_WORDS].sort(), scenes.sort());
+  assert.equal(whatToTry("mine.toml"), "");
 });
