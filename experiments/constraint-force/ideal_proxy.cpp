@@ -11,7 +11,8 @@ namespace thigma::experiments {
 namespace {
 
 constexpr double kSide = 0.020, kRadius = 0.005, kLength = 0.030;  // of E2's cube and peg [m]
-constexpr double kIn = 0.2;  // before the path, from apart to its first pose [s]
+constexpr double kIn = 0.2;    // before the path, from apart to its first pose [s]
+constexpr double kEase = 0.1;  // of the path, until the hand has its speed [s]
 
 /// Where a function of one number changes its sign in [low, high].
 double root(const std::function<double(double)>& f, double low, double high) {
@@ -107,8 +108,13 @@ ProxyQuality judge_proxy(const ProxyScene& proxy, const ProxySprings& springs,
   const QualityScene& scene = proxy.scene;
   const double seconds = pace.seconds;
   const auto last = static_cast<double>(scene.path.size() - 1);
+  // A hand that jumped to its speed would ring on the coupling.
+  const auto way = [seconds](double t) {
+    const double by = std::clamp(t, 0.0, seconds);
+    return (by < kEase ? 0.5 * by * by / kEase : by - 0.5 * kEase) / (seconds - 0.5 * kEase);
+  };
   const auto path_at = [&](double t) {
-    const double place = std::clamp((t - kIn) / seconds, 0.0, 1.0) * last;
+    const double place = way(t - kIn) * last;
     const auto i = static_cast<std::size_t>(std::min(std::floor(place), last - 1.0));
     const double share = place - static_cast<double>(i);
     const Pose &a = scene.path[i], &b = scene.path[i + 1];
@@ -117,11 +123,11 @@ ProxyQuality judge_proxy(const ProxyScene& proxy, const ProxySprings& springs,
                 rotation_from_vector(share * turn) * a.orientation};
   };
   // From apart to the first pose: back along the ideal force.
-  Vec3 way = proxy.ideal(scene.path[0]);
-  way = way.norm() > 0.0 && !scene.has_torque ? Vec3(2e-3 * way.normalized()) : Vec3(0, 0, 0);
+  Vec3 apart = proxy.ideal(scene.path[0]);
+  apart = apart.norm() > 0.0 && !scene.has_torque ? Vec3(2e-3 * apart.normalized()) : Vec3(0, 0, 0);
   const auto mesh_at = [&](double t) {
     Pose pose = path_at(t);
-    pose.position += (1.0 - std::clamp(t / kIn, 0.0, 1.0)) * way;
+    pose.position += (1.0 - std::clamp(t / kIn, 0.0, 1.0)) * apart;
     return pose;
   };
   LedPair pair = make_led_pair(scene.name, scene.object, scene.scene, mesh_at(0.0));
@@ -131,12 +137,13 @@ ProxyQuality judge_proxy(const ProxyScene& proxy, const ProxySprings& springs,
   gains.angular_stiffness = springs.angular;
   gains.every = pace.every;
   gains.angular_damping = 5e-4;
+  gains.damping = pace.damping;
   const HandPath hand = [&](double t) { return mesh_at(t) * mesh_from_body; };
   std::vector<Vec3> felt, ideal;
   SessionConfig config = led_config(pair, gains, kIn + seconds);
   config.haptic.constraint.slop *= pace.slop;
   const LedRun run = run_led(config, hand, [&](const HapticSample& sample, const LedStep&) {
-    if (sample.time < kIn + 0.05 * seconds) return;
+    if (sample.time < kIn + kEase + 0.05 * seconds) return;
     felt.push_back(scene.has_torque ? sample.command.torque : sample.command.force);
     ideal.push_back(proxy.ideal(path_at(sample.time)));
   });

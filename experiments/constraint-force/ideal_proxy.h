@@ -45,9 +45,11 @@ struct ProxyPace {
   double seconds = 20.0;  // of the path
   int every = 1;          // haptic frames from one contact frame to the next
   double slop = 1.0;      // of the engine's stand-off
+  double damping = 2.0;   // of the coupling [N s/m]
 };
 
-/// Leads the hand along the path and compares every frame but those of its first twentieth.
+/// Leads the hand along the path, after a tenth of a second as fast as it will be, and compares
+/// every frame but those of its first twentieth from there on.
 ProxyQuality judge_proxy(const ProxyScene& scene, const ProxySprings& springs,
                          const ProxyPace& pace);
 

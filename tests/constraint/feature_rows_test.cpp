@@ -144,6 +144,46 @@ TEST(FeatureRows, FarFromEverythingThereAreNone) {
   EXPECT_GT(two.model->travel, 0.0);
 }
 
+TEST(FeatureRows, RowsOfRoundThingsPointWhereTheSurfacesDo) {
+  // Planes aside of what is near let an object that slides run into them.
+  for (const double gap : {1e-6, 5e-5}) {
+    Two two(make_ball(0.020, 24), make_ball(0.030, 32));
+    BodyState state;
+    const Vec3 up = Vec3(0.3, 0.2, 1.0).normalized();
+    const test::TriangleTree scene = test::build_triangle_tree(two.scene);
+    const Pose near =
+        test::brought_near(two.object, {0.06 * up, Quat::Identity()}, -up, scene, gap);
+    state = at_pose(near);
+    two.ask(state, 1.6e-3);
+    ASSERT_GT(two.model->rows.size(), 20u);
+    double least = 1.0;
+    for (const ContactRow& row : two.model->rows) {
+      const RowAtState at = row_at(row, state.position, Mat3::Identity());
+      least = std::min(least, -at.normal.dot((state.position + at.arm).normalized()));
+    }
+    EXPECT_GT(least, 0.9) << gap;
+  }
+}
+
+TEST(FeatureRows, WhatDoesNotFitIsLookedForNearer) {
+  const TriangleMesh ball = make_ball(0.01, 16);
+  BodyState state;
+  state.position = {0.0, 0.0, 0.02001};
+  Two all(ball, ball);
+  const ConstraintStats known = all.ask(state, 1e-3);
+  ASSERT_EQ(known.left_out, 0);
+  // Room for the contacts, but not for the rows.
+  const std::size_t contacts = all.contacts.contacts.size();
+  ASSERT_LT(contacts, static_cast<std::size_t>(known.rows));
+  Two two(ball, ball, 0.0, contacts);
+  const ConstraintStats stats = two.ask(state, 1e-3);
+  EXPECT_EQ(stats.left_out, 0);
+  EXPECT_GT(stats.halvings, 0);
+  EXPECT_GT(two.model->travel, 0.0);
+  EXPECT_LT(two.model->travel, all.model->travel);
+  EXPECT_GT(two.model->rows.size(), 0u);
+}
+
 TEST(FeatureRows, WhatDoesNotFitStopsTheMotion) {
   Two two(make_ball(0.01, 8), make_ball(0.01, 8), 0.0, 4);
   BodyState state;

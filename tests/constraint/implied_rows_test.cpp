@@ -133,15 +133,18 @@ TEST(ImpliedRows, FarBeyondTheTravelTheOthersSayNothing) {
 }
 
 TEST(ImpliedRows, SizeDoesNotMatter) {
-  const BallInSocket small(1e-9), large(1e3);
+  // Powers of two: every number is the same but for its exponent, so that no choice between two
+  // rows that are as good is left to rounding.
+  constexpr double kSmall = 0x1p-30, kLarge = 0x1p10;
+  const BallInSocket small(kSmall), large(kLarge);
   ASSERT_EQ(small.found().size(), large.found().size());
   ImpliedScratch a, b;
   reserve_implied(a, small.found().size());
   reserve_implied(b, large.found().size());
   const auto of_small =
-      needed_rows(small.found(), small.state, bounds_of(small, 0.01 * 1e-9), kMaxRows, a);
+      needed_rows(small.found(), small.state, bounds_of(small, 0.01 * kSmall), kMaxRows, a);
   const auto of_large =
-      needed_rows(large.found(), large.state, bounds_of(large, 0.01 * 1e3), kMaxRows, b);
+      needed_rows(large.found(), large.state, bounds_of(large, 0.01 * kLarge), kMaxRows, b);
   EXPECT_TRUE(std::equal(of_small.begin(), of_small.end(), of_large.begin(), of_large.end()));
 }
 

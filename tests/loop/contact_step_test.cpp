@@ -90,9 +90,20 @@ TEST(ContactStep, TellsOfTheRowsOfItsModelAndOfWhatHadNoRoom) {
   narrow.contact.capacity = 1;
   ContactScratch little;
   reserve_contact_scratch(narrow.contact, little);
+  // Too little room for the rows of a travel: less of it, until all there are fit.
   contact_step(narrow.contact, at_height(0.01 + 1e-5), little, sample);
+  EXPECT_EQ(sample.left_out, 0);
+  EXPECT_GT(sample.travel_halvings, 0);
+  EXPECT_GT(sample.travel, 0.0);
+  EXPECT_LT(sample.travel, 1e-5);
+  // What is as good as touched has no room in any.
+  contact_step(narrow.contact, at_height(0.01 + 1e-9), little, sample);
   EXPECT_GT(sample.left_out, 0);
   EXPECT_EQ(sample.travel, 0.0);
+  // Then less is looked at.
+  const double looked = sample.look_ahead;
+  contact_step(narrow.contact, at_height(0.01 + 1e-9), little, sample);
+  EXPECT_LT(sample.look_ahead, looked);
 }
 
 TEST(ContactStep, CountsWhatDoesNotFit) {

@@ -27,6 +27,19 @@ std::int64_t find_all(const ConstraintWorld& world, const Pose& world_from_objec
   return left_out;
 }
 
+/// The same for a travel that is halved until all fits; both are counted.
+void find_for_travel(const ConstraintWorld& world, const Pose& world_from_object,
+                     std::span<const Contact> contacts, ConstraintScratch& scratch, double& travel,
+                     ConstraintStats& stats) noexcept {
+  constexpr int kHalvings = 8;
+  for (;; ++stats.halvings) {
+    stats.left_out =
+        find_all(world, world_from_object, contacts, row_reach(world, travel), scratch);
+    if (stats.left_out == 0 || stats.halvings == kHalvings) return;
+    travel *= 0.5;
+  }
+}
+
 /// Points and directions of the object in the frame of its body.
 void move_into_body(const ConstraintWorld& world, ContactRow& row) noexcept {
   const Pose& body_from_mesh = world.body_from_mesh;
@@ -109,16 +122,15 @@ ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState&
   model.reach = world.reach;
   model.travel = kShare * std::min(near.separation, kFar * world.reach);
   model.travel = std::min(model.travel, near.relief_travel);
-  const RowReach reach = row_reach(world, model.travel);
-  stats.left_out = near.contacts.dropped +
-                   find_all(world, world_from_object, near.contacts.contacts, reach, scratch);
+  find_for_travel(world, world_from_object, near.contacts.contacts, scratch, model.travel, stats);
+  stats.left_out += near.contacts.dropped;
   const std::size_t room = scratch.found.capacity() - scratch.found.size();
   const auto relief = near.relief.first(std::min(near.relief.size(), room));
   scratch.found.insert(scratch.found.end(), relief.begin(), relief.end());
   stats.left_out += static_cast<std::int64_t>(near.relief.size() - relief.size());
   stats.rows = static_cast<std::int64_t>(scratch.found.size());
   for (FoundRow& found : scratch.found) move_into_body(world, found.row);
-  stats.halvings = hand_over(world, scratch, model);
+  stats.halvings += hand_over(world, scratch, model);
   if (stats.left_out > 0) model.travel = 0.0;
   return stats;
 }

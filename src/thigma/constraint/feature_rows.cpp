@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "thigma/constraint/detail/plane_choice.h"
 #include "thigma/constraint/detail/row_search.h"
 #include "thigma/core/index.h"
 
@@ -52,6 +53,7 @@ std::int64_t find_rows(const BodyPair& pair, std::span<const Contact> contacts,
                        const RowReach& reach, RowScratch& scratch,
                        std::vector<FoundRow>& rows) noexcept {
   detail::RowSearch search = detail::make_search(pair, reach);
+  detail::find_known(contacts, search);
   empty(scratch.object);
   empty(scratch.scene);
   scratch.met.clear();

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/constraint/detail/edge_planes.h"
 #include "thigma/constraint/detail/feature_distance.h"
+#include "thigma/constraint/detail/plane_choice.h"
 #include "thigma/constraint/detail/row_search.h"
 #include "thigma/core/index.h"
 
@@ -66,57 +68,45 @@ bool place(const RowSearch& search, PlacedPair& pair) noexcept {
   return pair.distance <= search.reach.travel;
 }
 
-/// One edge's ends with the planes that keep them, and the other edge in the frame of the planes.
-struct Ends {
-  PointsOf points_of;
-  std::int32_t tail, head;
-  Vec3 at_tail, at_head, other_tail, other_head;
-};
-
-bool is_kept(const RowSearch& search, const VertexSide& side, std::int32_t vertex,
-             std::int32_t plane, double height) noexcept {
-  return height > search.reach.travel || is_member(side, vertex, plane);
-}
-
-/// Whether a plane has the other edge behind it and keeps both ends, or may: an end that a plane
-/// leaves enough of the edges' distance is given a row.
-bool is_guarded(RowSearch& search, const Ends& ends, double distance, VertexSide& side,
-                std::vector<FoundRow>& rows) noexcept {
-  for (std::size_t i = 0; i < side.planes.size(); ++i) {
-    const GuardPlane plane = side.planes[i];
-    const double tail = plane.height(ends.at_tail), head = plane.height(ends.at_head);
-    const auto index = static_cast<std::int32_t>(i);
-    const bool keeps_tail = is_kept(search, side, ends.tail, index, tail);
-    const bool keeps_head = is_kept(search, side, ends.head, index, head);
-    if (!keeps_tail && !leaves_enough(search, tail, distance)) continue;
-    if (!keeps_head && !leaves_enough(search, head, distance)) continue;
-    if (plane.height(ends.other_tail) > search.rounding ||
-        plane.height(ends.other_head) > search.rounding)
-      continue;
-    if (!keeps_tail) add_member(search, ends.points_of, ends.tail, index, side, rows);
-    if (!keeps_head) add_member(search, ends.points_of, ends.head, index, side, rows);
-    return true;
-  }
-  return false;
-}
-
-Ends object_ends(const RowSearch& search, const PlacedPair& pair) noexcept {
+EdgeEnds object_ends(const RowSearch& search, const PlacedPair& pair) noexcept {
   const ConvexEdge& e = search.object.features->edges[idx(pair.object)];
-  return {PointsOf::object, e.tail,          e.head,         pair.object_tail,
-          pair.object_head, pair.scene_tail, pair.scene_head};
+  return {.points_of = PointsOf::object,
+          .tail = e.tail,
+          .head = e.head,
+          .at_tail = pair.object_tail,
+          .at_head = pair.object_head,
+          .other_tail = pair.scene_tail,
+          .other_head = pair.scene_head,
+          .nearest = pair.on_object(),
+          .other_nearest = pair.on_scene(),
+          .other = &search.scene.features->edges[idx(pair.scene)],
+          .other_index = pair.scene};
 }
 
-Ends scene_ends(const RowSearch& search, const PlacedPair& pair) noexcept {
+EdgeEnds scene_ends(const RowSearch& search, const PlacedPair& pair) noexcept {
   const ConvexEdge& e = search.object.features->edges[idx(pair.object)];
   const ConvexEdge& f = search.scene.features->edges[idx(pair.scene)];
   const std::vector<Vec3>& a = search.object.features->vertices;
-  return {PointsOf::scene,
-          f.tail,
-          f.head,
-          transform_point(search.object_from_scene, pair.scene_tail),
-          transform_point(search.object_from_scene, pair.scene_head),
-          a[idx(e.tail)],
-          a[idx(e.head)]};
+  const Pose& object_from_scene = search.object_from_scene;
+  return {.points_of = PointsOf::scene,
+          .tail = f.tail,
+          .head = f.head,
+          .at_tail = transform_point(object_from_scene, pair.scene_tail),
+          .at_head = transform_point(object_from_scene, pair.scene_head),
+          .other_tail = a[idx(e.tail)],
+          .other_head = a[idx(e.head)],
+          .nearest = transform_point(object_from_scene, pair.on_scene()),
+          .other_nearest = transform_point(object_from_scene, pair.on_object()),
+          .other = &e,
+          .other_index = pair.object};
+}
+
+/// Of the lines of two edges, out of the object, into the scene [scene's mesh frame].
+Vec3 normal_of(const RowSearch& search, const PlacedPair& pair) noexcept {
+  const ConvexEdge& e = search.object.features->edges[idx(pair.object)];
+  const ConvexEdge& f = search.scene.features->edges[idx(pair.scene)];
+  const Vec3 u = search.scene_from_object.orientation._transformVector(pair.sign * e.direction);
+  return u.cross(f.direction).normalized();
 }
 
 FoundRow edge_row(const RowSearch& search, const PlacedPair& pair) noexcept {
@@ -131,40 +121,8 @@ FoundRow edge_row(const RowSearch& search, const PlacedPair& pair) noexcept {
   row.scene_point = transform_point(search.scene.world_from_mesh, pair.scene_tail);
   row.scene_direction = search.scene.world_from_mesh.orientation._transformVector(f.direction);
   row.id = id_of(search, row.kind, pair.object, pair.scene);
-  const Vec3 u = search.scene_from_object.orientation._transformVector(row.object_direction);
-  found.gap = u.cross(f.direction).normalized().dot(pair.scene_tail - pair.object_tail);
+  found.gap = normal_of(search, pair).dot(pair.scene_tail - pair.object_tail);
   return found;
-}
-
-/// Edges whose nearest points are not both inside: a plane through the nearest point of the one,
-/// square to the line between them, and both ends of the other in front of it.
-void add_end_plane(RowSearch& search, const PlacedPair& pair, RowScratch& scratch,
-                   std::vector<FoundRow>& rows) noexcept {
-  if (pair.distance <= search.rounding) return;  // a vertex on an edge: faces keep it
-  const Vec3 normal = (pair.on_scene() - pair.on_object()) / pair.distance;
-  const bool is_scene_end = pair.nearest.second <= 0.0 || pair.nearest.second >= 1.0;
-  VertexSide& side = is_scene_end ? scratch.scene : scratch.object;
-  if (side.planes.size() == side.planes.capacity()) {
-    ++search.left_out;
-    return;
-  }
-  GuardPlane plane;
-  if (is_scene_end) {
-    plane.normal = search.object_from_scene.orientation._transformVector(normal);
-    plane.offset = plane.normal.dot(transform_point(search.object_from_scene, pair.on_object()));
-    plane.feature = ~pair.object;
-  } else {
-    plane.normal = -normal;
-    plane.offset = plane.normal.dot(pair.on_scene());
-    plane.feature = ~pair.scene;
-  }
-  side.planes.push_back(plane);
-  const auto index = static_cast<std::int32_t>(side.planes.size()) - 1;
-  const Ends ends = is_scene_end ? scene_ends(search, pair) : object_ends(search, pair);
-  if (plane.height(ends.at_tail) <= search.reach.travel)
-    add_member(search, ends.points_of, ends.tail, index, side, rows);
-  if (plane.height(ends.at_head) <= search.reach.travel)
-    add_member(search, ends.points_of, ends.head, index, side, rows);
 }
 
 bool is_met(RowScratch& scratch, const EdgePair& pair) noexcept {
@@ -174,6 +132,16 @@ bool is_met(RowScratch& scratch, const EdgePair& pair) noexcept {
   return false;
 }
 
+/// A row of the two lines, where they are nearest inside of both edges.
+bool has_edge_row(const RowSearch& search, const PlacedPair& pair, FoundRow& row) noexcept {
+  const auto is_inside = [](double share) { return share > 0.0 && share < 1.0; };
+  if (!is_inside(pair.nearest.first) || !is_inside(pair.nearest.second)) return false;
+  row = edge_row(search, pair);
+  // On the wrong side: through each other by an error of the last steps, or beside each other and
+  // only able to touch once they have turned. Then what is apart stays apart.
+  return row.gap >= -kError * search.reach.travel;
+}
+
 /// Rows of two edges of which `pair` has the object's where it is.
 void consider(RowSearch& search, PlacedPair pair, const RowScratch::EdgeCone& f,
               RowScratch& scratch, std::vector<FoundRow>& rows) noexcept {
@@ -181,20 +149,26 @@ void consider(RowSearch& search, PlacedPair pair, const RowScratch::EdgeCone& f,
   if (!may_touch(search, e, f, pair.sign)) return;
   pair.scene = f.edge;
   if (!place(search, pair)) return;
-  if (is_guarded(search, object_ends(search, pair), pair.distance, scratch.object, rows)) return;
-  if (is_guarded(search, scene_ends(search, pair), pair.distance, scratch.scene, rows)) return;
+  const EdgeEnds of_object = object_ends(search, pair), of_scene = scene_ends(search, pair);
+  if (is_kept_apart(search, of_object, scratch.object)) return;
+  if (is_kept_apart(search, of_scene, scratch.scene)) return;
   if (is_met(scratch, {pair.object, pair.scene})) return;  // in another pair of patches
-  const auto is_inside = [](double share) { return share > 0.0 && share < 1.0; };
-  if (is_inside(pair.nearest.first) && is_inside(pair.nearest.second)) {
-    const FoundRow row = edge_row(search, pair);
-    // On the wrong side: through each other by an error of the last steps, or beside each other and
-    // only able to touch once they have turned. Then what is apart stays apart.
-    if (row.gap >= -kError * search.reach.travel) {
-      add_row(search, rows, row);
-      return;
-    }
+  FoundRow row;
+  const bool has_row = has_edge_row(search, pair, row);
+  // What presses has a row of its own, which lets the edges roll over each other.
+  const bool may_press = has_row && is_known(search, normal_of(search, pair));
+  const double by_row = has_row ? forbidden(search, normal_of(search, pair), row.gap) : kInfinity;
+  EdgeGuard best;
+  if (!may_press && pair.distance > search.rounding) {
+    choose_plane(search, of_object, pair.distance, scratch.object, best);
+    choose_plane(search, of_scene, pair.distance, scratch.scene, best);
   }
-  add_end_plane(search, pair, scratch, rows);
+  if (has_row && by_row <= best.forbids) {
+    add_row(search, rows, row);
+  } else if (best.ends != nullptr) {  // else a vertex on an edge: faces keep it
+    const bool is_of_object = best.ends->points_of == PointsOf::object;
+    keep_ends(search, best, is_of_object ? scratch.object : scratch.scene, rows);
+  }
 }
 
 /// Planes that near vertices of the object are kept in front of and the scene's patch lies behind.

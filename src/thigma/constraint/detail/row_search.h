@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "thigma/constraint/feature_rows.h"
+#include "thigma/core/static_vector.h"
 
 namespace thigma::detail {
 
@@ -14,6 +15,13 @@ inline constexpr double kError = 2e-3;
 /// Corners of a patch: it has at most half as many vertices.
 inline constexpr std::size_t kMostNear = 64;
 
+/// How far the object may go along a normal at most, by what is nearest there.
+struct KnownLimit {
+  Vec3 normal = Vec3::Zero();  // unit, out of the object, into the scene [scene's mesh frame]
+  double gap = 0.0;            // [m]
+};
+inline constexpr std::size_t kMostKnown = 8;  // each a comparison for every plane there might be
+
 /// One call of find_rows.
 struct RowSearch {
   PlacedFeatures object, scene;
@@ -22,6 +30,8 @@ struct RowSearch {
   Pose scene_from_object{}, object_from_scene{};  // mesh frames
   double rounding = 0.0;                          // lengths below it are none [m]
   double cone_slack = 0.0;  // sine by which turning may widen a cone of normals
+  StaticVector<KnownLimit, kMostKnown> known{};
+  double least_gap = 0.0;  // of those; infinite without [m]
   std::int64_t left_out = 0;
 };
 

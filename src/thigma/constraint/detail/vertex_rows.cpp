@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "thigma/constraint/detail/feature_distance.h"
+#include "thigma/constraint/detail/plane_choice.h"
 #include "thigma/constraint/detail/row_search.h"
 #include "thigma/core/index.h"
 
@@ -75,7 +76,8 @@ void gather_side(RowSearch& search, const Sides& sides, std::int32_t patch,
       const Vec3& p = points[i];
       const double ball = triangle.radius + travel;
       if ((p - triangle.center).squaredNorm() > ball * ball) continue;
-      if (std::fabs(triangle.normal.dot(p - a)) > travel) continue;
+      const double height = triangle.normal.dot(p - a);
+      if (std::fabs(height) > travel) continue;
       if (!may_touch(sides.points, v, normal_of_points, search.cone_slack)) continue;
       const Vec3 nearest = nearest_on_triangle(p, a, planes.vertices[idx(triangle.vertex[1])],
                                                planes.vertices[idx(triangle.vertex[2])]);
@@ -86,6 +88,8 @@ void gather_side(RowSearch& search, const Sides& sides, std::int32_t patch,
         continue;
       }
       out.push_back({distance, v, t, nearest});
+      if (height >= 0.0 && distance - height <= search.rounding)
+        add_known(search, sides.points_of, triangle.normal, height);
     }
   }
 }
@@ -97,51 +101,60 @@ bool is_behind(const SurfaceFeatures& features, const SurfaceTriangle& triangle,
   return true;
 }
 
-/// Whether some plane keeps the vertex from the triangle; a plane that would do and leaves the
-/// vertex enough becomes its own.
-bool is_guarded(RowSearch& search, const Sides& sides, const VertexSide::Candidate& c,
-                VertexSide& side, std::vector<FoundRow>& rows) noexcept {
+/// Whether a plane that the vertex is kept in front of has the triangle behind it.
+bool is_guarded(const RowSearch& search, const Sides& sides, const VertexSide::Candidate& c,
+                const VertexSide& side) noexcept {
   const SurfaceTriangle& triangle = sides.planes.triangles[idx(c.triangle)];
-  const Vec3 p = sides.point(c.vertex);
-  std::int32_t best = -1;
-  double most = 0.0;
-  for (std::size_t i = 0; i < side.planes.size(); ++i) {
-    const GuardPlane& plane = side.planes[i];
-    const double height = plane.height(p);
-    const auto index = static_cast<std::int32_t>(i);
-    const bool is_own = is_member(side, c.vertex, index);
-    const bool would_do = is_own || leaves_enough(search, height, c.distance);
-    if (!would_do || (!is_own && best >= 0 && height <= most)) continue;
-    if (!is_behind(sides.planes, triangle, plane, search.rounding)) continue;
-    if (is_own || height > search.reach.travel) return true;
-    best = index;
-    most = height;
+  for (std::int32_t m = side.first_member[idx(c.vertex)]; m >= 0; m = side.members[idx(m)].next) {
+    const GuardPlane& plane = side.planes[idx(side.members[idx(m)].plane)];
+    if (is_behind(sides.planes, triangle, plane, search.rounding)) return true;
   }
-  if (best < 0) return false;
-  add_member(search, sides.points_of, c.vertex, best, side, rows);
-  return true;
+  return false;
 }
 
-/// The plane that keeps a vertex from a triangle: the triangle's own where the vertex is over it,
-/// else the one through the nearest point of its border, which the whole triangle lies behind.
+/// The plane that keeps a vertex from a triangle: the triangle's own where the vertex is over it.
+/// Beside it that one or the plane through the nearest point of its border, whichever forbids
+/// less; the whole triangle lies behind either.
 bool make_plane(const RowSearch& search, const Sides& sides, const VertexSide::Candidate& c,
-                bool is_first, GuardPlane& plane) noexcept {
+                const VertexSide& side, GuardPlane& plane) noexcept {
   const SurfaceTriangle& triangle = sides.planes.triangles[idx(c.triangle)];
   const Vec3 p = sides.point(c.vertex);
   const Vec3& a = sides.planes.vertices[idx(triangle.vertex[0])];
+  plane = {triangle.normal, triangle.normal.dot(a), c.triangle};
   const double height = triangle.normal.dot(p - a);
   const bool is_over = std::fabs(std::fabs(height) - c.distance) <= search.rounding;
-  plane.feature = c.triangle;
   if (is_over || c.distance <= search.rounding) {
     // Behind a triangle: through it by an error of the last steps, or on the far side of a thin
     // object, whose near side keeps the vertex.
+    const bool is_first = side.first_member[idx(c.vertex)] < 0;
     const double error = is_first ? kError * search.reach.travel : search.rounding;
-    if (height < -error) return false;
-    plane.normal = triangle.normal;
-    plane.offset = triangle.normal.dot(a);
-  } else {
-    plane.normal = (p - c.nearest) / c.distance;
-    plane.offset = plane.normal.dot(c.nearest);
+    return height >= -error;
+  }
+  const Vec3 normal = (p - c.nearest) / c.distance;
+  const GuardPlane border{normal, normal.dot(c.nearest), c.triangle};
+  const auto forbids = [&](const GuardPlane& guard) {
+    return forbidden(search, sides.points_of, p, c.vertex, side, guard);
+  };
+  double least = forbids(border);
+  const auto compare = [&](const GuardPlane& guard) {
+    if (!may_keep(search, guard.height(p), c.distance)) return;
+    const double by_guard = forbids(guard);
+    if (by_guard >= least - kEqual * search.reach.travel) return;
+    least = by_guard;
+    plane = guard;
+  };
+  const GuardPlane own = plane;
+  plane = border;
+  compare(own);
+  if (least <= kNothing * search.reach.travel) return true;
+  for (const KnownLimit& known : search.known) {
+    const Vec3 wish = wish_of(search, sides.points_of, known);
+    std::array<Vec3, 4> ways;
+    for (std::size_t i = 0; i < 3; ++i)
+      ways[i] = c.nearest - sides.planes.vertices[idx(triangle.vertex[i])];
+    ways[3] = p - c.nearest - kSpare * least_height(search, c.distance) * wish;
+    for (const Vec3& near : normals_near(wish, ways, search.rounding))
+      compare({near, near.dot(c.nearest) + search.rounding, c.triangle});
   }
   return true;
 }
@@ -156,9 +169,9 @@ void search_side(RowSearch& search, const Sides& sides, VertexSide& side,
     if (c.vertex == vertex && c.triangle == triangle) continue;  // met in two pairs of patches
     vertex = c.vertex;
     triangle = c.triangle;
-    if (is_guarded(search, sides, c, side, rows)) continue;
+    if (is_guarded(search, sides, c, side)) continue;
     GuardPlane plane;
-    if (!make_plane(search, sides, c, side.first_member[idx(c.vertex)] < 0, plane)) continue;
+    if (!make_plane(search, sides, c, side, plane)) continue;
     if (side.planes.size() == side.planes.capacity()) {
       ++search.left_out;
       continue;

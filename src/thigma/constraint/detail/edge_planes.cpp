@@ -1,0 +1,119 @@
+#include "thigma/constraint/detail/edge_planes.h"
+
+#include <algorithm>
+
+#include "thigma/constraint/detail/plane_choice.h"
+#include "thigma/core/index.h"
+
+namespace thigma::detail {
+namespace {
+
+/// Calls back with the planes that an end has rows with and the other edge lies behind.
+template <class Visit>
+void each_own_plane(const RowSearch& search, const EdgeEnds& ends, const VertexSide& side,
+                    const Visit& visit) noexcept {
+  for (const std::int32_t end : {ends.tail, ends.head}) {
+    for (std::int32_t m = side.first_member[idx(end)]; m >= 0; m = side.members[idx(m)].next) {
+      const std::int32_t index = side.members[idx(m)].plane;
+      const GuardPlane& plane = side.planes[idx(index)];
+      if (plane.height(ends.other_tail) > search.rounding ||
+          plane.height(ends.other_head) > search.rounding)
+        continue;
+      if (visit(plane, index)) return;
+    }
+  }
+}
+
+/// What rows of both ends with a plane forbid; infinite where it would push an end.
+double forbidden_to_ends(const RowSearch& search, const EdgeEnds& ends, double distance,
+                         const VertexSide& side, const EdgeGuard& guard) noexcept {
+  double most = -kInfinity;
+  const auto add = [&](std::int32_t end, const Vec3& at) {
+    const double height = guard.plane.height(at);
+    if (guard.index >= 0 ? is_kept(search, side, end, guard.index, height)
+                         : height > search.reach.travel)
+      return;
+    most = std::max(most, may_keep(search, height, distance)
+                              ? forbidden(search, ends.points_of, at, end, side, guard.plane)
+                              : kInfinity);
+  };
+  add(ends.tail, ends.at_tail);
+  add(ends.head, ends.at_head);
+  return most;
+}
+
+/// Number of a plane through an edge, other than that of any triangle.
+std::int32_t feature_of(std::int32_t edge, std::int32_t which) noexcept {
+  constexpr std::int32_t kPlanes = 5;
+  return ~(kPlanes * edge + which);
+}
+
+}  // namespace
+
+bool is_kept(const RowSearch& search, const VertexSide& side, std::int32_t vertex,
+             std::int32_t plane, double height) noexcept {
+  return height > search.reach.travel || is_member(side, vertex, plane);
+}
+
+bool is_kept_apart(const RowSearch& search, const EdgeEnds& ends, const VertexSide& side) noexcept {
+  bool is_apart = false;
+  each_own_plane(search, ends, side, [&](const GuardPlane& plane, std::int32_t index) {
+    is_apart = is_kept(search, side, ends.tail, index, plane.height(ends.at_tail)) &&
+               is_kept(search, side, ends.head, index, plane.height(ends.at_head));
+    return is_apart;
+  });
+  return is_apart;
+}
+
+void choose_plane(const RowSearch& search, const EdgeEnds& ends, double distance,
+                  const VertexSide& side, EdgeGuard& best) noexcept {
+  const auto compare = [&](const GuardPlane& plane, std::int32_t index) {
+    EdgeGuard guard{0.0, plane, index, &ends};
+    guard.forbids = forbidden_to_ends(search, ends, distance, side, guard);
+    if (guard.forbids < best.forbids - kEqual * search.reach.travel) best = guard;
+    return false;
+  };
+  each_own_plane(search, ends, side, compare);
+  const EdgePlanes through = planes_through(*ends.other, ends.other_tail, ends.at_tail, ends.at_head);
+  std::int32_t which = 0;
+  for (const Vec3& normal : through.normal) {
+    const std::int32_t feature = feature_of(ends.other_index, which++);
+    if (normal.isZero(0.0)) continue;
+    const double offset = std::max(normal.dot(ends.other_tail), normal.dot(ends.other_head));
+    compare({normal, offset, feature}, -1);
+  }
+  const Vec3 normal = (ends.nearest - ends.other_nearest) / distance;
+  compare({normal, normal.dot(ends.other_nearest), feature_of(ends.other_index, 3)}, -1);
+  if (best.forbids <= kNothing * search.reach.travel) return;
+  for (const KnownLimit& known : search.known) {
+    const Vec3 wish = wish_of(search, ends.points_of, known);
+    const Vec3 least = kSpare * least_height(search, distance) * wish;
+    const Vec3& at = ends.other_nearest;
+    const Vec3 ways[] = {ends.at_tail - at - least, ends.at_head - at - least,
+                         at - ends.other_tail, at - ends.other_head};
+    for (const Vec3& near : normals_near(wish, ways, search.rounding)) {
+      const double offset = std::max(near.dot(ends.other_tail), near.dot(ends.other_head));
+      compare({near, offset, feature_of(ends.other_index, 4)}, -1);
+    }
+  }
+}
+
+void keep_ends(RowSearch& search, const EdgeGuard& guard, VertexSide& side,
+               std::vector<FoundRow>& rows) noexcept {
+  std::int32_t index = guard.index;
+  if (index < 0) {
+    if (side.planes.size() == side.planes.capacity()) {
+      ++search.left_out;
+      return;
+    }
+    side.planes.push_back(guard.plane);
+    index = static_cast<std::int32_t>(side.planes.size()) - 1;
+  }
+  const EdgeEnds& ends = *guard.ends;
+  if (!is_kept(search, side, ends.tail, index, guard.plane.height(ends.at_tail)))
+    add_member(search, ends.points_of, ends.tail, index, side, rows);
+  if (!is_kept(search, side, ends.head, index, guard.plane.height(ends.at_head)))
+    add_member(search, ends.points_of, ends.head, index, side, rows);
+}
+
+}  // namespace thigma::detail

@@ -1,0 +1,151 @@
+#include "thigma/constraint/detail/plane_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "thigma/core/index.h"
+#include "thigma/math/infinity.h"
+
+namespace thigma::detail {
+namespace {
+
+constexpr double kSame = 0.98;  // cosine of two normals that count as one
+
+/// What a limit leaves of the way along a normal.
+double left_by(const KnownLimit& known, const Vec3& normal, double travel) noexcept {
+  const double along = known.normal.dot(normal);
+  if (!(along > 0.0)) return travel;
+  const double across = std::sqrt(std::max(1.0 - along * along, 0.0));
+  return std::min(along * std::max(known.gap, 0.0) + across * travel, travel);
+}
+
+Vec3 out_of_object(const RowSearch& search, PointsOf points, const Vec3& plane_normal) noexcept {
+  if (points == PointsOf::object) return -plane_normal;
+  return search.scene_from_object.orientation._transformVector(plane_normal);
+}
+
+}  // namespace
+
+void find_known(std::span<const Contact> contacts, RowSearch& search) noexcept {
+  search.known.clear();
+  search.least_gap = kInfinity;
+  const Contact* nearest = nullptr;
+  for (const Contact& contact : contacts)
+    if (contact.body == search.body && (nearest == nullptr || contact.depth > nearest->depth))
+      nearest = &contact;
+  if (nearest == nullptr) return;
+  const Quat scene_from_world = search.scene.world_from_mesh.orientation.conjugate();
+  add_known(search, {scene_from_world._transformVector(nearest->normal), -nearest->depth});
+}
+
+void add_known(RowSearch& search, const KnownLimit& limit) noexcept {
+  auto& known = search.known;
+  search.least_gap = std::min(search.least_gap, limit.gap);
+  const double nearer = limit.gap + kEqual * search.reach.travel;
+  const auto same = std::find_if(known.begin(), known.end(), [&](const KnownLimit& k) {
+    return k.normal.dot(limit.normal) > kSame;
+  });
+  if (same != known.end()) {
+    if (nearer < same->gap) *same = limit;
+  } else if (!known.push_back(limit)) {
+    const auto farthest =
+        std::max_element(known.begin(), known.end(),
+                         [](const auto& x, const auto& y) { return x.gap < y.gap; });
+    if (nearer < farthest->gap) *farthest = limit;
+  }
+}
+
+void add_known(RowSearch& search, PointsOf points, const Vec3& plane_normal,
+               double height) noexcept {
+  add_known(search, {out_of_object(search, points, plane_normal), height});
+}
+
+bool is_known(const RowSearch& search, const Vec3& normal) noexcept {
+  return std::any_of(search.known.begin(), search.known.end(),
+                     [&](const KnownLimit& k) { return k.normal.dot(normal) > kSame; });
+}
+
+double forbidden(const RowSearch& search, const Vec3& normal, double height) noexcept {
+  double left = search.reach.travel;
+  for (const KnownLimit& known : search.known)
+    left = std::min(left, left_by(known, normal, search.reach.travel));
+  return left - height;
+}
+
+double forbidden(const RowSearch& search, PointsOf points, const Vec3& point, std::int32_t vertex,
+                 const VertexSide& side, const GuardPlane& plane) noexcept {
+  const Vec3 normal = out_of_object(search, points, plane.normal);
+  const double height = plane.height(point);
+  double left = forbidden(search, normal, height) + height;
+  for (std::int32_t m = side.first_member[idx(vertex)]; m >= 0; m = side.members[idx(m)].next) {
+    const GuardPlane& own = side.planes[idx(side.members[idx(m)].plane)];
+    const KnownLimit limit{out_of_object(search, points, own.normal), own.height(point)};
+    left = std::min(left, left_by(limit, normal, search.reach.travel));
+  }
+  return left - height;
+}
+
+bool may_keep(const RowSearch& search, double height, double distance) noexcept {
+  return height >= least_height(search, distance) - search.rounding;
+}
+
+double least_height(const RowSearch& search, double distance) noexcept {
+  constexpr double kShare = 0.5;  // of what is nearest: nothing comes nearer than that by itself
+  return kShare * std::clamp(search.least_gap, 0.0, distance);
+}
+
+Vec3 wish_of(const RowSearch& search, PointsOf points, const KnownLimit& known) noexcept {
+  if (points == PointsOf::object) return -known.normal;
+  return search.object_from_scene.orientation._transformVector(known.normal);
+}
+
+Normals normals_near(const Vec3& wish, std::span<const Vec3> ways, double rounding) noexcept {
+  Normals normals;
+  const auto add = [&](const Vec3& normal) {
+    const double length = normal.norm();
+    if (!(length > 0.0)) return;
+    const Vec3 unit = normal / length;
+    for (const Vec3& way : ways)
+      if (unit.dot(way) < -rounding) return;
+    normals.push_back(unit);
+  };
+  add(wish);
+  if (!normals.empty()) return normals;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const double square = ways[i].squaredNorm();
+    if (!(square > rounding * rounding)) continue;
+    add(wish - wish.dot(ways[i]) / square * ways[i]);
+    for (std::size_t k = i + 1; k < ways.size(); ++k) {
+      const Vec3 both = ways[i].cross(ways[k]);
+      add(both.dot(wish) < 0.0 ? Vec3(-both) : both);
+    }
+  }
+  return normals;
+}
+
+EdgePlanes planes_through(const ConvexEdge& edge, const Vec3& on_edge, const Vec3& a,
+                          const Vec3& b) noexcept {
+  EdgePlanes planes;
+  const Vec3 left = edge.direction.cross(edge.into_left);
+  const Vec3 right = edge.into_right.cross(edge.direction);
+  planes.normal[0] = left;
+  planes.normal[1] = right;
+  const auto across = [&](const Vec3& point) -> Vec3 {
+    const Vec3 from = point - on_edge;
+    return from - edge.direction.dot(from) * edge.direction;
+  };
+  const Vec3 first = across(a), way = across(b) - first;
+  const double square = way.squaredNorm();
+  const double share = square > 0.0 ? std::clamp(-first.dot(way) / square, 0.0, 1.0) : 0.0;
+  const Vec3 middle = first + share * way;
+  const double length = middle.norm();
+  if (!(length > 0.0)) return planes;
+  // Between the faces' normals, where the surface about the edge lies behind it.
+  const double turn = left.cross(right).dot(edge.direction);
+  if (turn * left.cross(middle).dot(edge.direction) > 0.0 &&
+      turn * middle.cross(right).dot(edge.direction) > 0.0)
+    planes.normal[2] = middle / length;
+  return planes;
+}
+
+}  // namespace thigma::detail
