@@ -20,7 +20,7 @@ constexpr int kMostRounds = 60;  // a few are usual
 constexpr int kMostNewton = 40;  // in a round
 constexpr double kAccuracy = 1e-9;   // of the free speed: of the rows
 constexpr double kSettled = 1e-7;    // of the largest impulse: of friction
-constexpr double kGradient = 1e-12;  // of the free momentum: of a round's minimum
+constexpr double kGradient = 1e-11;  // of the free momentum: of a round's minimum
 
 /// What a solve works on.
 struct Work {

@@ -116,8 +116,8 @@ void append_rows(const World& world, std::span<const BodyState> states, const Ne
     row.friction = last.is_sliding ? model.friction.kinetic : model.friction.at_rest;
     row.impulse = last.impulse;
     s.rows.push_back(row);
-    s.sources.push_back(
-        {number, static_cast<std::int32_t>(i), std::max(at.gap - slop, 0.0), at.gap});
+    s.sources.push_back({number, static_cast<std::int32_t>(i), std::max(at.gap - slop, 0.0),
+                         at.gap, std::max(-row.limit, 0.0)});
   }
 }
 

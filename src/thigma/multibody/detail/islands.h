@@ -15,6 +15,7 @@ struct RowSource {
   std::int32_t pair = -1, row = -1;  // into PairModels::near and its model
   double room = 0.0;                 // gap less the stand-off, at least 0 [m]
   double gap = 0.0;                  // before the step [m]
+  double lead = 0.0;                 // speed at which it is led apart, else 0 [m/s]
 };
 
 /// Ranges of one island in the lists of all.

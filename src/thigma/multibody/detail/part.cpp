@@ -96,6 +96,22 @@ BodyState after(const Part& part, std::int32_t body, const IslandBody& solved,
   return next;
 }
 
+/// A body that touches no other one that moves, and has met nothing in this part: goes by the mean of
+/// its velocities before and after, which is right to second order. Where others are met too, places
+/// go by the velocity after: only so do impulses at one place keep the angular momentum of both.
+BodyState after_smoothly(const Part& part, std::int32_t body, const IslandBody& solved) noexcept {
+  const RigidBody& rigid = part.world.rigid[idx(body)];
+  const BodyState& y = part.state.bodies[idx(body)];
+  BodyState next = after(part, body, solved, 1.0);
+  next.position =
+      y.position + 0.5 * part.dt * (y.linear_momentum + next.linear_momentum) / rigid.mass;
+  BodyState turning = next;
+  turning.angular_momentum = 0.5 * (y.angular_momentum + next.angular_momentum);
+  turning.orientation = y.orientation;
+  next.orientation = free_motion(rigid, turning, part.dt).orientation;
+  return next;
+}
+
 /// Wakes what an awake body's box comes near to; whole heaps, as their bodies are near each other.
 void find_near(Part& part) {
   auto& s = part.s;
@@ -163,26 +179,78 @@ void hold_only(std::span<IslandRow> rows) noexcept {
   for (IslandRow& row : rows) row.limit = std::max(row.limit, 0.0);
 }
 
-/// Rows that turning has closed beyond their linear change ask for less; whether any does.
+/// Gap of a row after the part.
+double gap_after(const Part& part, const RowSource& source) noexcept {
+  const auto& s = part.s;
+  const NearPair& pair = *s.pairs.near[idx(source.pair)];
+  const BodyState relative = relative_state(s.next[idx(pair.first)], s.next[idx(pair.second)]);
+  return row_at(pair.model.rows[idx(source.row)], relative.position,
+                rotation_matrix(relative.orientation))
+      .gap;
+}
+
+/// Rows that turning has closed beyond their linear change ask for less, or, where they touched
+/// already, to part by what turning takes; whether any does.
 bool correct_limits(Part& part, const Island& island) noexcept {
   auto& s = part.s;
   bool is_short = false;
   for (std::int32_t i = 0; i < island.rows; ++i) {
     const std::size_t r = idx(island.first_row + i);
     const RowSource& source = s.islands.sources[r];
+    const double gap = gap_after(part, source);
     const NearPair& pair = *s.pairs.near[idx(source.pair)];
-    const BodyState relative = relative_state(s.next[idx(pair.first)], s.next[idx(pair.second)]);
-    const double gap = row_at(pair.model.rows[idx(source.row)], relative.position,
-                              rotation_matrix(relative.orientation))
-                           .gap;
     const double slop = part.world.pair_kinds[idx(pair.kind)].constraints.slop;
-    IslandRow& row = s.islands.rows[r];
-    constexpr double kShort = 0.5;  // of the stand-off
-    if (gap >= kShort * slop || row.limit <= 0.0) continue;
+    const double kept = std::min(slop, source.gap);
+    constexpr double kShort = 0.5;  // of what is kept
+    if (gap >= kShort * kept || !(kept > 0.0)) continue;
     is_short = true;
-    row.limit = std::max(row.limit - (slop - gap) / part.dt, 0.0);
+    s.islands.rows[r].limit -= (kept - gap) / part.dt;
   }
   return is_short;
+}
+
+/// Whether an island has more energy after the part than before, but for what leading bodies apart
+/// gives: only corrections of turning can do that, less so in a shorter part.
+bool gains_energy(const Part& part, const Island& island) noexcept {
+  const auto& s = part.s;
+  double gain = 0.0, scale = 0.0;
+  for (std::int32_t i = 0; i < island.bodies; ++i) {
+    const std::int32_t body = s.islands.body[idx(island.first_body + i)];
+    if (part.world.bodies[idx(body)].kind != BodyKind::moving) return false;
+    const RigidBody& rigid = part.world.rigid[idx(body)];
+    const BodyState &y = part.state.bodies[idx(body)], &next = s.next[idx(body)];
+    const double before = kinetic_energy(rigid, y), after = kinetic_energy(rigid, next);
+    gain += after - before - rigid.mass * rigid.gravity.dot(next.position - y.position);
+    scale += after + before;
+  }
+  for (std::int32_t i = 0; i < island.rows; ++i) {
+    const std::size_t r = idx(island.first_row + i);
+    gain -= s.islands.rows[r].impulse.x() * s.islands.sources[r].lead;
+  }
+  constexpr double kRounding = 1e-11;
+  return gain > kRounding * scale;
+}
+
+/// Lets the one body of an island go smoothly, where its rows let it.
+void smooth(Part& part, const Island& island) noexcept {
+  auto& s = part.s;
+  const std::int32_t body = s.islands.body[idx(island.first_body)];
+  if (island.bodies != 1 || part.world.bodies[idx(body)].kind != BodyKind::moving) return;
+  const BodyState before = s.next[idx(body)];
+  for (std::int32_t i = 0; i < island.rows; ++i) {
+    const std::size_t r = idx(island.first_row + i);
+    if (s.islands.rows[r].impulse.x() > 0.0 && s.islands.sources[r].room > 0.0) return;
+  }
+  s.next[idx(body)] = after_smoothly(part, body, s.islands.bodies[idx(island.first_body)]);
+  for (std::int32_t i = 0; i < island.rows; ++i) {
+    const RowSource& source = s.islands.sources[idx(island.first_row + i)];
+    const NearPair& pair = *s.pairs.near[idx(source.pair)];
+    const double slop = part.world.pair_kinds[idx(pair.kind)].constraints.slop;
+    constexpr double kLess = 1e-6;  // of the stand-off, that a gap may lose below it
+    if (gap_after(part, source) >= std::min(slop, source.gap) - kLess * slop) continue;
+    s.next[idx(body)] = before;
+    return;
+  }
 }
 
 void solve_one(Part& part, const Island& island) {
@@ -206,6 +274,7 @@ void solve_one(Part& part, const Island& island) {
     }
     if (turn + 1 == kTurns || !correct_limits(part, island)) break;
   }
+  smooth(part, island);
 }
 
 void solve_all(Part& part) {
@@ -357,8 +426,11 @@ double make_part(Part& part, bool is_last) {
     is_within = went_within(part);
   }
   double share = 1.0;
-  if (!is_within || !is_allowed(part)) {
-    if (!is_last) return 0.0;
+  if (!is_last) {
+    if (!is_within || !is_allowed(part)) return 0.0;
+    for (const Island& island : s.islands.islands)
+      if (gains_energy(part, island)) return 0.0;
+  } else if (!is_within || !is_allowed(part)) {
     share = share_within(part);
   }
   keep_rows(part);
