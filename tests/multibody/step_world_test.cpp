@@ -71,7 +71,6 @@ TEST(StepWorld, TowerOfThirtyStands) {
   }
   EXPECT_LE(drift, 10e-6);
   RecordProperty("drift_um", std::to_string(1e6 * drift));
-  std::printf("drift %.3g um, energy %.3g\n", 1e6 * drift, (bench.energy() - energy) / energy);
   for (std::size_t k = 0; k < 30; ++k) EXPECT_GT(bench.distance(k, k + 1), 0.0);
 }
 
@@ -99,7 +98,6 @@ TEST(StepWorld, BlockSlidesAndStopsWhereCoulombSays) {
   }
   const double way = (bench.state.bodies[1].position - start).dot(along);
   const double expected = speed * speed / (2.0 * 0.3 * kGravity);
-  std::printf("way %.6f expected %.6f time %d\n", way, expected, stop);
   EXPECT_NEAR(way, expected, 1e-3 * expected);
   EXPECT_LT((bench.state.bodies[1].position - start - way * along).norm(), 1e-3 * expected);
 }
@@ -121,7 +119,6 @@ TEST(StepWorld, BlockOnSlopeHoldsBelowItsConeAndAcceleratesAboveIt) {
     for (int i = 0; i < 400; ++i) bench.step();
     const double way = (bench.state.bodies[1].position - start).dot(down);
     const double a = kGravity * (std::sin(angle) - mu * std::cos(angle));
-    std::printf("mu %g way %.9f\n", mu, way);
     if (a < 0.0)
       EXPECT_LT(std::fabs(way), 1e-6);
     else
@@ -165,9 +162,6 @@ TEST(StepWorld, FreeBodiesKeepMomentumAndNeverGainEnergy) {
     last = bench.energy();
   }
   const WorldMomentum end = momentum(bench.world, bench.state);
-  std::printf("impacts %d parts %d growth %.3g linear %.3g angular %.3g\n", int(impacts), most_parts,
-              grown / energy, (end.linear - start.linear).norm() / scale,
-              (end.angular - start.angular).norm() / arm);
   EXPECT_GT(impacts, 5);
   EXPECT_LE(grown, 1e-9 * energy);
   EXPECT_LE((end.linear - start.linear).norm(), 1e-12 * scale);
@@ -208,7 +202,6 @@ TEST(StepWorld, ThrownPairsNeverPassThroughEachOther) {
       ASSERT_LE(bench.energy(), energy * (1.0 + 1e-9)) << k;
     }
   }
-  std::printf("met %d passed %d waited %.3g s\n", met, passed, waited);
   EXPECT_EQ(passed, 0);
   EXPECT_GT(met, throws / 2);
 }
