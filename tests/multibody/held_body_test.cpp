@@ -3,9 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <gtest/gtest.h>
-
 #include "multibody/world_bench.h"
+#include <gtest/gtest.h>
 
 #include "thigma/multibody/step_world.h"
 
@@ -42,7 +41,8 @@ struct Row {
     WorldBody& pusher = bench.add(block, BodyKind::held, Vec3(-0.041, 0.0, 0.021));
     pusher.friction = {0.0, 0.0};
     for (int i = 0; i < blocks; ++i)
-      bench.add(block, BodyKind::moving, Vec3((0.04 + gap) * i, 0.0, 0.02 + gap)).friction = {mu, mu};
+      bench.add(block, BodyKind::moving, Vec3((0.04 + gap) * i, 0.0, 0.02 + gap)).friction = {mu,
+                                                                                              mu};
     bench.bodies[0].friction = {mu, mu};
     bench.make(gravity);
     bench.world.sleeps = false;
@@ -60,8 +60,8 @@ struct Row {
     hand.handle.pose.position.x() = x;
     hand.handle.twist.linear.x() = speed;
     step = bench.step(kDt, {.hands = {&hand, 1}});
-    const Wrench reaction = coupling_reaction(hand.coupling, hand.handle, bench.world.rigid[1],
-                                              bench.state.bodies[1]);
+    const Wrench reaction =
+        coupling_reaction(hand.coupling, hand.handle, bench.world.rigid[1], bench.state.bodies[1]);
     feel = -reaction.force.x();
     energy += feel * (x - before);
     least = std::min(least, energy);

@@ -3,10 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <gtest/gtest.h>
-
 #include "multibody/world_bench.h"
 #include "support/full.h"
+#include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
 #include "thigma/math/random.h"
@@ -50,8 +49,7 @@ TEST(StepWorld, TowerOfThirtyStands) {
   WorldBench bench;
   test::add_floor(bench);
   const auto block = test::body_mesh(make_box(Vec3(0.04, 0.04, 0.02)));
-  for (int i = 0; i < 30; ++i)
-    bench.add(block, BodyKind::moving, Vec3(0.0, 0.0, 0.01 + i * 0.02));
+  for (int i = 0; i < 30; ++i) bench.add(block, BodyKind::moving, Vec3(0.0, 0.0, 0.01 + i * 0.02));
   bench.make();
   const double slop = bench.world.pair_kinds.back().constraints.slop;
   for (int i = 0; i < 30; ++i)
@@ -184,7 +182,8 @@ TEST(StepWorld, ThrownPairsNeverPassThroughEachOther) {
     WorldBench bench;
     bench.add(plate, BodyKind::moving, Vec3::Zero());
     bench.add(k % 2 == 0 ? cone : ring, BodyKind::moving,
-              Vec3(0.02 * random.normal(), 0.02 * random.normal(), 0.06), rotation_from_vector(any()));
+              Vec3(0.02 * random.normal(), 0.02 * random.normal(), 0.06),
+              rotation_from_vector(any()));
     for (WorldBody& body : bench.bodies) {
       body.restitution = k % 3 == 0 ? 0.7 : 0.0;
       body.start.angular_momentum = 20.0 * (body.inertia * any());

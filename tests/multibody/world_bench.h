@@ -86,8 +86,7 @@ inline std::shared_ptr<BodyMesh> floor_mesh(double size = 0.5, double thickness 
 }
 inline WorldBody& add_floor(WorldBench& bench, double size = 0.5) {
   const double thickness = 0.02;
-  return bench.add(floor_mesh(size, thickness), BodyKind::fixed,
-                   Vec3(0.0, 0.0, -0.5 * thickness));
+  return bench.add(floor_mesh(size, thickness), BodyKind::fixed, Vec3(0.0, 0.0, -0.5 * thickness));
 }
 
 }  // namespace thigma::test

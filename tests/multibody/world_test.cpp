@@ -2,9 +2,8 @@
 
 #include <limits>
 
-#include <gtest/gtest.h>
-
 #include "multibody/world_bench.h"
+#include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
 
@@ -44,7 +43,10 @@ TEST(World, RefusesBadBodiesByName) {
       {"body 'right': inertia", [](WorldBody& b) { b.inertia = -b.inertia; }},
       {"body 'right': pose", [](WorldBody& b) { b.start.position.x() = kNan; }},
       {"body 'right': pose", [](WorldBody& b) { b.start.orientation.coeffs() *= 2.0; }},
-      {"body 'right': friction", [](WorldBody& b) { b.friction = {0.5, 0.1}; }},
+      {"body 'right': friction",
+       [](WorldBody& b) {
+         b.friction = {0.5, 0.1};
+       }},
       {"body 'right': restitution", [](WorldBody& b) { b.restitution = 1.5; }},
       {"body 'right': no surface", [](WorldBody& b) { b.shape.hierarchy = nullptr; }},
       {"body 'left': name given twice", [](WorldBody& b) { b.name = "left"; }},

@@ -16,8 +16,8 @@ using Mat36 = Eigen::Matrix<double, 3, 6>;
 // The penalty of the augmented Lagrangian, in masses that a contact feels. A round leaves about one
 // over it, times the length of a stack squared, of the error; more of it costs digits of the factor.
 constexpr double kWeight = 1e5;
-constexpr int kMostRounds = 60;  // a few are usual
-constexpr int kMostNewton = 40;  // in a round
+constexpr int kMostRounds = 60;      // a few are usual
+constexpr int kMostNewton = 40;      // in a round
 constexpr double kAccuracy = 1e-9;   // of the free speed: of the rows
 constexpr double kSettled = 1e-7;    // of the largest impulse: of friction
 constexpr double kGradient = 1e-11;  // of the free momentum: of a round's minimum
@@ -229,8 +229,7 @@ Change take_multipliers(Work& work, bool holds_radius) noexcept {
     const Vec3& f = work.s.force[i];
     const Vec3 by = f - row.impulse;
     change.speed = std::max(change.speed, by.norm() / work.s.weight[i]);
-    change.residual =
-        std::max(change.residual, approach(row, work.s.velocity).x() - row.limit);
+    change.residual = std::max(change.residual, approach(row, work.s.velocity).x() - row.limit);
     most = std::max(most, f.x());
     row.impulse = f;
     const double radius = row.friction * f.x();

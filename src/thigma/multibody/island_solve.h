@@ -15,18 +15,18 @@ struct IslandBody {
   // A of its step: M, and of a held body h B + h^2 K of its coupling. Symmetric positive definite
   // [kg, kg m, kg m^2]
   Mat6 metric = Mat6::Identity();
-  Vec6 free = Vec6::Zero();      // velocity without contacts [m/s, rad/s; world]
+  Vec6 free = Vec6::Zero();  // velocity without contacts [m/s, rad/s; world]
   // results: with the contacts, and what these gave it, about its centre of mass [N s, N m s]
   Vec6 velocity = Vec6::Zero(), impulse = Vec6::Zero();
 };
 
 /// A contact of two bodies of an island, or of one with what does not move.
 struct IslandRow {
-  std::int32_t a = -1, b = -1;  // bodies of the island; -1: what does not move
-  Vec3 normal = Vec3::UnitZ();  // unit, out of a, into b [world]
-  Vec3 first = Vec3::UnitX();   // unit, across the normal [world]
+  std::int32_t a = -1, b = -1;                      // bodies of the island; -1: what does not move
+  Vec3 normal = Vec3::UnitZ();                      // unit, out of a, into b [world]
+  Vec3 first = Vec3::UnitX();                       // unit, across the normal [world]
   Vec3 arm_a = Vec3::Zero(), arm_b = Vec3::Zero();  // of one place, from both centres [m; world]
-  double limit = 0.0;     // the normal speed of a towards b at most; below 0: they have to part [m/s]
+  double limit = 0.0;  // the normal speed of a towards b at most; below 0: they have to part [m/s]
   double friction = 0.0;  // Coulomb's coefficient now, >= 0
   // on b along the normal and the two tangents, and the opposite on a: warm start and result [N s]
   Vec3 impulse = Vec3::Zero();
@@ -34,9 +34,9 @@ struct IslandRow {
 
 /// What a solve did.
 struct IslandSolution {
-  int rounds = 0;         // of multipliers
-  int newton = 0;         // steps: so many factors
-  double residual = 0.0;  // largest speed at which a row is violated, at least 0 [m/s]
+  int rounds = 0;          // of multipliers
+  int newton = 0;          // steps: so many factors
+  double residual = 0.0;   // largest speed at which a row is violated, at least 0 [m/s]
   double unsettled = 0.0;  // change of the friction impulses in the last round, of the largest
   // false: rows contradict each other, or rounds ran out before the residual was small
   bool is_whole = true;

@@ -18,8 +18,8 @@ using detail::Part;
 /// Bodies that touch and have not moved for long enough rest until something comes near: whole heaps
 /// together, so that none hangs in the air.
 void put_to_sleep(const World& world, double dt, WorldState& state, WorldScratch& s) {
-  constexpr double kTime = 0.5;   // [s]
-  constexpr double kWay = 5e-6;   // of the reach: what a body may move in that time
+  constexpr double kTime = 0.5;  // [s]
+  constexpr double kWay = 5e-6;  // of the reach: what a body may move in that time
   for (const detail::Island& island : s.islands.islands) {
     bool is_still = true;
     for (std::int32_t i = 0; i < island.bodies; ++i) {
@@ -118,8 +118,8 @@ StartOverlap find_overlap(const World& world, const WorldState& state, WorldScra
   detail::find_pairs(world, state, s.margins, s.moves, s.broad);
   detail::take_pairs(world, s.broad.pairs, s.pairs);
   for (NearPair* pair : s.pairs.near) {
-    const BodyState relative = detail::relative_state(state.bodies[idx(pair->first)],
-                                                      state.bodies[idx(pair->second)]);
+    const BodyState relative =
+        detail::relative_state(state.bodies[idx(pair->first)], state.bodies[idx(pair->second)]);
     detail::PairCounts counts;
     detail::renew(world, relative, 0.0, *pair, s.pairs, counts);
     for (const Contact& contact : s.pairs.contacts.contacts) {

@@ -31,17 +31,17 @@ struct WorldInputs {
 
 /// What a step did.
 struct WorldStep {
-  std::int32_t pairs = 0;    // near each other
-  std::int32_t islands = 0;  // of more than one body, or with contacts
-  std::int32_t largest_island = 0;    // bodies
-  std::int32_t awake = 0;    // bodies that were moved
-  std::int64_t queries = 0;  // of pairs
-  std::int64_t rows = 0;     // in the solves, of all parts of the step
-  std::int32_t pressing = 0;          // that pressed at its end
-  std::int32_t parts = 0;    // the step was made in so many: bodies were too fast for one
-  std::int32_t newton = 0;   // factors of all solves
-  std::int32_t impacts = 0;  // contacts that began with a bounce
-  double residual = 0.0;     // largest speed at which a row was violated [m/s]
+  std::int32_t pairs = 0;           // near each other
+  std::int32_t islands = 0;         // of more than one body, or with contacts
+  std::int32_t largest_island = 0;  // bodies
+  std::int32_t awake = 0;           // bodies that were moved
+  std::int64_t queries = 0;         // of pairs
+  std::int64_t rows = 0;            // in the solves, of all parts of the step
+  std::int32_t pressing = 0;        // that pressed at its end
+  std::int32_t parts = 0;           // the step was made in so many: bodies were too fast for one
+  std::int32_t newton = 0;          // factors of all solves
+  std::int32_t impacts = 0;         // contacts that began with a bounce
+  double residual = 0.0;            // largest speed at which a row was violated [m/s]
   // Time that was not made up: bodies waited, as they would have gone farther than rows hold [s]
   double waited = 0.0;
   bool is_whole = true;       // false: some rows contradicted each other and only held

@@ -104,10 +104,10 @@ void make_pair_kinds(World& world) {
       PairKind kind;
       kind.first = in_order ? a : b;
       kind.second = in_order ? b : a;
-      const BodyShape &first = world.shapes[idx(kind.first)], &second = world.shapes[idx(kind.second)];
+      const BodyShape &first = world.shapes[idx(kind.first)],
+                      &second = world.shapes[idx(kind.second)];
       const SceneBody scene{second.hierarchy, second.body_from_mesh};
-      kind.constraints =
-          make_constraint_world(*first.hierarchy, first.body_from_mesh, {&scene, 1});
+      kind.constraints = make_constraint_world(*first.hierarchy, first.body_from_mesh, {&scene, 1});
       world.kind_of[idx(a) * idx(count) + idx(b)] = world.kind_of[idx(b) * idx(count) + idx(a)] =
           static_cast<std::int32_t>(world.pair_kinds.size());
       world.pair_kinds.push_back(std::move(kind));
@@ -155,7 +155,8 @@ Friction friction_between(const WorldBody& a, const WorldBody& b) noexcept {
 double mechanical_energy(const World& world, const WorldState& state) noexcept {
   double sum = 0.0;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    if (world.bodies[i].kind != BodyKind::moving && world.bodies[i].kind != BodyKind::held) continue;
+    if (world.bodies[i].kind != BodyKind::moving && world.bodies[i].kind != BodyKind::held)
+      continue;
     sum += kinetic_energy(world.rigid[i], state.bodies[i]) -
            world.rigid[i].mass * world.gravity.dot(state.bodies[i].position);
   }
@@ -165,7 +166,8 @@ double mechanical_energy(const World& world, const WorldState& state) noexcept {
 WorldMomentum momentum(const World& world, const WorldState& state) noexcept {
   WorldMomentum sum;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    if (world.bodies[i].kind != BodyKind::moving && world.bodies[i].kind != BodyKind::held) continue;
+    if (world.bodies[i].kind != BodyKind::moving && world.bodies[i].kind != BodyKind::held)
+      continue;
     const BodyState& y = state.bodies[i];
     sum.linear += y.linear_momentum;
     sum.angular += y.angular_momentum + y.position.cross(y.linear_momentum);

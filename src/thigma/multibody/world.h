@@ -35,11 +35,11 @@ struct WorldBody {
   std::string name;
   BodyKind kind = BodyKind::moving;
   BodyShape shape;
-  double mass = 0.0;               // of moving and held [kg]
+  double mass = 0.0;                // of moving and held [kg]
   Mat3 inertia = Mat3::Identity();  // about the centre of mass [kg m^2; body frame]
-  Friction friction{0.3, 0.3};     // of its material
-  double restitution = 0.0;        // of its material, 0..1
-  BodyState start;                 // pose, momenta of moving and held
+  Friction friction{0.3, 0.3};      // of its material
+  double restitution = 0.0;         // of its material, 0..1
+  BodyState start;                  // pose, momenta of moving and held
 };
 
 /// A kind of pair: two shapes, the first the one whose travel is measured, in the frame of the
@@ -59,21 +59,21 @@ struct ShapeBox {
 struct World {
   Vec3 gravity = Vec3::Zero();  // [m/s^2]
   std::vector<WorldBody> bodies;
-  std::vector<RigidBody> rigid;      // one a body; of prescribed ones so heavy that nothing stops them
-  std::vector<std::int32_t> shape;   // of a body, into `shapes`
-  std::vector<BodyShape> shapes;     // each once
-  std::vector<ShapeBox> boxes;       // of the shapes
-  std::vector<PairKind> pair_kinds;  // of all shapes that may meet
+  std::vector<RigidBody> rigid;  // one a body; of prescribed ones so heavy that nothing stops them
+  std::vector<std::int32_t> shape;    // of a body, into `shapes`
+  std::vector<BodyShape> shapes;      // each once
+  std::vector<ShapeBox> boxes;        // of the shapes
+  std::vector<PairKind> pair_kinds;   // of all shapes that may meet
   std::vector<std::int32_t> kind_of;  // shapes x shapes, into pair_kinds; -1: they never meet
-  bool sleeps = true;                // what rests is not looked at until something comes near
+  bool sleeps = true;                 // what rests is not looked at until something comes near
 };
 
 /// The state of all bodies.
 struct WorldState {
   std::vector<BodyState> bodies;
-  std::vector<double> still;          // how long a body has not moved [s]
+  std::vector<double> still;            // how long a body has not moved [s]
   std::vector<std::uint8_t> is_asleep;  // of a moving body: it rests with all it touches
-  double time = 0.0;                  // [s]
+  double time = 0.0;                    // [s]
 };
 
 /// Whether contacts and forces move it.

@@ -75,9 +75,9 @@ void gather_island(std::int32_t from, Islands& s) {
 }
 
 std::int32_t island_of_place(const Islands& s, std::int32_t place) noexcept {
-  const auto after = std::upper_bound(
-      s.islands.begin(), s.islands.end(), place,
-      [](std::int32_t p, const Island& island) { return p < island.first_body; });
+  const auto after =
+      std::upper_bound(s.islands.begin(), s.islands.end(), place,
+                       [](std::int32_t p, const Island& island) { return p < island.first_body; });
   return static_cast<std::int32_t>(after - s.islands.begin()) - 1;
 }
 
@@ -116,17 +116,17 @@ void append_rows(const World& world, std::span<const BodyState> states, const Ne
     row.friction = last.is_sliding ? model.friction.kinetic : model.friction.at_rest;
     row.impulse = last.impulse;
     s.rows.push_back(row);
-    s.sources.push_back({number, static_cast<std::int32_t>(i), std::max(at.gap - slop, 0.0),
-                         at.gap, std::max(-row.limit, 0.0)});
+    s.sources.push_back({number, static_cast<std::int32_t>(i), std::max(at.gap - slop, 0.0), at.gap,
+                         std::max(-row.limit, 0.0)});
   }
 }
 
 }  // namespace
 
 double limit_of(double gap, double slop, double dt) noexcept {
-  constexpr double kLeast = 0.125;     // of the stand-off: nearer is too near
-  constexpr double kRecovery = 0.2;    // of what is missing, in a step
-  constexpr double kSpeed = 1000.0;    // of the stand-off, in a second, at most
+  constexpr double kLeast = 0.125;   // of the stand-off: nearer is too near
+  constexpr double kRecovery = 0.2;  // of what is missing, in a step
+  constexpr double kSpeed = 1000.0;  // of the stand-off, in a second, at most
   if (gap >= slop) return (gap - slop) / dt;
   if (gap >= kLeast * slop) return 0.0;
   return -std::min(kRecovery * (kLeast * slop - gap) / dt, kSpeed * slop);

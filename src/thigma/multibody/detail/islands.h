@@ -26,11 +26,11 @@ struct Island {
 /// All islands of a step: grows while warming up, never after.
 struct Islands {
   std::vector<Island> islands;
-  std::vector<std::int32_t> body;  // by place: the body of the world
+  std::vector<std::int32_t> body;   // by place: the body of the world
   std::vector<std::int32_t> place;  // by body: its place, or -1: it does not move in this step
-  std::vector<IslandBody> bodies;  // by place
-  std::vector<IslandRow> rows;     // `a` and `b` are places within their island
-  std::vector<RowSource> sources;  // of the rows
+  std::vector<IslandBody> bodies;   // by place
+  std::vector<IslandRow> rows;      // `a` and `b` are places within their island
+  std::vector<RowSource> sources;   // of the rows
   // of the search
   std::vector<std::int32_t> first_neighbour, neighbour, queue;
   std::vector<std::uint8_t> is_seen;

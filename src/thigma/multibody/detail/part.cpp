@@ -159,8 +159,8 @@ bool renew_pairs(Part& part, bool is_last) noexcept {
   bool is_enough = true;
   constexpr double kSpare = 1.1;
   for (NearPair* pair : part.s.pairs.near) {
-    const BodyState relative = relative_state(part.state.bodies[idx(pair->first)],
-                                              part.state.bodies[idx(pair->second)]);
+    const BodyState relative =
+        relative_state(part.state.bodies[idx(pair->first)], part.state.bodies[idx(pair->second)]);
     const double way = std::max(pair->asked, kSpare * free_way(part, *pair, relative));
     if (holds(part.world, *pair, relative, way) || pair->fresh >= way) continue;
     if (way > most_ahead(part.world, *pair) && !is_last && !pair->model.rows.empty())
@@ -213,7 +213,9 @@ bool correct_limits(Part& part, const Island& island) noexcept {
 /// gives: only corrections of turning can do that, less so in a shorter part.
 bool gains_energy(const Part& part, const Island& island) noexcept {
   const auto& s = part.s;
-  double gain = 0.0, scale = 0.0;
+  double gain = 0.0, allowed = 0.0;
+  // Of the kinetic energy; of that without contacts, as the solve is no better; of the height.
+  constexpr double kRounding = 1e-11, kSolve = 1e-9, kDigits = 1e-15;
   for (std::int32_t i = 0; i < island.bodies; ++i) {
     const std::int32_t body = s.islands.body[idx(island.first_body + i)];
     if (part.world.bodies[idx(body)].kind != BodyKind::moving) return false;
@@ -221,14 +223,15 @@ bool gains_energy(const Part& part, const Island& island) noexcept {
     const BodyState &y = part.state.bodies[idx(body)], &next = s.next[idx(body)];
     const double before = kinetic_energy(rigid, y), after = kinetic_energy(rigid, next);
     gain += after - before - rigid.mass * rigid.gravity.dot(next.position - y.position);
-    scale += after + before;
+    const IslandBody& free = s.free[idx(body)];
+    allowed += kRounding * (after + before) + kSolve * free.free.dot(free.metric * free.free) +
+               kDigits * rigid.mass * rigid.gravity.norm() * next.position.norm();
   }
   for (std::int32_t i = 0; i < island.rows; ++i) {
     const std::size_t r = idx(island.first_row + i);
     gain -= s.islands.rows[r].impulse.x() * s.islands.sources[r].lead;
   }
-  constexpr double kRounding = 1e-11;
-  return gain > kRounding * scale;
+  return gain > allowed;
 }
 
 /// Lets the one body of an island go smoothly, where its rows let it.
@@ -306,10 +309,9 @@ bool went_within(Part& part) noexcept {
     is_within = false;
   }
   for (NearPair* pair : s.pairs.near) {
-    const BodyState before = relative_state(part.state.bodies[idx(pair->first)],
-                                            part.state.bodies[idx(pair->second)]);
-    const BodyState after =
-        relative_state(s.next[idx(pair->first)], s.next[idx(pair->second)]);
+    const BodyState before =
+        relative_state(part.state.bodies[idx(pair->first)], part.state.bodies[idx(pair->second)]);
+    const BodyState after = relative_state(s.next[idx(pair->first)], s.next[idx(pair->second)]);
     const double reach = part.world.pair_kinds[idx(pair->kind)].constraints.reach;
     if (travel_between(pair->model.state, after, reach) <= pair->model.travel) continue;
     pair->asked = kSpare * travel_between(before, after, reach);
@@ -322,8 +324,7 @@ bool went_within(Part& part) noexcept {
 bool is_allowed(const Part& part) noexcept {
   const auto& s = part.s;
   for (const NearPair* pair : s.pairs.near) {
-    const BodyState relative =
-        relative_state(s.next[idx(pair->first)], s.next[idx(pair->second)]);
+    const BodyState relative = relative_state(s.next[idx(pair->first)], s.next[idx(pair->second)]);
     const ConstraintWorld& constraints = part.world.pair_kinds[idx(pair->kind)].constraints;
     if (travel_between(pair->model.state, relative, constraints.reach) > pair->model.travel)
       return false;
@@ -338,8 +339,7 @@ bool is_allowed(const Part& part) noexcept {
       rotation = rotation_matrix(relative.orientation);
       last = source.pair;
     }
-    const double gap =
-        row_at(pair.model.rows[idx(source.row)], relative.position, rotation).gap;
+    const double gap = row_at(pair.model.rows[idx(source.row)], relative.position, rotation).gap;
     if (gap < std::min(source.gap, 0.0)) return false;
   }
   return true;
@@ -380,8 +380,7 @@ void keep_rows(Part& part) noexcept {
     history.impulse = row.impulse;
     constexpr double kRounding = 1e-6;
     const double most = row.friction * row.impulse.x();
-    history.is_sliding =
-        std::hypot(row.impulse.y(), row.impulse.z()) >= (1.0 - kRounding) * most;
+    history.is_sliding = std::hypot(row.impulse.y(), row.impulse.z()) >= (1.0 - kRounding) * most;
   }
 }
 

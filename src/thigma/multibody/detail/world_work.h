@@ -11,12 +11,12 @@ struct WorldScratch {
   detail::PairModels pairs;
   detail::Islands islands;
   IslandScratch solve;
-  std::vector<std::uint8_t> moves;     // by body: dynamic and awake
-  std::vector<double> go;              // by body: how far any of its points may go [m]
-  std::vector<double> margins;         // by body, of the broad phase [m]
-  std::vector<IslandBody> free;        // by body: metric and velocity without contacts
-  std::vector<BodyState> next;         // by body: after the step
-  std::vector<std::uint8_t> pressed;   // by row
+  std::vector<std::uint8_t> moves;    // by body: dynamic and awake
+  std::vector<double> go;             // by body: how far any of its points may go [m]
+  std::vector<double> margins;        // by body, of the broad phase [m]
+  std::vector<IslandBody> free;       // by body: metric and velocity without contacts
+  std::vector<BodyState> next;        // by body: after the step
+  std::vector<std::uint8_t> pressed;  // by row
   // of impacts
   std::vector<IslandBody> hit_bodies;
   std::vector<IslandRow> hit_rows;
