@@ -6,6 +6,7 @@
 
 #include "json_out.h"
 #include "run_session.h"
+#include "run_world.h"
 #include "verbs.h"
 #include "warned_recording.h"
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 #include "thigma/recording/config_json.h"
 #include "thigma/recording/recording.h"
 #include "thigma/recording/replay_session.h"
+#include "thigma/recording/world_recording.h"
 #include "thigma/session/simulated_session.h"
 
 namespace thigma::app {
@@ -120,6 +122,7 @@ Verdict judge(const std::string& path, bool is_quiet) {
 }
 
 int replay(const std::string& path, const Common& common) {
+  if (is_world_recording(path)) return replay_world(path, common);
   const Verdict verdict = judge(path, common.quiet);
   const RecordingInfo& recording = verdict.recording;
   const ReplayReport& report = verdict.report;

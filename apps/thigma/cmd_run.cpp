@@ -11,6 +11,7 @@
 #include "run_options.h"
 #include "run_session.h"
 #include "run_summary.h"
+#include "run_world.h"
 #include "session_recorder.h"
 #include "signal_guard.h"
 #include "verbs.h"
@@ -22,6 +23,7 @@
 #include "thigma/recording/config_json.h"
 #include "thigma/recording/recording.h"
 #include "thigma/scene/record_session.h"
+#include "thigma/scene/world_scene.h"
 #include "thigma/session/simulated_session.h"
 
 namespace thigma::app {
@@ -164,6 +166,10 @@ int refuse(int code, const std::string& why) {
 }
 
 int run_verb(const RunOptions& asked, const Common& common) {
+  if (asked.replay.empty() && is_world_scene(asked.scene)) {
+    const SignalGuard signals;
+    return run_world_scene(asked, common, stop_requested);
+  }
   Log log;  // empty: no lines, no progress either
   if (!common.quiet) {
     log = [](const std::string& line) { std::fprintf(stderr, "thigma: %s\n", line.c_str()); };

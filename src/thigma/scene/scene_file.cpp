@@ -11,6 +11,7 @@
 #include "thigma/loop/safety_fields.h"
 #include "thigma/models/make_model.h"
 #include "thigma/models/textured_model.h"
+#include "thigma/scene/detail/object_keys.h"
 #include "thigma/scene/detail/toml_table.h"
 
 namespace thigma {
@@ -18,15 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostBytes = 1 << 20;  // a scene file is a page of text
+using detail::ObjectKeys;
+using detail::read_coupling;
+using detail::read_object_keys;
+using detail::resolve_object;
 
-/// The keys every object has; mesh and unit_scale are looked into by resolve_mesh.
-struct ObjectKeys {
-  std::optional<std::string> mesh, texture, name;
-  std::optional<double> unit_scale;
-  Pose pose;
-  std::optional<Material> material;
-};
+constexpr std::size_t kMostBytes = 1 << 20;  // a scene file is a page of text
 
 /// The numbers of friction of a table, nothing where it has none; what is left out is zero, but
 /// static_friction friction.
@@ -59,11 +57,19 @@ std::optional<Material> read_material(TomlTable& object) {
   return material;
 }
 
+}  // namespace
+
+namespace detail {
+
 ObjectKeys read_object_keys(TomlTable& table) {
   return {table.text("mesh"), table.text("texture"),
           table.text("name"), table.number("unit_scale", Range::positive),
           table.pose(),       read_material(table)};
 }
+
+}  // namespace detail
+
+namespace {
 
 /// A procedural surface, with or without relief.
 void resolve_model(const TomlTable& table, const char* key, const std::string& uri,
@@ -98,6 +104,10 @@ std::string resolve_file(const TomlTable& table, const char* key, const std::str
   return path.string();
 }
 
+}  // namespace
+
+namespace detail {
+
 SceneObject resolve_object(const TomlTable& table, const ObjectKeys& keys,
                            const std::string& folder) {
   SceneObject object;
@@ -129,6 +139,10 @@ SceneObject resolve_object(const TomlTable& table, const ObjectKeys& keys,
   object.material = keys.material;
   return object;
 }
+
+}  // namespace detail
+
+namespace {
 
 void read_grasped(TomlTable& table, const std::string& folder, SceneDescription& scene) {
   const ObjectKeys keys = read_object_keys(table);
@@ -206,6 +220,10 @@ void read_contact(TomlTable table, ContactGains& contact) {
   table.finish();
 }
 
+}  // namespace
+
+namespace detail {
+
 void read_coupling(TomlTable table, CouplingGains& coupling) {
   coupling.linear_stiffness = table.number("linear_stiffness", Range::positive);
   coupling.linear_damping = table.number("linear_damping", Range::not_negative);
@@ -220,6 +238,10 @@ void read_coupling(TomlTable table, CouplingGains& coupling) {
   }
   table.finish();
 }
+
+}  // namespace detail
+
+namespace {
 
 void read_device(TomlTable table, DeviceChoice& device) {
   device.uri = table.text("uri").value_or(device.uri);
@@ -305,6 +327,8 @@ SceneDescription parse_scene(std::string_view text, const std::string& file,
   scene.title = top.text("title").value_or(fs::path(file).stem().string());
   scene.gravity = top.vector("gravity").value_or(scene.gravity);
   scene.has_auto_gains = top.choice("gains", {"size", "auto"}).value_or(0) == 1;
+  if (top.has("body"))
+    top.fail("body", "moves by itself", "expected thigma run with --lockstep --headless");
   std::optional<TomlTable> object = top.table("object");
   std::vector<TomlTable> statics = top.tables("static");
   if (auto table = top.table("contact")) read_contact(*table, scene.contact);

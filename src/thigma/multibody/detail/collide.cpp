@@ -1,0 +1,205 @@
+// Impacts at the end of a part of a step: the surfaces that met stop each other, then spring back.
+
+#include <algorithm>
+#include <cmath>
+
+#include "thigma/core/index.h"
+#include "thigma/math/rotation.h"
+#include "thigma/multibody/detail/world_work.h"
+
+namespace thigma::detail {
+namespace {
+
+double normal_speed(const IslandRow& row, const Vec6* a, const Vec6* b) noexcept {
+  Vec3 w = Vec3::Zero();
+  const auto at = [](const Vec6& u, const Vec3& arm) -> Vec3 {
+    const Vec3 turn = u.tail<3>();
+    return u.head<3>() + turn.cross(arm);
+  };
+  if (a != nullptr) w += at(*a, row.arm_a);
+  if (b != nullptr) w -= at(*b, row.arm_b);
+  return row.normal.dot(w);
+}
+
+/// An island whose surfaces met.
+struct Hit {
+  Part& part;
+  const Island& island;
+  std::span<BodyState> states;  // after the part
+
+  std::int32_t body(std::int32_t place) const noexcept {
+    return part.s.islands.body[idx(island.first_body + place)];
+  }
+  const RigidBody& rigid(std::int32_t place) const noexcept {
+    return part.world.rigid[idx(body(place))];
+  }
+  bool is_free(std::int32_t place) const noexcept {
+    return part.world.bodies[idx(body(place))].kind != BodyKind::prescribed;
+  }
+};
+
+/// Whether a row came to press in this part, faster than what acts makes it.
+bool has_met(const Hit& hit, const IslandRow& row, const RowSource& source) noexcept {
+  constexpr double kTouch = 1e-6;  // of the gap that is kept: less is no way
+  const NearPair& pair = *hit.part.s.pairs.near[idx(source.pair)];
+  const double slop = hit.part.world.pair_kinds[idx(pair.kind)].constraints.slop;
+  return row.impulse.x() > 0.0 && source.room > kTouch * slop;
+}
+
+/// Speed at which a row's surfaces meet, over that without contacts at the end of the part: what acts
+/// gives only the share until there. 0: no impact, it is pressed together.
+double speed_share(const Hit& hit, const IslandRow& row, const RowSource& source) noexcept {
+  const auto& s = hit.part.s;
+  Vec6 before[2], free[2];
+  const Vec6 *b[2] = {nullptr, nullptr}, *f[2] = {nullptr, nullptr};
+  const std::int32_t places[2] = {row.a, row.b};
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (places[k] < 0) continue;
+    const std::int32_t body = hit.body(places[k]);
+    before[k] = velocity_of(hit.rigid(places[k]), hit.part.state.bodies[idx(body)]);
+    free[k] = s.free[idx(body)].free;
+    if (!hit.is_free(places[k])) before[k] = free[k];
+    b[k] = &before[k];
+    f[k] = &free[k];
+  }
+  const double start = normal_speed(row, b[0], b[1]), end = normal_speed(row, f[0], f[1]);
+  const double added = end - start;
+  constexpr double kSteps = 4.0;  // an approach is an impact from so many times on what a step adds
+  if (!(start > kSteps * std::fabs(added)) || !(end > 0.0)) return 0.0;
+  const double square = start * start + 2.0 * added / hit.part.dt * source.room;
+  return std::sqrt(std::max(square, 0.0)) / end;
+}
+
+/// Rows that press, at the states after the part.
+void list_rows(const Hit& hit) {
+  auto& s = hit.part.s;
+  s.hit_rows.clear();
+  s.hit_sources.clear();
+  for (std::int32_t i = 0; i < hit.island.rows; ++i) {
+    const std::int32_t r = hit.island.first_row + i;
+    const IslandRow& before = s.islands.rows[idx(r)];
+    if (!(before.impulse.x() > 0.0)) continue;
+    const RowSource& source = s.islands.sources[idx(r)];
+    const NearPair& pair = *s.pairs.near[idx(source.pair)];
+    const BodyState& second = hit.states[idx(pair.second)];
+    const BodyState relative = relative_state(hit.states[idx(pair.first)], second);
+    const RowAtState at = row_at(pair.model.rows[idx(source.row)], relative.position,
+                                 rotation_matrix(relative.orientation));
+    if (!std::isfinite(at.gap)) continue;
+    const Mat3 turn = rotation_matrix(second.orientation);
+    IslandRow row = before;
+    row.normal = turn * at.normal;
+    row.first = turn * tangents_of(at.normal).first;
+    row.arm_a = turn * at.arm;
+    row.arm_b = turn * (relative.position + at.arm);
+    row.limit = 0.0;
+    row.impulse = Vec3::Zero();
+    s.hit_rows.push_back(row);
+    s.hit_sources.push_back(r);
+  }
+}
+
+void list_bodies(const Hit& hit) {
+  auto& s = hit.part.s;
+  s.hit_bodies.resize(idx(hit.island.bodies));
+  for (std::int32_t i = 0; i < hit.island.bodies; ++i) {
+    IslandBody& body = s.hit_bodies[idx(i)];
+    const BodyState& y = hit.states[idx(hit.body(i))];
+    body.metric = mass_matrix(hit.rigid(i), y);
+    body.free = velocity_of(hit.rigid(i), y);
+  }
+}
+
+void give(const Hit& hit, std::int32_t place, const Vec6& impulse) noexcept {
+  BodyState& y = hit.states[idx(hit.body(place))];
+  y.linear_momentum += impulse.head<3>();
+  y.angular_momentum += impulse.tail<3>();
+}
+
+/// What springs back: e times the impulse that stopped each contact. Returns how many bounce.
+std::int32_t list_bounces(const Hit& hit) {
+  auto& s = hit.part.s;
+  s.bounce.assign(idx(hit.island.bodies), Vec6::Zero());
+  std::int32_t count = 0;
+  for (std::size_t i = 0; i < s.hit_rows.size(); ++i) {
+    const IslandRow& after = s.hit_rows[i];
+    const IslandRow& row = s.islands.rows[idx(s.hit_sources[i])];
+    const RowSource& source = s.islands.sources[idx(s.hit_sources[i])];
+    if (!has_met(hit, row, source)) continue;
+    const NearPair& pair = *s.pairs.near[idx(source.pair)];
+    const auto& bodies = hit.part.world.bodies;
+    const double e =
+        std::max(bodies[idx(pair.first)].restitution, bodies[idx(pair.second)].restitution);
+    if (!(e > 0.0)) continue;
+    const double share = speed_share(hit, row, source);
+    if (!(share > 0.0)) continue;
+    ++count;
+    const Vec3 p = e * share * (row.impulse.x() + after.impulse.x()) * after.normal;
+    if (after.a >= 0) {
+      s.bounce[idx(after.a)].head<3>() -= p;
+      s.bounce[idx(after.a)].tail<3>() -= after.arm_a.cross(p);
+    }
+    if (after.b >= 0) {
+      s.bounce[idx(after.b)].head<3>() += p;
+      s.bounce[idx(after.b)].tail<3>() += after.arm_b.cross(p);
+    }
+  }
+  return count;
+}
+
+/// The largest share of the bounces, 0 to 1, with which an island has no more energy than before the
+/// part: kinetic, and what gravity has given since.
+double share_of_energy(const Hit& hit) noexcept {
+  const auto& s = hit.part.s;
+  double budget = 0.0, slope = 0.0, bend = 0.0;
+  for (std::int32_t i = 0; i < hit.island.bodies; ++i) {
+    if (!hit.is_free(i)) continue;
+    const RigidBody& rigid = hit.rigid(i);
+    const BodyState& before = hit.part.state.bodies[idx(hit.body(i))];
+    const BodyState& after = hit.states[idx(hit.body(i))];
+    budget += kinetic_energy(rigid, before) - kinetic_energy(rigid, after) +
+              rigid.mass * rigid.gravity.dot(after.position - before.position);
+    const Vec6 by = s.hit_bodies[idx(i)].metric.ldlt().solve(s.bounce[idx(i)]);
+    slope += by.dot(s.hit_bodies[idx(i)].metric * velocity_of(rigid, after));
+    bend += 0.5 * by.dot(s.bounce[idx(i)]);
+  }
+  if (slope + bend <= budget) return 1.0;
+  if (!(bend > 0.0)) return 0.0;
+  // bend x^2 + slope x = budget, the larger root.
+  const double inside = slope * slope + 4.0 * bend * budget;
+  if (!(inside > 0.0)) return 0.0;
+  return std::clamp((std::sqrt(inside) - slope) / (2.0 * bend), 0.0, 1.0);
+}
+
+void collide_island(const Hit& hit) {
+  auto& s = hit.part.s;
+  list_rows(hit);
+  list_bodies(hit);
+  const IslandSolution solution = solve_island(s.hit_bodies, s.hit_rows, s.solve);
+  hit.part.report.newton += solution.newton;
+  for (std::int32_t i = 0; i < hit.island.bodies; ++i)
+    if (hit.is_free(i)) give(hit, i, s.hit_bodies[idx(i)].impulse);
+  const std::int32_t bounces = list_bounces(hit);
+  if (bounces == 0) return;
+  const double share = share_of_energy(hit);
+  for (std::int32_t i = 0; i < hit.island.bodies; ++i)
+    if (hit.is_free(i)) give(hit, i, share * s.bounce[idx(i)]);
+  hit.part.report.impacts += bounces;
+}
+
+}  // namespace
+
+void collide(Part& part, std::span<BodyState> states) {
+  const Islands& islands = part.s.islands;
+  for (const Island& island : islands.islands) {
+    const Hit hit{part, island, states};
+    bool is_hit = false;
+    for (std::int32_t i = 0; i < island.rows && !is_hit; ++i) {
+      const std::size_t r = idx(island.first_row + i);
+      is_hit = has_met(hit, islands.rows[r], islands.sources[r]);
+    }
+    if (is_hit) collide_island(hit);
+  }
+}
+
+}  // namespace thigma::detail

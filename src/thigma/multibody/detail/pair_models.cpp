@@ -1,0 +1,161 @@
+#include "thigma/multibody/detail/pair_models.h"
+
+#include <algorithm>
+
+#include "thigma/core/index.h"
+
+namespace thigma::detail {
+namespace {
+
+constexpr std::size_t kContacts = 16384;  // of a pair
+constexpr std::size_t kMostPairs = 6000;  // of patches, before a query looks less far ahead
+// Front nodes of a pair, at most; more are traversed without memory.
+constexpr std::size_t kMostFront = 65536;
+
+std::int32_t front_capacity(const ClodHierarchy& a, const ClodHierarchy& b) noexcept {
+  return static_cast<std::int32_t>(
+      std::clamp<std::size_t>(2 * (a.nodes.size() + b.nodes.size()), 128, kMostFront));
+}
+
+std::unique_ptr<NearPair> make_pair(const World& world, std::int32_t kind) {
+  auto pair = std::make_unique<NearPair>();
+  pair->kind = kind;
+  const PairKind& k = world.pair_kinds[idx(kind)];
+  const ClodHierarchy& a = *world.shapes[idx(k.first)].hierarchy;
+  const ClodHierarchy& b = *world.shapes[idx(k.second)].hierarchy;
+  reserve_front(pair->front, a, b, front_capacity(a, b));
+  pair->history.reserve(kMaxRows);
+  return pair;
+}
+
+NearPair& take_free(const World& world, std::int32_t kind, PairModels& models) {
+  for (const auto& pair : models.pool)
+    if (pair->kind == kind && pair->first < 0) return *pair;
+  models.pool.push_back(make_pair(world, kind));
+  models.near.reserve(models.pool.capacity());
+  return *models.pool.back();
+}
+
+BodyPairIndex index_of(const NearPair& pair) noexcept {
+  return {std::min(pair.first, pair.second), std::max(pair.first, pair.second)};
+}
+
+void forget(NearPair& pair) noexcept {
+  clear_front(pair.front);
+  pair.first = pair.second = -1;
+  pair.has_model = false;
+  pair.looked_ahead = 0.0;
+  pair.history.clear();
+}
+
+/// Impulses of the rows before, for those that are there again.
+void carry_over(NearPair& pair, std::vector<RowHistory>& before) noexcept {
+  before.assign(pair.history.begin(), pair.history.end());
+  pair.history.clear();
+  for (const ContactRow& row : pair.model.rows) {
+    RowHistory next{row.id, Vec3::Zero(), false};
+    for (const RowHistory& old : before)
+      if (old.id == row.id) next = old;
+    pair.history.push_back(next);
+  }
+}
+
+}  // namespace
+
+BodyState relative_state(const BodyState& first, const BodyState& second) noexcept {
+  BodyState relative;
+  const Quat back = second.orientation.conjugate();
+  relative.position = back._transformVector(first.position - second.position);
+  relative.orientation = (back * first.orientation).normalized();
+  return relative;
+}
+
+void reserve_pairs(const World& world, std::size_t pairs, PairModels& models) {
+  models.contacts.contacts.reserve(kContacts);
+  models.before.reserve(kMaxRows);
+  for (std::size_t k = 0; k < world.pair_kinds.size(); ++k) {
+    reserve_constraints(world.pair_kinds[k].constraints, kContacts, models.scratch);
+    for (std::size_t i = 0; i < pairs; ++i)
+      models.pool.push_back(make_pair(world, static_cast<std::int32_t>(k)));
+  }
+  models.near.reserve(models.pool.size());
+}
+
+void take_pairs(const World& world, std::span<const BodyPairIndex> pairs, PairModels& models) {
+  for (NearPair* pair : models.near) pair->is_used = false;
+  const auto find = [&](const BodyPairIndex& wanted) -> NearPair* {
+    const auto at = std::lower_bound(
+        models.near.begin(), models.near.end(), wanted,
+        [](const NearPair* p, const BodyPairIndex& key) { return index_of(*p) < key; });
+    return at != models.near.end() && index_of(**at) == wanted ? *at : nullptr;
+  };
+  for (const BodyPairIndex& wanted : pairs)
+    if (NearPair* pair = find(wanted)) pair->is_used = true;
+  const std::size_t known = models.near.size();
+  for (const BodyPairIndex& wanted : pairs) {
+    const auto count = world.shapes.size();
+    const std::int32_t kind =
+        world.kind_of[idx(world.shape[idx(wanted.a)]) * count + idx(world.shape[idx(wanted.b)])];
+    if (kind < 0) continue;
+    NearPair* const* begin = models.near.data();
+    const auto at = std::lower_bound(
+        begin, begin + known, wanted,
+        [](const NearPair* p, const BodyPairIndex& key) { return index_of(*p) < key; });
+    if (at != begin + known && index_of(**at) == wanted) continue;
+    NearPair& pair = take_free(world, kind, models);
+    const bool in_order = world.shape[idx(wanted.a)] == world.pair_kinds[idx(kind)].first;
+    pair.first = in_order ? wanted.a : wanted.b;
+    pair.second = in_order ? wanted.b : wanted.a;
+    pair.is_used = true;
+    models.near.push_back(&pair);
+  }
+  for (NearPair* pair : models.near)
+    if (!pair->is_used) forget(*pair);
+  std::erase_if(models.near, [](const NearPair* pair) { return !pair->is_used; });
+  std::sort(models.near.begin(), models.near.end(),
+            [](const NearPair* a, const NearPair* b) { return index_of(*a) < index_of(*b); });
+}
+
+bool holds(const World& world, const NearPair& pair, const BodyState& relative,
+           double way) noexcept {
+  if (!pair.has_model) return false;
+  const double reach = world.pair_kinds[idx(pair.kind)].constraints.reach;
+  return travel_between(pair.model.state, relative, reach) + way <= pair.model.travel;
+}
+
+void renew(const World& world, const BodyState& relative, double way, NearPair& pair,
+           PairModels& models, PairCounts& counts) noexcept {
+  const ConstraintWorld& constraints = world.pair_kinds[idx(pair.kind)].constraints;
+  const PairKind& kind = world.pair_kinds[idx(pair.kind)];
+  const BodyShape &first = world.shapes[idx(kind.first)], &second = world.shapes[idx(kind.second)];
+  // A model serves some steps where it is cheap to look a little farther.
+  constexpr double kMore = 1.25;
+  ContactQuery query;
+  query.tolerance =
+      std::clamp(kMore * way, constraints.least_look_ahead, constraints.most_look_ahead);
+  query.most_pairs = kMostPairs;
+  clear(models.contacts);
+  const Pose second_from_first =
+      Pose{relative.position, relative.orientation} * first.body_from_mesh;
+  query_contacts({*first.hierarchy, second_from_first}, {*second.hierarchy, second.body_from_mesh},
+                 query, pair.front, models.contacts);
+  pair.looked_ahead = query.tolerance;
+  if (pair.front.tolerance >= 0.0)
+    pair.looked_ahead = std::min(pair.looked_ahead, pair.front.tolerance);
+  const bool is_far = models.contacts.contacts.empty();
+  const double separation = is_far ? unreported_separation(pair.front) : pair.looked_ahead;
+  const ConstraintStats stats = build_constraints(
+      constraints, relative, {models.contacts, separation}, models.scratch, pair.model);
+  const Friction friction =
+      friction_between(world.bodies[idx(pair.first)], world.bodies[idx(pair.second)]);
+  for (ContactRow& row : pair.model.rows) row.friction = friction;
+  carry_over(pair, models.before);
+  pair.has_model = true;
+  pair.left_out = stats.left_out;
+  ++counts.queries;
+  counts.contacts += static_cast<std::int64_t>(models.contacts.contacts.size());
+  counts.rows += static_cast<std::int64_t>(pair.model.rows.size());
+  counts.left_out += stats.left_out;
+}
+
+}  // namespace thigma::detail

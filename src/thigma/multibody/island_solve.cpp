@@ -1,0 +1,340 @@
+#include "thigma/multibody/island_solve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+#include "thigma/core/index.h"
+
+namespace thigma {
+namespace {
+
+using detail::BlockMatrix;
+using Mat36 = Eigen::Matrix<double, 3, 6>;
+
+// The penalty of the augmented Lagrangian, in masses that a contact feels. A round leaves about one
+// over it, times the length of a stack squared, of the error; more of it costs digits of the factor.
+constexpr double kWeight = 1e5;
+constexpr int kMostRounds = 60;      // a few are usual
+constexpr int kMostNewton = 40;      // in a round
+constexpr double kAccuracy = 1e-9;   // of the free speed: of the rows
+constexpr double kSettled = 1e-7;    // of the largest impulse: of friction
+constexpr double kGradient = 1e-11;  // of the free momentum: of a round's minimum
+
+/// What a solve works on.
+struct Work {
+  std::span<IslandBody> bodies;
+  std::span<IslandRow> rows;
+  IslandScratch& s;
+  double speed = 0.0;  // the scale of all speeds [m/s]
+};
+
+Mat36 lever(const Vec3& arm) noexcept {
+  Mat36 j;
+  j << 1.0, 0.0, 0.0, 0.0, arm.z(), -arm.y(),  //
+      0.0, 1.0, 0.0, -arm.z(), 0.0, arm.x(),   //
+      0.0, 0.0, 1.0, arm.y(), -arm.x(), 0.0;
+  return j;
+}
+
+/// Normal and tangents as rows.
+Mat3 frame_of(const IslandRow& row) noexcept {
+  Mat3 frame;
+  frame.row(0) = row.normal;
+  frame.row(1) = row.first;
+  frame.row(2) = row.normal.cross(row.first);
+  return frame;
+}
+
+Vec3 velocity_at(const Vec6& u, const Vec3& arm) noexcept {
+  const Vec3 turn = u.tail<3>();
+  return u.head<3>() + turn.cross(arm);
+}
+
+/// Of a against b, along normal and tangents.
+Vec3 approach(const IslandRow& row, std::span<const Vec6> u) noexcept {
+  Vec3 w = Vec3::Zero();
+  if (row.a >= 0) w += velocity_at(u[idx(row.a)], row.arm_a);
+  if (row.b >= 0) w -= velocity_at(u[idx(row.b)], row.arm_b);
+  const Vec3 second = row.normal.cross(row.first);
+  return {row.normal.dot(w), row.first.dot(w), second.dot(w)};
+}
+
+void add_impulse(const IslandRow& row, const Vec3& impulse, std::span<Vec6> to) noexcept {
+  const Vec3 p = impulse.x() * row.normal + impulse.y() * row.first +
+                 impulse.z() * row.normal.cross(row.first);
+  if (row.a >= 0) {
+    Vec6& a = to[idx(row.a)];
+    a.head<3>() += p;
+    a.tail<3>() += row.arm_a.cross(p);
+  }
+  if (row.b < 0) return;
+  Vec6& b = to[idx(row.b)];
+  b.head<3>() -= p;
+  b.tail<3>() -= row.arm_b.cross(p);
+}
+
+/// The multipliers that a trial gives a row: on the half line of the normal and the disk across.
+Vec3 force_of(const IslandRow& row, const Vec3& speed, double weight, double radius) noexcept {
+  Vec3 f;
+  f.x() = std::max(0.0, row.impulse.x() + weight * (speed.x() - row.limit));
+  const double first = row.impulse.y() + weight * speed.y();
+  const double second = row.impulse.z() + weight * speed.z();
+  const double length = std::sqrt(first * first + second * second);
+  const double share = length > radius ? radius / length : 1.0;
+  f.y() = radius > 0.0 ? share * first : 0.0;
+  f.z() = radius > 0.0 ? share * second : 0.0;
+  return f;
+}
+
+/// Gradient of the augmented Lagrangian at u; the rows' forces there.
+void evaluate(Work& work, std::span<const Vec6> u, std::span<Vec6> gradient) noexcept {
+  for (std::size_t i = 0; i < work.bodies.size(); ++i)
+    gradient[i].noalias() = work.bodies[i].metric * (u[i] - work.bodies[i].free);
+  for (std::size_t i = 0; i < work.rows.size(); ++i) {
+    const IslandRow& row = work.rows[i];
+    work.s.force[i] = force_of(row, approach(row, u), work.s.weight[i], work.s.radius[i]);
+    if (work.s.force[i].x() > 0.0 || work.s.radius[i] > 0.0)
+      add_impulse(row, work.s.force[i], gradient);
+  }
+}
+
+/// Derivative of a row's force by its speed, over the weight.
+Mat3 slope_of(const IslandRow& row, const Vec3& speed, double weight, double radius) noexcept {
+  Mat3 d = Mat3::Zero();
+  if (row.impulse.x() + weight * (speed.x() - row.limit) > 0.0) d(0, 0) = 1.0;
+  if (!(radius > 0.0)) return d;
+  const Vec2 z(row.impulse.y() + weight * speed.y(), row.impulse.z() + weight * speed.z());
+  const double length = z.norm();
+  if (length <= radius) {
+    d(1, 1) = d(2, 2) = 1.0;
+    return d;
+  }
+  const Vec2 along = z / length;
+  d.bottomRightCorner<2, 2>() =
+      radius / length * (Eigen::Matrix2d::Identity() - along * along.transpose());
+  return d;
+}
+
+/// Adds J^T W J of a row: blocks of the lower half.
+void add_curvature(const IslandRow& row, const Mat3& slope, BlockMatrix& h) noexcept {
+  const Mat36 a = lever(row.arm_a), b = lever(row.arm_b);
+  const Mat36 wa = slope * a, wb = slope * b;
+  if (row.a >= 0) h.at(row.a, row.a).noalias() += a.transpose() * wa;
+  if (row.b >= 0) h.at(row.b, row.b).noalias() += b.transpose() * wb;
+  if (row.a < 0 || row.b < 0) return;
+  if (row.a > row.b)
+    h.at(row.a, row.b).noalias() -= a.transpose() * wb;
+  else
+    h.at(row.b, row.a).noalias() -= b.transpose() * wa;
+}
+
+bool factor_hessian(Work& work, std::span<const Vec6> u) noexcept {
+  BlockMatrix& h = work.s.hessian;
+  for (std::size_t i = 0; i < work.bodies.size(); ++i) {
+    const auto row = static_cast<std::int32_t>(i);
+    for (std::int32_t k = h.first[i]; k < row; ++k) h.at(row, k).setZero();
+    h.at(row, row) = work.bodies[i].metric;
+  }
+  for (std::size_t i = 0; i < work.rows.size(); ++i) {
+    const IslandRow& row = work.rows[i];
+    const Mat3 slope = slope_of(row, approach(row, u), work.s.weight[i], work.s.radius[i]);
+    if (!(slope.cwiseAbs().maxCoeff() > 0.0)) continue;
+    const Mat3 frame = frame_of(row);
+    add_curvature(row, work.s.weight[i] * (frame.transpose() * slope * frame), h);
+  }
+  return detail::factor_blocks(h);
+}
+
+/// A norm of a gradient: of the velocities it stands for, in energy's metric.
+double size_of(const Work& work, std::span<const Vec6> gradient) noexcept {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < gradient.size(); ++i)
+    sum += gradient[i].dot(work.s.inverse[i] * gradient[i]);
+  return std::sqrt(std::max(sum, 0.0));
+}
+
+double along(std::span<const Vec6> x, std::span<const Vec6> y) noexcept {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) sum += x[i].dot(y[i]);
+  return sum;
+}
+
+void go(const Work& work, double share) noexcept {
+  for (std::size_t i = 0; i < work.bodies.size(); ++i)
+    work.s.trial[i] = work.s.velocity[i] + share * work.s.step[i];
+}
+
+/// Along a step the derivative only grows: its zero, roughly, between nothing and the whole step.
+void search_line(Work& work) noexcept {
+  IslandScratch& s = work.s;
+  const double begin = along(s.gradient, s.step);
+  double low = 0.0, at_low = begin, high = 1.0;
+  go(work, 1.0);
+  evaluate(work, s.trial, s.trial_gradient);
+  double at_high = along(s.trial_gradient, s.step);
+  constexpr double kEnough = 0.3;  // of the slope at the beginning
+  for (int turn = 0; turn < 12 && at_high > kEnough * -begin; ++turn) {
+    const double share = std::clamp(at_low / (at_low - at_high), 0.05, 0.95);
+    const double middle = low + share * (high - low);
+    go(work, middle);
+    evaluate(work, s.trial, s.trial_gradient);
+    const double slope = along(s.trial_gradient, s.step);
+    if (std::fabs(slope) <= kEnough * -begin) break;
+    if (slope < 0.0) {
+      low = middle;
+      at_low = slope;
+    } else {
+      high = middle;
+      at_high = slope;
+    }
+  }
+}
+
+/// Least of the augmented Lagrangian; returns Newton's steps.
+int minimize(Work& work, double enough) noexcept {
+  IslandScratch& s = work.s;
+  evaluate(work, s.velocity, s.gradient);
+  double size = size_of(work, s.gradient);
+  int steps = 0;
+  while (steps < kMostNewton && size > enough) {
+    if (!factor_hessian(work, s.velocity)) break;
+    for (std::size_t i = 0; i < s.gradient.size(); ++i) s.step[i] = -s.gradient[i];
+    detail::solve_blocks(s.hessian, s.step);
+    search_line(work);
+    const double next = size_of(work, s.trial_gradient);
+    ++steps;
+    // Rounding: nothing is won any more.
+    if (!(next < size) && size <= 1e3 * enough) break;
+    std::swap(s.velocity, s.trial);
+    std::swap(s.gradient, s.trial_gradient);
+    size = next;
+  }
+  evaluate(work, s.velocity, s.gradient);  // the forces there
+  return steps;
+}
+
+/// How the multipliers changed in a round, in speeds, and their friction.
+struct Change {
+  double residual = 0.0, unsettled = 0.0, speed = 0.0;
+};
+
+/// The next multipliers; with them the friction that the normals allow.
+Change take_multipliers(Work& work, bool holds_radius) noexcept {
+  Change change;
+  double most = 0.0, moved = 0.0;
+  for (std::size_t i = 0; i < work.rows.size(); ++i) {
+    IslandRow& row = work.rows[i];
+    const Vec3& f = work.s.force[i];
+    const Vec3 by = f - row.impulse;
+    change.speed = std::max(change.speed, by.norm() / work.s.weight[i]);
+    change.residual = std::max(change.residual, approach(row, work.s.velocity).x() - row.limit);
+    most = std::max(most, f.x());
+    row.impulse = f;
+    const double radius = row.friction * f.x();
+    moved = std::max(moved, std::fabs(radius - work.s.radius[i]));
+    if (!holds_radius) work.s.radius[i] = radius;
+  }
+  if (most > 0.0) change.unsettled = moved / most;
+  return change;
+}
+
+double largest_mass(std::span<const IslandBody> bodies) noexcept {
+  double most = 0.0;
+  for (const IslandBody& body : bodies) most = std::max(most, body.metric(0, 0));
+  return most;
+}
+
+/// Speed along a direction at a place for a unit of impulse there [1/kg].
+double mobility_of(const Mat6& inverse, const Vec3& arm, const Vec3& direction) noexcept {
+  Vec6 g;
+  g << direction, arm.cross(direction);
+  return g.dot(inverse * g);
+}
+
+void prepare(Work& work) noexcept {
+  IslandScratch& s = work.s;
+  const std::size_t count = work.bodies.size();
+  for (std::vector<Vec6>* list : {&s.velocity, &s.trial, &s.gradient, &s.trial_gradient, &s.step})
+    list->resize(count);
+  s.inverse.resize(count);
+  s.force.resize(work.rows.size());
+  s.weight.resize(work.rows.size());
+  s.radius.resize(work.rows.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const IslandBody& body = work.bodies[i];
+    s.inverse[i] = body.metric.llt().solve(Mat6::Identity());
+    s.velocity[i] = body.free;
+    const double square = body.free.dot(body.metric * body.free) / body.metric(0, 0);
+    work.speed = std::max(work.speed, std::sqrt(std::max(square, 0.0)));
+  }
+  s.hessian.first.resize(count);
+  for (std::size_t i = 0; i < count; ++i) s.hessian.first[i] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < work.rows.size(); ++i) {
+    const IslandRow& row = work.rows[i];
+    double mobility = 0.0;
+    if (row.a >= 0) mobility += mobility_of(s.inverse[idx(row.a)], row.arm_a, row.normal);
+    if (row.b >= 0) mobility += mobility_of(s.inverse[idx(row.b)], row.arm_b, row.normal);
+    if (row.a >= 0 && row.b >= 0) {
+      const std::int32_t high = std::max(row.a, row.b), low = std::min(row.a, row.b);
+      s.hessian.first[idx(high)] = std::min(s.hessian.first[idx(high)], low);
+    }
+    s.weight[i] = kWeight / mobility;
+    s.radius[i] = row.friction * row.impulse.x();
+    work.speed = std::max(work.speed, -row.limit);
+  }
+  detail::shape_blocks(s.hessian);
+}
+
+/// What the rows' impulses, as they are, make of the free velocities.
+void finish(Work& work) noexcept {
+  std::span<Vec6> sum(work.s.gradient.data(), work.bodies.size());
+  for (Vec6& g : sum) g.setZero();
+  for (const IslandRow& row : work.rows) add_impulse(row, row.impulse, sum);
+  for (std::size_t i = 0; i < work.bodies.size(); ++i) {
+    work.bodies[i].impulse = -sum[i];
+    work.bodies[i].velocity = work.bodies[i].free - work.s.inverse[i] * sum[i];
+  }
+}
+
+}  // namespace
+
+void reserve_island(std::size_t bodies, std::size_t rows, IslandScratch& scratch) {
+  for (std::vector<Vec6>* list : {&scratch.velocity, &scratch.trial, &scratch.gradient,
+                                  &scratch.trial_gradient, &scratch.step})
+    list->reserve(bodies);
+  scratch.inverse.reserve(bodies);
+  scratch.force.reserve(rows);
+  scratch.weight.reserve(rows);
+  scratch.radius.reserve(rows);
+  scratch.hessian.first.reserve(bodies);
+  scratch.hessian.start.reserve(bodies + 1);
+  scratch.hessian.blocks.reserve(bodies * (bodies + 1) / 2);
+}
+
+IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> rows,
+                            IslandScratch& scratch) noexcept {
+  Work work{bodies, rows, scratch};
+  prepare(work);
+  IslandSolution solution;
+  const double momentum = work.speed * std::sqrt(largest_mass(bodies));
+  constexpr int kHeld = 10;  // of the last rounds: friction's bounds stay, so that normals settle
+  Change change;
+  while (solution.rounds < kMostRounds) {
+    solution.newton += minimize(work, kGradient * momentum);
+    const bool holds_radius = solution.rounds >= kMostRounds - kHeld;
+    change = take_multipliers(work, holds_radius);
+    ++solution.rounds;
+    const bool is_settled = holds_radius || change.unsettled <= kSettled;
+    if (change.speed <= kAccuracy * work.speed && is_settled) break;
+  }
+  finish(work);
+  solution.residual = std::max(change.residual, 0.0);
+  solution.unsettled = change.unsettled;
+  constexpr double kMet = 1e-6;  // of the free speed
+  solution.is_whole = solution.residual <= kMet * work.speed;
+  return solution;
+}
+
+}  // namespace thigma

@@ -1,0 +1,76 @@
+#pragma once
+// Gauss's least constraint for several bodies at once: the velocities nearest to the free ones that
+// no contact forbids, with Coulomb friction.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "thigma/multibody/detail/block_cholesky.h"
+
+namespace thigma {
+
+/// A body of an island.
+struct IslandBody {
+  // A of its step: M, and of a held body h B + h^2 K of its coupling. Symmetric positive definite
+  // [kg, kg m, kg m^2]
+  Mat6 metric = Mat6::Identity();
+  Vec6 free = Vec6::Zero();  // velocity without contacts [m/s, rad/s; world]
+  // results: with the contacts, and what these gave it, about its centre of mass [N s, N m s]
+  Vec6 velocity = Vec6::Zero(), impulse = Vec6::Zero();
+};
+
+/// A contact of two bodies of an island, or of one with what does not move.
+struct IslandRow {
+  std::int32_t a = -1, b = -1;                      // bodies of the island; -1: what does not move
+  Vec3 normal = Vec3::UnitZ();                      // unit, out of a, into b [world]
+  Vec3 first = Vec3::UnitX();                       // unit, across the normal [world]
+  Vec3 arm_a = Vec3::Zero(), arm_b = Vec3::Zero();  // of one place, from both centres [m; world]
+  double limit = 0.0;  // the normal speed of a towards b at most; below 0: they have to part [m/s]
+  double friction = 0.0;  // Coulomb's coefficient now, >= 0
+  // on b along the normal and the two tangents, and the opposite on a: warm start and result [N s]
+  Vec3 impulse = Vec3::Zero();
+};
+
+/// What a solve did.
+struct IslandSolution {
+  int rounds = 0;          // of multipliers
+  int newton = 0;          // steps: so many factors
+  double residual = 0.0;   // largest speed at which a row is violated, at least 0 [m/s]
+  double unsettled = 0.0;  // change of the friction impulses in the last round, of the largest
+  // false: rows contradict each other, or rounds ran out before the residual was small
+  bool is_whole = true;
+};
+
+/// Working memory: grows while warming up, never after.
+struct IslandScratch {
+  detail::BlockMatrix hessian;
+  std::vector<Vec6> velocity, trial, gradient, trial_gradient, step;
+  std::vector<Mat6> inverse;   // of the metrics
+  std::vector<Vec3> force;     // of the rows, at a trial
+  std::vector<double> weight;  // of the rows: so many times the mass that a contact feels [kg]
+  std::vector<double> radius;  // most friction of the rows in a round [N s]
+};
+
+/// Room for an island. Thread [offline]; throws std::bad_alloc.
+void reserve_island(std::size_t bodies, std::size_t rows, IslandScratch& scratch);
+
+/// Velocities nearest to the free ones, in the metric of the bodies' steps, that obey every row.
+///
+/// bodies   an order in which bodies that touch stand near each other costs least
+/// rows     0 <= limit: rest obeys all, so there is a solution; where negative limits contradict
+///          each other, is_whole is false
+/// returns  velocity = free + A^-1 (impulses of the rows), to rounding: what rows give one body
+///          they take from the other. Friction opposes sliding and never exceeds its coefficient
+///          times the normal impulse but by the last round's change, so that neither adds energy
+/// Thread   [haptic]; no failure, nothing allocated after reserve_island. The same bits for the
+///          same input
+/// Source   min 1/2 |u - free|_A^2 subject to the rows: method of multipliers (Rockafellar 1976),
+///          each round a semismooth Newton's method on the augmented Lagrangian, one block-sparse
+///          Cholesky factor a step. Coulomb: friction disks of the radius that the normals of the
+///          round before allow (Panagiotopoulos 1975), a fixed point over the rounds. No cone is
+///          made a pyramid.
+IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> rows,
+                            IslandScratch& scratch) noexcept;
+
+}  // namespace thigma

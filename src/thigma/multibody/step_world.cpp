@@ -1,0 +1,144 @@
+#include "thigma/multibody/step_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "thigma/core/error.h"
+#include "thigma/core/index.h"
+#include "thigma/math/infinity.h"
+#include "thigma/multibody/detail/part.h"
+
+namespace thigma {
+namespace {
+
+using detail::NearPair;
+using detail::Part;
+
+/// Bodies that touch and have not moved for long enough rest until something comes near: whole heaps
+/// together, so that none hangs in the air.
+void put_to_sleep(const World& world, double dt, WorldState& state, WorldScratch& s) {
+  constexpr double kTime = 0.5;  // [s]
+  constexpr double kWay = 5e-6;  // of the reach: what a body may move in that time
+  for (const detail::Island& island : s.islands.islands) {
+    bool is_still = true;
+    for (std::int32_t i = 0; i < island.bodies; ++i) {
+      const std::int32_t body = s.islands.body[idx(island.first_body + i)];
+      const Vec6 u = detail::velocity_of(world.rigid[idx(body)], state.bodies[idx(body)]);
+      const double reach = world.boxes[idx(world.shape[idx(body)])].reach;
+      const bool is_slow =
+          world.bodies[idx(body)].kind == BodyKind::moving &&
+          kTime * (u.head<3>().norm() + reach * u.tail<3>().norm()) <= kWay * reach;
+      double& still = state.still[idx(body)];
+      still = is_slow ? still + dt : 0.0;
+      is_still = is_still && still >= kTime;
+    }
+    if (!is_still || island.rows == 0) continue;
+    for (std::int32_t i = 0; i < island.bodies; ++i) {
+      const std::size_t body = idx(s.islands.body[idx(island.first_body + i)]);
+      state.is_asleep[body] = 1;
+      state.bodies[body].linear_momentum = state.bodies[body].angular_momentum = Vec3::Zero();
+    }
+  }
+}
+
+void scale_history(double by, WorldScratch& s) noexcept {
+  for (NearPair* pair : s.pairs.near)
+    for (detail::RowHistory& row : pair->history) row.impulse *= by;
+}
+
+void describe(const World& world, const WorldState& state, const WorldScratch& s,
+              WorldStep& report) noexcept {
+  report.pairs = static_cast<std::int32_t>(s.pairs.near.size());
+  report.islands = static_cast<std::int32_t>(s.islands.islands.size());
+  report.awake = 0;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+    report.awake += is_dynamic(world, static_cast<std::int32_t>(i)) && state.is_asleep[i] == 0;
+  report.least_gap = kInfinity;
+  for (const detail::RowSource& source : s.islands.sources)
+    report.least_gap = std::min(report.least_gap, source.gap);
+}
+
+}  // namespace
+
+void WorldScratchDeleter::operator()(WorldScratch* scratch) const noexcept { delete scratch; }
+
+WorldScratchPtr reserve_world(const World& world, std::size_t pairs) {
+  WorldScratchPtr scratch(new WorldScratch);
+  const std::size_t count = world.bodies.size();
+  detail::reserve_pairs(world, pairs, scratch->pairs);
+  reserve_island(count, count * 64, scratch->solve);
+  scratch->moves.assign(count, 0);
+  scratch->go.assign(count, 0.0);
+  scratch->margins.assign(count, 0.0);
+  scratch->free.resize(count);
+  scratch->next.reserve(count);
+  scratch->hit_bodies.reserve(count);
+  scratch->bounce.reserve(count);
+  scratch->hit_rows.reserve(count * 64);
+  scratch->hit_sources.reserve(count * 64);
+  scratch->islands.rows.reserve(count * 64);
+  scratch->islands.sources.reserve(count * 64);
+  return scratch;
+}
+
+WorldStep step_world(const World& world, const WorldInputs& inputs, double dt, WorldState& state,
+                     WorldScratch& s) {
+  WorldStep report;
+  constexpr int kParts = 16, kHalvings = 5;
+  double left = dt, last = dt;
+  for (report.parts = 0; report.parts < kParts && left > 1e-9 * dt; ++report.parts) {
+    double share = 0.0, length = left;
+    for (int halving = 0; halving <= kHalvings && !(share > 0.0); ++halving) {
+      if (halving > 0) length *= 0.5;
+      if (length != last) scale_history(length / last, s);
+      last = length;
+      Part part{world, inputs, length, state, s, report};
+      const bool is_last = halving == kHalvings;
+      share = detail::make_part(part, is_last);
+      if (is_last) report.waited += (1.0 - share) * length;
+      if (is_last) break;
+    }
+    left -= length;
+  }
+  if (left > 1e-9 * dt) report.waited += left;
+  if (last != dt) scale_history(dt / last, s);
+  if (world.sleeps) put_to_sleep(world, dt, state, s);
+  state.time += dt;
+  describe(world, state, s, report);
+  return report;
+}
+
+StartOverlap find_overlap(const World& world, const WorldState& state, WorldScratch& s) {
+  StartOverlap worst;
+  const std::size_t count = world.bodies.size();
+  for (std::size_t i = 0; i < count; ++i)
+    s.moves[i] = is_dynamic(world, static_cast<std::int32_t>(i)) ? 1 : 0;
+  std::fill(s.margins.begin(), s.margins.end(), 0.0);
+  detail::find_pairs(world, state, s.margins, s.moves, s.broad);
+  detail::take_pairs(world, s.broad.pairs, s.pairs);
+  for (NearPair* pair : s.pairs.near) {
+    const BodyState relative =
+        detail::relative_state(state.bodies[idx(pair->first)], state.bodies[idx(pair->second)]);
+    detail::PairCounts counts;
+    detail::renew(world, relative, 0.0, *pair, s.pairs, counts);
+    for (const Contact& contact : s.pairs.contacts.contacts) {
+      if (!(contact.depth > std::max(worst.depth, 0.0))) continue;
+      worst = {std::min(pair->first, pair->second), std::max(pair->first, pair->second),
+               contact.depth};
+    }
+    pair->has_model = false;
+  }
+  return worst;
+}
+
+void require_apart(const World& world, const WorldState& state, WorldScratch& scratch) {
+  const StartOverlap overlap = find_overlap(world, state, scratch);
+  if (overlap.a < 0) return;
+  char depth[48];
+  std::snprintf(depth, sizeof depth, "%.3g mm", 1e3 * overlap.depth);
+  throw InputError("body '" + world.bodies[idx(overlap.b)].name + "': starts " + depth +
+                   " inside body '" + world.bodies[idx(overlap.a)].name + "', expected them apart");
+}
+
+}  // namespace thigma

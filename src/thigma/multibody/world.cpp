@@ -1,0 +1,178 @@
+#include "thigma/multibody/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "thigma/core/error.h"
+#include "thigma/core/index.h"
+
+namespace thigma {
+namespace {
+
+[[noreturn]] void refuse(const WorldBody& body, const std::string& what) {
+  throw InputError("body '" + body.name + "': " + what);
+}
+
+void check(const WorldBody& body) {
+  if (body.shape.hierarchy == nullptr || body.shape.hierarchy->nodes.empty())
+    refuse(body, "no surface, expected a hierarchy");
+  const Pose& mesh = body.shape.body_from_mesh;
+  const bool is_finite = mesh.position.allFinite() && body.start.position.allFinite() &&
+                         body.start.linear_momentum.allFinite() &&
+                         body.start.angular_momentum.allFinite();
+  constexpr double kUnit = 1e-6;
+  const auto is_unit = [](const Quat& q) { return std::fabs(q.norm() - 1.0) <= kUnit; };
+  if (!is_finite || !is_unit(mesh.orientation) || !is_unit(body.start.orientation))
+    refuse(body, "pose or momentum, expected finite numbers and unit quaternions");
+  if (!is_valid(body.friction)) refuse(body, "friction, expected 0 <= kinetic <= static");
+  if (!(body.restitution >= 0.0 && body.restitution <= 1.0))
+    refuse(body, "restitution " + std::to_string(body.restitution) + ", expected 0 to 1");
+}
+
+std::int32_t shape_index(const BodyShape& shape, std::vector<BodyShape>& shapes) {
+  const auto at = std::find(shapes.begin(), shapes.end(), shape) - shapes.begin();
+  if (at == static_cast<std::ptrdiff_t>(shapes.size())) shapes.push_back(shape);
+  return static_cast<std::int32_t>(at);
+}
+
+ShapeBox box_of(const BodyShape& shape) {
+  const SurfaceFeatures features = find_features(*shape.hierarchy);
+  ShapeBox box;
+  Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);
+  for (const Vec3& v : features.vertices) {
+    const Vec3 p = transform_point(shape.body_from_mesh, v);
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+    box.reach = std::max(box.reach, p.norm());
+  }
+  box.middle = 0.5 * (low + high);
+  box.half = 0.5 * (high - low);
+  return box;
+}
+
+/// Bodies that nothing stops: heavier by so much than all others together. More would cost digits.
+constexpr double kUnstoppable = 1e6;
+
+void make_rigid(World& world) {
+  double total = 0.0;
+  for (const WorldBody& body : world.bodies) {
+    if (body.kind != BodyKind::moving && body.kind != BodyKind::held) continue;
+    try {
+      make_body(body.mass, body.inertia, world.gravity);
+    } catch (const InputError& error) {
+      const std::string what = error.what();
+      refuse(body, what.rfind("body: ", 0) == 0 ? what.substr(6) : what);
+    }
+    total += body.mass;
+  }
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const WorldBody& body = world.bodies[i];
+    if (body.kind == BodyKind::moving || body.kind == BodyKind::held) {
+      world.rigid.push_back(make_body(body.mass, body.inertia, world.gravity));
+      continue;
+    }
+    const double mass = kUnstoppable * (total > 0.0 ? total : 1.0);
+    const double reach = world.boxes[idx(world.shape[i])].reach;
+    world.rigid.push_back(make_body(mass, mass * reach * reach * Mat3::Identity()));
+  }
+}
+
+/// Whether two shapes may meet: some body that moves has one, another body the other.
+bool may_meet(const World& world, std::int32_t a, std::int32_t b) {
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    if (world.shape[i] != a) continue;
+    for (std::size_t k = 0; k < world.bodies.size(); ++k) {
+      if (k == i || world.shape[k] != b) continue;
+      const auto moves = [&](std::size_t body) {
+        return world.bodies[body].kind == BodyKind::moving ||
+               world.bodies[body].kind == BodyKind::held;
+      };
+      if (moves(i) || moves(k)) return true;
+    }
+  }
+  return false;
+}
+
+void make_pair_kinds(World& world) {
+  const auto count = static_cast<std::int32_t>(world.shapes.size());
+  world.kind_of.assign(idx(count) * idx(count), -1);
+  for (std::int32_t a = 0; a < count; ++a) {
+    for (std::int32_t b = a; b < count; ++b) {
+      if (!may_meet(world, a, b)) continue;
+      // The smaller one's travel is measured: turning moves it least.
+      const bool in_order = world.boxes[idx(a)].reach <= world.boxes[idx(b)].reach;
+      PairKind kind;
+      kind.first = in_order ? a : b;
+      kind.second = in_order ? b : a;
+      const BodyShape &first = world.shapes[idx(kind.first)],
+                      &second = world.shapes[idx(kind.second)];
+      const SceneBody scene{second.hierarchy, second.body_from_mesh};
+      kind.constraints = make_constraint_world(*first.hierarchy, first.body_from_mesh, {&scene, 1});
+      world.kind_of[idx(a) * idx(count) + idx(b)] = world.kind_of[idx(b) * idx(count) + idx(a)] =
+          static_cast<std::int32_t>(world.pair_kinds.size());
+      world.pair_kinds.push_back(std::move(kind));
+    }
+  }
+}
+
+}  // namespace
+
+World make_world(std::vector<WorldBody> bodies, const Vec3& gravity) {
+  if (!gravity.allFinite()) throw InputError("world: gravity, expected three finite numbers");
+  World world;
+  world.gravity = gravity;
+  world.bodies = std::move(bodies);
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    check(world.bodies[i]);
+    for (std::size_t k = 0; k < i; ++k) {
+      if (world.bodies[k].name == world.bodies[i].name)
+        refuse(world.bodies[i], "name given twice, expected one of its own");
+    }
+    world.shape.push_back(shape_index(world.bodies[i].shape, world.shapes));
+  }
+  for (const BodyShape& shape : world.shapes) world.boxes.push_back(box_of(shape));
+  make_rigid(world);
+  make_pair_kinds(world);
+  return world;
+}
+
+WorldState start_state(const World& world) {
+  WorldState state;
+  for (const WorldBody& body : world.bodies) {
+    state.bodies.push_back(body.start);
+    state.bodies.back().orientation.normalize();
+  }
+  state.still.assign(world.bodies.size(), 0.0);
+  state.is_asleep.assign(world.bodies.size(), 0);
+  return state;
+}
+
+Friction friction_between(const WorldBody& a, const WorldBody& b) noexcept {
+  return {std::sqrt(a.friction.kinetic * b.friction.kinetic),
+          std::sqrt(a.friction.at_rest * b.friction.at_rest)};
+}
+
+double mechanical_energy(const World& world, const WorldState& state) noexcept {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    if (world.bodies[i].kind != BodyKind::moving && world.bodies[i].kind != BodyKind::held)
+      continue;
+    sum += kinetic_energy(world.rigid[i], state.bodies[i]) -
+           world.rigid[i].mass * world.gravity.dot(state.bodies[i].position);
+  }
+  return sum;
+}
+
+WorldMomentum momentum(const World& world, const WorldState& state) noexcept {
+  WorldMomentum sum;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    if (world.bodies[i].kind != BodyKind::moving && world.bodies[i].kind != BodyKind::held)
+      continue;
+    const BodyState& y = state.bodies[i];
+    sum.linear += y.linear_momentum;
+    sum.angular += y.angular_momentum + y.position.cross(y.linear_momentum);
+  }
+  return sum;
+}
+
+}  // namespace thigma

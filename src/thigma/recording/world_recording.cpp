@@ -1,0 +1,161 @@
+#include "thigma/recording/world_recording.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "thigma/core/error.h"
+#include "thigma/recording/detail/json_read.h"
+#include "thigma/recording/detail/json_text.h"
+#include "thigma/recording/mcap_file.h"
+#include "thigma/recording/recording.h"
+
+namespace thigma {
+namespace {
+
+constexpr const char* kKind = "thigma world 1";
+
+std::uint64_t nanoseconds(double seconds) {
+  return static_cast<std::uint64_t>(std::llround(1e9 * seconds));
+}
+
+std::string config_text(const WorldRecordingInfo& info) {
+  nlohmann::ordered_json json;
+  json["kind"] = kKind;
+  json["scene"] = info.scene;
+  json["device"] = info.device;
+  json["seed"] = info.seed;
+  json["rate_hz"] = info.rate;
+  json["bodies"] = info.bodies;
+  return json.dump();
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& what) {
+  throw InputError(path + ": " + what + ", expected a recording of a world");
+}
+
+void read_config_text(std::string_view text, const std::string& path, WorldRecording& out) {
+  const auto json = nlohmann::json::parse(text);
+  if (json.value("kind", "") != kKind) refuse(path, "/config is of another kind");
+  out.scene = json.at("scene").get<std::string>();
+  out.device = json.at("device").get<std::string>();
+  out.seed = json.at("seed").get<std::uint64_t>();
+  out.rate = json.at("rate_hz").get<double>();
+  out.bodies = json.at("bodies").get<std::vector<std::string>>();
+  if (!(out.rate > 0.0) || !std::isfinite(out.rate)) refuse(path, "rate_hz is not positive");
+}
+
+BodyState read_state(std::string_view text) {
+  const auto json = nlohmann::json::parse(text);
+  constexpr auto kNull = detail::NullNumber::not_a_number;
+  BodyState y;
+  Pose pose;
+  detail::read_pose(json, pose, kNull);
+  y.position = pose.position;
+  y.orientation = pose.orientation;
+  detail::read_vector(json, "linear_momentum", y.linear_momentum, kNull);
+  detail::read_vector(json, "angular_momentum", y.angular_momentum, kNull);
+  return y;
+}
+
+void read_end(std::string_view text, WorldRecording& out) {
+  const auto json = nlohmann::json::parse(text);
+  if (json.value("event", "") != "end") return;
+  out.frames = json.at("frames").get<std::uint64_t>();
+  out.state_hash = std::stoull(json.at("state_hash").get<std::string>(), nullptr, 16);
+  out.has_end = true;
+}
+
+}  // namespace
+
+WorldRecordingWriter::WorldRecordingWriter(const std::string& path, const WorldRecordingInfo& info)
+    : file_(std::make_unique<McapWriter>(path)) {
+  const std::uint16_t config = file_->add_channel("/config", "thigma.world_config", "");
+  for (const std::string& name : info.bodies)
+    bodies_.push_back(file_->add_channel("/body/" + name + "/state", "thigma.body_state", ""));
+  command_ = file_->add_channel("/device/command", "thigma.wrench", "");
+  events_ = file_->add_channel("/events", "thigma.event", "");
+  file_->write(config, 0, 0, config_text(info));
+}
+
+WorldRecordingWriter::~WorldRecordingWriter() = default;
+
+void WorldRecordingWriter::write(std::uint64_t frame, double time,
+                                 std::span<const BodyState> bodies, const Wrench& command) {
+  const auto sequence = static_cast<std::uint32_t>(frame);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const BodyState& y = bodies[i];
+    text_.clear();
+    detail::JsonObject json(text_);
+    json.integer("frame", static_cast<long long>(frame));
+    json.pose({y.position, y.orientation});
+    json.vector("linear_momentum", y.linear_momentum);
+    json.vector("angular_momentum", y.angular_momentum);
+    json.close();
+    file_->write(bodies_[i], sequence, nanoseconds(time), text_);
+  }
+  text_.clear();
+  detail::JsonObject json(text_);
+  json.integer("frame", static_cast<long long>(frame));
+  json.vector("force", command.force);
+  json.vector("torque", command.torque);
+  json.close();
+  file_->write(command_, sequence, nanoseconds(time), text_);
+}
+
+void WorldRecordingWriter::close(std::uint64_t frames, std::uint64_t state_hash) {
+  text_.clear();
+  detail::JsonObject json(text_);
+  json.word("event", "end");
+  json.integer("frames", static_cast<long long>(frames));
+  json.word("state_hash", hex_text(state_hash));
+  json.close();
+  file_->write(events_, 0, file_->last_time(), text_);
+  file_->close();
+}
+
+bool is_world_recording(const std::string& path) {
+  bool is_one = false;
+  try {
+    FileSource source(path);
+    scan_mcap(source, path, [&](const McapScan& scan, const McapMessage& message) {
+      is_one = scan.topics[static_cast<std::size_t>(message.channel)] == "/config" &&
+               nlohmann::json::parse(message.data).value("kind", "") == kKind;
+      return false;
+    });
+  } catch (const std::exception&) {
+    return false;  // whoever reads it says what is wrong
+  }
+  return is_one;
+}
+
+WorldRecording read_world_recording(const std::string& path) {
+  const McapFile file = read_mcap(path);
+  WorldRecording out;
+  std::size_t next = 0;
+  try {
+    for (const McapMessage& message : file.messages) {
+      const std::string& topic = file.topics[static_cast<std::size_t>(message.channel)];
+      if (topic == "/config") {
+        read_config_text(message.data, path, out);
+      } else if (topic == "/events") {
+        read_end(message.data, out);
+      } else if (topic.starts_with("/body/")) {
+        if (out.bodies.empty()) refuse(path, "a state before /config");
+        const std::string& name = out.bodies[next++ % out.bodies.size()];
+        if (topic != "/body/" + name + "/state") refuse(path, topic + " out of order");
+        out.states.push_back(read_state(message.data));
+      }
+    }
+  } catch (const nlohmann::json::exception&) {
+    refuse(path, "a message is damaged");
+  } catch (const std::logic_error&) {  // of stoull
+    refuse(path, "the hash is damaged");
+  }
+  if (out.bodies.empty()) refuse(path, "no /config");
+  out.states.resize(out.states.size() / out.bodies.size() * out.bodies.size());
+  return out;
+}
+
+}  // namespace thigma

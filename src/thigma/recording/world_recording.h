@@ -1,0 +1,63 @@
+#pragma once
+// Recordings of worlds of several bodies: poses and momenta of all, bit for bit.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "thigma/dynamics/body.h"
+#include "thigma/math/pose.h"
+
+namespace thigma {
+
+class McapWriter;
+
+/// What a recording of a world says of its session.
+struct WorldRecordingInfo {
+  std::string scene, device;  // file or built-in name; address, "" without
+  std::uint64_t seed = 1;
+  double rate = 1000.0;             // [Hz]
+  std::vector<std::string> bodies;  // names
+  std::uint64_t frames = 0;         // at the end
+  std::uint64_t state_hash = 0;     // likewise
+  bool has_end = false;
+};
+
+/// Writes one. Topics: /config, /body/NAME/state for each body, /device/command, /events.
+/// Thread: one, [offline]. Members throw IoError.
+class WorldRecordingWriter {
+ public:
+  WorldRecordingWriter(const std::string& path, const WorldRecordingInfo& info);
+  ~WorldRecordingWriter();
+  WorldRecordingWriter(const WorldRecordingWriter&) = delete;
+  WorldRecordingWriter& operator=(const WorldRecordingWriter&) = delete;
+
+  /// bodies   as many as names
+  /// command  sent to the device
+  void write(std::uint64_t frame, double time, std::span<const BodyState> bodies,
+             const Wrench& command);
+  void close(std::uint64_t frames, std::uint64_t state_hash);
+
+ private:
+  std::unique_ptr<McapWriter> file_;
+  std::vector<std::uint16_t> bodies_;
+  std::uint16_t command_ = 0, events_ = 0;
+  std::string text_;
+};
+
+/// A recording in memory: all bodies of a frame one after the other.
+struct WorldRecording : WorldRecordingInfo {
+  std::vector<BodyState> states;  // frames x bodies
+};
+
+/// Whether a file is a recording of a world. False for what cannot be read.
+/// Thread [offline].
+bool is_world_recording(const std::string& path);
+
+/// Reads one.
+/// Thread [offline]; throws InputError "FILE: what, where, what was expected".
+WorldRecording read_world_recording(const std::string& path);
+
+}  // namespace thigma

@@ -1,0 +1,267 @@
+#include "thigma/scene/world_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include <toml++/toml.h>
+
+#include "thigma/clod/build_hierarchy.h"
+#include "thigma/core/error.h"
+#include "thigma/core/index.h"
+#include "thigma/device/open_device.h"
+#include "thigma/files/file.h"
+#include "thigma/math/rotation.h"
+#include "thigma/scene/asset_cache.h"
+#include "thigma/scene/detail/object_keys.h"
+#include "thigma/scene/detail/toml_table.h"
+#include "thigma/scene/scene_file.h"
+
+namespace thigma {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostBytes = 1 << 20;  // a scene file is a page of text
+constexpr int kMostCopies = 1000;            // bodies of one table
+constexpr std::size_t kMostBodies = 1000;
+
+/// Names stand in topics of recordings.
+void check_name(const TomlTable& table, const std::string& name) {
+  constexpr std::string_view kAlso = " _-.";
+  const auto is_plain = [&](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           kAlso.find(c) != std::string_view::npos;
+  };
+  if (name.empty() || name.size() > 64 || !std::all_of(name.begin(), name.end(), is_plain))
+    table.fail("name", "= '" + name + "' cannot be used",
+               "expected 1 to 64 letters, digits, spaces, dots and -_");
+}
+
+/// One table: a body, or `copies` of it, each `spacing` from the one before.
+void read_body(TomlTable& table, std::optional<BodyKind> kind, const std::string& folder,
+               std::vector<WorldSceneBody>& bodies) {
+  const detail::ObjectKeys keys = detail::read_object_keys(table);
+  WorldSceneBody body;
+  body.kind = kind.value_or(BodyKind::moving);
+  if (!kind) {
+    const auto word = table.choice("kind", {"moving", "prescribed", "held"});
+    if (word == 2)
+      table.fail("kind", "= 'held' is for more than one hand, which is not there yet",
+                 "expected the held body as [object]");
+    if (word == 1) body.kind = BodyKind::prescribed;
+  }
+  if (body.kind != BodyKind::fixed) {
+    body.mass = table.number("mass", Range::positive);
+    body.density = table.number("density", Range::positive);
+    body.velocity = table.vector("velocity").value_or(body.velocity);
+    body.spin = table.vector("spin").value_or(body.spin);
+  }
+  if (body.mass && body.density)
+    table.fail("density", "stands beside mass", "expected one of the two");
+  const int copies = table.whole("copies", 1, kMostCopies).value_or(1);
+  const Vec3 spacing = table.vector("spacing").value_or(Vec3::Zero());
+  if (copies > 1 && !table.has("spacing"))
+    table.fail("copies", "stands without spacing", "expected spacing = [x, y, z] between them");
+  table.finish();
+  if (keys.texture) table.fail("texture", "is not for bodies that move", "expected a mesh alone");
+  if (!body.mass && !body.density && (body.kind == BodyKind::moving || body.kind == BodyKind::held))
+    table.fail_here("no mass", "expected mass or density");
+  body.object = detail::resolve_object(table, keys, folder);
+  const std::string name = body.object.name;
+  for (int i = 0; i < copies; ++i) {
+    if (copies > 1) body.object.name = name + " " + std::to_string(i + 1);
+    check_name(table, body.object.name);
+    bodies.push_back(body);
+    body.object.world_from_mesh.position += spacing;
+  }
+}
+
+void read_tables(TomlTable& top, const std::string& folder, WorldSceneDescription& scene) {
+  std::vector<TomlTable> statics = top.tables("static"), moving = top.tables("body");
+  std::optional<TomlTable> object = top.table("object");
+  if (auto table = top.table("coupling")) detail::read_coupling(*table, scene.coupling);
+  if (auto table = top.table("device")) {
+    scene.device = table->text("uri").value_or(scene.device);
+    scene.approach = table->vector("approach").value_or(scene.approach);
+    scene.clearance = table->number("clearance", Range::positive).value_or(scene.clearance);
+    if (!(scene.approach.squaredNorm() > 0.0))
+      table->fail("approach", "has no direction", "expected [x, y, z] of any length above 0");
+    table->finish();
+  }
+  if (auto table = top.table("solver")) {
+    const std::optional<double> rate = table->number("rate", Range::positive);
+    if (rate && !(*rate >= 50.0 && *rate <= 20000.0))
+      table->fail("rate", "is out of range", "expected 50 to 20000 Hz");
+    scene.rate = rate.value_or(scene.rate);
+    scene.sleeps = table->truth("sleeps").value_or(scene.sleeps);
+    table->finish();
+  }
+  top.finish();
+  if (moving.empty()) top.fail_here("no [[body]]", "expected at least one body that moves");
+  if (object) read_body(*object, BodyKind::held, folder, scene.bodies);
+  for (TomlTable& table : statics) read_body(table, BodyKind::fixed, folder, scene.bodies);
+  for (TomlTable& table : moving) read_body(table, std::nullopt, folder, scene.bodies);
+  if (scene.bodies.size() > kMostBodies)
+    top.fail_here(std::to_string(scene.bodies.size()) + " bodies",
+                  "expected at most " + std::to_string(kMostBodies));
+}
+
+Coupling make_coupling(const CouplingGains& given, double radius, const RigidBody& body) {
+  const DefaultGains gains = default_gains(radius);
+  Coupling coupling;
+  coupling.linear_stiffness = given.linear_stiffness.value_or(gains.linear_stiffness);
+  coupling.angular_stiffness = given.angular_stiffness.value_or(gains.angular_stiffness);
+  const double ratio = given.damping_ratio.value_or(gains.damping_ratio);
+  const double inertia = body.inertia.trace() / 3.0;
+  coupling.linear_damping =
+      given.linear_damping.value_or(2.0 * ratio * std::sqrt(coupling.linear_stiffness * body.mass));
+  coupling.angular_damping =
+      given.angular_damping.value_or(2.0 * ratio * std::sqrt(coupling.angular_stiffness * inertia));
+  if (!given.is_saturated) return coupling;
+  const auto level_off = [](double stiffness, double greatest) {
+    return make_saturation(stiffness, 0.5 * greatest / stiffness, greatest);
+  };
+  coupling.linear_saturation =
+      level_off(coupling.linear_stiffness, given.max_force.value_or(gains.max_force));
+  coupling.angular_saturation =
+      level_off(coupling.angular_stiffness, given.max_torque.value_or(gains.max_torque));
+  return coupling;
+}
+
+/// Surface and measure of a mesh, for a density of 1.
+struct Surface {
+  std::shared_ptr<const ClodHierarchy> hierarchy;
+  MassProperties measure;
+};
+
+WorldBody world_body(const WorldSceneBody& given, const Surface& surface, const std::string& file) {
+  const MassProperties& m = surface.measure;
+  WorldBody body;
+  body.name = given.object.name;
+  body.kind = given.kind;
+  body.shape.hierarchy = surface.hierarchy.get();
+  body.shape.body_from_mesh.position = -m.center_of_mass;
+  const bool has_mass = given.kind == BodyKind::moving || given.kind == BodyKind::held;
+  if (has_mass && !(m.volume > 0.0))
+    throw InputError(file + ": body '" + body.name +
+                     "' encloses no volume, expected a closed surface");
+  body.mass = given.mass.value_or(given.density.value_or(0.0) * m.volume);
+  if (has_mass) body.inertia = m.inertia * (body.mass / m.volume);
+  if (given.object.material) {
+    body.friction = given.object.material->friction;
+    body.restitution = given.object.material->restitution;
+  }
+  body.start.orientation = given.object.world_from_mesh.orientation;
+  body.start.position = transform_point(given.object.world_from_mesh, m.center_of_mass);
+  if (given.kind != BodyKind::moving) return body;
+  const Mat3 R = rotation_matrix(body.start.orientation);
+  body.start.linear_momentum = body.mass * given.velocity;
+  body.start.angular_momentum = R * (body.inertia * (R.transpose() * given.spin));
+  return body;
+}
+
+}  // namespace
+
+bool is_world_scene(const std::string& path) {
+  try {
+    const std::string text =
+        fs::is_regular_file(path) ? read_file(path) : std::string(builtin_scene(path));
+    const std::string_view plain = without_byte_order_mark(text);
+    check_toml_letters(plain, path);
+    return toml::parse(plain, path).contains("body");
+  } catch (const std::exception&) {
+    return false;  // whoever reads it says what is wrong
+  }
+}
+
+WorldSceneDescription parse_world_scene(std::string_view text, const std::string& file,
+                                        const std::string& folder) {
+  if (text.size() > kMostBytes)
+    throw InputError(file + ": " + std::to_string(text.size()) +
+                     " bytes, expected a scene of at most 1 MiB");
+  const std::string_view plain = without_byte_order_mark(text);
+  check_toml_letters(plain, file);
+  toml::table root;
+  try {
+    root = toml::parse(plain, file);
+  } catch (const toml::parse_error& error) {
+    throw InputError(scene_message(file, std::string(error.description()),
+                                   error.source().begin.line, "expected a TOML scene"));
+  }
+  TomlTable top(root, file, "");
+  WorldSceneDescription scene;
+  scene.file = file;
+  scene.title = top.text("title").value_or(fs::path(file).stem().string());
+  scene.gravity = top.vector("gravity").value_or(scene.gravity);
+  read_tables(top, folder, scene);
+  return scene;
+}
+
+WorldSceneDescription read_world_scene(const std::string& path) {
+  if (!fs::is_regular_file(path)) return parse_world_scene(builtin_scene(path), path, "");
+  return parse_world_scene(read_file(path), path, fs::path(path).parent_path().string());
+}
+
+LoadedWorld load_world(WorldSceneDescription description, const Log& log) {
+  LoadedWorld loaded;
+  loaded.description = std::move(description);
+  const WorldSceneDescription& scene = loaded.description;
+  std::map<std::pair<std::string, double>, Surface> known;
+  std::vector<WorldBody> bodies;
+  for (const WorldSceneBody& body : scene.bodies) {
+    Surface& surface = known[{body.object.mesh, body.object.unit_scale}];
+    if (!surface.hierarchy) {
+      ClodSource source;
+      source.name = body.object.mesh;
+      source.role = "mesh";
+      source.scale = body.object.unit_scale;
+      const TriangleMesh mesh = load_surface(source, log);
+      surface.hierarchy = std::make_shared<const ClodHierarchy>(build_exact_hierarchy(mesh));
+      surface.measure = mass_properties(mesh);
+    }
+    loaded.hierarchies.push_back(surface.hierarchy);
+    bodies.push_back(world_body(body, surface, scene.file));
+  }
+  WorldSessionConfig& config = loaded.config;
+  try {
+    config.world = make_world(std::move(bodies), scene.gravity);
+    config.world.sleeps = scene.sleeps;
+    config.start = start_state(config.world);
+    const WorldScratchPtr scratch = reserve_world(config.world, 1);
+    require_apart(config.world, config.start, *scratch);
+  } catch (const InputError& error) {
+    throw InputError(scene.file + ": " + error.what());
+  }
+  config.rate = scene.rate;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const WorldSceneBody& body = scene.bodies[i];
+    const auto number = static_cast<std::int32_t>(i);
+    if (body.kind == BodyKind::prescribed)
+      config.drives.push_back({number, {body.velocity, body.spin}});
+    if (body.kind != BodyKind::held) continue;
+    config.held = number;
+    config.coupling =
+        make_coupling(scene.coupling, loaded.hierarchies[i]->radius, config.world.rigid[i]);
+  }
+  return loaded;
+}
+
+std::unique_ptr<HapticDevice> open_world_device(const LoadedWorld& world, const std::string& uri,
+                                                std::uint64_t seed) {
+  if (world.config.held < 0) return nullptr;
+  DeviceContext context;
+  context.approach = world.description.approach;
+  context.clearance = world.description.clearance;
+  context.object_radius = world.hierarchies[idx(world.config.held)]->radius;
+  context.seed = seed;
+  auto device = open_device(uri.empty() ? world.description.device : uri, context);
+  if (device->limits().holds_person)
+    throw DeviceUnavailable(device->name() +
+                            ": holds a person, expected hand:, script: or null:; worlds of several "
+                            "bodies have no safety limits yet");
+  return device;
+}
+
+}  // namespace thigma

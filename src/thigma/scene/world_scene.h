@@ -1,0 +1,73 @@
+#pragma once
+// A scene of several bodies that move ([[body]]), and what a session of it needs.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "thigma/scene/load_scene.h"
+#include "thigma/scene/scene_description.h"
+#include "thigma/session/world_session.h"
+
+namespace thigma {
+
+/// A body as a scene describes it: [object] is held, [[static]] fixed, [[body]] moves.
+struct WorldSceneBody {
+  SceneObject object;
+  BodyKind kind = BodyKind::moving;
+  std::optional<double> mass, density;                // one of them, of what moves
+  Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();  // at the start; of a prescribed body always
+};
+
+/// A world, as a file gives it.
+struct WorldSceneDescription {
+  std::string file, title;
+  Vec3 gravity = Vec3::Zero();  // [m/s^2]
+  std::vector<WorldSceneBody> bodies;
+  CouplingGains coupling;
+  std::string device = "hand:";
+  Vec3 approach = -Vec3::UnitZ();  // of a simulated hand [world]
+  double clearance = 0.02;         // on its way to the first touch [m]
+  double rate = 1000.0;            // of steps [Hz]
+  bool sleeps = true;
+};
+
+/// Whether a scene file has bodies that move. False for what cannot be read.
+/// Thread [offline].
+bool is_world_scene(const std::string& path);
+
+/// Reads a scene with [[body]] (docs/formats.md); built-in ones by name.
+///
+/// errors  InputError "FILE: what, line N, what was expected"
+/// Thread  [offline]
+WorldSceneDescription read_world_scene(const std::string& path);
+
+/// The same from text. file and folder as of parse_scene.
+WorldSceneDescription parse_world_scene(std::string_view text, const std::string& file,
+                                        const std::string& folder);
+
+/// A world with its surfaces. May be moved.
+struct LoadedWorld {
+  WorldSceneDescription description;
+  std::vector<std::shared_ptr<const ClodHierarchy>> hierarchies;  // one a body; equal ones shared
+  WorldSessionConfig config;                                      // without a device
+};
+
+/// Loads its meshes, and refuses bodies that start in each other.
+///
+/// errors  InputError by the body's name: a mesh, mass or density that cannot be used, a start
+///         inside another body
+/// Thread  [offline]
+LoadedWorld load_world(WorldSceneDescription description, const Log& log = {});
+
+/// Opens the device of a world. Only devices that hold nobody: worlds have no safety limits yet.
+///
+/// uri     empty: the scene's
+/// errors  DeviceAddressError, DeviceUnavailable
+/// Thread  [offline]
+std::unique_ptr<HapticDevice> open_world_device(const LoadedWorld& world, const std::string& uri,
+                                                std::uint64_t seed);
+
+}  // namespace thigma

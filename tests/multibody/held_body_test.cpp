@@ -1,0 +1,154 @@
+// A hand that holds a body among others: what it feels of them.
+
+#include <cmath>
+#include <numbers>
+
+#include "multibody/world_bench.h"
+#include <gtest/gtest.h>
+
+#include "thigma/multibody/step_world.h"
+
+namespace thigma {
+namespace {
+
+using test::WorldBench;
+
+constexpr double kGravity = 9.81;
+constexpr double kDt = 1e-3;
+
+Coupling coupling_for(double mass) {
+  Coupling coupling;
+  coupling.linear_stiffness = 1000.0;
+  coupling.linear_damping = 2.0 * std::sqrt(1000.0 * mass);
+  coupling.angular_stiffness = 2.0;
+  coupling.angular_damping = 0.02;
+  return coupling;
+}
+
+/// A block in the hand behind blocks on a floor, in a row along x.
+struct Row {
+  WorldBench bench;
+  HandHold hand;
+  double feel = 0.0;    // force on the hand along x, against its push [N]
+  double energy = 0.0;  // that the hand has put in [J]
+  double least = 0.0;   // of it
+  WorldStep step;
+
+  Row(int blocks, double mu, const Vec3& gravity) {
+    test::add_floor(bench, 3.0);
+    const auto block = test::body_mesh(make_box(Vec3(0.04, 0.04, 0.04)));
+    const double gap = 5e-6;
+    WorldBody& pusher = bench.add(block, BodyKind::held, Vec3(-0.041, 0.0, 0.021));
+    pusher.friction = {0.0, 0.0};
+    for (int i = 0; i < blocks; ++i)
+      bench.add(block, BodyKind::moving, Vec3((0.04 + gap) * i, 0.0, 0.02 + gap)).friction = {mu,
+                                                                                              mu};
+    bench.bodies[0].friction = {mu, mu};
+    bench.make(gravity);
+    bench.world.sleeps = false;
+    hand.body = 1;
+    hand.coupling = coupling_for(bench.bodies[1].mass);
+    hand.handle.pose = {bench.bodies[1].start.position, Quat::Identity()};
+    // Carried: the spring bears the weight where the block is.
+    hand.handle.pose.position.z() -=
+        bench.bodies[1].mass * gravity.z() / hand.coupling.linear_stiffness;
+  }
+
+  /// The hand at a place along x and a speed.
+  void move(double x, double speed) {
+    const double before = hand.handle.pose.position.x();
+    hand.handle.pose.position.x() = x;
+    hand.handle.twist.linear.x() = speed;
+    step = bench.step(kDt, {.hands = {&hand, 1}});
+    const Wrench reaction =
+        coupling_reaction(hand.coupling, hand.handle, bench.world.rigid[1], bench.state.bodies[1]);
+    feel = -reaction.force.x();
+    energy += feel * (x - before);
+    least = std::min(least, energy);
+  }
+};
+
+TEST(HeldBody, FeelsTheMassItAccelerates) {
+  Row row(1, 0.0, Vec3::Zero());
+  const double a = 0.5, start = -0.041;
+  double sum = 0.0;
+  int count = 0;
+  for (int i = 1; i <= 1500; ++i) {
+    const double t = kDt * i;
+    row.move(start + 0.5 * a * t * t, a * t);
+    if (i <= 1000) continue;
+    sum += row.feel;
+    ++count;
+  }
+  const double mass = row.bench.bodies[1].mass + row.bench.bodies[2].mass;
+  EXPECT_NEAR(sum / count, mass * a, 0.02 * mass * a);
+  EXPECT_GT(row.bench.state.bodies[2].position.x(), 0.1);
+}
+
+TEST(HeldBody, FeelsTheFrictionOfWhatItPushes) {
+  for (const int blocks : {1, 10}) {
+    const double mu = 0.3;
+    Row row(blocks, mu, Vec3(0.0, 0.0, -kGravity));
+    const double speed = 0.05, start = -0.041;
+    double sum = 0.0, least = 1e9, most = 0.0;
+    int count = 0;
+    for (int i = 1; i <= 900; ++i) {
+      row.move(start + speed * kDt * i, speed);
+      ASSERT_TRUE(row.step.is_whole);
+      ASSERT_EQ(row.step.waited, 0.0);
+      if (i <= 600) continue;
+      sum += row.feel;
+      least = std::min(least, row.feel);
+      most = std::max(most, row.feel);
+      ++count;
+    }
+    const double expected = blocks * mu * row.bench.bodies[2].mass * kGravity;
+    EXPECT_NEAR(sum / count, expected, 0.02 * expected);
+    EXPECT_GT(least, 0.9 * expected);
+    EXPECT_LT(most, 1.1 * expected);
+    EXPECT_EQ(row.step.largest_island, blocks + 1);
+    for (std::size_t k = 1; k <= static_cast<std::size_t>(blocks); ++k) {
+      EXPECT_GT(row.bench.distance(k, k + 1), 0.0) << k;
+      EXPECT_GT(row.bench.distance(0, k + 1), 0.0) << k;
+    }
+  }
+}
+
+TEST(HeldBody, GivesTheHandNoEnergy) {
+  Row row(3, 0.3, Vec3(0.0, 0.0, -kGravity));
+  // To and fro, striking the row again and again.
+  for (int i = 1; i <= 1500; ++i) {
+    const double t = kDt * i, rate = 2.0 * std::numbers::pi, reach = 0.03;
+    row.move(-0.041 - reach + reach * std::cos(rate * t) + 0.02 * t,
+             -reach * rate * std::sin(rate * t) + 0.02);
+    ASSERT_TRUE(row.step.is_whole) << i;
+  }
+  EXPECT_GE(row.least, -1e-6);
+  EXPECT_GT(row.energy, 0.0);
+}
+
+TEST(HeldBody, TwoHandsMayHoldOneBody) {
+  WorldBench bench;
+  bench.add(test::body_mesh(make_box(Vec3(0.1, 0.02, 0.02))), BodyKind::held, Vec3::Zero());
+  bench.make();
+  HandHold hands[2];
+  for (int k = 0; k < 2; ++k) {
+    const double side = k == 0 ? -1.0 : 1.0;
+    hands[k].body = 0;
+    hands[k].coupling = coupling_for(bench.bodies[0].mass);
+    hands[k].coupling.body_from_grasp.position = Vec3(0.05 * side, 0.0, 0.0);
+    hands[k].handle.pose.position = Vec3(0.05 * side, 0.0, 0.0);
+  }
+  for (int i = 0; i < 3000; ++i) bench.step(kDt, {.hands = hands});
+  Vec3 sum = Vec3::Zero();
+  for (const HandHold& hand : hands) {
+    const Wrench w =
+        coupling_reaction(hand.coupling, hand.handle, bench.world.rigid[0], bench.state.bodies[0]);
+    EXPECT_NEAR(w.force.z(), -0.5 * kGravity * bench.bodies[0].mass, 1e-6);
+    sum += w.force;
+  }
+  EXPECT_NEAR(sum.z(), -kGravity * bench.bodies[0].mass, 1e-6);
+}
+
+}  // namespace
+}  // namespace thigma

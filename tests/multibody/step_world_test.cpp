@@ -1,0 +1,209 @@
+#include "thigma/multibody/step_world.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "multibody/world_bench.h"
+#include "support/full.h"
+#include <gtest/gtest.h>
+
+#include "thigma/core/error.h"
+#include "thigma/math/random.h"
+#include "thigma/math/rotation.h"
+
+namespace thigma {
+namespace {
+
+using test::WorldBench;
+
+constexpr double kGravity = 9.81;
+
+double bounce_height(double e, double start) {
+  WorldBench bench;
+  test::add_floor(bench);
+  bench.add(test::body_mesh(make_ball(0.02, 4)), BodyKind::moving, Vec3(0.0, 0.0, 0.02 + start));
+  bench.bodies[1].restitution = e;
+  bench.make();
+  const double radius = bench.state.bodies[1].position.z() - bench.distance(0, 1);
+  double most = 0.0, energy = bench.energy();
+  bool has_hit = false;
+  for (int i = 0; i < 800; ++i) {
+    const WorldStep step = bench.step();
+    if (step.impacts > 0 && has_hit) break;
+    has_hit = has_hit || step.impacts > 0;
+    if (has_hit) most = std::max(most, bench.state.bodies[1].position.z() - radius);
+    EXPECT_LE(bench.energy(), energy * (1.0 + 1e-12));
+    energy = bench.energy();
+  }
+  return most;
+}
+
+TEST(StepWorld, BouncesAsItsRestitutionSays) {
+  for (const double e : {1.0, 0.8, 0.5, 0.2}) {
+    const double start = 0.2;
+    EXPECT_NEAR(std::sqrt(bounce_height(e, start) / start), e, 0.01 * e) << e;
+  }
+}
+
+TEST(StepWorld, TowerOfThirtyStands) {
+  WorldBench bench;
+  test::add_floor(bench);
+  const auto block = test::body_mesh(make_box(Vec3(0.04, 0.04, 0.02)));
+  for (int i = 0; i < 30; ++i) bench.add(block, BodyKind::moving, Vec3(0.0, 0.0, 0.01 + i * 0.02));
+  bench.make();
+  const double slop = bench.world.pair_kinds.back().constraints.slop;
+  for (int i = 0; i < 30; ++i)
+    bench.state.bodies[static_cast<std::size_t>(i) + 1].position.z() += (i + 1) * slop;
+  bench.world.sleeps = false;
+  const WorldState start = bench.state;
+  const double energy = bench.energy();
+  const int steps = test::is_full() ? 60000 : 1000;
+  double drift = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const WorldStep step = bench.step();
+    ASSERT_TRUE(step.is_whole);
+    ASSERT_EQ(step.waited, 0.0);
+    for (std::size_t k = 1; k <= 30; ++k)
+      drift = std::max(drift, (bench.state.bodies[k].position - start.bodies[k].position).norm());
+    ASSERT_LE(bench.energy(), energy * (1.0 + 1e-6));
+  }
+  EXPECT_LE(drift, 10e-6);
+  RecordProperty("drift_um", std::to_string(1e6 * drift));
+  for (std::size_t k = 0; k < 30; ++k) EXPECT_GT(bench.distance(k, k + 1), 0.0);
+}
+
+TEST(StepWorld, BlockSlidesAndStopsWhereCoulombSays) {
+  WorldBench bench;
+  test::add_floor(bench, 2.0);
+  bench.bodies[0].friction = {0.3, 0.3};
+  bench.add(test::body_mesh(make_box(Vec3(0.06, 0.06, 0.02))), BodyKind::moving,
+            Vec3(-0.3, 0.1, 0.01 + 2e-6));
+  bench.make();
+  bench.world.sleeps = false;
+  const Vec3 along = Vec3(2.0, -1.0, 0.0).normalized();
+  const double speed = 1.5;
+  // On its stand-off first.
+  for (int i = 0; i < 5; ++i) bench.step();
+  bench.state.bodies[1].linear_momentum = speed * bench.world.rigid[1].mass * along;
+  const Vec3 start = bench.state.bodies[1].position;
+  double energy = bench.energy();
+  int stop = 0;
+  for (int i = 0; i < 1000; ++i) {
+    bench.step();
+    ASSERT_LE(bench.energy(), energy + 1e-12);
+    energy = bench.energy();
+    if (stop == 0 && bench.state.bodies[1].linear_momentum.norm() < 1e-9) stop = i;
+  }
+  const double way = (bench.state.bodies[1].position - start).dot(along);
+  const double expected = speed * speed / (2.0 * 0.3 * kGravity);
+  EXPECT_NEAR(way, expected, 1e-3 * expected);
+  EXPECT_LT((bench.state.bodies[1].position - start - way * along).norm(), 1e-3 * expected);
+}
+
+TEST(StepWorld, BlockOnSlopeHoldsBelowItsConeAndAcceleratesAboveIt) {
+  for (const double mu : {0.5, 0.25}) {
+    WorldBench bench;
+    const double angle = std::atan(0.4);
+    const Quat tilt(Eigen::AngleAxisd(angle, Vec3::UnitY()));
+    const Vec3 up = tilt * Vec3::UnitZ(), down = tilt * Vec3::UnitX();
+    bench.add(test::floor_mesh(2.0), BodyKind::fixed, -0.01 * up, tilt);
+    bench.bodies[0].friction = {mu, mu};
+    bench.add(test::body_mesh(make_box(Vec3(0.06, 0.06, 0.02))), BodyKind::moving,
+              (0.01 + 2e-6) * up - 0.2 * down, tilt);
+    bench.bodies[1].friction = {mu, mu};
+    bench.make();
+    bench.world.sleeps = false;
+    const Vec3 start = bench.state.bodies[1].position;
+    for (int i = 0; i < 400; ++i) bench.step();
+    const double way = (bench.state.bodies[1].position - start).dot(down);
+    const double a = kGravity * (std::sin(angle) - mu * std::cos(angle));
+    if (a < 0.0)
+      EXPECT_LT(std::fabs(way), 1e-6);
+    else
+      EXPECT_NEAR(way, 0.5 * a * 0.4 * 0.4, 1e-3 * way);
+  }
+}
+
+TEST(StepWorld, FreeBodiesKeepMomentumAndNeverGainEnergy) {
+  WorldBench bench;
+  Random random(7);
+  const auto ring = test::body_mesh(make_torus(0.03, 0.008, 24, 12));
+  const auto block = test::body_mesh(make_box(Vec3(0.03, 0.02, 0.04)));
+  for (int i = 0; i < 8; ++i) {
+    const Quat turn = rotation_from_vector(Vec3(random.normal(), random.normal(), random.normal()));
+    const Vec3 place(0.09 * (i % 2), 0.09 * (i / 2 % 2), 0.09 * (i / 4));
+    WorldBody& body = bench.add(i % 2 == 0 ? ring : block, BodyKind::moving, place, turn);
+    body.restitution = i < 4 ? 0.6 : 0.0;
+    body.friction = {0.4, 0.4};
+    const Vec3 to = Vec3(0.045, 0.045, 0.045) - place;
+    body.start.linear_momentum =
+        body.mass * (8.0 * to + 0.2 * Vec3(random.normal(), random.normal(), random.normal()));
+    body.start.angular_momentum =
+        body.inertia * Vec3(10.0 * random.normal(), 10.0 * random.normal(), 10.0 * random.normal());
+  }
+  bench.make(Vec3::Zero());
+  const WorldMomentum start = momentum(bench.world, bench.state);
+  const double energy = bench.energy();
+  double last = energy, grown = 0.0, scale = 0.0, arm = 0.0;
+  for (const BodyState& y : bench.state.bodies) {
+    scale += y.linear_momentum.norm();
+    arm += y.angular_momentum.norm() + y.position.norm() * y.linear_momentum.norm();
+  }
+  std::int64_t impacts = 0;
+  std::int32_t most_parts = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const WorldStep step = bench.step();
+    impacts += step.impacts;
+    most_parts = std::max(most_parts, step.parts);
+    EXPECT_EQ(step.waited, 0.0) << i;
+    grown = std::max(grown, bench.energy() - last);
+    last = bench.energy();
+  }
+  const WorldMomentum end = momentum(bench.world, bench.state);
+  EXPECT_GT(impacts, 5);
+  EXPECT_LE(grown, 1e-9 * energy);
+  EXPECT_LE((end.linear - start.linear).norm(), 1e-12 * scale);
+  EXPECT_LE((end.angular - start.angular).norm(), 1e-12 * arm);
+  for (std::size_t a = 0; a < 8; ++a)
+    for (std::size_t b = 0; b < a; ++b) EXPECT_GT(bench.distance(a, b), 0.0) << a << ' ' << b;
+}
+
+/// Whether a plate and a block that were thrown at each other ever met.
+TEST(StepWorld, ThrownPairsNeverPassThroughEachOther) {
+  const int throws = test::is_full() ? 10000 : 60;
+  const auto plate = test::body_mesh(make_box(Vec3(0.08, 0.08, 0.0002)));
+  const auto cone = test::body_mesh(make_cone(0.015, 0.04, 12));
+  const auto ring = test::body_mesh(make_torus(0.02, 0.004, 16, 8));
+  Random random(11);
+  const auto any = [&] { return Vec3(random.normal(), random.normal(), random.normal()); };
+  double waited = 0.0;
+  int passed = 0, met = 0;
+  for (int k = 0; k < throws; ++k) {
+    WorldBench bench;
+    bench.add(plate, BodyKind::moving, Vec3::Zero());
+    bench.add(k % 2 == 0 ? cone : ring, BodyKind::moving,
+              Vec3(0.02 * random.normal(), 0.02 * random.normal(), 0.06),
+              rotation_from_vector(any()));
+    for (WorldBody& body : bench.bodies) {
+      body.restitution = k % 3 == 0 ? 0.7 : 0.0;
+      body.start.angular_momentum = 20.0 * (body.inertia * any());
+    }
+    const double speed = 0.2 * std::pow(25.0, random.uniform());
+    bench.bodies[1].start.linear_momentum = -speed * bench.bodies[1].mass * Vec3::UnitZ();
+    bench.make(Vec3::Zero());
+    const double energy = bench.energy();
+    const int steps = std::min(400, static_cast<int>(0.12 / speed * 1000.0));
+    for (int i = 0; i < steps; ++i) {
+      const WorldStep step = bench.step();
+      waited += step.waited;
+      met += step.pressing > 0;
+      if (i % 4 == 0 || step.pressing > 0) passed += !(bench.distance(0, 1) > 0.0);
+      ASSERT_LE(bench.energy(), energy * (1.0 + 1e-9)) << k;
+    }
+  }
+  EXPECT_EQ(passed, 0);
+  EXPECT_GT(met, throws / 2);
+}
+
+}  // namespace
+}  // namespace thigma

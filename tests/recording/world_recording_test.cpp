@@ -1,0 +1,103 @@
+#include "thigma/recording/world_recording.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "thigma/core/error.h"
+#include "thigma/files/file.h"
+#include "thigma/math/random.h"
+#include "thigma/recording/recording.h"
+#include "thigma/recording/replay_session.h"
+
+namespace thigma {
+namespace {
+
+BodyState random_state(Random& random) {
+  const auto any = [&] { return Vec3(random.normal(), random.normal(), random.normal()); };
+  BodyState y;
+  y.position = any();
+  y.orientation = Quat(random.normal(), random.normal(), random.normal(), 1.0).normalized();
+  y.linear_momentum = 1e-9 * any();
+  y.angular_momentum = 1e9 * any();
+  y.angular_momentum.x() = -0.0;
+  return y;
+}
+
+std::string path_of(const char* name) {
+  return (std::filesystem::path(testing::TempDir()) / name).string();
+}
+
+std::vector<BodyState> write_some(const std::string& path) {
+  WorldRecordingInfo info;
+  info.scene = "a \"scene\".toml";
+  info.device = "hand:?force=2";
+  info.seed = 7;
+  info.rate = 500.0;
+  info.bodies = {"table", "block 1"};
+  WorldRecordingWriter writer(path, info);
+  Random random(3);
+  std::vector<BodyState> all;
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    const std::vector<BodyState> states{random_state(random), random_state(random)};
+    writer.write(i, 0.002 * static_cast<double>(i + 1), states, {});
+    all.insert(all.end(), states.begin(), states.end());
+  }
+  writer.close(40, 0xfedcba9876543210u);
+  return all;
+}
+
+TEST(WorldRecording, ComesBackBitForBit) {
+  const std::string path = path_of("world.mcap");
+  const std::vector<BodyState> written = write_some(path);
+  EXPECT_TRUE(is_world_recording(path));
+  const WorldRecording read = read_world_recording(path);
+  EXPECT_EQ(read.scene, "a \"scene\".toml");
+  EXPECT_EQ(read.device, "hand:?force=2");
+  EXPECT_EQ(read.seed, 7u);
+  EXPECT_EQ(read.rate, 500.0);
+  EXPECT_EQ(read.bodies, (std::vector<std::string>{"table", "block 1"}));
+  EXPECT_EQ(read.frames, 40u);
+  EXPECT_EQ(read.state_hash, 0xfedcba9876543210u);
+  ASSERT_EQ(read.states.size(), written.size());
+  for (std::size_t i = 0; i < written.size(); ++i)
+    EXPECT_TRUE(same_bits(read.states[i], written[i])) << i;
+}
+
+TEST(WorldRecording, RefusesWhatIsDamaged) {
+  const std::string path = path_of("world.mcap"), broken = path_of("broken.mcap");
+  write_some(path);
+  const std::string bytes = read_file(path);
+  Random random(5);
+  int refused = 0;
+  for (int k = 0; k < 200; ++k) {
+    std::string damaged = bytes;
+    if (k % 2 == 0)
+      damaged.resize(
+          static_cast<std::size_t>(random.uniform() * static_cast<double>(bytes.size())));
+    else
+      damaged[static_cast<std::size_t>(random.uniform() * static_cast<double>(bytes.size()))] ^=
+          0x55;
+    write_file(broken, damaged);
+    try {
+      const WorldRecording read = read_world_recording(broken);
+      EXPECT_EQ(read.states.size() % read.bodies.size(), 0u);
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("broken.mcap"), std::string::npos) << error.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 20);
+}
+
+TEST(WorldRecording, KnowsItsKind) {
+  const std::string other = path_of("other.mcap");
+  write_file(other, "no recording");
+  EXPECT_FALSE(is_world_recording(other));
+  EXPECT_FALSE(is_world_recording(path_of("absent.mcap")));
+  EXPECT_THROW(read_world_recording(other), InputError);
+}
+
+}  // namespace
+}  // namespace thigma
