@@ -5,6 +5,7 @@
 #include "thigma/core/error.h"
 #include "thigma/import/read_mesh.h"
 #include "thigma/import/repair.h"
+#include "thigma/import/shell.h"
 
 namespace thigma {
 
@@ -29,7 +30,8 @@ TriangleMesh load_usable_mesh(const std::string& path, double scale, bool repair
   MeshReport found = inspect_mesh(file, path, options);
   if (found.verdict == MeshVerdict::rejected) {
     throw InputError(path + ": " + found.reasons.front() +
-                     ", in the mesh as a whole, expected a usable mesh");
+                     ", in the mesh as a whole, expected a usable mesh" +
+                     (can_wrap(found) ? "; `thigma repair --shell` makes one of it" : ""));
   }
   if (found.verdict == MeshVerdict::repairable) {
     if (!repair) {

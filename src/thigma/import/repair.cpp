@@ -323,7 +323,9 @@ RepairResult repair_mesh(const TriangleMesh& mesh, const std::string& name) {
     report = inspect_mesh(repair.mesh, quick);
   }
   if (report.verdict != MeshVerdict::usable)
-    fail(name, report, " after repair, in the mesh as a whole, expected to be able to repair it");
+    fail(name, report,
+         " after repair, in the mesh as a whole, expected to be able to repair it; `thigma repair "
+         "--shell` wraps it");
   return {std::move(repair.mesh), std::move(repair.done)};
 }
 
