@@ -23,8 +23,13 @@ TEST(Recording, bits_are_told_in_sixteen_digits) {
 
 using Json = nlohmann::json;
 
-Vec3 vector_of(const Json& j) { return {j.at("x"), j.at("y"), j.at("z")}; }
-Quat turn_of(const Json& j) { return {j.at("w"), j.at("x"), j.at("y"), j.at("z")}; }
+double number_of(const Json& j, const char* name) { return j.at(name).get<double>(); }
+Vec3 vector_of(const Json& j) {
+  return Vec3(number_of(j, "x"), number_of(j, "y"), number_of(j, "z"));
+}
+Quat turn_of(const Json& j) {
+  return Quat(number_of(j, "w"), number_of(j, "x"), number_of(j, "y"), number_of(j, "z"));
+}
 
 // As Foxglove's public schemas have it: stamps, frames, all lists of an entity, whole triangles.
 void expect_entity(const Json& entity) {
