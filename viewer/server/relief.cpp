@@ -10,7 +10,8 @@
 namespace thigma::live {
 namespace {
 
-constexpr std::size_t kMostTriangles = 40'000;  // a page splits and draws them, perhaps without graphics hardware
+// A page splits and draws them, perhaps without graphics hardware.
+constexpr std::size_t kMostTriangles = 40'000;
 
 double longest_edge(const TriangleMesh& mesh) {
   double longest = 0.0;
@@ -36,8 +37,7 @@ void add_points(const HapticTexture& texture, std::size_t number, int n, Triangl
       const double b = static_cast<double>(i) / n, c = static_cast<double>(j) / n;
       const double a = 1.0 - b - c;
       const Vec2 where = a * uv[0] + b * uv[1] + c * uv[2];
-      fine.positions.push_back(a * at(0) + b * at(1) + c * at(2) +
-                               displacement_at(texture, where));
+      fine.positions.push_back(a * at(0) + b * at(1) + c * at(2) + displacement_at(texture, where));
     }
   }
 }

@@ -1,11 +1,12 @@
 // One object with the surfaces of its levels: which of them is drawn, and where contacts colour it.
-import { levelAtHand } from "./detail.js";
+import { clusterMesh, madeLevel } from "./cluster.js";
+import { levelAtHand, levelToDraw } from "./detail.js";
 import { disposeSurface, makeSurface, markSurface, paintSurface, shadeSurface, showParts, thinSpots, tintPatches } from "./surface.js";
 
 /// mesh    decoded `mesh`; about   its entry in `scene`
 export function makeBody(mesh, about) {
   const finest = makeSurface(mesh);
-  return { group: finest.group, geometry: finest.geometry, finest, about, levels: new Map(), relief: null, browsed: null, wireframe: false,
+  return { group: finest.group, geometry: finest.geometry, finest, about, levels: new Map(), made: new Map(), relief: null, browsed: null, wireframe: false,
     drawn: 0, rich: true, colours: null };
 }
 
@@ -22,8 +23,11 @@ export function hasSurface({ about }, level) {
 /// message   decoded `level`
 export function addLevel(body, message) {
   if (body.levels.has(message.level)) return;
-  const surface = makeSurface(message, body.finest.ranges);
-  body.levels.set(message.level, surface);
+  addSurface(body, message.level, makeSurface(message, body.finest.ranges));
+}
+
+function addSurface(body, level, surface) {
+  body.levels.set(level, surface);
   body.group.add(surface.group);
   if (body.colours) paintSurface(surface, body.colours);
   shadeSurface(surface, body.rich);
@@ -62,20 +66,37 @@ export function showBody(body, { wireframe = body.wireframe, browsed = body.brow
   arrange(body);
 }
 
+/// The level whose surface is nowhere farther off than allowed, of the asset; where it has none, one made here for drawing
+/// alone, with a number below 0.
+/// metres, pixels   of one of them, and how many are allowed
+export function levelFor(body, metres, pixels) {
+  const { level_list: list, radius, triangles } = body.about;
+  if (list?.some((_, level) => level > 0 && hasSurface(body, level))) return levelToDraw(list, metres, pixels);
+  return madeLevel(body.made, triangles, radius, pixels * metres, (number, cell) => {
+    const { mesh, deviation } = clusterMesh(body.finest.mesh, cell);
+    addSurface(body, number, makeSurface(mesh, body.finest.ranges));
+    body.made.set(number, deviation);
+    return deviation;
+  });
+}
+
 /// Draws the object by the surface of a level, or by the nearest finer one that is here; true when that changed.
 export function drawLevel(body, wanted) {
-  const level = levelAtHand(wanted, (one) => body.levels.has(one));
+  const level = wanted < 0 ? wanted : levelAtHand(wanted, (one) => body.levels.has(one));
   if (level === body.drawn) return false;
   body.drawn = level;
   arrange(body);
   return true;
 }
 
-/// The surface of the level that is drawn, without relief.
-export const smoothSurface = (body) => surfaceOf(body, body.drawn);
+/// The surface of a level, without relief; of the finest where it is not here.
+export const smoothSurface = (body, level = body.drawn) => surfaceOf(body, level);
 
 /// The surface that shows the object as it is.
 const shownSurface = (body) => (body.drawn === 0 && body.relief ? body.relief : smoothSurface(body));
+
+/// Relief and what is made here is only for the whole.
+const isLevel = (body, surface) => surface !== body.relief && ![...body.made.keys()].some((number) => body.levels.get(number) === surface);
 
 /// Of the surfaces one is whole, or each is where its level is active.
 function arrange(body) {
@@ -84,7 +105,7 @@ function arrange(body) {
   for (const surface of surfaces(body)) {
     const isBrowsed = browsed !== null && surface === whole;
     tintPatches(surface, isBrowsed ? browsed : null);
-    const solid = surface === whole ? "whole" : whole === null && surface !== body.relief ? "active" : "none";
+    const solid = surface === whole ? "whole" : whole === null && isLevel(body, surface) ? "active" : "none";
     showParts(surface, solid, isBrowsed ? 0.3 : wireframe && browsed === null && surface === body.finest ? 0.16 : 0);
   }
 }

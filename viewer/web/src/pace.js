@@ -11,6 +11,7 @@ export const STEPS = [
   { pixels: 1, shadows: false, rich: false, off: 1 },
   { pixels: 1, shadows: false, rich: false, off: 2 },
   { pixels: 1, shadows: false, rich: false, off: 4 },
+  { pixels: 1, shadows: false, rich: false, off: 6 },
 ];
 export const PLAIN_STEP = 3; // to begin with where the processor draws: it may turn out a fast one
 export const LONGEST = 1 / 15; // from one picture to the next, where that can be had [s]

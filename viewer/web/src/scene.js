@@ -2,7 +2,6 @@
 // metres; root is scaled so that the scene has radius 1 whatever its size, nanometres or kilometres.
 import { Group, NeutralToneMapping, PCFShadowMap, Scene, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
 import { depthOf, makeView, placeCamera, unitsPerPixel } from "./camera.js";
-import { levelToDraw } from "./detail.js";
 import { boundsOf } from "./geometry.js";
 import { apart, makeGhost, shapeGhost } from "./ghost.js";
 import { addGround, addLights } from "./lights.js";
@@ -10,7 +9,7 @@ import { makeArrow, makeContactMarks, makeRod, makeTwist, paintArrow, paintRod, 
   setRod, setTwist } from "./marks.js";
 import { makeRowMarks, setRowMarks } from "./rowmarks.js";
 import { STATE } from "./protocol.js";
-import { addLevel, addRelief, disposeBody, drawLevel, lacksLevel, makeBody, markContacts, paintBody, shadeBody, showBody, smoothSurface } from "./body.js";
+import { addLevel, addRelief, disposeBody, drawLevel, lacksLevel, levelFor, makeBody, markContacts, paintBody, shadeBody, showBody, smoothSurface } from "./body.js";
 import { makePace, notePicture, PLAIN_STEP, restAfter, STEPS } from "./pace.js";
 import { colour } from "./theme.js";
 
@@ -107,6 +106,7 @@ export function browseLevel(stage, body, level) {
   stage.dirty = stage.moved = true;
 }
 
+const GLASS = 3; // times as far as the object the ghost may be off
 const AGAIN = 1000; // after which a refused level is asked for again [ms]
 
 /// Asks for the surface of a level, once; again where the program had no room for it.
@@ -124,15 +124,17 @@ function chooseLevels(stage) {
   const at = new Vector3();
   let changed = false;
   for (const body of bodies(stage)) {
-    const { center, radius, level_list: list, relief } = body.about;
+    const { center, radius, relief } = body.about;
     stage.root.localToWorld(at.set(...center).applyQuaternion(body.group.quaternion).add(body.group.position));
     const nearest = Math.max(stage.view.camera.near, depthOf(stage.view, at) - radius / stage.radius);
     const metres = unitsPerPixel(stage.view, nearest, stage.canvas.clientHeight) * stage.radius;
-    const level = levelToDraw(list, metres, off - (relief ?? 0) / metres); // a level has none of it
+    const level = levelFor(body, metres, off - (relief ?? 0) / metres); // a level has none of it
     want(stage, body, level);
-    if (!drawLevel(body, level)) continue;
-    changed = true;
-    if (body === stage.object) shapeGhost(stage.ghost, smoothSurface(body).geometry); // glass shows no relief
+    changed = drawLevel(body, level) || changed;
+    if (body !== stage.object) continue;
+    const glass = levelFor(body, metres, GLASS * off); // which shows no relief, and little else
+    want(stage, body, glass);
+    shapeGhost(stage.ghost, smoothSurface(body, glass).geometry);
   }
   if (changed && stage.last) showContacts(stage, stage.last);
 }

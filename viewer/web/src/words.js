@@ -53,10 +53,10 @@ export function situation(facts) {
   if (contacts === 0) return `${subject} ${grasped ? "is in the hand and" : "rests and"} touches nothing.`;
   const where = statics.length === 1 ? `the ${statics[0]}` : "the scene";
   const count = contacts === 1 ? "1 contact" : `${contacts} contacts`;
-  const groups = clusters === 1 ? "1 cluster" : `${clusters} clusters`;
-  if (facts.touching && facts.armed === false) return `${subject} touches ${where} at ${count} in ${groups}; forces are off.`;
-  if (facts.touching) return `${subject} presses on ${where} at ${count} in ${groups}.`;
-  return `${subject} is close to ${where}: ${count} in ${groups}.`;
+  const groups = clusters === 0 ? "" : clusters === 1 ? " in 1 cluster" : ` in ${clusters} clusters`; // relief has none
+  if (facts.touching && facts.armed === false) return `${subject} touches ${where} at ${count}${groups}; forces are off.`;
+  if (facts.touching) return `${subject} presses on ${where} at ${count}${groups}.`;
+  return `${subject} is close to ${where}: ${count}${groups}.`;
 }
 
 /// The same where contacts are constraints: how many rows press, and what the hand does.

@@ -91,3 +91,10 @@ test("every scene of the program says what to try, and none that is not there", 
   assert.deepEqual([...SCENES_WITH_WORDS].sort(), scenes.sort());
   assert.equal(whatToTry("mine.toml"), "");
 });
+
+test("where there are no clusters, as on relief, none are counted", () => {
+  const facts = { object: "probe", statics: ["plate"], grasped: true, contacts: 16, clusters: 0, touching: true };
+  assert.equal(situation(facts), "The probe presses on the plate at 16 contacts.");
+  assert.equal(situation({ ...facts, clusters: 2 }), "The probe presses on the plate at 16 contacts in 2 clusters.");
+  assert.equal(situation({ ...facts, touching: false }), "The probe is close to the plate: 16 contacts.");
+});
