@@ -42,8 +42,9 @@ void take_word(const std::string& word, Resolution& way) {
   } else if (name == "cap" && equals != std::string::npos) {
     way.deviation_cap = number_of(word, equals);
   } else {
-    throw InputError(word + ": way to query, expected exact, levels, s0=X, cap=X, carry=X, d=ring, "
-                            "d=flood, d=patch or plain");
+    throw InputError(word +
+                     ": way to query, expected exact, levels, s0=X, cap=X, carry=X, d=ring, "
+                     "d=flood, d=patch or plain");
   }
 }
 

@@ -34,9 +34,9 @@ constexpr std::size_t kNumbers = 7;  // of a pose
 std::string format_path(double radius, double tolerance, const std::vector<Pose>& path) {
   std::vector<double> numbers = {radius, tolerance};
   for (const Pose& p : path) {
-    numbers.insert(numbers.end(), {p.position.x(), p.position.y(), p.position.z(),
-                                   p.orientation.x(), p.orientation.y(), p.orientation.z(),
-                                   p.orientation.w()});
+    numbers.insert(numbers.end(),
+                   {p.position.x(), p.position.y(), p.position.z(), p.orientation.x(),
+                    p.orientation.y(), p.orientation.z(), p.orientation.w()});
   }
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
 }
