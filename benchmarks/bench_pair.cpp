@@ -89,6 +89,22 @@ double solve_height(const BenchPair& pair, double s, double height) {
 
 }  // namespace
 
+std::vector<PairRequest> level_pairs() {
+  return {
+      {.name = "jaws", .scene = "jaws", .path = {.turn = 0.004, .slide = 0.005}},
+      {.name = "jaws-grinding",
+       .scene = "jaws",
+       .path = {.turn = 0.001, .slide = 0.004, .swing = 0.001}},
+      {.name = "ball-joint", .scene = "ball_joint", .path = {.turn = 0.2, .slide = 0.005}},
+      {.name = "cup-spoon", .scene = "cup_spoon", .path = {.turn = 0.1, .slide = 0.02}},
+      {.name = "golf", .scene = "golf", .path = {.turn = 0.15, .slide = 0.15}},
+      {.name = "ellipsoid",
+       .scene = "ellipsoid",
+       .scene_model = "golf_ball",
+       .path = {.turn = 0.8, .slide = 0.5}},
+  };
+}
+
 BenchPair make_pair(const PairRequest& request) {
   const SceneDescription scene = read_scene(request.scene);
   BenchPair pair;

@@ -34,6 +34,9 @@ struct PairRequest {
   double tolerance = 0.01;  // d of the queries to come, by the smaller radius
 };
 
+/// The pairs that levels of detail are measured on, but for those of a million triangles.
+std::vector<PairRequest> level_pairs();
+
 /// A pair ready to be measured.
 struct BenchPair {
   PairRequest request;

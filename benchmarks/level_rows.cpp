@@ -128,23 +128,8 @@ std::vector<Row> measure_case(LevelCase c, bool quick) {
 }
 
 std::vector<LevelCase> level_cases() {
-  std::vector<LevelCase> cases = {
-      {.request = {.name = "jaws", .scene = "jaws", .path = {.turn = 0.004, .slide = 0.005}}},
-      {.request = {.name = "jaws-grinding",
-                   .scene = "jaws",
-                   .path = {.turn = 0.001, .slide = 0.004, .swing = 0.001}}},
-      {.request = {.name = "ball-joint",
-                   .scene = "ball_joint",
-                   .path = {.turn = 0.2, .slide = 0.005}}},
-      {.request = {.name = "cup-spoon",
-                   .scene = "cup_spoon",
-                   .path = {.turn = 0.1, .slide = 0.02}}},
-      {.request = {.name = "golf", .scene = "golf", .path = {.turn = 0.15, .slide = 0.15}}},
-      {.request = {.name = "ellipsoid",
-                   .scene = "ellipsoid",
-                   .scene_model = "golf_ball",
-                   .path = {.turn = 0.8, .slide = 0.5}}},
-  };
+  std::vector<LevelCase> cases;
+  for (const PairRequest& request : level_pairs()) cases.push_back({.request = request});
   // 0.1 mm apart on average, over 100 mm radius, moving by half of that.
   cases.push_back(
       {.request = {.name = "conforming-1m",

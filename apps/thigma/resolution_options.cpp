@@ -54,6 +54,18 @@ std::string parse_one_metric(std::string_view text, RefinementMetric& metric, bo
   return "--metric is haptic, velocity=ALPHA or view=N,l,n,f,i, or several joined by +";
 }
 
+std::string parse_support(const std::string& text, SupportReading& reading) {
+  if (text == "one_ring")
+    reading = SupportReading::one_ring;
+  else if (text == "flood")
+    reading = SupportReading::flood;
+  else if (text == "patch")
+    reading = SupportReading::patch;
+  else
+    return "--support is one_ring, flood or patch";
+  return {};
+}
+
 }  // namespace
 
 void add_resolution_options(CLI::App& verb, ResolutionOptions& o) {
@@ -67,6 +79,12 @@ void add_resolution_options(CLI::App& verb, ResolutionOptions& o) {
                   "CPU time of a query [us]; what is left coarse for it shows in the bounds");
   verb.add_option("--budget-tests", o.budget_tests, "the same in pairs looked at: reproducible")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
+  verb.add_option("--support", o.support,
+                  "how the support area D of a contact is read: flood (the default) or one_ring, "
+                  "around it, or patch, one for all contacts of a patch");
+  verb.add_option("--carry", o.carry,
+                  "carry contacts along until the bodies may have moved by this share of the "
+                  "tolerance; 0 measures all in each frame (the default)");
   verb.add_option("--metric", o.metric,
                   "haptic, velocity=ALPHA, view=N,l,n,f,i, or several joined by +");
 }
@@ -90,14 +108,19 @@ std::string parse_metric(const std::string& text, RefinementMetric& metric) {
 
 bool asks_for_levels(const ResolutionOptions& o) {
   return o.threshold || !o.deviation_cap.empty() || o.budget_us || o.budget_tests ||
-         !o.metric.empty();
+         !o.metric.empty() || !o.support.empty();
 }
 
 std::string apply(const ResolutionOptions& o, Resolution& resolution) {
   const bool has_levels = asks_for_levels(o);
   if (o.is_exact && has_levels) {
-    return "--exact stands beside --threshold, --deviation-cap, --budget-us, --budget-tests or "
-           "--metric, expected one of the two";
+    return "--exact stands beside --threshold, --deviation-cap, --budget-us, --budget-tests, "
+           "--support or --metric, expected one of the two";
+  }
+  if (o.carry) {
+    if (!(*o.carry >= 0.0) || !std::isfinite(*o.carry))
+      return "--carry must be a share of the tolerance, 0 or more";
+    resolution.carry = *o.carry;
   }
   if (o.is_exact) resolution.is_exact = true;
   if (!has_levels) return {};
@@ -109,6 +132,10 @@ std::string apply(const ResolutionOptions& o, Resolution& resolution) {
   }
   if (!o.metric.empty()) {
     const std::string wrong = parse_metric(o.metric, resolution.metric);
+    if (!wrong.empty()) return wrong;
+  }
+  if (!o.support.empty()) {
+    const std::string wrong = parse_support(o.support, resolution.reading);
     if (!wrong.empty()) return wrong;
   }
   if (o.deviation_cap == "off") {

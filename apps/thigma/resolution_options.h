@@ -18,7 +18,9 @@ struct ResolutionOptions {
   std::string deviation_cap;        // a fraction of the smaller radius, or "off"
   std::optional<double> budget_us;  // [us]
   std::optional<std::int64_t> budget_tests;
-  std::string metric;  // of haptic, velocity=ALPHA, view=N,l,n,f,i; several joined by +
+  std::string support;          // one_ring, flood or patch
+  std::optional<double> carry;  // a share of the tolerance
+  std::string metric;           // of haptic, velocity=ALPHA, view=N,l,n,f,i; several joined by +
 };
 
 /// Whether anything but --exact was given.

@@ -43,6 +43,7 @@ RecordedConfig example() {
   c.resolution.interpolates = false;
   c.resolution.budget_tests = 500;
   c.resolution.budget_cpu = 2e-4;
+  c.resolution.carry = 0.15;
   c.friction = {{0.1, 1.0 / 3.0}, {0.0, 0.0}};
   c.params.impacts = {{1.0 / 3.0, {0.1, 150.0, 0.7}}, {}};
   c.rate_hz = 2000.0;
@@ -87,6 +88,7 @@ TEST(ConfigJson, round_trip_loses_nothing) {
   EXPECT_FALSE(r.interpolates);
   EXPECT_EQ(r.budget_tests, 500);
   EXPECT_EQ(r.budget_cpu, 2e-4);
+  EXPECT_EQ(r.carry, 0.15);
   EXPECT_EQ(back.friction, config.friction);
   EXPECT_EQ(back.params.impacts, config.params.impacts);
   EXPECT_TRUE(back.params.coupling.linear_saturation.has_value());
@@ -101,7 +103,7 @@ TEST(ConfigJson, every_field_is_asked_for) {
        at = whole.find("\":", at + 1)) {
     const std::size_t begin = whole.rfind('"', at - 1) + 1;
     const std::string key = whole.substr(begin, at - begin);
-    if (key == "passivity" || key == "friction" || key == "impacts")
+    if (key == "passivity" || key == "friction" || key == "impacts" || key == "carry")
       continue;  // where there is any
     std::string text = whole;
     text[begin] = '?';

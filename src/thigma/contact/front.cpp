@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "thigma/contact/detail/carry_contacts.h"
 #include "thigma/contact/multires/measure_pair.h"
 #include "thigma/contact/surface_crossing.h"
 #include "thigma/core/index.h"
@@ -11,6 +12,8 @@ namespace {
 
 // Contacts a query with a budget can hold; refinement stops there.
 constexpr std::size_t kMostFound = 1 << 16;
+// Contacts that can be carried; others are measured each frame.
+constexpr std::size_t kMostCarried = 1 << 16;
 
 // Longest path from the root, and the most children of a node.
 struct TreeExtent {
@@ -55,6 +58,7 @@ void reserve_front(ContactFront& front, const ClodHierarchy& object, const ClodH
     front.nodes = std::make_unique_for_overwrite<FrontNode[]>(n);
     front.expires = std::make_unique_for_overwrite<float[]>(n);
     front.capacity = capacity;
+    front.carried = {};
     for (std::vector<std::int32_t>* list :
          {&exact.active, &exact.next_active, &exact.incoming, &front.work, &exact.saturated}) {
       *list = {};
@@ -67,8 +71,8 @@ void reserve_front(ContactFront& front, const ClodHierarchy& object, const ClodH
     multires.queue.reserve(n);
     multires.found.reserve(std::min(n, kMostFound));
     multires.order.reserve(n);
-    multires.object_support = detail::largest_support(object);
-    multires.scene_support = detail::largest_support(scene);
+    multires.object_support = detail::support_of_nodes(object);
+    multires.scene_support = detail::support_of_nodes(scene);
   }
   front.object_closed = is_closed(object);
   front.scene_closed = is_closed(scene);
@@ -77,7 +81,19 @@ void reserve_front(ContactFront& front, const ClodHierarchy& object, const ClodH
   clear_front(front);
 }
 
+void reserve_carried(ContactFront& front) {
+  CarriedContacts& carried = front.carried;
+  const auto nodes = idx(front.capacity);
+  const std::size_t most = std::min(nodes, kMostCarried);
+  carried.place = std::make_unique<std::int32_t[]>(nodes);
+  carried.contacts.resize(most);
+  carried.free.reserve(most);
+  std::fill_n(carried.place.get(), nodes, -1);
+  detail::forget_carried(front);
+}
+
 void clear_front(ContactFront& front) noexcept {
+  detail::forget_carried(front);
   front.used = 0;
   front.free_head = -1;
   front.alive = 0;

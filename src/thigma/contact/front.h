@@ -9,6 +9,7 @@
 
 #include "thigma/clod/hierarchy.h"
 #include "thigma/contact/contact.h"
+#include "thigma/contact/resolution.h"
 #include "thigma/convex/gjk.h"
 #include "thigma/convex/patch_separation.h"
 
@@ -61,14 +62,36 @@ struct MultiresFront {
   std::vector<PendingPair> queue;    // by priority, with a budget
   std::vector<Contact> found;        // contacts that may still be refined, with a budget
   std::vector<std::int32_t> order;   // of contacts
-  // by node: largest D of the vertices of its patch, by SupportReading [m^2]
-  std::vector<std::array<double, 2>> object_support, scene_support;
+  // by node and SupportReading: largest D of the vertices of its patch, and the D of the patch
+  // [m^2]
+  std::vector<std::array<double, kSupportReadings>> object_support, scene_support;
   // CPU time of handing over one contact, measured; with a budget of time [s]
   double finish_cost = 0.0;
   double refine_cost = 0.0;  // the same of refining one pair, at most, of recent frames [s]
   // What the last query neither reported nor remembers as apart is no nearer than this; 0 unless
   // Resolution::exact_within was asked [m].
   double unremembered = 0.0;
+};
+
+/// A contact as it was measured, each side in the frame of its own body.
+struct CarriedContact {
+  Vec3 normal = Vec3::UnitZ();                    // [frame of a]
+  Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();  // [m]
+  double travel = 0.0, until = 0.0;               // of the front, then and at most [m]
+  double bound = 0.0, nearest = 0.0;              // as of LevelPair [m]
+  double growth = 1.0;  // how much more than the travel a depth along the normal may change
+  LevelDecision decided_by = LevelDecision::finest;
+  bool is_penetrating = false;
+};
+
+/// The contacts of a front that are carried: a place for each of its nodes, and the contacts, of
+/// which fewer are enough. Empty until a query asks for it (Resolution::carry).
+struct CarriedContacts {
+  std::unique_ptr<std::int32_t[]> place;  // by node of the front, into `contacts`; -1: none
+  std::vector<CarriedContact> contacts;
+  std::vector<std::int32_t> free;  // places
+  Resolution asked;                // what they were measured for
+  bool keeps_direction = false;
 };
 
 /// Scratch of one pair of bodies. Owned by the caller, one a pair; any content is valid input.
@@ -98,6 +121,7 @@ struct ContactFront {
   std::vector<std::int32_t> work;  // nodes to look at
   ExactFront exact;
   MultiresFront multires;
+  CarriedContacts carried;
 };
 
 /// Nodes a front is given room for when the caller does not say.
@@ -109,6 +133,12 @@ std::int32_t default_front_capacity(const ClodHierarchy& object,
 /// Thread    [offline] or warm-up; throws std::bad_alloc.
 void reserve_front(ContactFront& front, const ClodHierarchy& object, const ClodHierarchy& scene,
                    std::int32_t capacity = 0);
+
+/// Takes the memory for contacts that are carried along (Resolution::carry) and forgets those it
+/// has. A query that asks for it does so when there is none.
+/// front   with memory
+/// Thread  [offline] or warm-up; throws std::bad_alloc.
+void reserve_carried(ContactFront& front);
 
 /// Forgets coherence, keeps the memory.
 /// Thread    [contact].

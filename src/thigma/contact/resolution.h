@@ -1,6 +1,7 @@
 #pragma once
 // How fine a contact query is asked to be, contact by contact (Sec. 3.4.3).
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -10,9 +11,13 @@ namespace thigma {
 
 inline constexpr double kNoCap = std::numeric_limits<double>::infinity();
 
-/// The two readings of the support area D of a vertex (Sec. 3.3.5): of the faces around it alone,
-/// or of all faces connected to it that pass the same test.
-enum class SupportReading : std::uint8_t { one_ring = 0, flood = 1 };
+/// How the support area D of a contact is read (Sec. 3.3.5). The text has it of the vertices around
+/// the contact, in two readings: of the faces at a vertex alone, or of all faces connected to it
+/// that pass the same test. `patch` has one D for all contacts of a patch, the harmonic mean of the
+/// second over its area: with the haptic metric alone the level is then a property of the pair, it
+/// never changes while a contact lasts, and nothing is blended (docs/deviations.md, D106).
+enum class SupportReading : std::uint8_t { one_ring = 0, flood = 1, patch = 2 };
+inline constexpr std::size_t kSupportReadings = 3;
 
 /// Which of the two D of a contact counts; the text takes the larger (Eq. 3.7).
 enum class SupportArea : std::uint8_t { larger, smaller };
@@ -51,11 +56,18 @@ struct Resolution {
   std::int32_t coarsest_level = std::numeric_limits<std::int32_t>::max();
   SupportReading reading = SupportReading::flood;
   SupportArea area = SupportArea::larger;
-  // contacts of a pair near its threshold are blended with its children's (Sec. 3.4.4)
+  // contacts of a pair near its threshold are blended with its children's (Sec. 3.4.4), where
+  // s* / s0 depends on the pose
   bool interpolates = true;
   double step_time = 0.001;       // from the query before, for speeds [s]
   std::int64_t budget_tests = 0;  // pairs looked at, at most; 0: no limit. Reproducible
   double budget_cpu = 0.0;        // CPU time of the thread, at most; 0: no limit [s]
+  // Contacts are carried along with the bodies until these may have moved by this share of d since
+  // they were measured, and `bound` grows by what they moved; 0: all are measured each frame. What
+  // may touch, turn or change its level is measured all the same; with a budget, other metrics or
+  // exact_within nothing is carried. The answer then depends on the queries before, an exact one's
+  // too.
+  double carry = 0.0;
   // Finest near, coarse far: a pair stays coarse where all below it is proven apart by more than
   // `exact_within` along its normal, in whatever way the object turns by `turn`, and s* can be
   // within s0 of the haptic metric and its deviations within the cap. All others are refined.

@@ -25,13 +25,14 @@ using detail::WayOut;
 
 // How far the direction from witness to witness lies behind every real face that holds the witness,
 // and behind those of the neighbours over a convex edge that does: the least sine, > 0 when the
-// back of the surface is what faces the other patch.
+// back of the surface is what faces the other patch. Ends at the first face that does not.
 double back_facing(const HullView& h, std::uint32_t feature, const Vec3& toward_other) {
   double least = 1.0;
   bool found = false;
   for (int i = 0; i < h.face_count; ++i) {
     if ((feature & ~h.faces[i].vertices) != 0) continue;
     least = std::min(least, -h.faces[i].normal.dot(toward_other));
+    if (!(least > 0.0)) return least;
     found = true;
   }
   for (int i = 0; i < h.edge_count; ++i) {

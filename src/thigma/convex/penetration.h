@@ -56,9 +56,10 @@ struct PairContact {
 };
 
 /// How far the backs of two patches face each other: the least sine by which the direction from the
-/// closest point of a to that of b lies behind the real faces that hold the points. > 0: only
-/// pair_contact, with its probe, can tell through from side by side. A caller with a faster way to
-/// closest points asks this before it calls a pair separated.
+/// closest point of a to that of b lies behind the real faces that hold the points; where it lies
+/// before one, any sine that says so, not above 0. > 0: only pair_contact, with its probe, can tell
+/// through from side by side. A caller with a faster way to closest points asks this before it
+/// calls a pair separated.
 ///
 /// feature_a, feature_b  masks of the hull vertices that span the closest features
 /// direction             unit, from the closest point of a to that of b [frame of a]

@@ -100,6 +100,7 @@ void reserve_query(const ContactWorld& world, ContactScratch& scratch) {
   scratch.fronts.resize(world.scene.size());
   for (std::size_t i = 0; i < world.scene.size(); ++i) {
     reserve_front(scratch.fronts[i], *world.object, *world.scene[i].hierarchy);
+    if (world.resolution.carry > 0.0) reserve_carried(scratch.fronts[i]);
   }
   scratch.contacts.contacts.reserve(world.capacity);
 }

@@ -61,6 +61,9 @@ struct ConfigWriter {
     json.flag(key, value == of_true);
   }
   void cap(const char* key, double value) const { json.number(key, value); }
+  void unless(const char* key, double value, double usual) const {
+    if (value != usual) json.number(key, value);
+  }
   void view(const char* key, const ViewThreshold& v) const {
     json.vector(key, View(v.pixels, v.distance, v.frustum_size, v.near_distance, v.image_size));
   }
@@ -151,6 +154,9 @@ struct ConfigReader {
   template <class Enum>
   void flag_for(const char* key, Enum& value, Enum of_true, Enum of_false) const {
     value = json.at(key).get<bool>() ? of_true : of_false;
+  }
+  void unless(const char* key, double& value, double usual) const {
+    value = json.contains(key) ? json.at(key).get<double>() : usual;
   }
   void cap(const char* key, double& value) const {
     value = json.at(key).is_null() ? kNoCap : json.at(key).get<double>();

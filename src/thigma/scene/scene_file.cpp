@@ -184,6 +184,9 @@ void read_resolution(TomlTable& table, Resolution& resolution) {
   resolution.deviation_cap = cap.value_or(resolution.deviation_cap);
   if (is_capped && !*is_capped) resolution.deviation_cap = kNoCap;
   resolution.interpolates = table.truth("interpolated").value_or(resolution.interpolates);
+  if (const auto reading = table.choice("support", {"one_ring", "flood", "patch"}))
+    resolution.reading = static_cast<SupportReading>(*reading);
+  resolution.carry = table.number("carry", Range::not_negative).value_or(resolution.carry);
   const std::optional<double> budget_us = table.number("budget_us", Range::not_negative);
   resolution.budget_cpu = budget_us ? 1e-6 * *budget_us : resolution.budget_cpu;
   resolution.budget_tests = table.whole("budget_tests", 0, 1'000'000'000)

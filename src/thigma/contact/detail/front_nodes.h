@@ -7,6 +7,7 @@
 #include <limits>
 #include <new>
 
+#include "thigma/contact/detail/carry_contacts.h"
 #include "thigma/contact/detail/query_frame.h"
 
 namespace thigma::detail {
@@ -58,6 +59,7 @@ inline void rebase(ContactFront& front) noexcept {
     front.expires[i] = round_down(static_cast<double>(front.expires[i]) - front.travel);
   }
   front.travel = 0.0;
+  forget_carried(front);
 }
 
 inline std::int32_t take_node(ContactFront& front) noexcept {
@@ -75,6 +77,7 @@ inline std::int32_t take_node(ContactFront& front) noexcept {
 }
 
 inline void free_node(ContactFront& front, std::int32_t i) noexcept {
+  drop_carried(front.carried, i);
   front.nodes[i].next_sibling = front.free_head;
   front.nodes[i].a = -1;
   front.expires[i] = kNever;
@@ -123,15 +126,20 @@ inline void retarget(ContactFront& front, double tolerance) noexcept {
     front.expires[i] = round_down(static_cast<double>(front.expires[i]) + by);
   }
   front.tolerance = tolerance;
+  forget_carried(front);
 }
 
 // Brings travel up to this pose, or forgets everything: other bodies, another kind of query, or a
 // jump, after which descending from the root is cheaper than looking at everything.
 inline FrontState advance_front(QueryFrame& frame, bool has_levels) noexcept {
   ContactFront& front = frame.front;
-  if (front.object != &frame.object || front.scene != &frame.scene || front.capacity == 0) {
+  const bool is_new =
+      front.object != &frame.object || front.scene != &frame.scene || front.capacity == 0;
+  const bool lacks_carried = frame.query.resolution.carry > 0.0 && front.carried.place == nullptr;
+  if (is_new || lacks_carried) {
     try {
-      reserve_front(front, frame.object, frame.scene);
+      if (is_new) reserve_front(front, frame.object, frame.scene);
+      if (frame.query.resolution.carry > 0.0) reserve_carried(front);
     } catch (const std::bad_alloc&) {
       return FrontState::no_memory;
     }

@@ -125,31 +125,42 @@ bool closest_of_sets(const Placement& place, std::uint32_t ma, std::uint32_t mb,
                           place.of_b(highest(mb)), c);
 }
 
-// Which vertices of a hull are higher than `least` along n, a mask, and the height of the highest.
-// Two a step.
+// Of heights in single precision, times the radius.
+constexpr double kFloatRounding = 2e-6;
+
+// Vertices of a hull that may be higher than `least` along n, a mask. Four a step.
+std::uint32_t maybe_above(const HullView& hull, const Vec3& n, double least) noexcept {
+  const __m128 nx = _mm_set1_ps(static_cast<float>(n.x())),
+               ny = _mm_set1_ps(static_cast<float>(n.y())),
+               nz = _mm_set1_ps(static_cast<float>(n.z()));
+  const __m128 limit = _mm_set1_ps(static_cast<float>(least - kFloatRounding * hull.radius));
+  const float* const x = hull.lanes;
+  const float* const y = x + hull.lane_count;
+  const float* const z = y + hull.lane_count;
+  std::uint32_t mask = 0;
+  for (int i = 0; i < hull.lane_count; i += 4) {
+    const __m128 height = _mm_add_ps(
+        _mm_add_ps(_mm_mul_ps(nx, _mm_load_ps(x + i)), _mm_mul_ps(ny, _mm_load_ps(y + i))),
+        _mm_mul_ps(nz, _mm_load_ps(z + i)));
+    mask |= static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmpge_ps(height, limit))) << i;
+  }
+  return mask & (0xffffffffu >> (kMaxHullVertices - hull.vertex_count));
+}
+
+// Which vertices of a hull are higher than `least` along n, a mask, and the height of the highest
+// where it is above `top`, which is no lower than `least`. Single precision rejects most; the rest
+// is decided in double.
 std::uint32_t vertices_above(const HullView& hull, const Vec3& n, double least,
                              double& top) noexcept {
-  const double* const first = hull.vertices->data();
-  const __m128d nx = _mm_set1_pd(n.x()), ny = _mm_set1_pd(n.y()), nz = _mm_set1_pd(n.z());
-  // About the centre: far from the origin of the body heights would lose their digits.
-  const __m128d cx = _mm_set1_pd(hull.center.x()), cy = _mm_set1_pd(hull.center.y()),
-                cz = _mm_set1_pd(hull.center.z());
-  const __m128d limit = _mm_set1_pd(least);
-  __m128d best = _mm_set1_pd(top);
   std::uint32_t mask = 0;
-  for (int i = 0; i < hull.vertex_count; i += 2) {
-    const double* p = first + 3 * i;
-    const double* q = i + 1 < hull.vertex_count ? p + 3 : p;
-    const __m128d x = _mm_loadh_pd(_mm_load_sd(p), q), y = _mm_loadh_pd(_mm_load_sd(p + 1), q + 1),
-                  z = _mm_loadh_pd(_mm_load_sd(p + 2), q + 2);
-    const __m128d height =
-        _mm_add_pd(_mm_add_pd(_mm_mul_pd(_mm_sub_pd(x, cx), nx), _mm_mul_pd(_mm_sub_pd(y, cy), ny)),
-                   _mm_mul_pd(_mm_sub_pd(z, cz), nz));
-    best = _mm_max_pd(best, height);
-    mask |= static_cast<std::uint32_t>(_mm_movemask_pd(_mm_cmpgt_pd(height, limit))) << i;
+  for (std::uint32_t left = maybe_above(hull, n, least); left != 0; left &= left - 1) {
+    // About the centre: far from the origin of the body heights would lose their digits.
+    const Vec3 p = hull.vertices[lowest(left)] - hull.center;
+    const double height = p.x() * n.x() + p.y() * n.y() + p.z() * n.z();
+    top = std::max(top, height);
+    if (height > least) mask |= left & (0u - left);
   }
-  top = _mm_cvtsd_f64(_mm_max_sd(best, _mm_unpackhi_pd(best, best)));
-  return mask & (0xffffffffu >> (kMaxHullVertices - hull.vertex_count));
+  return mask;
 }
 
 // The sets, and how far the hulls reach beyond the planes through p and q, at most [m].

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "thigma/contact/detail/carry_contacts.h"
 #include "thigma/contact/detail/front_nodes.h"
 #include "thigma/contact/exact/exact_front.h"
 #include "thigma/contact/surface_crossing.h"
@@ -14,12 +15,40 @@ struct ExactQuery {
   QueryFrame& frame;
   SegmentProbe probe;
   bool is_unordered = false;  // some contacts came from a traversal without memory
+  bool is_carrying = false;
 };
+
+// Reports the contact that a leaf pair, place i of the front, carries; false: it has to be
+// measured.
+bool report_carried(QueryFrame& frame, const FrontNode& node, std::int32_t i) noexcept {
+  if (!has_carried(frame.front.carried, i)) return false;
+  MeasuredContact carried;
+  if (!carry_contact(frame, i, hull_view(frame.object, node.a), hull_view(frame.scene, node.b),
+                     carried) ||
+      -carried.pair.depth > frame.query.tolerance)
+    return false;
+  Contact contact = make_contact(frame, node, carried.pair);
+  contact.bound = carried.bound;
+  report(frame, contact);
+  return true;
+}
 
 // Measures a leaf pair, reports it when it is a contact, returns its slack (<= 0 for a contact).
 double measure_leaf(const ExactQuery& exact, FrontNode& node) noexcept {
   QueryFrame& frame = exact.frame;
   const PatchPair pair = measure_leaf_pair(frame, node, exact.probe);
+  if (pair.status == PairContactStatus::apart) return -pair.depth - frame.query.tolerance;
+  report(frame, make_contact(frame, node, pair));
+  return 0.0;
+}
+
+// The same of a leaf pair, place i of the front, that carries its contact, or whose contact may be.
+double carry_leaf(const ExactQuery& exact, FrontNode& node, std::int32_t i) noexcept {
+  QueryFrame& frame = exact.frame;
+  if (report_carried(frame, node, i)) return 0.0;
+  const PatchPair pair = measure_leaf_pair(frame, node, exact.probe);
+  keep_contact(frame, i, hull_view(frame.object, node.a), hull_view(frame.scene, node.b),
+               {.pair = pair, .nearest = -pair.depth});
   if (pair.status == PairContactStatus::apart) return -pair.depth - frame.query.tolerance;
   report(frame, make_contact(frame, node, pair));
   return 0.0;
@@ -75,7 +104,8 @@ void measure_active(const ExactQuery& exact) noexcept {
                           (old < lists.active.size() &&
                            key_of(frame, lists.active[old]) < key_of(frame, lists.incoming[fresh]));
     const std::int32_t i = take_old ? lists.active[old++] : lists.incoming[fresh++];
-    const double slack = measure_leaf(exact, front.nodes[i]);
+    FrontNode& node = front.nodes[i];
+    const double slack = exact.is_carrying ? carry_leaf(exact, node, i) : measure_leaf(exact, node);
     if (slack > 0.0) {
       front.nodes[i].is_active = false;
       set_timer(front, i, slack);
@@ -120,6 +150,7 @@ void query_exact(QueryFrame& frame) noexcept {
   const CrossingContext crossing{&frame.object, &frame.scene, frame.pose, front.object_closed,
                                  front.scene_closed};
   ExactQuery exact{frame, crossing_probe(crossing)};
+  exact.is_carrying = is_carrying(frame);
   measure_active(exact);
   traverse_saturated(exact);
   std::vector<Contact>& contacts = frame.set.contacts;

@@ -55,12 +55,24 @@ struct Urgency {
   LevelDecision by = LevelDecision::haptic;
 };
 
+// D of one side: of its place, or of its patch. of_nodes: of its hierarchy.
+double area_of(const PatchAtLevel& patch, const SurfaceLocation& location, SupportReading reading,
+               const std::vector<std::array<double, kSupportReadings>>& of_nodes) noexcept {
+  if (reading != SupportReading::patch) return support_area(patch, location, reading);
+  if (of_nodes.empty()) return 0.0;
+  const auto node = static_cast<std::size_t>(&patch.node - patch.hierarchy.nodes.data());
+  return of_nodes[node][static_cast<std::size_t>(reading)];
+}
+
 Urgency urgency_of(const MultiresQuery& query, const PairAtLevel& pair) noexcept {
   const Resolution& r = query.resolution;
   const PatchAtLevel &a = pair.a, &b = pair.b;
-  const double weighted = weighted_deviation(
-      {a.deviation(), a.resolution(), support_area(a, pair.on_a, r.reading), false},
-      {b.deviation(), b.resolution(), support_area(b, pair.on_b, r.reading), false}, r.area);
+  const MultiresFront& front = query.frame.front.multires;
+  const double area_a = area_of(a, pair.on_a, r.reading, front.object_support);
+  const double area_b = area_of(b, pair.on_b, r.reading, front.scene_support);
+  const double weighted =
+      weighted_deviation({a.deviation(), a.resolution(), area_a, false},
+                         {b.deviation(), b.resolution(), area_b, false}, r.area);
   const Threshold threshold = threshold_at(query, pair.point_a, pair.point_b);
   const double over_cap = (a.deviation() + b.deviation()) / query.deviation_cap;
   const double over_threshold = threshold.value > 0.0 ? weighted / threshold.value : kInfinity;
@@ -87,7 +99,7 @@ bool separates(const void* context, const ProbeSegment& whole) noexcept {
   return exact.separates(exact.context, inner);
 }
 
-// D of the pair, at most: by the largest areas of its patches.
+// D of the pair, at most: by the largest areas of its patches, or by theirs.
 double largest_area(const MultiresQuery& query, const FrontNode& node) noexcept {
   const MultiresFront& front = query.frame.front.multires;
   const Resolution& r = query.resolution;
@@ -107,7 +119,7 @@ struct RefinementDecision {
   bool needs_contact() const noexcept {
     const Resolution& r = query.resolution;
     if (r.budget_tests > 0 || r.budget_cpu > 0.0) return true;
-    return r.interpolates ? urgency.priority < 1.0 : !(urgency.priority > 1.0);
+    return is_blended(query) ? urgency.priority < 1.0 : !(urgency.priority > 1.0);
   }
 };
 
@@ -124,6 +136,24 @@ bool decide(void* context, std::uint32_t feature_a, std::uint32_t feature_b, con
   return decision.needs_contact();
 }
 
+// Harmonic mean of D over the area of a patch; 0 where it has no area, or a part without support.
+double harmonic_support(const HullView& view, const std::array<double, 2>* support) noexcept {
+  constexpr auto kFlood = static_cast<std::size_t>(SupportReading::flood);
+  double area = 0.0, per_support = 0.0;
+  for (int i = 0; i < view.triangle_count; ++i) {
+    const auto& corner = view.triangles[i].corner;
+    const Vec3& p = view.vertices[corner[0]];
+    const double share = (view.vertices[corner[1]] - p).cross(view.vertices[corner[2]] - p).norm();
+    const double mean =
+        (support[corner[0]][kFlood] + support[corner[1]][kFlood] + support[corner[2]][kFlood]) /
+        3.0;
+    if (!(share > 0.0)) continue;
+    area += share;
+    per_support += share / mean;
+  }
+  return area > 0.0 ? area / per_support : 0.0;
+}
+
 }  // namespace
 
 MultiresQuery make_multires_query(QueryFrame& frame) noexcept {
@@ -137,26 +167,28 @@ MultiresQuery make_multires_query(QueryFrame& frame) noexcept {
       {&frame.object, &frame.scene, frame.pose, front.object_closed, front.scene_closed},
       front.last};
   query.is_haptic_alone = !(metric.velocity > 0.0) && !(metric.view.pixels > 0.0);
+  query.is_of_pair = query.is_haptic_alone && resolution.reading == SupportReading::patch;
   query.threshold = std::max(metric.haptic, 0.0) * smaller;
   query.deviation_cap = resolution.deviation_cap * smaller;
   query.now = static_cast<float>(front.travel * (1.0 + 1e-6));
   return query;
 }
 
-std::vector<std::array<double, 2>> largest_support(const ClodHierarchy& hierarchy) {
-  std::vector<std::array<double, 2>> largest;
-  if (hierarchy.support.empty()) return largest;
-  largest.assign(hierarchy.nodes.size(), {0.0, 0.0});
+std::vector<std::array<double, kSupportReadings>> support_of_nodes(const ClodHierarchy& hierarchy) {
+  std::vector<std::array<double, kSupportReadings>> of_nodes;
+  if (hierarchy.support.empty()) return of_nodes;
+  of_nodes.assign(hierarchy.nodes.size(), {});
   for (std::size_t i = 0; i < hierarchy.nodes.size(); ++i) {
     if (is_free(hierarchy.nodes[i])) continue;
     const HullView view = level_surface(hierarchy, static_cast<std::int32_t>(i));
     const std::array<double, 2>* support =
         hierarchy.support.data() + (view.vertices - hierarchy.vertices.data());
     for (int v = 0; v < view.vertex_count; ++v) {
-      for (std::size_t k = 0; k < 2; ++k) largest[i][k] = std::max(largest[i][k], support[v][k]);
+      for (std::size_t k = 0; k < 2; ++k) of_nodes[i][k] = std::max(of_nodes[i][k], support[v][k]);
     }
+    of_nodes[i][static_cast<std::size_t>(SupportReading::patch)] = harmonic_support(view, support);
   }
-  return largest;
+  return of_nodes;
 }
 
 bool is_always_refined(const MultiresQuery& query, const FrontNode& node) noexcept {

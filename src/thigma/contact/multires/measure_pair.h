@@ -15,9 +15,11 @@ struct MultiresQuery {
   RelativePose last;         // the pose before [frame of the object]
   bool has_last = false;
   bool is_haptic_alone = false;  // the threshold is the same everywhere
+  bool is_of_pair = false;       // so is s* of a pair: its level does not depend on the pose
   double threshold = 0.0;        // s0 of the haptic metric [m]
   double deviation_cap = 0.0;    // on s_a + s_b [m]
   float now = 0.0f;              // travel, rounded so that nothing expires too late
+  bool is_carrying = false;
 };
 
 MultiresQuery make_multires_query(QueryFrame& frame) noexcept;
@@ -27,12 +29,19 @@ inline bool is_free(const ClodNode& node) noexcept {
   return node.child_count > 0 && node.contact < 0;
 }
 
-/// Largest support areas of the vertices of each node's patch, by reading; empty without simplified
-/// levels. Thread [offline].
-std::vector<std::array<double, 2>> largest_support(const ClodHierarchy& hierarchy);
+/// Of each node's patch the largest support areas of its vertices, of both readings of the text,
+/// and the D of SupportReading::patch; empty without simplified levels. Thread [offline].
+std::vector<std::array<double, kSupportReadings>> support_of_nodes(const ClodHierarchy& hierarchy);
+
+/// Whether a pair near its threshold shares its contact with its children (Sec. 3.4.4): where the
+/// level is of the pair nothing changes that would be felt.
+inline bool is_blended(const MultiresQuery& query) noexcept {
+  return query.resolution.interpolates && !query.is_of_pair;
+}
 
 /// A pair that no measurement can keep from being split: free nodes, deviations above the cap,
-/// features too large for any support area its patches have.
+/// features too large for any support area its patches have. Where the level is of the pair, with
+/// no budget, that is every pair to be split but those whose bound does not hold.
 bool is_always_refined(const MultiresQuery& query, const FrontNode& node) noexcept;
 
 /// A measured pair, not both finest.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "thigma/contact/detail/carry_contacts.h"
 #include "thigma/contact/multires/budget.h"
 #include "thigma/contact/multires/far_walk.h"
 #include "thigma/contact/multires/pair_walk.h"
@@ -19,16 +20,57 @@
 namespace thigma::detail {
 namespace {
 
+LevelPair as_level(const MeasuredContact& contact) noexcept {
+  LevelPair level;
+  level.pair = contact.pair;
+  level.bound = contact.bound;
+  level.nearest = contact.nearest;
+  level.decided_by = contact.decided_by;
+  return level;
+}
+
+// Reports the contact that a pair carries; false: it has to be looked at.
+bool report_carried(MultiresQuery& query, const FrontNode& node,
+                    const PendingPair& entry) noexcept {
+  QueryFrame& frame = query.frame;
+  if (!has_carried(frame.front.carried, entry.node)) return false;
+  MeasuredContact carried;
+  if (!carry_contact(frame, entry.node, level_surface(frame.object, node.a),
+                     level_surface(frame.scene, node.b), carried))
+    return false;
+  // Exact contacts are no farther than the tolerance.
+  if (is_leaf_pair(frame, node.a, node.b) && -carried.pair.depth > frame.query.tolerance)
+    return false;
+  ++frame.set.stats.front;
+  if (carried.nearest <= frame.query.tolerance)
+    report(frame, level_contact(query, node, as_level(carried), entry.weight));
+  return true;
+}
+
+void keep(MultiresQuery& query, const FrontNode& node, std::int32_t i,
+          const LevelPair& level) noexcept {
+  keep_contact(query.frame, i, level_surface(query.frame.object, node.a),
+               level_surface(query.frame.scene, node.b),
+               {level.pair, level.bound, level.nearest, level.decided_by});
+}
+
 void visit(MultiresQuery& query, const PendingPair& entry) noexcept {
   QueryFrame& frame = query.frame;
   const std::int32_t i = entry.node;
   FrontNode none;
   FrontNode& node = node_of(frame.front, entry, none);
+  const bool is_carrying = query.is_carrying && i >= 0;
+  if (is_carrying) {
+    if (report_carried(query, node, entry)) return;
+    drop_carried(frame.front.carried, i);
+  }
   PatchPair finest;
   const Found found = classify_pair(query, node, i, finest);
   if (found == Found::nothing) return;
-  if (found == Found::finest)
+  if (found == Found::finest) {
+    if (is_carrying) keep(query, node, i, {.pair = finest, .nearest = -finest.depth});
     return report(frame, level_contact(query, node, {.pair = finest}, entry.weight));
+  }
   if (is_always_refined(query, node)) return push_children(query, node, i, entry.weight);
   const LevelPair measured = measure_level_pair(query, node, i);
   if (measured.pair.status == PairContactStatus::apart)
@@ -38,6 +80,7 @@ void visit(MultiresQuery& query, const PendingPair& entry) noexcept {
     report(frame, level_contact(query, node, measured, entry.weight * share.own));
   if (share.below > 0.0) return push_children(query, node, i, entry.weight * share.below);
   if (i >= 0) drop_children(frame.front, i);
+  if (is_carrying) keep(query, node, i, measured);
 }
 
 // In the order of their patches. Contacts are large: places are sorted, then each contact moves
@@ -77,6 +120,7 @@ void query_multires(QueryFrame& frame) noexcept {
   if (state == FrontState::no_memory) return;
   MultiresQuery query = make_multires_query(frame);
   query.has_last = state == FrontState::kept;
+  query.is_carrying = is_carrying(frame);
   if (state == FrontState::empty) {
     take_node(front);
     front.nodes[0].a = front.nodes[0].b = 0;

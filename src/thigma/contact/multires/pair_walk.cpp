@@ -53,7 +53,7 @@ bool splits_object(const QueryFrame& frame, std::int32_t a, std::int32_t b) noex
 }
 
 Blend blend(const MultiresQuery& query, double priority) noexcept {
-  if (!query.resolution.interpolates) return priority > 1.0 ? Blend{0.0, 1.0} : Blend{1.0, 0.0};
+  if (!is_blended(query)) return priority > 1.0 ? Blend{0.0, 1.0} : Blend{1.0, 0.0};
   const double x = std::min(std::max((priority - kBlendFrom) / (1.0 - kBlendFrom), 0.0), 1.0);
   const double below = x * x * (3.0 - 2.0 * x);
   return {1.0 - below, below};

@@ -88,11 +88,12 @@ void visit_resolution(Params& r, Visit&& visit) {
   visit.view("view", r.metric.view);
   visit.cap("deviation_cap", r.deviation_cap);
   visit("coarsest_level", r.coarsest_level);
-  visit.word("support", r.reading, {"one_ring", "flood"});
+  visit.word("support", r.reading, {"one_ring", "flood", "patch"});
   visit.word("area", r.area, {"larger", "smaller"});
   visit("interpolates", r.interpolates);
   visit("budget_tests", r.budget_tests);
   visit("budget_cpu", r.budget_cpu);
+  visit.unless("carry", r.carry, 0.0);
 }
 
 template <class Params, class Visit>
