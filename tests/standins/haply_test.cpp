@@ -196,7 +196,13 @@ TEST_F(Haply, what_is_wrong_is_counted_and_gives_no_force) {
   Json text = HaplyClient::force_message(1, 0, 0, "vector", "049D");
   text["inverse3"][0]["commands"]["set_cursor_force"]["vector"]["y"] = "1";
   client->ask(text);
-  EXPECT_EQ(service->get("errors"), 4.0);
+  for (const char* command : {"set_angular_torques", "set_cursor_force", "set_cursor_position"}) {
+    const Json commands = {{command, 5}};  // no object
+    EXPECT_TRUE(
+        client->ask({{"inverse3", Json::array({{{"device_id", "049D"}, {"commands", commands}}})}})
+            .is_object());
+  }
+  EXPECT_EQ(service->get("errors"), 5.0);
   EXPECT_EQ(service->get("sets"), 0.0);
   EXPECT_EQ(service->get("applied_fx"), 0.0);
 }

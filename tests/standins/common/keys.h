@@ -73,7 +73,8 @@ namespace standin {
   X(field_fx, 0) X(field_fy, 0) X(field_fz, 0) X(field_ox, 0) X(field_oy, 0) X(field_oz, 0) \
   X(field_jxx, 0) X(field_jxy, 0) X(field_jxz, 0) X(field_jyx, 0) X(field_jyy, 0) \
   X(field_jyz, 0) X(field_jzx, 0) X(field_jzy, 0) X(field_jzz, 0) X(field_radius, 0) \
-  X(outside_field, 0) X(reports, 0) X(udp_reports, 0) X(udp_messages, 0) X(lobs, 0) X(sensitivity, 1) X(grabbed, 0) \
+  X(outside_field, 0) X(reports, 0) X(udp_reports, 0) \
+  X(udp_messages, 0) X(lobs, 0) X(sensitivity, 1) X(grabbed, 0) \
   X(clock_id, 0) X(effects, 0) X(effect_uploads, 0) X(effect_erases, 0) X(effect_plays, 0) \
   X(rumble_strong, 0) X(rumble_weak, 0) X(rumble_ms, 0) X(rumble_on, 0) X(rumble_off_time, 0)
 // clang-format on

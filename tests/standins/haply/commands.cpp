@@ -112,7 +112,8 @@ bool take_commands(int unit, const Json& commands, int session) {
       add(unit, k_probes);
     } else if (name == "set_angular_torques") {
       note_vector(unit, "set_angular_torques", command, "torques", kJoints, k_torque_sets);
-      const std::optional<Vec> t = three(command.value("torques", Json()), kJoints);
+      const std::optional<Vec> t =
+          command.is_object() ? three(command.value("torques", Json()), kJoints) : std::nullopt;
       if (t && norm(*t) != 0.0) {
         add(unit, k_torque_nonzero);
       }
