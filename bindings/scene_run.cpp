@@ -27,6 +27,7 @@ RunLog::RunLog(const SceneSession& session, const std::string& recording, bool i
   if (recording.empty()) return;
   writer_ = std::make_unique<RecordingWriter>(recording,
                                               write_config(recorded_config(session, is_lockstep)));
+  record_surfaces(session.config.contact, *writer_);
 }
 
 RunLog::~RunLog() = default;

@@ -110,6 +110,7 @@ std::unique_ptr<RecordingWriter> open_recording(const std::string& path, const R
   if (path.empty()) return nullptr;
   const RecordedConfig recorded = recorded_config(run.session, options.is_lockstep);
   auto writer = std::make_unique<RecordingWriter>(path, write_config(recorded));
+  record_surfaces(run.session.config.contact, *writer);
   if (!common.quiet && !writer->moved().empty())
     print_error(path + ": what a session that was killed left is now " + writer->moved());
   return writer;

@@ -1,5 +1,6 @@
 #include "thigma/recording/recording.h"
 
+#include <algorithm>
 #include <concepts>
 #include <cstdio>
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include "thigma/core/error.h"
 #include "thigma/dynamics/contact_model_fields.h"
 #include "thigma/loop/sample_fields.h"
+#include "thigma/recording/detail/foxglove.h"
 #include "thigma/recording/detail/json_text.h"
 #include "thigma/recording/mcap_file.h"
 
@@ -219,7 +221,10 @@ RecordingWriter::RecordingWriter(const std::string& path, const std::string& con
       timing_(file_->add_channel("/timing", "thigma.Timing", "")),
       model_(file_->add_channel("/contact/model", "thigma.ContactModel", "")),
       frame_(file_->add_channel("/contact/frame", "thigma.ContactFrame", "")),
-      events_(file_->add_channel("/events", "thigma.Event", "")) {
+      events_(file_->add_channel("/events", "thigma.Event", "")),
+      transforms_(
+          file_->add_channel("/tf", detail::kTransformsSchemaName, detail::transforms_schema())),
+      scene_(file_->add_channel("/scene", detail::kSceneSchemaName, detail::scene_schema())) {
   try {
     file_->write(config_, 0, 0, config);
     file_->flush();  // without it nothing that follows can be read
@@ -241,8 +246,15 @@ RecordingWriter::~RecordingWriter() {
   if (!has_frames()) file_->discard();
 }
 
-/// More than the configuration has been flushed.
-bool RecordingWriter::has_frames() const { return file_->messages() > 1; }
+/// More than the configuration and the surfaces has been flushed.
+bool RecordingWriter::has_frames() const { return file_->messages() > preface_; }
+
+/// Whether it is time for another picture; then `last` is when.
+bool RecordingWriter::is_next_picture(double time, double& last) const {
+  if (last >= 0.0 && time >= last && time - last < 1.0 / detail::kPicturesPerSecond) return false;
+  last = time;
+  return true;
+}
 
 /// Closes the file after an error; says how much of the session is where.
 std::string RecordingWriter::keep_early() {
@@ -269,6 +281,17 @@ void RecordingWriter::attempt(Work work) {
   }
 }
 
+void RecordingWriter::write(const RecordedSurface& surface) {
+  if (surface.is_object && !surface.positions.empty()) {
+    radius_ = 0.0;
+    for (const Vec3& p : surface.positions) radius_ = std::max(radius_, p.norm());
+  }
+  text_.clear();
+  detail::put_surface(text_, surface);
+  ++preface_;
+  attempt([&] { file_->write(scene_, picture_count_++, 0, text_); });
+}
+
 void RecordingWriter::write(const HapticSample& sample) {
   const std::uint64_t time = nanoseconds(sample.time);
   const std::uint32_t sequence = static_cast<std::uint32_t>(sample.frame);
@@ -284,6 +307,15 @@ void RecordingWriter::write(const HapticSample& sample) {
     put(timing_, put_timing);
   });
   last_time_ = sample.time;
+  if (!is_next_picture(sample.time, last_picture_)) return;
+  attempt([&] {
+    text_.clear();
+    detail::put_transforms(text_, time, sample);
+    file_->write(transforms_, picture_count_, time, text_);
+    text_.clear();
+    detail::put_force(text_, time, sample, radius_);
+    file_->write(scene_, picture_count_++, time, text_);
+  });
 }
 
 void RecordingWriter::write(const ContactSample& sample) {
@@ -298,6 +330,12 @@ void RecordingWriter::write(const ContactSample& sample) {
     put(frame_, put_frame);
   });
   ++contact_count_;
+  if (!is_next_picture(sample.published, last_contacts_)) return;
+  attempt([&] {
+    text_.clear();
+    detail::put_contacts(text_, time, sample, radius_);
+    file_->write(scene_, picture_count_++, time, text_);
+  });
 }
 
 void RecordingWriter::write(const SessionEvent& event) {

@@ -26,6 +26,14 @@ struct RecordingEnd {
   std::uint64_t dropped = 0;
 };
 
+/// A surface as the 3D panel of Foxglove shows it.
+struct RecordedSurface {
+  std::string id;                                      // a name without quotes, "static 0"
+  bool is_object = false;                              // in the frame of the object; else the world
+  std::vector<Vec3> positions;                         // [m] (n)
+  std::vector<std::array<std::int32_t, 3>> triangles;  // (m)
+};
+
 /// Writes a recording. Topics and fields: docs/formats.md.
 /// Invariant: PATH appears when close() returns, whole; before that there is PATH.part, locked,
 /// which read_recording reads as far as it was flushed: all but the last half second of session
@@ -42,6 +50,7 @@ class RecordingWriter {
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
+  void write(const RecordedSurface& surface);  // before any sample
   void write(const HapticSample& sample);
   void write(const ContactSample& sample);
   void write(const SessionEvent& event);  // kind and detail are names, without quotes
@@ -55,11 +64,17 @@ class RecordingWriter {
   void attempt(Work work);
   std::string keep_early();
   bool has_frames() const;
+  bool is_next_picture(double time, double& last) const;
 
   std::unique_ptr<McapWriter> file_;
   bool is_open_ = true;
   std::uint16_t config_, device_, command_, body_, timing_, model_, frame_, events_;
-  std::uint32_t contact_count_ = 0, event_count_ = 0;
+  std::uint16_t transforms_, scene_;
+  std::uint64_t preface_ = 1;  // messages before the first sample
+  std::uint32_t contact_count_ = 0, event_count_ = 0, picture_count_ = 0;
+  double radius_ = 0.05;  // of the object, for pictures [m]
+  // of the last pictures, of the frames and of the contacts [s]
+  double last_picture_ = -1.0, last_contacts_ = -1.0;
   double last_time_ = 0.0;
   std::string text_;
 };

@@ -17,6 +17,11 @@ struct RecordedConfig;
 /// Thread       [offline]
 RecordedConfig recorded_config(const SceneSession& session, bool is_lockstep);
 
+/// Surfaces of the object and the scene for the pictures of a recording, before its first sample:
+/// each at the finest level of at most 20,000 triangles, the coarsest where all have more.
+/// Thread  [offline]; IoError.
+void record_surfaces(const ContactWorld& world, RecordingWriter& writer);
+
 /// Sinks that write every sample and event. What they throw ends the session.
 ///
 /// writer  outlives the session

@@ -211,6 +211,7 @@ void read_message(const std::string& topic, std::string_view data, RecordingInfo
     recording.config = std::string(data);
     return;
   }
+  if (topic == "/tf" || topic == "/scene") return;  // pictures of what the others tell
   std::optional<HapticSample>& frame = begun_samples.frame;
   std::optional<ContactSample>& contact = begun_samples.contact;
   const Json json = Json::parse(data);
