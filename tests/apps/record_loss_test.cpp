@@ -66,7 +66,7 @@ nlohmann::json expect_read_by_every_verb(const std::string& path) {
   EXPECT_EQ(said["identical"], true) << said;
   EXPECT_TRUE(said["recorded_hash"].is_null()) << said;
   for (const std::string verb : {"export", "plot"}) {
-    const std::string out = path + "." + verb;
+    const std::string out = path + (verb == "plot" ? ".png" : ".csv");
     const Ended e = run_program({verb, path, "-o", out, "--json"});
     EXPECT_EQ(e.code, 0) << verb << e.err;
     expect_told_where_it_ends(e, path);
