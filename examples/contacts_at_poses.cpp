@@ -12,7 +12,6 @@ int main() {
   const ClodHierarchy plate = build_exact_hierarchy(make_box({0.2, 0.2, 0.01}));
   ContactFront front;  // remembers the last pose; results do not depend on it
   ContactSet found;
-  found.contacts.reserve(1000);
   for (int i = 0; i <= 4; ++i) {
     const Pose pose{{0.0, 0.0, 0.027 - 0.001 * i}};
     clear(found);

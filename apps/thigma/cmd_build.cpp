@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "json_out.h"
+#include "number_text.h"
 #include "progress.h"
 #include "verbs.h"
 #include <sys/resource.h>
@@ -132,7 +133,7 @@ std::string report_text(const BuildOptions& options, const ClodAsset& asset,
   std::ostringstream out;
   char line[160];
   out << options.out << ": " << h.triangle_count << " triangles, " << h.patches.size()
-      << " convex patches, radius " << h.radius << " m\n";
+      << " convex patches, radius " << with_unit(h.radius, "m") << '\n';
   std::snprintf(line, sizeof line, "  %5s %9s %9s %12s %12s %12s\n", "level", "triangles",
                 "patches", "r x radius", "s / radius", "h / radius");
   out << line;

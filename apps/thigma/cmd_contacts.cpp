@@ -16,7 +16,6 @@
 #include "resolution_options.h"
 #include "verbs.h"
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/contact/query_contacts.h"
@@ -166,7 +165,7 @@ int contacts(const Common& common, const ContactsOptions& options) {
   set.contacts.reserve(16'384);
   ContactRows rows;
   if (!options.csv.empty()) rows.csv = ContactRows::kHeader;
-  rows.is_table = !common.json && ::isatty(STDOUT_FILENO) == 1;
+  rows.is_table = !common.json;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     double spent = 0.0;
     for (bool complete = false; !complete;) {

@@ -2,6 +2,8 @@
 
 #include <iostream>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "json_out.h"
 #include "mesh_report.h"
@@ -14,23 +16,45 @@
 namespace thigma::app {
 namespace {
 
-MeshReport report_on(const std::string& path) {
-  if (!models::is_model_uri(path)) return inspect_mesh(read_mesh(path), path);
-  MeshReport report = inspect_mesh(models::make_model(models::parse_model_uri(path, "MESH")));
-  report.file = path;
-  report.format = "procedural";
-  return report;
+struct Inspected {
+  TriangleMesh mesh;
+  MeshReport report;
+};
+
+Inspected inspect_file(const std::string& path) {
+  Inspected inspected;
+  if (models::is_model_uri(path)) {
+    inspected.mesh = models::make_model(models::parse_model_uri(path, "MESH"));
+    inspected.report = inspect_mesh(inspected.mesh);
+    inspected.report.file = path;
+    inspected.report.format = "procedural";
+  } else {
+    MeshFile file = read_mesh(path);
+    inspected.report = inspect_mesh(file, path);
+    inspected.mesh = std::move(file.mesh);
+  }
+  return inspected;
 }
 
 int inspect(const Common& common, const std::string& path) {
-  const MeshReport report = report_on(path);
-  if (common.json)
-    print_json(mesh_report_json(report));
-  else
-    std::cout << mesh_report_text(report) << std::flush;
+  const auto [mesh, report] = inspect_file(path);
+  const std::vector<std::string> ways = ways_on(report, mesh);
+  if (common.json) {
+    nlohmann::ordered_json json = mesh_report_json(report);
+    json["ways_on"] = ways;
+    print_json(json);
+  } else {
+    std::cout << mesh_report_text(report);
+    for (const std::string& way : ways)
+      std::cout << "  way on: thigma " << way << ' ' << path << " -o OUT\n";
+    std::cout << std::flush;
+  }
   if (report.verdict != MeshVerdict::rejected) return kDone;
-  print_error(path + ": " + report.reasons.front() +
-              ", in the mesh as a whole, expected a usable or repairable mesh");
+  std::string line = path + ": " + report.reasons.front() +
+                     ", in the mesh as a whole, expected a usable or repairable mesh";
+  for (std::size_t i = 0; i < ways.size(); ++i)
+    line += (i == 0 ? "; `thigma " : "` or `thigma ") + ways[i];
+  print_error(line + (ways.empty() ? "" : "` makes one of it"));
   return kBadInput;
 }
 

@@ -187,7 +187,7 @@ int run_verb(const RunOptions& asked, const Common& common) {
   bool is_whole = true;
   const SessionSummary summary = has_page(options) ? run_with_page(options, common, link, run)
                                                    : run_alone(options, common, *run, is_whole);
-  if (common.json || options.is_headless) {
+  if (common.json) {
     nlohmann::ordered_json json =
         run_summary_json(summary, run->scene.description.file, run->session.device_uri,
                          run->floor ? &*run->floor : nullptr);

@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include "number_text.h"
+
 namespace thigma::app {
 namespace {
 
@@ -69,13 +71,27 @@ std::string mesh_report_text(const MeshReport& r) {
       << (r.oriented ? "oriented" : "not oriented") << "; boundary edges " << r.boundary_edges
       << ", self-intersections " << r.self_intersections << ", zero-area triangles "
       << r.degenerate_triangles << '\n'
-      << "  extent " << extent.x() << " x " << extent.y() << " x " << extent.z() << " m, radius "
-      << r.radius << " m, area " << r.area << " m^2";
-  if (r.volume) out << ", volume " << *r.volume << " m^3";
+      << "  extent " << with_unit(extent.x(), "m") << " x " << with_unit(extent.y(), "m") << " x "
+      << with_unit(extent.z(), "m") << ", radius " << with_unit(r.radius, "m") << ", area "
+      << three_digits(r.area) << " m^2";
+  if (r.volume) out << ", volume " << three_digits(*r.volume) << " m^3";
   out << '\n';
   for (const std::string& reason : r.reasons) out << "  reason: " << reason << '\n';
   for (const std::string& warning : r.warnings) out << "  warning: " << warning << '\n';
   return out.str();
+}
+
+std::vector<std::string> ways_on(const MeshReport& report, const TriangleMesh& mesh) {
+  if (report.verdict == MeshVerdict::usable) return {};
+  if (report.verdict == MeshVerdict::repairable) return {"repair"};
+  std::vector<std::string> ways;
+  if (report.components > 1) {
+    const InspectOptions quick{.self_intersections = false};
+    const MeshReport alone = inspect_mesh(keep_largest_component(mesh).mesh, quick);
+    if (alone.verdict != MeshVerdict::rejected) ways.emplace_back("repair --largest");
+  }
+  if (can_wrap(report)) ways.emplace_back("repair --shell");
+  return ways;
 }
 
 }  // namespace thigma::app

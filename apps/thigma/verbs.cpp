@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <utility>
 
+#include <unistd.h>
+
 namespace thigma::app {
 namespace {
 
@@ -22,12 +24,20 @@ std::string check_seed(const std::string& text) {
 CLI::App* add_verb(CLI::App& app, Common& common, const char* name, const char* help,
                    std::function<int()> body) {
   CLI::App* verb = app.add_subcommand(name, help);
-  verb->add_flag("--json", common.json, "one JSON object a line on standard output");
+  CLI::Option* json =
+      verb->add_flag("--json", common.json,
+                     "one JSON object a line on standard output, as where it is no terminal");
+  verb->add_flag("--text", common.text,
+                 "lines for people, also where standard output is no terminal")
+      ->excludes(json);
   verb->add_flag("--quiet", common.quiet, "no progress or notes on standard error");
   verb->add_option("--seed", common.seed, "seed of everything random")
       ->capture_default_str()
       ->check(check_seed, "", "seed");
-  verb->final_callback([&common, body = std::move(body)] { common.exit_code = body(); });
+  verb->final_callback([&common, body = std::move(body)] {
+    common.json = common.json || (!common.text && ::isatty(STDOUT_FILENO) == 0);
+    common.exit_code = body();
+  });
   return verb;
 }
 

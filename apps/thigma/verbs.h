@@ -24,14 +24,16 @@ enum ExitCode : int {
 
 /// Options every verb has.
 struct Common {
-  bool json = false;   // one JSON object a line on standard output
+  // one JSON object a line on standard output: asked for, or nobody reads (no terminal)
+  bool json = false;
+  bool text = false;   // lines for people, wherever they go
   bool quiet = false;  // nothing on standard error but errors
   std::uint64_t seed = 1;
   int exit_code = 0;  // of the verb that ran
 };
 
-/// Adds --json, --quiet, --seed to a verb; `body` runs when the verb is chosen and returns the exit
-/// code. InputError thrown by body prints its one line and exits 4, IoError 1.
+/// Adds --json, --text, --quiet, --seed to a verb; `body` runs when it is chosen and returns the
+/// exit code. InputError thrown by body prints its one line and exits 4, IoError 1.
 CLI::App* add_verb(CLI::App& app, Common& common, const char* name, const char* help,
                    std::function<int()> body);
 

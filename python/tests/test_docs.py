@@ -3,6 +3,7 @@
 import os
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 
@@ -70,8 +71,10 @@ def test_code_of_a_page(page, program, tmp_path, monkeypatch):
     rows = [row for row in listed() if row[0] == page]
     for block, (_, how, _first) in zip(pages()[page], rows):
         if how in ("run", "fails") or (how == "slow" and os.environ.get("THIGMA_FULL")):
+            # On a terminal, as the pages show it.
+            typed = ["script", "-qec", shlex.join(["bash", "-e", "-c", block]), "/dev/null"]
             done = subprocess.run(
-                ["bash", "-e", "-c", block], capture_output=True, text=True, env=environment, timeout=600
+                typed, stdin=subprocess.DEVNULL, capture_output=True, text=True, env=environment, timeout=600
             )
             said = done.stdout + done.stderr
             ran += 1

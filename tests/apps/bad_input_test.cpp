@@ -96,6 +96,33 @@ void expect_felt(const Ended& e) {
   EXPECT_TRUE(json["safety_events"].empty());
 }
 
+/// What `inspect` names as the way on leads to something that can be touched, and says how far it
+/// is from what was given.
+void expect_way_on(const BadMesh& bad, const std::string& path, const Ended& inspected) {
+  const nlohmann::json report = nlohmann::json::parse(inspected.out, nullptr, false);
+  if (!report.is_object() || report["ways_on"].empty()) return;
+  EXPECT_EQ(report["ways_on"].back(), "repair --shell");
+  EXPECT_NE(inspected.err.find("`thigma repair --"), std::string::npos) << inspected.err;
+  const std::string wrapped = out_file(bad.name + ".wrapped.ply");
+  const Ended e = run_program({"repair", path, "--wrap", "0.15", "-o", wrapped, "--quiet"});
+  add_row(bad.kind, bad.name, "repair --wrap", e, summary(e));
+  ASSERT_EQ(e.code, 0) << e.err;
+  const nlohmann::json said = json_line(e);
+  EXPECT_EQ(said["verdict"], "usable");
+  EXPECT_EQ(said["self_intersections"], 0);
+  EXPECT_TRUE(said["closed"]);
+  EXPECT_GT(said["shell"]["to_mesh"]["bound"].get<double>(), 0.0);
+  EXPECT_GT(said["shell"]["from_mesh"]["bound"].get<double>(), 0.0);
+  const Ended ran =
+      run_program({"run", "--object", wrapped, "--against", wrapped, "--lockstep", "--exact",
+                   "--duration", "1", "--headless", "--quiet", "--scale", "1"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const nlohmann::json felt = json_line(ran);
+  EXPECT_GT(felt["force"]["max"].get<double>(), 0.0) << "touched within the second";
+  EXPECT_LT(felt["force"]["max"].get<double>(), 20.0);
+  EXPECT_TRUE(felt["safety_events"].empty());
+}
+
 class BadMeshes : public ::testing::TestWithParam<BadMesh> {};
 
 TEST_P(BadMeshes, end_in_order) {
@@ -111,6 +138,7 @@ TEST_P(BadMeshes, end_in_order) {
       EXPECT_EQ(ran.code, 4);
       EXPECT_NE(inspected.err.find(bad.says), std::string::npos) << inspected.err;
       EXPECT_NE(ran.err.find(bad.says), std::string::npos) << ran.err;
+      expect_way_on(bad, path, inspected);
       break;
     case Due::repair:
       EXPECT_EQ(json_line(inspected)["verdict"], "repairable");

@@ -157,7 +157,7 @@ TEST(BuildVerb, RefusesAndLeavesNothing) {
 }
 
 TEST(BuildVerb, TellsPeopleWithoutATerminalInPlainLines) {
-  const Ended e = run_program({"build", kTorus, "-o", out_file("plain.clod")});
+  const Ended e = run_program({"build", kTorus, "-o", out_file("plain.clod"), "--text"});
   EXPECT_EQ(e.code, 0);
   EXPECT_EQ(e.err.find('\r'), std::string::npos);
   EXPECT_EQ(e.err.find('\x1b'), std::string::npos);

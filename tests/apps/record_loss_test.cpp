@@ -82,7 +82,7 @@ TEST(RecordLoss, what_was_flushed_before_a_kill_is_read_by_every_verb) {
   EXPECT_GT(said["frames"].get<int>(), 500);
   const std::string name = part.substr(0, part.rfind('.'));
   expect_one_line(run_program({"replay", name}), name + ": is not there, but");
-  const Ended text = run_program({"replay", part});
+  const Ended text = run_program({"replay", part, "--text"});
   EXPECT_EQ(text.code, 0) << text.err;
   EXPECT_NE(text.out.find("no recorded hash"), std::string::npos) << text.out;
   const Ended device = run_program(loss_arguments({"--lockstep", "--device", "replay:" + part}));

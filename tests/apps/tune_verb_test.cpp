@@ -71,7 +71,7 @@ TEST(TuneVerb, UnderConstraintsTheCouplingAloneIsJudged) {
   EXPECT_TRUE(j.at("scene_gains").at("contact_stiffness").is_null());
   ASSERT_EQ(j.at("warnings").size(), 1u) << j;  // none of the contact stiffness, which is not used
   EXPECT_EQ(j.at("warnings")[0].at("gain"), "linear_stiffness");
-  const Ended said = run_program({"tune", scene});
+  const Ended said = run_program({"tune", scene, "--text"});
   EXPECT_NE(said.out.find("the hand feels the coupling alone"), std::string::npos) << said.out;
   EXPECT_EQ(said.out.find("stiffness = 2"), std::string::npos) << said.out;  // of a contact
 }
@@ -86,7 +86,7 @@ TEST(TuneVerb, UnderThePotentialTheStiffnessIsThatOfAnArea) {
   EXPECT_EQ(j.at("scene_gains").at("contact_stiffness"), 3000.0);
   EXPECT_EQ(j.at("scene_gains").at("contact_area"), 2e-5);
   EXPECT_EQ(j.at("scene_gains").at("contact_exponent"), 2);
-  const Ended said = run_program({"tune", scene});
+  const Ended said = run_program({"tune", scene, "--text"});
   EXPECT_NE(said.out.find("A0 = 20 mm^2, p = 2: k = 3000 N/m, k/A0 = 1.5e+08 Pa/m"),
             std::string::npos)
       << said.out;

@@ -1,11 +1,16 @@
 // What every verb owes: help, usage errors, JSON on standard output and nothing else.
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <set>
+#include <sstream>
 
 #include "apps/program.h"
 #include "support/shared.h"
@@ -38,7 +43,7 @@ TEST(Verbs, tell_what_they_take) {
     const Ended one = run_program({verb, "--help"});
     EXPECT_EQ(one.code, 0) << verb;
     EXPECT_TRUE(one.err.empty()) << one.err;
-    for (const char* option : {"--json", "--quiet", "--seed"}) {
+    for (const char* option : {"--json", "--text", "--quiet", "--seed"}) {
       EXPECT_NE(one.out.find(option), std::string::npos) << verb << " " << option;
     }
   }
@@ -466,13 +471,44 @@ TEST(Verbs, write_a_whole_file_or_none) {
   }
 }
 
+// What a person sees: the program's output on a terminal.
+std::string on_a_terminal(const std::string& arguments) {
+  const std::string command = "script -qec '" THIGMA_PROGRAM " " + arguments + "' /dev/null";
+  FILE* const pipe = ::popen((command + " </dev/null 2>&1").c_str(), "r");
+  std::string text;
+  for (int c; pipe != nullptr && (c = std::fgetc(pipe)) != EOF;) text += static_cast<char>(c);
+  if (pipe != nullptr) ::pclose(pipe);
+  return text;
+}
+
+TEST(Verbs, a_terminal_gets_lines_for_people_and_a_pipe_the_json) {
+  const std::string run = "run --object " + kBall + " --against " + kBall +
+                          " --lockstep --headless --duration 0.02 --quiet";
+  for (const std::string& arguments : {"inspect " + kBall, run}) {
+    const std::string shown = on_a_terminal(arguments);
+    EXPECT_EQ(shown.find('{'), std::string::npos) << shown;
+    EXPECT_GT(std::count(shown.begin(), shown.end(), '\n'), 3) << shown;
+    // Three digits, four of a count: none with what a double has.
+    for (std::size_t i = 0, digits = 0; i < shown.size(); ++i) {
+      digits = std::isdigit(static_cast<unsigned char>(shown[i])) != 0 ? digits + 1 : 0;
+      EXPECT_LT(digits, 7u) << shown.substr(0, i + 1);
+      if (shown.compare(i, 10, "state hash") == 0) break;  // 16 digits
+    }
+    std::istringstream words(arguments);
+    const Ended piped = run_program({std::istream_iterator<std::string>(words), {}});
+    EXPECT_TRUE(json_line(piped).is_object());
+  }
+  EXPECT_EQ(run_program({"inspect", kBall, "--text"}).out.find('{'), std::string::npos);
+  EXPECT_EQ(run_program({"inspect", kBall, "--text", "--json"}).code, 2);
+}
+
 TEST(Verbs, the_cache_is_listed_and_cleared) {
   const fs::path home = fs::path(testing::TempDir()) / "thigma_verb_cache";
   fs::create_directories(home / "thigma");
   std::ofstream(home / "thigma" / "part.obj.0123456789abcdef.clod") << "12345";
   const std::string old = std::getenv("XDG_CACHE_HOME") ? std::getenv("XDG_CACHE_HOME") : "";
   ::setenv("XDG_CACHE_HOME", home.c_str(), 1);
-  const Ended list = run_program({"cache", "list"});
+  const Ended list = run_program({"cache", "list", "--text"});
   EXPECT_EQ(list.code, 0) << list.err;
   EXPECT_NE(list.out.find("part.obj."), std::string::npos) << list.out;
   EXPECT_NE(list.out.find("in 1 files in"), std::string::npos) << list.out;

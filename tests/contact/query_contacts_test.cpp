@@ -161,6 +161,21 @@ TEST(QueryContacts, AppendsAndKeepsWhatIsThere) {
   EXPECT_GT(of_body[1], 0);
 }
 
+TEST(QueryContacts, ASetWithoutRoomGetsSome) {
+  const Balls balls;
+  ContactFront front;
+  ContactSet set;
+  query_contacts({balls.small, at(Vec3(0, 0, 2.99))}, {balls.large}, {.tolerance = 0.1}, front,
+                 set);
+  EXPECT_GT(set.contacts.size(), 0u);
+  EXPECT_EQ(set.dropped, 0);
+  const Contact* const where = set.contacts.data();
+  clear(set);
+  query_contacts({balls.small, at(Vec3(0, 0, 2.98))}, {balls.large}, {.tolerance = 0.1}, front,
+                 set);
+  EXPECT_EQ(set.contacts.data(), where);  // once
+}
+
 TEST(QueryContacts, DropsTheShallowestAndCountsThem) {
   const Balls balls;
   ContactFront front, small_front;

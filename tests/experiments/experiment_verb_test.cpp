@@ -65,8 +65,8 @@ TEST(ExperimentVerb, tells_the_claims_of_a_folder) {
 }
 
 TEST(ExperimentVerb, says_how_many_claims_are_of_which_kind) {
-  const Ended ended =
-      run_program({"experiment", "fig-5-6", "--quiet", "-o", (work_folder() / "kinds").string()});
+  const Ended ended = run_program(
+      {"experiment", "fig-5-6", "--quiet", "--text", "-o", (work_folder() / "kinds").string()});
   EXPECT_NE(ended.out.find("9 claims: 5 checked, 4 stated, 0 not reproduced; 0 broken"),
             std::string::npos)
       << ended.out;

@@ -23,12 +23,10 @@ TEST(Recording, bits_are_told_in_sixteen_digits) {
 
 using Json = nlohmann::json;
 
-double number_of(const Json& j, const char* name) { return j.at(name).get<double>(); }
-Vec3 vector_of(const Json& j) {
-  return Vec3(number_of(j, "x"), number_of(j, "y"), number_of(j, "z"));
-}
+double number(const Json& j, const char* key) { return j.at(key).get<double>(); }
+Vec3 vector_of(const Json& j) { return {number(j, "x"), number(j, "y"), number(j, "z")}; }
 Quat turn_of(const Json& j) {
-  return Quat(number_of(j, "w"), number_of(j, "x"), number_of(j, "y"), number_of(j, "z"));
+  return {number(j, "w"), number(j, "x"), number(j, "y"), number(j, "z")};
 }
 
 // As Foxglove's public schemas have it: stamps, frames, all lists of an entity, whole triangles.

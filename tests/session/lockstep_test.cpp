@@ -127,6 +127,7 @@ TEST(Lockstep, RefusesNumbersThatMakeNoSense) {
   refuses([](SessionConfig& c) { c.contact_latency = 0; });
   refuses([](SessionConfig& c) { c.haptic.body.mass = 0.0; });
   refuses([](SessionConfig& c) { c.deep_contact = -1e-3; });
+  refuses([](SessionConfig& c) { c.haptic.coupling.linear_stiffness = 0.0; });
 }
 
 TEST(Lockstep, WatchdogLeavesSlackAtLowRates) {

@@ -179,7 +179,7 @@ void stand_still(const Program& program) {
 }
 
 TEST(LiveProgram, ASimulatedHandOutlivesALateFrameAndSaysSo) {
-  RunningProgram run("late", {"--device", "hand:?path=press"});
+  RunningProgram run("late", {"--device", "hand:?path=press", "--text"});
   ASSERT_TRUE(run.client);
   const Json before = run.running();
   ASSERT_FALSE(before.is_null());

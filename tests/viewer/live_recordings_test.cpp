@@ -1,6 +1,8 @@
 // Recordings that a page asks for where the folder cannot hold them.
 
+#include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -121,11 +123,91 @@ TEST(LiveRecordings, AFullDiskEndsTheRecordingAndNotTheSession) {
       ask(*run->client, R"({"type":"set","id":2,"name":"mass","value":0.02})")["ok"].get<bool>());
   const Ended e = run->end();
   EXPECT_EQ(e.code, 130);
-  EXPECT_NE(e.out.find("haptic frames"), std::string::npos) << e.out;  // the summary
+  EXPECT_GT(json_line(e)["haptic"]["frames"].get<int>(), 0);  // the summary
   const std::size_t first = e.err.find("the recording ends there");
   ASSERT_NE(first, std::string::npos) << e.err;
   EXPECT_EQ(e.err.find("the recording ends there", first + 1), std::string::npos) << e.err;
 }
+
+// On threads, with a page that looks on: what may befall a recording while it is written.
+struct Mishap {
+  const char* name;
+  void (*happens)(RunningProgram& run, const std::string& file);
+  const char* says;  // on the page and on standard error, once; null: nothing befalls it
+};
+
+void folder_vanishes(RunningProgram& run, const std::string&) { fs::remove_all(run.folder); }
+
+// Whoever may not write a folder cannot give the recording its name; root may write any, but a
+// folder in the place of the name is in everyone's way.
+void folder_becomes_read_only(RunningProgram& run, const std::string& file) {
+  fs::create_directory(run.folder / file);
+  write_text((fs::path(run.folder.filename()) / file / "x").string(), "x");
+  fs::permissions(run.folder, fs::perms::owner_read | fs::perms::owner_exec);
+}
+
+void nothing(RunningProgram&, const std::string&) {}
+
+std::size_t times(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+TEST(LiveRecordings, WhateverBefallsARecordingTheSessionGoesOnAndSaysSoOnce) {
+  for (const Mishap& mishap : {Mishap{"vanishes", folder_vanishes, "recording"},
+                               Mishap{"read_only", folder_becomes_read_only, "recording"},
+                               Mishap{"untouched", nothing, nullptr}}) {
+    SCOPED_TRACE(mishap.name);
+    const std::string name = std::string("mishap_") + mishap.name;
+    RunningProgram run(name, {"--device", "null:"});
+    ASSERT_TRUE(run.client);
+    ASSERT_TRUE(ask(*run.client, R"({"type":"record","id":1,"value":true})")["ok"].get<bool>());
+    const Json recording =
+        state_where(*run.client, [](const Json& s) { return !s["recording"].is_null(); });
+    ASSERT_FALSE(recording.is_null());
+    run.expect_goes_on(recording);
+    mishap.happens(run, recording["recording"].get<std::string>());
+    const Json now = run.running();
+    ASSERT_FALSE(now.is_null());
+    run.expect_goes_on(now);
+    const Ended e = run.end();
+    std::error_code ignored;
+    fs::permissions(run.folder, fs::perms::owner_all, ignored);
+    EXPECT_TRUE(e.code == 130 || e.code == 1) << e.code << e.err;
+    EXPECT_GT(json_line(e)["haptic"]["frames"].get<int>(), 100);
+    EXPECT_TRUE(json_line(e)["safety_events"].empty());
+    if (mishap.says == nullptr)
+      EXPECT_EQ(times(e.err, "cannot be"), 0u) << e.err;
+    else
+      EXPECT_EQ(times(e.err, recording["recording"].get<std::string>() + ": "), 1u) << e.err;
+  }
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(LiveRecordings, AClockThatIsSetBackTouchesNoSession) {
+  ::setenv("LD_PRELOAD", THIGMA_CLOCK_BACK, 1);
+  std::unique_ptr<RunningProgram> run = std::make_unique<RunningProgram>(
+      "clock_back", std::vector<std::string>{"--device", "null:", "--record", "back.mcap"});
+  long wall = 0;  // as programs see it
+  FILE* const seen = ::popen("date +%s", "r");
+  ASSERT_NE(seen, nullptr);
+  EXPECT_EQ(std::fscanf(seen, "%ld", &wall), 1);
+  ::pclose(seen);
+  ::unsetenv("LD_PRELOAD");
+  EXPECT_LT(wall, std::time(nullptr) - 3000);
+  ASSERT_TRUE(run->client);
+  const Json before = run->running();
+  ASSERT_FALSE(before.is_null());
+  run->expect_goes_on(before);
+  const fs::path file = run->folder / "back.mcap";
+  const Ended e = run->end();
+  EXPECT_EQ(e.code, 130) << e.err;
+  EXPECT_TRUE(json_line(e)["safety_events"].empty());
+  const Ended replayed = run_program({"replay", file.string(), "--json"});
+  EXPECT_EQ(json_line(replayed)["identical"], true) << replayed.err;
+}
+#endif
 
 TEST(LiveRecordings, WithoutAPageAFullDiskEndsTheRecordingAndTheSummarySaysTheRest) {
   const FileLimit limit(kFull);

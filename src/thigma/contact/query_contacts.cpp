@@ -10,6 +10,9 @@
 namespace thigma {
 namespace {
 
+// Of a set that nobody gave room: more than hands and eyes tell apart.
+constexpr std::size_t kContactRoom = 4096;
+
 bool is_answerable(const detail::QueryFrame& frame) noexcept {
   return !frame.object.nodes.empty() && !frame.scene.nodes.empty() &&
          frame.query.tolerance >= 0.0 && frame.pose.rotation.allFinite() &&
@@ -20,6 +23,7 @@ bool is_answerable(const detail::QueryFrame& frame) noexcept {
 
 void query_contacts(const PlacedHierarchy& object, const PlacedHierarchy& scene,
                     const ContactQuery& query, ContactFront& front, ContactSet& contacts) noexcept {
+  if (contacts.contacts.capacity() == 0) contacts.contacts.reserve(kContactRoom);
   detail::QueryFrame frame = detail::make_frame(object, scene, query, front, contacts);
   if (!is_answerable(frame)) return;
   if (query.resolution.is_exact)

@@ -30,11 +30,11 @@ struct ContactQuery {
 /// object, scene  hierarchies and poses; alive and unchanged while the front is used with them
 /// query          tolerance >= 0 [m]
 /// front          scratch of this pair of bodies
-/// contacts       contacts are appended, ordered by (object_patch, scene_patch). Capacity is never
-///                grown: of more contacts than fit the deepest stay and `dropped` counts the
-///                others. Counts are added to stats
+/// contacts       contacts are appended, ordered by (object_patch, scene_patch). Room is never
+///                grown, only none at all to 4096: of more than fit the deepest stay and `dropped`
+///                counts the others. Counts are added to stats
 /// Thread         [contact]; no failure: a pose that is not finite gives no contact. Allocates when
-///                the front has no memory for these hierarchies yet, never after. Exact and without
+///                front or set have no memory for them yet, never after. Exact and without
 ///                keep_directions the contacts, their order and every bit are a function of the two
 ///                poses.
 /// Source         Sec. 3.4.1-3.4.4, Eq. 3.5. Deviates: front tracking by remaining travel

@@ -50,7 +50,7 @@ TrianglePiece corners_of(const TriangleMesh& mesh, const std::array<std::int32_t
 
 double area_of(const TrianglePiece& c) { return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm(); }
 
-// The mesh in pieces no larger than a cell, those that are seen from outside and those that are not.
+// The mesh in pieces no larger than a cell: those that are seen from outside, and the others.
 struct SortedPieces {
   std::vector<TrianglePiece> seen, hidden;
 };
@@ -121,7 +121,8 @@ void measure_deviation(Shell& shell, const TriangleMesh& mesh, const TriangleTre
 // What the lattice promises, seen once more by inspection.
 void check_sound(const Shell& shell, const Ball& ball, const std::string& name) {
   const MeshReport report = inspect_mesh(shell.mesh);
-  if (report.verdict == MeshVerdict::usable && report.closed && report.self_intersections == 0)
+  if (report.verdict == MeshVerdict::usable && report.closed && report.self_intersections == 0 &&
+      report.self_intersections_counted)
     return;
   const std::string why = report.reasons.empty() ? "triangles meet" : report.reasons.front();
   refuse_far(name, "its shell is not sound, " + why, ball);

@@ -11,8 +11,8 @@
 
 namespace thigma {
 
-/// Side of a cell of the shell's lattice, times the radius of the mesh: about 50,000 to 150,000
-/// triangles. Gaps of half of that are closed.
+/// Side of a cell of the shell's lattice, times the radius of the mesh: some 20,000 to 200,000
+/// triangles. Gaps up to 0.45 cells are closed.
 inline constexpr double kShellCell = 0.03;
 
 struct ShellParams {

@@ -18,7 +18,7 @@ struct RecordedConfig;
 RecordedConfig recorded_config(const SceneSession& session, bool is_lockstep);
 
 /// Surfaces of the object and the scene for the pictures of a recording, before its first sample:
-/// each at the finest level of detail of at most 20,000 triangles, the coarsest where all have more.
+/// each at the finest level of at most 20,000 triangles, the coarsest where all have more.
 /// Thread  [offline]; IoError.
 void record_surfaces(const ContactWorld& world, RecordingWriter& writer);
 

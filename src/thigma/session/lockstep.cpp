@@ -152,6 +152,7 @@ class LockstepShell {
 SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device,
                             const SessionSinks& sinks, const std::atomic<bool>* stop) {
   detail::check_config(config);
+  detail::check_coupling(config);
   if (device.limits().clock == DeviceClock::device)
     throw DeviceUnavailable(device.name() + ": sets the pace by its own clock, which --lockstep " +
                             "cannot follow, expected a run without it");

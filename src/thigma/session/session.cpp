@@ -61,6 +61,7 @@ void Session::start() {
   Impl& s = *impl_;
   if (s.is_started) throw std::logic_error("session: started twice");
   detail::check_config(s.config);
+  detail::check_coupling(s.config);
   s.prepare_memory();
   s.start_threads();
   s.is_started = true;

@@ -16,7 +16,8 @@ namespace thigma::detail {
 /// A body-centred cubic lattice around a surface: the corners and the middles of cubes. A point is
 /// outside when a way over neighbours, all farther than the offset from the surface, leads from it
 /// to the border. Neighbours are at most a cell apart, so with an offset above half a cell no way
-/// leads through the surface, and none through a gap narrower than twice the offset less a cell.
+/// leads through the surface; nor through a gap below 2 sqrt(offset^2 - cell^2 / 4), where the
+/// middle of no edge of the lattice is far enough from both rims.
 struct ShellLattice {
   Vec3 origin = Vec3::Zero();                         // of the corner 0 0 0
   double cell = 0.0;                                  // side of a cube
@@ -51,8 +52,8 @@ std::optional<ShellLattice> build_shell_lattice(const TriangleMesh& mesh, const 
 /// there can be touched.
 bool is_seen_from_outside(const ShellLattice& lattice, const Vec3& p);
 
-/// The surface between outside and inside, at the offset: closed, manifold, without an intersection,
-/// seen from outside. Tetrahedra of the lattice are cut one by one (marching tetrahedra).
+/// The surface between outside and inside, at the offset: closed, manifold, seen from outside,
+/// without an intersection. Tetrahedra of the lattice are cut one by one (marching tetrahedra).
 /// Thread      [offline]; deterministic.
 TriangleMesh cut_shell_lattice(const ShellLattice& lattice);
 

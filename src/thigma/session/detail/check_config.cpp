@@ -28,6 +28,16 @@ void check_config(const SessionConfig& config) {
     refuse("restitution must be 0 to 1, a tap's amplitude 0 or more, frequency and decay above 0");
 }
 
+void check_coupling(const SessionConfig& config) {
+  const Coupling& coupling = config.haptic.coupling;
+  const double stiffness = coupling.linear_saturation ? coupling.linear_saturation->stiffness
+                                                      : coupling.linear_stiffness;
+  if (config.haptic.response == ResponseKind::direct || !coupling.is_grasped || stiffness > 0.0)
+    return;
+  throw std::invalid_argument(
+      "session: the coupling's linear_stiffness is not above 0 N/m: nothing holds the object");
+}
+
 double effective_watchdog(const SessionConfig& config) noexcept {
   constexpr double kLeastPeriods = 3.0;
   return std::max(config.haptic.safety.watchdog, kLeastPeriods / config.rate);
