@@ -49,7 +49,9 @@ double buzz_of_age(double full_age) {
   LedGains gains;
   gains.every = 33;
   SessionConfig config = led_config(pair, gains, kPressedSeconds);
-  config.haptic.safety.model_full_age = full_age;
+  SafetyLimits& safety = config.haptic.safety;
+  safety.model_full_age = safety.rows_full_age = full_age;
+  safety.rows_stale_age = safety.model_stale_age;
   std::vector<double> force;
   run_led(config, pressed_hand(pair, scene, kPress),
           [&](const HapticSample& sample, const LedStep&) {

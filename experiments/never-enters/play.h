@@ -30,8 +30,8 @@ struct Seen {
 
 Ran play(const Seen& seen, const PressedScene& scene, const Play& how);
 
-/// Force above 50 Hz of a cube at rest with contacts at 30 Hz, over the age up to which a model
-/// counts fully, rms [N].
+/// Force above 50 Hz of a cube at rest with contacts at 30 Hz, if models of rows faded by their age
+/// as those of springs do, from this age on, rms [N].
 double buzz_of_age(double full_age);
 
 }  // namespace thigma::experiments::never_enters

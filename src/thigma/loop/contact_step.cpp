@@ -251,15 +251,6 @@ NearContacts find_coarse(const ContactWorld& world, const StampedBody& body,
   return {scratch.contacts, scratch.separation, rows};
 }
 
-/// Rows that did not fit, or that a travel that had to be halved did not need, are not looked for
-/// again at once: what nobody may go costs time, and what has no room stops the object.
-void limit_look_ahead(const ConstraintStats& stats, ContactScratch& scratch) noexcept {
-  double share = stats.left_out > 0 ? 0.5 : 1.0;
-  for (std::int32_t i = 0; i < stats.halvings; ++i) share *= 0.5;
-  if (share < 1.0)
-    scratch.crowded_ahead = std::min(scratch.crowded_ahead, share * scratch.looked_ahead);
-}
-
 /// Rows instead of clusters.
 void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratch& scratch,
                ContactSample& sample) noexcept {
@@ -277,7 +268,9 @@ void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratc
                                 : NearContacts{scratch.contacts, scratch.separation};
   const ConstraintStats stats =
       build_constraints(*world.constraints, body.state, near, work, model.constraints);
-  limit_look_ahead(stats, scratch);
+  // What had no room stops the object, which would ask for as much again.
+  if (stats.left_out > 0)
+    scratch.crowded_ahead = std::min(scratch.crowded_ahead, 0.5 * scratch.looked_ahead);
   sample.rows = stats.rows;
   sample.travel_halvings = stats.halvings;
   sample.left_out = stats.left_out;

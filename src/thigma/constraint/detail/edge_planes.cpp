@@ -44,7 +44,7 @@ double forbidden_to_ends(const RowSearch& search, const EdgeEnds& ends, double d
 
 /// Number of a plane through an edge, other than that of any triangle.
 std::int32_t feature_of(std::int32_t edge, std::int32_t which) noexcept {
-  constexpr std::int32_t kPlanes = 5;
+  constexpr std::int32_t kPlanes = 4;
   return ~(kPlanes * edge + which);
 }
 
@@ -74,27 +74,16 @@ void choose_plane(const RowSearch& search, const EdgeEnds& ends, double distance
     return false;
   };
   each_own_plane(search, ends, side, compare);
-  const EdgePlanes through = planes_through(*ends.other, ends.other_tail, ends.at_tail, ends.at_head);
+  const Vec3 between = (ends.nearest - ends.other_nearest) / distance;
+  compare({between, between.dot(ends.other_nearest), feature_of(ends.other_index, 3)}, -1);
+  const EdgePlanes through =
+      planes_through(*ends.other, ends.other_tail, ends.at_tail, ends.at_head);
   std::int32_t which = 0;
   for (const Vec3& normal : through.normal) {
     const std::int32_t feature = feature_of(ends.other_index, which++);
     if (normal.isZero(0.0)) continue;
     const double offset = std::max(normal.dot(ends.other_tail), normal.dot(ends.other_head));
     compare({normal, offset, feature}, -1);
-  }
-  const Vec3 normal = (ends.nearest - ends.other_nearest) / distance;
-  compare({normal, normal.dot(ends.other_nearest), feature_of(ends.other_index, 3)}, -1);
-  if (best.forbids <= kNothing * search.reach.travel) return;
-  for (const KnownLimit& known : search.known) {
-    const Vec3 wish = wish_of(search, ends.points_of, known);
-    const Vec3 least = kSpare * least_height(search, distance) * wish;
-    const Vec3& at = ends.other_nearest;
-    const Vec3 ways[] = {ends.at_tail - at - least, ends.at_head - at - least,
-                         at - ends.other_tail, at - ends.other_head};
-    for (const Vec3& near : normals_near(wish, ways, search.rounding)) {
-      const double offset = std::max(near.dot(ends.other_tail), near.dot(ends.other_head));
-      compare({near, offset, feature_of(ends.other_index, 4)}, -1);
-    }
   }
 }
 

@@ -13,8 +13,8 @@ struct EdgeEnds {
   PointsOf points_of = PointsOf::object;
   std::int32_t tail = -1, head = -1;  // vertices
   Vec3 at_tail, at_head, other_tail, other_head;
-  Vec3 nearest, other_nearest;         // points of the two segments
-  const ConvexEdge* other = nullptr;   // in the frame of its mesh, which is that of the planes
+  Vec3 nearest, other_nearest;        // points of the two segments
+  const ConvexEdge* other = nullptr;  // in the frame of its mesh, which is that of the planes
   std::int32_t other_index = -1;
 };
 

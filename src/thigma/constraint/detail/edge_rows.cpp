@@ -21,7 +21,8 @@ constexpr double kParallel = 1e-6;
 struct PlacedPair {
   std::int32_t object = -1, scene = -1;  // edges
   int sign = 1;  // of the object's direction x the scene's, to point into the scene
-  Vec3 object_tail, object_head, scene_tail, scene_head;
+  Vec3 object_tail = Vec3::Zero(), object_head = Vec3::Zero();
+  Vec3 scene_tail = Vec3::Zero(), scene_head = Vec3::Zero();
   NearestOnSegments nearest;
   double distance = 0.0;
 
@@ -163,7 +164,7 @@ void consider(RowSearch& search, PlacedPair pair, const RowScratch::EdgeCone& f,
     choose_plane(search, of_object, pair.distance, scratch.object, best);
     choose_plane(search, of_scene, pair.distance, scratch.scene, best);
   }
-  if (has_row && by_row <= best.forbids) {
+  if (has_row && (may_press || by_row < best.forbids)) {
     add_row(search, rows, row);
   } else if (best.ends != nullptr) {  // else a vertex on an edge: faces keep it
     const bool is_of_object = best.ends->points_of == PointsOf::object;

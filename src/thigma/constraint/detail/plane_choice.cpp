@@ -11,6 +11,10 @@ namespace {
 
 constexpr double kSame = 0.98;  // cosine of two normals that count as one
 
+// Of the travel: an object that goes on as it does comes that far until the next model. A plane
+// that is farther keeps more triangles behind it than those of the triangles, and costs nothing.
+constexpr double kLikely = 0.6;
+
 /// What a limit leaves of the way along a normal.
 double left_by(const KnownLimit& known, const Vec3& normal, double travel) noexcept {
   const double along = known.normal.dot(normal);
@@ -48,9 +52,8 @@ void add_known(RowSearch& search, const KnownLimit& limit) noexcept {
   if (same != known.end()) {
     if (nearer < same->gap) *same = limit;
   } else if (!known.push_back(limit)) {
-    const auto farthest =
-        std::max_element(known.begin(), known.end(),
-                         [](const auto& x, const auto& y) { return x.gap < y.gap; });
+    const auto farthest = std::max_element(
+        known.begin(), known.end(), [](const auto& x, const auto& y) { return x.gap < y.gap; });
     if (nearer < farthest->gap) *farthest = limit;
   }
 }
@@ -66,61 +69,28 @@ bool is_known(const RowSearch& search, const Vec3& normal) noexcept {
 }
 
 double forbidden(const RowSearch& search, const Vec3& normal, double height) noexcept {
-  double left = search.reach.travel;
-  for (const KnownLimit& known : search.known)
-    left = std::min(left, left_by(known, normal, search.reach.travel));
-  return left - height;
+  const double way = kLikely * search.reach.travel;
+  double left = way;
+  for (const KnownLimit& known : search.known) left = std::min(left, left_by(known, normal, way));
+  return std::max(left - height, 0.0);
 }
 
 double forbidden(const RowSearch& search, PointsOf points, const Vec3& point, std::int32_t vertex,
                  const VertexSide& side, const GuardPlane& plane) noexcept {
   const Vec3 normal = out_of_object(search, points, plane.normal);
-  const double height = plane.height(point);
-  double left = forbidden(search, normal, height) + height;
+  const double height = plane.height(point), way = kLikely * search.reach.travel;
+  double left = way;
   for (std::int32_t m = side.first_member[idx(vertex)]; m >= 0; m = side.members[idx(m)].next) {
     const GuardPlane& own = side.planes[idx(side.members[idx(m)].plane)];
     const KnownLimit limit{out_of_object(search, points, own.normal), own.height(point)};
-    left = std::min(left, left_by(limit, normal, search.reach.travel));
+    left = std::min(left, left_by(limit, normal, way));
   }
-  return left - height;
+  return std::max(std::min(left - height, forbidden(search, normal, height)), 0.0);
 }
 
 bool may_keep(const RowSearch& search, double height, double distance) noexcept {
-  return height >= least_height(search, distance) - search.rounding;
-}
-
-double least_height(const RowSearch& search, double distance) noexcept {
   constexpr double kShare = 0.5;  // of what is nearest: nothing comes nearer than that by itself
-  return kShare * std::clamp(search.least_gap, 0.0, distance);
-}
-
-Vec3 wish_of(const RowSearch& search, PointsOf points, const KnownLimit& known) noexcept {
-  if (points == PointsOf::object) return -known.normal;
-  return search.object_from_scene.orientation._transformVector(known.normal);
-}
-
-Normals normals_near(const Vec3& wish, std::span<const Vec3> ways, double rounding) noexcept {
-  Normals normals;
-  const auto add = [&](const Vec3& normal) {
-    const double length = normal.norm();
-    if (!(length > 0.0)) return;
-    const Vec3 unit = normal / length;
-    for (const Vec3& way : ways)
-      if (unit.dot(way) < -rounding) return;
-    normals.push_back(unit);
-  };
-  add(wish);
-  if (!normals.empty()) return normals;
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    const double square = ways[i].squaredNorm();
-    if (!(square > rounding * rounding)) continue;
-    add(wish - wish.dot(ways[i]) / square * ways[i]);
-    for (std::size_t k = i + 1; k < ways.size(); ++k) {
-      const Vec3 both = ways[i].cross(ways[k]);
-      add(both.dot(wish) < 0.0 ? Vec3(-both) : both);
-    }
-  }
-  return normals;
+  return height >= kShare * std::clamp(search.least_gap, 0.0, distance) - search.rounding;
 }
 
 EdgePlanes planes_through(const ConvexEdge& edge, const Vec3& on_edge, const Vec3& a,

@@ -9,12 +9,8 @@
 
 namespace thigma::detail {
 
-/// Of the travel: what a plane that adds next to nothing to what is known forbids at most, and by
-/// how much one has to forbid less than another to be the better one.
-inline constexpr double kNothing = 0.05, kEqual = 1e-3;
-
-/// Times the least height: so that a plane that is tilted a little still leaves it.
-inline constexpr double kSpare = 1.2;
+/// Of the travel: by how much a plane has to forbid less than another to be the better one.
+inline constexpr double kEqual = 1e-3;
 
 /// Begins what is known with the nearest contact of the two bodies. Other contacts say nothing:
 /// from a patch to the neighbour of the one that it lies on the nearest way leads aside.
@@ -33,13 +29,14 @@ void add_known(RowSearch& search, const KnownLimit& limit) noexcept;
 /// plane_normal  the triangle's [its mesh frame]
 /// height        of the vertex over it [m]
 /// Thread        [contact]; no failure
-void add_known(RowSearch& search, PointsOf points, const Vec3& plane_normal, double height) noexcept;
+void add_known(RowSearch& search, PointsOf points, const Vec3& plane_normal,
+               double height) noexcept;
 
 /// Whether something known has about this normal. Thread [contact].
 bool is_known(const RowSearch& search, const Vec3& normal) noexcept;
 
-/// How far the object could go beyond a plane within the travel, if only the known limits held it:
-/// what a row with that plane forbids of its own. At most 0 where it adds nothing.
+/// How far the object could go beyond a plane on the way that it is likely to go, if only the known
+/// limits held it: what a row with that plane forbids of its own, 0 where it adds nothing.
 ///
 /// normal   unit, out of the object, into the scene [scene's mesh frame]
 /// height   of the vertex over the plane [m]
@@ -65,26 +62,5 @@ struct EdgePlanes {
 };
 EdgePlanes planes_through(const ConvexEdge& edge, const Vec3& on_edge, const Vec3& a,
                           const Vec3& b) noexcept;
-
-/// Unit normals near to one that is wished for, of planes that some points do not lie behind.
-using Normals = StaticVector<Vec3, 11>;
-
-/// The wish itself and what is nearest to it where some of the ways point behind its plane: at
-/// most one of these is the best, all of them will do.
-///
-/// wish      unit
-/// ways      from a point of the plane to those that have to stay in front of it; at most 4 [m]
-/// rounding  lengths below it are none [m]
-/// Thread    [contact]; no failure
-/// Source    Projection onto a polyhedral cone: none, one or two of the ways lie in the plane.
-Normals normals_near(const Vec3& wish, std::span<const Vec3> ways, double rounding) noexcept;
-
-/// What is known to be near, as wishes for planes that `points` are kept in front of: unit, out of
-/// the surface with the planes [its mesh frame]. Thread [contact].
-Vec3 wish_of(const RowSearch& search, PointsOf points, const KnownLimit& known) noexcept;
-
-/// The height below which a plane may not be given to a vertex so far from what lies behind it, see
-/// may_keep [m].
-double least_height(const RowSearch& search, double distance) noexcept;
 
 }  // namespace thigma::detail

@@ -126,10 +126,4 @@ void add_member(RowSearch& search, PointsOf points, std::int32_t vertex, std::in
   add_row(search, rows, plane_row(search, points, vertex, side.planes[idx(plane)]));
 }
 
-bool leaves_enough(const RowSearch& search, double height, double distance) noexcept {
-  constexpr double kTouching = 0.02;  // of the travel: nearer than this a plane has to be exact
-  const double spare = std::max(distance - kTouching * search.reach.travel, 0.0);
-  return height >= distance - 0.5 * spare - search.rounding;
-}
-
 }  // namespace thigma::detail

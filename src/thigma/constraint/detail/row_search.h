@@ -76,8 +76,4 @@ bool is_member(const VertexSide& side, std::int32_t vertex, std::int32_t plane) 
 void add_member(RowSearch& search, PointsOf points, std::int32_t vertex, std::int32_t plane,
                 VertexSide& side, std::vector<FoundRow>& rows) noexcept;
 
-/// Whether a plane at this height below a vertex leaves it enough of its distance to what lies
-/// behind the plane: all of it where they touch, half where they are far.
-bool leaves_enough(const RowSearch& search, double height, double distance) noexcept;
-
 }  // namespace thigma::detail

@@ -135,27 +135,8 @@ bool make_plane(const RowSearch& search, const Sides& sides, const VertexSide::C
   const auto forbids = [&](const GuardPlane& guard) {
     return forbidden(search, sides.points_of, p, c.vertex, side, guard);
   };
-  double least = forbids(border);
-  const auto compare = [&](const GuardPlane& guard) {
-    if (!may_keep(search, guard.height(p), c.distance)) return;
-    const double by_guard = forbids(guard);
-    if (by_guard >= least - kEqual * search.reach.travel) return;
-    least = by_guard;
-    plane = guard;
-  };
-  const GuardPlane own = plane;
-  plane = border;
-  compare(own);
-  if (least <= kNothing * search.reach.travel) return true;
-  for (const KnownLimit& known : search.known) {
-    const Vec3 wish = wish_of(search, sides.points_of, known);
-    std::array<Vec3, 4> ways;
-    for (std::size_t i = 0; i < 3; ++i)
-      ways[i] = c.nearest - sides.planes.vertices[idx(triangle.vertex[i])];
-    ways[3] = p - c.nearest - kSpare * least_height(search, c.distance) * wish;
-    for (const Vec3& near : normals_near(wish, ways, search.rounding))
-      compare({near, near.dot(c.nearest) + search.rounding, c.triangle});
-  }
+  const double spare = forbids(border) - forbids(plane);
+  if (!may_keep(search, height, c.distance) || spare < kEqual * search.reach.travel) plane = border;
   return true;
 }
 
