@@ -140,6 +140,9 @@ void put_recordings(const Seeds& seeds) {
 void put_texts(const Seeds& seeds) {
   for (const char* name : {"jaws", "blocks", "spoon_in_cup", "file_on_cad"})
     seeds.put("scene", name, std::string(builtin_scene(name)));
+  for (const char* world : {"tower", "row_of_blocks"})
+    seeds.put("scene", world,
+              read_file(std::string(THIGMA_SOURCE_DIR) + "/scenes/" + world + ".toml"));
   seeds.put("script", "two",
             "t,x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n# on\n1,0.01,0,0,0,0,0.6,0.8\n");
   seeds.put("script", "buttons",

@@ -205,5 +205,55 @@ TEST(StepWorld, ThrownPairsNeverPassThroughEachOther) {
   EXPECT_GT(met, throws / 2);
 }
 
+TEST(StepWorld, PrescribedPlateCarriesABlockAndIsNotSlowed) {
+  WorldBench bench;
+  bench.add(test::floor_mesh(1.0), BodyKind::prescribed, Vec3(0.0, 0.0, -0.01));
+  bench.add(test::body_mesh(make_box(Vec3(0.06, 0.06, 0.02))), BodyKind::moving,
+            Vec3(0.0, 0.0, 0.01 + 2e-6));
+  for (WorldBody& body : bench.bodies) body.friction = {0.3, 0.3};
+  bench.make();
+  const BodyDrive drive{0, {Vec3(0.1, 0.0, 0.0), Vec3::Zero()}};
+  for (int i = 0; i < 500; ++i) bench.step(1e-3, {.drives = {&drive, 1}});
+  EXPECT_NEAR(bench.state.bodies[0].position.x(), 0.05, 1e-6);
+  const double catch_up = 0.1 * 0.1 / (2.0 * 0.3 * kGravity);  // slides until it is as fast
+  EXPECT_NEAR(bench.state.bodies[1].position.x(), 0.05 - catch_up, 2e-4);
+  EXPECT_NEAR(bench.state.bodies[1].linear_momentum.x() / bench.world.rigid[1].mass, 0.1, 1e-6);
+  EXPECT_GT(bench.distance(0, 1), 0.0);
+}
+
+TEST(StepWorld, HeapOfRingsAndConesFallsAndStaysApart) {
+  WorldBench bench;
+  test::add_floor(bench);
+  const auto ring = test::body_mesh(make_torus(0.025, 0.007, 16, 8));
+  const auto cone = test::body_mesh(make_cone(0.015, 0.04, 12));
+  Random random(21);
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 axis(random.normal(), random.normal(), random.normal());
+    bench.add(i % 2 == 0 ? ring : cone, BodyKind::moving,
+              Vec3(0.01 * random.normal(), 0.01 * random.normal(), 0.05 + 0.07 * i),
+              rotation_from_vector(axis));
+  }
+  bench.make();
+  const double start = bench.energy();
+  double last = start, grown = 0.0, waited = 0.0;
+  int not_whole = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const WorldStep step = bench.step();
+    waited += step.waited;
+    not_whole += step.is_whole ? 0 : 1;
+    grown = std::max(grown, bench.energy() - last);
+    last = bench.energy();
+    if (i % 50 != 49) continue;
+    for (std::size_t a = 0; a < bench.bodies.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b) ASSERT_GT(bench.distance(a, b), 0.0) << i;
+  }
+  EXPECT_LE(grown, 1e-6 * start);
+  EXPECT_LT(last, 0.3 * start);
+  RecordProperty("heap", std::to_string(grown / start) + " waited " + std::to_string(waited) +
+                             " not whole " + std::to_string(not_whole));
+  EXPECT_EQ(not_whole, 0);
+  EXPECT_LE(waited, 0.01);
+}
+
 }  // namespace
 }  // namespace thigma

@@ -14,7 +14,7 @@ using detail::BlockMatrix;
 using Mat36 = Eigen::Matrix<double, 3, 6>;
 
 // The penalty of the augmented Lagrangian, in masses that a contact feels. A round leaves about one
-// over it, times the length of a stack squared, of the error; more of it costs digits of the factor.
+// over it, times the length of a stack squared, of the error; more costs digits of the factor.
 constexpr double kWeight = 1e5;
 constexpr int kMostRounds = 60;      // a few are usual
 constexpr int kMostNewton = 40;      // in a round

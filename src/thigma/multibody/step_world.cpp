@@ -15,8 +15,8 @@ namespace {
 using detail::NearPair;
 using detail::Part;
 
-/// Bodies that touch and have not moved for long enough rest until something comes near: whole heaps
-/// together, so that none hangs in the air.
+/// Bodies that touch and have not moved for long enough rest until something comes near: whole
+/// heaps together, so that none hangs in the air.
 void put_to_sleep(const World& world, double dt, WorldState& state, WorldScratch& s) {
   constexpr double kTime = 0.5;  // [s]
   constexpr double kWay = 5e-6;  // of the reach: what a body may move in that time

@@ -85,8 +85,8 @@ struct StartOverlap {
   double depth = 0.0;           // of the surfaces through each other [m]
 };
 
-/// Looks for bodies whose surfaces are through each other at a state. Bodies of which one lies wholly
-/// inside the other, its surface far from the other's, are not found.
+/// Looks for bodies whose surfaces are through each other at a state. One that lies wholly inside
+/// another, its surface far from the other's, is not found.
 /// Thread    [offline]; throws std::bad_alloc.
 StartOverlap find_overlap(const World& world, const WorldState& state, WorldScratch& scratch);
 

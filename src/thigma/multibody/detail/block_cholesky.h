@@ -1,6 +1,6 @@
 #pragma once
-// Cholesky factors of a symmetric matrix of 6 x 6 blocks, each row of blocks from its first one that
-// is not zero on (its envelope).
+// Cholesky factors of a symmetric matrix of 6 x 6 blocks, each row of blocks from its first one
+// that is not zero on (its envelope).
 
 #include <cstdint>
 #include <span>

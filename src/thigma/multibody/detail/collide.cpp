@@ -46,8 +46,8 @@ bool has_met(const Hit& hit, const IslandRow& row, const RowSource& source) noex
   return row.impulse.x() > 0.0 && source.room > kTouch * slop;
 }
 
-/// Speed at which a row's surfaces meet, over that without contacts at the end of the part: what acts
-/// gives only the share until there. 0: no impact, it is pressed together.
+/// Speed at which a row's surfaces meet, over that without contacts at the end of the part: what
+/// acts gives only the share until there. 0: no impact, it is pressed together.
 double speed_share(const Hit& hit, const IslandRow& row, const RowSource& source) noexcept {
   const auto& s = hit.part.s;
   Vec6 before[2], free[2];
@@ -147,8 +147,8 @@ std::int32_t list_bounces(const Hit& hit) {
   return count;
 }
 
-/// The largest share of the bounces, 0 to 1, with which an island has no more energy than before the
-/// part: kinetic, and what gravity has given since.
+/// The largest share of the bounces, 0 to 1, with which an island has no more energy than before
+/// the part: kinetic, and what gravity has given since.
 double share_of_energy(const Hit& hit) noexcept {
   const auto& s = hit.part.s;
   double budget = 0.0, slope = 0.0, bend = 0.0;

@@ -47,8 +47,8 @@ void find_islands(std::span<const std::uint8_t> moves, std::span<NearPair* const
 void fill_rows(const World& world, std::span<const BodyState> states,
                std::span<NearPair* const> near, double dt, Islands& islands);
 
-/// Speed at which a gap may close in a step, or has to open. From the stand-off down to an eighth of
-/// it a gap stays; what is nearer is led apart slowly [m/s].
+/// Speed at which a gap may close in a step, or has to open. From the stand-off down to an eighth
+/// of it a gap stays; what is nearer is led apart slowly [m/s].
 double limit_of(double gap, double slop, double dt) noexcept;
 
 }  // namespace thigma::detail

@@ -96,9 +96,9 @@ BodyState after(const Part& part, std::int32_t body, const IslandBody& solved,
   return next;
 }
 
-/// A body that touches no other one that moves, and has met nothing in this part: goes by the mean of
-/// its velocities before and after, which is right to second order. Where others are met too, places
-/// go by the velocity after: only so do impulses at one place keep the angular momentum of both.
+/// A body that touches no other one that moves, and has met nothing in this part, goes by the mean
+/// of its velocities before and after, which is right to second order. Bodies that touch others go
+/// by the velocity after: only so do impulses at one place keep the angular momentum of both.
 BodyState after_smoothly(const Part& part, std::int32_t body, const IslandBody& solved) noexcept {
   const RigidBody& rigid = part.world.rigid[idx(body)];
   const BodyState& y = part.state.bodies[idx(body)];

@@ -1,0 +1,54 @@
+// A step of a world takes no memory once it is warm: counted, with bodies that meet and part.
+
+#include "support/audit.h"
+
+#include "multibody/world_bench.h"
+#include <gtest/gtest.h>
+
+namespace thigma {
+namespace {
+
+TEST(WorldAudit, StepsTakeNoMemoryOnceWarm) {
+  if (const char* why = test::why_no_audit()) GTEST_SKIP() << why;
+  test::WorldBench bench;
+  test::add_floor(bench);
+  const auto block = test::body_mesh(make_box(Vec3(0.04, 0.03, 0.02)));
+  for (int i = 0; i < 6; ++i) {
+    const double side = i % 2 == 0 ? -1.0 : 1.0;
+    WorldBody& body = bench.add(block, BodyKind::moving, Vec3(0.03 * side, 0.0, 0.02 + 0.03 * i));
+    body.restitution = 0.5;
+    body.start.linear_momentum.x() = -0.4 * side * body.mass;
+  }
+  bench.make();
+  bench.world.sleeps = false;
+  const WorldState start = bench.state;
+  for (int i = 0; i < 400; ++i) bench.step();
+  const std::uint64_t warm = bench.step().pressing;
+  EXPECT_GT(warm, 0u);
+  bench.state = start;  // the same again
+  std::int64_t taken = 0, queries = 0;
+  for (int i = 0; i < 400; ++i) {
+    const test::AuditScope scope;
+    queries += bench.step().queries;
+    const test::AuditCounts counts = scope.counts();
+    taken += counts.allocations + counts.locks;
+  }
+  EXPECT_GT(queries, 20);
+  EXPECT_EQ(taken, 0);
+}
+
+TEST(WorldAudit, SeesAnAllocation) {
+  if (const char* why = test::why_no_audit()) GTEST_SKIP() << why;
+  test::WorldBench bench;
+  test::add_floor(bench);
+  bench.add(test::body_mesh(make_box(Vec3(0.04, 0.03, 0.02))), BodyKind::moving,
+            Vec3(0.0, 0.0, 0.02));
+  bench.make();
+  bench.scratch = reserve_world(bench.world, 0);  // no pair: the first one takes memory
+  const test::AuditScope scope;
+  for (int i = 0; i < 60; ++i) bench.step();
+  EXPECT_GT(scope.counts().allocations, 0);
+}
+
+}  // namespace
+}  // namespace thigma
