@@ -6,7 +6,7 @@
 #include <string>
 
 #include "thigma/import/inspect.h"
-#include "thigma/mesh/nearest_point.h"
+#include "thigma/import/nearest_point.h"
 #include "thigma/mesh/triangle_mesh.h"
 
 namespace thigma {

@@ -55,14 +55,24 @@ bool is_kept(const RowSearch& search, const VertexSide& side, std::int32_t verte
   return height > search.reach.travel || is_member(side, vertex, plane);
 }
 
-bool is_kept_apart(const RowSearch& search, const EdgeEnds& ends, const VertexSide& side) noexcept {
-  bool is_apart = false;
-  each_own_plane(search, ends, side, [&](const GuardPlane& plane, std::int32_t index) {
-    is_apart = is_kept(search, side, ends.tail, index, plane.height(ends.at_tail)) &&
-               is_kept(search, side, ends.head, index, plane.height(ends.at_head));
-    return is_apart;
-  });
-  return is_apart;
+bool is_kept_apart(RowSearch& search, const EdgeEnds& ends, double distance, VertexSide& side,
+                   std::vector<FoundRow>& rows) noexcept {
+  const double least = least_shared(search, distance);
+  for (std::size_t i = 0; i < side.planes.size(); ++i) {
+    const GuardPlane& plane = side.planes[i];
+    const double tail = plane.height(ends.at_tail), head = plane.height(ends.at_head);
+    const auto index = static_cast<std::int32_t>(i);
+    const bool keeps_tail = is_kept(search, side, ends.tail, index, tail);
+    const bool keeps_head = is_kept(search, side, ends.head, index, head);
+    if ((!keeps_tail && tail <= least) || (!keeps_head && head <= least)) continue;
+    if (plane.height(ends.other_tail) > search.rounding ||
+        plane.height(ends.other_head) > search.rounding)
+      continue;
+    if (!keeps_tail) add_member(search, ends.points_of, ends.tail, index, side, rows);
+    if (!keeps_head) add_member(search, ends.points_of, ends.head, index, side, rows);
+    return true;
+  }
+  return false;
 }
 
 void choose_plane(const RowSearch& search, const EdgeEnds& ends, double distance,

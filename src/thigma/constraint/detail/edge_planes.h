@@ -30,9 +30,14 @@ struct EdgeGuard {
 bool is_kept(const RowSearch& search, const VertexSide& side, std::int32_t vertex,
              std::int32_t plane, double height) noexcept;
 
-/// Whether a plane that an end already has a row with keeps the edges apart as it is.
+/// Whether a plane that there is keeps the edges apart: both ends have a row with it or do not
+/// reach it. Ends that are high over a plane of others take it as theirs (least_shared).
+///
+/// distance  of the edges [m]
+/// rows      of ends that take a plane are added
 /// Thread    [contact]; no failure
-bool is_kept_apart(const RowSearch& search, const EdgeEnds& ends, const VertexSide& side) noexcept;
+bool is_kept_apart(RowSearch& search, const EdgeEnds& ends, double distance, VertexSide& side,
+                   std::vector<FoundRow>& rows) noexcept;
 
 /// Compares the planes that either end has rows with, the planes of the other edge's faces, the
 /// one between them, and the one square to the line between the nearest points, with `best`.

@@ -151,8 +151,8 @@ void consider(RowSearch& search, PlacedPair pair, const RowScratch::EdgeCone& f,
   pair.scene = f.edge;
   if (!place(search, pair)) return;
   const EdgeEnds of_object = object_ends(search, pair), of_scene = scene_ends(search, pair);
-  if (is_kept_apart(search, of_object, scratch.object)) return;
-  if (is_kept_apart(search, of_scene, scratch.scene)) return;
+  if (is_kept_apart(search, of_object, pair.distance, scratch.object, rows)) return;
+  if (is_kept_apart(search, of_scene, pair.distance, scratch.scene, rows)) return;
   if (is_met(scratch, {pair.object, pair.scene})) return;  // in another pair of patches
   FoundRow row;
   const bool has_row = has_edge_row(search, pair, row);

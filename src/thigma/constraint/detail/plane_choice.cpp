@@ -13,7 +13,7 @@ constexpr double kSame = 0.98;  // cosine of two normals that count as one
 
 // Of the travel: an object that goes on as it does comes that far until the next model. A plane
 // that is farther keeps more triangles behind it than those of the triangles, and costs nothing.
-constexpr double kLikely = 0.6;
+constexpr double kLikely = 0.5;
 
 /// What a limit leaves of the way along a normal.
 double left_by(const KnownLimit& known, const Vec3& normal, double travel) noexcept {
@@ -91,6 +91,12 @@ double forbidden(const RowSearch& search, PointsOf points, const Vec3& point, st
 bool may_keep(const RowSearch& search, double height, double distance) noexcept {
   constexpr double kShare = 0.5;  // of what is nearest: nothing comes nearer than that by itself
   return height >= kShare * std::clamp(search.least_gap, 0.0, distance) - search.rounding;
+}
+
+double least_shared(const RowSearch& search, double distance) noexcept {
+  constexpr double kInTheAir = 0.1, kShare = 0.5;  // of the travel, of the distance
+  const double travel = search.reach.travel;
+  return search.least_gap > kInTheAir * travel ? kShare * distance : kLikely * travel;
 }
 
 EdgePlanes planes_through(const ConvexEdge& edge, const Vec3& on_edge, const Vec3& a,

@@ -52,6 +52,12 @@ double forbidden(const RowSearch& search, PointsOf points, const Vec3& point, st
 /// behind it is farther: not where it would push what nothing else pushes.
 bool may_keep(const RowSearch& search, double height, double distance) noexcept;
 
+/// The least height over a plane of others at which a vertex may share it. Where something is near
+/// the object slides on, so the plane has to be beyond where it is likely to come until the next
+/// model; in the air half of the distance to what is behind the plane is enough, and far fewer rows
+/// are needed.
+double least_shared(const RowSearch& search, double distance) noexcept;
+
 /// Planes through a convex edge that the surface about it lies behind: its faces', and between
 /// them the one that two points lie farthest in front of. Zero normals: none.
 ///

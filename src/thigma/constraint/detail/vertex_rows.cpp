@@ -101,15 +101,30 @@ bool is_behind(const SurfaceFeatures& features, const SurfaceTriangle& triangle,
   return true;
 }
 
-/// Whether a plane that the vertex is kept in front of has the triangle behind it.
-bool is_guarded(const RowSearch& search, const Sides& sides, const VertexSide::Candidate& c,
-                const VertexSide& side) noexcept {
+/// Whether some plane keeps the vertex from the triangle. One that it has already does, and one that
+/// it does not reach. A vertex that is high over a plane of others takes it as its own: each with
+/// planes of their own, many far vertices would have no room.
+bool is_guarded(RowSearch& search, const Sides& sides, const VertexSide::Candidate& c,
+                VertexSide& side, std::vector<FoundRow>& rows) noexcept {
   const SurfaceTriangle& triangle = sides.planes.triangles[idx(c.triangle)];
-  for (std::int32_t m = side.first_member[idx(c.vertex)]; m >= 0; m = side.members[idx(m)].next) {
-    const GuardPlane& plane = side.planes[idx(side.members[idx(m)].plane)];
-    if (is_behind(sides.planes, triangle, plane, search.rounding)) return true;
+  const double travel = search.reach.travel;
+  const Vec3 p = sides.point(c.vertex);
+  std::int32_t best = -1;
+  double most = least_shared(search, c.distance);
+  for (std::size_t i = 0; i < side.planes.size(); ++i) {
+    const GuardPlane& plane = side.planes[i];
+    const auto index = static_cast<std::int32_t>(i);
+    const double height = plane.height(p);
+    const bool is_own = is_member(side, c.vertex, index);
+    if (!is_own && height <= std::min(most, travel)) continue;
+    if (!is_behind(sides.planes, triangle, plane, search.rounding)) continue;
+    if (is_own || height > travel) return true;
+    best = index;
+    most = height;
   }
-  return false;
+  if (best < 0) return false;
+  add_member(search, sides.points_of, c.vertex, best, side, rows);
+  return true;
 }
 
 /// The plane that keeps a vertex from a triangle: the triangle's own where the vertex is over it.
@@ -150,7 +165,7 @@ void search_side(RowSearch& search, const Sides& sides, VertexSide& side,
     if (c.vertex == vertex && c.triangle == triangle) continue;  // met in two pairs of patches
     vertex = c.vertex;
     triangle = c.triangle;
-    if (is_guarded(search, sides, c, side)) continue;
+    if (is_guarded(search, sides, c, side, rows)) continue;
     GuardPlane plane;
     if (!make_plane(search, sides, c, side, plane)) continue;
     if (side.planes.size() == side.planes.capacity()) {

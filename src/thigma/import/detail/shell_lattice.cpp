@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "thigma/core/index.h"
+#include "thigma/import/nearest_point.h"
 #include "thigma/mesh/measure.h"
-#include "thigma/mesh/nearest_point.h"
 
 namespace thigma::detail {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "thigma/core/index.h"
-#include "thigma/mesh/nearest_point.h"
+#include "thigma/import/nearest_point.h"
 #include "thigma/mesh/self_intersections.h"
 
 namespace thigma::detail {

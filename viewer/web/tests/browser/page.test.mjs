@@ -192,6 +192,8 @@ pageTest("picture, tiles, sentences and plots show one moment, and values where 
   const box = await page.locator(".plot .u-over").first().boundingBox();
   await page.mouse.move(box.x + 0.9 * box.width, box.y + 10);
   await page.waitForFunction(() => window.thigma.plots.pointed && /^At [\d.]+ s, [\d.]+ s ago/.test(document.querySelector(".moment").textContent));
+  // tiles follow a few frames later
+  await page.waitForFunction(() => Math.abs(Number(document.querySelector(".tile.force .number").textContent) - window.thigma.plots.pointed?.force) < 0.006);
   const read = await page.evaluate(() => { const { pointed, plots, now } = window.thigma.plots;
     return { ago: now - pointed.time, force: pointed.force, tile: Number(document.querySelector(".tile.force .number").textContent),
       keys: plots[0].keys.textContent }; });

@@ -1,4 +1,4 @@
-#include "thigma/mesh/nearest_point.h"
+#include "thigma/import/nearest_point.h"
 
 #include <algorithm>
 #include <cmath>
