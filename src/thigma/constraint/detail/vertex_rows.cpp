@@ -101,9 +101,9 @@ bool is_behind(const SurfaceFeatures& features, const SurfaceTriangle& triangle,
   return true;
 }
 
-/// Whether some plane keeps the vertex from the triangle. One that it has already does, and one that
-/// it does not reach. A vertex that is high over a plane of others takes it as its own: each with
-/// planes of their own, many far vertices would have no room.
+/// Whether some plane keeps the vertex from the triangle. One that it has already does, and one
+/// that it does not reach. A vertex that is high over a plane of others takes it as its own: each
+/// with planes of their own, many far vertices would have no room.
 bool is_guarded(RowSearch& search, const Sides& sides, const VertexSide::Candidate& c,
                 VertexSide& side, std::vector<FoundRow>& rows) noexcept {
   const SurfaceTriangle& triangle = sides.planes.triangles[idx(c.triangle)];
