@@ -178,7 +178,7 @@ std::vector<PressedScene> built_in_scenes(int triangles) {
   scenes.push_back(simple("ball joint",
                           [triangles] {
                             LedPair pair = of_models("ball joint", "joint_ball", "joint_socket",
-                                                     triangles, {});
+                                                     triangles, Vec3::Zero());
                             pair.tolerance = 1e-4;
                             pair.clearance = 5e-4;
                             return pair;
