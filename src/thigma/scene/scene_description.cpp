@@ -48,32 +48,6 @@ double object_mass(const SceneDescription& scene, const Solid& solid) {
   return *scene.density * solid.volume;
 }
 
-Coupling make_coupling(const SceneDescription& scene, const DefaultGains& gains,
-                       const RigidBody& body) {
-  const CouplingGains& given = scene.coupling;
-  Coupling coupling;
-  coupling.is_grasped = false;
-  coupling.linear_stiffness = given.linear_stiffness.value_or(gains.linear_stiffness);
-  coupling.angular_stiffness = given.angular_stiffness.value_or(gains.angular_stiffness);
-  const double ratio = given.damping_ratio.value_or(gains.damping_ratio);
-  const double inertia = body.inertia.trace() / 3.0;
-  coupling.linear_damping =
-      given.linear_damping.value_or(2.0 * ratio * std::sqrt(coupling.linear_stiffness * body.mass));
-  coupling.angular_damping =
-      given.angular_damping.value_or(2.0 * ratio * std::sqrt(coupling.angular_stiffness * inertia));
-  if (given.is_saturated) {
-    // Linear up to half of the greatest force, then levelling off (Fig. 5.4).
-    const auto level_off = [](double stiffness, double greatest) {
-      return make_saturation(stiffness, 0.5 * greatest / stiffness, greatest);
-    };
-    coupling.linear_saturation =
-        level_off(coupling.linear_stiffness, given.max_force.value_or(gains.max_force));
-    coupling.angular_saturation =
-        level_off(coupling.angular_stiffness, given.max_torque.value_or(gains.max_torque));
-  }
-  return coupling;
-}
-
 bool is_texture_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   char first[8] = {};
@@ -221,6 +195,30 @@ DefaultGains default_gains(double radius) {
   return gains;
 }
 
+Coupling make_coupling(const CouplingGains& given, const DefaultGains& gains,
+                       const RigidBody& body) {
+  Coupling coupling;
+  coupling.linear_stiffness = given.linear_stiffness.value_or(gains.linear_stiffness);
+  coupling.angular_stiffness = given.angular_stiffness.value_or(gains.angular_stiffness);
+  const double ratio = given.damping_ratio.value_or(gains.damping_ratio);
+  const double inertia = body.inertia.trace() / 3.0;
+  coupling.linear_damping =
+      given.linear_damping.value_or(2.0 * ratio * std::sqrt(coupling.linear_stiffness * body.mass));
+  coupling.angular_damping =
+      given.angular_damping.value_or(2.0 * ratio * std::sqrt(coupling.angular_stiffness * inertia));
+  if (given.is_saturated) {
+    // Linear up to half of the greatest force, then levelling off (Fig. 5.4).
+    const auto level_off = [](double stiffness, double greatest) {
+      return make_saturation(stiffness, 0.5 * greatest / stiffness, greatest);
+    };
+    coupling.linear_saturation =
+        level_off(coupling.linear_stiffness, given.max_force.value_or(gains.max_force));
+    coupling.angular_saturation =
+        level_off(coupling.angular_stiffness, given.max_torque.value_or(gains.max_torque));
+  }
+  return coupling;
+}
+
 std::optional<ResponseKind> response_of(const std::string& name) {
   for (const ResponseName& known : kResponseNames)
     if (name == known.name) return known.kind;
@@ -243,7 +241,8 @@ SessionConfig make_session_config(const SceneDescription& given, const ObjectMea
                                        scene.contact.response.value_or(ResponseKind::coupled))),
                scene);
   }
-  config.haptic.coupling = make_coupling(scene, gains, config.haptic.body);
+  config.haptic.coupling = make_coupling(scene.coupling, gains, config.haptic.body);
+  config.haptic.coupling.is_grasped = false;
   config.haptic.safety = scene.safety;
   config.haptic.response = scene.contact.response.value_or(ResponseKind::coupled);
   config.haptic.grasp_place = scene.device.grasp_place;

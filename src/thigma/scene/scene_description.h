@@ -201,6 +201,12 @@ struct DefaultGains {
 };
 DefaultGains default_gains(double radius);
 
+/// Coupling of a grasped body, by the gains given and the defaults for the others. Saturated, it is
+/// linear up to half of the greatest force and levels off beyond (Fig. 5.4).
+/// Thread  [offline]; InputError where the gains allow no saturation.
+Coupling make_coupling(const CouplingGains& given, const DefaultGains& gains,
+                       const RigidBody& body);
+
 /// Everything of a session that a scene and its object decide; hierarchies and static bodies are
 /// the caller's to add.
 ///

@@ -108,28 +108,6 @@ void read_tables(TomlTable& top, const std::string& folder, WorldSceneDescriptio
                   "expected at most " + std::to_string(kMostBodies));
 }
 
-Coupling make_coupling(const CouplingGains& given, double radius, const RigidBody& body) {
-  const DefaultGains gains = default_gains(radius);
-  Coupling coupling;
-  coupling.linear_stiffness = given.linear_stiffness.value_or(gains.linear_stiffness);
-  coupling.angular_stiffness = given.angular_stiffness.value_or(gains.angular_stiffness);
-  const double ratio = given.damping_ratio.value_or(gains.damping_ratio);
-  const double inertia = body.inertia.trace() / 3.0;
-  coupling.linear_damping =
-      given.linear_damping.value_or(2.0 * ratio * std::sqrt(coupling.linear_stiffness * body.mass));
-  coupling.angular_damping =
-      given.angular_damping.value_or(2.0 * ratio * std::sqrt(coupling.angular_stiffness * inertia));
-  if (!given.is_saturated) return coupling;
-  const auto level_off = [](double stiffness, double greatest) {
-    return make_saturation(stiffness, 0.5 * greatest / stiffness, greatest);
-  };
-  coupling.linear_saturation =
-      level_off(coupling.linear_stiffness, given.max_force.value_or(gains.max_force));
-  coupling.angular_saturation =
-      level_off(coupling.angular_stiffness, given.max_torque.value_or(gains.max_torque));
-  return coupling;
-}
-
 /// Surface and measure of a mesh, for a density of 1.
 struct Surface {
   std::shared_ptr<const ClodHierarchy> hierarchy;
@@ -242,8 +220,8 @@ LoadedWorld load_world(WorldSceneDescription description, const Log& log) {
       config.drives.push_back({number, {body.velocity, body.spin}});
     if (body.kind != BodyKind::held) continue;
     config.held = number;
-    config.coupling =
-        make_coupling(scene.coupling, loaded.hierarchies[i]->radius, config.world.rigid[i]);
+    config.coupling = make_coupling(scene.coupling, default_gains(loaded.hierarchies[i]->radius),
+                                    config.world.rigid[i]);
   }
   return loaded;
 }

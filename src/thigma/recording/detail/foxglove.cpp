@@ -204,11 +204,53 @@ void put_contacts(std::string& out, std::uint64_t time, const ContactSample& sam
 
 // Names and types of the fields are those of Foxglove's public schemas; the text is ours.
 std::string_view transforms_schema() {
-  return R"({"title":"foxglove.FrameTransforms","type":"object","properties":{"transforms":{"type":"array","items":{"title":"foxglove.FrameTransform","type":"object","properties":{"timestamp":{"type":"object","title":"time","properties":{"sec":{"type":"integer","minimum":0},"nsec":{"type":"integer","minimum":0,"maximum":999999999}}},"parent_frame_id":{"type":"string"},"child_frame_id":{"type":"string"},"translation":{"title":"foxglove.Vector3","type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"rotation":{"title":"foxglove.Quaternion","type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"},"w":{"type":"number"}}}}}}}})";
+  return R"({"title":"foxglove.FrameTransforms","type":"object","properties":{"transforms":{)"
+         R"("type":"array","items":{"title":"foxglove.FrameTransform","type":"object",)"
+         R"("properties":{"timestamp":{"type":"object","title":"time","properties":{"sec":{)"
+         R"("type":"integer","minimum":0},"nsec":{"type":"integer","minimum":0,)"
+         R"("maximum":999999999}}},"parent_frame_id":{"type":"string"},"child_frame_id":{)"
+         R"("type":"string"},"translation":{"title":"foxglove.Vector3","type":"object",)"
+         R"("properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},)"
+         R"("rotation":{"title":"foxglove.Quaternion","type":"object","properties":{"x":{)"
+         R"("type":"number"},"y":{"type":"number"},"z":{"type":"number"},"w":{)"
+         R"("type":"number"}}}}}}}})";
 }
 
 std::string_view scene_schema() {
-  return R"({"title":"foxglove.SceneUpdate","type":"object","$defs":{"time":{"title":"time","type":"object","properties":{"sec":{"type":"integer","minimum":0},"nsec":{"type":"integer","minimum":0,"maximum":999999999}}},"duration":{"title":"duration","type":"object","properties":{"sec":{"type":"integer"},"nsec":{"type":"integer","minimum":0,"maximum":999999999}}},"point":{"title":"foxglove.Point3","type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"color":{"title":"foxglove.Color","type":"object","properties":{"r":{"type":"number"},"g":{"type":"number"},"b":{"type":"number"},"a":{"type":"number"}}},"pose":{"title":"foxglove.Pose","type":"object","properties":{"position":{"$ref":"#/$defs/point"},"orientation":{"title":"foxglove.Quaternion","type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"},"w":{"type":"number"}}}}}},"properties":{"deletions":{"type":"array","items":{"title":"foxglove.SceneEntityDeletion","type":"object"}},"entities":{"type":"array","items":{"title":"foxglove.SceneEntity","type":"object","properties":{"timestamp":{"$ref":"#/$defs/time"},"frame_id":{"type":"string"},"id":{"type":"string"},"lifetime":{"$ref":"#/$defs/duration"},"frame_locked":{"type":"boolean"},"metadata":{"type":"array","items":{"title":"foxglove.KeyValuePair","type":"object"}},"arrows":{"type":"array","items":{"title":"foxglove.ArrowPrimitive","type":"object","properties":{"pose":{"$ref":"#/$defs/pose"},"shaft_length":{"type":"number"},"shaft_diameter":{"type":"number"},"head_length":{"type":"number"},"head_diameter":{"type":"number"},"color":{"$ref":"#/$defs/color"}}}},"cubes":{"type":"array"},"spheres":{"type":"array","items":{"title":"foxglove.SpherePrimitive","type":"object","properties":{"pose":{"$ref":"#/$defs/pose"},"size":{"title":"foxglove.Vector3","type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"color":{"$ref":"#/$defs/color"}}}},"cylinders":{"type":"array"},"lines":{"type":"array"},"triangles":{"type":"array","items":{"title":"foxglove.TriangleListPrimitive","type":"object","properties":{"pose":{"$ref":"#/$defs/pose"},"points":{"type":"array","items":{"$ref":"#/$defs/point"}},"color":{"$ref":"#/$defs/color"},"colors":{"type":"array","items":{"$ref":"#/$defs/color"}},"indices":{"type":"array","items":{"type":"integer","minimum":0}}}}},"texts":{"type":"array"},"models":{"type":"array"}}}}}})";
+  return R"({"title":"foxglove.SceneUpdate","type":"object","$defs":{"time":{"title":"time",)"
+         R"("type":"object","properties":{"sec":{"type":"integer","minimum":0},"nsec":{)"
+         R"("type":"integer","minimum":0,"maximum":999999999}}},"duration":{)"
+         R"("title":"duration","type":"object","properties":{"sec":{"type":"integer"},"nsec":{)"
+         R"("type":"integer","minimum":0,"maximum":999999999}}},"point":{)"
+         R"("title":"foxglove.Point3","type":"object","properties":{"x":{"type":"number"},)"
+         R"("y":{"type":"number"},"z":{"type":"number"}}},"color":{"title":"foxglove.Color",)"
+         R"("type":"object","properties":{"r":{"type":"number"},"g":{"type":"number"},"b":{)"
+         R"("type":"number"},"a":{"type":"number"}}},"pose":{"title":"foxglove.Pose",)"
+         R"("type":"object","properties":{"position":{"$ref":"#/$defs/point"},"orientation":{)"
+         R"("title":"foxglove.Quaternion","type":"object","properties":{"x":{"type":"number"},)"
+         R"("y":{"type":"number"},"z":{"type":"number"},"w":{"type":"number"}}}}}},)"
+         R"("properties":{"deletions":{"type":"array","items":{)"
+         R"("title":"foxglove.SceneEntityDeletion","type":"object"}},"entities":{)"
+         R"("type":"array","items":{"title":"foxglove.SceneEntity","type":"object",)"
+         R"("properties":{"timestamp":{"$ref":"#/$defs/time"},"frame_id":{"type":"string"},)"
+         R"("id":{"type":"string"},"lifetime":{"$ref":"#/$defs/duration"},"frame_locked":{)"
+         R"("type":"boolean"},"metadata":{"type":"array","items":{)"
+         R"("title":"foxglove.KeyValuePair","type":"object"}},"arrows":{"type":"array",)"
+         R"("items":{"title":"foxglove.ArrowPrimitive","type":"object","properties":{"pose":{)"
+         R"("$ref":"#/$defs/pose"},"shaft_length":{"type":"number"},"shaft_diameter":{)"
+         R"("type":"number"},"head_length":{"type":"number"},"head_diameter":{)"
+         R"("type":"number"},"color":{"$ref":"#/$defs/color"}}}},"cubes":{"type":"array"},)"
+         R"("spheres":{"type":"array","items":{"title":"foxglove.SpherePrimitive",)"
+         R"("type":"object","properties":{"pose":{"$ref":"#/$defs/pose"},"size":{)"
+         R"("title":"foxglove.Vector3","type":"object","properties":{"x":{"type":"number"},)"
+         R"("y":{"type":"number"},"z":{"type":"number"}}},"color":{"$ref":"#/$defs/color"}}}},)"
+         R"("cylinders":{"type":"array"},"lines":{"type":"array"},"triangles":{"type":"array",)"
+         R"("items":{"title":"foxglove.TriangleListPrimitive","type":"object","properties":{)"
+         R"("pose":{"$ref":"#/$defs/pose"},"points":{"type":"array","items":{)"
+         R"("$ref":"#/$defs/point"}},"color":{"$ref":"#/$defs/color"},"colors":{)"
+         R"("type":"array","items":{"$ref":"#/$defs/color"}},"indices":{"type":"array",)"
+         R"("items":{"type":"integer","minimum":0}}}}},"texts":{"type":"array"},"models":{)"
+         R"("type":"array"}}}}}})";
 }
 
 }  // namespace thigma::detail
