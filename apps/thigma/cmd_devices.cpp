@@ -9,6 +9,7 @@
 #include <string>
 
 #include "check_text.h"
+#include "device_errors.h"
 #include "json_out.h"
 #include "signal_guard.h"
 #include "verbs.h"
@@ -110,20 +111,6 @@ int list_devices(const Common& common) {
     print_libraries_text();
   }
   return kDone;
-}
-
-/// Runs what may find a device or an address wanting.
-template <class Body>
-int with_device(const Body& body) {
-  try {
-    return body();
-  } catch (const DeviceAddressError& error) {
-    print_error(error.what());
-    return kUsage;
-  } catch (const DeviceUnavailable& error) {
-    print_error(error.what());
-    return kUnavailable;
-  }
 }
 
 struct CheckOptions {

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 
+#include "device_errors.h"
 #include "json_out.h"
 #include "playback.h"
 #include "run_live.h"
@@ -228,11 +229,7 @@ void add_run(CLI::App& app, Common& common) {
                                 return refuse(kUsage, error.what());
                               }
                               try {
-                                return run_verb(*options, common);
-                              } catch (const DeviceAddressError& error) {
-                                return refuse(kUsage, error.what());
-                              } catch (const DeviceUnavailable& error) {
-                                return refuse(kUnavailable, error.what());
+                                return with_device([&] { return run_verb(*options, common); });
                               } catch (const live::PortUnavailable& error) {
                                 return refuse(kUnavailable, error.what());
                               }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "device_errors.h"
 #include "json_out.h"
 #include "run_options.h"
 #include "verbs.h"
@@ -251,25 +252,13 @@ int tune(const TuneOptions& options, const Common& common) {
   return kDone;
 }
 
-int tune_or_refuse(const TuneOptions& options, const Common& common) {
-  try {
-    return tune(options, common);
-  } catch (const DeviceAddressError& error) {
-    print_error(error.what());
-    return kUsage;
-  } catch (const DeviceUnavailable& error) {
-    print_error(error.what());
-    return kUnavailable;
-  }
-}
-
 }  // namespace
 
 void add_tune(CLI::App& app, Common& common) {
   const auto options = std::make_shared<TuneOptions>();
-  CLI::App* verb = add_verb(app, common, "tune",
-                            "propose gains of coupling and contact, and say what limits them",
-                            [&common, options] { return tune_or_refuse(*options, common); });
+  CLI::App* verb = add_verb(
+      app, common, "tune", "propose gains of coupling and contact, and say what limits them",
+      [&common, options] { return with_device([&] { return tune(*options, common); }); });
   verb->add_option("scene", options->scene, "scene file (.toml) or the name of a built-in scene");
   verb->add_option("--device", options->device,
                    "instead of the scene's (thigma devices lists them)");

@@ -27,6 +27,11 @@ class SharedLibrary {
   const std::string& name() const { return name_; }
   /// Address of a symbol, or null.
   void* symbol(const char* name) const;
+  /// The same as a function; null where the library lacks it.
+  template <class Function>
+  void find(const char* name, Function& function) const {
+    function = reinterpret_cast<Function>(symbol(name));
+  }
   /// The first of `names` that the library lacks, or null when it has all.
   const char* first_missing(std::span<const char* const> names) const;
 

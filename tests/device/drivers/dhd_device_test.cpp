@@ -235,7 +235,7 @@ TEST_F(DhdDevice, faults_in_contact_end_in_zero_force) {
                              {"NaN of a velocity", "nan_velocity", 1},
                              {"jump", "jump_x", 0.06},
                              {"dead man's switch", "cut", 6}};
-  std::printf("fault in contact     force before   zero after   end    cause\n");
+  test::print_fault_heads();
   for (const FaultCase& c : cases) {
     const auto open = [] {
       drd().reset();
@@ -244,21 +244,15 @@ TEST_F(DhdDevice, faults_in_contact_end_in_zero_force) {
       drd().set("buttons", 1);
       return open_device("dhd:");
     };
-    std::unique_ptr<HapticDevice> device;
     const test::PressedSession s = test::press_and_fail(
         open, [](double depth) { drd().set("target_z", -depth); }, sent_force,
-        [&c] { drd().set(c.key, c.value); }, device);
-    EXPECT_GT(s.pressed, 1.5) << c.name;
-    EXPECT_EQ(s.summary.end, SessionEnd::fault) << c.name;
+        [&c] { drd().set(c.key, c.value); });
+    test::expect_fault(c.name, s, *s.device, test::zero_text(s));
     const bool is_deaf = std::string(c.key) == "unplug" || std::string(c.key) == "fail_set";
     if (!is_deaf) {
       EXPECT_GE(s.zero_after, 0.0) << c.name;
       EXPECT_EQ(sent_force(), 0.0) << c.name;
     }
-    const std::string cause =
-        s.summary.safety_events.empty() ? "none" : s.summary.safety_events[0].detail;
-    std::printf("%-20s %8.2f N %10.1f ms   %-6s %s: %s\n", c.name, s.pressed, 1e3 * s.zero_after,
-                end_name(s.summary.end), cause.c_str(), device->trouble());
   }
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 // A session of a driver in contact: its stand-in's hand presses the handle down onto a plane.
 
+#include <cstdio>
 #include <functional>
 #include <memory>
 #include <string>
 
 #include "standins/client.h"
 #include "support/plane_session.h"
+#include <gtest/gtest.h>
 
 #include "thigma/session/session.h"
 
@@ -29,6 +31,7 @@ struct PressedSession {
   SessionSummary summary;
   double pressed = 0.0;      // force sent when the fault was made [N]
   double zero_after = -1.0;  // from the fault to a sent force of zero; below 0: never [s]
+  std::unique_ptr<HapticDevice> device{};  // where it was opened for the session
 };
 
 /// Runs until the device is pushed back by about 2 N, then `fault`, and waits for the end.
@@ -67,15 +70,37 @@ inline PressedSession press_and_fail(HapticDevice& device, const std::function<v
 inline PressedSession press_and_fail(const std::function<std::unique_ptr<HapticDevice>()>& open,
                                      const std::function<void(double)>& press,
                                      const std::function<double()>& sent,
-                                     const std::function<void()>& fault,
-                                     std::unique_ptr<HapticDevice>& device) {
+                                     const std::function<void()>& fault) {
   PressedSession result;
   for (int attempt = 0; attempt < 5 && result.pressed < 1.5; ++attempt) {
-    device.reset();
-    device = open();
+    result = {};  // one at a time
+    std::unique_ptr<HapticDevice> device = open();
     result = press_and_fail(*device, press, sent, fault);
+    result.device = std::move(device);
   }
   return result;
+}
+
+inline void print_fault_heads() {
+  std::printf("fault in contact     force before    zero after   end    cause\n");
+}
+
+/// What every driver keeps, and a row of the table: pressed, then ended by a fault.
+/// zero  what stands for the time until zero force
+inline void expect_fault(const char* name, const PressedSession& s, const HapticDevice& device,
+                         const std::string& zero) {
+  EXPECT_GT(s.pressed, 1.5) << name;
+  EXPECT_EQ(s.summary.end, SessionEnd::fault) << name;
+  const std::string cause =
+      s.summary.safety_events.empty() ? "none" : s.summary.safety_events[0].detail;
+  std::printf("%-20s %8.2f N %13s   %-6s %s: %s\n", name, s.pressed, zero.c_str(),
+              end_name(s.summary.end), cause.c_str(), device.trouble());
+}
+
+inline std::string zero_text(const PressedSession& s) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f ms", 1e3 * s.zero_after);
+  return text;
 }
 
 }  // namespace thigma::test

@@ -226,7 +226,7 @@ TEST_F(HaplyDevice, faults_in_contact_end_in_zero_force) {
       {"no JSON", "garbage", 1, false},   {"no frame", "garbage", 2, false},
       {"half a frame", "half", 1, false}, {"half and closed", "half", 2, false},
       {"closed", "drop", 1, false},       {"service killed", "die", 1, true}};
-  std::printf("fault in contact    force before   zero after   end    cause\n");
+  test::print_fault_heads();
   for (const FaultCase& c : cases) {
     start();
     service().set("buttons", 1);
@@ -239,19 +239,12 @@ TEST_F(HaplyDevice, faults_in_contact_end_in_zero_force) {
           service().set(c.key, c.value);
           if (c.is_deaf) wait_for([&] { return service().has_ended(); });
         });
-    EXPECT_GT(s.pressed, 1.5) << c.name;
-    EXPECT_EQ(s.summary.end, SessionEnd::fault) << c.name;
+    test::expect_fault(c.name, s, *device, c.is_deaf ? "with it" : test::zero_text(s));
     EXPECT_STRNE(device->trouble(), "") << c.name;
     if (!c.is_deaf) {
       EXPECT_GE(s.zero_after, 0.0) << c.name;
       EXPECT_EQ(sent(), 0.0) << c.name;
     }
-    const std::string cause =
-        s.summary.safety_events.empty() ? "none" : s.summary.safety_events[0].detail;
-    char zero[20] = "with it";
-    if (!c.is_deaf) std::snprintf(zero, sizeof zero, "%.1f ms", 1e3 * s.zero_after);
-    std::printf("%-17s %8.2f N %13s   %-6s %s: %s\n", c.name, s.pressed, zero,
-                end_name(s.summary.end), cause.c_str(), device->trouble());
   }
 }
 

@@ -205,7 +205,7 @@ TEST_F(OpenHapticsDevice, faults_in_contact_end_in_zero_force) {
                              {"silent", "silent", 1},
                              {"NaN", "nan_pose", 1},
                              {"jump", "jump_x", 0.06}};
-  std::printf("fault in contact     force before   zero after   end    cause\n");
+  test::print_fault_heads();
   for (const FaultCase& c : cases) {
     const auto open = [] {
       hd().reset();
@@ -213,17 +213,11 @@ TEST_F(OpenHapticsDevice, faults_in_contact_end_in_zero_force) {
       hd().set("velocity_check", 0);
       return open_device("openhaptics:");
     };
-    std::unique_ptr<HapticDevice> device;
     const test::PressedSession s = test::press_and_fail(
         open, [](double depth) { hd().set("target_y", -depth); }, motor_force,
-        [&c] { hd().set(c.key, c.value); }, device);
-    EXPECT_GT(s.pressed, 1.5) << c.name;
-    EXPECT_EQ(s.summary.end, SessionEnd::fault) << c.name;
-    const std::string cause =
-        s.summary.safety_events.empty() ? "none" : s.summary.safety_events[0].detail;
-    std::printf("%-20s %8.2f N %10.1f ms   %-6s %s: %s; force output %s\n", c.name, s.pressed,
-                1e3 * s.zero_after, end_name(s.summary.end), cause.c_str(), device->trouble(),
-                hd().get("force_output") != 0.0 ? "on" : "off");
+        [&c] { hd().set(c.key, c.value); });
+    test::expect_fault(c.name, s, *s.device, test::zero_text(s));
+    std::printf("%-20s force output %s\n", "", hd().get("force_output") != 0.0 ? "on" : "off");
     EXPECT_TRUE(sent_force() == 0.0 || hd().get("force_output") == 0.0) << c.name;
   }
 }

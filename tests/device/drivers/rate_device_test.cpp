@@ -103,7 +103,7 @@ TEST(Gamepad, nonsense_stays_within_the_ranges) {
 }
 
 /// Publishes one deflection at once.
-RateDevice::Talk pushed(const Twist& rate, std::uint32_t buttons) {
+LinkTalk pushed(const Twist& rate, std::uint32_t buttons) {
   return [rate, buttons](LinkEnds& ends) {
     LinkSample sample;
     sample.count = 1;

@@ -6,43 +6,34 @@
 #include "thigma/device/vendor_libraries.h"
 
 namespace thigma::detail {
-namespace {
-
-template <class Function>
-void find(const SharedLibrary& library, const char* name, Function& function) {
-  if (function == nullptr) function = reinterpret_cast<Function>(library.symbol(name));
-}
-
-}  // namespace
 
 DhdLibrary open_dhd_library() {
   DhdLibrary dhd{open_vendor_library("dhd:")};
   const SharedLibrary& library = dhd.library;
-  find(library, "dhdGetDeviceCount", dhd.count);
-  find(library, "dhdGetPositionAndOrientationFrame", dhd.get_pose);
-  find(library, "dhdGetLinearVelocity", dhd.get_linear_velocity);
-  find(library, "dhdGetAngularVelocityRad", dhd.get_angular_velocity);
-  find(library, "dhdGetButtonMask", dhd.get_buttons);
-  find(library, "dhdSetForceAndTorqueAndGripperForce", dhd.set_wrench);
-  find(library, "dhdEnableForce", dhd.enable_force);
-  find(library, "dhdStop", dhd.stop);
-  find(library, "drdOpenID", dhd.open);
-  find(library, "dhdOpenID", dhd.open);
-  find(library, dhd.open != nullptr && library.symbol("drdOpenID") ? "drdClose" : "dhdClose",
-       dhd.close);
-  find(library, "drdIsInitialized", dhd.is_initialized);
-  find(library, "drdAutoInit", dhd.auto_init);
-  find(library, "drdStop", dhd.stop_regulation);
-  find(library, "dhdGetSystemType", dhd.get_type);
-  find(library, "dhdGetSystemName", dhd.get_name);
-  find(library, "dhdGetSerialNumber", dhd.get_serial);
-  find(library, "dhdHasGripper", dhd.has_gripper);
-  find(library, "dhdEmulateButton", dhd.emulate_button);
-  find(library, "dhdGetMaxForce", dhd.get_max_force);
-  find(library, "dhdGetMaxTorque", dhd.get_max_torque);
-  find(library, "dhdGetStatus", dhd.get_status);
-  find(library, "dhdErrorGetLast", dhd.last_error_number);
-  find(library, "dhdErrorGetLastStr", dhd.last_error);
+  library.find("dhdGetDeviceCount", dhd.count);
+  library.find("dhdGetPositionAndOrientationFrame", dhd.get_pose);
+  library.find("dhdGetLinearVelocity", dhd.get_linear_velocity);
+  library.find("dhdGetAngularVelocityRad", dhd.get_angular_velocity);
+  library.find("dhdGetButtonMask", dhd.get_buttons);
+  library.find("dhdSetForceAndTorqueAndGripperForce", dhd.set_wrench);
+  library.find("dhdEnableForce", dhd.enable_force);
+  library.find("dhdStop", dhd.stop);
+  library.find("drdOpenID", dhd.open);
+  library.find(dhd.open != nullptr ? "drdClose" : "dhdClose", dhd.close);
+  if (dhd.open == nullptr) library.find("dhdOpenID", dhd.open);
+  library.find("drdIsInitialized", dhd.is_initialized);
+  library.find("drdAutoInit", dhd.auto_init);
+  library.find("drdStop", dhd.stop_regulation);
+  library.find("dhdGetSystemType", dhd.get_type);
+  library.find("dhdGetSystemName", dhd.get_name);
+  library.find("dhdGetSerialNumber", dhd.get_serial);
+  library.find("dhdHasGripper", dhd.has_gripper);
+  library.find("dhdEmulateButton", dhd.emulate_button);
+  library.find("dhdGetMaxForce", dhd.get_max_force);
+  library.find("dhdGetMaxTorque", dhd.get_max_torque);
+  library.find("dhdGetStatus", dhd.get_status);
+  library.find("dhdErrorGetLast", dhd.last_error_number);
+  library.find("dhdErrorGetLastStr", dhd.last_error);
   if (dhd.open == nullptr || dhd.close == nullptr)
     throw DeviceUnavailable("dhd: " + library.name() +
                             " lacks the symbols drdOpenID and dhdOpenID. Install the vendor's "

@@ -3,39 +3,31 @@
 #include "thigma/device/vendor_libraries.h"
 
 namespace thigma::detail {
-namespace {
-
-template <class Function>
-void find(const SharedLibrary& library, const char* name, Function& function) {
-  function = reinterpret_cast<Function>(library.symbol(name));
-}
-
-}  // namespace
 
 HdLibrary open_hd_library() {
   HdLibrary hd{open_vendor_library("openhaptics:")};
   const SharedLibrary& library = hd.library;
-  find(library, "hdInitDevice", hd.init);
-  find(library, "hdDisableDevice", hd.disable_device);
-  find(library, "hdBeginFrame", hd.begin_frame);
-  find(library, "hdEndFrame", hd.end_frame);
-  find(library, "hdGetError", hd.get_error);
-  find(library, "hdEnable", hd.enable);
-  find(library, "hdDisable", hd.disable);
-  find(library, "hdGetDoublev", hd.get_doubles);
-  find(library, "hdSetDoublev", hd.set_doubles);
-  find(library, "hdScheduleAsynchronous", hd.schedule);
-  find(library, "hdUnschedule", hd.unschedule);
-  find(library, "hdStartScheduler", hd.start_scheduler);
-  find(library, "hdStopScheduler", hd.stop_scheduler);
-  find(library, "hdMakeCurrentDevice", hd.make_current);
-  find(library, "hdGetIntegerv", hd.get_integers);
-  find(library, "hdGetString", hd.get_string);
-  find(library, "hdGetErrorString", hd.error_string);
-  find(library, "hdSetSchedulerRate", hd.set_rate);
-  find(library, "hdCheckCalibration", hd.check_calibration);
-  find(library, "hdCheckCalibrationStyle", hd.calibration_style);
-  find(library, "hdUpdateCalibration", hd.update_calibration);
+  library.find("hdInitDevice", hd.init);
+  library.find("hdDisableDevice", hd.disable_device);
+  library.find("hdBeginFrame", hd.begin_frame);
+  library.find("hdEndFrame", hd.end_frame);
+  library.find("hdGetError", hd.get_error);
+  library.find("hdEnable", hd.enable);
+  library.find("hdDisable", hd.disable);
+  library.find("hdGetDoublev", hd.get_doubles);
+  library.find("hdSetDoublev", hd.set_doubles);
+  library.find("hdScheduleAsynchronous", hd.schedule);
+  library.find("hdUnschedule", hd.unschedule);
+  library.find("hdStartScheduler", hd.start_scheduler);
+  library.find("hdStopScheduler", hd.stop_scheduler);
+  library.find("hdMakeCurrentDevice", hd.make_current);
+  library.find("hdGetIntegerv", hd.get_integers);
+  library.find("hdGetString", hd.get_string);
+  library.find("hdGetErrorString", hd.error_string);
+  library.find("hdSetSchedulerRate", hd.set_rate);
+  library.find("hdCheckCalibration", hd.check_calibration);
+  library.find("hdCheckCalibrationStyle", hd.calibration_style);
+  library.find("hdUpdateCalibration", hd.update_calibration);
   return hd;
 }
 

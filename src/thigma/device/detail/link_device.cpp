@@ -18,8 +18,6 @@ constexpr double kQuick = 1.5;         // over the excess of an interval is its 
 constexpr double kMostSpeed = 1.2;     // of a smoothed handle: below what safety takes for a fault
 constexpr double kMostTurning = 12.0;  // [rad/s]
 
-/// Just below the haptic thread's priority, where the system allows it: a force that waits for
-/// other programs is late.
 void ask_for_real_time() noexcept {
   sched_param wanted{};
   wanted.sched_priority = 70;
@@ -79,11 +77,9 @@ bool is_jump(const Quat& from, const Quat& to, double seconds) {
   return !(vector_from_rotation(to * from.conjugate()).norm() <= 0.1 + 25.0 * seconds);
 }
 
-LinkDevice::LinkDevice(std::string name, const DeviceLimits& limits, bool stays, Talk talk)
-    : name_(std::move(name)), limits_(limits), stays_(stays), ends_(std::make_unique<LinkEnds>()) {
-  last_.status = DeviceStatus::not_ready;
-  speaker_ = std::thread([talk = std::move(talk), ends = ends_.get()] {
-    ask_for_real_time();
+LinkThread::LinkThread(LinkTalk talk, bool is_urgent) : ends_(std::make_unique<LinkEnds>()) {
+  thread_ = std::thread([talk = std::move(talk), is_urgent, ends = ends_.get()] {
+    if (is_urgent) ask_for_real_time();
     try {
       talk(*ends);
     } catch (const std::exception& error) {
@@ -92,16 +88,22 @@ LinkDevice::LinkDevice(std::string name, const DeviceLimits& limits, bool stays,
   });
 }
 
-LinkDevice::~LinkDevice() {
+LinkThread::~LinkThread() {
   ends_->is_over.store(true, std::memory_order_release);
-  speaker_.join();
+  thread_.join();
+}
+
+LinkDevice::LinkDevice(std::string name, const DeviceLimits& limits, bool stays, LinkTalk talk)
+    : name_(std::move(name)), limits_(limits), stays_(stays), link_(std::move(talk), true) {
+  last_.status = DeviceStatus::not_ready;
 }
 
 DeviceState LinkDevice::read(double now) THIGMA_RT {
   const double elapsed = now - last_read_;
   last_read_ = now;
-  ends_->samples.fetch();
-  const LinkSample& sample = ends_->samples.value();
+  LinkEnds& ends = link_.ends();
+  ends.samples.fetch();
+  const LinkSample& sample = ends.samples.value();
   if (sample.count == 0) {
     last_.time = now;  // a service that says nothing at first is told of by its thread
   } else {
@@ -116,16 +118,17 @@ DeviceState LinkDevice::read(double now) THIGMA_RT {
     last_.buttons = sample.buttons;
     last_.status = DeviceStatus::ok;
   }
-  if (ends_->trouble.is_lost()) last_.status = DeviceStatus::lost;
+  if (ends.trouble.is_lost()) last_.status = DeviceStatus::lost;
   return last_;
 }
 
 void LinkDevice::write(const Wrench& wrench) THIGMA_RT {
-  LinkCommand& next = ends_->commands.draft();
+  LinkEnds& ends = link_.ends();
+  LinkCommand& next = ends.commands.draft();
   next.count = ++sent_;
   next.force = sendable(wrench, limits_).force;
   next.at = last_.motion.pose.position;
-  ends_->commands.publish();
+  ends.commands.publish();
 }
 
 }  // namespace thigma::detail

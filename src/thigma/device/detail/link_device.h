@@ -39,6 +39,25 @@ struct LinkEnds {
   std::atomic<bool> is_over{false};
 };
 
+/// Speaks with a service until ends.is_over; of a device with force, leaves with zero force sent.
+using LinkTalk = std::function<void(LinkEnds& ends)>;
+
+/// The thread that speaks with a service, and the ends of its exchange. What the talk throws is a
+/// loss with its text. Ends and joins at the end of its life.
+class LinkThread {
+ public:
+  /// is_urgent  asks for a real-time priority just below the haptic thread's, where the system
+  ///            allows it: a force that waits for other programs is late
+  explicit LinkThread(LinkTalk talk, bool is_urgent = false);
+  ~LinkThread();
+
+  LinkEnds& ends() const { return *ends_; }
+
+ private:
+  const std::unique_ptr<LinkEnds> ends_;
+  std::thread thread_;
+};
+
 /// The newest command, for the thread that sends it. A command that nothing renews for 50 ms is
 /// zero force: the service does not see that the haptic thread hangs. Zero as well where the device
 /// is lost or ends.
@@ -58,16 +77,12 @@ class LinkForce {
 /// that falls silent is a silent device. What comes less often than each millisecond is smoothed.
 class LinkDevice final : public HapticDevice {
  public:
-  /// Speaks with the service until ends.is_over, and leaves with zero force sent.
-  using Talk = std::function<void(LinkEnds& ends)>;
-
   /// stays    a service that has nothing new to say is not silent: it told every change
-  LinkDevice(std::string name, const DeviceLimits& limits, bool stays, Talk talk);
-  ~LinkDevice() override;
+  LinkDevice(std::string name, const DeviceLimits& limits, bool stays, LinkTalk talk);
 
   const DeviceLimits& limits() const override { return limits_; }
   std::string name() const override { return name_; }
-  const char* trouble() const THIGMA_RT override { return ends_->trouble.text(); }
+  const char* trouble() const THIGMA_RT override { return link_.ends().trouble.text(); }
   DeviceState read(double now) THIGMA_RT override;
   void write(const Wrench& wrench) THIGMA_RT override;
 
@@ -75,11 +90,10 @@ class LinkDevice final : public HapticDevice {
   const std::string name_;
   const DeviceLimits limits_;
   const bool stays_;
-  const std::unique_ptr<LinkEnds> ends_;
   DeviceState last_;
   double last_read_ = 0.0, arrival_ = 0.0;
   std::uint64_t seen_ = 0, sent_ = 0;
-  std::thread speaker_;
+  const LinkThread link_;
 };
 
 /// Whether a handle cannot have come from one place to another, or turned: at 1.5 m/s and 5 mm

@@ -56,31 +56,19 @@ std::vector<DeviceParameter> rate_parameters() {
           {"hold", "", "1", "1: its first button lets go; 0: it takes hold"}};
 }
 
-RateDevice::RateDevice(std::string name, const RateParams& params, Talk talk)
+RateDevice::RateDevice(std::string name, const RateParams& params, LinkTalk talk)
     : name_(std::move(name)),
       limits_(rate_limits()),
       is_held_(params.is_held),
-      ends_(std::make_unique<LinkEnds>()) {
-  speaker_ = std::thread([talk = std::move(talk), ends = ends_.get()] {
-    try {
-      talk(*ends);
-    } catch (const std::exception& error) {
-      ends->trouble.lose("the driver has failed", error.what());
-    }
-  });
-}
-
-RateDevice::~RateDevice() {
-  ends_->is_over.store(true, std::memory_order_release);
-  speaker_.join();
-}
+      link_(std::move(talk)) {}
 
 DeviceState RateDevice::read(double now) THIGMA_RT {
   const double h = is_begun_ ? step_of(now - last_read_) : 0.0;
   is_begun_ = true;
   last_read_ = now;
-  ends_->samples.fetch();
-  const LinkSample& sample = ends_->samples.value();
+  LinkEnds& ends = link_.ends();
+  ends.samples.fetch();
+  const LinkSample& sample = ends.samples.value();
   Motion& motion = last_.motion;
   const double share = 1.0 - exponential(-kQuick * h);
   motion.twist.linear += share * (sample.motion.twist.linear - motion.twist.linear);
@@ -95,7 +83,7 @@ DeviceState RateDevice::read(double now) THIGMA_RT {
       (rotation_from_vector(h * motion.twist.angular) * motion.pose.orientation).normalized();
   last_.time = now;
   last_.buttons = is_held_ ? sample.buttons ^ kClutchButton : sample.buttons;
-  last_.status = ends_->trouble.is_lost() ? DeviceStatus::lost : DeviceStatus::ok;
+  last_.status = ends.trouble.is_lost() ? DeviceStatus::lost : DeviceStatus::ok;
   return last_;
 }
 

@@ -35,15 +35,12 @@ std::vector<DeviceParameter> rate_parameters();
 /// follow within 20 ms, so that a step of a deflection is none of the handle.
 class RateDevice final : public HapticDevice {
  public:
-  /// Publishes samples whose motion.twist is the velocity, until ends.is_over.
-  using Talk = std::function<void(LinkEnds& ends)>;
-
-  RateDevice(std::string name, const RateParams& params, Talk talk);
-  ~RateDevice() override;
+  /// talk  publishes samples whose motion.twist is the velocity
+  RateDevice(std::string name, const RateParams& params, LinkTalk talk);
 
   const DeviceLimits& limits() const override { return limits_; }
   std::string name() const override { return name_; }
-  const char* trouble() const THIGMA_RT override { return ends_->trouble.text(); }
+  const char* trouble() const THIGMA_RT override { return link_.ends().trouble.text(); }
   DeviceState read(double now) THIGMA_RT override;
   void write(const Wrench&) THIGMA_RT override {}
 
@@ -51,11 +48,10 @@ class RateDevice final : public HapticDevice {
   const std::string name_;
   const DeviceLimits limits_;
   const bool is_held_;
-  const std::unique_ptr<LinkEnds> ends_;
   DeviceState last_;
   double last_read_ = 0.0;
   bool is_begun_ = false;
-  std::thread speaker_;
+  const LinkThread link_;
 };
 
 /// A deflection beyond a dead zone, from -1 to 1.
