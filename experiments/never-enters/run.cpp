@@ -9,6 +9,7 @@
 #include "experiments/never-enters/levels.h"
 #include "experiments/never-enters/play.h"
 
+#include "thigma/math/infinity.h"
 #include "thigma/math/quantile.h"
 
 namespace thigma::experiments {
@@ -51,6 +52,7 @@ void add(const LedPair& pair, const Play& how, const Ran& ran, Outcome& outcome)
 struct Deepest {
   double rest = 0.0, fast = 0.0, slow = 0.0, penalty = 0.0, energy = 0.0;
   double buzz = 0.0, buzz_30 = 0.0, drift = 0.0;  // [N, N, m/s]
+  double pressed = kInfinity;                     // force at the end, least [N]
   int unlike = 0, faults = 0;
 };
 
@@ -64,6 +66,7 @@ void note(const Play& how, const Ran& ran, Deepest& deepest) {
   double& rate = how.every <= 3 ? deepest.fast : deepest.slow;
   rate = std::max(rate, ever);
   deepest.energy = std::min(deepest.energy, ran.run.energy_min);
+  deepest.pressed = std::min(deepest.pressed, ran.force);
   double& buzz = how.every == 33 ? deepest.buzz_30 : deepest.buzz;
   buzz = std::max(buzz, ran.buzz);
   deepest.drift = std::max(deepest.drift, ran.drift);
@@ -183,6 +186,7 @@ Outcome run_never_enters(const Context& context) {
     const Deepest deepest = run_scene(context, scene, outcome);
     entered_by_penalty += deepest.penalty > kEntered;
     worst.energy = std::min(worst.energy, deepest.energy);
+    worst.pressed = std::min(worst.pressed, deepest.pressed);
     worst.buzz = std::max(worst.buzz, deepest.buzz);
     worst.buzz_30 = std::max(worst.buzz_30, deepest.buzz_30);
     worst.drift = std::max(worst.drift, deepest.drift);
@@ -192,6 +196,9 @@ Outcome run_never_enters(const Context& context) {
   outcome.claims.push_back(
       at_least("penalty", "share of the scenes that the penalty lets in by more than 50 um",
                static_cast<double>(entered_by_penalty) / static_cast<double>(scenes.size()), 0.8));
+  outcome.claims.push_back(at_least(
+      "pressed", "force at the end of any run, constraint: the object is there to be pressed",
+      worst.pressed, 0.1, "N"));
   outcome.claims.push_back(at_least("energy",
                                     "least energy at the port of any scene and rate, constraint",
                                     worst.energy, -1e-6, "J"));
