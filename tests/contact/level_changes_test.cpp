@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "thigma/contact/contact_node.h"
+
 namespace thigma {
 namespace {
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "thigma/contact/contact_node.h"
+#include "thigma/core/index.h"
+
 namespace thigma {
 namespace {
 

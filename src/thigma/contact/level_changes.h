@@ -7,7 +7,6 @@
 
 #include "thigma/clod/hierarchy.h"
 #include "thigma/contact/contact.h"
-#include "thigma/contact/contact_node.h"
 #include "thigma/contact/query_contacts.h"
 
 namespace thigma {

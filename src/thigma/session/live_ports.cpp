@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "thigma/contact/level_changes.h"
+#include "thigma/contact/contact_node.h"
 #include "thigma/session/session_config.h"
 
 namespace thigma {
