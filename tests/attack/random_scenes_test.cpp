@@ -1,11 +1,11 @@
 // Random scenes through reading, build, query and session: refused in a line, or right. A few here;
 // THIGMA_SCENES=COUNT runs so many, and goes on from the number in the file THIGMA_SCENES_STATE.
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 
+#include "attack/cases.h"
 #include "attack/random_scene.h"
 #include "experiments/common/outside_depth.h"
 #include "support/query_path.h"
@@ -133,12 +133,6 @@ void attack(std::uint64_t number, const fs::path& folder, Tally& tally) {
   }
 }
 
-std::uint64_t first_number(const char* state) {
-  std::uint64_t next = 0;
-  if (state != nullptr) std::ifstream(state) >> next;
-  return next;
-}
-
 /// What failed once: 9 began wholly inside another object; 1170 and 1394 overlapped where their
 /// levels of detail stood apart.
 TEST(RandomScenes, ThatFailedOnceDoNot) {
@@ -155,27 +149,24 @@ TEST(RandomScenes, ThatFailedOnceDoNot) {
 }
 
 TEST(RandomScenes, AreRefusedInALineOrRight) {
-  const char* wanted = std::getenv("THIGMA_SCENES");
-  const char* state = std::getenv("THIGMA_SCENES_STATE");
-  const std::uint64_t count = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 60;
+  const Cases cases("THIGMA_SCENES", 60);
   const fs::path folder =
       fs::path(testing::TempDir()) / ("thigma_random_scenes" + std::to_string(getpid()));
   fs::create_directories(folder);
   Tally tally;
-  const std::uint64_t first = first_number(state);
-  for (std::uint64_t number = first; number < count; ++number) {
+  for (std::uint64_t number = cases.first; number < cases.end; ++number) {
     SCOPED_TRACE("scene " + std::to_string(number));
     attack(number, folder, tally);
-    if (state != nullptr && (number + 1) % 100 == 0) std::ofstream(state) << number + 1 << "\n";
-    if (wanted == nullptr && ::testing::Test::HasFailure()) break;
+    if ((number + 1) % 100 == 0) cases.done(number + 1);
+    if (!cases.is_asked && ::testing::Test::HasFailure()) break;
   }
   std::printf("%d sessions, %d in contact, %d faults; deepest %.2g of the radius (scene %llu)\n",
               tally.run, tally.touched, tally.faults, tally.deepest,
               static_cast<unsigned long long>(tally.deepest_scene));
   for (const auto& [why, times] : tally.refused)
     std::printf("  refused %d:%s\n", times, why.c_str());
-  if (count - first >= 40) {
-    EXPECT_GT(tally.run, static_cast<int>(count - first) / 2);
+  if (cases.count() >= 40) {
+    EXPECT_GT(tally.run, static_cast<int>(cases.count()) / 2);
     EXPECT_GT(tally.touched, tally.run / 3);
   }
   fs::remove_all(folder);

@@ -114,7 +114,7 @@ TEST(OpenDevice, MistakesAreNamedWithTheNearestRightOne) {
   EXPECT_EQ(refusal("hand:?mass=nan"), "hand: mass = 'nan', expected a finite number");
   EXPECT_EQ(refusal("hand:?mass=-1"), "hand: mass = -1, expected from 0 to 100 kg");
   EXPECT_EQ(refusal("hand:?mass"), "hand: 'mass', expected name=value");
-  EXPECT_EQ(refusal("hand:?mass=1&mass=2"), "hand: mass is given twice, expected once");
+  EXPECT_EQ(refusal("hand:?mass=1&mass=2"), "hand: 'mass' is given twice, expected once");
   EXPECT_EQ(refusal("hand:?mass=1&"), "hand: '', expected name=value");
   EXPECT_EQ(refusal("hand:mass=1"), "hand: 'mass=1', expected ?name=value&name=value");
   EXPECT_EQ(refusal("hand:?dof=5"), "hand: dof = '5', expected 6 or 3");

@@ -40,7 +40,7 @@ std::vector<std::pair<std::string, std::string>> split_query(std::string_view qu
     std::string name(part.substr(0, equals));
     for (const auto& [other, value] : parts) {
       if (other == name)
-        throw DeviceAddressError(scheme + " " + name + " is given twice, expected once");
+        throw DeviceAddressError(scheme + " " + quoted(name) + " is given twice, expected once");
     }
     parts.emplace_back(std::move(name), std::string(part.substr(equals + 1)));
     begin = end + 1;
