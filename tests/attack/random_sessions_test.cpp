@@ -166,8 +166,8 @@ void attack(std::uint64_t number, Tally& tally) {
   const ReplayReport again = replay.finish();
   EXPECT_TRUE(again.identical) << again.first_difference << ' ' << again.reason;
   EXPECT_EQ(again.state_hash, summary.state_hash);
-  EXPECT_EQ(summary.end == SessionEnd::fault, rules.latched() != Fault::none &&
-                                                  !is_resumable(params, rules.latched()));
+  EXPECT_EQ(summary.end == SessionEnd::fault,
+            rules.latched() != Fault::none && !is_resumable(params, rules.latched()));
   EXPECT_LE(rules.deepest, 1.5e-5) << "a thousandth of the radius";
   ++tally.run;
   tally.armed += rules.was_armed;

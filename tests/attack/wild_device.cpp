@@ -6,8 +6,7 @@
 
 namespace thigma::test {
 
-WildDevice::WildDevice(const HandParams& hand, Random& random, std::uint64_t frames)
-    : hand_(hand) {
+WildDevice::WildDevice(const HandParams& hand, Random& random, std::uint64_t frames) : hand_(hand) {
   // None in one of four; else a few, mostly short, and late enough to find contacts.
   const std::uint64_t count = random.below(4) == 0 ? 0 : 1 + random.below(5);
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -45,8 +44,7 @@ void WildDevice::spoil(const Span& span, const DeviceState& before, DeviceState&
     case Mischief::turn: {
       const double half = 1.5 * span.size;
       const Vec3 axis = sine(half) * span.along;
-      pose.orientation =
-          pose.orientation * Quat(cosine(half), axis.x(), axis.y(), axis.z());
+      pose.orientation = pose.orientation * Quat(cosine(half), axis.x(), axis.y(), axis.z());
       break;
     }
     case Mischief::too_fast:

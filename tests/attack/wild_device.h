@@ -15,9 +15,9 @@ enum class Mischief : std::uint8_t {
   nan_orientation,
   no_orientation,  // a quaternion of zeros
   jump,
-  turn,       // as jump, of the orientation
-  too_fast,   // by its own report
-  spinning,   // the same of turning
+  turn,      // as jump, of the orientation
+  too_fast,  // by its own report
+  spinning,  // the same of turning
   lost,
   not_ready,
   silent,     // the sample before, stamp and all

@@ -1,9 +1,14 @@
-// Random sequences of a page's requests: whatever is asked in whatever order, forces stay within
-// the limits, a refused request changes no session, and the program goes on.
+// Random sequences of pages' requests: whatever is asked in whatever order, forces stay within the
+// limits, a refused request changes no session, and the program goes on. Some here;
+// THIGMA_SEQUENCES=COUNT runs so many of those that do not wait for answers, and goes on from the
+// number in the file THIGMA_SEQUENCES_STATE.
 
 #include <cmath>
 #include <cstring>
+#include <map>
+#include <set>
 
+#include "attack/cases.h"
 #include "support/full.h"
 #include "viewer/live_program.h"
 #include <gtest/gtest.h>
@@ -168,6 +173,139 @@ TEST(LiveSequences, RandomRequestsKeepForcesWithinLimitsAndSessionsThatRefuseThe
     }
     EXPECT_GT(refused, requests / 10);
     EXPECT_EQ(run.end().code, 130) << run.program->said();
+  }
+}
+
+/// Two pages of one program that ask without waiting for answers.
+class Pages {
+ public:
+  explicit Pages(RunningProgram& run) : run_(run), other_(run.port) {
+    if (other_.status() != 101) ADD_FAILURE() << "the second page was refused";
+  }
+
+  /// What both ask for, all of it on its way before the first answer is read. How many sessions
+  /// that begins is told by the answers.
+  int ask_all(Random& random) {
+    const std::uint64_t count = 1 + random.below(6);
+    int begun = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const bool is_other = random.below(3) == 0;
+      std::string request = random_request(random, ++last_id_);
+      // Opening takes as long as all else together.
+      if (request.find("\"blocks\"") != std::string::npos && random.below(8) != 0)
+        request = Json{{"id", last_id_}, {"type", "reset"}}.dump();
+      pending_[is_other][last_id_] = request;
+      (is_other ? other_ : *run_.client).send_text(request);
+      if (random.below(6) == 0) begun += read_answers();
+    }
+    return begun + read_answers();
+  }
+
+  /// Whether the number of the session comes to this; what was done may begin one after its answer.
+  bool session_becomes(int wanted) {
+    constexpr int kStates = 100;
+    int number = -1;
+    for (int i = 0; i < kStates && number != wanted; ++i) {
+      const Json state = next_state(*run_.client);
+      if (state.is_null()) return false;
+      note(state);
+      number = state["session"].get<int>();
+      if (number > wanted) break;
+    }
+    EXPECT_EQ(number, wanted);
+    return number == wanted;
+  }
+
+  void note(const Json& state) {
+    if (state["recording"].is_string() && state["recording"] != "")
+      recordings.insert(state["recording"].get<std::string>());
+  }
+
+  std::set<std::string> recordings;
+
+ private:
+  static bool begins_a_session(const std::string& request) {
+    const Json json = Json::parse(request);
+    static const std::set<std::string> kTypes = {"reset", "use_device", "record", "open", "place"};
+    const bool is_choice =
+        json["type"] == "set" && (json["name"] == "response" || json["name"] == "texture");
+    return is_choice || kTypes.contains(json["type"]);
+  }
+
+  int read_answers() {
+    int begun = 0;
+    for (const bool is_other : {false, true}) {
+      WebClient& client = is_other ? other_ : *run_.client;
+      std::map<int, std::string>& pending = pending_[is_other];
+      while (!pending.empty()) {
+        const std::optional<WebMessage> message = client.read(120.0);
+        if (!message) {
+          ADD_FAILURE() << "no answer to " << pending.begin()->second << run_.program->said();
+          return begun;
+        }
+        if (message->is_binary) {
+          check_forces(message->data);
+          continue;
+        }
+        const Json json = Json::parse(message->data);
+        if (json["type"] == "state") note(json);
+        if (json["type"] != "ack") continue;
+        const auto found = pending.find(json["id"].get<int>());
+        if (found == pending.end()) continue;
+        begun += json["ok"].get<bool>() && begins_a_session(found->second);
+        pending.erase(found);
+      }
+    }
+    return begun;
+  }
+
+  RunningProgram& run_;
+  WebClient other_;
+  std::map<int, std::string> pending_[2];
+  int last_id_ = 0;
+};
+
+/// What was recorded is whole and replays to the same bits.
+void check_recordings(const RunningProgram& run, const std::set<std::string>& recordings) {
+  for (const std::string& name : recordings) {
+    const std::filesystem::path path = run.folder / name;
+    Program replay({"replay", path.string(), "--json"});
+    const Ended ended = replay.finish();
+    EXPECT_EQ(ended.code, 0) << path << ended.err;
+  }
+}
+
+/// Sequences [first, end) by one program.
+void attack(std::uint64_t first, std::uint64_t end) {
+  const std::string folder = "requests" + std::to_string(first);
+  RunningProgram run(folder, {"--device", "hand:"}, {{"damaged.mcap", "not a recording"}});
+  ASSERT_TRUE(run.client);
+  const Json begun = run.running();
+  ASSERT_FALSE(begun.is_null());
+  int session = begun["session"].get<int>();
+  Pages pages(run);
+  for (std::uint64_t number = first; number < end && !::testing::Test::HasFailure(); ++number) {
+    SCOPED_TRACE("sequence " + std::to_string(number));
+    Random random(0x70616765 + number);
+    session += pages.ask_all(random);
+    // Waiting for a state takes longer than many sequences.
+    if (number % 10 == 9 || number + 1 == end) {
+      ASSERT_TRUE(pages.session_becomes(session)) << run.program->said();
+    }
+  }
+  EXPECT_EQ(run.end().code, 130) << run.program->said();
+  check_recordings(run, pages.recordings);
+  std::filesystem::remove_all(run.folder);
+}
+
+TEST(LiveSequences, WhatIsAcceptedBeginsASessionAndWhatIsRefusedNone) {
+  const Cases cases("THIGMA_SEQUENCES", 40);
+  constexpr std::uint64_t kOfOneProgram = 100;
+  for (std::uint64_t at = cases.first; at < cases.end && !::testing::Test::HasFailure();) {
+    const std::uint64_t end = std::min(at + kOfOneProgram, cases.end);
+    attack(at, end);
+    at = end;
+    if (!::testing::Test::HasFailure()) cases.done(at);
   }
 }
 
