@@ -14,28 +14,29 @@ with tempfile.TemporaryDirectory() as folder:
     scene.write_text(f"[object]\n{ball}mass = 0.01\n[[static]]\n{ball}[contact]\nexact = true\n")
 
     def run(seconds):
-        command = [sys.executable, soak, str(scene), "--seconds", str(seconds), "--piece", "1.5", "--state", str(state)]
+        command = [sys.executable, soak, str(scene), "--seconds", str(seconds), "--piece", "40", "--state", str(state)]
         done = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "THIGMA_PROGRAM": program})
         return done.returncode, done.stdout + done.stderr
 
-    code, said = run(2.5)
+    code, said = run(60)
     assert code == 0, said
     lines = state.read_text().splitlines()
     pieces = [json.loads(line) for line in lines]
     assert len(pieces) == 2, said
     for piece in pieces:
+        assert piece["session_seconds"] in (40.0, 20.0), piece
         assert piece["identical"] and piece["frames"] > 0, piece
         assert piece["start"]["memory_mib"] > 1 and piece["end"]["memory_mib"] > 1, piece
         assert piece["start"]["bytes_per_cpu_s"] > 0, piece
     # Goes on where it was, and leaves a line alone that a kill cut off.
     state.write_text("\n".join([lines[0], lines[1][: len(lines[1]) // 2]]) + "\n")
-    code, said = run(2.5)
+    code, said = run(60)
     assert code == 0, said
     assert len(state.read_text().splitlines()) == 3, said
     # Done already: nothing runs, and the sum is told.
-    code, again = run(0.5)
+    code, again = run(5)
     assert code == 0 and "piece" in again and len(state.read_text().splitlines()) == 3, again
     # Memory that grew is a fault.
     pieces[1]["end"]["memory_mib"] = 10 * pieces[1]["start"]["memory_mib"] + 100
     state.write_text("\n".join(json.dumps(p) for p in pieces) + "\n")
-    assert run(0.5)[0] == 1
+    assert run(5)[0] == 1

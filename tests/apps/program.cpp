@@ -68,6 +68,13 @@ void Program::send(int signal) const {
   if (!is_reaped_) ::kill(pid_, signal);
 }
 
+double Program::resident_mib() const {
+  std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmRSS:")) return std::atof(line.c_str() + 6) / 1024.0;
+  return 0.0;
+}
+
 std::string Program::said() const { return read_text(err_); }
 
 bool Program::reap(bool is_blocking) {

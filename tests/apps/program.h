@@ -39,6 +39,8 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void send(int signal) const;
+  /// Resident memory now; 0 once it has ended [MiB].
+  double resident_mib() const;
   /// Standard error so far.
   std::string said() const;
   /// Waits until said() contains `text`; false when the program ended or `limit` seconds passed.

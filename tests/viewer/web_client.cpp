@@ -17,8 +17,10 @@ namespace {
 
 double now() { return 1e-9 * static_cast<double>(monotonic_ns()); }
 
-int connect_to(std::uint16_t port) {
+int connect_to(std::uint16_t port, int receive_buffer = 0) {
   const int s = ::socket(AF_INET, SOCK_STREAM, 0);
+  if (receive_buffer > 0)
+    ::setsockopt(s, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(port);
@@ -59,7 +61,8 @@ std::string http_exchange(std::uint16_t port, const std::string& request, double
   return answer;
 }
 
-WebClient::WebClient(std::uint16_t port, const WebGreeting& greeting) : socket_(connect_to(port)) {
+WebClient::WebClient(std::uint16_t port, const WebGreeting& greeting)
+    : socket_(connect_to(port, greeting.receive_buffer)) {
   const std::string own = "127.0.0.1:" + std::to_string(port);
   const std::string host = greeting.host == "own" ? own : greeting.host;
   const std::string origin = greeting.origin == "own" ? "http://" + own : greeting.origin;

@@ -17,7 +17,8 @@ struct WebGreeting {
   std::string origin = "own";  // "own": that of the server; "": none
   std::string host = "own";
   std::string subprotocol = "thigma.live.1";
-  std::string token{};  // shown where it is not empty
+  std::string token{};     // shown where it is not empty
+  int receive_buffer = 0;  // of the system; small: what is not read waits at the server [bytes]
 };
 
 struct WebMessage {

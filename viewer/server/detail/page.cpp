@@ -4,10 +4,15 @@
 #include <numeric>
 #include <utility>
 
+#include <netinet/tcp.h>
+
 namespace thigma::live {
 namespace {
 
-constexpr int kSendBuffer = 256 * 1024;  // of the system: what lies there is old when it is read
+// Of the system: what lies there is old when it is read. All of it may be on its way; of what is
+// not, no more than fills the line until the next write, else a page on a slow line sees the past.
+constexpr int kSendBuffer = 256 * 1024, kMostUnsent = 16 * 1024;
+using MostUnsent = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_NOTSENT_LOWAT>;
 
 }  // namespace
 
@@ -36,6 +41,7 @@ void Page::accept(const Request& request) {
   tcp::socket& socket = beast::get_lowest_layer(socket_).socket();
   socket.set_option(tcp::no_delay(true), ignored);
   socket.set_option(asio::socket_base::send_buffer_size(kSendBuffer), ignored);
+  socket.set_option(MostUnsent(kMostUnsent), ignored);
   socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
     if (!error && !self->server_.is_stopping) self->open();
   });
