@@ -178,8 +178,8 @@ int build(const Common& common, const BuildOptions& options) {
     return kUsage;
   }
   if (is_clod_file(options.mesh))
-    throw InputError(options.mesh +
-                     ": is levels of detail already, byte 0, expected a mesh: " + kMeshFormats);
+    throw InputError(options.mesh + ": is levels of detail already, byte 0, expected a mesh: " +
+                     mesh_kind_names());
   refuse_closed_place(options.out);
   const auto start = std::chrono::steady_clock::now();
   const ClodAsset asset = build_asset(options, common);
@@ -203,7 +203,7 @@ void add_build(CLI::App& app, Common& common) {
   CLI::App* verb = add_verb(app, common, "build", "Build contact levels of detail of a mesh",
                             [&common, options] { return build(common, *options); });
   verb->add_option("MESH", options->mesh,
-                   std::string(kMeshFormats) + ", recognised by content, or procedural:NAME")
+                   mesh_kind_names() + ", recognised by content, or procedural:NAME")
       ->required();
   verb->add_option("-o,--output", options->out, ".clod file to write")->required();
   verb->add_option("--scale", options->scale, "metres per unit of the mesh");

@@ -121,9 +121,9 @@ void add_repair(CLI::App& app, Common& common) {
   CLI::App* verb = add_verb(app, common, "repair", "Make a mesh usable: repair it, or wrap it",
                             [&common, options] { return repair(common, *options); });
   verb->add_option("MESH", options->in,
-                   std::string(kMeshFormats) + ", recognised by content, or procedural:NAME")
+                   mesh_kind_names() + ", recognised by content, or procedural:NAME")
       ->required();
-  verb->add_option("-o,--output", options->out, "file to write: .ply, .stl, .off, else OBJ")
+  verb->add_option("-o,--output", options->out, "file to write: " + written_mesh_endings())
       ->required();
   verb->add_flag("--largest", options->is_largest, "only the component with the largest area");
   CLI::Option* shell = verb->add_flag(

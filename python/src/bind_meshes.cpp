@@ -11,6 +11,7 @@
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/clod/clod_file.h"
 #include "thigma/core/error.h"
+#include "thigma/import/read_mesh.h"
 #include "thigma/import/write_mesh.h"
 #include "thigma/scene/asset_cache.h"
 
@@ -149,6 +150,11 @@ void bind_meshes(py::module_& module) {
       },
       WithoutGil());
   module.def("is_clod_file", &is_clod_file);
+  module.def("mesh_formats", [] {
+    py::dict endings;
+    for (const MeshKind& kind : mesh_kinds()) endings[kind.name] = kind.ending;
+    return endings;
+  });
 }
 
 }  // namespace thigma::python

@@ -125,6 +125,15 @@ def test_messages_of_files_are_the_program_s(program, tmp_path):
         thigma.Mesh.from_file(tmp_path / "none.obj")
 
 
+def test_the_formats_are_those_of_the_program(program, tmp_path):
+    formats = thigma.mesh_formats()
+    assert formats["OBJ"] == ".obj"
+    (tmp_path / "empty.obj").write_bytes(b"")
+    with pytest.raises(thigma.InputError) as caught:
+        thigma.Mesh.from_file(tmp_path / "empty.obj")
+    assert all(name in str(caught.value) for name in formats)
+
+
 def test_save_and_load(tmp_path):
     mesh = thigma.Mesh(*box_arrays((0.1, 0.2, 0.3)))
     for name in ("a.obj", "a.ply", "a.off"):

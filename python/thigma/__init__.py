@@ -16,7 +16,7 @@ from ._core import (
     Sample,
     __version__,
 )
-from ._meshes import Clod, Level, Mesh, build_clod, exact, load_clod
+from ._meshes import Clod, Level, Mesh, build_clod, exact, load_clod, mesh_formats
 from ._page import Page
 from ._recordings import Recording, Replay, export_csv, read_recording, replay
 from ._scenes import Scene, builtin_scenes, load_scene, scene_from_pair
@@ -59,6 +59,7 @@ __all__ = [
     "load_clod",
     "load_scene",
     "load_texture",
+    "mesh_formats",
     "read_recording",
     "replay",
     "scene_from_pair",

@@ -73,7 +73,7 @@ class Mesh:
     def from_file(
         cls, path: str | os.PathLike[str], *, scale: float = 1.0, repair: bool = False
     ) -> Mesh:
-        """Reads OBJ, PLY, STL or OFF, or makes a model of that name, "procedural:ball"."""
+        """Reads a file of `mesh_formats`, or makes a model of that name, "procedural:ball"."""
         return cls._of(_core.Mesh.from_file(os.fspath(path), float(scale), bool(repair)))
 
     @property
@@ -102,7 +102,7 @@ class Mesh:
         return self._mesh.repairs
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes PLY, STL, OFF, or OBJ, by the name. Raises IoError."""
+        """Writes the format that the ending of the name chooses, else OBJ. Raises IoError."""
         self._mesh.save(os.fspath(path))
 
     def __repr__(self) -> str:
@@ -179,6 +179,14 @@ class Clod:
 
 def _mesh(mesh: Any) -> Mesh:
     return mesh if isinstance(mesh, Mesh) else Mesh(mesh)
+
+
+def mesh_formats() -> dict[str, str]:
+    """The mesh files that are read: names of their formats, and the ending of each, ".obj".
+
+    Files are recognised by content; the ending chooses the format that `Mesh.save` writes.
+    """
+    return _core.mesh_formats()
 
 
 def build_clod(

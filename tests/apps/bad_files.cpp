@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "support/mesh_file_samples.h"
 #include "support/mesh_samples.h"
 
 #include "thigma/clod/build_clod.h"
@@ -13,17 +14,8 @@
 namespace thigma::test {
 namespace {
 
-struct Format {
-  MeshFormat format;
-  const char* name;
-};
-constexpr Format kFormats[] = {{MeshFormat::obj, "obj"},
-                               {MeshFormat::ply_ascii, "ascii.ply"},
-                               {MeshFormat::ply_little, "little.ply"},
-                               {MeshFormat::ply_big, "big.ply"},
-                               {MeshFormat::stl_ascii, "ascii.stl"},
-                               {MeshFormat::stl_binary, "binary.stl"},
-                               {MeshFormat::off, "off"}};
+using detail::kMeshFormats;
+using detail::MeshFormatRow;
 
 std::string bytes_of(const TriangleMesh& mesh, MeshFormat format = MeshFormat::obj) {
   return format_mesh(mesh, format, "sample");
@@ -39,33 +31,33 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 // Cut in the middle of the last number or record of what is kept, so that every format can notice.
 void add_truncated(std::vector<BadMesh>& files) {
-  for (const Format& f : kFormats) {
-    std::string bytes = bytes_of(ball(), f.format);
+  for (const MeshFormatRow& f : kMeshFormats) {
+    std::string bytes = mesh_file(ball(), f);
     bytes.resize(bytes.size() - 3);
     // An OBJ face of two whole corners is no face; what the last line of an ascii STL calls itself
     // is nobody's business.
     if (f.format == MeshFormat::obj) bytes.resize(bytes.rfind(' '));
     if (f.format == MeshFormat::stl_ascii) bytes.resize(bytes.rfind("endfacet") + 3);
-    files.push_back({"truncated", std::string("cut_") + f.name, bytes, Due::refusal, ""});
+    files.push_back({"truncated", "cut_" + mesh_file_name(f), bytes, Due::refusal, ""});
     bytes.resize(bytes.size() * 2 / 5);
-    files.push_back({"truncated", std::string("cut_early_") + f.name, bytes,
+    files.push_back({"truncated", "cut_early_" + mesh_file_name(f), bytes,
                      f.format == MeshFormat::obj ? Due::either : Due::refusal, ""});
   }
 }
 
 void add_flipped_bits(std::vector<BadMesh>& files) {
   Random random(2004);
-  for (const Format& f : kFormats) {
+  for (const MeshFormatRow& f : kMeshFormats) {
     for (int round = 0; round < 3; ++round) {
-      std::string bytes = bytes_of(ball(), f.format);
+      std::string bytes = mesh_file(ball(), f);
       // Headers are short: aim at them once.
       const std::size_t range =
           round == 0 ? std::min<std::size_t>(bytes.size(), 160) : bytes.size();
       for (int i = 0; i < 3; ++i) {
         bytes[random.below(range)] ^= static_cast<char>(1u << random.below(8));
       }
-      files.push_back(
-          {"bit-flipped", "flip" + std::to_string(round) + "_" + f.name, bytes, Due::either, ""});
+      files.push_back({"bit-flipped", "flip" + std::to_string(round) + "_" + mesh_file_name(f),
+                       bytes, Due::either, ""});
     }
   }
 }
@@ -80,11 +72,12 @@ void add_lying_headers(std::vector<BadMesh>& files) {
   const std::string vertices = "element vertex " + std::to_string(mesh.positions.size());
   const std::string faces = "element face " + std::to_string(mesh.triangles.size());
   const char* kind = "lying header";
-  for (const Format& f : {kFormats[1], kFormats[2], kFormats[3]}) {
+  for (const MeshFormatRow& f : kMeshFormats) {
+    if (std::string_view(f.kind) != "PLY") continue;
     const std::string good = bytes_of(mesh, f.format);
-    files.push_back({kind, std::string("vertices_") + f.name,
+    files.push_back({kind, "vertices_" + mesh_file_name(f),
                      replaced(good, vertices, "element vertex 4000000000"), Due::refusal, ""});
-    files.push_back({kind, std::string("faces_") + f.name,
+    files.push_back({kind, "faces_" + mesh_file_name(f),
                      replaced(good, faces, "element face 18446744073709551615"), Due::refusal, ""});
   }
   files.push_back({kind, "count_binary.stl",
@@ -124,14 +117,16 @@ void add_bad_numbers(std::vector<BadMesh>& files) {
   std::string stl = bytes_of(mesh, MeshFormat::stl_binary);
   stl.replace(84 + 12, 4, std::string("\0\0\xc0\x7f", 4));
   files.push_back({"NaN coordinate", "nan_binary.stl", stl, Due::refusal, ""});
-  for (const Format& f : {kFormats[1], kFormats[2], kFormats[3], kFormats[6]}) {
+  for (const MeshFormatRow& f : kMeshFormats) {
+    // Of OBJ above; STL has no indices and gives a file of its own no infinity.
+    if (f.write == nullptr || f.format == MeshFormat::obj || !f.is_exact) continue;
     TriangleMesh bad = ball();
     bad.triangles[7][1] = 1'000'000;
-    files.push_back({"index out of range", std::string("index_") + f.name, bytes_of(bad, f.format),
+    files.push_back({"index out of range", "index_" + mesh_file_name(f), bytes_of(bad, f.format),
                      Due::refusal, ""});
     bad = ball();
     bad.positions[3].y() = std::numeric_limits<double>::infinity();
-    files.push_back({"infinite coordinate", std::string("inf_") + f.name, bytes_of(bad, f.format),
+    files.push_back({"infinite coordinate", "inf_" + mesh_file_name(f), bytes_of(bad, f.format),
                      Due::refusal, ""});
   }
 }
@@ -192,8 +187,8 @@ void add_bad_shapes(std::vector<BadMesh>& files) {
 }
 
 void add_not_meshes(std::vector<BadMesh>& files) {
-  for (const Format& f : kFormats)
-    files.push_back({"empty", std::string("empty_") + f.name, "", Due::refusal, ""});
+  for (const MeshFormatRow& f : kMeshFormats)
+    files.push_back({"empty", "empty_" + mesh_file_name(f), "", Due::refusal, ""});
   files.push_back(
       {"empty", "only_header.ply",
        "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "thigma/core/error.h"
 
@@ -44,10 +45,7 @@ inline bool is_taken(const std::string& name, const std::function<void()>& read)
 /// test's.
 using Mutate = std::size_t (*)(std::uint8_t* bytes, std::size_t size, std::size_t most);
 
-void fuzz_obj(Bytes bytes);
-void fuzz_ply(Bytes bytes);
-void fuzz_stl(Bytes bytes);
-void fuzz_off(Bytes bytes);
+void fuzz_mesh(Bytes bytes);  // of every mesh format: recognised by content
 void fuzz_png(Bytes bytes);
 void fuzz_pgm(Bytes bytes);
 void fuzz_clod(Bytes bytes);
@@ -62,11 +60,12 @@ void fuzz_message(Bytes bytes);
 void fuzz_haply(Bytes bytes);
 void fuzz_vrpn(Bytes bytes);
 
-/// Mutators of formats with checksums: they change what is inside and mend what guards it.
+/// Mutators of formats with checksums and sizes: they change what is inside and mend what guards it.
 void mutate_clod(std::string& bytes, std::size_t most, std::uint32_t seed, Mutate mutate);
 void mutate_tex(std::string& bytes, std::size_t most, std::uint32_t seed, Mutate mutate);
 void mutate_recording(std::string& bytes, std::size_t most, std::uint32_t seed, Mutate mutate);
 void mutate_png(std::string& bytes, std::size_t most, std::uint32_t seed, Mutate mutate);
+void mutate_stl(std::string& bytes, std::size_t most, std::uint32_t seed, Mutate mutate);
 
 struct Target {
   const char* name;
@@ -74,8 +73,6 @@ struct Target {
   void (*mutate)(std::string&, std::size_t, std::uint32_t, Mutate);  // null: any change will do
 };
 inline constexpr Target kTargets[] = {
-    {"obj", fuzz_obj, nullptr},         {"ply", fuzz_ply, nullptr},
-    {"stl", fuzz_stl, nullptr},         {"off", fuzz_off, nullptr},
     {"png", fuzz_png, mutate_png},      {"pgm", fuzz_pgm, nullptr},
     {"clod", fuzz_clod, mutate_clod},   {"tex", fuzz_tex, mutate_tex},
     {"scene", fuzz_scene, nullptr},     {"recording", fuzz_recording, mutate_recording},
@@ -84,5 +81,8 @@ inline constexpr Target kTargets[] = {
     {"message", fuzz_message, nullptr}, {"haply", fuzz_haply, nullptr},
     {"vrpn", fuzz_vrpn, nullptr},
 };
+
+/// All targets: one for each kind of mesh files, by its ending without the dot, then kTargets.
+std::vector<Target> targets();
 
 }  // namespace thigma::fuzz

@@ -10,6 +10,7 @@
 #include "depth/textured_plates.h"
 #include "fuzz/fuzz_target.h"
 #include "recording/recording_samples.h"
+#include "support/mesh_file_samples.h"
 #include "support/plane_session.h"
 #include "support/png_bytes.h"
 #include "viewer/server/protocol.h"
@@ -17,7 +18,6 @@
 #include "thigma/clod/clod_file.h"
 #include "thigma/device/detail/vrpn_message.h"
 #include "thigma/files/file.h"
-#include "thigma/import/write_mesh.h"
 #include "thigma/mesh/shapes.h"
 #include "thigma/recording/config_json.h"
 #include "thigma/scene/scene_file.h"
@@ -68,24 +68,18 @@ void put_devices(const Seeds& seeds) {
 void put_meshes(const Seeds& seeds) {
   const TriangleMesh ball = make_ball(0.02, 1), box = make_box(Vec3(0.01, 0.02, 0.03));
   const TriangleMesh doubled = joined(box, flipped(box));
-  for (const auto& [name, mesh] : {std::pair{"ball", ball}, {"box", box}, {"doubled", doubled}}) {
-    seeds.put("obj", name, format_mesh(mesh, MeshFormat::obj, name));
-    seeds.put("off", name, format_mesh(mesh, MeshFormat::off, name).substr(4));
-    seeds.put("ply", std::string(name) + "_binary",
-              format_mesh(mesh, MeshFormat::ply_little, name).substr(4));
-    seeds.put("ply", std::string(name) + "_text",
-              format_mesh(mesh, MeshFormat::ply_ascii, name).substr(4));
-    seeds.put("ply", std::string(name) + "_big",
-              format_mesh(mesh, MeshFormat::ply_big, name).substr(4));
-    const std::string stl = format_mesh(mesh, MeshFormat::stl_binary, name);
-    seeds.put("stl", std::string(name) + "_binary", "b" + stl.substr(84));
-    seeds.put("stl", std::string(name) + "_text",
-              "t" + format_mesh(mesh, MeshFormat::stl_ascii, name).substr(6));
+  for (const auto& [name, mesh] :
+       {std::pair{std::string("ball"), ball}, {"box", box}, {"doubled", doubled}}) {
+    for (const detail::MeshFormatRow& row : detail::kMeshFormats) {
+      if (row.write == nullptr) continue;
+      seeds.put(row.ending + 1, name + "_" + test::mesh_file_name(row), row.write(mesh, name));
+    }
   }
   seeds.put("obj", "textured",
             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nf 1/1/1 2/2/1 "
             "3/3/1\nf -1/1 -2/2 -3/3 # b\n");
-  seeds.put("off", "colours", "4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n3 0 1 2 255 0 0\n4 0 1 2 3\n");
+  seeds.put("off", "colours",
+            "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n3 0 1 2 255 0 0\n4 0 1 2 3\n");
 }
 
 void put_pictures(const Seeds& seeds) {

@@ -61,7 +61,7 @@ TEST_P(FuzzReplay, comes_back_from_committed_inputs_with_a_changed_byte) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Targets, FuzzReplay, ::testing::ValuesIn(kTargets),
+INSTANTIATE_TEST_SUITE_P(Targets, FuzzReplay, ::testing::ValuesIn(targets()),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

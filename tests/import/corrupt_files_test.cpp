@@ -5,12 +5,11 @@
 #include <cstdlib>
 #include <new>
 
+#include "support/mesh_file_samples.h"
 #include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
 #include "thigma/import/inspect.h"
-#include "thigma/import/read_mesh.h"
-#include "thigma/import/write_mesh.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/shapes.h"
 
@@ -39,9 +38,8 @@ std::atomic<std::size_t> largest_allocation{0};
 namespace thigma {
 namespace {
 
-constexpr MeshFormat kFormats[] = {
-    MeshFormat::obj,       MeshFormat::ply_ascii,  MeshFormat::ply_little, MeshFormat::ply_big,
-    MeshFormat::stl_ascii, MeshFormat::stl_binary, MeshFormat::off};
+using detail::kMeshFormats;
+using detail::MeshFormatRow;
 
 // Reads and inspects; what was read must be sound, what was refused must say so in one line.
 bool survives(const std::string& bytes, std::string* message = nullptr) {
@@ -72,26 +70,30 @@ bool survives(const std::string& bytes, std::string* message = nullptr) {
   return is_read;
 }
 
+TEST(CorruptFiles, every_format_has_a_sound_file) {
+  for (const MeshFormatRow& row : kMeshFormats) {
+    const std::string bytes = test::mesh_file(make_ball(1.0, 2), row);
+    EXPECT_EQ(parse_mesh(bytes, "sound").format, row.format) << row.name;
+    EXPECT_EQ(&row, detail::row_of(row.format));
+  }
+}
+
 TEST(CorruptFiles, truncated_anywhere) {
-  for (const MeshFormat format : kFormats) {
-    const std::string good = format_mesh(make_ball(1.0, 2), format, "x");
-    ASSERT_TRUE(survives(good)) << format_name(format);
+  for (const MeshFormatRow& row : kMeshFormats) {
+    const std::string good = test::mesh_file(make_ball(1.0, 2), row);
+    ASSERT_TRUE(survives(good)) << row.name;
     int read = 0;
     for (std::size_t size = 0; size < good.size(); size += 1 + size / 97)
       read += survives(good.substr(0, size));
-    // Text may end a line early without harm to a reader; binary formats and counted text must
-    // notice.
-    if (format == MeshFormat::ply_little || format == MeshFormat::ply_big ||
-        format == MeshFormat::stl_binary) {
-      EXPECT_EQ(read, 0) << format_name(format);
-    }
+    // Text may end a line early without harm to a reader; binary formats must notice.
+    if (test::is_binary(good)) EXPECT_EQ(read, 0) << row.name;
   }
 }
 
 TEST(CorruptFiles, bits_flipped_anywhere) {
   Random random(77);
-  for (const MeshFormat format : kFormats) {
-    const std::string good = format_mesh(make_ball(1.0, 2), format, "x");
+  for (const MeshFormatRow& row : kMeshFormats) {
+    const std::string good = test::mesh_file(make_ball(1.0, 2), row);
     int refused = 0;
     for (int round = 0; round < 1500; ++round) {
       std::string bad = good;
@@ -104,15 +106,14 @@ TEST(CorruptFiles, bits_flipped_anywhere) {
       }
       refused += !survives(bad);
     }
-    EXPECT_GT(refused, 20) << format_name(
-        format);  // most bits of a binary file are digits of coordinates
+    EXPECT_GT(refused, 20) << row.name;  // most bits of a binary file are digits of coordinates
   }
 }
 
 TEST(CorruptFiles, bytes_replaced_inserted_and_removed) {
   Random random(78);
-  for (const MeshFormat format : kFormats) {
-    const std::string good = format_mesh(make_ball(1.0, 2), format, "x");
+  for (const MeshFormatRow& row : kMeshFormats) {
+    const std::string good = test::mesh_file(make_ball(1.0, 2), row);
     for (int round = 0; round < 600; ++round) {
       std::string bad = good;
       const std::size_t at = random.below(bad.size());

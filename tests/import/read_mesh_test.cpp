@@ -2,6 +2,7 @@
 
 #include <clocale>
 #include <cstring>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -364,6 +365,24 @@ TEST(ReadMesh, a_decimal_comma_locale_changes_nothing) {
     expect_quad(parse_mesh(prefixed("v ") + "f 1 2 3 4\n", "x"));
   }
   std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(ReadMesh, a_refusal_names_every_kind_of_mesh_once) {
+  const std::string names = mesh_kind_names();
+  std::set<std::string> endings;
+  for (const MeshKind& kind : mesh_kinds()) {
+    EXPECT_NE(names.find(kind.name), names.npos) << names;
+    EXPECT_TRUE(endings.insert(kind.ending).second) << kind.ending;
+    EXPECT_EQ(kind.ending[0], '.');
+  }
+  for (const std::string& bytes : {std::string(), std::string("\1\2\3")}) {
+    try {
+      parse_mesh(bytes, "x");
+      ADD_FAILURE() << "no mesh is read";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(names), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST(ReadMesh, a_missing_file_is_bad_input) {

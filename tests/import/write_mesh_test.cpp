@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "thigma/core/error.h"
+#include "thigma/import/detail/mesh_formats.h"
 #include "thigma/math/random.h"
 #include "thigma/mesh/shapes.h"
 
@@ -22,19 +23,18 @@ TriangleMesh rough_ball(double scale) {
 }
 
 bool is_lossless(MeshFormat f) { return f != MeshFormat::stl_binary; }
-bool keeps_order(MeshFormat f) { return f != MeshFormat::stl_ascii && f != MeshFormat::stl_binary; }
 
 TEST(WriteMesh, what_is_written_reads_back_to_the_same_bits) {
   for (const double scale : {1e-9, 1.0, 1e9}) {
     const TriangleMesh mesh = rough_ball(scale);
-    for (const MeshFormat format :
-         {MeshFormat::obj, MeshFormat::ply_ascii, MeshFormat::ply_little, MeshFormat::ply_big,
-          MeshFormat::stl_ascii, MeshFormat::stl_binary, MeshFormat::off}) {
+    for (const detail::MeshFormatRow& row : detail::kMeshFormats) {
+      if (row.write == nullptr) continue;
+      const MeshFormat format = row.format;
       const MeshFile file = parse_mesh(format_mesh(mesh, format, "x"), "x");
       EXPECT_EQ(file.format, format);
       ASSERT_EQ(file.mesh.positions.size(), mesh.positions.size()) << format_name(format);
       ASSERT_EQ(file.mesh.triangles.size(), mesh.triangles.size());
-      EXPECT_TRUE(!keeps_order(format) || file.mesh.triangles == mesh.triangles);
+      EXPECT_TRUE(!row.is_exact || file.mesh.triangles == mesh.triangles);
       for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
           Vec3 want = mesh.positions[static_cast<std::size_t>(mesh.triangles[t][k])];
@@ -57,6 +57,25 @@ TEST(WriteMesh, the_ending_chooses_the_format) {
   EXPECT_EQ(format_for_name("x.off"), MeshFormat::off);
   EXPECT_EQ(format_for_name("x.ply/y"), MeshFormat::obj);
   EXPECT_EQ(format_for_name("x"), MeshFormat::obj);
+}
+
+TEST(WriteMesh, every_kind_that_is_written_has_one_format_for_its_ending) {
+  const std::string help = written_mesh_endings();
+  EXPECT_TRUE(help.ends_with(", else OBJ")) << help;
+  for (const MeshKind& kind : mesh_kinds()) {
+    int written = 0, chosen = 0;
+    for (const detail::MeshFormatRow& row : detail::kMeshFormats) {
+      if (std::string_view(row.kind) != kind.name) continue;
+      EXPECT_STREQ(row.ending, kind.ending);
+      written += row.write != nullptr;
+      if (!row.is_chosen_by_ending) continue;
+      ++chosen;
+      EXPECT_NE(row.write, nullptr) << row.name;
+      EXPECT_EQ(format_for_name(std::string("x") + row.ending), row.format);
+      EXPECT_TRUE(row.format == MeshFormat::obj || help.find(row.ending) != help.npos) << help;
+    }
+    EXPECT_EQ(chosen, written > 0 ? 1 : 0) << kind.name;
+  }
 }
 
 TEST(WriteMesh, a_file_is_written_whole_or_not_at_all) {

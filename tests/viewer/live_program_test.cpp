@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "thigma/import/read_mesh.h"
 #include "thigma/recording/recording.h"
 
 namespace thigma::test {
@@ -125,6 +126,10 @@ TEST(LiveProgram, AnotherSceneAndADroppedMeshTakeThePlaceOfTheFirst) {
   const Json menu =
       message_where(client, "menu", [](const Json& m) { return !m["scenes"].empty(); });
   ASSERT_FALSE(menu.is_null());
+  for (const MeshKind& kind : mesh_kinds())
+    EXPECT_TRUE(std::any_of(menu["meshes"].begin(), menu["meshes"].end(), [&](const Json& m) {
+      return m["ending"] == kind.ending;
+    })) << menu["meshes"];
   EXPECT_FALSE(ask(client, R"({"type":"open","id":1,"value":"/etc/passwd"})")["ok"].get<bool>());
   EXPECT_FALSE(
       ask(client, R"({"type":"place","id":2,"name":"hold","value":1,"repair":false})")["ok"]

@@ -6,6 +6,7 @@
 #include "viewer/server/protocol.h"
 #include <nlohmann/json.hpp>
 
+#include "thigma/import/read_mesh.h"
 #include "thigma/texture/haptic_texture.h"
 
 namespace thigma::live {
@@ -284,8 +285,13 @@ std::string menu_message(const OpenMenu& menu) {
       json.push_back({{"name", item.name}, {"title", item.title}});
     return json;
   };
-  return dumped(
-      {{"type", "menu"}, {"scenes", list(menu.scenes)}, {"recordings", list(menu.recordings)}});
+  Json meshes = Json::array();
+  for (const MeshKind& kind : mesh_kinds())
+    meshes.push_back({{"name", kind.name}, {"ending", kind.ending}});
+  return dumped({{"type", "menu"},
+                 {"scenes", list(menu.scenes)},
+                 {"recordings", list(menu.recordings)},
+                 {"meshes", std::move(meshes)}});
 }
 
 std::string progress_message(const std::string& what, double share) {

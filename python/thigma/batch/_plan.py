@@ -14,12 +14,11 @@ from . import _scenes
 from ._kinds import read_poses
 from ._store import Task, canonical, known_digest
 
-MESH_ENDINGS = (".obj", ".ply", ".stl", ".off")
-
 
 def parts_of(paths: Iterable[str | os.PathLike[str]]) -> dict[str, str]:
     """Parts by name: files, mesh files of folders, "procedural:..." and lists of these (.txt)."""
     found: dict[str, str] = {}
+    endings = set(thigma.mesh_formats().values())
 
     def add(name: str, path: str) -> None:
         if found.setdefault(name, path) != path:
@@ -32,7 +31,7 @@ def parts_of(paths: Iterable[str | os.PathLike[str]]) -> dict[str, str]:
             add(text, text)
         elif path.is_dir():
             for file in sorted(path.iterdir()):
-                if file.suffix.lower() in MESH_ENDINGS:
+                if file.suffix.lower() in endings:
                     add(file.name, os.fspath(file.resolve()))
         elif path.suffix == ".txt":
             lines = path.read_text("utf-8").splitlines()

@@ -2,58 +2,40 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
-#include <iterator>
 
 #include "thigma/files/file.h"
-#include "thigma/import/detail/raw_mesh.h"
+#include "thigma/import/detail/mesh_formats.h"
 
 namespace thigma {
 namespace {
 
+using detail::kMeshFormats;
 using detail::RawMesh;
 
-bool is_text(std::string_view bytes) {
+detail::FileClues clues_of(std::string_view bytes) {
+  detail::FileClues clues{bytes};
   // Comments may hold any letters; control characters no text format has.
-  return std::none_of(bytes.begin(), bytes.end(), [](char c) {
+  clues.is_text = std::none_of(bytes.begin(), bytes.end(), [](char c) {
     const unsigned char u = static_cast<unsigned char>(c);
     return u < 32 && !detail::is_blank(c) && c != '\n';
   });
-}
-
-std::string_view first_word(std::string_view bytes) {
+  if (!clues.is_text) return clues;
   detail::Lines lines(bytes);
   std::string_view line;
-  while (lines.next(line)) {
-    const std::string_view word = detail::Words(line.substr(0, line.find('#'))).next();
-    if (!word.empty()) return word;
-  }
-  return {};
-}
-
-bool has_binary_stl_size(std::string_view bytes) {
-  if (bytes.size() < 84) return false;
-  std::uint32_t count = 0;
-  std::memcpy(&count, bytes.data() + 80, sizeof count);
-  return bytes.size() == 84 + std::size_t{50} * count;
+  while (clues.first_word.empty() && lines.next(line))
+    clues.first_word = detail::Words(line.substr(0, line.find('#'))).next();
+  return clues;
 }
 
 RawMesh parse_raw(std::string_view bytes, const std::string& name) {
-  if (!has_binary_stl_size(bytes)) bytes = without_byte_order_mark(bytes);
-  if (bytes.empty())
-    detail::fail_input(name, "is empty", "byte 0", std::string("a mesh: ") + kMeshFormats);
-  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r\n"))
-    return detail::read_ply(bytes, name);
-  // Before "solid": many binary files begin with that word too.
-  if (has_binary_stl_size(bytes)) return detail::read_stl_binary(bytes, name);
-  if (!is_text(bytes)) {
-    if (bytes.size() >= 84) return detail::read_stl_binary(bytes, name);  // throws, with both sizes
-    detail::fail_input(name, "is no mesh", "byte 0", kMeshFormats);
-  }
-  const std::string_view word = first_word(bytes);
-  if (detail::is_off_keyword(word)) return detail::read_off(bytes, name);
-  if (word == "solid") return detail::read_stl_ascii(bytes, name);
-  return detail::read_obj(bytes, name);
+  if (!detail::has_binary_stl_size(bytes)) bytes = without_byte_order_mark(bytes);
+  if (bytes.empty()) detail::fail_input(name, "is empty", "byte 0", "a mesh: " + mesh_kind_names());
+  const detail::FileClues clues = clues_of(bytes);
+  for (const detail::MeshFormatRow& row : kMeshFormats)
+    if (row.is != nullptr && row.is(clues)) return row.read(bytes, name);
+  if (clues.is_text) return detail::read_obj(bytes, name);
+  if (bytes.size() >= 84) return detail::read_stl_binary(bytes, name);  // throws, with both sizes
+  detail::fail_input(name, "is no mesh", "byte 0", mesh_kind_names());
 }
 
 // Positions by their bits. Open addressing over indices: bounded, and the order is that of first
@@ -128,24 +110,28 @@ MeshFile merge_equal_positions(TriangleMesh raw) {
   return file;
 }
 
-const char* format_name(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::obj:
-      return "obj";
-    case MeshFormat::ply_ascii:
-      return "ply (ascii)";
-    case MeshFormat::ply_little:
-      return "ply (little-endian)";
-    case MeshFormat::ply_big:
-      return "ply (big-endian)";
-    case MeshFormat::stl_ascii:
-      return "stl (ascii)";
-    case MeshFormat::stl_binary:
-      return "stl (binary)";
-    case MeshFormat::off:
-      return "off";
+std::vector<MeshKind> mesh_kinds() {
+  std::vector<MeshKind> kinds;
+  for (const detail::MeshFormatRow& row : kMeshFormats) {
+    if (kinds.empty() || std::string_view(kinds.back().name) != row.kind)
+      kinds.push_back({row.kind, row.ending});
   }
-  return "unknown";
+  return kinds;
+}
+
+std::string mesh_kind_names() {
+  const std::vector<MeshKind> kinds = mesh_kinds();
+  std::string names;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (i > 0) names += i + 1 < kinds.size() ? ", " : " or ";
+    names += kinds[i].name;
+  }
+  return names;
+}
+
+const char* format_name(MeshFormat format) {
+  const detail::MeshFormatRow* row = detail::row_of(format);
+  return row != nullptr ? row->name : "unknown";
 }
 
 MeshFile parse_mesh(std::string_view bytes, const std::string& name) {

@@ -1,14 +1,16 @@
 #pragma once
-// Mesh files into triangles: OBJ, PLY, STL and OFF, recognised by content, never by name.
+// Mesh files into triangles, recognised by content, never by name.
 
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "thigma/mesh/triangle_mesh.h"
 
 namespace thigma {
 
+/// How a mesh file is written. What is known of each: import/detail/mesh_formats.h.
 enum class MeshFormat : std::uint8_t {
   obj,
   ply_ascii,
@@ -19,8 +21,17 @@ enum class MeshFormat : std::uint8_t {
   off
 };
 
-/// The formats by name, for messages and help.
-inline constexpr const char* kMeshFormats = "OBJ, PLY, STL or OFF";
+/// A kind of mesh files, as people and file choosers know it: "PLY", ".ply".
+struct MeshKind {
+  const char* name;
+  const char* ending;
+};
+
+/// Every kind that is read, once, in the order of messages.
+std::vector<MeshKind> mesh_kinds();
+
+/// The kinds by name, "OBJ, PLY, ... or OFF", for messages and help.
+std::string mesh_kind_names();
 
 /// "obj", "ply (ascii)", "ply (little-endian)", ... as reports print it.
 const char* format_name(MeshFormat format);

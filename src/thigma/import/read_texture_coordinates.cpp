@@ -1,7 +1,7 @@
 #include "thigma/import/read_texture_coordinates.h"
 
 #include "thigma/files/file.h"
-#include "thigma/import/detail/raw_mesh.h"
+#include "thigma/import/detail/mesh_formats.h"
 
 namespace thigma {
 
@@ -11,7 +11,8 @@ using detail::fail_input;
 std::vector<std::array<Vec2, 3>> read_texture_coordinates(std::string_view bytes,
                                                           const std::string& name) {
   detail::ObjTexture texture;
-  const detail::RawMesh raw = detail::read_obj(without_byte_order_mark(bytes), name, &texture);
+  const detail::RawMesh raw =
+      detail::read_obj_texture(without_byte_order_mark(bytes), name, &texture);
   if (raw.triangles.empty())
     fail_input(name, "no texture coordinates", "in the file", "an OBJ with vt");
   const auto count = static_cast<std::int64_t>(texture.coordinates.size());

@@ -7,6 +7,7 @@
 
 #include "thigma/core/error.h"
 #include "thigma/files/file.h"
+#include "thigma/import/detail/mesh_formats.h"
 
 namespace thigma {
 namespace {
@@ -37,7 +38,56 @@ void put_position(std::string& out, const Vec3& p) {
   out += '\n';
 }
 
-std::string format_obj(const TriangleMesh& mesh) {
+std::string ply_header(const TriangleMesh& mesh, const char* encoding) {
+  return std::string("ply\nformat ") + encoding + " 1.0\nelement vertex " +
+         std::to_string(mesh.positions.size()) +
+         "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+         std::to_string(mesh.triangles.size()) +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+// The bytes of a value in the byte order of the format.
+template <class T>
+void put_ordered(std::string& out, T value, bool big) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  for (std::size_t i = 0; i < sizeof(T); ++i) out += raw[big ? sizeof(T) - 1 - i : i];
+}
+
+// Normal for the file's normal field, which readers ignore: zero without area, as the format asks
+// for.
+Vec3 facet_normal(const TriangleMesh& mesh, const Triangle& t) {
+  const Vec3& a = mesh.positions[static_cast<std::size_t>(t[0])];
+  const Vec3 u = mesh.positions[static_cast<std::size_t>(t[1])] - a;
+  const Vec3 v = mesh.positions[static_cast<std::size_t>(t[2])] - a;
+  return u.cross(v).stableNormalized();
+}
+
+std::string ply_binary(const TriangleMesh& mesh, bool big) {
+  std::string out = ply_header(mesh, big ? "binary_big_endian" : "binary_little_endian");
+  for (const Vec3& p : mesh.positions) {
+    for (int k = 0; k < 3; ++k) put_ordered(out, p[k], big);
+  }
+  for (const Triangle& t : mesh.triangles) {
+    out += '\3';
+    for (const std::int32_t v : t) put_ordered(out, v, big);
+  }
+  return out;
+}
+
+void check_single_precision(const TriangleMesh& mesh, const std::string& name) {
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    if (mesh.positions[i].cwiseAbs().maxCoeff() <= 3e38) continue;
+    throw InputError(name + ": a coordinate does not fit STL, vertex " + std::to_string(i) +
+                     ", expected at most 3e38");
+  }
+}
+
+}  // namespace
+
+namespace detail {
+
+std::string write_obj(const TriangleMesh& mesh, const std::string&) {
   std::string out;
   for (const Vec3& p : mesh.positions) {
     out += "v ";
@@ -54,7 +104,7 @@ std::string format_obj(const TriangleMesh& mesh) {
   return out;
 }
 
-std::string format_off(const TriangleMesh& mesh) {
+std::string write_off(const TriangleMesh& mesh, const std::string&) {
   std::string out = "OFF\n";
   put_number(out, mesh.positions.size());
   out += ' ';
@@ -72,58 +122,21 @@ std::string format_off(const TriangleMesh& mesh) {
   return out;
 }
 
-std::string ply_header(const TriangleMesh& mesh, const char* encoding) {
-  return std::string("ply\nformat ") + encoding + " 1.0\nelement vertex " +
-         std::to_string(mesh.positions.size()) +
-         "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-         std::to_string(mesh.triangles.size()) +
-         "\nproperty list uchar int vertex_indices\nend_header\n";
-}
-
-// The bytes of a value in the byte order of the format.
-template <class T>
-void put_ordered(std::string& out, T value, bool big) {
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  for (std::size_t i = 0; i < sizeof(T); ++i) out += raw[big ? sizeof(T) - 1 - i : i];
-}
-
-std::string format_ply_binary(const TriangleMesh& mesh, bool big) {
-  std::string out = ply_header(mesh, big ? "binary_big_endian" : "binary_little_endian");
-  for (const Vec3& p : mesh.positions) {
-    for (int k = 0; k < 3; ++k) put_ordered(out, p[k], big);
-  }
-  for (const Triangle& t : mesh.triangles) {
-    out += '\3';
-    for (const std::int32_t v : t) put_ordered(out, v, big);
-  }
-  return out;
-}
-
-std::string format_ply_ascii(const TriangleMesh& mesh) {
-  const std::string off = format_off(mesh);
+std::string write_ply_ascii(const TriangleMesh& mesh, const std::string& name) {
+  const std::string off = write_off(mesh, name);
   // Vertices and faces of OFF are those of an ascii PLY; only the header differs.
   return ply_header(mesh, "ascii") + off.substr(off.find('\n', 4) + 1);
 }
 
-// Normal for the file's normal field, which readers ignore: zero without area, as the format asks
-// for.
-Vec3 facet_normal(const TriangleMesh& mesh, const Triangle& t) {
-  const Vec3& a = mesh.positions[static_cast<std::size_t>(t[0])];
-  const Vec3 u = mesh.positions[static_cast<std::size_t>(t[1])] - a;
-  const Vec3 v = mesh.positions[static_cast<std::size_t>(t[2])] - a;
-  return u.cross(v).stableNormalized();
+std::string write_ply_little(const TriangleMesh& mesh, const std::string&) {
+  return ply_binary(mesh, false);
+}
+std::string write_ply_big(const TriangleMesh& mesh, const std::string&) {
+  return ply_binary(mesh, true);
 }
 
-void check_single_precision(const TriangleMesh& mesh, const std::string& name) {
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    if (mesh.positions[i].cwiseAbs().maxCoeff() <= 3e38) continue;
-    throw InputError(name + ": a coordinate does not fit STL, vertex " + std::to_string(i) +
-                     ", expected at most 3e38");
-  }
-}
-
-std::string format_stl_binary(const TriangleMesh& mesh) {
+std::string write_stl_binary(const TriangleMesh& mesh, const std::string& name) {
+  check_single_precision(mesh, name);
   std::string out = "binary STL written by thigma";
   out.resize(80, ' ');
   put_bytes(out, static_cast<std::uint32_t>(mesh.triangles.size()));
@@ -139,7 +152,7 @@ std::string format_stl_binary(const TriangleMesh& mesh) {
   return out;
 }
 
-std::string format_stl_ascii(const TriangleMesh& mesh) {
+std::string write_stl_ascii(const TriangleMesh& mesh, const std::string&) {
   std::string out = "solid thigma\n";
   for (const Triangle& t : mesh.triangles) {
     out += "facet normal ";
@@ -154,37 +167,30 @@ std::string format_stl_ascii(const TriangleMesh& mesh) {
   return out + "endsolid thigma\n";
 }
 
-}  // namespace
+}  // namespace detail
 
 MeshFormat format_for_name(const std::string& path) {
   const std::size_t dot = path.find_last_of("./");
-  std::string ending = dot == std::string::npos || path[dot] == '/' ? "" : path.substr(dot + 1);
+  std::string ending = dot == std::string::npos || path[dot] == '/' ? "" : path.substr(dot);
   for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  if (ending == "ply") return MeshFormat::ply_little;
-  if (ending == "stl") return MeshFormat::stl_binary;
-  if (ending == "off") return MeshFormat::off;
-  return MeshFormat::obj;
+  for (const detail::MeshFormatRow& row : detail::kMeshFormats)
+    if (row.is_chosen_by_ending && ending == row.ending) return row.format;
+  return detail::kMeshFormats[0].format;
+}
+
+std::string written_mesh_endings() {
+  std::string endings;
+  for (const detail::MeshFormatRow& row : detail::kMeshFormats)
+    if (row.is_chosen_by_ending && &row != detail::kMeshFormats)
+      endings += std::string(row.ending) + ", ";
+  return endings + "else " + detail::kMeshFormats[0].kind;
 }
 
 std::string format_mesh(const TriangleMesh& mesh, MeshFormat format, const std::string& name) {
-  switch (format) {
-    case MeshFormat::off:
-      return format_off(mesh);
-    case MeshFormat::ply_ascii:
-      return format_ply_ascii(mesh);
-    case MeshFormat::ply_little:
-      return format_ply_binary(mesh, false);
-    case MeshFormat::ply_big:
-      return format_ply_binary(mesh, true);
-    case MeshFormat::stl_ascii:
-      return format_stl_ascii(mesh);
-    case MeshFormat::stl_binary:
-      check_single_precision(mesh, name);
-      return format_stl_binary(mesh);
-    case MeshFormat::obj:
-      return format_obj(mesh);
-  }
-  throw InputError(name + ": meshes of this format are read, not written");
+  const detail::MeshFormatRow* row = detail::row_of(format);
+  if (row == nullptr || row->write == nullptr)
+    throw InputError(name + ": meshes of this format are read, not written");
+  return row->write(mesh, name);
 }
 
 void write_mesh(const TriangleMesh& mesh, const std::string& path) {

@@ -2,6 +2,7 @@
 import { count, digits } from "./format.js";
 import { encodeUpload } from "./protocol.js";
 import { whatToTry } from "./scenes.js";
+import { acceptedFiles, filesToDrop } from "./words.js";
 
 function element(kind, className = "", text = "") {
   return Object.assign(document.createElement(kind), { className, textContent: text });
@@ -17,7 +18,7 @@ const UNITS = [["millimetres", 0.001], ["centimetres", 0.01], ["inches", 0.0254]
 /// ask     (message) -> promise of the `ack`; send (buffer) -> whether it went; room() -> bytes that wait to go
 /// limit() bytes of a message
 export function makeOpener(dialog, { ask, send, room, limit }) {
-  const opener = { dialog, ask, send, room, limit, menu: { scenes: [], recordings: [] }, name: "", model: null, busy: null };
+  const opener = { dialog, ask, send, room, limit, menu: { scenes: [], recordings: [], meshes: [] }, name: "", model: null, busy: null };
   dialog.addEventListener("click", (event) => { if (event.target === dialog) dialog.close(); });
   for (const kind of ["dragenter", "dragover"]) {
     addEventListener(kind, (event) => {
@@ -50,7 +51,7 @@ export function openMenu(opener, current) {
 }
 
 function showMenu(opener) {
-  const { scenes, recordings } = opener.menu;
+  const { scenes, recordings, meshes = [] } = opener.menu;
   const list = (items) => {
     const group = element("div", "open-list");
     group.append(...items.map(({ name, title }) => {
@@ -63,11 +64,11 @@ function showMenu(opener) {
     }));
     return group;
   };
-  const file = Object.assign(element("input"), { type: "file", accept: ".obj,.stl,.ply,.off,.mcap", id: "mesh-file" });
+  const file = Object.assign(element("input"), { type: "file", accept: acceptedFiles(meshes), id: "mesh-file" });
   file.addEventListener("change", () => { if (file.files[0]) takeFile(opener, file.files[0]); });
   const pick = element("label", "drop-zone");
   pick.htmlFor = file.id;
-  pick.append(element("b", "", "A mesh or a recording of your own"), element("span", "note", "Drop an OBJ, STL or PLY file, or a recording (.mcap), anywhere on the page, or click to choose one."), file);
+  pick.append(element("b", "", "A mesh or a recording of your own"), element("span", "note", filesToDrop(meshes)), file);
   const parts = [element("h2", "", "Open"), pick, element("h3", "", "Scenes"), list(scenes)];
   if (recordings.length > 0) parts.push(element("h3", "", "Recordings"), list(recordings));
   opener.dialog.replaceChildren(...parts, foot(opener, [button("Cancel", () => opener.dialog.close())]));

@@ -111,3 +111,14 @@ export function levelCounts(contacts) {
   for (const { objectLevel } of contacts) counts.set(objectLevel, (counts.get(objectLevel) ?? 0) + 1);
   return [...counts].sort(([a], [b]) => a - b);
 }
+
+/// What a person may choose from a folder: the kinds of mesh files that the program reads, and recordings.
+/// kinds   [{ name: "OBJ", ending: ".obj" }, ...]; empty from a program that does not tell: any file
+export function acceptedFiles(kinds) {
+  return kinds.length > 0 ? [...kinds.map(({ ending }) => ending), ".mcap"].join(",") : "";
+}
+
+export function filesToDrop(kinds) {
+  const names = kinds.length > 0 ? ` (${kinds.map(({ name }) => name).join(", ")})` : "";
+  return `Drop a mesh${names} or a recording (.mcap) anywhere on the page, or click to choose one.`;
+}

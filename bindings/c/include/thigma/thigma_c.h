@@ -53,7 +53,7 @@ typedef struct thigma_clod thigma_clod;
 THIGMA_API thigma_result thigma_mesh_create(const double* vertices, int64_t vertex_count,
                                             const int32_t* triangles, int64_t triangle_count,
                                             double scale, thigma_mesh** mesh);
-/* OBJ, PLY, STL or OFF. */
+/* A mesh file of any kind that is read. */
 THIGMA_API thigma_result thigma_mesh_load(const char* path, double scale, thigma_mesh** mesh);
 THIGMA_API void thigma_mesh_free(thigma_mesh* mesh);
 THIGMA_API int64_t thigma_mesh_vertex_count(const thigma_mesh* mesh);   /* 0 of NULL */

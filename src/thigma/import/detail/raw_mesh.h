@@ -31,15 +31,12 @@ struct ObjTexture {
   std::vector<std::int64_t> lines;  // of the triangles
 };
 
-/// texture   null, or where texture coordinates go: every corner must have some then
-RawMesh read_obj(std::string_view bytes, const std::string& name, ObjTexture* texture = nullptr);
-RawMesh read_ply(std::string_view bytes, const std::string& name);
-RawMesh read_stl_ascii(std::string_view bytes, const std::string& name);
-RawMesh read_stl_binary(std::string_view bytes, const std::string& name);
-RawMesh read_off(std::string_view bytes, const std::string& name);
-
-/// "OFF" with its optional prefixes; false for anything else.
-bool is_off_keyword(std::string_view word);
+/// What a file shows before it is read.
+struct FileClues {
+  std::string_view bytes;
+  bool is_text = false;         // no control characters but blanks and ends of lines
+  std::string_view first_word;  // of a text; what follows a # is a comment
+};
 
 [[noreturn]] inline void fail_input(const std::string& name, const std::string& what,
                                     const std::string& where, const std::string& expected) {

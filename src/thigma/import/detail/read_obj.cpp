@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "thigma/import/detail/raw_mesh.h"
+#include "thigma/import/detail/mesh_formats.h"
 
 namespace thigma::detail {
 namespace {
@@ -130,7 +130,7 @@ std::string_view join_continued(std::string_view line, Lines& lines, std::string
 
 }  // namespace
 
-RawMesh read_obj(std::string_view bytes, const std::string& name, ObjTexture* texture) {
+RawMesh read_obj_texture(std::string_view bytes, const std::string& name, ObjTexture* texture) {
   ObjReader obj{name, texture, {}, {}, {}};
   obj.mesh.format = MeshFormat::obj;
   Lines lines(bytes);
@@ -158,10 +158,13 @@ RawMesh read_obj(std::string_view bytes, const std::string& name, ObjTexture* te
                at_line(obj.largest_line), "1 to " + std::to_string(obj.mesh.positions.size()));
   }
   if (obj.mesh.positions.empty()) {
-    fail_input(name, "has no vertices", at_line(lines.number()),
-               std::string("a mesh: ") + kMeshFormats);
+    fail_input(name, "has no vertices", at_line(lines.number()), "a mesh: " + mesh_kind_names());
   }
   return std::move(obj.mesh);
+}
+
+RawMesh read_obj(std::string_view bytes, const std::string& name) {
+  return read_obj_texture(bytes, name, nullptr);
 }
 
 }  // namespace thigma::detail

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "thigma/import/detail/raw_mesh.h"
+#include "thigma/import/detail/mesh_formats.h"
 
 namespace thigma::detail {
 namespace {
@@ -92,7 +92,9 @@ void read_face(std::string_view line, std::int64_t number, const std::string& na
 
 }  // namespace
 
-bool is_off_keyword(std::string_view word) {
+// "OFF" with its optional prefixes.
+bool is_off(const FileClues& clues) {
+  std::string_view word = clues.first_word;
   if (word.starts_with("ST")) word.remove_prefix(2);
   if (word.starts_with("C")) word.remove_prefix(1);
   if (word.starts_with("N")) word.remove_prefix(1);

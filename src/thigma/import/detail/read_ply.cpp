@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstring>
 
-#include "thigma/import/detail/raw_mesh.h"
+#include "thigma/import/detail/mesh_formats.h"
 
 namespace thigma::detail {
 namespace {
@@ -363,6 +363,10 @@ void read_elements(Source source, const Header& header, bool is_text, RawMesh& m
 }
 
 }  // namespace
+
+bool is_ply(const FileClues& clues) {
+  return clues.bytes.starts_with("ply\n") || clues.bytes.starts_with("ply\r\n");
+}
 
 RawMesh read_ply(std::string_view bytes, const std::string& name) {
   const Header header = parse_header(bytes, name);

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstring>
 
-#include "thigma/import/detail/raw_mesh.h"
+#include "thigma/import/detail/mesh_formats.h"
 
 namespace thigma::detail {
 namespace {
@@ -66,6 +66,16 @@ void read_facet(Lines& lines, std::string_view line, const std::string& name, Ra
 }
 
 }  // namespace
+
+bool has_binary_stl_size(std::string_view bytes) {
+  if (bytes.size() < kHeaderBytes) return false;
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + 80, sizeof count);
+  return bytes.size() == kHeaderBytes + kTriangleBytes * std::size_t{count};
+}
+
+bool is_stl_binary(const FileClues& clues) { return has_binary_stl_size(clues.bytes); }
+bool is_stl_ascii(const FileClues& clues) { return clues.first_word == "solid"; }
 
 RawMesh read_stl_ascii(std::string_view bytes, const std::string& name) {
   RawMesh mesh;

@@ -73,7 +73,8 @@ function enter(mock, request, socket) {
   tellScene(mock, page, say);
   say({ type: "parameters", list: mock.parameters });
   say({ type: "menu", scenes: [{ name: "mock", title: "Block on block (made up)" }, { name: "cups", title: "Cup and spoon" }],
-    recordings: [{ name: "session-001.mcap", title: "session-001.mcap" }] });
+    recordings: [{ name: "session-001.mcap", title: "session-001.mcap" }],
+    meshes: [{ name: "OBJ", ending: ".obj" }, { name: "PLY", ending: ".ply" }] });
   page.say = say;
   tellState(mock);
 }

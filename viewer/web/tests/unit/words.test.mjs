@@ -3,7 +3,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
 import { SCENES_WITH_WORDS, whatToTry } from "../../src/scenes.js";
 import { digits, duration, say, split } from "../../src/format.js";
-import { atConeEdge, deciderWords, endWords, eventWords, lateWords, levelCounts, limitWords, rowSituation, situation } from "../../src/words.js";
+import { acceptedFiles, atConeEdge, deciderWords, endWords, eventWords, filesToDrop, lateWords, levelCounts, limitWords, rowSituation, situation } from "../../src/words.js";
 
 test("three digits and the right prefix", () => {
   const cases = [[1.3245, "N", "1.32 N"], [0.0123, "N m", "12.3 mN m"], [4.2e-5, "m", "42.0 µm"], [999.6, "Hz", "1.00 kHz"], [412, "Hz", "412 Hz"],
@@ -24,6 +24,14 @@ test("the smallest prefix holds", () => {
 test("digits and times", () => {
   assert.deepEqual([9.994, 9.996, 99.94, 99.96, 1234].map(digits), ["9.99", "10.0", "99.9", "100", "1234"]);
   assert.deepEqual([3.14, 185, NaN].map(duration), ["3.1 s", "3:05 min", "–"]);
+});
+
+test("the page offers what the program reads", () => {
+  const kinds = [{ name: "OBJ", ending: ".obj" }, { name: "XYZ", ending: ".xyz" }];
+  assert.equal(acceptedFiles(kinds), ".obj,.xyz,.mcap");
+  assert.match(filesToDrop(kinds), /^Drop a mesh \(OBJ, XYZ\) or a recording/);
+  assert.equal(acceptedFiles([]), "");
+  assert.match(filesToDrop([]), /^Drop a mesh or a recording/);
 });
 
 test("the situation in a sentence", () => {
