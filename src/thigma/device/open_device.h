@@ -92,13 +92,14 @@ struct CalibrationTalk {
   std::function<void(const std::string&)> say;
   std::function<bool(const std::string&)> confirm;  // a question; true: yes
   std::function<bool()> is_stopped{};  // asked while something moves; true: off at once
+  bool is_answered = true;  // by a person; false: what only a person can tell is left out
 };
 
 /// The vendor's own procedure, then what only a person can confirm. What was confirmed is kept in
 /// the user's configuration folder. Where it is stopped forces go off, and nothing is kept.
 ///
 /// errors   DeviceAddressError, DeviceUnavailable: also where nothing is to be calibrated; IoError
-/// Thread   [offline]; takes up to half a minute, and the device may move by itself.
+/// Thread   [offline]; takes as long as the person, and the device may move by itself.
 void calibrate_device(const std::string& address, const CalibrationTalk& talk);
 
 }  // namespace thigma

@@ -87,8 +87,9 @@ TEST(CameraDevice, a_session_has_the_same_bits_with_it_and_without) {
   const auto hash = [](std::unique_ptr<HapticDevice> device) {
     SessionConfig config = test::plane_session();
     bool has_camera = false;
-    const SessionSummary s = run_lockstep(
-        config, *device, {[&](const HapticSample& h) { has_camera = h.device.has_camera; }, {}, {}});
+    const SessionSummary s =
+        run_lockstep(config, *device,
+                     {[&](const HapticSample& h) { has_camera = h.device.has_camera; }, {}, {}});
     return std::pair(s.state_hash, has_camera);
   };
   const HandParams hand = test::plane_hand(HandPath::press);
