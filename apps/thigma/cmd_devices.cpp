@@ -166,6 +166,7 @@ int calibrate(const std::string& uri, bool says_yes, const Common& common) {
       return is_yes;
     };
     talk.is_stopped = [] { return stop_requested.load(); };
+    talk.is_answered = !says_yes;
     calibrate_device(uri, talk);
     return stop_requested ? kInterrupted : kDone;
   });

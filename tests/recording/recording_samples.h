@@ -52,6 +52,8 @@ inline HapticSample sample(std::uint64_t frame) {
   s.wake_late = static_cast<float>(random.uniform(0.0, 1e-4));
   s.device.has_true_handle = frame % 2 == 1;
   if (s.device.has_true_handle) s.device.true_handle = {random.in_cube(0.1), random.orientation()};
+  s.device.has_camera = frame % 3 == 1;
+  if (s.device.has_camera) s.device.camera = {random.in_cube(0.1), random.orientation()};
   if (frame % 5 == 0) s.device.weight = random.uniform();
   if (frame % 4 == 1) {  // the others are of a penalty session
     s.wanted_speed = random.uniform();

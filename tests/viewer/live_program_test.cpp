@@ -2,6 +2,7 @@
 
 #include "viewer/live_program.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -116,6 +117,48 @@ TEST(LiveProgram, ARecordingIsShownFromAnyTimeAndLeftForASession) {
                }).is_null());
   program.send(SIGINT);
   EXPECT_EQ(program.finish().code, 130);
+}
+
+/// Positions that `camera` messages tell, until the condition holds or none comes any more.
+template <class Condition>
+std::vector<double> camera_way(WebClient& client, Condition is_enough) {
+  std::vector<double> way;
+  message_where(client, "camera", [&](const Json& message) {
+    way.push_back(message["position"][1].get<double>());
+    return is_enough(way.back());
+  });
+  return way;
+}
+
+TEST(LiveProgram, ASecondDeviceMovesTheViewInASessionAndInItsRecording) {
+  const fs::path views = work_folder() / "views.csv";
+  write_text("views.csv",
+             "t,x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n2,0,0.1,0,0,0,0.0998334,0.9950042\n");
+  const std::string recording = (work_folder() / "viewed.mcap").string();
+  Program program(run_arguments({"--device", "hand:?camera=script:" + views.string(), "--record",
+                                 recording, "--duration", "30"}));
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  {
+    WebClient client(port);
+    const std::vector<double> way = camera_way(client, [](double y) { return y > 0.0999; });
+    ASSERT_FALSE(way.empty());
+    EXPECT_GT(way.back(), 0.0999);
+    EXPECT_TRUE(std::is_sorted(way.begin(), way.end()));
+  }
+  program.send(SIGINT);
+  EXPECT_EQ(program.finish().code, 130);
+  const Ended replayed = run_program({"replay", recording, "--json"});
+  EXPECT_EQ(replayed.code, 0) << replayed.out;
+  EXPECT_TRUE(json_line(replayed)["identical"].get<bool>());
+
+  Program shown(run_arguments({"--replay", recording}));
+  const std::uint16_t second = port_of(shown);
+  ASSERT_NE(second, 0) << shown.said();
+  WebClient client(second);
+  const std::vector<double> way = camera_way(client, [](double y) { return y > 0.0999; });
+  ASSERT_FALSE(way.empty());
+  EXPECT_GT(way.back(), 0.0999);
 }
 
 TEST(LiveProgram, AnotherSceneAndADroppedMeshTakeThePlaceOfTheFirst) {

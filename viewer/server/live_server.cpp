@@ -79,6 +79,7 @@ std::vector<LiveParameter> LiveServer::Impl::parameters() {
 
 void LiveServer::Impl::closed(PageId page) {
   uploads.erase(page);
+  told_cameras.erase(page);
   open_pages = server.pages().size();
   if (page == holder) {
     holder = 0;

@@ -313,6 +313,12 @@ std::string event_message(const SessionEvent& event) {
                  {"text", event.text}});
 }
 
+std::string camera_message(const Pose& pose) {
+  Json json = {{"type", "camera"}};
+  add_pose(json, pose);
+  return dumped(json);
+}
+
 std::string ack_message(std::int64_t id, const std::string& reason, std::optional<double> value) {
   Json json = {
       {"type", "ack"}, {"id", id}, {"ok", reason.empty()}, {"reason", text_or_null(reason)}};

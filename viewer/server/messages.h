@@ -159,6 +159,8 @@ std::string progress_message(const std::string& what, double share);
 std::string strip_message(double seconds, const std::vector<float>& force);
 
 std::string event_message(const SessionEvent& event);
+/// `camera`: where the handle of the second device is that moves the view.
+std::string camera_message(const Pose& pose);
 /// reason: "" when it was done.
 std::string ack_message(std::int64_t id, const std::string& reason,
                         std::optional<double> value = std::nullopt);

@@ -51,6 +51,10 @@ struct DeviceState {
   // it.
   bool has_true_handle = false;
   Pose true_handle;  // [device frame]
+  // Of a second device that moves the view ("camera=ADDRESS"): where its handle is. The haptic step
+  // passes it on to what is recorded and shown, and takes nothing from it.
+  bool has_camera = false;
+  Pose camera;  // [frame of the second device, as ours: x to the person, y right, z up]
 };
 
 /// Bit of DeviceState::buttons that means "the hand is on the object".

@@ -5,6 +5,7 @@
 
 #include "thigma/device/detail/address.h"
 #include "thigma/device/detail/bubble_device.h"
+#include "thigma/device/detail/camera_device.h"
 #include "thigma/device/detail/dhd_device.h"
 #include "thigma/device/detail/gamepad_device.h"
 #include "thigma/device/detail/hand_address.h"
@@ -125,13 +126,17 @@ const Scheme& scheme_of(const std::string& address) {
   refuse(address, name);
 }
 
-/// An address before and behind "rotation="; the second is "" where there is none.
-std::pair<std::string, std::string> split_rotation(const std::string& address) {
-  constexpr std::string_view kName = "rotation=";
-  const std::size_t at = address.find(kName);
+/// Takes a second device's address, behind `name`, off the end of an address; "" where there is
+/// none.
+std::string take_second(std::string_view name, std::string& address) {
+  const std::size_t at = address.find(name);
   if (at == std::string::npos || at == 0 || (address[at - 1] != '?' && address[at - 1] != '&'))
-    return {address, ""};
-  return {address.substr(0, at - 1), address.substr(at + kName.size())};
+    return "";
+  const std::string second = address.substr(at + name.size());
+  if (second.empty())
+    throw DeviceAddressError(std::string(name) + " has no value, expected a device, as spacenav:");
+  address.erase(at - 1);
+  return second;
 }
 
 /// Takes one parameter out of an address; its value, "" where there is none.
@@ -170,16 +175,26 @@ std::string device_scheme(std::string_view address) {
 
 std::unique_ptr<HapticDevice> open_device(const std::string& address,
                                           const DeviceContext& context) {
-  // The last parameter, because the address behind it may have its own.
-  const auto [whole, turner] = split_rotation(address);
-  std::string place = whole;
+  // The last parameters, because the addresses behind them may have their own.
+  std::string place = address;
+  take_second("camera=", place);
+  const std::string turner = take_second("rotation=", place);
   const std::string bubble = take_parameter("bubble", place);
   const Scheme& scheme = scheme_of(place);
   const double radius = bubble.empty() ? 0.0 : parse_bubble(bubble);
   Device device = scheme.open(rest_of(place), context);
   if (!bubble.empty()) device = detail::make_bubble_device(std::move(device), radius);
-  if (turner.empty()) return device;
-  return detail::make_rotated_device(std::move(device), open_device(turner, context));
+  if (!turner.empty())
+    device = detail::make_rotated_device(std::move(device), open_device(turner, context));
+  return add_camera(std::move(device), address, context);
+}
+
+std::unique_ptr<HapticDevice> add_camera(std::unique_ptr<HapticDevice> device,
+                                         const std::string& address, const DeviceContext& context) {
+  std::string place = address;
+  const std::string viewer = take_second("camera=", place);
+  if (viewer.empty()) return device;
+  return detail::make_camera_device(std::move(device), open_device(viewer, context));
 }
 
 std::vector<std::string> plugged_devices(const std::string& scheme, std::string* why) {

@@ -43,12 +43,18 @@ class DeviceUnavailable : public std::runtime_error {
 /// threads. Every address takes two more: "bubble=RADIUS" [m] has the handle stand for a velocity
 /// outside a bubble about where the hand took hold; "rotation=ADDRESS", the last one, names a
 /// second device without motors for the rotation of one that senses none, as
-/// "dhd:0?rotation=spacenav:".
+/// "dhd:0?rotation=spacenav:". Behind that, "camera=ADDRESS" names one that moves the view.
 ///
 /// errors   DeviceAddressError, DeviceUnavailable, InputError (a script file); one line each
 /// Thread   [offline].
 std::unique_ptr<HapticDevice> open_device(const std::string& address,
                                           const DeviceContext& context = {});
+
+/// The device with the second one of "camera=" of its address, or as it is; for who opens "web:"
+/// itself. Errors and thread as open_device.
+std::unique_ptr<HapticDevice> add_camera(std::unique_ptr<HapticDevice> device,
+                                         const std::string& address,
+                                         const DeviceContext& context = {});
 
 /// Parameters of a hand as "hand:?..." and a context give them; errors as open_device.
 /// Thread    [offline].
@@ -86,13 +92,14 @@ struct CalibrationTalk {
   std::function<void(const std::string&)> say;
   std::function<bool(const std::string&)> confirm;  // a question; true: yes
   std::function<bool()> is_stopped{};  // asked while something moves; true: off at once
+  bool is_answered = true;  // by a person; false: what only a person can tell is left out
 };
 
 /// The vendor's own procedure, then what only a person can confirm. What was confirmed is kept in
 /// the user's configuration folder. Where it is stopped forces go off, and nothing is kept.
 ///
 /// errors   DeviceAddressError, DeviceUnavailable: also where nothing is to be calibrated; IoError
-/// Thread   [offline]; takes up to half a minute, and the device may move by itself.
+/// Thread   [offline]; takes as long as the person, and the device may move by itself.
 void calibrate_device(const std::string& address, const CalibrationTalk& talk);
 
 }  // namespace thigma

@@ -20,6 +20,7 @@ void visit_device_state(Sample& s, Visit&& visit) {
   visit("status", s.device.status);
   visit.unless("weight", s.device.weight, 1.0);
   visit.optional_pose("true_handle", s.device.has_true_handle, s.device.true_handle);
+  visit.optional_pose("camera", s.device.has_camera, s.device.camera);
   visit("model_sequence", s.model_sequence);
   visit("external_fault", s.external_fault);
   visit.digest("input_digest", s.input_digest);

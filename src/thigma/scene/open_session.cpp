@@ -126,7 +126,7 @@ void open_at(Opening& o) {
   if (o.is_constrained()) use_constraints(session.config);
   if (o.is_potential()) measure_areas(o);
   if (scheme == "web") {
-    session.device = open_web(o);
+    session.device = add_camera(open_web(o), session.device_uri);
   } else if (scheme == "replay") {
     session.device = open_recorded(session.device_uri.substr(scheme.size() + 1), o);
   } else {

@@ -143,6 +143,7 @@ TEST_F(DhdDevice, forces_that_a_button_brings_back_grow) {
   usleep(50'000);
   EXPECT_EQ(drd().call<int>("dhdEnableForce", static_cast<unsigned char>(1), '\0'), 0);
   frames(120);
+  EXPECT_STREQ(device->trouble(), "");  // it is over
   EXPECT_GT(sent_force(), 0.3);
   EXPECT_LT(sent_force(), 1.2);
   frames(500);

@@ -279,6 +279,24 @@ TEST_F(HaplyDevice, a_late_service_is_told_of_and_goes_on) {
     return service().get("applied_fz") == 1.0;
   }));
   EXPECT_EQ(device->read(1.0).status, DeviceStatus::ok);
+  EXPECT_TRUE(wait_for([&] { return *device->trouble() == '\0'; }));  // it is over
+}
+
+TEST_F(HaplyDevice, what_is_amiss_is_told_until_it_is_mended) {
+  start();
+  const auto device = open();
+  service().set("powered", 0);
+  EXPECT_TRUE(wait_for(
+      [&] { return std::string(device->trouble()).find("no power") != std::string::npos; }));
+  service().set("powered", 1);
+  EXPECT_TRUE(wait_for([&] { return *device->trouble() == '\0'; }));
+  service().set("verse_grip", 0);
+  EXPECT_TRUE(wait_for([&] {
+    return std::string(device->trouble()).find("VerseGrip is gone") != std::string::npos;
+  }));
+  service().set("verse_grip", 2);
+  EXPECT_TRUE(wait_for([&] { return *device->trouble() == '\0'; }));
+  EXPECT_EQ(device->read(1.0).status, DeviceStatus::ok);
 }
 
 TEST_F(HaplyDevice, one_answer_a_message_and_zero_at_the_end) {

@@ -9,6 +9,7 @@
 #include "driver_session.h"
 #include <gtest/gtest.h>
 
+#include "thigma/device/detail/device_profile.h"
 #include "thigma/device/open_device.h"
 #include "thigma/math/rotation.h"
 
@@ -48,6 +49,9 @@ struct Ticker {
   }
 };
 
+/// As the stand-in's device tells it.
+std::string serial() { return std::to_string(static_cast<int>(hd().get("serial"))); }
+
 class OpenHapticsDevice : public testing::Test {
  protected:
   void SetUp() override {
@@ -66,19 +70,26 @@ class OpenHapticsDevice : public testing::Test {
     }
     return "";
   }
-  /// A person who says yes, and presses the button when the torque is `felt` [N m].
+  /// A person who holds the button until the torque is `felt` [N m], and answers as it was.
   static void calibrate(double felt) {
-    std::atomic<bool> is_over{false};
+    std::atomic<bool> is_over{false}, has_felt{false};
+    hd().set("buttons", 1);
     std::thread finger([&] {
       while (!is_over) {
         const double torque =
             std::hypot(hd().get("applied_tx"), hd().get("applied_ty"), hd().get("applied_tz"));
-        if (torque > felt) hd().set("buttons", 1);
+        if (torque > felt) {
+          has_felt = true;
+          hd().set("buttons", 0);
+        }
         usleep(1000);
       }
     });
-    calibrate_device("openhaptics:",
-                     {[](const std::string&) {}, [](const std::string&) { return true; }});
+    calibrate_device("openhaptics:", {[](const std::string&) {},
+                                      [&has_felt](const std::string& question) {
+                                        return question.find("at all?") == std::string::npos ||
+                                               !has_felt;
+                                      }});
     is_over = true;
     finger.join();
     hd().set("buttons", 0);
@@ -137,22 +148,46 @@ TEST_F(OpenHapticsDevice, sends_force_in_si_and_ends_in_order) {
 }
 
 TEST_F(OpenHapticsDevice, torque_is_sent_in_newton_metres_once_its_unit_is_confirmed) {
-  hd().set("model", 2);
-  {
+  // At the speed of a person 6 s in N m, 25 s in mN m: that one in long runs.
+  const bool is_long = std::getenv("THIGMA_FULL") != nullptr;
+  std::printf("unit    before    asked         sent [vendor's]   received\n");
+  for (const double unit : {1.0, 1e-3}) {
+    if (unit != 1.0 && !is_long) continue;
+    hd().reset();
+    std::filesystem::remove_all(folder_);
+    hd().set("model", 2);
+    hd().set("hold", 1);
+    hd().set("torque_unit", unit);
+    {
+      const auto device = open_device("openhaptics:");
+      EXPECT_FALSE(device->limits().actuates_rotation);
+      Ticker ticker{device.get(), {Vec3::Zero(), {0.0, 0.02, 0.0}}};
+      ticker.run(100);
+      device->stop_ticks();
+      EXPECT_EQ(hd().get("torque_nonzero"), 0.0);
+    }
+    const double before = hd().get("torque_sets");
+    calibrate(0.015);
     const auto device = open_device("openhaptics:");
-    EXPECT_FALSE(device->limits().actuates_rotation);
+    ASSERT_TRUE(device->limits().actuates_rotation);
     Ticker ticker{device.get(), {Vec3::Zero(), {0.0, 0.02, 0.0}}};
-    ticker.run(100);
+    ticker.run(300);
+    std::printf("%-7s %.0f sent    0.02000 N m   %8.3f          %.5f N m\n",
+                unit == 1.0 ? "N m" : "mN m", before, hd().get("last_tx"), hd().get("applied_tx"));
+    EXPECT_NEAR(hd().get("applied_tx"), 0.02, 0.0002);
     device->stop_ticks();
-    EXPECT_EQ(hd().get("torque_nonzero"), 0.0);
   }
-  calibrate(0.015);
+}
+
+TEST_F(OpenHapticsDevice, a_kept_unit_is_that_of_its_device) {
+  hd().set("model", 2);
+  hd().set("torque_unit", 1e-3);
+  detail::write_device_profile(
+      detail::device_profile_file("openhaptics-PHANToM Premium 1.5 6DOF-" + serial()), {1000.0});
   const auto device = open_device("openhaptics:");
-  ASSERT_TRUE(device->limits().actuates_rotation);
+  ASSERT_TRUE(device->limits().actuates_rotation) << device->name() << ' ' << serial();
   Ticker ticker{device.get(), {Vec3::Zero(), {0.0, 0.02, 0.0}}};
   ticker.run(300);
-  std::printf("torque asked 0.02 N m, sent %.3f of the vendor's, received %.5f N m\n",
-              hd().get("last_tx"), hd().get("applied_tx"));
   EXPECT_NEAR(hd().get("applied_tx"), 0.02, 0.0002);
   device->stop_ticks();
 }
@@ -160,15 +195,28 @@ TEST_F(OpenHapticsDevice, torque_is_sent_in_newton_metres_once_its_unit_is_confi
 TEST_F(OpenHapticsDevice, a_torque_that_is_stopped_is_off_and_its_unit_not_kept) {
   hd().set("model", 2);
   hd().set("hold", 1);  // the stylus does not turn
-  int looks = 0;
+  hd().set("buttons", 1);
   calibrate_device("openhaptics:",
                    {[](const std::string&) {}, [](const std::string&) { return true; },
-                    [&looks] { return ++looks > 30; }});
+                    [] { return hd().get("torque_nonzero") > 100.0; }});
   EXPECT_GT(hd().get("torque_nonzero"), 0.0);
   EXPECT_EQ(hd().get("last_tx"), 0.0);
   EXPECT_EQ(hd().get("force_output"), 0.0);
   EXPECT_EQ(hd().get("opened"), 0.0);
   EXPECT_FALSE(open_device("openhaptics:")->limits().actuates_rotation);
+}
+
+TEST_F(OpenHapticsDevice, warm_motors_are_told_of_until_they_have_cooled) {
+  const auto device = open_device("openhaptics:");
+  Ticker ticker{device.get()};
+  ticker.run(50);
+  hd().set("motor_temperature", 1.0);
+  EXPECT_TRUE(standin_test::wait_for(
+      [&] { return std::string(device->trouble()).find("warm") != std::string::npos; }));
+  hd().set("motor_temperature", 0.2);
+  EXPECT_TRUE(standin_test::wait_for([&] { return *device->trouble() == '\0'; }));
+  EXPECT_EQ(ticker.state.status, DeviceStatus::ok);
+  device->stop_ticks();
 }
 
 TEST_F(OpenHapticsDevice, says_what_to_do_where_it_does_not_open) {

@@ -71,6 +71,18 @@ Snapshot LiveServer::Impl::snapshot_now(const HapticNow& now) {
   return s;
 }
 
+/// Where the second device's handle is, to a page that keeps up and does not know it yet.
+void LiveServer::Impl::show_camera(PageId page, const DeviceState& device) {
+  if (!device.has_camera) return;
+  const Pose& pose = device.camera;
+  const auto told = told_cameras.find(page);
+  if (told != told_cameras.end() && told->second.position == pose.position &&
+      told->second.orientation.coeffs() == pose.orientation.coeffs())
+    return;
+  server.send(page, camera_message(pose), false);
+  told_cameras[page] = pose;
+}
+
 void LiveServer::Impl::show() {
   const HapticNow* now = feed.haptic();
   if (now == nullptr) return;
@@ -86,7 +98,9 @@ void LiveServer::Impl::show() {
   std::vector<std::string> messages;
   if (!rows.empty()) messages.push_back(encode_channels(rows));
   messages.push_back(encode_snapshot(snapshot_now(*now)));
-  for (const PageId page : pages) server.offer(page, messages);
+  for (const PageId page : pages) {
+    if (server.offer(page, messages)) show_camera(page, now->sample.device);
+  }
 }
 
 void LiveServer::Impl::send_events() {

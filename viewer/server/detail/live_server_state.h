@@ -61,6 +61,7 @@ struct LiveServer::Impl {
   void tick();
   void collect_rows();
   void show();
+  void show_camera(PageId page, const DeviceState& device);
   void send_events();
   void remember(const SessionEvent& event);
   void send_state();
@@ -116,6 +117,7 @@ struct LiveServer::Impl {
   std::vector<ChannelRow> rows;
   std::vector<double> query_times;
   std::vector<SessionEvent> events;
+  std::map<PageId, Pose> told_cameras;
   std::vector<ViewedCluster> clusters;
   std::vector<ViewedRow> viewed_rows;
   std::uint64_t ticks = 0, left_out = 0, dropped_samples = 0;

@@ -1,9 +1,9 @@
 // Where one looks from: turned, moved and zoomed about a target, z always up. Display units: the scene has radius 1.
-import { PerspectiveCamera, Vector3 } from "three";
+import { PerspectiveCamera, Quaternion, Vector3 } from "three";
 
 export function makeView() {
   const view = { camera: new PerspectiveCamera(30, 1, 0.01, 100), target: new Vector3(), home: null,
-    azimuth: 0.75, elevation: 0.40, distance: 4.2, changed: true };
+    azimuth: 0.75, elevation: 0.40, distance: 4.2, changed: true, pushed: null };
   view.home = { azimuth: view.azimuth, elevation: view.elevation, distance: view.distance };
   placeCamera(view);
   return view;
@@ -45,6 +45,25 @@ export function pan(view, dx, dy, height) {
   const { right, up } = axes(view);
   const size = unitsPerPixel(view, view.distance, height);
   view.target.addScaledVector(right, -dx * size).addScaledVector(up, dy * size);
+  placeCamera(view);
+}
+
+const PUSH = 5; // a metre of a second device's way is so many distances to the target
+
+/// Moves the view as the handle of a second device has moved since it was told last: the scene goes and turns with it.
+/// pose   {position [m], quat_xyzw}, x to the person, y right, z up; null: what is told next begins anew
+export function follow(view, pose) {
+  const before = view.pushed;
+  view.pushed = pose;
+  if (!before || !pose) return;
+  const [nearer, right, up] = pose.position.map((value, k) => PUSH * (value - before.position[k]));
+  const from = new Quaternion(...before.quat_xyzw), turn = new Quaternion(...pose.quat_xyzw).multiply(from.invert());
+  const twice = turn.w < 0 ? -2 : 2; // small turns: twice the vector's part
+  const way = axes(view);
+  view.target.addScaledVector(way.right, -right * view.distance).addScaledVector(way.up, -up * view.distance);
+  view.distance = Math.max(0.3, Math.min(30, view.distance * Math.exp(-nearer)));
+  view.azimuth -= twice * turn.z;
+  view.elevation = Math.max(-1.5, Math.min(1.5, view.elevation + twice * turn.y));
   placeCamera(view);
 }
 

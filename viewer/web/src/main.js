@@ -1,5 +1,5 @@
 // The live page: what the program says goes to the picture, the plots and the words; what the hand does goes back.
-import { goHome, lookFrom, zoom } from "./camera.js";
+import { follow, goHome, lookFrom, zoom } from "./camera.js";
 import { makeBar, showHint, showSound, showState, showViews } from "./bar.js";
 import { guideLine, makeGuide } from "./guide.js";
 import { STATE } from "./protocol.js";
@@ -123,6 +123,7 @@ const on = {
     addMark(plots, message.time, message.kind);
     if (["recording_ended", "held_back", "squeezed"].includes(message.kind)) session.refusal = { text: `${eventWords(message)}.`, until: performance.now() / 1000 + 10 };
   },
+  camera: (message) => { if (stage) follow(stage.view, message); },
   channels: (message) => {
     session.counts.channels += 1;
     const names = ["t", ...session.hello.channels.map((one) => one.name).filter((name) => name !== "t")];
@@ -142,6 +143,7 @@ const on = {
 
 function begunAgain() {
   hand.clutch = false;
+  if (stage) follow(stage.view, null);
   clearPlots(plots);
   at("events").replaceChildren();
 }

@@ -142,6 +142,7 @@ class DhdDevice final : public HapticDevice {
     if (is_dhd_error(dhd_.get_status(status, id_))) return;
     if (status[kDhdStatusForce] != 0) {
       if (is_off_) on_since_ = last_.time;
+      if (is_off_) trouble_.clear(kForceOff[kForceOffButton]);
       is_off_ = false;
       return;
     }

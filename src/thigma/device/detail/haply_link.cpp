@@ -183,7 +183,8 @@ class HaplySamples {
     const HaplyArm* arm = find_arm(frame, address_.id);
     if (arm == nullptr) return ends_.trouble.lose("the device is not there any more: unplugged");
     if (!arm->is_calibrated) return ends_.trouble.lose("the device has lost its calibration");
-    if (!arm->has_power) ends_.trouble.warn("the device has no power supply: its forces are weak");
+    ends_.trouble.warn_while(!arm->has_power,
+                             "the device has no power supply: its forces are weak");
     if (!arm->is_ready) return ends_.trouble.lose("the device is not ready any more");
     LinkSample next = sample_;
     next.motion.pose.position = ours_from_haply(arm->position);
@@ -203,11 +204,9 @@ class HaplySamples {
   void take_grip(const HaplyGrip* grip, std::int64_t now, LinkSample& next) {
     const bool is_held = address_.hold == 1;
     next.buttons = is_held ? kClutchButton : 0;
-    if (grip == nullptr) {
-      if (address_.grip != "none")
-        ends_.trouble.warn("the VerseGrip is gone: the handle turns no more");
-      return;
-    }
+    ends_.trouble.warn_while(grip == nullptr && address_.grip != "none",
+                             "the VerseGrip is gone: the handle turns no more");
+    if (grip == nullptr) return;
     if (is_held) next.buttons |= grip->buttons << 1;
     if (!is_held) next.buttons |= grip->buttons;
     if (!grip->has_orientation) return;
@@ -240,8 +239,9 @@ void exchange(HaplyLink& link, const HaplyAddress& address, LinkEnds& ends) {
     if (over_since != 0 && now - over_since > kZeroTime) return;
     if (ends.trouble.is_lost() && over_since == 0) over_since = now;
     link.send(address.id, haply_from_ours(force.newest(ends, now).force));
-    if (!link.wait(kQuiet)) {
-      ends.trouble.warn("the service answers late");
+    const bool is_late = !link.wait(kQuiet);
+    ends.trouble.warn_while(is_late, "the service answers late");
+    if (is_late) {
       link.send(address.id, Vec3::Zero());  // what it reads last when it wakes up
       for (int owed = 2; owed > 0; --owed) {
         if (!link.wait(kSilent)) throw IoError("the service does not answer");

@@ -20,6 +20,8 @@ constexpr const char* kPlug =
     "Plug it in, switch it on and run the vendor's set-up; if it is set up, let your user open it "
     "(docs/devices.md, udev rule).";
 
+constexpr const char* kWarm = "the motors are warm, let the device rest";
+
 void sleep_ms(int milliseconds) {
   std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
 }
@@ -112,6 +114,7 @@ void HdServo::frame() noexcept {
   is_in_frame_.store(true, std::memory_order_release);
   library_.begin_frame(device_);
   read();
+  if (warm_frames_ > 0 && --warm_frames_ == 0) trouble_.clear(kWarm);
   look_for_errors();
   has_sent_ = false;
   if (!is_stopping_) tick_.call(tick_.context);
@@ -145,7 +148,9 @@ void HdServo::look_for_errors() noexcept {
   const HdError error = take_hd_error(library_);
   if (error.code == 0) return;
   if (error.code == kHdWarmMotors) {
-    trouble_.warn("the motors are warm, let the device rest", hd_error_text(library_, error.code));
+    constexpr int kStays = 1000;  // frames
+    warm_frames_ = kStays;
+    trouble_.warn(kWarm, hd_error_text(library_, error.code));
   } else {
     trouble_.lose("the vendor's library reports an error", hd_error_text(library_, error.code));
   }

@@ -76,6 +76,7 @@ class HdServo {
   std::atomic<pthread_t> thread_{};  // of the frame, while one is made
   // The vendor's thread only.
   bool has_sent_ = false, has_sent_torque_ = false;
+  int warm_frames_ = 0;  // that motors are taken for warm after the last word of it
   DeviceState sample_;
   TroubleLine trouble_;
 };

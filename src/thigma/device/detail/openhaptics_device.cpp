@@ -7,6 +7,7 @@
 #include "thigma/core/error.h"
 #include "thigma/device/detail/device_profile.h"
 #include "thigma/device/detail/hd_session.h"
+#include "thigma/device/detail/torque_unit.h"
 #include "thigma/device/detail/vendor_frames.h"
 #include "thigma/device/device_limits.h"
 #include "thigma/device/open_device.h"
@@ -127,64 +128,6 @@ class OpenHapticsDevice final : public HapticDevice {
   HdServo servo_;
 };
 
-/// The torque that grows, in the vendor's unit, and what ended it.
-struct TorqueRamp {
-  HdServo* servo = nullptr;
-  double value = 1e-3;
-  Quat start = Quat::Identity();
-  bool has_start = false;
-  std::atomic<bool> is_felt{false}, is_over{false};
-};
-
-constexpr double kRampEnd = 60.0;      // [vendor's unit]: a strong torque if it is mN m
-constexpr double kRampGrowth = 1.001;  // a frame: 11 s from 1e-3 to the end
-constexpr double kFeltTurn = 0.1;      // [rad]
-// Hands feel from about 5 to 50 mN m, which is 0.005 to 0.05 in N m and 5 to 50 in mN m.
-constexpr double kUnitBorder = 0.5;  // [vendor's unit]
-
-void ramp_frame(void* context) noexcept {
-  TorqueRamp& ramp = *static_cast<TorqueRamp*>(context);
-  const DeviceState& sample = ramp.servo->sample();
-  if (!ramp.has_start) ramp.start = sample.motion.pose.orientation;
-  ramp.has_start = true;
-  const Quat turned = sample.motion.pose.orientation * ramp.start.conjugate();
-  const bool is_pressed = (sample.buttons & kClutchButton) != 0;
-  const bool is_turned = turned.vec().norm() > 0.5 * kFeltTurn;
-  if (!ramp.is_over && (is_pressed || is_turned)) ramp.is_felt = true;
-  if (ramp.is_felt || ramp.value >= kRampEnd || ramp.servo->trouble().is_lost())
-    ramp.is_over = true;
-  if (ramp.is_over) return;  // what is not sent is zero
-  ramp.value *= kRampGrowth;
-  const Vec3 torque(ramp.value, 0.0, 0.0);
-  ramp.servo->send(Vec3::Zero(), &torque);
-}
-
-void wait_ms(int milliseconds) {
-  const timespec t{milliseconds / 1000, (milliseconds % 1000) * 1'000'000L};
-  nanosleep(&t, nullptr);
-}
-
-/// Finds the unit, 0 where nobody felt anything.
-double find_torque_unit(OpenedHd& hd, const CalibrationTalk& talk) {
-  if (!talk.confirm(
-          "Torque: hold the stylus lightly between two fingers. A torque will grow slowly "
-          "from nothing; press the button of the stylus as soon as it is felt. Ready?"))
-    return 0.0;
-  HdServo servo(hd.library, hd.handle.id());
-  TorqueRamp ramp;
-  ramp.servo = &servo;
-  servo.start(1000.0, {ramp_frame, &ramp});
-  constexpr int kMostWaits = 3000;
-  const auto is_stopped = [&] { return talk.is_stopped && talk.is_stopped(); };
-  for (int i = 0; i < kMostWaits && !ramp.is_over && !is_stopped(); ++i) wait_ms(10);
-  servo.stop();
-  if (is_stopped()) return 0.0;
-  if (servo.trouble().is_lost())
-    throw DeviceUnavailable(std::string("openhaptics: ") + servo.trouble().text());
-  if (!ramp.is_felt) return 0.0;
-  return ramp.value < kUnitBorder ? 1.0 : 1000.0;
-}
-
 }  // namespace
 
 std::unique_ptr<HapticDevice> open_openhaptics(const std::string& rest, const DeviceContext&) {
@@ -212,9 +155,9 @@ void calibrate_openhaptics(const std::string& rest, const CalibrationTalk& talk)
     talk.say("The device gives no torque: nothing more to do.");
     return;
   }
-  const double unit = find_torque_unit(hd, talk);
+  const double unit = find_torque_unit(hd.library, hd.handle.id(), talk);
   if (unit == 0.0) {
-    talk.say("No torque was felt: torque stays off.");
+    talk.say("The unit of the torque was not found: torque stays off.");
     return;
   }
   const std::string name = unit == 1.0 ? "N m" : "mN m";

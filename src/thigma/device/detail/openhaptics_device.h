@@ -25,12 +25,11 @@ namespace detail {
 std::unique_ptr<HapticDevice> open_openhaptics(const std::string& rest,
                                                const DeviceContext& context);
 
-/// The vendor's calibration, then the unit of the torque where the device can send one: a torque
-/// that grows from a thousandth of the vendor's unit until the person presses the button of the
-/// stylus, or the stylus turns by 0.1 rad; then it is zero. What was confirmed is kept.
+/// The vendor's calibration, then the unit of the torque where the device can send one
+/// (torque_unit.h). What was confirmed is kept.
 ///
 /// errors   DeviceUnavailable, IoError
-/// Thread   [offline]; takes up to half a minute.
+/// Thread   [offline]; takes some minutes of a person's time.
 void calibrate_openhaptics(const std::string& rest, const CalibrationTalk& talk);
 
 /// Addresses of what answers: the usual names. Throws as open_openhaptics without a library.

@@ -218,8 +218,8 @@ class VrpnTalk {
       if (!address_.has_force) publish();  // a tracker at rest may have nothing to say
     }
     if (*link_.complaint() != '\0') ends_.trouble.lose(link_.complaint());
-    if (address_.has_force && now - last_pose_ > kQuiet)
-      ends_.trouble.warn("the server tells its poses late");
+    ends_.trouble.warn_while(address_.has_force && now - last_pose_ > kQuiet,
+                             "the server tells its poses late");
     if (address_.has_force && now - last_pose_ > kSilent)
       ends_.trouble.lose("the server tells no pose any more");
     if (now - link_.last_heard() > kDead) ends_.trouble.lose("the server does not answer");

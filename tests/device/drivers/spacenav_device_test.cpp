@@ -1,12 +1,15 @@
-// SpaceMouse and gamepad against stand-ins of their daemon and of the kernel's event devices.
+// The driver of SpaceMice against the stand-in of their daemon, a process of its own.
 #include <cmath>
 #include <cstdio>
 #include <memory>
 
 #include "standins/services.h"
+#include "support/plane_session.h"
 #include <gtest/gtest.h>
 
 #include "thigma/device/open_device.h"
+#include "thigma/loop/haptic_step.h"
+#include "thigma/recording/replay_session.h"
 
 namespace thigma {
 namespace {
@@ -71,6 +74,43 @@ TEST_F(SpacenavDevice, turns_a_device_of_three_axes) {
   EXPECT_TRUE(device->limits().senses_rotation);
 }
 
+TEST_F(SpacenavDevice, moves_the_view_while_another_device_holds_the_object) {
+  SessionConfig config = test::plane_session();
+  config.duration = 1.5;
+  config.haptic.safety.watchdog = 5.0;
+  config.haptic.safety.model_full_age = 5.0;
+  config.haptic.safety.model_stale_age = 10.0;
+  DeviceContext context;
+  context.clearance = 0.005;
+  const auto device = open_device("hand:?path=press&camera=" + address(), context);
+  std::vector<HapticSample> samples;
+  std::vector<ContactSample> models;
+  Session session(config, *device,
+                  {[&](const HapticSample& s) { samples.push_back(s); },
+                   [&](const ContactSample& s) { models.push_back(s); },
+                   {}});
+  daemon_.set("axis_x", 350);  // to the right, y of ours
+  session.start();
+  usleep(500'000);
+  daemon_.set("axis_x", 0);
+  daemon_.set("axis_ry", 350);
+  const SessionSummary summary = session.finish();
+  EXPECT_EQ(summary.end, SessionEnd::duration);
+  const HapticSample& last = samples.back();
+  ASSERT_TRUE(last.device.has_camera);
+  EXPECT_GT(last.device.camera.position.y(), 0.01);
+  EXPECT_GT(last.device.camera.orientation.z(), 0.01);
+  EXPECT_GT(summary.force_max, 0.1);  // the hand pressed meanwhile
+  HapticParams params = config.haptic;
+  use_device_limits(device->limits(), params);
+  const ReplayReport replay = replay_session(params, config.world_from_body, samples, models);
+  EXPECT_TRUE(replay.identical) << replay.first_difference << ' ' << replay.reason;
+  std::printf("%zu frames with force to %.2f N, the view moved by %.3f m and %.2f rad: replay %s\n",
+              samples.size(), summary.force_max, last.device.camera.position.norm(),
+              2.0 * std::asin(last.device.camera.orientation.z()),
+              replay.identical ? "identical" : "differs");
+}
+
 TEST_F(SpacenavDevice, a_daemon_that_leaves_or_says_nonsense_is_a_loss) {
   {
     const auto device = open_device(address());
@@ -88,72 +128,6 @@ TEST_F(SpacenavDevice, a_daemon_that_leaves_or_says_nonsense_is_a_loss) {
   daemon_.set("die", 1);
   EXPECT_TRUE(wait_for([&] { return device->read(0.0).status == DeviceStatus::lost; }));
   EXPECT_STREQ(device->trouble(), "spacenavd has gone");
-}
-
-/// This program again, in which the stand-in's library stands before the kernel's calls.
-class GamepadDevice : public testing::Test {
- protected:
-  static std::string folder() { return testing::TempDir() + "pads_" + std::to_string(getpid()); }
-  /// Runs one of the tests below whose names begin with DISABLED; its exit status.
-  static int run_under(const Running& pads, const std::string& name) {
-    const std::string place = folder(), filter = "--gtest_filter=UnderPads.DISABLED_" + name;
-    const pid_t child = fork();
-    if (child == 0) {
-      setenv("LD_PRELOAD", STANDIN_FOLDER "/libstandin_evdev.so", 1);
-      setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 0);
-      setenv("STANDIN_GAMEPAD_BOARD", pads.path().c_str(), 1);
-      setenv("STANDIN_EVDEV_FOLDER", place.c_str(), 1);
-      execl("/proc/self/exe", "pads", filter.c_str(), "--gtest_also_run_disabled_tests",
-            "--gtest_brief=1", nullptr);
-      _exit(99);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-};
-
-TEST_F(GamepadDevice, is_found_read_and_lost) {
-  Running pads("standin_gamepad", "GAMEPAD", {"--socket", folder()});
-  pads.set("axis_x", 32767.0);
-  EXPECT_EQ(run_under(pads, "a_stick_is_a_velocity"), 0);
-  EXPECT_EQ(run_under(pads, "unplugged_is_lost"), 0);
-}
-
-TEST_F(GamepadDevice, says_what_to_do_without_permission) {
-  Running pads("standin_gamepad", "GAMEPAD", {"--socket", folder()}, {"NO_PERMISSION=1"});
-  EXPECT_EQ(run_under(pads, "no_permission_says_what_to_do"), 0);
-}
-
-// Run by the tests above.
-TEST(UnderPads, DISABLED_a_stick_is_a_velocity) {
-  EXPECT_EQ(plugged_devices("gamepad:").size(), 1u);
-  const auto device = open_device("gamepad:");
-  std::printf("%s\n", device->name().c_str());
-  double now = 0.0;
-  EXPECT_TRUE(wait_for([&] { return device->read(now += 1e-3).motion.twist.linear.y() > 0.099; }));
-}
-
-TEST(UnderPads, DISABLED_unplugged_is_lost) {
-  int inherited = -1;
-  standin::use_board(standin::open_board(std::getenv("STANDIN_GAMEPAD_BOARD"), &inherited));
-  const auto device = open_device("gamepad:");
-  double now = 0.0;
-  EXPECT_TRUE(wait_for([&] { return device->read(now += 1e-3).motion.twist.linear.y() > 0.05; }));
-  standin_set("unplug", 1);
-  EXPECT_TRUE(wait_for([&] { return device->read(now += 1e-3).status == DeviceStatus::lost; }));
-  standin_set("unplug", 0);
-  EXPECT_NE(std::string(device->trouble()).find("unplugged"), std::string::npos);
-}
-
-TEST(UnderPads, DISABLED_no_permission_says_what_to_do) {
-  try {
-    open_device("gamepad:");
-    ADD_FAILURE();
-  } catch (const DeviceUnavailable& error) {
-    std::printf("%s\n", error.what());
-    EXPECT_NE(std::string(error.what()).find("usermod -aG input"), std::string::npos);
-  }
 }
 
 }  // namespace
