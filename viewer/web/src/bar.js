@@ -11,7 +11,7 @@ export function makeBar(act) {
     open: iconButton("open", "Open a scene or a mesh", "O", act.open), pause: iconButton("pause", "Pause", "P", act.pause), step: iconButton("step", "One step", ".", act.step),
     reset: iconButton("reset", "Begin again", "R", act.reset), record: iconButton("record", "Record", "", act.record),
     theme: iconButton("theme", "Light or dark", "", act.theme), help: iconButton("help", "Help", "?", act.help),
-    device: document.createElement("select"), views: {}, act,
+    device: document.createElement("select"), views: {}, headset: {}, act,
   };
   bar.device.title = "Who moves the object";
   bar.device.setAttribute("aria-label", bar.device.title);
@@ -33,6 +33,19 @@ export function makeBar(act) {
   showSound(bar, false);
   tools.append(bar.sound, iconButton("fit", "Fit the view", "F", act.fit));
   return bar;
+}
+
+/// Buttons for what a headset can do, once that is known.
+/// modes    [[mode, name]]; enter(mode)
+export function addHeadset(bar, modes, enter) {
+  for (const [mode, name] of modes) {
+    bar.headset[mode] = iconButton(mode === "immersive-ar" ? "room" : "headset", name, "", () => enter(mode));
+    document.getElementById("view-tools").append(bar.headset[mode]);
+  }
+  showHeadset(bar, null);
+}
+export function showHeadset(bar, now) {
+  for (const [mode, button] of Object.entries(bar.headset)) button.setAttribute("aria-pressed", String(mode === now));
 }
 
 export function showSound(bar, on) {

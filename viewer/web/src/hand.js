@@ -1,4 +1,4 @@
-// The hand the page stands for: what the mouse, fingers or a gamepad add up to, in the device's frame.
+// The hand the page stands for: what the mouse, fingers, a gamepad or a controller in a headset add up to, in the device's frame.
 import { CLUTCH, MAX_SAMPLES } from "./protocol.js";
 
 const SHORTEST = 0.004; // between samples: at most 250 a second [s]
@@ -38,11 +38,14 @@ export function moveHand(hand, way, workspace) {
 }
 
 /// Turns the hand about a unit axis of the world [rad].
-export function turnHand(hand, axis, angle, workspace) {
-  const own = rotate(conjugate(workspace.quat_xyzw), axis);
-  const q = multiply(aboutAxis(own, angle), hand.quaternion);
-  const norm = Math.hypot(...q);
-  hand.quaternion = q.map((value) => value / norm);
+export const turnHand = (hand, axis, angle, workspace) => turnHandBy(hand, aboutAxis(axis, angle), workspace);
+
+/// Turns the hand by a rotation of the world.
+export function turnHandBy(hand, turn, workspace) {
+  const q = workspace.quat_xyzw;
+  const own = multiply(multiply(multiply(conjugate(q), turn), q), hand.quaternion);
+  const norm = Math.hypot(...own);
+  hand.quaternion = own.map((value) => value / norm);
 }
 
 /// Adds a sample to those that wait; sooner than 4 ms after the last it replaces that one, so that the newest position is

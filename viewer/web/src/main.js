@@ -1,6 +1,6 @@
 // The live page: what the program says goes to the picture, the plots and the words; what the hand does goes back.
 import { follow, goHome, lookFrom, zoom } from "./camera.js";
-import { makeBar, showHint, showSound, showState, showViews } from "./bar.js";
+import { addHeadset, makeBar, showHeadset, showHint, showSound, showState, showViews } from "./bar.js";
 import { guideLine, makeGuide } from "./guide.js";
 import { STATE } from "./protocol.js";
 import { makeHand, noteSample, poseOf, takeSamples } from "./hand.js";
@@ -18,6 +18,7 @@ import { makeSound, playRows, toggleSound } from "./sound.js";
 import { startTheme } from "./theme.js";
 import { startTabs } from "./tabs.js";
 import { eventWords } from "./words.js";
+import { holdsXr, makeXr, supportedModes, toggleXr } from "./xr.js";
 
 const at = (id) => document.getElementById(id);
 const CONFIRM = 50; // the worker is told so often that the hand is still where it was: the force fades with the age of that [ms]
@@ -28,7 +29,7 @@ const session = { connected: false, hello: null, scene: null, meshes: new Map(),
   faultName: () => session.hello?.faults?.[session.snapshot?.fault ?? 0] ?? "fault" };
 const hand = makeHand();
 const guide = makeGuide();
-let stage = null, link = null;
+let stage = null, link = null, xr = null;
 
 const plots = makePlots(at("plots"), [
   ["PNG", "Save the plots as a picture", () => plotPicture(plots, caption()).toBlob((blob) => save(fileName("png"), blob))],
@@ -224,9 +225,9 @@ function giveHand() {
   session.sent += samples.length;
 }
 
-/// The hand is where it was, now.
+/// The hand is where it was, now; that of a headset only its frames can tell.
 function confirmHand() {
-  if (!session.holding) return;
+  if (!session.holding || holdsXr(xr)) return;
   noteSample(hand, performance.now() / 1000);
   giveHand();
 }
@@ -270,7 +271,17 @@ function startStage() {
   showViews(bar, stage.options);
   new ResizeObserver(() => resize(stage)).observe(at("stage"));
   resize(stage);
+  startHeadset();
   return startInput(player);
+}
+
+async function startHeadset() {
+  xr = makeXr({ stage, player, leave, moment: takeMoment, changed: () => showHeadset(bar, xr.mode),
+    take: () => { if (session.state?.devices.includes("web:") && !session.state.device.startsWith("web:")) act.device("web:"); },
+    strength: () => Math.min(1, newtonsFelt() / fullForce()) });
+  addHeadset(bar, await supportedModes(), (mode) => toggleXr(xr, mode).catch(({ message }) => {
+    session.refusal = { text: `The headset: ${message}`, until: performance.now() / 1000 + 6 };
+  }));
 }
 
 function save(name, blob) {
@@ -294,14 +305,18 @@ setInterval(confirmHand, CONFIRM);
 
 let last = performance.now(), tick = 0, drawn = 0, wordsAt = 0;
 
+function takeMoment() {
+  if (!session.fresh) return;
+  session.shown = session.snapshot;
+  if (stage) showSnapshot(stage, session.shown);
+  session.fresh = false;
+}
+
 /// Picture, tiles, sentences and plots show one moment: that of the newest snapshot when a picture is begun.
 function showMoment() {
+  if (xr?.session) return false; // its frames make the pictures
   if (stage && !isReady(stage)) return false;
-  if (session.fresh) {
-    session.shown = session.snapshot;
-    if (stage) showSnapshot(stage, session.shown);
-    session.fresh = false;
-  }
+  takeMoment();
   if (!stage || !draw(stage)) return false;
   drawn += 1;
   showRulers(rulers, stage, session.shown);
@@ -310,7 +325,7 @@ function showMoment() {
 
 function frame(now) {
   requestAnimationFrame(frame);
-  const newtons = session.snapshot ? Math.hypot(...session.snapshot.force) : 0;
+  const newtons = newtonsFelt();
   if (input) readGamepad(input, (now - last) / 1000, newtons, fullForce());
   if (input) readKeys(input, (now - last) / 1000);
   last = now;
@@ -323,6 +338,8 @@ function frame(now) {
   showWords(now / 1000, newtons);
   wordsAt = 10 * performance.now() - 9 * begin; // a tenth of the time at most
 }
+
+const newtonsFelt = () => (session.snapshot ? Math.hypot(...session.snapshot.force) : 0);
 
 /// The force whose arrow is as long as the object: where rumble is strongest.
 function fullForce() {
@@ -341,5 +358,5 @@ function showWords(now, newtons) {
 requestAnimationFrame(frame);
 
 /// For tests and the curious: everything the page knows.
-window.thigma = { session, hand, plots, sound, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; },
+window.thigma = { session, hand, plots, sound, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; }, get xr() { return xr; },
   get drawn() { return drawn; } };

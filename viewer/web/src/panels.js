@@ -161,6 +161,7 @@ const HELP = [
   ["Right drag, wheel", "turns and zooms the view; middle drag shifts it"],
   ["Touch", "one finger on the object moves it, a second turns and lifts it; beside it fingers move the view"],
   ["Gamepad", "sticks move and turn, triggers push and pull, A holds, B lets go; it rumbles with the force"],
+  ["VR or AR", "where a headset is there: the trigger holds, squeezing frees the controller, its stick turns and sizes the scene"],
   ["P . R O", "pause, one step, begin again, open a scene"],
   ["F L G C A N", "fit the view; levels of detail, ghost, contacts, arrows, names on and off"],
   ["S", "sound of contact on and off: changes of the force"],

@@ -243,7 +243,7 @@ export function setOptions(stage, options) {
 /// The canvas has another size in the page. Its pixels follow with the next picture: until then the last one stays.
 export function resize(stage) {
   const { clientWidth: width, clientHeight: height } = stage.canvas;
-  if (width === 0 || height === 0) return;
+  if (width === 0 || height === 0 || stage.renderer.xr.isPresenting) return; // a headset has its own
   stage.resized = true;
   stage.view.camera.aspect = width / height;
   stage.view.camera.fov = width < height ? 38 : 30; // an upright picture would cut the sides off
