@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_hierarchy.h"
+#include "thigma/contact/query_contacts.h"
+#include "thigma/loop/contact_step.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/models/make_model.h"
 #include "thigma/response/texture_contacts.h"
 #include "thigma/texture/haptic_texture.h"
 
@@ -68,6 +71,39 @@ struct TwoSurfaces {
     world.resolution.is_exact = true;
   }
 };
+
+// Where a session starts does not depend on whether its levels are built yet.
+TEST(FindStart, AsksForTheFinestSurfacesWhateverTheResolution) {
+  TwoSurfaces apart(make_ball(0.01, 6), make_box({0.2, 0.2, 0.06}, {6, 6, 2}));
+  const Pose above{{0.0, 0.0, 0.0405}, Quat::Identity()};
+  const StartPlacement exact = find_start(apart.world, above);
+  apart.world.resolution.is_exact = false;
+  apart.world.resolution.metric.haptic = 0.5;
+  const StartPlacement coarse = find_start(apart.world, above);
+  EXPECT_EQ(coarse.given_gap, exact.given_gap);
+  EXPECT_EQ(coarse.clearance, exact.clearance);
+  EXPECT_EQ(coarse.world_from_body.position, exact.world_from_body.position);
+}
+
+// Two wavy sides that fit each other have every pair of patches near; the nearest is wanted alone.
+TEST(FindStart, FindsTheNearestOfConformingSurfacesFromFewPairs) {
+  const TwoSurfaces fit(models::make_model(models::parse_model_uri(
+                            "procedural:conforming_upper?triangles=4000&seed=1", "a")),
+                        models::make_model(models::parse_model_uri(
+                            "procedural:conforming_lower?triangles=4000&seed=1", "b")));
+  StampedBody raised;
+  raised.state.position.z() = 5e-4;  // so coarse, they overlap a little as given
+  const StartPlacement start = find_start(fit.world, {raised.state.position, Quat::Identity()});
+  // Brute force: all pairs within more than the gap.
+  ContactScratch all;
+  ContactWorld world = fit.world;
+  world.tolerance = 2.0 * start.given_gap;
+  world.capacity = 1 << 20;
+  reserve_query(world, all);
+  find_contacts(world, raised, all);
+  EXPECT_EQ(least_distance(all.contacts), start.given_gap);
+  EXPECT_GT(start.given_gap, 0.0);
+}
 
 TEST(FindStart, MovesOutWhatIsInsideWithoutTouching) {
   const TwoSurfaces inside(make_ball(0.01, 4), make_box({0.2, 0.2, 0.06}, {6, 6, 2}));

@@ -8,18 +8,23 @@
 #include "thigma/core/error.h"
 #include "thigma/loop/contact_step.h"
 #include "thigma/loop/haptic_step.h"
+#include "thigma/math/infinity.h"
 #include "thigma/response/texture_contacts.h"
 #include "thigma/scene/detail/winding_number.h"
 
 namespace thigma {
 namespace {
 
-/// Distance queries for a body that is moved about.
+/// Distance queries for a body that is moved about. Exact: where a session starts does not depend
+/// on whether its levels are there yet, and levels may stand apart where surfaces overlap.
 struct Prober {
   ContactWorld world;  // own tolerance
   ContactScratch scratch;
-  double radius = 0.0;  // of the object [m]
-  double reach = 0.0;   // farther apart than this nothing is looked for [m]
+  double radius = 0.0;      // of the object [m]
+  double reach = 0.0;       // farther apart than this nothing is looked for [m]
+  double look_first = 0.0;  // [m]
+  // contacts are not of a traversal of the surfaces alone: of relief, or of another source
+  bool is_vague = false;
 
   /// Whether one of the two lies in the solid of the other though their surfaces are apart.
   bool is_swallowed(const Pose& pose, const Contact& nearest) const {
@@ -35,8 +40,8 @@ struct Prober {
   }
 
   /// closest, where an object inside another is as deep as its way to the surface is long.
-  std::optional<Contact> deepest(const Pose& pose, double look_first) {
-    std::optional<Contact> nearest = closest(pose, look_first);
+  std::optional<Contact> deepest(const Pose& pose) {
+    std::optional<Contact> nearest = closest(pose);
     if (!nearest || nearest->depth >= 0.0 || !is_swallowed(pose, *nearest)) return nearest;
     nearest->depth = -nearest->depth;
     nearest->normal = -nearest->normal;
@@ -44,13 +49,9 @@ struct Prober {
   }
 
   /// The deepest contact at a pose, looking farther and farther; nothing within `reach`: no value.
-  std::optional<Contact> closest(const Pose& pose, double look_first) {
-    StampedBody at;
-    at.state.position = pose.position;
-    at.state.orientation = pose.orientation;
-    for (double tolerance = look_first;; tolerance *= 1.5) {
-      world.tolerance = std::min(tolerance, reach);
-      find_contacts(world, at, scratch);
+  std::optional<Contact> closest(const Pose& pose) {
+    for (double tolerance = look_first;; tolerance = kStep * separation()) {
+      look(pose, std::min(tolerance, reach));
       const std::vector<Contact>& contacts = scratch.contacts.contacts;
       if (!contacts.empty()) {
         return *std::max_element(
@@ -59,6 +60,28 @@ struct Prober {
       }
       if (tolerance >= reach) return std::nullopt;
     }
+  }
+
+  // Small: surfaces that conform have a million pairs a little farther than the nearest.
+  static constexpr double kStep = 1.02;
+
+  /// How far the objects are apart at least, by the last query, which found nothing; where nobody
+  /// can say, some more than that query looked [m].
+  double separation() const {
+    if (is_vague) return 1.5 * world.tolerance;
+    double least = kInfinity;
+    for (const ContactFront& front : scratch.fronts)
+      least = std::min(least, unreported_separation(front));
+    return std::max(std::min(least, reach), world.tolerance);
+  }
+
+  /// All contacts within a tolerance.
+  void look(const Pose& pose, double tolerance) {
+    StampedBody at;
+    at.state.position = pose.position;
+    at.state.orientation = pose.orientation;
+    world.tolerance = tolerance;
+    find_contacts(world, at, scratch);
   }
 
   /// Which way is out: the contacts' normals weighted by depth, as a hand would be pushed.
@@ -78,7 +101,8 @@ double extent(const ContactWorld& world, double object_radius) {
 }
 
 Prober make_prober(const ContactWorld& world) {
-  Prober prober{world, {}, 0.0, 0.0};
+  Prober prober{world};
+  prober.world.resolution = {};
   // Analytic scenes have no hierarchy to take a size from; their tolerance is about a hundredth of
   // it.
   prober.radius = world.object != nullptr ? world.object->radius : 100.0 * world.tolerance;
@@ -102,7 +126,7 @@ double move_out(Prober& prober, const Contact& deepest, double wanted, const Vec
                        std::to_string(out.z()) + "); expected a pose from which they can");
     }
     pose.position = given + travel * out;
-    nearest = prober.deepest(pose, wanted);
+    nearest = prober.deepest(pose);
   }
   return travel;
 }
@@ -118,14 +142,20 @@ StartPlacement find_start(const ContactWorld& world, const Pose& world_from_body
   const double tolerance = world.tolerance + relief_of(world.textures);
   const double wanted = std::max(gap > 0.0 ? gap : 0.1 * prober.radius, 3.0 * tolerance);
 
-  std::optional<Contact> nearest = prober.closest(start.world_from_body, wanted);
+  prober.is_vague = !world.textures.is_empty() || world.source;
+  prober.look_first = prober.is_vague ? wanted : 0.05 * tolerance;
+
+  std::optional<Contact> nearest = prober.closest(start.world_from_body);
   if (!nearest) return start;
   const bool is_through = nearest->depth > 0.0;
-  nearest = prober.deepest(start.world_from_body, wanted);
+  nearest = prober.deepest(start.world_from_body);
   start.has_scene = true;
   start.given_gap = -nearest->depth;
   Vec3 out = -nearest->normal;
-  if (is_through) out = prober.way_out();
+  if (is_through) {
+    prober.look(start.world_from_body, wanted);
+    out = prober.way_out();
+  }
   if (way_out != nullptr) out = *way_out;
   if (!(out.norm() > 0.0)) out = -nearest->normal;
   out.normalize();
@@ -143,7 +173,7 @@ StartPlacement find_start(const ContactWorld& world, const Pose& world_from_body
   const double most = travel + prober.reach;
   while (back < most) {
     pose.position = start.world_from_body.position + back * start.approach;
-    nearest = prober.closest(pose, wanted);
+    nearest = prober.closest(pose);
     if (!nearest) break;  // moving past: there is nothing that way
     const double distance = -nearest->depth;
     if (distance <= tolerance) break;
@@ -155,11 +185,8 @@ StartPlacement find_start(const ContactWorld& world, const Pose& world_from_body
 
 StartPlacement place_at_start(const std::optional<Vec3>& approach, SessionConfig& config) {
   const Vec3 out = approach ? Vec3(-*approach) : Vec3::Zero();
-  ContactWorld world = config.contact;
-  // What rows keep outside has to start outside: levels may stand apart where surfaces overlap.
-  if (config.haptic.response == ResponseKind::constrained) world.resolution.is_exact = true;
   const StartPlacement start =
-      find_start(world, config.world_from_body, 0.0, approach ? &out : nullptr);
+      find_start(config.contact, config.world_from_body, 0.0, approach ? &out : nullptr);
   config.world_from_body = start.world_from_body;
   return start;
 }
