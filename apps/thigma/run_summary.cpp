@@ -3,7 +3,9 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <optional>
 #include <type_traits>
+#include <utility>
 
 #include "thigma/files/file.h"
 #include "thigma/recording/recording.h"
@@ -30,28 +32,6 @@ Json quantiles(const DurationSummary& d, double unit, bool with_p999 = true) {
   return json;
 }
 
-/// By the clock; null in lockstep.
-Json stages(const StageSummary& s) {
-  if (s.whole.count == 0) return nullptr;
-  constexpr double kMicro = 1e-6;
-  return {{"device_read", quantiles(s.device_read, kMicro)},
-          {"compute", quantiles(s.compute, kMicro)},
-          {"device_write", quantiles(s.device_write, kMicro)},
-          {"whole", quantiles(s.whole, kMicro)}};
-}
-
-/// How punctual the haptic thread was; null in lockstep.
-Json deadlines(const SessionSummary& s) {
-  if (s.wake_late.count == 0) return nullptr;
-  Json late;
-  for (std::size_t i = 0; i < kLateBounds.size(); ++i)
-    late[std::to_string(kLateBounds[i] / 1000)] = s.deadlines.late[i];
-  return {{"missed", s.missed},
-          {"overruns", s.deadlines.overruns},
-          {"late_over_us", late},
-          {"polled_share", s.deadlines.polled_share}};
-}
-
 /// The empty loop of the same minute, null where it was not measured.
 Json floor_json(const EmptyLoop* floor) {
   if (floor == nullptr) return nullptr;
@@ -61,87 +41,40 @@ Json floor_json(const EmptyLoop* floor) {
           {"polled_share", floor->polled_share}};
 }
 
-/// Contacts at each level, 0 the finest, as shares of all, up to the coarsest in use.
-Json level_shares(const std::array<std::uint64_t, kLevelBins>& counts) {
-  Json shares = Json::array();
-  std::uint64_t sum = 0;
-  for (const std::uint64_t n : counts) sum += n;
-  std::uint64_t so_far = 0;
-  for (const std::uint64_t n : counts) {
-    if (so_far == sum) break;
-    so_far += n;
-    shares.push_back(static_cast<double>(n) / static_cast<double>(sum));
-  }
-  return shares;
-}
-
-constexpr std::array<const char*, kLevelDeciders> kDeciders = {"haptic", "velocity", "view",
-                                                               "cap",    "budget",   "finest"};
-
 double share_of(std::uint64_t part, const std::array<std::uint64_t, kLevelDeciders>& counts) {
   std::uint64_t sum = 0;
   for (const std::uint64_t n : counts) sum += n;
   return sum > 0 ? static_cast<double>(part) / static_cast<double>(sum) : 0.0;
 }
 
-/// What decided the level of detail of contacts, as shares of all; null without a contact.
-Json deciders(const SessionSummary& s) {
-  Json shares;
-  bool has_contacts = false;
-  for (std::size_t i = 0; i < kDeciders.size(); ++i) {
-    has_contacts |= s.decided_by[i] > 0;
-    shares[kDeciders[i]] = share_of(s.decided_by[i], s.decided_by);
-  }
-  return has_contacts ? shares : Json(nullptr);
-}
+/// Fills an object with what visit_summary tells.
+class ToJson {
+ public:
+  explicit ToJson(Json& json) : at_(&json) {}
 
-/// Largest steps from frame to frame [N], where a contact changes its level of detail and
-/// elsewhere.
-Json force_step(const ForceStep& step, const SessionSummary& s) {
-  Json json;
-  json["level_change"] =
-      s.force_steps.level_change_frames > 0 ? finite(step.level_change) : Json(nullptr);
-  json["other"] = finite(step.other);
-  return json;
-}
-
-/// What the controller did, null without it.
-Json passivity(const PassivitySummary& p) {
-  if (!p.is_on) return nullptr;
-  return {{"delay", p.delay},
-          {"acted_share", p.acted_share},
-          {"sent_share", p.sent_share},
-          {"damping_max", p.damping_max}};
-}
-
-/// What the constrained response did, null without it.
-Json constraint(const ConstraintSummary& s) {
-  if (!s.is_on) return nullptr;
-  Json json;
-  visit_constraint_summary(s, [&](const char* key, auto value) {
-    if constexpr (std::is_floating_point_v<decltype(value)>)
-      json[key] = finite(value);
+  template <class Value>
+  void operator()(const std::string& key, const Value& value) {
+    if constexpr (std::is_same_v<Value, Quantiles>)
+      (*at_)[key] = quantiles(value.durations, value.unit, value.has_tail);
+    else if constexpr (std::is_same_v<Value, std::optional<double>>)
+      (*at_)[key] = value ? finite(*value) : Json(nullptr);
+    else if constexpr (std::is_floating_point_v<Value>)
+      (*at_)[key] = finite(value);
     else
-      json[key] = value;
-  });
-  json["solve_us"] = quantiles(s.solve, 1e-6, false);
-  return json;
-}
+      (*at_)[key] = value;
+  }
+  template <class Fill>
+  void group(const std::string& key, bool is_known, const Fill& fill) {
+    Json group;
+    Json* const outer = std::exchange(at_, &group);
+    if (is_known) fill();
+    at_ = outer;
+    (*at_)[key] = std::move(group);
+  }
 
-/// How friction held, null where nothing with friction has pressed.
-Json friction(const FrictionSummary& s) {
-  if (!s.is_on) return nullptr;
-  return {{"sticking_share", s.sticking_share}, {"slip_work", s.slip_work}};
-}
-
-/// What textures told, and what they could not.
-Json texture(const SessionSummary& s) {
-  return {{"depths", s.texture_depths},
-          {"not_height_field", s.texture_folds},
-          {"coarse", s.texture_coarse},
-          {"bent", s.texture_bent},
-          {"left_out", s.texture_left_out}};
-}
+ private:
+  Json* at_;  // the group that is being filled
+};
 
 void append(std::string& text, const char* format, ...) __attribute__((format(printf, 2, 3)));
 void append(std::string& text, const char* format, ...) {
@@ -187,59 +120,11 @@ void append_constraint(std::string& text, const ConstraintSummary& s) {
 
 Json run_summary_json(const SessionSummary& s, const std::string& scene, const std::string& device,
                       const EmptyLoop* floor) {
-  constexpr double kMicro = 1e-6, kMilli = 1e-3;
   Json json;
   json["scene"] = scene;
   json["device"] = device;
-  json["seconds"] = s.seconds;
-  json["haptic"] = {{"rate_hz", s.rate},
-                    {"frames", s.frames},
-                    {"missed", s.missed},
-                    {"step_cpu_us", quantiles(s.step_cpu, kMicro)},
-                    {"wake_late_us", quantiles(s.wake_late, kMicro)},
-                    {"stages_us", stages(s.stages)},
-                    {"deadlines", deadlines(s)},
-                    {"floor", floor_json(floor)}};
-  const bool has_updates = s.contact_updates > 0;
-  const auto mean = [&](double value) { return has_updates ? finite(value) : Json(nullptr); };
-  json["contact"] = {
-      {"updates", s.contact_updates},
-      {"rate_hz", s.seconds > 0.0 ? finite(static_cast<double>(s.contact_updates) / s.seconds)
-                                  : Json(nullptr)},
-      {"query_cpu_us", quantiles(s.query_cpu, kMicro)},
-      {"model_cpu_us", quantiles(s.model_cpu, kMicro)},
-      {"step_cpu_us", quantiles(s.contact_step_cpu, kMicro)},
-      {"contacts_mean", mean(s.contacts_mean)},
-      {"clusters_mean", mean(s.clusters_mean)},
-      {"front_mean", mean(s.front_mean)},
-      {"model_age_ms", quantiles(s.model_age, kMilli, false)},
-      {"tests_mean", mean(s.tests_mean)},
-      {"mandatory_tests_mean", mean(s.mandatory_tests_mean)},
-      {"dropped", s.dropped_contacts},
-      {"bound_max", s.bound_max},
-      {"unrefined", s.unrefined},
-      {"level_changes", s.level_changes},
-      {"texture", texture(s)},
-      {"levels",
-       {{"object", level_shares(s.object_levels)}, {"scene", level_shares(s.scene_levels)}}}};
-  json["levels"] = {{"decided_by", deciders(s)},
-                    {"triangles_below_mean",
-                     s.triangles_below_mean > 0.0 ? Json(s.triangles_below_mean) : Json(nullptr)}};
-  json["force"] = {{"max", s.force_max},
-                   {"rms", s.force_rms},
-                   {"step_max", force_step(s.force_steps.device, s)},
-                   {"contact_step_max", force_step(s.force_steps.contact, s)}};
-  json["torque"] = {{"max", s.torque_max}, {"rms", s.torque_rms}};
-  json["penetration_max"] = s.penetration_max;
-  json["coupling_stretch_max"] = s.stretch_max;
-  json["energy_min"] = s.energy_min;
-  json["constraint"] = constraint(s.constraint);
-  json["friction"] = friction(s.friction);
-  json["passivity"] = passivity(s.passivity);
-  json["ridden_out"] = {{"gaps", s.ridden_out.gaps},
-                        {"longest_gap_ms", 1e3 * s.ridden_out.longest_gap},
-                        {"stale_models", s.ridden_out.stale_models}};
-  json["dropped_samples"] = s.dropped_samples;
+  visit_summary(s, ToJson(json));
+  json["haptic"]["floor"] = floor_json(floor);
   json["safety_events"] = Json::array();
   for (const SessionEvent& event : s.safety_events) {
     json["safety_events"].push_back(
@@ -306,9 +191,9 @@ std::string run_summary_text(const SessionSummary& s) {
          1e6 * s.query_cpu.p50, 1e6 * s.query_cpu.p99,
          static_cast<unsigned long long>(s.contact_updates), s.contacts_mean, s.clusters_mean);
   std::string deciding;
-  for (std::size_t i = 0; i < kDeciders.size(); ++i)
+  for (std::size_t i = 0; i < kDeciderNames.size(); ++i)
     if (s.decided_by[i] > 0)
-      append(deciding, "%s%s %.0f %%", deciding.empty() ? "" : ", ", kDeciders[i],
+      append(deciding, "%s%s %.0f %%", deciding.empty() ? "" : ", ", kDeciderNames[i],
              100.0 * share_of(s.decided_by[i], s.decided_by));
   if (!deciding.empty() && s.triangles_below_mean > 0.0)
     append(text, "level of detail  decided by %s; %.0f original triangles below a contact\n",

@@ -1,6 +1,10 @@
 // Sessions: a frame at a call, or on threads that Python cannot hold up.
 
+#include <cmath>
 #include <cstdio>
+#include <optional>
+#include <type_traits>
+#include <utility>
 
 #include "bind.h"
 #include "scene_run.h"
@@ -69,6 +73,47 @@ py::dict quantiles(const DurationSummary& s) {
   return d;
 }
 
+/// Fills a dict with what visit_summary tells: the numbers of `thigma run --json`.
+class ToDict {
+ public:
+  explicit ToDict(py::dict& dict) : at_(&dict) {}
+
+  template <class Value>
+  void operator()(const std::string& key, const Value& value) {
+    (*at_)[py::str(key)] = number(value);
+  }
+  template <class Fill>
+  void group(const std::string& key, bool is_known, const Fill& fill) {
+    py::dict group;
+    py::dict* const outer = std::exchange(at_, &group);
+    if (is_known) fill();
+    at_ = outer;
+    (*at_)[py::str(key)] = is_known ? py::object(group) : py::none();
+  }
+
+ private:
+  template <class Value>
+  static py::object number(const Value& value) {
+    if constexpr (std::is_same_v<Value, std::optional<double>>) return number(value.value_or(NAN));
+    if constexpr (std::is_same_v<Value, double>)
+      if (!std::isfinite(value)) return py::none();
+    return py::cast(value);
+  }
+  static py::object number(const Quantiles& q) {
+    py::dict d;
+    const auto put = [&](const char* key, double seconds) {
+      d[key] = q.durations.count > 0 ? number(seconds / q.unit) : py::none();
+    };
+    put("p50", q.durations.p50);
+    put("p99", q.durations.p99);
+    if (q.has_tail) put("p999", q.durations.p999);
+    if (q.has_tail) put("p9999", q.durations.p9999);
+    put("max", q.durations.max);
+    return d;
+  }
+  py::dict* at_;  // the group that is being filled
+};
+
 py::dict to_dict(const SessionSummary& s) {
   py::dict d;
   d["end"] = end_name(s.end);
@@ -94,6 +139,9 @@ py::dict to_dict(const SessionSummary& s) {
   d["energy_min"] = s.energy_min;
   d["state_hash"] = hex_text(s.state_hash);
   d["notes"] = s.notes;
+  py::dict figures;
+  visit_summary(s, ToDict(figures));
+  d["figures"] = figures;
   return d;
 }
 

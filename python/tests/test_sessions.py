@@ -27,6 +27,13 @@ def test_steps_are_the_program_s_frames(program, tmp_path):
     assert session.summary.frames == 1500 and session.summary.end == "duration"
     assert session.summary.state_hash == said["state_hash"]
     assert session.summary.force_max > 0.1
+    figures = session.summary.figures  # all but what is measured by the clock of the processor
+    assert set(said) - set(figures) == {"scene", "device", "safety_events", "state_hash"}
+    for group in ("force", "torque", "friction", "passivity", "ridden_out", "levels"):
+        assert figures[group] == said[group]
+    assert figures["contact"]["contacts_mean"] == said["contact"]["contacts_mean"]
+    assert figures["constraint"]["rows_mean"] == said["constraint"]["rows_mean"]
+    assert figures["haptic"]["step_cpu_us"]["p50"] > 0.0 and figures["haptic"]["deadlines"] is None
     again = thigma.Session(scene, device="hand:", duration=1.5)
     assert again.run().state_hash == said["state_hash"]
     many = thigma.Session(scene, device="hand:", duration=1.5)

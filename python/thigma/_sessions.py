@@ -66,6 +66,9 @@ class Summary:
     """At the device's port, <= 0 [J]."""
     state_hash: str
     notes: list[str]
+    figures: dict[str, Any]
+    """All numbers, named and in the units of the summary of `thigma run --json`: `figures["constraint"]`,
+    `figures["haptic"]["step_cpu_us"]["p99"]`. None: not known, or not a finite number."""
 
     def __repr__(self) -> str:
         return (

@@ -1,4 +1,4 @@
-// libFuzzer's entry points. THIGMA_FUZZ_TARGET names the target; `fuzz_readers --targets` lists them.
+// libFuzzer's entry points. THIGMA_FUZZ_TARGET names a target; `fuzz_readers --targets` lists all.
 
 #include <cstdio>
 #include <cstdlib>

@@ -60,7 +60,7 @@ void fuzz_message(Bytes bytes);
 void fuzz_haply(Bytes bytes);
 void fuzz_vrpn(Bytes bytes);
 
-/// Mutators of formats with checksums and sizes: they change what is inside and mend what guards it.
+/// Changes what is inside a format with checksums or sizes, and mends what guards it.
 void mutate_clod(std::string& bytes, std::size_t most, std::uint32_t seed, Mutate mutate);
 void mutate_tex(std::string& bytes, std::size_t most, std::uint32_t seed, Mutate mutate);
 void mutate_recording(std::string& bytes, std::size_t most, std::uint32_t seed, Mutate mutate);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "thigma/recording/replay_session.h"
+#include "thigma/session/statistics.h"
 
 namespace thigma {
 namespace {

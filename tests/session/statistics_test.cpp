@@ -147,15 +147,67 @@ TEST(ConstraintStatistics, WithoutAFrameNothingIsMadeUp) {
   EXPECT_FALSE(std::isfinite(s.travel_min));
 }
 
-TEST(ConstraintStatistics, EveryFieldOfTheSummaryHasAKeyOfItsOwn) {
-  std::set<std::string> keys;
-  int count = 0;
-  visit_constraint_summary(ConstraintSummary{}, [&](const char* key, auto) {
-    keys.insert(key);
-    ++count;
-  });
-  EXPECT_EQ(keys.size(), static_cast<std::size_t>(count));
-  EXPECT_EQ(count, 19);
+/// Every key of a list with the groups that it is in.
+struct Keys {
+  std::multiset<std::string> all;
+  std::multiset<std::string> unknown;  // groups
+  std::string inside;
+
+  template <class Value>
+  void operator()(const std::string& key, const Value&) {
+    all.insert(inside + key);
+  }
+  template <class Fill>
+  void group(const std::string& key, bool is_known, const Fill& fill) {
+    if (!is_known) unknown.insert(inside + key);
+    const std::string outer = inside;
+    inside += key + ".";
+    if (is_known) fill();
+    inside = outer;
+  }
+};
+
+TEST(SummaryList, EveryNumberHasAKeyOfItsOwn) {
+  SessionSummary s;
+  Keys keys;
+  visit_summary(s, keys);
+  EXPECT_EQ(keys.unknown,
+            (std::multiset<std::string>{"haptic.stages_us", "haptic.deadlines", "levels.decided_by",
+                                        "constraint", "friction", "passivity"}));
+  s.stages.whole.count = s.wake_late.count = 1;
+  s.constraint.is_on = s.friction.is_on = s.passivity.is_on = true;
+  s.decided_by[0] = 1;
+  Keys more;
+  visit_summary(s, more);
+  EXPECT_TRUE(more.unknown.empty());
+  EXPECT_GT(more.all.size(), keys.all.size());
+  for (const std::string& key : more.all) EXPECT_EQ(more.all.count(key), 1u) << key;
+  for (const std::string& key : keys.all) EXPECT_EQ(more.all.count(key), 1u) << key;
+}
+
+TEST(SummaryList, SharesEndWithTheLastThatIsNotZero) {
+  EXPECT_TRUE(shares_of(std::array<std::uint64_t, 3>{}).empty());
+  EXPECT_EQ(shares_of(std::array<std::uint64_t, 4>{1, 0, 3, 0}),
+            (std::vector<double>{0.25, 0.0, 0.75}));
+}
+
+TEST(Summary, TotalsAreTakenAsTheyWereGathered) {
+  const auto haptic = std::make_unique<HapticStatistics>();
+  haptic->frames = 4;
+  haptic->force_max = 3.0;
+  haptic->force_square_sum = 16.0;
+  const auto contact = std::make_unique<ContactStatistics>();
+  contact->updates = 2;
+  contact->contacts = 3;
+  contact->unrefined = 7;
+  contact->depth_max = -1.0;
+  const SessionSummary s = summarize(SessionConfig{}, *haptic, *contact, HapticState{});
+  EXPECT_EQ(s.frames, 4u);
+  EXPECT_EQ(s.force_max, 3.0);
+  EXPECT_EQ(s.force_rms, 2.0);
+  EXPECT_EQ(s.unrefined, 7u);
+  EXPECT_EQ(s.contacts_mean, 1.5);
+  EXPECT_EQ(s.penetration_max, 0.0);
 }
 
 TEST(ConstraintStatistics, TheLeastGapIsThatOfFramesInTheHand) {

@@ -34,6 +34,35 @@ struct DurationSummary {
 };
 DurationSummary summarize(const DurationHistogram& histogram) noexcept;
 
+/// Where a haptic frame's time goes, by the clock; nothing in lockstep [s].
+struct StageSummary {
+  DurationSummary device_read, compute, device_write, whole;
+};
+
+/// Wake-ups later than these are counted [ns].
+inline constexpr std::array<std::int64_t, 3> kLateBounds = {100'000, 200'000, 1'000'000};
+
+/// How punctual the haptic thread was; nothing in lockstep.
+struct DeadlineSummary {
+  // frames that ended after the next deadline
+  std::uint64_t overruns = 0;
+  std::array<std::uint64_t, kLateBounds.size()> late{};  // wake-ups later than each of kLateBounds
+  double polled_share = 0.0;  // of the time: processor spent on being punctual
+};
+
+/// All durations of a stage.
+struct StageHistogram {
+  const char* name;
+  DurationHistogram histogram;
+};
+
+/// Durations as lists of numbers tell them.
+struct Quantiles {
+  const DurationSummary& durations;  // null where there are none
+  double unit;                       // [s]
+  bool has_tail = true;              // p999 and p9999 as well
+};
+
 /// Bounds of a bucket: durations from `from` up to, not including, `to` are counted in it [ns].
 /// bucket    0 to kBuckets - 1
 struct BucketBounds {

@@ -9,7 +9,6 @@
 #include "thigma/session/detail/contact_frames.h"
 #include "thigma/session/detail/event_detector.h"
 #include "thigma/session/detail/frame_driver.h"
-#include "thigma/session/detail/session_summary.h"
 #include "thigma/session/live_ports.h"
 #include "thigma/session/rt_thread.h"
 #include "thigma/session/session.h"
@@ -49,8 +48,7 @@ class LockstepShell {
 
   SessionSummary run() {
     const SessionEnd end = detail::drive_frames(config_, *this, record_);
-    SessionSummary summary =
-        detail::summarize(config_, record_.statistics, contacts_.statistics, state_);
+    SessionSummary summary = summarize(config_, record_.statistics, contacts_.statistics, state_);
     summary.end = end;
     summary.force_steps = force_steps_;
     summary.safety_events = events_.take_safety_events();

@@ -4,7 +4,6 @@
 
 #include <stdexcept>
 
-#include "thigma/session/detail/session_summary.h"
 #include "thigma/session/detail/session_threads.h"
 
 namespace thigma {
@@ -79,8 +78,7 @@ SessionSummary Session::finish() {
   s.is_started = false;
   s.join_threads();
   if (s.sink_error) std::rethrow_exception(s.sink_error);
-  SessionSummary summary =
-      detail::summarize(s.config, s.record.statistics, s.contacts.statistics, s.state);
+  SessionSummary summary = summarize(s.config, s.record.statistics, s.contacts.statistics, s.state);
   summary.end = s.end;
   summary.seconds = s.record.time;
   summary.force_steps = s.force_steps;

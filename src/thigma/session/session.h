@@ -15,10 +15,8 @@
 #include "thigma/loop/haptic_params.h"
 #include "thigma/loop/samples.h"
 #include "thigma/session/fault_injection.h"
-#include "thigma/session/force_steps.h"
-#include "thigma/session/histogram.h"
 #include "thigma/session/rt_thread.h"
-#include "thigma/session/statistics.h"
+#include "thigma/session/session_summary.h"
 
 namespace thigma {
 
@@ -100,84 +98,6 @@ struct SessionSinks {
   std::function<void(const HapticSample&)> haptic;
   std::function<void(const ContactSample&)> contact;
   std::function<void(const SessionEvent&)> event;
-};
-
-/// How a session ended.
-enum class SessionEnd : std::uint8_t { duration, device_finished, stopped, fault };
-
-/// Name as it stands in messages to pages.
-const char* end_name(SessionEnd end) noexcept;
-
-/// Where a haptic frame's time goes, by the clock; nothing in lockstep [s].
-struct StageSummary {
-  DurationSummary device_read, compute, device_write, whole;
-};
-
-/// How punctual the haptic thread was; nothing in lockstep.
-struct DeadlineSummary {
-  // frames that ended after the next deadline
-  std::uint64_t overruns = 0;
-  std::array<std::uint64_t, kLateBounds.size()> late{};  // wake-ups later than each of kLateBounds
-  double polled_share = 0.0;  // of the time: processor spent on being punctual
-};
-
-/// All durations of a stage.
-struct StageHistogram {
-  const char* name;
-  DurationHistogram histogram;
-};
-
-/// What the passivity controller did; nothing where it was off.
-struct PassivitySummary {
-  bool is_on = false;
-  double delay = 0.0;        // it reckoned with [s]
-  double acted_share = 0.0;  // of the frames with a wrench, those it changed
-  double sent_share = 1.0;   // of the wanted wrench, mean over frames with one, before damping
-  double damping_max = 0.0;  // injected [N s/m]
-};
-
-/// What a session was like: the summary of `thigma run` is made of this.
-struct SessionSummary {
-  SessionEnd end = SessionEnd::duration;
-  double seconds = 0.0;  // session clock
-  double rate = 0.0;     // asked for [Hz]
-  std::uint64_t frames = 0, missed = 0;
-  DurationSummary step_cpu, wake_late;  // [s]
-  StageSummary stages;
-  DeadlineSummary deadlines;
-  std::vector<StageHistogram> histograms;  // of every stage that was timed
-  std::uint64_t contact_updates = 0;
-  DurationSummary query_cpu, model_cpu, contact_step_cpu;             // [s]
-  double contacts_mean = 0.0, clusters_mean = 0.0, front_mean = 0.0;  // over updates
-  DurationSummary model_age;                                          // [s]
-  double tests_mean = 0.0, mandatory_tests_mean = 0.0;  // pairs looked at, over updates
-  std::uint64_t unrefined = 0, level_changes = 0;       // contacts, sums over updates
-  // depths by textures; of these where a surface is no height field
-  std::uint64_t texture_depths = 0, texture_folds = 0;
-  // see ContactSample
-  std::uint64_t texture_coarse = 0, texture_bent = 0, texture_left_out = 0;
-  double bound_max = 0.0;                                                 // of all contacts [m]
-  std::array<std::uint64_t, kLevelBins> object_levels{}, scene_levels{};  // contacts, sums
-  std::array<std::uint64_t, kLevelDeciders> decided_by{};  // contacts, sums, by LevelDecision
-  // of the original below a contact, over contacts; 0 of exact queries
-  double triangles_below_mean = 0.0;
-  ForceSteps force_steps;
-  double force_max = 0.0, force_rms = 0.0;  // sent; rms over frames [N]
-  double torque_max = 0.0,
-         torque_rms = 0.0;  // felt about the handle, sent or not (device without it) [N m]
-  // largest depth at the poses of the contact queries; 0: never inside [m]
-  double penetration_max = 0.0;
-  double stretch_max = 0.0;  // of the coupling [m]
-  double energy_min = 0.0;   // at the device's port, <= 0 [J]
-  ConstraintSummary constraint;
-  FrictionSummary friction;
-  PassivitySummary passivity;
-  RiddenOut ridden_out;
-  std::uint64_t dropped_samples = 0;  // of either ring
-  std::uint64_t dropped_contacts = 0;
-  std::vector<SessionEvent> safety_events;
-  std::uint64_t state_hash = 0;
-  std::vector<std::string> notes;  // what the system refused; the texts of events
 };
 
 /// Runs a session on a virtual clock in the calling thread: no sleeping, no other thread,

@@ -8,7 +8,6 @@
 #include "thigma/session/detail/check_config.h"
 #include "thigma/session/detail/contact_frames.h"
 #include "thigma/session/detail/frame_driver.h"
-#include "thigma/session/detail/session_summary.h"
 #include "thigma/session/live_ports.h"
 #include "thigma/simulation/free_motion.h"
 
@@ -54,8 +53,7 @@ class SimulatedShell {
     start_clock(clock_);
     const SessionEnd end = detail::drive_frames(config_, *this, record_);
     SimulatedSummary summary = summary_;
-    summary.session =
-        detail::summarize(config_, record_.statistics, contacts_.statistics, HapticState{});
+    summary.session = summarize(config_, record_.statistics, contacts_.statistics, HapticState{});
     summary.session.end = end;
     summary.session.missed = clock_.missed;
     summary.is_resting = state_.is_resting;

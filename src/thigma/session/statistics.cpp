@@ -2,85 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace thigma {
+namespace {
 
-void accumulate(HeldCounts& counts, const HapticSample& sample) THIGMA_RT {
-  if (!sample.is_grasped) return;
-  ++counts.frames;
-  counts.held_back += sample.is_held_back ? 1 : 0;
-  counts.squeezed += sample.is_squeezed ? 1 : 0;
-  counts.touching += sample.touching > 0 ? 1 : 0;
-  counts.active += static_cast<std::uint64_t>(std::max(sample.touching, 0));
-  counts.active_max = std::max(counts.active_max, sample.touching);
-  counts.residual_max = std::max(counts.residual_max, sample.solve_residual);
-  counts.wanted_speed_max = std::max(counts.wanted_speed_max, sample.wanted_speed);
-  counts.row_gap_min = std::min(counts.row_gap_min, -sample.penetration);
-}
-
-void accumulate(SlipTotals& totals, const SlipCount& slip) THIGMA_RT {
-  totals.sticking += static_cast<std::uint64_t>(slip.sticking);
-  totals.sliding += static_cast<std::uint64_t>(slip.sliding);
-  totals.work += slip.work;
-}
-
-FrictionSummary summarize(const SlipTotals& slip) noexcept {
-  FrictionSummary s;
-  const std::uint64_t all = slip.sticking + slip.sliding;
-  s.is_on = all > 0;
-  if (all > 0) s.sticking_share = static_cast<double>(slip.sticking) / static_cast<double>(all);
-  s.slip_work = slip.work;
-  return s;
-}
-
-void accumulate(RowCounts& counts, const ContactSample& sample) THIGMA_RT {
-  const std::size_t rows = sample.model.constraints.rows.size();
-  ++counts.models[rows];
-  counts.found_max = std::max(counts.found_max, sample.rows);
-  counts.halvings_max = std::max(counts.halvings_max, sample.travel_halvings);
-  counts.left_out_max = std::max(counts.left_out_max, sample.left_out);
-  counts.halved_models += sample.travel_halvings > 0 ? 1 : 0;
-  counts.left_out_models += sample.left_out > 0 ? 1 : 0;
-  counts.look_ahead_max = std::max(counts.look_ahead_max, sample.look_ahead);
-  counts.coarse_max = std::max(counts.coarse_max, sample.coarse);
-  if (rows > 0) counts.travel_min = std::min(counts.travel_min, sample.travel);
-}
-
-ConstraintSummary summarize(const HeldCounts& held, const RowCounts& rows) noexcept {
-  ConstraintSummary s;
-  s.is_on = true;
-  const double frames = static_cast<double>(std::max<std::uint64_t>(held.frames, 1));
-  s.held_back_share = static_cast<double>(held.held_back) / frames;
-  s.squeezed_share = static_cast<double>(held.squeezed) / frames;
-  s.held_back_frames = held.held_back;
-  s.active_mean = static_cast<double>(held.active) /
-                  static_cast<double>(std::max<std::uint64_t>(held.touching, 1));
-  s.active_max = held.active_max;
-  s.residual_max = held.residual_max;
-  s.wanted_speed_max = held.wanted_speed_max;
-  s.row_gap_min = held.row_gap_min;
-  s.found_max = rows.found_max;
-  s.halvings_max = rows.halvings_max;
-  s.halved_models = rows.halved_models;
-  s.left_out_max = rows.left_out_max;
-  s.left_out_models = rows.left_out_models;
-  s.travel_min = rows.travel_min;
-  s.look_ahead_max = rows.look_ahead_max;
-  s.coarse_max = rows.coarse_max;
-  std::uint64_t all = 0, so_far = 0, sum = 0;
-  for (std::size_t n = 1; n < rows.models.size(); ++n) {
-    all += rows.models[n];
-    sum += n * rows.models[n];
+std::vector<StageHistogram> timed_stages(const HapticStatistics& haptic,
+                                         const ContactStatistics& contact) {
+  const std::pair<const char*, const DurationHistogram*> all[] = {
+      {"haptic_wake_late", &haptic.wake_late},   {"haptic_device_read", &haptic.device_read},
+      {"haptic_compute", &haptic.compute},       {"haptic_device_write", &haptic.device_write},
+      {"haptic_whole", &haptic.whole},           {"haptic_step_cpu", &haptic.step_cpu},
+      {"contact_query_cpu", &contact.query_cpu}, {"contact_model_cpu", &contact.model_cpu},
+      {"contact_step_cpu", &contact.step_cpu},   {"contact_model_age", &haptic.model_age},
+      {"haptic_row_solve", &haptic.solve}};
+  std::vector<StageHistogram> timed;
+  for (const auto& [name, histogram] : all) {
+    if (histogram->total > 0) timed.push_back({name, *histogram});
   }
-  s.rows_mean = static_cast<double>(sum) / static_cast<double>(std::max<std::uint64_t>(all, 1));
-  for (std::size_t n = 1; n < rows.models.size(); ++n) {
-    if (rows.models[n] == 0) continue;
-    s.rows_max = static_cast<std::int64_t>(n);
-    if (2 * so_far < all) s.rows_p50 = s.rows_max;
-    so_far += rows.models[n];
-  }
-  return s;
+  return timed;
 }
+
+}  // namespace
 
 void accumulate(HapticStatistics& statistics, const HapticSample& sample, std::int64_t step_cpu_ns,
                 std::int64_t wake_late_ns) THIGMA_RT {
@@ -148,6 +91,64 @@ void accumulate(ContactStatistics& statistics, const ContactSample& sample) THIG
   record(statistics.query_cpu, to_ns(sample.query_cpu));
   record(statistics.model_cpu, to_ns(sample.step_cpu - sample.query_cpu));
   record(statistics.step_cpu, to_ns(sample.step_cpu));
+}
+
+PassivitySummary summarize(const PassivityParams& params,
+                           const PassivityControl& control) noexcept {
+  PassivitySummary s;
+  s.is_on = params.is_on;
+  s.delay = params.delay;
+  if (control.wanted_frames == 0) return s;
+  const auto frames = static_cast<double>(control.wanted_frames);
+  s.acted_share = static_cast<double>(control.acted_frames) / frames;
+  s.sent_share = control.share_sum / frames;
+  s.damping_max = control.damping_max;
+  return s;
+}
+
+SessionSummary summarize(const SessionConfig& config, const HapticStatistics& haptic,
+                         const ContactStatistics& contact, const HapticState& state) {
+  SessionSummary s;
+  static_cast<HapticTotals&>(s) = haptic;
+  static_cast<ContactTotals&>(s) = contact;
+  s.rate = config.rate;
+  s.seconds = static_cast<double>(haptic.frames) / config.rate;
+  s.step_cpu = summarize(haptic.step_cpu);
+  s.wake_late = summarize(haptic.wake_late);
+  s.model_age = summarize(haptic.model_age);
+  s.contact_updates = contact.updates;
+  s.stages = {summarize(haptic.device_read), summarize(haptic.compute),
+              summarize(haptic.device_write), summarize(haptic.whole)};
+  s.deadlines.overruns = haptic.overruns;
+  s.deadlines.late = haptic.late;
+  s.histograms = timed_stages(haptic, contact);
+  s.query_cpu = summarize(contact.query_cpu);
+  s.model_cpu = summarize(contact.model_cpu);
+  s.contact_step_cpu = summarize(contact.step_cpu);
+  const double updates = std::max(1.0, static_cast<double>(contact.updates));
+  s.contacts_mean = static_cast<double>(contact.contacts) / updates;
+  s.clusters_mean = static_cast<double>(contact.clusters) / updates;
+  s.front_mean = static_cast<double>(contact.front) / updates;
+  s.tests_mean = static_cast<double>(contact.tests) / updates;
+  s.mandatory_tests_mean = static_cast<double>(contact.mandatory_tests) / updates;
+  s.triangles_below_mean =
+      contact.triangles_below / std::max(1.0, static_cast<double>(contact.contacts));
+  const double frames = std::max(1.0, static_cast<double>(haptic.frames));
+  s.force_rms = std::sqrt(haptic.force_square_sum / frames);
+  s.torque_rms = std::sqrt(haptic.torque_square_sum / frames);
+  // Of simulated bodies the frames' own, of which there may be no contact frame.
+  s.penetration_max =
+      std::max(0.0, contact.updates > 0 ? contact.depth_max : haptic.penetration_max);
+  s.energy_min = state.energy.energy_min;
+  if (config.haptic.response == ResponseKind::constrained) {
+    s.constraint = summarize(haptic.held, contact.rows);
+    s.constraint.solve = summarize(haptic.solve);
+  }
+  s.friction = summarize(haptic.slip);
+  s.passivity = summarize(config.haptic.passivity, state.passivity);
+  s.dropped_contacts = contact.dropped;
+  s.state_hash = haptic.hash.value;
+  return s;
 }
 
 }  // namespace thigma

@@ -11,9 +11,9 @@ namespace thigma::detail {
 
 struct MeshFormatRow {
   MeshFormat format;
-  const char* kind;    // as messages name it; rows of one kind stand together
-  const char* ending;  // of file names, in small letters
-  const char* name;    // as reports print it
+  const char* kind;                    // as messages name it; rows of one kind stand together
+  const char* ending;                  // of file names, in small letters
+  const char* name;                    // as reports print it
   bool (*is)(const FileClues& clues);  // null: any text that no other row knows
   RawMesh (*read)(std::string_view bytes, const std::string& name);
   std::string (*write)(const TriangleMesh& mesh, const std::string& name);  // null: read only

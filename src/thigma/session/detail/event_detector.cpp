@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "thigma/clod/hierarchy.h"
+#include "thigma/session/statistics.h"
 
 namespace thigma::detail {
 
