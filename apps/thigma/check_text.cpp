@@ -8,6 +8,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kMicro = 1e6, kMilli = 1e3;
+constexpr double kSlow =
+    1.5e-3;  // a sample of a device as fast as the haptic thread is younger [s]
 
 Json duration_json(const DurationSummary& d) {
   if (d.count == 0) return nullptr;
@@ -38,6 +40,7 @@ Json check_json(const std::string& uri, const DeviceLimits& limits, const Device
   Json json = {{"device", uri}, {"name", report.device}};
   json["trouble"] = report.trouble.empty() ? Json(nullptr) : Json(report.trouble);
   json["clock"] = limits.clock == DeviceClock::device ? "device" : "engine";
+  json["delay"] = limits.delay;
   json["max_force"] = limits.max_force;
   json["max_torque"] = limits.actuates_rotation ? Json(limits.max_torque) : Json(nullptr);
   json["senses_rotation"] = limits.senses_rotation;
@@ -68,6 +71,12 @@ std::string check_text(const DeviceLimits& limits, const DeviceReport& report, b
   add_line(text, "late %.0f us (p99), %.0f us (most); read %.0f us, write %.0f us (p99)\n",
            kMicro * report.late.p99, kMicro * report.late.max, kMicro * report.read.p99,
            kMicro * report.write.p99);
+  if (limits.delay > 0.0)
+    add_line(text, "its samples are %.1f ms old when they are read\n", kMilli * limits.delay);
+  if (limits.delay > kSlow)
+    text +=
+        "slower than 1000 frames a second: gains = \"auto\" in a scene, or `thigma tune "
+        "--device`, count with that\n";
   add_line(text, "noise at rest %.4f mm, %.5f rad\n", kMilli * report.noise, report.turn_noise);
   add_axes(text, report);
   add_line(text, "buttons seen: %#x; bit 0 takes hold of the object\n", report.buttons);

@@ -45,6 +45,7 @@ void print_schemes_json() {
     nlohmann::ordered_json line = {{"device", scheme.scheme}, {"meaning", scheme.meaning}};
     line["plugged_in"] = plugged_devices(scheme.scheme, &why);
     line["missing"] = text_or_null(why);
+    line["if_killed"] = text_or_null(scheme.if_killed);
     line["parameters"] = nlohmann::ordered_json::array();
     for (const DeviceParameter& p : scheme.parameters) {
       line["parameters"].push_back({{"name", p.name},
@@ -79,6 +80,8 @@ void print_schemes_text() {
     for (const std::string& address : plugged_devices(scheme.scheme, &why))
       std::printf("  plugged in: %s\n", address.c_str());
     if (!why.empty()) std::printf("  none: %s\n", why.c_str());
+    if (!scheme.if_killed.empty())
+      std::printf("  if this program is killed: %s\n", scheme.if_killed.c_str());
     for (const DeviceParameter& p : scheme.parameters) {
       std::printf("  %-22s %-12s %-10s %s\n", p.name.c_str(), p.default_value.c_str(),
                   p.unit.c_str(), p.meaning.c_str());

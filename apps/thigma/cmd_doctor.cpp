@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include "thigma/depth/gpu_depth.h"
+#include "thigma/device/open_device.h"
 #include "thigma/session/rt_thread.h"
 
 namespace thigma::app {
@@ -191,6 +192,19 @@ Check check_graphics() {
               "without one this processor computes them.");
 }
 
+Check check_devices() {
+  std::string found;
+  for (const DeviceScheme& scheme : device_schemes()) {
+    for (const std::string& address : plugged_devices(scheme.scheme))
+      found += (found.empty() ? "" : ", ") + address;
+  }
+  const bool is_any = !found.empty();
+  return made(
+      "devices", is_any, CheckState::warn, is_any ? found : "none plugged in",
+      "Plug one in, or use the page's mouse; `thigma devices` names what each lacks and the "
+      "step that mends it.");
+}
+
 int examine(const Common& common) {
   std::error_code error;
   const auto temporary = std::filesystem::temp_directory_path(error);
@@ -204,6 +218,7 @@ int examine(const Common& common) {
                           check_writable("temporary_folder", error ? "/tmp" : temporary),
                           check_shared(),
                           check_graphics(),
+                          check_devices(),
                           check_memlock()};
   for (const Check& check : checks) {
     if (common.json) {

@@ -7,6 +7,7 @@
 #include "support/plane_session.h"
 #include "support/ticking_hand.h"
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
 
 #include "thigma/device/detail/link_device.h"
 #include "thigma/device/detail/rate_device.h"
@@ -102,6 +103,36 @@ TEST(DeviceAudit, nor_does_the_step_in_the_callback_of_openhaptics) {
   EXPECT_EQ(audit.counts.total(), 0) << audit.text();
 }
 
+TEST(DeviceAudit, nor_does_the_driver_of_force_dimension_in_a_session_of_its_thread) {
+  if (test::why_no_audit() != nullptr) GTEST_SKIP() << test::why_no_audit();
+  setenv("STANDIN_DRD_BLOCKING", "0", 1);  // else the library waits for the device, in our thread
+  setenv("STANDIN_DRD_WATCHDOG", "0", 1);  // a loaded machine is late
+  setenv("STANDIN_DRD_VELOCITY_THRESHOLD", "0", 1);
+  const auto device = open_device("dhd:0");
+  test::AuditCounts counts;
+  int reads = 0;
+  bool is_seen = false;
+  std::thread haptic([&] {
+    // The stand-in keeps errors by thread; the loader allocates room for them at the first call.
+    device->read(0.0);
+    device->write(Wrench{});
+    is_seen = test::forbid_system_calls();
+    const test::AuditScope scope;
+    for (int i = 0; i < 20'000; ++i) {
+      const DeviceState state = device->read(1e-3 * i);
+      device->write({{0.0, 0.0, 1e-4 * (i % 100)}, Vec3(0.0, 1e-4, 0.0)});
+      reads += state.status == DeviceStatus::ok ? 1 : 0;
+    }
+    counts = scope.counts();
+  });
+  haptic.join();
+  EXPECT_TRUE(is_seen);
+  EXPECT_EQ(reads, 20'000) << device->trouble();
+  if (counts.last_system_call == SYS_sched_yield) counts.system_calls = 0;  // the stand-in's lock
+  EXPECT_EQ(counts.total(), 0) << counts.allocations << ' ' << counts.locks << ' '
+                               << counts.last_system_call;
+}
+
 /// The service of a link: tells a moving handle twice a millisecond, takes forces.
 void pretend_service(detail::LinkEnds& ends) {
   detail::LinkSample sample;
@@ -122,7 +153,7 @@ TEST(DeviceAudit, nor_do_drivers_over_a_link_however_they_are_wrapped) {
   std::unique_ptr<HapticDevice> devices[] = {
       std::make_unique<detail::LinkDevice>("link", DeviceLimits{}, false, pretend_service),
       std::make_unique<detail::RateDevice>("rate", detail::RateParams{}, pretend_service),
-      open_device("hand:?dof=3&bubble=0.005&rotation=null:")};
+      open_device("hand:?dof=3&bubble=0.005&rotation=null:&camera=null:")};
   test::AuditCounts counts;
   bool is_seen = false;
   std::thread haptic([&] {

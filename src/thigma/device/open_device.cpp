@@ -73,6 +73,7 @@ struct Scheme {
   std::vector<std::string> (*plugged)() = nullptr;  // addresses; throws as open. Null: nobody knows
   // null: nothing to do
   void (*calibrate)(const std::string& rest, const CalibrationTalk& talk) = nullptr;
+  const char* if_killed = "";
 };
 
 constexpr Scheme kSchemes[] = {
@@ -85,13 +86,18 @@ constexpr Scheme kSchemes[] = {
     {"null:", "a handle that never moves", open_null, null_parameters},
     {"openhaptics:", "3D Systems Touch and Phantom (libHD.so): openhaptics:NAME",
      detail::open_openhaptics, no_parameters, "openhaptics:NAME", detail::plugged_openhaptics,
-     detail::calibrate_openhaptics},
+     detail::calibrate_openhaptics,
+     "the last force may stay, no time-out is documented: keep a hand on the switch"},
     {"dhd:", "Force Dimension omega, delta, sigma, lambda; Novint Falcon (libdrd.so): dhd:NUMBER",
-     detail::open_dhd, no_parameters, "dhd:NUMBER", detail::plugged_dhd, detail::calibrate_dhd},
+     detail::open_dhd, no_parameters, "dhd:NUMBER", detail::plugged_dhd, detail::calibrate_dhd,
+     "the device's watchdog cuts its forces, within 32 ms; its factory value is not documented"},
     {"haply:", "Haply Inverse3, Inverse3x, Minverse (Inverse Service): haply:ID",
-     detail::open_haply, detail::haply_parameters, "haply:ID", detail::plugged_haply},
+     detail::open_haply, detail::haply_parameters, "haply:ID", detail::plugged_haply, nullptr,
+     "the session of the service ends with its connection and the device idles; no time is "
+     "documented"},
     {"vrpn:", "tracker and force device of a VRPN server: vrpn:NAME@HOST", detail::open_vrpn,
-     detail::vrpn_parameters, "vrpn:NAME@HOST"},
+     detail::vrpn_parameters, "vrpn:NAME@HOST", nullptr, nullptr,
+     "the field of force may stay at the server, as far as its radius; a Phantom's server ends it"},
     {"spacenav:",
      "SpaceMouse without force (spacenavd)",
      detail::open_spacenav,
@@ -220,7 +226,8 @@ void calibrate_device(const std::string& address, const CalibrationTalk& talk) {
 std::vector<DeviceScheme> device_schemes() {
   std::vector<DeviceScheme> schemes;
   for (const Scheme& scheme : kSchemes)
-    schemes.push_back({std::string(scheme.name), scheme.meaning, scheme.parameters()});
+    schemes.push_back(
+        {std::string(scheme.name), scheme.meaning, scheme.parameters(), scheme.if_killed});
   return schemes;
 }
 

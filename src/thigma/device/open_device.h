@@ -74,6 +74,7 @@ struct DeviceScheme {
   std::string scheme;  // with the colon
   std::string meaning;
   std::vector<DeviceParameter> parameters;
+  std::string if_killed{};  // what of a force is left when this program is killed; "": no force
 };
 
 /// Every scheme known.

@@ -169,6 +169,20 @@ void refuse_web_without_page(const std::string& device_uri, const WebDeviceChann
     throw DeviceUnavailable("web: needs the page, which --headless and --lockstep leave out");
 }
 
+/// Says where samples of a device come later than frames and gains do not follow from it.
+void tell_of_delay(const Opening& o) {
+  const HapticDevice& device = *o.session.device;
+  const double delay = device.limits().delay, period = 1.0 / o.session.config.rate;
+  const bool follows = o.scene.description.has_auto_gains;
+  if (!o.options.log || follows || !device.limits().holds_person || !(delay > 1.5 * period)) return;
+  char line[320];
+  std::snprintf(line, sizeof line,
+                "%s: slower than the haptic rate, its samples are %.1f ms old; gains = \"auto\" in "
+                "the scene follow from that, `thigma tune --device %s` shows which",
+                device.name().c_str(), 1e3 * delay, o.session.device_uri.c_str());
+  o.options.log(line);
+}
+
 SceneSession open_session(const Scene& scene, const SessionOptions& options) {
   Opening o{scene, options, {}};
   SceneSession& session = o.session;
@@ -185,6 +199,7 @@ SceneSession open_session(const Scene& scene, const SessionOptions& options) {
   // Faults that are asked for are to be seen as a device would have them.
   haptic.safety.rides_out_gaps = !scene.description.is_strict && session.config.faults.empty();
   use_device_limits(session.device->limits(), haptic);
+  tell_of_delay(o);
   if (scene.description.is_passive) enable_passivity(session.device->limits(), session.config);
   if (scene.description.simulation) start_simulation(*scene.description.simulation, o);
   return std::move(o.session);

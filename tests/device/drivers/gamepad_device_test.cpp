@@ -82,6 +82,8 @@ TEST_F(GamepadDevice, a_keyboard_is_no_gamepad) {
   pads().set("not_a_pad", 1.0);
   EXPECT_NE(refusal("gamepad:").find("none is plugged in"), std::string::npos)
       << refusal("gamepad:");
+  EXPECT_EQ(refusal("gamepad:/dev/null"),
+            "gamepad: /dev/null is no gamepad. Plug one in; `thigma devices` lists them.");
 }
 
 }  // namespace

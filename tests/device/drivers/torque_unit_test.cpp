@@ -45,9 +45,9 @@ struct Person {
 
 /// What a person got and what was found.
 struct Found {
-  double unit = 0.0;       // what the library takes for 1 N m
-  double most = 0.0;       // torque asked of the motors [N m]
-  double at_end = 0.0;     // sent at the end [vendor's unit]
+  double unit = 0.0;    // what the library takes for 1 N m
+  double most = 0.0;    // torque asked of the motors [N m]
+  double at_end = 0.0;  // sent at the end [vendor's unit]
   int questions = 0;
   double force_output = 0.0;  // at the last question
 };
@@ -139,8 +139,14 @@ TEST_F(TorqueUnit, nobody_feels_much_in_either_unit_before_it_is_found) {
       EXPECT_EQ(f.unit, !c.is_found ? 0.0 : 1.0 / unit) << c.who << ' ' << unit;
     }
   }
-  EXPECT_EQ(kTorqueSteps[1], kBound);                                     // in N m
-  EXPECT_EQ(1e-3 * kTorqueSteps[std::size(kTorqueSteps) - 1], kBound);    // in mN m
+  EXPECT_EQ(kTorqueSteps[1], kBound);                                   // in N m
+  EXPECT_EQ(1e-3 * kTorqueSteps[std::size(kTorqueSteps) - 1], kBound);  // in mN m
+}
+
+TEST_F(TorqueUnit, who_feels_it_late_is_still_believed_to_be_in_newton_metres) {
+  Person late;  // in steps 3 to 5, where nobody feels anything in mN m
+  late.feels = 0.1;
+  EXPECT_EQ(try_person(1.0, late).unit, 1.0);
 }
 
 TEST_F(TorqueUnit, forces_are_off_while_it_asks) {

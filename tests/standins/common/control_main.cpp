@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 
 #include "board.h"
 #include "export.h"
@@ -32,7 +33,13 @@ int main(int count, char** arguments) {
     return 0;
   }
   if (std::strcmp(verb, "set") == 0 && count == 5) {
-    return standin_set(arguments[3], std::strtod(arguments[4], nullptr)) == 0 ? 0 : usage();
+    const double value = std::strtod(arguments[4], nullptr);
+    {
+      // Before it is set: what follows from it is then behind it in the record.
+      const standin::Locked lock;
+      standin::note(0, (std::string("control: ") + arguments[3]).c_str(), 0, &value, 1);
+    }
+    return standin_set(arguments[3], value) == 0 ? 0 : usage();
   }
   if (std::strcmp(verb, "get") == 0 && count == 4) {
     const double value = standin_get(arguments[3]);

@@ -124,7 +124,10 @@ std::string file_of(const std::string& place) {
 
 Descriptor open_file(const std::string& file) {
   Descriptor fd(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-  if (fd.is_open()) return fd;
+  if (fd.is_open() && is_gamepad(fd.get())) return fd;
+  if (fd.is_open())
+    throw DeviceUnavailable("gamepad: " + file +
+                            " is no gamepad. Plug one in; `thigma devices` lists them.");
   const int error = errno;
   throw DeviceUnavailable("gamepad: " + file + ": " + std::strerror(error) + ". " +
                           (error == EACCES || error == EPERM ? kPermit : "Plug it in."));

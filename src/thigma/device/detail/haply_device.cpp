@@ -64,6 +64,12 @@ const HaplyArm& usable_arm(const HaplyFrame& frame, const HaplyAddress& address)
   if (address.id.empty() && frame.arms.size() > 1)
     throw DeviceUnavailable("haply: the Inverse Service has " + list_of(frame) +
                             ". Name one of them, as haply:" + arm->id + ".");
+  const auto is_other = [arm](const HaplyArm& other) {
+    return &other != arm && other.id == arm->id;
+  };
+  if (std::any_of(frame.arms.begin(), frame.arms.end(), is_other))
+    throw DeviceUnavailable("haply: the Inverse Service has two devices " + quoted(arm->id) +
+                            ". Unplug one of them.");
   if (arm->has_own_axes)
     throw DeviceUnavailable("haply: the service turns or scales the axes of " + quoted(arm->id) +
                             ". Set its basis, mount and transform back in the Haply Hub.");

@@ -13,13 +13,14 @@
 namespace thigma::detail {
 namespace {
 
-constexpr double kFrame = 1e-3;                     // of the vendor's scheduler [s]
-constexpr double kFirst = 1e-4;                     // what the first step grows from [vendor's unit]
-constexpr double kFeltTurn = 0.1;                   // [rad]
-constexpr int kTriesOfStep = 3;                     // of a button that is let go too early
-constexpr std::int64_t kMostMs = 20'000 + 5'000;    // for the button, and a whole step [ms]
-// Hands feel from about 5 to 50 mN m, which is 0.005 to 0.05 in N m and 5 to 50 in mN m.
-constexpr double kUnitBorder = 0.5;  // [vendor's unit]
+constexpr double kFrame = 1e-3;                   // of the vendor's scheduler [s]
+constexpr double kFirst = 1e-4;                   // what the first step grows from [vendor's unit]
+constexpr double kFeltTurn = 0.1;                 // [rad]
+constexpr int kTriesOfStep = 3;                   // of a button that is let go too early
+constexpr std::int64_t kMostMs = 20'000 + 5'000;  // for the button, and a whole step [ms]
+// Hands feel from about 5 to 50 mN m, which is 0.005 to 0.05 in N m and 5 to 50 in mN m. The border
+// is high: N m taken for mN m is a thousandfold torque, mN m taken for N m is none at all.
+constexpr double kUnitBorder = 3.0;  // [vendor's unit]
 
 enum class StepEnd { running, unfelt, let_go, turned };
 
@@ -28,8 +29,8 @@ struct TorqueStep {
   HdServo* servo = nullptr;
   double from = 0.0, to = 0.0;  // [vendor's unit]
   TorqueRamp ramp;
-  int frames = 0;               // with the button held
-  double value = 0.0;           // sent last
+  int frames = 0;      // with the button held
+  double value = 0.0;  // sent last
   Quat start = Quat::Identity();
   std::atomic<StepEnd> end{StepEnd::running};
 };
@@ -80,8 +81,8 @@ struct Trial {
 
 /// Runs a step to its end; forces are off afterwards.
 StepEnd run_step(const Trial& trial, double from, double to, double& felt) {
+  TorqueStep step;  // outlives the frames
   HdServo servo(trial.library, trial.device);
-  TorqueStep step;
   step.servo = &servo;
   step.from = from;
   step.to = to;

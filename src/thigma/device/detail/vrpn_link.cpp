@@ -1,5 +1,6 @@
 #include "thigma/device/detail/vrpn_link.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <limits>
@@ -63,11 +64,14 @@ void VrpnLink::shake_hands() {
   while (is_told && in_.size() < kVrpnCookie && driver_time_ns() < end) {
     if (hear(socket_.get(), 0.1, in_) == Heard::closed) break;
   }
-  const std::string fault = in_.size() < kVrpnCookie && in_.empty() ? "what is there says nothing"
-                                                                    : fault_of_vrpn_cookie(in_);
-  if (!fault.empty() || in_.size() < kVrpnCookie)
-    refuse(address_, (fault.empty() ? "it stops in its first words" : fault) +
-                         ". Start vrpn_server of version 07 there, or name its port.");
+  constexpr std::string_view kFront = "vrpn: ver. ";
+  const std::size_t known = std::min(in_.size(), kFront.size());
+  const bool is_cut = in_.size() < kVrpnCookie && in_.compare(0, known, kFront, 0, known) == 0;
+  const std::string fault = in_.empty() ? "what is there says nothing"
+                            : is_cut    ? "it stops in its first words"
+                                        : fault_of_vrpn_cookie(in_);
+  if (!fault.empty())
+    refuse(address_, fault + ". Start vrpn_server of version 07 there, or name its port.");
   reader_.add(std::string_view(in_).substr(kVrpnCookie));
   in_.clear();
   last_heard_ = driver_time_ns();
