@@ -16,6 +16,7 @@
 #include "thigma/recording/recording.h"
 #include "thigma/recording/replay_session.h"
 #include "thigma/recording/world_recording.h"
+#include "thigma/scene/packed_scene.h"
 #include "thigma/session/simulated_session.h"
 
 namespace thigma::app {
@@ -36,9 +37,9 @@ struct SimulatedFrame {
 
 /// Simulates the recorded scene again, with the seed and resolution of the recording.
 ReplayReport replay_simulation(const std::vector<SimulatedFrame>& frames,
-                               const RecordedConfig& config) {
+                               const RecordedConfig& config, const std::string& path) {
   RunOptions options;
-  options.scene = config.scene;
+  options.scene = has_packed_scene(path) ? path : config.scene;
   options.device = "null:";
   options.rate = config.rate_hz;
   options.is_headless = options.is_lockstep = true;
@@ -109,8 +110,8 @@ Verdict judge(const std::string& path, bool is_quiet) {
        [&](const ContactSample& model, const SamplePlace&) { rerun.add(model); }},
       is_quiet);
   const RecordingInfo& recording = verdict.recording;
-  verdict.report =
-      rerun.session ? rerun.session->finish() : replay_simulation(rerun.simulated, rerun.config);
+  verdict.report = rerun.session ? rerun.session->finish()
+                                 : replay_simulation(rerun.simulated, rerun.config, path);
   ReplayReport& report = verdict.report;
   verdict.recorded_hash = recording.has_end ? recording.end.state_hash : report.recorded_hash;
   if (report.first_difference < 0 && recording.has_end && report.frames != recording.end.frames) {

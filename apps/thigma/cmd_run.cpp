@@ -7,6 +7,7 @@
 
 #include "device_errors.h"
 #include "json_out.h"
+#include "live_models.h"
 #include "playback.h"
 #include "run_live.h"
 #include "run_options.h"
@@ -23,6 +24,7 @@
 #include "thigma/device/open_device.h"
 #include "thigma/recording/config_json.h"
 #include "thigma/recording/recording.h"
+#include "thigma/scene/packed_scene.h"
 #include "thigma/scene/record_session.h"
 #include "thigma/scene/world_scene.h"
 #include "thigma/session/simulated_session.h"
@@ -75,11 +77,23 @@ class LiveTable {
   double query_ = 0.0;
 };
 
+/// The scene travels with its recording.
+void attach_scene(const SceneDescription& scene, const Common& common, RecordingWriter& writer) {
+  std::vector<McapAttachment> files;
+  try {
+    files = pack_scene(scene);
+  } catch (const InputError& error) {
+    if (!common.quiet) print_error(std::string(error.what()) + "; the recording goes without it");
+  }
+  for (const McapAttachment& file : files) writer.attach(file);
+}
+
 std::unique_ptr<RecordingWriter> open_recording(const std::string& path, const RunOptions& options,
                                                 const Run& run, const Common& common) {
   if (path.empty()) return nullptr;
   const RecordedConfig recorded = recorded_config(run.session, options.is_lockstep);
   auto writer = std::make_unique<RecordingWriter>(path, write_config(recorded));
+  attach_scene(run.given, common, *writer);
   record_surfaces(run.session.config.contact, *writer);
   if (!common.quiet && !writer->moved().empty())
     print_error(path + ": what a session that was killed left is now " + writer->moved());
@@ -168,7 +182,7 @@ int refuse(int code, const std::string& why) {
 }
 
 int run_verb(const RunOptions& asked, const Common& common) {
-  if (asked.replay.empty() && is_world_scene(asked.scene)) {
+  if (asked.replay.empty() && !is_recording_name(asked.scene) && is_world_scene(asked.scene)) {
     const SignalGuard signals;
     return run_world_scene(asked, common, stop_requested);
   }

@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "composed_scene.h"
+#include "named_scene.h"
 #include "run_view.h"
 
 #include "thigma/clod/clod_asset.h"
@@ -14,7 +16,7 @@
 #include "thigma/device/open_device.h"
 #include "thigma/files/file.h"
 #include "thigma/recording/recording.h"
-#include "thigma/scene/scene_file.h"
+#include "thigma/scene/packed_scene.h"
 
 namespace thigma::app {
 namespace {
@@ -97,7 +99,7 @@ LiveChange open(const std::string& what, const LiveNow& now) {
   if (has(menu.recordings)) return change_to_recording(what, now);
   if (!has(menu.scenes)) refuse_request("there is no '" + what + "' to open here");
   LiveChange change;
-  prepare(read_scene(what), scene_options(now.options), now, change);
+  prepare(read_named_scene(what), scene_options(now.options), now, change);
   return change;
 }
 
@@ -127,8 +129,31 @@ void change_recording(const live::LiveRequest& request, const LiveNow& now, Live
 
 }  // namespace
 
+namespace {
+
+/// Whether the scene that a file carries is the one that runs, with the same files.
+bool is_scene_of_run(const std::string& path, const LiveNow& now) {
+  try {
+    FileSource source(path);
+    const std::vector<McapAttachment> theirs = read_attachments(source, path);
+    const std::vector<McapAttachment> ours = pack_scene(now.run.given);
+    return std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(),
+                      [](const McapAttachment& a, const McapAttachment& b) {
+                        return a.name == b.name && a.data == b.data;
+                      });
+  } catch (const InputError&) {
+    return false;  // whoever reads it says what is wrong
+  }
+}
+
+}  // namespace
+
 LiveChange change_to_recording(const std::string& path, const LiveNow& now) {
   LiveChange change;
+  if (is_packed_scene(path)) {
+    prepare(read_named_scene(path), scene_options(now.options), now, change);
+    return change;
+  }
   change.playback = std::make_unique<Playback>(path);
   if (now.hooks.log) {
     for (const std::string& line : recording_warnings(path, change.playback->recording()))
@@ -137,13 +162,16 @@ LiveChange change_to_recording(const std::string& path, const LiveNow& now) {
   const std::string& scene = change.playback->config().scene;
   const ResponseKind response = change.playback->config().params.response;
   const bool is_there = now.options.replay == path;  // what it takes was made ready for it
-  const bool is_other_scene = scene != now.run.scene.description.file;
+  const bool is_packed = has_packed_scene(path);
+  const bool is_other_scene =
+      is_packed ? !is_scene_of_run(path, now) : scene != now.run.scene.description.file;
   const bool is_other_response =
       response != ResponseKind::direct && response != now.run.session.config.haptic.response;
   if (is_there || !(is_other_scene || is_other_response)) return change;
   RunOptions options = scene_options(now.options);
   use_recorded_response(response, options);
-  prepare(is_other_scene ? read_scene(scene) : now.run.given, std::move(options), now, change);
+  prepare(is_other_scene ? read_named_scene(is_packed ? path : scene) : now.run.given,
+          std::move(options), now, change);
   return change;
 }
 
@@ -168,6 +196,12 @@ LiveChange make_change(const live::LiveRequest& request, const LiveNow& now) {
       open_again(now.run.session.device_uri, now, change);
       if (!now.record.empty()) change.record = next_recording();
       break;
+    case Kind::compose:
+      prepare(composed_scene(request.text, request.data, now.base, now.dropped),
+              scene_options(now.options), now, change);
+      change.sources = sources_of(request.data);
+      break;
+    case Kind::save:
     case Kind::seek:
       refuse_request("no recording is shown");
     case Kind::inspect:

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "live_models.h"
 #include "playback.h"
@@ -20,6 +21,8 @@ struct LiveChange {
   std::unique_ptr<Run> run;            // in place of the one that ran; null: the same
   RunOptions options;                  // of `run`
   std::optional<SceneSession> device;  // for the run that stays
+  // of a scene that a page has put together, what its objects are of; empty: of another scene
+  std::vector<std::string> sources;
   std::unique_ptr<Playback> playback;  // to be shown; null: a session
   std::string record;                  // file for the session that begins; "" none
   // of that session's device; it goes on from where the object is. 0: none
@@ -31,8 +34,9 @@ struct LiveNow {
   const Run& run;
   const RunOptions& options;  // of the run
   const DroppedMesh& dropped;
-  Pose start;          // of the run, before a device moved it: world_from_body
-  std::string record;  // file being written; "" none
+  const SceneDescription& base;  // that compositions begin with: the last that was none
+  Pose start;                    // of the run, before a device moved it: world_from_body
+  std::string record;            // file being written; "" none
   std::uint64_t seed = 1;
   RunHooks hooks;  // progress is there
 };

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <set>
 
 #include "mesh_report.h"
+#include "named_scene.h"
 #include <unistd.h>
 
 #include "thigma/core/error.h"
@@ -14,6 +16,7 @@
 #include "thigma/files/growing_file.h"
 #include "thigma/import/read_mesh.h"
 #include "thigma/scene/scene_file.h"
+#include "thigma/texture/texture_file.h"
 
 namespace thigma::app {
 namespace fs = std::filesystem;
@@ -68,14 +71,46 @@ std::string part_title(const fs::path& path, const std::string& name) {
 }
 
 /// Metres per unit that make a mesh most like an object of this radius: millimetres, centimetres,
-/// inches or metres.
-double likely_unit(double mesh_radius, double radius) {
+/// inches or metres. What is usual for its format counts as a factor of two in size: printers' and
+/// scanners' files, STL, are in millimetres, and textures in metres alone.
+double likely_unit(const std::string& path, double mesh_radius, double radius) {
   constexpr std::array<double, 4> kUnits = {0.001, 0.01, 0.0254, 1.0};
+  const std::string format = fs::path(path).extension().string();
+  if (format == ".tex") return 1.0;
   if (!(mesh_radius > 0.0)) return kUnits[0];
-  return *std::min_element(kUnits.begin(), kUnits.end(), [&](double a, double b) {
-    const auto off = [&](double unit) { return std::abs(std::log(unit * mesh_radius / radius)); };
-    return off(a) < off(b);
-  });
+  const bool is_stl = format == ".stl" || format == ".STL";
+  const auto off = [&](double unit) {
+    const double usual = is_stl && unit != kUnits[0] ? std::log(2.0) : 0.0;
+    return usual + std::abs(std::log(unit * mesh_radius / radius));
+  };
+  return *std::min_element(kUnits.begin(), kUnits.end(),
+                           [&](double a, double b) { return off(a) < off(b); });
+}
+
+/// What the user has saved, by path.
+void add_kept_scenes(live::OpenMenu& menu) {
+  std::vector<live::OpenMenu::Item> kept;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(user_folder("scenes"), ignored)) {
+    const fs::path& path = entry.path();
+    if (path.extension() == ".toml" || path.extension() == ".mcap")
+      kept.push_back({path.string(), path.stem().string()});
+  }
+  std::sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  menu.scenes.insert(menu.scenes.end(), kept.begin(), kept.end());
+}
+
+/// Recordings in a folder, by path; those of the working directory by their names alone.
+void add_recordings(const fs::path& folder, bool is_here, live::OpenMenu& menu) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (!entry.is_regular_file(ignored)) continue;
+    const std::string path = is_here ? name : entry.path().string();
+    if (entry.path().extension() == ".mcap") menu.recordings.push_back({path, name});
+    if (is_part_of_recording(name))
+      menu.recordings.push_back({path, part_title(entry.path(), name)});
+  }
 }
 
 }  // namespace
@@ -84,14 +119,10 @@ live::OpenMenu open_menu() {
   live::OpenMenu menu;
   for (const std::string& name : builtin_scene_names())
     menu.scenes.push_back({name, read_scene(name).title});
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(".", ignored)) {
-    const std::string name = entry.path().filename().string();
-    if (!entry.is_regular_file(ignored)) continue;
-    if (entry.path().extension() == ".mcap") menu.recordings.push_back({name, name});
-    if (is_part_of_recording(name))
-      menu.recordings.push_back({name, part_title(entry.path(), name)});
-  }
+  add_kept_scenes(menu);
+  std::set<fs::path> folders = {fs::current_path()};  // once, where they are the same
+  if (const std::string own = user_folder("recordings"); !own.empty()) folders.insert(own);
+  for (const fs::path& folder : folders) add_recordings(folder, folder == fs::current_path(), menu);
   std::sort(menu.recordings.begin(), menu.recordings.end(),
             [](const auto& a, const auto& b) { return a.name < b.name; });
   if (menu.recordings.size() > kMostRecordings)
@@ -141,7 +172,9 @@ const MeshReport& DroppedMesh::keep(const std::string& name, const std::string& 
   MeshReport report;
   try {
     write_file(path, bytes);
-    report = inspect_mesh(read_mesh(path), path);
+    const bool is_texture = fs::path(path).extension() == ".tex";
+    report = is_texture ? inspect_mesh(read_texture(path).texture.coarse)
+                        : inspect_mesh(read_mesh(path), path);
   } catch (const std::exception& wrong) {
     fs::remove_all(place, error);
     // People know the file by its name, not by where it is kept meanwhile.
@@ -156,12 +189,22 @@ const MeshReport& DroppedMesh::keep(const std::string& name, const std::string& 
   return report_;
 }
 
+std::string DroppedMesh::path_of(int number) const {
+  const std::string place = (fs::path(folder_) / std::to_string(number)).string();
+  for (const std::string& path : kept_)
+    if (fs::path(path).parent_path() == place) return path;
+  return "";
+}
+
 void DroppedMesh::tidy(const SceneDescription& now) {
+  constexpr std::size_t kSome = 32;  // that a scene may be made of
+  std::size_t left = kept_.size();
   std::erase_if(kept_, [&](const std::string& path) {
+    if (left-- <= kSome) return false;
     const auto is_it = [&](const SceneObject& o) { return o.mesh == path; };
     const bool is_used =
         is_it(now.object) || std::any_of(now.statics.begin(), now.statics.end(), is_it);
-    if (is_used || path == path_) return false;
+    if (is_used) return false;
     std::error_code ignored;
     fs::remove_all(fs::path(path).parent_path(), ignored);
     return true;
@@ -174,7 +217,8 @@ std::string model_message(std::int64_t id, const DroppedMesh& mesh, double radiu
   nlohmann::ordered_json json = {{"type", "model"}, {"id", id}, {"name", mesh.name()}};
   json["report"] = mesh_report_json(mesh.report());
   json["report"]["file"] = mesh.name();
-  json["unit"] = likely_unit(mesh.report().radius, radius);
+  json["number"] = mesh.number();
+  json["unit"] = likely_unit(mesh.path(), mesh.report().radius, radius);
   json["object_radius"] = radius;
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }

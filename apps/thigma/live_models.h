@@ -12,7 +12,8 @@
 
 namespace thigma::app {
 
-/// Scenes of the program, and the recordings in the folder it runs in.
+/// Scenes of the program and those the user has saved; the recordings in the folder it runs in and
+/// in the user's own.
 /// Thread [offline].
 live::OpenMenu open_menu();
 
@@ -25,19 +26,23 @@ class DroppedMesh {
   DroppedMesh(const DroppedMesh&) = delete;
   DroppedMesh& operator=(const DroppedMesh&) = delete;
 
-  /// Keeps a file's bytes under (nearly) its name and looks at them. The one before stays until
-  /// tidy(), as a session may stand on it.
-  /// Throws IoError, and InputError for what is no mesh, of which nothing is kept.
+  /// Keeps a file's bytes under (nearly) its name and looks at them: a mesh, or a haptic texture
+  /// (.tex), whose coarse surface is looked at. Those before stay until tidy(), as a session or a
+  /// scene that is being made may stand on them.
+  /// Throws IoError, and InputError for what is neither, of which nothing is kept.
   const MeshReport& keep(const std::string& name, const std::string& bytes);
   /// Keeps a recording in place of the one before, which nothing reads any more then.
   /// returns its path; throws IoError
   std::string keep_recording(const std::string& name, const std::string& bytes);
-  /// Removes what was kept, but for the last and what the scene that runs is made of.
+  /// Removes what was kept, but for the last few and what the scene that runs is made of.
   void tidy(const SceneDescription& now);
   bool is_there() const { return !path_.empty(); }
   const std::string& path() const { return path_; }
   const std::string& name() const { return name_; }
   const MeshReport& report() const { return report_; }
+  int number() const { return count_; }  // of the last, by which compositions name it
+  /// Path of the file of that number; "" where it is not there (any more).
+  std::string path_of(int number) const;
 
  private:
   std::string new_place();  // a folder for one file; throws IoError

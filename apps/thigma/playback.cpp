@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "named_scene.h"
+
 #include "thigma/core/error.h"
 #include "thigma/recording/mcap_file.h"
-#include "thigma/scene/scene_file.h"
+#include "thigma/scene/packed_scene.h"
 
 namespace thigma::app {
 namespace {
@@ -118,9 +120,10 @@ void use_recorded_scene(RunOptions& options) {
   const RecordingInfo recording =
       stream_recording(options.replay, {[](const std::string&) { return false; }, {}, {}});
   const RecordedConfig config = read_config(recording.config, options.replay);
-  const std::string& scene = config.scene;
+  // The scene that travels with it, or by its name one that is here.
+  const std::string& scene = has_packed_scene(options.replay) ? options.replay : config.scene;
   try {
-    read_scene(scene);
+    read_named_scene(scene);
   } catch (const InputError&) {
     throw InputError(options.replay + ": its scene '" + scene +
                      "' is not here, expected --object and --against, or a scene, beside --replay");

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "composed_scene.h"
 #include "live_change.h"
 #include "live_models.h"
 #include "live_playback.h"
@@ -43,13 +44,13 @@ class LiveRun {
       : program_(program),
         options_(*program.options),
         run_(*program.run),
+        base_(run_->given),
         start_(run_->session.config.world_from_body),
         record_(program.options->record),
         recorder_([this](const RecordingFailure& failure) { recording_failed(failure); }),
-        server_(view_of(*run_), run_->session.config,
-                start_ * run_->session.config.contact.body_from_mesh, devices_of(*run_),
-                live::web_files(), address_of(*program.options), *program.web_channel,
-                {.may_be_framed = program.options->is_embedded}) {}
+        server_(view(), run_->session.config, start_ * run_->session.config.contact.body_from_mesh,
+                devices_of(*run_), live::web_files(), address_of(*program.options),
+                *program.web_channel, {.may_be_framed = program.options->is_embedded}) {}
 
   SessionSummary go() {
     server_.offer(open_menu());
@@ -67,6 +68,17 @@ class LiveRun {
   }
 
  private:
+  /// What compositions call the objects of the scene that runs.
+  live::SceneView with_sources(live::SceneView view) const {
+    const auto source = [&](std::size_t i) {
+      return i < sources_.size() ? sources_[i] : "scene:" + std::to_string(i);
+    };
+    view.object.source = source(0);
+    for (std::size_t i = 0; i < view.statics.size(); ++i) view.statics[i].source = source(i + 1);
+    return view;
+  }
+  live::SceneView view() const { return with_sources(view_of(*run_)); }
+
   SessionConfig next_config() {
     SessionConfig config = run_->session.config;
     config.haptic.device = run_->session.device->limits();
@@ -186,6 +198,8 @@ class LiveRun {
     if (!request_) return request_;
     if (request_->kind == Kind::inspect && !is_recording_name(request_->text)) {
       look_at_dropped();
+    } else if (request_->kind == Kind::save) {
+      save();
     } else if (!moves_within_recording(*request_)) {
       judge();
     }
@@ -250,7 +264,7 @@ class LiveRun {
     };
     hooks.web_channel = program_.web_channel;
     const bool is_recorded = !playback_ && !has_lost_recording_;
-    return {*run_,         options_,        dropped_, start_, is_recorded ? record_ : "",
+    return {*run_,         options_,        dropped_, base_, start_, is_recorded ? record_ : "",
             program_.seed, std::move(hooks)};
   }
 
@@ -260,7 +274,9 @@ class LiveRun {
     playback_ = std::move(change.playback);
     if (change.run) {
       const SessionConfig& config = change.run->session.config;
-      server_.show(view_of(*change.run), config,
+      sources_ = std::move(change.sources);
+      if (sources_.empty()) base_ = change.run->given;
+      server_.show(with_sources(view_of(*change.run)), config,
                    config.world_from_body * config.contact.body_from_mesh);
       run_ = std::move(change.run);
       options_ = std::move(change.options);
@@ -270,9 +286,9 @@ class LiveRun {
     }
     if (playback_) {
       const SessionConfig config = recorded_config(run_->session.config, playback_->config());
-      server_.show(view_of(*run_), config, start_ * config.contact.body_from_mesh);
+      server_.show(view(), config, start_ * config.contact.body_from_mesh);
     } else if (was_replay) {
-      server_.show(view_of(*run_), run_->session.config,
+      server_.show(view(), run_->session.config,
                    start_ * run_->session.config.contact.body_from_mesh);
     }
     if (change.device) run_->session = std::move(*change.device);
@@ -281,6 +297,20 @@ class LiveRun {
     // switched on; a hand comes to it from the start.
     if (holder_ != 0 && last_body_) run_->session.config.world_from_body = *last_body_;
     record_ = change.record;
+  }
+
+  /// Saves the scene that runs; a session goes on meanwhile.
+  void save() {
+    const live::LiveRequest request = std::move(*request_);
+    request_.reset();
+    try {
+      const std::string path = save_scene(run_->given, request.text, request.flag);
+      server_.send(request.page, live::saved_message(request.id, path));
+      server_.answer(request, "");
+      server_.offer(open_menu());
+    } catch (const std::exception& error) {
+      server_.answer(request, error.what());
+    }
   }
 
   /// Answers a request to look at a mesh; a session goes on meanwhile.
@@ -301,7 +331,9 @@ class LiveRun {
   const LiveProgram& program_;
   RunOptions options_;  // of the run that is prepared
   std::unique_ptr<Run>& run_;
-  Pose start_;  // world_from_body
+  SceneDescription base_;             // that compositions begin with
+  std::vector<std::string> sources_;  // of the scene that runs; empty: it is base_
+  Pose start_;                        // world_from_body
   std::string record_;
   std::atomic<bool> has_lost_recording_{false};  // it ended before its session
   SessionRecorder recorder_;

@@ -11,7 +11,8 @@
 namespace thigma::app {
 
 void add_run_options(CLI::App& verb, RunOptions& o) {
-  verb.add_option("scene", o.scene, "scene file (.toml) or the name of a built-in scene");
+  verb.add_option("scene", o.scene,
+                  "scene file (.toml), what carries one (.mcap), or the name of a built-in scene");
   verb.add_option("--object", o.object, "mesh to hold, instead of a scene");
   verb.add_option("--against", o.against, "mesh that stands still, with --object");
   verb.add_option("--scale", o.scale,

@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "named_scene.h"
 #include "progress.h"
 
 #include "thigma/core/error.h"
@@ -142,7 +143,7 @@ SessionSummary run_threads(Run& run, const SessionConfig& config, const RunContr
 }  // namespace
 
 SceneDescription read_run_scene(const RunOptions& options) {
-  if (!options.scene.empty()) return read_scene(options.scene);
+  if (!options.scene.empty()) return read_named_scene(options.scene);
   return scene_from_pair(options.object, options.against, options.scale.value_or(1.0),
                          options.pose_text.empty() ? Pose{} : *parse_pose(options.pose_text));
 }
@@ -158,7 +159,7 @@ std::string check_meshes(const SceneDescription& scene, const RunOptions& option
     const double radius = check_source({.name = object.mesh,
                                         .role = i == 0 ? "--object" : "--against",
                                         .scale = object.unit_scale,
-                                        .is_repair = options.is_repair});
+                                        .is_repair = options.is_repair || scene.repairs});
     if (radius > largest) name = object.mesh;
     largest = std::max(largest, radius);
   }

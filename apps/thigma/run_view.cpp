@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "named_scene.h"
 #include "version.h"
 
 #include "thigma/clod/clod_asset.h"
@@ -53,6 +54,15 @@ live::SceneView view_of(const Run& run) {
                             &run.scene.statics[i]->hierarchy, scene.statics[i].world_from_mesh,
                             i < textures.scene.size() ? relief_of(textures.scene[i]) : nullptr});
   }
+  const auto add_given = [](const SceneObject& object, live::SceneBodyView& body) {
+    body.unit_scale = object.unit_scale;
+    if (object.material) body.friction = object.material->friction.kinetic;
+  };
+  add_given(scene.object, view.object);
+  view.object.mass = scene.mass;
+  view.object.density = scene.density;
+  for (std::size_t i = 0; i < scene.statics.size(); ++i)
+    add_given(scene.statics[i], view.statics[i]);
   return view;
 }
 
@@ -103,14 +113,19 @@ std::vector<live::LiveParameter> choices_of(const Run& run) {
 }
 
 std::string free_recording() {
+  const std::filesystem::path folder = user_folder("recordings");
+  std::error_code unknown;
+  if (!folder.empty()) std::filesystem::create_directories(folder, unknown);
   for (int i = 1; i < 1000; ++i) {
     char name[32];
     std::snprintf(name, sizeof name, "session-%03d.mcap", i);
-    const std::string part = std::string(name) + ".part";
-    if (!std::filesystem::exists(name) && !std::filesystem::exists(part)) return name;
+    const std::string path = (folder / name).string();
+    if (!std::filesystem::exists(path, unknown) &&
+        !std::filesystem::exists(path + ".part", unknown))
+      return path;
   }
-  throw IoError(
-      "session-999.mcap: there is already a file, expected a free name from session-001 on");
+  throw IoError((folder / "session-999.mcap").string() +
+                ": there is already a file, expected a free name from session-001 on");
 }
 
 }  // namespace thigma::app

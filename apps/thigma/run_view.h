@@ -28,7 +28,8 @@ std::vector<std::string> response_choices();
 /// What pages may choose that takes a new session.
 std::vector<live::LiveParameter> choices_of(const Run& run);
 
-/// A name no file has yet, in the folder the program runs in. Throws IoError.
+/// A name no file has yet, in the user's folder for recordings, which is made where it is not
+/// there. Throws IoError.
 std::string free_recording();
 
 }  // namespace thigma::app

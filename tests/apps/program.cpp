@@ -149,6 +149,7 @@ const fs::path& work_folder() {
     fs::path path = fs::temp_directory_path() / ("thigma_program_" + std::to_string(::getpid()));
     fs::remove_all(path);
     fs::create_directories(path);
+    ::setenv("XDG_DATA_HOME", (path / "data").c_str(), 1);  // nothing goes to the user's own
     static const fs::path at_exit = path;
     std::atexit([] {
       std::error_code ignored;

@@ -1,5 +1,5 @@
 // node read.mjs FILE.mcap: reads with the official indexed reader, checks every checksum, prints one JSON line
-// {messages, topics: {topic: count}, first: {topic: first message}}.
+// {messages, topics: {topic: count}, first: {topic: first message}, attachments: {name: bytes}}.
 import { open } from "node:fs/promises";
 import { McapIndexedReader } from "@mcap/core";
 
@@ -29,5 +29,8 @@ for await (const message of reader.readMessages({ validateCrcs: true })) {
 }
 const stated = Number(reader.statistics.messageCount);
 if (stated !== messages) throw new Error(`statistics say ${stated}, read ${messages}`);
+const attachments = {};
+for await (const { name, data } of reader.readAttachments()) attachments[name] = data.byteLength;
+if (Object.keys(attachments).length !== reader.statistics.attachmentCount) throw new Error(`statistics say ${reader.statistics.attachmentCount} attachments`);
 await handle.close();
-console.log(JSON.stringify({ messages, topics, first }));
+console.log(JSON.stringify({ messages, topics, first, attachments }));

@@ -97,7 +97,9 @@ struct RunningProgram {
       arguments = {"run", scene, "--exact"};
       arguments.insert(arguments.end(), more.begin(), more.end());
     }
+    ::setenv("XDG_DATA_HOME", (folder / "data").c_str(), 1);
     program = std::make_unique<Program>(arguments);
+    ::setenv("XDG_DATA_HOME", (work_folder() / "data").c_str(), 1);
     std::filesystem::current_path(here);
     port = port_of(*program);
     if (port != 0) client = std::make_unique<WebClient>(port);

@@ -213,6 +213,59 @@ TEST(LiveProgram, AnotherSceneAndADroppedMeshTakeThePlaceOfTheFirst) {
   EXPECT_EQ(program.finish().code, 130);
 }
 
+constexpr const char* kFour =
+    "v 0 0 0\nv 30 0 0\nv 0 30 0\nv 0 0 30\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+
+TEST(LiveProgram, ASceneIsPutTogetherSavedAndRunAgain) {
+  RunningProgram run("composed", {"--device", "null:"});
+  ASSERT_TRUE(run.client);
+  WebClient& client = *run.client;
+  upload(client, 1, "four.obj", kFour);
+  const Json model = message_where(client, "model", kAny);
+  ASSERT_EQ(model["number"], 1) << model;
+  ASSERT_EQ(Json::parse(client.read_type("ack", 60.0))["id"], 1);
+  client.send_text(
+      R"({"type":"compose","id":2,"title":"Four on a ball","objects":[)"
+      R"({"source":"file:1","name":"four","unit":0.001,"position":[0,0,0.2],"quat_xyzw":[0,0,0,1],"density":1100},)"
+      R"({"source":"scene:1","name":"ball","position":[0.01,0,0],"quat_xyzw":[0,0,1,0],"friction":0.25}]})");
+  const Json scene = message_where(client, "scene", kAny);
+  ASSERT_FALSE(scene.is_null());
+  EXPECT_EQ(scene["title"], "Four on a ball");
+  EXPECT_EQ(scene["object"]["source"], "file:1");
+  EXPECT_EQ(scene["object"]["triangles"], 4);
+  EXPECT_EQ(scene["object"]["density"], 1100);
+  EXPECT_EQ(scene["statics"][0]["source"], "scene:1");
+  EXPECT_EQ(scene["statics"][0]["friction"], 0.25);
+  EXPECT_EQ(scene["statics"][0]["position"][0], 0.01);
+  ASSERT_TRUE(Json::parse(client.read_type("ack", 60.0))["ok"].get<bool>());
+  std::vector<std::string> files;
+  for (const bool is_one_file : {false, true, false}) {
+    client.send_text(
+        Json{{"type", "save"}, {"id", 3}, {"name", "my scan"}, {"value", is_one_file}}.dump());
+    files.push_back(message_where(client, "saved", kAny)["file"]);
+    EXPECT_TRUE(Json::parse(client.read_type("ack", 60.0))["ok"].get<bool>());
+  }
+  EXPECT_TRUE(files[0].ends_with("/my scan.toml") && files[1].ends_with("/my scan.mcap") &&
+              files[2].ends_with("/my scan 2.toml"))
+      << files[0];
+  // It is what scene:K was before it that counts on.
+  EXPECT_TRUE(ask(client,
+                  R"({"type":"compose","id":4,"title":"back","objects":[)"
+                  R"({"source":"scene:0","position":[0,0,0.2],"quat_xyzw":[0,0,0,1]}]})")["ok"]
+                  .get<bool>());
+  EXPECT_EQ(run.end().code, 130);
+  std::vector<std::string> hashes;
+  for (const std::string& file : files) {
+    const Ended e = run_program({"run", file, "--headless", "--lockstep", "--duration", "0.2",
+                                 "--device", "hand:", "--json", "--quiet"});
+    EXPECT_EQ(e.code, 0) << file << e.err;
+    if (e.code == 0) hashes.push_back(json_line(e)["state_hash"]);
+  }
+  ASSERT_EQ(hashes.size(), 3u);
+  EXPECT_EQ(hashes[0], hashes[1]);
+  EXPECT_EQ(hashes[0], hashes[2]);
+}
+
 TEST(LiveProgram, AFaultNobodyLooksAtEndsTheProgram) {
   const Ended e = run_program(
       run_arguments({"--device", "hand:?path=rest", "--fault", "unplug@0.2", "--quiet"}));

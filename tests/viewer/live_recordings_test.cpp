@@ -24,6 +24,7 @@ TEST(LiveRecordings, AFolderThatTakesNoFilesRefusesTheRecording) {
   RunningProgram run("record_nowhere", {"--device", "null:"});
   ASSERT_TRUE(run.client);
   fs::remove_all(run.folder);
+  write_text("record_nowhere", "a file in the place of the folder");
   run.expect_refused({R"({"type":"record","id":1,"value":true})"});
   EXPECT_EQ(run.end().code, 130);
 }

@@ -24,6 +24,16 @@ const std::vector<std::string> kRefused = {
     R"({"type":"set","id":9,"name":"response","value":7})",
     R"({"type":"set","id":10,"name":"response","value":-1})",
     R"({"type":"set","id":11,"name":"response","value":0.5})",
+    R"({"type":"compose","id":14,"title":"x","objects":[{"source":"file:1"}]})",
+    R"({"type":"compose","id":15,"title":"x","objects":[{"source":"scene:9"}]})",
+    R"({"type":"compose","id":16,"title":"x","objects":[{"source":"scene:0","position":[0,0,1e300],"quat_xyzw":[0,0,0,1]}]})",
+    R"({"type":"compose","id":17,"title":"x","objects":[{"source":"scene:0","position":[0,0],"quat_xyzw":[0,0,0,1]}]})",
+    R"({"type":"compose","id":18,"title":"x","objects":[{"source":"scene:0","position":[0,0,1],"quat_xyzw":[0,0,0,2]}]})",
+    R"({"type":"compose","id":19,"title":"x","objects":[{"source":"scene:0","position":[0,0,1],"quat_xyzw":[0,0,0,1],"friction":-1}]})",
+    R"({"type":"compose","id":19,"title":"x","objects":[{"source":"scene:0","position":[0,0,1],"quat_xyzw":[0,0,0,1],"mass":1,"density":1}]})",
+    R"({"type":"compose","id":19,"title":"x","objects":[{"source":"scene:0","position":[0,0,1],"quat_xyzw":[0,0,0,1],"unit":0}]})",
+    R"({"type":"save","id":20,"name":"../evil","value":false})",
+    R"({"type":"save","id":21,"name":"","value":true})",
     R"({"type":"cancel","id":12})",
     R"({"type":"speed","id":13,"value":0.5})"};
 

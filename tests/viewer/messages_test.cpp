@@ -31,6 +31,25 @@ TEST(Messages, CommandsAreRead) {
   EXPECT_EQ(parse_command(R"({"type":"step","id":2,"value":5})").command.number, 5.0);
 }
 
+TEST(Messages, AScenePutTogetherIsAListOfObjects) {
+  const ParsedCommand good =
+      parse_command(R"({"type":"compose","id":1,"title":"Two","objects":[{"source":"scene:0"}]})");
+  EXPECT_EQ(good.refusal.code, 0);
+  EXPECT_EQ(good.command.text, "Two");
+  EXPECT_EQ(good.command.objects, R"([{"source":"scene:0"}])");
+  std::string many = R"({"type":"compose","id":1,"title":"x","objects":[{})";
+  for (int i = 0; i < 32; ++i) many += ",{}";
+  for (const std::string& text :
+       {std::string(R"({"type":"compose","id":1,"title":"x"})"),
+        std::string(R"({"type":"compose","id":1,"title":"x","objects":[]})"),
+        std::string(R"({"type":"compose","id":1,"title":"x","objects":[1]})"),
+        std::string(R"({"type":"compose","id":1,"title":"x","objects":{}})"),
+        std::string(R"({"type":"compose","id":1,"objects":[{}]})"), many + "]}",
+        std::string(R"({"type":"save","id":1,"name":"x"})"),
+        std::string(R"({"type":"save","id":1,"value":true})")})
+    EXPECT_NE(parse_command(text).refusal.code, 0) << text;
+}
+
 TEST(Messages, WhatIsNoCommandIsRefusedWithItsCode) {
   for (const char* text : {"", "{", "[]", "1", "\"reset\"", "{\"type\":\"reset\",\"id\":1"})
     EXPECT_EQ(parse_command(text).refusal.code, kBadPayload) << text;

@@ -19,15 +19,27 @@ namespace thigma::live {
 
 /// What a page asked for that takes a new session: the program's business.
 struct LiveRequest {
-  enum class Kind : std::uint8_t { reset, use_device, record, choose, open, seek, inspect, place };
+  enum class Kind : std::uint8_t {
+    reset,
+    use_device,
+    record,
+    choose,
+    open,
+    seek,
+    inspect,
+    place,
+    compose,
+    save
+  };
   Kind kind = Kind::reset;
   PageId page = 0;
   std::int64_t id = 0;
-  // The device; name of the choice; what to open; name of the file to inspect; "hold" or "touch".
+  // The device; name of the choice; what to open; name of the file to inspect; "hold" or "touch";
+  // title of what is composed; name to save under.
   std::string text;
   double number = 0.0;  // index of the choice; time to go to [s]; metres per unit of what is placed
-  bool flag = false;    // of record; of place: repair
-  std::string data{};   // of inspect: the file
+  bool flag = false;    // of record; of place: repair; of save: as one file
+  std::string data{};   // of inspect: the file; of compose: a JSON array of objects
 };
 
 /// A session that begins.

@@ -34,9 +34,12 @@ constexpr CommandForm kForms[] = {{"hold", Command::Kind::hold, true, false, ""}
                                   {"upload", Command::Kind::upload, false, true, "name"},
                                   {"place", Command::Kind::place, false, true, "name"},
                                   {"cancel", Command::Kind::cancel, false, false, ""},
-                                  {"speed", Command::Kind::speed, false, true, ""}};
+                                  {"speed", Command::Kind::speed, false, true, ""},
+                                  {"compose", Command::Kind::compose, false, false, "title"},
+                                  {"save", Command::Kind::save, true, false, "name"}};
 
 constexpr std::size_t kLongestText = 256;
+constexpr std::size_t kMostObjects = 32;  // of a scene made on a page
 
 /// Names of files and devices need not be UTF-8, messages have to be.
 std::string dumped(const Json& json) {
@@ -44,6 +47,7 @@ std::string dumped(const Json& json) {
 }
 
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number_or_null(std::optional<double> value) { return value ? finite(*value) : Json(nullptr); }
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 Json vector(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 Json quaternion(const Quat& q) { return {q.x(), q.y(), q.z(), q.w()}; }
@@ -80,7 +84,12 @@ Json body_json(const SceneBodyView& body, std::size_t mesh) {
           {"triangles", body.meshes.front().triangles.size()},
           {"relief", body.relief == nullptr ? Json(nullptr) : finite(2.0 * body.relief->amplitude)},
           {"patches", h.patches.size()},
-          {"level_list", level_list_json(body)}};
+          {"level_list", level_list_json(body)},
+          {"source", text_or_null(body.source)},
+          {"unit", body.unit_scale},
+          {"friction", number_or_null(body.friction)},
+          {"mass", number_or_null(body.mass)},
+          {"density", number_or_null(body.density)}};
 }
 
 Json micro(double p50, double p99) {
@@ -139,6 +148,15 @@ std::string fill(const CommandForm& form, const Json& json, Command& command) {
     const auto repair = json.find("repair");
     if (repair == json.end() || !repair->is_boolean()) return "repair has to be true or false";
     command.flag = repair->get<bool>();
+  }
+  if (form.kind == Command::Kind::compose) {
+    const auto objects = json.find("objects");
+    const bool is_list = objects != json.end() && objects->is_array() && !objects->empty() &&
+                         objects->size() <= kMostObjects;
+    if (!is_list || !std::all_of(objects->begin(), objects->end(),
+                                 [](const Json& one) { return one.is_object(); }))
+      return "objects has to be a list of 1 to 32 objects";
+    command.objects = objects->dump(-1, ' ', false, Json::error_handler_t::replace);
   }
   const std::string text_key = form.text_key;
   if (text_key.empty()) return {};
@@ -276,6 +294,10 @@ std::string state_message(const RunState& s, const Timing& t, std::string_view h
   json["dropped"] = {
       {"yours", dropped_yours}, {"rows", dropped_rows}, {"samples", dropped_samples}};
   return dumped(json);
+}
+
+std::string saved_message(std::int64_t id, const std::string& path) {
+  return dumped({{"type", "saved"}, {"id", id}, {"file", path}});
 }
 
 std::string menu_message(const OpenMenu& menu) {

@@ -37,17 +37,20 @@ struct Command {
     upload,
     place,
     cancel,
-    speed
+    speed,
+    compose,
+    save
   };
   Kind kind = Kind::reset;
   std::int64_t id = 0;
-  bool flag = false;  // of hold, pause, record; of place: repair
+  bool flag = false;  // of hold, pause, record; of place: repair; of save: as one file
   // of step, set, level, seek, speed; of upload: bytes; of place: metres per unit
   double number = 0.0;
   std::int64_t mesh = 0;  // of level: the mesh's number
   // of use_device: the device; of set: the parameter; of open: what; of upload: a file's name; of
-  // place: "hold" or "touch"
+  // place: "hold" or "touch"; of compose: the title; of save: a name
   std::string text;
+  std::string objects{};  // of compose: a JSON array of objects
 };
 
 /// A message of a page, or why it is none.
@@ -65,6 +68,10 @@ struct SceneBodyView {
   const ClodHierarchy* hierarchy = nullptr;
   Pose world_from_mesh;                   // of static ones
   const HapticTexture* relief = nullptr;  // over the surface of level 0; null: none is felt
+  std::string source{};  // what a composition calls it (docs/protocol.md, `compose`)
+  // as the scene has them; nothing: it leaves them open
+  double unit_scale = 1.0;                              // metres per unit of the mesh
+  std::optional<double> friction{}, mass{}, density{};  // mass [kg], density [kg/m^3]
 };
 
 /// What is shown, and does not change.
@@ -157,6 +164,9 @@ std::string menu_message(const OpenMenu& menu);
 std::string progress_message(const std::string& what, double share);
 /// `strip`: the largest force of each of equally long parts of a recording [N].
 std::string strip_message(double seconds, const std::vector<float>& force);
+
+/// `saved`: where something is now that a page had saved.
+std::string saved_message(std::int64_t id, const std::string& path);
 
 std::string event_message(const SessionEvent& event);
 /// `camera`: where the handle of the second device is that moves the view.

@@ -82,6 +82,30 @@ std::uint16_t McapWriter::add_channel(std::string_view topic, std::string_view s
   return id;
 }
 
+void McapWriter::attach(const McapAttachment& attachment) {
+  std::string content, entry;
+  content.reserve(attachment.data.size() + attachment.name.size() + 128);
+  append(content, std::uint64_t{0});  // of the session clock; no clock on the wall
+  append(content, std::uint64_t{0});
+  append_string(content, attachment.name);
+  append_string(content, attachment.media_type);
+  append(content, static_cast<std::uint64_t>(attachment.data.size()));
+  content += attachment.data;
+  append(content, crc32(content));
+  const std::string bytes = record(kAttachment, content);
+  append(entry, file_.size());
+  append(entry, static_cast<std::uint64_t>(bytes.size()));
+  append(entry, std::uint64_t{0});
+  append(entry, std::uint64_t{0});
+  append(entry, static_cast<std::uint64_t>(attachment.data.size()));
+  append_string(entry, attachment.name);
+  append_string(entry, attachment.media_type);
+  entry = record(kAttachmentIndex, entry);
+  file_.append(bytes, end_bytes() + entry.size());
+  chunk_entries_ += entry;
+  ++attachments_;
+}
+
 void McapWriter::write(std::uint16_t channel, std::uint32_t sequence, std::uint64_t time,
                        std::string_view json) {
   const bool is_long = time > chunk_first_ && time - chunk_first_ >= kChunkTime;
@@ -174,7 +198,7 @@ std::string McapWriter::summary() const {
   append(statistics, messages_);
   append(statistics, static_cast<std::uint16_t>(channels_.size()));  // schemas
   append(statistics, static_cast<std::uint32_t>(channels_.size()));
-  append(statistics, std::uint32_t{0});  // attachments
+  append(statistics, attachments_);
   append(statistics, std::uint32_t{0});  // metadata records
   append(statistics, chunks_);
   append(statistics, first_time_);

@@ -15,6 +15,13 @@
 
 namespace thigma {
 
+/// A file within an MCAP file: any MCAP tool lists it and takes it out.
+struct McapAttachment {
+  std::string name;
+  std::string media_type;
+  std::string data;
+};
+
 /// Writes an MCAP file. Written beside its place as PATH.part and moved there by close(), so that
 /// PATH is whole or absent; what a kill leaves of PATH.part is read up to its last whole chunk
 /// (GrowingFile). Invariant: between construction and close() the .part file is a prefix of a valid
@@ -32,6 +39,9 @@ class McapWriter {
   /// empty.
   std::uint16_t add_channel(std::string_view topic, std::string_view schema_name,
                             std::string_view json_schema);
+
+  /// Puts a file into the file, at once and whole, between the chunks.
+  void attach(const McapAttachment& attachment);
 
   /// Appends one message; time [ns] of the session clock. Chunks are flushed as they reach 1 MiB,
   /// or with the first message half a second after their first.
@@ -73,8 +83,8 @@ class McapWriter {
   bool is_open_ = true;
   std::vector<Channel> channels_;
   std::uint64_t messages_ = 0, first_time_ = 0, last_time_ = 0;  // flushed
-  std::uint32_t chunks_ = 0;
-  std::string chunk_entries_;  // of the summary
+  std::uint32_t chunks_ = 0, attachments_ = 0;
+  std::string chunk_entries_;  // of the summary, and so those of the attachments
 
   std::string chunk_;  // not flushed
   std::uint64_t chunk_messages_ = 0, chunk_first_ = 0, chunk_last_ = 0;
@@ -117,6 +127,11 @@ void refuse_absent_recording(const std::string& path);
 
 /// The data of the message at that offset of McapMessage. Valid until the source is asked again.
 std::string_view mcap_message_data(ByteSource& source, std::uint64_t offset);
+
+/// The files in an MCAP file, in their order; of one that was cut off those that are whole.
+/// Thread [offline]; throws InputError "FILE: what, byte N, what was expected" for what is no MCAP
+/// file, or where one is not what its checksum says.
+std::vector<McapAttachment> read_attachments(ByteSource& source, const std::string& path);
 
 /// An MCAP file in memory. Views stay valid while the object is not moved from or destroyed.
 struct McapFile {

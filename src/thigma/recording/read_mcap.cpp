@@ -100,7 +100,7 @@ struct Reading {
       const auto opcode = cursor.get<std::uint8_t>("record");
       const auto length = cursor.get<std::uint64_t>("record length");
       if (opcode == kDataEnd) return stop("what follows the data is incomplete");
-      if (opcode != kHeader && opcode != kChunk && opcode != kMessageIndex)
+      if (opcode != kHeader && opcode != kChunk && opcode != kMessageIndex && opcode != kAttachment)
         return stop("there is no record of a recording");
       if (length > size - cursor.at) return stop("the record there is incomplete");
       at = cursor.at + length;

@@ -281,6 +281,10 @@ void RecordingWriter::attempt(Work work) {
   }
 }
 
+void RecordingWriter::attach(const McapAttachment& file) {
+  attempt([&] { file_->attach(file); });
+}
+
 void RecordingWriter::write(const RecordedSurface& surface) {
   if (surface.is_object && !surface.positions.empty()) {
     radius_ = 0.0;

@@ -17,6 +17,7 @@ namespace thigma {
 class ByteSource;
 class FileWriter;
 class McapWriter;
+struct McapAttachment;
 
 /// What the end of a session states about itself.
 struct RecordingEnd {
@@ -50,6 +51,7 @@ class RecordingWriter {
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
+  void attach(const McapAttachment& file);     // a file that travels with it
   void write(const RecordedSurface& surface);  // before any sample
   void write(const HapticSample& sample);
   void write(const ContactSample& sample);

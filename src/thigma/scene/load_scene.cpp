@@ -24,13 +24,13 @@ ClodAsset exact_asset(TriangleMesh mesh) {
 }
 
 /// Surface, hierarchy and mass of an object: levels of detail where the session asks for them.
-ClodAsset load_asset(const SceneObject& object, const char* role, bool is_exact,
+ClodAsset load_asset(const SceneObject& object, const char* role, bool is_exact, bool repairs,
                      const LoadOptions& options) {
   ClodSource source;
   source.name = object.mesh;
   source.role = role;
   source.scale = object.unit_scale;
-  source.is_repair = options.repairs;
+  source.is_repair = repairs;
   const bool is_kept = !object.model && is_clod_file(object.mesh);
   ClodAsset asset;
   if (is_exact && !is_kept) {
@@ -85,7 +85,8 @@ Scene load_scene(SceneDescription description, const LoadOptions& options) {
       return std::make_shared<const ClodAsset>(exact_asset(textures[0]->coarse));
     }
     auto asset = std::make_shared<const ClodAsset>(
-        load_asset(object, role, resolution.is_exact && object.level_textures.empty(), options));
+        load_asset(object, role, resolution.is_exact && object.level_textures.empty(),
+                   given.repairs || options.repairs, options));
     if (!object.level_textures.empty() && options.has_textures)
       textures = detail::load_level_relief(object, *asset, options.log, coarsest);
     return asset;

@@ -119,7 +119,9 @@ struct TapChoice {
 /// A whole scene, as a file or the command line gives it.
 struct SceneDescription {
   std::string file;                  // where it was read, for reports
+  std::string text;                  // the TOML it was read from; empty: made in code
   std::string title;                 // one line
+  bool repairs = false;              // meshes that need it are repaired: they came with the scene
   SceneObject object;                // the grasped one
   std::vector<SceneObject> statics;  // in contact order: body 0, 1, ...
   std::optional<double> mass;        // of the object [kg]

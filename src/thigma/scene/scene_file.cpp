@@ -327,7 +327,9 @@ SceneDescription parse_scene(std::string_view text, const std::string& file,
   TomlTable top(root, file, "");
   SceneDescription scene;
   scene.file = file;
+  scene.text = text;
   scene.title = top.text("title").value_or(fs::path(file).stem().string());
+  scene.repairs = top.truth("repair").value_or(scene.repairs);
   scene.gravity = top.vector("gravity").value_or(scene.gravity);
   scene.has_auto_gains = top.choice("gains", {"size", "auto"}).value_or(0) == 1;
   if (top.has("body"))

@@ -2,6 +2,7 @@
 
 #include "thigma/files/byte_source.h"
 #include "thigma/recording/config_json.h"
+#include "thigma/recording/mcap_file.h"
 #include "thigma/recording/recording.h"
 #include "thigma/recording/replay_session.h"
 
@@ -25,6 +26,10 @@ void replay(const Recording& recording) {
 
 void fuzz_recording(Bytes bytes) {
   MemorySource source(text_of(bytes));
+  is_taken("file", [&] {
+    for (const McapAttachment& file : read_attachments(source, "file"))
+      require(file.data.size() <= bytes.size(), "no attachment is longer than its file");
+  });
   Recording recording;
   std::vector<SamplePlace> places;
   if (!is_taken("file", [&] { recording = read_recording(source, "file"); })) return;

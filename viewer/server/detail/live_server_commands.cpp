@@ -27,6 +27,12 @@ LiveRequest request_of(PageId page, const Command& command) {
     case Command::Kind::place:
       request.kind = LiveRequest::Kind::place;
       break;
+    case Command::Kind::compose:
+      request.kind = LiveRequest::Kind::compose;
+      break;
+    case Command::Kind::save:
+      request.kind = LiveRequest::Kind::save;
+      break;
     default:
       request.kind = LiveRequest::Kind::reset;
       break;
@@ -36,6 +42,7 @@ LiveRequest request_of(PageId page, const Command& command) {
   request.text = command.text;
   request.number = command.number;
   request.flag = command.flag;
+  request.data = command.objects;
   return request;
 }
 
@@ -257,6 +264,8 @@ void LiveServer::Impl::take_command(PageId page, const Command& command) {
     case Command::Kind::open:
     case Command::Kind::seek:
     case Command::Kind::place:
+    case Command::Kind::compose:
+    case Command::Kind::save:
       ask_program(request_of(page, command));
       return;
   }

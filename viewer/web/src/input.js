@@ -7,7 +7,7 @@ import { moveHand, noteSample, turnHand } from "./hand.js";
 const TURN_PER_PIXEL = 0.008; // [rad]
 
 /// player   {stage, hand, workspace(), grasp(): world point, mayMove(): the hand is this page's to move,
-///           press(): take hold, moved(turned), give(): what was noted, at the end of an event, letGo()}
+///           claims(event): something else in the picture takes this press, press(): take hold, moved(turned), give(): what was noted, at the end of an event, letGo()}
 export function startInput(player) {
   const { canvas } = player.stage;
   const input = { player, pointers: new Map(), mode: null, keys: new Set(), touch: matchMedia("(pointer: coarse)").matches };
@@ -26,6 +26,7 @@ export function startInput(player) {
 function down(input, event) {
   const { canvas } = input.player.stage;
   canvas.focus({ preventScroll: true });
+  if (input.player.claims(event)) return; // for the handles of an object
   canvas.setPointerCapture(event.pointerId);
   input.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
   input.touch = event.pointerType === "touch";

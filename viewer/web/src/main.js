@@ -9,11 +9,13 @@ import { ask, letGo, makeLink, sendAll, sendHand, waitingBytes } from "./link.js
 import { addEvent, fillHelp, makeParameters, showParameters } from "./panels.js";
 import { addMark, addRates, addRows, clearPlots, drawPlots, makePlots, plotPicture, plotTable, rebuildPlots, setFloors } from "./plots.js";
 import { makeReadouts, showLegend, showReadouts, showRowLegend } from "./readouts.js";
+import { addModels, makeBuilder, movedTo, openBuilder, takeBuilderScene, takeSaved } from "./builder.js";
+import { claims, makeGizmo, showGizmo } from "./gizmo.js";
 import { fillLevelBrowser, browsedWords, makeLevelBrowser } from "./levels.js";
 import { makeOpener, openMenu, takeMenu, takeModel } from "./open.js";
 import { makeReplayBar, showReplayBar, takeStrip } from "./replay.js";
 import { makeRulers, PRESETS, showRulers } from "./rulers.js";
-import { bodies, browseLevel, draw, isReady, makeScene, repaint, resize, setObjects, setOptions, showSnapshot, takeLevel, takeRelief } from "./scene.js";
+import { bodies, browseLevel, draw, isReady, makeScene, repaint, resize, setEditing, setObjects, setOptions, showSnapshot, takeLevel, takeRelief } from "./scene.js";
 import { makeSound, playRows, toggleSound } from "./sound.js";
 import { startTheme } from "./theme.js";
 import { startTabs } from "./tabs.js";
@@ -29,7 +31,7 @@ const session = { connected: false, hello: null, scene: null, meshes: new Map(),
   faultName: () => session.hello?.faults?.[session.snapshot?.fault ?? 0] ?? "fault" };
 const hand = makeHand();
 const guide = makeGuide();
-let stage = null, link = null, xr = null;
+let stage = null, link = null, xr = null, gizmo = null;
 
 const plots = makePlots(at("plots"), [
   ["PNG", "Save the plots as a picture", () => plotPicture(plots, caption()).toBlob((blob) => save(fileName("png"), blob))],
@@ -39,7 +41,15 @@ const readouts = makeReadouts(at("readouts"));
 const sound = makeSound();
 const levels = makeLevelBrowser(at("levels"), (body, level) => stage && bodies(stage)[body] && browseLevel(stage, bodies(stage)[body], level));
 const opener = makeOpener(at("opener"), { ask: (message) => ask(link, message), send: (bytes) => sendAll(link, bytes),
-  room: () => waitingBytes(link), limit: () => session.hello?.max_message ?? 4096 });
+  room: () => waitingBytes(link), limit: () => session.hello?.max_message ?? 4096,
+  add: (models) => { chooseTab("build"); addModels(builder, models); } });
+const builder = makeBuilder(at("build"), { ask: (message) => ask(link, message), choose: () => { act.open(); at("mesh-file").click(); },
+  handles: (index, mode, isOpen) => {
+    if (!stage) return;
+    setEditing(stage, isOpen);
+    if (isOpen && !gizmo) gizmo = makeGizmo(stage, (pose) => movedTo(builder, pose));
+    if (gizmo) showGizmo(gizmo, index, mode);
+  } });
 const parameters = makeParameters(at("parameters"), (name, value) => ask(link, { type: "set", name, value }));
 
 /// Asks, and says in the picture why not when the answer is no.
@@ -96,7 +106,9 @@ const on = {
     session.meshes.set(message.number, message);
     const wanted = [session.scene.object, ...session.scene.statics].map((one) => one.mesh);
     if (!wanted.every((number) => session.meshes.has(number))) return;
+    if (gizmo) showGizmo(gizmo, null); // of the objects that go
     if (stage) setObjects(stage, session.scene, session.meshes);
+    takeBuilderScene(builder, session.scene);
     veil(session.trouble);
   },
   level: (message) => { if (stage) takeLevel(stage, message); },
@@ -104,6 +116,7 @@ const on = {
   strip: (message) => takeStrip(replayBar, message),
   menu: (message) => takeMenu(opener, message),
   model: (message) => takeModel(opener, message),
+  saved: (message) => takeSaved(builder, message),
   progress: ({ what, share }) => {
     session.progress = what;
     if (what) { // what runs goes on behind it
@@ -191,7 +204,8 @@ const player = {
   hand,
   workspace: () => session.scene.workspace,
   grasp: () => session.snapshot?.grasp ?? [0, 0, 0],
-  mayMove: () => session.connected && session.hello?.may_control !== false && Boolean(session.state?.device.startsWith("web:")) && session.state.holder !== "other" &&
+  claims: (event) => gizmo !== null && claims(gizmo, event),
+  mayMove: () => session.connected && !stage?.editing && session.hello?.may_control !== false && Boolean(session.state?.device.startsWith("web:")) && session.state.holder !== "other" &&
     session.state.run !== "ended" && !session.state.replay && Boolean(session.snapshot),
   async press() {
     if ((hand.clutch && session.holding) || session.asking) return;
@@ -294,7 +308,8 @@ const fileName = (ending) => `thigma-${(session.snapshot?.time ?? 0).toFixed(1)}
 const input = startStage();
 fillHelp(at("help"));
 const caption = () => `${session.scene?.title ?? ""}, to ${(session.snapshot?.time ?? 0).toFixed(1)} s`;
-startTabs(at("tabs"), [["plots", "Plots"], ["parameters", "Parameters"], ["levels", "Levels"], ["events", "Events"]]);
+const chooseTab = startTabs(at("tabs"), [["plots", "Plots"], ["parameters", "Parameters"], ["levels", "Levels"], ["events", "Events"], ["build", "Scene"]],
+  (id) => openBuilder(builder, id === "build"));
 rebuildPlots(plots);
 veil("Connecting …");
 const token = /^#token=([0-9a-f]+)$/.exec(location.hash)?.[1];
@@ -358,5 +373,5 @@ function showWords(now, newtons) {
 requestAnimationFrame(frame);
 
 /// For tests and the curious: everything the page knows.
-window.thigma = { session, hand, plots, sound, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; }, get xr() { return xr; },
+window.thigma = { session, hand, plots, sound, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; }, get xr() { return xr; }, builder, get gizmo() { return gizmo; },
   get drawn() { return drawn; } };

@@ -16,9 +16,9 @@ const button = (text, act, className = "") => {
 const UNITS = [["millimetres", 0.001], ["centimetres", 0.01], ["inches", 0.0254], ["metres", 1]];
 
 /// ask     (message) -> promise of the `ack`; send (buffer) -> whether it went; room() -> bytes that wait to go
-/// limit() bytes of a message
-export function makeOpener(dialog, { ask, send, room, limit }) {
-  const opener = { dialog, ask, send, room, limit, menu: { scenes: [], recordings: [], meshes: [] }, name: "", model: null, busy: null };
+/// limit() bytes of a message; add([{model, unit}]) puts meshes into the scene that is being put together
+export function makeOpener(dialog, { ask, send, room, limit, add }) {
+  const opener = { dialog, ask, send, room, limit, add, menu: { scenes: [], recordings: [], meshes: [] }, name: "", model: null, busy: null };
   dialog.addEventListener("click", (event) => { if (event.target === dialog) dialog.close(); });
   for (const kind of ["dragenter", "dragover"]) {
     addEventListener(kind, (event) => {
@@ -31,8 +31,7 @@ export function makeOpener(dialog, { ask, send, room, limit }) {
   addEventListener("drop", (event) => {
     event.preventDefault();
     document.body.classList.remove("dropping");
-    const file = event.dataTransfer?.files?.[0];
-    if (file) takeFile(opener, file);
+    takeFiles(opener, [...(event.dataTransfer?.files ?? [])]);
   });
   return opener;
 }
@@ -64,11 +63,11 @@ function showMenu(opener) {
     }));
     return group;
   };
-  const file = Object.assign(element("input"), { type: "file", accept: acceptedFiles(meshes), id: "mesh-file" });
-  file.addEventListener("change", () => { if (file.files[0]) takeFile(opener, file.files[0]); });
+  const file = Object.assign(element("input"), { type: "file", accept: acceptedFiles(meshes), id: "mesh-file", multiple: true });
+  file.addEventListener("change", () => takeFiles(opener, [...file.files]));
   const pick = element("label", "drop-zone");
   pick.htmlFor = file.id;
-  pick.append(element("b", "", "A mesh or a recording of your own"), element("span", "note", filesToDrop(meshes)), file);
+  pick.append(element("b", "", "Files of your own"), element("span", "note", filesToDrop(meshes)), file);
   const parts = [element("h2", "", "Open"), pick, element("h3", "", "Scenes"), list(scenes)];
   if (recordings.length > 0) parts.push(element("h3", "", "Recordings"), list(recordings));
   opener.dialog.replaceChildren(...parts, foot(opener, [button("Cancel", () => opener.dialog.close())]));
@@ -102,6 +101,19 @@ async function attempt(opener, message) {
 
 // ---- a mesh
 
+/// One is looked at, and placed as one wishes; several are put into the scene, each with its likeliest unit.
+async function takeFiles(opener, files) {
+  if (files.length <= 1) { if (files[0]) await takeFile(opener, files[0]); return; }
+  const models = [];
+  for (const file of files) {
+    const ack = await takeFile(opener, file);
+    if (!ack.ok || opener.model?.report === undefined || opener.model.report.verdict === "rejected") return; // the dialog says why
+    models.push({ model: opener.model, unit: opener.model.unit });
+  }
+  opener.dialog.close();
+  opener.add(models);
+}
+
 async function takeFile(opener, file) {
   while (opener.busy) await opener.busy; // nobody drops a file twice
   opener.model = { name: file.name };
@@ -114,6 +126,7 @@ async function takeFile(opener, file) {
   await sendBytes(opener, bytes, bar);
   const ack = await answer;
   if (ack.ok && file.name.endsWith(".mcap")) opener.dialog.close(); // a recording is shown at once
+  return ack;
 }
 
 /// In pieces, no more at a time than the connection takes.
@@ -155,6 +168,10 @@ export function takeModel(opener, model) {
   const before = repairable ? "Repair and " : "";
   const buttons = [button("Cancel", () => opener.dialog.close())];
   if (usable || repairable) {
+    buttons.push(button("Add it to the scene", async () => {
+      opener.dialog.close();
+      opener.add([{ model, unit: Number(unit.value) }]);
+    }));
     buttons.push(button(before ? "Repair and touch it" : "Touch it", place("touch")), button(before ? "Repair and hold it" : "Hold it", place("hold"), "primary"));
   }
   opener.dialog.replaceChildren(element("h2", "", model.name), verdict, facts, reasons, ...(usable || repairable ? [size] : []),

@@ -162,6 +162,7 @@ const HELP = [
   ["Touch", "one finger on the object moves it, a second turns and lifts it; beside it fingers move the view"],
   ["Gamepad", "sticks move and turn, triggers push and pull, A holds, B lets go; it rumbles with the force"],
   ["VR or AR", "where a headset is there: the trigger holds, squeezing frees the controller, its stick turns and sizes the scene"],
+  ["Scene tab", "put a scene together: drop meshes, drag the handles, Ctrl+Z takes a step back"],
   ["P . R O", "pause, one step, begin again, open a scene"],
   ["F L G C A N", "fit the view; levels of detail, ghost, contacts, arrows, names on and off"],
   ["S", "sound of contact on and off: changes of the force"],

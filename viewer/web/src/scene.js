@@ -42,7 +42,7 @@ export function makeScene(canvas, asked = null) {
     canvas, renderer, scene, root, view: makeView(), plain, lights: addLights(scene), ground: addGround(scene), radius: 1,
     size: 1, object: null, statics: [], ghost: null, force: makeArrow(), twist: makeTwist(), marks: makeContactMarks(),
     rows: makeRowMarks(), spring: makeRod(), dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true, names: true },
-    wants: () => {}, wanted: new Set(), last: null, moved: true, resized: true, fence: null, begun: 0, rested: 0,
+    editing: false, start: null, wants: () => {}, wanted: new Set(), last: null, moved: true, resized: true, fence: null, begun: 0, rested: 0,
     pace: makePace({ step: plain ? PLAIN_STEP : 0, fixed: asked === "full" }),
   };
   root.add(stage.force.group, stage.twist.group, stage.marks.group, stage.rows.group, stage.spring.group);
@@ -58,9 +58,8 @@ export function setObjects(stage, description, meshes) {
   }
   if (stage.ghost) stage.root.remove(stage.ghost.group);
   stage.last = null;
-  for (const { group } of [stage.force, stage.twist, stage.spring]) group.visible = false; // until there is something to show
-  setContactMarks(stage.marks, [], [], 1, colour("ring"));
-  setRowMarks(stage.rows, [], { size: 1, longest: 1 }, { near: colour("contact"), press: colour("press") });
+  stage.start = { position: description.start.position, quaternion: description.start.quat_xyzw };
+  hideMarks(stage); // until there is something to show
   stage.object = makeBody(meshes.get(description.object.mesh), description.object);
   stage.statics = description.statics.map((entry) => {
     const body = makeBody(meshes.get(entry.mesh), entry);
@@ -72,13 +71,32 @@ export function setObjects(stage, description, meshes) {
     shadeBody(body, STEPS[stage.pace.step].rich);
   }
   stage.ghost = makeGhost(stage.object.geometry);
-  place(stage.object.group, { position: description.start.position, quaternion: description.start.quat_xyzw });
+  place(stage.object.group, stage.start);
   stage.root.add(stage.object.group, ...stage.statics.map((surface) => surface.group), stage.ghost.group);
   stage.size = description.object.radius;
   stage.wanted.clear();
   fit(stage);
   stage.moved = true;
   repaint(stage);
+}
+
+function hideMarks(stage) {
+  for (const { group } of [stage.force, stage.twist, stage.spring]) group.visible = false;
+  setContactMarks(stage.marks, [], [], 1, colour("ring"));
+  setRowMarks(stage.rows, [], { size: 1, longest: 1 }, { near: colour("contact"), press: colour("press") });
+}
+
+/// While a scene is being put together its object is shown where it starts, whatever the session does with it.
+export function setEditing(stage, isOn) {
+  if (stage.editing === isOn) return;
+  stage.editing = isOn;
+  if (!stage.object) return;
+  if (!isOn && stage.last) { showSnapshot(stage, stage.last); return; }
+  hideMarks(stage);
+  stage.ghost.group.visible = false;
+  for (const body of bodies(stage)) markContacts(body, [], stage.size);
+  place(stage.object.group, stage.start);
+  stage.dirty = stage.moved = true;
 }
 
 /// The one in the hand first; empty before the first scene.
@@ -182,6 +200,7 @@ export function repaint(stage) {
 export function showSnapshot(stage, snapshot) {
   if (!stage.object) return;
   stage.last = snapshot;
+  if (stage.editing) return;
   place(stage.object.group, snapshot.object);
   place(stage.ghost.group, snapshot.ghost);
   const grasped = (snapshot.bits & 1) !== 0;
@@ -209,6 +228,7 @@ function showForces(stage, snapshot, at) {
 }
 
 function showContacts(stage, snapshot) {
+  if (stage.editing) return;
   const constrained = (snapshot.bits & STATE.constrained) !== 0; // rows stand for contacts then
   const shown = stage.options.contacts && !constrained ? snapshot.contacts : [];
   setRowMarks(stage.rows, stage.options.contacts ? snapshot.rows : [], { size: 0.045 * stage.size, longest: 0.34 * stage.size },

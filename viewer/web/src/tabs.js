@@ -1,7 +1,8 @@
 // Tabs of the panel: by mouse, or by arrow keys while one of them has the keyboard.
 
 /// tabs      [[id of the page, name]]
-export function startTabs(parent, tabs) {
+/// chosen    told of the one that is shown
+export function startTabs(parent, tabs, told = () => {}) {
   const made = tabs.map(([id, name]) => {
     const tab = Object.assign(document.createElement("button"), { type: "button", textContent: name });
     tab.setAttribute("role", "tab");
@@ -15,6 +16,7 @@ export function startTabs(parent, tabs) {
       tab.tabIndex = id === chosen ? 0 : -1;
       document.getElementById(id).hidden = id !== chosen;
     }
+    told(chosen);
   }
   parent.addEventListener("keydown", ({ key }) => {
     const way = { ArrowRight: 1, ArrowLeft: -1 }[key];

@@ -115,10 +115,10 @@ export function levelCounts(contacts) {
 /// What a person may choose from a folder: the kinds of mesh files that the program reads, and recordings.
 /// kinds   [{ name: "OBJ", ending: ".obj" }, ...]; empty from a program that does not tell: any file
 export function acceptedFiles(kinds) {
-  return kinds.length > 0 ? [...kinds.map(({ ending }) => ending), ".mcap"].join(",") : "";
+  return kinds.length > 0 ? [...kinds.map(({ ending }) => ending), ".tex", ".mcap"].join(",") : "";
 }
 
 export function filesToDrop(kinds) {
   const names = kinds.length > 0 ? ` (${kinds.map(({ name }) => name).join(", ")})` : "";
-  return `Drop a mesh${names} or a recording (.mcap) anywhere on the page, or click to choose one.`;
+  return `Drop meshes${names}, a texture (.tex), or a recording or a scene in one file (.mcap) anywhere on the page, or click to choose.`;
 }

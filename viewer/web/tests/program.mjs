@@ -7,11 +7,11 @@ import { fileURLToPath } from "node:url";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "../../..");
 
-/// In a folder of its own; {address, port, child, memory(): resident [bytes], end(): exit status}.
+/// In a folder of its own, where it keeps what it writes for its user, too; {address, folder, port, child, memory(): resident [bytes], end(): exit status}.
 export async function startProgram(program, args) {
   const folder = mkdtempSync(join(tmpdir(), "thigma-page-"));
   const child = spawn(program, ["run", ...args.map((text) => text.replace("SCENES", join(root, "scenes"))), "--port", "0"],
-    { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
+    { cwd: folder, env: { ...process.env, XDG_DATA_HOME: folder }, stdio: ["ignore", "pipe", "pipe"] });
   let said = "";
   const ended = new Promise((resolve) => child.on("exit", (code, signal) => resolve(code ?? signal)));
   const address = await new Promise((resolve, reject) => {
@@ -24,7 +24,7 @@ export async function startProgram(program, args) {
     child.stderr.on("data", hear);
     ended.then((code) => reject(new Error(`thigma run ended with ${code}: ${said.slice(-400)}`)));
   });
-  return { address, port: Number(new URL(address).port), child,
+  return { address, folder, port: Number(new URL(address).port), child,
     memory: () => 1024 * Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${child.pid}/status`, "utf8"))?.[1] ?? NaN),
     end: async () => {
       child.kill("SIGINT");

@@ -82,8 +82,10 @@ function enter(mock, request, socket) {
 function tellScene(mock, page, say) {
   const block = (name, mesh) => ({ name, mesh, radius: 0.043, center: [0, 0, 0], levels: 6, triangles: 9600, patches: 576,
     level_list: levelList() });
-  say({ type: "scene", title: "Block on block (made up)", name: "mock", object: block("upper block", 0),
-    statics: [{ ...block("lower block", 1), position: [0, 0, 0], quat_xyzw: [0, 0, 0, 1] }], start: START,
+  const [held, ...still] = mock.composed?.objects ?? [{ source: "scene:0", name: "upper block", unit: 1, ...START },
+    { source: "scene:1", name: "lower block", unit: 1, position: [0, 0, 0], quat_xyzw: [0, 0, 0, 1] }];
+  say({ type: "scene", title: mock.composed?.title ?? "Block on block (made up)", name: "mock", object: { ...held, ...block(held.name, 0) },
+    statics: still.map((one) => ({ ...one, ...block(one.name, 1) })), start: { position: held.position, quat_xyzw: held.quat_xyzw },
     workspace: { position: [0, 0, 0], quat_xyzw: [0, 0, 0, 1], motion_scale: 1, force_scale: 1 }, tolerance: 0.0004, rate: 1000 });
   for (const mesh of mock.meshes) page.sendBinary(mesh);
 }
@@ -120,14 +122,19 @@ function hear(mock, page, message) {
 }
 
 /// Does what a page asks; null, or the reason why not.
-function obey(mock, page, { type, value, name, mesh, id, repair }) {
+function obey(mock, page, { type, value, name, mesh, id, repair, objects, title }) {
   if (type === "level") page.sendBinary(encodeLevel(mesh, value, makeBlock(mesh === 0, value)));
   else if (type === "open") return open(mock, value);
   else if (type === "seek") mock.world.time = value;
   else if (type === "speed") mock.replay.speed = value;
   else if (type === "cancel") { mock.cancelled = true; mock.progress(null, 1); }
   else if (type === "upload") { mock.upload = { id, page, name, left: value, bytes: [] }; return undefined; }
-  else if (type === "place") mock.placed = { how: name, unit: value, repair };
+  else if (type === "compose") return compose(mock, objects, title);
+  else if (type === "save") {
+    if (!/^[A-Za-z0-9]/.test(name)) return `'${name}' is no name for a scene`;
+    mock.saved = { name, isOneFile: value };
+    page.say({ type: "saved", id, file: `/home/me/scenes/${name}.${value ? "mcap" : "toml"}` });
+  } else if (type === "place") mock.placed = { how: name, unit: value, repair };
   else if (type === "hold") {
     if (mock.device !== "web:") return "The session's device is not web:.";
     if (mock.holder && mock.holder !== page) return "Another page holds the device.";
@@ -158,6 +165,14 @@ function obey(mock, page, { type, value, name, mesh, id, repair }) {
   return null;
 }
 
+/// The scene that a page has put together; blocks stand for whatever was dropped.
+function compose(mock, objects, title) {
+  if (objects.some(({ friction }) => friction < 0)) return "friction is wrong, expected 0 to 10";
+  mock.composed = { title, objects };
+  for (const page of mock.pages) tellScene(mock, page, page.say);
+  return null;
+}
+
 /// A recording, or a scene that takes a moment to prepare.
 function open(mock, name) {
   if (name.endsWith(".mcap")) {
@@ -181,7 +196,8 @@ function hearUpload(mock, page, data) {
   mock.upload = null;
   mock.uploaded = Buffer.concat(upload.bytes);
   const bad = upload.name.startsWith("bad");
-  page.say({ type: "model", id: upload.id, name: upload.name, unit: 0.001, object_radius: 0.03, report: { verdict: bad ? "rejected" : "repairable",
+  mock.files = (mock.files ?? 0) + 1;
+  page.say({ type: "model", id: upload.id, name: upload.name, number: mock.files, unit: 0.001, object_radius: 0.03, report: { verdict: bad ? "rejected" : "repairable",
     triangles: 4, closed: true, components: 1, radius: 30, bounds: { min: [0, 0, 0], max: [40, 30, 20] },
     reasons: [bad ? "no triangle" : "2 duplicate faces"], warnings: [] } });
   page.say({ type: "ack", id: upload.id, ok: true, reason: null });

@@ -28,10 +28,10 @@ test("digits and times", () => {
 
 test("the page offers what the program reads", () => {
   const kinds = [{ name: "OBJ", ending: ".obj" }, { name: "XYZ", ending: ".xyz" }];
-  assert.equal(acceptedFiles(kinds), ".obj,.xyz,.mcap");
-  assert.match(filesToDrop(kinds), /^Drop a mesh \(OBJ, XYZ\) or a recording/);
+  assert.equal(acceptedFiles(kinds), ".obj,.xyz,.tex,.mcap");
+  assert.match(filesToDrop(kinds), /^Drop meshes \(OBJ, XYZ\), a texture/);
   assert.equal(acceptedFiles([]), "");
-  assert.match(filesToDrop([]), /^Drop a mesh or a recording/);
+  assert.match(filesToDrop([]), /^Drop meshes, a texture/);
 });
 
 test("the situation in a sentence", () => {
