@@ -108,7 +108,7 @@ def test_an_exception_inside_closes(scene, tmp_path):
 @pytest.mark.parametrize(
     "options, error, text",
     [
-        ({"device": "hond:"}, thigma.DeviceAddressError, "hond"),
+        ({"device": "hond:"}, thigma.DeviceUnavailable, "hond"),
         ({"device": "hand:?speed=fast"}, ValueError, "speed"),
         ({"device": "web:"}, thigma.DeviceUnavailable, "page"),
         ({"duration": float("nan")}, thigma.InputError, "duration"),

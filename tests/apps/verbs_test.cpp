@@ -98,7 +98,7 @@ TEST(Verbs, refuse_wrong_use_with_one_sentence) {
       {"run", "jaws", "--fault", "unplug"},
       {"run", "jaws", "--fault", "stall@1"},
       {"run", "jaws", "--fault", "nan@-1"},
-      {"run", "--object", kBall, "--against", kBall, "--device", "nosuch:", "--quiet"},
+      {"run", "--object", kBall, "--against", kBall, "--device", "nosuch", "--quiet"},
       {"run", "--object", kBall, "--against", kBall, "--device", "hand:?masss=1", "--quiet"},
       {"run", "--object", kBall, "--against", kBall, "--device", "hand:?mass=-1", "--quiet"},
   };

@@ -69,7 +69,7 @@ def talker(data):
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
     print(f"{'what':34} {'':6}  what is said")
-    expect("a scheme that nobody has", check("dhf:0"), USAGE, ["no device 'dhf:', nearest is 'dhd:'"])
+    expect("a scheme that nobody has", check("dhf:0"), UNAVAILABLE, ["no device 'dhf:', nearest is 'dhd:'"])
     expect("no scheme", check("touch"), USAGE, ["has no scheme"])
     for driver, library in (("dhd:0", "libdrd"), ("openhaptics:", "libHD")):
         expect(f"{library}: for another processor", check(driver, f"{standins}/wrong_arch"), UNAVAILABLE, ["cannot be used", "x86-64"])

@@ -118,8 +118,8 @@ constexpr Scheme kSchemes[] = {
   if (scheme.empty())
     throw DeviceAddressError("device " + quoted(address) + " has no scheme, expected one of " +
                              forms);
-  throw DeviceAddressError("no device " + quoted(scheme) + ", nearest is " +
-                           quoted(detail::nearest_name(scheme, names)));
+  throw DeviceUnavailable("no device " + quoted(scheme) + ", nearest is " +
+                          quoted(detail::nearest_name(scheme, names)));
 }
 
 /// The row of an address; refuses it where there is none.

@@ -25,14 +25,14 @@ struct DeviceContext {
   std::uint64_t seed = 1;       // of tremor and jitter, unless the address has its own
 };
 
-/// A device address that cannot be understood: unknown scheme, parameter or value. A usage error,
+/// A device address that cannot be understood: no scheme, unknown parameter or value. A usage error,
 /// exit code 2.
 class DeviceAddressError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-/// A device that is not plugged in, not loadable or not part of this build. Exit code 3.
+/// A device that is not plugged in, not loadable or unknown here. Exit code 3.
 class DeviceUnavailable : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

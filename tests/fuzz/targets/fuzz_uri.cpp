@@ -27,7 +27,9 @@ void fuzz_uri(Bytes bytes) {
   } catch (const DeviceAddressError& error) {
     require(std::string_view(error.what()).find('\n') == std::string_view::npos,
             "a refusal is one line");
-  } catch (const DeviceUnavailable&) {
+  } catch (const DeviceUnavailable& error) {
+    require(std::string_view(error.what()).find('\n') == std::string_view::npos,
+            "a refusal is one line");
   } catch (const InputError&) {
   }
 }
