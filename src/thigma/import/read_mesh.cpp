@@ -13,7 +13,8 @@ using detail::kMeshFormats;
 using detail::RawMesh;
 
 detail::FileClues clues_of(std::string_view bytes) {
-  detail::FileClues clues{bytes};
+  detail::FileClues clues;
+  clues.bytes = bytes;
   // Comments may hold any letters; control characters no text format has.
   clues.is_text = std::none_of(bytes.begin(), bytes.end(), [](char c) {
     const unsigned char u = static_cast<unsigned char>(c);
