@@ -14,8 +14,9 @@ namespace thigma::app {
 /// The scene that a page has put together.
 ///
 /// objects  JSON array, the first in the hand (docs/protocol.md, `compose`)
-/// now      the scene that "scene:K" is of; where its object stays in the hand, so do all its gains, else
-///          they follow from the size of the new one. Device, rate and safety limits stay.
+/// now      the scene that "scene:K" is of; where its object stays in the hand, so do all its
+///          gains, else they follow from the size of the new one. Device, rate and safety limits
+///          stay.
 /// errors   InputError, a sentence for people
 /// Thread   [offline]
 SceneDescription composed_scene(const std::string& title, const std::string& objects,

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <set>
 
 #include "mesh_report.h"
 #include "named_scene.h"
@@ -120,9 +119,10 @@ live::OpenMenu open_menu() {
   for (const std::string& name : builtin_scene_names())
     menu.scenes.push_back({name, read_scene(name).title});
   add_kept_scenes(menu);
-  std::set<fs::path> folders = {fs::current_path()};  // once, where they are the same
-  if (const std::string own = user_folder("recordings"); !own.empty()) folders.insert(own);
-  for (const fs::path& folder : folders) add_recordings(folder, folder == fs::current_path(), menu);
+  add_recordings(".", true, menu);
+  const std::string own = user_folder("recordings");
+  std::error_code none;
+  if (!own.empty() && !fs::equivalent(own, ".", none)) add_recordings(own, false, menu);
   std::sort(menu.recordings.begin(), menu.recordings.end(),
             [](const auto& a, const auto& b) { return a.name < b.name; });
   if (menu.recordings.size() > kMostRecordings)

@@ -249,10 +249,11 @@ TEST(LiveProgram, ASceneIsPutTogetherSavedAndRunAgain) {
               files[2].ends_with("/my scan 2.toml"))
       << files[0];
   // It is what scene:K was before it that counts on.
-  EXPECT_TRUE(ask(client,
-                  R"({"type":"compose","id":4,"title":"back","objects":[)"
-                  R"({"source":"scene:0","position":[0,0,0.2],"quat_xyzw":[0,0,0,1]}]})")["ok"]
-                  .get<bool>());
+  const Json back =
+      ask(client, R"({"type":"compose","id":4,"title":"back","objects":[)"
+                  R"({"source":"scene:0","position":[0,0,0.2],"quat_xyzw":[0,0,0,1]},)"
+                  R"({"source":"scene:1","position":[0,0,0],"quat_xyzw":[0,0,0,1]}]})");
+  EXPECT_TRUE(back["ok"].get<bool>()) << back;
   EXPECT_EQ(run.end().code, 130);
   std::vector<std::string> hashes;
   for (const std::string& file : files) {

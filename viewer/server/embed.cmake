@@ -2,7 +2,7 @@
 file(GLOB files ${FOLDER}/*)
 list(SORT files)
 set(types html text/html js text/javascript css text/css svg image/svg+xml txt text/plain json application/json
-    png image/png ico image/x-icon woff2 font/woff2)
+    png image/png webp image/webp ico image/x-icon woff2 font/woff2)
 set(arrays)
 set(rows)
 set(number 0)

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes as TOML text, for scenes that are made on a page or a command line, and those that are sent.
+// Scenes as TOML text: of scenes made on a page or a command line, and of those that are sent.
 
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace thigma {
 
-/// TOML of a scene: parse_scene gives the same scene from it, but for a rounding of quaternions that
-/// were not read from TOML.
+/// TOML of a scene: parse_scene gives the same scene from it, but for a rounding of quaternions
+/// that were not read from TOML.
 ///
 /// Objects, poses, materials, mass and title are those of the description. All other tables are
 /// those of scene.text, where it was read from one; of a scene made in code they are written as far

@@ -1,6 +1,7 @@
 // Another scene, a recording, or a mesh of one's own: from a menu, or dropped on the page.
 import { count, digits } from "./format.js";
 import { encodeUpload } from "./protocol.js";
+import { SCENE_FACTS } from "./scenefacts.js";
 import { whatToTry } from "./scenes.js";
 import { acceptedFiles, filesToDrop } from "./words.js";
 
@@ -13,6 +14,7 @@ const button = (text, act, className = "") => {
   return made;
 };
 
+const TALL = 96; // of a picture in scenes.webp [px]
 const UNITS = [["millimetres", 0.001], ["centimetres", 0.01], ["inches", 0.0254], ["metres", 1]];
 
 /// ask     (message) -> promise of the `ack`; send (buffer) -> whether it went; room() -> bytes that wait to go
@@ -58,6 +60,7 @@ function showMenu(opener) {
       item.append(element("b", "", title || name));
       const words = whatToTry(name) || (title && title !== name ? name : "");
       if (words) item.append(element("span", "note", words));
+      addFacts(item, name);
       item.setAttribute("aria-current", String(name === opener.name));
       return item;
     }));
@@ -71,6 +74,17 @@ function showMenu(opener) {
   const parts = [element("h2", "", "Open"), pick, element("h3", "", "Scenes"), list(scenes)];
   if (recordings.length > 0) parts.push(element("h3", "", "Recordings"), list(recordings));
   opener.dialog.replaceChildren(...parts, foot(opener, [button("Cancel", () => opener.dialog.close())]));
+}
+
+/// The picture of a scene of the program, and its size.
+function addFacts(item, name) {
+  const facts = SCENE_FACTS[name];
+  if (!facts) return;
+  const picture = element("i", "open-picture"); // its place in the pictures of all
+  picture.style.backgroundPositionY = `${(-TALL * Object.keys(SCENE_FACTS).indexOf(name)).toFixed(0)}px`;
+  picture.setAttribute("aria-hidden", "true");
+  item.classList.add("pictured");
+  item.append(element("span", "note", `${digits(1000 * facts.size)} mm, ${count(facts.triangles, "triangle")}`), picture);
 }
 
 function foot(opener, buttons, text = "") {

@@ -9,7 +9,7 @@ import { CHANNELS, encodeChannels, encodeLevel, encodeMesh, encodeRelief, encode
 import { constraintOf, levelList, makeBlock, makeWorld, rowOf, scriptedHand, snapshotOf, START, stepWorld } from "./world.mjs";
 
 const dist = join(dirname(fileURLToPath(import.meta.url)), "../../dist");
-const MIME = { ".js": "text/javascript", ".css": "text/css", ".html": "text/html; charset=utf-8", ".svg": "image/svg+xml", ".txt": "text/plain" };
+const MIME = { ".js": "text/javascript", ".css": "text/css", ".html": "text/html; charset=utf-8", ".svg": "image/svg+xml", ".txt": "text/plain", ".webp": "image/webp" };
 const policy = (host) => "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; " +
   `connect-src 'self' ws://${host}; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'`;
 
@@ -72,7 +72,8 @@ function enter(mock, request, socket) {
     channels: CHANNELS.map((name) => ({ name, unit: "" })), faults: FAULTS });
   tellScene(mock, page, say);
   say({ type: "parameters", list: mock.parameters });
-  say({ type: "menu", scenes: [{ name: "mock", title: "Block on block (made up)" }, { name: "cups", title: "Cup and spoon" }],
+  say({ type: "menu", scenes: [{ name: "mock", title: "Block on block (made up)" }, { name: "cups", title: "Cup and spoon" },
+      { name: "jaws", title: "Upper jaw on lower jaw" }],
     recordings: [{ name: "session-001.mcap", title: "session-001.mcap" }],
     meshes: [{ name: "OBJ", ending: ".obj" }, { name: "PLY", ending: ".ply" }] });
   page.say = say;
