@@ -25,7 +25,7 @@ struct DeviceContext {
   std::uint64_t seed = 1;       // of tremor and jitter, unless the address has its own
 };
 
-/// A device address that cannot be understood: no scheme, unknown parameter or value. A usage error,
+/// A device address that cannot be understood: no scheme, unknown parameter or value. Wrong usage,
 /// exit code 2.
 class DeviceAddressError : public std::invalid_argument {
  public:
