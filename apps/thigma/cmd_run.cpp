@@ -119,6 +119,12 @@ void prepare_process(Run& run, bool is_quiet) {
   if (!is_quiet) run.floor = measure_floor(run.session.config);
 }
 
+/// Lines for people; empty: no lines, no progress either.
+Log log_of(const Common& common) {
+  if (common.quiet) return {};
+  return [](const std::string& line) { std::fprintf(stderr, "thigma: %s\n", line.c_str()); };
+}
+
 /// Without a page: one session, no table. is_whole: of the recording, where one was asked for.
 SessionSummary run_alone(const RunOptions& options, const Common& common, Run& run,
                          bool& is_whole) {
@@ -135,9 +141,23 @@ SessionSummary run_alone(const RunOptions& options, const Common& common, Run& r
   }
   const bool has_threads = !options.is_lockstep && !run.session.simulation;
   if (has_threads) prepare_process(run, common.quiet);
-  const SessionSummary summary =
-      run_session(run, run.session.config,
-                  {.is_lockstep = options.is_lockstep, .stop = &stop_requested}, sinks);
+  SessionConfig config = run.session.config;
+  RunControl control{.is_lockstep = options.is_lockstep, .stop = &stop_requested};
+  LivePorts ports;  // for levels that are built meanwhile
+  LastBody last;
+  if (run.levels && has_threads) {
+    config.live = &ports;
+    sinks.haptic = [&, write = sinks.haptic](const HapticSample& sample) {
+      last.observe(sample);
+      if (write) write(sample);
+    };
+    control.poll = [&] {
+      if (take_levels(run, config, last.state(), log_of(common)))
+        ports.replacement.store(run.replacement.get(), std::memory_order_release);
+      return false;
+    };
+  }
+  const SessionSummary summary = run_session(run, config, control, sinks);
   if (has_threads && !common.quiet) {
     for (const std::string& note : summary.notes)
       std::fprintf(stderr, "thigma: %s\n", note.c_str());
@@ -186,10 +206,7 @@ int run_verb(const RunOptions& asked, const Common& common) {
     const SignalGuard signals;
     return run_world_scene(asked, common, stop_requested);
   }
-  Log log;  // empty: no lines, no progress either
-  if (!common.quiet) {
-    log = [](const std::string& line) { std::fprintf(stderr, "thigma: %s\n", line.c_str()); };
-  }
+  const Log log = log_of(common);
   RunOptions options = asked;
   if (!options.replay.empty()) use_recorded_scene(options);
   SceneDescription scene = read_run_scene(options);

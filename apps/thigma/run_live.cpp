@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <exception>
+#include <future>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "composed_scene.h"
 #include "live_change.h"
@@ -94,6 +99,7 @@ class LiveRun {
   SessionSinks sinks() {
     return {[this](const HapticSample& sample) {
               recorder_.write(sample);
+              where_.observe(sample);
               if (program_.observe_haptic) program_.observe_haptic(sample);
               last_body_.reset();
               if (sample.touching == 0)
@@ -167,8 +173,9 @@ class LiveRun {
                              .stop = program_.stop,
                              .begun = [this] { begin(); },
                              .poll =
-                                 [this] {
+                                 [&] {
                                    if (program_.poll) program_.poll();
+                                   bring_levels(config);
                                    return poll_pages().has_value();
                                  }};
     const SessionSummary summary = run_session(*run_, config, control, sinks());
@@ -176,6 +183,19 @@ class LiveRun {
       for (const std::string& note : summary.notes) program_.log(note);
     end(summary);
     return summary;
+  }
+
+  /// Levels that have been built meanwhile come into the running session; what simulates itself has
+  /// them when it begins again.
+  void bring_levels(const SessionConfig& config) {
+    std::erase_if(given_up_, [](const auto& levels) { return levels->is_over(); });
+    const bool is_read = given_up_change_.valid();  // the run, by what was given up
+    if (is_read && given_up_change_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+      return;
+    if (run_->session.simulation || !take_levels(*run_, config, where_.state(), program_.log))
+      return;
+    server_.refine(view_of(*run_));  // before the first contact that names their nodes
+    server_.ports().replacement.store(run_->replacement.get(), std::memory_order_release);
   }
 
   bool is_told_to_stop() const { return program_.stop->load(std::memory_order_relaxed); }
@@ -213,20 +233,45 @@ class LiveRun {
   void judge() {
     std::string why;
     server_.set_preparing(true);
+    wait_for_given_up();
+    if (run_->session.simulation && take_levels(*run_, {}, BodyState{}, program_.log))
+      has_new_levels_ = true;
+    cancelled_ = std::make_shared<std::atomic<bool>>(false);
     try {
-      // A recording that was dropped on the page is kept and shown.
-      change_ =
-          request_->kind == Kind::inspect
-              ? change_to_recording(dropped_.keep_recording(request_->text, request_->data), now())
-              : make_change(*request_, now());
+      std::future<LiveChange> made =
+          std::async(std::launch::async, [this, request = *request_, now = now()] {
+            // A recording that was dropped on the page is kept and shown.
+            if (request.kind == Kind::inspect)
+              return change_to_recording(dropped_.keep_recording(request.text, request.data), now);
+            return make_change(request, now);
+          });
+      while (made.wait_for(std::chrono::nanoseconds(kPoll)) != std::future_status::ready)
+        if (server_.is_cancelled() || is_told_to_stop()) give_up(std::move(made));
+      change_ = made.get();
     } catch (const std::exception& error) {
       why = error.what();
     }
     server_.set_preparing(false);
-    if (std::exchange(has_progress_, false)) server_.show_progress("", 1.0);
+    if (has_progress_.exchange(false)) server_.show_progress("", 1.0);
     if (why.empty()) return;
     server_.answer(*request_, why);
     request_.reset();
+  }
+
+  /// What was asked for ends by itself, at its next step; nobody waits for it. Throws with why.
+  [[noreturn]] void give_up(std::future<LiveChange> made) {
+    {
+      const std::lock_guard lock(progress_mutex_);  // nothing is shown of it any more
+      *cancelled_ = true;
+    }
+    given_up_change_ = std::move(made);
+    throw std::runtime_error(is_told_to_stop() ? "told to stop" : "cancelled");
+  }
+
+  /// What was given up reads what comes next changes.
+  void wait_for_given_up() {
+    if (given_up_change_.valid()) given_up_change_.wait();
+    given_up_change_ = {};
   }
 
   /// Whether there is another session to run, and sets it up.
@@ -256,9 +301,9 @@ class LiveRun {
   LiveNow now() {
     RunHooks hooks;
     hooks.log = [this](const std::string& line) { program_.log(line); };
-    hooks.progress = [this](const std::string& what, double share) {
-      if (is_told_to_stop()) throw std::runtime_error("told to stop");
-      if (server_.is_cancelled()) throw std::runtime_error("cancelled");
+    hooks.progress = [this, cancelled = cancelled_](const std::string& what, double share) {
+      const std::lock_guard lock(progress_mutex_);
+      if (cancelled != nullptr && *cancelled) throw std::runtime_error("cancelled");
       has_progress_ = true;
       server_.show_progress(what, share);
     };
@@ -278,6 +323,10 @@ class LiveRun {
       if (sources_.empty()) base_ = change.run->given;
       server_.show(with_sources(view_of(*change.run)), config,
                    config.world_from_body * config.contact.body_from_mesh);
+      if (run_->levels) {
+        run_->levels->give_up();
+        given_up_.push_back(std::move(run_->levels));
+      }
       run_ = std::move(change.run);
       options_ = std::move(change.options);
       start_ = run_->session.config.world_from_body;
@@ -291,6 +340,7 @@ class LiveRun {
       server_.show(view(), run_->session.config,
                    start_ * run_->session.config.contact.body_from_mesh);
     }
+    if (std::exchange(has_new_levels_, false) && !change.run) server_.refine(view_of(*run_));
     if (change.device) run_->session = std::move(*change.device);
     holder_ = change.holder;
     // A person goes on from where the object is, but for a contact, inside which no force is ever
@@ -317,6 +367,7 @@ class LiveRun {
   void look_at_dropped() {
     const live::LiveRequest request = std::move(*request_);
     request_.reset();
+    wait_for_given_up();
     try {
       dropped_.keep(request.text, request.data);
       dropped_.tidy(run_->scene.description);
@@ -339,15 +390,21 @@ class LiveRun {
   SessionRecorder recorder_;
   DroppedMesh dropped_;
   live::LiveServer server_;
-  std::unique_ptr<Playback> playback_;  // null: sessions
+  LastBody where_;
+  std::vector<std::unique_ptr<LevelBuild>> given_up_;  // that have yet to end
+  std::unique_ptr<Playback> playback_;                 // null: sessions
   std::optional<live::LiveRequest> request_;
-  LiveChange change_;          // what request_ takes
-  bool has_progress_ = false;  // pages have been told of some
+  LiveChange change_;            // what request_ takes
+  bool has_new_levels_ = false;  // of a simulation, from where it begins again
+  std::mutex progress_mutex_;
+  std::atomic<bool> has_progress_{false};           // pages have been told of some
+  std::shared_ptr<std::atomic<bool>> cancelled_{};  // of what request_ takes
   // world_from_body of the last frame, unless it touched something; the draining thread's while a
   // session runs
   std::optional<Pose> last_body_;
-  live::PageId holder_ = 0;  // of the next session's device
-  double seconds_ = 0.0;     // of all sessions so far
+  live::PageId holder_ = 0;                  // of the next session's device
+  double seconds_ = 0.0;                     // of all sessions so far
+  std::future<LiveChange> given_up_change_;  // last: it uses all of the above until it ends
 };
 
 }  // namespace

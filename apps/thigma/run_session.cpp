@@ -175,6 +175,24 @@ std::string check_meshes(const SceneDescription& scene, const RunOptions& option
   return line;
 }
 
+bool take_levels(Run& run, const SessionConfig& now, const BodyState& near, const Log& log) {
+  if (!run.levels || !run.levels->is_over()) return false;
+  const std::unique_ptr<LevelBuild> levels = std::move(run.levels);
+  try {
+    Scene scene = levels->take();
+    run.replacement = run.session.simulation ? nullptr : replace_contacts(now, scene, near);
+    run.former.push_back(std::move(run.scene));
+    run.scene = std::move(scene);
+    run.session.config.contact.object = run.scene.config.contact.object;
+    if (run.replacement) run.session.config.contact = run.replacement->world;
+  } catch (const std::exception& error) {
+    if (log) log(std::string("no levels of detail: ") + error.what());
+    return false;
+  }
+  if (log) log("levels of detail are there");
+  return true;
+}
+
 SessionSummary run_session(Run& run, const SessionConfig& config, const RunControl& control,
                            const SessionSinks& sinks) {
   if (!control.is_lockstep)
@@ -195,7 +213,16 @@ std::unique_ptr<Run> prepare_run(SceneDescription scene, const RunOptions& optio
   apply_options(options, scene);
   refuse_web_without_page(scene.device.uri, hooks.web_channel);
   BuildProgress progress(hooks);
-  run->scene = load_scene(std::move(scene), load_options(options, hooks, progress));
+  LoadOptions load = load_options(options, hooks, progress);
+  // Whoever says how long measures, and gets the levels from the first frame on; so does lockstep,
+  // which is the same every time.
+  load.defers_levels = !options.is_lockstep && !options.duration;
+  run->scene = load_scene(scene, load);
+  if (run->scene.lacks_levels) {
+    load.progress = {};
+    if (load.log) load.log("begins at full resolution; levels of detail are built meanwhile");
+    run->levels = std::make_unique<LevelBuild>(std::move(scene), std::move(load));
+  }
   if (options.spin) run->scene.config.spin = 1e-6 * *options.spin;
   run->scene.config.faults = parse_faults(options.fault_text);
   run->session =

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "run_options.h"
 
 #include "thigma/device/web_device.h"
+#include "thigma/scene/level_build.h"
 #include "thigma/scene/load_scene.h"
 #include "thigma/session/rt_thread.h"
 #include "thigma/session/simulated_session.h"
@@ -26,6 +28,28 @@ struct Run {
   std::optional<EmptyLoop> floor;
   SimulatedSummary simulated;               // how the last simulation went, where there is one
   WebDeviceChannel* web_channel = nullptr;  // of the page, where there is one; outlives the run
+  // of the scene's levels, where the run has begun without; null: none
+  std::unique_ptr<LevelBuild> levels;
+  std::vector<Scene> former;  // before their levels came: a session may stand on one
+  // for the session that ran when the levels came
+  std::unique_ptr<ContactReplacement> replacement;
+};
+
+/// Where the object of a session is, handed over by the thread that drains it. Thread: any.
+class LastBody {
+ public:
+  void observe(const HapticSample& sample) {
+    const std::lock_guard lock(mutex_);
+    body_ = sample.body;
+  }
+  BodyState state() const {
+    const std::lock_guard lock(mutex_);
+    return body_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  BodyState body_;
 };
 
 /// Who is told how a run is prepared, and what it shares with the page.
@@ -53,6 +77,15 @@ std::string check_meshes(const SceneDescription& scene, const RunOptions& option
 ///          std::invalid_argument.
 std::unique_ptr<Run> prepare_run(SceneDescription scene, const RunOptions& options,
                                  std::uint64_t seed, const RunHooks& hooks);
+
+/// Takes over levels that have been built beside a run: sessions that come next have them, and what
+/// lets the one that runs go on with them is in run.replacement, where that is held by a hand.
+///
+/// now      configuration of the session that runs
+/// near     where its object about is
+/// returns  whether there were any; the scene of the run is another then
+/// Thread   [offline], while a session of the run may run
+bool take_levels(Run& run, const SessionConfig& now, const BodyState& near, const Log& log);
 
 /// How the session of a run is run.
 struct RunControl {

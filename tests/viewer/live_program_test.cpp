@@ -31,6 +31,76 @@ TEST(LiveProgram, AWatchedLockstepRunHasTheBitsOfAHeadlessOne) {
   EXPECT_EQ(hash({"--port", "0"}), hash({"--headless"}));
 }
 
+/// Two balls large enough that levels take longer than the first messages.
+std::vector<std::string> balls_without_levels() {
+  const std::string ball = "procedural:ball?triangles=8000";
+  return {"run",        "--object", ball,         "--against", ball,
+          "--response", "penalty",  "--no-cache", "--device",  "hand:"};
+}
+
+TEST(LiveProgram, ASceneWithoutLevelsBeginsAtOnceAndHasThemLaterInTheSameSession) {
+  Program program(balls_without_levels());
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  WebClient client(port);
+  ASSERT_EQ(client.status(), 101) << client.response();
+  // Those with a surface of their own.
+  const auto levels = [](const Json& scene) {
+    const Json& list = scene["object"]["level_list"];
+    return std::count_if(list.begin(), list.end(),
+                         [](const Json& level) { return !level["free"].get<bool>(); });
+  };
+  const Json first = Json::parse(client.read_type("scene", 20.0));
+  EXPECT_EQ(levels(first), 1);
+  EXPECT_FALSE(first["refined"].get<bool>());
+  const Json running = state_where(client, [](const Json& s) { return s["run"] == "running"; });
+  ASSERT_FALSE(running.is_null());
+  const Json refined =
+      message_where(client, "scene", [](const Json& s) { return s["refined"].get<bool>(); });
+  ASSERT_FALSE(refined.is_null()) << program.said();
+  EXPECT_GT(levels(refined), 1);
+  EXPECT_EQ(refined["start"], first["start"]);
+  EXPECT_EQ(refined["object"]["triangles"], first["object"]["triangles"]);
+  const Json later = state_where(client, [&](const Json& s) {
+    return s["run"] != "running" || s["time"].get<double>() > running["time"].get<double>() + 1.0;
+  });
+  EXPECT_EQ(later["run"], "running") << later;
+  EXPECT_EQ(later["session"], running["session"]);
+  EXPECT_TRUE(later["fault"].is_null()) << later;
+  // The next session has them from its start.
+  EXPECT_TRUE(ask(client, R"({"type":"level","id":1,"mesh":0,"value":1})")["ok"].get<bool>());
+  EXPECT_TRUE(ask(client, R"({"type":"reset","id":2})")["ok"].get<bool>());
+  program.send(SIGINT);
+  EXPECT_EQ(client.close_code(10.0), 1001);
+  EXPECT_EQ(program.finish().code, 130);
+}
+
+TEST(LiveProgram, WhatIsMadeReadyIsCancelledAtOnceAndTheSessionGoesOn) {
+  Program program(run_arguments({"--device", "hand:"}));
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  WebClient client(port);
+  ASSERT_EQ(client.status(), 101) << client.response();
+  const Json before = state_where(client, [](const Json& s) { return s["run"] == "running"; });
+  client.send_text(R"({"type":"open","id":1,"value":"golf"})");
+  ASSERT_FALSE(message_where(client, "progress", [](const Json& p) {
+                 return !p["what"].is_null();
+               }).is_null());
+  client.send_text(R"({"type":"cancel","id":2})");
+  for (int id : {2, 1}) {
+    const Json answer = Json::parse(client.read_type("ack", 20.0));
+    EXPECT_EQ(answer["id"], id);
+    if (id == 1) EXPECT_EQ(answer["reason"], "cancelled");
+  }
+  const Json after = state_where(client, [](const Json&) { return true; });
+  EXPECT_EQ(after["run"], "running");
+  EXPECT_EQ(after["session"], before["session"]);
+  // What was given up is waited for by what comes next, and by nobody before.
+  EXPECT_TRUE(ask(client, R"({"type":"open","id":3,"value":"plate"})")["ok"].get<bool>());
+  program.send(SIGINT);
+  program.finish();
+}
+
 TEST(LiveProgram, APortInUseIsUnavailableInOneLine) {
   Program first(run_arguments({"--device", "web:"}));
   const std::uint16_t port = port_of(first);

@@ -33,6 +33,11 @@ void LiveServer::Impl::show_scene(SceneView view, const SessionConfig& shown, co
   config.contact.tolerance = shown.contact.tolerance;
   config.rate = rate = shown.rate;
   start_pose = start;
+  is_refined = false;
+  encode_meshes();
+}
+
+void LiveServer::Impl::encode_meshes() {
   meshes.clear();
   meshes.push_back(encode_mesh(0, scene.object.meshes.front(), scene.object.hierarchy));
   for (std::size_t i = 0; i < scene.statics.size(); ++i) {
@@ -63,7 +68,7 @@ void LiveServer::Impl::opened(PageId page) {
 }
 
 void LiveServer::Impl::send_scene(PageId page) {
-  server.send(page, scene_message(scene, config, start_pose), false);
+  server.send(page, scene_message(scene, config, start_pose, is_refined), false);
   for (const std::string& mesh : meshes) server.send(page, mesh, true);
 }
 
@@ -208,6 +213,21 @@ void LiveServer::show(SceneView scene, const SessionConfig& config, const Pose& 
   });
   done.reset();
   shown.wait();  // a server that has stopped drops what is posted, which also ends the wait
+}
+
+void LiveServer::refine(SceneView scene) {
+  auto done = std::make_shared<std::promise<void>>();
+  std::future<void> shown = done->get_future();
+  impl_->server.post([impl = impl_.get(), done, view = std::move(scene)] {
+    impl->scene = view;
+    impl->encode_meshes();
+    impl->is_refined = true;
+    for (const PageId page : impl->server.pages()) impl->send_scene(page);
+    impl->is_refined = false;  // who comes later knows of no other
+    done->set_value();
+  });
+  done.reset();
+  shown.wait();
 }
 
 void LiveServer::offer(const OpenMenu& menu) {

@@ -81,6 +81,9 @@ class LiveServer {
   /// Another scene, between sessions; as for the constructor. Waits until nothing of the one before
   /// is in use, a tick of the server at most.
   void show(SceneView scene, const SessionConfig& config, const Pose& start);
+  /// The same scene with other levels of detail, at any time: `scene` is told again, with
+  /// `refined`, and its meshes. Waits as show() does.
+  void refine(SceneView scene);
   /// What pages may open.
   void offer(const OpenMenu& menu);
   /// What is being done that takes long, and how far it is; "" when it is done.

@@ -215,7 +215,8 @@ std::string hello_message(const SceneView& scene, const PageRights& page, double
   return dumped(json);
 }
 
-std::string scene_message(const SceneView& scene, const SessionConfig& config, const Pose& start) {
+std::string scene_message(const SceneView& scene, const SessionConfig& config, const Pose& start,
+                          bool is_refined) {
   Json json = {{"type", "scene"}, {"title", scene.title}, {"name", scene.name}};
   json["object"] = body_json(scene.object, 0);
   json["statics"] = Json::array();
@@ -231,6 +232,7 @@ std::string scene_message(const SceneView& scene, const SessionConfig& config, c
   json["workspace"]["force_scale"] = w.force_scale;
   json["tolerance"] = config.contact.tolerance;
   json["rate"] = config.rate;
+  json["refined"] = is_refined;
   return dumped(json);
 }
 

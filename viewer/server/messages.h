@@ -153,8 +153,10 @@ struct PageRights {
 
 std::string hello_message(const SceneView& scene, const PageRights& page, double lost_after,
                           std::size_t max_message);
-/// start: the object's world_from_mesh where the session begins.
-std::string scene_message(const SceneView& scene, const SessionConfig& config, const Pose& start);
+/// start: the object's world_from_mesh where the session begins; is_refined: it is told again as
+/// its levels have come, and the session goes on.
+std::string scene_message(const SceneView& scene, const SessionConfig& config, const Pose& start,
+                          bool is_refined = false);
 std::string parameters_message(const std::vector<LiveParameter>& list);
 std::string state_message(const RunState& state, const Timing& timing, std::string_view holder,
                           std::uint64_t dropped_yours, std::uint64_t dropped_rows,

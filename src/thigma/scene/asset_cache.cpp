@@ -230,13 +230,32 @@ ClodAsset load_clod(const ClodSource& source, const Log& log) {
   return asset;
 }
 
+namespace {
+
+/// Whether what is built of a source is kept.
+bool is_cached(const ClodSource& source, const AssetCache& cache, bool is_model) {
+  std::error_code unknown;
+  return cache.is_enabled &&
+         (is_model || (fs::is_regular_file(source.name, unknown) && !is_clod_file(source.name)));
+}
+
+}  // namespace
+
+std::optional<ClodAsset> find_clod_cached(const ClodSource& source, const AssetCache& cache,
+                                          const Log& log) {
+  const bool is_model = models::is_model_uri(source.name);
+  if (!is_cached(source, cache, is_model)) return std::nullopt;
+  const Sha256 digest = digest_of(source, is_model);
+  const std::string place = place_of(source, cache, is_model, digest);
+  ClodAsset asset;
+  if (!read_kept(place, key_of(digest, params_text(source)), log, asset)) return std::nullopt;
+  scale_clod(asset, source.scale, source.name);
+  return asset;
+}
+
 ClodAsset load_clod_cached(const ClodSource& source, const AssetCache& cache, const Log& log) {
   const bool is_model = models::is_model_uri(source.name);
-  std::error_code unknown;
-  const bool is_kept =
-      cache.is_enabled &&
-      (is_model || (fs::is_regular_file(source.name, unknown) && !is_clod_file(source.name)));
-  if (!is_kept) return load_clod(source, log);
+  if (!is_cached(source, cache, is_model)) return load_clod(source, log);
   const Sha256 digest = digest_of(source, is_model);
   const Sha256 key = key_of(digest, params_text(source));
   const std::string place = place_of(source, cache, is_model, digest);

@@ -83,6 +83,11 @@ ClodAsset load_clod(const ClodSource& source, const Log& log = {});
 ClodAsset load_clod_cached(const ClodSource& source, const AssetCache& cache = {},
                            const Log& log = {});
 
+/// The asset that load_clod_cached would find kept, scaled; nothing where it would have to build.
+/// Thread  [offline]; throws InputError for a mesh that cannot be read.
+std::optional<ClodAsset> find_clod_cached(const ClodSource& source, const AssetCache& cache = {},
+                                          const Log& log = {});
+
 /// True for a file that starts as a .clod does. False for what cannot be read.
 bool is_clod_file(const std::string& path);
 

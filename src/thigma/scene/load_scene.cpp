@@ -24,17 +24,25 @@ ClodAsset exact_asset(TriangleMesh mesh) {
 }
 
 /// Surface, hierarchy and mass of an object: levels of detail where the session asks for them.
-ClodAsset load_asset(const SceneObject& object, const char* role, bool is_exact, bool repairs,
-                     const LoadOptions& options) {
+/// lacks_levels  set where they were left out
+ClodAsset load_asset(const SceneObject& object, const char* role, bool is_exact,
+                     const LoadOptions& options, bool& lacks_levels) {
   ClodSource source;
   source.name = object.mesh;
   source.role = role;
   source.scale = object.unit_scale;
-  source.is_repair = repairs;
+  source.is_repair = options.repairs;
   const bool is_kept = !object.model && is_clod_file(object.mesh);
+  const AssetCache cache{options.keeps_levels, options.cache_folder};
+  // Textures of levels lie on them.
+  const bool may_wait = options.defers_levels && !is_kept && object.level_textures.empty();
   ClodAsset asset;
   if (is_exact && !is_kept) {
     asset = exact_asset(load_surface(source, options.log));
+  } else if (may_wait) {
+    std::optional<ClodAsset> kept = find_clod_cached(source, cache, options.log);
+    lacks_levels = lacks_levels || !kept;
+    asset = kept ? std::move(*kept) : exact_asset(load_surface(source, options.log));
   } else {
     if (options.progress) {
       const std::string what = "building levels of " + object.name;
@@ -42,7 +50,7 @@ ClodAsset load_asset(const SceneObject& object, const char* role, bool is_exact,
         options.progress(what, share, triangles);
       };
     }
-    asset = load_clod_cached(source, {options.keeps_levels, options.cache_folder}, options.log);
+    asset = load_clod_cached(source, cache, options.log);
   }
   const ClodHierarchy& h = asset.hierarchy;
   if (options.log) {
@@ -79,14 +87,16 @@ Scene load_scene(SceneDescription description, const LoadOptions& options) {
       std::any_of(given.statics.begin(), given.statics.end(), replaces_mesh))
     resolution.is_exact = true;
   std::int32_t coarsest = resolution.coarsest_level;
+  LoadOptions used = options;
+  used.repairs = given.repairs || options.repairs;
   const auto load = [&](const SceneObject& object, const char* role, BodyTextures& textures) {
     if (object.is_textured) {
       textures = detail::load_relief(object, options.log);
       return std::make_shared<const ClodAsset>(exact_asset(textures[0]->coarse));
     }
     auto asset = std::make_shared<const ClodAsset>(
-        load_asset(object, role, resolution.is_exact && object.level_textures.empty(),
-                   given.repairs || options.repairs, options));
+        load_asset(object, role, resolution.is_exact && object.level_textures.empty(), used,
+                   scene.lacks_levels));
     if (!object.level_textures.empty() && options.has_textures)
       textures = detail::load_level_relief(object, *asset, options.log, coarsest);
     return asset;

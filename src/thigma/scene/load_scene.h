@@ -28,6 +28,9 @@ struct LoadOptions {
   bool repairs = false;      // meshes that need it are repaired, otherwise refused
   bool has_textures = true;  // false: coarse surfaces alone
   bool keeps_levels = true;  // levels of detail that were built, for the next time
+  // levels that are not kept yet are left out: the scene is there in seconds, at full resolution,
+  // and LevelBuild builds them beside the session
+  bool defers_levels = false;
   // where; empty: the user's cache folder
   std::string cache_folder;
   Log log;  // lines for people; may be empty
@@ -45,6 +48,7 @@ struct Scene {
   BodyTextures object_textures;               // empty where nothing of the scene is textured
   std::vector<BodyTextures> static_textures;  // as many as statics, or none
   SessionConfig config;                       // all that does not depend on the device
+  bool lacks_levels = false;                  // some were left out (LoadOptions::defers_levels)
 };
 
 /// Loads a scene file (docs/formats.md) or a built-in scene.

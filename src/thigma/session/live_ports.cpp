@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "thigma/contact/contact_node.h"
 #include "thigma/session/session_config.h"
@@ -77,6 +78,31 @@ void apply_tuning(const ContactTuning& tuning, ContactWorld& world) noexcept {
   const bool is_exact = world.resolution.is_exact;
   world.resolution = tuning.resolution;
   world.resolution.is_exact = is_exact;
+}
+
+void exchange_contacts(ContactReplacement& other, ContactWorld& world,
+                       ContactScratch& scratch) noexcept {
+  ContactScratch& next = other.scratch;
+  next.sequence = scratch.sequence;
+  next.last_time = scratch.last_time;
+  std::swap(next.clusters, scratch.clusters);
+  next.looked_ahead = scratch.looked_ahead;
+  next.separation = scratch.separation;
+  next.crowded_ahead = scratch.crowded_ahead;
+  other.world.response = world.response;  // as they were tuned
+  other.world.most_friction = world.most_friction;
+  std::swap(other.world, world);
+  std::swap(next, scratch);
+}
+
+Resolution faded_in(const Resolution& asked, double share) noexcept {
+  if (asked.is_exact || !(share < 1.0)) return asked;
+  const double part = std::max(share, 0.0);
+  Resolution now = asked;
+  now.metric.haptic *= part;
+  now.metric.velocity *= part;
+  now.metric.view.pixels *= part;
+  return now;
 }
 
 bool take_step(LivePorts& live) THIGMA_RT {

@@ -68,6 +68,28 @@ static_assert(RtPayload<ContactTuning>);
 /// Thread    [contact].
 void apply_tuning(const ContactTuning& tuning, ContactWorld& world) noexcept;
 
+/// Surfaces that take the place of those a session runs on, with the working memory for them; made
+/// by replace_contacts (scene/level_build.h).
+struct ContactReplacement {
+  ContactWorld world;
+  ContactScratch scratch;  // ready for the first frame
+};
+
+/// How long levels of detail that come into a session take to be as coarse as asked: contacts go
+/// through their levels one by one, each when its turn comes, as in motion [s; session clock].
+inline constexpr double kLevelsFadeIn = 2.0;
+
+/// Exchanges the surfaces of a running session for others between two contact frames. What was
+/// there is in `other` afterwards; clusters, their ids and the count of models go on.
+/// Thread    [contact]: nothing in here allocates or frees.
+void exchange_contacts(ContactReplacement& other, ContactWorld& world,
+                       ContactScratch& scratch) noexcept;
+
+/// The resolution while levels fade in: thresholds at this share of what is asked.
+/// share    0: the finest surfaces; from 1 on as asked
+/// Thread    [contact].
+Resolution faded_in(const Resolution& asked, double share) noexcept;
+
 /// The exchanges themselves; they outlive the session. Lockstep sessions publish views and ignore
 /// the rest, as nothing may change what they compute.
 /// Thread: each exchange has one writer and one reader, named beside it.
@@ -75,8 +97,11 @@ struct LivePorts {
   Latest<ContactView> contacts;          // contact thread -> watcher
   Latest<HapticTuning> haptic_tuning;    // watcher -> haptic thread
   Latest<ContactTuning> contact_tuning;  // watcher -> contact thread
-  std::atomic<bool> is_paused{false};    // watcher -> haptic thread: session time stands still
-  std::atomic<int> steps{0};             // watcher -> haptic thread: frames to do while paused
+  // watcher -> contact thread, which makes it null when it is done; what it points to, and the
+  // surfaces of either, outlive the session
+  std::atomic<ContactReplacement*> replacement{nullptr};
+  std::atomic<bool> is_paused{false};  // watcher -> haptic thread: session time stands still
+  std::atomic<int> steps{0};           // watcher -> haptic thread: frames to do while paused
 };
 
 /// Takes one of the frames asked for while paused; false when there is none.

@@ -54,6 +54,7 @@ struct LiveServer::Impl {
   Refusal take_chunk(PageId page, std::string_view message);
   void ask_program(LiveRequest request);
   void show_scene(SceneView view, const SessionConfig& config, const Pose& start);
+  void encode_meshes();
   void send_scene(PageId page);
   std::vector<LiveParameter> parameters();
   std::string send_level(PageId page, const Command& command);
@@ -84,6 +85,7 @@ struct LiveServer::Impl {
   Vec3 grasp_point;
   Pose start_pose;
   std::vector<std::string> meshes;
+  bool is_refined = false;  // while `scene` is told again for its levels alone
   OpenMenu menu;
   struct Upload {
     std::int64_t id = 0;

@@ -94,11 +94,14 @@ const toggleTheme = startTheme(() => { if (stage) repaint(stage); rebuildPlots(p
 const on = {
   hello: (message) => { session.hello = message; },
   scene: (message) => {
+    const goesOn = message.refined && session.snapshot !== null; // its levels have come, and nothing else
     session.scene = message;
-    session.snapshot = session.shown = null;
-    session.fresh = false;
     session.meshes.clear();
     fillLevelBrowser(levels, message);
+    if (goesOn) return;
+    session.scene.refined = false;
+    session.snapshot = session.shown = null;
+    session.fresh = false;
     veil("Loading the objects …");
   },
   mesh: (message) => {
@@ -106,10 +109,11 @@ const on = {
     session.meshes.set(message.number, message);
     const wanted = [session.scene.object, ...session.scene.statics].map((one) => one.mesh);
     if (!wanted.every((number) => session.meshes.has(number))) return;
-    if (gizmo) showGizmo(gizmo, null); // of the objects that go
-    if (stage) setObjects(stage, session.scene, session.meshes);
+    const isRefined = session.scene.refined; // the same scene with its levels
+    if (gizmo && !isRefined) showGizmo(gizmo, null); // of the objects that go
+    if (stage) setObjects(stage, session.scene, session.meshes, isRefined);
     takeBuilderScene(builder, session.scene);
-    veil(session.trouble);
+    if (!isRefined) veil(session.trouble);
   },
   level: (message) => { if (stage) takeLevel(stage, message); },
   relief: (message) => { if (stage) takeRelief(stage, message); },

@@ -51,7 +51,9 @@ export function makeScene(canvas, asked = null) {
 }
 
 /// The objects of a `scene` message with their meshes by number.
-export function setObjects(stage, description, meshes) {
+/// keeps   the same objects with other levels of detail: the view stays, and where they are
+export function setObjects(stage, description, meshes, keeps = false) {
+  const last = keeps ? stage.last : null;
   for (const body of bodies(stage)) {
     stage.root.remove(body.group);
     disposeBody(body);
@@ -75,9 +77,10 @@ export function setObjects(stage, description, meshes) {
   stage.root.add(stage.object.group, ...stage.statics.map((surface) => surface.group), stage.ghost.group);
   stage.size = description.object.radius;
   stage.wanted.clear();
-  fit(stage);
+  if (!keeps) fit(stage);
   stage.moved = true;
   repaint(stage);
+  if (last) showSnapshot(stage, last);
 }
 
 function hideMarks(stage) {

@@ -8,13 +8,35 @@
 namespace thigma {
 
 void Session::Impl::contact_frame(const StampedBody& body, double now) {
-  if (config.live != nullptr && config.live->contact_tuning.fetch())
-    apply_tuning(config.live->contact_tuning.value(), config.contact);
+  if (config.live != nullptr) follow_live(body.time);
   detail::timed_contact_step(config.contact, body, contacts);
   detail::record_contacts(now, contacts);
   contact_ring.push(contacts.sample);  // before the model: whoever sees it used finds it here
   models.publish(contacts.sample.model);
   detail::show_contacts(config.live, config.contact, body.time, contacts);
+}
+
+/// What watchers have changed since the frame before: gains, surfaces.
+void Session::Impl::follow_live(double now) {
+  LivePorts& live = *config.live;
+  const bool is_fading = levels_since >= 0.0;
+  if (live.contact_tuning.fetch()) {
+    apply_tuning(live.contact_tuning.value(), config.contact);
+    asked_resolution = config.contact.resolution;
+  }
+  if (ContactReplacement* other = live.replacement.load(std::memory_order_acquire)) {
+    const Resolution asked = config.contact.resolution;
+    exchange_contacts(*other, config.contact, contacts.scratch);
+    // As it was tuned meanwhile; exact or not is the surfaces' own.
+    asked_resolution = is_fading ? asked_resolution : asked;
+    asked_resolution.is_exact = config.contact.resolution.is_exact;
+    levels_since = now;
+    live.replacement.store(nullptr, std::memory_order_release);
+  }
+  if (levels_since < 0.0) return;
+  const double share = (now - levels_since) / kLevelsFadeIn;
+  config.contact.resolution = faded_in(asked_resolution, share);
+  if (share >= 1.0) levels_since = -1.0;
 }
 
 void Session::Impl::run_contact() {

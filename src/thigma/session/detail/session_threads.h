@@ -69,6 +69,7 @@ struct Session::Impl {
   void run_watchdog();
   void run_drain();
   void contact_frame(const StampedBody& body, double now);
+  void follow_live(double now);
   void drain();
   void note_gap();
   std::int64_t behind() const;
@@ -117,6 +118,8 @@ struct Session::Impl {
 
   // Contact thread only, while it runs.
   detail::ContactFrames contacts;
+  double levels_since = -1.0;   // session time at which levels came that fade in; below 0: none do
+  Resolution asked_resolution;  // what they fade in to
 
   // Shared.
   Latest<LinearContactModel> models;

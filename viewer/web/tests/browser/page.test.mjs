@@ -347,6 +347,26 @@ pageTest("another scene begins without the arrow, the ghost and the contacts of 
   await page.waitForFunction(() => window.thigma.stage.force.group.visible);
 });
 
+pageTest("levels that come later change neither the view nor the moment that is shown", { device: "hand:" }, async ({ page, mock }) => {
+  await page.waitForFunction(() => window.thigma.stage.force.group.visible);
+  await page.evaluate(() => { window.thigma.act.look([1, 0, 0]); window.thigma.act.zoom(0.7); });
+  await drawnSince(page);
+  mock.silence(true); // nothing but the levels
+  await page.waitForFunction(() => { // until the last moment that was sent is the one that is shown
+    const { stage, session } = window.thigma, last = window.thigma.last;
+    window.thigma.last = session.snapshot;
+    return last === session.snapshot && stage.last === last && !session.fresh;
+  }, undefined, { polling: 500 });
+  const seen = () => page.evaluate(() => { const { stage, session } = window.thigma;
+    return { camera: stage.view.camera.position.toArray(), scale: stage.root.scale.x, root: stage.root.position.toArray(), object: stage.object.group.position.toArray(),
+      force: stage.force.group.visible, time: session.snapshot?.time ?? null, veiled: !document.getElementById("veil").hidden }; });
+  const before = await seen(), meshes = await page.evaluate(() => window.thigma.session.counts.mesh);
+  await page.evaluate(() => { window.thigma.former = window.thigma.stage.object; });
+  mock.show(true);
+  await page.waitForFunction((n) => window.thigma.session.counts.mesh === n + 2 && window.thigma.stage.object !== window.thigma.former, meshes);
+  assert.deepEqual(await seen(), before);
+});
+
 pageTest("Ctrl turns, Shift pushes away, the wheel zooms or pushes, Space lets go", {}, async ({ page, mock }) => {
   await drag(page, 1, 0, 1);
   const hand = () => page.evaluate(() => ({ position: window.thigma.hand.position, quaternion: window.thigma.hand.quaternion }));

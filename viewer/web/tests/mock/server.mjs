@@ -39,7 +39,7 @@ export async function startMock({ port = 0, device = "web:", constrained = false
     event: (kind, detail, text) => event(mock, kind, detail, text),
     relief: (number) => { for (const page of mock.pages) page.sendBinary(encodeRelief(number, makeBlock(number === 0))); },
     progress: (what, share) => { for (const page of mock.pages) page.say({ type: "progress", what, share }); },
-    show: () => { for (const page of mock.pages) tellScene(mock, page, page.say); },
+    show: (refined = false) => { for (const page of mock.pages) tellScene(mock, page, page.say, refined); },
     drop: () => { for (const page of [...mock.pages]) page.destroy(); },
     close: () => { clearInterval(clock); clearInterval(slow); for (const page of [...mock.pages]) page.destroy(); server.close(); },
   });
@@ -80,14 +80,14 @@ function enter(mock, request, socket) {
   tellState(mock);
 }
 
-function tellScene(mock, page, say) {
+function tellScene(mock, page, say, refined = false) {
   const block = (name, mesh) => ({ name, mesh, radius: 0.043, center: [0, 0, 0], levels: 6, triangles: 9600, patches: 576,
     level_list: levelList() });
   const [held, ...still] = mock.composed?.objects ?? [{ source: "scene:0", name: "upper block", unit: 1, ...START },
     { source: "scene:1", name: "lower block", unit: 1, position: [0, 0, 0], quat_xyzw: [0, 0, 0, 1] }];
   say({ type: "scene", title: mock.composed?.title ?? "Block on block (made up)", name: "mock", object: { ...held, ...block(held.name, 0) },
     statics: still.map((one) => ({ ...one, ...block(one.name, 1) })), start: { position: held.position, quat_xyzw: held.quat_xyzw },
-    workspace: { position: [0, 0, 0], quat_xyzw: [0, 0, 0, 1], motion_scale: 1, force_scale: 1 }, tolerance: 0.0004, rate: 1000 });
+    workspace: { position: [0, 0, 0], quat_xyzw: [0, 0, 0, 1], motion_scale: 1, force_scale: 1 }, tolerance: 0.0004, rate: 1000, refined });
   for (const mesh of mock.meshes) page.sendBinary(mesh);
 }
 

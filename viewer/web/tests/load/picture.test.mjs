@@ -1,0 +1,64 @@
+// What a picture of the jaws costs where the processor draws: CPU time of Chromium's graphics process and of the page's, at
+// 1440 x 900, watching and dragging. Told, never asserted: only THIGMA_FULL. THIGMA_STEP fixes the step of the pace.
+import assert from "node:assert/strict";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { loadavg } from "node:os";
+import { test } from "node:test";
+import { openPage, startBrowser } from "../browser/browser.mjs";
+import { startProgram } from "../program.mjs";
+
+const program = process.env.THIGMA_PROGRAM;
+const SECONDS = Number(process.env.THIGMA_SECONDS ?? 15), STEP = process.env.THIGMA_STEP;
+const TICK = 100; // of /proc a second
+
+const read = (path) => { try { return readFileSync(path, "utf8"); } catch { return ""; } };
+
+/// CPU time of this process's descendants of one kind of Chromium's [s].
+function cpuOf(kind) {
+  const parents = new Map(), own = new Map();
+  for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name))) {
+    const fields = read(`/proc/${pid}/stat`).split(") ")[1]?.split(" ");
+    if (!fields) continue;
+    parents.set(pid, fields[1]);
+    if (read(`/proc/${pid}/cmdline`).includes(`--type=${kind}`)) own.set(pid, (Number(fields[11]) + Number(fields[12])) / TICK);
+  }
+  const isMine = (pid) => pid === String(process.pid) || (parents.has(pid) && isMine(parents.get(pid)));
+  return [...own].filter(([pid]) => isMine(pid)).reduce((sum, [, seconds]) => sum + seconds, 0);
+}
+
+test("what a picture costs", { timeout: 900000 }, async (t) => {
+  if (!process.env.THIGMA_FULL) { t.skip("takes minutes: THIGMA_FULL is not set"); return; }
+  if (!program || !existsSync(program)) { t.skip("no program to run (THIGMA_PROGRAM is not set or not there)"); return; }
+  const { browser, reason } = await startBrowser();
+  if (!browser) { t.skip(reason); return; }
+  const run = await startProgram(program, ["SCENES/jaws.toml", "--device", "web:"]);
+  const { page, errors } = await openPage(browser, run.address, { viewport: { width: 1440, height: 900 } });
+  try {
+    await page.waitForFunction(() => window.thigma?.session.counts.snapshot > 5 && window.thigma.drawn > 3);
+    if (STEP !== undefined) await page.evaluate((step) => Object.assign(window.thigma.stage, { resized: true }).pace = { ...window.thigma.stage.pace, step, fixed: true }, Number(STEP));
+    const box = await page.locator("#scene").boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2;
+    for (const what of ["watching", "dragging"]) {
+      if (what === "dragging") { await page.mouse.move(x, y); await page.mouse.down(); }
+      await new Promise((resolve) => setTimeout(resolve, 4000));
+      const before = { drawn: await page.evaluate(() => window.thigma.drawn), gpu: cpuOf("gpu-process"), page: cpuOf("renderer"), at: Date.now() };
+      for (let k = 0; Date.now() - before.at < 1000 * SECONDS; k++) {
+        if (what === "dragging") await page.mouse.move(x + 80 * Math.sin(0.2 * k), y + 60 * Math.sin(0.1 * k));
+        else await page.evaluate(() => { window.thigma.stage.dirty = true; });
+        await new Promise((resolve) => setTimeout(resolve, 30));
+      }
+      const drawn = (await page.evaluate(() => window.thigma.drawn)) - before.drawn, seconds = (Date.now() - before.at) / 1000;
+      assert.ok(drawn > 0);
+      const info = await page.evaluate(() => { const { stage } = window.thigma, { render } = stage.renderer.info;
+        return { step: stage.pace.step, triangles: render.triangles, calls: render.calls, ghost: stage.ghost.group.visible,
+          vertices: [stage.object, ...stage.statics].map((body) => body.geometry.attributes.position.count), canvas: [stage.canvas.width, stage.canvas.height] }; });
+      const cost = (kind, name) => ((1000 * (cpuOf(kind) - before[name])) / drawn).toFixed(0);
+      console.log(`${what}: ${drawn} pictures in ${seconds.toFixed(0)} s (${(drawn / seconds).toFixed(1)} a second) at a load of ${loadavg()[0].toFixed(1)}; a picture takes ` +
+        `${cost("gpu-process", "gpu")} ms CPU of the graphics process, ${cost("renderer", "page")} ms of the page; ${JSON.stringify(info)}`);
+    }
+    await page.mouse.up();
+    assert.deepEqual(errors, []);
+  } finally {
+    await browser.close();
+    await run.end();
+  }
+});
