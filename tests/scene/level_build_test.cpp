@@ -111,8 +111,8 @@ TEST(LevelBuild, FinestContactsAreTheSameBitsWithAndWithoutLevels) {
   }
 }
 
-constexpr double kFrame = 0.002;             // [s]
-constexpr int kFrames = 2400, kSwap = 600;   // levels have faded in at 1600
+constexpr double kFrame = 0.002;            // [s]
+constexpr int kFrames = 2400, kSwap = 600;  // levels have faded in at 1600
 
 /// An object that is pressed on and slid about, and the force on it frame by frame.
 std::vector<double> force_steps(const Both& jaws, bool has_fade) {
@@ -140,8 +140,8 @@ std::vector<double> force_steps(const Both& jaws, bool has_fade) {
       exchange_contacts(*next, world, scratch);
     }
     if (i >= kSwap && has_fade)
-      world.resolution = faded_in(jaws.with.config.contact.resolution,
-                                  (i - kSwap) * kFrame / kLevelsFadeIn);
+      world.resolution =
+          faded_in(jaws.with.config.contact.resolution, (i - kSwap) * kFrame / kLevelsFadeIn);
     contact_step(world, body, scratch, sample);
     EXPECT_EQ(sample.model.sequence, static_cast<std::uint64_t>(i + 1));  // none is missed
     const Vec3 force = contact_wrench(sample.model, config.haptic.body, body.state).force;
@@ -160,9 +160,10 @@ TEST(LevelBuild, LevelsComeWithoutAJumpOfTheForce) {
   const std::vector<double> steps = force_steps(jaws, true), hard = force_steps(jaws, false);
   const int faded = kSwap + static_cast<int>(kLevelsFadeIn / kFrame);
   const double elsewhere = std::max(largest(steps, 1, kSwap), largest(steps, faded + 1, kFrames));
-  std::printf("force steps: %.4f N at the exchange, %.4f N while levels fade in, %.4f N elsewhere; "
-              "%.4f N at the exchange without fading\n",
-              steps[kSwap], largest(steps, kSwap, faded), elsewhere, hard[kSwap]);
+  std::printf(
+      "force steps: %.4f N at the exchange, %.4f N while levels fade in, %.4f N elsewhere; "
+      "%.4f N at the exchange without fading\n",
+      steps[kSwap], largest(steps, kSwap, faded), elsewhere, hard[kSwap]);
   EXPECT_GT(elsewhere, 0.0);
   EXPECT_LE(largest(steps, kSwap, faded + 1), 2.0 * elsewhere);
   EXPECT_LE(steps[kSwap], elsewhere);
@@ -170,7 +171,8 @@ TEST(LevelBuild, LevelsComeWithoutAJumpOfTheForce) {
 
 TEST(LevelBuild, AThreadedSessionGoesOnWithLevelsAndReplaysToTheSameBits) {
   const Both& jaws = jaws_of_both();
-  SceneSession session = open_session(jaws.without, {.device = "hand:", .duration = 1.5, .seed = 7});
+  SceneSession session =
+      open_session(jaws.without, {.device = "hand:", .duration = 1.5, .seed = 7});
   SessionConfig config = session.config;
   config.haptic.safety.watchdog = 5.0;  // the machine's other work decides nothing here
   config.haptic.safety.model_full_age = 5.0;
@@ -180,8 +182,8 @@ TEST(LevelBuild, AThreadedSessionGoesOnWithLevelsAndReplaysToTheSameBits) {
   std::vector<HapticSample> samples;
   std::vector<ContactSample> models;
   bool is_given = false;
-  const auto next = replace_contacts(
-      config, jaws.with, initial_state(config.haptic, config.world_from_body).body);
+  const auto next = replace_contacts(config, jaws.with,
+                                     initial_state(config.haptic, config.world_from_body).body);
   Session running(config, *session.device,
                   {[&](const HapticSample& s) {
                      samples.push_back(s);
