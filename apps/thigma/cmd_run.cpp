@@ -208,7 +208,8 @@ int run_verb(const RunOptions& asked, const Common& common) {
   }
   const Log log = log_of(common);
   RunOptions options = asked;
-  if (!options.replay.empty()) use_recorded_scene(options);
+  options.is_shown = !options.replay.empty();
+  if (options.is_shown) use_recorded_scene(options);
   SceneDescription scene = read_run_scene(options);
   if (const std::string wrong = check_meshes(scene, options); !wrong.empty())
     return refuse(kUsage, "run: " + wrong);

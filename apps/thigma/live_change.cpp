@@ -31,7 +31,7 @@ RunOptions scene_options(const RunOptions& now) {
   options.scene = options.object = options.against = options.pose_text = options.response =
       options.texture = "";
   options.scale.reset();
-  options.is_repair = false;
+  options.is_repair = options.is_shown = false;
   return options;
 }
 
@@ -170,6 +170,7 @@ LiveChange change_to_recording(const std::string& path, const LiveNow& now) {
   if (is_there || !(is_other_scene || is_other_response)) return change;
   RunOptions options = scene_options(now.options);
   use_recorded_response(response, options);
+  options.is_shown = true;
   prepare(is_other_scene ? read_named_scene(is_packed ? path : scene) : now.run.given,
           std::move(options), now, change);
   return change;

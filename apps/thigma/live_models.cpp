@@ -197,10 +197,23 @@ std::string DroppedMesh::path_of(int number) const {
 }
 
 void DroppedMesh::tidy(const SceneDescription& now) {
-  constexpr std::size_t kSome = 32;  // that a scene may be made of
-  std::size_t left = kept_.size();
+  // That a scene may be made of. From the oldest on what is too much goes, of files and of bytes.
+  constexpr std::size_t kMostFiles = 32;
+  constexpr std::uintmax_t kMostBytes = 512u << 20;
+  std::error_code unknown;
+  const auto size_of = [&](const std::string& path) {
+    const std::uintmax_t size = fs::file_size(path, unknown);
+    return unknown ? 0 : size;
+  };
+  std::size_t files = kept_.size();
+  std::uintmax_t bytes = 0;
+  for (const std::string& path : kept_) bytes += size_of(path);
   std::erase_if(kept_, [&](const std::string& path) {
-    if (left-- <= kSome) return false;
+    const std::uintmax_t size = size_of(path);
+    const bool is_newest = files-- == 1;
+    const bool is_too_much = files >= kMostFiles || bytes > kMostBytes;
+    bytes -= size;
+    if (is_newest || !is_too_much) return false;
     const auto is_it = [&](const SceneObject& o) { return o.mesh == path; };
     const bool is_used =
         is_it(now.object) || std::any_of(now.statics.begin(), now.statics.end(), is_it);

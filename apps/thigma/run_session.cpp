@@ -215,8 +215,8 @@ std::unique_ptr<Run> prepare_run(SceneDescription scene, const RunOptions& optio
   BuildProgress progress(hooks);
   LoadOptions load = load_options(options, hooks, progress);
   // Whoever says how long measures, and gets the levels from the first frame on; so does lockstep,
-  // which is the same every time.
-  load.defers_levels = !options.is_lockstep && !options.duration;
+  // which is the same every time. Of a recording that is shown no frame is like one without them.
+  load.defers_levels = !options.is_lockstep && !options.duration && !options.is_shown;
   run->scene = load_scene(scene, load);
   if (run->scene.lacks_levels) {
     load.progress = {};

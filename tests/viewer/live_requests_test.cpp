@@ -119,7 +119,7 @@ TEST(LiveRequests, ADeviceThatCannotBeOpenedAgainLeavesTheSession) {
   EXPECT_EQ(run.end().code, 130);
 }
 
-TEST(LiveRequests, UploadsThatNothingIsMadeOfAreRemoved) {
+TEST(LiveRequests, UploadsThatNothingIsMadeOfAreRemovedFromTheOldestOn) {
   const fs::path kept = work_folder() / "uploads";
   fs::create_directories(kept);
   const char* before = std::getenv("TMPDIR");
@@ -143,15 +143,14 @@ TEST(LiveRequests, UploadsThatNothingIsMadeOfAreRemoved) {
   };
   send("no mesh at all");
   EXPECT_EQ(files(), 0);
-  send(mesh);
-  send(mesh);
-  EXPECT_EQ(files(), 1);
+  constexpr int kKept = 32;  // for a scene that is put together
+  for (int i = 0; i < kKept + 3; ++i) send(mesh);
+  EXPECT_EQ(files(), kKept);
   EXPECT_TRUE(ask(*run.client,
-                  R"({"type":"place","id":10,"name":"hold","value":0.001,"repair":false})")["ok"]
+                  R"({"type":"place","id":1000,"name":"hold","value":0.001,"repair":false})")["ok"]
                   .get<bool>());
-  send(mesh);
-  send(mesh);
-  EXPECT_EQ(files(), 2);  // what runs, and the last
+  for (int i = 0; i < kKept + 3; ++i) send(mesh);
+  EXPECT_EQ(files(), kKept + 1) << "what runs, and the last";
   EXPECT_EQ(run.end().code, 130);
   EXPECT_EQ(files(), 0);
 }

@@ -31,7 +31,7 @@ ClodAsset load_asset(const SceneObject& object, const char* role, bool is_exact,
   source.name = object.mesh;
   source.role = role;
   source.scale = object.unit_scale;
-  source.is_repair = options.repairs;
+  source.is_repair = options.repairs && !object.model;  // part of the key of kept levels
   const bool is_kept = !object.model && is_clod_file(object.mesh);
   const AssetCache cache{options.keeps_levels, options.cache_folder};
   // Textures of levels lie on them.
