@@ -11,6 +11,7 @@
 #include "check_text.h"
 #include "device_errors.h"
 #include "json_out.h"
+#include "run_options.h"
 #include "signal_guard.h"
 #include "verbs.h"
 #include <nlohmann/json.hpp>
@@ -120,13 +121,32 @@ struct CheckOptions {
   std::string uri;
   DeviceCheckParams params;
   bool is_strict = false;
+  bool has_page = false;
+  std::optional<std::uint16_t> port;
 };
+
+/// A box in the hand on the page, its sides 100 mm along x, 60 along y and 40 along z: which way
+/// is which, seen while the handle is moved. Whatever is opened there, the device is sent zero.
+int show_axes(const CheckOptions& options, const Common& common) {
+  RunOptions run;
+  run.object = "procedural:box?triangles=12";
+  run.against = "procedural:plate?triangles=12";
+  run.pose_text = "0,0,0.1,0,0,0,1";
+  run.response = "penalty";
+  run.resolution.is_exact = true;
+  run.device = options.uri;
+  run.rate = options.params.rate;
+  run.port = options.port;
+  run.sends_zero = true;
+  return run_verb(run, common);
+}
 
 int check(const CheckOptions& options, const Common& common) {
   if (std::isnan(options.params.seconds) || std::isnan(options.params.rate)) {
     print_error("devices check: --duration and --rate must be numbers");
     return kUsage;
   }
+  if (options.has_page) return show_axes(options, common);
   return with_device([&] {
     const std::unique_ptr<HapticDevice> device = open_device(options.uri);
     if (!common.quiet)
@@ -188,6 +208,10 @@ void add_check(CLI::App& devices, Common& common) {
       ->capture_default_str()
       ->check(CLI::Range(1.0, 1e5));
   verb->add_flag("--strict", options->is_strict, "exit 5 where a rule of drivers does not hold");
+  CLI::Option* page = verb->add_flag("--page", options->has_page,
+                                     "a box that follows the handle, on a page, until Ctrl-C");
+  verb->add_option("--port", options->port, "of the page; otherwise any free one")->needs(page);
+  page->excludes("--strict")->excludes("--duration");
 }
 
 void add_calibrate(CLI::App& devices, Common& common) {

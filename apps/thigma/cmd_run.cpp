@@ -201,7 +201,7 @@ int refuse(int code, const std::string& why) {
   return code;
 }
 
-int run_verb(const RunOptions& asked, const Common& common) {
+int run_asked(const RunOptions& asked, const Common& common) {
   if (asked.replay.empty() && !is_recording_name(asked.scene) && is_world_scene(asked.scene)) {
     const SignalGuard signals;
     return run_world_scene(asked, common, stop_requested);
@@ -249,6 +249,14 @@ int run_verb(const RunOptions& asked, const Common& common) {
 
 }  // namespace
 
+int run_verb(const RunOptions& options, const Common& common) {
+  try {
+    return with_device([&] { return run_asked(options, common); });
+  } catch (const live::PortUnavailable& error) {
+    return refuse(kUnavailable, error.what());
+  }
+}
+
 void add_run(CLI::App& app, Common& common) {
   const auto options = std::make_shared<RunOptions>();
   CLI::App* verb = add_verb(app, common, "run", "move an object against others and feel them",
@@ -260,11 +268,7 @@ void add_run(CLI::App& app, Common& common) {
                               } catch (const InputError& error) {
                                 return refuse(kUsage, error.what());
                               }
-                              try {
-                                return with_device([&] { return run_verb(*options, common); });
-                              } catch (const live::PortUnavailable& error) {
-                                return refuse(kUnavailable, error.what());
-                              }
+                              return run_verb(*options, common);
                             });
   add_run_options(*verb, *options);
 }

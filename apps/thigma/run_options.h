@@ -30,9 +30,10 @@ struct RunOptions {
   bool is_lockstep = false;
   std::optional<double> rate;  // otherwise the scene's [Hz]
   std::string record;
-  std::string replay;      // recording to show instead of a session; its scene, where none is named
-  bool is_shown = false;   // not of the command line: a recording is shown, contacts by its levels
-  std::string histograms;  // file for the durations of every stage
+  std::string replay;  // recording to show instead of a session; its scene, where none is named
+  bool sends_zero = false;  // not of `run`: whatever the scene, the device is sent no force
+  bool is_shown = false;    // not of the command line: a recording is shown, contacts by its levels
+  std::string histograms;   // file for the durations of every stage
   std::optional<double> spin;  // polled before each deadline [us]; otherwise as wake-ups ask for
   ResolutionOptions resolution;
   bool has_no_blend = false;       // contacts change level at once

@@ -28,6 +28,7 @@ void set_friction(double friction, SceneDescription& scene) {
 
 /// What of the options the scene itself can say.
 void apply_options(const RunOptions& options, SceneDescription& scene) {
+  if (options.sends_zero) scene.safety.max_force = scene.safety.max_torque = 0.0;
   // What decides gains = "auto" has to be known before there is a configuration.
   if (!options.device.empty()) scene.device.uri = options.device;
   if (options.rate) scene.rate = *options.rate;

@@ -37,6 +37,11 @@ struct Common {
 CLI::App* add_verb(CLI::App& app, Common& common, const char* name, const char* help,
                    std::function<int()> body);
 
+struct RunOptions;
+
+/// What `run` does with options that are right (cmd_run.cpp); exit code. InputError, IoError.
+int run_verb(const RunOptions& options, const Common& common);
+
 /// Every verb of this build, in the order of --help (all_verbs.cpp).
 void add_all_verbs(CLI::App& app, Common& common);
 

@@ -337,6 +337,56 @@ TEST(LiveProgram, ASceneIsPutTogetherSavedAndRunAgain) {
   EXPECT_EQ(hashes[0], hashes[2]);
 }
 
+/// The largest force sent in the next frames [N], and whether pictures of the scene came with them.
+struct Sent {
+  double force = 0.0;
+  bool is_drawn = false;
+
+  explicit Sent(WebClient& client) {
+    constexpr int kFrames = 3000;
+    for (int frames = 0; frames < kFrames;) {
+      const std::optional<WebMessage> message = client.read(20.0);
+      if (!message) break;
+      const std::string& data = message->data;
+      if (!message->is_binary || data.size() < 16) continue;
+      is_drawn = is_drawn || data[0] == 3;  // a snapshot
+      if (data[0] != 2) continue;
+      std::uint16_t columns = 0;
+      std::uint32_t rows = 0;
+      std::memcpy(&columns, data.data() + 2, 2);
+      std::memcpy(&rows, data.data() + 4, 4);
+      for (std::uint32_t row = 0; row < rows; ++row, ++frames) {
+        float f[3];
+        std::memcpy(f, data.data() + 16 + 4 * (std::size_t{columns} * row + 1), sizeof f);
+        force = std::max(force, static_cast<double>(std::hypot(f[0], f[1], f[2])));
+      }
+    }
+  }
+};
+
+TEST(LiveProgram, ADeviceIsLookedAtOnThePageAndSentNothingButZero) {
+  const std::string open = R"({"type":"open","id":1,"value":"blocks"})";
+  Program program({"devices", "check", "hand:?path=press", "--page"});
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  WebClient client(port);
+  ASSERT_EQ(client.status(), 101);
+  EXPECT_EQ(Json::parse(client.read_type("scene", 20.0))["object"]["name"], "box");
+  // Another scene changes nothing of that.
+  EXPECT_TRUE(ask(client, open)["ok"].get<bool>());
+  const Sent looked_at(client);
+  EXPECT_TRUE(looked_at.is_drawn);
+  EXPECT_EQ(looked_at.force, 0.0);
+  program.send(SIGINT);
+  EXPECT_EQ(program.finish().code, 130) << program.said();
+  // The same hand on the same scene, not only looked at.
+  RunningProgram run("not_only_looked_at", {"--device", "hand:?path=press"});
+  ASSERT_TRUE(run.client);
+  EXPECT_TRUE(ask(*run.client, open)["ok"].get<bool>());
+  EXPECT_GT(Sent(*run.client).force, 0.1);
+  EXPECT_EQ(run.end().code, 130);
+}
+
 TEST(LiveProgram, AFaultNobodyLooksAtEndsTheProgram) {
   const Ended e = run_program(
       run_arguments({"--device", "hand:?path=rest", "--fault", "unplug@0.2", "--quiet"}));
