@@ -365,7 +365,7 @@ TEST(Verbs, look_at_a_device) {
                  {{"check", "hand:", "--duration", "0"}, 2},
                  {{"check", "hand:", "--rate", "1e9"}, 2},
                  {{"check"}, 2},
-                 {{"check", "hond:"}, 2},
+                 {{"check", "hond:"}, 3},
                  {{"check", "dhd:x"}, 2},
                  {{"check", "script:none.csv"}, 4},
                  {{"check", "web:"}, 3},

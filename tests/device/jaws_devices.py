@@ -78,7 +78,7 @@ def six_poses(driver, folder):
     return columns
 
 
-def session(driver, folder, file):
+def session(driver, folder, file, seconds):
     with StandIn(program, standins, driver, folder) as standin:
         standin.set("buttons", 1)
         for key, value in {"sweep_amplitude": 0.006, "sweep_hz": 0.5, "sweep_axis": driver["up"]}.items():
@@ -112,8 +112,8 @@ with tempfile.TemporaryDirectory() as name:
         if len(sys.argv) > 5 and driver["name"] not in sys.argv[5:]:
             continue
         six_poses(driver, folder)
-        for _ in range(3):  # a stalled machine may leave a short session without a touch
-            found, worst, count = session(driver, folder, file)
+        for longer in (1, 2, 4):  # a stalled machine may leave a short session without a touch
+            found, worst, count = session(driver, folder, file, longer * seconds)
             if found["force"]["max"] > 0.05:
                 break
         haptic, floor = found["haptic"], found["haptic"]["floor"]

@@ -232,7 +232,7 @@ class Door(unittest.TestCase):
         self.assertEqual(*hashes)
 
     def test_what_opens_no_session(self):
-        for code, values, word in ((BAD_ARGUMENT, {"device": b"hond:"}, "hond"), (UNAVAILABLE, {"device": b"web:"}, "web"),
+        for code, values, word in ((UNAVAILABLE, {"device": b"hond:"}, "hond"), (UNAVAILABLE, {"device": b"web:"}, "web"),
                                    (BAD_INPUT, {"duration": -1.0}, "duration"), (FAILED, {"recording": b"/none/x"}, "/none"),
                                    (BAD_ARGUMENT, {"struct_size": 3}, "struct_size 3")):
             self.refused(code, self.open(**values)[0], word)

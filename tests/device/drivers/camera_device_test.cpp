@@ -69,6 +69,8 @@ TEST(CameraDevice, stands_last_in_an_address_and_has_no_motors) {
       open_device(address);
     } catch (const DeviceAddressError& error) {
       return std::string(error.what());
+    } catch (const DeviceUnavailable& error) {
+      return std::string(error.what());
     }
     return std::string();
   };
