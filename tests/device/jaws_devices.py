@@ -78,10 +78,10 @@ def six_poses(driver, folder):
     return columns
 
 
-def session(driver, folder, file, seconds):
+def session(driver, folder, file, seconds, hertz, amplitude):
     with StandIn(program, standins, driver, folder) as standin:
         standin.set("buttons", 1)
-        for key, value in {"sweep_amplitude": 0.006, "sweep_hz": 0.5, "sweep_axis": driver["up"]}.items():
+        for key, value in {"sweep_amplitude": amplitude, "sweep_hz": hertz, "sweep_axis": driver["up"]}.items():
             standin.set(key, value)
         recording = str(folder / f"{driver['name']}.mcap")
         code, found, said = standin.run("run", file, "--headless", "--device", standin.uri, "--duration", str(seconds),
@@ -112,8 +112,10 @@ with tempfile.TemporaryDirectory() as name:
         if len(sys.argv) > 5 and driver["name"] not in sys.argv[5:]:
             continue
         six_poses(driver, folder)
-        for longer in (1, 2, 4):  # a stalled machine may leave a short session without a touch
-            found, worst, count = session(driver, folder, file, longer * seconds)
+        # Where a service's handle is in its sweep when it is taken hold of decides how far down the object gets: at the
+        # bottom not at all.
+        for longer, hertz, amplitude in ((1, 0.5, 0.006), (1, 0.37, 0.009), (2, 0.71, 0.009), (2, 0.23, 0.012)):
+            found, worst, count = session(driver, folder, file, longer * seconds, hertz, amplitude)
             if found["force"]["max"] > 0.05:
                 break
         haptic, floor = found["haptic"], found["haptic"]["floor"]
