@@ -1,15 +1,8 @@
 // The tab in which a scene is put together: its objects by numbers, their handles in the picture, undo, save.
 import { added, changed, commit, composeMessage, fromAngles, inHand, makeComposition, redo, revert, takeScene, toAngles, undo, without } from "./compose.js";
 import { digits } from "./format.js";
+import { button, element } from "./dom.js";
 
-function element(kind, className = "", text = "") {
-  return Object.assign(document.createElement(kind), { className, textContent: text });
-}
-const button = (text, act, className = "") => {
-  const made = Object.assign(element("button", className, text), { type: "button" });
-  made.addEventListener("click", act);
-  return made;
-};
 const MILLI = 1000;
 
 /// ask     (message) -> promise of the `ack`; choose() opens the choice of files

@@ -1,10 +1,7 @@
 // The level browser: of each object any level, its patches in colours of their own (Fig. 3.1).
 import { count, say } from "./format.js";
 import { hasSurface } from "./body.js";
-
-function element(kind, className = "", text = "") {
-  return Object.assign(document.createElement(kind), { className, textContent: text });
-}
+import { element } from "./dom.js";
 
 /// browse   (number of the body, level or null): shows it
 export function makeLevelBrowser(parent, browse) {

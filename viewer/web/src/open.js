@@ -4,15 +4,7 @@ import { encodeUpload } from "./protocol.js";
 import { SCENE_FACTS } from "./scenefacts.js";
 import { whatToTry } from "./scenes.js";
 import { acceptedFiles, filesToDrop } from "./words.js";
-
-function element(kind, className = "", text = "") {
-  return Object.assign(document.createElement(kind), { className, textContent: text });
-}
-const button = (text, act, className = "") => {
-  const made = Object.assign(element("button", className, text), { type: "button" });
-  made.addEventListener("click", act);
-  return made;
-};
+import { button, element } from "./dom.js";
 
 const TALL = 96; // of a picture in scenes.webp [px]
 const UNITS = [["millimetres", 0.001], ["centimetres", 0.01], ["inches", 0.0254], ["metres", 1]];

@@ -1,10 +1,7 @@
 // Parameters, events and help.
 import { digits } from "./format.js";
 import { eventWords } from "./words.js";
-
-function element(kind, className = "", text = "") {
-  return Object.assign(document.createElement(kind), { className, textContent: text });
-}
+import { element } from "./dom.js";
 
 /// Position of a slider, 0 to 1, for a value, and back; both logarithmic or both straight.
 export function toSlider({ min, max, scale }, value) {

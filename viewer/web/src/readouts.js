@@ -4,6 +4,7 @@ import { STATE } from "./protocol.js";
 import { atConeEdge, deciderWords, levelCounts, limitWords, rowSituation, situation } from "./words.js";
 import { fullScales, sayIn, shareOf, steadyUnit } from "./steady.js";
 import { LEVEL_COLOURS, levelColour } from "./theme.js";
+import { element } from "./dom.js";
 
 const TILES = [
   { id: "force", name: "Force", unit: "N", help: "on the hand, as sent to the device; the bar ends at the limit of device and safety" },
@@ -37,10 +38,6 @@ export function makeReadouts(parent) {
   parent.append(tiles, said, lines);
   board.said = said;
   return board;
-}
-
-function element(kind, className = "", text = "") {
-  return Object.assign(document.createElement(kind), { className, textContent: text });
 }
 
 const norm = (v) => Math.hypot(...v);

@@ -4,15 +4,12 @@ import { axes, depthOf, unitsPerPixel } from "./camera.js";
 import { bodies, EMPHASIS } from "./scene.js";
 import { roundLength } from "./geometry.js";
 import { say } from "./format.js";
+import { element } from "./dom.js";
 
 const REACH = 26; // of an axis [px]
 const WIDEST = 110; // of a bar [px]
 export const PRESETS = [["1", "+x", [1, 0, 0]], ["2", "-x", [-1, 0, 0]], ["3", "+y", [0, 1, 0]], ["4", "-y", [0, -1, 0]],
   ["5", "+z", [0, 0, 1]], ["6", "-z", [0, 0, -1]]]; // key, name, where the eye is
-
-function element(kind, className = "", text = "") {
-  return Object.assign(document.createElement(kind), { className, textContent: text });
-}
 
 /// look   (direction) turns the view
 export function makeRulers(parent, names, look) {

@@ -1,4 +1,5 @@
 // Chromium, headless, with WebGL in software; or the reason why there is none.
+import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
 
 const FOUND = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
@@ -35,4 +36,13 @@ export async function openPage(browser, url, options = {}) {
   page.on("console", (message) => { if (message.type() === "error") errors.push(message.text()); });
   await page.goto(url);
   return { page, errors, context };
+}
+
+/// Waits until a statement about this process holds.
+export async function until(holds, what) {
+  for (const end = Date.now() + 150000; Date.now() < end;) {
+    if (holds()) return;
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+  assert.fail(`never: ${what}`);
 }

@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { startMock } from "../mock/server.mjs";
-import { openPage, startBrowser } from "./browser.mjs";
+import { openPage, startBrowser, until } from "./browser.mjs";
 
 const PATIENCE = { timeout: 400000 };
 let browser = null, reason = null;
@@ -30,13 +30,6 @@ function buildTest(name, body) {
   });
 }
 
-async function until(holds, what) {
-  for (const end = Date.now() + 150000; Date.now() < end;) {
-    if (holds()) return;
-    await new Promise((resolve) => setTimeout(resolve, 50));
-  }
-  assert.fail(`never: ${what}`);
-}
 /// Objects as the program has them, once it has them as they should be.
 async function composed(mock, holds, what) {
   await until(() => mock.composed && holds(mock.composed.objects), what);

@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { startMock } from "../mock/server.mjs";
 import { snapshotOf } from "../mock/world.mjs";
-import { openPage, startBrowser } from "./browser.mjs";
+import { openPage, startBrowser, until } from "./browser.mjs";
 
 const PATIENCE = { timeout: 400000 }; // software rendering on a busy machine
 let browser = null, reason = null;
@@ -42,15 +42,6 @@ const drawnSince = async (page, n = 2) => {
   const from = await page.evaluate(() => window.thigma.drawn);
   await page.waitForFunction(([since, more]) => window.thigma.drawn >= since + more, [from, n]);
 };
-
-/// Waits until a statement about this process holds.
-async function until(holds, what) {
-  for (const end = Date.now() + 150000; Date.now() < end;) {
-    if (holds()) return;
-    await new Promise((resolve) => setTimeout(resolve, 50));
-  }
-  assert.fail(`never: ${what}`);
-}
 
 /// Colours of the picture: {colours, share of the background's}.
 const pixels = (page) => page.evaluate(() => {

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { startMock } from "../mock/server.mjs";
 import { installXr } from "../mock/xr.mjs";
-import { openPage, startBrowser } from "./browser.mjs";
+import { openPage, startBrowser, until } from "./browser.mjs";
 
 const PATIENCE = { timeout: 400000 };
 let browser = null, reason = null;
@@ -29,14 +29,6 @@ function xrTest(name, { device = "web:", prepare = () => {} }, body) {
       mock.close();
     }
   });
-}
-
-async function until(holds, what) {
-  for (const end = Date.now() + 150000; Date.now() < end;) {
-    if (holds()) return;
-    await new Promise((resolve) => setTimeout(resolve, 50));
-  }
-  assert.fail(`never: ${what}`);
 }
 
 async function frames(page, n = 2) {
