@@ -29,6 +29,14 @@ void check_round_trip(const TriangleMesh& mesh, MeshFormat format) {
   require(again.mesh.triangles == mesh.triangles, "triangles survive writing");
 }
 
+/// Whether a mesh is written, looked at and repaired as well, which takes fifty times as long as
+/// reading it: one in sixteen files, told by their bytes, so that what was found does it again.
+bool is_done_more_with(std::string_view bytes) {
+  std::uint32_t mixed = 2166136261u;
+  for (const char c : bytes) mixed = (mixed ^ static_cast<unsigned char>(c)) * 16777619u;
+  return (mixed >> 28) == 0;
+}
+
 void check_texture_coordinates(const std::string& bytes, const MeshFile& file) {
   is_taken("mesh", [&] {
     const auto corners = read_texture_coordinates(bytes, "mesh");
@@ -38,8 +46,8 @@ void check_texture_coordinates(const std::string& bytes, const MeshFile& file) {
 
 }  // namespace
 
-/// Reads a mesh, checks what read_mesh promises, looks at small ones as `inspect` does, and writes
-/// and reads them again.
+/// Reads a mesh, checks what read_mesh promises, and of some small ones looks at them as `inspect`
+/// does, and writes and reads them again.
 void fuzz_mesh(Bytes input) {
   const std::string bytes(text_of(input));
   MeshFile file;
@@ -49,6 +57,7 @@ void fuzz_mesh(Bytes input) {
   require(file.mesh.triangles.size() <= bytes.size(), "memory is bounded by the file");
   constexpr std::size_t kFew = 16;
   if (file.mesh.triangles.empty() || file.mesh.triangles.size() > kFew) return;
+  if (!is_done_more_with(bytes)) return;
   for (const detail::MeshFormatRow& row : detail::kMeshFormats)
     if (row.is_exact && row.write != nullptr) check_round_trip(file.mesh, row.format);
   const MeshReport report = inspect_mesh(file, "mesh");
