@@ -210,6 +210,7 @@ ThreadedRun::ThreadedRun(std::shared_ptr<const Scene> scene, const SessionOption
       log_(session_, recording, false) {
   if (session_.simulation)
     throw InputError("session: a [simulation] runs in lockstep, expected no threads");
+  if (!recording.empty()) session_.config.telemetry_models = kRecordedModels;
   threads_ = std::make_unique<Session>(session_.config, *session_.device, log_.sinks());
 }
 

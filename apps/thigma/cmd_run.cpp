@@ -142,6 +142,7 @@ SessionSummary run_alone(const RunOptions& options, const Common& common, Run& r
   const bool has_threads = !options.is_lockstep && !run.session.simulation;
   if (has_threads) prepare_process(run, common.quiet);
   SessionConfig config = run.session.config;
+  if (recorder.is_open()) config.telemetry_models = kRecordedModels;
   RunControl control{.is_lockstep = options.is_lockstep, .stop = &stop_requested};
   LivePorts ports;  // for levels that are built meanwhile
   LastBody last;

@@ -24,6 +24,7 @@
 #include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
 #include "thigma/device/open_device.h"
+#include "thigma/scene/record_session.h"
 #include "thigma/session/rt_thread.h"
 
 namespace thigma::app {
@@ -167,8 +168,9 @@ class LiveRun {
   }
 
   SessionSummary session() {
-    const SessionConfig config = next_config();
+    SessionConfig config = next_config();
     open_recording(config);
+    if (recorder_.is_open()) config.telemetry_models = kRecordedModels;
     const RunControl control{.is_lockstep = options_.is_lockstep,
                              .stop = program_.stop,
                              .begun = [this] { begin(); },

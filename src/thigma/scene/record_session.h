@@ -11,6 +11,10 @@ namespace thigma {
 class RecordingWriter;
 struct RecordedConfig;
 
+/// Room for contact models between the threads of a session that is recorded, as its
+/// telemetry_models: two seconds at 1 kHz, for a disk that stalls.
+inline constexpr std::size_t kRecordedModels = 2048;
+
 /// What a recording says of its session, so that it can be run again.
 ///
 /// is_lockstep  false: on threads

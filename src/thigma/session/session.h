@@ -49,7 +49,7 @@ struct SessionConfig {
   double spin = -1.0;
   RtRequest contact_thread{40, -1};
   std::size_t telemetry_frames = 8192;  // room of the rings; 8 s at 1 kHz
-  std::size_t telemetry_models = 2048;
+  std::size_t telemetry_models = 512;   // 40 KB each; half a second at 1 kHz
 
   // who watches and tunes (live_ports.h); outlives the session; null: nobody
   LivePorts* live = nullptr;
