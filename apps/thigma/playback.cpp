@@ -54,7 +54,9 @@ std::vector<float> Playback::force_strip(std::size_t parts) const {
   return strip;
 }
 
-HapticSample Playback::read(std::size_t index) { return read_frame(source_, frames_[index].place); }
+HapticSample Playback::read(std::size_t index) {
+  return read_frame_at(messages_, frames_[index].place);
+}
 
 void Playback::send_frame(std::size_t index, const SessionSinks& sinks) {
   frame_ = read(index);
@@ -63,7 +65,7 @@ void Playback::send_frame(std::size_t index, const SessionSinks& sinks) {
 
 void Playback::send_contacts(double time, const SessionSinks& sinks) {
   for (; next_contact_ < contacts_.size() && contacts_[next_contact_].time <= time; ++next_contact_)
-    if (sinks.contact) sinks.contact(read_contact(source_, contacts_[next_contact_].place));
+    if (sinks.contact) sinks.contact(read_contact_at(messages_, contacts_[next_contact_].place));
 }
 
 void Playback::advance_to(double time, std::size_t most, const SessionSinks& sinks) {
@@ -107,7 +109,7 @@ void Playback::jump_to(double time, const SessionSinks& sinks) {
                                       [](double a, const ContactEntry& c) { return a < c.time; });
   next_contact_ = static_cast<std::size_t>(after - contacts_.begin());
   if (next_contact_ > 0 && sinks.contact)
-    sinks.contact(read_contact(source_, contacts_[next_contact_ - 1].place));
+    sinks.contact(read_contact_at(messages_, contacts_[next_contact_ - 1].place));
   send_history(begin, end, sinks);
   next_ = end;
   const auto& events = recording_.events;

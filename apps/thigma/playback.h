@@ -9,6 +9,7 @@
 
 #include "thigma/files/byte_source.h"
 #include "thigma/recording/config_json.h"
+#include "thigma/recording/mcap_file.h"
 #include "thigma/recording/recording.h"
 #include "thigma/session/session.h"
 
@@ -57,6 +58,7 @@ class Playback {
 
   std::string file_;
   FileSource source_;
+  McapMessages messages_{source_};
   RecordingInfo recording_;
   RecordedConfig config_;
   std::vector<FrameEntry> frames_;

@@ -38,6 +38,7 @@ class Thigma(ConanFile):
         self.requires("eigen/3.4.0", transitive_headers=True)
         self.requires("nlohmann_json/3.11.3")
         self.requires("tomlplusplus/3.4.0")
+        self.requires("zstd/1.5.5")
 
     def validate(self):
         check_min_cppstd(self, 20)

@@ -1,16 +1,21 @@
 // MCAP: the records are taken out of their chunks, one is changed, and chunks are put together
-// again with right lengths and checksums, without the summary, which the format does not ask for.
+// again with right lengths and checksums, compressed or not, without the summary, which the format
+// does not ask for.
 
 #include "fuzz/fuzz_target.h"
 
 #include "thigma/files/checksum.h"
 #include "thigma/math/random.h"
+#include "thigma/recording/detail/mcap_codec.h"
 #include "thigma/recording/detail/mcap_records.h"
 
 namespace thigma::fuzz {
 namespace {
 
-constexpr std::size_t kHead = 9, kChunkHead = 8 + 8 + 8 + 4 + 4 + 8, kMessageHead = 22;
+constexpr std::size_t kHead = 9, kMessageHead = 22;
+// Of a chunk: times, size, checksum; then the name of the compression and the stored size.
+constexpr std::size_t kSizeAt = 16, kNameAt = 28, kChunkHead = 40;
+constexpr std::uint64_t kMostExpanded = std::uint64_t{1} << 20;
 
 struct Record {
   std::uint8_t opcode = 0;
@@ -48,17 +53,32 @@ std::vector<Record> records_of(std::string_view bytes) {
   return records;
 }
 
-std::string chunk_of(const std::vector<Record>& records) {
+/// What a chunk holds, as far as it can be told.
+std::string content_of(std::string_view chunk) {
+  if (chunk.size() < kChunkHead) return {};
+  const std::string_view stored = chunk.substr(kChunkHead);
+  if (chunk[kNameAt] == 0) return std::string(stored);
+  const std::size_t name = thigma::detail::kZstd.size();
+  const std::uint64_t size = number_at(chunk, kSizeAt);
+  if (stored.size() < name || size > kMostExpanded) return {};
+  return thigma::detail::expand_chunk(stored.substr(name), size).value_or("");
+}
+
+std::string chunk_of(const std::vector<Record>& records, bool is_compressed) {
   std::string content;
   for (const Record& record : records) put_record(content, record);
+  const std::string shorter =
+      is_compressed ? thigma::detail::compress_chunk(content) : std::string();
   std::string body;
   put(body, 0, 8);
   put(body, 0, 8);
   put(body, content.size(), 8);
   put(body, crc32(content), 4);
-  put(body, 0, 4);
-  put(body, content.size(), 8);
-  return body + content;
+  const std::string_view name = shorter.empty() ? std::string_view() : thigma::detail::kZstd;
+  put(body, name.size(), 4);
+  body += name;
+  put(body, shorter.empty() ? content.size() : shorter.size(), 8);
+  return body + (shorter.empty() ? content : shorter);
 }
 
 void change(std::string& bytes, std::size_t from, std::size_t most, Mutate mutate) {
@@ -104,17 +124,15 @@ void mutate_recording(std::string& bytes, std::size_t most, std::uint32_t seed, 
   std::string made(kMcapMagic);
   for (const Record& record : outer) {
     if (record.opcode == kHeader) put_record(made, record);
-    if (record.opcode != kChunk || record.body.size() < kChunkHead) continue;
-    for (Record& r : records_of(std::string_view(record.body).substr(kChunkHead)))
-      inner.push_back(std::move(r));
+    if (record.opcode != kChunk) continue;
+    for (Record& r : records_of(content_of(record.body))) inner.push_back(std::move(r));
   }
   if (inner.empty()) return change(bytes, 0, most, mutate);
   change_records(inner, random, mutate);
   const std::size_t cut = random.below(inner.size() + 1);  // two chunks
-  put_record(made,
-             {kChunk, chunk_of({inner.begin(), inner.begin() + static_cast<std::ptrdiff_t>(cut)})});
-  put_record(made,
-             {kChunk, chunk_of({inner.begin() + static_cast<std::ptrdiff_t>(cut), inner.end()})});
+  const auto middle = inner.begin() + static_cast<std::ptrdiff_t>(cut);
+  put_record(made, {kChunk, chunk_of({inner.begin(), middle}, random.below(4) == 0)});
+  put_record(made, {kChunk, chunk_of({middle, inner.end()}, random.below(4) == 0)});
   if (random.below(4) != 0) {  // whole
     put_record(made, {kDataEnd, std::string(4, '\0')});
     put_record(made, {kFooter, std::string(20, '\0')});

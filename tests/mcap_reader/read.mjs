@@ -2,6 +2,7 @@
 // {messages, topics: {topic: count}, first: {topic: first message}, attachments: {name: bytes}}.
 import { open } from "node:fs/promises";
 import { McapIndexedReader } from "@mcap/core";
+import { decompress } from "fzstd";
 
 const handle = await open(process.argv[2], "r");
 const readable = {
@@ -13,7 +14,10 @@ const readable = {
     return buffer;
   },
 };
-const reader = await McapIndexedReader.Initialize({ readable });
+const reader = await McapIndexedReader.Initialize({
+  readable,
+  decompressHandlers: { zstd: (bytes, size) => decompress(bytes, new Uint8Array(Number(size))) },
+});
 const topics = {};
 const first = {};
 let messages = 0;

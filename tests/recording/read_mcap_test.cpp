@@ -37,8 +37,7 @@ McapFile sample_file(const std::string& name, int chunks) {
 
 bool is_prefix(const McapFile& part, const McapFile& whole) {
   const auto same = [&](const McapMessage& m, const McapMessage& n) {
-    return m.sequence == n.sequence && m.time == n.time && m.data == n.data &&
-           m.offset == n.offset &&
+    return m.sequence == n.sequence && m.time == n.time && m.data == n.data && m.place == n.place &&
            part.topics[static_cast<std::size_t>(m.channel)] ==
                whole.topics[static_cast<std::size_t>(n.channel)];
   };

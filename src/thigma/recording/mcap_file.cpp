@@ -4,11 +4,11 @@
 
 #include "thigma/core/error.h"
 #include "thigma/files/checksum.h"
+#include "thigma/recording/detail/mcap_codec.h"
 #include "thigma/recording/detail/mcap_records.h"
 
 // After the public MCAP specification: records are opcode, length, content; little-endian; strings
-// carry their length. Chunks are uncompressed: a recording is a few megabytes, and any reader opens
-// it.
+// carry their length.
 
 namespace thigma {
 namespace {
@@ -131,9 +131,11 @@ void McapWriter::flush() {
   append(content, chunk_last_);
   append(content, static_cast<std::uint64_t>(chunk_.size()));
   append(content, crc32(chunk_));
-  append_string(content, "");  // no compression
-  append(content, static_cast<std::uint64_t>(chunk_.size()));
-  content += chunk_;
+  const std::string shorter = compress_chunk(chunk_);
+  const std::string& stored = shorter.empty() ? chunk_ : shorter;
+  append_string(content, compression_of(stored.size()));
+  append(content, static_cast<std::uint64_t>(stored.size()));
+  content += stored;
   std::string bytes = record(kChunk, content);
   const std::uint64_t length = bytes.size();
   std::string index_offsets;
@@ -149,7 +151,8 @@ void McapWriter::flush() {
     }
     bytes += record(kMessageIndex, index);
   }
-  const std::string entry = chunk_entry(length, index_offsets, bytes.size() - length);
+  const std::string entry =
+      chunk_entry(length, index_offsets, bytes.size() - length, stored.size());
   // Room for the end, so that a full disk still takes it.
   file_.append(bytes, end_bytes() + entry.size());
   chunk_entries_ += entry;
@@ -157,9 +160,14 @@ void McapWriter::flush() {
   drop_chunk();
 }
 
+/// The name of what makes the bytes of the chunk that many.
+std::string_view McapWriter::compression_of(std::size_t stored) const {
+  return stored == chunk_.size() ? std::string_view() : kZstd;
+}
+
 /// The index record of the chunk that is about to be written, for the summary.
 std::string McapWriter::chunk_entry(std::uint64_t length, const std::string& index_offsets,
-                                    std::uint64_t index_length) const {
+                                    std::uint64_t index_length, std::uint64_t stored) const {
   std::string entry;
   append(entry, chunk_first_);
   append(entry, chunk_last_);
@@ -168,8 +176,8 @@ std::string McapWriter::chunk_entry(std::uint64_t length, const std::string& ind
   append(entry, static_cast<std::uint32_t>(index_offsets.size()));
   entry += index_offsets;
   append(entry, index_length);
-  append_string(entry, "");
-  append(entry, static_cast<std::uint64_t>(chunk_.size()));  // compressed size
+  append_string(entry, compression_of(stored));
+  append(entry, stored);
   append(entry, static_cast<std::uint64_t>(chunk_.size()));
   return record(kChunkIndex, entry);
 }

@@ -1,8 +1,9 @@
 #pragma once
-// The MCAP container (version 0): chunked, indexed, uncompressed; opened by any MCAP reader.
+// The MCAP container (version 0): chunked, indexed, chunks compressed; opened by any MCAP reader.
 // Layout as this project writes and reads it: docs/formats.md.
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "thigma/files/byte_source.h"
 #include "thigma/files/growing_file.h"
+#include "thigma/recording/mcap_place.h"
 
 namespace thigma {
 
@@ -24,9 +26,9 @@ struct McapAttachment {
 
 /// Writes an MCAP file. Written beside its place as PATH.part and moved there by close(), so that
 /// PATH is whole or absent; what a kill leaves of PATH.part is read up to its last whole chunk
-/// (GrowingFile). Invariant: between construction and close() the .part file is a prefix of a valid
-/// file, chunks at a time. Thread: one thread, [offline]. Members throw IoError, one line, when the
-/// system refuses.
+/// (GrowingFile). Chunks are compressed by zstd where this build has it. Invariant: between
+/// construction and close() the .part file is a prefix of a valid file, chunks at a time. Thread:
+/// one thread, [offline]. Members throw IoError, one line, when the system refuses.
 class McapWriter {
  public:
   explicit McapWriter(const std::string& path, std::string_view library = "thigma");
@@ -72,7 +74,8 @@ class McapWriter {
     std::uint64_t messages = 0;
   };
   std::string chunk_entry(std::uint64_t length, const std::string& index_offsets,
-                          std::uint64_t index_length) const;
+                          std::uint64_t index_length, std::uint64_t stored) const;
+  std::string_view compression_of(std::size_t stored) const;
   void count_chunk();
   void drop_chunk();
   std::string summary() const;
@@ -91,13 +94,15 @@ class McapWriter {
   std::map<std::uint16_t, std::vector<std::pair<std::uint64_t, std::uint64_t>>> chunk_index_;
 };
 
+/// "byte 12", "byte 12 of the chunk at byte 99".
+std::string place_text(const McapPlace& place);
+
 struct McapMessage {
   std::int32_t channel = 0;  // into McapFile::topics
   std::uint32_t sequence = 0;
   std::uint64_t time = 0;  // [ns]
-  std::string_view data;   // into McapFile::bytes; of scan_mcap: valid during the call
-  // of the record in the file or in its chunk's place in the file [byte]
-  std::uint64_t offset = 0;
+  std::string_view data;   // into the McapFile; of scan_mcap: valid during the call
+  McapPlace place;
 };
 
 /// What a pass over an MCAP file finds beside its messages.
@@ -114,19 +119,33 @@ struct McapScan {
 /// Takes a message, whose topic is scan.topics[message.channel]; false: no more are wanted.
 using McapSink = std::function<bool(const McapScan& scan, const McapMessage& message)>;
 
-/// Goes through an MCAP file with uncompressed chunks, of any size, in the memory of the longest
-/// message and of the source's window. A file that has its end is read whole or refused. One
-/// without was cut off by a kill, a power cut or a full disk: it is read up to the first record
-/// that is not whole, or not what its checksum says. Thread [offline]; throws InputError "FILE:
-/// what, byte N, what was expected" on damage and when unreadable, maybe after some messages were
-/// taken.
+/// Goes through an MCAP file of any size, in the memory of its longest chunk and of the source's
+/// window. Chunks are as they are or compressed by zstd, at most 256 MiB of each. A file that has
+/// its end is read whole or refused. One without was cut off by a kill, a power cut or a full disk:
+/// it is read up to the first record that is not whole, or not what its checksum says. Thread
+/// [offline]; throws InputError "FILE: what, byte N, what was expected" on damage and when
+/// unreadable, maybe after some messages were taken.
 McapScan scan_mcap(ByteSource& source, const std::string& path, const McapSink& take);
 
 /// Throws InputError that names PATH.part where that is there and PATH is not. Thread [offline].
 void refuse_absent_recording(const std::string& path);
 
-/// The data of the message at that offset of McapMessage. Valid until the source is asked again.
-std::string_view mcap_message_data(ByteSource& source, std::uint64_t offset);
+/// Messages once more, by their places, in any order. Keeps the last compressed chunk it was asked
+/// of, so that neighbours cost nothing. Thread: one, [offline].
+class McapMessages {
+ public:
+  explicit McapMessages(ByteSource& source) : source_(source) {}
+
+  /// The data of the message that a pass over the same source found there. Valid until the next
+  /// call, and while the source is not asked for anything else.
+  /// errors  InputError where the file has changed
+  std::string_view data(const McapPlace& place);
+
+ private:
+  ByteSource& source_;
+  std::string chunk_;           // what the chunk holds
+  std::uint64_t chunk_at_ = 0;  // of its record in the file; 0: none is kept
+};
 
 /// The files in an MCAP file, in their order; of one that was cut off those that are whole.
 /// Thread [offline]; throws InputError "FILE: what, byte N, what was expected" for what is no MCAP
@@ -138,6 +157,7 @@ struct McapFile {
   std::string bytes;
   std::vector<std::string> topics;
   std::vector<McapMessage> messages;  // in file order
+  std::deque<std::string> expanded;   // data of messages in compressed chunks
   std::vector<std::string> warnings;  // as in McapScan, and so the next two
   std::string cut;
   std::size_t end = 0;

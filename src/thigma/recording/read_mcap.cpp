@@ -1,16 +1,18 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "thigma/core/error.h"
 #include "thigma/files/checksum.h"
 #include "thigma/files/file.h"
+#include "thigma/recording/detail/mcap_codec.h"
 #include "thigma/recording/detail/mcap_records.h"
 #include "thigma/recording/mcap_file.h"
 
 // A file with its end is whole, and whatever is wrong in it is damage. One without is what a kill,
 // a power cut or a full disk left: chunks carry their own checksums, so it is read from the front
-// up to the first that is not whole. Nothing longer than a message is ever in memory at once.
+// up to the first that is not whole. Nothing longer than a chunk is ever in memory at once.
 
 namespace thigma {
 namespace {
@@ -19,6 +21,7 @@ using namespace detail;
 
 constexpr std::uint64_t kRecordHead = 9;    // opcode and length
 constexpr std::uint64_t kMessageHead = 22;  // of a message record, before its data
+constexpr std::uint64_t kMostExpanded = std::uint64_t{1} << 28;  // [byte]
 
 std::uint64_t little_endian(std::string_view bytes) {
   std::uint64_t value = 0;
@@ -27,18 +30,22 @@ std::uint64_t little_endian(std::string_view bytes) {
   return value;
 }
 
-/// Bounds-checked little-endian cursor over a part of the file.
+/// Bounds-checked little-endian cursor over a part of the file, or of what a compressed chunk of it
+/// holds.
 struct Cursor {
   ByteSource& source;
   const std::string& path;
   std::uint64_t at, end;
+  std::uint64_t chunk = 0;  // see McapPlace
 
-  [[noreturn]] void fail(const char* what, const char* expected) const {
-    throw InputError(path + ": " + what + ", byte " + std::to_string(at) + ", expected " +
+  [[noreturn]] void fail(const std::string& what, const std::string& expected) const {
+    throw InputError(path + ": " + what + ", " + place_text({chunk, at}) + ", expected " +
                      expected);
   }
+  /// Of `count` bytes from here on.
+  Cursor part(std::uint64_t count) const { return {source, path, at, at + count, chunk}; }
   void skip(std::uint64_t count, const char* what) {
-    if (count > end - at) fail(what, "more bytes: the file is truncated or damaged");
+    if (at > end || count > end - at) fail(what, "more bytes: the file is truncated or damaged");
     at += count;
   }
   std::string_view take(std::uint64_t count, const char* what) {
@@ -56,8 +63,49 @@ struct Cursor {
 struct ChunkHead {
   std::uint64_t size = 0, stored = 0;
   std::uint32_t crc = 0;
-  bool is_compressed = false;
+  std::string compression;
 };
+
+/// Leaves `body` where the stored bytes begin.
+ChunkHead read_chunk_head(Cursor& body) {
+  ChunkHead head;
+  body.skip(16, "chunk");  // first and last time
+  head.size = body.get<std::uint64_t>("chunk");
+  head.crc = body.get<std::uint32_t>("chunk");
+  head.compression = body.text("chunk compression");
+  head.stored = body.get<std::uint64_t>("chunk size");
+  return head;
+}
+
+/// Whether there is a whole head, and the stored bytes are all there is behind it.
+std::optional<ChunkHead> find_chunk_head(Cursor& body) {
+  try {
+    ChunkHead head = read_chunk_head(body);
+    if (head.stored == body.end - body.at) return head;
+  } catch (const InputError&) {  // it says that it is longer than it is
+  }
+  return std::nullopt;
+}
+
+/// What the compressed chunk holds whose stored bytes begin at `body`; none where it is damaged.
+std::optional<std::string> expand(Cursor& body, const ChunkHead& head) {
+  if (head.compression != kZstd || head.size > kMostExpanded) return std::nullopt;
+  return expand_chunk(body.take(head.stored, "chunk"), head.size);
+}
+
+/// A compressed chunk that must expand.
+std::string expand_or_fail(Cursor& body, const ChunkHead& head) {
+  if (head.compression != kZstd) body.fail("compression of a chunk", "zstd or none");
+  if (!has_zstd()) body.fail("a chunk compressed by zstd", "a build of this program with libzstd");
+  if (head.size > kMostExpanded)
+    body.fail("a chunk of " + std::to_string(head.size) + " bytes",
+              "at most " + std::to_string(kMostExpanded));
+  std::optional<std::string> bytes = expand(body, head);
+  if (!bytes)
+    body.fail("a chunk that does not expand to what it says it holds",
+              "the file as it was written");
+  return std::move(*bytes);
+}
 
 struct Reading {
   ByteSource& source;
@@ -69,22 +117,21 @@ struct Reading {
 
   /// One pass over the records of a whole file, or of a chunk; true when a footer or data end was
   /// met.
-  bool records(std::uint64_t at, std::uint64_t end, bool in_chunk) {
-    Cursor cursor{source, path, at, end};
-    while (cursor.at < end && !is_enough) {
+  bool records(Cursor cursor, bool in_chunk) {
+    while (cursor.at < cursor.end && !is_enough) {
       const std::uint64_t start = cursor.at;
       const auto opcode = cursor.get<std::uint8_t>("record");
       if (opcode == kNoRecord) cursor.fail("a record of no kind", "one of the kinds of MCAP");
       const auto length = cursor.get<std::uint64_t>("record length");
-      const std::uint64_t begin = cursor.at;
+      Cursor body = cursor;
       cursor.skip(length, "record");
-      Cursor body{source, path, begin, cursor.at};
+      body.end = cursor.at;
       if (opcode == kDataEnd || opcode == kFooter) return true;
       if (opcode == kChannel) channel(body);
       if (opcode == kMessage) message(body, start);
       if (opcode == kChunk) {
         if (in_chunk) body.fail("chunk in a chunk", "no nesting");
-        chunk(body);
+        chunk(body, start);
       }
     }
     return false;
@@ -103,11 +150,12 @@ struct Reading {
       if (opcode != kHeader && opcode != kChunk && opcode != kMessageIndex && opcode != kAttachment)
         return stop("there is no record of a recording");
       if (length > size - cursor.at) return stop("the record there is incomplete");
+      const std::uint64_t start = at;
       at = cursor.at + length;
       if (opcode != kChunk) continue;
-      if (!is_right(Cursor{source, path, cursor.at, at}))
+      if (!is_right(cursor.part(length)))
         return stop("the chunk there is not what its checksum says");
-      chunk(Cursor{source, path, cursor.at, at});
+      chunk(cursor.part(length), start);
     }
     stop("there is no end");
   }
@@ -157,32 +205,14 @@ struct Reading {
     }
   }
 
-  /// Leaves `body` where the records begin.
-  ChunkHead chunk_head(Cursor& body) const {
-    ChunkHead head;
-    body.skip(16, "chunk");  // first and last time
-    head.size = body.get<std::uint64_t>("chunk");
-    head.crc = body.get<std::uint32_t>("chunk");
-    const auto compression = body.get<std::uint32_t>("chunk compression");
-    head.is_compressed = compression != 0;
-    body.skip(compression, "chunk compression");
-    head.stored = body.get<std::uint64_t>("chunk size");
-    return head;
-  }
-
-  /// Whether the length and the checksum of a chunk are those of what is in it.
+  /// Whether the lengths and the checksum of a chunk are those of what is in it.
   bool is_right(Cursor body) {
-    constexpr std::uint64_t kBefore = 8 + 8 + 8 + 4 + 4 + 8;
-    if (body.end - body.at < kBefore) return false;
-    const std::uint64_t begin = body.at + kBefore, size = body.end - begin;
-    body.end = begin;
-    body.skip(16, "chunk");
-    const auto uncompressed = body.get<std::uint64_t>("chunk");
-    const auto crc = body.get<std::uint32_t>("chunk");
-    const auto compression = body.get<std::uint32_t>("chunk");
-    const auto stored = body.get<std::uint64_t>("chunk");
-    return compression == 0 && uncompressed == size && stored == size &&
-           checksum(begin, size) == crc;
+    const std::optional<ChunkHead> head = find_chunk_head(body);
+    if (!head) return false;
+    if (head->compression.empty())
+      return head->size == head->stored && checksum(body.at, head->stored) == head->crc;
+    const std::optional<std::string> bytes = expand(body, *head);
+    return bytes && crc32(*bytes) == head->crc;
   }
 
   void channel(Cursor body) {
@@ -206,21 +236,29 @@ struct Reading {
     m.time = body.get<std::uint64_t>("message");
     body.get<std::uint64_t>("message");
     m.data = body.take(body.end - body.at, "message");
-    m.offset = start;
+    m.place = {body.chunk, start};
     ++scan.messages;
     is_enough = !take(scan, m);
   }
 
-  void chunk(Cursor body) {
-    const ChunkHead head = chunk_head(body);
-    if (head.is_compressed) body.fail("compressed chunk", "an uncompressed one");
+  void chunk(Cursor body, std::uint64_t start) {
+    const ChunkHead head = read_chunk_head(body);
+    if (!head.compression.empty()) {
+      const std::string bytes = expand_or_fail(body, head);
+      if (head.crc != 0 && crc32(bytes) != head.crc) warn_of_chunk(start);
+      MemorySource expanded(bytes);
+      records({expanded, path, 0, bytes.size(), start}, true);
+      return;
+    }
     const std::uint64_t begin = body.at;
     body.skip(head.stored, "chunk");
-    if (head.crc != 0 && checksum(begin, head.stored) != head.crc) {
-      scan.warnings.push_back("the chunk at byte " + std::to_string(begin) +
-                              " is not what its checksum says");
-    }
-    records(begin, begin + head.stored, true);
+    if (head.crc != 0 && checksum(begin, head.stored) != head.crc) warn_of_chunk(begin);
+    records({source, path, begin, begin + head.stored}, true);
+  }
+
+  void warn_of_chunk(std::uint64_t at) {
+    scan.warnings.push_back("the chunk at byte " + std::to_string(at) +
+                            " is not what its checksum says");
   }
 };
 
@@ -245,7 +283,7 @@ McapScan scan_mcap(ByteSource& source, const std::string& path, const McapSink& 
     reading.prefix(magic);
     return scan;
   }
-  const bool is_ended = reading.records(magic, scan.size, false);
+  const bool is_ended = reading.records({source, path, magic, scan.size}, false);
   scan.end = scan.size;
   if (reading.is_enough) return scan;
   if (!is_ended) {
@@ -264,10 +302,31 @@ void refuse_absent_recording(const std::string& path) {
   }
 }
 
-std::string_view mcap_message_data(ByteSource& source, std::uint64_t offset) {
-  const std::uint64_t length = little_endian(source.view(offset + 1, 8));
-  const std::uint64_t begin = offset + kRecordHead + kMessageHead;
-  return source.view(begin, length - kMessageHead);
+std::string place_text(const McapPlace& place) {
+  return "byte " + std::to_string(place.at) +
+         (place.chunk == 0 ? "" : " of the chunk at byte " + std::to_string(place.chunk));
+}
+
+std::string_view McapMessages::data(const McapPlace& place) {
+  static const std::string kName = "the recording";
+  if (place.chunk != 0 && place.chunk != chunk_at_) {
+    chunk_at_ = 0;
+    Cursor head{source_, kName, place.chunk + 1, source_.size()};
+    const auto length = head.get<std::uint64_t>("record length");
+    Cursor body = head;
+    head.skip(length, "record");
+    body.end = head.at;
+    const ChunkHead chunk = read_chunk_head(body);
+    chunk_ = expand_or_fail(body, chunk);
+    chunk_at_ = place.chunk;
+  }
+  MemorySource expanded(chunk_);
+  ByteSource& bytes = place.chunk == 0 ? source_ : static_cast<ByteSource&>(expanded);
+  Cursor record{bytes, kName, place.at + 1, bytes.size(), place.chunk};
+  const auto length = record.get<std::uint64_t>("record length");
+  record.skip(kMessageHead, "message");
+  if (length < kMessageHead) record.fail("message", "one where there was one");
+  return record.take(length - kMessageHead, "message");
 }
 
 McapFile read_mcap(const std::string& path) {
@@ -281,6 +340,8 @@ McapFile parse_mcap(std::string bytes, const std::string& path) {
   MemorySource source(file.bytes);
   McapScan scan = scan_mcap(source, path, [&](const McapScan&, const McapMessage& message) {
     file.messages.push_back(message);
+    if (message.place.chunk != 0)
+      file.messages.back().data = file.expanded.emplace_back(message.data);
     return true;
   });
   file.topics = std::move(scan.topics);

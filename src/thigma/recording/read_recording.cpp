@@ -27,8 +27,8 @@ std::string cut_text(const RecordingInfo& recording, const McapScan& file) {
 
 std::string where_text(const std::string& path, const std::string& topic,
                        const McapMessage& message) {
-  return path + ": message " + std::to_string(message.sequence) + " of " + topic + ", byte " +
-         std::to_string(message.offset) + ", ";
+  return path + ": message " + std::to_string(message.sequence) + " of " + topic + ", " +
+         place_text(message.place) + ", ";
 }
 
 /// Puts the samples together and tells of each when its last message has been read, or the first of
@@ -93,7 +93,7 @@ struct Assembly {
             const McapMessage& message, SamplePlace& place) {
     std::size_t i = 0;
     for (const std::string_view name : topics) {
-      if (name == topic) place[i] = message.offset;
+      if (name == topic) place.messages[i] = message.place;
       ++i;
     }
   }
@@ -166,24 +166,24 @@ Recording read_recording(ByteSource& source, const std::string& path) {
   return recording;
 }
 
-HapticSample read_frame(ByteSource& source, const SamplePlace& place) {
+HapticSample read_frame_at(McapMessages& messages, const SamplePlace& place) {
   BegunSamples begun;
   RecordingInfo info;
   const char* const topics[] = {"/device/state", "/device/command", "/body/state", "/timing"};
   for (std::size_t i = 0; i < 4; ++i) {
-    if (place[i] == 0) continue;
-    detail::read_message(topics[i], mcap_message_data(source, place[i]), info, begun);
+    if (place.messages[i].is_none()) continue;
+    detail::read_message(topics[i], messages.data(place.messages[i]), info, begun);
   }
   return *begun.frame;
 }
 
-ContactSample read_contact(ByteSource& source, const SamplePlace& place) {
+ContactSample read_contact_at(McapMessages& messages, const SamplePlace& place) {
   BegunSamples begun;
   RecordingInfo info;
   const char* const topics[] = {"/contact/model", "/contact/frame"};
   for (std::size_t i = 0; i < 2; ++i) {
-    if (place[i] == 0) continue;
-    detail::read_message(topics[i], mcap_message_data(source, place[i]), info, begun);
+    if (place.messages[i].is_none()) continue;
+    detail::read_message(topics[i], messages.data(place.messages[i]), info, begun);
   }
   return *begun.contact;
 }

@@ -16,7 +16,9 @@ namespace thigma {
 
 class ByteSource;
 class FileWriter;
+class McapMessages;
 class McapWriter;
+struct SamplePlace;  // mcap_place.h
 struct McapAttachment;
 
 /// What the end of a session states about itself.
@@ -99,10 +101,6 @@ struct Recording : RecordingInfo {
   std::vector<ContactSample> contacts;
 };
 
-/// Where the messages of a sample are: offsets of McapMessage, in the order of docs/formats.md; 0:
-/// it lacks that one.
-using SamplePlace = std::array<std::uint64_t, 4>;
-
 /// What samples are told to while a recording is read; any may be empty.
 struct RecordingSinks {
   /// The JSON of /config, before anything else of what a session writes; false: no more is wanted.
@@ -126,11 +124,11 @@ std::vector<std::string> recording_warnings(const std::string& path, const Recor
 Recording read_recording(const std::string& path);
 Recording read_recording(ByteSource& source, const std::string& path);
 
-/// A sample once more, from where a pass over the same source found it.
+/// A sample once more, from where a pass over the source of `messages` found it.
 /// Thread [offline]; throws InputError, or an exception of the JSON parser, where the file has
 /// changed.
-HapticSample read_frame(ByteSource& source, const SamplePlace& place);
-ContactSample read_contact(ByteSource& source, const SamplePlace& place);
+HapticSample read_frame_at(McapMessages& messages, const SamplePlace& place);
+ContactSample read_contact_at(McapMessages& messages, const SamplePlace& place);
 
 /// Hashes and digests as they stand in files and summaries: 16 hexadecimal digits.
 std::string hex_text(std::uint64_t bits);

@@ -152,6 +152,10 @@ WorldRecording read_world_recording(const std::string& path) {
     refuse(path, "a message is damaged");
   } catch (const std::logic_error&) {  // of stoull
     refuse(path, "the hash is damaged");
+  } catch (const InputError& error) {
+    const std::string why = error.what();
+    if (why.starts_with(path)) throw;
+    refuse(path, why);
   }
   if (out.bodies.empty()) refuse(path, "no /config");
   out.states.resize(out.states.size() / out.bodies.size() * out.bodies.size());

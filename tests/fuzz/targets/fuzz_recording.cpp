@@ -33,6 +33,7 @@ void fuzz_recording(Bytes bytes) {
   Recording recording;
   std::vector<SamplePlace> places;
   if (!is_taken("file", [&] { recording = read_recording(source, "file"); })) return;
+  McapMessages messages(source);
   require(recording.frames.size() == recording.frame_count, "frames are counted");
   stream_recording(
       source, "file",
@@ -41,7 +42,7 @@ void fuzz_recording(Bytes bytes) {
   constexpr std::size_t kFew = 50;
   if (places.size() > kFew) return;
   for (std::size_t i = 0; i < places.size(); ++i)
-    require(read_frame(source, places[i]).frame == recording.frames[i].frame,
+    require(read_frame_at(messages, places[i]).frame == recording.frames[i].frame,
             "a frame is where it was");
   replay(recording);
 }
