@@ -5,8 +5,8 @@
 #include "fuzz/fuzz_target.h"
 
 #include "thigma/files/checksum.h"
+#include "thigma/files/compression.h"
 #include "thigma/math/random.h"
-#include "thigma/recording/detail/mcap_codec.h"
 #include "thigma/recording/detail/mcap_records.h"
 
 namespace thigma::fuzz {
@@ -61,14 +61,13 @@ std::string content_of(std::string_view chunk) {
   const std::size_t name = thigma::detail::kZstd.size();
   const std::uint64_t size = number_at(chunk, kSizeAt);
   if (stored.size() < name || size > kMostExpanded) return {};
-  return thigma::detail::expand_chunk(stored.substr(name), size).value_or("");
+  return expand(stored.substr(name), size).value_or("");
 }
 
 std::string chunk_of(const std::vector<Record>& records, bool is_compressed) {
   std::string content;
   for (const Record& record : records) put_record(content, record);
-  const std::string shorter =
-      is_compressed ? thigma::detail::compress_chunk(content) : std::string();
+  const std::string shorter = is_compressed ? compress(content) : std::string();
   std::string body;
   put(body, 0, 8);
   put(body, 0, 8);

@@ -16,6 +16,7 @@
 #include "thigma/clod/validate_hierarchy.h"
 #include "thigma/core/error.h"
 #include "thigma/files/checksum.h"
+#include "thigma/files/compression.h"
 #include "thigma/files/file.h"
 #include "thigma/import/write_mesh.h"
 #include "thigma/mesh/shapes.h"
@@ -70,7 +71,7 @@ TEST_F(AssetCacheFiles, AreBuiltOnce) {
   EXPECT_EQ(kept("meshes").size(), 0u);  // a user's folder stays as it is
   ASSERT_EQ(kept("home").size(), 1u);
   EXPECT_EQ(kept("home")[0].filename().string().rfind("torus.obj.", 0), 0u);
-  EXPECT_EQ(kept("home")[0].extension(), ".clod");
+  EXPECT_EQ(kept("home")[0].extension(), has_zstd() ? ".zst" : ".clod");
   EXPECT_EQ(format_clod(load()), built);
   EXPECT_EQ(told_, "");
 }
@@ -120,8 +121,39 @@ TEST_F(AssetCacheFiles, AreBuiltAgainWhenDamaged) {
     write_file(path, damaged);
     EXPECT_EQ(format_clod(load()), whole);
     EXPECT_TRUE(says("built again")) << told_;
-    EXPECT_EQ(read_file(path), whole);
+    told_.clear();
+    EXPECT_EQ(format_clod(load()), whole);
+    EXPECT_EQ(told_, "") << "what was built is kept, whole";
   }
+}
+
+TEST_F(AssetCacheFiles, AreCompressedAndBuiltAgainWhereTheFrameIsDamaged) {
+  if (!has_zstd()) GTEST_SKIP() << "this build has no zstd";
+  const std::string whole = format_clod(load());
+  const std::string path = kept("home").at(0).string(), frame = read_file(path);
+  EXPECT_LT(frame.size(), whole.size() * 2 / 3);
+  EXPECT_EQ(expand(frame, whole.size()), whole);
+  std::string flipped = frame, lying = frame;
+  flipped[frame.size() / 2] = static_cast<char>(flipped[frame.size() / 2] ^ 0x40);
+  lying[6] = static_cast<char>(lying[6] + 1);  // the size that the frame says
+  for (const std::string& damaged : {frame.substr(0, frame.size() / 2), flipped, lying}) {
+    write_file(path, damaged);
+    EXPECT_EQ(format_clod(load()), whole);
+    EXPECT_TRUE(says("built again")) << told_;
+    EXPECT_EQ(read_file(path), frame);
+  }
+}
+
+TEST_F(AssetCacheFiles, OfEarlierProgramsAreNotCompressedAndUsed) {
+  const std::string whole = format_clod(load());
+  const fs::path path = kept("home").at(0);
+  if (path.extension() != ".zst") GTEST_SKIP() << "this build has no zstd";
+  fs::remove(path);
+  write_file((path.parent_path() / path.stem()).string(), whole);
+  told_.clear();
+  EXPECT_EQ(format_clod(load()), whole);
+  EXPECT_EQ(told_, "");
+  EXPECT_EQ(list_cache(cache_folder()).size(), 1u);
 }
 
 TEST_F(AssetCacheFiles, AreBuiltAgainByAProgramThatBuildsOtherwise) {

@@ -4,7 +4,7 @@
 
 #include "thigma/core/error.h"
 #include "thigma/files/checksum.h"
-#include "thigma/recording/detail/mcap_codec.h"
+#include "thigma/files/compression.h"
 #include "thigma/recording/detail/mcap_records.h"
 
 // After the public MCAP specification: records are opcode, length, content; little-endian; strings
@@ -131,7 +131,7 @@ void McapWriter::flush() {
   append(content, chunk_last_);
   append(content, static_cast<std::uint64_t>(chunk_.size()));
   append(content, crc32(chunk_));
-  const std::string shorter = compress_chunk(chunk_);
+  const std::string shorter = compress(chunk_);
   const std::string& stored = shorter.empty() ? chunk_ : shorter;
   append_string(content, compression_of(stored.size()));
   append(content, static_cast<std::uint64_t>(stored.size()));

@@ -5,8 +5,8 @@
 
 #include "thigma/core/error.h"
 #include "thigma/files/checksum.h"
+#include "thigma/files/compression.h"
 #include "thigma/files/file.h"
-#include "thigma/recording/detail/mcap_codec.h"
 #include "thigma/recording/detail/mcap_records.h"
 #include "thigma/recording/mcap_file.h"
 
@@ -88,19 +88,19 @@ std::optional<ChunkHead> find_chunk_head(Cursor& body) {
 }
 
 /// What the compressed chunk holds whose stored bytes begin at `body`; none where it is damaged.
-std::optional<std::string> expand(Cursor& body, const ChunkHead& head) {
+std::optional<std::string> expanded(Cursor& body, const ChunkHead& head) {
   if (head.compression != kZstd || head.size > kMostExpanded) return std::nullopt;
-  return expand_chunk(body.take(head.stored, "chunk"), head.size);
+  return expand(body.take(head.stored, "chunk"), head.size);
 }
 
 /// A compressed chunk that must expand.
-std::string expand_or_fail(Cursor& body, const ChunkHead& head) {
+std::string expanded_or_fail(Cursor& body, const ChunkHead& head) {
   if (head.compression != kZstd) body.fail("compression of a chunk", "zstd or none");
   if (!has_zstd()) body.fail("a chunk compressed by zstd", "a build of this program with libzstd");
   if (head.size > kMostExpanded)
     body.fail("a chunk of " + std::to_string(head.size) + " bytes",
               "at most " + std::to_string(kMostExpanded));
-  std::optional<std::string> bytes = expand(body, head);
+  std::optional<std::string> bytes = expanded(body, head);
   if (!bytes)
     body.fail("a chunk that does not expand to what it says it holds",
               "the file as it was written");
@@ -211,7 +211,7 @@ struct Reading {
     if (!head) return false;
     if (head->compression.empty())
       return head->size == head->stored && checksum(body.at, head->stored) == head->crc;
-    const std::optional<std::string> bytes = expand(body, *head);
+    const std::optional<std::string> bytes = expanded(body, *head);
     return bytes && crc32(*bytes) == head->crc;
   }
 
@@ -244,7 +244,7 @@ struct Reading {
   void chunk(Cursor body, std::uint64_t start) {
     const ChunkHead head = read_chunk_head(body);
     if (!head.compression.empty()) {
-      const std::string bytes = expand_or_fail(body, head);
+      const std::string bytes = expanded_or_fail(body, head);
       if (head.crc != 0 && crc32(bytes) != head.crc) warn_of_chunk(start);
       MemorySource expanded(bytes);
       records({expanded, path, 0, bytes.size(), start}, true);
@@ -317,7 +317,7 @@ std::string_view McapMessages::data(const McapPlace& place) {
     head.skip(length, "record");
     body.end = head.at;
     const ChunkHead chunk = read_chunk_head(body);
-    chunk_ = expand_or_fail(body, chunk);
+    chunk_ = expanded_or_fail(body, chunk);
     chunk_at_ = place.chunk;
   }
   MemorySource expanded(chunk_);

@@ -10,6 +10,7 @@
 #include "thigma/clod/clod_file.h"
 #include "thigma/core/error.h"
 #include "thigma/files/checksum.h"
+#include "thigma/files/compression.h"
 #include "thigma/files/file.h"
 #include "thigma/import/load_mesh.h"
 #include "thigma/models/make_model.h"
@@ -62,7 +63,38 @@ std::string place_of(const ClodSource& source, const AssetCache& cache, bool is_
                                     : fs::path(source.name).filename().string();
   // Meshes of one name from many folders meet here.
   return folder + "/" + name + "." + first_digits(sha256(hex_text(digest) + params_text(source))) +
-         ".clod";
+         (has_zstd() ? ".clod.zst" : ".clod");
+}
+
+/// The place, or where a program without compression, or an earlier one, kept the same.
+std::string found_place(const std::string& place) {
+  std::error_code unknown;
+  const fs::path path = place;
+  if (path.extension() != ".zst" || fs::exists(path, unknown)) return place;
+  const std::string plain = (path.parent_path() / path.stem()).string();
+  return fs::exists(plain, unknown) ? plain : place;
+}
+
+bool is_kept_name(const fs::path& path) {
+  return path.extension() == ".clod" ||
+         (path.extension() == ".zst" && path.stem().extension() == ".clod");
+}
+
+/// What is at a place.
+ClodAsset read_kept_file(const std::string& place) {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 32;  // as of any file that is read [byte]
+  const std::string bytes = read_file(place);
+  const std::optional<std::uint64_t> size = expanded_size(bytes);
+  if (!size) return parse_clod(bytes, place);
+  std::optional<std::string> whole = *size <= kMost ? expand(bytes, *size) : std::nullopt;
+  if (!whole) throw InputError(place + ": it is damaged, expected a compressed .clod");
+  return parse_clod(*whole, place);
+}
+
+void write_kept_file(const std::string& place, const std::string& bytes) {
+  constexpr int kLevel = 3;
+  const std::string shorter = compress(bytes, kLevel);
+  write_file(place, shorter.empty() ? bytes : shorter);
 }
 
 void say(const Log& log, const std::string& text) {
@@ -70,11 +102,12 @@ void say(const Log& log, const std::string& text) {
 }
 
 /// An asset from its place, or nothing, with a notice when something was there.
-bool read_kept(const std::string& place, const Sha256& key, const Log& log, ClodAsset& asset) {
+bool read_kept(const std::string& wanted, const Sha256& key, const Log& log, ClodAsset& asset) {
   std::error_code unknown;
+  const std::string place = found_place(wanted);
   if (place.empty() || !fs::exists(place, unknown)) return false;
   try {
-    asset = read_clod(place);
+    asset = read_kept_file(place);
     if (asset.origin.key != key) {
       say(log, place + ": of another mesh, other parameters or another version; built again");
       return false;
@@ -95,7 +128,7 @@ void keep(const std::string& place, const ClodAsset& asset, const std::string& n
     if (place.empty()) throw IoError(why);
     std::error_code ignored;  // a folder that cannot be made cannot be written to either
     fs::create_directories(fs::path(place).parent_path(), ignored);
-    write_file(place, format_clod(asset, name));
+    write_kept_file(place, format_clod(asset, name));
     return say(log, name + ": levels of detail kept in " + place);
   } catch (const IoError& error) {
     why = error.what();
@@ -170,7 +203,7 @@ std::vector<KeptAsset> list_cache(const std::string& folder) {
   const auto now = fs::file_time_type::clock::now();
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
     std::error_code gone;  // by another process
-    if (entry.path().extension() != ".clod" || !entry.is_regular_file(gone)) continue;
+    if (!is_kept_name(entry.path()) || !entry.is_regular_file(gone)) continue;
     const std::uintmax_t bytes = entry.file_size(gone);
     const auto used = entry.last_write_time(gone);
     if (gone) continue;

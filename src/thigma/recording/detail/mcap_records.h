@@ -9,6 +9,8 @@ namespace thigma::detail {
 
 inline constexpr std::string_view kMcapMagic("\x89MCAP0\r\n", 8);
 
+inline constexpr std::string_view kZstd = "zstd";  // the name of a compression
+
 // Zero is none: a hole that a power cut leaves is not taken for empty records.
 enum McapOpcode : std::uint8_t {
   kNoRecord = 0x00,

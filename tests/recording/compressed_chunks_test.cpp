@@ -1,8 +1,7 @@
-#include "thigma/recording/detail/mcap_codec.h"
-
 #include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
+#include "thigma/files/compression.h"
 #include "thigma/files/file.h"
 #include "thigma/math/random.h"
 #include "thigma/recording/mcap_file.h"
@@ -12,19 +11,6 @@ namespace thigma {
 namespace {
 
 std::string scratch(const std::string& name) { return ::testing::TempDir() + "thigma_" + name; }
-
-std::string lines(int count) {
-  std::string text;
-  for (int i = 0; i < count; ++i) text += "{\"frame\":" + std::to_string(i) + ",\"force\":0}\n";
-  return text;
-}
-
-std::string noise(std::size_t size) {
-  Random random(7);
-  std::string bytes(size, '\0');
-  for (char& c : bytes) c = static_cast<char>(random.below(256));
-  return bytes;
-}
 
 /// One compressed chunk of 1000 messages.
 std::string compressed_file(const std::string& name) {
@@ -46,52 +32,14 @@ std::string refusal_of(const std::string& bytes) {
   return "";
 }
 
-class Codec : public ::testing::Test {
+class CompressedChunks : public ::testing::Test {
   void SetUp() override {
-    if (!detail::has_zstd()) GTEST_SKIP() << "this build has no zstd";
+    if (!has_zstd()) GTEST_SKIP() << "this build has no zstd";
   }
 };
 
-TEST_F(Codec, GivesBackWhatItTook) {
-  const std::string bytes = lines(5000);
-  const std::string stored = detail::compress_chunk(bytes);
-  EXPECT_LT(stored.size(), bytes.size() / 4);
-  EXPECT_EQ(detail::expand_chunk(stored, bytes.size()), bytes);
-  EXPECT_EQ(detail::compress_chunk(bytes), stored);
-}
-
-TEST_F(Codec, LeavesAloneWhatGetsNoShorter) {
-  EXPECT_EQ(detail::compress_chunk(noise(1000)), "");
-  EXPECT_EQ(detail::compress_chunk(""), "");
-}
-
-TEST_F(Codec, RefusesAnotherSizeAndWhatIsCutOff) {
-  const std::string bytes = lines(200);
-  const std::string stored = detail::compress_chunk(bytes);
-  EXPECT_FALSE(detail::expand_chunk(stored, bytes.size() - 1));
-  EXPECT_FALSE(detail::expand_chunk(stored, bytes.size() + 1));
-  // before there is memory for it
-  EXPECT_FALSE(detail::expand_chunk(stored, std::uint64_t{1} << 60));
-  for (std::size_t size = 0; size < stored.size(); ++size)
-    EXPECT_FALSE(detail::expand_chunk(std::string_view(stored).substr(0, size), bytes.size()));
-  EXPECT_FALSE(detail::expand_chunk(noise(100), 100));
-}
-
-TEST_F(Codec, FlippedBitsNeverGiveMoreThanWasAskedFor) {
-  const std::string bytes = lines(50);
-  const std::string stored = detail::compress_chunk(bytes);
-  for (std::size_t at = 0; at < stored.size(); ++at) {
-    for (int bit = 0; bit < 8; ++bit) {
-      std::string damaged = stored;
-      damaged[at] = static_cast<char>(damaged[at] ^ (1 << bit));
-      const auto back = detail::expand_chunk(damaged, bytes.size());
-      EXPECT_TRUE(!back || back->size() == bytes.size());
-    }
-  }
-}
-
-TEST_F(Codec, FilesAreAFractionOfWhatTheyHold) {
-  const std::string path = compressed_file("codec_short.mcap");
+TEST_F(CompressedChunks, FilesAreAFractionOfWhatTheyHold) {
+  const std::string path = compressed_file("chunks_short.mcap");
   const McapFile file = read_mcap(path);
   ASSERT_EQ(file.messages.size(), 1000u);
   EXPECT_EQ(file.messages[999].data, "{\"v\":999}");
@@ -102,8 +50,8 @@ TEST_F(Codec, FilesAreAFractionOfWhatTheyHold) {
   EXPECT_LT(file.bytes.size(), 16u * 1000u + held / 4);
 }
 
-TEST_F(Codec, MessagesAreFoundAgainByTheirPlacesInAnyOrder) {
-  const std::string path = scratch("codec_places.mcap");
+TEST_F(CompressedChunks, MessagesAreFoundAgainByTheirPlacesInAnyOrder) {
+  const std::string path = scratch("chunks_places.mcap");
   {
     McapWriter writer(path);
     const std::uint16_t channel = writer.add_channel("/a", "A", "");
@@ -126,8 +74,8 @@ TEST_F(Codec, MessagesAreFoundAgainByTheirPlacesInAnyOrder) {
   EXPECT_EQ(messages.data(file.messages[0].place), file.messages[0].data);
 }
 
-TEST_F(Codec, ChunksOfOtherKindsAndOfNoSizeAreRefusedWithTheReason) {
-  const std::string bytes = read_file(compressed_file("codec_lies.mcap"));
+TEST_F(CompressedChunks, ChunksOfOtherKindsAndOfNoSizeAreRefusedWithTheReason) {
+  const std::string bytes = read_file(compressed_file("chunks_lies.mcap"));
   const std::size_t name = bytes.find("zstd");
   ASSERT_NE(name, std::string::npos);
   std::string other = bytes;
