@@ -21,6 +21,8 @@ class Playback {
  public:
   /// errors   InputError for what is no recording, or one without a frame
   explicit Playback(const std::string& path);
+  Playback(const Playback&) = delete;  // messages are read from its own source
+  Playback& operator=(const Playback&) = delete;
 
   const std::string& file() const { return file_; }
   const RecordingInfo& recording() const { return recording_; }
