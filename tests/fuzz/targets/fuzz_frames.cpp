@@ -15,8 +15,9 @@
 namespace thigma::fuzz {
 namespace {
 
-/// [ms] Below libFuzzer's own limit of 20 s, above a SYN that is sent a third time.
-constexpr int kPatience = 15000;
+/// [ms] Below the ten seconds after which the server gives up a connection that says nothing: they
+/// would hide that it waits for one that has ended.
+constexpr int kPatience = 8000;
 
 /// The server as a page finds it; what it receives is read as the program reads it.
 live::WebServer& server() {
