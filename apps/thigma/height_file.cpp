@@ -78,7 +78,9 @@ bool read_rows(PngReader& reader, png_bytepp rows) {
 /// Refuses a piece that claims more bytes than there are: the library would set aside as many.
 void check_pieces(std::string_view bytes, const std::string& name) {
   constexpr std::size_t kMagic = 8, kAround = 12;  // length, kind and checksum of a piece
-  for (std::size_t at = kMagic; at + kAround <= bytes.size();) {
+  for (std::size_t at = kMagic; at < bytes.size();) {
+    if (bytes.size() - at < kAround)
+      fail(name, "PNG: is cut off in a piece", at, "an undamaged grey PNG");
     std::size_t length = 0;
     for (std::size_t i = 0; i < 4; ++i)
       length = length << 8 | static_cast<unsigned char>(bytes[at + i]);

@@ -22,6 +22,20 @@ std::string refusal(const std::string& address) {
   return "no error";
 }
 
+TEST(OpenDevice, HostsAreNamesOfMachinesAndBringNoLinesOfTheirOwn) {
+  for (const char* address :
+       {"haply:?host=a\r\nX-Header: 1", "haply:?host=a b", "haply:?host=", "vrpn:T@a/b"}) {
+    try {
+      open_device(address);
+      FAIL() << address;
+    } catch (const DeviceAddressError& error) {
+      const std::string why = error.what();
+      EXPECT_NE(why.find("expected the name or address of a machine"), std::string::npos) << why;
+      EXPECT_EQ(why.find('\n'), std::string::npos);
+    }
+  }
+}
+
 TEST(OpenDevice, HandTakesItsParameters) {
   const HandParams p = parse_hand("mass=0.1&friction=0&delay=0.003&force=2&dof=3&seed=9&path=tap");
   EXPECT_EQ(p.mass, 0.1);

@@ -21,6 +21,9 @@ namespace {
 
 // 2.8 hours at 1 kHz; beyond it a file is not a script
 constexpr std::size_t kMaxRows = 10'000'000;
+// Differences and slopes of what is within these are finite.
+constexpr double kMostTime = 1e9, kLeastStep = 1e-9;  // [s]
+constexpr double kMostPlace = 1e6;                    // [m]
 constexpr std::size_t kPoseColumns = 8;
 constexpr std::string_view kHeader = "t,x,y,z,qx,qy,qz,qw";
 
@@ -77,6 +80,10 @@ TimedPose parse_row(std::string_view line, std::size_t columns, const std::strin
   TimedPose row;
   row.time = values[0];
   row.pose.position = {values[1], values[2], values[3]};
+  if (!(std::fabs(row.time) <= kMostTime))
+    fail(name, number, "time of " + detail::shortest(row.time) + " s", "at most 1e9 s");
+  if (!(row.pose.position.cwiseAbs().maxCoeff() <= kMostPlace))
+    fail(name, number, "a place beyond 1000 km", "metres");
   const Quat q(values[7], values[4], values[5], values[6]);
   const double length = std::sqrt(q.coeffs().squaredNorm());
   if (!(std::fabs(length - 1.0) <= 1e-6)) {
@@ -200,6 +207,8 @@ std::vector<TimedPose> parse_script(std::istream& text, const std::string& name)
       continue;
     }
     const TimedPose row = parse_row(content, columns, name, number);
+    if (!rows.empty() && row.time > rows.back().time && row.time - rows.back().time < kLeastStep)
+      fail(name, number, "time less than a nanosecond after the row before", "seconds");
     if (!rows.empty() && !(row.time > rows.back().time)) {
       fail(name, number, "time that does not increase", "more than that of the row before");
     }

@@ -307,11 +307,8 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
   try {
     return toml::parse(without_byte_order_mark(text), file);
   } catch (const toml::parse_error& error) {
-    std::string what(error.description());
-    for (char& c : what) {
-      if (c >= 0 && (c < ' ' || c == 127)) c = ' ';
-    }
-    throw InputError(scene_message(file, what, error.source().begin.line, "expected a TOML scene"));
+    throw InputError(scene_message(file, std::string(error.description()),
+                                   error.source().begin.line, "expected a TOML scene"));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "thigma/core/error.h"
 #include "thigma/files/file.h"
 #include "thigma/loop/safety_fields.h"
+#include "thigma/scene/detail/toml_table.h"
 
 namespace thigma {
 namespace {
@@ -116,8 +117,8 @@ toml::table tables_of(const std::string& text, const std::string& file) {
   try {
     return toml::parse(without_byte_order_mark(text), file);
   } catch (const toml::parse_error& error) {
-    throw InputError(file + ": " + std::string(error.description()) + ", line " +
-                     std::to_string(error.source().begin.line) + ", expected a TOML scene");
+    throw InputError(scene_message(file, std::string(error.description()),
+                                   error.source().begin.line, "expected a TOML scene"));
   }
 }
 

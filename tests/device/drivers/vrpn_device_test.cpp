@@ -147,6 +147,8 @@ TEST_F(VrpnDevice, says_what_to_do_where_it_does_not_open) {
   start({"SDK_MAJOR=6"});
   EXPECT_NE(refusal(address()).find("expected 07"), std::string::npos) << refusal(address());
   EXPECT_NE(refusal("vrpn:Haptic0@localhost:1").find("Start vrpn_server there"), std::string::npos);
+  EXPECT_NE(refusal("vrpn:Haptic0@two\nlines").find("'two?lines', expected the name or address of"),
+            std::string::npos);
   EXPECT_NE(refusal("vrpn:Haptic0@no.such.host.invalid").find("no server answers"),
             std::string::npos);
   EXPECT_EQ(refusal("vrpn:Haptic0"),

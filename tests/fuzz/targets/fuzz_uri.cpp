@@ -21,7 +21,8 @@ void fuzz_uri(Bytes bytes) {
   const std::string scheme = device_scheme(address);
   if (scheme != "hand" && scheme != "null" && address.find(':') != std::string::npos)
     return;  // those open files and libraries of this machine
-  if (address.find("rotation=") != std::string::npos) return;  // as may a second device
+  for (const char* second : {"rotation=", "camera="})  // as may a second device
+    if (address.find(second) != std::string::npos) return;
   try {
     use(*open_device(address));
   } catch (const DeviceAddressError& error) {

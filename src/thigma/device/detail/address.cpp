@@ -59,6 +59,17 @@ double parse_value(const std::string& scheme, const std::string& name, const std
   return value;
 }
 
+std::string parse_host(const std::string& scheme, const std::string& name,
+                       const std::string& text) {
+  constexpr std::string_view kLetters =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-_:[]%";
+  if (text.empty() || text.find_first_not_of(kLetters) != std::string::npos) {
+    throw DeviceAddressError(scheme + " " + name + " = " + quoted(text) +
+                             ", expected the name or address of a machine");
+  }
+  return text;
+}
+
 std::string quoted(std::string_view text) {
   std::string result(1, '\'');
   for (const char c : text.substr(0, 60))  // one line, whatever was given

@@ -19,6 +19,10 @@ double parse_value(const std::string& scheme, const std::string& name, const std
 /// "1" or "0"; throws DeviceAddressError otherwise.
 bool parse_flag(const std::string& scheme, const std::string& name, const std::string& value);
 
+/// The name or address of a machine: letters, digits and . - _ : [ ] %, as it is sent and said as
+/// it stands; throws DeviceAddressError otherwise.
+std::string parse_host(const std::string& scheme, const std::string& name, const std::string& text);
+
 /// Throws DeviceAddressError that says which of `names` is nearest to `name`.
 [[noreturn]] void unknown_name(const std::string& scheme, const std::string& name,
                                const std::vector<std::string_view>& names);

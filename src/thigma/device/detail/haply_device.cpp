@@ -28,7 +28,7 @@ HaplyAddress parse_address(const std::string& rest) {
   if (mark == std::string::npos) return address;
   for (const auto& [name, value] : split_query(std::string_view(rest).substr(mark + 1), "haply:")) {
     if (name == "host") {
-      address.host = value;
+      address.host = parse_host("haply:", name, value);
     } else if (name == "port") {
       address.port = static_cast<std::uint16_t>(value_between(name, value, 1, 65535));
     } else if (name == "grip") {

@@ -29,10 +29,12 @@ void parse_place(const std::string& place, VrpnAddress& address) {
   address.name = place.substr(0, at);
   address.host = place.substr(at + 1);
   const std::size_t colon = address.host.rfind(':');
-  if (colon == std::string::npos) return;
-  const std::string port = address.host.substr(colon + 1);
-  address.host.erase(colon);
-  address.port = static_cast<std::uint16_t>(value_between("port", port, 1, 65535));
+  if (colon != std::string::npos) {
+    const std::string port = address.host.substr(colon + 1);
+    address.host.erase(colon);
+    address.port = static_cast<std::uint16_t>(value_between("port", port, 1, 65535));
+  }
+  parse_host("vrpn:", "host", address.host);
 }
 
 VrpnAddress parse_address(const std::string& rest) {

@@ -57,7 +57,10 @@ std::string as_text(double x) {
 
 std::string scene_message(const std::string& file, const std::string& what, std::size_t line,
                           const std::string& expected) {
-  return file + ": " + what + ", line " + std::to_string(line) + ", " + expected;
+  std::string text = file + ": " + what + ", line " + std::to_string(line) + ", " + expected;
+  for (char& c : text)  // the parser tells of characters as they stand
+    if (c >= 0 && (c < ' ' || c == 127)) c = ' ';
+  return text;
 }
 
 namespace {
