@@ -65,6 +65,7 @@ nlohmann::ordered_json summary_json(const WorldSummary& s, const LoadedWorld& wo
                      {"largest_island", s.largest_island},
                      {"row_gap_min", nullptr}};
   if (std::isfinite(s.gap_min)) json["contact"]["row_gap_min"] = s.gap_min;
+  json["joints"] = {{"count", world.config.world.joints.size()}, {"error_max", s.joint_error}};
   json["solve"] = {{"newton", s.newton},
                    {"residual_max", s.residual_max},
                    {"parts_max", s.parts_max},
@@ -75,7 +76,8 @@ nlohmann::ordered_json summary_json(const WorldSummary& s, const LoadedWorld& wo
   json["energy"] = {{"start", s.energy_start},
                     {"end", s.energy_end},
                     {"port", s.port_energy},
-                    {"energy_min", s.port_energy_min}};
+                    {"energy_min", s.port_energy_min},
+                    {"made", s.energy_made}};
   json["state_hash"] = hex_text(s.state_hash);
   return json;
 }
@@ -89,6 +91,8 @@ void print_text(const WorldSummary& s, const LoadedWorld& world, double seconds)
               static_cast<long long>(s.rows_max), s.pairs_max, s.largest_island, s.residual_max);
   std::printf("hand: at most %.3f N, put in %.3g mJ (least %.3g mJ)\n", s.force_max,
               1e3 * s.port_energy, 1e3 * s.port_energy_min);
+  if (const std::size_t joints = world.config.world.joints.size(); joints > 0)
+    std::printf("joints: %zu, met to %.2g um\n", joints, 1e6 * s.joint_error);
   if (s.waited > 0.0) std::printf("bodies waited for %.3g ms\n", 1e3 * s.waited);
   std::printf("state hash %s\n", hex_text(s.state_hash).c_str());
 }
@@ -120,11 +124,18 @@ int run_world_scene(const RunOptions& options, const Common& common,
     info.seed = common.seed;
     info.rate = world.config.rate;
     for (const WorldBody& body : world.config.world.bodies) info.bodies.push_back(body.name);
+    for (const WorldJoint& joint : world.config.world.joints) info.joints.push_back(joint.name);
     writer = std::make_unique<WorldRecordingWriter>(options.record, info);
   }
   const double begin = cpu_seconds();
+  std::vector<RecordedJoint> joints(world.config.world.joints.size());
   const auto record = [&](const WorldFrame& frame) {
-    if (writer) writer->write(frame.frame, frame.time, frame.bodies, frame.command);
+    if (!writer) return;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const JointReading& joint = frame.joints[i];
+      joints[i] = {joint.coordinate, joint.spring, joint.motor, joint.limit};
+    }
+    writer->write(frame.frame, frame.time, frame.bodies, joints, frame.command);
   };
   const WorldSummary summary = run_world(world.config, device.get(), record, &stop);
   const double seconds = cpu_seconds() - begin;
@@ -146,6 +157,10 @@ int replay_world(const std::string& path, const Common& common) {
   if (world.config.world.bodies.size() != bodies)
     throw InputError(recording.scene + ": has " + std::to_string(world.config.world.bodies.size()) +
                      " bodies, expected the " + std::to_string(bodies) + " that were recorded");
+  if (world.config.world.joints.size() != recording.joints.size())
+    throw InputError(recording.scene + ": has " + std::to_string(world.config.world.joints.size()) +
+                     " joints, expected the " + std::to_string(recording.joints.size()) +
+                     " that were recorded");
   world.config.duration = static_cast<double>(frames) / recording.rate;
   const auto device = open_world_device(world, recording.device, recording.seed);
   std::int64_t first = -1;

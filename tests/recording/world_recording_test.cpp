@@ -36,12 +36,14 @@ std::vector<BodyState> write_some(const std::string& path) {
   info.seed = 7;
   info.rate = 500.0;
   info.bodies = {"table", "block 1"};
+  info.joints = {"hinge"};
   WorldRecordingWriter writer(path, info);
   Random random(3);
   std::vector<BodyState> all;
   for (std::uint64_t i = 0; i < 40; ++i) {
     const std::vector<BodyState> states{random_state(random), random_state(random)};
-    writer.write(i, 0.002 * static_cast<double>(i + 1), states, {});
+    const RecordedJoint joint{random.normal(), 1.0, -2.0, 0.0};
+    writer.write(i, 0.002 * static_cast<double>(i + 1), states, {&joint, 1}, {});
     all.insert(all.end(), states.begin(), states.end());
   }
   writer.close(40, 0xfedcba9876543210u);
@@ -58,6 +60,7 @@ TEST(WorldRecording, ComesBackBitForBit) {
   EXPECT_EQ(read.seed, 7u);
   EXPECT_EQ(read.rate, 500.0);
   EXPECT_EQ(read.bodies, (std::vector<std::string>{"table", "block 1"}));
+  EXPECT_EQ(read.joints, (std::vector<std::string>{"hinge"}));
   EXPECT_EQ(read.frames, 40u);
   EXPECT_EQ(read.state_hash, 0xfedcba9876543210u);
   ASSERT_EQ(read.states.size(), written.size());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
+#include "thigma/math/infinity.h"
 #include "thigma/scene/scene_file.h"
 
 namespace thigma {
@@ -72,6 +73,100 @@ TEST(WorldScene, RefusesByName) {
   }
 }
 
+std::string joint(const std::string& more) {
+  return "\n[[joint]]\nname = \"j\"\nbody = \"b\"\nposition = [0.0, 0.0, 1.0]\n" + more;
+}
+
+TEST(WorldScene, ReadsJoints) {
+  const std::string bodies = block(
+      "name = \"b\"\nposition = [0.0, 0.0, 1.0]\ncopies = 3\n"
+      "spacing = [0.2, 0.0, 0.0]\nmass = 0.5\n");
+  const std::string joints = R"(
+[[joint]]
+name = "arm"
+kind = "hinge"
+body = "b 1"
+to = "table"
+position = [0.0, 0.1, 1.0]
+axis = [0.0, 2.0, 0.0]
+lower = -1.0
+upper = 2.0
+motor = {target = 0.5, most = 3.0, stiffness = 10.0, damping = 1.0}
+
+[[joint]]
+name = "rope"
+kind = "spring"
+body = "b 3"
+position = [0.4, 0.0, 1.0]
+to_position = [0.4, 0.0, 1.5]
+stiffness = 5.0
+
+[[joint]]
+name = "eye"
+kind = "ball"
+body = "b #"
+to = "b #-1"
+position = [-0.1, 0.0, 1.0]
+copies = 3
+spacing = [0.2, 0.0, 0.0]
+)";
+  const std::string first = "name = \"b 0\"\nposition = [-0.2, 0.0, 1.0]\nmass = 1.0\n";
+  const LoadedWorld loaded =
+      load_world(parse_world_scene(kTable + bodies + block(first) + joints, "w.toml", ""));
+  const World& world = loaded.config.world;
+  ASSERT_EQ(world.joints.size(), 5u);
+  const WorldJoint &arm = world.joints[0], &rope = world.joints[1], &eye = world.joints[4];
+  EXPECT_EQ(arm.kind, JointKind::hinge);
+  EXPECT_EQ(world.bodies[static_cast<std::size_t>(arm.b)].name, "table");
+  EXPECT_EQ(arm.upper, 2.0);
+  EXPECT_TRUE(arm.motor.is_on && arm.motor.is_servo);
+  EXPECT_LT((arm.b_from_joint.orientation * Vec3::UnitZ() - Vec3::UnitY()).norm(), 1e-15);
+  EXPECT_EQ(rope.b, -1);
+  EXPECT_NEAR(rope.rest, 0.5, 1e-15);
+  EXPECT_EQ(eye.name, "eye 3");
+  EXPECT_EQ(world.bodies[static_cast<std::size_t>(eye.a)].name, "b 3");
+  EXPECT_EQ(world.bodies[static_cast<std::size_t>(eye.b)].name, "b 2");
+  EXPECT_TRUE(never_touch(world, eye.a, eye.b));
+}
+
+TEST(WorldScene, RefusesJointsByName) {
+  const std::string bodies =
+      kTable + block("name = \"b\"\nposition = [0.0, 0.0, 1.0]\nmass = 0.5\n");
+  const struct {
+    const char* more;
+    const char* says;
+  } cases[] = {
+      {"", "no kind"},
+      {"kind = \"screw\"\n", "kind"},
+      {"kind = \"hinge\"\n", "no axis"},
+      {"kind = \"ball\"\naxis = [0.0, 0.0, 1.0]\n", "axis is not for this kind"},
+      {"kind = \"hinge\"\naxis = [0.0, 0.0, 0.0]\n", "axis has no direction"},
+      {"kind = \"ball\"\nto = \"tabel\"\n", "joint 'j': no body 'tabel', expected 'table'"},
+      {"kind = \"ball\"\nto = \"b\"\n", "joint 'j': the same body twice"},
+      {"kind = \"ball\"\nupper = 1.0\n", "joint 'j': limits or a motor"},
+      {"kind = \"ball\"\nto_position = [0.0, 0.0, 0.0]\n", "to_position is not for this kind"},
+      {"kind = \"spring\"\n", "joint 'j': a spring without"},
+      {"kind = \"ball\"\nstiffness = nan\n", "stiffness"},
+      {"kind = \"slider\"\naxis = [1.0, 0.0, 0.0]\nlower = 0.1\n",
+       "joint 'j': starts at 0, expected within its limits 0.1 to inf"},
+      {"kind = \"slider\"\naxis = [1.0, 0.0, 0.0]\nmotor = {speed = 1.0}\n", "no most"},
+      {"kind = \"slider\"\naxis = [1.0, 0.0, 0.0]\nmotor = {most = 1.0}\n", "no speed or target"},
+      {"kind = \"slider\"\naxis = [1.0, 0.0, 0.0]\nmotor = {target = 1.0, most = 1.0}\n",
+       "a target without stiffness"},
+      {"kind = \"ball\"\ncopies = 2\n", "copies stands without spacing"},
+      {"kind = \"ball\"\nstifness = 1.0\n", "stifness"},
+      {"kind = \"ball\"\n[[joint]]\nname = \"a/b\"\nkind = \"ball\"\nbody = \"b\"\n"
+       "position = [0.0, 0.0, 1.0]\n",
+       "joint.name = 'a/b' cannot be used"},
+  };
+  for (const auto& c : cases) {
+    const std::string line = refusal(bodies + joint(c.more));
+    EXPECT_NE(line.find(c.says), std::string::npos) << c.says << " | " << line;
+    EXPECT_EQ(line.find("w.toml: "), 0u) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+  }
+}
+
 TEST(WorldScene, IsToldFromAScene) {
   const std::string folder = std::string(THIGMA_SOURCE_DIR) + "/scenes/";
   EXPECT_TRUE(is_world_scene(folder + "tower.toml"));
@@ -113,6 +208,47 @@ TEST(WorldScene, ShippedRowIsPushed) {
   EXPECT_GT(way, 1e-3);  // the last of ten
   EXPECT_EQ(run.largest_island, 11);
   EXPECT_GE(run.port_energy_min, -1e-6);
+}
+
+/// A shipped scene with the device it names.
+struct Shipped {
+  LoadedWorld world;
+  WorldSummary run;
+  std::vector<double> most;  // by joint: largest coordinate
+
+  Shipped(const std::string& name, double seconds)
+      : world(load_world(
+            read_world_scene(std::string(THIGMA_SOURCE_DIR) + "/scenes/" + name + ".toml"))) {
+    world.config.duration = seconds;
+    most.assign(world.config.world.joints.size(), -kInfinity);
+    const auto device = open_world_device(world, "", 1);
+    run = run_world(world.config, device.get(), [&](const WorldFrame& frame) {
+      for (std::size_t i = 0; i < most.size(); ++i)
+        most[i] = std::max(most[i], frame.joints[i].coordinate);
+    });
+    EXPECT_EQ(run.waited, 0.0);
+    EXPECT_EQ(run.not_whole, 0u);
+    EXPECT_LE(run.joint_error, 1e-8);
+    EXPECT_LE(run.energy_made, 1e-6);
+  }
+};
+
+TEST(WorldScene, ShippedDrawerIsOpenedUpToItsStop) {
+  const Shipped drawer("drawer", 4.0);
+  EXPECT_NEAR(drawer.most[1], 0.03, 1e-9);
+  EXPECT_GE(drawer.run.port_energy_min, -1e-6);
+}
+
+TEST(WorldScene, ShippedLidIsLifted) {
+  const Shipped lid("lid", 3.0);
+  EXPECT_GT(lid.most[0], 0.05);
+  EXPECT_GE(lid.run.port_energy_min, -1e-6);
+}
+
+TEST(WorldScene, ShippedLinksHangTogether) {
+  const Shipped links("links", 2.0);
+  EXPECT_EQ(links.world.config.world.joints.size(), 9u);
+  EXPECT_EQ(links.run.largest_island, 10);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ std::string config_text(const WorldRecordingInfo& info) {
   json["seed"] = info.seed;
   json["rate_hz"] = info.rate;
   json["bodies"] = info.bodies;
+  json["joints"] = info.joints;
   return json.dump();
 }
 
@@ -43,6 +44,8 @@ void read_config_text(std::string_view text, const std::string& path, WorldRecor
   out.seed = json.at("seed").get<std::uint64_t>();
   out.rate = json.at("rate_hz").get<double>();
   out.bodies = json.at("bodies").get<std::vector<std::string>>();
+  if (json.contains("joints"))  // older recordings have none
+    out.joints = json.at("joints").get<std::vector<std::string>>();
   if (!(out.rate > 0.0) || !std::isfinite(out.rate)) refuse(path, "rate_hz is not positive");
 }
 
@@ -74,6 +77,8 @@ WorldRecordingWriter::WorldRecordingWriter(const std::string& path, const WorldR
   const std::uint16_t config = file_->add_channel("/config", "thigma.world_config", "");
   for (const std::string& name : info.bodies)
     bodies_.push_back(file_->add_channel("/body/" + name + "/state", "thigma.body_state", ""));
+  for (const std::string& name : info.joints)
+    joints_.push_back(file_->add_channel("/joint/" + name + "/state", "thigma.joint_state", ""));
   command_ = file_->add_channel("/device/command", "thigma.wrench", "");
   events_ = file_->add_channel("/events", "thigma.event", "");
   file_->write(config, 0, 0, config_text(info));
@@ -82,7 +87,8 @@ WorldRecordingWriter::WorldRecordingWriter(const std::string& path, const WorldR
 WorldRecordingWriter::~WorldRecordingWriter() = default;
 
 void WorldRecordingWriter::write(std::uint64_t frame, double time,
-                                 std::span<const BodyState> bodies, const Wrench& command) {
+                                 std::span<const BodyState> bodies,
+                                 std::span<const RecordedJoint> joints, const Wrench& command) {
   const auto sequence = static_cast<std::uint32_t>(frame);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyState& y = bodies[i];
@@ -94,6 +100,17 @@ void WorldRecordingWriter::write(std::uint64_t frame, double time,
     json.vector("angular_momentum", y.angular_momentum);
     json.close();
     file_->write(bodies_[i], sequence, nanoseconds(time), text_);
+  }
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    text_.clear();
+    detail::JsonObject json(text_);
+    json.integer("frame", static_cast<long long>(frame));
+    json.number("coordinate", joints[i].coordinate);
+    json.number("spring", joints[i].spring);
+    json.number("motor", joints[i].motor);
+    json.number("limit", joints[i].limit);
+    json.close();
+    file_->write(joints_[i], sequence, nanoseconds(time), text_);
   }
   text_.clear();
   detail::JsonObject json(text_);

@@ -20,12 +20,20 @@ struct WorldRecordingInfo {
   std::uint64_t seed = 1;
   double rate = 1000.0;             // [Hz]
   std::vector<std::string> bodies;  // names
+  std::vector<std::string> joints;  // likewise
   std::uint64_t frames = 0;         // at the end
   std::uint64_t state_hash = 0;     // likewise
   bool has_end = false;
 };
 
-/// Writes one. Topics: /config, /body/NAME/state for each body, /device/command, /events.
+/// What a recording says of a joint in a frame.
+struct RecordedJoint {
+  double coordinate = 0.0;                        // [m, rad]
+  double spring = 0.0, motor = 0.0, limit = 0.0;  // along it [N, N m]
+};
+
+/// Writes one. Topics: /config, /body/NAME/state for each body, /joint/NAME/state for each joint,
+/// /device/command, /events.
 /// Thread: one, [offline]. Members throw IoError.
 class WorldRecordingWriter {
  public:
@@ -35,14 +43,15 @@ class WorldRecordingWriter {
   WorldRecordingWriter& operator=(const WorldRecordingWriter&) = delete;
 
   /// bodies   as many as names
+  /// joints   likewise
   /// command  sent to the device
   void write(std::uint64_t frame, double time, std::span<const BodyState> bodies,
-             const Wrench& command);
+             std::span<const RecordedJoint> joints, const Wrench& command);
   void close(std::uint64_t frames, std::uint64_t state_hash);
 
  private:
   std::unique_ptr<McapWriter> file_;
-  std::vector<std::uint16_t> bodies_;
+  std::vector<std::uint16_t> bodies_, joints_;
   std::uint16_t command_ = 0, events_ = 0;
   std::string text_;
 };

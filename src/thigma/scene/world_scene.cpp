@@ -16,6 +16,7 @@
 #include "thigma/scene/asset_cache.h"
 #include "thigma/scene/detail/object_keys.h"
 #include "thigma/scene/detail/toml_table.h"
+#include "thigma/scene/detail/world_joints.h"
 #include "thigma/scene/scene_file.h"
 
 namespace thigma {
@@ -25,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostBytes = 1 << 20;  // a scene file is a page of text
 constexpr int kMostCopies = 1000;            // bodies of one table
-constexpr std::size_t kMostBodies = 1000;
+constexpr std::size_t kMostBodies = 1000, kMostJoints = 4000;
 
 /// Names stand in topics of recordings.
 void check_name(const TomlTable& table, const std::string& name) {
@@ -79,7 +80,8 @@ void read_body(TomlTable& table, std::optional<BodyKind> kind, const std::string
 }
 
 void read_tables(TomlTable& top, const std::string& folder, WorldSceneDescription& scene) {
-  std::vector<TomlTable> statics = top.tables("static"), moving = top.tables("body");
+  std::vector<TomlTable> statics = top.tables("static"), moving = top.tables("body"),
+                         joints = top.tables("joint");
   std::optional<TomlTable> object = top.table("object");
   if (auto table = top.table("coupling")) detail::read_coupling(*table, scene.coupling);
   if (auto table = top.table("device")) {
@@ -103,6 +105,14 @@ void read_tables(TomlTable& top, const std::string& folder, WorldSceneDescriptio
   if (object) read_body(*object, BodyKind::held, folder, scene.bodies);
   for (TomlTable& table : statics) read_body(table, BodyKind::fixed, folder, scene.bodies);
   for (TomlTable& table : moving) read_body(table, std::nullopt, folder, scene.bodies);
+  for (TomlTable& table : joints) {
+    const std::size_t before = scene.joints.size();
+    detail::read_joint(table, scene.joints);
+    for (std::size_t i = before; i < scene.joints.size(); ++i)
+      check_name(table, scene.joints[i].name);
+    if (scene.joints.size() > kMostJoints)
+      table.fail_here("more than " + std::to_string(kMostJoints) + " joints", "expected fewer");
+  }
   if (scene.bodies.size() > kMostBodies)
     top.fail_here(std::to_string(scene.bodies.size()) + " bodies",
                   "expected at most " + std::to_string(kMostBodies));
@@ -204,7 +214,8 @@ LoadedWorld load_world(WorldSceneDescription description, const Log& log) {
   }
   WorldSessionConfig& config = loaded.config;
   try {
-    config.world = make_world(std::move(bodies), scene.gravity);
+    std::vector<WorldJoint> joints = detail::world_joints(scene.joints, bodies);
+    config.world = make_world(std::move(bodies), scene.gravity, std::move(joints));
     config.world.sleeps = scene.sleeps;
     config.start = start_state(config.world);
     const WorldScratchPtr scratch = reserve_world(config.world, 1);

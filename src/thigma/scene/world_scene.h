@@ -21,11 +21,26 @@ struct WorldSceneBody {
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();  // at the start; of a prescribed body always
 };
 
+/// A joint as a scene describes it, where its bodies stand at the start.
+struct WorldSceneJoint {
+  std::string name;
+  JointKind kind = JointKind::ball;
+  std::string body, to;             // names; "" of the second: the world
+  Vec3 position = Vec3::Zero();     // [m; world]
+  std::optional<Vec3> to_position;  // of a spring: its place on the other body
+  Vec3 axis = Vec3::UnitZ();        // of any length above 0 [world]
+  std::optional<double> lower, upper, rest;
+  double stiffness = 0.0, damping = 0.0;
+  JointMotor motor;
+  bool touches = false;
+};
+
 /// A world, as a file gives it.
 struct WorldSceneDescription {
   std::string file, title;
   Vec3 gravity = Vec3::Zero();  // [m/s^2]
   std::vector<WorldSceneBody> bodies;
+  std::vector<WorldSceneJoint> joints;
   CouplingGains coupling;
   std::string device = "hand:";
   Vec3 approach = -Vec3::UnitZ();  // of a simulated hand [world]
@@ -58,7 +73,7 @@ struct LoadedWorld {
 /// Loads its meshes, and refuses bodies that start in each other.
 ///
 /// errors  InputError by the body's name: a mesh, mass or density that cannot be used, a start
-///         inside another body
+///         inside another body; by the joint's: an unknown body, and what check_joint refuses
 /// Thread  [offline]
 LoadedWorld load_world(WorldSceneDescription description, const Log& log = {});
 

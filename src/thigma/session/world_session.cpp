@@ -76,6 +76,7 @@ struct Hand {
 };
 
 void count(const WorldStep& step, WorldSummary& summary) noexcept {
+  summary.joint_error = std::max(summary.joint_error, step.joint_error);
   summary.residual_max = std::max(summary.residual_max, step.residual);
   summary.waited += step.waited;
   summary.gap_min = std::min(summary.gap_min, step.least_gap);
@@ -110,6 +111,7 @@ WorldSummary run_world(const WorldSessionConfig& config, HapticDevice* device,
   const double dt = 1.0 / config.rate;
   const auto frames = static_cast<std::uint64_t>(std::llround(config.duration * config.rate));
   WorldFrame frame;
+  std::vector<JointReading> joints(config.world.joints.size());
   for (std::uint64_t i = 0; i < frames && !summary.was_stopped; ++i) {
     if (hand.device != nullptr) hand.read(static_cast<double>(i) * dt, state);
     if (hand.has_finished) break;
@@ -121,6 +123,9 @@ WorldSummary run_world(const WorldSessionConfig& config, HapticDevice* device,
     frame.command = hand.device != nullptr ? hand.write(state, energy) : Wrench{};
     summary.port_energy += energy;
     summary.port_energy_min = std::min(summary.port_energy_min, summary.port_energy);
+    const double made =
+        mechanical_energy(config.world, state) - summary.energy_start - summary.port_energy;
+    summary.energy_made = std::max(summary.energy_made, made);
     summary.force_max = std::max(summary.force_max, frame.command.force.norm());
     for (const BodyState& y : state.bodies) add_state(y, hash);
     add_vector(hash, frame.command.force);
@@ -130,6 +135,9 @@ WorldSummary run_world(const WorldSessionConfig& config, HapticDevice* device,
     frame.frame = i;
     frame.time = static_cast<double>(i + 1) * dt;
     frame.bodies = state.bodies;
+    for (std::size_t k = 0; sink && k < joints.size(); ++k)
+      joints[k] = read_joint(config.world, state, *scratch, static_cast<std::int32_t>(k), dt);
+    frame.joints = joints;
     frame.handle = hand.hold.handle;
     if (sink) sink(frame);
     summary.was_stopped = stop != nullptr && stop->load(std::memory_order_relaxed);

@@ -30,6 +30,7 @@ struct WorldFrame {
   std::uint64_t frame = 0;
   double time = 0.0;  // at its end [s]
   std::span<const BodyState> bodies;
+  std::span<const JointReading> joints;
   Motion handle;   // [world]
   Wrench command;  // sent [N, N m; device frame]
   WorldStep step;
@@ -44,6 +45,10 @@ struct WorldSummary {
   // that the hand has put in since the start, least and at the end [J]; energy_min < 0: it was
   // handed out
   double port_energy = 0.0, port_energy_min = 0.0;
+  // most that there was of bodies' and springs' energy beyond that of the start and what the hand
+  // had put in, at least 0 [J]; motors and prescribed bodies count as well
+  double energy_made = 0.0;
+  double joint_error = 0.0;   // by which a joint was not met, at most [m]
   double residual_max = 0.0;  // of a solve [m/s]
   double waited = 0.0;        // [s]
   double gap_min = 0.0;       // least gap of a row [m]
