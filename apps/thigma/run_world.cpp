@@ -47,11 +47,11 @@ double cpu_seconds() {
 }
 
 nlohmann::ordered_json summary_json(const WorldSummary& s, const LoadedWorld& world,
-                                    const std::string& device, double seconds) {
+                                    const std::vector<std::string>& devices, double seconds) {
   nlohmann::ordered_json json;
   json["scene"] = world.description.file;
   json["device"] = nullptr;
-  if (!device.empty()) json["device"] = device;
+  if (!devices.empty()) json["device"] = devices.front();
   json["frames"] = s.frames;
   json["rate_hz"] = world.config.rate;
   json["bodies"] = world.config.world.bodies.size();
@@ -73,6 +73,19 @@ nlohmann::ordered_json summary_json(const WorldSummary& s, const LoadedWorld& wo
                    {"waited", s.waited}};
   json["impacts"] = s.impacts;
   json["force"] = {{"max", s.force_max}};
+  json["hands"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < s.hands.size(); ++i) {
+    const WorldHandSummary& hand = s.hands[i];
+    const std::int32_t body = world.config.hands[i].body;
+    nlohmann::ordered_json one = {{"device", devices[i]},
+                                  {"holds", world.config.world.bodies[idx(body)].name},
+                                  {"force_max", hand.force_max},
+                                  {"energy", hand.port_energy},
+                                  {"energy_min", hand.port_energy_min},
+                                  {"fault", nullptr}};
+    if (hand.fault != Fault::none) one["fault"] = fault_name(hand.fault);
+    json["hands"].push_back(std::move(one));
+  }
   json["energy"] = {{"start", s.energy_start},
                     {"end", s.energy_end},
                     {"port", s.port_energy},
@@ -114,13 +127,16 @@ int run_world_scene(const RunOptions& options, const Common& common,
   use_options(options, scene);
   LoadedWorld world = load_world(std::move(scene), log_of(common));
   world.config.duration = options.duration.value_or(kDuration);
-  const std::string uri = options.device.empty() ? world.description.device : options.device;
-  const std::unique_ptr<HapticDevice> device = open_world_device(world, uri, common.seed);
+  std::vector<std::string> uris;
+  for (std::size_t i = 0; i < world.config.hands.size(); ++i)
+    uris.push_back(i == 0 && !options.device.empty() ? options.device
+                                                     : world.description.devices[i].uri);
+  const WorldDevices devices = open_world_devices(world, uris, common.seed);
   std::unique_ptr<WorldRecordingWriter> writer;
   if (!options.record.empty()) {
     WorldRecordingInfo info;
     info.scene = options.scene;
-    info.device = device ? uri : "";
+    info.devices = uris;
     info.seed = common.seed;
     info.rate = world.config.rate;
     for (const WorldBody& body : world.config.world.bodies) info.bodies.push_back(body.name);
@@ -135,16 +151,17 @@ int run_world_scene(const RunOptions& options, const Common& common,
       const JointReading& joint = frame.joints[i];
       joints[i] = {joint.coordinate, joint.spring, joint.motor, joint.limit};
     }
-    writer->write(frame.frame, frame.time, frame.bodies, joints, frame.command);
+    writer->write(frame.frame, frame.time, frame.bodies, joints, frame.commands);
   };
-  const WorldSummary summary = run_world(world.config, device.get(), record, &stop);
+  const WorldSummary summary = run_world(world.config, devices.list, record, &stop);
   const double seconds = cpu_seconds() - begin;
   if (writer) writer->close(summary.frames, summary.state_hash);
   if (common.json || options.is_headless)
-    print_json(summary_json(summary, world, device ? uri : "", seconds));
+    print_json(summary_json(summary, world, uris, seconds));
   else
     print_text(summary, world, seconds);
   flush_output();
+  if (summary.has_fault) return kSafetyFault;
   return summary.was_stopped ? kInterrupted : kDone;
 }
 
@@ -162,7 +179,11 @@ int replay_world(const std::string& path, const Common& common) {
                      " joints, expected the " + std::to_string(recording.joints.size()) +
                      " that were recorded");
   world.config.duration = static_cast<double>(frames) / recording.rate;
-  const auto device = open_world_device(world, recording.device, recording.seed);
+  if (world.config.hands.size() != recording.devices.size())
+    throw InputError(recording.scene + ": has " + std::to_string(world.config.hands.size()) +
+                     " hands, expected the " + std::to_string(recording.devices.size()) +
+                     " that were recorded");
+  const WorldDevices devices = open_world_devices(world, recording.devices, recording.seed);
   std::int64_t first = -1;
   const auto compare = [&](const WorldFrame& frame) {
     for (std::size_t i = 0; i < bodies && first < 0; ++i) {
@@ -170,7 +191,7 @@ int replay_world(const std::string& path, const Common& common) {
       if (!same_bits(recorded, frame.bodies[i])) first = static_cast<std::int64_t>(frame.frame);
     }
   };
-  const WorldSummary summary = run_world(world.config, device.get(), compare);
+  const WorldSummary summary = run_world(world.config, devices.list, compare);
   if (first < 0 && summary.frames != frames) first = static_cast<std::int64_t>(summary.frames);
   const bool is_same =
       first < 0 && (!recording.has_end || summary.state_hash == recording.state_hash);

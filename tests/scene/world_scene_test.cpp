@@ -42,7 +42,7 @@ TEST(WorldScene, ReadsBodiesAndCopies) {
   EXPECT_EQ(scene.bodies[3].object.name, "b 3");
   EXPECT_NEAR(scene.bodies[3].object.world_from_mesh.position.z(), 0.1021, 1e-15);
   const LoadedWorld world = load_world(scene);
-  EXPECT_EQ(world.config.held, -1);
+  EXPECT_TRUE(world.config.hands.empty());
   EXPECT_EQ(world.config.world.shapes.size(), 2u);
   EXPECT_EQ(world.config.world.bodies[2].friction.kinetic, 0.4);
   EXPECT_EQ(world.config.world.bodies[2].restitution, 0.5);
@@ -57,7 +57,15 @@ TEST(WorldScene, RefusesByName) {
       {"", "no mass, line"},
       {"mass = 0.0\n", "body.mass"},
       {"mass = 1.0\ndensity = 1.0\n", "density stands beside mass"},
-      {"mass = 1.0\nkind = \"held\"\n", "expected the held body as [object]"},
+      {"mass = 1.0\nkind = \"held\"\nposition = [0.0, 0.0, 1.0]\nname = \"b\"\n"
+       "[[device]]\nholds = \"c\"\n",
+       "holds 'c', expected 'b'?"},
+      {"mass = 1.0\nkind = \"held\"\nposition = [0.0, 0.0, 1.0]\nname = \"b\"\n"
+       "[[device]]\nuri = \"null:\"\n",
+       "no holds"},
+      {"mass = 1.0\nkind = \"held\"\nposition = [0.0, 0.0, 1.0]\nname = \"b\"\ncopies = 2\n"
+       "spacing = [0.5, 0.0, 0.0]\n[[device]]\nholds = \"b 1\"\n",
+       "body 'b 2': held by no device"},
       {"mass = 1.0\nkind = \"flying\"\n", "kind"},
       {"mass = 1.0\ncopies = 2\n", "expected spacing"},
       {"mass = 1.0\nname = \"a/b\"\n", "cannot be used"},
@@ -186,7 +194,7 @@ TEST(WorldScene, ShippedTowerStands) {
   ASSERT_EQ(world.config.world.bodies.size(), 31u);
   world.config.duration = 0.8;
   double most = 0.0;
-  const WorldSummary run = run_world(world.config, nullptr, [&](const WorldFrame& frame) {
+  const WorldSummary run = run_world(world.config, {}, [&](const WorldFrame& frame) {
     for (std::size_t i = 0; i < frame.bodies.size(); ++i)
       most =
           std::max(most, (frame.bodies[i].position - world.config.start.bodies[i].position).norm());
@@ -199,10 +207,10 @@ TEST(WorldScene, ShippedRowIsPushed) {
   LoadedWorld world =
       load_world(read_world_scene(std::string(THIGMA_SOURCE_DIR) + "/scenes/row_of_blocks.toml"));
   world.config.duration = 1.5;
-  const auto device = open_world_device(world, "", 1);
-  ASSERT_NE(device, nullptr);
+  const WorldDevices devices = open_world_devices(world, {}, 1);
+  ASSERT_EQ(devices.list.size(), 1u);
   double way = 0.0;
-  const WorldSummary run = run_world(world.config, device.get(), [&](const WorldFrame& frame) {
+  const WorldSummary run = run_world(world.config, devices.list, [&](const WorldFrame& frame) {
     way = (frame.bodies.back().position - world.config.start.bodies.back().position).norm();
   });
   EXPECT_GT(way, 1e-3);  // the last of ten
@@ -221,8 +229,8 @@ struct Shipped {
             read_world_scene(std::string(THIGMA_SOURCE_DIR) + "/scenes/" + name + ".toml"))) {
     world.config.duration = seconds;
     most.assign(world.config.world.joints.size(), -kInfinity);
-    const auto device = open_world_device(world, "", 1);
-    run = run_world(world.config, device.get(), [&](const WorldFrame& frame) {
+    const WorldDevices devices = open_world_devices(world, {}, 1);
+    run = run_world(world.config, devices.list, [&](const WorldFrame& frame) {
       for (std::size_t i = 0; i < most.size(); ++i)
         most[i] = std::max(most[i], frame.joints[i].coordinate);
     });
@@ -243,6 +251,14 @@ TEST(WorldScene, ShippedLidIsLifted) {
   const Shipped lid("lid", 3.0);
   EXPECT_GT(lid.most[0], 0.05);
   EXPECT_GE(lid.run.port_energy_min, -1e-6);
+}
+
+TEST(WorldScene, ShippedHandsPutThePegIn) {
+  const Shipped hands("two_hands", 3.0), again("two_hands", 0.5), once_more("two_hands", 0.5);
+  ASSERT_EQ(hands.run.hands.size(), 2u);
+  EXPECT_GT(hands.run.pressing_max, 4);
+  EXPECT_FALSE(hands.run.has_fault);
+  EXPECT_EQ(again.run.state_hash, once_more.run.state_hash);
 }
 
 TEST(WorldScene, ShippedLinksHangTogether) {

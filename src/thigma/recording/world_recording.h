@@ -16,7 +16,8 @@ class McapWriter;
 
 /// What a recording of a world says of its session.
 struct WorldRecordingInfo {
-  std::string scene, device;  // file or built-in name; address, "" without
+  std::string scene;                 // file or built-in name
+  std::vector<std::string> devices;  // addresses
   std::uint64_t seed = 1;
   double rate = 1000.0;             // [Hz]
   std::vector<std::string> bodies;  // names
@@ -33,7 +34,7 @@ struct RecordedJoint {
 };
 
 /// Writes one. Topics: /config, /body/NAME/state for each body, /joint/NAME/state for each joint,
-/// /device/command, /events.
+/// /device/command of the first device, /device/2/command and so on of others, /events.
 /// Thread: one, [offline]. Members throw IoError.
 class WorldRecordingWriter {
  public:
@@ -44,15 +45,15 @@ class WorldRecordingWriter {
 
   /// bodies   as many as names
   /// joints   likewise
-  /// command  sent to the device
+  /// commands sent to the devices, likewise
   void write(std::uint64_t frame, double time, std::span<const BodyState> bodies,
-             std::span<const RecordedJoint> joints, const Wrench& command);
+             std::span<const RecordedJoint> joints, std::span<const Wrench> commands);
   void close(std::uint64_t frames, std::uint64_t state_hash);
 
  private:
   std::unique_ptr<McapWriter> file_;
-  std::vector<std::uint16_t> bodies_, joints_;
-  std::uint16_t command_ = 0, events_ = 0;
+  std::vector<std::uint16_t> bodies_, joints_, commands_;
+  std::uint16_t events_ = 0;
   std::string text_;
 };
 
