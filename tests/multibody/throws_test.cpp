@@ -91,5 +91,16 @@ TEST(Throws, NothingPassesThroughAThinPlate) {
   }
 }
 
+/// Planes of a ring's faces sweep farther than the ring itself where they reach the far end of a
+/// plate's edge: that end is not out of reach because it is higher than the ring may go.
+TEST(Throws, PlanesOfATurningBodyReachTheFarEndOfAnEdge) {
+  const Shapes shapes;
+  double speed = 0.0;
+  WorldBench bench = throw_of(4037, shapes, speed);
+  const Thrown thrown = follow(bench, speed);
+  EXPECT_TRUE(thrown.has_met);
+  EXPECT_FALSE(thrown.has_passed);
+}
+
 }  // namespace
 }  // namespace thigma

@@ -79,9 +79,9 @@ struct WorldSummary {
   bool has_fault = false;  // of a hand: all devices were left at zero force
 };
 
-/// Runs a world: each frame reads the devices, makes a step of 1 / rate with all bodies in one solve
-/// an island, and sends each coupling's reaction, cut at the limits of its device and hand. A fault
-/// of one hand ends the session, before a step is made, with zero force on all.
+/// Runs a world: each frame reads the devices, makes a step of 1 / rate with all bodies in one
+/// solve an island, and sends each coupling's reaction, cut at the limits of its device and hand. A
+/// fault of one hand ends the session, before a step is made, with zero force on all.
 ///
 /// config   constant
 /// devices  one a hand; null: nobody holds it
