@@ -12,6 +12,7 @@
 #include "benchmarks/query_bench.h"
 #include "benchmarks/row_solve_bench.h"
 #include "benchmarks/texture_rows.h"
+#include "benchmarks/world_bench.h"
 
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/math/quantile.h"
@@ -169,6 +170,7 @@ std::vector<Measurement> measurements(bool quick) {
       {"texture-depth", [=] { return texture_rows(quick); }},
       {"texture-gpu", [=] { return gpu_texture_rows(quick); }},
       {"spoon-drop", [=] { return drop_rows(quick); }},
+      {"worlds", [=] { return world_rows(quick); }},
       {"build-levels", [=] { return clod_build_rows(quick); }},
   };
   const std::vector<Measurement> with_levels = level_measurements(quick);

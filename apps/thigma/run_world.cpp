@@ -47,11 +47,11 @@ double cpu_seconds() {
 }
 
 nlohmann::ordered_json summary_json(const WorldSummary& s, const LoadedWorld& world,
-                                    const std::string& device, double seconds) {
+                                    const std::vector<std::string>& devices, double seconds) {
   nlohmann::ordered_json json;
   json["scene"] = world.description.file;
   json["device"] = nullptr;
-  if (!device.empty()) json["device"] = device;
+  if (!devices.empty()) json["device"] = devices.front();
   json["frames"] = s.frames;
   json["rate_hz"] = world.config.rate;
   json["bodies"] = world.config.world.bodies.size();
@@ -65,6 +65,7 @@ nlohmann::ordered_json summary_json(const WorldSummary& s, const LoadedWorld& wo
                      {"largest_island", s.largest_island},
                      {"row_gap_min", nullptr}};
   if (std::isfinite(s.gap_min)) json["contact"]["row_gap_min"] = s.gap_min;
+  json["joints"] = {{"count", world.config.world.joints.size()}, {"error_max", s.joint_error}};
   json["solve"] = {{"newton", s.newton},
                    {"residual_max", s.residual_max},
                    {"parts_max", s.parts_max},
@@ -72,10 +73,24 @@ nlohmann::ordered_json summary_json(const WorldSummary& s, const LoadedWorld& wo
                    {"waited", s.waited}};
   json["impacts"] = s.impacts;
   json["force"] = {{"max", s.force_max}};
+  json["hands"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < s.hands.size(); ++i) {
+    const WorldHandSummary& hand = s.hands[i];
+    const std::int32_t body = world.config.hands[i].body;
+    nlohmann::ordered_json one = {{"device", devices[i]},
+                                  {"holds", world.config.world.bodies[idx(body)].name},
+                                  {"force_max", hand.force_max},
+                                  {"energy", hand.port_energy},
+                                  {"energy_min", hand.port_energy_min},
+                                  {"fault", nullptr}};
+    if (hand.fault != Fault::none) one["fault"] = fault_name(hand.fault);
+    json["hands"].push_back(std::move(one));
+  }
   json["energy"] = {{"start", s.energy_start},
                     {"end", s.energy_end},
                     {"port", s.port_energy},
-                    {"energy_min", s.port_energy_min}};
+                    {"energy_min", s.port_energy_min},
+                    {"made", s.energy_made}};
   json["state_hash"] = hex_text(s.state_hash);
   return json;
 }
@@ -89,6 +104,8 @@ void print_text(const WorldSummary& s, const LoadedWorld& world, double seconds)
               static_cast<long long>(s.rows_max), s.pairs_max, s.largest_island, s.residual_max);
   std::printf("hand: at most %.3f N, put in %.3g mJ (least %.3g mJ)\n", s.force_max,
               1e3 * s.port_energy, 1e3 * s.port_energy_min);
+  if (const std::size_t joints = world.config.world.joints.size(); joints > 0)
+    std::printf("joints: %zu, met to %.2g um\n", joints, 1e6 * s.joint_error);
   if (s.waited > 0.0) std::printf("bodies waited for %.3g ms\n", 1e3 * s.waited);
   std::printf("state hash %s\n", hex_text(s.state_hash).c_str());
 }
@@ -110,30 +127,41 @@ int run_world_scene(const RunOptions& options, const Common& common,
   use_options(options, scene);
   LoadedWorld world = load_world(std::move(scene), log_of(common));
   world.config.duration = options.duration.value_or(kDuration);
-  const std::string uri = options.device.empty() ? world.description.device : options.device;
-  const std::unique_ptr<HapticDevice> device = open_world_device(world, uri, common.seed);
+  std::vector<std::string> uris;
+  for (std::size_t i = 0; i < world.config.hands.size(); ++i)
+    uris.push_back(i == 0 && !options.device.empty() ? options.device
+                                                     : world.description.devices[i].uri);
+  const WorldDevices devices = open_world_devices(world, uris, common.seed);
   std::unique_ptr<WorldRecordingWriter> writer;
   if (!options.record.empty()) {
     WorldRecordingInfo info;
     info.scene = options.scene;
-    info.device = device ? uri : "";
+    info.devices = uris;
     info.seed = common.seed;
     info.rate = world.config.rate;
     for (const WorldBody& body : world.config.world.bodies) info.bodies.push_back(body.name);
+    for (const WorldJoint& joint : world.config.world.joints) info.joints.push_back(joint.name);
     writer = std::make_unique<WorldRecordingWriter>(options.record, info);
   }
   const double begin = cpu_seconds();
+  std::vector<RecordedJoint> joints(world.config.world.joints.size());
   const auto record = [&](const WorldFrame& frame) {
-    if (writer) writer->write(frame.frame, frame.time, frame.bodies, frame.command);
+    if (!writer) return;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const JointReading& joint = frame.joints[i];
+      joints[i] = {joint.coordinate, joint.spring, joint.motor, joint.limit};
+    }
+    writer->write(frame.frame, frame.time, frame.bodies, joints, frame.commands);
   };
-  const WorldSummary summary = run_world(world.config, device.get(), record, &stop);
+  const WorldSummary summary = run_world(world.config, devices.list, record, &stop);
   const double seconds = cpu_seconds() - begin;
   if (writer) writer->close(summary.frames, summary.state_hash);
   if (common.json || options.is_headless)
-    print_json(summary_json(summary, world, device ? uri : "", seconds));
+    print_json(summary_json(summary, world, uris, seconds));
   else
     print_text(summary, world, seconds);
   flush_output();
+  if (summary.has_fault) return kSafetyFault;
   return summary.was_stopped ? kInterrupted : kDone;
 }
 
@@ -146,8 +174,16 @@ int replay_world(const std::string& path, const Common& common) {
   if (world.config.world.bodies.size() != bodies)
     throw InputError(recording.scene + ": has " + std::to_string(world.config.world.bodies.size()) +
                      " bodies, expected the " + std::to_string(bodies) + " that were recorded");
+  if (world.config.world.joints.size() != recording.joints.size())
+    throw InputError(recording.scene + ": has " + std::to_string(world.config.world.joints.size()) +
+                     " joints, expected the " + std::to_string(recording.joints.size()) +
+                     " that were recorded");
   world.config.duration = static_cast<double>(frames) / recording.rate;
-  const auto device = open_world_device(world, recording.device, recording.seed);
+  if (world.config.hands.size() != recording.devices.size())
+    throw InputError(recording.scene + ": has " + std::to_string(world.config.hands.size()) +
+                     " hands, expected the " + std::to_string(recording.devices.size()) +
+                     " that were recorded");
+  const WorldDevices devices = open_world_devices(world, recording.devices, recording.seed);
   std::int64_t first = -1;
   const auto compare = [&](const WorldFrame& frame) {
     for (std::size_t i = 0; i < bodies && first < 0; ++i) {
@@ -155,7 +191,7 @@ int replay_world(const std::string& path, const Common& common) {
       if (!same_bits(recorded, frame.bodies[i])) first = static_cast<std::int64_t>(frame.frame);
     }
   };
-  const WorldSummary summary = run_world(world.config, device.get(), compare);
+  const WorldSummary summary = run_world(world.config, devices.list, compare);
   if (first < 0 && summary.frames != frames) first = static_cast<std::int64_t>(summary.frames);
   const bool is_same =
       first < 0 && (!recording.has_end || summary.state_hash == recording.state_hash);

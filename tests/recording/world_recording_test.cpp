@@ -32,16 +32,19 @@ std::string path_of(const char* name) {
 std::vector<BodyState> write_some(const std::string& path) {
   WorldRecordingInfo info;
   info.scene = "a \"scene\".toml";
-  info.device = "hand:?force=2";
+  info.devices = {"hand:?force=2", "null:"};
   info.seed = 7;
   info.rate = 500.0;
   info.bodies = {"table", "block 1"};
+  info.joints = {"hinge"};
   WorldRecordingWriter writer(path, info);
   Random random(3);
   std::vector<BodyState> all;
   for (std::uint64_t i = 0; i < 40; ++i) {
     const std::vector<BodyState> states{random_state(random), random_state(random)};
-    writer.write(i, 0.002 * static_cast<double>(i + 1), states, {});
+    const RecordedJoint joint{random.normal(), 1.0, -2.0, 0.0};
+    writer.write(i, 0.002 * static_cast<double>(i + 1), states, {&joint, 1},
+                 std::vector<Wrench>(2));
     all.insert(all.end(), states.begin(), states.end());
   }
   writer.close(40, 0xfedcba9876543210u);
@@ -54,10 +57,11 @@ TEST(WorldRecording, ComesBackBitForBit) {
   EXPECT_TRUE(is_world_recording(path));
   const WorldRecording read = read_world_recording(path);
   EXPECT_EQ(read.scene, "a \"scene\".toml");
-  EXPECT_EQ(read.device, "hand:?force=2");
+  EXPECT_EQ(read.devices, (std::vector<std::string>{"hand:?force=2", "null:"}));
   EXPECT_EQ(read.seed, 7u);
   EXPECT_EQ(read.rate, 500.0);
   EXPECT_EQ(read.bodies, (std::vector<std::string>{"table", "block 1"}));
+  EXPECT_EQ(read.joints, (std::vector<std::string>{"hinge"}));
   EXPECT_EQ(read.frames, 40u);
   EXPECT_EQ(read.state_hash, 0xfedcba9876543210u);
   ASSERT_EQ(read.states.size(), written.size());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
+#include "thigma/math/infinity.h"
 #include "thigma/scene/scene_file.h"
 
 namespace thigma {
@@ -41,7 +42,7 @@ TEST(WorldScene, ReadsBodiesAndCopies) {
   EXPECT_EQ(scene.bodies[3].object.name, "b 3");
   EXPECT_NEAR(scene.bodies[3].object.world_from_mesh.position.z(), 0.1021, 1e-15);
   const LoadedWorld world = load_world(scene);
-  EXPECT_EQ(world.config.held, -1);
+  EXPECT_TRUE(world.config.hands.empty());
   EXPECT_EQ(world.config.world.shapes.size(), 2u);
   EXPECT_EQ(world.config.world.bodies[2].friction.kinetic, 0.4);
   EXPECT_EQ(world.config.world.bodies[2].restitution, 0.5);
@@ -56,7 +57,15 @@ TEST(WorldScene, RefusesByName) {
       {"", "no mass, line"},
       {"mass = 0.0\n", "body.mass"},
       {"mass = 1.0\ndensity = 1.0\n", "density stands beside mass"},
-      {"mass = 1.0\nkind = \"held\"\n", "expected the held body as [object]"},
+      {"mass = 1.0\nkind = \"held\"\nposition = [0.0, 0.0, 1.0]\nname = \"b\"\n"
+       "[[device]]\nholds = \"c\"\n",
+       "holds 'c', expected 'b'?"},
+      {"mass = 1.0\nkind = \"held\"\nposition = [0.0, 0.0, 1.0]\nname = \"b\"\n"
+       "[[device]]\nuri = \"null:\"\n",
+       "no holds"},
+      {"mass = 1.0\nkind = \"held\"\nposition = [0.0, 0.0, 1.0]\nname = \"b\"\ncopies = 2\n"
+       "spacing = [0.5, 0.0, 0.0]\n[[device]]\nholds = \"b 1\"\n",
+       "body 'b 2': held by no device"},
       {"mass = 1.0\nkind = \"flying\"\n", "kind"},
       {"mass = 1.0\ncopies = 2\n", "expected spacing"},
       {"mass = 1.0\nname = \"a/b\"\n", "cannot be used"},
@@ -66,6 +75,100 @@ TEST(WorldScene, RefusesByName) {
   };
   for (const auto& c : cases) {
     const std::string line = refusal(kTable + block(c.more));
+    EXPECT_NE(line.find(c.says), std::string::npos) << c.says << " | " << line;
+    EXPECT_EQ(line.find("w.toml: "), 0u) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+  }
+}
+
+std::string joint(const std::string& more) {
+  return "\n[[joint]]\nname = \"j\"\nbody = \"b\"\nposition = [0.0, 0.0, 1.0]\n" + more;
+}
+
+TEST(WorldScene, ReadsJoints) {
+  const std::string bodies = block(
+      "name = \"b\"\nposition = [0.0, 0.0, 1.0]\ncopies = 3\n"
+      "spacing = [0.2, 0.0, 0.0]\nmass = 0.5\n");
+  const std::string joints = R"(
+[[joint]]
+name = "arm"
+kind = "hinge"
+body = "b 1"
+to = "table"
+position = [0.0, 0.1, 1.0]
+axis = [0.0, 2.0, 0.0]
+lower = -1.0
+upper = 2.0
+motor = {target = 0.5, most = 3.0, stiffness = 10.0, damping = 1.0}
+
+[[joint]]
+name = "rope"
+kind = "spring"
+body = "b 3"
+position = [0.4, 0.0, 1.0]
+to_position = [0.4, 0.0, 1.5]
+stiffness = 5.0
+
+[[joint]]
+name = "eye"
+kind = "ball"
+body = "b #"
+to = "b #-1"
+position = [-0.1, 0.0, 1.0]
+copies = 3
+spacing = [0.2, 0.0, 0.0]
+)";
+  const std::string first = "name = \"b 0\"\nposition = [-0.2, 0.0, 1.0]\nmass = 1.0\n";
+  const LoadedWorld loaded =
+      load_world(parse_world_scene(kTable + bodies + block(first) + joints, "w.toml", ""));
+  const World& world = loaded.config.world;
+  ASSERT_EQ(world.joints.size(), 5u);
+  const WorldJoint &arm = world.joints[0], &rope = world.joints[1], &eye = world.joints[4];
+  EXPECT_EQ(arm.kind, JointKind::hinge);
+  EXPECT_EQ(world.bodies[static_cast<std::size_t>(arm.b)].name, "table");
+  EXPECT_EQ(arm.upper, 2.0);
+  EXPECT_TRUE(arm.motor.is_on && arm.motor.is_servo);
+  EXPECT_LT((arm.b_from_joint.orientation * Vec3::UnitZ() - Vec3::UnitY()).norm(), 1e-15);
+  EXPECT_EQ(rope.b, -1);
+  EXPECT_NEAR(rope.rest, 0.5, 1e-15);
+  EXPECT_EQ(eye.name, "eye 3");
+  EXPECT_EQ(world.bodies[static_cast<std::size_t>(eye.a)].name, "b 3");
+  EXPECT_EQ(world.bodies[static_cast<std::size_t>(eye.b)].name, "b 2");
+  EXPECT_TRUE(never_touch(world, eye.a, eye.b));
+}
+
+TEST(WorldScene, RefusesJointsByName) {
+  const std::string bodies =
+      kTable + block("name = \"b\"\nposition = [0.0, 0.0, 1.0]\nmass = 0.5\n");
+  const struct {
+    const char* more;
+    const char* says;
+  } cases[] = {
+      {"", "no kind"},
+      {"kind = \"screw\"\n", "kind"},
+      {"kind = \"hinge\"\n", "no axis"},
+      {"kind = \"ball\"\naxis = [0.0, 0.0, 1.0]\n", "axis is not for this kind"},
+      {"kind = \"hinge\"\naxis = [0.0, 0.0, 0.0]\n", "axis has no direction"},
+      {"kind = \"ball\"\nto = \"tabel\"\n", "joint 'j': no body 'tabel', expected 'table'"},
+      {"kind = \"ball\"\nto = \"b\"\n", "joint 'j': the same body twice"},
+      {"kind = \"ball\"\nupper = 1.0\n", "joint 'j': limits or a motor"},
+      {"kind = \"ball\"\nto_position = [0.0, 0.0, 0.0]\n", "to_position is not for this kind"},
+      {"kind = \"spring\"\n", "joint 'j': a spring without"},
+      {"kind = \"ball\"\nstiffness = nan\n", "stiffness"},
+      {"kind = \"slider\"\naxis = [1.0, 0.0, 0.0]\nlower = 0.1\n",
+       "joint 'j': starts at 0, expected within its limits 0.1 to inf"},
+      {"kind = \"slider\"\naxis = [1.0, 0.0, 0.0]\nmotor = {speed = 1.0}\n", "no most"},
+      {"kind = \"slider\"\naxis = [1.0, 0.0, 0.0]\nmotor = {most = 1.0}\n", "no speed or target"},
+      {"kind = \"slider\"\naxis = [1.0, 0.0, 0.0]\nmotor = {target = 1.0, most = 1.0}\n",
+       "a target without stiffness"},
+      {"kind = \"ball\"\ncopies = 2\n", "copies stands without spacing"},
+      {"kind = \"ball\"\nstifness = 1.0\n", "stifness"},
+      {"kind = \"ball\"\n[[joint]]\nname = \"a/b\"\nkind = \"ball\"\nbody = \"b\"\n"
+       "position = [0.0, 0.0, 1.0]\n",
+       "joint.name = 'a/b' cannot be used"},
+  };
+  for (const auto& c : cases) {
+    const std::string line = refusal(bodies + joint(c.more));
     EXPECT_NE(line.find(c.says), std::string::npos) << c.says << " | " << line;
     EXPECT_EQ(line.find("w.toml: "), 0u) << line;
     EXPECT_EQ(line.find('\n'), std::string::npos) << line;
@@ -91,7 +194,7 @@ TEST(WorldScene, ShippedTowerStands) {
   ASSERT_EQ(world.config.world.bodies.size(), 31u);
   world.config.duration = 0.8;
   double most = 0.0;
-  const WorldSummary run = run_world(world.config, nullptr, [&](const WorldFrame& frame) {
+  const WorldSummary run = run_world(world.config, {}, [&](const WorldFrame& frame) {
     for (std::size_t i = 0; i < frame.bodies.size(); ++i)
       most =
           std::max(most, (frame.bodies[i].position - world.config.start.bodies[i].position).norm());
@@ -104,15 +207,64 @@ TEST(WorldScene, ShippedRowIsPushed) {
   LoadedWorld world =
       load_world(read_world_scene(std::string(THIGMA_SOURCE_DIR) + "/scenes/row_of_blocks.toml"));
   world.config.duration = 1.5;
-  const auto device = open_world_device(world, "", 1);
-  ASSERT_NE(device, nullptr);
+  const WorldDevices devices = open_world_devices(world, {}, 1);
+  ASSERT_EQ(devices.list.size(), 1u);
   double way = 0.0;
-  const WorldSummary run = run_world(world.config, device.get(), [&](const WorldFrame& frame) {
+  const WorldSummary run = run_world(world.config, devices.list, [&](const WorldFrame& frame) {
     way = (frame.bodies.back().position - world.config.start.bodies.back().position).norm();
   });
   EXPECT_GT(way, 1e-3);  // the last of ten
   EXPECT_EQ(run.largest_island, 11);
   EXPECT_GE(run.port_energy_min, -1e-6);
+}
+
+/// A shipped scene with the device it names.
+struct Shipped {
+  LoadedWorld world;
+  WorldSummary run;
+  std::vector<double> most;  // by joint: largest coordinate
+
+  Shipped(const std::string& name, double seconds)
+      : world(load_world(
+            read_world_scene(std::string(THIGMA_SOURCE_DIR) + "/scenes/" + name + ".toml"))) {
+    world.config.duration = seconds;
+    most.assign(world.config.world.joints.size(), -kInfinity);
+    const WorldDevices devices = open_world_devices(world, {}, 1);
+    run = run_world(world.config, devices.list, [&](const WorldFrame& frame) {
+      for (std::size_t i = 0; i < most.size(); ++i)
+        most[i] = std::max(most[i], frame.joints[i].coordinate);
+    });
+    EXPECT_EQ(run.waited, 0.0);
+    EXPECT_EQ(run.not_whole, 0u);
+    EXPECT_LE(run.joint_error, 1e-8);
+    EXPECT_LE(run.energy_made, 1e-6);
+  }
+};
+
+TEST(WorldScene, ShippedDrawerIsOpenedUpToItsStop) {
+  const Shipped drawer("drawer", 4.0);
+  EXPECT_NEAR(drawer.most[1], 0.03, 1e-9);
+  EXPECT_GE(drawer.run.port_energy_min, -1e-6);
+}
+
+TEST(WorldScene, ShippedLidIsLifted) {
+  const Shipped lid("lid", 3.0);
+  EXPECT_GT(lid.most[0], 0.05);
+  EXPECT_GE(lid.run.port_energy_min, -1e-6);
+}
+
+TEST(WorldScene, ShippedHandsPutThePegIn) {
+  const Shipped hands("two_hands", 3.0), again("two_hands", 0.5), once_more("two_hands", 0.5);
+  ASSERT_EQ(hands.run.hands.size(), 2u);
+  EXPECT_GT(hands.run.pressing_max, 4);
+  EXPECT_FALSE(hands.run.has_fault);
+  EXPECT_EQ(again.run.state_hash, once_more.run.state_hash);
+}
+
+TEST(WorldScene, ShippedLinksHangTogether) {
+  const Shipped links("links", 2.0);
+  EXPECT_EQ(links.world.config.world.joints.size(), 9u);
+  EXPECT_EQ(links.run.largest_island, 10);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include "thigma/core/index.h"
+#include "thigma/multibody/detail/joint_terms.h"
 
 namespace thigma {
 namespace {
@@ -26,6 +27,7 @@ constexpr double kGradient = 1e-11;  // of the free momentum: of a round's minim
 struct Work {
   std::span<IslandBody> bodies;
   std::span<IslandRow> rows;
+  std::span<JointRow> joints;
   IslandScratch& s;
   double speed = 0.0;  // the scale of all speeds [m/s]
 };
@@ -98,6 +100,12 @@ void evaluate(Work& work, std::span<const Vec6> u, std::span<Vec6> gradient) noe
     if (work.s.force[i].x() > 0.0 || work.s.radius[i] > 0.0)
       add_impulse(row, work.s.force[i], gradient);
   }
+  for (std::size_t i = 0; i < work.joints.size(); ++i) {
+    const JointRow& row = work.joints[i];
+    work.s.joint_force[i] =
+        detail::impulse_of(row, detail::speed_of(row, u), work.s.joint_weight[i]);
+    detail::add_impulse(row, work.s.joint_force[i], gradient);
+  }
 }
 
 /// Derivative of a row's force by its speed, over the weight.
@@ -143,6 +151,11 @@ bool factor_hessian(Work& work, std::span<const Vec6> u) noexcept {
     if (!(slope.cwiseAbs().maxCoeff() > 0.0)) continue;
     const Mat3 frame = frame_of(row);
     add_curvature(row, work.s.weight[i] * (frame.transpose() * slope * frame), h);
+  }
+  for (std::size_t i = 0; i < work.joints.size(); ++i) {
+    const JointRow& row = work.joints[i];
+    if (detail::is_within_bounds(row, detail::speed_of(row, u), work.s.joint_weight[i]))
+      detail::add_curvature(row, work.s.joint_weight[i], h);
   }
   return detail::factor_blocks(h);
 }
@@ -192,6 +205,36 @@ void search_line(Work& work) noexcept {
   }
 }
 
+/// The same where the slope is still downhill: the function is convex, so it is less there. The
+/// rough search may go up where a row bends the function sharply near the beginning.
+void search_downhill(Work& work) noexcept {
+  IslandScratch& s = work.s;
+  const double begin = along(s.gradient, s.step);
+  double low = 0.0, at_low = begin, high = 1.0, at_high = 0.0;
+  const auto slope_at = [&](double share) {
+    go(work, share);
+    evaluate(work, s.trial, s.trial_gradient);
+    return along(s.trial_gradient, s.step);
+  };
+  at_high = slope_at(high);
+  if (at_high <= 0.0) return;
+  constexpr double kFlat = 0.1;  // of the slope at the beginning
+  constexpr int kTurns = 40;
+  for (int turn = 0; turn < kTurns && (low == 0.0 || at_low < kFlat * begin); ++turn) {
+    const double guess = turn % 2 == 0 ? at_low / (at_low - at_high) : 0.5;
+    const double middle = low + std::clamp(guess, 0.05, 0.95) * (high - low);
+    const double slope = slope_at(middle);
+    if (slope <= 0.0) {
+      low = middle;
+      at_low = slope;
+    } else {
+      high = middle;
+      at_high = slope;
+    }
+  }
+  slope_at(low > 0.0 ? low : high);
+}
+
 /// Least of the augmented Lagrangian; returns Newton's steps.
 int minimize(Work& work, double enough) noexcept {
   IslandScratch& s = work.s;
@@ -203,8 +246,12 @@ int minimize(Work& work, double enough) noexcept {
     for (std::size_t i = 0; i < s.gradient.size(); ++i) s.step[i] = -s.gradient[i];
     detail::solve_blocks(s.hessian, s.step);
     search_line(work);
-    const double next = size_of(work, s.trial_gradient);
+    double next = size_of(work, s.trial_gradient);
     ++steps;
+    if (!(next < size) && size > 1e3 * enough) {
+      search_downhill(work);
+      next = size_of(work, s.trial_gradient);
+    }
     // Rounding: nothing is won any more.
     if (!(next < size) && size <= 1e3 * enough) break;
     std::swap(s.velocity, s.trial);
@@ -237,6 +284,15 @@ Change take_multipliers(Work& work, bool holds_radius) noexcept {
     if (!holds_radius) work.s.radius[i] = radius;
   }
   if (most > 0.0) change.unsettled = moved / most;
+  for (std::size_t i = 0; i < work.joints.size(); ++i) {
+    JointRow& row = work.joints[i];
+    const double by = work.s.joint_force[i] - row.impulse;
+    row.impulse = work.s.joint_force[i];
+    if (row.firmness > 0.0) continue;
+    change.speed = std::max(change.speed, std::fabs(by) / work.s.joint_weight[i]);
+    const double speed = detail::speed_of(row, work.s.velocity);
+    change.residual = std::max(change.residual, detail::violation_of(row, speed));
+  }
   return change;
 }
 
@@ -251,6 +307,23 @@ double mobility_of(const Mat6& inverse, const Vec3& arm, const Vec3& direction) 
   Vec6 g;
   g << direction, arm.cross(direction);
   return g.dot(inverse * g);
+}
+
+/// Weights of the joints' rows, and where they couple bodies.
+void prepare_joints(Work& work) noexcept {
+  IslandScratch& s = work.s;
+  s.joint_force.resize(work.joints.size());
+  s.joint_weight.resize(work.joints.size());
+  for (std::size_t i = 0; i < work.joints.size(); ++i) {
+    const JointRow& row = work.joints[i];
+    const double mobility = detail::mobility_of(row, s.inverse);
+    s.joint_weight[i] = row.firmness > 0.0 ? row.firmness : kWeight / mobility;
+    const double share = row.firmness > 0.0 ? std::min(1.0, row.firmness * mobility) : 1.0;
+    work.speed = std::max(work.speed, share * std::fabs(row.target));
+    if (row.a < 0 || row.b < 0) continue;
+    const std::int32_t high = std::max(row.a, row.b), low = std::min(row.a, row.b);
+    s.hessian.first[idx(high)] = std::min(s.hessian.first[idx(high)], low);
+  }
 }
 
 void prepare(Work& work) noexcept {
@@ -284,6 +357,7 @@ void prepare(Work& work) noexcept {
     s.radius[i] = row.friction * row.impulse.x();
     work.speed = std::max(work.speed, -row.limit);
   }
+  prepare_joints(work);
   detail::shape_blocks(s.hessian);
 }
 
@@ -292,6 +366,7 @@ void finish(Work& work) noexcept {
   std::span<Vec6> sum(work.s.gradient.data(), work.bodies.size());
   for (Vec6& g : sum) g.setZero();
   for (const IslandRow& row : work.rows) add_impulse(row, row.impulse, sum);
+  for (const JointRow& row : work.joints) detail::add_impulse(row, row.impulse, sum);
   for (std::size_t i = 0; i < work.bodies.size(); ++i) {
     work.bodies[i].impulse = -sum[i];
     work.bodies[i].velocity = work.bodies[i].free - work.s.inverse[i] * sum[i];
@@ -300,7 +375,8 @@ void finish(Work& work) noexcept {
 
 }  // namespace
 
-void reserve_island(std::size_t bodies, std::size_t rows, IslandScratch& scratch) {
+void reserve_island(std::size_t bodies, std::size_t rows, IslandScratch& scratch,
+                    std::size_t joints) {
   for (std::vector<Vec6>* list : {&scratch.velocity, &scratch.trial, &scratch.gradient,
                                   &scratch.trial_gradient, &scratch.step})
     list->reserve(bodies);
@@ -308,14 +384,16 @@ void reserve_island(std::size_t bodies, std::size_t rows, IslandScratch& scratch
   scratch.force.reserve(rows);
   scratch.weight.reserve(rows);
   scratch.radius.reserve(rows);
+  scratch.joint_force.reserve(joints);
+  scratch.joint_weight.reserve(joints);
   scratch.hessian.first.reserve(bodies);
   scratch.hessian.start.reserve(bodies + 1);
   scratch.hessian.blocks.reserve(bodies * (bodies + 1) / 2);
 }
 
 IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> rows,
-                            IslandScratch& scratch) noexcept {
-  Work work{bodies, rows, scratch};
+                            std::span<JointRow> joints, IslandScratch& scratch) noexcept {
+  Work work{bodies, rows, joints, scratch};
   prepare(work);
   IslandSolution solution;
   const double momentum = work.speed * std::sqrt(largest_mass(bodies));

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "thigma/math/infinity.h"
 #include "thigma/multibody/detail/block_cholesky.h"
 
 namespace thigma {
@@ -32,11 +33,23 @@ struct IslandRow {
   Vec3 impulse = Vec3::Zero();
 };
 
+/// One number that a joint asks of two bodies of an island, or of one and what does not move: a
+/// speed that they have to have, or a force between bounds that works towards it.
+struct JointRow {
+  std::int32_t a = -1, b = -1;                    // bodies of the island; -1: what does not move
+  Vec6 on_a = Vec6::Zero(), on_b = Vec6::Zero();  // speed = on_a . u_a + on_b . u_b [1, m; world]
+  double target = 0.0;                            // of the speed [m/s]
+  double low = -kInfinity, high = kInfinity;      // of the impulse; low = 0: the speed at most
+  double firmness = 0.0;  // 0: as hard as its bounds let it; else impulse a speed, of a spring [kg]
+  // bodies get -on times it: warm start and result [N s]
+  double impulse = 0.0;
+};
+
 /// What a solve did.
 struct IslandSolution {
   int rounds = 0;          // of multipliers
   int newton = 0;          // steps: so many factors
-  double residual = 0.0;   // largest speed at which a row is violated, at least 0 [m/s]
+  double residual = 0.0;   // largest speed by which a row is violated, at least 0 [m/s]
   double unsettled = 0.0;  // change of the friction impulses in the last round, of the largest
   // false: rows contradict each other, or rounds ran out before the residual was small
   bool is_whole = true;
@@ -50,16 +63,19 @@ struct IslandScratch {
   std::vector<Vec3> force;     // of the rows, at a trial
   std::vector<double> weight;  // of the rows: so many times the mass that a contact feels [kg]
   std::vector<double> radius;  // most friction of the rows in a round [N s]
+  std::vector<double> joint_force, joint_weight;  // of the joints' rows, likewise
 };
 
 /// Room for an island. Thread [offline]; throws std::bad_alloc.
-void reserve_island(std::size_t bodies, std::size_t rows, IslandScratch& scratch);
+void reserve_island(std::size_t bodies, std::size_t rows, IslandScratch& scratch,
+                    std::size_t joints = 0);
 
 /// Velocities nearest to the free ones, in the metric of the bodies' steps, that obey every row.
 ///
 /// bodies   an order in which bodies that touch stand near each other costs least
 /// rows     0 <= limit: rest obeys all, so there is a solution; where negative limits contradict
 ///          each other, is_whole is false
+/// joints   rows of joints; the same may be asked twice
 /// returns  velocity = free + A^-1 (impulses of the rows), to rounding: what rows give one body
 ///          they take from the other. Friction opposes sliding and never exceeds its coefficient
 ///          times the normal impulse but by the last round's change, so that neither adds energy
@@ -71,6 +87,12 @@ void reserve_island(std::size_t bodies, std::size_t rows, IslandScratch& scratch
 ///          round before allow (Panagiotopoulos 1975), a fixed point over the rounds. No cone is
 ///          made a pyramid.
 IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> rows,
-                            IslandScratch& scratch) noexcept;
+                            std::span<JointRow> joints, IslandScratch& scratch) noexcept;
+
+/// The same without joints.
+inline IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> rows,
+                                   IslandScratch& scratch) noexcept {
+  return solve_island(bodies, rows, {}, scratch);
+}
 
 }  // namespace thigma

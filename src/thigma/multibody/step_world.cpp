@@ -7,6 +7,7 @@
 #include "thigma/core/error.h"
 #include "thigma/core/index.h"
 #include "thigma/math/infinity.h"
+#include "thigma/multibody/detail/jointed_island.h"
 #include "thigma/multibody/detail/part.h"
 
 namespace thigma {
@@ -15,8 +16,15 @@ namespace {
 using detail::NearPair;
 using detail::Part;
 
+bool has_motor(const World& world, const detail::Islands& islands,
+               const detail::Island& island) noexcept {
+  for (std::int32_t k = 0; k < island.joints; ++k)
+    if (world.joints[idx(islands.joint[idx(island.first_joint + k)])].motor.is_on) return true;
+  return false;
+}
+
 /// Bodies that touch and have not moved for long enough rest until something comes near: whole
-/// heaps together, so that none hangs in the air.
+/// heaps together, so that none hangs in the air. What a motor drives never rests.
 void put_to_sleep(const World& world, double dt, WorldState& state, WorldScratch& s) {
   constexpr double kTime = 0.5;  // [s]
   constexpr double kWay = 5e-6;  // of the reach: what a body may move in that time
@@ -33,7 +41,8 @@ void put_to_sleep(const World& world, double dt, WorldState& state, WorldScratch
       still = is_slow ? still + dt : 0.0;
       is_still = is_still && still >= kTime;
     }
-    if (!is_still || island.rows == 0) continue;
+    if (!is_still || (island.rows == 0 && island.joints == 0)) continue;
+    if (has_motor(world, s.islands, island)) continue;
     for (std::int32_t i = 0; i < island.bodies; ++i) {
       const std::size_t body = idx(s.islands.body[idx(island.first_body + i)]);
       state.is_asleep[body] = 1;
@@ -45,6 +54,9 @@ void put_to_sleep(const World& world, double dt, WorldState& state, WorldScratch
 void scale_history(double by, WorldScratch& s) noexcept {
   for (NearPair* pair : s.pairs.near)
     for (detail::RowHistory& row : pair->history) row.impulse *= by;
+  for (std::vector<detail::JointImpulses>* list : {&s.joint_part, &s.joint_end})
+    for (detail::JointImpulses& impulses : *list)
+      for (double& impulse : impulses) impulse *= by;
 }
 
 void describe(const World& world, const WorldState& state, const WorldScratch& s,
@@ -57,6 +69,7 @@ void describe(const World& world, const WorldState& state, const WorldScratch& s
   report.least_gap = kInfinity;
   for (const detail::RowSource& source : s.islands.sources)
     report.least_gap = std::min(report.least_gap, source.gap);
+  report.joint_error = detail::joint_error(world, state.bodies);
 }
 
 }  // namespace
@@ -67,7 +80,16 @@ WorldScratchPtr reserve_world(const World& world, std::size_t pairs) {
   WorldScratchPtr scratch(new WorldScratch);
   const std::size_t count = world.bodies.size();
   detail::reserve_pairs(world, pairs, scratch->pairs);
-  reserve_island(count, count * 64, scratch->solve);
+  const std::size_t joints = world.joints.size();
+  reserve_island(count, count * 64, scratch->solve, joints * detail::kJointPlaces);
+  scratch->joint_rows.rows.reserve(joints * detail::kJointPlaces);
+  scratch->joint_rows.sources.reserve(joints * detail::kJointPlaces);
+  for (auto* list : {&scratch->joint_part, &scratch->joint_end, &scratch->joint_sum})
+    list->assign(joints, detail::JointImpulses{});
+  for (auto* list : {&scratch->joint_through, &scratch->joint_before, &scratch->joint_momentum})
+    list->assign(count, Vec6::Zero());
+  scratch->is_jointed.assign(count, 0);
+  scratch->islands.joint.reserve(joints);
   scratch->moves.assign(count, 0);
   scratch->go.assign(count, 0.0);
   scratch->margins.assign(count, 0.0);
@@ -86,6 +108,7 @@ WorldStep step_world(const World& world, const WorldInputs& inputs, double dt, W
                      WorldScratch& s) {
   WorldStep report;
   constexpr int kParts = 16, kHalvings = 5;
+  for (detail::JointImpulses& sum : s.joint_sum) sum.fill(0.0);
   double left = dt, last = dt;
   for (report.parts = 0; report.parts < kParts && left > 1e-9 * dt; ++report.parts) {
     double share = 0.0, length = left;
@@ -107,6 +130,20 @@ WorldStep step_world(const World& world, const WorldInputs& inputs, double dt, W
   state.time += dt;
   describe(world, state, s, report);
   return report;
+}
+
+JointReading read_joint(const World& world, const WorldState& state, const WorldScratch& scratch,
+                        std::int32_t joint, double dt) noexcept {
+  const WorldJoint& j = world.joints[idx(joint)];
+  const detail::JointImpulses& sum = scratch.joint_sum[idx(joint)];
+  JointReading reading;
+  reading.coordinate = joint_coordinate(j.kind, joint_ends(j, state.bodies));
+  // Impulses of an angle are forces at the arm.
+  const double scale = (j.kind == JointKind::hinge ? world.joint_arm[idx(joint)] : 1.0) / dt;
+  reading.spring = -scale * sum[detail::kSpringPlace];
+  reading.motor = -scale * sum[detail::kMotorPlace];
+  reading.limit = scale * (sum[detail::kLowerPlace] - sum[detail::kUpperPlace]);
+  return reading;
 }
 
 StartOverlap find_overlap(const World& world, const WorldState& state, WorldScratch& s) {

@@ -23,10 +23,17 @@ struct BodyDrive {
   Twist velocity;  // [m/s, rad/s; world]
 };
 
+/// The target of a joint's motor in a step, instead of its own.
+struct MotorDrive {
+  std::int32_t joint = -1;
+  double target = 0.0;  // [m/s, rad/s], of a servo [m, rad]
+};
+
 /// What acts on a world in a step beside gravity.
 struct WorldInputs {
   std::span<const HandHold> hands{};
   std::span<const BodyDrive> drives{};
+  std::span<const MotorDrive> motors{};
 };
 
 /// What a step did.
@@ -47,6 +54,7 @@ struct WorldStep {
   bool is_whole = true;       // false: some rows contradicted each other and only held
   std::int64_t left_out = 0;  // contacts and rows without room: these pairs stand still
   double least_gap = 0.0;     // of a row, before the step [m]
+  double joint_error = 0.0;   // by which a joint is not met, after the step [m]
 };
 
 /// Working memory of step_world. Grows while warming up, never after: until as many pairs as there
@@ -78,6 +86,18 @@ WorldScratchPtr reserve_world(const World& world, std::size_t pairs = 4);
 ///          restitution of the whole impulse, less where energy would grow
 WorldStep step_world(const World& world, const WorldInputs& inputs, double dt, WorldState& state,
                      WorldScratch& scratch);
+
+/// What a joint was like in the last step.
+struct JointReading {
+  double coordinate = 0.0;  // [m, rad]
+  // on a along the coordinate, means over the step: of spring, motor and limits [N, N m]
+  double spring = 0.0, motor = 0.0, limit = 0.0;
+};
+
+/// Reads a joint after a step of dt.
+/// Thread    [contact]; no failure.
+JointReading read_joint(const World& world, const WorldState& state, const WorldScratch& scratch,
+                        std::int32_t joint, double dt) noexcept;
 
 /// A pair that starts in each other, or the deepest of them.
 struct StartOverlap {

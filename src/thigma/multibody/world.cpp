@@ -115,9 +115,45 @@ void make_pair_kinds(World& world) {
   }
 }
 
+void make_joints(World& world) {
+  std::vector<BodyState> start;
+  for (const WorldBody& body : world.bodies) {
+    start.push_back(body.start);
+    start.back().orientation.normalize();
+  }
+  const auto count = static_cast<std::int64_t>(world.bodies.size());
+  for (std::size_t i = 0; i < world.joints.size(); ++i) {
+    WorldJoint& joint = world.joints[i];
+    const auto fail = [&](const std::string& what) {
+      throw InputError("joint '" + joint.name + "': " + what);
+    };
+    for (std::size_t k = 0; k < i; ++k)
+      if (world.joints[k].name == joint.name) fail("name given twice, expected one of its own");
+    double arm = 0.0;  // of the smaller body: of what turns most
+    const auto moves = [&](std::int32_t body) {
+      if (body < 0 || body >= count) return false;
+      const BodyKind kind = world.bodies[idx(body)].kind;
+      if (kind != BodyKind::moving && kind != BodyKind::held) return false;
+      const double reach = world.boxes[idx(world.shape[idx(body)])].reach;
+      arm = arm > 0.0 ? std::min(arm, reach) : reach;
+      return true;
+    };
+    const bool has_moving = static_cast<int>(moves(joint.a)) + static_cast<int>(moves(joint.b)) > 0;
+    check_joint(joint, start, arm > 0.0 ? arm : 1.0);
+    if (!has_moving) fail("holds nothing that moves, expected a moving body");
+    joint.a_from_joint.orientation.normalize();
+    joint.b_from_joint.orientation.normalize();
+    world.joint_arm.push_back(arm);
+    if (!joint.touches && joint.b >= 0)
+      world.never_touch.push_back(std::min(joint.a, joint.b) * count + std::max(joint.a, joint.b));
+  }
+  std::sort(world.never_touch.begin(), world.never_touch.end());
+}
+
 }  // namespace
 
-World make_world(std::vector<WorldBody> bodies, const Vec3& gravity) {
+World make_world(std::vector<WorldBody> bodies, const Vec3& gravity,
+                 std::vector<WorldJoint> joints) {
   if (!gravity.allFinite()) throw InputError("world: gravity, expected three finite numbers");
   World world;
   world.gravity = gravity;
@@ -133,7 +169,16 @@ World make_world(std::vector<WorldBody> bodies, const Vec3& gravity) {
   for (const BodyShape& shape : world.shapes) world.boxes.push_back(box_of(shape));
   make_rigid(world);
   make_pair_kinds(world);
+  world.joints = std::move(joints);
+  make_joints(world);
   return world;
+}
+
+bool never_touch(const World& world, std::int32_t a, std::int32_t b) noexcept {
+  const std::int64_t key =
+      static_cast<std::int64_t>(std::min(a, b)) * static_cast<std::int64_t>(world.bodies.size()) +
+      std::max(a, b);
+  return std::binary_search(world.never_touch.begin(), world.never_touch.end(), key);
 }
 
 WorldState start_state(const World& world) {
@@ -160,6 +205,7 @@ double mechanical_energy(const World& world, const WorldState& state) noexcept {
     sum += kinetic_energy(world.rigid[i], state.bodies[i]) -
            world.rigid[i].mass * world.gravity.dot(state.bodies[i].position);
   }
+  for (const WorldJoint& joint : world.joints) sum += joint_energy(joint, state.bodies);
   return sum;
 }
 

@@ -9,6 +9,7 @@
 #include "thigma/constraint/build_constraints.h"
 #include "thigma/dynamics/body.h"
 #include "thigma/dynamics/constraint_model.h"
+#include "thigma/multibody/joint.h"
 
 namespace thigma {
 
@@ -65,7 +66,11 @@ struct World {
   std::vector<ShapeBox> boxes;        // of the shapes
   std::vector<PairKind> pair_kinds;   // of all shapes that may meet
   std::vector<std::int32_t> kind_of;  // shapes x shapes, into pair_kinds; -1: they never meet
-  bool sleeps = true;                 // what rests is not looked at until something comes near
+  std::vector<WorldJoint> joints;
+  std::vector<double> joint_arm;  // by joint: what turns an angle into a way, its size [m]
+  // pairs of bodies, lower * bodies + higher, sorted: a joint holds them, and they never touch
+  std::vector<std::int64_t> never_touch;
+  bool sleeps = true;  // what rests is not looked at until something comes near
 };
 
 /// The state of all bodies.
@@ -85,10 +90,16 @@ inline bool is_dynamic(const World& world, std::int32_t body) noexcept {
 ///
 /// bodies    names differ; mass > 0 and inertia positive definite of moving and held ones
 /// gravity   [m/s^2; world]
+/// joints    names differ; met at the start; one of their bodies moves
 /// errors    InputError with the body's name: mass, inertia, pose, momentum, friction,
-///           restitution, no surface, a name twice
+///           restitution, no surface, a name twice; with the joint's: check_joint, a name twice,
+///           nothing that moves
 /// Thread    [offline]; throws std::bad_alloc
-World make_world(std::vector<WorldBody> bodies, const Vec3& gravity);
+World make_world(std::vector<WorldBody> bodies, const Vec3& gravity,
+                 std::vector<WorldJoint> joints = {});
+
+/// Whether a joint keeps two bodies from touching each other. Thread: any.
+bool never_touch(const World& world, std::int32_t a, std::int32_t b) noexcept;
 
 /// Its state at the start.
 /// Thread    [offline]; throws std::bad_alloc.
@@ -98,7 +109,7 @@ WorldState start_state(const World& world);
 Friction friction_between(const WorldBody& a, const WorldBody& b) noexcept;
 
 /// Sum over moving and held bodies of the kinetic energy and of what gravity has still to give,
-/// counted from the origin [J]. Thread: any.
+/// counted from the origin, and of what springs of joints hold [J]. Thread: any.
 double mechanical_energy(const World& world, const WorldState& state) noexcept;
 
 /// Sum of the momenta of moving and held bodies: linear [kg m/s], and angular about the world's

@@ -24,10 +24,12 @@ std::string config_text(const WorldRecordingInfo& info) {
   nlohmann::ordered_json json;
   json["kind"] = kKind;
   json["scene"] = info.scene;
-  json["device"] = info.device;
+  json["device"] = info.devices.empty() ? "" : info.devices.front();
+  json["devices"] = info.devices;
   json["seed"] = info.seed;
   json["rate_hz"] = info.rate;
   json["bodies"] = info.bodies;
+  json["joints"] = info.joints;
   return json.dump();
 }
 
@@ -39,10 +41,15 @@ void read_config_text(std::string_view text, const std::string& path, WorldRecor
   const auto json = nlohmann::json::parse(text);
   if (json.value("kind", "") != kKind) refuse(path, "/config is of another kind");
   out.scene = json.at("scene").get<std::string>();
-  out.device = json.at("device").get<std::string>();
+  if (json.contains("devices"))  // older recordings have one at most
+    out.devices = json.at("devices").get<std::vector<std::string>>();
+  else if (const auto device = json.at("device").get<std::string>(); !device.empty())
+    out.devices = {device};
   out.seed = json.at("seed").get<std::uint64_t>();
   out.rate = json.at("rate_hz").get<double>();
   out.bodies = json.at("bodies").get<std::vector<std::string>>();
+  if (json.contains("joints"))  // older recordings have none
+    out.joints = json.at("joints").get<std::vector<std::string>>();
   if (!(out.rate > 0.0) || !std::isfinite(out.rate)) refuse(path, "rate_hz is not positive");
 }
 
@@ -74,7 +81,13 @@ WorldRecordingWriter::WorldRecordingWriter(const std::string& path, const WorldR
   const std::uint16_t config = file_->add_channel("/config", "thigma.world_config", "");
   for (const std::string& name : info.bodies)
     bodies_.push_back(file_->add_channel("/body/" + name + "/state", "thigma.body_state", ""));
-  command_ = file_->add_channel("/device/command", "thigma.wrench", "");
+  for (const std::string& name : info.joints)
+    joints_.push_back(file_->add_channel("/joint/" + name + "/state", "thigma.joint_state", ""));
+  for (std::size_t i = 0; i < info.devices.size(); ++i) {
+    std::string topic = "/device";
+    if (i > 0) topic.append("/").append(std::to_string(i + 1));
+    commands_.push_back(file_->add_channel(topic + "/command", "thigma.wrench", ""));
+  }
   events_ = file_->add_channel("/events", "thigma.event", "");
   file_->write(config, 0, 0, config_text(info));
 }
@@ -82,7 +95,9 @@ WorldRecordingWriter::WorldRecordingWriter(const std::string& path, const WorldR
 WorldRecordingWriter::~WorldRecordingWriter() = default;
 
 void WorldRecordingWriter::write(std::uint64_t frame, double time,
-                                 std::span<const BodyState> bodies, const Wrench& command) {
+                                 std::span<const BodyState> bodies,
+                                 std::span<const RecordedJoint> joints,
+                                 std::span<const Wrench> commands) {
   const auto sequence = static_cast<std::uint32_t>(frame);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyState& y = bodies[i];
@@ -95,13 +110,26 @@ void WorldRecordingWriter::write(std::uint64_t frame, double time,
     json.close();
     file_->write(bodies_[i], sequence, nanoseconds(time), text_);
   }
-  text_.clear();
-  detail::JsonObject json(text_);
-  json.integer("frame", static_cast<long long>(frame));
-  json.vector("force", command.force);
-  json.vector("torque", command.torque);
-  json.close();
-  file_->write(command_, sequence, nanoseconds(time), text_);
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    text_.clear();
+    detail::JsonObject json(text_);
+    json.integer("frame", static_cast<long long>(frame));
+    json.number("coordinate", joints[i].coordinate);
+    json.number("spring", joints[i].spring);
+    json.number("motor", joints[i].motor);
+    json.number("limit", joints[i].limit);
+    json.close();
+    file_->write(joints_[i], sequence, nanoseconds(time), text_);
+  }
+  for (std::size_t i = 0; i < commands_.size(); ++i) {
+    text_.clear();
+    detail::JsonObject json(text_);
+    json.integer("frame", static_cast<long long>(frame));
+    json.vector("force", commands[i].force);
+    json.vector("torque", commands[i].torque);
+    json.close();
+    file_->write(commands_[i], sequence, nanoseconds(time), text_);
+  }
 }
 
 void WorldRecordingWriter::close(std::uint64_t frames, std::uint64_t state_hash) {

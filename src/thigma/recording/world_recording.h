@@ -16,16 +16,25 @@ class McapWriter;
 
 /// What a recording of a world says of its session.
 struct WorldRecordingInfo {
-  std::string scene, device;  // file or built-in name; address, "" without
+  std::string scene;                 // file or built-in name
+  std::vector<std::string> devices;  // addresses
   std::uint64_t seed = 1;
   double rate = 1000.0;             // [Hz]
   std::vector<std::string> bodies;  // names
+  std::vector<std::string> joints;  // likewise
   std::uint64_t frames = 0;         // at the end
   std::uint64_t state_hash = 0;     // likewise
   bool has_end = false;
 };
 
-/// Writes one. Topics: /config, /body/NAME/state for each body, /device/command, /events.
+/// What a recording says of a joint in a frame.
+struct RecordedJoint {
+  double coordinate = 0.0;                        // [m, rad]
+  double spring = 0.0, motor = 0.0, limit = 0.0;  // along it [N, N m]
+};
+
+/// Writes one. Topics: /config, /body/NAME/state for each body, /joint/NAME/state for each joint,
+/// /device/command of the first device, /device/2/command and so on of others, /events.
 /// Thread: one, [offline]. Members throw IoError.
 class WorldRecordingWriter {
  public:
@@ -35,15 +44,16 @@ class WorldRecordingWriter {
   WorldRecordingWriter& operator=(const WorldRecordingWriter&) = delete;
 
   /// bodies   as many as names
-  /// command  sent to the device
+  /// joints   likewise
+  /// commands sent to the devices, likewise
   void write(std::uint64_t frame, double time, std::span<const BodyState> bodies,
-             const Wrench& command);
+             std::span<const RecordedJoint> joints, std::span<const Wrench> commands);
   void close(std::uint64_t frames, std::uint64_t state_hash);
 
  private:
   std::unique_ptr<McapWriter> file_;
-  std::vector<std::uint16_t> bodies_;
-  std::uint16_t command_ = 0, events_ = 0;
+  std::vector<std::uint16_t> bodies_, joints_, commands_;
+  std::uint16_t events_ = 0;
   std::string text_;
 };
 

@@ -13,9 +13,11 @@
 #include "thigma/device/open_device.h"
 #include "thigma/files/file.h"
 #include "thigma/math/rotation.h"
+#include "thigma/models/make_model.h"
 #include "thigma/scene/asset_cache.h"
 #include "thigma/scene/detail/object_keys.h"
 #include "thigma/scene/detail/toml_table.h"
+#include "thigma/scene/detail/world_joints.h"
 #include "thigma/scene/scene_file.h"
 
 namespace thigma {
@@ -25,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostBytes = 1 << 20;  // a scene file is a page of text
 constexpr int kMostCopies = 1000;            // bodies of one table
-constexpr std::size_t kMostBodies = 1000;
+constexpr std::size_t kMostBodies = 1000, kMostJoints = 4000, kMostDevices = 16;
 
 /// Names stand in topics of recordings.
 void check_name(const TomlTable& table, const std::string& name) {
@@ -47,9 +49,7 @@ void read_body(TomlTable& table, std::optional<BodyKind> kind, const std::string
   body.kind = kind.value_or(BodyKind::moving);
   if (!kind) {
     const auto word = table.choice("kind", {"moving", "prescribed", "held"});
-    if (word == 2)
-      table.fail("kind", "= 'held' is for more than one hand, which is not there yet",
-                 "expected the held body as [object]");
+    if (word == 2) body.kind = BodyKind::held;
     if (word == 1) body.kind = BodyKind::prescribed;
   }
   if (body.kind != BodyKind::fixed) {
@@ -78,18 +78,45 @@ void read_body(TomlTable& table, std::optional<BodyKind> kind, const std::string
   }
 }
 
-void read_tables(TomlTable& top, const std::string& folder, WorldSceneDescription& scene) {
-  std::vector<TomlTable> statics = top.tables("static"), moving = top.tables("body");
+WorldSceneDevice read_device(TomlTable& table) {
+  WorldSceneDevice device;
+  device.uri = table.text("uri").value_or(device.uri);
+  device.holds = table.text("holds").value_or("");
+  device.at = table.vector("at");
+  device.approach = table.vector("approach").value_or(device.approach);
+  device.clearance = table.number("clearance", Range::positive).value_or(device.clearance);
+  SafetyLimits& limits = device.limits;
+  limits.max_force = table.number("max_force", Range::positive).value_or(limits.max_force);
+  limits.max_torque = table.number("max_torque", Range::positive).value_or(limits.max_torque);
+  limits.max_speed = table.number("max_speed", Range::positive).value_or(limits.max_speed);
+  if (!(device.approach.squaredNorm() > 0.0))
+    table.fail("approach", "has no direction", "expected [x, y, z] of any length above 0");
+  table.finish();
+  return device;
+}
+
+/// [device], or [[device]] with what each holds.
+void read_devices(TomlTable& top, bool has_many, WorldSceneDescription& scene) {
+  if (!has_many) {
+    if (auto table = top.table("device")) scene.devices.push_back(read_device(*table));
+    return;
+  }
+  std::vector<TomlTable> tables = top.tables("device");
+  for (TomlTable& table : tables) {
+    if (!table.has("holds")) table.fail_here("no holds", "expected the name of a held body");
+    scene.devices.push_back(read_device(table));
+    if (scene.devices.size() > kMostDevices)
+      table.fail_here("more than " + std::to_string(kMostDevices) + " devices", "expected fewer");
+  }
+}
+
+void read_tables(TomlTable& top, const std::string& folder, bool has_many_devices,
+                 WorldSceneDescription& scene) {
+  std::vector<TomlTable> statics = top.tables("static"), moving = top.tables("body"),
+                         joints = top.tables("joint");
   std::optional<TomlTable> object = top.table("object");
   if (auto table = top.table("coupling")) detail::read_coupling(*table, scene.coupling);
-  if (auto table = top.table("device")) {
-    scene.device = table->text("uri").value_or(scene.device);
-    scene.approach = table->vector("approach").value_or(scene.approach);
-    scene.clearance = table->number("clearance", Range::positive).value_or(scene.clearance);
-    if (!(scene.approach.squaredNorm() > 0.0))
-      table->fail("approach", "has no direction", "expected [x, y, z] of any length above 0");
-    table->finish();
-  }
+  read_devices(top, has_many_devices, scene);
   if (auto table = top.table("solver")) {
     const std::optional<double> rate = table->number("rate", Range::positive);
     if (rate && !(*rate >= 50.0 && *rate <= 20000.0))
@@ -103,6 +130,14 @@ void read_tables(TomlTable& top, const std::string& folder, WorldSceneDescriptio
   if (object) read_body(*object, BodyKind::held, folder, scene.bodies);
   for (TomlTable& table : statics) read_body(table, BodyKind::fixed, folder, scene.bodies);
   for (TomlTable& table : moving) read_body(table, std::nullopt, folder, scene.bodies);
+  for (TomlTable& table : joints) {
+    const std::size_t before = scene.joints.size();
+    detail::read_joint(table, scene.joints);
+    for (std::size_t i = before; i < scene.joints.size(); ++i)
+      check_name(table, scene.joints[i].name);
+    if (scene.joints.size() > kMostJoints)
+      table.fail_here("more than " + std::to_string(kMostJoints) + " joints", "expected fewer");
+  }
   if (scene.bodies.size() > kMostBodies)
     top.fail_here(std::to_string(scene.bodies.size()) + " bodies",
                   "expected at most " + std::to_string(kMostBodies));
@@ -173,7 +208,7 @@ WorldSceneDescription parse_world_scene(std::string_view text, const std::string
   scene.file = file;
   scene.title = top.text("title").value_or(fs::path(file).stem().string());
   scene.gravity = top.vector("gravity").value_or(scene.gravity);
-  read_tables(top, folder, scene);
+  read_tables(top, folder, root["device"].is_array_of_tables(), scene);
   return scene;
 }
 
@@ -181,6 +216,54 @@ WorldSceneDescription read_world_scene(const std::string& path) {
   if (!fs::is_regular_file(path)) return parse_world_scene(builtin_scene(path), path, "");
   return parse_world_scene(read_file(path), path, fs::path(path).parent_path().string());
 }
+
+namespace {
+
+/// Number of the body that a device holds.
+std::int32_t held_by(const WorldSceneDescription& scene, const WorldSceneDevice& device) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const WorldSceneBody& body = scene.bodies[i];
+    if (body.kind != BodyKind::held) continue;
+    if (device.holds.empty() || body.object.name == device.holds)
+      return static_cast<std::int32_t>(i);
+    names.push_back(body.object.name);
+  }
+  const std::string nearest = models::nearest_word(device.holds, names);
+  throw InputError(scene.file + ": device '" + device.uri + "': holds '" + device.holds +
+                   "', expected " +
+                   (nearest.empty() ? "a body of kind held" : "'" + nearest + "'?"));
+}
+
+/// A hand for each device; every held body needs one.
+void add_hands(LoadedWorld& loaded) {
+  WorldSceneDescription& scene = loaded.description;
+  WorldSessionConfig& config = loaded.config;
+  const auto is_held = [](const WorldSceneBody& body) { return body.kind == BodyKind::held; };
+  const auto held = std::count_if(scene.bodies.begin(), scene.bodies.end(), is_held);
+  if (held == 0 && std::all_of(scene.devices.begin(), scene.devices.end(),
+                               [](const WorldSceneDevice& d) { return d.holds.empty(); }))
+    scene.devices.clear();
+  if (held > 0 && scene.devices.empty()) scene.devices.emplace_back();
+  for (const WorldSceneDevice& device : scene.devices) {
+    WorldHand hand;
+    hand.body = held_by(scene, device);
+    hand.coupling =
+        make_coupling(scene.coupling, default_gains(loaded.hierarchies[idx(hand.body)]->radius),
+                      config.world.rigid[idx(hand.body)]);
+    hand.at = device.at;
+    hand.limits = device.limits;
+    config.hands.push_back(hand);
+  }
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const auto holds = [&](const WorldHand& hand) { return idx(hand.body) == i; };
+    if (is_held(scene.bodies[i]) && std::none_of(config.hands.begin(), config.hands.end(), holds))
+      throw InputError(scene.file + ": body '" + scene.bodies[i].object.name +
+                       "': held by no device, expected a [[device]] that holds it");
+  }
+}
+
+}  // namespace
 
 LoadedWorld load_world(WorldSceneDescription description, const Log& log) {
   LoadedWorld loaded;
@@ -204,7 +287,8 @@ LoadedWorld load_world(WorldSceneDescription description, const Log& log) {
   }
   WorldSessionConfig& config = loaded.config;
   try {
-    config.world = make_world(std::move(bodies), scene.gravity);
+    std::vector<WorldJoint> joints = detail::world_joints(scene.joints, bodies);
+    config.world = make_world(std::move(bodies), scene.gravity, std::move(joints));
     config.world.sleeps = scene.sleeps;
     config.start = start_state(config.world);
     const WorldScratchPtr scratch = reserve_world(config.world, 1);
@@ -218,28 +302,31 @@ LoadedWorld load_world(WorldSceneDescription description, const Log& log) {
     const auto number = static_cast<std::int32_t>(i);
     if (body.kind == BodyKind::prescribed)
       config.drives.push_back({number, {body.velocity, body.spin}});
-    if (body.kind != BodyKind::held) continue;
-    config.held = number;
-    config.coupling = make_coupling(scene.coupling, default_gains(loaded.hierarchies[i]->radius),
-                                    config.world.rigid[i]);
   }
+  add_hands(loaded);
   return loaded;
 }
 
-std::unique_ptr<HapticDevice> open_world_device(const LoadedWorld& world, const std::string& uri,
-                                                std::uint64_t seed) {
-  if (world.config.held < 0) return nullptr;
-  DeviceContext context;
-  context.approach = world.description.approach;
-  context.clearance = world.description.clearance;
-  context.object_radius = world.hierarchies[idx(world.config.held)]->radius;
-  context.seed = seed;
-  auto device = open_device(uri.empty() ? world.description.device : uri, context);
-  if (device->limits().holds_person)
-    throw DeviceUnavailable(device->name() +
-                            ": holds a person, expected hand:, script: or null:; worlds of several "
-                            "bodies have no safety limits yet");
-  return device;
+WorldDevices open_world_devices(const LoadedWorld& world, const std::vector<std::string>& uris,
+                                std::uint64_t seed) {
+  WorldDevices devices;
+  for (std::size_t i = 0; i < world.config.hands.size(); ++i) {
+    const WorldSceneDevice& given = world.description.devices[i];
+    DeviceContext context;
+    context.approach = given.approach;
+    context.clearance = given.clearance;
+    context.object_radius = world.hierarchies[idx(world.config.hands[i].body)]->radius;
+    context.seed = seed + i;
+    const bool is_asked = i < uris.size() && !uris[i].empty();
+    auto device = open_device(is_asked ? uris[i] : given.uri, context);
+    if (device->limits().holds_person)
+      throw DeviceUnavailable(device->name() +
+                              ": holds a person, expected hand:, script: or null:; worlds of "
+                              "several bodies have no ramps and no watchdog yet");
+    devices.list.push_back(device.get());
+    devices.owned.push_back(std::move(device));
+  }
+  return devices;
 }
 
 }  // namespace thigma

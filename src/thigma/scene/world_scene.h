@@ -21,16 +21,39 @@ struct WorldSceneBody {
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();  // at the start; of a prescribed body always
 };
 
+/// A device of a scene and what it holds.
+struct WorldSceneDevice {
+  std::string uri = "hand:";
+  std::string holds;               // name of a body; "": [object]
+  std::optional<Vec3> at;          // where it takes hold [m; world]; else the body's centre
+  Vec3 approach = -Vec3::UnitZ();  // of a simulated hand [world]
+  double clearance = 0.02;         // on its way to the first touch [m]
+  SafetyLimits limits;
+};
+
+/// A joint as a scene describes it, where its bodies stand at the start.
+struct WorldSceneJoint {
+  std::string name;
+  JointKind kind = JointKind::ball;
+  std::string body, to;             // names; "" of the second: the world
+  Vec3 position = Vec3::Zero();     // [m; world]
+  std::optional<Vec3> to_position;  // of a spring: its place on the other body
+  Vec3 axis = Vec3::UnitZ();        // of any length above 0 [world]
+  std::optional<double> lower, upper, rest;
+  double stiffness = 0.0, damping = 0.0;
+  JointMotor motor;
+  bool touches = false;
+};
+
 /// A world, as a file gives it.
 struct WorldSceneDescription {
   std::string file, title;
   Vec3 gravity = Vec3::Zero();  // [m/s^2]
   std::vector<WorldSceneBody> bodies;
+  std::vector<WorldSceneJoint> joints;
   CouplingGains coupling;
-  std::string device = "hand:";
-  Vec3 approach = -Vec3::UnitZ();  // of a simulated hand [world]
-  double clearance = 0.02;         // on its way to the first touch [m]
-  double rate = 1000.0;            // of steps [Hz]
+  std::vector<WorldSceneDevice> devices;  // one of [object] where none is named
+  double rate = 1000.0;                   // of steps [Hz]
   bool sleeps = true;
 };
 
@@ -58,16 +81,23 @@ struct LoadedWorld {
 /// Loads its meshes, and refuses bodies that start in each other.
 ///
 /// errors  InputError by the body's name: a mesh, mass or density that cannot be used, a start
-///         inside another body
+///         inside another body; by the joint's: an unknown body, and what check_joint refuses
 /// Thread  [offline]
 LoadedWorld load_world(WorldSceneDescription description, const Log& log = {});
 
-/// Opens the device of a world. Only devices that hold nobody: worlds have no safety limits yet.
+/// The devices of a world, one a hand of its config.
+struct WorldDevices {
+  std::vector<std::unique_ptr<HapticDevice>> owned;
+  std::vector<HapticDevice*> list;
+};
+
+/// Opens them. Only devices that hold nobody: worlds have no ramps and no watchdog yet.
 ///
-/// uri     empty: the scene's
+/// uris    by hand; those left out or empty are the scene's
+/// seed    of the first; each further one has the next
 /// errors  DeviceAddressError, DeviceUnavailable
 /// Thread  [offline]
-std::unique_ptr<HapticDevice> open_world_device(const LoadedWorld& world, const std::string& uri,
-                                                std::uint64_t seed);
+WorldDevices open_world_devices(const LoadedWorld& world, const std::vector<std::string>& uris,
+                                std::uint64_t seed);
 
 }  // namespace thigma

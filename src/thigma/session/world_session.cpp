@@ -18,6 +18,15 @@ void add_state(const BodyState& y, StateHash& hash) noexcept {
   add_vector(hash, y.angular_momentum);
 }
 
+void add_frame(const WorldState& state, std::span<const Wrench> commands,
+               StateHash& hash) noexcept {
+  for (const BodyState& y : state.bodies) add_state(y, hash);
+  for (const Wrench& command : commands) {
+    add_vector(hash, command.force);
+    add_vector(hash, command.torque);
+  }
+}
+
 Wrench within(const DeviceLimits& limits, Wrench wrench) noexcept {
   const auto cut = [](Vec3& v, double most) {
     const double size = v.norm();
@@ -28,54 +37,119 @@ Wrench within(const DeviceLimits& limits, Wrench wrench) noexcept {
   return wrench;
 }
 
-/// The hand of a session: its handle in the world, and what it has put in.
+/// A hand of a session: its handle in the world, and what it has put in.
 struct Hand {
-  const WorldSessionConfig& config;
+  const World& world;
+  const WorldHand& config;
   HapticDevice* device = nullptr;
   HandHold hold{};
   WorkspaceAnchor anchor{};
+  SafetyState safety{};
   Vec3 last_position = Vec3::Zero();
   Quat last_orientation = Quat::Identity();
   bool has_started = false;
   bool has_finished = false;
 
-  void read(double now, const WorldState& state) {
+  void read(double now, double dt, const WorldState& state) {
     const DeviceState sample = device->read(now);
-    has_finished = sample.status == DeviceStatus::finished || sample.status == DeviceStatus::lost;
+    has_finished = sample.status == DeviceStatus::finished;
+    if (has_finished || !check_device(config.limits, sample, now, dt, safety)) return;
     if (sample.status == DeviceStatus::not_ready) return;
     if (!has_started) {
-      const BodyState& body = state.bodies[idx(config.held)];
-      anchor = anchor_at(sample.motion.pose, {body.position, body.orientation});
-      hold.body = config.held;
+      const BodyState& body = state.bodies[idx(config.body)];
+      anchor = anchor_at(sample.motion.pose, {config.at.value_or(body.position), body.orientation});
+      hold.body = config.body;
       hold.coupling = config.coupling;
     }
     hold.handle =
         world_motion(config.workspace, anchor, sample.motion, device->limits().senses_rotation);
     if (has_started) return;
-    grasp(hold.coupling, state.bodies[idx(config.held)], hold.handle.pose);
+    grasp(hold.coupling, state.bodies[idx(config.body)], hold.handle.pose);
     last_position = hold.handle.pose.position;
     last_orientation = hold.handle.pose.orientation;
     has_started = true;
   }
 
-  /// What is sent, and the energy that the hand has put in over the step [J].
-  Wrench write(const WorldState& state, double& energy) {
+  /// Sends what the hand feels, and counts it.
+  Wrench write(const WorldState& state, WorldHandSummary& summary) {
     if (!has_started) return {};
-    const BodyState& body = state.bodies[idx(config.held)];
+    const BodyState& body = state.bodies[idx(config.body)];
     const Wrench reaction =
-        coupling_reaction(hold.coupling, hold.handle, config.world.rigid[idx(config.held)], body);
-    const Wrench sent = within(device->limits(), device_wrench(config.workspace, reaction));
+        coupling_reaction(hold.coupling, hold.handle, world.rigid[idx(config.body)], body);
+    DeviceLimits limits = device->limits();
+    limits.max_force = std::min(limits.max_force, config.limits.max_force);
+    limits.max_torque = std::min(limits.max_torque, config.limits.max_torque);
+    const Wrench sent = within(limits, device_wrench(config.workspace, reaction));
     device->write(sent);
     const Vec3 turn = 2.0 * (hold.handle.pose.orientation * last_orientation.conjugate()).vec();
-    energy =
-        -reaction.force.dot(hold.handle.pose.position - last_position) - reaction.torque.dot(turn);
+    summary.port_energy -=
+        reaction.force.dot(hold.handle.pose.position - last_position) + reaction.torque.dot(turn);
+    summary.port_energy_min = std::min(summary.port_energy_min, summary.port_energy);
+    summary.force_max = std::max(summary.force_max, sent.force.norm());
     last_position = hold.handle.pose.position;
     last_orientation = hold.handle.pose.orientation;
     return sent;
   }
 };
 
+/// All hands of a session.
+struct Hands {
+  std::vector<Hand> list;
+  std::vector<HandHold> holds;  // of those that have started
+  std::vector<Motion> handles;
+  std::vector<Wrench> commands;
+
+  Hands(const WorldSessionConfig& config, std::span<HapticDevice* const> devices)
+      : handles(devices.size()), commands(devices.size()) {
+    for (std::size_t i = 0; i < devices.size(); ++i)
+      list.push_back({config.world, config.hands[i], devices[i]});
+    holds.reserve(devices.size());
+  }
+  /// Reads all devices; false where the session ends: a device has finished or is at fault.
+  bool read(double now, double dt, const WorldState& state, WorldSummary& summary) {
+    bool goes_on = true;
+    holds.clear();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      Hand& hand = list[i];
+      if (hand.device == nullptr) continue;
+      hand.read(now, dt, state);
+      summary.hands[i].fault = hand.safety.fault;
+      summary.has_fault = summary.has_fault || hand.safety.fault != Fault::none;
+      goes_on = goes_on && !hand.has_finished && hand.safety.fault == Fault::none;
+      if (hand.has_started) holds.push_back(hand.hold);
+    }
+    return goes_on;
+  }
+  void write(const WorldState& state, WorldSummary& summary) {
+    summary.port_energy = 0.0;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (list[i].device != nullptr) commands[i] = list[i].write(state, summary.hands[i]);
+      handles[i] = list[i].hold.handle;
+      const WorldHandSummary& hand = summary.hands[i];
+      summary.port_energy += hand.port_energy;
+      summary.port_energy_min = std::min(summary.port_energy_min, hand.port_energy_min);
+      summary.force_max = std::max(summary.force_max, hand.force_max);
+    }
+  }
+  void let_go() {
+    for (const Hand& hand : list)
+      if (hand.device != nullptr) hand.device->write({});
+  }
+};
+
+void check_devices(const WorldSessionConfig& config, std::span<HapticDevice* const> devices) {
+  if (devices.size() != config.hands.size())
+    throw std::invalid_argument(std::to_string(devices.size()) + " devices, expected the " +
+                                std::to_string(config.hands.size()) + " of the hands");
+  for (HapticDevice* device : devices)
+    if (device != nullptr && device->limits().holds_person)
+      throw std::invalid_argument(device->name() +
+                                  ": holds a person, expected a simulated device: worlds of "
+                                  "several bodies have no ramps and no watchdog yet");
+}
+
 void count(const WorldStep& step, WorldSummary& summary) noexcept {
+  summary.joint_error = std::max(summary.joint_error, step.joint_error);
   summary.residual_max = std::max(summary.residual_max, step.residual);
   summary.waited += step.waited;
   summary.gap_min = std::min(summary.gap_min, step.least_gap);
@@ -93,48 +167,45 @@ void count(const WorldStep& step, WorldSummary& summary) noexcept {
 
 }  // namespace
 
-WorldSummary run_world(const WorldSessionConfig& config, HapticDevice* device,
+WorldSummary run_world(const WorldSessionConfig& config, std::span<HapticDevice* const> devices,
                        const std::function<void(const WorldFrame&)>& sink,
                        const std::atomic<bool>* stop) {
-  if (device != nullptr && device->limits().holds_person)
-    throw std::invalid_argument(device->name() +
-                                ": holds a person, expected a simulated device: worlds of several "
-                                "bodies have no safety limits yet");
+  check_devices(config, devices);
   WorldSummary summary;
+  summary.hands.resize(devices.size());
   WorldState state = config.start;
   const WorldScratchPtr scratch = reserve_world(config.world);
-  Hand hand{config, config.held >= 0 ? device : nullptr};
+  Hands hands(config, devices);
   StateHash hash;
   summary.energy_start = mechanical_energy(config.world, state);
   summary.gap_min = kInfinity;
   const double dt = 1.0 / config.rate;
   const auto frames = static_cast<std::uint64_t>(std::llround(config.duration * config.rate));
   WorldFrame frame;
+  std::vector<JointReading> joints(config.world.joints.size());
   for (std::uint64_t i = 0; i < frames && !summary.was_stopped; ++i) {
-    if (hand.device != nullptr) hand.read(static_cast<double>(i) * dt, state);
-    if (hand.has_finished) break;
-    WorldInputs inputs;
-    inputs.drives = config.drives;
-    if (hand.has_started) inputs.hands = {&hand.hold, 1};
-    frame.step = step_world(config.world, inputs, dt, state, *scratch);
-    double energy = 0.0;
-    frame.command = hand.device != nullptr ? hand.write(state, energy) : Wrench{};
-    summary.port_energy += energy;
-    summary.port_energy_min = std::min(summary.port_energy_min, summary.port_energy);
-    summary.force_max = std::max(summary.force_max, frame.command.force.norm());
-    for (const BodyState& y : state.bodies) add_state(y, hash);
-    add_vector(hash, frame.command.force);
-    add_vector(hash, frame.command.torque);
+    if (!hands.read(static_cast<double>(i) * dt, dt, state, summary)) break;
+    frame.step = step_world(config.world, {.hands = hands.holds, .drives = config.drives}, dt,
+                            state, *scratch);
+    hands.write(state, summary);
+    const double made =
+        mechanical_energy(config.world, state) - summary.energy_start - summary.port_energy;
+    summary.energy_made = std::max(summary.energy_made, made);
+    add_frame(state, hands.commands, hash);
     count(frame.step, summary);
     ++summary.frames;
+    for (std::size_t k = 0; sink && k < joints.size(); ++k)
+      joints[k] = read_joint(config.world, state, *scratch, static_cast<std::int32_t>(k), dt);
     frame.frame = i;
     frame.time = static_cast<double>(i + 1) * dt;
     frame.bodies = state.bodies;
-    frame.handle = hand.hold.handle;
+    frame.joints = joints;
+    frame.handles = hands.handles;
+    frame.commands = hands.commands;
     if (sink) sink(frame);
     summary.was_stopped = stop != nullptr && stop->load(std::memory_order_relaxed);
   }
-  if (device != nullptr) device->write({});
+  hands.let_go();
   summary.state_hash = hash.value;
   summary.energy_end = mechanical_energy(config.world, state);
   return summary;

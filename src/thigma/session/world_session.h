@@ -1,25 +1,35 @@
 #pragma once
-// A session of several moving bodies, one of which a hand may hold: on a virtual clock, bit for bit
+// A session of several moving bodies, some of which hands may hold: on a virtual clock, bit for bit
 // the same every time.
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "thigma/device/haptic_device.h"
 #include "thigma/device/workspace.h"
+#include "thigma/loop/safety.h"
 #include "thigma/multibody/step_world.h"
 
 namespace thigma {
+
+/// A hand of a session.
+struct WorldHand {
+  std::int32_t body = -1;  // of kind held; several hands may hold one
+  Coupling coupling;       // taken hold of at the first sample
+  Workspace workspace;
+  std::optional<Vec3> at;  // where it takes hold at the start [m; world]; else the body's centre
+  SafetyLimits limits;     // of what its device says and of what is sent; the device's hold as well
+};
 
 /// What a world session is.
 struct WorldSessionConfig {
   World world;
   WorldState start;
-  std::int32_t held = -1;  // body in the hand; -1: none
-  Coupling coupling;       // of the hand; taken hold of at the first sample
-  Workspace workspace;
+  std::vector<WorldHand> hands;
   std::vector<BodyDrive> drives;  // of prescribed bodies
   double rate = 1000.0;           // of steps [Hz]
   double duration = 10.0;         // [s]
@@ -30,20 +40,34 @@ struct WorldFrame {
   std::uint64_t frame = 0;
   double time = 0.0;  // at its end [s]
   std::span<const BodyState> bodies;
-  Motion handle;   // [world]
-  Wrench command;  // sent [N, N m; device frame]
+  std::span<const JointReading> joints;
+  std::span<const Motion> handles;   // by hand [world]
+  std::span<const Wrench> commands;  // sent, by hand [N, N m; device frame]
   WorldStep step;
+};
+
+/// How it went for a hand.
+struct WorldHandSummary {
+  double force_max = 0.0;  // sent [N]
+  // that the hand has put in since the start, least and at the end [J]
+  double port_energy = 0.0, port_energy_min = 0.0;
+  Fault fault = Fault::none;
 };
 
 /// How it went.
 struct WorldSummary {
   std::uint64_t frames = 0;
   std::uint64_t state_hash = 0;                 // of all bodies and what was sent, of all frames
-  double force_max = 0.0;                       // sent [N]
+  double force_max = 0.0;                       // sent, of all hands [N]
   double energy_start = 0.0, energy_end = 0.0;  // mechanical_energy [J]
-  // that the hand has put in since the start, least and at the end [J]; energy_min < 0: it was
-  // handed out
+  // that hands have put in since the start: all at the end, and the least of any [J]; below 0: it
+  // was handed out
   double port_energy = 0.0, port_energy_min = 0.0;
+  std::vector<WorldHandSummary> hands;
+  // most that there was of bodies' and springs' energy beyond that of the start and what the hand
+  // had put in, at least 0 [J]; motors and prescribed bodies count as well
+  double energy_made = 0.0;
+  double joint_error = 0.0;   // by which a joint was not met, at most [m]
   double residual_max = 0.0;  // of a solve [m/s]
   double waited = 0.0;        // [s]
   double gap_min = 0.0;       // least gap of a row [m]
@@ -52,19 +76,21 @@ struct WorldSummary {
   std::uint64_t not_whole = 0;  // steps in which rows contradicted each other
   std::int32_t awake = 0;       // at the end
   bool was_stopped = false;
+  bool has_fault = false;  // of a hand: all devices were left at zero force
 };
 
-/// Runs a world: each frame reads the device, makes a step of 1 / rate with all bodies in one solve
-/// an island, and sends the coupling's reaction, cut at the device's limits.
+/// Runs a world: each frame reads the devices, makes a step of 1 / rate with all bodies in one
+/// solve an island, and sends each coupling's reaction, cut at the limits of its device and hand. A
+/// fault of one hand ends the session, before a step is made, with zero force on all.
 ///
 /// config   constant
-/// device   null where nobody holds a body
+/// devices  one a hand; null: nobody holds it
 /// sink     called after every frame; may be empty
 /// stop     null, or looked at every frame
-/// errors   std::invalid_argument for a device that holds a person, as nothing here keeps a hand
-///          safe; what a sink throws
+/// errors   std::invalid_argument for another number of devices, and for one that holds a person,
+///          as worlds have no ramps and no watchdog yet; what a sink throws
 /// Thread   [offline]
-WorldSummary run_world(const WorldSessionConfig& config, HapticDevice* device,
+WorldSummary run_world(const WorldSessionConfig& config, std::span<HapticDevice* const> devices,
                        const std::function<void(const WorldFrame&)>& sink = {},
                        const std::atomic<bool>* stop = nullptr);
 

@@ -24,15 +24,22 @@ void each_own_plane(const RowSearch& search, const EdgeEnds& ends, const VertexS
   }
 }
 
+/// How much lower over a plane an end may come. Points of the object go by the travel. Planes of
+/// the object reach farther than its surface: at a point of the scene they go by the travel of the
+/// object's point beside it, and by what turning adds up to there.
+double reach_of(const RowSearch& search, const EdgeEnds& ends, const Vec3& at) noexcept {
+  if (ends.points_of == PointsOf::object) return search.reach.travel;
+  return search.reach.travel + search.reach.turn * (at - ends.other_nearest).norm();
+}
+
 /// What rows of both ends with a plane forbid; infinite where it would push an end.
 double forbidden_to_ends(const RowSearch& search, const EdgeEnds& ends, double distance,
                          const VertexSide& side, const EdgeGuard& guard) noexcept {
   double most = -kInfinity;
   const auto add = [&](std::int32_t end, const Vec3& at) {
     const double height = guard.plane.height(at);
-    if (guard.index >= 0 ? is_kept(search, side, end, guard.index, height)
-                         : height > search.reach.travel)
-      return;
+    const double reach = reach_of(search, ends, at);
+    if (guard.index >= 0 ? is_kept(side, end, guard.index, height, reach) : height > reach) return;
     most = std::max(most, may_keep(search, height, distance)
                               ? forbidden(search, ends.points_of, at, end, side, guard.plane)
                               : kInfinity);
@@ -50,20 +57,22 @@ std::int32_t feature_of(std::int32_t edge, std::int32_t which) noexcept {
 
 }  // namespace
 
-bool is_kept(const RowSearch& search, const VertexSide& side, std::int32_t vertex,
-             std::int32_t plane, double height) noexcept {
-  return height > search.reach.travel || is_member(side, vertex, plane);
+bool is_kept(const VertexSide& side, std::int32_t vertex, std::int32_t plane, double height,
+             double reach) noexcept {
+  return height > reach || is_member(side, vertex, plane);
 }
 
 bool is_kept_apart(RowSearch& search, const EdgeEnds& ends, double distance, VertexSide& side,
                    std::vector<FoundRow>& rows) noexcept {
   const double least = least_shared(search, distance);
+  const double of_tail = reach_of(search, ends, ends.at_tail);
+  const double of_head = reach_of(search, ends, ends.at_head);
   for (std::size_t i = 0; i < side.planes.size(); ++i) {
     const GuardPlane& plane = side.planes[i];
     const double tail = plane.height(ends.at_tail), head = plane.height(ends.at_head);
     const auto index = static_cast<std::int32_t>(i);
-    const bool keeps_tail = is_kept(search, side, ends.tail, index, tail);
-    const bool keeps_head = is_kept(search, side, ends.head, index, head);
+    const bool keeps_tail = is_kept(side, ends.tail, index, tail, of_tail);
+    const bool keeps_head = is_kept(side, ends.head, index, head, of_head);
     if ((!keeps_tail && tail <= least) || (!keeps_head && head <= least)) continue;
     if (plane.height(ends.other_tail) > search.rounding ||
         plane.height(ends.other_head) > search.rounding)
@@ -109,9 +118,11 @@ void keep_ends(RowSearch& search, const EdgeGuard& guard, VertexSide& side,
     index = static_cast<std::int32_t>(side.planes.size()) - 1;
   }
   const EdgeEnds& ends = *guard.ends;
-  if (!is_kept(search, side, ends.tail, index, guard.plane.height(ends.at_tail)))
+  if (!is_kept(side, ends.tail, index, guard.plane.height(ends.at_tail),
+               reach_of(search, ends, ends.at_tail)))
     add_member(search, ends.points_of, ends.tail, index, side, rows);
-  if (!is_kept(search, side, ends.head, index, guard.plane.height(ends.at_head)))
+  if (!is_kept(side, ends.head, index, guard.plane.height(ends.at_head),
+               reach_of(search, ends, ends.at_head)))
     add_member(search, ends.points_of, ends.head, index, side, rows);
 }
 

@@ -26,9 +26,9 @@ struct EdgeGuard {
   const EdgeEnds* ends = nullptr;
 };
 
-/// Whether a vertex needs no row with a plane: it has one, or is too far.
-bool is_kept(const RowSearch& search, const VertexSide& side, std::int32_t vertex,
-             std::int32_t plane, double height) noexcept;
+/// Whether a vertex needs no row with a plane: it has one, or is higher over it than it may come.
+bool is_kept(const VertexSide& side, std::int32_t vertex, std::int32_t plane, double height,
+             double reach) noexcept;
 
 /// Whether a plane that there is keeps the edges apart: both ends have a row with it or do not
 /// reach it. Ends that are high over a plane of others take it as theirs (least_shared).

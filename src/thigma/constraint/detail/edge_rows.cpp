@@ -204,8 +204,8 @@ bool is_guarded_from_patch(const RowSearch& search, const VertexSide& side,
                            const Vec3& tail, const Vec3& head) noexcept {
   for (const std::int32_t i : planes) {
     const GuardPlane& plane = side.planes[idx(i)];
-    if (is_kept(search, side, edge.tail, i, plane.height(tail)) &&
-        is_kept(search, side, edge.head, i, plane.height(head)))
+    if (is_kept(side, edge.tail, i, plane.height(tail), search.reach.travel) &&
+        is_kept(side, edge.head, i, plane.height(head), search.reach.travel))
       return true;
   }
   return false;

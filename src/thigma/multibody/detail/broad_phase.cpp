@@ -53,7 +53,7 @@ void find_pairs(const World& world, const WorldState& state, std::span<const dou
       const BroadPhase::Swept& other = broad.boxes[idx(second)];
       if (other.low.x() > box.high.x()) break;
       if (moves[idx(first)] == 0 && moves[idx(second)] == 0) continue;
-      if (overlap(box, other))
+      if (overlap(box, other) && !never_touch(world, first, second))
         broad.pairs.push_back({std::min(first, second), std::max(first, second)});
     }
   }

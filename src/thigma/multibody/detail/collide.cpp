@@ -5,7 +5,7 @@
 
 #include "thigma/core/index.h"
 #include "thigma/math/rotation.h"
-#include "thigma/multibody/detail/world_work.h"
+#include "thigma/multibody/detail/jointed_island.h"
 
 namespace thigma::detail {
 namespace {
@@ -39,10 +39,10 @@ struct Hit {
 };
 
 /// Whether a row came to press in this part, faster than what acts makes it.
-bool has_met(const Hit& hit, const IslandRow& row, const RowSource& source) noexcept {
+bool has_met(const Part& part, const IslandRow& row, const RowSource& source) noexcept {
   constexpr double kTouch = 1e-6;  // of the gap that is kept: less is no way
-  const NearPair& pair = *hit.part.s.pairs.near[idx(source.pair)];
-  const double slop = hit.part.world.pair_kinds[idx(pair.kind)].constraints.slop;
+  const NearPair& pair = *part.s.pairs.near[idx(source.pair)];
+  const double slop = part.world.pair_kinds[idx(pair.kind)].constraints.slop;
   return row.impulse.x() > 0.0 && source.room > kTouch * slop;
 }
 
@@ -106,7 +106,9 @@ void list_bodies(const Hit& hit) {
     IslandBody& body = s.hit_bodies[idx(i)];
     const BodyState& y = hit.states[idx(hit.body(i))];
     body.metric = mass_matrix(hit.rigid(i), y);
-    body.free = velocity_of(hit.rigid(i), y);
+    // What is prescribed has no momentum.
+    body.free = hit.is_free(i) ? velocity_of(hit.rigid(i), y)
+                               : s.islands.bodies[idx(hit.island.first_body + i)].velocity;
   }
 }
 
@@ -125,7 +127,7 @@ std::int32_t list_bounces(const Hit& hit) {
     const IslandRow& after = s.hit_rows[i];
     const IslandRow& row = s.islands.rows[idx(s.hit_sources[i])];
     const RowSource& source = s.islands.sources[idx(s.hit_sources[i])];
-    if (!has_met(hit, row, source)) continue;
+    if (!has_met(hit.part, row, source)) continue;
     const NearPair& pair = *s.pairs.near[idx(source.pair)];
     const auto& bodies = hit.part.world.bodies;
     const double e =
@@ -147,6 +149,24 @@ std::int32_t list_bounces(const Hit& hit) {
   return count;
 }
 
+/// Of the bounces, what the joints let the bodies take.
+void hold_bounces(const Hit& hit) {
+  auto& s = hit.part.s;
+  JointRowList& list = s.joint_rows;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < list.rows.size(); ++i) {
+    if (list.sources[i].kind != JointRowKind::hold) continue;
+    list.rows[kept] = list.rows[i];
+    list.rows[kept++].impulse = 0.0;
+  }
+  for (std::size_t i = 0; i < s.hit_bodies.size(); ++i)
+    s.hit_bodies[i].free = s.hit_bodies[i].metric.ldlt().solve(s.bounce[i]);
+  hit.part.report.newton +=
+      solve_island(s.hit_bodies, {}, std::span(list.rows.data(), kept), s.solve).newton;
+  for (std::size_t i = 0; i < s.hit_bodies.size(); ++i)
+    s.bounce[i] = s.hit_bodies[i].metric * s.hit_bodies[i].velocity;
+}
+
 /// The largest share of the bounces, 0 to 1, with which an island has no more energy than before
 /// the part: kinetic, and what gravity has given since.
 double share_of_energy(const Hit& hit) noexcept {
@@ -163,6 +183,11 @@ double share_of_energy(const Hit& hit) noexcept {
     slope += by.dot(s.hit_bodies[idx(i)].metric * velocity_of(rigid, after));
     bend += 0.5 * by.dot(s.bounce[idx(i)]);
   }
+  for (std::int32_t k = 0; k < hit.island.joints; ++k) {
+    const std::int32_t number = s.islands.joint[idx(hit.island.first_joint + k)];
+    const WorldJoint& joint = hit.part.world.joints[idx(number)];
+    budget += joint_energy(joint, hit.part.state.bodies) - joint_energy(joint, hit.states);
+  }
   if (slope + bend <= budget) return 1.0;
   if (!(bend > 0.0)) return 0.0;
   // bend x^2 + slope x = budget, the larger root.
@@ -175,12 +200,18 @@ void collide_island(const Hit& hit) {
   auto& s = hit.part.s;
   list_rows(hit);
   list_bodies(hit);
-  const IslandSolution solution = solve_island(s.hit_bodies, s.hit_rows, s.solve);
+  s.joint_rows.rows.clear();
+  const bool has_joints = hit.island.joints > 0;
+  if (has_joints) list_joint_ends(hit.part, hit.island, hit.states);
+  const IslandSolution solution =
+      solve_island(s.hit_bodies, s.hit_rows, s.joint_rows.rows, s.solve);
   hit.part.report.newton += solution.newton;
+  if (has_joints) keep_joint_ends(hit.part);
   for (std::int32_t i = 0; i < hit.island.bodies; ++i)
     if (hit.is_free(i)) give(hit, i, s.hit_bodies[idx(i)].impulse);
   const std::int32_t bounces = list_bounces(hit);
   if (bounces == 0) return;
+  if (has_joints) hold_bounces(hit);
   const double share = share_of_energy(hit);
   for (std::int32_t i = 0; i < hit.island.bodies; ++i)
     if (hit.is_free(i)) give(hit, i, share * s.bounce[idx(i)]);
@@ -193,10 +224,10 @@ void collide(Part& part, std::span<BodyState> states) {
   const Islands& islands = part.s.islands;
   for (const Island& island : islands.islands) {
     const Hit hit{part, island, states};
-    bool is_hit = false;
+    bool is_hit = island.joints > 0;
     for (std::int32_t i = 0; i < island.rows && !is_hit; ++i) {
       const std::size_t r = idx(island.first_row + i);
-      is_hit = has_met(hit, islands.rows[r], islands.sources[r]);
+      is_hit = has_met(part, islands.rows[r], islands.sources[r]);
     }
     if (is_hit) collide_island(hit);
   }

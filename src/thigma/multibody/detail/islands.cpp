@@ -13,14 +13,24 @@ bool is_between(std::span<const std::uint8_t> moves, const NearPair& pair) noexc
   return moves[idx(pair.first)] != 0 && moves[idx(pair.second)] != 0 && !pair.model.rows.empty();
 }
 
+/// Whether a joint is between two bodies that move.
+bool is_between(std::span<const std::uint8_t> moves, const WorldJoint& joint) noexcept {
+  return joint.b >= 0 && moves[idx(joint.a)] != 0 && moves[idx(joint.b)] != 0;
+}
+
 void list_neighbours(std::span<const std::uint8_t> moves, std::span<NearPair* const> near,
-                     Islands& s) {
+                     std::span<const WorldJoint> joints, Islands& s) {
   const std::size_t count = moves.size();
   s.first_neighbour.assign(count + 1, 0);
   for (const NearPair* pair : near) {
     if (!is_between(moves, *pair)) continue;
     ++s.first_neighbour[idx(pair->first) + 1];
     ++s.first_neighbour[idx(pair->second) + 1];
+  }
+  for (const WorldJoint& joint : joints) {
+    if (!is_between(moves, joint)) continue;
+    ++s.first_neighbour[idx(joint.a) + 1];
+    ++s.first_neighbour[idx(joint.b) + 1];
   }
   for (std::size_t i = 0; i < count; ++i) s.first_neighbour[i + 1] += s.first_neighbour[i];
   s.neighbour.resize(idx(s.first_neighbour[count]));
@@ -29,6 +39,11 @@ void list_neighbours(std::span<const std::uint8_t> moves, std::span<NearPair* co
     if (!is_between(moves, *pair)) continue;
     s.neighbour[idx(s.queue[idx(pair->first)]++)] = pair->second;
     s.neighbour[idx(s.queue[idx(pair->second)]++)] = pair->first;
+  }
+  for (const WorldJoint& joint : joints) {
+    if (!is_between(moves, joint)) continue;
+    s.neighbour[idx(s.queue[idx(joint.a)]++)] = joint.b;
+    s.neighbour[idx(s.queue[idx(joint.b)]++)] = joint.a;
   }
 }
 
@@ -88,6 +103,32 @@ std::int32_t island_of(const Islands& s, const NearPair& pair) noexcept {
   return island_of_place(s, first >= 0 ? first : second);
 }
 
+/// Joints in the order of their islands.
+void list_joints(std::span<const WorldJoint> joints, Islands& s) {
+  s.joint.clear();
+  if (joints.empty()) return;
+  const auto island_of_joint = [&](std::int32_t number) {
+    const WorldJoint& joint = joints[idx(number)];
+    const std::int32_t a = s.place[idx(joint.a)], b = joint.b < 0 ? -1 : s.place[idx(joint.b)];
+    return a < 0 && b < 0 ? -1 : island_of_place(s, a >= 0 ? a : b);
+  };
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    if (island_of_joint(static_cast<std::int32_t>(i)) >= 0)
+      s.joint.push_back(static_cast<std::int32_t>(i));
+  std::sort(s.joint.begin(), s.joint.end(), [&](std::int32_t x, std::int32_t y) {
+    const std::int32_t ix = island_of_joint(x), iy = island_of_joint(y);
+    return ix != iy ? ix < iy : x < y;
+  });
+  std::int32_t next = 0;
+  for (std::size_t k = 0; k < s.islands.size(); ++k) {
+    s.islands[k].first_joint = next;
+    while (next < static_cast<std::int32_t>(s.joint.size()) &&
+           island_of_joint(s.joint[idx(next)]) == static_cast<std::int32_t>(k))
+      ++next;
+    s.islands[k].joints = next - s.islands[k].first_joint;
+  }
+}
+
 /// Rows of one pair, appended.
 void append_rows(const World& world, std::span<const BodyState> states, const NearPair& pair,
                  std::int32_t number, double dt, const Island& island, Islands& s) {
@@ -133,16 +174,17 @@ double limit_of(double gap, double slop, double dt) noexcept {
 }
 
 void find_islands(std::span<const std::uint8_t> moves, std::span<NearPair* const> near,
-                  Islands& s) {
+                  std::span<const WorldJoint> joints, Islands& s) {
   s.islands.clear();
   s.body.clear();
   s.place.assign(moves.size(), -1);
   s.is_seen.assign(moves.size(), 0);
-  list_neighbours(moves, near, s);
+  list_neighbours(moves, near, joints, s);
   for (std::size_t i = 0; i < moves.size(); ++i) {
     if (moves[i] == 0 || s.place[i] >= 0) continue;
     gather_island(loneliest_near(static_cast<std::int32_t>(i), s), s);
   }
+  list_joints(joints, s);
 }
 
 void fill_rows(const World& world, std::span<const BodyState> states,

@@ -20,7 +20,8 @@ struct RowSource {
 
 /// Ranges of one island in the lists of all.
 struct Island {
-  std::int32_t first_body = 0, bodies = 0, first_row = 0, rows = 0;
+  std::int32_t first_body = 0, bodies = 0, first_row = 0, rows = 0, first_joint = 0, joints = 0;
+  double share = 1.0;  // with joints: of what acts through a part in the velocities that move it
 };
 
 /// All islands of a step: grows while warming up, never after.
@@ -31,15 +32,16 @@ struct Islands {
   std::vector<IslandBody> bodies;   // by place
   std::vector<IslandRow> rows;      // `a` and `b` are places within their island
   std::vector<RowSource> sources;   // of the rows
+  std::vector<std::int32_t> joint;  // joints of the world, island by island
   // of the search
   std::vector<std::int32_t> first_neighbour, neighbour, queue;
   std::vector<std::uint8_t> is_seen;
 };
 
-/// Finds the islands of the bodies that move: breadth first from the body with the fewest
-/// neighbours, so that bodies that touch have near places.
+/// Finds the islands of the bodies that move, with their joints: breadth first from the body with
+/// the fewest neighbours, so that bodies that touch have near places.
 void find_islands(std::span<const std::uint8_t> moves, std::span<NearPair* const> near,
-                  Islands& islands);
+                  std::span<const WorldJoint> joints, Islands& islands);
 
 /// Fills the rows of all islands at the states given.
 ///

@@ -7,6 +7,7 @@
 #include "thigma/dynamics/constrained_step.h"
 #include "thigma/dynamics/implicit_step.h"
 #include "thigma/math/rotation.h"
+#include "thigma/multibody/detail/jointed_island.h"
 #include "thigma/simulation/free_motion.h"
 
 namespace thigma::detail {
@@ -112,6 +113,31 @@ BodyState after_smoothly(const Part& part, std::int32_t body, const IslandBody& 
   return next;
 }
 
+void wake(Part& part, std::int32_t body) noexcept {
+  auto& s = part.s;
+  part.state.is_asleep[idx(body)] = 0;
+  part.state.still[idx(body)] = 0.0;
+  s.moves[idx(body)] = 1;
+  find_free(part, body);
+  s.go[idx(body)] = way_of(part, body, s.free[idx(body)].free);
+}
+
+/// Wakes what a joint ties to an awake body; whether there was any.
+bool wake_by_joints(Part& part) noexcept {
+  bool has_woken = false;
+  for (const WorldJoint& joint : part.world.joints) {
+    if (joint.b < 0) continue;
+    const std::int32_t ends[2] = {joint.a, joint.b};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::int32_t body = ends[k], other = ends[1 - k];
+      if (part.state.is_asleep[idx(body)] == 0 || part.s.moves[idx(other)] == 0) continue;
+      wake(part, body);
+      has_woken = true;
+    }
+  }
+  return has_woken;
+}
+
 /// Wakes what an awake body's box comes near to; whole heaps, as their bodies are near each other.
 void find_near(Part& part) {
   auto& s = part.s;
@@ -126,14 +152,11 @@ void find_near(Part& part) {
     for (const BodyPairIndex& pair : s.broad.pairs) {
       for (const std::int32_t body : {pair.a, pair.b}) {
         if (part.state.is_asleep[idx(body)] == 0) continue;
-        part.state.is_asleep[idx(body)] = 0;
-        part.state.still[idx(body)] = 0.0;
-        s.moves[idx(body)] = 1;
-        find_free(part, body);
-        s.go[idx(body)] = way_of(part, body, s.free[idx(body)].free);
+        wake(part, body);
         has_woken = true;
       }
     }
+    has_woken = wake_by_joints(part) || has_woken;
     if (!has_woken) break;
   }
   take_pairs(part.world, s.broad.pairs, s.pairs);
@@ -189,24 +212,13 @@ double gap_after(const Part& part, const RowSource& source) noexcept {
       .gap;
 }
 
-/// Rows that turning has closed beyond their linear change ask for less, or, where they touched
-/// already, to part by what turning takes; whether any does.
-bool correct_limits(Part& part, const Island& island) noexcept {
-  auto& s = part.s;
-  bool is_short = false;
-  for (std::int32_t i = 0; i < island.rows; ++i) {
-    const std::size_t r = idx(island.first_row + i);
-    const RowSource& source = s.islands.sources[r];
-    const double gap = gap_after(part, source);
-    const NearPair& pair = *s.pairs.near[idx(source.pair)];
-    const double slop = part.world.pair_kinds[idx(pair.kind)].constraints.slop;
-    const double kept = std::min(slop, source.gap);
-    constexpr double kShort = 0.5;  // of what is kept
-    if (gap >= kShort * kept || !(kept > 0.0)) continue;
-    is_short = true;
-    s.islands.rows[r].limit -= (kept - gap) / part.dt;
-  }
-  return is_short;
+/// What the reactions of a joint may do where it is met to rounding only [J].
+double joint_slack(const Part& part, std::int32_t joint) noexcept {
+  constexpr double kMet = 2e-11;  // of the size, of both ends
+  const JointImpulses& given = part.s.joint_part[idx(joint)];
+  double sum = 0.0;
+  for (std::size_t place = 0; place < kSpringPlace; ++place) sum += std::fabs(given[place]);
+  return sum / part.dt * kMet * part.world.joint_arm[idx(joint)];
 }
 
 /// Whether an island has more energy after the part than before, but for what leading bodies apart
@@ -231,7 +243,31 @@ bool gains_energy(const Part& part, const Island& island) noexcept {
     const std::size_t r = idx(island.first_row + i);
     gain -= s.islands.rows[r].impulse.x() * s.islands.sources[r].lead;
   }
+  for (std::int32_t k = 0; k < island.joints; ++k) {
+    const WorldJoint& joint = part.world.joints[idx(s.islands.joint[idx(island.first_joint + k)])];
+    if (joint.motor.is_on) return false;
+    allowed += joint_slack(part, s.islands.joint[idx(island.first_joint + k)]);
+    if (!(joint.stiffness > 0.0)) continue;
+    const double before = joint_energy(joint, part.state.bodies),
+                 after = joint_energy(joint, s.next);
+    gain += after - before;
+    allowed += kRounding * (before + after);
+  }
   return gain > allowed;
+}
+
+/// The same of islands with joints, whose velocities are right after `collide` only; what that gave
+/// their joints is taken back where one does.
+bool jointed_gain_energy(Part& part) noexcept {
+  auto& s = part.s;
+  bool is_gain = false;
+  for (const Island& island : s.islands.islands)
+    is_gain = is_gain || (island.joints > 0 && gains_energy(part, island));
+  if (!is_gain) return false;
+  for (const std::int32_t joint : s.islands.joint)
+    for (std::size_t place = 0; place < kJointPlaces; ++place)
+      s.joint_sum[idx(joint)][place] -= s.joint_end[idx(joint)][place];
+  return true;
 }
 
 /// Lets the one body of an island go smoothly, where its rows let it.
@@ -283,15 +319,19 @@ void solve_one(Part& part, const Island& island) {
 void solve_all(Part& part) {
   auto& s = part.s;
   Islands& islands = s.islands;
-  find_islands(s.moves, s.pairs.near, islands);
+  find_islands(s.moves, s.pairs.near, part.world.joints, islands);
+  std::fill(s.is_jointed.begin(), s.is_jointed.end(), 0);
   fill_rows(part.world, part.state.bodies, s.pairs.near, part.dt, islands);
   islands.bodies.resize(islands.body.size());
   for (std::size_t i = 0; i < islands.body.size(); ++i)
     islands.bodies[i] = s.free[idx(islands.body[i])];
   s.next.assign(part.state.bodies.begin(), part.state.bodies.end());
-  for (const Island& island : islands.islands) {
+  for (Island& island : islands.islands) {
     part.report.largest_island = std::max(part.report.largest_island, island.bodies);
-    solve_one(part, island);
+    if (island.joints > 0)
+      solve_jointed(part, island);
+    else
+      solve_one(part, island);
   }
   part.report.rows += static_cast<std::int64_t>(islands.rows.size());
 }
@@ -349,7 +389,9 @@ void go(Part& part, double share) noexcept {
   auto& s = part.s;
   for (std::size_t i = 0; i < s.islands.body.size(); ++i) {
     const std::int32_t body = s.islands.body[i];
-    s.next[idx(body)] = after(part, body, s.islands.bodies[i], share);
+    s.next[idx(body)] = s.is_jointed[idx(body)] != 0
+                            ? after_jointed(part, body, s.islands.bodies[i].velocity, share)
+                            : after(part, body, s.islands.bodies[i], share);
   }
 }
 
@@ -382,6 +424,8 @@ void keep_rows(Part& part) noexcept {
     const double most = row.friction * row.impulse.x();
     history.is_sliding = std::hypot(row.impulse.y(), row.impulse.z()) >= (1.0 - kRounding) * most;
   }
+  for (const Island& island : s.islands.islands)
+    if (island.joints > 0) count_joints(part, island);
 }
 
 }  // namespace
@@ -399,6 +443,24 @@ Mat6 mass_matrix(const RigidBody& body, const BodyState& state) noexcept {
   m.topLeftCorner<3, 3>() = body.mass * Mat3::Identity();
   m.bottomRightCorner<3, 3>() = rotation * body.inertia * rotation.transpose();
   return m;
+}
+
+bool correct_limits(Part& part, const Island& island) noexcept {
+  auto& s = part.s;
+  bool is_short = false;
+  for (std::int32_t i = 0; i < island.rows; ++i) {
+    const std::size_t r = idx(island.first_row + i);
+    const RowSource& source = s.islands.sources[r];
+    const double gap = gap_after(part, source);
+    const NearPair& pair = *s.pairs.near[idx(source.pair)];
+    const double slop = part.world.pair_kinds[idx(pair.kind)].constraints.slop;
+    const double kept = std::min(slop, source.gap);
+    constexpr double kShort = 0.5;  // of what is kept
+    if (gap >= kShort * kept || !(kept > 0.0)) continue;
+    is_short = true;
+    s.islands.rows[r].limit -= (kept - gap) / part.dt;
+  }
+  return is_short;
 }
 
 double make_part(Part& part, bool is_last) {
@@ -428,12 +490,17 @@ double make_part(Part& part, bool is_last) {
   if (!is_last) {
     if (!is_within || !is_allowed(part)) return 0.0;
     for (const Island& island : s.islands.islands)
-      if (gains_energy(part, island)) return 0.0;
+      if (island.joints == 0 && gains_energy(part, island)) return 0.0;
   } else if (!is_within || !is_allowed(part)) {
     share = share_within(part);
   }
-  keep_rows(part);
+  const std::int32_t impacts = part.report.impacts;
   collide(part, s.next);
+  if (!is_last && jointed_gain_energy(part)) {
+    part.report.impacts = impacts;
+    return 0.0;
+  }
+  keep_rows(part);
   std::swap(part.state.bodies, s.next);
   return share;
 }

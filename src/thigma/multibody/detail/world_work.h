@@ -2,6 +2,7 @@
 // Working memory of a step of a world, and what its parts share.
 
 #include "thigma/multibody/detail/islands.h"
+#include "thigma/multibody/detail/joint_rows.h"
 #include "thigma/multibody/step_world.h"
 
 namespace thigma {
@@ -17,6 +18,13 @@ struct WorldScratch {
   std::vector<IslandBody> free;       // by body: metric and velocity without contacts
   std::vector<BodyState> next;        // by body: after the step
   std::vector<std::uint8_t> pressed;  // by row
+  // of joints
+  detail::JointRowList joint_rows;  // of the island that is solved
+  // by joint: impulses of the last solve of a part, and of its end; of all parts of a step
+  std::vector<detail::JointImpulses> joint_part, joint_end, joint_sum;
+  std::vector<Vec6> joint_through, joint_before;  // by place in the island
+  std::vector<Vec6> joint_momentum;               // by body: after the part [N s, N m s]
+  std::vector<std::uint8_t> is_jointed;           // by body: its island has joints
   // of impacts
   std::vector<IslandBody> hit_bodies;
   std::vector<IslandRow> hit_rows;
@@ -44,7 +52,12 @@ Vec6 velocity_of(const RigidBody& body, const BodyState& state) noexcept;
 /// M at a state (6 x 6) [world].
 Mat6 mass_matrix(const RigidBody& body, const BodyState& state) noexcept;
 
-/// What the surfaces that met in a part make of each other, once, at the states after it.
+/// Rows that turning has closed beyond their linear change ask for less, or, where they touched
+/// already, to part by what turning takes; whether any does. From `next`.
+bool correct_limits(Part& part, const Island& island) noexcept;
+
+/// What the surfaces that met in a part make of each other, once, at the states after it; bodies
+/// that joints hold take the velocities that these allow there.
 ///
 /// states   of all bodies, after the part; momenta change
 void collide(Part& part, std::span<BodyState> states);
