@@ -128,9 +128,9 @@ export function addInstances(group, geometry, material, most, order) {
 /// Contacts as dots with normals, clusters as rings; both also faintly through the objects.
 export function makeContactMarks() {
   const group = new Group();
-  const dot = new SphereGeometry(1, 12, 8);
-  const needle = new CylinderGeometry(0.22, 0.22, 1, 8).rotateX(Math.PI / 2).translate(0, 0, 0.5);
-  const ring = new TorusGeometry(1, 0.12, 8, 40);
+  const dot = new SphereGeometry(1, 8, 6);
+  const needle = new CylinderGeometry(0.22, 0.22, 1, 5).rotateX(Math.PI / 2).translate(0, 0, 0.5);
+  const ring = new TorusGeometry(1, 0.12, 5, 28);
   const instanced = (...what) => addInstances(group, ...what);
   const marks = { group, dots: [], needles: [], rings: [] };
   for (const [material, order] of [[markMaterial(), 1], [seenThrough({ opacity: 0.45 }), 21]]) {

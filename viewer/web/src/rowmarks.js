@@ -9,11 +9,11 @@ const Z = new Vector3(0, 0, 1);
 export function makeRowMarks() {
   const group = new Group();
   const shapes = {
-    planes: new CylinderGeometry(1, 1, 0.06, 28).rotateX(Math.PI / 2),
-    points: new SphereGeometry(0.36, 12, 8),
-    forces: new CylinderGeometry(0.16, 0.16, 1, 8).rotateX(Math.PI / 2).translate(0, 0, 0.5),
-    heads: new ConeGeometry(0.42, 1, 16).rotateX(Math.PI / 2).translate(0, 0, 0.5),
-    cones: new ConeGeometry(1, 1, 28, 1, true).translate(0, -0.5, 0).rotateX(-Math.PI / 2), // from its tip along +z
+    planes: new CylinderGeometry(1, 1, 0.06, 20).rotateX(Math.PI / 2),
+    points: new SphereGeometry(0.36, 8, 6),
+    forces: new CylinderGeometry(0.16, 0.16, 1, 6).rotateX(Math.PI / 2).translate(0, 0, 0.5),
+    heads: new ConeGeometry(0.42, 1, 12).rotateX(Math.PI / 2).translate(0, 0, 0.5),
+    cones: new ConeGeometry(1, 1, 20, 1, true).translate(0, -0.5, 0).rotateX(-Math.PI / 2), // from its tip along +z
   };
   const marks = { group };
   for (const [name, shape] of Object.entries(shapes)) {

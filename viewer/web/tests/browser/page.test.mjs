@@ -444,14 +444,19 @@ pageTest("levels: patches of any, and the active ones where the finest is only l
   assert.equal(asked().length, 4, "each is asked for once");
 });
 
-pageTest("where the processor draws, the view keeps its size and levels of detail are drawn", { device: "hand:" }, async ({ page, mock }) => {
-  const seen = () => page.evaluate(() => { const { stage } = window.thigma, { canvas } = stage;
+pageTest("where the processor draws, the view keeps its size and coarser surfaces are drawn", { device: "hand:" }, async ({ page, mock }) => {
+  const seen = () => page.evaluate(() => { const { stage } = window.thigma, { canvas } = stage, all = [stage.object, ...stage.statics];
     return { pixels: [canvas.width, canvas.height], view: [canvas.clientWidth, canvas.clientHeight], plain: stage.plain,
-      drawn: [stage.object, ...stage.statics].map((body) => body.drawn),
-      shown: [stage.object, ...stage.statics].map((body) => [[0, body.finest], ...body.levels].filter(([, one]) => one.solid.visible).map(([level]) => level)),
+      drawn: all.map((body) => body.drawn),
+      shown: all.map((body) => [[0, body.finest], ...body.levels].filter(([, one]) => one.solid.visible).map(([level]) => level)),
       ghost: [...stage.object.levels.values()].some(({ geometry }) => geometry === stage.ghost.glass.geometry) }; });
+  const atLast = (off) => page.evaluate((off) => { const { stage } = window.thigma;
+    Object.assign(stage, { resized: true, dirty: true });
+    Object.assign(stage.pace, { step: 5, fixed: true });
+    for (const body of [stage.object, ...stage.statics]) if (off) body.coarse = []; // as where none have come
+  }, off);
   await drawnSince(page);
-  await page.evaluate(() => Object.assign(window.thigma.stage, { resized: true, dirty: true }) && Object.assign(window.thigma.stage.pace, { step: 6, fixed: true }));
+  await atLast(true);
   await page.waitForFunction(() => window.thigma.stage.object.drawn > 0 && window.thigma.stage.statics[0].drawn > 0);
   const coarse = await seen();
   assert.ok(coarse.plain && coarse.ghost, JSON.stringify(coarse));
@@ -465,6 +470,40 @@ pageTest("where the processor draws, the view keeps its size and levels of detai
   await page.mouse.move(300, 300);
   await page.mouse.wheel(0, -4000); // so near that nothing but the original is fine enough
   await page.waitForFunction(() => window.thigma.stage.object.drawn === 0);
+});
+
+pageTest("coarser surfaces come from a worker, and colours of contacts lie on them as if all were drawn in one", { device: "hand:" }, async ({ page }) => {
+  await page.evaluate(() => { const { stage } = window.thigma;
+    stage.object.about.level_list = []; // as of contacts at full resolution
+    Object.assign(stage, { resized: true });
+    Object.assign(stage.pace, { step: 5, fixed: true }); });
+  await page.waitForFunction(() => window.thigma.stage.object.coarse?.length === 10 && window.thigma.stage.object.drawn < 0);
+  await page.waitForFunction(() => { const { object } = window.thigma.stage; return object.levels.get(object.drawn).stain.visible; });
+  const seen = await page.evaluate(() => {
+    const { stage } = window.thigma, { renderer, scene, view, object, canvas: { width, height } } = stage, gl = renderer.getContext();
+    const surface = object.levels.get(object.drawn), { solid, stain, materials, bytes, near, byPatch } = surface;
+    const picture = () => { // in one task, so that nothing comes between
+      renderer.render(scene, view.camera);
+      const pixels = new Uint8Array(4 * width * height);
+      gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      return pixels;
+    };
+    const count = (a, b, most) => { let n = 0; for (let k = 0; k < a.length; k += 4) n += [0, 1, 2].some((c) => Math.abs(a[k + c] - b[k + c]) > most) ? 1 : 0; return n; };
+    const twice = picture();
+    stain.visible = false;
+    const without = picture();
+    solid.material = materials.plain;
+    const once = picture();
+    solid.material = materials.bare;
+    stain.visible = true;
+    const coloured = [...bytes.keys()].filter((patch) => bytes[patch] || near[patch]).reduce((sum, patch) => sum + byPatch.begin[patch + 1] - byPatch.begin[patch], 0);
+    return { stained: count(twice, without, 8), different: count(twice, once, 2), coloured, drawn: stain.geometry.drawRange.count / 3,
+      triangles: object.coarse.map((one) => one.triangles), fine: object.about.triangles, level: object.drawn };
+  });
+  assert.ok(seen.stained > 50, JSON.stringify(seen));
+  assert.ok(seen.different <= 0.02 * seen.stained, `${seen.different} of ${seen.stained} pixels are not those of one drawing`);
+  assert.equal(seen.drawn, seen.coloured);
+  assert.ok(seen.triangles.every((n, k) => n <= (k === 0 ? seen.fine : seen.triangles[k - 1])) && seen.triangles.at(-seen.level) < 0.7 * seen.fine, JSON.stringify(seen));
 });
 
 pageTest("relief is drawn in place of the smooth surface, and sound follows the force", { device: "hand:", query: "?picture=full" }, async ({ page, mock }) => {
