@@ -363,7 +363,7 @@ liveTest("under constraints the rows of the engine are drawn, add up, and keep t
     await page.emulateMedia({ colorScheme: scheme });
     await drawnAgain(page);
     await page.waitForFunction(() => /rests on \d+ rows/.test(document.querySelector(".situation").textContent));
-    const seen = await page.evaluate(() => { const { stage, session: s } = window.thigma, count = (name) => stage.rows[name][0].count;
+    const seen = await page.evaluate(() => { const { stage, session: s } = window.thigma, count = (name) => stage.rows[name].count;
       return { rows: s.snapshot.rows, contact: s.snapshot.contactForce, size: stage.size, bits: s.snapshot.bits, constraint: s.state.constraint,
         object: s.snapshot.object.position, ghost: s.snapshot.ghost.position, planes: count("planes"), forces: count("forces"), cones: count("cones"),
         words: document.getElementById("readouts").textContent, legend: document.getElementById("row-legend").textContent }; });
