@@ -377,5 +377,5 @@ function showWords(now, newtons) {
 requestAnimationFrame(frame);
 
 /// For tests and the curious: everything the page knows.
-window.thigma = { session, hand, plots, sound, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; }, get xr() { return xr; }, builder, get gizmo() { return gizmo; },
+window.thigma = { session, hand, plots, sound, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; }, get xr() { return xr; }, builder, opener, get gizmo() { return gizmo; },
   get drawn() { return drawn; } };

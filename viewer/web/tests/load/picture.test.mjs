@@ -2,31 +2,15 @@
 // 1440 x 900, watching and dragging; and how long it takes from a movement of the mouse to the picture that shows it. Told,
 // never asserted: only THIGMA_FULL. THIGMA_STEP fixes the step of the pace.
 import assert from "node:assert/strict";
-import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { existsSync } from "node:fs";
 import { loadavg } from "node:os";
 import { test } from "node:test";
 import { openPage, startBrowser } from "../browser/browser.mjs";
 import { startProgram } from "../program.mjs";
+import { cpuOf } from "./cpu.mjs";
 
 const program = process.env.THIGMA_PROGRAM;
 const SECONDS = Number(process.env.THIGMA_SECONDS ?? 15), STEP = process.env.THIGMA_STEP;
-const TICK = 100; // of /proc a second
-
-const read = (path) => { try { return readFileSync(path, "utf8"); } catch { return ""; } };
-
-/// CPU time of this process's descendants of one kind of Chromium's [s].
-function cpuOf(kind) {
-  const parents = new Map(), own = new Map();
-  for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name))) {
-    const fields = read(`/proc/${pid}/stat`).split(") ")[1]?.split(" ");
-    if (!fields) continue;
-    parents.set(pid, fields[1]);
-    if (read(`/proc/${pid}/cmdline`).includes(`--type=${kind}`)) own.set(pid, (Number(fields[11]) + Number(fields[12])) / TICK);
-  }
-  const isMine = (pid) => pid === String(process.pid) || (parents.has(pid) && isMine(parents.get(pid)));
-  return [...own].filter(([pid]) => isMine(pid)).reduce((sum, [, seconds]) => sum + seconds, 0);
-}
-
 /// Notes in the page where the hand is after each movement of the mouse, and where each picture shows it once it is done.
 function startTrace() {
   const { hand, session, stage } = window.thigma, trace = { moves: [], pictures: [] };
