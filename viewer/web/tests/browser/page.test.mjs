@@ -569,6 +569,7 @@ pageTest("a scene, a recording and a mesh of one's own are opened from the menu"
 pageTest("pause, step, reset, record, save", { device: "hand:" }, async ({ page, mock }) => {
   await page.getByRole("button", { name: "Pause" }).click();
   await until(() => mock.run === "paused", "pause");
+  await page.getByText("Contacts: paused.").waitFor(); // and not that they are found 0.00 times a second
   const frame = mock.world.frame;
   await page.getByRole("button", { name: "One step" }).click();
   await until(() => mock.world.frame === frame + 1, "one step");
