@@ -1,12 +1,11 @@
 // One object with the surfaces of its levels: which of them is drawn, and where contacts colour it.
-import { clusterMesh, madeLevel } from "./cluster.js";
-import { levelAtHand, levelToDraw } from "./detail.js";
+import { coarsestWithin, levelAtHand, levelToDraw } from "./detail.js";
 import { disposeSurface, makeSurface, markSurface, paintSurface, shadeSurface, showParts, thinSpots, tintPatches } from "./surface.js";
 
 /// mesh    decoded `mesh`; about   its entry in `scene`
 export function makeBody(mesh, about) {
   const finest = makeSurface(mesh);
-  return { group: finest.group, geometry: finest.geometry, finest, about, levels: new Map(), made: new Map(), relief: null, browsed: null, wireframe: false,
+  return { group: finest.group, geometry: finest.geometry, finest, about, levels: new Map(), coarse: null, relief: null, browsed: null, wireframe: false,
     drawn: 0, rich: true, colours: null };
 }
 
@@ -66,18 +65,33 @@ export function showBody(body, { wireframe = body.wireframe, browsed = body.brow
   arrange(body);
 }
 
-/// The level whose surface is nowhere farther off than allowed, of the asset; where it has none, one made here for drawing
-/// alone, with a number below 0.
+const FEWEST = 4000; // triangles; fewer are drawn as they are
+const COARSER = Array.from({ length: 10 }, (_, k) => 6e-4 * 1.5 ** k); // of the object's radius: how far surfaces made here may be off
+
+/// How far off coarser surfaces for drawing alone would be [m], finest first; null where the object needs none, or they were
+/// asked for already.
+/// allowed   how far what is drawn may be off [m]
+export function wantedCoarser(body, allowed) {
+  const { radius, triangles } = body.about;
+  if (body.coarse || triangles < FEWEST || allowed < COARSER[0] * radius) return null;
+  body.coarse = [];
+  return COARSER.map((share) => share * radius);
+}
+
+/// One of them has come, the finer ones before. surface   {positions, triangles, patchOfTriangle}
+export function addCoarser(body, surface, deviation) {
+  body.coarse.push({ mesh: { ...body.finest.mesh, ...surface }, deviation, triangles: surface.triangles.length / 3 });
+}
+
+/// The level whose surface is nowhere farther off than allowed and has the fewest triangles: of the asset, or with a number
+/// below 0 one made for drawing alone.
 /// metres, pixels   of one of them, and how many are allowed
 export function levelFor(body, metres, pixels) {
-  const { level_list: list, radius, triangles } = body.about;
-  if (list?.some((_, level) => level > 0 && hasSurface(body, level))) return levelToDraw(list, metres, pixels);
-  return madeLevel(body.made, triangles, radius, pixels * metres, (number, cell) => {
-    const { mesh, deviation } = clusterMesh(body.finest.mesh, cell);
-    addSurface(body, number, makeSurface(mesh, body.finest.ranges));
-    body.made.set(number, deviation);
-    return deviation;
-  });
+  const { level_list: list, triangles } = body.about;
+  const level = levelToDraw(list, metres, pixels), made = coarsestWithin(body.coarse ?? [], pixels * metres);
+  if (made === 0 || (list?.[level]?.triangles ?? triangles) <= body.coarse[-1 - made].triangles) return level;
+  if (!body.levels.has(made)) addSurface(body, made, makeSurface(body.coarse[-1 - made].mesh, body.finest.ranges));
+  return made;
 }
 
 /// Draws the object by the surface of a level, or by the nearest finer one that is here; true when that changed.
@@ -95,8 +109,8 @@ export const smoothSurface = (body, level = body.drawn) => surfaceOf(body, level
 /// The surface that shows the object as it is.
 const shownSurface = (body) => (body.drawn === 0 && body.relief ? body.relief : smoothSurface(body));
 
-/// Relief and what is made here is only for the whole.
-const isLevel = (body, surface) => surface !== body.relief && ![...body.made.keys()].some((number) => body.levels.get(number) === surface);
+/// Relief and what is made for drawing alone is only for the whole.
+const isLevel = (body, surface) => surface !== body.relief && ![...body.levels].some(([level, own]) => level < 0 && own === surface);
 
 /// Of the surfaces one is whole, or each is where its level is active.
 function arrange(body) {

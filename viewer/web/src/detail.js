@@ -20,6 +20,14 @@ export function levelAtHand(wanted, isHere) {
   return 0;
 }
 
+/// Of surfaces made for drawing alone the coarsest that is off by no more than allowed: -1 for the first, -2 for the second ...;
+/// 0, the original, where none is.
+/// list   [{deviation}], finer ones first; allowed   in the same unit
+export function coarsestWithin(list, allowed) {
+  for (let k = list.length; k > 0; k--) if (list[k - 1].deviation <= allowed) return -k;
+  return 0;
+}
+
 /// The ball around the points of each patch, about the middle of their box: [x, y, z, radius] a patch; radius -1 without points.
 /// labels   patch of each vertex, below 0: of none
 export function patchBalls(positions, labels, patches) {

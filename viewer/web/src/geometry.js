@@ -3,8 +3,10 @@
 /// positions  3 numbers a vertex; triangles  3 indices a triangle
 /// labels     a number a triangle; triangles of different labels share no vertex, so that a vertex can carry it
 /// crease     faces that turn more than this against each other do not share a normal [rad]
+/// normals    perhaps of the vertices, where those are known better than the triangles tell; zero, or where the surface has an
+///            edge: not used
 /// returns    {positions, normals, labels: Float32Array, index: Uint32Array}
-export function splitAtCreases(positions, triangles, labels, crease = 0.7) {
+export function splitAtCreases(positions, triangles, labels, { crease = 0.7, normals = null } = {}) {
   const faces = triangles.length / 3;
   const vertices = positions.length / 3;
   const area = new Float64Array(triangles.length); // normals as long as twice the area
@@ -23,15 +25,17 @@ export function splitAtCreases(positions, triangles, labels, crease = 0.7) {
   const limit = Math.cos(crease);
   for (let v = 0; v < vertices; v++) {
     const around = corners.subarray(first[v], first[v + 1]);
+    const known = normals && Math.hypot(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]) > 0;
     const made = new Map(); // which faces share a normal, and the label -> new vertex
     for (const corner of around) {
       const own = 3 * Math.floor(corner / 3);
-      let x = 0, y = 0, z = 0, mask = 0;
+      let x = 0, y = 0, z = 0, mask = 0, seen = 0;
       for (let k = 0; k < around.length; k++) {
         const other = 3 * Math.floor(around[k] / 3);
         const dot = unit[own] * unit[other] + unit[own + 1] * unit[other + 1] + unit[own + 2] * unit[other + 2];
         if (other !== own && !(dot > limit) && around.length <= 31) continue; // a hub of more faces stays smooth
         mask |= 1 << (k & 31);
+        seen += 1;
         x += area[other]; y += area[other + 1]; z += area[other + 2];
       }
       const label = labels[Math.floor(corner / 3)];
@@ -40,6 +44,7 @@ export function splitAtCreases(positions, triangles, labels, crease = 0.7) {
         made.set(key, outPositions.length / 3);
         outLabels.push(label);
         outPositions.push(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
+        if (known && seen === around.length) [x, y, z] = normals.subarray(3 * v, 3 * v + 3);
         const length = Math.hypot(x, y, z) || 1;
         outNormals.push(x / length, y / length, z / length);
       }

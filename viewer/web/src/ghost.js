@@ -20,13 +20,17 @@ void main() {
 void main() {
   float rim = 1.0 - abs(dot(normalize(facing), normalize(toEye)));
   gl_FragColor = vec4(tone, 0.10 + 0.55 * rim * rim * rim);
-  #include <colorspace_fragment>
 }` }));
   hidden.renderOrder = 10;
   glass.renderOrder = 11;
   group.add(hidden, glass);
   group.visible = false;
   return { group, hidden, glass };
+}
+
+/// The tone is as the screen takes it: nothing is left to do for each of its pixels.
+export function paintGhost({ glass }, colour) {
+  glass.material.uniforms.tone.value.set(colour).convertLinearToSRGB();
 }
 
 /// It is drawn as finely as its object.

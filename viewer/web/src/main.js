@@ -3,14 +3,15 @@ import { follow, goHome, lookFrom, zoom } from "./camera.js";
 import { addHeadset, makeBar, showHeadset, showHint, showSound, showState, showViews } from "./bar.js";
 import { guideLine, makeGuide } from "./guide.js";
 import { STATE } from "./protocol.js";
-import { makeHand, noteSample, poseOf, takeSamples } from "./hand.js";
+import { makeHand, takeSamples } from "./hand.js";
+import { confirmHand, leaveHold, makeHolding, setHold } from "./holding.js";
 import { readGamepad, readKeys, startInput } from "./input.js";
-import { ask, letGo, makeLink, sendAll, sendHand, waitingBytes } from "./link.js";
+import { ask, makeLink, sendAll, waitingBytes } from "./link.js";
 import { addEvent, fillHelp, makeParameters, showParameters } from "./panels.js";
 import { addMark, addRates, addRows, clearPlots, drawPlots, makePlots, plotPicture, plotTable, rebuildPlots, setFloors } from "./plots.js";
 import { makeReadouts, showLegend, showReadouts, showRowLegend } from "./readouts.js";
 import { addModels, makeBuilder, movedTo, openBuilder, takeBuilderScene, takeSaved } from "./builder.js";
-import { claims, makeGizmo, showGizmo } from "./gizmo.js";
+import { makeGizmo, showGizmo } from "./gizmo.js";
 import { fillLevelBrowser, browsedWords, makeLevelBrowser } from "./levels.js";
 import { makeOpener, openMenu, takeMenu, takeModel } from "./open.js";
 import { makeReplayBar, showReplayBar, takeStrip } from "./replay.js";
@@ -20,7 +21,8 @@ import { makeSound, playRows, toggleSound } from "./sound.js";
 import { startTheme } from "./theme.js";
 import { startTabs } from "./tabs.js";
 import { eventWords } from "./words.js";
-import { holdsXr, makeXr, supportedModes, toggleXr } from "./xr.js";
+import { veil } from "./veil.js";
+import { makeXr, supportedModes, toggleXr } from "./xr.js";
 
 const at = (id) => document.getElementById(id);
 const CONFIRM = 50; // the worker is told so often that the hand is still where it was: the force fades with the age of that [ms]
@@ -166,25 +168,6 @@ function begunAgain() {
   at("events").replaceChildren();
 }
 
-/// A sentence over the picture, perhaps with how far something is and a way to give it up; null takes it away.
-function veil(sentence, share = null, cancel = null) {
-  const box = at("veil");
-  box.hidden = !sentence;
-  box.classList.toggle("working", share !== null);
-  if (!sentence) { box.replaceChildren(); return; }
-  if (share !== null && box.querySelector("progress")) { // the button that has the keyboard stays
-    box.querySelector("p").textContent = sentence;
-    box.querySelector("progress").value = share;
-    return;
-  }
-  const text = Object.assign(document.createElement("p"), { textContent: sentence });
-  const bar = Object.assign(document.createElement("progress"), { max: 1, value: share ?? 0 });
-  bar.setAttribute("aria-label", "How far it is");
-  const stop = Object.assign(document.createElement("button"), { type: "button", className: "primary", textContent: "Cancel" });
-  stop.addEventListener("click", cancel ?? (() => {}));
-  box.replaceChildren(text, ...(share === null ? [] : [bar]), ...(cancel ? [stop] : []));
-}
-
 function lost(sentence) {
   session.connected = false;
   hold(false);
@@ -203,60 +186,8 @@ function opened() {
 
 // ---- from the hand
 
-const player = {
-  get stage() { return stage; },
-  hand,
-  workspace: () => session.scene.workspace,
-  grasp: () => session.snapshot?.grasp ?? [0, 0, 0],
-  claims: (event) => gizmo !== null && claims(gizmo, event),
-  mayMove: () => session.connected && !stage?.editing && session.hello?.may_control !== false && Boolean(session.state?.device.startsWith("web:")) && session.state.holder !== "other" &&
-    session.state.run !== "ended" && !session.state.replay && Boolean(session.snapshot),
-  async press() {
-    if ((hand.clutch && session.holding) || session.asking) return;
-    session.asking = true;
-    const from = poseOf(hand); // what is dragged before the answer comes counts as well
-    if (!session.holding) hold((await request({ type: "hold", value: true })).ok);
-    session.asking = false;
-    if (!session.holding) return;
-    noteSample(hand, performance.now() / 1000, from); // open first, so that the clutch is seen to close
-    hand.clutch = true;
-    confirmHand();
-  },
-  moved: (turned) => { session.turned ||= turned; },
-  give: giveHand,
-  letGo: () => {
-    hand.clutch = false;
-    confirmHand();
-  },
-};
-
-function hold(holding) {
-  if (session.holding && !holding) letGo(link);
-  session.holding = holding;
-}
-
-/// What has been noted goes to the worker, which sends it whatever this page is busy with.
-function giveHand() {
-  if (!session.holding || !session.connected) return;
-  const samples = takeSamples(hand);
-  sendHand(link, samples);
-  session.sent += samples.length;
-}
-
-/// The hand is where it was, now; that of a headset only its frames can tell.
-function confirmHand() {
-  if (!session.holding || holdsXr(xr)) return;
-  noteSample(hand, performance.now() / 1000);
-  giveHand();
-}
-
-/// A page that nobody sees must not hold anything: its timers slow down, and nobody would know what fades and comes back.
-function leave() {
-  if (!session.holding) return;
-  player.letGo();
-  hold(false);
-  ask(link, { type: "hold", value: false });
-}
+const holding = makeHolding({ session, hand, request, get stage() { return stage; }, get link() { return link; }, get xr() { return xr; }, get gizmo() { return gizmo; } });
+const { player } = holding, hold = (isOurs) => setHold(holding, isOurs), leave = () => leaveHold(holding);
 
 document.addEventListener("visibilitychange", () => { if (document.hidden) leave(); });
 addEventListener("pagehide", leave);
@@ -320,7 +251,7 @@ const token = /^#token=([0-9a-f]+)$/.exec(location.hash)?.[1];
 link = makeLink(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live${token ? `?token=${token}` : ""}`, {
   message: (message) => on[message.type ?? message.kind]?.(message), opened, lost,
 });
-setInterval(confirmHand, CONFIRM);
+setInterval(confirmHand, CONFIRM, holding);
 
 let last = performance.now(), tick = 0, drawn = 0, wordsAt = 0;
 
@@ -348,7 +279,7 @@ function frame(now) {
   if (input) readGamepad(input, (now - last) / 1000, newtons, fullForce());
   if (input) readKeys(input, (now - last) / 1000);
   last = now;
-  confirmHand();
+  confirmHand(holding);
   const isNew = showMoment();
   tick += 1;
   drawPlots(plots, session.shown?.time ?? 0);
@@ -377,5 +308,5 @@ function showWords(now, newtons) {
 requestAnimationFrame(frame);
 
 /// For tests and the curious: everything the page knows.
-window.thigma = { session, hand, plots, sound, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; }, get xr() { return xr; }, builder, get gizmo() { return gizmo; },
+window.thigma = { session, hand, plots, sound, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; }, get xr() { return xr; }, builder, opener, get gizmo() { return gizmo; },
   get drawn() { return drawn; } };

@@ -1,6 +1,7 @@
 // What is drawn over the objects: force and torque arrows, contacts with their normals, clusters, the felt spring.
-import { BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh,
+import { BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, Group, Mesh,
   MeshBasicMaterial, MeshLambertMaterial, Quaternion, SphereGeometry, TorusGeometry, Vector3 } from "three";
+import { clearCopies, makeCopies, putCopy, showCopies } from "./copies.js";
 import { levelColour } from "./theme.js";
 
 export const MAX_CONTACTS = 512;
@@ -114,75 +115,37 @@ export function paintTwist(twist, colour) {
   for (const { material } of twist.parts) material.color.set(colour);
 }
 
-/// Room for copies of one shape, none shown yet.
-export function addInstances(group, geometry, material, most, order) {
-  const mesh = new InstancedMesh(geometry, material, most);
-  mesh.frustumCulled = false;
-  mesh.renderOrder = order;
-  mesh.count = 0;
-  mesh.setColorAt(0, new Color());
-  group.add(mesh);
-  return mesh;
-}
-
 /// Contacts as dots with normals, clusters as rings; both also faintly through the objects.
 export function makeContactMarks() {
   const group = new Group();
-  const dot = new SphereGeometry(1, 12, 8);
-  const needle = new CylinderGeometry(0.22, 0.22, 1, 8).rotateX(Math.PI / 2).translate(0, 0, 0.5);
-  const ring = new TorusGeometry(1, 0.12, 8, 40);
-  const instanced = (...what) => addInstances(group, ...what);
-  const marks = { group, dots: [], needles: [], rings: [] };
-  for (const [material, order] of [[markMaterial(), 1], [seenThrough({ opacity: 0.45 }), 21]]) {
-    marks.dots.push(instanced(dot, material, MAX_CONTACTS, order));
-    marks.needles.push(instanced(needle, material, MAX_CONTACTS, order));
-  }
-  for (const [material, order] of [[markMaterial(), 1], [seenThrough({ opacity: 0.55 }), 22]]) {
-    marks.rings.push(instanced(ring, material, MAX_CLUSTERS, order));
-  }
-  return marks;
+  const dot = new SphereGeometry(1, 8, 6);
+  const needle = new CylinderGeometry(0.22, 0.22, 1, 5).rotateX(Math.PI / 2).translate(0, 0, 0.5);
+  const ring = new TorusGeometry(1, 0.12, 5, 28);
+  const both = (shape, most, opacity, order) => makeCopies(group, shape, most, [[markMaterial(), 1], [seenThrough({ opacity }), order]]);
+  return { group, dots: both(dot, MAX_CONTACTS, 0.45, 21), needles: both(needle, MAX_CONTACTS, 0.45, 21), rings: both(ring, MAX_CLUSTERS, 0.55, 22) };
 }
 
-const matrix = new Matrix4(), turn = new Quaternion(), place = new Vector3(), scale = new Vector3(), tint = new Color();
+const turn = new Quaternion(), place = new Vector3(), scale = new Vector3(), tint = new Color();
 
 /// contacts   [{point, normal, level}], clusters [{point, normal, share 0 to 1}] in the parent's frame; size of a dot
 export function setContactMarks(marks, contacts, clusters, size, ringColour) {
-  const shown = Math.min(MAX_CONTACTS, contacts.length);
-  for (let k = 0; k < shown; k++) {
-    const { point, normal, level } = contacts[k];
+  const { dots, needles, rings } = marks;
+  for (const copies of [dots, needles, rings]) clearCopies(copies);
+  for (const { point, normal, level } of contacts.slice(0, MAX_CONTACTS)) {
     place.set(...point);
     turn.setFromUnitVectors(Z, scale.set(...normal).normalize());
     tint.set(levelColour(level));
-    write(marks.dots, k, size, size);
-    write(marks.needles, k, size, 5.5 * size);
+    putCopy(dots, place, turn, scale.set(size, size, size), tint);
+    putCopy(needles, place, turn, scale.set(size, size, 5.5 * size), tint);
   }
-  finish(marks.dots, shown);
-  finish(marks.needles, shown);
-  const rings = Math.min(MAX_CLUSTERS, clusters.length);
-  for (let k = 0; k < rings; k++) {
-    place.set(...clusters[k].point);
-    turn.setFromUnitVectors(Z, scale.set(...clusters[k].normal).normalize());
-    tint.set(ringColour);
-    const wide = size * (2.6 + 2.4 * Math.sqrt(Math.max(0, Math.min(1, clusters[k].share))));
-    write(marks.rings, k, wide, wide);
+  tint.set(ringColour);
+  for (const { point, normal, share } of clusters.slice(0, MAX_CLUSTERS)) {
+    place.set(...point);
+    turn.setFromUnitVectors(Z, scale.set(...normal).normalize());
+    const wide = size * (2.6 + 2.4 * Math.sqrt(Math.max(0, Math.min(1, share))));
+    putCopy(rings, place, turn, scale.set(wide, wide, wide), tint);
   }
-  finish(marks.rings, rings);
-}
-
-function write(meshes, k, wide, long) {
-  matrix.compose(place, turn, scale.set(wide, wide, long));
-  for (const mesh of meshes) {
-    mesh.setMatrixAt(k, matrix);
-    mesh.setColorAt(k, tint);
-  }
-}
-
-export function finish(meshes, shown) {
-  for (const mesh of meshes) {
-    mesh.count = shown;
-    mesh.instanceMatrix.needsUpdate = true;
-    if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
-  }
+  for (const copies of [dots, needles, rings]) showCopies(copies);
 }
 
 /// A thin rod between two points, for the spring between the hand and the object.

@@ -1,30 +1,29 @@
 // How much of a picture this machine can afford while things move, from how long the last ones took. The processor of a
 // computer without graphics hardware draws, too, and has an engine and a hand to serve beside it.
 
-/// From all of it to the least: pixels of the screen for one of the page, shadows, highlights, and how many pixels of the
-/// page a surface, and so its outline, may be off the original. The view always has its full size.
+/// From all of it to the least: pixels of the screen for one of the page, shadows, highlights, how many pixels of the page a
+/// surface, and so its outline, may be off the original, and how many times as long a picture of the step before may take. The
+/// view always has its full size. Farther off than two pixels triangles cost less than the pixels that they cover.
 export const STEPS = [
-  { pixels: 2, shadows: true, rich: true, off: 0 },
-  { pixels: 1, shadows: true, rich: true, off: 0 },
-  { pixels: 1, shadows: false, rich: true, off: 0.5 },
-  { pixels: 1, shadows: false, rich: false, off: 0.5 },
-  { pixels: 1, shadows: false, rich: false, off: 1 },
-  { pixels: 1, shadows: false, rich: false, off: 2 },
-  { pixels: 1, shadows: false, rich: false, off: 4 },
-  { pixels: 1, shadows: false, rich: false, off: 6 },
+  { pixels: 2, shadows: true, rich: true, off: 0, before: Infinity },
+  { pixels: 1, shadows: true, rich: true, off: 0, before: 4 },
+  { pixels: 1, shadows: false, rich: true, off: 0.5, before: 4 },
+  { pixels: 1, shadows: false, rich: false, off: 0.5, before: 7 },
+  { pixels: 1, shadows: false, rich: false, off: 1, before: 1.7 },
+  { pixels: 1, shadows: false, rich: false, off: 2, before: 1.7 },
 ];
 export const PLAIN_STEP = 3; // to begin with where the processor draws: it may turn out a fast one
-export const LONGEST = 1 / 15; // from one picture to the next, where that can be had [s]
+const LONGEST = 1 / 20; // from one picture to the next is aimed at, where that can be had [s]
 
-export const SLOW = 0.045; // leaves time for the others within LONGEST [s]
-export const FAST = 0.012; // there is room for more [s]
+export const SLOW = 0.045; // [s]
+export const isFast = (step, seconds) => seconds * STEPS[step].before < SLOW; // there is room for the step before
 const SETTLE = 2; // pictures that pay for a change: new shaders, new buffers
 const FEW = 3; // pictures that show one is too slow
 const MANY = 60; // pictures that show there is room for more
 
 /// step    to begin with; fixed: whatever the machine
 export function makePace({ step = 0, fixed = false } = {}) {
-  return { step, fixed, seen: 0, mean: 0, patience: MANY, climbed: false };
+  return { first: step, step, fixed, seen: 0, mean: 0, patience: MANY, climbed: false };
 }
 
 /// After each picture; true when the step has changed.
@@ -39,11 +38,17 @@ export function notePicture(pace, seconds) {
     change(pace, 1);
     return true;
   }
-  if (known >= pace.patience && pace.mean < FAST && pace.step > 0) {
+  if (known >= pace.patience && isFast(pace.step, pace.mean)) {
     change(pace, -1);
     return true;
   }
   return false;
+}
+
+/// Coarser surfaces are there: as fine again as they can be at the most.
+export function beginAgain(pace) {
+  const step = Math.max(pace.first, STEPS.findIndex(({ off }) => off > 0));
+  if (!pace.fixed && step < pace.step) Object.assign(pace, { step, seen: 0, mean: 0, patience: MANY, climbed: false });
 }
 
 function change(pace, by) {

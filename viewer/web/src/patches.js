@@ -63,6 +63,17 @@ export function markPatches(ranges, active, into) {
 /// Patch of a triangle for drawing: -1 for none.
 export const patchOf = (mesh, triangle) => (mesh.patchOfTriangle[triangle] === NOTHING ? -1 : mesh.patchOfTriangle[triangle]);
 
+/// {begin, list}: the triangles of patch p are list[begin[p]] to before list[begin[p + 1]].
+/// labels   patch of each triangle, below 0: of none
+export function trianglesByPatch(labels, patches) {
+  const begin = new Uint32Array(patches + 1);
+  for (const patch of labels) if (patch >= 0) begin[patch + 1] += 1;
+  for (let p = 0; p < patches; p++) begin[p + 1] += begin[p];
+  const list = new Uint32Array(begin[patches]), next = begin.slice();
+  labels.forEach((patch, t) => { if (patch >= 0) list[next[patch]++] = t; });
+  return { begin, list };
+}
+
 /// Node a patch belongs to at a level: the coarsest above it that is not coarser than that.
 export function groupsAtLevel(nodeOfPatch, parents, levels, level) {
   return Int32Array.from(nodeOfPatch, (leaf) => {

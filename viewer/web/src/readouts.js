@@ -138,9 +138,9 @@ function showContact(target, snapshot, state) {
     return line(target, "", `Contacts are found again where the object was.${old}`);
   }
   if (!Number.isFinite(snapshot.contactRate)) return line(target, "", "Contacts: not measured yet.");
+  if (state && state.run !== "running") return line(target, "", `Contacts: ${state.run}.`);
   const age = Number.isFinite(snapshot.modelAge) ? `; the model is ${say(snapshot.modelAge, "s", 1e-6)} old` : "";
-  const running = state?.run === "running";
-  const mood = !running ? "" : snapshot.modelWeight > 0.99 ? "good" : "warn";
+  const mood = !state ? "" : snapshot.modelWeight > 0.99 ? "good" : "warn";
   const dropped = snapshot.contactsDropped > 0 ? `; ${snapshot.contactsDropped} did not fit` : "";
   return line(target, mood,
     `Contacts found ${digits(snapshot.contactRate)} times a second, ${say(snapshot.queryCpu, "s", 1e-6)} each${age}${dropped}.`);

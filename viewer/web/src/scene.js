@@ -3,14 +3,15 @@
 import { Group, NeutralToneMapping, PCFShadowMap, Scene, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
 import { depthOf, makeView, placeCamera, unitsPerPixel } from "./camera.js";
 import { boundsOf } from "./geometry.js";
-import { apart, makeGhost, shapeGhost } from "./ghost.js";
+import { apart, makeGhost, paintGhost, shapeGhost } from "./ghost.js";
 import { addGround, addLights } from "./lights.js";
 import { makeArrow, makeContactMarks, makeRod, makeTwist, paintArrow, paintRod, paintTwist, setArrow, setContactMarks,
   setRod, setTwist } from "./marks.js";
 import { makeRowMarks, setRowMarks } from "./rowmarks.js";
 import { STATE } from "./protocol.js";
-import { addLevel, addRelief, disposeBody, drawLevel, lacksLevel, levelFor, makeBody, markContacts, paintBody, shadeBody, showBody, smoothSurface } from "./body.js";
-import { makePace, notePicture, PLAIN_STEP, restAfter, STEPS } from "./pace.js";
+import { addCoarser, addLevel, addRelief, disposeBody, drawLevel, lacksLevel, levelFor, makeBody, markContacts, paintBody, shadeBody, showBody,
+  smoothSurface, wantedCoarser } from "./body.js";
+import { beginAgain, makePace, notePicture, PLAIN_STEP, restAfter, STEPS } from "./pace.js";
 import { colour } from "./theme.js";
 
 export const EMPHASIS = 1.6; // the arrow has to come out of the object it starts in
@@ -42,7 +43,7 @@ export function makeScene(canvas, asked = null) {
     canvas, renderer, scene, root, view: makeView(), plain, lights: addLights(scene), ground: addGround(scene), radius: 1,
     size: 1, object: null, statics: [], ghost: null, force: makeArrow(), twist: makeTwist(), marks: makeContactMarks(),
     rows: makeRowMarks(), spring: makeRod(), dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true, names: true },
-    editing: false, start: null, wants: () => {}, wanted: new Set(), last: null, moved: true, resized: true, fence: null, begun: 0, rested: 0,
+    editing: false, start: null, wants: () => {}, wanted: new Set(), last: null, moved: true, resized: true, fence: null, begun: 0, rested: 0, coarsener: null,
     pace: makePace({ step: plain ? PLAIN_STEP : 0, fixed: asked === "full" }),
   };
   root.add(stage.force.group, stage.twist.group, stage.marks.group, stage.rows.group, stage.spring.group);
@@ -59,7 +60,8 @@ export function setObjects(stage, description, meshes, keeps = false) {
     disposeBody(body);
   }
   if (stage.ghost) stage.root.remove(stage.ghost.group);
-  stage.last = null;
+  stage.coarsener?.terminate(); // its objects go
+  stage.coarsener = stage.last = null;
   stage.start = { position: description.start.position, quaternion: description.start.quat_xyzw };
   hideMarks(stage); // until there is something to show
   stage.object = makeBody(meshes.get(description.object.mesh), description.object);
@@ -139,6 +141,21 @@ async function want(stage, body, level) {
   if (!ack.ok) setTimeout(() => wanted.delete(key), AGAIN);
 }
 
+/// Asks for coarser surfaces of an object for drawing alone. A worker makes them; until they come the original is drawn.
+function wantCoarser(stage, body, allowed) {
+  const tolerances = wantedCoarser(body, allowed);
+  if (!tolerances) return;
+  stage.coarsener ??= Object.assign(new Worker("coarsener.js"), { onmessage: ({ data }) => takeCoarser(stage, data) });
+  const { positions, triangles, patchOfTriangle } = body.finest.mesh;
+  stage.coarsener.postMessage({ body: bodies(stage).indexOf(body), mesh: { positions, triangles, patchOfTriangle }, tolerances });
+}
+
+function takeCoarser(stage, { body, surface, deviation }) {
+  addCoarser(bodies(stage)[body], surface, deviation);
+  beginAgain(stage.pace);
+  stage.resized = stage.dirty = true;
+}
+
 /// Each object as finely as the step of the pace asks, from where one looks.
 function chooseLevels(stage) {
   const { off } = STEPS[stage.pace.step];
@@ -149,7 +166,9 @@ function chooseLevels(stage) {
     stage.root.localToWorld(at.set(...center).applyQuaternion(body.group.quaternion).add(body.group.position));
     const nearest = Math.max(stage.view.camera.near, depthOf(stage.view, at) - radius / stage.radius);
     const metres = unitsPerPixel(stage.view, nearest, stage.canvas.clientHeight) * stage.radius;
-    const level = levelFor(body, metres, off - (relief ?? 0) / metres); // a level has none of it
+    const pixels = off - (relief ?? 0) / metres; // a level has none of it
+    wantCoarser(stage, body, pixels * metres);
+    const level = levelFor(body, metres, pixels);
     want(stage, body, level);
     changed = drawLevel(body, level) || changed;
     if (body !== stage.object) continue;
@@ -189,7 +208,7 @@ export function repaint(stage) {
   if (stage.object) {
     paintBody(stage.object, { base: colour("held"), line: colour("held-line"), sky });
     for (const body of stage.statics) paintBody(body, { base: colour("fixed"), line: colour("fixed-line"), sky });
-    stage.ghost.glass.material.uniforms.tone.value.set(colour("ghost"));
+    paintGhost(stage.ghost, colour("ghost"));
   }
   paintArrow(stage.force, colour("force"));
   paintTwist(stage.twist, colour("torque"));
@@ -289,18 +308,27 @@ function setQuality(stage) {
 /// Whether the last picture is done and the machine has had its rest. Handing over more pictures than the graphics can make
 /// would in the end hold up this thread, and with it the hand. Where a picture takes long, pictures get half of the time, as
 /// the engine and the page need the rest, and the next ones are simpler.
-export function isReady(stage) {
+export const isReady = (stage) => isDone(stage) && performance.now() >= stage.rested;
+
+function isDone(stage) {
+  if (!stage.fence) return true;
   const gl = stage.renderer.getContext(), now = performance.now();
-  if (stage.fence && !gl.isContextLost()) {
+  if (!gl.isContextLost()) {
     if (gl.getSyncParameter(stage.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
     gl.deleteSync(stage.fence);
-    stage.fence = null;
     const took = 1e-3 * (now - stage.begun);
     stage.rested = now + 1e3 * restAfter(took, stage.plain);
     stage.resized ||= notePicture(stage.pace, took);
   }
-  return now >= stage.rested;
+  stage.fence = null;
+  return true;
 }
+
+/// Looks when the picture is done: frames of the browser come too seldom to tell how long it took.
+function watch(stage) {
+  if (!isDone(stage)) setTimeout(watch, LOOK, stage);
+}
+const LOOK = 4; // [ms]
 
 /// Draws when something has changed; true when it did. Only where isReady.
 export function draw(stage) {
@@ -315,6 +343,7 @@ export function draw(stage) {
   stage.renderer.render(stage.scene, stage.view.camera);
   stage.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
   gl.flush();
+  setTimeout(watch, LOOK, stage);
   return true;
 }
 

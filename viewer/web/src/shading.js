@@ -83,31 +83,56 @@ export function richMaterial(uniforms) {
 const glsl = (v) => `vec3(${v.map((x) => x.toFixed(5)).join(", ")})`;
 const direction = ({ from }) => glsl(new Vector3(...from).normalize().toArray());
 
-/// The same lights without highlights and shadows: a seventh of the time where the processor draws.
+// The same lights without highlights and shadows: a seventh of the time where the processor draws.
+const PLAIN_VERTEX = `facing = mat3(modelMatrix) * normal;
+gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);`;
+const PLAIN_HEAD = `uniform vec3 base;
+uniform float sky;
+varying vec3 facing;
+/// A colour in light, as the screen takes it: roots in place of a power, which costs a processor more than all the rest (within
+/// a two hundredth of it, from black to white).
+vec3 litColour(vec3 colour) {
+  vec3 n = normalize(facing);
+  vec3 light = mix(vec3(0.25, 0.22, 0.19), vec3(1.0), 0.5 + 0.5 * n.z) * sky + ${KEY.strength.toFixed(3)} * ${glsl(KEY.tone)} * max(0.0, dot(n, ${direction(KEY)}))
+    + ${RIM.strength.toFixed(3)} * ${glsl(RIM.tone)} * max(0.0, dot(n, ${direction(RIM)})) + 0.28;
+  vec3 lit = colour * light * 0.31831;
+  float peak = max(lit.r, max(lit.g, lit.b)), over = peak - 0.76; // bright ones flatten out, as by NeutralToneMapping
+  if (over > 0.0) lit *= (1.0 - 0.0576 / (over + 0.24)) / peak;
+  vec3 half_ = sqrt(lit), quarter = sqrt(half_), eighth = sqrt(quarter);
+  return 0.662 * half_ + 0.6841 * quarter - 0.3236 * eighth - 0.0225 * lit;
+}`;
+
 /// colour, sky   {value}: of the object; strength of the light from above
+export function bareMaterial(colour, sky) {
+  return new ShaderMaterial({
+    uniforms: { base: colour, sky },
+    vertexShader: `varying vec3 facing;
+invariant gl_Position;
+void main() {
+  ${PLAIN_VERTEX}
+}`,
+    fragmentShader: `${PLAIN_HEAD}
+void main() {
+  gl_FragColor = vec4(litColour(base), 1.0);
+}`,
+  });
+}
+
+/// The same with colours near contacts and of patches; to the last bit at the same depth, so that it may lie on the bare one.
 export function plainMaterial(uniforms, colour, sky) {
   return new ShaderMaterial({
     uniforms: { ...uniforms, base: colour, sky },
     vertexShader: `${VERTEX_HEAD}
 varying vec3 facing;
+invariant gl_Position;
 void main() {
   ${VERTEX_BODY}
-  facing = mat3(modelMatrix) * normal;
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  ${PLAIN_VERTEX}
 }`,
     fragmentShader: `${FRAGMENT_HEAD}
-uniform vec3 base;
-uniform float sky;
-varying vec3 facing;
+${PLAIN_HEAD}
 void main() {
-  vec3 n = normalize(facing);
-  vec3 light = mix(vec3(0.25, 0.22, 0.19), vec3(1.0), 0.5 + 0.5 * n.z) * sky + ${KEY.strength.toFixed(3)} * ${glsl(KEY.tone)} * max(0.0, dot(n, ${direction(KEY)}))
-    + ${RIM.strength.toFixed(3)} * ${glsl(RIM.tone)} * max(0.0, dot(n, ${direction(RIM)})) + 0.28;
-  vec3 lit = markedColour(base) * light * 0.31831;
-  float peak = max(lit.r, max(lit.g, lit.b)), over = peak - 0.76; // bright ones flatten out, as by NeutralToneMapping
-  if (over > 0.0) lit *= (1.0 - 0.0576 / (over + 0.24)) / peak;
-  gl_FragColor = vec4(lit, 1.0);
-  #include <colorspace_fragment>
+  gl_FragColor = vec4(litColour(markedColour(base)), 1.0);
 }`,
   });
 }

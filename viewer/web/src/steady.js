@@ -10,11 +10,11 @@ export function steadyUnit(full, unit) {
   return { scale, unit: prefix + unit, decimals: Math.max(1, 2 - Math.floor(Math.log10(known / scale))) };
 }
 
-/// A number in that unit; what is not known is a dash.
+/// A number in that unit, of three digits that count at the most, so that its tile keeps its width; what is not known is a dash.
 export function sayIn(value, { scale, decimals }) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
-  const shown = value / scale;
-  return shown.toFixed(Math.abs(shown) < 999.95 ? decimals : 0);
+  const shown = value / scale, size = Math.abs(shown);
+  return shown.toFixed(Math.min(decimals, size < 9.995 ? 2 : size < 99.95 ? 1 : 0));
 }
 
 /// What fills each tile: [N, N m, m, m]; what no limit is known of gets a length of the scene.

@@ -1,17 +1,17 @@
 // One surface as drawn: coloured near the contacts by their level of detail, its triangles perhaps as lines.
-import { BufferAttribute, BufferGeometry, Color, DataTexture, Group, LineBasicMaterial, LineSegments, Mesh, RedFormat,
-  RGBAFormat, RGFormat, UnsignedByteType } from "three";
+import { BufferAttribute, BufferGeometry, Color, DataTexture, DynamicDrawUsage, Group, LineBasicMaterial, LineSegments, Mesh, RedFormat,
+  RGBAFormat, RGFormat, Sphere, UnsignedByteType, Vector3 } from "three";
 import { patchBalls, reachPatches } from "./detail.js";
 import { splitAtCreases, uniqueEdges } from "./geometry.js";
-import { groupsAtLevel, markCovered, markPatches, patchOf, patchRanges, tint } from "./patches.js";
-import { MAX_SPOTS, plainMaterial, richMaterial, surfaceUniforms, TEXTURE_WIDTH } from "./shading.js";
+import { groupsAtLevel, markCovered, markPatches, patchOf, patchRanges, tint, trianglesByPatch } from "./patches.js";
+import { bareMaterial, MAX_SPOTS, plainMaterial, richMaterial, surfaceUniforms, TEXTURE_WIDTH } from "./shading.js";
 
 /// mesh     as in the `mesh` or `level` message
 /// ranges   of the tree that the level's nodes are in (patchRanges); left out: the mesh's own
 export function makeSurface(mesh, ranges = patchRanges(mesh.nodeOfPatch, mesh.parents)) {
   const triangles = mesh.triangles.length / 3, patches = mesh.nodeOfPatch.length;
   const labels = Float32Array.from({ length: triangles }, (_, t) => patchOf(mesh, t));
-  const split = splitAtCreases(mesh.positions, mesh.triangles, labels);
+  const split = splitAtCreases(mesh.positions, mesh.triangles, labels, { normals: mesh.normals });
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(split.positions, 3));
   geometry.setAttribute("normal", new BufferAttribute(split.normals, 3));
@@ -22,16 +22,54 @@ export function makeSurface(mesh, ranges = patchRanges(mesh.nodeOfPatch, mesh.pa
   const patchLevels = patchTexture(state, RGFormat);
   const uniforms = surfaceUniforms(patchLevels);
   const colour = { value: new Color() }, sky = { value: 1 };
-  const materials = { rich: richMaterial(uniforms), plain: plainMaterial(uniforms, colour, sky) };
+  const materials = { rich: richMaterial(uniforms), plain: plainMaterial(uniforms, colour, sky), bare: bareMaterial(colour, sky) };
   materials.rich.color = colour.value;
   const solid = new Mesh(geometry, materials.rich);
   solid.castShadow = solid.receiveShadow = true;
   const lines = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.16 }));
   lines.visible = false;
+  const stain = makeStain(geometry, materials.plain);
   const group = new Group();
-  group.add(solid, lines);
-  return { group, solid, lines, uniforms, geometry, mesh, ranges, materials, colour, sky, state, patchLevels,
+  group.add(solid, stain, lines);
+  return { group, solid, stain, lines, rich: true, byPatch: trianglesByPatch(labels, patches), uniforms, geometry, mesh, ranges, materials, colour, sky, state, patchLevels,
     bytes: new Uint8Array(patches), near: new Uint8Array(patches), balls: patchBalls(split.positions, split.labels, patches) };
+}
+
+/// Where patches are coloured the surface is drawn once more, in their colours, by a processor that draws: the rest, which is
+/// most of it, costs nothing for them.
+function makeStain(geometry, material) {
+  const marked = new BufferGeometry();
+  for (const [name, attribute] of Object.entries(geometry.attributes)) marked.setAttribute(name, attribute);
+  marked.setIndex(new BufferAttribute(new Uint32Array(geometry.index.count), 1).setUsage(DynamicDrawUsage));
+  marked.boundingSphere = new Sphere(new Vector3(), Infinity);
+  const stain = new Mesh(marked, material);
+  stain.renderOrder = 0.5; // after the surface, before what stands on it
+  stain.visible = false;
+  return stain;
+}
+
+/// Puts into the stain the triangles of the patches that have a colour, or may have one near a spot.
+function fillStain({ stain, geometry, byPatch: { begin, list }, bytes, near }) {
+  const from = geometry.index.array, { index } = stain.geometry;
+  let count = 0;
+  for (let patch = 0; patch < bytes.length; patch++) {
+    if (!bytes[patch] && !near[patch]) continue;
+    for (let k = begin[patch]; k < begin[patch + 1]; k++, count += 3) {
+      for (let c = 0; c < 3; c++) index.array[count + c] = from[3 * list[k] + c];
+    }
+  }
+  index.clearUpdateRanges();
+  index.addUpdateRange(0, count);
+  index.needsUpdate = true;
+  stain.geometry.setDrawRange(0, count);
+}
+
+/// The material that shows all that has to be shown and no more.
+function dress(surface) {
+  const { solid, stain, materials, uniforms, rich } = surface;
+  const isWhole = uniforms.onlyActive.value === 0 && uniforms.tinted.value === 0;
+  solid.material = rich ? materials.rich : isWhole ? materials.bare : materials.plain;
+  stain.visible = solid.visible && !rich && isWhole && stain.geometry.drawRange.count > 0;
 }
 
 const textureRows = (mesh) => Math.max(1, Math.ceil(mesh.nodeOfPatch.length / TEXTURE_WIDTH));
@@ -48,6 +86,7 @@ function patchTexture(bytes, format) {
 export function tintPatches(surface, level) {
   const { uniforms, mesh } = surface;
   uniforms.tinted.value = level === null ? 0 : 1;
+  dress(surface);
   if (level === null || surface.tintedAt === level) return;
   const numbers = mesh.parents ? groupsAtLevel(mesh.nodeOfPatch, mesh.parents, mesh.levels, level) : mesh.nodeOfPatch;
   const bytes = new Uint8Array(4 * TEXTURE_WIDTH * textureRows(mesh));
@@ -66,13 +105,15 @@ export function paintSurface(surface, { base, line, sky }) {
 
 /// rich   as MeshStandardMaterial does, else plainly
 export function shadeSurface(surface, rich) {
-  surface.solid.material = rich ? surface.materials.rich : surface.materials.plain;
+  surface.rich = rich;
+  dress(surface);
 }
 
 /// solid   "whole", "active": only near contacts, or "none"; lines 0 to 1: how strong edges are drawn
 export function showParts(surface, solid, lines) {
   surface.solid.visible = solid !== "none";
   surface.uniforms.onlyActive.value = solid === "active" ? 1 : 0;
+  dress(surface);
   surface.lines.visible = lines > 0;
   surface.lines.material.opacity = lines;
   if (lines > 0 && !surface.lines.geometry.index) { // only who looks at lines waits for them
@@ -100,6 +141,8 @@ export function markSurface(surface, active, spots, radius, largest) {
   uniforms.spotCount.value = kept.length;
   uniforms.spotRadius.value = radius;
   kept.forEach(({ point, level }, k) => uniforms.spots.value[k].set(...point, level));
+  fillStain(surface);
+  dress(surface);
 }
 
 /// At most MAX_SPOTS of many contacts: one for all that lie within `apart` of each other and have one level.
@@ -117,6 +160,7 @@ const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 
 export function disposeSurface(surface) {
   surface.geometry.dispose();
+  surface.stain.geometry.dispose();
   surface.patchLevels.dispose();
   surface.uniforms.patchTints.value?.dispose();
   surface.lines.geometry.dispose();

@@ -7,11 +7,11 @@ import { fileURLToPath } from "node:url";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "../../..");
 
-/// In a folder of its own, where it keeps what it writes for its user, too; {address, folder, port, child, memory(): resident [bytes], end(): exit status}.
-export async function startProgram(program, args) {
+/// In a folder of its own, where it keeps what it writes for its user, too; `more` of its environment; {address, folder, port, child, memory(): resident [bytes], end(): exit status}.
+export async function startProgram(program, args, more = {}) {
   const folder = mkdtempSync(join(tmpdir(), "thigma-page-"));
   const child = spawn(program, ["run", ...args.map((text) => text.replace("SCENES", join(root, "scenes"))), "--port", "0"],
-    { cwd: folder, env: { ...process.env, XDG_DATA_HOME: folder }, stdio: ["ignore", "pipe", "pipe"] });
+    { cwd: folder, env: { ...process.env, XDG_DATA_HOME: folder, ...more }, stdio: ["ignore", "pipe", "pipe"] });
   let said = "";
   const ended = new Promise((resolve) => child.on("exit", (code, signal) => resolve(code ?? signal)));
   const address = await new Promise((resolve, reject) => {

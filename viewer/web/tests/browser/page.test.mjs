@@ -200,8 +200,8 @@ pageTest("picture, tiles, sentences and plots show one moment, and values where 
 });
 
 /// What is drawn of rows, and what is said of them.
-const rowsShown = (page) => page.evaluate(() => { const { stage, session: s } = window.thigma, count = (name) => stage.rows[name].map((mesh) => mesh.count);
-  return { planes: count("planes"), points: count("points"), forces: count("forces"), cones: count("cones"), dots: stage.marks.dots[0].count,
+const rowsShown = (page) => page.evaluate(() => { const { stage, session: s } = window.thigma, count = (name) => stage.rows[name].count;
+  return { planes: count("planes"), points: count("points"), forces: count("forces"), cones: count("cones"), dots: stage.marks.dots.count,
     rows: stage.last.rows, same: stage.last === s.snapshot, ghost: stage.ghost.group.visible, rod: stage.spring.group.visible,
     legend: document.getElementById("row-legend").hidden ? null : document.getElementById("row-legend").textContent,
     words: document.getElementById("readouts").textContent }; });
@@ -219,7 +219,7 @@ pageTest("under constraints rows, those that press and their cones are drawn and
     await page.waitForFunction(() => /rests on 3 rows/.test(document.getElementById("readouts").textContent));
     const seen = await rowsShown(page);
     const edges = seen.rows.filter(({ kind }) => kind === 2).length, n = seen.rows.length;
-    assert.deepEqual([seen.planes, seen.points, seen.forces, seen.cones], [[n - edges, n - edges], [n + edges, n + edges], [3, 3], [3, 3]]);
+    assert.deepEqual([seen.planes, seen.points, seen.forces, seen.cones], [n - edges, n + edges, 3, 3]);
     assert.ok(seen.dots === 0 && seen.ghost && seen.rod, "rows stand for contacts; object, hand and coupling are there");
     assert.match(seen.words, /The upper block rests on 3 rows of the lower block; the hand pulls [\d.]+ m?N; coupling 500 N\/m\./);
     assert.match(seen.words, /The coupling alone limits the force: 500 N\/m × [\d.]+ mm\. The surfaces do not give\./);
@@ -232,7 +232,7 @@ pageTest("under constraints rows, those that press and their cones are drawn and
   }
   await page.keyboard.press("c");
   await drawnSince(page);
-  assert.deepEqual((await rowsShown(page)).planes, [0, 0], "as contacts are, rows are switched off");
+  assert.deepEqual((await rowsShown(page)).planes, 0, "as contacts are, rows are switched off");
   mock.world.bits = 64;
   await page.waitForFunction(() => /Held back in 20 % of the last second/.test(document.getElementById("readouts").textContent));
   mock.event("held_back", "contacts_too_slow", "the object waits for its contacts: move it more slowly");
@@ -240,9 +240,9 @@ pageTest("under constraints rows, those that press and their cones are drawn and
 });
 
 pageTest("without constraints there is no row and nothing is said of any", { device: "hand:" }, async ({ page }) => {
-  await page.waitForFunction(() => window.thigma.session.snapshot.stretch > 0.0005 && window.thigma.stage.marks.dots[0].count > 0);
+  await page.waitForFunction(() => window.thigma.session.snapshot.stretch > 0.0005 && window.thigma.stage.marks.dots.count > 0);
   const seen = await rowsShown(page);
-  assert.deepEqual([seen.planes, seen.points, seen.forces, seen.cones, seen.legend], [[0, 0], [0, 0], [0, 0], [0, 0], null]);
+  assert.deepEqual([seen.planes, seen.points, seen.forces, seen.cones, seen.legend], [0, 0, 0, 0, null]);
   assert.doesNotMatch(await page.evaluate(() => document.querySelector(".situation").textContent), /row/);
 });
 
@@ -275,7 +275,7 @@ pageTest("a drag moves the hand until the object touches, and not through", {}, 
   const seen = await page.evaluate(() => {
     const { stage, session } = window.thigma, at = stage.object.group.position, ghost = stage.ghost.group.position;
     return { object: at.toArray(), ghost: ghost.toArray(), arrow: stage.force.group.visible, length: stage.force.group.children[0].scale.z,
-      ghostSeen: stage.ghost.group.visible, dots: stage.marks.dots[0].count, force: Math.hypot(...session.snapshot.force),
+      ghostSeen: stage.ghost.group.visible, dots: stage.marks.dots.count, force: Math.hypot(...session.snapshot.force),
       sent: session.sent, ...[stage.object.finest, ...stage.object.levels.values()].filter(({ solid }) => solid.visible).map((one) =>
         ({ spots: one.uniforms.spotCount.value }))[0] };
   });
@@ -327,8 +327,8 @@ pageTest("hovering neither takes the hand nor loses it", {}, async ({ page, mock
 pageTest("another scene begins without the arrow, the ghost and the contacts of the one before", { device: "hand:" }, async ({ page, mock }) => {
   const marks = () => page.evaluate(() => { const { stage } = window.thigma;
     return [stage.force.group, stage.twist.group, stage.spring.group, stage.ghost.group].map(({ visible }) => visible)
-      .concat(stage.marks.dots[0].count > 0, [stage.object.finest, ...stage.object.levels.values()].some(({ bytes }) => bytes.some((level) => level > 0))); });
-  await page.waitForFunction(() => window.thigma.stage.force.group.visible && window.thigma.stage.marks.dots[0].count > 0);
+      .concat(stage.marks.dots.count > 0, [stage.object.finest, ...stage.object.levels.values()].some(({ bytes }) => bytes.some((level) => level > 0))); });
+  await page.waitForFunction(() => window.thigma.stage.force.group.visible && window.thigma.stage.marks.dots.count > 0);
   mock.silence(true); // a session that takes its time to begin
   const meshes = await page.evaluate(() => window.thigma.session.counts.mesh);
   mock.show();
@@ -444,14 +444,19 @@ pageTest("levels: patches of any, and the active ones where the finest is only l
   assert.equal(asked().length, 4, "each is asked for once");
 });
 
-pageTest("where the processor draws, the view keeps its size and levels of detail are drawn", { device: "hand:" }, async ({ page, mock }) => {
-  const seen = () => page.evaluate(() => { const { stage } = window.thigma, { canvas } = stage;
+pageTest("where the processor draws, the view keeps its size and coarser surfaces are drawn", { device: "hand:" }, async ({ page, mock }) => {
+  const seen = () => page.evaluate(() => { const { stage } = window.thigma, { canvas } = stage, all = [stage.object, ...stage.statics];
     return { pixels: [canvas.width, canvas.height], view: [canvas.clientWidth, canvas.clientHeight], plain: stage.plain,
-      drawn: [stage.object, ...stage.statics].map((body) => body.drawn),
-      shown: [stage.object, ...stage.statics].map((body) => [[0, body.finest], ...body.levels].filter(([, one]) => one.solid.visible).map(([level]) => level)),
+      drawn: all.map((body) => body.drawn),
+      shown: all.map((body) => [[0, body.finest], ...body.levels].filter(([, one]) => one.solid.visible).map(([level]) => level)),
       ghost: [...stage.object.levels.values()].some(({ geometry }) => geometry === stage.ghost.glass.geometry) }; });
+  const atLast = (off) => page.evaluate((off) => { const { stage } = window.thigma;
+    Object.assign(stage, { resized: true, dirty: true });
+    Object.assign(stage.pace, { step: 5, fixed: true });
+    for (const body of [stage.object, ...stage.statics]) if (off) body.coarse = []; // as where none have come
+  }, off);
   await drawnSince(page);
-  await page.evaluate(() => Object.assign(window.thigma.stage, { resized: true, dirty: true }) && Object.assign(window.thigma.stage.pace, { step: 6, fixed: true }));
+  await atLast(true);
   await page.waitForFunction(() => window.thigma.stage.object.drawn > 0 && window.thigma.stage.statics[0].drawn > 0);
   const coarse = await seen();
   assert.ok(coarse.plain && coarse.ghost, JSON.stringify(coarse));
@@ -465,6 +470,40 @@ pageTest("where the processor draws, the view keeps its size and levels of detai
   await page.mouse.move(300, 300);
   await page.mouse.wheel(0, -4000); // so near that nothing but the original is fine enough
   await page.waitForFunction(() => window.thigma.stage.object.drawn === 0);
+});
+
+pageTest("coarser surfaces come from a worker, and colours of contacts lie on them as if all were drawn in one", { device: "hand:" }, async ({ page }) => {
+  await page.evaluate(() => { const { stage } = window.thigma;
+    stage.object.about.level_list = []; // as of contacts at full resolution
+    Object.assign(stage, { resized: true });
+    Object.assign(stage.pace, { step: 5, fixed: true }); });
+  await page.waitForFunction(() => window.thigma.stage.object.coarse?.length === 10 && window.thigma.stage.object.drawn < 0);
+  await page.waitForFunction(() => { const { object } = window.thigma.stage; return object.levels.get(object.drawn).stain.visible; });
+  const seen = await page.evaluate(() => {
+    const { stage } = window.thigma, { renderer, scene, view, object, canvas: { width, height } } = stage, gl = renderer.getContext();
+    const surface = object.levels.get(object.drawn), { solid, stain, materials, bytes, near, byPatch } = surface;
+    const picture = () => { // in one task, so that nothing comes between
+      renderer.render(scene, view.camera);
+      const pixels = new Uint8Array(4 * width * height);
+      gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      return pixels;
+    };
+    const count = (a, b, most) => { let n = 0; for (let k = 0; k < a.length; k += 4) n += [0, 1, 2].some((c) => Math.abs(a[k + c] - b[k + c]) > most) ? 1 : 0; return n; };
+    const twice = picture();
+    stain.visible = false;
+    const without = picture();
+    solid.material = materials.plain;
+    const once = picture();
+    solid.material = materials.bare;
+    stain.visible = true;
+    const coloured = [...bytes.keys()].filter((patch) => bytes[patch] || near[patch]).reduce((sum, patch) => sum + byPatch.begin[patch + 1] - byPatch.begin[patch], 0);
+    return { stained: count(twice, without, 8), different: count(twice, once, 2), coloured, drawn: stain.geometry.drawRange.count / 3,
+      triangles: object.coarse.map((one) => one.triangles), fine: object.about.triangles, level: object.drawn };
+  });
+  assert.ok(seen.stained > 10, JSON.stringify(seen));
+  assert.ok(seen.different <= 0.02 * seen.stained, `${seen.different} of ${seen.stained} pixels are not those of one drawing`);
+  assert.equal(seen.drawn, seen.coloured);
+  assert.ok(seen.triangles.every((n, k) => n <= (k === 0 ? seen.fine : seen.triangles[k - 1])) && seen.triangles.at(-seen.level) < 0.7 * seen.fine, JSON.stringify(seen));
 });
 
 pageTest("relief is drawn in place of the smooth surface, and sound follows the force", { device: "hand:", query: "?picture=full" }, async ({ page, mock }) => {
@@ -530,6 +569,7 @@ pageTest("a scene, a recording and a mesh of one's own are opened from the menu"
 pageTest("pause, step, reset, record, save", { device: "hand:" }, async ({ page, mock }) => {
   await page.getByRole("button", { name: "Pause" }).click();
   await until(() => mock.run === "paused", "pause");
+  await page.getByText("Contacts: paused.").waitFor(); // and not that they are found 0.00 times a second
   const frame = mock.world.frame;
   await page.getByRole("button", { name: "One step" }).click();
   await until(() => mock.world.frame === frame + 1, "one step");

@@ -1,4 +1,4 @@
-// dist/ is what src/ bundles to, byte for byte; and the page stays one script and its worker that ask nobody else for anything.
+// dist/ is what src/ bundles to, byte for byte; and the page stays one script and its two workers that ask nobody else for anything.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { existsSync, readdirSync, readFileSync } from "node:fs";
@@ -15,12 +15,14 @@ test("dist is what src bundles to", { timeout: 300000 }, async (t) => {
   assert.equal(code, 0, stderr);
 });
 
-test("dist is whole, with one script and its worker and nothing inline", () => {
-  assert.deepEqual(readdirSync(join(root, "dist")).sort(), ["LICENSES.txt", "app.js", "icon.svg", "index.html", "scenes.webp", "style.css", "worker.js"]);
+test("dist is whole, with one script and its two workers and nothing inline", () => {
+  assert.deepEqual(readdirSync(join(root, "dist")).sort(), ["LICENSES.txt", "app.js", "coarsener.js", "icon.svg", "index.html", "scenes.webp", "style.css", "worker.js"]);
   const html = readFileSync(join(root, "dist/index.html"), "utf8");
   assert.deepEqual([...html.matchAll(/<script[^>]*>/g)].map(([tag]) => tag), ['<script src="app.js">']);
-  assert.match(readFileSync(join(root, "dist/app.js"), "utf8"), /new Worker\("worker\.js"\)/);
-  assert.doesNotMatch(readFileSync(join(root, "dist/worker.js"), "utf8"), /importScripts|https?:/);
+  for (const worker of ["worker", "coarsener"]) {
+    assert.match(readFileSync(join(root, "dist/app.js"), "utf8"), new RegExp(`new Worker\\("${worker}\\.js"\\)`));
+    assert.doesNotMatch(readFileSync(join(root, `dist/${worker}.js`), "utf8"), /importScripts|https?:/);
+  }
   assert.doesNotMatch(html, /\son\w+=|\sstyle=|https?:/);
   assert.doesNotMatch(readFileSync(join(root, "dist/style.css"), "utf8"), /url\((?!scenes\.webp\))|@import|https?:/);
 });

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { levelAtHand, levelToDraw, patchBalls, reachPatches } from "../../src/detail.js";
+import { coarsestWithin, levelAtHand, levelToDraw, patchBalls, reachPatches } from "../../src/detail.js";
 
 const LIST = [{ free: false, triangles: 10000, deviation: 0 }, { free: false, triangles: 3000, deviation: 1e-4 },
   { free: true, triangles: 0, deviation: null }, { free: false, triangles: 800, deviation: 4e-4 }, { free: false, triangles: 900, deviation: 5e-4 }];
@@ -21,6 +21,12 @@ test("until a level is here the next finer one is drawn", () => {
   assert.equal(levelAtHand(3, (level) => here.has(level)), 2);
   assert.equal(levelAtHand(1, (level) => here.has(level)), 1);
   assert.equal(levelAtHand(3, () => false), 0);
+});
+
+test("of what is made for drawing alone the coarsest is drawn that is near enough, else the original", () => {
+  const list = [1, 2, 4].map((deviation) => ({ deviation }));
+  assert.deepEqual([0, 0.9, 1, 3, 4, Infinity].map((allowed) => coarsestWithin(list, allowed)), [0, 0, -1, -2, -3, -3]);
+  assert.equal(coarsestWithin([], 1), 0);
 });
 
 test("a spot reaches the patches whose points come near it, against every point", () => {

@@ -19,16 +19,26 @@ test("a cube gets a normal for each of its faces", () => {
 });
 
 test("below the crease angle the cube is smooth", () => {
-  assert.equal(splitAtCreases(CUBE.positions, CUBE.triangles, new Float32Array(12), 2).positions.length / 3, 8);
+  assert.equal(splitAtCreases(CUBE.positions, CUBE.triangles, new Float32Array(12), { crease: 2 }).positions.length / 3, 8);
 });
 
 test("triangles of different labels share no vertex", () => {
   const labels = Float32Array.from({ length: 12 }, (_, t) => t % 3 - 1);
-  const split = splitAtCreases(CUBE.positions, CUBE.triangles, labels, 2);
+  const split = splitAtCreases(CUBE.positions, CUBE.triangles, labels, { crease: 2 });
   for (let c = 0; c < 36; c++) {
     assert.equal(split.labels[split.index[c]], labels[Math.floor(c / 3)]);
     for (let k = 0; k < 3; k++) assert.equal(split.positions[3 * split.index[c] + k], CUBE.positions[3 * CUBE.triangles[c] + k]);
   }
+});
+
+test("normals that are known are used where the surface is smooth, and nowhere else", () => {
+  const normals = new Float32Array(CUBE.positions.length).fill(0).map((_, k) => (k < 3 ? Number(k === 0) : 0)); // of the first vertex
+  const normalOf = (split, v) => [0, 1, 2].map((k) => [...split.index.keys()].filter((c) => CUBE.triangles[c] === v).map((c) => split.normals[3 * split.index[c] + k]));
+  const smooth = splitAtCreases(CUBE.positions, CUBE.triangles, new Float32Array(12), { crease: 2, normals });
+  assert.deepEqual(normalOf(smooth, 0).map((list) => new Set(list)), [new Set([1]), new Set([0]), new Set([0])]);
+  const plain = splitAtCreases(CUBE.positions, CUBE.triangles, new Float32Array(12), { crease: 2 });
+  assert.deepEqual(normalOf(smooth, 5), normalOf(plain, 5));
+  assert.deepEqual(splitAtCreases(CUBE.positions, CUBE.triangles, new Float32Array(12), { normals }), splitAtCreases(CUBE.positions, CUBE.triangles, new Float32Array(12)));
 });
 
 test("the scale does not matter", () => {

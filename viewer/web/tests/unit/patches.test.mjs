@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { groupsAtLevel, markCovered, markPatches, patchRanges, tint } from "../../src/patches.js";
+import { groupsAtLevel, markCovered, markPatches, patchRanges, tint, trianglesByPatch } from "../../src/patches.js";
 
 // 6 is the root of 4 and 5; 4 has leaves 0 and 1, 5 has 2 and 3. Patches lie on leaves in another order.
 const PARENTS = Int32Array.from([4, 4, 5, 5, 6, 6, -1]);
@@ -77,4 +77,10 @@ test("neighbouring numbers have colours that can be told apart", () => {
     assert.ok(Math.hypot(...a.map((value, i) => value - b[i])) > 40, `${k}: ${a} and ${b}`);
     assert.ok(a.every((value) => value >= 0 && value <= 255));
   }
+});
+
+test("every triangle stands once with its patch, those of none nowhere", () => {
+  const labels = Float32Array.from([2, -1, 0, 2, 2, -1, 0]);
+  const { begin, list } = trianglesByPatch(labels, 4);
+  assert.deepEqual([0, 1, 2, 3].map((patch) => [...list.slice(begin[patch], begin[patch + 1])]), [[2, 6], [], [0, 3, 4], []]);
 });

@@ -6,9 +6,10 @@ import { fullScales, sayIn, shareOf, steadyUnit } from "../../src/steady.js";
 test("a tile keeps the unit of its limit, whatever the value", () => {
   const force = steadyUnit(3.3, "N"), torque = steadyUnit(0.1, "N m"), stretch = steadyUnit(0.0066, "m"), depth = steadyUnit(4e-4, "m");
   assert.deepEqual([force.unit, torque.unit, stretch.unit, depth.unit], ["N", "mN m", "mm", "µm"]);
-  assert.deepEqual([0, 0.0123, 1, 3.3, 12].map((value) => sayIn(value, force)), ["0.00", "0.01", "1.00", "3.30", "12.00"]);
-  assert.deepEqual([0.0024, 0.1].map((value) => sayIn(value, torque)), ["2.4", "100.0"]);
-  assert.equal(sayIn(2.2e-4, depth), "220.0");
+  assert.deepEqual([0, 0.0123, 1, 3.3, 12].map((value) => sayIn(value, force)), ["0.00", "0.01", "1.00", "3.30", "12.0"]);
+  assert.deepEqual([0.0024, 0.1].map((value) => sayIn(value, torque)), ["2.4", "100"]);
+  assert.deepEqual([5.5012e-4, 9.994e-5, 9.996e-5, 9.99e-6].map((value) => sayIn(value, depth)), ["550", "99.9", "100", "10.0"]);
+  for (let value = 1e-6; value < 9.99e-4; value *= 1.003) assert.ok(sayIn(value, depth).length <= 4, "no wider than its tile");
   assert.equal(sayIn(2, depth), "2000000", "no digits that say nothing");
   for (const unknown of [NaN, null, undefined, Infinity]) assert.equal(sayIn(unknown, force), "–");
   assert.equal(steadyUnit(NaN, "N").unit, "N");

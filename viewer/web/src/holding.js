@@ -1,0 +1,71 @@
+// The page as the one who holds the device: when it may, how it begins and ends, and what of the hand goes to the program.
+import { claims } from "./gizmo.js";
+import { noteSample, poseOf, takeSamples } from "./hand.js";
+import { ask, letGo, sendHand } from "./link.js";
+import { holdsXr } from "./xr.js";
+
+/// page   {session, hand, request(message) -> promise of the `ack`; stage, link, xr, gizmo: null until they are there}
+/// returns   {page, player: what mouse, fingers, keys, gamepad and headset act on}
+export function makeHolding(page) {
+  const { session, hand } = page, holding = { page, player: null };
+  holding.player = {
+    get stage() { return page.stage; },
+    hand,
+    workspace: () => session.scene.workspace,
+    grasp: () => session.snapshot?.grasp ?? [0, 0, 0],
+    claims: (event) => page.gizmo !== null && claims(page.gizmo, event),
+    mayMove: () => session.connected && !page.stage?.editing && session.hello?.may_control !== false && Boolean(session.state?.device.startsWith("web:")) &&
+      session.state.holder !== "other" && session.state.run !== "ended" && !session.state.replay && Boolean(session.snapshot),
+    press: () => press(holding),
+    moved: (turned) => { session.turned ||= turned; },
+    give: () => giveHand(holding),
+    letGo: () => {
+      hand.clutch = false;
+      confirmHand(holding);
+    },
+  };
+  return holding;
+}
+
+async function press(holding) {
+  const { session, hand, request } = holding.page;
+  if ((hand.clutch && session.holding) || session.asking) return;
+  session.asking = true;
+  const from = poseOf(hand); // what is dragged before the answer comes counts as well
+  if (!session.holding) setHold(holding, (await request({ type: "hold", value: true })).ok);
+  session.asking = false;
+  if (!session.holding) return;
+  noteSample(hand, performance.now() / 1000, from); // open first, so that the clutch is seen to close
+  hand.clutch = true;
+  confirmHand(holding);
+}
+
+export function setHold({ page: { session, link } }, isOurs) {
+  if (session.holding && !isOurs) letGo(link);
+  session.holding = isOurs;
+}
+
+/// What has been noted goes to the worker, which sends it whatever this page is busy with.
+function giveHand({ page: { session, hand, link } }) {
+  if (!session.holding || !session.connected) return;
+  const samples = takeSamples(hand);
+  sendHand(link, samples);
+  session.sent += samples.length;
+}
+
+/// The hand is where it was, now; that of a headset only its frames can tell.
+export function confirmHand(holding) {
+  const { session, hand, xr } = holding.page;
+  if (!session.holding || holdsXr(xr)) return;
+  noteSample(hand, performance.now() / 1000);
+  giveHand(holding);
+}
+
+/// A page that nobody sees must not hold anything: its timers slow down, and nobody would know what fades and comes back.
+export function leaveHold(holding) {
+  const { session, link } = holding.page;
+  if (!session.holding) return;
+  holding.player.letGo();
+  setHold(holding, false);
+  ask(link, { type: "hold", value: false });
+}
