@@ -37,6 +37,47 @@ TEST(WorldAudit, StepsTakeNoMemoryOnceWarm) {
   EXPECT_EQ(taken, 0);
 }
 
+TEST(WorldAudit, JointsTakeNoMemoryOnceWarm) {
+  if (const char* why = test::why_no_audit()) GTEST_SKIP() << why;
+  test::WorldBench bench;
+  test::add_floor(bench);
+  const auto link = test::body_mesh(make_box(Vec3(0.03, 0.008, 0.005)));
+  std::vector<WorldJoint> joints;
+  std::vector<BodyState> start{bench.bodies[0].start};
+  for (std::int32_t i = 0; i < 6; ++i) {
+    bench.add(link, BodyKind::moving, Vec3(0.03 * (i + 0.5), 0.0, 0.1));
+    start.push_back(bench.bodies.back().start);
+    WorldJoint joint;
+    joint.name = "joint " + std::to_string(i);
+    joint.kind = i % 2 == 0 ? JointKind::ball : JointKind::hinge;
+    joint.a = i + 1;
+    joint.b = i == 0 ? -1 : i;
+    place_joint(joint, joint_frame(Vec3(0.03 * i, 0.0, 0.1), Vec3::UnitY()), start);
+    if (joint.kind == JointKind::hinge) {
+      joint.lower = -1.0;
+      joint.stiffness = 1e-4;
+    }
+    joints.push_back(joint);
+  }
+  bench.world = make_world(bench.bodies, Vec3(0.0, 0.0, -9.81), joints);
+  bench.state = start_state(bench.world);
+  bench.scratch = reserve_world(bench.world);
+  bench.world.sleeps = false;
+  const WorldState before = bench.state;
+  std::int32_t pressing = 0;
+  for (int i = 0; i < 500; ++i) pressing = std::max(pressing, bench.step().pressing);
+  EXPECT_GT(pressing, 0);  // its end lies on the floor
+  bench.state = before;
+  std::int64_t taken = 0;
+  for (int i = 0; i < 500; ++i) {
+    const test::AuditScope scope;
+    bench.step();
+    const test::AuditCounts counts = scope.counts();
+    taken += counts.allocations + counts.locks;
+  }
+  EXPECT_EQ(taken, 0);
+}
+
 TEST(WorldAudit, SeesAnAllocation) {
   if (const char* why = test::why_no_audit()) GTEST_SKIP() << why;
   test::WorldBench bench;
