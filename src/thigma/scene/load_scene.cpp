@@ -1,7 +1,11 @@
 #include "thigma/scene/load_scene.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
+#include <exception>
+#include <future>
+#include <thread>
 #include <utility>
 
 #include "thigma/clod/build_hierarchy.h"
@@ -23,6 +27,13 @@ ClodAsset exact_asset(TriangleMesh mesh) {
   return asset;
 }
 
+bool is_kept_file(const SceneObject& object) { return !object.model && is_clod_file(object.mesh); }
+
+/// Whether levels that are not kept are left out. Textures of levels lie on them.
+bool may_wait(const SceneObject& object, const LoadOptions& options) {
+  return options.defers_levels && !is_kept_file(object) && object.level_textures.empty();
+}
+
 /// Surface, hierarchy and mass of an object: levels of detail where the session asks for them.
 /// lacks_levels  set where they were left out
 ClodAsset load_asset(const SceneObject& object, const char* role, bool is_exact,
@@ -32,14 +43,12 @@ ClodAsset load_asset(const SceneObject& object, const char* role, bool is_exact,
   source.role = role;
   source.scale = object.unit_scale;
   source.is_repair = options.repairs && !object.model;  // part of the key of kept levels
-  const bool is_kept = !object.model && is_clod_file(object.mesh);
+  const bool is_kept = is_kept_file(object);
   const AssetCache cache{options.keeps_levels, options.cache_folder};
-  // Textures of levels lie on them.
-  const bool may_wait = options.defers_levels && !is_kept && object.level_textures.empty();
   ClodAsset asset;
   if (is_exact && !is_kept) {
     asset = exact_asset(load_surface(source, options.log));
-  } else if (may_wait) {
+  } else if (may_wait(object, options)) {
     std::optional<ClodAsset> kept = find_clod_cached(source, cache, options.log);
     lacks_levels = lacks_levels || !kept;
     asset = kept ? std::move(*kept) : exact_asset(load_surface(source, options.log));
@@ -61,6 +70,91 @@ ClodAsset load_asset(const SceneObject& object, const char* role, bool is_exact,
     options.log(line);
   }
   return asset;
+}
+
+/// What loading an object gives.
+struct LoadedSurface {
+  std::shared_ptr<const ClodAsset> asset;
+  BodyTextures textures;
+  bool lacks_levels = false;
+  std::int32_t coarsest = 0;      // of the levels a contact may be at
+  std::vector<std::string> said;  // where it was not said at once
+  std::exception_ptr failed;
+};
+
+/// An object, and what it is of.
+struct ObjectToLoad {
+  const SceneObject* object = nullptr;
+  const char* role = "";
+  bool is_exact = false;  // levels of detail are not asked for
+};
+
+LoadedSurface load_object(const ObjectToLoad& given, const LoadOptions& options,
+                          std::int32_t coarsest) {
+  const SceneObject& object = *given.object;
+  LoadedSurface loaded;
+  loaded.coarsest = coarsest;
+  if (object.is_textured) {
+    loaded.textures = detail::load_relief(object, options.log);
+    loaded.asset = std::make_shared<const ClodAsset>(exact_asset(loaded.textures[0]->coarse));
+    return loaded;
+  }
+  loaded.asset = std::make_shared<const ClodAsset>(
+      load_asset(object, given.role, given.is_exact, options, loaded.lacks_levels));
+  if (!object.level_textures.empty() && options.has_textures)
+    loaded.textures =
+        detail::load_level_relief(object, *loaded.asset, options.log, loaded.coarsest);
+  return loaded;
+}
+
+/// Whether loading it may take minutes, with progress, and write a file.
+bool builds_levels(const ObjectToLoad& given, const LoadOptions& options) {
+  const SceneObject& object = *given.object;
+  return !object.is_textured && !given.is_exact && !is_kept_file(object) &&
+         !may_wait(object, options);
+}
+
+/// Objects of which none builds levels, side by side; what they say in their order afterwards.
+std::vector<LoadedSurface> load_side_by_side(const std::vector<ObjectToLoad>& given,
+                                             const LoadOptions& options, std::int32_t coarsest) {
+  std::vector<LoadedSurface> loaded(given.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < given.size(); i = next++) {
+      std::vector<std::string> said;
+      LoadOptions quiet = options;
+      if (options.log) quiet.log = [&said](const std::string& line) { said.push_back(line); };
+      try {
+        loaded[i] = load_object(given[i], quiet, coarsest);
+      } catch (...) {
+        loaded[i].failed = std::current_exception();
+      }
+      loaded[i].said = std::move(said);
+    }
+  };
+  std::vector<std::future<void>> others;
+  const std::size_t threads =
+      std::min<std::size_t>(given.size(), std::max(1u, std::thread::hardware_concurrency()));
+  for (std::size_t i = 1; i < threads; ++i) others.push_back(std::async(std::launch::async, work));
+  work();
+  for (std::future<void>& other : others) other.get();
+  for (const LoadedSurface& one : loaded) {
+    for (const std::string& line : one.said) options.log(line);
+    if (one.failed) std::rethrow_exception(one.failed);
+  }
+  return loaded;
+}
+
+/// The object of a scene first, then what stands around it.
+std::vector<LoadedSurface> load_objects(const std::vector<ObjectToLoad>& given,
+                                        const LoadOptions& options, std::int32_t coarsest) {
+  const bool is_quick = std::none_of(given.begin(), given.end(), [&](const ObjectToLoad& one) {
+    return builds_levels(one, options);
+  });
+  if (is_quick) return load_side_by_side(given, options, coarsest);
+  std::vector<LoadedSurface> loaded;
+  for (const ObjectToLoad& one : given) loaded.push_back(load_object(one, options, coarsest));
+  return loaded;
 }
 
 }  // namespace
@@ -86,27 +180,27 @@ Scene load_scene(SceneDescription description, const LoadOptions& options) {
   if (replaces_mesh(given.object) ||
       std::any_of(given.statics.begin(), given.statics.end(), replaces_mesh))
     resolution.is_exact = true;
-  std::int32_t coarsest = resolution.coarsest_level;
   LoadOptions used = options;
   used.repairs = given.repairs || options.repairs;
-  const auto load = [&](const SceneObject& object, const char* role, BodyTextures& textures) {
-    if (object.is_textured) {
-      textures = detail::load_relief(object, options.log);
-      return std::make_shared<const ClodAsset>(exact_asset(textures[0]->coarse));
-    }
-    auto asset = std::make_shared<const ClodAsset>(
-        load_asset(object, role, resolution.is_exact && object.level_textures.empty(), used,
-                   scene.lacks_levels));
-    if (!object.level_textures.empty() && options.has_textures)
-      textures = detail::load_level_relief(object, *asset, options.log, coarsest);
-    return asset;
+  std::vector<ObjectToLoad> wanted;
+  const auto want = [&](const SceneObject& object, const char* role) {
+    wanted.push_back({&object, role, resolution.is_exact && object.level_textures.empty()});
   };
-  scene.object = load(given.object, "--object", scene.object_textures);
+  want(given.object, "--object");
+  for (const SceneObject& other : given.statics) want(other, "--against");
+  std::vector<LoadedSurface> loaded = load_objects(wanted, used, resolution.coarsest_level);
+  std::int32_t coarsest = resolution.coarsest_level;
+  for (const LoadedSurface& one : loaded) {
+    scene.lacks_levels = scene.lacks_levels || one.lacks_levels;
+    coarsest = std::min(coarsest, one.coarsest);
+  }
+  scene.object = loaded[0].asset;
+  scene.object_textures = std::move(loaded[0].textures);
   std::vector<SceneBody> bodies;
-  for (const SceneObject& other : given.statics) {
-    scene.static_textures.emplace_back();
-    scene.statics.push_back(load(other, "--against", scene.static_textures.back()));
-    bodies.push_back({&scene.statics.back()->hierarchy, other.world_from_mesh});
+  for (std::size_t i = 1; i < loaded.size(); ++i) {
+    scene.static_textures.push_back(std::move(loaded[i].textures));
+    scene.statics.push_back(loaded[i].asset);
+    bodies.push_back({&scene.statics.back()->hierarchy, given.statics[i - 1].world_from_mesh});
   }
   const ClodHierarchy& hierarchy = scene.object->hierarchy;
   scene.config =
