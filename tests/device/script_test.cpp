@@ -78,7 +78,8 @@ TEST(Script, ErrorsNameFileLineAndExpectation) {
   EXPECT_EQ(reason(kHeader + row + "1e308,0,0,0,0,0,0,1\n"),
             "a.csv: time of 1e+308 s, line 3, expected at most 1e9 s");
   EXPECT_EQ(reason(kHeader + row + "1e-300,0,0,0,0,0,0,1\n"),
-            "a.csv: time less than a nanosecond after the row before, line 3, expected seconds");
+            "a.csv: time less than a nanosecond after the row before, line 3, expected at least "
+            "1e-9 s more");
   EXPECT_EQ(reason(kHeader + "0,0,1e300,0,0,0,0,1\n"),
             "a.csv: a place beyond 1000 km, line 2, expected metres");
   EXPECT_THROW(read_script("/nonexistent/poses.csv"), InputError);

@@ -208,7 +208,8 @@ std::vector<TimedPose> parse_script(std::istream& text, const std::string& name)
     }
     const TimedPose row = parse_row(content, columns, name, number);
     if (!rows.empty() && row.time > rows.back().time && row.time - rows.back().time < kLeastStep)
-      fail(name, number, "time less than a nanosecond after the row before", "seconds");
+      fail(name, number, "time less than a nanosecond after the row before",
+           "at least 1e-9 s more");
     if (!rows.empty() && !(row.time > rows.back().time)) {
       fail(name, number, "time that does not increase", "more than that of the row before");
     }

@@ -82,11 +82,12 @@ bool is_kept_name(const fs::path& path) {
 
 /// What is at a place.
 ClodAsset read_kept_file(const std::string& place) {
-  constexpr std::uint64_t kMost = std::uint64_t{1} << 32;  // as of any file that is read [byte]
+  constexpr std::uint64_t kMostShrunk = 1000;  // levels shrink to a third; what claims more lies
   const std::string bytes = read_file(place);
   const std::optional<std::uint64_t> size = expanded_size(bytes);
   if (!size) return parse_clod(bytes, place);
-  std::optional<std::string> whole = *size <= kMost ? expand(bytes, *size) : std::nullopt;
+  std::optional<std::string> whole =
+      *size <= kMostShrunk * bytes.size() ? expand(bytes, *size) : std::nullopt;
   if (!whole) throw InputError(place + ": it is damaged, expected a compressed .clod");
   return parse_clod(*whole, place);
 }
