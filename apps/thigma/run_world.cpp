@@ -31,13 +31,17 @@ std::string missing(const RunOptions& options) {
   return "";
 }
 
-void use_options(const RunOptions& options, WorldSceneDescription& scene) {
-  scene.rate = options.rate.value_or(scene.rate);
-  if (!options.friction) return;
+void use_friction(std::optional<double> friction, WorldSceneDescription& scene) {
+  if (!friction) return;
   for (WorldSceneBody& body : scene.bodies) {
     if (!body.object.material) body.object.material = Material{};
-    body.object.material->friction = {*options.friction, *options.friction};
+    body.object.material->friction = {*friction, *friction};
   }
+}
+
+void use_options(const RunOptions& options, WorldSceneDescription& scene) {
+  scene.rate = options.rate.value_or(scene.rate);
+  use_friction(options.friction, scene);
 }
 
 double cpu_seconds() {
@@ -127,6 +131,10 @@ int run_world_scene(const RunOptions& options, const Common& common,
   use_options(options, scene);
   LoadedWorld world = load_world(std::move(scene), log_of(common));
   world.config.duration = options.duration.value_or(kDuration);
+  if (world.config.hands.empty() && !options.device.empty() && options.device != "null:") {
+    print_error("run: --device " + options.device + ": no body of the scene is held");
+    return kUsage;
+  }
   std::vector<std::string> uris;
   for (std::size_t i = 0; i < world.config.hands.size(); ++i)
     uris.push_back(i == 0 && !options.device.empty() ? options.device
@@ -139,6 +147,7 @@ int run_world_scene(const RunOptions& options, const Common& common,
     info.devices = uris;
     info.seed = common.seed;
     info.rate = world.config.rate;
+    info.friction = options.friction;
     for (const WorldBody& body : world.config.world.bodies) info.bodies.push_back(body.name);
     for (const WorldJoint& joint : world.config.world.joints) info.joints.push_back(joint.name);
     writer = std::make_unique<WorldRecordingWriter>(options.record, info);
@@ -161,7 +170,10 @@ int run_world_scene(const RunOptions& options, const Common& common,
   else
     print_text(summary, world, seconds);
   flush_output();
-  if (summary.has_fault) return kSafetyFault;
+  if (summary.has_fault) {
+    print_error(std::string("run: ended by a fault: ") + fault_name(summary.fault));
+    return kSafetyFault;
+  }
   return summary.was_stopped ? kInterrupted : kDone;
 }
 
@@ -170,6 +182,7 @@ int replay_world(const std::string& path, const Common& common) {
   const std::size_t bodies = recording.bodies.size(), frames = recording.states.size() / bodies;
   WorldSceneDescription scene = read_world_scene(recording.scene);
   scene.rate = recording.rate;
+  use_friction(recording.friction, scene);
   LoadedWorld world = load_world(std::move(scene));
   if (world.config.world.bodies.size() != bodies)
     throw InputError(recording.scene + ": has " + std::to_string(world.config.world.bodies.size()) +
@@ -186,7 +199,7 @@ int replay_world(const std::string& path, const Common& common) {
   const WorldDevices devices = open_world_devices(world, recording.devices, recording.seed);
   std::int64_t first = -1;
   const auto compare = [&](const WorldFrame& frame) {
-    for (std::size_t i = 0; i < bodies && first < 0; ++i) {
+    for (std::size_t i = 0; i < bodies && first < 0 && frame.frame < frames; ++i) {
       const BodyState& recorded = recording.states[frame.frame * bodies + i];
       if (!same_bits(recorded, frame.bodies[i])) first = static_cast<std::int64_t>(frame.frame);
     }

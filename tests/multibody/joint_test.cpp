@@ -120,6 +120,10 @@ TEST(Joint, RefusesByName) {
       {"place or axis", [](Joints& j) { j[0].a_from_joint.orientation.coeffs() *= 2.0; }},
       {"stiffness, damping or rest", [](Joints& j) { j[0].stiffness = -1.0; }},
       {"stiffness, damping or rest", [](Joints& j) { j[0].damping = kNan; }},
+      {"turned by half",
+       [](Joints& j) {
+         j[0].b_from_joint.orientation = j[0].b_from_joint.orientation * Quat(0.0, 1.0, 0.0, 0.0);
+       }},
       {"limits 1 to -1", [](Joints& j) { j[0].lower = 1.0, j[0].upper = -1.0; }},
       {"limits nan", [](Joints& j) { j[0].lower = kNan; }},
       {"expected -3 to 3 rad", [](Joints& j) { j[0].upper = 3.5; }},

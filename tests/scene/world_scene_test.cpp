@@ -155,6 +155,9 @@ TEST(WorldScene, RefusesJointsByName) {
       {"kind = \"ball\"\nto_position = [0.0, 0.0, 0.0]\n", "to_position is not for this kind"},
       {"kind = \"spring\"\n", "joint 'j': a spring without"},
       {"kind = \"ball\"\nstiffness = nan\n", "stiffness"},
+      {"kind = \"hinge\"\naxis = [0.0, 1.0, 0.0]\nstiffness = 1e300\n", "numbers to 1e100"},
+      {"kind = \"hinge\"\naxis = [0.0, 1.0, 0.0]\nmotor = {speed = 1.0, most = 1e308}\n",
+       "numbers to 1e100"},
       {"kind = \"slider\"\naxis = [1.0, 0.0, 0.0]\nlower = 0.1\n",
        "joint 'j': starts at 0, expected within its limits 0.1 to inf"},
       {"kind = \"slider\"\naxis = [1.0, 0.0, 0.0]\nmotor = {speed = 1.0}\n", "no most"},
@@ -167,11 +170,45 @@ TEST(WorldScene, RefusesJointsByName) {
        "position = [0.0, 0.0, 1.0]\n",
        "joint.name = 'a/b' cannot be used"},
   };
+  const std::string far = refusal(
+      bodies + "[[joint]]\nname = \"j\"\nbody = \"b\"\nkind = \"ball\"\nposition = [1e12, 0, 0]\n");
+  EXPECT_NE(far.find("m from a body's centre, expected at most"), std::string::npos) << far;
   for (const auto& c : cases) {
     const std::string line = refusal(bodies + joint(c.more));
     EXPECT_NE(line.find(c.says), std::string::npos) << c.says << " | " << line;
     EXPECT_EQ(line.find("w.toml: "), 0u) << line;
     EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+  }
+}
+
+TEST(WorldScene, AMotorTurnsByARadianAFrameAtMost) {
+  const std::string bodies =
+      kTable + block("name = \"b\"\nposition = [0.0, 0.0, 1.0]\nmass = 0.5\n");
+  const std::string fast =
+      "kind = \"hinge\"\naxis = [0.0, 1e200, 0.0]\nmotor = {speed = 1e6, most = 1.0}\n";
+  const LoadedWorld world = load_world(parse_world_scene(bodies + joint(fast), "w.toml", ""));
+  try {
+    run_world(world.config, {});
+    FAIL() << "a motor of a million radians a second";
+  } catch (const InputError& error) {
+    EXPECT_NE(
+        std::string(error.what()).find("joint 'j': motor of 1e+06 rad/s at 1000 Hz, expected"),
+        std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(WorldScene, DevicesThatMayHoldAPersonAreRefusedUnopened) {
+  const LoadedWorld world =
+      load_world(read_world_scene(std::string(THIGMA_SOURCE_DIR) + "/scenes/two_hands.toml"));
+  for (const char* uri : {"haply:?host=nowhere.invalid", "vrpn:T@nowhere.invalid", "dhd:0",
+                          "web:", "hand:?camera=vrpn:T@nowhere.invalid"}) {
+    try {
+      open_world_devices(world, {uri, "null:"}, 1);
+      FAIL() << uri;
+    } catch (const DeviceUnavailable& error) {
+      EXPECT_NE(std::string(error.what()).find("may hold a person"), std::string::npos) << uri;
+    }
   }
 }
 

@@ -202,6 +202,36 @@ TEST(WorldSession, AFaultOfOneHandLeavesBothAtZeroForce) {
   }
 }
 
+TEST(WorldSession, AMotionThatIsNoNumberEndsAtZeroForceAndSaysSo) {
+  WorldBench bench;
+  WorldSessionConfig config = with_two_hands(bench, true);
+  config.start.bodies[3].linear_momentum.x() = std::nan("");
+  BadDevice left(0.05, BadDevice::Trouble::none, 0.0), right(0.05, BadDevice::Trouble::none, 0.0);
+  HapticDevice* devices[] = {&left, &right};
+  const WorldSummary run = run_world(config, devices);
+  EXPECT_TRUE(run.has_fault);
+  EXPECT_EQ(run.fault, Fault::not_finite);
+  EXPECT_EQ(run.frames, 0u);
+  EXPECT_EQ(left.most, 0.0);
+  EXPECT_EQ(right.most, 0.0);
+}
+
+TEST(WorldSession, ARecordingThatFailsLeavesAllHandsAtZeroForce) {
+  WorldBench bench;
+  const WorldSessionConfig config = with_two_hands(bench, true);
+  BadDevice left(0.05, BadDevice::Trouble::none, 0.0), right(0.05, BadDevice::Trouble::none, 0.0);
+  HapticDevice* devices[] = {&left, &right};
+  const auto full_disk = [](const WorldFrame& frame) {
+    if (frame.frame == 350) throw std::runtime_error("the disk is full");
+  };
+  EXPECT_THROW(run_world(config, devices, full_disk), std::runtime_error);
+  for (const BadDevice* device : {&left, &right}) {
+    EXPECT_GT(device->most, 0.05);
+    EXPECT_EQ(device->last.force.norm(), 0.0);
+    EXPECT_EQ(device->last.torque.norm(), 0.0);
+  }
+}
+
 TEST(WorldSession, EachHandHasItsLimits) {
   WorldBench bench;
   WorldSessionConfig config = with_two_hands(bench, true);

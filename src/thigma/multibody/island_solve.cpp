@@ -317,7 +317,9 @@ void prepare_joints(Work& work) noexcept {
   for (std::size_t i = 0; i < work.joints.size(); ++i) {
     const JointRow& row = work.joints[i];
     const double mobility = detail::mobility_of(row, s.inverse);
-    s.joint_weight[i] = row.firmness > 0.0 ? row.firmness : kWeight / mobility;
+    // A row that moves nothing asks for nothing.
+    const double stiff = mobility > 0.0 ? kWeight / mobility : 0.0;
+    s.joint_weight[i] = row.firmness > 0.0 ? row.firmness : stiff;
     const double share = row.firmness > 0.0 ? std::min(1.0, row.firmness * mobility) : 1.0;
     work.speed = std::max(work.speed, share * std::fabs(row.target));
     if (row.a < 0 || row.b < 0) continue;

@@ -28,10 +28,15 @@ bool is_pose(const Pose& pose) {
   return pose.position.allFinite() && std::fabs(pose.orientation.norm() - 1.0) <= kUnit;
 }
 
-bool is_at_least_zero(double value) { return value >= 0.0 && std::isfinite(value); }
+// Squares and products of three are doubles still.
+constexpr double kMostNumber = 1e100;
+
+bool is_bounded(double value) { return std::fabs(value) <= kMostNumber; }
+
+bool is_at_least_zero(double value) { return value >= 0.0 && is_bounded(value); }
 
 bool is_motor(const JointMotor& motor) {
-  return std::isfinite(motor.target) && is_at_least_zero(motor.most) &&
+  return is_bounded(motor.target) && is_at_least_zero(motor.most) &&
          is_at_least_zero(motor.stiffness) && is_at_least_zero(motor.damping);
 }
 
@@ -39,10 +44,10 @@ void check_numbers(const WorldJoint& joint) {
   if (!is_pose(joint.a_from_joint) || !is_pose(joint.b_from_joint))
     refuse(joint, "place or axis, expected finite numbers and unit quaternions");
   if (!is_at_least_zero(joint.stiffness) || !is_at_least_zero(joint.damping) ||
-      !std::isfinite(joint.rest))
-    refuse(joint, "stiffness, damping or rest, expected finite numbers, the first two >= 0");
+      !is_bounded(joint.rest))
+    refuse(joint, "stiffness, damping or rest, expected numbers to 1e100, the first two >= 0");
   if (joint.motor.is_on && !is_motor(joint.motor))
-    refuse(joint, "motor, expected finite numbers, all but the target >= 0");
+    refuse(joint, "motor, expected numbers to 1e100, all but the target >= 0");
   if (std::isnan(joint.lower) || std::isnan(joint.upper) || !(joint.lower < joint.upper))
     refuse(joint, "limits " + number(joint.lower) + " to " + number(joint.upper) +
                       ", expected the lower one below the upper one");
@@ -147,6 +152,11 @@ void check_joint(const WorldJoint& joint, std::span<const BodyState> bodies, dou
   check_numbers(joint);
   check_kind(joint);
   const JointEnds ends = joint_ends(joint, bodies);
+  constexpr double kMostArm = 1e4;  // of the size: a turn of 1e-12 is still met to 1e-8 of it
+  const double arm = std::max(ends.arm_a.norm(), joint.b < 0 ? 0.0 : ends.arm_b.norm());
+  if (!(arm <= kMostArm * size))
+    refuse(joint, "place " + number(arm) + " m from a body's centre, expected at most " +
+                      number(kMostArm * size));
   std::array<double, 6> errors{};
   const int numbers = joint_errors(joint.kind, ends, size, errors);
   double worst = 0.0;
@@ -154,6 +164,11 @@ void check_joint(const WorldJoint& joint, std::span<const BodyState> bodies, dou
   constexpr double kMet = 1e-6;  // of the size: what is typed with seven digits
   if (worst > kMet * size)
     refuse(joint, "its halves start " + number(1e3 * worst) + " mm apart, expected them together");
+  // Turned by half all products are zero as well.
+  const auto is_turned = [&](int k) { return ends.axes_a.col(k).dot(ends.axes_b.col(k)) < 0.0; };
+  const bool has_turn_free = joint.kind == JointKind::ball || joint.kind == JointKind::spring;
+  if (!has_turn_free && (is_turned(2) || (joint.kind != JointKind::hinge && is_turned(0))))
+    refuse(joint, "its halves start turned by half, expected them together");
   const double x = joint_coordinate(joint.kind, ends);
   const double room = kMet * (joint.kind == JointKind::hinge ? 1.0 : size);
   if (x < joint.lower - room || x > joint.upper + room)

@@ -28,6 +28,7 @@ std::string config_text(const WorldRecordingInfo& info) {
   json["devices"] = info.devices;
   json["seed"] = info.seed;
   json["rate_hz"] = info.rate;
+  if (info.friction) json["friction"] = *info.friction;
   json["bodies"] = info.bodies;
   json["joints"] = info.joints;
   return json.dump();
@@ -50,7 +51,12 @@ void read_config_text(std::string_view text, const std::string& path, WorldRecor
   out.bodies = json.at("bodies").get<std::vector<std::string>>();
   if (json.contains("joints"))  // older recordings have none
     out.joints = json.at("joints").get<std::vector<std::string>>();
-  if (!(out.rate > 0.0) || !std::isfinite(out.rate)) refuse(path, "rate_hz is not positive");
+  if (!(out.rate >= 50.0 && out.rate <= 20000.0)) refuse(path, "rate_hz is not from 50 to 20000");
+  if (json.contains("friction")) {
+    out.friction = json.at("friction").get<double>();
+    if (!(*out.friction >= 0.0 && std::isfinite(*out.friction)))
+      refuse(path, "friction is not a number from 0 on");
+  }
 }
 
 BodyState read_state(std::string_view text) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct WorldRecordingInfo {
   std::vector<std::string> devices;  // addresses
   std::uint64_t seed = 1;
   double rate = 1000.0;             // [Hz]
+  std::optional<double> friction;   // of every body, where the scene's own was not used
   std::vector<std::string> bodies;  // names
   std::vector<std::string> joints;  // likewise
   std::uint64_t frames = 0;         // at the end

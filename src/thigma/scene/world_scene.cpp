@@ -307,6 +307,23 @@ LoadedWorld load_world(WorldSceneDescription description, const Log& log) {
   return loaded;
 }
 
+namespace {
+
+/// Decided by the address, before anything is opened: a recording may bring one from anywhere.
+void refuse_motors(const std::string& uri) {
+  const std::string scheme = device_scheme(uri);
+  const bool is_simulated =
+      scheme == "hand" || scheme == "null" || scheme == "script" || scheme == "replay";
+  const bool has_second =
+      uri.find("camera=") != std::string::npos || uri.find("rotation=") != std::string::npos;
+  if (is_simulated && !has_second) return;
+  throw DeviceUnavailable(scheme +
+                          ": may hold a person, expected hand:, script: or null:; worlds " +
+                          "of several bodies have no ramps and no watchdog yet");
+}
+
+}  // namespace
+
 WorldDevices open_world_devices(const LoadedWorld& world, const std::vector<std::string>& uris,
                                 std::uint64_t seed) {
   WorldDevices devices;
@@ -318,7 +335,9 @@ WorldDevices open_world_devices(const LoadedWorld& world, const std::vector<std:
     context.object_radius = world.hierarchies[idx(world.config.hands[i].body)]->radius;
     context.seed = seed + i;
     const bool is_asked = i < uris.size() && !uris[i].empty();
-    auto device = open_device(is_asked ? uris[i] : given.uri, context);
+    const std::string& uri = is_asked ? uris[i] : given.uri;
+    refuse_motors(uri);
+    auto device = open_device(uri, context);
     if (device->limits().holds_person)
       throw DeviceUnavailable(device->name() +
                               ": holds a person, expected hand:, script: or null:; worlds of "

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
+#include "thigma/core/error.h"
 #include "thigma/core/index.h"
 #include "thigma/loop/samples.h"
 #include "thigma/math/infinity.h"
@@ -30,7 +32,10 @@ void add_frame(const WorldState& state, std::span<const Wrench> commands,
 Wrench within(const DeviceLimits& limits, Wrench wrench) noexcept {
   const auto cut = [](Vec3& v, double most) {
     const double size = v.norm();
-    if (size > most) v *= most / size;
+    if (!std::isfinite(size))
+      v.setZero();
+    else if (size > most)
+      v *= most / size;
   };
   cut(wrench.force, limits.max_force);
   cut(wrench.torque, limits.max_torque);
@@ -131,11 +136,49 @@ struct Hands {
       summary.force_max = std::max(summary.force_max, hand.force_max);
     }
   }
-  void let_go() {
-    for (const Hand& hand : list)
-      if (hand.device != nullptr) hand.device->write({});
+  /// Zero to every device, whatever another does.
+  void let_go() noexcept {
+    for (const Hand& hand : list) {
+      if (hand.device == nullptr) continue;
+      try {
+        hand.device->write({});
+      } catch (...) {  // the others are still to be let go
+      }
+    }
+  }
+  void fail(WorldSummary& summary) noexcept {
+    for (WorldHandSummary& hand : summary.hands) hand.fault = Fault::not_finite;
+    summary.fault = Fault::not_finite;
+    summary.has_fault = true;
   }
 };
+
+/// Every way out of a session, an exception too, ends in zero force.
+struct LetGo {
+  Hands& hands;
+  ~LetGo() { hands.let_go(); }
+};
+
+bool is_finite(const WorldState& state) noexcept {
+  return std::all_of(state.bodies.begin(), state.bodies.end(), [](const BodyState& y) {
+    return y.position.allFinite() && y.orientation.coeffs().allFinite() &&
+           y.linear_momentum.allFinite() && y.angular_momentum.allFinite();
+  });
+}
+
+/// A turn of more than a radian a frame could be one the other way round.
+void check_motors(const WorldSessionConfig& config) {
+  for (const WorldJoint& joint : config.world.joints) {
+    const bool is_turning =
+        joint.kind == JointKind::hinge && joint.motor.is_on && !joint.motor.is_servo;
+    if (!is_turning || std::fabs(joint.motor.target) <= config.rate) continue;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "': motor of %.4g rad/s at %g Hz, expected at most 1 rad a frame",
+                  joint.motor.target, config.rate);
+    throw InputError("joint '" + joint.name + text);
+  }
+}
 
 void check_devices(const WorldSessionConfig& config, std::span<HapticDevice* const> devices) {
   if (devices.size() != config.hands.size())
@@ -171,11 +214,13 @@ WorldSummary run_world(const WorldSessionConfig& config, std::span<HapticDevice*
                        const std::function<void(const WorldFrame&)>& sink,
                        const std::atomic<bool>* stop) {
   check_devices(config, devices);
+  check_motors(config);
   WorldSummary summary;
   summary.hands.resize(devices.size());
   WorldState state = config.start;
   const WorldScratchPtr scratch = reserve_world(config.world);
   Hands hands(config, devices);
+  const LetGo let_go{hands};
   StateHash hash;
   summary.energy_start = mechanical_energy(config.world, state);
   summary.gap_min = kInfinity;
@@ -187,6 +232,10 @@ WorldSummary run_world(const WorldSessionConfig& config, std::span<HapticDevice*
     if (!hands.read(static_cast<double>(i) * dt, dt, state, summary)) break;
     frame.step = step_world(config.world, {.hands = hands.holds, .drives = config.drives}, dt,
                             state, *scratch);
+    if (!is_finite(state)) {
+      hands.fail(summary);
+      break;
+    }
     hands.write(state, summary);
     const double made =
         mechanical_energy(config.world, state) - summary.energy_start - summary.port_energy;
@@ -205,7 +254,6 @@ WorldSummary run_world(const WorldSessionConfig& config, std::span<HapticDevice*
     if (sink) sink(frame);
     summary.was_stopped = stop != nullptr && stop->load(std::memory_order_relaxed);
   }
-  hands.let_go();
   summary.state_hash = hash.value;
   summary.energy_end = mechanical_energy(config.world, state);
   return summary;

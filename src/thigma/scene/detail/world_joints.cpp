@@ -64,10 +64,10 @@ void read_joint(TomlTable& table, std::vector<WorldSceneJoint>& joints) {
   if (has_axis && !axis) table.fail_here("no axis", "expected axis = [x, y, z]");
   if (!has_axis && axis)
     table.fail("axis", "is not for this kind", "expected it of a hinge or a slider");
-  if (axis && !(axis->squaredNorm() > 0.0))
+  if (axis && !(axis->cwiseAbs().maxCoeff() > 0.0))
     table.fail("axis", "has no direction", "expected [x, y, z] of any length above 0");
   joint.position = *position;
-  joint.axis = axis.value_or(joint.axis);
+  joint.axis = axis ? axis->stableNormalized() : joint.axis;
   joint.to_position = table.vector("to_position");
   if (joint.to_position && joint.kind != JointKind::spring)
     table.fail("to_position", "is not for this kind", "expected it of a spring");
