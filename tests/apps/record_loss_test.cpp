@@ -142,7 +142,7 @@ TEST(RecordLoss, a_full_disk_ends_the_recording_not_the_session) {
     std::vector<std::string> more = {"--duration", "3", "--record", file};
     if (is_lockstep) more.push_back("--lockstep");
     const Ended e = [&] {
-      const FileLimit limit(3'000'000);
+      const FileLimit limit(1'000'000);
       return run_program(loss_arguments(more));
     }();
     if (is_lockstep) {

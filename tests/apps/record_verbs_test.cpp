@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "apps/program.h"
+#include "support/expanded_recording.h"
 #include "support/far_recording.h"
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -148,7 +149,7 @@ TEST(RecordVerbs, recorded_samples_as_a_device_give_the_recorded_session) {
   EXPECT_EQ(whole["force"]["max"], recorded["force"]["max"]);
   EXPECT_NEAR(whole["haptic"]["frames"].get<double>(), 800.0, 30.0);
   // What a device that set its own pace gave is played at the engine's.
-  std::string bytes = read_text(file);
+  std::string bytes = expanded_recording(read_text(file));
   const std::string clock = "\"device_clock\":false", other = "\"device_clock\": true";
   const std::size_t at = bytes.find(clock);
   ASSERT_NE(at, std::string::npos);
@@ -188,7 +189,7 @@ void change_number(std::string& bytes, std::size_t at) {
 TEST(RecordVerbs, one_changed_digit_is_found_at_its_frame) {
   const std::string file = out_file("digit.mcap");
   run_ball({"--lockstep", "--duration", "0.8", "--record", file});
-  const std::string whole = read_text(file);
+  const std::string whole = expanded_recording(read_text(file));
   for (const int frame : {300, 641, 799}) {
     for (const std::string field : {"\"position\":[", "\"linear_velocity\":["}) {
       std::string bytes = whole;
@@ -209,7 +210,7 @@ TEST(RecordVerbs, one_changed_digit_is_found_at_its_frame) {
 void expect_changed_model_is_found(const std::string& response, const std::string& field) {
   const std::string file = out_file("model.mcap");
   run_ball({"--lockstep", "--duration", "0.8", "--response", response, "--record", file});
-  const std::string whole = read_text(file);
+  const std::string whole = expanded_recording(read_text(file));
   const Recording recording = read_recording(file);
   const HapticSample& user = recording.frames.at(750);
   ASSERT_NE(user.model_sequence, recording.frames.at(749).model_sequence);

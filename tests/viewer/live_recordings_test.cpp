@@ -213,8 +213,8 @@ TEST(LiveRecordings, AClockThatIsSetBackTouchesNoSession) {
 TEST(LiveRecordings, WithoutAPageAFullDiskEndsTheRecordingAndTheSummarySaysTheRest) {
   const FileLimit limit(kFull);
   const Ended e =
-      run_program(run_arguments({"--device", "null:", "--headless", "--lockstep", "--duration", "30",
-                                 "--record", out_file("full.mcap")}));
+      run_program(run_arguments({"--device", "null:", "--headless", "--lockstep", "--duration",
+                                 "30", "--record", out_file("full.mcap")}));
   EXPECT_EQ(e.code, 1);  // what was asked for is not there
   EXPECT_NE(e.err.find("the recording ends there"), std::string::npos) << e.err;
   EXPECT_EQ(json_line(e)["haptic"]["frames"], 30000);
