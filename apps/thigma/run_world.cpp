@@ -170,7 +170,7 @@ int run_world_scene(const RunOptions& options, const Common& common,
   else
     print_text(summary, world, seconds);
   flush_output();
-  if (summary.has_fault) {
+  if (summary.has_fault()) {
     print_error(std::string("run: ended by a fault: ") + fault_name(summary.fault));
     return kSafetyFault;
   }

@@ -294,7 +294,7 @@ TEST(WorldScene, ShippedHandsPutThePegIn) {
   const Shipped hands("two_hands", 3.0), again("two_hands", 0.5), once_more("two_hands", 0.5);
   ASSERT_EQ(hands.run.hands.size(), 2u);
   EXPECT_GT(hands.run.pressing_max, 4);
-  EXPECT_FALSE(hands.run.has_fault);
+  EXPECT_FALSE(hands.run.has_fault());
   EXPECT_EQ(again.run.state_hash, once_more.run.state_hash);
 }
 

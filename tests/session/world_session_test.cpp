@@ -132,6 +132,11 @@ class BadDevice final : public HapticDevice {
   DeviceLimits limits_;
 };
 
+void expect_let_go(const BadDevice& device) {
+  EXPECT_EQ(device.last.force.norm(), 0.0);
+  EXPECT_EQ(device.last.torque.norm(), 0.0);
+}
+
 /// Two hands: both on the pusher, at its ends, or the second on a block.
 WorldSessionConfig with_two_hands(WorldBench& bench, bool same_body) {
   WorldSessionConfig config = pushing(bench);
@@ -162,7 +167,7 @@ TEST(WorldSession, TwoHandsPushTheSameWayTwiceAndBearTheSame) {
       EXPECT_EQ(right.last.force.norm(), 0.0);
     }
     EXPECT_EQ(runs[0].state_hash, runs[1].state_hash);
-    EXPECT_FALSE(runs[0].has_fault);
+    EXPECT_FALSE(runs[0].has_fault());
     ASSERT_EQ(runs[0].hands.size(), 2u);
     for (const WorldHandSummary& hand : runs[0].hands) {
       EXPECT_GT(hand.force_max, 0.1);
@@ -189,14 +194,14 @@ TEST(WorldSession, AFaultOfOneHandLeavesBothAtZeroForce) {
       BadDevice bad(0.05, c.trouble, 0.3), good(0.05, BadDevice::Trouble::none, 0.0);
       HapticDevice* devices[] = {is_left ? &bad : &good, is_left ? &good : &bad};
       const WorldSummary run = run_world(config, devices);
-      EXPECT_TRUE(run.has_fault);
+      EXPECT_TRUE(run.has_fault());
+      EXPECT_EQ(run.fault, c.fault) << fault_name(run.fault);
       EXPECT_EQ(run.frames, 300u);
       EXPECT_EQ(run.hands[is_left ? 0 : 1].fault, c.fault) << fault_name(c.fault);
       EXPECT_EQ(run.hands[is_left ? 1 : 0].fault, Fault::none);
       for (const BadDevice* device : {&bad, &good}) {
         EXPECT_GT(device->most, 0.05);
-        EXPECT_EQ(device->last.force.norm(), 0.0);
-        EXPECT_EQ(device->last.torque.norm(), 0.0);
+        expect_let_go(*device);
       }
     }
   }
@@ -209,7 +214,7 @@ TEST(WorldSession, AMotionThatIsNoNumberEndsAtZeroForceAndSaysSo) {
   BadDevice left(0.05, BadDevice::Trouble::none, 0.0), right(0.05, BadDevice::Trouble::none, 0.0);
   HapticDevice* devices[] = {&left, &right};
   const WorldSummary run = run_world(config, devices);
-  EXPECT_TRUE(run.has_fault);
+  EXPECT_TRUE(run.has_fault());
   EXPECT_EQ(run.fault, Fault::not_finite);
   EXPECT_EQ(run.frames, 0u);
   EXPECT_EQ(left.most, 0.0);
@@ -227,8 +232,7 @@ TEST(WorldSession, ARecordingThatFailsLeavesAllHandsAtZeroForce) {
   EXPECT_THROW(run_world(config, devices, full_disk), std::runtime_error);
   for (const BadDevice* device : {&left, &right}) {
     EXPECT_GT(device->most, 0.05);
-    EXPECT_EQ(device->last.force.norm(), 0.0);
-    EXPECT_EQ(device->last.torque.norm(), 0.0);
+    expect_let_go(*device);
   }
 }
 

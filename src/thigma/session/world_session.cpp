@@ -119,7 +119,7 @@ struct Hands {
       if (hand.device == nullptr) continue;
       hand.read(now, dt, state);
       summary.hands[i].fault = hand.safety.fault;
-      summary.has_fault = summary.has_fault || hand.safety.fault != Fault::none;
+      if (summary.fault == Fault::none) summary.fault = hand.safety.fault;
       goes_on = goes_on && !hand.has_finished && hand.safety.fault == Fault::none;
       if (hand.has_started) holds.push_back(hand.hold);
     }
@@ -149,7 +149,6 @@ struct Hands {
   void fail(WorldSummary& summary) noexcept {
     for (WorldHandSummary& hand : summary.hands) hand.fault = Fault::not_finite;
     summary.fault = Fault::not_finite;
-    summary.has_fault = true;
   }
 };
 

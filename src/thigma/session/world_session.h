@@ -76,10 +76,11 @@ struct WorldSummary {
   std::uint64_t not_whole = 0;  // steps in which rows contradicted each other
   std::int32_t awake = 0;       // at the end
   bool was_stopped = false;
-  // of a hand, or not_finite where the motion came to be no number: all devices were left at zero
-  // force
-  bool has_fault = false;
-  Fault fault = Fault::none;  // the first
+  // the first of a hand, or not_finite where the motion came to be no number: all devices were left
+  // at zero force
+  Fault fault = Fault::none;
+
+  bool has_fault() const noexcept { return fault != Fault::none; }
 };
 
 /// Runs a world: each frame reads the devices, makes a step of 1 / rate with all bodies in one
