@@ -288,7 +288,7 @@ Change take_multipliers(Work& work, bool holds_radius) noexcept {
     JointRow& row = work.joints[i];
     const double by = work.s.joint_force[i] - row.impulse;
     row.impulse = work.s.joint_force[i];
-    if (row.firmness > 0.0) continue;
+    if (row.firmness > 0.0 || !(work.s.joint_weight[i] > 0.0)) continue;
     change.speed = std::max(change.speed, std::fabs(by) / work.s.joint_weight[i]);
     const double speed = detail::speed_of(row, work.s.velocity);
     change.residual = std::max(change.residual, detail::violation_of(row, speed));
