@@ -7,6 +7,8 @@
 
 #include <unistd.h>
 
+#include "thigma/core/one_line.h"
+
 namespace thigma::app {
 namespace {
 
@@ -42,11 +44,7 @@ CLI::App* add_verb(CLI::App& app, Common& common, const char* name, const char* 
 }
 
 void print_error(const std::string& text) {
-  std::string line = "thigma: " + text;
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
-  }
-  line += '\n';
+  const std::string line = one_line("thigma: " + text) + '\n';
   std::fputs(line.c_str(), stderr);
 }
 

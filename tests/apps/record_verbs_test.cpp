@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "apps/program.h"
-#include "support/expanded_recording.h"
 #include "support/far_recording.h"
+#include "support/mcap_bytes.h"
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
+#include "thigma/core/one_line.h"
 #include "thigma/files/byte_source.h"
 #include "thigma/recording/detail/recorded_messages.h"
 #include "thigma/recording/mcap_file.h"
@@ -98,10 +99,8 @@ struct Assembly {
     }
   }
   [[noreturn]] void fail(const std::string& topic, const McapMessage& message, const char* why) {
-    std::string text = where_text(path, topic, message) + "expected a recording of thigma: " + why;
-    for (char& c : text)  // names in the file may have any
-      if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
-    throw InputError(text);
+    throw InputError(
+        one_line(where_text(path, topic, message) + "expected a recording of thigma: " + why));
   }
 };
 

@@ -104,37 +104,34 @@ void WorldRecordingWriter::write(std::uint64_t frame, double time,
                                  std::span<const BodyState> bodies,
                                  std::span<const RecordedJoint> joints,
                                  std::span<const Wrench> commands) {
-  const auto sequence = static_cast<std::uint32_t>(frame);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const BodyState& y = bodies[i];
+  const auto put = [&](std::uint16_t channel, const auto& fill) {
     text_.clear();
     detail::JsonObject json(text_);
     json.integer("frame", static_cast<long long>(frame));
-    json.pose({y.position, y.orientation});
-    json.vector("linear_momentum", y.linear_momentum);
-    json.vector("angular_momentum", y.angular_momentum);
+    fill(json);
     json.close();
-    file_->write(bodies_[i], sequence, nanoseconds(time), text_);
+    file_->write(channel, static_cast<std::uint32_t>(frame), nanoseconds(time), text_);
+  };
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    put(bodies_[i], [&y = bodies[i]](detail::JsonObject& json) {
+      json.pose({y.position, y.orientation});
+      json.vector("linear_momentum", y.linear_momentum);
+      json.vector("angular_momentum", y.angular_momentum);
+    });
   }
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    text_.clear();
-    detail::JsonObject json(text_);
-    json.integer("frame", static_cast<long long>(frame));
-    json.number("coordinate", joints[i].coordinate);
-    json.number("spring", joints[i].spring);
-    json.number("motor", joints[i].motor);
-    json.number("limit", joints[i].limit);
-    json.close();
-    file_->write(joints_[i], sequence, nanoseconds(time), text_);
+    put(joints_[i], [&joint = joints[i]](detail::JsonObject& json) {
+      json.number("coordinate", joint.coordinate);
+      json.number("spring", joint.spring);
+      json.number("motor", joint.motor);
+      json.number("limit", joint.limit);
+    });
   }
   for (std::size_t i = 0; i < commands_.size(); ++i) {
-    text_.clear();
-    detail::JsonObject json(text_);
-    json.integer("frame", static_cast<long long>(frame));
-    json.vector("force", commands[i].force);
-    json.vector("torque", commands[i].torque);
-    json.close();
-    file_->write(commands_[i], sequence, nanoseconds(time), text_);
+    put(commands_[i], [&command = commands[i]](detail::JsonObject& json) {
+      json.vector("force", command.force);
+      json.vector("torque", command.torque);
+    });
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "thigma/core/one_line.h"
 #include "thigma/device/open_device.h"
 
 namespace thigma::detail {
@@ -72,9 +73,8 @@ std::string parse_host(const std::string& scheme, const std::string& name,
 
 std::string quoted(std::string_view text) {
   std::string result(1, '\'');
-  for (const char c : text.substr(0, 60))  // one line, whatever was given
-    result.push_back(static_cast<unsigned char>(c) < ' ' || c == 127 ? '?' : c);
-  result.push_back('\'');
+  result += one_line(std::string(text.substr(0, 60)));
+  result += '\'';
   return result;
 }
 

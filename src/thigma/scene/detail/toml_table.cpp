@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "thigma/core/error.h"
+#include "thigma/core/one_line.h"
 #include "thigma/models/make_model.h"
 
 namespace thigma {
@@ -57,10 +58,8 @@ std::string as_text(double x) {
 
 std::string scene_message(const std::string& file, const std::string& what, std::size_t line,
                           const std::string& expected) {
-  std::string text = file + ": " + what + ", line " + std::to_string(line) + ", " + expected;
-  for (char& c : text)  // the parser tells of characters as they stand
-    if (c >= 0 && (c < ' ' || c == 127)) c = ' ';
-  return text;
+  // The parser tells of characters as they stand.
+  return one_line(file + ": " + what + ", line " + std::to_string(line) + ", " + expected, ' ');
 }
 
 namespace {
@@ -217,9 +216,8 @@ std::optional<std::string> TomlTable::text(const char* key) {
   const std::string value = node->as_string()->get();
   if (value.empty()) fail(key, "is empty", "expected text");
   // File names and titles end up in messages and reports, a line each.
-  const bool has_control = std::any_of(value.begin(), value.end(),
-                                       [](char c) { return c >= 0 && (c < ' ' || c == 127); });
-  if (has_control) fail(key, "holds a control character", "expected one line of text");
+  if (std::any_of(value.begin(), value.end(), is_control_character))
+    fail(key, "holds a control character", "expected one line of text");
   return value;
 }
 
