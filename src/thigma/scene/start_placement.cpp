@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "thigma/contact/least_separation.h"
 #include "thigma/core/error.h"
 #include "thigma/loop/contact_step.h"
 #include "thigma/loop/haptic_step.h"
@@ -20,9 +21,10 @@ namespace {
 struct Prober {
   ContactWorld world;  // own tolerance
   ContactScratch scratch;
-  double radius = 0.0;      // of the object [m]
-  double reach = 0.0;       // farther apart than this nothing is looked for [m]
-  double look_first = 0.0;  // [m]
+  std::vector<SeparationScratch> separations;  // one a scene body
+  double radius = 0.0;                         // of the object [m]
+  double reach = 0.0;                          // farther apart than this nothing is looked for [m]
+  double look_first = 0.0;                     // [m]
   // contacts are not of a traversal of the surfaces alone: of relief, or of another source
   bool is_vague = false;
 
@@ -40,8 +42,8 @@ struct Prober {
   }
 
   /// closest, where an object inside another is as deep as its way to the surface is long.
-  std::optional<Contact> deepest(const Pose& pose) {
-    std::optional<Contact> nearest = closest(pose);
+  std::optional<Contact> deepest(const Pose& pose) { return deepest(pose, closest(pose)); }
+  std::optional<Contact> deepest(const Pose& pose, std::optional<Contact> nearest) const {
     if (!nearest || nearest->depth >= 0.0 || !is_swallowed(pose, *nearest)) return nearest;
     nearest->depth = -nearest->depth;
     nearest->normal = -nearest->normal;
@@ -50,7 +52,7 @@ struct Prober {
 
   /// The deepest contact at a pose, looking farther and farther; nothing within `reach`: no value.
   std::optional<Contact> closest(const Pose& pose) {
-    for (double tolerance = look_first;; tolerance = kStep * separation()) {
+    for (double tolerance = first_look(pose);; tolerance = kStep * separation()) {
       look(pose, std::min(tolerance, reach));
       const std::vector<Contact>& contacts = scratch.contacts.contacts;
       if (!contacts.empty()) {
@@ -61,6 +63,29 @@ struct Prober {
       if (tolerance >= reach) return std::nullopt;
     }
   }
+
+  /// How far to look first: to the nearest two patches, where a search finds them. Surfaces that
+  /// conform have a million pairs a little farther, and each farther look measures them again.
+  double first_look(const Pose& pose) {
+    if (is_vague || world.object == nullptr) return look_first;
+    ContactSet unknown;
+    unknown.dropped = 1;  // the search begins at the roots
+    SeparationInterval nearest{.low = reach};
+    for (std::size_t i = 0; i < world.scene.size(); ++i) {
+      const SeparationInterval one = least_separation(
+          {*world.object, pose * world.body_from_mesh},
+          {*world.scene[i].hierarchy, world.scene[i].world_from_body}, unknown,
+          {.tolerance = reach, .width = 0.0, .budget = kSearchBudget}, separations[i]);
+      nearest.low = std::min(nearest.low, one.low);
+      nearest.high = std::min(nearest.high, one.high);
+    }
+    const bool is_found = nearest.high <= kNear * nearest.low;
+    const double looks = is_found ? (1.0 + kMargin) * nearest.high : nearest.low;
+    return std::max(look_first, looks);
+  }
+  static constexpr std::int64_t kSearchBudget = 20'000;
+  static constexpr double kNear = 2.0;
+  static constexpr double kMargin = 1e-6;  // times the distance: more than it is rounded by
 
   // Small: surfaces that conform have a million pairs a little farther than the nearest.
   static constexpr double kStep = 1.02;
@@ -108,6 +133,7 @@ Prober make_prober(const ContactWorld& world) {
   prober.radius = world.object != nullptr ? world.object->radius : 100.0 * world.tolerance;
   prober.reach = 4.0 * extent(world, prober.radius);
   reserve_query(world, prober.scratch);
+  prober.separations.resize(world.scene.size());
   return prober;
 }
 
@@ -148,7 +174,7 @@ StartPlacement find_start(const ContactWorld& world, const Pose& world_from_body
   std::optional<Contact> nearest = prober.closest(start.world_from_body);
   if (!nearest) return start;
   const bool is_through = nearest->depth > 0.0;
-  nearest = prober.deepest(start.world_from_body);
+  nearest = prober.deepest(start.world_from_body, nearest);
   start.has_scene = true;
   start.given_gap = -nearest->depth;
   Vec3 out = -nearest->normal;

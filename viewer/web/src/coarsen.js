@@ -230,7 +230,11 @@ function result({ positions, normals, corners, patches }) {
     if (number[v] < 0) number[v] = kept.push(v) - 1;
     return number[v];
   });
-  const pick = (values) => Float32Array.from({ length: 3 * kept.length }, (_, at) => values[3 * kept[Math.floor(at / 3)] + (at % 3)]);
+  const pick = (values) => {
+    const picked = new Float32Array(3 * kept.length);
+    for (let at = 0; at < picked.length; at++) picked[at] = values[3 * kept[Math.floor(at / 3)] + (at % 3)];
+    return picked;
+  };
   return { positions: pick(positions), normals: pick(normals), triangles, patchOfTriangle: patches.slice() };
 }
 

@@ -7,64 +7,68 @@
 ///            edge: not used
 /// returns    {positions, normals, labels: Float32Array, index: Uint32Array}
 export function splitAtCreases(positions, triangles, labels, { crease = 0.7, normals = null } = {}) {
-  const faces = triangles.length / 3;
-  const vertices = positions.length / 3;
-  const area = new Float64Array(triangles.length); // normals as long as twice the area
-  const unit = new Float64Array(triangles.length);
-  for (let f = 0; f < faces; f++) faceNormal(positions, triangles, f, area, unit);
-
-  const first = new Uint32Array(vertices + 1); // corners by vertex
-  for (const v of triangles) first[v + 1]++;
-  for (let v = 0; v < vertices; v++) first[v + 1] += first[v];
-  const corners = new Uint32Array(triangles.length);
-  const next = first.slice();
-  for (let c = 0; c < triangles.length; c++) corners[next[triangles[c]]++] = c;
-
-  const outPositions = [], outNormals = [], outLabels = [];
-  const index = new Uint32Array(triangles.length);
-  const limit = Math.cos(crease);
-  for (let v = 0; v < vertices; v++) {
-    const around = corners.subarray(first[v], first[v + 1]);
+  const { area, unit } = faceNormals(positions, triangles), { first, corners } = cornersByVertex(triangles, positions.length / 3);
+  const out = { positions: new Float32Array(3 * triangles.length), normals: new Float32Array(3 * triangles.length),
+    labels: new Float32Array(triangles.length) };
+  const index = new Uint32Array(triangles.length), limit = Math.cos(crease);
+  let made = 0;
+  const masks = []; // of those made at the vertex: which faces share the normal
+  for (let v = 0; v + 1 < first.length; v++) {
+    const from = first[v], valence = first[v + 1] - from, madeBefore = made;
     const known = normals && Math.hypot(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]) > 0;
-    const made = new Map(); // which faces share a normal, and the label -> new vertex
-    for (const corner of around) {
-      const own = 3 * Math.floor(corner / 3);
+    for (let at = from; at < from + valence; at++) {
+      const face = Math.floor(corners[at] / 3), own = 3 * face, label = labels[face];
       let x = 0, y = 0, z = 0, mask = 0, seen = 0;
-      for (let k = 0; k < around.length; k++) {
-        const other = 3 * Math.floor(around[k] / 3);
+      for (let k = 0; k < valence; k++) {
+        const other = 3 * Math.floor(corners[from + k] / 3);
         const dot = unit[own] * unit[other] + unit[own + 1] * unit[other + 1] + unit[own + 2] * unit[other + 2];
-        if (other !== own && !(dot > limit) && around.length <= 31) continue; // a hub of more faces stays smooth
+        if (other !== own && !(dot > limit) && valence <= 31) continue; // a hub of more faces stays smooth
         mask |= 1 << (k & 31);
         seen += 1;
         x += area[other]; y += area[other + 1]; z += area[other + 2];
       }
-      const label = labels[Math.floor(corner / 3)];
-      const key = label * 2 ** 32 + (mask >>> 0);
-      if (!made.has(key)) {
-        made.set(key, outPositions.length / 3);
-        outLabels.push(label);
-        outPositions.push(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
-        if (known && seen === around.length) [x, y, z] = normals.subarray(3 * v, 3 * v + 3);
-        const length = Math.hypot(x, y, z) || 1;
-        outNormals.push(x / length, y / length, z / length);
-      }
-      index[corner] = made.get(key);
+      let like = madeBefore;
+      while (like < made && !(masks[like - madeBefore] === mask && out.labels[like] === label)) like++;
+      index[corners[at]] = like;
+      if (like < made) continue;
+      masks[made - madeBefore] = mask;
+      out.labels[made] = label;
+      if (known && seen === valence) { x = normals[3 * v]; y = normals[3 * v + 1]; z = normals[3 * v + 2]; }
+      const length = Math.hypot(x, y, z) || 1;
+      for (let k = 0; k < 3; k++) out.positions[3 * made + k] = positions[3 * v + k];
+      out.normals[3 * made] = x / length;
+      out.normals[3 * made + 1] = y / length;
+      out.normals[3 * made + 2] = z / length;
+      made += 1;
     }
   }
-  return { positions: Float32Array.from(outPositions), normals: Float32Array.from(outNormals),
-    labels: Float32Array.from(outLabels), index };
+  return { positions: out.positions.slice(0, 3 * made), normals: out.normals.slice(0, 3 * made), labels: out.labels.slice(0, made), index };
 }
 
-function faceNormal(positions, triangles, f, area, unit) {
-  const a = 3 * triangles[3 * f], b = 3 * triangles[3 * f + 1], c = 3 * triangles[3 * f + 2];
-  const ux = positions[b] - positions[a], uy = positions[b + 1] - positions[a + 1], uz = positions[b + 2] - positions[a + 2];
-  const vx = positions[c] - positions[a], vy = positions[c + 1] - positions[a + 1], vz = positions[c + 2] - positions[a + 2];
-  const n = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-  const length = Math.hypot(n[0], n[1], n[2]);
-  for (let k = 0; k < 3; k++) {
-    area[3 * f + k] = n[k];
-    unit[3 * f + k] = length > 0 ? n[k] / length : 0;
+/// {first, corners}: those of vertex v are corners[first[v]] to before corners[first[v + 1]].
+function cornersByVertex(triangles, vertices) {
+  const first = new Uint32Array(vertices + 1), corners = new Uint32Array(triangles.length);
+  for (const v of triangles) first[v + 1]++;
+  for (let v = 0; v < vertices; v++) first[v + 1] += first[v];
+  const next = first.slice();
+  for (let c = 0; c < triangles.length; c++) corners[next[triangles[c]]++] = c;
+  return { first, corners };
+}
+
+/// {area: normals as long as twice the area, unit}
+function faceNormals(positions, triangles) {
+  const area = new Float64Array(triangles.length), unit = new Float64Array(triangles.length);
+  for (let f = 0; f < triangles.length; f += 3) {
+    const a = 3 * triangles[f], b = 3 * triangles[f + 1], c = 3 * triangles[f + 2];
+    const ux = positions[b] - positions[a], uy = positions[b + 1] - positions[a + 1], uz = positions[b + 2] - positions[a + 2];
+    const vx = positions[c] - positions[a], vy = positions[c + 1] - positions[a + 1], vz = positions[c + 2] - positions[a + 2];
+    area[f] = uy * vz - uz * vy;
+    area[f + 1] = uz * vx - ux * vz;
+    area[f + 2] = ux * vy - uy * vx;
+    const length = Math.hypot(area[f], area[f + 1], area[f + 2]);
+    for (let k = f; k < f + 3; k++) unit[k] = length > 0 ? area[k] / length : 0;
   }
+  return { area, unit };
 }
 
 /// Every edge once: pairs of vertex indices.

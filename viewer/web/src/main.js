@@ -215,6 +215,7 @@ function startStage() {
     console.warn(String(error.message ?? error));
     return null;
   }
+  document.body.classList.toggle("plain", stage.plain);
   stage.wants = (mesh, level) => ask(link, { type: "level", mesh, value: level });
   repaint(stage);
   showViews(bar, stage.options);
@@ -253,7 +254,10 @@ link = makeLink(`${location.protocol === "https:" ? "wss" : "ws"}://${location.h
 });
 setInterval(confirmHand, CONFIRM, holding);
 
-let last = performance.now(), tick = 0, drawn = 0, wordsAt = 0;
+// Behind the progress of what comes, where the processor that loads it draws as well: from one picture to the next, and from
+// one look at keys and gamepad to the next. A frame of the browser has its price even if nothing is drawn [ms].
+const BEHIND = 250, LOOK = 16;
+let last = performance.now(), tick = 0, drawn = 0, wordsAt = 0, behindAt = 0;
 
 function takeMoment() {
   if (!session.fresh) return;
@@ -273,13 +277,18 @@ function showMoment() {
   return true;
 }
 
+const waits = () => Boolean(stage?.plain && session.progress);
+
 function frame(now) {
-  requestAnimationFrame(frame);
+  if (waits()) setTimeout(() => frame(performance.now()), LOOK);
+  else requestAnimationFrame(frame);
   const newtons = newtonsFelt();
   if (input) readGamepad(input, (now - last) / 1000, newtons, fullForce());
   if (input) readKeys(input, (now - last) / 1000);
   last = now;
   confirmHand(holding);
+  if (waits() && now < behindAt) return;
+  behindAt = now + BEHIND;
   const isNew = showMoment();
   tick += 1;
   drawPlots(plots, session.shown?.time ?? 0);

@@ -61,7 +61,14 @@ export function markPatches(ranges, active, into) {
 }
 
 /// Patch of a triangle for drawing: -1 for none.
-export const patchOf = (mesh, triangle) => (mesh.patchOfTriangle[triangle] === NOTHING ? -1 : mesh.patchOfTriangle[triangle]);
+const patchOf = (mesh, triangle) => (mesh.patchOfTriangle[triangle] === NOTHING ? -1 : mesh.patchOfTriangle[triangle]);
+
+/// patchOf of all triangles, as numbers a vertex may carry.
+export function patchLabels(mesh) {
+  const labels = new Float32Array(mesh.triangles.length / 3);
+  for (let t = 0; t < labels.length; t++) labels[t] = patchOf(mesh, t);
+  return labels;
+}
 
 /// {begin, list}: the triangles of patch p are list[begin[p]] to before list[begin[p + 1]].
 /// labels   patch of each triangle, below 0: of none

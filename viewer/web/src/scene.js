@@ -43,7 +43,7 @@ export function makeScene(canvas, asked = null) {
     canvas, renderer, scene, root, view: makeView(), plain, lights: addLights(scene), ground: addGround(scene), radius: 1,
     size: 1, object: null, statics: [], ghost: null, force: makeArrow(), twist: makeTwist(), marks: makeContactMarks(),
     rows: makeRowMarks(), spring: makeRod(), dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true, names: true },
-    editing: false, start: null, wants: () => {}, wanted: new Set(), last: null, moved: true, resized: true, fence: null, begun: 0, rested: 0, coarsener: null,
+    editing: false, start: null, wants: () => {}, wanted: new Set(), last: null, moved: true, resized: true, fence: null, begun: 0, rested: 0, isSeen: false, coarsener: null,
     pace: makePace({ step: plain ? PLAIN_STEP : 0, fixed: asked === "full" }),
   };
   root.add(stage.force.group, stage.twist.group, stage.marks.group, stage.rows.group, stage.spring.group);
@@ -62,6 +62,7 @@ export function setObjects(stage, description, meshes, keeps = false) {
   if (stage.ghost) stage.root.remove(stage.ghost.group);
   stage.coarsener?.terminate(); // its objects go
   stage.coarsener = stage.last = null;
+  stage.isSeen = false; // no picture of them is done yet
   stage.start = { position: description.start.position, quaternion: description.start.quat_xyzw };
   hideMarks(stage); // until there is something to show
   stage.object = makeBody(meshes.get(description.object.mesh), description.object);
@@ -141,8 +142,10 @@ async function want(stage, body, level) {
   if (!ack.ok) setTimeout(() => wanted.delete(key), AGAIN);
 }
 
-/// Asks for coarser surfaces of an object for drawing alone. A worker makes them; until they come the original is drawn.
+/// Asks for coarser surfaces of an object for drawing alone. A worker makes them; until they come the original is drawn. The
+/// first picture does not wait for a processor that makes them.
 function wantCoarser(stage, body, allowed) {
+  if (!stage.isSeen) return;
   const tolerances = wantedCoarser(body, allowed);
   if (!tolerances) return;
   stage.coarsener ??= Object.assign(new Worker("coarsener.js"), { onmessage: ({ data }) => takeCoarser(stage, data) });
@@ -319,6 +322,8 @@ function isDone(stage) {
     const took = 1e-3 * (now - stage.begun);
     stage.rested = now + 1e3 * restAfter(took, stage.plain);
     stage.resized ||= notePicture(stage.pace, took);
+    stage.dirty ||= !stage.isSeen; // so that coarser surfaces are asked for
+    stage.isSeen = true;
   }
   stage.fence = null;
   return true;

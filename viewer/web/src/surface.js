@@ -3,14 +3,13 @@ import { BufferAttribute, BufferGeometry, Color, DataTexture, DynamicDrawUsage, 
   RGBAFormat, RGFormat, Sphere, UnsignedByteType, Vector3 } from "three";
 import { patchBalls, reachPatches } from "./detail.js";
 import { splitAtCreases, uniqueEdges } from "./geometry.js";
-import { groupsAtLevel, markCovered, markPatches, patchOf, patchRanges, tint, trianglesByPatch } from "./patches.js";
+import { groupsAtLevel, markCovered, markPatches, patchLabels, patchRanges, tint, trianglesByPatch } from "./patches.js";
 import { bareMaterial, MAX_SPOTS, plainMaterial, richMaterial, surfaceUniforms, TEXTURE_WIDTH } from "./shading.js";
 
 /// mesh     as in the `mesh` or `level` message
 /// ranges   of the tree that the level's nodes are in (patchRanges); left out: the mesh's own
 export function makeSurface(mesh, ranges = patchRanges(mesh.nodeOfPatch, mesh.parents)) {
-  const triangles = mesh.triangles.length / 3, patches = mesh.nodeOfPatch.length;
-  const labels = Float32Array.from({ length: triangles }, (_, t) => patchOf(mesh, t));
+  const patches = mesh.nodeOfPatch.length, labels = patchLabels(mesh);
   const split = splitAtCreases(mesh.positions, mesh.triangles, labels, { normals: mesh.normals });
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(split.positions, 3));

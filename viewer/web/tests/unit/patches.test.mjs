@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { groupsAtLevel, markCovered, markPatches, patchRanges, tint, trianglesByPatch } from "../../src/patches.js";
+import { groupsAtLevel, markCovered, markPatches, patchLabels, patchRanges, tint, trianglesByPatch } from "../../src/patches.js";
+import { NOTHING } from "../../src/protocol.js";
 
 // 6 is the root of 4 and 5; 4 has leaves 0 and 1, 5 has 2 and 3. Patches lie on leaves in another order.
 const PARENTS = Int32Array.from([4, 4, 5, 5, 6, 6, -1]);
@@ -83,4 +84,9 @@ test("every triangle stands once with its patch, those of none nowhere", () => {
   const labels = Float32Array.from([2, -1, 0, 2, 2, -1, 0]);
   const { begin, list } = trianglesByPatch(labels, 4);
   assert.deepEqual([0, 1, 2, 3].map((patch) => [...list.slice(begin[patch], begin[patch + 1])]), [[2, 6], [], [0, 3, 4], []]);
+});
+
+test("triangles of no patch have a label below 0", () => {
+  const mesh = { triangles: new Uint32Array(9), patchOfTriangle: Uint32Array.from([3, NOTHING, 70000]) };
+  assert.deepEqual([...patchLabels(mesh)], [3, -1, 70000]);
 });
