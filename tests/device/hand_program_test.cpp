@@ -9,6 +9,7 @@
 
 #include "thigma/device/hand.h"
 #include "thigma/device/workspace.h"
+#include "thigma/math/elementary.h"
 #include "thigma/math/rotation.h"
 
 namespace thigma {
@@ -142,6 +143,31 @@ TEST(HandProgram, CircleStaysOnItsCircle) {
     farthest = std::max(farthest, x.norm());
   }
   EXPECT_NEAR(farthest, 2.0 * p.program.slide_length, 1e-5);
+}
+
+TEST(HandProgram, TurnGoesThereAndBackAboutTheApproach) {
+  HandParams p;
+  p.program.path = HandPath::turn;
+  p.program.twist_angle = 1.0;
+  p.program.twist_time = 2.0;
+  const auto hand = make_hand(p);
+  double most = 0.0, last = 0.0, fastest = 0.0;
+  int turned_back = 0;
+  for (int i = 0; i < 9000; ++i) {
+    hand->read(i * kTick);
+    const Pose pose = hand->target_motion().pose;
+    EXPECT_EQ(pose.position.norm(), 0.0);
+    const Vec3 axis = vector_from_rotation(pose.orientation);
+    EXPECT_NEAR(axis.cross(p.program.approach).norm(), 0.0, 1e-12);
+    const double angle = axis.dot(p.program.approach);
+    turned_back += most > 0.999 && last > 1e-4 && angle <= 1e-4 ? 1 : 0;
+    fastest = std::max(fastest, std::fabs(angle - last));
+    most = std::max(most, angle);
+    last = angle;
+  }
+  EXPECT_NEAR(most, 1.0, 1e-6);
+  EXPECT_EQ(turned_back, 2);  // after 4 and 8 s
+  EXPECT_NEAR(fastest, 0.25 * kPi * kTick, 1e-6);
 }
 
 TEST(HandProgram, RestStaysAtTheStart) {

@@ -134,7 +134,7 @@ void put_recordings(const Seeds& seeds) {
 void put_texts(const Seeds& seeds) {
   for (const char* name : {"jaws", "blocks", "spoon_in_cup", "file_on_cad"})
     seeds.put("scene", name, std::string(builtin_scene(name)));
-  for (const char* world : {"tower", "row_of_blocks", "drawer", "links", "two_hands"})
+  for (const char* world : {"tower", "row_of_blocks", "drawer", "links", "two_hands", "gears"})
     seeds.put("scene", world,
               read_file(std::string(THIGMA_SOURCE_DIR) + "/scenes/" + world + ".toml"));
   seeds.put("script", "two",

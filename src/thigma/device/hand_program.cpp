@@ -96,7 +96,8 @@ void advance_rest(double dt, const HandProgramParams& p, HandProgram& s) THIGMA_
   s.across = s.from * (1.0 - smooth(s.phase_time / kLaterRest));
   if (s.phase_time + dt < time) return;
   s.across = 0.0;
-  enter(s, p.path == HandPath::circle ? HandPhase::circle : HandPhase::approach);
+  const bool is_turn = p.path == HandPath::turn, is_circle = p.path == HandPath::circle;
+  enter(s, is_turn ? HandPhase::turn : is_circle ? HandPhase::circle : HandPhase::approach);
 }
 
 void advance_approach(double dt, const HandProgramParams& p, HandProgram& s) THIGMA_RT {
@@ -179,6 +180,11 @@ void advance_retract(double dt, const HandProgramParams& p, HandProgram& s) THIG
   enter(s, HandPhase::rest, s.across);
 }
 
+void advance_turn(const HandProgramParams& p, HandProgram& s) THIGMA_RT {
+  if (!(p.twist_time > 0.0)) return;
+  s.angle = 0.5 * p.twist_angle * (1.0 - sin_cos(kPi * s.phase_time / p.twist_time).cos);
+}
+
 HandTarget target_of(const HandProgramParams& p, const HandProgram& s) THIGMA_RT {
   HandTarget target;
   target.buttons = kClutchButton;
@@ -242,6 +248,9 @@ HandTarget advance_program(const HandProgramParams& params, const Vec3& force, d
       break;
     case HandPhase::retract:
       advance_retract(dt, params, s);
+      break;
+    case HandPhase::turn:
+      advance_turn(params, s);
       break;
     case HandPhase::circle:
     case HandPhase::script:

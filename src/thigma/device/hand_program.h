@@ -16,6 +16,7 @@ enum class HandPath : std::uint8_t {
   slide,   // approach, press, slide there and back for ever
   tap,     // approach, then tap for ever
   circle,  // in the air, about the start, across the approach
+  turn,    // in the air, about the approach, there and back for ever
 };
 
 enum class HandPhase : std::uint8_t {
@@ -29,7 +30,8 @@ enum class HandPhase : std::uint8_t {
   tap,
   retract,
   circle,
-  script
+  script,
+  turn
 };
 
 /// One program. Lengths and speeds are in device space.
@@ -46,7 +48,7 @@ struct HandProgramParams {
   double tap_speed = 0.1;                      // [m/s]
   double slide_speed = 0.03;                   // [m/s]
   double slide_length = 0.010;                 // also the radius of `circle` [m]
-  double twist_angle = 0.0872664625997164788;  // 5 degrees, about the approach [rad]
+  double twist_angle = 0.0872664625997164788;  // 5 degrees, about the approach; of `turn` too [rad]
   double twist_time = 0.5;                     // there; back the same [s]
   double lift_height = 0.005;                  // between taps [m]
   bool twist_by_buttons = false;  // the device senses no rotation: hold a turn button instead

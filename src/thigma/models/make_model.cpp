@@ -79,6 +79,7 @@ const std::vector<ModelInfo>& models() {
       {"cylinder", 2'000, 20, "cylinder of 20 mm radius, 100 mm high"},
       {"cone", 2'000, 16, "cone of 30 mm radius, 80 mm high"},
       {"torus", 8'000, 32, "torus, radii 40 and 15 mm"},
+      {"ring", 2'000, 32, "ring of 40 mm radius, 12 mm thick"},
       {"gear", 20'000, 1'000, "spur gear with 20 teeth, 50 mm across"},
       {"probe", 2'000, 400, "probe with a round tip of 10 mm radius, 100 mm long"},
       {"peg", 4'000, 40, "round peg, 16 mm thick and 50 mm long"},
@@ -109,6 +110,7 @@ TriangleMesh make_model(const ModelRequest& request) {
   if (name == "cylinder") return make_cylinder_near(0.020, 0.100, n);
   if (name == "cone") return make_cone_near(0.030, 0.080, n);
   if (name == "torus") return make_torus_near(0.040, 0.015, n);
+  if (name == "ring") return make_torus_near(0.040, 0.006, n);
   if (name == "gear") return make_gear(n);
   if (name == "probe") return make_probe(n);
   if (name == "peg") return make_peg(n);

@@ -33,7 +33,8 @@ struct PathName {
 
 constexpr PathName kPaths[] = {{"demo", HandPath::demo},   {"rest", HandPath::rest},
                                {"press", HandPath::press}, {"slide", HandPath::slide},
-                               {"tap", HandPath::tap},     {"circle", HandPath::circle}};
+                               {"tap", HandPath::tap},     {"circle", HandPath::circle},
+                               {"turn", HandPath::turn}};
 
 std::vector<std::string_view> hand_names() {
   std::vector<std::string_view> names = {
@@ -79,7 +80,7 @@ void apply_path(const std::string& value, HandParams& params) {
   }
   if (value.empty()) {
     throw DeviceAddressError(
-        "hand: path is empty, expected demo, rest, press, slide, tap, circle or a file");
+        "hand: path is empty, expected demo, rest, press, slide, tap, circle, turn or a file");
   }
   params.script = read_script(value);
 }
@@ -166,7 +167,7 @@ std::vector<DeviceParameter> detail::hand_parameters() {
   }
   std::vector<DeviceParameter> parameters = {
       {"device", "", "", "published limits of a product: " + models},
-      {"path", "", "demo", "demo, rest, press, slide, tap, circle, or a file as for script:"},
+      {"path", "", "demo", "demo, rest, press, slide, tap, circle, turn, or a file as for script:"},
       {"dof", "", "6", "6, or 3: rotation neither sensed nor actuated"},
       {"senses_rotation", "", "1", "0 or 1, instead of dof"},
       {"actuates_rotation", "", "1", "0 or 1, instead of dof"},
