@@ -16,13 +16,28 @@ struct Expected {
   long long euler;
 };
 
-constexpr Expected kModels[] = {
-    {"jaw_lower", 2},       {"jaw_upper", 2}, {"cup", 0},       {"spoon", 2},
-    {"ellipsoid", 2},       {"ball", 2},      {"box", 2},       {"plate", 2},
-    {"cylinder", 2},        {"cone", 2},      {"torus", 0},     {"gear", 0},
-    {"probe", 2},           {"peg", 2},       {"hole", 0},      {"joint_ball", 2},
-    {"joint_socket", 2},    {"golf_club", 2}, {"golf_ball", 2}, {"conforming_lower", 2},
-    {"conforming_upper", 2}};
+constexpr Expected kModels[] = {{"jaw_lower", 2},
+                                {"jaw_upper", 2},
+                                {"cup", 0},
+                                {"spoon", 2},
+                                {"ellipsoid", 2},
+                                {"ball", 2},
+                                {"box", 2},
+                                {"plate", 2},
+                                {"cylinder", 2},
+                                {"cone", 2},
+                                {"torus", 0},
+                                {"ring", 0},
+                                {"gear", 0},
+                                {"probe", 2},
+                                {"peg", 2},
+                                {"hole", 0},
+                                {"joint_ball", 2},
+                                {"joint_socket", 2},
+                                {"golf_club", 2},
+                                {"golf_ball", 2},
+                                {"conforming_lower", 2},
+                                {"conforming_upper", 2}};
 
 void expect_closed(const TriangleMesh& mesh, long long euler) {
   const test::SurfaceCount count = test::count_surface(mesh);
