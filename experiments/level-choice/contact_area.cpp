@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -13,7 +12,6 @@
 #include "thigma/contact/error_metric.h"
 #include "thigma/contact/multires/patch_at_level.h"
 #include "thigma/core/index.h"
-#include "thigma/math/quantile.h"
 
 namespace thigma::experiments::level_choice {
 namespace {
@@ -122,6 +120,7 @@ void add_contacts(AreaSamples& samples, const TouchedPair& pair, const PairSurfa
                   const PoseFrame& frame) {
   const ContactWorld& world = pair.session.config.contact;
   const SceneBody& body = world.scene.front();
+  std::vector<double>& of_pose = samples.region_by_pose.emplace_back();
   for (const Contact& c : frame.contacts) {
     const std::int32_t a = contact_node(*world.object, c.object_patch),
                        b = contact_node(*body.hierarchy, c.scene_patch);
@@ -132,6 +131,7 @@ void add_contacts(AreaSamples& samples, const TouchedPair& pair, const PairSurfa
     samples.weight.push_back(c.weight);
     samples.below.push_back(below.area);
     samples.region.push_back(below.region);
+    of_pose.push_back(below.region);
     samples.support.push_back(
         std::max(support_at(*world.object, a, pose, c.point),
                  support_at(*body.hierarchy, b, body.world_from_body, c.scene_point)));
@@ -188,11 +188,6 @@ double commonest_level(const AreaSamples& samples) {
     most = std::max(most, weight[samples.level[i]] += samples.weight[i]);
   }
   return most / total;
-}
-
-double region_spread(const AreaSamples& samples) {
-  if (samples.region.empty()) return std::numeric_limits<double>::quiet_NaN();
-  return sample_quantile(samples.region, 0.9) / sample_quantile(samples.region, 0.1);
 }
 
 }  // namespace thigma::experiments::level_choice

@@ -33,8 +33,9 @@ struct AreaSamples {
   std::vector<double> weight;  // its share of the force's blend
   // Of the finest patches below it that touch, the smaller of the two sides [m^2].
   std::vector<double> below;
-  std::vector<double> region;   // area of the largest region below it [m^2]
-  std::vector<double> support;  // D of the contact (Eq. 3.7) [m^2]
+  std::vector<double> region;                       // area of the largest region below it [m^2]
+  std::vector<double> support;                      // D of the contact (Eq. 3.7) [m^2]
+  std::vector<std::vector<double>> region_by_pose;  // `region` again
 };
 
 /// Adds the contacts of a frame.
@@ -70,8 +71,5 @@ std::vector<AreaRank> area_ranks(const AreaTrials& trials);
 /// Share of the contacts, by weight, that are of the level most of them have. Near 1 no rank says
 /// anything.
 double commonest_level(const AreaSamples& samples);
-
-/// 90 % quantile of the regions' areas over their 10 % quantile.
-double region_spread(const AreaSamples& samples);
 
 }  // namespace thigma::experiments::level_choice

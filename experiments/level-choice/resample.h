@@ -24,4 +24,12 @@ struct Growth {
 Growth growth_between(const PoseShare& from, const PoseShare& to, bool is_squared,
                       std::uint64_t seed);
 
+/// How widely values are spread: their 90 % quantile over their 10 % quantile, and 95 % of what
+/// drawn poses give. One pose unlike the others moves the quotient, and not the lower end.
+///
+/// values  > 0, by pose
+/// seed    of the draws
+/// Thread  [offline]; NaN where nothing is.
+Growth spread_of(const std::vector<std::vector<double>>& values, std::uint64_t seed);
+
 }  // namespace thigma::experiments::level_choice

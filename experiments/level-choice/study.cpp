@@ -18,7 +18,8 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // Of least separations measured in two ways, times the radius.
 constexpr double kRounding = 1e-9;
-constexpr double kNear = 0.02;  // of the radius: a contact is found where another is as near
+constexpr std::uint64_t kSeed = 1;  // of poses drawn again
+constexpr double kNear = 0.02;      // of the radius: a contact is found where another is as near
 
 /// Collects the poses of one setting.
 struct Collector {
@@ -183,7 +184,7 @@ PairStudy measure(const TouchedPair& pair, const ShellPair& shells,
   }
   study.ranks = area_ranks(trials);
   study.commonest_level = commonest_level(trials.blended);
-  study.region_spread = region_spread(trials.blended);
+  study.region_spread = spread_of(trials.blended.region_by_pose, kSeed);
   study.shell = summarize_shell(of_shell, shells.bytes);
   return study;
 }

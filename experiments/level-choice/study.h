@@ -38,8 +38,9 @@ struct Choice {
 struct PairStudy {
   std::vector<Choice> choices;  // by setting
   Choice shell;
-  std::vector<AreaRank> ranks;                        // at the threshold asked for
-  double commonest_level = 0.0, region_spread = 0.0;  // there
+  std::vector<AreaRank> ranks;   // at the threshold asked for
+  double commonest_level = 0.0;  // there
+  Growth region_spread;          // of the areas of the regions there
 };
 
 /// Measures every setting and the shells at the same poses, evenly spread over those where the pair

@@ -99,7 +99,7 @@ Outcome empty_outcome() {
        .columns = {"scene", "quantity", "from", "to", "growth", "95 % low", "95 % high"}},
       {.name = "area",
        .columns = {"scene", "what", "rank correlation", "contacts", "commonest level",
-                   "region p90 / p10"}}};
+                   "region p90 / p10", "95 % low", "95 % high"}}};
   outcome.figure = {
       .title = "What s0 buys",
       .note =
@@ -144,7 +144,8 @@ void add_rows(const Studied& pair, Outcome& outcome) {
   }
   for (const AreaRank& r : study.ranks)
     add_row(outcome.tables[2],
-            {pair.name, r.what, r.rank, r.count, study.commonest_level, study.region_spread});
+            {pair.name, r.what, r.rank, r.count, study.commonest_level, study.region_spread.value,
+             study.region_spread.low, study.region_spread.high});
   const int color = static_cast<int>(outcome.figure.panels[0].series.size() / 2);
   add_curve(pair, color, outcome.figure.panels[0], [](const Choice& c) { return c.shared_error; });
   add_curve(pair, color, outcome.figure.panels[1], [](const Choice& c) { return 1e6 * c.query; });

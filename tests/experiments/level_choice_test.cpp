@@ -34,6 +34,21 @@ TEST(LevelChoice, GrowthHasAnIntervalAsWideAsPosesDiffer) {
   EXPECT_TRUE(std::isnan(growth_between({}, {}, false, 1).low));
 }
 
+TEST(LevelChoice, OnePoseUnlikeTheOthersIsNoSpread) {
+  // Seven poses with one region of much the same size, one with hardly any.
+  std::vector<std::vector<double>> areas(8, std::vector<double>{1.0, 1.1, 1.2, 1.3, 1.4});
+  areas[3] = {0.01, 0.01, 0.01, 0.01, 0.01};
+  const Growth one = spread_of(areas, 1);
+  EXPECT_GT(one.value, 10.0);
+  EXPECT_LT(one.low, 2.0);
+  // Small and large in every pose.
+  for (std::vector<double>& pose : areas) pose = {0.1, 0.1, 0.5, 1.0, 1.0};
+  const Growth all = spread_of(areas, 1);
+  EXPECT_DOUBLE_EQ(all.low, 10.0);
+  EXPECT_DOUBLE_EQ(all.value, 10.0);
+  EXPECT_TRUE(std::isnan(spread_of({}, 1).value));
+}
+
 TEST(LevelChoice, RanksSeeTheWeightOfABlend) {
   // Two contacts and, of next to no weight, what a blend reports below the coarser one at the same
   // place.
@@ -41,12 +56,14 @@ TEST(LevelChoice, RanksSeeTheWeightOfABlend) {
                       .weight = {1.0, 1.0, 1e-9},
                       .below = {1.0, 2.0, 3.0},
                       .region = {1.0, 2.0, 2.0},
-                      .support = {1.0, 2.0, 2.0}};
+                      .support = {1.0, 2.0, 2.0},
+                      .region_by_pose = {}};
   AreaSamples single{.level = {1.0, 3.0},
                      .weight = {1.0, 1.0},
                      .below = {1.0, 2.0},
                      .region = {1.0, 2.0},
-                     .support = {1.0, 2.0}};
+                     .support = {1.0, 2.0},
+                     .region_by_pose = {}};
   for (const AreaRank& r : area_ranks({blended, single, single, single})) {
     if (r.what == "level and area below")
       EXPECT_LT(r.rank, 0.0);
