@@ -1,5 +1,7 @@
 #include "thigma/session/world_session.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
@@ -257,6 +259,204 @@ TEST(WorldSession, RunsWithoutADevice) {
   EXPECT_EQ(run.frames, 1500u);
   EXPECT_LE(run.energy_end, run.energy_start);
   EXPECT_EQ(run.force_max, 0.0);
+}
+
+/// Ticks without a clock: so many were over before the nth.
+std::function<std::uint64_t()> made_up_ticks(std::vector<std::uint64_t> over) {
+  return [over = std::move(over), next = std::size_t{0}]() mutable {
+    return next < over.size() ? over[next++] : 0;
+  };
+}
+
+TEST(WorldClock, HasTheBitsOfLockstepWhateverIsLate) {
+  WorldBench bench;
+  const WorldSessionConfig config = pushing(bench);
+  const auto first = push_device(), second = push_device();
+  const WorldSummary lockstep = run_one(config, first.get());
+  HapticDevice* device = second.get();
+  std::uint64_t lost = 0;
+  WorldShell shell;
+  shell.wait_for_tick = made_up_ticks({0, 0, 3, 0, 1});
+  shell.sink = [&](const WorldFrame& frame) {
+    lost += frame.lost;
+    EXPECT_DOUBLE_EQ(frame.time, 1e-3 * static_cast<double>(frame.frame + 1));  // never a jump
+  };
+  const WorldSummary clock = run_world_by_clock(config, {&device, 1}, shell);
+  EXPECT_EQ(clock.state_hash, lockstep.state_hash);
+  EXPECT_EQ(clock.frames, lockstep.frames);
+  EXPECT_EQ(clock.force_max, lockstep.force_max);
+  EXPECT_EQ(clock.late_frames, 2u);
+  EXPECT_NEAR(clock.lost_time, 4e-3, 1e-12);
+  EXPECT_EQ(lost, 4u);
+  EXPECT_EQ(lockstep.late_frames, 0u);
+}
+
+TEST(WorldClock, StandsStillWhilePausedAndGoesStepByStep) {
+  WorldBench bench;
+  WorldSessionConfig config = pushing(bench);
+  const auto device = push_device();
+  HapticDevice* list = device.get();
+  LivePorts ports;
+  ports.is_paused = true;
+  ports.steps = 5;
+  std::atomic<bool> stop{false};
+  WorldShell shell{.stop = &stop, .live = &ports, .wait_for_tick = made_up_ticks({})};
+  std::uint64_t seen = 0;
+  shell.sink = [&](const WorldFrame& frame) {
+    seen = frame.frame + 1;
+    if (seen == 5) stop = true;  // it would wait for ever
+  };
+  const WorldSummary run = run_world_by_clock(config, {&list, 1}, shell);
+  EXPECT_EQ(seen, 5u);
+  EXPECT_EQ(run.frames, 5u);
+  EXPECT_TRUE(run.was_stopped);
+}
+
+TEST(WorldClock, AFaultEndsAtZeroForceOnAll) {
+  WorldBench bench;
+  const WorldSessionConfig config = with_two_hands(bench, false);
+  BadDevice bad(0.05, BadDevice::Trouble::lost, 0.3), good(0.05, BadDevice::Trouble::none, 0.0);
+  HapticDevice* devices[] = {&bad, &good};
+  WorldShell shell;
+  shell.wait_for_tick = made_up_ticks({});
+  const WorldSummary run = run_world_by_clock(config, devices, shell);
+  EXPECT_EQ(run.fault, Fault::device_lost);
+  EXPECT_EQ(run.frames, 300u);
+  for (const BadDevice* device : {&bad, &good}) {
+    EXPECT_GT(device->most, 0.05);
+    expect_let_go(*device);
+  }
+}
+
+/// A page's hand as a script: its clutch is closed between two times, it is lifted meanwhile.
+class PageHand final : public HapticDevice {
+ public:
+  double closes = 0.2, opens = 0.5, lost_at = 1e9, speed = 0.1;
+  PageHand() { limits_.holds_person = false; }
+  const DeviceLimits& limits() const override { return limits_; }
+  std::string name() const override { return "page"; }
+  DeviceState read(double now) THIGMA_RT override {
+    DeviceState state;
+    state.time = now;
+    const bool is_closed = now >= closes && now < opens;
+    state.buttons = is_closed ? kClutchButton : 0;
+    const double lifted = std::clamp(now, closes, opens) - closes;
+    state.motion.pose.position.z() = speed * lifted;
+    if (is_closed) state.motion.twist.linear.z() = speed;
+    if (now >= lost_at) state.status = DeviceStatus::lost;
+    return state;
+  }
+  void write(const Wrench& wrench) THIGMA_RT override { sent.push_back(wrench.force.norm()); }
+  std::vector<double> sent;
+
+ private:
+  DeviceLimits limits_;
+};
+
+/// Two blocks on a floor that nobody holds, and a hand that may take hold of either.
+WorldSessionConfig with_free_hand(WorldBench& bench) {
+  test::add_floor(bench, 1.0);
+  const auto block = test::body_mesh(make_box(Vec3(0.04, 0.04, 0.04)));
+  for (int i = 0; i < 2; ++i) bench.add(block, BodyKind::moving, Vec3(0.1 * i, 0.0, 0.02 + 3e-6));
+  bench.make();
+  WorldSessionConfig config;
+  config.world = bench.world;
+  config.start = bench.state;
+  config.hands.resize(1);
+  WorldHand& hand = config.hands[0];
+  hand.is_free = true;
+  hand.coupling.linear_stiffness = 1000.0;
+  hand.coupling.linear_damping = 16.0;
+  hand.coupling.angular_stiffness = 2.0;
+  hand.coupling.angular_damping = 0.02;
+  hand.couplings.assign(bench.bodies.size(), hand.coupling);
+  hand.body = 2;
+  config.duration = 1.0;
+  return config;
+}
+
+TEST(WorldSession, AFreeHandTakesHoldWithoutAJumpAndLetsGo) {
+  WorldBench bench;
+  WorldSessionConfig config = with_free_hand(bench);
+  PageHand hand;
+  hand.closes = 0.7;  // both blocks are asleep by then
+  hand.opens = 0.9;
+  std::vector<double> heights;
+  std::vector<std::int32_t> held;
+  std::int32_t awake_before = -1;
+  run_one(config, &hand, [&](const WorldFrame& frame) {
+    heights.push_back(frame.bodies[2].position.z());
+    held.push_back(frame.grips[0].body);
+    if (frame.frame == 650) awake_before = frame.step.awake;
+  });
+  EXPECT_EQ(awake_before, 0);
+  ASSERT_EQ(held.size(), 1000u);
+  EXPECT_EQ(held[699], -1);
+  EXPECT_EQ(held[700], 2);
+  EXPECT_EQ(held[899], 2);
+  EXPECT_EQ(held[900], -1);
+  const double weight = bench.bodies[2].mass * 9.81;
+  // It begins with what the damper makes of the hand's speed, never with a spring's stretch.
+  EXPECT_LE(hand.sent[700], 16.0 * hand.speed + 0.1 * weight);
+  EXPECT_GT(hand.sent[880], 0.9 * weight);
+  EXPECT_EQ(hand.sent[905], 0.0);
+  EXPECT_GT(heights[899], heights[699] + 0.015);
+  // Let go it flies on as any free body: its speed, then gravity.
+  const double v = (heights[901] - heights[900]) / 1e-3;
+  EXPECT_NEAR(heights[921] - heights[901], 0.02 * v - 0.5 * 9.81 * 0.02 * 0.02, 2e-5 + 9.81e-5);
+  EXPECT_EQ(hand.sent.back(), 0.0);
+}
+
+TEST(WorldSession, AHandThatHoldsNothingChangesNoBit) {
+  WorldBench bench;
+  WorldSessionConfig config = with_free_hand(bench);
+  PageHand hand;
+  hand.closes = hand.opens = 0.5;
+  const std::uint64_t watched = run_one(config, &hand).state_hash;
+  config.hands.clear();
+  EXPECT_EQ(run_world(config, {}).state_hash, watched);
+}
+
+TEST(WorldSession, AimedAnewAHandChangesItsBody) {
+  WorldBench bench;
+  WorldSessionConfig config = with_free_hand(bench);
+  PageHand hand;
+  hand.speed = 0.0;
+  HapticDevice* device = &hand;
+  WorldRun run(config, {&device, 1});
+  std::vector<std::int32_t> held;
+  for (int i = 0; i < 450; ++i) {
+    if (i == 300) run.aim({1, Vec3(0.01, 0.0, 0.0)});
+    if (i == 350) run.aim({0, Vec3::Zero()});   // the floor: nothing moves it
+    if (i == 400) run.aim({77, Vec3::Zero()});  // there is none
+    const WorldFrame* frame = run.make_frame();
+    ASSERT_NE(frame, nullptr);
+    held.push_back(frame->grips[0].body);
+    // Both rest: neither taking hold nor letting go is felt.
+    EXPECT_LE(hand.sent.back(), 1e-3);
+  }
+  EXPECT_EQ(held[299], 2);
+  EXPECT_EQ(held[300], 1);
+  EXPECT_EQ(held[350], -1);
+  EXPECT_EQ(held[400], -1);
+}
+
+TEST(WorldSession, ALostPageLetsGoAndTheWorldGoesOn) {
+  WorldBench bench;
+  WorldSessionConfig config = with_free_hand(bench);
+  PageHand hand;
+  hand.closes = 0.1;
+  hand.opens = 0.8;
+  hand.lost_at = 0.3;
+  std::vector<std::int32_t> held;
+  const WorldSummary run =
+      run_one(config, &hand, [&](const WorldFrame& frame) { held.push_back(frame.grips[0].body); });
+  EXPECT_FALSE(run.has_fault());
+  ASSERT_EQ(run.frames, 1000u);
+  EXPECT_EQ(held[299], 2);
+  EXPECT_EQ(held[300], -1);
+  EXPECT_GT(hand.sent[299], 0.1);
+  EXPECT_EQ(hand.sent[300], 0.0);
 }
 
 }  // namespace
