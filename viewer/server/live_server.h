@@ -103,6 +103,8 @@ class LiveServer {
   void observe(const HapticSample& sample);
   void observe(const ContactSample& sample);
   void observe(const SessionEvent& event);
+  /// Of a world, in place of the first two.
+  void observe(const WorldFrame& frame);
 
   /// The parameters as pages have set them, for the session that comes next. Pages cannot change
   /// them from here to begin_session.

@@ -86,6 +86,33 @@ std::string LiveServer::Impl::hold(PageId page, bool wanted) {
   return {};
 }
 
+/// What the page's hand takes hold of when its clutch closes next; that comes after this on the
+/// same connection, and so to the world as well.
+std::string LiveServer::Impl::grab(PageId page, const Command& command) {
+  if (!scene.world.is_world()) return "only a world of several bodies has some to choose from";
+  if (page != holder) return "this page does not hold the device";
+  if (command.text.empty()) {
+    ports->aim.publish(WorldAim{});
+    return {};
+  }
+  const auto has_name = [&](const SceneBodyView& body) { return body.name == command.text; };
+  const auto found = std::find_if(scene.statics.begin(), scene.statics.end(), has_name);
+  const SceneBodyView* body = has_name(scene.object)         ? &scene.object
+                              : found != scene.statics.end() ? &*found
+                                                             : nullptr;
+  if (body == nullptr) return "there is no body '" + command.text + "' here";
+  if (!body->moves) return "body '" + command.text + "' stands still or goes its own way";
+  WorldAim aim{body->body, Vec3::Zero()};
+  if (command.point) {
+    if (!((*command.point - body->hierarchy->center).norm() <= 2.0 * body->hierarchy->radius))
+      return "the point is not on body '" + command.text + "'";
+    aim.point = transform_point(scene.world.body_from_mesh[static_cast<std::size_t>(body->body)],
+                                *command.point);
+  }
+  ports->aim.publish(aim);
+  return {};
+}
+
 bool LiveServer::Impl::is_choice(const std::string& name) const {
   return std::any_of(now_running.choices.begin(), now_running.choices.end(),
                      [&](const LiveParameter& p) { return p.name == name; });
@@ -134,6 +161,7 @@ std::string LiveServer::Impl::set_speed(double value) {
 std::string LiveServer::Impl::change(const Command& command) {
   const std::lock_guard lock(mutex);
   if (is_restarting) return kIsRestarting;
+  if (scene.world.is_world()) return kIsWorld;
   std::string why = tuner.set(command.text, command.number);
   if (!why.empty()) return why;
   ports->haptic_tuning.publish(tuner.haptic());
@@ -228,6 +256,9 @@ void LiveServer::Impl::take_command(PageId page, const Command& command) {
     case Command::Kind::hold:
       why = hold(page, command.flag);
       break;
+    case Command::Kind::grab:
+      why = grab(page, command);
+      break;
     case Command::Kind::pause:
       why = is_held_by_other(page) ? kIsHeld : pause(command.flag);
       break;
@@ -273,7 +304,8 @@ void LiveServer::Impl::take_command(PageId page, const Command& command) {
   if (!why.empty()) return;
   if (command.kind == Command::Kind::set) {
     send_parameters();
-  } else if (command.kind != Command::Kind::step && command.kind != Command::Kind::level) {
+  } else if (command.kind != Command::Kind::step && command.kind != Command::Kind::level &&
+             command.kind != Command::Kind::grab) {
     send_state();
   }
 }
