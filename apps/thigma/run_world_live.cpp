@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <future>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -14,9 +15,11 @@
 #include "viewer/server/web_files.h"
 #include "world_view.h"
 
+#include "thigma/core/error.h"
 #include "thigma/core/index.h"
 #include "thigma/device/open_device.h"
 #include "thigma/device/web_device.h"
+#include "thigma/scene/world_change.h"
 #include "thigma/session/rt_thread.h"
 
 namespace thigma::app {
@@ -43,17 +46,26 @@ std::size_t add_page_hand(LoadedWorld& world, std::vector<std::string>& devices)
 class WorldEvents {
  public:
   WorldEvents(const LoadedWorld& world, live::LiveServer& server)
-      : world_(world), server_(server), held_(world.config.hands.size(), -1) {}
+      : rate_(world.config.rate), server_(server), held_(world.config.hands.size()) {
+    use(world);
+  }
+
+  /// Bodies have the names of this world from here on.
+  void use(const LoadedWorld& world) {
+    names_.clear();
+    for (const WorldBody& body : world.config.world.bodies) names_.push_back(body.name);
+  }
 
   void observe(const WorldFrame& frame) {
     for (std::size_t i = 0; i < held_.size(); ++i) {
       const std::int32_t body = frame.grips[i].body;
-      if (body == held_[i]) continue;
-      if (held_[i] >= 0) tell(frame, EventKind::released, name(held_[i]), "");
-      if (body >= 0) tell(frame, EventKind::grasped, name(body), "");
-      held_[i] = body;
+      const std::string& now = body < 0 ? nobody_ : names_[idx(body)];
+      if (now == held_[i]) continue;
+      if (!held_[i].empty()) tell(frame, EventKind::released, held_[i], "");
+      if (body >= 0) tell(frame, EventKind::grasped, now, "");
+      held_[i] = now;
     }
-    lost_ += static_cast<double>(frame.lost) / world_.config.rate;
+    lost_ += static_cast<double>(frame.lost) / rate_;
     if (frame.time < since_ + kWindow) return;
     const double pace = (frame.time - since_) / (frame.time - since_ + lost_);
     since_ = frame.time;
@@ -67,17 +79,16 @@ class WorldEvents {
  private:
   static constexpr double kWindow = 2.0;  // in which it is judged [s]
   static constexpr double kSlow = 0.8;    // slower is told
-  const std::string& name(std::int32_t body) const {
-    return world_.config.world.bodies[idx(body)].name;
-  }
   void tell(const WorldFrame& frame, EventKind kind, const std::string& detail,
             const std::string& text) {
     server_.observe(SessionEvent{frame.time, frame.frame, kind, detail, text});
   }
 
-  const LoadedWorld& world_;
+  const double rate_;  // [Hz]
   live::LiveServer& server_;
-  std::vector<std::int32_t> held_;   // by hand
+  const std::string nobody_;
+  std::vector<std::string> names_;   // of bodies
+  std::vector<std::string> held_;    // by hand
   double lost_ = 0.0, since_ = 0.0;  // [s]
 };
 
@@ -93,9 +104,8 @@ class WorldLive {
         page_hand_(add_page_hand(world_, devices_)),
         page_(make_web_device(link_)),
         config_(page_config(world_, page_->limits())),
-        server_(view_of(world_, static_cast<std::int32_t>(page_hand_)), config_,
-                config_.world_from_body * config_.contact.body_from_mesh, {"web:"},
-                live::web_files(), page_address(*program.options), link_,
+        server_(view(world_), config_, config_.world_from_body * config_.contact.body_from_mesh,
+                {"web:"}, live::web_files(), page_address(*program.options), link_,
                 {.may_be_framed = program.options->is_embedded}) {
     facts_.devices = devices_;
   }
@@ -134,6 +144,10 @@ class WorldLive {
     return summary;
   }
 
+  live::SceneView view(const LoadedWorld& world) const {
+    return view_of(world, static_cast<std::int32_t>(page_hand_));
+  }
+
   /// The session on a thread of its own, while this one hears what pages ask for.
   WorldSummary run(const WorldDevices& devices) {
     std::atomic<bool> stop{false};
@@ -145,6 +159,10 @@ class WorldLive {
       server_.observe(frame);
       events.observe(frame);
     };
+    shell.between = [&](WorldRun& run) {
+      if (has_asked_.load(std::memory_order_acquire)) change_bodies(run, events);
+    };
+    is_running_ = true;
     std::future<WorldSummary> session = std::async(std::launch::async, [&] {
       const std::int64_t begin = thread_cpu_ns();
       WorldSummary summary = run_world_by_clock(world_.config, devices.list, shell);
@@ -153,7 +171,46 @@ class WorldLive {
     });
     while (session.wait_for(std::chrono::nanoseconds(kPoll)) != std::future_status::ready)
       if (poll_pages() || is_told_to_stop()) stop = true;
+    is_running_ = false;
+    for (const live::LiveRequest& request : take_asked()) server_.answer(request, kIsOver);
     return session.get();
+  }
+
+  std::vector<live::LiveRequest> take_asked() {
+    const std::lock_guard lock(mutex_);
+    has_asked_.store(false, std::memory_order_relaxed);
+    return std::exchange(asked_, {});
+  }
+
+  /// What pages asked for between two frames. Thread: the world's.
+  void change_bodies(WorldRun& run, WorldEvents& events) {
+    for (const live::LiveRequest& request : take_asked()) {
+      std::string why;
+      try {
+        change_bodies(request, run, events);
+      } catch (const InputError& error) {
+        why = error.what();
+      }
+      server_.answer(request, why);
+    }
+  }
+
+  void change_bodies(const live::LiveRequest& request, WorldRun& run, WorldEvents& events) {
+    const LoadedWorld& now = changed_ ? changed_->world : world_;
+    const std::vector<WorldBody>& bodies = now.config.world.bodies;
+    const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const WorldBody& body) {
+      return body.name == request.text;
+    });
+    if (found == bodies.end()) throw InputError("there is no body '" + request.text + "' here");
+    const auto body = static_cast<std::int32_t>(found - bodies.begin());
+    auto next = std::make_unique<WorldChange>(
+        request.kind == Kind::add ? with_another(now, body, request.point, run.state())
+                                  : without(now, body));
+    const WorldState state = carried_state(*next, run.state());
+    run.go_on(next->world.config, state, next->was);
+    server_.change_world(view(next->world));
+    events.use(next->world);
+    changed_ = std::move(next);
   }
 
   static SessionEnd end_of(const WorldSummary& summary) {
@@ -167,11 +224,23 @@ class WorldLive {
       request_ = server_.take_request();
       if (!request_) return false;
       if (request_->kind == Kind::reset) break;
+      if (request_->kind == Kind::add || request_->kind == Kind::remove) {
+        ask_world(*std::exchange(request_, std::nullopt));
+        continue;
+      }
       const bool is_there = request_->kind == Kind::use_device;
       server_.answer(*request_, is_there ? "" : kNotYet);
       request_.reset();
     }
     return true;
+  }
+
+  /// Left to the world's thread, between two of its frames.
+  void ask_world(live::LiveRequest request) {
+    if (!is_running_) return server_.answer(request, kIsOver);
+    const std::lock_guard lock(mutex_);
+    asked_.push_back(std::move(request));
+    has_asked_.store(true, std::memory_order_release);
   }
 
   bool begins_again(const WorldSummary& summary) {
@@ -186,10 +255,13 @@ class WorldLive {
     if (!request_ || is_told_to_stop()) return false;
     const live::LiveRequest request = *std::exchange(request_, std::nullopt);
     const bool is_over = end_of(summary) == SessionEnd::duration;
-    server_.answer(request, is_over ? "the session is over" : "");
+    server_.answer(request, is_over ? kIsOver : "");
+    if (changed_) server_.change_world(view(world_));  // with the bodies of the scene again
+    changed_.reset();
     return !is_over;
   }
 
+  static constexpr const char* kIsOver = "the session is over";
   static constexpr const char* kNotYet =
       "a world of several bodies begins again, and no more: start the program anew for another "
       "scene";
@@ -204,7 +276,14 @@ class WorldLive {
   const SessionConfig config_;
   live::LiveServer server_;
   std::optional<live::LiveRequest> request_;
-  double seconds_ = 0.0;  // of all sessions so far
+  double seconds_ = 0.0;                  // of all sessions so far
+  bool is_running_ = false;               // a session
+  std::mutex mutex_;                      // of what follows
+  std::vector<live::LiveRequest> asked_;  // of bodies, for the world's thread
+  std::atomic<bool> has_asked_{false};
+  // The world that runs, where it is no more that of the scene: the world's thread's while a
+  // session runs.
+  std::unique_ptr<WorldChange> changed_;
 };
 
 }  // namespace

@@ -5,35 +5,13 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "multibody/world_bench.h"
+#include "session/pushing_world.h"
 #include <gtest/gtest.h>
-
-#include "thigma/device/script.h"
 
 namespace thigma {
 namespace {
 
-using test::WorldBench;
-
-WorldSessionConfig pushing(WorldBench& bench) {
-  test::add_floor(bench, 1.0);
-  const auto block = test::body_mesh(make_box(Vec3(0.04, 0.04, 0.04)));
-  bench.add(block, BodyKind::held, Vec3(-0.05, 0.0, 0.03));
-  for (int i = 0; i < 2; ++i) bench.add(block, BodyKind::moving, Vec3(0.041 * i, 0.0, 0.02 + 3e-6));
-  bench.make();
-  WorldSessionConfig config;
-  config.world = bench.world;
-  config.start = bench.state;
-  config.hands.resize(1);
-  WorldHand& hand = config.hands[0];
-  hand.body = 1;
-  hand.coupling.linear_stiffness = 1000.0;
-  hand.coupling.linear_damping = 16.0;
-  hand.coupling.angular_stiffness = 2.0;
-  hand.coupling.angular_damping = 0.02;
-  config.duration = 0.5;
-  return config;
-}
+using namespace test;
 
 /// A device with motors.
 class PersonsDevice final : public HapticDevice {
@@ -46,20 +24,6 @@ class PersonsDevice final : public HapticDevice {
  private:
   DeviceLimits limits_;
 };
-
-std::unique_ptr<HapticDevice> push_device() {
-  DeviceLimits limits;
-  limits.max_force = 100.0;
-  std::vector<TimedPose> script(2);
-  script[1].time = 0.5;
-  script[1].pose.position.x() = 0.05;
-  return make_script_device(script, limits);
-}
-
-WorldSummary run_one(const WorldSessionConfig& config, HapticDevice* device,
-                     const std::function<void(const WorldFrame&)>& sink = {}) {
-  return run_world(config, {&device, 1}, sink);
-}
 
 TEST(WorldSession, PushesBlocksTheSameWayTwice) {
   WorldBench bench;
@@ -95,64 +59,6 @@ TEST(WorldSession, RefusesDevicesThatHoldAPerson) {
   const WorldSessionConfig config = pushing(bench);
   PersonsDevice device;
   EXPECT_THROW(run_one(config, &device), std::invalid_argument);
-}
-
-/// Moves along x at a speed, is lost or jumps at a time; remembers what it was last sent.
-class BadDevice final : public HapticDevice {
- public:
-  enum class Trouble { none, lost, nan, jump };
-  BadDevice(double speed, Trouble trouble, double when)
-      : speed_(speed), trouble_(trouble), when_(when) {
-    limits_.holds_person = false;
-    limits_.max_force = 100.0;
-  }
-  const DeviceLimits& limits() const override { return limits_; }
-  std::string name() const override { return "bad"; }
-  DeviceState read(double now) THIGMA_RT override {
-    DeviceState state;
-    state.time = now;
-    state.status = DeviceStatus::ok;
-    state.motion.pose.position.x() = speed_ * now;
-    state.motion.twist.linear.x() = speed_;
-    if (now < when_ || trouble_ == Trouble::none) return state;
-    if (trouble_ == Trouble::lost) state.status = DeviceStatus::lost;
-    if (trouble_ == Trouble::nan) state.motion.pose.position.y() = std::nan("");
-    if (trouble_ == Trouble::jump) state.motion.pose.position.z() = 0.2;
-    return state;
-  }
-  void write(const Wrench& wrench) THIGMA_RT override {
-    last = wrench;
-    most = std::max(most, wrench.force.norm());
-  }
-  Wrench last;
-  double most = 0.0;
-
- private:
-  double speed_;
-  Trouble trouble_;
-  double when_;
-  DeviceLimits limits_;
-};
-
-void expect_let_go(const BadDevice& device) {
-  EXPECT_EQ(device.last.force.norm(), 0.0);
-  EXPECT_EQ(device.last.torque.norm(), 0.0);
-}
-
-/// Two hands: both on the pusher, at its ends, or the second on a block.
-WorldSessionConfig with_two_hands(WorldBench& bench, bool same_body) {
-  WorldSessionConfig config = pushing(bench);
-  config.hands.push_back(config.hands[0]);
-  config.hands[0].at = Vec3(-0.05, -0.02, 0.03);
-  config.hands[1].at = Vec3(-0.05, 0.02, 0.03);
-  if (same_body) return config;
-  bench.bodies[3].kind = BodyKind::held;
-  bench.make();
-  config.world = bench.world;
-  config.start = bench.state;
-  config.hands[1].body = 3;
-  config.hands[1].at.reset();
-  return config;
 }
 
 TEST(WorldSession, TwoHandsPushTheSameWayTwiceAndBearTheSame) {
@@ -259,73 +165,6 @@ TEST(WorldSession, RunsWithoutADevice) {
   EXPECT_EQ(run.frames, 1500u);
   EXPECT_LE(run.energy_end, run.energy_start);
   EXPECT_EQ(run.force_max, 0.0);
-}
-
-/// Ticks without a clock: so many were over before the nth.
-std::function<std::uint64_t()> made_up_ticks(std::vector<std::uint64_t> over) {
-  return [over = std::move(over), next = std::size_t{0}]() mutable {
-    return next < over.size() ? over[next++] : 0;
-  };
-}
-
-TEST(WorldClock, HasTheBitsOfLockstepWhateverIsLate) {
-  WorldBench bench;
-  const WorldSessionConfig config = pushing(bench);
-  const auto first = push_device(), second = push_device();
-  const WorldSummary lockstep = run_one(config, first.get());
-  HapticDevice* device = second.get();
-  std::uint64_t lost = 0;
-  WorldShell shell;
-  shell.wait_for_tick = made_up_ticks({0, 0, 3, 0, 1});
-  shell.sink = [&](const WorldFrame& frame) {
-    lost += frame.lost;
-    EXPECT_DOUBLE_EQ(frame.time, 1e-3 * static_cast<double>(frame.frame + 1));  // never a jump
-  };
-  const WorldSummary clock = run_world_by_clock(config, {&device, 1}, shell);
-  EXPECT_EQ(clock.state_hash, lockstep.state_hash);
-  EXPECT_EQ(clock.frames, lockstep.frames);
-  EXPECT_EQ(clock.force_max, lockstep.force_max);
-  EXPECT_EQ(clock.late_frames, 2u);
-  EXPECT_NEAR(clock.lost_time, 4e-3, 1e-12);
-  EXPECT_EQ(lost, 4u);
-  EXPECT_EQ(lockstep.late_frames, 0u);
-}
-
-TEST(WorldClock, StandsStillWhilePausedAndGoesStepByStep) {
-  WorldBench bench;
-  WorldSessionConfig config = pushing(bench);
-  const auto device = push_device();
-  HapticDevice* list = device.get();
-  LivePorts ports;
-  ports.is_paused = true;
-  ports.steps = 5;
-  std::atomic<bool> stop{false};
-  WorldShell shell{.stop = &stop, .live = &ports, .wait_for_tick = made_up_ticks({})};
-  std::uint64_t seen = 0;
-  shell.sink = [&](const WorldFrame& frame) {
-    seen = frame.frame + 1;
-    if (seen == 5) stop = true;  // it would wait for ever
-  };
-  const WorldSummary run = run_world_by_clock(config, {&list, 1}, shell);
-  EXPECT_EQ(seen, 5u);
-  EXPECT_EQ(run.frames, 5u);
-  EXPECT_TRUE(run.was_stopped);
-}
-
-TEST(WorldClock, AFaultEndsAtZeroForceOnAll) {
-  WorldBench bench;
-  const WorldSessionConfig config = with_two_hands(bench, false);
-  BadDevice bad(0.05, BadDevice::Trouble::lost, 0.3), good(0.05, BadDevice::Trouble::none, 0.0);
-  HapticDevice* devices[] = {&bad, &good};
-  WorldShell shell;
-  shell.wait_for_tick = made_up_ticks({});
-  const WorldSummary run = run_world_by_clock(config, devices, shell);
-  EXPECT_EQ(run.fault, Fault::device_lost);
-  EXPECT_EQ(run.frames, 300u);
-  for (const BadDevice* device : {&bad, &good}) {
-    EXPECT_GT(device->most, 0.05);
-    expect_let_go(*device);
-  }
 }
 
 /// A page's hand as a script: its clutch is closed between two times, it is lifted meanwhile.
@@ -439,6 +278,46 @@ TEST(WorldSession, AimedAnewAHandChangesItsBody) {
   EXPECT_EQ(held[300], 1);
   EXPECT_EQ(held[350], -1);
   EXPECT_EQ(held[400], -1);
+}
+
+TEST(WorldSession, AWorldGoesOnWithABodyLessAndItsHandsHoldWhatTheyHeld) {
+  WorldBench bench;
+  const WorldSessionConfig config = with_free_hand(bench);
+  bench.bodies.erase(bench.bodies.begin() + 1);  // the block that the hand does not hold
+  bench.make();
+  WorldSessionConfig next = config;
+  next.world = bench.world;
+  next.start = bench.state;
+  next.hands[0].couplings.pop_back();
+  WorldSessionConfig none = next;
+  PageHand hand;
+  hand.closes = 0.1;
+  hand.opens = 0.9;
+  HapticDevice* device = &hand;
+  WorldRun run(config, {&device, 1});
+  for (int i = 0; i < 300; ++i) ASSERT_NE(run.make_frame(), nullptr);
+  WorldState state = next.start;
+  state.bodies = {run.state().bodies[0], run.state().bodies[2]};
+  const double before = hand.sent.back();
+  run.go_on(next, state, std::vector<std::int32_t>{0, 2});
+  const WorldFrame* frame = run.make_frame();
+  ASSERT_NE(frame, nullptr);
+  EXPECT_EQ(frame->frame, 300u);  // session time goes on
+  EXPECT_EQ(frame->bodies.size(), 2u);
+  EXPECT_EQ(frame->grips[0].body, 1);
+  EXPECT_NEAR(hand.sent.back(), before, 1e-2 * before);  // no jump in the hand
+  for (int i = 0; i < 50; ++i) ASSERT_NE(run.make_frame(), nullptr);
+  // What it holds goes as well.
+  state = run.state();
+  run.go_on(none, state, std::vector<std::int32_t>{0, -1});
+  frame = run.make_frame();
+  ASSERT_NE(frame, nullptr);
+  EXPECT_EQ(frame->grips[0].body, -1);
+  EXPECT_EQ(hand.sent.back(), 0.0);
+  const WorldSummary summary = run.end();
+  // What the body that went had is not missed: as if it had never been there.
+  EXPECT_NEAR(summary.energy_start, mechanical_energy(next.world, next.start), 1e-6);
+  EXPECT_LE(summary.energy_made, 2e-5);
 }
 
 TEST(WorldSession, ALostPageLetsGoAndTheWorldGoesOn) {

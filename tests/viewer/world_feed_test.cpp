@@ -30,7 +30,7 @@ struct Bench {
     view.body_from_mesh[2].position = Vec3(0.0, 0.0, -0.1);
     view.workspaces.resize(2);
     view.page_hand = 1;
-    for (std::size_t i = 0; i < 3; ++i) bodies[i].position = Vec3(1.0 * i, 0.0, 0.0);
+    for (std::size_t i = 0; i < 3; ++i) bodies[i].position = Vec3(static_cast<double>(i), 0.0, 0.0);
     handles[0].pose.position = Vec3(1.0, 0.5, 0.0);
     handles[1].pose.position = Vec3(2.0, 0.0, 0.3);
     commands[0].force = Vec3(1.0, 0.0, 0.0);

@@ -248,6 +248,24 @@ void LiveServer::refine(SceneView scene) {
   shown.wait();
 }
 
+void LiveServer::change_world(SceneView scene) {
+  const WorldView world = scene.world;
+  auto done = std::make_shared<std::promise<void>>();
+  std::future<void> shown = done->get_future();
+  impl_->server.post([impl = impl_.get(), done, view = std::move(scene)] {
+    impl->scene = view;
+    impl->encode_meshes();
+    impl->world_feed.forget();  // of bodies that had other numbers
+    impl->is_refined = true;    // the session goes on
+    for (const PageId page : impl->server.pages()) impl->send_scene(page);
+    impl->is_refined = false;
+    done->set_value();
+  });
+  done.reset();
+  shown.wait();
+  impl_->world_feed.begin_session(world);
+}
+
 void LiveServer::offer(const OpenMenu& menu) {
   impl_->server.post([impl = impl_.get(), menu] {
     impl->menu = menu;

@@ -37,7 +37,9 @@ constexpr CommandForm kForms[] = {{"hold", Command::Kind::hold, true, false, ""}
                                   {"speed", Command::Kind::speed, false, true, ""},
                                   {"compose", Command::Kind::compose, false, false, "title"},
                                   {"save", Command::Kind::save, true, false, "name"},
-                                  {"grab", Command::Kind::grab, false, false, "value"}};
+                                  {"grab", Command::Kind::grab, false, false, "value"},
+                                  {"add", Command::Kind::add, false, false, "value"},
+                                  {"remove", Command::Kind::remove, false, false, "value"}};
 
 constexpr std::size_t kLongestText = 256;
 constexpr std::size_t kMostObjects = 32;  // of a scene made on a page
@@ -174,10 +176,11 @@ std::string fill(const CommandForm& form, const Json& json, Command& command) {
       return "objects has to be a list of 1 to 32 objects";
     command.objects = objects->dump(-1, ' ', false, Json::error_handler_t::replace);
   }
-  if (form.kind == Command::Kind::grab) {
-    const auto point = json.find("point");
+  if (form.kind == Command::Kind::grab || form.kind == Command::Kind::add) {
+    const char* const key = form.kind == Command::Kind::grab ? "point" : "position";
+    const auto point = json.find(key);
     if (point != json.end() && !point->is_null()) {
-      if (!is_triple(*point)) return "point has to be three finite numbers, or null";
+      if (!is_triple(*point)) return std::string(key) + " has to be three finite numbers, or null";
       command.point =
           Vec3((*point)[0].get<double>(), (*point)[1].get<double>(), (*point)[2].get<double>());
     }

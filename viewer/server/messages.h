@@ -41,7 +41,9 @@ struct Command {
     speed,
     compose,
     save,
-    grab
+    grab,
+    add,
+    remove
   };
   Kind kind = Kind::reset;
   std::int64_t id = 0;
@@ -50,11 +52,12 @@ struct Command {
   double number = 0.0;
   std::int64_t mesh = 0;  // of level: the mesh's number
   // of use_device: the device; of set: the parameter; of open: what; of upload: a file's name; of
-  // place: "hold" or "touch"; of compose: the title; of save: a name; of grab: a body's, "":
-  // none
+  // place: "hold" or "touch"; of compose: the title; of save: a name; of grab, add, remove: a
+  // body's; of grab "": none
   std::string text;
-  std::string objects{};        // of compose: a JSON array of objects
-  std::optional<Vec3> point{};  // of grab: where [m; mesh frame]
+  std::string objects{};  // of compose: a JSON array of objects
+  // of grab: where [m; mesh frame]; of add: of the centre of mass [m; world]
+  std::optional<Vec3> point{};
 };
 
 /// A message of a page, or why it is none.

@@ -97,6 +97,11 @@ const WorldNow* WorldFeed::newest() {
   return has_now_ ? &now_ : nullptr;
 }
 
+void WorldFeed::forget() {
+  const std::lock_guard lock(mutex_);
+  has_next_ = has_now_ = false;
+}
+
 std::string encode_bodies(const WorldNow& now) {
   using namespace detail;
   std::string out;

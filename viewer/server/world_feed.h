@@ -52,6 +52,8 @@ class WorldFeed {
   HapticSample observe(const WorldFrame& frame);
   /// Null before the first frame. Valid until the next call.
   const WorldNow* newest();
+  /// What has come so far is not shown any more. Of the serving thread.
+  void forget();
 
  private:
   WorldView view_;          // the world's thread

@@ -20,10 +20,12 @@ struct WallTicks {
 
 /// The world stands still until the pause ends, a single step is asked for or the session ends;
 /// whether it did.
-bool hold_while_paused(LivePorts* live, const std::atomic<bool>* stop) {
+bool hold_while_paused(const WorldShell& shell, WorldRun& run) {
+  LivePorts* live = shell.live;
   if (live == nullptr || !live->is_paused.load(std::memory_order_relaxed)) return false;
   while (live->is_paused.load(std::memory_order_relaxed) && !take_step(*live)) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) break;
+    if (shell.stop != nullptr && shell.stop->load(std::memory_order_relaxed)) break;
+    if (shell.between) shell.between(run);
     sleep_ns(1'000'000);
   }
   return true;
@@ -40,9 +42,10 @@ WorldSummary run_world_by_clock(const WorldSessionConfig& config,
   };
   bool was_stopped = is_stopped();
   while (!was_stopped) {
-    if (hold_while_paused(shell.live, shell.stop)) start_clock(wall.clock);
+    if (hold_while_paused(shell, run)) start_clock(wall.clock);
     run.lose(shell.wait_for_tick ? shell.wait_for_tick() : wall.wait());
     if (shell.live != nullptr && shell.live->aim.fetch()) run.aim(shell.live->aim.value());
+    if (shell.between) shell.between(run);
     const std::int64_t begin = thread_cpu_ns();
     WorldFrame* frame = run.make_frame();
     if (frame == nullptr) break;

@@ -27,7 +27,7 @@ void add_frame(const WorldState& state, const detail::SessionHands& hands,
                StateHash& hash) noexcept {
   for (const BodyState& y : state.bodies) add_state(y, hash);
   for (std::size_t i = 0; i < hands.list.size(); ++i) {
-    if (hands.list[i].config.is_free && !hands.list[i].is_holding) continue;
+    if (hands.list[i].config->is_free && !hands.list[i].is_holding) continue;
     add_vector(hash, hands.commands[i].force);
     add_vector(hash, hands.commands[i].torque);
   }
@@ -101,14 +101,14 @@ bool is_stopped(const std::atomic<bool>* stop) noexcept {
 
 struct WorldRun::Impl {
   Impl(const WorldSessionConfig& config_in, std::span<HapticDevice* const> devices)
-      : config(config_in),
+      : config(&config_in),
         frames(frames_of(config_in)),
         state(config_in.start),
         scratch(reserve_world(config_in.world)),
         hands(config_in, devices),
         joints(config_in.world.joints.size()) {
     summary.hands.resize(devices.size());
-    summary.energy_start = mechanical_energy(config.world, state);
+    summary.energy_start = mechanical_energy(config->world, state);
     summary.gap_min = kInfinity;
   }
   // Every way out of a session, an exception too, ends in zero force.
@@ -116,7 +116,7 @@ struct WorldRun::Impl {
 
   WorldFrame* make_frame();
 
-  const WorldSessionConfig& config;
+  const WorldSessionConfig* config;
   const std::uint64_t frames;
   WorldSummary summary;
   WorldState state;
@@ -130,12 +130,12 @@ struct WorldRun::Impl {
 
 WorldFrame* WorldRun::Impl::make_frame() {
   const std::uint64_t i = summary.frames;
-  const double dt = 1.0 / config.rate;
+  const double dt = 1.0 / config->rate;
   is_over = is_over || i >= frames ||
             !detail::read_hands(static_cast<double>(i) * dt, dt, state, hands, summary);
   if (is_over) return nullptr;
-  frame.step = step_world(config.world, {.hands = hands.holds, .drives = config.drives}, dt, state,
-                          *scratch);
+  frame.step = step_world(config->world, {.hands = hands.holds, .drives = config->drives}, dt,
+                          state, *scratch);
   if (!is_finite(state)) {
     fail(summary);
     is_over = true;
@@ -143,13 +143,13 @@ WorldFrame* WorldRun::Impl::make_frame() {
   }
   detail::write_hands(state, hands, summary);
   const double made =
-      mechanical_energy(config.world, state) - summary.energy_start - summary.port_energy;
+      mechanical_energy(config->world, state) - summary.energy_start - summary.port_energy;
   summary.energy_made = std::max(summary.energy_made, made);
   add_frame(state, hands, hash);
   count(frame.step, summary);
   ++summary.frames;
   for (std::size_t k = 0; k < joints.size(); ++k)
-    joints[k] = read_joint(config.world, state, *scratch, static_cast<std::int32_t>(k), dt);
+    joints[k] = read_joint(config->world, state, *scratch, static_cast<std::int32_t>(k), dt);
   frame.frame = i;
   frame.time = static_cast<double>(i + 1) * dt;
   frame.bodies = state.bodies;
@@ -177,7 +177,24 @@ void WorldRun::lose(std::uint64_t frames) noexcept {
   WorldSummary& summary = impl_->summary;
   impl_->frame.lost = frames;
   summary.late_frames += frames > 0 ? 1 : 0;
-  summary.lost_time += static_cast<double>(frames) / impl_->config.rate;
+  summary.lost_time += static_cast<double>(frames) / impl_->config->rate;
+}
+
+const WorldState& WorldRun::state() const noexcept { return impl_->state; }
+
+void WorldRun::go_on(const WorldSessionConfig& next, const WorldState& state,
+                     std::span<const std::int32_t> was) {
+  Impl& run = *impl_;
+  WorldScratchPtr scratch = reserve_world(next.world);
+  std::vector<JointReading> joints(next.world.joints.size());
+  // What comes and goes is neither made nor lost.
+  const double before = mechanical_energy(run.config->world, run.state);
+  run.summary.energy_start += mechanical_energy(next.world, state) - before;
+  run.state = state;
+  run.scratch = std::move(scratch);
+  run.joints = std::move(joints);
+  run.config = &next;
+  detail::renumber(next, was, run.hands);
 }
 
 WorldSummary WorldRun::end() {
@@ -185,7 +202,7 @@ WorldSummary WorldRun::end() {
   impl_->is_over = true;
   WorldSummary summary = impl_->summary;
   summary.state_hash = impl_->hash.value;
-  summary.energy_end = mechanical_energy(impl_->config.world, impl_->state);
+  summary.energy_end = mechanical_energy(impl_->config->world, impl_->state);
   return summary;
 }
 

@@ -127,6 +127,17 @@ class WorldRun {
   void aim(const WorldAim& aim) noexcept;
   /// Makes the next frame; null: the session is over, nothing was made.
   WorldFrame* make_frame();
+  /// Of the world after the last frame.
+  const WorldState& state() const noexcept;
+  /// Goes on with another world: bodies that come and go between two frames. Hands hold what they
+  /// held, but for what is gone.
+  ///
+  /// next     constant from here on, outlives the run: the same hands, rate and joints
+  /// state    of that world
+  /// was      by body: its number so far; -1: it is new
+  /// errors   std::bad_alloc, and then nothing has changed
+  void go_on(const WorldSessionConfig& next, const WorldState& state,
+             std::span<const std::int32_t> was);
   /// So many frames' time has passed unused.
   void lose(std::uint64_t frames) noexcept;
   /// Leaves zero force and tells how it went.
@@ -153,6 +164,8 @@ struct WorldShell {
   std::function<void(const WorldFrame&)> sink{};  // after every frame; may be empty
   const std::atomic<bool>* stop = nullptr;        // null, or looked at every frame
   LivePorts* live = nullptr;  // pauses, single steps, what free hands are aimed at; null: nobody
+  // Before every frame, and while paused: what happens between two; may be empty.
+  std::function<void(WorldRun&)> between{};
   // Waits for the next tick and tells how many were over before; empty: of the clock on the wall.
   std::function<std::uint64_t()> wait_for_tick{};
 };

@@ -33,6 +33,12 @@ LiveRequest request_of(PageId page, const Command& command) {
     case Command::Kind::save:
       request.kind = LiveRequest::Kind::save;
       break;
+    case Command::Kind::add:
+      request.kind = LiveRequest::Kind::add;
+      break;
+    case Command::Kind::remove:
+      request.kind = LiveRequest::Kind::remove;
+      break;
     default:
       request.kind = LiveRequest::Kind::reset;
       break;
@@ -43,6 +49,7 @@ LiveRequest request_of(PageId page, const Command& command) {
   request.number = command.number;
   request.flag = command.flag;
   request.data = command.objects;
+  request.point = command.point;
   return request;
 }
 
@@ -89,7 +96,7 @@ std::string LiveServer::Impl::hold(PageId page, bool wanted) {
 /// What the page's hand takes hold of when its clutch closes next; that comes after this on the
 /// same connection, and so to the world as well.
 std::string LiveServer::Impl::grab(PageId page, const Command& command) {
-  if (!scene.world.is_world()) return "only a world of several bodies has some to choose from";
+  if (!scene.world.is_world()) return kIsNoWorld;
   if (page != holder) return "this page does not hold the device";
   if (command.text.empty()) {
     ports->aim.publish(WorldAim{});
@@ -206,6 +213,8 @@ void LiveServer::Impl::ask_program(LiveRequest request) {
   if (request.kind == Kind::record && !request.flag && now_running.recording.empty())
     why = "no recording is being written";
   if (request.kind == Kind::seek && !is_replay) why = "no recording is shown";
+  const bool is_of_bodies = request.kind == Kind::add || request.kind == Kind::remove;
+  if (is_of_bodies && !scene.world.is_world()) why = kIsNoWorld;
   if (why.empty()) {
     const std::lock_guard lock(mutex);
     constexpr std::size_t kMostRequests = 32;
@@ -297,6 +306,8 @@ void LiveServer::Impl::take_command(PageId page, const Command& command) {
     case Command::Kind::place:
     case Command::Kind::compose:
     case Command::Kind::save:
+    case Command::Kind::add:
+    case Command::Kind::remove:
       ask_program(request_of(page, command));
       return;
   }

@@ -30,6 +30,7 @@ inline constexpr const char* kIsReplay =
 inline constexpr const char* kIsHeld = "another page holds the device";
 inline constexpr const char* kIsWatching =
     "this page only watches: open the address with its token, as the program has printed it";
+inline constexpr const char* kIsNoWorld = "only a world of several bodies has some to choose from";
 inline constexpr const char* kIsWorld = "a world of several bodies has no parameters to change yet";
 inline constexpr const char* kIsRestarting = "the session is just beginning anew";
 

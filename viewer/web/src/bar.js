@@ -3,7 +3,7 @@ import { icon, iconButton, nameButton, setIcon } from "./icons.js";
 import { duration } from "./format.js";
 import { deviceWords, END_WORDS, endWords, faultWords } from "./words.js";
 
-/// act   {open, pause, step, reset, record, theme, help, device(uri), letGo, view(option), sound, fit}
+/// act   {open, pause, step, reset, record, theme, help, device(uri), letGo, view(option), sound, fit, add, remove: of bodies in a world}
 export function makeBar(act) {
   const controls = document.getElementById("controls"), tools = document.getElementById("view-tools");
   const bar = {
@@ -31,6 +31,7 @@ export function makeBar(act) {
   }
   bar.sound = iconButton("sound", "Sound of contact", "S", act.sound);
   showSound(bar, false);
+  tools.append(iconButton("add", "Another body like the one touched last", "", act.add), iconButton("remove", "Take the body touched last away", "", act.remove));
   tools.append(bar.sound, iconButton("fit", "Fit the view", "F", act.fit));
   return bar;
 }

@@ -79,9 +79,17 @@ const act = {
   fit: () => stage && goHome(stage.view),
   speed: (value) => request({ type: "speed", value }),
   sound: () => showSound(bar, toggleSound(sound)),
+  add: () => changeBodies("add"),
+  remove: () => changeBodies("remove"),
   look: (way) => stage && lookFrom(stage.view, way),
   zoom: (factor) => stage && zoom(stage.view, factor),
 };
+/// Bodies that come and go are like the one that was touched last, or the first that moves.
+function changeBodies(type) {
+  const { object, statics } = session.scene, all = [object, ...statics].filter(({ moves }) => moves);
+  const last = all.find(({ name }) => name === holding.last?.name) ?? all[0];
+  if (last) request({ type, value: last.name });
+}
 function showHelp() {
   at("help").showModal();
   at("help").scrollTop = 0; // the button that has the keyboard stands at its end
@@ -315,5 +323,5 @@ function showWords(now, newtons) {
 requestAnimationFrame(frame);
 
 /// For tests and the curious: everything the page knows.
-window.thigma = { session, hand, plots, sound, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; }, get xr() { return xr; }, builder, opener, get gizmo() { return gizmo; },
+window.thigma = { session, hand, input, plots, sound, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; }, get xr() { return xr; }, builder, opener, get gizmo() { return gizmo; },
   get drawn() { return drawn; } };

@@ -22,7 +22,7 @@ Wrench within(const DeviceLimits& limits, Wrench wrench) noexcept {
 }
 
 Motion motion_of(const SessionHand& hand) {
-  return world_motion(hand.config.workspace, hand.anchor, hand.sample.motion,
+  return world_motion(hand.config->workspace, hand.anchor, hand.sample.motion,
                       hand.device->limits().senses_rotation);
 }
 
@@ -49,8 +49,8 @@ void open(SessionHand& hand) noexcept {
 }
 
 bool may_hold(const SessionHand& hand, std::int32_t body) noexcept {
-  if (body < 0 || idx(body) >= hand.config.couplings.size()) return false;
-  const BodyKind kind = hand.world.bodies[idx(body)].kind;
+  if (body < 0 || idx(body) >= hand.config->couplings.size()) return false;
+  const BodyKind kind = hand.world->bodies[idx(body)].kind;
   return kind == BodyKind::moving || kind == BodyKind::held;
 }
 
@@ -60,9 +60,9 @@ void read_tied(const WorldState& state, SessionHand& hand) {
     hand.hold.handle = motion_of(hand);
     return;
   }
-  const std::int32_t body = hand.config.body;
-  take(body, hand.config.at.value_or(state.bodies[idx(body)].position), hand.config.coupling, state,
-       hand);
+  const std::int32_t body = hand.config->body;
+  take(body, hand.config->at.value_or(state.bodies[idx(body)].position), hand.config->coupling,
+       state, hand);
 }
 
 /// One that takes hold and lets go.
@@ -73,7 +73,7 @@ void read_free(const WorldState& state, SessionHand& hand) {
   if (wants && !hand.is_holding) {
     const BodyState& y = state.bodies[idx(hand.aim.body)];
     take(hand.aim.body, transform_point({y.position, y.orientation}, hand.aim.point),
-         hand.config.couplings[idx(hand.aim.body)], state, hand);
+         hand.config->couplings[idx(hand.aim.body)], state, hand);
     hand.has_new_aim = false;
   }
   hand.hold.handle = motion_of(hand);
@@ -84,14 +84,14 @@ void read(double now, double dt, const WorldState& state, SessionHand& hand) {
   hand.sample = hand.device->read(now);
   hand.has_finished = hand.sample.status == DeviceStatus::finished;
   if (hand.has_finished) return;
-  if (hand.config.is_free && hand.sample.status == DeviceStatus::lost) {
+  if (hand.config->is_free && hand.sample.status == DeviceStatus::lost) {
     open(hand);
     clear_fault(hand.safety);  // whoever comes next begins anew
     return;
   }
-  if (!check_device(hand.config.limits, hand.sample, now, dt, hand.safety)) return;
+  if (!check_device(hand.config->limits, hand.sample, now, dt, hand.safety)) return;
   if (hand.sample.status == DeviceStatus::not_ready) return;
-  if (hand.config.is_free)
+  if (hand.config->is_free)
     read_free(state, hand);
   else
     read_tied(state, hand);
@@ -100,16 +100,16 @@ void read(double now, double dt, const WorldState& state, SessionHand& hand) {
 /// Sends what the hand feels, and counts it.
 Wrench write(const WorldState& state, SessionHand& hand, WorldHandSummary& summary) {
   if (!hand.is_holding) {
-    if (hand.config.is_free) hand.device->write({});
+    if (hand.config->is_free) hand.device->write({});
     return {};
   }
   const HandHold& hold = hand.hold;
   const Wrench reaction = coupling_reaction(
-      hold.coupling, hold.handle, hand.world.rigid[idx(hold.body)], state.bodies[idx(hold.body)]);
+      hold.coupling, hold.handle, hand.world->rigid[idx(hold.body)], state.bodies[idx(hold.body)]);
   DeviceLimits limits = hand.device->limits();
-  limits.max_force = std::min(limits.max_force, hand.config.limits.max_force);
-  limits.max_torque = std::min(limits.max_torque, hand.config.limits.max_torque);
-  const Wrench sent = within(limits, device_wrench(hand.config.workspace, reaction));
+  limits.max_force = std::min(limits.max_force, hand.config->limits.max_force);
+  limits.max_torque = std::min(limits.max_torque, hand.config->limits.max_torque);
+  const Wrench sent = within(limits, device_wrench(hand.config->workspace, reaction));
   hand.device->write(sent);
   const Vec3 turn = 2.0 * (hold.handle.pose.orientation * hand.last_orientation.conjugate()).vec();
   summary.port_energy -= reaction.force.dot(hold.handle.pose.position - hand.last_position) +
@@ -126,7 +126,7 @@ Wrench write(const WorldState& state, SessionHand& hand, WorldHandSummary& summa
 SessionHands::SessionHands(const WorldSessionConfig& config, std::span<HapticDevice* const> devices)
     : handles(devices.size()), commands(devices.size()), grips(devices.size()) {
   for (std::size_t i = 0; i < devices.size(); ++i) {
-    list.push_back({config.world, config.hands[i], devices[i]});
+    list.push_back({&config.world, &config.hands[i], devices[i]});
     list.back().aim.body = config.hands[i].body;
   }
   holds.reserve(devices.size());
@@ -134,7 +134,7 @@ SessionHands::SessionHands(const WorldSessionConfig& config, std::span<HapticDev
 
 void aim(const WorldAim& aim, SessionHands& hands) noexcept {
   for (SessionHand& hand : hands.list) {
-    if (!hand.config.is_free) continue;
+    if (!hand.config->is_free) continue;
     hand.aim = aim;
     hand.has_new_aim = true;
   }
@@ -168,6 +168,22 @@ void write_hands(const WorldState& state, SessionHands& hands, WorldSummary& sum
     summary.port_energy += told.port_energy;
     summary.port_energy_min = std::min(summary.port_energy_min, told.port_energy_min);
     summary.force_max = std::max(summary.force_max, told.force_max);
+  }
+}
+
+void renumber(const WorldSessionConfig& next, std::span<const std::int32_t> was,
+              SessionHands& hands) {
+  const auto now = [&](std::int32_t body) {
+    const auto found = std::find(was.begin(), was.end(), body);
+    return body < 0 || found == was.end() ? -1 : static_cast<std::int32_t>(found - was.begin());
+  };
+  for (std::size_t i = 0; i < hands.list.size(); ++i) {
+    SessionHand& hand = hands.list[i];
+    hand.world = &next.world;
+    hand.config = &next.hands[i];
+    hand.aim.body = now(hand.aim.body);
+    hand.hold.body = now(hand.hold.body);
+    if (hand.hold.body < 0) open(hand);
   }
 }
 

@@ -11,8 +11,8 @@ namespace thigma::detail {
 
 /// A hand of a session: its handle in the world, and what it has put in.
 struct SessionHand {
-  const World& world;
-  const WorldHand& config;
+  const World* world = nullptr;
+  const WorldHand* config = nullptr;
   HapticDevice* device = nullptr;
   HandHold hold{};
   Coupling taken{};  // as it took hold, before fading
@@ -46,6 +46,11 @@ bool read_hands(double now, double dt, const WorldState& state, SessionHands& ha
 
 /// Sends what the hands feel, and counts it.
 void write_hands(const WorldState& state, SessionHands& hands, WorldSummary& summary);
+
+/// Bodies have other numbers: that of `was` is the old one, by the new; who held one that is gone
+/// holds nothing. Hands and world are those of `next` from here on.
+void renumber(const WorldSessionConfig& next, std::span<const std::int32_t> was,
+              SessionHands& hands);
 
 /// Zero to every device, whatever another does.
 void let_go(SessionHands& hands) noexcept;

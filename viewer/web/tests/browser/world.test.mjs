@@ -83,6 +83,58 @@ worldTest("each mesh is sent and kept once, and every body is drawn where the en
   });
 });
 
+/// Drags sideways and lets go in full swing, by events of the page itself: a busy browser would stand still before it hears of
+/// the release.
+const fling = (page, from, dx) => page.evaluate(async ([x, y, way]) => {
+  const { canvas } = window.thigma.stage;
+  const [pointerId] = window.thigma.input.pointers.keys();
+  const tell = (type, at) => canvas.dispatchEvent(new PointerEvent(type, { pointerId, clientX: at, clientY: y, bubbles: true }));
+  const begin = performance.now(), lasts = 250;
+  for (let share = 0; share < 1;) {
+    await new Promise((resolve) => setTimeout(resolve, 4));
+    share = Math.min(1, (performance.now() - begin) / lasts);
+    tell("pointermove", x + way * share);
+  }
+  tell("pointerup", x + way);
+}, [from.x, from.y, dx]);
+
+/// From here on window.flight tells where a body is, snapshot by snapshot, and whether a hand holds it.
+const watch = (page, number) => page.evaluate((n) => {
+  const seen = window.flight = [];
+  let last = null;
+  window.watching = setInterval(() => {
+    const { bodies } = window.thigma.session;
+    if (bodies === last) return;
+    last = bodies;
+    seen.push({ isHeld: bodies.hands.some(({ body }) => body === n), x: bodies.bodies[n].position[0] });
+  }, 2);
+}, number);
+
+async function beginAgain(page) {
+  const number = await page.evaluate(() => window.thigma.session.state.session);
+  await page.evaluate(() => window.thigma.act.reset());
+  await page.waitForFunction((n) => window.thigma.session.state.session > n && window.thigma.session.state.run === "running", number);
+  await rests(page);
+}
+
+/// Lifts a body, swings it to the left and lets go: how far it goes on from there in the way of the swing [m].
+async function thrown(page, number) {
+  const low = await heightOf(page, number);
+  const lifted = await drag(page, await take(page, number), 0, -150);
+  await page.waitForFunction(([n, z]) => window.thigma.session.bodies.bodies[n].position[2] > z + 0.04, [number, low]);
+  await watch(page, number);
+  await fling(page, lifted, -160);
+  await page.mouse.up();
+  await holdsNothing(page);
+  await page.waitForFunction((n) => { // it lies, or has fallen off the table
+    const { position, asleep } = window.thigma.session.bodies.bodies[n];
+    return asleep || position[2] < -0.05;
+  }, number);
+  const flight = await page.evaluate(() => { clearInterval(window.watching); return window.flight; });
+  const letGo = flight.findLastIndex(({ isHeld }) => isHeld);
+  return flight[letGo].x - Math.min(...flight.slice(letGo).map(({ x }) => x));
+}
+
 /// The picture for the documents, from where one sees most.
 async function shoot(page, name) {
   if (!SHOTS) return;
@@ -96,7 +148,7 @@ async function shoot(page, name) {
 /// Seen from the front: to the right is +x, up is +z.
 const fromTheFront = (page) => page.evaluate(() => window.thigma.act.look([0, -1, 0]));
 
-worldTest("a body is taken hold of, lifted, let fall, stacked on another and thrown", [join(here, "blocks.toml")], async ({ page }) => {
+worldTest("a body is taken hold of, lifted, let fall, stacked on another and thrown", [join(here, "blocks.toml")], async ({ page, t }) => {
   const left = await numberOf(page, "left"), right = await numberOf(page, "right");
   await fromTheFront(page);
   await rests(page);
@@ -126,15 +178,30 @@ worldTest("a body is taken hold of, lifted, let fall, stacked on another and thr
   assert.ok(Math.hypot(below[0] - other[0], below[1] - other[1]) < 0.05, "which stays about where it was");
   await shoot(page, "world-stacked.png");
 
-  // Let go in full swing it flies on.
-  const last = await take(page, left);
-  const lifted = await drag(page, last, 0, -100);
-  await page.waitForFunction(([n, z]) => window.thigma.session.bodies.bodies[n].position[2] > z + 0.02, [left, top[2]]);
-  await drag(page, lifted, -160, 0, 8);
-  await page.mouse.up();
-  await holdsNothing(page);
-  const x = (await bodiesOf(page)).bodies[left].position[0];
-  await page.waitForFunction(([n, from]) => window.thigma.session.bodies.bodies[n].position[0] < from - 0.01, [left, x]);
+  if (SHOTS) return;
+  // Let go in full swing it flies on: where this machine was too busy for a swing, once more.
+  let flown = 0;
+  for (let attempt = 0; attempt < 6 && flown < 0.005; ++attempt) {
+    await beginAgain(page);
+    flown = await thrown(page, left);
+    t.diagnostic(`flew on by ${flown} m`);
+  }
+  assert.ok(flown >= 0.005, `flew on by ${flown} m`);
+});
+
+worldTest("bodies come and go while the world goes on", [join(here, "blocks.toml")], async ({ page }) => {
+  await rests(page);
+  const session = await page.evaluate(() => window.thigma.session.state.session);
+  await page.getByRole("button", { name: "Another body" }).click();
+  await page.waitForFunction(() => window.thigma.stage.world.byNumber.length === 4 && window.thigma.session.bodies.bodies.length === 4);
+  const added = await numberOf(page, "left 2");
+  await page.waitForFunction((n) => window.thigma.stage.world.byNumber[n].group.position.z < 0.06, added); // it falls
+  await rests(page);
+  await page.getByRole("button", { name: "Take the body" }).click();
+  await page.waitForFunction(() => window.thigma.stage.world.byNumber.length === 3 && window.thigma.session.bodies.bodies.length === 3);
+  assert.equal(await page.evaluate(() => window.thigma.session.state.session), session);
+  await page.getByRole("button", { name: "Begin again" }).click();
+  await page.waitForFunction((n) => window.thigma.session.state.session > n && window.thigma.session.scene.object.name === "left", session);
 });
 
 worldTest("what is no body that moves is refused, and the world goes on", [join(here, "blocks.toml")], async ({ page }) => {
