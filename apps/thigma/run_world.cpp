@@ -6,6 +6,7 @@
 
 #include "json_out.h"
 #include "run_world_live.h"
+#include "world_recorder.h"
 #include "world_summary.h"
 #include <nlohmann/json.hpp>
 
@@ -29,8 +30,6 @@ std::string missing(const RunOptions& options) {
     return "scenes with [[body]] go by the clock on the page: leave out --lockstep or --port";
   if (is_web && !has_page(options))
     return "--device web: is the page's hand, which --headless and --lockstep leave out";
-  if (has_page(options) && !options.record.empty())
-    return "--record of scenes with [[body]] needs --headless: what a page does is not recorded";
   if (!options.response.empty()) return "--response is not for scenes with [[body]]";
   if (!options.fault_text.empty()) return "--fault is not for scenes with [[body]]";
   if (options.is_passive) return "--passivity is not for scenes with [[body]]";
@@ -77,40 +76,18 @@ std::vector<std::string> devices_of(const RunOptions& options, const LoadedWorld
   return uris;
 }
 
-std::unique_ptr<WorldRecordingWriter> open_recording(const RunOptions& options,
-                                                     const LoadedWorld& world,
-                                                     const std::vector<std::string>& uris,
-                                                     std::uint64_t seed) {
-  if (options.record.empty()) return nullptr;
-  WorldRecordingInfo info;
-  info.scene = options.scene;
-  info.devices = uris;
-  info.seed = seed;
-  info.rate = world.config.rate;
-  info.friction = options.friction;
-  for (const WorldBody& body : world.config.world.bodies) info.bodies.push_back(body.name);
-  for (const WorldJoint& joint : world.config.world.joints) info.joints.push_back(joint.name);
-  return std::make_unique<WorldRecordingWriter>(options.record, info);
-}
-
-void record(const WorldFrame& frame, std::vector<RecordedJoint>& joints,
-            WorldRecordingWriter& writer) {
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const JointReading& joint = frame.joints[i];
-    joints[i] = {joint.coordinate, joint.spring, joint.motor, joint.limit};
-  }
-  writer.write(frame.frame, frame.time, frame.bodies, joints, frame.commands);
-}
-
 /// Without a page: in lockstep, or by the clock.
 WorldSummary run_alone(const RunOptions& options, const LoadedWorld& world, std::uint64_t seed,
                        const std::atomic<bool>& stop, WorldRunFacts& facts) {
   facts.devices = devices_of(options, world);
   const WorldDevices devices = open_world_devices(world, facts.devices, seed);
-  const auto writer = open_recording(options, world, facts.devices, seed);
-  std::vector<RecordedJoint> joints(world.config.world.joints.size());
+  std::unique_ptr<WorldRecorder> recorder;
+  if (!options.record.empty())
+    recorder = std::make_unique<WorldRecorder>(
+        options.record, world,
+        WorldRecorderInfo{options.scene, facts.devices, seed, options.friction});
   const auto sink = [&](const WorldFrame& frame) {
-    if (writer) record(frame, joints, *writer);
+    if (recorder) recorder->write(frame);
   };
   const std::int64_t begin = thread_cpu_ns();
   const WorldSummary summary =
@@ -118,7 +95,7 @@ WorldSummary run_alone(const RunOptions& options, const LoadedWorld& world, std:
           ? run_world(world.config, devices.list, sink, &stop)
           : run_world_by_clock(world.config, devices.list, {.sink = sink, .stop = &stop});
   facts.cpu_seconds = 1e-9 * static_cast<double>(thread_cpu_ns() - begin);
-  if (writer) writer->close(summary.frames, summary.state_hash);
+  if (recorder) recorder->close(summary);
   return summary;
 }
 
@@ -162,6 +139,16 @@ int run_world_scene(const RunOptions& options, const Common& common,
   return summary.was_stopped ? kInterrupted : kDone;
 }
 
+namespace {
+
+/// Aims a page's hand at what it was aimed at before the frame that comes.
+void aim_as_recorded(const WorldRecording& recording, std::uint64_t frame, WorldRun& run) {
+  for (const std::vector<RecordedHand>& hand : recording.hands)
+    if (frame < hand.size() && hand[frame].aimed) run.aim(*hand[frame].aimed);
+}
+
+}  // namespace
+
 int replay_world(const std::string& path, const Common& common) {
   const WorldRecording recording = read_world_recording(path);
   const std::size_t bodies = recording.bodies.size(), frames = recording.states.size() / bodies;
@@ -177,11 +164,17 @@ int replay_world(const std::string& path, const Common& common) {
                      " joints, expected the " + std::to_string(recording.joints.size()) +
                      " that were recorded");
   world.config.duration = static_cast<double>(frames) / recording.rate;
+  add_recorded_hands(recording.devices, world);
   if (world.config.hands.size() != recording.devices.size())
     throw InputError(recording.scene + ": has " + std::to_string(world.config.hands.size()) +
                      " hands, expected the " + std::to_string(recording.devices.size()) +
                      " that were recorded");
-  const WorldDevices devices = open_world_devices(world, recording.devices, recording.seed);
+  WorldDevices devices = open_world_devices(world, recording.devices, recording.seed);
+  for (std::size_t i = 0; i < devices.list.size(); ++i) {
+    if (devices.list[i] != nullptr) continue;
+    devices.owned.push_back(recorded_hand(recording.hands[i]));
+    devices.list[i] = devices.owned.back().get();
+  }
   std::int64_t first = -1;
   const auto compare = [&](const WorldFrame& frame) {
     for (std::size_t i = 0; i < bodies && first < 0 && frame.frame < frames; ++i) {
@@ -189,7 +182,14 @@ int replay_world(const std::string& path, const Common& common) {
       if (!same_bits(recorded, frame.bodies[i])) first = static_cast<std::int64_t>(frame.frame);
     }
   };
-  const WorldSummary summary = run_world(world.config, devices.list, compare);
+  WorldRun run(world.config, devices.list);
+  for (std::uint64_t i = 0;; ++i) {
+    aim_as_recorded(recording, i, run);
+    const WorldFrame* frame = run.make_frame();
+    if (frame == nullptr) break;
+    compare(*frame);
+  }
+  const WorldSummary summary = run.end();
   if (first < 0 && summary.frames != frames) first = static_cast<std::int64_t>(summary.frames);
   const bool is_same =
       first < 0 && (!recording.has_end || summary.state_hash == recording.state_hash);

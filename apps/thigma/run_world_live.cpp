@@ -13,6 +13,7 @@
 #include "viewer/server/live_server.h"
 #include "viewer/server/origin.h"
 #include "viewer/server/web_files.h"
+#include "world_recorder.h"
 #include "world_view.h"
 
 #include "thigma/core/error.h"
@@ -108,6 +109,7 @@ class WorldLive {
                 {"web:"}, live::web_files(), page_address(*program.options), link_,
                 {.may_be_framed = program.options->is_embedded}) {
     facts_.devices = devices_;
+    record_ = program.options->record;
   }
 
   WorldSummary go() {
@@ -129,23 +131,82 @@ class WorldLive {
     if (duration_ > 0.0)
       world_.config.duration = std::max(duration_ - seconds_, 1.0 / world_.config.rate);
     SessionConfig config = config_;
+    open_recording();
     server_.prepare_session(config);
     live::LiveStart start;
     start.device = "web:";
     start.is_web = start.is_simulated = true;
+    start.recording = recorder_ ? record_ : "";
     server_.begin_session(start);
     const WorldSummary summary = run(devices);
+    close_recording(summary);
     seconds_ += static_cast<double>(summary.frames) / world_.config.rate;
     if (summary.has_fault())
       server_.observe(SessionEvent{static_cast<double>(summary.frames) / world_.config.rate,
                                    summary.frames, EventKind::fault, fault_name(summary.fault),
                                    ""});
     server_.end_session(end_of(summary), 0);
+    has_run_ = true;
     return summary;
+  }
+
+  /// The first is of the command line: without it there is no session. Of those that pages ask for
+  /// they are told what is wrong.
+  void open_recording() {
+    recorder_.reset();
+    if (record_.empty()) return;
+    const WorldRecorderInfo info{program_.options->scene, devices_, program_.seed,
+                                 program_.options->friction};
+    try {
+      recorder_ = std::make_unique<WorldRecorder>(record_, world_, info);
+    } catch (const IoError& error) {
+      if (!has_run_) throw;
+      lose_recording(error.what(), 0.0, 0);
+    }
+  }
+
+  /// The session goes on; pages and people are told once.
+  void lose_recording(const std::string& why, double time, std::uint64_t frame) {
+    recorder_.reset();
+    server_.observe(SessionEvent{time, frame, EventKind::recording_ended, record_, why});
+    server_.lose_recording();
+    if (program_.log) program_.log(why + "; the recording ends there, the session goes on");
+  }
+
+  void record(const WorldFrame& frame) {
+    if (!recorder_) return;
+    try {
+      recorder_->write(frame);
+    } catch (const IoError& error) {
+      lose_recording(error.what(), frame.time, frame.frame);
+    }
+  }
+
+  void close_recording(const WorldSummary& summary) {
+    if (!recorder_) return;
+    try {
+      recorder_->close(summary);
+    } catch (const IoError& error) {
+      lose_recording(error.what(), 0.0, summary.frames);
+    }
+    recorder_.reset();
   }
 
   live::SceneView view(const LoadedWorld& world) const {
     return view_of(world, static_cast<std::int32_t>(page_hand_));
+  }
+
+  /// With the bodies where they are.
+  live::SceneView view_at(const LoadedWorld& world, const WorldState& state) const {
+    live::SceneView scene = view(world);
+    const auto put = [&](live::SceneBodyView& body) {
+      const BodyState& y = state.bodies[idx(body.body)];
+      body.world_from_mesh =
+          Pose{y.position, y.orientation} * scene.world.body_from_mesh[idx(body.body)];
+    };
+    put(scene.object);
+    for (live::SceneBodyView& body : scene.statics) put(body);
+    return scene;
   }
 
   /// The session on a thread of its own, while this one hears what pages ask for.
@@ -156,6 +217,7 @@ class WorldLive {
     shell.stop = &stop;
     shell.live = &server_.ports();
     shell.sink = [&](const WorldFrame& frame) {
+      record(frame);
       server_.observe(frame);
       events.observe(frame);
     };
@@ -187,6 +249,7 @@ class WorldLive {
     for (const live::LiveRequest& request : take_asked()) {
       std::string why;
       try {
+        if (recorder_) throw InputError("a recording is being written, with these bodies: stop it");
         change_bodies(request, run, events);
       } catch (const InputError& error) {
         why = error.what();
@@ -208,7 +271,7 @@ class WorldLive {
                                   : without(now, body));
     const WorldState state = carried_state(*next, run.state());
     run.go_on(next->world.config, state, next->was);
-    server_.change_world(view(next->world));
+    server_.change_world(view_at(next->world, state));
     events.use(next->world);
     changed_ = std::move(next);
   }
@@ -223,7 +286,8 @@ class WorldLive {
     while (!request_) {
       request_ = server_.take_request();
       if (!request_) return false;
-      if (request_->kind == Kind::reset) break;
+      if (request_->kind == Kind::reset || prepare_recording()) break;
+      if (!request_) continue;
       if (request_->kind == Kind::add || request_->kind == Kind::remove) {
         ask_world(*std::exchange(request_, std::nullopt));
         continue;
@@ -233,6 +297,18 @@ class WorldLive {
       request_.reset();
     }
     return true;
+  }
+
+  /// Whether the request is for another session, with a recording or without one.
+  bool prepare_recording() {
+    if (request_->kind != Kind::record) return false;
+    try {
+      next_record_ = request_->flag ? free_recording() : "";
+      return true;
+    } catch (const IoError& error) {
+      server_.answer(*std::exchange(request_, std::nullopt), error.what());
+      return false;
+    }
   }
 
   /// Left to the world's thread, between two of its frames.
@@ -256,6 +332,7 @@ class WorldLive {
     const live::LiveRequest request = *std::exchange(request_, std::nullopt);
     const bool is_over = end_of(summary) == SessionEnd::duration;
     server_.answer(request, is_over ? kIsOver : "");
+    record_ = request.kind == Kind::record ? next_record_ : "";
     if (changed_) server_.change_world(view(world_));  // with the bodies of the scene again
     changed_.reset();
     return !is_over;
@@ -263,8 +340,8 @@ class WorldLive {
 
   static constexpr const char* kIsOver = "the session is over";
   static constexpr const char* kNotYet =
-      "a world of several bodies begins again, and no more: start the program anew for another "
-      "scene";
+      "a world of several bodies begins again or is recorded, and no more: start the program anew "
+      "for another scene";
   const WorldLiveProgram& program_;
   LoadedWorld& world_;
   WorldRunFacts& facts_;
@@ -276,10 +353,13 @@ class WorldLive {
   const SessionConfig config_;
   live::LiveServer server_;
   std::optional<live::LiveRequest> request_;
-  double seconds_ = 0.0;                  // of all sessions so far
-  bool is_running_ = false;               // a session
-  std::mutex mutex_;                      // of what follows
-  std::vector<live::LiveRequest> asked_;  // of bodies, for the world's thread
+  double seconds_ = 0.0;                     // of all sessions so far
+  std::string record_, next_record_;         // files; "" none
+  bool has_run_ = false;                     // some session
+  std::unique_ptr<WorldRecorder> recorder_;  // the world's thread's while a session runs
+  bool is_running_ = false;                  // a session
+  std::mutex mutex_;                         // of what follows
+  std::vector<live::LiveRequest> asked_;     // of bodies, for the world's thread
   std::atomic<bool> has_asked_{false};
   // The world that runs, where it is no more that of the scene: the world's thread's while a
   // session runs.

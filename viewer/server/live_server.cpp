@@ -254,6 +254,7 @@ void LiveServer::change_world(SceneView scene) {
   std::future<void> shown = done->get_future();
   impl_->server.post([impl = impl_.get(), done, view = std::move(scene)] {
     impl->scene = view;
+    impl->start_pose = view.object.world_from_mesh;
     impl->encode_meshes();
     impl->world_feed.forget();  // of bodies that had other numbers
     impl->is_refined = true;    // the session goes on

@@ -88,7 +88,8 @@ class LiveServer {
   /// `refined`, and its meshes. Waits as show() does.
   void refine(SceneView scene);
   /// A world with other bodies, between two of its frames, from its own thread: `scene` is told
-  /// again, and its meshes; frames observed from here on are of it. Waits as show() does.
+  /// again with its bodies where they are, and its meshes; frames observed from here on are of it.
+  /// Waits as show() does.
   void change_world(SceneView scene);
   /// What pages may open.
   void offer(const OpenMenu& menu);

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "thigma/core/error.h"
 #include "thigma/core/index.h"
@@ -125,6 +126,7 @@ struct WorldRun::Impl {
   std::vector<JointReading> joints;
   StateHash hash;
   WorldFrame frame;
+  std::optional<WorldAim> aimed;
   bool is_over = false;
 };
 
@@ -158,6 +160,7 @@ WorldFrame* WorldRun::Impl::make_frame() {
   frame.handles = hands.handles;
   frame.commands = hands.commands;
   frame.grips = hands.grips;
+  frame.aimed = std::exchange(aimed, std::nullopt);
   return &frame;
 }
 
@@ -169,7 +172,10 @@ WorldRun::WorldRun(const WorldSessionConfig& config, std::span<HapticDevice* con
 
 WorldRun::~WorldRun() = default;
 
-void WorldRun::aim(const WorldAim& aim) noexcept { detail::aim(aim, impl_->hands); }
+void WorldRun::aim(const WorldAim& aim) noexcept {
+  impl_->aimed = aim;
+  detail::aim(aim, impl_->hands);
+}
 
 WorldFrame* WorldRun::make_frame() { return impl_->make_frame(); }
 

@@ -59,6 +59,7 @@ struct WorldFrame {
   std::span<const Motion> handles;   // by hand [world]
   std::span<const Wrench> commands;  // sent, by hand [N, N m; device frame]
   std::span<const WorldGrip> grips;  // by hand
+  std::optional<WorldAim> aimed;     // of free hands, since the frame before
   WorldStep step;
   // By the clock; in lockstep 0.
   double step_cpu = 0.0;   // of the processor, for this frame [s]

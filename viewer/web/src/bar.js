@@ -80,8 +80,8 @@ export function showState(bar, session) {
   nameButton(bar.pause, paused ? "Go on" : "Pause", "P");
   bar.pause.disabled = !alive || state.run === "ended";
   bar.step.disabled = !alive || !paused;
-  bar.reset.disabled = !alive;
-  bar.record.disabled = bar.open.disabled = !alive || Boolean(scene?.world); // begins again, and no more
+  bar.reset.disabled = bar.record.disabled = !alive;
+  bar.open.disabled = !alive || Boolean(scene?.world); // a world stays
   const recording = Boolean(state?.recording);
   setIcon(bar.record, recording ? "stop" : "record");
   bar.record.classList.toggle("on", recording);

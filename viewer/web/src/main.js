@@ -108,7 +108,10 @@ const on = {
     session.scene = message;
     session.meshes.clear();
     fillLevelBrowser(levels, message);
-    if (goesOn) return;
+    if (goesOn) {
+      session.bodies = null; // those of a world may have other numbers now
+      return;
+    }
     session.scene.refined = false;
     session.snapshot = session.shown = session.bodies = null;
     session.fresh = false;

@@ -55,7 +55,7 @@ export function makeScene(canvas, asked = null) {
 /// The objects of a `scene` message with their meshes by number.
 /// keeps   the same objects with other levels of detail: the view stays, and where they are
 export function setObjects(stage, description, meshes, keeps = false) {
-  const last = keeps ? stage.last : null;
+  const last = keeps ? stage.last : null; // of a world the bodies are where the description has them
   for (const body of bodies(stage)) {
     stage.root.remove(body.group);
     disposeBody(body);

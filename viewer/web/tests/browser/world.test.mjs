@@ -50,7 +50,7 @@ const placeOf = (page, number) => page.evaluate((n) => {
 
 const holds = (page, number) => page.waitForFunction((n) => window.thigma.session.bodies.hands.some(({ body }) => body === n), number);
 const holdsNothing = (page) => page.waitForFunction(() => window.thigma.session.bodies.hands.every(({ body }) => body < 0));
-const rests = (page) => page.waitForFunction(() => window.thigma.session.bodies.bodies.every((one, n) => one.asleep || !window.thigma.stage.world.byNumber[n].about.moves));
+const rests = (page) => page.waitForFunction(() => window.thigma.session.bodies?.bodies.every((one, n) => one.asleep || !window.thigma.stage.world.byNumber[n].about.moves));
 
 /// Presses on a body and drags it by pixels in small steps, until the hand holds it.
 async function take(page, number) {
@@ -193,12 +193,12 @@ worldTest("bodies come and go while the world goes on", [join(here, "blocks.toml
   await rests(page);
   const session = await page.evaluate(() => window.thigma.session.state.session);
   await page.getByRole("button", { name: "Another body" }).click();
-  await page.waitForFunction(() => window.thigma.stage.world.byNumber.length === 4 && window.thigma.session.bodies.bodies.length === 4);
+  await page.waitForFunction(() => window.thigma.stage.world.byNumber.length === 4 && window.thigma.session.bodies?.bodies.length === 4);
   const added = await numberOf(page, "left 2");
   await page.waitForFunction((n) => window.thigma.stage.world.byNumber[n].group.position.z < 0.06, added); // it falls
   await rests(page);
   await page.getByRole("button", { name: "Take the body" }).click();
-  await page.waitForFunction(() => window.thigma.stage.world.byNumber.length === 3 && window.thigma.session.bodies.bodies.length === 3);
+  await page.waitForFunction(() => window.thigma.stage.world.byNumber.length === 3 && window.thigma.session.bodies?.bodies.length === 3);
   assert.equal(await page.evaluate(() => window.thigma.session.state.session), session);
   await page.getByRole("button", { name: "Begin again" }).click();
   await page.waitForFunction((n) => window.thigma.session.state.session > n && window.thigma.session.scene.object.name === "left", session);
@@ -227,4 +227,17 @@ worldTest("pause, one step and begin again", [join(here, "blocks.toml")], async 
   const number = await page.evaluate(() => window.thigma.session.state.session);
   await page.getByRole("button", { name: "Begin again" }).click();
   await page.waitForFunction((n) => window.thigma.session.state.session > n && window.thigma.session.state.run === "running", number);
+});
+
+worldTest("a body that comes while the world is paused stands above the others, which stay where they are", [join(here, "blocks.toml")], async ({ page }) => {
+  await rests(page);
+  await page.evaluate(() => window.thigma.act.pause());
+  await page.waitForFunction(() => window.thigma.session.state.run === "paused");
+  const places = () => page.evaluate(() => window.thigma.stage.world.byNumber.map(({ group }) => group.position.toArray()));
+  const before = await places();
+  await page.evaluate(() => window.thigma.act.add());
+  await page.waitForFunction(() => window.thigma.stage.world.byNumber.length === 4);
+  const after_ = await places();
+  before.forEach((place, n) => place.forEach((value, k) => assert.ok(Math.abs(value - after_[n][k]) < 1e-6, `body ${n} at ${after_[n]}, was at ${place}`)));
+  assert.ok(after_[3][2] > Math.max(...before.slice(1).map(([, , z]) => z)) + 0.02);
 });
