@@ -1,5 +1,5 @@
 // Worlds of several bodies in the picture: where each is, which a hand holds, and which lies under the pointer.
-import { Raycaster, Vector2 } from "three";
+import { Color, Raycaster, Vector2 } from "three";
 import { paintBody } from "./body.js";
 import { colour } from "./theme.js";
 
@@ -33,11 +33,16 @@ export function shownHand({ hands }) {
   return hands.find((hand) => hand.page && holds(hand)) ?? hands.find(holds) ?? null;
 }
 
+const SPREAD = 0.14; // of lightness: like bodies on each other are told apart
+
+/// Neighbours in the order of numbers are never alike.
+const shade = (base, number) => new Color(base).offsetHSL(0, 0, SPREAD * (((0.618 * number) % 1) - 0.5));
+
 /// Bodies in hands, those that move, and those that stand still, each in a colour of its own.
 export function paintWorld(world, sky) {
   world.byNumber.forEach((body, number) => {
     const kind = world.held.includes(number) ? "held" : body.about.moves ? "moving" : "fixed";
-    paintBody(body, { base: colour(kind), line: colour(`${kind}-line`), sky });
+    paintBody(body, { base: kind === "moving" ? shade(colour(kind), number) : colour(kind), line: colour(`${kind}-line`), sky });
   });
 }
 
