@@ -207,6 +207,9 @@ LiveChange make_change(const live::LiveRequest& request, const LiveNow& now) {
       refuse_request("no recording is shown");
     case Kind::inspect:
       refuse_request("a mesh is looked at, not opened");
+    case Kind::add:
+    case Kind::remove:
+      refuse_request("no world of several bodies runs");
   }
   return change;
 }

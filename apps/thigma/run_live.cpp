@@ -18,7 +18,6 @@
 #include "run_view.h"
 #include "session_recorder.h"
 #include "viewer/server/live_server.h"
-#include "viewer/server/origin.h"
 #include "viewer/server/web_files.h"
 
 #include "thigma/clod/clod_asset.h"
@@ -34,15 +33,6 @@ constexpr std::int64_t kPoll = 10'000'000;  // [ns]
 
 using Kind = live::LiveRequest::Kind;
 
-/// Where the page is; beyond this machine it asks for a token.
-live::WebAddress address_of(const RunOptions& options) {
-  live::WebAddress address{.port = options.port.value_or(0)};
-  if (options.bind.empty()) return address;
-  address.bind = options.bind;
-  if (!live::is_loopback_address(options.bind)) address.token = live::make_token();
-  return address;
-}
-
 /// The sessions of one run and what carries over from one to the next.
 class LiveRun {
  public:
@@ -55,17 +45,13 @@ class LiveRun {
         record_(program.options->record),
         recorder_([this](const RecordingFailure& failure) { recording_failed(failure); }),
         server_(view(), run_->session.config, start_ * run_->session.config.contact.body_from_mesh,
-                devices_of(*run_), live::web_files(), address_of(*program.options),
+                devices_of(*run_), live::web_files(), page_address(*program.options),
                 *program.web_channel, {.may_be_framed = program.options->is_embedded}) {}
 
   SessionSummary go() {
     server_.offer(open_menu());
     if (!options_.replay.empty()) commit(change_to_recording(options_.replay, now()));
-    const bool is_open = !options_.bind.empty() && !live::is_loopback_address(options_.bind);
-    program_.log("the page is at " + server_.address() +
-                 (is_open ? " - without the token others may only watch; nothing is encrypted"
-                          : " - open it in a browser on this machine") +
-                 "; Ctrl-C ends it");
+    program_.log(page_line(options_, server_.address()));
     SessionSummary summary;
     do {
       summary = playback_ ? playback() : session();

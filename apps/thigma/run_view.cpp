@@ -6,6 +6,7 @@
 
 #include "named_scene.h"
 #include "version.h"
+#include "viewer/server/origin.h"
 
 #include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
@@ -110,6 +111,22 @@ std::vector<live::LiveParameter> choices_of(const Run& run) {
                              run.session.config.contact.textures.is_empty() ? 1 : 0));
   }
   return choices;
+}
+
+live::WebAddress page_address(const RunOptions& options) {
+  live::WebAddress address{.port = options.port.value_or(0)};
+  if (options.bind.empty()) return address;
+  address.bind = options.bind;
+  if (!live::is_loopback_address(options.bind)) address.token = live::make_token();
+  return address;
+}
+
+std::string page_line(const RunOptions& options, const std::string& address) {
+  const bool is_open = !options.bind.empty() && !live::is_loopback_address(options.bind);
+  return "the page is at " + address +
+         (is_open ? " - without the token others may only watch; nothing is encrypted"
+                  : " - open it in a browser on this machine") +
+         "; Ctrl-C ends it";
 }
 
 std::string free_recording() {

@@ -28,6 +28,12 @@ std::vector<std::string> response_choices();
 /// What pages may choose that takes a new session.
 std::vector<live::LiveParameter> choices_of(const Run& run);
 
+/// Where the page is; beyond this machine it asks for a token.
+live::WebAddress page_address(const RunOptions& options);
+
+/// The line that says so. address: as the server has it.
+std::string page_line(const RunOptions& options, const std::string& address);
+
 /// A name no file has yet, in the user's folder for recordings, which is made where it is not
 /// there. Throws IoError.
 std::string free_recording();

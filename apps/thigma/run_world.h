@@ -9,8 +9,9 @@
 
 namespace thigma::app {
 
-/// `thigma run` of a scene with [[body]]: in lockstep, without a page. Returns the exit code.
-/// errors  InputError, DeviceAddressError, DeviceUnavailable, IoError
+/// `thigma run` of a scene with [[body]]: by the clock, with its page or without, or in lockstep.
+/// Returns the exit code.
+/// errors  InputError, DeviceAddressError, DeviceUnavailable, IoError, PortUnavailable
 int run_world_scene(const RunOptions& options, const Common& common, const std::atomic<bool>& stop);
 
 /// `thigma replay` of a recording of a world: runs its scene again and compares every bit.

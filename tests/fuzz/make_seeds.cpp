@@ -175,9 +175,10 @@ void put_messages(const Seeds& seeds) {
       R"({"type":"open","id":7,"value":"jaws"})",
       R"({"type":"seek","id":8,"value":1.5})",
       R"({"type":"upload","id":9,"name":"a.obj","value":100})",
-      R"({"type":"place","id":10,"name":"hold","value":0.001,"repair":true})"};
+      R"({"type":"place","id":10,"name":"hold","value":0.001,"repair":true})",
+      R"({"type":"grab","id":11,"value":"block 7","point":[0.01,0,-0.005]})"};
   std::string all;
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < 11; ++i) {
     seeds.put("message", "text" + std::to_string(i), std::string("t") + texts[i]);
     all += frame(1, texts[i]);
   }

@@ -220,5 +220,60 @@ TEST(HeldBody, TwoHandsMayHoldOneBody) {
   EXPECT_NEAR(sum.z(), -kGravity * bench.bodies[0].mass, 1e-6);
 }
 
+TEST(HeldBody, AMovingBodyInAHandGoesAsAHeldOneBitForBit) {
+  BodyState ends[2];
+  for (const bool is_moving : {false, true}) {
+    WorldBench bench;
+    test::add_floor(bench);
+    const auto block = test::body_mesh(make_box(Vec3(0.04, 0.04, 0.04)));
+    bench.add(block, is_moving ? BodyKind::moving : BodyKind::held, Vec3(0.0, 0.0, 0.02 + 3e-6));
+    bench.add(block, BodyKind::moving, Vec3(0.041, 0.0, 0.02 + 3e-6));
+    bench.make();
+    HandHold hand;
+    hand.body = 1;
+    hand.coupling = coupling_for(bench.bodies[1].mass);
+    for (int i = 0; i < 200; ++i) {
+      hand.handle.pose.position = Vec3(1e-4 * i, 0.0, 0.02 + 2e-4 * i);
+      hand.handle.twist.linear = Vec3(0.1, 0.0, 0.2);
+      bench.step(kDt, {.hands = {&hand, 1}});
+    }
+    ends[is_moving ? 1 : 0] = bench.state.bodies[1];
+  }
+  EXPECT_EQ(ends[0].position, ends[1].position);
+  EXPECT_EQ(ends[0].orientation.coeffs(), ends[1].orientation.coeffs());
+  EXPECT_EQ(ends[0].linear_momentum, ends[1].linear_momentum);
+  EXPECT_EQ(ends[0].angular_momentum, ends[1].angular_momentum);
+  EXPECT_GT(ends[1].position.z(), 0.05);
+}
+
+TEST(HeldBody, TakenHoldOfAsleepItWakesWithAllThatRestsOnIt) {
+  WorldBench bench;
+  test::add_floor(bench);
+  const auto block = test::body_mesh(make_box(Vec3(0.04, 0.04, 0.02)));
+  for (int i = 0; i < 3; ++i)
+    bench.add(block, BodyKind::moving, Vec3(0.0, 0.0, 0.01 + 2e-6 + 0.020002 * i));
+  bench.make();
+  for (int i = 0; i < 800; ++i) bench.step();
+  ASSERT_EQ(bench.step().awake, 0);
+  HandHold hand;
+  hand.body = 1;  // the lowest
+  hand.coupling = coupling_for(3.0 * bench.bodies[1].mass);
+  hand.handle.pose.position = bench.state.bodies[1].position;
+  grasp(hand.coupling, bench.state.bodies[1], hand.handle.pose);
+  const double top = bench.state.bodies[3].position.z();
+  EXPECT_EQ(bench.step(kDt, {.hands = {&hand, 1}}).awake, 3);
+  for (int i = 0; i < 400; ++i) {
+    hand.handle.pose.position.z() += 5e-5;
+    hand.handle.twist.linear.z() = 0.05;
+    bench.step(kDt, {.hands = {&hand, 1}});
+  }
+  EXPECT_NEAR(bench.state.bodies[3].position.z() - top, 0.02, 1e-3);  // carried up
+  const double high = bench.state.bodies[1].position.z();
+  for (int i = 0; i < 100; ++i) bench.step();  // let go
+  EXPECT_LT(bench.state.bodies[1].position.z(), high - 5e-3);
+  for (int i = 0; i < 1200; ++i) bench.step();
+  EXPECT_EQ(bench.step().awake, 0);
+}
+
 }  // namespace
 }  // namespace thigma

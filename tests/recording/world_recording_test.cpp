@@ -69,6 +69,53 @@ TEST(WorldRecording, ComesBackBitForBit) {
     EXPECT_TRUE(same_bits(read.states[i], written[i])) << i;
 }
 
+TEST(WorldRecording, APagesHandComesBackBitForBit) {
+  const std::string path = path_of("page.mcap");
+  WorldRecordingInfo info;
+  info.devices = {"hand:", "web:"};
+  info.bodies = {"block"};
+  Random random(5);
+  std::vector<RecordedHand> written;
+  {
+    WorldRecordingWriter writer(path, info);
+    for (std::uint64_t i = 0; i < 30; ++i) {
+      std::vector<RecordedHand> hands(2);
+      DeviceState& d = hands[1].device;
+      d.time = random.normal();
+      const BodyState pose = random_state(random);
+      d.motion.pose = {pose.position, pose.orientation};
+      d.motion.twist = {pose.linear_momentum, pose.angular_momentum};
+      d.buttons = static_cast<std::uint32_t>(i % 2);
+      d.status = i % 7 == 0 ? DeviceStatus::lost : DeviceStatus::ok;
+      d.weight = 1.0 / static_cast<double>(i + 1);
+      if (i % 5 == 0) hands[1].aimed = WorldAim{static_cast<std::int32_t>(i) - 1, pose.position};
+      writer.write(i, 1e-3 * static_cast<double>(i + 1), {&pose, 1}, {}, std::vector<Wrench>(2),
+                   hands);
+      written.push_back(hands[1]);
+    }
+    writer.close(30, 1);
+  }
+  const WorldRecording read = read_world_recording(path);
+  ASSERT_EQ(read.hands.size(), 2u);
+  EXPECT_TRUE(read.hands[0].empty());
+  ASSERT_EQ(read.hands[1].size(), 30u);
+  for (std::size_t i = 0; i < 30; ++i) {
+    const RecordedHand &a = read.hands[1][i], &b = written[i];
+    EXPECT_EQ(a.device.time, b.device.time);
+    EXPECT_EQ(a.device.motion.pose.position, b.device.motion.pose.position);
+    EXPECT_EQ(a.device.motion.pose.orientation.coeffs(), b.device.motion.pose.orientation.coeffs());
+    EXPECT_EQ(a.device.motion.twist.linear, b.device.motion.twist.linear);
+    EXPECT_EQ(a.device.motion.twist.angular, b.device.motion.twist.angular);
+    EXPECT_EQ(a.device.buttons, b.device.buttons);
+    EXPECT_EQ(a.device.status, b.device.status);
+    EXPECT_EQ(a.device.weight, b.device.weight);
+    ASSERT_EQ(a.aimed.has_value(), b.aimed.has_value());
+    if (!a.aimed) continue;
+    EXPECT_EQ(a.aimed->body, b.aimed->body);
+    EXPECT_EQ(a.aimed->point, b.aimed->point);
+  }
+}
+
 TEST(WorldRecording, RefusesWhatIsDamaged) {
   const std::string path = path_of("world.mcap"), broken = path_of("broken.mcap");
   write_some(path);

@@ -1,37 +1,17 @@
 #include "thigma/session/world_session.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
-#include "multibody/world_bench.h"
+#include "session/pushing_world.h"
 #include <gtest/gtest.h>
-
-#include "thigma/device/script.h"
 
 namespace thigma {
 namespace {
 
-using test::WorldBench;
-
-WorldSessionConfig pushing(WorldBench& bench) {
-  test::add_floor(bench, 1.0);
-  const auto block = test::body_mesh(make_box(Vec3(0.04, 0.04, 0.04)));
-  bench.add(block, BodyKind::held, Vec3(-0.05, 0.0, 0.03));
-  for (int i = 0; i < 2; ++i) bench.add(block, BodyKind::moving, Vec3(0.041 * i, 0.0, 0.02 + 3e-6));
-  bench.make();
-  WorldSessionConfig config;
-  config.world = bench.world;
-  config.start = bench.state;
-  config.hands.resize(1);
-  WorldHand& hand = config.hands[0];
-  hand.body = 1;
-  hand.coupling.linear_stiffness = 1000.0;
-  hand.coupling.linear_damping = 16.0;
-  hand.coupling.angular_stiffness = 2.0;
-  hand.coupling.angular_damping = 0.02;
-  config.duration = 0.5;
-  return config;
-}
+using namespace test;
 
 /// A device with motors.
 class PersonsDevice final : public HapticDevice {
@@ -44,20 +24,6 @@ class PersonsDevice final : public HapticDevice {
  private:
   DeviceLimits limits_;
 };
-
-std::unique_ptr<HapticDevice> push_device() {
-  DeviceLimits limits;
-  limits.max_force = 100.0;
-  std::vector<TimedPose> script(2);
-  script[1].time = 0.5;
-  script[1].pose.position.x() = 0.05;
-  return make_script_device(script, limits);
-}
-
-WorldSummary run_one(const WorldSessionConfig& config, HapticDevice* device,
-                     const std::function<void(const WorldFrame&)>& sink = {}) {
-  return run_world(config, {&device, 1}, sink);
-}
 
 TEST(WorldSession, PushesBlocksTheSameWayTwice) {
   WorldBench bench;
@@ -93,64 +59,6 @@ TEST(WorldSession, RefusesDevicesThatHoldAPerson) {
   const WorldSessionConfig config = pushing(bench);
   PersonsDevice device;
   EXPECT_THROW(run_one(config, &device), std::invalid_argument);
-}
-
-/// Moves along x at a speed, is lost or jumps at a time; remembers what it was last sent.
-class BadDevice final : public HapticDevice {
- public:
-  enum class Trouble { none, lost, nan, jump };
-  BadDevice(double speed, Trouble trouble, double when)
-      : speed_(speed), trouble_(trouble), when_(when) {
-    limits_.holds_person = false;
-    limits_.max_force = 100.0;
-  }
-  const DeviceLimits& limits() const override { return limits_; }
-  std::string name() const override { return "bad"; }
-  DeviceState read(double now) THIGMA_RT override {
-    DeviceState state;
-    state.time = now;
-    state.status = DeviceStatus::ok;
-    state.motion.pose.position.x() = speed_ * now;
-    state.motion.twist.linear.x() = speed_;
-    if (now < when_ || trouble_ == Trouble::none) return state;
-    if (trouble_ == Trouble::lost) state.status = DeviceStatus::lost;
-    if (trouble_ == Trouble::nan) state.motion.pose.position.y() = std::nan("");
-    if (trouble_ == Trouble::jump) state.motion.pose.position.z() = 0.2;
-    return state;
-  }
-  void write(const Wrench& wrench) THIGMA_RT override {
-    last = wrench;
-    most = std::max(most, wrench.force.norm());
-  }
-  Wrench last;
-  double most = 0.0;
-
- private:
-  double speed_;
-  Trouble trouble_;
-  double when_;
-  DeviceLimits limits_;
-};
-
-void expect_let_go(const BadDevice& device) {
-  EXPECT_EQ(device.last.force.norm(), 0.0);
-  EXPECT_EQ(device.last.torque.norm(), 0.0);
-}
-
-/// Two hands: both on the pusher, at its ends, or the second on a block.
-WorldSessionConfig with_two_hands(WorldBench& bench, bool same_body) {
-  WorldSessionConfig config = pushing(bench);
-  config.hands.push_back(config.hands[0]);
-  config.hands[0].at = Vec3(-0.05, -0.02, 0.03);
-  config.hands[1].at = Vec3(-0.05, 0.02, 0.03);
-  if (same_body) return config;
-  bench.bodies[3].kind = BodyKind::held;
-  bench.make();
-  config.world = bench.world;
-  config.start = bench.state;
-  config.hands[1].body = 3;
-  config.hands[1].at.reset();
-  return config;
 }
 
 TEST(WorldSession, TwoHandsPushTheSameWayTwiceAndBearTheSame) {
@@ -257,6 +165,177 @@ TEST(WorldSession, RunsWithoutADevice) {
   EXPECT_EQ(run.frames, 1500u);
   EXPECT_LE(run.energy_end, run.energy_start);
   EXPECT_EQ(run.force_max, 0.0);
+}
+
+/// A page's hand as a script: its clutch is closed between two times, it is lifted meanwhile.
+class PageHand final : public HapticDevice {
+ public:
+  double closes = 0.2, opens = 0.5, lost_at = 1e9, speed = 0.1;
+  PageHand() { limits_.holds_person = false; }
+  const DeviceLimits& limits() const override { return limits_; }
+  std::string name() const override { return "page"; }
+  DeviceState read(double now) THIGMA_RT override {
+    DeviceState state;
+    state.time = now;
+    const bool is_closed = now >= closes && now < opens;
+    state.buttons = is_closed ? kClutchButton : 0;
+    const double lifted = std::clamp(now, closes, opens) - closes;
+    state.motion.pose.position.z() = speed * lifted;
+    if (is_closed) state.motion.twist.linear.z() = speed;
+    if (now >= lost_at) state.status = DeviceStatus::lost;
+    return state;
+  }
+  void write(const Wrench& wrench) THIGMA_RT override { sent.push_back(wrench.force.norm()); }
+  std::vector<double> sent;
+
+ private:
+  DeviceLimits limits_;
+};
+
+/// Two blocks on a floor that nobody holds, and a hand that may take hold of either.
+WorldSessionConfig with_free_hand(WorldBench& bench) {
+  test::add_floor(bench, 1.0);
+  const auto block = test::body_mesh(make_box(Vec3(0.04, 0.04, 0.04)));
+  for (int i = 0; i < 2; ++i) bench.add(block, BodyKind::moving, Vec3(0.1 * i, 0.0, 0.02 + 3e-6));
+  bench.make();
+  WorldSessionConfig config;
+  config.world = bench.world;
+  config.start = bench.state;
+  config.hands.resize(1);
+  WorldHand& hand = config.hands[0];
+  hand.is_free = true;
+  hand.coupling.linear_stiffness = 1000.0;
+  hand.coupling.linear_damping = 16.0;
+  hand.coupling.angular_stiffness = 2.0;
+  hand.coupling.angular_damping = 0.02;
+  hand.couplings.assign(bench.bodies.size(), hand.coupling);
+  hand.body = 2;
+  config.duration = 1.0;
+  return config;
+}
+
+TEST(WorldSession, AFreeHandTakesHoldWithoutAJumpAndLetsGo) {
+  WorldBench bench;
+  WorldSessionConfig config = with_free_hand(bench);
+  PageHand hand;
+  hand.closes = 0.7;  // both blocks are asleep by then
+  hand.opens = 0.9;
+  std::vector<double> heights;
+  std::vector<std::int32_t> held;
+  std::int32_t awake_before = -1;
+  run_one(config, &hand, [&](const WorldFrame& frame) {
+    heights.push_back(frame.bodies[2].position.z());
+    held.push_back(frame.grips[0].body);
+    if (frame.frame == 650) awake_before = frame.step.awake;
+  });
+  EXPECT_EQ(awake_before, 0);
+  ASSERT_EQ(held.size(), 1000u);
+  EXPECT_EQ(held[699], -1);
+  EXPECT_EQ(held[700], 2);
+  EXPECT_EQ(held[899], 2);
+  EXPECT_EQ(held[900], -1);
+  const double weight = bench.bodies[2].mass * 9.81;
+  // It begins with what the damper makes of the hand's speed, never with a spring's stretch.
+  EXPECT_LE(hand.sent[700], 16.0 * hand.speed + 0.1 * weight);
+  EXPECT_GT(hand.sent[880], 0.9 * weight);
+  EXPECT_EQ(hand.sent[905], 0.0);
+  EXPECT_GT(heights[899], heights[699] + 0.015);
+  // Let go it flies on as any free body: its speed, then gravity.
+  const double v = (heights[901] - heights[900]) / 1e-3;
+  EXPECT_NEAR(heights[921] - heights[901], 0.02 * v - 0.5 * 9.81 * 0.02 * 0.02, 2e-5 + 9.81e-5);
+  EXPECT_EQ(hand.sent.back(), 0.0);
+}
+
+TEST(WorldSession, AHandThatHoldsNothingChangesNoBit) {
+  WorldBench bench;
+  WorldSessionConfig config = with_free_hand(bench);
+  PageHand hand;
+  hand.closes = hand.opens = 0.5;
+  const std::uint64_t watched = run_one(config, &hand).state_hash;
+  config.hands.clear();
+  EXPECT_EQ(run_world(config, {}).state_hash, watched);
+}
+
+TEST(WorldSession, AimedAnewAHandChangesItsBody) {
+  WorldBench bench;
+  WorldSessionConfig config = with_free_hand(bench);
+  PageHand hand;
+  hand.speed = 0.0;
+  HapticDevice* device = &hand;
+  WorldRun run(config, {&device, 1});
+  std::vector<std::int32_t> held;
+  for (int i = 0; i < 450; ++i) {
+    if (i == 300) run.aim({1, Vec3(0.01, 0.0, 0.0)});
+    if (i == 350) run.aim({0, Vec3::Zero()});   // the floor: nothing moves it
+    if (i == 400) run.aim({77, Vec3::Zero()});  // there is none
+    const WorldFrame* frame = run.make_frame();
+    ASSERT_NE(frame, nullptr);
+    held.push_back(frame->grips[0].body);
+    // Both rest: neither taking hold nor letting go is felt.
+    EXPECT_LE(hand.sent.back(), 1e-3);
+  }
+  EXPECT_EQ(held[299], 2);
+  EXPECT_EQ(held[300], 1);
+  EXPECT_EQ(held[350], -1);
+  EXPECT_EQ(held[400], -1);
+}
+
+TEST(WorldSession, AWorldGoesOnWithABodyLessAndItsHandsHoldWhatTheyHeld) {
+  WorldBench bench;
+  const WorldSessionConfig config = with_free_hand(bench);
+  bench.bodies.erase(bench.bodies.begin() + 1);  // the block that the hand does not hold
+  bench.make();
+  WorldSessionConfig next = config;
+  next.world = bench.world;
+  next.start = bench.state;
+  next.hands[0].couplings.pop_back();
+  WorldSessionConfig none = next;
+  PageHand hand;
+  hand.closes = 0.1;
+  hand.opens = 0.9;
+  HapticDevice* device = &hand;
+  WorldRun run(config, {&device, 1});
+  for (int i = 0; i < 300; ++i) ASSERT_NE(run.make_frame(), nullptr);
+  WorldState state = next.start;
+  state.bodies = {run.state().bodies[0], run.state().bodies[2]};
+  const double before = hand.sent.back();
+  run.go_on(next, state, std::vector<std::int32_t>{0, 2});
+  const WorldFrame* frame = run.make_frame();
+  ASSERT_NE(frame, nullptr);
+  EXPECT_EQ(frame->frame, 300u);  // session time goes on
+  EXPECT_EQ(frame->bodies.size(), 2u);
+  EXPECT_EQ(frame->grips[0].body, 1);
+  EXPECT_NEAR(hand.sent.back(), before, 1e-2 * before);  // no jump in the hand
+  for (int i = 0; i < 50; ++i) ASSERT_NE(run.make_frame(), nullptr);
+  // What it holds goes as well.
+  state = run.state();
+  run.go_on(none, state, std::vector<std::int32_t>{0, -1});
+  frame = run.make_frame();
+  ASSERT_NE(frame, nullptr);
+  EXPECT_EQ(frame->grips[0].body, -1);
+  EXPECT_EQ(hand.sent.back(), 0.0);
+  const WorldSummary summary = run.end();
+  // What the body that went had is not missed: as if it had never been there.
+  EXPECT_NEAR(summary.energy_start, mechanical_energy(next.world, next.start), 1e-6);
+  EXPECT_LE(summary.energy_made, 2e-5);
+}
+
+TEST(WorldSession, ALostPageLetsGoAndTheWorldGoesOn) {
+  WorldBench bench;
+  WorldSessionConfig config = with_free_hand(bench);
+  PageHand hand;
+  hand.closes = 0.1;
+  hand.opens = 0.8;
+  hand.lost_at = 0.3;
+  std::vector<std::int32_t> held;
+  const WorldSummary run =
+      run_one(config, &hand, [&](const WorldFrame& frame) { held.push_back(frame.grips[0].body); });
+  EXPECT_FALSE(run.has_fault());
+  ASSERT_EQ(run.frames, 1000u);
+  EXPECT_EQ(held[299], 2);
+  EXPECT_EQ(held[300], -1);
+  EXPECT_GT(hand.sent[299], 0.1);
+  EXPECT_EQ(hand.sent[300], 0.0);
 }
 
 }  // namespace

@@ -50,6 +50,27 @@ TEST(Messages, AScenePutTogetherIsAListOfObjects) {
     EXPECT_NE(parse_command(text).refusal.code, 0) << text;
 }
 
+TEST(Messages, ABodyIsGrabbedByItsNameAndPerhapsAPoint) {
+  const ParsedCommand plain = parse_command(R"({"type":"grab","id":1,"value":"block 7"})");
+  EXPECT_EQ(plain.refusal.code, 0);
+  EXPECT_EQ(plain.command.kind, Command::Kind::grab);
+  EXPECT_EQ(plain.command.text, "block 7");
+  EXPECT_FALSE(plain.command.point);
+  const ParsedCommand there =
+      parse_command(R"({"type":"grab","id":1,"value":"x","point":[1,-2.5,3e-3]})");
+  ASSERT_TRUE(there.command.point);
+  EXPECT_EQ(*there.command.point, Vec3(1.0, -2.5, 3e-3));
+  EXPECT_EQ(parse_command(R"({"type":"grab","id":1,"value":"","point":null})").refusal.code, 0);
+  for (const char* text : {R"({"type":"grab","id":1})", R"({"type":"grab","id":1,"value":7})",
+                           R"({"type":"grab","id":1,"value":"x","point":7})",
+                           R"({"type":"grab","id":1,"value":"x","point":[1,2]})",
+                           R"({"type":"grab","id":1,"value":"x","point":[1,2,3,4]})",
+                           R"({"type":"grab","id":1,"value":"x","point":[1,2,"3"]})",
+                           R"({"type":"grab","id":1,"value":"x","point":[1,2,null]})",
+                           R"({"type":"grab","id":1,"value":"x","point":[1,2,1e999]})"})
+    EXPECT_NE(parse_command(text).refusal.code, 0) << text;
+}
+
 TEST(Messages, WhatIsNoCommandIsRefusedWithItsCode) {
   for (const char* text : {"", "{", "[]", "1", "\"reset\"", "{\"type\":\"reset\",\"id\":1"})
     EXPECT_EQ(parse_command(text).refusal.code, kBadPayload) << text;

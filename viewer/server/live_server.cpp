@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <future>
+#include <set>
 #include <utility>
 
 #include "viewer/server/detail/live_server_state.h"
@@ -37,8 +38,21 @@ void LiveServer::Impl::show_scene(SceneView view, const SessionConfig& shown, co
   encode_meshes();
 }
 
+/// Each mesh once, however many bodies have it.
+void LiveServer::Impl::encode_world_meshes() {
+  std::set<std::int32_t> known;
+  const auto add = [&](const SceneBodyView& body) {
+    if (!known.insert(body.mesh).second) return;
+    meshes.push_back(
+        encode_mesh(static_cast<std::uint32_t>(body.mesh), body.meshes.front(), body.hierarchy));
+  };
+  add(scene.object);
+  for (const SceneBodyView& body : scene.statics) add(body);
+}
+
 void LiveServer::Impl::encode_meshes() {
   meshes.clear();
+  if (scene.world.is_world()) return encode_world_meshes();
   meshes.push_back(encode_mesh(0, scene.object.meshes.front(), scene.object.hierarchy));
   for (std::size_t i = 0; i < scene.statics.size(); ++i) {
     meshes.push_back(encode_mesh(static_cast<std::uint32_t>(i + 1), scene.statics[i].meshes.front(),
@@ -74,7 +88,7 @@ void LiveServer::Impl::send_scene(PageId page) {
 
 std::vector<LiveParameter> LiveServer::Impl::parameters() {
   std::vector<LiveParameter> all;
-  {
+  if (!scene.world.is_world()) {
     const std::lock_guard lock(mutex);
     all = tuner.list();
   }
@@ -181,6 +195,9 @@ LivePorts& LiveServer::ports() { return *impl_->ports; }
 void LiveServer::observe(const HapticSample& sample) { impl_->feed.observe(sample); }
 void LiveServer::observe(const ContactSample& sample) { impl_->feed.observe(sample); }
 void LiveServer::observe(const SessionEvent& event) { impl_->feed.observe(event); }
+void LiveServer::observe(const WorldFrame& frame) {
+  impl_->feed.observe(impl_->world_feed.observe(frame));
+}
 
 void LiveServer::prepare_session(SessionConfig& config) {
   const std::lock_guard lock(impl_->mutex);
@@ -190,6 +207,7 @@ void LiveServer::prepare_session(SessionConfig& config) {
   impl_->ports->is_paused = false;
   impl_->ports->steps = 0;
   impl_->feed.begin_session(config.haptic.workspace);
+  impl_->world_feed.begin_session(impl_->scene.world);
   SessionEvent began;
   began.kind = EventKind::began;  // what comes after it is of this session
   impl_->feed.observe(began);
@@ -228,6 +246,25 @@ void LiveServer::refine(SceneView scene) {
   });
   done.reset();
   shown.wait();
+}
+
+void LiveServer::change_world(SceneView scene) {
+  const WorldView world = scene.world;
+  auto done = std::make_shared<std::promise<void>>();
+  std::future<void> shown = done->get_future();
+  impl_->server.post([impl = impl_.get(), done, view = std::move(scene)] {
+    impl->scene = view;
+    impl->start_pose = view.object.world_from_mesh;
+    impl->encode_meshes();
+    impl->world_feed.forget();  // of bodies that had other numbers
+    impl->is_refined = true;    // the session goes on
+    for (const PageId page : impl->server.pages()) impl->send_scene(page);
+    impl->is_refined = false;
+    done->set_value();
+  });
+  done.reset();
+  shown.wait();
+  impl_->world_feed.begin_session(world);
 }
 
 void LiveServer::offer(const OpenMenu& menu) {

@@ -29,17 +29,20 @@ struct LiveRequest {
     inspect,
     place,
     compose,
-    save
+    save,
+    add,
+    remove
   };
   Kind kind = Kind::reset;
   PageId page = 0;
   std::int64_t id = 0;
   // The device; name of the choice; what to open; name of the file to inspect; "hold" or "touch";
-  // title of what is composed; name to save under.
+  // title of what is composed; name to save under; of add and remove: a body's.
   std::string text;
   double number = 0.0;  // index of the choice; time to go to [s]; metres per unit of what is placed
   bool flag = false;    // of record; of place: repair; of save: as one file
   std::string data{};   // of inspect: the file; of compose: a JSON array of objects
+  std::optional<Vec3> point{};  // of add: of the centre of mass [m; world]
 };
 
 /// A session that begins.
@@ -84,6 +87,10 @@ class LiveServer {
   /// The same scene with other levels of detail, at any time: `scene` is told again, with
   /// `refined`, and its meshes. Waits as show() does.
   void refine(SceneView scene);
+  /// A world with other bodies, between two of its frames, from its own thread: `scene` is told
+  /// again with its bodies where they are, and its meshes; frames observed from here on are of it.
+  /// Waits as show() does.
+  void change_world(SceneView scene);
   /// What pages may open.
   void offer(const OpenMenu& menu);
   /// What is being done that takes long, and how far it is; "" when it is done.
@@ -103,6 +110,8 @@ class LiveServer {
   void observe(const HapticSample& sample);
   void observe(const ContactSample& sample);
   void observe(const SessionEvent& event);
+  /// Of a world, in place of the first two.
+  void observe(const WorldFrame& frame);
 
   /// The parameters as pages have set them, for the session that comes next. Pages cannot change
   /// them from here to begin_session.

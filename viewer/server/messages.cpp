@@ -36,7 +36,10 @@ constexpr CommandForm kForms[] = {{"hold", Command::Kind::hold, true, false, ""}
                                   {"cancel", Command::Kind::cancel, false, false, ""},
                                   {"speed", Command::Kind::speed, false, true, ""},
                                   {"compose", Command::Kind::compose, false, false, "title"},
-                                  {"save", Command::Kind::save, true, false, "name"}};
+                                  {"save", Command::Kind::save, true, false, "name"},
+                                  {"grab", Command::Kind::grab, false, false, "value"},
+                                  {"add", Command::Kind::add, false, false, "value"},
+                                  {"remove", Command::Kind::remove, false, false, "value"}};
 
 constexpr std::size_t kLongestText = 256;
 constexpr std::size_t kMostObjects = 32;  // of a scene made on a page
@@ -76,20 +79,26 @@ Json level_list_json(const SceneBodyView& body) {
 
 Json body_json(const SceneBodyView& body, std::size_t mesh) {
   const ClodHierarchy& h = *body.hierarchy;
-  return {{"name", body.name},
-          {"mesh", mesh},
-          {"radius", h.radius},
-          {"center", vector(h.center)},
-          {"levels", h.levels.size()},
-          {"triangles", body.meshes.front().triangles.size()},
-          {"relief", body.relief == nullptr ? Json(nullptr) : finite(2.0 * body.relief->amplitude)},
-          {"patches", h.patches.size()},
-          {"level_list", level_list_json(body)},
-          {"source", text_or_null(body.source)},
-          {"unit", body.unit_scale},
-          {"friction", number_or_null(body.friction)},
-          {"mass", number_or_null(body.mass)},
-          {"density", number_or_null(body.density)}};
+  if (body.mesh >= 0) mesh = static_cast<std::size_t>(body.mesh);
+  Json json = {
+      {"name", body.name},
+      {"mesh", mesh},
+      {"radius", h.radius},
+      {"center", vector(h.center)},
+      {"levels", h.levels.size()},
+      {"triangles", body.meshes.front().triangles.size()},
+      {"relief", body.relief == nullptr ? Json(nullptr) : finite(2.0 * body.relief->amplitude)},
+      {"patches", h.patches.size()},
+      {"level_list", level_list_json(body)},
+      {"source", text_or_null(body.source)},
+      {"unit", body.unit_scale},
+      {"friction", number_or_null(body.friction)},
+      {"mass", number_or_null(body.mass)},
+      {"density", number_or_null(body.density)}};
+  if (body.body < 0) return json;
+  json["body"] = body.body;
+  json["moves"] = body.moves;
+  return json;
 }
 
 Json micro(double p50, double p99) {
@@ -126,6 +135,15 @@ const char* phase_name(RunPhase phase) {
 
 Refusal refuse(std::string why) { return {kPolicy, std::move(why)}; }
 
+/// Of numbers that a float can say.
+bool is_triple(const Json& json) {
+  constexpr double kMost = 1e30;
+  return json.is_array() && json.size() == 3 &&
+         std::all_of(json.begin(), json.end(), [](const Json& one) {
+           return one.is_number() && std::fabs(one.get<double>()) <= kMost;
+         });
+}
+
 /// Fills what the form asks for; "" or what is missing.
 std::string fill(const CommandForm& form, const Json& json, Command& command) {
   const auto value = json.find("value");
@@ -157,6 +175,15 @@ std::string fill(const CommandForm& form, const Json& json, Command& command) {
                                  [](const Json& one) { return one.is_object(); }))
       return "objects has to be a list of 1 to 32 objects";
     command.objects = objects->dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+  if (form.kind == Command::Kind::grab || form.kind == Command::Kind::add) {
+    const char* const key = form.kind == Command::Kind::grab ? "point" : "position";
+    const auto point = json.find(key);
+    if (point != json.end() && !point->is_null()) {
+      if (!is_triple(*point)) return std::string(key) + " has to be three finite numbers, or null";
+      command.point =
+          Vec3((*point)[0].get<double>(), (*point)[1].get<double>(), (*point)[2].get<double>());
+    }
   }
   const std::string text_key = form.text_key;
   if (text_key.empty()) return {};
@@ -233,6 +260,7 @@ std::string scene_message(const SceneView& scene, const SessionConfig& config, c
   json["tolerance"] = config.contact.tolerance;
   json["rate"] = config.rate;
   json["refined"] = is_refined;
+  if (scene.world.is_world()) json["world"] = {{"bodies", scene.world.body_from_mesh.size()}};
   return dumped(json);
 }
 

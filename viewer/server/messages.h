@@ -10,6 +10,7 @@
 
 #include "viewer/server/tuning.h"
 #include "viewer/server/web_server.h"
+#include "viewer/server/world_feed.h"
 
 #include "thigma/clod/hierarchy.h"
 #include "thigma/mesh/triangle_mesh.h"
@@ -39,7 +40,10 @@ struct Command {
     cancel,
     speed,
     compose,
-    save
+    save,
+    grab,
+    add,
+    remove
   };
   Kind kind = Kind::reset;
   std::int64_t id = 0;
@@ -48,9 +52,12 @@ struct Command {
   double number = 0.0;
   std::int64_t mesh = 0;  // of level: the mesh's number
   // of use_device: the device; of set: the parameter; of open: what; of upload: a file's name; of
-  // place: "hold" or "touch"; of compose: the title; of save: a name
+  // place: "hold" or "touch"; of compose: the title; of save: a name; of grab, add, remove: a
+  // body's; of grab "": none
   std::string text;
   std::string objects{};  // of compose: a JSON array of objects
+  // of grab: where [m; mesh frame]; of add: of the centre of mass [m; world]
+  std::optional<Vec3> point{};
 };
 
 /// A message of a page, or why it is none.
@@ -72,6 +79,10 @@ struct SceneBodyView {
   // as the scene has them; nothing: it leaves them open
   double unit_scale = 1.0;                              // metres per unit of the mesh
   std::optional<double> friction{}, mass{}, density{};  // mass [kg], density [kg/m^3]
+  // of a world of several bodies
+  std::int32_t body = -1;  // its number there
+  std::int32_t mesh = -1;  // number of its mesh: bodies of one number have one mesh
+  bool moves = false;      // a hand may take hold of it
 };
 
 /// What is shown, and does not change.
@@ -79,7 +90,8 @@ struct SceneView {
   std::string title, name;
   std::string program;  // and its version
   SceneBodyView object;
-  std::vector<SceneBodyView> statics;
+  std::vector<SceneBodyView> statics;  // of a world: all bodies but `object`
+  WorldView world{};
 };
 
 /// What a page may open.

@@ -1,59 +1,26 @@
 #include "viewer/server/protocol.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
+
+#include "viewer/server/detail/wire.h"
 
 namespace thigma::live {
+
+using namespace detail;
+
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "messages are the bytes in memory");
-
-constexpr std::uint8_t kLayout = 1;
-constexpr std::size_t kHeader = 16;
 constexpr std::size_t kSampleBytes = 40;
 constexpr std::size_t kMostSamples = 64;
 constexpr std::size_t kMostClusters = 16;
-constexpr float kUnknownOnWire = std::numeric_limits<float>::quiet_NaN();
-
-template <class T>
-void put(std::string& out, T value) {
-  char bytes[sizeof(T)];
-  std::memcpy(bytes, &value, sizeof(T));
-  out.append(bytes, sizeof(T));
-}
 
 template <class T>
 T get(std::string_view in, std::size_t at) {
   T value;
   std::memcpy(&value, in.data() + at, sizeof(T));
   return value;
-}
-
-void put_header(std::string& out, MessageKind kind, std::uint16_t extra, std::size_t count,
-                double time) {
-  put(out, static_cast<std::uint8_t>(kind));
-  put(out, kLayout);
-  put(out, extra);
-  put(out, static_cast<std::uint32_t>(count));
-  put(out, time);
-}
-
-/// What no float can say is not known.
-void put_float(std::string& out, double value) {
-  const auto narrow = static_cast<float>(value);
-  put(out, std::isfinite(narrow) ? narrow : kUnknownOnWire);
-}
-
-void put_vector(std::string& out, const Vec3& v) {
-  for (int i = 0; i < 3; ++i) put_float(out, v[i]);
-}
-
-void put_pose(std::string& out, const Pose& pose) {
-  put_vector(out, pose.position);
-  for (int i = 0; i < 4; ++i) put_float(out, pose.orientation.coeffs()[i]);
 }
 
 std::uint32_t counted(std::int64_t n) {

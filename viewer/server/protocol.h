@@ -26,6 +26,7 @@ enum class MessageKind : std::uint8_t {
   snapshot = 3,
   level = 4,
   relief = 5,
+  bodies = 6,
   device = 32,
   upload = 33
 };

@@ -35,7 +35,7 @@ void put_to_sleep(const World& world, double dt, WorldState& state, WorldScratch
       const Vec6 u = detail::velocity_of(world.rigid[idx(body)], state.bodies[idx(body)]);
       const double reach = world.boxes[idx(world.shape[idx(body)])].reach;
       const bool is_slow =
-          world.bodies[idx(body)].kind == BodyKind::moving &&
+          detail::moved_by(world, s, body) == BodyKind::moving &&
           kTime * (u.head<3>().norm() + reach * u.tail<3>().norm()) <= kWay * reach;
       double& still = state.still[idx(body)];
       still = is_slow ? still + dt : 0.0;
@@ -48,6 +48,18 @@ void put_to_sleep(const World& world, double dt, WorldState& state, WorldScratch
       state.is_asleep[body] = 1;
       state.bodies[body].linear_momentum = state.bodies[body].angular_momentum = Vec3::Zero();
     }
+  }
+}
+
+/// Notes which bodies hands have hold of, and wakes them.
+void take_in_hands(std::span<const HandHold> hands, WorldState& state, WorldScratch& s) noexcept {
+  std::fill(s.in_hand.begin(), s.in_hand.end(), 0);
+  for (const HandHold& hand : hands) {
+    if (hand.body < 0 || !hand.coupling.is_grasped) continue;
+    s.in_hand[idx(hand.body)] = 1;
+    if (state.is_asleep[idx(hand.body)] == 0) continue;
+    state.is_asleep[idx(hand.body)] = 0;
+    state.still[idx(hand.body)] = 0.0;
   }
 }
 
@@ -91,6 +103,7 @@ WorldScratchPtr reserve_world(const World& world, std::size_t pairs) {
   scratch->is_jointed.assign(count, 0);
   scratch->islands.joint.reserve(joints);
   scratch->moves.assign(count, 0);
+  scratch->in_hand.assign(count, 0);
   scratch->go.assign(count, 0.0);
   scratch->margins.assign(count, 0.0);
   scratch->free.resize(count);
@@ -108,6 +121,7 @@ WorldStep step_world(const World& world, const WorldInputs& inputs, double dt, W
                      WorldScratch& s) {
   WorldStep report;
   constexpr int kParts = 16, kHalvings = 5;
+  take_in_hands(inputs.hands, state, s);
   for (detail::JointImpulses& sum : s.joint_sum) sum.fill(0.0);
   double left = dt, last = dt;
   for (report.parts = 0; report.parts < kParts && left > 1e-9 * dt; ++report.parts) {

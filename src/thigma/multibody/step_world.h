@@ -10,9 +10,9 @@
 
 namespace thigma {
 
-/// A hand that holds a body in a step.
+/// A hand that holds a body in a step. A moving body that no hand of a step holds is free.
 struct HandHold {
-  std::int32_t body = -1;  // of kind held; several hands may hold one body
+  std::int32_t body = -1;  // of kind held or moving; several hands may hold one body
   Coupling coupling;
   Motion handle;  // of the hand [world]
 };

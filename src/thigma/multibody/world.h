@@ -16,9 +16,9 @@ namespace thigma {
 /// What moves a body.
 enum class BodyKind : std::uint8_t {
   fixed,       // nothing
-  moving,      // gravity and contacts
+  moving,      // gravity and contacts, and hands that take hold of it
   prescribed,  // a velocity that is given at every step; contacts stop it only where nothing gives
-  held,        // a hand, by a coupling, beside gravity and contacts
+  held,        // as moving; of a scene: one device holds it all the time
 };
 
 /// A surface in the frame of a body: origin at its centre of mass.

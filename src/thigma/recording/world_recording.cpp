@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
+#include "thigma/device/open_device.h"
 #include "thigma/recording/detail/json_read.h"
 #include "thigma/recording/detail/json_text.h"
 #include "thigma/recording/mcap_file.h"
@@ -46,6 +47,7 @@ void read_config_text(std::string_view text, const std::string& path, WorldRecor
     out.devices = json.at("devices").get<std::vector<std::string>>();
   else if (const auto device = json.at("device").get<std::string>(); !device.empty())
     out.devices = {device};
+  out.hands.resize(out.devices.size());
   out.seed = json.at("seed").get<std::uint64_t>();
   out.rate = json.at("rate_hz").get<double>();
   out.bodies = json.at("bodies").get<std::vector<std::string>>();
@@ -72,6 +74,49 @@ BodyState read_state(std::string_view text) {
   return y;
 }
 
+void put_hand(const RecordedHand& hand, detail::JsonObject& json) {
+  const DeviceState& d = hand.device;
+  json.number("time", d.time);
+  json.pose(d.motion.pose);
+  json.vector("linear", d.motion.twist.linear);
+  json.vector("angular", d.motion.twist.angular);
+  json.integer("buttons", d.buttons);
+  json.integer("status", static_cast<int>(d.status));
+  json.number("weight", d.weight);
+  if (!hand.aimed) return;
+  json.integer("aim", hand.aimed->body);
+  json.vector("point", hand.aimed->point);
+}
+
+RecordedHand read_hand(std::string_view text) {
+  const auto json = nlohmann::json::parse(text);
+  constexpr auto kNull = detail::NullNumber::not_a_number;
+  RecordedHand hand;
+  DeviceState& d = hand.device;
+  d.time = detail::read_number(json.at("time"), kNull);
+  detail::read_pose(json, d.motion.pose, kNull);
+  detail::read_vector(json, "linear", d.motion.twist.linear, kNull);
+  detail::read_vector(json, "angular", d.motion.twist.angular, kNull);
+  d.buttons = json.at("buttons").get<std::uint32_t>();
+  const int status = json.at("status").get<int>();
+  if (status < 0 || status > static_cast<int>(DeviceStatus::finished))
+    throw InputError("a hand's status is not from 0 to 3");
+  d.status = static_cast<DeviceStatus>(status);
+  d.weight = detail::read_number(json.at("weight"), kNull);
+  if (!json.contains("aim")) return hand;
+  hand.aimed = WorldAim{json.at("aim").get<std::int32_t>(), Vec3::Zero()};
+  detail::read_vector(json, "point", hand.aimed->point, kNull);
+  return hand;
+}
+
+/// Number of the device of a topic "/device/sample", "/device/2/sample".
+std::size_t device_of(const std::string& topic, const WorldRecording& out) {
+  constexpr std::string_view kFirst = "/device/sample", kStart = "/device/";
+  if (topic == kFirst) return 0;
+  const std::size_t number = std::stoull(topic.substr(kStart.size())) - 1;
+  return number < out.devices.size() ? number : 0;
+}
+
 void read_end(std::string_view text, WorldRecording& out) {
   const auto json = nlohmann::json::parse(text);
   if (json.value("event", "") != "end") return;
@@ -81,6 +126,8 @@ void read_end(std::string_view text, WorldRecording& out) {
 }
 
 }  // namespace
+
+bool is_page_hand(const std::string& address) { return device_scheme(address) == "web"; }
 
 WorldRecordingWriter::WorldRecordingWriter(const std::string& path, const WorldRecordingInfo& info)
     : file_(std::make_unique<McapWriter>(path)) {
@@ -93,6 +140,8 @@ WorldRecordingWriter::WorldRecordingWriter(const std::string& path, const WorldR
     std::string topic = "/device";
     if (i > 0) topic.append("/").append(std::to_string(i + 1));
     commands_.push_back(file_->add_channel(topic + "/command", "thigma.wrench", ""));
+    if (is_page_hand(info.devices[i]))
+      samples_.emplace_back(i, file_->add_channel(topic + "/sample", "thigma.hand_sample", ""));
   }
   events_ = file_->add_channel("/events", "thigma.event", "");
   file_->write(config, 0, 0, config_text(info));
@@ -103,7 +152,8 @@ WorldRecordingWriter::~WorldRecordingWriter() = default;
 void WorldRecordingWriter::write(std::uint64_t frame, double time,
                                  std::span<const BodyState> bodies,
                                  std::span<const RecordedJoint> joints,
-                                 std::span<const Wrench> commands) {
+                                 std::span<const Wrench> commands,
+                                 std::span<const RecordedHand> hands) {
   const auto put = [&](std::uint16_t channel, const auto& fill) {
     text_.clear();
     detail::JsonObject json(text_);
@@ -132,6 +182,10 @@ void WorldRecordingWriter::write(std::uint64_t frame, double time,
       json.vector("force", command.force);
       json.vector("torque", command.torque);
     });
+  }
+  for (const auto& [device, channel] : samples_) {
+    if (device >= hands.size()) continue;
+    put(channel, [&hand = hands[device]](detail::JsonObject& json) { put_hand(hand, json); });
   }
 }
 
@@ -172,6 +226,9 @@ WorldRecording read_world_recording(const std::string& path) {
         read_config_text(message.data, path, out);
       } else if (topic == "/events") {
         read_end(message.data, out);
+      } else if (topic.starts_with("/device") && topic.ends_with("/sample")) {
+        if (out.devices.empty()) refuse(path, "a sample before /config");
+        out.hands[device_of(topic, out)].push_back(read_hand(message.data));
       } else if (topic.starts_with("/body/")) {
         if (out.bodies.empty()) refuse(path, "a state before /config");
         const std::string& name = out.bodies[next++ % out.bodies.size()];

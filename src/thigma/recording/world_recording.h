@@ -6,10 +6,13 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "thigma/device/haptic_device.h"
 #include "thigma/dynamics/body.h"
 #include "thigma/math/pose.h"
+#include "thigma/session/live_ports.h"
 
 namespace thigma {
 
@@ -35,8 +38,19 @@ struct RecordedJoint {
   double spring = 0.0, motor = 0.0, limit = 0.0;  // along it [N, N m]
 };
 
+/// What has to come again of a page's hand, which no address can open: what was read, and what it
+/// was aimed at before that, if anew.
+struct RecordedHand {
+  DeviceState device;
+  std::optional<WorldAim> aimed;
+};
+
+/// Whether a device of a recording is a page's hand, whose samples it has. Thread: any.
+bool is_page_hand(const std::string& address);
+
 /// Writes one. Topics: /config, /body/NAME/state for each body, /joint/NAME/state for each joint,
-/// /device/command of the first device, /device/2/command and so on of others, /events.
+/// /device/command of the first device, /device/2/command and so on of others, beside it /sample of
+/// a page's hand, /events.
 /// Thread: one, [offline]. Members throw IoError.
 class WorldRecordingWriter {
  public:
@@ -48,20 +62,24 @@ class WorldRecordingWriter {
   /// bodies   as many as names
   /// joints   likewise
   /// commands sent to the devices, likewise
+  /// hands    by device; of pages' hands alone something is written
   void write(std::uint64_t frame, double time, std::span<const BodyState> bodies,
-             std::span<const RecordedJoint> joints, std::span<const Wrench> commands);
+             std::span<const RecordedJoint> joints, std::span<const Wrench> commands,
+             std::span<const RecordedHand> hands = {});
   void close(std::uint64_t frames, std::uint64_t state_hash);
 
  private:
   std::unique_ptr<McapWriter> file_;
   std::vector<std::uint16_t> bodies_, joints_, commands_;
+  std::vector<std::pair<std::size_t, std::uint16_t>> samples_;  // device, channel
   std::uint16_t events_ = 0;
   std::string text_;
 };
 
 /// A recording in memory: all bodies of a frame one after the other.
 struct WorldRecording : WorldRecordingInfo {
-  std::vector<BodyState> states;  // frames x bodies
+  std::vector<BodyState> states;                 // frames x bodies
+  std::vector<std::vector<RecordedHand>> hands;  // by device; of pages' hands one a frame
 };
 
 /// Whether a file is a recording of a world. False for what cannot be read.

@@ -146,6 +146,7 @@ void read_tables(TomlTable& top, const std::string& folder, bool has_many_device
 /// Surface and measure of a mesh, for a density of 1.
 struct Surface {
   std::shared_ptr<const ClodHierarchy> hierarchy;
+  std::shared_ptr<const TriangleMesh> mesh;
   MassProperties measure;
 };
 
@@ -235,6 +236,12 @@ std::int32_t held_by(const WorldSceneDescription& scene, const WorldSceneDevice&
                    (nearest.empty() ? "a body of kind held" : "'" + nearest + "'?"));
 }
 
+Coupling coupling_of(const LoadedWorld& loaded, std::int32_t body) {
+  return make_coupling(loaded.description.coupling,
+                       default_gains(loaded.hierarchies[idx(body)]->radius),
+                       loaded.config.world.rigid[idx(body)]);
+}
+
 /// A hand for each device; every held body needs one.
 void add_hands(LoadedWorld& loaded) {
   WorldSceneDescription& scene = loaded.description;
@@ -248,9 +255,7 @@ void add_hands(LoadedWorld& loaded) {
   for (const WorldSceneDevice& device : scene.devices) {
     WorldHand hand;
     hand.body = held_by(scene, device);
-    hand.coupling =
-        make_coupling(scene.coupling, default_gains(loaded.hierarchies[idx(hand.body)]->radius),
-                      config.world.rigid[idx(hand.body)]);
+    hand.coupling = coupling_of(loaded, hand.body);
     hand.at = device.at;
     hand.limits = device.limits;
     config.hands.push_back(hand);
@@ -278,10 +283,12 @@ LoadedWorld load_world(WorldSceneDescription description, const Log& log) {
       source.name = body.object.mesh;
       source.role = "mesh";
       source.scale = body.object.unit_scale;
-      const TriangleMesh mesh = load_surface(source, log);
-      surface.hierarchy = std::make_shared<const ClodHierarchy>(build_exact_hierarchy(mesh));
-      surface.measure = mass_properties(mesh);
+      surface.mesh = std::make_shared<const TriangleMesh>(load_surface(source, log));
+      surface.hierarchy =
+          std::make_shared<const ClodHierarchy>(build_exact_hierarchy(*surface.mesh));
+      surface.measure = mass_properties(*surface.mesh);
     }
+    loaded.meshes.push_back(surface.mesh);
     loaded.hierarchies.push_back(surface.hierarchy);
     bodies.push_back(world_body(body, surface, scene.file));
   }
@@ -307,6 +314,24 @@ LoadedWorld load_world(WorldSceneDescription description, const Log& log) {
   return loaded;
 }
 
+WorldHand free_hand(const LoadedWorld& world) {
+  WorldHand hand;
+  hand.is_free = true;
+  const std::vector<WorldBody>& bodies = world.config.world.bodies;
+  hand.couplings.resize(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].kind != BodyKind::moving && bodies[i].kind != BodyKind::held) continue;
+    const auto body = static_cast<std::int32_t>(i);
+    try {
+      hand.couplings[i] = coupling_of(world, body);
+    } catch (const InputError&) {  // gains of the scene that are for its own hand alone
+      hand.couplings[i] = make_coupling({}, default_gains(world.hierarchies[i]->radius),
+                                        world.config.world.rigid[i]);
+    }
+  }
+  return hand;
+}
+
 namespace {
 
 /// Decided by the address, before anything is opened: a recording may bring one from anywhere.
@@ -328,6 +353,10 @@ WorldDevices open_world_devices(const LoadedWorld& world, const std::vector<std:
                                 std::uint64_t seed) {
   WorldDevices devices;
   for (std::size_t i = 0; i < world.config.hands.size(); ++i) {
+    if (world.config.hands[i].is_free) {  // who brings it has its device as well
+      devices.list.push_back(nullptr);
+      continue;
+    }
     const WorldSceneDevice& given = world.description.devices[i];
     DeviceContext context;
     context.approach = given.approach;

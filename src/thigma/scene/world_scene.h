@@ -75,6 +75,7 @@ WorldSceneDescription parse_world_scene(std::string_view text, const std::string
 struct LoadedWorld {
   WorldSceneDescription description;
   std::vector<std::shared_ptr<const ClodHierarchy>> hierarchies;  // one a body; equal ones shared
+  std::vector<std::shared_ptr<const TriangleMesh>> meshes;        // likewise
   WorldSessionConfig config;                                      // without a device
 };
 
@@ -91,7 +92,13 @@ struct WorldDevices {
   std::vector<HapticDevice*> list;
 };
 
-/// Opens them. Only devices that hold nobody: worlds have no ramps and no watchdog yet.
+/// A hand that holds nothing until it is aimed at a body that moves (WorldRun::aim); couplings as
+/// the scene has them for each body.
+/// Thread  [offline]
+WorldHand free_hand(const LoadedWorld& world);
+
+/// Opens them. Only devices that hold nobody: worlds have no ramps and no watchdog yet. Free hands
+/// get null.
 ///
 /// uris    by hand; those left out or empty are the scene's
 /// seed    of the first; each further one has the next

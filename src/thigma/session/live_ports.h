@@ -90,6 +90,13 @@ void exchange_contacts(ContactReplacement& other, ContactWorld& world,
 /// Thread    [contact].
 Resolution faded_in(const Resolution& asked, double share) noexcept;
 
+/// What the hand of a page takes hold of, in a world of several bodies.
+struct WorldAim {
+  std::int32_t body = -1;     // -1: nothing
+  Vec3 point = Vec3::Zero();  // where [m; body frame]
+};
+static_assert(RtPayload<WorldAim>);
+
 /// The exchanges themselves; they outlive the session. Lockstep sessions publish views and ignore
 /// the rest, as nothing may change what they compute.
 /// Thread: each exchange has one writer and one reader, named beside it.
@@ -102,6 +109,7 @@ struct LivePorts {
   std::atomic<ContactReplacement*> replacement{nullptr};
   std::atomic<bool> is_paused{false};  // watcher -> haptic thread: session time stands still
   std::atomic<int> steps{0};           // watcher -> haptic thread: frames to do while paused
+  Latest<WorldAim> aim;                // watcher -> the thread of a world, which reads no tuning
 };
 
 /// Takes one of the frames asked for while paused; false when there is none.

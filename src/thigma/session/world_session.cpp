@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "thigma/core/error.h"
 #include "thigma/core/index.h"
 #include "thigma/loop/samples.h"
 #include "thigma/math/infinity.h"
+#include "thigma/session/detail/world_hands.h"
 
 namespace thigma {
 namespace {
@@ -20,143 +23,21 @@ void add_state(const BodyState& y, StateHash& hash) noexcept {
   add_vector(hash, y.angular_momentum);
 }
 
-void add_frame(const WorldState& state, std::span<const Wrench> commands,
+/// What a free hand sends counts while it holds something: one that only watches changes no bit.
+void add_frame(const WorldState& state, const detail::SessionHands& hands,
                StateHash& hash) noexcept {
   for (const BodyState& y : state.bodies) add_state(y, hash);
-  for (const Wrench& command : commands) {
-    add_vector(hash, command.force);
-    add_vector(hash, command.torque);
+  for (std::size_t i = 0; i < hands.list.size(); ++i) {
+    if (hands.list[i].config->is_free && !hands.list[i].is_holding) continue;
+    add_vector(hash, hands.commands[i].force);
+    add_vector(hash, hands.commands[i].torque);
   }
 }
 
-Wrench within(const DeviceLimits& limits, Wrench wrench) noexcept {
-  const auto cut = [](Vec3& v, double most) {
-    const double size = v.norm();
-    if (!std::isfinite(size))
-      v.setZero();
-    else if (size > most)
-      v *= most / size;
-  };
-  cut(wrench.force, limits.max_force);
-  cut(wrench.torque, limits.max_torque);
-  return wrench;
+void fail(WorldSummary& summary) noexcept {
+  for (WorldHandSummary& hand : summary.hands) hand.fault = Fault::not_finite;
+  summary.fault = Fault::not_finite;
 }
-
-/// A hand of a session: its handle in the world, and what it has put in.
-struct Hand {
-  const World& world;
-  const WorldHand& config;
-  HapticDevice* device = nullptr;
-  HandHold hold{};
-  WorkspaceAnchor anchor{};
-  SafetyState safety{};
-  Vec3 last_position = Vec3::Zero();
-  Quat last_orientation = Quat::Identity();
-  bool has_started = false;
-  bool has_finished = false;
-
-  void read(double now, double dt, const WorldState& state) {
-    const DeviceState sample = device->read(now);
-    has_finished = sample.status == DeviceStatus::finished;
-    if (has_finished || !check_device(config.limits, sample, now, dt, safety)) return;
-    if (sample.status == DeviceStatus::not_ready) return;
-    if (!has_started) {
-      const BodyState& body = state.bodies[idx(config.body)];
-      anchor = anchor_at(sample.motion.pose, {config.at.value_or(body.position), body.orientation});
-      hold.body = config.body;
-      hold.coupling = config.coupling;
-    }
-    hold.handle =
-        world_motion(config.workspace, anchor, sample.motion, device->limits().senses_rotation);
-    if (has_started) return;
-    grasp(hold.coupling, state.bodies[idx(config.body)], hold.handle.pose);
-    last_position = hold.handle.pose.position;
-    last_orientation = hold.handle.pose.orientation;
-    has_started = true;
-  }
-
-  /// Sends what the hand feels, and counts it.
-  Wrench write(const WorldState& state, WorldHandSummary& summary) {
-    if (!has_started) return {};
-    const BodyState& body = state.bodies[idx(config.body)];
-    const Wrench reaction =
-        coupling_reaction(hold.coupling, hold.handle, world.rigid[idx(config.body)], body);
-    DeviceLimits limits = device->limits();
-    limits.max_force = std::min(limits.max_force, config.limits.max_force);
-    limits.max_torque = std::min(limits.max_torque, config.limits.max_torque);
-    const Wrench sent = within(limits, device_wrench(config.workspace, reaction));
-    device->write(sent);
-    const Vec3 turn = 2.0 * (hold.handle.pose.orientation * last_orientation.conjugate()).vec();
-    summary.port_energy -=
-        reaction.force.dot(hold.handle.pose.position - last_position) + reaction.torque.dot(turn);
-    summary.port_energy_min = std::min(summary.port_energy_min, summary.port_energy);
-    summary.force_max = std::max(summary.force_max, sent.force.norm());
-    last_position = hold.handle.pose.position;
-    last_orientation = hold.handle.pose.orientation;
-    return sent;
-  }
-};
-
-/// All hands of a session.
-struct Hands {
-  std::vector<Hand> list;
-  std::vector<HandHold> holds;  // of those that have started
-  std::vector<Motion> handles;
-  std::vector<Wrench> commands;
-
-  Hands(const WorldSessionConfig& config, std::span<HapticDevice* const> devices)
-      : handles(devices.size()), commands(devices.size()) {
-    for (std::size_t i = 0; i < devices.size(); ++i)
-      list.push_back({config.world, config.hands[i], devices[i]});
-    holds.reserve(devices.size());
-  }
-  /// Reads all devices; false where the session ends: a device has finished or is at fault.
-  bool read(double now, double dt, const WorldState& state, WorldSummary& summary) {
-    bool goes_on = true;
-    holds.clear();
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      Hand& hand = list[i];
-      if (hand.device == nullptr) continue;
-      hand.read(now, dt, state);
-      summary.hands[i].fault = hand.safety.fault;
-      if (summary.fault == Fault::none) summary.fault = hand.safety.fault;
-      goes_on = goes_on && !hand.has_finished && hand.safety.fault == Fault::none;
-      if (hand.has_started) holds.push_back(hand.hold);
-    }
-    return goes_on;
-  }
-  void write(const WorldState& state, WorldSummary& summary) {
-    summary.port_energy = 0.0;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      if (list[i].device != nullptr) commands[i] = list[i].write(state, summary.hands[i]);
-      handles[i] = list[i].hold.handle;
-      const WorldHandSummary& hand = summary.hands[i];
-      summary.port_energy += hand.port_energy;
-      summary.port_energy_min = std::min(summary.port_energy_min, hand.port_energy_min);
-      summary.force_max = std::max(summary.force_max, hand.force_max);
-    }
-  }
-  /// Zero to every device, whatever another does.
-  void let_go() noexcept {
-    for (const Hand& hand : list) {
-      if (hand.device == nullptr) continue;
-      try {
-        hand.device->write({});
-      } catch (...) {  // the others are still to be let go
-      }
-    }
-  }
-  void fail(WorldSummary& summary) noexcept {
-    for (WorldHandSummary& hand : summary.hands) hand.fault = Fault::not_finite;
-    summary.fault = Fault::not_finite;
-  }
-};
-
-/// Every way out of a session, an exception too, ends in zero force.
-struct LetGo {
-  Hands& hands;
-  ~LetGo() { hands.let_go(); }
-};
 
 bool is_finite(const WorldState& state) noexcept {
   return std::all_of(state.bodies.begin(), state.bodies.end(), [](const BodyState& y) {
@@ -207,54 +88,143 @@ void count(const WorldStep& step, WorldSummary& summary) noexcept {
   summary.awake = step.awake;
 }
 
+/// Frames of the whole session; practically endless without a duration.
+std::uint64_t frames_of(const WorldSessionConfig& config) {
+  if (!(config.duration > 0.0)) return std::numeric_limits<std::uint64_t>::max();
+  return static_cast<std::uint64_t>(std::llround(config.duration * config.rate));
+}
+
+bool is_stopped(const std::atomic<bool>* stop) noexcept {
+  return stop != nullptr && stop->load(std::memory_order_relaxed);
+}
+
 }  // namespace
+
+struct WorldRun::Impl {
+  Impl(const WorldSessionConfig& config_in, std::span<HapticDevice* const> devices)
+      : config(&config_in),
+        frames(frames_of(config_in)),
+        state(config_in.start),
+        scratch(reserve_world(config_in.world)),
+        hands(config_in, devices),
+        joints(config_in.world.joints.size()) {
+    summary.hands.resize(devices.size());
+    summary.energy_start = mechanical_energy(config->world, state);
+    summary.gap_min = kInfinity;
+  }
+  // Every way out of a session, an exception too, ends in zero force.
+  ~Impl() { detail::let_go(hands); }
+
+  WorldFrame* make_frame();
+
+  const WorldSessionConfig* config;
+  const std::uint64_t frames;
+  WorldSummary summary;
+  WorldState state;
+  WorldScratchPtr scratch;
+  detail::SessionHands hands;
+  std::vector<JointReading> joints;
+  StateHash hash;
+  WorldFrame frame;
+  std::optional<WorldAim> aimed;
+  bool is_over = false;
+};
+
+WorldFrame* WorldRun::Impl::make_frame() {
+  const std::uint64_t i = summary.frames;
+  const double dt = 1.0 / config->rate;
+  is_over = is_over || i >= frames ||
+            !detail::read_hands(static_cast<double>(i) * dt, dt, state, hands, summary);
+  if (is_over) return nullptr;
+  frame.step = step_world(config->world, {.hands = hands.holds, .drives = config->drives}, dt,
+                          state, *scratch);
+  if (!is_finite(state)) {
+    fail(summary);
+    is_over = true;
+    return nullptr;
+  }
+  detail::write_hands(state, hands, summary);
+  const double made =
+      mechanical_energy(config->world, state) - summary.energy_start - summary.port_energy;
+  summary.energy_made = std::max(summary.energy_made, made);
+  add_frame(state, hands, hash);
+  count(frame.step, summary);
+  ++summary.frames;
+  for (std::size_t k = 0; k < joints.size(); ++k)
+    joints[k] = read_joint(config->world, state, *scratch, static_cast<std::int32_t>(k), dt);
+  frame.frame = i;
+  frame.time = static_cast<double>(i + 1) * dt;
+  frame.bodies = state.bodies;
+  frame.is_asleep = state.is_asleep;
+  frame.joints = joints;
+  frame.handles = hands.handles;
+  frame.commands = hands.commands;
+  frame.grips = hands.grips;
+  frame.aimed = std::exchange(aimed, std::nullopt);
+  return &frame;
+}
+
+WorldRun::WorldRun(const WorldSessionConfig& config, std::span<HapticDevice* const> devices) {
+  check_devices(config, devices);
+  check_motors(config);
+  impl_ = std::make_unique<Impl>(config, devices);
+}
+
+WorldRun::~WorldRun() = default;
+
+void WorldRun::aim(const WorldAim& aim) noexcept {
+  impl_->aimed = aim;
+  detail::aim(aim, impl_->hands);
+}
+
+WorldFrame* WorldRun::make_frame() { return impl_->make_frame(); }
+
+void WorldRun::lose(std::uint64_t frames) noexcept {
+  WorldSummary& summary = impl_->summary;
+  impl_->frame.lost = frames;
+  summary.late_frames += frames > 0 ? 1 : 0;
+  summary.lost_time += static_cast<double>(frames) / impl_->config->rate;
+}
+
+const WorldState& WorldRun::state() const noexcept { return impl_->state; }
+
+void WorldRun::go_on(const WorldSessionConfig& next, const WorldState& state,
+                     std::span<const std::int32_t> was) {
+  Impl& run = *impl_;
+  WorldScratchPtr scratch = reserve_world(next.world);
+  std::vector<JointReading> joints(next.world.joints.size());
+  // What comes and goes is neither made nor lost.
+  const double before = mechanical_energy(run.config->world, run.state);
+  run.summary.energy_start += mechanical_energy(next.world, state) - before;
+  run.state = state;
+  run.scratch = std::move(scratch);
+  run.joints = std::move(joints);
+  run.config = &next;
+  detail::renumber(next, was, run.hands);
+}
+
+WorldSummary WorldRun::end() {
+  detail::let_go(impl_->hands);
+  impl_->is_over = true;
+  WorldSummary summary = impl_->summary;
+  summary.state_hash = impl_->hash.value;
+  summary.energy_end = mechanical_energy(impl_->config->world, impl_->state);
+  return summary;
+}
 
 WorldSummary run_world(const WorldSessionConfig& config, std::span<HapticDevice* const> devices,
                        const std::function<void(const WorldFrame&)>& sink,
                        const std::atomic<bool>* stop) {
-  check_devices(config, devices);
-  check_motors(config);
-  WorldSummary summary;
-  summary.hands.resize(devices.size());
-  WorldState state = config.start;
-  const WorldScratchPtr scratch = reserve_world(config.world);
-  Hands hands(config, devices);
-  const LetGo let_go{hands};
-  StateHash hash;
-  summary.energy_start = mechanical_energy(config.world, state);
-  summary.gap_min = kInfinity;
-  const double dt = 1.0 / config.rate;
-  const auto frames = static_cast<std::uint64_t>(std::llround(config.duration * config.rate));
-  WorldFrame frame;
-  std::vector<JointReading> joints(config.world.joints.size());
-  for (std::uint64_t i = 0; i < frames && !summary.was_stopped; ++i) {
-    if (!hands.read(static_cast<double>(i) * dt, dt, state, summary)) break;
-    frame.step = step_world(config.world, {.hands = hands.holds, .drives = config.drives}, dt,
-                            state, *scratch);
-    if (!is_finite(state)) {
-      hands.fail(summary);
-      break;
-    }
-    hands.write(state, summary);
-    const double made =
-        mechanical_energy(config.world, state) - summary.energy_start - summary.port_energy;
-    summary.energy_made = std::max(summary.energy_made, made);
-    add_frame(state, hands.commands, hash);
-    count(frame.step, summary);
-    ++summary.frames;
-    for (std::size_t k = 0; sink && k < joints.size(); ++k)
-      joints[k] = read_joint(config.world, state, *scratch, static_cast<std::int32_t>(k), dt);
-    frame.frame = i;
-    frame.time = static_cast<double>(i + 1) * dt;
-    frame.bodies = state.bodies;
-    frame.joints = joints;
-    frame.handles = hands.handles;
-    frame.commands = hands.commands;
-    if (sink) sink(frame);
-    summary.was_stopped = stop != nullptr && stop->load(std::memory_order_relaxed);
+  WorldRun run(config, devices);
+  bool was_stopped = false;
+  while (!was_stopped) {
+    const WorldFrame* frame = run.make_frame();
+    if (frame == nullptr) break;
+    if (sink) sink(*frame);
+    was_stopped = is_stopped(stop);
   }
-  summary.state_hash = hash.value;
-  summary.energy_end = mechanical_energy(config.world, state);
+  WorldSummary summary = run.end();
+  summary.was_stopped = was_stopped;
   return summary;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 // A session of several moving bodies, some of which hands may hold: on a virtual clock, bit for bit
-// the same every time.
+// the same every time, or by the clock on the wall, with the same bits for the same samples.
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "thigma/device/workspace.h"
 #include "thigma/loop/safety.h"
 #include "thigma/multibody/step_world.h"
+#include "thigma/session/live_ports.h"
 
 namespace thigma {
 
@@ -23,6 +25,10 @@ struct WorldHand {
   Workspace workspace;
   std::optional<Vec3> at;  // where it takes hold at the start [m; world]; else the body's centre
   SafetyLimits limits;     // of what its device says and of what is sent; the device's hold as well
+  // It holds something only while its clutch is closed: what it is aimed at, `body` at the start
+  // (-1: nothing), by the coupling of that body. A device that is lost lets go; that is no fault.
+  bool is_free = false;
+  std::vector<Coupling> couplings{};  // of a free one: by body
 };
 
 /// What a world session is.
@@ -32,7 +38,15 @@ struct WorldSessionConfig {
   std::vector<WorldHand> hands;
   std::vector<BodyDrive> drives;  // of prescribed bodies
   double rate = 1000.0;           // of steps [Hz]
-  double duration = 10.0;         // [s]
+  double duration = 10.0;         // 0: until it is stopped or a device has finished [s]
+};
+
+/// What a hand does in a frame.
+struct WorldGrip {
+  std::int32_t body = -1;  // that it holds; -1: none
+  Pose body_from_grasp;    // where, see Coupling
+  DeviceState device;      // as read [device frame]
+  double energy = 0.0;     // that it has put in since the start [J]
 };
 
 /// One frame of it.
@@ -40,10 +54,16 @@ struct WorldFrame {
   std::uint64_t frame = 0;
   double time = 0.0;  // at its end [s]
   std::span<const BodyState> bodies;
+  std::span<const std::uint8_t> is_asleep;  // by body
   std::span<const JointReading> joints;
   std::span<const Motion> handles;   // by hand [world]
   std::span<const Wrench> commands;  // sent, by hand [N, N m; device frame]
+  std::span<const WorldGrip> grips;  // by hand
+  std::optional<WorldAim> aimed;     // of free hands, since the frame before
   WorldStep step;
+  // By the clock; in lockstep 0.
+  double step_cpu = 0.0;   // of the processor, for this frame [s]
+  std::uint64_t lost = 0;  // frames' time that passed unused before it, as the one before was late
 };
 
 /// How it went for a hand.
@@ -76,6 +96,9 @@ struct WorldSummary {
   std::uint64_t not_whole = 0;  // steps in which rows contradicted each other
   std::int32_t awake = 0;       // at the end
   bool was_stopped = false;
+  // By the clock: frames that came late by more than a frame's time, and by how much in all [s].
+  std::uint64_t late_frames = 0;
+  double lost_time = 0.0;
   // the first of a hand, or not_finite where the motion came to be no number: all devices were left
   // at zero force
   Fault fault = Fault::none;
@@ -83,19 +106,78 @@ struct WorldSummary {
   bool has_fault() const noexcept { return fault != Fault::none; }
 };
 
-/// Runs a world: each frame reads the devices, makes a step of 1 / rate with all bodies in one
-/// solve an island, and sends each coupling's reaction, cut at the limits of its device and hand. A
-/// fault of one hand ends the session, before a step is made, with zero force on all.
+/// A session frame by frame: the one loop's body that lockstep and the clock have in common. Each
+/// frame reads the devices, makes a step of 1 / rate with all bodies in one solve an island, and
+/// sends each coupling's reaction, cut at the limits of its device and hand. A fault of one hand
+/// ends the session, before a step is made, with zero force on all.
+/// Invariant: every device has zero force when it is destroyed, however that comes.
+/// Thread: one.
+class WorldRun {
+ public:
+  /// config   constant while it runs
+  /// devices  one a hand; null: nobody holds it
+  /// errors   std::invalid_argument for another number of devices, and for one that holds a person,
+  ///          as worlds have no ramps and no watchdog yet; InputError for a motor that is too fast
+  WorldRun(const WorldSessionConfig& config, std::span<HapticDevice* const> devices);
+  ~WorldRun();
+  WorldRun(const WorldRun&) = delete;
+  WorldRun& operator=(const WorldRun&) = delete;
+
+  /// What free hands take hold of from the next frame on; one that holds something else lets go of
+  /// that. Bodies that nothing moves, and numbers of none: nothing.
+  void aim(const WorldAim& aim) noexcept;
+  /// Makes the next frame; null: the session is over, nothing was made.
+  WorldFrame* make_frame();
+  /// Of the world after the last frame.
+  const WorldState& state() const noexcept;
+  /// Goes on with another world: bodies that come and go between two frames. Hands hold what they
+  /// held, but for what is gone.
+  ///
+  /// next     constant from here on, outlives the run: the same hands, rate and joints
+  /// state    of that world
+  /// was      by body: its number so far; -1: it is new
+  /// errors   std::bad_alloc, and then nothing has changed
+  void go_on(const WorldSessionConfig& next, const WorldState& state,
+             std::span<const std::int32_t> was);
+  /// So many frames' time has passed unused.
+  void lose(std::uint64_t frames) noexcept;
+  /// Leaves zero force and tells how it went.
+  WorldSummary end();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Runs a world in lockstep: on a virtual clock, as fast as it goes.
 ///
-/// config   constant
-/// devices  one a hand; null: nobody holds it
+/// config, devices  and errors as of WorldRun
 /// sink     called after every frame; may be empty
 /// stop     null, or looked at every frame
-/// errors   std::invalid_argument for another number of devices, and for one that holds a person,
-///          as worlds have no ramps and no watchdog yet; what a sink throws
+/// errors   also what a sink throws
 /// Thread   [offline]
 WorldSummary run_world(const WorldSessionConfig& config, std::span<HapticDevice* const> devices,
                        const std::function<void(const WorldFrame&)>& sink = {},
                        const std::atomic<bool>* stop = nullptr);
+
+/// What a world by the clock has around it.
+struct WorldShell {
+  std::function<void(const WorldFrame&)> sink{};  // after every frame; may be empty
+  const std::atomic<bool>* stop = nullptr;        // null, or looked at every frame
+  LivePorts* live = nullptr;  // pauses, single steps, what free hands are aimed at; null: nobody
+  // Before every frame, and while paused: what happens between two; may be empty.
+  std::function<void(WorldRun&)> between{};
+  // Waits for the next tick and tells how many were over before; empty: of the clock on the wall.
+  std::function<std::uint64_t()> wait_for_tick{};
+};
+
+/// The same by the clock: a step of 1 / rate at each tick. A step that takes longer has the world
+/// go more slowly than the clock, by whole frames, which are counted; none is longer to catch up.
+/// The bits are those of run_world for the same samples.
+///
+/// config, devices  and errors as of run_world
+/// Thread   [offline]
+WorldSummary run_world_by_clock(const WorldSessionConfig& config,
+                                std::span<HapticDevice* const> devices, const WorldShell& shell);
 
 }  // namespace thigma

@@ -14,6 +14,7 @@ void fuzz_message(Bytes bytes) {
     const live::ParsedCommand parsed = live::parse_command(message);
     require(parsed.refusal.code == 0 || !parsed.refusal.why.empty(), "a refusal has a reason");
     require(parsed.refusal.code != 0 || std::isfinite(parsed.command.number), "numbers are finite");
+    require(!parsed.command.point || parsed.command.point->allFinite(), "and points");
     return;
   }
   const live::DeviceMessage device = live::decode_device(message);

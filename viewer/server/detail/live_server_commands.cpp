@@ -33,6 +33,12 @@ LiveRequest request_of(PageId page, const Command& command) {
     case Command::Kind::save:
       request.kind = LiveRequest::Kind::save;
       break;
+    case Command::Kind::add:
+      request.kind = LiveRequest::Kind::add;
+      break;
+    case Command::Kind::remove:
+      request.kind = LiveRequest::Kind::remove;
+      break;
     default:
       request.kind = LiveRequest::Kind::reset;
       break;
@@ -43,6 +49,7 @@ LiveRequest request_of(PageId page, const Command& command) {
   request.number = command.number;
   request.flag = command.flag;
   request.data = command.objects;
+  request.point = command.point;
   return request;
 }
 
@@ -83,6 +90,33 @@ std::string LiveServer::Impl::hold(PageId page, bool wanted) {
   holder = page;
   last_sample = -std::numeric_limits<double>::infinity();
   link.begin();
+  return {};
+}
+
+/// What the page's hand takes hold of when its clutch closes next; that comes after this on the
+/// same connection, and so to the world as well.
+std::string LiveServer::Impl::grab(PageId page, const Command& command) {
+  if (!scene.world.is_world()) return kIsNoWorld;
+  if (page != holder) return "this page does not hold the device";
+  if (command.text.empty()) {
+    ports->aim.publish(WorldAim{});
+    return {};
+  }
+  const auto has_name = [&](const SceneBodyView& body) { return body.name == command.text; };
+  const auto found = std::find_if(scene.statics.begin(), scene.statics.end(), has_name);
+  const SceneBodyView* body = has_name(scene.object)         ? &scene.object
+                              : found != scene.statics.end() ? &*found
+                                                             : nullptr;
+  if (body == nullptr) return "there is no body '" + command.text + "' here";
+  if (!body->moves) return "body '" + command.text + "' stands still or goes its own way";
+  WorldAim aim{body->body, Vec3::Zero()};
+  if (command.point) {
+    if (!((*command.point - body->hierarchy->center).norm() <= 2.0 * body->hierarchy->radius))
+      return "the point is not on body '" + command.text + "'";
+    aim.point = transform_point(scene.world.body_from_mesh[static_cast<std::size_t>(body->body)],
+                                *command.point);
+  }
+  ports->aim.publish(aim);
   return {};
 }
 
@@ -134,6 +168,7 @@ std::string LiveServer::Impl::set_speed(double value) {
 std::string LiveServer::Impl::change(const Command& command) {
   const std::lock_guard lock(mutex);
   if (is_restarting) return kIsRestarting;
+  if (scene.world.is_world()) return kIsWorld;
   std::string why = tuner.set(command.text, command.number);
   if (!why.empty()) return why;
   ports->haptic_tuning.publish(tuner.haptic());
@@ -178,6 +213,8 @@ void LiveServer::Impl::ask_program(LiveRequest request) {
   if (request.kind == Kind::record && !request.flag && now_running.recording.empty())
     why = "no recording is being written";
   if (request.kind == Kind::seek && !is_replay) why = "no recording is shown";
+  const bool is_of_bodies = request.kind == Kind::add || request.kind == Kind::remove;
+  if (is_of_bodies && !scene.world.is_world()) why = kIsNoWorld;
   if (why.empty()) {
     const std::lock_guard lock(mutex);
     constexpr std::size_t kMostRequests = 32;
@@ -228,6 +265,9 @@ void LiveServer::Impl::take_command(PageId page, const Command& command) {
     case Command::Kind::hold:
       why = hold(page, command.flag);
       break;
+    case Command::Kind::grab:
+      why = grab(page, command);
+      break;
     case Command::Kind::pause:
       why = is_held_by_other(page) ? kIsHeld : pause(command.flag);
       break;
@@ -266,6 +306,8 @@ void LiveServer::Impl::take_command(PageId page, const Command& command) {
     case Command::Kind::place:
     case Command::Kind::compose:
     case Command::Kind::save:
+    case Command::Kind::add:
+    case Command::Kind::remove:
       ask_program(request_of(page, command));
       return;
   }
@@ -273,7 +315,8 @@ void LiveServer::Impl::take_command(PageId page, const Command& command) {
   if (!why.empty()) return;
   if (command.kind == Command::Kind::set) {
     send_parameters();
-  } else if (command.kind != Command::Kind::step && command.kind != Command::Kind::level) {
+  } else if (command.kind != Command::Kind::step && command.kind != Command::Kind::level &&
+             command.kind != Command::Kind::grab) {
     send_state();
   }
 }

@@ -68,7 +68,25 @@ Snapshot LiveServer::Impl::snapshot_now(const HapticNow& now) {
   s.dropped = view.dropped;
   s.front = view.front;
   s.contacts = {view.contacts.begin(), view.contacts.size()};
+  if (const WorldNow* world = world_feed.newest()) show_world(*world, s);
   return s;
+}
+
+/// In a world the object is what the hand holds that is shown.
+void LiveServer::Impl::show_world(const WorldNow& world, Snapshot& s) const {
+  if (world.shown_body >= 0) {
+    const auto body = static_cast<std::size_t>(world.shown_body);
+    s.object = s.ghost = world.bodies[body];
+    s.center = (s.object * inverse(scene.world.body_from_mesh[body])).position;
+  } else {
+    s.object = s.ghost = world.bodies[static_cast<std::size_t>(scene.object.body)];
+    s.center = s.object.position;
+  }
+  if (world.shown_hand < 0) return;
+  const ViewedHand& hand = world.hands[static_cast<std::size_t>(world.shown_hand)];
+  if (hand.body >= 0) s.ghost = hand.ghost;
+  s.handle = hand.handle;
+  s.grasp_point = hand.body >= 0 ? hand.grasp_point : s.center;
 }
 
 /// Where the second device's handle is, to a page that keeps up and does not know it yet.
@@ -98,6 +116,7 @@ void LiveServer::Impl::show() {
   std::vector<std::string> messages;
   if (!rows.empty()) messages.push_back(encode_channels(rows));
   messages.push_back(encode_snapshot(snapshot_now(*now)));
+  if (const WorldNow* world = world_feed.newest()) messages.push_back(encode_bodies(*world));
   for (const PageId page : pages) {
     if (server.offer(page, messages)) show_camera(page, now->sample.device);
   }

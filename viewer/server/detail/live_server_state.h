@@ -30,6 +30,8 @@ inline constexpr const char* kIsReplay =
 inline constexpr const char* kIsHeld = "another page holds the device";
 inline constexpr const char* kIsWatching =
     "this page only watches: open the address with its token, as the program has printed it";
+inline constexpr const char* kIsNoWorld = "only a world of several bodies has some to choose from";
+inline constexpr const char* kIsWorld = "a world of several bodies has no parameters to change yet";
 inline constexpr const char* kIsRestarting = "the session is just beginning anew";
 
 struct LiveServer::Impl {
@@ -47,6 +49,7 @@ struct LiveServer::Impl {
   std::string set_speed(double value);
   std::string hold(PageId page, bool wanted);
   bool is_held_by_other(PageId page) const;
+  std::string grab(PageId page, const Command& command);
   std::string pause(bool wanted);
   std::string step(double frames);
   std::string change(const Command& command);
@@ -55,6 +58,7 @@ struct LiveServer::Impl {
   void ask_program(LiveRequest request);
   void show_scene(SceneView view, const SessionConfig& config, const Pose& start);
   void encode_meshes();
+  void encode_world_meshes();
   void send_scene(PageId page);
   std::vector<LiveParameter> parameters();
   std::string send_level(PageId page, const Command& command);
@@ -70,6 +74,7 @@ struct LiveServer::Impl {
   void send_parameters();
   void send_to_all(const std::string& text);
   Snapshot snapshot_now(const HapticNow& now);
+  void show_world(const WorldNow& world, Snapshot& snapshot) const;
   void began(const LiveStart& start);
   void forget_troubles();
   void lock_tuner();  // with the mutex held
@@ -99,6 +104,7 @@ struct LiveServer::Impl {
   std::unique_ptr<LivePorts> ports;
   WebDeviceChannel& link;
   LiveFeed feed;
+  WorldFeed world_feed;
   std::atomic<std::size_t> open_pages{0};
   std::atomic<bool> is_preparing{false}, is_cancelled{false};
   std::atomic<double> replay_speed{1.0};

@@ -3,7 +3,7 @@ import { icon, iconButton, nameButton, setIcon } from "./icons.js";
 import { duration } from "./format.js";
 import { deviceWords, END_WORDS, endWords, faultWords } from "./words.js";
 
-/// act   {open, pause, step, reset, record, theme, help, device(uri), letGo, view(option), sound, fit}
+/// act   {open, pause, step, reset, record, theme, help, device(uri), letGo, view(option), sound, fit, add, remove: of bodies in a world}
 export function makeBar(act) {
   const controls = document.getElementById("controls"), tools = document.getElementById("view-tools");
   const bar = {
@@ -31,6 +31,7 @@ export function makeBar(act) {
   }
   bar.sound = iconButton("sound", "Sound of contact", "S", act.sound);
   showSound(bar, false);
+  tools.append(iconButton("add", "Another body like the one touched last", "", act.add), iconButton("remove", "Take the body touched last away", "", act.remove));
   tools.append(bar.sound, iconButton("fit", "Fit the view", "F", act.fit));
   return bar;
 }
@@ -79,7 +80,8 @@ export function showState(bar, session) {
   nameButton(bar.pause, paused ? "Go on" : "Pause", "P");
   bar.pause.disabled = !alive || state.run === "ended";
   bar.step.disabled = !alive || !paused;
-  bar.reset.disabled = bar.record.disabled = bar.open.disabled = !alive;
+  bar.reset.disabled = bar.record.disabled = !alive;
+  bar.open.disabled = !alive || Boolean(scene?.world); // a world stays
   const recording = Boolean(state?.recording);
   setIcon(bar.record, recording ? "stop" : "record");
   bar.record.classList.toggle("on", recording);

@@ -36,7 +36,14 @@ export function guideLine(guide, session, facts, act) {
       act: () => act.device("web:"), icon: "hand" };
   }
   if (state.holder === "other") return { text: "Another page holds the hand; this one watches." };
+  if (scene.world) return worldHand(facts);
   return ownHand(guide, { object, grasped, armed, fading, snapshot, scene, ...facts });
+}
+
+/// In a world the hand takes whatever it presses on; what it lets go of falls or flies.
+function worldHand({ holding, touch }) {
+  if (!holding) return { text: touch ? "Touch a body and drag it; let go to drop or throw it." : "Press on a body and drag it; let go to drop or throw it.", icon: "hand" };
+  return { text: touch ? "Two fingers turn it; spread them to move it away." : "Shift-drag or the wheel moves it away, Ctrl-drag turns it." };
 }
 
 function ownHand(guide, facts) {

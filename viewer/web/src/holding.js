@@ -2,12 +2,13 @@
 import { claims } from "./gizmo.js";
 import { noteSample, poseOf, takeSamples } from "./hand.js";
 import { ask, letGo, sendHand } from "./link.js";
+import { pickBody } from "./world.js";
 import { holdsXr } from "./xr.js";
 
 /// page   {session, hand, request(message) -> promise of the `ack`; stage, link, xr, gizmo: null until they are there}
 /// returns   {page, player: what mouse, fingers, keys, gamepad and headset act on}
 export function makeHolding(page) {
-  const { session, hand } = page, holding = { page, player: null };
+  const { session, hand } = page, holding = { page, player: null, wanted: false, last: null };
   holding.player = {
     get stage() { return page.stage; },
     hand,
@@ -16,10 +17,11 @@ export function makeHolding(page) {
     claims: (event) => page.gizmo !== null && claims(page.gizmo, event),
     mayMove: () => session.connected && !page.stage?.editing && session.hello?.may_control !== false && Boolean(session.state?.device.startsWith("web:")) &&
       session.state.holder !== "other" && session.state.run !== "ended" && !session.state.replay && Boolean(session.snapshot),
-    press: () => press(holding),
+    press: (pick = null) => press(holding, pick),
     moved: (turned) => { session.turned ||= turned; },
     give: () => giveHand(holding),
     letGo: () => {
+      holding.wanted = false;
       hand.clutch = false;
       confirmHand(holding);
     },
@@ -27,17 +29,25 @@ export function makeHolding(page) {
   return holding;
 }
 
-async function press(holding) {
-  const { session, hand, request } = holding.page;
+async function press(holding, pick) {
+  const { session, hand, request, stage } = holding.page;
   if ((hand.clutch && session.holding) || session.asking) return;
-  session.asking = true;
+  session.asking = holding.wanted = true;
   const from = poseOf(hand); // what is dragged before the answer comes counts as well
   if (!session.holding) setHold(holding, (await request({ type: "hold", value: true })).ok);
+  const isReady = session.holding && (!session.scene.world || await grab(holding, pick ?? pickBody(stage, null) ?? holding.last));
   session.asking = false;
-  if (!session.holding) return;
+  if (!session.holding || !isReady || !holding.wanted) return; // let go before the answer came
   noteSample(hand, performance.now() / 1000, from); // open first, so that the clutch is seen to close
   hand.clutch = true;
   confirmHand(holding);
+}
+
+/// In a world the hand says what it takes; without a pointer that is what lies in the middle, or what it held last.
+async function grab(holding, pick) {
+  if (!pick) return false;
+  holding.last = pick;
+  return (await holding.page.request({ type: "grab", value: pick.name, point: pick.point })).ok;
 }
 
 export function setHold({ page: { session, link } }, isOurs) {

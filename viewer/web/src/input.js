@@ -2,12 +2,13 @@
 import { Raycaster, Vector2 } from "three";
 import { axes, goHome, orbit, pan, zoom } from "./camera.js";
 import { metresPerPixel } from "./scene.js";
+import { pickBody } from "./world.js";
 import { moveHand, noteSample, turnHand } from "./hand.js";
 
 const TURN_PER_PIXEL = 0.008; // [rad]
 
 /// player   {stage, hand, workspace(), grasp(): world point, mayMove(): the hand is this page's to move,
-///           claims(event): something else in the picture takes this press, press(): take hold, moved(turned), give(): what was noted, at the end of an event, letGo()}
+///           claims(event): something else in the picture takes this press, press(pick: a body of a world, see pickBody): take hold, moved(turned), give(): what was noted, at the end of an event, letGo()}
 export function startInput(player) {
   const { canvas } = player.stage;
   const input = { player, pointers: new Map(), mode: null, keys: new Set(), touch: matchMedia("(pointer: coarse)").matches };
@@ -30,14 +31,16 @@ function down(input, event) {
   canvas.setPointerCapture(event.pointerId);
   input.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
   input.touch = event.pointerType === "touch";
+  const { stage } = input.player, pick = stage.world && event.button === 0 ? pickBody(stage, event) : null;
+  const isOn = stage.world ? pick !== null : !input.touch || touchesObject(input, event);
   if (input.touch) {
-    if (input.pointers.size === 1) input.mode = touchesObject(input, event) && input.player.mayMove() ? "hand" : "view";
+    if (input.pointers.size === 1) input.mode = isOn && input.player.mayMove() ? "hand" : "view";
   } else if (event.button === 0) {
-    input.mode = input.player.mayMove() ? "hand" : "view";
+    input.mode = isOn && input.player.mayMove() ? "hand" : "view";
   } else {
     input.mode = event.button === 1 || event.shiftKey ? "pan" : "view";
   }
-  if (input.mode === "hand") input.player.press();
+  if (input.mode === "hand") input.player.press(pick);
   canvas.classList.toggle("grabbing", input.mode === "hand");
 }
 
@@ -123,6 +126,7 @@ function moveTwo(input, event, last) {
 function up(input, event) {
   input.pointers.delete(event.pointerId);
   if (input.pointers.size > 0) return;
+  if (input.mode === "hand" && input.player.stage.world) input.player.letGo(); // it falls, or flies
   input.mode = null;
   input.player.stage.canvas.classList.remove("grabbing");
 }

@@ -27,8 +27,8 @@ import { makeXr, supportedModes, toggleXr } from "./xr.js";
 const at = (id) => document.getElementById(id);
 const CONFIRM = 50; // the worker is told so often that the hand is still where it was: the force fades with the age of that [ms]
 
-const session = { connected: false, hello: null, scene: null, meshes: new Map(), state: null, parameters: [], snapshot: null, shown: null,
-  refusal: null, counts: { snapshot: 0, channels: 0, mesh: 0, event: 0 }, holding: false,
+const session = { connected: false, hello: null, scene: null, meshes: new Map(), state: null, parameters: [], snapshot: null, shown: null, bodies: null,
+  refusal: null, counts: { snapshot: 0, bodies: 0, channels: 0, mesh: 0, event: 0 }, holding: false,
   turned: false, trouble: null, progress: null, fresh: false, asking: false, sent: 0,
   faultName: () => session.hello?.faults?.[session.snapshot?.fault ?? 0] ?? "fault" };
 const hand = makeHand();
@@ -79,9 +79,17 @@ const act = {
   fit: () => stage && goHome(stage.view),
   speed: (value) => request({ type: "speed", value }),
   sound: () => showSound(bar, toggleSound(sound)),
+  add: () => changeBodies("add"),
+  remove: () => changeBodies("remove"),
   look: (way) => stage && lookFrom(stage.view, way),
   zoom: (factor) => stage && zoom(stage.view, factor),
 };
+/// Bodies that come and go are like the one that was touched last, or the first that moves.
+function changeBodies(type) {
+  const { object, statics } = session.scene, all = [object, ...statics].filter(({ moves }) => moves);
+  const last = all.find(({ name }) => name === holding.last?.name) ?? all[0];
+  if (last) request({ type, value: last.name });
+}
 function showHelp() {
   at("help").showModal();
   at("help").scrollTop = 0; // the button that has the keyboard stands at its end
@@ -100,10 +108,15 @@ const on = {
     session.scene = message;
     session.meshes.clear();
     fillLevelBrowser(levels, message);
-    if (goesOn) return;
+    if (goesOn) {
+      session.bodies = null; // those of a world may have other numbers now
+      return;
+    }
     session.scene.refined = false;
-    session.snapshot = session.shown = null;
+    session.snapshot = session.shown = session.bodies = null;
     session.fresh = false;
+    document.body.classList.toggle("world", Boolean(message.world));
+    if (message.world && ["parameters", "levels", "build"].some((id) => !at(id).hidden)) chooseTab("plots");
     veil("Loading the objects …");
   },
   mesh: (message) => {
@@ -142,6 +155,11 @@ const on = {
     addEvent(at("events"), message);
     addMark(plots, message.time, message.kind);
     if (["recording_ended", "held_back", "squeezed"].includes(message.kind)) session.refusal = { text: `${eventWords(message)}.`, until: performance.now() / 1000 + 10 };
+  },
+  bodies: (message) => { // with each snapshot of a world
+    session.counts.bodies += 1;
+    session.bodies = message;
+    session.fresh = session.snapshot !== null;
   },
   camera: (message) => { if (stage) follow(stage.view, message); },
   channels: (message) => {
@@ -262,7 +280,7 @@ let last = performance.now(), tick = 0, drawn = 0, wordsAt = 0, behindAt = 0;
 function takeMoment() {
   if (!session.fresh) return;
   session.shown = session.snapshot;
-  if (stage) showSnapshot(stage, session.shown);
+  if (stage) showSnapshot(stage, session.shown, session.bodies);
   session.fresh = false;
 }
 
@@ -308,7 +326,7 @@ function fullForce() {
 
 function showWords(now, newtons) {
   showState(bar, session);
-  showReadouts(readouts, session.shown, session.state, session.scene, session.parameters, plots.pointed);
+  showReadouts(readouts, session, plots.pointed);
   showRowLegend(at("row-legend"), session.shown);
   showLegend(at("legend"), session.shown, session.scene, browsedWords(levels));
   showReplayBar(replayBar, session.state, session.shown);
@@ -317,5 +335,5 @@ function showWords(now, newtons) {
 requestAnimationFrame(frame);
 
 /// For tests and the curious: everything the page knows.
-window.thigma = { session, hand, plots, sound, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; }, get xr() { return xr; }, builder, opener, get gizmo() { return gizmo; },
+window.thigma = { session, hand, input, plots, sound, player, act, ask: (message) => ask(link, message), get stage() { return stage; }, get link() { return link; }, get xr() { return xr; }, builder, opener, get gizmo() { return gizmo; },
   get drawn() { return drawn; } };

@@ -3,28 +3,28 @@
 
 export const SUBPROTOCOL = "thigma.live.1";
 export const VERSION = 1;
-export const MESH = 1, CHANNELS = 2, SNAPSHOT = 3, LEVEL = 4, RELIEF = 5, DEVICE = 32, UPLOAD = 33;
+export const MESH = 1, CHANNELS = 2, SNAPSHOT = 3, LEVEL = 4, RELIEF = 5, BODIES = 6, DEVICE = 32, UPLOAD = 33;
 export const NOTHING = 0xffffffff;
 export const CLUTCH = 1;
 export const STATE = { grasped: 1, armed: 2, fault: 4, paused: 8, ended: 16, fading: 32, heldBack: 64, squeezed: 128, constrained: 256 };
 export const STATUS = ["apart", "inside", "deep inside", "side by side"];
 export const MAX_SAMPLES = 64;
 export const ROW_KINDS = ["a corner of the object, a face", "a face of the object, a corner", "two edges"];
-const HEADER = 16, FIELDS = 48, CONTACT = 48, SAMPLE = 40;
+const HEADER = 16, FIELDS = 48, CONTACT = 48, SAMPLE = 40, BODY = 32, HAND = 64;
 
 export class ProtocolError extends Error {}
 
 const must = (holds, sentence) => { if (!holds) throw new ProtocolError(sentence); };
 
 /// buffer   one binary frame
-/// returns  {kind: "mesh" | "level" | "relief" | "channels" | "snapshot", ...}
+/// returns  {kind: "mesh" | "level" | "relief" | "channels" | "snapshot" | "bodies", ...}
 /// errors   ProtocolError
 export function decode(buffer) {
   must(buffer.byteLength >= HEADER, `a message of ${buffer.byteLength} bytes has no header`);
   const words = new DataView(buffer);
   const type = words.getUint8(0), version = words.getUint8(1);
   const head = { bits: words.getUint16(2, true), count: words.getUint32(4, true), time: words.getFloat64(8, true) };
-  const decoders = { [MESH]: decodeMesh, [CHANNELS]: decodeChannels, [SNAPSHOT]: decodeSnapshot, [LEVEL]: decodeLevel, [RELIEF]: decodeRelief };
+  const decoders = { [MESH]: decodeMesh, [CHANNELS]: decodeChannels, [SNAPSHOT]: decodeSnapshot, [LEVEL]: decodeLevel, [RELIEF]: decodeRelief, [BODIES]: decodeBodies };
   must(decoders[type], `message type ${type} is not known`);
   must(version === 1, `layout ${version} of message type ${type} is not known`);
   return decoders[type](buffer, words, head);
@@ -117,6 +117,25 @@ function decodeSnapshot(buffer, words, { bits, count, time }) {
   for (let k = 0; k < clusters; k++) snapshot.clusters.push(clusterAt(words, 240 + CONTACT * (count + k)));
   for (let k = 0; k < rows; k++) snapshot.rows.push(rowAt(words, 240 + CONTACT * (count + clusters + k)));
   return snapshot;
+}
+
+function decodeBodies(buffer, words, { count, time }) {
+  must(buffer.byteLength >= 32, `bodies of ${buffer.byteLength} bytes, 32 at least`);
+  const hands = words.getUint32(24, true);
+  exactly(buffer, 32 + BODY * count + HAND * hands, "bodies");
+  const f = new Float32Array(buffer, 32, 8 * count + 16 * hands);
+  const pose = (k) => ({ position: [f[k], f[k + 1], f[k + 2]], quaternion: [f[k + 3], f[k + 4], f[k + 5], f[k + 6]] });
+  const message = { kind: "bodies", time, frame: words.getFloat64(16, true), bodies: [], hands: [] };
+  for (let k = 0; k < count; k++) {
+    must(f.subarray(8 * k, 8 * k + 7).every(Number.isFinite), "bodies with a pose that is no number");
+    message.bodies.push({ ...pose(8 * k), asleep: (words.getUint32(32 + BODY * k + 28, true) & 1) !== 0 });
+  }
+  for (let h = 0; h < hands; h++) {
+    const k = 8 * count + 16 * h, at = 32 + 4 * k;
+    message.hands.push({ handle: pose(k), grasp: [f[k + 7], f[k + 8], f[k + 9]], force: [f[k + 10], f[k + 11], f[k + 12]],
+      body: words.getInt32(at + 52, true), page: (words.getUint32(at + 56, true) & 1) !== 0 });
+  }
+  return message;
 }
 
 const floats = (words, at, n) => Array.from({ length: n }, (_, k) => words.getFloat32(at + 4 * k, true));

@@ -1,7 +1,7 @@
 // The numbers that matter, in words and with units.
 import { count, digits, say } from "./format.js";
 import { STATE } from "./protocol.js";
-import { atConeEdge, deciderWords, levelCounts, limitWords, rowSituation, situation } from "./words.js";
+import { atConeEdge, deciderWords, levelCounts, limitWords, rowSituation, situation, worldSituation } from "./words.js";
 import { fullScales, sayIn, shareOf, steadyUnit } from "./steady.js";
 import { LEVEL_COLOURS, levelColour } from "./theme.js";
 import { element } from "./dom.js";
@@ -59,14 +59,22 @@ function setText(target, text) {
   if (target.textContent !== text) target.textContent = text;
 }
 
-/// snapshot, state, scene, parameters   the newest messages; any but the last may be null
+/// session   {shown: the snapshot in the picture, state, scene, bodies, parameters}, the newest messages; any but the last may be null
 /// pointed   {time, force, torque, penetration, stretch} where the time cursor of the plots is, null: nowhere
-export function showReadouts(board, snapshot, state, scene, parameters, pointed = null) {
+export function showReadouts(board, { shown: snapshot, state, scene, bodies, parameters }, pointed = null) {
   if (!snapshot || !scene) return;
   const inside = snapshot.penetration > 0;
   showTiles(board, pointed ?? { force: norm(snapshot.force), torque: norm(snapshot.torque), stretch: snapshot.stretch,
     penetration: snapshot.penetration }, fullScales(state?.limits, parameters, scene));
   board.parent.classList.toggle("pointed", Boolean(pointed));
+  showLoop(board.lines.loop, snapshot, state, scene);
+  line(board.lines.energy, "", `The hand has put in ${say(snapshot.energy, "J", 1e-9)}.`);
+  board.lines.level.line.hidden = board.lines.contact.line.hidden = Boolean(scene.world);
+  if (scene.world) {
+    board.said.textContent = worldSituation(scene, bodies);
+    for (const id of ["limit", "rows"]) board.lines[id].line.hidden = true;
+    return;
+  }
   const touching = inside || norm(snapshot.contactForce) > 0;
   const facts = { object: scene.object.name, statics: scene.statics.map((one) => one.name), grasped: (snapshot.bits & 1) !== 0,
     armed: (snapshot.bits & 6) === 2, contacts: snapshot.contactsFound, clusters: snapshot.clusters.length, touching };
@@ -74,9 +82,7 @@ export function showReadouts(board, snapshot, state, scene, parameters, pointed 
   board.said.textContent = constrained ? constrainedSituation(board, facts, { snapshot, state, scene, parameters }) : situation(facts);
   for (const id of ["limit", "rows"]) board.lines[id].line.hidden = !constrained;
   showLevel(board.lines.level, snapshot, scene);
-  showLoop(board.lines.loop, snapshot, state, scene);
   showContact(board.lines.contact, snapshot, state);
-  line(board.lines.energy, "", `The hand has put in ${say(snapshot.energy, "J", 1e-9)}.`);
 }
 
 /// The sentence of a session under constraints; the lines of what limits what and of the rows too.

@@ -69,19 +69,29 @@ function setBar({ text, length }, perPixel, unit, least) {
   length.style.width = `${(whole / perPixel).toFixed(1)}px`;
 }
 
+const FEW = 12; // bodies of a world that all have their names; of more only those in hands
+
+function namedBodies(stage) {
+  const { world } = stage;
+  if (!world) return bodies(stage);
+  return world.byNumber.length <= FEW ? world.byNumber : world.held.map((number) => world.byNumber[number]);
+}
+const isAbove = (stage, body) => (stage.world ? body.about.moves : body === stage.object);
+
 /// Above the object in the hand, below what stands still.
 function showNames(rulers, stage, up) {
-  const { options, view, canvas } = stage, all = bodies(stage);
+  const { options, view, canvas } = stage, all = namedBodies(stage);
   rulers.names.hidden = !options.names;
   if (!options.names) return;
   if (rulers.tags.length !== all.length || rulers.tags.some(({ textContent }, k) => textContent !== all[k].about.name)) {
-    rulers.tags = all.map(({ about }, k) => element("span", `name-tag ${k === 0 ? "held" : "fixed"}`, about.name));
+    rulers.tags = all.map((body) => element("span", `name-tag ${isAbove(stage, body) ? "held" : "fixed"}`, body.about.name));
     rulers.names.replaceChildren(...rulers.tags);
   }
   const at = new Vector3();
-  all.forEach(({ about, group }, k) => {
+  all.forEach((body, k) => {
+    const { about, group } = body;
     stage.root.localToWorld(at.set(...about.center).applyQuaternion(group.quaternion).add(group.position));
-    at.addScaledVector(up, ((k === 0 ? 0.8 : -0.8) * about.radius) / stage.radius).project(view.camera);
+    at.addScaledVector(up, ((isAbove(stage, body) ? 0.8 : -0.8) * about.radius) / stage.radius).project(view.camera);
     const x = ((at.x + 1) / 2) * canvas.clientWidth, y = ((1 - at.y) / 2) * canvas.clientHeight;
     const isSeen = at.z < 1 && x > 0 && x < canvas.clientWidth && y > 0 && y < canvas.clientHeight;
     rulers.tags[k].style.visibility = isSeen ? "" : "hidden";

@@ -13,6 +13,7 @@ import { addCoarser, addLevel, addRelief, disposeBody, drawLevel, lacksLevel, le
   smoothSurface, wantedCoarser } from "./body.js";
 import { beginAgain, makePace, notePicture, PLAIN_STEP, restAfter, STEPS } from "./pace.js";
 import { colour } from "./theme.js";
+import { makeWorld, paintWorld, placeBodies } from "./world.js";
 
 export const EMPHASIS = 1.6; // the arrow has to come out of the object it starts in
 
@@ -41,7 +42,7 @@ export function makeScene(canvas, asked = null) {
   scene.add(root);
   const stage = {
     canvas, renderer, scene, root, view: makeView(), plain, lights: addLights(scene), ground: addGround(scene), radius: 1,
-    size: 1, object: null, statics: [], ghost: null, force: makeArrow(), twist: makeTwist(), marks: makeContactMarks(),
+    size: 1, object: null, statics: [], world: null, ghost: null, force: makeArrow(), twist: makeTwist(), marks: makeContactMarks(),
     rows: makeRowMarks(), spring: makeRod(), dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true, names: true },
     editing: false, start: null, wants: () => {}, wanted: new Set(), last: null, moved: true, resized: true, fence: null, begun: 0, rested: 0, isSeen: false, coarsener: null,
     pace: makePace({ step: plain ? PLAIN_STEP : 0, fixed: asked === "full" }),
@@ -54,7 +55,7 @@ export function makeScene(canvas, asked = null) {
 /// The objects of a `scene` message with their meshes by number.
 /// keeps   the same objects with other levels of detail: the view stays, and where they are
 export function setObjects(stage, description, meshes, keeps = false) {
-  const last = keeps ? stage.last : null;
+  const last = keeps ? stage.last : null; // of a world the bodies are where the description has them
   for (const body of bodies(stage)) {
     stage.root.remove(body.group);
     disposeBody(body);
@@ -71,6 +72,7 @@ export function setObjects(stage, description, meshes, keeps = false) {
     place(body.group, { position: entry.position, quaternion: entry.quat_xyzw });
     return body;
   });
+  stage.world = makeWorld(description, bodies(stage));
   for (const body of bodies(stage)) {
     showBody(body, { wireframe: stage.options.wireframe });
     shadeBody(body, STEPS[stage.pace.step].rich);
@@ -174,7 +176,7 @@ function chooseLevels(stage) {
     const level = levelFor(body, metres, pixels);
     want(stage, body, level);
     changed = drawLevel(body, level) || changed;
-    if (body !== stage.object) continue;
+    if (body !== (stage.world?.shown ?? stage.object)) continue;
     const glass = levelFor(body, metres, GLASS * off); // which shows no relief, and little else
     want(stage, body, glass);
     shapeGhost(stage.ghost, smoothSurface(body, glass).geometry);
@@ -211,6 +213,7 @@ export function repaint(stage) {
   if (stage.object) {
     paintBody(stage.object, { base: colour("held"), line: colour("held-line"), sky });
     for (const body of stage.statics) paintBody(body, { base: colour("fixed"), line: colour("fixed-line"), sky });
+    if (stage.world) paintWorld(stage.world, sky);
     paintGhost(stage.ghost, colour("ghost"));
   }
   paintArrow(stage.force, colour("force"));
@@ -221,12 +224,13 @@ export function repaint(stage) {
   stage.dirty = true;
 }
 
-/// Shows a snapshot.
-export function showSnapshot(stage, snapshot) {
+/// Shows a snapshot; in a world where all bodies are, as the newest `bodies` has them, null: not known yet.
+export function showSnapshot(stage, snapshot, world = null) {
   if (!stage.object) return;
   stage.last = snapshot;
   if (stage.editing) return;
-  place(stage.object.group, snapshot.object);
+  if (!stage.world) place(stage.object.group, snapshot.object);
+  else if (world) placeBodies(stage.world, world, Number(colour("sky")));
   place(stage.ghost.group, snapshot.ghost);
   const grasped = (snapshot.bits & 1) !== 0;
   const at = new Vector3(...snapshot.grasp), hand = new Vector3(...snapshot.handle.position);
@@ -253,7 +257,7 @@ function showForces(stage, snapshot, at) {
 }
 
 function showContacts(stage, snapshot) {
-  if (stage.editing) return;
+  if (stage.editing || stage.world) return; // a world tells of none
   const constrained = (snapshot.bits & STATE.constrained) !== 0; // rows stand for contacts then
   const shown = stage.options.contacts && !constrained ? snapshot.contacts : [];
   setRowMarks(stage.rows, stage.options.contacts ? snapshot.rows : [], { size: 0.045 * stage.size, longest: 0.34 * stage.size },

@@ -6,9 +6,9 @@ import { splitAtCreases, uniqueEdges } from "./geometry.js";
 import { groupsAtLevel, markCovered, markPatches, patchLabels, patchRanges, tint, trianglesByPatch } from "./patches.js";
 import { bareMaterial, MAX_SPOTS, plainMaterial, richMaterial, surfaceUniforms, TEXTURE_WIDTH } from "./shading.js";
 
-/// mesh     as in the `mesh` or `level` message
-/// ranges   of the tree that the level's nodes are in (patchRanges); left out: the mesh's own
-export function makeSurface(mesh, ranges = patchRanges(mesh.nodeOfPatch, mesh.parents)) {
+const shapes = new WeakMap(); // by mesh: bodies that have one share what is drawn of it
+
+function shapeOf(mesh) {
   const patches = mesh.nodeOfPatch.length, labels = patchLabels(mesh);
   const split = splitAtCreases(mesh.positions, mesh.triangles, labels, { normals: mesh.normals });
   const geometry = new BufferGeometry();
@@ -16,7 +16,14 @@ export function makeSurface(mesh, ranges = patchRanges(mesh.nodeOfPatch, mesh.pa
   geometry.setAttribute("normal", new BufferAttribute(split.normals, 3));
   geometry.setAttribute("patchNumber", new BufferAttribute(split.labels, 1));
   geometry.setIndex(new BufferAttribute(split.index, 1));
+  return { geometry, byPatch: trianglesByPatch(labels, patches), balls: patchBalls(split.positions, split.labels, patches) };
+}
 
+/// mesh     as in the `mesh` or `level` message
+/// ranges   of the tree that the level's nodes are in (patchRanges); left out: the mesh's own
+export function makeSurface(mesh, ranges = patchRanges(mesh.nodeOfPatch, mesh.parents)) {
+  if (!shapes.has(mesh)) shapes.set(mesh, shapeOf(mesh));
+  const { geometry, byPatch, balls } = shapes.get(mesh), patches = mesh.nodeOfPatch.length;
   const state = new Uint8Array(2 * TEXTURE_WIDTH * textureRows(mesh));
   const patchLevels = patchTexture(state, RGFormat);
   const uniforms = surfaceUniforms(patchLevels);
@@ -30,8 +37,8 @@ export function makeSurface(mesh, ranges = patchRanges(mesh.nodeOfPatch, mesh.pa
   const stain = makeStain(geometry, materials.plain);
   const group = new Group();
   group.add(solid, stain, lines);
-  return { group, solid, stain, lines, rich: true, byPatch: trianglesByPatch(labels, patches), uniforms, geometry, mesh, ranges, materials, colour, sky, state, patchLevels,
-    bytes: new Uint8Array(patches), near: new Uint8Array(patches), balls: patchBalls(split.positions, split.labels, patches) };
+  return { group, solid, stain, lines, rich: true, byPatch, uniforms, geometry, mesh, ranges, materials, colour, sky, state, patchLevels,
+    bytes: new Uint8Array(patches), near: new Uint8Array(patches), balls };
 }
 
 /// Where patches are coloured the surface is drawn once more, in their colours, by a processor that draws: the rest, which is

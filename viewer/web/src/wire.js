@@ -1,7 +1,7 @@
 // What the page's worker does: it owns the connection, so that a page that draws, lays out or thinks for seconds neither
 // loses the hand nor lets messages pile up. Knows when to send and what may be dropped, not what messages mean.
 import { addSample } from "./hand.js";
-import { CHANNELS, encodeDevice, SNAPSHOT } from "./protocol.js";
+import { BODIES, CHANNELS, encodeDevice, SNAPSHOT } from "./protocol.js";
 
 export const TICK = 10; // [ms]
 const REPEAT = 50; // the hand says at least so often that the page is there [ms]
@@ -105,12 +105,12 @@ function sendHand(wire, now) {
 
 const kindOf = (data) => (typeof data === "string" ? 0 : new Uint8Array(data, 0, Math.min(1, data.byteLength))[0]);
 
-/// A page that is busy finds what it may not miss, the newest snapshot, and the rows of about a second.
+/// A page that is busy finds what it may not miss, the newest snapshot and bodies, and the rows of about a second.
 function hear(wire, data) {
   wire.heard = wire.world.now();
   const kind = kindOf(data);
-  const same = (kind === SNAPSHOT || kind === CHANNELS) ? wire.waiting.filter((one) => one.kind === kind) : [];
-  if (same.length >= (kind === SNAPSHOT ? 1 : ROWS)) {
+  const same = [SNAPSHOT, CHANNELS, BODIES].includes(kind) ? wire.waiting.filter((one) => one.kind === kind) : [];
+  if (same.length >= (kind === CHANNELS ? ROWS : 1)) {
     wire.waiting.splice(wire.waiting.indexOf(same[0]), 1);
     wire.dropped += 1;
   }

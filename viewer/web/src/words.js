@@ -71,6 +71,19 @@ export function rowSituation(facts) {
   return `${rests}; the hand pulls ${facts.newtons}${facts.stiffness ? `; coupling ${facts.stiffness}` : ""}.`;
 }
 
+/// What goes on in a world of several bodies, in a sentence or two.
+/// bodies   the newest `bodies` message, or null
+export function worldSituation(scene, bodies) {
+  if (!bodies) return "Nothing is known of the bodies yet.";
+  const all = [scene.object, ...scene.statics], named = (number) => all.find(({ body }) => body === number)?.name;
+  const moving = all.filter(({ moves }) => moves), awake = moving.filter(({ body }) => bodies.bodies[body] && !bodies.bodies[body].asleep).length;
+  const held = bodies.hands.filter(({ body }) => body >= 0).map(({ body, page }) => `${page ? "the mouse" : "a hand"} holds ${named(body)}`);
+  const many = moving.length === 1 ? "1 body moves freely" : `${moving.length} bodies move freely`;
+  const rest = awake === 0 ? "all of them rest" : awake === moving.length ? "all are awake" : `${moving.length - awake} of them ${moving.length - awake === 1 ? "rests" : "rest"}`;
+  const said = `${many}; ${rest}.`;
+  return held.length > 0 ? `${held.join(", ").replace(/^./, (c) => c.toUpperCase())}. ${said}` : said;
+}
+
 /// What limits what is felt under constraints, in a sentence.
 /// facts   {pressing, stiffness [N/m, or null], stretch [m], force: felt [N; virtual size], heldBack, squeezed: shares of the last second,
 ///         say: of a number with its unit}

@@ -18,9 +18,7 @@ struct Jointed {
   std::int32_t body(std::int32_t place) const noexcept {
     return part.s.islands.body[idx(island.first_body + place)];
   }
-  BodyKind kind(std::int32_t place) const noexcept {
-    return part.world.bodies[idx(body(place))].kind;
-  }
+  BodyKind kind(std::int32_t place) const noexcept { return moved_by(part, body(place)); }
   std::span<IslandBody> bodies() const noexcept {
     return {part.s.islands.bodies.data() + island.first_body, idx(island.bodies)};
   }
@@ -37,7 +35,7 @@ Quat cayley(const Vec3& turn) noexcept {
 double share_of(const Part& part, const Island& island) noexcept {
   for (std::int32_t i = 0; i < island.bodies; ++i) {
     const std::int32_t body = part.s.islands.body[idx(island.first_body + i)];
-    if (part.world.bodies[idx(body)].kind != BodyKind::moving) return 1.0;
+    if (moved_by(part, body) != BodyKind::moving) return 1.0;
   }
   return 0.5;
 }
@@ -261,7 +259,7 @@ BodyState after_jointed(const Part& part, std::int32_t body, const Vec6& velocit
   next.orientation = unit(cayley(dt * angular) * y.orientation);
   next.linear_momentum = part.s.joint_momentum[idx(body)].head<3>();
   next.angular_momentum = part.s.joint_momentum[idx(body)].tail<3>();
-  if (part.world.bodies[idx(body)].kind == BodyKind::moving) return next;
+  if (moved_by(part, body) == BodyKind::moving) return next;
   const Mat3 rotation = rotation_matrix(y.orientation);
   next.linear_momentum = rigid.mass * linear;
   next.angular_momentum = rotation * (rigid.inertia * (rotation.transpose() * angular));

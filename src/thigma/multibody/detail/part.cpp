@@ -53,7 +53,7 @@ void find_free(const Part& part, std::int32_t body) noexcept {
   IslandBody& out = part.s.free[idx(body)];
   const RigidBody& rigid = part.world.rigid[idx(body)];
   const BodyState& y = part.state.bodies[idx(body)];
-  const BodyKind kind = part.world.bodies[idx(body)].kind;
+  const BodyKind kind = moved_by(part, body);
   if (kind == BodyKind::held && find_held(part, body, out)) return;
   out.metric = mass_matrix(rigid, y);
   if (kind == BodyKind::prescribed) {
@@ -79,7 +79,7 @@ BodyState after(const Part& part, std::int32_t body, const IslandBody& solved,
   const Vec3 linear = solved.velocity.head<3>(), angular = solved.velocity.tail<3>();
   BodyState next = y;
   next.position += dt * linear;
-  const BodyKind kind = part.world.bodies[idx(body)].kind;
+  const BodyKind kind = moved_by(part, body);
   if (kind == BodyKind::moving) {
     next.linear_momentum += part.dt * rigid.mass * rigid.gravity + solved.impulse.head<3>();
     next.angular_momentum += solved.impulse.tail<3>();
@@ -230,7 +230,7 @@ bool gains_energy(const Part& part, const Island& island) noexcept {
   constexpr double kRounding = 1e-11, kSolve = 1e-9, kDigits = 1e-15;
   for (std::int32_t i = 0; i < island.bodies; ++i) {
     const std::int32_t body = s.islands.body[idx(island.first_body + i)];
-    if (part.world.bodies[idx(body)].kind != BodyKind::moving) return false;
+    if (moved_by(part, body) != BodyKind::moving) return false;
     const RigidBody& rigid = part.world.rigid[idx(body)];
     const BodyState &y = part.state.bodies[idx(body)], &next = s.next[idx(body)];
     const double before = kinetic_energy(rigid, y), after = kinetic_energy(rigid, next);
@@ -274,7 +274,7 @@ bool jointed_gain_energy(Part& part) noexcept {
 void smooth(Part& part, const Island& island) noexcept {
   auto& s = part.s;
   const std::int32_t body = s.islands.body[idx(island.first_body)];
-  if (island.bodies != 1 || part.world.bodies[idx(body)].kind != BodyKind::moving) return;
+  if (island.bodies != 1 || moved_by(part, body) != BodyKind::moving) return;
   const BodyState before = s.next[idx(body)];
   for (std::int32_t i = 0; i < island.rows; ++i) {
     const std::size_t r = idx(island.first_row + i);

@@ -13,6 +13,7 @@ struct WorldScratch {
   detail::Islands islands;
   IslandScratch solve;
   std::vector<std::uint8_t> moves;    // by body: dynamic and awake
+  std::vector<std::uint8_t> in_hand;  // by body: a hand has hold of it in this step
   std::vector<double> go;             // by body: how far any of its points may go [m]
   std::vector<double> margins;        // by body, of the broad phase [m]
   std::vector<IslandBody> free;       // by body: metric and velocity without contacts
@@ -45,6 +46,16 @@ struct Part {
   WorldScratch& s;
   WorldStep& report;
 };
+
+/// What moves a body in this step: a moving one that a hand has hold of counts as held.
+inline BodyKind moved_by(const World& world, const WorldScratch& s, std::int32_t body) noexcept {
+  const auto i = static_cast<std::size_t>(body);
+  const BodyKind kind = world.bodies[i].kind;
+  return kind == BodyKind::moving && s.in_hand[i] != 0 ? BodyKind::held : kind;
+}
+inline BodyKind moved_by(const Part& part, std::int32_t body) noexcept {
+  return moved_by(part.world, part.s, body);
+}
 
 /// Velocity of a body [m/s, rad/s; world].
 Vec6 velocity_of(const RigidBody& body, const BodyState& state) noexcept;

@@ -61,6 +61,27 @@ export function encodeChannels(time, rows) {
   return buffer;
 }
 
+/// b   {time, frame, bodies: [{position, quaternion, asleep}], hands: [{handle: {position, quaternion}, grasp, force, body, page}]}
+export function encodeBodies(b) {
+  const buffer = header(32 + 32 * b.bodies.length + 64 * b.hands.length, 6, 0, b.bodies.length, b.time);
+  buffer.writeDoubleLE(b.frame, 16);
+  buffer.writeUInt32LE(b.hands.length, 24);
+  let at = 32;
+  const put = (list) => { for (const value of list) { buffer.writeFloatLE(value, at); at += 4; } };
+  for (const { position, quaternion, asleep } of b.bodies) {
+    put([...position, ...quaternion]);
+    buffer.writeUInt32LE(asleep ? 1 : 0, at);
+    at += 4;
+  }
+  for (const { handle, grasp, force, body, page } of b.hands) {
+    put([...handle.position, ...handle.quaternion, ...grasp, ...force]);
+    buffer.writeInt32LE(body, at);
+    buffer.writeUInt32LE(page ? 1 : 0, at + 4);
+    at += 12;
+  }
+  return buffer;
+}
+
 /// s   {time, bits, frame, fields: 48 numbers, found, dropped, front, fault, contacts, clusters, rows: none where left out}
 export function encodeSnapshot(s) {
   const rows = s.rows ?? [];

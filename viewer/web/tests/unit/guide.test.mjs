@@ -35,3 +35,14 @@ test("fingers are told of fingers, a mouse of keys", () => {
     assert.match(say(false, newtons), /Shift|Ctrl/);
   }
 });
+
+test("in a world any body may be taken, and is let go of by letting go", () => {
+  const world = { ...session(true, "running"), snapshot: { bits: 0, time: 1 } };
+  world.scene = { ...world.scene, world: { bodies: 3 } };
+  world.state = { ...world.state, device: "web:", holder: "none" };
+  const say = (more) => guideLine(makeGuide(), world, { ...facts, ...more }, act).text;
+  assert.match(say({ touch: false }), /Press on a body.*let go/);
+  assert.match(say({ touch: true }), /Touch a body/);
+  assert.match(say({ touch: false, holding: true }), /Shift-drag/);
+  assert.match(say({ touch: true, holding: true }), /Two fingers/);
+});

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { decode, encodeDevice, encodeUpload, parseText, ProtocolError } from "../../src/protocol.js";
-import { CHANNELS, encodeChannels, encodeLevel, encodeMesh, encodeRelief, encodeSnapshot, readDevice } from "../mock/encode.mjs";
+import { CHANNELS, encodeBodies, encodeChannels, encodeLevel, encodeMesh, encodeRelief, encodeSnapshot, readDevice } from "../mock/encode.mjs";
 
 const bytes = (buffer) => buffer.buffer.slice(buffer.byteOffset, buffer.byteOffset + buffer.length);
 const MESH = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], triangles: [0, 2, 1, 0, 1, 3], patchOfTriangle: [0, 0xffffffff],
@@ -45,6 +45,17 @@ test("relief comes through whole, and wrong ones are refused", () => {
 test("an upload says how many bytes it has", () => {
   const message = new Uint8Array(encodeUpload(Uint8Array.from([7, 8, 9])));
   assert.deepEqual([...message], [33, 1, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 7, 8, 9]);
+});
+
+test("bodies come through whole, and damaged ones are refused", () => {
+  const BODIES = { time: 1.5, frame: 1500, bodies: [{ position: [1, 2, 3], quaternion: [0, 0, 0, 1], asleep: true }, { position: [4, 5, 6], quaternion: [1, 0, 0, 0], asleep: false }],
+    hands: [{ handle: { position: [7, 8, 9], quaternion: [0, 1, 0, 0] }, grasp: [10, 11, 12], force: [13, 14, 15], body: -1, page: false },
+      { handle: { position: [7, 8, 9], quaternion: [0, 1, 0, 0] }, grasp: [1, 1, 1], force: [0, 0, -2], body: 1, page: true }] };
+  assert.deepEqual(decode(bytes(encodeBodies(BODIES))), { kind: "bodies", ...BODIES });
+  const whole = bytes(encodeBodies(BODIES));
+  for (let n = 0; n < whole.byteLength; n += 4) assert.throws(() => decode(whole.slice(0, n)), ProtocolError, `${n} bytes`);
+  const wrong = { ...BODIES, bodies: [{ position: [1, NaN, 3], quaternion: [0, 0, 0, 1], asleep: false }] };
+  assert.throws(() => decode(bytes(encodeBodies(wrong))), /no number/);
 });
 
 test("a snapshot comes through field by field", () => {

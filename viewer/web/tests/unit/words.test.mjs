@@ -3,7 +3,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
 import { SCENES_WITH_WORDS, whatToTry } from "../../src/scenes.js";
 import { digits, duration, say, split } from "../../src/format.js";
-import { acceptedFiles, atConeEdge, deciderWords, endWords, eventWords, filesToDrop, lateWords, levelCounts, limitWords, rowSituation, situation } from "../../src/words.js";
+import { acceptedFiles, atConeEdge, deciderWords, endWords, eventWords, filesToDrop, lateWords, levelCounts, limitWords, rowSituation, situation, worldSituation } from "../../src/words.js";
 
 test("three digits and the right prefix", () => {
   const cases = [[1.3245, "N", "1.32 N"], [0.0123, "N m", "12.3 mN m"], [4.2e-5, "m", "42.0 µm"], [999.6, "Hz", "1.00 kHz"], [412, "Hz", "412 Hz"],
@@ -92,6 +92,16 @@ test("what was late is told for a while", () => {
   assert.equal(lateWords(late, 9), null);
   assert.equal(lateWords(null, 3), null);
   assert.equal(eventWords({ kind: "late", detail: "watchdog", text: "45.0 ms" }), "Late: the haptic loop stood still; 45.0 ms");
+});
+
+test("a world says who holds what, and what rests", () => {
+  const scene = { object: { name: "block 1", body: 1, moves: true }, statics: [{ name: "table", body: 0, moves: false }, { name: "block 2", body: 2, moves: true }] };
+  const body = (asleep) => ({ asleep }), hand = (held, page) => ({ body: held, page });
+  const say = (asleep, hands) => worldSituation(scene, { bodies: [body(false), ...asleep.map(body)], hands });
+  assert.equal(say([true, true], [hand(-1, true)]), "2 bodies move freely; all of them rest.");
+  assert.equal(say([false, true], [hand(1, true)]), "The mouse holds block 1. 2 bodies move freely; 1 of them rests.");
+  assert.equal(say([false, false], [hand(2, false), hand(1, true)]), "A hand holds block 2, the mouse holds block 1. 2 bodies move freely; all are awake.");
+  assert.match(worldSituation(scene, null), /yet/);
 });
 
 test("every scene of the program says what to try, and none that is not there", () => {

@@ -1,0 +1,74 @@
+#include "world_recorder.h"
+
+#include "thigma/device/web_device.h"
+
+namespace thigma::app {
+namespace {
+
+WorldRecordingInfo info_of(const LoadedWorld& world, const WorldRecorderInfo& given) {
+  WorldRecordingInfo info;
+  info.scene = given.scene;
+  info.devices = given.devices;
+  info.seed = given.seed;
+  info.rate = world.config.rate;
+  info.friction = given.friction;
+  for (const WorldBody& body : world.config.world.bodies) info.bodies.push_back(body.name);
+  for (const WorldJoint& joint : world.config.world.joints) info.joints.push_back(joint.name);
+  return info;
+}
+
+class RecordedPage final : public HapticDevice {
+ public:
+  explicit RecordedPage(const std::vector<RecordedHand>& samples)
+      : samples_(samples), limits_(make_web_device(link_)->limits()) {}
+
+  const DeviceLimits& limits() const override { return limits_; }
+  std::string name() const override { return "recorded page"; }
+  DeviceState read(double) THIGMA_RT override {
+    if (next_ < samples_.size()) return samples_[next_++].device;
+    DeviceState state;
+    state.status = DeviceStatus::finished;
+    return state;
+  }
+  void write(const Wrench&) THIGMA_RT override {}
+
+ private:
+  const std::vector<RecordedHand>& samples_;  // outlive the device
+  WebDeviceChannel link_;
+  DeviceLimits limits_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+WorldRecorder::WorldRecorder(const std::string& path, const LoadedWorld& world,
+                             const WorldRecorderInfo& info)
+    : writer_(path, info_of(world, info)),
+      joints_(world.config.world.joints.size()),
+      hands_(info.devices.size()) {}
+
+void WorldRecorder::write(const WorldFrame& frame) {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const JointReading& joint = frame.joints[i];
+    joints_[i] = {joint.coordinate, joint.spring, joint.motor, joint.limit};
+  }
+  for (std::size_t i = 0; i < hands_.size(); ++i) hands_[i] = {frame.grips[i].device, frame.aimed};
+  writer_.write(frame.frame, frame.time, frame.bodies, joints_, frame.commands, hands_);
+}
+
+void add_recorded_hands(const std::vector<std::string>& devices, LoadedWorld& world) {
+  std::vector<WorldHand>& hands = world.config.hands;
+  for (std::size_t i = 0; i < devices.size() && i <= hands.size(); ++i) {
+    if (!is_page_hand(devices[i])) continue;
+    if (i == hands.size())
+      hands.push_back(free_hand(world));
+    else
+      hands[i] = free_hand(world);
+  }
+}
+
+std::unique_ptr<HapticDevice> recorded_hand(const std::vector<RecordedHand>& samples) {
+  return std::make_unique<RecordedPage>(samples);
+}
+
+}  // namespace thigma::app

@@ -1,0 +1,40 @@
+#pragma once
+// Recordings of worlds as `thigma run` writes them, and the hands of pages when they are replayed.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "thigma/recording/world_recording.h"
+#include "thigma/scene/world_scene.h"
+
+namespace thigma::app {
+
+/// What a recording says beside its frames.
+struct WorldRecorderInfo {
+  std::string scene;                 // as the command line names it
+  std::vector<std::string> devices;  // addresses, by hand
+  std::uint64_t seed = 1;
+  std::optional<double> friction;  // of every body, instead of the scene's
+};
+
+/// Writes every frame. Thread: one. Members throw IoError.
+class WorldRecorder {
+ public:
+  WorldRecorder(const std::string& path, const LoadedWorld& world, const WorldRecorderInfo& info);
+  void write(const WorldFrame& frame);
+  void close(const WorldSummary& summary) { writer_.close(summary.frames, summary.state_hash); }
+
+ private:
+  WorldRecordingWriter writer_;
+  std::vector<RecordedJoint> joints_;
+  std::vector<RecordedHand> hands_;
+};
+
+/// Gives a world the hands that its recording has of pages; the scene knows nothing of them.
+void add_recorded_hands(const std::vector<std::string>& devices, LoadedWorld& world);
+
+/// A page's hand as it was: what it said, frame by frame, with the limits of `web:`.
+std::unique_ptr<HapticDevice> recorded_hand(const std::vector<RecordedHand>& samples);
+
+}  // namespace thigma::app

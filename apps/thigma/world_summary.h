@@ -1,0 +1,26 @@
+#pragma once
+// How a session of a world went, for people and as JSON.
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "thigma/scene/world_scene.h"
+
+namespace thigma::app {
+
+/// What a summary does not know itself.
+struct WorldRunFacts {
+  std::vector<std::string> devices;  // addresses, by hand
+  double cpu_seconds = 0.0;          // of the processor, for all steps [s]
+  bool has_clock = false;            // it went by the clock
+};
+
+nlohmann::ordered_json world_summary_json(const WorldSummary& s, const LoadedWorld& world,
+                                          const WorldRunFacts& facts);
+/// On standard output.
+void print_world_summary(const WorldSummary& s, const LoadedWorld& world,
+                         const WorldRunFacts& facts);
+
+}  // namespace thigma::app

@@ -1,0 +1,270 @@
+// `thigma run` of a world with its page: grabbing, refused requests, a page that is lost.
+
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+#include "viewer/live_program.h"
+#include <gtest/gtest.h>
+
+namespace thigma::test {
+namespace {
+
+std::string scene(const char* name) {
+  return std::string(THIGMA_SOURCE_DIR) + "/scenes/" + name + ".toml";
+}
+
+template <class T>
+T at(const std::string& message, std::size_t offset) {
+  T value;
+  std::memcpy(&value, message.data() + offset, sizeof value);
+  return value;
+}
+
+/// The next `bodies` that fulfils the condition; "" when none comes.
+template <class Condition>
+std::string bodies_where(WebClient& client, Condition condition) {
+  for (int i = 0; i < 20000; ++i) {
+    const auto message = client.read(20.0);
+    if (!message) return {};
+    if (message->is_binary && at<std::uint8_t>(message->data, 0) == 6 && condition(message->data))
+      return message->data;
+  }
+  return {};
+}
+
+/// Of the last hand, the page's.
+std::int32_t held_by_page(const std::string& bodies) {
+  return at<std::int32_t>(bodies, bodies.size() - 64 + 52);
+}
+
+/// A sample of the hand as docs/protocol.md has it.
+void send_hand(WebClient& client, double time, double z, bool is_pressed) {
+  std::string message(16 + 40, '\0');
+  const auto put = [&](std::size_t at, auto value) {
+    std::memcpy(message.data() + at, &value, sizeof value);
+  };
+  put(0, std::uint8_t{32});
+  put(1, std::uint8_t{1});
+  put(4, std::uint32_t{1});
+  put(8, time);
+  put(16, time);
+  put(32, static_cast<float>(z));
+  put(48, 1.0f);
+  put(52, std::uint32_t{is_pressed ? 1u : 0u});
+  client.send_binary(message);
+}
+
+const auto kAny = [](const std::string&) { return true; };
+
+/// Takes hold of a body as a page does, and waits until it has it; its number, -1 where it did not.
+std::int32_t grab(WebClient& client, const std::string& name) {
+  if (!ask(client, R"({"type":"hold","id":1,"value":true})")["ok"].get<bool>()) return -1;
+  if (!ask(client, R"({"type":"grab","id":2,"value":")" + name + R"("})")["ok"].get<bool>())
+    return -1;
+  send_hand(client, 1.0, 0.0, false);
+  send_hand(client, 1.01, 0.0, true);
+  const std::string held =
+      bodies_where(client, [](const std::string& m) { return held_by_page(m) >= 0; });
+  return held.empty() ? -1 : held_by_page(held);
+}
+
+TEST(LiveWorld, ALostPageLetsGoOfItsBodyAndTheWorldGoesOn) {
+  Program program({"run", scene("tower"), "--port", "0", "--json"});
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  WebClient watching(port);
+  std::int32_t body = -1;
+  {
+    WebClient holding(port);
+    const Json scene = Json::parse(holding.read_type("scene", 20.0));
+    EXPECT_EQ(scene["world"]["bodies"], 31);
+    body = grab(holding, "block 30");
+    ASSERT_GE(body, 0);
+    EXPECT_EQ(body, scene["statics"][29]["body"].get<std::int32_t>());
+    EXPECT_EQ(scene["statics"][29]["name"], "block 30");
+    const std::string seen =
+        bodies_where(watching, [&](const std::string& m) { return held_by_page(m) == body; });
+    ASSERT_FALSE(seen.empty());
+  }  // it hangs up without a word
+  const std::string free = bodies_where(watching, [](const std::string& m) {
+    return held_by_page(m) < 0 && at<double>(m, 16) > 0.0;
+  });
+  ASSERT_FALSE(free.empty());
+  const double frame = at<double>(free, 16);
+  EXPECT_FALSE(bodies_where(watching, [&](const std::string& m) {
+                 return at<double>(m, 16) > frame;
+               }).empty());
+  // Another page may take it up.
+  EXPECT_EQ(grab(watching, "block 30"), body);
+  program.send(SIGINT);
+  const Ended ended = program.finish();
+  EXPECT_EQ(ended.code, 130);
+  const Json summary = json_line(ended);
+  EXPECT_TRUE(summary["clock"]["late_frames"].is_number());
+  EXPECT_EQ(summary["hands"].back()["device"], "web:");
+  EXPECT_TRUE(summary["hands"].back()["fault"].is_null());
+}
+
+TEST(LiveWorld, WhatIsRefusedEndsNothing) {
+  Program program({"run", scene("row_of_blocks"), "--port", "0"});
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  WebClient client(port);
+  for (const char* text :
+       {R"({"type":"grab","id":1,"value":"block 1"})",  // it does not hold the device
+        R"({"type":"set","id":2,"name":"mass","value":1})",
+        R"({"type":"open","id":3,"value":"jaws"})", R"({"type":"record","id":4,"value":false})",
+        R"({"type":"save","id":5,"name":"x","value":false})",
+        R"({"type":"level","id":6,"mesh":0,"value":1})",
+        R"({"type":"use_device","id":7,"value":"dhd:"})",
+        R"({"type":"compose","id":8,"title":"x","objects":[{"source":"scene:0"}]})"}) {
+    const Json answer = ask(client, text);
+    ASSERT_FALSE(answer.is_null()) << text;
+    EXPECT_FALSE(answer["ok"].get<bool>()) << text;
+    EXPECT_TRUE(answer["reason"].is_string()) << text;
+  }
+  ASSERT_TRUE(ask(client, R"({"type":"hold","id":9,"value":true})")["ok"].get<bool>());
+  for (const char* name : {"nobody", "table", "block 1 "}) {
+    const Json answer =
+        ask(client, std::string(R"({"type":"grab","id":10,"value":")") + name + R"("})");
+    ASSERT_FALSE(answer.is_null()) << name;
+    EXPECT_FALSE(answer["ok"].get<bool>()) << name;
+  }
+  const std::string now = bodies_where(client, kAny);
+  ASSERT_FALSE(now.empty());
+  EXPECT_FALSE(bodies_where(client, [&](const std::string& m) {
+                 return at<double>(m, 16) > at<double>(now, 16);
+               }).empty());
+  program.send(SIGINT);
+  EXPECT_EQ(program.finish().code, 130);
+}
+
+TEST(LiveWorld, BeginsAgainOnTheSamePage) {
+  Program program({"run", scene("drawer"), "--port", "0"});
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  WebClient client(port);
+  const Json before = state_where(client, [](const Json& s) { return s["run"] == "running"; });
+  ASSERT_FALSE(before.is_null());
+  EXPECT_EQ(before["device"], "web:");
+  EXPECT_TRUE(ask(client, R"({"type":"reset","id":1})")["ok"].get<bool>());
+  const Json after = state_where(client, [&](const Json& s) {
+    return s["run"] == "running" && s["session"] > before["session"];
+  });
+  EXPECT_FALSE(after.is_null());
+  // The scene's own hand holds its body again.
+  EXPECT_FALSE(bodies_where(client, [](const std::string& m) {
+                 return at<std::int32_t>(m, m.size() - 2 * 64 + 52) == 0;
+               }).empty());
+  program.send(SIGINT);
+  EXPECT_EQ(program.finish().code, 130);
+}
+
+TEST(LiveWorld, BodiesComeAndGoWhileItRuns) {
+  Program program({"run", scene("tower"), "--port", "0"});
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  WebClient client(port);
+  const auto wait_for = [&](std::uint32_t count) {
+    return bodies_where(client,
+                        [&](const std::string& m) { return at<std::uint32_t>(m, 4) == count; });
+  };
+  ASSERT_FALSE(wait_for(31).empty());
+  const Json before = state_where(client, [](const Json& s) { return s["run"] == "running"; });
+  client.send_text(R"({"type":"add","id":1,"value":"block 7"})");
+  const Json scene =
+      message_where(client, "scene", [](const Json& m) { return m["world"]["bodies"] == 32; });
+  ASSERT_FALSE(scene.is_null());
+  EXPECT_EQ(scene["statics"].back()["name"], "block 31");
+  EXPECT_EQ(scene["statics"].back()["mesh"], scene["object"]["mesh"]);
+  const std::string more = wait_for(32);
+  ASSERT_FALSE(more.empty());
+  EXPECT_GT(at<float>(more, 32 + 31 * 32 + 8), 0.5f);  // above the tower
+  const auto refused = [&](const std::string& text) {
+    const Json answer = ask(client, text);
+    EXPECT_FALSE(answer.is_null() || answer["ok"].get<bool>()) << text;
+    return answer.value("reason", "");
+  };
+  EXPECT_NE(refused(R"({"type":"add","id":2,"value":"block 7","position":[0,0,0.1]})")
+                .find("inside body 'block"),
+            std::string::npos);
+  refused(R"({"type":"add","id":3,"value":"nobody"})");
+  refused(R"({"type":"add","id":4,"value":"table"})");
+  refused(R"({"type":"remove","id":5,"value":"table"})");
+  client.send_text(R"({"type":"remove","id":6,"value":"block 1"})");
+  ASSERT_FALSE(wait_for(31).empty());
+  refused(R"({"type":"remove","id":7,"value":"block 1"})");
+  const Json now = state_where(client, [](const Json& s) { return s["run"] == "running"; });
+  EXPECT_EQ(now["session"], before["session"]);  // it went on
+  EXPECT_GT(now["time"].get<double>(), before["time"].get<double>());
+  EXPECT_TRUE(ask(client, R"({"type":"reset","id":8})")["ok"].get<bool>());
+  const Json again =
+      message_where(client, "scene", [](const Json& m) { return m["world"]["bodies"] == 31; });
+  ASSERT_FALSE(again.is_null());
+  EXPECT_EQ(again["object"]["name"], "block 1");
+  program.send(SIGINT);
+  EXPECT_EQ(program.finish().code, 130);
+}
+
+TEST(LiveWorld, WhatAPageDidIsReplayedBitForBit) {
+  const std::string recording = (work_folder() / "grabbed.mcap").string();
+  Program program({"run", scene("tower"), "--port", "0", "--record", recording});
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  WebClient client(port);
+  const Json state = state_where(client, [](const Json& s) { return s["run"] == "running"; });
+  EXPECT_EQ(state["recording"], recording);
+  EXPECT_FALSE(ask(client, R"({"type":"add","id":3,"value":"block 7"})")["ok"].get<bool>());
+  const std::int32_t body = grab(client, "block 30");
+  ASSERT_GE(body, 0);
+  const auto height = [&](const std::string& m) {
+    return at<float>(m, 32 + 32 * static_cast<std::size_t>(body) + 8);
+  };
+  const float low = height(bodies_where(client, kAny));
+  for (int i = 1; i <= 40; ++i) send_hand(client, 1.01 + 0.005 * i, 1e-3 * i, true);
+  EXPECT_FALSE(
+      bodies_where(client, [&](const std::string& m) { return height(m) > low + 0.02f; }).empty());
+  send_hand(client, 1.3, 0.04, false);
+  EXPECT_FALSE(
+      bodies_where(client, [](const std::string& m) { return held_by_page(m) < 0; }).empty());
+  EXPECT_TRUE(ask(client, R"({"type":"record","id":4,"value":false})")["ok"].get<bool>());
+  EXPECT_FALSE(
+      state_where(client, [](const Json& s) { return s["recording"].is_null(); }).is_null());
+  program.send(SIGINT);
+  EXPECT_EQ(program.finish().code, 130);
+  const Ended replayed = run_program({"replay", recording, "--json"});
+  EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+  const Json result = json_line(replayed);
+  EXPECT_TRUE(result["identical"].get<bool>()) << result;
+  EXPECT_GE(result["frames"].get<int>(), 17);  // 20 mm at the 1.2 m/s of a page at most
+}
+
+TEST(LiveWorld, ByTheClockWithoutAPageIsLockstepsWorldAndItsRecordingReplays) {
+  const std::string recording = (work_folder() / "clock.mcap").string();
+  const std::vector<std::string> how = {"--headless", "--duration", "0.6", "--quiet"};
+  const auto run = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), how.begin(), how.end());
+    const Ended ended = run_program(arguments);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return json_line(ended);
+  };
+  const Json clock = run({"run", scene("row_of_blocks"), "--record", recording});
+  const Json lockstep = run({"run", scene("row_of_blocks"), "--lockstep"});
+  EXPECT_EQ(clock["state_hash"], lockstep["state_hash"]);
+  EXPECT_EQ(clock["frames"], 600);
+  EXPECT_TRUE(clock["clock"].is_object());
+  EXPECT_TRUE(lockstep["clock"].is_null());
+  const Ended replayed = run_program({"replay", recording, "--json"});
+  EXPECT_EQ(replayed.code, 0) << replayed.err;
+  EXPECT_TRUE(json_line(replayed)["identical"].get<bool>());
+  for (const std::vector<std::string>& wrong :
+       {std::vector<std::string>{"run", scene("tower"), "--lockstep", "--port", "0"},
+        {"run", scene("tower"), "--headless", "--device", "web:"},
+        {"run", scene("tower"), "--headless", "--device", "hand:"}})
+    EXPECT_EQ(run_program(wrong).code, 2) << wrong[2];
+}
+
+}  // namespace
+}  // namespace thigma::test
