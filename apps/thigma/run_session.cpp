@@ -141,6 +141,13 @@ SessionSummary run_threads(Run& run, const SessionConfig& config, const RunContr
   return session.finish();
 }
 
+/// Before levels of detail are built beside a session [s]: the way to its first picture and first
+/// contacts keeps two processors busy, and even a thread that gives way slows what shares a core.
+double head_start() {
+  constexpr unsigned kFew = 4;  // processors
+  return std::thread::hardware_concurrency() > kFew ? 0.0 : 5.0;
+}
+
 }  // namespace
 
 SceneDescription read_run_scene(const RunOptions& options) {
@@ -222,7 +229,7 @@ std::unique_ptr<Run> prepare_run(SceneDescription scene, const RunOptions& optio
   if (run->scene.lacks_levels) {
     load.progress = {};
     if (load.log) load.log("begins at full resolution; levels of detail are built meanwhile");
-    run->levels = std::make_unique<LevelBuild>(std::move(scene), std::move(load));
+    run->levels = std::make_unique<LevelBuild>(std::move(scene), std::move(load), head_start());
   }
   if (options.spin) run->scene.config.spin = 1e-6 * *options.spin;
   run->scene.config.faults = parse_faults(options.fault_text);

@@ -87,6 +87,13 @@ TEST(LevelBuild, IsGivenUpAtOnceAndTellsWhatIsWrong) {
 }
 
 /// Contacts at the finest are the same ones with and without levels.
+TEST(LevelBuild, IsGivenUpWhileItWaits) {
+  LevelBuild levels(jaws_with_levels(), beside(), 1e4);
+  EXPECT_FALSE(levels.is_over());
+  levels.give_up();
+  EXPECT_THROW(levels.take(), std::runtime_error);  // without the wait
+}
+
 TEST(LevelBuild, FinestContactsAreTheSameBitsWithAndWithoutLevels) {
   const Both& jaws = jaws_of_both();
   std::vector<std::vector<Contact>> found;

@@ -1,7 +1,10 @@
 #include "thigma/scene/level_build.h"
 
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <exception>
+#include <mutex>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -24,24 +27,38 @@ void give_way() {
 }  // namespace
 
 struct LevelBuild::Impl {
+  /// Until the wait is over or nobody wants the levels any more.
+  void wait(double seconds) {
+    std::unique_lock lock(mutex);
+    given_up.wait_for(lock, std::chrono::duration<double>(seconds),
+                      [this] { return gives_up.load(std::memory_order_relaxed); });
+    require_wanted();
+  }
+  void require_wanted() const {
+    if (gives_up.load(std::memory_order_relaxed)) throw std::runtime_error("given up");
+  }
+
+  std::mutex mutex;
+  std::condition_variable given_up;
   std::atomic<bool> is_over{false}, gives_up{false};
   std::exception_ptr error;
   Scene scene;
   std::thread thread;
 };
 
-LevelBuild::LevelBuild(SceneDescription description, LoadOptions options)
+LevelBuild::LevelBuild(SceneDescription description, LoadOptions options, double wait)
     : impl_(std::make_unique<Impl>()) {
   options.defers_levels = false;
   options.progress = [impl = impl_.get(), tell = std::move(options.progress)](
                          const std::string& what, double share, double triangles) {
-    if (impl->gives_up.load(std::memory_order_relaxed)) throw std::runtime_error("given up");
+    impl->require_wanted();
     if (tell) tell(what, share, triangles);
   };
   impl_->thread = std::thread([impl = impl_.get(), description = std::move(description),
-                               options = std::move(options)]() mutable {
+                               options = std::move(options), wait]() mutable {
     give_way();
     try {
+      impl->wait(wait);
       impl->scene = load_scene(std::move(description), options);
     } catch (...) {
       impl->error = std::current_exception();
@@ -50,7 +67,13 @@ LevelBuild::LevelBuild(SceneDescription description, LoadOptions options)
   });
 }
 
-void LevelBuild::give_up() { impl_->gives_up.store(true, std::memory_order_relaxed); }
+void LevelBuild::give_up() {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->gives_up.store(true, std::memory_order_relaxed);
+  }
+  impl_->given_up.notify_all();
+}
 
 LevelBuild::~LevelBuild() {
   give_up();

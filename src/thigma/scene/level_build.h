@@ -16,7 +16,8 @@ class LevelBuild {
  public:
   /// description  as load_scene took it
   /// options      of load_scene; log and progress are called by the thread, defers_levels is off
-  LevelBuild(SceneDescription description, LoadOptions options);
+  /// wait         before it begins, so that what a person waits for is done first [s]
+  LevelBuild(SceneDescription description, LoadOptions options, double wait = 0.0);
   ~LevelBuild();  // gives up, within a step of the build
   LevelBuild(const LevelBuild&) = delete;
   LevelBuild& operator=(const LevelBuild&) = delete;
