@@ -4,6 +4,7 @@
 #include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
 #include "thigma/device/open_device.h"
+#include "thigma/device/web_device.h"
 #include "thigma/scene/load_scene.h"
 #include "thigma/scene/scene_file.h"
 #include "thigma/simulation/simulate.h"
@@ -48,6 +49,16 @@ TEST(OpenSession, StartsOthersWhereTheSceneSays) {
 TEST(OpenSession, RefusesThePagesDeviceWithoutAPage) {
   const Scene scene = load_scene(test::small_jaws());
   EXPECT_THROW(open_session(scene, {.device = "web:"}), DeviceUnavailable);
+}
+
+TEST(OpenSession, PollsForNoHandOfAPage) {
+  Scene scene = load_scene(test::small_jaws());
+  WebDeviceChannel page;
+  const SessionOptions of_page{.device = "web:", .web_channel = &page};
+  EXPECT_EQ(open_session(scene, of_page).config.spin, 0.0);
+  EXPECT_LT(open_session(scene, {.device = "hand:"}).config.spin, 0.0);
+  scene.config.spin = 1e-4;  // asked for
+  EXPECT_EQ(open_session(scene, of_page).config.spin, 1e-4);
 }
 
 TEST(OpenSession, RefusesAHandForASimulation) {

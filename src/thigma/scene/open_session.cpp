@@ -126,6 +126,9 @@ void open_at(Opening& o) {
   if (o.is_constrained()) use_constraints(session.config);
   if (o.is_potential()) measure_areas(o);
   if (scheme == "web") {
+    // Its samples come over a socket, milliseconds apart: a wake-up a tenth of one late is not felt,
+    // and polling for it would take a quarter of a processor that draws the page as well.
+    if (session.config.spin < 0.0) session.config.spin = 0.0;
     session.device = add_camera(open_web(o), session.device_uri);
   } else if (scheme == "replay") {
     session.device = open_recorded(session.device_uri.substr(scheme.size() + 1), o);
