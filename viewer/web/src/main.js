@@ -309,7 +309,7 @@ function frame(now) {
   behindAt = now + BEHIND;
   const isNew = showMoment();
   tick += 1;
-  drawPlots(plots, session.shown?.time ?? 0);
+  drawPlots(plots, session.shown?.time ?? 0, stage?.plain);
   const begin = performance.now();
   if (tick % 6 !== 0 && !(isNew && begin >= wordsAt)) return;
   showWords(now / 1000, newtons);
