@@ -415,6 +415,21 @@ TEST(JointedWorld, ChainInTheHandFollowsAndGivesNoEnergy) {
   EXPECT_GE(least, -1e-6);
 }
 
+// A minute a swing, let go so near its rest that it moves by less in half a second than what sleeps.
+TEST(JointedWorld, ASlowSpringIsNotTakenForRest) {
+  constexpr double kPeriod = 60.0, kOff = 2e-5;
+  JointBench bench;
+  bench.add(test::body_mesh(make_box(Vec3(0.02, 0.02, 0.02))), BodyKind::moving, Vec3::Zero());
+  WorldJoint& spring = bench.tie(JointKind::slider, 0, -1, Vec3::Zero());
+  const double rate = 2.0 * std::numbers::pi / kPeriod;
+  spring.stiffness = bench.bodies[0].mass * rate * rate;
+  spring.rest = kOff;
+  bench.tie_all(Vec3::Zero());
+  bench.world.sleeps = true;
+  for (int i = 0; i < 15000; ++i) bench.step();
+  EXPECT_NEAR(bench.read(0).coordinate, kOff, 1e-3 * kOff);  // after a quarter of it
+}
+
 TEST(JointedWorld, SleepsWithItsJointsAndWakesThroughThem) {
   JointBench bench;
   const auto block = test::body_mesh(make_box(Vec3(0.02, 0.02, 0.02)));

@@ -16,15 +16,19 @@ namespace {
 using detail::NearPair;
 using detail::Part;
 
-bool has_motor(const World& world, const detail::Islands& islands,
+/// Whether a motor drives something of an island, or a spring does against no friction: at the ends
+/// of a slow swing that stands still for long.
+bool is_driven(const World& world, const detail::Islands& islands,
                const detail::Island& island) noexcept {
-  for (std::int32_t k = 0; k < island.joints; ++k)
-    if (world.joints[idx(islands.joint[idx(island.first_joint + k)])].motor.is_on) return true;
+  for (std::int32_t k = 0; k < island.joints; ++k) {
+    const WorldJoint& joint = world.joints[idx(islands.joint[idx(island.first_joint + k)])];
+    if (joint.motor.is_on || (joint.stiffness > 0.0 && island.rows == 0)) return true;
+  }
   return false;
 }
 
 /// Bodies that touch and have not moved for long enough rest until something comes near: whole
-/// heaps together, so that none hangs in the air. What a motor drives never rests.
+/// heaps together, so that none hangs in the air. What is driven never rests.
 void put_to_sleep(const World& world, double dt, WorldState& state, WorldScratch& s) {
   constexpr double kTime = 0.5;  // [s]
   constexpr double kWay = 5e-6;  // of the reach: what a body may move in that time
@@ -42,7 +46,7 @@ void put_to_sleep(const World& world, double dt, WorldState& state, WorldScratch
       is_still = is_still && still >= kTime;
     }
     if (!is_still || (island.rows == 0 && island.joints == 0)) continue;
-    if (has_motor(world, s.islands, island)) continue;
+    if (is_driven(world, s.islands, island)) continue;
     for (std::int32_t i = 0; i < island.bodies; ++i) {
       const std::size_t body = idx(s.islands.body[idx(island.first_body + i)]);
       state.is_asleep[body] = 1;
