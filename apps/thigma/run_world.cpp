@@ -87,6 +87,7 @@ WorldSummary run_alone(const RunOptions& options, const LoadedWorld& world, std:
         options.record, world,
         WorldRecorderInfo{options.scene, facts.devices, seed, options.friction});
   const auto sink = [&](const WorldFrame& frame) {
+    count_step(frame, facts);
     if (recorder) recorder->write(frame);
   };
   const std::int64_t begin = thread_cpu_ns();

@@ -217,6 +217,7 @@ class WorldLive {
     shell.stop = &stop;
     shell.live = &server_.ports();
     shell.sink = [&](const WorldFrame& frame) {
+      count_step(frame, facts_);
       record(frame);
       server_.observe(frame);
       events.observe(frame);

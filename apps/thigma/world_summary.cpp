@@ -16,6 +16,10 @@ double step_microseconds(const WorldSummary& s, const WorldRunFacts& facts) {
 
 }  // namespace
 
+void count_step(const WorldFrame& frame, WorldRunFacts& facts) {
+  record(facts.steps, std::llround(1e9 * frame.step_cpu));
+}
+
 nlohmann::ordered_json world_summary_json(const WorldSummary& s, const LoadedWorld& world,
                                           const WorldRunFacts& facts) {
   const std::vector<std::string>& devices = facts.devices;
@@ -29,6 +33,11 @@ nlohmann::ordered_json world_summary_json(const WorldSummary& s, const LoadedWor
   json["awake"] = s.awake;
   json["step_cpu_us_mean"] = nullptr;
   if (s.frames > 0) json["step_cpu_us_mean"] = step_microseconds(s, facts);
+  const DurationSummary steps = summarize(facts.steps);
+  json["step_cpu_us"] = {{"p50", 1e6 * steps.p50},
+                         {"p99", 1e6 * steps.p99},
+                         {"p999", 1e6 * steps.p999},
+                         {"max", 1e6 * steps.max}};
   json["contact"] = {{"pairs_max", s.pairs_max},
                      {"queries", s.queries},
                      {"rows_max", s.rows_max},
@@ -74,6 +83,9 @@ void print_world_summary(const WorldSummary& s, const LoadedWorld& world,
   std::printf("%s: %llu frames of %zu bodies, %d awake at the end, %.0f us a step\n",
               world.description.title.c_str(), static_cast<unsigned long long>(s.frames),
               world.config.world.bodies.size(), s.awake, step_microseconds(s, facts));
+  const DurationSummary steps = summarize(facts.steps);
+  std::printf("steps: p50 %.0f, p99 %.0f, p99.9 %.0f, at most %.0f us of the processor\n",
+              1e6 * steps.p50, 1e6 * steps.p99, 1e6 * steps.p999, 1e6 * steps.max);
   std::printf("contacts: at most %lld rows, %d pairs, islands of %d; residual %.2g m/s\n",
               static_cast<long long>(s.rows_max), s.pairs_max, s.largest_island, s.residual_max);
   std::printf("hand: at most %.3f N, put in %.3g mJ (least %.3g mJ)\n", s.force_max,

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "thigma/scene/world_scene.h"
+#include "thigma/session/histogram.h"
 
 namespace thigma::app {
 
@@ -14,8 +15,12 @@ namespace thigma::app {
 struct WorldRunFacts {
   std::vector<std::string> devices;  // addresses, by hand
   double cpu_seconds = 0.0;          // of the processor, for all steps [s]
+  DurationHistogram steps;           // of the processor, by step
   bool has_clock = false;            // it went by the clock
 };
+
+/// Counts a step. Thread: the world's.
+void count_step(const WorldFrame& frame, WorldRunFacts& facts);
 
 nlohmann::ordered_json world_summary_json(const WorldSummary& s, const LoadedWorld& world,
                                           const WorldRunFacts& facts);

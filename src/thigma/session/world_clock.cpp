@@ -46,10 +46,8 @@ WorldSummary run_world_by_clock(const WorldSessionConfig& config,
     run.lose(shell.wait_for_tick ? shell.wait_for_tick() : wall.wait());
     if (shell.live != nullptr && shell.live->aim.fetch()) run.aim(shell.live->aim.value());
     if (shell.between) shell.between(run);
-    const std::int64_t begin = thread_cpu_ns();
-    WorldFrame* frame = run.make_frame();
+    const WorldFrame* frame = run.make_frame();
     if (frame == nullptr) break;
-    frame->step_cpu = 1e-9 * static_cast<double>(thread_cpu_ns() - begin);
     if (shell.sink) shell.sink(*frame);
     was_stopped = is_stopped();
   }

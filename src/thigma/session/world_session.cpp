@@ -12,6 +12,7 @@
 #include "thigma/loop/samples.h"
 #include "thigma/math/infinity.h"
 #include "thigma/session/detail/world_hands.h"
+#include "thigma/session/rt_thread.h"
 
 namespace thigma {
 namespace {
@@ -131,6 +132,7 @@ struct WorldRun::Impl {
 };
 
 WorldFrame* WorldRun::Impl::make_frame() {
+  const std::int64_t begin = thread_cpu_ns();
   const std::uint64_t i = summary.frames;
   const double dt = 1.0 / config->rate;
   is_over = is_over || i >= frames ||
@@ -161,6 +163,7 @@ WorldFrame* WorldRun::Impl::make_frame() {
   frame.commands = hands.commands;
   frame.grips = hands.grips;
   frame.aimed = std::exchange(aimed, std::nullopt);
+  frame.step_cpu = 1e-9 * static_cast<double>(thread_cpu_ns() - begin);
   return &frame;
 }
 

@@ -62,7 +62,7 @@ struct WorldFrame {
   std::optional<WorldAim> aimed;     // of free hands, since the frame before
   WorldStep step;
   // By the clock; in lockstep 0.
-  double step_cpu = 0.0;   // of the processor, for this frame [s]
+  double step_cpu = 0.0;  // of the processor, for the whole frame [s]; not in the hash
   std::uint64_t lost = 0;  // frames' time that passed unused before it, as the one before was late
 };
 
