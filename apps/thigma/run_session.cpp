@@ -141,11 +141,15 @@ SessionSummary run_threads(Run& run, const SessionConfig& config, const RunContr
   return session.finish();
 }
 
-/// Before levels of detail are built beside a session [s]: the way to its first picture and first
-/// contacts keeps two processors busy, and even a thread that gives way slows what shares a core.
-double head_start() {
+/// Before levels of detail are built beside a session that a page shows [s]: the way to its first
+/// picture keeps few processors busy, and even a thread that gives way slows what shares a core.
+/// Whose hand is held gets its levels as soon as can be.
+double head_start(const Run& run) {
   constexpr unsigned kFew = 4;  // processors
-  return std::thread::hardware_concurrency() > kFew ? 0.0 : 5.0;
+  const unsigned processors = std::thread::hardware_concurrency();
+  const bool is_few = processors > 0 && processors <= kFew;
+  const bool is_shown = run.web_channel != nullptr;
+  return is_few && is_shown && !run.session.device->limits().holds_person ? 5.0 : 0.0;
 }
 
 }  // namespace
@@ -226,15 +230,15 @@ std::unique_ptr<Run> prepare_run(SceneDescription scene, const RunOptions& optio
   // which is the same every time. Of a recording that is shown no frame is like one without them.
   load.defers_levels = !options.is_lockstep && !options.duration && !options.is_shown;
   run->scene = load_scene(scene, load);
-  if (run->scene.lacks_levels) {
-    load.progress = {};
-    if (load.log) load.log("begins at full resolution; levels of detail are built meanwhile");
-    run->levels = std::make_unique<LevelBuild>(std::move(scene), std::move(load), head_start());
-  }
   if (options.spin) run->scene.config.spin = 1e-6 * *options.spin;
   run->scene.config.faults = parse_faults(options.fault_text);
   run->session =
       open_session(run->scene, session_options(options, seed, hooks.web_channel, hooks.log));
+  if (run->scene.lacks_levels) {
+    load.progress = {};
+    if (load.log) load.log("begins at full resolution; levels of detail are built meanwhile");
+    run->levels = std::make_unique<LevelBuild>(std::move(scene), std::move(load), head_start(*run));
+  }
   return run;
 }
 

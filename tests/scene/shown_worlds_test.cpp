@@ -84,11 +84,20 @@ TEST(ShownWorlds, RingsHoldEachOther) {
 }
 
 TEST(ShownWorlds, ThingsInTraysAreMovedAndStayThere) {
-  const ShownWorld tray("tray", 4.0), instruments("instruments", 4.0);
+  const ShownWorld tray("tray", 6.0), instruments("instruments", 6.0);
   EXPECT_GT(tray.way("peg 2"), 0.002);
   EXPECT_GT(instruments.way("probe in the tray"), 0.002);
-  for (const ShownWorld* shown : {&tray, &instruments})
-    for (const Vec3& place : shown->places.back()) EXPECT_GT(place.z(), -0.01);
+  EXPECT_EQ(tray.run.awake, 1);  // the ball in the hand
+  for (const ShownWorld* shown : {&tray, &instruments}) {
+    EXPECT_GE(shown->run.port_energy_min, -2e-5);  // the weight in the hand, let down
+    for (std::size_t i = 0; i < shown->places.back().size(); ++i) {
+      if (shown->world.config.world.bodies[i].kind == BodyKind::fixed) continue;
+      const Vec3& place = shown->places.back()[i];
+      EXPECT_GT(place.z(), 0.0);
+      EXPECT_LT(std::fabs(place.x()), 0.071) << i;  // between the walls
+      EXPECT_LT(std::fabs(place.y()), 0.051) << i;
+    }
+  }
 }
 
 TEST(ShownWorlds, HaveTheSameBitsTwice) {

@@ -63,7 +63,7 @@ struct WorldFrame {
   WorldStep step;
   // By the clock; in lockstep 0.
   double step_cpu = 0.0;  // of the processor, for the whole frame [s]; not in the hash
-  std::uint64_t lost = 0;  // frames' time that passed unused before it, as the one before was late
+  std::uint64_t lost = 0;  // frames that were skipped before it, as the one before took too long
 };
 
 /// How it went for a hand.
@@ -139,7 +139,7 @@ class WorldRun {
   /// errors   std::bad_alloc, and then nothing has changed
   void go_on(const WorldSessionConfig& next, const WorldState& state,
              std::span<const std::int32_t> was);
-  /// So many frames' time has passed unused.
+  /// So many frames were skipped: their time is lost to the world.
   void lose(std::uint64_t frames) noexcept;
   /// Leaves zero force and tells how it went.
   WorldSummary end();
