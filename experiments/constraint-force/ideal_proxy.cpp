@@ -11,9 +11,8 @@ namespace thigma::experiments {
 namespace {
 
 constexpr double kSide = 0.020, kRadius = 0.005, kLength = 0.030;  // of E2's cube and peg [m]
-constexpr double kClearances[] = {2e-5, 1e-4, 5e-4};  // of E2's holes, on the diameter [m]
-constexpr std::size_t kBalls = 1, kFirstPeg = 3;      // places among E2's scenes
-constexpr double kFiner = 4.0;  // sag of the facets falls with its square: below half a percent
+constexpr double kClearances[] = {2e-5, 1e-4, 5e-4};         // of E2's holes, on the diameter [m]
+constexpr std::size_t kFirstPeg = 3;                         // place among E2's scenes
 constexpr double kPegTilt = 3.14159265358979323846 / 180.0;  // of E2's pegs, to either side [rad]
 constexpr double kIn = 0.2;    // before the path, from apart to its first pose [s]
 constexpr double kEase = 0.1;  // of the path, until the hand has its speed [s]
@@ -65,12 +64,6 @@ TriangleMesh closed_plate(double x, double y, int nx, int ny) {
   return transformed(make_box({x, y, 0.01}, {nx, ny, 1}), {{0.0, 0.0, -0.005}, Quat::Identity()});
 }
 
-/// E2's spheres with edges so many times shorter.
-void make_finer(QualityScene& scene, double finer) {
-  scene.object = make_ball(0.020, static_cast<int>(std::lround(12.0 * finer)));
-  scene.scene = make_ball(0.030, static_cast<int>(std::lround(16.0 * finer)));
-}
-
 ProxyScene balls(QualityScene scene, const ProxySprings& springs) {
   const double apart = 0.050;
   const double k = springs.linear;
@@ -81,7 +74,7 @@ ProxyScene balls(QualityScene scene, const ProxySprings& springs) {
 
 }  // namespace
 
-std::vector<ProxyScene> scenes_of_e2(int poses, const ProxySprings& springs) {
+std::vector<ProxyScene> proxy_scenes(int poses, const ProxySprings& springs) {
   std::vector<QualityScene> scenes = quality_scenes(poses);
   const double k = springs.linear;
   scenes[0].scene = closed_plate(0.16, 0.08, 32, 16);
@@ -110,23 +103,19 @@ std::vector<ProxyScene> scenes_of_e2(int poses, const ProxySprings& springs) {
   return result;
 }
 
-std::vector<ProxyScene> proxy_scenes(int poses, const ProxySprings& springs) {
-  std::vector<ProxyScene> scenes = scenes_of_e2(poses, springs);
-  make_finer(scenes[kBalls].scene, kFiner);
+ProxyScene farther_peg(ProxyScene widest) {
   const double beyond = kPegTilt - tilt_at_touch(0.5 * kClearances[0]);
-  for (std::size_t i = 0; i < std::size(kClearances); ++i) {
-    const double larger = (tilt_at_touch(0.5 * kClearances[i]) + beyond) / kPegTilt;
-    for (Pose& pose : scenes[kFirstPeg + i].scene.path) {
-      pose.orientation = rotation_from_vector(larger * vector_from_rotation(pose.orientation));
-    }
-  }
-  return scenes;
+  const double larger = (tilt_at_touch(0.5 * kClearances[2]) + beyond) / kPegTilt;
+  for (Pose& pose : widest.scene.path)
+    pose.orientation = rotation_from_vector(larger * vector_from_rotation(pose.orientation));
+  return widest;
 }
 
 ProxyScene finer_balls(int poses, double finer, const ProxySprings& springs) {
   QualityScene scene = quality_scenes(8 * poses)[1];
   scene.path.resize(static_cast<std::size_t>(poses));
-  make_finer(scene, finer);
+  scene.object = make_ball(0.020, static_cast<int>(std::lround(12.0 * finer)));
+  scene.scene = make_ball(0.030, static_cast<int>(std::lround(16.0 * finer)));
   return balls(std::move(scene), springs);
 }
 

@@ -25,13 +25,13 @@ struct ProxyScene {
 };
 
 /// a to f of E2, meshes and paths as there.
-std::vector<ProxyScene> scenes_of_e2(int poses, const ProxySprings& springs);
-
-/// The same, asked so that an error is the engine's. Spheres, which the protocol gives by their
-/// radii, have edges a quarter as long: those of E2's meshes lie some 20 um inside either sphere, a
-/// fifteenth of what is felt. Pegs turn as far beyond the touch in every hole as in the narrowest:
-/// E2's path, a degree for all, ends 0.7 mrad after the touch in the widest.
 std::vector<ProxyScene> proxy_scenes(int poses, const ProxySprings& springs);
+
+/// The peg of the widest hole, turned as far beyond the touch as E2's path turns that of the
+/// narrowest: a degree for all ends 0.7 mrad after the touch in the widest.
+///
+/// widest  that scene with E2's path
+ProxyScene farther_peg(ProxyScene widest);
 
 /// b alone, an eighth of its circle, with balls of other divisions, both `finer` times as fine as
 /// E2's.

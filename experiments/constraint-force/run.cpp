@@ -22,6 +22,35 @@ void add(const char* series, const std::string& name, const ProxyPace& pace, con
                               q.largest_angle / kDegree, q.largest, q.stray, 100.0 * q.held_back});
 }
 
+/// What E2's own meshes and path are known to miss, with what showed why.
+struct Miss {
+  const char* id;
+  Known known;
+};
+
+const Miss kMisses[] = {
+    {"magnitude-2",
+     {"facets: E2's meshes lie some 20 um inside either sphere, a fifteenth of what is felt; with "
+      "edges half and a quarter as long the difference falls with their square "
+      "(magnitude-2-fine)",
+      "data.csv:series=balls", 12.0}},
+    {"direction-2",
+     {"facets of about 2 mm lean by up to 4 degrees; with edges half and a quarter as long it "
+      "falls with them (direction-2-fine)",
+      "data.csv:series=balls", 1.7}},
+    {"magnitude-6",
+     {"E2's path turns only 0.7 mrad beyond the touch in the widest hole, and the stand-off of "
+      "5e-5 of the size at either rim is a tenth of that: it falls with the stand-off, and where "
+      "the peg turns as far as in the narrowest hole (magnitude-6-farther)",
+      "data.csv:series=slop", 12.0}}};
+
+/// The claim, marked where it is known to miss.
+Claim marked(const Claim& claim) {
+  for (const Miss& miss : kMisses)
+    if (claim.id == miss.id) return known_not_to(claim, miss.known);
+  return claim;
+}
+
 /// Claims on magnitude and direction.
 void claim_scene(const std::string& id, const std::string& name, const ProxyQuality& q,
                  Outcome& outcome) {
@@ -30,10 +59,10 @@ void claim_scene(const std::string& id, const std::string& name, const ProxyQual
                                      1e3 * q.stray, 10.0, "mN"));
     return;
   }
-  outcome.claims.push_back(
-      at_most("magnitude-" + id, name + ": error of magnitude", 100.0 * q.magnitude, 1.0, "%"));
-  outcome.claims.push_back(at_most("direction-" + id, name + ": error of direction, mean",
-                                   q.mean_angle / kDegree, 1.0, "deg"));
+  outcome.claims.push_back(marked(
+      at_most("magnitude-" + id, name + ": error of magnitude", 100.0 * q.magnitude, 1.0, "%")));
+  outcome.claims.push_back(marked(at_most("direction-" + id, name + ": error of direction, mean",
+                                          q.mean_angle / kDegree, 1.0, "deg")));
 }
 
 /// How fast the hand may slide. An eighth of the circle is 39 mm.
@@ -70,9 +99,11 @@ void run_balls(bool is_quick, Outcome& outcome) {
     finest = judge_proxy(finer_balls(100, finer, springs), springs, slow);
     add("balls", name, slow, finest, outcome);
   }
-  outcome.claims.push_back(at_most("magnitude-2-fine", "spheres four times as fine: the same",
+  outcome.claims.push_back(at_most("magnitude-2-fine",
+                                   "spheres of edges a quarter as long as E2's, an eighth of "
+                                   "the circle: error of magnitude",
                                    100.0 * finest.magnitude, 1.0, "%"));
-  outcome.claims.push_back(at_most("direction-2-fine", "spheres four times as fine: the same",
+  outcome.claims.push_back(at_most("direction-2-fine", "the same: error of direction, mean",
                                    finest.mean_angle / kDegree, 1.0, "deg"));
   run_speeds(is_quick, outcome);
 }
@@ -82,42 +113,32 @@ ProxyPace pace_of(const ProxyScene& scene) {
   return {.seconds = 20.0, .every = scene.scene.has_torque ? 20 : 1};
 }
 
-void run_scenes(const Context& context, int poses, Outcome& outcome) {
+/// The peg of the widest hole: what its stand-off does on E2's path, and turned farther.
+void run_widest(const ProxyScene& peg, Outcome& outcome) {
+  const ProxySprings springs;
+  const std::string& name = peg.scene.name;
+  ProxyPace pace = pace_of(peg);
+  for (const double slop : {1.0, 0.5, 0.2, 0.1}) {
+    pace.slop = slop;
+    add("slop", name, pace, judge_proxy(peg, springs, pace), outcome);
+  }
+  const ProxyScene farther = farther_peg(peg);
+  const ProxyQuality q = judge_proxy(farther, springs, pace_of(farther));
+  add("farther", name, pace_of(farther), q, outcome);
+  claim_scene("6-farther", name + ", turned as far beyond the touch as E2's path in 0.02 mm", q,
+              outcome);
+}
+
+void run_scenes(const Context& context, Outcome& outcome) {
   const ProxySprings springs;
   int index = 0;
-  for (const ProxyScene& scene : proxy_scenes(poses, springs)) {
+  for (const ProxyScene& scene : proxy_scenes(context.quick ? 100 : 1000, springs)) {
     tell(context, scene.scene.name);
     const ProxyPace pace = pace_of(scene);
     const ProxyQuality q = judge_proxy(scene, springs, pace);
     add("scene", scene.scene.name, pace, q, outcome);
     claim_scene(std::to_string(++index), scene.scene.name, q, outcome);
-  }
-}
-
-/// What is asked otherwise above, as E2 has it: meshes that are no spheres, a peg that hardly turns
-/// beyond the touch.
-void run_as_in_e2(const Context& context, int poses, Outcome& outcome) {
-  const ProxySprings springs;
-  const std::vector<ProxyScene> scenes = scenes_of_e2(poses, springs);
-  const ProxyScene &spheres = scenes[1], &peg = scenes[5];
-  tell(context, "as in E2");
-  const ProxyQuality q = judge_proxy(spheres, springs, pace_of(spheres));
-  add("as in E2", spheres.scene.name, pace_of(spheres), q, outcome);
-  outcome.claims.push_back(stated("magnitude-2-coarse",
-                                  "spheres of E2's meshes: error of magnitude (goal 1 %)",
-                                  100.0 * q.magnitude, "%"));
-  outcome.claims.push_back(stated("direction-2-coarse", "the same: of direction, mean (goal 1 deg)",
-                                  q.mean_angle / kDegree, "deg"));
-  for (const double slop : {1.0, 0.5, 0.2, 0.1}) {
-    ProxyPace pace = pace_of(peg);
-    pace.slop = slop;
-    const ProxyQuality slight = judge_proxy(peg, springs, pace);
-    add("slop", peg.scene.name, pace, slight, outcome);
-    if (slop != 1.0) continue;
-    outcome.claims.push_back(stated("magnitude-6-slight",
-                                    "0.5 mm peg turned as in E2, 0.7 mrad beyond the touch: "
-                                    "error of magnitude (goal 1 %)",
-                                    100.0 * slight.magnitude, "%"));
+    if (index == 6) run_widest(scene, outcome);
   }
 }
 
@@ -140,9 +161,7 @@ Outcome run_constraint_force(const Context& context) {
   outcome.figure = {.title = "Force in the hand over its travel beyond the touch, constraints",
                     .panels = {{.x = {.label = "travel [mm]"}, .y = {.label = "force [N]"}}},
                     .panel_height = 380};
-  const int poses = context.quick ? 100 : 1000;
-  run_scenes(context, poses, outcome);
-  run_as_in_e2(context, poses, outcome);
+  run_scenes(context, outcome);
   tell(context, "finer spheres");
   run_balls(context.quick, outcome);
   run_presses(context, outcome);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "experiments/level-choice/tables.h"
@@ -9,8 +10,8 @@ namespace {
 
 constexpr double kGrowth = 1.3, kRank = 0.5;
 // Above this regions differ enough for a rank to say something: 90 % quantile of their areas over
-// the 10 % quantile, at the lower end of what drawn poses give. The quantile itself leaps from 1.4
-// to 140 with one pose of eight at which little touches yet.
+// the 10 % quantile. The quotient leaps from 1.4 to 140 with one pose of eight at which little
+// touches yet, the lower end of what drawn poses give does not.
 constexpr double kSpread = 2.0;
 
 /// Least growth from one asked threshold to the next.
@@ -69,6 +70,17 @@ void add_growth(const Studied& pair, std::vector<Claim>& claims) {
              least.error));
 }
 
+std::string figure(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+std::string spread_text(const Growth& spread) {
+  return "90 % over 10 % quantile of the regions' areas " + figure(spread.value) + ", " +
+         figure(spread.low) + " at the lower end of what drawn poses give";
+}
+
 void add_area(const Studied& pair, std::vector<Claim>& claims) {
   const std::string& name = pair.name;
   const Choice& shipped = choice_at(pair, kShipped);
@@ -79,22 +91,36 @@ void add_area(const Studied& pair, std::vector<Claim>& claims) {
                    ": rank correlation of a contact's level at 2.5 % with the area of "
                    "its region by the exact query",
                shipped.area_rank, kRank);
-  if (!(pair.study.region_spread.low > kSpread)) {
+  const Growth& spread = pair.study.region_spread;
+  if (!std::isfinite(spread.value) || !std::isfinite(spread.low)) {
+    claims.push_back(with_value(area, std::nan("")));
+    return;
+  }
+  if (!(spread.value > kSpread)) {
     claims.push_back(stated(area.id,
-                            area.text + " (goal 0.5; one region of one size, nothing to rank)",
+                            area.text + " (goal 0.5; not asked for: " + spread_text(spread) + ")",
                             shipped.area_rank));
     return;
   }
+  const std::string rows = "area.csv:scene=" + name;
   claims.push_back(known_not_to(
-      area,
-      {.reason = "D is of each surface alone (Sec. 3.3.5), and not the area the two share: with "
-                 "that area in its place the rank is 0.8 and more (area-by-region)",
-       .sweep = "area.csv:scene=" + name,
-       .floor = 0.0}));
-  claims.push_back(
+      area, {.reason = "D is of each surface alone (Sec. 3.3.5), and not the area the two share: "
+                       "with that area in its place the rank is " +
+                       figure(without_d.rank) + " (area-by-region)",
+             .sweep = rows,
+             .floor = 0.0}));
+  const Claim by_region =
       at_least("area-by-region-" + name,
                name + ": the same of the levels there would be with that area in place of D",
-               without_d.rank, 0.8));
+               without_d.rank, 0.8);
+  claims.push_back(spread.low > kSpread
+                       ? by_region
+                       : known_not_to(by_region, {.reason = "regions differ at single poses only, "
+                                                            "among the others there is little to "
+                                                            "rank: " +
+                                                            spread_text(spread),
+                                                  .sweep = rows,
+                                                  .floor = 0.6}));
 }
 
 void add_interval(const Studied& pair, std::vector<Claim>& claims) {

@@ -2,6 +2,7 @@
 
 #include "experiments/level-choice/contact_area.h"
 #include "experiments/level-choice/resample.h"
+#include "experiments/level-choice/tables.h"
 #include <gtest/gtest.h>
 
 namespace thigma::experiments::level_choice {
@@ -47,6 +48,47 @@ TEST(LevelChoice, OnePoseUnlikeTheOthersIsNoSpread) {
   EXPECT_DOUBLE_EQ(all.low, 10.0);
   EXPECT_DOUBLE_EQ(all.value, 10.0);
   EXPECT_TRUE(std::isnan(spread_of({}, 1).value));
+}
+
+/// Claims on area of a pair whose rank by region is 0.77.
+std::vector<Claim> area_claims(const Growth& spread) {
+  Studied pair;
+  pair.name = "pair";
+  for (const double s0 : {0.0, 0.01, 0.025, 0.05, kNoMetric}) {
+    pair.settings.push_back(setting_at(s0));
+    pair.study.choices.emplace_back();
+  }
+  pair.study.ranks.push_back({"level and region, region in place of D", 0.77, 800.0});
+  pair.study.region_spread = spread;
+  std::vector<Claim> claims;
+  for (const Claim& claim : claims_of(pair))
+    if (claim.id.rfind("area", 0) == 0) claims.push_back(claim);
+  return claims;
+}
+
+TEST(LevelChoice, RankByRegionStaysListedWhereOnePoseMakesTheSpread) {
+  const std::vector<Claim> one = area_claims({142.0, 1.1, 440.0});
+  ASSERT_EQ(one.size(), 2u);
+  EXPECT_EQ(one[1].id, "area-by-region-pair");
+  EXPECT_EQ(one[1].kind, ClaimKind::not_reproduced);
+  EXPECT_FALSE(is_broken(one[1]));
+  EXPECT_NE(one[1].reason.find("142"), std::string::npos) << one[1].reason;
+  EXPECT_TRUE(is_broken(with_value(one[1], 0.59)));
+  const std::vector<Claim> all = area_claims({7.1, 6.4, 20.0});
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_TRUE(is_broken(all[1]));
+  const std::vector<Claim> none = area_claims({1.5, 1.1, 2.2});
+  ASSERT_EQ(none.size(), 1u);
+  EXPECT_EQ(none[0].kind, ClaimKind::stated);
+}
+
+TEST(LevelChoice, SpreadThatIsNoNumberBreaks) {
+  const double nan = std::nan("");
+  for (const Growth& spread : {Growth{nan, nan, nan}, Growth{1.5, nan, nan}}) {
+    const std::vector<Claim> claims = area_claims(spread);
+    ASSERT_EQ(claims.size(), 1u);
+    EXPECT_TRUE(is_broken(claims[0]));
+  }
 }
 
 TEST(LevelChoice, RanksSeeTheWeightOfABlend) {
