@@ -275,10 +275,12 @@ class WorldLive {
         request.kind == Kind::add ? with_another(now, body, request.point, run.state())
                                   : without(now, body));
     const WorldState state = carried_state(*next, run.state());
+    live::SceneView scene = view_at(next->world, state);
     run.go_on(next->world.config, state, next->was);
-    server_.change_world(view_at(next->world, state));
-    events.use(next->world);
-    changed_ = std::move(next);
+    changed_.swap(next);  // the run has it from here on; pages see the one before a while yet
+    scene.world.changes = run.changes();
+    server_.change_world(std::move(scene), changed_->was);
+    events.use(changed_->world);
   }
 
   static SessionEnd end_of(const WorldSummary& summary) {
@@ -339,7 +341,7 @@ class WorldLive {
     server_.answer(request, is_over ? kIsOver : "");
     if (is_over) return false;
     record_ = request.kind == Kind::record ? next_record_ : "";
-    if (changed_) server_.change_world(view(world_));  // with the bodies of the scene again
+    if (changed_) server_.change_world(view(world_), {});  // with the bodies of the scene again
     changed_.reset();
     return true;
   }
