@@ -220,9 +220,9 @@ TEST(LiveWorld, WhilePausedBodiesComeAndGoAndAHandKeepsTheOneItWasAimedAt) {
     client.send_text(text);
     Json told = message_where(client, "scene",
                               [&](const Json& m) { return m["world"]["bodies"] == count; });
-    EXPECT_FALSE(bodies_where(client, [&](const std::string& m) {
-                   return at<std::uint32_t>(m, 4) == count;
-                 }).empty())
+    EXPECT_FALSE(
+        bodies_where(client, [&](const std::string& m) { return at<std::uint32_t>(m, 4) == count; })
+            .empty())
         << text;
     return told;
   };
@@ -325,13 +325,18 @@ TEST(LiveWorld, ByTheClockWithoutAPageIsLockstepsWorldAndItsRecordingReplays) {
 }
 
 TEST(LiveWorld, OptionsThatWorldsDoNotHaveAreRefusedByName) {
-  const std::vector<std::vector<std::string>> all = {
-      {"--exact"},      {"--threshold", "0.1"}, {"--budget-us", "200"},        {"--texture", "off"},
-      {"--repair"},     {"--spin", "10"},       {"--histograms", "steps.csv"}, {"--passivity"},
-      {"--fault", "nan@1"}};
+  const std::vector<std::vector<std::string>> all = {{"--exact"},
+                                                     {"--threshold", "0.1"},
+                                                     {"--budget-us", "200"},
+                                                     {"--texture", "off"},
+                                                     {"--repair"},
+                                                     {"--spin", "10"},
+                                                     {"--histograms", "steps.csv"},
+                                                     {"--passivity"},
+                                                     {"--fault", "nan@1"}};
   for (const std::vector<std::string>& option : all) {
-    std::vector<std::string> arguments = {"run",        scene("row_of_blocks"), "--lockstep",
-                                          "--duration", "0.01",                 "--headless"};
+    std::vector<std::string> arguments = {
+        "run", scene("row_of_blocks"), "--lockstep", "--duration", "0.01", "--headless"};
     arguments.insert(arguments.end(), option.begin(), option.end());
     const Ended ended = run_program(arguments);
     EXPECT_EQ(ended.code, 2) << option[0];
