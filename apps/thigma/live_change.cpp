@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 #include "composed_scene.h"
@@ -14,7 +12,6 @@
 #include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
 #include "thigma/device/open_device.h"
-#include "thigma/files/file.h"
 #include "thigma/recording/recording.h"
 #include "thigma/scene/packed_scene.h"
 
@@ -42,24 +39,6 @@ void prepare(SceneDescription scene, RunOptions options, const LiveNow& now, Liv
   now.hooks.progress("preparing " + scene.title, 0.0);
   change.run = prepare_run(std::move(scene), options, now.seed, now.hooks);
   change.options = std::move(options);
-}
-
-/// A name for the next recording, in a folder that takes files.
-std::string next_recording() {
-  const std::string path = free_recording();
-  const std::string attempt = path + ".try";
-  constexpr std::size_t kSome = 1u << 16;  // a file without any bytes may be made on a full disk
-  try {
-    write_file(attempt, std::string(kSome, '\0'));
-  } catch (const IoError& error) {
-    // People know the recording, not the attempt.
-    std::string why = error.what();
-    if (why.starts_with(attempt)) why.replace(0, attempt.size(), path);
-    refuse_request(why);
-  }
-  std::error_code ignored;
-  std::filesystem::remove(attempt, ignored);
-  return path;
 }
 
 void open_again(const std::string& uri, const LiveNow& now, LiveChange& change) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <system_error>
 
 #include "named_scene.h"
 #include "version.h"
@@ -11,6 +12,7 @@
 #include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
 #include "thigma/device/open_device.h"
+#include "thigma/files/file.h"
 #include "thigma/scene/gain_task.h"
 
 namespace thigma::app {
@@ -129,6 +131,9 @@ std::string page_line(const RunOptions& options, const std::string& address) {
          "; Ctrl-C ends it";
 }
 
+namespace {
+
+/// A name no file has yet, in a folder that may take none.
 std::string free_recording() {
   const std::filesystem::path folder = user_folder("recordings");
   std::error_code unknown;
@@ -143,6 +148,25 @@ std::string free_recording() {
   }
   throw IoError((folder / "session-999.mcap").string() +
                 ": there is already a file, expected a free name from session-001 on");
+}
+
+}  // namespace
+
+std::string next_recording() {
+  const std::string path = free_recording();
+  const std::string attempt = path + ".try";
+  constexpr std::size_t kSome = 1u << 16;  // a file without any bytes may be made on a full disk
+  try {
+    write_file(attempt, std::string(kSome, '\0'));
+  } catch (const IoError& error) {
+    // People know the recording, not the attempt.
+    std::string why = error.what();
+    if (why.starts_with(attempt)) why.replace(0, attempt.size(), path);
+    throw IoError(why);
+  }
+  std::error_code ignored;
+  std::filesystem::remove(attempt, ignored);
+  return path;
 }
 
 }  // namespace thigma::app

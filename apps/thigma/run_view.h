@@ -35,7 +35,7 @@ live::WebAddress page_address(const RunOptions& options);
 std::string page_line(const RunOptions& options, const std::string& address);
 
 /// A name no file has yet, in the user's folder for recordings, which is made where it is not
-/// there. Throws IoError.
-std::string free_recording();
+/// there, and takes files. Throws IoError.
+std::string next_recording();
 
 }  // namespace thigma::app

@@ -33,6 +33,17 @@ std::string missing(const RunOptions& options) {
   if (!options.response.empty()) return "--response is not for scenes with [[body]]";
   if (!options.fault_text.empty()) return "--fault is not for scenes with [[body]]";
   if (options.is_passive) return "--passivity is not for scenes with [[body]]";
+  if (options.resolution.is_exact)
+    return "--exact is not for scenes with [[body]]: they always are";
+  if (asks_for_levels(options.resolution))
+    return "scenes with [[body]] have no levels of detail: leave out --threshold, --budget-us and "
+           "their like";
+  if (!options.texture.empty()) return "--texture is not for scenes with [[body]]";
+  if (options.is_repair)
+    return "--repair is not for scenes with [[body]]: thigma repair mends them";
+  if (!options.histograms.empty())
+    return "--histograms is not for scenes with [[body]]: the summary has how long steps take";
+  if (options.spin) return "--spin is not for scenes with [[body]]: they sleep until each frame";
   return "";
 }
 
@@ -76,6 +87,16 @@ std::vector<std::string> devices_of(const RunOptions& options, const LoadedWorld
   return uris;
 }
 
+/// What a scene whose hand is the page's lacks where there is none: one line, else "".
+std::string missing_page(const RunOptions& options, const LoadedWorld& world) {
+  if (has_page(options)) return "";
+  for (const std::string& uri : devices_of(options, world))
+    if (device_scheme(uri) == "web")
+      return options.scene + ": its device '" + uri +
+             "' is the page's hand, which --headless and --lockstep leave out";
+  return "";
+}
+
 /// Without a page: in lockstep, or by the clock.
 WorldSummary run_alone(const RunOptions& options, const LoadedWorld& world, std::uint64_t seed,
                        const std::atomic<bool>& stop, WorldRunFacts& facts) {
@@ -112,6 +133,10 @@ int run_world_scene(const RunOptions& options, const Common& common,
   const bool may_be_idle = options.device == "null:" || device_scheme(options.device) == "web";
   if (world.config.hands.empty() && !options.device.empty() && !may_be_idle) {
     print_error("run: --device " + options.device + ": no body of the scene is held");
+    return kUsage;
+  }
+  if (const std::string wrong = missing_page(options, world); !wrong.empty()) {
+    print_error("run: " + wrong);
     return kUsage;
   }
   WorldRunFacts facts;

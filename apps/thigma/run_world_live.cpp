@@ -118,6 +118,7 @@ class WorldLive {
     do {
       summary = session();
     } while (begins_again(summary));
+    if (changed_) world_ = std::move(changed_->world);  // the one that has ended
     return summary;
   }
 
@@ -232,6 +233,9 @@ class WorldLive {
       facts_.cpu_seconds = 1e-9 * static_cast<double>(thread_cpu_ns() - begin);
       return summary;
     });
+    // Every way out of here, an exception too, ends the session: the future waits for it.
+    const std::unique_ptr<std::atomic<bool>, void (*)(std::atomic<bool>*)> end(
+        &stop, [](std::atomic<bool>* flag) { *flag = true; });
     while (session.wait_for(std::chrono::nanoseconds(kPoll)) != std::future_status::ready)
       if (poll_pages() || is_told_to_stop()) stop = true;
     is_running_ = false;
@@ -271,10 +275,12 @@ class WorldLive {
         request.kind == Kind::add ? with_another(now, body, request.point, run.state())
                                   : without(now, body));
     const WorldState state = carried_state(*next, run.state());
+    live::SceneView scene = view_at(next->world, state);
     run.go_on(next->world.config, state, next->was);
-    server_.change_world(view_at(next->world, state));
-    events.use(next->world);
-    changed_ = std::move(next);
+    changed_.swap(next);  // the run has it from here on; pages see the one before a while yet
+    scene.world.changes = run.changes();
+    server_.change_world(std::move(scene), changed_->was);
+    events.use(changed_->world);
   }
 
   static SessionEnd end_of(const WorldSummary& summary) {
@@ -304,7 +310,7 @@ class WorldLive {
   bool prepare_recording() {
     if (request_->kind != Kind::record) return false;
     try {
-      next_record_ = request_->flag ? free_recording() : "";
+      next_record_ = request_->flag ? next_recording() : "";
       return true;
     } catch (const IoError& error) {
       server_.answer(*std::exchange(request_, std::nullopt), error.what());
@@ -333,10 +339,11 @@ class WorldLive {
     const live::LiveRequest request = *std::exchange(request_, std::nullopt);
     const bool is_over = end_of(summary) == SessionEnd::duration;
     server_.answer(request, is_over ? kIsOver : "");
+    if (is_over) return false;
     record_ = request.kind == Kind::record ? next_record_ : "";
-    if (changed_) server_.change_world(view(world_));  // with the bodies of the scene again
+    if (changed_) server_.change_world(view(world_), {});  // with the bodies of the scene again
     changed_.reset();
-    return !is_over;
+    return true;
   }
 
   static constexpr const char* kIsOver = "the session is over";

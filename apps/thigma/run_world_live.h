@@ -16,7 +16,8 @@ namespace thigma::app {
 
 /// What a live run of a world needs of the program around it.
 struct WorldLiveProgram {
-  LoadedWorld* world = nullptr;  // the page's hand is added to its hands
+  // The page's hand is added to its hands; afterwards the one that ended, with its bodies.
+  LoadedWorld* world = nullptr;
   const RunOptions* options = nullptr;
   std::uint64_t seed = 1;
   std::vector<std::string> devices;         // addresses, by hand; one of web: is the page's hand

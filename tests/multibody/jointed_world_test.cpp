@@ -415,7 +415,8 @@ TEST(JointedWorld, ChainInTheHandFollowsAndGivesNoEnergy) {
   EXPECT_GE(least, -1e-6);
 }
 
-// A minute a swing, let go so near its rest that it moves by less in half a second than what sleeps.
+// A minute a swing, let go so near its rest that it moves by less in half a second than what
+// sleeps.
 TEST(JointedWorld, ASlowSpringIsNotTakenForRest) {
   constexpr double kPeriod = 60.0, kOff = 2e-5;
   JointBench bench;

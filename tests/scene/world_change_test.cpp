@@ -99,6 +99,9 @@ TEST(WorldChange, WhatCannotComeIsRefusedByName) {
   EXPECT_NE(said.find("inside body 'block 1'"), std::string::npos) << said;
   EXPECT_NE(why([&] { with_another(world, 1, std::nullopt, start); }).find("'table'"),
             std::string::npos);
+  const std::string far = why([&] { with_another(world, 2, Vec3(0.0, 0.0, 1e30), start); });
+  EXPECT_NE(far.find("body 'block 3': position"), std::string::npos) << far;
+  EXPECT_EQ(why([&] { with_another(world, 2, Vec3(0.0, 0.0, 100.0), start); }), "");
 }
 
 TEST(WorldChange, WithoutABodyJointsAndHandsHaveItsNumbersBehindIt) {

@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -53,15 +55,127 @@ TEST(WorldClock, StandsStillWhilePausedAndGoesStepByStep) {
   ports.steps = 5;
   std::atomic<bool> stop{false};
   WorldShell shell{.stop = &stop, .live = &ports, .wait_for_tick = made_up_ticks({})};
-  std::uint64_t seen = 0;
+  std::uint64_t seen = 0, when_stopped = 0;
+  int polls = 0;  // since the last frame
   shell.sink = [&](const WorldFrame& frame) {
     seen = frame.frame + 1;
-    if (seen == 5) stop = true;  // it would wait for ever
+    polls = 0;
+  };
+  shell.between = [&](WorldRun&) {
+    if (++polls < 10 || stop) return;  // before a frame it is called once or twice
+    when_stopped = seen;
+    stop = true;
   };
   const WorldSummary run = run_world_by_clock(config, {&list, 1}, shell);
-  EXPECT_EQ(seen, 5u);
-  EXPECT_EQ(run.frames, 5u);
+  EXPECT_EQ(when_stopped, 5u);
+  EXPECT_EQ(run.frames, seen);
+  EXPECT_LE(seen, 6u);  // the one that it was about to make
   EXPECT_TRUE(run.was_stopped);
+}
+
+/// A page's hand that closes its clutch at a time, and does something each time it is read.
+class ClosingHand final : public HapticDevice {
+ public:
+  explicit ClosingHand(double closes) : closes_(closes) { limits_.holds_person = false; }
+  const DeviceLimits& limits() const override { return limits_; }
+  std::string name() const override { return "closing"; }
+  DeviceState read(double now) THIGMA_RT override {
+    if (on_read) on_read(now);
+    DeviceState state;
+    state.time = now;
+    state.buttons = now >= closes_ ? kClutchButton : 0;
+    return state;
+  }
+  void write(const Wrench&) THIGMA_RT override {}
+  std::function<void(double)> on_read;
+
+ private:
+  const double closes_;
+  DeviceLimits limits_;
+};
+
+/// Three blocks, 1 to 3, and a free hand that is aimed at none.
+WorldSessionConfig three_blocks(WorldBench& bench) {
+  add_floor(bench, 1.0);
+  const auto block = body_mesh(make_box(Vec3(0.04, 0.04, 0.04)));
+  for (int i = 0; i < 3; ++i) bench.add(block, BodyKind::moving, Vec3(0.1 * i, 0.0, 0.02 + 3e-6));
+  bench.make();
+  WorldSessionConfig config;
+  config.world = bench.world;
+  config.start = bench.state;
+  config.hands.resize(1);
+  WorldHand& hand = config.hands[0];
+  hand.is_free = true;
+  hand.coupling.linear_stiffness = 1000.0;
+  hand.coupling.linear_damping = 16.0;
+  hand.coupling.angular_stiffness = 2.0;
+  hand.coupling.angular_damping = 0.02;
+  hand.couplings.assign(bench.bodies.size(), hand.coupling);
+  config.duration = 0.02;
+  return config;
+}
+
+/// The body that a hand takes which was aimed while paused, where block 1 goes after that, and
+/// after `late` if that is any.
+std::int32_t taken_after_a_change(const WorldAim& aim, const std::optional<WorldAim>& late) {
+  WorldBench bench;
+  const WorldSessionConfig config = three_blocks(bench);
+  bench.bodies.erase(bench.bodies.begin() + 1);
+  bench.make();
+  WorldSessionConfig next = config;
+  next.world = bench.world;
+  next.start = bench.state;
+  next.hands[0].couplings.pop_back();
+  ClosingHand hand(0.01);
+  HapticDevice* device = &hand;
+  LivePorts ports;
+  ports.is_paused = true;
+  ports.aim.publish(aim);
+  WorldShell shell{.live = &ports, .wait_for_tick = made_up_ticks({})};
+  int polls = 0;
+  shell.between = [&](WorldRun& run) {
+    if (++polls == 2) {
+      WorldState state = next.start;
+      state.bodies = {run.state().bodies[0], run.state().bodies[2], run.state().bodies[3]};
+      run.go_on(next, state, std::vector<std::int32_t>{0, 2, 3});
+      if (late) ports.aim.publish(*late);
+    }
+    if (polls == 4) ports.is_paused = false;
+  };
+  std::int32_t taken = -1;
+  shell.sink = [&](const WorldFrame& frame) { taken = frame.grips[0].body; };
+  EXPECT_EQ(run_world_by_clock(config, {&device, 1}, shell).frames, 20u);
+  return taken;
+}
+
+TEST(WorldClock, WhatAHandWasAimedAtKeepsToItsBodyWhereNumbersChange) {
+  EXPECT_EQ(taken_after_a_change({2, Vec3::Zero(), 0}, std::nullopt), 1);   // block 2, now body 1
+  EXPECT_EQ(taken_after_a_change({1, Vec3::Zero(), 0}, std::nullopt), -1);  // the one that goes
+}
+
+TEST(WorldClock, AnAimByNumbersOfAnotherWorldTakesNothing) {
+  EXPECT_EQ(taken_after_a_change({2, Vec3::Zero(), 0}, WorldAim{1, Vec3::Zero(), 0}), -1);
+  EXPECT_EQ(taken_after_a_change({2, Vec3::Zero(), 0}, WorldAim{2, Vec3::Zero(), 1}), 2);
+}
+
+TEST(WorldClock, AnAimThatComesBeforeTheClutchClosesIsThereWithIt) {
+  WorldBench bench;
+  const WorldSessionConfig config = three_blocks(bench);
+  ClosingHand hand(0.01);
+  HapticDevice* device = &hand;
+  LivePorts ports;
+  ports.aim.publish({1, Vec3::Zero(), 0});  // of long ago
+  hand.on_read = [&](double now) {
+    // The last moment before the sample that closes the clutch.
+    if (now == 0.01) ports.aim.publish({2, Vec3::Zero(), 0});
+  };
+  std::vector<std::int32_t> held;
+  WorldShell shell{.live = &ports, .wait_for_tick = made_up_ticks({})};
+  shell.sink = [&](const WorldFrame& frame) { held.push_back(frame.grips[0].body); };
+  run_world_by_clock(config, {&device, 1}, shell);
+  ASSERT_EQ(held.size(), 20u);
+  EXPECT_EQ(held[9], -1);
+  EXPECT_EQ(held[10], 2);
 }
 
 TEST(WorldClock, AFaultEndsAtZeroForceOnAll) {

@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 
@@ -208,6 +209,63 @@ TEST(LiveWorld, BodiesComeAndGoWhileItRuns) {
   EXPECT_EQ(program.finish().code, 130);
 }
 
+TEST(LiveWorld, WhilePausedBodiesComeAndGoAndAHandKeepsTheOneItWasAimedAt) {
+  Program program({"run", scene("tower"), "--port", "0", "--json"});
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  WebClient client(port);
+  ASSERT_FALSE(bodies_where(client, kAny).empty());
+  ASSERT_TRUE(ask(client, R"({"type":"pause","id":1,"value":true})")["ok"].get<bool>());
+  const auto change = [&](const char* text, std::uint32_t count) {
+    client.send_text(text);
+    Json told = message_where(client, "scene",
+                              [&](const Json& m) { return m["world"]["bodies"] == count; });
+    EXPECT_FALSE(
+        bodies_where(client, [&](const std::string& m) { return at<std::uint32_t>(m, 4) == count; })
+            .empty())
+        << text;
+    return told;
+  };
+  change(R"({"type":"add","id":2,"value":"block 7"})", 32);
+  change(R"({"type":"add","id":3,"value":"block 7"})", 33);
+  ASSERT_TRUE(ask(client, R"({"type":"hold","id":4,"value":true})")["ok"].get<bool>());
+  ASSERT_TRUE(ask(client, R"({"type":"grab","id":5,"value":"block 32"})")["ok"].get<bool>());
+  const Json now = change(R"({"type":"remove","id":6,"value":"block 31"})", 32);
+  ASSERT_FALSE(now.is_null());
+  ASSERT_EQ(now["statics"].back()["name"], "block 32");
+  ASSERT_TRUE(ask(client, R"({"type":"pause","id":7,"value":false})")["ok"].get<bool>());
+  send_hand(client, 1.0, 0.0, false);
+  send_hand(client, 1.01, 0.0, true);
+  const std::string held =
+      bodies_where(client, [](const std::string& m) { return held_by_page(m) >= 0; });
+  ASSERT_FALSE(held.empty());
+  EXPECT_EQ(held_by_page(held), now["statics"].back()["body"].get<std::int32_t>());
+  program.send(SIGINT);
+  const Ended ended = program.finish();
+  EXPECT_EQ(ended.code, 130);
+  EXPECT_EQ(json_line(ended)["bodies"], 32);  // of the world that ended
+}
+
+TEST(LiveWorld, AFolderThatTakesNoFilesRefusesTheRecordingAndTheSessionGoesOn) {
+  write_text("world_data", "a file in the place of the folder");
+  ::setenv("XDG_DATA_HOME", (work_folder() / "world_data").c_str(), 1);
+  Program program({"run", scene("row_of_blocks"), "--port", "0"});
+  ::setenv("XDG_DATA_HOME", (work_folder() / "data").c_str(), 1);
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  WebClient client(port);
+  const Json before = state_where(client, [](const Json& s) { return s["run"] == "running"; });
+  const Json answer = ask(client, R"({"type":"record","id":1,"value":true})");
+  ASSERT_FALSE(answer.is_null());
+  EXPECT_FALSE(answer["ok"].get<bool>());
+  EXPECT_NE(answer.value("reason", "").find(".mcap: "), std::string::npos) << answer;
+  const Json after = state_where(client, [&](const Json& s) { return s["time"] > before["time"]; });
+  ASSERT_FALSE(after.is_null());
+  EXPECT_EQ(after["session"], before["session"]);
+  program.send(SIGINT);
+  EXPECT_EQ(program.finish().code, 130);
+}
+
 TEST(LiveWorld, WhatAPageDidIsReplayedBitForBit) {
   const std::string recording = (work_folder() / "grabbed.mcap").string();
   Program program({"run", scene("tower"), "--port", "0", "--record", recording});
@@ -264,6 +322,42 @@ TEST(LiveWorld, ByTheClockWithoutAPageIsLockstepsWorldAndItsRecordingReplays) {
         {"run", scene("tower"), "--headless", "--device", "web:"},
         {"run", scene("tower"), "--headless", "--device", "hand:"}})
     EXPECT_EQ(run_program(wrong).code, 2) << wrong[2];
+}
+
+TEST(LiveWorld, OptionsThatWorldsDoNotHaveAreRefusedByName) {
+  const std::vector<std::vector<std::string>> all = {{"--exact"},
+                                                     {"--threshold", "0.1"},
+                                                     {"--budget-us", "200"},
+                                                     {"--texture", "off"},
+                                                     {"--repair"},
+                                                     {"--spin", "10"},
+                                                     {"--histograms", "steps.csv"},
+                                                     {"--passivity"},
+                                                     {"--fault", "nan@1"}};
+  for (const std::vector<std::string>& option : all) {
+    std::vector<std::string> arguments = {
+        "run", scene("row_of_blocks"), "--lockstep", "--duration", "0.01", "--headless"};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    const Ended ended = run_program(arguments);
+    EXPECT_EQ(ended.code, 2) << option[0];
+    EXPECT_NE(ended.err.find(option[0]), std::string::npos) << ended.err;
+  }
+}
+
+TEST(LiveWorld, ASceneOfThePagesHandNeedsThePage) {
+  const std::string known = read_text(scene("row_of_blocks"));
+  const std::string hand = "uri = \"hand:\"";
+  const std::size_t begin = known.find(hand);
+  ASSERT_NE(begin, std::string::npos);
+  const std::string file =
+      write_text("webs.toml", std::string(known).replace(begin, hand.size(), "uri = \"web:\""));
+  const std::vector<std::string> run = {"run", file, "--headless", "--duration", "0.01"};
+  const Ended ended = run_program(run);
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("the page's hand"), std::string::npos) << ended.err;
+  std::vector<std::string> other = run;
+  other.insert(other.end(), {"--device", "null:"});
+  EXPECT_EQ(run_program(other).code, 0);
 }
 
 }  // namespace

@@ -61,6 +61,28 @@ TEST(WorldFeed, NothingIsShownBeforeTheFirstFrameNorOfTheSessionBefore) {
   EXPECT_EQ(b.feed.newest()->frame, 0u);
 }
 
+TEST(WorldFeed, BodiesThatComeAndGoAreSeenBeforeTheNextFrame) {
+  Bench b;
+  const std::vector<std::int32_t> was = {0, 2, -1};
+  b.feed.carry(std::vector<Pose>(3), was);
+  EXPECT_EQ(b.feed.newest(), nullptr);  // there was no frame yet
+  b.grips[0].body = 1;                  // it goes
+  b.grips[1].body = 2;
+  b.observe(5);
+  std::vector<Pose> poses(3);
+  poses[2].position = Vec3(0.0, 7.0, 0.0);
+  b.feed.carry(poses, was);
+  b.feed.begin_session(b.view);
+  const WorldNow* now = b.feed.newest();
+  ASSERT_NE(now, nullptr);
+  EXPECT_EQ(now->frame, 5u);
+  EXPECT_EQ(now->bodies[2].position, poses[2].position);
+  EXPECT_EQ(now->is_asleep, (std::vector<std::uint8_t>{0, 0, 0}));
+  EXPECT_EQ(now->hands[0].body, -1);
+  EXPECT_EQ(now->hands[1].body, 1);
+  EXPECT_EQ(now->shown_body, 1);
+}
+
 TEST(WorldFeed, ThePagesHandIsShownWhileItHoldsElseTheOneThatDoes) {
   Bench b;
   HapticSample s = b.observe(0);

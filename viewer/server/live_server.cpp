@@ -38,6 +38,18 @@ void LiveServer::Impl::show_scene(SceneView view, const SessionConfig& shown, co
   encode_meshes();
 }
 
+/// Bodies have other numbers, and are where the scene says.
+void LiveServer::Impl::carry_world(std::span<const std::int32_t> was) {
+  if (was.empty()) return world_feed.forget();
+  std::vector<Pose> poses(was.size());
+  const auto put = [&](const SceneBodyView& body) {
+    poses[static_cast<std::size_t>(body.body)] = body.world_from_mesh;
+  };
+  put(scene.object);
+  for (const SceneBodyView& body : scene.statics) put(body);
+  world_feed.carry(std::move(poses), was);
+}
+
 /// Each mesh once, however many bodies have it.
 void LiveServer::Impl::encode_world_meshes() {
   std::set<std::int32_t> known;
@@ -248,16 +260,16 @@ void LiveServer::refine(SceneView scene) {
   shown.wait();
 }
 
-void LiveServer::change_world(SceneView scene) {
+void LiveServer::change_world(SceneView scene, std::vector<std::int32_t> was) {
   const WorldView world = scene.world;
   auto done = std::make_shared<std::promise<void>>();
   std::future<void> shown = done->get_future();
-  impl_->server.post([impl = impl_.get(), done, view = std::move(scene)] {
+  impl_->server.post([impl = impl_.get(), done, view = std::move(scene), was = std::move(was)] {
     impl->scene = view;
     impl->start_pose = view.object.world_from_mesh;
     impl->encode_meshes();
-    impl->world_feed.forget();  // of bodies that had other numbers
-    impl->is_refined = true;    // the session goes on
+    impl->carry_world(was);
+    impl->is_refined = true;  // the session goes on
     for (const PageId page : impl->server.pages()) impl->send_scene(page);
     impl->is_refined = false;
     done->set_value();

@@ -88,9 +88,11 @@ class LiveServer {
   /// `refined`, and its meshes. Waits as show() does.
   void refine(SceneView scene);
   /// A world with other bodies, between two of its frames, from its own thread: `scene` is told
-  /// again with its bodies where they are, and its meshes; frames observed from here on are of it.
-  /// Waits as show() does.
-  void change_world(SceneView scene);
+  /// again with its bodies where they are, and its meshes; frames observed from here on are of it,
+  /// and until one comes pages see the last with these bodies. Waits as show() does.
+  /// was   by body: its number before; -1: it is new. Empty: another session's, of which nothing is
+  ///       to be seen before its first frame
+  void change_world(SceneView scene, std::vector<std::int32_t> was);
   /// What pages may open.
   void offer(const OpenMenu& menu);
   /// What is being done that takes long, and how far it is; "" when it is done.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "viewer/server/detail/wire.h"
 #include "viewer/server/protocol.h"
@@ -100,6 +101,18 @@ const WorldNow* WorldFeed::newest() {
 void WorldFeed::forget() {
   const std::lock_guard lock(mutex_);
   has_next_ = has_now_ = false;
+}
+
+void WorldFeed::carry(std::vector<Pose> bodies, std::span<const std::int32_t> was) {
+  if (newest() == nullptr) return;
+  const auto renumber = [&](std::int32_t& body) {
+    const auto found = std::find(was.begin(), was.end(), body);
+    body = body < 0 || found == was.end() ? -1 : static_cast<std::int32_t>(found - was.begin());
+  };
+  now_.bodies = std::move(bodies);
+  now_.is_asleep.assign(now_.bodies.size(), 0);
+  for (ViewedHand& hand : now_.hands) renumber(hand.body);
+  renumber(now_.shown_body);
 }
 
 std::string encode_bodies(const WorldNow& now) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct WorldView {
   std::vector<Workspace> workspaces;  // by hand
   std::int32_t page_hand = -1;        // the one that pages hold
   double rate = 1000.0;               // [Hz]
+  std::uint32_t changes = 0;          // of the session's world so far, see WorldAim
 
   bool is_world() const { return !body_from_mesh.empty(); }
 };
@@ -54,6 +56,11 @@ class WorldFeed {
   const WorldNow* newest();
   /// What has come so far is not shown any more. Of the serving thread.
   void forget();
+  /// The bodies of a world that has changed, where they are until its next frame. Of the serving
+  /// thread, while the world's waits.
+  /// bodies   world_from_mesh, by body
+  /// was      by body: its number before; -1: it is new
+  void carry(std::vector<Pose> bodies, std::span<const std::int32_t> was);
 
  private:
   WorldView view_;          // the world's thread

@@ -126,8 +126,8 @@ void open_at(Opening& o) {
   if (o.is_constrained()) use_constraints(session.config);
   if (o.is_potential()) measure_areas(o);
   if (scheme == "web") {
-    // Its samples come over a socket, milliseconds apart: a wake-up a tenth of one late is not felt,
-    // and polling for it would take a quarter of a processor that draws the page as well.
+    // Its samples come over a socket, milliseconds apart: a wake-up a tenth of one late is not
+    // felt, and polling would take a quarter of a processor that draws the page as well.
     if (session.config.spin < 0.0) session.config.spin = 0.0;
     session.device = add_camera(open_web(o), session.device_uri);
   } else if (scheme == "replay") {

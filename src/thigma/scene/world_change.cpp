@@ -1,6 +1,7 @@
 #include "thigma/scene/world_change.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -39,6 +40,24 @@ Vec3 free_place(const LoadedWorld& world, std::int32_t like, const WorldState& s
   constexpr double kSpare = 0.1;  // of its reach
   center.z() = top + (1.0 + kSpare) * reach(idx(like));
   return center;
+}
+
+/// Far beyond all that is there, positions have no digits left for contacts.
+void require_near(const LoadedWorld& world, const std::string& name, const Vec3& center,
+                  const WorldState& state) {
+  const World& w = world.config.world;
+  const Vec3& middle = w.bodies[0].start.position;
+  double extent = 0.0;
+  for (std::size_t i = 0; i < w.bodies.size(); ++i)
+    extent = std::max(extent,
+                      (state.bodies[i].position - middle).norm() + w.boxes[idx(w.shape[i])].reach);
+  constexpr double kMostExtents = 1e4;
+  if ((center - middle).norm() <= kMostExtents * extent) return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "': position [%g, %g, %g] m, expected one within %.4g m of what is there",
+                center.x(), center.y(), center.z(), kMostExtents * extent);
+  throw InputError("body '" + name + text);
 }
 
 /// What is numbered by body follows `was`; the world is made anew of the bodies.
@@ -102,6 +121,7 @@ WorldChange with_another(const LoadedWorld& world, std::int32_t like,
   WorldBody body = model;
   body.name = next_name(model.name, known);
   body.kind = BodyKind::moving;
+  if (center) require_near(world, body.name, *center, state);
   body.start.position = center.value_or(free_place(world, like, state));
   body.start.linear_momentum = body.start.angular_momentum = Vec3::Zero();
   WorldSceneBody given = world.description.bodies[idx(like)];

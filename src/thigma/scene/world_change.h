@@ -20,7 +20,8 @@ struct WorldChange {
 /// like     number of a body; joints of that one do not tie the other
 /// center   of mass [m; world]; where it is left out above all that is there in `state`
 /// state    of the world as it is
-/// errors   InputError by name: a body that stands still, one more than a world may have
+/// errors   InputError by name: a body that stands still, one more than a world may have, a center
+///          far beyond all that is there
 /// Thread   [offline]
 WorldChange with_another(const LoadedWorld& world, std::int32_t like,
                          const std::optional<Vec3>& center, const WorldState& state);

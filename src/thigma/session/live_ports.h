@@ -94,6 +94,7 @@ Resolution faded_in(const Resolution& asked, double share) noexcept;
 struct WorldAim {
   std::int32_t body = -1;     // -1: nothing
   Vec3 point = Vec3::Zero();  // where [m; body frame]
+  std::uint32_t world = 0;    // whose numbers these are: changes of the session's world before
 };
 static_assert(RtPayload<WorldAim>);
 

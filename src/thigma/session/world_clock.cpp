@@ -18,6 +18,12 @@ struct WallTicks {
   }
 };
 
+/// What happens between two frames. Hands are aimed by the numbers that bodies have before it.
+void change(const WorldShell& shell, WorldRun& run) {
+  if (shell.live != nullptr && shell.live->aim.fetch()) run.aim(shell.live->aim.value());
+  if (shell.between) shell.between(run);
+}
+
 /// The world stands still until the pause ends, a single step is asked for or the session ends;
 /// whether it did.
 bool hold_while_paused(const WorldShell& shell, WorldRun& run) {
@@ -25,7 +31,7 @@ bool hold_while_paused(const WorldShell& shell, WorldRun& run) {
   if (live == nullptr || !live->is_paused.load(std::memory_order_relaxed)) return false;
   while (live->is_paused.load(std::memory_order_relaxed) && !take_step(*live)) {
     if (shell.stop != nullptr && shell.stop->load(std::memory_order_relaxed)) break;
-    if (shell.between) shell.between(run);
+    change(shell, run);
     sleep_ns(1'000'000);
   }
   return true;
@@ -44,9 +50,8 @@ WorldSummary run_world_by_clock(const WorldSessionConfig& config,
   while (!was_stopped) {
     if (hold_while_paused(shell, run)) start_clock(wall.clock);
     run.lose(shell.wait_for_tick ? shell.wait_for_tick() : wall.wait());
-    if (shell.live != nullptr && shell.live->aim.fetch()) run.aim(shell.live->aim.value());
-    if (shell.between) shell.between(run);
-    const WorldFrame* frame = run.make_frame();
+    change(shell, run);
+    const WorldFrame* frame = run.make_frame(shell.live != nullptr ? &shell.live->aim : nullptr);
     if (frame == nullptr) break;
     if (shell.sink) shell.sink(*frame);
     was_stopped = is_stopped();

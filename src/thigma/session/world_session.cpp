@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "thigma/core/error.h"
@@ -116,7 +117,8 @@ struct WorldRun::Impl {
   // Every way out of a session, an exception too, ends in zero force.
   ~Impl() { detail::let_go(hands); }
 
-  WorldFrame* make_frame();
+  void aim(const WorldAim& aim) noexcept;
+  WorldFrame* make_frame(Latest<WorldAim>* aims);
 
   const WorldSessionConfig* config;
   const std::uint64_t frames;
@@ -128,15 +130,26 @@ struct WorldRun::Impl {
   StateHash hash;
   WorldFrame frame;
   std::optional<WorldAim> aimed;
+  std::uint32_t changes = 0;  // of the world
   bool is_over = false;
 };
 
-WorldFrame* WorldRun::Impl::make_frame() {
+void WorldRun::Impl::aim(const WorldAim& aim) noexcept {
+  // What was chosen among other numbers could be another body: rather nothing is taken.
+  aimed = aim.world == changes ? aim : WorldAim{};
+  detail::aim(*aimed, hands);
+}
+
+WorldFrame* WorldRun::Impl::make_frame(Latest<WorldAim>* aims) {
   const std::int64_t begin = thread_cpu_ns();
   const std::uint64_t i = summary.frames;
   const double dt = 1.0 / config->rate;
-  is_over = is_over || i >= frames ||
-            !detail::read_hands(static_cast<double>(i) * dt, dt, state, hands, summary);
+  is_over = is_over || i >= frames;
+  if (is_over) return nullptr;
+  const double now = static_cast<double>(i) * dt;
+  detail::sample_hands(now, hands);
+  if (aims != nullptr && aims->fetch()) aim(aims->value());
+  is_over = !detail::move_hands(now, dt, state, hands, summary);
   if (is_over) return nullptr;
   frame.step = step_world(config->world, {.hands = hands.holds, .drives = config->drives}, dt,
                           state, *scratch);
@@ -175,12 +188,9 @@ WorldRun::WorldRun(const WorldSessionConfig& config, std::span<HapticDevice* con
 
 WorldRun::~WorldRun() = default;
 
-void WorldRun::aim(const WorldAim& aim) noexcept {
-  impl_->aimed = aim;
-  detail::aim(aim, impl_->hands);
-}
+void WorldRun::aim(const WorldAim& aim) noexcept { impl_->aim(aim); }
 
-WorldFrame* WorldRun::make_frame() { return impl_->make_frame(); }
+WorldFrame* WorldRun::make_frame(Latest<WorldAim>* aims) { return impl_->make_frame(aims); }
 
 void WorldRun::lose(std::uint64_t frames) noexcept {
   WorldSummary& summary = impl_->summary;
@@ -191,18 +201,25 @@ void WorldRun::lose(std::uint64_t frames) noexcept {
 
 const WorldState& WorldRun::state() const noexcept { return impl_->state; }
 
+std::uint32_t WorldRun::changes() const noexcept { return impl_->changes; }
+
 void WorldRun::go_on(const WorldSessionConfig& next, const WorldState& state,
                      std::span<const std::int32_t> was) {
   Impl& run = *impl_;
   WorldScratchPtr scratch = reserve_world(next.world);
   std::vector<JointReading> joints(next.world.joints.size());
+  WorldState carried = state;
   // What comes and goes is neither made nor lost.
-  const double before = mechanical_energy(run.config->world, run.state);
-  run.summary.energy_start += mechanical_energy(next.world, state) - before;
-  run.state = state;
+  const double come =
+      mechanical_energy(next.world, state) - mechanical_energy(run.config->world, run.state);
+  // From here on nothing can fail.
+  static_assert(std::is_nothrow_move_assignable_v<WorldState>);
+  run.summary.energy_start += come;
+  run.state = std::move(carried);
   run.scratch = std::move(scratch);
   run.joints = std::move(joints);
   run.config = &next;
+  ++run.changes;
   detail::renumber(next, was, run.hands);
 }
 

@@ -62,7 +62,7 @@ struct WorldFrame {
   std::optional<WorldAim> aimed;     // of free hands, since the frame before
   WorldStep step;
   // By the clock; in lockstep 0.
-  double step_cpu = 0.0;  // of the processor, for the whole frame [s]; not in the hash
+  double step_cpu = 0.0;   // of the processor, for the whole frame [s]; not in the hash
   std::uint64_t lost = 0;  // frames that were skipped before it, as the one before took too long
 };
 
@@ -124,12 +124,16 @@ class WorldRun {
   WorldRun& operator=(const WorldRun&) = delete;
 
   /// What free hands take hold of from the next frame on; one that holds something else lets go of
-  /// that. Bodies that nothing moves, and numbers of none: nothing.
+  /// that. Bodies that nothing moves, and numbers of none or of another world: nothing.
   void aim(const WorldAim& aim) noexcept;
   /// Makes the next frame; null: the session is over, nothing was made.
-  WorldFrame* make_frame();
+  /// aims   null, or taken up once the devices have been read: what comes before a sample that
+  ///        closes the clutch is there by then
+  WorldFrame* make_frame(Latest<WorldAim>* aims = nullptr);
   /// Of the world after the last frame.
   const WorldState& state() const noexcept;
+  /// How often it has gone on with another world.
+  std::uint32_t changes() const noexcept;
   /// Goes on with another world: bodies that come and go between two frames. Hands hold what they
   /// held, but for what is gone.
   ///

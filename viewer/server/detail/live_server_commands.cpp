@@ -93,13 +93,13 @@ std::string LiveServer::Impl::hold(PageId page, bool wanted) {
   return {};
 }
 
-/// What the page's hand takes hold of when its clutch closes next; that comes after this on the
-/// same connection, and so to the world as well.
+/// What the page's hand takes hold of when its clutch closes next. That comes after this on the
+/// same connection, and the world looks for this once it has read the hand.
 std::string LiveServer::Impl::grab(PageId page, const Command& command) {
   if (!scene.world.is_world()) return kIsNoWorld;
   if (page != holder) return "this page does not hold the device";
   if (command.text.empty()) {
-    ports->aim.publish(WorldAim{});
+    ports->aim.publish(WorldAim{-1, Vec3::Zero(), scene.world.changes});
     return {};
   }
   const auto has_name = [&](const SceneBodyView& body) { return body.name == command.text; };
@@ -109,7 +109,7 @@ std::string LiveServer::Impl::grab(PageId page, const Command& command) {
                                                              : nullptr;
   if (body == nullptr) return "there is no body '" + command.text + "' here";
   if (!body->moves) return "body '" + command.text + "' stands still or goes its own way";
-  WorldAim aim{body->body, Vec3::Zero()};
+  WorldAim aim{body->body, Vec3::Zero(), scene.world.changes};
   if (command.point) {
     if (!((*command.point - body->hierarchy->center).norm() <= 2.0 * body->hierarchy->radius))
       return "the point is not on body '" + command.text + "'";

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,6 +60,7 @@ struct LiveServer::Impl {
   void show_scene(SceneView view, const SessionConfig& config, const Pose& start);
   void encode_meshes();
   void encode_world_meshes();
+  void carry_world(std::span<const std::int32_t> was);
   void send_scene(PageId page);
   std::vector<LiveParameter> parameters();
   std::string send_level(PageId page, const Command& command);

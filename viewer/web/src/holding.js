@@ -8,7 +8,7 @@ import { holdsXr } from "./xr.js";
 /// page   {session, hand, request(message) -> promise of the `ack`; stage, link, xr, gizmo: null until they are there}
 /// returns   {page, player: what mouse, fingers, keys, gamepad and headset act on}
 export function makeHolding(page) {
-  const { session, hand } = page, holding = { page, player: null, wanted: false, last: null };
+  const { session, hand } = page, holding = { page, player: null, wanted: false, next: null, last: null };
   holding.player = {
     get stage() { return page.stage; },
     hand,
@@ -22,6 +22,7 @@ export function makeHolding(page) {
     give: () => giveHand(holding),
     letGo: () => {
       holding.wanted = false;
+      holding.next = null;
       hand.clutch = false;
       confirmHand(holding);
     },
@@ -29,14 +30,25 @@ export function makeHolding(page) {
   return holding;
 }
 
-async function press(holding, pick) {
+/// from   where the hand was then: what is dragged before the answer comes counts as well
+async function press(holding, pick, from = poseOf(holding.page.hand)) {
   const { session, hand, request, stage } = holding.page;
-  if ((hand.clutch && session.holding) || session.asking) return;
+  if (hand.clutch && session.holding) return;
+  if (session.asking) { // a new press after one that was let go waits for that one's answer; a key that repeats is the same press
+    if (!holding.wanted) holding.next = { pick, from };
+    holding.wanted = true;
+    return;
+  }
   session.asking = holding.wanted = true;
-  const from = poseOf(hand); // what is dragged before the answer comes counts as well
   if (!session.holding) setHold(holding, (await request({ type: "hold", value: true })).ok);
   const isReady = session.holding && (!session.scene.world || await grab(holding, pick ?? pickBody(stage, null) ?? holding.last));
   session.asking = false;
+  const { next } = holding;
+  holding.next = null;
+  if (next) {
+    await press(holding, next.pick, next.from);
+    return;
+  }
   if (!session.holding || !isReady || !holding.wanted) return; // let go before the answer came
   noteSample(hand, performance.now() / 1000, from); // open first, so that the clutch is seen to close
   hand.clutch = true;
@@ -48,6 +60,15 @@ async function grab(holding, pick) {
   if (!pick) return false;
   holding.last = pick;
   return (await holding.page.request({ type: "grab", value: pick.name, point: pick.point })).ok;
+}
+
+/// The body that comes once more or goes: the one held last. Of the others one may come, and none goes unasked.
+/// type   "add" or "remove"
+/// returns   its name; null: there is none
+export function bodyToChange(type, { object, statics }, last) {
+  const all = [object, ...statics].filter(({ moves }) => moves);
+  const like = all.find(({ name }) => name === last?.name) ?? (type === "add" ? all[0] : null);
+  return like?.name ?? null;
 }
 
 export function setHold({ page: { session, link } }, isOurs) {

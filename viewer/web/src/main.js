@@ -4,7 +4,7 @@ import { addHeadset, makeBar, showHeadset, showHint, showSound, showState, showV
 import { guideLine, makeGuide } from "./guide.js";
 import { STATE } from "./protocol.js";
 import { makeHand, takeSamples } from "./hand.js";
-import { confirmHand, leaveHold, makeHolding, setHold } from "./holding.js";
+import { bodyToChange, confirmHand, leaveHold, makeHolding, setHold } from "./holding.js";
 import { readGamepad, readKeys, startInput } from "./input.js";
 import { ask, makeLink, sendAll, waitingBytes } from "./link.js";
 import { addEvent, fillHelp, makeParameters, showParameters } from "./panels.js";
@@ -84,11 +84,10 @@ const act = {
   look: (way) => stage && lookFrom(stage.view, way),
   zoom: (factor) => stage && zoom(stage.view, factor),
 };
-/// Bodies that come and go are like the one that was touched last, or the first that moves.
 function changeBodies(type) {
-  const { object, statics } = session.scene, all = [object, ...statics].filter(({ moves }) => moves);
-  const last = all.find(({ name }) => name === holding.last?.name) ?? all[0];
-  if (last) request({ type, value: last.name });
+  const value = bodyToChange(type, session.scene, holding.last);
+  if (value !== null) request({ type, value });
+  else session.refusal = { text: "Take hold of a body first: the one held last is the one that goes.", until: performance.now() / 1000 + 6 };
 }
 function showHelp() {
   at("help").showModal();

@@ -55,7 +55,7 @@ bool may_hold(const SessionHand& hand, std::int32_t body) noexcept {
 }
 
 /// A hand that holds its body from the first sample on.
-void read_tied(const WorldState& state, SessionHand& hand) {
+void move_tied(const WorldState& state, SessionHand& hand) {
   if (hand.is_holding) {
     hand.hold.handle = motion_of(hand);
     return;
@@ -66,7 +66,7 @@ void read_tied(const WorldState& state, SessionHand& hand) {
 }
 
 /// One that takes hold and lets go.
-void read_free(const WorldState& state, SessionHand& hand) {
+void move_free(const WorldState& state, SessionHand& hand) {
   const bool is_closed = (hand.sample.buttons & kClutchButton) != 0;
   const bool wants = is_closed && may_hold(hand, hand.aim.body);
   if (hand.is_holding && (!wants || hand.has_new_aim)) open(hand);
@@ -80,8 +80,7 @@ void read_free(const WorldState& state, SessionHand& hand) {
   if (hand.is_holding) hand.hold.coupling = faded(hand.taken, hand.sample.weight);
 }
 
-void read(double now, double dt, const WorldState& state, SessionHand& hand) {
-  hand.sample = hand.device->read(now);
+void move(double now, double dt, const WorldState& state, SessionHand& hand) {
   hand.has_finished = hand.sample.status == DeviceStatus::finished;
   if (hand.has_finished) return;
   if (hand.config->is_free && hand.sample.status == DeviceStatus::lost) {
@@ -92,9 +91,9 @@ void read(double now, double dt, const WorldState& state, SessionHand& hand) {
   if (!check_device(hand.config->limits, hand.sample, now, dt, hand.safety)) return;
   if (hand.sample.status == DeviceStatus::not_ready) return;
   if (hand.config->is_free)
-    read_free(state, hand);
+    move_free(state, hand);
   else
-    read_tied(state, hand);
+    move_tied(state, hand);
 }
 
 /// Sends what the hand feels, and counts it.
@@ -140,14 +139,19 @@ void aim(const WorldAim& aim, SessionHands& hands) noexcept {
   }
 }
 
-bool read_hands(double now, double dt, const WorldState& state, SessionHands& hands,
+void sample_hands(double now, SessionHands& hands) {
+  for (SessionHand& hand : hands.list)
+    if (hand.device != nullptr) hand.sample = hand.device->read(now);
+}
+
+bool move_hands(double now, double dt, const WorldState& state, SessionHands& hands,
                 WorldSummary& summary) {
   bool goes_on = true;
   hands.holds.clear();
   for (std::size_t i = 0; i < hands.list.size(); ++i) {
     SessionHand& hand = hands.list[i];
     if (hand.device == nullptr) continue;
-    read(now, dt, state, hand);
+    move(now, dt, state, hand);
     summary.hands[i].fault = hand.safety.fault;
     if (summary.fault == Fault::none) summary.fault = hand.safety.fault;
     goes_on = goes_on && !hand.has_finished && hand.safety.fault == Fault::none;
@@ -172,7 +176,7 @@ void write_hands(const WorldState& state, SessionHands& hands, WorldSummary& sum
 }
 
 void renumber(const WorldSessionConfig& next, std::span<const std::int32_t> was,
-              SessionHands& hands) {
+              SessionHands& hands) noexcept {
   const auto now = [&](std::int32_t body) {
     const auto found = std::find(was.begin(), was.end(), body);
     return body < 0 || found == was.end() ? -1 : static_cast<std::int32_t>(found - was.begin());

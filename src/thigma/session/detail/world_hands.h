@@ -40,8 +40,12 @@ struct SessionHands {
 
 void aim(const WorldAim& aim, SessionHands& hands) noexcept;
 
-/// Reads all devices; false where the session ends: a device has finished or is at fault.
-bool read_hands(double now, double dt, const WorldState& state, SessionHands& hands,
+/// Reads all devices.
+void sample_hands(double now, SessionHands& hands);
+
+/// Hands take hold, move and let go as they were read; false where the session ends: a device has
+/// finished or is at fault.
+bool move_hands(double now, double dt, const WorldState& state, SessionHands& hands,
                 WorldSummary& summary);
 
 /// Sends what the hands feel, and counts it.
@@ -50,7 +54,7 @@ void write_hands(const WorldState& state, SessionHands& hands, WorldSummary& sum
 /// Bodies have other numbers: that of `was` is the old one, by the new; who held one that is gone
 /// holds nothing. Hands and world are those of `next` from here on.
 void renumber(const WorldSessionConfig& next, std::span<const std::int32_t> was,
-              SessionHands& hands);
+              SessionHands& hands) noexcept;
 
 /// Zero to every device, whatever another does.
 void let_go(SessionHands& hands) noexcept;
