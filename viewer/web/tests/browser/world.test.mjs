@@ -197,7 +197,10 @@ worldTest("bodies come and go while the world goes on", [join(here, "blocks.toml
   const added = await numberOf(page, "left 2");
   await page.waitForFunction((n) => window.thigma.stage.world.byNumber[n].group.position.z < 0.06, added); // it falls
   await rests(page);
-  await page.getByRole("button", { name: "Take the body" }).click();
+  await page.getByRole("button", { name: "Take the body" }).click(); // none was held, none goes
+  await page.waitForFunction(() => /hold of a body first/.test(window.thigma.session.refusal?.text ?? ""));
+  assert.equal(await page.evaluate(() => window.thigma.stage.world.byNumber.length), 4);
+  assert.ok((await page.evaluate(() => window.thigma.ask({ type: "remove", value: "left 2" }))).ok);
   await page.waitForFunction(() => window.thigma.stage.world.byNumber.length === 3 && window.thigma.session.bodies?.bodies.length === 3);
   assert.equal(await page.evaluate(() => window.thigma.session.state.session), session);
   await page.getByRole("button", { name: "Begin again" }).click();
