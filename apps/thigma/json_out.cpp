@@ -1,5 +1,6 @@
 #include "json_out.h"
 
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 
@@ -18,6 +19,22 @@ bool is_reader_gone() {
 
 std::string json_text(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+nlohmann::ordered_json quantiles_json(const DurationSummary& durations, double unit,
+                                      bool has_tail) {
+  const auto number = [&](double seconds) {
+    const double value = seconds / unit;
+    const bool is_known = durations.count > 0 && std::isfinite(value);
+    return is_known ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+  };
+  nlohmann::ordered_json json;
+  json["p50"] = number(durations.p50);
+  json["p99"] = number(durations.p99);
+  if (has_tail) json["p999"] = number(durations.p999);
+  if (has_tail) json["p9999"] = number(durations.p9999);
+  json["max"] = number(durations.max);
+  return json;
 }
 
 void print_json(const nlohmann::ordered_json& json) {

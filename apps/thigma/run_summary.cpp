@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "json_out.h"
+
 #include "thigma/files/file.h"
 #include "thigma/recording/recording.h"
 #include "thigma/session/simulated_session.h"
@@ -18,26 +20,12 @@ using Json = nlohmann::ordered_json;
 
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json quantiles(const DurationSummary& d, double unit, bool with_p999 = true) {
-  const bool is_known = d.count > 0;
-  const auto number = [&](double seconds) {
-    return is_known ? finite(seconds / unit) : Json(nullptr);
-  };
-  Json json;
-  json["p50"] = number(d.p50);
-  json["p99"] = number(d.p99);
-  if (with_p999) json["p999"] = number(d.p999);
-  if (with_p999) json["p9999"] = number(d.p9999);
-  json["max"] = number(d.max);
-  return json;
-}
-
 /// The empty loop of the same minute, null where it was not measured.
 Json floor_json(const EmptyLoop* floor) {
   if (floor == nullptr) return nullptr;
   return {{"ticks", floor->ticks},
           {"missed", floor->missed},
-          {"wake_late_us", quantiles(summarize(floor->wake_late), 1e-6)},
+          {"wake_late_us", quantiles_json(summarize(floor->wake_late), 1e-6)},
           {"polled_share", floor->polled_share}};
 }
 
@@ -55,7 +43,7 @@ class ToJson {
   template <class Value>
   void operator()(const std::string& key, const Value& value) {
     if constexpr (std::is_same_v<Value, Quantiles>)
-      (*at_)[key] = quantiles(value.durations, value.unit, value.has_tail);
+      (*at_)[key] = quantiles_json(value.durations, value.unit, value.has_tail);
     else if constexpr (std::is_same_v<Value, std::optional<double>>)
       (*at_)[key] = value ? finite(*value) : Json(nullptr);
     else if constexpr (std::is_floating_point_v<Value>)

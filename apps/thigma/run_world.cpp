@@ -65,10 +65,6 @@ Log log_of(const Common& common) {
   return [](const std::string& line) { std::fprintf(stderr, "thigma: %s\n", line.c_str()); };
 }
 
-}  // namespace
-
-namespace {
-
 /// The scene with what the command line says of it.
 LoadedWorld load(const RunOptions& options, const Common& common) {
   WorldSceneDescription scene = read_world_scene(options.scene);

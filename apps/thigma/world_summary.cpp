@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "json_out.h"
+
 #include "thigma/core/index.h"
 #include "thigma/recording/recording.h"
 
@@ -33,11 +35,7 @@ nlohmann::ordered_json world_summary_json(const WorldSummary& s, const LoadedWor
   json["awake"] = s.awake;
   json["step_cpu_us_mean"] = nullptr;
   if (s.frames > 0) json["step_cpu_us_mean"] = step_microseconds(s, facts);
-  const DurationSummary steps = summarize(facts.steps);
-  json["step_cpu_us"] = {{"p50", 1e6 * steps.p50},
-                         {"p99", 1e6 * steps.p99},
-                         {"p999", 1e6 * steps.p999},
-                         {"max", 1e6 * steps.max}};
+  json["step_cpu_us"] = quantiles_json(summarize(facts.steps), 1e-6);
   json["contact"] = {{"pairs_max", s.pairs_max},
                      {"queries", s.queries},
                      {"rows_max", s.rows_max},

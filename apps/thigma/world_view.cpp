@@ -9,17 +9,13 @@
 namespace thigma::app {
 namespace {
 
-bool moves(const WorldBody& body) {
-  return body.kind == BodyKind::moving || body.kind == BodyKind::held;
-}
-
 /// The one that stands for the object: in the hand, else the first that moves.
 std::size_t object_of(const LoadedWorld& world) {
   for (const WorldHand& hand : world.config.hands)
     if (hand.body >= 0) return idx(hand.body);
   const std::vector<WorldBody>& bodies = world.config.world.bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (moves(bodies[i])) return i;
+    if (moves_freely(bodies[i].kind)) return i;
   return 0;
 }
 
@@ -46,10 +42,10 @@ live::SceneView view_of(const LoadedWorld& world, std::int32_t page_hand) {
     body.world_from_mesh = given.object.world_from_mesh;
     body.unit_scale = given.object.unit_scale;
     body.friction = w.bodies[i].friction.kinetic;
-    if (moves(w.bodies[i])) body.mass = w.bodies[i].mass;
+    if (moves_freely(w.bodies[i].kind)) body.mass = w.bodies[i].mass;
     body.body = static_cast<std::int32_t>(i);
     body.mesh = numbers.emplace(mesh, static_cast<std::int32_t>(numbers.size())).first->second;
-    body.moves = moves(w.bodies[i]);
+    body.moves = moves_freely(w.bodies[i].kind);
     view.world.body_from_mesh.push_back(w.bodies[i].shape.body_from_mesh);
     if (i == object)
       view.object = std::move(body);

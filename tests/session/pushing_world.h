@@ -16,6 +16,29 @@
 
 namespace thigma::test {
 
+/// The world of a bench that is made, with one hand, which holds nothing yet.
+inline WorldSessionConfig one_handed(const WorldBench& bench) {
+  WorldSessionConfig config;
+  config.world = bench.world;
+  config.start = bench.state;
+  config.hands.resize(1);
+  WorldHand& hand = config.hands[0];
+  hand.coupling.linear_stiffness = 1000.0;
+  hand.coupling.linear_damping = 16.0;
+  hand.coupling.angular_stiffness = 2.0;
+  hand.coupling.angular_damping = 0.02;
+  return config;
+}
+
+/// The same, with a hand that takes hold of what it is aimed at.
+inline WorldSessionConfig free_handed(const WorldBench& bench) {
+  WorldSessionConfig config = one_handed(bench);
+  WorldHand& hand = config.hands[0];
+  hand.is_free = true;
+  hand.couplings.assign(bench.bodies.size(), hand.coupling);
+  return config;
+}
+
 /// A block in the hand behind two others on a floor.
 inline WorldSessionConfig pushing(WorldBench& bench) {
   add_floor(bench, 1.0);
@@ -23,16 +46,8 @@ inline WorldSessionConfig pushing(WorldBench& bench) {
   bench.add(block, BodyKind::held, Vec3(-0.05, 0.0, 0.03));
   for (int i = 0; i < 2; ++i) bench.add(block, BodyKind::moving, Vec3(0.041 * i, 0.0, 0.02 + 3e-6));
   bench.make();
-  WorldSessionConfig config;
-  config.world = bench.world;
-  config.start = bench.state;
-  config.hands.resize(1);
-  WorldHand& hand = config.hands[0];
-  hand.body = 1;
-  hand.coupling.linear_stiffness = 1000.0;
-  hand.coupling.linear_damping = 16.0;
-  hand.coupling.angular_stiffness = 2.0;
-  hand.coupling.angular_damping = 0.02;
+  WorldSessionConfig config = one_handed(bench);
+  config.hands[0].body = 1;
   config.duration = 0.5;
   return config;
 }

@@ -100,17 +100,7 @@ WorldSessionConfig three_blocks(WorldBench& bench) {
   const auto block = body_mesh(make_box(Vec3(0.04, 0.04, 0.04)));
   for (int i = 0; i < 3; ++i) bench.add(block, BodyKind::moving, Vec3(0.1 * i, 0.0, 0.02 + 3e-6));
   bench.make();
-  WorldSessionConfig config;
-  config.world = bench.world;
-  config.start = bench.state;
-  config.hands.resize(1);
-  WorldHand& hand = config.hands[0];
-  hand.is_free = true;
-  hand.coupling.linear_stiffness = 1000.0;
-  hand.coupling.linear_damping = 16.0;
-  hand.coupling.angular_stiffness = 2.0;
-  hand.coupling.angular_damping = 0.02;
-  hand.couplings.assign(bench.bodies.size(), hand.coupling);
+  WorldSessionConfig config = free_handed(bench);
   config.duration = 0.02;
   return config;
 }

@@ -67,7 +67,7 @@ void make_rigid(World& world) {
   }
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const WorldBody& body = world.bodies[i];
-    if (body.kind == BodyKind::moving || body.kind == BodyKind::held) {
+    if (moves_freely(body.kind)) {
       world.rigid.push_back(make_body(body.mass, body.inertia, world.gravity));
       continue;
     }
@@ -83,11 +83,7 @@ bool may_meet(const World& world, std::int32_t a, std::int32_t b) {
     if (world.shape[i] != a) continue;
     for (std::size_t k = 0; k < world.bodies.size(); ++k) {
       if (k == i || world.shape[k] != b) continue;
-      const auto moves = [&](std::size_t body) {
-        return world.bodies[body].kind == BodyKind::moving ||
-               world.bodies[body].kind == BodyKind::held;
-      };
-      if (moves(i) || moves(k)) return true;
+      if (moves_freely(world.bodies[i].kind) || moves_freely(world.bodies[k].kind)) return true;
     }
   }
   return false;

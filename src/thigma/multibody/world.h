@@ -21,6 +21,11 @@ enum class BodyKind : std::uint8_t {
   held,        // as moving; of a scene: one device holds it all the time
 };
 
+/// Whether gravity and contacts move it, and a hand may take hold of it.
+inline bool moves_freely(BodyKind kind) noexcept {
+  return kind == BodyKind::moving || kind == BodyKind::held;
+}
+
 /// A surface in the frame of a body: origin at its centre of mass.
 struct BodyShape {
   const ClodHierarchy* hierarchy = nullptr;  // outlives the world

@@ -11,12 +11,6 @@
 namespace thigma {
 namespace {
 
-constexpr std::size_t kMostBodies = 1000;
-
-bool moves(const WorldBody& body) {
-  return body.kind == BodyKind::moving || body.kind == BodyKind::held;
-}
-
 /// NAME without the number of a copy, then the first number that is free.
 std::string next_name(const std::string& like, const std::vector<WorldBody>& bodies) {
   const std::size_t end = like.find_last_not_of("0123456789");
@@ -36,7 +30,8 @@ Vec3 free_place(const LoadedWorld& world, std::int32_t like, const WorldState& s
   Vec3 center = w.bodies[idx(like)].start.position;
   double top = center.z();
   for (std::size_t i = 0; i < w.bodies.size(); ++i)
-    if (moves(w.bodies[i])) top = std::max(top, state.bodies[i].position.z() + reach(i));
+    if (moves_freely(w.bodies[i].kind))
+      top = std::max(top, state.bodies[i].position.z() + reach(i));
   constexpr double kSpare = 0.1;  // of its reach
   center.z() = top + (1.0 + kSpare) * reach(idx(like));
   return center;
@@ -104,7 +99,7 @@ WorldChange with_another(const LoadedWorld& world, std::int32_t like,
                          const std::optional<Vec3>& center, const WorldState& state) {
   const std::vector<WorldBody>& known = world.config.world.bodies;
   const WorldBody& model = known[idx(like)];
-  if (!moves(model))
+  if (!moves_freely(model.kind))
     throw InputError("body '" + model.name + "': stands still or goes its own way, expected one " +
                      "that moves");
   if (known.size() >= kMostBodies)
@@ -141,7 +136,7 @@ WorldChange with_another(const LoadedWorld& world, std::int32_t like,
 WorldChange without(const LoadedWorld& world, std::int32_t body) {
   const std::vector<WorldBody>& known = world.config.world.bodies;
   const std::string name = "body '" + known[idx(body)].name + "': ";
-  if (!moves(known[idx(body)]))
+  if (!moves_freely(known[idx(body)].kind))
     throw InputError(name + "stands still or goes its own way, expected one that moves");
   for (const WorldJoint& joint : world.config.world.joints)
     if (joint.a == body || joint.b == body)
@@ -149,6 +144,7 @@ WorldChange without(const LoadedWorld& world, std::int32_t body) {
   for (const WorldHand& hand : world.config.hands)
     if (!hand.is_free && hand.body == body)
       throw InputError(name + "held by a device of the scene, expected a free one");
+  const auto moves = [](const WorldBody& one) { return moves_freely(one.kind); };
   if (std::count_if(known.begin(), known.end(), moves) == 1)
     throw InputError(name + "the last that moves, expected another one beside it");
   WorldChange change;

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostBytes = 1 << 20;  // a scene file is a page of text
 constexpr int kMostCopies = 1000;            // bodies of one table
-constexpr std::size_t kMostBodies = 1000, kMostJoints = 4000, kMostDevices = 16;
+constexpr std::size_t kMostJoints = 4000, kMostDevices = 16;
 
 /// Names stand in topics of recordings.
 void check_name(const TomlTable& table, const std::string& name) {
@@ -66,7 +66,7 @@ void read_body(TomlTable& table, std::optional<BodyKind> kind, const std::string
     table.fail("copies", "stands without spacing", "expected spacing = [x, y, z] between them");
   table.finish();
   if (keys.texture) table.fail("texture", "is not for bodies that move", "expected a mesh alone");
-  if (!body.mass && !body.density && (body.kind == BodyKind::moving || body.kind == BodyKind::held))
+  if (!body.mass && !body.density && moves_freely(body.kind))
     table.fail_here("no mass", "expected mass or density");
   body.object = detail::resolve_object(table, keys, folder);
   const std::string name = body.object.name;
@@ -157,7 +157,7 @@ WorldBody world_body(const WorldSceneBody& given, const Surface& surface, const 
   body.kind = given.kind;
   body.shape.hierarchy = surface.hierarchy.get();
   body.shape.body_from_mesh.position = -m.center_of_mass;
-  const bool has_mass = given.kind == BodyKind::moving || given.kind == BodyKind::held;
+  const bool has_mass = moves_freely(given.kind);
   if (has_mass && !(m.volume > 0.0))
     throw InputError(file + ": body '" + body.name +
                      "' encloses no volume, expected a closed surface");
@@ -320,7 +320,7 @@ WorldHand free_hand(const LoadedWorld& world) {
   const std::vector<WorldBody>& bodies = world.config.world.bodies;
   hand.couplings.resize(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i].kind != BodyKind::moving && bodies[i].kind != BodyKind::held) continue;
+    if (!moves_freely(bodies[i].kind)) continue;
     const auto body = static_cast<std::int32_t>(i);
     try {
       hand.couplings[i] = coupling_of(world, body);

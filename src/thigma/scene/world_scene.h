@@ -13,6 +13,8 @@
 
 namespace thigma {
 
+inline constexpr std::size_t kMostBodies = 1000;  // of a world, as a file gives it or later
+
 /// A body as a scene describes it: [object] is held, [[static]] fixed, [[body]] moves.
 struct WorldSceneBody {
   SceneObject object;

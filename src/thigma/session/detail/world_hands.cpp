@@ -50,8 +50,7 @@ void open(SessionHand& hand) noexcept {
 
 bool may_hold(const SessionHand& hand, std::int32_t body) noexcept {
   if (body < 0 || idx(body) >= hand.config->couplings.size()) return false;
-  const BodyKind kind = hand.world->bodies[idx(body)].kind;
-  return kind == BodyKind::moving || kind == BodyKind::held;
+  return moves_freely(hand.world->bodies[idx(body)].kind);
 }
 
 /// A hand that holds its body from the first sample on.
