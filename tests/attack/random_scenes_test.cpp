@@ -15,6 +15,7 @@
 #include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
 #include "thigma/import/write_mesh.h"
+#include "thigma/mesh/self_intersections.h"
 #include "thigma/thigma.h"
 
 namespace thigma::test {
@@ -24,6 +25,7 @@ namespace fs = std::filesystem;
 
 struct Tally {
   int run = 0, touched = 0, faults = 0;
+  int unmeasured = 0;                  // under constraints, of surfaces without an inside
   std::map<std::string, int> refused;  // by the end of the reason, which names no numbers
   double deepest = 0.0;                // under constraints, of the object's radius
   std::uint64_t deepest_scene = 0;
@@ -51,11 +53,18 @@ void check_queries(const RandomScene& scene, const Scene& loaded, std::uint64_t 
   }
 }
 
+/// Where a surface crosses itself, the normal of the nearest feature does not tell inside from
+/// outside: scene 508 stands free by its winding numbers and is 0.09 of its radius deep by them.
+bool has_inside(const Scene& scene) {
+  return find_self_intersections(scene.object->meshes.front()).pairs == 0 &&
+         find_self_intersections(scene.statics.front()->meshes.front()).pairs == 0;
+}
+
 /// What holds at every frame of a session.
 class FrameCheck {
  public:
   FrameCheck(const RandomScene& scene, const Scene& loaded, const SessionConfig& config)
-      : is_constrained_(scene.response == "constraint"),
+      : is_measured_(scene.response == "constraint" && has_inside(loaded)),
         config_(config),
         object_(experiments::make_depth_surface(loaded.object->meshes.front())),
         ground_(experiments::make_depth_surface(loaded.statics.front()->meshes.front())) {}
@@ -71,17 +80,18 @@ class FrameCheck {
       ASSERT_EQ(s.command.torque.norm(), 0.0);
     }
     touched_ = touched_ || s.touching > 0;
-    if (!is_constrained_ || s.frame % 20 != 0) return;
+    if (!is_measured_ || s.frame % 20 != 0) return;
     const Pose body{s.body.position, s.body.orientation};
     deepest_ = std::max(deepest_, experiments::outside_depth(
                                       object_, body * config_.contact.body_from_mesh, ground_, 4));
   }
 
   bool touched() const { return touched_; }
+  bool is_measured() const { return is_measured_; }
   double deepest() const { return deepest_; }
 
  private:
-  bool is_constrained_;
+  bool is_measured_;
   const SessionConfig& config_;
   experiments::DepthSurface object_, ground_;
   bool touched_ = false;
@@ -99,6 +109,7 @@ std::uint64_t run_session(const RandomScene& random, const Scene& scene, std::ui
   ++tally.run;
   tally.touched += check.touched();
   tally.faults += summary.end == SessionEnd::fault;
+  tally.unmeasured += random.response == "constraint" && !check.is_measured();
   const double depth = check.deepest() / random.radius;
   if (depth > tally.deepest) {
     tally.deepest = depth;
@@ -160,14 +171,16 @@ TEST(RandomScenes, AreRefusedInALineOrRight) {
     if ((number + 1) % 100 == 0) cases.done(number + 1);
     if (!cases.is_asked && ::testing::Test::HasFailure()) break;
   }
-  std::printf("%d sessions, %d in contact, %d faults; deepest %.2g of the radius (scene %llu)\n",
+  std::printf("%d sessions, %d in contact, %d faults; deepest %.2g of the radius (scene %llu), ",
               tally.run, tally.touched, tally.faults, tally.deepest,
               static_cast<unsigned long long>(tally.deepest_scene));
+  std::printf("not measured in %d, whose surfaces cross themselves\n", tally.unmeasured);
   for (const auto& [why, times] : tally.refused)
     std::printf("  refused %d:%s\n", times, why.c_str());
   if (cases.count() >= 40) {
     EXPECT_GT(tally.run, static_cast<int>(cases.count()) / 2);
     EXPECT_GT(tally.touched, tally.run / 3);
+    EXPECT_LT(tally.unmeasured, tally.run / 4);
   }
   fs::remove_all(folder);
 }

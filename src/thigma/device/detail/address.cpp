@@ -87,8 +87,12 @@ std::string shortest(double value) {
 std::string_view nearest_name(std::string_view text, const std::vector<std::string_view>& names) {
   std::string_view nearest = names.front();
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  const std::string_view begin = text.substr(0, 64);
   for (const std::string_view name : names) {
-    const std::size_t edits = edit_distance(text.substr(0, 64), name);
+    // So many edits it takes at least.
+    const auto [fewer, more] = std::minmax({begin.size(), name.size()});
+    if (more - fewer >= fewest) continue;
+    const std::size_t edits = edit_distance(begin, name);
     if (edits < fewest) {
       fewest = edits;
       nearest = name;
