@@ -1,32 +1,37 @@
 // The ghost of the hand, and how far it stands from the object.
-import { Color, Group, Mesh, MeshBasicMaterial, Quaternion, ShaderMaterial } from "three";
+import { Color, Group, Mesh, NoBlending, Quaternion, ShaderMaterial } from "three";
 
 /// A twin of glass, brighter at its rim: first its depth alone, then its nearest surface, so that nothing of its inside
-/// shows. It is drawn over all else, as it mostly hides in what it presses against.
+/// shows. It is drawn over all else, as it mostly hides in what it presses against: in front of it by the range of its depth,
+/// as clearing the depth of all else cost a picture of its own where the processor draws. Its rim is of the corners, not of
+/// each pixel, for the same reason.
 export function makeGhost(geometry) {
   const group = new Group();
-  const hidden = new Mesh(geometry, new MeshBasicMaterial({ colorWrite: false, transparent: true }));
-  hidden.onBeforeRender = (renderer) => renderer.clearDepth();
+  const hidden = new Mesh(geometry, new ShaderMaterial({ colorWrite: false, transparent: true, blending: NoBlending,
+    vertexShader: "void main() { gl_Position = projectionMatrix * (modelViewMatrix * vec4(position, 1.0)); }",
+    fragmentShader: "void main() { gl_FragColor = vec4(0.0); }" }));
   const glass = new Mesh(geometry, new ShaderMaterial({
     transparent: true, depthWrite: false, uniforms: { tone: { value: new Color() } },
-    vertexShader: `varying vec3 facing; varying vec3 toEye;
+    vertexShader: `varying float opacity;
 void main() {
   vec4 seen = modelViewMatrix * vec4(position, 1.0);
-  facing = normalize(normalMatrix * normal);
-  toEye = -seen.xyz;
+  float rim = 1.0 - abs(dot(normalize(normalMatrix * normal), normalize(-seen.xyz)));
+  opacity = 0.10 + 0.55 * rim * rim * rim;
   gl_Position = projectionMatrix * seen;
 }`,
-    fragmentShader: `varying vec3 facing; varying vec3 toEye; uniform vec3 tone;
-void main() {
-  float rim = 1.0 - abs(dot(normalize(facing), normalize(toEye)));
-  gl_FragColor = vec4(tone, 0.10 + 0.55 * rim * rim * rim);
-}` }));
+    fragmentShader: `varying float opacity; uniform vec3 tone;
+void main() { gl_FragColor = vec4(tone, opacity); }` }));
+  for (const mesh of [hidden, glass]) {
+    mesh.onBeforeRender = (renderer) => renderer.getContext().depthRange(0, NEAREST);
+    mesh.onAfterRender = (renderer) => renderer.getContext().depthRange(0, 1);
+  }
   hidden.renderOrder = 10;
   glass.renderOrder = 11;
   group.add(hidden, glass);
   group.visible = false;
   return { group, hidden, glass };
 }
+const NEAREST = 0.01; // of the depths: what else is so near is cut off by the eye
 
 /// The tone is as the screen takes it: nothing is left to do for each of its pixels.
 export function paintGhost({ glass }, colour) {

@@ -11,7 +11,7 @@ const TURN_PER_PIXEL = 0.008; // [rad]
 ///           claims(event): something else in the picture takes this press, press(pick: a body of a world, see pickBody): take hold, moved(turned), give(): what was noted, at the end of an event, letGo()}
 export function startInput(player) {
   const { canvas } = player.stage;
-  const input = { player, pointers: new Map(), mode: null, keys: new Set(), touch: matchMedia("(pointer: coarse)").matches };
+  const input = { player, pointers: new Map(), mode: null, keys: new Set(), hasPad: false, touch: matchMedia("(pointer: coarse)").matches };
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
   canvas.addEventListener("pointerdown", (event) => down(input, event));
   canvas.addEventListener("pointermove", (event) => move(input, event));
@@ -20,6 +20,7 @@ export function startInput(player) {
   addEventListener("keydown", (event) => pressKey(input, event));
   addEventListener("keyup", ({ key }) => input.keys.delete(key));
   addEventListener("blur", () => input.keys.clear());
+  addEventListener("gamepadconnected", () => { input.hasPad = true; }); // asking for gamepads has its price
   canvas.addEventListener("dblclick", (event) => { if (event.button === 2) goHome(player.stage.view); });
   return input;
 }
@@ -173,6 +174,7 @@ const DEAD = 0.12; // of a stick
 /// hold, second lets go. Rumble tells the force.
 /// seconds   since the last call; newtons, full   the felt force and the one that rumbles fully
 export function readGamepad(input, seconds, newtons, full) {
+  if (!input.hasPad) return false;
   const pad = [...(navigator.getGamepads?.() ?? [])].find((one) => one?.connected);
   if (!pad) return false;
   const { player } = input;

@@ -271,10 +271,11 @@ link = makeLink(`${location.protocol === "https:" ? "wss" : "ws"}://${location.h
 });
 setInterval(confirmHand, CONFIRM, holding);
 
-// Behind the progress of what comes, where the processor that loads it draws as well: from one picture to the next, and from
-// one look at keys and gamepad to the next. A frame of the browser has its price even if nothing is drawn [ms].
-const BEHIND = 250, LOOK = 16;
-let last = performance.now(), tick = 0, drawn = 0, wordsAt = 0, behindAt = 0;
+// Where the processor draws: from one picture to the next behind the progress of what comes, which it loads as well; and from
+// one look at keys, gamepad and the last picture to the next, as a frame of the browser has its price even if nothing is drawn.
+// From one look at the words to the next where no picture is begun [ms].
+const BEHIND = 250, LOOK = 8, WORDS = 100;
+let last = performance.now(), drawn = 0, wordsAt = 0, wordsSince = 0, behindAt = 0;
 
 function takeMoment() {
   if (!session.fresh) return;
@@ -297,7 +298,7 @@ function showMoment() {
 const waits = () => Boolean(stage?.plain && session.progress);
 
 function frame(now) {
-  if (waits()) setTimeout(() => frame(performance.now()), LOOK);
+  if (stage?.plain && !document.hidden) setTimeout(() => frame(performance.now()), LOOK);
   else requestAnimationFrame(frame);
   const newtons = newtonsFelt();
   if (input) readGamepad(input, (now - last) / 1000, newtons, fullForce());
@@ -307,11 +308,11 @@ function frame(now) {
   if (waits() && now < behindAt) return;
   behindAt = now + BEHIND;
   const isNew = showMoment();
-  tick += 1;
   drawPlots(plots, session.shown?.time ?? 0, stage?.plain);
   const begin = performance.now();
-  if (tick % 6 !== 0 && !(isNew && begin >= wordsAt)) return;
+  if (begin < wordsSince + WORDS && !(isNew && begin >= wordsAt)) return;
   showWords(now / 1000, newtons);
+  wordsSince = begin;
   wordsAt = 10 * performance.now() - 9 * begin; // a tenth of the time at most
 }
 

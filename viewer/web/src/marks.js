@@ -2,6 +2,7 @@
 import { BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, Group, Mesh,
   MeshBasicMaterial, MeshLambertMaterial, Quaternion, SphereGeometry, TorusGeometry, Vector3 } from "three";
 import { clearCopies, makeCopies, putCopy, showCopies } from "./copies.js";
+import { plainMark } from "./shading.js";
 import { levelColour } from "./theme.js";
 
 export const MAX_CONTACTS = 512;
@@ -9,20 +10,23 @@ export const MAX_CLUSTERS = 16;
 const Z = new Vector3(0, 0, 1);
 
 /// A material for marks. A second, faint pass without depth test shows them through the objects.
-export function markMaterial(options = {}) {
-  return new MeshLambertMaterial(options);
+/// light   {value}: strength of the light from above, where a processor draws; else null
+export function markMaterial(light, options = {}) {
+  return light ? plainMark(light, options) : new MeshLambertMaterial(options);
 }
-export function seenThrough(options = {}) {
-  return new MeshBasicMaterial({ transparent: true, opacity: 0.42, depthTest: false, depthWrite: false, ...options });
+export function seenThrough(light, options = {}) {
+  const all = { transparent: true, opacity: 0.42, depthTest: false, depthWrite: false, ...options };
+  return light ? plainMark(null, all) : new MeshBasicMaterial(all);
 }
 
 /// An arrow along +z of unit length, in parts so that the head keeps its shape.
-export function makeArrow() {
+/// light   as of markMaterial, of all marks
+export function makeArrow(light) {
   const group = new Group();
   const shaft = new CylinderGeometry(0.5, 0.5, 1, 20).rotateX(Math.PI / 2).translate(0, 0, 0.5);
   const head = new ConeGeometry(1.35, 3.6, 28).rotateX(Math.PI / 2).translate(0, 0, 1.8);
   const parts = [];
-  for (const material of [markMaterial(), seenThrough()]) {
+  for (const material of [markMaterial(light), seenThrough(light)]) {
     const a = new Mesh(shaft, material), b = new Mesh(head, material);
     a.renderOrder = b.renderOrder = material.depthTest ? 0 : 20;
     parts.push({ shaft: a, head: b, material });
@@ -54,12 +58,12 @@ export function paintArrow(arrow, colour) {
 const ARC_STEPS = 72, ARC_SIDES = 10, ARC_THICKNESS = 0.055;
 
 /// A torque: an arc about its axis, counter-clockwise seen from the tip of the vector; the longer, the larger.
-export function makeTwist() {
+export function makeTwist(light) {
   const group = new Group();
   const ring = arcGeometry();
   const head = new ConeGeometry(0.15, 0.38, 24);
   const parts = [];
-  for (const material of [markMaterial(), seenThrough()]) {
+  for (const material of [markMaterial(light), seenThrough(light)]) {
     const a = new Mesh(ring, material), b = new Mesh(head, material);
     a.renderOrder = b.renderOrder = material.depthTest ? 0 : 20;
     parts.push({ ring: a, head: b, material });
@@ -116,12 +120,12 @@ export function paintTwist(twist, colour) {
 }
 
 /// Contacts as dots with normals, clusters as rings; both also faintly through the objects.
-export function makeContactMarks() {
+export function makeContactMarks(light) {
   const group = new Group();
   const dot = new SphereGeometry(1, 8, 6);
   const needle = new CylinderGeometry(0.22, 0.22, 1, 5).rotateX(Math.PI / 2).translate(0, 0, 0.5);
   const ring = new TorusGeometry(1, 0.12, 5, 28);
-  const both = (shape, most, opacity, order) => makeCopies(group, shape, most, [[markMaterial(), 1], [seenThrough({ opacity }), order]]);
+  const both = (shape, most, opacity, order) => makeCopies(group, shape, most, [[markMaterial(light), 1], [seenThrough(light, { opacity }), order]]);
   return { group, dots: both(dot, MAX_CONTACTS, 0.45, 21), needles: both(needle, MAX_CONTACTS, 0.45, 21), rings: both(ring, MAX_CLUSTERS, 0.55, 22) };
 }
 
@@ -149,9 +153,9 @@ export function setContactMarks(marks, contacts, clusters, size, ringColour) {
 }
 
 /// A thin rod between two points, for the spring between the hand and the object.
-export function makeRod() {
-  const material = markMaterial();
-  const through = seenThrough({ opacity: 0.5 });
+export function makeRod(light) {
+  const material = markMaterial(light);
+  const through = seenThrough(light, { opacity: 0.5 });
   const group = new Group();
   const geometry = new CylinderGeometry(1, 1, 1, 10).rotateX(Math.PI / 2).translate(0, 0, 0.5);
   const ends = new SphereGeometry(1, 16, 12);

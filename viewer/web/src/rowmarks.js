@@ -7,7 +7,8 @@ import { markMaterial, seenThrough } from "./marks.js";
 export const MAX_ROWS = 64;
 const Z = new Vector3(0, 0, 1);
 
-export function makeRowMarks() {
+/// light   as of markMaterial
+export function makeRowMarks(light) {
   const group = new Group();
   const shapes = {
     planes: new CylinderGeometry(1, 1, 0.06, 20).rotateX(Math.PI / 2),
@@ -19,8 +20,8 @@ export function makeRowMarks() {
   const marks = { group };
   for (const [name, shape] of Object.entries(shapes)) {
     const glass = name === "cones" || name === "planes";
-    const front = glass ? markMaterial({ transparent: true, opacity: name === "cones" ? 0.34 : 0.72, depthWrite: false, side: 2 }) : markMaterial();
-    const through = seenThrough({ opacity: glass ? 0.16 : 0.5, side: glass ? 2 : 0 });
+    const front = markMaterial(light, glass ? { transparent: true, opacity: name === "cones" ? 0.34 : 0.72, depthWrite: false, side: 2 } : {});
+    const through = seenThrough(light, { opacity: glass ? 0.16 : 0.5, side: glass ? 2 : 0 });
     marks[name] = makeCopies(group, shape, name === "points" ? 2 * MAX_ROWS : MAX_ROWS, [[front, glass ? 3 : 2], [through, 22]]);
   }
   return marks;

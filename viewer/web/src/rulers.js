@@ -42,8 +42,8 @@ export function makeRulers(parent, names, look) {
 /// After each picture.
 /// snapshot   may be null; options   of the stage
 export function showRulers(rulers, stage, snapshot) {
-  const { view, options, canvas } = stage;
-  if (!stage.object || canvas.clientHeight === 0) return;
+  const { view, options, canvas: { clientWidth: width, clientHeight: height } } = stage; // before anything is written
+  if (!stage.object || height === 0) return;
   const { right, up, forward } = axes(view);
   for (const { way, line, button } of rulers.ends) {
     const x = REACH * way.dot(right), y = -REACH * way.dot(up);
@@ -53,12 +53,12 @@ export function showRulers(rulers, stage, snapshot) {
     button.style.zIndex = way.dot(forward) < 0 ? 2 : 1;
   }
   const centre = stage.root.localToWorld(stage.object.group.position.clone());
-  const metres = unitsPerPixel(view, depthOf(view, centre), canvas.clientHeight) * stage.radius; // of a pixel at the object
+  const metres = unitsPerPixel(view, depthOf(view, centre), height) * stage.radius; // of a pixel at the object
   setBar(rulers.scale, metres, "m", 1e-9);
   const perNewton = snapshot?.metresPerNewton;
   rulers.force.box.hidden = !(perNewton > 0) || !options.forces;
   if (perNewton > 0) setBar(rulers.force, metres / (EMPHASIS * perNewton), "N", 1e-6);
-  showNames(rulers, stage, up);
+  showNames(rulers, stage, up, width, height);
 }
 
 /// perPixel   of the unit
@@ -79,8 +79,8 @@ function namedBodies(stage) {
 const isAbove = (stage, body) => (stage.world ? body.about.moves : body === stage.object);
 
 /// Above the object in the hand, below what stands still.
-function showNames(rulers, stage, up) {
-  const { options, view, canvas } = stage, all = namedBodies(stage);
+function showNames(rulers, stage, up, width, height) {
+  const { options, view } = stage, all = namedBodies(stage);
   rulers.names.hidden = !options.names;
   if (!options.names) return;
   if (rulers.tags.length !== all.length || rulers.tags.some(({ textContent }, k) => textContent !== all[k].about.name)) {
@@ -92,8 +92,8 @@ function showNames(rulers, stage, up) {
     const { about, group } = body;
     stage.root.localToWorld(at.set(...about.center).applyQuaternion(group.quaternion).add(group.position));
     at.addScaledVector(up, ((isAbove(stage, body) ? 0.8 : -0.8) * about.radius) / stage.radius).project(view.camera);
-    const x = ((at.x + 1) / 2) * canvas.clientWidth, y = ((1 - at.y) / 2) * canvas.clientHeight;
-    const isSeen = at.z < 1 && x > 0 && x < canvas.clientWidth && y > 0 && y < canvas.clientHeight;
+    const x = ((at.x + 1) / 2) * width, y = ((1 - at.y) / 2) * height;
+    const isSeen = at.z < 1 && x > 0 && x < width && y > 0 && y < height;
     rulers.tags[k].style.visibility = isSeen ? "" : "hidden";
     rulers.tags[k].style.transform = `translate(${x.toFixed(0)}px, ${y.toFixed(0)}px) translate(-50%, -50%)`;
   });

@@ -34,16 +34,18 @@ export function makeScene(canvas, asked = null) {
   const renderer = new WebGLRenderer({ canvas, antialias: !plain, alpha: true, powerPreference: "high-performance" });
   renderer.outputColorSpace = SRGBColorSpace;
   renderer.toneMapping = NeutralToneMapping;
+  renderer.debug.checkShaderErrors = !plain; // asking waits for the compiler
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
   renderer.shadowMap.autoUpdate = false; // only when something has moved, not when the view turns
   const scene = new Scene();
   const root = new Group();
   scene.add(root);
+  const markLight = plain ? { value: 1 } : null;
   const stage = {
     canvas, renderer, scene, root, view: makeView(), plain, lights: addLights(scene), ground: addGround(scene), radius: 1,
-    size: 1, object: null, statics: [], world: null, ghost: null, force: makeArrow(), twist: makeTwist(), marks: makeContactMarks(),
-    rows: makeRowMarks(), spring: makeRod(), dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true, names: true },
+    size: 1, object: null, statics: [], world: null, ghost: null, force: makeArrow(markLight), twist: makeTwist(markLight),
+    marks: makeContactMarks(markLight), rows: makeRowMarks(markLight), spring: makeRod(markLight), markLight, dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true, names: true },
     editing: false, start: null, wants: () => {}, wanted: new Set(), last: null, moved: true, resized: true, fence: null, begun: 0, rested: 0, isSeen: false, coarsener: null,
     pace: makePace({ step: plain ? PLAIN_STEP : 0, fixed: asked === "full" }),
   };
@@ -221,6 +223,7 @@ export function repaint(stage) {
   paintRod(stage.spring, colour("hand"));
   stage.ground.material.opacity = Number(colour("shadow"));
   stage.lights.sky.intensity = sky;
+  if (stage.markLight) stage.markLight.value = sky;
   stage.dirty = true;
 }
 

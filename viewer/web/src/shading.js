@@ -84,36 +84,41 @@ const glsl = (v) => `vec3(${v.map((x) => x.toFixed(5)).join(", ")})`;
 const direction = ({ from }) => glsl(new Vector3(...from).normalize().toArray());
 
 // The same lights without highlights and shadows: a seventh of the time where the processor draws.
-const PLAIN_VERTEX = `facing = mat3(modelMatrix) * normal;
-gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);`;
+const PLACE = "gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);";
+const FACING = "mat3(modelMatrix) * normal";
 const PLAIN_HEAD = `uniform vec3 base;
 uniform float sky;
-varying vec3 facing;
-/// A colour in light, as the screen takes it: roots in place of a power, which costs a processor more than all the rest (within
-/// a two hundredth of it, from black to white).
-vec3 litColour(vec3 colour) {
-  vec3 n = normalize(facing);
-  vec3 light = mix(vec3(0.25, 0.22, 0.19), vec3(1.0), 0.5 + 0.5 * n.z) * sky + ${KEY.strength.toFixed(3)} * ${glsl(KEY.tone)} * max(0.0, dot(n, ${direction(KEY)}))
-    + ${RIM.strength.toFixed(3)} * ${glsl(RIM.tone)} * max(0.0, dot(n, ${direction(RIM)})) + 0.28;
-  vec3 lit = colour * light * 0.31831;
+/// A colour as the screen takes it: roots in place of a power, which costs a processor more than all the rest (within a two
+/// hundredth of it, from black to white).
+vec3 screenColour(vec3 lit) {
   float peak = max(lit.r, max(lit.g, lit.b)), over = peak - 0.76; // bright ones flatten out, as by NeutralToneMapping
   if (over > 0.0) lit *= (1.0 - 0.0576 / (over + 0.24)) / peak;
   vec3 half_ = sqrt(lit), quarter = sqrt(half_), eighth = sqrt(quarter);
   return 0.662 * half_ + 0.6841 * quarter - 0.3236 * eighth - 0.0225 * lit;
+}
+/// facing   normal of the surface, any length [world]
+vec3 litColour(vec3 colour, vec3 facing) {
+  vec3 n = normalize(facing);
+  vec3 light = mix(vec3(0.25, 0.22, 0.19), vec3(1.0), 0.5 + 0.5 * n.z) * sky + ${KEY.strength.toFixed(3)} * ${glsl(KEY.tone)} * max(0.0, dot(n, ${direction(KEY)}))
+    + ${RIM.strength.toFixed(3)} * ${glsl(RIM.tone)} * max(0.0, dot(n, ${direction(RIM)})) + 0.28;
+  return screenColour(colour * light * 0.31831);
 }`;
 
+/// Of one colour, lit at its corners: of each pixel it cost half of a picture.
 /// colour, sky   {value}: of the object; strength of the light from above
 export function bareMaterial(colour, sky) {
   return new ShaderMaterial({
     uniforms: { base: colour, sky },
-    vertexShader: `varying vec3 facing;
+    vertexShader: `${PLAIN_HEAD}
+varying vec3 lit;
 invariant gl_Position;
 void main() {
-  ${PLAIN_VERTEX}
+  lit = litColour(base, ${FACING});
+  ${PLACE}
 }`,
-    fragmentShader: `${PLAIN_HEAD}
+    fragmentShader: `varying vec3 lit;
 void main() {
-  gl_FragColor = vec4(litColour(base), 1.0);
+  gl_FragColor = vec4(lit, 1.0);
 }`,
   });
 }
@@ -127,12 +132,41 @@ varying vec3 facing;
 invariant gl_Position;
 void main() {
   ${VERTEX_BODY}
-  ${PLAIN_VERTEX}
+  facing = ${FACING};
+  ${PLACE}
 }`,
     fragmentShader: `${FRAGMENT_HEAD}
 ${PLAIN_HEAD}
+varying vec3 facing;
 void main() {
-  gl_FragColor = vec4(litColour(markedColour(base)), 1.0);
+  gl_FragColor = vec4(litColour(markedColour(base), facing), 1.0);
 }`,
   });
+}
+
+/// Of marks, lit at their corners as well: a colour, times one of each corner where there are such.
+/// lights    {value}: strength of the light from above; null: a colour without light
+/// options   of the material; opacity
+export function plainMark(lights, { opacity = 1, ...options } = {}) {
+  const color = new Color(1, 1, 1);
+  const material = new ShaderMaterial({ ...options,
+    uniforms: { base: { value: color }, sky: lights ?? { value: 0 }, opacity: { value: opacity } },
+    vertexShader: `${PLAIN_HEAD}
+varying vec3 lit;
+void main() {
+  vec3 tone = base;
+#ifdef USE_COLOR
+  tone *= color;
+#endif
+  ${PLACE}
+${lights ? `  vec3 facing = ${FACING};
+#ifdef DOUBLE_SIDED
+  vec3 seen = (modelViewMatrix * vec4(position, 1.0)).xyz;
+  if (dot(mat3(viewMatrix) * facing, seen) > 0.0) facing = -facing;
+#endif
+  lit = litColour(tone, facing);` : "  lit = screenColour(tone);"}
+}`,
+    fragmentShader: `varying vec3 lit; uniform float opacity;
+void main() { gl_FragColor = vec4(lit, opacity); }` });
+  return Object.assign(material, { color });
 }

@@ -625,7 +625,7 @@ pageTest("a gamepad moves the hand and rumbles", { prepare: () => {
     vibrationActuator: { playEffect: async () => { window.rumbles += 1; } } };
   navigator.getGamepads = () => (window.padOn ? [null, pad] : []);
 } }, async ({ page, mock }) => {
-  await page.evaluate(() => { window.padOn = true; });
+  await page.evaluate(() => { window.padOn = true; dispatchEvent(new Event("gamepadconnected")); });
   await until(() => mock.world.lift > 0.0005, "contact");
   await page.waitForFunction(() => window.rumbles > 0);
   assert.deepEqual(mock.received.refused, []);
