@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "device_errors.h"
+#include "guarded_writer.h"
 #include "json_out.h"
 #include "live_models.h"
 #include "playback.h"
@@ -14,7 +15,6 @@
 #include "run_session.h"
 #include "run_summary.h"
 #include "run_world.h"
-#include "session_recorder.h"
 #include "signal_guard.h"
 #include "verbs.h"
 #include "viewer/server/web_server.h"
@@ -128,7 +128,7 @@ Log log_of(const Common& common) {
 /// Without a page: one session, no table. is_whole: of the recording, where one was asked for.
 SessionSummary run_alone(const RunOptions& options, const Common& common, Run& run,
                          bool& is_whole) {
-  SessionRecorder recorder([&](const RecordingFailure& failure) {
+  GuardedWriter<RecordingWriter> recorder([&](const RecordingFailure& failure) {
     is_whole = false;
     print_error(failure.why + "; the recording ends there, the session goes on");
   });
@@ -163,7 +163,7 @@ SessionSummary run_alone(const RunOptions& options, const Common& common, Run& r
     for (const std::string& note : summary.notes)
       std::fprintf(stderr, "thigma: %s\n", note.c_str());
   }
-  recorder.close({summary.frames, summary.state_hash, summary.dropped_samples});
+  recorder.close(RecordingEnd{summary.frames, summary.state_hash, summary.dropped_samples});
   return summary;
 }
 

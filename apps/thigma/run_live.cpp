@@ -12,11 +12,12 @@
 #include <vector>
 
 #include "composed_scene.h"
+#include "guarded_writer.h"
 #include "live_change.h"
+#include "live_life.h"
 #include "live_models.h"
 #include "live_playback.h"
 #include "run_view.h"
-#include "session_recorder.h"
 #include "viewer/server/live_server.h"
 #include "viewer/server/web_files.h"
 
@@ -28,8 +29,6 @@
 
 namespace thigma::app {
 namespace {
-
-constexpr std::int64_t kPoll = 10'000'000;  // [ns]
 
 using Kind = live::LiveRequest::Kind;
 
@@ -124,10 +123,7 @@ class LiveRun {
   /// On the thread that drains the session: the session goes on, pages and people are told once.
   void recording_failed(const RecordingFailure& failure) {
     has_lost_recording_ = true;
-    server_.observe(SessionEvent{failure.time, failure.frame, EventKind::recording_ended, record_,
-                                 failure.why});
-    server_.lose_recording();
-    program_.print_trouble(failure.why + "; the recording ends there, the session goes on");
+    program_.print_trouble(tell_lost_recording(server_, record_, failure));
   }
 
   void begin() {
@@ -147,7 +143,7 @@ class LiveRun {
 
   void end(const SessionSummary& summary) {
     const bool was_recorded = recorder_.is_open();
-    recorder_.close({summary.frames, summary.state_hash, summary.dropped_samples});
+    recorder_.close(RecordingEnd{summary.frames, summary.state_hash, summary.dropped_samples});
     seconds_ += summary.seconds;
     server_.end_session(summary.end, summary.dropped_samples);
     if (was_recorded) server_.offer(open_menu());
@@ -233,7 +229,7 @@ class LiveRun {
               return change_to_recording(dropped_.keep_recording(request.text, request.data), now);
             return make_change(request, now);
           });
-      while (made.wait_for(std::chrono::nanoseconds(kPoll)) != std::future_status::ready)
+      while (made.wait_for(std::chrono::nanoseconds(kPagePoll)) != std::future_status::ready)
         if (server_.is_cancelled() || is_told_to_stop()) give_up(std::move(made));
       change_ = made.get();
     } catch (const std::exception& error) {
@@ -264,16 +260,8 @@ class LiveRun {
 
   /// Whether there is another session to run, and sets it up.
   bool begins_again(const SessionSummary& summary) {
-    // Who is looking at a fault may begin again, and may load the page anew; without anybody there
-    // the program ends.
-    constexpr int kPatience = 500;  // polls
-    int alone = server_.page_count() > 0 ? 0 : kPatience;
-    while (!request_ && summary.end == SessionEnd::fault && alone < kPatience &&
-           !is_told_to_stop()) {
-      poll_pages();
-      alone = server_.page_count() > 0 ? 0 : alone + 1;
-      sleep_ns(kPoll);
-    }
+    if (summary.end == SessionEnd::fault)
+      wait_at_fault(server_, [this] { return poll_pages().has_value() || is_told_to_stop(); });
     if (!request_ || is_told_to_stop()) return false;
     const live::LiveRequest request = *request_;
     request_.reset();
@@ -375,7 +363,7 @@ class LiveRun {
   Pose start_;                        // world_from_body
   std::string record_;
   std::atomic<bool> has_lost_recording_{false};  // it ended before its session
-  SessionRecorder recorder_;
+  GuardedWriter<RecordingWriter> recorder_;
   DroppedMesh dropped_;
   live::LiveServer server_;
   LastBody where_;

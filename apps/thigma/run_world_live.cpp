@@ -2,17 +2,19 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <utility>
 
+#include "guarded_writer.h"
+#include "live_life.h"
 #include "run_view.h"
 #include "viewer/server/live_server.h"
 #include "viewer/server/origin.h"
 #include "viewer/server/web_files.h"
+#include "world_events.h"
 #include "world_recorder.h"
 #include "world_view.h"
 
@@ -25,8 +27,6 @@
 
 namespace thigma::app {
 namespace {
-
-constexpr std::int64_t kPoll = 10'000'000;  // [ns]
 
 using Kind = live::LiveRequest::Kind;
 
@@ -43,56 +43,6 @@ std::size_t add_page_hand(LoadedWorld& world, std::vector<std::string>& devices)
   return hands.size() - 1;
 }
 
-/// Tells pages what happens in a world, once each. Thread: the world's.
-class WorldEvents {
- public:
-  WorldEvents(const LoadedWorld& world, live::LiveServer& server)
-      : rate_(world.config.rate), server_(server), held_(world.config.hands.size()) {
-    use(world);
-  }
-
-  /// Bodies have the names of this world from here on.
-  void use(const LoadedWorld& world) {
-    names_.clear();
-    for (const WorldBody& body : world.config.world.bodies) names_.push_back(body.name);
-  }
-
-  void observe(const WorldFrame& frame) {
-    for (std::size_t i = 0; i < held_.size(); ++i) {
-      const std::int32_t body = frame.grips[i].body;
-      const std::string& now = body < 0 ? nobody_ : names_[idx(body)];
-      if (now == held_[i]) continue;
-      if (!held_[i].empty()) tell(frame, EventKind::released, held_[i], "");
-      if (body >= 0) tell(frame, EventKind::grasped, now, "");
-      held_[i] = now;
-    }
-    lost_ += static_cast<double>(frame.lost) / rate_;
-    if (frame.time < since_ + kWindow) return;
-    const double pace = (frame.time - since_) / (frame.time - since_ + lost_);
-    since_ = frame.time;
-    lost_ = 0.0;
-    if (pace > kSlow) return;
-    char text[96];
-    std::snprintf(text, sizeof text, "the world goes at %.0f %% of the clock's pace", 100.0 * pace);
-    tell(frame, EventKind::late, "", text);
-  }
-
- private:
-  static constexpr double kWindow = 2.0;  // in which it is judged [s]
-  static constexpr double kSlow = 0.8;    // slower is told
-  void tell(const WorldFrame& frame, EventKind kind, const std::string& detail,
-            const std::string& text) {
-    server_.observe(SessionEvent{frame.time, frame.frame, kind, detail, text});
-  }
-
-  const double rate_;  // [Hz]
-  live::LiveServer& server_;
-  const std::string nobody_;
-  std::vector<std::string> names_;   // of bodies
-  std::vector<std::string> held_;    // by hand
-  double lost_ = 0.0, since_ = 0.0;  // [s]
-};
-
 /// The sessions of one run.
 class WorldLive {
  public:
@@ -105,6 +55,7 @@ class WorldLive {
         page_hand_(add_page_hand(world_, devices_)),
         page_(make_web_device(link_)),
         config_(page_config(world_, page_->limits())),
+        recorder_([this](const RecordingFailure& failure) { recording_failed(failure); }),
         server_(view(world_), config_, config_.world_from_body * config_.contact.body_from_mesh,
                 {"web:"}, live::web_files(), page_address(*program.options), link_,
                 {.may_be_framed = program.options->is_embedded}) {
@@ -137,10 +88,10 @@ class WorldLive {
     live::LiveStart start;
     start.device = "web:";
     start.is_web = start.is_simulated = true;
-    start.recording = recorder_ ? record_ : "";
+    start.recording = recorder_.is_open() ? record_ : "";
     server_.begin_session(start);
     const WorldSummary summary = run(devices);
-    close_recording(summary);
+    recorder_.close(summary);
     seconds_ += static_cast<double>(summary.frames) / world_.config.rate;
     if (summary.has_fault())
       server_.observe(SessionEvent{static_cast<double>(summary.frames) / world_.config.rate,
@@ -154,43 +105,21 @@ class WorldLive {
   /// The first is of the command line: without it there is no session. Of those that pages ask for
   /// they are told what is wrong.
   void open_recording() {
-    recorder_.reset();
+    recorder_.begin(nullptr);
     if (record_.empty()) return;
     const WorldRecorderInfo info{program_.options->scene, devices_, program_.seed,
                                  program_.options->friction};
     try {
-      recorder_ = std::make_unique<WorldRecorder>(record_, world_, info);
+      recorder_.begin(std::make_unique<WorldRecorder>(record_, world_, info));
     } catch (const IoError& error) {
       if (!has_run_) throw;
-      lose_recording(error.what(), 0.0, 0);
+      recording_failed({error.what(), 0.0, 0});
     }
   }
 
-  /// The session goes on; pages and people are told once.
-  void lose_recording(const std::string& why, double time, std::uint64_t frame) {
-    recorder_.reset();
-    server_.observe(SessionEvent{time, frame, EventKind::recording_ended, record_, why});
-    server_.lose_recording();
-    if (program_.log) program_.log(why + "; the recording ends there, the session goes on");
-  }
-
-  void record(const WorldFrame& frame) {
-    if (!recorder_) return;
-    try {
-      recorder_->write(frame);
-    } catch (const IoError& error) {
-      lose_recording(error.what(), frame.time, frame.frame);
-    }
-  }
-
-  void close_recording(const WorldSummary& summary) {
-    if (!recorder_) return;
-    try {
-      recorder_->close(summary);
-    } catch (const IoError& error) {
-      lose_recording(error.what(), 0.0, summary.frames);
-    }
-    recorder_.reset();
+  void recording_failed(const RecordingFailure& failure) {
+    const std::string line = tell_lost_recording(server_, record_, failure);
+    if (program_.log) program_.log(line);
   }
 
   live::SceneView view(const LoadedWorld& world) const {
@@ -219,7 +148,7 @@ class WorldLive {
     shell.live = &server_.ports();
     shell.sink = [&](const WorldFrame& frame) {
       count_step(frame, facts_);
-      record(frame);
+      recorder_.write(frame);
       server_.observe(frame);
       events.observe(frame);
     };
@@ -236,7 +165,7 @@ class WorldLive {
     // Every way out of here, an exception too, ends the session: the future waits for it.
     const std::unique_ptr<std::atomic<bool>, void (*)(std::atomic<bool>*)> end(
         &stop, [](std::atomic<bool>* flag) { *flag = true; });
-    while (session.wait_for(std::chrono::nanoseconds(kPoll)) != std::future_status::ready)
+    while (session.wait_for(std::chrono::nanoseconds(kPagePoll)) != std::future_status::ready)
       if (poll_pages() || is_told_to_stop()) stop = true;
     is_running_ = false;
     for (const live::LiveRequest& request : take_asked()) server_.answer(request, kIsOver);
@@ -254,7 +183,8 @@ class WorldLive {
     for (const live::LiveRequest& request : take_asked()) {
       std::string why;
       try {
-        if (recorder_) throw InputError("a recording is being written, with these bodies: stop it");
+        if (recorder_.is_open())
+          throw InputError("a recording is being written, with these bodies: stop it");
         change_bodies(request, run, events);
       } catch (const InputError& error) {
         why = error.what();
@@ -327,14 +257,8 @@ class WorldLive {
   }
 
   bool begins_again(const WorldSummary& summary) {
-    // Who is looking at a fault may begin again, and may load the page anew.
-    constexpr int kPatience = 500;  // polls
-    int alone = server_.page_count() > 0 ? 0 : kPatience;
-    while (!request_ && summary.has_fault() && alone < kPatience && !is_told_to_stop()) {
-      poll_pages();
-      alone = server_.page_count() > 0 ? 0 : alone + 1;
-      sleep_ns(kPoll);
-    }
+    if (summary.has_fault())
+      wait_at_fault(server_, [this] { return poll_pages() || is_told_to_stop(); });
     if (!request_ || is_told_to_stop()) return false;
     const live::LiveRequest request = *std::exchange(request_, std::nullopt);
     const bool is_over = end_of(summary) == SessionEnd::duration;
@@ -359,15 +283,15 @@ class WorldLive {
   WebDeviceChannel link_;
   std::unique_ptr<HapticDevice> page_;
   const SessionConfig config_;
+  GuardedWriter<WorldRecorder> recorder_;  // the world's thread's while a session runs
   live::LiveServer server_;
   std::optional<live::LiveRequest> request_;
-  double seconds_ = 0.0;                     // of all sessions so far
-  std::string record_, next_record_;         // files; "" none
-  bool has_run_ = false;                     // some session
-  std::unique_ptr<WorldRecorder> recorder_;  // the world's thread's while a session runs
-  bool is_running_ = false;                  // a session
-  std::mutex mutex_;                         // of what follows
-  std::vector<live::LiveRequest> asked_;     // of bodies, for the world's thread
+  double seconds_ = 0.0;                  // of all sessions so far
+  std::string record_, next_record_;      // files; "" none
+  bool has_run_ = false;                  // some session
+  bool is_running_ = false;               // a session
+  std::mutex mutex_;                      // of what follows
+  std::vector<live::LiveRequest> asked_;  // of bodies, for the world's thread
   std::atomic<bool> has_asked_{false};
   // The world that runs, where it is no more that of the scene: the world's thread's while a
   // session runs.

@@ -52,8 +52,15 @@ const holds = (page, number) => page.waitForFunction((n) => window.thigma.sessio
 const holdsNothing = (page) => page.waitForFunction(() => window.thigma.session.bodies.hands.every(({ body }) => body < 0));
 const rests = (page) => page.waitForFunction(() => window.thigma.session.bodies?.bodies.every((one, n) => one.asleep || !window.thigma.stage.world.byNumber[n].about.moves));
 
-/// Presses on a body and drags it by pixels in small steps, until the hand holds it.
+/// The picture has the body where the newest message has it.
+const isShown = (page, number) => page.waitForFunction((n) => {
+  const { stage, session } = window.thigma, seen = stage.world.byNumber[n].group.position.toArray();
+  return seen.every((value, k) => Math.abs(value - session.bodies.bodies[n].position[k]) < 1e-4);
+}, number);
+
+/// Presses on a body until the hand holds it.
 async function take(page, number) {
+  await isShown(page, number);
   const { x, y } = await placeOf(page, number);
   await page.mouse.move(x, y);
   await page.mouse.down();
