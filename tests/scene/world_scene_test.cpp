@@ -260,6 +260,7 @@ struct Shipped {
   LoadedWorld world;
   WorldSummary run;
   std::vector<double> most;  // by joint: largest coordinate
+  std::vector<BodyState> end;
 
   Shipped(const std::string& name, double seconds)
       : world(load_world(
@@ -268,6 +269,7 @@ struct Shipped {
     most.assign(world.config.world.joints.size(), -kInfinity);
     const WorldDevices devices = open_world_devices(world, {}, 1);
     run = run_world(world.config, devices.list, [&](const WorldFrame& frame) {
+      end.assign(frame.bodies.begin(), frame.bodies.end());
       for (std::size_t i = 0; i < most.size(); ++i)
         most[i] = std::max(most[i], frame.joints[i].coordinate);
     });
@@ -296,6 +298,29 @@ TEST(WorldScene, ShippedHandsPutThePegIn) {
   EXPECT_GT(hands.run.pressing_max, 4);
   EXPECT_FALSE(hands.run.has_fault());
   EXPECT_EQ(again.run.state_hash, once_more.run.state_hash);
+}
+
+TEST(WorldScene, ShippedCastingsArePutTogether) {
+  const Shipped castings("castings", 3.0);
+  const std::vector<WorldBody>& bodies = castings.world.config.world.bodies;
+  // Where the planes of the faces meet their axes.
+  std::array<Vec3, 2> face = {Vec3::Zero(), Vec3::Zero()};
+  int found = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const bool is_spigot = bodies[i].name == "flange with spigot";
+    if (!is_spigot && bodies[i].name != "flange with socket") continue;
+    const BodyState& y = castings.end[i];
+    const Pose mesh = Pose{y.position, y.orientation} * bodies[i].shape.body_from_mesh;
+    face[is_spigot ? 1 : 0] = mesh.position;
+    ++found;
+  }
+  ASSERT_EQ(found, 2);
+  const Vec3 apart = face[1] - face[0];
+  EXPECT_GT(apart.z(), 0.0);
+  EXPECT_LE(apart.z(), 10e-6);  // face on face, 42.5 mm from where it began
+  EXPECT_LE(std::hypot(apart.x(), apart.y()), 0.31e-3);  // within the play
+  EXPECT_GE(castings.run.pressing_max, 3);
+  EXPECT_FALSE(castings.run.has_fault());
 }
 
 TEST(WorldScene, ShippedLinksHangTogether) {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <charconv>
 
+#include "thigma/core/edit_distance.h"
 #include "thigma/core/error.h"
 #include "thigma/models/conforming.h"
+#include "thigma/models/detail/castings.h"
 #include "thigma/models/detail/jaw.h"
 #include "thigma/models/detail/parts.h"
 #include "thigma/models/detail/tableware.h"
@@ -84,6 +86,9 @@ const std::vector<ModelInfo>& models() {
       {"probe", 2'000, 400, "probe with a round tip of 10 mm radius, 100 mm long"},
       {"peg", 4'000, 40, "round peg, 16 mm thick and 50 mm long"},
       {"hole", 8'000, 100, "block with a hole of 16.4 mm for the peg"},
+      {"flange_spigot", 4'000, 400, "cast flange of 60 mm with a spigot; fits flange_socket"},
+      {"flange_socket", 4'000, 400,
+       "cast flange of 60 mm with the socket, 0.3 mm around the spigot"},
       {"joint_ball", 137'060, 1'000, "ball joint: ball of 25 mm radius with a stem"},
       {"joint_socket", 137'060, 1'000, "ball joint: the socket, 0.5 mm around the ball"},
       {"golf_club", 104'888, 1'000, "head of a driver, 120 mm from heel to toe"},
@@ -114,6 +119,8 @@ TriangleMesh make_model(const ModelRequest& request) {
   if (name == "gear") return make_gear(n);
   if (name == "probe") return make_probe(n);
   if (name == "peg") return make_peg(n);
+  if (name == "flange_spigot") return make_flange_spigot(n);
+  if (name == "flange_socket") return make_flange_socket(n);
   if (name == "joint_ball") return make_joint_ball(n, request.seed);
   if (name == "joint_socket") return make_joint_socket(n, request.seed);
   if (name == "golf_club") return make_golf_club(n, request.seed);
@@ -166,22 +173,11 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   std::string best;
   std::size_t best_distance = 0;
   for (const std::string& candidate : known) {
-    // Levenshtein distance, one row at a time.
-    std::vector<std::size_t> row(candidate.size() + 1);
-    for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
-    for (std::size_t i = 0; i < word.size(); ++i) {
-      std::size_t diagonal = row[0];
-      row[0] = i + 1;
-      for (std::size_t j = 0; j < candidate.size(); ++j) {
-        const std::size_t changed = diagonal + (word[i] == candidate[j] ? 0 : 1);
-        diagonal = row[j + 1];
-        row[j + 1] = std::min({changed, row[j] + 1, diagonal + 1});
-      }
-    }
-    if (row.back() <= std::max<std::size_t>(2, candidate.size() / 3) &&
-        (best.empty() || row.back() < best_distance)) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance <= std::max<std::size_t>(2, candidate.size() / 3) &&
+        (best.empty() || distance < best_distance)) {
       best = candidate;
-      best_distance = row.back();
+      best_distance = distance;
     }
   }
   return best;

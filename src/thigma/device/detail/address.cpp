@@ -5,29 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "thigma/core/edit_distance.h"
 #include "thigma/core/one_line.h"
 #include "thigma/device/open_device.h"
 
 namespace thigma::detail {
-namespace {
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replace = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replace});
-    }
-  }
-  return row[b.size()];
-}
-
-}  // namespace
-
 std::vector<std::pair<std::string, std::string>> split_query(std::string_view query,
                                                              const std::string& scheme) {
   std::vector<std::pair<std::string, std::string>> parts;

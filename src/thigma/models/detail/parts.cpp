@@ -39,18 +39,6 @@ std::vector<Vec2> cut_into(const std::vector<Vec2>& corners, int cells) {
   return points;
 }
 
-/// Turned solid whose profile starts and ends on the axis: `cells` bands, the two at the poles of
-/// single triangles.
-TriangleMesh turned_near(const std::vector<Vec2>& corners, int triangles, double wished_ratio) {
-  const GridCounts counts =
-      nearest_counts(triangles, wished_ratio, 1, 3, [&](int around, int along) {
-        return 2ll * around * (std::max(along, static_cast<int>(corners.size()) - 1) - 1);
-      });
-  return make_revolution(
-      cut_into(corners, std::max(counts.along, static_cast<int>(corners.size()) - 1)),
-      counts.around);
-}
-
 /// Solid between an outer and an inner outline (radius over the turn), its section a rectangle of
 /// four sides.
 struct RingSolid {
@@ -99,6 +87,18 @@ TriangleMesh ring_solid(int triangles, const RingSolid& ring) {
 
 }  // namespace
 
+// `cells` bands, the two at the poles of single triangles.
+TriangleMesh make_turned_near(const std::vector<Vec2>& corners, int triangles,
+                              double wished_ratio) {
+  const GridCounts counts =
+      nearest_counts(triangles, wished_ratio, 1, 3, [&](int around, int along) {
+        return 2ll * around * (std::max(along, static_cast<int>(corners.size()) - 1) - 1);
+      });
+  return make_revolution(
+      cut_into(corners, std::max(counts.along, static_cast<int>(corners.size()) - 1)),
+      counts.around);
+}
+
 TriangleMesh make_ellipsoid_near(const Vec3& semi_axes, int triangles) {
   const int frequency = std::max(1, static_cast<int>(std::sqrt(triangles / 20.0) + 0.5));
   if (std::abs(20 * frequency * frequency - triangles) * 100 <= triangles)
@@ -131,15 +131,15 @@ TriangleMesh make_box_near(const Vec3& size, int triangles) {
 
 TriangleMesh make_cylinder_near(double radius, double height, int triangles) {
   const double h = 0.5 * height;
-  return turned_near({{0.0, -h}, {radius, -h}, {radius, h}, {0.0, h}}, triangles,
-                     (2.0 * radius + height) / (2.0 * kPi * radius));
+  return make_turned_near({{0.0, -h}, {radius, -h}, {radius, h}, {0.0, h}}, triangles,
+                          (2.0 * radius + height) / (2.0 * kPi * radius));
 }
 
 TriangleMesh make_cone_near(double radius, double height, int triangles) {
   const double h = 0.5 * height;
   const double side = std::sqrt(radius * radius + height * height);
-  return turned_near({{0.0, -h}, {radius, -h}, {0.0, h}}, triangles,
-                     (radius + side) / (2.0 * kPi * radius));
+  return make_turned_near({{0.0, -h}, {radius, -h}, {0.0, h}}, triangles,
+                          (radius + side) / (2.0 * kPi * radius));
 }
 
 TriangleMesh make_probe(int triangles) {
@@ -152,7 +152,7 @@ TriangleMesh make_probe(int triangles) {
   }
   profile.emplace_back(kRadius, kHalf);
   profile.emplace_back(0.0, kHalf);
-  return turned_near(profile, triangles, (0.5 * kPi * kRadius + 0.1) / (2.0 * kPi * kRadius));
+  return make_turned_near(profile, triangles, (0.5 * kPi * kRadius + 0.1) / (2.0 * kPi * kRadius));
 }
 
 TriangleMesh make_torus_near(double major_radius, double minor_radius, int triangles) {
@@ -175,7 +175,7 @@ TriangleMesh make_gear(int triangles) {
 }
 
 TriangleMesh make_peg(int triangles) {
-  return turned_near(
+  return make_turned_near(
       {{0.0, -0.025}, {0.006, -0.025}, {0.008, -0.023}, {0.008, 0.025}, {0.0, 0.025}}, triangles,
       0.066 / (2.0 * kPi * 0.008));
 }

@@ -2,6 +2,9 @@
 // Simple solids and machine parts at a wished triangle count. All closed, in metres, centred at the
 // origin.
 
+#include <vector>
+
+#include "thigma/math/elementary.h"
 #include "thigma/mesh/triangle_mesh.h"
 
 namespace thigma::models {
@@ -13,6 +16,12 @@ TriangleMesh make_box_near(const Vec3& size, int triangles);  // segments of nea
 TriangleMesh make_cylinder_near(double radius, double height, int triangles);
 TriangleMesh make_cone_near(double radius, double height, int triangles);
 TriangleMesh make_torus_near(double major_radius, double minor_radius, int triangles);
+
+/// Turned about z.
+/// corners       of the profile (distance from the axis, height), from the axis to the axis,
+///               counter-clockwise about the solid [m]; each stays a corner
+/// wished_ratio  of vertices along the profile to those around
+TriangleMesh make_turned_near(const std::vector<Vec2>& corners, int triangles, double wished_ratio);
 
 TriangleMesh make_gear(int triangles);   // 20 teeth, 50 mm across, 8 mm thick, bore 10 mm; genus 1
 TriangleMesh make_probe(int triangles);  // 20 mm thick, 100 mm long, axis z, below a half ball
