@@ -11,10 +11,11 @@ const TURN_PER_PIXEL = 0.008; // [rad]
 ///           claims(event): something else in the picture takes this press, press(pick: a body of a world, see pickBody): take hold, moved(turned), give(): what was noted, at the end of an event, letGo()}
 export function startInput(player) {
   const { canvas } = player.stage;
-  const input = { player, pointers: new Map(), mode: null, keys: new Set(), hasPad: false, touch: matchMedia("(pointer: coarse)").matches };
+  const input = { player, pointers: new Map(), mode: null, keys: new Set(), hasPad: false, given: -Infinity, touch: matchMedia("(pointer: coarse)").matches };
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
   canvas.addEventListener("pointerdown", (event) => down(input, event));
   canvas.addEventListener("pointermove", (event) => move(input, event));
+  canvas.addEventListener("pointerrawupdate", (event) => moveAtOnce(input, event));
   for (const kind of ["pointerup", "pointercancel"]) canvas.addEventListener(kind, (event) => up(input, event));
   canvas.addEventListener("wheel", (event) => wheel(input, event), { passive: false });
   addEventListener("keydown", (event) => pressKey(input, event));
@@ -30,7 +31,7 @@ function down(input, event) {
   canvas.focus({ preventScroll: true });
   if (input.player.claims(event)) return; // for the handles of an object
   canvas.setPointerCapture(event.pointerId);
-  input.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+  input.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY, stamp: event.timeStamp });
   input.touch = event.pointerType === "touch";
   const { stage } = input.player, pick = stage.world && event.button === 0 ? pickBody(stage, event) : null;
   const isOn = stage.world ? pick !== null : !input.touch || touchesObject(input, event);
@@ -54,6 +55,14 @@ function touchesObject({ player: { stage } }, event) {
   return ray.intersectObject(stage.object.finest.solid, false).length > 0;
 }
 
+const SHORTEST = 4; // between what is given of the hand: the worker sends no more often [ms]
+
+/// The hand does not wait for the next frame of the browser, which brings `pointermove`: half a frame in the mean.
+function moveAtOnce(input, event) {
+  if (input.mode !== "hand" || input.pointers.size !== 1) return;
+  if (event.timeStamp - input.given >= SHORTEST) move(input, event); // else `pointermove` brings it
+}
+
 function move(input, event) {
   const last = input.pointers.get(event.pointerId);
   if (!last) return;
@@ -62,6 +71,8 @@ function move(input, event) {
   } else {
     const events = event.getCoalescedEvents?.() ?? [];
     for (const one of events.length > 0 ? events : [event]) {
+      if (one.timeStamp <= last.stamp) continue; // came at once
+      last.stamp = one.timeStamp;
       step(input, one, one.clientX - last.x, one.clientY - last.y);
       last.x = one.clientX;
       last.y = one.clientY;
@@ -69,7 +80,9 @@ function move(input, event) {
   }
   last.x = event.clientX;
   last.y = event.clientY;
-  if (input.mode === "hand") input.player.give();
+  if (input.mode !== "hand") return;
+  input.given = event.timeStamp;
+  input.player.give();
 }
 
 function step(input, event, dx, dy) {

@@ -290,6 +290,29 @@ pageTest("a drag moves the hand until the object touches, and not through", {}, 
   assert.ok(seen.sent > 3 && mock.received.device > 3);
 });
 
+pageTest("a movement reaches the hand before the browser's next frame, and once", {}, async ({ page }) => {
+  await drag(page, 20, 10, 4);
+  await page.mouse.move(400, 400);
+  await page.mouse.down();
+  const way = await page.evaluate(() => {
+    const { hand, input, stage } = window.thigma, [pointerId] = input.pointers.keys(), at = [[...hand.position]];
+    const tell = (type, x) => {
+      stage.canvas.dispatchEvent(new PointerEvent(type, { pointerId, clientX: x, clientY: 400, bubbles: true }));
+      at.push([...hand.position]);
+    };
+    input.given = -Infinity;
+    tell("pointerrawupdate", 440);
+    input.given = performance.now() + 1000;
+    tell("pointerrawupdate", 445); // sooner than anybody sends: it waits
+    tell("pointermove", 445);
+    tell("pointermove", 445);
+    return at.slice(1).map((one, k) => Math.hypot(...one.map((value, j) => value - at[k][j])));
+  });
+  await page.mouse.up();
+  assert.ok(way[0] > 0, "at once");
+  assert.ok(way[1] === 0 && Math.abs(way[2] / way[0] - 5 / 40) < 0.01 && way[3] === 0, `${way}`);
+});
+
 pageTest("a page whose main thread stands still goes on saying where the hand was", {}, async ({ page, mock }) => {
   await drag(page, 20, 10, 4);
   await until(() => mock.world.grasped, "held");
