@@ -46,6 +46,22 @@ TEST(DeadlineClock, TheMarginFollowsHowLateWakeUpsAre) {
   EXPECT_EQ(next_margin(100'000, 900'000, 100'000, 100'000), 100'000);  // fixed
 }
 
+TEST(LookAgain, IsRareBeforeAndLongAfterSomethingIsDueAndOftenAbout) {
+  constexpr std::int64_t kPeriod = 1'000'000;
+  const auto looks = [](std::int64_t from, std::int64_t came) {  // until it came, due at 0
+    int count = 0;
+    for (std::int64_t now = from; now < came; ++count) now += look_again_in(now, 0, kPeriod);
+    return count;
+  };
+  EXPECT_EQ(look_again_in(-900'000, 0, kPeriod), 850'000);
+  EXPECT_LE(looks(-900'000, 40'000), 3);  // of 19 that would be by looks every 50 us
+  EXPECT_EQ(look_again_in(0, 0, kPeriod), 50'000);
+  EXPECT_EQ(look_again_in(1'000'000, 0, kPeriod), 250'000);
+  EXPECT_EQ(look_again_in(3'600'000'000'000, 0, kPeriod), kPeriod);  // stands still for an hour
+  EXPECT_EQ(look_again_in(0, 3'600'000'000'000, kPeriod), kPeriod);  // and never sleeps as long
+  EXPECT_EQ(look_again_in(0, 0, 1), 50'000);                         // at any rate
+}
+
 TEST(DeadlineClock, LeavesTheProcessorFreeForHalfAPeriodAtLeast) {
   for (const double rate : {500.0, 1000.0, 5000.0, 10000.0}) {
     const DeadlineClock clock = clock_of(rate);

@@ -84,6 +84,15 @@ std::int64_t next_margin(std::int64_t margin_ns, std::int64_t overslept_ns, std:
   return std::clamp(margin_ns - (margin_ns - wanted + kMemory - 1) / kMemory, least_ns, most_ns);
 }
 
+std::int64_t look_again_in(std::int64_t now_ns, std::int64_t expected_ns,
+                           std::int64_t period_ns) noexcept {
+  constexpr std::int64_t kLook = 50'000, kRarer = 4;
+  const std::int64_t early = expected_ns - kLook - now_ns;
+  if (early > kLook) return std::min(early, period_ns);
+  const std::int64_t most = std::max(kLook, period_ns);
+  return std::clamp((now_ns - expected_ns) / kRarer, kLook, most);
+}
+
 void start_clock(DeadlineClock& clock) noexcept {
   clock.tick = 0;
   clock.missed = 0;

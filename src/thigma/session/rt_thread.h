@@ -61,6 +61,14 @@ DeadlineClock clock_of(double rate, double margin = -1.0) noexcept;
 std::int64_t next_margin(std::int64_t margin_ns, std::int64_t overslept_ns, std::int64_t least_ns,
                          std::int64_t most_ns) noexcept;
 
+/// How long to sleep before looking again for what comes every period from a thread that may not
+/// call the system to say so: until shortly before it is due, then every 50 us, and the rarer the
+/// longer it is overdue, at least once a period [ns].
+///
+/// expected_ns   when it is due [ns]
+std::int64_t look_again_in(std::int64_t now_ns, std::int64_t expected_ns,
+                           std::int64_t period_ns) noexcept;
+
 /// Starts the clock one period from now.
 void start_clock(DeadlineClock& clock) noexcept;
 

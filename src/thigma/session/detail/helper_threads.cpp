@@ -44,11 +44,15 @@ void Session::Impl::run_contact() {
   if (config.contact_thread.priority > 0)
     note(grant.refused.empty() ? "" : "contact thread: " + grant.refused);
   bool has_stalled = false;
+  // The haptic thread may not wake this one: that were a call of the system.
+  const std::int64_t period = std::max<std::int64_t>(1, to_ns(1.0 / config.rate));
+  std::int64_t expected = 0;
   while (!haptic_done.load(std::memory_order_acquire)) {
     if (!bodies.fetch()) {
-      sleep_ns(50'000);
+      sleep_ns(look_again_in(monotonic_ns(), expected, period));
       continue;
     }
+    expected = monotonic_ns() + period;
     const StampedBody& body = bodies.value();
     if (const FaultEvent* stall = active_fault(config.faults, InjectedFault::stall, body.time);
         stall != nullptr && !has_stalled) {
