@@ -85,8 +85,8 @@ double list_violated(const Cutting& c, const RowCut::Pair& pair, Vec6 IslandBody
   for (std::int32_t r = pair.first; r < pair.first + pair.rows; ++r) {
     if (c.cut.is_handed[idx(r)] != 0) continue;
     const double speed = violation_of(c, c.rows[idx(r)], u);
-    if (!(speed > c.enough)) continue;
     most = std::max(most, speed);
+    if (!(speed > c.enough)) continue;
     c.cut.candidates.push_back({r, speed, kInfinity});
   }
   return most;
@@ -127,15 +127,14 @@ void add_candidates(const Cutting& c, RowCut::Pair& pair) noexcept {
   }
 }
 
-/// Adds violated rows of all pairs; the largest violation there was [m/s].
-double add_violated(const Cutting& c, Vec6 IslandBody::*u) {
+/// The largest violation of a row that the solver has not got [m/s]; where `adds`, violated rows of
+/// all pairs are handed over.
+double find_violated(const Cutting& c, Vec6 IslandBody::*u, bool adds) {
   double most = 0.0;
   for (RowCut::Pair& pair : c.cut.pairs) {
     if (pair.handed == pair.rows) continue;
-    const double violated = list_violated(c, pair, u);
-    if (!(violated > 0.0)) continue;
-    most = std::max(most, violated);
-    add_candidates(c, pair);
+    most = std::max(most, list_violated(c, pair, u));
+    if (adds && !c.cut.candidates.empty()) add_candidates(c, pair);
   }
   return most;
 }
@@ -205,16 +204,17 @@ CutSolution solve_cut(std::span<IslandBody> bodies, std::span<IslandRow> rows,
   c.enough = kMet * scale_of(c);
   cut.is_handed.assign(rows.size(), 0);
   begin(c);
-  add_violated(c, &IslandBody::free);
+  find_violated(c, &IslandBody::free, true);
   std::int32_t newton = 0;
-  for (double violated = kInfinity; violated > 0.0 && result.rounds < kRounds; ++result.rounds) {
+  for (double violated = kInfinity; violated > c.enough && result.rounds < kRounds;) {
     result.solution = solve_handed(c, joints, scratch);
+    ++result.rounds;
     newton += result.solution.newton;
     result.handed += static_cast<std::int64_t>(cut.rows.size());
     for (const RowCut::Pair& pair : cut.pairs)
       result.most_handed = std::max(result.most_handed, pair.handed);
-    violated = add_violated(c, &IslandBody::velocity);
-    if (violated > 0.0) result.solution.residual = std::max(result.solution.residual, violated);
+    violated = find_violated(c, &IslandBody::velocity, result.rounds < kRounds);
+    result.solution.residual = std::max(result.solution.residual, violated);
   }
   result.solution.newton = newton;
   return result;
