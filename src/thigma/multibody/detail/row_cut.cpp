@@ -8,7 +8,10 @@
 namespace thigma::detail {
 namespace {
 
-constexpr int kRounds = 12;    // solves of an island, at most
+constexpr int kRounds = 12;  // solves of an island, at most
+// Pairs of which so many pressed begin with these; others get more, as friction of few places
+// settles badly.
+constexpr int kEnough = 20;
 constexpr int kAdded = 6;      // rows of a pair in a round, at most
 constexpr double kMet = 1e-6;  // of the largest free speed: as solve_island's rows are
 
@@ -129,14 +132,23 @@ void add_candidates(const Cutting& c, RowCut::Pair& pair) noexcept {
 
 /// The largest violation of a row that the solver has not got [m/s]; where `adds`, violated rows of
 /// all pairs are handed over.
-double find_violated(const Cutting& c, Vec6 IslandBody::*u, bool adds) {
+double find_violated(const Cutting& c, bool adds) {
   double most = 0.0;
   for (RowCut::Pair& pair : c.cut.pairs) {
     if (pair.handed == pair.rows) continue;
-    most = std::max(most, list_violated(c, pair, u));
+    most = std::max(most, list_violated(c, pair, &IslandBody::velocity));
     if (adds && !c.cut.candidates.empty()) add_candidates(c, pair);
   }
   return most;
+}
+
+/// The first rows of pairs of which little pressed before: that the free velocities violate.
+void begin_unknown(const Cutting& c) {
+  for (RowCut::Pair& pair : c.cut.pairs) {
+    if (pair.handed > kEnough) continue;
+    list_violated(c, pair, &IslandBody::free);
+    if (!c.cut.candidates.empty()) add_candidates(c, pair);
+  }
 }
 
 /// Whole pairs, and what pressed before.
@@ -204,7 +216,7 @@ CutSolution solve_cut(std::span<IslandBody> bodies, std::span<IslandRow> rows,
   c.enough = kMet * scale_of(c);
   cut.is_handed.assign(rows.size(), 0);
   begin(c);
-  find_violated(c, &IslandBody::free, true);
+  begin_unknown(c);
   std::int32_t newton = 0;
   for (double violated = kInfinity; violated > c.enough && result.rounds < kRounds;) {
     result.solution = solve_handed(c, joints, scratch);
@@ -213,7 +225,7 @@ CutSolution solve_cut(std::span<IslandBody> bodies, std::span<IslandRow> rows,
     result.handed += static_cast<std::int64_t>(cut.rows.size());
     for (const RowCut::Pair& pair : cut.pairs)
       result.most_handed = std::max(result.most_handed, pair.handed);
-    violated = find_violated(c, &IslandBody::velocity, result.rounds < kRounds);
+    violated = find_violated(c, result.rounds < kRounds);
     result.solution.residual = std::max(result.solution.residual, violated);
   }
   result.solution.newton = newton;

@@ -44,8 +44,9 @@ struct CutSolution {
 void reserve_cut(std::size_t pairs, std::size_t rows, RowCut& cut);
 
 /// solve_island for islands of many rows: of each pair with more than kWholePair rows the solver
-/// gets those that pressed before, then, as long as its solution violates others, the most violated
-/// of these that are unlike each other. Rows that are left out have no impulse.
+/// gets those that pressed before and some that the free velocities violate, then, as long as its
+/// solution violates others, the most violated of these that are unlike each other. Rows that are
+/// left out have no impulse.
 ///
 /// sources  of the rows: those of a pair stand together
 /// returns  a solution of all rows, unless `residual` is large: then rows that were left out are
