@@ -334,17 +334,23 @@ void solve_all(Part& part) {
   part.report.rows += static_cast<std::int64_t>(islands.rows.size());
 }
 
-/// Whether all went where rows were made for; else what they have to be made for is noted.
-bool went_within(Part& part) noexcept {
+/// Where the bodies of a solve went.
+enum class Went : std::uint8_t {
+  within,   // where rows were made for
+  farther,  // what rows have to be made for is noted
+  too_far,  // likewise, but they were made for as much already, and hold for less
+};
+
+Went where_they_went(Part& part) noexcept {
   auto& s = part.s;
   constexpr double kSpare = 1.5;
-  bool is_within = true;
+  bool is_within = true, is_asked = false;
   for (std::size_t i = 0; i < s.islands.body.size(); ++i) {
     const std::int32_t body = s.islands.body[i];
     const double way = way_of(part, body, s.islands.bodies[i].velocity);
     if (way <= s.margins[idx(body)]) continue;
     s.go[idx(body)] = kSpare * way;
-    is_within = false;
+    is_asked = true;
   }
   for (NearPair* pair : s.pairs.near) {
     const BodyState before =
@@ -353,9 +359,11 @@ bool went_within(Part& part) noexcept {
     const double reach = part.world.pair_kinds[idx(pair->kind)].constraints.reach;
     if (travel_between(pair->model.state, after, reach) <= pair->model.travel) continue;
     pair->asked = kSpare * travel_between(before, after, reach);
+    is_asked = is_asked || pair->asked > pair->fresh;
     is_within = false;
   }
-  return is_within;
+  if (is_asked) return Went::farther;
+  return is_within ? Went::within : Went::too_far;
 }
 
 /// Whether the bodies stay within their rows, no gap below what it was.
@@ -490,13 +498,14 @@ double make_part(Part& part, bool is_last) {
     pair->fresh = -1.0;
   }
   constexpr int kTurns = 5;
-  bool is_within = false;
-  for (int turn = 0; turn < kTurns && !is_within; ++turn) {
+  Went went = Went::farther;
+  for (int turn = 0; turn < kTurns && went == Went::farther; ++turn) {
     find_near(part);
     if (!renew_pairs(part, is_last)) return 0.0;
     solve_all(part);
-    is_within = went_within(part);
+    went = where_they_went(part);
   }
+  const bool is_within = went == Went::within;
   double share = 1.0;
   if (!is_last) {
     if (!is_within || !is_allowed(part)) return 0.0;
