@@ -5,6 +5,7 @@
 #include "benchmarks/baselines/fcl_baseline.h"
 #include "benchmarks/clod_build_bench.h"
 #include "benchmarks/drop_bench.h"
+#include "benchmarks/growth_bench.h"
 #include "benchmarks/haptic_bench.h"
 #include "benchmarks/level_rows.h"
 #include "benchmarks/pair_bench.h"
@@ -171,6 +172,7 @@ std::vector<Measurement> measurements(bool quick) {
       {"texture-gpu", [=] { return gpu_texture_rows(quick); }},
       {"spoon-drop", [=] { return drop_rows(quick); }},
       {"worlds", [=] { return world_rows(quick); }},
+      {"growth", [=] { return growth_rows(quick); }, true},
       {"build-levels", [=] { return clod_build_rows(quick); }},
   };
   const std::vector<Measurement> with_levels = level_measurements(quick);

@@ -37,6 +37,32 @@ TEST(WorldAudit, StepsTakeNoMemoryOnceWarm) {
   EXPECT_EQ(taken, 0);
 }
 
+TEST(WorldAudit, FittingSurfacesTakeNoMemoryOnceWarm) {
+  if (const char* why = test::why_no_audit()) GTEST_SKIP() << why;
+  test::WorldBench bench;
+  test::add_floor(bench);
+  const auto ring = test::body_mesh(make_torus(0.04, 0.006, 48, 24));
+  for (int i = 0; i < 3; ++i)
+    bench.add(ring, BodyKind::moving, Vec3(0.0, 0.0, 0.006 + 0.0121 * i + 1e-4));
+  bench.make();
+  bench.world.sleeps = false;
+  const WorldState start = bench.state;
+  for (int i = 0; i < 100; ++i) bench.step();
+  bench.state = start;  // the same again
+  std::int64_t taken = 0, handed = 0, rows = 0;
+  for (int i = 0; i < 100; ++i) {
+    const test::AuditScope scope;
+    const WorldStep step = bench.step();
+    handed += step.handed;
+    rows += step.rows;
+    const test::AuditCounts counts = scope.counts();
+    taken += counts.allocations + counts.locks;
+  }
+  EXPECT_GT(handed, 0);
+  EXPECT_GT(rows, handed);  // some were cut
+  EXPECT_EQ(taken, 0);
+}
+
 TEST(WorldAudit, JointsTakeNoMemoryOnceWarm) {
   if (const char* why = test::why_no_audit()) GTEST_SKIP() << why;
   test::WorldBench bench;

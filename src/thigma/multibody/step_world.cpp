@@ -98,6 +98,7 @@ WorldScratchPtr reserve_world(const World& world, std::size_t pairs) {
   detail::reserve_pairs(world, pairs, scratch->pairs);
   const std::size_t joints = world.joints.size();
   reserve_island(count, count * 64, scratch->solve, joints * detail::kJointPlaces);
+  detail::reserve_cut(count * 4, count * 64, scratch->cut);
   scratch->joint_rows.rows.reserve(joints * detail::kJointPlaces);
   scratch->joint_rows.sources.reserve(joints * detail::kJointPlaces);
   for (auto* list : {&scratch->joint_part, &scratch->joint_end, &scratch->joint_sum})

@@ -43,7 +43,9 @@ struct WorldStep {
   std::int32_t largest_island = 0;  // bodies
   std::int32_t awake = 0;           // bodies that were moved
   std::int64_t queries = 0;         // of pairs
-  std::int64_t rows = 0;            // in the solves, of all parts of the step
+  std::int64_t rows = 0;            // that had to be obeyed, of all parts of the step
+  std::int64_t handed = 0;          // rows that the solver got, of all solves
+  std::int32_t most_handed = 0;     // rows of a pair in one solve
   std::int32_t pressing = 0;        // that pressed at its end
   std::int32_t parts = 0;           // the step was made in so many: bodies were too fast for one
   std::int32_t newton = 0;          // factors of all solves

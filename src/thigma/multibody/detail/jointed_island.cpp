@@ -173,10 +173,6 @@ bool is_met(const Jointed& jointed) noexcept {
   return true;
 }
 
-void hold_only(std::span<IslandRow> rows) noexcept {
-  for (IslandRow& row : rows) row.limit = std::max(row.limit, 0.0);
-}
-
 /// One solve; returns by how much velocities changed, of the largest there is with rows or without.
 double solve(const Jointed& jointed) {
   Part& part = jointed.part;
@@ -185,16 +181,7 @@ double solve(const Jointed& jointed) {
     s.joint_before[idx(i)] = jointed.bodies()[idx(i)].velocity;
     if (jointed.kind(i) == BodyKind::moving) find_free(jointed, i);
   }
-  IslandSolution solution =
-      solve_island(jointed.bodies(), jointed.rows(), s.joint_rows.rows, s.solve);
-  part.report.newton += solution.newton;
-  if (!solution.is_whole) {
-    hold_only(jointed.rows());
-    solution = solve_island(jointed.bodies(), jointed.rows(), s.joint_rows.rows, s.solve);
-    part.report.newton += solution.newton;
-    part.report.is_whole = part.report.is_whole && solution.is_whole;
-  }
-  part.report.residual = std::max(part.report.residual, solution.residual);
+  solve_rows(part, jointed.island, jointed.bodies(), s.joint_rows.rows);
   double most = 0.0, moved = 0.0;
   for (std::int32_t i = 0; i < jointed.island.bodies; ++i) {
     const double reach = part.world.boxes[idx(part.world.shape[idx(jointed.body(i))])].reach;

@@ -198,19 +198,25 @@ bool renew_pairs(Part& part, bool is_last) noexcept {
   return is_enough;
 }
 
-void hold_only(std::span<IslandRow> rows) noexcept {
-  for (IslandRow& row : rows) row.limit = std::max(row.limit, 0.0);
-}
+/// Gaps of rows after the part, best asked pair by pair.
+struct GapsAfter {
+  const Part& part;
+  std::int32_t pair = -1;  // that the rest is of
+  Vec3 position = Vec3::Zero();
+  Mat3 rotation = Mat3::Identity();
 
-/// Gap of a row after the part.
-double gap_after(const Part& part, const RowSource& source) noexcept {
-  const auto& s = part.s;
-  const NearPair& pair = *s.pairs.near[idx(source.pair)];
-  const BodyState relative = relative_state(s.next[idx(pair.first)], s.next[idx(pair.second)]);
-  return row_at(pair.model.rows[idx(source.row)], relative.position,
-                rotation_matrix(relative.orientation))
-      .gap;
-}
+  double of(const RowSource& source) noexcept {
+    const NearPair& near = *part.s.pairs.near[idx(source.pair)];
+    if (source.pair != pair) {
+      const BodyState relative =
+          relative_state(part.s.next[idx(near.first)], part.s.next[idx(near.second)]);
+      position = relative.position;
+      rotation = rotation_matrix(relative.orientation);
+      pair = source.pair;
+    }
+    return row_at(near.model.rows[idx(source.row)], position, rotation).gap;
+  }
+};
 
 /// What the reactions of a joint may do where it is met to rounding only [J].
 double joint_slack(const Part& part, std::int32_t joint) noexcept {
@@ -281,12 +287,13 @@ void smooth(Part& part, const Island& island) noexcept {
     if (s.islands.rows[r].impulse.x() > 0.0 && s.islands.sources[r].room > 0.0) return;
   }
   s.next[idx(body)] = after_smoothly(part, body, s.islands.bodies[idx(island.first_body)]);
+  GapsAfter gaps{part};
   for (std::int32_t i = 0; i < island.rows; ++i) {
     const RowSource& source = s.islands.sources[idx(island.first_row + i)];
     const NearPair& pair = *s.pairs.near[idx(source.pair)];
     const double slop = part.world.pair_kinds[idx(pair.kind)].constraints.slop;
     constexpr double kLess = 1e-6;  // of the stand-off, that a gap may lose below it
-    if (gap_after(part, source) >= std::min(slop, source.gap) - kLess * slop) continue;
+    if (gaps.of(source) >= std::min(slop, source.gap) - kLess * slop) continue;
     s.next[idx(body)] = before;
     return;
   }
@@ -295,18 +302,9 @@ void smooth(Part& part, const Island& island) noexcept {
 void solve_one(Part& part, const Island& island) {
   auto& s = part.s;
   const std::span bodies(s.islands.bodies.data() + island.first_body, idx(island.bodies));
-  const std::span rows(s.islands.rows.data() + island.first_row, idx(island.rows));
   constexpr int kTurns = 3;
   for (int turn = 0; turn < kTurns; ++turn) {
-    IslandSolution solution = solve_island(bodies, rows, s.solve);
-    part.report.newton += solution.newton;
-    if (!solution.is_whole) {
-      hold_only(rows);
-      solution = solve_island(bodies, rows, s.solve);
-      part.report.newton += solution.newton;
-      part.report.is_whole = part.report.is_whole && solution.is_whole;
-    }
-    part.report.residual = std::max(part.report.residual, solution.residual);
+    solve_rows(part, island, bodies, {});
     for (std::int32_t i = 0; i < island.bodies; ++i) {
       const std::int32_t place = island.first_body + i, body = s.islands.body[idx(place)];
       s.next[idx(body)] = after(part, body, s.islands.bodies[idx(place)], 1.0);
@@ -336,17 +334,23 @@ void solve_all(Part& part) {
   part.report.rows += static_cast<std::int64_t>(islands.rows.size());
 }
 
-/// Whether all went where rows were made for; else what they have to be made for is noted.
-bool went_within(Part& part) noexcept {
+/// Where the bodies of a solve went.
+enum class Went : std::uint8_t {
+  within,   // where rows were made for
+  farther,  // what rows have to be made for is noted
+  too_far,  // likewise, but they were made for as much already, and hold for less
+};
+
+Went where_they_went(Part& part) noexcept {
   auto& s = part.s;
   constexpr double kSpare = 1.5;
-  bool is_within = true;
+  bool is_within = true, is_asked = false;
   for (std::size_t i = 0; i < s.islands.body.size(); ++i) {
     const std::int32_t body = s.islands.body[i];
     const double way = way_of(part, body, s.islands.bodies[i].velocity);
     if (way <= s.margins[idx(body)]) continue;
     s.go[idx(body)] = kSpare * way;
-    is_within = false;
+    is_asked = true;
   }
   for (NearPair* pair : s.pairs.near) {
     const BodyState before =
@@ -355,9 +359,11 @@ bool went_within(Part& part) noexcept {
     const double reach = part.world.pair_kinds[idx(pair->kind)].constraints.reach;
     if (travel_between(pair->model.state, after, reach) <= pair->model.travel) continue;
     pair->asked = kSpare * travel_between(before, after, reach);
+    is_asked = is_asked || pair->asked > pair->fresh;
     is_within = false;
   }
-  return is_within;
+  if (is_asked) return Went::farther;
+  return is_within ? Went::within : Went::too_far;
 }
 
 /// Whether the bodies stay within their rows, no gap below what it was.
@@ -369,19 +375,9 @@ bool is_allowed(const Part& part) noexcept {
     if (travel_between(pair->model.state, relative, constraints.reach) > pair->model.travel)
       return false;
   }
-  std::int32_t last = -1;
-  BodyState relative;
-  Mat3 rotation = Mat3::Identity();
-  for (const RowSource& source : s.islands.sources) {
-    const NearPair& pair = *s.pairs.near[idx(source.pair)];
-    if (source.pair != last) {
-      relative = relative_state(s.next[idx(pair.first)], s.next[idx(pair.second)]);
-      rotation = rotation_matrix(relative.orientation);
-      last = source.pair;
-    }
-    const double gap = row_at(pair.model.rows[idx(source.row)], relative.position, rotation).gap;
-    if (gap < std::min(source.gap, 0.0)) return false;
-  }
+  GapsAfter gaps{part};
+  for (const RowSource& source : s.islands.sources)
+    if (gaps.of(source) < std::min(source.gap, 0.0)) return false;
   return true;
 }
 
@@ -445,13 +441,36 @@ Mat6 mass_matrix(const RigidBody& body, const BodyState& state) noexcept {
   return m;
 }
 
+void solve_rows(Part& part, const Island& island, std::span<IslandBody> bodies,
+                std::span<JointRow> joints) {
+  auto& s = part.s;
+  const std::span rows(s.islands.rows.data() + island.first_row, idx(island.rows));
+  const std::span<const RowSource> sources(s.islands.sources.data() + island.first_row,
+                                           rows.size());
+  const auto solve = [&] {
+    const CutSolution cut = solve_cut(bodies, rows, sources, joints, s.cut, s.solve);
+    part.report.newton += cut.solution.newton;
+    part.report.handed += cut.handed;
+    part.report.most_handed = std::max(part.report.most_handed, cut.most_handed);
+    return cut.solution;
+  };
+  IslandSolution solution = solve();
+  if (!solution.is_whole) {
+    for (IslandRow& row : rows) row.limit = std::max(row.limit, 0.0);
+    solution = solve();
+    part.report.is_whole = part.report.is_whole && solution.is_whole;
+  }
+  part.report.residual = std::max(part.report.residual, solution.residual);
+}
+
 bool correct_limits(Part& part, const Island& island) noexcept {
   auto& s = part.s;
   bool is_short = false;
+  GapsAfter gaps{part};
   for (std::int32_t i = 0; i < island.rows; ++i) {
     const std::size_t r = idx(island.first_row + i);
     const RowSource& source = s.islands.sources[r];
-    const double gap = gap_after(part, source);
+    const double gap = gaps.of(source);
     const NearPair& pair = *s.pairs.near[idx(source.pair)];
     const double slop = part.world.pair_kinds[idx(pair.kind)].constraints.slop;
     const double kept = std::min(slop, source.gap);
@@ -479,13 +498,14 @@ double make_part(Part& part, bool is_last) {
     pair->fresh = -1.0;
   }
   constexpr int kTurns = 5;
-  bool is_within = false;
-  for (int turn = 0; turn < kTurns && !is_within; ++turn) {
+  Went went = Went::farther;
+  for (int turn = 0; turn < kTurns && went == Went::farther; ++turn) {
     find_near(part);
     if (!renew_pairs(part, is_last)) return 0.0;
     solve_all(part);
-    is_within = went_within(part);
+    went = where_they_went(part);
   }
+  const bool is_within = went == Went::within;
   double share = 1.0;
   if (!is_last) {
     if (!is_within || !is_allowed(part)) return 0.0;

@@ -3,6 +3,7 @@
 
 #include "thigma/multibody/detail/islands.h"
 #include "thigma/multibody/detail/joint_rows.h"
+#include "thigma/multibody/detail/row_cut.h"
 #include "thigma/multibody/step_world.h"
 
 namespace thigma {
@@ -11,6 +12,7 @@ struct WorldScratch {
   detail::BroadPhase broad;
   detail::PairModels pairs;
   detail::Islands islands;
+  detail::RowCut cut;
   IslandScratch solve;
   std::vector<std::uint8_t> moves;    // by body: dynamic and awake
   std::vector<std::uint8_t> in_hand;  // by body: a hand has hold of it in this step
@@ -62,6 +64,11 @@ Vec6 velocity_of(const RigidBody& body, const BodyState& state) noexcept;
 
 /// M at a state (6 x 6) [world].
 Mat6 mass_matrix(const RigidBody& body, const BodyState& state) noexcept;
+
+/// Velocities of an island's bodies under its rows and those of its joints; rows that ask for what
+/// contradicts only hold then.
+void solve_rows(Part& part, const Island& island, std::span<IslandBody> bodies,
+                std::span<JointRow> joints);
 
 /// Rows that turning has closed beyond their linear change ask for less, or, where they touched
 /// already, to part by what turning takes; whether any does. From `next`.
