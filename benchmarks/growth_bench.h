@@ -5,8 +5,8 @@
 
 namespace thigma::bench {
 
-/// Steps of 1 ms, from a fall of a millimetre at most until all sleep. A sample is the CPU time of a
-/// step in which something moved; notes say what the solver got and what waited.
+/// Steps of 1 ms, from a fall of a millimetre at most until all sleep. A sample is the CPU time of
+/// a step in which something moved; notes say what the solver got and what waited.
 ///
 /// Flat rings on each other, 10 and 30 of them; rings and blocks in a tray, three on each other,
 /// from 2 to 300.
