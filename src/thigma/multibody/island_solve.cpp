@@ -7,6 +7,7 @@
 
 #include "thigma/core/index.h"
 #include "thigma/multibody/detail/joint_terms.h"
+#include "thigma/multibody/detail/row_speed.h"
 
 namespace thigma {
 namespace {
@@ -49,16 +50,10 @@ Mat3 frame_of(const IslandRow& row) noexcept {
   return frame;
 }
 
-Vec3 velocity_at(const Vec6& u, const Vec3& arm) noexcept {
-  const Vec3 turn = u.tail<3>();
-  return u.head<3>() + turn.cross(arm);
-}
-
 /// Of a against b, along normal and tangents.
 Vec3 approach(const IslandRow& row, std::span<const Vec6> u) noexcept {
-  Vec3 w = Vec3::Zero();
-  if (row.a >= 0) w += velocity_at(u[idx(row.a)], row.arm_a);
-  if (row.b >= 0) w -= velocity_at(u[idx(row.b)], row.arm_b);
+  const Vec3 w = detail::approach_of(row, row.a >= 0 ? &u[idx(row.a)] : nullptr,
+                                     row.b >= 0 ? &u[idx(row.b)] : nullptr);
   const Vec3 second = row.normal.cross(row.first);
   return {row.normal.dot(w), row.first.dot(w), second.dot(w)};
 }
@@ -341,8 +336,7 @@ void prepare(Work& work) noexcept {
     const IslandBody& body = work.bodies[i];
     s.inverse[i] = body.metric.llt().solve(Mat6::Identity());
     s.velocity[i] = body.free;
-    const double square = body.free.dot(body.metric * body.free) / body.metric(0, 0);
-    work.speed = std::max(work.speed, std::sqrt(std::max(square, 0.0)));
+    work.speed = std::max(work.speed, detail::free_speed(body));
   }
   s.hessian.first.resize(count);
   for (std::size_t i = 0; i < count; ++i) s.hessian.first[i] = static_cast<std::int32_t>(i);
@@ -412,8 +406,7 @@ IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> r
   finish(work);
   solution.residual = std::max(change.residual, 0.0);
   solution.unsettled = change.unsettled;
-  constexpr double kMet = 1e-6;  // of the free speed
-  solution.is_whole = solution.residual <= kMet * work.speed;
+  solution.is_whole = solution.residual <= detail::kRowsMet * work.speed;
   return solution;
 }
 

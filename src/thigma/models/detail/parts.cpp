@@ -87,7 +87,7 @@ TriangleMesh ring_solid(int triangles, const RingSolid& ring) {
 
 }  // namespace
 
-// `cells` bands, the two at the poles of single triangles.
+// The two bands at the poles are of single triangles.
 TriangleMesh make_turned_near(const std::vector<Vec2>& corners, int triangles,
                               double wished_ratio) {
   const GridCounts counts =

@@ -6,20 +6,10 @@
 #include "thigma/core/index.h"
 #include "thigma/math/rotation.h"
 #include "thigma/multibody/detail/jointed_island.h"
+#include "thigma/multibody/detail/row_speed.h"
 
 namespace thigma::detail {
 namespace {
-
-double normal_speed(const IslandRow& row, const Vec6* a, const Vec6* b) noexcept {
-  Vec3 w = Vec3::Zero();
-  const auto at = [](const Vec6& u, const Vec3& arm) -> Vec3 {
-    const Vec3 turn = u.tail<3>();
-    return u.head<3>() + turn.cross(arm);
-  };
-  if (a != nullptr) w += at(*a, row.arm_a);
-  if (b != nullptr) w -= at(*b, row.arm_b);
-  return row.normal.dot(w);
-}
 
 /// An island whose surfaces met.
 struct Hit {

@@ -1,9 +1,9 @@
 #include "thigma/multibody/detail/row_cut.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "thigma/core/index.h"
+#include "thigma/multibody/detail/row_speed.h"
 
 namespace thigma::detail {
 namespace {
@@ -12,8 +12,7 @@ constexpr int kRounds = 12;  // solves of an island, at most
 // Pairs of which so many pressed begin with these; others get more, as friction of few places
 // settles badly.
 constexpr int kEnough = 20;
-constexpr int kAdded = 6;      // rows of a pair in a round, at most
-constexpr double kMet = 1e-6;  // of the largest free speed: as solve_island's rows are
+constexpr int kAdded = 6;  // rows of a pair in a round, at most
 
 /// An island whose rows are cut.
 struct Cutting {
@@ -34,16 +33,8 @@ void list_pairs(std::span<const RowSource> sources, RowCut& cut) {
 
 /// Normal speed of a row beyond its limit [m/s].
 double violation_of(const Cutting& c, const IslandRow& row, Vec6 IslandBody::*u) noexcept {
-  Vec3 w = Vec3::Zero();
-  const auto add = [&](std::int32_t body, const Vec3& arm, double sign) {
-    if (body < 0) return;
-    const Vec6& v = c.bodies[idx(body)].*u;
-    const Vec3 turn = v.tail<3>();
-    w += sign * (v.head<3>() + turn.cross(arm));
-  };
-  add(row.a, row.arm_a, 1.0);
-  add(row.b, row.arm_b, -1.0);
-  return row.normal.dot(w) - row.limit;
+  const auto of = [&](std::int32_t body) { return body < 0 ? nullptr : &(c.bodies[idx(body)].*u); };
+  return normal_speed(row, of(row.a), of(row.b)) - row.limit;
 }
 
 /// Squared distance of two rows of a pair by their gradients, arms over a length.
@@ -168,10 +159,7 @@ void begin(const Cutting& c) noexcept {
 /// The scale of an island's speeds, as solve_island has it [m/s].
 double scale_of(const Cutting& c) noexcept {
   double most = 0.0;
-  for (const IslandBody& body : c.bodies) {
-    const double square = body.free.dot(body.metric * body.free) / body.metric(0, 0);
-    most = std::max(most, std::sqrt(std::max(square, 0.0)));
-  }
+  for (const IslandBody& body : c.bodies) most = std::max(most, free_speed(body));
   for (const IslandRow& row : c.rows) most = std::max(most, -row.limit);
   return most;
 }
@@ -213,7 +201,7 @@ CutSolution solve_cut(std::span<IslandBody> bodies, std::span<IslandRow> rows,
     return result;
   }
   Cutting c{bodies, rows, cut};
-  c.enough = kMet * scale_of(c);
+  c.enough = kRowsMet * scale_of(c);
   cut.is_handed.assign(rows.size(), 0);
   begin(c);
   begin_unknown(c);

@@ -44,7 +44,7 @@ void Session::Impl::run_contact() {
   if (config.contact_thread.priority > 0)
     note(grant.refused.empty() ? "" : "contact thread: " + grant.refused);
   bool has_stalled = false;
-  // The haptic thread may not wake this one: that were a call of the system.
+  // The haptic thread may not wake this one: that would be a system call.
   const std::int64_t period = std::max<std::int64_t>(1, to_ns(1.0 / config.rate));
   std::int64_t expected = 0;
   while (!haptic_done.load(std::memory_order_acquire)) {
