@@ -1,7 +1,7 @@
 // The hand the page stands for: what the mouse, fingers, a gamepad or a controller in a headset add up to, in the device's frame.
 import { CLUTCH, MAX_SAMPLES } from "./protocol.js";
 
-const SHORTEST = 0.004; // between samples: at most 250 a second [s]
+export const SHORTEST = 0.004; // between samples, and messages of them: at most 250 a second [s]
 const FARTHEST = 9.9;   // positions beyond 10 m are refused [m]
 
 export function makeHand() {

@@ -3,7 +3,7 @@ import { Raycaster, Vector2 } from "three";
 import { axes, goHome, orbit, pan, zoom } from "./camera.js";
 import { metresPerPixel } from "./scene.js";
 import { pickBody } from "./world.js";
-import { moveHand, noteSample, turnHand } from "./hand.js";
+import { moveHand, noteSample, SHORTEST, turnHand } from "./hand.js";
 
 const TURN_PER_PIXEL = 0.008; // [rad]
 
@@ -55,12 +55,10 @@ function touchesObject({ player: { stage } }, event) {
   return ray.intersectObject(stage.object.finest.solid, false).length > 0;
 }
 
-const SHORTEST = 4; // between what is given of the hand: the worker sends no more often [ms]
-
 /// The hand does not wait for the next frame of the browser, which brings `pointermove`: half a frame in the mean.
 function moveAtOnce(input, event) {
   if (input.mode !== "hand" || input.pointers.size !== 1) return;
-  if (event.timeStamp - input.given >= SHORTEST) move(input, event); // else `pointermove` brings it
+  if (event.timeStamp - input.given >= 1000 * SHORTEST) move(input, event); // else `pointermove` brings it
 }
 
 function move(input, event) {

@@ -145,12 +145,12 @@ void main() {
 }
 
 /// Of marks, lit at their corners as well: a colour, times one of each corner where there are such.
-/// lights    {value}: strength of the light from above; null: a colour without light
+/// light     {value}: strength of the light from above; null: a colour without light
 /// options   of the material; opacity
-export function plainMark(lights, { opacity = 1, ...options } = {}) {
+export function plainMark(light, { opacity = 1, ...options } = {}) {
   const color = new Color(1, 1, 1);
   const material = new ShaderMaterial({ ...options,
-    uniforms: { base: { value: color }, sky: lights ?? { value: 0 }, opacity: { value: opacity } },
+    uniforms: { base: { value: color }, sky: light ?? { value: 0 }, opacity: { value: opacity } },
     vertexShader: `${PLAIN_HEAD}
 varying vec3 lit;
 void main() {
@@ -159,7 +159,7 @@ void main() {
   tone *= color;
 #endif
   ${PLACE}
-${lights ? `  vec3 facing = ${FACING};
+${light ? `  vec3 facing = ${FACING};
 #ifdef DOUBLE_SIDED
   vec3 seen = (modelViewMatrix * vec4(position, 1.0)).xyz;
   if (dot(mat3(viewMatrix) * facing, seen) > 0.0) facing = -facing;

@@ -1,11 +1,10 @@
 // What the page's worker does: it owns the connection, so that a page that draws, lays out or thinks for seconds neither
 // loses the hand nor lets messages pile up. Knows when to send and what may be dropped, not what messages mean.
-import { addSample } from "./hand.js";
+import { addSample, SHORTEST } from "./hand.js";
 import { BODIES, CHANNELS, encodeDevice, SNAPSHOT } from "./protocol.js";
 
 export const TICK = 10; // [ms]
 const REPEAT = 50; // the hand says at least so often that the page is there [ms]
-const SHORTEST = 4; // between messages of the hand: at most 250 a second [ms]
 const STUCK = 16384; // an old pose behind as much is worth nothing [bytes]
 const RETRY = [300, 600, 1200, 2500]; // [ms]
 const SILENT = 3000; // `state` comes once a second: nothing for this long, and the connection counts as lost [ms]
@@ -94,7 +93,7 @@ function sendHand(wire, now) {
   const { hand, socket } = wire;
   const isNew = hand.pending.length > 0;
   if (!isOpen(wire) || (!isNew && (!hand.last || now === Infinity))) return;
-  if (now - hand.sentAt < (isNew ? SHORTEST : REPEAT) || socket.bufferedAmount > STUCK) return;
+  if (now - hand.sentAt < (isNew ? 1000 * SHORTEST : REPEAT) || socket.bufferedAmount > STUCK) return;
   const clock = wire.world.now();
   socket.send(encodeDevice(isNew ? hand.pending : [hand.last], (clock + wire.shift) / 1000));
   if (isNew) hand.last = hand.pending[hand.pending.length - 1];
