@@ -130,12 +130,12 @@ SessionSummary run_alone(const RunOptions& options, const Common& common, Run& r
                          bool& is_whole) {
   GuardedWriter<RecordingWriter> recorder([&](const RecordingFailure& failure) {
     is_whole = false;
-    print_error(failure.why + "; the recording ends there, the session goes on");
+    print_error(failure.line());
   });
   recorder.begin(open_recording(options.record, options, run, common));
   SessionSinks sinks;
   if (recorder.is_open()) {
-    sinks = {[&](const HapticSample& sample) { recorder.write(sample); },
+    sinks = {[&](const HapticSample& sample) { recorder.write_frame(sample); },
              [&](const ContactSample& sample) { recorder.write(sample); },
              [&](const SessionEvent& event) { recorder.write(event); }};
   }

@@ -15,6 +15,9 @@ struct RecordingFailure {
   std::string why;    // "FILE: what the system says"
   double time = 0.0;  // of the last frame written [s; session clock]
   std::uint64_t frame = 0;
+
+  /// For people.
+  std::string line() const { return why + "; the recording ends there, the session goes on"; }
 };
 
 /// Writes until the system refuses; then that is told once, and nothing more is written. Thread:
@@ -34,15 +37,19 @@ class GuardedWriter {
   }
   bool is_open() const { return writer_ != nullptr; }
 
+  /// Of a frame, which has a time and a number.
+  template <class Frame>
+  void write_frame(const Frame& frame) {
+    attempt([&](Writer& writer) {
+      writer.write(frame);
+      time_ = frame.time;
+      frame_ = frame.frame;
+    });
+  }
+  /// What belongs to no frame of its own.
   template <class Sample>
   void write(const Sample& sample) {
-    attempt([&](Writer& writer) {
-      writer.write(sample);
-      if constexpr (requires { sample.time, sample.frame; }) {
-        time_ = sample.time;
-        frame_ = sample.frame;
-      }
-    });
+    attempt([&](Writer& writer) { writer.write(sample); });
   }
 
   /// Nothing is written any more.

@@ -18,7 +18,7 @@ std::string tell_lost_recording(live::LiveServer& server, const std::string& fil
   server.observe(
       SessionEvent{failure.time, failure.frame, EventKind::recording_ended, file, failure.why});
   server.lose_recording();
-  return failure.why + "; the recording ends there, the session goes on";
+  return failure.line();
 }
 
 }  // namespace thigma::app

@@ -84,7 +84,7 @@ class LiveRun {
 
   SessionSinks sinks() {
     return {[this](const HapticSample& sample) {
-              recorder_.write(sample);
+              recorder_.write_frame(sample);
               where_.observe(sample);
               if (program_.observe_haptic) program_.observe_haptic(sample);
               last_body_.reset();

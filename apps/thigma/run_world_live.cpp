@@ -148,7 +148,7 @@ class WorldLive {
     shell.live = &server_.ports();
     shell.sink = [&](const WorldFrame& frame) {
       count_step(frame, facts_);
-      recorder_.write(frame);
+      recorder_.write_frame(frame);
       server_.observe(frame);
       events.observe(frame);
     };
