@@ -36,9 +36,9 @@ struct PressedSession {
 
 /// Runs until the device is pushed back by about 2 N, then `fault`, and waits for the end.
 /// press   moves the stand-in's target down; `sent` is the norm of the last force it was sent [N]
-inline PressedSession press_and_fail(HapticDevice& device, const std::function<void(double)>& press,
-                                     const std::function<double()>& sent,
-                                     const std::function<void()>& fault) {
+inline PressedSession press_once(HapticDevice& device, const std::function<void(double)>& press,
+                                 const std::function<double()>& sent,
+                                 const std::function<void()>& fault) {
   PressedSession result;
   Session session(pressing_session(), device);
   session.start();
@@ -65,7 +65,7 @@ inline PressedSession press_and_fail(HapticDevice& device, const std::function<v
   return result;
 }
 
-/// The same with a device of `open`, again where the session ended before the fault was made: on a
+/// That with a device of `open`, again where the session ended before the fault was made: on a
 /// loaded machine a stale force may push the handle farther than a jump.
 inline PressedSession press_and_fail(const std::function<std::unique_ptr<HapticDevice>()>& open,
                                      const std::function<void(double)>& press,
@@ -75,7 +75,7 @@ inline PressedSession press_and_fail(const std::function<std::unique_ptr<HapticD
   for (int attempt = 0; attempt < 5 && result.pressed < 1.5; ++attempt) {
     result = {};  // one at a time
     std::unique_ptr<HapticDevice> device = open();
-    result = press_and_fail(*device, press, sent, fault);
+    result = press_once(*device, press, sent, fault);
     result.device = std::move(device);
   }
   return result;

@@ -238,19 +238,21 @@ TEST_F(HaplyDevice, faults_in_contact_end_in_zero_force) {
       {"closed", "drop", 1, false},       {"service killed", "die", 1, true}};
   test::print_fault_heads();
   for (const FaultCase& c : cases) {
-    start();
-    service().set("buttons", 1);
-    const auto device = open();
-    const double height = service().get("target_z");
+    double height = 0.0;
     const test::PressedSession s = test::press_and_fail(
-        *device, [&](double depth) { service().set("target_z", height - depth); },
-        [&] { return sent(); },
+        [&] {
+          start();
+          service().set("buttons", 1);
+          height = service().get("target_z");
+          return open();
+        },
+        [&](double depth) { service().set("target_z", height - depth); }, [&] { return sent(); },
         [&] {
           service().set(c.key, c.value);
           if (c.is_deaf) wait_for([&] { return service().has_ended(); });
         });
-    test::expect_fault(c.name, s, *device, c.is_deaf ? "with it" : test::zero_text(s));
-    EXPECT_STRNE(device->trouble(), "") << c.name;
+    test::expect_fault(c.name, s, *s.device, c.is_deaf ? "with it" : test::zero_text(s));
+    EXPECT_STRNE(s.device->trouble(), "") << c.name;
     if (!c.is_deaf) {
       EXPECT_GE(s.zero_after, 0.0) << c.name;
       EXPECT_EQ(sent(), 0.0) << c.name;

@@ -173,18 +173,20 @@ TEST_F(VrpnDevice, faults_in_contact_end_in_zero_force) {
       {"server killed", "die", 1, true}};
   test::print_fault_heads();
   for (const FaultCase& c : cases) {
-    start();
-    server().set("buttons", 1);
-    const auto device = open_device(address("?max_force=6"));
     const test::PressedSession s = test::press_and_fail(
-        *device, [&](double depth) { server().set("target_y", -depth); },  // y is up there
+        [&] {
+          start();
+          server().set("buttons", 1);
+          return open_device(address("?max_force=6"));
+        },
+        [&](double depth) { server().set("target_y", -depth); },  // y is up there
         [&] { return felt().norm(); },
         [&] {
           server().set(c.key, c.value);
           if (c.is_deaf) wait_for([&] { return server().has_ended(); });
         });
-    test::expect_fault(c.name, s, *device, c.is_deaf ? "with it" : test::zero_text(s));
-    EXPECT_STRNE(device->trouble(), "") << c.name;
+    test::expect_fault(c.name, s, *s.device, c.is_deaf ? "with it" : test::zero_text(s));
+    EXPECT_STRNE(s.device->trouble(), "") << c.name;
     if (!c.is_deaf) {
       EXPECT_GE(s.zero_after, 0.0) << c.name;
       EXPECT_EQ(felt().norm(), 0.0) << c.name;

@@ -233,6 +233,7 @@ function startStage() {
     return null;
   }
   document.body.classList.toggle("plain", stage.plain);
+  if (stage.plain) stage.done = (rest) => setTimeout(() => document.hidden || show(performance.now()), rest); // and not at the next look
   stage.wants = (mesh, level) => ask(link, { type: "level", mesh, value: level });
   repaint(stage);
   showViews(bar, stage.options);
@@ -300,18 +301,22 @@ const waits = () => Boolean(stage?.plain && session.progress);
 function frame(now) {
   if (stage?.plain && !document.hidden) setTimeout(() => frame(performance.now()), LOOK);
   else requestAnimationFrame(frame);
-  const newtons = newtonsFelt();
-  if (input) readGamepad(input, (now - last) / 1000, newtons, fullForce());
+  if (input) readGamepad(input, (now - last) / 1000, newtonsFelt(), fullForce());
   if (input) readKeys(input, (now - last) / 1000);
   last = now;
   confirmHand(holding);
+  show(now);
+}
+
+/// What there is to see, in the page and its picture.
+function show(now) {
   if (waits() && now < behindAt) return;
   behindAt = now + BEHIND;
   const isNew = showMoment();
   drawPlots(plots, session.shown?.time ?? 0, stage?.plain);
   const begin = performance.now();
   if (begin < wordsSince + WORDS && !(isNew && begin >= wordsAt)) return;
-  showWords(now / 1000, newtons);
+  showWords(now / 1000, newtonsFelt());
   wordsSince = begin;
   wordsAt = 10 * performance.now() - 9 * begin; // a tenth of the time at most
 }

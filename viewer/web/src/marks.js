@@ -19,12 +19,15 @@ export function seenThrough(light, options = {}) {
   return light ? plainMark(null, all) : new MeshBasicMaterial(all);
 }
 
+/// How many sides a round mark has: a processor that draws takes as long for each of them as for one of the object's.
+export const sides = (light, many, few) => (light ? few : many);
+
 /// An arrow along +z of unit length, in parts so that the head keeps its shape.
 /// light   as of markMaterial, of all marks
 export function makeArrow(light) {
   const group = new Group();
-  const shaft = new CylinderGeometry(0.5, 0.5, 1, 20).rotateX(Math.PI / 2).translate(0, 0, 0.5);
-  const head = new ConeGeometry(1.35, 3.6, 28).rotateX(Math.PI / 2).translate(0, 0, 1.8);
+  const shaft = new CylinderGeometry(0.5, 0.5, 1, sides(light, 20, 8)).rotateX(Math.PI / 2).translate(0, 0, 0.5);
+  const head = new ConeGeometry(1.35, 3.6, sides(light, 28, 12)).rotateX(Math.PI / 2).translate(0, 0, 1.8);
   const parts = [];
   for (const material of [markMaterial(light), seenThrough(light)]) {
     const a = new Mesh(shaft, material), b = new Mesh(head, material);
@@ -55,13 +58,14 @@ export function paintArrow(arrow, colour) {
   for (const { material } of arrow.parts) material.color.set(colour);
 }
 
-const ARC_STEPS = 72, ARC_SIDES = 10, ARC_THICKNESS = 0.055;
+const ARC_THICKNESS = 0.055;
 
 /// A torque: an arc about its axis, counter-clockwise seen from the tip of the vector; the longer, the larger.
 export function makeTwist(light) {
   const group = new Group();
-  const ring = arcGeometry();
-  const head = new ConeGeometry(0.15, 0.38, 24);
+  const arc = { steps: sides(light, 72, 36), sides: sides(light, 10, 5) };
+  const ring = arcGeometry(arc);
+  const head = new ConeGeometry(0.15, 0.38, sides(light, 24, 10));
   const parts = [];
   for (const material of [markMaterial(light), seenThrough(light)]) {
     const a = new Mesh(ring, material), b = new Mesh(head, material);
@@ -70,24 +74,24 @@ export function makeTwist(light) {
     group.add(a, b);
   }
   group.visible = false;
-  return { group, parts, ring };
+  return { group, parts, ring, arc };
 }
 
 /// A tube around the unit circle, ordered along it so that a part can be drawn.
-function arcGeometry() {
+function arcGeometry({ steps, sides: around }) {
   const points = [], normals = [], index = [];
-  for (let i = 0; i <= ARC_STEPS; i++) {
-    const angle = (2 * Math.PI * i) / ARC_STEPS;
-    for (let j = 0; j < ARC_SIDES; j++) {
-      const turn = (2 * Math.PI * j) / ARC_SIDES;
+  for (let i = 0; i <= steps; i++) {
+    const angle = (2 * Math.PI * i) / steps;
+    for (let j = 0; j < around; j++) {
+      const turn = (2 * Math.PI * j) / around;
       const outward = Math.cos(turn), upward = Math.sin(turn);
       normals.push(outward * Math.cos(angle), outward * Math.sin(angle), upward);
       const reach = 1 + ARC_THICKNESS * outward;
       points.push(reach * Math.cos(angle), reach * Math.sin(angle), ARC_THICKNESS * upward);
-      const next = (j + 1) % ARC_SIDES;
-      if (i < ARC_STEPS) {
-        const a = i * ARC_SIDES + j, b = i * ARC_SIDES + next;
-        index.push(a, b, a + ARC_SIDES, b, b + ARC_SIDES, a + ARC_SIDES);
+      const next = (j + 1) % around;
+      if (i < steps) {
+        const a = i * around + j, b = i * around + next;
+        index.push(a, b, a + around, b, b + around, a + around);
       }
     }
   }
@@ -105,9 +109,9 @@ export function setTwist(twist, at, axis, share, radius) {
   twist.group.position.copy(at);
   twist.group.quaternion.setFromUnitVectors(Z, axis.clone().normalize());
   twist.group.scale.setScalar(radius);
-  const steps = Math.max(1, Math.round((300 / 360) * ARC_STEPS * Math.min(1, share)));
-  twist.ring.setDrawRange(0, steps * ARC_SIDES * 6);
-  const angle = (2 * Math.PI * steps) / ARC_STEPS;
+  const steps = Math.max(1, Math.round((300 / 360) * twist.arc.steps * Math.min(1, share)));
+  twist.ring.setDrawRange(0, steps * twist.arc.sides * 6);
+  const angle = (2 * Math.PI * steps) / twist.arc.steps;
   for (const { head } of twist.parts) {
     head.position.set(Math.cos(angle), Math.sin(angle), 0);
     head.rotation.set(0, 0, angle);
@@ -122,9 +126,9 @@ export function paintTwist(twist, colour) {
 /// Contacts as dots with normals, clusters as rings; both also faintly through the objects.
 export function makeContactMarks(light) {
   const group = new Group();
-  const dot = new SphereGeometry(1, 8, 6);
-  const needle = new CylinderGeometry(0.22, 0.22, 1, 5).rotateX(Math.PI / 2).translate(0, 0, 0.5);
-  const ring = new TorusGeometry(1, 0.12, 5, 28);
+  const dot = new SphereGeometry(1, sides(light, 8, 5), sides(light, 6, 3));
+  const needle = new CylinderGeometry(0.22, 0.22, 1, sides(light, 5, 3), 1, Boolean(light)).rotateX(Math.PI / 2).translate(0, 0, 0.5);
+  const ring = new TorusGeometry(1, 0.12, sides(light, 5, 3), sides(light, 28, 16));
   const both = (shape, most, opacity, order) => makeCopies(group, shape, most, [[markMaterial(light), 1], [seenThrough(light, { opacity }), order]]);
   return { group, dots: both(dot, MAX_CONTACTS, 0.45, 21), needles: both(needle, MAX_CONTACTS, 0.45, 21), rings: both(ring, MAX_CLUSTERS, 0.55, 22) };
 }
@@ -157,8 +161,8 @@ export function makeRod(light) {
   const material = markMaterial(light);
   const through = seenThrough(light, { opacity: 0.5 });
   const group = new Group();
-  const geometry = new CylinderGeometry(1, 1, 1, 10).rotateX(Math.PI / 2).translate(0, 0, 0.5);
-  const ends = new SphereGeometry(1, 16, 12);
+  const geometry = new CylinderGeometry(1, 1, 1, sides(light, 10, 6)).rotateX(Math.PI / 2).translate(0, 0, 0.5);
+  const ends = new SphereGeometry(1, sides(light, 16, 8), sides(light, 12, 6));
   const rods = [], knobs = [];
   for (const m of [material, through]) {
     const rod = new Mesh(geometry, m), knob = new Mesh(ends, m);

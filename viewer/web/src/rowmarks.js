@@ -1,8 +1,8 @@
 // Contacts that are constraints: each row as the point of one surface and the plane of the other, those that press with
 // their force, friction as its cone.
-import { ConeGeometry, Color, CylinderGeometry, Group, Quaternion, SphereGeometry, Vector3 } from "three";
+import { CircleGeometry, ConeGeometry, Color, CylinderGeometry, Group, Quaternion, SphereGeometry, Vector3 } from "three";
 import { clearCopies, makeCopies, putCopy, showCopies } from "./copies.js";
-import { markMaterial, seenThrough } from "./marks.js";
+import { markMaterial, seenThrough, sides } from "./marks.js";
 
 export const MAX_ROWS = 64;
 const Z = new Vector3(0, 0, 1);
@@ -11,11 +11,11 @@ const Z = new Vector3(0, 0, 1);
 export function makeRowMarks(light) {
   const group = new Group();
   const shapes = {
-    planes: new CylinderGeometry(1, 1, 0.06, 20).rotateX(Math.PI / 2),
-    points: new SphereGeometry(0.36, 8, 6),
-    forces: new CylinderGeometry(0.16, 0.16, 1, 6).rotateX(Math.PI / 2).translate(0, 0, 0.5),
-    heads: new ConeGeometry(0.42, 1, 12).rotateX(Math.PI / 2).translate(0, 0, 0.5),
-    cones: new ConeGeometry(1, 1, 20, 1, true).translate(0, -0.5, 0).rotateX(-Math.PI / 2), // from its tip along +z
+    planes: light ? new CircleGeometry(1, 10) : new CylinderGeometry(1, 1, 0.06, 20).rotateX(Math.PI / 2),
+    points: new SphereGeometry(0.36, sides(light, 8, 5), sides(light, 6, 3)),
+    forces: new CylinderGeometry(0.16, 0.16, 1, sides(light, 6, 4), 1, Boolean(light)).rotateX(Math.PI / 2).translate(0, 0, 0.5),
+    heads: new ConeGeometry(0.42, 1, sides(light, 12, 6)).rotateX(Math.PI / 2).translate(0, 0, 0.5),
+    cones: new ConeGeometry(1, 1, sides(light, 20, 10), 1, true).translate(0, -0.5, 0).rotateX(-Math.PI / 2), // from its tip along +z
   };
   const marks = { group };
   for (const [name, shape] of Object.entries(shapes)) {

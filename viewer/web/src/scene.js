@@ -46,7 +46,7 @@ export function makeScene(canvas, asked = null) {
     canvas, renderer, scene, root, view: makeView(), plain, lights: addLights(scene), ground: addGround(scene), radius: 1,
     size: 1, object: null, statics: [], world: null, ghost: null, force: makeArrow(markLight), twist: makeTwist(markLight),
     marks: makeContactMarks(markLight), rows: makeRowMarks(markLight), spring: makeRod(markLight), markLight, dirty: true, options: { wireframe: false, ghost: true, contacts: true, forces: true, names: true },
-    editing: false, start: null, wants: () => {}, wanted: new Set(), last: null, moved: true, resized: true, fence: null, begun: 0, rested: 0, isSeen: false, coarsener: null,
+    editing: false, start: null, wants: () => {}, done: () => {}, wanted: new Set(), last: null, moved: true, resized: true, fence: null, begun: 0, rested: 0, isSeen: false, coarsener: null,
     pace: makePace({ step: plain ? PLAIN_STEP : 0, fixed: asked === "full" }),
   };
   root.add(stage.force.group, stage.twist.group, stage.marks.group, stage.rows.group, stage.spring.group);
@@ -339,6 +339,7 @@ function isDone(stage) {
 /// Looks when the picture is done: frames of the browser come too seldom to tell how long it took.
 function watch(stage) {
   if (!isDone(stage)) setTimeout(watch, LOOK, stage);
+  else stage.done(stage.rested - performance.now());
 }
 const LOOK = 4; // [ms]
 
