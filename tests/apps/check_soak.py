@@ -40,3 +40,11 @@ with tempfile.TemporaryDirectory() as folder:
     pieces[1]["end"]["memory_mib"] = 10 * pieces[1]["start"]["memory_mib"] + 100
     state.write_text("\n".join(json.dumps(p) for p in pieces) + "\n")
     assert run(5)[0] == 1
+    # So is a rate that fell: by a neighbour in some windows, no; in all of them, yes.
+    piece = {**json.loads(lines[0]), "seconds": 100.0}
+    piece["end"]["bytes_per_cpu_s"] = 0.8 * piece["start"]["bytes_per_cpu_s"]
+    state.write_text(json.dumps(piece) + "\n")
+    assert run(5)[0] == 1
+    piece["end"]["bytes_per_cpu_s"] = 0.95 * piece["start"]["bytes_per_cpu_s"]
+    state.write_text(json.dumps(piece) + "\n")
+    assert run(5)[0] == 0
