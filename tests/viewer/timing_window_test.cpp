@@ -36,7 +36,10 @@ TEST(TimingWindow, WhatWasNotMeasuredIsUnknown) {
   const Timing first = close(1.0, true, 10, 10, window);
   EXPECT_TRUE(std::isnan(first.haptic_hz));
   EXPECT_TRUE(std::isnan(first.step_p50));
-  EXPECT_TRUE(std::isnan(close(2.0, true, 3, 10, window).haptic_hz));  // another session
+  EXPECT_TRUE(std::isnan(close(2.0, true, 3, 10, window).haptic_hz));     // another session
+  EXPECT_TRUE(std::isnan(close(3.0, false, 900, 10, window).haptic_hz));  // paused since
+  EXPECT_TRUE(std::isnan(close(4.0, true, 900, 10, window).haptic_hz));   // goes on
+  EXPECT_DOUBLE_EQ(close(5.0, true, 1900, 20, window).haptic_hz, 1000.0);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ void add(std::span<const ChannelRow> rows, std::span<const double> queries, Timi
   window.query_cpu.insert(window.query_cpu.end(), queries.begin(), queries.end());
 }
 
-Timing close(double now, bool has_frame, std::uint64_t frame, std::uint64_t update,
+Timing close(double now, bool has_rate, std::uint64_t frame, std::uint64_t update,
              TimingWindow& window) {
   Timing t{};
   t.step_p50 = sample_quantile(window.step_cpu, 0.5);
@@ -39,14 +39,14 @@ Timing close(double now, bool has_frame, std::uint64_t frame, std::uint64_t upda
   t.haptic_hz = t.contact_hz = kNoRate;
   const double elapsed = now - window.since;
   // A session that began anew counts from 0 again.
-  if (window.has_first && has_frame && elapsed > 0.0 && frame >= window.first_frame) {
+  if (window.has_first && has_rate && elapsed > 0.0 && frame >= window.first_frame) {
     t.haptic_hz = static_cast<double>(frame - window.first_frame) / elapsed;
     t.contact_hz = static_cast<double>(update - window.first_update) / elapsed;
   }
   window.since = now;
   window.first_frame = frame;
   window.first_update = update;
-  window.has_first = has_frame;
+  window.has_first = has_rate;
   window.held_back = window.squeezed = 0;
   window.step_cpu.clear();
   window.wake_late.clear();

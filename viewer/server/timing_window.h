@@ -14,7 +14,7 @@ namespace thigma::live {
 struct TimingWindow {
   double since = 0.0;  // [s; any clock]
   std::uint64_t first_frame = 0, first_update = 0;
-  bool has_first = false;
+  bool has_first = false;                              // they came by the clock when it began
   std::vector<double> step_cpu, wake_late, query_cpu;  // [s]
   std::size_t held_back = 0, squeezed = 0;             // frames
 };
@@ -25,8 +25,8 @@ void add(std::span<const ChannelRow> rows, std::span<const double> queries, Timi
 /// Timing since the window was closed last; empties it.
 /// now            [s; the same clock]
 /// frame, update  counts so far
-/// has_frame      whether there is a frame at all yet
-Timing close(double now, bool has_frame, std::uint64_t frame, std::uint64_t update,
+/// has_rate       whether frames come by the clock: there is no rate before, nor after, where they do not
+Timing close(double now, bool has_rate, std::uint64_t frame, std::uint64_t update,
              TimingWindow& window);
 
 }  // namespace thigma::live

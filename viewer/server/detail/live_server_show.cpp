@@ -159,7 +159,9 @@ void LiveServer::Impl::tick() {
   if (ticks % kStateTicks != 0) return;
   const HapticNow* now = feed.haptic();
   const std::uint64_t frame = now != nullptr ? now->sample.frame : 0;
-  timing = close(wall_seconds(), now != nullptr, frame, feed.contact_updates(), window);
+  // What is paused or shown from a recording has no rate by the wall clock.
+  const bool has_rate = now != nullptr && state.run == RunPhase::running && state.replay.empty();
+  timing = close(wall_seconds(), has_rate, frame, feed.contact_updates(), window);
   if (now != nullptr) {
     // Session time counts every tick, frames only those that were made.
     const double due = std::floor(now->sample.time * rate + 0.5);
