@@ -26,7 +26,10 @@ std::vector<fs::path> corpus_of(const std::string& name) {
   return files;
 }
 
-class FuzzReplay : public ::testing::TestWithParam<Target> {};
+class FuzzReplay : public ::testing::TestWithParam<Target> {
+ protected:
+  void SetUp() override { is_thorough = true; }
+};
 
 TEST_P(FuzzReplay, comes_back_from_every_committed_input) {
   const Target& target = GetParam();
