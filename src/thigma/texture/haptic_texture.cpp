@@ -4,14 +4,15 @@
 #include <cmath>
 #include <limits>
 
-#include <sys/mman.h>
-
 #include "thigma/math/plane_cross.h"
+#include "thigma/texture/detail/height_quads.h"
+#include "thigma/texture/detail/large_pages.h"
 #include "thigma/texture/detail/texture_error.h"
 
 namespace thigma {
 namespace {
 
+using detail::ask_for_large_pages;
 using detail::fail;
 
 std::string place(const char* kind, std::size_t index) {
@@ -188,16 +189,6 @@ BoundsLevel next_level(const BoundsLevel& fine) {
   return level;
 }
 
-// A height map reads texels all over the map: with pages of 4 KiB a lookup of the address costs
-// more than the texel. Where the system has no larger pages, nothing changes.
-void ask_for_large_pages(const void* memory, std::size_t bytes) {
-  constexpr std::uintptr_t kLargePage = std::uintptr_t{1} << 21;
-  const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t first = (begin + kLargePage - 1) & ~(kLargePage - 1),
-                       last = (begin + bytes) & ~(kLargePage - 1);
-  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
-}
-
 std::vector<Texel> padded(const std::vector<Texel>& texels, int width, int height) {
   std::vector<Texel> out;
   out.reserve(static_cast<std::size_t>(width + 1) * static_cast<std::size_t>(height + 1));
@@ -230,6 +221,7 @@ HapticTexture make_texture(TextureSource source, const std::string& name) {
   texture.pyramid.push_back(first_level(texture));
   while (texture.pyramid.back().cells.size() > 1)
     texture.pyramid.push_back(next_level(texture.pyramid.back()));
+  detail::fill_height_quads(texture);
   return texture;
 }
 
@@ -250,6 +242,7 @@ HapticTexture make_plain_texture(TriangleMesh coarse, const std::string& name) {
   texture.texels.assign(4, Texel{});
   texture.texel_size = std::sqrt(area.on_surface / area.in_map);
   texture.pyramid.push_back(first_level(texture));
+  detail::fill_height_quads(texture);
   return texture;
 }
 
