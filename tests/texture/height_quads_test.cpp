@@ -27,7 +27,8 @@ Error error_of(const HapticTexture& texture, const Along& along) {
     for (int row = 0; row < texture.height; ++row) {
       for (int column = 0; column < texture.width; ++column) {
         const Vec3 n = along(column, row);
-        const HeightQuad& quad = quads.cells[static_cast<std::size_t>(row * texture.width + column)];
+        const HeightQuad& quad =
+            quads.cells[static_cast<std::size_t>(row * texture.width + column)];
         if (n.isZero()) continue;
         for (int k = 0; k < 4; ++k)
           visit(quad, k, n.dot(vector_of(texel_at(texture, column + k % 2, row + k / 2))));
@@ -47,8 +48,8 @@ Error error_of(const HapticTexture& texture, const Along& along) {
     largest = std::max(largest, std::fabs(quads.low + quads.step * steps - height));
   });
   // Of the differences the doubles themselves are off by this.
-  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() *
-                          std::max(std::fabs(low), std::fabs(high));
+  const double rounding =
+      4.0 * std::numeric_limits<double>::epsilon() * std::max(std::fabs(low), std::fabs(high));
   error.largest = std::max(largest - rounding, 0.0) / (high > low ? high - low : 1.0);
   return error;
 }
@@ -164,8 +165,8 @@ TEST(HeightQuads, are_along_the_normal_of_any_triangle_over_their_cell) {
           const double height = normal_of(texture.coarse, t)
                                     .dot(vector_of(texel_at(texture, column + k % 2, row + k / 2)));
           const double steps = quad.steps[static_cast<std::size_t>(k)];
-          largest = std::max(largest,
-                             std::fabs(texture.quads.low + texture.quads.step * steps - height));
+          largest =
+              std::max(largest, std::fabs(texture.quads.low + texture.quads.step * steps - height));
         }
       }
     }

@@ -189,6 +189,35 @@ BoundsLevel next_level(const BoundsLevel& fine) {
   return level;
 }
 
+// Bounds of the texels under a triangle: of up to four cells at least as large as its box.
+TexelBounds bounds_under(const HapticTexture& texture, const std::array<Vec2, 3>& corners) {
+  const Vec2 last(texture.width - 1.0, texture.height - 1.0), around = Vec2::Ones();
+  const Vec2 low = (corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]) - around)
+                       .cwiseMax(0.0)
+                       .cwiseMin(last),
+             high = (corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) + around)
+                        .cwiseMax(0.0)
+                        .cwiseMin(last);
+  std::size_t level = 0;  // of cells of 2^(level + 1) texels
+  while (level + 1 < texture.pyramid.size() &&
+         std::ldexp(1.0, static_cast<int>(level) + 1) < (high - low).maxCoeff())
+    ++level;
+  const BoundsLevel& cells = texture.pyramid[level];
+  const auto cell = [&](double at, int count) {
+    return std::min(static_cast<int>(at) >> (level + 1), count - 1);
+  };
+  TexelBounds all = cells.cells[static_cast<std::size_t>(cell(low.y(), cells.rows) * cells.columns +
+                                                         cell(low.x(), cells.columns))];
+  for (int row = cell(low.y(), cells.rows); row <= cell(high.y(), cells.rows); ++row) {
+    for (int column = cell(low.x(), cells.columns); column <= cell(high.x(), cells.columns);
+         ++column) {
+      const TexelBounds& here = cells.cells[static_cast<std::size_t>(row * cells.columns + column)];
+      all = {least(all.low, here.low), largest(all.high, here.high)};
+    }
+  }
+  return all;
+}
+
 std::vector<Texel> padded(const std::vector<Texel>& texels, int width, int height) {
   std::vector<Texel> out;
   out.reserve(static_cast<std::size_t>(width + 1) * static_cast<std::size_t>(height + 1));
@@ -221,6 +250,9 @@ HapticTexture make_texture(TextureSource source, const std::string& name) {
   texture.pyramid.push_back(first_level(texture));
   while (texture.pyramid.back().cells.size() > 1)
     texture.pyramid.push_back(next_level(texture.pyramid.back()));
+  texture.under.reserve(texture.corners.size());
+  for (const std::array<Vec2, 3>& corners : texture.corners)
+    texture.under.push_back(bounds_under(texture, corners));
   detail::fill_height_quads(texture);
   return texture;
 }

@@ -67,6 +67,8 @@ struct HapticTexture {
   // (height + 1) rows of width + 1: the last row and column are repeated
   std::vector<Texel> texels;
   std::vector<BoundsLevel> pyramid;  // levels 1, 2, .. up to a single cell
+  // bounds of the texels that a triangle reads, and one more around; none: those of the whole map
+  std::vector<TexelBounds> under;
   HeightQuads quads;
   double texel_size = 0.0;  // mean side of a texel on the coarse surface [m]
   double amplitude = 0.0;   // half the range of displacements along the coarse normals [m]

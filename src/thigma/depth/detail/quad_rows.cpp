@@ -1,7 +1,7 @@
 // Rows by quads: the scalar definition, and four samples at a time.
-#include <emmintrin.h>
-
 #include "thigma/depth/detail/quad_rows.h"
+
+#include <emmintrin.h>
 
 namespace thigma::detail {
 namespace {
@@ -17,7 +17,8 @@ float steps_in(const std::uint16_t* quad, float ax, float ay) noexcept {
 }
 
 // Quads of four cells, corner by corner.
-void load_four(const std::uint16_t* quads, const std::int32_t* cell, __m128i (&corner)[4]) noexcept {
+void load_four(const std::uint16_t* quads, const std::int32_t* cell,
+               __m128i (&corner)[4]) noexcept {
   const auto quad = [&](int i) {
     return _mm_loadl_epi64(
         reinterpret_cast<const __m128i*>(quads + 4 * static_cast<std::int64_t>(cell[i])));
@@ -56,8 +57,8 @@ void raise_four(const QuadBatch& batch, const RowAt& at, int i) noexcept {
   const __m128 at_right =
       _mm_add_ps(right, _mm_mul_ps(ay, _mm_sub_ps(_mm_cvtepi32_ps(corner[3]), right)));
   const __m128 steps = _mm_add_ps(at_left, _mm_mul_ps(ax, _mm_sub_ps(at_right, at_left)));
-  const __m128 coarse = _mm_add_ps(_mm_set1_ps(row.h),
-                                   _mm_mul_ps(lanes_from(row.first + i), _mm_set1_ps(t.by_h)));
+  const __m128 coarse =
+      _mm_add_ps(_mm_set1_ps(row.h), _mm_mul_ps(lanes_from(row.first + i), _mm_set1_ps(t.by_h)));
   const __m128 height = _mm_add_ps(coarse, _mm_mul_ps(steps, _mm_set1_ps(t.by_step)));
   const int mixed =
       _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(corner[0], _mm_set1_epi32(kMixed))));

@@ -38,7 +38,7 @@ struct QuadBatch {
   static constexpr int kSamples = kFull + kPart + 8;  // and what the last step may write beyond
   QuadTriangle triangle;
   QuadRow rows[kRows];
-  int row_count = 0, sample_count = 0;  // samples of all rows, one after the other below
+  int row_count = 0, sample_count = 0;           // samples of all rows, one after the other below
   alignas(32) float ax[kSamples], ay[kSamples];  // within their cells
   alignas(32) std::int32_t cell[kSamples];       // from QuadTriangle::quads
 };

@@ -51,8 +51,7 @@ __m256 heights(const QuadBatch& batch, const Lanes& s, int place, __m256 coarse,
   const Corners corners = load_eight(s.quads, batch.cell + place);
   mixed = _mm256_cmpeq_epi32(corners.first, _mm256_set1_epi32(kMixed));
   const __m256 first = _mm256_cvtepi32_ps(corners.first), right = _mm256_cvtepi32_ps(corners.right);
-  const __m256 ax = _mm256_loadu_ps(batch.ax + place),
-               ay = _mm256_loadu_ps(batch.ay + place);
+  const __m256 ax = _mm256_loadu_ps(batch.ax + place), ay = _mm256_loadu_ps(batch.ay + place);
   const __m256 at_left = _mm256_add_ps(
       first, _mm256_mul_ps(ay, _mm256_sub_ps(_mm256_cvtepi32_ps(corners.below), first)));
   const __m256 at_right = _mm256_add_ps(
@@ -61,19 +60,21 @@ __m256 heights(const QuadBatch& batch, const Lanes& s, int place, __m256 coarse,
   return _mm256_add_ps(coarse, _mm256_mul_ps(steps, s.by_step));
 }
 
-// Eight samples of a row, or those of them that are there, with mixed cells among them or too few.
-__attribute__((noinline)) void raise_some(const QuadTriangle& t, const QuadRow& row, int i, __m256 height, __m256i mixed) {
-  // Coordinates are held within the map, so lanes beyond the end read what is there; they are not
-  // written.
-  const __m256i is_there = _mm256_cmpgt_epi32(_mm256_set1_epi32(row.count - i),
-                                              _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+// Eight samples of a row, or fewer, of which some may lie over mixed cells. Coordinates are held
+// within the map, so lanes beyond the end read what is there; they are not written.
+__attribute__((noinline)) void raise_some(const QuadTriangle& t, const QuadRow& row, int i,
+                                          __m256 height, int mixed) {
+  alignas(32) float heights[8];
+  _mm256_store_ps(heights, height);
   float* const out = row.out + row.first + i;
-  const __m256i raised = _mm256_andnot_si256(mixed, is_there);
-  const __m256 there = _mm256_maskload_ps(out, raised);
-  _mm256_maskstore_ps(out, raised, _mm256_max_ps(height, there));
-  const int left = _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_and_si256(mixed, is_there)));
-  for (int k = 0; left >> k != 0; ++k)
-    if ((left >> k) & 1) raise_mixed(t, row, row.first + i + k);
+  const int count = row.count - i < 8 ? row.count - i : 8;
+  for (int k = 0; k < count; ++k) {
+    if ((mixed >> k) & 1) {
+      raise_mixed(t, row, row.first + i + k);
+    } else {
+      out[k] = heights[k] > out[k] ? heights[k] : out[k];
+    }
+  }
 }
 
 // Does eight samples at a time, the last ones once more with some of what was done, which changes
@@ -137,7 +138,7 @@ void raise_avx2(const QuadBatch& batch) noexcept {
         // The order of the operands is that of the scalar comparison.
         _mm256_storeu_ps(out + i, _mm256_max_ps(height, _mm256_loadu_ps(out + i)));
       } else {
-        raise_some(t, *row, i, height, mixed);
+        raise_some(t, *row, i, height, _mm256_movemask_ps(_mm256_castsi256_ps(mixed)));
       }
     });
     begin += count;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <utility>
 
 #include "thigma/depth/detail/quad_rows.h"
 #include "thigma/depth/detail/triangle_span.h"
@@ -35,19 +36,26 @@ class QuadRows {
 
   void begin(const QuadTriangle& triangle) noexcept {
     pass_on();
-    filling().triangle = triangle;
+    filling_->triangle = triangle;
   }
-  void add(const QuadRow& row) noexcept {
-    QuadRow part = row;
-    for (int left = row.count; left > 0; left -= QuadBatch::kPart) {
-      part.count = std::min(QuadBatch::kPart, left);
-      QuadBatch& batch = filling();
-      batch.rows[batch.row_count++] = part;
-      batch.sample_count += part.count;
-      part.first += part.count;
-      if (batch.row_count < QuadBatch::kRows && batch.sample_count < QuadBatch::kFull) continue;
+  /// A row to be set, and then added.
+  QuadRow& next() noexcept { return filling_->rows[filling_->row_count]; }
+  void add_next() noexcept {
+    const QuadRow whole = next();
+    for (int done = 0; done < whole.count; done += QuadBatch::kPart) {
+      QuadRow& part = next();
+      if (whole.count > QuadBatch::kPart) {
+        part = whole;
+        part.first = whole.first + done;
+        part.count = std::min(QuadBatch::kPart, whole.count - done);
+      }
+      filling_->sample_count += part.count;
+      ++filling_->row_count;
+      if (filling_->row_count < QuadBatch::kRows && filling_->sample_count < QuadBatch::kFull)
+        continue;
+      const QuadBatch* const full = filling_;
       pass_on();
-      filling().triangle = batch.triangle;
+      filling_->triangle = full->triangle;
     }
   }
   void finish() noexcept {
@@ -56,18 +64,16 @@ class QuadRows {
   }
 
  private:
-  QuadBatch& filling() noexcept { return batches_[now_]; }
   void pass_on() noexcept {
-    QuadBatch &next = batches_[now_], &before = batches_[1 - now_];
-    if (next.row_count > 0) kernels_.locate(next);
-    if (before.row_count > 0) kernels_.raise(before);
-    before.row_count = before.sample_count = 0;
-    now_ = 1 - now_;
+    if (filling_->row_count > 0) kernels_.locate(*filling_);
+    if (waiting_->row_count > 0) kernels_.raise(*waiting_);
+    waiting_->row_count = waiting_->sample_count = 0;
+    std::swap(filling_, waiting_);
   }
 
   const Kernels& kernels_;
   QuadBatch batches_[2];
-  int now_ = 0;
+  QuadBatch *filling_ = &batches_[0], *waiting_ = &batches_[1];
 };
 
 // An edge of a triangle as a line u(v): what lies over the triangle is on one side of it.
@@ -99,7 +105,9 @@ EdgeLines edge_lines(const ProjectedTriangle& t) noexcept {
   return lines;
 }
 
-double at_height(const EdgeLine& line, double v) noexcept { return line.u + (v - line.v) * line.by_v; }
+double at_height(const EdgeLine& line, double v) noexcept {
+  return line.u + (v - line.v) * line.by_v;
+}
 
 double inside_of_edge(const ProjectedTriangle& t, std::size_t k, const Vec2& at) noexcept {
   return cross(t.edges[k], at - t.at[k]);
@@ -131,8 +139,17 @@ bool has_inside(const ProjectedTriangle& t, const PlaneBox& box) noexcept {
 class TriangleRows {
  public:
   TriangleRows(const ProjectedTriangle& t, const MapGrid& grid) noexcept
-      : t_(t), low_v_(grid.box.low.y()), spacing_v_(grid.spacing().y()),
-        per_u_(1.0 / grid.spacing().x()), first_u_(grid.at(0, 0).x()), columns_(grid.columns) {
+      : low_v_(grid.box.low.y()),
+        spacing_v_(grid.spacing().y()),
+        per_u_(1.0 / grid.spacing().x()),
+        first_u_(grid.at(0, 0).x()),
+        columns_(grid.columns) {
+    const auto along_row = [&](double origin, double by_u, double by_v) {
+      return Affine{origin, by_u * first_u_, by_v};
+    };
+    x_ = along_row(t.texel_origin.x(), t.texel_by_at(0, 0), t.texel_by_at(0, 1));
+    y_ = along_row(t.texel_origin.y(), t.texel_by_at(1, 0), t.texel_by_at(1, 1));
+    h_ = along_row(t.height_origin, t.height_by_at.x(), t.height_by_at.y());
     std::tie(bottom_, top_) = std::minmax({t.at[0].y(), t.at[1].y(), t.at[2].y()});
     is_whole_ = has_inside(t, grid.box);
     last_row_ = grid.rows - 1;
@@ -146,9 +163,11 @@ class TriangleRows {
   int first_row() const noexcept { return first_row_; }
   int last_row() const noexcept { return last_row_; }
 
-  /// Sets the part of a row, without h; false where it has none. origin: that the texels are
-  /// counted from. returns by h: the coarse height
-  bool set_row(int row, const Vec2& origin, double& h, QuadRow& part) const noexcept {
+  /// Sets the part of a row; false where it has none.
+  ///
+  /// origin  that the texels are counted from
+  /// lowest  of the quads [m]
+  bool set_row(int row, const Vec2& origin, double lowest, QuadRow& part) const noexcept {
     const double v = low_v_ + spacing_v_ * (row + 0.5);
     part.first = 0;
     part.count = columns_;
@@ -161,11 +180,10 @@ class TriangleRows {
       part.count = end_index((high - first_u_) * per_u_, columns_) - part.first;
       if (part.count <= 0) return false;
     }
-    const Vec2 at(first_u_, v);
-    const Vec2 texel = t_.texel_origin + t_.texel_by_at * at - origin;
-    h = t_.height_origin + t_.height_by_at.dot(at);
-    part.x = static_cast<float>(texel.x());
-    part.y = static_cast<float>(texel.y());
+    const double h = h_.at(v);
+    part.x = static_cast<float>(x_.at(v) - origin.x());
+    part.y = static_cast<float>(y_.at(v) - origin.y());
+    part.h = static_cast<float>(h + lowest);
     part.h_texels = static_cast<float>(h);
     return true;
   }
@@ -182,7 +200,13 @@ class TriangleRows {
     return static_cast<int>(std::min(std::max(to, 0.0), static_cast<double>(count)));
   }
 
-  const ProjectedTriangle& t_;
+  /// At the first sample of a row: origin + (by_u u + by_v v).
+  struct Affine {
+    double origin = 0.0, by_first_u = 0.0, by_v = 0.0;
+    double at(double v) const noexcept { return origin + (by_first_u + by_v * v); }
+  };
+
+  Affine x_, y_, h_;
   double low_v_ = 0.0, spacing_v_ = 1.0, per_u_ = 1.0, first_u_ = 0.0;  // [m], [1/m]
   int columns_ = 0;
   double bottom_ = 0.0, top_ = 0.0;
@@ -216,14 +240,14 @@ void raise_triangles(const ProjectedPatch& patch, const MapGrid& grid, const Map
     triangle.texels = start_span(patch, t, grid.spacing().x(), origin);
     const bool has_quads = reading.has_quads && add_quads(patch, t, origin, triangle, low);
     if (has_quads) quads.begin(triangle);
-    QuadRow part;
-    double h = 0.0;
-    for (int row = rows.first_row(); row <= rows.last_row(); ++row) {
-      if (!rows.set_row(row, origin, h, part)) continue;
-      part.h = static_cast<float>(h + low);
-      part.out = map.heights.data() + static_cast<std::ptrdiff_t>(row) * grid.columns;
+    QuadRow alone;
+    float* out = map.heights.data() + static_cast<std::ptrdiff_t>(rows.first_row()) * grid.columns;
+    for (int row = rows.first_row(); row <= rows.last_row(); ++row, out += grid.columns) {
+      QuadRow& part = has_quads ? quads.next() : alone;
+      if (!rows.set_row(row, origin, low, part)) continue;
+      part.out = out;
       if (has_quads) {
-        quads.add(part);
+        quads.add_next();
       } else {
         raise_by_texels(kernels, part, triangle.texels);
       }

@@ -69,10 +69,8 @@ constexpr double kBeside = 1.0 / 32.0;
 template <class Visit>
 void for_cells(const HapticTexture& texture, const std::array<Vec2, 3>& c, const Visit& visit) {
   const Vec2 last(texture.width - 1.0, texture.height - 1.0), beside = Vec2::Constant(kBeside);
-  const Vec2 low =
-      (c[0].cwiseMin(c[1]).cwiseMin(c[2]) - beside).cwiseMax(0.0).cwiseMin(last);
-  const Vec2 high =
-      (c[0].cwiseMax(c[1]).cwiseMax(c[2]) + beside).cwiseMax(0.0).cwiseMin(last);
+  const Vec2 low = (c[0].cwiseMin(c[1]).cwiseMin(c[2]) - beside).cwiseMax(0.0).cwiseMin(last);
+  const Vec2 high = (c[0].cwiseMax(c[1]).cwiseMax(c[2]) + beside).cwiseMax(0.0).cwiseMin(last);
   const double turn = cross(c[1] - c[0], c[2] - c[0]) > 0.0 ? 1.0 : -1.0;
   for (int row = static_cast<int>(low.y()); row <= static_cast<int>(high.y()); ++row) {
     for (int column = static_cast<int>(low.x()); column <= static_cast<int>(high.x()); ++column) {
@@ -83,8 +81,8 @@ void for_cells(const HapticTexture& texture, const std::array<Vec2, 3>& c, const
       bool may_read = true;
       for (std::size_t k = 0; may_read && k < 3; ++k) {
         const Vec2 edge = c[(k + 1) % 3] - c[k];
-        may_read = turn * cross(edge, middle - c[k]) +
-                       std::fabs(edge.x()) * half.y() + std::fabs(edge.y()) * half.x() >=
+        may_read = turn * cross(edge, middle - c[k]) + std::fabs(edge.x()) * half.y() +
+                       std::fabs(edge.y()) * half.x() >=
                    0.0;
       }
       if (may_read)
@@ -131,8 +129,7 @@ std::vector<std::int32_t> owners_of(const HapticTexture& texture,
 
 void mark_mixed(const HapticTexture& texture, const std::vector<Vec3>& normals,
                 const std::vector<std::int32_t>& owners, HeightQuads& quads) {
-  const double close =
-      kOfStep * quads.step + kRounding * vector_of(longest(texture.texels)).norm();
+  const double close = kOfStep * quads.step + kRounding * vector_of(longest(texture.texels)).norm();
   for (std::size_t t = 0; t < normals.size(); ++t) {
     if (normals[t].isZero()) continue;
     for_cells(texture, texture.corners[t], [&](std::size_t cell) {
