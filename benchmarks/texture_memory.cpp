@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "benchmarks/texture_rows.h"
+
 #include "thigma/core/cpu_clock.h"
 #include "thigma/depth/depth_gradient.h"
 #include "thigma/math/rotation.h"

@@ -189,15 +189,16 @@ class TriangleRows {
   }
 
  private:
-  // The first of `count` indices from a place on, and the one after the last up to it.
+  // The first of `count` indices from a place on, and the one after the last up to it; whatever the
+  // place, also where it is no number.
   static int first_index(double cells, int count) noexcept {
-    const double from = std::min(std::max(cells - kSpanOverlap, 0.0), static_cast<double>(count));
+    const double from = std::min<double>(count, std::max(0.0, cells - kSpanOverlap));
     const int whole = static_cast<int>(from);
     return whole + (from > whole);
   }
   static int end_index(double cells, int count) noexcept {
     const double to = cells + (1.0 + kSpanOverlap);
-    return static_cast<int>(std::min(std::max(to, 0.0), static_cast<double>(count)));
+    return static_cast<int>(std::min<double>(count, std::max(0.0, to)));
   }
 
   /// At the first sample of a row: origin + (by_u u + by_v v).
