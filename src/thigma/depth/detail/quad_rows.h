@@ -9,9 +9,9 @@
 
 namespace thigma::detail {
 
-/// What all rows of a triangle share. Sample k of a row lies at texture coordinates (x + k by_x, y +
-/// k by_y) about `quads`; its height is h + k by_h + steps x by_step, with the steps between the
-/// four of its cell.
+/// What all rows of a triangle share. Sample k of a row lies at texture coordinates (x + k by_x,
+/// y + k by_y) about `quads`; its height is h + k by_h + steps x by_step, with the steps between
+/// the four of its cell.
 struct QuadTriangle {
   const std::uint16_t* quads = nullptr;  // four each; the cell the coordinates are counted from
   std::int32_t quad_row = 0;             // cells from one row to the next
