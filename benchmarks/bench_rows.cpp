@@ -169,6 +169,7 @@ std::vector<Measurement> measurements(bool quick) {
        }},
       {"exact-query", [=] { return query_rows(quick); }},
       {"texture-depth", [=] { return texture_rows(quick); }},
+      {"texture-memory", [=] { return texture_memory_rows(quick); }},
       {"texture-gpu", [=] { return gpu_texture_rows(quick); }},
       {"spoon-drop", [=] { return drop_rows(quick); }},
       {"worlds", [=] { return world_rows(quick); }},

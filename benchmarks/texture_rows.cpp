@@ -17,24 +17,9 @@
 namespace thigma::bench {
 namespace {
 
-constexpr double kSide = 0.02, kAmplitude = 1e-4;  // of a plate, of each wave [m]
+constexpr double kSide = kPlateSide, kAmplitude = kPlateAmplitude;
 constexpr int kMostContacts = 40;
 constexpr double kSlide = 1e-5;  // a frame [m]
-
-HapticTexture wavy_plate(Random& random, int texels) {
-  std::array<Vec3, 3> waves;  // by x and y [1/m], phase [turns]
-  for (Vec3& w : waves)
-    w = Vec3(300.0 * random.uniform(-1.0, 1.0), 300.0 * random.uniform(-1.0, 1.0),
-             random.uniform());
-  const auto height = [&](double x, double y) {
-    double sum = 0.0;
-    for (const Vec3& w : waves)
-      sum += kAmplitude * sine(2.0 * kPi * (w.x() * x + w.y() * y + w.z()));
-    return sum;
-  };
-  return make_texture(
-      models::make_textured_slab({Vec3(kSide, kSide, 0.25 * kSide), texels, height}), "plate");
-}
 
 struct Contacts {
   HapticTexture object, scene;
@@ -139,6 +124,26 @@ std::vector<double> time_frames(const Contacts& contacts, int count, DepthBacken
 }
 
 }  // namespace
+
+HapticTexture wavy_plate(Random& random, int texels, const Vec2& sideways) {
+  std::array<Vec3, 3> waves;  // by x and y [1/m], phase [turns]
+  for (Vec3& w : waves)
+    w = Vec3(300.0 * random.uniform(-1.0, 1.0), 300.0 * random.uniform(-1.0, 1.0),
+             random.uniform());
+  const auto height = [&](double x, double y) {
+    double sum = 0.0;
+    for (const Vec3& w : waves)
+      sum += kAmplitude * sine(2.0 * kPi * (w.x() * x + w.y() * y + w.z()));
+    return sum;
+  };
+  TextureSource source =
+      models::make_textured_slab({Vec3(kSide, kSide, 0.25 * kSide), texels, height});
+  for (Texel& t : source.texels) {
+    t.x = static_cast<float>(sideways.x()) * t.z;
+    t.y = static_cast<float>(sideways.y()) * t.z;
+  }
+  return make_texture(std::move(source), "plate");
+}
 
 std::vector<Row> texture_rows(bool quick) {
   const auto contacts = make_contacts(quick);

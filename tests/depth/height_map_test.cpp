@@ -3,7 +3,7 @@
 #include "depth/textured_plates.h"
 #include <gtest/gtest.h>
 
-#include "thigma/depth/detail/height_span.h"
+#include "thigma/depth/detail/quad_rows.h"
 
 namespace thigma {
 namespace {
@@ -72,6 +72,69 @@ TEST(HeightSpan, every_width_gives_the_same_bits) {
   }
 }
 
+/// Rows over a texture, in one batch.
+detail::QuadBatch random_batch(Random& random, const HapticTexture& texture,
+                               std::vector<float>& out) {
+  const std::vector<detail::HeightSpan> spans = random_spans(random, texture, out);
+  detail::QuadBatch batch;
+  detail::QuadTriangle& t = batch.triangle;
+  t.texels = spans.front();
+  t.quads = texture.quads.cells.front().steps.data();
+  t.quad_row = texture.width;
+  t.high_x = t.texels.high_x;
+  t.high_y = t.texels.high_y;
+  t.by_x = t.texels.by_x;
+  t.by_y = t.texels.by_y;
+  t.by_h = t.texels.by_h;
+  t.by_step = static_cast<float>(random.uniform(1e-9, 1e-8));
+  while (batch.row_count < detail::QuadBatch::kRows &&
+         batch.sample_count < detail::QuadBatch::kFull) {
+    const detail::HeightSpan& span = spans[static_cast<std::size_t>(batch.row_count)];
+    float* const row = out.data() + 64 * batch.row_count;
+    batch.sample_count += span.count;
+    batch.rows[batch.row_count++] = {span.x,     span.y,     span.h, 0.5f * span.h,
+                                     span.first, span.count, row};
+  }
+  return batch;
+}
+
+TEST(QuadRows, every_width_gives_the_same_bits_mixed_cells_among_them) {
+  Random random(7);
+  HapticTexture texture = make_texture(test::plate_source(random, {.noise = 1e-4}), "t");
+  for (HeightQuad& quad : texture.quads.cells) {
+    for (std::uint16_t& steps : quad.steps) steps = static_cast<std::uint16_t>(random.below(65535));
+    if (random.uniform() < 0.03) quad.steps[0] = kMixedCell;
+  }
+  constexpr std::size_t kOut = 64 * detail::QuadBatch::kRows;
+  std::vector<float> before(kOut), scalar, sse2, avx2;
+  for (int i = 0; i < 300; ++i) {
+    for (float& h : before)
+      h = random.uniform() < 0.5 ? kEmptySample : static_cast<float>(random.uniform(-1e-3, 1e-3));
+    detail::QuadBatch batch = random_batch(random, texture, before);
+    const auto raised = [&](auto locate, auto raise) {
+      std::vector<float> out = before;
+      for (int row = 0; row < batch.row_count; ++row) batch.rows[row].out = out.data() + 64 * row;
+      locate(batch);
+      raise(batch);
+      return out;
+    };
+    scalar = raised(detail::locate_scalar, detail::raise_scalar);
+    sse2 = raised(detail::locate_sse2, detail::raise_sse2);
+    EXPECT_EQ(scalar, sse2);
+    for (int row = 0; row < batch.row_count; ++row) {
+      const detail::QuadRow& r = batch.rows[row];
+      for (int k = 0; k < 64; ++k) {
+        const std::size_t at = static_cast<std::size_t>(64 * row + k);
+        const bool is_in = k >= r.first && k < r.first + r.count;
+        EXPECT_TRUE(is_in ? scalar[at] > kEmptySample : scalar[at] == before[at]);
+      }
+    }
+    if (!__builtin_cpu_supports("avx2")) continue;
+    avx2 = raised(detail::locate_avx2, detail::raise_avx2);
+    EXPECT_EQ(scalar, avx2);
+  }
+}
+
 TEST(HeightMap, holds_the_heights_of_the_patch_and_no_cracks) {
   Random random(2);
   int covered = 0;
@@ -80,7 +143,7 @@ TEST(HeightMap, holds_the_heights_of_the_patch_and_no_cracks) {
     const ProjectedPatch patch = projected(p, i % 2 ? Facing::along : Facing::against);
     const MapGrid grid{{Vec2(-0.013, -0.012), Vec2(0.012, 0.014)}, 37 + i, 50};
     HeightMap map;
-    render_heights(patch, grid, SpanWidth::widest, map);
+    render_heights(patch, grid, {.has_quads = false}, map);
     for (int row = 0; row < grid.rows; ++row) {
       for (int column = 0; column < grid.columns; ++column) {
         const float got = map.heights[static_cast<std::size_t>(row * grid.columns + column)];
@@ -109,10 +172,51 @@ TEST(HeightMap, scalar_and_widest_agree_on_every_bit) {
     const ProjectedPatch patch = projected(p, Facing::along);
     const MapGrid grid{patch.box, 50, 50};
     HeightMap scalar, widest;
-    render_heights(patch, grid, SpanWidth::scalar, scalar);
-    render_heights(patch, grid, SpanWidth::widest, widest);
-    EXPECT_EQ(scalar.heights, widest.heights);
+    for (const bool has_quads : {true, false}) {
+      render_heights(patch, grid, {SpanWidth::scalar, has_quads}, scalar);
+      render_heights(patch, grid, {SpanWidth::widest, has_quads}, widest);
+      EXPECT_EQ(scalar.heights, widest.heights);
+    }
   }
+}
+
+/// Largest difference between maps by quads and by displacements, by what quads may add.
+double off_by_quads(const ProjectedPatch& patch, const MapGrid& grid) {
+  HeightMap quads, texels;
+  render_heights(patch, grid, {}, quads);
+  render_heights(patch, grid, {.has_quads = false}, texels);
+  // Over the cosine, at most 1 / 0.1 where a triangle is still seen; plain rounding beside it.
+  double steepest = 1.0, largest = 0.0;
+  for (const ProjectedTriangle& t : patch.triangles)
+    steepest = std::max(steepest, t.carried.norm());
+  const double range = patch.texture->quads.step * kMostSteps;
+  for (std::size_t i = 0; i < quads.heights.size(); ++i) {
+    EXPECT_EQ(quads.heights[i] == kEmptySample, texels.heights[i] == kEmptySample);
+    if (texels.heights[i] == kEmptySample) continue;
+    largest =
+        std::max(largest, static_cast<double>(std::fabs(quads.heights[i] - texels.heights[i])));
+  }
+  return (largest - 5e-9) / (steepest * range / 65536.0);
+}
+
+TEST(HeightMap, of_quads_is_within_a_65536th_of_the_range_of_that_of_displacements) {
+  Random random(8);
+  double largest = 0.0;
+  int of_one_direction = 0;
+  for (int i = 0; i < 60; ++i) {
+    const test::PlateContact p(random, {.cells = 1 + i % 5,
+                                        .texels = 20 + i,
+                                        .bend = i % 3 ? 20.0 : 0.0,
+                                        .noise = i % 2 ? 1e-4 : 0.0});
+    const ProjectedPatch patch = projected(p, i % 4 < 2 ? Facing::along : Facing::against);
+    of_one_direction += !patch.texture->quads.along.isZero();
+    const MapGrid grid{{Vec2(-0.013, -0.012), Vec2(0.012, 0.014)}, 37 + i, 90};
+    largest = std::max(largest, off_by_quads(patch, grid));
+  }
+  EXPECT_LE(largest, 1.0);
+  EXPECT_GT(largest, 0.1);
+  EXPECT_GT(of_one_direction, 10);
+  EXPECT_LT(of_one_direction, 50);
 }
 
 HeightMap random_map(Random& random, int columns, int rows, double empty) {

@@ -40,6 +40,35 @@ TEST(HapticTexture, texel_size_and_amplitude_are_those_of_the_surface) {
   EXPECT_NEAR(texture.amplitude, 3e-4, 1e-10);
 }
 
+TEST(HapticTexture, bounds_under_a_triangle_hold_what_is_read_there) {
+  Random random(2);
+  for (int cells = 1; cells < 6; ++cells) {
+    const HapticTexture texture = make_texture(
+        test::plate_source(random, {.cells = cells, .texels = 50, .noise = 1e-4}), "t");
+    ASSERT_EQ(texture.under.size(), texture.corners.size());
+    const TexelBounds& all = texture.pyramid.back().cells.front();
+    int smaller = 0;
+    for (std::size_t t = 0; t < texture.corners.size(); ++t) {
+      const TexelBounds& under = texture.under[t];
+      smaller += under.low.z > all.low.z || under.high.z < all.high.z;
+      const std::array<Vec2, 3>& c = texture.corners[t];
+      for (int i = 0; i < 200; ++i) {
+        const double a = random.uniform(), b = random.uniform(0.0, 1.0 - a);
+        const Vec3 d = test::lookup(texture, a * c[0] + b * c[1] + (1.0 - a - b) * c[2]);
+        const auto is_within = [](double low, double x, double high) {
+          return x >= low - 1e-12 && x <= high + 1e-12;
+        };
+        EXPECT_TRUE(is_within(under.low.x, d.x(), under.high.x));
+        EXPECT_TRUE(is_within(under.low.y, d.y(), under.high.y));
+        EXPECT_TRUE(is_within(under.low.z, d.z(), under.high.z));
+      }
+    }
+    if (cells == 5) {
+      EXPECT_GT(smaller, 0);
+    }
+  }
+}
+
 // Each cell against all texels that may take part in an interpolation within it.
 TEST(HapticTexture, every_cell_bounds_its_texels_and_no_more) {
   Random random(1);

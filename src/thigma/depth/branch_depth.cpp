@@ -234,8 +234,8 @@ class BranchDepth final : public DepthBackend {
     constexpr int kResolution = 50;
     if (within > 0.0) {
       const MapGrid grid{prepared_.box, kResolution, kResolution};
-      render_heights(prepared_.object, grid, SpanWidth::widest, object_);
-      render_heights(prepared_.scene, grid, SpanWidth::widest, scene_);
+      render_heights(prepared_.object, grid, {}, object_);
+      render_heights(prepared_.scene, grid, {}, scene_);
       detail::collect_near(object_, scene_, grid, within, result);
     } else {
       result.near.push_back({result.at, 1.0});

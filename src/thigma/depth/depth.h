@@ -96,8 +96,15 @@ class DepthBackend {
 struct GridDepthParams {
   int resolution = 50;                  // samples along each axis of the common domain, 2..4096
   SpanWidth width = SpanWidth::widest;  // scalar is the reference; all give the same bits
+  bool has_quads = true;    // maps are of heights in 16 bits; false: of displacements, which takes
+                            // longer and changes depths that are not polished by a 65,536th
   bool is_polished = true;  // climb from the best sample to the maximum near it, below texel size
 };
+
+/// How its maps are read.
+inline MapReading reading_of(const GridDepthParams& params) noexcept {
+  return {params.width, params.has_quads};
+}
 
 /// At configurations moved within the plane the object's map is read shifted or turned instead of
 /// rendered anew: 6 maps instead of 11. The default step is one cell of the grid.

@@ -31,8 +31,8 @@ class GridDepth final : public DepthBackend {
     if (!detail::prepare_contact(contact, prepared_)) return;
     result.frame = prepared_.frame;
     const MapGrid grid{prepared_.box, params_.resolution, params_.resolution};
-    render_heights(prepared_.object, grid, params_.width, object_);
-    render_heights(prepared_.scene, grid, params_.width, scene_);
+    render_heights(prepared_.object, grid, reading_of(params_), object_);
+    render_heights(prepared_.scene, grid, reading_of(params_), scene_);
     const MapMaximum best = largest_sum(object_, scene_);
     if (best.column < 0) return;
     result.is_found = true;
@@ -56,7 +56,7 @@ class GridDepth final : public DepthBackend {
     if (detail::is_tilted(configuration)) {
       detail::project_moved(contact, configuration_motion(result, contact.centre, configuration),
                             prepared_);
-      render_heights(prepared_.object, grid, params_.width, moved_);
+      render_heights(prepared_.object, grid, reading_of(params_), moved_);
     } else {
       move_map(object_, grid, detail::plane_motion(contact, result, configuration), moved_);
     }

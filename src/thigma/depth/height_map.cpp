@@ -6,102 +6,11 @@
 
 #include <emmintrin.h>
 
-#include "thigma/depth/detail/height_span.h"
 #include "thigma/depth/detail/map_motion.h"
-#include "thigma/depth/detail/triangle_span.h"
+#include "thigma/depth/detail/triangle_rows.h"
 
 namespace thigma {
 namespace {
-
-using RaiseSpan = void (*)(const detail::HeightSpan&) noexcept;
-
-RaiseSpan choose_span(SpanWidth width) noexcept {
-  if (width == SpanWidth::scalar) return detail::raise_span_scalar;
-  return __builtin_cpu_supports("avx2") ? detail::raise_span_avx2 : detail::raise_span_sse2;
-}
-
-// Part of a row that a triangle covers, in columns: low > high for none.
-struct Extent {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-};
-
-// An edge of a triangle as a line u(v).
-struct EdgeLine {
-  double low = 0.0, high = 0.0;  // its part of v
-  double u = 0.0, v = 0.0;       // of its first corner
-  double by_v = 0.0;             // 0 where it lies within a row
-  double far_u = 0.0;            // where it lies within a row, of its other corner; else u
-};
-using EdgeLines = std::array<EdgeLine, 3>;
-
-EdgeLines edge_lines(const ProjectedTriangle& t) noexcept {
-  EdgeLines lines;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec2& a = t.at[k];
-    const Vec2& b = t.at[(k + 1) % 3];
-    const double rise = b.y() - a.y();
-    const bool is_flat = rise == 0.0;
-    lines[k] = {std::min(a.y(), b.y()),
-                std::max(a.y(), b.y()),
-                a.x(),
-                a.y(),
-                is_flat ? 0.0 : (b.x() - a.x()) / rise,
-                is_flat ? b.x() : a.x()};
-  }
-  return lines;
-}
-
-Extent row_extent(const EdgeLines& edges, double v) noexcept {
-  Extent extent;
-  for (const EdgeLine& edge : edges) {
-    if (edge.low > v || edge.high < v) continue;
-    const double u = edge.u + (v - edge.v) * edge.by_v;
-    const double far = edge.far_u + (v - edge.v) * edge.by_v;
-    extent.low = std::min({extent.low, u, far});
-    extent.high = std::max({extent.high, u, far});
-  }
-  return extent;
-}
-
-int first_index(double cells) noexcept {
-  return static_cast<int>(std::ceil(cells - detail::kSpanOverlap));
-}
-int last_index(double cells) noexcept {
-  return static_cast<int>(std::floor(cells + detail::kSpanOverlap));
-}
-
-void render_triangle(const ProjectedPatch& patch, const ProjectedTriangle& t, const MapGrid& grid,
-                     RaiseSpan raise, HeightMap& map) noexcept {
-  if (!overlap(t.box, grid.box)) return;
-  const Vec2 spacing = grid.spacing();
-  const Vec2 first = grid.at(0, 0);
-  const auto [bottom, top] = std::minmax({t.at[0].y(), t.at[1].y(), t.at[2].y()});
-  const auto row_of = [&](double v) {
-    return std::clamp((v - first.y()) / spacing.y(), -1.0, static_cast<double>(grid.rows));
-  };
-  const auto column_of = [&](double u) {
-    return std::clamp((u - first.x()) / spacing.x(), -1.0, static_cast<double>(grid.columns));
-  };
-  Vec2 origin;
-  detail::HeightSpan span = detail::start_span(patch, t, spacing.x(), origin);
-  const EdgeLines edges = edge_lines(t);
-  const int last_row = std::min(last_index(row_of(top)), grid.rows - 1);
-  for (int row = std::max(first_index(row_of(bottom)), 0); row <= last_row; ++row) {
-    const double v = grid.box.low.y() + spacing.y() * (row + 0.5);
-    const Extent extent = row_extent(edges, std::clamp(v, bottom, top));
-    span.first = std::max(first_index(column_of(extent.low)), 0);
-    span.count = std::min(last_index(column_of(extent.high)), grid.columns - 1) + 1 - span.first;
-    if (span.count <= 0) continue;
-    const Vec2 at(first.x(), v);
-    const Vec2 texel = t.texel_origin + t.texel_by_at * at - origin;
-    span.x = static_cast<float>(texel.x());
-    span.y = static_cast<float>(texel.y());
-    span.h = static_cast<float>(t.height_origin + t.height_by_at.dot(at));
-    span.out = map.heights.data() + static_cast<std::ptrdiff_t>(row) * grid.columns;
-    raise(span);
-  }
-}
 
 // Between four samples; empty as soon as an empty one takes part.
 float interpolate(const float* h, std::ptrdiff_t next, std::ptrdiff_t next_row, float x,
@@ -215,14 +124,13 @@ void turn_map(const HeightMap& map, const MapGrid& grid, const PlaneMotion& moti
 
 }  // namespace
 
-void render_heights(const ProjectedPatch& patch, const MapGrid& grid, SpanWidth width,
+void render_heights(const ProjectedPatch& patch, const MapGrid& grid, const MapReading& reading,
                     HeightMap& map) noexcept {
   map.columns = grid.columns;
   map.rows = grid.rows;
   map.heights.assign(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows),
                      kEmptySample);
-  const RaiseSpan raise = choose_span(width);
-  for (const ProjectedTriangle& t : patch.triangles) render_triangle(patch, t, grid, raise, map);
+  detail::raise_triangles(patch, grid, reading, map);
 }
 
 MapMaximum largest_sum(const HeightMap& a, const HeightMap& b) noexcept {

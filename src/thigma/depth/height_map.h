@@ -33,14 +33,21 @@ enum class SpanWidth : std::uint8_t {
   widest,  // four samples, eight and two texels a load where the processor has AVX2; the same bits
 };
 
+/// How a map is read of a texture.
+struct MapReading {
+  SpanWidth width = SpanWidth::widest;
+  bool has_quads = true;  // heights in 16 bits; false: displacements, as a graphics processor does
+};
+
 /// Renders a patch: at every sample the height of its fine surface, the largest of several sheets.
 ///
 /// map       overwritten; sized to the grid, memory is kept
 /// Thread    [contact]; no failure; allocates for a grid larger than ever before. In single
 ///           precision about the frame's origin: 1e-7 of the patch's height range plus 1e-7 of its
-///           texels' number times the relief's slope.
+///           texels' number times the relief's slope. Quads add 1/65,536 of the range of heights,
+///           over the cosine between the triangle's normal and the facing direction.
 /// Source    Sec. 4.4.2, Eq. 4.9.
-void render_heights(const ProjectedPatch& patch, const MapGrid& grid, SpanWidth width,
+void render_heights(const ProjectedPatch& patch, const MapGrid& grid, const MapReading& reading,
                     HeightMap& map) noexcept;
 
 /// The largest sum of two maps and where it is; ties: the first in row order. column -1 where the

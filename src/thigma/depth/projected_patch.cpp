@@ -107,9 +107,17 @@ bool may_cover(const ProjectedTriangle& t, const Vec2& at) noexcept {
          cross(t.edges[2], at - t.at[2]) >= t.least[2];
 }
 
+// What a displacement moves along the plane.
+Vec2 sideways_by(const ProjectedPatch& patch, const Vec3& d) noexcept {
+  const Mat3& m = patch.contact_from_body;
+  return Vec2(m(0, 0) * d.x() + m(0, 1) * d.y() + m(0, 2) * d.z(),
+              m(1, 0) * d.x() + m(1, 1) * d.y() + m(1, 2) * d.z());
+}
+
 Mat2 by_texel(const Vec3& x, const Vec3& y, const ProjectedPatch& patch) noexcept {
   Mat2 along;
-  along << patch.contact_from_body.topRows<2>() * x, patch.contact_from_body.topRows<2>() * y;
+  along.col(0) = sideways_by(patch, x);
+  along.col(1) = sideways_by(patch, y);
   return along;
 }
 
@@ -130,7 +138,6 @@ Found look_below(const ProjectedPatch& patch, const ProjectedTriangle& t, const 
                  Vec2& place) noexcept {
   constexpr int kMostSteps = 12;
   const double close = kClose * (t.box.high - t.box.low).lpNorm<1>();
-  const auto sideways = patch.contact_from_body.topRows<2>();
   place = at;
   for (int k = 0; k < kMostSteps; ++k) {
     // Beside the triangle texels are of others: its nearest point stands in. The way there gets no
@@ -138,7 +145,7 @@ Found look_below(const ProjectedPatch& patch, const ProjectedTriangle& t, const 
     const bool is_on = insideness(t, place) >= 0.0;
     const TexelFacet facet =
         texel_facet(*patch.texture, texel_of(t, is_on ? place : nearest_on(t, place)));
-    const Vec2 lack = at - place - sideways * facet.value;
+    const Vec2 lack = at - place - sideways_by(patch, facet.value);
     if (lack.lpNorm<1>() <= close)
       return insideness(t, place) >= -kFoundSlack ? Found::on : Found::beside;
     if (!is_on) {
@@ -146,9 +153,10 @@ Found look_below(const ProjectedPatch& patch, const ProjectedTriangle& t, const 
       continue;
     }
     const Mat2 moves = Mat2::Identity() + by_texel(facet.by_x, facet.by_y, patch) * t.texel_by_at;
+    const double turn = moves.determinant();
     constexpr double kTurnsOver = 0.05;  // of the area: nearly edge-on
-    if (!(moves.determinant() > kTurnsOver)) return Found::none;
-    place += moves.inverse() * lack;
+    if (!(turn > kTurnsOver)) return Found::none;
+    place += Vec2(cross(lack, moves.col(1)), cross(moves.col(0), lack)) / turn;
   }
   return Found::none;
 }
@@ -291,37 +299,9 @@ Vec3 carried_by(const ProjectedTriangle& t, const ProjectedPatch& patch) noexcep
   return patch.direction_body - patch.contact_from_body.topRows<2>().transpose() * rise;
 }
 
-// Bounds of the texels under a triangle: of up to four cells at least as large as its box.
-TexelBounds bounds_under(const HapticTexture& texture,
-                         const std::array<Vec2, 3>& corners) noexcept {
-  const Vec2 last(texture.width - 1.0, texture.height - 1.0), around = Vec2::Ones();
-  const Vec2 low = (corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]) - around)
-                       .cwiseMax(0.0)
-                       .cwiseMin(last),
-             high = (corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) + around)
-                        .cwiseMax(0.0)
-                        .cwiseMin(last);
-  std::size_t level = 0;  // of cells of 2^(level + 1) texels
-  while (level + 1 < texture.pyramid.size() &&
-         std::ldexp(1.0, static_cast<int>(level) + 1) < (high - low).maxCoeff())
-    ++level;
-  const BoundsLevel& cells = texture.pyramid[level];
-  const auto cell = [&](double at, int count) {
-    return std::min(static_cast<int>(at) >> (level + 1), count - 1);
-  };
-  TexelBounds all = cells.cells[static_cast<std::size_t>(cell(low.y(), cells.rows) * cells.columns +
-                                                         cell(low.x(), cells.columns))];
-  for (int row = cell(low.y(), cells.rows); row <= cell(high.y(), cells.rows); ++row) {
-    for (int column = cell(low.x(), cells.columns); column <= cell(high.x(), cells.columns);
-         ++column) {
-      const TexelBounds& here = cells.cells[static_cast<std::size_t>(row * cells.columns + column)];
-      all.low = {std::min(all.low.x, here.low.x), std::min(all.low.y, here.low.y),
-                 std::min(all.low.z, here.low.z)};
-      all.high = {std::max(all.high.x, here.high.x), std::max(all.high.y, here.high.y),
-                  std::max(all.high.z, here.high.z)};
-    }
-  }
-  return all;
+const TexelBounds& bounds_under(const HapticTexture& texture, std::int32_t triangle) noexcept {
+  return texture.under.empty() ? texture.pyramid.back().cells.front()
+                               : texture.under[static_cast<std::size_t>(triangle)];
 }
 
 // Bounds of what displacements within bounds move along the plane.
@@ -391,7 +371,7 @@ bool project_triangle(const ProjectedPatch& patch, const Corners& corners, std::
   const Vec2 slack = 2.0 * kEdgeSlack * (corners.box.high - corners.box.low);
   projected.box = {corners.box.low - slack, corners.box.high + slack};
   const PlaneBox sideways =
-      sideways_of(bounds_under(*patch.texture, texels), patch.contact_from_body);
+      sideways_of(bounds_under(*patch.texture, index), patch.contact_from_body);
   projected.least = least_coordinates(projected, sideways);
   projected.fine = {projected.box.low + sideways.low, projected.box.high + sideways.high};
   return true;

@@ -4,14 +4,15 @@
 #include <cmath>
 #include <limits>
 
-#include <sys/mman.h>
-
 #include "thigma/math/plane_cross.h"
+#include "thigma/texture/detail/height_quads.h"
+#include "thigma/texture/detail/large_pages.h"
 #include "thigma/texture/detail/texture_error.h"
 
 namespace thigma {
 namespace {
 
+using detail::ask_for_large_pages;
 using detail::fail;
 
 std::string place(const char* kind, std::size_t index) {
@@ -188,14 +189,33 @@ BoundsLevel next_level(const BoundsLevel& fine) {
   return level;
 }
 
-// A height map reads texels all over the map: with pages of 4 KiB a lookup of the address costs
-// more than the texel. Where the system has no larger pages, nothing changes.
-void ask_for_large_pages(const void* memory, std::size_t bytes) {
-  constexpr std::uintptr_t kLargePage = std::uintptr_t{1} << 21;
-  const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t first = (begin + kLargePage - 1) & ~(kLargePage - 1),
-                       last = (begin + bytes) & ~(kLargePage - 1);
-  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+// Bounds of the texels under a triangle: of up to four cells at least as large as its box.
+TexelBounds bounds_under(const HapticTexture& texture, const std::array<Vec2, 3>& corners) {
+  const Vec2 last(texture.width - 1.0, texture.height - 1.0), around = Vec2::Ones();
+  const Vec2 low = (corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]) - around)
+                       .cwiseMax(0.0)
+                       .cwiseMin(last),
+             high = (corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) + around)
+                        .cwiseMax(0.0)
+                        .cwiseMin(last);
+  std::size_t level = 0;  // of cells of 2^(level + 1) texels
+  while (level + 1 < texture.pyramid.size() &&
+         std::ldexp(1.0, static_cast<int>(level) + 1) < (high - low).maxCoeff())
+    ++level;
+  const BoundsLevel& cells = texture.pyramid[level];
+  const auto cell = [&](double at, int count) {
+    return std::min(static_cast<int>(at) >> (level + 1), count - 1);
+  };
+  TexelBounds all = cells.cells[static_cast<std::size_t>(cell(low.y(), cells.rows) * cells.columns +
+                                                         cell(low.x(), cells.columns))];
+  for (int row = cell(low.y(), cells.rows); row <= cell(high.y(), cells.rows); ++row) {
+    for (int column = cell(low.x(), cells.columns); column <= cell(high.x(), cells.columns);
+         ++column) {
+      const TexelBounds& here = cells.cells[static_cast<std::size_t>(row * cells.columns + column)];
+      all = {least(all.low, here.low), largest(all.high, here.high)};
+    }
+  }
+  return all;
 }
 
 std::vector<Texel> padded(const std::vector<Texel>& texels, int width, int height) {
@@ -230,6 +250,10 @@ HapticTexture make_texture(TextureSource source, const std::string& name) {
   texture.pyramid.push_back(first_level(texture));
   while (texture.pyramid.back().cells.size() > 1)
     texture.pyramid.push_back(next_level(texture.pyramid.back()));
+  texture.under.reserve(texture.corners.size());
+  for (const std::array<Vec2, 3>& corners : texture.corners)
+    texture.under.push_back(bounds_under(texture, corners));
+  detail::fill_height_quads(texture);
   return texture;
 }
 
@@ -250,6 +274,7 @@ HapticTexture make_plain_texture(TriangleMesh coarse, const std::string& name) {
   texture.texels.assign(4, Texel{});
   texture.texel_size = std::sqrt(area.on_surface / area.in_map);
   texture.pyramid.push_back(first_level(texture));
+  detail::fill_height_quads(texture);
   return texture;
 }
 

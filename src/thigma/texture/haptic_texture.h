@@ -11,7 +11,7 @@
 namespace thigma {
 
 inline constexpr int kMaxTextureSide = 16384;                      // texels along one side
-inline constexpr std::int64_t kMaxTexels = std::int64_t{1} << 26;  // of one texture: 1 GiB
+inline constexpr std::int64_t kMaxTexels = std::int64_t{1} << 26;  // of one texture: 1.5 GiB
 
 /// Displacement from the coarse surface to the fine one [m; body frame]. 16 bytes, so that one load
 /// fetches it whole.
@@ -31,6 +31,28 @@ struct BoundsLevel {
   std::vector<TexelBounds> cells;  // row by row
 };
 
+/// Heights over the coarse surface at the four texels around a cell of the map, (0, 0), (1, 0),
+/// (0, 1), (1, 1), in steps above the lowest. 8 bytes, so that one load fetches them and a cache
+/// line has eight.
+struct alignas(8) HeightQuad {
+  std::array<std::uint16_t, 4> steps = {};
+};
+
+inline constexpr std::uint16_t kMostSteps = 65534;
+/// steps[0] of a cell whose texels are not to be told by one height each: triangles of different
+/// normals lie over it.
+inline constexpr std::uint16_t kMixedCell = 65535;
+
+/// What height maps read of a texture: heights to 1/65,536 of their range, not displacements.
+/// Depths and slopes themselves are those of the texels.
+struct HeightQuads {
+  double low = 0.0, step = 0.0;  // a height is low + steps x step [m]
+  // unit: what all displacements lie along [body frame]; zero: heights are along the normal of the
+  // coarse triangle over the cell
+  Vec3 along = Vec3::Zero();
+  std::vector<HeightQuad> cells;  // width x height, row by row: of the texel and the next ones
+};
+
 /// A coarse surface and what is added to it per texel: the fine point over texture coordinates t of
 /// a triangle is P(t) + d(t), P affine on the triangle, d interpolated bilinearly.
 ///
@@ -45,8 +67,11 @@ struct HapticTexture {
   // (height + 1) rows of width + 1: the last row and column are repeated
   std::vector<Texel> texels;
   std::vector<BoundsLevel> pyramid;  // levels 1, 2, .. up to a single cell
-  double texel_size = 0.0;           // mean side of a texel on the coarse surface [m]
-  double amplitude = 0.0;            // half the range of displacements along the coarse normals [m]
+  // bounds of the texels that a triangle reads, and one more around; none: those of the whole map
+  std::vector<TexelBounds> under;
+  HeightQuads quads;
+  double texel_size = 0.0;  // mean side of a texel on the coarse surface [m]
+  double amplitude = 0.0;   // half the range of displacements along the coarse normals [m]
 };
 
 /// What a texture is made of.

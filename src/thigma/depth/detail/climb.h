@@ -31,9 +31,10 @@ class Climb {
  public:
   Climb(const ClimbField& field, const DepthAt& depth_at) : field_(field), depth_at_(depth_at) {}
 
-  /// at: start and result. near: where to look first. returns the depth there, of the start if it
-  /// is no number.
-  double run(const Vec2& spacing, const Near& near, Vec2& at) const noexcept {
+  /// at: start and result. near: where to look first. found: optional, where the result was.
+  /// returns the depth there, of the start if it is no number.
+  double run(const Vec2& spacing, const Near& near, Vec2& at,
+             Near* found = nullptr) const noexcept {
     constexpr int kMostHalvings = 24;
     constexpr int kMostMoves = 32;  // along edges, all together
     Place here{at, kNoDepth, near};
@@ -57,6 +58,7 @@ class Climb {
       }
     }
     at = here.at;
+    if (found) *found = here.near;
     return here.depth;
   }
 

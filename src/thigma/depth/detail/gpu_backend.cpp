@@ -315,6 +315,7 @@ std::string differs_from_scalar(DepthBackend& backend, const GridDepthParams& gr
   contact.centre = Vec3(0.0, 0.0, -0.02);
   GridDepthParams scalar = grid;
   scalar.width = SpanWidth::scalar;
+  scalar.has_quads = false;  // shaders read displacements
   const DepthRequest request{.has_differences = true};
   DepthSamples got, want;
   backend.sample({&contact, 1}, request, {&got, 1});

@@ -1,8 +1,11 @@
 #include "thigma/depth/detail/grid_refinement.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+
+#include <xmmintrin.h>
 
 #include "thigma/core/static_vector.h"
 
@@ -11,38 +14,65 @@ namespace {
 
 constexpr int kPart = 4;  // samples of a part of the grid, each way
 
+/// Sums of two maps.
+struct Sums {
+  const float* at = nullptr;  // row by row
+  int columns = 0, rows = 0;
+  float operator()(int column, int row) const noexcept { return at[row * columns + column]; }
+};
+
+Sums sum_maps(const HeightMap& a, const HeightMap& b, std::vector<float>& sums) noexcept {
+  const std::size_t count = a.heights.size(), whole = count - count % 4;
+  if (sums.size() < count) sums.resize(count);
+  const float *x = a.heights.data(), *y = b.heights.data();
+  float* const out = sums.data();
+  for (std::size_t i = 0; i < whole; i += 4)
+    _mm_storeu_ps(out + i, _mm_add_ps(_mm_loadu_ps(x + i), _mm_loadu_ps(y + i)));
+  for (std::size_t i = whole; i < count; ++i) out[i] = x[i] + y[i];
+  return {out, a.columns, a.rows};
+}
+
 // Whether no sample beside is higher.
-bool is_summit(const HeightMap& a, const HeightMap& b, const MapMaximum& of) noexcept {
-  for (int row = std::max(of.row - 1, 0); row <= std::min(of.row + 1, a.rows - 1); ++row) {
-    for (int column = std::max(of.column - 1, 0); column <= std::min(of.column + 1, a.columns - 1);
-         ++column) {
-      const std::size_t i = static_cast<std::size_t>(row * a.columns + column);
-      if (a.heights[i] + b.heights[i] > of.sum) return false;
-    }
-  }
+bool is_summit(const Sums& sums, const MapMaximum& of) noexcept {
+  const int first = std::max(of.column - 1, 0), last = std::min(of.column + 1, sums.columns - 1);
+  for (int row = std::max(of.row - 1, 0); row <= std::min(of.row + 1, sums.rows - 1); ++row)
+    for (int column = first; column <= last; ++column)
+      if (sums(column, row) > of.sum) return false;
   return true;
 }
 
-MapMaximum best_of_part(const HeightMap& a, const HeightMap& b, int first_column,
-                        int first_row) noexcept {
+// The first of the largest samples of a part that is whole.
+MapMaximum best_of_whole(const Sums& sums, int first_column, int first_row) noexcept {
+  const float* const at = sums.at + first_row * sums.columns + first_column;
+  const __m128 rows[kPart] = {_mm_loadu_ps(at), _mm_loadu_ps(at + sums.columns),
+                              _mm_loadu_ps(at + 2 * sums.columns),
+                              _mm_loadu_ps(at + 3 * sums.columns)};
+  __m128 most = _mm_max_ps(_mm_max_ps(rows[0], rows[1]), _mm_max_ps(rows[2], rows[3]));
+  most = _mm_max_ps(most, _mm_shuffle_ps(most, most, _MM_SHUFFLE(1, 0, 3, 2)));
+  most = _mm_max_ps(most, _mm_shuffle_ps(most, most, _MM_SHUFFLE(2, 3, 0, 1)));
+  unsigned where = 0;
+  for (int k = 0; k < kPart; ++k)
+    where |= static_cast<unsigned>(_mm_movemask_ps(_mm_cmpeq_ps(rows[k], most))) << (kPart * k);
+  const int i = std::countr_zero(where | 1u << (kPart * kPart));
+  return {_mm_cvtss_f32(most), first_column + i % kPart, first_row + i / kPart};
+}
+
+MapMaximum best_of_part(const Sums& sums, int first_column, int first_row) noexcept {
+  if (first_column + kPart <= sums.columns && first_row + kPart <= sums.rows)
+    return best_of_whole(sums, first_column, first_row);
   MapMaximum best;
-  for (int row = first_row; row < std::min(first_row + kPart, a.rows); ++row) {
-    for (int column = first_column; column < std::min(first_column + kPart, a.columns); ++column) {
-      const std::size_t i = static_cast<std::size_t>(row * a.columns + column);
-      const float sum = a.heights[i] + b.heights[i];
-      if (sum > best.sum) best = {sum, column, row};
-    }
-  }
+  for (int row = first_row; row < std::min(first_row + kPart, sums.rows); ++row)
+    for (int column = first_column; column < std::min(first_column + kPart, sums.columns); ++column)
+      if (sums(column, row) > best.sum) best = {sums(column, row), column, row};
   return best;
 }
 
 // How high the surfaces may be between a summit of the samples and those beside it: as a tent whose
 // flanks go through them.
-float tent_height(const HeightMap& a, const HeightMap& b, const MapMaximum& summit) noexcept {
+float tent_height(const Sums& sums, const MapMaximum& summit) noexcept {
   const auto sum_at = [&](int column, int row) {
-    const int i = std::clamp(row, 0, a.rows - 1) * a.columns + std::clamp(column, 0, a.columns - 1);
     const float sum =
-        a.heights[static_cast<std::size_t>(i)] + b.heights[static_cast<std::size_t>(i)];
+        sums(std::clamp(column, 0, sums.columns - 1), std::clamp(row, 0, sums.rows - 1));
     return sum > kEmptySample ? sum : summit.sum;
   };
   const int column = summit.column, row = summit.row;
@@ -67,16 +97,15 @@ bool is_lower(const Rival& a, const Rival& b) noexcept { return a.hope < b.hope;
 
 // The best sample, and those with the highest tents. Crests narrower than the grid are as likely to
 // be the maximum as broad ones.
-Rivals rivals_of(const HeightMap& a, const HeightMap& b, const MapGrid& grid,
-                 const MapMaximum& best) noexcept {
+Rivals rivals_of(const Sums& sums, const MapGrid& grid, const MapMaximum& best) noexcept {
   Rivals rivals;
   rivals.push_back({std::numeric_limits<double>::infinity(), grid.at(best.column, best.row)});
-  for (int row = 0; row < a.rows; row += kPart) {
-    for (int column = 0; column < a.columns; column += kPart) {
-      const MapMaximum here = best_of_part(a, b, column, row);
+  for (int row = 0; row < sums.rows; row += kPart) {
+    for (int column = 0; column < sums.columns; column += kPart) {
+      const MapMaximum here = best_of_part(sums, column, row);
       const bool is_best = here.column == best.column && here.row == best.row;
-      if (is_best || !(here.sum > kEmptySample) || !is_summit(a, b, here)) continue;
-      const Rival rival{static_cast<double>(tent_height(a, b, here)),
+      if (is_best || !(here.sum > kEmptySample) || !is_summit(sums, here)) continue;
+      const Rival rival{static_cast<double>(tent_height(sums, here)),
                         grid.at(here.column, here.row)};
       if (rivals.push_back(rival)) continue;
       Rival& lowest = *std::min_element(rivals.begin(), rivals.end(), is_lower);
@@ -88,20 +117,21 @@ Rivals rivals_of(const HeightMap& a, const HeightMap& b, const MapGrid& grid,
 
 // Samples more finely around a summit: moves it to the best of them. Its hope is the depth there,
 // and what the tent over these samples adds.
-void look_closer(PreparedContact& prepared, const MapGrid& grid, SpanWidth width,
+void look_closer(PreparedContact& prepared, const MapGrid& grid, const MapReading& reading,
                  Rival& rival) noexcept {
   const Vec2 around = kAround * grid.spacing();
   const MapGrid fine{intersection({rival.at - around, rival.at + around}, grid.box), kFine, kFine};
-  render_heights(prepared.object, fine, width, prepared.fine_object);
-  render_heights(prepared.scene, fine, width, prepared.fine_scene);
+  render_heights(prepared.object, fine, reading, prepared.fine_object);
+  render_heights(prepared.scene, fine, reading, prepared.fine_scene);
   const MapMaximum best = largest_sum(prepared.fine_object, prepared.fine_scene);
   rival.hope = kNoDepth;
   if (best.column < 0) return;
   rival.at = fine.at(best.column, best.row);
-  NearTriangles triangles;
+  NearFeet feet;
   // Maps are of first order: the depth itself says how high the tent stands.
-  const double depth = depth_at(prepared, rival.at, triangles);
-  const float tent = tent_height(prepared.fine_object, prepared.fine_scene, best);
+  const double depth = depth_near(prepared, rival.at, feet);
+  const float tent =
+      tent_height(sum_maps(prepared.fine_object, prepared.fine_scene, prepared.sums), best);
   rival.hope = (depth == kNoDepth ? static_cast<double>(best.sum) : depth) +
                static_cast<double>(tent - best.sum);
 }
@@ -136,8 +166,9 @@ void climb_to_maximum(const GridDepthParams& params, PreparedContact& prepared,
   result.at = grid.at(best.column, best.row);
   result.depth[0] = static_cast<double>(best.sum);
   if (!params.is_polished) return;
-  Rivals rivals = rivals_of(maps.object, maps.scene, grid, best);
-  for (Rival& rival : rivals) look_closer(prepared, grid, params.width, rival);
+  bind_near(prepared);
+  Rivals rivals = rivals_of(sum_maps(maps.object, maps.scene, prepared.sums), grid, best);
+  for (Rival& rival : rivals) look_closer(prepared, grid, reading_of(params), rival);
   double deepest = kNoDepth;
   for (int k = 0; k < kClimbs; ++k) {
     Rival& rival = *std::max_element(rivals.begin(), rivals.end(), is_lower);

@@ -15,6 +15,11 @@ struct NearFoot {
   Vec2 aside = Vec2::Zero();   // of the coarse point from the place of the fine one [m]
 };
 
+/// Of both sides of a contact.
+struct NearFeet {
+  NearFoot object, scene;
+};
+
 inline std::int32_t triangle_of(const NearFoot& foot) noexcept { return foot.triangle; }
 
 /// A patch with its triangles about a box. Any content is valid to fill.

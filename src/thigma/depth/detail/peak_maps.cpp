@@ -16,8 +16,8 @@ constexpr int kLeast = 16;        // of them, each way
 
 void render(const PreparedContact& prepared, const MapGrid& grid, PeakMaps& maps) noexcept {
   maps.grid = grid;
-  render_heights(prepared.object, grid, SpanWidth::widest, maps.object);
-  render_heights(prepared.scene, grid, SpanWidth::widest, maps.scene);
+  render_heights(prepared.object, grid, {}, maps.object);
+  render_heights(prepared.scene, grid, {}, maps.scene);
 }
 
 /// The part of a grid's box with samples above a depth, a cell wider; empty without.

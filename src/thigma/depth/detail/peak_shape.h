@@ -16,11 +16,6 @@ struct PeakField {
   double flat = 0.0;   // by which depths may be too small [m]
 };
 
-/// Where both sides were found.
-struct NearFeet {
-  NearFoot object, scene;
-};
-
 /// Depth at a place with the object moved along the plane [m]; kNoDepth where a side does not lie.
 double depth_of(const PeakField& field, const Vec2& shift, const Vec2& at, NearFeet& feet) noexcept;
 

@@ -67,14 +67,32 @@ double depth_at(const PreparedContact& prepared, const Vec2& at, NearTriangles& 
   return object + height_at(prepared.scene, at, near.scene);
 }
 
+void bind_near(PreparedContact& prepared) noexcept {
+  bind_surface(prepared.object, prepared.near_object);
+  bind_surface(prepared.scene, prepared.near_scene);
+  look_over(prepared.box, prepared.near_object);
+  look_over(prepared.box, prepared.near_scene);
+}
+
+double depth_near(const PreparedContact& prepared, const Vec2& at, NearFeet& feet) noexcept {
+  const double object = height_near(prepared.near_object, at, feet.object);
+  if (object == kNoSurface) return kNoDepth;
+  return object + height_near(prepared.near_scene, at, feet.scene);
+}
+
 double climb(const PreparedContact& prepared, const Vec2& spacing, Vec2& at) noexcept {
   constexpr double kFinest = 0.125;  // of a texel: finer tells facets of the interpolation
   const ClimbField field{prepared.object, prepared.scene,           prepared.box,
                          Vec2::Zero(),    kFinest * prepared.texel, -1.0};
-  const auto depth = [&](const Vec2& there, NearTriangles& near) {
-    return depth_at(prepared, there, near);
+  const auto depth = [&](const Vec2& there, NearFeet& feet) {
+    return depth_near(prepared, there, feet);
   };
-  return Climb<NearTriangles, decltype(depth)>(field, depth).run(spacing, {}, at);
+  NearFeet feet;
+  const double found = Climb<NearFeet, decltype(depth)>(field, depth).run(spacing, {}, at, &feet);
+  // What is near is within a billionth of the relief; what is given is the depth itself.
+  NearTriangles near{feet.object.triangle, feet.scene.triangle};
+  const double there = depth_at(prepared, at, near);
+  return there == kNoDepth ? found : there;
 }
 
 bool is_upright(const PreparedContact& prepared, const Vec2& at) noexcept {

@@ -2,6 +2,7 @@
 // What all ways to a depth on the processor begin and end with.
 
 #include "thigma/depth/depth.h"
+#include "thigma/depth/detail/near_surface.h"
 
 namespace thigma::detail {
 
@@ -14,9 +15,11 @@ struct NearTriangles {
 struct PreparedContact {
   ContactFrame frame;
   ProjectedPatch object, scene;
-  PlaneBox box;                       // the patches' boxes and the reach, intersected
-  double texel = 0.0;                 // side of a texel of the finer side that has relief [m]
-  HeightMap fine_object, fine_scene;  // memory of a closer look
+  PlaneBox box;                         // the patches' boxes and the reach, intersected
+  double texel = 0.0;                   // side of a texel of the finer side that has relief [m]
+  HeightMap fine_object, fine_scene;    // memory of a closer look
+  NearSurface near_object, near_scene;  // and of a climb
+  std::vector<float> sums;              // of both maps
 };
 
 /// Projects both sides of a contact, the object along n and the scene against it; over: as of
@@ -38,9 +41,13 @@ void project_moved(const DepthContact& contact, const Pose& motion,
 /// Depth at a point of the plane [m]; kNoDepth where one of the sides does not lie.
 double depth_at(const PreparedContact& prepared, const Vec2& at, NearTriangles& near) noexcept;
 
+/// The same within a billionth of the relief, many times beside each other: after bind_near.
+double depth_near(const PreparedContact& prepared, const Vec2& at, NearFeet& feet) noexcept;
+void bind_near(PreparedContact& prepared) noexcept;
+
 /// Climbs from a point to a local maximum of the depth within the box: steps along both axes and
 /// diagonals, from `spacing` halved down to an eighth of a texel; where triangles end or change
-/// also along their edges.
+/// also along their edges. After bind_near.
 ///
 /// at       start and result
 /// returns  the depth there, of the start if it is no number

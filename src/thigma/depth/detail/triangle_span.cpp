@@ -27,4 +27,26 @@ HeightSpan start_span(const ProjectedPatch& patch, const ProjectedTriangle& t, d
   return span;
 }
 
+bool add_quads(const ProjectedPatch& patch, const ProjectedTriangle& t, const Vec2& origin,
+               QuadTriangle& to, double& low) noexcept {
+  const HapticTexture& texture = *patch.texture;
+  const HeightQuads& quads = texture.quads;
+  const bool is_one_way = !quads.along.isZero();
+  if (!is_one_way && t.height_by_at.squaredNorm() > 1.0) return false;
+  const double by = is_one_way ? t.carried.dot(quads.along) : t.carried.norm();
+  const std::size_t first =
+      static_cast<std::size_t>(origin.y()) * static_cast<std::size_t>(texture.width) +
+      static_cast<std::size_t>(origin.x());
+  to.quads = quads.cells[first].steps.data();
+  to.quad_row = texture.width;
+  to.high_x = to.texels.high_x;
+  to.high_y = to.texels.high_y;
+  to.by_x = to.texels.by_x;
+  to.by_y = to.texels.by_y;
+  to.by_h = to.texels.by_h;
+  to.by_step = static_cast<float>(quads.step * by);
+  low = quads.low * by;
+  return true;
+}
+
 }  // namespace thigma::detail
