@@ -25,7 +25,7 @@ void add(std::span<const ChannelRow> rows, std::span<const double> queries, Timi
 /// Timing since the window was closed last; empties it.
 /// now            [s; the same clock]
 /// frame, update  counts so far
-/// has_rate       whether frames come by the clock: there is no rate before, nor after, where they do not
+/// has_rate       whether frames come by the clock: no rate is told before it is so, nor after
 Timing close(double now, bool has_rate, std::uint64_t frame, std::uint64_t update,
              TimingWindow& window);
 
