@@ -17,6 +17,7 @@
 #include "thigma/recording/world_recording.h"
 #include "thigma/scene/world_scene.h"
 #include "thigma/session/rt_thread.h"
+#include "thigma/session/world_threads.h"
 
 namespace thigma::app {
 namespace {
@@ -111,7 +112,8 @@ WorldSummary run_alone(const RunOptions& options, const LoadedWorld& world, std:
   const WorldSummary summary =
       options.is_lockstep
           ? run_world(world.config, devices.list, sink, &stop)
-          : run_world_by_clock(world.config, devices.list, {.sink = sink, .stop = &stop});
+          : run_world_on_threads(world.config, devices.list, {.sink = sink, .stop = &stop},
+                                 kHapticThread);
   facts.cpu_seconds = 1e-9 * static_cast<double>(thread_cpu_ns() - begin);
   if (recorder) recorder->close(summary);
   return summary;

@@ -24,6 +24,7 @@
 #include "thigma/device/web_device.h"
 #include "thigma/scene/world_change.h"
 #include "thigma/session/rt_thread.h"
+#include "thigma/session/world_threads.h"
 
 namespace thigma::app {
 namespace {
@@ -158,7 +159,8 @@ class WorldLive {
     is_running_ = true;
     std::future<WorldSummary> session = std::async(std::launch::async, [&] {
       const std::int64_t begin = thread_cpu_ns();
-      WorldSummary summary = run_world_by_clock(world_.config, devices.list, shell);
+      WorldSummary summary =
+          run_world_on_threads(world_.config, devices.list, shell, kHapticThread);
       facts_.cpu_seconds = 1e-9 * static_cast<double>(thread_cpu_ns() - begin);
       return summary;
     });
