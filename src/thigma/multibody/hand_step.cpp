@@ -339,14 +339,76 @@ void keep_rows(const Work& work, ConstrainedStep& result) THIGMA_RT {
   });
 }
 
-void keep_bodies(const Work& work) THIGMA_RT {
+/// Of the world's next step the bodies next to the one in the hand have made this.
+void keep_bodies(const Work& work, double share) THIGMA_RT {
   if (!work.goes) return;
   HandMemory& memory = work.memory;
   for (std::size_t i = 1; i < work.model.bodies.size(); ++i) {
     memory.states[i] = work.s.next[i];
-    if (work.s.place[i] >= 0) memory.velocities[i] = work.s.bodies[idx(work.s.place[i])].velocity;
+    if (work.s.place[i] >= 0)
+      memory.velocities[i] = share * work.s.bodies[idx(work.s.place[i])].velocity;
   }
   memory.left -= work.dt;
+}
+
+/// Rows that pressed, at the poses after the step, for a solve without time.
+void turn_rows(const Work& work) THIGMA_RT {
+  HandScratch& s = work.s;
+  std::size_t kept = 0;
+  for (std::size_t r = 0; r < s.rows.size(); ++r) {
+    if (!(s.rows[r].impulse.x() > 0.0)) continue;
+    const RowSource& source = s.sources[r];
+    const HandPair& pair = work.model.pairs[idx(source.pair)];
+    const PairAt at = pair_at(pair, s.next);
+    const RowAtState here = row_at(work.model.rows[idx(source.row)].row, at.relative.position,
+                                   at.rotation);
+    if (!std::isfinite(here.gap)) continue;
+    const Mat3 turn = rotation_matrix(s.next[idx(pair.second)].orientation);
+    IslandRow row = s.rows[r];
+    row.normal = turn * here.normal;
+    row.first = turn * tangents_of(here.normal).first;
+    row.arm_a = turn * here.arm;
+    row.arm_b = turn * (at.relative.position + here.arm);
+    row.limit = 0.0;
+    row.impulse = Vec3::Zero();
+    s.rows[kept] = row;
+    s.sources[kept++] = source;
+  }
+  s.rows.resize(kept);
+  s.sources.resize(kept);
+}
+
+/// Surfaces that met in the step stop each other at its end, as in the world's; they do not spring
+/// back.
+void collide(const Work& work) THIGMA_RT {
+  HandScratch& s = work.s;
+  constexpr double kTouch = 1e-6;  // of the gap that is kept: less is no way
+  bool has_met = false;
+  for (std::size_t r = 0; r < s.rows.size(); ++r)
+    has_met = has_met || (s.rows[r].impulse.x() > 0.0 &&
+                          s.sources[r].room > kTouch * work.model.pairs[idx(s.sources[r].pair)].slop);
+  if (!has_met) return;
+  turn_rows(work);
+  for (std::size_t i = 0; i < work.model.bodies.size(); ++i) {
+    if (s.place[i] < 0) continue;
+    IslandBody& body = s.bodies[idx(s.place[i])];
+    body.free = body.velocity;
+    if (!work.model.bodies[i].is_solved) continue;
+    body.metric =
+        detail::mass_matrix(i == 0 ? work.at.body : work.model.bodies[i].rigid, s.next[i]);
+  }
+  s.solve.newton_left = std::max(kHandNewton - work.memory.newton, 0);
+  const detail::CutSolution cut =
+      detail::solve_cut(s.bodies, s.rows, s.sources, {}, s.cut, s.solve);
+  work.memory.newton += cut.solution.newton;
+  for (std::size_t i = 0; i < work.model.bodies.size(); ++i) {
+    if (s.place[i] < 0) continue;
+    IslandBody& body = s.bodies[idx(s.place[i])];
+    if (!cut.solution.is_whole) body.velocity = body.free;
+    if (!cut.solution.is_whole || !work.model.bodies[i].is_solved) continue;
+    s.next[i].linear_momentum += body.impulse.head<3>();
+    s.next[i].angular_momentum += body.impulse.tail<3>();
+  }
 }
 
 }  // namespace
@@ -419,7 +481,6 @@ ConstrainedStep step_hand(const HandModel& model, const BodyAtState& at, const S
   const IslandSolution solution = solve_turns(work, result);
   memory.rows = static_cast<std::int32_t>(s.rows.size());
   memory.bodies = static_cast<std::int32_t>(s.bodies.size());
-  memory.is_cut_short = memory.newton >= kHandNewton;
   result.solution.residual = solution.residual;
   result.solution.is_whole = solution.is_whole;
   keep_rows(work, result);
@@ -433,12 +494,16 @@ ConstrainedStep step_hand(const HandModel& model, const BodyAtState& at, const S
   least.fill(-kInfinity);
   for (const RowSource& source : s.sources) least[idx(source.row)] = std::min(source.gap, 0.0);
   const auto of = [&](std::size_t row) { return least[row]; };
+  double share = 1.0;
   if (!is_within(model, s.next, of)) {
     result.is_held_back = true;
-    share_within(work, of);
-    result.state = s.next[0];
+    share = share_within(work, of);
+  } else if (solution.is_whole) {
+    collide(work);
   }
-  keep_bodies(work);
+  memory.is_cut_short = memory.newton >= kHandNewton;
+  result.state = s.next[0];
+  keep_bodies(work, share);
   return result;
 }
 

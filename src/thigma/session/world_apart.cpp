@@ -1,6 +1,9 @@
 #include "thigma/session/world_apart.h"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace thigma {
 namespace {
@@ -12,22 +15,23 @@ bool may_resume(const WorldHandLoop& loop) THIGMA_RT {
 
 }  // namespace
 
-WorldApart::WorldApart(const WorldSessionConfig& config, std::span<HapticDevice* const> given)
-    : devices(given.begin(), given.end()), last(given.size(), 0.0) {
-  // Whether devices may be used is decided before any is.
-  run = std::make_unique<WorldRun>(config, devices);
+WorldApart::WorldApart(const WorldSessionConfig& of, std::span<HapticDevice* const> given)
+    : config(&of), devices(given.begin(), given.end()), last(given.size(), 0.0) {
+  if (devices.size() != of.hands.size())
+    throw std::invalid_argument(std::to_string(devices.size()) + " devices, expected the " +
+                                std::to_string(of.hands.size()) + " of the hands");
   for (std::size_t i = 0; i < devices.size(); ++i) {
     loops.push_back(nullptr);
     relays.push_back(nullptr);
     scratch.emplace_back();
     world_devices.push_back(nullptr);
     if (devices[i] == nullptr) continue;
-    loops[i] = std::make_unique<WorldHandLoop>(config.hands[i], *devices[i], config.rate);
-    relays[i] = std::make_unique<HandRelay>(*loops[i], 1.0 / config.rate);
-    scratch[i] = reserve_hand_model(config.world);
+    loops[i] = std::make_unique<WorldHandLoop>(of.hands[i], *devices[i], of.rate);
+    relays[i] = std::make_unique<HandRelay>(*loops[i], 1.0 / of.rate);
+    scratch[i] = reserve_hand_model(of.world);
     world_devices[i] = relays[i].get();
   }
-  run = std::make_unique<WorldRun>(config, world_devices);
+  run = std::make_unique<WorldRun>(of, world_devices);
 }
 
 WorldApart::~WorldApart() {
@@ -47,8 +51,8 @@ void publish_news(const WorldFrame& frame, double step, WorldApart& apart) {
   for (std::size_t i = 0; i < apart.loops.size(); ++i) {
     if (apart.loops[i] == nullptr) continue;
     if (has_changed) apart.scratch[i] = reserve_hand_model(apart.run->world());
-    publish_news(*apart.run, frame.grips[i], step, *apart.loops[i], *apart.scratch[i],
-                 apart.last[i]);
+    publish_news(*apart.run, {frame.grips[i], frame.handles[i], apart.config->hands[i], step},
+                 *apart.loops[i], *apart.relays[i], *apart.scratch[i], apart.last[i]);
   }
 }
 
@@ -97,7 +101,8 @@ WorldSummary run_world_apart(const WorldSessionConfig& config,
     if (made != nullptr) continue;
     made = apart.run->make_frame();
     if (made == nullptr) break;
-    due = tick + static_cast<std::uint64_t>(how.world_every);
+    const int lasts = how.lasts ? how.lasts(made->frame) : how.world_every;
+    due = tick + static_cast<std::uint64_t>(std::max(lasts, 1));
     if (how.world) how.world(*made);
   }
   WorldSummary summary = apart.run->end();

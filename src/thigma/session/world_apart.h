@@ -22,6 +22,7 @@ struct WorldApart {
   WorldApart(const WorldApart&) = delete;
   WorldApart& operator=(const WorldApart&) = delete;
 
+  const WorldSessionConfig* config;                   // outlives this
   std::vector<HapticDevice*> devices;                 // as given
   std::vector<std::unique_ptr<WorldHandLoop>> loops;  // null without a device
   std::vector<std::unique_ptr<HandRelay>> relays;     // likewise
@@ -50,6 +51,7 @@ struct ApartLockstep {
   // from the beginning of a world's step to that of the next, as if it took so long; what came of
   // it is known at the end of it
   int world_every = 1;
+  std::function<int(std::uint64_t frame)> lasts{};  // the same by frame of the world; may be empty
   std::function<void(std::size_t hand, const HapticSample&)> haptic{};  // may be empty
   std::function<void(const WorldFrame&)> world{};                      // may be empty
 };

@@ -79,11 +79,8 @@ void tell(const HapticSample& sample, WorldHandLoop& loop) THIGMA_RT {
   note.grip = sample.is_grasped ? loop.grip : 0;
   note.body = sample.body;
   note.wanted_speed = sample.wanted_speed;
+  note.energy = sample.energy;
   loop.notes.publish();
-}
-
-double angle_between(const Quat& from, const Quat& to) THIGMA_RT {
-  return vector_from_rotation(to * from.conjugate()).norm();
 }
 
 }  // namespace
@@ -128,6 +125,34 @@ HapticSample step_world_hand(WorldHandLoop& loop, const HapticTick& tick) THIGMA
   return sample;
 }
 
+/// Of the way to a pose, what the world may go in a step.
+double HandRelay::share_of(const Pose& pose, const Twist& twist, double energy) const THIGMA_RT {
+  // While it holds nothing nothing follows it: only what a device may do at most is kept to.
+  constexpr double kMost = 0.9;  // of the limits that the world's hand is judged by
+  const SafetyLimits& limits = loop_->params.safety;
+  const double speed = border.is_held ? kCatchUp : kMost * limits.max_speed;
+  const double turn_speed = border.is_held ? kCatchUpTurn : kMost * limits.max_turn_speed;
+  const double most = step_ * std::max(speed, twist.linear.norm());
+  const double most_turn = step_ * std::max(turn_speed, twist.angular.norm());
+  const Vec3 by = pose.position - passed_.position;
+  const Vec3 turn = vector_from_rotation(pose.orientation * passed_.orientation.conjugate());
+  double share = 1.0;
+  if (by.norm() > most) share = std::min(share, most / by.norm());
+  if (turn.norm() > most_turn) share = std::min(share, most_turn / turn.norm());
+  if (!border.is_held) return share;
+  // Work of the hand at a share s of the way: at most -s given + s^2 grows.
+  // The body may be stopped in the step: what its motion saves is not counted.
+  const double by_dampers = border.dampers.force.dot(by) + border.dampers.torque.dot(turn);
+  const double given = border.springs.force.dot(by) + border.springs.torque.dot(turn) +
+                       std::min(by_dampers, 0.0);
+  const double grows = border.stiffness * by.squaredNorm() +
+                       border.angular_stiffness * turn.squaredNorm();
+  const double inside = given * given + 4.0 * grows * (energy - border.energy + kBorderCredit);
+  if (!(grows > 0.0)) return share;
+  if (!(inside > 0.0)) return 0.0;
+  return std::clamp((given + std::sqrt(inside)) / (2.0 * grows), 0.0, share);
+}
+
 DeviceState HandRelay::read(double) THIGMA_RT {
   loop_->notes.fetch();
   const HandNote& note = loop_->notes.value();
@@ -139,62 +164,77 @@ DeviceState HandRelay::read(double) THIGMA_RT {
   const bool was_open = note.openings != openings_;
   frame_ = note.frame;
   openings_ = note.openings;
-  if (has_passed_) {
+  if (has_passed_ && (ticks > 1 || is_behind_)) {
     Pose& pose = sample.motion.pose;
-    // While it holds nothing nothing follows it: only what a device may do at most is kept to.
-    constexpr double kMost = 0.9;  // of the limits that the world's hand is judged by
-    const SafetyLimits& limits = loop_->params.safety;
-    const bool is_held = !loop_->is_free || is_closed_;
-    const double speed = is_held ? kCatchUp : kMost * limits.max_speed;
-    const double turn_speed = is_held ? kCatchUpTurn : kMost * limits.max_turn_speed;
-    const Twist& twist = sample.motion.twist;
-    const double most = step_ * std::max(speed, twist.linear.norm());
-    const double most_turn = step_ * std::max(turn_speed, twist.angular.norm());
-    const double way = (pose.position - passed_.position).norm();
-    const double turn = angle_between(passed_.orientation, pose.orientation);
-    double share = 1.0;
-    if (way > most) share = std::min(share, most / way);
-    if (turn > most_turn) share = std::min(share, most_turn / turn);
-    const bool is_behind = share < 1.0 && (ticks > 1 || is_behind_);
-    if (is_behind) {
-      const Vec3 by = vector_from_rotation(pose.orientation * passed_.orientation.conjugate());
+    const double share = share_of(pose, sample.motion.twist, note.energy);
+    Vec3 turn = vector_from_rotation(pose.orientation * passed_.orientation.conjugate());
+    is_behind_ = share < 1.0;
+    if (is_behind_) {
+      turn *= share;
       pose.position = passed_.position + share * (pose.position - passed_.position);
-      pose.orientation = unit(rotation_from_vector(share * by) * passed_.orientation);
+      pose.orientation = unit(rotation_from_vector(turn) * passed_.orientation);
+      // It takes hold where the hand is, not where it was.
+      if (loop_->is_free && !is_closed_) sample.buttons &= ~kClutchButton;
     }
-    if (is_behind || is_behind_ || ticks > 1) {
-      sample.motion.twist.linear = (pose.position - passed_.position) / step_;
-      sample.motion.twist.angular =
-          vector_from_rotation(pose.orientation * passed_.orientation.conjugate()) / step_;
-    }
-    is_behind_ = is_behind;
-    // It takes hold where the hand is, not where it was.
-    if (loop_->is_free && (was_open || (is_behind && !is_closed_)))
-      sample.buttons &= ~kClutchButton;
+    sample.motion.twist.linear = (pose.position - passed_.position) / step_;
+    sample.motion.twist.angular = turn / step_;
   }
+  if (loop_->is_free && was_open) sample.buttons &= ~kClutchButton;
   is_closed_ = (sample.buttons & kClutchButton) != 0;
   has_passed_ = true;
   passed_ = sample.motion.pose;
   return sample;
 }
 
-void publish_news(const WorldRun& run, const WorldGrip& grip, double step, WorldHandLoop& loop,
-                  HandModelScratch& scratch, double& last) {
+namespace {
+
+/// What a hand has put into the world, and by what it pulls at it now.
+HandBorder border_of(const WorldRun& run, const HandInFrame& hand) {
+  HandBorder border;
+  border.is_held = hand.grip.body >= 0;
+  if (!border.is_held) return border;
+  const Workspace& workspace = hand.config.workspace;
+  Coupling coupling = hand.grip.coupling;
+  coupling.is_grasped = true;
+  Coupling springs = coupling;
+  springs.linear_damping = springs.angular_damping = 0.0;
+  const std::size_t body = idx(hand.grip.body);
+  const auto reaction = [&](const Coupling& of) {
+    return device_wrench(workspace, coupling_reaction(of, {hand.handle.pose, Twist{}},
+                                                      run.world().rigid[body],
+                                                      run.state().bodies[body]));
+  };
+  border.energy = torque_scale(workspace) * hand.grip.energy;
+  border.springs = reaction(springs);
+  const Wrench all = reaction(coupling);
+  border.dampers = {all.force - border.springs.force, all.torque - border.springs.torque};
+  border.stiffness = workspace.force_scale * workspace.motion_scale *
+                     (coupling.linear_stiffness + coupling.linear_damping / hand.step);
+  border.angular_stiffness = torque_scale(workspace) * (coupling.angular_stiffness +
+                                                        coupling.angular_damping / hand.step);
+  return border;
+}
+
+}  // namespace
+
+void publish_news(const WorldRun& run, const HandInFrame& hand, WorldHandLoop& loop,
+                  HandRelay& relay, HandModelScratch& scratch, double& last) {
+  const WorldGrip& grip = hand.grip;
+  relay.border = border_of(run, hand);
   loop.notes.fetch();
   const HandNote& note = loop.notes.value();
   HandNews& news = loop.news.draft();
-  ++loop.published;
-  news.sequence = loop.published;
+  news.sequence = news.model.sequence = ++loop.published;
   news.time = note.time;
   news.grip = grip.body >= 0 ? grip.number : 0;
   news.coupling = grip.coupling;
   news.anchor = grip.anchor;
-  news.model.sequence = loop.published;
   if (grip.body >= 0) {
     const BodyState& y = run.state().bodies[idx(grip.body)];
     const double reach = run.world().boxes[idx(run.world().shape[idx(grip.body)])].reach;
     HandModelRequest request;
     request.body = grip.body;
-    request.step = step;
+    request.step = hand.step;
     // As far as it is from where the world has it, and as it goes until the next news.
     constexpr double kSpare = 2.0;
     const double apart = note.grip == news.grip ? travel_between(y, note.body, reach) : 0.0;

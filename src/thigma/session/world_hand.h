@@ -35,6 +35,7 @@ struct HandNote {
   std::uint64_t grip = 0;      // of the body below; 0: none
   BodyState body;              // where the haptic step has it
   double wanted_speed = 0.0;   // of any of its points, were nothing to hold it back [m/s]
+  double energy = 0.0;         // that the hand has put in at its device [J]
 };
 static_assert(RtPayload<HandNote>);
 
@@ -91,10 +92,23 @@ struct WorldHandLoop {
 /// Thread   [haptic]; bounded, no failure, nothing allocated
 HapticSample step_world_hand(WorldHandLoop& loop, const HapticTick& tick) THIGMA_RT;
 
+/// What the world's side has had of a hand.
+struct HandBorder {
+  bool is_held = false;
+  double energy = 0.0;  // put into the world by it [J; device]
+  // On the hand about the handle, not cut at any limit: of the coupling's springs, and of its
+  // dampers as the body moves under a handle at rest [N, N m; device]
+  Wrench springs, dampers;
+  // of both in a step: what they grow by, at most, as the handle goes [N/m, N m/rad; device]
+  double stiffness = 0.0, angular_stiffness = 0.0;
+};
+
 /// The hand's device as the world reads it: the newest note, and nothing is sent by it. The world's
-/// time stands still while a step of it takes long; what the hand has done meanwhile comes to it no
-/// faster than kCatchUp, or than the hand itself, so that no speed arises that no hand had. Where
-/// the world keeps up the samples are those of the device, bit for bit.
+/// time stands still while a step of it takes long. What the hand has done meanwhile comes to it no
+/// faster than kCatchUp, or than the hand itself, and no farther than the energy lasts that the
+/// hand has put in at its device: a world that lives more slowly than its hand gets no more work
+/// from it than the hand has done. Where the world keeps up the samples are those of the device,
+/// bit for bit.
 class HandRelay final : public HapticDevice {
  public:
   /// loop outlives it; step: of the world [s]
@@ -105,24 +119,38 @@ class HandRelay final : public HapticDevice {
   void write(const Wrench&) THIGMA_RT override {}
   const char* trouble() const THIGMA_RT override { return loop_->device.trouble(); }
 
+  HandBorder border;  // after the world's last step
+
  private:
+  double share_of(const Pose& pose, const Twist& twist, double energy) const THIGMA_RT;
+
   WorldHandLoop* loop_;
   const double step_;
   bool has_passed_ = false, is_closed_ = false, is_behind_ = false;
-  Pose passed_;                // handle pose of the last sample
+  Pose passed_;  // handle pose of the last sample
   std::uint64_t frame_ = 0, openings_ = 0;
 };
 
 /// Speeds at which a world that was late comes after a hand [m/s, rad/s; device].
-inline constexpr double kCatchUp = 0.5, kCatchUpTurn = 8.0;
+inline constexpr double kCatchUp = 1.2, kCatchUpTurn = 20.0;
 
-/// What the world has after a frame for a hand.
+/// That the world may have had beyond what the hand has put in, so that a touch can begin [J].
+inline constexpr double kBorderCredit = 1e-5;
+
+/// A hand in a frame.
+struct HandInFrame {
+  const WorldGrip& grip;
+  const Motion& handle;      // [world]
+  const WorldHand& config;
+  double step = 1e-3;        // of the world [s]
+};
+
+/// What the world has after a frame for a hand, to both of its sides.
 ///
 /// run     after make_frame
-/// grip    of the hand in that frame
 /// last    time of the hand's newest note when the news before were made [s]; becomes this one's
 /// Thread  [contact]; throws std::bad_alloc where memory grows
-void publish_news(const WorldRun& run, const WorldGrip& grip, double step, WorldHandLoop& loop,
-                  HandModelScratch& scratch, double& last);
+void publish_news(const WorldRun& run, const HandInFrame& hand, WorldHandLoop& loop,
+                  HandRelay& relay, HandModelScratch& scratch, double& last);
 
 }  // namespace thigma
