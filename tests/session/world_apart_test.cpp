@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <memory>
 #include <numbers>
@@ -236,9 +235,6 @@ TEST(WorldApart, WhereTheWorldKeepsUpTheHandFeelsWhatItFeelsInOneLoop) {
     ASSERT_FALSE(apart.summary.has_fault());
     ASSERT_EQ(apart.forces.size(), 1000u);
     const std::vector<double> errors = errors_of(one, apart);
-    std::printf("errors p50 %.3e p99 %.3e most %.3e N of %.3f N, made %.3e J, least %.3e %.3e\n",
-                share(errors, 0.5), share(errors, 0.99), errors.back(), one.summary.force_max,
-                apart.made, apart.least, one.least);
     EXPECT_LE(share(errors, 0.5), 1e-4);
     EXPECT_LE(share(errors, 0.99), c.usual);
     EXPECT_LE(errors.back(), c.most);
@@ -258,12 +254,6 @@ TEST(WorldApart, HandsOutNoEnergyHoweverLongAStepOfTheWorldTakes) {
     for (const int every : {4, 16, 50}) {
       const Felt felt = feel(scene, every);
       const WorldHapticSummary& h = felt.summary.haptic[0];
-      std::printf("every %d: force %.3f N, least %.3e J (one loop %.3e), made %.3e, world's %.3e "
-                  "of %.3e J, newton %d cut %llu back %llu corrections %llu by %.3e\n",
-                  every, h.force_max, felt.least, one.least, felt.made, felt.summary.port_energy,
-                  h.port_energy, h.newton_max, static_cast<unsigned long long>(h.cut_short),
-                  static_cast<unsigned long long>(h.held_back),
-                  static_cast<unsigned long long>(h.corrections), h.correction_max);
       EXPECT_FALSE(felt.summary.has_fault());
       EXPECT_EQ(h.steps, 1000u);  // whatever the world does
       EXPECT_EQ(felt.summary.frames, (1000u + static_cast<unsigned>(every) - 1) /
