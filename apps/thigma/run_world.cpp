@@ -110,10 +110,9 @@ WorldSummary run_alone(const RunOptions& options, const LoadedWorld& world, std:
   };
   const std::int64_t begin = thread_cpu_ns();
   const WorldSummary summary =
-      options.is_lockstep
-          ? run_world(world.config, devices.list, sink, &stop)
-          : run_world_on_threads(world.config, devices.list, {.sink = sink, .stop = &stop},
-                                 kHapticThread);
+      options.is_lockstep ? run_world(world.config, devices.list, sink, &stop)
+                          : run_world_on_threads(world.config, devices.list,
+                                                 {.sink = sink, .stop = &stop}, kHapticThread);
   facts.cpu_seconds = 1e-9 * static_cast<double>(thread_cpu_ns() - begin);
   if (recorder) recorder->close(summary);
   return summary;

@@ -39,12 +39,12 @@ void print_haptic(const WorldSummary& s) {
   for (const WorldHapticSummary& hand : s.haptic) {
     if (hand.steps == 0) continue;
     const DurationSummary steps = summarize(hand.step_cpu);
-    std::printf("haptic: %llu steps, %llu missed; p50 %.0f, p99 %.0f, at most %.0f us of the "
-                "processor; at most %.3f N, put in %.3g mJ (least %.3g mJ)\n",
-                static_cast<unsigned long long>(hand.steps),
-                static_cast<unsigned long long>(hand.missed), 1e6 * steps.p50, 1e6 * steps.p99,
-                1e6 * steps.max, hand.force_max, 1e3 * hand.port_energy,
-                1e3 * hand.port_energy_min);
+    std::printf(
+        "haptic: %llu steps, %llu missed; p50 %.0f, p99 %.0f, at most %.0f us of the "
+        "processor; at most %.3f N, put in %.3g mJ (least %.3g mJ)\n",
+        static_cast<unsigned long long>(hand.steps), static_cast<unsigned long long>(hand.missed),
+        1e6 * steps.p50, 1e6 * steps.p99, 1e6 * steps.max, hand.force_max, 1e3 * hand.port_energy,
+        1e3 * hand.port_energy_min);
   }
   if (!s.refused.empty()) std::printf("haptic thread: %s\n", s.refused.c_str());
 }

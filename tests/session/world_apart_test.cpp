@@ -82,8 +82,9 @@ void make_tower(Scene& scene) {
   add_floor(bench, 1.0);
   const auto block = body_mesh(make_box(Vec3(0.05, 0.03, 0.02)));
   for (int i = 0; i < 30; ++i)
-    bench.add(block, BodyKind::moving, Vec3(0.0, 0.0, 0.010002 + 0.020002 * i), Quat::Identity(),
-              600.0)
+    bench
+        .add(block, BodyKind::moving, Vec3(0.0, 0.0, 0.010002 + 0.020002 * i), Quat::Identity(),
+             600.0)
         .friction = {0.5, 0.5};
   bench.add(body_mesh(make_box(Vec3(0.02, 0.02, 0.02))), BodyKind::held,
             Vec3(0.0, 0.0, 0.020002 * 30 + 0.015));
@@ -256,8 +257,8 @@ TEST(WorldApart, HandsOutNoEnergyHoweverLongAStepOfTheWorldTakes) {
       const WorldHapticSummary& h = felt.summary.haptic[0];
       EXPECT_FALSE(felt.summary.has_fault());
       EXPECT_EQ(h.steps, 1000u);  // whatever the world does
-      EXPECT_EQ(felt.summary.frames, (1000u + static_cast<unsigned>(every) - 1) /
-                                         static_cast<unsigned>(every));
+      EXPECT_EQ(felt.summary.frames,
+                (1000u + static_cast<unsigned>(every) - 1) / static_cast<unsigned>(every));
       EXPECT_LE(h.force_max, 8.0 * (1.0 + 1e-12));
       EXPECT_GE(felt.least, one.least - kBound);
       EXPECT_LE(felt.made, kBorderCredit + kBound);

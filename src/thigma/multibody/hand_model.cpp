@@ -14,7 +14,7 @@ struct HandModelScratch {
   std::vector<detail::BodyPairIndex> near;
   std::vector<double> gaps;
   struct Touch {
-    double gap = 0.0;           // least of a row [m]
+    double gap = 0.0;  // least of a row [m]
     detail::NearPair* pair = nullptr;
     std::size_t number = 0;  // of the pair
   };
@@ -115,8 +115,8 @@ void look_about(const Making& m, double way) {
   detail::take_pairs(m.world, s.near, s.pairs);
   s.touches.clear();
   for (NearPair* pair : s.pairs.near) {
-    const BodyState relative = detail::relative_state(m.state.bodies[idx(pair->first)],
-                                                      m.state.bodies[idx(pair->second)]);
+    const BodyState relative =
+        detail::relative_state(m.state.bodies[idx(pair->first)], m.state.bodies[idx(pair->second)]);
     // In the frame of one that turns the other goes farther.
     constexpr double kSpare = 1.25;
     const std::int32_t other = pair->first == held ? pair->second : pair->first;
@@ -150,8 +150,8 @@ void take_history(const NearPair* of_step, HandRow& row) noexcept {
 /// Rows of a pair with gaps up to `most`; false, and none, where there is no room for all.
 bool add_rows(const Making& m, const NearPair& pair, const HandPair& made, double most) noexcept {
   HandModel& model = m.model;
-  const BodyState relative = detail::relative_state(m.state.bodies[idx(pair.first)],
-                                                    m.state.bodies[idx(pair.second)]);
+  const BodyState relative =
+      detail::relative_state(m.state.bodies[idx(pair.first)], m.state.bodies[idx(pair.second)]);
   const Mat3 rotation = rotation_matrix(relative.orientation);
   const std::size_t before = model.rows.size();
   if (!model.pairs.push_back(made)) return false;
@@ -198,12 +198,11 @@ void add_touch(const Making& m, const HandModelScratch::Touch& touch) noexcept {
   if (add_rows(m, pair, made, kInfinity)) return;
   ++m.model.left_out;
   const std::size_t left = kHandRows - m.model.rows.size();
-  const BodyState relative = detail::relative_state(m.state.bodies[idx(pair.first)],
-                                                    m.state.bodies[idx(pair.second)]);
+  const BodyState relative =
+      detail::relative_state(m.state.bodies[idx(pair.first)], m.state.bodies[idx(pair.second)]);
   const Mat3 rotation = rotation_matrix(relative.orientation);
   m.s.gaps.clear();
-  for (const ContactRow& row : pair.model.rows)
-    m.s.gaps.push_back(gap_of(row, relative, rotation));
+  for (const ContactRow& row : pair.model.rows) m.s.gaps.push_back(gap_of(row, relative, rotation));
   std::sort(m.s.gaps.begin(), m.s.gaps.end());
   if (left == 0 || m.s.gaps.size() <= left) {
     m.model.room = std::min(m.model.room, free_way);

@@ -30,8 +30,8 @@ struct HandBody {
   // next step, whatever it meets: it is where the world begins that the haptic thread does not know
   bool is_solved = false;
   RigidBody rigid;
-  BodyState state;                 // where the world has it
-  Vec6 velocity = Vec6::Zero();    // there [m/s, rad/s; world]
+  BodyState state;               // where the world has it
+  Vec6 velocity = Vec6::Zero();  // there [m/s, rad/s; world]
 };
 
 /// Two bodies of a hand model with rows between them, which are in the frame of `second`.

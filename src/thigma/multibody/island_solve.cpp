@@ -414,8 +414,8 @@ IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> r
   finish(work);
   solution.residual = std::max(change.residual, 0.0);
   solution.unsettled = change.unsettled;
-  solution.is_whole = solution.residual <= detail::kRowsMet * work.speed &&
-                      !(is_cut_short && solution.rounds == 0);
+  solution.is_whole =
+      solution.residual <= detail::kRowsMet * work.speed && !(is_cut_short && solution.rounds == 0);
   return solution;
 }
 

@@ -53,7 +53,7 @@ struct ApartLockstep {
   int world_every = 1;
   std::function<int(std::uint64_t frame)> lasts{};  // the same by frame of the world; may be empty
   std::function<void(std::size_t hand, const HapticSample&)> haptic{};  // may be empty
-  std::function<void(const WorldFrame&)> world{};                      // may be empty
+  std::function<void(const WorldFrame&)> world{};                       // may be empty
 };
 
 /// Runs a world in lockstep with its hands apart from it: config.duration in haptic frames of

@@ -65,8 +65,7 @@ void count(const HapticSample& sample, WorldHandLoop& loop) THIGMA_RT {
   summary.port_energy_min = loop.state.energy.energy_min;
   add_frame(loop.hash, sample.body, sample.command);
   summary.state_hash = loop.hash.value;
-  if (sample.is_grasped)
-    summary.model_age_max = std::max(summary.model_age_max, sample.model_age);
+  if (sample.is_grasped) summary.model_age_max = std::max(summary.model_age_max, sample.model_age);
 }
 
 void tell(const HapticSample& sample, WorldHandLoop& loop) THIGMA_RT {
@@ -143,10 +142,10 @@ double HandRelay::share_of(const Pose& pose, const Twist& twist, double energy) 
   // Work of the hand at a share s of the way: at most -s given + s^2 grows.
   // The body may be stopped in the step: what its motion saves is not counted.
   const double by_dampers = border.dampers.force.dot(by) + border.dampers.torque.dot(turn);
-  const double given = border.springs.force.dot(by) + border.springs.torque.dot(turn) +
-                       std::min(by_dampers, 0.0);
-  const double grows = border.stiffness * by.squaredNorm() +
-                       border.angular_stiffness * turn.squaredNorm();
+  const double given =
+      border.springs.force.dot(by) + border.springs.torque.dot(turn) + std::min(by_dampers, 0.0);
+  const double grows =
+      border.stiffness * by.squaredNorm() + border.angular_stiffness * turn.squaredNorm();
   const double inside = given * given + 4.0 * grows * (energy - border.energy + kBorderCredit);
   if (!(grows > 0.0)) return share;
   if (!(inside > 0.0)) return 0.0;
@@ -200,9 +199,9 @@ HandBorder border_of(const WorldRun& run, const HandInFrame& hand) {
   springs.linear_damping = springs.angular_damping = 0.0;
   const std::size_t body = idx(hand.grip.body);
   const auto reaction = [&](const Coupling& of) {
-    return device_wrench(workspace, coupling_reaction(of, {hand.handle.pose, Twist{}},
-                                                      run.world().rigid[body],
-                                                      run.state().bodies[body]));
+    return device_wrench(workspace,
+                         coupling_reaction(of, {hand.handle.pose, Twist{}}, run.world().rigid[body],
+                                           run.state().bodies[body]));
   };
   border.energy = torque_scale(workspace) * hand.grip.energy;
   border.springs = reaction(springs);
@@ -210,8 +209,8 @@ HandBorder border_of(const WorldRun& run, const HandInFrame& hand) {
   border.dampers = {all.force - border.springs.force, all.torque - border.springs.torque};
   border.stiffness = workspace.force_scale * workspace.motion_scale *
                      (coupling.linear_stiffness + coupling.linear_damping / hand.step);
-  border.angular_stiffness = torque_scale(workspace) * (coupling.angular_stiffness +
-                                                        coupling.angular_damping / hand.step);
+  border.angular_stiffness =
+      torque_scale(workspace) * (coupling.angular_stiffness + coupling.angular_damping / hand.step);
   return border;
 }
 

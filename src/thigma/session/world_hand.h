@@ -21,7 +21,7 @@ struct HandNews {
   std::uint64_t grip = 0;      // WorldGrip::number of what it holds; 0: nothing
   Coupling coupling;           // as it took hold
   WorkspaceAnchor anchor;
-  HandModel model;             // of what it holds
+  HandModel model;  // of what it holds
 };
 static_assert(RtPayload<HandNews>);
 
@@ -50,8 +50,8 @@ class GripDevice final : public HapticDevice {
   void write(const Wrench& wrench) THIGMA_RT override { device_->write(wrench); }
   const char* trouble() const THIGMA_RT override { return device_->trouble(); }
 
-  bool holds = false;      // what the world says
-  DeviceState sample;      // the last one, as read
+  bool holds = false;  // what the world says
+  DeviceState sample;  // the last one, as read
   std::uint64_t openings = 0;
 
  private:
@@ -74,10 +74,10 @@ struct WorldHandLoop {
   HandScratch scratch;
   std::uint64_t grip = 0;  // that it holds; 0: none
   WorldHapticSummary summary;
-  StateHash hash;  // of the body and what was sent
-  std::uint64_t published = 0;  // news so far; the world's
-  Latest<HandNews> news;    // world -> hand
-  Latest<HandNote> notes;   // hand -> world
+  StateHash hash;                   // of the body and what was sent
+  std::uint64_t published = 0;      // news so far; the world's
+  Latest<HandNews> news;            // world -> hand
+  Latest<HandNote> notes;           // hand -> world
   Latest<LinearContactModel> ages;  // of the news; both sides are the hand's
   HapticPorts ports;
 };
@@ -140,9 +140,9 @@ inline constexpr double kBorderCredit = 1e-5;
 /// A hand in a frame.
 struct HandInFrame {
   const WorldGrip& grip;
-  const Motion& handle;      // [world]
+  const Motion& handle;  // [world]
   const WorldHand& config;
-  double step = 1e-3;        // of the world [s]
+  double step = 1e-3;  // of the world [s]
 };
 
 /// What the world has after a frame for a hand, to both of its sides.

@@ -84,9 +84,9 @@ struct WorldHandSummary {
 /// How the haptic steps of a hand went, where they are apart from the world's.
 struct WorldHapticSummary {
   std::uint64_t steps = 0;
-  std::uint64_t missed = 0;     // ticks of the clock without one; in lockstep 0
-  DurationHistogram step_cpu;   // of the processor; in lockstep empty
-  double force_max = 0.0;       // sent [N]
+  std::uint64_t missed = 0;    // ticks of the clock without one; in lockstep 0
+  DurationHistogram step_cpu;  // of the processor; in lockstep empty
+  double force_max = 0.0;      // sent [N]
   // that the hand has put in at its device since the start, at the end and the least [J]
   double port_energy = 0.0, port_energy_min = 0.0;
   std::int32_t rows_max = 0, bodies_max = 0, newton_max = 0;  // of a step

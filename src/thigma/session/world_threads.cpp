@@ -14,11 +14,11 @@ namespace {
 
 /// What both threads look at.
 struct Shared {
-  std::atomic<bool> should_stop{false};     // world -> hands
-  std::atomic<bool> is_held{false};         // world -> hands: paused
-  std::atomic<std::uint64_t> singles{0};    // world -> hands: steps asked for while paused
-  std::atomic<std::uint64_t> ticks{0};      // hands -> world: haptic steps made
-  std::atomic<Fault> fault{Fault::none};    // hands -> world
+  std::atomic<bool> should_stop{false};   // world -> hands
+  std::atomic<bool> is_held{false};       // world -> hands: paused
+  std::atomic<std::uint64_t> singles{0};  // world -> hands: steps asked for while paused
+  std::atomic<std::uint64_t> ticks{0};    // hands -> world: haptic steps made
+  std::atomic<Fault> fault{Fault::none};  // hands -> world
 };
 
 /// The hands' thread.

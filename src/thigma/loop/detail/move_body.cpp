@@ -89,9 +89,9 @@ ActiveTerms advance_constrained(const HapticParams& params, const HapticPorts& p
   const ConstrainedStep step =
       ports.stepper.step != nullptr
           ? ports.stepper.step(ports.stepper.self, at, forces, sample.elapsed)
-          : constrained_step(
-                at, forces,
-                {rows, params.constraint, sample.elapsed, params.impacts, ports.clock}, state.rows);
+          : constrained_step(at, forces,
+                             {rows, params.constraint, sample.elapsed, params.impacts, ports.clock},
+                             state.rows);
   state.wanted_speed = sample.wanted_speed = step.wanted_speed;
   state.wanted_gain = step.wanted_gain;
   sample.solve_residual = step.solution.residual;
