@@ -321,7 +321,10 @@ TEST(WorldApart, AStepOfTheWorldThatTakesLongIsOver) {
 /// A page's hand: its clutch is closed between two times, and it lifts meanwhile.
 class LiftingHand final : public HapticDevice {
  public:
-  LiftingHand() { limits_.holds_person = false; }
+  LiftingHand() {
+    limits_.holds_person = false;
+    sent.reserve(1000);
+  }
   const DeviceLimits& limits() const override { return limits_; }
   std::string name() const override { return "lifting"; }
   DeviceState read(double now) THIGMA_RT override {
@@ -332,11 +335,10 @@ class LiftingHand final : public HapticDevice {
     const double lifted = std::clamp(now, 0.1, 0.4) - 0.1;
     state.motion.pose.position.z() = 0.05 * lifted;
     if (now >= 0.1 && now < 0.4) state.motion.twist.linear.z() = 0.05;
-    times.push_back(now);
     return state;
   }
   void write(const Wrench& wrench) THIGMA_RT override { sent.push_back(wrench.force.norm()); }
-  std::vector<double> times, sent;
+  std::vector<double> sent;
 
  private:
   DeviceLimits limits_;
