@@ -54,8 +54,7 @@ void fill_bodies(const HandWork& work) THIGMA_RT {
     } else {
       // So heavy that nothing stops it. More would cost digits.
       constexpr double kUnstoppable = 1e6;
-      out.metric = kUnstoppable * most / body.rigid.mass *
-                   mass_matrix(body.rigid, s.states[i]);
+      out.metric = kUnstoppable * most / body.rigid.mass * mass_matrix(body.rigid, s.states[i]);
     }
     s.bodies.push_back(out);
   }
@@ -92,8 +91,7 @@ void fill_rows(const HandWork& work) THIGMA_RT {
     row.impulse = work.memory.impulses[i];
     s.rows.push_back(row);
     s.sources.push_back({model.pair, static_cast<std::int32_t>(i),
-                         std::max(here.gap - pair.slop, 0.0), here.gap,
-                         std::max(-row.limit, 0.0)});
+                         std::max(here.gap - pair.slop, 0.0), here.gap, std::max(-row.limit, 0.0)});
   }
 }
 
@@ -187,8 +185,8 @@ void turn_rows(const HandWork& work) THIGMA_RT {
     const RowSource& source = s.sources[r];
     const HandPair& pair = work.model.pairs[idx(source.pair)];
     const HandPairAt at = pair_at(pair, s.next);
-    const RowAtState here = row_at(work.model.rows[idx(source.row)].row, at.relative.position,
-                                   at.rotation);
+    const RowAtState here =
+        row_at(work.model.rows[idx(source.row)].row, at.relative.position, at.rotation);
     if (!std::isfinite(here.gap)) continue;
     const Mat3 turn = rotation_matrix(s.next[idx(pair.second)].orientation);
     IslandRow row = s.rows[r];
