@@ -22,10 +22,8 @@
 #include "thigma/core/index.h"
 #include "thigma/device/open_device.h"
 #include "thigma/device/web_device.h"
-#include "thigma/recording/world_recording.h"
 #include "thigma/scene/world_change.h"
 #include "thigma/session/rt_thread.h"
-#include "thigma/session/world_threads.h"
 
 namespace thigma::app {
 namespace {
@@ -160,12 +158,7 @@ class WorldLive {
     is_running_ = true;
     std::future<WorldSummary> session = std::async(std::launch::async, [&] {
       const std::int64_t begin = thread_cpu_ns();
-      // A recording has no samples of simulated hands, and replays where these are in the one loop.
-      const bool is_apart =
-          !recorder_.is_open() || std::all_of(devices_.begin(), devices_.end(), is_page_hand);
-      WorldSummary summary =
-          is_apart ? run_world_on_threads(world_.config, devices.list, shell, kHapticThread)
-                   : run_world_by_clock(world_.config, devices.list, shell);
+      WorldSummary summary = run_world_by_clock(world_.config, devices.list, shell);
       facts_.cpu_seconds = 1e-9 * static_cast<double>(thread_cpu_ns() - begin);
       return summary;
     });
