@@ -17,6 +17,7 @@
 #include "thigma/recording/world_recording.h"
 #include "thigma/scene/world_scene.h"
 #include "thigma/session/rt_thread.h"
+#include "thigma/session/world_threads.h"
 
 namespace thigma::app {
 namespace {
@@ -108,10 +109,14 @@ WorldSummary run_alone(const RunOptions& options, const LoadedWorld& world, std:
     if (recorder) recorder->write(frame);
   };
   const std::int64_t begin = thread_cpu_ns();
-  const WorldSummary summary =
-      options.is_lockstep
-          ? run_world(world.config, devices.list, sink, &stop)
-          : run_world_by_clock(world.config, devices.list, {.sink = sink, .stop = &stop});
+  const WorldShell shell{.sink = sink, .stop = &stop};
+  const auto run = [&] {
+    if (options.is_lockstep) return run_world(world.config, devices.list, sink, &stop);
+    // A recording has no samples of simulated hands, and replays where these are in the one loop.
+    if (recorder) return run_world_by_clock(world.config, devices.list, shell);
+    return run_world_on_threads(world.config, devices.list, shell, kHapticThread);
+  };
+  const WorldSummary summary = run();
   facts.cpu_seconds = 1e-9 * static_cast<double>(thread_cpu_ns() - begin);
   if (recorder) recorder->close(summary);
   return summary;

@@ -16,6 +16,39 @@ double step_microseconds(const WorldSummary& s, const WorldRunFacts& facts) {
   return s.frames > 0 ? 1e6 * facts.cpu_seconds / static_cast<double>(s.frames) : 0.0;
 }
 
+/// Haptic steps, where they are apart from the world's.
+nlohmann::ordered_json haptic_json(const WorldHapticSummary& hand) {
+  return {{"frames", hand.steps},
+          {"missed", hand.missed},
+          {"step_cpu_us", quantiles_json(summarize(hand.step_cpu), 1e-6)},
+          {"force_max", hand.force_max},
+          {"energy", hand.port_energy},
+          {"energy_min", hand.port_energy_min},
+          {"rows_max", hand.rows_max},
+          {"bodies_max", hand.bodies_max},
+          {"newton_max", hand.newton_max},
+          {"cut_short", hand.cut_short},
+          {"held_back", hand.held_back},
+          {"corrections", hand.corrections},
+          {"correction_max", hand.correction_max},
+          {"model_age_max_ms", 1e3 * hand.model_age_max},
+          {"state_hash", hex_text(hand.state_hash)}};
+}
+
+void print_haptic(const WorldSummary& s) {
+  for (const WorldHapticSummary& hand : s.haptic) {
+    if (hand.steps == 0) continue;
+    const DurationSummary steps = summarize(hand.step_cpu);
+    std::printf(
+        "haptic: %llu steps, %llu missed; p50 %.0f, p99 %.0f, at most %.0f us of the "
+        "processor; at most %.3f N, put in %.3g mJ (least %.3g mJ)\n",
+        static_cast<unsigned long long>(hand.steps), static_cast<unsigned long long>(hand.missed),
+        1e6 * steps.p50, 1e6 * steps.p99, 1e6 * steps.max, hand.force_max, 1e3 * hand.port_energy,
+        1e3 * hand.port_energy_min);
+  }
+  if (!s.refused.empty()) std::printf("haptic thread: %s\n", s.refused.c_str());
+}
+
 }  // namespace
 
 void count_step(const WorldFrame& frame, WorldRunFacts& facts) {
@@ -63,6 +96,8 @@ nlohmann::ordered_json world_summary_json(const WorldSummary& s, const LoadedWor
                                   {"fault", nullptr}};
     if (body >= 0) one["holds"] = world.config.world.bodies[idx(body)].name;
     if (hand.fault != Fault::none) one["fault"] = fault_name(hand.fault);
+    one["haptic"] = nullptr;
+    if (i < s.haptic.size() && s.haptic[i].steps > 0) one["haptic"] = haptic_json(s.haptic[i]);
     json["hands"].push_back(std::move(one));
   }
   json["energy"] = {{"start", s.energy_start},
@@ -84,6 +119,7 @@ void print_world_summary(const WorldSummary& s, const LoadedWorld& world,
   const DurationSummary steps = summarize(facts.steps);
   std::printf("steps: p50 %.0f, p99 %.0f, p99.9 %.0f, at most %.0f us of the processor\n",
               1e6 * steps.p50, 1e6 * steps.p99, 1e6 * steps.p999, 1e6 * steps.max);
+  print_haptic(s);
   std::printf("contacts: at most %lld rows, %d pairs, islands of %d; residual %.2g m/s\n",
               static_cast<long long>(s.rows_max), s.pairs_max, s.largest_island, s.residual_max);
   std::printf("hand: at most %.3f N, put in %.3g mJ (least %.3g mJ)\n", s.force_max,

@@ -5,6 +5,8 @@
 #include "multibody/world_bench.h"
 #include <gtest/gtest.h>
 
+#include "thigma/multibody/hand_step.h"
+
 namespace thigma {
 namespace {
 
@@ -101,6 +103,48 @@ TEST(WorldAudit, JointsTakeNoMemoryOnceWarm) {
     const test::AuditCounts counts = scope.counts();
     taken += counts.allocations + counts.locks;
   }
+  EXPECT_EQ(taken, 0);
+}
+
+TEST(WorldAudit, HapticStepsTakeNoMemoryAtAll) {
+  if (const char* why = test::why_no_audit()) GTEST_SKIP() << why;
+  test::WorldBench bench;
+  test::add_floor(bench);
+  const auto block = test::body_mesh(make_box(Vec3(0.04, 0.03, 0.02)));
+  for (int i = 0; i < 4; ++i)
+    bench.add(block, BodyKind::moving, Vec3(0.0, 0.0, 0.010002 + 0.020002 * i));
+  bench.add(block, BodyKind::held, Vec3(0.0, 0.0, 0.092));
+  bench.make();
+  HandHold hand;
+  hand.body = 5;
+  hand.coupling.linear_stiffness = 1000.0;
+  hand.coupling.linear_damping = 16.0;
+  BodyState held = bench.state.bodies[5];
+  grasp(hand.coupling, held, {held.position, held.orientation});
+  hand.handle.pose = {held.position, held.orientation};
+  const HandModelScratchPtr scratch = reserve_hand_model(bench.world);
+  const auto model = std::make_unique<HandModel>();
+  HandMemory memory;
+  HandScratch step_scratch;
+  reserve_hand_step(step_scratch);
+  std::int64_t taken = 0, pressing = 0;
+  for (int i = 0; i < 300; ++i) {
+    hand.handle.pose.position.z() -= 2e-5;
+    bench.step(1e-3, {.hands = {&hand, 1}});
+    ++model->sequence;
+    make_hand_model(bench.world, bench.state, *bench.scratch, {5, 1e-3, 1e-3}, *scratch, *model);
+    const test::AuditScope scope;
+    take_hand_model(*model, held, memory);
+    const BodyAtState at = at_state(bench.world.rigid[5], held);
+    StepForces forces;
+    forces.wrench = coupling_wrench(hand.coupling, hand.handle, at, &forces.jacobian);
+    const ConstrainedStep step = step_hand(*model, at, forces, 1e-3, memory, step_scratch);
+    const test::AuditCounts counts = scope.counts();
+    taken += counts.allocations + counts.locks;
+    pressing += step.solution.active;
+    held = step.state;
+  }
+  EXPECT_GT(pressing, 100);
   EXPECT_EQ(taken, 0);
 }
 

@@ -8,6 +8,7 @@
 #include "thigma/core/spsc_ring.h"
 #include "thigma/device/haptic_device.h"
 #include "thigma/device/workspace.h"
+#include "thigma/dynamics/constrained_step.h"
 #include "thigma/dynamics/coupling.h"
 #include "thigma/dynamics/linear_contact_model.h"
 #include "thigma/loop/haptic_params.h"
@@ -72,6 +73,14 @@ struct StampedBody {
   double wanted_gain = 0.0;  // how fast that grows [m/s^2]
 };
 
+/// Moves the body in the place of constrained_step, where it is not the only one that moves.
+struct BodyStepper {
+  void* self = nullptr;
+  // as constrained_step, dt > 0 [s]; null: nothing takes its place
+  ConstrainedStep (*step)(void* self, const BodyAtState& at, const StepForces& forces,
+                          double dt) THIGMA_RT = nullptr;
+};
+
 /// The shared things a step touches; all lives longer than the session's threads.
 struct HapticPorts {
   HapticDevice* device = nullptr;
@@ -80,6 +89,7 @@ struct HapticPorts {
   SpscRing<HapticSample>* telemetry = nullptr;   // written; null: none
   // that row solves are timed by, without a call of the system [ns]; null: not timed
   std::int64_t (*clock)() noexcept = nullptr;
+  BodyStepper stepper{};  // of the constrained response
 };
 
 /// What a tick is told from outside.

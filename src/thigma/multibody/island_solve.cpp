@@ -236,8 +236,9 @@ int minimize(Work& work, double enough) noexcept {
   evaluate(work, s.velocity, s.gradient);
   double size = size_of(work, s.gradient);
   int steps = 0;
-  while (steps < kMostNewton && size > enough) {
+  while (steps < kMostNewton && size > enough && s.newton_left != 0) {
     if (!factor_hessian(work, s.velocity)) break;
+    if (s.newton_left > 0) --s.newton_left;
     for (std::size_t i = 0; i < s.gradient.size(); ++i) s.step[i] = -s.gradient[i];
     detail::solve_blocks(s.hessian, s.step);
     search_line(work);
@@ -395,9 +396,16 @@ IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> r
   const double momentum = work.speed * std::sqrt(largest_mass(bodies));
   constexpr int kHeld = 10;  // of the last rounds: friction's bounds stay, so that normals settle
   Change change;
+  // Likewise of the last factors, where these are numbered.
+  constexpr std::int32_t kHeldNewton = 12;
+  bool is_cut_short = false;
   while (solution.rounds < kMostRounds) {
     solution.newton += minimize(work, kGradient * momentum);
-    const bool holds_radius = solution.rounds >= kMostRounds - kHeld;
+    // Forces away from a round's minimum are no impulses: those of the round before stay.
+    is_cut_short = scratch.newton_left == 0;
+    if (is_cut_short) break;
+    const bool is_ending = scratch.newton_left > 0 && scratch.newton_left <= kHeldNewton;
+    const bool holds_radius = is_ending || solution.rounds >= kMostRounds - kHeld;
     change = take_multipliers(work, holds_radius);
     ++solution.rounds;
     const bool is_settled = holds_radius || change.unsettled <= kSettled;
@@ -406,7 +414,8 @@ IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> r
   finish(work);
   solution.residual = std::max(change.residual, 0.0);
   solution.unsettled = change.unsettled;
-  solution.is_whole = solution.residual <= detail::kRowsMet * work.speed;
+  solution.is_whole =
+      solution.residual <= detail::kRowsMet * work.speed && !(is_cut_short && solution.rounds == 0);
   return solution;
 }
 

@@ -64,6 +64,9 @@ struct IslandScratch {
   std::vector<double> weight;  // of the rows: so many times the mass that a contact feels [kg]
   std::vector<double> radius;  // most friction of the rows in a round [N s]
   std::vector<double> joint_force, joint_weight;  // of the joints' rows, likewise
+  // Factors that solves may still take, where their time is bounded: one that has none left ends
+  // with the impulses it has, and is not whole. Below 0: as many as they need
+  std::int32_t newton_left = -1;
 };
 
 /// Room for an island. Thread [offline]; throws std::bad_alloc.

@@ -201,6 +201,10 @@ void WorldRun::lose(std::uint64_t frames) noexcept {
 
 const WorldState& WorldRun::state() const noexcept { return impl_->state; }
 
+const World& WorldRun::world() const noexcept { return impl_->config->world; }
+
+const WorldScratch& WorldRun::scratch() const noexcept { return *impl_->scratch; }
+
 std::uint32_t WorldRun::changes() const noexcept { return impl_->changes; }
 
 void WorldRun::go_on(const WorldSessionConfig& next, const WorldState& state,

@@ -8,12 +8,14 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "thigma/device/haptic_device.h"
 #include "thigma/device/workspace.h"
 #include "thigma/loop/safety.h"
 #include "thigma/multibody/step_world.h"
+#include "thigma/session/histogram.h"
 #include "thigma/session/live_ports.h"
 
 namespace thigma {
@@ -47,6 +49,11 @@ struct WorldGrip {
   Pose body_from_grasp;    // where, see Coupling
   DeviceState device;      // as read [device frame]
   double energy = 0.0;     // that it has put in since the start [J]
+  // Counts the bodies that it took hold of; with it what it holds the last one by, and what its
+  // device's pose means in the world.
+  std::uint64_t number = 0;
+  Coupling coupling;
+  WorkspaceAnchor anchor;
 };
 
 /// One frame of it.
@@ -72,6 +79,23 @@ struct WorldHandSummary {
   // that the hand has put in since the start, least and at the end [J]
   double port_energy = 0.0, port_energy_min = 0.0;
   Fault fault = Fault::none;
+};
+
+/// How the haptic steps of a hand went, where they are apart from the world's.
+struct WorldHapticSummary {
+  std::uint64_t steps = 0;
+  std::uint64_t missed = 0;    // ticks of the clock without one; in lockstep 0
+  DurationHistogram step_cpu;  // of the processor; in lockstep empty
+  double force_max = 0.0;      // sent [N]
+  // that the hand has put in at its device since the start, at the end and the least [J]
+  double port_energy = 0.0, port_energy_min = 0.0;
+  std::int32_t rows_max = 0, bodies_max = 0, newton_max = 0;  // of a step
+  std::uint64_t cut_short = 0;    // steps whose solve had no factors left: the body waited
+  std::uint64_t held_back = 0;    // steps in which it waited where its model ended
+  std::uint64_t corrections = 0;  // models that moved it back to where the world has it
+  double correction_max = 0.0;    // by so much [m]
+  double model_age_max = 0.0;     // while it held something [s]
+  std::uint64_t state_hash = 0;   // of the body and what was sent, of all steps
 };
 
 /// How it went.
@@ -102,6 +126,10 @@ struct WorldSummary {
   // the first of a hand, or not_finite where the motion came to be no number: all devices were left
   // at zero force
   Fault fault = Fault::none;
+  // By hand, where haptic steps are apart from the world's; else empty, and `hands` is what devices
+  // got. Where they are, `hands` and the port's energy are those of the world's side.
+  std::vector<WorldHapticSummary> haptic;
+  std::string refused;  // what the system refused to their thread; "": nothing
 
   bool has_fault() const noexcept { return fault != Fault::none; }
 };
@@ -132,6 +160,9 @@ class WorldRun {
   WorldFrame* make_frame(Latest<WorldAim>* aims = nullptr);
   /// Of the world after the last frame.
   const WorldState& state() const noexcept;
+  /// That it goes on with, and the working memory of its last step.
+  const World& world() const noexcept;
+  const WorldScratch& scratch() const noexcept;
   /// How often it has gone on with another world.
   std::uint32_t changes() const noexcept;
   /// Goes on with another world: bodies that come and go between two frames. Hands hold what they

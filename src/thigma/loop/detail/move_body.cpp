@@ -77,18 +77,21 @@ void tap_impacts(const HapticParams& params, const Impacts& impacts, const Vec3&
 
 /// Steps 2-4 of the constrained response: the coupling alone, then what the rows allow. Returns how
 /// the rows stand.
-ActiveTerms advance_constrained(const HapticParams& params, const LinearContactModel& model,
-                                std::int64_t (*clock)() noexcept, HapticSample& sample,
-                                HapticState& state) THIGMA_RT {
+ActiveTerms advance_constrained(const HapticParams& params, const HapticPorts& ports,
+                                HapticSample& sample, HapticState& state) THIGMA_RT {
   ActiveTerms active;
   const BodyState before = state.body;
   const BodyAtState at = at_state(params.body, before);
   StepForces forces;
   forces.wrench = coupling_wrench(faded(state.coupling, state.last_device.weight), sample.handle,
                                   at, &forces.jacobian);
-  const ConstrainedStep step = constrained_step(
-      at, forces, {model.constraints, params.constraint, sample.elapsed, params.impacts, clock},
-      state.rows);
+  const ConstraintModel& rows = ports.models->value().constraints;
+  const ConstrainedStep step =
+      ports.stepper.step != nullptr
+          ? ports.stepper.step(ports.stepper.self, at, forces, sample.elapsed)
+          : constrained_step(at, forces,
+                             {rows, params.constraint, sample.elapsed, params.impacts, ports.clock},
+                             state.rows);
   state.wanted_speed = sample.wanted_speed = step.wanted_speed;
   state.wanted_gain = step.wanted_gain;
   sample.solve_residual = step.solution.residual;
@@ -143,7 +146,7 @@ ActiveTerms move_body(const HapticParams& params, const HapticPorts& ports, Hapt
                       HapticState& state) THIGMA_RT {
   const LinearContactModel& model = ports.models->value();
   if (params.response == ResponseKind::constrained) {
-    if (state.is_grasped) return advance_constrained(params, model, ports.clock, sample, state);
+    if (state.is_grasped) return advance_constrained(params, ports, sample, state);
     state.wanted_speed = state.wanted_gain = 0.0;
     return {};
   }

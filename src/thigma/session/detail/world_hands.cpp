@@ -36,6 +36,7 @@ void take(std::int32_t body, const Vec3& at, const Coupling& coupling, const Wor
   hand.hold.handle = motion_of(hand);
   grasp(hand.hold.coupling, y, hand.hold.handle.pose);
   hand.taken = hand.hold.coupling;
+  ++hand.takings;
   hand.last_position = hand.hold.handle.pose.position;
   hand.last_orientation = hand.hold.handle.pose.orientation;
   hand.is_holding = true;
@@ -166,8 +167,13 @@ void write_hands(const WorldState& state, SessionHands& hands, WorldSummary& sum
     WorldHandSummary& told = summary.hands[i];
     if (hand.device != nullptr) hands.commands[i] = write(state, hand, told);
     hands.handles[i] = hand.hold.handle;
-    hands.grips[i] = {hand.is_holding ? hand.hold.body : -1, hand.taken.body_from_grasp,
-                      hand.sample, told.port_energy};
+    hands.grips[i] = {hand.is_holding ? hand.hold.body : -1,
+                      hand.taken.body_from_grasp,
+                      hand.sample,
+                      told.port_energy,
+                      hand.takings,
+                      hand.taken,
+                      hand.anchor};
     summary.port_energy += told.port_energy;
     summary.port_energy_min = std::min(summary.port_energy_min, told.port_energy_min);
     summary.force_max = std::max(summary.force_max, told.force_max);

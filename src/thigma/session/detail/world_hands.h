@@ -23,6 +23,7 @@ struct SessionHand {
   Vec3 last_position = Vec3::Zero();
   Quat last_orientation = Quat::Identity();
   DeviceState sample{};
+  std::uint64_t takings = 0;
   bool is_holding = false;
   bool has_finished = false;
 };

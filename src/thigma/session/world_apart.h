@@ -1,0 +1,67 @@
+#pragma once
+// A world whose hands are stepped apart from it: haptic steps at their own rate, however long a
+// step of the world takes.
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "thigma/session/world_hand.h"
+#include "thigma/session/world_session.h"
+
+namespace thigma {
+
+/// The hands of a world on both sides.
+struct WorldApart {
+  /// devices   of the hands; null: nobody holds it
+  /// errors    as of WorldRun, for these devices
+  WorldApart(const WorldSessionConfig& config, std::span<HapticDevice* const> devices);
+  ~WorldApart();  // leaves zero force, whatever a device does
+  WorldApart(const WorldApart&) = delete;
+  WorldApart& operator=(const WorldApart&) = delete;
+
+  const WorldSessionConfig* config;                   // outlives this
+  std::vector<HapticDevice*> devices;                 // as given
+  std::vector<std::unique_ptr<WorldHandLoop>> loops;  // null without a device
+  std::vector<std::unique_ptr<HandRelay>> relays;     // likewise
+  std::vector<HapticDevice*> world_devices;           // what the world reads
+
+  // The world's side.
+  std::unique_ptr<WorldRun> run;
+  std::vector<HandModelScratchPtr> scratch;
+  std::vector<double> last;   // time of each hand's last news [s; hand's]
+  std::uint32_t changes = 0;  // of the world that the scratch is for
+};
+
+/// Tells all hands what the world has after a frame.
+/// Thread    [contact]; throws std::bad_alloc where memory grows.
+void publish_news(const WorldFrame& frame, double step, WorldApart& apart);
+
+/// Makes a haptic step of all hands; the fault that ends the session, or none.
+/// Thread    [haptic].
+Fault step_hands(const HapticTick& tick, WorldApart& apart) THIGMA_RT;
+
+/// What the haptic side adds to a summary once both have ended, with the fault that ended it.
+void add_haptic(const WorldApart& apart, Fault fault, WorldSummary& summary);
+
+/// The same in lockstep: what happens when, in haptic frames.
+struct ApartLockstep {
+  // from the beginning of a world's step to that of the next, as if it took so long; what came of
+  // it is known at the end of it
+  int world_every = 1;
+  std::function<int(std::uint64_t frame)> lasts{};  // the same by frame of the world; may be empty
+  std::function<void(std::size_t hand, const HapticSample&)> haptic{};  // may be empty
+  std::function<void(const WorldFrame&)> world{};                       // may be empty
+};
+
+/// Runs a world in lockstep with its hands apart from it: config.duration in haptic frames of
+/// 1 / config.rate. Bit-reproducible.
+///
+/// errors   as of run_world; also what a sink throws
+/// Thread   [offline]
+WorldSummary run_world_apart(const WorldSessionConfig& config,
+                             std::span<HapticDevice* const> devices, const ApartLockstep& how = {});
+
+}  // namespace thigma
