@@ -19,8 +19,6 @@ double step_microseconds(const WorldSummary& s, const WorldRunFacts& facts) {
 /// Haptic steps, where they are apart from the world's.
 nlohmann::ordered_json haptic_json(const WorldHapticSummary& hand) {
   return {{"frames", hand.steps},
-          {"missed", hand.missed},
-          {"step_cpu_us", quantiles_json(summarize(hand.step_cpu), 1e-6)},
           {"force_max", hand.force_max},
           {"energy", hand.port_energy},
           {"energy_min", hand.port_energy_min},
@@ -36,15 +34,16 @@ nlohmann::ordered_json haptic_json(const WorldHapticSummary& hand) {
 }
 
 void print_haptic(const WorldSummary& s) {
+  if (s.haptic.empty()) return;
+  const DurationSummary steps = summarize(s.haptic_cpu);
+  std::printf("haptic thread: %llu missed; p50 %.0f, p99 %.0f, at most %.0f us of the processor\n",
+              static_cast<unsigned long long>(s.haptic_missed), 1e6 * steps.p50, 1e6 * steps.p99,
+              1e6 * steps.max);
   for (const WorldHapticSummary& hand : s.haptic) {
     if (hand.steps == 0) continue;
-    const DurationSummary steps = summarize(hand.step_cpu);
-    std::printf(
-        "haptic: %llu steps, %llu missed; p50 %.0f, p99 %.0f, at most %.0f us of the "
-        "processor; at most %.3f N, put in %.3g mJ (least %.3g mJ)\n",
-        static_cast<unsigned long long>(hand.steps), static_cast<unsigned long long>(hand.missed),
-        1e6 * steps.p50, 1e6 * steps.p99, 1e6 * steps.max, hand.force_max, 1e3 * hand.port_energy,
-        1e3 * hand.port_energy_min);
+    std::printf("haptic: %llu steps, at most %.3f N, put in %.3g mJ (least %.3g mJ)\n",
+                static_cast<unsigned long long>(hand.steps), hand.force_max, 1e3 * hand.port_energy,
+                1e3 * hand.port_energy_min);
   }
   if (!s.refused.empty()) std::printf("haptic thread: %s\n", s.refused.c_str());
 }
@@ -100,6 +99,10 @@ nlohmann::ordered_json world_summary_json(const WorldSummary& s, const LoadedWor
     if (i < s.haptic.size() && s.haptic[i].steps > 0) one["haptic"] = haptic_json(s.haptic[i]);
     json["hands"].push_back(std::move(one));
   }
+  json["haptic"] = nullptr;
+  if (!s.haptic.empty())
+    json["haptic"] = {{"missed", s.haptic_missed},
+                      {"step_cpu_us", quantiles_json(summarize(s.haptic_cpu), 1e-6)}};
   json["energy"] = {{"start", s.energy_start},
                     {"end", s.energy_end},
                     {"port", s.port_energy},

@@ -81,7 +81,9 @@ TEST(HandModel, IsBoundedAmongMoreBodiesThanThereIsRoomFor) {
     held.step();
     EXPECT_LE(held.memory.rows, kHandRows);
     EXPECT_LE(held.memory.newton, kHandNewton);
-    if (i % 10 == 0) ASSERT_GT(held.least_distance(), 0.0) << i;
+    if (i % 10 == 0) {
+      ASSERT_GT(held.least_distance(), 0.0) << i;
+    }
   }
 }
 

@@ -2,6 +2,9 @@
 
 #include "thigma/multibody/hand_step.h"
 
+#include <cmath>
+#include <cstdio>
+
 #include "multibody/held_bench.h"
 #include <gtest/gtest.h>
 
@@ -71,7 +74,34 @@ TEST(HandStep, GoesWithItsNeighbourForOneStepOfTheWorldAndThenStandsBeforeIt) {
 }
 
 TEST(HandStep, WaitsWhereFactorsRunOut) {
-  // As many rows of friction as a step takes, pressed against each other from all sides.
+  HeldBench held;
+  test::add_floor(held.bench);
+  const auto block = test::body_mesh(make_box(Vec3(0.04, 0.03, 0.02)));
+  for (int i = 0; i < 5; ++i)
+    held.bench.add(block, BodyKind::moving, Vec3(2e-3 * (i % 2), 0.0, 0.010002 + 0.020002 * i));
+  held.bench.add(block, BodyKind::held, Vec3(0.0, 0.0, 0.110012));
+  held.make(6);
+  const Vec3 begin = held.hand.handle.pose.position;
+  int cut = 0;
+  for (int i = 0; i < 400; ++i) {  // pressed and rubbed to and fro
+    held.hand.handle.pose.position =
+        begin + Vec3(4e-3 * std::sin(0.3 * i), 3e-3 * std::sin(0.41 * i), -4e-3);
+    held.step_world();
+    held.look(5e-3);
+    const BodyState before = held.body;
+    const ConstrainedStep made = held.step();
+    EXPECT_LE(held.memory.newton, kHandNewton);
+    if (made.solution.is_whole) continue;
+    EXPECT_TRUE(held.memory.is_cut_short);
+    EXPECT_EQ(held.body.position, before.position);
+    EXPECT_EQ(held.body.linear_momentum, Vec3(Vec3::Zero()));
+    ++cut;
+  }
+  std::printf("%d of 400 steps cut short\n", cut);
+  EXPECT_GT(cut, 0);
+}
+
+TEST(HandStep, ASolveTakesNoMoreFactorsThanAreLeft) {
   HeldBench held;
   make_beside(held);
   held.step_world();

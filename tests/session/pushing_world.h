@@ -2,6 +2,7 @@
 // A world in which a hand pushes blocks, and devices for it that behave well or badly.
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -84,6 +85,7 @@ class BadDevice final : public HapticDevice {
     state.motion.pose.position.x() = speed_ * now;
     state.motion.twist.linear.x() = speed_;
     if (now < when_ || trouble_ == Trouble::none) return state;
+    has_failed = true;
     if (trouble_ == Trouble::lost) state.status = DeviceStatus::lost;
     if (trouble_ == Trouble::nan) state.motion.pose.position.y() = std::nan("");
     if (trouble_ == Trouble::jump) state.motion.pose.position.z() = 0.2;
@@ -92,9 +94,11 @@ class BadDevice final : public HapticDevice {
   void write(const Wrench& wrench) THIGMA_RT override {
     last = wrench;
     most = std::max(most, wrench.force.norm());
+    is_let_go = !(wrench.force.norm() > 0.0) && !(wrench.torque.norm() > 0.0);
   }
   Wrench last;
   double most = 0.0;
+  std::atomic<bool> has_failed{false}, is_let_go{false};  // for other threads
 
  private:
   double speed_;

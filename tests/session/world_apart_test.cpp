@@ -295,9 +295,13 @@ TEST(WorldApart, AWorldThatNeverAnswersFadesAndNeverPulls) {
   for (std::size_t i = kLast; i < felt.forces.size(); ++i) {
     const double force = felt.forces[i].norm();
     if (felt.ages[i] <= limits.model_full_age) pressed = std::max(pressed, force);
-    if (felt.ages[i] >= limits.model_stale_age) EXPECT_EQ(force, 0.0) << i;
+    if (felt.ages[i] >= limits.model_stale_age) {
+      EXPECT_EQ(force, 0.0) << i;
+    }
     // The hand goes on in +x until 0.5 s: it is stopped, then nothing is felt.
-    if (i < 500) EXPECT_LE(felt.forces[i].x(), 1e-9) << i;
+    if (i < 500) {
+      EXPECT_LE(felt.forces[i].x(), 1e-9) << i;
+    }
   }
   EXPECT_GT(pressed, 0.5);
   EXPECT_EQ(felt.summary.haptic[0].steps, 1000u);

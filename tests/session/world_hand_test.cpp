@@ -37,6 +37,11 @@ struct Hand {
       step_world_hand(loop, {kStep * static_cast<double>(ticks++), kStep});
     return relay.read(0.0);
   }
+  /// The same after a single one that came so many ticks late.
+  DeviceState read_late(std::uint64_t skipped) {
+    ticks += skipped;
+    return read(1);
+  }
 };
 
 TEST(WorldHand, WhereTheWorldKeepsUpSamplesAreThoseOfTheDeviceBitForBit) {
@@ -70,6 +75,27 @@ TEST(WorldHand, ALateWorldComesAfterNoFasterThanItMayAndComesThere) {
     last = sample.motion.pose.position;
   }
   EXPECT_EQ(last, hand.loop.notes.value().device.motion.pose.position);
+}
+
+TEST(WorldHand, TicksThatTheHandItselfMissedAreNoJumpForTheWorld) {
+  Hand hand(0.45);
+  hand.relay.border.is_held = true;
+  hand.relay.border.stiffness = 1.0;
+  Vec3 last = hand.read(1).motion.pose.position;
+  last = hand.read(1).motion.pose.position;
+  const double way = (hand.read_late(40).motion.pose.position - last).norm();
+  EXPECT_NEAR(way, kCatchUp * kStep, 1e-9);
+}
+
+TEST(WorldHand, ALateWorldComesAfterNoFasterThanTheDeviceMayGo) {
+  Hand hand(0.05);
+  hand.loop.params.safety.max_speed = 0.5;
+  hand.relay.border.is_held = true;
+  hand.relay.border.stiffness = 1.0;
+  hand.read(1);
+  const DeviceState sample = hand.read(138);
+  EXPECT_GT(sample.motion.twist.linear.norm(), 0.4);
+  EXPECT_LT(sample.motion.twist.linear.norm(), 0.5);
 }
 
 TEST(WorldHand, ALateWorldGetsNoMoreWorkThanTheHandHasDone) {

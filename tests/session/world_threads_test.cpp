@@ -2,7 +2,6 @@
 
 #include "thigma/session/world_threads.h"
 
-#include <atomic>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -63,40 +62,13 @@ TEST(WorldThreads, AWorldThatIsLateHoldsUpNoHandAndReplaysBitForBit) {
       EXPECT_GT(run.haptic[0].steps, run.frames);
       EXPECT_GT(run.late_frames, 0u);
     }
-    EXPECT_EQ(run.haptic[0].step_cpu.total, run.haptic[0].steps);
+    EXPECT_EQ(run.haptic_cpu.total, run.haptic[0].steps);
     expect_let_go(device);
     RecordedDevice again(samples);
     const WorldSummary replay = run_one(config, &again);
     EXPECT_EQ(replay.state_hash, run.state_hash) << is_late;
     EXPECT_EQ(replay.frames, run.frames);
   }
-}
-
-TEST(WorldThreads, StandsStillWhilePausedAndGoesStepByStep) {
-  WorldBench bench;
-  const WorldSessionConfig config = pushing(bench);
-  BadDevice device(0.05, BadDevice::Trouble::none, 0.0);
-  HapticDevice* list = &device;
-  LivePorts ports;
-  ports.is_paused = true;
-  ports.steps = 5;
-  std::atomic<bool> stop{false};
-  WorldShell shell{.stop = &stop, .live = &ports};
-  std::uint64_t seen = 0;
-  int polls = 0;  // since the last frame
-  shell.sink = [&](const WorldFrame& frame) {
-    seen = frame.frame + 1;
-    polls = 0;
-  };
-  shell.between = [&](WorldRun&) { stop = stop || ++polls > 30; };
-  const WorldSummary run = run_world_on_threads(config, {&list, 1}, shell);
-  EXPECT_TRUE(run.was_stopped);
-  EXPECT_EQ(run.frames, seen);
-  // Both sides went as far: a haptic step or two may have been made before the pause was seen.
-  EXPECT_GE(seen, 5u);
-  EXPECT_LE(seen, 8u);
-  EXPECT_LE(run.haptic[0].steps, 16u);
-  expect_let_go(device);
 }
 
 TEST(WorldThreads, AFaultEndsAtZeroForceOnAll) {
@@ -108,6 +80,27 @@ TEST(WorldThreads, AFaultEndsAtZeroForceOnAll) {
   EXPECT_EQ(run.fault, Fault::device_lost);
   EXPECT_EQ(run.hands[0].fault, Fault::device_lost);
   for (const BadDevice* device : {&bad, &good}) expect_let_go(*device);
+}
+
+TEST(WorldThreads, AFaultWhileAStepOfTheWorldTakesLongEndsAtZeroForceAtOnce) {
+  WorldBench bench;
+  const WorldSessionConfig config = with_two_hands(bench, false);
+  BadDevice bad(0.05, BadDevice::Trouble::lost, 0.1), good(0.05, BadDevice::Trouble::none, 0.0);
+  HapticDevice* devices[] = {&bad, &good};
+  bool is_let_go = false;
+  WorldShell shell;
+  shell.sink = [&](const WorldFrame& frame) {
+    if (frame.frame != 80 || is_let_go) return;
+    // It is as if this step took until both hands are let go; a minute, should they never be.
+    for (int i = 0; i < 60'000 && !is_let_go; ++i) {
+      sleep_ns(1'000'000);
+      is_let_go = bad.has_failed && bad.is_let_go && good.is_let_go;
+    }
+  };
+  const WorldSummary run = run_world_on_threads(config, devices, shell);
+  EXPECT_EQ(run.fault, Fault::device_lost);
+  EXPECT_TRUE(is_let_go);
+  EXPECT_GT(good.most, 0.0);
 }
 
 TEST(WorldThreads, AnErrorOfTheWorldsSinkEndsAtZeroForce) {

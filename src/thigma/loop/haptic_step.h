@@ -8,7 +8,6 @@
 #include "thigma/core/spsc_ring.h"
 #include "thigma/device/haptic_device.h"
 #include "thigma/device/workspace.h"
-#include "thigma/dynamics/constrained_step.h"
 #include "thigma/dynamics/coupling.h"
 #include "thigma/dynamics/linear_contact_model.h"
 #include "thigma/loop/haptic_params.h"
@@ -72,6 +71,9 @@ struct StampedBody {
   double wanted_speed = 0.0;
   double wanted_gain = 0.0;  // how fast that grows [m/s^2]
 };
+
+struct ConstrainedStep;
+struct StepForces;
 
 /// Moves the body in the place of constrained_step, where it is not the only one that moves.
 struct BodyStepper {

@@ -73,8 +73,9 @@ struct HandModel {
   // How far any point of the body in the hand may go from where the world has it: so far the world
   // was looked at, and within it only the bodies of the model can be met [m]
   double room = 0.0;
-  double reach = 0.0;         // of its farthest point from its centre of mass [m]
-  std::int32_t left_out = 0;  // pairs and rows without room; `room` ends before them
+  double reach = 0.0;  // of its farthest point from its centre of mass [m]
+  // Pairs and rows without room, which `room` ends before, and bodies that are the border for it
+  std::int32_t left_out = 0;
   StaticVector<HandBody, kHandBodies> bodies;
   StaticVector<HandPair, kHandPairs> pairs;
   StaticVector<HandRow, kHandRows> rows;  // those of a pair stand together

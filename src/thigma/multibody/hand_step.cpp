@@ -93,6 +93,8 @@ IslandSolution solve_turns(const HandWork& work, ConstrainedStep& result) THIGMA
     detail::go(work, 1.0);
     const bool is_short = turn + 1 < kTurns && detail::correct_limits(work);
     if (!solution.is_whole || (!is_short && work.model.joints.empty())) break;
+    // A turn that none is left for would undo this one.
+    if (work.memory.newton >= kHandNewton) break;
   }
   return solution;
 }

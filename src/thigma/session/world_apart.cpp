@@ -36,7 +36,11 @@ WorldApart::WorldApart(const WorldSessionConfig& of, std::span<HapticDevice* con
 
 WorldApart::~WorldApart() {
   run.reset();  // of the relays
-  for (HapticDevice* device : devices) {
+  let_go(*this);
+}
+
+void let_go(const WorldApart& apart) {
+  for (HapticDevice* device : apart.devices) {
     if (device == nullptr) continue;
     try {
       device->write({});

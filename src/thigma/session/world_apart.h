@@ -39,6 +39,10 @@ struct WorldApart {
 /// Thread    [contact]; throws std::bad_alloc where memory grows.
 void publish_news(const WorldFrame& frame, double step, WorldApart& apart);
 
+/// Sends zero force to all devices, whatever one of them does.
+/// Thread    [haptic], or where its thread has ended.
+void let_go(const WorldApart& apart);
+
 /// Makes a haptic step of all hands; the fault that ends the session, or none.
 /// Thread    [haptic].
 Fault step_hands(const HapticTick& tick, WorldApart& apart) THIGMA_RT;

@@ -70,7 +70,7 @@ void count(const HapticSample& sample, WorldHandLoop& loop) THIGMA_RT {
 
 void tell(const HapticSample& sample, WorldHandLoop& loop) THIGMA_RT {
   HandNote& note = loop.notes.draft();
-  note.frame = loop.summary.steps;
+  note.frame = 1 + static_cast<std::uint64_t>(std::llround(sample.time / loop.period));
   note.time = sample.time;
   note.period = loop.period;
   note.device = loop.device.sample;
@@ -129,8 +129,9 @@ double HandRelay::share_of(const Pose& pose, const Twist& twist, double energy) 
   // While it holds nothing nothing follows it: only what a device may do at most is kept to.
   constexpr double kMost = 0.9;  // of the limits that the world's hand is judged by
   const SafetyLimits& limits = loop_->params.safety;
-  const double speed = border.is_held ? kCatchUp : kMost * limits.max_speed;
-  const double turn_speed = border.is_held ? kCatchUpTurn : kMost * limits.max_turn_speed;
+  const double fast = kMost * limits.max_speed, fast_turn = kMost * limits.max_turn_speed;
+  const double speed = border.is_held ? std::min(kCatchUp, fast) : fast;
+  const double turn_speed = border.is_held ? std::min(kCatchUpTurn, fast_turn) : fast_turn;
   const double most = step_ * std::max(speed, twist.linear.norm());
   const double most_turn = step_ * std::max(turn_speed, twist.angular.norm());
   const Vec3 by = pose.position - passed_.position;

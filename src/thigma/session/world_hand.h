@@ -27,7 +27,7 @@ static_assert(RtPayload<HandNews>);
 
 /// What a hand tells the world after a haptic step.
 struct HandNote {
-  std::uint64_t frame = 0;     // counts haptic steps, from 1
+  std::uint64_t frame = 0;     // counts ticks of haptic steps, from 1, those without a step too
   double time = 0.0;           // of it [s; hand's]
   double period = 1e-3;        // of haptic steps [s]
   DeviceState device;          // as read [device frame]
@@ -131,7 +131,8 @@ class HandRelay final : public HapticDevice {
   std::uint64_t frame_ = 0, openings_ = 0;
 };
 
-/// Speeds at which a world that was late comes after a hand [m/s, rad/s; device].
+/// Speeds at which a world that was late comes after a hand, where the limits of its device allow
+/// as much [m/s, rad/s; device].
 inline constexpr double kCatchUp = 1.2, kCatchUpTurn = 20.0;
 
 /// That the world may have had beyond what the hand has put in, so that a touch can begin [J].

@@ -84,9 +84,7 @@ struct WorldHandSummary {
 /// How the haptic steps of a hand went, where they are apart from the world's.
 struct WorldHapticSummary {
   std::uint64_t steps = 0;
-  std::uint64_t missed = 0;    // ticks of the clock without one; in lockstep 0
-  DurationHistogram step_cpu;  // of the processor; in lockstep empty
-  double force_max = 0.0;      // sent [N]
+  double force_max = 0.0;  // sent [N]
   // that the hand has put in at its device since the start, at the end and the least [J]
   double port_energy = 0.0, port_energy_min = 0.0;
   std::int32_t rows_max = 0, bodies_max = 0, newton_max = 0;  // of a step
@@ -129,7 +127,10 @@ struct WorldSummary {
   // By hand, where haptic steps are apart from the world's; else empty, and `hands` is what devices
   // got. Where they are, `hands` and the port's energy are those of the world's side.
   std::vector<WorldHapticSummary> haptic;
-  std::string refused;  // what the system refused to their thread; "": nothing
+  // Of their thread, which steps all hands in a tick; in lockstep there is none.
+  std::uint64_t haptic_missed = 0;  // ticks of the clock without a step
+  DurationHistogram haptic_cpu;     // of a tick, of the processor
+  std::string refused;              // what the system refused to it; "": nothing
 
   bool has_fault() const noexcept { return fault != Fault::none; }
 };

@@ -17,7 +17,7 @@ namespace thigma {
 /// replay.
 ///
 /// config, devices  and errors as of run_world
-/// shell            wait_for_tick is not called
+/// shell            its sink, stop and between; a world that is live on a page has the one loop
 /// haptic_thread    asked for; what the system refuses stands in WorldSummary::refused
 /// Thread           [offline]
 WorldSummary run_world_on_threads(const WorldSessionConfig& config,

@@ -6,8 +6,6 @@
 namespace thigma::detail {
 namespace {
 
-constexpr std::int32_t kMixed = 65535;  // kMixedCell, as quads hold it first
-
 // A height within a quad, in steps.
 float steps_in(const std::uint16_t* quad, float ax, float ay) noexcept {
   const float first = quad[0], right = quad[1], below = quad[2], across = quad[3];
@@ -61,7 +59,7 @@ void raise_four(const QuadBatch& batch, const RowAt& at, int i) noexcept {
       _mm_add_ps(_mm_set1_ps(row.h), _mm_mul_ps(lanes_from(row.first + i), _mm_set1_ps(t.by_h)));
   const __m128 height = _mm_add_ps(coarse, _mm_mul_ps(steps, _mm_set1_ps(t.by_step)));
   const int mixed =
-      _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(corner[0], _mm_set1_epi32(kMixed))));
+      _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(corner[0], _mm_set1_epi32(kMixedQuad))));
   float* const out = row.out + row.first + i;
   if (mixed == 0 && i + 4 <= row.count) {
     // The order of the operands is that of the scalar comparison.
@@ -122,7 +120,7 @@ void raise_scalar(const QuadBatch& batch) noexcept {
     for (int i = 0; i < row->count; ++i) {
       const int place = begin + i;
       const std::uint16_t* const quad = t.quads + 4 * static_cast<std::int64_t>(batch.cell[place]);
-      if (quad[0] == kMixed) {
+      if (quad[0] == kMixedQuad) {
         raise_mixed(t, *row, row->first + i);
         continue;
       }

@@ -9,6 +9,9 @@
 
 namespace thigma::detail {
 
+/// First of a quad whose cell is read from the texels: haptic_texture.h's kMixedCell.
+inline constexpr std::int32_t kMixedQuad = 65535;
+
 /// What all rows of a triangle share. Sample k of a row lies at texture coordinates (x + k by_x,
 /// y + k by_y) about `quads`; its height is h + k by_h + steps x by_step, with the steps between
 /// the four of its cell.

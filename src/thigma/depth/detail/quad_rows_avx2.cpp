@@ -7,8 +7,6 @@
 namespace thigma::detail {
 namespace {
 
-constexpr std::int32_t kMixed = 65535;  // kMixedCell, as quads hold it first
-
 __m256 lanes_from(int k) {
   return _mm256_add_ps(_mm256_set1_ps(static_cast<float>(k)),
                        _mm256_setr_ps(0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f));
@@ -49,7 +47,7 @@ struct Lanes {
 // Heights of eight samples of a row from the i-th on; which of them lie over mixed cells.
 __m256 heights(const QuadBatch& batch, const Lanes& s, int place, __m256 coarse, __m256i& mixed) {
   const Corners corners = load_eight(s.quads, batch.cell + place);
-  mixed = _mm256_cmpeq_epi32(corners.first, _mm256_set1_epi32(kMixed));
+  mixed = _mm256_cmpeq_epi32(corners.first, _mm256_set1_epi32(kMixedQuad));
   const __m256 first = _mm256_cvtepi32_ps(corners.first), right = _mm256_cvtepi32_ps(corners.right);
   const __m256 ax = _mm256_loadu_ps(batch.ax + place), ay = _mm256_loadu_ps(batch.ay + place);
   const __m256 at_left = _mm256_add_ps(

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/depth/detail/quad_rows.h"
+
 namespace thigma::detail {
+
+static_assert(kMixedQuad == kMixedCell);
 
 HeightSpan start_span(const ProjectedPatch& patch, const ProjectedTriangle& t, double spacing,
                       Vec2& origin) noexcept {
