@@ -84,7 +84,7 @@ class BadDevice final : public HapticDevice {
     state.status = DeviceStatus::ok;
     state.motion.pose.position.x() = speed_ * now;
     state.motion.twist.linear.x() = speed_;
-    if (now < when_ || trouble_ == Trouble::none) return state;
+    if ((now < when_ && !must_fail) || trouble_ == Trouble::none) return state;
     has_failed = true;
     if (trouble_ == Trouble::lost) state.status = DeviceStatus::lost;
     if (trouble_ == Trouble::nan) state.motion.pose.position.y() = std::nan("");
@@ -98,7 +98,8 @@ class BadDevice final : public HapticDevice {
   }
   Wrench last;
   double most = 0.0;
-  std::atomic<bool> has_failed{false}, is_let_go{false};  // for other threads
+  // For other threads: that its trouble begins, has begun, and what was sent last.
+  std::atomic<bool> must_fail{false}, has_failed{false}, is_let_go{false};
 
  private:
   double speed_;

@@ -85,12 +85,14 @@ TEST(WorldThreads, AFaultEndsAtZeroForceOnAll) {
 TEST(WorldThreads, AFaultWhileAStepOfTheWorldTakesLongEndsAtZeroForceAtOnce) {
   WorldBench bench;
   const WorldSessionConfig config = with_two_hands(bench, false);
-  BadDevice bad(0.05, BadDevice::Trouble::lost, 0.1), good(0.05, BadDevice::Trouble::none, 0.0);
+  BadDevice bad(0.05, BadDevice::Trouble::lost, 1e9);
+  BadDevice good(0.05, BadDevice::Trouble::none, 0.0);
   HapticDevice* devices[] = {&bad, &good};
   bool is_let_go = false;
   WorldShell shell;
   shell.sink = [&](const WorldFrame& frame) {
-    if (frame.frame != 80 || is_let_go) return;
+    if (frame.frame != 80) return;
+    bad.must_fail = true;
     // It is as if this step took until both hands are let go; a minute, should they never be.
     for (int i = 0; i < 60'000 && !is_let_go; ++i) {
       sleep_ns(1'000'000);
