@@ -68,6 +68,9 @@ TEST(SceneFile, RefusesControlCharactersAndTablesWithoutAName) {
   for (const char* header :
        {"[{static]]", "[=]", "[ .a]", "[[+a]]", "  [ [ , ]", "[(]", "[\nobject]", "[[\r\na]]"})
     says("title = [\"[\",\n  [1, [{a = 2}]]]\n" + std::string(header) + "\n", "line 3");
+  for (const char* value : {"[}", "[ }]", "[0.0, }0.0]", "[1, # a\n }", "{a = [1, }"})
+    says("title = \"a\"\na = " + std::string(value) + "\n", "a } within [ ], line ");
+  says("title = [{a = [1, {b = 2}]}, \"[}\"]\n", "title");
   // Lines of values may begin so.
   says("title = [\n[{a = 1}],\n[+1]]\n", "title");
   says("[ object ]\n[[ static ]]\n[\"de\\u0076ice\"]\n", "no mesh");

@@ -75,7 +75,7 @@ struct TomlPlace {
   const std::string& file;
   std::size_t line = 1;
   std::string_view closing{};  // of the text or comment we are in, empty outside
-  int depth = 0;               // of brackets
+  std::string open{};          // brackets
   bool begins_line = true;     // nothing but blanks before
 
   [[noreturn]] void fail(const char* what, const char* expected) const {
@@ -105,10 +105,12 @@ struct TomlPlace {
     const char c = text[i];
     if (static_cast<unsigned char>(c) > 127)
       fail("a letter beyond ASCII outside of quotes", "expected it in \"quotes\" or a comment");
-    if (c == '[' && begins_line && depth == 0) check_header(i);
+    if (c == '[' && begins_line && open.empty()) check_header(i);
+    // The parser takes it for the begin of a value, which it assumes it is not.
+    if (c == '}' && open.ends_with('[')) fail("a } within [ ]", "expected ] before it");
     if (c != ' ' && c != '\t') begins_line = c == '\n';
-    if (c == '[' || c == '{') ++depth;
-    if (c == ']' || c == '}') depth = std::max(0, depth - 1);
+    if (c == '[' || c == '{') open += c;
+    if ((c == ']' || c == '}') && !open.empty()) open.pop_back();
     if (c == '#') closing = "\n";
     for (const std::string_view opening : {"\"\"\"", "\'\'\'", "\"", "\'"})
       if (closing.empty() && text.substr(i).starts_with(opening)) closing = opening;

@@ -521,7 +521,7 @@ pageTest("coarser surfaces come from a worker, and colours of contacts lie on th
     solid.material = materials.bare;
     stain.visible = true;
     const stained = count(twice, without, 8);
-    if (stained <= 10) return null;
+    if (stained <= 50) return null; // of a few at the edge of a body each counts
     const coloured = [...bytes.keys()].filter((patch) => bytes[patch] || near[patch]).reduce((sum, patch) => sum + byPatch.begin[patch + 1] - byPatch.begin[patch], 0);
     return { stained, different: count(twice, once, 2), coloured, drawn: stain.geometry.drawRange.count / 3,
       triangles: object.coarse.map((one) => one.triangles), fine: object.about.triangles, level: object.drawn };
