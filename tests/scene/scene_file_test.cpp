@@ -70,6 +70,10 @@ TEST(SceneFile, RefusesControlCharactersAndTablesWithoutAName) {
     says("title = [\"[\",\n  [1, [{a = 2}]]]\n" + std::string(header) + "\n", "line 3");
   for (const char* value : {"[}", "[ }]", "[0.0, }0.0]", "[1, # a\n }", "{a = [1, }"})
     says("title = \"a\"\na = " + std::string(value) + "\n", "a } within [ ], line ");
+  for (const char* value : {"1980-05-27 1", "[1, 1980-05-27 1]", "1_980-05-2_7 1#"})
+    says("title = \"a\"\na = " + std::string(value) + "\n", "a date and a digit, line 2");
+  says("a=1980-05-27 1", "a date and a digit, line 1");
+  says("a = \"1980-05-27 1\" # 1980-05-27 1\n", "unknown key a");
   says("title = [{a = [1, {b = 2}]}, \"[}\"]\n", "title");
   // Lines of values may begin so.
   says("title = [\n[{a = 1}],\n[+1]]\n", "title");

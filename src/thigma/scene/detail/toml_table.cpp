@@ -101,11 +101,35 @@ struct TomlPlace {
       fail("a table without a name", "expected one as in [object]");
   }
 
+  /// Whether a date begins here, as the parser counts its letters, and after a blank one digit: it
+  /// assumes that more follow.
+  bool is_broken_date(std::size_t i) const {
+    constexpr std::string_view kForm = "dddd-dd-dd";  // d: a digit
+    constexpr std::string_view kBefore = " \t\r\n,=[{", kEnds = " \t\r\n,]}#";
+    const auto is_digit = [&](std::size_t k) {
+      return k < text.size() && text[k] >= '0' && text[k] <= '9';
+    };
+    const auto ends = [&](std::size_t k) {
+      return k >= text.size() || kEnds.find(text[k]) != std::string_view::npos;
+    };
+    if (i > 0 && kBefore.find(text[i - 1]) == std::string_view::npos) return false;
+    std::size_t matched = 0;
+    for (; !ends(i); ++i) {
+      if (text[i] == '_' && matched > 0) continue;
+      if (matched == kForm.size()) return false;
+      if (kForm[matched] == 'd' ? !is_digit(i) : text[i] != kForm[matched]) return false;
+      ++matched;
+    }
+    return matched == kForm.size() && text.substr(i).starts_with(' ') && is_digit(i + 1) &&
+           ends(i + 2);
+  }
+
   void outside(std::size_t& i) {
     const char c = text[i];
     if (static_cast<unsigned char>(c) > 127)
       fail("a letter beyond ASCII outside of quotes", "expected it in \"quotes\" or a comment");
     if (c == '[' && begins_line && open.empty()) check_header(i);
+    if (is_broken_date(i)) fail("a date and a digit", "expected text, a number, true or false");
     // The parser takes it for the begin of a value, which it assumes it is not.
     if (c == '}' && open.ends_with('[')) fail("a } within [ ]", "expected ] before it");
     if (c != ' ' && c != '\t') begins_line = c == '\n';
