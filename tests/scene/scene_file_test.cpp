@@ -72,6 +72,8 @@ TEST(SceneFile, RefusesControlCharactersAndTablesWithoutAName) {
     says("title = \"a\"\na = " + std::string(value) + "\n", "a } within [ ], line ");
   for (const char* value : {"1980-05-27 1", "[1, 1980-05-27 1]", "1_980-05-2_7 1#"})
     says("title = \"a\"\na = " + std::string(value) + "\n", "a date and a digit, line 2");
+  for (const char* value : {"++\"\xC6\xA8\"", "1'\xC6\xA8'", "\"a\"\"b\"", "[1]\"\xC6\xA8\""})
+    says("title = \"a\"\na = " + std::string(value) + "\n", "a quote within a word, line 2");
   says("a=1980-05-27 1", "a date and a digit, line 1");
   says("a = \"1980-05-27 1\" # 1980-05-27 1\n", "unknown key a");
   says("title = [{a = [1, {b = 2}]}, \"[}\"]\n", "title");

@@ -130,6 +130,11 @@ struct TomlPlace {
       fail("a letter beyond ASCII outside of quotes", "expected it in \"quotes\" or a comment");
     if (c == '[' && begins_line && open.empty()) check_header(i);
     if (is_broken_date(i)) fail("a date and a digit", "expected text, a number, true or false");
+    // The parser reads on in a number where we would see a text, whatever its letters.
+    const bool is_quote = c == '"' || c == '\'';
+    if (is_quote && i > 0 &&
+        std::string_view(" \t\r\n=[{,.").find(text[i - 1]) == std::string_view::npos)
+      fail("a quote within a word", "expected it at the begin of a text");
     // The parser takes it for the begin of a value, which it assumes it is not.
     if (c == '}' && open.ends_with('[')) fail("a } within [ ]", "expected ] before it");
     if (c != ' ' && c != '\t') begins_line = c == '\n';
