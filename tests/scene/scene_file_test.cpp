@@ -70,7 +70,8 @@ TEST(SceneFile, RefusesControlCharactersAndTablesWithoutAName) {
     says("title = [\"[\",\n  [1, [{a = 2}]]]\n" + std::string(header) + "\n", "line 3");
   for (const char* value : {"[}", "[ }]", "[0.0, }0.0]", "[1, # a\n }", "{a = [1, }"})
     says("title = \"a\"\na = " + std::string(value) + "\n", "a } within [ ], line ");
-  for (const char* value : {"1980-05-27 1", "[1, 1980-05-27 1]", "1_980-05-2_7 1#"})
+  for (const char* value :
+       {"1980-05-27 1", "[1, 1980-05-27 1]", "1_980-05-2_7 1#", "0990-05-2( 1 09"})
     says("title = \"a\"\na = " + std::string(value) + "\n", "a date and a digit, line 2");
   for (const char* value : {"++\"\xC6\xA8\"", "1'\xC6\xA8'", "\"a\"\"b\"", "[1]\"\xC6\xA8\""})
     says("title = \"a\"\na = " + std::string(value) + "\n", "a quote within a word, line 2");

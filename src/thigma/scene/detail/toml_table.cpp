@@ -104,7 +104,7 @@ struct TomlPlace {
   /// Whether a date begins here, as the parser counts its letters, and after a blank one digit: it
   /// assumes that more follow.
   bool is_broken_date(std::size_t i) const {
-    constexpr std::string_view kForm = "dddd-dd-dd";  // d: a digit
+    constexpr std::string_view kForm = "d???-??-??";  // d: a digit, ?: whatever stands there
     constexpr std::string_view kBefore = " \t\r\n,=[{", kEnds = " \t\r\n,]}#";
     const auto is_digit = [&](std::size_t k) {
       return k < text.size() && text[k] >= '0' && text[k] <= '9';
@@ -117,7 +117,8 @@ struct TomlPlace {
     for (; !ends(i); ++i) {
       if (text[i] == '_' && matched > 0) continue;
       if (matched == kForm.size()) return false;
-      if (kForm[matched] == 'd' ? !is_digit(i) : text[i] != kForm[matched]) return false;
+      const char form = kForm[matched];
+      if (form == 'd' ? !is_digit(i) : form != '?' && text[i] != form) return false;
       ++matched;
     }
     return matched == kForm.size() && text.substr(i).starts_with(' ') && is_digit(i + 1) &&
