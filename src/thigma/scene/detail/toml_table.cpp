@@ -130,6 +130,10 @@ struct TomlPlace {
     if (static_cast<unsigned char>(c) > 127)
       fail("a letter beyond ASCII outside of quotes", "expected it in \"quotes\" or a comment");
     if (c == '[' && begins_line && open.empty()) check_header(i);
+    // Where a key stands the parser takes no text of several lines, and reads on after two quotes.
+    const bool is_long = text.substr(i).starts_with("\"\"\"") || text.substr(i).starts_with("'''");
+    if (is_long && begins_line && open.empty())
+      fail("a key of several lines", "expected one as in mass = 0.01");
     if (is_broken_date(i)) fail("a date and a digit", "expected text, a number, true or false");
     // The parser reads on in a number where we would see a text, whatever its letters.
     const bool is_quote = c == '"' || c == '\'';
