@@ -114,7 +114,7 @@ WorldSummary run_alone(const RunOptions& options, const LoadedWorld& world, std:
     if (options.is_lockstep) return run_world(world.config, devices.list, sink, &stop);
     // A recording has no samples of simulated hands, and replays where these are in the one loop.
     if (recorder) return run_world_by_clock(world.config, devices.list, shell);
-    return run_world_on_threads(world.config, devices.list, shell, kHapticThread);
+    return run_world_on_threads(world.config, devices.list, shell, RtRequest{});
   };
   const WorldSummary summary = run();
   facts.cpu_seconds = 1e-9 * static_cast<double>(thread_cpu_ns() - begin);

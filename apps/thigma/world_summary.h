@@ -8,12 +8,8 @@
 
 #include "thigma/scene/world_scene.h"
 #include "thigma/session/histogram.h"
-#include "thigma/session/rt_thread.h"
 
 namespace thigma::app {
-
-/// What is asked for the thread of a world's haptic steps: as of other sessions.
-inline constexpr RtRequest kHapticThread{80, -1};
 
 /// What a summary does not know itself.
 struct WorldRunFacts {

@@ -8,6 +8,7 @@
 #include "thigma/math/rotation.h"
 #include "thigma/multibody/detail/hand_work.h"
 #include "thigma/multibody/detail/pair_models.h"
+#include "thigma/multibody/detail/row_rules.h"
 #include "thigma/multibody/detail/world_work.h"
 
 namespace thigma {
@@ -133,16 +134,12 @@ void keep_rows(const HandWork& work, ConstrainedStep& result) THIGMA_RT {
     const IslandRow& row = s.rows[r];
     if (!(row.impulse.x() > 0.0)) continue;
     const RowSource& source = s.sources[r];
-    constexpr double kRounding = 1e-6;
-    const double most = row.friction * row.impulse.x();
-    const bool is_sliding =
-        std::sqrt(row.impulse.y() * row.impulse.y() + row.impulse.z() * row.impulse.z()) >=
-        (1.0 - kRounding) * most;
+    const bool slides = detail::is_sliding(row);
     work.memory.impulses[idx(source.row)] = row.impulse;
-    work.memory.is_sliding[idx(source.row)] = is_sliding;
+    work.memory.is_sliding[idx(source.row)] = slides;
     if (row.a != 0 && row.b != 0) continue;
     ++result.solution.active;
-    if (row.friction > 0.0) ++(is_sliding ? result.slip.sliding : result.slip.sticking);
+    if (row.friction > 0.0) ++(slides ? result.slip.sliding : result.slip.sticking);
     const Vec3 p = row.impulse.x() * row.normal + row.impulse.y() * row.first +
                    row.impulse.z() * row.normal.cross(row.first);
     const double sign = row.a == 0 ? -1.0 : 1.0;
@@ -170,13 +167,11 @@ void keep_bodies(const HandWork& work, double share) THIGMA_RT {
 /// back.
 void collide(const HandWork& work) THIGMA_RT {
   HandScratch& s = work.s;
-  constexpr double kTouch = 1e-6;  // of the gap that is kept: less is no way
-  bool has_met = false;
-  for (std::size_t r = 0; r < s.rows.size(); ++r)
-    has_met =
-        has_met || (s.rows[r].impulse.x() > 0.0 &&
-                    s.sources[r].room > kTouch * work.model.pairs[idx(s.sources[r].pair)].slop);
-  if (!has_met) return;
+  bool any_met = false;
+  for (std::size_t r = 0; r < s.rows.size() && !any_met; ++r)
+    any_met =
+        detail::has_met(s.rows[r], s.sources[r], work.model.pairs[idx(s.sources[r].pair)].slop);
+  if (!any_met) return;
   detail::turn_rows(work);
   for (std::size_t i = 0; i < work.model.bodies.size(); ++i) {
     if (s.place[i] < 0) continue;

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "thigma/session/detail/world_hands.h"
+
 namespace thigma {
 namespace {
 
@@ -40,13 +42,7 @@ WorldApart::~WorldApart() {
 }
 
 void let_go(const WorldApart& apart) {
-  for (HapticDevice* device : apart.devices) {
-    if (device == nullptr) continue;
-    try {
-      device->write({});
-    } catch (...) {  // the others are still to be let go
-    }
-  }
+  for (HapticDevice* device : apart.devices) detail::let_go(device);
 }
 
 void publish_news(const WorldFrame& frame, double step, WorldApart& apart) {

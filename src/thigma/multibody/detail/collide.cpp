@@ -6,6 +6,7 @@
 #include "thigma/core/index.h"
 #include "thigma/math/rotation.h"
 #include "thigma/multibody/detail/jointed_island.h"
+#include "thigma/multibody/detail/row_rules.h"
 #include "thigma/multibody/detail/row_speed.h"
 
 namespace thigma::detail {
@@ -28,12 +29,10 @@ struct Hit {
   }
 };
 
-/// Whether a row came to press in this part, faster than what acts makes it.
+/// Whether a row came to press in this part.
 bool has_met(const Part& part, const IslandRow& row, const RowSource& source) noexcept {
-  constexpr double kTouch = 1e-6;  // of the gap that is kept: less is no way
   const NearPair& pair = *part.s.pairs.near[idx(source.pair)];
-  const double slop = part.world.pair_kinds[idx(pair.kind)].constraints.slop;
-  return row.impulse.x() > 0.0 && source.room > kTouch * slop;
+  return has_met(row, source, part.world.pair_kinds[idx(pair.kind)].constraints.slop);
 }
 
 /// Speed at which a row's surfaces meet, over that without contacts at the end of the part: what
@@ -78,10 +77,7 @@ void list_rows(const Hit& hit) {
     if (!std::isfinite(at.gap)) continue;
     const Mat3 turn = rotation_matrix(second.orientation);
     IslandRow row = before;
-    row.normal = turn * at.normal;
-    row.first = turn * tangents_of(at.normal).first;
-    row.arm_a = turn * at.arm;
-    row.arm_b = turn * (relative.position + at.arm);
+    place_row(at, turn, relative.position, row);
     row.limit = 0.0;
     row.impulse = Vec3::Zero();
     s.hit_rows.push_back(row);

@@ -7,6 +7,7 @@
 #include "thigma/dynamics/implicit_step.h"
 #include "thigma/math/rotation.h"
 #include "thigma/multibody/detail/pair_models.h"
+#include "thigma/multibody/detail/row_rules.h"
 #include "thigma/multibody/detail/world_work.h"
 
 namespace thigma::detail {
@@ -81,10 +82,7 @@ void fill_rows(const HandWork& work) THIGMA_RT {
     }
     const RowAtState here = row_at(model.row, at.relative.position, at.rotation);
     if (!std::isfinite(here.gap)) continue;
-    row.normal = turn * here.normal;
-    row.first = turn * tangents_of(here.normal).first;
-    row.arm_a = turn * here.arm;
-    row.arm_b = turn * (at.relative.position + here.arm);
+    place_row(here, turn, at.relative.position, row);
     row.limit = limit_of(here.gap, pair.slop, work.dt);
     const Friction& friction = model.row.friction;
     row.friction = work.memory.is_sliding[i] ? friction.kinetic : friction.at_rest;
@@ -168,11 +166,10 @@ bool correct_limits(const HandWork& work) THIGMA_RT {
     known = source.pair;
     const ContactRow& row = work.model.rows[idx(source.row)].row;
     const double gap = row_at(row, at.relative.position, at.rotation).gap;
-    const double kept = std::min(pair.slop, source.gap);
-    constexpr double kShort = 0.5;  // of what is kept
-    if (gap >= kShort * kept || !(kept > 0.0)) continue;
+    const double closed = closed_by(gap, pair.slop, source);
+    if (closed == 0.0) continue;
     is_short = true;
-    s.rows[r].limit -= (kept - gap) / work.dt;
+    s.rows[r].limit -= closed / work.dt;
   }
   return is_short;
 }
@@ -190,10 +187,7 @@ void turn_rows(const HandWork& work) THIGMA_RT {
     if (!std::isfinite(here.gap)) continue;
     const Mat3 turn = rotation_matrix(s.next[idx(pair.second)].orientation);
     IslandRow row = s.rows[r];
-    row.normal = turn * here.normal;
-    row.first = turn * tangents_of(here.normal).first;
-    row.arm_a = turn * here.arm;
-    row.arm_b = turn * (at.relative.position + here.arm);
+    place_row(here, turn, at.relative.position, row);
     row.limit = 0.0;
     row.impulse = Vec3::Zero();
     s.rows[kept] = row;

@@ -5,6 +5,7 @@
 
 #include "thigma/core/index.h"
 #include "thigma/math/rotation.h"
+#include "thigma/multibody/detail/row_rules.h"
 
 namespace thigma::detail {
 namespace {
@@ -148,10 +149,7 @@ void append_rows(const World& world, std::span<const BodyState> states, const Ne
     IslandRow row;
     row.a = local(pair.first);
     row.b = local(pair.second);
-    row.normal = world_from_second * at.normal;
-    row.first = world_from_second * tangents_of(at.normal).first;
-    row.arm_a = world_from_second * at.arm;
-    row.arm_b = world_from_second * (relative.position + at.arm);
+    place_row(at, world_from_second, relative.position, row);
     row.limit = limit_of(at.gap, slop, dt);
     const RowHistory& last = pair.history[i];
     row.friction = last.is_sliding ? model.friction.kinetic : model.friction.at_rest;

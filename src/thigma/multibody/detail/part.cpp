@@ -8,6 +8,7 @@
 #include "thigma/dynamics/implicit_step.h"
 #include "thigma/math/rotation.h"
 #include "thigma/multibody/detail/jointed_island.h"
+#include "thigma/multibody/detail/row_rules.h"
 #include "thigma/simulation/free_motion.h"
 
 namespace thigma::detail {
@@ -416,9 +417,7 @@ void keep_rows(Part& part) noexcept {
     const RowSource& source = s.islands.sources[r];
     RowHistory& history = s.pairs.near[idx(source.pair)]->history[idx(source.row)];
     history.impulse = row.impulse;
-    constexpr double kRounding = 1e-6;
-    const double most = row.friction * row.impulse.x();
-    history.is_sliding = std::hypot(row.impulse.y(), row.impulse.z()) >= (1.0 - kRounding) * most;
+    history.is_sliding = is_sliding(row);
   }
   for (const Island& island : s.islands.islands)
     if (island.joints > 0) count_joints(part, island);
@@ -473,11 +472,10 @@ bool correct_limits(Part& part, const Island& island) noexcept {
     const double gap = gaps.of(source);
     const NearPair& pair = *s.pairs.near[idx(source.pair)];
     const double slop = part.world.pair_kinds[idx(pair.kind)].constraints.slop;
-    const double kept = std::min(slop, source.gap);
-    constexpr double kShort = 0.5;  // of what is kept
-    if (gap >= kShort * kept || !(kept > 0.0)) continue;
+    const double closed = closed_by(gap, slop, source);
+    if (closed == 0.0) continue;
     is_short = true;
-    s.islands.rows[r].limit -= (kept - gap) / part.dt;
+    s.islands.rows[r].limit -= closed / part.dt;
   }
   return is_short;
 }

@@ -197,12 +197,14 @@ void renumber(const WorldSessionConfig& next, std::span<const std::int32_t> was,
 }
 
 void let_go(SessionHands& hands) noexcept {
-  for (const SessionHand& hand : hands.list) {
-    if (hand.device == nullptr) continue;
-    try {
-      hand.device->write({});
-    } catch (...) {  // the others are still to be let go
-    }
+  for (const SessionHand& hand : hands.list) let_go(hand.device);
+}
+
+void let_go(HapticDevice* device) noexcept {
+  if (device == nullptr) return;
+  try {
+    device->write({});
+  } catch (...) {  // others are still to be let go
   }
 }
 

@@ -59,5 +59,7 @@ void renumber(const WorldSessionConfig& next, std::span<const std::int32_t> was,
 
 /// Zero to every device, whatever another does.
 void let_go(SessionHands& hands) noexcept;
+/// Zero to one, null to none.
+void let_go(HapticDevice* device) noexcept;
 
 }  // namespace thigma::detail
