@@ -30,14 +30,10 @@ std::unique_ptr<Turns> make_turns(int texels, const Vec2& sideways) {
     const Quat tilt = rotation_from_vector(0.02 * random.in_cube(1.0)),
                turn = rotation_from_vector(Vec3(0.0, 0.0, random.uniform(-3.0, 3.0)));
     const double x = random.uniform(-0.3, 0.3), y = random.uniform(-0.3, 0.3);
-    DepthContact contact;
-    contact.object = {&turns->textures[2 * i % kTextures], turns->top,
-                      Pose{kPlateSide * Vec3(x, y, 0.25), (tilt * turn * over).normalized()}};
-    contact.scene = {&turns->textures[(2 * i + 1) % kTextures], turns->top, Pose{}};
-    contact.point = Vec3(0.0, 0.0, 0.125 * kPlateSide);
-    contact.normal = -Vec3::UnitZ();
-    contact.centre = contact.object.world_from_body.position;
-    turns->contacts.push_back(contact);
+    turns->contacts.push_back(
+        plate_contact({&turns->textures[2 * i % kTextures], turns->top,
+                       Pose{kPlateSide * Vec3(x, y, 0.25), (tilt * turn * over).normalized()}},
+                      {&turns->textures[(2 * i + 1) % kTextures], turns->top, Pose{}}));
   }
   return turns;
 }

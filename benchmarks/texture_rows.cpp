@@ -36,16 +36,12 @@ std::unique_ptr<Contacts> make_contacts(bool quick) {
   for (int i = 0; i < kMostContacts; ++i) {
     const auto tilt = [&] { return rotation_from_vector(0.02 * random.in_cube(1.0)); };
     const Quat turn = rotation_from_vector(Vec3(0.0, 0.0, random.uniform(-3.0, 3.0)));
-    DepthContact contact;
-    contact.object = {&c->object, c->top,
-                      Pose{Vec3(0.3 * kSide * random.uniform(-1.0, 1.0),
-                                0.3 * kSide * random.uniform(-1.0, 1.0), 0.25 * kSide),
-                           (tilt() * turn * over).normalized()}};
-    contact.scene = {&c->scene, c->top, Pose{}};
-    contact.point = Vec3(0.0, 0.0, 0.125 * kSide);
-    contact.normal = -Vec3::UnitZ();
-    contact.centre = contact.object.world_from_body.position;
-    c->all.push_back(contact);
+    c->all.push_back(
+        plate_contact({&c->object, c->top,
+                       Pose{Vec3(0.3 * kSide * random.uniform(-1.0, 1.0),
+                                 0.3 * kSide * random.uniform(-1.0, 1.0), 0.25 * kSide),
+                            (tilt() * turn * over).normalized()}},
+                      {&c->scene, c->top, Pose{}}));
   }
   return c;
 }
@@ -124,6 +120,16 @@ std::vector<double> time_frames(const Contacts& contacts, int count, DepthBacken
 }
 
 }  // namespace
+
+DepthContact plate_contact(const TexturedPatch& object, const TexturedPatch& scene) {
+  DepthContact contact;
+  contact.object = object;
+  contact.scene = scene;
+  contact.point = Vec3(0.0, 0.0, 0.125 * kSide);
+  contact.normal = -Vec3::UnitZ();
+  contact.centre = object.world_from_body.position;
+  return contact;
+}
 
 HapticTexture wavy_plate(Random& random, int texels, const Vec2& sideways) {
   std::array<Vec3, 3> waves;  // by x and y [1/m], phase [turns]

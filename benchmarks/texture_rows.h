@@ -5,6 +5,7 @@
 
 #include "benchmarks/bench_rows.h"
 
+#include "thigma/depth/depth.h"
 #include "thigma/math/random.h"
 #include "thigma/texture/haptic_texture.h"
 
@@ -24,6 +25,8 @@ std::vector<Row> texture_memory_rows(bool quick);
 ///
 /// sideways  what a displacement goes along both axes, by its height [-]
 HapticTexture wavy_plate(Random& random, int texels, const Vec2& sideways = Vec2::Zero());
+/// Of a plate that lies on another.
+DepthContact plate_contact(const TexturedPatch& object, const TexturedPatch& scene);
 inline constexpr double kPlateSide = 0.02, kPlateAmplitude = 1e-4;  // each wave's [m]
 
 }  // namespace thigma::bench
