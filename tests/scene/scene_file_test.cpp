@@ -43,8 +43,8 @@ TEST(SceneFile, LettersBeyondAsciiAreTextOrCommentsOnly) {
        {e + " = 1\n", "\n" + e + "\n", "a" + e + " = 1\n", "a = " + e + "\n", "[" + e + "]\n",
         std::string("\xFF\n"), "a = \"x\"" + e + "\n", "a = \"\"\"x\"\"\"\"" + e + "\n"}) {
     const std::string message = message_of(line + kLeast);
-    EXPECT_NE(message.find("beyond ASCII"), std::string::npos) << message;
-    EXPECT_NE(message.find("line "), std::string::npos) << message;
+    EXPECT_NE(message.find("expected a TOML scene"), std::string::npos) << line << message;
+    EXPECT_NE(message.find(line[0] == '\n' ? "line 2" : "line 1"), std::string::npos) << message;
   }
   for (const std::string& line : {"title = \"" + e + " \\\" " + e + "\" # " + e + "\n",
                                   "title = '" + e + "\\' # '" + e + "\n",
@@ -53,8 +53,9 @@ TEST(SceneFile, LettersBeyondAsciiAreTextOrCommentsOnly) {
     EXPECT_EQ(message_of(line + kLeast), "") << line;
 }
 
-/// Found by fuzzing: the library takes these for granted not to be there.
-TEST(SceneFile, RefusesControlCharactersAndTablesWithoutAName) {
+/// Found by fuzzing: the library takes these for granted not to be there, and what it does then is
+/// undefined unless its assertions stay.
+TEST(SceneFile, WhatTheParserTakesForGrantedIsRefusedWithItsLine) {
   const auto says = [](const std::string& text, const char* what) {
     const std::string message = message_of(text);
     EXPECT_NE(message.find(what), std::string::npos) << text << message;
@@ -63,21 +64,19 @@ TEST(SceneFile, RefusesControlCharactersAndTablesWithoutAName) {
     const std::string bad(1, c);
     for (const std::string& text :
          {"[" + bad + "object]\n", "# a" + bad + "\n", "title = \"" + bad + "\"\n"})
-      says(text, "a control character, line 1");
+      says(text, "line 1");
   }
   for (const char* header :
        {"[{static]]", "[=]", "[ .a]", "[[+a]]", "  [ [ , ]", "[(]", "[\nobject]", "[[\r\na]]"})
     says("title = [\"[\",\n  [1, [{a = 2}]]]\n" + std::string(header) + "\n", "line 3");
-  for (const char* value : {"[}", "[ }]", "[0.0, }0.0]", "[1, # a\n }", "{a = [1, }"})
-    says("title = \"a\"\na = " + std::string(value) + "\n", "a } within [ ], line ");
-  for (const char* value :
-       {"1980-05-27 1", "[1, 1980-05-27 1]", "1_980-05-2_7 1#", "0990-05-2( 1 09"})
-    says("title = \"a\"\na = " + std::string(value) + "\n", "a date and a digit, line 2");
-  for (const char* value : {"++\"\xC6\xA8\"", "1'\xC6\xA8'", "\"a\"\"b\"", "[1]\"\xC6\xA8\""})
-    says("title = \"a\"\na = " + std::string(value) + "\n", "a quote within a word, line 2");
-  says("title = \"a\"\n\"\"\"ock\"\n[c]\n\"\"\"\n", "a key of several lines, line 2");
+  for (const char* value : {"[}", "[ }]", "[0.0, }0.0]", "[1, # a\n }", "{a = [1, }",
+                            "1980-05-27 1", "[1, 1980-05-27 1]", "1_980-05-2_7 1#",
+                            "0990-05-2( 1 09", "++\"\xC6\xA8\"", "1'\xC6\xA8'", "[1]\"\xC6\xA8\""})
+    says("title = \"a\"\na = " + std::string(value) + "\n",
+         std::string_view(value).find('\n') == std::string_view::npos ? "line 2" : "line 3");
+  says("title = \"a\"\n\"\"\"ock\"\n[c]\n\"\"\"\n", "line ");
   says("title = [\n\"\"\"a\nb\"\"\"]\n", "title");
-  says("a=1980-05-27 1", "a date and a digit, line 1");
+  says("a=1980-05-27 1", "line 1");
   says("a = \"1980-05-27 1\" # 1980-05-27 1\n", "unknown key a");
   says("title = [{a = [1, {b = 2}]}, \"[}\"]\n", "title");
   // Lines of values may begin so.

@@ -24,8 +24,6 @@ using detail::read_coupling;
 using detail::read_object_keys;
 using detail::resolve_object;
 
-constexpr std::size_t kMostBytes = 1 << 20;  // a scene file is a page of text
-
 /// The numbers of friction of a table, nothing where it has none; what is left out is zero, but
 /// static_friction friction.
 std::optional<Friction> read_friction(TomlTable& table) {
@@ -302,24 +300,10 @@ void read_taps(TomlTable table, TapChoice& taps) {
   table.finish();
 }
 
-toml::table parse_toml(std::string_view text, const std::string& file) {
-  check_toml_letters(without_byte_order_mark(text), file);
-  try {
-    return toml::parse(without_byte_order_mark(text), file);
-  } catch (const toml::parse_error& error) {
-    throw InputError(scene_message(file, std::string(error.description()),
-                                   error.source().begin.line, "expected a TOML scene"));
-  }
-}
-
 }  // namespace
 
 SceneDescription parse_scene(std::string_view text, const std::string& file,
                              const std::string& folder) {
-  if (text.size() > kMostBytes) {
-    throw InputError(file + ": " + std::to_string(text.size()) +
-                     " bytes, expected a scene of at most 1 MiB");
-  }
   const toml::table root = parse_toml(text, file);
   TomlTable top(root, file, "");
   SceneDescription scene;
@@ -365,11 +349,7 @@ SceneDescription read_scene(const std::string& path) {
     throw InputError(path + (fs::is_directory(path, error) ? ": a folder" : ": no such file") +
                      ", expected a scene file or one of" + all);
   }
-  if (fs::is_regular_file(path, error) && fs::file_size(path, error) > kMostBytes) {
-    throw InputError(path + ": " + std::to_string(fs::file_size(path, error)) +
-                     " bytes, expected a scene of at most 1 MiB");
-  }
-  return parse_scene(read_file(path), path, fs::path(path).parent_path().string());
+  return parse_scene(read_scene_text(path), path, fs::path(path).parent_path().string());
 }
 
 }  // namespace thigma

@@ -1,8 +1,5 @@
 #include "thigma/scene/simulated_body.h"
 
-#include <toml++/toml.h>
-
-#include "thigma/files/file.h"
 #include "thigma/math/random.h"
 #include "thigma/math/rotation.h"
 #include "thigma/scene/detail/toml_table.h"
@@ -12,8 +9,7 @@
 namespace thigma {
 
 std::optional<SimulatedBody> parse_simulated_body(std::string_view text, const std::string& file) {
-  check_toml_letters(without_byte_order_mark(text), file);
-  const toml::table root = toml::parse(without_byte_order_mark(text), file);
+  const toml::table root = parse_toml(text, file);
   TomlTable top(root, file, "");
   std::optional<TomlTable> keys = top.table("simulation");
   if (!keys) return std::nullopt;

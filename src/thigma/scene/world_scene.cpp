@@ -5,8 +5,6 @@
 #include <filesystem>
 #include <map>
 
-#include <toml++/toml.h>
-
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/core/error.h"
 #include "thigma/core/index.h"
@@ -25,8 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostBytes = 1 << 20;  // a scene file is a page of text
-constexpr int kMostCopies = 1000;            // bodies of one table
+constexpr int kMostCopies = 1000;  // bodies of one table
 constexpr std::size_t kMostJoints = 4000, kMostDevices = 16;
 
 /// Names stand in topics of recordings.
@@ -181,10 +178,8 @@ WorldBody world_body(const WorldSceneBody& given, const Surface& surface, const 
 bool is_world_scene(const std::string& path) {
   try {
     const std::string text =
-        fs::is_regular_file(path) ? read_file(path) : std::string(builtin_scene(path));
-    const std::string_view plain = without_byte_order_mark(text);
-    check_toml_letters(plain, path);
-    return toml::parse(plain, path).contains("body");
+        fs::is_regular_file(path) ? read_scene_text(path) : std::string(builtin_scene(path));
+    return parse_toml(text, path).contains("body");
   } catch (const std::exception&) {
     return false;  // whoever reads it says what is wrong
   }
@@ -192,18 +187,7 @@ bool is_world_scene(const std::string& path) {
 
 WorldSceneDescription parse_world_scene(std::string_view text, const std::string& file,
                                         const std::string& folder) {
-  if (text.size() > kMostBytes)
-    throw InputError(file + ": " + std::to_string(text.size()) +
-                     " bytes, expected a scene of at most 1 MiB");
-  const std::string_view plain = without_byte_order_mark(text);
-  check_toml_letters(plain, file);
-  toml::table root;
-  try {
-    root = toml::parse(plain, file);
-  } catch (const toml::parse_error& error) {
-    throw InputError(scene_message(file, std::string(error.description()),
-                                   error.source().begin.line, "expected a TOML scene"));
-  }
+  toml::table root = parse_toml(text, file);
   TomlTable top(root, file, "");
   WorldSceneDescription scene;
   scene.file = file;
@@ -215,7 +199,7 @@ WorldSceneDescription parse_world_scene(std::string_view text, const std::string
 
 WorldSceneDescription read_world_scene(const std::string& path) {
   if (!fs::is_regular_file(path)) return parse_world_scene(builtin_scene(path), path, "");
-  return parse_world_scene(read_file(path), path, fs::path(path).parent_path().string());
+  return parse_world_scene(read_scene_text(path), path, fs::path(path).parent_path().string());
 }
 
 namespace {

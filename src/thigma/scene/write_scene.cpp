@@ -5,8 +5,6 @@
 #include <sstream>
 #include <string_view>
 
-#include <toml++/toml.h>
-
 #include "thigma/core/error.h"
 #include "thigma/files/file.h"
 #include "thigma/loop/safety_fields.h"
@@ -113,19 +111,10 @@ toml::table other_tables(const SceneDescription& scene) {
   return root;
 }
 
-toml::table tables_of(const std::string& text, const std::string& file) {
-  try {
-    return toml::parse(without_byte_order_mark(text), file);
-  } catch (const toml::parse_error& error) {
-    throw InputError(scene_message(file, std::string(error.description()),
-                                   error.source().begin.line, "expected a TOML scene"));
-  }
-}
-
 }  // namespace
 
 std::string write_scene(const SceneDescription& scene) {
-  toml::table root = scene.text.empty() ? other_tables(scene) : tables_of(scene.text, scene.file);
+  toml::table root = scene.text.empty() ? other_tables(scene) : parse_toml(scene.text, scene.file);
   root.insert_or_assign("title", plain(scene.title));
   if (scene.repairs) root.insert_or_assign("repair", true);
   toml::table object = object_table(scene.object, root["object"].as_table());

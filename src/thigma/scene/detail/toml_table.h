@@ -6,16 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include <toml++/toml.h>
-
 #include "thigma/math/pose.h"
+#include "thigma/scene/detail/parse_toml.h"
 
 namespace thigma {
-
-/// Refuses bytes beyond ASCII outside text and comments, control characters anywhere, and tables
-/// without a name: the library answers some of them with undefined behaviour.
-/// Thread: [offline]; throws InputError with the line.
-void check_toml_letters(std::string_view text, const std::string& file);
 
 /// What a number may be.
 enum class Range : std::uint8_t { any, not_negative, positive };
