@@ -24,7 +24,8 @@ for report in sorted((build / "results").glob("*.xml")):
         if case.find("failure") is not None:
             failed += 1
             reported[report.stem] += 1
-            print(f"FAILED  {name}")
+            reason = " ".join((case.find("failure").get("message") or "").split())
+            print(f"FAILED  {name}: {reason[:300]}")
         elif case.find("skipped") is not None:
             skipped += 1
             message = (case.find("skipped").get("message") or "").strip().splitlines()
