@@ -512,18 +512,24 @@ pageTest("coarser surfaces come from a worker, and colours of contacts lie on th
       gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
       return pixels;
     };
-    const count = (a, b, most) => { let n = 0; for (let k = 0; k < a.length; k += 4) n += [0, 1, 2].some((c) => Math.abs(a[k + c] - b[k + c]) > most) ? 1 : 0; return n; };
-    const twice = picture();
-    stain.visible = false;
-    const without = picture();
-    solid.material = materials.plain;
-    const once = picture();
-    solid.material = materials.bare;
-    stain.visible = true;
-    const stained = count(twice, without, 8);
-    if (stained <= 50) return null; // of a few at the edge of a body each counts
+    const draw = (isStained, material) => { stain.visible = isStained; solid.material = material; return picture(); };
+    const differing = (a, b, most) => { const at = []; for (let k = 0; k < a.length; k += 4) if ([0, 1, 2].some((c) => Math.abs(a[k + c] - b[k + c]) > most)) at.push(k / 4); return at; };
+    const compare = () => { // two drawings, without the colours, and one drawing
+      const twice = draw(true, materials.bare), without = draw(false, materials.bare), once = draw(false, materials.plain);
+      return { at: differing(twice, without, 8), different: differing(twice, once, 2).length };
+    };
+    const far = compare();
+    if (far.at.length <= 20) { draw(true, materials.bare); return null; }
+    // Near enough that the colours fill the view: of a few pixels most lie at an edge.
+    const xs = far.at.map((k) => k % width), ys = far.at.map((k) => height - 1 - Math.floor(k / width));
+    const [left, top] = [Math.min(...xs), Math.min(...ys)], part = Math.max((Math.max(...xs) - left + 1) / width, (Math.max(...ys) - top + 1) / height);
+    view.camera.setViewOffset(width, height, left, top, part * width, part * height);
+    const close = compare();
+    view.camera.clearViewOffset();
+    draw(true, materials.bare);
+    const stained = close.at.length, { different } = close;
     const coloured = [...bytes.keys()].filter((patch) => bytes[patch] || near[patch]).reduce((sum, patch) => sum + byPatch.begin[patch + 1] - byPatch.begin[patch], 0);
-    return { stained, different: count(twice, once, 2), coloured, drawn: stain.geometry.drawRange.count / 3,
+    return { stained, different, far: far.at.length, coloured, drawn: stain.geometry.drawRange.count / 3,
       triangles: object.coarse.map((one) => one.triangles), fine: object.about.triangles, level: object.drawn };
   });
   const seen = await handle.jsonValue();
