@@ -1,7 +1,8 @@
 #pragma once
-// TOML text into tables, by toml++. What its parser takes for granted it asserts; without assertions, as in every release
-// build, its behaviour is undefined where that does not hold, and hostile texts get there. So here assertions
-// stay, and throw. Include this header, never the library's own.
+// TOML text into tables, by toml++. What its parser takes for granted it asserts; without
+// assertions, as in every release build, its behaviour is undefined where that does not hold, and
+// hostile texts get there. So here assertions stay, and throw. Include this header, never the
+// library's own.
 
 #include <stdexcept>
 #include <string>
