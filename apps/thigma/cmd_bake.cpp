@@ -263,7 +263,7 @@ int bake(const Common& common, const BakeOptions& options) {
 
 void add_bake(CLI::App& app, Common& common) {
   const auto options = std::make_shared<BakeOptions>();
-  CLI::App* verb = add_verb(app, common, "bake", "Bake a haptic texture",
+  CLI::App* verb = add_verb(app, common, "bake", "bake a haptic texture",
                             [&common, options] { return bake(common, *options); });
   verb->add_option("MESH", options->mesh,
                    "the fine surface, or with --height the coarse one, an OBJ with vt")

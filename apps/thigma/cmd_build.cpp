@@ -200,7 +200,7 @@ int build(const Common& common, const BuildOptions& options) {
 
 void add_build(CLI::App& app, Common& common) {
   const auto options = std::make_shared<BuildOptions>();
-  CLI::App* verb = add_verb(app, common, "build", "Build contact levels of detail of a mesh",
+  CLI::App* verb = add_verb(app, common, "build", "build contact levels of detail of a mesh",
                             [&common, options] { return build(common, *options); });
   verb->add_option("MESH", options->mesh,
                    mesh_kind_names() + ", recognised by content, or procedural:NAME")

@@ -198,7 +198,7 @@ int contacts(const Common& common, const ContactsOptions& options) {
 void add_contacts(CLI::App& app, Common& common) {
   const auto options = std::make_shared<ContactsOptions>();
   CLI::App* verb = add_verb(app, common, "contacts",
-                            "List the contacts between two objects along a path of poses",
+                            "list the contacts between two objects along a path of poses",
                             [&common, options] { return contacts(common, *options); });
   verb->add_option("OBJECT", options->object,
                    "what moves: a mesh or .clod file, or procedural:NAME")

@@ -198,7 +198,7 @@ int calibrate(const std::string& uri, bool says_yes, const Common& common) {
 void add_check(CLI::App& devices, Common& common) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* verb =
-      add_verb(devices, common, "check", "Rates, noise, axes and buttons of a device; sends zero",
+      add_verb(devices, common, "check", "rates, noise, axes and buttons of a device; sends zero",
                [options, &common] { return check(*options, common); });
   verb->add_option("URI", options->uri, "device address, as of run --device")->required();
   verb->add_option("--duration", options->params.seconds, "how long [s]")
@@ -218,7 +218,7 @@ void add_calibrate(CLI::App& devices, Common& common) {
   const auto uri = std::make_shared<std::string>();
   const auto says_yes = std::make_shared<bool>(false);
   CLI::App* verb = add_verb(devices, common, "calibrate",
-                            "The vendor's own procedure, and the unit of a Phantom's torque",
+                            "the vendor's own procedure, and the unit of a Phantom's torque",
                             [=, &common] { return calibrate(*uri, *says_yes, common); });
   verb->add_option("URI", *uri, "device address, as of run --device")->required();
   verb->add_flag("--yes", *says_yes, "answer every question with yes");
@@ -228,7 +228,7 @@ void add_calibrate(CLI::App& devices, Common& common) {
 
 void add_devices(CLI::App& app, Common& common) {
   CLI::App* verb =
-      add_verb(app, common, "devices", "List, check and calibrate devices; vendors' libraries",
+      add_verb(app, common, "devices", "list, check and calibrate devices; vendors' libraries",
                [&app, &common] {
                  const bool is_list = app.get_subcommand("devices")->get_subcommands().empty();
                  return is_list ? list_devices(common) : common.exit_code;

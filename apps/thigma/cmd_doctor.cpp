@@ -240,7 +240,7 @@ int examine(const Common& common) {
 
 void add_doctor(CLI::App& app, Common& common) {
   add_verb(app, common, "doctor",
-           "Check real-time permissions, clocks and folders; say how to fix what is missing",
+           "check real-time permissions, clocks and folders; say how to fix what is missing",
            [&common] { return examine(common); });
 }
 

@@ -62,7 +62,7 @@ int inspect(const Common& common, const std::string& path) {
 
 void add_inspect(CLI::App& app, Common& common) {
   const auto path = std::make_shared<std::string>();
-  CLI::App* verb = add_verb(app, common, "inspect", "Report on a mesh: counts, measures, verdict",
+  CLI::App* verb = add_verb(app, common, "inspect", "report on a mesh: counts, measures, verdict",
                             [&common, path] { return inspect(common, *path); });
   verb->add_option("MESH", *path, mesh_kind_names() + ", recognised by content, or procedural:NAME")
       ->required();

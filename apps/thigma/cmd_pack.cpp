@@ -39,7 +39,8 @@ void add_pack(CLI::App& app, Common& common) {
   CLI::App* verb =
       add_verb(app, common, "pack", "put a scene and all its files into one, which run opens",
                [&common] { return pack(name, out, common); });
-  verb->add_option("SCENE", name, "scene file (.toml), what carries one (.mcap), or a built-in one")
+  verb->add_option("SCENE", name,
+                   "scene file (.toml), a packed scene or a recording (.mcap), or a built-in one")
       ->required();
   verb->add_option("-o,--output", out, "file to write (.mcap)")->required();
 }

@@ -118,7 +118,7 @@ int repair(const Common& common, const RepairOptions& options) {
 
 void add_repair(CLI::App& app, Common& common) {
   const auto options = std::make_shared<RepairOptions>();
-  CLI::App* verb = add_verb(app, common, "repair", "Make a mesh usable: repair it, or wrap it",
+  CLI::App* verb = add_verb(app, common, "repair", "make a mesh usable: repair it, or wrap it",
                             [&common, options] { return repair(common, *options); });
   verb->add_option("MESH", options->in,
                    mesh_kind_names() + ", recognised by content, or procedural:NAME")

@@ -12,17 +12,20 @@ namespace thigma::app {
 
 void add_run_options(CLI::App& verb, RunOptions& o) {
   verb.add_option("scene", o.scene,
-                  "scene file (.toml), what carries one (.mcap), or the name of a built-in scene");
+                  "scene file (.toml), a packed scene or a recording (.mcap), or the name of a "
+                  "built-in scene, such as jaws");
   verb.add_option("--object", o.object, "mesh to hold, instead of a scene");
   verb.add_option("--against", o.against, "mesh that stands still, with --object");
   verb.add_option("--scale", o.scale,
                   "metres per unit of both meshes, with --object; without it neither may be larger "
                   "than 1 m in radius");
   verb.add_option("--pose", o.pose_text, "x,y,z,qx,qy,qz,qw of the object [m], with --object");
-  verb.add_option("--device", o.device,
-                  "hand:, web:, script:FILE, replay:FILE, null: (thigma devices lists them)");
+  verb.add_option(
+      "--device", o.device,
+      "hand: (simulated), web: (mouse on the page), script:FILE, replay:FILE, null:, or "
+      "one that is plugged in, such as dhd:0 (thigma devices lists them)");
   verb.add_option("--duration", o.duration, "seconds; without it until Ctrl-C");
-  verb.add_flag("--headless", o.is_headless, "no page, no live table; ends with the JSON summary");
+  verb.add_flag("--headless", o.is_headless, "no page, no live table; ends with the summary");
   verb.add_flag("--lockstep", o.is_lockstep,
                 "virtual clock: as fast as it goes, same inputs same bits");
   verb.add_option("--rate", o.rate, "haptic frames a second");
@@ -49,7 +52,9 @@ void add_run_options(CLI::App& verb, RunOptions& o) {
       "let late samples give no energy away: damps the handle, softens what is not backed");
   verb.add_flag("--no-cache", o.has_no_cache, "build levels of detail anew and keep nothing");
   verb.add_flag("--repair", o.is_repair, "repair meshes that need it");
-  verb.add_option("--fault", o.fault_text, "unplug@T, stall=S@T, nan@T, hang=S@T, comma-separated");
+  verb.add_option("--fault", o.fault_text,
+                  "make the device fail, to see what the safety rules do: unplug@T, nan@T, "
+                  "stall=S@T, hang=S@T, comma-separated; at T seconds, for S seconds");
   verb.add_option("--texture", o.texture,
                   "on: refuse a scene without textures; off: coarse surfaces alone");
   verb.add_option("--port", o.port, "of the page on this machine; 0 or none: any free one");

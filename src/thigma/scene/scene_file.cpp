@@ -314,7 +314,8 @@ SceneDescription parse_scene(std::string_view text, const std::string& file,
   scene.gravity = top.vector("gravity").value_or(scene.gravity);
   scene.has_auto_gains = top.choice("gains", {"size", "auto"}).value_or(0) == 1;
   if (top.has("body"))
-    top.fail("body", "moves by itself", "expected thigma run with --lockstep --headless");
+    top.fail("body", "moves by itself",
+             "expected a scene of one [object]; thigma run and replay take worlds");
   std::optional<TomlTable> object = top.table("object");
   std::vector<TomlTable> statics = top.tables("static");
   if (auto table = top.table("contact")) read_contact(*table, scene.contact);
