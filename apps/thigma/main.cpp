@@ -95,6 +95,12 @@ int run(int argc, char** argv) {
     const std::string verb(first.front() == '-' ? "" : first);
     const std::string wrong = verb.empty() ? "" : unknown_option(app, verb, app.remaining(true));
     return refuse(wrong.empty() ? error.what() : wrong, verb);
+  } catch (const CLI::ConversionError& error) {
+    const std::string said = error.what();  // "Could not convert: --scale = mm"
+    const std::size_t given = said.find("--");
+    return refuse(
+        (given == std::string::npos ? said : said.substr(given)) + ", no number that it takes",
+        first.front() == '-' ? "" : std::string(first));
   } catch (const CLI::ParseError& error) {
     return refuse(error.what(), first.front() == '-' ? "" : std::string(first));
   }

@@ -143,6 +143,14 @@ TEST(OpenDevice, MistakesAreNamedWithTheNearestRightOne) {
   } catch (const DeviceUnavailable& error) {
     EXPECT_STREQ(error.what(), "no device 'hnad:', nearest is 'hand:'");
   }
+  try {
+    open_device("omega:0");  // near to none
+    ADD_FAILURE() << "no error";
+  } catch (const DeviceUnavailable& error) {
+    EXPECT_NE(std::string(error.what()).find("no device 'omega:', expected one of hand:, script:"),
+              std::string::npos)
+        << error.what();
+  }
   EXPECT_EQ(
       refusal("touch"),
       "device 'touch' has no scheme, expected one of hand:, script:FILE, web:, replay:FILE, null:, "

@@ -385,6 +385,38 @@ TEST(ReadMesh, a_refusal_names_every_kind_of_mesh_once) {
   }
 }
 
+TEST(ReadMesh, files_that_people_take_for_meshes_are_named_with_the_way_on) {
+  const std::string iges = std::string(72, ' ') + "S      1\n";
+  const std::string archive("PK\x03\x04", 4);
+  const std::string recording("\x89MCAP0\r\n", 8);
+  const std::pair<std::string, const char*> files[] = {
+      {"ISO-10303-21;\nHEADER;\n", "is a STEP file, byte 0, expected triangles"},
+      {iges, "is an IGES file"},
+      {std::string("glTF\2\0\0\0", 8), "is a glTF file"},
+      {"\n{\"asset\": {\"version\": \"2.0\"}}", "is a glTF file"},
+      {"Kaydara FBX Binary", "is an FBX file"},
+      {archive + std::string(200, 'x'), "is an archive"},
+      {"<?xml version=\"1.0\"?>\n<COLLADA>", "is an XML file"},
+      {recording + std::string(200, '\0'), "is a recording or a packed scene"}};
+  for (const auto& [bytes, what] : files) {
+    try {
+      parse_mesh(bytes, "part");
+      ADD_FAILURE() << what;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+    }
+  }
+  // Not by a part of it: these begin alike and are read as what they are.
+  for (const char* bytes : {"ISO", "{", "", "<x"}) {
+    try {
+      parse_mesh(bytes, "part");
+      ADD_FAILURE() << bytes;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).find("part: is a"), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(ReadMesh, a_missing_file_is_bad_input) {
   EXPECT_THROW(read_mesh("/no/such/mesh.obj"), InputError);
 }

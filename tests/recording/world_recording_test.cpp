@@ -150,5 +150,17 @@ TEST(WorldRecording, KnowsItsKind) {
   EXPECT_THROW(read_world_recording(other), InputError);
 }
 
+TEST(WorldRecording, IsRefusedByNameWhereASessionsIsRead) {
+  const std::string path = path_of("of_a_world.mcap");
+  write_some(path);
+  try {
+    read_recording(path);
+    ADD_FAILURE() << "read";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("a world of several bodies"), std::string::npos)
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace thigma

@@ -61,6 +61,21 @@ TEST(OpenSession, PollsForNoHandOfAPage) {
   EXPECT_EQ(open_session(scene, of_page).config.spin, 1e-4);
 }
 
+TEST(OpenSession, RefusesASceneWithNothingToTouchByWhatIsMissing) {
+  SceneDescription alone = test::small_jaws();
+  alone.statics.clear();
+  for (const ResponseKind response : {ResponseKind::constrained, ResponseKind::potential}) {
+    alone.contact.response = response;
+    const Scene scene = load_scene(alone);
+    try {
+      open_session(scene, {.device = "null:"});
+      ADD_FAILURE() << "opened";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("[[static]]"), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(OpenSession, RefusesAHandForASimulation) {
   SceneDescription description = read_scene("spoon_in_cup");
   description.object.model->triangles = 3000;

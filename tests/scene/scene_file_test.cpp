@@ -53,6 +53,18 @@ TEST(SceneFile, LettersBeyondAsciiAreTextOrCommentsOnly) {
     EXPECT_EQ(message_of(line + kLeast), "") << line;
 }
 
+TEST(SceneFile, AMeshInPlaceOfASceneIsToldHowMeshesRun) {
+  const std::string path = testing::TempDir() + "ball.OBJ";
+  std::ofstream(path) << "v 0 0 0\n";
+  try {
+    read_scene(path);
+    ADD_FAILURE() << "read";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("a mesh, expected a scene"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("--against"), std::string::npos) << error.what();
+  }
+}
+
 /// Found by fuzzing: the library takes these for granted not to be there, and what it does then is
 /// undefined unless its assertions stay.
 TEST(SceneFile, WhatTheParserTakesForGrantedIsRefusedWithItsLine) {

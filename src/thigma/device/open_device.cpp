@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "thigma/core/edit_distance.h"
 #include "thigma/device/detail/address.h"
 #include "thigma/device/detail/bubble_device.h"
 #include "thigma/device/detail/camera_device.h"
@@ -107,6 +108,8 @@ constexpr Scheme kSchemes[] = {
     {"gamepad:", "gamepad without force: gamepad:NUMBER", detail::open_gamepad,
      detail::gamepad_parameters, "gamepad:NUMBER", detail::plugged_gamepads}};
 
+constexpr std::size_t kTypingError = 2;  // letters; a name farther off was another one
+
 [[noreturn]] void refuse(const std::string& address, const std::string& scheme) {
   std::vector<std::string_view> names;
   std::string forms;
@@ -118,8 +121,11 @@ constexpr Scheme kSchemes[] = {
   if (scheme.empty())
     throw DeviceAddressError("device " + quoted(address) + " has no scheme, expected one of " +
                              forms);
-  throw DeviceUnavailable("no device " + quoted(scheme) + ", nearest is " +
-                          quoted(detail::nearest_name(scheme, names)));
+  const std::string_view nearest = detail::nearest_name(scheme, names);
+  const bool is_near = edit_distance(scheme, nearest) <= kTypingError;
+  throw DeviceUnavailable("no device " + quoted(scheme) +
+                          (is_near ? ", nearest is " + quoted(nearest) : "") +
+                          (is_near ? "" : ", expected one of " + forms));
 }
 
 /// The row of an address; refuses it where there is none.

@@ -158,7 +158,7 @@ World make_world(std::vector<WorldBody> bodies, const Vec3& gravity,
     check(world.bodies[i]);
     for (std::size_t k = 0; k < i; ++k) {
       if (world.bodies[k].name == world.bodies[i].name)
-        refuse(world.bodies[i], "name given twice, expected one of its own");
+        refuse(world.bodies[i], "name given twice, expected one of its own (name = \"...\")");
     }
     world.shape.push_back(shape_index(world.bodies[i].shape, world.shapes));
   }

@@ -117,6 +117,9 @@ void measure_areas(Opening& o) {
 void open_at(Opening& o) {
   SceneSession& session = o.session;
   const std::string scheme = device_scheme(session.device_uri);
+  if ((o.is_constrained() || o.is_potential()) && session.config.contact.scene.empty())
+    throw InputError(session.scene_file +
+                     ": nothing to touch, expected what the object meets as [[static]]");
   if (scheme == "hand" && o.is_direct())
     use_direct_response(open_device(session.device_uri, {})->limits(), session.config);
   if (scheme == "hand" || scheme == "web")

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 
 #include "thigma/contact/clustering.h"
 #include "thigma/core/error.h"
 #include "thigma/depth/depth_gradient.h"
 #include "thigma/files/file.h"
+#include "thigma/import/read_mesh.h"
 #include "thigma/loop/safety_fields.h"
 #include "thigma/models/make_model.h"
 #include "thigma/models/textured_model.h"
@@ -338,6 +340,21 @@ SceneDescription parse_scene(std::string_view text, const std::string& file,
   return scene;
 }
 
+namespace {
+
+/// A mesh where a scene belongs: the parser would only complain of its first line.
+void refuse_mesh(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const MeshKind& kind : mesh_kinds()) {
+    if (ending != kind.ending) continue;
+    throw InputError(path + ": a mesh, expected a scene; two meshes run by --object " + path +
+                     " --against OTHER");
+  }
+}
+
+}  // namespace
+
 SceneDescription read_scene(const std::string& path) {
   std::error_code error;
   const std::vector<std::string> names = builtin_scene_names();
@@ -350,6 +367,7 @@ SceneDescription read_scene(const std::string& path) {
     throw InputError(path + (fs::is_directory(path, error) ? ": a folder" : ": no such file") +
                      ", expected a scene file or one of" + all);
   }
+  refuse_mesh(path);
   return parse_scene(read_scene_text(path), path, fs::path(path).parent_path().string());
 }
 

@@ -208,6 +208,9 @@ void read_event(const Json& json, RecordingInfo& recording) {
 void read_message(const std::string& topic, std::string_view data, RecordingInfo& recording,
                   BegunSamples& begun_samples) {
   if (topic == "/config") {
+    const Json config = Json::parse(data, nullptr, false);  // whoever uses it says what is wrong
+    if (config.is_object() && config.contains("kind"))
+      throw InputError("it is of a world of several bodies, which only `thigma replay` reads");
     recording.config = std::string(data);
     return;
   }
