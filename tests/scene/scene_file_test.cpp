@@ -53,6 +53,17 @@ TEST(SceneFile, LettersBeyondAsciiAreTextOrCommentsOnly) {
     EXPECT_EQ(message_of(line + kLeast), "") << line;
 }
 
+TEST(SceneFile, ANameThatIsNoSceneIsToldTheNearest) {
+  try {
+    read_scene("jaw");
+    ADD_FAILURE() << "read";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("jaw: no such file, nearest is 'jaws', expected"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(SceneFile, AMeshInPlaceOfASceneIsToldHowMeshesRun) {
   const std::string path = testing::TempDir() + "ball.OBJ";
   std::ofstream(path) << "v 0 0 0\n";

@@ -64,9 +64,10 @@ ClodAsset load_asset(const SceneObject& object, const char* role, bool is_exact,
   const ClodHierarchy& h = asset.hierarchy;
   if (options.log) {
     char line[256];
-    std::snprintf(
-        line, sizeof line, "%s: %d triangles, %zu convex patches, %zu levels, radius %.4g m",
-        object.name.c_str(), h.triangle_count, h.patches.size(), h.levels.size(), h.radius);
+    std::snprintf(line, sizeof line,
+                  "%s: %d triangles, %zu convex patches, hierarchy of %zu levels, radius %.4g m",
+                  object.name.c_str(), h.triangle_count, h.patches.size(), h.levels.size(),
+                  h.radius);
     options.log(line);
   }
   return asset;

@@ -364,7 +364,9 @@ SceneDescription read_scene(const std::string& path) {
     }
     std::string all;
     for (const std::string& name : names) all += " " + name;
+    const std::string nearest = models::nearest_word(path, names);
     throw InputError(path + (fs::is_directory(path, error) ? ": a folder" : ": no such file") +
+                     (nearest.empty() ? "" : ", nearest is '" + nearest + "'") +
                      ", expected a scene file or one of" + all);
   }
   refuse_mesh(path);
