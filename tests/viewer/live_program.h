@@ -50,7 +50,8 @@ Json state_where(WebClient& client, Condition condition) {
 
 inline Json ask(WebClient& client, const std::string& message) {
   client.send_text(message);
-  const std::string text = client.read_type("ack", 20.0);
+  // What was given up ends at its next step, which a sanitizer makes ten times as long.
+  const std::string text = client.read_type("ack", 120.0);
   return text.empty() ? Json{} : Json::parse(text);
 }
 
