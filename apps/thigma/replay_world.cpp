@@ -125,7 +125,9 @@ int replay_world(const std::string& path, const Common& common) {
   const WorldSummary summary = is_apart ? run_apart_again(recording, world, devices, found)
                                         : run_again(recording, world, devices, found);
   const std::size_t frames = recording.states.size() / recording.bodies.size();
-  if (found.frame < 0 && summary.frames != frames)
+  // What was cut off may lack the last haptic steps of its frames.
+  const bool is_shorter = is_apart && !recording.has_end && summary.frames < frames;
+  if (found.frame < 0 && summary.frames != frames && !is_shorter)
     found.frame = static_cast<std::int64_t>(summary.frames);
   const bool is_same = found.frame < 0 && found.haptic_step < 0 &&
                        (!recording.has_end || summary.state_hash == recording.state_hash);

@@ -31,7 +31,8 @@ struct Recorded {
   Recorded() {
     config = with_two_hands(bench, false);
     config.duration = 0.2;
-    BadDevice first(0.05, BadDevice::Trouble::none, 0.0), second(0.04, BadDevice::Trouble::none, 0.0);
+    BadDevice first(0.05, BadDevice::Trouble::none, 0.0),
+        second(0.04, BadDevice::Trouble::none, 0.0);
     HapticDevice* devices[] = {&first, &second};
     for (const HapticDevice* device : devices) limits.push_back(device->limits());
     apart.ticks.resize(2);
@@ -91,6 +92,23 @@ TEST(WorldReplay, AnotherSampleOrOtherNewsAreAnotherSession) {
     for (std::size_t step = 101; step < 160; ++step) ticks[step].news = ticks[100].news;
   const WorldSummary late = replay_world_apart(was.config, was.limits, other);
   EXPECT_NE(late.haptic[0].state_hash, was.summary.haptic[0].state_hash);
+}
+
+TEST(WorldReplay, WhatWasCutOffIsMadeAgainAsFarAsItGoes) {
+  const Recorded was;
+  RecordedApart other = was.apart;
+  for (std::vector<HandTick>& ticks : other.ticks) ticks.resize(120);
+  std::uint64_t steps = 0;
+  ReplayWatch watch;
+  watch.haptic = [&](const HandTick& now) {
+    ++steps;
+    EXPECT_EQ(now.sent.force,
+              was.apart.ticks[static_cast<std::size_t>(now.hand)][now.step].sent.force);
+  };
+  const WorldSummary again = replay_world_apart(was.config, was.limits, other, watch);
+  EXPECT_EQ(steps, 240u);
+  EXPECT_GT(again.frames, 20u);
+  EXPECT_LE(again.frames, 120u);
 }
 
 TEST(WorldReplay, WhatCannotHaveBeenIsRefused) {

@@ -67,6 +67,7 @@ class Replay {
     for (std::size_t n = 0; n < steps; ++n)
       for (std::size_t i = 0; i < notes_.size(); ++i)
         if (n < recorded_.ticks[i].size()) step(i, recorded_.ticks[i][n]);
+    is_ending_ = true;
     while (make_frame()) continue;
     WorldSummary summary = apart_.run->end();
     add_haptic(apart_, Fault::none, summary);
@@ -104,12 +105,18 @@ class Replay {
   }
 
   bool make_frame() {
-    for (std::size_t i = 0; i < is_told_.size(); ++i)
-      if (is_told_[i] == 0) tell(i);
+    for (std::size_t i = 0; i < is_told_.size(); ++i) {
+      if (is_told_[i] != 0) continue;
+      if (is_ending_ && !has_note(i, recorded_.seen[i][made_->frame].told)) return false;
+      tell(i);
+    }
     for (std::size_t i = 0; i < is_told_.size(); ++i) {
       if (apart_.loops[i] == nullptr) continue;
       if (frames_ >= recorded_.seen[i].size()) return false;
-      give_note(i, recorded_.seen[i][frames_].read);
+      // Of a recording that was cut off the last steps may be missing.
+      const std::uint64_t read = recorded_.seen[i][frames_].read;
+      if (is_ending_ && !has_note(i, read)) return false;
+      give_note(i, read);
     }
     if (watch_.between) watch_.between(frames_, *apart_.run);
     made_ = apart_.run->make_frame();
@@ -119,6 +126,10 @@ class Replay {
       is_told_[i] = apart_.loops[i] == nullptr ? 1 : 0;
     if (watch_.world) watch_.world(*made_);
     return true;
+  }
+
+  bool has_note(std::size_t i, std::uint64_t frame) const {
+    return frame == 0 || (!notes_[i].empty() && notes_[i].back().frame >= frame);
   }
 
   /// The world's side finds this note as the newest one of the hand.
@@ -140,6 +151,7 @@ class Replay {
   std::vector<std::uint8_t> is_told_;        // by hand: of the frame made last
   const WorldFrame* made_ = nullptr;
   std::uint64_t frames_ = 0;
+  bool is_ending_ = false;  // all haptic steps are made
 };
 
 }  // namespace

@@ -25,7 +25,8 @@ struct ReplayWatch {
 
 /// Makes a session of run_world_on_threads again, in one thread: each haptic step with the sample
 /// and the news that it had, each step of the world with the notes that it had. The same bits, of
-/// the world and of what was sent to each device.
+/// the world and of what was sent to each device. It ends where a frame had notes beyond the last
+/// haptic step: so far was recorded.
 ///
 /// config    constant; its duration is that of the frames of the world
 /// limits    of the devices, by hand

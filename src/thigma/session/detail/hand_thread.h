@@ -36,7 +36,7 @@ struct HandThread {
   HandsShared& shared;
   DeadlineClock clock;
   double period;
-  double watchdog;           // a gap that is no longer ridden over without a new ramp [s]
+  double watchdog;  // a gap that is no longer ridden over without a new ramp [s]
   double now = 0.0;
   std::uint64_t singles = 0;  // made
   DurationHistogram step_cpu{};
