@@ -32,6 +32,10 @@ struct WorldSide {
     return is_stopped() || shared.fault.load(std::memory_order_acquire) != Fault::none;
   }
 
+  bool is_paused() const {
+    return live() != nullptr && live()->is_paused.load(std::memory_order_relaxed);
+  }
+
   /// What happens between two frames. Hands are aimed by the numbers that bodies have before it.
   void change() const {
     if (live() != nullptr && live()->aim.fetch()) apart.run->aim(live()->aim.value());
@@ -41,9 +45,6 @@ struct WorldSide {
   /// Hands and world stand still until the pause ends, a single step is asked for or all ends;
   /// whether they did.
   bool hold_while_paused() {
-    const auto is_paused = [&] {
-      return live() != nullptr && live()->is_paused.load(std::memory_order_relaxed);
-    };
     const bool was_held = is_paused();
     shared.is_held.store(was_held, std::memory_order_release);
     while (is_paused() && !is_over()) {
@@ -146,6 +147,7 @@ WorldSummary run_world_on_threads(const WorldSessionConfig& config,
   // Ticks are slept for, not polled: the world needs the processor as well.
   detail::HandThread hands{apart, shared, clock_of(config.rate, 0.0), period, watchdog};
   WorldSide world{apart, shared, shell, period};
+  shared.is_held = world.is_paused();  // no step before the first that is asked for
   Joined joined{shared};
   joined.hands = std::thread([&] { detail::run_hands(haptic_thread, hands); });
   joined.watchdog =
