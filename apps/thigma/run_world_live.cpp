@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "guarded_writer.h"
@@ -24,6 +25,7 @@
 #include "thigma/device/web_device.h"
 #include "thigma/scene/world_change.h"
 #include "thigma/session/rt_thread.h"
+#include "thigma/session/world_threads.h"
 
 namespace thigma::app {
 namespace {
@@ -108,7 +110,7 @@ class WorldLive {
     recorder_.begin(nullptr);
     if (record_.empty()) return;
     const WorldRecorderInfo info{program_.options->scene, devices_, program_.seed,
-                                 program_.options->friction};
+                                 program_.options->friction, true};
     try {
       recorder_.begin(std::make_unique<WorldRecorder>(record_, world_, info));
     } catch (const IoError& error) {
@@ -152,13 +154,15 @@ class WorldLive {
       server_.observe(frame);
       events.observe(frame);
     };
+    if (recorder_.is_open())
+      shell.ticks = [&](std::span<const HandTick> ticks) { recorder_.write(ticks); };
     shell.between = [&](WorldRun& run) {
       if (has_asked_.load(std::memory_order_acquire)) change_bodies(run, events);
     };
     is_running_ = true;
     std::future<WorldSummary> session = std::async(std::launch::async, [&] {
       const std::int64_t begin = thread_cpu_ns();
-      WorldSummary summary = run_world_by_clock(world_.config, devices.list, shell);
+      WorldSummary summary = run_world_on_threads(world_.config, devices.list, shell, RtRequest{});
       facts_.cpu_seconds = 1e-9 * static_cast<double>(thread_cpu_ns() - begin);
       return summary;
     });

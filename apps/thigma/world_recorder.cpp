@@ -12,6 +12,7 @@ WorldRecordingInfo info_of(const LoadedWorld& world, const WorldRecorderInfo& gi
   info.seed = given.seed;
   info.rate = world.config.rate;
   info.friction = given.friction;
+  info.is_apart = given.is_apart;
   for (const WorldBody& body : world.config.world.bodies) info.bodies.push_back(body.name);
   for (const WorldJoint& joint : world.config.world.joints) info.joints.push_back(joint.name);
   return info;
@@ -52,8 +53,30 @@ void WorldRecorder::write(const WorldFrame& frame) {
     const JointReading& joint = frame.joints[i];
     joints_[i] = {joint.coordinate, joint.spring, joint.motor, joint.limit};
   }
-  for (std::size_t i = 0; i < hands_.size(); ++i) hands_[i] = {frame.grips[i].device, frame.aimed};
-  writer_.write(frame.frame, frame.time, frame.bodies, joints_, frame.commands, hands_);
+  const WorldHapticNow& haptic = frame.haptic;
+  for (std::size_t i = 0; i < hands_.size(); ++i) {
+    hands_[i] = {frame.grips[i].device, frame.aimed};
+    if (haptic.ticks > 0) hands_[i].seen = haptic.seen[i];
+  }
+  writer_.write(frame.frame, frame.time, frame.bodies, joints_,
+                haptic.ticks > 0 ? haptic.sent : frame.commands, hands_);
+}
+
+void use_friction(double friction, WorldSceneDescription& scene) {
+  for (WorldSceneBody& body : scene.bodies) {
+    if (!body.object.material) body.object.material = Material{};
+    body.object.material->friction = {friction, friction};
+  }
+}
+
+RecordedApart apart_of(const WorldRecording& recording) {
+  RecordedApart apart;
+  apart.ticks = recording.ticks;
+  for (const std::vector<RecordedHand>& hand : recording.hands) {
+    apart.seen.emplace_back();
+    for (const RecordedHand& one : hand) apart.seen.back().push_back(one.seen);
+  }
+  return apart;
 }
 
 void add_recorded_hands(const std::vector<std::string>& devices, LoadedWorld& world) {

@@ -2,11 +2,13 @@
 // Recordings of worlds as `thigma run` writes them, and the hands of pages when they are replayed.
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "thigma/recording/world_recording.h"
 #include "thigma/scene/world_scene.h"
+#include "thigma/session/world_replay.h"
 
 namespace thigma::app {
 
@@ -16,6 +18,7 @@ struct WorldRecorderInfo {
   std::vector<std::string> devices;  // addresses, by hand
   std::uint64_t seed = 1;
   std::optional<double> friction;  // of every body, instead of the scene's
+  bool is_apart = false;           // haptic steps are apart from the world's
 };
 
 /// Writes every frame. Thread: one. Members throw IoError.
@@ -23,6 +26,7 @@ class WorldRecorder {
  public:
   WorldRecorder(const std::string& path, const LoadedWorld& world, const WorldRecorderInfo& info);
   void write(const WorldFrame& frame);
+  void write(std::span<const HandTick> ticks) { writer_.write(ticks); }
   void close(const WorldSummary& summary) { writer_.close(summary.frames, summary.state_hash); }
 
  private:
@@ -30,6 +34,12 @@ class WorldRecorder {
   std::vector<RecordedJoint> joints_;
   std::vector<RecordedHand> hands_;
 };
+
+/// Gives every body this friction instead of its own.
+void use_friction(double friction, WorldSceneDescription& scene);
+
+/// What a recording has of hands that are apart from their world.
+RecordedApart apart_of(const WorldRecording& recording);
 
 /// Gives a world the hands that its recording has of pages; the scene knows nothing of them.
 void add_recorded_hands(const std::vector<std::string>& devices, LoadedWorld& world);

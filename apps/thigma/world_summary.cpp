@@ -102,6 +102,7 @@ nlohmann::ordered_json world_summary_json(const WorldSummary& s, const LoadedWor
   json["haptic"] = nullptr;
   if (!s.haptic.empty())
     json["haptic"] = {{"missed", s.haptic_missed},
+                      {"stopped", s.haptic_stops},
                       {"step_cpu_us", quantiles_json(summarize(s.haptic_cpu), 1e-6)}};
   json["energy"] = {{"start", s.energy_start},
                     {"end", s.energy_end},

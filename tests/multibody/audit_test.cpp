@@ -2,9 +2,11 @@
 
 #include "support/audit.h"
 
+#include "multibody/held_bench.h"
 #include "multibody/world_bench.h"
 #include <gtest/gtest.h>
 
+#include "thigma/multibody/detail/row_cut.h"
 #include "thigma/multibody/hand_step.h"
 
 namespace thigma {
@@ -145,6 +147,92 @@ TEST(WorldAudit, HapticStepsTakeNoMemoryAtAll) {
     held = step.state;
   }
   EXPECT_GT(pressing, 100);
+  EXPECT_EQ(taken, 0);
+}
+
+/// Allocations and locks of so many haptic steps, each with a model of its own.
+template <class Each>
+std::int64_t taken_by(test::HeldBench& held, int steps, const Vec3& by, Each each) {
+  std::int64_t taken = 0;
+  for (int i = 0; i < steps; ++i) {
+    held.hand.handle.pose.position += by;
+    held.step_world();
+    ++held.model->sequence;
+    make_hand_model(held.bench.world, held.bench.state, *held.bench.scratch,
+                    {held.hand.body, 1e-3, 1e-3}, *held.scratch, *held.model);
+    const test::AuditScope scope;
+    take_hand_model(*held.model, held.body, held.memory);
+    const ConstrainedStep step = held.step();
+    const test::AuditCounts counts = scope.counts();
+    taken += counts.allocations + counts.locks;
+    each(step);
+  }
+  return taken;
+}
+
+TEST(WorldAudit, HapticStepsAmongJointsTakeNoMemoryAtAll) {
+  if (const char* why = test::why_no_audit()) GTEST_SKIP() << why;
+  test::HeldBench held;
+  test::WorldBench& bench = held.bench;
+  test::add_floor(bench);
+  const auto block = test::body_mesh(make_box(Vec3(0.03, 0.03, 0.03)));
+  bench.add(block, BodyKind::moving, Vec3(0.0, 0.0, 0.02));
+  bench.add(block, BodyKind::held, Vec3(-0.0305, 0.0, 0.02));
+  held.make(2);
+  std::vector<BodyState> start;
+  for (const WorldBody& body : bench.bodies) start.push_back(body.start);
+  // The neighbour is a drawer with an end, a spring and a motor; the held one hangs on the world.
+  std::vector<WorldJoint> joints(2);
+  joints[0].name = "rail";
+  joints[0].kind = JointKind::slider;
+  joints[0].a = 1;
+  joints[0].lower = -0.001;
+  joints[0].upper = 0.004;
+  joints[0].damping = 1.0;
+  joints[0].motor.is_on = true;
+  joints[0].motor.most = 0.1;
+  joints[1].name = "cord";
+  joints[1].kind = JointKind::spring;
+  joints[1].a = 2;
+  joints[1].stiffness = 5.0;
+  joints[1].rest = 0.01;
+  for (WorldJoint& joint : joints)
+    place_joint(joint, joint_frame(Vec3(0.0, 0.0, 0.02), Vec3::UnitX()), start);
+  bench.world = make_world(bench.bodies, Vec3(0.0, 0.0, -9.81), joints);
+  bench.state = start_state(bench.world);
+  bench.scratch = reserve_world(bench.world);
+  held.scratch = reserve_hand_model(bench.world);
+  std::int32_t pressing = 0, jointed = 0;
+  const std::int64_t taken =
+      taken_by(held, 300, Vec3(3e-5, 0.0, 0.0), [&](const ConstrainedStep& step) {
+        pressing += step.solution.active > 0 ? 1 : 0;
+        jointed += held.step_scratch.joint_rows.rows.size() > 5 ? 1 : 0;
+      });
+  EXPECT_GT(pressing, 50);
+  EXPECT_GT(jointed, 200);
+  EXPECT_EQ(taken, 0);
+}
+
+TEST(WorldAudit, HapticStepsWhoseRowsAreCutTakeNoMemoryAtAll) {
+  if (const char* why = test::why_no_audit()) GTEST_SKIP() << why;
+  test::HeldBench held;
+  test::add_floor(held.bench);
+  const auto ring = test::body_mesh(make_torus(0.04, 0.006, 48, 24));
+  held.bench.add(ring, BodyKind::moving, Vec3(0.0, 0.0, 0.006 + 1e-5));
+  held.bench.add(ring, BodyKind::held, Vec3(0.0, 0.0, 0.018 + 5e-5));
+  held.make(2);
+  std::int32_t cut = 0, pressing = 0;
+  const std::int64_t taken =
+      taken_by(held, 100, Vec3(0.0, 0.0, -2e-5), [&](const ConstrainedStep& step) {
+        const std::vector<detail::RowCut::Pair>& pairs = held.step_scratch.cut.pairs;
+        cut += std::any_of(pairs.begin(), pairs.end(),
+                           [](const detail::RowCut::Pair& pair) { return pair.handed < pair.rows; })
+                   ? 1
+                   : 0;
+        pressing += step.solution.active > 0 ? 1 : 0;
+      });
+  EXPECT_GT(cut, 10);
+  EXPECT_GT(pressing, 10);
   EXPECT_EQ(taken, 0);
 }
 

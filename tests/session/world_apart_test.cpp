@@ -7,10 +7,13 @@
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "session/pushing_world.h"
 #include <gtest/gtest.h>
+
+#include "thigma/scene/world_scene.h"
 
 namespace thigma {
 namespace {
@@ -269,6 +272,22 @@ TEST(WorldApart, HandsOutNoEnergyHoweverLongAStepOfTheWorldTakes) {
   }
 }
 
+TEST(WorldApart, StepsAmongJointsHaveFactorsEnough) {
+  // A peg in the hand in a ring that is fixed to a drawer on rails that rub.
+  LoadedWorld world =
+      load_world(read_world_scene(std::string(THIGMA_SOURCE_DIR) + "/scenes/drawer.toml"));
+  world.config.duration = 3.0;
+  for (const int every : {1, 5}) {
+    const WorldDevices devices = open_world_devices(world, {}, 1);
+    ApartLockstep how;
+    how.world_every = every;
+    const WorldSummary run = run_world_apart(world.config, devices.list, how);
+    EXPECT_FALSE(run.has_fault());
+    EXPECT_GT(run.haptic[0].force_max, 0.5);
+    EXPECT_EQ(run.haptic[0].cut_short, 0u) << every;
+  }
+}
+
 TEST(WorldApart, GoesTheSameWayTwice) {
   Scene scene;
   make_tower(scene);
@@ -374,6 +393,108 @@ TEST(WorldApart, AFreeHandLetsGoAtOnceHoweverLongAStepOfTheWorldTakes) {
       EXPECT_EQ(hand.sent[i], 0.0) << every << " " << i;
     EXPECT_EQ(held.back(), -1) << every;
     EXPECT_EQ(hand.sent.back(), 0.0);
+  }
+}
+
+/// A page's hand that closes its clutch, is lost at a time with it closed, and comes back.
+class LosableHand final : public HapticDevice {
+ public:
+  LosableHand(double lost, double back) : lost_(lost), back_(back) { limits_.holds_person = false; }
+  const DeviceLimits& limits() const override { return limits_; }
+  std::string name() const override { return "losable"; }
+  DeviceState read(double now) THIGMA_RT override {
+    DeviceState state;
+    state.time = now;
+    state.buttons = now >= 0.01 ? kClutchButton : 0;
+    state.motion.pose.position.z() = 0.005 * std::min(now, 0.2);
+    if (now >= lost_ && now < back_) state.status = DeviceStatus::lost;
+    return state;
+  }
+  void write(const Wrench& wrench) THIGMA_RT override { sent.push_back(wrench.force.norm()); }
+  std::vector<double> sent;
+
+ private:
+  const double lost_, back_;
+  DeviceLimits limits_;
+};
+
+/// Three blocks, 1 to 3, and a free hand that is aimed at the second.
+WorldSessionConfig three_blocks(WorldBench& bench) {
+  add_floor(bench, 1.0);
+  const auto block = body_mesh(make_box(Vec3(0.04, 0.04, 0.04)));
+  for (int i = 0; i < 3; ++i) bench.add(block, BodyKind::moving, Vec3(0.1 * i, 0.0, 0.02 + 3e-6));
+  bench.make();
+  WorldSessionConfig config = free_handed(bench);
+  config.hands[0].body = 2;
+  config.duration = 0.4;
+  send_at_once(config);
+  return config;
+}
+
+TEST(WorldApart, APageThatIsLostLetsGoThoughTheWorldNeverSeesIt) {
+  for (const int every : {1, 40}) {
+    WorldBench bench;
+    const WorldSessionConfig config = three_blocks(bench);
+    LosableHand hand(0.21, 0.225);  // within one step of the world, of 40 frames
+    HapticDevice* device = &hand;
+    ApartLockstep how;
+    how.world_every = every;
+    std::vector<std::int32_t> held;
+    how.world = [&](const WorldFrame& frame) { held.push_back(frame.grips[0].body); };
+    const WorldSummary run = run_world_apart(config, {&device, 1}, how);
+    EXPECT_FALSE(run.has_fault());
+    EXPECT_GT(hand.sent[209], 0.1) << every;
+    for (std::size_t i = 210; i < hand.sent.size(); ++i) EXPECT_EQ(hand.sent[i], 0.0) << every;
+    EXPECT_NE(std::count(held.begin(), held.end(), 2), 0) << every;
+    EXPECT_EQ(held.back(), -1) << every;
+  }
+}
+
+TEST(WorldApart, BodiesComeAndGoUnderAHandWhateverAStepOfTheWorldTakes) {
+  for (const int every : {1, 8}) {
+    WorldBench bench;
+    const WorldSessionConfig config = three_blocks(bench);
+    // Without the first block, then without the second as well: the one in the hand.
+    std::vector<WorldSessionConfig> next(2, config);
+    for (WorldSessionConfig& one : next) {
+      bench.bodies.erase(bench.bodies.begin() + 1);
+      bench.make();
+      one.world = bench.world;
+      one.start = bench.state;
+      one.hands[0].couplings.resize(bench.bodies.size());
+    }
+    LosableHand hand(1e9, 1e9);
+    HapticDevice* device = &hand;
+    ApartLockstep how;
+    how.world_every = every;
+    std::uint64_t frame = 0;
+    const auto change = [&](WorldRun& run, std::size_t number) {
+      WorldState state = next[number].start;
+      const std::vector<BodyState>& before = run.state().bodies;
+      state.bodies = {before[0]};
+      state.bodies.insert(state.bodies.end(), before.begin() + 2, before.end());
+      std::vector<std::int32_t> was = {0, 2, 3};
+      was.resize(state.bodies.size());
+      run.go_on(next[number], state, was);
+    };
+    const auto at = [&](std::uint64_t tick) { return tick / static_cast<std::uint64_t>(every); };
+    how.between = [&](WorldRun& run) {
+      if (frame == at(160)) change(run, 0);
+      if (frame == at(240)) change(run, 1);
+      ++frame;
+    };
+    std::vector<std::int32_t> held;
+    how.world = [&](const WorldFrame& made) { held.push_back(made.grips[0].body); };
+    const WorldSummary run = run_world_apart(config, {&device, 1}, how);
+    EXPECT_FALSE(run.has_fault());
+    EXPECT_EQ(held[at(160) - 1], 2);
+    EXPECT_EQ(held[at(160)], 1);  // the same one
+    EXPECT_EQ(held.back(), -1);
+    const double before = hand.sent[150];
+    EXPECT_GT(before, 0.1);
+    for (std::size_t i = 150; i < 240; ++i) EXPECT_NEAR(hand.sent[i], before, 0.5 * before) << i;
+    for (std::size_t i = 250; i < hand.sent.size(); ++i) EXPECT_EQ(hand.sent[i], 0.0) << i;
+    EXPECT_EQ(run.haptic[0].steps, 400u);
   }
 }
 

@@ -2,13 +2,17 @@
 
 #include "thigma/session/world_threads.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
+#include <thread>
 #include <vector>
 
 #include "session/pushing_world.h"
 #include <gtest/gtest.h>
 
+#include "thigma/session/detail/hand_thread.h"
 #include "thigma/session/rt_thread.h"
 #include "thigma/session/world_apart.h"
 
@@ -116,6 +120,166 @@ TEST(WorldThreads, AnErrorOfTheWorldsSinkEndsAtZeroForce) {
   };
   EXPECT_THROW(run_world_on_threads(config, {&list, 1}, shell), std::runtime_error);
   expect_let_go(device);
+}
+
+/// A page's hand whose clutch is closed from the second read on and whose handle lifts.
+class PageHand final : public HapticDevice {
+ public:
+  PageHand() { limits_.holds_person = false; }
+  const DeviceLimits& limits() const override { return limits_; }
+  std::string name() const override { return "page"; }
+  DeviceState read(double now) THIGMA_RT override {
+    DeviceState state;
+    state.time = now;
+    state.buttons = reads.load() > 0 ? kClutchButton : 0;
+    state.motion.pose.position.z() = 1e-3 * std::min(now, 1.0);
+    if (is_lost) state.status = DeviceStatus::lost;
+    ++reads;
+    return state;
+  }
+  void write(const Wrench& wrench) THIGMA_RT override {
+    force = wrench.force.norm();
+    most = std::max(most, wrench.force.norm());
+  }
+  std::atomic<std::uint64_t> reads{0};
+  std::atomic<double> force{0.0};  // sent last
+  std::atomic<bool> is_lost{false};
+  double most = 0.0;
+
+ private:
+  DeviceLimits limits_;
+};
+
+/// A block on a floor, and a free hand; without ramps.
+WorldSessionConfig one_block(WorldBench& bench) {
+  add_floor(bench, 1.0);
+  bench.add(body_mesh(make_box(Vec3(0.04, 0.04, 0.04))), BodyKind::moving,
+            Vec3(0.0, 0.0, 0.02 + 3e-6));
+  bench.make();
+  WorldSessionConfig config = free_handed(bench);
+  config.duration = 0.2;
+  config.hands[0].limits.start_ramp = config.hands[0].limits.clear_before_arming = 0.0;
+  return config;
+}
+
+/// Waits until it is so; a minute, should it never be. Whether it is.
+template <class Condition>
+bool comes(Condition condition) {
+  for (int i = 0; i < 60'000 && !condition(); ++i) sleep_ns(1'000'000);
+  return condition();
+}
+
+TEST(WorldThreads, APagesHandIsAnsweredWhileAStepOfTheWorldTakesLong) {
+  WorldBench bench;
+  const WorldSessionConfig config = one_block(bench);
+  PageHand hand;
+  HapticDevice* device = &hand;
+  LivePorts ports;
+  ports.aim.publish({1, Vec3(0.01, 0.0, 0.0), 0});
+  WorldShell shell{.live = &ports};
+  std::vector<std::int32_t> held;
+  bool is_answered = false, is_let_go = false;
+  shell.sink = [&](const WorldFrame& frame) {
+    held.push_back(frame.grips[0].body);
+    if (frame.frame == 100) {
+      // It is as if this step took until the hand has been answered a hundred times.
+      const std::uint64_t before = hand.reads;
+      is_answered = hand.force > 0.0 && comes([&] { return hand.reads > before + 100; });
+    }
+    if (frame.frame == 150) {
+      // And this one until its page is lost: nothing is felt, nothing ends.
+      hand.is_lost = true;
+      is_let_go = comes([&] { return hand.force == 0.0; });
+    }
+    if (frame.frame == 170) hand.is_lost = false;  // another page is no fault
+  };
+  const WorldSummary run = run_world_on_threads(config, {&device, 1}, shell);
+  EXPECT_FALSE(run.has_fault()) << fault_name(run.fault);
+  EXPECT_TRUE(is_answered);
+  EXPECT_TRUE(is_let_go);
+  ASSERT_EQ(held.size(), 200u);
+  EXPECT_EQ(held[100], 1);
+  EXPECT_EQ(held.back(), -1);
+  EXPECT_GT(run.late_frames, 0u);
+  EXPECT_GE(run.haptic[0].steps, run.frames + 100);
+}
+
+TEST(WorldThreads, StandStillWhilePausedAndGoStepByStep) {
+  WorldBench bench;
+  const WorldSessionConfig config = one_block(bench);
+  PageHand hand;
+  HapticDevice* device = &hand;
+  LivePorts ports;
+  ports.is_paused = true;
+  std::atomic<bool> stop{false};
+  WorldShell shell{.stop = &stop, .live = &ports};
+  std::uint64_t frames = 0, reads = 0;
+  int polls = 0;
+  shell.sink = [&](const WorldFrame& frame) {
+    frames = frame.frame + 1;
+    EXPECT_EQ(frame.lost, 0u);
+    EXPECT_EQ(frame.haptic.sent.size(), 1u);
+  };
+  shell.between = [&](WorldRun&) {
+    ++polls;
+    if (polls == 20) ports.steps = 5;
+    // While it stands still it is called again and again, a thousand times a second at most.
+    if (polls == 300) {
+      reads = hand.reads;
+      EXPECT_EQ(frames, 5u);
+    }
+    if (polls != 400) return;
+    EXPECT_EQ(hand.reads, reads);
+    stop = true;
+  };
+  const WorldSummary run = run_world_on_threads(config, {&device, 1}, shell);
+  EXPECT_EQ(run.frames, 5u);
+  EXPECT_EQ(run.haptic[0].steps, 5u);
+  EXPECT_TRUE(run.was_stopped);
+}
+
+TEST(WorldThreads, TheWatchdogLetsGoOfAllDevicesWhereTheHandsThreadHangs) {
+  WorldBench bench;
+  const WorldSessionConfig config = with_two_hands(bench, false);
+  BadDevice first(0.05, BadDevice::Trouble::none, 0.0), second(0.05, BadDevice::Trouble::none, 0.0);
+  HapticDevice* devices[] = {&first, &second};
+  WorldApart apart(config, devices);
+  Wrench pull;
+  pull.force.x() = 3.0;
+  for (BadDevice* device : {&first, &second}) device->write(pull);
+  detail::HandsShared shared;
+  ASSERT_TRUE(shared.token.try_take());
+  shared.last_step_ns = monotonic_ns();  // and never again
+  std::thread watchdog([&] { detail::watch_hands(0.02, {0, -1}, apart, shared); });
+  // A step that hangs in a device keeps them.
+  sleep_ns(60'000'000);
+  EXPECT_FALSE(first.is_let_go);
+  EXPECT_EQ(shared.stops, 0u);
+  shared.token.give_back();
+  EXPECT_TRUE(comes([&] { return first.is_let_go && second.is_let_go && shared.stops > 0; }));
+  sleep_ns(60'000'000);
+  EXPECT_EQ(shared.stops, 1u);  // once a hang
+  EXPECT_TRUE(shared.was_stopped);
+  shared.should_stop = true;
+  watchdog.join();
+}
+
+TEST(WorldThreads, AfterTheWatchdogHasActedForcesComeBackOverTheRamp) {
+  WorldBench bench;
+  const WorldSessionConfig config = one_block(bench);
+  PageHand hand;
+  HapticDevice* device = &hand;
+  WorldApart apart(config, {&device, 1});
+  detail::HandsShared shared;
+  shared.was_stopped = true;
+  detail::HandThread hands{apart, shared, clock_of(config.rate, 0.0), 1e-3, 1e9};
+  std::thread thread([&] { detail::run_hands({0, -1}, hands); });
+  EXPECT_TRUE(comes([&] { return shared.ticks > 3; }));
+  shared.should_stop = true;
+  thread.join();
+  EXPECT_FALSE(shared.was_stopped);  // the first step was told of it
+  EXPECT_EQ(apart.loops[0]->state.safety.fault, Fault::none);
+  EXPECT_EQ(shared.last_step_ns, 0);
 }
 
 TEST(WorldThreads, AWorldThatNobodyHoldsGoesAsBefore) {

@@ -108,6 +108,32 @@ TEST(LiveWorld, ALostPageLetsGoOfItsBodyAndTheWorldGoesOn) {
   EXPECT_TRUE(summary["hands"].back()["fault"].is_null());
 }
 
+TEST(LiveWorld, HandsHaveAThreadOfTheirOwnWhichThePageAndTheSummaryTellOf) {
+  Program program({"run", scene("tower"), "--port", "0", "--json"});
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  WebClient client(port);
+  ASSERT_EQ(grab(client, "block 30"), 30);
+  const Json state = state_where(client, [](const Json& s) {
+    const Json& timing = s["timing"];
+    return timing["haptic_hz"].is_number() && timing["contact_hz"].is_number() &&
+           timing["query_cpu_us"]["p50"].is_number() && timing["step_cpu_us"]["p50"].is_number();
+  });
+  ASSERT_FALSE(state.is_null());
+  EXPECT_GT(state["timing"]["haptic_hz"].get<double>(), 0.0);
+  EXPECT_GT(state["timing"]["contact_hz"].get<double>(), 0.0);  // steps of the world
+  program.send(SIGINT);
+  const Ended ended = program.finish();
+  EXPECT_EQ(ended.code, 130);
+  const Json summary = json_line(ended);
+  const Json& haptic = summary["hands"].back()["haptic"];
+  ASSERT_TRUE(haptic.is_object()) << summary;
+  EXPECT_GE(haptic["frames"].get<std::uint64_t>(), summary["frames"].get<std::uint64_t>());
+  EXPECT_GE(haptic["bodies_max"].get<int>(), 2);
+  EXPECT_TRUE(summary["haptic"]["missed"].is_number());
+  EXPECT_TRUE(summary["haptic"]["step_cpu_us"]["p50"].is_number());
+}
+
 TEST(LiveWorld, WhatIsRefusedEndsNothing) {
   Program program({"run", scene("row_of_blocks"), "--port", "0"});
   const std::uint16_t port = port_of(program);
@@ -296,10 +322,11 @@ TEST(LiveWorld, WhatAPageDidIsReplayedBitForBit) {
   EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
   const Json result = json_line(replayed);
   EXPECT_TRUE(result["identical"].get<bool>()) << result;
+  EXPECT_GE(result["haptic"]["frames"].get<int>(), result["frames"].get<int>());
   EXPECT_GE(result["frames"].get<int>(), 17);  // 20 mm at the 1.2 m/s of a page at most
 }
 
-TEST(LiveWorld, ByTheClockWithoutAPageIsLockstepsWorldAndItsRecordingReplays) {
+TEST(LiveWorld, ARecordingByTheClockWithoutAPageReplaysWithEachHapticStep) {
   const std::string recording = (work_folder() / "clock.mcap").string();
   const std::vector<std::string> how = {"--headless", "--duration", "0.6", "--quiet"};
   const auto run = [&](std::vector<std::string> arguments) {
@@ -308,15 +335,22 @@ TEST(LiveWorld, ByTheClockWithoutAPageIsLockstepsWorldAndItsRecordingReplays) {
     EXPECT_EQ(ended.code, 0) << ended.err;
     return json_line(ended);
   };
-  const Json clock = run({"run", scene("row_of_blocks"), "--record", recording});
-  const Json lockstep = run({"run", scene("row_of_blocks"), "--lockstep"});
-  EXPECT_EQ(clock["state_hash"], lockstep["state_hash"]);
-  EXPECT_EQ(clock["frames"], 600);
-  EXPECT_TRUE(clock["clock"].is_object());
-  EXPECT_TRUE(lockstep["clock"].is_null());
-  const Ended replayed = run_program({"replay", recording, "--json"});
-  EXPECT_EQ(replayed.code, 0) << replayed.err;
-  EXPECT_TRUE(json_line(replayed)["identical"].get<bool>());
+  EXPECT_TRUE(run({"run", scene("row_of_blocks"), "--lockstep"})["clock"].is_null());
+  for (const char* name : {"row_of_blocks", "two_hands"}) {
+    const Json clock = run({"run", scene(name), "--record", recording});
+    EXPECT_EQ(clock["frames"], 600);
+    EXPECT_TRUE(clock["clock"].is_object());
+    std::uint64_t steps = 0;
+    for (const Json& hand : clock["hands"]) steps += hand["haptic"]["frames"].get<std::uint64_t>();
+    const Ended replayed = run_program({"replay", recording, "--json"});
+    EXPECT_EQ(replayed.code, 0) << replayed.err;
+    const Json replay = json_line(replayed);
+    EXPECT_TRUE(replay["identical"].get<bool>());
+    EXPECT_EQ(replay["state_hash"], clock["state_hash"]);
+    // Each haptic step with what it sent, however late the world was for it.
+    EXPECT_EQ(replay["haptic"]["frames"], steps);
+    EXPECT_TRUE(replay["haptic"]["first_difference"].is_null());
+  }
   for (const std::vector<std::string>& wrong :
        {std::vector<std::string>{"run", scene("tower"), "--lockstep", "--port", "0"},
         {"run", scene("tower"), "--headless", "--device", "web:"},

@@ -23,6 +23,7 @@ struct Bench {
   std::vector<Motion> handles{2};
   std::vector<Wrench> commands{2};
   std::vector<WorldGrip> grips{2};
+  WorldHapticNow haptic;
   WorldFeed feed;
 
   Bench() {
@@ -46,6 +47,7 @@ struct Bench {
     f.handles = handles;
     f.commands = commands;
     f.grips = grips;
+    f.haptic = haptic;
     return feed.observe(f);
   }
 };
@@ -113,6 +115,25 @@ TEST(WorldFeed, ThePagesHandIsShownWhileItHoldsElseTheOneThatDoes) {
   s = b.observe(3);
   EXPECT_FALSE(s.is_grasped);
   EXPECT_EQ(b.feed.newest()->shown_body, 2);  // the one that was shown last stays
+}
+
+TEST(WorldFeed, WhereHandsAreApartTheirForcesAndTimesAreShown) {
+  Bench b;
+  b.grips[1].body = 2;
+  std::vector<Wrench> sent(2);
+  sent[1].force = Vec3(0.5, 0.0, 0.0);
+  b.haptic.sent = sent;
+  EXPECT_EQ(b.observe(0).command.force, b.commands[1].force);  // no tick of theirs: they are not
+  b.haptic.ticks = 90;
+  b.haptic.missed = 3;
+  b.haptic.step_cpu = 0.25;
+  const HapticSample s = b.observe(1);
+  EXPECT_EQ(s.command.force, sent[1].force);
+  EXPECT_EQ(s.step_cpu, 0.25f);
+  const WorldNow& now = *b.feed.newest();
+  EXPECT_EQ(now.hands[1].force, sent[1].force);
+  EXPECT_EQ(now.haptic_ticks, 90u);
+  EXPECT_EQ(now.haptic_missed, 3u);
 }
 
 TEST(WorldFeed, BodiesLieAsTheTableSays) {

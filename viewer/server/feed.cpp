@@ -69,6 +69,11 @@ void LiveFeed::observe(const ContactSample& sample) {
   contact_updates_.fetch_add(1, std::memory_order_relaxed);
 }
 
+void LiveFeed::observe_world_step(double cpu) {
+  query_times_.push(cpu);
+  contact_updates_.fetch_add(1, std::memory_order_relaxed);
+}
+
 void LiveFeed::observe(const SessionEvent& event) {
   const std::lock_guard lock(events_mutex_);
   if (events_.size() >= kMostEvents) events_.erase(events_.begin());

@@ -33,6 +33,8 @@ class LiveFeed {
   void observe(const HapticSample& sample);
   void observe(const ContactSample& sample);
   void observe(const SessionEvent& event);
+  /// A step of a world, which shows no contacts; cpu: time of it [s].
+  void observe_world_step(double cpu);
 
   /// Moves all rows that wait to the end of `rows`.
   void take_rows(std::vector<ChannelRow>& rows);

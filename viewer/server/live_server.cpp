@@ -209,6 +209,7 @@ void LiveServer::observe(const ContactSample& sample) { impl_->feed.observe(samp
 void LiveServer::observe(const SessionEvent& event) { impl_->feed.observe(event); }
 void LiveServer::observe(const WorldFrame& frame) {
   impl_->feed.observe(impl_->world_feed.observe(frame));
+  if (frame.haptic.ticks > 0) impl_->feed.observe_world_step(frame.step_cpu);
 }
 
 void LiveServer::prepare_session(SessionConfig& config) {

@@ -12,6 +12,11 @@ namespace {
 
 Pose pose_of(const BodyState& y) { return {y.position, y.orientation}; }
 
+/// What the device of a hand was sent.
+const Wrench& sent_to(const WorldFrame& frame, std::size_t hand) {
+  return frame.haptic.ticks > 0 ? frame.haptic.sent[hand] : frame.commands[hand];
+}
+
 ViewedHand viewed_hand(const WorldView& view, const WorldFrame& frame, std::size_t i) {
   const WorldGrip& grip = frame.grips[i];
   ViewedHand hand;
@@ -19,7 +24,7 @@ ViewedHand viewed_hand(const WorldView& view, const WorldFrame& frame, std::size
   hand.grasp_point = hand.handle.position;
   hand.body = grip.body;
   hand.is_page = static_cast<std::int32_t>(i) == view.page_hand;
-  hand.force = view.workspaces[i].world_from_device.orientation * frame.commands[i].force;
+  hand.force = view.workspaces[i].world_from_device.orientation * sent_to(frame, i).force;
   if (grip.body < 0) return hand;
   const auto body = static_cast<std::size_t>(grip.body);
   hand.grasp_point = transform_point(pose_of(frame.bodies[body]), grip.body_from_grasp.position);
@@ -56,6 +61,9 @@ HapticSample WorldFeed::observe(const WorldFrame& frame) {
   for (std::size_t i = 0; i < frame.grips.size(); ++i)
     draft_.hands.push_back(viewed_hand(view_, frame, i));
   draft_.shown_hand = hand_to_show(view_, draft_.hands);
+  draft_.haptic_ticks = frame.haptic.ticks;
+  draft_.haptic_missed = frame.haptic.missed;
+  draft_.step_cpu = frame.step_cpu;
 
   HapticSample sample;
   sample.frame = frame.frame;
@@ -64,7 +72,8 @@ HapticSample WorldFeed::observe(const WorldFrame& frame) {
   sample.model_age = std::numeric_limits<double>::infinity();
   sample.model_weight = 1.0;
   sample.penetration = -std::numeric_limits<double>::infinity();
-  sample.step_cpu = static_cast<float>(frame.step_cpu);
+  const bool is_apart = frame.haptic.ticks > 0;
+  sample.step_cpu = static_cast<float>(is_apart ? frame.haptic.step_cpu : frame.step_cpu);
   sample.wake_late = static_cast<float>(static_cast<double>(frame.lost) / view_.rate);
   if (draft_.shown_hand >= 0) {
     const auto k = static_cast<std::size_t>(draft_.shown_hand);
@@ -72,7 +81,7 @@ HapticSample WorldFeed::observe(const WorldFrame& frame) {
     if (hand.body >= 0) last_ = hand.body;
     sample.device = frame.grips[k].device;
     sample.handle = frame.handles[k];
-    sample.feedback = sample.command = frame.commands[k];
+    sample.feedback = sample.command = sent_to(frame, k);
     sample.is_grasped = sample.is_armed = hand.body >= 0;
     sample.stretch = (hand.handle.position - hand.grasp_point).norm();
     sample.energy = frame.grips[k].energy;

@@ -43,6 +43,8 @@ struct WorldNow {
   std::int32_t shown_hand = -1;  // whose force and ghost the `snapshot` has: the page's while it
                                  // holds something, else the first that does
   std::int32_t shown_body = -1;  // that it holds, or that was shown last
+  std::uint64_t haptic_ticks = 0, haptic_missed = 0;  // as of WorldHapticNow
+  double step_cpu = 0.0;                              // of the processor, for the frame [s]
 };
 
 /// Keeps the newest frame. Thread: observe from the world's thread, which never waits; newest from

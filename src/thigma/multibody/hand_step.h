@@ -14,7 +14,8 @@
 
 namespace thigma {
 
-/// Factors of the solves of a haptic step, at most: what takes more waits for the next step.
+/// Factors of the solves of a haptic step, at most: what takes more waits for the next step. Where
+/// they end in a later turn of joints and turning, the turn before counts.
 inline constexpr std::int32_t kHandNewton = 48;
 
 /// What goes from one haptic step to the next. Copyable: a step is a function of it.
@@ -39,6 +40,8 @@ struct HandScratch {
   detail::RowCut cut;
   std::vector<IslandBody> bodies;
   std::vector<IslandRow> rows;
+  std::vector<IslandBody> kept_bodies;  // of the turn before
+  std::vector<IslandRow> kept_rows;     // likewise
   std::vector<detail::RowSource> sources;
   detail::JointRowList joint_rows;
   std::vector<WorldJoint> joints;  // of the model, without names

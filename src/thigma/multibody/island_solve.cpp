@@ -336,7 +336,7 @@ void prepare(Work& work) noexcept {
   for (std::size_t i = 0; i < count; ++i) {
     const IslandBody& body = work.bodies[i];
     s.inverse[i] = body.metric.llt().solve(Mat6::Identity());
-    s.velocity[i] = body.free;
+    s.velocity[i] = s.goes_on ? body.velocity : body.free;
     work.speed = std::max(work.speed, detail::free_speed(body));
   }
   s.hessian.first.resize(count);

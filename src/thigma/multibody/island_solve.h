@@ -67,6 +67,9 @@ struct IslandScratch {
   // Factors that solves may still take, where their time is bounded: one that has none left ends
   // with the impulses it has, and is not whole. Below 0: as many as they need
   std::int32_t newton_left = -1;
+  // A solve begins with the velocities that bodies have, not with the free ones: fewer factors
+  // where they are near. The solution is the same, to what it is met to
+  bool goes_on = false;
 };
 
 /// Room for an island. Thread [offline]; throws std::bad_alloc.

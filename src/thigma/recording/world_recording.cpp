@@ -32,6 +32,7 @@ std::string config_text(const WorldRecordingInfo& info) {
   if (info.friction) json["friction"] = *info.friction;
   json["bodies"] = info.bodies;
   json["joints"] = info.joints;
+  if (info.is_apart) json["apart"] = true;
   return json.dump();
 }
 
@@ -48,6 +49,8 @@ void read_config_text(std::string_view text, const std::string& path, WorldRecor
   else if (const auto device = json.at("device").get<std::string>(); !device.empty())
     out.devices = {device};
   out.hands.resize(out.devices.size());
+  out.ticks.resize(out.devices.size());
+  out.is_apart = json.value("apart", false);
   out.seed = json.at("seed").get<std::uint64_t>();
   out.rate = json.at("rate_hz").get<double>();
   out.bodies = json.at("bodies").get<std::vector<std::string>>();
@@ -74,8 +77,7 @@ BodyState read_state(std::string_view text) {
   return y;
 }
 
-void put_hand(const RecordedHand& hand, detail::JsonObject& json) {
-  const DeviceState& d = hand.device;
+void put_device(const DeviceState& d, detail::JsonObject& json) {
   json.number("time", d.time);
   json.pose(d.motion.pose);
   json.vector("linear", d.motion.twist.linear);
@@ -83,16 +85,23 @@ void put_hand(const RecordedHand& hand, detail::JsonObject& json) {
   json.integer("buttons", d.buttons);
   json.integer("status", static_cast<int>(d.status));
   json.number("weight", d.weight);
+}
+
+void put_hand(const RecordedHand& hand, detail::JsonObject& json) {
+  put_device(hand.device, json);
+  if (hand.seen.told != 0) {
+    json.integer("read", static_cast<long long>(hand.seen.read));
+    json.integer("told", static_cast<long long>(hand.seen.told));
+  }
   if (!hand.aimed) return;
   json.integer("aim", hand.aimed->body);
   json.vector("point", hand.aimed->point);
 }
 
-RecordedHand read_hand(std::string_view text) {
-  const auto json = nlohmann::json::parse(text);
-  constexpr auto kNull = detail::NullNumber::not_a_number;
-  RecordedHand hand;
-  DeviceState& d = hand.device;
+constexpr auto kNull = detail::NullNumber::not_a_number;
+
+DeviceState read_device(const nlohmann::json& json) {
+  DeviceState d;
   d.time = detail::read_number(json.at("time"), kNull);
   detail::read_pose(json, d.motion.pose, kNull);
   detail::read_vector(json, "linear", d.motion.twist.linear, kNull);
@@ -103,16 +112,65 @@ RecordedHand read_hand(std::string_view text) {
     throw InputError("a hand's status is not from 0 to 3");
   d.status = static_cast<DeviceStatus>(status);
   d.weight = detail::read_number(json.at("weight"), kNull);
+  return d;
+}
+
+RecordedHand read_hand(std::string_view text) {
+  const auto json = nlohmann::json::parse(text);
+  RecordedHand hand;
+  hand.device = read_device(json);
+  hand.seen.read = json.value("read", std::uint64_t{0});
+  hand.seen.told = json.value("told", std::uint64_t{0});
   if (!json.contains("aim")) return hand;
   hand.aimed = WorldAim{json.at("aim").get<std::int32_t>(), Vec3::Zero()};
   detail::read_vector(json, "point", hand.aimed->point, kNull);
   return hand;
 }
 
+void put_tick(const HandTick& made, detail::JsonObject& json) {
+  json.number("now", made.tick.now);
+  json.number("elapsed", made.tick.elapsed);
+  json.integer("fault", static_cast<int>(made.tick.external_fault));
+  json.integer("news", static_cast<long long>(made.news));
+  put_device(made.device, json);
+  if (made.device.has_true_handle) {
+    json.vector("true_position", made.device.true_handle.position);
+    json.vector("true_quat_xyzw", made.device.true_handle.orientation.coeffs());
+  }
+  json.vector("force", made.sent.force);
+  json.vector("torque", made.sent.torque);
+}
+
+HandTick read_tick(std::string_view text, std::size_t hand, std::size_t step) {
+  const auto json = nlohmann::json::parse(text);
+  HandTick made;
+  made.hand = static_cast<std::int32_t>(hand);
+  made.step = json.at("frame").get<std::uint64_t>();
+  if (made.step != step) throw InputError("a haptic step is missing");
+  made.tick.now = detail::read_number(json.at("now"), kNull);
+  made.tick.elapsed = detail::read_number(json.at("elapsed"), kNull);
+  const int fault = json.at("fault").get<int>();
+  if (fault < 0 || fault > static_cast<int>(Fault::watchdog))
+    throw InputError("a haptic step has a fault that there is not");
+  made.tick.external_fault = static_cast<Fault>(fault);
+  made.news = json.at("news").get<std::uint64_t>();
+  made.device = read_device(json);
+  if (json.contains("true_position")) {
+    made.device.has_true_handle = true;
+    detail::read_vector(json, "true_position", made.device.true_handle.position, kNull);
+    Vec4 q = Vec4::Zero();
+    detail::read_vector(json, "true_quat_xyzw", q, kNull);
+    made.device.true_handle.orientation.coeffs() = q;
+  }
+  detail::read_vector(json, "force", made.sent.force, kNull);
+  detail::read_vector(json, "torque", made.sent.torque, kNull);
+  return made;
+}
+
 /// Number of the device of a topic "/device/sample", "/device/2/sample".
 std::size_t device_of(const std::string& topic, const WorldRecording& out) {
-  constexpr std::string_view kFirst = "/device/sample", kStart = "/device/";
-  if (topic == kFirst) return 0;
+  constexpr std::string_view kStart = "/device/";
+  if (topic == "/device/sample" || topic == "/device/haptic") return 0;
   const std::size_t number = std::stoull(topic.substr(kStart.size())) - 1;
   return number < out.devices.size() ? number : 0;
 }
@@ -130,7 +188,7 @@ void read_end(std::string_view text, WorldRecording& out) {
 bool is_page_hand(const std::string& address) { return device_scheme(address) == "web"; }
 
 WorldRecordingWriter::WorldRecordingWriter(const std::string& path, const WorldRecordingInfo& info)
-    : file_(std::make_unique<McapWriter>(path)) {
+    : file_(std::make_unique<McapWriter>(path)), steps_(info.devices.size(), 0), path_(path) {
   const std::uint16_t config = file_->add_channel("/config", "thigma.world_config", "");
   for (const std::string& name : info.bodies)
     bodies_.push_back(file_->add_channel("/body/" + name + "/state", "thigma.body_state", ""));
@@ -140,8 +198,10 @@ WorldRecordingWriter::WorldRecordingWriter(const std::string& path, const WorldR
     std::string topic = "/device";
     if (i > 0) topic.append("/").append(std::to_string(i + 1));
     commands_.push_back(file_->add_channel(topic + "/command", "thigma.wrench", ""));
-    if (is_page_hand(info.devices[i]))
+    if (is_page_hand(info.devices[i]) || info.is_apart)
       samples_.emplace_back(i, file_->add_channel(topic + "/sample", "thigma.hand_sample", ""));
+    if (info.is_apart)
+      haptic_.push_back(file_->add_channel(topic + "/haptic", "thigma.hand_tick", ""));
   }
   events_ = file_->add_channel("/events", "thigma.event", "");
   file_->write(config, 0, 0, config_text(info));
@@ -149,18 +209,34 @@ WorldRecordingWriter::WorldRecordingWriter(const std::string& path, const WorldR
 
 WorldRecordingWriter::~WorldRecordingWriter() = default;
 
+template <class Fill>
+void WorldRecordingWriter::put(std::uint16_t channel, std::uint64_t number, std::uint64_t time_ns,
+                               const Fill& fill) {
+  text_.clear();
+  detail::JsonObject json(text_);
+  json.integer("frame", static_cast<long long>(number));
+  fill(json);
+  json.close();
+  file_->write(channel, static_cast<std::uint32_t>(number), time_ns, text_);
+}
+
+void WorldRecordingWriter::write(std::span<const HandTick> ticks) {
+  for (const HandTick& made : ticks) {
+    const auto hand = static_cast<std::size_t>(made.hand);
+    if (made.step != steps_[hand]++)
+      throw IoError(path_ + ": more haptic steps at once than there is room for");
+    put(haptic_[hand], made.step, nanoseconds(made.tick.now),
+        [&made](detail::JsonObject& json) { put_tick(made, json); });
+  }
+}
+
 void WorldRecordingWriter::write(std::uint64_t frame, double time,
                                  std::span<const BodyState> bodies,
                                  std::span<const RecordedJoint> joints,
                                  std::span<const Wrench> commands,
                                  std::span<const RecordedHand> hands) {
   const auto put = [&](std::uint16_t channel, const auto& fill) {
-    text_.clear();
-    detail::JsonObject json(text_);
-    json.integer("frame", static_cast<long long>(frame));
-    fill(json);
-    json.close();
-    file_->write(channel, static_cast<std::uint32_t>(frame), nanoseconds(time), text_);
+    this->put(channel, frame, nanoseconds(time), fill);
   };
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     put(bodies_[i], [&y = bodies[i]](detail::JsonObject& json) {
@@ -229,6 +305,10 @@ WorldRecording read_world_recording(const std::string& path) {
       } else if (topic.starts_with("/device") && topic.ends_with("/sample")) {
         if (out.devices.empty()) refuse(path, "a sample before /config");
         out.hands[device_of(topic, out)].push_back(read_hand(message.data));
+      } else if (topic.starts_with("/device") && topic.ends_with("/haptic")) {
+        if (out.devices.empty()) refuse(path, "a haptic step before /config");
+        const std::size_t hand = device_of(topic, out);
+        out.ticks[hand].push_back(read_tick(message.data, hand, out.ticks[hand].size()));
       } else if (topic.starts_with("/body/")) {
         if (out.bodies.empty()) refuse(path, "a state before /config");
         const std::string& name = out.bodies[next++ % out.bodies.size()];

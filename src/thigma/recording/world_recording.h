@@ -13,6 +13,7 @@
 #include "thigma/dynamics/body.h"
 #include "thigma/math/pose.h"
 #include "thigma/session/live_ports.h"
+#include "thigma/session/world_ticks.h"
 
 namespace thigma {
 
@@ -27,8 +28,9 @@ struct WorldRecordingInfo {
   std::optional<double> friction;   // of every body, where the scene's own was not used
   std::vector<std::string> bodies;  // names
   std::vector<std::string> joints;  // likewise
-  std::uint64_t frames = 0;         // at the end
-  std::uint64_t state_hash = 0;     // likewise
+  bool is_apart = false;  // haptic steps are apart from the world's, and are recorded by themselves
+  std::uint64_t frames = 0;      // at the end
+  std::uint64_t state_hash = 0;  // likewise
   bool has_end = false;
 };
 
@@ -38,19 +40,20 @@ struct RecordedJoint {
   double spring = 0.0, motor = 0.0, limit = 0.0;  // along it [N, N m]
 };
 
-/// What has to come again of a page's hand, which no address can open: what was read, and what it
-/// was aimed at before that, if anew.
+/// What has to come again of a page's hand, which no address can open, and of any that is apart
+/// from its world: what the world read, and what it was aimed at before that, if anew.
 struct RecordedHand {
   DeviceState device;
   std::optional<WorldAim> aimed;
+  HandSeen seen{};  // of one that is apart
 };
 
-/// Whether a device of a recording is a page's hand, whose samples it has. Thread: any.
+/// Whether a device of a recording is a page's hand, whose samples it has always. Thread: any.
 bool is_page_hand(const std::string& address);
 
 /// Writes one. Topics: /config, /body/NAME/state for each body, /joint/NAME/state for each joint,
 /// /device/command of the first device, /device/2/command and so on of others, beside it /sample of
-/// a page's hand, /events.
+/// a page's hand and of those that are apart, of which /haptic has each step; /events.
 /// Thread: one, [offline]. Members throw IoError.
 class WorldRecordingWriter {
  public:
@@ -62,24 +65,35 @@ class WorldRecordingWriter {
   /// bodies   as many as names
   /// joints   likewise
   /// commands sent to the devices, likewise
-  /// hands    by device; of pages' hands alone something is written
+  /// hands    by device; of pages' hands, and of all that are apart, something is written
   void write(std::uint64_t frame, double time, std::span<const BodyState> bodies,
              std::span<const RecordedJoint> joints, std::span<const Wrench> commands,
              std::span<const RecordedHand> hands = {});
+  /// Steps of hands that are apart, those of each in order. IoError where one is missing.
+  void write(std::span<const HandTick> ticks);
   void close(std::uint64_t frames, std::uint64_t state_hash);
 
  private:
+  /// A message of one JSON object with a number.
+  template <class Fill>
+  void put(std::uint16_t channel, std::uint64_t number, std::uint64_t time_ns, const Fill& fill);
+
   std::unique_ptr<McapWriter> file_;
   std::vector<std::uint16_t> bodies_, joints_, commands_;
   std::vector<std::pair<std::size_t, std::uint16_t>> samples_;  // device, channel
+  std::vector<std::uint16_t> haptic_;                           // by device, where they are apart
+  std::vector<std::uint64_t> steps_;                            // likewise: written
+  std::string path_;
   std::uint16_t events_ = 0;
   std::string text_;
 };
 
 /// A recording in memory: all bodies of a frame one after the other.
 struct WorldRecording : WorldRecordingInfo {
-  std::vector<BodyState> states;                 // frames x bodies
-  std::vector<std::vector<RecordedHand>> hands;  // by device; of pages' hands one a frame
+  std::vector<BodyState> states;  // frames x bodies
+  // by device: one a frame of pages' hands and of those that are apart
+  std::vector<std::vector<RecordedHand>> hands;
+  std::vector<std::vector<HandTick>> ticks;  // by device: steps of those that are apart
 };
 
 /// Whether a file is a recording of a world. False for what cannot be read.

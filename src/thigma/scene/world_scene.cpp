@@ -328,7 +328,7 @@ void refuse_motors(const std::string& uri) {
   if (is_simulated && !has_second) return;
   throw DeviceUnavailable(scheme +
                           ": may hold a person, expected hand:, script: or null:; worlds " +
-                          "of several bodies have no ramps and no watchdog yet");
+                          "of several bodies have no ramps and no watchdog in lockstep yet");
 }
 
 }  // namespace
@@ -354,7 +354,7 @@ WorldDevices open_world_devices(const LoadedWorld& world, const std::vector<std:
     if (device->limits().holds_person)
       throw DeviceUnavailable(device->name() +
                               ": holds a person, expected hand:, script: or null:; worlds of "
-                              "several bodies have no ramps and no watchdog yet");
+                              "several bodies have no ramps and no watchdog in lockstep yet");
     devices.list.push_back(device.get());
     devices.owned.push_back(std::move(device));
   }

@@ -10,15 +10,21 @@
 namespace thigma {
 namespace {
 
-/// A page that is lost lets go; whoever comes next takes hold anew.
-bool may_resume(const WorldHandLoop& loop) THIGMA_RT {
-  return loop.is_free && loop.state.safety.fault == Fault::device_lost;
+/// The fault of a step that ends the session, or none. A page that is lost lets go; whoever comes
+/// next takes hold anew. By the sample: in the step in which it is back the latch is open already.
+Fault fault_of(const WorldHandLoop& loop, const HapticSample& sample) THIGMA_RT {
+  const bool may_resume = loop.is_free && sample.fault == Fault::device_lost;
+  return may_resume ? Fault::none : sample.fault;
 }
 
 }  // namespace
 
 WorldApart::WorldApart(const WorldSessionConfig& of, std::span<HapticDevice* const> given)
-    : config(&of), devices(given.begin(), given.end()), last(given.size(), 0.0) {
+    : config(&of),
+      devices(given.begin(), given.end()),
+      last(given.size(), 0.0),
+      sent(given.size()),
+      seen(given.size()) {
   if (devices.size() != of.hands.size())
     throw std::invalid_argument(std::to_string(devices.size()) + " devices, expected the " +
                                 std::to_string(of.hands.size()) + " of the hands");
@@ -45,23 +51,37 @@ void let_go(const WorldApart& apart) {
   for (HapticDevice* device : apart.devices) detail::let_go(device);
 }
 
+void publish_news(const WorldFrame& frame, double step, std::size_t hand, WorldApart& apart) {
+  WorldHandLoop* loop = apart.loops[hand].get();
+  if (loop == nullptr) return;
+  HandRelay& relay = *apart.relays[hand];
+  publish_news(*apart.run,
+               {frame.grips[hand], frame.handles[hand], apart.config->hands[hand], step}, *loop,
+               relay, *apart.scratch[hand], apart.last[hand]);
+  const HandNote& note = loop->notes.value();
+  apart.sent[hand] = note.sent;
+  apart.seen[hand] = {relay.seen, note.frame};
+}
+
 void publish_news(const WorldFrame& frame, double step, WorldApart& apart) {
   const bool has_changed = apart.run->changes() != apart.changes;
   apart.changes = apart.run->changes();
   for (std::size_t i = 0; i < apart.loops.size(); ++i) {
-    if (apart.loops[i] == nullptr) continue;
-    if (has_changed) apart.scratch[i] = reserve_hand_model(apart.run->world());
-    publish_news(*apart.run, {frame.grips[i], frame.handles[i], apart.config->hands[i], step},
-                 *apart.loops[i], *apart.relays[i], *apart.scratch[i], apart.last[i]);
+    if (has_changed && apart.loops[i] != nullptr)
+      apart.scratch[i] = reserve_hand_model(apart.run->world());
+    publish_news(frame, step, i, apart);
   }
 }
 
 Fault step_hands(const HapticTick& tick, WorldApart& apart) THIGMA_RT {
   Fault fault = Fault::none;
-  for (const auto& loop : apart.loops) {
+  for (std::size_t i = 0; i < apart.loops.size(); ++i) {
+    WorldHandLoop* loop = apart.loops[i].get();
     if (loop == nullptr) continue;
     const HapticSample sample = step_world_hand(*loop, tick);
-    if (fault == Fault::none && !may_resume(*loop)) fault = sample.fault;
+    if (apart.ticks != nullptr)
+      apart.ticks->push(tick_of(static_cast<std::int32_t>(i), tick, sample, *loop));
+    if (fault == Fault::none) fault = fault_of(*loop, sample);
   }
   return fault;
 }
@@ -96,9 +116,10 @@ WorldSummary run_world_apart(const WorldSessionConfig& config,
       if (loop == nullptr) continue;
       const HapticSample sample = step_world_hand(*loop, {now, period});
       if (how.haptic) how.haptic(i, sample);
-      if (fault == Fault::none && !may_resume(*loop)) fault = sample.fault;
+      if (fault == Fault::none) fault = fault_of(*loop, sample);
     }
     if (made != nullptr) continue;
+    if (how.between) how.between(*apart.run);
     made = apart.run->make_frame();
     if (made == nullptr) break;
     const int lasts = how.lasts ? how.lasts(made->frame) : how.world_every;

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "thigma/core/spsc_ring.h"
 #include "thigma/session/world_hand.h"
 #include "thigma/session/world_session.h"
 
@@ -31,13 +32,20 @@ struct WorldApart {
   // The world's side.
   std::unique_ptr<WorldRun> run;
   std::vector<HandModelScratchPtr> scratch;
-  std::vector<double> last;   // time of each hand's last news [s; hand's]
-  std::uint32_t changes = 0;  // of the world that the scratch is for
+  std::vector<double> last;    // time of each hand's last news [s; hand's]
+  std::vector<Wrench> sent;    // by each hand's last step that the world knows [device frame]
+  std::vector<HandSeen> seen;  // of each hand, by the last frame
+  std::uint32_t changes = 0;   // of the world that the scratch is for
+
+  // hands -> whoever records their steps; null: nobody does. What does not fit is left out.
+  std::unique_ptr<SpscRing<HandTick>> ticks;
 };
 
 /// Tells all hands what the world has after a frame.
 /// Thread    [contact]; throws std::bad_alloc where memory grows.
 void publish_news(const WorldFrame& frame, double step, WorldApart& apart);
+/// Tells one.
+void publish_news(const WorldFrame& frame, double step, std::size_t hand, WorldApart& apart);
 
 /// Sends zero force to all devices, whatever one of them does.
 /// Thread    [haptic], or where its thread has ended.
@@ -58,6 +66,8 @@ struct ApartLockstep {
   std::function<int(std::uint64_t frame)> lasts{};  // the same by frame of the world; may be empty
   std::function<void(std::size_t hand, const HapticSample&)> haptic{};  // may be empty
   std::function<void(const WorldFrame&)> world{};                       // may be empty
+  // Before a step of the world begins: what happens between two of its frames; may be empty.
+  std::function<void(WorldRun&)> between{};
 };
 
 /// Runs a world in lockstep with its hands apart from it: config.duration in haptic frames of

@@ -79,19 +79,22 @@ void tell(const HapticSample& sample, WorldHandLoop& loop) THIGMA_RT {
   note.body = sample.body;
   note.wanted_speed = sample.wanted_speed;
   note.energy = sample.energy;
+  note.sent = sample.command;
   loop.notes.publish();
 }
 
 }  // namespace
 
 DeviceState GripDevice::read(double now) THIGMA_RT {
-  const bool was_closed = (sample.buttons & kClutchButton) != 0;
   sample = device_->read(now);
-  const bool is_closed = (sample.buttons & kClutchButton) != 0;
+  // A page that is lost keeps its buttons as they were, and the world may not see that it was.
+  const bool is_closed =
+      (sample.buttons & kClutchButton) != 0 && sample.status != DeviceStatus::lost;
   if (is_free_ && !is_closed) {
-    openings += was_closed ? 1 : 0;
+    openings += was_closed_ ? 1 : 0;
     holds = false;  // until the world says that it has taken hold anew
   }
+  was_closed_ = is_closed;
   DeviceState seen = sample;
   seen.buttons = holds ? seen.buttons | kClutchButton : seen.buttons & ~kClutchButton;
   return seen;
@@ -122,6 +125,18 @@ HapticSample step_world_hand(WorldHandLoop& loop, const HapticTick& tick) THIGMA
   count(sample, loop);
   tell(sample, loop);
   return sample;
+}
+
+HandTick tick_of(std::int32_t hand, const HapticTick& tick, const HapticSample& sample,
+                 const WorldHandLoop& loop) THIGMA_RT {
+  HandTick made;
+  made.hand = hand;
+  made.step = loop.summary.steps - 1;
+  made.tick = tick;
+  made.device = loop.device.sample;
+  made.news = loop.news.value().sequence;
+  made.sent = sample.command;
+  return made;
 }
 
 /// Of the way to a pose, what the world may go in a step.
@@ -156,6 +171,7 @@ double HandRelay::share_of(const Pose& pose, const Twist& twist, double energy) 
 DeviceState HandRelay::read(double) THIGMA_RT {
   loop_->notes.fetch();
   const HandNote& note = loop_->notes.value();
+  seen = note.frame;
   DeviceState sample = note.device;
   if (note.frame == 0) sample.status = DeviceStatus::not_ready;
   if (sample.status != DeviceStatus::ok) return sample;

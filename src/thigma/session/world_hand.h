@@ -11,6 +11,7 @@
 #include "thigma/loop/samples.h"
 #include "thigma/multibody/hand_step.h"
 #include "thigma/session/world_session.h"
+#include "thigma/session/world_ticks.h"
 
 namespace thigma {
 
@@ -36,11 +37,12 @@ struct HandNote {
   BodyState body;              // where the haptic step has it
   double wanted_speed = 0.0;   // of any of its points, were nothing to hold it back [m/s]
   double energy = 0.0;         // that the hand has put in at its device [J]
+  Wrench sent;                 // by it [N, N m; device frame]
 };
 static_assert(RtPayload<HandNote>);
 
 /// The device as haptic_step sees it: its clutch is closed while the world says that it holds
-/// something and it has not let go since.
+/// something and it has not let go since. One that is lost has let go.
 class GripDevice final : public HapticDevice {
  public:
   GripDevice(HapticDevice& device, bool is_free) : device_(&device), is_free_(is_free) {}
@@ -57,6 +59,7 @@ class GripDevice final : public HapticDevice {
  private:
   HapticDevice* device_;
   const bool is_free_;
+  bool was_closed_ = false;
 };
 
 /// A hand on the haptic side. Not moved while it runs.
@@ -92,6 +95,13 @@ struct WorldHandLoop {
 /// Thread   [haptic]; bounded, no failure, nothing allocated
 HapticSample step_world_hand(WorldHandLoop& loop, const HapticTick& tick) THIGMA_RT;
 
+/// What such a step was, for whoever records it.
+///
+/// hand     number of it
+/// Thread   [haptic], after step_world_hand
+HandTick tick_of(std::int32_t hand, const HapticTick& tick, const HapticSample& sample,
+                 const WorldHandLoop& loop) THIGMA_RT;
+
 /// What the world's side has had of a hand.
 struct HandBorder {
   bool is_held = false;
@@ -119,7 +129,8 @@ class HandRelay final : public HapticDevice {
   void write(const Wrench&) THIGMA_RT override {}
   const char* trouble() const THIGMA_RT override { return loop_->device.trouble(); }
 
-  HandBorder border;  // after the world's last step
+  HandBorder border;       // after the world's last step
+  std::uint64_t seen = 0;  // HandNote::frame of the last sample; 0: none yet
 
  private:
   double share_of(const Pose& pose, const Twist& twist, double energy) const THIGMA_RT;

@@ -70,7 +70,7 @@ void check_devices(const WorldSessionConfig& config, std::span<HapticDevice* con
     if (device != nullptr && device->limits().holds_person)
       throw std::invalid_argument(device->name() +
                                   ": holds a person, expected a simulated device: worlds of "
-                                  "several bodies have no ramps and no watchdog yet");
+                                  "several bodies have no ramps and no watchdog in lockstep yet");
 }
 
 void count(const WorldStep& step, WorldSummary& summary) noexcept {

@@ -17,6 +17,7 @@
 #include "thigma/multibody/step_world.h"
 #include "thigma/session/histogram.h"
 #include "thigma/session/live_ports.h"
+#include "thigma/session/world_ticks.h"
 
 namespace thigma {
 
@@ -68,6 +69,7 @@ struct WorldFrame {
   std::span<const WorldGrip> grips;  // by hand
   std::optional<WorldAim> aimed;     // of free hands, since the frame before
   WorldStep step;
+  WorldHapticNow haptic;  // `commands` are then what the world would send
   // By the clock; in lockstep 0.
   double step_cpu = 0.0;   // of the processor, for the whole frame [s]; not in the hash
   std::uint64_t lost = 0;  // frames that were skipped before it, as the one before took too long
@@ -130,6 +132,7 @@ struct WorldSummary {
   // Of their thread, which steps all hands in a tick; in lockstep there is none.
   std::uint64_t haptic_missed = 0;  // ticks of the clock without a step
   DurationHistogram haptic_cpu;     // of a tick, of the processor
+  std::uint64_t haptic_stops = 0;   // times that it hung and the watchdog sent zero force
   std::string refused;              // what the system refused to it; "": nothing
 
   bool has_fault() const noexcept { return fault != Fault::none; }
@@ -205,6 +208,9 @@ struct WorldShell {
   std::function<void(WorldRun&)> between{};
   // Waits for the next tick and tells how many were over before; empty: of the clock on the wall.
   std::function<std::uint64_t()> wait_for_tick{};
+  // Where hands are apart from the world: their steps since the last call, after every frame and
+  // once more at the end, all of them; may be empty.
+  std::function<void(std::span<const HandTick>)> ticks{};
 };
 
 /// The same by the clock: a step of 1 / rate at each tick. A step that takes longer has the world

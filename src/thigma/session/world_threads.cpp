@@ -3,78 +3,60 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
-#include <string>
 #include <thread>
+#include <vector>
 
 #include "thigma/math/infinity.h"
+#include "thigma/session/detail/hand_thread.h"
 #include "thigma/session/world_apart.h"
 
 namespace thigma {
 namespace {
 
-/// What both threads look at.
-struct Shared {
-  std::atomic<bool> should_stop{false};   // world -> hands
-  std::atomic<std::uint64_t> ticks{0};    // hands -> world: of their clock, so far
-  std::atomic<Fault> fault{Fault::none};  // hands -> world
-};
-
-/// The hands' thread.
-struct Hands {
-  WorldApart& apart;
-  Shared& shared;
-  DeadlineClock clock;
-  double period;
-  double watchdog;  // a gap that is no longer ridden over without a new ramp [s]
-  double now = 0.0;
-  std::uint64_t missed = 0;
-  DurationHistogram step_cpu{};
-  std::string refused{};
-
-  void step(std::uint64_t skipped) {
-    constexpr std::uint64_t kMost = 10;  // ticks that a step makes up for
-    const double gap = static_cast<double>(skipped + 1) * period;
-    HapticTick tick;
-    tick.elapsed = static_cast<double>(std::min(skipped + 1, kMost)) * period;
-    if (gap > watchdog) tick.external_fault = Fault::watchdog;
-    tick.now = now;
-    const std::int64_t begin = thread_cpu_ns();
-    const Fault fault = step_hands(tick, apart);
-    record(step_cpu, thread_cpu_ns() - begin);
-    if (fault != Fault::none) shared.fault.store(fault, std::memory_order_release);
-    shared.ticks.fetch_add(skipped + 1, std::memory_order_release);
-  }
-
-  void run(const RtRequest& request) {
-    if (request.priority > 0) refused = request_real_time(request).refused;
-    start_clock(clock);
-    while (!shared.should_stop.load(std::memory_order_acquire)) {
-      const std::uint64_t before = clock.missed;
-      wait_for_tick(clock);
-      const std::uint64_t skipped = clock.missed - before;
-      missed += skipped;
-      now += static_cast<double>(skipped) * period;
-      step(skipped);
-      now += period;
-      if (shared.fault.load(std::memory_order_relaxed) != Fault::none) break;
-    }
-    let_go(apart);  // now, and not when the world's step ends
-  }
-};
+using detail::HandsShared;
 
 /// The world's thread.
 struct WorldSide {
   WorldApart& apart;
-  Shared& shared;
+  HandsShared& shared;
   const WorldShell& shell;
   double period;
   std::uint64_t seen = 0;  // ticks of the hands that its last step knew
+  std::vector<HandTick> ticks{};
 
+  LivePorts* live() const { return shell.live; }
   bool is_stopped() const {
     return shell.stop != nullptr && shell.stop->load(std::memory_order_relaxed);
   }
   bool is_over() const {
     return is_stopped() || shared.fault.load(std::memory_order_acquire) != Fault::none;
+  }
+
+  bool is_paused() const {
+    return live() != nullptr && live()->is_paused.load(std::memory_order_relaxed);
+  }
+
+  /// What happens between two frames. Hands are aimed by the numbers that bodies have before it.
+  void change() const {
+    if (live() != nullptr && live()->aim.fetch()) apart.run->aim(live()->aim.value());
+    if (shell.between) shell.between(*apart.run);
+  }
+
+  /// Hands and world stand still until the pause ends, a single step is asked for or all ends;
+  /// whether they did.
+  bool hold_while_paused() {
+    const bool was_held = is_paused();
+    shared.is_held.store(was_held, std::memory_order_release);
+    while (is_paused() && !is_over()) {
+      if (take_step(*live())) {
+        shared.singles.fetch_add(1, std::memory_order_release);
+        return true;
+      }
+      change();
+      sleep_ns(1'000'000);
+    }
+    shared.is_held.store(false, std::memory_order_release);
+    return was_held;
   }
 
   /// Waits for a haptic step that the world has not had; how many ticks it has missed before that.
@@ -83,33 +65,62 @@ struct WorldSide {
     const std::int64_t expected = monotonic_ns() + period_ns / 2;
     while (shared.ticks.load(std::memory_order_acquire) == seen && !is_over())
       sleep_ns(look_again_in(monotonic_ns(), expected, period_ns));
-    const std::uint64_t ticks = shared.ticks.load(std::memory_order_acquire);
-    const std::uint64_t lost = ticks > seen ? ticks - seen - 1 : 0;
-    seen = ticks;
+    const std::uint64_t now = shared.ticks.load(std::memory_order_acquire);
+    const std::uint64_t lost = now > seen ? now - seen - 1 : 0;
+    seen = now;
     return lost;
+  }
+
+  WorldHapticNow haptic_now() const {
+    WorldHapticNow now;
+    now.ticks = seen;
+    now.missed = shared.missed.load(std::memory_order_relaxed);
+    now.step_cpu =
+        1e-9 * static_cast<double>(shared.longest_ns.exchange(0, std::memory_order_relaxed));
+    now.sent = apart.sent;
+    now.seen = apart.seen;
+    return now;
+  }
+
+  /// Hands over the steps that hands have made.
+  void drain() {
+    if (apart.ticks == nullptr) return;
+    ticks.clear();
+    for (std::size_t left = apart.ticks->capacity(); left > 0; --left) {
+      const HandTick* tick = apart.ticks->front();
+      if (tick == nullptr) break;
+      ticks.push_back(*tick);
+      apart.ticks->pop();
+    }
+    shell.ticks(ticks);
   }
 
   void go() {
     while (!is_over()) {
+      const bool was_held = hold_while_paused();
       const std::uint64_t lost = wait();
       if (is_over()) break;
-      apart.run->lose(lost);
-      if (shell.between) shell.between(*apart.run);
-      const WorldFrame* frame = apart.run->make_frame();
+      // The hands may have been in a step as the pause began.
+      apart.run->lose(was_held ? 0 : lost);
+      change();
+      WorldFrame* frame = apart.run->make_frame(live() != nullptr ? &live()->aim : nullptr);
       if (frame == nullptr) break;
       publish_news(*frame, period, apart);
+      frame->haptic = haptic_now();
       if (shell.sink) shell.sink(*frame);
+      drain();
     }
   }
 };
 
-/// Ends the hands' thread however the world's ends.
+/// Ends the other threads however the world's ends.
 struct Joined {
-  Shared& shared;
-  std::thread thread;
+  HandsShared& shared;
+  std::thread hands{}, watchdog{};
   void end() {
     shared.should_stop.store(true, std::memory_order_release);
-    if (thread.joinable()) thread.join();
+    if (hands.joinable()) hands.join();
+    if (watchdog.joinable()) watchdog.join();
   }
   ~Joined() { end(); }
 };
@@ -129,21 +140,29 @@ WorldSummary run_world_on_threads(const WorldSessionConfig& config,
                                     [](const HapticDevice* device) { return device != nullptr; });
   if (!has_hand) return run_world_by_clock(config, devices, shell);
   WorldApart apart(config, devices);
-  Shared shared;
-  const double period = 1.0 / config.rate;
+  constexpr std::size_t kTicks = 16384;  // of all hands, that a late world may leave for later
+  if (shell.ticks) apart.ticks = std::make_unique<SpscRing<HandTick>>(kTicks);
+  HandsShared shared;
+  const double period = 1.0 / config.rate, watchdog = watchdog_of(config);
   // Ticks are slept for, not polled: the world needs the processor as well.
-  Hands hands{apart, shared, clock_of(config.rate, 0.0), period, watchdog_of(config)};
+  detail::HandThread hands{apart, shared, clock_of(config.rate, 0.0), period, watchdog};
   WorldSide world{apart, shared, shell, period};
-  Joined joined{shared, std::thread([&] { hands.run(haptic_thread); })};
+  shared.is_held = world.is_paused();  // no step before the first that is asked for
+  Joined joined{shared};
+  joined.hands = std::thread([&] { detail::run_hands(haptic_thread, hands); });
+  joined.watchdog =
+      std::thread([&] { detail::watch_hands(watchdog, haptic_thread, apart, shared); });
   world.go();
   const bool was_stopped = world.is_stopped();
   joined.end();
+  world.drain();
   WorldSummary summary = apart.run->end();
   summary.was_stopped = was_stopped;
   summary.refused = hands.refused;
   add_haptic(apart, shared.fault.load(std::memory_order_relaxed), summary);
-  summary.haptic_missed = hands.missed;
+  summary.haptic_missed = shared.missed.load(std::memory_order_relaxed);
   summary.haptic_cpu = hands.step_cpu;
+  summary.haptic_stops = shared.stops.load(std::memory_order_relaxed);
   return summary;
 }
 

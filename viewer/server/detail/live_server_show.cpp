@@ -74,6 +74,7 @@ Snapshot LiveServer::Impl::snapshot_now(const HapticNow& now) {
 
 /// In a world the object is what the hand holds that is shown.
 void LiveServer::Impl::show_world(const WorldNow& world, Snapshot& s) const {
+  if (world.haptic_ticks > 0) s.query_cpu = world.step_cpu;
   if (world.shown_body >= 0) {
     const auto body = static_cast<std::size_t>(world.shown_body);
     s.object = s.ghost = world.bodies[body];
@@ -158,14 +159,19 @@ void LiveServer::Impl::tick() {
   send_events();
   if (ticks % kStateTicks != 0) return;
   const HapticNow* now = feed.haptic();
-  const std::uint64_t frame = now != nullptr ? now->sample.frame : 0;
+  const WorldNow* world = world_feed.newest();
+  const bool is_apart = world != nullptr && world->haptic_ticks > 0;
+  std::uint64_t frame = now != nullptr ? now->sample.frame : 0;
+  if (is_apart) frame = world->haptic_ticks - world->haptic_missed;
   // What is paused or shown from a recording has no rate by the wall clock.
   const bool has_rate = now != nullptr && state.run == RunPhase::running && state.replay.empty();
   timing = close(wall_seconds(), has_rate, frame, feed.contact_updates(), window);
   if (now != nullptr) {
     // Session time counts every tick, frames only those that were made.
     const double due = std::floor(now->sample.time * rate + 0.5);
-    timing.missed = static_cast<std::uint64_t>(std::max(0.0, due - static_cast<double>(frame)));
+    timing.missed =
+        is_apart ? world->haptic_missed
+                 : static_cast<std::uint64_t>(std::max(0.0, due - static_cast<double>(frame)));
   }
   send_state();
 }

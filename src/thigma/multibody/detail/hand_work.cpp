@@ -39,6 +39,9 @@ void fill_bodies(const HandWork& work) THIGMA_RT {
   held.metric = step_metric(work.at, work.forces.jacobian, work.dt);
   held.free << unbound.linear_momentum / rigid.mass,
       work.at.kinematics.inverse_inertia * unbound.angular_momentum;
+  // Solves begin with the velocities of the step before.
+  held.velocity << work.at.state.linear_momentum / rigid.mass,
+      work.at.kinematics.inverse_inertia * work.at.state.angular_momentum;
   s.bodies.clear();
   s.bodies.push_back(held);
   double most = held.metric.diagonal().head<3>().maxCoeff();
@@ -48,7 +51,7 @@ void fill_bodies(const HandWork& work) THIGMA_RT {
     if (s.place[i] < 0) continue;
     const HandBody& body = work.model.bodies[i];
     IslandBody out;
-    out.free = work.memory.velocities[i];
+    out.free = out.velocity = work.memory.velocities[i];
     if (body.is_solved) {
       out.metric = mass_matrix(body.rigid, s.states[i]);
       out.free.head<3>() += work.dt * body.rigid.gravity;

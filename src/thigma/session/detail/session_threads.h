@@ -16,6 +16,7 @@
 
 #include "thigma/session/detail/check_config.h"
 #include "thigma/session/detail/contact_frames.h"
+#include "thigma/session/detail/device_token.h"
 #include "thigma/session/detail/event_detector.h"
 #include "thigma/session/detail/frame_driver.h"
 #include "thigma/session/detail/timed_device.h"
@@ -23,21 +24,6 @@
 #include "thigma/session/session.h"
 
 namespace thigma {
-namespace detail {
-
-/// Who may talk to the device. The haptic thread holds it during a step, the watchdog while it
-/// sends zero.
-class DeviceToken {
- public:
-  bool try_take() noexcept { return !is_taken_.exchange(true, std::memory_order_acquire); }
-  void give_back() noexcept { is_taken_.store(false, std::memory_order_release); }
-
- private:
-  std::atomic<bool> is_taken_{false};
-};
-
-}  // namespace detail
-
 struct Session::Impl {
   Impl(SessionConfig config_in, HapticDevice& device_in, SessionSinks sinks_in)
       : config(std::move(config_in)),

@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "json_out.h"
+#include "run_world.h"
+#include "world_recorder.h"
+#include <nlohmann/json.hpp>
+
+#include "thigma/core/error.h"
+#include "thigma/device/web_device.h"
+#include "thigma/recording/recording.h"
+#include "thigma/recording/replay_session.h"
+#include "thigma/recording/world_recording.h"
+#include "thigma/scene/world_scene.h"
+#include "thigma/session/world_replay.h"
+
+namespace thigma::app {
+namespace {
+
+void check_count(const WorldRecording& recording, std::size_t has, std::size_t recorded,
+                 const char* what) {
+  if (has == recorded) return;
+  throw InputError(recording.scene + ": has " + std::to_string(has) + " " + what +
+                   ", expected the " + std::to_string(recorded) + " that were recorded");
+}
+
+/// The scene as it was recorded.
+LoadedWorld load_recorded(const WorldRecording& recording) {
+  const std::size_t bodies = recording.bodies.size();
+  WorldSceneDescription scene = read_world_scene(recording.scene);
+  scene.rate = recording.rate;
+  if (recording.friction) use_friction(*recording.friction, scene);
+  LoadedWorld world = load_world(std::move(scene));
+  check_count(recording, world.config.world.bodies.size(), bodies, "bodies");
+  check_count(recording, world.config.world.joints.size(), recording.joints.size(), "joints");
+  const std::size_t frames = recording.states.size() / bodies;
+  world.config.duration = static_cast<double>(frames) / recording.rate;
+  add_recorded_hands(recording.devices, world);
+  check_count(recording, world.config.hands.size(), recording.devices.size(), "hands");
+  return world;
+}
+
+/// Where what is made again is no longer what was recorded.
+struct Differences {
+  const WorldRecording& recording;
+  std::int64_t frame = -1;         // of the world, the first; -1: none
+  std::int64_t haptic_step = -1;   // likewise, of any hand
+  std::uint64_t haptic_steps = 0;  // made again, of all hands
+
+  void compare(const WorldFrame& now) {
+    const std::size_t bodies = recording.bodies.size();
+    for (std::size_t i = 0; i < bodies && frame < 0; ++i) {
+      const std::size_t at = now.frame * bodies + i;
+      if (at < recording.states.size() && !same_bits(recording.states[at], now.bodies[i]))
+        frame = static_cast<std::int64_t>(now.frame);
+    }
+  }
+  void compare(const HandTick& now) {
+    ++haptic_steps;
+    const HandTick& then = recording.ticks[static_cast<std::size_t>(now.hand)][now.step];
+    const bool is_same = same_bits(then.sent, now.sent);
+    if (!is_same && haptic_step < 0) haptic_step = static_cast<std::int64_t>(now.step);
+  }
+  static bool same_bits(const BodyState& a, const BodyState& b) { return thigma::same_bits(a, b); }
+  static bool same_bits(const Wrench& a, const Wrench& b) {
+    return std::memcmp(a.force.data(), b.force.data(), sizeof a.force) == 0 &&
+           std::memcmp(a.torque.data(), b.torque.data(), sizeof a.torque) == 0;
+  }
+};
+
+/// Aims a page's hand at what it was aimed at before the frame that comes.
+void aim_as_recorded(const WorldRecording& recording, std::uint64_t frame, WorldRun& run) {
+  for (const std::vector<RecordedHand>& hand : recording.hands)
+    if (frame < hand.size() && hand[frame].aimed) run.aim(*hand[frame].aimed);
+}
+
+/// The one loop.
+WorldSummary run_again(const WorldRecording& recording, const LoadedWorld& world,
+                       WorldDevices& devices, Differences& found) {
+  for (std::size_t i = 0; i < devices.list.size(); ++i) {
+    if (devices.list[i] != nullptr) continue;
+    devices.owned.push_back(recorded_hand(recording.hands[i]));
+    devices.list[i] = devices.owned.back().get();
+  }
+  WorldRun run(world.config, devices.list);
+  for (std::uint64_t i = 0;; ++i) {
+    aim_as_recorded(recording, i, run);
+    const WorldFrame* frame = run.make_frame();
+    if (frame == nullptr) break;
+    found.compare(*frame);
+  }
+  return run.end();
+}
+
+/// Hands apart from the world: their steps as well.
+WorldSummary run_apart_again(const WorldRecording& recording, const LoadedWorld& world,
+                             const WorldDevices& devices, Differences& found) {
+  WebDeviceChannel link;
+  const DeviceLimits page = make_web_device(link)->limits();
+  std::vector<DeviceLimits> limits;
+  for (const HapticDevice* device : devices.list)
+    limits.push_back(device != nullptr ? device->limits() : page);
+  ReplayWatch watch;
+  watch.between = [&](std::uint64_t frame, WorldRun& run) {
+    aim_as_recorded(recording, frame, run);
+  };
+  watch.world = [&](const WorldFrame& frame) { found.compare(frame); };
+  watch.haptic = [&](const HandTick& tick) { found.compare(tick); };
+  return replay_world_apart(world.config, limits, apart_of(recording), watch);
+}
+
+}  // namespace
+
+int replay_world(const std::string& path, const Common& common) {
+  const WorldRecording recording = read_world_recording(path);
+  const LoadedWorld world = load_recorded(recording);
+  WorldDevices devices = open_world_devices(world, recording.devices, recording.seed);
+  const bool is_apart = std::any_of(recording.ticks.begin(), recording.ticks.end(),
+                                    [](const auto& ticks) { return !ticks.empty(); });
+  Differences found{recording};
+  const WorldSummary summary = is_apart ? run_apart_again(recording, world, devices, found)
+                                        : run_again(recording, world, devices, found);
+  const std::size_t frames = recording.states.size() / recording.bodies.size();
+  // What was cut off may lack the last haptic steps of its frames.
+  const bool is_shorter = is_apart && !recording.has_end && summary.frames < frames;
+  if (found.frame < 0 && summary.frames != frames && !is_shorter)
+    found.frame = static_cast<std::int64_t>(summary.frames);
+  const bool is_same = found.frame < 0 && found.haptic_step < 0 &&
+                       (!recording.has_end || summary.state_hash == recording.state_hash);
+  nlohmann::ordered_json json;
+  json["frames"] = summary.frames;
+  json["state_hash"] = hex_text(summary.state_hash);
+  json["recorded_hash"] = nullptr;
+  if (recording.has_end) json["recorded_hash"] = hex_text(recording.state_hash);
+  json["identical"] = is_same;
+  json["first_difference"] = nullptr;
+  if (found.frame >= 0) json["first_difference"] = found.frame;
+  json["haptic"] = nullptr;
+  if (is_apart) {
+    json["haptic"] = {{"frames", found.haptic_steps}, {"first_difference", nullptr}};
+    if (found.haptic_step >= 0) json["haptic"]["first_difference"] = found.haptic_step;
+  }
+  if (common.json)
+    print_json(json);
+  else
+    std::printf("%llu frames of %zu bodies, state hash %s: %s\n",
+                static_cast<unsigned long long>(summary.frames), recording.bodies.size(),
+                hex_text(summary.state_hash).c_str(), is_same ? "identical" : "different");
+  return is_same ? kDone : kClaimFails;
+}
+
+}  // namespace thigma::app
