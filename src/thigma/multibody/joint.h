@@ -29,9 +29,9 @@ struct JointMotor {
   double stiffness = 0.0, damping = 0.0;  // of a servo [N/m, N s/m; N m/rad, N m s/rad]
 };
 
-/// What a joint is, by whatever name. Its frame has the axis as z. Coordinate of a hinge: angle of a against b about the
-/// axis, 0 where both frames coincide, in (-pi, pi]; of a slider: way of a against b along the
-/// axis; of a spring: distance of both places.
+/// What a joint is, by whatever name. Its frame has the axis as z. Coordinate of a hinge: angle of
+/// a against b about the axis, 0 where both frames coincide, in (-pi, pi]; of a slider: way of a
+/// against b along the axis; of a spring: distance of both places.
 struct JointLaw {
   JointKind kind = JointKind::ball;
   std::int32_t a = -1, b = -1;                   // bodies; b = -1: the world
