@@ -31,7 +31,7 @@ TEST(Joint, PlacedWhereBodiesStandIsMet) {
        {JointKind::fixed, JointKind::hinge, JointKind::slider, JointKind::ball}) {
     for (const std::int32_t b : {-1, 1}) {
       const std::vector<BodyState> bodies = two_anywhere(random);
-      WorldJoint joint{.name = "j", .kind = kind, .a = 0, .b = b};
+      WorldJoint joint{{.kind = kind, .a = 0, .b = b}, "j"};
       place_joint(joint, joint_frame(random.in_cube(0.1), random.direction()), bodies);
       std::array<double, 6> errors{};
       const JointEnds ends = joint_ends(joint, bodies);
@@ -50,7 +50,7 @@ TEST(Joint, CoordinatesAreAnglesWaysAndDistances) {
     const Pose frame = joint_frame(random.in_cube(0.1), random.direction());
     const Vec3 axis = frame.orientation * Vec3::UnitZ();
     for (const JointKind kind : {JointKind::hinge, JointKind::slider, JointKind::spring}) {
-      WorldJoint joint{.name = "j", .kind = kind, .a = 0, .b = 1};
+      WorldJoint joint{{.kind = kind, .a = 0, .b = 1}, "j"};
       place_joint(joint, frame, bodies);
       std::vector<BodyState> moved = bodies;
       if (kind == JointKind::hinge) {
@@ -81,7 +81,7 @@ std::string refusal(Spoil spoil) {
   bench.add(block, BodyKind::moving, Vec3(0.1, 0.0, 0.0));
   bench.add(block, BodyKind::fixed, Vec3(0.2, 0.0, 0.0));
   bench.add(block, BodyKind::fixed, Vec3(0.3, 0.0, 0.0));
-  WorldJoint joint{.name = "lid", .kind = JointKind::hinge, .a = 0, .b = 1};
+  WorldJoint joint{{.kind = JointKind::hinge, .a = 0, .b = 1}, "lid"};
   std::vector<BodyState> start;
   for (const WorldBody& body : bench.bodies) start.push_back(body.start);
   place_joint(joint, joint_frame(Vec3(0.05, 0.0, 0.0), Vec3::UnitY()), start);

@@ -25,8 +25,7 @@ struct JointBench : WorldBench {
 
   WorldJoint& tie(JointKind kind, std::int32_t a, std::int32_t b, const Vec3& place,
                   const Vec3& axis = Vec3::UnitY()) {
-    WorldJoint joint{
-        .name = "joint " + std::to_string(joints.size()), .kind = kind, .a = a, .b = b};
+    WorldJoint joint{{.kind = kind, .a = a, .b = b}, "joint " + std::to_string(joints.size())};
     std::vector<BodyState> start;
     for (const WorldBody& body : bodies) start.push_back(body.start);
     place_joint(joint, joint_frame(place, axis), start);

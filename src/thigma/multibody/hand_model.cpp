@@ -231,17 +231,9 @@ bool add_joints(const Making& m, std::int32_t body) noexcept {
     if (known >= 0 && (known == 0 || m.model.bodies[idx(known)].is_solved)) continue;  // has it
     if (other >= 0 && add_body(m, other) < 0) return false;
     HandJoint added;
-    added.kind = joint.kind;
+    static_cast<JointLaw&>(added) = joint;
     added.a = place_of(m.model, joint.a);
     added.b = joint.b < 0 ? -1 : place_of(m.model, joint.b);
-    added.a_from_joint = joint.a_from_joint;
-    added.b_from_joint = joint.b_from_joint;
-    added.lower = joint.lower;
-    added.upper = joint.upper;
-    added.stiffness = joint.stiffness;
-    added.damping = joint.damping;
-    added.rest = joint.rest;
-    added.motor = joint.motor;
     added.arm = m.world.joint_arm[k];
     added.impulse = m.step.joint_part[k];
     if (!m.model.joints.push_back(added)) return false;

@@ -54,14 +54,8 @@ struct HandRow {
   Vec3 impulse = Vec3::Zero();  // along the normal and its tangents [N s]
 };
 
-/// WorldJoint without a name.
-struct HandJoint {
-  JointKind kind = JointKind::ball;
-  std::int32_t a = -1, b = -1;  // into HandModel::bodies; b = -1: the world
-  Pose a_from_joint, b_from_joint;
-  double lower = -kInfinity, upper = kInfinity;
-  double stiffness = 0.0, damping = 0.0, rest = 0.0;
-  JointMotor motor;
+/// A joint of a hand model; a and b are of HandModel::bodies.
+struct HandJoint : JointLaw {
   double arm = 1.0;                 // angles are ways at it [m]
   detail::JointImpulses impulse{};  // of the world's last step [N s]
 };

@@ -144,7 +144,6 @@ void reserve_hand_step(HandScratch& s) {
   s.sources.reserve(kHandRows);
   s.joint_rows.rows.reserve(kHandJoints * detail::kJointPlaces);
   s.joint_rows.sources.reserve(kHandJoints * detail::kJointPlaces);
-  s.joints.resize(kHandJoints);
 }
 
 ConstrainedStep step_hand(const HandModel& model, const BodyAtState& at, const StepForces& forces,
@@ -153,7 +152,6 @@ ConstrainedStep step_hand(const HandModel& model, const BodyAtState& at, const S
   constexpr double kWhole = 0.5;  // of a step: what is left of the world's is one
   const HandWork work{model, at, forces, dt, memory.left > kWhole * dt, memory, s};
   memory.newton = 0;
-  detail::take_joints(model, s);
   detail::place_bodies(work);
   detail::fill_bodies(work);
   detail::fill_rows(work);

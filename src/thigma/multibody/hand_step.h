@@ -44,7 +44,6 @@ struct HandScratch {
   std::vector<IslandRow> kept_rows;     // likewise
   std::vector<detail::RowSource> sources;
   detail::JointRowList joint_rows;
-  std::vector<WorldJoint> joints;  // of the model, without names
   std::array<BodyState, kHandBodies> states{}, next{};
   std::array<std::int32_t, kHandBodies> place{};  // in the island; -1: stands still in this step
 };

@@ -73,7 +73,7 @@ void check_kind(const WorldJoint& joint) {
 
 }  // namespace
 
-JointEnds joint_ends(const WorldJoint& joint, std::span<const BodyState> bodies) noexcept {
+JointEnds joint_ends(const JointLaw& joint, std::span<const BodyState> bodies) noexcept {
   JointEnds ends;
   const BodyState& a = bodies[idx(joint.a)];
   const Mat3 turn_a = rotation_matrix(a.orientation);
@@ -95,7 +95,7 @@ Pose joint_frame(const Vec3& place, const Vec3& axis) noexcept {
   return {place, Quat::FromTwoVectors(Vec3::UnitZ(), axis)};
 }
 
-void place_joint(WorldJoint& joint, const Pose& frame, std::span<const BodyState> bodies) noexcept {
+void place_joint(JointLaw& joint, const Pose& frame, std::span<const BodyState> bodies) noexcept {
   const auto local = [&](std::int32_t body) {
     if (body < 0) return frame;
     const BodyState& y = bodies[idx(body)];
@@ -137,7 +137,7 @@ int joint_errors(JointKind kind, const JointEnds& ends, double arm,
   return static_cast<int>(count);
 }
 
-double joint_energy(const WorldJoint& joint, std::span<const BodyState> bodies) noexcept {
+double joint_energy(const JointLaw& joint, std::span<const BodyState> bodies) noexcept {
   if (!(joint.stiffness > 0.0)) return 0.0;
   const double x = joint_coordinate(joint.kind, joint_ends(joint, bodies));
   const double stretch = coordinate_difference(joint.kind, x, joint.rest);

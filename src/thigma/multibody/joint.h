@@ -29,11 +29,10 @@ struct JointMotor {
   double stiffness = 0.0, damping = 0.0;  // of a servo [N/m, N s/m; N m/rad, N m s/rad]
 };
 
-/// A joint. Its frame has the axis as z. Coordinate of a hinge: angle of a against b about the
-/// axis, 0 where both frames coincide, in (-pi, pi]; of a slider: way of a against b along the
-/// axis; of a spring: distance of both places.
-struct WorldJoint {
-  std::string name;
+/// What a joint is, by whatever name. Its frame has the axis as z. Coordinate of a hinge: angle of
+/// a against b about the axis, 0 where both frames coincide, in (-pi, pi]; of a slider: way of a
+/// against b along the axis; of a spring: distance of both places.
+struct JointLaw {
   JointKind kind = JointKind::ball;
   std::int32_t a = -1, b = -1;                   // bodies; b = -1: the world
   Pose a_from_joint{};                           // [a's frame, from its centre of mass]
@@ -46,13 +45,18 @@ struct WorldJoint {
   bool touches = false;  // whether the two bodies may touch each other
 };
 
+/// A joint of a world.
+struct WorldJoint : JointLaw {
+  std::string name;
+};
+
 /// The frame of a joint on both of its bodies, at a state.
 struct JointEnds {
   Vec3 arm_a = Vec3::Zero(), arm_b = Vec3::Zero();            // from the centres of mass [m; world]
   Vec3 apart = Vec3::Zero();                                  // of a's place, from b's [m; world]
   Mat3 axes_a = Mat3::Identity(), axes_b = Mat3::Identity();  // columns [world]
 };
-JointEnds joint_ends(const WorldJoint& joint, std::span<const BodyState> bodies) noexcept;
+JointEnds joint_ends(const JointLaw& joint, std::span<const BodyState> bodies) noexcept;
 
 /// Frame at a place whose z is an axis of any length above 0 [world].
 Pose joint_frame(const Vec3& place, const Vec3& axis) noexcept;
@@ -61,7 +65,7 @@ Pose joint_frame(const Vec3& place, const Vec3& axis) noexcept;
 ///
 /// joint    a and b set
 /// frame    [world]; of both bodies
-void place_joint(WorldJoint& joint, const Pose& frame, std::span<const BodyState> bodies) noexcept;
+void place_joint(JointLaw& joint, const Pose& frame, std::span<const BodyState> bodies) noexcept;
 
 /// Whether a kind has a coordinate.
 inline bool has_coordinate(JointKind kind) noexcept {
@@ -83,7 +87,7 @@ int joint_errors(JointKind kind, const JointEnds& ends, double arm,
                  std::span<double, 6> out) noexcept;
 
 /// What the springs of a joint hold, those of servos not counted [J].
-double joint_energy(const WorldJoint& joint, std::span<const BodyState> bodies) noexcept;
+double joint_energy(const JointLaw& joint, std::span<const BodyState> bodies) noexcept;
 
 /// Refuses a joint that makes no sense, or that a start does not meet.
 ///

@@ -29,7 +29,7 @@ Pair random_pair(Random& random, JointKind kind, std::int32_t b) {
     y.position = random.in_cube(0.1);
     y.orientation = random.orientation();
   }
-  pair.joint = {.name = "j", .kind = kind, .a = 0, .b = b};
+  pair.joint = {{.kind = kind, .a = 0, .b = b}, "j"};
   place_joint(pair.joint, joint_frame(random.in_cube(0.1), random.direction()), pair.bodies);
   for (Vec6& u : pair.u) u << random.in_cube(1.0), random.in_cube(20.0);
   if (b < 0) pair.u[1].setZero();

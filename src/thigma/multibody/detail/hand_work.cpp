@@ -103,38 +103,20 @@ void fill_joints(const HandWork& work, bool is_first) THIGMA_RT {
   for (std::size_t k = 0; k < work.model.joints.size(); ++k) {
     const HandJoint& model = work.model.joints[k];
     const auto place = [&](std::int32_t body) { return body < 0 ? -1 : s.place[idx(body)]; };
-    JointPart part{s.joints[k], static_cast<std::int32_t>(k)};
+    JointPart part{model, static_cast<std::int32_t>(k)};
     part.a = place(model.a);
     part.b = place(model.b);
     if (part.a < 0 && part.b < 0) continue;
     part.arm = model.arm;
     part.motor = model.motor;
-    part.begin = joint_ends(s.joints[k], s.states);
-    part.end = is_first ? part.begin : joint_ends(s.joints[k], s.next);
+    part.begin = joint_ends(model, s.states);
+    part.end = is_first ? part.begin : joint_ends(model, s.next);
     part.dt = work.dt;
     if (!is_first) {
       if (part.a >= 0) part.u_a = s.bodies[idx(part.a)].velocity;
       if (part.b >= 0) part.u_b = s.bodies[idx(part.b)].velocity;
     }
     list_part_rows(part, work.memory.joints[k], s.joint_rows);
-  }
-}
-
-void take_joints(const HandModel& model, HandScratch& s) THIGMA_RT {
-  for (std::size_t k = 0; k < model.joints.size(); ++k) {
-    const HandJoint& from = model.joints[k];
-    WorldJoint& to = s.joints[k];
-    to.kind = from.kind;
-    to.a = from.a;
-    to.b = from.b;
-    to.a_from_joint = from.a_from_joint;
-    to.b_from_joint = from.b_from_joint;
-    to.lower = from.lower;
-    to.upper = from.upper;
-    to.stiffness = from.stiffness;
-    to.damping = from.damping;
-    to.rest = from.rest;
-    to.motor = from.motor;
   }
 }
 

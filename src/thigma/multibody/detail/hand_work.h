@@ -32,9 +32,6 @@ void place_bodies(const HandWork& work) THIGMA_RT;
 void fill_bodies(const HandWork& work) THIGMA_RT;
 void fill_rows(const HandWork& work) THIGMA_RT;
 
-/// Takes over the joints of the model.
-void take_joints(const HandModel& model, HandScratch& scratch) THIGMA_RT;
-
 /// Rows of the joints, from where the step begins to where the velocities of the last turn lead.
 ///
 /// is_first  there was none

@@ -133,7 +133,7 @@ bool soften(JointRow& row, const JointPart& part, double stiffness, double dampi
 }
 
 void list_soft_rows(const JointPart& part, const JointImpulses& before, JointRowList& list) {
-  const WorldJoint& joint = part.joint;
+  const JointLaw& joint = part.joint;
   const Gradient g = mean_gradient(part);
   const double x = joint_coordinate(joint.kind, part.begin);
   JointRow spring = row_of(part, g);
@@ -162,7 +162,7 @@ JointRow motor_row(const JointPart& part, const Gradient& g, double given) noexc
 
 /// What acts at the beginning: its gradient there, its target what brings the end where it may be.
 void list_beginning_rows(const JointPart& part, const JointImpulses& before, JointRowList& list) {
-  const WorldJoint& joint = part.joint;
+  const JointLaw& joint = part.joint;
   const Gradient g = coordinate_gradient(part, part.begin, part.begin);
   const double x = joint_coordinate(joint.kind, part.end), scale = scale_of(part);
   if (part.motor.is_on && !part.motor.is_servo) {

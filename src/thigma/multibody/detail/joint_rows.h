@@ -32,7 +32,7 @@ struct JointRowList {
 
 /// A joint in a part of a step.
 struct JointPart {
-  const WorldJoint& joint;
+  const JointLaw& joint;
   std::int32_t number = -1;     // of the joint
   double arm = 1.0;             // angles are ways at it [m]
   JointMotor motor{};           // with the target of this step
