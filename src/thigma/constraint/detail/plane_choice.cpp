@@ -15,12 +15,24 @@ constexpr double kSame = 0.98;  // cosine of two normals that count as one
 // that is farther keeps more triangles behind it than those of the triangles, and costs nothing.
 constexpr double kLikely = 0.5;
 
+// Of the travel: by how much the object may go beside the way that it is likely to go, at least. If
+// the way has changed by more it may change by as much again.
+constexpr double kUnsure = 0.25;
+
 /// What a limit leaves of the way along a normal.
 double left_by(const KnownLimit& known, const Vec3& normal, double travel) noexcept {
   const double along = known.normal.dot(normal);
   if (!(along > 0.0)) return travel;
   const double across = std::sqrt(std::max(1.0 - along * along, 0.0));
   return std::min(along * std::max(known.gap, 0.0) + across * travel, travel);
+}
+
+/// How far the object comes along a normal, at a point, by the way that it is likely to go.
+double likely_along(const RowSearch& search, const Vec3& at, const Vec3& normal) noexcept {
+  const LikelyWay& way = search.way;
+  if (!way.is_known) return kInfinity;
+  const double along = normal.dot(way.linear + way.turn.cross(at - way.center));
+  return along + std::max(kUnsure * search.reach.travel, way.change);
 }
 
 Vec3 out_of_object(const RowSearch& search, PointsOf points, const Vec3& plane_normal) noexcept {
@@ -68,9 +80,10 @@ bool is_known(const RowSearch& search, const Vec3& normal) noexcept {
                      [&](const KnownLimit& k) { return k.normal.dot(normal) > kSame; });
 }
 
-double forbidden(const RowSearch& search, const Vec3& normal, double height) noexcept {
+double forbidden(const RowSearch& search, const Vec3& at, const Vec3& normal,
+                 double height) noexcept {
   const double way = kLikely * search.reach.travel;
-  double left = way;
+  double left = std::min(way, likely_along(search, at, normal));
   for (const KnownLimit& known : search.known) left = std::min(left, left_by(known, normal, way));
   return std::max(left - height, 0.0);
 }
@@ -85,7 +98,9 @@ double forbidden(const RowSearch& search, PointsOf points, const Vec3& point, st
     const KnownLimit limit{out_of_object(search, points, own.normal), own.height(point)};
     left = std::min(left, left_by(limit, normal, way));
   }
-  return std::max(std::min(left - height, forbidden(search, normal, height)), 0.0);
+  const Vec3 at =
+      points == PointsOf::object ? point : transform_point(search.scene_from_object, point);
+  return std::max(std::min(left - height, forbidden(search, at, normal, height)), 0.0);
 }
 
 bool may_keep(const RowSearch& search, double height, double distance) noexcept {

@@ -38,11 +38,14 @@ bool is_known(const RowSearch& search, const Vec3& normal) noexcept;
 /// How far the object could go beyond a plane on the way that it is likely to go, if only the known
 /// limits held it: what a row with that plane forbids of its own, 0 where it adds nothing.
 ///
+/// at       of what the plane may meet: of the vertex, or of the edges where they are nearest; the
+///          likely way goes along the normal there [scene's mesh frame]
 /// normal   unit, out of the object, into the scene [scene's mesh frame]
 /// height   of the vertex over the plane [m]
 /// Thread   [contact]; no failure
 /// Source   A way x with n . x <= g and |x| <= t has m . x <= g (m . n) + t |m - (m . n) n|.
-double forbidden(const RowSearch& search, const Vec3& normal, double height) noexcept;
+double forbidden(const RowSearch& search, const Vec3& at, const Vec3& normal,
+                 double height) noexcept;
 
 /// The same, where the vertex has planes of its own as well.
 double forbidden(const RowSearch& search, PointsOf points, const Vec3& point, std::int32_t vertex,
