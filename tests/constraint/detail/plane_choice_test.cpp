@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "thigma/math/infinity.h"
-
 namespace thigma {
 namespace {
 
@@ -11,7 +9,7 @@ detail::RowSearch search_for(const LikelyWay& way) {
   detail::RowSearch search;
   search.reach = {.travel = 1.0, .turn = 0.1, .way = way};
   search.way = way;
-  search.least_gap = kInfinity;
+  search.least_gap = 0.0;
   return search;
 }
 
@@ -32,6 +30,12 @@ TEST(PlaneChoice, APlaneThatTheObjectLeavesForbidsNothing) {
   EXPECT_DOUBLE_EQ(forbidden_at_origin(search, -Vec3::UnitX()), 0.0);
   // Nor is the way known that well: across it the plane is met by a little.
   EXPECT_NEAR(forbidden_at_origin(search, Vec3::UnitZ()), 0.05, 1e-12);
+}
+
+TEST(PlaneChoice, InTheAirTheWaySaysNothing) {
+  detail::RowSearch search = search_for({true, 0.4 * Vec3::UnitX()});
+  search.least_gap = 0.5;
+  EXPECT_DOUBLE_EQ(forbidden_at_origin(search, -Vec3::UnitX()), 0.3);
 }
 
 TEST(PlaneChoice, TurningComesToAPlaneOnOneSideOfTheMiddle) {

@@ -158,9 +158,10 @@ bool comes_over(const RowSearch& search, const PlacedPair& pair) noexcept {
 }
 
 /// The same of edges that are not over each other yet, where their lines pass on the side on which
-/// the edges may touch: while the lines do, the edges stay apart.
+/// the edges may touch: while the lines do, the edges stay apart. Farther edges have planes, which
+/// others share: each pair with a row of its own, there would be no room.
 bool has_line_row(const RowSearch& search, const PlacedPair& pair, FoundRow& row) noexcept {
-  if (!comes_over(search, pair)) return false;
+  if (pair.distance > kInTheAir * search.reach.travel || !comes_over(search, pair)) return false;
   row = edge_row(search, pair);
   return row.gap > 0.0 && may_keep(search, row.gap, pair.distance);
 }

@@ -27,10 +27,11 @@ double left_by(const KnownLimit& known, const Vec3& normal, double travel) noexc
   return std::min(along * std::max(known.gap, 0.0) + across * travel, travel);
 }
 
-/// How far the object comes along a normal, at a point, by the way that it is likely to go.
+/// How far the object comes along a normal, at a point, by the way that it is likely to go. In the
+/// air it has nothing to slide along: planes upright beside its way would be many.
 double likely_along(const RowSearch& search, const Vec3& at, const Vec3& normal) noexcept {
   const LikelyWay& way = search.way;
-  if (!way.is_known) return kInfinity;
+  if (!way.is_known || is_in_the_air(search)) return kInfinity;
   const double along = normal.dot(way.linear + way.turn.cross(at - way.center));
   return along + std::max(kUnsure * search.reach.travel, way.change);
 }
@@ -41,6 +42,10 @@ Vec3 out_of_object(const RowSearch& search, PointsOf points, const Vec3& plane_n
 }
 
 }  // namespace
+
+bool is_in_the_air(const RowSearch& search) noexcept {
+  return search.least_gap > kInTheAir * search.reach.travel;
+}
 
 void find_known(std::span<const Contact> contacts, RowSearch& search) noexcept {
   search.known.clear();
@@ -109,9 +114,8 @@ bool may_keep(const RowSearch& search, double height, double distance) noexcept 
 }
 
 double least_shared(const RowSearch& search, double distance) noexcept {
-  constexpr double kInTheAir = 0.1, kShare = 0.5;  // of the travel, of the distance
-  const double travel = search.reach.travel;
-  return search.least_gap > kInTheAir * travel ? kShare * distance : kLikely * travel;
+  constexpr double kShare = 0.5;  // of the distance
+  return is_in_the_air(search) ? kShare * distance : kLikely * search.reach.travel;
 }
 
 EdgePlanes planes_through(const ConvexEdge& edge, const Vec3& on_edge, const Vec3& a,

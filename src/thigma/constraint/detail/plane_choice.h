@@ -12,6 +12,9 @@ namespace thigma::detail {
 /// Of the travel: by how much a plane has to forbid less than another to be the better one.
 inline constexpr double kEqual = 1e-3;
 
+/// Of the travel: with nothing nearer the object is in the air.
+inline constexpr double kInTheAir = 0.1;
+
 /// Begins what is known with the nearest contact of the two bodies. Other contacts say nothing:
 /// from a patch to the neighbour of the one that it lies on the nearest way leads aside.
 ///
@@ -19,6 +22,9 @@ inline constexpr double kEqual = 1e-3;
 /// search    its `known` is written
 /// Thread    [contact]; no failure
 void find_known(std::span<const Contact> contacts, RowSearch& search) noexcept;
+
+/// Whether nothing is so near that the object slides on it. Thread [contact].
+bool is_in_the_air(const RowSearch& search) noexcept;
 
 /// Adds a limit; of those of about one direction the nearest is kept. Thread [contact].
 void add_known(RowSearch& search, const KnownLimit& limit) noexcept;

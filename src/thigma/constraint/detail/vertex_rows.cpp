@@ -176,11 +176,12 @@ bool make_plane(const RowSearch& search, const Sides& sides, const VertexSide::C
     least = by_guard;
   };
   compare(plane);
-  each_across(search, sides.planes, triangle, c.nearest, [&](std::int32_t beyond) {
-    const Vec3& face = sides.planes.triangles[idx(beyond)].normal;
-    const GuardPlane guard{face, face.dot(c.nearest), beyond};
-    if (is_behind(sides.planes, triangle, guard, search.rounding)) compare(guard);
-  });
+  if (!is_in_the_air(search))
+    each_across(search, sides.planes, triangle, c.nearest, [&](std::int32_t beyond) {
+      const Vec3& face = sides.planes.triangles[idx(beyond)].normal;
+      const GuardPlane guard{face, face.dot(c.nearest), beyond};
+      if (is_behind(sides.planes, triangle, guard, search.rounding)) compare(guard);
+    });
   plane = best;
   return true;
 }
