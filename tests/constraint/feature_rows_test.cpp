@@ -1,5 +1,6 @@
 #include "thigma/constraint/feature_rows.h"
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -60,6 +61,9 @@ Counts try_motions(Two& two, Random& random, int places, int motions, double tol
     const Vec3 towards = (Vec3(0.006 * random_direction(random)) - far.position).normalized();
     const double gap = (place % 3 == 0 ? 0.01 : random.uniform(0.05, 0.8)) * tolerance;
     const Pose near = test::brought_near(two.object, far, towards, scene, gap);
+    // Whatever way is thought likely, and however long.
+    two.way = {place % 2 == 0, tolerance * random.uniform(0.0, 2.0) * random_direction(random),
+               random.uniform(0.0, 0.1) * random_direction(random), near.position};
     const ConstraintStats stats = two.ask(at_pose(near), tolerance);
     EXPECT_EQ(stats.left_out, 0);
     EXPECT_TRUE(obeys(*two.model, two.model->state)) << "at rest, place " << place;
@@ -164,6 +168,26 @@ TEST(FeatureRows, RowsOfRoundThingsPointWhereTheSurfacesDo) {
     }
     EXPECT_GT(least, 0.6) << gap;  // 0 upright
   }
+}
+
+TEST(FeatureRows, ACornerSlidesOverAShallowRidgeWithoutACatch) {
+  // Over the near slope, which its own bottom keeps it from touching first: a plane square to the
+  // way to the far slope stands upright on the ridge, and the corner would run into it.
+  constexpr double kSlope = 0.06, kGap = 2e-6, kBeside = 3e-5;
+  TriangleMesh roof = make_box({0.06, 0.05, 0.01}, {2, 1, 1});
+  for (Vec3& p : roof.positions)
+    if (p.z() > 0.0) p.z() -= kSlope * std::fabs(p.x());
+  Two two(make_box({0.02, 0.03, 0.02}, {1, 1, 1}), roof);
+  const BodyState state = at_pose({{0.01 - kBeside, 0.0, 0.005 + 0.01 + kGap}, Quat::Identity()});
+  two.ask(state, 2e-4);
+  ASSERT_GT(two.model->rows.size(), 0u);
+  ASSERT_GT(two.model->travel, 3.0 * kBeside);
+  BodyState beyond = state;
+  beyond.position.x() += 2.0 * kBeside;
+  EXPECT_TRUE(obeys(*two.model, beyond));
+  BodyState below = state;
+  below.position.z() -= 2.0 * kGap;
+  EXPECT_FALSE(obeys(*two.model, below));
 }
 
 TEST(FeatureRows, WhatDoesNotFitIsLookedForNearer) {

@@ -52,6 +52,30 @@ TEST(SurfaceFeatures, AnOpenSheetEndsInEdges) {
   EXPECT_EQ(sheet.edges.size(), 4u);
 }
 
+TEST(SurfaceFeatures, TrianglesKnowTheOnesBeyondTheirBorders) {
+  for (const bool is_closed : {true, false}) {
+    const SurfaceFeatures f = features_of(is_closed ? make_box({0.02, 0.03, 0.04}, {3, 2, 4})
+                                                    : make_sheet(0.1, 0.1, 4, 4));
+    int ends = 0;
+    for (std::size_t t = 0; t < f.triangles.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::int32_t beyond = f.triangles[t].across[k];
+        ends += beyond < 0;
+        if (beyond < 0) continue;
+        const SurfaceTriangle& other = f.triangles[static_cast<std::size_t>(beyond)];
+        const std::int32_t tail = f.triangles[t].vertex[k],
+                           head = f.triangles[t].vertex[(k + 1) % 3];
+        bool has_it = false;
+        for (std::size_t i = 0; i < 3; ++i)
+          has_it |= other.vertex[i] == head && other.vertex[(i + 1) % 3] == tail &&
+                    other.across[i] == static_cast<std::int32_t>(t);
+        EXPECT_TRUE(has_it) << t << " across " << k;
+      }
+    }
+    EXPECT_EQ(ends, is_closed ? 0 : 16);
+  }
+}
+
 TEST(SurfaceFeatures, EveryPatchListsItsOwn) {
   const ClodHierarchy h = build_exact_hierarchy(make_l_shape(0.02, 0.01));
   const SurfaceFeatures f = find_features(h);

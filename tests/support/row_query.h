@@ -15,6 +15,7 @@ struct RowQuery {
   TriangleMesh object, scene;
   ClodHierarchy object_tree, scene_tree;
   Friction friction{};
+  LikelyWay way{};  // of the next questions
   ConstraintWorld world;
   std::vector<ContactFront> fronts;
   ContactSet contacts;
@@ -45,8 +46,9 @@ struct RowQuery {
                 contacts);
     const bool is_free = contacts.contacts.empty();
     const double separation = is_free ? unreported_separation(fronts[0]) : tolerance;
-    const ConstraintStats stats =
-        build_constraints(world, state, {contacts, separation}, scratch, into);
+    NearContacts near{contacts, separation};
+    near.way = way;
+    const ConstraintStats stats = build_constraints(world, state, near, scratch, into);
     for (ContactRow& row : into.rows) row.friction = friction;
     return stats;
   }

@@ -29,12 +29,13 @@ std::int64_t find_all(const ConstraintWorld& world, const Pose& world_from_objec
 
 /// The same for a travel that is halved until all fits; both are counted.
 void find_for_travel(const ConstraintWorld& world, const Pose& world_from_object,
-                     std::span<const Contact> contacts, ConstraintScratch& scratch, double& travel,
+                     const NearContacts& near, ConstraintScratch& scratch, double& travel,
                      ConstraintStats& stats) noexcept {
   constexpr int kHalvings = 8;
   for (;; ++stats.halvings) {
-    stats.left_out =
-        find_all(world, world_from_object, contacts, row_reach(world, travel), scratch);
+    RowReach reach = row_reach(world, travel);
+    reach.way = near.way;
+    stats.left_out = find_all(world, world_from_object, near.contacts.contacts, reach, scratch);
     if (stats.left_out == 0 || stats.halvings == kHalvings) return;
     travel *= 0.5;
   }
@@ -122,7 +123,7 @@ ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState&
   model.reach = world.reach;
   model.travel = kShare * std::min(near.separation, kFar * world.reach);
   model.travel = std::min(model.travel, near.relief_travel);
-  find_for_travel(world, world_from_object, near.contacts.contacts, scratch, model.travel, stats);
+  find_for_travel(world, world_from_object, near, scratch, model.travel, stats);
   stats.left_out += near.contacts.dropped;
   const std::size_t room = scratch.found.capacity() - scratch.found.size();
   const auto relief = near.relief.first(std::min(near.relief.size(), room));

@@ -42,6 +42,9 @@ struct ConstraintScratch {
   ImpliedScratch implied;
   ReliefScratch relief;          // where the world is textured
   std::vector<FoundRow> coarse;  // of pairs far away, with levels of detail
+  // Of the loop: the state the last model was made at, and the way that was likely then.
+  BodyState last_state;
+  LikelyWay last_way;
 };
 
 /// What a query has found.
@@ -54,6 +57,7 @@ struct NearContacts {
   // those of coarse contacts, which have no others
   std::span<const FoundRow> relief{};
   double relief_travel = kInfinity;
+  LikelyWay way{};  // of the object until the model after the next
 };
 
 /// Counts of one frame.

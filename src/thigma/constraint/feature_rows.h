@@ -25,10 +25,20 @@ struct BodyPair {
   std::int32_t body = 0;  // the scene's, as contacts name it
 };
 
+/// The motion that the object is likely to make while the rows hold: it says which rows disturb
+/// least, never which are needed.
+struct LikelyWay {
+  bool is_known = false;
+  Vec3 linear = Vec3::Zero(), turn = Vec3::Zero();  // [m, rad; world]
+  Vec3 center = Vec3::Zero();                       // turned about [m; world]
+  double change = 0.0;  // of the way of any point since the model before, at most [m]
+};
+
 /// What the rows are asked for.
 struct RowReach {
   double travel = 0.0;  // no point of the object moves farther [m]
   double turn = 0.0;    // nor does it turn by more [rad]
+  LikelyWay way{};      // longer than the travel it counts as far as that
 };
 
 /// A row with what finding it has learned.

@@ -80,6 +80,20 @@ bool may_touch(const SurfaceFeatures& features, const Sides& sides, const Convex
   return features.triangles[idx(sides.left)].normal.dot(edge.into_right) < -kRounding;
 }
 
+void add_neighbours(const EdgeTable& table, SurfaceFeatures& features) {
+  for (const MeshEdge& edge : table.edges) {
+    const Sides sides = sides_of(table, edge);
+    const auto link = [&](std::int32_t triangle, std::int32_t tail, std::int32_t other) {
+      if (triangle < 0) return;
+      SurfaceTriangle& of = features.triangles[idx(triangle)];
+      const auto place = std::find(of.vertex.begin(), of.vertex.end(), tail);
+      of.across[static_cast<std::size_t>(place - of.vertex.begin())] = other;
+    };
+    link(sides.left, edge.a, sides.right);
+    link(sides.right, edge.b, sides.left);
+  }
+}
+
 void add_directions(const EdgeTable& table, SurfaceFeatures& features) {
   std::vector<std::vector<std::int32_t>> neighbours(features.vertices.size());
   for (const MeshEdge& edge : table.edges) {
@@ -258,6 +272,7 @@ SurfaceFeatures find_features(const ClodHierarchy& hierarchy) {
   features.vertices = mesh.positions;
   add_triangles(mesh, features);
   const EdgeTable edges = build_edge_table(mesh);
+  add_neighbours(edges, features);
   add_directions(edges, features);
   find_corners(features);
   std::vector<FoundEdge> found = convex_edges(edges, features);

@@ -17,6 +17,8 @@ struct SurfaceTriangle {
   Vec3 normal = Vec3::Zero();            // unit, outward
   Vec3 center = Vec3::Zero();            // of a ball about it [m]
   double radius = 0.0;
+  // beyond the edge from vertex[k] to the next one; -1 where the surface ends
+  std::array<std::int32_t, 3> across{-1, -1, -1};
 };
 
 /// An edge where the surface is convex, or ends. Flat and reflex edges never touch anything first

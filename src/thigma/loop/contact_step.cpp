@@ -10,6 +10,7 @@
 #include "thigma/constraint/coarse_rows.h"
 #include "thigma/contact/distribute_contacts.h"
 #include "thigma/math/infinity.h"
+#include "thigma/math/rotation.h"
 #include "thigma/response/linearize_contacts.h"
 #include "thigma/response/potential_contacts.h"
 #include "thigma/response/texture_contacts.h"
@@ -251,6 +252,18 @@ NearContacts find_coarse(const ContactWorld& world, const StampedBody& body,
   return {scratch.contacts, scratch.separation, rows};
 }
 
+/// The way as since the last model, until the model after the next.
+LikelyWay likely_way(const BodyState& now, double reach, const ConstraintScratch& last) noexcept {
+  constexpr double kModels = 2.0;
+  const BodyState& from = last.last_state;
+  LikelyWay way{.is_known = true, .center = now.position};
+  way.linear = kModels * (now.position - from.position);
+  way.turn = kModels * vector_from_rotation(now.orientation * from.orientation.conjugate());
+  way.change =
+      (way.linear - last.last_way.linear).norm() + reach * (way.turn - last.last_way.turn).norm();
+  return way;
+}
+
 /// Rows instead of clusters.
 void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratch& scratch,
                ContactSample& sample) noexcept {
@@ -262,10 +275,12 @@ void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratc
   model.depths.clear();
   ConstraintScratch& work = *scratch.constraints;
   const bool has_relief = !world.textures.is_empty();
-  const NearContacts near = has_relief ? find_relief(world, body, scratch, work.relief)
-                            : has_levels_far(world)
-                                ? find_coarse(world, body, scratch, work.coarse)
-                                : NearContacts{scratch.contacts, scratch.separation};
+  NearContacts near = has_relief              ? find_relief(world, body, scratch, work.relief)
+                      : has_levels_far(world) ? find_coarse(world, body, scratch, work.coarse)
+                                              : NearContacts{scratch.contacts, scratch.separation};
+  if (model.sequence > 1)
+    near.way = work.last_way = likely_way(body.state, world.constraints->reach, work);
+  work.last_state = body.state;
   const ConstraintStats stats =
       build_constraints(*world.constraints, body.state, near, work, model.constraints);
   // What had no room stops the object, which would ask for as much again.

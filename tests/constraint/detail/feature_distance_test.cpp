@@ -25,5 +25,21 @@ TEST(FeatureDistance, AgreesWithThePlainOne) {
   }
 }
 
+TEST(FeatureDistance, OfLinesGoesSquareToBoth) {
+  Random random(2);
+  const auto point = [&] { return Vec3(random.normal(), random.normal(), random.normal()); };
+  int beyond = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Vec3 a = point(), along = point(), c = point(), across = point();
+    if (along.cross(across).norm() < 0.1) continue;
+    const detail::NearestOnSegments s = detail::nearest_on_lines(a, along, c, across);
+    const Vec3 way = a + s.first * along - c - s.second * across;
+    EXPECT_NEAR(way.dot(along), 0.0, 1e-9);
+    EXPECT_NEAR(way.dot(across), 0.0, 1e-9);
+    beyond += s.first < 0.0 || s.first > 1.0;
+  }
+  EXPECT_GT(beyond, 100);
+}
+
 }  // namespace
 }  // namespace thigma

@@ -49,9 +49,11 @@ double forbidden_to_ends(const RowSearch& search, const EdgeEnds& ends, double d
   return most;
 }
 
+constexpr std::int32_t kPlanes = 4;   // of an edge
+constexpr std::int32_t kBetween = 3;  // of these, the one square to the way
+
 /// Number of a plane through an edge, other than that of any triangle.
 std::int32_t feature_of(std::int32_t edge, std::int32_t which) noexcept {
-  constexpr std::int32_t kPlanes = 4;
   return ~(kPlanes * edge + which);
 }
 
@@ -94,7 +96,7 @@ void choose_plane(const RowSearch& search, const EdgeEnds& ends, double distance
   };
   each_own_plane(search, ends, side, compare);
   const Vec3 between = (ends.nearest - ends.other_nearest) / distance;
-  compare({between, between.dot(ends.other_nearest), feature_of(ends.other_index, 3)}, -1);
+  compare({between, between.dot(ends.other_nearest), feature_of(ends.other_index, kBetween)}, -1);
   const EdgePlanes through =
       planes_through(*ends.other, ends.other_tail, ends.at_tail, ends.at_head);
   std::int32_t which = 0;
@@ -104,6 +106,11 @@ void choose_plane(const RowSearch& search, const EdgeEnds& ends, double distance
     const double offset = std::max(normal.dot(ends.other_tail), normal.dot(ends.other_head));
     compare({normal, offset, feature}, -1);
   }
+}
+
+bool is_between(const EdgeGuard& guard) noexcept {
+  const std::int32_t feature = guard.plane.feature;
+  return guard.ends != nullptr && feature < 0 && ~feature % kPlanes == kBetween;
 }
 
 void keep_ends(RowSearch& search, const EdgeGuard& guard, VertexSide& side,

@@ -47,6 +47,9 @@ bool is_kept_apart(RowSearch& search, const EdgeEnds& ends, double distance, Ver
 void choose_plane(const RowSearch& search, const EdgeEnds& ends, double distance,
                   const VertexSide& side, EdgeGuard& best) noexcept;
 
+/// Whether the plane chosen is the one square to the line between the nearest points.
+bool is_between(const EdgeGuard& guard) noexcept;
+
 /// Gives both ends rows with the plane chosen. Thread [contact]; what does not fit is counted.
 void keep_ends(RowSearch& search, const EdgeGuard& guard, VertexSide& side,
                std::vector<FoundRow>& rows) noexcept;

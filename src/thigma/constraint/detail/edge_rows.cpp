@@ -143,6 +143,29 @@ bool has_edge_row(const RowSearch& search, const PlacedPair& pair, FoundRow& row
   return row.gap >= -kError * search.reach.travel;
 }
 
+/// Whether the lines are nearest where the edges may come over each other within the travel, though
+/// they are not yet, and turning does not make them parallel, where they would change sides.
+bool comes_over(const RowSearch& search, const PlacedPair& pair) noexcept {
+  const Vec3 object = pair.object_head - pair.object_tail,
+             scene = pair.scene_head - pair.scene_tail;
+  const double of_object = object.norm(), of_scene = scene.norm();
+  if (object.cross(scene).norm() <= search.cone_slack * of_object * of_scene) return false;
+  const NearestOnSegments at = nearest_on_lines(pair.object_tail, object, pair.scene_tail, scene);
+  const auto is_near = [&](double share, double length) {
+    return std::max(-share, share - 1.0) * length <= search.reach.travel;
+  };
+  return is_near(at.first, of_object) && is_near(at.second, of_scene);
+}
+
+/// The same of edges that are not over each other yet, where their lines pass on the side on which
+/// the edges may touch: while the lines do, the edges stay apart. Farther edges have planes, which
+/// others share: each pair with a row of its own, there would be no room.
+bool has_line_row(const RowSearch& search, const PlacedPair& pair, FoundRow& row) noexcept {
+  if (pair.distance > kInTheAir * search.reach.travel || !comes_over(search, pair)) return false;
+  row = edge_row(search, pair);
+  return row.gap > 0.0 && may_keep(search, row.gap, pair.distance);
+}
+
 /// Rows of two edges of which `pair` has the object's where it is.
 void consider(RowSearch& search, PlacedPair pair, const RowScratch::EdgeCone& f,
               RowScratch& scratch, std::vector<FoundRow>& rows) noexcept {
@@ -155,16 +178,21 @@ void consider(RowSearch& search, PlacedPair pair, const RowScratch::EdgeCone& f,
   if (is_kept_apart(search, of_scene, pair.distance, scratch.scene, rows)) return;
   if (is_met(scratch, {pair.object, pair.scene})) return;  // in another pair of patches
   FoundRow row;
-  const bool has_row = has_edge_row(search, pair, row);
+  const bool are_over = has_edge_row(search, pair, row);
   // What presses has a row of its own, which lets the edges roll over each other.
-  const bool may_press = has_row && is_known(search, normal_of(search, pair));
-  const double by_row = has_row ? forbidden(search, normal_of(search, pair), row.gap) : kInfinity;
+  const bool may_press = are_over && is_known(search, normal_of(search, pair));
+  const bool has_row = are_over || has_line_row(search, pair, row);
+  const double by_row =
+      has_row ? forbidden(search, pair.on_scene(), normal_of(search, pair), row.gap) : kInfinity;
   EdgeGuard best;
   if (!may_press && pair.distance > search.rounding) {
     choose_plane(search, of_object, pair.distance, scratch.object, best);
     choose_plane(search, of_scene, pair.distance, scratch.scene, best);
   }
-  if (has_row && (may_press || by_row < best.forbids)) {
+  // A plane square to the way between edges that are not over each other stands upright beside
+  // them, where nothing is: the lines come first, but where that plane is not met.
+  const bool is_upright = is_between(best) && best.forbids >= kEqual * search.reach.travel;
+  if (has_row && (may_press || by_row < best.forbids || is_upright)) {
     add_row(search, rows, row);
   } else if (best.ends != nullptr) {  // else a vertex on an edge: faces keep it
     const bool is_of_object = best.ends->points_of == PointsOf::object;

@@ -54,4 +54,15 @@ inline NearestOnSegments nearest_on_segments(const Vec3& p, const Vec3& d, const
   return {s, t};
 }
 
+/// Nearest points of the two segments' lines, as shares that may lie beyond 0..1; not finite where
+/// they are parallel.
+inline NearestOnSegments nearest_on_lines(const Vec3& p, const Vec3& d, const Vec3& q,
+                                          const Vec3& e) noexcept {
+  const Vec3 r = p - q;
+  const double a = d.squaredNorm(), b = d.dot(e), c = e.squaredNorm();
+  const double f = d.dot(r), g = e.dot(r);
+  const double s = (b * g - c * f) / (a * c - b * b);
+  return {s, (b * s + g) / c};
+}
+
 }  // namespace thigma::detail

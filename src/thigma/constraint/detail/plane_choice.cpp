@@ -15,6 +15,10 @@ constexpr double kSame = 0.98;  // cosine of two normals that count as one
 // that is farther keeps more triangles behind it than those of the triangles, and costs nothing.
 constexpr double kLikely = 0.5;
 
+// Of the travel: by how much the object may go beside the way that it is likely to go, at least. If
+// the way has changed by more it may change by as much again.
+constexpr double kUnsure = 0.25;
+
 /// What a limit leaves of the way along a normal.
 double left_by(const KnownLimit& known, const Vec3& normal, double travel) noexcept {
   const double along = known.normal.dot(normal);
@@ -23,12 +27,25 @@ double left_by(const KnownLimit& known, const Vec3& normal, double travel) noexc
   return std::min(along * std::max(known.gap, 0.0) + across * travel, travel);
 }
 
+/// How far the object comes along a normal, at a point, by the way that it is likely to go. In the
+/// air it has nothing to slide along: planes upright beside its way would be many.
+double likely_along(const RowSearch& search, const Vec3& at, const Vec3& normal) noexcept {
+  const LikelyWay& way = search.way;
+  if (!way.is_known || is_in_the_air(search)) return kInfinity;
+  const double along = normal.dot(way.linear + way.turn.cross(at - way.center));
+  return along + std::max(kUnsure * search.reach.travel, way.change);
+}
+
 Vec3 out_of_object(const RowSearch& search, PointsOf points, const Vec3& plane_normal) noexcept {
   if (points == PointsOf::object) return -plane_normal;
   return search.scene_from_object.orientation._transformVector(plane_normal);
 }
 
 }  // namespace
+
+bool is_in_the_air(const RowSearch& search) noexcept {
+  return search.least_gap > kInTheAir * search.reach.travel;
+}
 
 void find_known(std::span<const Contact> contacts, RowSearch& search) noexcept {
   search.known.clear();
@@ -68,9 +85,10 @@ bool is_known(const RowSearch& search, const Vec3& normal) noexcept {
                      [&](const KnownLimit& k) { return k.normal.dot(normal) > kSame; });
 }
 
-double forbidden(const RowSearch& search, const Vec3& normal, double height) noexcept {
+double forbidden(const RowSearch& search, const Vec3& at, const Vec3& normal,
+                 double height) noexcept {
   const double way = kLikely * search.reach.travel;
-  double left = way;
+  double left = std::min(way, likely_along(search, at, normal));
   for (const KnownLimit& known : search.known) left = std::min(left, left_by(known, normal, way));
   return std::max(left - height, 0.0);
 }
@@ -85,7 +103,9 @@ double forbidden(const RowSearch& search, PointsOf points, const Vec3& point, st
     const KnownLimit limit{out_of_object(search, points, own.normal), own.height(point)};
     left = std::min(left, left_by(limit, normal, way));
   }
-  return std::max(std::min(left - height, forbidden(search, normal, height)), 0.0);
+  const Vec3 at =
+      points == PointsOf::object ? point : transform_point(search.scene_from_object, point);
+  return std::max(std::min(left - height, forbidden(search, at, normal, height)), 0.0);
 }
 
 bool may_keep(const RowSearch& search, double height, double distance) noexcept {
@@ -94,9 +114,8 @@ bool may_keep(const RowSearch& search, double height, double distance) noexcept 
 }
 
 double least_shared(const RowSearch& search, double distance) noexcept {
-  constexpr double kInTheAir = 0.1, kShare = 0.5;  // of the travel, of the distance
-  const double travel = search.reach.travel;
-  return search.least_gap > kInTheAir * travel ? kShare * distance : kLikely * travel;
+  constexpr double kShare = 0.5;  // of the distance
+  return is_in_the_air(search) ? kShare * distance : kLikely * search.reach.travel;
 }
 
 EdgePlanes planes_through(const ConvexEdge& edge, const Vec3& on_edge, const Vec3& a,

@@ -12,6 +12,9 @@ namespace thigma::detail {
 /// Of the travel: by how much a plane has to forbid less than another to be the better one.
 inline constexpr double kEqual = 1e-3;
 
+/// Of the travel: with nothing nearer the object is in the air.
+inline constexpr double kInTheAir = 0.1;
+
 /// Begins what is known with the nearest contact of the two bodies. Other contacts say nothing:
 /// from a patch to the neighbour of the one that it lies on the nearest way leads aside.
 ///
@@ -19,6 +22,9 @@ inline constexpr double kEqual = 1e-3;
 /// search    its `known` is written
 /// Thread    [contact]; no failure
 void find_known(std::span<const Contact> contacts, RowSearch& search) noexcept;
+
+/// Whether nothing is so near that the object slides on it. Thread [contact].
+bool is_in_the_air(const RowSearch& search) noexcept;
 
 /// Adds a limit; of those of about one direction the nearest is kept. Thread [contact].
 void add_known(RowSearch& search, const KnownLimit& limit) noexcept;
@@ -38,11 +44,14 @@ bool is_known(const RowSearch& search, const Vec3& normal) noexcept;
 /// How far the object could go beyond a plane on the way that it is likely to go, if only the known
 /// limits held it: what a row with that plane forbids of its own, 0 where it adds nothing.
 ///
+/// at       of what the plane may meet: of the vertex, or of the edges where they are nearest; the
+///          likely way goes along the normal there [scene's mesh frame]
 /// normal   unit, out of the object, into the scene [scene's mesh frame]
 /// height   of the vertex over the plane [m]
 /// Thread   [contact]; no failure
 /// Source   A way x with n . x <= g and |x| <= t has m . x <= g (m . n) + t |m - (m . n) n|.
-double forbidden(const RowSearch& search, const Vec3& normal, double height) noexcept;
+double forbidden(const RowSearch& search, const Vec3& at, const Vec3& normal,
+                 double height) noexcept;
 
 /// The same, where the vertex has planes of its own as well.
 double forbidden(const RowSearch& search, PointsOf points, const Vec3& point, std::int32_t vertex,

@@ -17,6 +17,19 @@ double farthest_along(const SurfaceFeatures& features, std::int32_t patch,
   return most;
 }
 
+/// In the scene's mesh frame, no longer than the travel.
+LikelyWay placed_way(const RowReach& reach, const Pose& scene_from_world) noexcept {
+  LikelyWay way = reach.way;
+  if (!way.is_known) return way;
+  const double arm = reach.turn > 0.0 ? reach.travel / reach.turn : 0.0;
+  const double most = way.linear.norm() + arm * way.turn.norm();
+  const double share = most > reach.travel ? reach.travel / most : 1.0;
+  way.linear = share * scene_from_world.orientation._transformVector(way.linear);
+  way.turn = share * scene_from_world.orientation._transformVector(way.turn);
+  way.center = transform_point(scene_from_world, way.center);
+  return way;
+}
+
 double size_of(const PlacedFeatures& placed) noexcept {
   return placed.features->size + placed.world_from_mesh.position.norm();
 }
@@ -28,6 +41,7 @@ RowSearch make_search(const BodyPair& pair, const RowReach& reach) noexcept {
   RowSearch search{.object = object, .scene = scene, .body = pair.body, .reach = reach};
   search.scene_from_object = inverse(scene.world_from_mesh) * object.world_from_mesh;
   search.object_from_scene = inverse(search.scene_from_object);
+  search.way = placed_way(reach, inverse(scene.world_from_mesh));
   // Coordinates are exact to 2^-52 of their size; products of a few lose a little more.
   constexpr double kRounding = 1e-12;
   search.rounding = kRounding * (size_of(object) + size_of(scene));

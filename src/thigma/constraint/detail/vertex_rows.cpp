@@ -127,9 +127,25 @@ bool is_guarded(RowSearch& search, const Sides& sides, const VertexSide::Candida
   return true;
 }
 
+/// Calls back with the triangles beyond the border that a point of a triangle lies on.
+template <class Visit>
+void each_across(const RowSearch& search, const SurfaceFeatures& surface,
+                 const SurfaceTriangle& triangle, const Vec3& on_border,
+                 const Visit& visit) noexcept {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (triangle.across[k] < 0) continue;
+    const Vec3& tail = surface.vertices[idx(triangle.vertex[k])];
+    const Vec3& head = surface.vertices[idx(triangle.vertex[(k + 1) % 3])];
+    const Vec3 along = head - tail;
+    if (along.cross(on_border - tail).norm() <= search.rounding * along.norm())
+      visit(triangle.across[k]);
+  }
+}
+
 /// The plane that keeps a vertex from a triangle: the triangle's own where the vertex is over it.
-/// Beside it that one or the plane through the nearest point of its border, whichever forbids
-/// less; the whole triangle lies behind either.
+/// Beside it that one, the plane through the nearest point of its border, or, where the surface is
+/// convex there, that of the face beyond the border, whichever forbids least; the whole triangle
+/// lies behind each.
 bool make_plane(const RowSearch& search, const Sides& sides, const VertexSide::Candidate& c,
                 const VertexSide& side, GuardPlane& plane) noexcept {
   const SurfaceTriangle& triangle = sides.planes.triangles[idx(c.triangle)];
@@ -150,8 +166,23 @@ bool make_plane(const RowSearch& search, const Sides& sides, const VertexSide::C
   const auto forbids = [&](const GuardPlane& guard) {
     return forbidden(search, sides.points_of, p, c.vertex, side, guard);
   };
-  const double spare = forbids(border) - forbids(plane);
-  if (!may_keep(search, height, c.distance) || spare < kEqual * search.reach.travel) plane = border;
+  GuardPlane best = border;
+  double least = forbids(border);
+  const auto compare = [&](const GuardPlane& guard) {
+    if (!may_keep(search, guard.height(p), c.distance)) return;
+    const double by_guard = forbids(guard);
+    if (least - by_guard < kEqual * search.reach.travel) return;
+    best = guard;
+    least = by_guard;
+  };
+  compare(plane);
+  if (!is_in_the_air(search))
+    each_across(search, sides.planes, triangle, c.nearest, [&](std::int32_t beyond) {
+      const Vec3& face = sides.planes.triangles[idx(beyond)].normal;
+      const GuardPlane guard{face, face.dot(c.nearest), beyond};
+      if (is_behind(sides.planes, triangle, guard, search.rounding)) compare(guard);
+    });
+  plane = best;
   return true;
 }
 
