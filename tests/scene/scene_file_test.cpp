@@ -76,6 +76,20 @@ TEST(SceneFile, AMeshInPlaceOfASceneIsToldHowMeshesRun) {
   }
 }
 
+TEST(SceneFile, LettersBeyondAsciiComeThroughAsTheyAre) {
+  const std::string e = "\xC3\xA9", euro = "\xE2\x82\xAC", far = "\xF0\x9F\x98\x80";
+  for (const std::string& title : {e, "~" + e + "~C3~" + euro, far + " ~", std::string("~7E")})
+    EXPECT_EQ(parse_scene("title = '" + title + "' # " + title + "\n" + kLeast, "S.toml", "").title,
+              title);
+  // After a backslash that ends a line blanks are left out.
+  EXPECT_EQ(parse_scene("title = \"\"\"a\\\n  " + e + "\"\"\"\n" + kLeast, "S.toml", "").title,
+            "a" + e);
+  EXPECT_EQ(parse_scene("title = \"\\u00e9\"\n" + std::string(kLeast), "S.toml", "").title, e);
+  for (const std::string& bad : {"a = \"\\u007E\"", "a = \"\\U0000007e\"", "a = \"\xC3\"",
+                                 "a = \"\xED\xA0\x80\"", "# \xC0\xAF"})
+    EXPECT_NE(message_of("title = 1\n" + bad + "\n").find("line 2"), std::string::npos) << bad;
+}
+
 /// Found by fuzzing: the library takes these for granted not to be there, and what it does then is
 /// undefined unless its assertions stay.
 TEST(SceneFile, WhatTheParserTakesForGrantedIsRefusedWithItsLine) {

@@ -1,11 +1,11 @@
 #include "thigma/scene/write_scene.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <sstream>
 #include <string_view>
 
 #include "thigma/core/error.h"
+#include "thigma/core/utf8.h"
 #include "thigma/files/file.h"
 #include "thigma/loop/safety_fields.h"
 #include "thigma/scene/detail/toml_table.h"
@@ -13,30 +13,11 @@
 namespace thigma {
 namespace {
 
-/// Length of the UTF-8 sequence at `at`; 0 where there is none.
-std::size_t sequence_at(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-  const std::uint8_t lead = byte(at);
-  const std::size_t length = lead < 0x80                    ? 1
-                             : lead >= 0xc2 && lead < 0xe0  ? 2
-                             : lead >= 0xe0 && lead < 0xf0  ? 3
-                             : lead >= 0xf0 && lead <= 0xf4 ? 4
-                                                            : 0;
-  if (length == 0 || at + length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(at + i) & 0xc0) != 0x80) return 0;
-  const bool is_overlong =
-      (lead == 0xe0 && byte(at + 1) < 0xa0) || (lead == 0xf0 && byte(at + 1) < 0x90);
-  const bool is_no_letter =
-      (lead == 0xed && byte(at + 1) > 0x9f) || (lead == 0xf4 && byte(at + 1) > 0x8f);
-  return is_overlong || is_no_letter ? 0 : length;
-}
-
 /// A name as a scene may have it: what a file name brought along and TOML does not take is '?'.
 std::string plain(std::string_view name) {
   std::string text;
   for (std::size_t at = 0; at < name.size();) {
-    const std::size_t length = sequence_at(name, at);
+    const std::size_t length = utf8_length(name, at);
     const bool is_control = length == 1 && (name[at] < ' ' || name[at] == 127);
     text += length == 0 || is_control ? "?" : std::string(name.substr(at, length));
     at += std::max<std::size_t>(length, 1);
