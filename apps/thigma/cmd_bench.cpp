@@ -46,10 +46,11 @@ void add_quality(Json& json, const bench::Quality& found, const std::string& who
 }
 
 // ghz: of dependent additions while the row was measured.
-Json row_json(const bench::Row& row, double ghz) {
+Json row_json(const bench::Row& row, const std::string& measurement, double ghz) {
   const double factor = ghz / kReferenceGhz;
   Json json;
   json["name"] = row.name;
+  json["measurement"] = measurement;
   json["unit"] = row.unit;
   json["ours"] = figure_json(row.ours);
   json["baseline"] = nullptr;
@@ -81,9 +82,9 @@ std::string share(const std::optional<double>& value) {
   return text;
 }
 
-void print_row(const bench::Row& row, double ghz, bool as_json) {
+void print_row(const bench::Row& row, const std::string& measurement, double ghz, bool as_json) {
   if (as_json) {
-    print_json(row_json(row, ghz));
+    print_json(row_json(row, measurement, ghz));
   } else {
     std::printf("%-46s %10.3f %10.3f %10.3f %-9s", row.name.c_str(), row.ours.p50, row.ours.p99,
                 row.ours.p50 * ghz / kReferenceGhz, row.unit.c_str());
@@ -147,7 +148,7 @@ int run_bench(const std::string& filter, bool quick, bool full, const Common& co
     double ghz = bench::dependent_adds();
     const std::vector<bench::Row> rows = measurement.run();
     ghz = 0.5 * (ghz + bench::dependent_adds());
-    for (const bench::Row& row : rows) print_row(row, ghz, common.json);
+    for (const bench::Row& row : rows) print_row(row, measurement.name, ghz, common.json);
   }
   if (!wanted.empty()) return kDone;
   std::fprintf(stderr, "thigma: --filter: nothing matches '%s'; there are", filter.c_str());
