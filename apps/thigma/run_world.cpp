@@ -141,7 +141,7 @@ int run_world_scene(const RunOptions& options, const Common& common,
   } else {
     summary = run_alone(options, world, common.seed, stop, facts);
   }
-  if (common.json || options.is_headless)
+  if (common.json)
     print_json(world_summary_json(summary, world, facts));
   else
     print_world_summary(summary, world, facts);

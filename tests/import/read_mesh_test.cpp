@@ -406,6 +406,9 @@ TEST(ReadMesh, files_that_people_take_for_meshes_are_named_with_the_way_on) {
       EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
     }
   }
+  // A binary STL of the right size is one, whatever its header says.
+  for (const std::string& header : {iges.substr(0, 80), std::string("<?xml"), std::string("glTF")})
+    EXPECT_EQ(parse_mesh(binary_stl(header.c_str()), "part").format, MeshFormat::stl_binary);
   // Not by a part of it: these begin alike and are read as what they are.
   for (const char* bytes : {"ISO", "{", "", "<x"}) {
     try {

@@ -32,7 +32,8 @@ detail::FileClues clues_of(std::string_view bytes) {
 RawMesh parse_raw(std::string_view bytes, const std::string& name) {
   if (!detail::has_binary_stl_size(bytes)) bytes = without_byte_order_mark(bytes);
   if (bytes.empty()) detail::fail_input(name, "is empty", "byte 0", "a mesh: " + mesh_kind_names());
-  if (const detail::ForeignFormat* foreign = detail::foreign_format(bytes))
+  const bool is_stl = detail::has_binary_stl_size(bytes);  // whose header may hold anything
+  if (const detail::ForeignFormat* foreign = is_stl ? nullptr : detail::foreign_format(bytes))
     detail::fail_input(name, std::string("is ") + foreign->what, "byte 0", foreign->expected);
   const detail::FileClues clues = clues_of(bytes);
   for (const detail::MeshFormatRow& row : kMeshFormats)

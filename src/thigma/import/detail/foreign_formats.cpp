@@ -15,12 +15,16 @@ constexpr ForeignFormat kXml{"an XML file, as COLLADA files are", kConverted};
 constexpr ForeignFormat kMcap{"a recording or a packed scene",
                               "a mesh; `thigma run` opens scenes, `thigma replay` recordings"};
 
-// Columns of an IGES file: the 73rd letter of a line is its section, S of the first.
-constexpr std::size_t kIgesSection = 72;
+// A line of an IGES file has 80 columns: the 73rd is its section, S of the first, and then the
+// number of the line in it.
+constexpr std::size_t kIgesLine = 80, kIgesSection = 72;
 
 bool is_iges(std::string_view bytes) {
   const std::string_view line = bytes.substr(0, bytes.find_first_of("\r\n"));
-  return line.size() >= 80 && line[kIgesSection] == 'S' && line[79] == '1';
+  if (line.size() != kIgesLine || line[kIgesSection] != 'S') return false;
+  const std::string_view number = line.substr(kIgesSection + 1);
+  const std::size_t one = number.find_first_not_of(" 0");
+  return one == number.size() - 1 && number[one] == '1';
 }
 
 /// JSON that begins as glTF does.

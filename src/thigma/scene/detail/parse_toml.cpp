@@ -1,5 +1,6 @@
 #include "thigma/scene/detail/parse_toml.h"
 
+#include <charconv>
 #include <filesystem>
 #include <vector>
 
@@ -24,62 +25,110 @@ void check_size(std::uintmax_t bytes, const std::string& file) {
 
 // The library asks of each letter beyond ASCII, outside a text and after a backslash at the end of
 // a line, whether it is a blank, and for most the answer is undefined behaviour
-// (is_non_ascii_horizontal_whitespace of toml++ 3.3). So its parser sees none: this letter and the
-// two digits of the byte stand for each byte of theirs, and for the letter itself.
-constexpr char kMark = '~';
-constexpr char kDigits[] = "0123456789ABCDEF";
+// (is_non_ascii_horizontal_whitespace of toml++ 3.3). So its parser sees none: a mark and the two
+// digits of the byte stand for each byte of theirs, and for the mark itself. Outside a text none of
+// these marks is TOML.
+constexpr std::string_view kMarks = "~^|$%&`@";
+constexpr std::string_view kDigits = "0123456789ABCDEF";
 
-bool is_coded(char c) { return c == kMark || static_cast<unsigned char>(c) > 127; }
+/// A mark that no escape of the text makes.
+char mark_for(std::string_view text) {
+  const auto has_escape = [&](char mark) {
+    for (const std::string_view begin : {"\\u00", "\\U000000"})
+      for (std::size_t at = text.find(begin); at != text.npos; at = text.find(begin, at + 1)) {
+        const std::string_view digits = text.substr(at + begin.size(), 2);
+        unsigned code = 0;
+        std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+        if (code == static_cast<unsigned>(mark)) return true;
+      }
+    return false;
+  };
+  for (const char mark : kMarks)
+    if (!has_escape(mark)) return mark;
+  return '\0';
+}
 
-/// The text as the parser sees it. An escape of the mark would be one of those it makes: refused.
-std::string coded(std::string_view text, const std::string& file) {
+// The parser looks back over a date by 127 letters at most, in a function that may not throw, and
+// skips underscores; it makes a table for each part of a dotted key, one in another.
+constexpr int kMostUnderscores = 60;  // of a number
+constexpr int kMostDots = 200;        // of a line, after words
+
+/// Counts what the parser has no limit for, letter by letter.
+struct TomlLimits {
+  bool is_number = false, in_word = false, after_word = false;
+  int underscores = 0, dots = 0;
+
+  /// What there is too much of with this letter, or null.
+  const char* take(char c) {
+    const bool is_digit = c >= '0' && c <= '9';
+    if (c == '\n') dots = 0;
+    if (c == '.' && after_word && ++dots > kMostDots) return "more than 200 dots in a line";
+    if (std::string_view(" \t\r\n,=[]{}\"'#").find(c) != std::string_view::npos) {
+      in_word = false;
+    } else {
+      if (!in_word) is_number = is_digit || c == '+' || c == '-', underscores = 0;
+      in_word = true;
+      if (c == '_' && is_number && ++underscores > kMostUnderscores)
+        return "a number of more than 60 underscores";
+    }
+    if (c != ' ' && c != '\t') after_word = c != '.' && c != '\n';
+    return nullptr;
+  }
+};
+
+/// The text as the parser sees it.
+std::string coded(std::string_view text, char mark, const std::string& file) {
   std::string out;
   std::size_t line = 1;
-  const auto refuse = [&](const char* what, const char* expected) {
-    throw InputError(scene_message(file, what, line, expected));
+  const auto refuse = [&](const char* what) {
+    throw InputError(scene_message(file, what, line, "expected a TOML scene"));
   };
+  if (mark == '\0') refuse("escapes of each of ~^|$%&`@");
+  TomlLimits limits;
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_length(text, i);
-    if (length == 0) refuse("a byte that is no UTF-8", "expected a TOML scene");
-    for (const char* escape : {"\\u007E", "\\u007e", "\\U0000007E", "\\U0000007e"})
-      if (text.substr(i).starts_with(escape)) refuse("an escape of ~", "expected ~ itself");
+    if (length == 0) refuse("a byte that is no UTF-8");
     for (const char c : text.substr(i, length)) {
+      if (const char* what = limits.take(c)) refuse(what);
       line += c == '\n';
       const auto byte = static_cast<unsigned char>(c);
-      out += is_coded(c) ? kMark : c;
-      if (is_coded(c)) out += {kDigits[byte >> 4], kDigits[byte & 15]};
+      if (c == mark || byte > 127)
+        out += {mark, kDigits[byte >> 4], kDigits[byte & 15]};
+      else
+        out += c;
     }
     i += length;
   }
   return out;
 }
 
-std::string decoded(std::string_view text) {
-  const auto digit = [](char c) { return std::string_view(kDigits).find(c); };
+std::string decoded(std::string_view text, char mark) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     out += text[i];
-    if (text[i] != kMark || i + 2 >= text.size()) continue;
-    out.back() = static_cast<char>(16 * digit(text[i + 1]) + digit(text[i + 2]));
+    if (text[i] != mark || i + 2 >= text.size()) continue;
+    out.back() = static_cast<char>(16 * kDigits.find(text[i + 1]) + kDigits.find(text[i + 2]));
     i += 2;
   }
   return out;
 }
 
 /// What the parser says of a coded text: a mark that it does not want is a letter it does not.
-std::string plain_words(std::string_view description) {
-  const std::string_view seen = "saw '~'";
+std::string plain_words(std::string_view description, char mark) {
+  const std::string seen = std::string("saw '") + mark;
   const std::size_t at = description.find(seen);
   return std::string(description.substr(0, at)) +
-         (at == std::string_view::npos ? "" : "saw ~ or a letter beyond ASCII outside of quotes");
+         (at == std::string_view::npos
+              ? ""
+              : "saw a letter beyond ASCII, or " + std::string(1, mark) + ", outside of quotes");
 }
 
-void decode(toml::node& node) {
-  if (toml::value<std::string>* text = node.as_string()) text->get() = decoded(text->get());
+void decode(toml::node& node, char mark) {
+  if (toml::value<std::string>* text = node.as_string()) text->get() = decoded(text->get(), mark);
   if (toml::array* array = node.as_array())
-    for (toml::node& item : *array) decode(item);
+    for (toml::node& item : *array) decode(item, mark);
   if (toml::table* table = node.as_table())
-    for (auto&& [key, item] : *table) decode(item);
+    for (auto&& [key, item] : *table) decode(item, mark);
 }
 
 bool gives_up(std::string_view text) {
@@ -122,13 +171,15 @@ std::string read_scene_text(const std::string& path) {
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
   check_size(text.size(), file);
-  const std::string plain = coded(without_byte_order_mark(text), file);
+  const std::string_view given = without_byte_order_mark(text);
+  const char mark = mark_for(given);
+  const std::string plain = coded(given, mark, file);
   try {
     toml::table table = toml::parse(plain, file);
-    decode(table);
+    decode(table, mark);
     return table;
   } catch (const toml::parse_error& error) {
-    throw InputError(scene_message(file, plain_words(error.description()),
+    throw InputError(scene_message(file, plain_words(error.description(), mark),
                                    error.source().begin.line, "expected a TOML scene"));
   } catch (const TomlAssertion&) {
     throw InputError(scene_message(file, "something that is no TOML", line_of_assertion(plain),
