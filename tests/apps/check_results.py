@@ -33,11 +33,11 @@ figure = {"p50": 12.34, "p99": 56.78, "p999": None, "max": None}
 row = {"name": "jaws, exact", "measurement": "levels-jaws", "unit": "us", "ours": figure, "ratio": 4.0,
        "baseline": {"name": "FCL", "p50": 49.36, "p99": 60.0}, "recall_ours": 1.0, "recall_baseline": 0.03,
        "error_ours": 0.0001, "error_baseline": None}
-plain = {**row, "name": "haptic step", "measurement": "haptic-step", "baseline": None, "ratio": None, "recall_ours": None,
+plain = {**row, "name": "haptic step", "measurement": "haptic-step", "note": "of 16 ticks", "baseline": None, "ratio": None, "recall_ours": None,
          "error_ours": None}
 unknown = {**plain, "name": "new thing", "measurement": "not-yet-titled"}
 session = {"contact": {"query_cpu_us": figure, "contacts_mean": 3.0}, "haptic": {"step_cpu_us": figure}, "penetration_max": 1e-6,
-           "force": {"max": 1.5}, "energy_min": 0.0}
+           "force": {"max": 1.5}, "energy_min": 0.0, "constraint": {}}
 when = {"date": "2026-01-02", "commit": "abc"}
 found = page({
     "bench": {**when, "processor": "some", "machine": {"dependent_adds_ghz": 4.0, "empty_loop_late_us": figure}, "rows": [row, plain, unknown]},
@@ -47,9 +47,10 @@ found = page({
     "sessions": {**when, "scenes": {"jaws": session}}})
 for line in ("| jaws, exact | 12.3 / 56.8 us | 5,000 | recall 1.00 (baseline 0.03), separation off by at most 0.01 % | FCL: 49.4 / 60.0 | 4.00 |",
              "Instructions a call, mean of 1,600 calls of `haptic-step`'s quick run: 17,216.",
+             "| haptic step | 12.3 / 56.8 us |  |  | of 16 ticks |",
              "## not-yet-titled",  # what has no title is not lost
              "| jaws | exact | 5,000 | 7.00 | 0.100 | 0.200 | 0.0100 |",
-             "| jaws | 12.3 / 56.8 | 12.3 / 56.8 | 3.00 | 0.0010 | 1.50 | 0.00 |"):
+             "| jaws | rows: the object stays outside | 12.3 / 56.8 | 12.3 / 56.8 | 3.00 | 0.0010 | 1.50 | 0.00 |"):
     assert line in found.splitlines(), f"{line}\nis not in\n{found}"
 tables = [line.count("|") for line in found.splitlines() if line.startswith("|")]
 assert min(tables) > 2
