@@ -50,7 +50,7 @@ char mark_for(std::string_view text) {
 
 // The parser looks back over a date by 127 letters at most, in a function that may not throw, and
 // skips underscores; it makes a table for each part of a dotted key, one in another.
-constexpr int kMostUnderscores = 60;  // of a number
+constexpr int kMostUnderscores = 20;  // of a number, two of which may make a date
 constexpr int kMostDots = 200;        // of a line, after words
 
 /// Counts what the parser has no limit for, letter by letter.
@@ -63,14 +63,14 @@ struct TomlLimits {
     const bool is_digit = c >= '0' && c <= '9';
     if (c == '\n') dots = 0;
     if (c == '.' && after_word && ++dots > kMostDots) return "more than 200 dots in a line";
-    if (std::string_view(" \t\r\n,=[]{}\"'#").find(c) != std::string_view::npos) {
-      in_word = false;
-    } else {
-      if (!in_word) is_number = is_digit || c == '+' || c == '-', underscores = 0;
-      in_word = true;
-      if (c == '_' && is_number && ++underscores > kMostUnderscores)
-        return "a number of more than 60 underscores";
+    const bool was_in_word = in_word;
+    in_word = std::string_view(" \t\r\n,=[]{}\"'#").find(c) == std::string_view::npos;
+    if (in_word && !was_in_word) {
+      is_number = is_digit || c == '+' || c == '-';
+      underscores = 0;
     }
+    if (c == '_' && is_number && ++underscores > kMostUnderscores)
+      return "a number of more than 20 underscores";
     if (c != ' ' && c != '\t') after_word = c != '.' && c != '\n';
     return nullptr;
   }
