@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thigma/core/error.h"
-
 namespace thigma::detail {
 namespace {
 
@@ -63,12 +61,6 @@ bool wait(std::uint64_t& skipped, HandThread& hands) {
 std::size_t tick_room(double rate, std::size_t hands) {
   constexpr double kLate = 16.0;  // [s]
   return std::max<std::size_t>(16384, static_cast<std::size_t>(std::ceil(kLate * rate)) * hands);
-}
-
-void check_none_lost(const WorldApart& apart) {
-  if (apart.ticks == nullptr || apart.ticks->dropped() == 0) return;
-  throw IoError(std::to_string(apart.ticks->dropped()) +
-                " haptic steps were lost: more at once than there is room for");
 }
 
 void run_hands(const RtRequest& request, HandThread& hands) {

@@ -47,11 +47,6 @@ struct HandThread {
 /// Haptic steps of all hands that a late world may leave for later: those of 16 s, 16384 at least.
 std::size_t tick_room(double rate, std::size_t hands);
 
-/// Throws IoError where WorldApart::ticks had no room for a step. A gap is told by whoever writes
-/// them as well, but not that the last are missing.
-/// Thread   any, once both sides have ended.
-void check_none_lost(const WorldApart& apart);
-
 /// Makes a haptic step of all hands at each tick until it is told to stop or one has a fault, then
 /// leaves zero force. While paused its time stands still.
 /// Thread   [haptic]: what is run on it.
