@@ -8,6 +8,7 @@
 #include "thigma/core/error.h"
 #include "thigma/files/file.h"
 #include "thigma/math/random.h"
+#include "thigma/recording/mcap_file.h"
 #include "thigma/recording/recording.h"
 #include "thigma/recording/replay_session.h"
 
@@ -200,6 +201,52 @@ TEST(WorldRecording, AMissingHapticStepIsToldWhenItIsWritten) {
   std::vector<HandTick> ticks(2);
   ticks[1].step = 2;
   EXPECT_THROW(writer.write(ticks), IoError);
+}
+
+/// What is said of a recording of one hand that has this haptic step and this sample.
+std::string refused(const std::string& haptic, const std::string& sample, bool is_apart = true) {
+  const std::string path = path_of("lying.mcap");
+  {
+    McapWriter writer(path);
+    const std::uint16_t config = writer.add_channel("/config", "thigma.world_config", "");
+    const std::uint16_t steps = writer.add_channel("/device/haptic", "thigma.hand_tick", "");
+    const std::uint16_t samples = writer.add_channel("/device/sample", "thigma.hand_sample", "");
+    writer.write(config, 0, 0,
+                 std::string(R"({"kind":"thigma world 1","scene":"a.toml","devices":["hand:"],)") +
+                     R"("seed":1,"rate_hz":1000.0,"bodies":["block"],"apart":)" +
+                     (is_apart ? "true}" : "false}"));
+    const std::string device =
+        R"("time":0.0,"position":[0,0,0],"quat_xyzw":[0,0,0,1],"linear":[0,0,0],)"
+        R"("angular":[0,0,0],"buttons":0,"status":0,"weight":0.0)";
+    if (!haptic.empty())
+      writer.write(steps, 0, 0,
+                   "{" + haptic + R"(,"now":0.0,"elapsed":0.001,)" + device +
+                       R"(,"force":[0,0,0],"torque":[0,0,0]})");
+    if (!sample.empty()) writer.write(samples, 0, 0, "{" + sample + "," + device + "}");
+    writer.close();
+  }
+  try {
+    read_world_recording(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(WorldRecording, RefusesHapticStepsThatCannotBe) {
+  const std::string good = R"("frame":0,"fault":0,"news":0)", seen = R"("read":1,"told":2)";
+  EXPECT_EQ(refused(good, seen), "");
+  const auto says = [](const std::string& said, const char* what) {
+    EXPECT_NE(said.find(what), std::string::npos) << said;
+  };
+  says(refused(R"("frame":1,"fault":0,"news":0)", ""), "a haptic step is missing");
+  says(refused(R"("frame":0,"fault":99,"news":0)", ""), "a fault that there is not");
+  says(refused(R"("frame":0,"fault":-1,"news":0)", ""), "fault is not a whole number");
+  says(refused(R"("frame":0,"fault":0,"news":-1)", ""), "news is not a whole number");
+  says(refused(R"("frame":-1,"fault":0,"news":0)", ""), "frame is not a whole number");
+  says(refused("", R"("read":-1,"told":2)"), "read is not a whole number");
+  says(refused("", R"("read":1,"told":2.5)"), "told is not a whole number");
+  says(refused(good, seen, false), "a haptic step of hands that are not apart");
 }
 
 TEST(WorldRecording, RefusesWhatIsDamaged) {

@@ -5,9 +5,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "viewer/live_program.h"
 #include <gtest/gtest.h>
+
+#include "thigma/recording/mcap_file.h"
 
 namespace thigma::test {
 namespace {
@@ -324,6 +327,48 @@ TEST(LiveWorld, WhatAPageDidIsReplayedBitForBit) {
   EXPECT_TRUE(result["identical"].get<bool>()) << result;
   EXPECT_GE(result["haptic"]["frames"].get<int>(), result["frames"].get<int>());
   EXPECT_GE(result["frames"].get<int>(), 17);  // 20 mm at the 1.2 m/s of a page at most
+}
+
+/// A copy without its end, and without haptic steps of such a number or more.
+void cut_off(const std::string& from, const std::string& to, std::uint32_t steps) {
+  const McapFile file = read_mcap(from);
+  McapWriter writer(to);
+  std::vector<std::uint16_t> channels;
+  for (const std::string& topic : file.topics)
+    channels.push_back(writer.add_channel(topic, "thigma.copied", ""));
+  for (const McapMessage& message : file.messages) {
+    const std::string& topic = file.topics[static_cast<std::size_t>(message.channel)];
+    if (topic == "/events" || (topic.ends_with("/haptic") && message.sequence >= steps)) continue;
+    writer.write(channels[static_cast<std::size_t>(message.channel)], message.sequence,
+                 message.time, message.data);
+  }
+  writer.close();
+}
+
+TEST(LiveWorld, ARecordingWhoseHapticStepsAreGoneIsNotIdentical) {
+  const std::string recording = (work_folder() / "whole.mcap").string();
+  const std::string cut = (work_folder() / "cut.mcap").string();
+  ASSERT_EQ(run_program({"run", scene("row_of_blocks"), "--headless", "--duration", "0.2",
+                         "--quiet", "--record", recording})
+                .code,
+            0);
+  // All of them are there, but not the end.
+  cut_off(recording, cut, 1'000'000);
+  Ended replayed = run_program({"replay", cut, "--json"});
+  EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+  EXPECT_EQ(json_line(replayed)["recorded_frames"], 200);
+  // A hundred frames of the world have nothing to be compared with.
+  cut_off(recording, cut, 100);
+  replayed = run_program({"replay", cut, "--json"});
+  EXPECT_EQ(replayed.code, 5) << replayed.out << replayed.err;
+  const Json result = json_line(replayed);
+  EXPECT_FALSE(result["identical"].get<bool>()) << result;
+  EXPECT_LT(result["frames"].get<int>(), 150);
+  EXPECT_EQ(result["recorded_frames"], 200);
+  cut_off(recording, cut, 0);
+  replayed = run_program({"replay", cut, "--json"});
+  EXPECT_EQ(replayed.code, 4) << replayed.out;
+  EXPECT_NE(replayed.err.find("has no haptic step of hand 1"), std::string::npos) << replayed.err;
 }
 
 TEST(LiveWorld, ARecordingByTheClockWithoutAPageReplaysWithEachHapticStep) {

@@ -63,12 +63,14 @@ IslandSolution solve_turns(const HandWork& work, ConstrainedStep& result) THIGMA
       s.kept_bodies = s.bodies;
       s.kept_rows = s.rows;
     }
+    const bool was_squeezed = result.is_squeezed;
     detail::fill_joints(work, turn == 0);
     const IslandSolution next = solve(work, result);
     if (turn > 0 && !next.is_whole && is_out_of_factors(work)) {
       // The turn before is right but for what this one would have turned.
       s.bodies = s.kept_bodies;
       s.rows = s.kept_rows;
+      result.is_squeezed = was_squeezed;
       detail::go(work, 1.0);
       break;
     }

@@ -16,6 +16,7 @@ namespace thigma {
 namespace {
 
 constexpr const char* kKind = "thigma world 1";
+constexpr auto kNull = detail::NullNumber::not_a_number;
 
 std::uint64_t nanoseconds(double seconds) {
   return static_cast<std::uint64_t>(std::llround(1e9 * seconds));
@@ -66,7 +67,6 @@ void read_config_text(std::string_view text, const std::string& path, WorldRecor
 
 BodyState read_state(std::string_view text) {
   const auto json = nlohmann::json::parse(text);
-  constexpr auto kNull = detail::NullNumber::not_a_number;
   BodyState y;
   Pose pose;
   detail::read_pose(json, pose, kNull);
@@ -98,8 +98,6 @@ void put_hand(const RecordedHand& hand, detail::JsonObject& json) {
   json.vector("point", hand.aimed->point);
 }
 
-constexpr auto kNull = detail::NullNumber::not_a_number;
-
 DeviceState read_device(const nlohmann::json& json) {
   DeviceState d;
   d.time = detail::read_number(json.at("time"), kNull);
@@ -115,12 +113,20 @@ DeviceState read_device(const nlohmann::json& json) {
   return d;
 }
 
+/// A whole number from 0 on; whoever casts -1 or 1.5 has another.
+std::uint64_t read_count(const nlohmann::json& json, const char* name) {
+  const auto& value = json.at(name);
+  if (!value.is_number_unsigned())
+    throw InputError(std::string(name) + " is not a whole number from 0 on");
+  return value.get<std::uint64_t>();
+}
+
 RecordedHand read_hand(std::string_view text) {
   const auto json = nlohmann::json::parse(text);
   RecordedHand hand;
   hand.device = read_device(json);
-  hand.seen.read = json.value("read", std::uint64_t{0});
-  hand.seen.told = json.value("told", std::uint64_t{0});
+  if (json.contains("read")) hand.seen.read = read_count(json, "read");
+  if (json.contains("told")) hand.seen.told = read_count(json, "told");
   if (!json.contains("aim")) return hand;
   hand.aimed = WorldAim{json.at("aim").get<std::int32_t>(), Vec3::Zero()};
   detail::read_vector(json, "point", hand.aimed->point, kNull);
@@ -145,15 +151,15 @@ HandTick read_tick(std::string_view text, std::size_t hand, std::size_t step) {
   const auto json = nlohmann::json::parse(text);
   HandTick made;
   made.hand = static_cast<std::int32_t>(hand);
-  made.step = json.at("frame").get<std::uint64_t>();
+  made.step = read_count(json, "frame");
   if (made.step != step) throw InputError("a haptic step is missing");
   made.tick.now = detail::read_number(json.at("now"), kNull);
   made.tick.elapsed = detail::read_number(json.at("elapsed"), kNull);
-  const int fault = json.at("fault").get<int>();
-  if (fault < 0 || fault > static_cast<int>(Fault::watchdog))
+  const std::uint64_t fault = read_count(json, "fault");
+  if (fault > static_cast<std::uint64_t>(Fault::watchdog))
     throw InputError("a haptic step has a fault that there is not");
   made.tick.external_fault = static_cast<Fault>(fault);
-  made.news = json.at("news").get<std::uint64_t>();
+  made.news = read_count(json, "news");
   made.device = read_device(json);
   if (json.contains("true_position")) {
     made.device.has_true_handle = true;
@@ -307,6 +313,7 @@ WorldRecording read_world_recording(const std::string& path) {
         out.hands[device_of(topic, out)].push_back(read_hand(message.data));
       } else if (topic.starts_with("/device") && topic.ends_with("/haptic")) {
         if (out.devices.empty()) refuse(path, "a haptic step before /config");
+        if (!out.is_apart) refuse(path, "a haptic step of hands that are not apart");
         const std::size_t hand = device_of(topic, out);
         out.ticks[hand].push_back(read_tick(message.data, hand, out.ticks[hand].size()));
       } else if (topic.starts_with("/body/")) {

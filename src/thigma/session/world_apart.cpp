@@ -24,7 +24,8 @@ WorldApart::WorldApart(const WorldSessionConfig& of, std::span<HapticDevice* con
       devices(given.begin(), given.end()),
       last(given.size(), 0.0),
       sent(given.size()),
-      seen(given.size()) {
+      seen(given.size()),
+      changes(given.size(), 0) {
   if (devices.size() != of.hands.size())
     throw std::invalid_argument(std::to_string(devices.size()) + " devices, expected the " +
                                 std::to_string(of.hands.size()) + " of the hands");
@@ -54,6 +55,10 @@ void let_go(const WorldApart& apart) {
 void publish_news(const WorldFrame& frame, double step, std::size_t hand, WorldApart& apart) {
   WorldHandLoop* loop = apart.loops[hand].get();
   if (loop == nullptr) return;
+  if (apart.changes[hand] != apart.run->changes()) {
+    apart.changes[hand] = apart.run->changes();
+    apart.scratch[hand] = reserve_hand_model(apart.run->world());
+  }
   HandRelay& relay = *apart.relays[hand];
   publish_news(*apart.run,
                {frame.grips[hand], frame.handles[hand], apart.config->hands[hand], step}, *loop,
@@ -64,13 +69,7 @@ void publish_news(const WorldFrame& frame, double step, std::size_t hand, WorldA
 }
 
 void publish_news(const WorldFrame& frame, double step, WorldApart& apart) {
-  const bool has_changed = apart.run->changes() != apart.changes;
-  apart.changes = apart.run->changes();
-  for (std::size_t i = 0; i < apart.loops.size(); ++i) {
-    if (has_changed && apart.loops[i] != nullptr)
-      apart.scratch[i] = reserve_hand_model(apart.run->world());
-    publish_news(frame, step, i, apart);
-  }
+  for (std::size_t i = 0; i < apart.loops.size(); ++i) publish_news(frame, step, i, apart);
 }
 
 Fault step_hands(const HapticTick& tick, WorldApart& apart) THIGMA_RT {

@@ -35,7 +35,7 @@ struct WorldApart {
   std::vector<double> last;    // time of each hand's last news [s; hand's]
   std::vector<Wrench> sent;    // by each hand's last step that the world knows [device frame]
   std::vector<HandSeen> seen;  // of each hand, by the last frame
-  std::uint32_t changes = 0;   // of the world that the scratch is for
+  std::vector<std::uint32_t> changes;  // by hand: of the world that its scratch is for
 
   // hands -> whoever records their steps; null: nobody does. What does not fit is left out.
   std::unique_ptr<SpscRing<HandTick>> ticks;

@@ -140,8 +140,9 @@ WorldSummary run_world_on_threads(const WorldSessionConfig& config,
                                     [](const HapticDevice* device) { return device != nullptr; });
   if (!has_hand) return run_world_by_clock(config, devices, shell);
   WorldApart apart(config, devices);
-  constexpr std::size_t kTicks = 16384;  // of all hands, that a late world may leave for later
-  if (shell.ticks) apart.ticks = std::make_unique<SpscRing<HandTick>>(kTicks);
+  if (shell.ticks)
+    apart.ticks =
+        std::make_unique<SpscRing<HandTick>>(detail::tick_room(config.rate, devices.size()));
   HandsShared shared;
   const double period = 1.0 / config.rate, watchdog = watchdog_of(config);
   // Ticks are slept for, not polled: the world needs the processor as well.

@@ -1,6 +1,7 @@
 #include "thigma/session/detail/hand_thread.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace thigma::detail {
 namespace {
@@ -47,6 +48,8 @@ bool wait(std::uint64_t& skipped, HandThread& hands) {
     start_clock(hands.clock);
     return false;
   }
+  // None is owed to a later pause.
+  hands.singles = shared.singles.load(std::memory_order_acquire);
   const std::uint64_t before = hands.clock.missed;
   wait_for_tick(hands.clock);
   skipped = hands.clock.missed - before;
@@ -54,6 +57,11 @@ bool wait(std::uint64_t& skipped, HandThread& hands) {
 }
 
 }  // namespace
+
+std::size_t tick_room(double rate, std::size_t hands) {
+  constexpr double kLate = 16.0;  // [s]
+  return std::max<std::size_t>(16384, static_cast<std::size_t>(std::ceil(kLate * rate)) * hands);
+}
 
 void run_hands(const RtRequest& request, HandThread& hands) {
   HandsShared& shared = hands.shared;
@@ -76,10 +84,13 @@ void run_hands(const RtRequest& request, HandThread& hands) {
 void watch_hands(double limit, const RtRequest& hands, WorldApart& apart, HandsShared& shared) {
   // Above the hands' thread: it must run when that one never gives way.
   if (hands.priority > 0) request_real_time({std::min(hands.priority + 1, 99), -1});
-  const auto limit_ns = static_cast<std::int64_t>(1e9 * limit);
-  std::int64_t stopped_ns = 0;  // the last step of a hang that is known
+  constexpr double kLongest = 3600.0;  // [s]; no watchdog at all, for a person
+  const auto limit_ns = static_cast<std::int64_t>(1e9 * std::min(limit, kLongest));
+  const std::int64_t look_ns =
+      std::min<std::int64_t>(limit_ns / 20, 10'000'000);  // the end as well
+  std::int64_t stopped_ns = 0;                            // the last step of a hang that is known
   while (!shared.should_stop.load(std::memory_order_acquire)) {
-    sleep_ns(limit_ns / 20);
+    sleep_ns(look_ns);
     const std::int64_t seen = shared.last_step_ns.load(std::memory_order_acquire);
     if (seen == 0 || seen == stopped_ns || monotonic_ns() - seen <= limit_ns) continue;
     if (!shared.token.try_take()) continue;

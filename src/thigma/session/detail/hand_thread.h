@@ -2,6 +2,7 @@
 // The thread of a world's hands, and the one that watches it.
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -42,6 +43,9 @@ struct HandThread {
   DurationHistogram step_cpu{};
   std::string refused{};  // by the system
 };
+
+/// Haptic steps of all hands that a late world may leave for later: those of 16 s, 16384 at least.
+std::size_t tick_room(double rate, std::size_t hands);
 
 /// Makes a haptic step of all hands at each tick until it is told to stop or one has a fault, then
 /// leaves zero force. While paused its time stands still.
