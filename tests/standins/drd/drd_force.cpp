@@ -165,6 +165,8 @@ STANDIN_EXPORT int dhdGetForceAndTorqueAndGripperForce(double* fx, double* fy, d
 STANDIN_EXPORT int dhdEnableForce(unsigned char on, signed char id) {
   return order(id, "dhdEnableForce", on, [on](int unit) {
     if (on != 0) {
+      // It may have gone since the call began: then it stays off, for that cause.
+      if (is_on(unit, k_unplug) || !is_on(unit, k_plugged)) return;
       put(unit, k_mode, kForce);
       put(unit, k_force_off_cause, kNone);
       put(unit, k_last_set_time, now());
