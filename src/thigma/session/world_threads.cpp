@@ -8,6 +8,7 @@
 
 #include "thigma/math/infinity.h"
 #include "thigma/session/detail/hand_thread.h"
+#include "thigma/session/detail/world_shell.h"
 #include "thigma/session/world_apart.h"
 
 namespace thigma {
@@ -24,39 +25,21 @@ struct WorldSide {
   std::uint64_t seen = 0;  // ticks of the hands that its last step knew
   std::vector<HandTick> ticks{};
 
-  LivePorts* live() const { return shell.live; }
-  bool is_stopped() const {
-    return shell.stop != nullptr && shell.stop->load(std::memory_order_relaxed);
-  }
   bool is_over() const {
-    return is_stopped() || shared.fault.load(std::memory_order_acquire) != Fault::none;
-  }
-
-  bool is_paused() const {
-    return live() != nullptr && live()->is_paused.load(std::memory_order_relaxed);
-  }
-
-  /// What happens between two frames. Hands are aimed by the numbers that bodies have before it.
-  void change() const {
-    if (live() != nullptr && live()->aim.fetch()) apart.run->aim(live()->aim.value());
-    if (shell.between) shell.between(*apart.run);
+    return detail::is_stopped(shell) || shared.fault.load(std::memory_order_acquire) != Fault::none;
   }
 
   /// Hands and world stand still until the pause ends, a single step is asked for or all ends;
   /// whether they did.
   bool hold_while_paused() {
-    const bool was_held = is_paused();
-    shared.is_held.store(was_held, std::memory_order_release);
-    while (is_paused() && !is_over()) {
-      if (take_step(*live())) {
-        shared.singles.fetch_add(1, std::memory_order_release);
-        return true;
-      }
-      change();
-      sleep_ns(1'000'000);
-    }
-    shared.is_held.store(false, std::memory_order_release);
-    return was_held;
+    const bool was_paused = detail::is_paused(shell);
+    shared.is_held.store(was_paused, std::memory_order_release);
+    if (!was_paused) return false;
+    if (detail::wait_out_pause(shell, *apart.run, [&] { return is_over(); }))
+      shared.singles.fetch_add(1, std::memory_order_release);
+    else
+      shared.is_held.store(false, std::memory_order_release);
+    return true;
   }
 
   /// Waits for a haptic step that the world has not had; how many ticks it has missed before that.
@@ -102,8 +85,8 @@ struct WorldSide {
       if (is_over()) break;
       // The hands may have been in a step as the pause began.
       apart.run->lose(was_held ? 0 : lost);
-      change();
-      WorldFrame* frame = apart.run->make_frame(live() != nullptr ? &live()->aim : nullptr);
+      detail::change(shell, *apart.run);
+      WorldFrame* frame = apart.run->make_frame(shell.live != nullptr ? &shell.live->aim : nullptr);
       if (frame == nullptr) break;
       publish_news(*frame, period, apart);
       frame->haptic = haptic_now();
@@ -148,13 +131,13 @@ WorldSummary run_world_on_threads(const WorldSessionConfig& config,
   // Ticks are slept for, not polled: the world needs the processor as well.
   detail::HandThread hands{apart, shared, clock_of(config.rate, 0.0), period, watchdog};
   WorldSide world{apart, shared, shell, period};
-  shared.is_held = world.is_paused();  // no step before the first that is asked for
+  shared.is_held = detail::is_paused(shell);  // no step before the first that is asked for
   Joined joined{shared};
   joined.hands = std::thread([&] { detail::run_hands(haptic_thread, hands); });
   joined.watchdog =
       std::thread([&] { detail::watch_hands(watchdog, haptic_thread, apart, shared); });
   world.go();
-  const bool was_stopped = world.is_stopped();
+  const bool was_stopped = detail::is_stopped(shell);
   joined.end();
   world.drain();
   WorldSummary summary = apart.run->end();

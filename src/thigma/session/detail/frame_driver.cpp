@@ -20,7 +20,6 @@ std::uint64_t frame_limit(const SessionConfig& config) noexcept {
 
 Frame begin_frame(const SessionConfig& config, const FrameTick& tick,
                   FrameRecord& record) THIGMA_RT {
-  constexpr std::uint64_t kMostTicks = 10;
   const std::uint64_t gap = tick.index - record.previous;
   record.longest_gap = std::max(record.longest_gap, gap);
   record.previous = tick.index;

@@ -12,6 +12,9 @@
 
 namespace thigma::detail {
 
+/// Ticks of a clock that one step makes up for, at most: a longer step would be another motion.
+inline constexpr std::uint64_t kMostTicks = 10;
+
 /// A frame the clock of a shell has come to.
 struct FrameTick {
   std::uint64_t index = 0;         // it happens at index / rate

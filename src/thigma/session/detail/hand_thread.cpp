@@ -3,21 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/session/detail/frame_driver.h"
+
 namespace thigma::detail {
 namespace {
 
-void take(DeviceToken& token) noexcept {
-  while (!token.try_take()) sleep_ns(20'000);  // only while the watchdog is sending zero
-}
-
 void step(std::uint64_t skipped, HandThread& hands) {
   HandsShared& shared = hands.shared;
-  constexpr std::uint64_t kMost = 10;  // ticks that a step makes up for
   const double gap = static_cast<double>(skipped + 1) * hands.period;
   HapticTick tick;
-  tick.elapsed = static_cast<double>(std::min(skipped + 1, kMost)) * hands.period;
+  tick.elapsed = static_cast<double>(std::min(skipped + 1, kMostTicks)) * hands.period;
   tick.now = hands.now;
-  take(shared.token);
+  shared.token.take();
   const bool was_stopped = shared.was_stopped.exchange(false, std::memory_order_acquire);
   if (was_stopped || gap > hands.watchdog) tick.external_fault = Fault::watchdog;
   shared.last_step_ns.store(monotonic_ns(), std::memory_order_release);
@@ -75,7 +72,7 @@ void run_hands(const RtRequest& request, HandThread& hands) {
     hands.now += hands.period;
     if (shared.fault.load(std::memory_order_relaxed) != Fault::none) break;
   }
-  take(shared.token);
+  shared.token.take();
   let_go(hands.apart);  // now, and not when the world's step ends
   shared.last_step_ns.store(0, std::memory_order_release);
   shared.token.give_back();

@@ -60,7 +60,7 @@ bool Session::Impl::hang(const FaultEvent& fault, double) {
   if (is_device_paced) {  // as a tick that does not come; the session may take over meanwhile
     token.give_back();
     sleep_ns(to_ns(fault.duration));
-    while (!token.try_take()) sleep_ns(20'000);
+    token.take();
     return true;
   }
   sleep_ns(to_ns(fault.duration));
@@ -80,9 +80,7 @@ void Session::Impl::prepare(const detail::Frame&) {
 
 void Session::Impl::step(const detail::Frame& frame) {
   const std::int64_t asked = monotonic_ns();
-  if (!is_device_paced) {
-    while (!token.try_take()) sleep_ns(20'000);  // only while the watchdog is sending zero
-  }
+  if (!is_device_paced) token.take();
   HapticTick tick{frame.now, frame.elapsed, Fault::none};
   const std::int64_t begin = monotonic_ns();
   const std::int64_t gap = begin - last_step_ns.load(std::memory_order_relaxed);
@@ -115,7 +113,7 @@ void Session::Impl::publish(const detail::Frame& frame, const HapticSample&) {
 }
 
 void Session::Impl::end_with_zero_force() {
-  while (!token.try_take()) sleep_ns(20'000);
+  token.take();
   device->write(Wrench{});
   last_step_ns.store(0, std::memory_order_release);  // nothing to watch any more
   token.give_back();
