@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -79,11 +78,6 @@ struct Differences {
     const HandTick& then = recording.ticks[static_cast<std::size_t>(now.hand)][now.step];
     const bool is_same = same_bits(then.sent, now.sent);
     if (!is_same && haptic_step < 0) haptic_step = static_cast<std::int64_t>(now.step);
-  }
-  static bool same_bits(const BodyState& a, const BodyState& b) { return thigma::same_bits(a, b); }
-  static bool same_bits(const Wrench& a, const Wrench& b) {
-    return std::memcmp(a.force.data(), b.force.data(), sizeof a.force) == 0 &&
-           std::memcmp(a.torque.data(), b.torque.data(), sizeof a.torque) == 0;
   }
 };
 

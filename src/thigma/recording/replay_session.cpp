@@ -42,10 +42,6 @@ bool same_bits(const Quat& a, const Quat& b) {
   return true;
 }
 
-bool same_bits(const Wrench& a, const Wrench& b) {
-  return same_bits(a.force, b.force) && same_bits(a.torque, b.torque);
-}
-
 /// Why a replayed frame is not the recorded one; "" when it is.
 std::string difference(const HapticSample& recorded, const HapticSample& replayed) {
   if (recorded.frame != replayed.frame) return "frames are missing";
@@ -63,6 +59,10 @@ bool same_bits(const BodyState& a, const BodyState& b) noexcept {
   return same_bits(a.position, b.position) && same_bits(a.orientation, b.orientation) &&
          same_bits(a.linear_momentum, b.linear_momentum) &&
          same_bits(a.angular_momentum, b.angular_momentum);
+}
+
+bool same_bits(const Wrench& a, const Wrench& b) noexcept {
+  return same_bits(a.force, b.force) && same_bits(a.torque, b.torque);
 }
 
 struct SessionReplay::Impl {

@@ -64,8 +64,10 @@ ReplayReport replay_session(const HapticParams& params, const Pose& world_from_b
 /// Thread    [offline]; InputError as stream_recording.
 ReplayReport replay_recording(const std::string& path);
 
-/// Whether two states are the same bit for bit: 0 and -0 differ, NaNs with the same bits do not.
+/// Whether two states, or two wrenches, are the same bit for bit: 0 and -0 differ, NaNs with the
+/// same bits do not.
 /// Thread    [any].
 bool same_bits(const BodyState& a, const BodyState& b) noexcept;
+bool same_bits(const Wrench& a, const Wrench& b) noexcept;
 
 }  // namespace thigma
