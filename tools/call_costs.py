@@ -36,29 +36,28 @@ def call_costs(lines):
     return costs
 
 
-def instructions_a_call(function, command):
-    """(instructions a call, calls) of what FUNCTION matches; None where it was never called."""
+def counted(function, command):
+    """What COMMAND prints, the instructions of all calls of what FUNCTION matches, and how many calls there were."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "out"
         run = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", *map(str, command)],
                              capture_output=True, text=True)
         if run.returncode != 0:
-            sys.exit(f"call_costs: {' '.join(map(str, command))}: {(run.stderr.strip().splitlines() or ['failed'])[-1]}")
+            sys.exit(f"{' '.join(map(str, command))}: {(run.stderr.strip().splitlines() or ['failed'])[-1]}")
         with out.open() as lines:
             costs = call_costs(lines)
     pattern = re.compile(function)
     chosen = [cost for name, cost in costs.items() if pattern.search(name)]
-    calls = sum(n for n, _ in chosen)
-    return (sum(i for _, i in chosen) / calls, calls) if calls else None
+    return run.stdout, sum(i for _, i in chosen), sum(n for n, _ in chosen)
 
 
 def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__.strip())
-    found = instructions_a_call(sys.argv[1], sys.argv[2:])
-    if found is None:
+    _, instructions, calls = counted(sys.argv[1], sys.argv[2:])
+    if calls == 0:
         sys.exit(f"call_costs: nothing matches '{sys.argv[1]}'")
-    print(f"{found[0]:.0f} instructions a call, {found[1]} calls")
+    print(f"{instructions / calls:.0f} instructions a call, {calls} calls")
 
 
 if __name__ == "__main__":

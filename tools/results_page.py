@@ -127,7 +127,6 @@ def page(data):
     sections = {}
     for row in data["bench"]["rows"]:
         name = next((key for key in TITLES if row["measurement"].startswith(key)), row["measurement"])
-        name = "build" if row["measurement"].startswith("build") else name
         sections.setdefault(name, []).append(row)
     for name in [*TITLES, *(n for n in sections if n not in TITLES)]:
         if name not in sections:
