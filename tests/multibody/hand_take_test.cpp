@@ -1,9 +1,9 @@
 // Taking up a hand model: the body in the hand goes back by no more than it must.
 
-#include "thigma/multibody/hand_step.h"
-
 #include "multibody/held_bench.h"
 #include <gtest/gtest.h>
+
+#include "thigma/multibody/hand_step.h"
 
 namespace thigma {
 namespace {

@@ -40,6 +40,15 @@ inline WorldSessionConfig free_handed(const WorldBench& bench) {
   return config;
 }
 
+/// Three blocks, 1 to 3, and a free hand that is aimed at none.
+inline WorldSessionConfig three_blocks(WorldBench& bench) {
+  add_floor(bench, 1.0);
+  const auto block = body_mesh(make_box(Vec3(0.04, 0.04, 0.04)));
+  for (int i = 0; i < 3; ++i) bench.add(block, BodyKind::moving, Vec3(0.1 * i, 0.0, 0.02 + 3e-6));
+  bench.make();
+  return free_handed(bench);
+}
+
 /// A block in the hand behind two others on a floor.
 inline WorldSessionConfig pushing(WorldBench& bench) {
   add_floor(bench, 1.0);

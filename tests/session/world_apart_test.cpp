@@ -367,6 +367,17 @@ class LiftingHand final : public HapticDevice {
   DeviceLimits limits_;
 };
 
+/// What a hand holds in the frames of its world, which takes a step every so many haptic ones.
+std::vector<std::int32_t> held_by(HapticDevice& hand, const WorldSessionConfig& config, int every) {
+  HapticDevice* device = &hand;
+  ApartLockstep how;
+  how.world_every = every;
+  std::vector<std::int32_t> held;
+  how.world = [&](const WorldFrame& frame) { held.push_back(frame.grips[0].body); };
+  EXPECT_FALSE(run_world_apart(config, {&device, 1}, how).has_fault());
+  return held;
+}
+
 TEST(WorldApart, AFreeHandLetsGoAtOnceHoweverLongAStepOfTheWorldTakes) {
   for (const int every : {1, 8, 40}) {
     WorldBench bench;
@@ -379,13 +390,7 @@ TEST(WorldApart, AFreeHandLetsGoAtOnceHoweverLongAStepOfTheWorldTakes) {
     config.duration = 0.8;
     send_at_once(config);
     LiftingHand hand;
-    HapticDevice* device = &hand;
-    ApartLockstep how;
-    how.world_every = every;
-    std::vector<std::int32_t> held;
-    how.world = [&](const WorldFrame& frame) { held.push_back(frame.grips[0].body); };
-    const WorldSummary run = run_world_apart(config, {&device, 1}, how);
-    EXPECT_FALSE(run.has_fault());
+    const std::vector<std::int32_t> held = held_by(hand, config, every);
     const double weight = bench.bodies[1].mass * 9.81;
     EXPECT_GT(hand.sent[398], 0.5 * weight) << every;
     // Closed again without an aim it holds nothing, though the world has not seen it open.
@@ -419,12 +424,8 @@ class LosableHand final : public HapticDevice {
 };
 
 /// Three blocks, 1 to 3, and a free hand that is aimed at the second.
-WorldSessionConfig three_blocks(WorldBench& bench) {
-  add_floor(bench, 1.0);
-  const auto block = body_mesh(make_box(Vec3(0.04, 0.04, 0.04)));
-  for (int i = 0; i < 3; ++i) bench.add(block, BodyKind::moving, Vec3(0.1 * i, 0.0, 0.02 + 3e-6));
-  bench.make();
-  WorldSessionConfig config = free_handed(bench);
+WorldSessionConfig aimed_at_the_second(WorldBench& bench) {
+  WorldSessionConfig config = test::three_blocks(bench);
   config.hands[0].body = 2;
   config.duration = 0.4;
   send_at_once(config);
@@ -434,15 +435,9 @@ WorldSessionConfig three_blocks(WorldBench& bench) {
 TEST(WorldApart, APageThatIsLostLetsGoThoughTheWorldNeverSeesIt) {
   for (const int every : {1, 40}) {
     WorldBench bench;
-    const WorldSessionConfig config = three_blocks(bench);
+    const WorldSessionConfig config = aimed_at_the_second(bench);
     LosableHand hand(0.21, 0.225);  // within one step of the world, of 40 frames
-    HapticDevice* device = &hand;
-    ApartLockstep how;
-    how.world_every = every;
-    std::vector<std::int32_t> held;
-    how.world = [&](const WorldFrame& frame) { held.push_back(frame.grips[0].body); };
-    const WorldSummary run = run_world_apart(config, {&device, 1}, how);
-    EXPECT_FALSE(run.has_fault());
+    const std::vector<std::int32_t> held = held_by(hand, config, every);
     EXPECT_GT(hand.sent[209], 0.1) << every;
     for (std::size_t i = 210; i < hand.sent.size(); ++i) EXPECT_EQ(hand.sent[i], 0.0) << every;
     EXPECT_NE(std::count(held.begin(), held.end(), 2), 0) << every;
@@ -453,7 +448,7 @@ TEST(WorldApart, APageThatIsLostLetsGoThoughTheWorldNeverSeesIt) {
 TEST(WorldApart, BodiesComeAndGoUnderAHandWhateverAStepOfTheWorldTakes) {
   for (const int every : {1, 8}) {
     WorldBench bench;
-    const WorldSessionConfig config = three_blocks(bench);
+    const WorldSessionConfig config = aimed_at_the_second(bench);
     // Without the first block, then without the second as well: the one in the hand.
     std::vector<WorldSessionConfig> next(2, config);
     for (WorldSessionConfig& one : next) {

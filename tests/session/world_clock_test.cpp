@@ -95,12 +95,8 @@ class ClosingHand final : public HapticDevice {
 };
 
 /// Three blocks, 1 to 3, and a free hand that is aimed at none.
-WorldSessionConfig three_blocks(WorldBench& bench) {
-  add_floor(bench, 1.0);
-  const auto block = body_mesh(make_box(Vec3(0.04, 0.04, 0.04)));
-  for (int i = 0; i < 3; ++i) bench.add(block, BodyKind::moving, Vec3(0.1 * i, 0.0, 0.02 + 3e-6));
-  bench.make();
-  WorldSessionConfig config = free_handed(bench);
+WorldSessionConfig blocks_for_a_moment(WorldBench& bench) {
+  WorldSessionConfig config = test::three_blocks(bench);
   config.duration = 0.02;
   return config;
 }
@@ -109,7 +105,7 @@ WorldSessionConfig three_blocks(WorldBench& bench) {
 /// after `late` if that is any.
 std::int32_t taken_after_a_change(const WorldAim& aim, const std::optional<WorldAim>& late) {
   WorldBench bench;
-  const WorldSessionConfig config = three_blocks(bench);
+  const WorldSessionConfig config = blocks_for_a_moment(bench);
   bench.bodies.erase(bench.bodies.begin() + 1);
   bench.make();
   WorldSessionConfig next = config;
@@ -150,7 +146,7 @@ TEST(WorldClock, AnAimByNumbersOfAnotherWorldTakesNothing) {
 
 TEST(WorldClock, AnAimThatComesBeforeTheClutchClosesIsThereWithIt) {
   WorldBench bench;
-  const WorldSessionConfig config = three_blocks(bench);
+  const WorldSessionConfig config = blocks_for_a_moment(bench);
   ClosingHand hand(0.01);
   HapticDevice* device = &hand;
   LivePorts ports;

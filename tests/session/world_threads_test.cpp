@@ -162,11 +162,32 @@ WorldSessionConfig one_block(WorldBench& bench) {
   return config;
 }
 
+/// The same, apart from its world.
+struct BlockApart {
+  WorldBench bench;
+  WorldSessionConfig config = one_block(bench);
+  PageHand hand;
+  HapticDevice* device = &hand;
+  WorldApart apart{config, {&device, 1}};
+  detail::HandsShared shared;
+  detail::HandThread hands{apart, shared, clock_of(config.rate, 0.0), 1e-3, 1e9};
+
+  /// Runs the hands' thread until it has made some steps.
+  void run_hands();
+};
+
 /// Waits until it is so; a minute, should it never be. Whether it is.
 template <class Condition>
 bool comes(Condition condition) {
   for (int i = 0; i < 60'000 && !condition(); ++i) sleep_ns(1'000'000);
   return condition();
+}
+
+void BlockApart::run_hands() {
+  std::thread thread([this] { detail::run_hands({0, -1}, hands); });
+  EXPECT_TRUE(comes([this] { return shared.ticks > 3; }));
+  shared.should_stop = true;
+  thread.join();
 }
 
 TEST(WorldThreads, APagesHandIsAnsweredWhileAStepOfTheWorldTakesLong) {
@@ -265,77 +286,50 @@ TEST(WorldThreads, TheWatchdogLetsGoOfAllDevicesWhereTheHandsThreadHangs) {
 }
 
 TEST(WorldThreads, AfterTheWatchdogHasActedForcesComeBackOverTheRamp) {
-  WorldBench bench;
-  const WorldSessionConfig config = one_block(bench);
-  PageHand hand;
-  HapticDevice* device = &hand;
-  WorldApart apart(config, {&device, 1});
-  apart.ticks = std::make_unique<SpscRing<HandTick>>(1 << 16);
-  detail::HandsShared shared;
-  shared.was_stopped = true;
-  detail::HandThread hands{apart, shared, clock_of(config.rate, 0.0), 1e-3, 1e9};
-  std::thread thread([&] { detail::run_hands({0, -1}, hands); });
-  EXPECT_TRUE(comes([&] { return shared.ticks > 3; }));
-  shared.should_stop = true;
-  thread.join();
-  EXPECT_FALSE(shared.was_stopped);
+  BlockApart block;
+  block.apart.ticks = std::make_unique<SpscRing<HandTick>>(1 << 16);
+  block.shared.was_stopped = true;
+  block.run_hands();
+  EXPECT_FALSE(block.shared.was_stopped);
   // The first step was told of it, from which the ramp begins (haptic_step), and no other.
   for (int step = 0; step < 4; ++step) {
-    const HandTick* tick = apart.ticks->front();
+    const HandTick* tick = block.apart.ticks->front();
     ASSERT_NE(tick, nullptr);
     EXPECT_EQ(tick->tick.external_fault, step == 0 ? Fault::watchdog : Fault::none) << step;
-    apart.ticks->pop();
+    block.apart.ticks->pop();
   }
-  EXPECT_EQ(apart.loops[0]->state.safety.fault, Fault::none);
-  EXPECT_EQ(shared.last_step_ns, 0);
+  EXPECT_EQ(block.apart.loops[0]->state.safety.fault, Fault::none);
+  EXPECT_EQ(block.shared.last_step_ns, 0);
 }
 
 TEST(WorldThreads, ASingleStepIsNotOwedToTheNextPause) {
-  WorldBench bench;
-  const WorldSessionConfig config = one_block(bench);
-  PageHand hand;
-  HapticDevice* device = &hand;
-  WorldApart apart(config, {&device, 1});
-  detail::HandsShared shared;
-  shared.singles = 3;  // asked for as the pause ended
-  detail::HandThread hands{apart, shared, clock_of(config.rate, 0.0), 1e-3, 1e9};
-  std::thread thread([&] { detail::run_hands({0, -1}, hands); });
-  EXPECT_TRUE(comes([&] { return shared.ticks > 3; }));
-  shared.should_stop = true;
-  thread.join();
-  EXPECT_EQ(hands.singles, 3u);
+  BlockApart block;
+  block.shared.singles = 3;  // asked for as the pause ended
+  block.run_hands();
+  EXPECT_EQ(block.hands.singles, 3u);
 }
 
 TEST(WorldThreads, AWatchdogThatIsOffLooksForTheEndAllTheSame) {
-  WorldBench bench;
-  const WorldSessionConfig config = one_block(bench);
-  PageHand hand;
-  HapticDevice* device = &hand;
-  WorldApart apart(config, {&device, 1});
-  detail::HandsShared shared;
-  shared.last_step_ns = monotonic_ns();
-  std::thread watchdog([&] { detail::watch_hands(1e300, {0, -1}, apart, shared); });
+  BlockApart block;
+  block.shared.last_step_ns = monotonic_ns();
+  std::thread watchdog([&] { detail::watch_hands(1e300, {0, -1}, block.apart, block.shared); });
   sleep_ns(50'000'000);
-  EXPECT_EQ(shared.stops, 0u);
-  shared.should_stop = true;
+  EXPECT_EQ(block.shared.stops, 0u);
+  block.shared.should_stop = true;
   watchdog.join();
 }
 
 TEST(WorldThreads, NewsOfOneHandHaveRoomForTheWorldThatItGoesOnWith) {
-  WorldBench bench;
-  const WorldSessionConfig config = one_block(bench);
-  PageHand hand;
-  HapticDevice* device = &hand;
-  WorldApart apart(config, {&device, 1});
+  BlockApart block;
   const auto told = [&] {
-    const WorldFrame* frame = apart.run->make_frame();
-    publish_news(*frame, 1e-3, 0, apart);
-    return apart.scratch[0].get();
+    const WorldFrame* frame = block.apart.run->make_frame();
+    publish_news(*frame, 1e-3, 0, block.apart);
+    return block.apart.scratch[0].get();
   };
   const auto* before = told();
   EXPECT_EQ(told(), before);
   const std::vector<std::int32_t> was{0, 1};
-  apart.run->go_on(config, WorldState(apart.run->state()), was);
+  block.apart.run->go_on(block.config, WorldState(block.apart.run->state()), was);
   const auto* after = told();
   EXPECT_NE(after, before);
   EXPECT_EQ(told(), after);

@@ -123,9 +123,9 @@ constexpr std::size_t kTypingError = 2;  // letters; a name farther off was anot
                              forms);
   const std::string_view nearest = detail::nearest_name(scheme, names);
   const bool is_near = edit_distance(scheme, nearest) <= kTypingError;
-  throw DeviceUnavailable("no device " + quoted(scheme) +
-                          (is_near ? ", nearest is " + quoted(nearest) : "") +
-                          (is_near ? "" : ", expected one of " + forms));
+  throw DeviceUnavailable(
+      "no device " + quoted(scheme) +
+      (is_near ? ", nearest is " + quoted(nearest) : ", expected one of " + forms));
 }
 
 /// The row of an address; refuses it where there is none.
