@@ -7,6 +7,7 @@
 
 #include "thigma/dynamics/row_solve.h"
 #include "thigma/math/random.h"
+#include "thigma/multibody/detail/multiplier_drift.h"
 
 namespace thigma {
 namespace {
@@ -189,6 +190,78 @@ TEST(IslandSolve, SaysWhereRowsContradictEachOther) {
   EXPECT_FALSE(solve_island(island.bodies, island.rows, scratch).is_whole);
   for (IslandRow& row : island.rows) row.limit = 0.0;
   EXPECT_TRUE(solve_island(island.bodies, island.rows, scratch).is_whole);
+}
+
+/// A body that hangs on two places of nearly one arm, whose normals lean to either side: with
+/// friction they hold each freedom twice.
+RandomIsland hung_on_two(Random& random) {
+  RandomIsland island;
+  IslandBody body;
+  body.metric = Mat6::Identity();
+  body.metric.bottomRightCorner<3, 3>() *= 1e-4;
+  body.free << 1e-3 * any(random), 1e-2 * any(random);
+  body.free.z() = 0.01;
+  island.bodies.push_back(body);
+  const Vec3 arm(1e-5 * random.normal(), 1e-5 * random.normal(), 0.0136);
+  for (const double lean : {-0.06, 0.06 + 0.01 * random.uniform()}) {
+    IslandRow row;
+    row.a = 0;
+    row.normal = Vec3(0.004 * random.normal(), lean, 1.0).normalized();
+    row.first = row.normal.cross(Vec3::UnitX()).normalized();
+    row.arm_a = arm + 1e-7 * any(random);
+    row.friction = 0.2;
+    island.rows.push_back(row);
+  }
+  return island;
+}
+
+TEST(IslandSolve, RowsThatShareALoadSettleInFewRounds) {
+  Random random(14);
+  int rounds = 0;
+  double beyond = 0.0;  // the cone, of the normal impulses
+  for (int k = 0; k < 100; ++k) {
+    RandomIsland island = hung_on_two(random);
+    IslandScratch scratch = scratch_for(island);
+    solve_island(island.bodies, island.rows, scratch);
+    // The next step: what pressed is where the load was, not where it goes.
+    island.bodies[0].free.head<3>() += 1e-4 * any(random);
+    const IslandSolution found = solve_island(island.bodies, island.rows, scratch);
+    EXPECT_TRUE(found.is_whole) << k;
+    rounds += found.rounds;
+    double normal = 0.0;
+    for (const IslandRow& row : island.rows) normal += row.impulse.x();
+    for (const IslandRow& row : island.rows) {
+      const double held = row.impulse.tail<2>().norm();
+      beyond = std::max(beyond, (held - row.friction * row.impulse.x()) / normal);
+      EXPECT_LT(speed_of(island, row).x(), 1e-7 * island.bodies[0].free.norm()) << k;
+    }
+  }
+  EXPECT_LT(rounds, 700);  // 1,346 where they go on as long as shares change
+  EXPECT_LT(beyond, 0.05);
+  RecordProperty("rounds", rounds);
+}
+
+/// Of a load on two rows, what one gives the other in each round.
+TEST(IslandSolve, SharesGoOnToTheirBound) {
+  std::vector<IslandRow> rows(2);
+  rows[0].impulse = {3.0, 0.0, 0.0};
+  rows[1].impulse = {1.0, 0.1, 0.0};
+  rows[0].friction = rows[1].friction = 0.5;
+  const std::vector<double> weight{1.0, 1.0};
+  const detail::Multipliers now{rows, {}, weight, {}};
+  const auto steps = [&](const std::vector<Vec3>& last, const std::vector<Vec3>& before) {
+    return detail::changes_to_bound(now, {last, {}}, {before, {}});
+  };
+  const std::vector<Vec3> gives{{-1e-3, 0.0, 0.0}, {1e-3, 0.0, 0.0}};
+  EXPECT_NEAR(steps(gives, gives), 3000.0, 1e-6);
+  // friction that grows faster than its bound: 0.1 + 2e-3 t = 0.5 (1 + 1e-3 t)
+  std::vector<Vec3> slides = gives;
+  slides[1].y() = 2e-3;
+  EXPECT_NEAR(steps(slides, slides), 0.4 / 1.5e-3, 1e-6);
+  // two ways, and one that nothing ends
+  EXPECT_EQ(steps(gives, slides), 0.0);
+  const std::vector<Vec3> grows{{1e-3, 0.0, 0.0}, {1e-3, 0.0, 0.0}};
+  EXPECT_EQ(steps(grows, grows), 0.0);
 }
 
 TEST(IslandSolve, WarmStartNeedsLess) {

@@ -6,267 +6,41 @@
 #include <Eigen/Cholesky>
 
 #include "thigma/core/index.h"
+#include "thigma/multibody/detail/island_newton.h"
 #include "thigma/multibody/detail/joint_terms.h"
+#include "thigma/multibody/detail/multiplier_drift.h"
 #include "thigma/multibody/detail/row_speed.h"
 
 namespace thigma {
 namespace {
 
-using detail::BlockMatrix;
-using Mat36 = Eigen::Matrix<double, 3, 6>;
+using Work = detail::IslandWork;
+using detail::add_impulse;
+using detail::approach;
 
 // The penalty of the augmented Lagrangian, in masses that a contact feels. A round leaves about one
 // over it, times the length of a stack squared, of the error; more costs digits of the factor.
 constexpr double kWeight = 1e5;
-constexpr int kMostRounds = 60;      // a few are usual
-constexpr int kMostNewton = 40;      // in a round
-constexpr double kAccuracy = 1e-9;   // of the free speed: of the rows
-constexpr double kSettled = 1e-7;    // of the largest impulse: of friction
-constexpr double kGradient = 1e-11;  // of the free momentum: of a round's minimum
-
-/// What a solve works on.
-struct Work {
-  std::span<IslandBody> bodies;
-  std::span<IslandRow> rows;
-  std::span<JointRow> joints;
-  IslandScratch& s;
-  double speed = 0.0;  // the scale of all speeds [m/s]
-};
-
-Mat36 lever(const Vec3& arm) noexcept {
-  Mat36 j;
-  j << 1.0, 0.0, 0.0, 0.0, arm.z(), -arm.y(),  //
-      0.0, 1.0, 0.0, -arm.z(), 0.0, arm.x(),   //
-      0.0, 0.0, 1.0, arm.y(), -arm.x(), 0.0;
-  return j;
-}
-
-/// Normal and tangents as rows.
-Mat3 frame_of(const IslandRow& row) noexcept {
-  Mat3 frame;
-  frame.row(0) = row.normal;
-  frame.row(1) = row.first;
-  frame.row(2) = row.normal.cross(row.first);
-  return frame;
-}
-
-/// Of a against b, along normal and tangents.
-Vec3 approach(const IslandRow& row, std::span<const Vec6> u) noexcept {
-  const Vec3 w = detail::approach_of(row, row.a >= 0 ? &u[idx(row.a)] : nullptr,
-                                     row.b >= 0 ? &u[idx(row.b)] : nullptr);
-  const Vec3 second = row.normal.cross(row.first);
-  return {row.normal.dot(w), row.first.dot(w), second.dot(w)};
-}
-
-void add_impulse(const IslandRow& row, const Vec3& impulse, std::span<Vec6> to) noexcept {
-  const Vec3 p = impulse.x() * row.normal + impulse.y() * row.first +
-                 impulse.z() * row.normal.cross(row.first);
-  if (row.a >= 0) {
-    Vec6& a = to[idx(row.a)];
-    a.head<3>() += p;
-    a.tail<3>() += row.arm_a.cross(p);
-  }
-  if (row.b < 0) return;
-  Vec6& b = to[idx(row.b)];
-  b.head<3>() -= p;
-  b.tail<3>() -= row.arm_b.cross(p);
-}
-
-/// The multipliers that a trial gives a row: on the half line of the normal and the disk across.
-Vec3 force_of(const IslandRow& row, const Vec3& speed, double weight, double radius) noexcept {
-  Vec3 f;
-  f.x() = std::max(0.0, row.impulse.x() + weight * (speed.x() - row.limit));
-  const double first = row.impulse.y() + weight * speed.y();
-  const double second = row.impulse.z() + weight * speed.z();
-  const double length = std::sqrt(first * first + second * second);
-  const double share = length > radius ? radius / length : 1.0;
-  f.y() = radius > 0.0 ? share * first : 0.0;
-  f.z() = radius > 0.0 ? share * second : 0.0;
-  return f;
-}
-
-/// Gradient of the augmented Lagrangian at u; the rows' forces there.
-void evaluate(Work& work, std::span<const Vec6> u, std::span<Vec6> gradient) noexcept {
-  for (std::size_t i = 0; i < work.bodies.size(); ++i)
-    gradient[i].noalias() = work.bodies[i].metric * (u[i] - work.bodies[i].free);
-  for (std::size_t i = 0; i < work.rows.size(); ++i) {
-    const IslandRow& row = work.rows[i];
-    work.s.force[i] = force_of(row, approach(row, u), work.s.weight[i], work.s.radius[i]);
-    if (work.s.force[i].x() > 0.0 || work.s.radius[i] > 0.0)
-      add_impulse(row, work.s.force[i], gradient);
-  }
-  for (std::size_t i = 0; i < work.joints.size(); ++i) {
-    const JointRow& row = work.joints[i];
-    work.s.joint_force[i] =
-        detail::impulse_of(row, detail::speed_of(row, u), work.s.joint_weight[i]);
-    detail::add_impulse(row, work.s.joint_force[i], gradient);
-  }
-}
-
-/// Derivative of a row's force by its speed, over the weight.
-Mat3 slope_of(const IslandRow& row, const Vec3& speed, double weight, double radius) noexcept {
-  Mat3 d = Mat3::Zero();
-  if (row.impulse.x() + weight * (speed.x() - row.limit) > 0.0) d(0, 0) = 1.0;
-  if (!(radius > 0.0)) return d;
-  const Vec2 z(row.impulse.y() + weight * speed.y(), row.impulse.z() + weight * speed.z());
-  const double length = z.norm();
-  if (length <= radius) {
-    d(1, 1) = d(2, 2) = 1.0;
-    return d;
-  }
-  const Vec2 along = z / length;
-  d.bottomRightCorner<2, 2>() =
-      radius / length * (Eigen::Matrix2d::Identity() - along * along.transpose());
-  return d;
-}
-
-/// Adds J^T W J of a row: blocks of the lower half.
-void add_curvature(const IslandRow& row, const Mat3& slope, BlockMatrix& h) noexcept {
-  const Mat36 a = lever(row.arm_a), b = lever(row.arm_b);
-  const Mat36 wa = slope * a, wb = slope * b;
-  if (row.a >= 0) h.at(row.a, row.a).noalias() += a.transpose() * wa;
-  if (row.b >= 0) h.at(row.b, row.b).noalias() += b.transpose() * wb;
-  if (row.a < 0 || row.b < 0) return;
-  if (row.a > row.b)
-    h.at(row.a, row.b).noalias() -= a.transpose() * wb;
-  else
-    h.at(row.b, row.a).noalias() -= b.transpose() * wa;
-}
-
-bool factor_hessian(Work& work, std::span<const Vec6> u) noexcept {
-  BlockMatrix& h = work.s.hessian;
-  for (std::size_t i = 0; i < work.bodies.size(); ++i) {
-    const auto row = static_cast<std::int32_t>(i);
-    for (std::int32_t k = h.first[i]; k < row; ++k) h.at(row, k).setZero();
-    h.at(row, row) = work.bodies[i].metric;
-  }
-  for (std::size_t i = 0; i < work.rows.size(); ++i) {
-    const IslandRow& row = work.rows[i];
-    const Mat3 slope = slope_of(row, approach(row, u), work.s.weight[i], work.s.radius[i]);
-    if (!(slope.cwiseAbs().maxCoeff() > 0.0)) continue;
-    const Mat3 frame = frame_of(row);
-    add_curvature(row, work.s.weight[i] * (frame.transpose() * slope * frame), h);
-  }
-  for (std::size_t i = 0; i < work.joints.size(); ++i) {
-    const JointRow& row = work.joints[i];
-    if (detail::is_within_bounds(row, detail::speed_of(row, u), work.s.joint_weight[i]))
-      detail::add_curvature(row, work.s.joint_weight[i], h);
-  }
-  return detail::factor_blocks(h);
-}
-
-/// A norm of a gradient: of the velocities it stands for, in energy's metric.
-double size_of(const Work& work, std::span<const Vec6> gradient) noexcept {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < gradient.size(); ++i)
-    sum += gradient[i].dot(work.s.inverse[i] * gradient[i]);
-  return std::sqrt(std::max(sum, 0.0));
-}
-
-double along(std::span<const Vec6> x, std::span<const Vec6> y) noexcept {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) sum += x[i].dot(y[i]);
-  return sum;
-}
-
-void go(const Work& work, double share) noexcept {
-  for (std::size_t i = 0; i < work.bodies.size(); ++i)
-    work.s.trial[i] = work.s.velocity[i] + share * work.s.step[i];
-}
-
-/// Along a step the derivative only grows: its zero, roughly, between nothing and the whole step.
-void search_line(Work& work) noexcept {
-  IslandScratch& s = work.s;
-  const double begin = along(s.gradient, s.step);
-  double low = 0.0, at_low = begin, high = 1.0;
-  go(work, 1.0);
-  evaluate(work, s.trial, s.trial_gradient);
-  double at_high = along(s.trial_gradient, s.step);
-  constexpr double kEnough = 0.3;  // of the slope at the beginning
-  for (int turn = 0; turn < 12 && at_high > kEnough * -begin; ++turn) {
-    const double share = std::clamp(at_low / (at_low - at_high), 0.05, 0.95);
-    const double middle = low + share * (high - low);
-    go(work, middle);
-    evaluate(work, s.trial, s.trial_gradient);
-    const double slope = along(s.trial_gradient, s.step);
-    if (std::fabs(slope) <= kEnough * -begin) break;
-    if (slope < 0.0) {
-      low = middle;
-      at_low = slope;
-    } else {
-      high = middle;
-      at_high = slope;
-    }
-  }
-}
-
-/// The same where the slope is still downhill: the function is convex, so it is less there. The
-/// rough search may go up where a row bends the function sharply near the beginning.
-void search_downhill(Work& work) noexcept {
-  IslandScratch& s = work.s;
-  const double begin = along(s.gradient, s.step);
-  double low = 0.0, at_low = begin, high = 1.0, at_high = 0.0;
-  const auto slope_at = [&](double share) {
-    go(work, share);
-    evaluate(work, s.trial, s.trial_gradient);
-    return along(s.trial_gradient, s.step);
-  };
-  at_high = slope_at(high);
-  if (at_high <= 0.0) return;
-  constexpr double kFlat = 0.1;  // of the slope at the beginning
-  constexpr int kTurns = 40;
-  for (int turn = 0; turn < kTurns && (low == 0.0 || at_low < kFlat * begin); ++turn) {
-    const double guess = turn % 2 == 0 ? at_low / (at_low - at_high) : 0.5;
-    const double middle = low + std::clamp(guess, 0.05, 0.95) * (high - low);
-    const double slope = slope_at(middle);
-    if (slope <= 0.0) {
-      low = middle;
-      at_low = slope;
-    } else {
-      high = middle;
-      at_high = slope;
-    }
-  }
-  slope_at(low > 0.0 ? low : high);
-}
-
-/// Least of the augmented Lagrangian; returns Newton's steps.
-int minimize(Work& work, double enough) noexcept {
-  IslandScratch& s = work.s;
-  evaluate(work, s.velocity, s.gradient);
-  double size = size_of(work, s.gradient);
-  int steps = 0;
-  while (steps < kMostNewton && size > enough && s.newton_left != 0) {
-    if (!factor_hessian(work, s.velocity)) break;
-    if (s.newton_left > 0) --s.newton_left;
-    for (std::size_t i = 0; i < s.gradient.size(); ++i) s.step[i] = -s.gradient[i];
-    detail::solve_blocks(s.hessian, s.step);
-    search_line(work);
-    double next = size_of(work, s.trial_gradient);
-    ++steps;
-    if (!(next < size) && size > 1e3 * enough) {
-      search_downhill(work);
-      next = size_of(work, s.trial_gradient);
-    }
-    // Rounding: nothing is won any more.
-    if (!(next < size) && size <= 1e3 * enough) break;
-    std::swap(s.velocity, s.trial);
-    std::swap(s.gradient, s.trial_gradient);
-    size = next;
-  }
-  evaluate(work, s.velocity, s.gradient);  // the forces there
-  return steps;
-}
+constexpr int kMostRounds = 60;        // a few are usual
+constexpr double kAccuracy = 1e-9;     // of the free speed: of the rows
+constexpr double kSettled = 1e-7;      // of the largest impulse: of friction
+constexpr double kNear = 1e-2;         // the same, where more rounds win nothing
+constexpr double kSmall = 1e-7;        // of the free speed: changes that may stay then
+constexpr double kBinds = 1.0 - 1e-6;  // of a bound of friction: it is reached
+constexpr double kGradient = 1e-11;    // of the free momentum: of a round's minimum
 
 /// How the multipliers changed in a round, in speeds, and their friction.
 struct Change {
   double residual = 0.0, unsettled = 0.0, speed = 0.0;
 };
 
-/// The next multipliers; with them the friction that the normals allow.
-Change take_multipliers(Work& work, bool holds_radius) noexcept {
+/// The next multipliers.
+Change take_multipliers(Work& work) noexcept {
   Change change;
   double most = 0.0, moved = 0.0;
+  std::swap(work.s.change, work.s.change_before);
+  std::swap(work.s.joint_change, work.s.joint_change_before);
+  ++work.s.changes;
   for (std::size_t i = 0; i < work.rows.size(); ++i) {
     IslandRow& row = work.rows[i];
     const Vec3& f = work.s.force[i];
@@ -275,15 +49,18 @@ Change take_multipliers(Work& work, bool holds_radius) noexcept {
     change.residual = std::max(change.residual, approach(row, work.s.velocity).x() - row.limit);
     most = std::max(most, f.x());
     row.impulse = f;
-    const double radius = row.friction * f.x();
-    moved = std::max(moved, std::fabs(radius - work.s.radius[i]));
-    if (!holds_radius) work.s.radius[i] = radius;
+    work.s.change[i] = by;
+    const double radius = row.friction * f.x(), least = std::min(radius, work.s.radius[i]);
+    // A bound that nothing reaches may change.
+    if (f.tail<2>().norm() >= kBinds * least)
+      moved = std::max(moved, std::fabs(radius - work.s.radius[i]));
   }
   if (most > 0.0) change.unsettled = moved / most;
   for (std::size_t i = 0; i < work.joints.size(); ++i) {
     JointRow& row = work.joints[i];
     const double by = work.s.joint_force[i] - row.impulse;
     row.impulse = work.s.joint_force[i];
+    work.s.joint_change[i] = by;
     if (row.firmness > 0.0 || !(work.s.joint_weight[i] > 0.0)) continue;
     change.speed = std::max(change.speed, std::fabs(by) / work.s.joint_weight[i]);
     const double speed = detail::speed_of(row, work.s.velocity);
@@ -291,6 +68,80 @@ Change take_multipliers(Work& work, bool holds_radius) noexcept {
   }
   return change;
 }
+
+/// Multipliers that changed the same way in the last two rounds go on to the first bound.
+void follow_drift(Work& work) noexcept {
+  IslandScratch& s = work.s;
+  if (s.changes < 2) return;
+  const double steps = detail::changes_to_bound({work.rows, work.joints, s.weight, s.joint_weight},
+                                                {s.change, s.joint_change},
+                                                {s.change_before, s.joint_change_before});
+  if (!(steps > 0.0)) return;
+  for (std::size_t i = 0; i < work.rows.size(); ++i) {
+    Vec3& impulse = work.rows[i].impulse;
+    s.change_before[i] = impulse;
+    impulse += steps * s.change[i];
+    impulse.x() = std::max(impulse.x(), 0.0);
+  }
+  for (std::size_t i = 0; i < work.joints.size(); ++i) {
+    JointRow& row = work.joints[i];
+    s.joint_change_before[i] = row.impulse;
+    if (s.joint_weight[i] > 0.0)
+      row.impulse = std::clamp(row.impulse + steps * s.joint_change[i], row.low, row.high);
+  }
+  s.changes = 0;
+}
+
+/// Takes back what follow_drift did where no round came after it.
+void leave_drift(Work& work) noexcept {
+  IslandScratch& s = work.s;
+  if (s.changes > 0) return;
+  for (std::size_t i = 0; i < work.rows.size(); ++i) work.rows[i].impulse = s.change_before[i];
+  for (std::size_t i = 0; i < work.joints.size(); ++i)
+    work.joints[i].impulse = s.joint_change_before[i];
+}
+
+/// The bounds of friction go a share of the way to what the normals allow: the whole of it, but
+/// where they went to and fro. Rows that hold the same freedoms more than once share a load in more
+/// ways than one; friction that follows one share changes it, and would do so for ever.
+class Relaxation {
+ public:
+  void take_radius(Work& work, double unsettled) noexcept {
+    constexpr double kFalls = 0.7, kLess = 0.6, kMore = 1.2, kLeast = 0.2;
+    share_ = unsettled > kFalls * before_ ? std::max(kLeast, kLess * share_)
+                                          : std::min(1.0, kMore * share_);
+    before_ = unsettled;
+    for (std::size_t i = 0; i < work.rows.size(); ++i) {
+      const IslandRow& row = work.rows[i];
+      double& radius = work.s.radius[i];
+      radius += share_ * (row.friction * row.impulse.x() - radius);
+    }
+  }
+
+ private:
+  double share_ = 1.0, before_ = kInfinity;
+};
+
+/// Rounds whose changes are small and grow no smaller: more of them win nothing.
+class Patience {
+ public:
+  /// After a round; whether it is at its end.
+  bool is_over(double speed, double unsettled, double small) noexcept {
+    constexpr int kRounds = 6;  // in which neither has halved
+    if (speed < 0.5 * speed_ || unsettled < 0.5 * unsettled_) {
+      speed_ = std::min(speed_, speed);
+      unsettled_ = std::min(unsettled_, unsettled);
+      rounds_ = 0;
+    } else if (speed <= small) {
+      ++rounds_;
+    }
+    return rounds_ >= kRounds;
+  }
+
+ private:
+  double speed_ = kInfinity, unsettled_ = kInfinity;
+  int rounds_ = 0;
+};
 
 double largest_mass(std::span<const IslandBody> bodies) noexcept {
   double most = 0.0;
@@ -310,6 +161,8 @@ void prepare_joints(Work& work) noexcept {
   IslandScratch& s = work.s;
   s.joint_force.resize(work.joints.size());
   s.joint_weight.resize(work.joints.size());
+  s.joint_change.resize(work.joints.size());
+  s.joint_change_before.resize(work.joints.size());
   for (std::size_t i = 0; i < work.joints.size(); ++i) {
     const JointRow& row = work.joints[i];
     const double mobility = detail::mobility_of(row, s.inverse);
@@ -333,6 +186,9 @@ void prepare(Work& work) noexcept {
   s.force.resize(work.rows.size());
   s.weight.resize(work.rows.size());
   s.radius.resize(work.rows.size());
+  s.change.resize(work.rows.size());
+  s.change_before.resize(work.rows.size());
+  s.changes = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const IslandBody& body = work.bodies[i];
     s.inverse[i] = body.metric.llt().solve(Mat6::Identity());
@@ -383,6 +239,9 @@ void reserve_island(std::size_t bodies, std::size_t rows, IslandScratch& scratch
   scratch.radius.reserve(rows);
   scratch.joint_force.reserve(joints);
   scratch.joint_weight.reserve(joints);
+  for (std::vector<Vec3>* list : {&scratch.change, &scratch.change_before}) list->reserve(rows);
+  for (std::vector<double>* list : {&scratch.joint_change, &scratch.joint_change_before})
+    list->reserve(joints);
   scratch.hessian.first.reserve(bodies);
   scratch.hessian.start.reserve(bodies + 1);
   scratch.hessian.blocks.reserve(bodies * (bodies + 1) / 2);
@@ -395,22 +254,35 @@ IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> r
   IslandSolution solution;
   const double momentum = work.speed * std::sqrt(largest_mass(bodies));
   constexpr int kHeld = 10;  // of the last rounds: friction's bounds stay, so that normals settle
-  Change change;
   // Likewise of the last factors, where these are numbered.
   constexpr std::int32_t kHeldNewton = 12;
-  bool is_cut_short = false;
+  Change change;
+  Relaxation relaxation;
+  Patience changing, held;  // of rounds whose bounds of friction change, and stay
+  bool is_cut_short = false, holds_radius = false;
   while (solution.rounds < kMostRounds) {
-    solution.newton += minimize(work, kGradient * momentum);
+    solution.newton += detail::minimize(work, kGradient * momentum);
     // Forces away from a round's minimum are no impulses: those of the round before stay.
     is_cut_short = scratch.newton_left == 0;
     if (is_cut_short) break;
-    const bool is_ending = scratch.newton_left > 0 && scratch.newton_left <= kHeldNewton;
-    const bool holds_radius = is_ending || solution.rounds >= kMostRounds - kHeld;
-    change = take_multipliers(work, holds_radius);
+    holds_radius = holds_radius || solution.rounds >= kMostRounds - kHeld ||
+                   (scratch.newton_left > 0 && scratch.newton_left <= kHeldNewton);
+    change = take_multipliers(work);
     ++solution.rounds;
-    const bool is_settled = holds_radius || change.unsettled <= kSettled;
-    if (change.speed <= kAccuracy * work.speed && is_settled) break;
+    if (change.speed <= kAccuracy * work.speed && (holds_radius || change.unsettled <= kSettled))
+      break;
+    const double small = kSmall * work.speed;
+    if (holds_radius) {
+      if (held.is_over(change.speed, kInfinity, small)) break;
+      continue;
+    }
+    holds_radius = changing.is_over(change.speed, change.unsettled, small);
+    if (holds_radius && change.unsettled <= kNear) break;
+    const bool is_met = change.speed <= kAccuracy * work.speed;
+    if (!is_met && !holds_radius) follow_drift(work);
+    relaxation.take_radius(work, change.unsettled);
   }
+  if (is_cut_short && solution.rounds > 0) leave_drift(work);
   finish(work);
   solution.residual = std::max(change.residual, 0.0);
   solution.unsettled = change.unsettled;

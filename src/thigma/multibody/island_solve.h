@@ -64,6 +64,10 @@ struct IslandScratch {
   std::vector<double> weight;  // of the rows: so many times the mass that a contact feels [kg]
   std::vector<double> radius;  // most friction of the rows in a round [N s]
   std::vector<double> joint_force, joint_weight;  // of the joints' rows, likewise
+  // By which a round changed the multipliers, and the round before; so many are known.
+  std::vector<Vec3> change, change_before;
+  std::vector<double> joint_change, joint_change_before;
+  int changes = 0;
   // Factors that solves may still take, where their time is bounded: one that has none left ends
   // with the impulses it has, and is not whole. Below 0: as many as they need
   std::int32_t newton_left = -1;
@@ -91,7 +95,8 @@ void reserve_island(std::size_t bodies, std::size_t rows, IslandScratch& scratch
 ///          each round a semismooth Newton's method on the augmented Lagrangian, one block-sparse
 ///          Cholesky factor a step. Coulomb: friction disks of the radius that the normals of the
 ///          round before allow (Panagiotopoulos 1975), a fixed point over the rounds. No cone is
-///          made a pyramid.
+///          made a pyramid. Where the bounds go to and fro they go a share of the way (relaxation);
+///          rounds end where changes are small and shrink no more.
 IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> rows,
                             std::span<JointRow> joints, IslandScratch& scratch) noexcept;
 
