@@ -58,8 +58,7 @@ void evaluate(IslandWork& work, std::span<const Vec6> u, std::span<Vec6> gradien
   }
   for (std::size_t i = 0; i < work.joints.size(); ++i) {
     const JointRow& row = work.joints[i];
-    work.s.joint_force[i] =
-        impulse_of(row, speed_of(row, u), work.s.joint_weight[i]);
+    work.s.joint_force[i] = impulse_of(row, speed_of(row, u), work.s.joint_weight[i]);
     add_impulse(row, work.s.joint_force[i], gradient);
   }
 }
@@ -195,7 +194,7 @@ void search_downhill(IslandWork& work) noexcept {
 
 Vec3 approach(const IslandRow& row, std::span<const Vec6> u) noexcept {
   const Vec3 w = approach_of(row, row.a >= 0 ? &u[idx(row.a)] : nullptr,
-                                     row.b >= 0 ? &u[idx(row.b)] : nullptr);
+                             row.b >= 0 ? &u[idx(row.b)] : nullptr);
   const Vec3 second = row.normal.cross(row.first);
   return {row.normal.dot(w), row.first.dot(w), second.dot(w)};
 }

@@ -228,16 +228,18 @@ double joint_slack(const Part& part, std::int32_t joint) noexcept {
   return sum / part.dt * kMet * part.world.joint_arm[idx(joint)];
 }
 
-/// Whether an island has more energy after the part than before, but for what leading bodies apart
-/// gives: only corrections of turning can do that, less so in a shorter part.
-bool gains_energy(const Part& part, const Island& island) noexcept {
+/// By how much an island has more energy after the part than before, but for what leading bodies
+/// apart gives and what digits leave open, at least 0 [J]: only turning about contacts and its
+/// corrections can do that, less so in a shorter part. 0 where a hand, a motor or a prescribed body
+/// may give it.
+double energy_gain(const Part& part, const Island& island) noexcept {
   const auto& s = part.s;
   double gain = 0.0, allowed = 0.0;
   // Of the kinetic energy; of that without contacts, as the solve is no better; of the height.
   constexpr double kRounding = 1e-11, kSolve = 1e-9, kDigits = 1e-15;
   for (std::int32_t i = 0; i < island.bodies; ++i) {
     const std::int32_t body = s.islands.body[idx(island.first_body + i)];
-    if (moved_by(part, body) != BodyKind::moving) return false;
+    if (moved_by(part, body) != BodyKind::moving) return 0.0;
     const RigidBody& rigid = part.world.rigid[idx(body)];
     const BodyState &y = part.state.bodies[idx(body)], &next = s.next[idx(body)];
     const double before = kinetic_energy(rigid, y), after = kinetic_energy(rigid, next);
@@ -252,7 +254,7 @@ bool gains_energy(const Part& part, const Island& island) noexcept {
   }
   for (std::int32_t k = 0; k < island.joints; ++k) {
     const WorldJoint& joint = part.world.joints[idx(s.islands.joint[idx(island.first_joint + k)])];
-    if (joint.motor.is_on) return false;
+    if (joint.motor.is_on) return 0.0;
     allowed += joint_slack(part, s.islands.joint[idx(island.first_joint + k)]);
     if (!(joint.stiffness > 0.0)) continue;
     const double before = joint_energy(joint, part.state.bodies),
@@ -260,7 +262,33 @@ bool gains_energy(const Part& part, const Island& island) noexcept {
     gain += after - before;
     allowed += kRounding * (before + after);
   }
-  return gain > allowed;
+  return gain > allowed ? gain : 0.0;
+}
+
+/// Takes a small gain back from the motion of an island that presses on what does not move: a body
+/// that rolls over its corners goes along their tangents, above their arcs. Speeds less in one
+/// proportion obey all rows that did not have to part. Whether it did; an island of free bodies
+/// keeps its momentum.
+bool take_back(const Part& part, const Island& island, double gain) noexcept {
+  constexpr double kSmall = 0.1;  // of the kinetic energy
+  auto& s = part.s;
+  const auto rows = std::span(s.islands.rows).subspan(idx(island.first_row), idx(island.rows));
+  const bool presses = std::any_of(rows.begin(), rows.end(), [](const IslandRow& row) {
+    return row.impulse.x() > 0.0 && (row.a < 0 || row.b < 0);
+  });
+  double energy = 0.0;
+  for (std::int32_t i = 0; i < island.bodies; ++i) {
+    const std::int32_t body = s.islands.body[idx(island.first_body + i)];
+    energy += kinetic_energy(part.world.rigid[idx(body)], s.next[idx(body)]);
+  }
+  if (!presses || !(gain <= kSmall * energy)) return false;
+  const double share = std::sqrt(1.0 - gain / energy);
+  for (std::int32_t i = 0; i < island.bodies; ++i) {
+    BodyState& next = s.next[idx(s.islands.body[idx(island.first_body + i)])];
+    next.linear_momentum *= share;
+    next.angular_momentum *= share;
+  }
+  return true;
 }
 
 /// The same of islands with joints, whose velocities are right after `collide` only; what that gave
@@ -269,7 +297,7 @@ bool jointed_gain_energy(Part& part) noexcept {
   auto& s = part.s;
   bool is_gain = false;
   for (const Island& island : s.islands.islands)
-    is_gain = is_gain || (island.joints > 0 && gains_energy(part, island));
+    is_gain = is_gain || (island.joints > 0 && energy_gain(part, island) > 0.0);
   if (!is_gain) return false;
   for (const std::int32_t joint : s.islands.joint)
     for (std::size_t place = 0; place < kJointPlaces; ++place)
@@ -507,8 +535,10 @@ double make_part(Part& part, bool is_last) {
   double share = 1.0;
   if (!is_last) {
     if (!is_within || !is_allowed(part)) return 0.0;
-    for (const Island& island : s.islands.islands)
-      if (island.joints == 0 && gains_energy(part, island)) return 0.0;
+    for (const Island& island : s.islands.islands) {
+      const double gain = island.joints > 0 ? 0.0 : energy_gain(part, island);
+      if (gain > 0.0 && !take_back(part, island, gain)) return 0.0;
+    }
   } else if (!is_within || !is_allowed(part)) {
     share = share_within(part);
   }
