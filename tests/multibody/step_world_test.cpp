@@ -100,8 +100,8 @@ TEST(StepWorld, BlockSlidesAndStopsWhereCoulombSays) {
   EXPECT_LT((bench.state.bodies[1].position - start - way * along).norm(), 1e-3 * expected);
 }
 
-/// A ball of 5,120 triangles that sets out rolling: how far it gets [m], the most parts of a step, and
-/// the most energy that a step gave it [J].
+/// A ball of 5,120 triangles that sets out rolling: how far it gets [m], the most parts of a step,
+/// and the most energy that a step gave it [J].
 struct Rolled {
   double way = 0.0, waited = 0.0, gain = 0.0;
   std::int32_t parts = 0;
@@ -130,8 +130,8 @@ Rolled roll(double speed, int steps) {
   return rolled;
 }
 
-// Its corners are an edge of 0.6 mm apart and each takes some of the speed; but nothing waits, where
-// a step that goes along the tangents of such corners gains energy.
+// Its corners are an edge of 0.6 mm apart and each takes some of the speed; nothing waits, where a
+// step that goes along the tangents of such corners gains energy.
 TEST(StepWorld, ABallOfManyFacetsRollsOnWithoutWaiting) {
   for (const double speed : {0.3, 0.05, 0.01}) {
     const Rolled rolled = roll(speed, 500);
