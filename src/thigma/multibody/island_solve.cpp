@@ -22,6 +22,7 @@ using detail::approach;
 // over it, times the length of a stack squared, of the error; more costs digits of the factor.
 constexpr double kWeight = 1e5;
 constexpr int kMostRounds = 60;        // a few are usual
+constexpr int kMostNewton = 40;        // in a round
 constexpr double kAccuracy = 1e-9;     // of the free speed: of the rows
 constexpr double kSettled = 1e-7;      // of the largest impulse: of friction
 constexpr double kNear = 1e-2;         // the same, where more rounds win nothing
@@ -156,6 +157,16 @@ double mobility_of(const Mat6& inverse, const Vec3& arm, const Vec3& direction) 
   return g.dot(inverse * g);
 }
 
+/// Velocities and bounds of friction that a solve begins with.
+void begin(Work& work) noexcept {
+  IslandScratch& s = work.s;
+  for (std::size_t i = 0; i < work.bodies.size(); ++i)
+    s.velocity[i] = s.goes_on ? work.bodies[i].velocity : work.bodies[i].free;
+  for (std::size_t i = 0; i < work.rows.size(); ++i)
+    s.radius[i] = work.rows[i].friction * work.rows[i].impulse.x();
+  s.changes = 0;
+}
+
 /// Weights of the joints' rows, and where they couple bodies.
 void prepare_joints(Work& work) noexcept {
   IslandScratch& s = work.s;
@@ -163,6 +174,7 @@ void prepare_joints(Work& work) noexcept {
   s.joint_weight.resize(work.joints.size());
   s.joint_change.resize(work.joints.size());
   s.joint_change_before.resize(work.joints.size());
+  s.joint_kept.resize(work.joints.size());
   for (std::size_t i = 0; i < work.joints.size(); ++i) {
     const JointRow& row = work.joints[i];
     const double mobility = detail::mobility_of(row, s.inverse);
@@ -188,11 +200,10 @@ void prepare(Work& work) noexcept {
   s.radius.resize(work.rows.size());
   s.change.resize(work.rows.size());
   s.change_before.resize(work.rows.size());
-  s.changes = 0;
+  s.kept.resize(work.rows.size());
   for (std::size_t i = 0; i < count; ++i) {
     const IslandBody& body = work.bodies[i];
     s.inverse[i] = body.metric.llt().solve(Mat6::Identity());
-    s.velocity[i] = s.goes_on ? body.velocity : body.free;
     work.speed = std::max(work.speed, detail::free_speed(body));
   }
   s.hessian.first.resize(count);
@@ -207,11 +218,49 @@ void prepare(Work& work) noexcept {
       s.hessian.first[idx(high)] = std::min(s.hessian.first[idx(high)], low);
     }
     s.weight[i] = kWeight / mobility;
-    s.radius[i] = row.friction * row.impulse.x();
     work.speed = std::max(work.speed, -row.limit);
   }
   prepare_joints(work);
   detail::shape_blocks(s.hessian);
+  begin(work);
+}
+
+/// Whether the friction of some row is at its bound, for its normal impulse.
+bool slides(std::span<const IslandRow> rows) noexcept {
+  return std::any_of(rows.begin(), rows.end(), [](const IslandRow& row) {
+    return row.friction > 0.0 && row.impulse.x() > 0.0 &&
+           row.impulse.tail<2>().norm() >= kBinds * row.friction * row.impulse.x();
+  });
+}
+
+/// Tries whether nothing slides; else all is as it was but for the factors that this took.
+bool solve_sticking(Work& work, double enough, IslandSolution& solution) noexcept {
+  constexpr int kTried = 12;  // factors, where as many again are left
+  IslandScratch& s = work.s;
+  const bool has_friction = std::any_of(work.rows.begin(), work.rows.end(),
+                                        [](const IslandRow& row) { return row.friction > 0.0; });
+  if (!has_friction || slides(work.rows)) return false;
+  if (s.newton_left >= 0 && s.newton_left < 2 * kTried) return false;
+  for (std::size_t i = 0; i < work.rows.size(); ++i) s.kept[i] = work.rows[i].impulse;
+  for (std::size_t i = 0; i < work.joints.size(); ++i) s.joint_kept[i] = work.joints[i].impulse;
+  work.has_cones = true;
+  bool is_met = false;
+  while (!is_met && solution.newton < kTried) {
+    solution.newton += detail::minimize(work, enough, kTried - solution.newton);
+    if (solution.newton >= kTried) break;  // not at its minimum
+    const Change change = take_multipliers(work);
+    ++solution.rounds;
+    if (slides(work.rows)) break;
+    is_met = change.speed <= kAccuracy * work.speed;
+    solution.residual = std::max(change.residual, 0.0);
+  }
+  work.has_cones = false;
+  if (is_met) return true;
+  for (std::size_t i = 0; i < work.rows.size(); ++i) work.rows[i].impulse = s.kept[i];
+  for (std::size_t i = 0; i < work.joints.size(); ++i) work.joints[i].impulse = s.joint_kept[i];
+  solution.rounds = 0;
+  begin(work);
+  return false;
 }
 
 /// What the rows' impulses, as they are, make of the free velocities.
@@ -239,8 +288,10 @@ void reserve_island(std::size_t bodies, std::size_t rows, IslandScratch& scratch
   scratch.radius.reserve(rows);
   scratch.joint_force.reserve(joints);
   scratch.joint_weight.reserve(joints);
-  for (std::vector<Vec3>* list : {&scratch.change, &scratch.change_before}) list->reserve(rows);
-  for (std::vector<double>* list : {&scratch.joint_change, &scratch.joint_change_before})
+  for (std::vector<Vec3>* list : {&scratch.change, &scratch.change_before, &scratch.kept})
+    list->reserve(rows);
+  for (std::vector<double>* list :
+       {&scratch.joint_change, &scratch.joint_change_before, &scratch.joint_kept})
     list->reserve(joints);
   scratch.hessian.first.reserve(bodies);
   scratch.hessian.start.reserve(bodies + 1);
@@ -253,6 +304,11 @@ IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> r
   prepare(work);
   IslandSolution solution;
   const double momentum = work.speed * std::sqrt(largest_mass(bodies));
+  if (solve_sticking(work, kGradient * momentum, solution)) {
+    finish(work);
+    solution.is_whole = true;
+    return solution;
+  }
   constexpr int kHeld = 10;  // of the last rounds: friction's bounds stay, so that normals settle
   // Likewise of the last factors, where these are numbered.
   constexpr std::int32_t kHeldNewton = 12;
@@ -261,7 +317,7 @@ IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> r
   Patience changing, held;  // of rounds whose bounds of friction change, and stay
   bool is_cut_short = false, holds_radius = false;
   while (solution.rounds < kMostRounds) {
-    solution.newton += detail::minimize(work, kGradient * momentum);
+    solution.newton += detail::minimize(work, kGradient * momentum, kMostNewton);
     // Forces away from a round's minimum are no impulses: those of the round before stay.
     is_cut_short = scratch.newton_left == 0;
     if (is_cut_short) break;

@@ -68,6 +68,8 @@ struct IslandScratch {
   std::vector<Vec3> change, change_before;
   std::vector<double> joint_change, joint_change_before;
   int changes = 0;
+  std::vector<Vec3> kept;  // multipliers before a try
+  std::vector<double> joint_kept;
   // Factors that solves may still take, where their time is bounded: one that has none left ends
   // with the impulses it has, and is not whole. Below 0: as many as they need
   std::int32_t newton_left = -1;
@@ -96,7 +98,8 @@ void reserve_island(std::size_t bodies, std::size_t rows, IslandScratch& scratch
 ///          Cholesky factor a step. Coulomb: friction disks of the radius that the normals of the
 ///          round before allow (Panagiotopoulos 1975), a fixed point over the rounds. No cone is
 ///          made a pyramid. Where the bounds go to and fro they go a share of the way (relaxation);
-///          rounds end where changes are small and shrink no more.
+///          rounds end where changes are small and shrink no more. Where nothing slid before it is
+///          tried first whether nothing slides, with cones, which need no fixed point.
 IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> rows,
                             std::span<JointRow> joints, IslandScratch& scratch) noexcept;
 

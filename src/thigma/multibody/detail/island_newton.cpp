@@ -14,8 +14,6 @@ namespace {
 
 using Mat36 = Eigen::Matrix<double, 3, 6>;
 
-constexpr int kMostNewton = 40;  // in a round
-
 Mat36 lever(const Vec3& arm) noexcept {
   Mat36 j;
   j << 1.0, 0.0, 0.0, 0.0, arm.z(), -arm.y(),  //
@@ -46,14 +44,32 @@ Vec3 force_of(const IslandRow& row, const Vec3& speed, double weight, double rad
   return f;
 }
 
+/// What a trial asks of a row with a cone.
+Vec3 pull_of(const IslandRow& row, const Vec3& speed, double weight) noexcept {
+  return row.impulse + weight * (speed - Vec3(row.limit, 0.0, 0.0));
+}
+
+/// The nearest multipliers in Coulomb's cone.
+Vec3 cone_force_of(const Vec3& z, double friction) noexcept {
+  const double across = z.tail<2>().norm();
+  if (z.x() + friction * across <= 0.0) return Vec3::Zero();
+  if (across <= friction * z.x()) return z;
+  const double normal = (z.x() + friction * across) / (1.0 + friction * friction);
+  const double share = friction * normal / across;
+  return {normal, share * z.y(), share * z.z()};
+}
+
 /// Gradient of the augmented Lagrangian at u; the rows' forces there.
 void evaluate(IslandWork& work, std::span<const Vec6> u, std::span<Vec6> gradient) noexcept {
   for (std::size_t i = 0; i < work.bodies.size(); ++i)
     gradient[i].noalias() = work.bodies[i].metric * (u[i] - work.bodies[i].free);
   for (std::size_t i = 0; i < work.rows.size(); ++i) {
     const IslandRow& row = work.rows[i];
-    work.s.force[i] = force_of(row, approach(row, u), work.s.weight[i], work.s.radius[i]);
-    if (work.s.force[i].x() > 0.0 || work.s.radius[i] > 0.0)
+    const bool has_cone = work.has_cones && row.friction > 0.0;
+    const Vec3 speed = approach(row, u);
+    work.s.force[i] = has_cone ? cone_force_of(pull_of(row, speed, work.s.weight[i]), row.friction)
+                               : force_of(row, speed, work.s.weight[i], work.s.radius[i]);
+    if (work.s.force[i].x() > 0.0 || (!has_cone && work.s.radius[i] > 0.0))
       add_impulse(row, work.s.force[i], gradient);
   }
   for (std::size_t i = 0; i < work.joints.size(); ++i) {
@@ -80,6 +96,20 @@ Mat3 slope_of(const IslandRow& row, const Vec3& speed, double weight, double rad
   return d;
 }
 
+/// The same of a row with a cone.
+Mat3 cone_slope_of(const Vec3& z, double friction) noexcept {
+  const double across = z.tail<2>().norm();
+  if (z.x() + friction * across <= 0.0) return Mat3::Zero();
+  if (across <= friction * z.x()) return Mat3::Identity();
+  const Vec2 along = z.tail<2>() / across;
+  const Vec3 edge(1.0, friction * along.x(), friction * along.y());
+  const double square = 1.0 + friction * friction;
+  const double turns = friction * (z.x() + friction * across) / (square * across);
+  Mat3 d = edge * edge.transpose() / square;
+  d.bottomRightCorner<2, 2>() += turns * (Eigen::Matrix2d::Identity() - along * along.transpose());
+  return d;
+}
+
 /// Adds J^T W J of a row: blocks of the lower half.
 void add_curvature(const IslandRow& row, const Mat3& slope, BlockMatrix& h) noexcept {
   const Mat36 a = lever(row.arm_a), b = lever(row.arm_b);
@@ -102,7 +132,10 @@ bool factor_hessian(IslandWork& work, std::span<const Vec6> u) noexcept {
   }
   for (std::size_t i = 0; i < work.rows.size(); ++i) {
     const IslandRow& row = work.rows[i];
-    const Mat3 slope = slope_of(row, approach(row, u), work.s.weight[i], work.s.radius[i]);
+    const Vec3 speed = approach(row, u);
+    const Mat3 slope = work.has_cones && row.friction > 0.0
+                           ? cone_slope_of(pull_of(row, speed, work.s.weight[i]), row.friction)
+                           : slope_of(row, speed, work.s.weight[i], work.s.radius[i]);
     if (!(slope.cwiseAbs().maxCoeff() > 0.0)) continue;
     const Mat3 frame = frame_of(row);
     add_curvature(row, work.s.weight[i] * (frame.transpose() * slope * frame), h);
@@ -213,12 +246,12 @@ void add_impulse(const IslandRow& row, const Vec3& impulse, std::span<Vec6> to) 
   b.tail<3>() -= row.arm_b.cross(p);
 }
 
-int minimize(IslandWork& work, double enough) noexcept {
+int minimize(IslandWork& work, double enough, int most) noexcept {
   IslandScratch& s = work.s;
   evaluate(work, s.velocity, s.gradient);
   double size = size_of(work, s.gradient);
   int steps = 0;
-  while (steps < kMostNewton && size > enough && s.newton_left != 0) {
+  while (steps < most && size > enough && s.newton_left != 0) {
     if (!factor_hessian(work, s.velocity)) break;
     if (s.newton_left > 0) --s.newton_left;
     for (std::size_t i = 0; i < s.gradient.size(); ++i) s.step[i] = -s.gradient[i];

@@ -14,6 +14,9 @@ struct IslandWork {
   std::span<JointRow> joints;
   IslandScratch& s;
   double speed = 0.0;  // the scale of all speeds [m/s]
+  // Friction of a row is bounded by its own normal impulse, both at once (a cone), and not by
+  // `radius`. Right where nothing slides: what slides would have to part as well.
+  bool has_cones = false;
 };
 
 /// Speed of a against b at a row, along its normal and tangents [m/s].
@@ -27,8 +30,9 @@ void add_impulse(const IslandRow& row, const Vec3& impulse, std::span<Vec6> to) 
 /// and joints (`force`, `joint_force`).
 ///
 /// enough   of the gradient, in the energy's metric [sqrt(J)]
+/// most     steps
 /// returns  Newton's steps
 /// Thread   [haptic]; no failure
-int minimize(IslandWork& work, double enough) noexcept;
+int minimize(IslandWork& work, double enough, int most) noexcept;
 
 }  // namespace thigma::detail
