@@ -71,14 +71,15 @@ bool is_kept_apart(RowSearch& search, const EdgeEnds& ends, double distance, Ver
   const double of_head = reach_of(search, ends, ends.at_head);
   for (std::size_t i = 0; i < side.planes.size(); ++i) {
     const GuardPlane& plane = side.planes[i];
-    const double tail = plane.height(ends.at_tail), head = plane.height(ends.at_head);
-    const auto index = static_cast<std::int32_t>(i);
-    const bool keeps_tail = is_kept(side, ends.tail, index, tail, of_tail);
-    const bool keeps_head = is_kept(side, ends.head, index, head, of_head);
-    if ((!keeps_tail && tail <= least) || (!keeps_head && head <= least)) continue;
     if (plane.height(ends.other_tail) > search.rounding ||
         plane.height(ends.other_head) > search.rounding)
       continue;
+    const double tail = plane.height(ends.at_tail), head = plane.height(ends.at_head);
+    const auto index = static_cast<std::int32_t>(i);
+    const bool keeps_tail = is_kept(side, ends.tail, index, tail, of_tail);
+    if (!keeps_tail && tail <= least) continue;
+    const bool keeps_head = is_kept(side, ends.head, index, head, of_head);
+    if (!keeps_head && head <= least) continue;
     if (!keeps_tail) add_member(search, ends.points_of, ends.tail, index, side, rows);
     if (!keeps_head) add_member(search, ends.points_of, ends.head, index, side, rows);
     return true;
