@@ -14,6 +14,7 @@
 #include "run_view.h"
 #include "viewer/server/live_server.h"
 #include "viewer/server/origin.h"
+#include "viewer/server/protocol.h"
 #include "viewer/server/web_files.h"
 #include "world_events.h"
 #include "world_recorder.h"
@@ -23,6 +24,7 @@
 #include "thigma/core/index.h"
 #include "thigma/device/open_device.h"
 #include "thigma/device/web_device.h"
+#include "thigma/multibody/world_rows.h"
 #include "thigma/scene/world_change.h"
 #include "thigma/session/rt_thread.h"
 #include "thigma/session/world_threads.h"
@@ -157,6 +159,7 @@ class WorldLive {
     if (recorder_.is_open())
       shell.ticks = [&](std::span<const HandTick> ticks) { recorder_.write(ticks); };
     shell.between = [&](WorldRun& run) {
+      show_rows(run);
       if (has_asked_.load(std::memory_order_acquire)) change_bodies(run, events);
     };
     is_running_ = true;
@@ -180,6 +183,16 @@ class WorldLive {
     const std::lock_guard lock(mutex_);
     has_asked_.store(false, std::memory_order_relaxed);
     return std::exchange(asked_, {});
+  }
+
+  /// What keeps bodies apart, as often as a picture of it is made. Thread: the world's.
+  void show_rows(const WorldRun& run) {
+    constexpr double kPictures = 30.0;  // a second
+    const auto every = static_cast<std::uint64_t>(std::max(1.0, world_.config.rate / kPictures));
+    if (frames_++ % every != 0) return;
+    const std::size_t near = read_rows(run.world(), run.state(), run.scratch(),
+                                       1.0 / world_.config.rate, live::kViewedRows, rows_);
+    server_.observe(rows_, near);
   }
 
   /// What pages asked for between two frames. Thread: the world's.
@@ -290,10 +303,12 @@ class WorldLive {
   GuardedWriter<WorldRecorder> recorder_;  // the world's thread's while a session runs
   live::LiveServer server_;
   std::optional<live::LiveRequest> request_;
-  double seconds_ = 0.0;                  // of all sessions so far
-  std::string record_, next_record_;      // files; "" none
-  bool has_run_ = false;                  // some session
-  bool is_running_ = false;               // a session
+  double seconds_ = 0.0;              // of all sessions so far
+  std::string record_, next_record_;  // files; "" none
+  bool has_run_ = false;              // some session
+  bool is_running_ = false;           // a session
+  std::uint64_t frames_ = 0;          // the world's thread's, as the next
+  std::vector<WorldRow> rows_;
   std::mutex mutex_;                      // of what follows
   std::vector<live::LiveRequest> asked_;  // of bodies, for the world's thread
   std::atomic<bool> has_asked_{false};

@@ -26,16 +26,23 @@ T at(const std::string& message, std::size_t offset) {
   return value;
 }
 
-/// The next `bodies` that fulfils the condition; "" when none comes.
+/// The next binary message of a kind that fulfils the condition; "" when none comes.
 template <class Condition>
-std::string bodies_where(WebClient& client, Condition condition) {
+std::string binary_where(WebClient& client, std::uint8_t kind, Condition condition) {
   for (int i = 0; i < 20000; ++i) {
     const auto message = client.read(20.0);
     if (!message) return {};
-    if (message->is_binary && at<std::uint8_t>(message->data, 0) == 6 && condition(message->data))
+    if (message->is_binary && at<std::uint8_t>(message->data, 0) == kind &&
+        condition(message->data))
       return message->data;
   }
   return {};
+}
+
+/// The next `bodies` that fulfils it.
+template <class Condition>
+std::string bodies_where(WebClient& client, Condition condition) {
+  return binary_where(client, 6, condition);
 }
 
 /// Of the last hand, the page's.
@@ -109,6 +116,23 @@ TEST(LiveWorld, ALostPageLetsGoOfItsBodyAndTheWorldGoesOn) {
   EXPECT_TRUE(summary["clock"]["late_frames"].is_number());
   EXPECT_EQ(summary["hands"].back()["device"], "web:");
   EXPECT_TRUE(summary["hands"].back()["fault"].is_null());
+}
+
+TEST(LiveWorld, ThePageSeesWhatKeepsBodiesApart) {
+  Program program({"run", scene("row_of_blocks"), "--port", "0", "--json"});
+  const std::uint16_t port = port_of(program);
+  ASSERT_NE(port, 0) << program.said();
+  WebClient client(port);
+  const std::string snapshot =
+      binary_where(client, 3, [](const std::string& m) { return at<std::uint32_t>(m, 236) > 0; });
+  ASSERT_FALSE(snapshot.empty());
+  EXPECT_NE(at<std::uint16_t>(snapshot, 2) & 256, 0);  // contacts are constraints
+  const auto rows = at<std::uint32_t>(snapshot, 236);
+  ASSERT_GT(rows, 0u);
+  EXPECT_LE(rows, 64u);
+  EXPECT_GE(at<std::uint32_t>(snapshot, 220), rows);  // in all
+  program.send(SIGINT);
+  EXPECT_EQ(program.finish().code, 130);
 }
 
 TEST(LiveWorld, HandsHaveAThreadOfTheirOwnWhichThePageAndTheSummaryTellOf) {

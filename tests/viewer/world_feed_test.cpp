@@ -52,6 +52,23 @@ struct Bench {
   }
 };
 
+TEST(WorldFeed, RowsAreShownUntilThereAreNewerOnesOrAnotherSession) {
+  Bench b;
+  std::vector<WorldRow> rows(2);
+  rows[0].force = Vec3(0.0, 0.0, 1.0);
+  b.feed.observe(rows, 7);
+  b.observe(1);
+  b.observe(2);
+  ASSERT_NE(b.feed.newest(), nullptr);
+  ASSERT_EQ(b.feed.newest()->rows.size(), 2u);
+  EXPECT_TRUE(b.feed.newest()->rows[0].presses());
+  EXPECT_EQ(b.feed.newest()->rows_near, 7u);
+  b.feed.begin_session(b.view);
+  b.observe(1);
+  ASSERT_NE(b.feed.newest(), nullptr);
+  EXPECT_TRUE(b.feed.newest()->rows.empty());
+}
+
 TEST(WorldFeed, NothingIsShownBeforeTheFirstFrameNorOfTheSessionBefore) {
   Bench b;
   EXPECT_EQ(b.feed.newest(), nullptr);

@@ -211,6 +211,9 @@ void LiveServer::observe(const WorldFrame& frame) {
   impl_->feed.observe(impl_->world_feed.observe(frame));
   if (frame.haptic.ticks > 0) impl_->feed.observe_world_step(frame.step_cpu);
 }
+void LiveServer::observe(std::span<const WorldRow> rows, std::size_t near) {
+  impl_->world_feed.observe(rows, near);
+}
 
 void LiveServer::prepare_session(SessionConfig& config) {
   const std::lock_guard lock(impl_->mutex);

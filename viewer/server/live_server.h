@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -114,6 +115,8 @@ class LiveServer {
   void observe(const SessionEvent& event);
   /// Of a world, in place of the first two.
   void observe(const WorldFrame& frame);
+  /// What keeps a world's bodies apart, of late, and how many rows there are in all.
+  void observe(std::span<const WorldRow> rows, std::size_t near);
 
   /// The parameters as pages have set them, for the session that comes next. Pages cannot change
   /// them from here to begin_session.

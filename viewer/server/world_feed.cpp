@@ -46,8 +46,15 @@ std::int32_t hand_to_show(const WorldView& view, const std::vector<ViewedHand>& 
 void WorldFeed::begin_session(const WorldView& view) {
   view_ = view;
   last_ = -1;
+  rows_.clear();
+  rows_near_ = 0;
   const std::lock_guard lock(mutex_);
   has_next_ = false;
+}
+
+void WorldFeed::observe(std::span<const WorldRow> rows, std::size_t near) {
+  rows_.assign(rows.begin(), rows.end());
+  rows_near_ = near;
 }
 
 HapticSample WorldFeed::observe(const WorldFrame& frame) {
@@ -64,6 +71,8 @@ HapticSample WorldFeed::observe(const WorldFrame& frame) {
   draft_.haptic_ticks = frame.haptic.ticks;
   draft_.haptic_missed = frame.haptic.missed;
   draft_.step_cpu = frame.step_cpu;
+  draft_.rows = rows_;
+  draft_.rows_near = rows_near_;
 
   HapticSample sample;
   sample.frame = frame.frame;
@@ -120,6 +129,8 @@ void WorldFeed::carry(std::vector<Pose> bodies, std::span<const std::int32_t> wa
   };
   now_.bodies = std::move(bodies);
   now_.is_asleep.assign(now_.bodies.size(), 0);
+  now_.rows.clear();
+  now_.rows_near = 0;
   for (ViewedHand& hand : now_.hands) renumber(hand.body);
   renumber(now_.shown_body);
 }

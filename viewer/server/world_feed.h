@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "thigma/loop/samples.h"
+#include "thigma/multibody/world_rows.h"
 #include "thigma/session/world_session.h"
 
 namespace thigma::live {
@@ -45,6 +46,8 @@ struct WorldNow {
   std::int32_t shown_body = -1;  // that it holds, or that was shown last
   std::uint64_t haptic_ticks = 0, haptic_missed = 0;  // as of WorldHapticNow
   double step_cpu = 0.0;                              // of the processor, for the frame [s]
+  std::vector<WorldRow> rows;                         // that are shown, as of a frame of late
+  std::size_t rows_near = 0;                          // in all
 };
 
 /// Keeps the newest frame. Thread: observe from the world's thread, which never waits; newest from
@@ -54,6 +57,9 @@ class WorldFeed {
   void begin_session(const WorldView& view);
   /// The frame as samples have it, for rows and tiles: that of the hand that is shown.
   HapticSample observe(const WorldFrame& frame);
+  /// What keeps bodies apart, shown from the next frame on.
+  /// near   how many rows there are in all
+  void observe(std::span<const WorldRow> rows, std::size_t near);
   /// Null before the first frame. Valid until the next call.
   const WorldNow* newest();
   /// What has come so far is not shown any more. Of the serving thread.
@@ -65,10 +71,12 @@ class WorldFeed {
   void carry(std::vector<Pose> bodies, std::span<const std::int32_t> was);
 
  private:
-  WorldView view_;          // the world's thread
-  std::int32_t last_ = -1;  // body shown last
-  WorldNow draft_;          // likewise
-  std::mutex mutex_;        // of next_; held for a swap
+  WorldView view_;              // the world's thread
+  std::int32_t last_ = -1;      // body shown last
+  WorldNow draft_;              // likewise
+  std::vector<WorldRow> rows_;  // likewise: the newest
+  std::size_t rows_near_ = 0;   // likewise
+  std::mutex mutex_;            // of next_; held for a swap
   WorldNow next_;
   bool has_next_ = false;
   WorldNow now_;  // the serving thread's

@@ -73,7 +73,14 @@ Snapshot LiveServer::Impl::snapshot_now(const HapticNow& now) {
 }
 
 /// In a world the object is what the hand holds that is shown.
-void LiveServer::Impl::show_world(const WorldNow& world, Snapshot& s) const {
+void LiveServer::Impl::show_world(const WorldNow& world, Snapshot& s) {
+  s.bits |= kConstrained;
+  viewed_rows.clear();
+  for (const WorldRow& row : world.rows)
+    viewed_rows.push_back(
+        {row.point, row.normal, row.gap, row.force, row.friction, row.kind, row.presses()});
+  s.rows = viewed_rows;
+  s.found = static_cast<std::int64_t>(world.rows_near);
   if (world.haptic_ticks > 0) s.query_cpu = world.step_cpu;
   if (world.shown_body >= 0) {
     const auto body = static_cast<std::size_t>(world.shown_body);

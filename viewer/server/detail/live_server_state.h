@@ -76,7 +76,7 @@ struct LiveServer::Impl {
   void send_parameters();
   void send_to_all(const std::string& text);
   Snapshot snapshot_now(const HapticNow& now);
-  void show_world(const WorldNow& world, Snapshot& snapshot) const;
+  void show_world(const WorldNow& world, Snapshot& snapshot);
   void began(const LiveStart& start);
   void forget_troubles();
   void lock_tuner();  // with the mutex held

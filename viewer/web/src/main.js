@@ -332,7 +332,7 @@ function fullForce() {
 function showWords(now, newtons) {
   showState(bar, session);
   showReadouts(readouts, session, plots.pointed);
-  showRowLegend(at("row-legend"), session.shown);
+  showRowLegend(at("row-legend"), session.shown, Boolean(stage?.world));
   showLegend(at("legend"), session.shown, session.scene, browsedWords(levels));
   showReplayBar(replayBar, session.state, session.shown);
   showHint(at("hint"), guideLine(guide, session, { now, newtons, holding: session.holding && hand.clutch, turned: session.turned, touch: input?.touch ?? matchMedia("(pointer: coarse)").matches }, act));

@@ -156,7 +156,8 @@ const ROW_KEYS = [["object", "the object"], ["hand", "where the hand holds it"],
   ["cone", "friction cone"]];
 
 /// What is drawn of constraints, with counts; hidden where there are none.
-export function showRowLegend(parent, snapshot) {
+/// isWorld   of several bodies
+export function showRowLegend(parent, snapshot, isWorld) {
   const constrained = Boolean(snapshot) && (snapshot.bits & STATE.constrained) !== 0;
   parent.hidden = !constrained;
   document.body.classList.toggle("constrained", constrained);
@@ -168,6 +169,8 @@ export function showRowLegend(parent, snapshot) {
       return item;
     }));
   }
+  const own = isWorld ? "in a hand" : ROW_KEYS[0][1], first = parent.children[0].children[1];
+  if (first.textContent !== own) first.textContent = own;
   const pressing = snapshot.rows.filter(({ presses }) => presses);
   const grasped = (snapshot.bits & 1) !== 0;
   const counts = { object: null, hand: grasped ? null : 0, coupling: grasped ? null : 0, near: snapshot.rows.length - pressing.length,

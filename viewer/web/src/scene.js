@@ -260,11 +260,12 @@ function showForces(stage, snapshot, at) {
 }
 
 function showContacts(stage, snapshot) {
-  if (stage.editing || stage.world) return; // a world tells of none
+  if (stage.editing) return;
   const constrained = (snapshot.bits & STATE.constrained) !== 0; // rows stand for contacts then
   const shown = stage.options.contacts && !constrained ? snapshot.contacts : [];
   setRowMarks(stage.rows, stage.options.contacts ? snapshot.rows : [], { size: 0.045 * stage.size, longest: 0.34 * stage.size },
     { near: colour("contact"), press: colour("press") });
+  if (stage.world) return; // which has rows alone
   const largest = Math.max(1e-30, ...snapshot.clusters.map((cluster) => Math.hypot(...cluster.force)));
   setContactMarks(stage.marks,
     shown.map((contact) => ({ point: contact.point, normal: contact.normal, level: contact.objectLevel })),

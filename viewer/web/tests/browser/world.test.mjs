@@ -76,6 +76,24 @@ async function drag(page, from, dx, dy, steps = 40) {
   return { x: from.x + dx, y: from.y + dy };
 }
 
+worldTest("what keeps bodies apart is drawn, with what presses, until they sleep", [join(here, "../../../../scenes/row_of_blocks.toml"), "--device", "null:"], async ({ page }) => {
+  const marks = () => page.evaluate(() => { const { stage, session: { snapshot } } = window.thigma, count = (name) => stage.rows[name].count;
+    return { rows: snapshot.rows, found: snapshot.contactsFound, planes: count("planes"), points: count("points"), forces: count("forces"), size: stage.size }; });
+  const block = await numberOf(page, "block 5");
+  const { x, y } = await take(page, block);
+  await drag(page, { x, y }, 6, 0, 10); // awake, and it pulls at its neighbours
+  await page.waitForFunction(() => window.thigma.session.snapshot.rows.filter(({ presses }) => presses).length > 3 && window.thigma.stage.rows.forces.count > 3);
+  const seen = await marks();
+  assert.ok(seen.rows.length <= 64 && seen.found >= seen.rows.length, `${seen.rows.length} of ${seen.found}`);
+  assert.ok(seen.planes + seen.points >= seen.rows.length, JSON.stringify([seen.planes, seen.points, seen.rows.length]));
+  const floor = seen.rows.filter(({ presses, normal }) => presses && Math.abs(normal[2]) > 0.99);
+  assert.ok(floor.length > 0 && floor.every(({ point }) => Math.abs(point[2]) < 1e-4), "what presses on the table lies on it");
+  if (SHOTS) await page.screenshot({ path: join(SHOTS, "world-rows.png") });
+  await page.keyboard.press("c");
+  await page.waitForFunction(() => window.thigma.stage.rows.planes.count === 0);
+  await page.mouse.up();
+});
+
 worldTest("each mesh is sent and kept once, and every body is drawn where the engine has it", [join(here, "../../../../scenes/tower.toml")], async ({ page }) => {
   const seen = await page.evaluate(() => {
     const { session, stage } = window.thigma, shapes = new Set(stage.world.byNumber.map((body) => body.finest.geometry));
