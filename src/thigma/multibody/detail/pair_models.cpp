@@ -45,6 +45,7 @@ void forget(NearPair& pair) noexcept {
   pair.first = pair.second = -1;
   pair.has_model = false;
   pair.looked_ahead = 0.0;
+  pair.worth = kInfinity;
   pair.history.clear();
 }
 
@@ -131,8 +132,7 @@ void renew(const World& world, const BodyState& relative, double way, NearPair& 
   // A model serves some steps where it is cheap to look a little farther.
   constexpr double kMore = 1.25;
   ContactQuery query;
-  query.tolerance =
-      std::clamp(kMore * way, constraints.least_look_ahead, constraints.most_look_ahead);
+  query.tolerance = std::clamp(kMore * way, constraints.least_look_ahead, most_ahead(world, pair));
   query.most_pairs = kMostPairs;
   clear(models.contacts);
   const Pose second_from_first =
@@ -146,6 +146,10 @@ void renew(const World& world, const BodyState& relative, double way, NearPair& 
   const double separation = is_far ? unreported_separation(pair.front) : pair.looked_ahead;
   const ConstraintStats stats = build_constraints(
       constraints, relative, {models.contacts, separation}, models.scratch, pair.model);
+  // Where rows had no room they hold for less; twice as much is tried again, and more once they have.
+  constexpr double kAgain = 2.0;
+  pair.worth =
+      kAgain * (stats.halvings > 0 ? pair.model.travel : std::max(pair.worth, query.tolerance));
   const Friction friction =
       friction_between(world.bodies[idx(pair.first)], world.bodies[idx(pair.second)]);
   for (ContactRow& row : pair.model.rows) row.friction = friction;

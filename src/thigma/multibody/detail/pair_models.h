@@ -2,6 +2,7 @@
 // What is known of each pair of bodies that are near each other: rows, how far they hold, and the
 // memory of the query.
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -33,6 +34,8 @@ struct NearPair {
   double asked = 0.0;         // a way it turned out to need in this step [m]
   double fresh = -1.0;        // the way that the model was made for, at the poses of this step [m]
   std::int64_t left_out = 0;  // of the last query: nothing may move
+  // To look farther ahead serves nothing: there are more rows than have room [m].
+  double worth = kInfinity;
   std::vector<RowHistory> history;  // as many as rows
 };
 
@@ -63,7 +66,9 @@ void take_pairs(const World& world, std::span<const BodyPairIndex> pairs, PairMo
 
 /// Most that a query may look ahead [m].
 inline double most_ahead(const World& world, const NearPair& pair) noexcept {
-  return world.pair_kinds[static_cast<std::size_t>(pair.kind)].constraints.most_look_ahead;
+  const ConstraintWorld& constraints =
+      world.pair_kinds[static_cast<std::size_t>(pair.kind)].constraints;
+  return std::clamp(pair.worth, constraints.least_look_ahead, constraints.most_look_ahead);
 }
 
 /// Whether the model of a pair holds where it is now, and for a way from there [m].
