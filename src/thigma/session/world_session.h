@@ -21,10 +21,11 @@
 
 namespace thigma {
 
-/// Why devices that hold a person are refused where haptic steps are not apart from the world's.
+/// Why devices that may hold a person are refused where haptic steps are not apart from the
+/// world's.
 inline constexpr const char* kNoPersonInLockstep =
-    "may hold a person, and worlds of several bodies have no ramps and no watchdog in lockstep, "
-    "expected hand:, script: or null:";
+    "not in lockstep, where worlds of several bodies have no ramps and no watchdog for a person's "
+    "hand, expected hand:, script: or null:";
 
 /// A hand of a session.
 struct WorldHand {

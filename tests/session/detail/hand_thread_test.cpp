@@ -1,4 +1,4 @@
-// Devices that hold people in a world by the clock: each on its own clock, all ended by one's fault.
+// Devices that hold people in a world by the clock: each on its own clock, and one fault ends all.
 
 #include "thigma/session/detail/hand_thread.h"
 
