@@ -173,8 +173,20 @@ def try_recording(pair, folder):
     assert found["identical"] and found["haptic"]["frames"] > 1000, (found, again.stderr)
 
 
+def try_lockstep(folder):
+    """No watchdog there: one line, and nothing is opened."""
+    file = folder / "two.toml"
+    file.write_text(SCENE.format(safety="") + HAND.format(name="block", x=0.0, uri="hand:"))
+    for uri in ("dhd:0", "haply:?port=1", "hand:?camera=spacenav:"):
+        done = subprocess.run([program, "run", str(file), "--lockstep", "--headless", "--duration", "0.1", "--device", uri],
+                              capture_output=True, text=True)
+        lines = done.stderr.strip().splitlines()
+        assert done.returncode == 3 and "not in lockstep" in lines[-1] and uri.split(":")[0] + ": " in lines[-1], (uri, done)
+
+
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
+    try_lockstep(folder)
     for pair in PAIRS:
         for fault in FAULTS[pair] if is_whole else FAULTS[pair][:1]:
             try_fault(pair, folder, fault)
