@@ -41,7 +41,9 @@ std::string missing(const RunOptions& options) {
     return "--repair is not for scenes with [[body]]: thigma repair mends them";
   if (!options.histograms.empty())
     return "--histograms is not for scenes with [[body]]: the summary has how long steps take";
-  if (options.spin) return "--spin is not for scenes with [[body]]: they sleep until each frame";
+  if (options.spin)
+    return "--spin is not for scenes with [[body]]: hands of people poll as long as wake-ups ask "
+           "for, all else sleeps";
   return "";
 }
 
