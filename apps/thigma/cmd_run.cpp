@@ -197,6 +197,12 @@ SessionSummary run_with_page(const RunOptions& options, const Common& common,
   return run_live(program);
 }
 
+void tell_of_suspension() {
+  if (was_suspended)
+    print_error(
+        "a session cannot be suspended, as the device would keep its last force: ended instead");
+}
+
 int refuse(int code, const std::string& why) {
   print_error(why);
   return code;
@@ -205,7 +211,9 @@ int refuse(int code, const std::string& why) {
 int run_asked(const RunOptions& asked, const Common& common) {
   if (asked.replay.empty() && !is_recording_name(asked.scene) && is_world_scene(asked.scene)) {
     const SignalGuard signals;
-    return run_world_scene(asked, common, stop_requested);
+    const int code = run_world_scene(asked, common, stop_requested);
+    tell_of_suspension();
+    return code;
   }
   const Log log = log_of(common);
   RunOptions options = asked;
@@ -239,10 +247,7 @@ int run_asked(const RunOptions& asked, const Common& common) {
                  summary.end == SessionEnd::fault ? " since" : " until taken up again",
                  event.text.empty() ? "" : ("; " + event.text).c_str());
   }
-  if (was_suspended) {
-    print_error(
-        "a session cannot be suspended, as the device would keep its last force: ended instead");
-  }
+  tell_of_suspension();
   if (summary.end == SessionEnd::fault) return kSafetyFault;
   if (!is_whole) return kFailed;
   return summary.end == SessionEnd::stopped ? kInterrupted : kDone;

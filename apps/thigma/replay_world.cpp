@@ -54,6 +54,7 @@ LoadedWorld load_recorded(const WorldRecording& recording) {
   const std::size_t frames = recording.states.size() / bodies;
   world.config.duration = static_cast<double>(frames) / recording.rate;
   add_recorded_hands(recording.devices, world);
+  use_clutches(recording.devices, world);
   check_count(recording, world.config.hands.size(), recording.devices.size(), "hands");
   return world;
 }
@@ -89,7 +90,8 @@ void aim_as_recorded(const WorldRecording& recording, std::uint64_t frame, World
 
 /// The one loop.
 WorldSummary run_again(const WorldRecording& recording, const LoadedWorld& world,
-                       WorldDevices& devices, Differences& found) {
+                       Differences& found) {
+  WorldDevices devices = open_world_devices(world, recording.devices, recording.seed);
   for (std::size_t i = 0; i < devices.list.size(); ++i) {
     if (devices.list[i] != nullptr) continue;
     devices.owned.push_back(recorded_hand(recording.hands[i]));
@@ -105,14 +107,24 @@ WorldSummary run_again(const WorldRecording& recording, const LoadedWorld& world
   return run.end();
 }
 
-/// Hands apart from the world: their steps as well.
-WorldSummary run_apart_again(const WorldRecording& recording, const LoadedWorld& world,
-                             const WorldDevices& devices, Differences& found) {
+/// Of the devices that were apart from the world: as recorded, and nothing is opened. Older
+/// recordings do not tell, and have none but simulated ones and pages.
+std::vector<DeviceLimits> recorded_limits(const WorldRecording& recording,
+                                          const LoadedWorld& world) {
+  if (!recording.limits.empty()) return recording.limits;
+  const WorldDevices devices = open_world_devices(world, recording.devices, recording.seed);
   WebDeviceChannel link;
   const DeviceLimits page = make_web_device(link)->limits();
   std::vector<DeviceLimits> limits;
   for (const HapticDevice* device : devices.list)
     limits.push_back(device != nullptr ? device->limits() : page);
+  return limits;
+}
+
+/// Hands apart from the world: their steps as well.
+WorldSummary run_apart_again(const WorldRecording& recording, const LoadedWorld& world,
+                             Differences& found) {
+  const std::vector<DeviceLimits> limits = recorded_limits(recording, world);
   ReplayWatch watch;
   watch.between = [&](std::uint64_t frame, WorldRun& run) {
     aim_as_recorded(recording, frame, run);
@@ -127,13 +139,12 @@ WorldSummary run_apart_again(const WorldRecording& recording, const LoadedWorld&
 int replay_world(const std::string& path, const Common& common) {
   const WorldRecording recording = read_world_recording(path);
   const LoadedWorld world = load_recorded(recording);
-  WorldDevices devices = open_world_devices(world, recording.devices, recording.seed);
   const std::size_t frames = recording.states.size() / recording.bodies.size();
   const bool is_apart = recording.is_apart && !recording.devices.empty();
   if (is_apart && frames > 0) check_haptic_steps(path, recording, frames);
   Differences found{recording};
-  const WorldSummary summary = is_apart ? run_apart_again(recording, world, devices, found)
-                                        : run_again(recording, world, devices, found);
+  const WorldSummary summary =
+      is_apart ? run_apart_again(recording, world, found) : run_again(recording, world, found);
   const bool is_shorter = is_apart && !recording.has_end && summary.frames > 0 &&
                           summary.frames < frames && frames - summary.frames <= kLastFrames;
   if (found.frame < 0 && summary.frames != frames && !is_shorter)

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "guarded_writer.h"
 #include "json_out.h"
 #include "run_world_live.h"
 #include "world_recorder.h"
@@ -40,7 +41,9 @@ std::string missing(const RunOptions& options) {
     return "--repair is not for scenes with [[body]]: thigma repair mends them";
   if (!options.histograms.empty())
     return "--histograms is not for scenes with [[body]]: the summary has how long steps take";
-  if (options.spin) return "--spin is not for scenes with [[body]]: they sleep until each frame";
+  if (options.spin)
+    return "--spin is not for scenes with [[body]]: hands of people poll as long as wake-ups ask "
+           "for, all else sleeps";
   return "";
 }
 
@@ -83,33 +86,56 @@ std::string missing_page(const RunOptions& options, const LoadedWorld& world) {
 }
 
 /// Without a page: in lockstep, or by the clock.
-WorldSummary run_alone(const RunOptions& options, const LoadedWorld& world, std::uint64_t seed,
+WorldSummary run_alone(const RunOptions& options, LoadedWorld& world, const Common& common,
                        const std::atomic<bool>& stop, WorldRunFacts& facts) {
   facts.devices = devices_of(options, world);
-  const WorldDevices devices = open_world_devices(world, facts.devices, seed);
-  std::unique_ptr<WorldRecorder> recorder;
+  use_clutches(facts.devices, world);
+  const WorldDevices devices =
+      open_world_devices(world, facts.devices, common.seed, !options.is_lockstep);
+  if (!options.is_lockstep)
+    prepare_for_people(devices, facts.devices, world.config.rate, log_of(common));
+  GuardedWriter<WorldRecorder> recorder([&](const RecordingFailure& failure) {
+    facts.is_recorded_whole = false;
+    print_error(failure.line());
+  });
   if (!options.record.empty())
-    recorder =
-        std::make_unique<WorldRecorder>(options.record, world,
-                                        WorldRecorderInfo{options.scene, facts.devices, seed,
-                                                          options.friction, !options.is_lockstep});
+    recorder.begin(std::make_unique<WorldRecorder>(
+        options.record, world,
+        WorldRecorderInfo{options.scene, facts.devices, common.seed, options.friction,
+                          !options.is_lockstep, limits_of(devices.list)}));
   WorldShell shell;
   shell.stop = &stop;
   shell.sink = [&](const WorldFrame& frame) {
     count_step(frame, facts);
-    if (recorder) recorder->write(frame);
+    recorder.write_frame(frame);
   };
-  if (recorder) shell.ticks = [&](std::span<const HandTick> ticks) { recorder->write(ticks); };
+  if (recorder.is_open())
+    shell.ticks = [&](std::span<const HandTick> ticks) { recorder.write(ticks); };
   const std::int64_t begin = thread_cpu_ns();
   const WorldSummary summary =
       options.is_lockstep ? run_world(world.config, devices.list, shell.sink, &stop)
                           : run_world_on_threads(world.config, devices.list, shell, RtRequest{});
   facts.cpu_seconds = 1e-9 * static_cast<double>(thread_cpu_ns() - begin);
-  if (recorder) recorder->close(summary);
+  recorder.close(summary);
   return summary;
 }
 
 }  // namespace
+
+void prepare_for_people(const WorldDevices& devices, const std::vector<std::string>& uris,
+                        double rate, const Log& log) {
+  std::vector<std::string> lines;
+  bool has_person = false;
+  for (std::size_t i = 0; i < devices.list.size(); ++i) {
+    const HapticDevice* device = devices.list[i];
+    if (device == nullptr || !device->limits().holds_person) continue;
+    has_person = true;
+    lines.push_back(delay_line(*device, uris[i], rate));
+  }
+  if (has_person) lines.push_back(lock_process_memory());
+  for (const std::string& line : lines)
+    if (log && !line.empty()) log(line);
+}
 
 int run_world_scene(const RunOptions& options, const Common& common,
                     const std::atomic<bool>& stop) {
@@ -139,7 +165,7 @@ int run_world_scene(const RunOptions& options, const Common& common,
                               .log = log_of(common)},
                              facts);
   } else {
-    summary = run_alone(options, world, common.seed, stop, facts);
+    summary = run_alone(options, world, common, stop, facts);
   }
   if (common.json)
     print_json(world_summary_json(summary, world, facts));
@@ -147,9 +173,10 @@ int run_world_scene(const RunOptions& options, const Common& common,
     print_world_summary(summary, world, facts);
   flush_output();
   if (summary.has_fault()) {
-    print_error(std::string("run: ended by a fault: ") + fault_name(summary.fault));
+    print_error(fault_line(summary, world, facts.devices));
     return kSafetyFault;
   }
+  if (!facts.is_recorded_whole) return kFailed;
   return summary.was_stopped ? kInterrupted : kDone;
 }
 

@@ -12,6 +12,7 @@
 #include "guarded_writer.h"
 #include "live_life.h"
 #include "run_view.h"
+#include "run_world.h"
 #include "viewer/server/live_server.h"
 #include "viewer/server/origin.h"
 #include "viewer/server/protocol.h"
@@ -64,6 +65,7 @@ class WorldLive {
                 {"web:"}, live::web_files(), page_address(*program.options), link_,
                 {.may_be_framed = program.options->is_embedded}) {
     facts_.devices = devices_;
+    use_clutches(devices_, world_);
     record_ = program.options->record;
   }
 
@@ -80,27 +82,45 @@ class WorldLive {
  private:
   bool is_told_to_stop() const { return program_.stop->load(std::memory_order_relaxed); }
 
+  /// Of a session that a page asks for the device may be gone: that is told there.
   WorldSummary session() {
-    WorldDevices devices = open_world_devices(world_, devices_, program_.seed);
+    WorldDevices devices;
+    std::string why;
+    try {
+      devices = open_world_devices(world_, devices_, program_.seed, true);
+    } catch (const DeviceUnavailable& error) {
+      if (!has_run_) throw;
+      why = error.what();
+    }
     page_ = make_web_device(link_);
-    devices.list[page_hand_] = page_.get();
+    if (why.empty()) devices.list[page_hand_] = page_.get();
     if (duration_ > 0.0)
       world_.config.duration = std::max(duration_ - seconds_, 1.0 / world_.config.rate);
     SessionConfig config = config_;
-    open_recording();
+    open_recording(devices);
     server_.prepare_session(config);
     live::LiveStart start;
     start.device = "web:";
-    start.is_web = start.is_simulated = true;
+    start.is_web = true;
+    start.is_simulated = std::none_of(devices.list.begin(), devices.list.end(),
+                                      [](const auto* d) { return d->limits().holds_person; });
     start.recording = recorder_.is_open() ? record_ : "";
     server_.begin_session(start);
-    const WorldSummary summary = run(devices);
+    WorldSummary summary;
+    if (why.empty()) {
+      if (!has_run_) prepare_for_people(devices, devices_, world_.config.rate, program_.log);
+      summary = run(devices);
+      why = fault_reason(summary, devices_);
+    } else {
+      summary.fault = Fault::device_lost;
+      if (program_.log) program_.log(why);
+    }
     recorder_.close(summary);
     seconds_ += static_cast<double>(summary.frames) / world_.config.rate;
     if (summary.has_fault())
       server_.observe(SessionEvent{static_cast<double>(summary.frames) / world_.config.rate,
                                    summary.frames, EventKind::fault, fault_name(summary.fault),
-                                   ""});
+                                   why});
     server_.end_session(end_of(summary), 0);
     has_run_ = true;
     return summary;
@@ -108,11 +128,11 @@ class WorldLive {
 
   /// The first is of the command line: without it there is no session. Of those that pages ask for
   /// they are told what is wrong.
-  void open_recording() {
+  void open_recording(const WorldDevices& devices) {
     recorder_.begin(nullptr);
-    if (record_.empty()) return;
-    const WorldRecorderInfo info{program_.options->scene, devices_, program_.seed,
-                                 program_.options->friction, true};
+    if (record_.empty() || devices.list.empty()) return;
+    const WorldRecorderInfo info{program_.options->scene,    devices_, program_.seed,
+                                 program_.options->friction, true,     limits_of(devices.list)};
     try {
       recorder_.begin(std::make_unique<WorldRecorder>(record_, world_, info));
     } catch (const IoError& error) {

@@ -13,6 +13,7 @@ WorldRecordingInfo info_of(const LoadedWorld& world, const WorldRecorderInfo& gi
   info.rate = world.config.rate;
   info.friction = given.friction;
   info.is_apart = given.is_apart;
+  if (given.is_apart) info.limits = given.limits;
   for (const WorldBody& body : world.config.world.bodies) info.bodies.push_back(body.name);
   for (const WorldJoint& joint : world.config.world.joints) info.joints.push_back(joint.name);
   return info;
@@ -41,6 +42,13 @@ class RecordedPage final : public HapticDevice {
 };
 
 }  // namespace
+
+std::vector<DeviceLimits> limits_of(const std::vector<HapticDevice*>& devices) {
+  std::vector<DeviceLimits> limits;
+  for (const HapticDevice* device : devices)
+    limits.push_back(device != nullptr ? device->limits() : DeviceLimits{});
+  return limits;
+}
 
 WorldRecorder::WorldRecorder(const std::string& path, const LoadedWorld& world,
                              const WorldRecorderInfo& info)

@@ -17,9 +17,13 @@ struct WorldRecorderInfo {
   std::string scene;                 // as the command line names it
   std::vector<std::string> devices;  // addresses, by hand
   std::uint64_t seed = 1;
-  std::optional<double> friction;  // of every body, instead of the scene's
-  bool is_apart = false;           // haptic steps are apart from the world's
+  std::optional<double> friction;      // of every body, instead of the scene's
+  bool is_apart = false;               // haptic steps are apart from the world's
+  std::vector<DeviceLimits> limits{};  // by hand, where they are
 };
+
+/// Of all devices that are there, one a hand.
+std::vector<DeviceLimits> limits_of(const std::vector<HapticDevice*>& devices);
 
 /// Writes every frame. Thread: one. Members throw IoError.
 class WorldRecorder {

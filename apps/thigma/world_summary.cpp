@@ -92,9 +92,11 @@ nlohmann::ordered_json world_summary_json(const WorldSummary& s, const LoadedWor
                                   {"force_max", hand.force_max},
                                   {"energy", hand.port_energy},
                                   {"energy_min", hand.port_energy_min},
-                                  {"fault", nullptr}};
+                                  {"fault", nullptr},
+                                  {"trouble", nullptr}};
     if (body >= 0) one["holds"] = world.config.world.bodies[idx(body)].name;
     if (hand.fault != Fault::none) one["fault"] = fault_name(hand.fault);
+    if (!hand.trouble.empty()) one["trouble"] = hand.trouble;
     one["haptic"] = nullptr;
     if (i < s.haptic.size() && s.haptic[i].steps > 0) one["haptic"] = haptic_json(s.haptic[i]);
     json["hands"].push_back(std::move(one));
@@ -113,6 +115,29 @@ nlohmann::ordered_json world_summary_json(const WorldSummary& s, const LoadedWor
   if (facts.has_clock) json["clock"] = {{"late_frames", s.late_frames}, {"lost", s.lost_time}};
   json["state_hash"] = hex_text(s.state_hash);
   return json;
+}
+
+std::string fault_reason(const WorldSummary& s, const std::vector<std::string>& devices) {
+  for (std::size_t i = 0; i < s.hands.size(); ++i) {
+    const WorldHandSummary& hand = s.hands[i];
+    if (hand.fault != s.fault) continue;
+    std::string reason = "hand " + std::to_string(i + 1) + " (" + devices[i] + ")";
+    char hung[64];
+    std::snprintf(hung, sizeof hung, ": %.1f ms without a haptic step", 1e3 * hand.hung);
+    if (hand.hung > 0.0) reason += hung;
+    if (!hand.trouble.empty()) reason += ": " + hand.trouble;
+    return reason;
+  }
+  return "";
+}
+
+std::string fault_line(const WorldSummary& s, const LoadedWorld& world,
+                       const std::vector<std::string>& devices) {
+  const std::string reason = fault_reason(s, devices);
+  char line[96];
+  std::snprintf(line, sizeof line, "safety fault %s at %.3f s: zero force since",
+                fault_name(s.fault), static_cast<double>(s.frames) / world.config.rate);
+  return line + (reason.empty() ? "" : "; " + reason);
 }
 
 void print_world_summary(const WorldSummary& s, const LoadedWorld& world,

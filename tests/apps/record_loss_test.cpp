@@ -159,6 +159,31 @@ TEST(RecordLoss, a_full_disk_ends_the_recording_not_the_session) {
   }
 }
 
+TEST(RecordLoss, a_full_disk_ends_the_recording_of_a_world_not_its_session) {
+  const std::string scene = std::string(THIGMA_SOURCE_DIR) + "/scenes/row_of_blocks.toml";
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"run", scene,    "--headless", "--duration",
+                                          "1.5", "--json", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(arguments);
+  };
+  const nlohmann::json free = json_line(run({"--lockstep"}));
+  for (const bool is_lockstep : {true, false}) {
+    const std::string file = out_file(is_lockstep ? "full_world.mcap" : "full_world_clock.mcap");
+    std::vector<std::string> more = {"--record", file};
+    if (is_lockstep) more.push_back("--lockstep");
+    const Ended e = [&] {
+      const FileLimit limit(300'000);
+      return run(more);
+    }();
+    EXPECT_EQ(e.code, 1) << e.err;
+    EXPECT_EQ(count(e.err, file + ": "), 1u) << e.err;
+    EXPECT_NE(e.err.find("the session goes on"), std::string::npos) << e.err;
+    if (is_lockstep) EXPECT_EQ(json_line(e)["state_hash"], free["state_hash"]);
+    EXPECT_GT(json_line(e)["frames"].get<int>(), 50);
+  }
+}
+
 TEST(RecordLoss, a_disk_full_from_the_start_is_told_before_the_session) {
   const std::string file = out_file("nothing.mcap");
   const FileLimit limit(100);

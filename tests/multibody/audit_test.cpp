@@ -115,7 +115,7 @@ TEST(WorldAudit, HapticStepsTakeNoMemoryAtAll) {
   const auto block = test::body_mesh(make_box(Vec3(0.04, 0.03, 0.02)));
   for (int i = 0; i < 4; ++i)
     bench.add(block, BodyKind::moving, Vec3(0.0, 0.0, 0.010002 + 0.020002 * i));
-  bench.add(block, BodyKind::held, Vec3(0.0, 0.0, 0.092));
+  bench.add(block, BodyKind::held, Vec3(0.0, 0.0, 0.092)).restitution = 0.5;
   bench.make();
   HandHold hand;
   hand.body = 5;

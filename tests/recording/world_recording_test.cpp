@@ -1,5 +1,6 @@
 #include "thigma/recording/world_recording.h"
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
@@ -50,6 +51,39 @@ std::vector<BodyState> write_some(const std::string& path) {
   }
   writer.close(40, 0xfedcba9876543210u);
   return all;
+}
+
+TEST(WorldRecording, TellsWhatTheDevicesWereSoThatNoneIsOpened) {
+  const std::string path = path_of("limits.mcap");
+  WorldRecordingInfo info;
+  info.devices = {"dhd:0", "web:"};
+  info.bodies = {"block"};
+  info.is_apart = true;
+  info.limits.resize(2);
+  info.limits[0].max_force = 0.1 + 0.2;
+  info.limits[0].actuates_rotation = info.limits[0].senses_rotation = false;
+  info.limits[0].clock = DeviceClock::device;
+  info.limits[1].holds_person = false;
+  { WorldRecordingWriter(path, info).close(0, 0); }
+  const WorldRecording read = read_world_recording(path);
+  ASSERT_EQ(read.limits.size(), 2u);
+  EXPECT_EQ(read.limits[0].max_force, 0.1 + 0.2);
+  EXPECT_FALSE(read.limits[0].actuates_rotation);
+  EXPECT_FALSE(read.limits[0].senses_rotation);
+  EXPECT_TRUE(read.limits[0].senses_translation);
+  EXPECT_EQ(read.limits[0].clock, DeviceClock::device);
+  EXPECT_TRUE(read.limits[0].holds_person);
+  EXPECT_FALSE(read.limits[1].holds_person);
+  for (const double wrong : {-1.0, std::nan("")}) {
+    info.limits[1].max_torque = wrong;
+    { WorldRecordingWriter(path, info).close(0, 0); }
+    try {
+      read_world_recording(path);
+      ADD_FAILURE() << wrong;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("max_torque"), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST(WorldRecording, ComesBackBitForBit) {

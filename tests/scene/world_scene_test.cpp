@@ -207,9 +207,61 @@ TEST(WorldScene, DevicesThatMayHoldAPersonAreRefusedUnopened) {
       open_world_devices(world, {uri, "null:"}, 1);
       FAIL() << uri;
     } catch (const DeviceUnavailable& error) {
-      EXPECT_NE(std::string(error.what()).find("may hold a person"), std::string::npos) << uri;
+      EXPECT_NE(std::string(error.what()).find("not in lockstep"), std::string::npos) << uri;
     }
   }
+}
+
+TEST(WorldScene, HandsOfPeopleHoldByTheirClutch) {
+  LoadedWorld world =
+      load_world(read_world_scene(std::string(THIGMA_SOURCE_DIR) + "/scenes/two_hands.toml"));
+  use_clutches({"dhd:0", ""}, world);
+  EXPECT_TRUE(world.config.hands[0].has_clutch);
+  EXPECT_FALSE(world.config.hands[1].has_clutch);  // the scene's hand:
+  use_clutches({"script:way.csv", "spacenav:"}, world);
+  EXPECT_FALSE(world.config.hands[0].has_clutch);
+  EXPECT_TRUE(world.config.hands[1].has_clutch);
+}
+
+TEST(WorldScene, SafetyIsOfAllHandsAndADevicesOwnNumbersAreItsOwn) {
+  const std::string bodies = kTable + R"(
+[[body]]
+kind = "held"
+name = "a"
+mesh = "procedural:box?triangles=12"
+position = [0.0, 0.0, 0.5]
+density = 100.0
+[[body]]
+kind = "held"
+name = "b"
+mesh = "procedural:box?triangles=12"
+position = [0.2, 0.0, 0.5]
+density = 100.0
+[[device]]
+holds = "a"
+motion_scale = 2.0
+position = [0.0, 0.0, 0.1]
+[[device]]
+holds = "b"
+max_force = 3.0
+motion_scale = 2.0
+force_scale = 2.0
+)";
+  const LoadedWorld world = load_world(parse_world_scene(
+      bodies + "[safety]\nwatchdog = 0.1\nmax_force = 5.0\nstart_ramp = 2.0\n", "s.toml", ""));
+  ASSERT_EQ(world.config.hands.size(), 2u);
+  const WorldHand &a = world.config.hands[0], &b = world.config.hands[1];
+  EXPECT_EQ(a.limits.max_force, 5.0);
+  EXPECT_EQ(b.limits.max_force, 3.0);
+  EXPECT_EQ(b.limits.watchdog, 0.1);
+  EXPECT_EQ(b.limits.start_ramp, 2.0);
+  EXPECT_EQ(free_hand(world).limits.watchdog, 0.1);
+  EXPECT_EQ(a.workspace.motion_scale, 2.0);
+  EXPECT_EQ(a.workspace.force_scale, 0.5);
+  EXPECT_EQ(a.workspace.world_from_device.position.z(), 0.1);
+  EXPECT_EQ(b.workspace.force_scale, 2.0);
+  const std::string line = refusal(bodies + "[safety]\nwatchdogs = 1.0\n");
+  EXPECT_NE(line.find("watchdogs"), std::string::npos) << line;
 }
 
 TEST(WorldScene, IsToldFromAScene) {

@@ -62,5 +62,19 @@ TEST(DurationHistogram, TakesExtremes) {
   EXPECT_GT(quantile(histogram, 1.0), 9e9);
 }
 
+TEST(DurationHistogram, AddedUpItIsAsIfAllHadBeenRecordedInOne) {
+  DurationHistogram first, second, both;
+  for (const std::int64_t ns : {5, 70, 900'000}) {
+    record(first, ns);
+    record(second, 3 * ns);
+    record(both, ns);
+    record(both, 3 * ns);
+  }
+  add(second, first);
+  EXPECT_EQ(first.counts, both.counts);
+  EXPECT_EQ(first.total, both.total);
+  EXPECT_EQ(first.max_ns, both.max_ns);
+}
+
 }  // namespace
 }  // namespace thigma

@@ -82,6 +82,7 @@ std::int32_t add_body(const Making& m, std::int32_t body) noexcept {
   added.rigid = m.world.rigid[idx(body)];
   added.state = m.state.bodies[idx(body)];
   added.velocity = m.velocity(body);
+  added.is_free = moves_freely(m.world.bodies[idx(body)].kind);
   if (!m.model.bodies.push_back(added)) return -1;
   return static_cast<std::int32_t>(m.model.bodies.size()) - 1;
 }
@@ -179,6 +180,8 @@ HandPair pair_of(const Making& m, const NearPair& pair) noexcept {
   made.travel = pair.left_out > 0 ? 0.0 : pair.model.travel;
   made.reach = constraints.reach;
   made.slop = constraints.slop;
+  made.restitution = std::max(m.world.bodies[idx(pair.first)].restitution,
+                              m.world.bodies[idx(pair.second)].restitution);
   return made;
 }
 

@@ -29,6 +29,7 @@ struct HandBody {
   // A haptic step moves it by its mass and its rows; else it keeps its velocity until the world's
   // next step, whatever it meets: it is where the world begins that the haptic thread does not know
   bool is_solved = false;
+  bool is_free = false;  // rows move it in the world
   RigidBody rigid;
   BodyState state;               // where the world has it
   Vec6 velocity = Vec6::Zero();  // there [m/s, rad/s; world]
@@ -41,6 +42,7 @@ struct HandPair {
   double travel = 0.0;                   // from there that they hold for [m]
   double reach = 0.0;                    // of the first body [m]
   double slop = 0.0;                     // the gap that is kept [m]
+  double restitution = 0.0;              // the larger of the two bodies'
 
   /// Whether one of them is the body in the hand, which goes no farther than these rows hold.
   bool is_guarded() const noexcept { return first == 0 || second == 0; }

@@ -5,6 +5,7 @@
 
 #include "thigma/core/index.h"
 #include "thigma/math/infinity.h"
+#include "thigma/multibody/detail/hand_collide.h"
 #include "thigma/multibody/detail/hand_result.h"
 #include "thigma/multibody/detail/hand_within.h"
 #include "thigma/multibody/detail/hand_work.h"
@@ -101,38 +102,6 @@ double share_within(const HandWork& work, Least least) THIGMA_RT {
   return inside;
 }
 
-/// Surfaces that met in the step stop each other at its end, as in the world's; they do not spring
-/// back.
-void collide(const HandWork& work) THIGMA_RT {
-  HandScratch& s = work.s;
-  bool any_met = false;
-  for (std::size_t r = 0; r < s.rows.size() && !any_met; ++r)
-    any_met =
-        detail::has_met(s.rows[r], s.sources[r], work.model.pairs[idx(s.sources[r].pair)].slop);
-  if (!any_met) return;
-  detail::turn_rows(work);
-  for (std::size_t i = 0; i < work.model.bodies.size(); ++i) {
-    if (s.place[i] < 0) continue;
-    IslandBody& body = s.bodies[idx(s.place[i])];
-    body.free = body.velocity;
-    if (!work.model.bodies[i].is_solved) continue;
-    body.metric =
-        detail::mass_matrix(i == 0 ? work.at.body : work.model.bodies[i].rigid, s.next[i]);
-  }
-  s.solve.newton_left = std::max(kHandNewton - work.memory.newton, 0);
-  const detail::CutSolution cut =
-      detail::solve_cut(s.bodies, s.rows, s.sources, {}, s.cut, s.solve);
-  work.memory.newton += cut.solution.newton;
-  for (std::size_t i = 0; i < work.model.bodies.size(); ++i) {
-    if (s.place[i] < 0) continue;
-    IslandBody& body = s.bodies[idx(s.place[i])];
-    if (!cut.solution.is_whole) body.velocity = body.free;
-    if (!cut.solution.is_whole || !work.model.bodies[i].is_solved) continue;
-    s.next[i].linear_momentum += body.impulse.head<3>();
-    s.next[i].angular_momentum += body.impulse.tail<3>();
-  }
-}
-
 }  // namespace
 
 void reserve_hand_step(HandScratch& s) {
@@ -182,7 +151,7 @@ ConstrainedStep step_hand(const HandModel& model, const BodyAtState& at, const S
     result.is_held_back = true;
     share = share_within(work, of);
   } else if (solution.is_whole) {
-    collide(work);
+    detail::collide(work);
   }
   result.state = s.next[0];
   detail::keep_bodies(work, share);

@@ -46,6 +46,9 @@ struct HandScratch {
   detail::JointRowList joint_rows;
   std::array<BodyState, kHandBodies> states{}, next{};
   std::array<std::int32_t, kHandBodies> place{};  // in the island; -1: stands still in this step
+  // Of an impact: what rows that met give back of what stopped them, and to whom, by place.
+  std::array<double, kHandRows> spring{};
+  std::array<Vec6, kHandBodies> bounce{};
 };
 
 /// Thread    [offline]; throws std::bad_alloc.
@@ -68,7 +71,8 @@ HandCorrection take_hand_model(const HandModel& model, BodyState& held,
 /// One haptic step: bodies and rows of the model in one solve, as the world's step has them. What
 /// is not solved keeps its velocity and takes what rows give it, so that nothing is stopped by what
 /// the haptic thread does not know. The bodies next to the one in the hand go one step of the world
-/// ahead and then stand still.
+/// ahead and then stand still. Surfaces that meet stop each other and spring back as in the world's
+/// step, where all of their bodies that move are solved and nothing is jointed.
 ///
 /// model    the one that memory is of
 /// at       the body in the hand, before

@@ -7,6 +7,7 @@
 
 #include "thigma/core/error.h"
 #include "thigma/device/open_device.h"
+#include "thigma/recording/detail/config_fields.h"
 #include "thigma/recording/detail/json_read.h"
 #include "thigma/recording/detail/json_text.h"
 #include "thigma/recording/mcap_file.h"
@@ -22,6 +23,33 @@ std::uint64_t nanoseconds(double seconds) {
   return static_cast<std::uint64_t>(std::llround(1e9 * seconds));
 }
 
+/// Limits of a device as JSON, written and read by one list of fields.
+struct LimitsWriter {
+  nlohmann::ordered_json& json;
+  template <class Value>
+  void operator()(const char* key, const Value& value) const {
+    json[key] = value;
+  }
+  template <class Enum>
+  void flag_for(const char* key, Enum value, Enum of_true, Enum) const {
+    json[key] = value == of_true;
+  }
+};
+
+struct LimitsReader {
+  const nlohmann::json& json;
+  void operator()(const char* key, double& value) const {
+    value = detail::read_number(json.at(key), kNull);
+    if (!(value >= 0.0) || !std::isfinite(value))
+      throw InputError(std::string("a device's ") + key + " is not a number from 0 on");
+  }
+  void operator()(const char* key, bool& value) const { value = json.at(key).get<bool>(); }
+  template <class Enum>
+  void flag_for(const char* key, Enum& value, Enum of_true, Enum of_false) const {
+    value = json.at(key).get<bool>() ? of_true : of_false;
+  }
+};
+
 std::string config_text(const WorldRecordingInfo& info) {
   nlohmann::ordered_json json;
   json["kind"] = kKind;
@@ -34,6 +62,11 @@ std::string config_text(const WorldRecordingInfo& info) {
   json["bodies"] = info.bodies;
   json["joints"] = info.joints;
   if (info.is_apart) json["apart"] = true;
+  if (!info.limits.empty()) {
+    json["limits"] = nlohmann::ordered_json::array();
+    for (const DeviceLimits& limits : info.limits)
+      detail::visit_device_limits(limits, LimitsWriter{json["limits"].emplace_back()});
+  }
   return json.dump();
 }
 
@@ -52,6 +85,11 @@ void read_config_text(std::string_view text, const std::string& path, WorldRecor
   out.hands.resize(out.devices.size());
   out.ticks.resize(out.devices.size());
   out.is_apart = json.value("apart", false);
+  if (json.contains("limits")) {
+    for (const auto& limits : json.at("limits"))
+      detail::visit_device_limits(out.limits.emplace_back(), LimitsReader{limits});
+    if (out.limits.size() != out.devices.size()) refuse(path, "/config has not all limits");
+  }
   out.seed = json.at("seed").get<std::uint64_t>();
   out.rate = json.at("rate_hz").get<double>();
   out.bodies = json.at("bodies").get<std::vector<std::string>>();

@@ -29,6 +29,9 @@ struct WorldRecordingInfo {
   std::vector<std::string> bodies;  // names
   std::vector<std::string> joints;  // likewise
   bool is_apart = false;  // haptic steps are apart from the world's, and are recorded by themselves
+  // of the devices, where they are apart: what they are replayed with, so that none is opened.
+  // Older recordings have none.
+  std::vector<DeviceLimits> limits{};
   std::uint64_t frames = 0;      // at the end
   std::uint64_t state_hash = 0;  // likewise
   bool has_end = false;

@@ -101,4 +101,12 @@ void refuse_web_without_page(const std::string& device_uri, const WebDeviceChann
 SessionSummary run_lockstep(SceneSession& session, const SessionSinks& sinks = {},
                             const std::atomic<bool>* stop = nullptr);
 
+/// That the samples of a device which holds a person are older than a frame, for people; "" where
+/// they are not.
+///
+/// uri     its address
+/// rate    of the haptic frames [Hz]
+/// Thread  [offline]
+std::string delay_line(const HapticDevice& device, const std::string& uri, double rate);
+
 }  // namespace thigma

@@ -175,19 +175,28 @@ void refuse_web_without_page(const std::string& device_uri, const WebDeviceChann
     throw DeviceUnavailable("web: needs the page, which --headless and --lockstep leave out");
 }
 
-/// Says where samples of a device come later than frames and gains do not follow from it.
-void tell_of_delay(const Opening& o) {
-  const HapticDevice& device = *o.session.device;
-  const double delay = device.limits().delay, period = 1.0 / o.session.config.rate;
-  const bool follows = o.scene.description.has_auto_gains;
-  if (!o.options.log || follows || !device.limits().holds_person || !(delay > 1.5 * period)) return;
+std::string delay_line(const HapticDevice& device, const std::string& uri, double rate) {
+  const double delay = device.limits().delay;
+  if (!device.limits().holds_person || !(delay > 1.5 / rate)) return "";
   char line[320];
   std::snprintf(line, sizeof line,
                 "%s: slower than the haptic rate, its samples are %.1f ms old; gains = \"auto\" in "
                 "the scene follow from that, `thigma tune --device %s` shows which",
-                device.name().c_str(), 1e3 * delay, o.session.device_uri.c_str());
-  o.options.log(line);
+                device.name().c_str(), 1e3 * delay, uri.c_str());
+  return line;
 }
+
+namespace {
+
+/// Says where samples of a device come later than frames and gains do not follow from it.
+void tell_of_delay(const Opening& o) {
+  if (!o.options.log || o.scene.description.has_auto_gains) return;
+  const std::string line =
+      delay_line(*o.session.device, o.session.device_uri, o.session.config.rate);
+  if (!line.empty()) o.options.log(line);
+}
+
+}  // namespace
 
 SceneSession open_session(const Scene& scene, const SessionOptions& options) {
   Opening o{scene, options, {}};

@@ -262,16 +262,17 @@ void read_device(TomlTable table, DeviceChoice& device) {
   table.finish();
 }
 
-void require_fade(TomlTable& table, const char* full, const char* stale, bool has_time) {
+void require_fade(const TomlTable& table, const char* full, const char* stale, bool has_time) {
   if (has_time) return;
   table.fail(table.has(full) ? full : stale, "leaves no time to fade",
              std::string("expected ") + full + " below " + stale);
 }
 
-void read_safety(TomlTable table, SceneDescription& scene) {
-  SafetyLimits& safety = scene.safety;
-  scene.is_passive = table.truth("passivity").value_or(scene.is_passive);
-  scene.is_strict = table.truth("strict").value_or(scene.is_strict);
+}  // namespace
+
+namespace detail {
+
+void read_safety_limits(TomlTable& table, SafetyLimits& safety) {
   visit_safety_limits(safety, [&](const char* key, double& value) {
     value = table.number(key, Range::positive).value_or(value);
   });
@@ -279,6 +280,16 @@ void read_safety(TomlTable table, SceneDescription& scene) {
                safety.model_full_age < safety.model_stale_age);
   require_fade(table, "rows_full_age", "rows_stale_age",
                safety.rows_full_age < safety.rows_stale_age);
+}
+
+}  // namespace detail
+
+namespace {
+
+void read_safety(TomlTable table, SceneDescription& scene) {
+  scene.is_passive = table.truth("passivity").value_or(scene.is_passive);
+  scene.is_strict = table.truth("strict").value_or(scene.is_strict);
+  detail::read_safety_limits(table, scene.safety);
   table.finish();
 }
 

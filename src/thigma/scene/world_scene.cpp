@@ -75,13 +75,18 @@ void read_body(TomlTable& table, std::optional<BodyKind> kind, const std::string
   }
 }
 
-WorldSceneDevice read_device(TomlTable& table) {
+WorldSceneDevice read_device(TomlTable& table, const SafetyLimits& safety) {
   WorldSceneDevice device;
+  device.limits = safety;
   device.uri = table.text("uri").value_or(device.uri);
   device.holds = table.text("holds").value_or("");
   device.at = table.vector("at");
   device.approach = table.vector("approach").value_or(device.approach);
   device.clearance = table.number("clearance", Range::positive).value_or(device.clearance);
+  const std::optional<double> motion_scale = table.number("motion_scale", Range::positive);
+  const std::optional<double> force_scale = table.number("force_scale", Range::positive);
+  device.workspace = stiffness_keeping_workspace(table.pose(), motion_scale.value_or(1.0));
+  if (force_scale) device.workspace.force_scale = *force_scale;
   SafetyLimits& limits = device.limits;
   limits.max_force = table.number("max_force", Range::positive).value_or(limits.max_force);
   limits.max_torque = table.number("max_torque", Range::positive).value_or(limits.max_torque);
@@ -95,13 +100,14 @@ WorldSceneDevice read_device(TomlTable& table) {
 /// [device], or [[device]] with what each holds.
 void read_devices(TomlTable& top, bool has_many, WorldSceneDescription& scene) {
   if (!has_many) {
-    if (auto table = top.table("device")) scene.devices.push_back(read_device(*table));
+    if (auto table = top.table("device"))
+      scene.devices.push_back(read_device(*table, scene.safety));
     return;
   }
   std::vector<TomlTable> tables = top.tables("device");
   for (TomlTable& table : tables) {
     if (!table.has("holds")) table.fail_here("no holds", "expected the name of a held body");
-    scene.devices.push_back(read_device(table));
+    scene.devices.push_back(read_device(table, scene.safety));
     if (scene.devices.size() > kMostDevices)
       table.fail_here("more than " + std::to_string(kMostDevices) + " devices", "expected fewer");
   }
@@ -113,6 +119,10 @@ void read_tables(TomlTable& top, const std::string& folder, bool has_many_device
                          joints = top.tables("joint");
   std::optional<TomlTable> object = top.table("object");
   if (auto table = top.table("coupling")) detail::read_coupling(*table, scene.coupling);
+  if (auto table = top.table("safety")) {
+    detail::read_safety_limits(*table, scene.safety);
+    table->finish();
+  }
   read_devices(top, has_many_devices, scene);
   if (auto table = top.table("solver")) {
     const std::optional<double> rate = table->number("rate", Range::positive);
@@ -235,12 +245,16 @@ void add_hands(LoadedWorld& loaded) {
   if (held == 0 && std::all_of(scene.devices.begin(), scene.devices.end(),
                                [](const WorldSceneDevice& d) { return d.holds.empty(); }))
     scene.devices.clear();
-  if (held > 0 && scene.devices.empty()) scene.devices.emplace_back();
+  if (held > 0 && scene.devices.empty()) {
+    scene.devices.emplace_back();
+    scene.devices.back().limits = scene.safety;
+  }
   for (const WorldSceneDevice& device : scene.devices) {
     WorldHand hand;
     hand.body = held_by(scene, device);
     hand.coupling = coupling_of(loaded, hand.body);
     hand.at = device.at;
+    hand.workspace = device.workspace;
     hand.limits = device.limits;
     config.hands.push_back(hand);
   }
@@ -301,6 +315,7 @@ LoadedWorld load_world(WorldSceneDescription description, const Log& log) {
 WorldHand free_hand(const LoadedWorld& world) {
   WorldHand hand;
   hand.is_free = true;
+  hand.limits = world.description.safety;
   const std::vector<WorldBody>& bodies = world.config.world.bodies;
   hand.couplings.resize(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -318,45 +333,59 @@ WorldHand free_hand(const LoadedWorld& world) {
 
 namespace {
 
-/// Decided by the address, before anything is opened: a recording may bring one from anywhere.
-void refuse_motors(const std::string& uri) {
+bool is_simulated(const std::string& uri) {
   const std::string scheme = device_scheme(uri);
-  const bool is_simulated =
-      scheme == "hand" || scheme == "null" || scheme == "script" || scheme == "replay";
+  return scheme == "hand" || scheme == "null" || scheme == "script" || scheme == "replay";
+}
+
+/// Decided by the address, before anything is opened: a recording may bring one from anywhere.
+void refuse_people(const std::string& uri) {
   const bool has_second =
       uri.find("camera=") != std::string::npos || uri.find("rotation=") != std::string::npos;
-  if (is_simulated && !has_second) return;
-  throw DeviceUnavailable(scheme +
-                          ": may hold a person, expected hand:, script: or null:; worlds " +
-                          "of several bodies have no ramps and no watchdog in lockstep yet");
+  if (is_simulated(uri) && !has_second) return;
+  throw DeviceUnavailable(device_scheme(uri) + ": " + kNoPersonInLockstep);
+}
+
+const std::string& uri_of(const LoadedWorld& world, const std::vector<std::string>& uris,
+                          std::size_t i) {
+  const bool is_asked = i < uris.size() && !uris[i].empty();
+  return is_asked ? uris[i] : world.description.devices[i].uri;
+}
+
+DeviceContext context_of(const WorldSceneDevice& given, double radius, std::uint64_t seed) {
+  const Workspace& workspace = given.workspace;
+  DeviceContext context;
+  context.approach =
+      workspace.world_from_device.orientation.conjugate()._transformVector(given.approach);
+  context.clearance = given.clearance / workspace.motion_scale;
+  context.object_radius = radius / workspace.motion_scale;
+  context.seed = seed;
+  return context;
 }
 
 }  // namespace
 
+void use_clutches(const std::vector<std::string>& uris, LoadedWorld& world) {
+  for (std::size_t i = 0; i < world.config.hands.size(); ++i) {
+    WorldHand& hand = world.config.hands[i];
+    if (!hand.is_free) hand.has_clutch = !is_simulated(uri_of(world, uris, i));
+  }
+}
+
 WorldDevices open_world_devices(const LoadedWorld& world, const std::vector<std::string>& uris,
-                                std::uint64_t seed) {
+                                std::uint64_t seed, bool has_watchdog) {
   WorldDevices devices;
   for (std::size_t i = 0; i < world.config.hands.size(); ++i) {
     if (world.config.hands[i].is_free) {  // who brings it has its device as well
       devices.list.push_back(nullptr);
       continue;
     }
-    const WorldSceneDevice& given = world.description.devices[i];
-    DeviceContext context;
-    context.approach = given.approach;
-    context.clearance = given.clearance;
-    context.object_radius = world.hierarchies[idx(world.config.hands[i].body)]->radius;
-    context.seed = seed + i;
-    const bool is_asked = i < uris.size() && !uris[i].empty();
-    const std::string& uri = is_asked ? uris[i] : given.uri;
-    refuse_motors(uri);
-    auto device = open_device(uri, context);
-    if (device->limits().holds_person)
-      throw DeviceUnavailable(device->name() +
-                              ": holds a person, expected hand:, script: or null:; worlds of "
-                              "several bodies have no ramps and no watchdog in lockstep yet");
-    devices.list.push_back(device.get());
-    devices.owned.push_back(std::move(device));
+    const std::string& uri = uri_of(world, uris, i);
+    if (!has_watchdog) refuse_people(uri);
+    const double radius = world.hierarchies[idx(world.config.hands[i].body)]->radius;
+    devices.owned.push_back(
+        open_device(uri, context_of(world.description.devices[i], radius, seed + i)));
+    devices.list.push_back(devices.owned.back().get());
   }
   return devices;
 }

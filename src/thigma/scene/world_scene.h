@@ -30,7 +30,8 @@ struct WorldSceneDevice {
   std::optional<Vec3> at;          // where it takes hold [m; world]; else the body's centre
   Vec3 approach = -Vec3::UnitZ();  // of a simulated hand [world]
   double clearance = 0.02;         // on its way to the first touch [m]
-  SafetyLimits limits;
+  Workspace workspace;             // how its axes lie in the world, and its scales
+  SafetyLimits limits;             // of [safety], and its own where they are named
 };
 
 /// A joint as a scene describes it, where its bodies stand at the start.
@@ -55,6 +56,7 @@ struct WorldSceneDescription {
   std::vector<WorldSceneJoint> joints;
   CouplingGains coupling;
   std::vector<WorldSceneDevice> devices;  // one of [object] where none is named
+  SafetyLimits safety;                    // of devices that name no others
   double rate = 1000.0;                   // of steps [Hz]
   bool sleeps = true;
 };
@@ -99,14 +101,22 @@ struct WorldDevices {
 /// Thread  [offline]
 WorldHand free_hand(const LoadedWorld& world);
 
-/// Opens them. Only devices that hold nobody: worlds have no ramps and no watchdog yet. Free hands
-/// get null.
+/// Hands whose device is that of a person hold by its clutch: of all but simulated ones, which have
+/// always hold of their bodies. Before a session, and before it is replayed.
 ///
-/// uris    by hand; those left out or empty are the scene's
-/// seed    of the first; each further one has the next
-/// errors  DeviceAddressError, DeviceUnavailable
+/// uris    as of open_world_devices
 /// Thread  [offline]
+void use_clutches(const std::vector<std::string>& uris, LoadedWorld& world);
+
+/// Opens them. Free hands get null.
+///
+/// uris          by hand; those left out or empty are the scene's
+/// seed          of the first; each further one has the next
+/// has_watchdog  by the clock, where haptic steps are apart from the world's. Else every device but
+///               simulated ones is refused, by its address, before anything is opened
+/// errors        DeviceAddressError, DeviceUnavailable
+/// Thread        [offline]
 WorldDevices open_world_devices(const LoadedWorld& world, const std::vector<std::string>& uris,
-                                std::uint64_t seed);
+                                std::uint64_t seed, bool has_watchdog = false);
 
 }  // namespace thigma

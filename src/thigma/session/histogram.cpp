@@ -38,6 +38,12 @@ void record(DurationHistogram& histogram, std::int64_t nanoseconds) THIGMA_RT {
   histogram.max_ns = std::max(histogram.max_ns, v);
 }
 
+void add(const DurationHistogram& from, DurationHistogram& to) noexcept {
+  for (std::size_t i = 0; i < to.counts.size(); ++i) to.counts[i] += from.counts[i];
+  to.total += from.total;
+  to.max_ns = std::max(to.max_ns, from.max_ns);
+}
+
 double quantile(const DurationHistogram& histogram, double quantile) noexcept {
   if (histogram.total == 0) return 0.0;
   const double target = quantile * static_cast<double>(histogram.total);

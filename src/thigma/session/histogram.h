@@ -22,6 +22,10 @@ struct DurationHistogram {
 /// Thread    [haptic].
 void record(DurationHistogram& histogram, std::int64_t nanoseconds) THIGMA_RT;
 
+/// Adds all durations of one to another.
+/// Thread    [offline].
+void add(const DurationHistogram& from, DurationHistogram& to) noexcept;
+
 /// The value that a share `quantile` (0..1) of the durations does not exceed [s]: middle of its
 /// bucket, never above the maximum; 0 without one.
 /// Thread    [any].

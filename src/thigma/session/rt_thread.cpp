@@ -125,6 +125,22 @@ std::int64_t wait_for_tick(DeadlineClock& clock) noexcept {
   return now - deadline;
 }
 
+std::uint64_t come_to_tick(std::int64_t now_ns, bool has_begun, DeadlineClock& clock) THIGMA_RT {
+  const std::int64_t period = clock.period_ns;
+  if (!has_begun) clock.start_ns = now_ns;
+  const std::int64_t due = clock.start_ns + clock.tick * period;
+  std::int64_t passed = 0;
+  if (now_ns - due >= period) {
+    passed = (now_ns - due) / period;
+    clock.missed += static_cast<std::uint64_t>(passed);
+    clock.tick += passed;
+  } else if (due - now_ns > period / 2) {
+    clock.start_ns -= due - now_ns - period / 2;
+  }
+  ++clock.tick;
+  return static_cast<std::uint64_t>(passed);
+}
+
 EmptyLoop measure_empty_loop(const RtRequest& request, double rate, double seconds, double margin) {
   EmptyLoop loop;
   std::thread([&] {

@@ -77,6 +77,14 @@ void start_clock(DeadlineClock& clock) noexcept;
 /// shell of the haptic thread.
 std::int64_t wait_for_tick(DeadlineClock& clock) noexcept;
 
+/// The tick that a device which owns the clock has come to, counted by the clock's rate: those that
+/// are over by more than a period are left out, and a device that is faster than that is half a
+/// period ahead at most. Returns how many were left out; clock.tick is then the tick after it.
+///
+/// has_begun  false: this is the first
+/// Thread     [haptic]
+std::uint64_t come_to_tick(std::int64_t now_ns, bool has_begun, DeadlineClock& clock) THIGMA_RT;
+
 /// What a thread that does nothing achieves on this machine: the floor for missed frames and
 /// lateness.
 struct EmptyLoop {

@@ -72,17 +72,12 @@ void publish_news(const WorldFrame& frame, double step, WorldApart& apart) {
   for (std::size_t i = 0; i < apart.loops.size(); ++i) publish_news(frame, step, i, apart);
 }
 
-Fault step_hands(const HapticTick& tick, WorldApart& apart) THIGMA_RT {
-  Fault fault = Fault::none;
-  for (std::size_t i = 0; i < apart.loops.size(); ++i) {
-    WorldHandLoop* loop = apart.loops[i].get();
-    if (loop == nullptr) continue;
-    const HapticSample sample = step_world_hand(*loop, tick);
-    if (apart.ticks != nullptr)
-      apart.ticks->push(tick_of(static_cast<std::int32_t>(i), tick, sample, *loop));
-    if (fault == Fault::none) fault = fault_of(*loop, sample);
-  }
-  return fault;
+Fault step_hand(const HapticTick& tick, std::size_t hand, WorldApart& apart) THIGMA_RT {
+  WorldHandLoop& loop = *apart.loops[hand];
+  const HapticSample sample = step_world_hand(loop, tick);
+  if (!apart.ticks.empty())
+    apart.ticks[hand]->push(tick_of(static_cast<std::int32_t>(hand), tick, sample, loop));
+  return fault_of(loop, sample);
 }
 
 void add_haptic(const WorldApart& apart, Fault fault, WorldSummary& summary) {
@@ -92,6 +87,7 @@ void add_haptic(const WorldApart& apart, Fault fault, WorldSummary& summary) {
     summary.haptic[i] = apart.loops[i]->summary;
     if (summary.hands[i].fault == Fault::none)
       summary.hands[i].fault = apart.loops[i]->state.safety.fault;
+    summary.hands[i].trouble = apart.loops[i]->device.trouble();
   }
   if (summary.fault == Fault::none) summary.fault = fault;
 }

@@ -37,8 +37,9 @@ struct WorldApart {
   std::vector<HandSeen> seen;  // of each hand, by the last frame
   std::vector<std::uint32_t> changes;  // by hand: of the world that its scratch is for
 
-  // hands -> whoever records their steps; null: nobody does. What does not fit is left out.
-  std::unique_ptr<SpscRing<HandTick>> ticks;
+  // hands -> whoever records their steps, by hand; none: nobody does. What does not fit is left
+  // out.
+  std::vector<std::unique_ptr<SpscRing<HandTick>>> ticks;
 };
 
 /// Tells all hands what the world has after a frame.
@@ -51,9 +52,9 @@ void publish_news(const WorldFrame& frame, double step, std::size_t hand, WorldA
 /// Thread    [haptic], or where its thread has ended.
 void let_go(const WorldApart& apart);
 
-/// Makes a haptic step of all hands; the fault that ends the session, or none.
-/// Thread    [haptic].
-Fault step_hands(const HapticTick& tick, WorldApart& apart) THIGMA_RT;
+/// Makes a haptic step of a hand that has a device; the fault that ends the session, or none.
+/// Thread    [haptic]; several hands may be stepped at once.
+Fault step_hand(const HapticTick& tick, std::size_t hand, WorldApart& apart) THIGMA_RT;
 
 /// What the haptic side adds to a summary once both have ended, with the fault that ended it.
 void add_haptic(const WorldApart& apart, Fault fault, WorldSummary& summary);

@@ -85,12 +85,25 @@ void tell(const HapticSample& sample, WorldHandLoop& loop) THIGMA_RT {
 
 }  // namespace
 
+void GripDevice::turn(double now) THIGMA_RT {
+  constexpr double kLongest = 0.05;  // step that is turned for, as after a gap [s]
+  WorkspaceAnchor anchor;
+  anchor.world.orientation = turned_;
+  turn_by_buttons({}, sample.buttons, kButtonTurnRate, std::clamp(now - last_read_, 0.0, kLongest),
+                  anchor);
+  last_read_ = now;
+  turned_ = sample.motion.pose.orientation = anchor.world.orientation;
+  sample.motion.twist.angular = anchor.turn_rate;
+  if (sample.has_true_handle) sample.true_handle.orientation = turned_;
+}
+
 DeviceState GripDevice::read(double now) THIGMA_RT {
   sample = device_->read(now);
+  if (!device_->limits().senses_rotation) turn(now);
   // A page that is lost keeps its buttons as they were, and the world may not see that it was.
   const bool is_closed =
       (sample.buttons & kClutchButton) != 0 && sample.status != DeviceStatus::lost;
-  if (is_free_ && !is_closed) {
+  if (has_clutch_ && !is_closed) {
     openings += was_closed_ ? 1 : 0;
     holds = false;  // until the world says that it has taken hold anew
   }
@@ -101,13 +114,15 @@ DeviceState GripDevice::read(double now) THIGMA_RT {
 }
 
 WorldHandLoop::WorldHandLoop(const WorldHand& config, HapticDevice& of, double rate)
-    : device(of, config.is_free), is_free(config.is_free), period(1.0 / rate) {
+    : device(of, config.is_free || config.has_clutch),
+      is_free(config.is_free),
+      has_clutch(config.is_free || config.has_clutch),
+      period(1.0 / rate) {
   params.workspace = config.workspace;
   params.safety = config.limits;
   params.response = ResponseKind::constrained;
-  params.turn_rate = 0.0;
-  params.safety.rides_out_gaps = true;  // a slow step of the world is no fault
-  use_device_limits(of.limits(), params);
+  params.safety.rides_out_gaps = true;  // taken away where a person is held
+  use_device_limits(device.limits(), params);
   state = initial_state(params, Pose{});
   ports.device = &device;
   ports.models = &ages;
@@ -168,7 +183,7 @@ double HandRelay::share_of(const Pose& pose, const Twist& twist, double energy) 
   return std::clamp((given + std::sqrt(inside)) / (2.0 * grows), 0.0, share);
 }
 
-DeviceState HandRelay::read(double) THIGMA_RT {
+DeviceState HandRelay::read(double now) THIGMA_RT {
   loop_->notes.fetch();
   const HandNote& note = loop_->notes.value();
   seen = note.frame;
@@ -180,7 +195,9 @@ DeviceState HandRelay::read(double) THIGMA_RT {
   const bool was_open = note.openings != openings_;
   frame_ = note.frame;
   openings_ = note.openings;
-  if (has_passed_ && (ticks > 1 || is_behind_)) {
+  // That a device is silent is its hand's to say: its steps may be late while others' are not.
+  if (ticks == 0) sample.time = now;
+  if (has_passed_ && (ticks != 1 || is_behind_)) {
     Pose& pose = sample.motion.pose;
     const double share = share_of(pose, sample.motion.twist, note.energy);
     Vec3 turn = vector_from_rotation(pose.orientation * passed_.orientation.conjugate());
@@ -190,12 +207,12 @@ DeviceState HandRelay::read(double) THIGMA_RT {
       pose.position = passed_.position + share * (pose.position - passed_.position);
       pose.orientation = unit(rotation_from_vector(turn) * passed_.orientation);
       // It takes hold where the hand is, not where it was.
-      if (loop_->is_free && !is_closed_) sample.buttons &= ~kClutchButton;
+      if (loop_->has_clutch && !is_closed_) sample.buttons &= ~kClutchButton;
     }
     sample.motion.twist.linear = (pose.position - passed_.position) / step_;
     sample.motion.twist.angular = turn / step_;
   }
-  if (loop_->is_free && was_open) sample.buttons &= ~kClutchButton;
+  if (loop_->has_clutch && was_open) sample.buttons &= ~kClutchButton;
   is_closed_ = (sample.buttons & kClutchButton) != 0;
   has_passed_ = true;
   passed_ = sample.motion.pose;

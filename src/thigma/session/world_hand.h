@@ -42,24 +42,34 @@ struct HandNote {
 static_assert(RtPayload<HandNote>);
 
 /// The device as haptic_step sees it: its clutch is closed while the world says that it holds
-/// something and it has not let go since. One that is lost has let go.
+/// something and it has not let go since. One that is lost has let go. What senses no rotation is
+/// turned by its buttons, as in other sessions; from here on its pose says so.
 class GripDevice final : public HapticDevice {
  public:
-  GripDevice(HapticDevice& device, bool is_free) : device_(&device), is_free_(is_free) {}
-  const DeviceLimits& limits() const override { return device_->limits(); }
+  /// has_clutch  it holds something only while its clutch is closed
+  GripDevice(HapticDevice& device, bool has_clutch)
+      : device_(&device), limits_(device.limits()), has_clutch_(has_clutch) {
+    limits_.senses_rotation = true;
+  }
+  const DeviceLimits& limits() const override { return limits_; }
   std::string name() const override { return device_->name(); }
   DeviceState read(double now) THIGMA_RT override;
   void write(const Wrench& wrench) THIGMA_RT override { device_->write(wrench); }
   const char* trouble() const THIGMA_RT override { return device_->trouble(); }
 
   bool holds = false;  // what the world says
-  DeviceState sample;  // the last one, as read
+  DeviceState sample;  // the last one, as read, turned by its buttons
   std::uint64_t openings = 0;
 
  private:
+  void turn(double now) THIGMA_RT;
+
   HapticDevice* device_;
-  const bool is_free_;
+  DeviceLimits limits_;
+  const bool has_clutch_;
   bool was_closed_ = false;
+  double last_read_ = 0.0;
+  Quat turned_ = Quat::Identity();  // by buttons
 };
 
 /// A hand on the haptic side. Not moved while it runs.
@@ -70,7 +80,8 @@ struct WorldHandLoop {
 
   GripDevice device;
   const bool is_free;
-  const double period;  // of haptic steps [s]
+  const bool has_clutch;  // a free one has it, too
+  const double period;    // of haptic steps [s]
   HapticParams params;
   HapticState state;
   HandMemory memory;
@@ -90,7 +101,7 @@ struct WorldHandLoop {
 /// fades by the rules of models with rows; nothing is predicted beyond the world's next step.
 ///
 /// A lost device of a free hand lets go and may come back; any other fault stays latched, with zero
-/// force.
+/// force. Late steps and models are ridden out where the device holds nobody, else they are faults.
 ///
 /// Thread   [haptic]; bounded, no failure, nothing allocated
 HapticSample step_world_hand(WorldHandLoop& loop, const HapticTick& tick) THIGMA_RT;
@@ -122,8 +133,11 @@ struct HandBorder {
 class HandRelay final : public HapticDevice {
  public:
   /// loop outlives it; step: of the world [s]
-  HandRelay(WorldHandLoop& loop, double step) : loop_(&loop), step_(step) {}
-  const DeviceLimits& limits() const override { return loop_->device.limits(); }
+  HandRelay(WorldHandLoop& loop, double step)
+      : loop_(&loop), step_(step), limits_(loop.device.limits()) {
+    limits_.holds_person = false;  // nothing is sent by it
+  }
+  const DeviceLimits& limits() const override { return limits_; }
   std::string name() const override { return loop_->device.name(); }
   DeviceState read(double now) THIGMA_RT override;
   void write(const Wrench&) THIGMA_RT override {}
@@ -137,6 +151,7 @@ class HandRelay final : public HapticDevice {
 
   WorldHandLoop* loop_;
   const double step_;
+  DeviceLimits limits_;
   bool has_passed_ = false, is_closed_ = false, is_behind_ = false;
   Pose passed_;  // handle pose of the last sample
   std::uint64_t frame_ = 0, openings_ = 0;

@@ -49,7 +49,8 @@ std::vector<HapticDevice*> list_of(const std::vector<std::unique_ptr<HapticDevic
   throw InputError("hand " + std::to_string(hand + 1) + ": " + what);
 }
 
-/// The world's frames, made when a haptic step had their news.
+/// Haptic steps are made as soon as there are the news that they had, frames of the world as soon
+/// as there are the notes.
 class Replay {
  public:
   Replay(const WorldSessionConfig& config, const std::vector<HapticDevice*>& devices,
@@ -59,28 +60,35 @@ class Replay {
         period_(1.0 / config.rate),
         apart_(config, devices),
         notes_(devices.size()),
-        is_told_(devices.size(), 1) {}
+        next_(devices.size(), 0) {}
 
   WorldSummary go() {
-    std::size_t steps = 0;
-    for (const auto& ticks : recorded_.ticks) steps = std::max(steps, ticks.size());
-    for (std::size_t n = 0; n < steps; ++n)
-      for (std::size_t i = 0; i < notes_.size(); ++i)
-        if (n < recorded_.ticks[i].size()) step(i, recorded_.ticks[i][n]);
-    is_ending_ = true;
+    for (std::size_t i = 0; i < notes_.size(); ++i) step_hand(i);
     while (make_frame()) continue;
+    for (std::size_t i = 0; i < notes_.size(); ++i)
+      if (!is_cut_ && next_[i] < recorded_.ticks[i].size()) refuse_news(i);
     WorldSummary summary = apart_.run->end();
     add_haptic(apart_, Fault::none, summary);
     return summary;
   }
 
  private:
-  void step(std::size_t i, const HandTick& had) {
+  [[noreturn]] void refuse_news(std::size_t i) const {
+    const HandTick& had = recorded_.ticks[i][next_[i]];
+    refuse(i, "haptic step " + std::to_string(had.step) + " has news of frame " +
+                  std::to_string(had.news) + ", which the world did not make");
+  }
+
+  /// Makes the steps of a hand that had no news beyond those there are.
+  void step_hand(std::size_t i) {
+    if (apart_.loops[i] == nullptr) return;
     WorldHandLoop& loop = *apart_.loops[i];
-    while (loop.published < had.news)
-      if (!advance(i))
-        refuse(i, "haptic step " + std::to_string(had.step) + " has news of frame " +
-                      std::to_string(had.news) + ", which the world did not make");
+    const std::vector<HandTick>& ticks = recorded_.ticks[i];
+    for (; next_[i] < ticks.size() && ticks[next_[i]].news <= loop.published; ++next_[i])
+      step(i, ticks[next_[i]], loop);
+  }
+
+  void step(std::size_t i, const HandTick& had, WorldHandLoop& loop) {
     const HapticSample sample = step_world_hand(loop, had.tick);
     if (const std::uint64_t has = loop.news.value().sequence; has != had.news)
       refuse(i, "haptic step " + std::to_string(had.step) + " has news of frame " +
@@ -91,56 +99,43 @@ class Replay {
     if (watch_.haptic) watch_.haptic(tick_of(static_cast<std::int32_t>(i), had.tick, sample, loop));
   }
 
-  /// Lets the next news come to a hand; false where there are none.
-  bool advance(std::size_t i) {
-    if (is_told_[i] != 0 && !make_frame()) return false;
-    tell(i);
-    return true;
-  }
-
-  void tell(std::size_t i) {
-    is_told_[i] = 1;
-    give_note(i, recorded_.seen[i][made_->frame].told);
-    publish_news(*made_, period_, i, apart_);
-  }
-
   bool make_frame() {
-    for (std::size_t i = 0; i < is_told_.size(); ++i) {
-      if (is_told_[i] != 0) continue;
-      if (is_ending_ && !has_note(i, recorded_.seen[i][made_->frame].told)) return false;
-      tell(i);
-    }
-    for (std::size_t i = 0; i < is_told_.size(); ++i) {
+    for (std::size_t i = 0; i < notes_.size(); ++i) {
       if (apart_.loops[i] == nullptr) continue;
       if (frames_ >= recorded_.seen[i].size()) return false;
-      // Of a recording that was cut off the last steps may be missing.
-      const std::uint64_t read = recorded_.seen[i][frames_].read;
-      if (is_ending_ && !has_note(i, read)) return false;
-      give_note(i, read);
+      if (!give_note(i, recorded_.seen[i][frames_].read)) return false;
     }
     if (watch_.between) watch_.between(frames_, *apart_.run);
-    made_ = apart_.run->make_frame();
-    if (made_ == nullptr) return false;
+    const WorldFrame* made = apart_.run->make_frame();
+    if (made == nullptr) return false;
     ++frames_;
-    for (std::size_t i = 0; i < is_told_.size(); ++i)
-      is_told_[i] = apart_.loops[i] == nullptr ? 1 : 0;
-    if (watch_.world) watch_.world(*made_);
+    if (watch_.world) watch_.world(*made);
+    for (std::size_t i = 0; i < notes_.size(); ++i) {
+      if (apart_.loops[i] == nullptr) continue;
+      if (!give_note(i, recorded_.seen[i][made->frame].told)) return false;
+      publish_news(*made, period_, i, apart_);
+      step_hand(i);
+    }
     return true;
   }
 
-  bool has_note(std::size_t i, std::uint64_t frame) const {
-    return frame == 0 || (!notes_[i].empty() && notes_[i].back().frame >= frame);
-  }
-
-  /// The world's side finds this note as the newest one of the hand.
-  void give_note(std::size_t i, std::uint64_t frame) {
+  /// The world's side finds this note as the newest one of the hand; false where the recording was
+  /// cut off before its step.
+  bool give_note(std::size_t i, std::uint64_t frame) {
     std::deque<HandNote>& notes = notes_[i];
-    if (frame == 0) return apart_.loops[i]->notes.publish(HandNote{});
+    if (frame == 0) {
+      apart_.loops[i]->notes.publish(HandNote{});
+      return true;
+    }
+    const bool is_later = notes.empty() || notes.back().frame < frame;
+    is_cut_ = is_later && next_[i] == recorded_.ticks[i].size();
+    if (is_cut_) return false;
     while (!notes.empty() && notes.front().frame < frame) notes.pop_front();
     if (notes.empty() || notes.front().frame != frame)
       refuse(i, "frame " + std::to_string(frames_) + " of the world has haptic frame " +
                     std::to_string(frame) + ", which was not made before it");
     apart_.loops[i]->notes.publish(notes.front());
+    return true;
   }
 
   const RecordedApart& recorded_;
@@ -148,10 +143,9 @@ class Replay {
   const double period_;
   WorldApart apart_;
   std::vector<std::deque<HandNote>> notes_;  // by hand: those that the world may still have
-  std::vector<std::uint8_t> is_told_;        // by hand: of the frame made last
-  const WorldFrame* made_ = nullptr;
+  std::vector<std::size_t> next_;            // by hand: its first step that is not made yet
   std::uint64_t frames_ = 0;
-  bool is_ending_ = false;  // all haptic steps are made
+  bool is_cut_ = false;  // at a frame that had notes beyond the last step
 };
 
 }  // namespace

@@ -25,12 +25,14 @@ void add_state(const BodyState& y, StateHash& hash) noexcept {
   add_vector(hash, y.angular_momentum);
 }
 
-/// What a free hand sends counts while it holds something: one that only watches changes no bit.
+/// What a hand that may let go sends counts while it holds something: one that only watches changes
+/// no bit.
 void add_frame(const WorldState& state, const detail::SessionHands& hands,
                StateHash& hash) noexcept {
   for (const BodyState& y : state.bodies) add_state(y, hash);
   for (std::size_t i = 0; i < hands.list.size(); ++i) {
-    if (hands.list[i].config->is_free && !hands.list[i].is_holding) continue;
+    const WorldHand& hand = *hands.list[i].config;
+    if ((hand.is_free || hand.has_clutch) && !hands.list[i].is_holding) continue;
     add_vector(hash, hands.commands[i].force);
     add_vector(hash, hands.commands[i].torque);
   }
@@ -68,9 +70,7 @@ void check_devices(const WorldSessionConfig& config, std::span<HapticDevice* con
                                 std::to_string(config.hands.size()) + " of the hands");
   for (HapticDevice* device : devices)
     if (device != nullptr && device->limits().holds_person)
-      throw std::invalid_argument(device->name() +
-                                  ": holds a person, expected a simulated device: worlds of "
-                                  "several bodies have no ramps and no watchdog in lockstep yet");
+      throw std::invalid_argument(device->name() + ": " + kNoPersonInLockstep);
 }
 
 void count(const WorldStep& step, WorldSummary& summary) noexcept {

@@ -21,6 +21,12 @@
 
 namespace thigma {
 
+/// Why devices that may hold a person are refused where haptic steps are not apart from the
+/// world's.
+inline constexpr const char* kNoPersonInLockstep =
+    "not in lockstep, where worlds of several bodies have no ramps and no watchdog for a person's "
+    "hand, expected hand:, script: or null:";
+
 /// A hand of a session.
 struct WorldHand {
   std::int32_t body = -1;  // of kind held; several hands may hold one
@@ -32,6 +38,9 @@ struct WorldHand {
   // (-1: nothing), by the coupling of that body. A device that is lost lets go; that is no fault.
   bool is_free = false;
   std::vector<Coupling> couplings{};  // of a free one: by body
+  // It holds `body` only while its clutch is closed, each time at the same place of it, as people
+  // do. A device that is lost is a fault.
+  bool has_clutch = false;
 };
 
 /// What a world session is.
@@ -81,6 +90,8 @@ struct WorldHandSummary {
   // that the hand has put in since the start, least and at the end [J]
   double port_energy = 0.0, port_energy_min = 0.0;
   Fault fault = Fault::none;
+  double hung = 0.0;    // by which its thread was overdue when that ended the session [s]; 0: no
+  std::string trouble;  // what its device says at the end, for a person; "": nothing
 };
 
 /// How the haptic steps of a hand went, where they are apart from the world's.
@@ -129,11 +140,12 @@ struct WorldSummary {
   // By hand, where haptic steps are apart from the world's; else empty, and `hands` is what devices
   // got. Where they are, `hands` and the port's energy are those of the world's side.
   std::vector<WorldHapticSummary> haptic;
-  // Of their thread, which steps all hands in a tick; in lockstep there is none.
+  // Of their threads, of all hands together; in lockstep there are none.
   std::uint64_t haptic_missed = 0;  // ticks of the clock without a step
-  DurationHistogram haptic_cpu;     // of a tick, of the processor
-  std::uint64_t haptic_stops = 0;   // times that it hung and the watchdog sent zero force
-  std::string refused;              // what the system refused to it; "": nothing
+  // of a step, of the processor; not of devices that own the clock
+  DurationHistogram haptic_cpu;
+  std::uint64_t haptic_stops = 0;  // times that one hung and the watchdog sent zero force
+  std::string refused;             // what the system refused to them; "": nothing
 
   bool has_fault() const noexcept { return fault != Fault::none; }
 };
@@ -149,7 +161,7 @@ class WorldRun {
   /// config   constant while it runs
   /// devices  one a hand; null: nobody holds it
   /// errors   std::invalid_argument for another number of devices, and for one that holds a person,
-  ///          as worlds have no ramps and no watchdog yet; InputError for a motor that is too fast
+  ///          (kNoPersonInLockstep); InputError for a motor that is too fast
   WorldRun(const WorldSessionConfig& config, std::span<HapticDevice* const> devices);
   ~WorldRun();
   WorldRun(const WorldRun&) = delete;

@@ -31,9 +31,9 @@ struct HandSeen {
 
 /// The haptic steps by a frame of the world, where they are apart from it.
 struct WorldHapticNow {
-  std::uint64_t ticks = 0;   // of their clock so far; 0: their steps are the world's
-  std::uint64_t missed = 0;  // of them, those without a step
-  double step_cpu = 0.0;     // of a tick, of the processor: longest since the frame before [s]
+  std::uint64_t ticks = 0;   // of their clocks so far; 0: their steps are the world's
+  std::uint64_t missed = 0;  // of them, those without a step of the hand that made the most
+  double step_cpu = 0.0;     // of a step, of the processor: longest since the frame before [s]
   std::span<const Wrench> sent{};    // last, by hand [N, N m; device frame]
   std::span<const HandSeen> seen{};  // by hand
 };

@@ -51,12 +51,8 @@ double speed_share(const Hit& hit, const IslandRow& row, const RowSource& source
     b[k] = &before[k];
     f[k] = &free[k];
   }
-  const double start = normal_speed(row, b[0], b[1]), end = normal_speed(row, f[0], f[1]);
-  const double added = end - start;
-  constexpr double kSteps = 4.0;  // an approach is an impact from so many times on what a step adds
-  if (!(start > kSteps * std::fabs(added)) || !(end > 0.0)) return 0.0;
-  const double square = start * start + 2.0 * added / hit.part.dt * source.room;
-  return std::sqrt(std::max(square, 0.0)) / end;
+  return meeting_share({normal_speed(row, b[0], b[1]), normal_speed(row, f[0], f[1])}, source.room,
+                       hit.part.dt);
 }
 
 /// Rows that press, at the states after the part.
@@ -157,29 +153,24 @@ void hold_bounces(const Hit& hit) {
 /// the part: kinetic, and what gravity has given since.
 double share_of_energy(const Hit& hit) noexcept {
   const auto& s = hit.part.s;
-  double budget = 0.0, slope = 0.0, bend = 0.0;
+  EnergyShare energy;
   for (std::int32_t i = 0; i < hit.island.bodies; ++i) {
     if (!hit.is_free(i)) continue;
     const RigidBody& rigid = hit.rigid(i);
     const BodyState& before = hit.part.state.bodies[idx(hit.body(i))];
     const BodyState& after = hit.states[idx(hit.body(i))];
-    budget += kinetic_energy(rigid, before) - kinetic_energy(rigid, after) +
-              rigid.mass * rigid.gravity.dot(after.position - before.position);
+    energy.budget += kinetic_energy(rigid, before) - kinetic_energy(rigid, after) +
+                     rigid.mass * rigid.gravity.dot(after.position - before.position);
     const Vec6 by = s.hit_bodies[idx(i)].metric.ldlt().solve(s.bounce[idx(i)]);
-    slope += by.dot(s.hit_bodies[idx(i)].metric * velocity_of(rigid, after));
-    bend += 0.5 * by.dot(s.bounce[idx(i)]);
+    energy.slope += by.dot(s.hit_bodies[idx(i)].metric * velocity_of(rigid, after));
+    energy.bend += 0.5 * by.dot(s.bounce[idx(i)]);
   }
   for (std::int32_t k = 0; k < hit.island.joints; ++k) {
     const std::int32_t number = s.islands.joint[idx(hit.island.first_joint + k)];
     const WorldJoint& joint = hit.part.world.joints[idx(number)];
-    budget += joint_energy(joint, hit.part.state.bodies) - joint_energy(joint, hit.states);
+    energy.budget += joint_energy(joint, hit.part.state.bodies) - joint_energy(joint, hit.states);
   }
-  if (slope + bend <= budget) return 1.0;
-  if (!(bend > 0.0)) return 0.0;
-  // bend x^2 + slope x = budget, the larger root.
-  const double inside = slope * slope + 4.0 * bend * budget;
-  if (!(inside > 0.0)) return 0.0;
-  return std::clamp((std::sqrt(inside) - slope) / (2.0 * bend), 0.0, 1.0);
+  return share_of(energy);
 }
 
 void collide_island(const Hit& hit) {

@@ -27,6 +27,10 @@ ObjectKeys read_object_keys(TomlTable& table);
 SceneObject resolve_object(const TomlTable& table, const ObjectKeys& keys,
                            const std::string& folder);
 
+/// The numbers of a table [safety], those that it does not name as they are. Thread [offline];
+/// throws InputError.
+void read_safety_limits(TomlTable& table, SafetyLimits& safety);
+
 /// The whole table [coupling]. Thread [offline]; throws InputError.
 void read_coupling(TomlTable table, CouplingGains& coupling);
 

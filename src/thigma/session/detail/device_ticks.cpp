@@ -17,27 +17,18 @@ constexpr double kRateShare = 0.02;                 // of the rate that nobody n
 
 }  // namespace
 
-/// The index of a tick. Session time is counted in ticks of the device; those that are over by more
-/// than a period are left out, as the engine's clock does, and a device that is faster than asked
-/// for is half a period ahead at most. Thread [haptic].
+/// The index of a tick: session time is counted in ticks of the device. Thread [haptic].
 detail::FrameTick Session::Impl::next_device_tick() {
   const std::int64_t now = monotonic_ns(), period = clock.period_ns;
-  if (ticks++ == 0) {
-    first_tick_ns = clock.start_ns = now;
+  const bool is_first = ticks++ == 0;
+  if (is_first) {
+    first_tick_ns = now;
     last_tick_ns = now - period;
   }
-  const std::int64_t due = clock.start_ns + clock.tick * period;
-  if (now - due >= period) {
-    const std::int64_t passed = (now - due) / period;
-    clock.missed += static_cast<std::uint64_t>(passed);
-    clock.tick += passed;
-  } else if (due - now > period / 2) {
-    clock.start_ns -= due - now - period / 2;
-  }
+  come_to_tick(now, !is_first, clock);
   epoch_ns.store(clock.start_ns, std::memory_order_release);
   const std::int64_t late = std::max<std::int64_t>(0, now - last_tick_ns - period);
   last_tick_ns = now;
-  ++clock.tick;
   return {static_cast<std::uint64_t>(clock.tick - 1), late};
 }
 

@@ -44,12 +44,13 @@ void take(std::int32_t body, const Vec3& at, const Coupling& coupling, const Wor
 
 /// Lets go. Each grip takes an aim of its own: to take hold again is to be aimed again.
 void open(SessionHand& hand) noexcept {
-  if (hand.is_holding && !hand.has_new_aim) hand.aim.body = -1;
+  if (hand.config->is_free && hand.is_holding && !hand.has_new_aim) hand.aim.body = -1;
   hand.is_holding = false;
   hand.hold.body = -1;
 }
 
 bool may_hold(const SessionHand& hand, std::int32_t body) noexcept {
+  if (!hand.config->is_free) return body >= 0;  // its own
   if (body < 0 || idx(body) >= hand.config->couplings.size()) return false;
   return moves_freely(hand.world->bodies[idx(body)].kind);
 }
@@ -73,7 +74,8 @@ void move_free(const WorldState& state, SessionHand& hand) {
   if (wants && !hand.is_holding) {
     const BodyState& y = state.bodies[idx(hand.aim.body)];
     take(hand.aim.body, transform_point({y.position, y.orientation}, hand.aim.point),
-         hand.config->couplings[idx(hand.aim.body)], state, hand);
+         hand.config->is_free ? hand.config->couplings[idx(hand.aim.body)] : hand.config->coupling,
+         state, hand);
     hand.has_new_aim = false;
   }
   hand.hold.handle = motion_of(hand);
@@ -90,7 +92,7 @@ void move(double now, double dt, const WorldState& state, SessionHand& hand) {
   }
   if (!check_device(hand.config->limits, hand.sample, now, dt, hand.safety)) return;
   if (hand.sample.status == DeviceStatus::not_ready) return;
-  if (hand.config->is_free)
+  if (hand.config->is_free || hand.config->has_clutch)
     move_free(state, hand);
   else
     move_tied(state, hand);
@@ -99,7 +101,7 @@ void move(double now, double dt, const WorldState& state, SessionHand& hand) {
 /// Sends what the hand feels, and counts it.
 Wrench write(const WorldState& state, SessionHand& hand, WorldHandSummary& summary) {
   if (!hand.is_holding) {
-    if (hand.config->is_free) hand.device->write({});
+    if (hand.config->is_free || hand.config->has_clutch) hand.device->write({});
     return {};
   }
   const HandHold& hold = hand.hold;
@@ -120,13 +122,23 @@ Wrench write(const WorldState& state, SessionHand& hand, WorldHandSummary& summa
   return sent;
 }
 
+/// What a hand with a clutch holds when it is closed.
+WorldAim aim_at_start(const WorldSessionConfig& config, const WorldHand& hand) {
+  WorldAim aim;
+  aim.body = hand.body;
+  if (hand.body < 0 || !hand.at) return aim;
+  const BodyState& y = config.start.bodies[idx(hand.body)];
+  aim.point = transform_point(inverse(Pose{y.position, y.orientation}), *hand.at);
+  return aim;
+}
+
 }  // namespace
 
 SessionHands::SessionHands(const WorldSessionConfig& config, std::span<HapticDevice* const> devices)
     : handles(devices.size()), commands(devices.size()), grips(devices.size()) {
   for (std::size_t i = 0; i < devices.size(); ++i) {
     list.push_back({&config.world, &config.hands[i], devices[i]});
-    list.back().aim.body = config.hands[i].body;
+    list.back().aim = aim_at_start(config, config.hands[i]);
   }
   holds.reserve(devices.size());
 }

@@ -39,6 +39,7 @@ struct SessionHands {
   SessionHands(const WorldSessionConfig& config, std::span<HapticDevice* const> devices);
 };
 
+/// What free hands take hold of.
 void aim(const WorldAim& aim, SessionHands& hands) noexcept;
 
 /// Reads all devices.
