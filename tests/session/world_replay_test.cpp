@@ -106,8 +106,8 @@ TEST(WorldReplay, WhatWasCutOffIsMadeAgainAsFarAsItGoes) {
               was.apart.ticks[static_cast<std::size_t>(now.hand)][now.step].sent.force);
   };
   const WorldSummary again = replay_world_apart(was.config, was.limits, other, watch);
-  // All of the hand whose steps end first; each hand has a clock of its own.
-  EXPECT_GT(steps, 120u);
+  // Of a hand that was ahead of the other the last may have news of frames that had the other's.
+  EXPECT_GE(steps, 120u);
   EXPECT_LE(steps, 240u);
   EXPECT_GT(again.frames, 20u);
   EXPECT_LE(again.frames, 120u);

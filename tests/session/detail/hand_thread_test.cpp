@@ -53,7 +53,7 @@ class PersonDevice : public HapticDevice {
     if (now < 0.3) state.motion.twist.linear.x() = speed_;
     if (is_lost) state.status = DeviceStatus::lost;
     if (is_nan) state.motion.twist.angular.y() = std::nan("");
-    if (has_jumped) state.motion.pose.position.z() = 0.2;
+    if (has_jumped) state.motion.pose.position.z() = 20.0;  // too far for any tick
     return state;
   }
   void write(const Wrench& wrench) THIGMA_RT override {
