@@ -60,6 +60,17 @@ void carry_over(NearPair& pair, std::vector<RowHistory>& before) noexcept {
   }
 }
 
+void ask(const World& world, const BodyState& relative, const ContactQuery& query, NearPair& pair,
+         PairModels& models) noexcept {
+  const PairKind& kind = world.pair_kinds[idx(pair.kind)];
+  const BodyShape &first = world.shapes[idx(kind.first)], &second = world.shapes[idx(kind.second)];
+  clear(models.contacts);
+  const Pose second_from_first =
+      Pose{relative.position, relative.orientation} * first.body_from_mesh;
+  query_contacts({*first.hierarchy, second_from_first}, {*second.hierarchy, second.body_from_mesh},
+                 query, pair.front, models.contacts);
+}
+
 }  // namespace
 
 BodyState relative_state(const BodyState& first, const BodyState& second) noexcept {
@@ -123,22 +134,24 @@ bool holds(const World& world, const NearPair& pair, const BodyState& relative,
   return travel_between(pair.model.state, relative, reach) + way <= pair.model.travel;
 }
 
+void find_contacts(const World& world, const BodyState& relative, double tolerance, NearPair& pair,
+                   PairModels& models) noexcept {
+  ask(world, relative, {.tolerance = tolerance, .most_pairs = kMostPairs}, pair, models);
+}
+
 void renew(const World& world, const BodyState& relative, double way, NearPair& pair,
            PairModels& models, PairCounts& counts) noexcept {
   const ConstraintWorld& constraints = world.pair_kinds[idx(pair.kind)].constraints;
-  const PairKind& kind = world.pair_kinds[idx(pair.kind)];
-  const BodyShape &first = world.shapes[idx(kind.first)], &second = world.shapes[idx(kind.second)];
   // A model serves some steps where it is cheap to look a little farther.
   constexpr double kMore = 1.25;
   ContactQuery query;
   query.tolerance =
       std::clamp(kMore * way, constraints.least_look_ahead, constraints.most_look_ahead);
   query.most_pairs = kMostPairs;
-  clear(models.contacts);
-  const Pose second_from_first =
-      Pose{relative.position, relative.orientation} * first.body_from_mesh;
-  query_contacts({*first.hierarchy, second_from_first}, {*second.hierarchy, second.body_from_mesh},
-                 query, pair.front, models.contacts);
+  // Rows are of features, whichever way their patches were found to be near: hulls are enough, and
+  // of surfaces that lie on each other they take a fraction.
+  query.measures_hulls = true;
+  ask(world, relative, query, pair, models);
   pair.looked_ahead = query.tolerance;
   if (pair.front.tolerance >= 0.0)
     pair.looked_ahead = std::min(pair.looked_ahead, pair.front.tolerance);

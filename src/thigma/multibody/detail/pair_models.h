@@ -70,6 +70,10 @@ inline double most_ahead(const World& world, const NearPair& pair) noexcept {
 bool holds(const World& world, const NearPair& pair, const BodyState& relative,
            double way) noexcept;
 
+/// Contacts of a pair within a tolerance, measured to the end: into models.contacts.
+void find_contacts(const World& world, const BodyState& relative, double tolerance, NearPair& pair,
+                   PairModels& models) noexcept;
+
 /// Asks for contacts and makes rows that hold for a way, as far as there is room.
 void renew(const World& world, const BodyState& relative, double way, NearPair& pair,
            PairModels& models, PairCounts& counts) noexcept;
