@@ -194,7 +194,7 @@ StartOverlap find_overlap(const World& world, const WorldState& state, WorldScra
   for (NearPair* pair : s.pairs.near) {
     const BodyState relative =
         detail::relative_state(state.bodies[idx(pair->first)], state.bodies[idx(pair->second)]);
-    const double tolerance = world.pair_kinds[idx(pair->kind)].constraints.least_look_ahead;
+    const double tolerance = pair_kind(world, pair->kind).constraints.least_look_ahead;
     detail::find_contacts(world, relative, tolerance, *pair, s.pairs);
     pair->has_model = false;
     bool is_through = false;

@@ -43,6 +43,7 @@ struct WorldStep {
   std::int32_t largest_island = 0;  // bodies
   std::int32_t awake = 0;           // bodies that were moved
   std::int64_t queries = 0;         // of pairs
+  std::int64_t coarse = 0;          // rows of surfaces that stay coarse far away, of these queries
   std::int64_t rows = 0;            // that had to be obeyed, of all parts of the step
   std::int64_t handed = 0;          // rows that the solver got, of all solves
   std::int32_t most_handed = 0;     // rows of a pair in one solve

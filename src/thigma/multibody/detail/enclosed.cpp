@@ -4,6 +4,7 @@
 
 #include "thigma/contact/surface_crossing.h"
 #include "thigma/core/index.h"
+#include "thigma/multibody/detail/pair_kinds.h"
 
 namespace thigma::detail {
 namespace {
@@ -101,7 +102,7 @@ ShapeParts find_parts(const BodyShape& shape, const SurfaceFeatures& features) {
 const ShapeParts& PartsOfShapes::of(std::int32_t shape) {
   std::optional<ShapeParts>& known = known_[idx(shape)];
   if (known) return *known;
-  for (const PairKind& kind : world_.pair_kinds) {
+  for (const PairKind& kind : world_.pair_kinds->list) {
     if (kind.first != shape && kind.second != shape) continue;
     const SurfaceFeatures& features =
         kind.first == shape ? kind.constraints.object : *kind.constraints.scene[0];

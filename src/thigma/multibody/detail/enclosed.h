@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "thigma/constraint/surface_features.h"
 #include "thigma/multibody/world.h"
 
 namespace thigma::detail {

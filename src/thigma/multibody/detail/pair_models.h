@@ -10,6 +10,7 @@
 #include "thigma/contact/front.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/multibody/detail/broad_phase.h"
+#include "thigma/multibody/detail/pair_kinds.h"
 #include "thigma/multibody/world.h"
 
 namespace thigma::detail {
@@ -33,12 +34,14 @@ struct NearPair {
   double asked = 0.0;         // a way it turned out to need in this step [m]
   double fresh = -1.0;        // the way that the model was made for, at the poses of this step [m]
   std::int64_t left_out = 0;  // of the last query: nothing may move
+  double exact_within = 0.0;  // of the last query, with levels of detail; 0: all was exact [m]
+  int pressed = 0;            // so often coarse rows pressed in this part: it was asked more finely
   std::vector<RowHistory> history;  // as many as rows
 };
 
 /// Counts of a step.
 struct PairCounts {
-  std::int64_t queries = 0, contacts = 0, rows = 0, left_out = 0;
+  std::int64_t queries = 0, coarse = 0, contacts = 0, rows = 0, left_out = 0;
 };
 
 /// All pairs. Memory of a pair that ends is kept for the next of its kind: grows while warming up,
@@ -63,7 +66,7 @@ void take_pairs(const World& world, std::span<const BodyPairIndex> pairs, PairMo
 
 /// Most that a query may look ahead [m].
 inline double most_ahead(const World& world, const NearPair& pair) noexcept {
-  return world.pair_kinds[static_cast<std::size_t>(pair.kind)].constraints.most_look_ahead;
+  return pair_kind(world, pair.kind).constraints.most_look_ahead;
 }
 
 /// Whether the model of a pair holds where it is now, and for a way from there [m].
@@ -74,7 +77,11 @@ bool holds(const World& world, const NearPair& pair, const BodyState& relative,
 void find_contacts(const World& world, const BodyState& relative, double tolerance, NearPair& pair,
                    PairModels& models) noexcept;
 
-/// Asks for contacts and makes rows that hold for a way, as far as there is room.
+/// Whether a row of a model is of coarse surfaces: none of these may press.
+inline bool is_coarse_row(const ContactRow& row) noexcept { return row.body < 0; }
+
+/// Asks for contacts and makes rows that hold for a way, as far as there is room. With levels of
+/// detail the surfaces are coarse beyond `exact_within`, farther away the more often they pressed.
 void renew(const World& world, const BodyState& relative, double way, NearPair& pair,
            PairModels& models, PairCounts& counts) noexcept;
 
