@@ -6,6 +6,7 @@
 
 #include "thigma/clod/build_clod.h"
 #include "thigma/math/random.h"
+#include "thigma/multibody/detail/world_work.h"
 
 namespace thigma {
 namespace {
@@ -22,7 +23,8 @@ std::shared_ptr<BodyMesh> with_levels(const TriangleMesh& mesh) {
 /// Three bodies thrown at each other over a floor with levels of its own.
 struct Thrown {
   WorldBench bench;
-  std::int64_t coarse = 0, queries = 0;
+  std::int64_t coarse = 0;
+  int pressing = 0, coarse_pressing = 0;  // rows that pressed in a step
   double waited = 0.0, least = 1.0, gained = 0.0;
 
   Thrown(const std::vector<std::shared_ptr<BodyMesh>>& meshes, std::uint64_t seed,
@@ -44,12 +46,21 @@ struct Thrown {
     bench.scratch = reserve_world(bench.world);
   }
 
+  void count_pressing() {
+    for (const detail::NearPair* pair : bench.scratch->pairs.near) {
+      for (std::size_t i = 0; i < pair->history.size(); ++i) {
+        if (!(pair->history[i].impulse.x() > 0.0)) continue;
+        ++(detail::is_coarse_row(pair->model.rows[i]) ? coarse_pressing : pressing);
+      }
+    }
+  }
+
   void run(int steps) {
     const double start = bench.energy();
     for (int i = 0; i < steps; ++i) {
       const WorldStep step = bench.step();
       coarse += step.coarse;
-      queries += step.queries;
+      count_pressing();
       waited += step.waited;
       gained = std::max(gained, bench.energy() - start);
       if (i % 5 != 0) continue;
@@ -78,6 +89,8 @@ TEST(WorldLevels, NothingIsPassedAndEnergyNeverGrows) {
     coarse += thrown.coarse;
     EXPECT_GT(thrown.least, 0.0) << seed;
     EXPECT_EQ(thrown.waited, 0.0) << seed;
+    EXPECT_EQ(thrown.coarse_pressing, 0) << seed;
+    EXPECT_GT(thrown.pressing, 0) << seed;
     EXPECT_LE(thrown.gained, 1e-9) << seed;
   }
   EXPECT_GT(coarse, 100);
