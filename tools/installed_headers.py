@@ -2,7 +2,7 @@
 """Headers that are installed: the front door, those that cmake/installed_headers.txt names, and what they include.
 
   tools/installed_headers.py           prints them, one a line
-  tools/installed_headers.py --check   fails when one lies in an inner folder, there are more than 80, the front door
+  tools/installed_headers.py --check   fails when one lies in an inner folder, there are more than 90, the front door
                                        reaches more than 40, or docs/architecture.md names others
   tools/installed_headers.py --write   writes the list in docs/architecture.md
 """
@@ -53,8 +53,8 @@ if sys.argv[1] == "--write":
     document.write_text(written)
     sys.exit(0)
 problems = [f"src/{name}: is installed and lies in an inner folder" for name in installed if name.count("/") > 2]
-if len(installed) > 80:
-    problems.append(f"{len(installed)} headers are installed, expected at most 80")
+if len(installed) > 90:
+    problems.append(f"{len(installed)} headers are installed, expected at most 90")
 if len(door) > 40:
     problems.append(f"thigma/thigma.h reaches {len(door)} headers, expected at most 40")
 if written is not None and written != text:

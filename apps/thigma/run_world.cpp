@@ -34,8 +34,8 @@ std::string missing(const RunOptions& options) {
   if (options.resolution.is_exact)
     return "--exact is not for scenes with [[body]]: they always are";
   if (asks_for_levels(options.resolution))
-    return "scenes with [[body]] have no levels of detail: leave out --threshold, --budget-us and "
-           "their like";
+    return "scenes with [[body]] say themselves what is coarse far away ([contact] threshold): "
+           "leave out --threshold, --budget-us and their like";
   if (!options.texture.empty()) return "--texture is not for scenes with [[body]]";
   if (options.is_repair)
     return "--repair is not for scenes with [[body]]: thigma repair mends them";

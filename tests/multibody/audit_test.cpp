@@ -6,6 +6,7 @@
 #include "multibody/world_bench.h"
 #include <gtest/gtest.h>
 
+#include "thigma/clod/build_clod.h"
 #include "thigma/multibody/detail/row_cut.h"
 #include "thigma/multibody/hand_step.h"
 
@@ -64,6 +65,36 @@ TEST(WorldAudit, FittingSurfacesTakeNoMemoryOnceWarm) {
   }
   EXPECT_GT(handed, 0);
   EXPECT_GT(rows, handed);  // some were cut
+  EXPECT_EQ(taken, 0);
+}
+
+TEST(WorldAudit, LevelsOfDetailTakeNoMemoryOnceWarm) {
+  if (const char* why = test::why_no_audit()) GTEST_SKIP() << why;
+  test::WorldBench bench;
+  const auto with_levels = [](const TriangleMesh& mesh) {
+    auto made = test::body_mesh(mesh);
+    made->hierarchy = build_clod(mesh);
+    return made;
+  };
+  bench.add(with_levels(make_ball(0.1, 12)), BodyKind::fixed, Vec3(0.0, 0.0, -0.1));
+  const auto ring = with_levels(make_torus(0.04, 0.012, 36, 18));
+  for (int i = 0; i < 2; ++i)
+    bench.add(ring, BodyKind::moving, Vec3(0.005 * i, 0.0, 0.02 + 0.03 * i));
+  bench.make();
+  bench.world.threshold = 0.05;
+  bench.world.sleeps = false;
+  bench.scratch = reserve_world(bench.world);
+  const WorldState start = bench.state;
+  for (int i = 0; i < 150; ++i) bench.step();
+  bench.state = start;  // the same again
+  std::int64_t taken = 0, coarse = 0;
+  for (int i = 0; i < 150; ++i) {
+    const test::AuditScope scope;
+    coarse += bench.step().coarse;
+    const test::AuditCounts counts = scope.counts();
+    taken += counts.allocations + counts.locks;
+  }
+  EXPECT_GT(coarse, 0);
   EXPECT_EQ(taken, 0);
 }
 

@@ -10,6 +10,7 @@
 #include "thigma/core/error.h"
 #include "thigma/math/random.h"
 #include "thigma/math/rotation.h"
+#include "thigma/multibody/detail/pair_kinds.h"
 
 namespace thigma {
 namespace {
@@ -51,7 +52,7 @@ TEST(StepWorld, TowerOfThirtyStands) {
   const auto block = test::body_mesh(make_box(Vec3(0.04, 0.04, 0.02)));
   for (int i = 0; i < 30; ++i) bench.add(block, BodyKind::moving, Vec3(0.0, 0.0, 0.01 + i * 0.02));
   bench.make();
-  const double slop = bench.world.pair_kinds.back().constraints.slop;
+  const double slop = bench.world.pair_kinds->list.back().constraints.slop;
   for (int i = 0; i < 30; ++i)
     bench.state.bodies[static_cast<std::size_t>(i) + 1].position.z() += (i + 1) * slop;
   bench.world.sleeps = false;
@@ -116,7 +117,7 @@ Rolled roll(double speed, int steps) {
   ball.start.linear_momentum = Vec3(ball.mass * speed, 0.0, 0.0);
   ball.start.angular_momentum = ball.inertia * Vec3(0.0, speed / kRadius, 0.0);
   bench.make();
-  bench.state.bodies[1].position.z() += bench.world.pair_kinds.back().constraints.slop;
+  bench.state.bodies[1].position.z() += bench.world.pair_kinds->list.back().constraints.slop;
   Rolled rolled;
   double energy = bench.energy();
   for (int i = 0; i < steps; ++i) {

@@ -5,6 +5,8 @@
 #include "multibody/world_bench.h"
 #include <gtest/gtest.h>
 
+#include "thigma/multibody/detail/pair_kinds.h"
+
 namespace thigma {
 namespace {
 
@@ -16,7 +18,7 @@ TEST(WorldRows, SayWhatKeepsABlockOnItsFloor) {
             Vec3(0.1, -0.05, 0.01));
   bench.make();
   bench.world.sleeps = false;
-  const double slop = bench.world.pair_kinds.back().constraints.slop;
+  const double slop = bench.world.pair_kinds->list.back().constraints.slop;
   bench.state.bodies[1].position.z() += slop;
   for (int i = 0; i < 50; ++i) bench.step();
   std::vector<WorldRow> rows;

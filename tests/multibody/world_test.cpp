@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "thigma/core/error.h"
+#include "thigma/multibody/detail/pair_kinds.h"
 
 namespace thigma {
 namespace {
@@ -81,7 +82,7 @@ TEST(World, EqualShapesAreKnownOnce) {
   bench.bodies[2].start.position.z() -= 0.1;
   bench.make();
   EXPECT_EQ(bench.world.shapes.size(), 2u);
-  EXPECT_EQ(bench.world.pair_kinds.size(), 2u);  // block on block, block on floor
+  EXPECT_EQ(bench.world.pair_kinds->list.size(), 2u);  // block on block, block on floor
 }
 
 TEST(World, FrictionOfTwoIsTheGeometricMean) {

@@ -97,6 +97,9 @@ TEST(WorldChange, WhatCannotComeIsRefusedByName) {
   const std::string said = why([&] { carried_state(inside, start); });
   EXPECT_NE(said.find("body 'block 3'"), std::string::npos) << said;
   EXPECT_NE(said.find("inside body 'block 1'"), std::string::npos) << said;
+  const WorldChange swallowed = with_another(world, 2, Vec3(0.0, 0.0, -0.2), start);
+  const std::string within = why([&] { carried_state(swallowed, start); });
+  EXPECT_NE(within.find("body 'block 3': starts inside body 'table'"), std::string::npos) << within;
   EXPECT_NE(why([&] { with_another(world, 1, std::nullopt, start); }).find("'table'"),
             std::string::npos);
   const std::string far = why([&] { with_another(world, 2, Vec3(0.0, 0.0, 1e30), start); });

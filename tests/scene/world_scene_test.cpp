@@ -4,7 +4,9 @@
 
 #include "thigma/core/error.h"
 #include "thigma/math/infinity.h"
+#include "thigma/scene/asset_cache.h"
 #include "thigma/scene/scene_file.h"
+#include "thigma/scene/world_change.h"
 
 namespace thigma {
 namespace {
@@ -47,6 +49,31 @@ TEST(WorldScene, ReadsBodiesAndCopies) {
   EXPECT_EQ(world.config.world.bodies[2].friction.kinetic, 0.4);
   EXPECT_EQ(world.config.world.bodies[2].restitution, 0.5);
   EXPECT_EQ(world.config.start.bodies[2].linear_momentum, Vec3(0.5, 1.0, 1.5));
+}
+
+TEST(WorldScene, AThresholdAsksForLevelsThatAreKept) {
+  const std::string home = ::testing::TempDir() + "world_levels";
+  ::setenv("XDG_CACHE_HOME", home.c_str(), 1);
+  const std::string ring =
+      "[[body]]\nmesh = \"procedural:torus?triangles=600\"\nmass = 0.1\n"
+      "position = [0.0, 0.0, 0.3]\n";
+  const LoadedWorld exact = load_world(parse_world_scene(kTable + ring, "w.toml", ""));
+  EXPECT_EQ(exact.config.world.threshold, 0.0);
+  EXPECT_TRUE(exact.hierarchies[1]->level_patches.empty());
+  const std::string asked = kTable + ring + "[contact]\nthreshold = 0.05\n";
+  const LoadedWorld world = load_world(parse_world_scene(asked, "w.toml", ""));
+  EXPECT_EQ(world.config.world.threshold, 0.05);
+  EXPECT_FALSE(world.hierarchies[1]->level_patches.empty());
+  EXPECT_EQ(world.meshes[1]->triangles.size(), exact.meshes[1]->triangles.size());
+  EXPECT_NEAR(world.config.world.bodies[1].mass, 0.1, 1e-15);
+  EXPECT_FALSE(list_cache(home + "/thigma").empty());
+  ::unsetenv("XDG_CACHE_HOME");
+  const WorldChange change = with_another(world, 1, Vec3(0.3, 0.0, 0.3), world.config.start);
+  EXPECT_EQ(change.world.config.world.threshold, 0.05);
+  EXPECT_NE(refusal(kTable + ring + "[contact]\nthreshold = 0.0\n").find("threshold"),
+            std::string::npos);
+  EXPECT_NE(refusal(kTable + ring + "[contact]\nbudget_us = 5.0\n").find("budget_us"),
+            std::string::npos);
 }
 
 TEST(WorldScene, RefusesByName) {

@@ -22,6 +22,12 @@ struct ContactQuery {
   // exact only: where more pairs than this have to be looked at, the tolerance is halved on the
   // way, six times at most; ContactFront::tolerance is what is left. 0: as many as there are
   std::size_t most_pairs = 0;
+  // Exact, or with Resolution::exact_within: where no closed form has the distance of two patches
+  // whose hulls are apart, the contact has that of the hulls, not of the triangles. It is no
+  // farther than they are, so that more may be reported, never less; no such pair counts as
+  // through, its `bound` says nothing, and nothing is carried. For rows, which look at the features
+  // themselves
+  bool measures_hulls = false;
   Resolution resolution{};  // exact unless asked otherwise
 };
 

@@ -173,7 +173,7 @@ bool add_rows(const Making& m, const NearPair& pair, const HandPair& made, doubl
 
 HandPair pair_of(const Making& m, const NearPair& pair) noexcept {
   HandPair made;
-  const ConstraintWorld& constraints = m.world.pair_kinds[idx(pair.kind)].constraints;
+  const ConstraintWorld& constraints = pair_kind(m.world, pair.kind).constraints;
   made.first = place_of(m.model, pair.first);
   made.second = place_of(m.model, pair.second);
   made.state = pair.model.state;

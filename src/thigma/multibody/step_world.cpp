@@ -7,6 +7,7 @@
 #include "thigma/core/error.h"
 #include "thigma/core/index.h"
 #include "thigma/math/infinity.h"
+#include "thigma/multibody/detail/enclosed.h"
 #include "thigma/multibody/detail/jointed_island.h"
 #include "thigma/multibody/detail/part.h"
 
@@ -165,8 +166,25 @@ JointReading read_joint(const World& world, const WorldState& state, const World
   return reading;
 }
 
+namespace {
+
+/// Notes a pair of which one lies wholly in the other.
+void find_enclosed(const World& world, const WorldState& state, const NearPair& pair,
+                   detail::PartsOfShapes& parts, StartOverlap& worst) {
+  const std::int32_t a = std::min(pair.first, pair.second), b = std::max(pair.first, pair.second);
+  for (const std::int32_t inner : {b, a}) {
+    const std::int32_t outer = inner == b ? a : b;
+    if (!detail::is_enclosed(world, state, inner, outer, parts)) continue;
+    worst = {a, b, 0.0, inner};
+    return;
+  }
+}
+
+}  // namespace
+
 StartOverlap find_overlap(const World& world, const WorldState& state, WorldScratch& s) {
   StartOverlap worst;
+  detail::PartsOfShapes parts(world);
   const std::size_t count = world.bodies.size();
   for (std::size_t i = 0; i < count; ++i)
     s.moves[i] = is_dynamic(world, static_cast<std::int32_t>(i)) ? 1 : 0;
@@ -176,14 +194,17 @@ StartOverlap find_overlap(const World& world, const WorldState& state, WorldScra
   for (NearPair* pair : s.pairs.near) {
     const BodyState relative =
         detail::relative_state(state.bodies[idx(pair->first)], state.bodies[idx(pair->second)]);
-    detail::PairCounts counts;
-    detail::renew(world, relative, 0.0, *pair, s.pairs, counts);
+    const double tolerance = pair_kind(world, pair->kind).constraints.least_look_ahead;
+    detail::find_contacts(world, relative, tolerance, *pair, s.pairs);
+    pair->has_model = false;
+    bool is_through = false;
     for (const Contact& contact : s.pairs.contacts.contacts) {
-      if (!(contact.depth > std::max(worst.depth, 0.0))) continue;
+      is_through = is_through || contact.depth > 0.0;
+      if (worst.inner >= 0 || !(contact.depth > std::max(worst.depth, 0.0))) continue;
       worst = {std::min(pair->first, pair->second), std::max(pair->first, pair->second),
                contact.depth};
     }
-    pair->has_model = false;
+    if (!is_through && worst.inner < 0) find_enclosed(world, state, *pair, parts, worst);
   }
   return worst;
 }
@@ -191,10 +212,17 @@ StartOverlap find_overlap(const World& world, const WorldState& state, WorldScra
 void require_apart(const World& world, const WorldState& state, WorldScratch& scratch) {
   const StartOverlap overlap = find_overlap(world, state, scratch);
   if (overlap.a < 0) return;
+  const auto name = [&](std::int32_t body) {
+    return "body '" + world.bodies[idx(body)].name + "'";
+  };
+  if (overlap.inner >= 0)
+    throw InputError(name(overlap.inner) + ": starts inside " +
+                     name(overlap.inner == overlap.a ? overlap.b : overlap.a) +
+                     ", clear of its surface, expected them apart");
   char depth[48];
   std::snprintf(depth, sizeof depth, "%.3g mm", 1e3 * overlap.depth);
-  throw InputError("body '" + world.bodies[idx(overlap.b)].name + "': starts " + depth +
-                   " inside body '" + world.bodies[idx(overlap.a)].name + "', expected them apart");
+  throw InputError(name(overlap.b) + ": starts " + depth + " inside " + name(overlap.a) +
+                   ", expected them apart");
 }
 
 }  // namespace thigma

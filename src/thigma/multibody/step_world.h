@@ -43,6 +43,7 @@ struct WorldStep {
   std::int32_t largest_island = 0;  // bodies
   std::int32_t awake = 0;           // bodies that were moved
   std::int64_t queries = 0;         // of pairs
+  std::int64_t coarse = 0;          // rows of surfaces that stay coarse far away, of these queries
   std::int64_t rows = 0;            // that had to be obeyed, of all parts of the step
   std::int64_t handed = 0;          // rows that the solver got, of all solves
   std::int32_t most_handed = 0;     // rows of a pair in one solve
@@ -105,15 +106,19 @@ JointReading read_joint(const World& world, const WorldState& state, const World
 struct StartOverlap {
   std::int32_t a = -1, b = -1;  // bodies; -1: none
   double depth = 0.0;           // of the surfaces through each other [m]
+  std::int32_t inner = -1;      // a or b: lies inside the other, clear of its surface; -1: neither
 };
 
-/// Looks for bodies whose surfaces are through each other at a state. One that lies wholly inside
-/// another, its surface far from the other's, is not found.
+/// Looks for bodies that are in each other at a state: whose surfaces are through each other, or of
+/// which one lies, or a connected part of it, inside the closed surface of the other. One of the
+/// second kind goes before all of the first. An open surface, or one turned inside out, has no
+/// inside. Only pairs of which one moves by itself are looked at, and only those that may touch.
 /// Thread    [offline]; throws std::bad_alloc.
 StartOverlap find_overlap(const World& world, const WorldState& state, WorldScratch& scratch);
 
-/// Refuses a start in which bodies are through each other.
-/// Thread    [offline]; throws InputError with both names and the depth.
+/// Refuses a start in which bodies are in each other.
+/// Thread    [offline]; throws InputError with both names and, of surfaces that are through each
+///           other, the depth.
 void require_apart(const World& world, const WorldState& state, WorldScratch& scratch);
 
 }  // namespace thigma

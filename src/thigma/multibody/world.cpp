@@ -5,6 +5,7 @@
 
 #include "thigma/core/error.h"
 #include "thigma/core/index.h"
+#include "thigma/multibody/detail/pair_kinds.h"
 
 namespace thigma {
 namespace {
@@ -91,6 +92,7 @@ bool may_meet(const World& world, std::int32_t a, std::int32_t b) {
 
 void make_pair_kinds(World& world) {
   const auto count = static_cast<std::int32_t>(world.shapes.size());
+  auto kinds = std::make_shared<PairKinds>();
   world.kind_of.assign(idx(count) * idx(count), -1);
   for (std::int32_t a = 0; a < count; ++a) {
     for (std::int32_t b = a; b < count; ++b) {
@@ -105,10 +107,11 @@ void make_pair_kinds(World& world) {
       const SceneBody scene{second.hierarchy, second.body_from_mesh};
       kind.constraints = make_constraint_world(*first.hierarchy, first.body_from_mesh, {&scene, 1});
       world.kind_of[idx(a) * idx(count) + idx(b)] = world.kind_of[idx(b) * idx(count) + idx(a)] =
-          static_cast<std::int32_t>(world.pair_kinds.size());
-      world.pair_kinds.push_back(std::move(kind));
+          static_cast<std::int32_t>(kinds->list.size());
+      kinds->list.push_back(std::move(kind));
     }
   }
+  world.pair_kinds = std::move(kinds);
 }
 
 void make_joints(World& world) {

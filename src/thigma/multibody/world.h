@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "thigma/constraint/build_constraints.h"
+#include "thigma/clod/hierarchy.h"
 #include "thigma/dynamics/body.h"
 #include "thigma/dynamics/constraint_model.h"
 #include "thigma/multibody/joint.h"
@@ -48,12 +48,8 @@ struct WorldBody {
   BodyState start;                  // pose, momenta of moving and held
 };
 
-/// A kind of pair: two shapes, the first the one whose travel is measured, in the frame of the
-/// second.
-struct PairKind {
-  std::int32_t first = -1, second = -1;  // shapes
-  ConstraintWorld constraints;           // object: the first; its one scene body: the second
-};
+/// What pairs of shapes need to make rows (detail/pair_kinds.h).
+struct PairKinds;
 
 /// Half sizes and middle of a box about a shape [m; body frame].
 struct ShapeBox {
@@ -66,15 +62,18 @@ struct World {
   Vec3 gravity = Vec3::Zero();  // [m/s^2]
   std::vector<WorldBody> bodies;
   std::vector<RigidBody> rigid;  // one a body; of prescribed ones so heavy that nothing stops them
-  std::vector<std::int32_t> shape;    // of a body, into `shapes`
-  std::vector<BodyShape> shapes;      // each once
-  std::vector<ShapeBox> boxes;        // of the shapes
-  std::vector<PairKind> pair_kinds;   // of all shapes that may meet
+  std::vector<std::int32_t> shape;              // of a body, into `shapes`
+  std::vector<BodyShape> shapes;                // each once
+  std::vector<ShapeBox> boxes;                  // of the shapes
+  std::shared_ptr<const PairKinds> pair_kinds;  // of all shapes that may meet
   std::vector<std::int32_t> kind_of;  // shapes x shapes, into pair_kinds; -1: they never meet
   std::vector<WorldJoint> joints;
   std::vector<double> joint_arm;  // by joint: what turns an angle into a way, its size [m]
   // pairs of bodies, lower * bodies + higher, sorted: a joint holds them, and they never touch
   std::vector<std::int64_t> never_touch;
+  // Levels of detail far away: s0 of a pair of surfaces that both have levels, times the smaller
+  // radius; 0: all contacts are exact
+  double threshold = 0.0;
   bool sleeps = true;  // what rests is not looked at until something comes near
 };
 

@@ -70,9 +70,11 @@ void finish(const LoadedWorld& before, std::vector<WorldBody> bodies, WorldChang
   }
   WorldSessionConfig& config = change.world.config;
   const bool sleeps = before.config.world.sleeps;
+  const double threshold = before.config.world.threshold;
   config = {};
   config.world = make_world(std::move(bodies), before.config.world.gravity, std::move(joints));
   config.world.sleeps = sleeps;
+  config.world.threshold = threshold;
   config.start = start_state(config.world);
   config.rate = before.config.rate;
   config.duration = before.config.duration;

@@ -34,7 +34,7 @@ WorldChange without(const LoadedWorld& world, std::int32_t body);
 /// The state of a changed world: bodies go on as they were, awake, and a new one is at its start.
 ///
 /// before   of the world it was made of
-/// errors   InputError with both names where bodies are through each other
+/// errors   InputError with both names where bodies are in each other
 /// Thread   [offline]
 WorldState carried_state(const WorldChange& change, const WorldState& before);
 

@@ -124,6 +124,10 @@ void read_tables(TomlTable& top, const std::string& folder, bool has_many_device
     table->finish();
   }
   read_devices(top, has_many_devices, scene);
+  if (auto table = top.table("contact")) {
+    scene.threshold = table->number("threshold", Range::positive).value_or(scene.threshold);
+    table->finish();
+  }
   if (auto table = top.table("solver")) {
     const std::optional<double> rate = table->number("rate", Range::positive);
     if (rate && !(*rate >= 50.0 && *rate <= 20000.0))
@@ -268,6 +272,32 @@ void add_hands(LoadedWorld& loaded) {
 
 }  // namespace
 
+namespace {
+
+/// A surface, with levels of detail where the scene asks for them; these are kept.
+Surface load(const SceneObject& object, bool has_levels, const Log& log) {
+  ClodSource source;
+  source.name = object.mesh;
+  source.role = "mesh";
+  source.scale = object.unit_scale;
+  Surface surface;
+  if (!has_levels) {
+    surface.mesh = std::make_shared<const TriangleMesh>(load_surface(source, log));
+    surface.hierarchy = std::make_shared<const ClodHierarchy>(build_exact_hierarchy(*surface.mesh));
+    surface.measure = mass_properties(*surface.mesh);
+    return surface;
+  }
+  const auto asset = std::make_shared<const ClodAsset>(load_clod_cached(source, {}, log));
+  if (asset->meshes.empty())
+    throw InputError(object.mesh + ": holds no surface to show, expected a mesh");
+  surface.mesh = {asset, &asset->meshes[0]};
+  surface.hierarchy = {asset, &asset->hierarchy};
+  surface.measure = asset->mass.measure;
+  return surface;
+}
+
+}  // namespace
+
 LoadedWorld load_world(WorldSceneDescription description, const Log& log) {
   LoadedWorld loaded;
   loaded.description = std::move(description);
@@ -276,16 +306,7 @@ LoadedWorld load_world(WorldSceneDescription description, const Log& log) {
   std::vector<WorldBody> bodies;
   for (const WorldSceneBody& body : scene.bodies) {
     Surface& surface = known[{body.object.mesh, body.object.unit_scale}];
-    if (!surface.hierarchy) {
-      ClodSource source;
-      source.name = body.object.mesh;
-      source.role = "mesh";
-      source.scale = body.object.unit_scale;
-      surface.mesh = std::make_shared<const TriangleMesh>(load_surface(source, log));
-      surface.hierarchy =
-          std::make_shared<const ClodHierarchy>(build_exact_hierarchy(*surface.mesh));
-      surface.measure = mass_properties(*surface.mesh);
-    }
+    if (!surface.hierarchy) surface = load(body.object, scene.threshold > 0.0, log);
     loaded.meshes.push_back(surface.mesh);
     loaded.hierarchies.push_back(surface.hierarchy);
     bodies.push_back(world_body(body, surface, scene.file));
@@ -295,6 +316,7 @@ LoadedWorld load_world(WorldSceneDescription description, const Log& log) {
     std::vector<WorldJoint> joints = detail::world_joints(scene.joints, bodies);
     config.world = make_world(std::move(bodies), scene.gravity, std::move(joints));
     config.world.sleeps = scene.sleeps;
+    config.world.threshold = scene.threshold;
     config.start = start_state(config.world);
     const WorldScratchPtr scratch = reserve_world(config.world, 1);
     require_apart(config.world, config.start, *scratch);

@@ -59,6 +59,7 @@ struct WorldSceneDescription {
   SafetyLimits safety;                    // of devices that name no others
   double rate = 1000.0;                   // of steps [Hz]
   bool sleeps = true;
+  double threshold = 0.0;  // s0 of levels of detail far away, as of World; 0: all is exact
 };
 
 /// Whether a scene file has bodies that move. False for what cannot be read.

@@ -123,7 +123,7 @@ bool is_carrying(QueryFrame& frame) noexcept {
   CarriedContacts& carried = frame.front.carried;
   const bool is_of_pose = r.metric.velocity > 0.0 || r.metric.view.pixels > 0.0;
   const bool has_budget = r.budget_tests > 0 || r.budget_cpu > 0.0;
-  if (!(r.carry > 0.0) || carried.place == nullptr) return false;
+  if (!(r.carry > 0.0) || carried.place == nullptr || frame.query.measures_hulls) return false;
   if (!r.is_exact && (is_of_pose || has_budget || r.exact_within > 0.0)) return false;
   if (!is_same_question(carried.asked, r) ||
       carried.keeps_direction != frame.query.keep_directions) {

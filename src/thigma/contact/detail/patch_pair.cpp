@@ -40,6 +40,25 @@ void remember(FrontNode& memory, const Vec3& normal, bool is_normal) noexcept {
   for (int i = 0; i < 3; ++i) memory.axis[i] = static_cast<float>(normal[i]);
 }
 
+// The contact that hulls which are apart make, by GJK without memory; false: by none, as they are
+// too near for that.
+bool measure_hulls(const PatchQuery& query, const Placement& place, FrontNode& memory,
+                   PatchPair& result) noexcept {
+  GjkCache fresh;
+  const Separation s = closest_points(query.a, query.b, query.a_from_b,
+                                      std::numeric_limits<double>::infinity(), fresh);
+  if (s.status != GjkStatus::separated || !(s.distance > kNear * place.size)) return false;
+  const bool touches = s.distance <= query.tolerance;
+  result.status = touches ? PairContactStatus::separated : PairContactStatus::apart;
+  result.depth = -s.distance;
+  result.separation = s.distance;
+  result.normal = (s.witness_b - s.witness_a).normalized();
+  result.witness_a = s.witness_a;
+  result.witness_b = s.witness_b;
+  remember(memory, result.normal, touches);
+  return true;
+}
+
 // The contact of two patches whose triangles were measured.
 PatchPair contact_of(const PatchQuery& query, const PatchSeparation& gap, FrontNode& memory,
                      QueryStats& stats) noexcept {
@@ -98,6 +117,8 @@ PatchPair measure_patches(const PatchQuery& query, FrontNode& memory, QueryStats
       found = verify(place, sets, result);
       memory.support_a = found ? sets.a : 0;
       memory.support_b = found ? sets.b : 0;
+      if (!found && query.measures_hulls && measure_hulls(query, place, memory, result))
+        return result;
     }
   }
   if (!found) {

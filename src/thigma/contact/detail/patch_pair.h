@@ -33,6 +33,7 @@ struct PatchQuery {
   HullView a, b;
   const RelativePose& a_from_b;
   double tolerance = 0.0;        // pairs with a larger separation are `apart` [m]
+  bool measures_hulls = false;   // see ContactQuery
   bool keeps_direction = false;  // that of the contact reported last, if it is nearly as good
   SegmentProbe probe{};
   EarlyDecision early{};  // asked of every pair that is not apart

@@ -82,6 +82,12 @@ inline double slack_of(QueryFrame& frame, FrontNode& node) noexcept {
   return std::max(slack, s.distance - rounding - reach);
 }
 
+/// Whether hulls that are apart are as good as their triangles.
+inline bool measures_hulls(const ContactQuery& query) noexcept {
+  const Resolution& r = query.resolution;
+  return query.measures_hulls && (r.is_exact || r.exact_within > 0.0);
+}
+
 /// Measures the finest patches of a leaf pair.
 inline PatchPair measure_leaf_pair(QueryFrame& frame, FrontNode& node,
                                    const SegmentProbe& probe) noexcept {
@@ -90,6 +96,7 @@ inline PatchPair measure_leaf_pair(QueryFrame& frame, FrontNode& node,
                           .b = hull_view(frame.scene, node.b),
                           .a_from_b = frame.pose,
                           .tolerance = frame.query.tolerance,
+                          .measures_hulls = measures_hulls(frame.query),
                           .keeps_direction = frame.query.keep_directions,
                           .probe = probe},
                          node, frame.set.stats);

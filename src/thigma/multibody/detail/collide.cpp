@@ -32,7 +32,7 @@ struct Hit {
 /// Whether a row came to press in this part.
 bool has_met(const Part& part, const IslandRow& row, const RowSource& source) noexcept {
   const NearPair& pair = *part.s.pairs.near[idx(source.pair)];
-  return has_met(row, source, part.world.pair_kinds[idx(pair.kind)].constraints.slop);
+  return has_met(row, source, pair_kind(part.world, pair.kind).constraints.slop);
 }
 
 /// Speed at which a row's surfaces meet, over that without contacts at the end of the part: what

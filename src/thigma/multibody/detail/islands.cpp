@@ -137,7 +137,7 @@ void append_rows(const World& world, std::span<const BodyState> states, const Ne
   const BodyState relative = relative_state(first, second);
   const Mat3 turn = rotation_matrix(relative.orientation);
   const Mat3 world_from_second = rotation_matrix(second.orientation);
-  const double slop = world.pair_kinds[idx(pair.kind)].constraints.slop;
+  const double slop = pair_kind(world, pair.kind).constraints.slop;
   const auto local = [&](std::int32_t body) {
     const std::int32_t place = s.place[idx(body)];
     return place < 0 ? -1 : place - island.first_body;

@@ -11,6 +11,7 @@
 #include "thigma/contact/front.h"
 #include "thigma/contact/query_contacts.h"
 #include "thigma/multibody/detail/broad_phase.h"
+#include "thigma/multibody/detail/pair_kinds.h"
 #include "thigma/multibody/world.h"
 
 namespace thigma::detail {
@@ -36,12 +37,14 @@ struct NearPair {
   std::int64_t left_out = 0;  // of the last query: nothing may move
   // To look farther ahead serves nothing: there are more rows than have room [m].
   double worth = kInfinity;
+  double exact_within = 0.0;  // of the last query, with levels of detail; 0: all was exact [m]
+  int pressed = 0;            // so often coarse rows pressed in this part: it was asked more finely
   std::vector<RowHistory> history;  // as many as rows
 };
 
 /// Counts of a step.
 struct PairCounts {
-  std::int64_t queries = 0, contacts = 0, rows = 0, left_out = 0;
+  std::int64_t queries = 0, coarse = 0, contacts = 0, rows = 0, left_out = 0;
 };
 
 /// All pairs. Memory of a pair that ends is kept for the next of its kind: grows while warming up,
@@ -66,8 +69,7 @@ void take_pairs(const World& world, std::span<const BodyPairIndex> pairs, PairMo
 
 /// Most that a query may look ahead [m].
 inline double most_ahead(const World& world, const NearPair& pair) noexcept {
-  const ConstraintWorld& constraints =
-      world.pair_kinds[static_cast<std::size_t>(pair.kind)].constraints;
+  const ConstraintWorld& constraints = pair_kind(world, pair.kind).constraints;
   return std::clamp(pair.worth, constraints.least_look_ahead, constraints.most_look_ahead);
 }
 
@@ -75,7 +77,15 @@ inline double most_ahead(const World& world, const NearPair& pair) noexcept {
 bool holds(const World& world, const NearPair& pair, const BodyState& relative,
            double way) noexcept;
 
-/// Asks for contacts and makes rows that hold for a way, as far as there is room.
+/// Contacts of a pair within a tolerance, measured to the end: into models.contacts.
+void find_contacts(const World& world, const BodyState& relative, double tolerance, NearPair& pair,
+                   PairModels& models) noexcept;
+
+/// Whether a row of a model is of coarse surfaces: none of these may press.
+inline bool is_coarse_row(const ContactRow& row) noexcept { return row.body < 0; }
+
+/// Asks for contacts and makes rows that hold for a way, as far as there is room. With levels of
+/// detail the surfaces are coarse beyond `exact_within`, farther away the more often they pressed.
 void renew(const World& world, const BodyState& relative, double way, NearPair& pair,
            PairModels& models, PairCounts& counts) noexcept;
 

@@ -173,7 +173,7 @@ double free_way(const Part& part, const NearPair& pair, const BodyState& relativ
     y.orientation = unit(rotation_from_vector(part.dt * u.tail<3>()) * y.orientation);
     return y;
   };
-  const double reach = part.world.pair_kinds[idx(pair.kind)].constraints.reach;
+  const double reach = pair_kind(part.world, pair.kind).constraints.reach;
   return travel_between(relative, relative_state(go(pair.first), go(pair.second)), reach);
 }
 
@@ -186,7 +186,8 @@ bool renew_pairs(Part& part, bool is_last) noexcept {
     const BodyState relative =
         relative_state(part.state.bodies[idx(pair->first)], part.state.bodies[idx(pair->second)]);
     const double way = std::max(pair->asked, kSpare * free_way(part, *pair, relative));
-    if (holds(part.world, *pair, relative, way) || pair->fresh >= way) continue;
+    const bool is_coarse = pair->pressed > 0 && pair->fresh < 0.0;  // rows that press are exact
+    if (!is_coarse && (holds(part.world, *pair, relative, way) || pair->fresh >= way)) continue;
     if (way > most_ahead(part.world, *pair) && !is_last && !pair->model.rows.empty())
       is_enough = false;
     renew(part.world, relative, way, *pair, part.s.pairs, counts);
@@ -195,6 +196,7 @@ bool renew_pairs(Part& part, bool is_last) noexcept {
     if (way > most_ahead(part.world, *pair) && !is_last) is_enough = false;
   }
   part.report.queries += counts.queries;
+  part.report.coarse += counts.coarse;
   part.report.left_out += counts.left_out;
   return is_enough;
 }
@@ -320,7 +322,7 @@ void smooth(Part& part, const Island& island) noexcept {
   for (std::int32_t i = 0; i < island.rows; ++i) {
     const RowSource& source = s.islands.sources[idx(island.first_row + i)];
     const NearPair& pair = *s.pairs.near[idx(source.pair)];
-    const double slop = part.world.pair_kinds[idx(pair.kind)].constraints.slop;
+    const double slop = pair_kind(part.world, pair.kind).constraints.slop;
     constexpr double kLess = 1e-6;  // of the stand-off, that a gap may lose below it
     if (gaps.of(source) >= std::min(slop, source.gap) - kLess * slop) continue;
     s.next[idx(body)] = before;
@@ -363,6 +365,23 @@ void solve_all(Part& part) {
   part.report.rows += static_cast<std::int64_t>(islands.rows.size());
 }
 
+/// Whether rows of coarse surfaces press; their pairs are then asked more finely.
+bool has_coarse_pressing(Part& part) noexcept {
+  auto& s = part.s;
+  bool is_pressing = false;
+  if (!(part.world.threshold > 0.0)) return false;
+  for (std::size_t r = 0; r < s.islands.rows.size(); ++r) {
+    const RowSource& source = s.islands.sources[r];
+    NearPair& pair = *s.pairs.near[idx(source.pair)];
+    if (!(pair.exact_within > 0.0) || !(s.islands.rows[r].impulse.x() > 0.0)) continue;
+    if (!is_coarse_row(pair.model.rows[idx(source.row)])) continue;
+    is_pressing = true;
+    if (pair.fresh >= 0.0 || pair.pressed == 0) ++pair.pressed;
+    pair.fresh = -1.0;
+  }
+  return is_pressing;
+}
+
 /// Where the bodies of a solve went.
 enum class Went : std::uint8_t {
   within,   // where rows were made for
@@ -385,13 +404,13 @@ Went where_they_went(Part& part) noexcept {
     const BodyState before =
         relative_state(part.state.bodies[idx(pair->first)], part.state.bodies[idx(pair->second)]);
     const BodyState after = relative_state(s.next[idx(pair->first)], s.next[idx(pair->second)]);
-    const double reach = part.world.pair_kinds[idx(pair->kind)].constraints.reach;
+    const double reach = pair_kind(part.world, pair->kind).constraints.reach;
     if (travel_between(pair->model.state, after, reach) <= pair->model.travel) continue;
     pair->asked = kSpare * travel_between(before, after, reach);
     is_asked = is_asked || pair->asked > pair->fresh;
     is_within = false;
   }
-  if (is_asked) return Went::farther;
+  if (has_coarse_pressing(part) || is_asked) return Went::farther;
   return is_within ? Went::within : Went::too_far;
 }
 
@@ -400,7 +419,7 @@ bool is_allowed(const Part& part) noexcept {
   const auto& s = part.s;
   for (const NearPair* pair : s.pairs.near) {
     const BodyState relative = relative_state(s.next[idx(pair->first)], s.next[idx(pair->second)]);
-    const ConstraintWorld& constraints = part.world.pair_kinds[idx(pair->kind)].constraints;
+    const ConstraintWorld& constraints = pair_kind(part.world, pair->kind).constraints;
     if (travel_between(pair->model.state, relative, constraints.reach) > pair->model.travel)
       return false;
   }
@@ -499,7 +518,7 @@ bool correct_limits(Part& part, const Island& island) noexcept {
     const RowSource& source = s.islands.sources[r];
     const double gap = gaps.of(source);
     const NearPair& pair = *s.pairs.near[idx(source.pair)];
-    const double slop = part.world.pair_kinds[idx(pair.kind)].constraints.slop;
+    const double slop = pair_kind(part.world, pair.kind).constraints.slop;
     const double closed = closed_by(gap, slop, source);
     if (closed == 0.0) continue;
     is_short = true;
@@ -522,6 +541,7 @@ double make_part(Part& part, bool is_last) {
   for (NearPair* pair : s.pairs.near) {
     pair->asked = 0.0;
     pair->fresh = -1.0;
+    pair->pressed = 0;
   }
   constexpr int kTurns = 5;
   Went went = Went::farther;
