@@ -208,7 +208,7 @@ void renew(const World& world, const BodyState& relative, double way, NearPair& 
   if (pair.exact_within > 0.0) near.relief = find_coarse(world, relative, separation, pair, models);
   const ConstraintStats stats =
       build_constraints(constraints, relative, near, models.scratch, pair.model);
-  // Where rows had no room they hold for less; twice as much is tried again, and more once they have.
+  // Where rows had no room they hold for less: twice as much is tried again, more once they have.
   constexpr double kAgain = 2.0;
   if (pair.exact_within == 0.0)
     pair.worth =
