@@ -123,9 +123,9 @@ WorldSummary run_world_on_threads(const WorldSessionConfig& config,
                                     [](const HapticDevice* device) { return device != nullptr; });
   if (!has_hand) return run_world_by_clock(config, devices, shell);
   WorldApart apart(config, devices);
-  if (shell.ticks)
-    apart.ticks =
-        std::make_unique<SpscRing<HandTick>>(detail::tick_room(config.rate, devices.size()));
+  const std::size_t room =
+      shell.tick_room > 0 ? shell.tick_room : detail::tick_room(config.rate, devices.size());
+  if (shell.ticks) apart.ticks = std::make_unique<SpscRing<HandTick>>(room);
   HandsShared shared;
   const double period = 1.0 / config.rate, watchdog = watchdog_of(config);
   // Ticks are slept for, not polled: the world needs the processor as well.
@@ -146,6 +146,7 @@ WorldSummary run_world_on_threads(const WorldSessionConfig& config,
   add_haptic(apart, shared.fault.load(std::memory_order_relaxed), summary);
   summary.haptic_missed = shared.missed.load(std::memory_order_relaxed);
   summary.haptic_cpu = hands.step_cpu;
+  if (apart.ticks != nullptr) summary.haptic_dropped = apart.ticks->dropped();
   summary.haptic_stops = shared.stops.load(std::memory_order_relaxed);
   return summary;
 }
