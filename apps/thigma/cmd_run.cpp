@@ -209,6 +209,10 @@ int refuse(int code, const std::string& why) {
 }
 
 int run_asked(const RunOptions& asked, const Common& common) {
+  if (!asked.record.empty() && !is_recording_name(asked.record) && !common.quiet)
+    print_error(asked.record +
+                ": not named .mcap: `thigma run` and the page do not take it for a recording, "
+                "replay, export and plot do");
   if (asked.replay.empty() && !is_recording_name(asked.scene) && is_world_scene(asked.scene)) {
     const SignalGuard signals;
     const int code = run_world_scene(asked, common, stop_requested);

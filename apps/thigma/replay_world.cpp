@@ -1,3 +1,6 @@
+#include "replay_world.h"
+
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -44,19 +47,24 @@ void check_haptic_steps(const std::string& path, const WorldRecording& recording
 
 /// The scene as it was recorded.
 LoadedWorld load_recorded(const WorldRecording& recording) {
-  const std::size_t bodies = recording.bodies.size();
   WorldSceneDescription scene = read_world_scene(recording.scene);
   scene.rate = recording.rate;
   if (recording.friction) use_friction(*recording.friction, scene);
-  LoadedWorld world = load_world(std::move(scene));
+  return load_world(std::move(scene));
+}
+
+/// Gives it the frames and hands that were recorded.
+void prepare(const WorldRecording& recording, LoadedWorld& world) {
+  const std::size_t bodies = recording.bodies.size();
   check_count(recording, world.config.world.bodies.size(), bodies, "bodies");
   check_count(recording, world.config.world.joints.size(), recording.joints.size(), "joints");
   const std::size_t frames = recording.states.size() / bodies;
-  world.config.duration = static_cast<double>(frames) / recording.rate;
+  // A session without a duration would have no end: of no frame it is less than half of one.
+  constexpr double kNone = 0.25;
+  world.config.duration = (frames > 0 ? static_cast<double>(frames) : kNone) / recording.rate;
   add_recorded_hands(recording.devices, world);
   use_clutches(recording.devices, world);
   check_count(recording, world.config.hands.size(), recording.devices.size(), "hands");
-  return world;
 }
 
 /// Where what is made again is no longer what was recorded.
@@ -122,8 +130,8 @@ std::vector<DeviceLimits> recorded_limits(const WorldRecording& recording,
 }
 
 /// Hands apart from the world: their steps as well.
-WorldSummary run_apart_again(const WorldRecording& recording, const LoadedWorld& world,
-                             Differences& found) {
+WorldSummary run_apart_again(const std::string& path, const WorldRecording& recording,
+                             const LoadedWorld& world, Differences& found) {
   const std::vector<DeviceLimits> limits = recorded_limits(recording, world);
   ReplayWatch watch;
   watch.between = [&](std::uint64_t frame, WorldRun& run) {
@@ -131,47 +139,78 @@ WorldSummary run_apart_again(const WorldRecording& recording, const LoadedWorld&
   };
   watch.world = [&](const WorldFrame& frame) { found.compare(frame); };
   watch.haptic = [&](const HandTick& tick) { found.compare(tick); };
-  return replay_world_apart(world.config, limits, apart_of(recording), watch);
+  try {
+    return replay_world_apart(world.config, limits, apart_of(recording), watch);
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
+}
+
+/// Haptic steps that were made and are not there. A recording that was cut off does not tell.
+std::uint64_t lost_steps(const WorldRecording& recording) {
+  std::uint64_t lost = 0;
+  for (std::size_t i = 0; i < recording.haptic_steps.size(); ++i)
+    lost += recording.haptic_steps[i] -
+            std::min<std::uint64_t>(recording.ticks[i].size(), recording.haptic_steps[i]);
+  return lost;
 }
 
 }  // namespace
 
+ReplayedWorld replay_recorded(const std::string& path, const WorldRecording& recording,
+                              LoadedWorld world) {
+  prepare(recording, world);
+  const std::size_t frames = recording.states.size() / recording.bodies.size();
+  ReplayedWorld made;
+  made.frames = frames;
+  made.is_apart = recording.is_apart && !recording.devices.empty();
+  if (made.is_apart && frames > 0) check_haptic_steps(path, recording, frames);
+  Differences found{recording};
+  made.summary = made.is_apart ? run_apart_again(path, recording, world, found)
+                               : run_again(recording, world, found);
+  const std::uint64_t again = made.summary.frames;
+  const bool is_shorter = made.is_apart && !recording.has_end && again > 0 && again < frames &&
+                          frames - again <= kLastFrames;
+  if (found.frame < 0 && again != frames && !is_shorter)
+    found.frame = static_cast<std::int64_t>(again);
+  made.frame = found.frame;
+  made.haptic_step = found.haptic_step;
+  made.haptic_steps = found.haptic_steps;
+  made.lost_steps = lost_steps(recording);
+  made.is_same = found.frame < 0 && found.haptic_step < 0 && made.lost_steps == 0 &&
+                 (!recording.has_end || made.summary.state_hash == recording.state_hash);
+  return made;
+}
+
 int replay_world(const std::string& path, const Common& common) {
   const WorldRecording recording = read_world_recording(path);
-  const LoadedWorld world = load_recorded(recording);
-  const std::size_t frames = recording.states.size() / recording.bodies.size();
-  const bool is_apart = recording.is_apart && !recording.devices.empty();
-  if (is_apart && frames > 0) check_haptic_steps(path, recording, frames);
-  Differences found{recording};
-  const WorldSummary summary =
-      is_apart ? run_apart_again(recording, world, found) : run_again(recording, world, found);
-  const bool is_shorter = is_apart && !recording.has_end && summary.frames > 0 &&
-                          summary.frames < frames && frames - summary.frames <= kLastFrames;
-  if (found.frame < 0 && summary.frames != frames && !is_shorter)
-    found.frame = static_cast<std::int64_t>(summary.frames);
-  const bool is_same = found.frame < 0 && found.haptic_step < 0 &&
-                       (!recording.has_end || summary.state_hash == recording.state_hash);
+  const ReplayedWorld made = replay_recorded(path, recording, load_recorded(recording));
   nlohmann::ordered_json json;
-  json["frames"] = summary.frames;
-  json["recorded_frames"] = frames;
-  json["state_hash"] = hex_text(summary.state_hash);
+  json["frames"] = made.summary.frames;
+  json["recorded_frames"] = made.frames;
+  json["state_hash"] = hex_text(made.summary.state_hash);
   json["recorded_hash"] = nullptr;
   if (recording.has_end) json["recorded_hash"] = hex_text(recording.state_hash);
-  json["identical"] = is_same;
+  json["identical"] = made.is_same;
   json["first_difference"] = nullptr;
-  if (found.frame >= 0) json["first_difference"] = found.frame;
+  if (made.frame >= 0) json["first_difference"] = made.frame;
   json["haptic"] = nullptr;
-  if (is_apart) {
-    json["haptic"] = {{"frames", found.haptic_steps}, {"first_difference", nullptr}};
-    if (found.haptic_step >= 0) json["haptic"]["first_difference"] = found.haptic_step;
+  if (made.is_apart) {
+    json["haptic"] = {
+        {"frames", made.haptic_steps}, {"first_difference", nullptr}, {"lost", made.lost_steps}};
+    if (made.haptic_step >= 0) json["haptic"]["first_difference"] = made.haptic_step;
   }
+  const std::string lost = made.lost_steps == 0 ? ""
+                                                : ", " + std::to_string(made.lost_steps) +
+                                                      " haptic steps at the end were not recorded";
   if (common.json)
     print_json(json);
   else
-    std::printf("%llu frames of %zu recorded, of %zu bodies, state hash %s: %s\n",
-                static_cast<unsigned long long>(summary.frames), frames, recording.bodies.size(),
-                hex_text(summary.state_hash).c_str(), is_same ? "identical" : "different");
-  return is_same ? kDone : kClaimFails;
+    std::printf("%llu frames of %zu recorded, of %zu bodies, state hash %s: %s%s\n",
+                static_cast<unsigned long long>(made.summary.frames), made.frames,
+                recording.bodies.size(), hex_text(made.summary.state_hash).c_str(),
+                made.is_same ? "identical" : "different", lost.c_str());
+  return made.is_same ? kDone : kClaimFails;
 }
 
 }  // namespace thigma::app

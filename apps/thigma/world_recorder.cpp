@@ -70,6 +70,12 @@ void WorldRecorder::write(const WorldFrame& frame) {
                 haptic.ticks > 0 ? haptic.sent : frame.commands, hands_);
 }
 
+void WorldRecorder::close(const WorldSummary& summary) {
+  std::vector<std::uint64_t> steps;
+  for (const WorldHapticSummary& hand : summary.haptic) steps.push_back(hand.steps);
+  writer_.close(summary.frames, summary.state_hash, steps);
+}
+
 void use_friction(double friction, WorldSceneDescription& scene) {
   for (WorldSceneBody& body : scene.bodies) {
     if (!body.object.material) body.object.material = Material{};

@@ -31,7 +31,8 @@ class WorldRecorder {
   WorldRecorder(const std::string& path, const LoadedWorld& world, const WorldRecorderInfo& info);
   void write(const WorldFrame& frame);
   void write(std::span<const HandTick> ticks) { writer_.write(ticks); }
-  void close(const WorldSummary& summary) { writer_.close(summary.frames, summary.state_hash); }
+  /// Says how many haptic steps there were, so that those left out at the end are known.
+  void close(const WorldSummary& summary);
 
  private:
   WorldRecordingWriter writer_;

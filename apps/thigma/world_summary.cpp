@@ -46,6 +46,9 @@ void print_haptic(const WorldSummary& s) {
                 1e3 * hand.port_energy_min);
   }
   if (!s.refused.empty()) std::printf("haptic thread: %s\n", s.refused.c_str());
+  if (s.haptic_dropped > 0)
+    std::printf("haptic steps that the world was too late to record: %llu\n",
+                static_cast<unsigned long long>(s.haptic_dropped));
 }
 
 }  // namespace
@@ -113,6 +116,7 @@ nlohmann::ordered_json world_summary_json(const WorldSummary& s, const LoadedWor
                     {"made", s.energy_made}};
   json["clock"] = nullptr;
   if (facts.has_clock) json["clock"] = {{"late_frames", s.late_frames}, {"lost", s.lost_time}};
+  json["dropped_samples"] = s.haptic_dropped;
   json["state_hash"] = hex_text(s.state_hash);
   return json;
 }

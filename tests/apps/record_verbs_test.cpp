@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
 
 #include "apps/program.h"
@@ -16,6 +17,7 @@
 #include <unistd.h>
 
 #include "thigma/files/file.h"
+#include "thigma/recording/mcap_file.h"
 #include "thigma/recording/recording.h"
 
 namespace thigma::test {
@@ -333,6 +335,83 @@ TEST(RecordVerbs, plot_draws_what_was_recorded) {
   const Ended other = run_program({"plot", png, "-o", png});
   EXPECT_EQ(other.code, 4);
   expect_one_line(other, png + ": ");
+}
+
+/// A recording of a world by the clock, and what the program says of it.
+nlohmann::json record_world(const std::string& file) {
+  const std::string scene = std::string(THIGMA_SOURCE_DIR) + "/scenes/row_of_blocks.toml";
+  const Ended e = run_program(
+      {"run", scene, "--headless", "--duration", "0.1", "--json", "--quiet", "--record", file});
+  EXPECT_EQ(e.code, 0) << e.err;
+  return json_line(e);
+}
+
+/// Copies a recording, with other words in messages, and only those of topics that are wanted.
+void copy_recording(const std::string& from, const std::string& to, const std::string& words,
+                    const std::string& others,
+                    const std::function<bool(const std::string& topic)>& is_wanted) {
+  const McapFile file = read_mcap(from);
+  McapWriter writer(to);
+  std::vector<std::uint16_t> channels;
+  for (const std::string& topic : file.topics)
+    channels.push_back(writer.add_channel(topic, "thigma.copied", ""));
+  for (const McapMessage& message : file.messages) {
+    const auto channel = static_cast<std::size_t>(message.channel);
+    if (!is_wanted(file.topics[channel])) continue;
+    std::string data(message.data);
+    if (const std::size_t at = data.find(words); at != std::string::npos)
+      data.replace(at, words.size(), others);
+    writer.write(channels[channel], message.sequence, message.time, data);
+  }
+  writer.close();
+}
+
+TEST(RecordVerbs, haptic_steps_that_a_world_left_out_at_its_end_are_known) {
+  const std::string file = out_file("steps.mcap"), lost = out_file("lost_steps.mcap");
+  const nlohmann::json run = record_world(file);
+  EXPECT_EQ(run["dropped_samples"], 0);
+  const std::string steps = std::to_string(run["hands"][0]["haptic"]["frames"].get<int>());
+  const nlohmann::json whole = json_line(run_program({"replay", file, "--json"}));
+  EXPECT_EQ(whole["identical"], true) << whole;
+  EXPECT_EQ(whole["haptic"]["lost"], 0);
+  const std::string words = "\"haptic_steps\":[";
+  copy_recording(file, lost, words + steps + "]", words + "1" + steps + "]",
+                 [](const std::string&) { return true; });
+  const Ended e = run_program({"replay", lost, "--json"});
+  EXPECT_EQ(e.code, 5) << e.err;
+  const nlohmann::json replay = json_line(e);
+  EXPECT_EQ(replay["identical"], false);
+  EXPECT_TRUE(replay["first_difference"].is_null());
+  EXPECT_TRUE(replay["haptic"]["first_difference"].is_null());
+  EXPECT_EQ(replay["haptic"]["lost"].get<int>(), std::stoi("1" + steps) - std::stoi(steps));
+}
+
+TEST(RecordVerbs, a_world_without_a_frame_is_replayed_to_its_end) {
+  const std::string file = out_file("world.mcap"), none = out_file("no_frame.mcap");
+  record_world(file);
+  copy_recording(file, none, "", "", [](const std::string& topic) { return topic == "/config"; });
+  const Ended e = run_program({"replay", none, "--json"}, 60.0);
+  EXPECT_EQ(e.code, 0) << e.err;
+  EXPECT_EQ(json_line(e)["frames"], 0);
+  EXPECT_EQ(json_line(e)["recorded_frames"], 0);
+}
+
+TEST(RecordVerbs, a_recording_not_named_so_is_told_of_and_written) {
+  const std::string scene = std::string(THIGMA_SOURCE_DIR) + "/scenes/row_of_blocks.toml";
+  for (const std::vector<std::string>& what :
+       {std::vector<std::string>{scene}, {"--object", kBall, "--against", kBall}}) {
+    for (const char* name : {"recording.txt", "recording.mcap"}) {
+      const std::string file = out_file(name);
+      std::vector<std::string> arguments = {"run",  "--headless", "--lockstep", "--duration",
+                                            "0.02", "--json",     "--record",   file};
+      arguments.insert(arguments.end(), what.begin(), what.end());
+      const Ended e = run_program(arguments);
+      EXPECT_EQ(e.code, 0) << e.err;
+      const bool is_told = e.err.find(file + ": not named .mcap") != std::string::npos;
+      EXPECT_EQ(is_told, file.ends_with(".txt")) << e.err;
+      EXPECT_EQ(run_program({"replay", file, "--json"}).code, 0);
+    }
+  }
 }
 
 TEST(RecordVerbs, an_unwritable_place_is_told_before_the_run) {

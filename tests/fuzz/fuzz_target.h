@@ -64,6 +64,7 @@ void fuzz_clod(Bytes bytes);
 void fuzz_tex(Bytes bytes);
 void fuzz_scene(Bytes bytes);
 void fuzz_recording(Bytes bytes);
+void fuzz_world(Bytes bytes);  // a recording of several bodies
 void fuzz_script(Bytes bytes);
 void fuzz_poses(Bytes bytes);
 void fuzz_uri(Bytes bytes);
@@ -85,13 +86,13 @@ struct Target {
   void (*mutate)(std::string&, std::size_t, std::uint32_t, Mutate);  // null: any change will do
 };
 inline constexpr Target kTargets[] = {
-    {"png", fuzz_png, mutate_png},      {"pgm", fuzz_pgm, nullptr},
-    {"clod", fuzz_clod, mutate_clod},   {"tex", fuzz_tex, mutate_tex},
-    {"scene", fuzz_scene, nullptr},     {"recording", fuzz_recording, mutate_recording},
-    {"script", fuzz_script, nullptr},   {"poses", fuzz_poses, nullptr},
-    {"uri", fuzz_uri, nullptr},         {"frames", fuzz_frames, nullptr},
-    {"message", fuzz_message, nullptr}, {"haply", fuzz_haply, nullptr},
-    {"vrpn", fuzz_vrpn, nullptr},
+    {"png", fuzz_png, mutate_png},           {"pgm", fuzz_pgm, nullptr},
+    {"clod", fuzz_clod, mutate_clod},        {"tex", fuzz_tex, mutate_tex},
+    {"scene", fuzz_scene, nullptr},          {"recording", fuzz_recording, mutate_recording},
+    {"world", fuzz_world, mutate_recording}, {"script", fuzz_script, nullptr},
+    {"poses", fuzz_poses, nullptr},          {"uri", fuzz_uri, nullptr},
+    {"frames", fuzz_frames, nullptr},        {"message", fuzz_message, nullptr},
+    {"haply", fuzz_haply, nullptr},          {"vrpn", fuzz_vrpn, nullptr},
 };
 
 /// All targets: one for each kind of mesh files, by its ending without the dot, then kTargets.

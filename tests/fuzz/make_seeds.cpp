@@ -1,6 +1,8 @@
 // Writes the seeds of tests/fuzz/corpus from the project's own models: make_fuzz_seeds FOLDER. What
 // fuzzing has found lies beside them under names that begin with found_.
 
+#include "fuzz/make_seeds.h"
+
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -25,16 +27,6 @@
 
 namespace thigma::fuzz {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Seeds {
-  fs::path folder;
-  void put(const std::string& target, const std::string& name, const std::string& bytes) const {
-    fs::create_directories(folder / target);
-    write_file((folder / target / name).string(), bytes);
-  }
-};
 
 /// What the services of devices send.
 void put_devices(const Seeds& seeds) {
@@ -210,6 +202,7 @@ int main(int count, char** words) {
   thigma::fuzz::put_pictures(seeds);
   thigma::fuzz::put_assets(seeds);
   thigma::fuzz::put_recordings(seeds);
+  thigma::fuzz::put_worlds(seeds);
   thigma::fuzz::put_texts(seeds);
   thigma::fuzz::put_messages(seeds);
 }

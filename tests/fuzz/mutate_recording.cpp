@@ -2,6 +2,8 @@
 // again with right lengths and checksums, compressed or not, without the summary, which the format
 // does not ask for.
 
+#include <cstring>
+
 #include "fuzz/fuzz_target.h"
 #include "support/mcap_bytes.h"
 
@@ -34,6 +36,21 @@ void change(std::string& bytes, std::size_t from, std::size_t most, Mutate mutat
   bytes += part;
 }
 
+/// Another number in the place of one of a text: any change to its bytes rarely leaves one.
+void change_number(std::string& text, Random& random) {
+  constexpr const char* kNumbers[] = {"0",      "-1",   "1",          "2",
+                                      "3.5",    "-0.0", "1e308",      "-1e300",
+                                      "1e-320", "null", "4294967296", "18446744073709551615"};
+  constexpr const char* kDigits = "-0123456789";
+  if (text.size() <= kMessageHead) return;
+  std::size_t at =
+      text.find_first_of(kDigits, kMessageHead + random.below(text.size() - kMessageHead));
+  if (at == std::string::npos) return;
+  while (at > kMessageHead && std::strchr("-+.eE0123456789", text[at - 1]) != nullptr) --at;
+  const std::size_t end = text.find_first_not_of("-+.eE0123456789", at);
+  text.replace(at, std::min(end, text.size()) - at, kNumbers[random.below(std::size(kNumbers))]);
+}
+
 void change_records(std::vector<McapRecord>& records, Random& random, Mutate mutate) {
   const std::size_t i = random.below(records.size());
   const std::size_t j = random.below(records.size());
@@ -47,6 +64,11 @@ void change_records(std::vector<McapRecord>& records, Random& random, Mutate mut
     case 2:
       std::swap(records[i], records[j]);
       return;
+    case 3:
+    case 4:
+    case 5:
+    case 6:
+      return change_number(records[i].body, random);
     default:
       break;
   }

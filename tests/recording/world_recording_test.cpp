@@ -226,6 +226,21 @@ TEST(WorldRecording, HapticStepsComeBackBitForBit) {
   }
 }
 
+TEST(WorldRecording, TellsHowManyHapticStepsWereMade) {
+  const std::string path = path_of("made.mcap");
+  WorldRecordingInfo info;
+  info.devices = {"hand:", "hand:"};
+  info.bodies = {"block"};
+  info.is_apart = true;
+  const std::vector<std::uint64_t> made = {7, 0};
+  { WorldRecordingWriter(path, info).close(0, 1, made); }
+  EXPECT_EQ(read_world_recording(path).haptic_steps, made);
+  EXPECT_EQ(parse_world_recording(read_file(path), "a name").haptic_steps, made);
+  info.is_apart = false;
+  { WorldRecordingWriter(path, info).close(0, 1, made); }
+  EXPECT_TRUE(read_world_recording(path).haptic_steps.empty());
+}
+
 TEST(WorldRecording, AMissingHapticStepIsToldWhenItIsWritten) {
   WorldRecordingInfo info;
   info.devices = {"hand:"};
@@ -238,24 +253,26 @@ TEST(WorldRecording, AMissingHapticStepIsToldWhenItIsWritten) {
 }
 
 /// What is said of a recording of one hand that has this haptic step and this sample.
-std::string refused(const std::string& haptic, const std::string& sample, bool is_apart = true) {
+std::string refused(const std::string& haptic, const std::string& sample, bool is_apart = true,
+                    const std::string& times = R"("now":0.0,"elapsed":0.001,)",
+                    const std::string& buttons = "0", const char* topic = "/device/sample") {
   const std::string path = path_of("lying.mcap");
   {
     McapWriter writer(path);
     const std::uint16_t config = writer.add_channel("/config", "thigma.world_config", "");
     const std::uint16_t steps = writer.add_channel("/device/haptic", "thigma.hand_tick", "");
-    const std::uint16_t samples = writer.add_channel("/device/sample", "thigma.hand_sample", "");
+    const std::uint16_t samples = writer.add_channel(topic, "thigma.hand_sample", "");
     writer.write(config, 0, 0,
                  std::string(R"({"kind":"thigma world 1","scene":"a.toml","devices":["hand:"],)") +
                      R"("seed":1,"rate_hz":1000.0,"bodies":["block"],"apart":)" +
                      (is_apart ? "true}" : "false}"));
     const std::string device =
         R"("time":0.0,"position":[0,0,0],"quat_xyzw":[0,0,0,1],"linear":[0,0,0],)"
-        R"("angular":[0,0,0],"buttons":0,"status":0,"weight":0.0)";
+        R"("angular":[0,0,0],"status":0,"weight":0.0,"buttons":)" +
+        buttons;
     if (!haptic.empty())
       writer.write(steps, 0, 0,
-                   "{" + haptic + R"(,"now":0.0,"elapsed":0.001,)" + device +
-                       R"(,"force":[0,0,0],"torque":[0,0,0]})");
+                   "{" + haptic + "," + times + device + R"(,"force":[0,0,0],"torque":[0,0,0]})");
     if (!sample.empty()) writer.write(samples, 0, 0, "{" + sample + "," + device + "}");
     writer.close();
   }
@@ -281,6 +298,26 @@ TEST(WorldRecording, RefusesHapticStepsThatCannotBe) {
   says(refused("", R"("read":-1,"told":2)"), "read is not a whole number");
   says(refused("", R"("read":1,"told":2.5)"), "told is not a whole number");
   says(refused(good, seen, false), "a haptic step of hands that are not apart");
+  says(refused(good, "", true, R"("now":-1.0,"elapsed":0.001,)"), "now is not a time");
+  says(refused(good, "", true, R"("now":1e300,"elapsed":0.001,)"), "now is not a time");
+  says(refused(good, "", true, R"("now":null,"elapsed":0.001,)"), "a message is damaged");
+  says(refused(good, "", true, R"("now":0.0,"elapsed":1e300,)"), "elapsed is not a time");
+}
+
+TEST(WorldRecording, RefusesSamplesThatCannotBe) {
+  const std::string seen = R"("read":1,"told":2)", times = R"("now":0.0,"elapsed":0.001,)";
+  const auto says = [](const std::string& said, const char* what) {
+    EXPECT_NE(said.find(what), std::string::npos) << said;
+  };
+  EXPECT_EQ(refused("", seen + R"(,"frame":0)"), "");
+  says(refused("", seen + R"(,"frame":1)"), "/device/sample out of order, at frame 0");
+  says(refused("", seen, true, times, "1e99"),
+       "buttons is not a whole number from 0 to 4294967295");
+  says(refused("", seen, true, times, "4294967296"), "buttons is not a whole number");
+  says(refused("", seen, true, times, "0", "/device/2/sample"), "/device/2/sample of 1 devices");
+  says(refused("", seen, true, times, "0", "/device/x/sample"), "/device/x/sample of 1 devices");
+  says(refused("", seen + R"(,"aim":1.5,"point":[0,0,0])"), "aim is not the number of a body");
+  EXPECT_EQ(refused("", seen + R"(,"aim":99999999999,"point":[0,0,0])"), "");
 }
 
 TEST(WorldRecording, RefusesWhatIsDamaged) {

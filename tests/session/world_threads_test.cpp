@@ -357,6 +357,30 @@ TEST(WorldThreads, ALateWorldHasRoomForSixteenSecondsOfHapticSteps) {
   EXPECT_EQ(detail::tick_room(4000.0), 64'000u);
 }
 
+TEST(WorldThreads, HapticStepsThatAreLeftOutAtTheEndAreCounted) {
+  for (const std::size_t room : {std::size_t{16}, std::size_t{0}}) {
+    WorldBench bench;
+    WorldSessionConfig config = pushing(bench);
+    BadDevice device(0.05, BadDevice::Trouble::none, 0.0);
+    HapticDevice* list = &device;
+    std::atomic<bool> stop{false};
+    std::uint64_t told = 0;
+    WorldShell shell;
+    shell.stop = &stop;
+    shell.tick_room = room;
+    shell.ticks = [&](std::span<const HandTick> ticks) { told += ticks.size(); };
+    shell.sink = [&](const WorldFrame& frame) {
+      if (frame.frame < 3) return;
+      sleep_ns(100'000'000);
+      stop = true;
+    };
+    const WorldSummary run = run_world_on_threads(config, {&list, 1}, shell);
+    ASSERT_EQ(run.haptic.size(), 1u);
+    EXPECT_EQ(told + run.haptic_dropped, run.haptic[0].steps);
+    EXPECT_EQ(run.haptic_dropped > 0, room > 0) << run.haptic_dropped;
+  }
+}
+
 TEST(WorldThreads, AWorldThatNobodyHoldsGoesAsBefore) {
   WorldBench bench;
   WorldSessionConfig config = pushing(bench);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <nlohmann/json.hpp>
 
@@ -18,6 +19,7 @@ namespace {
 
 constexpr const char* kKind = "thigma world 1";
 constexpr auto kNull = detail::NullNumber::not_a_number;
+constexpr double kMostTime = 1e9;  // of a session [s]; its nanoseconds are numbers of 64 bits
 
 std::uint64_t nanoseconds(double seconds) {
   return static_cast<std::uint64_t>(std::llround(1e9 * seconds));
@@ -50,6 +52,10 @@ struct LimitsReader {
   }
 };
 
+std::string topic_of_device(std::size_t number) {
+  return number == 0 ? "/device" : "/device/" + std::to_string(number + 1);
+}
+
 std::string config_text(const WorldRecordingInfo& info) {
   nlohmann::ordered_json json;
   json["kind"] = kKind;
@@ -74,9 +80,24 @@ std::string config_text(const WorldRecordingInfo& info) {
   throw InputError(path + ": " + what + ", expected a recording of a world");
 }
 
+constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
+
+/// A whole number from 0 to `most`; whoever casts -1 or 1.5 has another.
+std::uint64_t count_of(const nlohmann::json& value, const char* name, std::uint64_t most = kAny) {
+  if (value.is_number_unsigned() && value.get<std::uint64_t>() <= most)
+    return value.get<std::uint64_t>();
+  throw InputError(std::string(name) + " is not a whole number from 0 " +
+                   (most == kAny ? "on" : "to " + std::to_string(most)));
+}
+
+std::uint64_t read_count(const nlohmann::json& json, const char* name, std::uint64_t most = kAny) {
+  return count_of(json.at(name), name, most);
+}
+
 void read_config_text(std::string_view text, const std::string& path, WorldRecording& out) {
   const auto json = nlohmann::json::parse(text);
   if (json.value("kind", "") != kKind) refuse(path, "/config is of another kind");
+  if (!out.bodies.empty()) refuse(path, "a second /config");
   out.scene = json.at("scene").get<std::string>();
   if (json.contains("devices"))  // older recordings have one at most
     out.devices = json.at("devices").get<std::vector<std::string>>();
@@ -90,11 +111,12 @@ void read_config_text(std::string_view text, const std::string& path, WorldRecor
       detail::visit_device_limits(out.limits.emplace_back(), LimitsReader{limits});
     if (out.limits.size() != out.devices.size()) refuse(path, "/config has not all limits");
   }
-  out.seed = json.at("seed").get<std::uint64_t>();
+  out.seed = read_count(json, "seed");
   out.rate = json.at("rate_hz").get<double>();
   out.bodies = json.at("bodies").get<std::vector<std::string>>();
   if (json.contains("joints"))  // older recordings have none
     out.joints = json.at("joints").get<std::vector<std::string>>();
+  if (out.bodies.empty()) refuse(path, "/config has no bodies");
   if (!(out.rate >= 50.0 && out.rate <= 20000.0)) refuse(path, "rate_hz is not from 50 to 20000");
   if (json.contains("friction")) {
     out.friction = json.at("friction").get<double>();
@@ -103,8 +125,14 @@ void read_config_text(std::string_view text, const std::string& path, WorldRecor
   }
 }
 
-BodyState read_state(std::string_view text) {
-  const auto json = nlohmann::json::parse(text);
+/// Every frame has its message: one that is left out would have all that follow compared with
+/// others.
+void check_frame(const nlohmann::json& json, std::size_t frame, const std::string& topic) {
+  if (json.contains("frame") && read_count(json, "frame") != frame)
+    throw InputError(topic + " out of order, at frame " + std::to_string(frame));
+}
+
+BodyState read_state(const nlohmann::json& json) {
   BodyState y;
   Pose pose;
   detail::read_pose(json, pose, kNull);
@@ -142,31 +170,29 @@ DeviceState read_device(const nlohmann::json& json) {
   detail::read_pose(json, d.motion.pose, kNull);
   detail::read_vector(json, "linear", d.motion.twist.linear, kNull);
   detail::read_vector(json, "angular", d.motion.twist.angular, kNull);
-  d.buttons = json.at("buttons").get<std::uint32_t>();
-  const int status = json.at("status").get<int>();
-  if (status < 0 || status > static_cast<int>(DeviceStatus::finished))
-    throw InputError("a hand's status is not from 0 to 3");
-  d.status = static_cast<DeviceStatus>(status);
+  d.buttons = static_cast<std::uint32_t>(
+      read_count(json, "buttons", std::numeric_limits<std::uint32_t>::max()));
+  d.status = static_cast<DeviceStatus>(
+      read_count(json, "status", static_cast<std::uint64_t>(DeviceStatus::finished)));
   d.weight = detail::read_number(json.at("weight"), kNull);
   return d;
 }
 
-/// A whole number from 0 on; whoever casts -1 or 1.5 has another.
-std::uint64_t read_count(const nlohmann::json& json, const char* name) {
-  const auto& value = json.at(name);
-  if (!value.is_number_unsigned())
-    throw InputError(std::string(name) + " is not a whole number from 0 on");
-  return value.get<std::uint64_t>();
+/// Number of a body that was aimed at, or below 0: none. What is no body of the world is none, too.
+std::int32_t read_body(const nlohmann::json& value) {
+  if (!value.is_number_integer()) throw InputError("aim is not the number of a body");
+  const bool is_one = value.is_number_unsigned() &&
+                      value.get<std::uint64_t>() <= std::numeric_limits<std::int32_t>::max();
+  return is_one ? value.get<std::int32_t>() : -1;
 }
 
-RecordedHand read_hand(std::string_view text) {
-  const auto json = nlohmann::json::parse(text);
+RecordedHand read_hand(const nlohmann::json& json) {
   RecordedHand hand;
   hand.device = read_device(json);
   if (json.contains("read")) hand.seen.read = read_count(json, "read");
   if (json.contains("told")) hand.seen.told = read_count(json, "told");
   if (!json.contains("aim")) return hand;
-  hand.aimed = WorldAim{json.at("aim").get<std::int32_t>(), Vec3::Zero()};
+  hand.aimed = WorldAim{read_body(json.at("aim")), Vec3::Zero()};
   detail::read_vector(json, "point", hand.aimed->point, kNull);
   return hand;
 }
@@ -185,14 +211,25 @@ void put_tick(const HandTick& made, detail::JsonObject& json) {
   json.vector("torque", made.sent.torque);
 }
 
-HandTick read_tick(std::string_view text, std::size_t hand, std::size_t step) {
+/// Time of a session [s].
+double read_time(const nlohmann::json& json, const char* name) {
+  const double time = json.at(name).get<double>();
+  if (!(time >= 0.0 && time <= kMostTime))
+    throw InputError(std::string(name) + " is not a time of a session");
+  return time;
+}
+
+/// ticks   of the hand so far
+HandTick read_tick(std::string_view text, std::size_t hand, const std::vector<HandTick>& ticks) {
   const auto json = nlohmann::json::parse(text);
   HandTick made;
   made.hand = static_cast<std::int32_t>(hand);
   made.step = read_count(json, "frame");
-  if (made.step != step) throw InputError("a haptic step is missing");
-  made.tick.now = detail::read_number(json.at("now"), kNull);
-  made.tick.elapsed = detail::read_number(json.at("elapsed"), kNull);
+  if (made.step != ticks.size()) throw InputError("a haptic step is missing");
+  made.tick.now = read_time(json, "now");
+  made.tick.elapsed = read_time(json, "elapsed");
+  if (!ticks.empty() && made.tick.now < ticks.back().tick.now)
+    throw InputError("a haptic step is before the one before it");
   const std::uint64_t fault = read_count(json, "fault");
   if (fault > static_cast<std::uint64_t>(Fault::watchdog))
     throw InputError("a haptic step has a fault that there is not");
@@ -213,17 +250,24 @@ HandTick read_tick(std::string_view text, std::size_t hand, std::size_t step) {
 
 /// Number of the device of a topic "/device/sample", "/device/2/sample".
 std::size_t device_of(const std::string& topic, const WorldRecording& out) {
-  constexpr std::string_view kStart = "/device/";
-  if (topic == "/device/sample" || topic == "/device/haptic") return 0;
-  const std::size_t number = std::stoull(topic.substr(kStart.size())) - 1;
-  return number < out.devices.size() ? number : 0;
+  const std::size_t last = topic.rfind('/');
+  for (std::size_t i = 0; i < out.devices.size(); ++i)
+    if (topic.substr(0, last) == topic_of_device(i)) return i;
+  throw InputError(topic + " of " + std::to_string(out.devices.size()) + " devices");
 }
 
 void read_end(std::string_view text, WorldRecording& out) {
   const auto json = nlohmann::json::parse(text);
   if (json.value("event", "") != "end") return;
-  out.frames = json.at("frames").get<std::uint64_t>();
+  out.frames = read_count(json, "frames");
   out.state_hash = std::stoull(json.at("state_hash").get<std::string>(), nullptr, 16);
+  if (json.contains("haptic_steps")) {  // older recordings do not tell
+    out.haptic_steps.clear();
+    for (const auto& steps : json.at("haptic_steps"))
+      out.haptic_steps.push_back(count_of(steps, "haptic_steps"));
+    if (out.haptic_steps.size() != out.devices.size())
+      throw InputError("haptic_steps are not of each device");
+  }
   out.has_end = true;
 }
 
@@ -239,8 +283,7 @@ WorldRecordingWriter::WorldRecordingWriter(const std::string& path, const WorldR
   for (const std::string& name : info.joints)
     joints_.push_back(file_->add_channel("/joint/" + name + "/state", "thigma.joint_state", ""));
   for (std::size_t i = 0; i < info.devices.size(); ++i) {
-    std::string topic = "/device";
-    if (i > 0) topic.append("/").append(std::to_string(i + 1));
+    const std::string topic = topic_of_device(i);
     commands_.push_back(file_->add_channel(topic + "/command", "thigma.wrench", ""));
     if (is_page_hand(info.devices[i]) || info.is_apart)
       samples_.emplace_back(i, file_->add_channel(topic + "/sample", "thigma.hand_sample", ""));
@@ -309,12 +352,17 @@ void WorldRecordingWriter::write(std::uint64_t frame, double time,
   }
 }
 
-void WorldRecordingWriter::close(std::uint64_t frames, std::uint64_t state_hash) {
+void WorldRecordingWriter::close(std::uint64_t frames, std::uint64_t state_hash,
+                                 std::span<const std::uint64_t> haptic_steps) {
   text_.clear();
   detail::JsonObject json(text_);
   json.word("event", "end");
   json.integer("frames", static_cast<long long>(frames));
   json.word("state_hash", hex_text(state_hash));
+  if (!haptic_.empty() && !haptic_steps.empty()) {
+    json.key("haptic_steps");
+    text_ += nlohmann::json(std::vector(haptic_steps.begin(), haptic_steps.end())).dump();
+  }
   json.close();
   file_->write(events_, 0, file_->last_time(), text_);
   file_->close();
@@ -335,8 +383,9 @@ bool is_world_recording(const std::string& path) {
   return is_one;
 }
 
-WorldRecording read_world_recording(const std::string& path) {
-  const McapFile file = read_mcap(path);
+namespace {
+
+WorldRecording world_of(const McapFile& file, const std::string& path) {
   WorldRecording out;
   std::size_t next = 0;
   try {
@@ -348,17 +397,22 @@ WorldRecording read_world_recording(const std::string& path) {
         read_end(message.data, out);
       } else if (topic.starts_with("/device") && topic.ends_with("/sample")) {
         if (out.devices.empty()) refuse(path, "a sample before /config");
-        out.hands[device_of(topic, out)].push_back(read_hand(message.data));
+        std::vector<RecordedHand>& hand = out.hands[device_of(topic, out)];
+        const auto json = nlohmann::json::parse(message.data);
+        check_frame(json, hand.size(), topic);
+        hand.push_back(read_hand(json));
       } else if (topic.starts_with("/device") && topic.ends_with("/haptic")) {
         if (out.devices.empty()) refuse(path, "a haptic step before /config");
         if (!out.is_apart) refuse(path, "a haptic step of hands that are not apart");
         const std::size_t hand = device_of(topic, out);
-        out.ticks[hand].push_back(read_tick(message.data, hand, out.ticks[hand].size()));
+        out.ticks[hand].push_back(read_tick(message.data, hand, out.ticks[hand]));
       } else if (topic.starts_with("/body/")) {
         if (out.bodies.empty()) refuse(path, "a state before /config");
         const std::string& name = out.bodies[next++ % out.bodies.size()];
         if (topic != "/body/" + name + "/state") refuse(path, topic + " out of order");
-        out.states.push_back(read_state(message.data));
+        const auto json = nlohmann::json::parse(message.data);
+        check_frame(json, out.states.size() / out.bodies.size(), topic);
+        out.states.push_back(read_state(json));
       }
     }
   } catch (const nlohmann::json::exception&) {
@@ -373,6 +427,16 @@ WorldRecording read_world_recording(const std::string& path) {
   if (out.bodies.empty()) refuse(path, "no /config");
   out.states.resize(out.states.size() / out.bodies.size() * out.bodies.size());
   return out;
+}
+
+}  // namespace
+
+WorldRecording read_world_recording(const std::string& path) {
+  return world_of(read_mcap(path), path);
+}
+
+WorldRecording parse_world_recording(std::string bytes, const std::string& path) {
+  return world_of(parse_mcap(std::move(bytes), path), path);
 }
 
 }  // namespace thigma

@@ -34,6 +34,8 @@ struct WorldRecordingInfo {
   std::vector<DeviceLimits> limits{};
   std::uint64_t frames = 0;      // at the end
   std::uint64_t state_hash = 0;  // likewise
+  // likewise, where they are apart: made by each device's hand; empty: it does not say
+  std::vector<std::uint64_t> haptic_steps{};
   bool has_end = false;
 };
 
@@ -74,7 +76,9 @@ class WorldRecordingWriter {
              std::span<const RecordedHand> hands = {});
   /// Steps of hands that are apart, those of each in order. IoError where one is missing.
   void write(std::span<const HandTick> ticks);
-  void close(std::uint64_t frames, std::uint64_t state_hash);
+  /// haptic_steps  made by each hand that is apart, recorded or not
+  void close(std::uint64_t frames, std::uint64_t state_hash,
+             std::span<const std::uint64_t> haptic_steps = {});
 
  private:
   /// A message of one JSON object with a number.
@@ -106,5 +110,7 @@ bool is_world_recording(const std::string& path);
 /// Reads one.
 /// Thread [offline]; throws InputError "FILE: what, where, what was expected".
 WorldRecording read_world_recording(const std::string& path);
+/// The same of bytes that are there; `path` names them in errors.
+WorldRecording parse_world_recording(std::string bytes, const std::string& path);
 
 }  // namespace thigma

@@ -144,8 +144,9 @@ struct WorldSummary {
   std::uint64_t haptic_missed = 0;  // ticks of the clock without a step
   // of a step, of the processor; not of devices that own the clock
   DurationHistogram haptic_cpu;
-  std::uint64_t haptic_stops = 0;  // times that one hung and the watchdog sent zero force
-  std::string refused;             // what the system refused to them; "": nothing
+  std::uint64_t haptic_stops = 0;    // times that one hung and the watchdog sent zero force
+  std::string refused;               // what the system refused to them; "": nothing
+  std::uint64_t haptic_dropped = 0;  // steps that WorldShell::ticks was not told of
 
   bool has_fault() const noexcept { return fault != Fault::none; }
 };
@@ -221,8 +222,9 @@ struct WorldShell {
   // Waits for the next tick and tells how many were over before; empty: of the clock on the wall.
   std::function<std::uint64_t()> wait_for_tick{};
   // Where hands are apart from the world: their steps since the last call, after every frame and
-  // once more at the end, all of them; may be empty.
+  // once more at the end, all that there was room for (WorldSummary::haptic_dropped); may be empty.
   std::function<void(std::span<const HandTick>)> ticks{};
+  std::size_t tick_room = 0;  // haptic steps that may wait for the world; 0: those of 16 s
 };
 
 /// The same by the clock: a step of 1 / rate at each tick. A step that takes longer has the world

@@ -186,8 +186,9 @@ WorldSummary run_world_on_threads(const WorldSessionConfig& config,
     return d != nullptr && d->limits().holds_person;
   });
   WorldApart apart(config, devices);
+  const std::size_t room = shell.tick_room > 0 ? shell.tick_room : detail::tick_room(config.rate);
   for (std::size_t i = 0; shell.ticks && i < devices.size(); ++i)
-    apart.ticks.push_back(std::make_unique<SpscRing<HandTick>>(detail::tick_room(config.rate)));
+    apart.ticks.push_back(std::make_unique<SpscRing<HandTick>>(room));
   HandsShared shared;
   const Hands hands = hands_of(config, apart, shared);
   WorldSide world{apart, hands, shared, shell, 1.0 / config.rate, !has_person};
@@ -209,6 +210,7 @@ WorldSummary run_world_on_threads(const WorldSessionConfig& config,
   const Fault fault = shared.fault.load(std::memory_order_relaxed);
   add_haptic(apart, fault, summary);
   add_threads(hands, fault, summary);
+  for (const auto& ring : apart.ticks) summary.haptic_dropped += ring->dropped();
   return summary;
 }
 
