@@ -119,20 +119,6 @@ void run_engine(const ContactWorld& world, const std::vector<StampedBody>& bodie
   }
 }
 
-void run_carried(const ContactWorld& world, const std::vector<AskedQuery>& asked, MethodRun& out) {
-  ExactAsker asker(world);
-  reserve_carried(asker.front);
-  const bool is_first = out.reports.empty();
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    ContactQuery query{.tolerance = asked[i].tolerance};
-    query.resolution.carry = 0.1;
-    const double start = thread_cpu();
-    asker.ask(asked[i].world_from_object, query);
-    take(i, thread_cpu() - start, out);
-    if (is_first) out.reports.push_back(report_of(asker.set));
-  }
-}
-
 void run_shell(const ShellPair& shells, const std::vector<AskedQuery>& asked, MethodRun& out) {
   std::vector<ShellContact> contacts;
   const bool is_first = out.reports.empty();

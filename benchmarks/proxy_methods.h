@@ -51,9 +51,6 @@ struct MethodRun {
 void run_engine(const ContactWorld& world, const std::vector<StampedBody>& bodies, MethodRun& query,
                 MethodRun& whole);
 
-/// The exact query with contacts that are carried along, at the tolerances answered.
-void run_carried(const ContactWorld& world, const std::vector<AskedQuery>& asked, MethodRun& out);
-
 /// The point shells at the same.
 void run_shell(const ShellPair& shells, const std::vector<AskedQuery>& asked, MethodRun& out);
 

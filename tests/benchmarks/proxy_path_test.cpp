@@ -52,9 +52,11 @@ TEST_F(ProxyPath, RemembersWhatItAnsweredAndFindsItAgain) {
   SceneSession session = open_proxy_session(spoon());
   const ContactWorld& world = session.config.contact;
   const std::vector<AskedQuery> asked = asked_on(world, played.bodies);
-  MethodRun query{"query"}, rows{"rows"}, carried{"carried"};
+  MethodRun query{"query"}, rows{"rows"}, carried{"carried"}, its_rows{"its rows"};
   run_engine(world, played.bodies, query, rows);
-  run_carried(world, asked, carried);
+  ContactWorld carrying = world;
+  carrying.resolution.carry = 0.1;
+  run_engine(carrying, played.bodies, carried, its_rows);
   const Checked truth = find_truths(world, asked, 30);
   for (MethodRun* method : {&query, &rows}) compare_reports(truth, *method);
   EXPECT_EQ(query.quality.recall, 1.0);
