@@ -164,9 +164,9 @@ def page(data):
         lines += bench_section(sections[name], data)
     lines += [
         "## Contact queries of a constrained object", "",
-        "The path that the object takes in 4 s (2 s of ball_joint and conforming) of a lockstep session in the simulated hand (comes down, presses, slides, twists, taps, lifts), kept outside by",
-        "rows: what its contact frames asked, asked again, best of three by turns. The point shell gets the same poses and the tolerance that the exact query",
-        "answered; like the query alone it makes no rows. Recall and error against fresh exact queries on 80 of the frames: share of the exact contacts with a reported",
+        "The path that the object takes in 4 s (2 s of ball_joint and conforming) of a lockstep session in the simulated hand (comes down, presses, slides, twists,",
+        "taps, lifts), kept outside by rows: what its contact frames asked, asked again, best of three by turns. The point shell gets the same poses and the tolerance",
+        "that the exact query answered; like the query alone it makes no rows. Recall and error against fresh exact queries on 80 of the frames (10 of conforming): share of the exact contacts with a reported",
         "one within 2 % of the radius; least separation no more than the tolerance. *Force error*: of a session whose rows are of these contacts, RMS of its force",
         "less the exact session's, by that one's RMS; *entered*: how deep the exact surfaces got through each other in it. Levels far away answer at tolerances of",
         f"their own. {made(data['proxy'])}", "",
