@@ -10,6 +10,7 @@
 #include "benchmarks/level_rows.h"
 #include "benchmarks/pair_bench.h"
 #include "benchmarks/probe.h"
+#include "benchmarks/proxy_bench.h"
 #include "benchmarks/query_bench.h"
 #include "benchmarks/row_solve_bench.h"
 #include "benchmarks/texture_rows.h"
@@ -178,6 +179,8 @@ std::vector<Measurement> measurements(bool quick) {
   };
   const std::vector<Measurement> with_levels = level_measurements(quick);
   all.insert(all.end(), with_levels.begin(), with_levels.end());
+  const std::vector<Measurement> of_proxies = proxy_measurements(quick);
+  all.insert(all.end(), of_proxies.begin(), of_proxies.end());
   return all;
 }
 

@@ -20,6 +20,9 @@ struct Quality {
   std::optional<double> error_mean;  // the same
   // largest, of the depth where surfaces intersect, by the radius
   std::optional<double> depth_error;
+  // of a session that has these contacts: RMS of its force less the exact session's, by that one's
+  // RMS; how deep the exact surfaces got through each other, by the object's radius
+  std::optional<double> force_error, entered;
 };
 
 /// One row. What was not measured is absent, never 0.

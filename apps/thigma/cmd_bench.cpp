@@ -43,6 +43,8 @@ void add_quality(Json& json, const bench::Quality& found, const std::string& who
   json["error_mean_" + whose] = optional_number(found.error_mean);
   json["depth_error_" + whose] = optional_number(found.depth_error);
   json["regions_" + whose] = optional_number(found.regions);
+  json["force_error_" + whose] = optional_number(found.force_error);
+  json["entered_" + whose] = optional_number(found.entered);
 }
 
 // ghz: of dependent additions while the row was measured.

@@ -33,6 +33,7 @@ Scene constrained_jaws(double friction = 0.0) {
 struct Felt {
   SessionSummary summary;
   double deepest = 0.0, force = 0.0;
+  double bound = 0.0;  // of the contacts, at most [m]
   int met = 0;
 };
 
@@ -44,16 +45,17 @@ Felt run(const Scene& scene, int every, int look) {
       scene.statics[0]->meshes.front(), session.config.contact.scene[0].world_from_body);
   Felt felt;
   int frame = 0;
-  const SessionSinks sinks{[&](const HapticSample& s) {
-                             felt.deepest = std::max(felt.deepest, s.penetration);
-                             felt.force = std::max(felt.force, s.command.force.norm());
-                             if (frame++ % look != 0) return;
-                             const Pose pose = Pose{s.body.position, s.body.orientation} *
-                                               session.config.contact.body_from_mesh;
-                             felt.met += test::meet(scene.object->meshes.front(), pose, still);
-                           },
-                           {},
-                           {}};
+  const SessionSinks sinks{
+      [&](const HapticSample& s) {
+        felt.deepest = std::max(felt.deepest, s.penetration);
+        felt.force = std::max(felt.force, s.command.force.norm());
+        if (frame++ % look != 0) return;
+        const Pose pose =
+            Pose{s.body.position, s.body.orientation} * session.config.contact.body_from_mesh;
+        felt.met += test::meet(scene.object->meshes.front(), pose, still);
+      },
+      [&](const ContactSample& s) { felt.bound = std::max(felt.bound, s.bound_max); },
+      {}};
   felt.summary = run_lockstep(session, sinks);
   return felt;
 }
@@ -66,6 +68,27 @@ TEST(ConstrainedResponse, PressedByAHandTheJawsDoNotEnterEachOther) {
     EXPECT_EQ(felt.met, 0) << every;
     EXPECT_LE(felt.deepest, 0.0) << every;
     EXPECT_GT(felt.force, 0.3) << every;  // and the hand feels them
+  }
+}
+
+Scene jaws_that_carry(double carry) {
+  SceneDescription scene = test::small_jaws();
+  scene.contact.response = ResponseKind::constrained;
+  scene.contact.resolution.carry = carry;
+  return load_scene(std::move(scene));
+}
+
+TEST(ConstrainedResponse, NorDoTheyWhereContactsAreCarried) {
+  for (const double carry : {0.1, 1.0}) {
+    const Scene scene = jaws_that_carry(carry);
+    for (const int every : {1, 10}) {
+      const Felt felt = run(scene, every, 41);
+      EXPECT_EQ(felt.summary.end, SessionEnd::duration) << every;
+      EXPECT_EQ(felt.met, 0) << every;
+      EXPECT_LE(felt.deepest, 0.0) << every;
+      EXPECT_GT(felt.force, 0.3) << every;
+      EXPECT_GT(felt.bound, 0.0) << every << ": nothing was carried";
+    }
   }
 }
 
@@ -121,6 +144,17 @@ TEST(ConstrainedResponse, ThePenaltyLetsThemIn) {
 TEST(ConstrainedResponse, ReplaysBitForBit) {
   const std::string path = (fs::temp_directory_path() / "thigma_constrained.mcap").string();
   const Scene scene = constrained_jaws(0.3);
+  SceneSession session = open_session(scene, {.device = "hand:", .duration = 1.2, .seed = 7});
+  const SessionSummary felt = record_lockstep(session, path);
+  const ReplayReport replay = replay_recording(path);
+  EXPECT_EQ(replay.state_hash, felt.state_hash);
+  EXPECT_GT(felt.force_max, 0.3);
+  fs::remove(path);
+}
+
+TEST(ConstrainedResponse, ReplaysBitForBitWhereContactsAreCarried) {
+  const std::string path = (fs::temp_directory_path() / "thigma_constrained_carry.mcap").string();
+  const Scene scene = jaws_that_carry(0.1);
   SceneSession session = open_session(scene, {.device = "hand:", .duration = 1.2, .seed = 7});
   const SessionSummary felt = record_lockstep(session, path);
   const ReplayReport replay = replay_recording(path);

@@ -211,7 +211,10 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   const double relief = relief_of(world.textures);
   query.tolerance = scratch.looked_ahead + relief;
   query.most_pairs = kMostPairs;
-  if (has_levels_far(world)) query.resolution = levels_far(world, scratch.looked_ahead, wanted);
+  if (has_levels_far(world))
+    query.resolution = levels_far(world, scratch.looked_ahead, wanted);
+  else if (world.textures.is_empty())  // rows ask contacts which patches are near, no more
+    query.resolution.carry = world.resolution.carry;
   query_scene({*world.object, world_from_mesh(world, body.state)}, world.scene, query,
               scratch.fronts, scratch.contacts);
   const double found = found_tolerance(scratch.fronts, query.tolerance);

@@ -1,0 +1,17 @@
+#pragma once
+// Contact queries where constrained sessions ask them: ours beside the point shell's, on the path
+// that the exact rows let the object take.
+
+#include <vector>
+
+#include "benchmarks/bench_rows.h"
+
+namespace thigma::bench {
+
+/// A measurement a scene: the exact query as sessions ask it, alone and with its rows, the same
+/// with carried contacts, and levels far away; each beside the two-way point shell at the same
+/// poses and tolerances. Accuracy: of the answers against a fresh exact query, and of sessions
+/// that have these contacts.
+std::vector<Measurement> proxy_measurements(bool quick);
+
+}  // namespace thigma::bench
