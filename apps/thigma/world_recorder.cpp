@@ -56,10 +56,11 @@ void WorldRecorder::write(const WorldFrame& frame) {
   const WorldHapticNow& haptic = frame.haptic;
   for (std::size_t i = 0; i < hands_.size(); ++i) {
     hands_[i] = {frame.grips[i].device, frame.aimed};
+    hands_[i].energy = frame.grips[i].energy;
     if (haptic.ticks > 0) hands_[i].seen = haptic.seen[i];
   }
   writer_.write(frame.frame, frame.time, frame.bodies, joints_,
-                haptic.ticks > 0 ? haptic.sent : frame.commands, hands_);
+                haptic.ticks > 0 ? haptic.sent : frame.commands, hands_, frame.is_asleep);
 }
 
 void use_friction(double friction, WorldSceneDescription& scene) {
