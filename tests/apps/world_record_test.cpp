@@ -8,7 +8,6 @@
 #include "apps/program.h"
 #include <gtest/gtest.h>
 
-
 namespace thigma::test {
 namespace {
 
@@ -54,8 +53,8 @@ std::vector<double> column(const std::string& path, const std::string& name) {
 
 TEST(WorldRecords, export_gives_what_the_run_said) {
   const std::string file = out_file("pushed.mcap"), csv = out_file("pushed.csv");
-  const nlohmann::json run = run_world(
-      pushed_block("exported"), {"--lockstep", "--duration", "1.5", "--record", file});
+  const nlohmann::json run =
+      run_world(pushed_block("exported"), {"--lockstep", "--duration", "1.5", "--record", file});
   const Ended e = run_program({"export", file, "-o", csv, "--json"});
   ASSERT_EQ(e.code, 0) << e.err;
   EXPECT_EQ(json_line(e)["frames"], 1500);
@@ -73,9 +72,9 @@ TEST(WorldRecords, export_gives_what_the_run_said) {
     force = std::max(force, std::hypot(fx[i], fy[i], fz[i]));
   EXPECT_NEAR(force, run["force"]["max"].get<double>(), 1e-12);
   const std::vector<double> asleep = column(csv, "body block asleep");
-  EXPECT_EQ(std::count(asleep.begin(), asleep.end(), 0.0) +
-                std::count(asleep.begin(), asleep.end(), 1.0),
-            1500);
+  EXPECT_EQ(
+      std::count(asleep.begin(), asleep.end(), 0.0) + std::count(asleep.begin(), asleep.end(), 1.0),
+      1500);
 }
 
 TEST(WorldRecords, export_has_the_haptic_frames_of_hands_that_are_apart) {
@@ -99,6 +98,17 @@ TEST(WorldRecords, haptic_frames_are_refused_where_there_are_none_of_their_own) 
                   file + ": has no haptic frames of their own");
   EXPECT_FALSE(std::filesystem::exists(out_file("all.csv")));
   EXPECT_FALSE(std::filesystem::exists(none));
+}
+
+TEST(WorldRecords, plot_draws_what_there_is) {
+  const std::string file = out_file("drawn.mcap"), svg = out_file("drawn.svg");
+  run_world(pushed_block("drawn"), {"--lockstep", "--duration", "1.2", "--record", file});
+  const Ended e = run_program({"plot", file, "-o", svg, "--json"});
+  ASSERT_EQ(e.code, 0) << e.err;
+  EXPECT_EQ(json_line(e)["frames"], 1200);
+  EXPECT_EQ(json_line(e)["panels"], 6) << "it has no joints";
+  EXPECT_GT(std::filesystem::file_size(svg), 10000u);
+  expect_one_line(run_program({"plot", file, "-o", out_file("drawn.gif")}), "plot: -o");
 }
 
 }  // namespace
