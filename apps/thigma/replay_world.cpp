@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "json_out.h"
+#include "named_scene.h"
 #include "run_world.h"
 #include "world_recorder.h"
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "thigma/recording/recording.h"
 #include "thigma/recording/replay_session.h"
 #include "thigma/recording/world_recording.h"
+#include "thigma/scene/packed_world.h"
 #include "thigma/scene/world_scene.h"
 #include "thigma/session/world_replay.h"
 
@@ -42,10 +44,11 @@ void check_haptic_steps(const std::string& path, const WorldRecording& recording
   }
 }
 
-/// The scene as it was recorded.
-LoadedWorld load_recorded(const WorldRecording& recording) {
+/// The scene as it was recorded: the one that the recording brings; of older ones by its name.
+LoadedWorld load_recorded(const std::string& path, const WorldRecording& recording) {
   const std::size_t bodies = recording.bodies.size();
-  WorldSceneDescription scene = read_world_scene(recording.scene);
+  WorldSceneDescription scene = has_packed_world(path) ? read_packed_world(path, scratch_folder())
+                                                       : read_world_scene(recording.scene);
   scene.rate = recording.rate;
   if (recording.friction) use_friction(*recording.friction, scene);
   LoadedWorld world = load_world(std::move(scene));
@@ -126,7 +129,7 @@ WorldSummary run_apart_again(const WorldRecording& recording, const LoadedWorld&
 
 int replay_world(const std::string& path, const Common& common) {
   const WorldRecording recording = read_world_recording(path);
-  const LoadedWorld world = load_recorded(recording);
+  const LoadedWorld world = load_recorded(path, recording);
   WorldDevices devices = open_world_devices(world, recording.devices, recording.seed);
   const std::size_t frames = recording.states.size() / recording.bodies.size();
   const bool is_apart = recording.is_apart && !recording.devices.empty();

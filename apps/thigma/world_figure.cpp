@@ -72,8 +72,8 @@ void WorldCurves::panel(const char* title, const char* unit, const char* x) {
 
 void WorldCurves::frames(const std::string& label,
                          std::function<double(const RecordedWorldFrame&)> value) {
-  frame_curves_.push_back({Thinner(label, extent_.frames, kMostPoints), std::move(value),
-                           panels_.size() - 1, 0});
+  frame_curves_.push_back(
+      {Thinner(label, extent_.frames, kMostPoints), std::move(value), panels_.size() - 1, 0});
 }
 
 /// One curve a hand, of what was sent.
@@ -108,9 +108,26 @@ void WorldCurves::energies() {
   }
 }
 
+/// Bodies that slide over a floor have no height but rounding: the axis spans at least a hundredth
+/// of the way that the farthest goes.
+void WorldCurves::show_noise_small(const std::vector<std::size_t>& drawn) {
+  if (drawn.empty()) return;
+  double low = extent_.low[drawn[0]].z(), high = low, way = 0.0;
+  for (const std::size_t i : drawn) {
+    low = std::min(low, extent_.low[i].z());
+    high = std::max(high, extent_.high[i].z());
+    way = std::max(way, (extent_.high[i] - extent_.low[i]).norm());
+  }
+  const double least = 0.01 * way, middle = 0.5 * (low + high);
+  if (high - low >= least) return;
+  panels_.back().y.low = 1e3 * (middle - 0.5 * least);
+  panels_.back().y.high = 1e3 * (middle + 0.5 * least);
+}
+
 void WorldCurves::bodies() {
   const std::vector<std::size_t> drawn = farthest(extent_);
   panel("Height of the centre of mass", "[mm]");
+  show_noise_small(drawn);
   for (const std::size_t i : drawn)
     frames(extent_.info.bodies[i],
            [i](const RecordedWorldFrame& f) { return 1e3 * f.bodies[i].position.z(); });
@@ -121,12 +138,14 @@ void WorldCurves::bodies() {
       const Vec3 way = f.bodies[i].position - last_.bodies[i].position;
       return 1e3 * way.norm() / (f.time - last_.time);
     });
-  panel("Bodies awake", "[count]");
-  frames("", [](const RecordedWorldFrame& f) {
-    if (std::none_of(f.is_asleep.begin(), f.is_asleep.end(),
-                     [](const std::optional<bool>& one) { return one.has_value(); }))
-      return kNone;
-    return static_cast<double>(std::count(f.is_asleep.begin(), f.is_asleep.end(), false));
+  panel("Bodies awake, of those that go anywhere", "[count]");
+  frames("", [this](const RecordedWorldFrame& f) {
+    double awake = 0.0;
+    for (std::size_t i = 0; i < f.is_asleep.size(); ++i) {
+      if (!f.is_asleep[i]) return kNone;
+      awake += !*f.is_asleep[i] && extent_.low[i] != extent_.high[i] ? 1.0 : 0.0;
+    }
+    return awake;
   });
 }
 
@@ -165,8 +184,8 @@ plot::Figure WorldCurves::figure(const WorldRecordingPass& pass, const std::stri
   const auto put = [this](auto& curves) {
     for (auto& curve : curves) {
       plot::Series series = curve.thinner.take();
-      const bool has_any = std::any_of(series.y.begin(), series.y.end(),
-                                       [](double y) { return std::isfinite(y); });
+      const bool has_any =
+          std::any_of(series.y.begin(), series.y.end(), [](double y) { return std::isfinite(y); });
       if (has_any) panels_[curve.panel].series.push_back(std::move(series));
     }
   };

@@ -51,6 +51,7 @@ class WorldCurves {
   void hands(const char* title, const char* unit, std::function<double(const Wrench&)> of_sent);
   void energies();
   void bodies();
+  void show_noise_small(const std::vector<std::size_t>& drawn);
   void joints();
 
   const WorldExtent& extent_;

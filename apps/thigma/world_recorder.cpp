@@ -1,6 +1,10 @@
 #include "world_recorder.h"
 
+#include "verbs.h"
+
+#include "thigma/core/error.h"
 #include "thigma/device/web_device.h"
+#include "thigma/scene/packed_world.h"
 
 namespace thigma::app {
 namespace {
@@ -16,6 +20,16 @@ WorldRecordingInfo info_of(const LoadedWorld& world, const WorldRecorderInfo& gi
   for (const WorldBody& body : world.config.world.bodies) info.bodies.push_back(body.name);
   for (const WorldJoint& joint : world.config.world.joints) info.joints.push_back(joint.name);
   return info;
+}
+
+/// The scene travels with its recording.
+std::vector<McapAttachment> packed(const WorldSceneDescription& scene) {
+  try {
+    return pack_world(scene);
+  } catch (const InputError& error) {
+    print_error(std::string(error.what()) + "; the recording goes without its scene");
+    return {};
+  }
 }
 
 class RecordedPage final : public HapticDevice {
@@ -46,7 +60,9 @@ WorldRecorder::WorldRecorder(const std::string& path, const LoadedWorld& world,
                              const WorldRecorderInfo& info)
     : writer_(path, info_of(world, info)),
       joints_(world.config.world.joints.size()),
-      hands_(info.devices.size()) {}
+      hands_(info.devices.size()) {
+  for (const McapAttachment& file : packed(world.description)) writer_.attach(file);
+}
 
 void WorldRecorder::write(const WorldFrame& frame) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {

@@ -10,10 +10,10 @@ namespace {
 
 plot::Figure figure_of(const std::string& path) {
   WorldExtent extent;
-  const WorldRecordingPass pass = stream_world_recording(
-      path, {[&](const WorldRecordingInfo& info) { extent.add(info); },
-             [&](const RecordedWorldFrame& frame) { extent.add(frame); },
-             [&](const HandTick& tick) { extent.add(tick); }});
+  const WorldRecordingPass pass =
+      stream_world_recording(path, {[&](const WorldRecordingInfo& info) { extent.add(info); },
+                                    [&](const RecordedWorldFrame& frame) { extent.add(frame); },
+                                    [&](const HandTick& tick) { extent.add(tick); }});
   WorldCurves curves(extent);
   stream_world_recording(path, {{},
                                 [&](const RecordedWorldFrame& frame) { curves.add(frame); },
@@ -46,7 +46,7 @@ TEST(WorldFigure, shows_hands_bodies_and_joints) {
   const plot::Panel& speed = panel_of(figure, "Speed of the centre of mass");
   ASSERT_EQ(speed.series.size(), 2u);
   EXPECT_NEAR(speed.series[1].y[7], 1e5, 1e-3) << "0.1 m in 1 ms";
-  const plot::Panel& awake = panel_of(figure, "Bodies awake");
+  const plot::Panel& awake = panel_of(figure, "Bodies awake, of those that go anywhere");
   EXPECT_EQ(awake.series.at(0).y[9], 2.0);
   EXPECT_EQ(awake.series.at(0).y[10], 1.0);
   EXPECT_EQ(panel_of(figure, "Coordinate of the joints").series.at(0).y[4], 1.0);

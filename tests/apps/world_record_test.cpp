@@ -111,5 +111,39 @@ TEST(WorldRecords, plot_draws_what_there_is) {
   expect_one_line(run_program({"plot", file, "-o", out_file("drawn.gif")}), "plot: -o");
 }
 
+TEST(WorldRecords, a_recording_brings_its_scene_and_replays_where_nothing_else_is) {
+  namespace fs = std::filesystem;
+  const fs::path there = work_folder() / "there";
+  fs::create_directories(there);
+  write_text("there/octahedron.obj",
+             "v 15 0 0\nv -15 0 0\nv 0 15 0\nv 0 -15 0\nv 0 0 15\nv 0 0 -15\nf 1 3 5\nf 3 2 "
+             "5\nf 2 4 5\nf 4 1 5\nf 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n");
+  const std::string scene = write_text(
+      "there/falls.toml",
+      "title = \"Falls\"\ngravity = [0.0, 0.0, -9.81]\n[[static]]\nname = \"floor\"\nmesh = "
+      "\"procedural:box?triangles=12\"\nunit_scale = 3.0\nposition = [0.0, 0.0, "
+      "-0.1]\n[[body]]\nname = \"thing\"\nmesh = \"octahedron.obj\"\nunit_scale = 1e-3\n"
+      "position = [0.0, 0.0, 0.03]\nquat_xyzw = [0.18257418583505536, 0.3651483716701107, "
+      "0.5477225575051661, 0.7302967433402214]\ndensity = 700.0\ncopies = "
+      "2\nspacing = [0.0, 0.0, 0.04]\n");
+  const std::string file = out_file("falls.mcap"), packed = out_file("falls_packed.mcap");
+  const nlohmann::json run =
+      run_world(scene, {"--lockstep", "--duration", "0.3", "--record", file});
+  ASSERT_EQ(run_program({"pack", scene, "-o", packed}).code, 0);
+  fs::remove_all(there);
+  EXPECT_EQ(run_program({"run", scene, "--lockstep", "--duration", "0.1"}).code, 4);
+  const nlohmann::json replay = json_line(run_program({"replay", file, "--json"}));
+  EXPECT_EQ(replay["identical"], true) << replay;
+  EXPECT_EQ(replay["frames"], 300);
+  for (const std::string& brought : {file, packed}) {
+    const nlohmann::json again = run_world(brought, {"--lockstep", "--duration", "0.3"});
+    EXPECT_EQ(again["state_hash"], run["state_hash"]) << brought;
+  }
+  const std::string twice = out_file("falls_twice.mcap");
+  ASSERT_EQ(run_program({"pack", file, "-o", twice}).code, 0);
+  EXPECT_EQ(
+      json_line(run_program({"pack", twice, "-o", out_file("thrice.mcap"), "--json"}))["files"], 2);
+}
+
 }  // namespace
 }  // namespace thigma::test

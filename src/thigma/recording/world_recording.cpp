@@ -94,6 +94,8 @@ WorldRecordingWriter::WorldRecordingWriter(const std::string& path, const WorldR
 
 WorldRecordingWriter::~WorldRecordingWriter() = default;
 
+void WorldRecordingWriter::attach(const McapAttachment& file) { file_->attach(file); }
+
 template <class Fill>
 void WorldRecordingWriter::put(std::uint16_t channel, std::uint64_t number, std::uint64_t time_ns,
                                const Fill& fill) {

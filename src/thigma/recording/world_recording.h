@@ -18,6 +18,7 @@
 namespace thigma {
 
 class McapWriter;
+struct McapAttachment;
 
 /// What a recording of a world says of its session.
 struct WorldRecordingInfo {
@@ -64,6 +65,7 @@ class WorldRecordingWriter {
   WorldRecordingWriter(const WorldRecordingWriter&) = delete;
   WorldRecordingWriter& operator=(const WorldRecordingWriter&) = delete;
 
+  void attach(const McapAttachment& file);  // a file that travels with it, before any frame
   /// bodies     as many as names
   /// joints     likewise
   /// commands   sent to the devices, likewise
