@@ -1,43 +1,96 @@
-// `thigma export F.mcap -o F.csv`: one row a haptic frame, units in the header.
+// `thigma export F.mcap -o F.csv`: one row a frame, units in the header.
 
 #include <cstdio>
+#include <optional>
 
 #include "json_out.h"
 #include "verbs.h"
 #include "warned_recording.h"
 #include <nlohmann/json.hpp>
 
+#include "thigma/core/error.h"
 #include "thigma/recording/recording.h"
+#include "thigma/recording/world_frames.h"
 
 namespace thigma::app {
 namespace {
 
-int export_recording(const std::string& path, const std::string& out, const Common& common) {
-  CsvExport csv(out);
-  const RecordingInfo recording = stream_recording_warned(
-      path, {.frame = [&csv](const HapticSample& frame, const SamplePlace&) { csv.add(frame); }},
-      common.quiet);
-  csv.keep();
+struct Export {
+  std::string path, out, haptic;  // haptic: "" where it is not asked for
+};
+
+void tell(const Export& asked, std::uint64_t frames, std::optional<std::uint64_t> steps,
+          const Common& common) {
+  const auto count = static_cast<unsigned long long>(frames);
   if (common.json) {
     nlohmann::ordered_json json;
-    json["file"] = out;
-    json["frames"] = recording.frame_count;
+    json["file"] = asked.out;
+    json["frames"] = frames;
+    if (steps) {
+      json["haptic_file"] = asked.haptic;
+      json["haptic_frames"] = *steps;
+    }
     print_json(json);
   } else if (!common.quiet) {
-    std::fprintf(stderr, "%llu frames written to %s\n",
-                 static_cast<unsigned long long>(recording.frame_count), out.c_str());
+    std::fprintf(stderr, "%llu frames written to %s\n", count, asked.out.c_str());
+    if (steps)
+      std::fprintf(stderr, "%llu haptic frames written to %s\n",
+                   static_cast<unsigned long long>(*steps), asked.haptic.c_str());
   }
+}
+
+int export_world(const Export& asked, const Common& common) {
+  std::optional<WorldCsvExport> csv;
+  std::optional<HapticCsvExport> haptic;
+  WorldRecordingSinks sinks;
+  sinks.info = [&](const WorldRecordingInfo& info) {
+    if (!asked.haptic.empty() && !info.is_apart)
+      throw InputError(asked.path +
+                       ": has no haptic frames of their own, as each frame of its world is one; "
+                       "expected a world by the clock, or no --haptic");
+    csv.emplace(asked.out, info);
+    if (!asked.haptic.empty()) haptic.emplace(asked.haptic);
+  };
+  sinks.frame = [&](const RecordedWorldFrame& frame) { csv->add(frame); };
+  sinks.tick = [&](const HandTick& tick) {
+    if (haptic) haptic->add(tick);
+  };
+  const WorldRecordingPass pass = stream_world_warned(asked.path, sinks, common.quiet);
+  csv->keep();
+  if (haptic) haptic->keep();
+  tell(asked, pass.frame_count, haptic ? std::optional(pass.tick_count) : std::nullopt, common);
+  return kDone;
+}
+
+int export_recording(const Export& asked, const Common& common) {
+  if (is_world_recording(asked.path)) return export_world(asked, common);
+  if (!asked.haptic.empty()) {
+    print_error(
+        "export: --haptic is for recordings of worlds: every row of this one is a haptic "
+        "frame");
+    return kUsage;
+  }
+  CsvExport csv(asked.out);
+  const RecordingInfo recording = stream_recording_warned(
+      asked.path,
+      {.frame = [&csv](const HapticSample& frame, const SamplePlace&) { csv.add(frame); }},
+      common.quiet);
+  csv.keep();
+  tell(asked, recording.frame_count, std::nullopt, common);
   return kDone;
 }
 
 }  // namespace
 
 void add_export(CLI::App& app, Common& common) {
-  static std::string path, out;
+  static Export asked;
   CLI::App* verb = add_verb(app, common, "export", "write a recording as CSV, units in the header",
-                            [&common] { return export_recording(path, out, common); });
-  verb->add_option("FILE", path, "recording (.mcap)")->required();
-  verb->add_option("-o,--output", out, "CSV file to write")->required();
+                            [&common] { return export_recording(asked, common); });
+  verb->add_option("FILE", asked.path, "recording (.mcap)")->required();
+  verb->add_option("-o,--output", asked.out, "CSV file to write")->required();
+  verb->add_option(
+      "--haptic", asked.haptic,
+      "second CSV file, of the haptic frames of a world's hands, where they were apart");
 }
 
 }  // namespace thigma::app

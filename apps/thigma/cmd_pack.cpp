@@ -1,33 +1,42 @@
 // `thigma pack SCENE -o F.mcap`: a scene with all its files in one, to send.
 
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "json_out.h"
 #include "named_scene.h"
-#include "run_session.h"
 #include "verbs.h"
 #include <nlohmann/json.hpp>
 
-#include "thigma/core/error.h"
 #include "thigma/scene/packed_scene.h"
-#include "thigma/scene/world_scene.h"
+#include "thigma/scene/packed_world.h"
 
 namespace thigma::app {
 namespace {
 
 int pack(const std::string& name, const std::string& out, const Common& common) {
-  if (is_world_scene(name))
-    throw InputError(name + ": a world of several bodies, expected a scene of one [object]");
-  const SceneDescription scene = read_named_scene(name);
-  write_packed_scene(out, scene);
+  std::string title;
+  std::vector<McapAttachment> files;
+  if (is_named_world(name)) {
+    const WorldSceneDescription scene = read_named_world(name);
+    title = scene.title;
+    files = pack_world(scene);
+    write_packed_world(out, scene);
+  } else {
+    const SceneDescription scene = read_named_scene(name);
+    title = scene.title;
+    files = pack_scene(scene);
+    write_packed_scene(out, scene);
+  }
   if (common.json) {
     nlohmann::ordered_json json;
     json["file"] = out;
-    json["title"] = scene.title;
-    json["files"] = pack_scene(scene).size();
+    json["title"] = title;
+    json["files"] = files.size();
     print_json(json);
   } else if (!common.quiet) {
-    std::fprintf(stderr, "%s, with all its files, is in %s\n", scene.title.c_str(), out.c_str());
+    std::fprintf(stderr, "%s, with all its files, is in %s\n", title.c_str(), out.c_str());
   }
   return kDone;
 }

@@ -8,6 +8,7 @@
 #include "session_figure.h"
 #include "verbs.h"
 #include "warned_recording.h"
+#include "world_figure.h"
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
@@ -17,12 +18,53 @@
 namespace thigma::app {
 namespace {
 
+int write_figure(const plot::Figure& figure, plot::PageFormat format, std::size_t frames,
+                 const std::string& out, const Common& common) {
+  write_file(out, plot::figure_bytes(figure, format));
+  if (common.json) {
+    nlohmann::ordered_json json;
+    json["file"] = out;
+    json["frames"] = frames;
+    json["panels"] = figure.panels.size();
+    print_json(json);
+  } else if (!common.quiet) {
+    std::fprintf(stderr, "%zu frames drawn in %s\n", frames, out.c_str());
+  }
+  return kDone;
+}
+
+std::string title_of(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+[[noreturn]] void refuse_empty(const std::string& path) {
+  throw InputError(path + ": no haptic frame in it, at least one was expected");
+}
+
+int plot_world(const std::string& path, plot::PageFormat format, const std::string& out,
+               const Common& common) {
+  WorldExtent extent;
+  const WorldRecordingPass pass =
+      stream_world_warned(path,
+                          {[&](const WorldRecordingInfo& info) { extent.add(info); },
+                           [&](const RecordedWorldFrame& frame) { extent.add(frame); },
+                           [&](const HandTick& tick) { extent.add(tick); }},
+                          common.quiet);
+  if (extent.frames == 0) refuse_empty(path);
+  WorldCurves curves(extent);
+  stream_world_recording(path, {{},
+                                [&](const RecordedWorldFrame& frame) { curves.add(frame); },
+                                [&](const HandTick& tick) { curves.add(tick); }});
+  return write_figure(curves.figure(pass, title_of(path)), format, extent.frames, out, common);
+}
+
 int plot_recording(const std::string& path, const std::string& out, const Common& common) {
   const std::optional<plot::PageFormat> format = plot::page_format(out);
   if (!format) {
     print_error("plot: -o " + out + ": expected a file that ends in .png, .svg or .pdf");
     return kUsage;
   }
+  if (is_world_recording(path)) return plot_world(path, *format, out, common);
   // Twice over the file, so that no recording is too long for memory. One that is still being
   // written is longer the second time; what is new is left out.
   SessionExtent extent;
@@ -32,8 +74,7 @@ int plot_recording(const std::string& path, const std::string& out, const Common
        [&](const HapticSample& frame, const SamplePlace&) { extent.add(frame); },
        [&](const ContactSample&, const SamplePlace&) { ++extent.contacts; }},
       common.quiet);
-  if (extent.frames == 0)
-    throw InputError(path + ": no haptic frame in it, at least one was expected");
+  if (extent.frames == 0) refuse_empty(path);
   SessionCurves curves(extent);
   SessionExtent drawn;
   stream_recording(path, {{},
@@ -44,19 +85,8 @@ int plot_recording(const std::string& path, const std::string& out, const Common
                           [&](const ContactSample& contact, const SamplePlace&) {
                             if (drawn.contacts++ < extent.contacts) curves.add(contact);
                           }});
-  const std::string name = std::filesystem::path(path).filename().string();
-  const plot::Figure figure = curves.figure(recording, name);
-  write_file(out, plot::figure_bytes(figure, *format));
-  if (common.json) {
-    nlohmann::ordered_json json;
-    json["file"] = out;
-    json["frames"] = extent.frames;
-    json["panels"] = figure.panels.size();
-    print_json(json);
-  } else if (!common.quiet) {
-    std::fprintf(stderr, "%zu frames drawn in %s\n", extent.frames, out.c_str());
-  }
-  return kDone;
+  return write_figure(curves.figure(recording, title_of(path)), *format, extent.frames, out,
+                      common);
 }
 
 }  // namespace

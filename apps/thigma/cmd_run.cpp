@@ -9,6 +9,7 @@
 #include "guarded_writer.h"
 #include "json_out.h"
 #include "live_models.h"
+#include "named_scene.h"
 #include "playback.h"
 #include "run_live.h"
 #include "run_options.h"
@@ -26,7 +27,6 @@
 #include "thigma/recording/recording.h"
 #include "thigma/scene/packed_scene.h"
 #include "thigma/scene/record_session.h"
-#include "thigma/scene/world_scene.h"
 #include "thigma/session/simulated_session.h"
 
 namespace thigma::app {
@@ -213,7 +213,7 @@ int run_asked(const RunOptions& asked, const Common& common) {
     print_error(asked.record +
                 ": not named .mcap: `thigma run` and the page do not take it for a recording, "
                 "replay, export and plot do");
-  if (asked.replay.empty() && !is_recording_name(asked.scene) && is_world_scene(asked.scene)) {
+  if (asked.replay.empty() && is_named_world(asked.scene)) {
     const SignalGuard signals;
     const int code = run_world_scene(asked, common, stop_requested);
     tell_of_suspension();

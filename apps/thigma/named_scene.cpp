@@ -8,6 +8,7 @@
 
 #include "thigma/core/error.h"
 #include "thigma/scene/packed_scene.h"
+#include "thigma/scene/packed_world.h"
 #include "thigma/scene/scene_file.h"
 
 namespace thigma::app {
@@ -53,9 +54,22 @@ std::string scratch_folder() {
   return scratch.next();
 }
 
+namespace {
+
+bool is_packed(const std::string& name) { return fs::path(name).extension() == ".mcap"; }
+
+}  // namespace
+
+bool is_named_world(const std::string& name) {
+  return is_packed(name) ? has_packed_world(name) : is_world_scene(name);
+}
+
+WorldSceneDescription read_named_world(const std::string& name) {
+  return is_packed(name) ? read_packed_world(name, scratch_folder()) : read_world_scene(name);
+}
+
 SceneDescription read_named_scene(const std::string& name) {
-  const bool is_packed = fs::path(name).extension() == ".mcap";
-  return is_packed ? read_packed_scene(name, scratch_folder()) : read_scene(name);
+  return is_packed(name) ? read_packed_scene(name, scratch_folder()) : read_scene(name);
 }
 
 std::string user_folder(const std::string& kind) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "thigma/scene/scene_description.h"
+#include "thigma/scene/world_scene.h"
 
 namespace thigma::app {
 
@@ -11,6 +12,12 @@ namespace thigma::app {
 /// program.
 /// Thread [offline]; InputError, IoError.
 SceneDescription read_named_scene(const std::string& name);
+
+/// Whether a scene of that name has [[body]], a recording's too. Thread [offline].
+bool is_named_world(const std::string& name);
+
+/// Such a scene, as read_named_scene. Thread [offline]; InputError, IoError.
+WorldSceneDescription read_named_world(const std::string& name);
 
 /// A new folder that goes with the program. Thread [offline]; IoError.
 std::string scratch_folder();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "json_out.h"
+#include "named_scene.h"
 #include "run_world.h"
 #include "world_recorder.h"
 #include <nlohmann/json.hpp>
@@ -16,6 +17,7 @@
 #include "thigma/recording/recording.h"
 #include "thigma/recording/replay_session.h"
 #include "thigma/recording/world_recording.h"
+#include "thigma/scene/packed_world.h"
 #include "thigma/scene/world_scene.h"
 #include "thigma/session/world_replay.h"
 
@@ -45,9 +47,10 @@ void check_haptic_steps(const std::string& path, const WorldRecording& recording
   }
 }
 
-/// The scene as it was recorded.
-LoadedWorld load_recorded(const WorldRecording& recording) {
-  WorldSceneDescription scene = read_world_scene(recording.scene);
+/// The scene as it was recorded: the one that the recording brings; of older ones by its name.
+LoadedWorld load_recorded(const std::string& path, const WorldRecording& recording) {
+  WorldSceneDescription scene = has_packed_world(path) ? read_packed_world(path, scratch_folder())
+                                                       : read_world_scene(recording.scene);
   scene.rate = recording.rate;
   if (recording.friction) use_friction(*recording.friction, scene);
   return load_world(std::move(scene));
@@ -184,7 +187,7 @@ ReplayedWorld replay_recorded(const std::string& path, const WorldRecording& rec
 
 int replay_world(const std::string& path, const Common& common) {
   const WorldRecording recording = read_world_recording(path);
-  const ReplayedWorld made = replay_recorded(path, recording, load_recorded(recording));
+  const ReplayedWorld made = replay_recorded(path, recording, load_recorded(path, recording));
   nlohmann::ordered_json json;
   json["frames"] = made.summary.frames;
   json["recorded_frames"] = made.frames;

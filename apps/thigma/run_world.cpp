@@ -7,6 +7,7 @@
 
 #include "guarded_writer.h"
 #include "json_out.h"
+#include "named_scene.h"
 #include "run_world_live.h"
 #include "world_recorder.h"
 #include "world_summary.h"
@@ -59,7 +60,7 @@ Log log_of(const Common& common) {
 
 /// The scene with what the command line says of it.
 LoadedWorld load(const RunOptions& options, const Common& common) {
-  WorldSceneDescription scene = read_world_scene(options.scene);
+  WorldSceneDescription scene = read_named_world(options.scene);
   use_options(options, scene);
   LoadedWorld world = load_world(std::move(scene), log_of(common));
   const double usual = options.is_lockstep ? kDuration : 0.0;

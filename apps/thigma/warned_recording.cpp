@@ -12,4 +12,12 @@ RecordingInfo stream_recording_warned(const std::string& path, const RecordingSi
   return recording;
 }
 
+WorldRecordingPass stream_world_warned(const std::string& path, const WorldRecordingSinks& sinks,
+                                       bool is_quiet) {
+  WorldRecordingPass pass = stream_world_recording(path, sinks);
+  for (const std::string& warning : pass.warnings)
+    if (!is_quiet) print_error(path + ": " + warning);
+  return pass;
+}
+
 }  // namespace thigma::app

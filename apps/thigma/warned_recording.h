@@ -4,6 +4,7 @@
 #include <string>
 
 #include "thigma/recording/recording.h"
+#include "thigma/recording/world_frames.h"
 
 namespace thigma::app {
 
@@ -12,5 +13,9 @@ namespace thigma::app {
 /// Thread   [offline]; as stream_recording.
 RecordingInfo stream_recording_warned(const std::string& path, const RecordingSinks& sinks,
                                       bool is_quiet);
+
+/// The same of a world's.
+WorldRecordingPass stream_world_warned(const std::string& path, const WorldRecordingSinks& sinks,
+                                       bool is_quiet);
 
 }  // namespace thigma::app

@@ -1,6 +1,10 @@
 #include "world_recorder.h"
 
+#include "verbs.h"
+
+#include "thigma/core/error.h"
 #include "thigma/device/web_device.h"
+#include "thigma/scene/packed_world.h"
 
 namespace thigma::app {
 namespace {
@@ -17,6 +21,16 @@ WorldRecordingInfo info_of(const LoadedWorld& world, const WorldRecorderInfo& gi
   for (const WorldBody& body : world.config.world.bodies) info.bodies.push_back(body.name);
   for (const WorldJoint& joint : world.config.world.joints) info.joints.push_back(joint.name);
   return info;
+}
+
+/// The scene travels with its recording.
+std::vector<McapAttachment> packed(const WorldSceneDescription& scene) {
+  try {
+    return pack_world(scene);
+  } catch (const InputError& error) {
+    print_error(std::string(error.what()) + "; the recording goes without its scene");
+    return {};
+  }
 }
 
 class RecordedPage final : public HapticDevice {
@@ -54,7 +68,9 @@ WorldRecorder::WorldRecorder(const std::string& path, const LoadedWorld& world,
                              const WorldRecorderInfo& info)
     : writer_(path, info_of(world, info)),
       joints_(world.config.world.joints.size()),
-      hands_(info.devices.size()) {}
+      hands_(info.devices.size()) {
+  for (const McapAttachment& file : packed(world.description)) writer_.attach(file);
+}
 
 void WorldRecorder::write(const WorldFrame& frame) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
@@ -64,10 +80,11 @@ void WorldRecorder::write(const WorldFrame& frame) {
   const WorldHapticNow& haptic = frame.haptic;
   for (std::size_t i = 0; i < hands_.size(); ++i) {
     hands_[i] = {frame.grips[i].device, frame.aimed};
+    hands_[i].energy = frame.grips[i].energy;
     if (haptic.ticks > 0) hands_[i].seen = haptic.seen[i];
   }
   writer_.write(frame.frame, frame.time, frame.bodies, joints_,
-                haptic.ticks > 0 ? haptic.sent : frame.commands, hands_);
+                haptic.ticks > 0 ? haptic.sent : frame.commands, hands_, frame.is_asleep);
 }
 
 void WorldRecorder::close(const WorldSummary& summary) {

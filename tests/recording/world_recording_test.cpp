@@ -132,7 +132,7 @@ TEST(WorldRecording, APagesHandComesBackBitForBit) {
   }
   const WorldRecording read = read_world_recording(path);
   ASSERT_EQ(read.hands.size(), 2u);
-  EXPECT_TRUE(read.hands[0].empty());
+  EXPECT_EQ(read.hands[0].size(), 30u);
   ASSERT_EQ(read.hands[1].size(), 30u);
   for (std::size_t i = 0; i < 30; ++i) {
     const RecordedHand &a = read.hands[1][i], &b = written[i];

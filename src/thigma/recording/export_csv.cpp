@@ -1,71 +1,19 @@
-#include <concepts>
-
 #include "thigma/files/file.h"
 #include "thigma/loop/sample_fields.h"
-#include "thigma/recording/detail/json_text.h"
+#include "thigma/recording/detail/csv_row.h"
 #include "thigma/recording/recording.h"
 
 namespace thigma {
 namespace {
 
-constexpr const char* kAxes[] = {"x", "y", "z", "w"};
-
-/// Names of the columns, of the list in sample_fields.h.
-struct HeaderWriter {
-  std::string& row;
-
-  template <class Value>
-  void operator()(const char* name, const Value&) const {
-    if (!row.empty()) row += ',';
-    row += name;
-  }
-  template <class Vector>
-  void vector(const char* name, const char* unit, const Vector& v) const {
-    for (int i = 0; i < static_cast<int>(v.size()); ++i)
-      (*this)((name + std::string(kAxes[i]) + unit).c_str(), v[i]);
-  }
-};
-
-/// Their values; an unknown number stays empty.
-struct RowWriter {
-  std::string& row;
-  bool& is_first;
-
-  void begin() const {
-    if (!is_first) row += ',';
-    is_first = false;
-  }
-  void operator()(const char*, double value) const {
-    begin();
-    if (value == value) detail::put_number(row, value);
-  }
-  void operator()(const char* name, float value) const {
-    (*this)(name, static_cast<double>(value));
-  }
-  template <std::integral Integer>
-  void operator()(const char*, Integer value) const {
-    begin();
-    row += std::to_string(value);
-  }
-  void operator()(const char*, Fault fault) const {
-    begin();
-    row += fault_name(fault);
-  }
-  template <class Vector>
-  void vector(const char* name, const char*, const Vector& v) const {
-    for (int i = 0; i < static_cast<int>(v.size()); ++i) (*this)(name, v[i]);
-  }
-};
-
 std::string header() {
   std::string row;
-  visit_columns(HapticSample{}, HeaderWriter{row});
+  visit_columns(HapticSample{}, detail::CsvNames(row));
   return row + '\n';
 }
 
 void append_row(std::string& row, const HapticSample& s) {
-  bool is_first = true;
-  visit_columns(s, RowWriter{row, is_first});
+  visit_columns(s, detail::CsvValues(row));
   row += '\n';
 }
 

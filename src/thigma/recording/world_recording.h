@@ -2,11 +2,11 @@
 // Recordings of worlds of several bodies: poses and momenta of all, bit for bit.
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "thigma/device/haptic_device.h"
@@ -18,6 +18,7 @@
 namespace thigma {
 
 class McapWriter;
+struct McapAttachment;
 
 /// What a recording of a world says of its session.
 struct WorldRecordingInfo {
@@ -45,20 +46,22 @@ struct RecordedJoint {
   double spring = 0.0, motor = 0.0, limit = 0.0;  // along it [N, N m]
 };
 
-/// What has to come again of a page's hand, which no address can open, and of any that is apart
-/// from its world: what the world read, and what it was aimed at before that, if anew.
+/// What the world read of a hand, and what it was aimed at before that, if anew. It has to come
+/// again of a page's, which no address can open, and of any that is apart from its world.
 struct RecordedHand {
   DeviceState device;
   std::optional<WorldAim> aimed;
   HandSeen seen{};  // of one that is apart
+  // that it has put into the world since the start; not a number: not recorded [J]
+  double energy = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Whether a device of a recording is a page's hand, whose samples it has always. Thread: any.
 bool is_page_hand(const std::string& address);
 
 /// Writes one. Topics: /config, /body/NAME/state for each body, /joint/NAME/state for each joint,
-/// /device/command of the first device, /device/2/command and so on of others, beside it /sample of
-/// a page's hand and of those that are apart, of which /haptic has each step; /events.
+/// /device/command of the first device, /device/2/command and so on of others, beside it /sample
+/// and, of those that are apart, /haptic with each step; /events.
 /// Thread: one, [offline]. Members throw IoError.
 class WorldRecordingWriter {
  public:
@@ -67,13 +70,16 @@ class WorldRecordingWriter {
   WorldRecordingWriter(const WorldRecordingWriter&) = delete;
   WorldRecordingWriter& operator=(const WorldRecordingWriter&) = delete;
 
-  /// bodies   as many as names
-  /// joints   likewise
-  /// commands sent to the devices, likewise
-  /// hands    by device; of pages' hands, and of all that are apart, something is written
+  void attach(const McapAttachment& file);  // a file that travels with it, before any frame
+  /// bodies     as many as names
+  /// joints     likewise
+  /// commands   sent to the devices, likewise
+  /// hands      by device; none: nothing is written of them, which a page's has to have
+  /// is_asleep  by body; none: likewise
   void write(std::uint64_t frame, double time, std::span<const BodyState> bodies,
              std::span<const RecordedJoint> joints, std::span<const Wrench> commands,
-             std::span<const RecordedHand> hands = {});
+             std::span<const RecordedHand> hands = {},
+             std::span<const std::uint8_t> is_asleep = {});
   /// Steps of hands that are apart, those of each in order. IoError where one is missing.
   void write(std::span<const HandTick> ticks);
   /// haptic_steps  made by each hand that is apart, recorded or not
@@ -86,10 +92,9 @@ class WorldRecordingWriter {
   void put(std::uint16_t channel, std::uint64_t number, std::uint64_t time_ns, const Fill& fill);
 
   std::unique_ptr<McapWriter> file_;
-  std::vector<std::uint16_t> bodies_, joints_, commands_;
-  std::vector<std::pair<std::size_t, std::uint16_t>> samples_;  // device, channel
-  std::vector<std::uint16_t> haptic_;                           // by device, where they are apart
-  std::vector<std::uint64_t> steps_;                            // likewise: written
+  std::vector<std::uint16_t> bodies_, joints_, commands_, samples_;
+  std::vector<std::uint16_t> haptic_;  // by device, where they are apart
+  std::vector<std::uint64_t> steps_;   // likewise: written
   std::string path_;
   std::uint16_t events_ = 0;
   std::string text_;
@@ -98,7 +103,7 @@ class WorldRecordingWriter {
 /// A recording in memory: all bodies of a frame one after the other.
 struct WorldRecording : WorldRecordingInfo {
   std::vector<BodyState> states;  // frames x bodies
-  // by device: one a frame of pages' hands and of those that are apart
+  // by device: one a frame; older recordings have those of pages and of hands that are apart
   std::vector<std::vector<RecordedHand>> hands;
   std::vector<std::vector<HandTick>> ticks;  // by device: steps of those that are apart
 };

@@ -40,7 +40,8 @@ void check_name(const TomlTable& table, const std::string& name) {
 
 /// One table: a body, or `copies` of it, each `spacing` from the one before.
 void read_body(TomlTable& table, std::optional<BodyKind> kind, const std::string& folder,
-               std::vector<WorldSceneBody>& bodies) {
+               WorldSceneDescription& scene) {
+  std::vector<WorldSceneBody>& bodies = scene.bodies;
   const detail::ObjectKeys keys = detail::read_object_keys(table);
   WorldSceneBody body;
   body.kind = kind.value_or(BodyKind::moving);
@@ -66,6 +67,7 @@ void read_body(TomlTable& table, std::optional<BodyKind> kind, const std::string
   if (!body.mass && !body.density && moves_freely(body.kind))
     table.fail_here("no mass", "expected mass or density");
   body.object = detail::resolve_object(table, keys, folder);
+  if (!body.object.model) scene.files[*keys.mesh] = body.object.mesh;
   const std::string name = body.object.name;
   for (int i = 0; i < copies; ++i) {
     if (copies > 1) body.object.name = name + " " + std::to_string(i + 1);
@@ -138,9 +140,9 @@ void read_tables(TomlTable& top, const std::string& folder, bool has_many_device
   }
   top.finish();
   if (moving.empty()) top.fail_here("no [[body]]", "expected at least one body that moves");
-  if (object) read_body(*object, BodyKind::held, folder, scene.bodies);
-  for (TomlTable& table : statics) read_body(table, BodyKind::fixed, folder, scene.bodies);
-  for (TomlTable& table : moving) read_body(table, std::nullopt, folder, scene.bodies);
+  if (object) read_body(*object, BodyKind::held, folder, scene);
+  for (TomlTable& table : statics) read_body(table, BodyKind::fixed, folder, scene);
+  for (TomlTable& table : moving) read_body(table, std::nullopt, folder, scene);
   for (TomlTable& table : joints) {
     const std::size_t before = scene.joints.size();
     detail::read_joint(table, scene.joints);
@@ -205,6 +207,7 @@ WorldSceneDescription parse_world_scene(std::string_view text, const std::string
   TomlTable top(root, file, "");
   WorldSceneDescription scene;
   scene.file = file;
+  scene.text = text;
   scene.title = top.text("title").value_or(fs::path(file).stem().string());
   scene.gravity = top.vector("gravity").value_or(scene.gravity);
   read_tables(top, folder, root["device"].is_array_of_tables(), scene);

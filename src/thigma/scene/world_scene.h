@@ -1,6 +1,7 @@
 #pragma once
 // A scene of several bodies that move ([[body]]), and what a session of it needs.
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,7 +52,9 @@ struct WorldSceneJoint {
 /// A world, as a file gives it.
 struct WorldSceneDescription {
   std::string file, title;
-  Vec3 gravity = Vec3::Zero();  // [m/s^2]
+  std::string text;                          // that it was read from
+  std::map<std::string, std::string> files;  // meshes: as the text names them, where they are
+  Vec3 gravity = Vec3::Zero();               // [m/s^2]
   std::vector<WorldSceneBody> bodies;
   std::vector<WorldSceneJoint> joints;
   CouplingGains coupling;

@@ -151,6 +151,7 @@ HandTick tick_of(std::int32_t hand, const HapticTick& tick, const HapticSample& 
   made.device = loop.device.sample;
   made.news = loop.news.value().sequence;
   made.sent = sample.command;
+  made.energy = sample.energy;
   return made;
 }
 

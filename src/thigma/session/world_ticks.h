@@ -20,6 +20,7 @@ struct HandTick {
   DeviceState device;      // as read
   std::uint64_t news = 0;  // HandNews::sequence of the newest that it had; 0: none
   Wrench sent;             // [N, N m; device frame]
+  double energy = 0.0;     // that the hand has put in at its device since the start [J]
 };
 static_assert(RtPayload<HandTick>);
 

@@ -210,7 +210,9 @@ void read_message(const std::string& topic, std::string_view data, RecordingInfo
   if (topic == "/config") {
     const Json config = Json::parse(data, nullptr, false);  // whoever uses it says what is wrong
     if (config.is_object() && config.contains("kind"))
-      throw InputError("it is of a world of several bodies, which only `thigma replay` reads");
+      throw InputError(
+          "it is of a world of several bodies, which `thigma replay`, `run`, `export` and "
+          "`plot` read");
     recording.config = std::string(data);
     return;
   }
