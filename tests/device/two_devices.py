@@ -130,7 +130,7 @@ def row(pair, name, before, after, code, said):
 
 def try_fault(pair, folder, fault):
     name, whose, keys, word = fault
-    session = pressed(pair, folder, 0.2 if word == "without a haptic step" else PATIENT["watchdog"])
+    session = pressed(pair, folder, 1.0 if word == "without a haptic step" else PATIENT["watchdog"])
     try:
         before = session.forces()
         for key, value in keys.items():
