@@ -1,7 +1,9 @@
 // `thigma export F.mcap -o F.csv`: one row a frame, units in the header.
 
 #include <cstdio>
+#include <filesystem>
 #include <optional>
+#include <string>
 
 #include "json_out.h"
 #include "verbs.h"
@@ -62,9 +64,27 @@ int export_world(const Export& asked, const Common& common) {
   return kDone;
 }
 
+/// Refuses to write over what is read, or two tables into one file; "" where neither is asked for.
+std::string overwritten(const Export& asked) {
+  for (const std::string& out : {asked.out, asked.haptic})
+    if (is_one_file(asked.path, out)) return out + " is the recording, expected another file";
+  const auto whole = [](const std::string& name) {
+    return std::filesystem::absolute(name).lexically_normal();
+  };
+  if (!asked.haptic.empty() && whole(asked.haptic) == whole(asked.out))
+    return asked.haptic + " is the file of -o, expected another one";
+  return "";
+}
+
 int export_recording(const Export& asked, const Common& common) {
+  if (const std::string why = overwritten(asked); !why.empty()) {
+    print_error("export: " + why);
+    return kUsage;
+  }
   if (is_world_recording(asked.path)) return export_world(asked, common);
   if (!asked.haptic.empty()) {
+    stream_recording(asked.path, {});  // says what is wrong with what is none
+
     print_error(
         "export: --haptic is for recordings of worlds: every row of this one is a haptic "
         "frame");

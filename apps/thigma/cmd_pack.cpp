@@ -16,6 +16,10 @@ namespace thigma::app {
 namespace {
 
 int pack(const std::string& name, const std::string& out, const Common& common) {
+  if (is_one_file(name, out)) {
+    print_error("pack: " + out + " is the scene itself, expected another file");
+    return kUsage;
+  }
   std::string title;
   std::vector<McapAttachment> files;
   if (is_named_world(name)) {

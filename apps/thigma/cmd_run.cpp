@@ -209,6 +209,9 @@ int refuse(int code, const std::string& why) {
 }
 
 int run_asked(const RunOptions& asked, const Common& common) {
+  for (const std::string& read : {asked.scene, asked.replay})
+    if (!asked.record.empty() && is_one_file(read, asked.record))
+      return refuse(kUsage, "--record " + asked.record + " is what is read, expected another file");
   if (!asked.record.empty() && !is_recording_name(asked.record) && !common.quiet)
     print_error(asked.record +
                 ": not named .mcap: `thigma run` and the page do not take it for a recording, "

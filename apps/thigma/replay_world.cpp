@@ -17,6 +17,7 @@
 #include "thigma/recording/recording.h"
 #include "thigma/recording/replay_session.h"
 #include "thigma/recording/world_recording.h"
+#include "thigma/scene/packed_scene.h"
 #include "thigma/scene/packed_world.h"
 #include "thigma/scene/world_scene.h"
 #include "thigma/session/world_replay.h"
@@ -49,7 +50,7 @@ void check_haptic_steps(const std::string& path, const WorldRecording& recording
 
 /// The scene as it was recorded: the one that the recording brings; of older ones by its name.
 LoadedWorld load_recorded(const std::string& path, const WorldRecording& recording) {
-  WorldSceneDescription scene = has_packed_world(path) ? read_packed_world(path, scratch_folder())
+  WorldSceneDescription scene = has_packed_scene(path) ? read_packed_world(path, scratch_folder())
                                                        : read_world_scene(recording.scene);
   scene.rate = recording.rate;
   if (recording.friction) use_friction(*recording.friction, scene);
@@ -187,6 +188,8 @@ ReplayedWorld replay_recorded(const std::string& path, const WorldRecording& rec
 
 int replay_world(const std::string& path, const Common& common) {
   const WorldRecording recording = read_world_recording(path);
+  for (const std::string& warning : recording.warnings)
+    if (!common.quiet) print_error(path + ": " + warning);
   const ReplayedWorld made = replay_recorded(path, recording, load_recorded(path, recording));
   nlohmann::ordered_json json;
   json["frames"] = made.summary.frames;
@@ -195,6 +198,8 @@ int replay_world(const std::string& path, const Common& common) {
   json["recorded_hash"] = nullptr;
   if (recording.has_end) json["recorded_hash"] = hex_text(recording.state_hash);
   json["identical"] = made.is_same;
+  json["cut_off"] = nullptr;
+  if (!recording.cut_off.empty()) json["cut_off"] = recording.cut_off;
   json["first_difference"] = nullptr;
   if (made.frame >= 0) json["first_difference"] = made.frame;
   json["haptic"] = nullptr;

@@ -37,6 +37,7 @@ std::string missing(const RunOptions& options) {
   if (asks_for_levels(options.resolution))
     return "scenes with [[body]] say themselves what is coarse far away ([contact] threshold): "
            "leave out --threshold, --budget-us and their like";
+  if (options.resolution.carry) return "--carry is not for scenes with [[body]]";
   if (!options.texture.empty()) return "--texture is not for scenes with [[body]]";
   if (options.is_repair)
     return "--repair is not for scenes with [[body]]: thigma repair mends them";

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <unistd.h>
@@ -41,6 +43,11 @@ CLI::App* add_verb(CLI::App& app, Common& common, const char* name, const char* 
     common.exit_code = body();
   });
   return verb;
+}
+
+bool is_one_file(const std::string& a, const std::string& b) {
+  std::error_code failed;  // what is not there is no file
+  return std::filesystem::equivalent(a, b, failed);
 }
 
 void print_error(const std::string& text) {

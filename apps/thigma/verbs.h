@@ -45,6 +45,10 @@ int run_verb(const RunOptions& options, const Common& common);
 /// Every verb of this build, in the order of --help (all_verbs.cpp).
 void add_all_verbs(CLI::App& app, Common& common);
 
+/// Whether two names are of one file that is there. A verb that would write over what it reads says
+/// so instead: kUsage.
+bool is_one_file(const std::string& a, const std::string& b);
+
 /// "thigma: TEXT" as one line on standard error. What a file or a file name brought along and a
 /// terminal would act on, control characters, becomes '?'.
 void print_error(const std::string& text);

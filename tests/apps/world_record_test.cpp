@@ -100,6 +100,44 @@ TEST(WorldRecords, haptic_frames_are_refused_where_there_are_none_of_their_own) 
   EXPECT_FALSE(std::filesystem::exists(none));
 }
 
+TEST(WorldRecords, nothing_is_written_over_what_is_read) {
+  const std::string scene = pushed_block("kept"), file = out_file("kept.mcap");
+  run_world(scene, {"--lockstep", "--duration", "0.1", "--record", file});
+  const std::string bytes = read_text(file), text = read_text(scene);
+  const std::string csv = out_file("kept.csv");
+  const std::vector<std::vector<std::string>> all = {
+      {"export", file, "-o", file},
+      {"export", file, "-o", csv, "--haptic", file},
+      {"export", file, "-o", csv, "--haptic", csv},
+      {"pack", file, "-o", file},
+      {"pack", scene, "-o", scene},
+      {"run", file, "--lockstep", "--headless", "--duration", "0.1", "--record", file}};
+  for (const std::vector<std::string>& arguments : all) {
+    const Ended e = run_program(arguments);
+    EXPECT_EQ(e.code, 2) << arguments[0];
+    EXPECT_NE(e.err.find("expected another"), std::string::npos) << e.err;
+  }
+  EXPECT_EQ(read_text(file), bytes);
+  EXPECT_EQ(read_text(scene), text);
+  // What is no recording is said to be none, whatever was asked of it.
+  const Ended e = run_program({"export", scene, "-o", csv, "--haptic", out_file("steps.csv")});
+  EXPECT_EQ(e.code, 4) << e.err;
+}
+
+TEST(WorldRecords, replay_says_where_a_recording_was_cut_off_and_what_its_scene_lacks) {
+  const std::string file = out_file("whole.mcap");
+  run_world(pushed_block("cut"), {"--lockstep", "--duration", "1", "--record", file});
+  const Ended whole = run_program({"replay", file, "--json"});
+  EXPECT_TRUE(json_line(whole)["cut_off"].is_null());
+  EXPECT_EQ(whole.err, "");
+  const std::string bytes = read_text(file);
+  const std::string cut = write_text("cut_off.mcap", bytes.substr(0, 2 * bytes.size() / 3));
+  const Ended e = run_program({"replay", cut, "--json"});
+  EXPECT_EQ(e.code, 0) << e.err;
+  EXPECT_NE(e.err.find("the recording ends at"), std::string::npos) << e.err;
+  EXPECT_TRUE(json_line(e)["cut_off"].is_string());
+}
+
 TEST(WorldRecords, plot_draws_what_there_is) {
   const std::string file = out_file("drawn.mcap"), svg = out_file("drawn.svg");
   run_world(pushed_block("drawn"), {"--lockstep", "--duration", "1.2", "--record", file});

@@ -264,6 +264,18 @@ TEST(IslandSolve, SharesGoOnToTheirBound) {
   EXPECT_EQ(steps(grows, grows), 0.0);
 }
 
+TEST(IslandSolve, EndsWhateverItIsAsked) {
+  Random random(15);
+  for (const double far : {1e3, 1e30, 1e160, std::nan("")}) {
+    RandomIsland island = hung_on_two(random);
+    island.bodies[0].free *= far;
+    IslandScratch scratch = scratch_for(island);
+    const IslandSolution found = solve_island(island.bodies, island.rows, scratch);
+    EXPECT_LE(found.rounds, 60) << far;
+    EXPECT_LE(found.newton, 60 * 40 + 12) << far;
+  }
+}
+
 TEST(IslandSolve, WarmStartNeedsLess) {
   Random random(6);
   RandomIsland island = random_island(random, 8, 40, 0.3);

@@ -236,6 +236,7 @@ bool slides(std::span<const IslandRow> rows) noexcept {
 /// Tries whether nothing slides; else all is as it was but for the factors that this took.
 bool solve_sticking(Work& work, double enough, IslandSolution& solution) noexcept {
   constexpr int kTried = 12;  // factors, where as many again are left
+  constexpr int kRounds = 6;  // what is no number needs no factor
   IslandScratch& s = work.s;
   const bool has_friction = std::any_of(work.rows.begin(), work.rows.end(),
                                         [](const IslandRow& row) { return row.friction > 0.0; });
@@ -245,7 +246,7 @@ bool solve_sticking(Work& work, double enough, IslandSolution& solution) noexcep
   for (std::size_t i = 0; i < work.joints.size(); ++i) s.joint_kept[i] = work.joints[i].impulse;
   work.has_cones = true;
   bool is_met = false;
-  while (!is_met && solution.newton < kTried) {
+  while (!is_met && solution.newton < kTried && solution.rounds < kRounds) {
     solution.newton += detail::minimize(work, enough, kTried - solution.newton);
     if (solution.newton >= kTried) break;  // not at its minimum
     const Change change = take_multipliers(work);

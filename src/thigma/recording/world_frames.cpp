@@ -257,7 +257,10 @@ WorldRecording gather(ByteSource& source, const std::string& path) {
   sinks.tick = [&](const HandTick& tick) {
     out.ticks[static_cast<std::size_t>(tick.hand)].push_back(tick);
   };
-  static_cast<WorldRecordingInfo&>(out) = stream(source, path, sinks).info;
+  WorldRecordingPass pass = stream(source, path, sinks);
+  static_cast<WorldRecordingInfo&>(out) = std::move(pass.info);
+  out.cut_off = std::move(pass.cut_off);
+  out.warnings = std::move(pass.warnings);
   return out;
 }
 

@@ -106,6 +106,8 @@ struct WorldRecording : WorldRecordingInfo {
   // by device: one a frame; older recordings have those of pages and of hands that are apart
   std::vector<std::vector<RecordedHand>> hands;
   std::vector<std::vector<HandTick>> ticks;  // by device: steps of those that are apart
+  std::string cut_off;                // where and why it ends before it should; "" for a whole one
+  std::vector<std::string> warnings;  // cut_off among them
 };
 
 /// Whether a file is a recording of a world. False for what cannot be read.
