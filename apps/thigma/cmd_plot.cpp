@@ -64,10 +64,6 @@ int plot_recording(const std::string& path, const std::string& out, const Common
     print_error("plot: -o " + out + ": expected a file that ends in .png, .svg or .pdf");
     return kUsage;
   }
-  if (is_one_file(path, out)) {
-    print_error("plot: " + out + " is the recording, expected another file");
-    return kUsage;
-  }
   if (is_world_recording(path)) return plot_world(path, *format, out, common);
   // Twice over the file, so that no recording is too long for memory. One that is still being
   // written is longer the second time; what is new is left out.
